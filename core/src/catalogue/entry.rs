@@ -1,0 +1,225 @@
+//! The shape of a catalogue entry. Plain data, read by form, check, program, docs and run.
+
+use crate::check::Inputs;
+use crate::run::{Machine, Stop};
+use crate::workpiece::Workpiece;
+
+/// The language of the part program, and with it the control.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Dialect {
+    /// SINUMERIK 840D/840Di/810D.
+    Sinumerik,
+    /// NCT milling controls.
+    Nct,
+}
+
+/// One measuring cycle or macro.
+pub struct Cycle {
+    /// Control that has it.
+    pub dialect: Dialect,
+    /// Name as called: `CYCLE977`, `G110`.
+    pub name: &'static str,
+    /// Stem of its message keys: `cycle977` → `cycle977-title`, `cycle977-help`, `cycle977-words` (search words).
+    pub key: &'static str,
+    /// Measuring variants, in the manual's order. Never empty.
+    pub variants: &'static [Variant],
+    /// Parameters in the order in which the snippet writes them.
+    pub params: &'static [Param],
+    /// What it leaves in the result data.
+    pub results: &'static [ResultField],
+    /// Numbers (or NCT messages) it can raise.
+    pub alarms: &'static [crate::diagnostic::Code],
+    /// Checks over several parameters; everything about one parameter is in its [`Param`].
+    pub checks: fn(&Inputs, &mut Vec<crate::diagnostic::Diagnostic>),
+    /// A nominal part and a safe start position for the values of a form.
+    pub propose: fn(&Inputs) -> Proposal,
+    /// What the control does.
+    pub simulate: fn(&mut dyn Machine, &Inputs) -> Result<(), Stop>,
+    /// Place in the manual.
+    pub source: &'static str,
+}
+
+/// One measuring variant.
+pub struct Variant {
+    /// SINUMERIK: the number `_MVAR`. NCT: 0, 1, … in the order of the table.
+    pub number: i64,
+    /// Key of its name.
+    pub key: &'static str,
+    /// Place in the manual.
+    pub source: &'static str,
+}
+
+/// A parameter of a cycle.
+pub struct Param {
+    /// As the manual writes it: `_SETVAL`, `_SETV[0]`, `D`.
+    pub name: &'static str,
+    /// Stem of its message keys: `setval` → `param-setval` with attributes `.help`; see [`Param::labels`].
+    pub key: &'static str,
+    /// What can be entered.
+    pub kind: Kind,
+    /// Unit and in which unit system it counts.
+    pub unit: Unit,
+    /// Value when it is not written; `None`: it has to be.
+    pub default: Option<f64>,
+    /// Outside of this the control alarms (or the call makes no sense).
+    pub range: Range,
+    /// Outside of this a colleague would ask.
+    pub usual: Range,
+    /// Alarm (or message) for a value outside `range` or missing.
+    pub alarm: Option<crate::diagnostic::Code>,
+    /// First rule that holds decides; none: not used.
+    pub needs: &'static [Need],
+    /// Wording that differs by variant: first that holds, else `param-<key>`.
+    pub labels: &'static [(When, &'static str)],
+    /// Place in the manual.
+    pub source: &'static str,
+}
+
+/// What can be entered.
+pub enum Kind {
+    /// Real number.
+    Real,
+    /// Whole number.
+    Integer,
+    /// One of these numbers, each with the key of its name.
+    Choice(&'static [(i64, &'static str)]),
+    /// The measuring variant: choices are the cycle's variants.
+    Variant,
+    /// A number whose digits are choices of their own.
+    Digits(&'static [DigitGroup]),
+    /// Correction target `_KNUM`: a tool offset code or a zero offset code, decided by the variant.
+    Knum,
+    /// Text of at most this many characters.
+    Text(usize),
+}
+
+/// A group of digits of a coded number.
+pub struct DigitGroup {
+    /// Key of its name.
+    pub key: &'static str,
+    /// Value of its lowest digit: 1, 10, 100, …
+    pub place: i64,
+    /// How many digits.
+    pub digits: u32,
+    /// Named values; empty: any number of that many digits.
+    pub choices: &'static [(i64, &'static str)],
+}
+
+/// Unit of a parameter and the system it counts in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unit {
+    /// No unit.
+    None,
+    /// mm or inch by the active G70/G71/G700/G710 (NCT: G20/G21).
+    ActiveLength,
+    /// mm or inch by the basic system of the machine.
+    BasicLength,
+    /// Always mm, also on an inch machine (`_FA`).
+    Millimetre,
+    /// Degree.
+    Degree,
+    /// mm/min or inch/min by the basic system (NCT: active system).
+    BasicFeed,
+}
+
+/// Range of a number. `f64::NEG_INFINITY`/`INFINITY` for an open end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Range {
+    /// Lower end.
+    pub min: f64,
+    /// Whether `min` itself is allowed.
+    pub min_included: bool,
+    /// Upper end.
+    pub max: f64,
+    /// Whether `max` itself is allowed.
+    pub max_included: bool,
+}
+
+impl Range {
+    /// Any finite number.
+    pub const ANY: Range =
+        Range { min: f64::NEG_INFINITY, min_included: false, max: f64::INFINITY, max_included: false };
+    /// Greater than 0.
+    pub const POSITIVE: Range = Range { min: 0.0, ..Range::ANY };
+    /// 0 or greater.
+    pub const NOT_NEGATIVE: Range = Range { min: 0.0, min_included: true, ..Range::ANY };
+
+    /// From `min` to `max`, both allowed.
+    pub const fn closed(min: f64, max: f64) -> Range {
+        Range { min, min_included: true, max, max_included: true }
+    }
+
+    /// Whether the number lies inside; NaN never does.
+    pub fn contains(&self, value: f64) -> bool {
+        let low = value > self.min || (self.min_included && value == self.min);
+        let high = value < self.max || (self.max_included && value == self.max);
+        low && high
+    }
+}
+
+/// Whether a parameter is needed, under a condition.
+pub struct Need {
+    /// Condition.
+    pub when: When,
+    /// Consequence.
+    pub level: Level,
+    /// Key of the reason, shown at the field (`need-tool-offset`).
+    pub reason: &'static str,
+}
+
+/// How much a parameter is needed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Level {
+    /// Has to be given.
+    Required,
+    /// May be given.
+    Optional,
+}
+
+/// A condition on the values of a call. Data, so that docs can print it.
+pub enum When {
+    /// Always.
+    Always,
+    /// The measuring variant is one of these.
+    Variant(&'static [i64]),
+    /// The number of this parameter, divided by `place` (whole), modulo 10, is one of these.
+    Digit {
+        /// Parameter.
+        param: &'static str,
+        /// 1, 10, 100, …
+        place: i64,
+        /// Accepted digits.
+        is: &'static [i64],
+    },
+    /// The parameter is given and not zero (a text: not empty).
+    Given(&'static str),
+    /// All of these.
+    All(&'static [When]),
+    /// One of these.
+    Any(&'static [When]),
+    /// Not this.
+    Not(&'static When),
+}
+
+/// One datum that a cycle leaves.
+pub struct ResultField {
+    /// `_OVR[4]`, `_OVI[0]`; NCT: `deviation`, …
+    pub name: &'static str,
+    /// Key of its meaning.
+    pub key: &'static str,
+    /// When it is set.
+    pub when: When,
+    /// Unit.
+    pub unit: Unit,
+    /// Place in the manual.
+    pub source: &'static str,
+}
+
+/// A nominal part with a start position from which the cycle may be called.
+#[derive(Clone, Debug)]
+pub struct Proposal {
+    /// Nominal part; errors are added by the caller.
+    pub workpiece: Workpiece,
+    /// Position of the probe in the WCS at the call, mm; applicate included. Order X Y Z.
+    pub start: [f64; 3],
+}

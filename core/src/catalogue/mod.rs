@@ -1,0 +1,16 @@
+//! What can be measured. One file a cycle: its entry (plain data) beside its simulation.
+//! A new cycle is one file and two lines here: `mod` and the place in [`CYCLES`].
+
+mod entry;
+pub use entry::*;
+
+/// Every cycle that Probewright knows, in the order in which they are offered.
+pub static CYCLES: &[&Cycle] = &[];
+
+/// The entry with this name on this control (`CYCLE977`, `G110`; case does not matter).
+pub fn find(dialect: Dialect, name: &str) -> Option<&'static Cycle> {
+    CYCLES
+        .iter()
+        .copied()
+        .find(|cycle| cycle.dialect == dialect && cycle.name.eq_ignore_ascii_case(name))
+}

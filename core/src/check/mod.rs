@@ -1,0 +1,37 @@
+//! Typed values → checked inputs and findings. The only way to [`Inputs`].
+
+use crate::catalogue::Cycle;
+use std::collections::BTreeMap;
+
+/// What was typed, per parameter name, nothing decided. Decimal comma allowed.
+pub type Typed = BTreeMap<String, String>;
+
+/// What the call means: every used parameter has a value, lengths in mm, angles in degree, feeds in mm/min.
+#[derive(Clone)]
+pub struct Inputs {
+    /// The cycle.
+    pub cycle: &'static Cycle,
+    /// Number of the measuring variant.
+    pub variant: i64,
+    /// Numbers by parameter name, defaults filled in.
+    pub numbers: BTreeMap<&'static str, f64>,
+    /// Texts by parameter name.
+    pub texts: BTreeMap<&'static str, String>,
+}
+
+impl Inputs {
+    /// Number of a parameter; 0 where the variant does not use it.
+    pub fn number(&self, name: &str) -> f64 {
+        self.numbers.get(name).copied().unwrap_or(0.0)
+    }
+
+    /// Number of an integer parameter.
+    pub fn integer(&self, name: &str) -> i64 {
+        self.number(name) as i64
+    }
+
+    /// Text of a parameter; empty where not given.
+    pub fn text(&self, name: &str) -> &str {
+        self.texts.get(name).map_or("", String::as_str)
+    }
+}

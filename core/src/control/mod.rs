@@ -1,0 +1,147 @@
+//! State of the control: plane, units, frames, tools, user data. Plain data with the manual's bookkeeping.
+
+use crate::catalogue::Dialect;
+use std::collections::BTreeMap;
+
+/// Working plane.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Plane {
+    /// X abscissa, Y ordinate, Z applicate.
+    G17,
+    /// Z abscissa, X ordinate, Y applicate.
+    G18,
+    /// Y abscissa, Z ordinate, X applicate.
+    G19,
+}
+
+impl Plane {
+    /// Indices (X = 0, Y = 1, Z = 2) of abscissa, ordinate, applicate.
+    pub const fn axes(self) -> [usize; 3] {
+        match self {
+            Plane::G17 => [0, 1, 2],
+            Plane::G18 => [2, 0, 1],
+            Plane::G19 => [1, 2, 0],
+        }
+    }
+}
+
+/// System of units.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Units {
+    /// mm.
+    Metric,
+    /// inch.
+    Inch,
+}
+
+/// A frame: position and rotation of a coordinate system in the one before it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Frame {
+    /// Coarse translation X Y Z, mm.
+    pub coarse: [f64; 3],
+    /// Fine translation X Y Z, mm.
+    pub fine: [f64; 3],
+    /// Rotation about X Y Z (RPY), degree.
+    pub rotation: [f64; 3],
+}
+
+/// Cutting edge data of a tool.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Edge {
+    /// `$TC_DP1` tool type: 710 3D probe, 120 end mill.
+    pub kind: i64,
+    /// Geometry L1 L2 L3, mm.
+    pub length: [f64; 3],
+    /// Geometry radius, mm.
+    pub radius: f64,
+    /// Wear L1 L2 L3, mm.
+    pub length_wear: [f64; 3],
+    /// Wear of the radius, mm.
+    pub radius_wear: f64,
+    /// Additive offsets by DL number 1..6: L1 L2 L3 radius, mm.
+    pub additive: BTreeMap<i64, [f64; 4]>,
+    /// Setup offsets by DL number 1..6: L1 L2 L3 radius, mm.
+    pub setup: BTreeMap<i64, [f64; 4]>,
+}
+
+/// A tool.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Tool {
+    /// Name under tool management.
+    pub name: String,
+    /// Edges by D number.
+    pub edges: BTreeMap<i64, Edge>,
+}
+
+/// A value of user data.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Value {
+    /// Number (REAL, INT, BOOL).
+    Number(f64),
+    /// STRING.
+    Text(String),
+}
+
+/// The control.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Control {
+    /// Which one.
+    pub dialect: Dialect,
+    /// Basic system of units of the machine.
+    pub basic_units: Units,
+    /// Active system (G70/G71, G20/G21).
+    pub active_units: Units,
+    /// Working plane.
+    pub plane: Plane,
+    /// Number of the active settable frame: 0 G500, 1..4 G54..G57, 5..99 G505..G599. NCT: 1..6 G54..G59.
+    pub settable: usize,
+    /// Settable frames by number (NCT: 0 common, 1..6).
+    pub frames: BTreeMap<usize, Frame>,
+    /// Channel basic frames `$P_CHBFR[0..15]`.
+    pub channel_basic: BTreeMap<usize, Frame>,
+    /// NCU-global basic frames `$P_NCBFR[0..15]`.
+    pub global_basic: BTreeMap<usize, Frame>,
+    /// System frame `$P_SETFR`.
+    pub system: Frame,
+    /// Settable frame as activated by G54..; a correction becomes active only with the next G54...
+    pub active: Frame,
+    /// Tools by T number.
+    pub tools: BTreeMap<i64, Tool>,
+    /// T number in the spindle, 0 none.
+    pub tool: i64,
+    /// Active D (NCT: H) number, 0 none.
+    pub edge: i64,
+    /// User data: GUD arrays and scalars (`_WP[0,1]`, `_CHBIT[4]`, `_OVR[4]`, `_EV[9]`, `_KNUM`), R parameters (`R10`),
+    /// machine data (`MD18600`), NCT variables (`#500`); indices written without blanks.
+    pub data: BTreeMap<String, Value>,
+    /// Position of the spindle, degree.
+    pub spindle: f64,
+}
+
+impl Control {
+    /// A datum as number; 0 where it was never set.
+    pub fn number(&self, name: &str) -> f64 {
+        match self.data.get(name) {
+            Some(Value::Number(value)) => *value,
+            _ => 0.0,
+        }
+    }
+
+    /// A datum as text; empty where it was never set.
+    pub fn text(&self, name: &str) -> &str {
+        match self.data.get(name) {
+            Some(Value::Text(value)) => value,
+            _ => "",
+        }
+    }
+
+    /// Writes a number.
+    pub fn set(&mut self, name: impl Into<String>, value: f64) {
+        self.data.insert(name.into(), Value::Number(value));
+    }
+
+    /// Whether a bit datum (`_CHBIT[4]`) is 1.
+    pub fn bit(&self, name: &str) -> bool {
+        self.number(name) == 1.0
+    }
+}

@@ -1,0 +1,51 @@
+//! What is wrong, where, and how to mend it.
+
+use crate::message::Message;
+
+/// Half-open byte range of a program's source.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Span {
+    /// First byte.
+    pub start: u32,
+    /// One past the last byte.
+    pub end: u32,
+}
+
+/// How bad it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Severity {
+    /// The control would stop, or the result would be wrong.
+    Error,
+    /// A colleague would ask.
+    Warning,
+    /// Good to know.
+    Note,
+}
+
+/// Where a problem is named.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Code {
+    /// Alarm of the SINUMERIK measuring cycles, 61000..62999 (61xxx stops, 62xxx informs).
+    Alarm(u32),
+    /// Error or operator message of the NCT macros, in the manual's words, for example `FORMAT ERROR`.
+    Nct(&'static str),
+    /// Our own code, shown as `PW012`.
+    Own(u16),
+}
+
+/// One finding.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Diagnostic {
+    /// How bad.
+    pub severity: Severity,
+    /// Its name.
+    pub code: Code,
+    /// Cause.
+    pub message: Message,
+    /// Cure.
+    pub hint: Option<Message>,
+    /// Parameter it belongs to, as the manual writes it (`_SETV[0]`).
+    pub param: Option<&'static str>,
+    /// Place in the program.
+    pub span: Option<Span>,
+}

@@ -1,0 +1,19 @@
+//! Measuring cycles of CNC controls: what can be measured, forms, checks, reading and writing part programs,
+//! and the simulation of the control. No browser, no clock, no random source of its own, no IO.
+//!
+//! Inside: millimetre, degree, mm/min. See ARCHITECTURE.md for the invariants.
+
+pub mod catalogue;
+pub mod check;
+pub mod control;
+pub mod diagnostic;
+pub mod evaluate;
+pub mod form;
+pub mod geometry;
+#[cfg(feature = "json")]
+pub mod json;
+pub mod message;
+pub mod program;
+pub mod report;
+pub mod run;
+pub mod workpiece;

@@ -1,0 +1,39 @@
+//! Runs a program or a single call on a control against a workpiece and records a trace.
+
+pub mod trace;
+
+use crate::check::Inputs;
+use crate::control::Control;
+use crate::diagnostic::Code;
+use crate::message::Message;
+use trace::{MotionKind, Step};
+
+/// Why a program does not go on.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Stop {
+    /// Alarm that needs NC RESET.
+    Alarm(Code),
+    /// The simulation's own limit or something unsupported, as a message.
+    Fault(Message),
+}
+
+/// What a measuring cycle may do on the machine. Positions are X Y Z of the active WCS in mm,
+/// tool length included (the point to which L1 refers); feeds in mm/min.
+pub trait Machine {
+    /// State of the control; a cycle writes results and corrections here.
+    fn control(&mut self) -> &mut Control;
+    /// Present position.
+    fn position(&self) -> [f64; 3];
+    /// Straight positioning. With `monitored`, a probe signal on the way is alarm 61302 (NCT: PATH OBSTRUCTED);
+    /// without, contact is recorded as a crash.
+    fn travel(&mut self, to: [f64; 3], kind: MotionKind, feed: f64, monitored: bool) -> Result<(), Stop>;
+    /// Straight measuring motion. Some: position latched at switching (delete distance-to-go); None: no signal up to `to`.
+    fn probe(&mut self, to: [f64; 3], feed: f64) -> Result<Option<[f64; 3]>, Stop>;
+    /// Turns the spindle to this angle, degree.
+    fn orient(&mut self, angle: f64);
+    /// Records something that is no motion: a result, a correction, a decision, an alarm that informs.
+    fn record(&mut self, step: Step);
+}
+
+/// Values of a form run on a control without a program: see `predict`.
+pub type Simulate = fn(&mut dyn Machine, &Inputs) -> Result<(), Stop>;

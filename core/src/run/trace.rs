@@ -1,0 +1,95 @@
+//! What happened, in order, each with the program line that caused it. 3D view, timeline, tables and tests read this.
+
+use crate::diagnostic::Code;
+use crate::message::Message;
+
+/// Kind of a motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MotionKind {
+    /// G0 of the program, or unmonitored positioning.
+    Rapid,
+    /// Intermediate positioning of a cycle with collision monitoring, or G1.
+    Positioning,
+    /// Measuring motion up to the switching position or its end.
+    Measuring,
+    /// Back to the start of the measuring block.
+    Retract,
+}
+
+/// One step. Positions are machine (basic) coordinates X Y Z in mm.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Step {
+    /// A straight motion.
+    Motion {
+        /// Kind.
+        kind: MotionKind,
+        /// Start: the point to which the tool length refers.
+        from: [f64; 3],
+        /// Real end.
+        to: [f64; 3],
+        /// mm/min; 0: rapid traverse.
+        feed: f64,
+    },
+    /// The probe switched.
+    Touch {
+        /// Position latched by the control.
+        latched: [f64; 3],
+        /// Centre of the ball at contact.
+        ball: [f64; 3],
+        /// Point touched on the part.
+        point: [f64; 3],
+        /// Outward unit normal of the part there.
+        normal: [f64; 3],
+    },
+    /// Contact where none is allowed and nobody watched.
+    Crash {
+        /// Point touched on the part.
+        point: [f64; 3],
+    },
+    /// Spindle orientation, degree.
+    Orient(f64),
+    /// The tool in the spindle changed: T number, D number.
+    Tool(i64, i64),
+    /// A datum was written: name and value, in the unit of the datum.
+    Set {
+        /// `_OVR[4]`, `$P_UIFR[1,X,FI]`, `$TC_DP15[20,1]`, `#505`.
+        name: String,
+        /// Value before.
+        before: f64,
+        /// Value after.
+        after: f64,
+    },
+    /// A decision of the cycle (branch of the tolerance chain), as a text.
+    Decision(Message),
+    /// An alarm or operator message.
+    Alarm(Code),
+    /// Operator text (`MSG`).
+    Message(String),
+    /// A line of the measuring log or print-out.
+    Log(String),
+    /// Begin of a measuring cycle.
+    CallBegin {
+        /// Name.
+        cycle: &'static str,
+        /// Number of the measuring variant.
+        variant: i64,
+    },
+    /// End of it.
+    CallEnd,
+}
+
+/// A step with its line.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Entry {
+    /// Line of the program, from 0; none for a call without a program.
+    pub line: Option<u32>,
+    /// What happened.
+    pub step: Step,
+}
+
+/// Everything that happened.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Trace {
+    /// In order.
+    pub entries: Vec<Entry>,
+}

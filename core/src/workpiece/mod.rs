@@ -1,0 +1,72 @@
+//! Parametric parts with their errors, and the probe that touches them.
+
+/// What can be touched. Nominal sizes in mm, in the part's own frame.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Shape {
+    /// Block with a cylindrical hole about Z, open at the top.
+    Hole { diameter: f64, depth: f64 },
+    /// Cylinder about Z standing on a plate.
+    Shaft { diameter: f64, height: f64 },
+    /// Groove between two walls facing each other along X.
+    Groove { width: f64, depth: f64, length: f64 },
+    /// Web between two walls facing away along X.
+    Web { width: f64, height: f64, length: f64 },
+    /// Rectangular pocket, X × Y.
+    Pocket { length: [f64; 2], depth: f64 },
+    /// Rectangular island, X × Y.
+    Island { length: [f64; 2], height: f64 },
+    /// Half space below Z = 0, bounded by a rectangle X × Y, thickness Z.
+    Block { size: [f64; 3] },
+}
+
+/// What is wrong with a part. All zero: nothing.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PartErrors {
+    /// Displacement X Y Z, mm, machine axes.
+    pub shift: [f64; 3],
+    /// Added to every diameter, width and length, mm.
+    pub size: f64,
+    /// Turned about X Y Z (RPY) about the shape's origin, degree.
+    pub tilt: [f64; 3],
+    /// Diameter grows by this per mm of depth (cone), mm/mm.
+    pub taper: f64,
+    /// Amplitude of the radius over the angle, mm, and number of lobes.
+    pub out_of_round: (f64, u32),
+}
+
+/// One solid, placed in machine (basic) coordinates.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solid {
+    /// Shape. The origin is the centre of the element at its upper face, Z is the depth axis.
+    pub shape: Shape,
+    /// Position of the origin X Y Z, mm.
+    pub at: [f64; 3],
+    /// Orientation about X Y Z (RPY), degree. G18/G19 elements are turned solids.
+    pub rotation: [f64; 3],
+    /// What is wrong with it.
+    pub errors: PartErrors,
+}
+
+/// The part: every solid can be touched.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Workpiece {
+    /// Solids.
+    pub solids: Vec<Solid>,
+}
+
+/// The probe as it is, not as the control believes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Probe {
+    /// Real ball radius, mm.
+    pub radius: f64,
+    /// Real length from the spindle nose to the ball centre, mm.
+    pub length: f64,
+    /// Ball centre minus spindle axis at spindle position 0, X Y, mm.
+    pub skew: [f64; 2],
+    /// Travel after contact until the signal, mm: constant part and amplitude of the three-lobed part.
+    pub pre_travel: (f64, f64),
+    /// Delay of the signal, s; multiplies the feed.
+    pub delay: f64,
+    /// Standard deviation of the switching point along the travel, mm, and seed of the pseudo-random sequence.
+    pub repeatability: (f64, u64),
+}

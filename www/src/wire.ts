@@ -1,0 +1,131 @@
+// What the core says to the page and back: the JSON of probewright-web (core/src/json). Numbers in mm, degree, mm/min.
+// Texts never travel: a Message is a key of core/messages/<language>/*.ftl with arguments.
+
+export type Dialect = "sinumerik" | "nct";
+export interface Message { key: string; args: Record<string, number | string> }
+export type Severity = "error" | "warning" | "note";
+export interface Diagnostic {
+  severity: Severity;
+  code: string;                 // "61307", "FORMAT ERROR", "PW012"
+  message: Message;
+  hint?: Message;
+  param?: string;
+  from?: number; to?: number;   // UTF-16 offsets into the program text
+  line?: number; column?: number; // from 1
+}
+
+// catalogue() -> Catalogue
+export interface Catalogue { cycles: CycleInfo[] }
+export interface CycleInfo {
+  control: Dialect;
+  cycle: string;                // "CYCLE977"
+  key: string;                  // "cycle977": messages cycle977-title, cycle977-words, cycle977-help
+  variants: { mvar: number; key: string; source: string }[];
+  parameters: { name: string; key: string; source: string }[];
+  results: { name: string; key: string; unit: string; source: string }[];
+  alarms: string[];
+  source: string;
+}
+
+// form(FormRequest) -> FormView. Called at every keystroke.
+export interface FormRequest {
+  control: Dialect;
+  cycle: string;
+  values: Record<string, string>;      // as typed, per parameter name; absent: never typed
+  setup?: Setup;                       // absent: the core's own default machine
+  errors?: ErrorSliders;
+  comments?: boolean;                  // comment line per parameter in the snippet
+  predict?: boolean;                   // also simulate
+}
+export interface ErrorSliders {
+  part: { dx: number; dy: number; dz: number; size: number; tilt: number; taper: number; outOfRound: number };
+  probe: { skewX: number; skewY: number; radius: number; preTravel: number; repeatability: number };
+}
+export interface FormView {
+  fields: Field[];                     // in the order to show; hidden ones are left out
+  diagnostics: Diagnostic[];           // all, those of a field carry `param`
+  snippet: string;                     // program text, LF; also for incomplete values as far as it can be written
+  complete: boolean;                   // no error
+  picture: Picture;
+  outcome?: Outcome;                   // when predict and complete
+}
+export interface Field {
+  name: string;                        // "_SETVAL"
+  label: Message;
+  help: Message;
+  kind: "real" | "integer" | "choice" | "digits" | "text";
+  value: string;                       // as typed, else ""
+  fallback?: number;                   // default that counts when empty
+  unit: "" | "mm" | "inch" | "deg" | "mm/min" | "inch/min";
+  required: boolean;
+  reason: Message;                     // why it is required or optional
+  range?: { min?: number; minIncluded: boolean; max?: number; maxIncluded: boolean };
+  choices?: { value: number; label: Message }[];
+  digits?: { label: Message; place: number; digits: number; value: number; choices: { value: number; label: Message }[] }[];
+  source: string;                      // place in the manual
+}
+// Drawn as SVG, millimetres of the working plane; `field` is highlighted while that field has the focus.
+export interface Picture { view: "plane" | "section"; shapes: PictureShape[] }
+export interface PictureShape {
+  kind: "material" | "edge" | "zone" | "probe" | "path" | "dimension" | "label" | "tolerance" | "axis" | "touch";
+  points: [number, number][];          // polygon or polyline; dimension: its two ends
+  circle?: { x: number; y: number; r: number };
+  closed?: boolean;
+  text?: string;                       // name of a parameter or a number
+  field?: string;                      // parameter it explains
+}
+export interface Outcome {
+  results: { name: string; label: Message; value: number; unit: string }[];
+  decisions: Message[];                // tolerance chain, in order, the branch taken last
+  alarms: { code: string; message: Message; hint?: Message; stops: boolean }[];
+  changes: { name: string; before: number; after: number; unit: string }[]; // tool wear, zero offset, …
+  log: string[];
+  trace: Trace;
+}
+export type Vec3 = [number, number, number];
+export type MotionKind = "rapid" | "positioning" | "measuring" | "retract";
+export type Step =
+  | { step: "motion"; kind: MotionKind; from: Vec3; to: Vec3; feed: number }
+  | { step: "touch"; latched: Vec3; ball: Vec3; point: Vec3; normal: Vec3 }
+  | { step: "crash"; point: Vec3 }
+  | { step: "orient"; angle: number }
+  | { step: "tool"; tool: number; edge: number }
+  | { step: "set"; name: string; before: number; after: number }
+  | { step: "decision"; message: Message }
+  | { step: "alarm"; code: string; message: Message; hint?: Message; stops: boolean }
+  | { step: "message"; text: string }
+  | { step: "log"; text: string }
+  | { step: "call"; cycle: string; variant: number }
+  | { step: "return" };
+export interface Trace { entries: (Step & { line?: number })[]; ball: { radius: number; length: number }; solids: Solid[]; frames: { name: string; at: Vec3; axes: [Vec3, Vec3, Vec3] }[] }
+export interface Solid {
+  shape: "hole" | "shaft" | "groove" | "web" | "pocket" | "island" | "block";
+  size: number[];                      // hole [diameter, depth]; shaft [diameter, height]; groove/web [width, depth, length]; pocket/island [x, y, depth]; block [x, y, z]
+  at: Vec3; rotation: Vec3;            // mm; RPY degree
+  errors: { shift: Vec3; size: number; tilt: Vec3; taper: number; outOfRound: [number, number] };
+}
+
+// Setup: docs/setup.schema.json is its schema; also what the terminal reads and the page exports.
+export interface Setup {
+  control: Dialect; units: "mm" | "inch"; plane: "G17" | "G18" | "G19";
+  tools: Record<string, { name?: string; edges: Record<string, { type: number; length: Vec3; radius: number; lengthWear?: Vec3; radiusWear?: number }> }>;
+  frames: Record<string, { coarse: Vec3; fine?: Vec3; rotation?: Vec3 }>; // "G54"
+  data: Record<string, number | string>;   // "_WP[0,1]", "_CHBIT[4]", "MD18600", "R10", "#500"
+  probe: { radius: number; length: number; skew?: [number, number]; preTravel?: [number, number]; delay?: number; repeatability?: [number, number] };
+  workpiece: Solid[];
+  position?: Vec3;                     // at the start, machine coordinates
+}
+
+// read({control, text}) -> ReadView
+export interface ReadView { calls: CallView[]; diagnostics: Diagnostic[] }
+export interface CallView {
+  control: Dialect; cycle: string; mvar: number | null; key: string;
+  line: number; lastLine: number;      // from 1: first assignment line that belongs to it, line of the call
+  from: number; to: number;            // UTF-16 offsets of the call itself
+  values: Record<string, string>;      // as the form wants them
+  diagnostics: Diagnostic[];
+}
+// change({control, text, call: index, name, value}) -> Edit[]; the only bytes that change
+export interface Edit { from: number; to: number; insert: string }
+// run({control, text, setup}) -> RunView
+export interface RunView { trace: Trace; diagnostics: Diagnostic[]; results: { name: string; value: number }[]; changes: Outcome["changes"]; alarms: Outcome["alarms"]; log: string[]; finished: boolean }
