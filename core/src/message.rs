@@ -1,5 +1,7 @@
 //! A text by its key. The words live in `core/messages/<language>/*.ftl` (Fluent); the core never holds a sentence.
 
+use std::borrow::Cow;
+
 /// One argument of a message.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Arg {
@@ -12,16 +14,16 @@ pub enum Arg {
 /// A text to be shown: key of the message files, with its arguments.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Message {
-    /// Key in the message files, for example `check-out-of-range`.
-    pub key: &'static str,
+    /// Key in the message files, for example `check-out-of-range`; stems of the catalogue make others (`alarm-61307`).
+    pub key: Cow<'static, str>,
     /// Named arguments, in no particular order.
     pub args: Vec<(&'static str, Arg)>,
 }
 
 impl Message {
     /// A message without arguments.
-    pub fn new(key: &'static str) -> Self {
-        Self { key, args: Vec::new() }
+    pub fn new(key: impl Into<Cow<'static, str>>) -> Self {
+        Self { key: key.into(), args: Vec::new() }
     }
 
     /// The same with a number.

@@ -1,6 +1,8 @@
 //! The shape of a catalogue entry. Plain data, read by form, check, program, docs and run.
 
 use crate::check::Inputs;
+use crate::control::Control;
+use crate::form::picture::Picture;
 use crate::run::{Machine, Stop};
 use crate::workpiece::Workpiece;
 
@@ -31,8 +33,12 @@ pub struct Cycle {
     pub alarms: &'static [crate::diagnostic::Code],
     /// Checks over several parameters; everything about one parameter is in its [`Param`].
     pub checks: fn(&Inputs, &mut Vec<crate::diagnostic::Diagnostic>),
-    /// A nominal part and a safe start position for the values of a form.
-    pub propose: fn(&Inputs) -> Proposal,
+    /// A nominal part and a safe start position for the values of a form, for a control in this state (plane, frames).
+    pub propose: fn(&Inputs, &Control) -> Proposal,
+    /// What the values mean, drawn.
+    pub picture: fn(&Inputs) -> Picture,
+    /// A worked measurement: values as typed, by parameter name.
+    pub example: &'static [(&'static str, &'static str)],
     /// What the control does.
     pub simulate: fn(&mut dyn Machine, &Inputs) -> Result<(), Stop>,
     /// Place in the manual.
@@ -53,7 +59,7 @@ pub struct Variant {
 pub struct Param {
     /// As the manual writes it: `_SETVAL`, `_SETV[0]`, `D`.
     pub name: &'static str,
-    /// Stem of its message keys: `setval` → `param-setval` with attributes `.help`; see [`Param::labels`].
+    /// Stem of its message keys: `setval` → `param-setval` and `param-setval-help`; see [`Param::labels`].
     pub key: &'static str,
     /// What can be entered.
     pub kind: Kind,
@@ -69,7 +75,7 @@ pub struct Param {
     pub alarm: Option<crate::diagnostic::Code>,
     /// First rule that holds decides; none: not used.
     pub needs: &'static [Need],
-    /// Wording that differs by variant: first that holds, else `param-<key>`.
+    /// Wording that differs by variant: stem of the first that holds, else [`Param::key`].
     pub labels: &'static [(When, &'static str)],
     /// Place in the manual.
     pub source: &'static str,
@@ -83,8 +89,8 @@ pub enum Kind {
     Integer,
     /// One of these numbers, each with the key of its name.
     Choice(&'static [(i64, &'static str)]),
-    /// The measuring variant: choices are the cycle's variants.
-    Variant,
+    /// The measuring variant: choices are the cycle's variants; where its digits are choices of their own, the groups.
+    Variant(&'static [DigitGroup]),
     /// A number whose digits are choices of their own.
     Digits(&'static [DigitGroup]),
     /// Correction target `_KNUM`: a tool offset code or a zero offset code, decided by the variant.
@@ -218,8 +224,8 @@ pub struct ResultField {
 /// A nominal part with a start position from which the cycle may be called.
 #[derive(Clone, Debug)]
 pub struct Proposal {
-    /// Nominal part; errors are added by the caller.
+    /// Nominal part in machine coordinates; errors are added by the caller.
     pub workpiece: Workpiece,
-    /// Position of the probe in the WCS at the call, mm; applicate included. Order X Y Z.
+    /// Position of the ball centre in the active WCS at the call, X Y Z, mm.
     pub start: [f64; 3],
 }
