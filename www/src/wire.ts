@@ -20,10 +20,11 @@ export interface CycleInfo {
   control: Dialect;
   cycle: string;                // "CYCLE977"
   key: string;                  // "cycle977": messages cycle977-title, cycle977-words, cycle977-help
-  variants: { mvar: number; key: string; source: string }[];
+  variants: { mvar: number; key: string; source: string; values: Record<string, string> }[]; // values: as typed, they choose this variant
   parameters: { name: string; key: string; source: string }[];
   results: { name: string; key: string; unit: string; source: string }[];
   alarms: string[];
+  example: Record<string, string>;     // values of a worked measurement, as typed
   source: string;
 }
 
@@ -48,6 +49,7 @@ export interface FormView {
   complete: boolean;                   // no error
   picture: Picture;
   outcome?: Outcome;                   // when predict and complete
+  setup?: Setup;                       // when predict: what was used (machine, proposed part with its errors, start); exported, and what a program runs on
 }
 export interface Field {
   name: string;                        // "_SETVAL"
@@ -127,5 +129,6 @@ export interface CallView {
 }
 // change({control, text, call: index, name, value}) -> Edit[]; the only bytes that change
 export interface Edit { from: number; to: number; insert: string }
-// run({control, text, setup}) -> RunView
+// run(RunRequest) -> RunView
+export interface RunRequest { control: Dialect; text: string; setup?: Setup } // absent: the core's own default machine
 export interface RunView { trace: Trace; diagnostics: Diagnostic[]; results: { name: string; value: number }[]; changes: Outcome["changes"]; alarms: Outcome["alarms"]; log: string[]; finished: boolean }
