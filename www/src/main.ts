@@ -1,0 +1,5 @@
+import init, { version } from "@pkg/core/core.js";
+
+await init();
+const line = document.querySelector("#version");
+if (line) line.textContent = version();
