@@ -24,7 +24,40 @@ pub struct Program {
     pub errors: Vec<SyntaxError>,
 }
 
-/// One line.
+impl Program {
+    /// Bytes of a place; empty if it lies outside of the source.
+    pub fn text(&self, span: Span) -> &[u8] {
+        self.source.get(span.start as usize..span.end as usize).unwrap_or_default()
+    }
+
+    /// Whether this name stands at a place, without regard to case.
+    pub fn is(&self, span: Span, name: &str) -> bool {
+        self.text(span).eq_ignore_ascii_case(name.as_bytes())
+    }
+
+    /// Name at a place in upper case.
+    pub fn name(&self, span: Span) -> String {
+        String::from_utf8_lossy(self.text(span)).to_ascii_uppercase()
+    }
+
+    /// Words of a block.
+    pub fn words_of(&self, block: &Block) -> &[Word] {
+        self.words.get(block.words.start as usize..block.words.end as usize).unwrap_or_default()
+    }
+
+    /// An expression by its index.
+    pub fn expr(&self, id: ExprId) -> Option<&Expr> {
+        self.exprs.get(id as usize)
+    }
+
+    /// Line (from 0) that holds a byte; the line end belongs to the line before it.
+    pub fn line_of(&self, offset: u32) -> u32 {
+        let after = self.blocks.partition_point(|block| block.span.start <= offset);
+        after.saturating_sub(1) as u32
+    }
+}
+
+/// One line. An empty source has one empty line; a line end at the end of the source starts no further line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Block {
     /// Without CR LF.
@@ -67,18 +100,30 @@ pub enum WordKind {
         /// Name without index.
         name: Span,
         /// Indices, 0 to 3.
-        index: Vec<ExprId>,
+        index: Box<[ExprId]>,
         /// Place of the whole right side.
         value_span: Span,
         /// Right side.
         value: ExprId,
     },
+    /// One name of a declaration, after the keywords `DEF` (`PROC`, `EXTERN`) and the type:
+    /// `DEF REAL A, B[3]=SET(1,2)` is `DEF`, `REAL`, `A`, `B[3]=…`. A type takes its length: `STRING[28]` has the value 28.
+    Declare {
+        /// Name.
+        name: Span,
+        /// Sizes of an array, 0 to 3.
+        index: Box<[ExprId]>,
+        /// First value.
+        value: Option<ExprId>,
+    },
+    /// A constant that stands alone: `7` and `9` in `CASE R1 OF 7 GOTOF A 9 GOTOF B`.
+    Constant(ExprId),
     /// `CYCLE977`, `MSG("…")`, `L10(1,,3)`, `STOPRE`, NCT `G65 P…` stays addresses.
     Call {
         /// Name.
         name: Span,
         /// Arguments; `None` an omitted one. Empty also without brackets.
-        args: Vec<Option<ExprId>>,
+        args: Box<[Option<ExprId>]>,
         /// Whether there were brackets.
         brackets: bool,
     },
@@ -88,7 +133,7 @@ pub enum WordKind {
     Keyword {
         /// Word.
         name: Span,
-        /// Condition or target expression, where the keyword takes one.
+        /// Condition or target expression, where the keyword takes one; a target is a name (`LABEL`, `N100`), a text or a number.
         value: Option<ExprId>,
     },
     /// `%_N_NAME_MPF`, `%O0110`, `%`.
@@ -109,14 +154,18 @@ pub enum Expr {
         /// Name.
         name: Span,
         /// Indices.
-        index: Vec<ExprId>,
+        index: Box<[ExprId]>,
     },
-    /// `-`, `NOT`, `+`.
+    /// `-`, `NOT`, `+`, `B_NOT`; a leading `<<` (the operand as text).
     Unary(Operator, ExprId),
     /// Left, operator, right.
     Binary(ExprId, Operator, ExprId),
     /// Function call, `SET(…)`, `REP(…)`.
-    Call(Span, Vec<ExprId>),
+    Call(Span, Box<[ExprId]>),
+    /// `(1,2,3)` as first value of an array.
+    List(Box<[ExprId]>),
+    /// Nothing between two commas of a [`Expr::Call`] or [`Expr::List`]: `SET(0,,9)`. Place where it is missing.
+    Omitted(Span),
 }
 
 /// Operator.
@@ -164,6 +213,8 @@ pub enum Operator {
     BitNot,
     /// `<<` joins texts.
     Join,
+    /// `:` chains frames.
+    Chain,
 }
 
 /// Something not understood.
