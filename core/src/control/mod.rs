@@ -1,5 +1,13 @@
 //! State of the control: plane, units, frames, tools, user data. Plain data with the manual's bookkeeping.
 
+pub mod delivery;
+pub mod frames;
+pub mod tools;
+pub mod units;
+pub mod variables;
+
+pub use delivery::delivery;
+
 use crate::catalogue::Dialect;
 use std::collections::BTreeMap;
 
@@ -83,6 +91,7 @@ pub enum Value {
 }
 
 /// The control.
+/// See [`delivery`] for a new one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Control {
     /// Which one.
@@ -105,6 +114,8 @@ pub struct Control {
     pub system: Frame,
     /// Settable frame as activated by G54..; a correction becomes active only with the next G54...
     pub active: Frame,
+    /// Programmed frame (TRANS, ROT and their additive forms), innermost.
+    pub program_frame: Frame,
     /// Tools by T number.
     pub tools: BTreeMap<i64, Tool>,
     /// T number in the spindle, 0 none.

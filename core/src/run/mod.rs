@@ -1,6 +1,11 @@
 //! Runs a program or a single call on a control against a workpiece and records a trace.
 
+pub mod outcome;
+pub mod setup;
 pub mod trace;
+
+pub use outcome::{Change, Outcome};
+pub use setup::Setup;
 
 use crate::check::Inputs;
 use crate::control::Control;

@@ -1,0 +1,169 @@
+//! The control as delivered: GUD data that measuring cycles read, with their initial values.
+//! Lengths and feeds are those of a metric machine. Initial values of parameters (`_FA`, `_TSA`, …) are defaults of
+//! the catalogue and not repeated here: an unset datum means "as delivered".
+
+use super::{Control, Frame, Plane, Units, Value};
+use crate::catalogue::Dialect;
+use std::collections::BTreeMap;
+
+/// Probes, tool probes and calibration blocks (`_CVAL`, B:13345-13348).
+const SETS: usize = 3;
+
+/// Numbers that are not 0 as delivered, with their place.
+const NUMBERS: &[(&str, f64)] = &[
+    ("_CVAL[0]", 3.0),      // tool probes, B:13345
+    ("_CVAL[1]", 3.0),      // workpiece probes, B:13346
+    ("_CVAL[2]", 3.0),      // calibration blocks, B:13347
+    ("_CVAL[3]", 3.0),      // tool probes of the workpiece, B:13348
+    ("_EVMVNUM[0]", 20.0),  // empirical values, B:13717
+    ("_EVMVNUM[1]", 20.0),  // mean values, B:13718
+    ("_SPEED[0]", 50.0),    // % of rapid traverse, B:13726 (appendix A.1: 100, B:16387)
+    ("_SPEED[1]", 1000.0),  // mm/min in the plane, monitored, B:13732
+    ("_SPEED[2]", 1000.0),  // mm/min in the applicate, monitored, B:13733
+    ("_SPEED[3]", 900.0),   // mm/min first fast probing, B:13734
+    ("_CBIT[3]", 1.0),      // basic system metric, B:13539
+    ("_CBIT[8]", 1.0),      // mono probe corrected by _CORA, B:13549
+    ("_CBIT[16]", 1.0),     // calibration monitoring, B:13565
+    ("_CHBIT[1]", 1.0),     // tool probe on input 2, B:13836
+    ("_CHBIT[2]", 1.0),     // collision monitoring, B:13838
+    ("_CHBIT[24]", 1.0),    // basic system of the channel metric, B:13883
+    ("_CM[0]", 100.0),      // m/min, B:13498
+    ("_CM[1]", 1000.0),     // rpm, B:13499
+    ("_CM[2]", 1.0),        // mm/min, B:13500
+    ("_CM[3]", 0.005),      // mm, B:13501
+    ("_CM[4]", 20.0),       // mm/min, B:13502
+    ("_CM[5]", 4.0),        // M4, B:13503
+    ("_CM[6]", 10.0),       // feed factor 1, B:13504
+    ("_PROTFORM[0]", 60.0), // lines a page, B:11349
+    ("_PROTFORM[1]", 80.0), // characters a line, B:11350
+    ("_PROTFORM[2]", 1.0),  // first page, B:11351
+    ("_PROTFORM[3]", 3.0),  // own header lines, B:11352
+    ("_PROTFORM[4]", 1.0),  // value lines, B:11353
+    ("_PROTFORM[5]", 12.0), // characters a column, B:11354
+    ("_DIGIT", 3.0),        // decimals, B:13174
+    ("_MC_SIMSIM", 1.0),    // run cycles in simulation, B:13245
+    ("_MC_MTL[0]", 33.3),   // stylus length to ball radius, B:13240
+    ("_MC_MTL[1]", 33.3),   // B:13240
+    ("_MC_MTL[2]", 33.3),   // B:13240
+    ("MD10240", 1.0),       // SCALING_SYSTEM_IS_METRIC
+    ("MD18600", 1.0),       // fine translation present; the cycles' preferred case, B:1990
+    ("MD18105", 9.0),       // largest D number; decides the digits of _KNUM, B:1899
+    ("SD42950", 2.0),       // TOOL_LENGTH_TYPE, B:4147-4152
+];
+
+/// Trigger values of a calibrated ideal probe with a ball of 6 mm, `_WP[k,0..6]` (appendix A.1, B:16259-16265;
+/// chapter 9.2.3 prints 0, with which nothing can be measured, B:13442).
+const WORKPIECE_PROBE: [f64; 7] = [6.0, 3.0, -3.0, 3.0, -3.0, 3.0, -3.0];
+
+/// NCT variables that are not 0 as delivered (C:1196-1198).
+const NCT_NUMBERS: &[(&str, f64)] = &[("#509", 40.0), ("#511", 1500.0), ("#512", 750.0)];
+
+/// A control as it comes from the manufacturer: no tools, no offsets, G17, metric.
+pub fn delivery(dialect: Dialect) -> Control {
+    let mut control = Control {
+        dialect,
+        basic_units: Units::Metric,
+        active_units: Units::Metric,
+        plane: Plane::G17,
+        settable: if dialect == Dialect::Nct { 1 } else { 0 },
+        frames: BTreeMap::new(),
+        channel_basic: BTreeMap::new(),
+        global_basic: BTreeMap::new(),
+        system: Frame::default(),
+        active: Frame::default(),
+        program_frame: Frame::default(),
+        tools: BTreeMap::new(),
+        tool: 0,
+        edge: 0,
+        data: BTreeMap::new(),
+        spindle: 0.0,
+    };
+    match dialect {
+        Dialect::Sinumerik => sinumerik(&mut control),
+        Dialect::Nct => NCT_NUMBERS
+            .iter()
+            .for_each(|(name, value)| control.set(*name, *value)),
+    }
+    control
+}
+
+fn sinumerik(control: &mut Control) {
+    zeros(control);
+    for (name, value) in NUMBERS {
+        control.set(*name, *value);
+    }
+    for k in 0..SETS {
+        for (i, value) in WORKPIECE_PROBE.iter().enumerate() {
+            control.set(format!("_WP[{k},{i}]"), *value);
+        }
+        for array in ["_TP", "_TPW"] {
+            control.set(format!("{array}[{k},7]"), 133.0); // axes and directions, B:13365
+            control.set(format!("{array}[{k},9]"), 2.0); // upper to lower edge, B:13369
+        }
+    }
+    // B:11355 prints a comma, B:13165 and B:16309 a semicolon.
+    control
+        .data
+        .insert("_PROTSYM[0]".into(), Value::Text(";".into()));
+    control
+        .data
+        .insert("_PROTSYM[1]".into(), Value::Text("#".into()));
+    control
+        .data
+        .insert("_SI[1]".into(), Value::Text("6".into())); // B:13682
+}
+
+/// Arrays that exist, all elements 0 (sizes: column `size` of the tables, B:13097-13236).
+fn zeros(control: &mut Control) {
+    let lists: [(&str, usize); 8] = [
+        ("_CBIT", 17),
+        ("_CHBIT", 30),
+        ("_EV", 20),
+        ("_MV", 20),
+        ("_OVR", 32),
+        ("_OVI", 20),
+        ("_CM", 8),
+        ("_SPEED", 4),
+    ];
+    for (name, size) in lists {
+        (0..size).for_each(|i| control.set(format!("{name}[{i}]"), 0.0));
+    }
+    for (name, size) in [("_WP", 11), ("_TP", 10), ("_TPW", 10), ("_KB", 7)] {
+        for k in 0..SETS {
+            (0..size).for_each(|i| control.set(format!("{name}[{k},{i}]"), 0.0));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_probe_is_delivered_calibrated() {
+        let control = delivery(Dialect::Sinumerik);
+        // oracle: manual B:16259-16265
+        assert_eq!(control.number("_WP[2,0]"), 6.0);
+        assert_eq!(control.number("_WP[0,1]"), 3.0);
+        assert_eq!(control.number("_WP[1,6]"), -3.0);
+        // oracle: manual B:13838, B:13850
+        assert!(control.bit("_CHBIT[2]"));
+        assert!(!control.bit("_CHBIT[4]"));
+        // oracle: manual B:13732
+        assert_eq!(control.number("_SPEED[1]"), 1000.0);
+    }
+
+    #[test]
+    fn parameters_are_left_to_the_catalogue() {
+        let control = delivery(Dialect::Sinumerik);
+        assert!(!control.data.contains_key("_FA"));
+        assert!(!control.data.contains_key("_TSA"));
+    }
+
+    #[test]
+    fn the_other_control_has_its_variables() {
+        // oracle: manual C:1196-1198
+        assert_eq!(delivery(Dialect::Nct).number("#509"), 40.0);
+        assert_eq!(delivery(Dialect::Nct).number("_SPEED[1]"), 0.0);
+    }
+}

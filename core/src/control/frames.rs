@@ -1,0 +1,233 @@
+//! Coordinate systems: workpiece (WCS) ↔ machine (basic) by the chain
+//! system frame · NCU-global basic frames · channel basic frames · active settable frame · programmed frame.
+//! Lengths in mm, angles in degree.
+
+use super::{Control, Frame};
+use nalgebra::{Matrix3, Rotation3, Vector3};
+
+/// Rotation about X, then Y, then Z by these angles in degree: the RPY angles of a frame (Z first, then the turned Y,
+/// then the turned X).
+pub fn rotation(angles: [f64; 3]) -> Matrix3<f64> {
+    let [x, y, z] = angles.map(f64::to_radians);
+    Rotation3::from_euler_angles(x, y, z).into_inner()
+}
+
+/// RPY angles of a rotation, degree. At ±90° about Y the angle about X is 0.
+pub fn angles(matrix: &Matrix3<f64>) -> [f64; 3] {
+    let (x, y, z) = Rotation3::from_matrix_unchecked(*matrix).euler_angles();
+    [x, y, z].map(f64::to_degrees)
+}
+
+impl Frame {
+    /// A pure translation, mm.
+    pub fn translation(coarse: [f64; 3]) -> Frame {
+        Frame {
+            coarse,
+            ..Frame::default()
+        }
+    }
+
+    /// Coarse and fine translation together, mm.
+    pub fn origin(&self) -> [f64; 3] {
+        std::array::from_fn(|i| self.coarse[i] + self.fine[i])
+    }
+
+    /// A point of this system in the one before it.
+    pub fn outward(&self, point: [f64; 3]) -> [f64; 3] {
+        add(self.origin(), self.turn(point))
+    }
+
+    /// A point of the system before it in this one.
+    pub fn inward(&self, point: [f64; 3]) -> [f64; 3] {
+        self.turn_back(subtract(point, self.origin()))
+    }
+
+    /// A direction of this system in the one before it.
+    pub fn turn(&self, direction: [f64; 3]) -> [f64; 3] {
+        if self.rotation == [0.0; 3] {
+            return direction;
+        }
+        (rotation(self.rotation) * Vector3::from(direction)).into()
+    }
+
+    /// A direction of the system before it in this one.
+    pub fn turn_back(&self, direction: [f64; 3]) -> [f64; 3] {
+        if self.rotation == [0.0; 3] {
+            return direction;
+        }
+        (rotation(self.rotation).transpose() * Vector3::from(direction)).into()
+    }
+
+    /// This frame followed by another inside it (`:` of frames); the result has no fine part.
+    pub fn then(&self, inner: &Frame) -> Frame {
+        let turned = rotation(self.rotation) * rotation(inner.rotation);
+        let still = self.rotation == [0.0; 3] || inner.rotation == [0.0; 3];
+        let rotation = match still {
+            true => add(self.rotation, inner.rotation),
+            false => angles(&turned),
+        };
+        Frame {
+            coarse: self.outward(inner.origin()),
+            fine: [0.0; 3],
+            rotation,
+        }
+    }
+}
+
+impl Control {
+    /// Frames between machine and the settable frame, outermost first: system, global basic, channel basic.
+    pub fn basic_chain(&self) -> Vec<Frame> {
+        let basic = self
+            .global_basic
+            .values()
+            .chain(self.channel_basic.values());
+        std::iter::once(&self.system)
+            .chain(basic)
+            .copied()
+            .collect()
+    }
+
+    /// All frames from the machine to the WCS, outermost first.
+    pub fn chain(&self) -> Vec<Frame> {
+        let mut chain = self.basic_chain();
+        chain.push(self.active);
+        chain.push(self.program_frame);
+        chain
+    }
+
+    /// A point of the WCS in machine coordinates.
+    pub fn to_machine(&self, point: [f64; 3]) -> [f64; 3] {
+        self.chain()
+            .iter()
+            .rev()
+            .fold(point, |point, frame| frame.outward(point))
+    }
+
+    /// A point in machine coordinates in the WCS.
+    pub fn to_workpiece(&self, point: [f64; 3]) -> [f64; 3] {
+        self.chain()
+            .iter()
+            .fold(point, |point, frame| frame.inward(point))
+    }
+
+    /// A direction of the WCS in machine coordinates.
+    pub fn direction_to_machine(&self, direction: [f64; 3]) -> [f64; 3] {
+        self.chain()
+            .iter()
+            .rev()
+            .fold(direction, |direction, frame| frame.turn(direction))
+    }
+
+    /// A direction in machine coordinates in the WCS.
+    pub fn direction_to_workpiece(&self, direction: [f64; 3]) -> [f64; 3] {
+        self.chain()
+            .iter()
+            .fold(direction, |direction, frame| frame.turn_back(direction))
+    }
+
+    /// What G54.., G500 do: the stored settable frame becomes the active one. G500 (SINUMERIK 0) is a frame too.
+    pub fn activate(&mut self, number: usize) {
+        self.settable = number;
+        self.active = self.frames.get(&number).copied().unwrap_or_default();
+        if self.dialect == crate::catalogue::Dialect::Nct {
+            let common = self.frames.get(&0).copied().unwrap_or_default();
+            self.active = common.then(&self.active);
+        }
+    }
+}
+
+/// Sum of two vectors.
+fn add(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|i| a[i] + b[i])
+}
+
+/// Difference of two vectors.
+fn subtract(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|i| a[i] - b[i])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalogue::Dialect;
+    use crate::control::delivery::delivery;
+
+    fn near(a: [f64; 3], b: [f64; 3]) {
+        for i in 0..3 {
+            assert!((a[i] - b[i]).abs() < 1e-9, "{a:?} {b:?}");
+        }
+    }
+
+    #[test]
+    fn rpy_turns_z_first() {
+        // oracle: hand. Rz(90) takes X to Y; then the turned Y axis is -X of the outer system.
+        let frame = Frame {
+            rotation: [0.0, 0.0, 90.0],
+            ..Frame::default()
+        };
+        near(frame.turn([1.0, 0.0, 0.0]), [0.0, 1.0, 0.0]);
+        // oracle: hand. Z 90, then about the turned X (now outer Y) 90: inner Y goes to outer Z.
+        let frame = Frame {
+            rotation: [90.0, 0.0, 90.0],
+            ..Frame::default()
+        };
+        near(frame.turn([0.0, 1.0, 0.0]), [0.0, 0.0, 1.0]);
+    }
+
+    #[test]
+    fn angles_come_back() {
+        // oracle: self (inverse)
+        near(
+            angles(&rotation([10.0, -20.0, 130.0])),
+            [10.0, -20.0, 130.0],
+        );
+    }
+
+    #[test]
+    fn the_chain_goes_both_ways() {
+        let mut control = delivery(Dialect::Sinumerik);
+        control.system = Frame::translation([100.0, 0.0, 0.0]);
+        control
+            .global_basic
+            .insert(0, Frame::translation([0.0, 10.0, 0.0]));
+        control.channel_basic.insert(
+            0,
+            Frame {
+                rotation: [0.0, 0.0, 90.0],
+                ..Frame::default()
+            },
+        );
+        control.frames.insert(
+            1,
+            Frame {
+                coarse: [5.0, 0.0, 0.0],
+                fine: [0.5, 0.0, 0.0],
+                ..Frame::default()
+            },
+        );
+        control.activate(1);
+        // oracle: hand: (1,0,0) -> settable (6.5,0,0) -> turned (0,6.5,0) -> +10 in Y -> +100 in X
+        near(control.to_machine([1.0, 0.0, 0.0]), [100.0, 16.5, 0.0]);
+        near(control.to_workpiece([100.0, 16.5, 0.0]), [1.0, 0.0, 0.0]);
+    }
+
+    #[test]
+    fn frames_chain_as_one() {
+        let outer = Frame {
+            coarse: [1.0, 2.0, 3.0],
+            fine: [0.1, 0.0, 0.0],
+            rotation: [0.0, 30.0, 0.0],
+        };
+        let inner = Frame {
+            coarse: [4.0, 5.0, 6.0],
+            fine: [0.0; 3],
+            rotation: [20.0, 0.0, 40.0],
+        };
+        let both = outer.then(&inner);
+        // oracle: self (one after the other)
+        near(
+            both.outward([7.0, 8.0, 9.0]),
+            outer.outward(inner.outward([7.0, 8.0, 9.0])),
+        );
+    }
+}

@@ -1,0 +1,129 @@
+//! Tools and registers: which edge is active, what it is long and how thick, wear included. mm.
+
+use super::{Control, Edge};
+use crate::catalogue::Dialect;
+
+impl Control {
+    /// Edge D of tool T, as stored.
+    pub fn edge_of(&self, tool: i64, edge: i64) -> Option<&Edge> {
+        self.tools.get(&tool)?.edges.get(&edge)
+    }
+
+    /// The same to be changed; none when the tool or the edge is not there.
+    pub fn edge_of_mut(&mut self, tool: i64, edge: i64) -> Option<&mut Edge> {
+        self.tools.get_mut(&tool)?.edges.get_mut(&edge)
+    }
+
+    /// NCT register of lengths (H) and radii (D): kept as edge of tool 0, whatever is in the spindle.
+    /// A register that was never written is all zero.
+    pub fn register(&self, number: i64) -> Edge {
+        self.edge_of(0, number).cloned().unwrap_or_default()
+    }
+
+    /// NCT register to be changed.
+    pub fn register_mut(&mut self, number: i64) -> &mut Edge {
+        self.tools
+            .entry(0)
+            .or_default()
+            .edges
+            .entry(number)
+            .or_default()
+    }
+
+    /// Edge in effect: T in the spindle with the active D (NCT: register H).
+    pub fn active_edge(&self) -> Option<&Edge> {
+        let tool = match self.dialect {
+            Dialect::Sinumerik => self.tool,
+            Dialect::Nct => 0,
+        };
+        if self.edge == 0 {
+            None
+        } else {
+            self.edge_of(tool, self.edge)
+        }
+    }
+
+    /// Length in effect along X Y Z: L1 on the applicate, L2 on the ordinate, L3 on the abscissa (B:762-817).
+    /// 0 without a correction.
+    pub fn active_length(&self) -> [f64; 3] {
+        let mut length = [0.0; 3];
+        if let Some(edge) = self.active_edge() {
+            let [abscissa, ordinate, applicate] = self.plane.axes();
+            for (axis, i) in [(applicate, 0), (ordinate, 1), (abscissa, 2)] {
+                length[axis] = edge.total_length(i);
+            }
+        }
+        length
+    }
+
+    /// Radius in effect, mm; 0 without a correction.
+    pub fn active_radius(&self) -> f64 {
+        self.active_edge().map_or(0.0, Edge::total_radius)
+    }
+}
+
+impl Edge {
+    /// Geometry and wear of L1 (0), L2 (1) or L3 (2), mm.
+    pub fn total_length(&self, i: usize) -> f64 {
+        self.length[i] + self.length_wear[i]
+    }
+
+    /// Geometry and wear of the radius, mm.
+    pub fn total_radius(&self) -> f64 {
+        self.radius + self.radius_wear
+    }
+
+    /// Whether a workpiece probe in milling may be called with it: type 1x0 or 710 (B:4147-4152).
+    pub fn is_milling_probe(&self) -> bool {
+        self.kind == 710 || (100..200).contains(&self.kind) && self.kind % 10 == 0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use crate::control::{Plane, delivery::delivery};
+
+    #[test]
+    fn lengths_follow_the_plane() {
+        let mut control = delivery(Dialect::Sinumerik);
+        let edge = Edge {
+            length: [50.0, 2.0, 3.0],
+            length_wear: [0.5, 0.0, 0.0],
+            ..Edge::default()
+        };
+        control.tools.entry(9).or_default().edges.insert(1, edge);
+        (control.tool, control.edge) = (9, 1);
+        // oracle: manual B:762-817
+        assert_eq!(control.active_length(), [3.0, 2.0, 50.5]);
+        control.plane = Plane::G18;
+        assert_eq!(control.active_length(), [2.0, 50.5, 3.0]);
+        control.edge = 0;
+        assert_eq!(control.active_length(), [0.0; 3]);
+    }
+
+    #[test]
+    fn types_of_a_probe() {
+        let edge = |kind| Edge {
+            kind,
+            ..Edge::default()
+        };
+        // oracle: manual B:4147-4152
+        assert!(edge(710).is_milling_probe() && edge(120).is_milling_probe());
+        assert!(
+            !edge(500).is_milling_probe()
+                && !edge(0).is_milling_probe()
+                && !edge(145).is_milling_probe()
+        );
+    }
+
+    #[test]
+    fn a_register_exists_when_written() {
+        let mut control = delivery(Dialect::Nct);
+        assert_eq!(control.register(98).length[0], 0.0);
+        control.register_mut(98).length[0] = 120.0;
+        control.edge = 98;
+        assert_eq!(control.active_edge().unwrap().length[0], 120.0);
+    }
+}

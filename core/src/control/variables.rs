@@ -1,0 +1,391 @@
+//! Tool and frame data under the names a part program uses: `$TC_DP6[9,1]`, `$P_UIFR[1,X,FI]`; on NCT by plain names
+//! (`H98`, `D1`, `G59 X`), since that control has no such variables in the manual.
+
+use super::{Control, Edge, Frame};
+use crate::catalogue::Dialect;
+
+/// Axis letters by index.
+pub const AXES: [&str; 3] = ["X", "Y", "Z"];
+
+/// Where a quantity is stored.
+enum Place {
+    /// A frame: store and number, axis 0..2, part.
+    Frame(Store, usize, usize, Part),
+    /// A tool edge: T, D, quantity.
+    Edge(i64, i64, Quantity),
+    /// The settable frame in effect: axis, part.
+    Active(usize, Part),
+}
+
+/// A family of frames.
+#[derive(Clone, Copy, PartialEq)]
+enum Store {
+    Settable,
+    Channel,
+    Global,
+    System,
+}
+
+/// Part of a frame.
+#[derive(Clone, Copy)]
+enum Part {
+    Coarse,
+    Fine,
+    Rotation,
+}
+
+/// Quantity of an edge. Lengths L1..L3 are 0..2, the radius 3.
+#[derive(Clone, Copy)]
+enum Quantity {
+    Kind,
+    Geometry(usize),
+    Wear(usize),
+    Additive(i64, usize),
+    Setup(i64, usize),
+}
+
+impl Control {
+    /// Value of a tool or frame variable, lengths in mm; none when there is no such variable (or no such tool).
+    pub fn variable(&self, name: &str) -> Option<f64> {
+        match place(self.dialect, name)? {
+            Place::Frame(store, number, axis, part) => {
+                let frame = self
+                    .stored_frame(store, number)
+                    .copied()
+                    .unwrap_or_default();
+                Some(frame_part(&frame, part)[axis])
+            }
+            Place::Active(axis, part) => Some(frame_part(&self.active, part)[axis]),
+            Place::Edge(tool, edge, quantity) => {
+                let zero = Edge::default();
+                let found = self.edge_of(tool, edge);
+                let edge = if self.dialect == Dialect::Nct {
+                    found.unwrap_or(&zero)
+                } else {
+                    found?
+                };
+                Some(edge_quantity(edge, quantity))
+            }
+        }
+    }
+
+    /// Writes a tool or frame variable. An edge that is not there is made, as `$TC_DP1[t,d]` does.
+    /// False: there is no such variable.
+    pub fn set_variable(&mut self, name: &str, value: f64) -> bool {
+        match place(self.dialect, name) {
+            Some(Place::Frame(store, number, axis, part)) => {
+                *frame_part_mut(self.stored_frame_mut(store, number), part, axis) = value;
+            }
+            Some(Place::Active(axis, part)) => {
+                *frame_part_mut(&mut self.active, part, axis) = value
+            }
+            Some(Place::Edge(tool, edge, quantity)) => {
+                let edge = self
+                    .tools
+                    .entry(tool)
+                    .or_default()
+                    .edges
+                    .entry(edge)
+                    .or_default();
+                set_edge_quantity(edge, quantity, value);
+            }
+            None => return false,
+        }
+        true
+    }
+
+    /// Names of all stored tool and frame data.
+    pub fn variable_names(&self) -> Vec<String> {
+        let mut names = Vec::new();
+        match self.dialect {
+            Dialect::Sinumerik => {
+                frame_names(&mut names, "$P_UIFR", self.frames.keys());
+                frame_names(&mut names, "$P_CHBFR", self.channel_basic.keys());
+                frame_names(&mut names, "$P_NCBFR", self.global_basic.keys());
+                for axis in AXES {
+                    names.extend(["TR", "FI", "RT"].map(|part| format!("$P_SETFR[{axis},{part}]")));
+                }
+            }
+            Dialect::Nct => {
+                let offsets = self.frames.keys().filter(|number| **number <= 6);
+                names.extend(
+                    offsets.flat_map(|n| AXES.map(|axis| format!("{} {axis}", nct_offset(*n)))),
+                );
+            }
+        }
+        for (tool, edges) in self.tools.iter().map(|(t, tool)| (t, &tool.edges)) {
+            for (edge, data) in edges {
+                match self.dialect {
+                    Dialect::Sinumerik => edge_names(&mut names, *tool, *edge, data),
+                    Dialect::Nct => {
+                        names.extend(["H", "D", "HW", "DW"].map(|letter| format!("{letter}{edge}")))
+                    }
+                }
+            }
+        }
+        names
+    }
+
+    fn stored_frame(&self, store: Store, number: usize) -> Option<&Frame> {
+        match store {
+            Store::Settable => self.frames.get(&number),
+            Store::Channel => self.channel_basic.get(&number),
+            Store::Global => self.global_basic.get(&number),
+            Store::System => Some(&self.system),
+        }
+    }
+
+    fn stored_frame_mut(&mut self, store: Store, number: usize) -> &mut Frame {
+        match store {
+            Store::Settable => self.frames.entry(number).or_default(),
+            Store::Channel => self.channel_basic.entry(number).or_default(),
+            Store::Global => self.global_basic.entry(number).or_default(),
+            Store::System => &mut self.system,
+        }
+    }
+}
+
+/// Name of an NCT work offset as shown: `COMMON`, `G54`..`G59`.
+fn nct_offset(number: usize) -> String {
+    if number == 0 {
+        "COMMON".into()
+    } else {
+        format!("G{}", 53 + number)
+    }
+}
+
+fn frame_names<'a>(names: &mut Vec<String>, store: &str, numbers: impl Iterator<Item = &'a usize>) {
+    for number in numbers {
+        for axis in AXES {
+            names.extend(["TR", "FI", "RT"].map(|part| format!("{store}[{number},{axis},{part}]")));
+        }
+    }
+}
+
+fn edge_names(names: &mut Vec<String>, tool: i64, edge: i64, data: &Edge) {
+    names.extend([1, 3, 4, 5, 6, 12, 13, 14, 15].map(|n| format!("$TC_DP{n}[{tool},{edge}]")));
+    for (letters, offsets) in [("SCP", &data.additive), ("ECP", &data.setup)] {
+        for dl in offsets.keys() {
+            names.extend([3, 4, 5, 6].map(|n| format!("$TC_{letters}{dl}{n}[{tool},{edge}]")));
+        }
+    }
+}
+
+fn place(dialect: Dialect, name: &str) -> Option<Place> {
+    match dialect {
+        Dialect::Sinumerik => sinumerik_place(name),
+        Dialect::Nct => nct_place(name),
+    }
+}
+
+fn sinumerik_place(name: &str) -> Option<Place> {
+    let (stem, rest) = name.split_once('[')?;
+    let index: Vec<&str> = rest.strip_suffix(']')?.split(',').collect();
+    if let Some(quantity) = stem.strip_prefix("$TC_") {
+        let [tool, edge] = index[..] else { return None };
+        return Some(Place::Edge(
+            tool.parse().ok()?,
+            edge.parse().ok()?,
+            tool_quantity(quantity)?,
+        ));
+    }
+    let (store, limit) = match stem {
+        "$P_UIFR" => (Store::Settable, 99),
+        "$P_CHBFR" => (Store::Channel, 15),
+        "$P_NCBFR" => (Store::Global, 15),
+        "$P_SETFR" => (Store::System, 0),
+        "$P_IFRAME" => {
+            let [axis, part] = index[..] else { return None };
+            return Some(Place::Active(axis_index(axis)?, frame_part_of(part)?));
+        }
+        _ => return None,
+    };
+    let (number, axis, part) = match (store, &index[..]) {
+        (Store::System, [axis, part]) => (0, axis, part),
+        (Store::System, _) => return None,
+        (_, [number, axis, part]) => (number.parse().ok()?, axis, part),
+        _ => return None,
+    };
+    (number <= limit).then_some(Place::Frame(
+        store,
+        number,
+        axis_index(axis)?,
+        frame_part_of(part)?,
+    ))
+}
+
+/// `DP6` radius, `DP15` its wear, `SCP13` L1 of the additive offset DL1, `ECP13` of the setup offset.
+fn tool_quantity(name: &str) -> Option<Quantity> {
+    if let Some(number) = name.strip_prefix("DP") {
+        return match number.parse::<usize>().ok()? {
+            1 => Some(Quantity::Kind),
+            n @ 3..=6 => Some(Quantity::Geometry(n - 3)),
+            n @ 12..=15 => Some(Quantity::Wear(n - 12)),
+            _ => None,
+        };
+    }
+    let additive = name.strip_prefix("SCP");
+    let digits: u8 = additive
+        .or_else(|| name.strip_prefix("ECP"))?
+        .parse()
+        .ok()?;
+    let (dl, part) = (i64::from(digits / 10), usize::from(digits % 10));
+    if !(1..=6).contains(&dl) || !(3..=6).contains(&part) {
+        return None;
+    }
+    Some(if additive.is_some() {
+        Quantity::Additive(dl, part - 3)
+    } else {
+        Quantity::Setup(dl, part - 3)
+    })
+}
+
+fn nct_place(name: &str) -> Option<Place> {
+    if let Some((offset, axis)) = name.split_once(' ') {
+        let number = match offset {
+            "COMMON" => 0,
+            _ => offset
+                .strip_prefix('G')?
+                .parse::<usize>()
+                .ok()?
+                .checked_sub(53)?,
+        };
+        return (number <= 6).then_some(Place::Frame(
+            Store::Settable,
+            number,
+            axis_index(axis)?,
+            Part::Coarse,
+        ));
+    }
+    let (quantity, digits) = match name {
+        _ if name.starts_with("HW") => (Quantity::Wear(0), name.get(2..)?),
+        _ if name.starts_with("DW") => (Quantity::Wear(3), name.get(2..)?),
+        _ if name.starts_with('H') => (Quantity::Geometry(0), name.get(1..)?),
+        _ if name.starts_with('D') => (Quantity::Geometry(3), name.get(1..)?),
+        _ => return None,
+    };
+    Some(Place::Edge(0, digits.parse().ok()?, quantity))
+}
+
+fn axis_index(name: &str) -> Option<usize> {
+    AXES.iter().position(|axis| *axis == name)
+}
+
+fn frame_part_of(name: &str) -> Option<Part> {
+    match name {
+        "TR" => Some(Part::Coarse),
+        "FI" => Some(Part::Fine),
+        "RT" => Some(Part::Rotation),
+        _ => None,
+    }
+}
+
+fn frame_part(frame: &Frame, part: Part) -> [f64; 3] {
+    match part {
+        Part::Coarse => frame.coarse,
+        Part::Fine => frame.fine,
+        Part::Rotation => frame.rotation,
+    }
+}
+
+fn frame_part_mut(frame: &mut Frame, part: Part, axis: usize) -> &mut f64 {
+    match part {
+        Part::Coarse => &mut frame.coarse[axis],
+        Part::Fine => &mut frame.fine[axis],
+        Part::Rotation => &mut frame.rotation[axis],
+    }
+}
+
+fn edge_quantity(edge: &Edge, quantity: Quantity) -> f64 {
+    match quantity {
+        Quantity::Kind => edge.kind as f64,
+        Quantity::Geometry(3) => edge.radius,
+        Quantity::Geometry(i) => edge.length[i],
+        Quantity::Wear(3) => edge.radius_wear,
+        Quantity::Wear(i) => edge.length_wear[i],
+        Quantity::Additive(dl, i) => edge.additive.get(&dl).map_or(0.0, |offset| offset[i]),
+        Quantity::Setup(dl, i) => edge.setup.get(&dl).map_or(0.0, |offset| offset[i]),
+    }
+}
+
+fn set_edge_quantity(edge: &mut Edge, quantity: Quantity, value: f64) {
+    match quantity {
+        Quantity::Kind => edge.kind = value as i64,
+        Quantity::Geometry(3) => edge.radius = value,
+        Quantity::Geometry(i) => edge.length[i] = value,
+        Quantity::Wear(3) => edge.radius_wear = value,
+        Quantity::Wear(i) => edge.length_wear[i] = value,
+        Quantity::Additive(dl, i) => edge.additive.entry(dl).or_default()[i] = value,
+        Quantity::Setup(dl, i) => edge.setup.entry(dl).or_default()[i] = value,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::control::delivery;
+
+    #[test]
+    fn every_name_reads_what_was_written() {
+        let mut control = delivery(Dialect::Sinumerik);
+        let names = [
+            "$P_UIFR[1,X,TR]",
+            "$P_UIFR[99,Z,FI]",
+            "$P_CHBFR[0,Y,RT]",
+            "$P_NCBFR[15,X,TR]",
+            "$P_SETFR[Z,TR]",
+            "$TC_DP1[20,1]",
+            "$TC_DP3[20,1]",
+            "$TC_DP6[20,1]",
+            "$TC_DP12[20,1]",
+            "$TC_DP15[20,1]",
+            "$TC_SCP13[20,1]",
+            "$TC_ECP66[20,1]",
+        ];
+        // oracle: self (write, then read; each value its own)
+        for (i, name) in names.iter().enumerate() {
+            assert!(control.set_variable(name, i as f64 + 1.0), "{name}");
+        }
+        for (i, name) in names.iter().enumerate() {
+            assert_eq!(control.variable(name), Some(i as f64 + 1.0), "{name}");
+            assert!(
+                control.variable_names().iter().any(|known| known == name),
+                "{name}"
+            );
+        }
+        // oracle: hand
+        assert_eq!(control.frames[&1].coarse[0], 1.0);
+        assert_eq!(control.tools[&20].edges[&1].radius_wear, 10.0);
+    }
+
+    #[test]
+    fn other_names_are_refused() {
+        let mut control = delivery(Dialect::Sinumerik);
+        for name in [
+            "$P_UIFR[100,X,TR]",
+            "$P_UIFR[1,W,TR]",
+            "$P_UIFR[1,X,MI]",
+            "$TC_DP99[1,1]",
+            "$TC_SCP73[1,1]",
+            "_OVR[0]",
+            "$P_UIFR[1,X",
+        ] {
+            assert!(!control.set_variable(name, 1.0), "{name}");
+            assert_eq!(control.variable(name), None, "{name}");
+        }
+    }
+
+    #[test]
+    fn nct_has_plain_names() {
+        let mut control = delivery(Dialect::Nct);
+        assert!(
+            control.set_variable("G59 X", 120.0)
+                && control.set_variable("D1", 5.0)
+                && control.set_variable("H98", 50.0)
+        );
+        assert_eq!(control.frames[&6].coarse[0], 120.0);
+        assert_eq!(control.register(98).length[0], 50.0);
+        assert_eq!(control.register(1).radius, 5.0);
+        assert!(!control.set_variable("G60 X", 0.0));
+    }
+}

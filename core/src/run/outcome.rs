@@ -1,0 +1,150 @@
+//! What came out of a run, put the way a page or a terminal shows it.
+
+use super::Stop;
+use super::setup::Setup;
+use super::trace::{Entry, Step, Trace};
+use crate::catalogue::{Cycle, ResultField};
+use crate::control::{Control, Value};
+use crate::diagnostic::{Code, Diagnostic};
+use crate::message::Message;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// After a run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outcome {
+    /// State before.
+    pub before: Control,
+    /// State after.
+    pub control: Control,
+    /// Position after, machine (basic) coordinates of the point to which the tool length refers, mm.
+    pub position: [f64; 3],
+    /// What happened.
+    pub trace: Trace,
+    /// Why it ended early; none: to its end.
+    pub stop: Option<Stop>,
+    /// Problems found in the program while running; empty for a single call.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Something that is different after a run. Values in the unit of the datum (lengths of tools and frames in mm).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Change {
+    /// `$TC_DP15[20,1]`, `$P_UIFR[1,X,FI]`, `_MV[9]`.
+    pub name: String,
+    /// Before.
+    pub before: f64,
+    /// After.
+    pub after: f64,
+}
+
+impl Outcome {
+    /// Whether the run reached its end.
+    pub fn finished(&self) -> bool {
+        self.stop.is_none()
+    }
+
+    /// The results of a cycle with the values they have now.
+    pub fn results(&self, cycle: &'static Cycle) -> Vec<(&'static ResultField, f64)> {
+        cycle
+            .results
+            .iter()
+            .map(|field| (field, self.control.number(field.name)))
+            .collect()
+    }
+
+    /// Tools, frames and mean values that are different now, in the order of the names.
+    pub fn changes(&self) -> Vec<Change> {
+        let before = addressable(&self.before);
+        let after = addressable(&self.control);
+        let names: BTreeSet<&String> = before.keys().chain(after.keys()).collect();
+        let value =
+            |side: &BTreeMap<String, f64>, name: &String| side.get(name).copied().unwrap_or(0.0);
+        names
+            .into_iter()
+            .map(|name| Change {
+                name: name.clone(),
+                before: value(&before, name),
+                after: value(&after, name),
+            })
+            .filter(|change| change.before != change.after)
+            .collect()
+    }
+
+    /// Alarms and operator messages, in order; the one that stopped the run last.
+    pub fn alarms(&self) -> Vec<Code> {
+        let mut alarms: Vec<Code> = self
+            .steps()
+            .filter_map(|step| match step {
+                Step::Alarm(code) => Some(*code),
+                _ => None,
+            })
+            .collect();
+        if let Some(Stop::Alarm(code)) = self.stop
+            && alarms.last() != Some(&code)
+        {
+            alarms.push(code);
+        }
+        alarms
+    }
+
+    /// Decisions of the cycles, in order.
+    pub fn decisions(&self) -> Vec<&Message> {
+        self.steps()
+            .filter_map(|step| match step {
+                Step::Decision(message) => Some(message),
+                _ => None,
+            })
+            .collect()
+    }
+
+    /// Lines of the measuring log or print-out.
+    pub fn log(&self) -> Vec<&str> {
+        self.steps()
+            .filter_map(|step| match step {
+                Step::Log(line) => Some(line.as_str()),
+                _ => None,
+            })
+            .collect()
+    }
+
+    /// Position after, in the WCS that is active now, mm.
+    pub fn end(&self) -> [f64; 3] {
+        self.control.to_workpiece(self.position)
+    }
+
+    /// An outcome where nothing has happened yet.
+    pub fn new(setup: &Setup) -> Outcome {
+        Outcome {
+            before: setup.control.clone(),
+            control: setup.control.clone(),
+            position: setup.position,
+            trace: Trace::default(),
+            stop: None,
+            diagnostics: Vec::new(),
+        }
+    }
+
+    fn steps(&self) -> impl Iterator<Item = &Step> {
+        self.trace.entries.iter().map(|Entry { step, .. }| step)
+    }
+}
+
+/// Every corrected quantity by the name a program would use for it.
+fn addressable(control: &Control) -> BTreeMap<String, f64> {
+    let mut all = BTreeMap::new();
+    for name in control.variable_names() {
+        if let Some(value) = control.variable(&name) {
+            all.insert(name, value);
+        }
+    }
+    let memories = control
+        .data
+        .iter()
+        .filter(|(name, _)| name.starts_with("_MV[") || name.starts_with("_EV["));
+    for (name, value) in memories {
+        if let Value::Number(value) = value {
+            all.insert(name.clone(), *value);
+        }
+    }
+    all
+}

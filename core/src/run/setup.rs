@@ -1,0 +1,94 @@
+//! What a run starts from: the control, the probe as it really is, the part, and where the machine stands.
+
+use crate::catalogue::Dialect;
+use crate::control::{Control, Edge, Plane, Tool, delivery};
+use crate::workpiece::{Probe, Workpiece};
+
+/// Everything that a run starts from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Setup {
+    /// State of the control.
+    pub control: Control,
+    /// The probe as it is.
+    pub probe: Probe,
+    /// The part.
+    pub workpiece: Workpiece,
+    /// Where the point to which the tool length refers stands, machine (basic) coordinates X Y Z, mm.
+    pub position: [f64; 3],
+}
+
+/// T number of the probe in [`Setup::calibrated`], as in the programs of the manual (B:5855).
+pub const PROBE_TOOL: i64 = 9;
+/// Length register of the probe in [`Setup::calibrated`] on NCT, as in the programs of the manual (C:1159).
+pub const PROBE_REGISTER: i64 = 98;
+
+impl Setup {
+    /// A control as delivered with a calibrated ideal probe in the spindle (ball 6 mm, L1 50 mm: B:5855, B:16259),
+    /// nothing to touch, and the machine far above.
+    pub fn calibrated(dialect: Dialect, plane: Plane) -> Setup {
+        let mut control = delivery(dialect);
+        control.plane = plane;
+        let edge = Edge {
+            kind: 710,
+            length: [50.0, 0.0, 0.0],
+            radius: 3.0,
+            ..Edge::default()
+        };
+        match dialect {
+            Dialect::Sinumerik => {
+                let tool = Tool {
+                    name: "PROBE".into(),
+                    edges: [(1, edge)].into(),
+                };
+                control.tools.insert(PROBE_TOOL, tool);
+                (control.tool, control.edge) = (PROBE_TOOL, 1);
+            }
+            Dialect::Nct => {
+                *control.register_mut(PROBE_REGISTER) = edge;
+                control.edge = PROBE_REGISTER;
+                for name in ["#500", "#501", "#502", "#503"] {
+                    control.set(name, 3.0); // ball radius by axis and direction, C:304-307
+                }
+            }
+        }
+        let settable = control.settable;
+        control.activate(settable);
+        let [_, _, applicate] = plane.axes();
+        let mut position = [0.0; 3];
+        position[applicate] = 500.0;
+        Setup {
+            control,
+            probe: ideal_probe(),
+            workpiece: Workpiece::default(),
+            position,
+        }
+    }
+}
+
+/// A probe without errors: ball 6 mm, 50 mm long.
+pub fn ideal_probe() -> Probe {
+    Probe {
+        radius: 3.0,
+        length: 50.0,
+        skew: [0.0; 2],
+        pre_travel: (0.0, 0.0),
+        delay: 0.0,
+        repeatability: (0.0, 1),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_probe_is_ready() {
+        let setup = Setup::calibrated(Dialect::Sinumerik, Plane::G18);
+        // oracle: manual B:762-817 (L1 along Y in G18)
+        assert_eq!(setup.control.active_length(), [0.0, 50.0, 0.0]);
+        assert_eq!(setup.position, [0.0, 500.0, 0.0]);
+        let setup = Setup::calibrated(Dialect::Nct, Plane::G17);
+        assert_eq!(setup.control.active_length(), [0.0, 0.0, 50.0]);
+        assert_eq!(setup.control.number("#502"), 3.0);
+    }
+}
