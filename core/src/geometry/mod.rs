@@ -1,1 +1,23 @@
-//! .
+//! A moving ball against surfaces, edges and corners; rigid motions. Knows no cycle and no part.
+//!
+//! Lengths in mm, parameters along a path in mm from its start. One file a kind of surface.
+
+pub mod circle;
+pub mod feature;
+pub mod lobed;
+pub mod path;
+pub mod point;
+pub mod quad;
+pub mod rigid;
+pub mod roots;
+pub mod segment;
+pub mod wall;
+
+pub use feature::{Feature, Foot};
+pub use path::Path;
+
+/// A point or direction X Y Z.
+pub type V3 = nalgebra::Vector3<f64>;
+
+/// Two lengths closer than this, mm, are the same contact.
+pub const TOLERANCE: f64 = 1e-9;

@@ -1,22 +1,66 @@
 //! Parametric parts with their errors, and the probe that touches them.
 
+mod body;
+pub mod contact;
+#[cfg(test)]
+mod contact_tests;
+pub mod noise;
+pub mod probe;
+
 /// What can be touched. Nominal sizes in mm, in the part's own frame.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shape {
     /// Block with a cylindrical hole about Z, open at the top.
-    Hole { diameter: f64, depth: f64 },
+    Hole {
+        /// Diameter, mm.
+        diameter: f64,
+        /// Depth of the flat bottom, mm.
+        depth: f64,
+    },
     /// Cylinder about Z standing on a plate.
-    Shaft { diameter: f64, height: f64 },
+    Shaft {
+        /// Diameter, mm.
+        diameter: f64,
+        /// Height above the plate, mm.
+        height: f64,
+    },
     /// Groove between two walls facing each other along X.
-    Groove { width: f64, depth: f64, length: f64 },
+    Groove {
+        /// Distance of the walls, mm.
+        width: f64,
+        /// Depth of the floor, mm.
+        depth: f64,
+        /// Length along Y, mm; both ends are open.
+        length: f64,
+    },
     /// Web between two walls facing away along X.
-    Web { width: f64, height: f64, length: f64 },
+    Web {
+        /// Distance of the walls, mm.
+        width: f64,
+        /// Height above the plate, mm.
+        height: f64,
+        /// Length along Y, mm.
+        length: f64,
+    },
     /// Rectangular pocket, X × Y.
-    Pocket { length: [f64; 2], depth: f64 },
+    Pocket {
+        /// X and Y, mm.
+        length: [f64; 2],
+        /// Depth of the floor, mm.
+        depth: f64,
+    },
     /// Rectangular island, X × Y.
-    Island { length: [f64; 2], height: f64 },
+    Island {
+        /// X and Y, mm.
+        length: [f64; 2],
+        /// Height above the plate, mm.
+        height: f64,
+    },
     /// Half space below Z = 0, bounded by a rectangle X × Y, thickness Z.
-    Block { size: [f64; 3] },
+    Block {
+        /// X, Y and thickness Z, mm.
+        size: [f64; 3],
+    },
 }
 
 /// What is wrong with a part. All zero: nothing.
@@ -26,11 +70,11 @@ pub struct PartErrors {
     pub shift: [f64; 3],
     /// Added to every diameter, width and length, mm.
     pub size: f64,
-    /// Turned about X Y Z (RPY) about the shape's origin, degree.
+    /// Turned about the machine's X Y Z (RPY) about the shape's origin, degree.
     pub tilt: [f64; 3],
-    /// Diameter grows by this per mm of depth (cone), mm/mm.
+    /// Diameter (width, length) grows by this per mm of depth (cone), mm/mm.
     pub taper: f64,
-    /// Amplitude of the radius over the angle, mm, and number of lobes.
+    /// Amplitude of the radius over the angle, mm, and number of lobes: `r + amplitude·cos(lobes·angle)`.
     pub out_of_round: (f64, u32),
 }
 

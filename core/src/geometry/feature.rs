@@ -1,0 +1,52 @@
+//! Any kind of surface, edge or corner.
+
+use super::circle::Circle;
+use super::lobed::LobedWall;
+use super::quad::Quad;
+use super::segment::Segment;
+use super::wall::Wall;
+use super::{Path, V3, point};
+
+/// A piece of the boundary of a solid.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Feature {
+    /// Flat face.
+    Quad(Quad),
+    /// Cylinder or cone.
+    Wall(Wall),
+    /// Wall that is out of round, with its rims.
+    Lobed(LobedWall),
+    /// Circular edge.
+    Circle(Circle),
+    /// Straight edge.
+    Segment(Segment),
+    /// Corner.
+    Point(V3),
+}
+
+/// The point of a feature nearest to a given point.
+pub type Foot = V3;
+
+/// Nearest point of the feature; none where it has no perpendicular towards `p` (its border is a feature of its own).
+pub fn foot(feature: &Feature, p: &V3) -> Option<Foot> {
+    match feature {
+        Feature::Quad(quad) => quad.foot(p),
+        Feature::Wall(wall) => wall.foot(p),
+        Feature::Lobed(wall) => Some(wall.foot(p)),
+        Feature::Circle(circle) => Some(circle.foot(p)),
+        Feature::Segment(segment) => segment.foot(p),
+        Feature::Point(corner) => Some(*corner),
+    }
+}
+
+/// Length, mm, after which a ball that was free begins to touch the feature; none: not on this path.
+pub fn first(feature: &Feature, path: &Path, radius: f64) -> Option<f64> {
+    match feature {
+        Feature::Quad(quad) => quad.first(path, radius),
+        Feature::Wall(wall) => wall.first(path, radius),
+        Feature::Lobed(wall) => wall.first(path, radius),
+        Feature::Circle(circle) => circle.first(path, radius),
+        Feature::Segment(segment) => segment.first(path, radius),
+        Feature::Point(corner) => point::first(corner, path, radius),
+    }
+}

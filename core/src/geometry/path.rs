@@ -1,0 +1,29 @@
+//! A straight path.
+
+use super::V3;
+
+/// Straight way of the ball centre, by length in mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Path {
+    /// Start.
+    pub from: V3,
+    /// Unit direction; zero for a path without length.
+    pub direction: V3,
+    /// Length, mm.
+    pub length: f64,
+}
+
+impl Path {
+    /// From one point to another.
+    pub fn new(from: V3, to: V3) -> Path {
+        let way = to - from;
+        let length = way.norm();
+        let direction = if length > 0.0 { way / length } else { V3::zeros() };
+        Path { from, direction, length }
+    }
+
+    /// Point after `s` mm.
+    pub fn at(&self, s: f64) -> V3 {
+        self.from + self.direction * s
+    }
+}

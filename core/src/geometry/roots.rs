@@ -1,0 +1,74 @@
+//! Real roots of polynomials of low degree.
+
+/// Real roots of `a x² + b x + c`, ascending; a linear equation where `a` vanishes.
+pub fn quadratic(a: f64, b: f64, c: f64) -> Vec<f64> {
+    if a.abs() < 1e-14 {
+        return if b.abs() < 1e-14 { Vec::new() } else { vec![-c / b] };
+    }
+    let inner = b * b - 4.0 * a * c;
+    if inner < 0.0 {
+        return Vec::new();
+    }
+    let q = -0.5 * (b + inner.sqrt().copysign(b));
+    let (first, second) = if q == 0.0 { (0.0, 0.0) } else { (q / a, c / q) };
+    vec![first.min(second), first.max(second)]
+}
+
+/// Real roots within `[low, high]`, ascending, of a polynomial with the lowest coefficient first.
+/// Between the roots of the derivative the polynomial is monotone, so that each sign change is one root.
+pub fn polynomial(coefficients: &[f64], low: f64, high: f64) -> Vec<f64> {
+    if coefficients.len() < 2 {
+        return Vec::new();
+    }
+    let derivative: Vec<f64> =
+        coefficients.iter().enumerate().skip(1).map(|(power, c)| c * power as f64).collect();
+    let mut borders = vec![low];
+    borders.extend(polynomial(&derivative, low, high));
+    borders.push(high);
+    let mut found: Vec<f64> = Vec::new();
+    for pair in borders.windows(2) {
+        let Some(root) = bracketed(|x| value(coefficients, x), pair[0], pair[1]) else { continue };
+        if found.last() != Some(&root) {
+            found.push(root);
+        }
+    }
+    found
+}
+
+/// Root of a function that changes sign between `low` and `high`: secant steps (Illinois), halved where they stall.
+pub fn bracketed(f: impl Fn(f64) -> f64, low: f64, high: f64) -> Option<f64> {
+    let (mut a, mut b) = (low, high);
+    let (mut fa, mut fb) = (f(a), f(b));
+    if fa == 0.0 {
+        return Some(a);
+    }
+    if fb == 0.0 {
+        return Some(b);
+    }
+    if fa.signum() == fb.signum() {
+        return None;
+    }
+    for step in 0..200 {
+        let secant = b - fb * (b - a) / (fb - fa);
+        let x = if step % 3 == 2 || !(a.min(b)..=a.max(b)).contains(&secant) { 0.5 * (a + b) } else { secant };
+        let fx = f(x);
+        if fx == 0.0 || x == a || x == b {
+            return Some(x);
+        }
+        if fx.signum() == fa.signum() {
+            (a, fa) = (x, fx);
+            fb *= 0.5;
+        } else {
+            (b, fb) = (x, fx);
+            fa *= 0.5;
+        }
+        if (b - a).abs() <= 1e-15 * (1.0 + a.abs()) {
+            break;
+        }
+    }
+    Some(0.5 * (a + b))
+}
+
+fn value(coefficients: &[f64], x: f64) -> f64 {
+    coefficients.iter().rev().fold(0.0, |sum, c| sum * x + c)
+}

@@ -1,0 +1,79 @@
+//! Ball against a round wall about the Z axis from Z = 0 downwards: cylinder or cone, from inside or outside.
+
+use super::circle::radial;
+use super::{Path, V3, roots};
+
+/// A cylinder or cone between Z = 0 and Z = −depth.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wall {
+    /// Radius at Z = 0, mm.
+    pub radius: f64,
+    /// Growth of the radius per mm of depth; 0: cylinder.
+    pub slope: f64,
+    /// Depth, mm.
+    pub depth: f64,
+    /// Whether the material is outside (a hole).
+    pub inner: bool,
+}
+
+impl Wall {
+    fn side(&self) -> f64 {
+        if self.inner { -1.0 } else { 1.0 }
+    }
+
+    /// Cosine of the half angle of the cone.
+    fn lean(&self) -> f64 {
+        1.0 / self.slope.hypot(1.0)
+    }
+
+    /// Distance of `p` from the (endless) wall, positive outside the material.
+    fn gap(&self, p: &V3) -> f64 {
+        self.side() * (p.xy().norm() - self.radius + self.slope * p.z) * self.lean()
+    }
+
+    /// Outward normal on the side of `p`.
+    fn normal(&self, p: &V3) -> V3 {
+        (radial(p) + V3::z() * self.slope) * (self.side() * self.lean())
+    }
+
+    /// Point of the wall perpendicular to `p`.
+    pub fn foot(&self, p: &V3) -> Option<V3> {
+        let foot = p - self.normal(p) * self.gap(p);
+        (foot.z <= 0.0 && foot.z >= -self.depth && foot.dot(&radial(p)) > 0.0).then_some(foot)
+    }
+
+    /// Length after which a ball of this radius, coming from outside the material, begins to touch the wall.
+    pub fn first(&self, path: &Path, radius: f64) -> Option<f64> {
+        let offset = self.radius + self.side() * radius / self.lean();
+        let (p, way) = (path.from, path.direction);
+        let start = offset - self.slope * p.z;
+        let growth = -self.slope * way.z;
+        let a = way.xy().norm_squared() - growth * growth;
+        let b = 2.0 * (p.xy().dot(&way.xy()) - start * growth);
+        let c = p.xy().norm_squared() - start * start;
+        roots::quadratic(a, b, c)
+            .into_iter()
+            .filter(|s| start + growth * s >= 0.0)
+            .map(|s| self.polish(path, radius, s))
+            .find(|&s| {
+                let ball = path.at(s);
+                s > 0.0
+                    && s <= path.length
+                    && self.normal(&ball).dot(&path.direction) < 0.0
+                    && self.foot(&ball).is_some()
+            })
+    }
+
+    fn polish(&self, path: &Path, radius: f64, start: f64) -> f64 {
+        let mut s = start;
+        for _ in 0..3 {
+            let ball = path.at(s);
+            let step = (self.gap(&ball) - radius) / self.normal(&ball).dot(&path.direction);
+            if !step.is_finite() || step.abs() > 1e-3 {
+                break;
+            }
+            s -= step;
+        }
+        s
+    }
+}

@@ -1,0 +1,271 @@
+//! A solid taken apart into faces, edges and corners, in its own frame (origin at the upper face, Z up).
+
+use super::{PartErrors, Shape, Solid};
+use crate::geometry::circle::Circle;
+use crate::geometry::lobed::{LobedWall, Lobes};
+use crate::geometry::quad::{Quad, Trim};
+use crate::geometry::segment::Segment;
+use crate::geometry::wall::Wall;
+use crate::geometry::{Feature, V3, rigid};
+use nalgebra::IsometryMatrix3;
+
+/// Material beside and below an inner element, and plate around an outer one, mm.
+const MARGIN: f64 = 20.0;
+/// Thickness of a floor or plate, mm.
+const FLOOR: f64 = 10.0;
+
+/// Boundary and inside of a solid.
+pub(super) struct Body {
+    /// Own frame → machine.
+    pub place: IsometryMatrix3<f64>,
+    /// Boundary.
+    pub features: Vec<Feature>,
+    material: Vec<Piece>,
+    cavity: Option<Piece>,
+}
+
+/// A convex piece of space.
+enum Piece {
+    Frustum(Frustum),
+    Round { lobes: Lobes, depth: f64 },
+}
+
+/// A block whose walls lean: half lengths X Y at the top and at the bottom.
+#[derive(Clone, Copy)]
+struct Frustum {
+    above: [f64; 2],
+    below: [f64; 2],
+    top: f64,
+    bottom: f64,
+}
+
+impl Body {
+    /// Takes a solid apart, its errors applied.
+    pub fn new(solid: &Solid) -> Body {
+        let errors = &solid.errors;
+        let turn = rigid::rotation(errors.tilt) * rigid::rotation(solid.rotation);
+        let mut body = Body {
+            place: rigid::placed(V3::from(solid.at) + V3::from(errors.shift), turn),
+            features: Vec::new(),
+            material: Vec::new(),
+            cavity: None,
+        };
+        match solid.shape {
+            Shape::Hole { diameter, depth } => body.hole(diameter, depth, errors),
+            Shape::Shaft { diameter, height } => body.shaft(diameter, height, errors),
+            Shape::Groove { width, depth, length } => body.groove([width, length], depth, errors),
+            Shape::Pocket { length, depth } => body.pocket(length, depth, errors),
+            Shape::Web { width, height, length } => {
+                body.island(Frustum::tapered([width + errors.size, length], height, errors.taper));
+            }
+            Shape::Island { length, height } => {
+                let length = length.map(|l| l + errors.size);
+                body.island(Frustum::tapered(length, height, errors.taper));
+            }
+            Shape::Block { size: [x, y, z] } => {
+                let block = Frustum::tapered([x + errors.size, y + errors.size], z, errors.taper);
+                body.add(&block.walls(), true);
+                body.add(&[block.lid(), block.base()], true);
+                body.material.push(Piece::Frustum(block));
+            }
+        }
+        body
+    }
+
+    /// Whether a point lies in the material.
+    pub fn inside(&self, p: &V3) -> bool {
+        self.material.iter().any(|piece| piece.contains(p))
+            && !self.cavity.as_ref().is_some_and(|piece| piece.contains(p))
+    }
+
+    fn hole(&mut self, diameter: f64, depth: f64, errors: &PartErrors) {
+        let lobes = lobes(diameter, errors);
+        let half = diameter + MARGIN;
+        let block = Frustum::upright([half, half], 0.0, -depth - FLOOR);
+        let mut lid = block.lid();
+        lid.trim = Trim::Outside(lobes);
+        let mut floor = Frustum::upright([half, half], -depth, -depth - FLOOR).lid();
+        floor.trim = Trim::Within(lobes);
+        self.add(&block.walls(), true);
+        self.add(&[lid, block.base()], true);
+        self.add(&[floor], false);
+        self.round(lobes, depth, true);
+        self.material.push(Piece::Frustum(block));
+        self.cavity = Some(Piece::Round { lobes, depth });
+    }
+
+    fn shaft(&mut self, diameter: f64, height: f64, errors: &PartErrors) {
+        let lobes = lobes(diameter, errors);
+        let half = diameter + MARGIN;
+        let mut lid = Frustum::upright([half, half], 0.0, -height).lid();
+        lid.trim = Trim::Within(lobes);
+        self.add(&[lid], false);
+        self.round(lobes, height, false);
+        self.material.push(Piece::Round { lobes, depth: height });
+        self.plate([half, half], -height);
+    }
+
+    fn round(&mut self, lobes: Lobes, depth: f64, inner: bool) {
+        if lobes.amplitude != 0.0 && lobes.count > 0 {
+            self.features.push(Feature::Lobed(LobedWall { lobes, depth }));
+        } else {
+            let radius = lobes.radius + lobes.amplitude;
+            self.features.push(Feature::Wall(Wall { radius, slope: lobes.slope, depth, inner }));
+            self.features.push(Feature::Circle(Circle { radius, z: 0.0 }));
+        }
+    }
+
+    fn island(&mut self, block: Frustum) {
+        self.add(&block.walls(), true);
+        self.add(&[block.lid()], false);
+        let half = [0, 1].map(|i| block.above[i].max(block.below[i]) + MARGIN);
+        let bottom = block.bottom;
+        self.material.push(Piece::Frustum(block));
+        self.plate(half, bottom);
+    }
+
+    fn plate(&mut self, half: [f64; 2], top: f64) {
+        let plate = Frustum::upright(half, top, top - FLOOR);
+        self.add(&plate.walls(), true);
+        self.add(&[plate.lid(), plate.base()], false);
+        self.material.push(Piece::Frustum(plate));
+    }
+
+    fn pocket(&mut self, length: [f64; 2], depth: f64, errors: &PartErrors) {
+        let cavity = Frustum::tapered(length.map(|l| l + errors.size), depth, errors.taper);
+        let half = [0, 1].map(|i| cavity.above[i].max(cavity.below[i]) + MARGIN);
+        let block = Frustum::upright(half, 0.0, -depth - FLOOR);
+        let [a, b, c, d] = block.ring(true);
+        let [i, j, k, l] = cavity.ring(true);
+        let lids = [[a, b, j, i], [b, c, k, j], [c, d, l, k], [d, a, i, l]].map(quad);
+        self.add(&block.walls(), true);
+        self.add(&[block.base()], false);
+        self.add(&cavity.walls().map(reversed), true);
+        self.add(&lids, false);
+        self.add(&[quad(cavity.ring(false))], false);
+        self.material.push(Piece::Frustum(block));
+        self.cavity = Some(Piece::Frustum(cavity));
+    }
+
+    fn groove(&mut self, [width, length]: [f64; 2], depth: f64, errors: &PartErrors) {
+        let mut cavity = Frustum::tapered([width + errors.size, length], depth, errors.taper);
+        cavity.below[1] = cavity.above[1];
+        let half = [cavity.above[0].max(cavity.below[0]) + MARGIN, length / 2.0];
+        let block = Frustum::upright(half, 0.0, -depth - FLOOR);
+        let [a, b, c, d] = block.ring(true);
+        let [i, j, k, l] = cavity.ring(true);
+        let [_, east, _, west] = block.walls();
+        let [_, wall_east, _, wall_west] = cavity.walls();
+        self.add(&[east, west, block.base()], true);
+        self.add(&[reversed(wall_east), reversed(wall_west)], true);
+        self.add(&[quad([a, i, l, d]), quad([j, b, c, k])], true);
+        self.add(&[quad(cavity.ring(false))], true);
+        self.groove_ends(&block, &cavity);
+        self.material.push(Piece::Frustum(block));
+        self.cavity = Some(Piece::Frustum(cavity));
+    }
+
+    /// The U-shaped end faces: beside the opening left and right, and below it.
+    fn groove_ends(&mut self, block: &Frustum, cavity: &Frustum) {
+        let mut floor = *block;
+        floor.top = cavity.bottom;
+        let [south, _, north, _] = floor.walls();
+        let at = |half: f64, side: f64, z: f64| V3::new(side * half, -block.above[1], z);
+        let end = |side: f64| {
+            let (low, high) = (cavity.bottom, cavity.top);
+            let [outer, top, bottom] = [block.above[0], cavity.above[0], cavity.below[0]];
+            [at(bottom, side, low), at(outer, side, low), at(outer, side, high), at(top, side, high)]
+        };
+        let mirrored = |corners: [V3; 4]| corners.map(|p| V3::new(p.x, -p.y, p.z));
+        let (right, left) = (end(1.0), end(-1.0));
+        let faces = [quad(right), reversed(quad(left)), reversed(quad(mirrored(right))), quad(mirrored(left))];
+        self.add(&faces, false);
+        self.add(&[south, north], false);
+    }
+
+    /// Adds faces and, with `rims`, their edges and corners, each once. Faces come first in the list.
+    fn add(&mut self, quads: &[Quad], rims: bool) {
+        for (at, quad) in quads.iter().enumerate() {
+            self.features.insert(at, Feature::Quad(*quad));
+            if !rims {
+                continue;
+            }
+            for (a, b) in quad.edges() {
+                self.add_once(Feature::Segment(Segment { a, b }), Feature::Segment(Segment { a: b, b: a }));
+                self.add_once(Feature::Point(a), Feature::Point(a));
+            }
+        }
+    }
+
+    fn add_once(&mut self, feature: Feature, same: Feature) {
+        if !self.features.contains(&feature) && !self.features.contains(&same) {
+            self.features.push(feature);
+        }
+    }
+}
+
+impl Piece {
+    fn contains(&self, p: &V3) -> bool {
+        match self {
+            Piece::Frustum(frustum) => frustum.contains(p),
+            Piece::Round { lobes, depth } => {
+                p.z <= 0.0 && p.z >= -depth && p.xy().norm() <= lobes.radius_at(p)
+            }
+        }
+    }
+}
+
+impl Frustum {
+    fn upright(half: [f64; 2], top: f64, bottom: f64) -> Frustum {
+        Frustum { above: half, below: half, top, bottom }
+    }
+
+    fn tapered(length: [f64; 2], depth: f64, taper: f64) -> Frustum {
+        let above = length.map(|l| l / 2.0);
+        Frustum { above, below: above.map(|l| l + taper * depth / 2.0), top: 0.0, bottom: -depth }
+    }
+
+    fn contains(&self, p: &V3) -> bool {
+        let part = (self.top - p.z) / (self.top - self.bottom);
+        let half = |i: usize| self.above[i] + (self.below[i] - self.above[i]) * part;
+        (0.0..=1.0).contains(&part) && p.x.abs() <= half(0) && p.y.abs() <= half(1)
+    }
+
+    /// Corners of the upper or lower face, counter-clockwise from (−, −).
+    fn ring(&self, upper: bool) -> [V3; 4] {
+        let ([x, y], z) = if upper { (self.above, self.top) } else { (self.below, self.bottom) };
+        [V3::new(-x, -y, z), V3::new(x, -y, z), V3::new(x, y, z), V3::new(-x, y, z)]
+    }
+
+    fn lid(&self) -> Quad {
+        quad(self.ring(true))
+    }
+
+    fn base(&self) -> Quad {
+        reversed(quad(self.ring(false)))
+    }
+
+    /// Walls −Y, +X, +Y, −X, facing outwards.
+    fn walls(&self) -> [Quad; 4] {
+        let (up, low) = (self.ring(true), self.ring(false));
+        [0, 1, 2, 3].map(|i| {
+            let next = (i + 1) % 4;
+            quad([low[i], low[next], up[next], up[i]])
+        })
+    }
+}
+
+fn quad(corners: [V3; 4]) -> Quad {
+    Quad { corners, trim: Trim::Whole }
+}
+
+/// The same face seen from the other side.
+fn reversed(face: Quad) -> Quad {
+    let [a, b, c, d] = face.corners;
+    Quad { corners: [d, c, b, a], ..face }
+}
+
+fn lobes(diameter: f64, errors: &PartErrors) -> Lobes {
+    let (amplitude, count) = errors.out_of_round;
+    Lobes { radius: (diameter + errors.size) / 2.0, slope: errors.taper / 2.0, amplitude, count }
+}

@@ -1,0 +1,139 @@
+//! First contact of a moving ball with the part, to 1e-9 mm.
+
+use super::Workpiece;
+use super::body::Body;
+use crate::geometry::feature::{first as first_on, foot};
+use crate::geometry::{Path, TOLERANCE, V3};
+
+/// What a ball meets on a straight way. Machine coordinates, mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Contact {
+    /// Nothing.
+    None,
+    /// It already reaches into the part at the start.
+    Already {
+        /// Nearest point of the surface.
+        point: [f64; 3],
+        /// Outward unit normal there.
+        normal: [f64; 3],
+        /// How deep the ball reaches into the part.
+        depth: f64,
+    },
+    /// It begins to touch. A ball that touches at the start and moves into the part hits at 0;
+    /// one that moves away or along the surface is free.
+    Hit {
+        /// Part of the way, 0 to 1.
+        t: f64,
+        /// Centre of the ball.
+        ball: [f64; 3],
+        /// Point touched.
+        point: [f64; 3],
+        /// Outward unit normal of the part there.
+        normal: [f64; 3],
+    },
+}
+
+/// First contact of a ball whose centre moves from `from` to `to`.
+pub fn first(workpiece: &Workpiece, ball_radius: f64, from: [f64; 3], to: [f64; 3]) -> Contact {
+    let way = Path::new(V3::from(from), V3::from(to));
+    let mut nearest: Option<(f64, V3, V3)> = None;
+    for solid in &workpiece.solids {
+        let body = Body::new(solid);
+        let own = Path {
+            from: body.place.inverse_transform_point(&way.from.into()).coords,
+            direction: body.place.rotation.inverse() * way.direction,
+            length: way.length,
+        };
+        match start(&body, &own, ball_radius) {
+            Start::Already(point, normal, depth) => {
+                let point = body.place.transform_point(&point.into()).coords;
+                let normal = body.place.rotation * normal;
+                return Contact::Already { point: point.into(), normal: normal.into(), depth };
+            }
+            Start::Pressed(point, normal) => nearest = Some(placed(&body, 0.0, point, normal)),
+            Start::Free => {
+                let limit = nearest.map_or(f64::INFINITY, |(s, ..)| s);
+                if let Some((s, point, normal)) = hit(&body, &own, ball_radius)
+                    && s < limit
+                {
+                    nearest = Some(placed(&body, s, point, normal));
+                }
+            }
+        }
+    }
+    nearest.map_or(Contact::None, |(s, point, normal)| Contact::Hit {
+        t: if way.length > 0.0 { s / way.length } else { 0.0 },
+        ball: way.at(s).into(),
+        point: point.into(),
+        normal: normal.into(),
+    })
+}
+
+/// Distance of a point from the surface of the nearest solid, negative inside.
+pub fn distance(workpiece: &Workpiece, p: [f64; 3]) -> f64 {
+    workpiece.solids.iter().fold(f64::INFINITY, |least, solid| {
+        let body = Body::new(solid);
+        let own = body.place.inverse_transform_point(&V3::from(p).into()).coords;
+        let distance = surface(&body, &own).map_or(f64::INFINITY, |(_, distance)| distance);
+        least.min(if body.inside(&own) { -distance } else { distance })
+    })
+}
+
+enum Start {
+    Free,
+    Already(V3, V3, f64),
+    Pressed(V3, V3),
+}
+
+/// How the ball stands at the start of the way.
+fn start(body: &Body, path: &Path, radius: f64) -> Start {
+    let Some((point, distance)) = surface(body, &path.from) else { return Start::Free };
+    let inside = body.inside(&path.from);
+    let depth = if inside { radius + distance } else { radius - distance };
+    if depth > TOLERANCE {
+        let away = path.from - point;
+        let normal = if inside { -away } else { away };
+        return Start::Already(point, normal.try_normalize(0.0).unwrap_or_else(V3::z), depth);
+    }
+    if depth < -TOLERANCE {
+        return Start::Free;
+    }
+    for feature in &body.features {
+        let Some(point) = foot(feature, &path.from) else { continue };
+        let away = path.from - point;
+        let normal = away.try_normalize(0.0).unwrap_or_else(V3::z);
+        if away.norm() <= radius + TOLERANCE && normal.dot(&path.direction) < -1e-12 {
+            return Start::Pressed(point, normal);
+        }
+    }
+    Start::Free
+}
+
+/// Nearest point of the surface, and its distance.
+fn surface(body: &Body, p: &V3) -> Option<(V3, f64)> {
+    body.features
+        .iter()
+        .filter_map(|feature| foot(feature, p))
+        .map(|point| (point, (p - point).norm()))
+        .min_by(|a, b| a.1.total_cmp(&b.1))
+}
+
+/// First contact with the boundary of a solid; faces win over their own edges.
+fn hit(body: &Body, path: &Path, radius: f64) -> Option<(f64, V3, V3)> {
+    let mut nearest: Option<(f64, V3, V3)> = None;
+    for feature in &body.features {
+        let Some(s) = first_on(feature, path, radius) else { continue };
+        if nearest.is_some_and(|(before, ..)| s > before - 1e-11) {
+            continue;
+        }
+        let ball = path.at(s);
+        let Some(point) = foot(feature, &ball) else { continue };
+        let normal = (ball - point).try_normalize(0.0).unwrap_or(-path.direction);
+        nearest = Some((s, point, normal));
+    }
+    nearest
+}
+
+fn placed(body: &Body, s: f64, point: V3, normal: V3) -> (f64, V3, V3) {
+    (s, body.place.transform_point(&point.into()).coords, body.place.rotation * normal)
+}

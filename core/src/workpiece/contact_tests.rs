@@ -1,0 +1,160 @@
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+//! Identities of contact: they need no second implementation.
+
+use super::contact::{Contact, distance, first};
+use super::{PartErrors, Shape, Solid, Workpiece};
+use crate::geometry::{V3, rigid};
+use proptest::prelude::*;
+
+fn part(shape: Shape, errors: PartErrors) -> Workpiece {
+    Workpiece { solids: vec![Solid { shape, at: [0.0; 3], rotation: [0.0; 3], errors }] }
+}
+
+fn shapes() -> Vec<Shape> {
+    vec![
+        Shape::Hole { diameter: 30.0, depth: 20.0 },
+        Shape::Shaft { diameter: 30.0, height: 20.0 },
+        Shape::Groove { width: 24.0, depth: 20.0, length: 60.0 },
+        Shape::Web { width: 24.0, height: 20.0, length: 60.0 },
+        Shape::Pocket { length: [40.0, 26.0], depth: 20.0 },
+        Shape::Island { length: [40.0, 26.0], height: 20.0 },
+        Shape::Block { size: [60.0, 50.0, 20.0] },
+    ]
+}
+
+fn shape() -> impl Strategy<Value = Shape> {
+    prop::sample::select(shapes())
+}
+
+fn errors() -> impl Strategy<Value = PartErrors> {
+    let shift = [-5.0..5.0, -5.0..5.0, -5.0..5.0];
+    let tilt = [-4.0..4.0, -4.0..4.0, -180.0..180.0];
+    let lobes = prop_oneof![Just((0.0, 0)), (-0.2..0.2f64, 2..6u32)];
+    (shift, -0.5..0.5, tilt, prop_oneof![Just(0.0), -0.1..0.1], lobes)
+        .prop_map(|(shift, size, tilt, taper, out_of_round)| PartErrors { shift, size, tilt, taper, out_of_round })
+}
+
+fn point() -> impl Strategy<Value = [f64; 3]> {
+    [-45.0..45.0, -45.0..45.0, -30.0..25.0]
+}
+
+// oracle: hand: a ball of radius 2 in the middle of a hole of 50 has 23 mm to go
+#[test]
+fn hole_touched_centrally() {
+    let hole = part(Shape::Hole { diameter: 50.0, depth: 20.0 }, PartErrors::default());
+    for direction in [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0], [0.6, 0.8]] {
+        let to = [40.0 * direction[0], 40.0 * direction[1], -5.0];
+        let Contact::Hit { t, point, normal, .. } = first(&hole, 2.0, [0.0, 0.0, -5.0], to) else {
+            panic!("no hit")
+        };
+        assert!((t * 40.0 - 23.0).abs() < 1e-12, "{t}");
+        assert!((point[0] - 25.0 * direction[0]).abs() < 1e-12 && (normal[0] + direction[0]).abs() < 1e-12);
+    }
+}
+
+// oracle: hand: chord of a hole at 10 mm beside the centre, radius 25 − 2 = 23
+#[test]
+fn hole_touched_beside_the_centre() {
+    let hole = part(Shape::Hole { diameter: 50.0, depth: 20.0 }, PartErrors::default());
+    let Contact::Hit { ball, .. } = first(&hole, 2.0, [0.0, 10.0, -5.0], [40.0, 10.0, -5.0]) else {
+        panic!("no hit")
+    };
+    assert!((ball[0] - (23.0f64 * 23.0 - 100.0).sqrt()).abs() < 1e-12);
+}
+
+// oracle: hand: rim of the hole: ball centre 1 mm above the face, sqrt(r² − 1) off the edge
+#[test]
+fn rim_of_a_hole() {
+    let hole = part(Shape::Hole { diameter: 50.0, depth: 20.0 }, PartErrors::default());
+    let Contact::Hit { ball, point, .. } = first(&hole, 2.0, [0.0, 0.0, 1.0], [40.0, 0.0, 1.0]) else {
+        panic!("no hit")
+    };
+    assert!((ball[0] - (25.0 - 3f64.sqrt())).abs() < 1e-11, "{ball:?}");
+    assert!((point[0] - 25.0).abs() < 1e-12 && point[2].abs() < 1e-12);
+}
+
+// oracle: hand: r(angle) = 25 + 0.1·cos(3·angle)
+#[test]
+fn lobed_hole_along_its_lobes() {
+    let errors = PartErrors { out_of_round: (0.1, 3), ..PartErrors::default() };
+    let hole = part(Shape::Hole { diameter: 50.0, depth: 20.0 }, errors);
+    let reach = |x: f64| match first(&hole, 0.5, [0.0, 0.0, -5.0], [x, 0.0, -5.0]) {
+        Contact::Hit { ball, .. } => ball[0],
+        other => panic!("{other:?}"),
+    };
+    assert!((reach(40.0) - 24.6).abs() < 1e-9, "{}", reach(40.0));
+    assert!((reach(-40.0) + 24.4).abs() < 1e-9, "{}", reach(-40.0));
+}
+
+// oracle: hand
+#[test]
+fn touching_at_the_start() {
+    let block = part(Shape::Block { size: [60.0, 50.0, 20.0] }, PartErrors::default());
+    let deep = first(&block, 2.0, [0.0, 0.0, 1.9], [0.0, 0.0, 10.0]);
+    assert!(matches!(deep, Contact::Already { depth, .. } if (depth - 0.1).abs() < 1e-12), "{deep:?}");
+    let inside = first(&block, 2.0, [0.0, 0.0, -1.0], [0.0, 0.0, 10.0]);
+    assert!(matches!(inside, Contact::Already { depth, .. } if (depth - 3.0).abs() < 1e-12), "{inside:?}");
+    assert_eq!(first(&block, 2.0, [0.0, 0.0, 2.0], [0.0, 0.0, 10.0]), Contact::None);
+    assert_eq!(first(&block, 2.0, [0.0, 0.0, 2.0], [9.0, 0.0, 2.0]), Contact::None);
+    assert!(matches!(first(&block, 2.0, [0.0, 0.0, 2.0], [0.0, 0.0, 1.0]), Contact::Hit { t: 0.0, .. }));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 600, failure_persistence: None, ..ProptestConfig::default() })]
+
+    // oracle: definition: at the hit the ball touches, before it nothing is closer than its radius
+    #[test]
+    fn the_hit_touches_and_is_the_first(
+        shape in shape(), errors in errors(), radius in 0.3..4.0, from in point(), to in point()
+    ) {
+        let part = part(shape, errors);
+        let (start, end) = (V3::from(from), V3::from(to));
+        match first(&part, radius, from, to) {
+            Contact::Already { .. } => prop_assert!(distance(&part, from) < radius),
+            Contact::None => check_free(&part, radius, start, end)?,
+            Contact::Hit { t, ball, point, normal } => {
+                prop_assert!((0.0..=1.0).contains(&t));
+                prop_assert!((distance(&part, ball) - radius).abs() < 1e-9);
+                let away = V3::from(ball) - V3::from(point);
+                prop_assert!((away.norm() - radius).abs() < 1e-9);
+                prop_assert!((away / radius - V3::from(normal)).norm() < 1e-8);
+                check_free(&part, radius, start, V3::from(ball))?;
+                // and it enters there
+                let deeper = V3::from(ball) + (end - start).normalize() * 1e-3;
+                prop_assert!(distance(&part, deeper.into()) < radius + 1e-9);
+            }
+        }
+    }
+
+    // oracle: definition: turning and moving part and path together changes nothing
+    #[test]
+    fn rigid_motion_changes_nothing(
+        shape in shape(), errors in errors(), radius in 0.3..4.0, from in point(), to in point(),
+        turn in [-180.0..180.0, -80.0..80.0, -180.0..180.0], at in [-300.0..300.0, -300.0..300.0, -300.0..300.0]
+    ) {
+        let plain = PartErrors { shift: [0.0; 3], tilt: [0.0; 3], ..errors };
+        let part = part(shape.clone(), plain);
+        let moved = Workpiece { solids: vec![Solid { shape, at, rotation: turn, errors: plain }] };
+        let place = rigid::placed(V3::from(at), rigid::rotation(turn));
+        let there = |p: [f64; 3]| <[f64; 3]>::from(place.transform_point(&V3::from(p).into()).coords);
+        match (first(&part, radius, from, to), first(&moved, radius, there(from), there(to))) {
+            (Contact::Hit { t, point, .. }, Contact::Hit { t: other, point: touched, .. }) => {
+                let length = (V3::from(to) - V3::from(from)).norm();
+                prop_assert!((t - other).abs() * length < 1e-7, "{t} {other}");
+                prop_assert!((V3::from(there(point)) - V3::from(touched)).norm() < 1e-3);
+            }
+            (Contact::None, Contact::None) | (Contact::Already { .. }, Contact::Already { .. }) => {}
+            (one, other) => prop_assert!(false, "{one:?} {other:?}"),
+        }
+    }
+}
+
+/// No point of the way is nearer to the part than the radius (sampled).
+fn check_free(part: &Workpiece, radius: f64, from: V3, to: V3) -> Result<(), TestCaseError> {
+    for i in 0..=60 {
+        let p = from + (to - from) * (f64::from(i) / 60.0);
+        let gap = distance(part, p.into());
+        prop_assert!(gap > radius - 1e-8, "at {i}/60: {gap} < {radius}");
+    }
+    Ok(())
+}

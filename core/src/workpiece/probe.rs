@@ -1,0 +1,73 @@
+//! When the probe switches, and where the control then believes the spindle to be.
+
+use super::contact::{self, Contact};
+use super::noise::Noise;
+use super::{Probe, Workpiece};
+use crate::geometry::rigid::sin_cos;
+use crate::geometry::{Path, V3};
+
+/// A signal of the probe. Machine coordinates, mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Touch {
+    /// Spindle axis, at the height of the ball centre, when the signal came.
+    pub latched: [f64; 3],
+    /// Centre of the ball at contact (before pre-travel and delay).
+    pub ball: [f64; 3],
+    /// Point touched.
+    pub point: [f64; 3],
+    /// Outward unit normal of the part there.
+    pub normal: [f64; 3],
+}
+
+/// Ball centre minus spindle axis with the spindle turned to `spindle` degree (positive from abscissa to ordinate).
+/// `axis`: index of the tool axis (the applicate of the plane).
+pub fn ball_offset(probe: &Probe, spindle: f64, axis: usize) -> [f64; 3] {
+    let (sine, cosine) = sin_cos(spindle);
+    let [x, y] = probe.skew;
+    let mut offset = [0.0; 3];
+    offset[(axis + 1) % 3] = cosine * x - sine * y;
+    offset[(axis + 2) % 3] = sine * x + cosine * y;
+    offset
+}
+
+/// Moves the probe until it switches. `from` and `to`: spindle axis at the height of the ball centre; feed in mm/min.
+/// None where no signal comes before `to`, even if the ball already touches. A probe that reaches into the part at the
+/// start gives its signal at once.
+#[allow(clippy::too_many_arguments)]
+pub fn touch(
+    workpiece: &Workpiece,
+    probe: &Probe,
+    spindle: f64,
+    axis: usize,
+    from: [f64; 3],
+    to: [f64; 3],
+    feed: f64,
+    noise: &mut Noise,
+) -> Option<Touch> {
+    let offset = V3::from(ball_offset(probe, spindle, axis));
+    let (from, to) = (V3::from(from), V3::from(to));
+    let way = Path::new(from, to);
+    match contact::first(workpiece, probe.radius, (from + offset).into(), (to + offset).into()) {
+        Contact::None => None,
+        Contact::Already { point, normal, .. } => {
+            Some(Touch { latched: from.into(), ball: (from + offset).into(), point, normal })
+        }
+        Contact::Hit { t, ball, point, normal } => {
+            let late = lateness(probe, spindle, axis, &way.direction, feed, noise);
+            let signal = (t * way.length + late).max(0.0);
+            (signal <= way.length).then(|| Touch { latched: way.at(signal).into(), ball, point, normal })
+        }
+    }
+}
+
+/// Travel from contact to signal, mm: pre-travel (its lobes count with the part of the motion across the tool axis and
+/// turn with the spindle), delay and scatter.
+fn lateness(probe: &Probe, spindle: f64, axis: usize, way: &V3, feed: f64, noise: &mut Noise) -> f64 {
+    let (constant, lobes) = probe.pre_travel;
+    let (abscissa, ordinate) = (way[(axis + 1) % 3], way[(axis + 2) % 3]);
+    let across = abscissa.hypot(ordinate);
+    let turned = ordinate.atan2(abscissa) - spindle.to_radians();
+    let (deviation, _) = probe.repeatability;
+    let scatter = if deviation == 0.0 { 0.0 } else { deviation * noise.normal() };
+    constant + lobes * across * (3.0 * turned).cos() + probe.delay * feed / 60.0 + scatter
+}
