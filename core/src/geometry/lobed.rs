@@ -50,7 +50,10 @@ impl LobedWall {
         let mut nearest = radial(p) * self.lobes.radius;
         let mut least = f64::INFINITY;
         for i in 0..samples {
-            let (before, after) = (values[(i + samples - 1) % samples], values[(i + 1) % samples]);
+            let (before, after) = (
+                values[(i + samples - 1) % samples],
+                values[(i + 1) % samples],
+            );
             if values[i] > before || values[i] > after || values[i] > near * near {
                 continue;
             }
@@ -108,7 +111,11 @@ impl LobedWall {
             let at = self.nearest_at(p, a);
             let r = at.xy().norm();
             let growth = -self.lobes.amplitude * n * (n * a).sin();
-            let tangent = V3::new(growth * a.cos() - r * a.sin(), growth * a.sin() + r * a.cos(), 0.0);
+            let tangent = V3::new(
+                growth * a.cos() - r * a.sin(),
+                growth * a.sin() + r * a.cos(),
+                0.0,
+            );
             (at - p).dot(&tangent)
         };
         let at = roots::bracketed(change, angle - pitch, angle + pitch).unwrap_or(angle);

@@ -55,11 +55,15 @@ impl Quad {
         if reached <= 0.0 || reached > path.length {
             return None;
         }
-        self.covers(&(path.at(reached) - normal * radius), &normal).then_some(reached)
+        self.covers(&(path.at(reached) - normal * radius), &normal)
+            .then_some(reached)
     }
 
     fn covers(&self, point: &V3, normal: &V3) -> bool {
-        let within = self.edges().iter().all(|(a, b)| (b - a).cross(&(point - a)).dot(normal) >= 0.0);
+        let within = self
+            .edges()
+            .iter()
+            .all(|(a, b)| (b - a).cross(&(point - a)).dot(normal) >= 0.0);
         within
             && match self.trim {
                 Trim::Whole => true,

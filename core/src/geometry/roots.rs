@@ -3,7 +3,11 @@
 /// Real roots of `a x² + b x + c`, ascending; a linear equation where `a` vanishes.
 pub fn quadratic(a: f64, b: f64, c: f64) -> Vec<f64> {
     if a.abs() < 1e-14 {
-        return if b.abs() < 1e-14 { Vec::new() } else { vec![-c / b] };
+        return if b.abs() < 1e-14 {
+            Vec::new()
+        } else {
+            vec![-c / b]
+        };
     }
     let inner = b * b - 4.0 * a * c;
     if inner < 0.0 {
@@ -20,14 +24,20 @@ pub fn polynomial(coefficients: &[f64], low: f64, high: f64) -> Vec<f64> {
     if coefficients.len() < 2 {
         return Vec::new();
     }
-    let derivative: Vec<f64> =
-        coefficients.iter().enumerate().skip(1).map(|(power, c)| c * power as f64).collect();
+    let derivative: Vec<f64> = coefficients
+        .iter()
+        .enumerate()
+        .skip(1)
+        .map(|(power, c)| c * power as f64)
+        .collect();
     let mut borders = vec![low];
     borders.extend(polynomial(&derivative, low, high));
     borders.push(high);
     let mut found: Vec<f64> = Vec::new();
     for pair in borders.windows(2) {
-        let Some(root) = bracketed(|x| value(coefficients, x), pair[0], pair[1]) else { continue };
+        let Some(root) = bracketed(|x| value(coefficients, x), pair[0], pair[1]) else {
+            continue;
+        };
         if found.last() != Some(&root) {
             found.push(root);
         }
@@ -50,7 +60,11 @@ pub fn bracketed(f: impl Fn(f64) -> f64, low: f64, high: f64) -> Option<f64> {
     }
     for step in 0..200 {
         let secant = b - fb * (b - a) / (fb - fa);
-        let x = if step % 3 == 2 || !(a.min(b)..=a.max(b)).contains(&secant) { 0.5 * (a + b) } else { secant };
+        let x = if step % 3 == 2 || !(a.min(b)..=a.max(b)).contains(&secant) {
+            0.5 * (a + b)
+        } else {
+            secant
+        };
         let fx = f(x);
         if fx == 0.0 || x == a || x == b {
             return Some(x);

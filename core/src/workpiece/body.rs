@@ -53,10 +53,22 @@ impl Body {
         match solid.shape {
             Shape::Hole { diameter, depth } => body.hole(diameter, depth, errors),
             Shape::Shaft { diameter, height } => body.shaft(diameter, height, errors),
-            Shape::Groove { width, depth, length } => body.groove([width, length], depth, errors),
+            Shape::Groove {
+                width,
+                depth,
+                length,
+            } => body.groove([width, length], depth, errors),
             Shape::Pocket { length, depth } => body.pocket(length, depth, errors),
-            Shape::Web { width, height, length } => {
-                body.island(Frustum::tapered([width + errors.size, length], height, errors.taper));
+            Shape::Web {
+                width,
+                height,
+                length,
+            } => {
+                body.island(Frustum::tapered(
+                    [width + errors.size, length],
+                    height,
+                    errors.taper,
+                ));
             }
             Shape::Island { length, height } => {
                 let length = length.map(|l| l + errors.size);
@@ -101,17 +113,27 @@ impl Body {
         lid.trim = Trim::Within(lobes);
         self.add(&[lid], false);
         self.round(lobes, height, false);
-        self.material.push(Piece::Round { lobes, depth: height });
+        self.material.push(Piece::Round {
+            lobes,
+            depth: height,
+        });
         self.plate([half, half], -height);
     }
 
     fn round(&mut self, lobes: Lobes, depth: f64, inner: bool) {
         if lobes.amplitude != 0.0 && lobes.count > 0 {
-            self.features.push(Feature::Lobed(LobedWall { lobes, depth }));
+            self.features
+                .push(Feature::Lobed(LobedWall { lobes, depth }));
         } else {
             let radius = lobes.radius + lobes.amplitude;
-            self.features.push(Feature::Wall(Wall { radius, slope: lobes.slope, depth, inner }));
-            self.features.push(Feature::Circle(Circle { radius, z: 0.0 }));
+            self.features.push(Feature::Wall(Wall {
+                radius,
+                slope: lobes.slope,
+                depth,
+                inner,
+            }));
+            self.features
+                .push(Feature::Circle(Circle { radius, z: 0.0 }));
         }
     }
 
@@ -174,11 +196,21 @@ impl Body {
         let end = |side: f64| {
             let (low, high) = (cavity.bottom, cavity.top);
             let [outer, top, bottom] = [block.above[0], cavity.above[0], cavity.below[0]];
-            [at(bottom, side, low), at(outer, side, low), at(outer, side, high), at(top, side, high)]
+            [
+                at(bottom, side, low),
+                at(outer, side, low),
+                at(outer, side, high),
+                at(top, side, high),
+            ]
         };
         let mirrored = |corners: [V3; 4]| corners.map(|p| V3::new(p.x, -p.y, p.z));
         let (right, left) = (end(1.0), end(-1.0));
-        let faces = [quad(right), reversed(quad(left)), reversed(quad(mirrored(right))), quad(mirrored(left))];
+        let faces = [
+            quad(right),
+            reversed(quad(left)),
+            reversed(quad(mirrored(right))),
+            quad(mirrored(left)),
+        ];
         self.add(&faces, false);
         self.add(&[south, north], false);
     }
@@ -191,7 +223,10 @@ impl Body {
                 continue;
             }
             for (a, b) in quad.edges() {
-                self.add_once(Feature::Segment(Segment { a, b }), Feature::Segment(Segment { a: b, b: a }));
+                self.add_once(
+                    Feature::Segment(Segment { a, b }),
+                    Feature::Segment(Segment { a: b, b: a }),
+                );
                 self.add_once(Feature::Point(a), Feature::Point(a));
             }
         }
@@ -217,12 +252,22 @@ impl Piece {
 
 impl Frustum {
     fn upright(half: [f64; 2], top: f64, bottom: f64) -> Frustum {
-        Frustum { above: half, below: half, top, bottom }
+        Frustum {
+            above: half,
+            below: half,
+            top,
+            bottom,
+        }
     }
 
     fn tapered(length: [f64; 2], depth: f64, taper: f64) -> Frustum {
         let above = length.map(|l| l / 2.0);
-        Frustum { above, below: above.map(|l| l + taper * depth / 2.0), top: 0.0, bottom: -depth }
+        Frustum {
+            above,
+            below: above.map(|l| l + taper * depth / 2.0),
+            top: 0.0,
+            bottom: -depth,
+        }
     }
 
     fn contains(&self, p: &V3) -> bool {
@@ -233,8 +278,17 @@ impl Frustum {
 
     /// Corners of the upper or lower face, counter-clockwise from (−, −).
     fn ring(&self, upper: bool) -> [V3; 4] {
-        let ([x, y], z) = if upper { (self.above, self.top) } else { (self.below, self.bottom) };
-        [V3::new(-x, -y, z), V3::new(x, -y, z), V3::new(x, y, z), V3::new(-x, y, z)]
+        let ([x, y], z) = if upper {
+            (self.above, self.top)
+        } else {
+            (self.below, self.bottom)
+        };
+        [
+            V3::new(-x, -y, z),
+            V3::new(x, -y, z),
+            V3::new(x, y, z),
+            V3::new(-x, y, z),
+        ]
     }
 
     fn lid(&self) -> Quad {
@@ -256,16 +310,27 @@ impl Frustum {
 }
 
 fn quad(corners: [V3; 4]) -> Quad {
-    Quad { corners, trim: Trim::Whole }
+    Quad {
+        corners,
+        trim: Trim::Whole,
+    }
 }
 
 /// The same face seen from the other side.
 fn reversed(face: Quad) -> Quad {
     let [a, b, c, d] = face.corners;
-    Quad { corners: [d, c, b, a], ..face }
+    Quad {
+        corners: [d, c, b, a],
+        ..face
+    }
 }
 
 fn lobes(diameter: f64, errors: &PartErrors) -> Lobes {
     let (amplitude, count) = errors.out_of_round;
-    Lobes { radius: (diameter + errors.size) / 2.0, slope: errors.taper / 2.0, amplitude, count }
+    Lobes {
+        radius: (diameter + errors.size) / 2.0,
+        slope: errors.taper / 2.0,
+        amplitude,
+        count,
+    }
 }

@@ -48,7 +48,11 @@ pub fn first(workpiece: &Workpiece, ball_radius: f64, from: [f64; 3], to: [f64; 
             Start::Already(point, normal, depth) => {
                 let point = body.place.transform_point(&point.into()).coords;
                 let normal = body.place.rotation * normal;
-                return Contact::Already { point: point.into(), normal: normal.into(), depth };
+                return Contact::Already {
+                    point: point.into(),
+                    normal: normal.into(),
+                    depth,
+                };
             }
             Start::Pressed(point, normal) => nearest = Some(placed(&body, 0.0, point, normal)),
             Start::Free => {
@@ -62,7 +66,11 @@ pub fn first(workpiece: &Workpiece, ball_radius: f64, from: [f64; 3], to: [f64; 
         }
     }
     nearest.map_or(Contact::None, |(s, point, normal)| Contact::Hit {
-        t: if way.length > 0.0 { s / way.length } else { 0.0 },
+        t: if way.length > 0.0 {
+            s / way.length
+        } else {
+            0.0
+        },
         ball: way.at(s).into(),
         point: point.into(),
         normal: normal.into(),
@@ -73,9 +81,16 @@ pub fn first(workpiece: &Workpiece, ball_radius: f64, from: [f64; 3], to: [f64; 
 pub fn distance(workpiece: &Workpiece, p: [f64; 3]) -> f64 {
     workpiece.solids.iter().fold(f64::INFINITY, |least, solid| {
         let body = Body::new(solid);
-        let own = body.place.inverse_transform_point(&V3::from(p).into()).coords;
+        let own = body
+            .place
+            .inverse_transform_point(&V3::from(p).into())
+            .coords;
         let distance = surface(&body, &own).map_or(f64::INFINITY, |(_, distance)| distance);
-        least.min(if body.inside(&own) { -distance } else { distance })
+        least.min(if body.inside(&own) {
+            -distance
+        } else {
+            distance
+        })
     })
 }
 
@@ -87,19 +102,31 @@ enum Start {
 
 /// How the ball stands at the start of the way.
 fn start(body: &Body, path: &Path, radius: f64) -> Start {
-    let Some((point, distance)) = surface(body, &path.from) else { return Start::Free };
+    let Some((point, distance)) = surface(body, &path.from) else {
+        return Start::Free;
+    };
     let inside = body.inside(&path.from);
-    let depth = if inside { radius + distance } else { radius - distance };
+    let depth = if inside {
+        radius + distance
+    } else {
+        radius - distance
+    };
     if depth > TOLERANCE {
         let away = path.from - point;
         let normal = if inside { -away } else { away };
-        return Start::Already(point, normal.try_normalize(0.0).unwrap_or_else(V3::z), depth);
+        return Start::Already(
+            point,
+            normal.try_normalize(0.0).unwrap_or_else(V3::z),
+            depth,
+        );
     }
     if depth < -TOLERANCE {
         return Start::Free;
     }
     for feature in &body.features {
-        let Some(point) = foot(feature, &path.from) else { continue };
+        let Some(point) = foot(feature, &path.from) else {
+            continue;
+        };
         let away = path.from - point;
         let normal = away.try_normalize(0.0).unwrap_or_else(V3::z);
         if away.norm() <= radius + TOLERANCE && normal.dot(&path.direction) < -1e-12 {
@@ -122,12 +149,16 @@ fn surface(body: &Body, p: &V3) -> Option<(V3, f64)> {
 fn hit(body: &Body, path: &Path, radius: f64) -> Option<(f64, V3, V3)> {
     let mut nearest: Option<(f64, V3, V3)> = None;
     for feature in &body.features {
-        let Some(s) = first_on(feature, path, radius) else { continue };
+        let Some(s) = first_on(feature, path, radius) else {
+            continue;
+        };
         if nearest.is_some_and(|(before, ..)| s > before - 1e-11) {
             continue;
         }
         let ball = path.at(s);
-        let Some(point) = foot(feature, &ball) else { continue };
+        let Some(point) = foot(feature, &ball) else {
+            continue;
+        };
         let normal = (ball - point).try_normalize(0.0).unwrap_or(-path.direction);
         nearest = Some((s, point, normal));
     }
@@ -135,5 +166,9 @@ fn hit(body: &Body, path: &Path, radius: f64) -> Option<(f64, V3, V3)> {
 }
 
 fn placed(body: &Body, s: f64, point: V3, normal: V3) -> (f64, V3, V3) {
-    (s, body.place.transform_point(&point.into()).coords, body.place.rotation * normal)
+    (
+        s,
+        body.place.transform_point(&point.into()).coords,
+        body.place.rotation * normal,
+    )
 }

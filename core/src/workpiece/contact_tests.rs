@@ -7,18 +7,47 @@ use crate::geometry::{V3, rigid};
 use proptest::prelude::*;
 
 fn part(shape: Shape, errors: PartErrors) -> Workpiece {
-    Workpiece { solids: vec![Solid { shape, at: [0.0; 3], rotation: [0.0; 3], errors }] }
+    Workpiece {
+        solids: vec![Solid {
+            shape,
+            at: [0.0; 3],
+            rotation: [0.0; 3],
+            errors,
+        }],
+    }
 }
 
 fn shapes() -> Vec<Shape> {
     vec![
-        Shape::Hole { diameter: 30.0, depth: 20.0 },
-        Shape::Shaft { diameter: 30.0, height: 20.0 },
-        Shape::Groove { width: 24.0, depth: 20.0, length: 60.0 },
-        Shape::Web { width: 24.0, height: 20.0, length: 60.0 },
-        Shape::Pocket { length: [40.0, 26.0], depth: 20.0 },
-        Shape::Island { length: [40.0, 26.0], height: 20.0 },
-        Shape::Block { size: [60.0, 50.0, 20.0] },
+        Shape::Hole {
+            diameter: 30.0,
+            depth: 20.0,
+        },
+        Shape::Shaft {
+            diameter: 30.0,
+            height: 20.0,
+        },
+        Shape::Groove {
+            width: 24.0,
+            depth: 20.0,
+            length: 60.0,
+        },
+        Shape::Web {
+            width: 24.0,
+            height: 20.0,
+            length: 60.0,
+        },
+        Shape::Pocket {
+            length: [40.0, 26.0],
+            depth: 20.0,
+        },
+        Shape::Island {
+            length: [40.0, 26.0],
+            height: 20.0,
+        },
+        Shape::Block {
+            size: [60.0, 50.0, 20.0],
+        },
     ]
 }
 
@@ -30,8 +59,20 @@ fn errors() -> impl Strategy<Value = PartErrors> {
     let shift = [-5.0..5.0, -5.0..5.0, -5.0..5.0];
     let tilt = [-4.0..4.0, -4.0..4.0, -180.0..180.0];
     let lobes = prop_oneof![Just((0.0, 0)), (-0.2..0.2f64, 2..6u32)];
-    (shift, -0.5..0.5, tilt, prop_oneof![Just(0.0), -0.1..0.1], lobes)
-        .prop_map(|(shift, size, tilt, taper, out_of_round)| PartErrors { shift, size, tilt, taper, out_of_round })
+    (
+        shift,
+        -0.5..0.5,
+        tilt,
+        prop_oneof![Just(0.0), -0.1..0.1],
+        lobes,
+    )
+        .prop_map(|(shift, size, tilt, taper, out_of_round)| PartErrors {
+            shift,
+            size,
+            tilt,
+            taper,
+            out_of_round,
+        })
 }
 
 fn point() -> impl Strategy<Value = [f64; 3]> {
@@ -41,21 +82,39 @@ fn point() -> impl Strategy<Value = [f64; 3]> {
 // oracle: hand: a ball of radius 2 in the middle of a hole of 50 has 23 mm to go
 #[test]
 fn hole_touched_centrally() {
-    let hole = part(Shape::Hole { diameter: 50.0, depth: 20.0 }, PartErrors::default());
+    let hole = part(
+        Shape::Hole {
+            diameter: 50.0,
+            depth: 20.0,
+        },
+        PartErrors::default(),
+    );
     for direction in [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0], [0.6, 0.8]] {
         let to = [40.0 * direction[0], 40.0 * direction[1], -5.0];
-        let Contact::Hit { t, point, normal, .. } = first(&hole, 2.0, [0.0, 0.0, -5.0], to) else {
+        let Contact::Hit {
+            t, point, normal, ..
+        } = first(&hole, 2.0, [0.0, 0.0, -5.0], to)
+        else {
             panic!("no hit")
         };
         assert!((t * 40.0 - 23.0).abs() < 1e-12, "{t}");
-        assert!((point[0] - 25.0 * direction[0]).abs() < 1e-12 && (normal[0] + direction[0]).abs() < 1e-12);
+        assert!(
+            (point[0] - 25.0 * direction[0]).abs() < 1e-12
+                && (normal[0] + direction[0]).abs() < 1e-12
+        );
     }
 }
 
 // oracle: hand: chord of a hole at 10 mm beside the centre, radius 25 − 2 = 23
 #[test]
 fn hole_touched_beside_the_centre() {
-    let hole = part(Shape::Hole { diameter: 50.0, depth: 20.0 }, PartErrors::default());
+    let hole = part(
+        Shape::Hole {
+            diameter: 50.0,
+            depth: 20.0,
+        },
+        PartErrors::default(),
+    );
     let Contact::Hit { ball, .. } = first(&hole, 2.0, [0.0, 10.0, -5.0], [40.0, 10.0, -5.0]) else {
         panic!("no hit")
     };
@@ -65,8 +124,15 @@ fn hole_touched_beside_the_centre() {
 // oracle: hand: rim of the hole: ball centre 1 mm above the face, sqrt(r² − 1) off the edge
 #[test]
 fn rim_of_a_hole() {
-    let hole = part(Shape::Hole { diameter: 50.0, depth: 20.0 }, PartErrors::default());
-    let Contact::Hit { ball, point, .. } = first(&hole, 2.0, [0.0, 0.0, 1.0], [40.0, 0.0, 1.0]) else {
+    let hole = part(
+        Shape::Hole {
+            diameter: 50.0,
+            depth: 20.0,
+        },
+        PartErrors::default(),
+    );
+    let Contact::Hit { ball, point, .. } = first(&hole, 2.0, [0.0, 0.0, 1.0], [40.0, 0.0, 1.0])
+    else {
         panic!("no hit")
     };
     assert!((ball[0] - (25.0 - 3f64.sqrt())).abs() < 1e-11, "{ball:?}");
@@ -76,8 +142,17 @@ fn rim_of_a_hole() {
 // oracle: hand: r(angle) = 25 + 0.1·cos(3·angle)
 #[test]
 fn lobed_hole_along_its_lobes() {
-    let errors = PartErrors { out_of_round: (0.1, 3), ..PartErrors::default() };
-    let hole = part(Shape::Hole { diameter: 50.0, depth: 20.0 }, errors);
+    let errors = PartErrors {
+        out_of_round: (0.1, 3),
+        ..PartErrors::default()
+    };
+    let hole = part(
+        Shape::Hole {
+            diameter: 50.0,
+            depth: 20.0,
+        },
+        errors,
+    );
     let reach = |x: f64| match first(&hole, 0.5, [0.0, 0.0, -5.0], [x, 0.0, -5.0]) {
         Contact::Hit { ball, .. } => ball[0],
         other => panic!("{other:?}"),
@@ -89,14 +164,34 @@ fn lobed_hole_along_its_lobes() {
 // oracle: hand
 #[test]
 fn touching_at_the_start() {
-    let block = part(Shape::Block { size: [60.0, 50.0, 20.0] }, PartErrors::default());
+    let block = part(
+        Shape::Block {
+            size: [60.0, 50.0, 20.0],
+        },
+        PartErrors::default(),
+    );
     let deep = first(&block, 2.0, [0.0, 0.0, 1.9], [0.0, 0.0, 10.0]);
-    assert!(matches!(deep, Contact::Already { depth, .. } if (depth - 0.1).abs() < 1e-12), "{deep:?}");
+    assert!(
+        matches!(deep, Contact::Already { depth, .. } if (depth - 0.1).abs() < 1e-12),
+        "{deep:?}"
+    );
     let inside = first(&block, 2.0, [0.0, 0.0, -1.0], [0.0, 0.0, 10.0]);
-    assert!(matches!(inside, Contact::Already { depth, .. } if (depth - 3.0).abs() < 1e-12), "{inside:?}");
-    assert_eq!(first(&block, 2.0, [0.0, 0.0, 2.0], [0.0, 0.0, 10.0]), Contact::None);
-    assert_eq!(first(&block, 2.0, [0.0, 0.0, 2.0], [9.0, 0.0, 2.0]), Contact::None);
-    assert!(matches!(first(&block, 2.0, [0.0, 0.0, 2.0], [0.0, 0.0, 1.0]), Contact::Hit { t: 0.0, .. }));
+    assert!(
+        matches!(inside, Contact::Already { depth, .. } if (depth - 3.0).abs() < 1e-12),
+        "{inside:?}"
+    );
+    assert_eq!(
+        first(&block, 2.0, [0.0, 0.0, 2.0], [0.0, 0.0, 10.0]),
+        Contact::None
+    );
+    assert_eq!(
+        first(&block, 2.0, [0.0, 0.0, 2.0], [9.0, 0.0, 2.0]),
+        Contact::None
+    );
+    assert!(matches!(
+        first(&block, 2.0, [0.0, 0.0, 2.0], [0.0, 0.0, 1.0]),
+        Contact::Hit { t: 0.0, .. }
+    ));
 }
 
 proptest! {

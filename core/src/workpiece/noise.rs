@@ -13,7 +13,9 @@ impl Noise {
         let mut z = seed.wrapping_add(0x9e37_79b9_7f4a_7c15);
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        Noise { state: (z ^ (z >> 31)) | 1 }
+        Noise {
+            state: (z ^ (z >> 31)) | 1,
+        }
     }
 
     /// Next number, evenly spread over `(0, 1]`.
@@ -42,8 +44,12 @@ mod tests {
         let mut noise = Noise::new(7);
         let numbers: Vec<f64> = (0..20_000).map(|_| noise.normal()).collect();
         let mean = numbers.iter().sum::<f64>() / numbers.len() as f64;
-        let variance = numbers.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / numbers.len() as f64;
-        assert!(mean.abs() < 0.03 && (variance - 1.0).abs() < 0.05, "{mean} {variance}");
+        let variance =
+            numbers.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / numbers.len() as f64;
+        assert!(
+            mean.abs() < 0.03 && (variance - 1.0).abs() < 0.05,
+            "{mean} {variance}"
+        );
         let mut again = Noise::new(7);
         assert!(numbers.iter().all(|&x| x == again.normal()));
         assert_ne!(Noise::new(8).normal(), numbers[0]);

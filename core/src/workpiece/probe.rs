@@ -47,27 +47,56 @@ pub fn touch(
     let offset = V3::from(ball_offset(probe, spindle, axis));
     let (from, to) = (V3::from(from), V3::from(to));
     let way = Path::new(from, to);
-    match contact::first(workpiece, probe.radius, (from + offset).into(), (to + offset).into()) {
+    match contact::first(
+        workpiece,
+        probe.radius,
+        (from + offset).into(),
+        (to + offset).into(),
+    ) {
         Contact::None => None,
-        Contact::Already { point, normal, .. } => {
-            Some(Touch { latched: from.into(), ball: (from + offset).into(), point, normal })
-        }
-        Contact::Hit { t, ball, point, normal } => {
+        Contact::Already { point, normal, .. } => Some(Touch {
+            latched: from.into(),
+            ball: (from + offset).into(),
+            point,
+            normal,
+        }),
+        Contact::Hit {
+            t,
+            ball,
+            point,
+            normal,
+        } => {
             let late = lateness(probe, spindle, axis, &way.direction, feed, noise);
             let signal = (t * way.length + late).max(0.0);
-            (signal <= way.length).then(|| Touch { latched: way.at(signal).into(), ball, point, normal })
+            (signal <= way.length).then(|| Touch {
+                latched: way.at(signal).into(),
+                ball,
+                point,
+                normal,
+            })
         }
     }
 }
 
 /// Travel from contact to signal, mm: pre-travel (its lobes count with the part of the motion across the tool axis and
 /// turn with the spindle), delay and scatter.
-fn lateness(probe: &Probe, spindle: f64, axis: usize, way: &V3, feed: f64, noise: &mut Noise) -> f64 {
+fn lateness(
+    probe: &Probe,
+    spindle: f64,
+    axis: usize,
+    way: &V3,
+    feed: f64,
+    noise: &mut Noise,
+) -> f64 {
     let (constant, lobes) = probe.pre_travel;
     let (abscissa, ordinate) = (way[(axis + 1) % 3], way[(axis + 2) % 3]);
     let across = abscissa.hypot(ordinate);
     let turned = ordinate.atan2(abscissa) - spindle.to_radians();
     let (deviation, _) = probe.repeatability;
-    let scatter = if deviation == 0.0 { 0.0 } else { deviation * noise.normal() };
+    let scatter = if deviation == 0.0 {
+        0.0
+    } else {
+        deviation * noise.normal()
+    };
     constant + lobes * across * (3.0 * turned).cos() + probe.delay * feed / 60.0 + scatter
 }
