@@ -1,7 +1,12 @@
 //! What can be measured. One file a cycle: its entry (plain data) beside its simulation.
 //! A new cycle is one file and two lines here: `mod` and the place in [`CYCLES`].
 
+pub mod common;
+pub mod cycle977;
+pub mod cycle978;
 mod entry;
+pub mod names;
+mod when;
 pub use entry::*;
 
 /// Every cycle that Probewright knows, in the order in which they are offered.

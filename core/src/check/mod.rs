@@ -17,9 +17,22 @@ pub struct Inputs {
     pub numbers: BTreeMap<&'static str, f64>,
     /// Texts by parameter name.
     pub texts: BTreeMap<&'static str, String>,
+    /// Whether D numbers take five digits, so that all other digits of `_KNUM` move up by two (B:2009-2029).
+    pub five_digit_edges: bool,
 }
 
 impl Inputs {
+    /// A call without values.
+    pub fn new(cycle: &'static Cycle, variant: i64) -> Self {
+        Self {
+            cycle,
+            variant,
+            numbers: BTreeMap::new(),
+            texts: BTreeMap::new(),
+            five_digit_edges: false,
+        }
+    }
+
     /// Number of a parameter; 0 where the variant does not use it.
     pub fn number(&self, name: &str) -> f64 {
         self.numbers.get(name).copied().unwrap_or(0.0)

@@ -1,0 +1,253 @@
+//! Parameters of CYCLE977 in the order of the manual's tables (B:5989-6024, B:6181-6205).
+
+use crate::catalogue::common::{self, optional, required};
+use crate::catalogue::{DigitGroup, Kind, Need, Param, Range, When, names};
+
+const fn element(is: &'static [i64]) -> When {
+    When::Digit {
+        param: names::MVAR,
+        place: 1,
+        is,
+    }
+}
+
+/// Hole or shaft.
+pub const ROUND: When = element(&[1, 2]);
+/// Groove or web.
+pub const WIDTH: When = element(&[3, 4]);
+/// Hole, shaft, groove or web.
+pub const SINGLE: When = element(&[1, 2, 3, 4]);
+/// Rectangle inside or outside.
+pub const RECTANGLE: When = element(&[5, 6]);
+/// Shaft, web, outside rectangle.
+pub const OUTSIDE: When = element(&[2, 4, 6]);
+/// With tool offset.
+pub const TOOL: When = When::Digit {
+    param: names::MVAR,
+    place: 100,
+    is: &[0],
+};
+/// With ZO correction.
+pub const ZERO: When = When::Digit {
+    param: names::MVAR,
+    place: 100,
+    is: &[1],
+};
+/// With a protection zone.
+pub const ZONE: When = When::Digit {
+    param: names::MVAR,
+    place: 1000,
+    is: &[1],
+};
+
+const MVAR_DIGITS: &[DigitGroup] = &[
+    DigitGroup {
+        key: "mvar-element",
+        place: 1,
+        digits: 1,
+        choices: &[
+            (1, "element-hole"),
+            (2, "element-shaft"),
+            (3, "element-groove"),
+            (4, "element-web"),
+            (5, "element-pocket"),
+            (6, "element-island"),
+        ],
+    },
+    DigitGroup {
+        key: "mvar-correction",
+        place: 100,
+        digits: 1,
+        choices: &[(0, "correction-tool"), (1, "correction-zero")],
+    },
+    DigitGroup {
+        key: "mvar-zone",
+        place: 1000,
+        digits: 1,
+        choices: &[(0, "zone-without"), (1, "zone-with")],
+    },
+];
+
+/// Tolerance parameters belong to the tool offset.
+const TOLERANCE: &[Need] = &[optional(TOOL, "need-tolerance")];
+
+/// In the order in which the snippet writes them.
+pub const PARAMS: &[Param] = &[
+    Param {
+        kind: Kind::Variant(MVAR_DIGITS),
+        source: "B:5641-5667",
+        ..common::MVAR
+    },
+    Param {
+        range: Range::POSITIVE,
+        needs: &[required(SINGLE, "need-element")],
+        labels: &[(ROUND, "setval-diameter"), (WIDTH, "setval-width")],
+        source: "B:5830",
+        ..common::SETVAL
+    },
+    Param {
+        range: Range::POSITIVE,
+        needs: &[required(RECTANGLE, "need-rectangle")],
+        source: "B:5831",
+        ..common::SETV0
+    },
+    Param {
+        range: Range::POSITIVE,
+        needs: &[required(RECTANGLE, "need-rectangle")],
+        source: "B:5832",
+        ..common::SETV1
+    },
+    Param {
+        needs: &[
+            required(ZONE, "need-infeed-zone"),
+            required(OUTSIDE, "need-infeed-outside"),
+        ],
+        source: "B:5833;B:5915",
+        ..common::ID
+    },
+    Param {
+        needs: &[required(ZONE, "need-zone")],
+        labels: &[
+            (ROUND, "sza-diameter"),
+            (WIDTH, "sza-width"),
+            (RECTANGLE, "sza-length"),
+        ],
+        source: "B:5834",
+        ..common::SZA
+    },
+    Param {
+        needs: &[required(
+            When::All(&[ZONE, RECTANGLE]),
+            "need-zone-rectangle",
+        )],
+        source: "B:5835",
+        ..common::SZO
+    },
+    Param {
+        needs: &[required(WIDTH, "need-axis")],
+        source: "B:5836",
+        ..common::MA
+    },
+    Param {
+        labels: &[(TOOL, "knum-tool"), (ZERO, "knum-zero")],
+        source: "B:6012-6014;B:6201",
+        ..common::KNUM
+    },
+    Param {
+        needs: &[
+            required(
+                When::All(&[
+                    TOOL,
+                    When::Given(names::KNUM),
+                    When::Not(&When::Given(names::TNAME)),
+                    When::Not(&When::Given(names::TENV)),
+                ]),
+                "need-tool",
+            ),
+            optional(
+                When::All(&[TOOL, When::Given(names::KNUM)]),
+                "need-tool-otherwise",
+            ),
+        ],
+        source: "B:6015",
+        ..common::TNUM
+    },
+    Param {
+        needs: &[optional(
+            When::All(&[TOOL, When::Given(names::KNUM)]),
+            "need-tool-name",
+        )],
+        source: "B:6016",
+        ..common::TNAME
+    },
+    Param {
+        needs: &[required(
+            When::All(&[
+                TOOL,
+                When::Digit {
+                    param: names::KNUM,
+                    place: common::KNUM_KIND,
+                    is: &[1, 3],
+                },
+            ]),
+            "need-additive",
+        )],
+        source: "B:6017",
+        ..common::DLNUM
+    },
+    Param {
+        needs: &[required(
+            When::All(&[
+                TOOL,
+                When::Digit {
+                    param: names::KNUM,
+                    place: common::KNUM_KIND,
+                    is: &[2, 3],
+                },
+            ]),
+            "need-environment",
+        )],
+        source: "B:6018",
+        ..common::TENV
+    },
+    Param {
+        source: "B:5632-5633;B:5841",
+        ..common::PRNUM
+    },
+    Param {
+        source: "B:5841;B:5945;B:5963",
+        ..common::FA
+    },
+    Param {
+        labels: &[(TOOL, "tsa-size"), (ZERO, "tsa-centre")],
+        source: "B:5847;B:6024;B:6221",
+        ..common::TSA
+    },
+    Param {
+        source: "B:5841",
+        ..common::VMS
+    },
+    Param {
+        source: "B:5841",
+        ..common::NMSP
+    },
+    Param {
+        source: "B:5849;B:15629",
+        ..common::CORA
+    },
+    Param {
+        needs: &[optional(TOOL, "need-memory")],
+        source: "B:5841;B:6022",
+        ..common::EVNUM
+    },
+    Param {
+        needs: &[optional(TOOL, "need-memory")],
+        source: "B:6022;B:2358-2366",
+        ..common::K
+    },
+    Param {
+        needs: TOLERANCE,
+        source: "B:5845;B:15667",
+        ..common::TZL
+    },
+    Param {
+        needs: TOLERANCE,
+        source: "B:5845;B:15660",
+        ..common::TMV
+    },
+    Param {
+        needs: TOLERANCE,
+        source: "B:5845;B:15664",
+        ..common::TUL
+    },
+    Param {
+        needs: TOLERANCE,
+        source: "B:5845;B:15665",
+        ..common::TLL
+    },
+    Param {
+        needs: TOLERANCE,
+        source: "B:5845;B:15659",
+        ..common::TDIF
+    },
+];

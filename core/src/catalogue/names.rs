@@ -1,0 +1,54 @@
+//! Names of parameters, so that a slip does not compile.
+
+/// Measuring variant.
+pub const MVAR: &str = "_MVAR";
+/// Set size or set position.
+pub const SETVAL: &str = "_SETVAL";
+/// Set length of a rectangle in the abscissa.
+pub const SETV0: &str = "_SETV[0]";
+/// Set length of a rectangle in the ordinate.
+pub const SETV1: &str = "_SETV[1]";
+/// Infeed from the start height to the measuring height, signed.
+pub const ID: &str = "_ID";
+/// Protection zone: diameter, width or length in the abscissa.
+pub const SZA: &str = "_SZA";
+/// Protection zone: length in the ordinate.
+pub const SZO: &str = "_SZO";
+/// Measuring axis.
+pub const MA: &str = "_MA";
+/// What is corrected.
+pub const KNUM: &str = "_KNUM";
+/// T number of the tool to be corrected.
+pub const TNUM: &str = "_TNUM";
+/// Name of the tool to be corrected.
+pub const TNAME: &str = "_TNAME";
+/// DL number of the setup or additive offset.
+pub const DLNUM: &str = "_DLNUM";
+/// Tool environment.
+pub const TENV: &str = "_TENV";
+/// Probe type and number.
+pub const PRNUM: &str = "_PRNUM";
+/// Measuring path.
+pub const FA: &str = "_FA";
+/// Safe area.
+pub const TSA: &str = "_TSA";
+/// Measuring feed.
+pub const VMS: &str = "_VMS";
+/// Measurements at the same place.
+pub const NMSP: &str = "_NMSP";
+/// Spindle offset of a mono probe.
+pub const CORA: &str = "_CORA";
+/// Zero offset area.
+pub const TZL: &str = "_TZL";
+/// Limit of mean value formation.
+pub const TMV: &str = "_TMV";
+/// Upper tolerance.
+pub const TUL: &str = "_TUL";
+/// Lower tolerance.
+pub const TLL: &str = "_TLL";
+/// Permissible dimensional difference.
+pub const TDIF: &str = "_TDIF";
+/// Memories of empirical and mean value.
+pub const EVNUM: &str = "_EVNUM";
+/// Weighting factor of the mean value.
+pub const K: &str = "_K";

@@ -1,0 +1,54 @@
+//! Whether a condition holds for the values of a call.
+
+use super::{Kind, Level, Param, When};
+use crate::check::Inputs;
+
+impl When {
+    /// Whether it holds. A number that is not given counts as 0.
+    pub fn holds(&self, inputs: &Inputs) -> bool {
+        match self {
+            When::Always => true,
+            When::Variant(numbers) => numbers.contains(&inputs.variant),
+            When::Digit { param, place, is } => is.contains(&digit(inputs, param, *place)),
+            When::Given(param) => inputs.number(param) != 0.0 || !inputs.text(param).is_empty(),
+            When::All(conditions) => conditions.iter().all(|when| when.holds(inputs)),
+            When::Any(conditions) => conditions.iter().any(|when| when.holds(inputs)),
+            When::Not(when) => !when.holds(inputs),
+        }
+    }
+}
+
+/// One digit; those of `_KNUM` above its D number move by two where D numbers take five digits (B:2009).
+fn digit(inputs: &Inputs, name: &str, place: i64) -> i64 {
+    let kind = inputs
+        .cycle
+        .params
+        .iter()
+        .find(|param| param.name == name)
+        .map(|param| &param.kind);
+    match kind {
+        Some(Kind::Variant(_)) => inputs.variant / place % 10,
+        Some(Kind::Knum) if inputs.five_digit_edges && place >= 1000 => {
+            inputs.integer(name) / (place * 100) % 10
+        }
+        _ => inputs.integer(name) / place % 10,
+    }
+}
+
+impl Param {
+    /// Whether it is needed with these values, and why; none: not used.
+    pub fn need(&self, inputs: &Inputs) -> Option<(Level, &'static str)> {
+        self.needs
+            .iter()
+            .find(|need| need.when.holds(inputs))
+            .map(|need| (need.level, need.reason))
+    }
+
+    /// Stem of its message keys with these values.
+    pub fn label(&self, inputs: &Inputs) -> &'static str {
+        self.labels
+            .iter()
+            .find(|(when, _)| when.holds(inputs))
+            .map_or(self.key, |(_, key)| key)
+    }
+}
