@@ -1,0 +1,240 @@
+//! The correction target `_KNUM` (B:1894-2029).
+
+use crate::control::Control;
+
+/// Which quantity of the tool is corrected.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// The length that works in the measuring axis.
+    MeasuringAxis,
+    /// The radius.
+    Radius,
+    /// L1, L2 or L3 (1..3).
+    Length(u8),
+}
+
+/// `_KNUM` of a tool offset, taken apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ToolCode {
+    /// D number; 0 with `environment`: the D of the environment.
+    pub edge: i64,
+    /// What is corrected.
+    pub quantity: Quantity,
+    /// The sign of the correction is turned round.
+    pub inverted: bool,
+    /// The setup or additive offset `_DLNUM` instead of the tool's own length and radius.
+    pub location: bool,
+    /// The tool environment `_TENV` decides the tool.
+    pub environment: bool,
+}
+
+/// The digits of a tool offset code, counted from the right.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Digits {
+    /// Digits 1 to 3 (of five-digit D numbers 1 to 5).
+    pub edge: i64,
+    /// Digit 4 (6): 0 and 1 length, 2 radius.
+    pub kind: i64,
+    /// Digit 5 (7): 1 inverts.
+    pub inverted: i64,
+    /// Digit 6 (8): 0 by digit 4, 1 to 3 lengths, 4 radius.
+    pub quantity: i64,
+    /// Digit 7 (9) and all above it.
+    pub mode: i64,
+}
+
+/// Whether D numbers take five digits and all others move by two (B:2009-2029).
+pub fn five_digit_edges(control: &Control) -> bool {
+    match control.number("MD18102") {
+        1.0 => true,
+        _ => control.number("MD18105") >= 1000.0,
+    }
+}
+
+/// Cuts a tool offset code into digits.
+pub fn digits(code: i64, five_digit_edges: bool) -> Digits {
+    let (places, rest) = if five_digit_edges { (100_000, code / 100_000) } else { (1000, code / 1000) };
+    Digits {
+        edge: code % places,
+        kind: rest % 10,
+        inverted: rest / 10 % 10,
+        quantity: rest / 100 % 10,
+        mode: rest / 1000,
+    }
+}
+
+/// Reads a tool offset code. None: 0, nothing is corrected. Error: number of the alarm
+/// (61322 digit 4, 61323 digit 5, 61324 digit 6, 61407 digit 7 and above, 61328 D number 0).
+pub fn tool(code: i64, five_digit_edges: bool) -> Result<Option<ToolCode>, u32> {
+    if code == 0 {
+        return Ok(None);
+    }
+    if code < 0 {
+        return Err(61407);
+    }
+    let digits = digits(code, five_digit_edges);
+    let by_kind = match digits.kind {
+        0 | 1 => Quantity::MeasuringAxis,
+        2 => Quantity::Radius,
+        _ => return Err(61322),
+    };
+    if digits.inverted > 1 {
+        return Err(61323);
+    }
+    let quantity = match digits.quantity {
+        0 => by_kind,
+        1 => Quantity::Length(1),
+        2 => Quantity::Length(2),
+        3 => Quantity::Length(3),
+        4 => Quantity::Radius,
+        _ => return Err(61324),
+    };
+    if digits.mode > 3 {
+        return Err(61407);
+    }
+    let environment = digits.mode >= 2;
+    if digits.edge == 0 && !environment {
+        return Err(61328);
+    }
+    Ok(Some(ToolCode {
+        edge: digits.edge,
+        quantity,
+        inverted: digits.inverted == 1,
+        location: digits.mode % 2 == 1,
+        environment,
+    }))
+}
+
+/// The shortest code of a tool offset.
+pub fn tool_code(code: &ToolCode, five_digit_edges: bool) -> i64 {
+    let (kind, quantity) = match code.quantity {
+        Quantity::MeasuringAxis => (0, 0),
+        Quantity::Radius => (2, 0),
+        Quantity::Length(number) => (0, i64::from(number)),
+    };
+    let mode = i64::from(code.location) + 2 * i64::from(code.environment);
+    let rest = kind + 10 * i64::from(code.inverted) + 100 * quantity + 1000 * mode;
+    code.edge + rest * if five_digit_edges { 100_000 } else { 1000 }
+}
+
+/// `_KNUM` of a zero offset.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ZeroCode {
+    /// Settable frame 1 to 99: G54 to G57, G505 to G599.
+    Settable(usize),
+    /// 1000: the last active channel basic frame, reckoned with G500.
+    LastBasic,
+    /// 1011 to 1026: `$P_CHBFR[0..15]`.
+    ChannelBasic(usize),
+    /// 1051 to 1066: `$P_NCBFR[0..15]`; has no rotation.
+    GlobalBasic(usize),
+    /// 2000: `$P_SETFR`.
+    System,
+    /// 9999: the active frame, and active at once.
+    Active,
+}
+
+/// Reads a zero offset code. None: 0, nothing is corrected. Error: alarm 61321.
+pub fn zero(code: i64) -> Result<Option<ZeroCode>, u32> {
+    let index = |from: i64| usize::try_from(code - from).map_err(|_| 61321_u32);
+    Ok(Some(match code {
+        0 => return Ok(None),
+        1..=99 => ZeroCode::Settable(index(0)?),
+        1000 => ZeroCode::LastBasic,
+        1011..=1026 => ZeroCode::ChannelBasic(index(1011)?),
+        1051..=1066 => ZeroCode::GlobalBasic(index(1051)?),
+        2000 => ZeroCode::System,
+        9999 => ZeroCode::Active,
+        _ => return Err(61321),
+    }))
+}
+
+/// The code of a zero offset.
+pub fn zero_code(code: ZeroCode) -> i64 {
+    let plus = |from: i64, index: usize| from + i64::try_from(index).unwrap_or(0);
+    match code {
+        ZeroCode::Settable(number) => plus(0, number),
+        ZeroCode::LastBasic => 1000,
+        ZeroCode::ChannelBasic(index) => plus(1011, index),
+        ZeroCode::GlobalBasic(index) => plus(1051, index),
+        ZeroCode::System => 2000,
+        ZeroCode::Active => 9999,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+
+    #[test]
+    fn the_manuals_codes() {
+        // oracle: manual B:1928, B:2104-2158
+        let read = |code| tool(code, false).unwrap().unwrap();
+        let plain = ToolCode {
+            edge: 3,
+            quantity: Quantity::MeasuringAxis,
+            inverted: false,
+            location: false,
+            environment: false,
+        };
+        assert_eq!(read(12_003), ToolCode { quantity: Quantity::Radius, inverted: true, ..plain });
+        assert_eq!(read(100_002), ToolCode { edge: 2, quantity: Quantity::Length(1), ..plain });
+        assert_eq!(read(3), plain);
+        assert_eq!(read(1_001_002), ToolCode { edge: 2, location: true, ..plain });
+        assert_eq!(read(1_000_002), read(1_001_002));
+        let environment = ToolCode { edge: 0, environment: true, ..plain };
+        assert_eq!(read(2_100_000), ToolCode { quantity: Quantity::Length(1), ..environment });
+        assert_eq!(read(2_001_002), ToolCode { edge: 2, ..environment });
+        assert_eq!(read(3_001_002), ToolCode { edge: 2, location: true, ..environment });
+        assert_eq!(read(2001), ToolCode { edge: 1, quantity: Quantity::Radius, ..plain });
+        assert_eq!(tool(0, false), Ok(None));
+    }
+
+    #[test]
+    fn five_digit_edges_move_the_others_by_two() {
+        // oracle: manual B:2009-2029
+        let code = tool(1_200_003, true).unwrap().unwrap();
+        assert_eq!((code.edge, code.quantity, code.inverted), (3, Quantity::Radius, true));
+        assert!(tool(100_100_002, true).unwrap().unwrap().location);
+        assert_eq!(tool(10_000_002, true).unwrap().unwrap().quantity, Quantity::Length(1));
+    }
+
+    #[test]
+    fn every_digit_has_its_alarm() {
+        // oracle: manual A:15863-15871, A:15926
+        assert_eq!(tool(3001, false), Err(61322));
+        assert_eq!(tool(20_001, false), Err(61323));
+        assert_eq!(tool(500_001, false), Err(61324));
+        assert_eq!(tool(4_000_001, false), Err(61407));
+        assert_eq!(tool(10_000_001, false), Err(61407));
+        assert_eq!(tool(2000, false), Err(61328));
+    }
+
+    #[test]
+    fn what_is_written_is_read() {
+        // oracle: self
+        for five in [false, true] {
+            for code in [1, 2001, 12_003, 100_002, 300_009, 1_000_002, 2_100_001, 3_012_004] {
+                if let Ok(Some(read)) = tool(code, five) {
+                    assert_eq!(tool(tool_code(&read, five), five), Ok(Some(read)));
+                }
+            }
+        }
+        for code in [1, 4, 5, 99, 1000, 1011, 1026, 1051, 1066, 2000, 9999] {
+            assert_eq!(zero_code(zero(code).unwrap().unwrap()), code);
+        }
+    }
+
+    #[test]
+    fn zero_offset_numbers() {
+        // oracle: manual B:1930-1965, A:15862
+        assert_eq!(zero(0), Ok(None));
+        assert_eq!(zero(5), Ok(Some(ZeroCode::Settable(5))));
+        assert_eq!(zero(1026), Ok(Some(ZeroCode::ChannelBasic(15))));
+        assert_eq!(zero(1066), Ok(Some(ZeroCode::GlobalBasic(15))));
+        for wrong in [-1, 100, 1001, 1027, 1050, 1067, 2001, 99_999] {
+            assert_eq!(zero(wrong), Err(61321));
+        }
+    }
+}
