@@ -1,0 +1,254 @@
+//! Which quantity of which tool `_KNUM` means, and what a correction writes there (B:1894-2060, B:2104-2158).
+
+use super::Write;
+use super::knum::{self, Quantity, ToolCode};
+use crate::control::{Control, Plane, Value};
+
+/// Who names the tool of a correction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Names<'a> {
+    /// `_KNUM`.
+    pub code: i64,
+    /// `_TNUM`; greater than 0 it has priority over the name (B:1872-1892).
+    pub tool: i64,
+    /// `_TNAME`.
+    pub tool_name: &'a str,
+    /// `_DLNUM`.
+    pub location: i64,
+    /// `_TENV`.
+    pub environment: &'a str,
+    /// Measuring axis: 0 abscissa, 1 ordinate, 2 applicate; none: the measurement has no single one, so that
+    /// "length in the measuring axis" means nothing.
+    pub axis: Option<usize>,
+}
+
+/// The quantity to be corrected.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Target {
+    /// T number.
+    pub tool: i64,
+    /// D number.
+    pub edge: i64,
+    /// 0 to 2: L1 to L3; 3: radius.
+    pub part: usize,
+    /// DL number, where the setup or additive offset is corrected.
+    pub location: Option<i64>,
+    /// The sign is turned round.
+    pub inverted: bool,
+}
+
+/// Index of the radius among L1, L2, L3, radius.
+pub const RADIUS: usize = 3;
+
+/// Finds the quantity. None: `_KNUM` is 0. Error: number of the alarm.
+pub fn target(control: &Control, names: &Names) -> Result<Option<Target>, u32> {
+    let Some(code) = knum::tool(names.code, knum::five_digit_edges(control))? else {
+        return Ok(None);
+    };
+    let (tool, edge) = tool_and_edge(control, names, &code)?;
+    let largest = control.number("MD18105");
+    if largest > 0.0 && edge as f64 > largest {
+        return Err(61345);
+    }
+    if control.edge_of(tool, edge).is_none() {
+        return Err(61410); // the quantity to be corrected does not exist, A:15931
+    }
+    let location = match (code.location, names.location) {
+        (false, _) => None,
+        (true, location @ 1..=6) => Some(location),
+        (true, _) => return Err(61406),
+    };
+    let part = part(control, names, &code)?;
+    Ok(Some(Target { tool, edge, part, location, inverted: code.inverted }))
+}
+
+/// L1, L2, L3 or radius as index. The length that works in an axis: L1 applicate, L2 ordinate, L3 abscissa (B:762-817).
+fn part(control: &Control, names: &Names, code: &ToolCode) -> Result<usize, u32> {
+    match code.quantity {
+        Quantity::Radius => Ok(RADIUS),
+        Quantity::Length(number) => Ok(usize::from(number.saturating_sub(1))),
+        Quantity::MeasuringAxis => {
+            let axis = names.axis.ok_or(61322_u32)?;
+            let axis = if code.environment { turned(control, names.environment, axis) } else { axis };
+            Ok(2 - axis.min(2))
+        }
+    }
+}
+
+/// The measuring axis as seen from the plane that was stored with the environment.
+fn turned(control: &Control, environment: &str, axis: usize) -> usize {
+    let plane = match control.number(&key(environment, "PLANE")) {
+        17.0 => Plane::G17,
+        18.0 => Plane::G18,
+        19.0 => Plane::G19,
+        _ => control.plane,
+    };
+    let geometry = control.plane.axes()[axis.min(2)];
+    plane.axes().iter().position(|own| *own == geometry).unwrap_or(axis)
+}
+
+/// T and D: by number, by name, or by the environment.
+fn tool_and_edge(control: &Control, names: &Names, code: &ToolCode) -> Result<(i64, i64), u32> {
+    let stored = |part: &str| match control.data.get(&key(names.environment, part)) {
+        Some(Value::Number(number)) => Some(*number as i64),
+        _ => None,
+    };
+    if code.environment && stored("T").is_none() {
+        return Err(61405);
+    }
+    let tool = if names.tool > 0 {
+        names.tool
+    } else if code.environment {
+        stored("T").unwrap_or(0)
+    } else {
+        by_name(control, names.tool_name)?
+    };
+    if !control.tools.contains_key(&tool) {
+        return Err(61320);
+    }
+    let edge = if code.edge == 0 { stored("D").unwrap_or(0) } else { code.edge };
+    Ok((tool, edge))
+}
+
+/// Name of a datum of a stored tool environment: `TOOLENV[WZUMG1,T]`; parts are `T`, `D`, `PLANE` (17 to 19).
+pub fn key(environment: &str, part: &str) -> String {
+    format!("TOOLENV[{environment},{part}]")
+}
+
+/// T number of a name; of several sister tools the one in the spindle, else the last (B:1890 "the one last used").
+fn by_name(control: &Control, name: &str) -> Result<i64, u32> {
+    if name.is_empty() {
+        return Err(61320);
+    }
+    let named = |number: &i64| control.tools.get(number).is_some_and(|tool| tool.name == name);
+    if named(&control.tool) {
+        return Ok(control.tool);
+    }
+    control.tools.keys().copied().filter(named).next_back().ok_or(61343)
+}
+
+/// What a correction by `amount` (mm, sign included) writes. `_CHBIT[6]` and `_CHBIT[8]` choose the memories
+/// (B:2047-2060): wear and additive offset grow; or they are taken into geometry and setup offset and erased.
+pub fn writes(control: &Control, target: &Target, amount: f64) -> Vec<Write> {
+    let Target { tool, edge, part, .. } = *target;
+    let at = format!("[{tool},{edge}]");
+    let (coarse, fine) = match target.location {
+        None => (format!("$TC_DP{}{at}", part + 3), format!("$TC_DP{}{at}", part + 12)),
+        Some(dl) => (format!("$TC_ECP{dl}{}{at}", part + 3), format!("$TC_SCP{dl}{}{at}", part + 3)),
+    };
+    let value = |name: &str| control.variable(name).unwrap_or(0.0);
+    let (in_coarse, in_fine) = (value(&coarse), value(&fine));
+    if target.location.is_some() && control.bit("_CHBIT[8]") {
+        vec![Write { name: coarse, value: in_coarse + amount }]
+    } else if control.bit("_CHBIT[6]") {
+        vec![
+            Write { name: coarse, value: in_coarse + in_fine + amount },
+            Write { name: fine, value: 0.0 },
+        ]
+    } else {
+        vec![Write { name: fine, value: in_fine + amount }]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use crate::catalogue::Dialect;
+    use crate::control::delivery;
+
+    fn control() -> Control {
+        let mut control = delivery(Dialect::Sinumerik);
+        for name in ["$TC_DP6[20,1]", "$TC_DP3[5,2]", "$TC_DP3[7,2]"] {
+            control.set_variable(name, 10.0);
+        }
+        control
+    }
+
+    const NAMES: Names =
+        Names { code: 2001, tool: 20, tool_name: "", location: 0, environment: "", axis: Some(0) };
+
+    fn find(control: &Control, names: Names) -> Result<Target, u32> {
+        target(control, &names).map(Option::unwrap)
+    }
+
+    #[test]
+    fn a_radius_and_the_lengths_by_measuring_axis() {
+        // oracle: manual B:1928, B:762-817
+        let control = control();
+        assert_eq!(find(&control, NAMES).unwrap().part, RADIUS);
+        for (axis, part) in [(0, 2), (1, 1), (2, 0)] {
+            let names = Names { code: 1, axis: Some(axis), ..NAMES };
+            assert_eq!(find(&control, names).unwrap().part, part);
+        }
+        assert_eq!(target(&control, &Names { code: 0, ..NAMES }), Ok(None));
+        assert_eq!(find(&control, Names { code: 1, axis: None, ..NAMES }), Err(61322));
+    }
+
+    #[test]
+    fn names_and_their_alarms() {
+        // oracle: manual A:15861, A:15886, A:15888, A:15924-15931
+        let mut control = control();
+        control.tools.get_mut(&7).unwrap().name = "MILL".into();
+        let named = Names { code: 2002, tool: 0, tool_name: "MILL", ..NAMES };
+        assert_eq!(find(&control, named).unwrap().tool, 7);
+        assert_eq!(find(&control, Names { tool_name: "", ..named }), Err(61320));
+        assert_eq!(find(&control, Names { tool_name: "DRILL", ..named }), Err(61343));
+        assert_eq!(find(&control, Names { tool: 99, ..named }), Err(61320));
+        assert_eq!(find(&control, Names { code: 2009, ..NAMES }), Err(61410));
+        assert_eq!(find(&control, Names { code: 1_001_001, ..NAMES }), Err(61406));
+        assert_eq!(find(&control, Names { code: 2_001_001, ..NAMES }), Err(61405));
+        control.set("MD18105", 9.0);
+        assert_eq!(find(&control, Names { code: 2010, ..NAMES }), Err(61345));
+    }
+
+    #[test]
+    fn an_environment_gives_tool_and_edge() {
+        // oracle: manual B:2138-2146
+        let mut control = control();
+        for (part, value) in [("T", 5.0), ("D", 2.0), ("PLANE", 17.0)] {
+            control.set(key("WZUMG1", part), value);
+        }
+        let names = Names { code: 2_100_000, tool: 0, environment: "WZUMG1", ..NAMES };
+        let found = find(&control, names).unwrap();
+        assert_eq!((found.tool, found.edge, found.part), (5, 2, 0));
+        let names = Names { code: 2_001_002, axis: Some(1), ..names };
+        assert_eq!(find(&control, names).unwrap().part, 1);
+        control.plane = Plane::G18; // the ordinate of G18 is X, the abscissa of the stored G17
+        assert_eq!(find(&control, names).unwrap().part, 2);
+    }
+
+    #[test]
+    fn wear_or_geometry() {
+        // oracle: manual B:2047-2060
+        let mut control = control();
+        let target = find(&control, NAMES).unwrap();
+        control.set_variable("$TC_DP15[20,1]", 0.1);
+        let only = |name: &str, value: f64| Write { name: name.into(), value };
+        assert_eq!(writes(&control, &target, 0.025), [only("$TC_DP15[20,1]", 0.125)]);
+        control.set("_CHBIT[6]", 1.0);
+        assert_eq!(
+            writes(&control, &target, 0.025),
+            [only("$TC_DP6[20,1]", 10.125), only("$TC_DP15[20,1]", 0.0)]
+        );
+    }
+
+    #[test]
+    fn setup_or_additive_offset() {
+        // oracle: manual B:2047-2060
+        let mut control = control();
+        let names = Names { code: 1_100_002, tool: 5, location: 3, ..NAMES };
+        let target = find(&control, names).unwrap();
+        control.set_variable("$TC_SCP33[5,2]", 0.25);
+        control.set_variable("$TC_ECP33[5,2]", 1.0);
+        let only = |name: &str, value: f64| Write { name: name.into(), value };
+        assert_eq!(writes(&control, &target, 0.5), [only("$TC_SCP33[5,2]", 0.75)]);
+        control.set("_CHBIT[6]", 1.0);
+        assert_eq!(
+            writes(&control, &target, 0.5),
+            [only("$TC_ECP33[5,2]", 1.75), only("$TC_SCP33[5,2]", 0.0)]
+        );
+        control.set("_CHBIT[8]", 1.0);
+        assert_eq!(writes(&control, &target, 0.5), [only("$TC_ECP33[5,2]", 1.5)]);
+    }
+}
