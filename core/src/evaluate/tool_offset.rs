@@ -59,7 +59,13 @@ pub fn target(control: &Control, names: &Names) -> Result<Option<Target>, u32> {
         (true, _) => return Err(61406),
     };
     let part = part(control, names, &code)?;
-    Ok(Some(Target { tool, edge, part, location, inverted: code.inverted }))
+    Ok(Some(Target {
+        tool,
+        edge,
+        part,
+        location,
+        inverted: code.inverted,
+    }))
 }
 
 /// L1, L2, L3 or radius as index. The length that works in an axis: L1 applicate, L2 ordinate, L3 abscissa (B:762-817).
@@ -69,7 +75,11 @@ fn part(control: &Control, names: &Names, code: &ToolCode) -> Result<usize, u32>
         Quantity::Length(number) => Ok(usize::from(number.saturating_sub(1))),
         Quantity::MeasuringAxis => {
             let axis = names.axis.ok_or(61322_u32)?;
-            let axis = if code.environment { turned(control, names.environment, axis) } else { axis };
+            let axis = if code.environment {
+                turned(control, names.environment, axis)
+            } else {
+                axis
+            };
             Ok(2 - axis.min(2))
         }
     }
@@ -84,7 +94,11 @@ fn turned(control: &Control, environment: &str, axis: usize) -> usize {
         _ => control.plane,
     };
     let geometry = control.plane.axes()[axis.min(2)];
-    plane.axes().iter().position(|own| *own == geometry).unwrap_or(axis)
+    plane
+        .axes()
+        .iter()
+        .position(|own| *own == geometry)
+        .unwrap_or(axis)
 }
 
 /// T and D: by number, by name, or by the environment.
@@ -106,7 +120,11 @@ fn tool_and_edge(control: &Control, names: &Names, code: &ToolCode) -> Result<(i
     if !control.tools.contains_key(&tool) {
         return Err(61320);
     }
-    let edge = if code.edge == 0 { stored("D").unwrap_or(0) } else { code.edge };
+    let edge = if code.edge == 0 {
+        stored("D").unwrap_or(0)
+    } else {
+        code.edge
+    };
     Ok((tool, edge))
 }
 
@@ -120,33 +138,64 @@ fn by_name(control: &Control, name: &str) -> Result<i64, u32> {
     if name.is_empty() {
         return Err(61320);
     }
-    let named = |number: &i64| control.tools.get(number).is_some_and(|tool| tool.name == name);
+    let named = |number: &i64| {
+        control
+            .tools
+            .get(number)
+            .is_some_and(|tool| tool.name == name)
+    };
     if named(&control.tool) {
         return Ok(control.tool);
     }
-    control.tools.keys().copied().filter(named).next_back().ok_or(61343)
+    control
+        .tools
+        .keys()
+        .copied()
+        .filter(named)
+        .next_back()
+        .ok_or(61343)
 }
 
 /// What a correction by `amount` (mm, sign included) writes. `_CHBIT[6]` and `_CHBIT[8]` choose the memories
 /// (B:2047-2060): wear and additive offset grow; or they are taken into geometry and setup offset and erased.
 pub fn writes(control: &Control, target: &Target, amount: f64) -> Vec<Write> {
-    let Target { tool, edge, part, .. } = *target;
+    let Target {
+        tool, edge, part, ..
+    } = *target;
     let at = format!("[{tool},{edge}]");
     let (coarse, fine) = match target.location {
-        None => (format!("$TC_DP{}{at}", part + 3), format!("$TC_DP{}{at}", part + 12)),
-        Some(dl) => (format!("$TC_ECP{dl}{}{at}", part + 3), format!("$TC_SCP{dl}{}{at}", part + 3)),
+        None => (
+            format!("$TC_DP{}{at}", part + 3),
+            format!("$TC_DP{}{at}", part + 12),
+        ),
+        Some(dl) => (
+            format!("$TC_ECP{dl}{}{at}", part + 3),
+            format!("$TC_SCP{dl}{}{at}", part + 3),
+        ),
     };
     let value = |name: &str| control.variable(name).unwrap_or(0.0);
     let (in_coarse, in_fine) = (value(&coarse), value(&fine));
     if target.location.is_some() && control.bit("_CHBIT[8]") {
-        vec![Write { name: coarse, value: in_coarse + amount }]
+        vec![Write {
+            name: coarse,
+            value: in_coarse + amount,
+        }]
     } else if control.bit("_CHBIT[6]") {
         vec![
-            Write { name: coarse, value: in_coarse + in_fine + amount },
-            Write { name: fine, value: 0.0 },
+            Write {
+                name: coarse,
+                value: in_coarse + in_fine + amount,
+            },
+            Write {
+                name: fine,
+                value: 0.0,
+            },
         ]
     } else {
-        vec![Write { name: fine, value: in_fine + amount }]
+        vec![Write {
+            name: fine,
+            value: in_fine + amount,
+        }]
     }
 }
 
@@ -165,8 +214,14 @@ mod tests {
         control
     }
 
-    const NAMES: Names =
-        Names { code: 2001, tool: 20, tool_name: "", location: 0, environment: "", axis: Some(0) };
+    const NAMES: Names = Names {
+        code: 2001,
+        tool: 20,
+        tool_name: "",
+        location: 0,
+        environment: "",
+        axis: Some(0),
+    };
 
     fn find(control: &Control, names: Names) -> Result<Target, u32> {
         target(control, &names).map(Option::unwrap)
@@ -178,11 +233,25 @@ mod tests {
         let control = control();
         assert_eq!(find(&control, NAMES).unwrap().part, RADIUS);
         for (axis, part) in [(0, 2), (1, 1), (2, 0)] {
-            let names = Names { code: 1, axis: Some(axis), ..NAMES };
+            let names = Names {
+                code: 1,
+                axis: Some(axis),
+                ..NAMES
+            };
             assert_eq!(find(&control, names).unwrap().part, part);
         }
         assert_eq!(target(&control, &Names { code: 0, ..NAMES }), Ok(None));
-        assert_eq!(find(&control, Names { code: 1, axis: None, ..NAMES }), Err(61322));
+        assert_eq!(
+            find(
+                &control,
+                Names {
+                    code: 1,
+                    axis: None,
+                    ..NAMES
+                }
+            ),
+            Err(61322)
+        );
     }
 
     #[test]
@@ -190,16 +259,75 @@ mod tests {
         // oracle: manual A:15861, A:15886, A:15888, A:15924-15931
         let mut control = control();
         control.tools.get_mut(&7).unwrap().name = "MILL".into();
-        let named = Names { code: 2002, tool: 0, tool_name: "MILL", ..NAMES };
+        let named = Names {
+            code: 2002,
+            tool: 0,
+            tool_name: "MILL",
+            ..NAMES
+        };
         assert_eq!(find(&control, named).unwrap().tool, 7);
-        assert_eq!(find(&control, Names { tool_name: "", ..named }), Err(61320));
-        assert_eq!(find(&control, Names { tool_name: "DRILL", ..named }), Err(61343));
+        assert_eq!(
+            find(
+                &control,
+                Names {
+                    tool_name: "",
+                    ..named
+                }
+            ),
+            Err(61320)
+        );
+        assert_eq!(
+            find(
+                &control,
+                Names {
+                    tool_name: "DRILL",
+                    ..named
+                }
+            ),
+            Err(61343)
+        );
         assert_eq!(find(&control, Names { tool: 99, ..named }), Err(61320));
-        assert_eq!(find(&control, Names { code: 2009, ..NAMES }), Err(61410));
-        assert_eq!(find(&control, Names { code: 1_001_001, ..NAMES }), Err(61406));
-        assert_eq!(find(&control, Names { code: 2_001_001, ..NAMES }), Err(61405));
+        assert_eq!(
+            find(
+                &control,
+                Names {
+                    code: 2009,
+                    ..NAMES
+                }
+            ),
+            Err(61410)
+        );
+        assert_eq!(
+            find(
+                &control,
+                Names {
+                    code: 1_001_001,
+                    ..NAMES
+                }
+            ),
+            Err(61406)
+        );
+        assert_eq!(
+            find(
+                &control,
+                Names {
+                    code: 2_001_001,
+                    ..NAMES
+                }
+            ),
+            Err(61405)
+        );
         control.set("MD18105", 9.0);
-        assert_eq!(find(&control, Names { code: 2010, ..NAMES }), Err(61345));
+        assert_eq!(
+            find(
+                &control,
+                Names {
+                    code: 2010,
+                    ..NAMES
+                }
+            ),
+            Err(61345)
+        );
     }
 
     #[test]
@@ -209,10 +337,19 @@ mod tests {
         for (part, value) in [("T", 5.0), ("D", 2.0), ("PLANE", 17.0)] {
             control.set(key("WZUMG1", part), value);
         }
-        let names = Names { code: 2_100_000, tool: 0, environment: "WZUMG1", ..NAMES };
+        let names = Names {
+            code: 2_100_000,
+            tool: 0,
+            environment: "WZUMG1",
+            ..NAMES
+        };
         let found = find(&control, names).unwrap();
         assert_eq!((found.tool, found.edge, found.part), (5, 2, 0));
-        let names = Names { code: 2_001_002, axis: Some(1), ..names };
+        let names = Names {
+            code: 2_001_002,
+            axis: Some(1),
+            ..names
+        };
         assert_eq!(find(&control, names).unwrap().part, 1);
         control.plane = Plane::G18; // the ordinate of G18 is X, the abscissa of the stored G17
         assert_eq!(find(&control, names).unwrap().part, 2);
@@ -224,8 +361,14 @@ mod tests {
         let mut control = control();
         let target = find(&control, NAMES).unwrap();
         control.set_variable("$TC_DP15[20,1]", 0.1);
-        let only = |name: &str, value: f64| Write { name: name.into(), value };
-        assert_eq!(writes(&control, &target, 0.025), [only("$TC_DP15[20,1]", 0.125)]);
+        let only = |name: &str, value: f64| Write {
+            name: name.into(),
+            value,
+        };
+        assert_eq!(
+            writes(&control, &target, 0.025),
+            [only("$TC_DP15[20,1]", 0.125)]
+        );
         control.set("_CHBIT[6]", 1.0);
         assert_eq!(
             writes(&control, &target, 0.025),
@@ -237,18 +380,32 @@ mod tests {
     fn setup_or_additive_offset() {
         // oracle: manual B:2047-2060
         let mut control = control();
-        let names = Names { code: 1_100_002, tool: 5, location: 3, ..NAMES };
+        let names = Names {
+            code: 1_100_002,
+            tool: 5,
+            location: 3,
+            ..NAMES
+        };
         let target = find(&control, names).unwrap();
         control.set_variable("$TC_SCP33[5,2]", 0.25);
         control.set_variable("$TC_ECP33[5,2]", 1.0);
-        let only = |name: &str, value: f64| Write { name: name.into(), value };
-        assert_eq!(writes(&control, &target, 0.5), [only("$TC_SCP33[5,2]", 0.75)]);
+        let only = |name: &str, value: f64| Write {
+            name: name.into(),
+            value,
+        };
+        assert_eq!(
+            writes(&control, &target, 0.5),
+            [only("$TC_SCP33[5,2]", 0.75)]
+        );
         control.set("_CHBIT[6]", 1.0);
         assert_eq!(
             writes(&control, &target, 0.5),
             [only("$TC_ECP33[5,2]", 1.75), only("$TC_SCP33[5,2]", 0.0)]
         );
         control.set("_CHBIT[8]", 1.0);
-        assert_eq!(writes(&control, &target, 0.5), [only("$TC_ECP33[5,2]", 1.5)]);
+        assert_eq!(
+            writes(&control, &target, 0.5),
+            [only("$TC_ECP33[5,2]", 1.5)]
+        );
     }
 }

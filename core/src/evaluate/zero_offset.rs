@@ -32,18 +32,31 @@ pub struct Target {
 
 /// Finds the frame. None: `_KNUM` is 0. Error: number of the alarm.
 pub fn target(control: &Control, code: i64) -> Result<Option<Target>, u32> {
-    let Some(code) = knum::zero(code)? else { return Ok(None) };
-    let stored = |store| Target { store, without_settable: false, activate: false };
+    let Some(code) = knum::zero(code)? else {
+        return Ok(None);
+    };
+    let stored = |store| Target {
+        store,
+        without_settable: false,
+        activate: false,
+    };
     Ok(Some(match code {
         ZeroCode::Settable(number) => stored(Store::Settable(number)),
         ZeroCode::ChannelBasic(index) => stored(Store::ChannelBasic(index)),
         ZeroCode::GlobalBasic(index) => stored(Store::GlobalBasic(index)),
         ZeroCode::System => stored(Store::System),
-        ZeroCode::LastBasic => Target { without_settable: true, ..stored(last_basic(control)?) },
-        ZeroCode::Active if control.settable == 0 => {
-            Target { activate: true, ..stored(last_basic(control)?) }
-        }
-        ZeroCode::Active => Target { activate: true, ..stored(Store::Settable(control.settable)) },
+        ZeroCode::LastBasic => Target {
+            without_settable: true,
+            ..stored(last_basic(control)?)
+        },
+        ZeroCode::Active if control.settable == 0 => Target {
+            activate: true,
+            ..stored(last_basic(control)?)
+        },
+        ZeroCode::Active => Target {
+            activate: true,
+            ..stored(Store::Settable(control.settable))
+        },
     }))
 }
 
@@ -72,12 +85,23 @@ pub struct Measured {
 pub fn writes(control: &Control, target: &Target, measured: &Measured) -> Vec<Write> {
     let machine = control.to_machine(measured.actual);
     let (before, old, after) = around(control, target);
-    let chained = before.iter().fold(machine, |point, frame| frame.inward(point));
-    let seen = after.iter().fold(old.inward(chained), |point, frame| frame.inward(point));
+    let chained = before
+        .iter()
+        .fold(machine, |point, frame| frame.inward(point));
+    let seen = after
+        .iter()
+        .fold(old.inward(chained), |point, frame| frame.inward(point));
     let wrong = std::array::from_fn(|axis| {
-        if measured.axes[axis] { seen[axis] - measured.set[axis] } else { 0.0 }
+        if measured.axes[axis] {
+            seen[axis] - measured.set[axis]
+        } else {
+            0.0
+        }
     });
-    let turned = after.iter().rev().fold(wrong, |direction, frame| frame.turn(direction));
+    let turned = after
+        .iter()
+        .rev()
+        .fold(wrong, |direction, frame| frame.turn(direction));
     shifted(control, target, &old, old.turn(turned))
 }
 
@@ -92,8 +116,14 @@ fn around(control: &Control, target: &Target) -> (Vec<Frame>, Frame, Vec<Frame>)
         _ => (Store::Settable(control.settable), control.active),
     };
     let system = std::iter::once((Store::System, control.system));
-    let global = control.global_basic.iter().map(|(index, frame)| (Store::GlobalBasic(*index), *frame));
-    let channel = control.channel_basic.iter().map(|(index, frame)| (Store::ChannelBasic(*index), *frame));
+    let global = control
+        .global_basic
+        .iter()
+        .map(|(index, frame)| (Store::GlobalBasic(*index), *frame));
+    let channel = control
+        .channel_basic
+        .iter()
+        .map(|(index, frame)| (Store::ChannelBasic(*index), *frame));
     let settable = std::iter::once(settable);
     for (store, frame) in system.chain(global).chain(channel).chain(settable) {
         if store == target.store {
@@ -133,8 +163,9 @@ fn stored(control: &Control, store: Store) -> Frame {
 /// Into the fine part with MD18600 = 1; into the coarse part, the fine part included and erased, with MD18600 = 0,
 /// `_CHBIT[21]` = 1 or for `$P_SETFR` (B:1990-2003, B:14035-14039).
 fn shifted(control: &Control, target: &Target, old: &Frame, shift: [f64; 3]) -> Vec<Write> {
-    let coarse =
-        target.store == Store::System || control.bit("_CHBIT[21]") || control.number("MD18600") == 0.0;
+    let coarse = target.store == Store::System
+        || control.bit("_CHBIT[21]")
+        || control.number("MD18600") == 0.0;
     let stem = match target.store {
         Store::Settable(number) => format!("$P_UIFR[{number},"),
         Store::ChannelBasic(index) => format!("$P_CHBFR[{index},"),
@@ -145,7 +176,10 @@ fn shifted(control: &Control, target: &Target, old: &Frame, shift: [f64; 3]) -> 
     for (axis, letter) in AXES.iter().enumerate() {
         let mut write = |part: &str, value: f64, before: f64| {
             if value != before {
-                writes.push(Write { name: format!("{stem}{letter},{part}]"), value });
+                writes.push(Write {
+                    name: format!("{stem}{letter},{part}]"),
+                    value,
+                });
             }
         };
         let (in_coarse, in_fine) = (old.coarse[axis], old.fine[axis]);
@@ -177,19 +211,29 @@ mod tests {
         let target = target(control, code).unwrap().unwrap();
         let writes = writes(control, &target, measured);
         for write in &writes {
-            assert!(control.set_variable(&write.name, write.value), "{}", write.name);
+            assert!(
+                control.set_variable(&write.name, write.value),
+                "{}",
+                write.name
+            );
         }
         writes.into_iter().map(|write| write.name).collect()
     }
 
-    const RECTANGLE: Measured =
-        Measured { actual: [151.2, 169.4, 120.0], set: [150.0, 170.0, 120.0], axes: [true, true, false] };
+    const RECTANGLE: Measured = Measured {
+        actual: [151.2, 169.4, 120.0],
+        set: [150.0, 170.0, 120.0],
+        axes: [true, true, false],
+    };
 
     #[test]
     fn the_difference_goes_into_the_fine_part() {
         // oracle: manual B:6276-6278, B:1990
         let mut control = control();
-        assert_eq!(correct(&mut control, 1, &RECTANGLE), ["$P_UIFR[1,X,FI]", "$P_UIFR[1,Y,FI]"]);
+        assert_eq!(
+            correct(&mut control, 1, &RECTANGLE),
+            ["$P_UIFR[1,X,FI]", "$P_UIFR[1,Y,FI]"]
+        );
         let frame = control.frames[&1];
         assert!((frame.fine[0] - 1.2).abs() < 1e-12 && (frame.fine[1] + 0.6).abs() < 1e-12);
         assert_eq!(frame.fine[2], 0.0);
@@ -199,7 +243,13 @@ mod tests {
     fn or_with_the_fine_part_into_the_coarse_one() {
         // oracle: manual B:14039
         let mut control = control();
-        control.frames.insert(1, Frame { fine: [0.1, 0.2, 0.0], ..Frame::default() });
+        control.frames.insert(
+            1,
+            Frame {
+                fine: [0.1, 0.2, 0.0],
+                ..Frame::default()
+            },
+        );
         control.activate(1);
         control.set("_CHBIT[21]", 1.0);
         correct(&mut control, 1, &RECTANGLE);
@@ -217,7 +267,9 @@ mod tests {
             rotation: [0.0, 0.0, turn],
         };
         control.system = Frame::translation([1.0, 2.0, 3.0]);
-        control.global_basic.insert(0, Frame::translation([5.0, 0.0, 0.0]));
+        control
+            .global_basic
+            .insert(0, Frame::translation([5.0, 0.0, 0.0]));
         control.channel_basic.insert(0, frame(10.0, 30.0));
         control.channel_basic.insert(1, frame(-4.0, -12.0));
         control.frames.insert(1, frame(100.0, 20.0));
@@ -234,13 +286,20 @@ mod tests {
             for coarse in [0.0, 1.0] {
                 let mut control = chained();
                 control.set("_CHBIT[21]", coarse);
-                let measured = Measured { actual: [31.0, 42.0, 5.0], set: [30.5, 41.7, 5.3], axes: [true; 3] };
+                let measured = Measured {
+                    actual: [31.0, 42.0, 5.0],
+                    set: [30.5, 41.7, 5.3],
+                    axes: [true; 3],
+                };
                 let machine = control.to_machine(measured.actual);
                 correct(&mut control, code, &measured);
                 control.activate(1);
                 let seen = control.to_workpiece(machine);
                 for axis in 0..3 {
-                    assert!((seen[axis] - measured.set[axis]).abs() < 1e-9, "{code}: {seen:?}");
+                    assert!(
+                        (seen[axis] - measured.set[axis]).abs() < 1e-9,
+                        "{code}: {seen:?}"
+                    );
                 }
             }
         }
@@ -250,7 +309,11 @@ mod tests {
     fn another_settable_frame_keeps_its_rotation() {
         // oracle: self (B:6147, B:6153)
         let mut control = chained();
-        let measured = Measured { actual: [31.0, 42.0, 5.0], set: [0.0, 0.0, 0.0], axes: [true; 3] };
+        let measured = Measured {
+            actual: [31.0, 42.0, 5.0],
+            set: [0.0, 0.0, 0.0],
+            axes: [true; 3],
+        };
         let machine = control.to_machine(measured.actual);
         correct(&mut control, 2, &measured);
         assert_eq!(control.frames[&2].rotation, [0.0, 0.0, -75.0]);
@@ -262,14 +325,26 @@ mod tests {
     fn the_last_basic_frame_is_reckoned_without_a_settable_one() {
         // oracle: self (B:1938)
         let mut control = chained();
-        let measured = Measured { actual: [31.0, 42.0, 5.0], set: [1.0, 2.0, 3.0], axes: [true; 3] };
+        let measured = Measured {
+            actual: [31.0, 42.0, 5.0],
+            set: [1.0, 2.0, 3.0],
+            axes: [true; 3],
+        };
         let machine = control.to_machine(measured.actual);
         let names = correct(&mut control, 1000, &measured);
-        assert!(names.iter().all(|name| name.starts_with("$P_CHBFR[1,")), "{names:?}");
+        assert!(
+            names.iter().all(|name| name.starts_with("$P_CHBFR[1,")),
+            "{names:?}"
+        );
         control.frames.insert(0, Frame::default());
         control.activate(0);
         let seen = control.to_workpiece(machine);
-        assert!(seen.iter().zip(measured.set).all(|(a, b)| (a - b).abs() < 1e-9), "{seen:?}");
+        assert!(
+            seen.iter()
+                .zip(measured.set)
+                .all(|(a, b)| (a - b).abs() < 1e-9),
+            "{seen:?}"
+        );
     }
 
     #[test]
@@ -282,6 +357,9 @@ mod tests {
         control.set("$P_CHBFRMASK", 0.0);
         assert_eq!(target(&control, 1000), Err(61412));
         control.set("$P_CHBFRMASK", 5.0);
-        assert_eq!(target(&control, 1000).unwrap().unwrap().store, Store::ChannelBasic(2));
+        assert_eq!(
+            target(&control, 1000).unwrap().unwrap().store,
+            Store::ChannelBasic(2)
+        );
     }
 }
