@@ -3,20 +3,8 @@
 //! Lengths in mm, angles in degree.
 
 use super::{Control, Frame};
-use nalgebra::{Matrix3, Rotation3, Vector3};
-
-/// Rotation about X, then Y, then Z by these angles in degree: the RPY angles of a frame (Z first, then the turned Y,
-/// then the turned X).
-pub fn rotation(angles: [f64; 3]) -> Matrix3<f64> {
-    let [x, y, z] = angles.map(f64::to_radians);
-    Rotation3::from_euler_angles(x, y, z).into_inner()
-}
-
-/// RPY angles of a rotation, degree. At ±90° about Y the angle about X is 0.
-pub fn angles(matrix: &Matrix3<f64>) -> [f64; 3] {
-    let (x, y, z) = Rotation3::from_matrix_unchecked(*matrix).euler_angles();
-    [x, y, z].map(f64::to_degrees)
-}
+use crate::geometry::rigid::{angles, rotation};
+use nalgebra::Vector3;
 
 impl Frame {
     /// A pure translation, mm.
@@ -55,7 +43,7 @@ impl Frame {
         if self.rotation == [0.0; 3] {
             return direction;
         }
-        (rotation(self.rotation).transpose() * Vector3::from(direction)).into()
+        (rotation(self.rotation).inverse() * Vector3::from(direction)).into()
     }
 
     /// This frame followed by another inside it (`:` of frames); the result has no fine part.

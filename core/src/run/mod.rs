@@ -1,10 +1,14 @@
 //! Runs a program or a single call on a control against a workpiece and records a trace.
 
+pub mod call;
+pub mod machine;
 pub mod outcome;
+pub mod predict;
 pub mod setup;
 pub mod trace;
 
 pub use outcome::{Change, Outcome};
+pub use predict::predict;
 pub use setup::Setup;
 
 use crate::check::Inputs;
@@ -31,7 +35,13 @@ pub trait Machine {
     fn position(&self) -> [f64; 3];
     /// Straight positioning. With `monitored`, a probe signal on the way is alarm 61302 (NCT: PATH OBSTRUCTED);
     /// without, contact is recorded as a crash.
-    fn travel(&mut self, to: [f64; 3], kind: MotionKind, feed: f64, monitored: bool) -> Result<(), Stop>;
+    fn travel(
+        &mut self,
+        to: [f64; 3],
+        kind: MotionKind,
+        feed: f64,
+        monitored: bool,
+    ) -> Result<(), Stop>;
     /// Straight measuring motion. Some: position latched at switching (delete distance-to-go); None: no signal up to `to`.
     fn probe(&mut self, to: [f64; 3], feed: f64) -> Result<Option<[f64; 3]>, Stop>;
     /// Turns the spindle to this angle, degree.

@@ -1,0 +1,370 @@
+//! The simulated machine: moves the probe among the solids and records what happens.
+
+use super::trace::{Entry, MotionKind, Step, Trace};
+use super::{Machine, Setup, Stop};
+use crate::catalogue::Dialect;
+use crate::control::Control;
+use crate::diagnostic::Code;
+use crate::message::Message;
+use crate::workpiece::contact::{self, Contact};
+use crate::workpiece::noise::Noise;
+use crate::workpiece::probe::{ball_offset, touch};
+use crate::workpiece::{Probe, Workpiece};
+
+/// Entries of a trace after which a run is given up.
+pub const TRACE_LIMIT: usize = 200_000;
+
+/// A control, a probe and a part, and what has happened so far.
+#[derive(Clone, Debug)]
+pub struct Sim {
+    /// State of the control.
+    pub control: Control,
+    /// Where the point to which the tool length refers stands, machine coordinates, mm.
+    pub position: [f64; 3],
+    /// What happened so far.
+    pub trace: Trace,
+    /// Line of the program that is being carried out.
+    pub line: Option<u32>,
+    /// Entries after which the run is given up.
+    pub trace_limit: usize,
+    /// Whether a measuring cycle is running: then the probe is in the spindle whatever the tool data say.
+    pub measuring: bool,
+    probe: Probe,
+    workpiece: Workpiece,
+    noise: Noise,
+}
+
+impl Sim {
+    /// A machine as set up, nothing recorded.
+    pub fn new(setup: &Setup) -> Sim {
+        Sim {
+            control: setup.control.clone(),
+            position: setup.position,
+            trace: Trace::default(),
+            line: None,
+            trace_limit: TRACE_LIMIT,
+            measuring: false,
+            probe: setup.probe,
+            workpiece: setup.workpiece.clone(),
+            noise: Noise::new(setup.probe.repeatability.1),
+        }
+    }
+
+    /// Straight motion between machine positions; see [`Machine::travel`].
+    pub fn travel_machine(
+        &mut self,
+        to: [f64; 3],
+        kind: MotionKind,
+        feed: f64,
+        monitored: bool,
+    ) -> Result<(), Stop> {
+        self.room()?;
+        if !to.iter().all(|value| value.is_finite()) {
+            return Err(Stop::Fault(Message::new("run-not-finite")));
+        }
+        let from = self.position;
+        let Some((stop, ball, point, normal)) = self.obstacle(from, to) else {
+            self.position = to;
+            self.note(Step::Motion {
+                kind,
+                from,
+                to,
+                feed,
+            });
+            return Ok(());
+        };
+        self.position = stop;
+        self.note(Step::Motion {
+            kind,
+            from,
+            to: stop,
+            feed,
+        });
+        if monitored {
+            self.note(Step::Touch {
+                latched: stop,
+                ball,
+                point,
+                normal,
+            });
+            let code = match self.control.dialect {
+                Dialect::Sinumerik => Code::Alarm(61302), // B:13743-13763
+                Dialect::Nct => Code::Nct("PATH OBSTRUCTED"),
+            };
+            return Err(Stop::Alarm(code));
+        }
+        self.note(Step::Crash { point });
+        Err(Stop::Fault(Message::new("run-crash")))
+    }
+
+    /// Straight measuring motion to a machine position; see [`Machine::probe`].
+    pub fn probe_machine(&mut self, to: [f64; 3], feed: f64) -> Result<Option<[f64; 3]>, Stop> {
+        self.room()?;
+        if !to.iter().all(|value| value.is_finite()) {
+            return Err(Stop::Fault(Message::new("run-not-finite")));
+        }
+        let from = self.position;
+        let height = self.ball_height();
+        let signal = touch(
+            &self.workpiece,
+            &self.probe,
+            self.control.spindle,
+            self.tool_axis(),
+            add(from, height, 1.0),
+            add(to, height, 1.0),
+            feed,
+            &mut self.noise,
+        );
+        let end = signal.map_or(to, |touch| add(touch.latched, height, -1.0));
+        self.position = end;
+        self.note(Step::Motion {
+            kind: MotionKind::Measuring,
+            from,
+            to: end,
+            feed,
+        });
+        if let Some(touch) = signal {
+            self.note(Step::Touch {
+                latched: end,
+                ball: touch.ball,
+                point: touch.point,
+                normal: touch.normal,
+            });
+        }
+        Ok(signal.map(|_| end))
+    }
+
+    /// Adds a step to the trace, with the present line.
+    pub fn note(&mut self, step: Step) {
+        if self.trace.entries.len() < self.trace_limit {
+            self.trace.entries.push(Entry {
+                line: self.line,
+                step,
+            });
+        }
+    }
+
+    /// Index of the axis along which the tool stands: the applicate.
+    pub fn tool_axis(&self) -> usize {
+        self.control.plane.axes()[2]
+    }
+
+    /// Whether the simulated probe is in the spindle: type 710, or a measuring cycle is running. What any other tool
+    /// touches is not simulated.
+    pub fn has_probe(&self) -> bool {
+        self.measuring
+            || self
+                .control
+                .active_edge()
+                .is_some_and(|edge| edge.kind == 710)
+    }
+
+    fn room(&self) -> Result<(), Stop> {
+        if self.trace.entries.len() < self.trace_limit {
+            return Ok(());
+        }
+        Err(Stop::Fault(
+            Message::new("run-trace-limit").number("limit", self.trace_limit as f64),
+        ))
+    }
+
+    /// From the point to which the tool length refers to the spindle axis at the height of the real ball centre:
+    /// differs from zero when the probe is not as long as the control believes.
+    fn ball_height(&self) -> [f64; 3] {
+        let axis = self.tool_axis();
+        let mut height = [0.0; 3];
+        height[axis] = self.control.active_length()[axis] - self.probe.length;
+        height
+    }
+
+    /// Where a motion is stopped by the part: position, ball centre, point and normal.
+    #[allow(clippy::type_complexity)]
+    fn obstacle(
+        &self,
+        from: [f64; 3],
+        to: [f64; 3],
+    ) -> Option<([f64; 3], [f64; 3], [f64; 3], [f64; 3])> {
+        if !self.has_probe() {
+            return None;
+        }
+        let skew = ball_offset(&self.probe, self.control.spindle, self.tool_axis());
+        let shift = add(self.ball_height(), skew, 1.0);
+        let end = add(to, shift, 1.0);
+        let mut start = add(from, shift, 1.0);
+        for _ in 0..4 {
+            match contact::first(&self.workpiece, self.probe.radius, start, end) {
+                Contact::None => return None,
+                Contact::Hit {
+                    ball,
+                    point,
+                    normal,
+                    ..
+                } => {
+                    return Some((add(ball, shift, -1.0), ball, point, normal));
+                }
+                Contact::Already {
+                    point,
+                    normal,
+                    depth,
+                } => match released(start, end, normal, depth) {
+                    Some(free) => start = free,
+                    None => return Some((add(start, shift, -1.0), start, point, normal)),
+                },
+            }
+        }
+        None
+    }
+}
+
+/// Where a ball that reaches into the part by `depth` is free again on its way; none when it does not leave.
+/// A stylus that is deflected by pre-travel or delay leaves the part on its way back.
+fn released(from: [f64; 3], to: [f64; 3], normal: [f64; 3], depth: f64) -> Option<[f64; 3]> {
+    let way = add(to, from, -1.0);
+    let outward: f64 = (0..3).map(|i| way[i] * normal[i]).sum();
+    let part = depth * (1.0 + 1e-9) / outward + 1e-12;
+    (outward > 0.0 && part < 1.0).then(|| add(from, way, part))
+}
+
+fn add(a: [f64; 3], b: [f64; 3], factor: f64) -> [f64; 3] {
+    std::array::from_fn(|i| a[i] + factor * b[i])
+}
+
+impl Machine for Sim {
+    fn control(&mut self) -> &mut Control {
+        &mut self.control
+    }
+
+    fn position(&self) -> [f64; 3] {
+        self.control.to_workpiece(self.position)
+    }
+
+    fn travel(
+        &mut self,
+        to: [f64; 3],
+        kind: MotionKind,
+        feed: f64,
+        monitored: bool,
+    ) -> Result<(), Stop> {
+        self.travel_machine(self.control.to_machine(to), kind, feed, monitored)
+    }
+
+    fn probe(&mut self, to: [f64; 3], feed: f64) -> Result<Option<[f64; 3]>, Stop> {
+        let latched = self.probe_machine(self.control.to_machine(to), feed)?;
+        Ok(latched.map(|position| self.control.to_workpiece(position)))
+    }
+
+    fn orient(&mut self, angle: f64) {
+        self.control.spindle = angle;
+        self.note(Step::Orient(angle));
+    }
+
+    fn record(&mut self, step: Step) {
+        self.note(step);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, clippy::panic)]
+    use super::*;
+    use crate::control::{Frame, Plane};
+    use crate::workpiece::{PartErrors, Shape, Solid};
+
+    /// A cube of 100 mm whose upper face is Z = 0 of the machine.
+    fn sim() -> Sim {
+        let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+        let block = Shape::Block {
+            size: [100.0, 100.0, 100.0],
+        };
+        let solid = Solid {
+            shape: block,
+            at: [0.0; 3],
+            rotation: [0.0; 3],
+            errors: PartErrors::default(),
+        };
+        setup.workpiece.solids.push(solid);
+        setup.position = [0.0, 0.0, 20.0];
+        Sim::new(&setup)
+    }
+
+    #[test]
+    fn probing_latches_at_the_surface() {
+        let mut sim = sim();
+        sim.control
+            .frames
+            .insert(1, Frame::translation([0.0, 0.0, -5.0]));
+        sim.control.activate(1);
+        // oracle: hand: the ball centre stops 3 mm above the face; WCS is 5 mm below the machine zero
+        let latched = sim.probe([0.0, 0.0, -10.0], 150.0).unwrap().unwrap();
+        assert!((latched[2] - 8.0).abs() < 1e-9, "{latched:?}");
+        assert!((sim.position[2] - 3.0).abs() < 1e-9);
+        assert!(
+            sim.travel([0.0, 0.0, 20.0], MotionKind::Retract, 1000.0, true)
+                .is_ok()
+        );
+    }
+
+    #[test]
+    fn a_longer_probe_switches_earlier() {
+        let mut sim = sim();
+        sim.probe.length = 50.2;
+        // oracle: hand
+        let latched = sim.probe([0.0, 0.0, -10.0], 150.0).unwrap().unwrap();
+        assert!((latched[2] - 3.2).abs() < 1e-9, "{latched:?}");
+    }
+
+    #[test]
+    fn a_late_signal_lets_the_probe_go_back() {
+        let mut sim = sim();
+        sim.probe.pre_travel = (0.02, 0.0);
+        let latched = sim.probe([0.0, 0.0, -10.0], 150.0).unwrap().unwrap();
+        assert!((latched[2] - 2.98).abs() < 1e-9, "{latched:?}");
+        assert!(
+            sim.travel([0.0, 0.0, 20.0], MotionKind::Retract, 1000.0, true)
+                .is_ok()
+        );
+    }
+
+    #[test]
+    fn a_watched_motion_stops_with_an_alarm() {
+        let mut sim = sim();
+        let stop = sim.travel([0.0, 0.0, -1.0], MotionKind::Positioning, 1000.0, true);
+        // oracle: manual B:13743-13763
+        assert_eq!(stop, Err(Stop::Alarm(Code::Alarm(61302))));
+        assert!((sim.position[2] - 3.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn an_unwatched_motion_crashes() {
+        let mut sim = sim();
+        let stop = sim.travel([0.0, 0.0, -1.0], MotionKind::Rapid, 0.0, false);
+        assert!(matches!(stop, Err(Stop::Fault(message)) if message.key == "run-crash"));
+        let last = sim.trace.entries.last().unwrap();
+        let Step::Crash { point } = last.step else {
+            panic!("{last:?}")
+        };
+        assert!(point[2].abs() < 1e-9);
+    }
+
+    #[test]
+    fn other_tools_are_not_felt() {
+        let mut sim = sim();
+        sim.control.edge = 0;
+        assert!(
+            sim.travel([0.0, 0.0, -1.0], MotionKind::Rapid, 0.0, false)
+                .is_ok()
+        );
+    }
+
+    #[test]
+    fn a_full_trace_ends_the_run() {
+        let mut sim = sim();
+        sim.trace_limit = 1;
+        assert!(
+            sim.travel([0.0, 0.0, 30.0], MotionKind::Rapid, 0.0, false)
+                .is_ok()
+        );
+        let stop = sim.travel([0.0, 0.0, 20.0], MotionKind::Rapid, 0.0, false);
+        assert!(matches!(stop, Err(Stop::Fault(message)) if message.key == "run-trace-limit"));
+    }
+}

@@ -1,0 +1,21 @@
+//! What would it do? One call, without a program, from where the machine stands.
+
+use super::machine::Sim;
+use super::{Outcome, Setup, call};
+use crate::catalogue::Cycle;
+use crate::check::Inputs;
+
+/// Carries out one call on a copy of the setup. `inputs.cycle` is the cycle; naming it again keeps callers honest.
+pub fn predict(cycle: &'static Cycle, inputs: &Inputs, setup: &Setup) -> Outcome {
+    let mut outcome = Outcome::new(setup);
+    let mut sim = Sim::new(setup);
+    let inputs = Inputs {
+        cycle,
+        ..inputs.clone()
+    };
+    outcome.stop = call::perform(&mut sim, &inputs).err();
+    outcome.control = sim.control;
+    outcome.position = sim.position;
+    outcome.trace = sim.trace;
+    outcome
+}
