@@ -1,0 +1,55 @@
+//! Memory layout of what the page hands over. The page's `gpu.ts` writes exactly this.
+
+use wgpu::{VertexAttribute, VertexBufferLayout, VertexFormat, VertexStepMode};
+
+/// Floats of one mesh vertex: position 3, outward normal 3, RGBA 4, 1 if it moves with the probe.
+pub const VERTEX_FLOATS: usize = 11;
+/// Floats of one line instance: ends 6, RGBA 4, width px, dash period px (0: solid), place in the trace (−1: always
+/// there), 1 if unseen before its place (0: faint), opacity behind the part.
+pub const LINE_FLOATS: usize = 15;
+/// Floats of the uniform block: matrix 16, right 4, up 4, towards the viewer 4, screen 4 (width px, height px, time,
+/// faintness of what is still to come), probe 4 (offset in mm, depth bias).
+pub const UNIFORM_FLOATS: usize = 36;
+
+const FLOAT: u64 = 4;
+
+const fn attribute(format: VertexFormat, float: u64, location: u32) -> VertexAttribute {
+    VertexAttribute {
+        format,
+        offset: float * FLOAT,
+        shader_location: location,
+    }
+}
+
+const VERTEX: [VertexAttribute; 4] = [
+    attribute(VertexFormat::Float32x3, 0, 0),
+    attribute(VertexFormat::Float32x3, 3, 1),
+    attribute(VertexFormat::Float32x4, 6, 2),
+    attribute(VertexFormat::Float32, 10, 3),
+];
+
+const LINE: [VertexAttribute; 5] = [
+    attribute(VertexFormat::Float32x3, 0, 0),
+    attribute(VertexFormat::Float32x3, 3, 1),
+    attribute(VertexFormat::Float32x4, 6, 2),
+    attribute(VertexFormat::Float32x4, 10, 3),
+    attribute(VertexFormat::Float32, 14, 4),
+];
+
+/// Layout of a mesh vertex.
+pub fn vertex() -> VertexBufferLayout<'static> {
+    VertexBufferLayout {
+        array_stride: VERTEX_FLOATS as u64 * FLOAT,
+        step_mode: VertexStepMode::Vertex,
+        attributes: &VERTEX,
+    }
+}
+
+/// Layout of a line instance.
+pub fn line() -> VertexBufferLayout<'static> {
+    VertexBufferLayout {
+        array_stride: LINE_FLOATS as u64 * FLOAT,
+        step_mode: VertexStepMode::Instance,
+        attributes: &LINE,
+    }
+}

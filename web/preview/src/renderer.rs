@@ -1,0 +1,214 @@
+//! The one class that the page sees.
+
+use wasm_bindgen::prelude::wasm_bindgen;
+use web_sys::HtmlCanvasElement;
+use wgpu::util::{BufferInitDescriptor, DeviceExt};
+use wgpu::{BindGroup, BindGroupLayout, Buffer, CurrentSurfaceTexture, Device, RenderPass};
+
+use crate::gpu::{self, Gpu};
+use crate::layout::UNIFORM_FLOATS;
+use crate::pipelines::{self, Pipelines};
+use crate::scene::{self, Scene};
+use crate::target::{self, Target};
+
+/// Draws on one canvas. Every failure is a text; after one the page takes the next way of drawing.
+#[wasm_bindgen]
+pub struct Renderer {
+    gpu: Gpu,
+    target: Target,
+    pipelines: Pipelines,
+    uniforms: Buffer,
+    bind: BindGroup,
+    scene: Scene,
+    background: wgpu::Color,
+}
+
+#[wasm_bindgen(wasm_bindgen_futures = js_sys::futures)]
+impl Renderer {
+    /// Opens the canvas. Fails if the browser offers no working adapter.
+    pub async fn create(canvas: HtmlCanvasElement) -> Result<Renderer, String> {
+        let gpu = gpu::open(canvas).await?;
+        let uniforms = gpu.device.create_buffer_init(&BufferInitDescriptor {
+            label: None,
+            contents: bytemuck::cast_slice(&[0.0_f32; UNIFORM_FLOATS]),
+            usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+        });
+        let layout = bind_layout(&gpu.device);
+        let bind = bind_group(&gpu.device, &layout, &uniforms);
+        Ok(Renderer {
+            target: target::attach(&gpu.device, &gpu.config),
+            pipelines: pipelines::build(&gpu.device, gpu.config.format, &layout),
+            uniforms,
+            bind,
+            scene: Scene::default(),
+            background: wgpu::Color::BLACK,
+            gpu,
+        })
+    }
+
+    /// Replaces what is drawn. Layouts: see `layout.rs`. `solid_corners`: how many of the corners belong to parts
+    /// that hide what is behind them; the rest is seen through.
+    pub fn set_scene(
+        &mut self,
+        vertices: &[f32],
+        corners: &[u32],
+        solid_corners: u32,
+        lines: &[f32],
+    ) -> Result<(), String> {
+        self.scene = scene::upload(&self.gpu.device, vertices, corners, solid_corners, lines)?;
+        Ok(())
+    }
+
+    /// Camera, time and probe position as the uniform block of `layout.rs`.
+    pub fn set_view(&self, uniforms: &[f32]) -> Result<(), String> {
+        if uniforms.len() != UNIFORM_FLOATS {
+            return Err(format!("view: {} floats", uniforms.len()));
+        }
+        let bytes = bytemuck::cast_slice(uniforms);
+        self.gpu.queue.write_buffer(&self.uniforms, 0, bytes);
+        Ok(())
+    }
+
+    /// Colour behind everything, 0 to 1.
+    pub fn set_background(&mut self, r: f64, g: f64, b: f64) {
+        self.background = wgpu::Color { r, g, b, a: 1.0 };
+    }
+
+    /// The canvas has a new size, device pixels.
+    pub fn resize(&mut self, width: u32, height: u32) {
+        let limit = self.gpu.device.limits().max_texture_dimension_2d;
+        self.gpu.config.width = width.clamp(1, limit);
+        self.gpu.config.height = height.clamp(1, limit);
+        let gpu = &self.gpu;
+        gpu.surface.configure(&gpu.device, &gpu.config);
+        self.target = target::attach(&gpu.device, &gpu.config);
+    }
+
+    /// Draws one frame. Fails once the device is lost.
+    pub fn render(&self) -> Result<(), String> {
+        if let Some(reason) = self.gpu.fault.reason() {
+            return Err(reason);
+        }
+        let Some(frame) = self.frame()? else {
+            return Ok(());
+        };
+        let view = frame.texture.create_view(&Default::default());
+        let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
+        {
+            let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+                color_attachments: &[Some(self.colour_attachment(&view))],
+                depth_stencil_attachment: Some(self.depth_attachment()),
+                ..Default::default()
+            });
+            pass.set_bind_group(0, &self.bind, &[]);
+            self.draw(&mut pass);
+        }
+        self.gpu.queue.submit([encoder.finish()]);
+        self.gpu.queue.present(frame);
+        self.gpu.fault.reason().map_or(Ok(()), Err)
+    }
+}
+
+impl Renderer {
+    /// The next image of the canvas; none while it is out of sight.
+    fn frame(&self) -> Result<Option<wgpu::SurfaceTexture>, String> {
+        let gpu = &self.gpu;
+        match gpu.surface.get_current_texture() {
+            CurrentSurfaceTexture::Success(frame) | CurrentSurfaceTexture::Suboptimal(frame) => {
+                Ok(Some(frame))
+            }
+            CurrentSurfaceTexture::Timeout | CurrentSurfaceTexture::Occluded => Ok(None),
+            CurrentSurfaceTexture::Outdated => {
+                gpu.surface.configure(&gpu.device, &gpu.config);
+                Ok(None)
+            }
+            other => Err(format!("{other:?}")),
+        }
+    }
+
+    fn colour_attachment<'a>(
+        &'a self,
+        frame: &'a wgpu::TextureView,
+    ) -> wgpu::RenderPassColorAttachment<'a> {
+        wgpu::RenderPassColorAttachment {
+            view: &self.target.colour,
+            depth_slice: None,
+            resolve_target: Some(frame),
+            ops: wgpu::Operations {
+                load: wgpu::LoadOp::Clear(self.background),
+                store: wgpu::StoreOp::Discard,
+            },
+        }
+    }
+
+    fn depth_attachment(&self) -> wgpu::RenderPassDepthStencilAttachment<'_> {
+        wgpu::RenderPassDepthStencilAttachment {
+            view: &self.target.depth,
+            depth_ops: Some(wgpu::Operations {
+                load: wgpu::LoadOp::Clear(1.0),
+                store: wgpu::StoreOp::Discard,
+            }),
+            stencil_ops: None,
+        }
+    }
+
+    /// Solid parts, lines behind them, lines before them, clear parts.
+    fn draw(&self, pass: &mut RenderPass<'_>) {
+        let scene = &self.scene;
+        self.draw_mesh(pass, &self.pipelines.solid, 0..scene.solid_corners);
+        if let Some(lines) = &scene.lines {
+            pass.set_vertex_buffer(0, lines.slice(..));
+            pass.set_pipeline(&self.pipelines.hidden);
+            pass.draw(0..6, 0..scene.line_count);
+            pass.set_pipeline(&self.pipelines.line);
+            pass.draw(0..6, 0..scene.line_count);
+        }
+        let clear = scene.solid_corners..scene.corners;
+        self.draw_mesh(pass, &self.pipelines.clear, clear);
+    }
+
+    fn draw_mesh(
+        &self,
+        pass: &mut RenderPass<'_>,
+        pipeline: &wgpu::RenderPipeline,
+        corners: std::ops::Range<u32>,
+    ) {
+        let Some((vertices, indices)) = &self.scene.mesh else {
+            return;
+        };
+        if corners.is_empty() {
+            return;
+        }
+        pass.set_pipeline(pipeline);
+        pass.set_vertex_buffer(0, vertices.slice(..));
+        pass.set_index_buffer(indices.slice(..), wgpu::IndexFormat::Uint32);
+        pass.draw_indexed(corners, 0, 0..1);
+    }
+}
+
+fn bind_layout(device: &Device) -> BindGroupLayout {
+    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+        label: None,
+        entries: &[wgpu::BindGroupLayoutEntry {
+            binding: 0,
+            visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
+            ty: wgpu::BindingType::Buffer {
+                ty: wgpu::BufferBindingType::Uniform,
+                has_dynamic_offset: false,
+                min_binding_size: None,
+            },
+            count: None,
+        }],
+    })
+}
+
+fn bind_group(device: &Device, layout: &BindGroupLayout, uniforms: &Buffer) -> BindGroup {
+    device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: None,
+        layout,
+        entries: &[wgpu::BindGroupEntry {
+            binding: 0,
+            resource: uniforms.as_entire_binding(),
+        }],
+    })
+}

@@ -1,0 +1,104 @@
+// The camera of all ways of drawing: parallel projection, Z of the machine always upright.
+import type { Vec3 } from "../wire";
+import { add, boxCorners, cross, dot, radians, sub, times, type Box } from "./vec";
+
+/** `yaw`, `pitch` in radians; yaw 0, pitch 0: seen from −Y. `scale`: CSS pixels a millimetre. */
+export interface Camera { yaw: number; pitch: number; target: Vec3; scale: number }
+/** CSS pixels. */
+export interface Viewport { width: number; height: number }
+export type ViewName = "top" | "front" | "right" | "iso";
+/** Directions in the machine: to the right and up on the screen, and towards the viewer. */
+export interface Basis { right: Vec3; up: Vec3; back: Vec3 }
+/** CSS pixels from the top left corner; `near` in mm, larger is nearer to the viewer. */
+export interface Projected { x: number; y: number; near: number }
+
+const QUARTER = Math.PI / 2;
+const VIEWS: Record<ViewName, [yaw: number, pitch: number]> = {
+  top: [0, QUARTER],
+  front: [0, 0],
+  right: [QUARTER, 0],
+  iso: [radians(33), radians(36)],
+};
+const MIN_SCALE = 1e-3;
+const MAX_SCALE = 1e6;
+
+export function initial(): Camera {
+  return { yaw: VIEWS.iso[0], pitch: VIEWS.iso[1], target: [0, 0, 0], scale: 4 };
+}
+
+export function basis({ yaw, pitch }: Camera): Basis {
+  const right: Vec3 = [Math.cos(yaw), Math.sin(yaw), 0];
+  const back: Vec3 = [Math.sin(yaw) * Math.cos(pitch), -Math.cos(yaw) * Math.cos(pitch), Math.sin(pitch)];
+  return { right, back, up: cross(back, right) };
+}
+
+export function projector(camera: Camera, view: Viewport): (p: Vec3) => Projected {
+  const { right, up, back } = basis(camera);
+  return (p) => {
+    const d = sub(p, camera.target);
+    return {
+      x: view.width / 2 + dot(d, right) * camera.scale,
+      y: view.height / 2 - dot(d, up) * camera.scale,
+      near: dot(d, back),
+    };
+  };
+}
+
+/** Clip matrix, columns first; depth 0 … 1 holds everything within `reach` mm of the target. */
+export function matrix(camera: Camera, view: Viewport, reach: number): number[] {
+  const { right, up, back } = basis(camera);
+  const rows: [Vec3, number][] = [
+    [times(right, (2 * camera.scale) / view.width), 0],
+    [times(up, (2 * camera.scale) / view.height), 0],
+    [times(back, -0.5 / reach), 0.5],
+  ];
+  const shifted = rows.map(([axis, offset]) => offset - dot(axis, camera.target));
+  const columns = [0, 1, 2].map((i) => [rows[0]![0][i]!, rows[1]![0][i]!, rows[2]![0][i]!, 0]);
+  return [...columns.flat(), ...shifted, 1];
+}
+
+export function orbit(camera: Camera, yaw: number, pitch: number): Camera {
+  const turned = Math.min(QUARTER, Math.max(-QUARTER, camera.pitch + pitch));
+  return { ...camera, yaw: camera.yaw + yaw, pitch: turned };
+}
+
+/** The scene follows the pointer by `dx`, `dy` CSS pixels. */
+export function pan(camera: Camera, dx: number, dy: number): Camera {
+  const { right, up } = basis(camera);
+  const moved = add(times(right, -dx / camera.scale), times(up, dy / camera.scale));
+  return { ...camera, target: add(camera.target, moved) };
+}
+
+/** What is under the pointer at `x`, `y` stays there. */
+export function zoom(camera: Camera, view: Viewport, factor: number, x = view.width / 2, y = view.height / 2): Camera {
+  const scale = Math.min(MAX_SCALE, Math.max(MIN_SCALE, camera.scale * factor));
+  const [dx, dy] = [x - view.width / 2, y - view.height / 2];
+  const { right, up } = basis(camera);
+  const share = 1 / camera.scale - 1 / scale;
+  const moved = add(times(right, dx * share), times(up, -dy * share));
+  return { ...camera, scale, target: add(camera.target, moved) };
+}
+
+export function turn(camera: Camera, name: ViewName): Camera {
+  const [yaw, pitch] = VIEWS[name];
+  return { ...camera, yaw, pitch };
+}
+
+/** The whole box, centred, with `margin` (share of the viewport) around it. */
+export function fit(camera: Camera, view: Viewport, box: Box, margin = 0.1): Camera {
+  const { right, up } = basis(camera);
+  const corners = boxCorners(box);
+  const span = (axis: Vec3) => {
+    const along = corners.map((corner) => dot(corner, axis));
+    return { low: Math.min(...along), high: Math.max(...along) };
+  };
+  const [h, v] = [span(right), span(up)];
+  const room = 1 - 2 * margin;
+  const scale = Math.min((view.width * room) / Math.max(h.high - h.low, 1e-6), (view.height * room) / Math.max(v.high - v.low, 1e-6));
+  const middle = times(add(box.min, box.max), 0.5);
+  const offset = add(
+    times(right, (h.low + h.high) / 2 - dot(middle, right)),
+    times(up, (v.low + v.high) / 2 - dot(middle, up)),
+  );
+  return { ...camera, target: add(middle, offset), scale: Math.min(MAX_SCALE, Math.max(MIN_SCALE, scale)) };
+}

@@ -1,0 +1,79 @@
+// Colours of the view, from the design tokens of the page. Blue, grey and orange are told apart without red and green.
+
+/** Red, green, blue, opacity, each 0 … 1, sRGB. */
+export type Rgba = [number, number, number, number];
+
+/** CSS colours. */
+export interface Colours {
+  background: string;
+  part: string;
+  edge: string;
+  grid: string;
+  stylus: string;
+  ball: string;
+  rapid: string;
+  positioning: string;
+  measuring: string;
+  retract: string;
+  touch: string;
+  crash: string;
+  axisX: string;
+  axisY: string;
+  axisZ: string;
+  text: string;
+}
+
+export const LIGHT: Colours = {
+  background: "#f4f5f6", part: "#c3c9cf", edge: "#5c6670", grid: "#d9dde1", stylus: "#7c8791", ball: "#b3263c",
+  rapid: "#1f6fb8", positioning: "#6b7680", measuring: "#d96b00", retract: "#e0a866", touch: "#1b2127", crash: "#c0007a",
+  axisX: "#a8452f", axisY: "#3d7d5a", axisZ: "#2f5fa8", text: "#2a323a",
+};
+
+export const DARK: Colours = {
+  background: "#15191d", part: "#6f7982", edge: "#b4bec8", grid: "#2a3138", stylus: "#a9b4be", ball: "#d8425a",
+  rapid: "#5fb0f5", positioning: "#9aa6b1", measuring: "#ff9d3c", retract: "#c98f4e", touch: "#f3f6f8", crash: "#ff5cc0",
+  axisX: "#e0846d", axisY: "#7bc79d", axisZ: "#84aef0", text: "#dbe2e8",
+};
+
+/** `--view-part`, `--view-axis-x` … of an element; what is not set there comes from `fallback`. */
+export function coloursFrom(element: Element, fallback: Colours): Colours {
+  const style = getComputedStyle(element);
+  const token = (name: string) => `--view-${name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)}`;
+  const entries = Object.entries(fallback).map(([name, value]) => [name, style.getPropertyValue(token(name)).trim() || value]);
+  return Object.fromEntries(entries) as Colours;
+}
+
+/** `#rgb`, `#rrggbb`, `#rrggbbaa`, `rgb()`, `rgba()`; anything else through the browser, and grey where there is none. */
+export function parse(css: string): Rgba {
+  return hex(css.trim()) ?? rgb(css.trim()) ?? byBrowser(css) ?? [0.5, 0.5, 0.5, 1];
+}
+
+function hex(css: string): Rgba | null {
+  const digits = /^#([0-9a-f]{3,8})$/i.exec(css)?.[1];
+  if (!digits || ![3, 4, 6, 8].includes(digits.length)) return null;
+  const wide = digits.length > 4 ? digits : [...digits].map((digit) => digit + digit).join("");
+  const part = (i: number) => parseInt(wide.slice(2 * i, 2 * i + 2), 16) / 255;
+  return [part(0), part(1), part(2), wide.length === 8 ? part(3) : 1];
+}
+
+function rgb(css: string): Rgba | null {
+  const inner = /^rgba?\(([^)]*)\)$/i.exec(css)?.[1];
+  const numbers = inner?.split(/[\s,/]+/).filter(Boolean).map(Number);
+  if (!numbers || numbers.length < 3 || numbers.some(Number.isNaN)) return null;
+  return [numbers[0]! / 255, numbers[1]! / 255, numbers[2]! / 255, numbers[3] ?? 1];
+}
+
+function byBrowser(css: string): Rgba | null {
+  if (typeof document === "undefined" || !CSS.supports("color", css)) return null;
+  const context = document.createElement("canvas").getContext("2d", { willReadFrequently: true });
+  if (!context) return null;
+  context.fillStyle = css;
+  context.fillRect(0, 0, 1, 1);
+  const [r, g, b, a] = context.getImageData(0, 0, 1, 1).data;
+  return [r! / 255, g! / 255, b! / 255, a! / 255];
+}
+
+export function css([r, g, b, a]: Rgba): string {
+  const byte = (value: number) => Math.round(255 * Math.min(1, Math.max(0, value)));
+  return `rgb(${byte(r)} ${byte(g)} ${byte(b)} / ${Math.round(a * 1000) / 1000})`;
+}

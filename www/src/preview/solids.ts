@@ -1,0 +1,227 @@
+// Parts of the trace as triangles and edges, errors included.
+import type { Solid, Vec3 } from "../wire";
+import type { Rgba } from "./colours";
+import { append, flat, mesh, quad, triangle, type Line, type Mesh, type Paint, type Style } from "./mesh";
+import { border, circle, normals, outward, rectangle, type Outline, type Vec2 } from "./outline";
+import { add, apply, dot, rpy, sub, times } from "./vec";
+
+export interface Part { mesh: Mesh; edges: Line[] }
+interface Look { paint: Paint; edge: Style }
+
+const WALL_LAYERS = 6;
+
+/** Errors drawn `factor` times as large as they are. */
+export function exaggerated(errors: Solid["errors"], factor: number): Solid["errors"] {
+  const { shift, size, tilt, taper, outOfRound } = errors;
+  return {
+    shift: times(shift, factor), size: size * factor, tilt: times(tilt, factor), taper: taper * factor,
+    outOfRound: [outOfRound[0] * factor, outOfRound[1]],
+  };
+}
+
+/** A part in machine coordinates. */
+export function part(solid: Solid, factor: number, colour: Rgba, edge: Rgba): Part {
+  const errors = exaggerated(solid.errors, factor);
+  const look: Look = { paint: { colour }, edge: { colour: edge, width: 1.25, through: 0.16 } };
+  const own = build(solid.shape, solid.size, errors, look);
+  return placed(own, placement(solid, errors));
+}
+
+function build(shape: Solid["shape"], size: number[], errors: Solid["errors"], look: Look): Part {
+  const [a = 10, b = 10, c = 10] = size;
+  switch (shape) {
+    case "hole": return sunk(circle(a, errors), b, look);
+    case "pocket": return sunk(rectangle(a, b, errors), c, look);
+    case "shaft": return standing(circle(a, errors), b, look);
+    case "island": return standing(rectangle(a, b, errors), c, look);
+    case "groove": return extruded(grooveProfile(a, b, errors), c, look);
+    case "web": return extruded(webProfile(a, b, errors), c, look);
+    case "block": return block([a + errors.size, b + errors.size], 0, -c, look);
+  }
+}
+
+// Placing
+
+/** Shape origin into the machine: tilt about the origin, then rotation and position, then the shift in machine axes. */
+export function placement(solid: Solid, errors: Solid["errors"]): { point(p: Vec3): Vec3; direction(p: Vec3): Vec3 } {
+  const [tilt, rotation] = [rpy(errors.tilt), rpy(solid.rotation)];
+  const direction = (p: Vec3) => apply(rotation, apply(tilt, p));
+  const at = add(solid.at, errors.shift);
+  return { direction, point: (p) => add(at, direction(p)) };
+}
+
+function placed(own: Part, { point, direction }: ReturnType<typeof placement>): Part {
+  const moved = mesh();
+  const v = own.mesh.vertices;
+  const read = (corner: number, offset: number): Vec3 => [v[corner * 11 + offset]!, v[corner * 11 + offset + 1]!, v[corner * 11 + offset + 2]!];
+  const paint = { colour: v.slice(6, 10) as Rgba };
+  for (let i = 0; i < own.mesh.corners.length; i += 3) {
+    const corners = own.mesh.corners.slice(i, i + 3);
+    const points = corners.map((corner) => point(read(corner, 0))) as [Vec3, Vec3, Vec3];
+    const facing = corners.map((corner) => direction(read(corner, 3))) as [Vec3, Vec3, Vec3];
+    triangle(moved, points, facing, paint);
+  }
+  return { mesh: moved, edges: own.edges.map((line) => ({ ...line, from: point(line.from), to: point(line.to) })) };
+}
+
+// Shapes in their own frame
+
+const at = ([x, y]: Vec2, z: number): Vec3 => [x, y, z];
+const around = (half: Vec2): number => Math.max(8, 0.45 * Math.max(...half));
+const grown = (half: Vec2, by: number): Vec2 => [half[0] + by, half[1] + by];
+
+/** A recess in a block that is open at the top. */
+function sunk(outline: Outline, depth: number, look: Look): Part {
+  const half = grown(outline.half, around(outline.half));
+  const bottom = -depth - Math.max(4, 0.25 * depth);
+  const own = block(half.map((h) => 2 * h) as Vec2, 0, bottom, look, false);
+  append(own.mesh, walls(outline, 0, depth, -1, look));
+  append(own.mesh, ring(outline.at(0), outward(outline.at(0), half), 0, look));
+  append(own.mesh, disc(outline.at(depth), -depth, look));
+  own.edges.push(...rims(outline, depth, look));
+  return own;
+}
+
+/** A body standing on a plate. */
+function standing(outline: Outline, height: number, look: Look): Part {
+  const half = grown(outline.half, around(outline.half));
+  const own = block(half.map((h) => 2 * h) as Vec2, -height, -height - Math.max(3, 0.2 * height), look, false);
+  append(own.mesh, walls(outline, 0, height, 1, look));
+  append(own.mesh, disc(outline.at(0), 0, look));
+  append(own.mesh, ring(outline.at(height), outward(outline.at(height), half), -height, look));
+  own.edges.push(...rims(outline, height, look));
+  return own;
+}
+
+/** Walls between two depths; `side` +1: solid inside the contour, −1: outside. */
+function walls(outline: Outline, from: number, to: number, side: number, { paint }: Look): Mesh {
+  const into = mesh();
+  for (let layer = 0; layer < WALL_LAYERS; layer++) {
+    const [d0, d1] = [0, 1].map((end) => from + ((to - from) * (layer + end)) / WALL_LAYERS) as [number, number];
+    const [upper, lower] = [outline.at(d0), outline.at(d1)];
+    const facing = normals(upper, outline.smooth).map(([x, y]): Vec3 => [x * side, y * side, 0]);
+    upper.forEach((point, i) => {
+      const next = (i + 1) % upper.length;
+      const [here, there] = [facing[i]!, facing[outline.smooth ? next : i]!];
+      const corners: [Vec3, Vec3, Vec3, Vec3] = [at(point, -d0), at(upper[next]!, -d0), at(lower[next]!, -d1), at(lower[i]!, -d1)];
+      quad(into, corners, [here, there, there, here], paint);
+    });
+  }
+  return into;
+}
+
+/** Flat ring facing up between two contours of as many points. */
+function ring(inner: Vec2[], outer: Vec2[], z: number, { paint }: Look): Mesh {
+  const into = mesh();
+  inner.forEach((point, i) => {
+    const next = (i + 1) % inner.length;
+    flat(into, [at(point, z), at(inner[next]!, z), at(outer[next]!, z), at(outer[i]!, z)], [0, 0, 1], paint);
+  });
+  return into;
+}
+
+/** Flat face facing up inside a contour. */
+function disc(points: Vec2[], z: number, { paint }: Look): Mesh {
+  const into = mesh();
+  const up: Vec3 = [0, 0, 1];
+  points.forEach((point, i) => {
+    const next = points[(i + 1) % points.length]!;
+    triangle(into, [[0, 0, z], at(point, z), at(next, z)], [up, up, up], paint);
+  });
+  return into;
+}
+
+/** A rectangular body between two heights, with or without its upper face. */
+function block([x, y]: Vec2, top: number, bottom: number, look: Look, closed = true): Part {
+  const into = mesh();
+  const corners: Vec2[] = [[-x / 2, -y / 2], [x / 2, -y / 2], [x / 2, y / 2], [-x / 2, y / 2]];
+  corners.forEach((corner, i) => {
+    const next = corners[(i + 1) % 4]!;
+    const outside: Vec3 = [corner[0] + next[0], corner[1] + next[1], 0];
+    flat(into, [at(corner, top), at(next, top), at(next, bottom), at(corner, bottom)], outside, look.paint);
+  });
+  const face = (z: number, outside: Vec3) => flat(into, corners.map((corner) => at(corner, z)) as [Vec3, Vec3, Vec3, Vec3], outside, look.paint);
+  face(bottom, [0, 0, -1]);
+  if (closed) append(into, ring(border([x / 8, y / 8]), border([x / 2, y / 2]), top, look));
+  if (closed) append(into, disc(border([x / 8, y / 8]), top, look));
+  const uprights = corners.map((corner): Line => ({ from: at(corner, top), to: at(corner, bottom), style: look.edge }));
+  return { mesh: into, edges: [...loop(corners, top, look), ...loop(corners, bottom, look), ...uprights] };
+}
+
+function loop(points: Vec2[], z: number, { edge }: Look): Line[] {
+  return points.map((point, i) => ({ from: at(point, z), to: at(points[(i + 1) % points.length]!, z), style: edge }));
+}
+
+/** Edges of a contour: both rims, and the uprights at its corners. */
+function rims(outline: Outline, depth: number, look: Look): Line[] {
+  const [upper, lower] = [outline.at(0), outline.at(depth)];
+  const corners = outline.smooth ? [] : [0, 1, 2, 3].map((i) => (i * upper.length) / 4);
+  const uprights = corners.map((i): Line => ({ from: at(upper[i]!, 0), to: at(lower[i]!, -depth), style: look.edge }));
+  return [...loop(upper, 0, look), ...loop(lower, -depth, look), ...uprights];
+}
+
+// Grooves and webs: one profile in X and Z, the same along Y
+
+/** Closed profile, and convex pieces that fill it. */
+interface Profile { outline: Vec2[]; pieces: [Vec2, Vec2, Vec2, Vec2][] }
+
+function grooveProfile(width: number, depth: number, errors: Solid["errors"]): Profile {
+  const [u, v] = [(width + errors.size) / 2, (width + errors.size + errors.taper * depth) / 2];
+  const half = width / 2 + around([width / 2, width / 2]);
+  const bottom = -depth - Math.max(4, 0.25 * depth);
+  return {
+    outline: [[-half, bottom], [half, bottom], [half, 0], [u, 0], [v, -depth], [-v, -depth], [-u, 0], [-half, 0]],
+    pieces: [
+      [[u, 0], [half, 0], [half, -depth], [v, -depth]],
+      [[-u, 0], [-half, 0], [-half, -depth], [-v, -depth]],
+      [[-half, -depth], [half, -depth], [half, bottom], [-half, bottom]],
+    ],
+  };
+}
+
+function webProfile(width: number, height: number, errors: Solid["errors"]): Profile {
+  const [u, v] = [(width + errors.size) / 2, (width + errors.size + errors.taper * height) / 2];
+  const half = width / 2 + around([width / 2, width / 2]);
+  const bottom = -height - Math.max(3, 0.2 * height);
+  return {
+    outline: [[-half, bottom], [half, bottom], [half, -height], [v, -height], [u, 0], [-u, 0], [-v, -height], [-half, -height]],
+    pieces: [
+      [[-u, 0], [u, 0], [v, -height], [-v, -height]],
+      [[-half, -height], [half, -height], [half, bottom], [-half, bottom]],
+    ],
+  };
+}
+
+function extruded({ outline, pieces }: Profile, length: number, look: Look): Part {
+  const own: Part = { mesh: mesh(), edges: [] };
+  const h = length / 2;
+  const point = ([x, z]: Vec2, y: number): Vec3 => [x, y, z];
+  outline.forEach((from, i) => {
+    const to = outline[(i + 1) % outline.length]!;
+    const outside: Vec3 = [to[1] - from[1], 0, from[0] - to[0]];
+    for (let k = 0; k < EXTRUDE_PARTS; k++) {
+      const [y0, y1] = [-h + (length * k) / EXTRUDE_PARTS, -h + (length * (k + 1)) / EXTRUDE_PARTS];
+      flat(own.mesh, [point(from, y0), point(to, y0), point(to, y1), point(from, y1)], outside, look.paint);
+    }
+    own.edges.push({ from: point(from, -h), to: point(from, h), style: look.edge });
+    for (const y of [-h, h]) own.edges.push({ from: point(from, y), to: point(to, y), style: look.edge });
+  });
+  for (const piece of pieces) {
+    for (const y of [-h, h]) flat(own.mesh, piece.map((p) => point(p, y)) as [Vec3, Vec3, Vec3, Vec3], [0, y, 0], look.paint);
+  }
+  return own;
+}
+
+const EXTRUDE_PARTS = 6;
+
+/** Whether triangles of a mesh form a closed surface: the integral of the normal over it vanishes. For tests. */
+export function openness({ vertices, corners }: Mesh): number {
+  let sum: Vec3 = [0, 0, 0];
+  const p = (corner: number): Vec3 => [vertices[corner * 11]!, vertices[corner * 11 + 1]!, vertices[corner * 11 + 2]!];
+  for (let i = 0; i < corners.length; i += 3) {
+    const [a, b, c] = [p(corners[i]!), p(corners[i + 1]!), p(corners[i + 2]!)];
+    const [u, v] = [sub(b, a), sub(c, a)];
+    sum = add(sum, [dot([0, u[1], -u[2]], [0, v[2], v[1]]) / 2, (u[2] * v[0] - u[0] * v[2]) / 2, (u[0] * v[1] - u[1] * v[0]) / 2]);
+  }
+  return Math.hypot(...sum);
+}
