@@ -1,14 +1,15 @@
 // Parts of the trace as triangles and edges, errors included.
 import type { Solid, Vec3 } from "../wire";
 import type { Rgba } from "./colours";
-import { append, flat, mesh, quad, triangle, type Line, type Mesh, type Paint, type Style } from "./mesh";
+import { append, flat, mesh, quad, triangle, VERTEX_FLOATS, type Line, type Mesh, type Paint, type Style } from "./mesh";
 import { border, circle, normals, outward, rectangle, type Outline, type Vec2 } from "./outline";
-import { add, apply, dot, rpy, sub, times } from "./vec";
+import { add, apply, rpy, times } from "./vec";
 
 export interface Part { mesh: Mesh; edges: Line[] }
 interface Look { paint: Paint; edge: Style }
 
 const WALL_LAYERS = 6;
+const EXTRUDE_PARTS = 6;
 
 /** Errors drawn `factor` times as large as they are. */
 export function exaggerated(errors: Solid["errors"], factor: number): Solid["errors"] {
@@ -53,7 +54,10 @@ export function placement(solid: Solid, errors: Solid["errors"]): { point(p: Vec
 function placed(own: Part, { point, direction }: ReturnType<typeof placement>): Part {
   const moved = mesh();
   const v = own.mesh.vertices;
-  const read = (corner: number, offset: number): Vec3 => [v[corner * 11 + offset]!, v[corner * 11 + offset + 1]!, v[corner * 11 + offset + 2]!];
+  const read = (corner: number, offset: number): Vec3 => {
+    const first = corner * VERTEX_FLOATS + offset;
+    return [v[first]!, v[first + 1]!, v[first + 2]!];
+  };
   const paint = { colour: v.slice(6, 10) as Rgba };
   for (let i = 0; i < own.mesh.corners.length; i += 3) {
     const corners = own.mesh.corners.slice(i, i + 3);
@@ -210,18 +214,4 @@ function extruded({ outline, pieces }: Profile, length: number, look: Look): Par
     for (const y of [-h, h]) flat(own.mesh, piece.map((p) => point(p, y)) as [Vec3, Vec3, Vec3, Vec3], [0, y, 0], look.paint);
   }
   return own;
-}
-
-const EXTRUDE_PARTS = 6;
-
-/** Whether triangles of a mesh form a closed surface: the integral of the normal over it vanishes. For tests. */
-export function openness({ vertices, corners }: Mesh): number {
-  let sum: Vec3 = [0, 0, 0];
-  const p = (corner: number): Vec3 => [vertices[corner * 11]!, vertices[corner * 11 + 1]!, vertices[corner * 11 + 2]!];
-  for (let i = 0; i < corners.length; i += 3) {
-    const [a, b, c] = [p(corners[i]!), p(corners[i + 1]!), p(corners[i + 2]!)];
-    const [u, v] = [sub(b, a), sub(c, a)];
-    sum = add(sum, [dot([0, u[1], -u[2]], [0, v[2], v[1]]) / 2, (u[2] * v[0] - u[0] * v[2]) / 2, (u[0] * v[1] - u[1] * v[0]) / 2]);
-  }
-  return Math.hypot(...sum);
 }

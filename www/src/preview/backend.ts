@@ -1,0 +1,27 @@
+// What every way of drawing can do.
+import type { Vec3 } from "../wire";
+import type { Camera, Viewport } from "./camera";
+import type { Scene } from "./scene";
+
+export type BackendName = "webgpu" | "webgl2" | "svg";
+
+/** One picture. `time`: entries of the trace done; the fraction is that of the current one. */
+export interface Frame {
+  camera: Camera;
+  view: Viewport;
+  ratio: number;       // device pixels a CSS pixel
+  time: number;
+  probe: Vec3 | null;  // centre of the ball
+}
+
+export interface Backend {
+  name: BackendName;
+  element: HTMLElement | SVGElement;
+  setScene(scene: Scene, ratio: number): void;
+  /** Throws when it cannot draw any more. */
+  draw(frame: Frame): void;
+  destroy(): void;
+}
+
+/** Opacity of motions that are still to come. */
+export const COMING = 0.28;

@@ -1,0 +1,145 @@
+// WebGPU and WebGL2: the same drawing code in two builds, of which the browser loads the one that it can run.
+// An adapter alone proves nothing, the canvas may stay blank: a picture is drawn and its pixels are looked at first.
+import type { Backend, BackendName, Frame } from "./backend";
+import { COMING } from "./backend";
+import { basis, matrix } from "./camera";
+import { parse } from "./colours";
+import { packLines, packVertices } from "./mesh";
+import type { Scene } from "./scene";
+import { dot, sub } from "./vec";
+
+/** The exports of web/preview that are used here. */
+interface Renderer {
+  set_scene(vertices: Float32Array, corners: Uint32Array, solidCorners: number, lines: Float32Array): void;
+  set_view(uniforms: Float32Array): void;
+  set_background(r: number, g: number, b: number): void;
+  resize(width: number, height: number): void;
+  render(): void;
+  free(): void;
+}
+interface Module {
+  default(): Promise<unknown>;
+  Renderer: { create(canvas: HTMLCanvasElement): Promise<Renderer> };
+}
+
+const LOST_EVENT = "probewright-preview-lost";
+const PROBE_SIZE = 64;
+const DEPTH_BIAS = 0.0015;
+
+const load: Record<"webgpu" | "webgl2", () => Promise<Module>> = {
+  webgpu: () => import("@pkg/preview-webgpu/preview.js") as Promise<Module>,
+  webgl2: () => import("@pkg/preview-webgl/preview.js") as Promise<Module>,
+};
+
+/** Rejects with the reason when this browser cannot draw this way. `lost` is called when a device goes later. */
+export async function openGpu(name: "webgpu" | "webgl2", host: HTMLElement, lost: () => void): Promise<Backend> {
+  await available(name);
+  const module = await load[name]();
+  await module.default();
+  const canvas = document.createElement("canvas");
+  canvas.width = canvas.height = PROBE_SIZE;
+  host.prepend(canvas);
+  try {
+    const renderer = await module.Renderer.create(canvas);
+    await prove(renderer, canvas);
+    return backend(name, canvas, renderer, lost);
+  } catch (reason) {
+    canvas.remove();
+    throw reason;
+  }
+}
+
+/** Cheap questions before anything is fetched. */
+async function available(name: BackendName): Promise<void> {
+  if (name === "webgl2") {
+    if (!document.createElement("canvas").getContext("webgl2")) throw new Error("no WebGL2 context");
+    return;
+  }
+  const gpu = (navigator as { gpu?: { requestAdapter(): Promise<unknown> } }).gpu;
+  if (!gpu) throw new Error("no navigator.gpu");
+  if (!(await gpu.requestAdapter())) throw new Error("no WebGPU adapter");
+}
+
+// The probe picture: left half a lit quadrilateral facing the viewer, right half background, a thick line across the top.
+
+async function prove(renderer: Renderer, canvas: HTMLCanvasElement): Promise<void> {
+  const face = (x: number, y: number) => [x, y, 0, 0, 0, 1, 0.1, 0.8, 0.2, 1, 0];
+  const vertices = Float32Array.from([...face(-1, -1), ...face(0, -1), ...face(0, 1), ...face(-1, 1)]);
+  const line = Float32Array.from([-1, 0.75, 0.5, 1, 0.75, 0.5, 1, 0.5, 0, 1, 10, 0, -1, 0, 0]);
+  const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -0.5, 0, 0, 0, 0.5, 1];
+  const axes = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0];
+  renderer.set_scene(vertices, Uint32Array.of(0, 1, 2, 0, 2, 3), 6, line);
+  renderer.set_view(Float32Array.from([...identity, ...axes, PROBE_SIZE, PROBE_SIZE, 0, 1, 0, 0, 0, 0]));
+  renderer.set_background(0.2, 0.2, 0.6);
+  renderer.render();
+  look(canvas);
+  await shown();
+  renderer.render();
+  look(canvas);
+}
+
+const shown = () => new Promise<void>((resolve) => {
+  requestAnimationFrame(() => resolve());
+  setTimeout(resolve, 100); // a page in the background gets no animation frames
+});
+
+function look(canvas: HTMLCanvasElement): void {
+  const context = new OffscreenCanvas(PROBE_SIZE, PROBE_SIZE).getContext("2d", { willReadFrequently: true });
+  if (!context) throw new Error("no 2D context to read pixels with");
+  context.drawImage(canvas, 0, 0);
+  const at = (x: number, y: number) => [...context.getImageData(x, y, 1, 1).data] as [number, number, number, number];
+  const [part, behind, line] = [at(16, 40), at(48, 40), at(48, 8)];
+  const green = part[1] > 120 && part[0] < 90 && part[2] < 120;
+  const blue = Math.abs(behind[2] - 153) < 6 && Math.abs(behind[0] - 51) < 6;
+  const orange = line[0] > 240 && Math.abs(line[1] - 128) < 8 && line[2] < 12;
+  if (!green || !blue || !orange) throw new Error(`wrong pixels: ${part} | ${behind} | ${line}`);
+}
+
+function backend(name: "webgpu" | "webgl2", canvas: HTMLCanvasElement, renderer: Renderer, lost: () => void): Backend {
+  let scene: Scene | null = null;
+  let size: [number, number] = [0, 0];
+  canvas.addEventListener("webglcontextlost", lost);
+  window.addEventListener(LOST_EVENT, lost);
+  return {
+    name,
+    element: canvas,
+    setScene(next, ratio) {
+      scene = next;
+      const [r, g, b] = parse(next.colours.background);
+      renderer.set_background(r, g, b);
+      const corners = Uint32Array.from(next.mesh.corners);
+      renderer.set_scene(packVertices(next.mesh, next.origin), corners, next.solidCorners, packLines(next.lines, next.origin, ratio));
+    },
+    draw(frame) {
+      if (!scene) return;
+      const [width, height] = [frame.view.width, frame.view.height].map((length) => Math.max(1, Math.round(length * frame.ratio))) as [number, number];
+      if (size[0] !== width || size[1] !== height) {
+        [canvas.width, canvas.height] = size = [width, height];
+        renderer.resize(width, height);
+      }
+      renderer.set_view(uniforms(scene, frame, width, height));
+      renderer.render();
+    },
+    destroy() {
+      window.removeEventListener(LOST_EVENT, lost);
+      canvas.removeEventListener("webglcontextlost", lost);
+      canvas.remove();
+      renderer.free();
+    },
+  };
+}
+
+/** The uniform block of web/preview/src/layout.rs. */
+function uniforms(scene: Scene, frame: Frame, width: number, height: number): Float32Array {
+  const camera = { ...frame.camera, target: sub(frame.camera.target, scene.origin) };
+  const { right, up, back } = basis(camera);
+  const reach = scene.radius + Math.abs(dot(camera.target, back)) + Math.hypot(...camera.target);
+  const probe = frame.probe ? sub(frame.probe, scene.origin) : [0, 0, 0];
+  return Float32Array.from([
+    ...matrix(camera, frame.view, reach),
+    ...right, 0, ...up, 0, ...back, 0,
+    width, height, frame.time, COMING,
+    ...probe, DEPTH_BIAS,
+  ]);
+}
+

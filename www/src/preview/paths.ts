@@ -1,0 +1,93 @@
+// Motions, touches, coordinate systems and the grid as lines.
+import type { Step, Trace, Vec3 } from "../wire";
+import { parse, type Colours } from "./colours";
+import type { Line, Style } from "./mesh";
+import { add, mix, times, type Box } from "./vec";
+
+export interface Label { at: Vec3; text: string; colour: string }
+
+const BEHIND = 0.42; // opacity of paths behind a part
+
+function motionStyle(kind: Extract<Step, { step: "motion" }>["kind"], colours: Colours): Style {
+  switch (kind) {
+    case "rapid": return { colour: parse(colours.rapid), width: 1.75, dash: 9, through: BEHIND };
+    case "positioning": return { colour: parse(colours.positioning), width: 1.75, through: BEHIND };
+    case "measuring": return { colour: parse(colours.measuring), width: 3.5, through: 0.6 };
+    case "retract": return { colour: parse(colours.retract), width: 1.5, through: BEHIND };
+  }
+}
+
+const point = (at: Vec3, style: Style): Line => ({ from: at, to: at, style });
+
+/** Lines of one entry; `normal`: length of a normal in mm. */
+function entryLines(step: Step, entry: number, colours: Colours, normal: number): Line[] {
+  if (step.step === "motion") {
+    return [{ from: step.from, to: step.to, style: { ...motionStyle(step.kind, colours), entry } }];
+  }
+  if (step.step === "touch") return touchLines(step, entry, colours, normal);
+  if (step.step === "crash") {
+    return [point(step.point, { colour: parse(colours.crash), width: 14, entry, unseenBefore: true, through: 1 })];
+  }
+  return [];
+}
+
+function touchLines(step: Extract<Step, { step: "touch" }>, entry: number, colours: Colours, normal: number): Line[] {
+  const later = { entry, unseenBefore: true };
+  const colour = parse(colours.touch);
+  const tip = add(step.point, times(step.normal, normal));
+  return [
+    { from: step.point, to: tip, style: { colour, width: 1.5, through: 0.5, ...later } },
+    point(step.point, { colour: parse(colours.background), width: 10, through: 0.7, ...later }),
+    point(step.point, { colour, width: 6.5, through: 0.8, ...later }),
+  ];
+}
+
+/** All paths; every line knows its entry. */
+export function pathLines(trace: Trace, colours: Colours, normal: number): Line[] {
+  return trace.entries.flatMap((step, entry) => entryLines(step, entry, colours, normal));
+}
+
+/** Where the centre of the ball is while entry `index` is done to `fraction`; null: no motion at all. */
+export function probeAt(trace: Trace, index: number, fraction: number): Vec3 | null {
+  const current = trace.entries[index];
+  if (current?.step === "motion") return mix(current.from, current.to, Math.min(1, Math.max(0, fraction)));
+  const motions = (from: number, to: number) => trace.entries.slice(from, to).filter((entry) => entry.step === "motion");
+  const before = motions(0, Math.max(0, index)).at(-1);
+  if (before) return before.to;
+  return motions(Math.max(0, index), trace.entries.length)[0]?.from ?? null;
+}
+
+/** Axes of the coordinate systems, `length` mm long. */
+export function frameLines(frames: Trace["frames"], colours: Colours, length: number): { lines: Line[]; labels: Label[] } {
+  const axes = [["X", colours.axisX], ["Y", colours.axisY], ["Z", colours.axisZ]] as const;
+  const lines = frames.flatMap(({ at, axes: directions }) =>
+    axes.map(([, colour], i): Line => ({ from: at, to: add(at, times(directions[i]!, length)), style: { colour: parse(colour), width: 2.25, through: 0.45 } })));
+  const labels = frames.flatMap(({ name, at, axes: directions }): Label[] => [
+    ...axes.map(([text, colour], i) => ({ at: add(at, times(directions[i]!, 1.14 * length)), text, colour })),
+    { at: add(at, times(add(directions[0], directions[1]), -0.12 * length)), text: name, colour: colours.text },
+  ]);
+  return { lines, labels };
+}
+
+/** Spacing of a grid for a length: 1, 2 or 5 times a power of ten. */
+export function gridSpacing(length: number): number {
+  const rough = Math.max(length, 1e-6) / 10;
+  const power = 10 ** Math.floor(Math.log10(rough));
+  return power * (([1, 2, 5] as const).find((step) => step * power >= rough) ?? 10);
+}
+
+/** Grid below a box, in the X-Y plane of the machine, lines on round coordinates. */
+export function gridLines(box: Box, colour: string): Line[] {
+  const size = Math.max(box.max[0] - box.min[0], box.max[1] - box.min[1]);
+  const spacing = gridSpacing(size);
+  const range = (axis: 0 | 1) => {
+    const low = Math.floor(box.min[axis] / spacing) - 2;
+    const high = Math.ceil(box.max[axis] / spacing) + 2;
+    return { low: low * spacing, high: high * spacing, count: high - low };
+  };
+  const [x, y, z] = [range(0), range(1), box.min[2]];
+  const style: Style = { colour: parse(colour), width: 1 };
+  const columns = Array.from({ length: x.count + 1 }, (_, i): Line => ({ from: [x.low + i * spacing, y.low, z], to: [x.low + i * spacing, y.high, z], style }));
+  const rows = Array.from({ length: y.count + 1 }, (_, i): Line => ({ from: [x.low, y.low + i * spacing, z], to: [x.high, y.low + i * spacing, z], style }));
+  return [...columns, ...rows];
+}

@@ -1,0 +1,72 @@
+// What is to be seen, for all ways of drawing: triangles, lines and labels made from a trace.
+import type { Trace, Vec3 } from "../wire";
+import { parse, type Colours } from "./colours";
+import { append, mesh, type Line, type Mesh } from "./mesh";
+import { frameLines, gridLines, pathLines, type Label } from "./paths";
+import { part } from "./solids";
+import { stylus } from "./stylus";
+import { boxCorners, centre, include, sub, type Box } from "./vec";
+
+export interface Scene {
+  trace: Trace;
+  colours: Colours;
+  mesh: Mesh;           // solid parts first
+  solidCorners: number;
+  lines: Line[];
+  labels: Label[];
+  box: Box;             // what `fit` shows
+  origin: Vec3;         // subtracted before anything becomes single precision
+  radius: number;       // everything lies within it around the origin, mm
+}
+
+/** `exaggeration`: how many times as large the errors of parts are drawn. */
+export function buildScene(trace: Trace, colours: Colours, exaggeration = 1): Scene {
+  const parts = trace.solids.map((solid) => part(solid, exaggeration, parse(colours.part), parse(colours.edge)));
+  const all = mesh();
+  for (const { mesh: own } of parts) append(all, own);
+  const solidBox = all.box;
+  const box = around(trace, solidBox);
+  const size = Math.hypot(...sub(box.max, box.min));
+  const solidCorners = addStylus(all, trace, colours, size);
+  const frames = frameLines(trace.frames, colours, 0.14 * size);
+  const normal = Math.max(2 * trace.ball.radius, 0.05 * size);
+  const lines: Line[] = [
+    ...gridLines(solidBox ?? box, colours.grid),
+    ...parts.flatMap(({ edges }) => edges),
+    ...frames.lines,
+    ...pathLines(trace, colours, normal),
+  ];
+  return { trace, colours, mesh: all, solidCorners, lines, labels: frames.labels, box, origin: centre(box), radius: reach(box, lines, trace) };
+}
+
+/** Parts, paths and the origins of coordinate systems near them. */
+function around(trace: Trace, solids: Box | null): Box {
+  let box = solids && boxCorners(solids).reduce(include, null as Box | null);
+  const r = trace.ball.radius;
+  for (const entry of trace.entries) {
+    if (entry.step !== "motion") continue;
+    for (const [x, y, z] of [entry.from, entry.to]) {
+      box = include(include(box, [x - r, y - r, z - r]), [x + r, y + r, z + r]);
+    }
+  }
+  for (const { at } of trace.frames) box ??= include(null, at);
+  if (!box) return { min: [-20, -20, -20], max: [20, 20, 20] };
+  return box;
+}
+
+/** Ball and stylus behind the solid corners, its body behind those; the number of solid corners. */
+function addStylus(into: Mesh, trace: Trace, colours: Colours, size: number): number {
+  if (!trace.entries.some((entry) => entry.step === "motion")) return into.corners.length;
+  const probe = stylus(trace.ball, { ball: parse(colours.ball), stylus: parse(colours.stylus) }, 0.3 * size);
+  append(into, probe.solid);
+  const solidCorners = into.corners.length;
+  append(into, probe.clear);
+  return solidCorners;
+}
+
+function reach(box: Box, lines: Line[], trace: Trace): number {
+  const origin = centre(box);
+  const ends = lines.flatMap(({ from, to }) => [from, to]);
+  const farthest = ends.reduce((most, p) => Math.max(most, Math.hypot(...sub(p, origin))), 0);
+  return Math.max(farthest, Math.hypot(...sub(box.max, origin))) + trace.ball.length + 20 * trace.ball.radius;
+}

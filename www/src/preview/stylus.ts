@@ -1,0 +1,53 @@
+// The probe: ball and stylus solid, the body above them seen through, the centre of the ball at 0 0 0.
+import type { Vec3 } from "../wire";
+import type { Rgba } from "./colours";
+import { mesh, quad, type Mesh, type Paint } from "./mesh";
+import { apply, fromZ, times, unit } from "./vec";
+
+const AROUND = 24;
+const BALL_LAYERS = 14;
+
+/** `radius` of the ball and `length` from it to the spindle in mm; `axis` from the ball to the spindle. */
+export interface Ball { radius: number; length: number; axis?: Vec3 }
+export interface Stylus { solid: Mesh; clear: Mesh }
+
+export function stylus(ball: Ball, colours: { ball: Rgba; stylus: Rgba }, longest: number): Stylus {
+  const frame = fromZ(unit(ball.axis ?? [0, 0, 1]));
+  const place = (p: Vec3) => apply(frame, p);
+  const r = ball.radius;
+  const reach = Math.min(ball.length, Math.max(10 * r, longest));
+  const body = Math.min(reach + 6 * r, Math.max(ball.length, 4 * r));
+  const solid = mesh();
+  turned(solid, sphere(r), place, { colour: colours.ball, moves: true });
+  turned(solid, [[0.45 * r, 0.8 * r], [0.45 * r, reach]], place, { colour: colours.stylus, moves: true });
+  const clear = mesh();
+  const [red, green, blue] = colours.stylus;
+  const profile: [number, number][] = [[0.45 * r, reach], [2.2 * r, reach + 1.2 * r], [2.2 * r, Math.max(body, reach + 3 * r)]];
+  turned(clear, profile, place, { colour: [red, green, blue, 0.4], moves: true });
+  return { solid, clear };
+}
+
+/** Half circle from the lower to the upper pole: distance from the axis, height. */
+function sphere(r: number): [number, number][] {
+  return Array.from({ length: BALL_LAYERS + 1 }, (_, i): [number, number] => {
+    const angle = -Math.PI / 2 + (Math.PI * i) / BALL_LAYERS;
+    return [r * Math.cos(angle), r * Math.sin(angle)];
+  });
+}
+
+/** A profile turned about Z; on a sphere the normals are radial, elsewhere they belong to each piece. */
+function turned(into: Mesh, profile: [number, number][], place: (p: Vec3) => Vec3, paint: Paint): void {
+  const round = profile.length === BALL_LAYERS + 1;
+  for (let layer = 0; layer + 1 < profile.length; layer++) {
+    const [[r0, z0], [r1, z1]] = [profile[layer]!, profile[layer + 1]!];
+    const slope: [number, number] = [z1 - z0, r0 - r1];
+    for (let i = 0; i < AROUND; i++) {
+      const ends = [i, i + 1].map((k) => (2 * Math.PI * k) / AROUND) as [number, number];
+      const corner = (angle: number, r: number, z: number) => place([r * Math.cos(angle), r * Math.sin(angle), z]);
+      const points: [Vec3, Vec3, Vec3, Vec3] = [corner(ends[0], r0, z0), corner(ends[1], r0, z0), corner(ends[1], r1, z1), corner(ends[0], r1, z1)];
+      const facing = ends.map((angle) => unit(corner(angle, ...slope)));
+      const normals: Vec3[] = round ? points.map((p) => unit(times(p, 1))) : [facing[0]!, facing[1]!, facing[1]!, facing[0]!];
+      quad(into, points, normals as [Vec3, Vec3, Vec3, Vec3], paint);
+    }
+  }
+}

@@ -1,0 +1,169 @@
+// The 3D view of a trace. Draws when something changed and never otherwise.
+import type { Trace } from "../wire";
+import type { Backend, BackendName, Frame } from "./backend";
+import { fit, initial, turn, type ViewName, type Viewport } from "./camera";
+import { LIGHT, type Colours } from "./colours";
+import { openGpu } from "./gpu";
+import { listen } from "./input";
+import { drawOverlay, overlay } from "./overlay";
+import { probeAt } from "./paths";
+import { pick } from "./pick";
+import { buildScene, type Scene } from "./scene";
+import { openSvg } from "./svg";
+
+export { coloursFrom, DARK, LIGHT, type Colours } from "./colours";
+export type { ViewName } from "./camera";
+export type { BackendName } from "./backend";
+
+export interface Options {
+  label: string;                            // what a screen reader says
+  colours?: Colours;
+  exaggeration?: number;                    // errors of parts are drawn that many times as large; 1: as they are
+  onBackend?(name: BackendName, refused: Refusal[]): void; // at the start, and again after a loss
+}
+/** A way of drawing that this browser has not, and why. */
+export interface Refusal { backend: BackendName; reason: string }
+
+export interface Preview {
+  readonly backend: BackendName;
+  readonly refused: Refusal[];
+  setTrace(trace: Trace, colours?: Colours): void;
+  /** Entry `index` of the trace is done to `fraction` (0 … 1). */
+  setStep(index: number, fraction: number): void;
+  setView(name: ViewName): void;
+  fit(): void;
+  /** A click on a motion or touch. */
+  onPick(callback: (entry: number) => void): void;
+  setColours(colours: Colours): void;
+  setExaggeration(factor: number): void;
+  destroy(): void;
+}
+
+const EMPTY: Trace = { entries: [], ball: { radius: 3, length: 100 }, solids: [], frames: [] };
+const WAYS: BackendName[] = ["webgpu", "webgl2", "svg"];
+
+export async function createPreview(host: HTMLElement, options: Options): Promise<Preview> {
+  const stage = makeStage(host, options.label);
+  const letters = overlay(stage);
+  const refused: Refusal[] = [];
+  let colours = options.colours ?? LIGHT;
+  let exaggeration = options.exaggeration ?? 1;
+  let trace = EMPTY;
+  let scene: Scene = buildScene(trace, colours, exaggeration);
+  let camera = initial();
+  let step = { index: 0, fraction: 0 };
+  let untouched = true;      // fitted again on a new size until somebody moved the camera
+  let asked = 0;             // animation frame under way
+  let ended = false;
+  let picked: (entry: number) => void = () => undefined;
+  let backend = await open(WAYS);
+
+  async function open(ways: BackendName[]): Promise<Backend> {
+    for (const name of ways) {
+      if (name === "svg") break;
+      try {
+        return await openGpu(name, stage, lost);
+      } catch (reason) {
+        refused.push({ backend: name, reason: reason instanceof Error ? reason.message : String(reason) });
+      }
+    }
+    return openSvg(stage);
+  }
+
+  /** The device is gone: go on with the next way of drawing. */
+  let replacing = false;
+  async function replace(reason: unknown): Promise<void> {
+    if (replacing || ended || backend.name === "svg") return;
+    replacing = true;
+    const gone = backend;
+    refused.push({ backend: gone.name, reason: String(reason) });
+    const next = await open(WAYS.slice(WAYS.indexOf(gone.name) + 1));
+    try { gone.destroy(); } catch { gone.element.remove(); }
+    backend = next;
+    replacing = false;
+    if (ended) return backend.destroy();
+    adopt();
+  }
+  function lost(): void { redraw(); }
+
+  function adopt(): void {
+    Object.assign(backend.element.style, { position: "absolute", inset: "0", width: "100%", height: "100%", display: "block" });
+    backend.setScene(scene, devicePixelRatio);
+    stage.dataset["backend"] = backend.name;
+    options.onBackend?.(backend.name, refused);
+    redraw();
+  }
+
+  const viewport = (): Viewport => ({ width: Math.max(1, stage.clientWidth), height: Math.max(1, stage.clientHeight) });
+  const redraw = () => { if (!asked && !ended) asked = requestAnimationFrame(draw); };
+
+  function draw(): void {
+    asked = 0;
+    const probe = probeAt(trace, step.index, step.fraction);
+    const frame: Frame = { camera, view: viewport(), ratio: devicePixelRatio, time: step.index + step.fraction, probe };
+    try {
+      backend.draw(frame);
+      drawOverlay(letters, scene, frame);
+    } catch (reason) {
+      void replace(reason);
+    }
+  }
+
+  function rebuild(): void {
+    scene = buildScene(trace, colours, exaggeration);
+    backend.setScene(scene, devicePixelRatio);
+    redraw();
+  }
+  const refit = () => { camera = fit(camera, viewport(), scene.box); redraw(); };
+  const move = (next: typeof camera) => { camera = next; untouched = false; redraw(); };
+  const setView = (name: ViewName) => { camera = turn(camera, name); untouched = true; refit(); };
+  const fitAgain = () => { untouched = true; refit(); };
+
+  const silence = listen(stage, {
+    camera: () => camera, view: viewport, move, setView, fit: fitAgain,
+    pick(x, y) {
+      const entry = pick(scene.lines, camera, viewport(), x, y);
+      if (entry !== null) picked(entry);
+    },
+  });
+  const sizes = new ResizeObserver(() => { if (untouched) refit(); else redraw(); });
+  sizes.observe(stage);
+  adopt();
+
+  return {
+    get backend() { return backend.name; },
+    get refused() { return [...refused]; },
+    setTrace(next, palette) {
+      const first = trace === EMPTY;
+      trace = next;
+      colours = palette ?? colours;
+      step = { index: Math.max(0, next.entries.length - 1), fraction: 1 };
+      rebuild();
+      if (first || untouched) refit();
+    },
+    setStep(index, fraction) { step = { index, fraction }; redraw(); },
+    setView,
+    fit: fitAgain,
+    onPick(callback) { picked = callback; },
+    setColours(palette) { colours = palette; rebuild(); },
+    setExaggeration(factor) { exaggeration = factor; rebuild(); },
+    destroy() {
+      ended = true;
+      cancelAnimationFrame(asked);
+      sizes.disconnect();
+      silence();
+      backend.destroy();
+      stage.remove();
+    },
+  };
+}
+
+function makeStage(host: HTMLElement, label: string): HTMLElement {
+  const stage = document.createElement("div");
+  stage.tabIndex = 0;
+  stage.setAttribute("role", "application");
+  stage.setAttribute("aria-label", label);
+  Object.assign(stage.style, { position: "relative", width: "100%", height: "100%", overflow: "hidden", userSelect: "none" });
+  host.append(stage);
+  return stage;
+}
