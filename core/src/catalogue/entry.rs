@@ -32,7 +32,8 @@ pub struct Cycle {
     /// Numbers (or NCT messages) it can raise.
     pub alarms: &'static [crate::diagnostic::Code],
     /// Checks over several parameters; everything about one parameter is in its [`Param`].
-    pub checks: fn(&Inputs, &mut Vec<crate::diagnostic::Diagnostic>),
+    /// A value that is missing or wrong is absent from the inputs; nothing more is said about it.
+    pub checks: fn(&Inputs, &Control, &mut Vec<crate::diagnostic::Diagnostic>),
     /// A nominal part and a safe start position for the values of a form, for a control in this state (plane, frames).
     pub propose: fn(&Inputs, &Control) -> Proposal,
     /// What the values mean, drawn.

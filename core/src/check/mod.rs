@@ -1,5 +1,16 @@
 //! Typed values → checked inputs and findings. The only way to [`Inputs`].
 
+mod finding;
+mod number;
+mod targets;
+mod typed;
+mod units;
+
+pub use finding::{Finding, error, note, warning};
+pub use number::{Parsed, parse};
+pub use typed::{Checked, check};
+pub use units::factor;
+
 use crate::catalogue::Cycle;
 use std::collections::BTreeMap;
 
@@ -36,6 +47,11 @@ impl Inputs {
     /// Number of a parameter; 0 where the variant does not use it.
     pub fn number(&self, name: &str) -> f64 {
         self.numbers.get(name).copied().unwrap_or(0.0)
+    }
+
+    /// Number of a parameter where there is one.
+    pub fn given(&self, name: &str) -> Option<f64> {
+        self.numbers.get(name).copied()
     }
 
     /// Number of an integer parameter.

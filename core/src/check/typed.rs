@@ -1,0 +1,243 @@
+//! From typed values to inputs, parameter by parameter.
+
+use super::{Finding, Inputs, Parsed, Typed, error, factor, note, parse, targets, warning};
+use crate::catalogue::{Cycle, Kind, Level, Param, Range, Unit};
+use crate::control::Control;
+use crate::diagnostic::{Code, Diagnostic, Severity};
+use crate::evaluate::knum;
+use crate::message::Message;
+
+/// Missing value.
+pub const MISSING: Code = Code::Own(1);
+/// Not a number.
+pub const NOT_A_NUMBER: Code = Code::Own(2);
+/// An expression, known at run time only.
+pub const EXPRESSION: Code = Code::Own(3);
+/// Not a whole number.
+pub const NOT_WHOLE: Code = Code::Own(4);
+/// Outside of what the control takes.
+pub const OUT_OF_RANGE: Code = Code::Own(5);
+/// Text too long or with characters that cannot be written.
+pub const BAD_TEXT: Code = Code::Own(6);
+/// Outside of what is usual.
+pub const UNUSUAL: Code = Code::Own(7);
+/// The delivered value counts where a value was expected.
+pub const DELIVERED: Code = Code::Own(8);
+
+/// Beyond this no length, angle or feed of a machine makes sense, and sums would lose their last digits.
+const LIMIT: f64 = 1e9;
+
+/// Result of a check.
+pub struct Checked {
+    /// Findings in the order of the parameters, those over several parameters last.
+    pub diagnostics: Vec<Diagnostic>,
+    /// What the call means; none when there is an error or a value is known at run time only.
+    pub inputs: Option<Inputs>,
+}
+
+/// Checks typed values of a call on a control in this state.
+pub fn check(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Checked {
+    let mut diagnostics = Vec::new();
+    let mut inputs = read(cycle, typed, control, &mut diagnostics);
+    match variant(cycle, &inputs, &diagnostics) {
+        Ok(number) => inputs.variant = number,
+        Err(finding) => {
+            return Checked {
+                diagnostics: vec![finding],
+                inputs: None,
+            };
+        }
+    }
+    let whole = inputs.clone();
+    for param in cycle.params {
+        let Some((level, reason)) = param.need(&whole) else {
+            diagnostics.retain(|other| other.param != Some(param.name));
+            inputs.numbers.remove(param.name);
+            inputs.texts.remove(param.name);
+            continue;
+        };
+        if empty(typed, param) {
+            absent(param, level, reason, &mut diagnostics);
+        } else if let Some(finding) = judge(param, &whole, control) {
+            if finding.severity == Severity::Error {
+                inputs.numbers.remove(param.name);
+            }
+            diagnostics.push(finding);
+        }
+    }
+    (cycle.checks)(&inputs, control, &mut diagnostics);
+    let stops = |other: &Diagnostic| other.severity == Severity::Error || other.code == EXPRESSION;
+    let complete = !diagnostics.iter().any(stops);
+    Checked {
+        diagnostics,
+        inputs: complete.then_some(inputs),
+    }
+}
+
+/// Values by parameter with defaults filled in, in mm; the first variant where it cannot be read.
+pub fn read(
+    cycle: &'static Cycle,
+    typed: &Typed,
+    control: &Control,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Inputs {
+    let mut inputs = Inputs::new(cycle, cycle.variants.first().map_or(0, |variant| variant.number));
+    inputs.five_digit_edges = knum::five_digit_edges(control);
+    for param in cycle.params {
+        let text = typed.get(param.name).map_or("", |text| text.trim());
+        if let Kind::Text(most) = param.kind {
+            match name(text, most) {
+                Ok("") => {}
+                Ok(text) => drop(inputs.texts.insert(param.name, text.into())),
+                Err(finding) => diagnostics.push(finding.at(param.name)),
+            }
+            continue;
+        }
+        match value(param, text, control) {
+            Ok(Some(number)) => drop(inputs.numbers.insert(param.name, number)),
+            Ok(None) => {}
+            Err(finding) => diagnostics.push(finding.at(param.name)),
+        }
+    }
+    if let Ok(number) = variant(cycle, &inputs, diagnostics) {
+        inputs.variant = number;
+    }
+    inputs
+}
+
+/// A number in mm, or the default.
+fn value(param: &Param, text: &str, control: &Control) -> Result<Option<f64>, Diagnostic> {
+    let number = match parse(text) {
+        Parsed::Empty => return Ok(param.default.map(|number| number * factor(param.unit, control))),
+        Parsed::Number(number) => number,
+        Parsed::Expression => {
+            return Err(note(EXPRESSION, Message::new("check-expression").text("value", text)));
+        }
+        Parsed::Wrong => {
+            let message = Message::new("check-not-a-number").text("value", text);
+            return Err(error(NOT_A_NUMBER, message).hint(Message::new("check-not-a-number-hint")));
+        }
+    };
+    if number.abs() > LIMIT {
+        let message = Message::new("check-too-large").text("value", text);
+        return Err(error(OUT_OF_RANGE, message).hint(Message::new("check-too-large-hint")));
+    }
+    if whole(&param.kind) && number.fract() != 0.0 {
+        let message = Message::new("check-not-whole").text("value", text);
+        return Err(error(NOT_WHOLE, message).hint(Message::new("check-not-whole-hint")));
+    }
+    Ok(Some(number * factor(param.unit, control)))
+}
+
+/// Whether only whole numbers count.
+fn whole(kind: &Kind) -> bool {
+    !matches!(kind, Kind::Real | Kind::Text(_))
+}
+
+/// A text without its quotes.
+fn name(text: &str, most: usize) -> Result<&str, Diagnostic> {
+    let inner = text.strip_prefix('"').and_then(|rest| rest.strip_suffix('"')).unwrap_or(text).trim();
+    if inner.chars().count() > most {
+        let message = Message::new("check-text-long").number("most", most as f64);
+        return Err(error(BAD_TEXT, message).hint(Message::new("check-text-long-hint")));
+    }
+    if inner.chars().any(|c| c == '"' || c.is_control()) {
+        let message = Message::new("check-text-characters");
+        return Err(error(BAD_TEXT, message).hint(Message::new("check-text-characters-hint")));
+    }
+    Ok(inner)
+}
+
+/// The variant, or the only finding that counts without it.
+fn variant(cycle: &'static Cycle, inputs: &Inputs, said: &[Diagnostic]) -> Result<i64, Diagnostic> {
+    let Some(param) = cycle.params.iter().find(|param| matches!(param.kind, Kind::Variant(_))) else {
+        return Ok(inputs.variant);
+    };
+    if let Some(finding) = said.iter().find(|other| other.param == Some(param.name)) {
+        return Err(finding.clone());
+    }
+    let code = param.alarm.unwrap_or(MISSING);
+    let Some(number) = inputs.given(param.name) else {
+        let message = Message::new("check-missing").text("param", param.name);
+        return Err(error(code, message).hint(Message::new("need-always")).at(param.name));
+    };
+    if cycle.variants.iter().any(|variant| variant.number as f64 == number) {
+        return Ok(number as i64);
+    }
+    let message = Message::new("check-variant").number("value", number).text("cycle", cycle.name);
+    Err(error(code, message).hint(Message::new("check-variant-hint")).at(param.name))
+}
+
+/// Whether nothing was typed.
+fn empty(typed: &Typed, param: &Param) -> bool {
+    typed.get(param.name).is_none_or(|text| text.trim().is_empty())
+}
+
+/// Nothing was typed.
+fn absent(param: &Param, level: Level, reason: &'static str, diagnostics: &mut Vec<Diagnostic>) {
+    match (level, param.default) {
+        (Level::Optional, _) => {}
+        (Level::Required, Some(number)) => {
+            let message = Message::new("check-delivered").text("param", param.name).number("value", number);
+            diagnostics.push(warning(DELIVERED, message).hint(Message::new(reason)).at(param.name));
+        }
+        (Level::Required, None) => {
+            let message = Message::new("check-missing").text("param", param.name);
+            diagnostics.push(error(MISSING, message).hint(Message::new(reason)).at(param.name));
+        }
+    }
+}
+
+/// A value against its own parameter: range, choices, code, usual range.
+fn judge(param: &Param, inputs: &Inputs, control: &Control) -> Option<Diagnostic> {
+    let number = inputs.given(param.name)?;
+    let shown = number / factor(param.unit, control);
+    let code = param.alarm.unwrap_or(OUT_OF_RANGE);
+    let allowed = match &param.kind {
+        Kind::Choice(choices) => choices.iter().any(|(value, _)| *value as f64 == number),
+        _ => param.range.contains(number),
+    };
+    if !allowed {
+        return Some(error(code, outside("check-range", param, shown)).hint(range_hint(param, control)).at(param.name));
+    }
+    if matches!(param.kind, Kind::Knum) {
+        return targets::findings(param, inputs, control);
+    }
+    let usual = param.usual.contains(number);
+    (!usual).then(|| {
+        let message = outside("check-unusual", param, shown);
+        warning(UNUSUAL, message).hint(bounds("check-unusual-hint", param.usual, param.unit, control)).at(param.name)
+    })
+}
+
+fn outside(key: &'static str, param: &Param, shown: f64) -> Message {
+    Message::new(key).text("param", param.name).number("value", shown)
+}
+
+/// What is allowed, in words that fit the kind and the ends of the range.
+fn range_hint(param: &Param, control: &Control) -> Message {
+    if let Kind::Choice(choices) = &param.kind {
+        let list: Vec<String> = choices.iter().map(|(value, _)| value.to_string()).collect();
+        return Message::new("check-range-choice-hint").text("choices", list.join(", "));
+    }
+    let range = param.range;
+    match (range.min.is_finite(), range.max.is_finite(), range.min_included) {
+        (true, true, _) => bounds("check-range-both-hint", range, param.unit, control),
+        (true, false, true) => bounds("check-range-from-hint", range, param.unit, control),
+        (true, false, false) => bounds("check-range-above-hint", range, param.unit, control),
+        _ => bounds("check-range-below-hint", range, param.unit, control),
+    }
+}
+
+/// Both ends in the unit of the field.
+fn bounds(key: &'static str, range: Range, unit: Unit, control: &Control) -> Message {
+    let per = factor(unit, control);
+    let mut message = Message::new(key);
+    if range.min.is_finite() {
+        message = message.number("min", range.min / per);
+    }
+    if range.max.is_finite() {
+        message = message.number("max", range.max / per);
+    }
+    message
+}
