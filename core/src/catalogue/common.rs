@@ -16,6 +16,7 @@ pub const PARAM: Param = Param {
     usual: Range::ANY,
     alarm: None,
     needs: &[],
+    chooses: None,
     labels: &[],
     source: "",
 };

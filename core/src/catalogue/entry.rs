@@ -76,6 +76,9 @@ pub struct Param {
     pub alarm: Option<crate::diagnostic::Code>,
     /// First rule that holds decides; none: not used.
     pub needs: &'static [Need],
+    /// Number of the variant that is chosen by giving it (even 0), in a cycle that has no parameter for the variant
+    /// (NCT: the address of the tool axis makes a boss out of a bore). It counts where `needs` lets it be used.
+    pub chooses: Option<i64>,
     /// Wording that differs by variant: stem of the first that holds, else [`Param::key`].
     pub labels: &'static [(When, &'static str)],
     /// Place in the manual.
@@ -216,6 +219,8 @@ pub enum When {
     },
     /// The parameter is given and not zero (a text: not empty).
     Given(&'static str),
+    /// The working plane is this one.
+    Plane(crate::control::Plane),
     /// All of these.
     All(&'static [When]),
     /// One of these.

@@ -11,6 +11,7 @@ impl When {
             When::Variant(numbers) => numbers.contains(&inputs.variant),
             When::Digit { param, place, is } => is.contains(&digit(inputs, param, *place)),
             When::Given(param) => inputs.number(param) != 0.0 || !inputs.text(param).is_empty(),
+            When::Plane(plane) => inputs.plane == *plane,
             When::All(conditions) => conditions.iter().all(|when| when.holds(inputs)),
             When::Any(conditions) => conditions.iter().any(|when| when.holds(inputs)),
             When::Not(when) => !when.holds(inputs),

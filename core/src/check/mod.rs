@@ -12,6 +12,7 @@ pub use typed::{Checked, check};
 pub use units::factor;
 
 use crate::catalogue::Cycle;
+use crate::control::Plane;
 use std::collections::BTreeMap;
 
 /// What was typed, per parameter name, nothing decided. Decimal comma allowed.
@@ -30,6 +31,8 @@ pub struct Inputs {
     pub texts: BTreeMap<&'static str, String>,
     /// Whether D numbers take five digits, so that all other digits of `_KNUM` move up by two (B:2009-2029).
     pub five_digit_edges: bool,
+    /// Working plane of the control at the call.
+    pub plane: Plane,
 }
 
 impl Inputs {
@@ -41,6 +44,7 @@ impl Inputs {
             numbers: BTreeMap::new(),
             texts: BTreeMap::new(),
             five_digit_edges: false,
+            plane: Plane::G17,
         }
     }
 

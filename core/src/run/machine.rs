@@ -253,6 +253,13 @@ impl Machine for Sim {
         Ok(latched.map(|position| self.control.to_workpiece(position)))
     }
 
+    fn in_contact(&self) -> bool {
+        let skew = ball_offset(&self.probe, self.control.spindle, self.tool_axis());
+        let ball = add(self.position, add(self.ball_height(), skew, 1.0), 1.0);
+        let contact = contact::first(&self.workpiece, self.probe.radius, ball, ball);
+        matches!(contact, Contact::Already { .. })
+    }
+
     fn orient(&mut self, angle: f64) {
         self.control.spindle = angle;
         self.note(Step::Orient(angle));

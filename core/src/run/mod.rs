@@ -44,6 +44,10 @@ pub trait Machine {
     ) -> Result<(), Stop>;
     /// Straight measuring motion. Some: position latched at switching (delete distance-to-go); None: no signal up to `to`.
     fn probe(&mut self, to: [f64; 3], feed: f64) -> Result<Option<[f64; 3]>, Stop>;
+    /// Whether the stylus is deflected where the machine stands (NCT looks at this before it moves).
+    fn in_contact(&self) -> bool {
+        false
+    }
     /// Turns the spindle to this angle, degree.
     fn orient(&mut self, angle: f64);
     /// Records something that is no motion: a result, a correction, a decision, an alarm that informs.
