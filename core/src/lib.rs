@@ -16,4 +16,6 @@ pub mod message;
 pub mod program;
 pub mod report;
 pub mod run;
+#[cfg(feature = "cli")]
+pub mod words;
 pub mod workpiece;

@@ -21,7 +21,7 @@ export interface CycleInfo {
   cycle: string;                // "CYCLE977"
   key: string;                  // "cycle977": messages cycle977-title, cycle977-words, cycle977-help
   variants: { mvar: number; key: string; source: string; values: Record<string, string> }[]; // values: as typed, they choose this variant
-  parameters: { name: string; key: string; source: string }[];
+  parameters: { name: string; key: string; unit: string; default: number | null; source: string }[];
   results: { name: string; key: string; unit: string; source: string }[];
   alarms: string[];
   example: Record<string, string>;     // values of a worked measurement, as typed
@@ -110,7 +110,8 @@ export interface Solid {
 // Setup: docs/setup.schema.json is its schema; also what the terminal reads and the page exports.
 export interface Setup {
   control: Dialect; units: "mm" | "inch"; plane: "G17" | "G18" | "G19";
-  tools: Record<string, { name?: string; edges: Record<string, { type: number; length: Vec3; radius: number; lengthWear?: Vec3; radiusWear?: number }> }>;
+  active?: { tool?: number; edge?: number; frame?: string; spindle?: number }; // in force at the start
+  tools: Record<string, { name?: string; edges: Record<string, { type: number; length: Vec3; radius: number; lengthWear?: Vec3; radiusWear?: number; additive?: Record<string, number[]>; setup?: Record<string, number[]> }> }>;
   frames: Record<string, { coarse: Vec3; fine?: Vec3; rotation?: Vec3 }>; // "G54"
   data: Record<string, number | string>;   // "_WP[0,1]", "_CHBIT[4]", "MD18600", "R10", "#500"
   probe: { radius: number; length: number; skew?: [number, number]; preTravel?: [number, number]; delay?: number; repeatability?: [number, number] };

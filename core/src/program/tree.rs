@@ -27,7 +27,9 @@ pub struct Program {
 impl Program {
     /// Bytes of a place; empty if it lies outside of the source.
     pub fn text(&self, span: Span) -> &[u8] {
-        self.source.get(span.start as usize..span.end as usize).unwrap_or_default()
+        self.source
+            .get(span.start as usize..span.end as usize)
+            .unwrap_or_default()
     }
 
     /// Whether this name stands at a place, without regard to case.
@@ -42,7 +44,9 @@ impl Program {
 
     /// Words of a block.
     pub fn words_of(&self, block: &Block) -> &[Word] {
-        self.words.get(block.words.start as usize..block.words.end as usize).unwrap_or_default()
+        self.words
+            .get(block.words.start as usize..block.words.end as usize)
+            .unwrap_or_default()
     }
 
     /// An expression by its index.
@@ -52,7 +56,9 @@ impl Program {
 
     /// Line (from 0) that holds a byte; the line end belongs to the line before it.
     pub fn line_of(&self, offset: u32) -> u32 {
-        let after = self.blocks.partition_point(|block| block.span.start <= offset);
+        let after = self
+            .blocks
+            .partition_point(|block| block.span.start <= offset);
         after.saturating_sub(1) as u32
     }
 }

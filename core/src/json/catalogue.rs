@@ -1,0 +1,48 @@
+//! The whole catalogue as JSON.
+
+use super::{code, dialect_name};
+use crate::catalogue::{CYCLES, Cycle, Param, ResultField, Unit, Variant};
+use serde_json::{Value, json};
+
+/// One object a cycle: control, cycle, variants, parameters, results, alarms, each with its place in the manual.
+pub fn cycles() -> Value {
+    CYCLES.iter().map(|cycle| entry(cycle)).collect()
+}
+
+fn entry(cycle: &Cycle) -> Value {
+    json!({
+        "control": dialect_name(cycle.dialect),
+        "cycle": cycle.name,
+        "key": cycle.key,
+        "variants": cycle.variants.iter().map(variant).collect::<Vec<_>>(),
+        "parameters": cycle.params.iter().map(param).collect::<Vec<_>>(),
+        "results": cycle.results.iter().map(result).collect::<Vec<_>>(),
+        "alarms": cycle.alarms.iter().map(|alarm| code(*alarm)).collect::<Vec<_>>(),
+        "example": cycle.example.iter().map(|(name, value)| ((*name).to_owned(), json!(value))).collect::<serde_json::Map<_, _>>(),
+        "source": cycle.source,
+    })
+}
+
+fn variant(variant: &Variant) -> Value {
+    json!({ "mvar": variant.number, "key": variant.key, "source": variant.source })
+}
+
+fn param(param: &Param) -> Value {
+    json!({ "name": param.name, "key": param.key, "unit": unit_rule(param.unit), "default": param.default, "source": param.source })
+}
+
+fn result(field: &ResultField) -> Value {
+    json!({ "name": field.name, "key": field.key, "unit": unit_rule(field.unit), "source": field.source })
+}
+
+/// The rule, not the unit that it gives on a machine.
+fn unit_rule(unit: Unit) -> &'static str {
+    match unit {
+        Unit::None => "",
+        Unit::ActiveLength => "active length",
+        Unit::BasicLength => "basic length",
+        Unit::Millimetre => "mm",
+        Unit::Degree => "deg",
+        Unit::BasicFeed => "basic feed",
+    }
+}

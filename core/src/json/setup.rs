@@ -1,0 +1,590 @@
+//! The setup file: machine, probe and part. Its schema is `docs/setup.schema.json`.
+
+use super::Error;
+use crate::catalogue::Dialect;
+use crate::control::{Control, Edge, Frame, Plane, Tool, Units, Value, delivery};
+use crate::run::setup::Setup;
+use crate::workpiece::{PartErrors, Probe, Shape, Solid, Workpiece};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+/// Machine, probe and part that a program runs on. Lengths in mm, angles in degree, feeds in mm/min, unless a datum
+/// has a unit of its own on the control. Unknown members are refused, so that a slip is told and not ignored.
+#[derive(Deserialize, Serialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+struct SetupFile {
+    /// Control.
+    control: ControlName,
+    /// Basic system of units of the machine.
+    #[serde(default)]
+    units: UnitsName,
+    /// Working plane at the start.
+    #[serde(default)]
+    plane: PlaneName,
+    /// What else is in force at the start.
+    #[serde(default)]
+    active: ActiveFile,
+    /// Tools by T number (NCT: offset registers under T 0).
+    #[serde(default)]
+    tools: BTreeMap<i64, ToolFile>,
+    /// Frames by name: `G54`, `G505`, `COMMON` (NCT), `$P_CHBFR[0]`, `$P_NCBFR[0]`, `$P_SETFR`.
+    #[serde(default)]
+    frames: BTreeMap<String, FrameFile>,
+    /// User data, R parameters, machine data, # variables: `_WP[0,1]`, `_CHBIT[4]`, `R10`, `MD18600`, `#500`.
+    #[serde(default)]
+    data: BTreeMap<String, DatumFile>,
+    /// The probe as it really is, not as the control believes.
+    probe: ProbeFile,
+    /// The part: every solid can be touched.
+    #[serde(default)]
+    workpiece: Vec<SolidFile>,
+    /// Where the machine stands at the start: the point to which L1 refers, machine coordinates X Y Z.
+    #[serde(default)]
+    position: [f64; 3],
+}
+
+#[derive(Clone, Copy, Deserialize, Serialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[serde(rename_all = "lowercase")]
+enum ControlName {
+    Sinumerik,
+    Nct,
+}
+
+#[derive(Clone, Copy, Default, Deserialize, Serialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+enum UnitsName {
+    #[default]
+    #[serde(rename = "mm")]
+    Millimetre,
+    #[serde(rename = "inch")]
+    Inch,
+}
+
+#[derive(Clone, Copy, Default, Deserialize, Serialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+enum PlaneName {
+    #[default]
+    G17,
+    G18,
+    G19,
+}
+
+/// What is in force at the start.
+#[derive(Clone, Default, Deserialize, Serialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields, default)]
+struct ActiveFile {
+    /// T number in the spindle, 0 none.
+    tool: i64,
+    /// D number (NCT: H), 0 none.
+    edge: i64,
+    /// Settable frame, for example `G54`.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    frame: String,
+    /// Position of the spindle, degree.
+    spindle: f64,
+}
+
+/// A tool.
+#[derive(Deserialize, Serialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+struct ToolFile {
+    /// Name under tool management.
+    #[serde(default)]
+    name: String,
+    /// Edges by D number.
+    edges: BTreeMap<i64, EdgeFile>,
+}
+
+/// Data of a cutting edge.
+#[derive(Deserialize, Serialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields, rename_all = "camelCase")]
+struct EdgeFile {
+    /// `$TC_DP1`: 710 3D probe, 120 end mill.
+    #[serde(rename = "type")]
+    kind: i64,
+    /// Geometry L1 L2 L3.
+    length: [f64; 3],
+    /// Geometry radius.
+    radius: f64,
+    /// Wear of L1 L2 L3.
+    #[serde(default)]
+    length_wear: [f64; 3],
+    /// Wear of the radius.
+    #[serde(default)]
+    radius_wear: f64,
+    /// Additive offsets by DL number: L1 L2 L3 radius.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    additive: BTreeMap<i64, [f64; 4]>,
+    /// Setup offsets by DL number: L1 L2 L3 radius.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    setup: BTreeMap<i64, [f64; 4]>,
+}
+
+/// A frame.
+#[derive(Deserialize, Serialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+struct FrameFile {
+    /// Coarse translation X Y Z.
+    coarse: [f64; 3],
+    /// Fine translation X Y Z.
+    #[serde(default)]
+    fine: [f64; 3],
+    /// Rotation about X Y Z (RPY), degree.
+    #[serde(default)]
+    rotation: [f64; 3],
+}
+
+#[derive(Deserialize, Serialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[serde(untagged)]
+enum DatumFile {
+    Number(f64),
+    Text(String),
+}
+
+/// The probe as it really is.
+#[derive(Deserialize, Serialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields, rename_all = "camelCase")]
+struct ProbeFile {
+    /// Ball radius.
+    radius: f64,
+    /// Spindle nose to ball centre.
+    length: f64,
+    /// Ball centre minus spindle axis at spindle position 0, X Y.
+    #[serde(default)]
+    skew: [f64; 2],
+    /// Travel after contact until the signal: constant part, amplitude of the three-lobed part.
+    #[serde(default)]
+    pre_travel: (f64, f64),
+    /// Delay of the signal, s.
+    #[serde(default)]
+    delay: f64,
+    /// Standard deviation of the switching point, and the seed of its pseudo-random sequence.
+    #[serde(default)]
+    repeatability: (f64, u64),
+}
+
+/// A solid.
+#[derive(Deserialize, Serialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+struct SolidFile {
+    /// Element.
+    shape: ShapeName,
+    /// hole: diameter, depth; shaft: diameter, height; groove and web: width, depth, length; pocket and island:
+    /// X, Y, depth; block: X, Y, Z.
+    size: Vec<f64>,
+    /// Centre of the element at its upper face, machine coordinates X Y Z.
+    at: [f64; 3],
+    /// Orientation about X Y Z (RPY), degree.
+    #[serde(default)]
+    rotation: [f64; 3],
+    /// What is wrong with it.
+    #[serde(default)]
+    errors: ErrorsFile,
+}
+
+#[derive(Clone, Copy, Debug, Deserialize, Serialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[serde(rename_all = "lowercase")]
+enum ShapeName {
+    Hole,
+    Shaft,
+    Groove,
+    Web,
+    Pocket,
+    Island,
+    Block,
+}
+
+/// Errors of a solid. All zero: none.
+#[derive(Default, Deserialize, Serialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields, rename_all = "camelCase", default)]
+struct ErrorsFile {
+    /// Displacement X Y Z, machine axes.
+    shift: [f64; 3],
+    /// Added to every diameter, width and length.
+    size: f64,
+    /// Turned about X Y Z about the origin of the solid, degree.
+    tilt: [f64; 3],
+    /// Growth of the diameter per mm of depth.
+    taper: f64,
+    /// Amplitude of the radius, number of lobes.
+    out_of_round: (f64, u32),
+}
+
+/// JSON Schema of the setup file.
+#[cfg(feature = "cli")]
+pub fn schema() -> serde_json::Value {
+    schemars::schema_for!(SetupFile).to_value()
+}
+
+/// Reads a setup file: delivery values of the control, then what the file says.
+pub fn from_json(text: &str) -> Result<Setup, Error> {
+    setup(serde_json::from_str(text)?)
+}
+
+/// The same from a parsed document.
+pub(super) fn from_value(value: serde_json::Value) -> Result<Setup, Error> {
+    setup(serde_json::from_value(value)?)
+}
+
+fn setup(file: SetupFile) -> Result<Setup, Error> {
+    let mut control = delivery(match file.control {
+        ControlName::Sinumerik => Dialect::Sinumerik,
+        ControlName::Nct => Dialect::Nct,
+    });
+    control.basic_units = units(file.units);
+    control.active_units = control.basic_units;
+    control.plane = plane(file.plane);
+    for (number, tool) in file.tools {
+        control.tools.insert(number, read_tool(tool));
+    }
+    for (name, frame) in &file.frames {
+        place_frame(&mut control, name, frame)?;
+    }
+    for (name, datum) in file.data {
+        let value = match datum {
+            DatumFile::Number(value) => Value::Number(value),
+            DatumFile::Text(text) => Value::Text(text),
+        };
+        control.data.insert(name, value);
+    }
+    activate(&mut control, &file.active)?;
+    control.active = control
+        .frames
+        .get(&control.settable)
+        .copied()
+        .unwrap_or_default();
+    let solids = file
+        .workpiece
+        .into_iter()
+        .map(solid)
+        .collect::<Result<_, _>>()?;
+    Ok(Setup {
+        control,
+        probe: read_probe(&file.probe),
+        workpiece: Workpiece { solids },
+        position: file.position,
+    })
+}
+
+fn activate(control: &mut Control, file: &ActiveFile) -> Result<(), Error> {
+    control.tool = file.tool;
+    control.edge = file.edge;
+    control.spindle = file.spindle;
+    if !file.frame.is_empty() {
+        let unknown = || Error::Unknown {
+            what: "frame",
+            name: file.frame.clone(),
+        };
+        control.settable = settable(control, &file.frame).ok_or_else(unknown)?;
+    }
+    Ok(())
+}
+
+fn units(name: UnitsName) -> Units {
+    match name {
+        UnitsName::Millimetre => Units::Metric,
+        UnitsName::Inch => Units::Inch,
+    }
+}
+
+fn plane(name: PlaneName) -> Plane {
+    match name {
+        PlaneName::G17 => Plane::G17,
+        PlaneName::G18 => Plane::G18,
+        PlaneName::G19 => Plane::G19,
+    }
+}
+
+fn read_tool(file: ToolFile) -> Tool {
+    let edges = file
+        .edges
+        .into_iter()
+        .map(|(number, edge)| (number, read_edge(&edge)))
+        .collect();
+    Tool {
+        name: file.name,
+        edges,
+    }
+}
+
+fn read_edge(file: &EdgeFile) -> Edge {
+    Edge {
+        kind: file.kind,
+        length: file.length,
+        radius: file.radius,
+        length_wear: file.length_wear,
+        radius_wear: file.radius_wear,
+        additive: file.additive.clone(),
+        setup: file.setup.clone(),
+    }
+}
+
+fn read_probe(file: &ProbeFile) -> Probe {
+    Probe {
+        radius: file.radius,
+        length: file.length,
+        skew: file.skew,
+        pre_travel: file.pre_travel,
+        delay: file.delay,
+        repeatability: file.repeatability,
+    }
+}
+
+fn place_frame(control: &mut Control, name: &str, file: &FrameFile) -> Result<(), Error> {
+    let frame = Frame {
+        coarse: file.coarse,
+        fine: file.fine,
+        rotation: file.rotation,
+    };
+    let unknown = || Error::Unknown {
+        what: "frame",
+        name: name.to_owned(),
+    };
+    let index = |prefix: &str| -> Option<usize> {
+        name.strip_prefix(prefix)?.strip_suffix(']')?.parse().ok()
+    };
+    if name == "$P_SETFR" {
+        control.system = frame;
+    } else if let Some(number) = index("$P_CHBFR[") {
+        control.channel_basic.insert(number, frame);
+    } else if let Some(number) = index("$P_NCBFR[") {
+        control.global_basic.insert(number, frame);
+    } else {
+        control
+            .frames
+            .insert(settable(control, name).ok_or_else(unknown)?, frame);
+    }
+    Ok(())
+}
+
+/// Number of a settable frame by its name: G54..G57 1..4, G505..G599 5..99; NCT G54..G59 1..6 and `COMMON` 0.
+fn settable(control: &Control, name: &str) -> Option<usize> {
+    let number: usize = if name == "COMMON" {
+        0
+    } else {
+        name.strip_prefix('G')?.parse().ok()?
+    };
+    match (control.dialect, number) {
+        (_, 0) => Some(0),
+        (Dialect::Nct, 54..=59) | (_, 54..=57) => Some(number - 53),
+        (Dialect::Sinumerik, 500..=599) => Some(number - 500),
+        _ => None,
+    }
+}
+
+/// Name of a settable frame, see [`settable`].
+pub(super) fn settable_name(control: &Control, number: usize) -> String {
+    match (control.dialect, number) {
+        (Dialect::Nct, 0) => "COMMON".to_owned(),
+        (Dialect::Sinumerik, 0) => "G500".to_owned(),
+        (Dialect::Nct, _) | (_, 1..=4) => format!("G{}", number + 53),
+        _ => format!("G{}", number + 500),
+    }
+}
+
+fn solid(file: SolidFile) -> Result<Solid, Error> {
+    let shape = match (file.shape, file.size.as_slice()) {
+        (ShapeName::Hole, &[diameter, depth]) => Shape::Hole { diameter, depth },
+        (ShapeName::Shaft, &[diameter, height]) => Shape::Shaft { diameter, height },
+        (ShapeName::Groove, &[width, depth, length]) => Shape::Groove {
+            width,
+            depth,
+            length,
+        },
+        (ShapeName::Web, &[width, height, length]) => Shape::Web {
+            width,
+            height,
+            length,
+        },
+        (ShapeName::Pocket, &[x, y, depth]) => Shape::Pocket {
+            length: [x, y],
+            depth,
+        },
+        (ShapeName::Island, &[x, y, height]) => Shape::Island {
+            length: [x, y],
+            height,
+        },
+        (ShapeName::Block, &[x, y, z]) => Shape::Block { size: [x, y, z] },
+        (shape, size) => {
+            return Err(Error::Unknown {
+                what: "shape",
+                name: format!("{shape:?} with {} sizes", size.len()),
+            });
+        }
+    };
+    let errors = PartErrors {
+        shift: file.errors.shift,
+        size: file.errors.size,
+        tilt: file.errors.tilt,
+        taper: file.errors.taper,
+        out_of_round: file.errors.out_of_round,
+    };
+    Ok(Solid {
+        shape,
+        at: file.at,
+        rotation: file.rotation,
+        errors,
+    })
+}
+
+/// A solid as JSON, for the trace.
+pub(super) fn solid_value(solid: &Solid) -> Result<serde_json::Value, Error> {
+    Ok(serde_json::to_value(solid_file(solid))?)
+}
+
+/// A solid for the setup file and the trace.
+fn solid_file(solid: &Solid) -> SolidFile {
+    let (shape, size) = match solid.shape {
+        Shape::Hole { diameter, depth } => (ShapeName::Hole, vec![diameter, depth]),
+        Shape::Shaft { diameter, height } => (ShapeName::Shaft, vec![diameter, height]),
+        Shape::Groove {
+            width,
+            depth,
+            length,
+        } => (ShapeName::Groove, vec![width, depth, length]),
+        Shape::Web {
+            width,
+            height,
+            length,
+        } => (ShapeName::Web, vec![width, height, length]),
+        Shape::Pocket { length, depth } => (ShapeName::Pocket, vec![length[0], length[1], depth]),
+        Shape::Island { length, height } => (ShapeName::Island, vec![length[0], length[1], height]),
+        Shape::Block { size } => (ShapeName::Block, size.to_vec()),
+    };
+    let PartErrors {
+        shift,
+        size: oversize,
+        tilt,
+        taper,
+        out_of_round,
+    } = solid.errors;
+    SolidFile {
+        shape,
+        size,
+        at: solid.at,
+        rotation: solid.rotation,
+        errors: ErrorsFile {
+            shift,
+            size: oversize,
+            tilt,
+            taper,
+            out_of_round,
+        },
+    }
+}
+
+/// Writes a setup file that reads back to the same setup.
+pub fn to_json(setup: &Setup) -> Result<serde_json::Value, Error> {
+    let control = &setup.control;
+    let file = SetupFile {
+        control: match control.dialect {
+            Dialect::Sinumerik => ControlName::Sinumerik,
+            Dialect::Nct => ControlName::Nct,
+        },
+        units: match control.basic_units {
+            Units::Metric => UnitsName::Millimetre,
+            Units::Inch => UnitsName::Inch,
+        },
+        plane: match control.plane {
+            Plane::G17 => PlaneName::G17,
+            Plane::G18 => PlaneName::G18,
+            Plane::G19 => PlaneName::G19,
+        },
+        active: ActiveFile {
+            tool: control.tool,
+            edge: control.edge,
+            frame: settable_name(control, control.settable),
+            spindle: control.spindle,
+        },
+        tools: control
+            .tools
+            .iter()
+            .map(|(number, tool)| (*number, tool_file(tool)))
+            .collect(),
+        frames: frames_file(control),
+        data: control
+            .data
+            .iter()
+            .map(|(name, value)| (name.clone(), datum_file(value)))
+            .collect(),
+        probe: probe_file(&setup.probe),
+        workpiece: setup.workpiece.solids.iter().map(solid_file).collect(),
+        position: setup.position,
+    };
+    Ok(serde_json::to_value(file)?)
+}
+
+fn datum_file(value: &Value) -> DatumFile {
+    match value {
+        Value::Number(number) => DatumFile::Number(*number),
+        Value::Text(text) => DatumFile::Text(text.clone()),
+    }
+}
+
+fn tool_file(tool: &Tool) -> ToolFile {
+    let edge = |edge: &Edge| EdgeFile {
+        kind: edge.kind,
+        length: edge.length,
+        radius: edge.radius,
+        length_wear: edge.length_wear,
+        radius_wear: edge.radius_wear,
+        additive: edge.additive.clone(),
+        setup: edge.setup.clone(),
+    };
+    ToolFile {
+        name: tool.name.clone(),
+        edges: tool
+            .edges
+            .iter()
+            .map(|(number, data)| (*number, edge(data)))
+            .collect(),
+    }
+}
+
+fn probe_file(probe: &Probe) -> ProbeFile {
+    ProbeFile {
+        radius: probe.radius,
+        length: probe.length,
+        skew: probe.skew,
+        pre_travel: probe.pre_travel,
+        delay: probe.delay,
+        repeatability: probe.repeatability,
+    }
+}
+
+fn frames_file(control: &Control) -> BTreeMap<String, FrameFile> {
+    let file = |frame: &Frame| FrameFile {
+        coarse: frame.coarse,
+        fine: frame.fine,
+        rotation: frame.rotation,
+    };
+    let settable = control
+        .frames
+        .iter()
+        .map(|(number, frame)| (settable_name(control, *number), file(frame)));
+    let channel = control
+        .channel_basic
+        .iter()
+        .map(|(number, frame)| (format!("$P_CHBFR[{number}]"), file(frame)));
+    let global = control
+        .global_basic
+        .iter()
+        .map(|(number, frame)| (format!("$P_NCBFR[{number}]"), file(frame)));
+    let system = std::iter::once(("$P_SETFR".to_owned(), file(&control.system)));
+    settable
+        .chain(channel)
+        .chain(global)
+        .chain(system)
+        .collect()
+}

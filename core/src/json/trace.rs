@@ -1,0 +1,211 @@
+//! Outcome and trace as JSON.
+
+use super::setup::{settable_name, solid_value};
+use super::{Error, code, message, number};
+use crate::catalogue::Unit;
+use crate::check::Inputs;
+use crate::control::{Control, Units};
+use crate::diagnostic::Code;
+use crate::message::Message;
+use crate::run::outcome::{Change, Outcome};
+use crate::run::setup::Setup;
+use crate::run::trace::{Entry, MotionKind, Step, Trace};
+use serde_json::{Map, Value, json};
+
+/// What a call does: results, decisions, alarms, changes, log and trace.
+pub fn outcome(inputs: &Inputs, setup: &Setup, outcome: &Outcome) -> Result<Value, Error> {
+    Ok(json!({
+        "results": results(inputs, outcome),
+        "decisions": outcome.decisions().into_iter().map(message).collect::<Vec<_>>(),
+        "alarms": alarms(outcome),
+        "changes": changes(outcome),
+        "log": outcome.log(),
+        "trace": trace(setup, outcome)?,
+    }))
+}
+
+fn results(inputs: &Inputs, outcome: &Outcome) -> Vec<Value> {
+    outcome
+        .results(inputs.cycle)
+        .into_iter()
+        .filter(|(field, _)| field.when.holds(inputs))
+        .map(|(field, value)| {
+            json!({
+                "name": field.name,
+                "label": super::key(field.key),
+                "value": number(value),
+                "unit": unit(field.unit, &outcome.control),
+            })
+        })
+        .collect()
+}
+
+/// Tools, frames and memories before and after; lengths in mm, rotations in degree.
+pub(super) fn changes(outcome: &Outcome) -> Vec<Value> {
+    let value = |change: Change| {
+        let unit = if change.name.contains(",RT]") {
+            "deg"
+        } else {
+            "mm"
+        };
+        json!({ "name": change.name, "before": number(change.before), "after": number(change.after), "unit": unit })
+    };
+    outcome.changes().into_iter().map(value).collect()
+}
+
+/// Alarms raised, the one that stopped the run last, a fault of the simulation after them.
+pub(super) fn alarms(outcome: &Outcome) -> Vec<Value> {
+    let mut list: Vec<Value> = outcome.alarms().into_iter().map(alarm).collect();
+    if let Some(crate::run::Stop::Fault(text)) = &outcome.stop {
+        list.push(json!({ "code": "", "message": message(text), "stops": true }));
+    }
+    list
+}
+
+/// A 61xxx stops, a 62xxx informs (A: alarm list); NCT operator messages that inform are told apart by the words.
+fn alarm(alarm: Code) -> Value {
+    let stops = match alarm {
+        Code::Alarm(number) => number < 62000,
+        Code::Nct(text) => !text.contains("TOLERANCE"),
+        Code::Own(_) => true,
+    };
+    let key = alarm_key(alarm);
+    let hint = message(&Message::new(format!("{key}.cure")));
+    json!({ "code": code(alarm), "message": message(&Message::new(key)), "hint": hint, "stops": stops })
+}
+
+/// Key of an alarm's words: `alarm-61303`, `nct-format-error`, `pw012`.
+pub fn alarm_key(alarm: Code) -> String {
+    match alarm {
+        Code::Alarm(number) => format!("alarm-{number}"),
+        Code::Nct(text) => {
+            let words: String = text
+                .chars()
+                .map(|c| {
+                    if c.is_ascii_alphanumeric() {
+                        c.to_ascii_lowercase()
+                    } else {
+                        '-'
+                    }
+                })
+                .collect();
+            format!("nct-{words}")
+        }
+        Code::Own(number) => format!("pw{number:03}"),
+    }
+}
+
+/// Unit of a datum on this control, as shown.
+pub(super) fn unit(unit: Unit, control: &Control) -> &'static str {
+    let length = |units| if units == Units::Metric { "mm" } else { "inch" };
+    match unit {
+        Unit::None => "",
+        Unit::ActiveLength => length(control.active_units),
+        Unit::BasicLength => length(control.basic_units),
+        Unit::Millimetre => "mm",
+        Unit::Degree => "deg",
+        Unit::BasicFeed if control.basic_units == Units::Metric => "mm/min",
+        Unit::BasicFeed => "inch/min",
+    }
+}
+
+/// Everything that happened, with what is needed to draw it.
+pub(super) fn trace(setup: &Setup, outcome: &Outcome) -> Result<Value, Error> {
+    let solids = setup
+        .workpiece
+        .solids
+        .iter()
+        .map(solid_value)
+        .collect::<Result<Vec<_>, _>>()?;
+    Ok(json!({
+        "entries": entries(&outcome.trace),
+        "ball": { "radius": number(setup.probe.radius), "length": number(setup.probe.length) },
+        "solids": solids,
+        "frames": frames(&outcome.before, &outcome.control),
+    }))
+}
+
+fn entries(trace: &Trace) -> Vec<Value> {
+    trace.entries.iter().map(entry).collect()
+}
+
+fn entry(entry: &Entry) -> Value {
+    let mut object = match step(&entry.step) {
+        Value::Object(object) => object,
+        _ => Map::new(),
+    };
+    if let Some(line) = entry.line {
+        object.insert("line".into(), json!(line + 1));
+    }
+    Value::Object(object)
+}
+
+fn step(step: &Step) -> Value {
+    match step {
+        Step::Motion {
+            kind,
+            from,
+            to,
+            feed,
+        } => {
+            json!({ "step": "motion", "kind": kind_name(*kind), "from": from, "to": to, "feed": feed })
+        }
+        Step::Touch {
+            latched,
+            ball,
+            point,
+            normal,
+        } => {
+            json!({ "step": "touch", "latched": latched, "ball": ball, "point": point, "normal": normal })
+        }
+        Step::Crash { point } => json!({ "step": "crash", "point": point }),
+        Step::Orient(angle) => json!({ "step": "orient", "angle": angle }),
+        Step::Tool(tool, edge) => json!({ "step": "tool", "tool": tool, "edge": edge }),
+        Step::Set {
+            name,
+            before,
+            after,
+        } => json!({ "step": "set", "name": name, "before": before, "after": after }),
+        Step::Decision(text) => json!({ "step": "decision", "message": message(text) }),
+        Step::Alarm(code) => {
+            let mut value = alarm(*code);
+            value["step"] = json!("alarm");
+            value
+        }
+        Step::Message(text) => json!({ "step": "message", "text": text }),
+        Step::Log(text) => json!({ "step": "log", "text": text }),
+        Step::CallBegin { cycle, variant } => {
+            json!({ "step": "call", "cycle": cycle, "variant": variant })
+        }
+        Step::CallEnd => json!({ "step": "return" }),
+    }
+}
+
+fn kind_name(kind: MotionKind) -> &'static str {
+    match kind {
+        MotionKind::Rapid => "rapid",
+        MotionKind::Positioning => "positioning",
+        MotionKind::Measuring => "measuring",
+        MotionKind::Retract => "retract",
+    }
+}
+
+/// The active workpiece coordinate system before, and after where a correction moved it.
+fn frames(before: &Control, after: &Control) -> Vec<Value> {
+    let mut corrected = after.clone();
+    corrected.activate(after.settable);
+    let drawn = |name: String, control: &Control| {
+        let at = control.to_machine([0.0; 3]);
+        let axis = |direction: [f64; 3]| {
+            let end = control.to_machine(direction);
+            [end[0] - at[0], end[1] - at[1], end[2] - at[2]]
+        };
+        json!({ "name": name, "at": at, "axes": [axis([1.0, 0.0, 0.0]), axis([0.0, 1.0, 0.0]), axis([0.0, 0.0, 1.0])] })
+    };
+    let name = settable_name(before, before.settable);
+    let mut list = vec![drawn(name.clone(), before)];
+    if corrected.to_machine([0.0; 3]) != before.to_machine([0.0; 3]) {
+        list.push(drawn(format!("{name}′"), &corrected));
+    }
+    list
+}

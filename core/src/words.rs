@@ -1,0 +1,132 @@
+//! The words behind the keys, for the terminal and the tests. The page has its own reader of the same files.
+
+use crate::message::{Arg, Message};
+use fluent_bundle::concurrent::FluentBundle;
+use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
+
+/// The English message files; a test holds this list against the folder.
+pub const ENGLISH: &[(&str, &str)] = &[
+    ("alarms.ftl", include_str!("../messages/en/alarms.ftl")),
+    ("run.ftl", include_str!("../messages/en/run.ftl")),
+];
+
+/// Words of one language.
+pub struct Words {
+    bundle: FluentBundle<FluentResource>,
+}
+
+impl Words {
+    /// English.
+    pub fn english() -> Words {
+        Words::new(unic_langid::langid!("en"), ENGLISH)
+    }
+
+    /// A language from its files. A line that Fluent does not understand is left out; a test finds it.
+    fn new(language: unic_langid::LanguageIdentifier, files: &[(&str, &str)]) -> Words {
+        let mut bundle = FluentBundle::new_concurrent(vec![language]);
+        bundle.set_use_isolating(false); // a terminal shows the marks as rubbish
+        for (_, text) in files {
+            let resource = match FluentResource::try_new((*text).to_owned()) {
+                Ok(resource) => resource,
+                Err((resource, _)) => resource,
+            };
+            bundle.add_resource_overriding(resource);
+        }
+        Words { bundle }
+    }
+
+    /// The text of a message; `key.attribute` takes an attribute. A missing one shows its key.
+    pub fn text(&self, message: &Message) -> String {
+        self.find(message)
+            .unwrap_or_else(|| message.key.to_string())
+    }
+
+    /// The text of a message, if there is one.
+    pub fn find(&self, message: &Message) -> Option<String> {
+        let (id, attribute) = match message.key.split_once('.') {
+            Some((id, attribute)) => (id, Some(attribute)),
+            None => (message.key.as_ref(), None),
+        };
+        let entry = self.bundle.get_message(id)?;
+        let pattern = match attribute {
+            Some(name) => entry.get_attribute(name)?.value(),
+            None => entry.value()?,
+        };
+        let args = arguments(message);
+        let mut errors = Vec::new();
+        let text = self
+            .bundle
+            .format_pattern(pattern, Some(&args), &mut errors);
+        Some(text.into_owned())
+    }
+
+    /// The text of a key without arguments.
+    pub fn key(&self, key: impl Into<std::borrow::Cow<'static, str>>) -> String {
+        self.text(&Message::new(key))
+    }
+}
+
+fn arguments(message: &Message) -> FluentArgs<'_> {
+    let mut args = FluentArgs::new();
+    for (name, arg) in &message.args {
+        let value = match arg {
+            Arg::Number(number) => FluentValue::from(*number),
+            Arg::Text(text) => FluentValue::from(text.as_str()),
+        };
+        args.set(*name, value);
+    }
+    args
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+
+    fn folder() -> Vec<String> {
+        let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("messages/en");
+        let mut names: Vec<String> = std::fs::read_dir(path)
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+            .filter(|name| name.ends_with(".ftl"))
+            .collect();
+        names.sort();
+        names
+    }
+
+    // oracle: self
+    #[test]
+    fn every_message_file_is_read_and_understood() {
+        let listed: Vec<&str> = ENGLISH.iter().map(|(name, _)| *name).collect();
+        assert_eq!(listed, folder());
+        for (name, text) in ENGLISH {
+            if let Err((_, errors)) = FluentResource::try_new((*text).to_owned()) {
+                panic!("{name}: {errors:?}");
+            }
+        }
+    }
+
+    // oracle: self
+    #[test]
+    fn a_key_stands_in_one_file_only() {
+        let mut seen = std::collections::BTreeMap::new();
+        for (name, text) in ENGLISH {
+            for line in text.lines() {
+                let Some((key, _)) = line.split_once(" =") else {
+                    continue;
+                };
+                if line.starts_with(|c: char| c.is_ascii_lowercase()) {
+                    assert_eq!(seen.insert(key.to_owned(), *name), None, "{key} in {name}");
+                }
+            }
+        }
+    }
+
+    // oracle: hand
+    #[test]
+    fn words_take_arguments_and_attributes() {
+        let words = Words::english();
+        assert!(words.key("alarm-61334.cure").contains("_SZA"));
+        assert_eq!(words.key("no-such-key"), "no-such-key");
+    }
+}
