@@ -6,6 +6,7 @@ pub mod cycle977;
 pub mod cycle978;
 mod entry;
 pub mod names;
+pub mod sinumerik;
 mod when;
 pub use entry::*;
 

@@ -2,6 +2,7 @@
 
 pub mod params;
 mod results;
+pub mod simulate;
 
 use crate::catalogue::Variant;
 

@@ -1,0 +1,12 @@
+# Decisions of a measuring cycle after measuring. Numbers in mm.
+evaluate-safe-area = Difference { $difference } mm exceeds the safe area: nothing is corrected, the program stops.
+evaluate-difference = Difference { $difference } mm exceeds the permissible dimensional difference: nothing is corrected, the program goes on.
+evaluate-oversize = Difference { $difference } mm is above the upper tolerance: the whole difference is corrected, the mean value begins again.
+evaluate-undersize = Difference { $difference } mm is below the lower tolerance: the whole difference is corrected, the mean value begins again.
+evaluate-whole = Difference { $difference } mm is within tolerance, but beyond the range of the mean value: the whole difference is corrected, the mean value begins again.
+evaluate-mean = Difference { $difference } mm gives the mean value { $mean } mm, which exceeds the zero offset area: the mean value is corrected and begins again.
+evaluate-small = Difference { $difference } mm gives the mean value { $mean } mm, which stays within the zero offset area: nothing is corrected.
+evaluate-repeat = Measured again after a violated limit, repetition { $count } of 4.
+evaluate-halt = Programmed stop (M0): the operator continues with NC START.
+evaluate-activated = The corrected frame is active at once.
+evaluate-not-activated = The corrected frame becomes active when the program calls it again (G54, G500 …).

@@ -1,0 +1,87 @@
+//! Writes corrections of tools and zero offsets, and records them.
+
+use super::tolerance::Sizes;
+use super::{alarm, results};
+use crate::check::Inputs;
+use crate::evaluate::{Write, tool_offset, zero_offset};
+use crate::message::Message;
+use crate::run::trace::Step;
+use crate::run::{Machine, Stop};
+
+/// Finds the quantity that a tool offset corrects; `axis` where there is one measuring axis. None: `_KNUM` = 0.
+pub fn tool_target(
+    machine: &mut dyn Machine,
+    inputs: &Inputs,
+    axis: Option<usize>,
+) -> Result<Option<tool_offset::Target>, Stop> {
+    let names = tool_offset::Names {
+        code: inputs.integer("_KNUM"),
+        tool: inputs.integer("_TNUM"),
+        tool_name: inputs.text("_TNAME"),
+        location: inputs.integer("_DLNUM"),
+        environment: inputs.text("_TENV"),
+        axis,
+    };
+    let found = tool_offset::target(machine.control(), &names);
+    found.map_err(|number| alarm(machine, number))
+}
+
+/// Finds the frame that a zero offset corrects. None: `_KNUM` = 0.
+pub fn zero_target(
+    machine: &mut dyn Machine,
+    inputs: &Inputs,
+) -> Result<Option<zero_offset::Target>, Stop> {
+    let found = zero_offset::target(machine.control(), inputs.integer("_KNUM"));
+    found.map_err(|number| alarm(machine, number))
+}
+
+/// Corrects a tool by a difference; the amount entered, mm. A length is shortened by a positive difference.
+pub fn tool(
+    machine: &mut dyn Machine,
+    target: &tool_offset::Target,
+    sizes: &Sizes,
+    difference: f64,
+) -> f64 {
+    let sign = if target.part == tool_offset::RADIUS {
+        sizes.radius_sign
+    } else {
+        -1.0
+    };
+    let inverted = if target.inverted { -1.0 } else { 1.0 };
+    let amount = sizes.factor * sign * inverted * difference;
+    let writes = tool_offset::writes(machine.control(), target, amount);
+    write(machine, &writes);
+    amount
+}
+
+/// Corrects a zero offset and, for `_KNUM` = 9999, activates it.
+pub fn zero(
+    machine: &mut dyn Machine,
+    target: &zero_offset::Target,
+    measured: &zero_offset::Measured,
+) {
+    let writes = zero_offset::writes(machine.control(), target, measured);
+    write(machine, &writes);
+    if target.activate {
+        let settable = machine.control().settable;
+        machine.control().activate(settable);
+        machine.record(Step::Decision(Message::new("evaluate-activated")));
+    } else {
+        machine.record(Step::Decision(Message::new("evaluate-not-activated")));
+    }
+    results::integer(machine, 11, 1);
+}
+
+/// Writes and records.
+fn write(machine: &mut dyn Machine, writes: &[Write]) {
+    for Write { name, value } in writes {
+        let control = machine.control();
+        let before = control.variable(name).unwrap_or(0.0);
+        control.set_variable(name, *value);
+        machine.record(Step::Set {
+            name: name.clone(),
+            before,
+            after: *value,
+        });
+    }
+}

@@ -1,0 +1,24 @@
+//! What the SINUMERIK workpiece cycles have in common: the measuring block, results, tolerances, corrections.
+
+pub mod correct;
+pub mod measuring_block;
+pub mod results;
+pub mod tolerance;
+
+use crate::diagnostic::Code;
+use crate::run::{Machine, Stop};
+
+/// A correction done, or the measurement to be repeated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Next {
+    /// The cycle is over.
+    Done,
+    /// Measure again (`_CBIT[0]`, B:13572-13574).
+    Again,
+}
+
+/// Ends the cycle with an alarm, which also stays in `_OVI[9]` (B:5699).
+pub fn alarm(machine: &mut dyn Machine, number: u32) -> Stop {
+    results::set(machine, "_OVI[9]", f64::from(number));
+    Stop::Alarm(Code::Alarm(number))
+}

@@ -1,0 +1,35 @@
+//! Result data `_OVR[]` and `_OVI[]`: written to the control and recorded.
+
+use crate::check::Inputs;
+use crate::run::{Machine, trace::Step};
+
+/// Writes a datum and records it.
+pub fn set(machine: &mut dyn Machine, name: &str, value: f64) {
+    let control = machine.control();
+    let before = control.number(name);
+    control.set(name, value);
+    machine.record(Step::Set {
+        name: name.to_string(),
+        before,
+        after: value,
+    });
+}
+
+/// Writes a length (mm) into `_OVR[index]`, in the active system of units.
+pub fn length(machine: &mut dyn Machine, index: usize, millimetres: f64) {
+    let value = millimetres / machine.control().active_factor();
+    set(machine, &format!("_OVR[{index}]"), value);
+}
+
+/// Writes `_OVI[index]`.
+pub fn integer(machine: &mut dyn Machine, index: usize, value: i64) {
+    set(machine, &format!("_OVI[{index}]"), value as f64);
+}
+
+/// What every measurement tells about itself: cycle, probe, no alarm yet, safe area (B:5688-5699).
+pub fn begin(machine: &mut dyn Machine, inputs: &Inputs, cycle: i64) {
+    integer(machine, 2, cycle);
+    integer(machine, 5, inputs.integer("_PRNUM") % 100);
+    integer(machine, 9, 0);
+    length(machine, 28, inputs.number("_TSA"));
+}

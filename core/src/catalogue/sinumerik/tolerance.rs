@@ -1,0 +1,230 @@
+//! Safe area, tolerance chain and repetition as the workpiece cycles use them (B:1286-1390, B:6123-6137).
+
+use super::{Next, alarm, correct, results};
+use crate::check::Inputs;
+use crate::control::Control;
+use crate::diagnostic::Code;
+use crate::evaluate::symmetry::{Symmetric, symmetric};
+use crate::evaluate::tolerance::{Bands, Branch, Decision, chain};
+use crate::evaluate::{mean, tool_offset};
+use crate::message::Message;
+use crate::run::trace::Step;
+use crate::run::{Machine, Stop};
+
+/// Repetitions after a violated limit (B:13572-13574).
+const REPETITIONS: u32 = 4;
+
+/// What a measurement with tool offset found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sizes<'a> {
+    /// Actual sizes minus middle of the tolerance band, mm; two for a rectangle.
+    pub differences: &'a [f64],
+    /// Part of a difference that goes into the tool: 1/2 for a diameter or width, 1 for a position (B:6130-6134).
+    pub factor: f64,
+    /// Sign of a correction of the radius.
+    pub radius_sign: f64,
+}
+
+/// Setpoint in the middle of the tolerance band (B:2203-2211).
+pub fn middle(inputs: &Inputs, setpoint: f64) -> Symmetric {
+    symmetric(setpoint, inputs.number("_TUL"), inputs.number("_TLL"))
+}
+
+/// Empirical value with its sign as subtracted from the actual value, mm (B:13924-13926).
+pub fn empirical(control: &Control, inputs: &Inputs) -> f64 {
+    let number = mean::memories(inputs.integer("_EVNUM")).empirical;
+    if number == 0 {
+        return 0.0;
+    }
+    let value = control.basic_length(&format!("_EV[{}]", number - 1));
+    if control.bit("_CHBIT[5]") {
+        -value
+    } else {
+        value
+    }
+}
+
+/// Name of the mean value memory in use: none without `_EVNUM` or with `_CHBIT[4]` = 0 (B:13917-13920).
+fn memory(control: &Control, inputs: &Inputs) -> Option<String> {
+    let number = mean::memories(inputs.integer("_EVNUM")).mean;
+    (number > 0 && control.bit("_CHBIT[4]")).then(|| format!("_MV[{}]", number - 1))
+}
+
+/// Checks before the first motion that belong to tool offset: `_K` (A:15859) and the target.
+pub fn prepare(
+    machine: &mut dyn Machine,
+    inputs: &Inputs,
+    axis: Option<usize>,
+) -> Result<Option<tool_offset::Target>, Stop> {
+    if inputs.number("_K") == 0.0 {
+        return Err(alarm(machine, 61318));
+    }
+    correct::tool_target(machine, inputs, axis)
+}
+
+/// Runs the chain, records the decision, corrects the tool.
+pub fn decide(
+    machine: &mut dyn Machine,
+    inputs: &Inputs,
+    sizes: &Sizes,
+    target: Option<&tool_offset::Target>,
+    repetition: u32,
+) -> Result<Next, Stop> {
+    let control = machine.control();
+    let offset = empirical(control, inputs);
+    let memory = memory(control, inputs);
+    let old = memory
+        .as_deref()
+        .map_or(0.0, |name| control.basic_length(name));
+    let differences: Vec<f64> = sizes
+        .differences
+        .iter()
+        .map(|difference| difference - offset)
+        .collect();
+    let decision = chain(&differences, &bands(inputs), old);
+    report(machine, inputs, target, &decision);
+    machine.record(Step::Decision(explain(&decision, &differences)));
+    if matches!(decision.branch, Branch::SafeArea | Branch::Difference)
+        && repeat(machine, repetition)
+    {
+        return Ok(Next::Again);
+    }
+    if decision.branch == Branch::SafeArea {
+        return Err(alarm(machine, 61303));
+    }
+    inform(machine, decision.branch);
+    if let Some(name) = memory {
+        let value = decision.memory / machine.control().basic_factor();
+        results::set(machine, &name, value);
+    }
+    let amount = match target {
+        Some(target) if decision.correction != 0.0 => {
+            correct::tool(machine, target, sizes, decision.correction)
+        }
+        _ => 0.0,
+    };
+    results::length(machine, 20, amount);
+    Ok(Next::Done)
+}
+
+/// The bands as parameters give them.
+fn bands(inputs: &Inputs) -> Bands {
+    let Symmetric { upper, lower, .. } = middle(inputs, 0.0);
+    Bands {
+        safe_area: inputs.number("_TSA"),
+        difference: inputs.number("_TDIF"),
+        upper,
+        lower,
+        mean: inputs.number("_TMV"),
+        zero_offset: inputs.number("_TZL"),
+        weight: inputs.number("_K"),
+    }
+}
+
+/// Results that exist only with tool offset (footnote 1 of B:5675-5701).
+fn report(
+    machine: &mut dyn Machine,
+    inputs: &Inputs,
+    target: Option<&tool_offset::Target>,
+    decision: &Decision,
+) {
+    let memories = mean::memories(inputs.integer("_EVNUM"));
+    results::length(machine, 20, 0.0);
+    results::length(machine, 27, inputs.number("_TZL"));
+    results::length(machine, 29, inputs.number("_TDIF"));
+    report_empirical(machine, inputs);
+    results::length(machine, 31, decision.mean);
+    results::integer(machine, 0, target.map_or(0, |target| target.edge));
+    results::integer(machine, 4, inputs.integer("_K"));
+    results::integer(machine, 6, memories.mean);
+    results::integer(machine, 7, memories.empirical);
+    results::integer(machine, 8, target.map_or(0, |target| target.tool));
+    results::integer(
+        machine,
+        13,
+        target.and_then(|target| target.location).unwrap_or(0),
+    );
+}
+
+/// The empirical value as stored, whichever way `_CHBIT[5]` reckons it (B:6359).
+pub fn report_empirical(machine: &mut dyn Machine, inputs: &Inputs) {
+    let control = machine.control();
+    let value = empirical(control, inputs);
+    let stored = if control.bit("_CHBIT[5]") {
+        -value
+    } else {
+        value
+    };
+    results::length(machine, 30, stored);
+}
+
+/// Whether to measure again: `_CBIT[0]`, at most four times; with `_CBIT[1]` an alarm and a programmed stop before
+/// (B:13572-13580).
+fn repeat(machine: &mut dyn Machine, repetition: u32) -> bool {
+    if !machine.control().bit("_CBIT[0]") || repetition >= REPETITIONS {
+        return false;
+    }
+    if machine.control().bit("_CBIT[1]") {
+        machine.record(Step::Alarm(Code::Alarm(62303)));
+        machine.record(Step::Decision(Message::new("evaluate-halt")));
+    }
+    let count = f64::from(repetition) + 1.0;
+    machine.record(Step::Decision(
+        Message::new("evaluate-repeat").number("count", count),
+    ));
+    true
+}
+
+/// The alarm of a branch that lets the program go on; with `_CBIT[2]` a programmed stop (B:13584-13586).
+fn inform(machine: &mut dyn Machine, branch: Branch) {
+    if let Some(number) = branch.alarm() {
+        results::integer(machine, 9, i64::from(number));
+        machine.record(Step::Alarm(Code::Alarm(number)));
+        if machine.control().bit("_CBIT[2]") {
+            machine.record(Step::Decision(Message::new("evaluate-halt")));
+        }
+    }
+}
+
+/// The decision in words.
+fn explain(decision: &Decision, differences: &[f64]) -> Message {
+    let key = match decision.branch {
+        Branch::SafeArea => "evaluate-safe-area",
+        Branch::Difference => "evaluate-difference",
+        Branch::Oversize => "evaluate-oversize",
+        Branch::Undersize => "evaluate-undersize",
+        Branch::Whole => "evaluate-whole",
+        Branch::Mean => "evaluate-mean",
+        Branch::Small => "evaluate-small",
+    };
+    let worst = differences
+        .iter()
+        .copied()
+        .fold(0.0_f64, |a, b| if b.abs() > a.abs() { b } else { a });
+    Message::new(key)
+        .number("difference", worst)
+        .number("mean", decision.mean)
+}
+
+/// Zero offset variants watch only the safe area, each difference for itself (B:6221, B:6276).
+pub fn safe(
+    machine: &mut dyn Machine,
+    inputs: &Inputs,
+    differences: &[f64],
+    repetition: u32,
+) -> Result<Next, Stop> {
+    let limit = inputs.number("_TSA");
+    let Some(worst) = differences
+        .iter()
+        .copied()
+        .find(|difference| difference.abs() > limit)
+    else {
+        return Ok(Next::Done);
+    };
+    let message = Message::new("evaluate-safe-area").number("difference", worst);
+    machine.record(Step::Decision(message.number("mean", 0.0)));
+    if repeat(machine, repetition) {
+        return Ok(Next::Again);
+    }
+    Err(alarm(machine, 61303))
+}
