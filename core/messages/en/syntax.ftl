@@ -1,0 +1,14 @@
+# What the reader of part programs did not understand.
+syntax-unknown = This is not understood.
+syntax-value = A value is missing here.
+syntax-operand = A number, a variable or a bracket is expected here.
+syntax-operator = An operator cannot begin a word.
+syntax-equals = “=” is expected here.
+syntax-bracket = A bracket is not closed.
+syntax-index = An index holds one to three values.
+syntax-text = A text is not closed with a quotation mark.
+syntax-number = This number cannot be read.
+syntax-comma = The control writes decimals with a point, not with a comma.
+syntax-depth = Brackets and operators are nested too deeply.
+syntax-comment = A comment is not closed.
+syntax-too-large = The program is too large; the rest was not read.

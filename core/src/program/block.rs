@@ -1,0 +1,147 @@
+//! Lines: block number, skip level, words, comment.
+
+use super::bytes::is_digit;
+use super::reader::{Expect, Reader};
+use super::tree::{Block, Program, SyntaxError};
+use super::{nct, sinumerik};
+use crate::catalogue::Dialect;
+use crate::diagnostic::Span;
+
+/// Reads a program. Never fails: what is not understood is marked in the tree.
+pub fn read(dialect: Dialect, source: &[u8]) -> Program {
+    // Places are u32; what lies beyond 4 GiB is kept but not read.
+    let readable = source.get(..u32::MAX as usize).unwrap_or(source);
+    let mut reader = Reader::new(readable);
+    while reader.at < readable.len() || reader.blocks.is_empty() {
+        let start = reader.at;
+        let length = reader
+            .source
+            .get(start..)
+            .unwrap_or_default()
+            .iter()
+            .position(|byte| *byte == b'\n');
+        let stop = length.map_or(readable.len(), |length| start + length);
+        let carriage = stop > start && readable.get(stop - 1) == Some(&b'\r');
+        reader.end = stop - usize::from(carriage);
+        line(&mut reader, dialect);
+        reader.at = stop + 1;
+    }
+    if readable.len() < source.len() {
+        reader.errors.push(SyntaxError {
+            span: Span {
+                start: u32::MAX - 1,
+                end: u32::MAX,
+            },
+            key: "syntax-too-large",
+        });
+    }
+    reader.finish(dialect, source)
+}
+
+fn line(reader: &mut Reader, dialect: Dialect) {
+    let span = Span {
+        start: reader.at as u32,
+        end: reader.end as u32,
+    };
+    reader.first = reader.words.len();
+    reader.expect = Expect::Words;
+    reader.blanks();
+    let before = skip(reader);
+    let number = number(reader, dialect);
+    let skip = before.or_else(|| skip(reader));
+    let mut comment = None;
+    loop {
+        reader.blanks();
+        if reader.done() {
+            break;
+        }
+        if let Some(found) = take_comment(reader, dialect) {
+            comment = comment.or(Some(found));
+            continue;
+        }
+        word(reader, dialect);
+    }
+    let words = reader.first as u32..reader.words.len() as u32;
+    reader.blocks.push(Block {
+        span,
+        number,
+        skip,
+        words,
+        comment,
+    });
+}
+
+fn word(reader: &mut Reader, dialect: Dialect) {
+    let start = reader.at;
+    let (words, exprs, expect) = (reader.words.len(), reader.exprs.len(), reader.expect);
+    let outcome = match dialect {
+        Dialect::Sinumerik => sinumerik::word(reader),
+        Dialect::Nct => nct::word(reader),
+    };
+    if let Err(key) = outcome {
+        reader.words.truncate(words);
+        reader.exprs.truncate(exprs);
+        reader.list.clear();
+        reader.depth = 0;
+        reader.expect = expect;
+        reader.unknown(
+            start,
+            key,
+            if dialect == Dialect::Nct { b'(' } else { b';' },
+        );
+    }
+}
+
+/// `/`, `/2` before or after the block number.
+fn skip(reader: &mut Reader) -> Option<u8> {
+    if reader.byte(0) != b'/' {
+        return None;
+    }
+    reader.at += 1;
+    let digit = reader.byte(0);
+    let level = if is_digit(digit) {
+        reader.at += 1;
+        digit - b'0'
+    } else {
+        0
+    };
+    reader.blanks();
+    Some(level)
+}
+
+/// `N10`; SINUMERIK also `:10`.
+fn number(reader: &mut Reader, dialect: Dialect) -> Option<Span> {
+    let first = reader.byte(0);
+    let main = first == b':' && dialect == Dialect::Sinumerik;
+    if !(main || first.eq_ignore_ascii_case(&b'N')) || !is_digit(reader.byte(1)) {
+        return None;
+    }
+    let start = reader.at;
+    reader.at += 1;
+    while is_digit(reader.byte(0)) {
+        reader.at += 1;
+    }
+    let span = reader.from(start);
+    reader.blanks();
+    Some(span)
+}
+
+fn take_comment(reader: &mut Reader, dialect: Dialect) -> Option<Span> {
+    let start = reader.at;
+    match (reader.byte(0), dialect) {
+        (b';', _) => reader.at = reader.end,
+        (b'(', Dialect::Nct) => {
+            let close = reader.rest().iter().position(|byte| *byte == b')');
+            reader.at = close.map_or(reader.end, |length| start + length + 1);
+            if close.is_none() {
+                let span = reader.from(start);
+                reader.errors.push(SyntaxError {
+                    span,
+                    key: "syntax-comment",
+                });
+            }
+        }
+        _ => return None,
+    }
+    Some(reader.from(start))
+}

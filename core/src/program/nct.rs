@@ -1,0 +1,141 @@
+//! Words of the NCT language.
+
+use super::bytes::is_digit;
+use super::expression::expression;
+use super::nct_expression::{bracket, variable};
+use super::number;
+use super::reader::{Parsed, Reader};
+use super::tree::{Expr, ExprId, WordKind};
+use crate::catalogue::Dialect::Nct;
+use crate::diagnostic::Span;
+
+/// Reads one word.
+pub(super) fn word(reader: &mut Reader) -> Parsed<()> {
+    let first = reader.byte(0);
+    let begins = reader.words.len() == reader.first;
+    if begins && header(reader, first) {
+        return Ok(());
+    }
+    match first {
+        b'#' => assignment(reader),
+        b',' if reader.byte(1).is_ascii_alphabetic() => address(reader, 2),
+        _ if !first.is_ascii_alphabetic() => Err("syntax-unknown"),
+        _ if reader.byte(1).is_ascii_alphabetic() => keyword(reader),
+        _ => address(reader, 1),
+    }
+}
+
+/// `%`, `%O0110`, `O0110`, `:0110` at the start of a line.
+fn header(reader: &mut Reader, first: u8) -> bool {
+    let start = reader.at;
+    let number = matches!(first, b'O' | b'o' | b':') && is_digit(reader.byte(1));
+    if first != b'%' && !number {
+        return false;
+    }
+    reader.at += 1;
+    while reader.byte(0).is_ascii_alphanumeric() {
+        reader.at += 1;
+    }
+    let span = reader.from(start);
+    reader.word(start, WordKind::Header(span));
+    true
+}
+
+/// `#100=…`, `#[…]=…`.
+fn assignment(reader: &mut Reader) -> Parsed<()> {
+    let start = reader.at;
+    let target = variable(reader)?;
+    let (name, index) = match reader.exprs.get(target.id as usize) {
+        Some(Expr::Name { name, index }) => (*name, index.clone()),
+        _ => return Err("syntax-operand"),
+    };
+    if !reader.take(b'=') {
+        return Err("syntax-equals");
+    }
+    reader.blanks();
+    let value_start = reader.at;
+    if reader.done() {
+        return Err("syntax-value");
+    }
+    let value = expression(reader, Nct, 0)?.id;
+    let value_span = reader.from(value_start);
+    reader.word(
+        start,
+        WordKind::Assign {
+            name,
+            index,
+            value_span,
+            value,
+        },
+    );
+    Ok(())
+}
+
+/// `X10`, `X-10.`, `X#100`, `X-#1`, `X[…]`.
+fn address(reader: &mut Reader, letters: usize) -> Parsed<()> {
+    let start = reader.at;
+    reader.at += letters;
+    let name = reader.from(start);
+    reader.blanks();
+    let value = plain(reader)?;
+    reader.word(
+        start,
+        WordKind::Address {
+            name,
+            extension: None,
+            mode: None,
+            value,
+        },
+    );
+    Ok(())
+}
+
+/// A number with its sign, a variable or a bracket; never a whole expression: `X10-5` is no word.
+fn plain(reader: &mut Reader) -> Parsed<ExprId> {
+    let start = reader.at;
+    let sign = usize::from(matches!(reader.byte(0), b'+' | b'-'));
+    let minus = reader.byte(0) == b'-';
+    let first = reader.byte(sign);
+    if is_digit(first) || first == b'.' {
+        reader.at += sign;
+        let (value, length) = number::decimal(reader.rest()).ok_or("syntax-number")?;
+        reader.at += length;
+        let span: Span = reader.from(start);
+        return Ok(reader
+            .push(Expr::Number(if minus { -value } else { value }, span), 1)?
+            .id);
+    }
+    if sign == 1 || matches!(first, b'#' | b'[') {
+        return Ok(expression(reader, Nct, 12)?.id);
+    }
+    Err("syntax-value")
+}
+
+/// `IF[…]`, `WHILE[…]`, `DO1`, `END1`, `GOTO 100`, `THEN`.
+fn keyword(reader: &mut Reader) -> Parsed<()> {
+    const WORDS: &[(&[u8], bool)] = &[
+        (b"WHILE", true),
+        (b"GOTO", true),
+        (b"THEN", false),
+        (b"END", true),
+        (b"IF", true),
+        (b"DO", true),
+    ];
+    let start = reader.at;
+    let rest = reader.rest();
+    let found = WORDS.iter().find(|(word, _)| {
+        rest.get(..word.len())
+            .is_some_and(|text| text.eq_ignore_ascii_case(word))
+    });
+    let (word, valued) = found.ok_or("syntax-unknown")?;
+    reader.at += word.len();
+    let name = reader.from(start);
+    reader.blanks();
+    let value = match (valued, reader.byte(0)) {
+        (false, _) => None,
+        (true, b'[') => Some(bracket(reader)?.id),
+        (true, _) => Some(plain(reader)?),
+    };
+    reader.word(start, WordKind::Keyword { name, value });
+    Ok(())
+}

@@ -1,0 +1,135 @@
+//! Operators and operands of the NCT macro language: brackets are `[ ]`, variables `#100`, `#[…]`.
+
+use super::bytes::is_digit;
+use super::expression::{Strength, expression, unary};
+use super::number;
+use super::reader::{Node, Parsed, Reader};
+use super::tree::{Expr, Operator};
+use crate::catalogue::Dialect::Nct;
+
+const UNARY: Strength = 12;
+
+/// The operator at the present place with its strength and length.
+/// Order: functions; `* / AND MOD`; `+ - OR XOR`; comparisons.
+pub(super) fn operator(reader: &Reader) -> Option<(Operator, Strength, usize)> {
+    const WORDS: &[(&[u8], Operator, Strength)] = &[
+        (b"AND", Operator::And, 10),
+        (b"MOD", Operator::Mod, 10),
+        (b"XOR", Operator::Xor, 9),
+        (b"OR", Operator::Or, 9),
+        (b"EQ", Operator::Equal, 1),
+        (b"NE", Operator::NotEqual, 1),
+        (b"GT", Operator::Greater, 1),
+        (b"LT", Operator::Less, 1),
+        (b"GE", Operator::GreaterEqual, 1),
+        (b"LE", Operator::LessEqual, 1),
+    ];
+    match reader.byte(0) {
+        b'+' => return Some((Operator::Plus, 9, 1)),
+        b'-' => return Some((Operator::Minus, 9, 1)),
+        b'*' => return Some((Operator::Times, 10, 1)),
+        b'/' => return Some((Operator::Over, 10, 1)),
+        _ => {}
+    }
+    let rest = reader.rest();
+    let found = WORDS.iter().find(|(word, ..)| {
+        rest.get(..word.len())
+            .is_some_and(|text| text.eq_ignore_ascii_case(word))
+    });
+    found.map(|(word, operator, strength)| (*operator, *strength, word.len()))
+}
+
+/// One operand.
+pub(super) fn operand(reader: &mut Reader) -> Parsed<Node> {
+    let start = reader.at;
+    match reader.byte(0) {
+        b'+' => unary(reader, Nct, Operator::Plus, 1, UNARY),
+        b'-' => unary(reader, Nct, Operator::Minus, 1, UNARY),
+        b'[' => bracket(reader),
+        b'#' => variable(reader),
+        byte if is_digit(byte) || byte == b'.' => {
+            let (value, length) = number::decimal(reader.rest()).ok_or("syntax-number")?;
+            reader.at += length;
+            let span = reader.from(start);
+            reader.push(Expr::Number(value, span), 1)
+        }
+        byte if byte.is_ascii_alphabetic() => function(reader),
+        _ => Err("syntax-operand"),
+    }
+}
+
+/// `[…]`.
+pub(super) fn bracket(reader: &mut Reader) -> Parsed<Node> {
+    reader.at += 1;
+    let inner = expression(reader, Nct, 0)?;
+    if reader.take(b']') {
+        Ok(inner)
+    } else {
+        Err("syntax-bracket")
+    }
+}
+
+/// `#100` as a name, `#[…]` and `##1` as the name `#` with an index.
+pub(super) fn variable(reader: &mut Reader) -> Parsed<Node> {
+    let start = reader.at;
+    reader.at += 1;
+    let number = reader
+        .rest()
+        .iter()
+        .take_while(|byte| is_digit(**byte))
+        .count();
+    if number > 0 {
+        reader.at += number;
+        let name = reader.from(start);
+        return reader.push(
+            Expr::Name {
+                name,
+                index: Box::default(),
+            },
+            1,
+        );
+    }
+    let name = reader.from(start);
+    let index = match reader.byte(0) {
+        b'[' => bracket(reader)?,
+        b'#' => expression(reader, Nct, UNARY)?,
+        _ => return Err("syntax-operand"),
+    };
+    reader.push(
+        Expr::Name {
+            name,
+            index: Box::new([index.id]),
+        },
+        index.height + 1,
+    )
+}
+
+/// `SIN[…]`, `SQRT #1`, `ATAN[…]/[…]` (two arguments).
+fn function(reader: &mut Reader) -> Parsed<Node> {
+    const NAMES: &[&[u8]] = &[
+        b"SIN", b"COS", b"TAN", b"ASIN", b"ACOS", b"ATAN", b"SQRT", b"ABS", b"ROUND", b"FIX",
+        b"FUP", b"LN", b"EXP", b"BIN", b"BCD", b"ADP", b"NOT",
+    ];
+    let start = reader.at;
+    let letters = reader
+        .rest()
+        .iter()
+        .take(6)
+        .take_while(|byte| byte.is_ascii_alphabetic())
+        .count();
+    reader.at += letters;
+    let name = reader.from(start);
+    if !NAMES
+        .iter()
+        .any(|known| reader.text(name).eq_ignore_ascii_case(known))
+    {
+        return Err("syntax-operand");
+    }
+    let inner = expression(reader, Nct, UNARY)?;
+    if reader.text(name).eq_ignore_ascii_case(b"ATAN") && reader.take(b'/') {
+        let second = expression(reader, Nct, UNARY)?;
+        let height = inner.height.max(second.height) + 1;
+        return reader.push(Expr::Call(name, Box::new([inner.id, second.id])), height);
+    }
+    reader.push(Expr::Call(name, Box::new([inner.id])), inner.height + 1)
+}

@@ -1,0 +1,199 @@
+//! The place in the source, and the arenas being filled. Knows no dialect.
+
+use super::bytes::{in_name, is_blank};
+use super::tree::{Block, Expr, ExprId, Program, SyntaxError, Word, WordKind};
+use crate::catalogue::Dialect;
+use crate::diagnostic::Span;
+
+/// Deepest nesting of brackets, and tallest expression; bounds every recursion over a tree.
+pub(super) const DEPTH: u16 = 100;
+
+/// A value, or the key of what is wrong at the present place.
+pub(super) type Parsed<T> = Result<T, &'static str>;
+
+/// An expression with the height of its tree.
+#[derive(Clone, Copy)]
+pub(super) struct Node {
+    pub id: ExprId,
+    pub height: u16,
+}
+
+/// What the next word of a line may be, beside the ordinary.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Expect {
+    /// Any word.
+    Words,
+    /// After `DEF`: types, names, commas.
+    Definition,
+    /// After `PROC`, `EXTERN`: the name.
+    Procedure,
+    /// Inside the brackets after it.
+    Parameters,
+    /// After `FOR`: the assignment.
+    Counter,
+    /// After `OF`: constants and jumps.
+    Constants,
+}
+
+/// The reader's state. `at <= end <= source.len()`.
+pub(super) struct Reader<'a> {
+    pub source: &'a [u8],
+    pub at: usize,
+    /// End of the present line, line end excluded.
+    pub end: usize,
+    pub depth: u16,
+    pub expect: Expect,
+    /// First word of the present line in `words`.
+    pub first: usize,
+    pub blocks: Vec<Block>,
+    pub words: Vec<Word>,
+    pub exprs: Vec<Expr>,
+    pub errors: Vec<SyntaxError>,
+    /// Elements of the lists being read; each list takes its own off the top.
+    pub list: Vec<Option<ExprId>>,
+}
+
+impl<'a> Reader<'a> {
+    pub fn new(source: &'a [u8]) -> Self {
+        Self {
+            source,
+            at: 0,
+            end: 0,
+            depth: 0,
+            expect: Expect::Words,
+            first: 0,
+            blocks: Vec::with_capacity(source.len() / 24),
+            words: Vec::with_capacity(source.len() / 6),
+            exprs: Vec::with_capacity(source.len() / 6),
+            errors: Vec::new(),
+            list: Vec::new(),
+        }
+    }
+
+    pub fn finish(self, dialect: Dialect, source: &[u8]) -> Program {
+        Program {
+            dialect,
+            source: source.to_vec(),
+            blocks: self.blocks,
+            words: self.words,
+            exprs: self.exprs,
+            errors: self.errors,
+        }
+    }
+
+    /// Byte `ahead` of the present place; 0 past the end of the line.
+    pub fn byte(&self, ahead: usize) -> u8 {
+        let at = self.at + ahead;
+        if at < self.end {
+            self.source.get(at).copied().unwrap_or(0)
+        } else {
+            0
+        }
+    }
+
+    /// What is left of the line.
+    pub fn rest(&self) -> &'a [u8] {
+        self.source.get(self.at..self.end).unwrap_or_default()
+    }
+
+    pub fn done(&self) -> bool {
+        self.at >= self.end
+    }
+
+    pub fn blanks(&mut self) {
+        while is_blank(self.byte(0)) {
+            self.at += 1;
+        }
+    }
+
+    /// Steps over this byte, blanks before it included; else stays.
+    pub fn take(&mut self, wanted: u8) -> bool {
+        let start = self.at;
+        self.blanks();
+        if !self.done() && self.byte(0) == wanted {
+            self.at += 1;
+            return true;
+        }
+        self.at = start;
+        false
+    }
+
+    /// Steps over a name.
+    pub fn name(&mut self) -> Span {
+        let start = self.at;
+        while in_name(self.byte(0)) {
+            self.at += 1;
+        }
+        self.from(start)
+    }
+
+    /// From a place to the present one.
+    pub fn from(&self, start: usize) -> Span {
+        Span {
+            start: start as u32,
+            end: self.at as u32,
+        }
+    }
+
+    pub fn text(&self, span: Span) -> &'a [u8] {
+        self.source
+            .get(span.start as usize..span.end as usize)
+            .unwrap_or_default()
+    }
+
+    pub fn push(&mut self, expr: Expr, height: u16) -> Parsed<Node> {
+        if height > DEPTH {
+            return Err("syntax-depth");
+        }
+        let id = self.exprs.len() as ExprId;
+        self.exprs.push(expr);
+        Ok(Node { id, height })
+    }
+
+    pub fn word(&mut self, start: usize, kind: WordKind) {
+        let span = self.from(start);
+        self.words.push(Word { span, kind });
+    }
+
+    /// The elements of a list that began when `list` had this length.
+    pub fn elements(&mut self, base: usize) -> Box<[Option<ExprId>]> {
+        let elements = self.list.get(base..).unwrap_or_default().into();
+        self.list.truncate(base);
+        elements
+    }
+
+    /// Marks what was not understood, from `start` to the next blank; touching ones become one.
+    pub fn unknown(&mut self, start: usize, key: &'static str, stop: u8) {
+        self.at = start + 1;
+        while !self.done() && !is_blank(self.byte(0)) && self.byte(0) != stop {
+            let quoted = self.byte(0) == b'"';
+            let close = if quoted {
+                self.rest().iter().skip(1).position(|byte| *byte == b'"')
+            } else {
+                None
+            };
+            self.at += close.map_or(1, |length| length + 2);
+        }
+        let span = self.from(start);
+        let joined = match (
+            self.words
+                .get_mut(self.first..)
+                .and_then(<[Word]>::last_mut),
+            self.errors.last_mut(),
+        ) {
+            (Some(word), Some(error)) if word.kind == WordKind::Unknown => {
+                word.span.end = span.end;
+                error.span.end = span.end;
+                true
+            }
+            _ => false,
+        };
+        if !joined {
+            self.words.push(Word {
+                span,
+                kind: WordKind::Unknown,
+            });
+            self.errors.push(SyntaxError { span, key });
+        }
+    }
+}

@@ -1,0 +1,364 @@
+//! Words of the SINUMERIK language.
+
+use super::bytes::{in_name, is_digit, is_letter, starts_name};
+use super::expression::expression;
+use super::keyword::{self, Keyword};
+use super::number;
+use super::reader::{Expect, Parsed, Reader};
+use super::sinumerik_expression::{arguments, index, text};
+use super::tree::{Expr, ExprId, WordKind};
+use crate::catalogue::Dialect::Sinumerik;
+use crate::diagnostic::Span;
+
+/// Reads one word, or steps over a separator of a declaration.
+pub(super) fn word(reader: &mut Reader) -> Parsed<()> {
+    let first = reader.byte(0);
+    let declared = !matches!(reader.expect, Expect::Words | Expect::Constants);
+    if first.is_ascii_alphabetic()
+        && !declared
+        && matches!(reader.byte(1), b'0'..=b'9' | b'.' | b'+' | b'-')
+    {
+        return short(reader);
+    }
+    if starts_name(first) {
+        return named(reader);
+    }
+    other(reader)
+}
+
+/// What begins with no letter: header, constant, separator.
+fn other(reader: &mut Reader) -> Parsed<()> {
+    let start = reader.at;
+    let first = reader.byte(0);
+    let declaring = matches!(reader.expect, Expect::Definition | Expect::Parameters);
+    if first == b'%' && reader.words.len() == reader.first {
+        let rest = reader.rest();
+        reader.at += rest
+            .iter()
+            .position(|byte| matches!(byte, b';' | b' ' | b'\t'))
+            .unwrap_or(rest.len());
+        let span = reader.from(start);
+        reader.word(start, WordKind::Header(span));
+    } else if first == b'"' {
+        let constant = text(reader)?;
+        reader.word(start, WordKind::Constant(constant.id));
+    } else if first == b',' && declaring {
+        reader.at += 1;
+    } else if first == b')' && reader.expect == Expect::Parameters {
+        reader.at += 1;
+        reader.expect = Expect::Words;
+    } else if reader.expect == Expect::Constants || (declaring && is_digit(first)) {
+        let constant = expression(reader, Sinumerik, 0)?;
+        reader.word(start, WordKind::Constant(constant.id));
+    } else {
+        return Err(if first == b',' {
+            "syntax-comma"
+        } else {
+            "syntax-unknown"
+        });
+    }
+    Ok(())
+}
+
+/// One letter and a number: `X10`, `G54`, `S1=500`, `R10=…`, `L10`, `N100:`.
+fn short(reader: &mut Reader) -> Parsed<()> {
+    let start = reader.at;
+    let letter = reader.byte(0);
+    let signed = matches!(reader.byte(1), b'+' | b'-');
+    reader.at += 1 + usize::from(signed);
+    let number_start = start + 1;
+    let (value, length) = number::with_exponent(reader.rest()).ok_or("syntax-number")?;
+    reader.at += length;
+    let name = Span {
+        start: start as u32,
+        end: number_start as u32,
+    };
+    let whole = !signed
+        && reader
+            .text(reader.from(number_start))
+            .iter()
+            .all(|byte| is_digit(*byte));
+    if whole
+        && matches!(reader.byte(0), b'=' | b' ' | b'\t' | b':' | b'(' | b'_')
+        && let Some(done) = extended(reader, start, name, value)
+    {
+        return done;
+    }
+    if reader.byte(0) == b',' && reader.expect == Expect::Words && is_digit(reader.byte(1)) {
+        return Err("syntax-comma");
+    }
+    if whole && letter.eq_ignore_ascii_case(&b'L') {
+        let name = reader.from(start);
+        reader.word(
+            start,
+            WordKind::Call {
+                name,
+                args: Box::default(),
+                brackets: false,
+            },
+        );
+        return Ok(());
+    }
+    let span = reader.from(number_start);
+    let value = if reader.source.get(number_start) == Some(&b'-') {
+        -value
+    } else {
+        value
+    };
+    let value = reader.push(Expr::Number(value, span), 1)?.id;
+    reader.word(
+        start,
+        WordKind::Address {
+            name,
+            extension: None,
+            mode: None,
+            value,
+        },
+    );
+    Ok(())
+}
+
+/// A letter with a whole number that is a name or an extension: `S1=500`, `R10=`, `L10(…)`, `A1:`. None: it is a value.
+fn extended(reader: &mut Reader, start: usize, letter: Span, number: f64) -> Option<Parsed<()>> {
+    let behind = reader.at;
+    let label =
+        reader.byte(0) == b':' && reader.words.len() == reader.first && !is_digit(reader.byte(1));
+    let name = reader.from(start);
+    if label {
+        return Some(finish_label(reader, start, name));
+    }
+    if in_name(reader.byte(0)) {
+        reader.at = start;
+        return Some(named(reader));
+    }
+    if reader.byte(0) == b'(' {
+        return Some(call(reader, start, name));
+    }
+    if assigns(reader) {
+        if reader.text(letter).eq_ignore_ascii_case(b"R") {
+            return Some(assign(reader, start, name, Box::default()));
+        }
+        let extension = (number <= f64::from(u32::MAX)).then_some(number as u32);
+        return Some(address(reader, start, letter, extension));
+    }
+    reader.at = behind;
+    None
+}
+
+/// A name: keyword, label, assignment, address, call.
+fn named(reader: &mut Reader) -> Parsed<()> {
+    let start = reader.at;
+    let name = reader.name();
+    let text = reader.text(name);
+    if let Some(kind) = keyword::find(text) {
+        return keyword_word(reader, start, name, kind);
+    }
+    match reader.expect {
+        Expect::Definition | Expect::Parameters => return declaration(reader, start, name),
+        Expect::Procedure => return procedure(reader, start, name),
+        _ => {}
+    }
+    if reader.byte(0) == b':' && reader.words.len() == reader.first && text.first() != Some(&b'$') {
+        return finish_label(reader, start, name);
+    }
+    let (index, _) = index(reader)?;
+    if assigns(reader) {
+        let address_word = index.is_empty() && reader.expect != Expect::Counter;
+        reader.expect = if reader.expect == Expect::Counter {
+            Expect::Words
+        } else {
+            reader.expect
+        };
+        if address_word && (text.len() == 1 && text != b"_" || keyword::is_address(text)) {
+            return address(reader, start, name, None);
+        }
+        return assign(reader, start, name, index);
+    }
+    if !index.is_empty() {
+        return Err("syntax-equals");
+    }
+    if text.len() == 1 && text != b"_" {
+        return spaced(reader, start, name);
+    }
+    if reader.expect == Expect::Constants {
+        let value = reader.push(Expr::Name { name, index }, 1)?.id;
+        reader.word(start, WordKind::Constant(value));
+        return Ok(());
+    }
+    call(reader, start, name)
+}
+
+fn finish_label(reader: &mut Reader, start: usize, name: Span) -> Parsed<()> {
+    reader.at += 1;
+    reader.word(start, WordKind::Label(name));
+    Ok(())
+}
+
+/// Steps over `=` (not `==`) and blanks around it; else stays.
+fn assigns(reader: &mut Reader) -> bool {
+    let behind = reader.at;
+    reader.blanks();
+    if reader.byte(0) == b'=' && reader.byte(1) != b'=' {
+        reader.at += 1;
+        reader.blanks();
+        return true;
+    }
+    reader.at = behind;
+    false
+}
+
+fn assign(reader: &mut Reader, start: usize, name: Span, index: Box<[ExprId]>) -> Parsed<()> {
+    let (value, value_span) = value(reader)?;
+    reader.word(
+        start,
+        WordKind::Assign {
+            name,
+            index,
+            value_span,
+            value,
+        },
+    );
+    Ok(())
+}
+
+fn value(reader: &mut Reader) -> Parsed<(ExprId, Span)> {
+    let start = reader.at;
+    if reader.done() {
+        return Err("syntax-value");
+    }
+    let value = expression(reader, Sinumerik, 0)?;
+    if reader.byte(0) == b',' && is_digit(reader.byte(1)) && reader.expect == Expect::Words {
+        return Err("syntax-comma");
+    }
+    Ok((value.id, reader.from(start)))
+}
+
+/// The right side of an address: a value, perhaps in `IC(…)`.
+fn address(reader: &mut Reader, start: usize, name: Span, extension: Option<u32>) -> Parsed<()> {
+    let right = reader.at;
+    let mut mode = None;
+    if is_letter(reader.byte(0)) {
+        let word = reader.name();
+        if keyword::is_mode(reader.text(word)) && reader.take(b'(') {
+            mode = Some(word);
+        } else {
+            reader.at = right;
+        }
+    }
+    let (value, _) = value(reader)?;
+    if mode.is_some() && !reader.take(b')') {
+        return Err("syntax-bracket");
+    }
+    reader.word(
+        start,
+        WordKind::Address {
+            name,
+            extension,
+            mode,
+            value,
+        },
+    );
+    Ok(())
+}
+
+/// A letter, blanks, a number: `X 10`.
+fn spaced(reader: &mut Reader, start: usize, name: Span) -> Parsed<()> {
+    reader.blanks();
+    let signed = matches!(reader.byte(0), b'+' | b'-');
+    let value_start = reader.at;
+    let minus = reader.byte(0) == b'-';
+    reader.at += usize::from(signed);
+    let (value, length) = number::with_exponent(reader.rest()).ok_or("syntax-value")?;
+    reader.at += length;
+    let span = reader.from(value_start);
+    let value = reader
+        .push(Expr::Number(if minus { -value } else { value }, span), 1)?
+        .id;
+    reader.word(
+        start,
+        WordKind::Address {
+            name,
+            extension: None,
+            mode: None,
+            value,
+        },
+    );
+    Ok(())
+}
+
+/// `NAME`, `NAME(…)`.
+fn call(reader: &mut Reader, start: usize, name: Span) -> Parsed<()> {
+    let brackets = reader.take(b'(');
+    let args = if brackets {
+        arguments(reader)?
+    } else {
+        Box::default()
+    };
+    reader.word(
+        start,
+        WordKind::Call {
+            name,
+            args,
+            brackets,
+        },
+    );
+    Ok(())
+}
+
+fn keyword_word(reader: &mut Reader, start: usize, name: Span, kind: Keyword) -> Parsed<()> {
+    let behind = reader.at;
+    reader.blanks();
+    let more = !reader.done() && reader.byte(0) != b';';
+    reader.at = behind;
+    let value = match kind {
+        Keyword::Value | Keyword::Target => Some(expression(reader, Sinumerik, 0)?.id),
+        Keyword::Repeat if more => Some(expression(reader, Sinumerik, 0)?.id),
+        Keyword::Operator => return Err("syntax-operator"),
+        _ => None,
+    };
+    reader.expect = match kind {
+        Keyword::For => Expect::Counter,
+        Keyword::Of => Expect::Constants,
+        Keyword::Definition => Expect::Definition,
+        Keyword::Procedure => Expect::Procedure,
+        _ => reader.expect,
+    };
+    reader.word(start, WordKind::Keyword { name, value });
+    Ok(())
+}
+
+/// A type, or a declared name with its sizes and first value.
+fn declaration(reader: &mut Reader, start: usize, name: Span) -> Parsed<()> {
+    let is_type = keyword::is_type(reader.text(name));
+    let (index, _) = index(reader)?;
+    if is_type {
+        let value = index.first().copied();
+        reader.word(start, WordKind::Keyword { name, value });
+        return Ok(());
+    }
+    let value = if assigns(reader) {
+        Some(value(reader)?.0)
+    } else {
+        None
+    };
+    reader.word(start, WordKind::Declare { name, index, value });
+    Ok(())
+}
+
+/// The name after `PROC` or `EXTERN`; the opening bracket belongs to it.
+fn procedure(reader: &mut Reader, start: usize, name: Span) -> Parsed<()> {
+    reader.word(
+        start,
+        WordKind::Declare {
+            name,
+            index: Box::default(),
+            value: None,
+        },
+    );
+    reader.expect = if reader.take(b'(') {
+        Expect::Parameters
+    } else {
+        Expect::Words
+    };
+    Ok(())
+}

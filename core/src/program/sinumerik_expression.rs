@@ -1,0 +1,233 @@
+//! Operators, operands and lists of the SINUMERIK language.
+//!
+//! Order of the operators as in the control's own table: `NOT`; `* / DIV MOD`; `+ -`; `B_AND`; `B_XOR`; `B_OR`; `AND`;
+//! `XOR`; `OR`; `<<`; comparisons last. So `A == 1 AND B == 1` needs brackets.
+
+use super::bytes::{is_digit, starts_name};
+use super::expression::{Strength, expression, unary};
+use super::keyword::{self, Keyword};
+use super::number;
+use super::reader::{Node, Parsed, Reader};
+use super::tree::{Expr, ExprId, Operator};
+use crate::catalogue::Dialect::Sinumerik;
+
+const COMPARISON: Strength = 1;
+const JOIN: Strength = 2;
+const UNARY: Strength = 12;
+
+/// The operator at the present place with its strength and length.
+pub(super) fn operator(reader: &Reader) -> Option<(Operator, Strength, usize)> {
+    Some(match (reader.byte(0), reader.byte(1)) {
+        (b'+', _) => (Operator::Plus, 9, 1),
+        (b'-', _) => (Operator::Minus, 9, 1),
+        (b'*', _) => (Operator::Times, 10, 1),
+        (b'/', _) => (Operator::Over, 10, 1),
+        (b':', next) if starts_name(next) => (Operator::Chain, 11, 1),
+        (b'<', b'<') => (Operator::Join, JOIN, 2),
+        (b'<', b'=') => (Operator::LessEqual, COMPARISON, 2),
+        (b'<', b'>') => (Operator::NotEqual, COMPARISON, 2),
+        (b'<', _) => (Operator::Less, COMPARISON, 1),
+        (b'>', b'=') => (Operator::GreaterEqual, COMPARISON, 2),
+        (b'>', _) => (Operator::Greater, COMPARISON, 1),
+        (b'=', b'=') => (Operator::Equal, COMPARISON, 2),
+        (b'A' | b'a' | b'O' | b'o' | b'X' | b'x' | b'D' | b'd' | b'M' | b'm' | b'B' | b'b', _) => {
+            return word(reader);
+        }
+        _ => return None,
+    })
+}
+
+fn word(reader: &Reader) -> Option<(Operator, Strength, usize)> {
+    const WORDS: &[(&[u8], Operator, Strength)] = &[
+        (b"AND", Operator::And, 5),
+        (b"OR", Operator::Or, 3),
+        (b"XOR", Operator::Xor, 4),
+        (b"DIV", Operator::Div, 10),
+        (b"MOD", Operator::Mod, 10),
+        (b"B_AND", Operator::BitAnd, 8),
+        (b"B_OR", Operator::BitOr, 6),
+        (b"B_XOR", Operator::BitXor, 7),
+    ];
+    let rest = reader.rest();
+    let length = rest
+        .iter()
+        .take(6)
+        .take_while(|byte| super::bytes::in_name(**byte))
+        .count();
+    let name = rest.get(..length)?;
+    let (word, operator, strength) = WORDS
+        .iter()
+        .find(|(word, ..)| name.eq_ignore_ascii_case(word))?;
+    Some((*operator, *strength, word.len()))
+}
+
+/// One operand.
+pub(super) fn operand(reader: &mut Reader) -> Parsed<Node> {
+    let first = reader.byte(0);
+    if is_digit(first) || first == b'.' {
+        let read = number::with_exponent(reader.rest());
+        return constant(reader, read);
+    }
+    if starts_name(first) {
+        return named(reader);
+    }
+    match first {
+        b'+' => unary(reader, Sinumerik, Operator::Plus, 1, UNARY),
+        b'-' => unary(reader, Sinumerik, Operator::Minus, 1, UNARY),
+        b'<' if reader.byte(1) == b'<' => unary(reader, Sinumerik, Operator::Join, 2, JOIN + 1),
+        b'(' => brackets(reader),
+        b'"' => text(reader),
+        b'\'' => {
+            let read = number::quoted(reader.rest());
+            constant(reader, read)
+        }
+        _ => Err("syntax-operand"),
+    }
+}
+
+fn constant(reader: &mut Reader, read: Option<(f64, usize)>) -> Parsed<Node> {
+    let (value, length) = read.ok_or("syntax-number")?;
+    let start = reader.at;
+    reader.at += length;
+    let span = reader.from(start);
+    reader.push(Expr::Number(value, span), 1)
+}
+
+/// `"…"`.
+pub(super) fn text(reader: &mut Reader) -> Parsed<Node> {
+    let length = reader
+        .rest()
+        .iter()
+        .skip(1)
+        .position(|byte| *byte == b'"')
+        .ok_or("syntax-text")?;
+    reader.at += 1;
+    let start = reader.at;
+    reader.at += length;
+    let span = reader.from(start);
+    reader.at += 1;
+    reader.push(Expr::Text(span), 1)
+}
+
+/// A variable, a function call, `NOT`.
+fn named(reader: &mut Reader) -> Parsed<Node> {
+    let start = reader.at;
+    let name = reader.name();
+    match keyword::find(reader.text(name)) {
+        Some(Keyword::Operator) => {
+            let length = reader.at - start;
+            let operator = match reader.text(name).len() {
+                3 if reader.text(name).eq_ignore_ascii_case(b"NOT") => Operator::Not,
+                5 if reader.text(name).eq_ignore_ascii_case(b"B_NOT") => Operator::BitNot,
+                _ => return Err("syntax-operand"),
+            };
+            reader.at = start;
+            return unary(reader, Sinumerik, operator, length, UNARY);
+        }
+        Some(_) => return Err("syntax-operand"),
+        None => {}
+    }
+    if reader.take(b'(') {
+        let (arguments, height) = list(reader, b')')?;
+        return reader.push(Expr::Call(name, arguments), height + 1);
+    }
+    let (index, height) = index(reader)?;
+    reader.push(Expr::Name { name, index }, height + 1)
+}
+
+/// `[1,X,TR]`, if there is one, with the height of its tallest element.
+pub(super) fn index(reader: &mut Reader) -> Parsed<(Box<[ExprId]>, u16)> {
+    if reader.byte(0) != b'[' {
+        return Ok((Box::default(), 0));
+    }
+    reader.at += 1;
+    let (index, height) = list(reader, b']')?;
+    if index.is_empty() || index.len() > 3 {
+        Err("syntax-index")
+    } else {
+        Ok((index, height))
+    }
+}
+
+/// `(…)`: a bracketed expression, or a list if there is a comma.
+fn brackets(reader: &mut Reader) -> Parsed<Node> {
+    reader.at += 1;
+    reader.blanks();
+    if reader.byte(0) != b',' {
+        let inner = expression(reader, Sinumerik, 0)?;
+        if reader.take(b')') {
+            return Ok(inner);
+        }
+        reader.list.push(Some(inner.id));
+        if !reader.take(b',') {
+            return Err("syntax-bracket");
+        }
+        let base = reader.list.len() - 1;
+        let (elements, height) = filled(reader, base, b')', inner.height)?;
+        return reader.push(Expr::List(elements), height + 1);
+    }
+    let (elements, height) = list(reader, b')')?;
+    reader.push(Expr::List(elements), height + 1)
+}
+
+/// Elements up to the closing bracket; an omitted one is [`Expr::Omitted`].
+fn list(reader: &mut Reader, close: u8) -> Parsed<(Box<[ExprId]>, u16)> {
+    if reader.take(close) {
+        return Ok((Box::default(), 0));
+    }
+    let base = reader.list.len();
+    filled(reader, base, close, 0)
+}
+
+fn filled(
+    reader: &mut Reader,
+    base: usize,
+    close: u8,
+    height: u16,
+) -> Parsed<(Box<[ExprId]>, u16)> {
+    let height = elements(reader, close, height)?;
+    let mut ids = Vec::with_capacity(reader.list.len() - base);
+    for place in base..reader.list.len() {
+        let id = match reader.list.get(place).copied().flatten() {
+            Some(id) => id,
+            None => {
+                let span = reader.from(reader.at);
+                reader.push(Expr::Omitted(span), 1)?.id
+            }
+        };
+        ids.push(id);
+    }
+    reader.list.truncate(base);
+    Ok((ids.into(), height))
+}
+
+/// Arguments of a call, the opening bracket already taken.
+pub(super) fn arguments(reader: &mut Reader) -> Parsed<Box<[Option<ExprId>]>> {
+    if reader.take(b')') {
+        return Ok(Box::default());
+    }
+    let base = reader.list.len();
+    elements(reader, b')', 0)?;
+    Ok(reader.elements(base))
+}
+
+/// Pushes elements on `list` up to the closing bracket.
+fn elements(reader: &mut Reader, close: u8, least: u16) -> Parsed<u16> {
+    let mut height = least;
+    loop {
+        reader.blanks();
+        if reader.byte(0) == b',' || reader.byte(0) == close {
+            reader.list.push(None);
+        } else {
+            let element = expression(reader, Sinumerik, 0)?;
+            height = height.max(element.height);
+            reader.list.push(Some(element.id));
+        }
+        if reader.take(close) {
+            return Ok(height);
+        }
+        if !reader.take(b',') {
+            return Err("syntax-bracket");
+        }
+    }
+}

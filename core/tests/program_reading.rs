@@ -1,0 +1,282 @@
+//! Reading part programs: nothing is lost, nothing panics, and the manuals' programs are understood.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use probewright_core::catalogue::Dialect;
+use probewright_core::diagnostic::Span;
+use probewright_core::program::tree::WordKind;
+use probewright_core::program::{Program, read};
+use proptest::prelude::*;
+use std::path::{Path, PathBuf};
+
+const DIALECTS: [Dialect; 2] = [Dialect::Sinumerik, Dialect::Nct];
+
+fn inside(inner: Span, outer: Span) -> bool {
+    outer.start <= inner.start && inner.start <= inner.end && inner.end <= outer.end
+}
+
+/// Lines in order and inside the source, words and comments in order and inside their line; gaps hold separators only.
+fn check_places(program: &Program) {
+    let whole = Span {
+        start: 0,
+        end: program.source.len() as u32,
+    };
+    let mut behind = 0;
+    let mut next_word = 0;
+    for block in &program.blocks {
+        assert!(inside(block.span, whole) && block.span.start >= behind);
+        let gap = program.text(Span {
+            start: behind,
+            end: block.span.start,
+        });
+        assert!(
+            gap.iter().all(|byte| matches!(byte, b'\r' | b'\n')),
+            "only line ends between lines"
+        );
+        behind = block.span.end;
+        assert_eq!(
+            block.words.start, next_word,
+            "every word belongs to one line"
+        );
+        next_word = block.words.end;
+        let mut at = block.number.map_or(block.span.start, |number| number.end);
+        for word in program.words_of(block) {
+            assert!(
+                inside(word.span, block.span)
+                    && word.span.start >= at
+                    && word.span.end > word.span.start
+            );
+            at = word.span.end;
+        }
+        for place in block.comment.iter().chain(&block.number) {
+            assert!(inside(*place, block.span));
+        }
+    }
+    assert_eq!(next_word as usize, program.words.len());
+    let rest = program.text(Span {
+        start: behind,
+        end: whole.end,
+    });
+    assert!(
+        rest.iter().all(|byte| matches!(byte, b'\r' | b'\n')),
+        "nothing behind the last line but its end"
+    );
+    let unknown: Vec<Span> = program
+        .words
+        .iter()
+        .filter(|word| word.kind == WordKind::Unknown)
+        .map(|word| word.span)
+        .collect();
+    for span in unknown {
+        assert!(
+            program.errors.iter().any(|error| error.span == span),
+            "what is not understood is reported"
+        );
+    }
+    for error in &program.errors {
+        assert!(inside(error.span, whole));
+    }
+}
+
+// oracle: self (invariants of the tree)
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(2000))]
+
+    #[test]
+    fn any_bytes_are_kept_and_every_place_lies_inside(bytes in proptest::collection::vec(any::<u8>(), 0..200)) {
+        for dialect in DIALECTS {
+            let program = read(dialect, &bytes);
+            prop_assert_eq!(&program.source, &bytes);
+            check_places(&program);
+        }
+    }
+
+    #[test]
+    fn any_mixture_of_words_is_kept_and_every_place_lies_inside(
+        words in proptest::collection::vec(proptest::sample::select(WORDS), 0..60)
+    ) {
+        let bytes = words.concat().into_bytes();
+        for dialect in DIALECTS {
+            let program = read(dialect, &bytes);
+            prop_assert_eq!(&program.source, &bytes);
+            check_places(&program);
+        }
+    }
+}
+
+const WORDS: &[&str] = &[
+    " ",
+    " ",
+    "\n",
+    "\r\n",
+    "N10 ",
+    ":5 ",
+    "/2",
+    "X",
+    "10",
+    "-.5",
+    "G1",
+    "=",
+    "==",
+    "(",
+    ")",
+    "[",
+    "]",
+    ",",
+    "\"",
+    ";",
+    "IF ",
+    "GOTOF ",
+    "DEF REAL ",
+    "CASE",
+    " OF ",
+    "PROC P",
+    "FOR ",
+    " TO ",
+    "R1",
+    "_MVAR",
+    "SET(",
+    "$P_UIFR",
+    ":",
+    "<<",
+    " AND ",
+    "NOT ",
+    "'H1F'",
+    "1EX5",
+    "%_N_A_MPF",
+    "#100",
+    "#[",
+    "O12",
+    "SIN[",
+    "WHILE[",
+    "DO1",
+    "\0",
+    "é",
+    "CYCLE977",
+];
+
+// oracle: self
+#[test]
+fn mutations_of_a_program_never_panic_and_are_kept() {
+    let seeds = [
+        include_bytes!("programs/hole.mpf").as_slice(),
+        include_bytes!("programs/language.mpf"),
+        include_bytes!("programs/bore.nc"),
+    ];
+    let mut state = 0x9E37_79B9_7F4A_7C15_u64;
+    let mut random = move |below: usize| {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        (state % below.max(1) as u64) as usize
+    };
+    for round in 0..3000 {
+        let mut bytes = seeds[round % seeds.len()].to_vec();
+        for _ in 0..=random(4) {
+            let at = random(bytes.len());
+            match random(4) {
+                0 => bytes[at] = random(256) as u8,
+                1 => drop(bytes.drain(at..(at + random(20)).min(bytes.len()))),
+                2 => bytes.insert(at, b"()[]\"=;,:<+-/%#\n\r "[random(18)]),
+                _ => {
+                    let piece = bytes[at..(at + random(30)).min(bytes.len())].to_vec();
+                    let to = random(bytes.len());
+                    bytes.splice(to..to, piece);
+                }
+            }
+        }
+        for dialect in DIALECTS {
+            let program = read(dialect, &bytes);
+            assert_eq!(program.source, bytes);
+            check_places(&program);
+        }
+    }
+}
+
+// oracle: hand (a reader that recurses without a limit overflows its stack here)
+#[test]
+fn deep_and_long_expressions_end_as_a_syntax_error() {
+    let deep = format!("X={}1{}", "(".repeat(100_000), ")".repeat(100_000));
+    let long = format!("X=1{}", "+1".repeat(100_000));
+    let signs = format!("X={}1", "-".repeat(100_000));
+    for text in [&deep, &long, &signs] {
+        let program = read(Dialect::Sinumerik, text.as_bytes());
+        assert_eq!(program.errors[0].key, "syntax-depth");
+        check_places(&program);
+    }
+    for text in [
+        format!("#1={}1", "[".repeat(100_000)),
+        format!("#1={}1", "#".repeat(100_000)),
+    ] {
+        assert_eq!(
+            read(Dialect::Nct, text.as_bytes()).errors[0].key,
+            "syntax-depth"
+        );
+    }
+}
+
+/// `file:line: text` of everything that was not understood.
+fn unknown(dialect: Dialect, path: &Path) -> Vec<String> {
+    let program = read(dialect, &std::fs::read(path).unwrap());
+    check_places(&program);
+    let name = path.file_name().unwrap().to_string_lossy().into_owned();
+    let show = |span: Span, key| {
+        format!(
+            "{name}:{}: {key} {}",
+            program.line_of(span.start) + 1,
+            String::from_utf8_lossy(program.text(span))
+        )
+    };
+    program
+        .errors
+        .iter()
+        .map(|error| show(error.span, error.key))
+        .collect()
+}
+
+fn files(folder: &Path, ending: &str) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder)
+        .into_iter()
+        .flatten()
+        .flatten()
+        .map(|entry| entry.path());
+    let mut files: Vec<_> = entries
+        .filter(|path| path.extension().is_some_and(|found| found == ending))
+        .collect();
+    files.sort();
+    files
+}
+
+// oracle: manual (programs of manuals A, B and C as repaired in the shared tables) and peer (language corpus)
+#[test]
+fn every_program_of_the_manuals_is_understood_where_the_shared_folder_is_present() {
+    let shared = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared");
+    let mut left = Vec::new();
+    for folder in [
+        "spec/milling/examples",
+        "spec/turning/examples",
+        "spec/editions_programs",
+        "corpus/language",
+    ] {
+        for path in files(&shared.join(folder), "mpf") {
+            left.extend(unknown(Dialect::Sinumerik, &path));
+        }
+    }
+    for path in files(&shared.join("spec/common/nct_examples"), "nc") {
+        left.extend(unknown(Dialect::Nct, &path));
+    }
+    assert!(left.is_empty(), "{left:#?}");
+}
+
+// oracle: hand
+#[test]
+fn own_programs_are_understood() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/programs");
+    let mut left = Vec::new();
+    for path in files(&folder, "mpf") {
+        left.extend(unknown(Dialect::Sinumerik, &path));
+    }
+    for path in files(&folder, "nc") {
+        left.extend(unknown(Dialect::Nct, &path));
+    }
+    assert!(left.is_empty(), "{left:#?}");
+}
