@@ -1,0 +1,69 @@
+// What every browser test uses: the built page in Chromium, in the browser set-ups that the page must cope with.
+// `cargo xtask test --only page` sets CHROME (the browser) and PROBEWRIGHT_URL (the served page). By hand:
+//   cargo xtask serve                                        (in one terminal)
+//   PROBEWRIGHT_URL=http://127.0.0.1:4173/ node --test tests/e2e/
+import { createRequire } from "node:module";
+
+// The packages of the page: `packages("axe-core")`, `packages("pngjs")`.
+export const packages = createRequire(new URL("../../www/package.json", import.meta.url));
+const { chromium } = packages("playwright-core");
+
+export const address = process.env.PROBEWRIGHT_URL ?? "http://127.0.0.1:4173/";
+
+const always = ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking",
+  "--disable-component-update", "--disable-sync"];
+
+// The four set-ups. Software rendering everywhere, so that a machine without a GPU shows the same.
+// `webgpu-blank`: an adapter is found, but nothing is ever drawn; only pixels tell.
+export const setups = {
+  "webgpu": ["--enable-unsafe-webgpu", "--enable-features=Vulkan", "--use-vulkan=swiftshader", "--use-angle=swiftshader"],
+  "webgpu-blank": ["--enable-unsafe-webgpu", "--use-angle=swiftshader"],
+  "webgl2": ["--use-angle=swiftshader"],
+  "neither": ["--disable-gpu", "--disable-3d-apis"],
+};
+
+// Starts Chromium in one of the set-ups.
+export async function launch(setup = "neither") {
+  return chromium.launch({
+    executablePath: process.env.CHROME ?? "/usr/bin/chromium",
+    headless: true,
+    args: [...always, ...setups[setup]],
+  });
+}
+
+// Opens the page in a fresh profile. `problems` fills with everything that must not happen: errors in the console,
+// uncaught errors, failed answers, requests to other origins. `options` are Playwright's (viewport, colorScheme, …).
+export async function open(browser, { path = "", ...options } = {}) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, locale: "en-GB", ...options });
+  const page = await context.newPage();
+  const problems = watch(page);
+  await page.goto(new URL(path, address).href, { waitUntil: "load" });
+  return { context, page, problems };
+}
+
+function watch(page) {
+  const problems = [];
+  const origin = new URL(address).origin;
+  page.on("console", (message) => {
+    if (message.type() === "error") problems.push(`console: ${message.text()}`);
+  });
+  page.on("pageerror", (error) => problems.push(`uncaught: ${error.stack ?? error}`));
+  page.on("response", (response) => {
+    if (response.status() >= 400) problems.push(`${response.status()}: ${response.url()}`);
+  });
+  page.on("request", (request) => {
+    const url = new URL(request.url());
+    const local = ["data:", "blob:", "about:"].includes(url.protocol);
+    if (!local && url.origin !== origin) problems.push(`request to another origin: ${url.href}`);
+  });
+  return problems;
+}
+
+// Starts the browser before the tests of a file and ends it after them: `const chrome = shared("webgpu")`, then
+// `await open(chrome.browser)` inside a test.
+export function shared(setup, { before, after }) {
+  const held = {};
+  before(async () => { held.browser = await launch(setup); });
+  after(async () => { await held.browser?.close(); });
+  return held;
+}

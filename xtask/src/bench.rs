@@ -1,0 +1,72 @@
+//! `cargo xtask bench`: speed native and in Chromium, and sizes over the wire.
+
+use crate::tools::{cargo, command, root, run, step};
+use crate::{browser, dist, serve};
+use anyhow::{Context, Result};
+use flate2::{Compression, write::GzEncoder};
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+/// Measures; nothing fails when a goal is missed, the table says so.
+pub fn bench() -> Result<()> {
+    dist::build()?;
+    let browser = browser::browser()?;
+    step("native", || {
+        run(cargo().args([
+            "bench",
+            "-q",
+            "--locked",
+            "-p",
+            "probewright-core",
+            "--all-features",
+            "--benches",
+        ]))
+    })?;
+    let address = serve::in_background()?;
+    step("in Chromium", || {
+        run(command("node")
+            .arg("tests/e2e/bench.mjs")
+            .env("CHROME", &browser.chrome)
+            .env("PROBEWRIGHT_URL", format!("http://{address}/")))
+    })?;
+    sizes(&root().join("dist"))
+}
+
+/// Prints every file of a folder with its size as it is and gzipped.
+fn sizes(folder: &Path) -> Result<()> {
+    let mut files = Vec::new();
+    collect(folder, &mut files)?;
+    files.sort();
+    println!("{:>12} {:>12}  file", "bytes", "gzipped");
+    for path in files {
+        let bytes = fs::read(&path)?;
+        let name = path.strip_prefix(folder).unwrap_or(&path);
+        println!(
+            "{:>12} {:>12}  {}",
+            bytes.len(),
+            gzipped(&bytes)?,
+            name.display()
+        );
+    }
+    Ok(())
+}
+
+fn collect(folder: &Path, files: &mut Vec<PathBuf>) -> Result<()> {
+    for entry in fs::read_dir(folder).with_context(|| folder.display().to_string())? {
+        let path = entry?.path();
+        if path.is_dir() {
+            collect(&path, files)?;
+        } else {
+            files.push(path);
+        }
+    }
+    Ok(())
+}
+
+/// Bytes that a server which compresses would send.
+fn gzipped(bytes: &[u8]) -> Result<usize> {
+    let mut encoder = GzEncoder::new(Vec::new(), Compression::best());
+    encoder.write_all(bytes)?;
+    Ok(encoder.finish()?.len())
+}

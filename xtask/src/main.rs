@@ -1,0 +1,64 @@
+//! `cargo xtask serve | test | dist | bench`: gets what is missing, builds, serves, tests.
+
+mod bench;
+mod browser;
+mod counts;
+mod dist;
+mod page;
+mod serve;
+mod test;
+mod tools;
+mod wasm;
+
+use clap::{Parser, Subcommand};
+use std::process::ExitCode;
+
+#[derive(Parser)]
+#[command(name = "cargo xtask", about = "Builds, serves and tests Probewright")]
+struct Cli {
+    #[command(subcommand)]
+    task: Task,
+}
+
+#[derive(Subcommand)]
+enum Task {
+    /// Build the page and serve it on 127.0.0.1
+    Serve(serve::Options),
+    /// Run every check and test; the last line counts them
+    Test(test::Options),
+    /// Build the folder dist/ that any static file server can serve
+    Dist,
+    /// Measure speed and size, native and in the browser
+    Bench,
+    /// Run one wasm test program in headless Chromium (cargo calls this)
+    #[command(hide = true)]
+    TestRunner {
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        arguments: Vec<String>,
+    },
+    /// Second half of `test-runner`, with its surroundings set
+    #[command(hide = true)]
+    RunWasmTests {
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        arguments: Vec<String>,
+    },
+}
+
+fn main() -> ExitCode {
+    let outcome = match Cli::parse().task {
+        Task::Serve(options) => serve::serve(&options).map(|()| true),
+        Task::Test(options) => test::test(&options),
+        Task::Dist => dist::dist().map(|()| true),
+        Task::Bench => bench::bench().map(|()| true),
+        Task::TestRunner { arguments } => browser::run_wasm_tests(&arguments),
+        Task::RunWasmTests { arguments } => browser::wasm_tests(arguments).map(|()| true),
+    };
+    match outcome {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::FAILURE
+        }
+    }
+}

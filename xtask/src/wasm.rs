@@ -1,0 +1,132 @@
+//! Rust → wasm → modules in `pkg/` that the page imports.
+
+use crate::tools::{WASM, cargo, command, root, run, step};
+use anyhow::{Result, anyhow};
+use std::path::{Path, PathBuf};
+
+/// One wasm module of the page.
+struct Module {
+    /// Folder below `pkg/`.
+    folder: &'static str,
+    /// Base name of its files.
+    name: &'static str,
+    package: &'static str,
+    /// Cargo profile it is built with.
+    profile: &'static str,
+    features: &'static str,
+    /// Whether `wasm-opt` is worth its time (it barely helps the large WebGL module).
+    shrink: bool,
+}
+
+const MODULES: [Module; 3] = [
+    Module {
+        folder: "core",
+        name: "core",
+        package: "probewright-web",
+        profile: "release",
+        features: "",
+        shrink: true,
+    },
+    Module {
+        folder: "preview-webgpu",
+        name: "preview",
+        package: "probewright-preview",
+        profile: "preview",
+        features: "webgpu",
+        shrink: true,
+    },
+    Module {
+        folder: "preview-webgl",
+        name: "preview",
+        package: "probewright-preview",
+        profile: "preview",
+        features: "webgl",
+        shrink: false,
+    },
+];
+
+/// What Rust's compiler emits for the target by default; nothing newer may be introduced.
+const WASM_FEATURES: [&str; 6] = [
+    "--enable-bulk-memory",
+    "--enable-multivalue",
+    "--enable-mutable-globals",
+    "--enable-nontrapping-float-to-int",
+    "--enable-reference-types",
+    "--enable-sign-ext",
+];
+
+/// Builds all modules. Needs the wasm target and the npm packages.
+pub fn build() -> Result<()> {
+    let preview = root().join("web/preview/Cargo.toml").is_file();
+    let there = |module: &&Module| module.package != "probewright-preview" || preview;
+    MODULES
+        .iter()
+        .filter(there)
+        .try_for_each(|module| step(&format!("wasm {}", module.folder), || build_module(module)))
+}
+
+fn build_module(module: &Module) -> Result<()> {
+    compile(module)?;
+    let out = root().join("pkg").join(module.folder);
+    bind(&compiled(module), &out, module.name)?;
+    if module.shrink {
+        shrink(&out.join(format!("{}_bg.wasm", module.name)))?;
+    }
+    Ok(())
+}
+
+/// As `cdylib` only: with an `rlib` beside it, link-time optimisation is silently off.
+fn compile(module: &Module) -> Result<()> {
+    let mut cargo = cargo();
+    cargo.args([
+        "rustc",
+        "-q",
+        "--lib",
+        "--crate-type",
+        "cdylib",
+        "--target",
+        WASM,
+    ]);
+    cargo.args(["-p", module.package, "--profile", module.profile]);
+    cargo.args(["--no-default-features", "--features", module.features]);
+    run(&mut cargo)
+}
+
+/// Where cargo puts the compiled module.
+fn compiled(module: &Module) -> PathBuf {
+    target()
+        .join(WASM)
+        .join(module.profile)
+        .join(format!("{}.wasm", module.package.replace('-', "_")))
+}
+
+/// Cargo's folder for what it builds.
+pub fn target() -> PathBuf {
+    std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from)
+}
+
+/// Makes the JavaScript module and its types.
+fn bind(wasm: &Path, out: &Path, name: &str) -> Result<()> {
+    let text = |path: &Path| -> Result<String> {
+        path.to_str()
+            .map(str::to_owned)
+            .ok_or_else(|| anyhow!("{} is not Unicode", path.display()))
+    };
+    wasm_bindgen_cli::wasm_bindgen::run_cli_with_args([
+        "wasm-bindgen".to_owned(),
+        "--target=web".to_owned(),
+        "--remove-name-section".to_owned(),
+        "--remove-producers-section".to_owned(),
+        format!("--out-name={name}"),
+        format!("--out-dir={}", text(out)?),
+        text(wasm)?,
+    ])
+}
+
+/// Rewrites a module smaller, with npm's `binaryen`.
+fn shrink(wasm: &Path) -> Result<()> {
+    let mut node = command("node");
+    node.arg("www/node_modules/binaryen/bin/wasm-opt");
+    node.arg("-Oz").args(WASM_FEATURES);
+    run(node.arg(wasm).arg("-o").arg(wasm))
+}
