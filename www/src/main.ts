@@ -1,5 +1,14 @@
-import init, { version } from "@pkg/core/core.js";
+import "./styles/main.css";
+import { startApp } from "./app";
+import { loadCore } from "./core";
+import { choose } from "./texts";
+import { showBroken } from "./views/broken";
 
-await init();
-const line = document.querySelector("#version");
-if (line) line.textContent = version();
+addEventListener("probewright-panic", (event) => showBroken(String((event as CustomEvent).detail)));
+document.documentElement.lang = choose(navigator.languages);
+try {
+  await startApp(await loadCore());
+} catch (problem) {
+  console.error(problem);
+  showBroken(problem instanceof Error ? problem.message : String(problem));
+}

@@ -1,0 +1,188 @@
+# Texts of the page itself. What the core says is in core/messages/.
+
+app-name = Probewright
+panels = Panels
+panel-tasks = Measure
+panel-form = Form
+panel-program = Program
+panel-view = 3D view
+panel-results = Result
+skip = Skip
+skip-to = Go to { $panel }
+
+control-sinumerik = SINUMERIK
+control-nct = NCT
+
+unit-mm = mm
+unit-inch = inch
+unit-deg = °
+unit-mm-per-min = mm/min
+unit-inch-per-min = inch/min
+
+facts = Machine
+fact-control = Control
+fact-unit = Unit
+fact-plane = Plane
+fact-tool = Tool
+fact-probe = Probe
+fact-ball = ball Ø { $diameter } mm
+fact-calibration = Calibration
+fact-true = true
+fact-deviates = deviates
+
+setup-import = Open setup
+setup-export = Save setup
+link-copy = Copy link
+theme-system = Theme: system
+theme-light = Theme: light
+theme-dark = Theme: dark
+about-open = About
+
+tasks-title = What to measure
+tasks-search = Search by cycle number or words
+tasks-search-hint = Number or words
+tasks-none = Nothing found for “{ $search }”. Try fewer words or the number of a cycle.
+
+form-opened = { $cycle } in the program, lines { $from } to { $to }. Each change is made there.
+form-detach = Detach
+form-check = Check
+form-example = Worked example
+form-snippet = Program text
+form-comments = Comment each value
+form-copy = Copy
+form-insert = Insert at cursor
+form-complete = Complete
+form-incomplete = To be filled in
+form-errors = { $count ->
+    [one] 1 problem
+   *[other] { $count } problems
+ }
+
+field-default = default { $value }
+field-required = required: { $reason }
+field-optional = optional: { $reason }
+field-help = Help for { $name }
+field-source = Source: { $source }.
+choice-none = choose …
+choice-default = default
+choice-other = other number
+choice-label = { $name }, choice
+severity-error = Error
+severity-warning = Doubt
+severity-note = Note
+
+picture-plane = Drawing of the measurement, seen onto the working plane
+picture-section = Drawing of the measurement, section
+
+program-title = Program
+program-loading = The editor is loading.
+program-editor = Part program
+program-calls = Measuring calls in the program
+program-call = { $cycle } · line { $line }
+program-count = { $calls ->
+    [0] no measuring call
+    [one] 1 measuring call
+   *[other] { $calls } measuring calls
+ }
+program-copy = Copy
+program-open = Open
+program-save = Save
+program-file-sinumerik = program.mpf
+program-file-nct = program.nc
+
+view-title = 3D view
+view-source = Shown motions
+view-form = This call
+view-program = Whole program
+view-loading = The view is loading.
+view-empty = Nothing to show yet: complete the form.
+view-failed = The view could not start: { $problem }
+view-canvas = The part, the probe and its motions
+view-fit = Fit
+view-standard = View
+timeline-first = First step
+timeline-back = Step back
+timeline-play = Play
+timeline-pause = Pause
+timeline-on = Step on
+timeline-last = Last step
+timeline-scrub = Step
+motions-none = No motions.
+motions-line = line { $line }
+motion-rapid = Rapid to { $to }
+motion-positioning = Positioning to { $to }, F{ $feed }
+motion-measuring = Measuring towards { $to }, F{ $feed }
+motion-retract = Back to { $to }
+step-touch = Touch at { $at }
+step-crash = Crash at { $at }
+step-orient = Spindle to { $angle }°
+step-tool = Tool T{ $tool } D{ $edge }
+step-set = { $name }: { $before } becomes { $after }
+step-call = { $cycle } begins, variant { $variant }
+step-return = The cycle ends
+
+tab-outcome = What would it do
+tab-problems = Problems
+tab-problems-count = Problems ({ $count })
+tab-motions = Motions
+tab-log = Log
+outcome-alarms = Alarms
+outcome-results = Results
+outcome-changes = Tool wear and zero offset
+outcome-decisions = Tolerance chain
+outcome-no-changes = Nothing is corrected.
+outcome-incomplete = Complete the form and the result stands here.
+column-name = Name
+column-meaning = Meaning
+column-value = Value
+column-unit = Unit
+column-before = Before
+column-after = After
+column-difference = Change
+problems-none = No problems found.
+problem-place = line { $line }, column { $column }
+log-none = Nothing was logged.
+
+sliders-title = Errors
+sliders-reset = All zero
+sliders-part = Of the part
+sliders-probe = Of the probe
+slider-figure = { $name }, figure
+error-part-size = Size
+error-part-dx = Shift X
+error-part-dy = Shift Y
+error-part-dz = Shift Z
+error-part-tilt = Tilt
+error-part-taper = Taper
+error-part-out-of-round = Out of round
+error-probe-skew-x = Skew X
+error-probe-skew-y = Skew Y
+error-probe-radius = Ball radius
+error-probe-pre-travel = Pre-travel
+error-probe-repeatability = Repeatability
+
+notice-copied = Copied.
+notice-inserted = Inserted. The form edits this call now.
+notice-link = Link copied. It holds the form, the program and the errors.
+notice-no-clipboard = The browser gave no access to the clipboard. Select the text and copy it by hand.
+notice-setup = Setup opened.
+notice-no-setup = This file is no setup. Save one here to see what it has to hold.
+
+about-title = About Probewright
+about-what = An assistant for CNC measuring cycles: fill in a form, get the program text, watch the probe at work on a part with errors, read what the control would do.
+about-offline = Everything happens in this browser. After the first load it works without a network.
+about-prove-out = A simulation replaces no prove-out at the machine. Test every program there, with reduced feed and a hand on the override.
+about-marks = SINUMERIK is a registered trademark of Siemens AG.
+about-independent = Probewright is independent of Siemens and of NCT; neither has examined or approved it.
+about-licence = Licence: MIT OR Apache-2.0, at your choice.
+about-close = Close
+keys-title = Keys
+keys-f6 = F6 and Shift+F6: next and previous panel
+keys-tab = Tab: next field; the drawing shows what it means
+keys-tree = Arrow keys, Home, End, Enter: move and choose in the task list
+keys-tabs = Left and right arrow: change the result tab
+keys-editor = In the editor Tab leaves; Ctrl+F searches; the call at the cursor opens its form
+
+broken-title = Probewright has stopped
+broken-kept = This is a defect of the program, not of your entries. Your form and your program are kept in this browser.
+broken-reload = Reload

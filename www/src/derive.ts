@@ -1,0 +1,65 @@
+// What follows from the state: the form, the calls of the program, the motions to show. Computed again only when
+// something that it depends on is another object.
+
+import type { Core } from "./core";
+import type { State } from "./state";
+import type { CallView, Catalogue, CycleInfo, Diagnostic, FormView, ReadView, RunView, Setup, Trace } from "./wire";
+
+export interface Derived {
+  catalogue: Catalogue;
+  cycle: CycleInfo;
+  view: FormView;
+  program: string;
+  read: ReadView;
+  opened: CallView | null;
+  run: RunView | null;           // only while the program's motions are shown
+  trace: Trace | null;
+  problems: Diagnostic[];        // of the program, by place
+}
+
+function memo<A extends unknown[], R>(make: (...args: A) => R): (...args: A) => R {
+  let last: { args: A; result: R } | null = null;
+  return (...args) => {
+    if (last && last.args.every((value, index) => value === args[index])) return last.result;
+    last = { args, result: make(...args) };
+    return last.result;
+  };
+}
+
+export function findCycle(catalogue: Catalogue, control: string, cycle: string): CycleInfo | undefined {
+  return catalogue.cycles.find((one) => one.control === control && one.cycle === cycle);
+}
+
+function gather(read: ReadView): Diagnostic[] {
+  const seen = new Set<string>();
+  const all = [...read.diagnostics, ...read.calls.flatMap((call) => call.diagnostics.map((one) => one.from === undefined ? { from: call.from, to: call.to, line: call.lastLine, ...one } : one))];
+  return all.filter((one) => {
+    const key = `${one.code} ${one.from} ${one.to} ${one.param ?? ""} ${one.message.key}`;
+    return !seen.has(key) && seen.add(key);
+  }).sort((a, b) => (a.from ?? 0) - (b.from ?? 0));
+}
+
+export function createDerive(core: Core, catalogue: Catalogue): (state: State) => Derived {
+  const first = catalogue.cycles[0];
+  if (!first) throw new Error("the catalogue is empty");
+  const form = memo((cycle: CycleInfo, values: State["values"], errors: State["errors"], comments: boolean, setup: Setup | null): FormView =>
+    core.form({ control: cycle.control, cycle: cycle.cycle, values, errors, comments, predict: true, ...(setup?.control === cycle.control ? { setup } : {}) }));
+  const read = memo((control: State["control"], text: string): ReadView => core.read({ control, text }));
+  const run = memo((control: State["control"], text: string, setup: Setup | null): RunView =>
+    core.run({ control, text, ...(setup ? { setup } : {}) }));
+  const problems = memo(gather);
+
+  return (state) => {
+    const cycle = findCycle(catalogue, state.control, state.cycle) ?? first;
+    const program = state.programs[cycle.control] ?? "";
+    const view = form(cycle, state.values, state.errors, state.comments, state.setup);
+    const reading = read(cycle.control, program);
+    const opened = state.open === null ? null : reading.calls[state.open] ?? null;
+    const ran = state.source === "program" ? run(cycle.control, program, view.setup ?? state.setup) : null;
+    return {
+      catalogue, cycle, view, program, read: reading, opened, run: ran,
+      trace: ran ? ran.trace : view.outcome?.trace ?? null,
+      problems: problems(reading),
+    };
+  };
+}

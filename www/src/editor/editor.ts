@@ -1,0 +1,108 @@
+// The program editor. It lives in a shadow root: there CodeMirror puts its rules into adopted style sheets,
+// so that the page's content policy needs no 'unsafe-inline' for styles.
+
+import { defaultKeymap, history, historyKeymap } from "@codemirror/commands";
+import { lintGutter, setDiagnostics, type Diagnostic as Mark } from "@codemirror/lint";
+import { highlightSelectionMatches, search, searchKeymap } from "@codemirror/search";
+import { Compartment, EditorSelection, EditorState, RangeSetBuilder, StateEffect, StateField, Transaction, type Extension } from "@codemirror/state";
+import { Decoration, drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, highlightSpecialChars, keymap, lineNumbers, type DecorationSet } from "@codemirror/view";
+import type { Dialect } from "../wire";
+import { nct } from "./nct";
+import { sinumerik } from "./sinumerik";
+import { theme } from "./theme";
+
+/** Lines from 1. */
+export interface LineMarks { calls: { from: number; to: number; open: boolean }[]; step: number | null }
+export interface EditorHost { typed(changes: { from: number; to: number; insert: string }[]): void; moved(offset: number): void }
+export interface Editor {
+  view: EditorView;
+  setText(text: string): void;
+  setDialect(dialect: Dialect): void;
+  setMarks(marks: LineMarks): void;
+  setProblems(problems: Mark[]): void;
+  select(offset: number): void;
+}
+
+const LANGUAGES: Record<Dialect, Extension> = { sinumerik, nct };
+const marksEffect = StateEffect.define<LineMarks>();
+
+function decorate(state: EditorState, marks: LineMarks): DecorationSet {
+  const classes = new Map<number, string>();
+  for (const call of marks.calls)
+    for (let line = call.from; line <= Math.min(call.to, state.doc.lines); line++) classes.set(line, call.open ? "cm-call-open" : "cm-call");
+  if (marks.step !== null && marks.step >= 1 && marks.step <= state.doc.lines) classes.set(marks.step, `${classes.get(marks.step) ?? ""} cm-step`);
+  const builder = new RangeSetBuilder<Decoration>();
+  for (const [line, name] of [...classes].sort((a, b) => a[0] - b[0])) {
+    const at = state.doc.line(line).from;
+    builder.add(at, at, Decoration.line({ class: name.trim() }));
+  }
+  return builder.finish();
+}
+
+const marksField = StateField.define<DecorationSet>({
+  create: () => Decoration.none,
+  update(value, transaction) {
+    for (const effect of transaction.effects) if (effect.is(marksEffect)) return decorate(transaction.state, effect.value);
+    return value.map(transaction.changes);
+  },
+  provide: (field) => EditorView.decorations.from(field),
+});
+
+/** The smallest replacement that turns `before` into `after`. */
+export function difference(before: string, after: string): { from: number; to: number; insert: string } | null {
+  if (before === after) return null;
+  let start = 0;
+  const shorter = Math.min(before.length, after.length);
+  while (start < shorter && before.charCodeAt(start) === after.charCodeAt(start)) start++;
+  let end = 0;
+  while (end < shorter - start && before.charCodeAt(before.length - 1 - end) === after.charCodeAt(after.length - 1 - end)) end++;
+  return { from: start, to: before.length - end, insert: after.slice(start, after.length - end) };
+}
+
+export function createEditor(box: HTMLElement, label: string, host: EditorHost): Editor {
+  const root = box.attachShadow({ mode: "open" });
+  const language = new Compartment();
+  let ours = false; // a change made by the page, not by the user
+  let dialect: Dialect = "sinumerik";
+
+  const listen = EditorView.updateListener.of((update) => {
+    if (ours) return;
+    if (update.docChanged) {
+      const changes: { from: number; to: number; insert: string }[] = [];
+      update.changes.iterChanges((from, to, _a, _b, inserted) => changes.push({ from, to, insert: inserted.toString() }));
+      host.typed(changes);
+    }
+    if (update.selectionSet || update.docChanged) host.moved(update.state.selection.main.head);
+  });
+  const view = new EditorView({
+    parent: root, root,
+    state: EditorState.create({
+      extensions: [
+        lineNumbers(), lintGutter(), history(), drawSelection(), highlightSpecialChars(), highlightActiveLine(), highlightActiveLineGutter(),
+        search({ top: true }), highlightSelectionMatches(), marksField, language.of(LANGUAGES[dialect]), theme, listen,
+        keymap.of([...searchKeymap, ...historyKeymap, ...defaultKeymap]),
+        EditorView.contentAttributes.of({ "aria-label": label, autocapitalize: "characters", spellcheck: "false" }),
+      ],
+    }),
+  });
+  const apply = (run: () => void): void => { ours = true; try { run(); } finally { ours = false; } };
+
+  return {
+    view,
+    setText(text) {
+      const change = difference(view.state.doc.toString(), text.replace(/\r\n?/g, "\n"));
+      if (change) apply(() => view.dispatch({ changes: change, annotations: Transaction.addToHistory.of(true) }));
+    },
+    setDialect(next) {
+      if (next === dialect) return;
+      dialect = next;
+      apply(() => view.dispatch({ effects: language.reconfigure(LANGUAGES[next]) }));
+    },
+    setMarks: (marks) => apply(() => view.dispatch({ effects: marksEffect.of(marks) })),
+    setProblems: (problems) => apply(() => view.dispatch(setDiagnostics(view.state, problems))),
+    select(offset) {
+      const at = Math.min(offset, view.state.doc.length);
+      apply(() => view.dispatch({ selection: EditorSelection.cursor(at), scrollIntoView: true }));
+    },
+  };
+}

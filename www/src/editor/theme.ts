@@ -1,0 +1,36 @@
+// The editor's look out of the page's design tokens.
+
+import { HighlightStyle, syntaxHighlighting } from "@codemirror/language";
+import { EditorView } from "@codemirror/view";
+import { tags } from "@lezer/highlight";
+
+const v = (token: string): string => `var(--${token})`;
+
+const look = EditorView.theme({
+  "&": { height: "100%", color: v("ink"), backgroundColor: v("surface"), fontSize: v("text-code") },
+  "&.cm-focused": { outline: `2px solid ${v("focus")}`, outlineOffset: "-2px" },
+  ".cm-scroller": { fontFamily: v("mono"), lineHeight: "1.5" },
+  ".cm-content": { caretColor: v("ink"), paddingBlock: "6px" },
+  ".cm-cursor": { borderLeftColor: v("ink"), borderLeftWidth: "2px" },
+  "&.cm-focused > .cm-scroller > .cm-selectionLayer .cm-selectionBackground, .cm-selectionBackground": { backgroundColor: v("selection") },
+  ".cm-gutters": { backgroundColor: v("ground"), color: v("ink-quiet"), borderRight: `1px solid ${v("rule")}`, fontVariantNumeric: "tabular-nums" },
+  ".cm-activeLine, .cm-activeLineGutter": { backgroundColor: v("active-line") },
+  ".cm-call": { boxShadow: `inset 3px 0 0 ${v("rule-strong")}` },
+  ".cm-call-open": { boxShadow: `inset 3px 0 0 ${v("accent")}`, backgroundColor: v("accent-soft") },
+  ".cm-step": { backgroundColor: v("step-line") },
+  ".cm-tooltip": { backgroundColor: v("surface-raised"), color: v("ink"), border: `1px solid ${v("rule-strong")}` },
+  ".cm-diagnostic": { fontFamily: v("sans"), fontSize: v("text-small") },
+  ".cm-panels": { backgroundColor: v("ground"), color: v("ink") },
+  ".cm-textfield, .cm-button": { backgroundColor: v("surface"), backgroundImage: "none", color: v("ink"), border: `1px solid ${v("rule-strong")}` },
+});
+
+const colours = HighlightStyle.define([
+  { tag: tags.comment, color: v("code-comment"), fontStyle: "italic" },
+  { tag: [tags.keyword, tags.controlKeyword, tags.operatorKeyword, tags.typeName], color: v("code-keyword") },
+  { tag: [tags.function(tags.variableName)], color: v("code-call"), fontWeight: "600" },
+  { tag: [tags.variableName, tags.special(tags.variableName)], color: v("code-variable") },
+  { tag: [tags.number, tags.string], color: v("code-number") },
+  { tag: [tags.labelName, tags.meta], color: v("ink-quiet") },
+]);
+
+export const theme = [look, syntaxHighlighting(colours)];

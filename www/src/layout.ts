@@ -1,0 +1,56 @@
+// The panels, the bar that chooses among them on small screens, skip links, and F6 from panel to panel.
+
+import type { Actions } from "./actions";
+import { el, on, setAttribute } from "./dom";
+import type { Panel, State } from "./state";
+import { t } from "./texts";
+
+const PANELS: Panel[] = ["tasks", "form", "program", "view", "results"];
+
+export interface Layout { header: HTMLElement; panels: Record<Panel, HTMLElement>; notice: HTMLElement; draw(state: State): void }
+
+export function createLayout(actions: Actions): Layout {
+  const header = el("header", { class: "top" });
+  const panels = Object.fromEntries(PANELS.map((name) =>
+    [name, el("section", { id: `panel-${name}`, class: `panel panel-${name}`, "data-panel": name, tabindex: "-1", "aria-label": t(`panel-${name}`) })])) as Record<Panel, HTMLElement>;
+  const bar = el("nav", { class: "panel-bar", "aria-label": t("panels") });
+  const buttons = new Map<Panel, HTMLButtonElement>();
+  for (const name of PANELS) {
+    const button = el("button", { type: "button", "aria-controls": `panel-${name}` }, t(`panel-${name}`));
+    on(button, "click", () => actions.panel(name));
+    bar.append(button);
+    buttons.set(name, button);
+  }
+  const skip = el("nav", { class: "skip", "aria-label": t("skip") }, ...PANELS.map((name) => {
+    const link = el("a", { href: `#panel-${name}` }, t("skip-to", { panel: t(`panel-${name}`) }));
+    on(link, "click", (event) => { event.preventDefault(); enter(name); });
+    return link;
+  }));
+  const notice = el("p", { class: "notice", role: "status" });
+  const main = el("main", { class: "bench" }, ...PANELS.map((name) => panels[name]));
+  document.body.append(skip, header, bar, main, notice);
+
+  const enter = (name: Panel): void => {
+    actions.panel(name);
+    requestAnimationFrame(() => panels[name].focus());
+  };
+  document.addEventListener("keydown", (event) => {
+    if (event.key !== "F6" || document.querySelector("dialog[open]")) return;
+    event.preventDefault();
+    const here = PANELS.findIndex((name) => panels[name].contains(document.activeElement));
+    const next = (here + (event.shiftKey ? -1 : 1) + PANELS.length) % PANELS.length;
+    enter(PANELS[next] ?? "form");
+  });
+
+  return {
+    header, panels, notice,
+    draw(state) {
+      for (const [name, button] of buttons) {
+        setAttribute(button, "aria-current", name === state.panel ? "true" : null);
+        setAttribute(button, "data-shown", name === state.left || name === state.right ? "" : null);
+        setAttribute(panels[name], "data-active", name === state.panel ? "" : null);
+        setAttribute(panels[name], "data-shown", name === state.left || name === state.right ? "" : null);
+      }
+    },
+  };
+}

@@ -1,0 +1,28 @@
+// Numbers as people type them and as the page shows them.
+
+/** Decimal comma or point; null when it is no number. */
+export function parseNumber(text: string): number | null {
+  const plain = text.trim().replace(",", ".").replace("\u2212", "-");
+  if (!/^[+-]?(\d+\.?\d*|\.\d+)$/.test(plain)) return null;
+  return Number(plain);
+}
+
+/** At most `digits` decimals, no trailing zeros, never "-0". */
+export function plain(value: number, digits = 6): string {
+  if (!Number.isFinite(value)) return "–";
+  const text = value.toFixed(digits).replace(/\.?0+$/, "");
+  return text === "-0" || text === "" ? "0" : text;
+}
+
+/** For columns of figures: always `digits` decimals. */
+export function fixed(value: number, digits = 4): string {
+  if (!Number.isFinite(value)) return "–";
+  const text = value.toFixed(digits);
+  return Number(text) === 0 ? (0).toFixed(digits) : text.replace("-", "\u2212");
+}
+
+/** With its sign, for differences. */
+export function signed(value: number, digits = 4): string {
+  const text = fixed(value, digits);
+  return Number(value.toFixed(digits)) > 0 ? `+${text}` : text;
+}

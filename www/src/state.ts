@@ -1,0 +1,111 @@
+// The one state of the page. Values in it are never changed in place: a part that changed is a new object,
+// so views and computations compare by identity.
+
+import type { Dialect, ErrorSliders, Setup } from "./wire";
+
+export type Panel = "tasks" | "form" | "program" | "view" | "results";
+export type ResultTab = "outcome" | "problems" | "motions" | "log";
+
+export interface State {
+  control: Dialect;
+  cycle: string;
+  values: Record<string, string>;                    // as typed
+  remembered: Record<string, Record<string, string>>; // last values of the other cycles, by "control/cycle"
+  programs: Partial<Record<Dialect, string>>;
+  open: number | null;                               // call of the program that the form edits
+  errors: ErrorSliders;
+  comments: boolean;
+  setup: Setup | null;                               // imported machine; null: the core's own
+  checked: boolean;                                  // problems are shown at every field
+  touched: Record<string, true>;                     // fields whose problems are shown
+  source: "form" | "program";                        // whose motions the 3D view shows
+
+  panel: Panel;
+  left: Panel;
+  right: Panel;
+  tab: ResultTab;
+  theme: "system" | "light" | "dark";
+  folded: Record<string, true>;                      // branches of the task tree that are closed
+
+  search: string;                                    // from here on: not kept
+  focus: string | null;
+  step: number;
+  playing: boolean;
+  cursor: number;                                    // in the program
+  notice: string;                                    // key of a short confirmation
+  broken: string | null;
+}
+
+export const NO_ERRORS: ErrorSliders = {
+  part: { dx: 0, dy: 0, dz: 0, size: 0, tilt: 0, taper: 0, outOfRound: 0 },
+  probe: { skewX: 0, skewY: 0, radius: 0, preTravel: 0, repeatability: 0 },
+};
+
+export function firstState(): State {
+  return {
+    control: "sinumerik", cycle: "", values: {}, remembered: {}, programs: {}, open: null,
+    errors: NO_ERRORS, comments: true, setup: null, checked: false, touched: {}, source: "form",
+    panel: "form", left: "form", right: "results", tab: "outcome", theme: "system", folded: {},
+    search: "", focus: null, step: 0, playing: false, cursor: 0, notice: "", broken: null,
+  };
+}
+
+const NOT_KEPT = ["search", "focus", "step", "playing", "cursor", "notice", "broken"] as const satisfies (keyof State)[];
+const IN_LINK = ["control", "cycle", "values", "programs", "open", "errors", "comments", "setup", "checked", "source"] as const satisfies (keyof State)[];
+const STORE = "probewright-1";
+
+export function kept(state: State): Partial<State> {
+  const copy: Partial<State> = { ...state };
+  for (const name of NOT_KEPT) delete copy[name];
+  return copy;
+}
+
+export function shared(state: State): Partial<State> {
+  return Object.fromEntries(IN_LINK.map((name) => [name, state[name]]));
+}
+
+function plainObject(value: unknown): value is Record<string, unknown> {
+  return typeof value === "object" && value !== null && !Array.isArray(value);
+}
+
+const texts = (value: unknown): Record<string, string> =>
+  plainObject(value) ? Object.fromEntries(Object.entries(value).filter((pair): pair is [string, string] => typeof pair[1] === "string")) : {};
+
+function numbers<T extends Record<string, number>>(value: unknown, shape: T): T {
+  const given = plainObject(value) ? value : {};
+  return Object.fromEntries(Object.entries(shape).map(([name, zero]) => [name, Number.isFinite(given[name]) ? given[name] : zero])) as T;
+}
+
+/** A stored state or one out of a link may be old, cut or hand-made: only what has the right shape is taken. */
+export function merge(state: State, data: unknown): State {
+  if (!plainObject(data)) return state;
+  const next = { ...state };
+  for (const [name, first] of Object.entries(firstState())) {
+    const value = data[name];
+    if (value !== undefined && typeof value === typeof first && first !== null) Object.assign(next, { [name]: value });
+  }
+  if (plainObject(data.values)) next.values = texts(data.values);
+  if (plainObject(data.programs)) next.programs = texts(data.programs);
+  if (plainObject(data.remembered)) next.remembered = Object.fromEntries(Object.entries(data.remembered).map(([name, values]) => [name, texts(values)]));
+  if (plainObject(data.errors)) next.errors = { part: numbers(data.errors.part, NO_ERRORS.part), probe: numbers(data.errors.probe, NO_ERRORS.probe) };
+  if (Number.isInteger(data.open)) next.open = data.open as number;
+  if (data.open === null) next.open = null;
+  if (plainObject(data.setup)) next.setup = data.setup as unknown as Setup;
+  return next;
+}
+
+export function load(): Partial<State> | null {
+  try {
+    return JSON.parse(localStorage.getItem(STORE) ?? "null") as Partial<State> | null;
+  } catch {
+    return null;
+  }
+}
+
+export function save(state: State): void {
+  try {
+    localStorage.setItem(STORE, JSON.stringify(kept(state)));
+  } catch (problem) {
+    console.warn("state is not kept", problem); // private windows and full stores: the page goes on without
+  }
+}

@@ -1,0 +1,178 @@
+// One field: name as in the manual, label, entry, unit, what is allowed and why, its problems.
+
+import type { Actions } from "../actions";
+import { el, keyed, on, setAttribute, setText, show } from "../dom";
+import { parseNumber, plain } from "../numbers";
+import { say, t } from "../texts";
+import type { Diagnostic, Field } from "../wire";
+
+export interface FieldView { root: HTMLElement; update(field: Field, typed: string, problems: Diagnostic[]): void }
+type DigitGroup = NonNullable<Field["digits"]>[number];
+
+const PAUSE = 700; // ms without a key after which a value counts as typed
+
+export function fieldId(name: string): string {
+  return `field-${name.replace(/[^A-Za-z0-9_]/g, "-")}`;
+}
+
+/** What may be entered, in the manual's way of writing an interval. */
+export function rangeText(field: Field): string {
+  const range = field.range;
+  if (!range || (range.min === undefined && range.max === undefined)) return "";
+  const { min, max } = range;
+  if (min !== undefined && max !== undefined) return `${plain(min)} ${range.minIncluded ? "≤" : "<"} … ${range.maxIncluded ? "≤" : "<"} ${plain(max)}`;
+  if (min !== undefined) return `${range.minIncluded ? "≥" : ">"} ${plain(min)}`;
+  return `${range.maxIncluded ? "≤" : "<"} ${plain(max ?? 0)}`;
+}
+
+function fallbackText(field: Field): string {
+  if (field.fallback === undefined) return "";
+  const named = field.choices?.find((choice) => choice.value === field.fallback);
+  return t("field-default", { value: named ? `${plain(field.fallback)} (${say(named.label)})` : plain(field.fallback) });
+}
+
+/** The number with one of its digit groups replaced. */
+export function withDigits(number: number, group: Pick<DigitGroup, "place" | "digits">, value: number): number {
+  const size = 10 ** group.digits;
+  const size_ = Math.trunc(Math.abs(number) / group.place) % size;
+  return Math.abs(number) + (Math.trunc(value) - size_) * group.place;
+}
+
+export function createField(first: Field, actions: Actions, focused: (name: string | null) => void): FieldView {
+  const name = first.name;
+  const id = fieldId(name);
+  let field = first;
+  let timer = 0;
+
+  const label = el("label", { for: id, class: "field-label" });
+  const required = el("span", { class: "required", "aria-hidden": "true" }, "•");
+  const code = el("code", { class: "field-name" }, name);
+  const info = el("button", { type: "button", class: "info", "aria-expanded": "false", "aria-controls": `${id}-help` }, "?");
+  const input = el("input", {
+    id, class: "figure", type: "text", autocomplete: "off", spellcheck: "false", "data-kind": first.kind,
+    inputmode: first.kind === "text" ? "text" : "decimal", "aria-describedby": `${id}-meta ${id}-problems`,
+  });
+  const unit = el("span", { class: "unit" });
+  const select = el("select", { class: "choice" });
+  const groups = el("div", { class: "digits" });
+  const meta = el("p", { class: "meta", id: `${id}-meta` });
+  const help = el("p", { class: "help", id: `${id}-help`, hidden: true });
+  const list = el("ul", { class: "field-problems", id: `${id}-problems`, "aria-live": "polite" });
+  const root = el("div", { class: `field kind-${first.kind}`, "data-field": name },
+    el("div", { class: "field-head" }, el("span", { class: "field-title" }, label, required), code),
+    el("div", { class: "field-entry" }, el("div", { class: "entry-line" }, input, unit, first.kind === "choice" ? select : null, info), first.kind === "digits" ? groups : null, meta, help, list),
+  );
+
+  on(input, "input", () => {
+    actions.edit(name, input.value);
+    clearTimeout(timer);
+    timer = window.setTimeout(() => actions.touch(name), PAUSE);
+  });
+  on(input, "change", () => { clearTimeout(timer); actions.touch(name); });
+  on(select, "change", () => { actions.edit(name, select.value); actions.touch(name); });
+  on(info, "click", () => {
+    const open = help.hasAttribute("hidden");
+    show(help, open);
+    setAttribute(info, "aria-expanded", String(open));
+  });
+  root.addEventListener("focusin", () => focused(name));
+  root.addEventListener("pointerenter", () => root.classList.add("pointed"));
+  root.addEventListener("pointerleave", () => root.classList.remove("pointed"));
+
+  const editGroup = (group: DigitGroup, value: number): void => {
+    const base = parseNumber(input.value) ?? field.fallback ?? 0;
+    actions.edit(name, String(withDigits(base, group, value)));
+    actions.touch(name);
+  };
+
+  return {
+    root,
+    update(next, typed, problems) {
+      field = next;
+      setText(label, say(field.label));
+      show(required, field.required);
+      setText(unit, field.unit ? t(`unit-${field.unit.replace("/", "-per-")}`) : "");
+      if (input.value !== typed) input.value = typed;
+      setAttribute(input, "placeholder", field.fallback === undefined ? null : plain(field.fallback));
+      setAttribute(input, "aria-required", String(field.required));
+      if (field.kind === "choice") updateChoice(select, field, typed);
+      if (field.kind === "digits") keyed(groups, field.digits ?? [], (group) => `${group.label.key}/${group.place}/${group.choices.map((one) => one.value).join(",")}`, (group) => createGroup(() => field, group.place, editGroup), (node, group, index) => updateGroup(node, group, `${id}-digit-${index}`));
+      const why = t(field.required ? "field-required" : "field-optional", { reason: say(field.reason) });
+      const parts = [rangeText(field), fallbackText(field), why].filter(Boolean);
+      setText(meta, parts.join(" · "));
+      setText(help, `${say(field.help)} ${t("field-source", { source: field.source })}`);
+      setAttribute(info, "aria-label", t("field-help", { name: say(field.label) }));
+      updateProblems(list, problems);
+      const wrong = problems.some((one) => one.severity === "error");
+      setAttribute(input, "aria-invalid", wrong ? "true" : null);
+      root.classList.toggle("wrong", wrong);
+      root.classList.toggle("doubtful", !wrong && problems.length > 0);
+    },
+  };
+}
+
+function options(select: HTMLSelectElement, choices: { value: number; text: string }[], empty: string | null): void {
+  const list = [...(empty === null ? [] : [{ value: "", text: empty }]), ...choices.map((one) => ({ value: String(one.value), text: one.text }))];
+  keyed(select, list, (one) => one.value, (one) => el("option", { value: one.value }), (node, one) => setText(node, one.text));
+}
+
+function updateChoice(select: HTMLSelectElement, field: Field, typed: string): void {
+  const number = parseNumber(typed);
+  const known = field.choices?.some((one) => one.value === number);
+  const empty = typed.trim() === "" || known ? t(field.fallback === undefined ? "choice-none" : "choice-default") : t("choice-other");
+  options(select, (field.choices ?? []).map((one) => ({ value: one.value, text: `${one.value} · ${say(one.label)}` })), empty);
+  const value = known ? String(number) : "";
+  if (select.value !== value) select.value = value;
+  setAttribute(select, "aria-label", t("choice-label", { name: say(field.label) }));
+}
+
+function createGroup(field: () => Field, place: number, edit: (group: DigitGroup, value: number) => void): HTMLElement {
+  const current = (): DigitGroup | undefined => field().digits?.find((group) => group.place === place);
+  const select = el("select", { class: "choice" });
+  const number = el("input", { class: "figure", type: "text", inputmode: "numeric", autocomplete: "off" });
+  const commit = (text: string): void => {
+    const group = current();
+    const value = parseNumber(text);
+    if (group && value !== null && value >= 0 && value < 10 ** group.digits) edit(group, value);
+  };
+  on(select, "change", () => commit(select.value));
+  on(number, "change", () => commit(number.value));
+  return el("div", { class: "digit" }, el("label", {}), select, number);
+}
+
+function updateGroup(node: HTMLElement, group: DigitGroup, id: string): void {
+  const [label, select, number] = node.children as unknown as [HTMLLabelElement, HTMLSelectElement, HTMLInputElement];
+  const named = group.choices.length > 0;
+  setText(label, say(group.label));
+  setAttribute(label, "for", named ? `${id}-choice` : id);
+  setAttribute(select, "id", `${id}-choice`);
+  setAttribute(number, "id", id);
+  show(select, named);
+  show(number, !named);
+  const known = group.choices.some((one) => one.value === group.value);
+  if (named) options(select, group.choices.map((one) => ({ value: one.value, text: `${one.value} · ${say(one.label)}` })), known ? null : t("choice-other"));
+  const value = String(group.value);
+  if (named && select.value !== (known ? value : "")) select.value = known ? value : "";
+  if (!named && number.value !== value && document.activeElement !== number) number.value = value;
+}
+
+function updateProblems(list: HTMLElement, problems: Diagnostic[]): void {
+  keyed(list, problems, (one) => `${one.code}/${one.message.key}/${one.param ?? ""}`, () => problemItem(), updateProblem);
+}
+
+/** A problem with its mark, number, cause and cure; also used by the list of all problems. */
+export function problemItem(): HTMLLIElement {
+  return el("li", { class: "problem" }, el("span", { class: "mark", "aria-hidden": "true" }), el("span", { class: "problem-text" }), el("code", { class: "problem-code" }), el("span", { class: "hint" }));
+}
+
+const MARKS = { error: "✕", warning: "!", note: "i" };
+
+export function updateProblem(node: HTMLElement, one: Pick<Diagnostic, "severity" | "code" | "message" | "hint">): void {
+  const [mark, text, code, hint] = node.children as unknown as [HTMLElement, HTMLElement, HTMLElement, HTMLElement];
+  setAttribute(node, "data-severity", one.severity);
+  setText(mark, MARKS[one.severity]);
+  setText(text, `${t(`severity-${one.severity}`)}: ${say(one.message)}`);
+  setText(code, one.code);
+  setText(hint, one.hint ? say(one.hint) : "");
+  show(hint, !!one.hint);
+}

@@ -1,0 +1,98 @@
+// The form of the chosen cycle: status line, picture, fields, what to do with the snippet.
+
+import type { Actions } from "../actions";
+import type { Derived } from "../derive";
+import { el, keyed, on, setAttribute, setText, show } from "../dom";
+import type { State } from "../state";
+import type { Store } from "../store";
+import { optional, t } from "../texts";
+import type { Diagnostic, Field } from "../wire";
+import { createField, fieldId, problemItem, updateProblem, type FieldView } from "./field";
+import { createPicture } from "./picture";
+
+/** Problems of a field are shown once it was typed into, or after "check". */
+export function shownProblems(state: State, all: Diagnostic[]): Diagnostic[] {
+  return all.filter((one) => state.checked || one.severity === "note" || (one.param !== undefined && state.touched[one.param]));
+}
+
+export async function copyText(text: string, store: Store, notice: string): Promise<void> {
+  try {
+    await navigator.clipboard.writeText(text);
+    store.update({ notice });
+  } catch {
+    store.update({ notice: "notice-no-clipboard" });
+  }
+}
+
+export function createForm(root: HTMLElement, store: Store, actions: Actions): (state: State, derived: Derived) => void {
+  const title = el("h2", { id: "form-title" });
+  const about = el("p", { class: "lead" });
+  const where = el("span", {});
+  const detach = el("button", { type: "button", class: "quiet" }, t("form-detach"));
+  const opened = el("div", { class: "opened", role: "status" }, el("span", { class: "opened-mark", "aria-hidden": "true" }, "◆"), where, detach);
+  const pictureBox = el("div", { class: "picture-box" });
+  const fields = el("div", { class: "fields", role: "group", "aria-labelledby": "form-title" });
+  const loose = el("ul", { class: "loose-problems", "aria-live": "polite" });
+  const count = el("p", { class: "form-state", role: "status" });
+  const check = el("button", { type: "button" }, t("form-check"));
+  const example = el("button", { type: "button" }, t("form-example"));
+  const snippet = el("pre", { class: "snippet", tabindex: "0", "aria-label": t("form-snippet") });
+  const comments = el("input", { type: "checkbox", id: "comments" });
+  const copy = el("button", { type: "button" }, t("form-copy"));
+  const insert = el("button", { type: "button", class: "primary" }, t("form-insert"));
+  const snippetBox = el("section", { class: "snippet-box", "aria-label": t("form-snippet") },
+    el("div", { class: "snippet-head" }, el("h3", {}, t("form-snippet")), el("label", { class: "check", for: "comments" }, comments, t("form-comments"))),
+    snippet, el("div", { class: "actions" }, insert, copy));
+  const scroll = el("div", { class: "scroll" }, about, loose, fields, el("div", { class: "actions" }, check, example), snippetBox);
+  root.append(el("header", { class: "panel-head" }, title, count), opened, pictureBox, scroll);
+
+  const views = new WeakMap<Element, FieldView>();
+  const focused = (name: string | null): void => { if (store.state.focus !== name) store.update({ focus: name }); };
+  const focusField = (name: string): void => document.getElementById(fieldId(name))?.focus();
+  const drawPicture = createPicture(pictureBox, focusField);
+  let snippetText = "";
+
+  on(detach, "click", () => actions.closeCall());
+  on(example, "click", () => actions.example());
+  on(comments, "change", () => store.update({ comments: comments.checked }));
+  on(copy, "click", () => void copyText(snippetText, store, "notice-copied"));
+  on(insert, "click", () => { actions.insert(snippetText); actions.panel("program"); });
+  on(check, "click", () => {
+    actions.check();
+    requestAnimationFrame(() => requestAnimationFrame(() => root.querySelector<HTMLElement>('[aria-invalid="true"]')?.focus()));
+  });
+
+  const make = (field: Field): HTMLElement => {
+    const view = createField(field, actions, focused);
+    views.set(view.root, view);
+    return view.root;
+  };
+
+  return (state, derived) => {
+    const { view, cycle } = derived;
+    setText(title, t(`${cycle.key}-title`));
+    setText(about, optional(`${cycle.key}-help`));
+    show(about, !!about.textContent);
+    show(opened, !!derived.opened);
+    if (derived.opened) setText(where, t("form-opened", { cycle: cycle.cycle, from: derived.opened.line, to: derived.opened.lastLine }));
+    const problems = shownProblems(state, view.diagnostics);
+    const names = new Set(view.fields.map((field) => field.name));
+    keyed(fields, view.fields, (field) => `${cycle.control}/${cycle.cycle}/${field.name}/${field.kind}`, make, (node, field) =>
+      views.get(node)?.update(field, state.values[field.name] ?? "", problems.filter((one) => one.param === field.name)));
+    keyed(loose, problems.filter((one) => one.param === undefined || !names.has(one.param)), (one) => `${one.code}/${one.message.key}`, problemItem, updateProblem);
+    drawPicture(view.picture, state.focus);
+    renderCount(count, state, view.diagnostics, view.complete);
+    if (comments.checked !== state.comments) comments.checked = state.comments;
+    snippetText = view.snippet;
+    setText(snippet, view.snippet);
+    setAttribute(root, "data-complete", String(view.complete));
+  };
+}
+
+function renderCount(node: HTMLElement, state: State, all: Diagnostic[], complete: boolean): void {
+  const errors = all.filter((one) => one.severity === "error");
+  const seen = shownProblems(state, errors).length;
+  const text = complete ? t("form-complete") : seen > 0 ? t("form-errors", { count: seen }) : t("form-incomplete");
+  setText(node, text);
+  setAttribute(node, "data-state", complete ? "complete" : seen > 0 ? "errors" : "incomplete");
+}

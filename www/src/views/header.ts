@@ -1,0 +1,87 @@
+// The line above everything: what is measured on which machine, and the page's own actions.
+
+import type { Derived } from "../derive";
+import { el, keyed, on, setAttribute, setText } from "../dom";
+import { pack } from "../link";
+import { plain } from "../numbers";
+import { shared, type State } from "../state";
+import type { Store } from "../store";
+import { t } from "../texts";
+import type { Setup } from "../wire";
+import { createAbout } from "./about";
+import { copyText } from "./form";
+import { saveFile } from "./program";
+
+const THEMES: State["theme"][] = ["system", "light", "dark"];
+
+/** Machine, plane, unit, tool and probe as they count now. */
+function facts(control: string, setup: Setup | undefined): { name: string; text: string }[] {
+  const list = [{ name: t("fact-control"), text: t(`control-${control}`) }];
+  if (!setup) return list;
+  const [number, tool] = Object.entries(setup.tools)[0] ?? [];
+  return [
+    ...list,
+    { name: t("fact-unit"), text: t(`unit-${setup.units}`) },
+    { name: t("fact-plane"), text: setup.plane },
+    ...(number && tool ? [{ name: t("fact-tool"), text: `T${number}${tool.name ? ` ${tool.name}` : ""}` }] : []),
+    { name: t("fact-probe"), text: t("fact-ball", { diameter: plain(setup.probe.radius * 2, 4) }) },
+    { name: t("fact-calibration"), text: t(probeIsTrue(setup) ? "fact-true" : "fact-deviates") },
+  ];
+}
+
+function probeIsTrue(setup: Setup): boolean {
+  const { skew = [0, 0], preTravel = [0, 0] } = setup.probe;
+  return [...skew, ...preTravel].every((value) => value === 0);
+}
+
+async function copyLink(store: Store): Promise<void> {
+  const address = `${location.href.split("#")[0]}#s=${await pack(shared(store.state))}`;
+  history.replaceState(null, "", address);
+  await copyText(address, store, "notice-link");
+}
+
+async function importSetup(file: File, store: Store): Promise<void> {
+  try {
+    const setup = JSON.parse(await file.text()) as Setup;
+    if (!setup.control || !setup.probe || !setup.tools) throw new Error("no setup");
+    store.update({ setup, control: setup.control, step: 0, notice: "notice-setup" });
+  } catch {
+    store.update({ notice: "notice-no-setup" });
+  }
+}
+
+export function createHeader(root: HTMLElement, store: Store): (state: State, derived: Derived) => void {
+  const about = createAbout();
+  const list = el("dl", { class: "facts", "aria-label": t("facts") });
+  const quiet = (key: string, run: () => void): HTMLButtonElement => {
+    const node = el("button", { type: "button", class: "quiet" }, t(key));
+    on(node, "click", run);
+    return node;
+  };
+  let last: Derived | null = null;
+  const file = el("input", { type: "file", accept: "application/json,.json", hidden: true, tabindex: "-1", "aria-label": t("setup-import") });
+  on(file, "change", () => { const chosen = file.files?.[0]; if (chosen) void importSetup(chosen, store); file.value = ""; });
+  const theme = quiet("theme-system", () => {
+    const next = THEMES[(THEMES.indexOf(store.state.theme) + 1) % THEMES.length] ?? "system";
+    store.update({ theme: next });
+  });
+  theme.id = "theme";
+  root.append(
+    el("div", { class: "brand" }, el("span", { class: "brand-mark", "aria-hidden": "true" }), el("h1", {}, t("app-name"))), list,
+    el("div", { class: "head-actions" },
+      quiet("setup-import", () => file.click()), file,
+      quiet("setup-export", () => { if (last?.view.setup) saveFile(JSON.stringify(last.view.setup, null, 2), "setup.json", "application/json"); }),
+      quiet("link-copy", () => void copyLink(store)), theme,
+      quiet("about-open", () => about.showModal())));
+  document.body.append(about);
+  return (state, derived) => {
+    last = derived;
+    keyed(list, facts(derived.cycle.control, derived.view.setup), (one) => one.name, () => el("div", {}, el("dt", {}), el("dd", {})), (node, one) => {
+      const [name, text] = node.children as unknown as [HTMLElement, HTMLElement];
+      setText(name, one.name);
+      setText(text, one.text);
+    });
+    setText(theme, t(`theme-${state.theme}`));
+    setAttribute(document.documentElement, "data-theme", state.theme === "system" ? null : state.theme);
+  };
+}

@@ -1,0 +1,200 @@
+// What would it do: results, decisions, changes, alarms; beside them problems, motions and the log.
+
+import type { Actions } from "../actions";
+import type { Derived } from "../derive";
+import { el, keyed, on, setAttribute, setText, show } from "../dom";
+import { fixed, signed } from "../numbers";
+import type { ResultTab, State } from "../state";
+import type { Store } from "../store";
+import { say, t } from "../texts";
+import type { Diagnostic, Outcome, Step, Trace } from "../wire";
+import { fieldId, problemItem, updateProblem } from "./field";
+import { shownProblems } from "./form";
+import { describe } from "./steps";
+
+const TABS: ResultTab[] = ["outcome", "problems", "motions", "log"];
+type Draw = (state: State, derived: Derived) => void;
+
+function unitText(unit: string): string {
+  return unit ? t(`unit-${unit.replace("/", "-per-")}`) : "";
+}
+
+function table(caption: string, heads: string[], body: HTMLElement): HTMLTableElement {
+  return el("table", {}, el("caption", {}, caption), el("thead", {}, el("tr", {}, ...heads.map((head) => el("th", { scope: "col" }, head)))), body);
+}
+
+const row = (cells: number) => (): HTMLTableRowElement =>
+  el("tr", {}, el("th", { scope: "row" }), ...Array.from({ length: cells }, () => el("td", {})));
+
+function fill(node: HTMLElement, texts: string[]): void {
+  texts.forEach((text, index) => { const cell = node.children[index]; if (cell) setText(cell, text); });
+}
+
+function createOutcome(root: HTMLElement): Draw {
+  const alarms = el("ul", { class: "alarms", "aria-label": t("outcome-alarms") });
+  const results = el("tbody", {});
+  const changes = el("tbody", {});
+  const decisions = el("ol", { class: "decisions" });
+  const decisionBox = el("section", { class: "decision-box" }, el("h3", {}, t("outcome-decisions")), decisions);
+  const resultTable = table(t("outcome-results"), [t("column-name"), t("column-meaning"), t("column-value"), t("column-unit")], results);
+  const changeTable = table(t("outcome-changes"), [t("column-name"), t("column-before"), t("column-after"), t("column-difference"), t("column-unit")], changes);
+  resultTable.className = "results";
+  changeTable.className = "changes";
+  const none = el("p", { class: "empty" });
+  const same = el("p", { class: "empty" }, t("outcome-no-changes"));
+  root.append(none, alarms, el("div", { class: "outcome" }, resultTable, el("div", {}, changeTable, same, decisionBox)));
+  return (state, derived) => {
+    const outcome = shownOutcome(state, derived);
+    show(none, !outcome);
+    setText(none, outcome ? "" : t("outcome-incomplete"));
+    for (const part of [alarms, resultTable, decisionBox]) show(part, !!outcome);
+    show(changeTable, !!outcome && outcome.changes.length > 0);
+    show(same, !!outcome && outcome.changes.length === 0);
+    keyed(alarms, outcome?.alarms ?? [], (one, index) => `${index}/${one.code}`, problemItem, (node, one) =>
+      updateProblem(node, { ...one, severity: one.stops ? "error" : "note" }));
+    show(alarms, (outcome?.alarms.length ?? 0) > 0);
+    keyed(results, outcome?.results ?? [], (one) => one.name, row(3), (node, one) =>
+      fill(node, [one.name, one.label, fixed(one.value), unitText(one.unit)]));
+    keyed(changes, outcome?.changes ?? [], (one) => one.name, row(4), (node, one) =>
+      fill(node, [one.name, fixed(one.before), fixed(one.after), signed(one.after - one.before), unitText(one.unit)]));
+    show(decisionBox, (outcome?.decisions.length ?? 0) > 0);
+    keyed(decisions, outcome?.decisions ?? [], (_, index) => String(index), () => el("li", {}), (node, one, index) => {
+      setText(node, say(one));
+      node.classList.toggle("taken", index === (outcome?.decisions.length ?? 0) - 1);
+    });
+  };
+}
+
+interface Shown { results: { name: string; label: string; value: number; unit: string }[]; changes: Outcome["changes"]; alarms: Outcome["alarms"]; decisions: Outcome["decisions"]; log: string[] }
+
+/** Of the form's call, or of the whole program while that is shown. */
+function shownOutcome(state: State, derived: Derived): Shown | null {
+  const run = derived.run;
+  if (state.source === "program" && run) {
+    const known = new Map(derived.cycle.results.map((one) => [one.name, one]));
+    const decisions = run.trace.entries.flatMap((entry) => entry.step === "decision" ? [entry.message] : []);
+    return { ...run, decisions, results: run.results.map((one) => ({ ...one, label: known.has(one.name) ? t(known.get(one.name)?.key ?? one.name) : "", unit: known.get(one.name)?.unit ?? "" })) };
+  }
+  const outcome = derived.view.outcome;
+  return outcome ? { ...outcome, results: outcome.results.map((one) => ({ ...one, label: say(one.label) })) } : null;
+}
+
+interface Located { problem: Diagnostic; place: string; go: () => void }
+
+function createProblems(root: HTMLElement, actions: Actions, goTo: (offset: number) => void): Draw {
+  const list = el("ul", { class: "problem-list" });
+  const none = el("p", { class: "empty" }, t("problems-none"));
+  root.append(none, list);
+  const targets = new WeakMap<Element, () => void>();
+  const make = (): HTMLLIElement => {
+    const item = problemItem();
+    const go = el("button", { type: "button", class: "quiet place" });
+    on(go, "click", () => targets.get(go)?.());
+    item.append(go);
+    return item;
+  };
+  return (state, derived) => {
+    const all = located(state, derived, actions, goTo);
+    show(none, all.length === 0);
+    keyed(list, all, (one, index) => `${index}/${one.problem.code}`, make, (node, one) => {
+      updateProblem(node, one.problem);
+      const go = node.lastElementChild as HTMLElement;
+      setText(go, one.place);
+      targets.set(go, one.go);
+    });
+  };
+}
+
+function located(state: State, derived: Derived, actions: Actions, goTo: (offset: number) => void): Located[] {
+  const form = shownProblems(state, derived.view.diagnostics).map((problem): Located => ({
+    problem, place: problem.param ?? t("panel-form"),
+    go: () => { actions.panel("form"); requestAnimationFrame(() => document.getElementById(fieldId(problem.param ?? ""))?.focus()); },
+  }));
+  const program = [...derived.problems, ...(derived.run?.diagnostics ?? [])].map((problem): Located => ({
+    problem, place: t("problem-place", { line: problem.line ?? 0, column: problem.column ?? 1 }),
+    go: () => goTo(problem.from ?? 0),
+  }));
+  return [...form, ...program];
+}
+
+function createMotions(root: HTMLElement, store: Store): Draw {
+  const list = el("ol", { class: "motions", tabindex: "-1" });
+  const none = el("p", { class: "empty" }, t("motions-none"));
+  root.append(none, list);
+  let drawn: Trace | null = null;
+  const make = (): HTMLLIElement => {
+    const item = el("li", {}, el("button", { type: "button", class: "motion" }));
+    on(item, "click", () => store.update({ step: Number(item.dataset.step), playing: false }));
+    return item;
+  };
+  return (state, derived) => {
+    const trace = derived.trace;
+    show(none, !trace?.entries.length);
+    if (trace !== drawn) {
+      drawn = trace;
+      keyed(list, trace?.entries ?? [], (_, index) => String(index), make, (node, entry, index) => {
+        node.dataset.step = String(index);
+        setAttribute(node, "data-kind", entry.step === "motion" ? entry.kind : entry.step);
+        const button = node.firstElementChild;
+        if (button) setText(button, stepLine(entry, index));
+      });
+    }
+    const current = list.children[state.step];
+    for (const node of list.querySelectorAll('[aria-current="step"]')) if (node !== current) node.removeAttribute("aria-current");
+    if (current && current.getAttribute("aria-current") !== "step") {
+      setAttribute(current, "aria-current", "step");
+      if (state.tab === "motions") current.scrollIntoView({ block: "nearest" });
+    }
+  };
+}
+
+function stepLine(entry: Step & { line?: number }, index: number): string {
+  const line = entry.line ? ` · ${t("motions-line", { line: entry.line })}` : "";
+  return `${index + 1}  ${describe(entry)}${line}`;
+}
+
+function createLog(root: HTMLElement): Draw {
+  const none = el("p", { class: "empty" }, t("log-none"));
+  const text = el("pre", { class: "log", tabindex: "0", "aria-label": t("tab-log") });
+  root.append(none, text);
+  return (state, derived) => {
+    const log = shownOutcome(state, derived)?.log ?? [];
+    show(none, log.length === 0);
+    show(text, log.length > 0);
+    setText(text, log.join("\n"));
+  };
+}
+
+export function createResults(root: HTMLElement, store: Store, actions: Actions, goTo: (offset: number) => void): Draw {
+  const bar = el("div", { role: "tablist", class: "tabs", "aria-label": t("panel-results") });
+  root.append(bar);
+  const tabs = new Map<ResultTab, { button: HTMLButtonElement; page: HTMLElement }>();
+  for (const name of TABS) {
+    const button = el("button", { type: "button", role: "tab", id: `tab-${name}`, "aria-controls": `page-${name}` });
+    const page = el("div", { role: "tabpanel", id: `page-${name}`, "aria-labelledby": `tab-${name}`, class: "scroll", tabindex: "0" });
+    on(button, "click", () => store.update({ tab: name }));
+    bar.append(button);
+    root.append(page);
+    tabs.set(name, { button, page });
+  }
+  on(bar, "keydown", (event) => {
+    const move = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
+    if (!move) return;
+    const next = TABS[(TABS.indexOf(store.state.tab) + move + TABS.length) % TABS.length] ?? "outcome";
+    store.update({ tab: next });
+    tabs.get(next)?.button.focus();
+  });
+  const page = (name: ResultTab): HTMLElement => tabs.get(name)?.page ?? root;
+  const draws: Draw[] = [createOutcome(page("outcome")), createProblems(page("problems"), actions, goTo), createMotions(page("motions"), store), createLog(page("log"))];
+  return (state, derived) => {
+    const problems = located(state, derived, actions, goTo).length;
+    for (const [name, { button, page: body }] of tabs) {
+      const chosen = name === state.tab;
+      setText(button, name === "problems" && problems > 0 ? t("tab-problems-count", { count: problems }) : t(`tab-${name}`));
+      setAttribute(button, "aria-selected", String(chosen));
+      setAttribute(button, "tabindex", chosen ? 0 : -1);
+      show(body, chosen);
+    }
+    for (const draw of draws) draw(state, derived);
+  };
+}

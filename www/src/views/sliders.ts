@@ -1,0 +1,62 @@
+// What is wrong with the part and with the probe. Each error is a slider and a figure.
+
+import type { Actions } from "../actions";
+import type { Derived } from "../derive";
+import { el, on, setText } from "../dom";
+import { parseNumber, plain } from "../numbers";
+import type { State } from "../state";
+import type { Store } from "../store";
+import { NO_ERRORS } from "../state";
+import { t } from "../texts";
+import type { ErrorSliders } from "../wire";
+
+interface Scale { reach: number; step: number; low?: number; unit: "mm" | "deg" }
+const LENGTH: Scale = { reach: 2, step: 0.01, unit: "mm" };
+const FINE: Scale = { reach: 0.2, step: 0.001, unit: "mm" };
+const ANGLE: Scale = { reach: 3, step: 0.01, unit: "deg" };
+const SCALES: { [G in keyof ErrorSliders]: Record<keyof ErrorSliders[G], Scale> } = {
+  part: { size: { ...LENGTH, reach: 1 }, dx: LENGTH, dy: LENGTH, dz: LENGTH, tilt: ANGLE, taper: ANGLE, outOfRound: { ...FINE, low: 0 } },
+  probe: { skewX: FINE, skewY: FINE, radius: FINE, preTravel: { ...FINE, low: 0 }, repeatability: { reach: 0.02, step: 0.0001, low: 0, unit: "mm" } },
+};
+
+const slug = (name: string): string => name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
+
+function createSlider(label: string, id: string, scale: Scale, set: (value: number) => void): { root: HTMLElement; update(value: number): void } {
+  const range = el("input", { type: "range", id, min: scale.low ?? -scale.reach, max: scale.reach, step: scale.step });
+  const figure = el("input", { type: "text", inputmode: "decimal", class: "figure", autocomplete: "off", "aria-label": t("slider-figure", { name: label }) });
+  on(range, "input", () => set(Number(range.value)));
+  on(figure, "input", () => {
+    const value = parseNumber(figure.value);
+    if (value !== null) set(value);
+  });
+  const root = el("div", { class: "slider" }, el("label", { for: id }, label), range, figure, el("span", { class: "unit" }, t(`unit-${scale.unit}`)));
+  return {
+    root,
+    update(value) {
+      if (Number(range.value) !== value) range.value = String(value);
+      if (parseNumber(figure.value) !== value) figure.value = plain(value);
+      root.classList.toggle("moved", value !== 0);
+    },
+  };
+}
+
+export function createSliders(root: HTMLElement, store: Store, actions: Actions): (state: State, derived: Derived) => void {
+  const reset = el("button", { type: "button", class: "quiet" }, t("sliders-reset"));
+  on(reset, "click", () => store.update({ errors: NO_ERRORS, step: 0 }));
+  const title = el("h3", {});
+  root.append(el("div", { class: "sliders-head" }, title, reset));
+  const updates: ((errors: ErrorSliders) => void)[] = [];
+  for (const group of Object.keys(SCALES) as (keyof ErrorSliders)[]) {
+    const box = el("div", { class: "slider-group", role: "group", "aria-label": t(`sliders-${group}`) }, el("h4", {}, t(`sliders-${group}`)));
+    for (const [name, scale] of Object.entries(SCALES[group])) {
+      const slider = createSlider(t(`error-${group}-${slug(name)}`), `error-${group}-${slug(name)}`, scale, (value) => actions.error(group, name as never, value));
+      box.append(slider.root);
+      updates.push((errors) => slider.update((errors[group] as Record<string, number>)[name] ?? 0));
+    }
+    root.append(box);
+  }
+  return (state) => {
+    setText(title, t("sliders-title"));
+    for (const update of updates) update(state.errors);
+  };
+}

@@ -1,0 +1,23 @@
+// A step of a trace in words.
+
+import { fixed, plain } from "../numbers";
+import { say, t } from "../texts";
+import type { Step, Vec3 } from "../wire";
+
+const at = (p: Vec3): string => `X ${fixed(p[0], 3)}  Y ${fixed(p[1], 3)}  Z ${fixed(p[2], 3)}`;
+
+export function describe(step: Step): string {
+  switch (step.step) {
+    case "motion": return t(`motion-${step.kind}`, { to: at(step.to), feed: plain(step.feed, 1) });
+    case "touch": return t("step-touch", { at: at(step.point) });
+    case "crash": return t("step-crash", { at: at(step.point) });
+    case "orient": return t("step-orient", { angle: plain(step.angle, 3) });
+    case "tool": return t("step-tool", { tool: step.tool, edge: step.edge });
+    case "set": return t("step-set", { name: step.name, before: plain(step.before), after: plain(step.after) });
+    case "decision": return say(step.message);
+    case "alarm": return `${step.code}: ${say(step.message)}`;
+    case "message": case "log": return step.text;
+    case "call": return t("step-call", { cycle: step.cycle, variant: step.variant });
+    case "return": return t("step-return");
+  }
+}
