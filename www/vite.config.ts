@@ -1,5 +1,6 @@
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
+import { VitePWA } from "vite-plugin-pwa";
 
 const here = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
 
@@ -8,6 +9,19 @@ const here = (path: string): string => fileURLToPath(new URL(path, import.meta.u
 export default defineConfig({
   base: "./",
   resolve: { alias: { "@pkg": here("../pkg") } },
+  // After the first load everything comes from the browser's store: shop networks are closed.
+  // `script`: registered by a file of its own, the content policy allows no inline script.
+  plugins: [VitePWA({
+    registerType: "autoUpdate",
+    injectRegister: "script-defer",
+    includeAssets: ["icon.svg"],
+    workbox: { globPatterns: ["**/*.{html,js,css,wasm,svg}"], maximumFileSizeToCacheInBytes: 8_000_000, inlineWorkboxRuntime: true, sourcemap: false, clientsClaim: true, skipWaiting: true },
+    manifest: {
+      name: "Probewright", short_name: "Probewright", start_url: "./", scope: "./", display: "standalone",
+      background_color: "#eceff1", theme_color: "#14202a",
+      icons: [{ src: "icon.svg", sizes: "any", type: "image/svg+xml", purpose: "any" }],
+    },
+  })],
   build: {
     outDir: here("../dist"),
     emptyOutDir: true,

@@ -79,11 +79,7 @@ program-loading = The editor is loading.
 program-editor = Part program
 program-calls = Measuring calls in the program
 program-call = { $cycle } · line { $line }
-program-count = { $calls ->
-    [0] no measuring call
-    [one] 1 measuring call
-   *[other] { $calls } measuring calls
- }
+program-no-call = no measuring call
 program-copy = Copy
 program-open = Open
 program-save = Save
@@ -99,7 +95,10 @@ view-empty = Nothing to show yet: complete the form.
 view-failed = The view could not start: { $problem }
 view-canvas = The part, the probe and its motions
 view-fit = Fit
-view-standard = View
+view-iso = Oblique
+view-top = Top
+view-front = Front
+view-right = Right
 timeline-first = First step
 timeline-back = Step back
 timeline-play = Play

@@ -13,7 +13,7 @@ function word(text: string): string {
   if (OPERATORS.has(upper)) return "operatorKeyword";
   if (/^[GM]\d+$/.test(upper)) return "keyword";
   if (/^R\d+$/.test(upper) || /^_/.test(upper)) return "variableName";
-  if (/^(CYCLE|L|HOLES|POCKET|SLOT)\d+$/.test(upper)) return "function(variableName)";
+  if (/^(CYCLE|L|HOLES|POCKET|SLOT)\d+$/.test(upper)) return "variableName.function";
   if (/^[A-Z]{1,2}\d*$/.test(upper)) return "propertyName";
   return "name";
 }
@@ -31,7 +31,7 @@ const parser: StreamParser<{ start: boolean }> = {
     if (start && stream.match(/^[A-Z_]\w+:/i)) return "labelName";
     if (start && stream.match(/^%.*/)) return "meta";
     if (stream.match(/^"[^"]*"?/)) return "string";
-    if (stream.match(/^\$[A-Z_]\w*/i)) return "special(variableName)";
+    if (stream.match(/^\$[A-Z_]\w*/i)) return "variableName.special";
     if (stream.match(/^(\d+\.?\d*|\.\d+)(EX[-+]?\d+)?/i)) return "number";
     if (stream.match(/^_\w+/)) return "variableName";
     const letters = stream.match(/^[A-Z][A-Z_]*(?=[-+.\d])\d*(?![\w])/i) ?? stream.match(/^[A-Z]\w*/i);

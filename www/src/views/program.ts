@@ -21,7 +21,7 @@ export function createProgram(root: HTMLElement, store: Store, actions: Actions)
   const calls = el("ul", { class: "calls", "aria-label": t("program-calls") });
   const box = el("div", { class: "editor" });
   const waiting = el("p", { class: "empty" }, t("program-loading"));
-  root.append(el("header", { class: "panel-head" }, el("h2", { id: "program-title" }, t("program-title")), name, el("div", { class: "head-actions" }, open, file, download, copy)), calls, waiting, box);
+  root.append(el("header", { class: "panel-head" }, el("h2", { id: "program-title" }, t("program-title")), name, calls, el("div", { class: "head-actions" }, open, file, download, copy)), waiting, box);
 
   let editor: Editor | null = null;
   let loading = false;
@@ -63,6 +63,7 @@ export function createProgram(root: HTMLElement, store: Store, actions: Actions)
 
   const drawCalls = (state: State, derived: Derived): void => {
     show(calls, derived.read.calls.length > 0);
+    setText(name, derived.read.calls.length > 0 ? "" : t("program-no-call"));
     keyed(calls, derived.read.calls, (_, index) => String(index), () => {
       const item = el("li", {}, el("button", { type: "button", class: "call-chip" }));
       on(item, "click", () => { const index = Number(item.dataset.call); actions.openCall(index); const call = last?.read.calls[index]; if (call) select(call.from); });
@@ -90,7 +91,6 @@ export function createProgram(root: HTMLElement, store: Store, actions: Actions)
       editor.setMarks({ step, calls: derived.read.calls.map((call, index) => ({ from: call.line, to: call.lastLine, open: index === state.open })) });
       if (last?.problems !== derived.problems || last.program !== text) editor.setProblems(marks(derived));
       if (target !== null) select(target);
-      setText(name, t("program-count", { calls: derived.read.calls.length }));
       drawCalls(state, derived);
       last = derived;
     },

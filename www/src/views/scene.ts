@@ -2,12 +2,21 @@
 
 import type { Derived } from "../derive";
 import { el, on, setAttribute, setText, show } from "../dom";
+import type { Preview, ViewName } from "../preview/view";
 import type { State } from "../state";
 import type { Store } from "../store";
 import { t } from "../texts";
 import { createTimeline } from "./timeline";
 
 const SOURCES = ["form", "program"] as const;
+const VIEWS: ViewName[] = ["iso", "top", "front", "right"];
+const NOTHING = { entries: [], ball: { radius: 1, length: 1 }, solids: [], frames: [] };
+const dark = matchMedia("(prefers-color-scheme: dark)");
+
+/** The stage takes its colours from the tokens that count now. */
+function isDark(state: State): boolean {
+  return state.theme === "dark" || (state.theme === "system" && dark.matches);
+}
 
 export function createScene(root: HTMLElement, store: Store, goToLine: (line: number) => void): (state: State, derived: Derived) => void {
   const segments = el("div", { class: "segments", role: "group", "aria-label": t("view-source") });
@@ -20,14 +29,60 @@ export function createScene(root: HTMLElement, store: Store, goToLine: (line: nu
   const tools = el("div", { class: "head-actions" });
   const stage = el("div", { class: "stage" });
   const note = el("p", { class: "empty", role: "status" }, t("view-loading"));
+  const empty = el("p", { class: "empty over-stage", role: "status", hidden: true });
   const timeline = el("div", { class: "timeline", role: "group", "aria-label": t("timeline-scrub") });
-  root.append(el("header", { class: "panel-head" }, el("h2", {}, t("view-title")), segments, tools), note, stage, timeline);
+  root.append(el("header", { class: "panel-head" }, el("h2", {}, t("view-title")), segments, tools), note, el("div", { class: "stage-box" }, stage, empty), timeline);
   const drawTimeline = createTimeline(timeline, store, goToLine);
+
+  let preview: Preview | null = null;
+  let loading = false;
+  let shown: Pick<Derived, "trace"> & { dark: boolean; step: number } = { trace: null, dark: false, step: -1 };
+  let palette = (_: boolean): Parameters<Preview["setColours"]>[0] | null => null;
+
+  const start = async (): Promise<void> => {
+    loading = true;
+    try {
+      const { createPreview, coloursFrom, LIGHT, DARK } = await import("../preview/view");
+      palette = (night) => coloursFrom(stage, night ? DARK : LIGHT);
+      const made = await createPreview(stage, { label: t("view-canvas"), colours: coloursFrom(stage, isDark(store.state) ? DARK : LIGHT) });
+      made.onPick((entry) => store.update({ step: entry, playing: false }));
+      tools.append(...viewButtons(made));
+      preview = made;
+      show(note, false);
+      store.update({});
+    } catch (problem) {
+      setText(note, t("view-failed", { problem: problem instanceof Error ? problem.message : String(problem) }));
+    }
+  };
+  dark.addEventListener("change", () => store.update({}));
 
   return (state, derived) => {
     for (const { source, button } of buttons) setAttribute(button, "aria-pressed", String(source === state.source));
-    setText(note, derived.trace ? "" : t("view-empty"));
-    show(note, !derived.trace);
     drawTimeline(state, derived);
+    if (!preview) {
+      if (!loading && root.offsetParent) void start();
+      return;
+    }
+    setText(empty, derived.trace?.entries.length ? "" : t(state.source === "form" ? "view-empty" : "motions-none"));
+    show(empty, !!empty.textContent);
+    const night = isDark(state);
+    const colours = palette(night);
+    if (colours && night !== shown.dark) preview.setColours(colours);
+    const fresh = derived.trace !== shown.trace;
+    if (fresh) preview.setTrace(derived.trace ?? NOTHING);
+    const step = Math.min(state.step, (derived.trace?.entries.length ?? 1) - 1);
+    if (fresh || step !== shown.step) preview.setStep(step, 1);
+    shown = { trace: derived.trace, dark: night, step };
   };
+}
+
+function viewButtons(preview: Preview): HTMLButtonElement[] {
+  const views = VIEWS.map((name) => {
+    const button = el("button", { type: "button", class: "quiet" }, t(`view-${name}`));
+    on(button, "click", () => preview.setView(name));
+    return button;
+  });
+  const fit = el("button", { type: "button", class: "quiet" }, t("view-fit"));
+  on(fit, "click", () => preview.fit());
+  return [...views, fit];
 }

@@ -31,8 +31,8 @@ export function createTimeline(root: HTMLElement, store: Store, goToLine: (line:
   on(place, "click", () => { if (line !== null) goToLine(line); });
   root.append(
     el("div", { class: "transport-row" },
-      button("⏮", t("timeline-first"), () => go(0)), button("◀", t("timeline-back"), () => go(store.state.step - 1)), play,
-      button("▶|", t("timeline-on"), () => go(store.state.step + 1)), button("⏭", t("timeline-last"), () => go(count - 1)), scrub, where),
+      button("|◀◀", t("timeline-first"), () => go(0)), button("|◀", t("timeline-back"), () => go(store.state.step - 1)), play,
+      button("▶|", t("timeline-on"), () => go(store.state.step + 1)), button("▶▶|", t("timeline-last"), () => go(count - 1)), scrub, where),
     el("div", { class: "step-row" }, what, place),
   );
   const tick = (): void => {
