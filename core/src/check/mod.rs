@@ -8,7 +8,8 @@ mod units;
 
 pub use finding::{Finding, error, note, warning};
 pub use number::{Parsed, parse};
-pub use typed::{Checked, check};
+pub use targets::{Target, target};
+pub use typed::{Checked, check, read};
 pub use units::factor;
 
 use crate::catalogue::Cycle;

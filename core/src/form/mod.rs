@@ -1,3 +1,7 @@
 //! Catalogue × values → fields to show, and a drawing of them.
 
+mod codes;
+mod fields;
 pub mod picture;
+
+pub use fields::{Choice, Entry, Field, Group, fields, unit};

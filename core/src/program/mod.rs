@@ -14,3 +14,4 @@ pub mod tree;
 
 pub use block::read;
 pub use tree::Program;
+pub mod write;

@@ -1,0 +1,166 @@
+//! Numbers whose digits are choices: `_MVAR`, `_PRNUM`, `_EVNUM`, and `_KNUM` by what it corrects.
+
+use super::fields::{Choice, Entry, Group};
+use crate::catalogue::{Cycle, DigitGroup, Param};
+use crate::check::{Inputs, Target, target};
+use crate::control::Control;
+use crate::evaluate::knum;
+use crate::message::Message;
+
+/// Named numbers.
+pub fn choices(list: &[(i64, &'static str)]) -> Vec<Choice> {
+    list.iter()
+        .map(|(value, key)| Choice {
+            value: *value,
+            label: Message::new(*key),
+        })
+        .collect()
+}
+
+/// The measuring variants of a cycle.
+pub fn variants(cycle: &Cycle) -> Vec<Choice> {
+    cycle
+        .variants
+        .iter()
+        .map(|variant| Choice {
+            value: variant.number,
+            label: Message::new(variant.key),
+        })
+        .collect()
+}
+
+/// Groups of digits with what they are in this number.
+pub fn groups(groups: &[DigitGroup], number: i64) -> Vec<Group> {
+    groups
+        .iter()
+        .map(|group| read(group, group.place, number))
+        .collect()
+}
+
+fn read(group: &DigitGroup, place: i64, number: i64) -> Group {
+    Group {
+        label: Message::new(group.key),
+        place,
+        digits: group.digits,
+        value: number / place % 10_i64.pow(group.digits),
+        choices: choices(group.choices),
+    }
+}
+
+/// `_KNUM`: digits of a tool offset, or a list of zero offsets (B:1894-2029).
+pub fn knum(param: &Param, inputs: &Inputs, control: &Control) -> Entry {
+    let number = inputs.given(param.name).unwrap_or(0.0) as i64;
+    match target(param, inputs) {
+        Target::Zero => Entry::Choice(zero_offsets()),
+        Target::Tool => Entry::Digits(tool_digits(number, knum::five_digit_edges(control))),
+    }
+}
+
+const EDGE: DigitGroup = DigitGroup {
+    key: "knum-edge",
+    place: 1,
+    digits: 3,
+    choices: &[],
+};
+
+/// The digits above the D number, their places for D numbers of three digits (B:1902-1926).
+const ABOVE_EDGE: &[DigitGroup] = &[
+    DigitGroup {
+        key: "knum-kind",
+        place: 1000,
+        digits: 1,
+        choices: &[
+            (0, "knum-kind-axis"),
+            (1, "knum-kind-length"),
+            (2, "knum-kind-radius"),
+        ],
+    },
+    DigitGroup {
+        key: "knum-sign",
+        place: 10_000,
+        digits: 1,
+        choices: &[(0, "knum-sign-normal"), (1, "knum-sign-inverted")],
+    },
+    DigitGroup {
+        key: "knum-quantity",
+        place: 100_000,
+        digits: 1,
+        choices: &[
+            (0, "knum-quantity-kind"),
+            (1, "knum-quantity-l1"),
+            (2, "knum-quantity-l2"),
+            (3, "knum-quantity-l3"),
+            (4, "knum-quantity-radius"),
+        ],
+    },
+    DigitGroup {
+        key: "knum-mode",
+        place: 1_000_000,
+        digits: 1,
+        choices: &[
+            (0, "knum-mode-tool"),
+            (1, "knum-mode-location"),
+            (2, "knum-mode-environment"),
+            (3, "knum-mode-both"),
+        ],
+    },
+];
+
+/// With D numbers of five digits all others move by two (B:2009-2029).
+fn tool_digits(number: i64, five: bool) -> Vec<Group> {
+    let (edge_digits, shift) = if five { (5, 100) } else { (3, 1) };
+    let edge = read(
+        &DigitGroup {
+            digits: edge_digits,
+            ..EDGE
+        },
+        1,
+        number,
+    );
+    let above = ABOVE_EDGE
+        .iter()
+        .map(|group| read(group, group.place * shift, number));
+    std::iter::once(edge).chain(above).collect()
+}
+
+/// Every target of a zero offset (B:1930-1965).
+fn zero_offsets() -> Vec<Choice> {
+    let none = std::iter::once(named(0, "knum-zero-none"));
+    let active = std::iter::once(named(9999, "knum-zero-active"));
+    let settable = (1..=99).map(|number| {
+        let name = if number <= 4 {
+            53 + number
+        } else {
+            500 + number
+        };
+        Choice {
+            value: number,
+            label: Message::new("knum-zero-settable").text("name", format!("G{name}")),
+        }
+    });
+    let last = std::iter::once(named(1000, "knum-zero-last"));
+    let channel = (0..16).map(|index| frame(1011 + index, "$P_CHBFR", index, "knum-zero-channel"));
+    let global = (0..16).map(|index| frame(1051 + index, "$P_NCBFR", index, "knum-zero-global"));
+    let system = std::iter::once(named(2000, "knum-zero-system"));
+    none.chain(active)
+        .chain(settable)
+        .chain(last)
+        .chain(channel)
+        .chain(global)
+        .chain(system)
+        .collect()
+}
+
+fn named(value: i64, key: &'static str) -> Choice {
+    Choice {
+        value,
+        label: Message::new(key),
+    }
+}
+
+fn frame(value: i64, array: &str, index: i64, key: &'static str) -> Choice {
+    Choice {
+        value,
+        label: Message::new(key).text("name", format!("{array}[{index}]")),
+    }
+}

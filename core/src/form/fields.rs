@@ -1,0 +1,144 @@
+//! The fields of a form, in the order in which they are shown.
+
+use super::codes;
+use crate::catalogue::{Cycle, Kind, Level, Param, Range, Unit};
+use crate::check::{self, Inputs, Typed, factor};
+use crate::control::{Control, Units};
+use crate::message::Message;
+
+/// One field. Numbers of `fallback` and `range` are in the unit that is shown.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Field {
+    /// As the manual writes it.
+    pub name: &'static str,
+    /// Its name in words.
+    pub label: Message,
+    /// What it means.
+    pub help: Message,
+    /// How it is entered.
+    pub entry: Entry,
+    /// As typed.
+    pub value: String,
+    /// Value that counts while nothing is typed.
+    pub fallback: Option<f64>,
+    /// `mm`, `inch`, `deg`, `mm/min`, `inch/min` or nothing.
+    pub unit: &'static str,
+    /// Whether it has to be given.
+    pub required: bool,
+    /// Why it is asked for.
+    pub reason: Message,
+    /// What the control takes.
+    pub range: Range,
+    /// Place in the manual.
+    pub source: &'static str,
+}
+
+/// How a field is entered.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Entry {
+    /// Real number.
+    Real,
+    /// Whole number.
+    Integer,
+    /// Text of at most this many characters.
+    Text(usize),
+    /// One of these numbers.
+    Choice(Vec<Choice>),
+    /// A number put together from groups of digits.
+    Digits(Vec<Group>),
+}
+
+/// A number with its name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Choice {
+    /// Number as it is written.
+    pub value: i64,
+    /// Its name.
+    pub label: Message,
+}
+
+/// Digits that mean something of their own.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Group {
+    /// What they mean.
+    pub label: Message,
+    /// Value of the lowest digit: 1, 10, 100, …
+    pub place: i64,
+    /// How many.
+    pub digits: u32,
+    /// What they are now.
+    pub value: i64,
+    /// Named values; empty: any number of that many digits.
+    pub choices: Vec<Choice>,
+}
+
+/// The fields that these values ask for; those that they do not use are left out.
+pub fn fields(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Vec<Field> {
+    let inputs = check::read(cycle, typed, control, &mut Vec::new());
+    cycle
+        .params
+        .iter()
+        .filter_map(|param| field(param, &inputs, typed, control))
+        .collect()
+}
+
+fn field(
+    param: &'static Param,
+    inputs: &Inputs,
+    typed: &Typed,
+    control: &Control,
+) -> Option<Field> {
+    let (level, reason) = param.need(inputs)?;
+    let stem = param.label(inputs);
+    Some(Field {
+        name: param.name,
+        label: Message::new(format!("param-{stem}")),
+        help: Message::new(format!("param-{stem}-help")),
+        entry: entry(param, inputs, control),
+        value: typed.get(param.name).cloned().unwrap_or_default(),
+        fallback: param.default,
+        unit: unit(param.unit, control),
+        required: level == Level::Required && param.default.is_none(),
+        reason: Message::new(reason),
+        range: shown(param.range, factor(param.unit, control)),
+        source: param.source,
+    })
+}
+
+/// Ranges of the catalogue are in mm and shown in the unit of the field.
+fn shown(range: Range, per: f64) -> Range {
+    Range {
+        min: range.min / per,
+        max: range.max / per,
+        ..range
+    }
+}
+
+fn entry(param: &Param, inputs: &Inputs, control: &Control) -> Entry {
+    let number = inputs.given(param.name).unwrap_or(0.0) as i64;
+    match &param.kind {
+        Kind::Real => Entry::Real,
+        Kind::Integer => Entry::Integer,
+        Kind::Text(most) => Entry::Text(*most),
+        Kind::Choice(choices) => Entry::Choice(codes::choices(choices)),
+        Kind::Variant([]) => Entry::Choice(codes::variants(inputs.cycle)),
+        Kind::Variant(groups) | Kind::Digits(groups) => {
+            Entry::Digits(codes::groups(groups, number))
+        }
+        Kind::Knum => codes::knum(param, inputs, control),
+    }
+}
+
+/// Name of the unit in which a value of this rule is entered on this control.
+pub fn unit(unit: Unit, control: &Control) -> &'static str {
+    let inch = |units| units == Units::Inch;
+    match unit {
+        Unit::None => "",
+        Unit::Degree => "deg",
+        Unit::BasicFeed if inch(control.basic_units) => "inch/min",
+        Unit::BasicFeed => "mm/min",
+        Unit::ActiveLength if inch(control.active_units) => "inch",
+        Unit::BasicLength if inch(control.basic_units) => "inch",
+        Unit::ActiveLength | Unit::BasicLength | Unit::Millimetre => "mm",
+    }
+}
