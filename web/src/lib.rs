@@ -1,7 +1,10 @@
-//! What the page can ask of the core. Every answer is JSON text; `www/src/wire.ts` describes it.
+//! What the page can ask of the core. Every question and answer is JSON text; `www/src/wire.ts` describes it.
+//! A question of the wrong shape is an exception with the reason.
 
 mod panic;
 
+use probewright_core::json;
+use wasm_bindgen::JsError;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Version of the core, as in its `Cargo.toml`.
@@ -9,4 +12,20 @@ use wasm_bindgen::prelude::wasm_bindgen;
 #[must_use]
 pub fn version() -> String {
     env!("CARGO_PKG_VERSION").to_owned()
+}
+
+/// `Catalogue`: everything that can be measured.
+#[wasm_bindgen]
+#[must_use]
+pub fn catalogue() -> String {
+    serde_json::json!({ "cycles": json::cycles() }).to_string()
+}
+
+/// `FormRequest` → `FormView`.
+///
+/// # Errors
+/// A request of the wrong shape or an unknown cycle.
+#[wasm_bindgen]
+pub fn form(request: &str) -> Result<String, JsError> {
+    Ok(json::form(request)?.to_string())
 }

@@ -1,7 +1,9 @@
 //! Catalogue × values → fields to show, and a drawing of them.
 
 mod codes;
+mod draw;
 mod fields;
 pub mod picture;
 
+pub use draw::draw;
 pub use fields::{Choice, Entry, Field, Group, fields, unit};

@@ -1,8 +1,8 @@
 //! The whole catalogue as JSON.
 
 use super::{code, dialect_name};
-use crate::catalogue::{CYCLES, Cycle, Param, ResultField, Unit, Variant};
-use serde_json::{Value, json};
+use crate::catalogue::{CYCLES, Cycle, Kind, Param, ResultField, Unit, Variant};
+use serde_json::{Map, Value, json};
 
 /// One object a cycle: control, cycle, variants, parameters, results, alarms, each with its place in the manual.
 pub fn cycles() -> Value {
@@ -14,7 +14,7 @@ fn entry(cycle: &Cycle) -> Value {
         "control": dialect_name(cycle.dialect),
         "cycle": cycle.name,
         "key": cycle.key,
-        "variants": cycle.variants.iter().map(variant).collect::<Vec<_>>(),
+        "variants": cycle.variants.iter().map(|variant| self::variant(cycle, variant)).collect::<Vec<_>>(),
         "parameters": cycle.params.iter().map(param).collect::<Vec<_>>(),
         "results": cycle.results.iter().map(result).collect::<Vec<_>>(),
         "alarms": cycle.alarms.iter().map(|alarm| code(*alarm)).collect::<Vec<_>>(),
@@ -23,8 +23,23 @@ fn entry(cycle: &Cycle) -> Value {
     })
 }
 
-fn variant(variant: &Variant) -> Value {
-    json!({ "mvar": variant.number, "key": variant.key, "source": variant.source })
+fn variant(cycle: &Cycle, variant: &Variant) -> Value {
+    let values = choosing(cycle, variant.number);
+    json!({ "mvar": variant.number, "key": variant.key, "source": variant.source, "values": values })
+}
+
+/// Values, as typed, that choose a variant: its number, or the address whose presence makes it.
+fn choosing(cycle: &Cycle, number: i64) -> Map<String, Value> {
+    let mut values = Map::new();
+    for param in cycle.params {
+        if matches!(param.kind, Kind::Variant(_)) {
+            values.insert(param.name.into(), json!(number.to_string()));
+        } else if let Some(chosen) = param.chooses {
+            let value = if chosen == number { "0" } else { "" };
+            values.insert(param.name.into(), json!(value));
+        }
+    }
+    values
 }
 
 fn param(param: &Param) -> Value {

@@ -2,12 +2,14 @@
 //! Every function takes and gives whole documents; a wrong document is an [`Error`], never a panic.
 
 mod catalogue;
+mod form;
 mod setup;
 #[cfg(test)]
 mod tests;
 mod trace;
 
 pub use catalogue::cycles;
+pub use form::form;
 #[cfg(feature = "cli")]
 pub use setup::schema as setup_schema;
 pub use setup::{from_json as setup_from_json, to_json as setup_to_json};

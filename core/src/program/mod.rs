@@ -7,6 +7,7 @@ mod keyword;
 mod nct;
 mod nct_expression;
 mod number;
+pub mod position;
 mod reader;
 mod sinumerik;
 mod sinumerik_expression;

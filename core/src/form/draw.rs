@@ -1,0 +1,20 @@
+//! The drawing of a form, also while it is incomplete.
+
+use super::picture::Picture;
+use crate::catalogue::Cycle;
+use crate::check::{self, Parsed, Typed, parse};
+use crate::control::Control;
+
+/// Draws the values; what is missing or wrong is taken from the cycle's worked example.
+pub fn draw(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Picture {
+    let mut values = typed.clone();
+    for (name, example) in cycle.example {
+        let usable = values
+            .get(*name)
+            .is_some_and(|text| !matches!(parse(text), Parsed::Empty | Parsed::Wrong));
+        if !usable {
+            values.insert((*name).to_owned(), (*example).to_owned());
+        }
+    }
+    (cycle.picture)(&check::read(cycle, &values, control, &mut Vec::new()))
+}

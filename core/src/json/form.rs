@@ -1,0 +1,253 @@
+//! A form at every keystroke: fields, findings, snippet, picture and what the call would do.
+
+use super::{Error, diagnostic, dialect, message, number};
+use crate::catalogue::{self, Cycle, Range};
+use crate::check::{self, Checked, Inputs, Typed};
+use crate::control::Plane;
+use crate::diagnostic::Severity;
+use crate::form;
+use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
+use crate::program::write::snippet;
+use crate::run::predict::predict;
+use crate::run::setup::Setup;
+use crate::workpiece::PartErrors;
+use serde::Deserialize;
+use serde_json::{Map, Value, json};
+
+#[derive(Deserialize)]
+struct Request {
+    control: String,
+    cycle: String,
+    #[serde(default)]
+    values: Typed,
+    #[serde(default)]
+    setup: Option<Value>,
+    #[serde(default)]
+    errors: Option<Errors>,
+    #[serde(default)]
+    predict: bool,
+}
+
+/// What is wrong with part and probe, as the sliders of the page set it.
+#[derive(Default, Deserialize)]
+#[serde(default)]
+struct Errors {
+    part: PartSliders,
+    probe: ProbeSliders,
+}
+
+#[derive(Clone, Copy, Default, Deserialize)]
+#[serde(default, rename_all = "camelCase")]
+struct PartSliders {
+    dx: f64,
+    dy: f64,
+    dz: f64,
+    size: f64,
+    tilt: f64,
+    taper: f64,
+    out_of_round: f64,
+}
+
+#[derive(Clone, Copy, Default, Deserialize)]
+#[serde(default, rename_all = "camelCase")]
+struct ProbeSliders {
+    skew_x: f64,
+    skew_y: f64,
+    radius: f64,
+    pre_travel: f64,
+    repeatability: f64,
+}
+
+/// Answers a `FormRequest` with a `FormView`.
+pub fn form(request: &str) -> Result<Value, Error> {
+    let request: Request = serde_json::from_str(request)?;
+    let cycle = catalogue::find(dialect(&request.control)?, &request.cycle).ok_or_else(|| {
+        Error::Unknown {
+            what: "cycle",
+            name: request.cycle.clone(),
+        }
+    })?;
+    let mut setup = match &request.setup {
+        Some(setup) => super::setup::from_value(setup.clone())?,
+        None => Setup::calibrated(cycle.dialect, Plane::G17),
+    };
+    let checked = check::check(cycle, &request.values, &setup.control);
+    let mut view = view(cycle, &request.values, &setup, &checked);
+    if let (true, Some(inputs)) = (request.predict, &checked.inputs) {
+        prepare(&mut setup, inputs, &request.errors.unwrap_or_default());
+        let outcome = predict(cycle, inputs, &setup);
+        view.insert("outcome".into(), super::outcome(inputs, &setup, &outcome)?);
+        view.insert("setup".into(), super::setup_to_json(&setup)?);
+    }
+    Ok(Value::Object(view))
+}
+
+fn view(
+    cycle: &'static Cycle,
+    typed: &Typed,
+    setup: &Setup,
+    checked: &Checked,
+) -> Map<String, Value> {
+    let control = &setup.control;
+    let errors = checked
+        .diagnostics
+        .iter()
+        .any(|found| found.severity == Severity::Error);
+    let mut view = Map::new();
+    let fields: Vec<Value> = form::fields(cycle, typed, control)
+        .iter()
+        .map(field)
+        .collect();
+    view.insert("fields".into(), json!(fields));
+    view.insert(
+        "diagnostics".into(),
+        checked.diagnostics.iter().map(diagnostic).collect(),
+    );
+    view.insert(
+        "snippet".into(),
+        json!(snippet(cycle, typed, control, None)),
+    );
+    view.insert("complete".into(), json!(!errors));
+    view.insert(
+        "picture".into(),
+        picture(&form::draw(cycle, typed, control)),
+    );
+    view
+}
+
+/// Puts the proposed part with its errors and the probe with its own into the setup, and the probe before it.
+fn prepare(setup: &mut Setup, inputs: &Inputs, errors: &Errors) {
+    let proposal = (inputs.cycle.propose)(inputs, &setup.control);
+    setup.workpiece = proposal.workpiece;
+    for solid in &mut setup.workpiece.solids {
+        solid.errors = part_errors(&errors.part);
+    }
+    let ProbeSliders {
+        skew_x,
+        skew_y,
+        radius,
+        pre_travel,
+        repeatability,
+    } = errors.probe;
+    setup.probe.skew = [setup.probe.skew[0] + skew_x, setup.probe.skew[1] + skew_y];
+    setup.probe.radius += radius;
+    setup.probe.pre_travel.0 += pre_travel;
+    setup.probe.repeatability.0 += repeatability;
+    setup.position = setup.control.to_machine(proposal.start);
+}
+
+/// Three lobes, as a three-jaw chuck leaves them.
+const LOBES: u32 = 3;
+
+fn part_errors(sliders: &PartSliders) -> PartErrors {
+    PartErrors {
+        shift: [sliders.dx, sliders.dy, sliders.dz],
+        size: sliders.size,
+        tilt: [0.0, 0.0, sliders.tilt],
+        taper: sliders.taper,
+        out_of_round: (sliders.out_of_round, LOBES),
+    }
+}
+
+fn picture(picture: &Picture) -> Value {
+    let view = match picture.view {
+        View::Plane => "plane",
+        View::Section => "section",
+    };
+    json!({ "view": view, "shapes": picture.shapes.iter().map(shape).collect::<Vec<_>>() })
+}
+
+fn shape(shape: &PictureShape) -> Value {
+    let mut object = Map::new();
+    object.insert("kind".into(), json!(shape_kind(shape.kind)));
+    object.insert("points".into(), json!(shape.points));
+    if let Some((at, r)) = shape.circle {
+        object.insert("circle".into(), json!({ "x": at[0], "y": at[1], "r": r }));
+    }
+    if shape.closed {
+        object.insert("closed".into(), json!(true));
+    }
+    if let Some(text) = &shape.text {
+        object.insert("text".into(), json!(text));
+    }
+    if let Some(field) = shape.field {
+        object.insert("field".into(), json!(field));
+    }
+    Value::Object(object)
+}
+
+fn shape_kind(kind: ShapeKind) -> &'static str {
+    match kind {
+        ShapeKind::Material => "material",
+        ShapeKind::Edge => "edge",
+        ShapeKind::Zone => "zone",
+        ShapeKind::Probe => "probe",
+        ShapeKind::Path => "path",
+        ShapeKind::Dimension => "dimension",
+        ShapeKind::Label => "label",
+        ShapeKind::Tolerance => "tolerance",
+        ShapeKind::Axis => "axis",
+        ShapeKind::Touch => "touch",
+    }
+}
+
+fn field(field: &form::Field) -> Value {
+    let mut object = Map::new();
+    object.insert("name".into(), json!(field.name));
+    object.insert("label".into(), message(&field.label));
+    object.insert("help".into(), message(&field.help));
+    object.insert("value".into(), json!(field.value));
+    object.insert("unit".into(), json!(field.unit));
+    object.insert("required".into(), json!(field.required));
+    object.insert("reason".into(), message(&field.reason));
+    object.insert("source".into(), json!(field.source));
+    if let Some(fallback) = field.fallback {
+        object.insert("fallback".into(), number(fallback));
+    }
+    let kind = match &field.entry {
+        form::Entry::Real => "real",
+        form::Entry::Integer => "integer",
+        form::Entry::Text(_) => "text",
+        form::Entry::Choice(choices) => {
+            object.insert("choices".into(), choices.iter().map(choice).collect());
+            "choice"
+        }
+        form::Entry::Digits(groups) => {
+            object.insert("digits".into(), groups.iter().map(group).collect());
+            "digits"
+        }
+    };
+    object.insert("kind".into(), json!(kind));
+    if matches!(field.entry, form::Entry::Real | form::Entry::Integer) {
+        object.insert("range".into(), range(field.range));
+    }
+    Value::Object(object)
+}
+
+/// An open end is left out.
+fn range(range: Range) -> Value {
+    let mut object = Map::new();
+    if range.min.is_finite() {
+        object.insert("min".into(), number(range.min));
+    }
+    if range.max.is_finite() {
+        object.insert("max".into(), number(range.max));
+    }
+    object.insert("minIncluded".into(), json!(range.min_included));
+    object.insert("maxIncluded".into(), json!(range.max_included));
+    Value::Object(object)
+}
+
+fn choice(choice: &form::Choice) -> Value {
+    json!({ "value": choice.value, "label": message(&choice.label) })
+}
+
+fn group(group: &form::Group) -> Value {
+    json!({
+        "label": message(&group.label),
+        "place": group.place,
+        "digits": group.digits,
+        "value": group.value,
+        "choices": group.choices.iter().map(choice).collect::<Vec<_>>(),
+    })
+}
