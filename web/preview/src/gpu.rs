@@ -93,9 +93,7 @@ async fn request_device(adapter: &Adapter) -> Result<(Device, Queue), String> {
 fn watch(device: &Device, fault: &Fault) {
     let lost = fault.clone();
     device.set_device_lost_callback(move |reason, text| {
-        if reason != wgpu::DeviceLostReason::Destroyed {
-            lost.report(text);
-        }
+        lost.report(format!("{reason:?}: {text}"));
     });
     let wrong = fault.clone();
     device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {

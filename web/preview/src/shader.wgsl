@@ -28,7 +28,7 @@ fn mesh_fragment(in: Surface) -> @location(0) vec4<f32> {
     if (dot(n, view.back.xyz) < 0.0) { n = -n; }
     let key = normalize(-0.45 * view.right.xyz + 0.75 * view.up.xyz + 0.8 * view.back.xyz);
     let fill = normalize(0.8 * view.right.xyz - 0.3 * view.up.xyz + 0.5 * view.back.xyz);
-    let light = 0.46 + 0.5 * max(dot(n, key), 0.0) + 0.14 * max(dot(n, fill), 0.0);
+    let light = 0.6 + 0.4 * max(dot(n, key), 0.0) + 0.1 * max(dot(n, fill), 0.0);
     return vec4<f32>(min(in.colour.rgb * light, vec3<f32>(1.0)), in.colour.a);
 }
 

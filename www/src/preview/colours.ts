@@ -24,7 +24,7 @@ export interface Colours {
 }
 
 export const LIGHT: Colours = {
-  background: "#f4f5f6", part: "#c3c9cf", edge: "#5c6670", grid: "#d9dde1", stylus: "#7c8791", ball: "#b3263c",
+  background: "#f4f5f6", part: "#cfd4d9", edge: "#5c6670", grid: "#d9dde1", stylus: "#7c8791", ball: "#b3263c",
   rapid: "#1f6fb8", positioning: "#6b7680", measuring: "#d96b00", retract: "#e0a866", touch: "#1b2127", crash: "#c0007a",
   axisX: "#a8452f", axisY: "#3d7d5a", axisZ: "#2f5fa8", text: "#2a323a",
 };

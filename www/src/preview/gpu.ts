@@ -22,6 +22,8 @@ interface Module {
   Renderer: { create(canvas: HTMLCanvasElement): Promise<Renderer> };
 }
 
+type Lost = (reason?: string) => void;
+
 const LOST_EVENT = "probewright-preview-lost";
 const PROBE_SIZE = 64;
 const DEPTH_BIAS = 0.0015;
@@ -31,8 +33,9 @@ const load: Record<"webgpu" | "webgl2", () => Promise<Module>> = {
   webgl2: () => import("@pkg/preview-webgl/preview.js") as Promise<Module>,
 };
 
-/** Rejects with the reason when this browser cannot draw this way. `lost` is called when a device goes later. */
-export async function openGpu(name: "webgpu" | "webgl2", host: HTMLElement, lost: () => void): Promise<Backend> {
+/** Rejects with the reason when this browser cannot draw this way. `lost` is called when a device goes later: with the reason
+ *  when this drawing is surely gone, without when drawing again will tell. */
+export async function openGpu(name: "webgpu" | "webgl2", host: HTMLElement, lost: Lost): Promise<Backend> {
   await available(name);
   const module = await load[name]();
   await module.default();
@@ -95,11 +98,12 @@ function look(canvas: HTMLCanvasElement): void {
   if (!green || !blue || !orange) throw new Error(`wrong pixels: ${part} | ${behind} | ${line}`);
 }
 
-function backend(name: "webgpu" | "webgl2", canvas: HTMLCanvasElement, renderer: Renderer, lost: () => void): Backend {
+function backend(name: "webgpu" | "webgl2", canvas: HTMLCanvasElement, renderer: Renderer, lost: Lost): Backend {
   let scene: Scene | null = null;
   let size: [number, number] = [0, 0];
-  canvas.addEventListener("webglcontextlost", lost);
-  window.addEventListener(LOST_EVENT, lost);
+  const stop = new AbortController();
+  canvas.addEventListener("webglcontextlost", () => lost("WebGL context lost"), { signal: stop.signal });
+  window.addEventListener(LOST_EVENT, () => lost(), { signal: stop.signal });
   return {
     name,
     element: canvas,
@@ -121,8 +125,7 @@ function backend(name: "webgpu" | "webgl2", canvas: HTMLCanvasElement, renderer:
       renderer.render();
     },
     destroy() {
-      window.removeEventListener(LOST_EVENT, lost);
-      canvas.removeEventListener("webglcontextlost", lost);
+      stop.abort();
       canvas.remove();
       renderer.free();
     },

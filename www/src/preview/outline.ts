@@ -2,8 +2,9 @@
 import type { Solid } from "../wire";
 
 export type Vec2 = [number, number];
-/** Closed contour, counter-clockwise, at a depth in mm below the upper face. `smooth`: one rounded surface. */
-export interface Outline { at(depth: number): Vec2[]; smooth: boolean; half: Vec2 }
+/** Closed contour, counter-clockwise, at a depth in mm below the upper face. `smooth`: one rounded surface.
+ *  `around`: as many points on a rectangle around it, its corners among them. */
+export interface Outline { at(depth: number): Vec2[]; around(half: Vec2): Vec2[]; smooth: boolean; half: Vec2 }
 
 const CIRCLE_POINTS = 96; // a multiple of 8: the corners of the block around it lie on rays through points
 const EDGE_POINTS = 8;
@@ -19,13 +20,13 @@ export function circle(diameter: number, errors: Errors): Outline {
       const radius = (diameter + errors.size + errors.taper * depth) / 2 + amplitude * Math.cos(lobes * angle);
       return [radius * Math.cos(angle), radius * Math.sin(angle)];
     });
-  return { at, smooth: true, half: [diameter / 2, diameter / 2] };
+  return { at, around: (half) => outward(at(0), half), smooth: true, half: [diameter / 2, diameter / 2] };
 }
 
 /** Rectangle: both lengths with size error and taper. */
 export function rectangle(x: number, y: number, errors: Errors): Outline {
   const grown = (length: number, depth: number) => (length + errors.size + errors.taper * depth) / 2;
-  return { at: (depth) => border([grown(x, depth), grown(y, depth)]), smooth: false, half: [x / 2, y / 2] };
+  return { at: (depth) => border([grown(x, depth), grown(y, depth)]), around: border, smooth: false, half: [x / 2, y / 2] };
 }
 
 /** Border of a rectangle with the given half lengths, every edge divided. */
@@ -41,7 +42,7 @@ export function border([hx, hy]: Vec2): Vec2[] {
 }
 
 /** Where the rays through the points of a contour leave the rectangle around it. */
-export function outward(points: Vec2[], half: Vec2): Vec2[] {
+function outward(points: Vec2[], half: Vec2): Vec2[] {
   return points.map(([x, y]) => {
     const s = Math.min(half[0] / Math.max(Math.abs(x), 1e-12), half[1] / Math.max(Math.abs(y), 1e-12));
     return [x * s, y * s];

@@ -42,9 +42,11 @@ function touchLines(step: Extract<Step, { step: "touch" }>, entry: number, colou
   ];
 }
 
-/** All paths; every line knows its entry. */
+/** All paths; every line knows its entry. What matters more lies over what matters less, points over all. */
 export function pathLines(trace: Trace, colours: Colours, normal: number): Line[] {
-  return trace.entries.flatMap((step, entry) => entryLines(step, entry, colours, normal));
+  const lines = trace.entries.flatMap((step, entry) => entryLines(step, entry, colours, normal));
+  const rank = ({ from, to, style }: Line) => (from === to ? Infinity : style.width);
+  return lines.sort((a, b) => (rank(a) === rank(b) ? 0 : rank(a) - rank(b)));
 }
 
 /** Where the centre of the ball is while entry `index` is done to `fraction`; null: no motion at all. */

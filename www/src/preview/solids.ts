@@ -2,7 +2,7 @@
 import type { Solid, Vec3 } from "../wire";
 import type { Rgba } from "./colours";
 import { append, flat, mesh, quad, triangle, VERTEX_FLOATS, type Line, type Mesh, type Paint, type Style } from "./mesh";
-import { border, circle, normals, outward, rectangle, type Outline, type Vec2 } from "./outline";
+import { border, circle, normals, rectangle, type Outline, type Vec2 } from "./outline";
 import { add, apply, rpy, times } from "./vec";
 
 export interface Part { mesh: Mesh; edges: Line[] }
@@ -80,7 +80,7 @@ function sunk(outline: Outline, depth: number, look: Look): Part {
   const bottom = -depth - Math.max(4, 0.25 * depth);
   const own = block(half.map((h) => 2 * h) as Vec2, 0, bottom, look, false);
   append(own.mesh, walls(outline, 0, depth, -1, look));
-  append(own.mesh, ring(outline.at(0), outward(outline.at(0), half), 0, look));
+  append(own.mesh, ring(outline.at(0), outline.around(half), 0, look));
   append(own.mesh, disc(outline.at(depth), -depth, look));
   own.edges.push(...rims(outline, depth, look));
   return own;
@@ -92,7 +92,7 @@ function standing(outline: Outline, height: number, look: Look): Part {
   const own = block(half.map((h) => 2 * h) as Vec2, -height, -height - Math.max(3, 0.2 * height), look, false);
   append(own.mesh, walls(outline, 0, height, 1, look));
   append(own.mesh, disc(outline.at(0), 0, look));
-  append(own.mesh, ring(outline.at(height), outward(outline.at(height), half), -height, look));
+  append(own.mesh, ring(outline.at(height), outline.around(half), -height, look));
   own.edges.push(...rims(outline, height, look));
   return own;
 }

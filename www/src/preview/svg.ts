@@ -30,18 +30,20 @@ export function openSvg(host: HTMLElement): Backend {
 function paint(element: SVGSVGElement, scene: Scene, frame: Frame): void {
   const { width, height } = frame.view;
   element.setAttribute("viewBox", `0 0 ${width} ${height}`);
-  const solid = faces(scene, frame, 0, scene.solidCorners, true);
-  const clear = faces(scene, frame, scene.solidCorners, scene.mesh.corners.length, false);
-  const lines = scene.lines.flatMap((line) => strokes(line, scene, frame));
+  const solid = faces(scene, frame, 0, scene.solidCorners);
+  const clear = faces(scene, frame, scene.solidCorners, scene.mesh.corners.length);
+  const lines = scene.lines.slice(scene.gridLines).flatMap((line) => strokes(line, scene, frame));
+  const grid = scene.lines.slice(0, scene.gridLines).flatMap((line) => strokes(line, scene, frame, Infinity)).map((shape) => shape.svg).join("");
+  const below = frame.camera.pitch >= 0;
   const order = (shapes: Shape[]) => shapes.sort((a, b) => a.near - b.near).map((shape) => shape.svg).join("");
   const behind = scene.lines.map((line) => seenThrough(line, frame)).join("");
   const ground = `<rect width="${width}" height="${height}" fill="${scene.colours.background}"/>`;
-  element.innerHTML = ground + order([...solid, ...lines]) + behind + order(clear);
+  element.innerHTML = ground + (below ? grid : "") + order([...solid, ...lines]) + behind + order(clear) + (below ? "" : grid);
 }
 
 const round = (value: number) => Math.round(value * 100) / 100;
 
-function faces(scene: Scene, frame: Frame, from: number, to: number, culled: boolean): Shape[] {
+function faces(scene: Scene, frame: Frame, from: number, to: number): Shape[] {
   const project = projector(frame.camera, frame.view);
   const directions = basis(frame.camera);
   const lit = shader(directions);
@@ -50,7 +52,7 @@ function faces(scene: Scene, frame: Frame, from: number, to: number, culled: boo
     const corners = scene.mesh.corners.slice(i, i + 3);
     const points = corners.map((corner) => position(scene.mesh, corner, frame.probe)) as [Vec3, Vec3, Vec3];
     const outside = cross(sub(points[1], points[0]), sub(points[2], points[0]));
-    if (culled && dot(outside, directions.back) <= 0) continue;
+    if (dot(outside, directions.back) <= 0) continue;
     const normal = corners.reduce((sum, corner) => add(sum, read(scene.mesh, corner, 3)), [0, 0, 0] as Vec3);
     const length = Math.hypot(...normal) || 1;
     const colour = lit([normal[0] / length, normal[1] / length, normal[2] / length], paintOf(scene.mesh, corners[0]!));
@@ -91,12 +93,12 @@ function spans({ from, to, style }: Line, time: number): { from: Vec3; to: Vec3;
   return all.filter((span) => span.opacity > 0);
 }
 
-function strokes(line: Line, scene: Scene, frame: Frame): Shape[] {
+function strokes(line: Line, scene: Scene, frame: Frame, piece = PIECE): Shape[] {
   const project = projector(frame.camera, frame.view);
   return spans(line, frame.time).flatMap(({ from, to, opacity }) => {
     const [a, b] = [project(from), project(to)];
     const length = Math.hypot(b.x - a.x, b.y - a.y);
-    const count = Math.max(1, Math.min(200, Math.ceil(length / PIECE)));
+    const count = Math.max(1, Math.min(200, Math.ceil(length / piece)));
     return Array.from({ length: count }, (_, i): Shape => {
       const [p, q] = [project(mix(from, to, i / count)), project(mix(from, to, (i + 1) / count))];
       const near = (p.near + q.near) / 2 + NEARER * scene.radius;

@@ -84,7 +84,10 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
     if (ended) return backend.destroy();
     adopt();
   }
-  function lost(): void { redraw(); }
+  function lost(reason?: string): void {
+    if (reason) void replace(reason);
+    else redraw();
+  }
 
   function adopt(): void {
     Object.assign(backend.element.style, { position: "absolute", inset: "0", width: "100%", height: "100%", display: "block" });

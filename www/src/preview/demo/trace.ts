@@ -5,7 +5,7 @@ const CENTRE: Vec3 = [120, 80, -40];
 const RADIUS = 20;
 const BALL = 3;
 const DEPTH = 8;
-const APPROACH = 14; // from the centre to where measuring starts
+const APPROACH = 8;  // from the centre to where measuring starts
 
 const point = (x: number, y: number, z: number): Vec3 => [CENTRE[0] + x, CENTRE[1] + y, CENTRE[2] + z];
 const motion = (kind: MotionKind, from: Vec3, to: Vec3, feed: number): Step => ({ step: "motion", kind, from, to, feed });

@@ -1,0 +1,137 @@
+// Camera, parts and picking of the 3D view: plain functions, no browser.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { modules } from "./sources.mjs";
+
+let sources, camera, scene, demo, colours, pick, paths, vec, outline;
+before(async () => {
+  sources = await modules();
+  const load = (name) => sources.load(`/src/preview/${name}.ts`);
+  [camera, scene, demo, colours, pick, paths, vec, outline] =
+    await Promise.all(["camera", "scene", "demo/trace", "colours", "pick", "paths", "vec", "outline"].map(load));
+});
+after(() => sources.close());
+
+const view = { width: 800, height: 600 };
+const near = (actual, expected, tolerance = 1e-9) => {
+  assert.equal(actual.length, expected.length);
+  actual.forEach((value, i) => assert.ok(Math.abs(value - expected[i]) <= tolerance, `${actual} is not ${expected}`));
+};
+
+// oracle: hand (X to the right and Z up seen from the front, Y up from the top, Y to the right from +X)
+test("standard views look along the axes of the machine", () => {
+  const seen = (name) => camera.basis(camera.turn(camera.initial(), name));
+  near([...seen("front").right, ...seen("front").up], [1, 0, 0, 0, 0, 1]);
+  near([...seen("top").right, ...seen("top").up], [1, 0, 0, 0, 1, 0]);
+  near([...seen("right").right, ...seen("right").up], [0, 1, 0, 0, 0, 1]);
+});
+
+// oracle: hand (identities)
+test("matrix and projection put a point at the same place", () => {
+  const looking = camera.pan(camera.orbit(camera.initial(), 0.4, -0.2), 31, -17);
+  const point = [12, -7, 5];
+  const { x, y } = camera.projector(looking, view)(point);
+  const m = camera.matrix(looking, view, 500);
+  const clip = [0, 1].map((row) => m[row] * point[0] + m[4 + row] * point[1] + m[8 + row] * point[2] + m[12 + row]);
+  near(clip, [x / (view.width / 2) - 1, 1 - y / (view.height / 2)]);
+});
+
+// oracle: hand (identities)
+test("zooming keeps what is under the pointer, panning follows the pointer", () => {
+  const looking = camera.orbit(camera.initial(), 1, 0.1);
+  const point = [30, 20, -10];
+  const before = camera.projector(looking, view)(point);
+  const zoomed = camera.projector(camera.zoom(looking, view, 3.7, before.x, before.y), view)(point);
+  near([zoomed.x, zoomed.y], [before.x, before.y]);
+  const panned = camera.projector(camera.pan(looking, 40, -25), view)(point);
+  near([panned.x - before.x, panned.y - before.y], [40, -25]);
+});
+
+// oracle: hand (the tighter direction fills its room exactly)
+test("fitting shows the whole box, centred and as large as it may be", () => {
+  const box = { min: [100, -20, 5], max: [180, 40, 25] };
+  const fitted = camera.fit(camera.turn(camera.initial(), "iso"), view, box, 0.1);
+  const corners = vec.boxCorners(box).map(camera.projector(fitted, view));
+  const span = (values) => [Math.min(...values), Math.max(...values)];
+  const [left, right] = span(corners.map(({ x }) => x));
+  const [top, bottom] = span(corners.map(({ y }) => y));
+  near([left + right, top + bottom], [view.width, view.height], 1e-6);
+  near([Math.max((right - left) / view.width, (bottom - top) / view.height)], [0.8], 1e-9);
+});
+
+// oracle: hand (a closed surface has no net area in any direction; the divergence theorem gives its volume)
+test("every part is closed, faces outwards and has its volume", () => {
+  const circle = (r) => (96 / 2) * r * r * Math.sin((2 * Math.PI) / 96);
+  // Blocks are larger than the element by max(8 mm, 0.45 × half its larger length) on every side.
+  const expected = {
+    hole: 46 ** 2 * (18 + 4.5) - circle(15) * 18,
+    shaft: circle(15) * 18 + 46 ** 2 * 3.6,
+    groove: 46 * (36 * (14 + 4) - 20 * 14),
+    web: 46 * (16 * 14 + 32 * 3),
+    pocket: (34 + 16) * (24 + 16) * (12 + 4) - 34 * 24 * 12,
+    island: 34 * 24 * 12 + (34 + 16) * (24 + 16) * 3,
+    block: 46 * 46 * 16,
+  };
+  for (const solid of demo.shapes.solids.slice(0, 7)) {
+    const { mesh } = scene.buildScene({ ...demo.shapes, solids: [solid] }, colours.LIGHT);
+    const { area, volume } = measured(mesh);
+    near(area, [0, 0, 0], 1e-6);
+    near([volume], [expected[solid.shape]], 1e-6 * volume);
+  }
+});
+
+function measured({ vertices, corners }) {
+  const at = (corner) => vertices.slice(11 * corner, 11 * corner + 3);
+  let [area, volume] = [[0, 0, 0], 0];
+  for (let i = 0; i < corners.length; i += 3) {
+    const [a, b, c] = corners.slice(i, i + 3).map(at);
+    const face = vec.cross(vec.sub(b, a), vec.sub(c, a));
+    area = vec.add(area, vec.times(face, 0.5));
+    volume += vec.dot(a, face) / 6;
+  }
+  return { area, volume };
+}
+
+// oracle: hand (diameter 40 + 0.2 + 0.01 × depth 10 = 40.3; lobe amplitude 0.5 at the angle 0)
+test("errors of a part are where they belong", () => {
+  const errors = { shift: [0, 0, 0], size: 0.2, tilt: [0, 0, 0], taper: 0.01, outOfRound: [0.5, 3] };
+  near(outline.circle(40, errors).at(10)[0], [20.15 + 0.5, 0]);
+  near(outline.rectangle(40, 20, errors).at(0)[0], [20.1, -10.1]);
+});
+
+// oracle: hand (entries 3 to 6 of the fixed trace: measuring, touch, retract, back)
+test("picking finds the entry under the pointer and nothing far from all paths", () => {
+  const built = scene.buildScene(demo.hole, colours.LIGHT);
+  const looking = camera.fit(camera.turn(camera.initial(), "top"), view, built.box);
+  const { from, to } = demo.hole.entries[3];
+  const { x, y } = camera.projector(looking, view)(vec.mix(from, to, 0.5));
+  const found = pick.pick(built.lines, looking, view, x, y);
+  assert.ok([3, 5].includes(found), `${found}`); // measuring and retract lie on each other
+  assert.equal(pick.pick(built.lines, looking, view, 5, 5), null);
+});
+
+// oracle: hand
+test("the probe is on its motion and stays where the last motion ended", () => {
+  const entries = [
+    { step: "motion", kind: "rapid", from: [0, 0, 0], to: [10, 0, 0], feed: 0 },
+    { step: "message", text: "" },
+    { step: "motion", kind: "measuring", from: [10, 0, 0], to: [10, 8, 0], feed: 300 },
+  ];
+  const at = (index, fraction) => paths.probeAt({ entries }, index, fraction);
+  near(at(0, 0.25), [2.5, 0, 0]);
+  near(at(1, 0.5), [10, 0, 0]);
+  near(at(2, 0.5), [10, 4, 0]);
+  assert.equal(paths.probeAt({ entries: [] }, 0, 0), null);
+});
+
+// oracle: hand
+test("grid lines are 1, 2 or 5 times a power of ten apart, about ten of them", () => {
+  near([0.9, 18, 58, 430, 1000].map(paths.gridSpacing), [0.1, 2, 10, 50, 100], 1e-12);
+});
+
+// oracle: hand (CSS colour notations)
+test("colours are read in the notations of CSS", () => {
+  near(colours.parse("#f80"), [1, 0x88 / 255, 0, 1]);
+  near(colours.parse("#33669980"), [0.2, 0.4, 0.6, 128 / 255]);
+  near(colours.parse("rgb(51 102 153 / 0.5)"), [0.2, 0.4, 0.6, 0.5]);
+});

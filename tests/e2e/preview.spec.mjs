@@ -1,0 +1,144 @@
+// The 3D view in browsers that have WebGPU, a WebGPU that stays blank, only WebGL2, or neither: what came, and its pixels.
+import assert from "node:assert/strict";
+import { after, before, describe, test } from "node:test";
+import { launch, packages } from "./browser.mjs";
+import { modules, serve } from "./sources.mjs";
+
+const { PNG } = packages("pngjs");
+const size = { width: 900, height: 640 };
+const expected = { "webgpu": "webgpu", "webgpu-blank": "webgl2", "webgl2": "webgl2", "neither": "svg" };
+
+let site, sources, theme, topFace, inView;
+before(async () => {
+  [site, sources] = await Promise.all([serve(), modules()]);
+  const [camera, colours, light, scene, demo, vec] =
+    await Promise.all(["camera", "colours", "light", "scene", "demo/trace", "vec"].map((name) => sources.load(`/src/preview/${name}.ts`)));
+  theme = Object.fromEntries(Object.entries(colours.LIGHT).map(([name, css]) => [name, bytes(colours.parse(css))]));
+  const lit = light.shader(camera.basis(camera.initial()));
+  topFace = bytes(lit([0, 0, 1], colours.parse(colours.LIGHT.part)));
+  inView = (name, entry, share) => {
+    const looking = camera.fit(camera.turn(camera.initial(), name), size, scene.buildScene(demo.hole, colours.LIGHT).box);
+    const { from, to } = demo.hole.entries[entry];
+    return camera.projector(looking, size)(vec.mix(from, to, share));
+  };
+});
+after(async () => { await sources?.close(); await site?.close(); });
+
+const bytes = (rgba) => rgba.slice(0, 3).map((value) => Math.round(255 * value));
+
+for (const [setup, backend] of Object.entries(expected)) {
+  describe(`3D view, browser with ${setup}`, () => {
+    let browser;
+    before(async () => { browser = await launch(setup); });
+    after(() => browser?.close());
+
+    // oracle: hand (the colours of the theme; the lit upper face as light.ts says, WGSL is a second writing of it)
+    test(`draws with ${backend}: part, paths and background are there`, async () => {
+      const page = await show(browser);
+      assert.equal(await page.evaluate(() => window.preview.backend), backend);
+      const picture = await shot(page);
+      atLeast(picture, topFace, 15_000, "upper face");
+      atLeast(picture, theme.background, 200_000, "background");
+      atLeast(picture, theme.measuring, 80, "measuring");
+      atLeast(picture, theme.rapid, 80, "rapid");
+      atLeast(picture, theme.touch, 20, "touch");
+      await page.close();
+    });
+
+    // oracle: hand (nothing is measured at the beginning; a motion to come is faint, a touch to come unseen)
+    test("the step decides what has happened", async () => {
+      const page = await show(browser);
+      await page.evaluate(() => window.preview.setStep(0, 0));
+      const picture = await shot(page);
+      assert.equal(count(picture, theme.measuring), 0);
+      assert.equal(count(picture, theme.touch, 12), 0);
+      await page.close();
+    });
+
+    // oracle: hand (entry 3 is the first measuring motion, 5 the way back on the same line)
+    test("keys turn the view, a click finds the motion, and an idle view draws nothing", async () => {
+      const page = await show(browser);
+      const iso = await shot(page);
+      await page.keyboard.press("Tab");
+      await page.keyboard.press("1");
+      const top = await shot(page);
+      assert.ok(Buffer.compare(iso.data, top.data) !== 0);
+      const { x, y } = inView("top", 3, 0.5);
+      await page.mouse.click(x, y);
+      assert.ok([3, 5].includes(await page.evaluate(() => window.picked)));
+      const frames = await page.evaluate(() => window.frames_asked);
+      await page.waitForTimeout(400);
+      assert.equal(await page.evaluate(() => window.frames_asked), frames);
+      await page.close();
+    });
+  });
+}
+
+describe("3D view after a loss", () => {
+  // oracle: hand (the next way of drawing shows the same part)
+  test("a lost WebGL2 context is replaced by SVG", async () => {
+    await replaced("webgl2", "svg", () => {
+      document.querySelector("canvas").getContext("webgl2").getExtension("WEBGL_lose_context").loseContext();
+    });
+  });
+
+  test("a lost WebGPU device is replaced by WebGL2", async () => {
+    await replaced("webgpu", "webgl2", () => window.devices.forEach((device) => device.destroy()));
+  });
+
+  async function replaced(from, to, lose) {
+    const browser = await launch(from);
+    try {
+      const page = await show(browser);
+      assert.equal(await page.evaluate(() => window.preview.backend), from);
+      await page.evaluate(lose);
+      await page.waitForFunction((name) => window.preview.backend === name, to);
+      atLeast(await shot(page), topFace, 15_000, "upper face");
+    } finally {
+      await browser.close();
+    }
+  }
+});
+
+async function show(browser) {
+  const page = await browser.newPage({ viewport: size });
+  await page.addInitScript(watch);
+  await page.goto(`${site.url}preview-test.html`);
+  await page.waitForFunction(() => window.preview);
+  return page;
+}
+
+// Counts animation frames and keeps WebGPU devices, before the page runs.
+function watch() {
+  const ask = window.requestAnimationFrame.bind(window);
+  window.frames_asked = 0;
+  window.requestAnimationFrame = (callback) => { window.frames_asked += 1; return ask(callback); };
+  window.devices = [];
+  if (typeof GPUAdapter === "undefined") return;
+  const request = GPUAdapter.prototype.requestDevice;
+  GPUAdapter.prototype.requestDevice = async function (...options) {
+    const device = await request.apply(this, options);
+    window.devices.push(device);
+    return device;
+  };
+}
+
+async function shot(page) {
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 150)))));
+  return PNG.sync.read(await page.screenshot());
+}
+
+// Pixels within `tolerance` of a colour in every channel.
+function count({ data }, [r, g, b], tolerance = 6) {
+  let found = 0;
+  for (let i = 0; i < data.length; i += 4) {
+    const off = Math.max(Math.abs(data[i] - r), Math.abs(data[i + 1] - g), Math.abs(data[i + 2] - b));
+    if (off <= tolerance) found += 1;
+  }
+  return found;
+}
+
+function atLeast(picture, colour, wanted, what) {
+  const found = count(picture, colour);
+  assert.ok(found >= wanted, `${what}: ${found} pixels of ${colour}, wanted ${wanted}`);
+}

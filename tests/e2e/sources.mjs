@@ -1,0 +1,30 @@
+// The sources of the page without a build: served to a browser, and loaded into Node for tests of plain functions.
+import { fileURLToPath, pathToFileURL } from "node:url";
+import { join } from "node:path";
+
+const root = fileURLToPath(new URL("../../", import.meta.url));
+const vite = () => import(pathToFileURL(join(root, "www/node_modules/vite/dist/node/index.js")).href);
+
+async function server(options) {
+  const { createServer } = await vite();
+  return createServer({
+    root: join(root, "www"),
+    configFile: join(root, "www/vite.config.ts"),
+    logLevel: "error",
+    optimizeDeps: { noDiscovery: true, include: [] },
+    ...options,
+  });
+}
+
+// Serves `www/` on a free port; `{ url, close }`.
+export async function serve() {
+  const started = await server({ server: { host: "127.0.0.1", port: 0, hmr: false, watch: null, fs: { allow: [root] } } });
+  await started.listen();
+  return { url: started.resolvedUrls.local[0], close: () => started.close() };
+}
+
+// Loads TypeScript modules of `www/`, such as "/src/preview/camera.ts"; `{ load, close }`.
+export async function modules() {
+  const started = await server({ server: { middlewareMode: true, hmr: false, ws: false, watch: null } });
+  return { load: (path) => started.ssrLoadModule(path), close: () => started.close() };
+}
