@@ -10,7 +10,7 @@ import { add, cross, dot, mix, sub } from "./vec";
 
 const SVG = "http://www.w3.org/2000/svg";
 const PIECE = 14;      // CSS pixels: lines are cut into pieces so that each finds its place among the triangles
-const NEARER = 0.004;  // lines on a face are in front of it; share of the radius of the scene
+const NEARER = 0.002;  // lines on a face are in front of it, the wider the more; share of the radius a pixel of width
 
 interface Shape { near: number; svg: string }
 
@@ -101,7 +101,7 @@ function strokes(line: Line, scene: Scene, frame: Frame, piece = PIECE): Shape[]
     const count = Math.max(1, Math.min(200, Math.ceil(length / piece)));
     return Array.from({ length: count }, (_, i): Shape => {
       const [p, q] = [project(mix(from, to, i / count)), project(mix(from, to, (i + 1) / count))];
-      const near = (p.near + q.near) / 2 + NEARER * scene.radius;
+      const near = (p.near + q.near) / 2 + NEARER * line.style.width * scene.radius;
       return { near, svg: stroke(p, q, line, opacity, (length * i) / count) };
     });
   });
