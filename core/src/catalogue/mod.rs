@@ -5,13 +5,16 @@ pub mod common;
 pub mod cycle977;
 pub mod cycle978;
 mod entry;
+pub mod g101;
+pub mod g110;
 pub mod names;
+pub mod nct;
 pub mod sinumerik;
 mod when;
 pub use entry::*;
 
 /// Every cycle that Probewright knows, in the order in which they are offered.
-pub static CYCLES: &[&Cycle] = &[];
+pub static CYCLES: &[&Cycle] = &[&g101::G101, &g110::G110];
 
 /// The entry with this name on this control (`CYCLE977`, `G110`; case does not matter).
 pub fn find(dialect: Dialect, name: &str) -> Option<&'static Cycle> {

@@ -19,7 +19,10 @@ pub fn parse(text: &str) -> Parsed {
     if text.is_empty() {
         return Parsed::Empty;
     }
-    let plain = text.to_ascii_lowercase().replace("ex", "e").replace(',', ".");
+    let plain = text
+        .to_ascii_lowercase()
+        .replace("ex", "e")
+        .replace(',', ".");
     let digits = |c: char| c.is_ascii_digit() || matches!(c, '.' | '+' | '-' | 'e');
     if plain.chars().all(digits) {
         return match plain.parse::<f64>() {
@@ -27,17 +30,25 @@ pub fn parse(text: &str) -> Parsed {
             _ => Parsed::Wrong,
         };
     }
-    if is_expression(text) { Parsed::Expression } else { Parsed::Wrong }
+    if is_expression(text) {
+        Parsed::Expression
+    } else {
+        Parsed::Wrong
+    }
 }
 
 /// Begins like a variable, a function, a bracket or a sign before one of them; `NaN` and `inf` are no variables.
 fn is_expression(text: &str) -> bool {
     let body = text.trim_start_matches(['-', '+', ' ']);
     let words = ["nan", "inf", "infinity"];
-    let starts = body.starts_with(|c: char| c.is_ascii_alphabetic() || matches!(c, '_' | '$' | '(' | '#' | '['));
-    let joins = body.contains(['*', '/', '+']) && body.contains(|c: char| c.is_ascii_alphanumeric());
+    let starts = body
+        .starts_with(|c: char| c.is_ascii_alphabetic() || matches!(c, '_' | '$' | '(' | '#' | '['));
+    let joins =
+        body.contains(['*', '/', '+']) && body.contains(|c: char| c.is_ascii_alphanumeric());
     let known = |c: char| c.is_ascii_graphic() || c == ' ';
-    (starts || joins) && body.chars().all(known) && !words.contains(&body.to_ascii_lowercase().as_str())
+    (starts || joins)
+        && body.chars().all(known)
+        && !words.contains(&body.to_ascii_lowercase().as_str())
 }
 
 #[cfg(test)]
@@ -66,10 +77,20 @@ mod tests {
     fn what_is_no_number() {
         // oracle: hand
         assert_eq!(parse("  "), Parsed::Empty);
-        for text in ["NaN", "inf", "-inf", "1e999", "12x", "1.2.3", "1,000.5", "--5", "5 mm", "٣", "ü"] {
+        for text in [
+            "NaN", "inf", "-inf", "1e999", "12x", "1.2.3", "1,000.5", "--5", "5 mm", "٣", "ü",
+        ] {
             assert_eq!(parse(text), Parsed::Wrong, "{text}");
         }
-        for text in ["R10", "_OVR[4]-0.5", "-R1", "(R1+2)*3", "$AA_IW[X]", "2*R1", "#500"] {
+        for text in [
+            "R10",
+            "_OVR[4]-0.5",
+            "-R1",
+            "(R1+2)*3",
+            "$AA_IW[X]",
+            "2*R1",
+            "#500",
+        ] {
             assert_eq!(parse(text), Parsed::Expression, "{text}");
         }
     }

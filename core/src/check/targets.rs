@@ -19,7 +19,11 @@ pub enum Target {
 /// The sort of target: every cycle labels its `_KNUM` `knum-tool` or `knum-zero` by variant.
 pub fn target(param: &Param, inputs: &Inputs) -> Target {
     let zero = |(when, key): &(When, &str)| *key == "knum-zero" && when.holds(inputs);
-    if param.labels.iter().any(zero) { Target::Zero } else { Target::Tool }
+    if param.labels.iter().any(zero) {
+        Target::Zero
+    } else {
+        Target::Tool
+    }
 }
 
 /// What is wrong with the code.
@@ -33,10 +37,21 @@ pub fn findings(param: &Param, inputs: &Inputs, control: &Control) -> Option<Dia
 
 fn zero(param: &Param, code: i64, control: &Control) -> Option<Diagnostic> {
     let alarm = knum::zero(code).err()?;
-    let is_tool = matches!(knum::tool(code, knum::five_digit_edges(control)), Ok(Some(_)));
-    let hint = if is_tool { "check-knum-is-tool-hint" } else { "check-knum-zero-hint" };
+    let is_tool = matches!(
+        knum::tool(code, knum::five_digit_edges(control)),
+        Ok(Some(_))
+    );
+    let hint = if is_tool {
+        "check-knum-is-tool-hint"
+    } else {
+        "check-knum-zero-hint"
+    };
     let message = Message::new("check-knum-zero").number("code", code as f64);
-    Some(error(Code::Alarm(alarm), message).hint(Message::new(hint)).at(param.name))
+    Some(
+        error(Code::Alarm(alarm), message)
+            .hint(Message::new(hint))
+            .at(param.name),
+    )
 }
 
 fn tool(param: &Param, code: i64, control: &Control) -> Option<Diagnostic> {
@@ -61,7 +76,11 @@ fn tool(param: &Param, code: i64, control: &Control) -> Option<Diagnostic> {
     let message = Message::new(key)
         .number("code", code as f64)
         .number("largest", largest_edge(control) as f64);
-    Some(error(Code::Alarm(alarm), message).hint(Message::new(hint)).at(param.name))
+    Some(
+        error(Code::Alarm(alarm), message)
+            .hint(Message::new(hint))
+            .at(param.name),
+    )
 }
 
 /// Largest D number (MD18105); 9 where it is not set, 32000 with flat D numbers (MD18102=1, B:2009).

@@ -81,8 +81,12 @@ pub fn read(
     control: &Control,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Inputs {
-    let mut inputs = Inputs::new(cycle, cycle.variants.first().map_or(0, |variant| variant.number));
+    let mut inputs = Inputs::new(
+        cycle,
+        cycle.variants.first().map_or(0, |variant| variant.number),
+    );
     inputs.five_digit_edges = knum::five_digit_edges(control);
+    inputs.plane = control.plane;
     for param in cycle.params {
         let text = typed.get(param.name).map_or("", |text| text.trim());
         if let Kind::Text(most) = param.kind {
@@ -108,10 +112,17 @@ pub fn read(
 /// A number in mm, or the default.
 fn value(param: &Param, text: &str, control: &Control) -> Result<Option<f64>, Diagnostic> {
     let number = match parse(text) {
-        Parsed::Empty => return Ok(param.default.map(|number| number * factor(param.unit, control))),
+        Parsed::Empty => {
+            return Ok(param
+                .default
+                .map(|number| number * factor(param.unit, control)));
+        }
         Parsed::Number(number) => number,
         Parsed::Expression => {
-            return Err(note(EXPRESSION, Message::new("check-expression").text("value", text)));
+            return Err(note(
+                EXPRESSION,
+                Message::new("check-expression").text("value", text),
+            ));
         }
         Parsed::Wrong => {
             let message = Message::new("check-not-a-number").text("value", text);
@@ -136,7 +147,11 @@ fn whole(kind: &Kind) -> bool {
 
 /// A text without its quotes.
 fn name(text: &str, most: usize) -> Result<&str, Diagnostic> {
-    let inner = text.strip_prefix('"').and_then(|rest| rest.strip_suffix('"')).unwrap_or(text).trim();
+    let inner = text
+        .strip_prefix('"')
+        .and_then(|rest| rest.strip_suffix('"'))
+        .unwrap_or(text)
+        .trim();
     if inner.chars().count() > most {
         let message = Message::new("check-text-long").number("most", most as f64);
         return Err(error(BAD_TEXT, message).hint(Message::new("check-text-long-hint")));
@@ -150,8 +165,12 @@ fn name(text: &str, most: usize) -> Result<&str, Diagnostic> {
 
 /// The variant, or the only finding that counts without it.
 fn variant(cycle: &'static Cycle, inputs: &Inputs, said: &[Diagnostic]) -> Result<i64, Diagnostic> {
-    let Some(param) = cycle.params.iter().find(|param| matches!(param.kind, Kind::Variant(_))) else {
-        return Ok(inputs.variant);
+    let Some(param) = cycle
+        .params
+        .iter()
+        .find(|param| matches!(param.kind, Kind::Variant(_)))
+    else {
+        return Ok(chosen(cycle, inputs));
     };
     if let Some(finding) = said.iter().find(|other| other.param == Some(param.name)) {
         return Err(finding.clone());
@@ -159,18 +178,39 @@ fn variant(cycle: &'static Cycle, inputs: &Inputs, said: &[Diagnostic]) -> Resul
     let code = param.alarm.unwrap_or(MISSING);
     let Some(number) = inputs.given(param.name) else {
         let message = Message::new("check-missing").text("param", param.name);
-        return Err(error(code, message).hint(Message::new("need-always")).at(param.name));
+        return Err(error(code, message)
+            .hint(Message::new("need-always"))
+            .at(param.name));
     };
-    if cycle.variants.iter().any(|variant| variant.number as f64 == number) {
+    if cycle
+        .variants
+        .iter()
+        .any(|variant| variant.number as f64 == number)
+    {
         return Ok(number as i64);
     }
-    let message = Message::new("check-variant").number("value", number).text("cycle", cycle.name);
-    Err(error(code, message).hint(Message::new("check-variant-hint")).at(param.name))
+    let message = Message::new("check-variant")
+        .number("value", number)
+        .text("cycle", cycle.name);
+    Err(error(code, message)
+        .hint(Message::new("check-variant-hint"))
+        .at(param.name))
+}
+
+/// The variant that an address chooses by being given; the first one where none does.
+fn chosen(cycle: &'static Cycle, inputs: &Inputs) -> i64 {
+    let by_address = cycle.params.iter().find_map(|param| {
+        let counts = inputs.given(param.name).is_some() && param.need(inputs).is_some();
+        param.chooses.filter(|_| counts)
+    });
+    by_address.unwrap_or(inputs.variant)
 }
 
 /// Whether nothing was typed.
 fn empty(typed: &Typed, param: &Param) -> bool {
-    typed.get(param.name).is_none_or(|text| text.trim().is_empty())
+    typed
+        .get(param.name)
+        .is_none_or(|text| text.trim().is_empty())
 }
 
 /// Nothing was typed.
@@ -178,12 +218,26 @@ fn absent(param: &Param, level: Level, reason: &'static str, diagnostics: &mut V
     match (level, param.default) {
         (Level::Optional, _) => {}
         (Level::Required, Some(number)) => {
-            let message = Message::new("check-delivered").text("param", param.name).number("value", number);
-            diagnostics.push(warning(DELIVERED, message).hint(Message::new(reason)).at(param.name));
+            let message = Message::new("check-delivered")
+                .text("param", param.name)
+                .number("value", number);
+            diagnostics.push(
+                warning(DELIVERED, message)
+                    .hint(Message::new(reason))
+                    .at(param.name),
+            );
         }
         (Level::Required, None) => {
             let message = Message::new("check-missing").text("param", param.name);
-            diagnostics.push(error(MISSING, message).hint(Message::new(reason)).at(param.name));
+            let code = match param.alarm {
+                Some(code @ Code::Nct(_)) => code, // the macro itself refuses a missing address
+                _ => MISSING,
+            };
+            diagnostics.push(
+                error(code, message)
+                    .hint(Message::new(reason))
+                    .at(param.name),
+            );
         }
     }
 }
@@ -198,7 +252,11 @@ fn judge(param: &Param, inputs: &Inputs, control: &Control) -> Option<Diagnostic
         _ => param.range.contains(number),
     };
     if !allowed {
-        return Some(error(code, outside("check-range", param, shown)).hint(range_hint(param, control)).at(param.name));
+        return Some(
+            error(code, outside("check-range", param, shown))
+                .hint(range_hint(param, control))
+                .at(param.name),
+        );
     }
     if matches!(param.kind, Kind::Knum) {
         return targets::findings(param, inputs, control);
@@ -206,12 +264,21 @@ fn judge(param: &Param, inputs: &Inputs, control: &Control) -> Option<Diagnostic
     let usual = param.usual.contains(number);
     (!usual).then(|| {
         let message = outside("check-unusual", param, shown);
-        warning(UNUSUAL, message).hint(bounds("check-unusual-hint", param.usual, param.unit, control)).at(param.name)
+        warning(UNUSUAL, message)
+            .hint(bounds(
+                "check-unusual-hint",
+                param.usual,
+                param.unit,
+                control,
+            ))
+            .at(param.name)
     })
 }
 
 fn outside(key: &'static str, param: &Param, shown: f64) -> Message {
-    Message::new(key).text("param", param.name).number("value", shown)
+    Message::new(key)
+        .text("param", param.name)
+        .number("value", shown)
 }
 
 /// What is allowed, in words that fit the kind and the ends of the range.
@@ -221,7 +288,11 @@ fn range_hint(param: &Param, control: &Control) -> Message {
         return Message::new("check-range-choice-hint").text("choices", list.join(", "));
     }
     let range = param.range;
-    match (range.min.is_finite(), range.max.is_finite(), range.min_included) {
+    match (
+        range.min.is_finite(),
+        range.max.is_finite(),
+        range.min_included,
+    ) {
         (true, true, _) => bounds("check-range-both-hint", range, param.unit, control),
         (true, false, true) => bounds("check-range-from-hint", range, param.unit, control),
         (true, false, false) => bounds("check-range-above-hint", range, param.unit, control),

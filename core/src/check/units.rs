@@ -7,7 +7,9 @@ use crate::control::{Control, Units};
 pub fn factor(unit: Unit, control: &Control) -> f64 {
     let system = match unit {
         Unit::ActiveLength => control.active_units,
-        Unit::BasicLength | Unit::BasicFeed if control.dialect == Dialect::Nct => control.active_units,
+        Unit::BasicLength | Unit::BasicFeed if control.dialect == Dialect::Nct => {
+            control.active_units
+        }
         Unit::BasicLength | Unit::BasicFeed => control.basic_units,
         Unit::None | Unit::Millimetre | Unit::Degree => Units::Metric,
     };

@@ -1,0 +1,156 @@
+//! G101: protected positioning of the stylus (C:106-144).
+
+use super::common::{PARAM, optional};
+use super::nct::{self, part};
+use super::{Cycle, Dialect, Kind, Param, Proposal, Range, Unit, Variant, When};
+use crate::check::Inputs;
+use crate::control::Control;
+use crate::diagnostic::Diagnostic;
+use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
+use crate::message::Message;
+use crate::run::trace::MotionKind;
+use crate::run::{Machine, Stop};
+use crate::workpiece::{Shape, Workpiece};
+
+const TARGET: Param = Param {
+    kind: Kind::Real,
+    unit: Unit::ActiveLength,
+    needs: &[optional(When::Always, "need-g101-target")],
+    source: "C:114",
+    ..PARAM
+};
+
+/// The macro.
+pub static G101: Cycle = Cycle {
+    dialect: Dialect::Nct,
+    name: "G101",
+    key: "g101",
+    variants: &[Variant {
+        number: 0,
+        key: "g101-positioning",
+        source: "C:106",
+    }],
+    params: &[
+        Param {
+            name: "X",
+            key: "g101-x",
+            ..TARGET
+        },
+        Param {
+            name: "Y",
+            key: "g101-y",
+            ..TARGET
+        },
+        Param {
+            name: "Z",
+            key: "g101-z",
+            ..TARGET
+        },
+        Param {
+            name: "F",
+            key: "g101-f",
+            unit: Unit::BasicFeed,
+            range: Range::POSITIVE,
+            usual: Range::closed(1.0, 5000.0),
+            needs: &[optional(When::Always, "need-g101-feed")],
+            source: "C:115",
+            ..PARAM
+        },
+    ],
+    results: &[],
+    alarms: &[
+        nct::NO_TOOL_LENGTH,
+        nct::PATH_OBSTRUCTED,
+        nct::STYLUS_IN_CONTACT,
+        nct::FALSE_TRIGGER,
+        nct::OUT_OF_POSITION,
+    ],
+    checks,
+    propose,
+    picture,
+    example: &[("X", "120"), ("Z", "200")],
+    simulate,
+    source: "C:106-144",
+};
+
+fn target(inputs: &Inputs, from: [f64; 3], incremental: bool) -> [f64; 3] {
+    std::array::from_fn(|axis| match inputs.numbers.get(nct::axis_name(axis)) {
+        Some(way) if incremental => from[axis] + way,
+        Some(position) => *position,
+        None => from[axis],
+    })
+}
+
+fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
+    nct::ready(machine)?;
+    let incremental = machine.control().bit(nct::INCREMENTAL);
+    let to = target(inputs, machine.position(), incremental);
+    let default = nct::by_system(machine, 1500.0, 60.0);
+    let feed = inputs.numbers.get("F").copied().unwrap_or(default);
+    let outcome = machine.travel(to, MotionKind::Positioning, feed, true);
+    let lost = if outcome.is_ok() { 0.0 } else { 1.0 };
+    machine.control().set(nct::POSITION_LOST, lost);
+    outcome
+}
+
+fn checks(inputs: &Inputs, _: &Control, findings: &mut Vec<Diagnostic>) {
+    if !["X", "Y", "Z"]
+        .iter()
+        .any(|name| inputs.numbers.contains_key(name))
+    {
+        findings.push(crate::check::warning(
+            crate::diagnostic::Code::Own(110),
+            Message::new("g101-no-target"),
+        ));
+    }
+}
+
+/// A flat part well below the way.
+fn propose(inputs: &Inputs, control: &Control) -> Proposal {
+    let [.., applicate] = control.plane.axes();
+    let end = target(inputs, [0.0; 3], false);
+    let mut top = end;
+    top[applicate] = end[applicate].min(0.0) - 20.0;
+    let block = part::in_plane(
+        Shape::Block {
+            size: [100.0, 100.0, 20.0],
+        },
+        top,
+        control,
+    );
+    let mut start = [0.0; 3];
+    start[applicate] = end[applicate].max(0.0) + 50.0;
+    Proposal {
+        workpiece: Workpiece {
+            solids: vec![block],
+        },
+        start,
+    }
+}
+
+fn picture(inputs: &Inputs) -> Picture {
+    let axes = inputs.plane.axes();
+    let end = target(inputs, [0.0; 3], false);
+    let end = [end[axes[0]], end[axes[1]]];
+    let figure = |kind, points, field| PictureShape {
+        kind,
+        points,
+        circle: None,
+        closed: false,
+        text: None,
+        field,
+    };
+    let name = |index: usize| Some(nct::axis_name(axes[index]));
+    Picture {
+        view: View::Plane,
+        shapes: vec![
+            figure(ShapeKind::Path, vec![[0.0; 2], end], Some("F")),
+            figure(ShapeKind::Dimension, vec![[0.0; 2], [end[0], 0.0]], name(0)),
+            figure(ShapeKind::Dimension, vec![[end[0], 0.0], end], name(1)),
+            PictureShape {
+                circle: Some((end, 3.0)),
+                ..figure(ShapeKind::Probe, Vec::new(), None)
+            },
+        ],
+    }
+}

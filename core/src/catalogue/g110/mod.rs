@@ -1,0 +1,124 @@
+//! G110: bore or boss (C:1036-1183).
+
+mod checks;
+mod params;
+mod picture;
+mod simulate;
+#[cfg(test)]
+mod tests;
+
+use super::nct::{self, part};
+use super::{Cycle, Dialect, Proposal, ResultField, Unit, Variant, When};
+use crate::check::Inputs;
+use crate::control::Control;
+use crate::workpiece::{Shape, Workpiece};
+
+/// The stylus stands in the bore.
+pub const BORE: i64 = 0;
+/// The stylus stands above the boss; the address of the tool axis says how deep to measure.
+pub const BOSS: i64 = 1;
+
+/// The macro.
+pub static G110: Cycle = Cycle {
+    dialect: Dialect::Nct,
+    name: "G110",
+    key: "g110",
+    variants: &[
+        Variant {
+            number: BORE,
+            key: "g110-bore",
+            source: "C:1076",
+        },
+        Variant {
+            number: BOSS,
+            key: "g110-boss",
+            source: "C:1076",
+        },
+    ],
+    params: params::PARAMS,
+    results: &[
+        length("DIAMETER", "result-nct-diameter"),
+        length("DEVIATION", "result-nct-deviation"),
+        length("CENTRE_1", "result-nct-centre-1"),
+        length("CENTRE_2", "result-nct-centre-2"),
+        length("SHIFT_1", "result-nct-shift-1"),
+        length("SHIFT_2", "result-nct-shift-2"),
+    ],
+    alarms: &[
+        nct::FORMAT_ERROR,
+        nct::NO_TOOL_LENGTH,
+        nct::STYLUS_IN_CONTACT,
+        nct::PROBE_FAIL,
+        nct::NO_MOVEMENT,
+        nct::FALSE_TRIGGER,
+        nct::OUT_OF_POSITION,
+        nct::PATH_OBSTRUCTED,
+        nct::OUT_OF_TOLERANCE,
+        nct::UPPER_TOLERANCE,
+        nct::TOOL_TOO_LARGE,
+    ],
+    checks: checks::checks,
+    propose,
+    picture: picture::picture,
+    example: &[
+        ("D", "50"),
+        ("S", "1"),
+        ("H", "0.02"),
+        ("V", "2"),
+        ("W", "2"),
+    ],
+    simulate: simulate::simulate,
+    source: "C:1036-1183",
+};
+
+/// The macro leaves no named results; these are what it works with, in the active unit.
+const fn length(name: &'static str, key: &'static str) -> ResultField {
+    ResultField {
+        name,
+        key,
+        when: When::Always,
+        unit: Unit::ActiveLength,
+        source: "C:1036-1046",
+    }
+}
+
+/// Coordinate of the tool axis to which a boss is measured, mm.
+fn depth(inputs: &Inputs) -> Option<f64> {
+    let [.., applicate] = inputs.plane.axes();
+    inputs.numbers.get(nct::axis_name(applicate)).copied()
+}
+
+/// A bore whose upper face is the zero of the WCS, the stylus inside it; or a boss, the stylus above it.
+fn propose(inputs: &Inputs, control: &Control) -> Proposal {
+    let [.., applicate] = control.plane.axes();
+    let diameter = inputs
+        .numbers
+        .get("D")
+        .copied()
+        .filter(|d| *d > 0.0)
+        .unwrap_or(50.0);
+    let (mut top, mut start) = ([0.0; 3], [0.0; 3]);
+    let shape = match depth(inputs) {
+        Some(depth) if inputs.variant == BOSS => {
+            top[applicate] = (depth + 10.0).max(0.0);
+            start[applicate] = top[applicate] + 20.0;
+            Shape::Shaft {
+                diameter,
+                height: top[applicate] - depth + 20.0,
+            }
+        }
+        _ => {
+            start[applicate] = -10.0;
+            Shape::Hole {
+                diameter,
+                depth: 30.0,
+            }
+        }
+    };
+    Proposal {
+        workpiece: Workpiece {
+            solids: vec![part::in_plane(shape, top, control)],
+        },
+        start,
+    }
+}

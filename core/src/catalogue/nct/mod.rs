@@ -1,0 +1,107 @@
+//! What the probing macros of the NCT controls share (manual C).
+
+pub mod part;
+pub mod print;
+pub mod touch;
+
+use super::common::{PARAM, optional};
+use super::{Kind, Need, Param, Range, Unit, When};
+use crate::control::Plane;
+use crate::diagnostic::Code;
+use crate::run::{Machine, Stop};
+
+/// A value is missing, out of range, or excludes another (C:1123-1137).
+pub const FORMAT_ERROR: Code = Code::Nct("FORMAT ERROR");
+/// No length offset is applied (C:125-132).
+pub const NO_TOOL_LENGTH: Code = Code::Nct("NO TOOL LENGTH");
+/// The stylus touches before the start (C:125-132).
+pub const STYLUS_IN_CONTACT: Code = Code::Nct("STYLUS IN CONTACT");
+/// The stylus hit something where it must not (C:125-132).
+pub const PATH_OBSTRUCTED: Code = Code::Nct("PATH OBSTRUCTED");
+/// A signal that was none (C:125-132).
+pub const FALSE_TRIGGER: Code = Code::Nct("FALSE TRIGGER");
+/// The last protected positioning did not reach its target (C:121-123).
+pub const OUT_OF_POSITION: Code = Code::Nct("OUT OF POSITION");
+/// No wall within the overtravel (C:1123-1137).
+pub const PROBE_FAIL: Code = Code::Nct("PROBE FAIL");
+/// The values leave nothing to move (C:1123-1137).
+pub const NO_MOVEMENT: Code = Code::Nct("NO MOVEMENT");
+/// Deviation greater than H (C:1142).
+pub const OUT_OF_TOLERANCE: Code = Code::Nct("OUT OF TOLERANCE");
+/// Deviation greater than U; spelled as the control does (C:1143).
+pub const UPPER_TOLERANCE: Code = Code::Nct("UPPER TOL EXEEDED");
+/// The corrected tool no longer fits into the bore (C:1144).
+pub const TOOL_TOO_LARGE: Code = Code::Nct("TOOL DIA OFFS TOO LARGE");
+
+/// Datum that a failed G101 leaves at 1 and the measuring macros look at. The manual gives it no number (C:121-123).
+pub const POSITION_LOST: &str = "OUT_OF_POSITION";
+/// Machine parameter PRNT: 0 switches the print-out off (C:60). Where it is not set, the macros print.
+pub const PRINT_ENABLED: &str = "P9143";
+/// Datum: the interpreter is in incremental dimension (G91), so that the addresses of G101 are ways (C:108).
+pub const INCREMENTAL: &str = "G91";
+
+const FREE: &[Need] = &[optional(When::Always, "need-nct-optional")];
+
+/// A length that may be left out.
+pub const LENGTH: Param = Param {
+    unit: Unit::ActiveLength,
+    needs: FREE,
+    ..PARAM
+};
+/// A whole number that may be left out.
+pub const NUMBER: Param = Param {
+    kind: Kind::Integer,
+    needs: FREE,
+    ..PARAM
+};
+/// A register: the print has "less than 6", but the examples use T1, so that 1 must be the lower end (C:1097).
+pub const REGISTER: Param = Param {
+    range: Range::closed(1.0, 99.0),
+    alarm: Some(FORMAT_ERROR),
+    ..NUMBER
+};
+/// Nothing, the data line, or header and data line (C:1100-1101).
+pub const PRINT: Param = Param {
+    kind: Kind::Choice(&[
+        (0, "nct-print-none"),
+        (1, "nct-print-line"),
+        (2, "nct-print-header"),
+    ]),
+    needs: FREE,
+    ..PARAM
+};
+
+/// The axis address of the tool in its plane.
+pub const TOOL_AXIS: [(Plane, &str); 3] = [(Plane::G17, "Z"), (Plane::G18, "Y"), (Plane::G19, "X")];
+
+/// Name of an axis.
+pub const fn axis_name(axis: usize) -> &'static str {
+    ["X", "Y", "Z"][axis]
+}
+
+/// What every macro looks at first: a length is applied and the stylus is free (C:118-121).
+pub fn ready(machine: &mut dyn Machine) -> Result<(), Stop> {
+    if machine.control().active_edge().is_none() {
+        return Err(Stop::Alarm(NO_TOOL_LENGTH));
+    }
+    if machine.in_contact() {
+        return Err(Stop::Alarm(STYLUS_IN_CONTACT));
+    }
+    Ok(())
+}
+
+/// What a measuring macro looks at first; a failed G101 before it stops it (C:121-123).
+pub fn ready_to_measure(machine: &mut dyn Machine) -> Result<(), Stop> {
+    if machine.control().number(POSITION_LOST) == 1.0 {
+        return Err(Stop::Alarm(OUT_OF_POSITION));
+    }
+    ready(machine)
+}
+
+/// A length that the manual gives in both systems (5 mm or 0.2 inch), in mm by the active one (C:94).
+pub fn by_system(machine: &mut dyn Machine, metric: f64, inch: f64) -> f64 {
+    match machine.control().active_units {
+        crate::control::Units::Metric => metric,
+        crate::control::Units::Inch => inch * crate::control::units::INCH,
+    }
+}
