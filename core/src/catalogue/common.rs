@@ -370,3 +370,14 @@ pub const fn integer(
         source,
     }
 }
+
+/// Alarm numbers as codes.
+pub const fn alarms<const N: usize>(numbers: [u32; N]) -> [Code; N] {
+    let mut codes = [Code::Alarm(0); N];
+    let mut index = 0;
+    while index < N {
+        codes[index] = Code::Alarm(numbers[index]);
+        index += 1;
+    }
+    codes
+}

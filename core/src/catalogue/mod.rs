@@ -9,12 +9,19 @@ pub mod g101;
 pub mod g110;
 pub mod names;
 pub mod nct;
+pub mod place;
+pub mod shared_checks;
 pub mod sinumerik;
 mod when;
 pub use entry::*;
 
 /// Every cycle that Probewright knows, in the order in which they are offered.
-pub static CYCLES: &[&Cycle] = &[&g101::G101, &g110::G110];
+pub static CYCLES: &[&Cycle] = &[
+    &cycle977::CYCLE977,
+    &cycle978::CYCLE978,
+    &g101::G101,
+    &g110::G110,
+];
 
 /// The entry with this name on this control (`CYCLE977`, `G110`; case does not matter).
 pub fn find(dialect: Dialect, name: &str) -> Option<&'static Cycle> {

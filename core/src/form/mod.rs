@@ -3,6 +3,7 @@
 mod codes;
 mod draw;
 mod fields;
+pub mod figures;
 pub mod picture;
 
 pub use draw::draw;

@@ -1,10 +1,14 @@
 //! CYCLE978: one point on a surface parallel to an axis (B:6287-6735).
 
+mod checks;
 pub mod params;
+mod picture;
+mod propose;
 mod results;
 pub mod simulate;
 
-use crate::catalogue::Variant;
+use crate::catalogue::common::alarms;
+use crate::catalogue::{Cycle, Dialect, Variant};
 
 /// Measuring variants (B:6323-6328).
 pub const VARIANTS: &[Variant] = &[
@@ -31,3 +35,43 @@ pub const VARIANTS: &[Variant] = &[
 ];
 
 pub use results::RESULTS;
+
+/// The entry. Example: the surface of B:6632-6704.
+pub static CYCLE978: Cycle = Cycle {
+    dialect: Dialect::Sinumerik,
+    name: "CYCLE978",
+    key: "cycle978",
+    variants: VARIANTS,
+    params: params::PARAMS,
+    results: RESULTS,
+    // A:15840-15948, B:13565
+    alarms: &alarms([
+        61016, 61301, 61302, 61303, 61306, 61307, 61308, 61309, 61310, 61311, 61313, 61318, 61319,
+        61320, 61321, 61322, 61323, 61324, 61325, 61328, 61341, 61343, 61345, 61372, 61373, 61401,
+        61405, 61406, 61407, 62304, 62305, 62306,
+    ]),
+    checks: checks::checks,
+    propose: propose::propose,
+    picture: picture::picture,
+    example: &[
+        ("_MVAR", "0"),
+        ("_SETVAL", "100"),
+        ("_MA", "1"),
+        ("_KNUM", "2001"),
+        ("_TNUM", "20"),
+        ("_PRNUM", "1"),
+        ("_FA", "2"),
+        ("_TSA", "1"),
+        ("_VMS", "0"),
+        ("_NMSP", "1"),
+        ("_EVNUM", "20"),
+        ("_K", "3"),
+        ("_TZL", "0.01"),
+        ("_TMV", "0.02"),
+        ("_TUL", "0.03"),
+        ("_TLL", "-0.03"),
+        ("_TDIF", "0.06"),
+    ],
+    simulate: simulate::simulate,
+    source: "B:6287-6735",
+};

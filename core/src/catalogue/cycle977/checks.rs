@@ -1,0 +1,129 @@
+//! What several values of CYCLE977 say together.
+
+use super::params::{OUTSIDE, RECTANGLE, TOOL, ZONE};
+use crate::catalogue::{names, place, shared_checks};
+use crate::check::{Finding, Inputs, error, warning};
+use crate::control::Control;
+use crate::diagnostic::{Code, Diagnostic};
+use crate::message::Message;
+
+/// All of them.
+pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
+    shared_checks::probe(inputs, control, found);
+    shared_checks::memories(inputs, control, found);
+    shared_checks::weighting(inputs, control, found);
+    shared_checks::tolerances(inputs, found);
+    shared_checks::infeed(inputs, found);
+    // a deviation of a diameter or width shows half at each side
+    shared_checks::reach(inputs, if TOOL.holds(inputs) { 0.5 } else { 1.0 }, found);
+    let ball = place::ball_radius(inputs, control);
+    for size in sizes(inputs) {
+        room(inputs, &size, ball, found);
+    }
+}
+
+/// One measured size with the protection zone in its direction, mm.
+struct Size {
+    name: &'static str,
+    size: f64,
+    zone: Option<(&'static str, f64)>,
+}
+
+fn sizes(inputs: &Inputs) -> Vec<Size> {
+    let pairs = if RECTANGLE.holds(inputs) {
+        vec![(names::SETV0, names::SZA), (names::SETV1, names::SZO)]
+    } else {
+        vec![(names::SETVAL, names::SZA)]
+    };
+    let zone = |name| {
+        inputs
+            .given(name)
+            .filter(|_| ZONE.holds(inputs))
+            .map(|zone| (name, zone))
+    };
+    pairs
+        .into_iter()
+        .filter_map(|(name, other)| {
+            Some(Size {
+                name,
+                size: inputs.given(name)?,
+                zone: zone(other),
+            })
+        })
+        .collect()
+}
+
+/// Whether ball, measuring path and protection zone find room (B:5801-5809, B:5943-5951).
+fn room(inputs: &Inputs, size: &Size, ball: f64, found: &mut Vec<Diagnostic>) {
+    let outside = OUTSIDE.holds(inputs);
+    if !outside && size.size <= 2.0 * ball {
+        let message = Message::new("check-ball")
+            .text("param", size.name)
+            .number("ball", 2.0 * ball);
+        let hint = Message::new("check-ball-hint");
+        found.push(error(Code::Own(30), message).hint(hint).at(size.name));
+        return;
+    }
+    match size.zone {
+        Some((name, zone)) => beside_zone(inputs, (name, zone), size.size, ball, outside, found),
+        None if !outside => across(inputs, size, ball, found),
+        None => {}
+    }
+}
+
+/// Inside and without a zone the start of the measuring block must not lie in the opposite wall.
+fn across(inputs: &Inputs, size: &Size, ball: f64, found: &mut Vec<Diagnostic>) {
+    let free = size.size - 2.0 * ball;
+    if inputs.given(names::FA).is_some_and(|path| path >= free) {
+        let message = Message::new("check-path-long")
+            .text("param", size.name)
+            .number("free", free);
+        let hint = Message::new("check-path-long-hint").number("free", free);
+        found.push(error(Code::Alarm(61302), message).hint(hint).at(names::FA));
+    }
+}
+
+/// Beside a zone the path is shortened until the ball fits; where it cannot, the cycle stops with 61334.
+fn beside_zone(
+    inputs: &Inputs,
+    (name, zone): (&'static str, f64),
+    size: f64,
+    ball: f64,
+    outside: bool,
+    found: &mut Vec<Diagnostic>,
+) {
+    let gap = if outside { zone - size } else { size - zone };
+    let free = gap / 2.0 - 2.0 * ball;
+    let alarm = |key: &'static str, hint: &'static str| {
+        let message = Message::new(key)
+            .number("zone", zone)
+            .number("size", size)
+            .number("ball", 2.0 * ball);
+        error(Code::Alarm(61334), message)
+            .hint(Message::new(hint).number("limit", limit(size, ball, outside)))
+            .at(name)
+    };
+    let finding = match (gap <= 0.0, free <= 0.0, outside) {
+        (true, _, false) => alarm("check-zone-wide", "check-zone-wide-hint"),
+        (true, _, true) => alarm("check-zone-narrow", "check-zone-narrow-hint"),
+        (_, true, false) => alarm("check-zone-ball", "check-zone-wide-hint"),
+        (_, true, true) => alarm("check-zone-ball", "check-zone-narrow-hint"),
+        _ if inputs.given(names::FA).is_some_and(|path| path > free) => {
+            let message = Message::new("check-zone-shortens").number("free", free);
+            warning(Code::Own(31), message)
+                .hint(Message::new("check-zone-shortens-hint"))
+                .at(names::FA)
+        }
+        _ => return,
+    };
+    found.push(finding);
+}
+
+/// Largest zone inside, smallest zone outside.
+fn limit(size: f64, ball: f64, outside: bool) -> f64 {
+    if outside {
+        size + 4.0 * ball
+    } else {
+        size - 4.0 * ball
+    }
+}

@@ -1,0 +1,316 @@
+//! CYCLE977 drawn: the element from above, and below it the section with the infeed where there is one.
+//! Missing values are drawn as in the manual's examples. Short distances (`_FA`, tolerances) are drawn longer than they
+//! are, so that they can be seen beside the element.
+
+use super::params::{OUTSIDE, RECTANGLE, TOOL, WIDTH, ZONE};
+use crate::catalogue::names;
+use crate::check::Inputs;
+use crate::form::figures::{circle, corners, dimension, frame, line, polygon, rectangle, round};
+use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
+
+/// What is drawn, mm.
+struct Scene {
+    outside: bool,
+    round: bool,
+    /// Size in abscissa and ordinate; the free direction of a groove or web is its length.
+    size: [f64; 2],
+    /// The same of the protection zone.
+    zone: Option<[f64; 2]>,
+    /// Axes that are measured: 0 abscissa, 1 ordinate.
+    axes: &'static [usize],
+    rectangle: bool,
+    ball: f64,
+    path: f64,
+}
+
+/// The picture.
+pub fn picture(inputs: &Inputs) -> Picture {
+    let scene = scene(inputs);
+    let mut shapes = part(&scene);
+    axes(&scene, &mut shapes);
+    zone(&scene, &mut shapes);
+    for axis in scene.axes {
+        measure(&scene, *axis, &mut shapes);
+    }
+    sizes(&scene, &mut shapes);
+    bands(&scene, TOOL.holds(inputs), &mut shapes);
+    shapes.push(circle(ShapeKind::Probe, [0.0; 2], scene.ball).of(names::PRNUM));
+    if scene.outside || scene.zone.is_some() {
+        section(&scene, &mut shapes);
+    }
+    Picture {
+        view: View::Plane,
+        shapes,
+    }
+}
+
+fn positive(inputs: &Inputs, name: &str, otherwise: f64) -> f64 {
+    inputs
+        .given(name)
+        .filter(|value| *value > 0.0)
+        .unwrap_or(otherwise)
+}
+
+fn scene(inputs: &Inputs) -> Scene {
+    let outside = OUTSIDE.holds(inputs);
+    let rectangle = RECTANGLE.holds(inputs);
+    let width = WIDTH.holds(inputs);
+    let across = usize::from(inputs.integer(names::MA) == 2);
+    let set = positive(inputs, names::SETVAL, 132.0);
+    let mut size = [set; 2];
+    if rectangle {
+        size = [
+            positive(inputs, names::SETV0, 100.0),
+            positive(inputs, names::SETV1, 200.0),
+        ];
+    } else if width {
+        size[1 - across] = set * 1.4;
+    }
+    let beside = |size: f64| if outside { size * 1.5 } else { size * 0.4 };
+    let zone = ZONE.holds(inputs).then(|| {
+        let first = positive(
+            inputs,
+            names::SZA,
+            beside(if rectangle { size[0] } else { set }),
+        );
+        let mut zone = [first; 2];
+        if rectangle {
+            zone[1] = positive(inputs, names::SZO, beside(size[1]));
+        } else if width {
+            zone[1 - across] = size[1 - across];
+        }
+        zone
+    });
+    let least = size[0].min(size[1]);
+    Scene {
+        outside,
+        round: !rectangle && !width,
+        size,
+        zone,
+        axes: match (width, across) {
+            (true, 0) => &[0],
+            (true, _) => &[1],
+            _ => &[0, 1],
+        },
+        rectangle,
+        ball: least * 0.045,
+        path: positive(inputs, names::FA, 2.0).clamp(least * 0.1, least * 0.25),
+    }
+}
+
+fn largest(scene: &Scene) -> f64 {
+    let zone = scene.zone.unwrap_or([0.0; 2]);
+    scene.size[0].max(scene.size[1]).max(zone[0]).max(zone[1])
+}
+
+fn part(scene: &Scene) -> Vec<PictureShape> {
+    let outline = if scene.round {
+        round([0.0; 2], scene.size[0] / 2.0)
+    } else {
+        corners([0.0; 2], scene.size)
+    };
+    let field = if scene.rectangle {
+        names::SETV0
+    } else {
+        names::SETVAL
+    };
+    let edge = polygon(ShapeKind::Edge, outline.clone()).of(field);
+    if scene.outside {
+        return vec![polygon(ShapeKind::Material, outline), edge];
+    }
+    let mut block = [scene.size[0] * 1.3, scene.size[1] * 1.3];
+    if let [axis] = scene.axes {
+        block[1 - axis] = scene.size[1 - axis]; // a groove is open at its ends
+    }
+    vec![
+        polygon(
+            ShapeKind::Material,
+            frame(corners([0.0; 2], block), outline),
+        ),
+        edge,
+    ]
+}
+
+fn axes(scene: &Scene, shapes: &mut Vec<PictureShape>) {
+    for axis in 0..2 {
+        let reach = scene.size[axis] * if scene.outside { 0.85 } else { 0.75 };
+        let mut shape = line(
+            ShapeKind::Axis,
+            vec![along(axis, -reach), along(axis, reach)],
+        )
+        .text(if axis == 0 { "1" } else { "2" });
+        if scene.axes == [axis] {
+            shape = shape.of(names::MA);
+        }
+        shapes.push(shape);
+    }
+}
+
+/// A point on an axis.
+fn along(axis: usize, value: f64) -> [f64; 2] {
+    let mut point = [0.0; 2];
+    point[axis] = value;
+    point
+}
+
+fn zone(scene: &Scene, shapes: &mut Vec<PictureShape>) {
+    let Some(zone) = scene.zone else { return };
+    shapes.push(if scene.round {
+        circle(ShapeKind::Zone, [0.0; 2], zone[0] / 2.0).of(names::SZA)
+    } else {
+        rectangle(ShapeKind::Zone, [0.0; 2], zone).of(names::SZA)
+    });
+    let first = scene.axes.first().copied().unwrap_or(0);
+    let span = |axis: usize, at: f64| {
+        let (mut from, mut to) = (
+            along(axis, -zone[axis] / 2.0),
+            along(axis, zone[axis] / 2.0),
+        );
+        (from[1 - axis], to[1 - axis]) = (at, at);
+        (from, to)
+    };
+    let (from, to) = span(first, zone[1 - first] * 0.2);
+    shapes.push(dimension(names::SZA, from, to));
+    if scene.rectangle {
+        let (from, to) = span(1, zone[0] * 0.2);
+        shapes.push(dimension(names::SZO, from, to));
+    }
+}
+
+/// Both touches in an axis: start of the measuring block, way, point. The plus side comes first (B:5773).
+fn measure(scene: &Scene, axis: usize, shapes: &mut Vec<PictureShape>) {
+    for (side, order) in [(1.0, 1), (-1.0, 2)] {
+        let number = order + if scene.axes.len() == 2 { 2 * axis } else { 0 };
+        let away = if scene.outside { 1.0 } else { -1.0 };
+        let touch = side * scene.size[axis] / 2.0;
+        let switching = touch + side * away * scene.ball;
+        let start = switching + side * away * scene.path;
+        shapes.push(
+            line(
+                ShapeKind::Path,
+                vec![along(axis, start), along(axis, switching)],
+            )
+            .of(names::FA),
+        );
+        shapes.push(circle(ShapeKind::Probe, along(axis, start), scene.ball).of(names::PRNUM));
+        shapes.push(
+            circle(ShapeKind::Touch, along(axis, touch), scene.ball * 0.3)
+                .text(number.to_string())
+                .of(names::NMSP),
+        );
+    }
+}
+
+fn sizes(scene: &Scene, shapes: &mut Vec<PictureShape>) {
+    for (index, axis) in scene.axes.iter().copied().enumerate() {
+        let field = match (scene.rectangle, axis) {
+            (true, 0) => names::SETV0,
+            (true, _) => names::SETV1,
+            _ => names::SETVAL,
+        };
+        if index == 1 && scene.round {
+            break; // one diameter
+        }
+        let half = scene.size[axis] / 2.0;
+        let (mut from, mut to) = (along(axis, -half), along(axis, half));
+        let beside = -scene.size[1 - axis] * if scene.outside { 0.62 } else { 0.25 };
+        (from[1 - axis], to[1 - axis]) = (beside, beside);
+        shapes.push(dimension(field, from, to));
+    }
+    let axis = scene.axes.first().copied().unwrap_or(0);
+    let sign = if scene.outside { 1.0 } else { -1.0 };
+    let switching = scene.size[axis] / 2.0 + sign * scene.ball;
+    let (mut from, mut to) = (
+        along(axis, switching + sign * scene.path),
+        along(axis, switching),
+    );
+    (from[1 - axis], to[1 - axis]) = (scene.ball * 2.0, scene.ball * 2.0);
+    shapes.push(dimension(names::FA, from, to));
+}
+
+/// Tolerance bands of the size, or the safe area of the centre; wider than they are.
+fn bands(scene: &Scene, tool: bool, shapes: &mut Vec<PictureShape>) {
+    let unit = scene.size[0].min(scene.size[1]) * 0.02;
+    let band = |wider: f64, field| {
+        let size = scene.size.map(|size| size + 2.0 * wider);
+        let shape = if scene.round {
+            circle(ShapeKind::Tolerance, [0.0; 2], size[0] / 2.0)
+        } else {
+            rectangle(ShapeKind::Tolerance, [0.0; 2], size)
+        };
+        shape.of(field)
+    };
+    if tool {
+        for (wider, field) in [
+            (unit, names::TUL),
+            (-unit, names::TLL),
+            (1.8 * unit, names::TDIF),
+            (2.6 * unit, names::TSA),
+        ] {
+            shapes.push(band(wider, field));
+        }
+    } else {
+        shapes.push(rectangle(ShapeKind::Tolerance, [0.0; 2], [8.0 * unit; 2]).of(names::TSA));
+    }
+}
+
+/// Section through the measuring axis, below the view from above: start height, infeed, measuring height.
+fn section(scene: &Scene, shapes: &mut Vec<PictureShape>) {
+    let axis = scene.axes.first().copied().unwrap_or(0);
+    let (width, all) = (scene.size[axis], largest(scene));
+    let face = -all * 0.5 - all * 0.45; // the face lies below the view from above
+    let depth = all * 0.25;
+    let block = |from: f64, to: f64| {
+        polygon(
+            ShapeKind::Material,
+            vec![
+                [from, face - depth],
+                [to, face - depth],
+                [to, face],
+                [from, face],
+            ],
+        )
+    };
+    if scene.outside {
+        shapes.push(block(-width / 2.0, width / 2.0));
+    } else {
+        shapes.push(block(-width * 0.65, -width / 2.0));
+        shapes.push(block(width / 2.0, width * 0.65));
+    }
+    if let Some(zone) = scene.zone {
+        let height = if scene.outside { depth } else { depth * 0.9 };
+        for (from, to) in section_zone(scene.outside, zone[axis], all) {
+            let corners = vec![
+                [from, face - depth],
+                [to, face - depth],
+                [to, face - depth + height],
+                [from, face - depth + height],
+            ];
+            shapes.push(polygon(ShapeKind::Zone, corners).of(names::SZA));
+        }
+    }
+    let away = if scene.outside { 1.0 } else { -1.0 };
+    let start = width / 2.0 + away * (scene.ball + scene.path);
+    let (high, low) = (face + depth * 0.5, face - depth * 0.5);
+    shapes.push(
+        line(
+            ShapeKind::Path,
+            vec![[0.0, high], [start, high], [start, low]],
+        )
+        .of(names::ID),
+    );
+    shapes.push(circle(ShapeKind::Probe, [0.0, high], scene.ball).of(names::ID));
+    shapes.push(circle(ShapeKind::Probe, [start, low], scene.ball).of(names::ID));
+    let beside = start + away * scene.ball * 2.5;
+    shapes.push(dimension(names::ID, [beside, high], [beside, low]));
+}
+
+/// Where the zone is cut: one piece in the middle, or two outside of the free room.
+fn section_zone(outside: bool, zone: f64, all: f64) -> Vec<(f64, f64)> {
+    if outside {
+        let wall = zone / 2.0 + all * 0.08;
+        vec![(-wall, -zone / 2.0), (zone / 2.0, wall)]
+    } else {
+        vec![(-zone / 2.0, zone / 2.0)]
+    }
+}

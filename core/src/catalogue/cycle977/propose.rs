@@ -1,0 +1,74 @@
+//! A nominal part for CYCLE977 about the origin of the WCS, its upper face at applicate 0.
+
+use super::params::{OUTSIDE, RECTANGLE, ZONE};
+use crate::catalogue::{Proposal, names, place};
+use crate::check::Inputs;
+use crate::control::Control;
+use crate::workpiece::{Shape, Workpiece};
+
+/// Measuring depth of the ball centre where `_ID` does not decide it, mm.
+const DEPTH: f64 = 10.0;
+
+/// Part and start: set centre; at measuring height inside without a zone, above otherwise (B:5904-5941).
+pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
+    let ball = place::ball_radius(inputs, control);
+    let (start, depth) = if OUTSIDE.holds(inputs) || ZONE.holds(inputs) {
+        above(inputs.number(names::ID).abs(), ball)
+    } else {
+        (-DEPTH, DEPTH)
+    };
+    let height = depth + 2.0 * ball + 10.0;
+    let x = if inputs.integer(names::MA) == 2 {
+        [0.0, 1.0, 0.0]
+    } else {
+        [1.0, 0.0, 0.0]
+    };
+    let part = place::solid(control, shape(inputs, height), [0.0; 3], x, [0.0, 0.0, 1.0]);
+    Proposal {
+        workpiece: Workpiece { solids: vec![part] },
+        start: place::in_plane(control, [0.0, 0.0, start]),
+    }
+}
+
+/// Start height of the ball centre and measuring depth below the face: the infeed is their sum. The ball stays clear
+/// of the face by a third of what is left, at most 10 mm.
+fn above(infeed: f64, ball: f64) -> (f64, f64) {
+    let clear = ((infeed - ball) / 3.0).clamp(0.5, 10.0);
+    let start = ball + clear;
+    (start, (infeed - start).max(0.0))
+}
+
+fn shape(inputs: &Inputs, height: f64) -> Shape {
+    let size = inputs.number(names::SETVAL);
+    let length = if RECTANGLE.holds(inputs) {
+        [inputs.number(names::SETV0), inputs.number(names::SETV1)]
+    } else {
+        [size; 2]
+    };
+    let along = (size * 1.5).max(40.0);
+    match inputs.variant % 10 {
+        1 => Shape::Hole {
+            diameter: size,
+            depth: height,
+        },
+        2 => Shape::Shaft {
+            diameter: size,
+            height,
+        },
+        3 => Shape::Groove {
+            width: size,
+            depth: height,
+            length: along,
+        },
+        4 => Shape::Web {
+            width: size,
+            height,
+            length: along,
+        },
+        5 => Shape::Pocket {
+            length,
+            depth: height,
+        },
+        _ => Shape::Island { length, height },
+    }
+}

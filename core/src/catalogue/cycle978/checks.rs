@@ -1,0 +1,41 @@
+//! What several values of CYCLE978 say together.
+
+use super::params::DIFFERENTIAL;
+use crate::catalogue::{names, shared_checks};
+use crate::check::{Finding, Inputs, error};
+use crate::control::Control;
+use crate::diagnostic::{Code, Diagnostic};
+use crate::message::Message;
+
+/// All of them.
+pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
+    shared_checks::probe(inputs, control, found);
+    shared_checks::memories(inputs, control, found);
+    shared_checks::weighting(inputs, control, found);
+    shared_checks::tolerances(inputs, found);
+    shared_checks::reach(inputs, 1.0, found);
+    if DIFFERENTIAL.holds(inputs) {
+        differential(inputs, found);
+    }
+}
+
+/// The spindle turns a multi probe between two measurements in the plane (B:6308, B:6418). The alarms are ours:
+/// the manual names none.
+fn differential(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
+    if inputs.integer(names::PRNUM) / 100 == 1 {
+        let message = Message::new("check-differential-mono");
+        found.push(
+            error(Code::Alarm(61313), message)
+                .hint(Message::new("check-differential-mono-hint"))
+                .at(names::PRNUM),
+        );
+    }
+    if inputs.integer(names::MA) == 3 {
+        let message = Message::new("check-differential-axis");
+        found.push(
+            error(Code::Alarm(61325), message)
+                .hint(Message::new("check-differential-axis-hint"))
+                .at(names::MA),
+        );
+    }
+}

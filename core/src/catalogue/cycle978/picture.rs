@@ -1,0 +1,95 @@
+//! CYCLE978 drawn: from above for the axes of the plane, as a section for the applicate. The set position stands where
+//! the drawing has room; short distances are drawn longer than they are.
+
+use super::params::{DIFFERENTIAL, TOOL};
+use crate::catalogue::names;
+use crate::check::Inputs;
+use crate::form::figures::{circle, dimension, line, polygon};
+use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
+
+/// Half the length of the drawn face, mm.
+const FACE: f64 = 30.0;
+/// Thickness behind the face, mm.
+const BEHIND: f64 = 24.0;
+/// Ball radius, mm.
+const BALL: f64 = 3.0;
+/// Where the zero point of the axis is drawn, mm from the face.
+const ZERO: f64 = -44.0;
+
+/// The picture.
+pub fn picture(inputs: &Inputs) -> Picture {
+    let axis = inputs.integer(names::MA).clamp(1, 3);
+    let path = inputs
+        .given(names::FA)
+        .filter(|path| *path > 0.0)
+        .unwrap_or(2.0)
+        .clamp(6.0, 24.0);
+    let mut shapes = lying(path, TOOL.holds(inputs));
+    if DIFFERENTIAL.holds(inputs) {
+        let turn = circle(ShapeKind::Axis, [-BALL - path, 0.0], BALL * 1.8);
+        shapes.push(turn.text("180°/0°").of(names::MVAR));
+    }
+    for shape in &mut shapes {
+        turn(shape, axis);
+    }
+    let label = line(ShapeKind::Label, vec![[-FACE, FACE * 1.25]]);
+    let value = inputs
+        .given(names::SETVAL)
+        .map_or(names::SETVAL.to_string(), |set| {
+            format!("{} = {set}", names::SETVAL)
+        });
+    shapes.push(label.text(value).of(names::SETVAL));
+    let view = if axis == 3 {
+        View::Section
+    } else {
+        View::Plane
+    };
+    Picture { view, shapes }
+}
+
+/// The face at 0, touched along the first drawing axis.
+fn lying(path: f64, tool: bool) -> Vec<PictureShape> {
+    let start = -BALL - path;
+    let mut shapes = vec![
+        polygon(
+            ShapeKind::Material,
+            vec![[0.0, -FACE], [BEHIND, -FACE], [BEHIND, FACE], [0.0, FACE]],
+        ),
+        line(ShapeKind::Edge, vec![[0.0, -FACE], [0.0, FACE]]).of(names::SETVAL),
+        line(ShapeKind::Axis, vec![[ZERO, 0.0], [BEHIND * 1.3, 0.0]]).of(names::MA),
+        line(ShapeKind::Axis, vec![[ZERO, -FACE], [ZERO, FACE]]).text("0"),
+        line(ShapeKind::Path, vec![[start, 0.0], [-BALL, 0.0]]).of(names::FA),
+        circle(ShapeKind::Probe, [start, 0.0], BALL).of(names::PRNUM),
+        circle(ShapeKind::Touch, [0.0, 0.0], BALL * 0.3)
+            .text("1")
+            .of(names::NMSP),
+        dimension(names::SETVAL, [ZERO, -FACE * 0.6], [0.0, -FACE * 0.6]),
+        dimension(names::FA, [start, BALL * 2.5], [-BALL, BALL * 2.5]),
+    ];
+    let band = |at: f64, field| line(ShapeKind::Tolerance, vec![[at, -FACE], [at, FACE]]).of(field);
+    if tool {
+        shapes.extend([
+            band(1.2, names::TUL),
+            band(-1.2, names::TLL),
+            band(2.2, names::TDIF),
+            band(-2.2, names::TDIF),
+        ]);
+    }
+    shapes.extend([band(3.2, names::TSA), band(-3.2, names::TSA)]);
+    shapes
+}
+
+/// Turns a figure so that it is touched along the measuring axis: ordinate upwards, applicate downwards from above.
+fn turn(shape: &mut PictureShape, axis: i64) {
+    let place = |[x, y]: [f64; 2]| match axis {
+        2 => [-y, x],
+        3 => [y, -x],
+        _ => [x, y],
+    };
+    for point in &mut shape.points {
+        *point = place(*point);
+    }
+    if let Some((centre, _)) = &mut shape.circle {
+        *centre = place(*centre);
+    }
+}

@@ -1,0 +1,46 @@
+//! Nominal parts and the probe in the active plane: what proposals and checks of the milling cycles share.
+
+use super::names;
+use crate::check::Inputs;
+use crate::control::Control;
+use crate::geometry::rigid::angles;
+use crate::workpiece::{PartErrors, Shape, Solid};
+use nalgebra::{Matrix3, Rotation3, Vector3};
+
+/// Ball radius that the cycle reckons with, mm: half of `_WP[k,0]` of the probe in `_PRNUM` (B:13442), else the
+/// radius of the active tool, else 3 mm, the ball of the manual's examples.
+pub fn ball_radius(inputs: &Inputs, control: &Control) -> f64 {
+    let index = inputs.integer(names::PRNUM) % 100 - 1;
+    let stored = control.number(&format!("_WP[{index},0]")) / 2.0;
+    let per = crate::check::factor(super::Unit::BasicLength, control);
+    let active = control
+        .edge_of(control.tool, control.edge)
+        .map_or(0.0, |edge| edge.radius);
+    [stored * per, active, 3.0]
+        .into_iter()
+        .find(|radius| *radius > 0.0)
+        .unwrap_or(3.0)
+}
+
+/// A point given as abscissa, ordinate, applicate in X Y Z of the WCS.
+pub fn in_plane(control: &Control, point: [f64; 3]) -> [f64; 3] {
+    let mut xyz = [0.0; 3];
+    for (index, axis) in control.plane.axes().into_iter().enumerate() {
+        xyz[axis] = point[index];
+    }
+    xyz
+}
+
+/// A nominal solid: its origin and the directions of its X and Z axes, given as abscissa, ordinate, applicate of the WCS.
+pub fn solid(control: &Control, shape: Shape, at: [f64; 3], x: [f64; 3], z: [f64; 3]) -> Solid {
+    let direction =
+        |axis: [f64; 3]| Vector3::from(control.direction_to_machine(in_plane(control, axis)));
+    let (x, z) = (direction(x), direction(z));
+    let columns = Matrix3::from_columns(&[x, z.cross(&x), z]);
+    Solid {
+        shape,
+        at: control.to_machine(in_plane(control, at)),
+        rotation: angles(&Rotation3::from_matrix_unchecked(columns)),
+        errors: PartErrors::default(),
+    }
+}

@@ -1,0 +1,172 @@
+//! Checks over several parameters that the SINUMERIK workpiece cycles share.
+
+use super::names;
+use crate::check::{Finding, Inputs, error, note, warning};
+use crate::control::Control;
+use crate::diagnostic::{Code, Diagnostic};
+use crate::message::Message;
+
+/// Probe number beyond the data fields `_WP[]` (`_CVAL[1]`, B:13346) or a type other than multi and mono.
+pub fn probe(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
+    let Some(code) = inputs.given(names::PRNUM).map(|code| code as i64) else {
+        return;
+    };
+    let fields = match control.number("_CVAL[1]") {
+        0.0 => 3.0,
+        fields => fields,
+    };
+    let number = code % 100;
+    if number < 1 || number as f64 > fields {
+        let message = Message::new("check-probe-number").number("number", number as f64);
+        let hint = Message::new("check-probe-number-hint").number("fields", fields);
+        found.push(
+            error(Code::Alarm(61313), message)
+                .hint(hint)
+                .at(names::PRNUM),
+        );
+    }
+    let offset = inputs.given(names::CORA).unwrap_or(0.0);
+    if code / 100 == 1 && offset != 0.0 && !control.bit("_CBIT[8]") {
+        let message = Message::new("check-cora-off");
+        found.push(
+            warning(Code::Own(20), message)
+                .hint(Message::new("check-cora-off-hint"))
+                .at(names::CORA),
+        );
+    }
+}
+
+/// Memories of mean and empirical values beyond the arrays (`_EVMVNUM`, B:13717). What a control does then is not
+/// defined; the access would fail.
+pub fn memories(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
+    let Some(code) = inputs.given(names::EVNUM).map(|code| code as i64) else {
+        return;
+    };
+    let (mean, empirical) = if code > 9999 {
+        (code / 10_000, code % 10_000)
+    } else {
+        (code, code)
+    };
+    for (number, array, key) in [
+        (empirical, "_EVMVNUM[0]", "check-empirical-memory"),
+        (mean, "_EVMVNUM[1]", "check-mean-memory"),
+    ] {
+        let size = control.number(array);
+        if number as f64 > size {
+            let message = Message::new(key)
+                .number("number", number as f64)
+                .number("size", size);
+            let hint = Message::new("check-memory-hint").text("array", array);
+            found.push(error(Code::Own(21), message).hint(hint).at(names::EVNUM));
+            return;
+        }
+    }
+}
+
+/// Order of the tolerance parameters: `_TLL` < `_TUL`; zero offset area inside the mean value range, band inside
+/// `_TDIF` inside `_TSA` (B:1310-1394). Both tolerances count from their middle (B:2205).
+pub fn tolerances(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
+    if let (Some(upper), Some(lower)) = (inputs.given(names::TUL), inputs.given(names::TLL)) {
+        if upper < lower {
+            let message = Message::new("check-tolerance-order");
+            found.push(
+                error(Code::Own(22), message)
+                    .hint(Message::new("check-tolerance-order-hint"))
+                    .at(names::TUL),
+            );
+            return;
+        }
+        let half = (upper - lower) / 2.0;
+        order(
+            half,
+            inputs.given(names::TDIF),
+            Code::Own(23),
+            "check-band-difference",
+            names::TDIF,
+            found,
+        );
+    }
+    let given = |name| inputs.given(name);
+    if let Some(low) = given(names::TZL) {
+        order(
+            low,
+            given(names::TMV),
+            Code::Own(24),
+            "check-zero-mean",
+            names::TMV,
+            found,
+        );
+    }
+    if let Some(difference) = given(names::TDIF) {
+        order(
+            difference,
+            given(names::TSA),
+            Code::Own(25),
+            "check-difference-safe",
+            names::TSA,
+            found,
+        );
+    }
+}
+
+/// A doubt when the second is smaller than the first.
+fn order(
+    small: f64,
+    large: Option<f64>,
+    code: Code,
+    key: &'static str,
+    at: &'static str,
+    found: &mut Vec<Diagnostic>,
+) {
+    if large.is_some_and(|large| large < small) {
+        found.push(
+            warning(code, Message::new(key))
+                .hint(Message::new("check-bands-hint"))
+                .at(at),
+        );
+    }
+}
+
+/// Deviations that the safe area allows but the measuring path does not reach: 61301 comes before 61303 (B:5963, B:6388).
+/// `share`: part of the deviation that shows at one point.
+pub fn reach(inputs: &Inputs, share: f64, found: &mut Vec<Diagnostic>) {
+    let (Some(path), Some(area)) = (inputs.given(names::FA), inputs.given(names::TSA)) else {
+        return;
+    };
+    if path < area * share {
+        let message = Message::new("check-reach")
+            .number("path", path)
+            .number("area", area);
+        found.push(
+            warning(Code::Own(26), message)
+                .hint(Message::new("check-reach-hint"))
+                .at(names::FA),
+        );
+    }
+}
+
+/// An infeed that does not lead down to the measuring height (B:5833: minus is down).
+pub fn infeed(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
+    if inputs.given(names::ID).is_some_and(|infeed| infeed >= 0.0) {
+        let message = Message::new("check-infeed");
+        found.push(
+            warning(Code::Own(27), message)
+                .hint(Message::new("check-infeed-hint"))
+                .at(names::ID),
+        );
+    }
+}
+
+/// A memory is named but the weighting says that no mean value is meant, or the reverse (B:2358-2366).
+pub fn weighting(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
+    let weight = inputs.given(names::K).unwrap_or(1.0);
+    let memory = inputs.given(names::EVNUM).unwrap_or(0.0);
+    if weight > 1.0 && memory > 0.0 && !control.bit("_CHBIT[4]") {
+        let message = Message::new("check-mean-off");
+        found.push(
+            note(Code::Own(28), message)
+                .hint(Message::new("check-mean-off-hint"))
+                .at(names::K),
+        );
+    }
+}

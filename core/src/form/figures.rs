@@ -1,0 +1,93 @@
+//! Figures of a picture, put together.
+
+use super::picture::{PictureShape, ShapeKind};
+
+/// Corners of a drawn circle; enough to look round.
+const CORNERS: u32 = 72;
+
+/// A polyline.
+pub fn line(kind: ShapeKind, points: Vec<[f64; 2]>) -> PictureShape {
+    PictureShape {
+        kind,
+        points,
+        circle: None,
+        closed: false,
+        text: None,
+        field: None,
+    }
+}
+
+/// A polygon.
+pub fn polygon(kind: ShapeKind, points: Vec<[f64; 2]>) -> PictureShape {
+    PictureShape {
+        closed: true,
+        ..line(kind, points)
+    }
+}
+
+/// A circle.
+pub fn circle(kind: ShapeKind, centre: [f64; 2], radius: f64) -> PictureShape {
+    PictureShape {
+        circle: Some((centre, radius)),
+        closed: true,
+        ..line(kind, Vec::new())
+    }
+}
+
+/// A rectangle about a centre.
+pub fn rectangle(kind: ShapeKind, centre: [f64; 2], size: [f64; 2]) -> PictureShape {
+    polygon(kind, corners(centre, size))
+}
+
+/// Corners of a rectangle, counter-clockwise.
+pub fn corners([x, y]: [f64; 2], [width, height]: [f64; 2]) -> Vec<[f64; 2]> {
+    let (w, h) = (width / 2.0, height / 2.0);
+    vec![
+        [x - w, y - h],
+        [x + w, y - h],
+        [x + w, y + h],
+        [x - w, y + h],
+    ]
+}
+
+/// Corners of a circle, counter-clockwise.
+pub fn round([x, y]: [f64; 2], radius: f64) -> Vec<[f64; 2]> {
+    let corner = |index: u32| {
+        let (sin, cos) = (f64::from(index) / f64::from(CORNERS) * std::f64::consts::TAU).sin_cos();
+        [x + radius * cos, y + radius * sin]
+    };
+    (0..CORNERS).map(corner).collect()
+}
+
+/// One outline around another, as a single polygon that every fill rule fills alike.
+pub fn frame(mut outer: Vec<[f64; 2]>, mut inner: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+    if let (Some(first), Some(opening)) = (outer.first().copied(), inner.first().copied()) {
+        outer.push(first);
+        inner.push(opening);
+        inner.reverse();
+        outer.append(&mut inner);
+        outer.push(first);
+    }
+    outer
+}
+
+impl PictureShape {
+    /// The same with a text.
+    pub fn text(mut self, text: impl Into<String>) -> Self {
+        self.text = Some(text.into());
+        self
+    }
+
+    /// The same for a parameter.
+    pub fn of(mut self, field: &'static str) -> Self {
+        self.field = Some(field);
+        self
+    }
+}
+
+/// A dimension line of a parameter, with its name.
+pub fn dimension(field: &'static str, from: [f64; 2], to: [f64; 2]) -> PictureShape {
+    line(ShapeKind::Dimension, vec![from, to])
+        .text(field)
+        .of(field)
+}
