@@ -86,3 +86,43 @@ pub fn bracketed(f: impl Fn(f64) -> f64, low: f64, high: f64) -> Option<f64> {
 fn value(coefficients: &[f64], x: f64) -> f64 {
     coefficients.iter().rev().fold(0.0, |sum, c| sum * x + c)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    // oracle: hand: (x − 1)(x − 2)(x − 3)(x + 4)
+    #[test]
+    fn quartic_with_known_roots() {
+        let found = polynomial(&[-24.0, 38.0, -13.0, -2.0, 1.0], -10.0, 10.0);
+        assert_eq!(found.len(), 4, "{found:?}");
+        for (root, expected) in found.iter().zip([-4.0, 1.0, 2.0, 3.0]) {
+            assert!((root - expected).abs() < 1e-12, "{found:?}");
+        }
+        assert_eq!(
+            polynomial(&[-24.0, 38.0, -13.0, -2.0, 1.0], 1.5, 2.5).len(),
+            1
+        );
+    }
+
+    // oracle: hand; the small root keeps its digits
+    #[test]
+    fn quadratic_without_cancellation() {
+        assert_eq!(quadratic(1.0, -3.0, 2.0), [1.0, 2.0]);
+        assert!(quadratic(1.0, 0.0, 1.0).is_empty());
+        assert_eq!(quadratic(0.0, 2.0, -3.0), [1.5]);
+        let small = quadratic(1.0, -1e8, 1.0)[0];
+        assert!((small / 1e-8 - 1.0).abs() < 1e-12, "{small}");
+    }
+
+    // oracle: hand: x³ = 2
+    #[test]
+    fn bracketed_root() {
+        let root = bracketed(|x| x * x * x - 2.0, 0.0, 10.0);
+        assert!(
+            root.is_some_and(|root| (root - 2f64.cbrt()).abs() < 1e-14),
+            "{root:?}"
+        );
+        assert_eq!(bracketed(|x| x * x + 1.0, -1.0, 1.0), None);
+    }
+}

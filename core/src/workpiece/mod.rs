@@ -6,6 +6,8 @@ pub mod contact;
 mod contact_tests;
 pub mod noise;
 pub mod probe;
+#[cfg(test)]
+mod probe_tests;
 
 /// What can be touched. Nominal sizes in mm, in the part's own frame.
 #[derive(Clone, Debug, PartialEq)]
