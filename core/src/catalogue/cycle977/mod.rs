@@ -7,6 +7,8 @@ mod picture;
 mod propose;
 mod results;
 pub mod simulate;
+#[cfg(test)]
+mod tests;
 mod variants;
 
 pub use results::RESULTS;

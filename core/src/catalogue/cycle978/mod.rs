@@ -6,6 +6,8 @@ mod picture;
 mod propose;
 mod results;
 pub mod simulate;
+#[cfg(test)]
+mod tests;
 
 use crate::catalogue::common::alarms;
 use crate::catalogue::{Cycle, Dialect, Variant};

@@ -3,6 +3,8 @@
 pub mod correct;
 pub mod measuring_block;
 pub mod results;
+#[cfg(test)]
+pub mod testing;
 pub mod tolerance;
 
 use crate::diagnostic::Code;

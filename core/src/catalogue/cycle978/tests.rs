@@ -1,0 +1,211 @@
+//! CYCLE978 on the simulated machine.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use crate::catalogue::sinumerik::testing::{at, call, run, setup, solid, stopped};
+use crate::check::Inputs;
+use crate::control::Plane;
+use crate::run::machine::Sim;
+use crate::run::{Setup, Stop};
+use crate::workpiece::Shape;
+use proptest::prelude::*;
+
+const PLANES: [Plane; 3] = [Plane::G17, Plane::G18, Plane::G19];
+
+/// Beside a block of 100 mm whose faces lie at ±50 in the plane and whose upper face is at 0.
+fn ready(plane: Plane, axis: usize, side: f64, error: f64) -> Setup {
+    let mut setup = setup(plane);
+    let shape = Shape::Block { size: [100.0; 3] };
+    let mut block = solid(plane, shape, [0.0; 3], false);
+    let mut shift = [0.0; 3];
+    let mut position = [10.0, -5.0, -30.0];
+    shift[axis] = error;
+    position[axis] = if axis == 2 { 20.0 } else { side * 70.0 };
+    block.errors.shift = at(plane, shift);
+    setup.workpiece.solids.push(block);
+    setup.position = at(plane, position);
+    setup
+}
+
+fn inputs(variant: i64, axis: usize, side: f64) -> Inputs {
+    let set = if axis == 2 { 0.0 } else { side * 50.0 };
+    call(
+        "CYCLE978",
+        variant,
+        &[
+            ("_SETVAL", set),
+            ("_MA", axis as f64 + 1.0),
+            ("_FA", 4.0),
+            ("_TSA", 3.0),
+            ("_TDIF", 2.5),
+            ("_TUL", 2.4),
+            ("_TLL", -2.4),
+            ("_TMV", 2.0),
+            ("_TZL", 0.0),
+            ("_TNUM", 20.0),
+        ],
+    )
+}
+
+fn close(sim: &Sim, name: &str, value: f64) {
+    let found = sim.control.number(name);
+    assert!((found - value).abs() < 1e-8, "{name} = {found}, expected {value}");
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    /// The position of a surface is found again, in every variant, axis, direction and plane.
+    #[test]
+    fn the_position_is_recovered(error in -2.0..2.0_f64, plane in 0..3_usize, plus in any::<bool>()) {
+        let (plane, side) = (PLANES[plane], if plus { 1.0 } else { -1.0 });
+        for (variant, axes) in [(0, 3), (100, 3), (1000, 2), (1100, 2)] {
+            for axis in 0..axes {
+                let setup = ready(plane, axis, side, error);
+                let mut sim = Sim::new(&setup);
+                let inputs = inputs(variant, axis, side);
+                prop_assert_eq!(run(&mut sim, &inputs), Ok(()));
+                // oracle: hand (the part as it was made)
+                let actual = inputs.number("_SETVAL") + error;
+                close(&sim, "_OVR[4]", actual);
+                close(&sim, &format!("_OVR[{}]", 5 + axis), actual);
+                close(&sim, &format!("_OVR[{}]", 17 + axis), error);
+                // End: the ball _FA before the set surface.
+                let out = if axis == 2 { 1.0 } else { side };
+                let end = inputs.number("_SETVAL") + out * 7.0;
+                prop_assert!((sim.position[plane.axes()[axis]] - end).abs() < 1e-8);
+            }
+        }
+    }
+
+    /// A zero offset that was corrected and activated leaves nothing to correct, whatever the empirical value.
+    #[test]
+    fn a_corrected_zero_offset_measures_zero(error in -2.0..2.0_f64, plane in 0..3_usize, axis in 0..3_usize) {
+        let setup = ready(PLANES[plane], axis, -1.0, error);
+        let mut sim = Sim::new(&setup);
+        let mut inputs = inputs(100, axis, -1.0);
+        inputs.numbers.insert("_KNUM", 1.0);
+        prop_assert_eq!(run(&mut sim, &inputs), Ok(()));
+        sim.control.activate(1);
+        sim.position = sim.control.to_machine(setup.position);
+        prop_assert_eq!(run(&mut sim, &inputs), Ok(()));
+        close(&sim, "_OVR[16]", 0.0);
+    }
+
+    /// An uncalibrated, skewed probe measures right by turning the spindle, and its skew is known afterwards.
+    #[test]
+    fn differential_measurement_finds_the_skew(
+        skew in -0.5..0.5_f64, error in -1.0..1.0_f64, axis in 0..2_usize, plus in any::<bool>(), turned in 0..2_u32,
+    ) {
+        let side = if plus { 1.0 } else { -1.0 };
+        let mut setup = ready(Plane::G17, axis, side, error);
+        setup.probe.skew[axis] = skew;
+        setup.control.spindle = 180.0 * f64::from(turned);
+        (0..9).for_each(|i| setup.control.set(format!("_WP[0,{i}]"), 0.0));
+        let mut sim = Sim::new(&setup);
+        prop_assert_eq!(run(&mut sim, &inputs(1000, axis, side)), Ok(()));
+        close(&sim, "_OVR[16]", error);
+        close(&sim, &format!("_WP[0,{}]", 7 + axis), if turned == 0 { skew } else { -skew });
+        let trigger = 2 * axis + if plus { 1 } else { 2 };
+        close(&sim, &format!("_WP[0,{trigger}]"), side * 3.0);
+        prop_assert_eq!(sim.control.spindle, setup.control.spindle);
+    }
+
+    /// Faces made with the corrected tool get into place.
+    #[test]
+    fn the_tool_offset_loop_converges(wrong in -1.5..1.5_f64, axis in 0..3_usize, plus in any::<bool>()) {
+        let side = if plus || axis == 2 { 1.0 } else { -1.0 };
+        let mut inputs = inputs(0, axis, side);
+        // A face is milled by the radius; the upper face by the length L1.
+        inputs.numbers.insert("_KNUM", if axis == 2 { 1.0 } else { 2001.0 });
+        let mut setup = ready(Plane::G17, axis, side, 0.0);
+        for round in 0..2 {
+            let edge = setup.control.edge_of(20, 1).unwrap();
+            let error = match axis {
+                2 => edge.total_length(0) - 80.0 + wrong,
+                // Believed thicker than it is: the face stays proud by the difference.
+                _ => side * (edge.total_radius() - 10.0 + wrong),
+            };
+            setup.workpiece = ready(Plane::G17, axis, side, error).workpiece;
+            let mut sim = Sim::new(&setup);
+            prop_assert_eq!(run(&mut sim, &inputs), Ok(()));
+            close(&sim, "_OVR[16]", if round == 0 { error } else { 0.0 });
+            setup.control = sim.control;
+        }
+    }
+}
+
+fn surface(error: f64, change: impl Fn(&mut Setup, &mut Inputs)) -> (Sim, Result<(), Stop>) {
+    let mut setup = ready(Plane::G17, 0, 1.0, error);
+    let mut inputs = inputs(0, 0, 1.0);
+    change(&mut setup, &mut inputs);
+    let mut sim = Sim::new(&setup);
+    let outcome = run(&mut sim, &inputs);
+    (sim, outcome)
+}
+
+#[test]
+fn every_alarm() {
+    // oracle: manual A:15842-15944, B:6436-6440
+    let value = |name: &'static str, value: f64| {
+        stopped(surface(0.0, |_, inputs| _ = inputs.numbers.insert(name, value)).1)
+    };
+    assert_eq!(value("_MA", 4.0), 61325);
+    assert_eq!(value("_K", 0.0), 61318);
+    assert_eq!(value("_FA", -1.0), 61308);
+    assert_eq!(value("_KNUM", 5001.0), 61322);
+    assert_eq!(stopped(surface(4.5, |_, _| ()).1), 61301);
+    assert_eq!(stopped(surface(3.5, |_, _| ()).1), 61303);
+    for (error, shown) in [(2.45, 62304), (-2.45, 62305), (2.8, 62306)] {
+        let (sim, outcome) = surface(error, |_, _| ());
+        assert_eq!((alarms_of(&sim), outcome), (vec![shown], Ok(())));
+    }
+    let third = surface(0.0, |_, inputs| {
+        inputs.variant = 1000;
+        inputs.numbers.insert("_MA", 3.0);
+    });
+    assert_eq!(stopped(third.1), 61325);
+}
+
+fn alarms_of(sim: &Sim) -> Vec<u32> {
+    crate::catalogue::sinumerik::testing::alarms(sim)
+}
+
+#[test]
+fn the_empirical_value_counts_with_either_sign() {
+    // oracle: manual B:13924-13926
+    for (bit, change) in [(0.0, 0.48), (1.0, 0.52)] {
+        let (sim, outcome) = surface(0.5, |setup, inputs| {
+            inputs.variant = 100;
+            inputs.numbers.extend([("_KNUM", 1.0), ("_EVNUM", 10.0)]);
+            setup.control.set("_EV[9]", 0.02);
+            setup.control.set("_CHBIT[5]", bit);
+        });
+        assert_eq!(outcome, Ok(()));
+        assert!((sim.control.frames[&1].fine[0] - change).abs() < 1e-9);
+        close(&sim, "_OVR[30]", 0.02);
+        close(&sim, "_OVI[11]", 1.0);
+    }
+}
+
+#[test]
+fn measurements_at_the_same_place_are_averaged() {
+    // oracle: hand (the touches of the trace)
+    let (sim, outcome) = surface(0.5, |setup, inputs| {
+        inputs.numbers.insert("_NMSP", 4.0);
+        setup.probe.repeatability = (0.01, 7);
+    });
+    assert_eq!(outcome, Ok(()));
+    let touches: Vec<f64> = sim
+        .trace
+        .entries
+        .iter()
+        .filter_map(|entry| match entry.step {
+            crate::run::trace::Step::Touch { latched, .. } => Some(latched[0]),
+            _ => None,
+        })
+        .collect();
+    assert_eq!(touches.len(), 4);
+    assert!(touches[0] != touches[1]);
+    close(&sim, "_OVR[4]", touches.iter().sum::<f64>() / 4.0 - 3.0);
+}

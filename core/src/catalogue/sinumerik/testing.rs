@@ -1,0 +1,98 @@
+//! A machine, parts and calls for the tests of the workpiece cycles.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use crate::catalogue::cycle977::params::PARAMS as PARAMS977;
+use crate::catalogue::cycle978::params::PARAMS as PARAMS978;
+use crate::catalogue::{Dialect, find};
+use crate::check::Inputs;
+use crate::control::{Plane, frames};
+use crate::diagnostic::Code;
+use crate::run::machine::Sim;
+use crate::run::trace::Step;
+use crate::run::{Setup, Stop};
+use crate::workpiece::{PartErrors, Shape, Solid};
+use nalgebra::Matrix3;
+
+/// T number of the tool to be corrected: an end mill with all lengths and a radius.
+pub const MILL: i64 = 20;
+
+/// A calibrated machine in this plane with a mill in the magazine; the probe stands 100 mm above the origin.
+pub fn setup(plane: Plane) -> Setup {
+    let mut setup = Setup::calibrated(Dialect::Sinumerik, plane);
+    for (name, value) in [
+        ("$TC_DP1[20,1]", 120.0),
+        ("$TC_DP3[20,1]", 80.0),
+        ("$TC_DP6[20,1]", 10.0),
+    ] {
+        assert!(setup.control.set_variable(name, value));
+    }
+    setup.control.activate(1);
+    setup
+}
+
+/// A point from abscissa, ordinate, applicate.
+pub fn at(plane: Plane, point: [f64; 3]) -> [f64; 3] {
+    let mut place = [0.0; 3];
+    for (axis, value) in plane.axes().into_iter().zip(point) {
+        place[axis] = value;
+    }
+    place
+}
+
+/// A part whose depth lies along the applicate and whose X lies along the abscissa, or with `across` along the ordinate.
+pub fn solid(plane: Plane, shape: Shape, place: [f64; 3], across: bool) -> Solid {
+    let unit = |axis: usize| {
+        let mut unit = [0.0; 3];
+        unit[axis] = 1.0;
+        unit
+    };
+    let [abscissa, ordinate, applicate] = plane.axes().map(unit);
+    let columns = match across {
+        false => [abscissa, ordinate, applicate],
+        true => [ordinate, abscissa.map(|x| -x), applicate],
+    };
+    let matrix = Matrix3::from_columns(&columns.map(Into::into));
+    Solid {
+        shape,
+        at: at(plane, place),
+        rotation: frames::angles(&matrix),
+        errors: PartErrors::default(),
+    }
+}
+
+/// A call: delivered values of all parameters, then these.
+pub fn call(name: &str, variant: i64, values: &[(&'static str, f64)]) -> Inputs {
+    let params = if name == "CYCLE977" { PARAMS977 } else { PARAMS978 };
+    let mut inputs = Inputs::new(find(Dialect::Sinumerik, name).unwrap(), variant);
+    for param in params {
+        if let Some(default) = param.default {
+            inputs.numbers.insert(param.name, default);
+        }
+    }
+    inputs.numbers.extend(values.iter().copied());
+    inputs
+}
+
+/// Runs a call on a machine as it is.
+pub fn run(sim: &mut Sim, inputs: &Inputs) -> Result<(), Stop> {
+    sim.measuring = true;
+    (inputs.cycle.simulate)(sim, inputs)
+}
+
+/// The alarm that stopped a call.
+pub fn stopped(outcome: Result<(), Stop>) -> u32 {
+    match outcome {
+        Err(Stop::Alarm(Code::Alarm(number))) => number,
+        other => panic!("{other:?}"),
+    }
+}
+
+/// Alarms that a trace shows, in order.
+pub fn alarms(sim: &Sim) -> Vec<u32> {
+    let shown = |step: &Step| match step {
+        Step::Alarm(Code::Alarm(number)) => Some(*number),
+        _ => None,
+    };
+    sim.trace.entries.iter().filter_map(|entry| shown(&entry.step)).collect()
+}
