@@ -6,13 +6,13 @@ use crate::catalogue::cycle977::params::PARAMS as PARAMS977;
 use crate::catalogue::cycle978::params::PARAMS as PARAMS978;
 use crate::catalogue::{Dialect, find};
 use crate::check::Inputs;
-use crate::control::{Plane, frames};
+use crate::control::Plane;
 use crate::diagnostic::Code;
 use crate::run::machine::Sim;
 use crate::run::trace::Step;
 use crate::run::{Setup, Stop};
 use crate::workpiece::{PartErrors, Shape, Solid};
-use nalgebra::Matrix3;
+use nalgebra::{Matrix3, Rotation3};
 
 /// T number of the tool to be corrected: an end mill with all lengths and a radius.
 pub const MILL: i64 = 20;
@@ -56,14 +56,18 @@ pub fn solid(plane: Plane, shape: Shape, place: [f64; 3], across: bool) -> Solid
     Solid {
         shape,
         at: at(plane, place),
-        rotation: frames::angles(&matrix),
+        rotation: crate::geometry::rigid::angles(&Rotation3::from_matrix_unchecked(matrix)),
         errors: PartErrors::default(),
     }
 }
 
 /// A call: delivered values of all parameters, then these.
 pub fn call(name: &str, variant: i64, values: &[(&'static str, f64)]) -> Inputs {
-    let params = if name == "CYCLE977" { PARAMS977 } else { PARAMS978 };
+    let params = if name == "CYCLE977" {
+        PARAMS977
+    } else {
+        PARAMS978
+    };
     let mut inputs = Inputs::new(find(Dialect::Sinumerik, name).unwrap(), variant);
     for param in params {
         if let Some(default) = param.default {
@@ -94,5 +98,9 @@ pub fn alarms(sim: &Sim) -> Vec<u32> {
         Step::Alarm(Code::Alarm(number)) => Some(*number),
         _ => None,
     };
-    sim.trace.entries.iter().filter_map(|entry| shown(&entry.step)).collect()
+    sim.trace
+        .entries
+        .iter()
+        .filter_map(|entry| shown(&entry.step))
+        .collect()
 }
