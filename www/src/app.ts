@@ -82,10 +82,16 @@ export async function startApp(core: Core): Promise<void> {
   ];
   let noticed = 0;
   let saving = 0;
+  let warned = false;
+  const keep = (): void => {
+    if (save(store.state) || warned) return;
+    warned = true;
+    store.update({ notice: "notice-not-kept" });
+  };
   draw = () => {
     const state = store.state;
     clearTimeout(saving);
-    saving = window.setTimeout(() => save(store.state), SAVE_AFTER); // sooner when the page goes or the core breaks
+    saving = window.setTimeout(keep, SAVE_AFTER); // sooner when the page goes or the core breaks
     const derived = derive(state);
     layout.draw(state);
     for (const view of views) view(state, derived);

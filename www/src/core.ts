@@ -25,12 +25,21 @@ function call<T>(name: string, run: () => string): T {
   return JSON.parse(json) as T;
 }
 
+/** The cursor, the marks and the list of problems all ask about the same text: it is read once. */
+function readOnce(read: Core["read"]): Core["read"] {
+  let last: { control: Dialect; text: string; view: ReadView } | null = null;
+  return ({ control, text }) => {
+    if (last?.control !== control || last.text !== text) last = { control, text, view: read({ control, text }) };
+    return last.view;
+  };
+}
+
 export async function loadCore(): Promise<Core> {
   await init();
   return {
     catalogue: () => call("catalogue", () => wasm.catalogue()),
     form: (request) => call("form", () => wasm.form(JSON.stringify(request))),
-    read: (request) => call("read", () => wasm.read(JSON.stringify(request))),
+    read: readOnce((request) => call("read", () => wasm.read(JSON.stringify(request)))),
     change: (request) => call("change", () => wasm.change(JSON.stringify(request))),
     run: (request) => call("run", () => wasm.run(JSON.stringify(request))),
   };

@@ -102,10 +102,13 @@ export function load(): Partial<State> | null {
   }
 }
 
-export function save(state: State): void {
+/** false: the browser keeps nothing here (private window) or no more (a very long program). */
+export function save(state: State): boolean {
   try {
     localStorage.setItem(STORE, JSON.stringify(kept(state)));
+    return true;
   } catch (problem) {
-    console.warn("state is not kept", problem); // private windows and full stores: the page goes on without
+    console.warn("state is not kept", problem);
+    return false;
   }
 }

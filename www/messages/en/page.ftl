@@ -164,6 +164,7 @@ notice-copied = Copied.
 notice-inserted = Inserted. The form edits this call now.
 notice-link = Link copied. It holds the form, the program and the errors.
 notice-no-clipboard = The browser gave no access to the clipboard. Select the text and copy it by hand.
+notice-not-kept = The browser does not keep this work. Save the program before you close the page.
 notice-setup = Setup opened.
 notice-no-setup = This file is no setup. Save one here to see what it has to hold.
 

@@ -28,6 +28,8 @@ export function createProgram(root: HTMLElement, store: Store, actions: Actions)
   let text = "";
   let last: Derived | null = null;
   let target: number | null = null;
+  let inEditor: string | null = null; // the text that the editor holds
+  let marked = "";
 
   on(copy, "click", () => void copyText(text, store, "notice-copied"));
   on(open, "click", () => file.click());
@@ -44,6 +46,7 @@ export function createProgram(root: HTMLElement, store: Store, actions: Actions)
       const eol = lineBreak(text);
       const edits = changes.map((one) => ({ from: toProgram(text, one.from), to: toProgram(text, one.to), insert: one.insert.replaceAll("\n", eol) }));
       text = splice(text, edits);
+      inEditor = text;
       actions.editProgram(text);
     },
     moved: (offset: number): void => actions.cursor(toProgram(text, offset)),
@@ -86,9 +89,12 @@ export function createProgram(root: HTMLElement, store: Store, actions: Actions)
         return drawCalls(state, derived);
       }
       editor.setDialect(state.control);
-      editor.setText(text);
+      if (text !== inEditor) editor.setText(text);
+      inEditor = text;
       const step = state.source === "program" ? derived.trace?.entries[state.step]?.line ?? null : null;
-      editor.setMarks({ step, calls: derived.read.calls.map((call, index) => ({ from: call.line, to: call.lastLine, open: index === state.open })) });
+      const next = { step, calls: derived.read.calls.map((call, index) => ({ from: call.line, to: call.lastLine, open: index === state.open })) };
+      if (marked !== JSON.stringify(next)) editor.setMarks(next);
+      marked = JSON.stringify(next);
       if (last?.problems !== derived.problems || last.program !== text) editor.setProblems(marks(derived));
       if (target !== null) select(target);
       drawCalls(state, derived);

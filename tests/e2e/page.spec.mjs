@@ -1,0 +1,308 @@
+// The page as its users meet it: first visit, wrong values, reload, keyboard alone, program and form together.
+import assert from "node:assert/strict";
+import { after, before, describe, test } from "node:test";
+import { open, packages, shared } from "./browser.mjs";
+
+const axe = packages.resolve("axe-core/axe.min.js");
+const STORE = "probewright-1";
+
+/** The page with its first form drawn. */
+async function start(chrome, options) {
+  const opened = await open(chrome.browser, options);
+  await opened.page.locator(".field").first().waitFor();
+  return opened;
+}
+
+const stored = (page) => page.evaluate((name) => JSON.parse(localStorage.getItem(name) ?? "{}"), STORE);
+
+/** What is kept, once it holds what is waited for. */
+async function keptWhen(page, wanted) {
+  for (let tries = 0; tries < 100; tries++) {
+    const state = await stored(page);
+    if (wanted(state)) return state;
+    await page.waitForTimeout(50);
+  }
+  assert.fail(`never kept: ${wanted}`);
+}
+
+/** Puts a program in place of the present one and opens the page again. */
+async function withProgram(page, text) {
+  await keptWhen(page, (state) => state.cycle !== undefined && state.programs !== undefined);
+  await page.waitForTimeout(400);
+  const state = await stored(page);
+  const next = { ...state, programs: { ...state.programs, [state.control]: text }, open: null };
+  await page.context().addInitScript(([name, value]) => {
+    if (!sessionStorage.getItem("seeded")) localStorage.setItem(name, value);
+    sessionStorage.setItem("seeded", "1");
+  }, [STORE, JSON.stringify(next)]);
+  await page.reload();
+  await page.locator(".field").first().waitFor();
+}
+
+const lengthField = (page) => page.locator('.field:has(.unit:text-is("mm")):has([aria-required="true"]) .entry-line > .figure').first();
+
+describe("first visit", () => {
+  const chrome = shared("neither", { before, after });
+
+  // oracle: hand (part 0.03 mm too big, ideal probe: the difference is 0.03)
+  test("shows a worked measurement with its results", async () => {
+    const { context, page, problems } = await start(chrome);
+    await page.locator(".results tbody tr").first().waitFor();
+    const values = await page.locator(".results tbody td:nth-child(3)").allTextContents();
+    assert.ok(values.includes("0.0300"), `the deviation of 0.03 mm stands among ${values}`);
+    assert.equal(await page.locator(".field [aria-invalid]").count(), 0, "no field complains");
+    assert.match(await page.locator(".snippet").textContent(), /\S/);
+    assert.ok(await page.locator(".picture .shape").count() > 3, "the picture is drawn");
+    assert.ok(Number(await page.locator(".transport-row input").getAttribute("max")) > 3, "there are motions to step through");
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: hand
+  test("what is wrong with the part moves the result", async () => {
+    const { context, page } = await start(chrome);
+    const figure = page.locator(".slider .figure").first();
+    await figure.fill("0,01");
+    await page.locator('.results td:text-is("0.0100")').first().waitFor();
+    await context.close();
+  });
+
+  // oracle: hand
+  test("every text of every variant is there", async () => {
+    const { context, page } = await open(chrome.browser);
+    const missing = [];
+    page.on("console", (message) => { if (message.text().startsWith("messages:")) missing.push(message.text()); });
+    await page.reload();
+    const variants = page.locator('[role="treeitem"][aria-level="3"]');
+    await variants.first().waitFor();
+    for (let index = 0; index < await variants.count(); index++) {
+      await variants.nth(index).click();
+      await page.locator('[role="treeitem"][aria-selected="true"]').waitFor();
+      await page.getByRole("button", { name: "Check" }).click();
+    }
+    assert.deepEqual(missing, []);
+    await context.close();
+  });
+});
+
+describe("form", () => {
+  const chrome = shared("neither", { before, after });
+
+  // oracle: hand
+  test("a wrong value is told at its field, with the reason, and only after the entry", async () => {
+    const { context, page } = await start(chrome);
+    const input = lengthField(page);
+    await input.focus();
+    assert.equal(await input.getAttribute("aria-invalid"), null);
+    await input.fill("abc");
+    await input.blur();
+    await page.locator('.field [aria-invalid="true"]').first().waitFor();
+    const description = await input.getAttribute("aria-describedby");
+    const told = await page.locator(`[id="${description.split(" ").at(-1)}"] .problem-text`).first().textContent();
+    assert.match(told, /^Error: .{8,}/);
+    assert.equal(await page.locator(".results").isVisible(), false, "no result for a wrong value");
+    await input.fill("31,5");
+    await page.locator(".results tbody tr").first().waitFor();
+    assert.match(await page.locator(".snippet").textContent(), /31\.5/);
+    await context.close();
+  });
+
+  // oracle: hand
+  test("the picture shows what the focused field means", async () => {
+    const { context, page } = await start(chrome);
+    const name = await page.locator(".picture [data-field]").first().getAttribute("data-field");
+    await page.locator(`.field[data-field="${name}"] input`).first().focus();
+    await page.locator(".picture .lit").first().waitFor();
+    await context.close();
+  });
+
+  // oracle: hand
+  test("a reload loses nothing", async () => {
+    const { context, page } = await start(chrome);
+    await lengthField(page).fill("28.125");
+    await page.locator(".slider .figure").nth(1).fill("0.4");
+    await keptWhen(page, (state) => Object.values(state.values).includes("28.125") && state.errors.part.dx === 0.4);
+    await page.waitForTimeout(1200); // the pause after which a value counts as typed, and the saving
+    const earlier = await stored(page);
+    await page.reload();
+    await page.locator(".field").first().waitFor();
+    assert.equal(await lengthField(page).inputValue(), "28.125");
+    assert.equal(await page.locator(".slider .figure").nth(1).inputValue(), "0.4");
+    await page.waitForTimeout(400);
+    assert.deepEqual(await stored(page), earlier);
+    await context.close();
+  });
+
+  // oracle: hand
+  test("a link carries the form and the program to another browser", async () => {
+    const { context, page } = await start(chrome);
+    await lengthField(page).fill("27.75");
+    await page.getByRole("button", { name: "Copy link" }).click();
+    await page.waitForFunction(() => location.hash.startsWith("#s="));
+    const link = page.url();
+    const other = await start(chrome, { path: new URL(link).hash });
+    assert.equal(await lengthField(other.page).inputValue(), "27.75");
+    assert.equal(new URL(other.page.url()).hash, "", "a reload keeps later changes, not the link's");
+    await other.context.close();
+    await context.close();
+  });
+});
+
+describe("program", () => {
+  const chrome = shared("neither", { before, after });
+
+  // oracle: hand (the text before, with one value replaced)
+  test("opening a call fills the form and a change touches only its place", async () => {
+    const { context, page } = await start(chrome);
+    await keptWhen(page, (state) => state.programs?.[state.control]);
+    const { programs, control } = await stored(page);
+    const typed = await lengthField(page).inputValue();
+    const field = await page.locator('.field:has(.unit:text-is("mm")):has([aria-required="true"])').first().getAttribute("data-field");
+    const text = `; Kopf   mit Umlaut \u00e4\r\n\r\n${programs[control].trimEnd().replaceAll("\n", "\r\n")}\r\nM30  ; end\r\n`;
+    await withProgram(page, text);
+    await page.locator(".call-chip").first().click();
+    await page.locator(".opened").waitFor();
+    assert.equal(await lengthField(page).inputValue(), typed);
+    await page.locator(`.field[data-field="${field}"] .entry-line > .figure`).fill("29.5");
+    const after = await keptWhen(page, (state) => Object.values(state.values).includes("29.5"));
+    const place = text.indexOf(`${field}=`) + field.length + 1;
+    assert.ok(place > field.length, `${field} stands in the program`);
+    assert.equal(after.programs[control], `${text.slice(0, place)}29.5${text.slice(place + typed.length)}`);
+    await context.close();
+  });
+
+  // oracle: hand
+  test("the cursor in a call opens it, and typing there changes the form", async () => {
+    const { context, page } = await start(chrome);
+    await page.getByRole("button", { name: "Detach" }).click();
+    await page.locator(".opened").waitFor({ state: "hidden" });
+    await page.locator(".cm-line").nth(1).click();
+    await page.locator(".opened").waitFor();
+    assert.ok(await page.locator(".cm-call-open").count() > 0, "the call is marked");
+    await context.close();
+  });
+
+  // oracle: hand
+  test("inserting puts whole lines at the cursor and opens the new call", async () => {
+    const { context, page } = await start(chrome);
+    const calls = page.locator(".call-chip");
+    await calls.first().waitFor();
+    const count = await calls.count();
+    await page.getByRole("button", { name: "Insert at cursor" }).click();
+    await page.waitForFunction((wanted) => document.querySelectorAll(".call-chip").length === wanted, count + 1);
+    assert.equal(await page.locator('.call-chip[aria-pressed="true"]').count(), 1);
+    await context.close();
+  });
+});
+
+describe("reach", () => {
+  const chrome = shared("neither", { before, after });
+
+  // oracle: hand
+  test("the keyboard alone is enough", async () => {
+    const { context, page } = await start(chrome);
+    const press = async (...keys) => { for (const key of keys) await page.keyboard.press(key); };
+    const inside = () => page.evaluate(() => document.activeElement?.closest("[data-panel]")?.dataset.panel ?? "");
+    await press("Tab", "Enter");
+    await page.waitForFunction(() => document.activeElement?.id === "panel-tasks");
+    await press("Tab");
+    await page.keyboard.type("x");
+    await press("Escape", "ArrowDown");
+    await page.waitForFunction(() => document.activeElement?.getAttribute("role") === "treeitem");
+    await press("ArrowDown", "Enter");
+    const chosen = await page.locator('[role="treeitem"][aria-selected="true"]').textContent();
+    assert.equal(await page.evaluate(() => document.activeElement?.textContent), chosen, "the variant under the focus is chosen");
+    await press("F6");
+    await page.waitForFunction(() => document.activeElement?.id === "panel-form");
+    for (let tries = 0; tries < 30 && !(await page.evaluate(() => document.activeElement?.matches(".field input"))); tries++) await press("Tab");
+    assert.equal(await inside(), "form");
+    for (const panel of ["program", "view", "results", "tasks"]) {
+      await press("F6");
+      await page.waitForFunction((name) => document.activeElement?.id === `panel-${name}`, panel);
+    }
+    await press("Shift+F6");
+    await page.waitForFunction(() => document.activeElement?.id === "panel-results");
+    await press("Tab", "ArrowRight");
+    await page.locator('[role="tab"][aria-selected="true"]#tab-problems').waitFor();
+    await context.close();
+  });
+
+  for (const colorScheme of ["light", "dark"]) {
+    for (const viewport of [{ width: 1280, height: 800 }, { width: 768, height: 1024 }]) {
+      // oracle: axe-core
+      test(`axe finds nothing serious, ${colorScheme}, ${viewport.width} wide`, async () => {
+        const { context, page } = await start(chrome, { colorScheme, viewport, bypassCSP: true });
+        await page.getByRole("button", { name: "Check" }).click();
+        await page.addScriptTag({ path: axe });
+        const found = await page.evaluate(() => axe.run(document, { resultTypes: ["violations"] }));
+        const serious = found.violations.filter((one) => ["serious", "critical"].includes(one.impact));
+        assert.deepEqual(serious.map((one) => `${one.id}: ${one.nodes.map((node) => node.html.slice(0, 120)).join(" | ")}`), []);
+        await context.close();
+      });
+    }
+  }
+
+  for (const [width, height] of [[1280, 800], [1024, 768], [768, 1024]]) {
+    // oracle: hand
+    test(`nothing sticks out and every target is big enough, ${width} × ${height}`, async () => {
+      const { context, page } = await start(chrome, { viewport: { width, height } });
+      const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+      assert.equal(wide, width);
+      for (const name of ["Measure", "Form", "Program", "3D view", "Result"]) {
+        const tab = page.locator(".panel-bar").getByRole("button", { name, exact: true });
+        if (await tab.isVisible()) await tab.click();
+        const small = await page.evaluate(() => [...document.querySelectorAll("button, select, input:not([type=checkbox]):not([type=range]), [role=treeitem]")]
+          .filter((node) => node.checkVisibility() && !node.closest(".skip"))
+          .map((node) => ({ box: node.getBoundingClientRect(), html: node.outerHTML.slice(0, 80) }))
+          .filter(({ box }) => box.width < 24 || box.height < 24).map(({ html }) => html));
+        assert.deepEqual(small, []);
+        assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width);
+      }
+      await context.close();
+    });
+  }
+
+  // oracle: hand
+  test("without a network the page opens again, with the work in it", async () => {
+    const { context, page } = await start(chrome);
+    await lengthField(page).fill("26.5");
+    await keptWhen(page, (state) => Object.values(state.values).includes("26.5"));
+    await page.evaluate(() => navigator.serviceWorker.ready.then(() => true));
+    await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
+    await context.setOffline(true);
+    await page.reload();
+    await page.locator(".field").first().waitFor();
+    await page.locator(".cm-content").waitFor();
+    assert.equal(await lengthField(page).inputValue(), "26.5");
+    await context.close();
+  });
+
+  // oracle: hand
+  test("when the core breaks, the page says so and keeps the work", async () => {
+    const { context, page } = await start(chrome);
+    await lengthField(page).fill("25.5");
+    await page.evaluate(() => dispatchEvent(new CustomEvent("probewright-panic", { detail: "panicked at test" })));
+    await page.locator("#broken").waitFor();
+    assert.match(await page.locator("#broken").textContent(), /panicked at test/);
+    await page.locator("#broken button").click();
+    await page.locator(".field").first().waitFor();
+    assert.equal(await lengthField(page).inputValue(), "25.5");
+    assert.equal(await page.locator("#broken").count(), 0);
+    await context.close();
+  });
+
+  // oracle: hand
+  test("the theme can be chosen and stays", async () => {
+    const { context, page } = await start(chrome, { colorScheme: "light" });
+    const ground = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+    const light = await ground();
+    await page.locator("#theme").click();
+    await page.locator("#theme").click();
+    await page.waitForFunction(() => document.documentElement.dataset.theme === "dark");
+    assert.notEqual(await ground(), light);
+    await page.waitForTimeout(400);
+    await page.reload();
+    await page.waitForFunction(() => document.documentElement.dataset.theme === "dark");
+    await context.close();
+  });
+});
