@@ -7,7 +7,14 @@ use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
 /// The English message files; a test holds this list against the folder.
 pub const ENGLISH: &[(&str, &str)] = &[
     ("alarms.ftl", include_str!("../messages/en/alarms.ftl")),
+    ("check.ftl", include_str!("../messages/en/check.ftl")),
+    ("cycle977.ftl", include_str!("../messages/en/cycle977.ftl")),
+    ("cycle978.ftl", include_str!("../messages/en/cycle978.ftl")),
+    ("evaluate.ftl", include_str!("../messages/en/evaluate.ftl")),
+    ("nct.ftl", include_str!("../messages/en/nct.ftl")),
+    ("params.ftl", include_str!("../messages/en/params.ftl")),
     ("run.ftl", include_str!("../messages/en/run.ftl")),
+    ("syntax.ftl", include_str!("../messages/en/syntax.ftl")),
 ];
 
 /// Words of one language.

@@ -1,0 +1,74 @@
+# What is wrong with the values of a call, and the cure (-hint). Lengths in mm unless they are values as typed.
+
+check-missing = { $param } is missing.
+check-delivered = { $param } is not given; the delivered value { $value } counts.
+check-not-a-number = “{ $value }” is not a number.
+check-not-a-number-hint = Write digits with a point or a comma, for example 12.5.
+check-expression = “{ $value }” is known only when the program runs; it is not checked here.
+check-too-large = { $value } is beyond every machine.
+check-too-large-hint = Check the number and its exponent.
+check-not-whole = { $value } is not a whole number.
+check-not-whole-hint = Write it without decimals.
+check-text-long = The text is longer than { $most } characters.
+check-text-long-hint = Shorten the name to what the control keeps.
+check-text-characters = The text holds quotation marks or control characters.
+check-text-characters-hint = Use the plain name.
+check-range = { $param } cannot be { $value }.
+check-range-choice-hint = Choose one of { $choices }.
+check-range-both-hint = Enter a value from { $min } to { $max }.
+check-range-from-hint = Enter { $min } or more.
+check-range-above-hint = Enter more than { $min }.
+check-range-below-hint = Enter a smaller value.
+check-unusual = { $value } is unusual for { $param }.
+check-unusual-hint = Usual is { $min } to { $max }.
+check-variant = { $cycle } has no measuring variant { $value }.
+check-variant-hint = Choose the element and the correction from the list.
+
+check-knum-zero = { $code } names no zero offset.
+check-knum-zero-hint = 1 to 99 is G54 and following, 1000, 1011 to 1026 and 1051 to 1066 are basic frames, 2000 is the system frame, 9999 the active frame, 0 corrects nothing.
+check-knum-is-tool-hint = This is the code of a tool offset. Choose the variant with tool offset, or name a frame.
+check-knum-is-zero-hint = This is the code of a zero offset. Choose the variant with zero offset, or name a D number.
+check-knum-digit-4 = The 4th digit of { $code } (6th with five-digit D numbers) does not exist.
+check-knum-digit-5 = The 5th digit of { $code } (7th with five-digit D numbers) does not exist.
+check-knum-digit-6 = The 6th digit of { $code } (8th with five-digit D numbers) does not exist.
+check-knum-digit-7 = The 7th digit of { $code } (9th with five-digit D numbers) or one above it does not exist.
+check-knum-edge-none = { $code } names no D number.
+check-knum-edge-large = The D number in { $code } is larger than { $largest }, the largest of this control.
+check-knum-seven-digits-hint = From the right: three digits D number, then 0 or 1 length, 2 radius; then 1 inverts; then 1 to 3 L1 to L3, 4 radius; then 0 to 3 kind of offset.
+check-knum-nine-digits-hint = From the right: five digits D number, then 0 or 1 length, 2 radius; then 1 inverts; then 1 to 3 L1 to L3, 4 radius; then 0 to 3 kind of offset.
+
+check-probe-number = There is no probe number { $number }.
+check-probe-number-hint = Choose a number from 1 to { $fields }.
+check-cora-off = The offset angle has no effect.
+check-cora-off-hint = Set _CBIT[8]=1, or enter 0.
+check-empirical-memory = There is no empirical value memory { $number }; the array holds { $size }.
+check-mean-memory = There is no mean value memory { $number }; the array holds { $size }.
+check-memory-hint = Choose a smaller number, or enlarge the array and { $array }.
+check-mean-off = No mean value is kept from one part to the next.
+check-mean-off-hint = Set _CHBIT[4]=1 if it should be kept.
+check-tolerance-order = The upper tolerance is below the lower one.
+check-tolerance-order-hint = Exchange _TUL and _TLL, or check their signs.
+check-band-difference = Half of the tolerance band is wider than _TDIF: a part within tolerance would be taken for wrong.
+check-zero-mean = _TZL is larger than _TMV: the mean value never corrects.
+check-difference-safe = _TDIF is larger than _TSA: the program stops before _TDIF can act.
+check-bands-hint = Keep the order _TZL, _TMV, half of the tolerance band, _TDIF, _TSA.
+check-reach = The measuring path { $path } mm ends before the safe area { $area } mm: such a part raises 61301 instead of 61303.
+check-reach-hint = Make _FA larger than the largest deviation, or _TSA smaller.
+check-infeed = The infeed does not lead down to the element.
+check-infeed-hint = Enter a negative value if the tool axis points up.
+
+check-ball = A ball of { $ball } mm does not fit in.
+check-ball-hint = Check the setpoint, or take a smaller probe.
+check-path-long = The measuring path would begin in the opposite wall: the ball has only { $free } mm of way.
+check-path-long-hint = Choose _FA below { $free } mm.
+check-zone-wide = The protection zone { $zone } mm is not smaller than the element, { $size } mm.
+check-zone-wide-hint = Choose a zone smaller than { $limit } mm, so that the ball fits beside it.
+check-zone-narrow = The protection zone { $zone } mm is not larger than the element, { $size } mm.
+check-zone-narrow-hint = Choose a zone larger than { $limit } mm, so that the ball fits beside the element.
+check-zone-ball = Between element and protection zone there is no room for a ball of { $ball } mm.
+check-zone-shortens = The protection zone shortens the measuring path to { $free } mm.
+check-zone-shortens-hint = The part may deviate by no more than that; otherwise make the zone leave more room.
+check-differential-mono = Differential measurement turns the spindle; a mono probe measures in one direction only.
+check-differential-mono-hint = Take a multi probe, or a variant without differential measurement.
+check-differential-axis = Differential measurement works only in the plane.
+check-differential-axis-hint = Choose axis 1 or 2.
