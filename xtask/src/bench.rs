@@ -13,15 +13,9 @@ pub fn bench() -> Result<()> {
     dist::build()?;
     let browser = browser::browser()?;
     step("native", || {
-        run(cargo().args([
-            "bench",
-            "-q",
-            "--locked",
-            "-p",
-            "probewright-core",
-            "--all-features",
-            "--benches",
-        ]))
+        run(&mut cargo(
+            "bench --locked -p probewright-core --all-features --benches",
+        ))
     })?;
     let address = serve::in_background()?;
     step("in Chromium", || {

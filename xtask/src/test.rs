@@ -62,74 +62,47 @@ pub fn test(options: &Options) -> Result<bool> {
 fn formatting(counts: &mut Counts) -> Result<()> {
     component("rustfmt", "fmt")?;
     check(counts, "formatting", || {
-        run(cargo().args(["fmt", "--all", "--check"]))
+        run(&mut cargo("fmt --all --check"))
     });
     Ok(())
 }
 
 fn clippy(counts: &mut Counts) -> Result<()> {
     component("clippy", "clippy")?;
-    let everything = [
-        "clippy",
-        "-q",
-        "--locked",
-        "--all-targets",
-        "--all-features",
-    ];
     check(counts, "clippy", || {
-        run(cargo()
-            .args(everything)
-            .arg("--workspace")
-            .args(["--", "-D", "warnings"]))
+        let all = "clippy --locked --workspace --all-targets --all-features -- -D warnings";
+        run(&mut cargo(all))
     });
     check(counts, "clippy for wasm", || {
-        let mut cargo = cargo();
-        cargo.args(everything).args(["--target", WASM]);
-        for package in IN_THE_BROWSER {
-            cargo.args(["-p", package]);
-        }
-        run(cargo.args(["--", "-D", "warnings"]))
+        let mut clippy = cargo("clippy --locked --all-targets --all-features --target");
+        clippy.arg(WASM).args(in_the_browser());
+        run(clippy.args(["--", "-D", "warnings"]))
     });
     Ok(())
 }
 
+/// The packages that run in the browser, as arguments of cargo.
+fn in_the_browser() -> impl Iterator<Item = &'static str> {
+    IN_THE_BROWSER.iter().flat_map(|package| ["-p", package])
+}
+
 /// The task program itself is tested in the profile in which it was built, so that it is not built twice.
 fn native(counts: &mut Counts) {
-    let mut all = cargo();
-    all.args([
-        "test",
-        "-q",
-        "--locked",
-        "--workspace",
-        "--exclude",
-        "xtask",
-        "--all-features",
-        "--no-fail-fast",
-    ]);
-    suite(counts, "native tests", &mut all);
-    let mut own = cargo();
-    own.args([
-        "test",
-        "-q",
-        "--locked",
-        "--profile",
-        "xtask",
-        "-p",
-        "xtask",
-    ]);
-    suite(counts, "tests of xtask", &mut own);
+    let all = "test --locked --workspace --exclude xtask --all-features --no-fail-fast -- -q";
+    suite(counts, "native tests", &mut cargo(all));
+    let own = "test --locked --profile xtask -p xtask -- -q";
+    suite(counts, "tests of xtask", &mut cargo(own));
 }
 
 fn wasm(counts: &mut Counts) -> Result<()> {
     let surroundings = browser::surroundings(&browser::browser()?)?;
-    let mut cargo = cargo();
-    cargo.args(["test", "-q", "--locked", "--no-fail-fast", "--target", WASM]);
-    cargo.args(["-p", "probewright-web"]);
-    cargo
+    let mut tests = cargo("test --locked --all-features --no-fail-fast --target");
+    tests.arg(WASM).args(in_the_browser());
+    tests
         .envs(surroundings)
         .env("CARGO_PROFILE_DEV_DEBUG", "0")
         .env(runner_variable(), runner()?);
-    suite(counts, "wasm tests in Chromium", &mut cargo);
+    suite(counts, "wasm tests in Chromium", &mut tests);
     Ok(())
 }
 

@@ -34,9 +34,11 @@ pub fn command(program: &str) -> Command {
     command
 }
 
-/// The cargo that started this task.
-pub fn cargo() -> Command {
-    command(&std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned()))
+/// The cargo that started this task, with arguments written as one would type them.
+pub fn cargo(arguments: &str) -> Command {
+    let mut cargo = command(&std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned()));
+    cargo.args(arguments.split_whitespace());
+    cargo
 }
 
 /// npm, which is a script with another name on Windows.
@@ -96,7 +98,7 @@ pub fn wasm_target() -> Result<()> {
 
 /// Gets a component of the toolchain (`rustfmt`, `clippy`), unless it is there.
 pub fn component(name: &str, subcommand: &str) -> Result<()> {
-    if answer(cargo().args([subcommand, "--version"])).is_some() {
+    if answer(cargo(subcommand).arg("--version")).is_some() {
         return Ok(());
     }
     if find("rustup").is_none() {

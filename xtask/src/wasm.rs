@@ -77,18 +77,10 @@ fn build_module(module: &Module) -> Result<()> {
 
 /// As `cdylib` only: with an `rlib` beside it, link-time optimisation is silently off.
 fn compile(module: &Module) -> Result<()> {
-    let mut cargo = cargo();
-    cargo.args([
-        "rustc",
-        "-q",
-        "--lib",
-        "--crate-type",
-        "cdylib",
-        "--target",
-        WASM,
-    ]);
+    let mut cargo = cargo("rustc --locked --lib --crate-type cdylib --no-default-features");
+    cargo.args(["--target", WASM]);
     cargo.args(["-p", module.package, "--profile", module.profile]);
-    cargo.args(["--no-default-features", "--features", module.features]);
+    cargo.args(["--features", module.features]);
     run(&mut cargo)
 }
 
