@@ -2,7 +2,10 @@
 
 mod block;
 mod bytes;
+pub mod calls;
+pub mod change;
 mod expression;
+mod fold;
 mod keyword;
 mod nct;
 mod nct_expression;
@@ -12,6 +15,7 @@ mod reader;
 mod sinumerik;
 mod sinumerik_expression;
 pub mod tree;
+mod values;
 
 pub use block::read;
 pub use tree::Program;

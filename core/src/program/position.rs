@@ -1,64 +1,114 @@
-//! Places in a program as people and editors count them.
+//! Byte offsets as line and column, and as UTF-16 offsets for the page.
 
-/// Line starts of a source, and what of it is not ASCII.
+/// Bytes between two remembered UTF-16 offsets.
+const STEP: usize = 1024;
+
+/// Map of a text; built once, asked often. A byte that is no UTF-8 counts as one character.
 pub struct Positions<'a> {
-    source: &'a [u8],
-    /// First byte of each line.
+    text: &'a [u8],
+    /// UTF-16 offset of every byte at a multiple of [`STEP`].
+    marks: Vec<u32>,
+    /// First byte of every line.
     lines: Vec<u32>,
-    /// Whether a byte offset is a UTF-16 offset too.
-    ascii: bool,
+}
+
+/// UTF-16 units that begin with this byte: none inside a character.
+fn units(byte: u8) -> u32 {
+    match byte {
+        0x80..0xC0 => 0,
+        0xF0.. => 2,
+        _ => 1,
+    }
+}
+
+/// Lines end with LF, CR LF or a lone CR, as an editor counts them.
+fn line_starts(text: &[u8]) -> impl Iterator<Item = u32> {
+    let ends = move |at: usize, byte: u8| {
+        byte == b'\n' || (byte == b'\r' && text.get(at + 1) != Some(&b'\n'))
+    };
+    text.iter()
+        .enumerate()
+        .filter(move |(at, byte)| ends(*at, **byte))
+        .map(|(at, _)| at as u32 + 1)
+}
+
+fn count(text: &[u8]) -> u32 {
+    text.iter().map(|byte| units(*byte)).sum()
 }
 
 impl<'a> Positions<'a> {
-    /// For this source. Lines end with LF, CR LF or a lone CR.
-    pub fn new(source: &'a [u8]) -> Self {
-        let mut lines = vec![0];
-        for (index, byte) in source.iter().enumerate() {
-            let ends = match byte {
-                b'\n' => true,
-                b'\r' => source.get(index + 1) != Some(&b'\n'),
-                _ => false,
-            };
-            if ends {
-                lines.push(index as u32 + 1);
-            }
+    /// Reads the text once.
+    pub fn new(text: &'a [u8]) -> Self {
+        let mut marks = vec![0];
+        for chunk in text.chunks(STEP) {
+            let before = marks.last().copied().unwrap_or(0);
+            marks.push(before + count(chunk));
         }
-        Self {
-            source,
-            lines,
-            ascii: source.is_ascii(),
-        }
+        let lines = std::iter::once(0).chain(line_starts(text)).collect();
+        Self { text, marks, lines }
     }
 
-    /// Line and column of a byte, both from 1; the column in characters.
-    pub fn line_column(&self, byte: u32) -> (u32, u32) {
-        let line = self.lines.partition_point(|start| *start <= byte).max(1);
+    /// Line and column in characters, both from 1; past the end: the end.
+    pub fn line_column(&self, offset: u32) -> (u32, u32) {
+        let offset = (offset as usize).min(self.text.len()) as u32;
+        let line = self.lines.partition_point(|start| *start <= offset).max(1);
         let start = self.lines.get(line - 1).copied().unwrap_or(0);
-        (line as u32, characters(self.between(start, byte)) + 1)
+        let before = self
+            .text
+            .get(start as usize..offset as usize)
+            .unwrap_or_default();
+        let column = before.iter().filter(|byte| units(**byte) > 0).count() as u32 + 1;
+        (line as u32, column)
     }
 
-    /// UTF-16 units before a byte, as a page counts.
-    pub fn utf16(&self, byte: u32) -> u32 {
-        if self.ascii {
-            return byte.min(self.source.len() as u32);
+    /// UTF-16 offset of a byte offset; past the end: the end.
+    pub fn utf16(&self, offset: u32) -> u32 {
+        let offset = (offset as usize).min(self.text.len());
+        let mark = offset / STEP;
+        let before = self.marks.get(mark).copied().unwrap_or(0);
+        before + count(self.text.get(mark * STEP..offset).unwrap_or_default())
+    }
+
+    /// Byte offset of a UTF-16 offset; inside a character: its first byte; past the end: the end.
+    pub fn byte(&self, utf16: u32) -> u32 {
+        let mark = self
+            .marks
+            .partition_point(|before| *before <= utf16)
+            .saturating_sub(1);
+        let mut at = mark * STEP;
+        let mut passed = self.marks.get(mark).copied().unwrap_or(0);
+        while let Some(byte) = self.text.get(at) {
+            let next = passed + units(*byte);
+            if units(*byte) > 0 && next > utf16 {
+                break;
+            }
+            passed = next;
+            at += 1;
         }
-        let text = String::from_utf8_lossy(self.between(0, byte));
-        text.encode_utf16().count() as u32
+        at.min(self.text.len()) as u32
     }
-
-    fn between(&self, start: u32, end: u32) -> &[u8] {
-        let end = (end as usize).min(self.source.len());
-        self.source.get(start as usize..end).unwrap_or(&[])
-    }
-}
-
-fn characters(bytes: &[u8]) -> u32 {
-    String::from_utf8_lossy(bytes).chars().count() as u32
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    // oracle: hand (Rust's own encode_utf16 and chars)
+    #[test]
+    fn every_character_start_maps_to_utf16_and_back() {
+        let text = "N10 ;测量 é 🔧\r\nX1\n".repeat(200);
+        let positions = Positions::new(text.as_bytes());
+        for (offset, _) in text.char_indices() {
+            let expected = text[..offset].encode_utf16().count() as u32;
+            assert_eq!(positions.utf16(offset as u32), expected);
+            assert_eq!(positions.byte(expected), offset as u32);
+        }
+        assert_eq!(positions.line_column(0), (1, 1));
+        let second = "N10 ;测量 é 🔧\r\n".len() as u32;
+        assert_eq!(positions.line_column(second), (2, 1));
+        assert_eq!(positions.line_column(second - 2), (1, 12));
+        assert_eq!(positions.byte(u32::MAX), text.len() as u32);
+    }
 
     // oracle: hand
     #[test]

@@ -1,0 +1,245 @@
+//! Changes of one value as edits of the text; every other byte stays.
+
+use super::calls::CallSite;
+use super::tree::{Block, Program};
+use crate::catalogue::{Dialect, Kind};
+use crate::diagnostic::Span;
+
+/// Replace a place by a text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Edit {
+    /// What goes; empty to insert only.
+    pub span: Span,
+    /// What comes.
+    pub insert: String,
+}
+
+/// Gives a parameter of a call this value, as typed; an empty one takes the parameter away.
+/// A value that an earlier call shares is left alone: the call gets an assignment of its own.
+pub fn change(program: &Program, site: &CallSite, name: &str, value: &str) -> Vec<Edit> {
+    let Some(param) = site.cycle.params.iter().find(|param| param.name == name) else {
+        return Vec::new();
+    };
+    let text = matches!(param.kind, Kind::Text(_));
+    let value = if text {
+        value.trim().trim_matches('"').to_owned()
+    } else {
+        plain(value)
+    };
+    if value.contains(['\n', '\r']) {
+        return Vec::new();
+    }
+    let own = site
+        .places
+        .get(param.name)
+        .copied()
+        .filter(|place| place.start >= site.own_from);
+    match own {
+        Some(place) if value.is_empty() => vec![remove(program, place)],
+        Some(place) if program.text(place) == value.as_bytes() => Vec::new(),
+        Some(place) => {
+            let quoted =
+                place.start > 0 && program.source.get(place.start as usize - 1) == Some(&b'"');
+            let insert = if text && !quoted {
+                format!("\"{value}\"")
+            } else {
+                value
+            };
+            vec![Edit {
+                span: place,
+                insert,
+            }]
+        }
+        None if value.is_empty() => Vec::new(),
+        None => {
+            let value = if text { format!("\"{value}\"") } else { value };
+            vec![add(program, site, param.name, &value)]
+        }
+    }
+}
+
+/// The program after the edits, which are in any order and do not overlap; one that overlaps an earlier one is left out.
+pub fn apply(source: &[u8], edits: &[Edit]) -> Vec<u8> {
+    let mut ordered: Vec<&Edit> = edits.iter().collect();
+    ordered.sort_by_key(|edit| (edit.span.start, edit.span.end));
+    let mut result = Vec::with_capacity(source.len() + 32);
+    let mut at = 0;
+    for edit in ordered {
+        let (start, end) = (edit.span.start as usize, edit.span.end as usize);
+        let Some(kept) = source
+            .get(at..start)
+            .filter(|_| end >= start && end <= source.len())
+        else {
+            continue;
+        };
+        result.extend_from_slice(kept);
+        result.extend_from_slice(edit.insert.as_bytes());
+        at = end;
+    }
+    result.extend_from_slice(source.get(at..).unwrap_or_default());
+    result
+}
+
+/// A typed number with its decimal comma as a point.
+fn plain(value: &str) -> String {
+    let trimmed = value.trim();
+    let pointed = trimmed.replace(',', ".");
+    if pointed.parse::<f64>().is_ok() {
+        pointed
+    } else {
+        trimmed.to_owned()
+    }
+}
+
+/// Takes away the word around a place, with the blanks before it (behind it, if it is the line's first).
+fn remove(program: &Program, place: Span) -> Edit {
+    let span = word_around(program, place);
+    let block = program.blocks.get(program.line_of(place.start) as usize);
+    let line = block.map_or(span, |block| block.span);
+    let blank = |byte: &&u8| matches!(byte, b' ' | b'\t');
+    let before = program.text(Span {
+        start: line.start,
+        end: span.start,
+    });
+    let blanks = before.iter().rev().take_while(blank).count();
+    if blanks < before.len() {
+        return Edit {
+            span: Span {
+                start: span.start - blanks as u32,
+                end: span.end,
+            },
+            insert: String::new(),
+        };
+    }
+    let behind = program.text(Span {
+        start: span.end,
+        end: line.end,
+    });
+    let blanks = behind.iter().take_while(blank).count();
+    Edit {
+        span: Span {
+            start: span.start,
+            end: span.end + blanks as u32,
+        },
+        insert: String::new(),
+    }
+}
+
+/// The whole assignment around a value; the value itself where it is an element of a list.
+fn word_around(program: &Program, place: Span) -> Span {
+    let behind = program
+        .words
+        .partition_point(|word| word.span.start <= place.start);
+    let word = behind
+        .checked_sub(1)
+        .and_then(|index| program.words.get(index));
+    let Some(word) = word.filter(|word| word.span.end >= place.end) else {
+        return place;
+    };
+    let between = |start, end| program.text(Span { start, end });
+    let element = between(word.span.start, place.start).contains(&b',')
+        && program.dialect == Dialect::Sinumerik;
+    let first = between(place.end, word.span.end).contains(&b',');
+    if element || first { place } else { word.span }
+}
+
+/// Writes a new value for this call: behind its last one, else on a line of its own before the call.
+fn add(program: &Program, site: &CallSite, name: &str, value: &str) -> Edit {
+    let written = if program.dialect == Dialect::Nct {
+        format!("{name}{value}")
+    } else {
+        format!("{name}={value}")
+    };
+    let skipped =
+        |place: &Span| line_at(program, place.start).is_some_and(|block| block.skip.is_some());
+    let own = site
+        .places
+        .values()
+        .filter(|place| place.start >= site.own_from && !skipped(place));
+    let last = own
+        .max_by_key(|place| place.start)
+        .map(|place| whole_word(program, *place).end);
+    match last {
+        Some(end) => inserted(end, format!(" {written}")),
+        None if program.dialect == Dialect::Nct => inserted(site.span.end, format!(" {written}")),
+        None => new_line(program, site, &written),
+    }
+}
+
+fn inserted(at: u32, insert: String) -> Edit {
+    Edit {
+        span: Span { start: at, end: at },
+        insert,
+    }
+}
+
+fn whole_word(program: &Program, place: Span) -> Span {
+    let behind = program
+        .words
+        .partition_point(|word| word.span.start <= place.start);
+    behind
+        .checked_sub(1)
+        .and_then(|index| program.words.get(index))
+        .map_or(place, |word| word.span)
+}
+
+fn line_at(program: &Program, offset: u32) -> Option<&Block> {
+    program.blocks.get(program.line_of(offset) as usize)
+}
+
+fn new_line(program: &Program, site: &CallSite, written: &str) -> Edit {
+    let Some(block) = program.blocks.get(site.line as usize) else {
+        return inserted(site.span.start, format!("{written} "));
+    };
+    let line = program.text(block.span);
+    let indent: Vec<u8> = line
+        .iter()
+        .copied()
+        .take_while(|byte| matches!(byte, b' ' | b'\t'))
+        .collect();
+    let number = number_between(program, site.line, block)
+        .map_or(String::new(), |number| format!("N{number} "));
+    let text = format!(
+        "{}{number}{written}{}",
+        String::from_utf8_lossy(&indent),
+        line_end(program, site.line)
+    );
+    inserted(block.span.start, text)
+}
+
+/// A block number between the line's own and the one before it, if there is room.
+fn number_between(program: &Program, line: u32, block: &Block) -> Option<u64> {
+    let read = |span: Span| {
+        std::str::from_utf8(program.text(span))
+            .ok()?
+            .get(1..)?
+            .parse::<u64>()
+            .ok()
+    };
+    let own = read(block.number?)?;
+    let before = program
+        .blocks
+        .get(..line as usize)?
+        .iter()
+        .rev()
+        .find_map(|block| block.number);
+    let before = before.map_or(Some(0), read)?;
+    let middle = before + own.checked_sub(before)? / 2;
+    (middle > before && middle < own).then_some(middle)
+}
+
+/// How this line, else the one before it, ends.
+fn line_end(program: &Program, line: u32) -> &'static str {
+    let ends = |line: usize| {
+        let end = program.blocks.get(line)?.span.end as usize;
+        let rest = program.source.get(end..)?;
+        (!rest.is_empty()).then_some(if rest.starts_with(b"\r\n") {
+            "\r\n"
+        } else {
+            "\n"
+        })
+    };
+    ends(line as usize)
+        .or_else(|| ends((line as usize).checked_sub(1)?))
+        .unwrap_or("\n")
+}

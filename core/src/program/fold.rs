@@ -1,0 +1,73 @@
+//! Names and constant values as far as they can be known without running the program.
+
+use super::tree::{Expr, ExprId, Operator, Program};
+use crate::diagnostic::Span;
+use std::collections::HashMap;
+
+/// Numbers that variables hold, by name in upper case with index: `_SETVAL`, `R10`, `_SETV[0]`, `#100`.
+pub(super) type Known = HashMap<String, f64>;
+
+/// A variable's name with its index in digits: `_SETV[R1]` is `_SETV[2]` while R1 is 2. None: the index is not known.
+pub(super) fn name(
+    program: &Program,
+    name: Span,
+    index: &[ExprId],
+    known: &Known,
+) -> Option<String> {
+    let mut text = program.name(name);
+    if index.is_empty() {
+        return Some(text);
+    }
+    if text == "#" {
+        return Some(format!("#{}", whole(program, *index.first()?, known)?));
+    }
+    text.push('[');
+    for (place, id) in index.iter().enumerate() {
+        if place > 0 {
+            text.push(',');
+        }
+        match (whole(program, *id, known), program.expr(*id)) {
+            (Some(number), _) => text.push_str(&number.to_string()),
+            (None, Some(Expr::Name { name, index })) if index.is_empty() => {
+                text.push_str(&program.name(*name))
+            }
+            _ => return None,
+        }
+    }
+    text.push(']');
+    Some(text)
+}
+
+fn whole(program: &Program, id: ExprId, known: &Known) -> Option<i64> {
+    let value = number(program, id, known)?;
+    (value.fract() == 0.0 && value.abs() < 1e9).then_some(value as i64)
+}
+
+/// Value of an expression made of numbers, known variables and arithmetic.
+pub(super) fn number(program: &Program, id: ExprId, known: &Known) -> Option<f64> {
+    let value = match program.expr(id)? {
+        Expr::Number(value, _) => *value,
+        Expr::Name { name: place, index } => *known.get(&name(program, *place, index, known)?)?,
+        Expr::Unary(Operator::Minus, inner) => -number(program, *inner, known)?,
+        Expr::Unary(Operator::Plus, inner) => number(program, *inner, known)?,
+        Expr::Binary(left, operator, right) => binary(
+            number(program, *left, known)?,
+            *operator,
+            number(program, *right, known)?,
+        )?,
+        _ => return None,
+    };
+    value.is_finite().then_some(value)
+}
+
+fn binary(left: f64, operator: Operator, right: f64) -> Option<f64> {
+    Some(match operator {
+        Operator::Plus => left + right,
+        Operator::Minus => left - right,
+        Operator::Times => left * right,
+        Operator::Over => left / right,
+        Operator::Div => (left / right).trunc(),
+        Operator::Mod => left % right,
+        _ => return None,
+    })
+}

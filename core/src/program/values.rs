@@ -1,0 +1,94 @@
+//! Right sides as text for a form: as written where they are a number or a text, worked out where they are constant,
+//! else the expression itself.
+
+use super::fold::{self, Known};
+use super::tree::{Expr, ExprId, Operator, Program};
+use crate::diagnostic::Span;
+
+/// A value as text, and its place; inside the quotes for a text.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Value {
+    pub text: String,
+    pub place: Span,
+    /// What it is worth, where that is known.
+    pub number: Option<f64>,
+}
+
+/// The value of an expression that stands at `place`.
+pub(super) fn value(program: &Program, id: ExprId, place: Span, known: &Known) -> Value {
+    let number = fold::number(program, id, known);
+    let written = || {
+        String::from_utf8_lossy(program.text(place))
+            .trim()
+            .to_owned()
+    };
+    match (program.expr(id), number) {
+        (Some(Expr::Text(inside)), _) => Value {
+            text: String::from_utf8_lossy(program.text(*inside)).into_owned(),
+            place: *inside,
+            number,
+        },
+        (Some(expr), Some(worth)) => {
+            let text = if literal(program, expr) {
+                written().replace(' ', "")
+            } else {
+                worth.to_string()
+            };
+            Value {
+                text,
+                place,
+                number,
+            }
+        }
+        _ => Value {
+            text: written(),
+            place,
+            number,
+        },
+    }
+}
+
+/// A decimal number with at most a sign.
+fn literal(program: &Program, expr: &Expr) -> bool {
+    let decimal = |span: &Span| {
+        program
+            .text(*span)
+            .iter()
+            .all(|byte| byte.is_ascii_digit() || b".+-".contains(byte))
+    };
+    match expr {
+        Expr::Number(_, span) => decimal(span),
+        Expr::Unary(Operator::Minus | Operator::Plus, inner) => {
+            matches!(program.expr(*inner), Some(Expr::Number(_, span)) if decimal(span))
+        }
+        _ => false,
+    }
+}
+
+/// Place of an expression, as far as its parts tell it.
+pub(super) fn place(program: &Program, id: ExprId) -> Option<Span> {
+    match program.expr(id)? {
+        Expr::Number(_, span) | Expr::Omitted(span) => Some(*span),
+        Expr::Text(span) => Some(*span),
+        Expr::Name { name, index } if index.is_empty() => Some(*name),
+        Expr::Unary(_, inner) => {
+            let inner = place(program, *inner)?;
+            let before = program.source.get(..inner.start as usize)?;
+            let blanks = before
+                .iter()
+                .rev()
+                .take_while(|byte| byte.is_ascii_whitespace())
+                .count();
+            let sign = before.len().checked_sub(blanks + 1)?;
+            matches!(before.get(sign), Some(b'+' | b'-')).then_some(Span {
+                start: sign as u32,
+                end: inner.end,
+            })
+        }
+        Expr::Binary(left, _, right) => Some(Span {
+            start: place(program, *left)?.start,
+            end: place(program, *right)?.end,
+        }),
+        _ => None,
+    }
+}
