@@ -250,4 +250,19 @@ pub struct Proposal {
     pub workpiece: Workpiece,
     /// Position of the ball centre in the active WCS at the call, X Y Z, mm.
     pub start: [f64; 3],
+    /// Tools that the call corrects, for a machine that has none yet.
+    pub tools: Vec<ProposedTool>,
+}
+
+/// A tool with one edge.
+#[derive(Clone, Debug)]
+pub struct ProposedTool {
+    /// T number.
+    pub tool: i64,
+    /// Name under tool management.
+    pub name: String,
+    /// D number.
+    pub edge: i64,
+    /// Its data.
+    pub data: crate::control::Edge,
 }

@@ -1,8 +1,9 @@
 //! Nominal parts and the probe in the active plane: what proposals and checks of the milling cycles share.
 
-use super::names;
+use super::{ProposedTool, names};
 use crate::check::Inputs;
-use crate::control::Control;
+use crate::control::{Control, Edge};
+use crate::evaluate::knum;
 use crate::geometry::rigid::angles;
 use crate::workpiece::{PartErrors, Shape, Solid};
 use nalgebra::{Matrix3, Rotation3, Vector3};
@@ -42,5 +43,37 @@ pub fn solid(control: &Control, shape: Shape, at: [f64; 3], x: [f64; 3], z: [f64
         at: control.to_machine(in_plane(control, at)),
         rotation: angles(&Rotation3::from_matrix_unchecked(columns)),
         errors: PartErrors::default(),
+    }
+}
+
+/// The tool that `_KNUM` and `_TNUM` or `_TNAME` name, as an end mill of 20 mm; none without a tool offset.
+pub fn corrected_tools(inputs: &Inputs) -> Vec<ProposedTool> {
+    let code = knum::tool(inputs.integer(names::KNUM), inputs.five_digit_edges);
+    let (number, name) = (inputs.integer(names::TNUM), inputs.text(names::TNAME));
+    let tool = match (number, name) {
+        (0, "") => return Vec::new(),
+        (0, _) => NAMED,
+        _ => number,
+    };
+    match code {
+        Ok(Some(code)) => vec![ProposedTool {
+            tool,
+            name: name.to_owned(),
+            edge: code.edge,
+            data: end_mill(),
+        }],
+        _ => Vec::new(),
+    }
+}
+
+/// T number that tool management would give to a tool that is known by its name only.
+const NAMED: i64 = 1;
+
+fn end_mill() -> Edge {
+    Edge {
+        kind: 120,
+        length: [100.0, 0.0, 0.0],
+        radius: 10.0,
+        ..Edge::default()
     }
 }

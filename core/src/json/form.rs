@@ -10,7 +10,7 @@ use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
 use crate::program::write::snippet;
 use crate::run::predict::predict;
 use crate::run::setup::Setup;
-use crate::workpiece::PartErrors;
+use crate::workpiece::{PartErrors, Probe};
 use serde::Deserialize;
 use serde_json::{Map, Value, json};
 
@@ -67,14 +67,20 @@ pub fn form(request: &str) -> Result<Value, Error> {
             name: request.cycle.clone(),
         }
     })?;
-    let mut setup = match &request.setup {
-        Some(setup) => super::setup::from_value(setup.clone())?,
+    let own_machine = request.setup.is_some();
+    let mut setup = match request.setup {
+        Some(setup) => super::setup::from_value(setup)?,
         None => Setup::calibrated(cycle.dialect, Plane::G17),
     };
     let checked = check::check(cycle, &request.values, &setup.control);
     let mut view = view(cycle, &request.values, &setup, &checked);
     if let (true, Some(inputs)) = (request.predict, &checked.inputs) {
-        prepare(&mut setup, inputs, &request.errors.unwrap_or_default());
+        prepare(
+            &mut setup,
+            inputs,
+            &request.errors.unwrap_or_default(),
+            own_machine,
+        );
         let outcome = predict(cycle, inputs, &setup);
         view.insert("outcome".into(), super::outcome(inputs, &setup, &outcome)?);
         view.insert("setup".into(), super::setup_to_json(&setup)?);
@@ -116,24 +122,34 @@ fn view(
 }
 
 /// Puts the proposed part with its errors and the probe with its own into the setup, and the probe before it.
-fn prepare(setup: &mut Setup, inputs: &Inputs, errors: &Errors) {
+/// A machine that the user described keeps the tools it has.
+fn prepare(setup: &mut Setup, inputs: &Inputs, errors: &Errors, own_machine: bool) {
     let proposal = (inputs.cycle.propose)(inputs, &setup.control);
     setup.workpiece = proposal.workpiece;
     for solid in &mut setup.workpiece.solids {
         solid.errors = part_errors(&errors.part);
     }
-    let ProbeSliders {
-        skew_x,
-        skew_y,
-        radius,
-        pre_travel,
-        repeatability,
-    } = errors.probe;
-    setup.probe.skew = [setup.probe.skew[0] + skew_x, setup.probe.skew[1] + skew_y];
-    setup.probe.radius += radius;
-    setup.probe.pre_travel.0 += pre_travel;
-    setup.probe.repeatability.0 += repeatability;
+    probe_errors(&mut setup.probe, &errors.probe);
     setup.position = setup.control.to_machine(proposal.start);
+    if own_machine {
+        return;
+    }
+    for proposed in proposal.tools {
+        let tool = setup.control.tools.entry(proposed.tool).or_default();
+        tool.name = proposed.name;
+        tool.edges.entry(proposed.edge).or_insert(proposed.data);
+    }
+}
+
+/// The errors of the sliders on top of what the probe has.
+fn probe_errors(probe: &mut Probe, sliders: &ProbeSliders) {
+    probe.skew = [
+        probe.skew[0] + sliders.skew_x,
+        probe.skew[1] + sliders.skew_y,
+    ];
+    probe.radius += sliders.radius;
+    probe.pre_travel.0 += sliders.pre_travel;
+    probe.repeatability.0 += sliders.repeatability;
 }
 
 /// Three lobes, as a three-jaw chuck leaves them.

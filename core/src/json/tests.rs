@@ -1,5 +1,6 @@
 #![allow(clippy::unwrap_used)]
 use super::*;
+use crate::check::Typed;
 use std::path::PathBuf;
 
 fn docs(name: &str) -> PathBuf {
@@ -58,4 +59,71 @@ fn the_schema_in_docs_is_the_one_of_the_code() {
         std::fs::read_to_string(docs("setup.schema.json")).unwrap(),
         schema
     );
+}
+
+fn request(cycle: &crate::catalogue::Cycle) -> String {
+    let values: Typed = cycle
+        .example
+        .iter()
+        .map(|(name, value)| ((*name).to_owned(), (*value).to_owned()))
+        .collect();
+    json!({
+        "control": dialect_name(cycle.dialect),
+        "cycle": cycle.name,
+        "values": values,
+        "predict": true,
+        "errors": { "part": { "size": 0.03 } },
+    })
+    .to_string()
+}
+
+// oracle: hand
+#[test]
+fn every_worked_example_is_complete_and_reaches_its_end() {
+    for cycle in crate::catalogue::CYCLES {
+        let view = form(&request(cycle)).unwrap();
+        assert_eq!(
+            view["complete"], true,
+            "{}: {}",
+            cycle.name, view["diagnostics"]
+        );
+        let alarms = view["outcome"]["alarms"].as_array().unwrap();
+        assert!(
+            alarms.iter().all(|alarm| alarm["stops"] == false),
+            "{}: {alarms:?}",
+            cycle.name
+        );
+        let entries = view["outcome"]["trace"]["entries"].as_array().unwrap();
+        assert!(
+            entries.iter().any(|entry| entry["step"] == "motion"),
+            "{}",
+            cycle.name
+        );
+        assert!(
+            setup_from_json(&view["setup"].to_string()).is_ok(),
+            "{}",
+            cycle.name
+        );
+        assert!(
+            !view["picture"]["shapes"].as_array().unwrap().is_empty(),
+            "{}",
+            cycle.name
+        );
+    }
+}
+
+// oracle: hand
+#[test]
+fn a_form_without_values_has_fields_and_a_picture() {
+    for cycle in crate::catalogue::CYCLES {
+        let request =
+            json!({ "control": dialect_name(cycle.dialect), "cycle": cycle.name }).to_string();
+        let view = form(&request).unwrap();
+        assert!(
+            !view["fields"].as_array().unwrap().is_empty(),
+            "{}",
+            cycle.name
+        );
+        assert_eq!(view["outcome"], Value::Null);
+    }
 }

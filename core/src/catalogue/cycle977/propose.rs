@@ -27,6 +27,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     Proposal {
         workpiece: Workpiece { solids: vec![part] },
         start: place::in_plane(control, [0.0, 0.0, start]),
+        tools: place::corrected_tools(inputs),
     }
 }
 

@@ -31,5 +31,6 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     Proposal {
         workpiece: Workpiece { solids: vec![part] },
         start: place::in_plane(control, start),
+        tools: place::corrected_tools(inputs),
     }
 }

@@ -1,0 +1,92 @@
+//! Measuring cycles from a terminal: the same catalogue, checks, reader and simulation as the page.
+
+mod check;
+mod cycles;
+mod file;
+mod read;
+mod run;
+mod write;
+
+use clap::{Parser, Subcommand};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+#[derive(Parser)]
+#[command(version, about = "Programming assistant for CNC measuring cycles")]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// List what can be measured
+    Cycles {
+        /// As JSON, with variants, parameters and results
+        #[arg(long)]
+        json: bool,
+    },
+    /// Tell what is wrong in part programs; exit status 1 when there is an error
+    Check {
+        /// Part programs
+        #[arg(required = true)]
+        files: Vec<PathBuf>,
+        /// Control; otherwise told by the program
+        #[arg(long)]
+        control: Option<file::Control>,
+    },
+    /// Write the program text of one call to standard output
+    Write {
+        /// Name of the cycle, for example CYCLE977
+        cycle: String,
+        /// Values, for example _SETVAL=132
+        values: Vec<String>,
+        /// A comment line for each parameter
+        #[arg(long)]
+        comments: bool,
+    },
+    /// Find the measuring calls of a part program
+    Read {
+        /// Part program
+        file: PathBuf,
+        /// As JSON
+        #[arg(long)]
+        json: bool,
+        /// Control; otherwise told by the program
+        #[arg(long)]
+        control: Option<file::Control>,
+    },
+    /// Run a part program on a control against a part
+    Run {
+        /// Part program
+        file: PathBuf,
+        /// Setup file, see docs/setup.schema.json
+        #[arg(long)]
+        setup: PathBuf,
+        /// As JSON
+        #[arg(long)]
+        json: bool,
+    },
+}
+
+fn main() -> ExitCode {
+    let result = match Arguments::parse().command {
+        Command::Cycles { json } => cycles::cycles(json),
+        Command::Check { files, control } => check::check(&files, control),
+        Command::Write {
+            cycle,
+            values,
+            comments,
+        } => write::write(&cycle, &values, comments),
+        Command::Read {
+            file,
+            json,
+            control,
+        } => read::read(&file, json, control),
+        Command::Run { file, setup, json } => run::run(&file, &setup, json),
+    };
+    result.unwrap_or_else(|problem| {
+        eprintln!("error: {problem}");
+        ExitCode::from(2)
+    })
+}

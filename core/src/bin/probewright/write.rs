@@ -1,0 +1,65 @@
+//! `probewright write`.
+
+use crate::check::one_line;
+use crate::file::Problem;
+use probewright_core::catalogue::{self, Cycle, Dialect};
+use probewright_core::check::{self, Typed};
+use probewright_core::control::Plane;
+use probewright_core::diagnostic::Severity;
+use probewright_core::program::write::snippet;
+use probewright_core::run::setup::Setup;
+use probewright_core::words::Words;
+use std::process::ExitCode;
+
+/// Writes the snippet, or every problem to standard error.
+pub fn write(name: &str, values: &[String], comments: bool) -> Result<ExitCode, Problem> {
+    let cycle = find(name)?;
+    let typed = typed(cycle, values)?;
+    let words = Words::english();
+    let control = Setup::calibrated(cycle.dialect, Plane::G17).control;
+    let checked = check::check(cycle, &typed, &control);
+    for finding in &checked.diagnostics {
+        eprintln!("{}", one_line(finding, &words));
+    }
+    if checked
+        .diagnostics
+        .iter()
+        .any(|finding| finding.severity == Severity::Error)
+    {
+        return Ok(ExitCode::FAILURE);
+    }
+    let comment = |key: &str| words.key(key.to_owned());
+    print!(
+        "{}",
+        snippet(
+            cycle,
+            &typed,
+            &control,
+            comments.then_some(&comment as &dyn Fn(&str) -> String)
+        )
+    );
+    Ok(ExitCode::SUCCESS)
+}
+
+fn find(name: &str) -> Result<&'static Cycle, Problem> {
+    [Dialect::Sinumerik, Dialect::Nct]
+        .into_iter()
+        .find_map(|dialect| catalogue::find(dialect, name))
+        .ok_or_else(|| format!("there is no cycle {name}; 'probewright cycles' lists them").into())
+}
+
+fn typed(cycle: &Cycle, values: &[String]) -> Result<Typed, Problem> {
+    let mut typed = Typed::new();
+    for pair in values {
+        let (name, value) = pair
+            .split_once('=')
+            .ok_or_else(|| format!("not NAME=VALUE: {pair}"))?;
+        let param = cycle
+            .params
+            .iter()
+            .find(|param| param.name.eq_ignore_ascii_case(name))
+            .ok_or_else(|| format!("{} has no parameter {name}", cycle.name))?;
+        typed.insert(param.name.to_owned(), value.to_owned());
+    }
+    Ok(typed)
+}

@@ -1,0 +1,266 @@
+//! The cycle reference in `docs/cycles/`: one page a cycle, written from the catalogue and the message files.
+
+use crate::catalogue::{Cycle, Kind, Level, Param, Range, Unit, When};
+use crate::diagnostic::Code;
+use crate::json::{alarm_key, code};
+use crate::message::Message;
+use crate::words::Words;
+use std::fmt::Write;
+
+/// The page of one cycle, Markdown.
+pub fn page(cycle: &Cycle, words: &Words) -> String {
+    let mut text = String::new();
+    line(
+        &mut text,
+        &format!(
+            "# {}: {}",
+            cycle.name,
+            words.key(format!("{}-title", cycle.key))
+        ),
+    );
+    line(&mut text, &words.key(format!("{}-help", cycle.key)));
+    line(
+        &mut text,
+        &format!(
+            "Source: {}. Generated from the catalogue; do not edit.",
+            cycle.source
+        ),
+    );
+    variants(&mut text, cycle, words);
+    parameters(&mut text, cycle, words);
+    results(&mut text, cycle, words);
+    alarms(&mut text, cycle, words);
+    while text.ends_with("\n\n") {
+        text.pop();
+    }
+    text
+}
+
+/// A paragraph.
+fn line(text: &mut String, paragraph: &str) {
+    text.push_str(paragraph);
+    text.push_str("\n\n");
+}
+
+fn row(text: &mut String, cells: &[String]) {
+    text.push('|');
+    for cell in cells {
+        let _ = write!(text, " {} |", cell.replace('|', "\\|").replace('\n', " "));
+    }
+    text.push('\n');
+}
+
+fn heading(text: &mut String, title: &str, columns: &[&str]) {
+    line(text, &format!("## {title}"));
+    row(
+        text,
+        &columns
+            .iter()
+            .map(|column| (*column).to_owned())
+            .collect::<Vec<_>>(),
+    );
+    row(
+        text,
+        &columns.iter().map(|_| "---".to_owned()).collect::<Vec<_>>(),
+    );
+}
+
+fn variants(text: &mut String, cycle: &Cycle, words: &Words) {
+    heading(
+        text,
+        "Measuring variants",
+        &["number", "measures", "source"],
+    );
+    for variant in cycle.variants {
+        row(
+            text,
+            &[
+                variant.number.to_string(),
+                words.key(variant.key),
+                variant.source.to_owned(),
+            ],
+        );
+    }
+    text.push('\n');
+}
+
+fn parameters(text: &mut String, cycle: &Cycle, words: &Words) {
+    heading(
+        text,
+        "Parameters",
+        &[
+            "name", "meaning", "needed", "unit", "default", "range", "source",
+        ],
+    );
+    for param in cycle.params {
+        row(text, &parameter(param, words));
+    }
+    text.push('\n');
+}
+
+fn parameter(param: &Param, words: &Words) -> [String; 7] {
+    let default = param
+        .default
+        .map_or(String::new(), |number| number.to_string());
+    [
+        format!("`{}`", param.name),
+        words.key(format!("param-{}", param.key)),
+        need(param),
+        unit(param.unit).to_owned(),
+        default,
+        range(param),
+        param.source.to_owned(),
+    ]
+}
+
+fn need(param: &Param) -> String {
+    let said: Vec<String> = param
+        .needs
+        .iter()
+        .map(|need| {
+            let level = match need.level {
+                Level::Required => "required",
+                Level::Optional => "optional",
+            };
+            match need.when {
+                When::Always => level.to_owned(),
+                _ => format!("{level} when {}", when(&need.when)),
+            }
+        })
+        .collect();
+    said.join("; ")
+}
+
+/// A condition in signs that need no language.
+fn when(condition: &When) -> String {
+    let list = |conditions: &[When], sign: &str| {
+        conditions.iter().map(when).collect::<Vec<_>>().join(sign)
+    };
+    match condition {
+        When::Always => "always".to_owned(),
+        When::Variant(numbers) => format!("variant ∈ {numbers:?}"),
+        When::Digit { param, place, is } => format!("`{param}` digit {place} ∈ {is:?}"),
+        When::Given(param) => format!("`{param}` given"),
+        When::Plane(plane) => format!("{plane:?}"),
+        When::All(conditions) => list(conditions, " and "),
+        When::Any(conditions) => format!("({})", list(conditions, " or ")),
+        When::Not(condition) => format!("not ({})", when(condition)),
+    }
+}
+
+fn unit(unit: Unit) -> &'static str {
+    match unit {
+        Unit::None => "",
+        Unit::ActiveLength => "active length",
+        Unit::BasicLength => "basic length",
+        Unit::Millimetre => "mm",
+        Unit::Degree => "°",
+        Unit::BasicFeed => "basic feed",
+    }
+}
+
+fn range(param: &Param) -> String {
+    if let Kind::Choice(choices) = &param.kind {
+        return choices
+            .iter()
+            .map(|(value, _)| value.to_string())
+            .collect::<Vec<_>>()
+            .join(", ");
+    }
+    let Range {
+        min,
+        min_included,
+        max,
+        max_included,
+    } = param.range;
+    let low = if min.is_finite() {
+        format!("{} {min}", if min_included { "≥" } else { ">" })
+    } else {
+        String::new()
+    };
+    let high = if max.is_finite() {
+        format!("{} {max}", if max_included { "≤" } else { "<" })
+    } else {
+        String::new()
+    };
+    [low, high]
+        .into_iter()
+        .filter(|part| !part.is_empty())
+        .collect::<Vec<_>>()
+        .join(", ")
+}
+
+fn results(text: &mut String, cycle: &Cycle, words: &Words) {
+    heading(
+        text,
+        "Results",
+        &["datum", "meaning", "when", "unit", "source"],
+    );
+    for field in cycle.results {
+        let condition = match field.when {
+            When::Always => String::new(),
+            _ => when(&field.when),
+        };
+        let cells = [
+            format!("`{}`", field.name),
+            words.key(field.key),
+            condition,
+            unit(field.unit).to_owned(),
+            field.source.to_owned(),
+        ];
+        row(text, &cells);
+    }
+    text.push('\n');
+}
+
+fn alarms(text: &mut String, cycle: &Cycle, words: &Words) {
+    heading(text, "Alarms", &["number", "meaning", "cure"]);
+    for alarm in cycle.alarms {
+        row(text, &alarm_cells(*alarm, words));
+    }
+    text.push('\n');
+}
+
+fn alarm_cells(alarm: Code, words: &Words) -> [String; 3] {
+    let key = alarm_key(alarm);
+    let cure = words
+        .find(&Message::new(format!("{key}.cure")))
+        .unwrap_or_default();
+    [code(alarm), words.key(key), cure]
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use crate::catalogue::CYCLES;
+
+    // oracle: self. With PROBEWRIGHT_UPDATE=1 the pages are written instead.
+    #[test]
+    fn the_pages_in_docs_are_those_of_the_catalogue() {
+        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/cycles");
+        let update = std::env::var_os("PROBEWRIGHT_UPDATE").is_some();
+        let words = Words::english();
+        let mut expected = Vec::new();
+        for cycle in CYCLES {
+            let name = format!("{}.md", cycle.name);
+            if update {
+                std::fs::create_dir_all(&folder).unwrap();
+                std::fs::write(folder.join(&name), page(cycle, &words)).unwrap();
+            }
+            assert_eq!(
+                std::fs::read_to_string(folder.join(&name)).unwrap(),
+                page(cycle, &words),
+                "{name}"
+            );
+            expected.push(name);
+        }
+        expected.sort();
+        let mut found: Vec<String> = std::fs::read_dir(folder)
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+            .collect();
+        found.sort();
+        assert_eq!(found, expected);
+    }
+}
