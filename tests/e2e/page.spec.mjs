@@ -55,6 +55,7 @@ describe("first visit", () => {
     assert.ok(await page.locator(".picture .shape").count() > 3, "the picture is drawn");
     assert.ok(Number(await page.locator(".transport-row input").getAttribute("max")) > 3, "there are motions to step through");
     assert.deepEqual(problems, []);
+    if (process.env.PROBEWRIGHT_SCREENSHOT) await page.screenshot({ path: process.env.PROBEWRIGHT_SCREENSHOT });
     await context.close();
   });
 

@@ -4,7 +4,7 @@ import type { Core } from "./core";
 import { lineBreak, splice, type Splice } from "./eol";
 import { findCycle } from "./derive";
 import { parseNumber } from "./numbers";
-import type { Panel, State } from "./state";
+import { AT_END, type Panel, type State } from "./state";
 import type { Store } from "./store";
 import type { Catalogue, CycleInfo, Dialect, ErrorSliders } from "./wire";
 
@@ -51,7 +51,7 @@ export function createActions(store: Store, core: Core, catalogue: Catalogue): A
   const opened = (index: number, text: string): Partial<State> => {
     const call = calls(text)[index];
     if (!call) return { open: null };
-    return { open: index, cycle: call.cycle, values: call.values, checked: true, touched: {}, step: 0, source: "form" };
+    return { open: index, cycle: call.cycle, values: call.values, checked: true, touched: {}, step: AT_END, source: "form" };
   };
 
   const remember = (): Partial<State> => ({ remembered: { ...now().remembered, [memoryKey(now().control, now().cycle)]: now().values } });
@@ -64,7 +64,7 @@ export function createActions(store: Store, core: Core, catalogue: Catalogue): A
       values[name] = value;
       if (state.open !== null) text = changed(text, state.open, name, value);
     }
-    store.update({ values, step: 0, ...(text === program() ? {} : withProgram(text)) });
+    store.update({ values, step: AT_END, ...(text === program() ? {} : withProgram(text)) });
   };
 
   return {
@@ -73,7 +73,7 @@ export function createActions(store: Store, core: Core, catalogue: Catalogue): A
       const same = cycle.control === state.control && cycle.cycle === state.cycle;
       if (same && variant) return edits(Object.entries(variant.values ?? {}));
       const values = same ? state.values : state.remembered[memoryKey(cycle.control, cycle.cycle)] ?? cycle.example;
-      store.update({ ...remember(), control: cycle.control, cycle: cycle.cycle, values: { ...values, ...variant?.values }, open: same ? state.open : null, step: 0, source: "form", touched: {}, checked: false });
+      store.update({ ...remember(), control: cycle.control, cycle: cycle.cycle, values: { ...values, ...variant?.values }, open: same ? state.open : null, step: AT_END, source: "form", touched: {}, checked: false });
     },
     edit: (name, value) => edits([[name, value]]),
     touch(name) {
@@ -82,7 +82,7 @@ export function createActions(store: Store, core: Core, catalogue: Catalogue): A
     check: () => store.update({ checked: true }),
     example() {
       const cycle = findCycle(catalogue, now().control, now().cycle);
-      if (cycle) store.update({ values: cycle.example, open: null, step: 0, touched: {}, checked: false });
+      if (cycle) store.update({ values: cycle.example, open: null, step: AT_END, touched: {}, checked: false });
     },
     editProgram(text) {
       const open = now().open;
@@ -108,7 +108,7 @@ export function createActions(store: Store, core: Core, catalogue: Catalogue): A
     },
     error(group, name, value) {
       const errors = now().errors;
-      store.update({ errors: { ...errors, [group]: { ...errors[group], [name]: value } }, step: 0 });
+      store.update({ errors: { ...errors, [group]: { ...errors[group], [name]: value } }, step: AT_END });
     },
     panel(panel) {
       store.update({ panel, ...(LEFT.includes(panel) ? { left: panel } : { right: panel }) });

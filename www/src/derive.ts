@@ -14,6 +14,7 @@ export interface Derived {
   opened: CallView | null;
   run: RunView | null;           // only while the program's motions are shown
   trace: Trace | null;
+  step: number;                  // of the trace, from 0; within it
   problems: Diagnostic[];        // of the program, by place
 }
 
@@ -56,9 +57,10 @@ export function createDerive(core: Core, catalogue: Catalogue): (state: State) =
     const reading = read(cycle.control, program);
     const opened = state.open === null ? null : reading.calls[state.open] ?? null;
     const ran = state.source === "program" ? run(cycle.control, program, view.setup ?? state.setup) : null;
+    const trace = ran ? ran.trace : view.outcome?.trace ?? null;
     return {
       catalogue, cycle, view, program, read: reading, opened, run: ran,
-      trace: ran ? ran.trace : view.outcome?.trace ?? null,
+      trace, step: Math.max(0, Math.min(state.step, (trace?.entries.length ?? 0) - 1)),
       problems: problems(reading),
     };
   };

@@ -41,12 +41,15 @@ export const NO_ERRORS: ErrorSliders = {
   probe: { skewX: 0, skewY: 0, radius: 0, preTravel: 0, repeatability: 0 },
 };
 
+/** Step of a trace that stands for its last: everything done, all touches to be seen. */
+export const AT_END = Number.MAX_SAFE_INTEGER;
+
 export function firstState(): State {
   return {
     control: "sinumerik", cycle: "", values: {}, remembered: {}, programs: {}, open: null,
     errors: NO_ERRORS, comments: true, setup: null, checked: false, touched: {}, source: "form",
     panel: "form", left: "form", right: "results", tab: "outcome", theme: "system", folded: {},
-    search: "", focus: null, step: 0, playing: false, cursor: 0, notice: "", broken: null,
+    search: "", focus: null, step: AT_END, playing: false, cursor: 0, notice: "", broken: null,
   };
 }
 

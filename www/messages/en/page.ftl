@@ -131,6 +131,7 @@ outcome-changes = Tool wear and zero offset
 outcome-decisions = Tolerance chain
 outcome-no-changes = Nothing is corrected.
 outcome-incomplete = Complete the form and the result stands here.
+outcome-missing = The result stands here as soon as these are right: { $names }
 column-name = Name
 column-meaning = Meaning
 column-value = Value

@@ -4,7 +4,7 @@ import type { Derived } from "../derive";
 import { el, keyed, on, setAttribute, setText } from "../dom";
 import { pack } from "../link";
 import { plain } from "../numbers";
-import { shared, type State } from "../state";
+import { AT_END, shared, type State } from "../state";
 import type { Store } from "../store";
 import { t } from "../texts";
 import type { Setup } from "../wire";
@@ -44,7 +44,7 @@ async function importSetup(file: File, store: Store): Promise<void> {
   try {
     const setup = JSON.parse(await file.text()) as Setup;
     if (!setup.control || !setup.probe || !setup.tools) throw new Error("no setup");
-    store.update({ setup, control: setup.control, step: 0, notice: "notice-setup" });
+    store.update({ setup, control: setup.control, step: AT_END, notice: "notice-setup" });
   } catch {
     store.update({ notice: "notice-no-setup" });
   }

@@ -91,7 +91,7 @@ export function createProgram(root: HTMLElement, store: Store, actions: Actions)
       editor.setDialect(state.control);
       if (text !== inEditor) editor.setText(text);
       inEditor = text;
-      const step = state.source === "program" ? derived.trace?.entries[state.step]?.line ?? null : null;
+      const step = state.source === "program" ? derived.trace?.entries[derived.step]?.line ?? null : null;
       const next = { step, calls: derived.read.calls.map((call, index) => ({ from: call.line, to: call.lastLine, open: index === state.open })) };
       if (marked !== JSON.stringify(next)) editor.setMarks(next);
       marked = JSON.stringify(next);

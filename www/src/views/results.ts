@@ -46,7 +46,7 @@ function createOutcome(root: HTMLElement): Draw {
   return (state, derived) => {
     const outcome = shownOutcome(state, derived);
     show(none, !outcome);
-    setText(none, outcome ? "" : t("outcome-incomplete"));
+    setText(none, outcome ? "" : missing(derived));
     for (const part of [alarms, resultTable, decisionBox]) show(part, !!outcome);
     show(changeTable, !!outcome && outcome.changes.length > 0);
     show(same, !!outcome && outcome.changes.length === 0);
@@ -63,6 +63,12 @@ function createOutcome(root: HTMLElement): Draw {
       node.classList.toggle("taken", index === (outcome?.decisions.length ?? 0) - 1);
     });
   };
+}
+
+/** Why there is no outcome yet: by name, what the form still lacks. */
+function missing(derived: Derived): string {
+  const names = [...new Set(derived.view.diagnostics.filter((one) => one.severity === "error" && one.param).map((one) => one.param))];
+  return names.length ? t("outcome-missing", { names: names.join(", ") }) : t("outcome-incomplete");
 }
 
 interface Shown { results: { name: string; label: string; value: number; unit: string }[]; changes: Outcome["changes"]; alarms: Outcome["alarms"]; decisions: Outcome["decisions"]; log: string[] }
@@ -139,7 +145,7 @@ function createMotions(root: HTMLElement, store: Store): Draw {
         if (button) setText(button, stepLine(entry, index));
       });
     }
-    const current = list.children[state.step];
+    const current = list.children[derived.step];
     for (const node of list.querySelectorAll('[aria-current="step"]')) if (node !== current) node.removeAttribute("aria-current");
     if (current && current.getAttribute("aria-current") !== "step") {
       setAttribute(current, "aria-current", "step");

@@ -6,11 +6,12 @@ import type { Preview, ViewName } from "../preview/view";
 import type { State } from "../state";
 import type { Store } from "../store";
 import { t } from "../texts";
-import { createTimeline } from "./timeline";
+import { createTimeline, PACE } from "./timeline";
 
 const SOURCES = ["form", "program"] as const;
 const VIEWS: ViewName[] = ["iso", "top", "front", "right"];
 const NOTHING = { entries: [], ball: { radius: 1, length: 1 }, solids: [], frames: [] };
+const still = matchMedia("(prefers-reduced-motion: reduce)");
 const dark = matchMedia("(prefers-color-scheme: dark)");
 
 /** The stage takes its colours from the tokens that count now. */
@@ -70,10 +71,24 @@ export function createScene(root: HTMLElement, store: Store, goToLine: (line: nu
     if (colours && night !== shown.dark) preview.setColours(colours);
     const fresh = derived.trace !== shown.trace;
     if (fresh) preview.setTrace(derived.trace ?? NOTHING);
-    const step = Math.min(state.step, (derived.trace?.entries.length ?? 1) - 1);
-    if (fresh || step !== shown.step) preview.setStep(step, 1);
+    const { step } = derived;
+    if (fresh || step !== shown.step) move(preview, step, state.playing && derived.trace?.entries[step]?.step === "motion" && !still.matches);
     shown = { trace: derived.trace, dark: night, step };
   };
+}
+
+let moving = 0;
+
+/** The probe stands at the end of a step, or runs along it while playing. */
+function move(preview: Preview, step: number, run: boolean): void {
+  cancelAnimationFrame(moving);
+  const begin = performance.now();
+  const frame = (now: number): void => {
+    const fraction = run ? Math.min(1, Math.max(0, now - begin) / PACE) : 1;
+    preview.setStep(step, fraction);
+    if (fraction < 1) moving = requestAnimationFrame(frame);
+  };
+  frame(begin);
 }
 
 function viewButtons(preview: Preview): HTMLButtonElement[] {

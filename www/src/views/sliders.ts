@@ -6,7 +6,7 @@ import { el, on, setText } from "../dom";
 import { parseNumber, plain } from "../numbers";
 import type { State } from "../state";
 import type { Store } from "../store";
-import { NO_ERRORS } from "../state";
+import { AT_END, NO_ERRORS } from "../state";
 import { t } from "../texts";
 import type { ErrorSliders } from "../wire";
 
@@ -42,7 +42,7 @@ function createSlider(label: string, id: string, scale: Scale, set: (value: numb
 
 export function createSliders(root: HTMLElement, store: Store, actions: Actions): (state: State, derived: Derived) => void {
   const reset = el("button", { type: "button", class: "quiet" }, t("sliders-reset"));
-  on(reset, "click", () => store.update({ errors: NO_ERRORS, step: 0 }));
+  on(reset, "click", () => store.update({ errors: NO_ERRORS, step: AT_END }));
   const title = el("h3", {});
   root.append(el("div", { class: "sliders-head" }, title, reset));
   const updates: ((errors: ErrorSliders) => void)[] = [];

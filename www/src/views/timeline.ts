@@ -7,10 +7,13 @@ import type { Store } from "../store";
 import { t } from "../texts";
 import { describe } from "./steps";
 
-const PACE = 450; // ms a step while playing
+/** Milliseconds that a step takes while playing. */
+export const PACE = 450;
+const PACE_STILL = 130; // of a step in which nothing moves
 
 export function createTimeline(root: HTMLElement, store: Store, goToLine: (line: number) => void): (state: State, derived: Derived) => void {
   let count = 0;
+  let current = 0;
   let timer = 0;
   let line: number | null = null;
   const go = (step: number, playing = false): void => store.update({ step: Math.max(0, Math.min(count - 1, step)), playing });
@@ -20,8 +23,8 @@ export function createTimeline(root: HTMLElement, store: Store, goToLine: (line:
     return node;
   };
   const play = button("▶", t("timeline-play"), () => {
-    const { playing, step } = store.state;
-    go(!playing && step >= count - 1 ? 0 : step, !playing);
+    const { playing } = store.state;
+    go(!playing && current >= count - 1 ? 0 : current, !playing);
   });
   const scrub = el("input", { type: "range", min: 0, step: 1, "aria-label": t("timeline-scrub") });
   const where = el("output", { class: "figure" });
@@ -31,19 +34,17 @@ export function createTimeline(root: HTMLElement, store: Store, goToLine: (line:
   on(place, "click", () => { if (line !== null) goToLine(line); });
   root.append(
     el("div", { class: "transport-row" },
-      button("|◀◀", t("timeline-first"), () => go(0)), button("|◀", t("timeline-back"), () => go(store.state.step - 1)), play,
-      button("▶|", t("timeline-on"), () => go(store.state.step + 1)), button("▶▶|", t("timeline-last"), () => go(count - 1)), scrub, where),
+      button("|◀◀", t("timeline-first"), () => go(0)), button("|◀", t("timeline-back"), () => go(current - 1)), play,
+      button("▶|", t("timeline-on"), () => go(current + 1)), button("▶▶|", t("timeline-last"), () => go(count - 1)), scrub, where),
     el("div", { class: "step-row" }, what, place),
   );
   const tick = (): void => {
-    const { step, playing } = store.state;
-    if (!playing) return;
-    go(step + 1, step + 1 < count - 1);
+    if (store.state.playing) go(current + 1, current + 1 < count - 1);
   };
   return (state, derived) => {
     const entries = derived.trace?.entries ?? [];
     count = entries.length;
-    const step = Math.min(state.step, Math.max(0, count - 1));
+    const step = current = derived.step;
     const entry = entries[step];
     setAttribute(scrub, "max", Math.max(0, count - 1));
     if (Number(scrub.value) !== step) scrub.value = String(step);
@@ -56,6 +57,6 @@ export function createTimeline(root: HTMLElement, store: Store, goToLine: (line:
     setText(play, state.playing ? "❚❚" : "▶");
     setAttribute(play, "aria-label", t(state.playing ? "timeline-pause" : "timeline-play"));
     clearTimeout(timer);
-    if (state.playing) timer = window.setTimeout(tick, PACE);
+    if (state.playing) timer = window.setTimeout(tick, entry?.step === "motion" ? PACE : PACE_STILL);
   };
 }
