@@ -2,6 +2,7 @@
 
 pub mod delivery;
 pub mod frames;
+pub mod gud;
 pub mod tools;
 pub mod units;
 pub mod variables;

@@ -1,12 +1,27 @@
 //! Runs a program or a single call on a control against a workpiece and records a trace.
 
+pub mod action;
 pub mod call;
+pub mod cycle;
+pub mod datum;
+pub mod expression;
+pub mod flow;
+pub mod frame;
+pub mod function;
+pub mod gcode;
+pub mod interpret;
 pub mod machine;
+pub mod motion;
+pub mod names;
 pub mod outcome;
 pub mod predict;
+pub mod problem;
 pub mod setup;
+pub mod statement;
+pub mod tool;
 pub mod trace;
 
+pub use interpret::{Limits, run};
 pub use outcome::{Change, Outcome};
 pub use predict::predict;
 pub use setup::Setup;

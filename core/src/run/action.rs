@@ -1,0 +1,217 @@
+//! What the words of a block do together: functions first, then tool, motion, calls, and the end.
+
+use super::interpret::{Interpreter, Next};
+use super::motion::{self, Suppress};
+use super::problem::Problem;
+use super::statement::{self, Address, Call, Words};
+use super::trace::Step;
+use super::{Machine, Stop, cycle, frame, gcode, tool};
+use crate::catalogue::{self, Dialect};
+use crate::diagnostic::Severity;
+
+/// Carries out a block whose words were collected.
+pub fn perform(run: &mut Interpreter, at: usize, mut found: Words) -> Result<Next, Stop> {
+    if let Some(cycle) = macro_call(run, &found) {
+        cycle::addresses(run, cycle, &found)?;
+        return Ok(Next::Block);
+    }
+    gcode::apply(run, &mut found)?;
+    words_without_value(run, &mut found);
+    tool::apply(run, &found)?;
+    for address in &found.addresses {
+        take(run, address, &mut found.path).map_err(|problem| run.fail(problem))?;
+    }
+    let frame_call = found
+        .calls
+        .iter()
+        .find(|call| frame::is_frame(&call.name))
+        .cloned();
+    if let Some(call) = frame_call {
+        frame::apply(run, &call, &found).map_err(|problem| run.fail(problem))?;
+    } else if found.path.moves() {
+        motion::go(run, &found.path)?;
+    }
+    if let Some(next) = end(run, &found) {
+        return Ok(next);
+    }
+    for call in &found.calls {
+        if let Some(next) = carry_out(run, at, call)? {
+            return Ok(next);
+        }
+    }
+    Ok(Next::Block)
+}
+
+/// The NCT macro that a block calls with `G110` or `G65 P9019` (parameters 9041.. give G101.. to O9010.., C:58).
+fn macro_call(run: &Interpreter, found: &Words) -> Option<&'static catalogue::Cycle> {
+    if run.program.dialect != Dialect::Nct {
+        return None;
+    }
+    let number = |letter: &str| {
+        found
+            .addresses
+            .iter()
+            .filter(|address| address.name == letter)
+            .find_map(|address| address.value.number())
+    };
+    let find = |name: String| catalogue::find(Dialect::Nct, &name);
+    let mut codes = found
+        .addresses
+        .iter()
+        .filter(|address| address.name == "G")
+        .filter_map(|address| address.value.number());
+    if codes.any(|code| code == 65.0) {
+        return find(format!("G{}", number("P")? - 9010.0 + 101.0));
+    }
+    let codes = found
+        .addresses
+        .iter()
+        .filter(|address| address.name == "G")
+        .filter_map(|address| address.value.number());
+    codes
+        .filter(|code| *code >= 100.0)
+        .find_map(|code| find(format!("G{code}")))
+}
+
+/// `SUPA` and other words that are settings, not calls.
+fn words_without_value(run: &mut Interpreter, found: &mut Words) {
+    for call in &found.calls {
+        if call.name == "SUPA" {
+            found.path.suppress = Suppress::All;
+        }
+    }
+    if run.program.dialect == Dialect::Nct {
+        found.calls.clear();
+    }
+}
+
+/// Words that change nothing that is simulated.
+const WITHOUT_EFFECT: [&str; 16] = [
+    "SUPA", "STOPRE", "BRISK", "SOFT", "DRIVE", "FFWON", "FFWOF", "CFC", "CFIN", "CFTCP", "NORM",
+    "KONT", "DIAMOF", "SAVE", "DISPLOF", "DELDTG",
+];
+
+/// Axis words, feed, arcs, spindle angle.
+fn take(run: &mut Interpreter, address: &Address, path: &mut motion::Path) -> Result<(), Problem> {
+    let nct = run.program.dialect == Dialect::Nct;
+    let name = address.name.as_str();
+    let number = || {
+        address
+            .value
+            .number()
+            .filter(|value| value.is_finite())
+            .ok_or_else(|| Problem::new("run-not-a-number", address.span, name))
+    };
+    let factor = run.sim.control.active_factor();
+    let axis = |name: &str, list: [&str; 3]| list.iter().position(|known| *known == name);
+    if let Some(i) = axis(name, ["X", "Y", "Z"]) {
+        let absolute = match address.mode.as_deref() {
+            Some("AC") => Some(true),
+            Some("IC") => Some(false),
+            _ => None,
+        };
+        path.axes[i] = Some((number()? * factor, absolute));
+    } else if let Some(i) = axis(name, ["I", "J", "K"]) {
+        path.centre[i] = number()? * factor;
+        path.centred = true;
+    } else if name == "CR" || (nct && name == "R") {
+        path.radius = Some(number()? * factor);
+    } else if name == "F" && !path.dwell {
+        run.modal.feed = number()?;
+        run.modal.feed_factor = if run.modal.feed_follows {
+            factor
+        } else {
+            run.sim.control.basic_factor()
+        };
+    } else if matches!(name, "SPOS" | "SPOSA") {
+        let angle = number()?;
+        run.sim.orient(angle);
+    } else if matches!(name, "G" | "M" | "T" | "D" | "S" | "F")
+        || (nct && matches!(name, "H" | "P" | "O" | "N"))
+    {
+        number()
+            .map(|_| ())
+            .or_else(|problem| if name == "T" { Ok(()) } else { Err(problem) })?;
+    } else if matches!(name, "S1" | "S2" | "SF") {
+        number()?;
+    } else {
+        run.tell(
+            Severity::Warning,
+            &Problem::new("run-not-simulated", address.span, name),
+        );
+    }
+    Ok(())
+}
+
+/// M functions that stop, end or turn; the others belong to the machine.
+fn end(run: &mut Interpreter, found: &Words) -> Option<Next> {
+    let nct = run.program.dialect == Dialect::Nct;
+    let mut next = None;
+    for address in found.addresses.iter().filter(|address| address.name == "M") {
+        let number = address.value.number().unwrap_or(-1.0);
+        match number as i64 {
+            0 | 1 => run.sim.note(Step::Message(format!("M{number}"))),
+            2 | 30 => next = Some(Next::End),
+            17 => next = Some(run.returns.pop().map_or(Next::End, Next::Jump)),
+            99 if nct => next = Some(run.returns.pop().map_or(Next::End, Next::Jump)),
+            19 => run.sim.orient(0.0),
+            3..=9 => {}
+            55 | 59 if nct => {}
+            _ => run.tell(
+                Severity::Note,
+                &Problem::new("run-m-function", address.span, format!("M{number}")),
+            ),
+        }
+    }
+    next
+}
+
+/// Calls: operator texts, measuring cycles, subprograms of the same text.
+fn carry_out(run: &mut Interpreter, at: usize, call: &Call) -> Result<Option<Next>, Stop> {
+    let name = call.name.as_str();
+    if name == "MSG" {
+        statement::message(run, &call.args);
+    } else if let Some(cycle) = catalogue::find(Dialect::Sinumerik, name) {
+        cycle::data(run, cycle, call.span)?;
+    } else if let Some(start) = run.subprograms.get(name).copied() {
+        if run.returns.len() >= run.depth {
+            let message =
+                crate::message::Message::new("run-depth").number("limit", run.depth as f64);
+            return Err(run.fail(Problem {
+                span: call.span,
+                message,
+            }));
+        }
+        run.returns.push(at + 1);
+        return Ok(Some(Next::Jump(start)));
+    } else if is_subprogram(name) {
+        run.tell(
+            Severity::Warning,
+            &Problem::new("run-subprogram", call.span, name),
+        );
+    } else if !WITHOUT_EFFECT.contains(&name) && !frame::is_frame(name) && !is_type(name) {
+        run.tell(
+            Severity::Error,
+            &Problem::new("run-unknown-word", call.span, name),
+        );
+    }
+    Ok(None)
+}
+
+/// Names by which subprograms are called: `L10`, `CYCLE…`.
+fn is_subprogram(name: &str) -> bool {
+    let digits = name
+        .strip_prefix('L')
+        .or_else(|| name.strip_prefix("CYCLE"));
+    digits.is_some_and(|digits| {
+        !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit())
+    })
+}
+
+/// Types of declarations.
+fn is_type(name: &str) -> bool {
+    matches!(
+        name,
+        "REAL" | "INT" | "BOOL" | "STRING" | "CHAR" | "AXIS" | "FRAME" | "NCK" | "CHAN"
+    )
+}

@@ -1,0 +1,88 @@
+//! A measuring call of a program: values as written in data or addresses, checked like typed ones, then carried out.
+
+use super::interpret::Interpreter;
+use super::problem::Problem;
+use super::statement::Words;
+use super::{Stop, call};
+use crate::catalogue::{Cycle, Kind};
+use crate::check::{self, Typed};
+use crate::control::Value;
+use crate::diagnostic::{Code, Severity, Span};
+
+/// SINUMERIK: the parameters are user data and keep their values from call to call (B:1696).
+pub fn data(run: &mut Interpreter, cycle: &'static Cycle, span: Span) -> Result<(), Stop> {
+    let mut typed = Typed::new();
+    for param in cycle.params {
+        let text = match run.sim.control.data.get(param.name) {
+            Some(Value::Number(value)) if !matches!(param.kind, Kind::Text(_)) => {
+                format!("{value}")
+            }
+            Some(Value::Text(text)) if !text.is_empty() => text.clone(),
+            _ => continue,
+        };
+        typed.insert(param.name.to_owned(), text);
+    }
+    checked(run, cycle, &typed, span)
+}
+
+/// NCT: every address of the block is an argument.
+pub fn addresses(run: &mut Interpreter, cycle: &'static Cycle, found: &Words) -> Result<(), Stop> {
+    let mut typed = Typed::new();
+    let by_number = found
+        .addresses
+        .iter()
+        .any(|address| address.name == "G" && address.value.number() == Some(65.0));
+    for address in &found.addresses {
+        let name = address.name.as_str();
+        if matches!(name, "G" | "N" | "O") || (by_number && name == "P") {
+            continue;
+        }
+        match (
+            cycle.params.iter().find(|param| param.name == name),
+            address.value.number(),
+        ) {
+            (Some(_), Some(value)) => drop(typed.insert(name.to_owned(), format!("{value}"))),
+            _ => run.tell(
+                Severity::Error,
+                &Problem::new("run-unknown-word", address.span, name),
+            ),
+        }
+    }
+    checked(run, cycle, &typed, found.path.span)
+}
+
+/// The alarm of the first error stops the program, as on the control; other errors are a fault.
+fn checked(
+    run: &mut Interpreter,
+    cycle: &'static Cycle,
+    typed: &Typed,
+    span: Span,
+) -> Result<(), Stop> {
+    let checked = check::check(cycle, typed, &run.sim.control);
+    let errors: Vec<_> = checked
+        .diagnostics
+        .iter()
+        .filter(|found| found.severity == Severity::Error)
+        .collect();
+    let code = errors
+        .iter()
+        .map(|found| found.code)
+        .find(|code| !matches!(code, Code::Own(_)));
+    for mut diagnostic in checked.diagnostics.iter().cloned() {
+        diagnostic.span = diagnostic.span.or(Some(span));
+        let known = run.diagnostics.iter().any(|old| {
+            (old.span, old.param, &old.message)
+                == (diagnostic.span, diagnostic.param, &diagnostic.message)
+        });
+        if !known && run.diagnostics.len() < 1000 {
+            run.diagnostics.push(diagnostic);
+        }
+    }
+    if let Some(inputs) = &checked.inputs {
+        return call::perform(&mut run.sim, inputs).map_err(|stop| run.stopped(stop, span));
+    }
+    match code {
+        Some(code) => call::alarm(&mut run.sim, code).map_err(|stop| run.stopped(stop, span)),
+        None => Err(run.fail(Problem::new("run-call", span, cycle.name))),
+    }
+}

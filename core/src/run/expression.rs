@@ -1,0 +1,165 @@
+//! Works out expressions. Numbers are f64; comparisons give 0 or 1, as on the control.
+
+use super::datum::Datum;
+use super::interpret::Interpreter;
+use super::problem::Problem;
+use super::{function, names};
+use crate::diagnostic::Span;
+use crate::program::tree::{Expr, ExprId, Operator};
+
+/// Value of an expression.
+pub fn evaluate(run: &Interpreter, id: ExprId) -> Result<Datum, Problem> {
+    let Some(expr) = run.program.expr(id) else {
+        return Err(Problem::new("run-unknown-word", Span::default(), ""));
+    };
+    match expr {
+        Expr::Number(value, _) => Ok(Datum::Number(*value)),
+        Expr::Text(span) => Ok(Datum::Text(
+            String::from_utf8_lossy(run.program.text(*span)).into_owned(),
+        )),
+        Expr::Name { name, index } => {
+            let key = names::key(run, *name, index)?;
+            names::read(run, &key, *name)
+        }
+        Expr::Unary(operator, operand) => {
+            let value = evaluate(run, *operand)?;
+            unary(*operator, value).ok_or_else(|| wrong(run, *operand))
+        }
+        Expr::Binary(left, operator, right) => binary(run, *left, *operator, *right),
+        Expr::Call(name, args) => function::call(run, *name, args),
+        Expr::List(items) => list(run, items),
+        Expr::Omitted(span) => Err(Problem::new("run-not-a-number", *span, "")),
+    }
+}
+
+/// Value of an expression that has to be a number.
+pub fn number(run: &Interpreter, id: ExprId) -> Result<f64, Problem> {
+    evaluate(run, id)?.number().ok_or_else(|| wrong(run, id))
+}
+
+/// Values of a list, omitted ones as none.
+pub fn list(run: &Interpreter, items: &[ExprId]) -> Result<Datum, Problem> {
+    let values = items.iter().map(|item| match run.program.expr(*item) {
+        Some(Expr::Omitted(_)) | None => Ok(None),
+        Some(_) => evaluate(run, *item).map(Some),
+    });
+    values.collect::<Result<Vec<_>, _>>().map(Datum::List)
+}
+
+/// A place that belongs to an expression.
+pub fn span(run: &Interpreter, id: ExprId) -> Span {
+    match run.program.expr(id) {
+        Some(
+            Expr::Number(_, span) | Expr::Text(span) | Expr::Call(span, _) | Expr::Omitted(span),
+        ) => *span,
+        Some(Expr::Name { name, .. }) => *name,
+        Some(Expr::Unary(_, operand)) => span(run, *operand),
+        Some(Expr::Binary(left, _, right)) => Span {
+            start: span(run, *left).start,
+            end: span(run, *right).end,
+        },
+        Some(Expr::List(items)) => items
+            .first()
+            .map_or(Span::default(), |item| span(run, *item)),
+        None => Span::default(),
+    }
+}
+
+fn wrong(run: &Interpreter, id: ExprId) -> Problem {
+    let span = span(run, id);
+    Problem::new("run-not-a-number", span, run.program.name(span))
+}
+
+fn unary(operator: Operator, value: Datum) -> Option<Datum> {
+    if operator == Operator::Join {
+        return Some(Datum::Text(value.shown()));
+    }
+    let number = value.number()?;
+    Some(match operator {
+        Operator::Plus => Datum::Number(number),
+        Operator::Minus => Datum::Number(-number),
+        Operator::Not => Datum::from(number == 0.0),
+        Operator::BitNot => Datum::Number(!(number as i64) as f64),
+        _ => return None,
+    })
+}
+
+fn binary(
+    run: &Interpreter,
+    left: ExprId,
+    operator: Operator,
+    right: ExprId,
+) -> Result<Datum, Problem> {
+    let (a, b) = (evaluate(run, left)?, evaluate(run, right)?);
+    match (operator, &a, &b) {
+        (Operator::Join, ..) => return Ok(Datum::Text(a.shown() + &b.shown())),
+        (Operator::Chain, Datum::Frame(outer), Datum::Frame(inner)) => {
+            return Ok(Datum::Frame(Box::new(chain(outer, inner))));
+        }
+        (_, Datum::Text(a), Datum::Text(b)) => {
+            return texts(operator, a, b).ok_or_else(|| wrong(run, left));
+        }
+        _ => {}
+    }
+    let (Some(a), Some(b)) = (a.number(), b.number()) else {
+        return Err(wrong(run, if a.number().is_none() { left } else { right }));
+    };
+    if b == 0.0 && matches!(operator, Operator::Over | Operator::Div | Operator::Mod) {
+        return Err(Problem::new("run-division", span(run, right), ""));
+    }
+    numbers(operator, a, b).ok_or_else(|| wrong(run, left))
+}
+
+/// A fine translation stays one as long as nothing is turned before it, so that `CTRANS(…):CFINE(…)` keeps both parts.
+fn chain(outer: &crate::control::Frame, inner: &crate::control::Frame) -> crate::control::Frame {
+    let mut frame = outer.then(inner);
+    if outer.rotation == [0.0; 3] {
+        frame.fine = std::array::from_fn(|i| outer.fine[i] + inner.fine[i]);
+        frame.coarse = std::array::from_fn(|i| outer.coarse[i] + inner.coarse[i]);
+    }
+    frame
+}
+
+fn texts(operator: Operator, a: &str, b: &str) -> Option<Datum> {
+    Some(Datum::from(match operator {
+        Operator::Equal => a == b,
+        Operator::NotEqual => a != b,
+        Operator::Less => a < b,
+        Operator::LessEqual => a <= b,
+        Operator::Greater => a > b,
+        Operator::GreaterEqual => a >= b,
+        _ => return None,
+    }))
+}
+
+fn numbers(operator: Operator, a: f64, b: f64) -> Option<Datum> {
+    let (x, y) = (a as i64, b as i64);
+    let number = match operator {
+        Operator::Plus => a + b,
+        Operator::Minus => a - b,
+        Operator::Times => a * b,
+        Operator::Over => a / b,
+        Operator::Div => (a / b).trunc(),
+        Operator::Mod => a % b,
+        Operator::BitAnd => (x & y) as f64,
+        Operator::BitOr => (x | y) as f64,
+        Operator::BitXor => (x ^ y) as f64,
+        _ => return truths(operator, a, b),
+    };
+    Some(Datum::Number(number))
+}
+
+fn truths(operator: Operator, a: f64, b: f64) -> Option<Datum> {
+    Some(Datum::from(match operator {
+        Operator::Equal => a == b,
+        Operator::NotEqual => a != b,
+        Operator::Less => a < b,
+        Operator::LessEqual => a <= b,
+        Operator::Greater => a > b,
+        Operator::GreaterEqual => a >= b,
+        Operator::And => a != 0.0 && b != 0.0,
+        Operator::Or => a != 0.0 || b != 0.0,
+        Operator::Xor => (a != 0.0) != (b != 0.0),
+        _ => return None,
+    }))
+}

@@ -1,0 +1,182 @@
+//! Where a program goes on: jumps, branches, loops. Structure is found once, before the run.
+
+use crate::program::tree::{Program, Word, WordKind};
+use std::collections::BTreeMap;
+
+/// What stands at a block with a control structure, with the blocks that belong to it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Link {
+    /// `IF`: block of `ELSE` or `ENDIF`.
+    If(usize),
+    /// `ELSE`: block of `ENDIF`.
+    Else(usize),
+    /// `ENDIF`.
+    EndIf,
+    /// `WHILE`, `FOR`, `LOOP`, `REPEAT`: block of its end.
+    Begin(usize),
+    /// `ENDWHILE`, `ENDFOR`, `ENDLOOP`, `UNTIL`: block of its begin.
+    End(usize),
+    /// Begin or end without its counterpart.
+    Alone,
+}
+
+/// Links by block.
+pub type Links = BTreeMap<usize, Link>;
+
+/// Finds what belongs together. NCT `WHILE … DOn` and `ENDn` pair like `WHILE` and `ENDWHILE`.
+pub fn links(program: &Program) -> Links {
+    let mut links = Links::new();
+    let mut open: Vec<Open> = Vec::new();
+    for (i, block) in program.blocks.iter().enumerate() {
+        let words = program.words_of(block);
+        if words
+            .iter()
+            .any(|word| matches!(word.kind, WordKind::Header(_)))
+        {
+            open.clear();
+        }
+        let Some(name) = structural(program, words) else {
+            continue;
+        };
+        if let Some(end) = end_of(name) {
+            links.insert(i, Link::Alone);
+            open.push(Open {
+                block: i,
+                end,
+                otherwise: false,
+            });
+            continue;
+        }
+        let matching = open.last().is_some_and(|open| {
+            open.end == name || (open.end == "ENDIF" && name == "ELSE" && !open.otherwise)
+        });
+        let Some(Open {
+            block: begin,
+            end,
+            otherwise,
+        }) = matching.then(|| open.pop()).flatten()
+        else {
+            links.insert(i, Link::Alone);
+            continue;
+        };
+        if name == "ELSE" {
+            links.insert(begin, Link::If(i));
+            links.insert(i, Link::Alone);
+            open.push(Open {
+                block: i,
+                end,
+                otherwise: true,
+            });
+        } else if name == "ENDIF" {
+            let link = if otherwise {
+                Link::Else(i)
+            } else {
+                Link::If(i)
+            };
+            links.insert(begin, link);
+            links.insert(i, Link::EndIf);
+        } else {
+            links.insert(begin, Link::Begin(i));
+            links.insert(i, Link::End(begin));
+        }
+    }
+    links
+}
+
+/// A structure whose end has not come yet.
+struct Open {
+    block: usize,
+    end: &'static str,
+    /// Whether it is the `ELSE` part.
+    otherwise: bool,
+}
+
+/// Word that ends what this one begins.
+fn end_of(name: &str) -> Option<&'static str> {
+    Some(match name {
+        "IF" => "ENDIF",
+        "WHILE" => "ENDWHILE",
+        "FOR" => "ENDFOR",
+        "LOOP" => "ENDLOOP",
+        "REPEAT" => "UNTIL",
+        _ => return None,
+    })
+}
+
+/// The word of a block that belongs to a control structure; an `IF` with a jump is none.
+fn structural(program: &Program, words: &[Word]) -> Option<&'static str> {
+    const NAMES: [&str; 11] = [
+        "IF", "ELSE", "ENDIF", "WHILE", "ENDWHILE", "FOR", "ENDFOR", "LOOP", "ENDLOOP", "REPEAT",
+        "UNTIL",
+    ];
+    let jumps = words.iter().any(|word| match &word.kind {
+        WordKind::Keyword { name, .. } => {
+            program.name(*name).starts_with("GOTO") || program.is(*name, "THEN")
+        }
+        _ => false,
+    });
+    words.iter().find_map(|word| {
+        let WordKind::Keyword { name, value } = &word.kind else {
+            return None;
+        };
+        if program.is(*name, "END") {
+            return Some("ENDWHILE");
+        }
+        let found = NAMES.iter().find(|known| program.is(*name, known))?;
+        let labelled = *found == "REPEAT" && value.is_some();
+        (!(*found == "IF" && jumps) && !labelled).then_some(*found)
+    })
+}
+
+/// Block of a label or a block number, by the text in upper case (`N100`, `LABEL`).
+pub fn targets(program: &Program) -> BTreeMap<String, Vec<usize>> {
+    let mut targets: BTreeMap<String, Vec<usize>> = BTreeMap::new();
+    for (i, block) in program.blocks.iter().enumerate() {
+        if let Some(number) = block.number {
+            targets
+                .entry(canonical(&program.name(number)))
+                .or_default()
+                .push(i);
+        }
+        for word in program.words_of(block) {
+            if let WordKind::Label(name) = word.kind {
+                targets
+                    .entry(canonical(&program.name(name)))
+                    .or_default()
+                    .push(i);
+            }
+        }
+    }
+    targets
+}
+
+/// `N0100`, `:100` and `100` are the same place.
+pub fn canonical(name: &str) -> String {
+    let digits = name.strip_prefix(['N', ':']).unwrap_or(name);
+    match digits.parse::<u64>() {
+        Ok(number) => format!("N{number}"),
+        Err(_) => name.to_owned(),
+    }
+}
+
+/// First blocks of the programs in the text, by name (`NAME` of `%_N_NAME_SPF`, `L10`).
+pub fn subprograms(program: &Program) -> BTreeMap<String, usize> {
+    let mut found = BTreeMap::new();
+    for (i, block) in program.blocks.iter().enumerate() {
+        for word in program.words_of(block) {
+            let WordKind::Header(span) = word.kind else {
+                continue;
+            };
+            let text = program.name(span);
+            let name = text.trim_start_matches('%').trim_start_matches("_N_");
+            let name = name
+                .strip_suffix("_SPF")
+                .or_else(|| name.strip_suffix("_MPF"))
+                .unwrap_or(name);
+            if !name.is_empty() {
+                found.entry(name.to_owned()).or_insert(i + 1);
+            }
+        }
+    }
+    found
+}

@@ -1,0 +1,115 @@
+//! Functions of expressions: arithmetic, texts, frames. Angles in degree.
+
+use super::datum::Datum;
+use super::expression::{evaluate, list};
+use super::interpret::Interpreter;
+use super::problem::Problem;
+use crate::catalogue::Dialect;
+use crate::control::Frame;
+use crate::control::variables::AXES;
+use crate::diagnostic::Span;
+use crate::program::tree::ExprId;
+
+/// Value of a function call.
+pub fn call(run: &Interpreter, place: Span, args: &[ExprId]) -> Result<Datum, Problem> {
+    let name = run.program.name(place);
+    let refused = || Problem::new("run-function", place, name.as_str());
+    if name == "SET" {
+        return list(run, args);
+    }
+    let values = args
+        .iter()
+        .map(|arg| evaluate(run, *arg))
+        .collect::<Result<Vec<_>, _>>()?;
+    if name == "REP" {
+        let value = values.into_iter().next().ok_or_else(refused)?;
+        return Ok(Datum::Repeat(Box::new(value)));
+    }
+    if let Some(frame) = frame(run, &name, &values) {
+        return frame
+            .map(|frame| Datum::Frame(Box::new(frame)))
+            .ok_or_else(refused);
+    }
+    if let Some(value) = text(&name, &values) {
+        return Ok(value);
+    }
+    let numbers: Vec<f64> = values.iter().filter_map(Datum::number).collect();
+    if numbers.len() < values.len() {
+        return Err(refused());
+    }
+    let dialect = run.program.dialect;
+    match arithmetic(&name, &numbers, dialect) {
+        Some(value) if value.is_finite() => Ok(Datum::Number(value)),
+        Some(_) => Err(refused()),
+        None => Err(Problem::new("run-unknown-word", place, name.as_str())),
+    }
+}
+
+fn arithmetic(name: &str, values: &[f64], dialect: Dialect) -> Option<f64> {
+    let value = match (name, values) {
+        ("SIN", [a]) => crate::geometry::rigid::sin_cos(*a).0,
+        ("COS", [a]) => crate::geometry::rigid::sin_cos(*a).1,
+        ("TAN", [a]) => a.to_radians().tan(),
+        ("ASIN", [a]) => a.asin().to_degrees(),
+        ("ACOS", [a]) => a.acos().to_degrees(),
+        ("ATAN", [a]) => a.atan().to_degrees(),
+        ("ATAN2" | "ATAN", [a, b]) => a.atan2(*b).to_degrees(),
+        ("SQRT", [a]) => a.sqrt(),
+        ("ABS", [a]) => a.abs(),
+        ("POT", [a]) => a * a,
+        ("TRUNC" | "FIX", [a]) => a.trunc(),
+        ("FUP", [a]) => a.signum() * a.abs().ceil(),
+        ("ROUND", [a]) => a.round(),
+        ("ROUNDUP", [a]) => a.ceil(),
+        ("LN", [a]) => a.ln(),
+        ("EXP", [a]) => a.exp(),
+        ("MINVAL", [a, b]) => a.min(*b),
+        ("MAXVAL", [a, b]) => a.max(*b),
+        ("BOUND", [low, high, value]) if low <= high => value.clamp(*low, *high),
+        ("BOUND", [_, _, _]) => f64::NAN,
+        ("NOT", [a]) if dialect == Dialect::Sinumerik => f64::from(u8::from(*a == 0.0)),
+        _ => return None,
+    };
+    Some(value)
+}
+
+fn text(name: &str, values: &[Datum]) -> Option<Datum> {
+    Some(match (name, values) {
+        ("STRLEN", [Datum::Text(text)]) => Datum::Number(text.chars().count() as f64),
+        ("TOUPPER", [Datum::Text(text)]) => Datum::Text(text.to_uppercase()),
+        ("TOLOWER", [Datum::Text(text)]) => Datum::Text(text.to_lowercase()),
+        ("ISNUMBER", [Datum::Text(text)]) => {
+            Datum::from(text.trim().parse::<f64>().is_ok_and(f64::is_finite))
+        }
+        ("NUMBER", [Datum::Text(text)]) => Datum::Number(
+            text.trim()
+                .parse()
+                .ok()
+                .filter(|value: &f64| value.is_finite())?,
+        ),
+        _ => return None,
+    })
+}
+
+/// `CTRANS(X,10,Y,20)`, `CFINE(…)`, `CROT(Z,30)`; the outer option: whether it is a function of frames.
+fn frame(run: &Interpreter, name: &str, values: &[Datum]) -> Option<Option<Frame>> {
+    if !matches!(name, "CTRANS" | "CFINE" | "CROT") {
+        return None;
+    }
+    let mut frame = Frame::default();
+    let factor = run.sim.control.active_factor();
+    for pair in values.chunks(2) {
+        let [Datum::Word(axis), Datum::Number(value)] = pair else {
+            return Some(None);
+        };
+        let Some(i) = AXES.iter().position(|known| known == axis) else {
+            return Some(None);
+        };
+        match name {
+            "CTRANS" => frame.coarse[i] = value * factor,
+            "CFINE" => frame.fine[i] = value * factor,
+            _ => frame.rotation[i] = *value,
+        }
+    }
+    Some(Some(frame))
+}

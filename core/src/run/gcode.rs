@@ -1,0 +1,85 @@
+//! G functions: motion, plane, frames, units, absolute and incremental.
+
+use super::Stop;
+use super::interpret::Interpreter;
+use super::motion::Suppress;
+use super::problem::Problem;
+use super::statement::Words;
+use crate::catalogue::Dialect;
+use crate::control::{Plane, Units};
+use crate::diagnostic::Severity;
+
+/// Applies the G functions of a block.
+pub fn apply(run: &mut Interpreter, found: &mut Words) -> Result<(), Stop> {
+    let codes: Vec<_> = found
+        .addresses
+        .iter()
+        .filter(|address| address.name == "G")
+        .filter_map(|address| address.value.number().map(|number| (number, address.span)))
+        .collect();
+    for (number, span) in codes {
+        let known = number.fract() == 0.0
+            && (0.0..1000.0).contains(&number)
+            && one(run, number as u16, found);
+        if !known {
+            run.tell(
+                Severity::Error,
+                &Problem::new("run-unknown-word", span, format!("G{number}")),
+            );
+        }
+    }
+    Ok(())
+}
+
+fn one(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
+    let dialect = run.program.dialect;
+    match code {
+        0..=3 => run.modal.motion = code as u8,
+        4 => found.path.dwell = true,
+        17 => run.with_length(|control| control.plane = Plane::G17),
+        18 => run.with_length(|control| control.plane = Plane::G18),
+        19 => run.with_length(|control| control.plane = Plane::G19),
+        40 => run.modal.compensation = false,
+        41 | 42 => run.modal.compensation = true,
+        53 => found.path.suppress = Suppress::Settable,
+        54..=57 => run.sim.control.activate(usize::from(code) - 53),
+        90 => run.modal.absolute = true,
+        91 => run.modal.absolute = false,
+        9 | 60 | 61 | 64 | 80 | 94 => {}
+        _ if dialect == Dialect::Sinumerik => return sinumerik(run, code, found),
+        _ => return nct(run, code),
+    }
+    true
+}
+
+fn sinumerik(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
+    match code {
+        70 | 700 => units(run, Units::Inch, code == 700),
+        71 | 710 => units(run, Units::Metric, code == 710),
+        153 => found.path.suppress = Suppress::All,
+        500 => run.sim.control.activate(0),
+        505..=599 => run.sim.control.activate(usize::from(code) - 500),
+        601..=603 | 641 | 642 | 450 | 451 | 290 => {}
+        _ => return false,
+    }
+    true
+}
+
+fn nct(run: &mut Interpreter, code: u16) -> bool {
+    match code {
+        20 => units(run, Units::Inch, true),
+        21 => units(run, Units::Metric, true),
+        43 => {}
+        49 => run.with_length(|control| control.edge = 0),
+        58 | 59 => run.sim.control.activate(usize::from(code) - 53),
+        98 | 99 => {}
+        _ => return false,
+    }
+    true
+}
+
+/// G70/G71 change lengths only, G700/G710 (NCT G20/G21) feeds too.
+fn units(run: &mut Interpreter, units: Units, feeds: bool) {
+    run.sim.control.active_units = units;
+    run.modal.feed_follows = feeds;
+}

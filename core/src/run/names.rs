@@ -1,0 +1,337 @@
+//! Variables of a program: user data, tool and frame data, R parameters, local ones, and what the control tells.
+
+use super::datum::Datum;
+use super::expression::evaluate;
+use super::interpret::Interpreter;
+use super::problem::Problem;
+use crate::catalogue::{CYCLES, Dialect};
+use crate::control::variables::AXES;
+use crate::control::{Frame, Plane, Units, Value, gud};
+use crate::diagnostic::Span;
+use crate::program::tree::ExprId;
+
+/// Words that stand for themselves: axes, and the parts of a frame.
+const WORDS: [&str; 11] = ["X", "Y", "Z", "A", "B", "C", "TR", "FI", "RT", "SC", "MI"];
+
+/// Name with its index, as data are kept: `_WP[0,1]`, `R10`, `#500`, `$P_UIFR[1,X,TR]`.
+pub fn key(run: &Interpreter, place: Span, index: &[ExprId]) -> Result<String, Problem> {
+    let name = run.program.name(place);
+    if index.is_empty() {
+        return Ok(name);
+    }
+    let mut parts = Vec::new();
+    for id in index {
+        match evaluate(run, *id)? {
+            Datum::Number(value) if value.is_finite() => {
+                parts.push(format!("{}", value.trunc() as i64))
+            }
+            Datum::Word(word) => parts.push(word),
+            _ => return Err(Problem::new("run-index", place, name)),
+        }
+    }
+    let joined = parts.join(",");
+    Ok(if name == "R" || name == "#" {
+        format!("{name}{joined}")
+    } else {
+        format!("{name}[{joined}]")
+    })
+}
+
+/// Value of a variable.
+pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem> {
+    if let Some(value) = run.locals.get(key) {
+        return Ok(Datum::from(value));
+    }
+    if let Some(value) = constant(run, key) {
+        return Ok(value);
+    }
+    if key.starts_with('$') {
+        return system(run, key, place);
+    }
+    if let Some(value) = run.sim.control.data.get(key) {
+        return Ok(Datum::from(value));
+    }
+    known(run, key, place)?;
+    let stem = stem(key);
+    if gud::find(stem).is_some_and(|gud| gud.text) {
+        return Ok(Datum::Text(String::new()));
+    }
+    Ok(Datum::Number(delivered(key)))
+}
+
+/// Value that a parameter has when nobody wrote it: the default of the catalogue (B:1769-1785).
+fn delivered(key: &str) -> f64 {
+    let params = CYCLES.iter().flat_map(|cycle| cycle.params.iter());
+    params
+        .filter(|param| param.name == key)
+        .find_map(|param| param.default)
+        .unwrap_or(0.0)
+}
+
+/// Writes a variable; what changed is recorded.
+pub fn write(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Result<(), Problem> {
+    match value {
+        Datum::List(items) => {
+            for (i, item) in items.iter().enumerate() {
+                if let Some(item) = item {
+                    let next =
+                        shifted(key, i).ok_or_else(|| Problem::new("run-index", place, key))?;
+                    write(run, &next, item, place)?;
+                }
+            }
+            Ok(())
+        }
+        Datum::Repeat(value) => {
+            let first = shifted(key, 0).ok_or_else(|| Problem::new("run-index", place, key))?;
+            for element in elements(run, &first) {
+                write(run, &element, value, place)?;
+            }
+            Ok(())
+        }
+        Datum::Frame(frame) => write_frame(run, key, frame, place),
+        _ => write_one(run, key, value, place),
+    }
+}
+
+fn write_one(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Result<(), Problem> {
+    let Some(stored) = value.value() else {
+        return Err(Problem::new("run-not-a-number", place, key));
+    };
+    if run.locals.contains_key(key) {
+        run.locals.insert(key.to_owned(), stored);
+        return Ok(());
+    }
+    if run.arrays.contains(stem(key)) {
+        return Err(Problem::new("run-index", place, key));
+    }
+    let before = read(run, key, place)?.number().unwrap_or(0.0);
+    if key.starts_with('$') {
+        let number = value
+            .number()
+            .ok_or_else(|| Problem::new("run-not-a-number", place, key))?;
+        let factor = variable_factor(run, key);
+        if !run.sim.control.set_variable(key, number * factor) {
+            return Err(Problem::new("run-read-only", place, key));
+        }
+    } else {
+        run.sim.control.data.insert(key.to_owned(), stored);
+    }
+    if let Some(after) = value.number() {
+        run.note_set(key, before, after);
+    }
+    Ok(())
+}
+
+/// Whether a name without `$` exists, with such an index.
+fn known(run: &Interpreter, key: &str, place: Span) -> Result<(), Problem> {
+    let unknown = || Problem::new("run-unknown-variable", place, key);
+    let number = |digits: &str| digits.parse::<u32>().ok();
+    if run.program.dialect == Dialect::Nct {
+        let digits = key.strip_prefix('#').and_then(number);
+        return digits
+            .filter(|number| *number < 10_000)
+            .map(|_| ())
+            .ok_or_else(unknown);
+    }
+    if let Some(digits) = key.strip_prefix('R').and_then(number) {
+        return (digits < 1000).then_some(()).ok_or_else(unknown);
+    }
+    let gud = gud::find(stem(key)).ok_or_else(unknown)?;
+    let index = indices(key);
+    let inside = index
+        .iter()
+        .zip(gud.sizes)
+        .all(|(i, size)| i.parse::<usize>().is_ok_and(|i| i < *size));
+    let fits = index.len() == gud.sizes.len() && inside;
+    fits.then_some(())
+        .ok_or_else(|| Problem::new("run-index", place, key))
+}
+
+fn constant(run: &Interpreter, key: &str) -> Option<Datum> {
+    if run.program.dialect == Dialect::Nct {
+        return None;
+    }
+    match key {
+        "TRUE" => Some(Datum::Number(1.0)),
+        "FALSE" => Some(Datum::Number(0.0)),
+        "$PI" => Some(Datum::Number(std::f64::consts::PI)),
+        "CTRANS" | "CROT" | "CFINE" => Some(Datum::Frame(Box::default())),
+        _ => WORDS.contains(&key).then(|| Datum::Word(key.to_owned())),
+    }
+}
+
+/// `$…`: tool and frame data, and what the control tells about itself.
+fn system(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem> {
+    let control = &run.sim.control;
+    if let Some(value) = control.variable(key) {
+        return Ok(Datum::Number(value / variable_factor(run, key)));
+    }
+    if let Some(frame) = frame(run, key) {
+        return Ok(Datum::Frame(Box::new(frame)));
+    }
+    if let Some(value) = run.measured.get(key) {
+        return Ok(Datum::Number(*value));
+    }
+    let factor = control.active_factor();
+    let axis = |list: [f64; 3]| {
+        let name = indices(key).first().copied().unwrap_or_default();
+        AXES.iter().position(|axis| *axis == name).map(|i| list[i])
+    };
+    let value = match stem(key) {
+        "$P_TOOLNO" => Some(control.tool as f64),
+        "$P_TOOL" => Some(control.edge as f64),
+        "$P_TOOLR" => Some(control.active_radius() / factor),
+        "$P_UIFRNUM" => Some(control.settable as f64),
+        "$P_DRYRUN" | "$P_ISTEST" | "$P_SEARCH" | "$P_SIM" | "$A_PROTO" => Some(0.0),
+        "$AC_MEA" => Some(0.0),
+        "$P_F" => Some(run.modal.feed),
+        "$P_GG" => group(run, key),
+        "$AA_IW" | "$P_EP" => {
+            axis(control.to_workpiece(run.sim.position)).map(|value| value / factor)
+        }
+        "$AA_IM" => axis(machine(run)).map(|value| value / control.basic_factor()),
+        "$MN_SCALING_SYSTEM_IS_METRIC" => {
+            Some(f64::from(u8::from(control.basic_units == Units::Metric)))
+        }
+        _ => None,
+    };
+    value
+        .map(Datum::Number)
+        .ok_or_else(|| Problem::new("run-unknown-variable", place, key))
+}
+
+/// Machine position of the spindle nose.
+fn machine(run: &Interpreter) -> [f64; 3] {
+    let length = run.sim.control.active_length();
+    std::array::from_fn(|i| run.sim.position[i] + length[i])
+}
+
+/// Active G function of a group: 6 plane (G17 is 1), 13 units (G70 is 1), 14 absolute or incremental.
+fn group(run: &Interpreter, key: &str) -> Option<f64> {
+    let control = &run.sim.control;
+    Some(match *indices(key).first()? {
+        "6" => match control.plane {
+            Plane::G17 => 1.0,
+            Plane::G18 => 2.0,
+            Plane::G19 => 3.0,
+        },
+        "13" => {
+            if control.active_units == Units::Inch {
+                1.0
+            } else {
+                2.0
+            }
+        }
+        "14" => {
+            if run.modal.absolute {
+                1.0
+            } else {
+                2.0
+            }
+        }
+        _ => return None,
+    })
+}
+
+fn frame(run: &Interpreter, key: &str) -> Option<Frame> {
+    let control = &run.sim.control;
+    let number = indices(key).first().and_then(|i| i.parse::<usize>().ok());
+    Some(match (stem(key), number) {
+        ("$P_UIFR", Some(n @ 0..=99)) => control.frames.get(&n).copied().unwrap_or_default(),
+        ("$P_CHBFR", Some(n @ 0..=15)) => {
+            control.channel_basic.get(&n).copied().unwrap_or_default()
+        }
+        ("$P_NCBFR", Some(n @ 0..=15)) => control.global_basic.get(&n).copied().unwrap_or_default(),
+        ("$P_SETFR" | "$P_SETFRAME", None) => control.system,
+        ("$P_IFRAME", None) => control.active,
+        ("$P_PFRAME", None) => control.program_frame,
+        _ => return None,
+    })
+}
+
+fn write_frame(
+    run: &mut Interpreter,
+    key: &str,
+    frame: &Frame,
+    place: Span,
+) -> Result<(), Problem> {
+    if self::frame(run, key).is_none() {
+        return Err(Problem::new("run-read-only", place, key));
+    }
+    let before: Vec<(String, f64)> = run.frame_values();
+    let number = indices(key)
+        .first()
+        .and_then(|i| i.parse::<usize>().ok())
+        .unwrap_or(0);
+    let control = &mut run.sim.control;
+    match stem(key) {
+        "$P_UIFR" => *control.frames.entry(number).or_default() = *frame,
+        "$P_CHBFR" => *control.channel_basic.entry(number).or_default() = *frame,
+        "$P_NCBFR" => *control.global_basic.entry(number).or_default() = *frame,
+        "$P_IFRAME" => control.active = *frame,
+        "$P_PFRAME" => control.program_frame = *frame,
+        _ => control.system = *frame,
+    }
+    for (name, after) in run.frame_values() {
+        let old = before
+            .iter()
+            .find(|(known, _)| *known == name)
+            .map_or(0.0, |(_, value)| *value);
+        if old != after {
+            run.note_set(&name, old, after);
+        }
+    }
+    Ok(())
+}
+
+/// mm in one unit of a tool or frame variable: lengths count in the basic system, types and angles do not.
+fn variable_factor(run: &Interpreter, key: &str) -> f64 {
+    let plain = stem(key) == "$TC_DP1" || key.ends_with(",RT]");
+    if plain {
+        1.0
+    } else {
+        run.sim.control.basic_factor()
+    }
+}
+
+/// The name without its index.
+pub fn stem(key: &str) -> &str {
+    key.split('[').next().unwrap_or_default()
+}
+
+fn indices(key: &str) -> Vec<&str> {
+    match key.split_once('[') {
+        Some((_, rest)) => rest.trim_end_matches(']').split(',').collect(),
+        None => Vec::new(),
+    }
+}
+
+/// The element `steps` behind this one (an array without index: its first element), counted in the last index.
+fn shifted(key: &str, steps: usize) -> Option<String> {
+    let index = indices(key);
+    let Some((last, before)) = index.split_last() else {
+        return Some(format!("{key}[{steps}]"));
+    };
+    let last = last.parse::<usize>().ok()?.checked_add(steps)?;
+    let mut parts: Vec<String> = before.iter().map(|part| (*part).to_owned()).collect();
+    parts.push(last.to_string());
+    Some(format!("{}[{}]", stem(key), parts.join(",")))
+}
+
+/// All elements from this one to the end of its array.
+fn elements(run: &Interpreter, first: &str) -> Vec<String> {
+    let exists =
+        |key: &String| run.locals.contains_key(key) || run.sim.control.data.contains_key(key);
+    let size = gud::find(stem(first))
+        .and_then(|gud| gud.sizes.last().copied())
+        .filter(|size| *size <= 100);
+    let start: usize = indices(first)
+        .last()
+        .and_then(|i| i.parse().ok())
+        .unwrap_or(0);
+    (0..1000)
+        .map_while(|i| {
+            shifted(first, i).filter(|key| exists(key) || size.is_some_and(|size| start + i < size))
+        })
+        .collect()
+}

@@ -1,0 +1,81 @@
+//! What can be wrong with a program while it runs, each with its place and its own number.
+
+use crate::diagnostic::{Code, Diagnostic, Severity, Span};
+use crate::message::Message;
+
+/// Keys of all problems; the position gives the number `PW3nn`.
+pub const KEYS: &[&str] = &[
+    "run-unknown-word",
+    "run-unknown-variable",
+    "run-not-simulated",
+    "run-index",
+    "run-division",
+    "run-not-a-number",
+    "run-function",
+    "run-read-only",
+    "run-label",
+    "run-unmatched",
+    "run-subprogram",
+    "run-depth",
+    "run-steps",
+    "run-trace-limit",
+    "run-no-tool",
+    "run-no-feed",
+    "run-arc",
+    "run-crash",
+    "run-not-finite",
+    "run-alarm",
+    "run-m-function",
+    "run-radius-compensation",
+    "run-call",
+];
+
+/// Something wrong at a place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Problem {
+    /// Place.
+    pub span: Span,
+    /// What.
+    pub message: Message,
+}
+
+impl Problem {
+    /// A problem that names the word at its place.
+    pub fn new(key: &'static str, span: Span, word: impl Into<String>) -> Problem {
+        Problem {
+            span,
+            message: Message::new(key).text("word", word),
+        }
+    }
+
+    /// As a finding.
+    pub fn diagnostic(&self, severity: Severity) -> Diagnostic {
+        Diagnostic {
+            severity,
+            code: code(&self.message.key),
+            message: self.message.clone(),
+            hint: None,
+            param: None,
+            span: Some(self.span),
+        }
+    }
+}
+
+/// Number of a problem of this module.
+pub fn code(key: &str) -> Code {
+    let position = KEYS.iter().position(|known| *known == key).unwrap_or(99);
+    Code::Own(300 + position as u16)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_problem_has_words() {
+        let words = include_str!("../../messages/en/run.ftl");
+        for key in KEYS {
+            assert!(words.contains(&format!("\n{key} = ")), "{key}");
+        }
+    }
+}

@@ -1,0 +1,115 @@
+//! Tool change and edges: `T9 D1`, `M6`; NCT `G43 H98`. The spindle nose stays; a trace step tells the change.
+
+use super::Stop;
+use super::datum::Datum;
+use super::interpret::Interpreter;
+use super::problem::Problem;
+use super::statement::{Address, Words};
+use super::trace::Step;
+use crate::catalogue::Dialect;
+
+/// Applies T, D, M6 (NCT: T, H) of a block.
+pub fn apply(run: &mut Interpreter, found: &Words) -> Result<(), Stop> {
+    let before = (run.sim.control.tool, run.sim.control.edge);
+    let outcome = match run.program.dialect {
+        Dialect::Sinumerik => sinumerik(run, found),
+        Dialect::Nct => nct(run, found),
+    };
+    outcome.map_err(|problem| run.fail(problem))?;
+    let after = (run.sim.control.tool, run.sim.control.edge);
+    if before != after {
+        run.sim.note(Step::Tool(after.0, after.1));
+    }
+    Ok(())
+}
+
+fn last<'a>(found: &'a Words, letter: &str) -> Option<&'a Address> {
+    found
+        .addresses
+        .iter()
+        .rev()
+        .find(|address| address.name == letter)
+}
+
+fn sinumerik(run: &mut Interpreter, found: &Words) -> Result<(), Problem> {
+    if let Some(address) = last(found, "T") {
+        run.modal.prepared = Some(number(run, address)?);
+        run.modal.waiting_edge = None;
+    }
+    if let Some(address) = last(found, "D") {
+        let edge = address
+            .value
+            .number()
+            .ok_or_else(|| Problem::new("run-not-a-number", address.span, "D"))?
+            as i64;
+        match run.modal.prepared {
+            Some(tool) if tool != run.sim.control.tool => run.modal.waiting_edge = Some(edge),
+            _ => select(run, run.sim.control.tool, edge, address)?,
+        }
+    }
+    let change = found
+        .addresses
+        .iter()
+        .find(|address| address.name == "M" && address.value == Datum::Number(6.0));
+    if let (Some(address), Some(tool)) = (change, run.modal.prepared.take()) {
+        // after a change D1 is active where no D was programmed
+        let edge = run
+            .modal
+            .waiting_edge
+            .take()
+            .unwrap_or(if tool == run.sim.control.tool {
+                run.sim.control.edge
+            } else {
+                1
+            });
+        select(run, tool, edge, address)?;
+    }
+    Ok(())
+}
+
+fn number(run: &Interpreter, address: &Address) -> Result<i64, Problem> {
+    match &address.value {
+        Datum::Number(number) => Ok(*number as i64),
+        other => {
+            let name = other.shown();
+            let mut tools = run.sim.control.tools.iter();
+            let found = tools
+                .find(|(_, tool)| tool.name.eq_ignore_ascii_case(&name))
+                .map(|(number, _)| *number);
+            found.ok_or_else(|| Problem::new("run-no-tool", address.span, name))
+        }
+    }
+}
+
+fn select(run: &mut Interpreter, tool: i64, edge: i64, address: &Address) -> Result<(), Problem> {
+    let there = match edge {
+        0 => tool == 0 || run.sim.control.tools.contains_key(&tool),
+        _ if tool == 0 => true,
+        _ => run.sim.control.edge_of(tool, edge).is_some(),
+    };
+    if !there {
+        return Err(Problem::new(
+            "run-no-tool",
+            address.span,
+            format!("T{tool} D{edge}"),
+        ));
+    }
+    let edge = if tool == 0 { 0 } else { edge };
+    run.with_length(|control| (control.tool, control.edge) = (tool, edge));
+    Ok(())
+}
+
+fn nct(run: &mut Interpreter, found: &Words) -> Result<(), Problem> {
+    if let Some(address) = last(found, "T") {
+        run.sim.control.tool = number(run, address)?;
+    }
+    if let Some(address) = last(found, "H") {
+        let edge = address
+            .value
+            .number()
+            .ok_or_else(|| Problem::new("run-not-a-number", address.span, "H"))?
+            as i64;
+        run.with_length(|control| control.edge = edge);
+    }
+    Ok(())
+}
