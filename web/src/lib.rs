@@ -29,3 +29,21 @@ pub fn catalogue() -> String {
 pub fn form(request: &str) -> Result<String, JsError> {
     Ok(json::form(request)?.to_string())
 }
+
+/// `ReadRequest` → `ReadView`.
+///
+/// # Errors
+/// A request of the wrong shape.
+#[wasm_bindgen]
+pub fn read(request: &str) -> Result<String, JsError> {
+    Ok(json::read(request)?.to_string())
+}
+
+/// `ChangeRequest` → `Edit[]`.
+///
+/// # Errors
+/// A request of the wrong shape or a call that is not there.
+#[wasm_bindgen]
+pub fn change(request: &str) -> Result<String, JsError> {
+    Ok(json::change(request)?.to_string())
+}

@@ -1,6 +1,8 @@
 # Alarms of the SINUMERIK measuring cycles that the catalogue names: meaning, and the cure as `.cure`.
 # 61xxx stops until NC RESET, 62xxx informs and the program continues. Facts: alarm table A:15840 to A:15948.
 
+alarm-61016 = The system frame of the cycles is missing.
+    .cure = Set bit 5 of MD 28082 (MM_SYSTEM_FRAME_MASK).
 alarm-61301 = The probe did not switch within the measuring path.
     .cure = Check setpoint, start position and { "_FA" }; check the signal of the probe at the measuring input.
 alarm-61302 = The probe touched something while it was being positioned.
@@ -23,6 +25,8 @@ alarm-61313 = There is no probe with this number.
     .cure = Correct { "_PRNUM" }, or create more probe data and raise { "_CVAL[1]" }.
 alarm-61318 = The weighting factor of the mean value is 0.
     .cure = Enter { "_K" } of 1 or more.
+alarm-61319 = A cycle was called by another one with wrong values.
+    .cure = Report it: it is an internal error of the measuring cycles.
 alarm-61320 = The tool to be corrected is not named, or tool management does not know it.
     .cure = Enter { "_TNUM" } or a { "_TNAME" } that exists.
 alarm-61321 = The zero offset named by { "_KNUM" } does not exist.

@@ -3,6 +3,7 @@
 
 mod catalogue;
 mod form;
+mod program;
 mod setup;
 #[cfg(test)]
 mod tests;
@@ -10,6 +11,7 @@ mod trace;
 
 pub use catalogue::cycles;
 pub use form::form;
+pub use program::{calls, change, read};
 #[cfg(feature = "cli")]
 pub use setup::schema as setup_schema;
 pub use setup::{from_json as setup_from_json, to_json as setup_to_json};

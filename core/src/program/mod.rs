@@ -5,6 +5,7 @@ mod bytes;
 pub mod calls;
 pub mod change;
 mod expression;
+mod findings;
 mod fold;
 mod keyword;
 mod nct;
@@ -18,5 +19,6 @@ pub mod tree;
 mod values;
 
 pub use block::read;
+pub use findings::findings;
 pub use tree::Program;
 pub mod write;

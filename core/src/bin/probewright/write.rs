@@ -28,14 +28,13 @@ pub fn write(name: &str, values: &[String], comments: bool) -> Result<ExitCode, 
     {
         return Ok(ExitCode::FAILURE);
     }
-    let comment = |key: &str| words.key(key.to_owned());
     print!(
         "{}",
         snippet(
             cycle,
             &typed,
             &control,
-            comments.then_some(&comment as &dyn Fn(&str) -> String)
+            comments.then_some(&|key: &str| words.key(key.to_owned()))
         )
     );
     Ok(ExitCode::SUCCESS)

@@ -1,0 +1,116 @@
+//! Reading, changing and running program text. The page counts in UTF-16 units, the core in bytes.
+
+use super::{Error, diagnostic, dialect, dialect_name};
+use crate::check;
+use crate::control::delivery;
+use crate::diagnostic::Diagnostic;
+use crate::program::calls::{CallSite, calls as find_calls};
+use crate::program::change::change as edits;
+use crate::program::position::Positions;
+use crate::program::{self, tree::Program};
+use serde::Deserialize;
+use serde_json::{Value, json};
+
+#[derive(Deserialize)]
+struct ReadRequest {
+    control: String,
+    text: String,
+}
+
+#[derive(Deserialize)]
+struct ChangeRequest {
+    control: String,
+    text: String,
+    call: usize,
+    name: String,
+    value: String,
+}
+
+/// Answers a `ReadRequest` with a `ReadView`: every measuring call, and what is wrong.
+pub fn read(request: &str) -> Result<Value, Error> {
+    let request: ReadRequest = serde_json::from_str(request)?;
+    Ok(calls(&program::read(
+        dialect(&request.control)?,
+        request.text.as_bytes(),
+    )))
+}
+
+/// The measuring calls of a program as a `ReadView`.
+pub fn calls(program: &Program) -> Value {
+    let positions = Positions::new(&program.source);
+    let calls: Vec<Value> = find_calls(program)
+        .iter()
+        .map(|site| call(program, site, &positions))
+        .collect();
+    json!({ "calls": calls, "diagnostics": findings(&program::findings(program), &positions) })
+}
+
+fn call(program: &Program, site: &CallSite, positions: &Positions) -> Value {
+    json!({
+        "control": dialect_name(program.dialect),
+        "cycle": site.cycle.name,
+        "key": site.cycle.key,
+        "mvar": variant(site),
+        "line": site.first_line + 1,
+        "lastLine": site.line + 1,
+        "from": positions.utf16(site.span.start),
+        "to": positions.utf16(site.span.end),
+        "values": site.values,
+        "diagnostics": findings(&site.diagnostics, positions),
+    })
+}
+
+/// Number of the measuring variant, where it is known.
+fn variant(site: &CallSite) -> Option<i64> {
+    let inputs = check::read(
+        site.cycle,
+        &site.values,
+        &delivery(site.cycle.dialect),
+        &mut Vec::new(),
+    );
+    site.cycle
+        .variants
+        .iter()
+        .map(|variant| variant.number)
+        .find(|number| *number == inputs.variant)
+}
+
+/// Findings with their places.
+fn findings(list: &[Diagnostic], positions: &Positions) -> Vec<Value> {
+    list.iter().map(|found| placed(found, positions)).collect()
+}
+
+fn placed(found: &Diagnostic, positions: &Positions) -> Value {
+    let mut value = diagnostic(found);
+    if let Some(span) = found.span {
+        let (line, column) = positions.line_column(span.start);
+        value["from"] = json!(positions.utf16(span.start));
+        value["to"] = json!(positions.utf16(span.end));
+        value["line"] = json!(line);
+        value["column"] = json!(column);
+    }
+    value
+}
+
+/// Answers a `ChangeRequest` with edits: the only places of the text that change.
+pub fn change(request: &str) -> Result<Value, Error> {
+    let request: ChangeRequest = serde_json::from_str(request)?;
+    let program = program::read(dialect(&request.control)?, request.text.as_bytes());
+    let sites = find_calls(&program);
+    let site = sites.get(request.call).ok_or_else(|| Error::Unknown {
+        what: "call",
+        name: request.call.to_string(),
+    })?;
+    let positions = Positions::new(&program.source);
+    let list: Vec<Value> = edits(&program, site, &request.name, &request.value)
+        .iter()
+        .map(|edit| {
+            json!({
+                "from": positions.utf16(edit.span.start),
+                "to": positions.utf16(edit.span.end),
+                "insert": edit.insert,
+            })
+        })
+        .collect();
+    Ok(json!(list))
+}

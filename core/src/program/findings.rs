@@ -1,0 +1,29 @@
+//! What is wrong in a program, without running it.
+
+use super::calls::calls;
+use super::tree::{Program, SyntaxError};
+use crate::diagnostic::{Code, Diagnostic, Severity};
+use crate::message::Message;
+
+/// Something in the program is not understood.
+pub const NOT_UNDERSTOOD: Code = Code::Own(100);
+
+/// Everything that reading and checking found, in the order of the text.
+pub fn findings(program: &Program) -> Vec<Diagnostic> {
+    let syntax = program.errors.iter().map(not_understood);
+    let calls = calls(program).into_iter().flat_map(|site| site.diagnostics);
+    let mut found: Vec<Diagnostic> = syntax.chain(calls).collect();
+    found.sort_by_key(|found| found.span.map_or(0, |span| span.start));
+    found
+}
+
+fn not_understood(error: &SyntaxError) -> Diagnostic {
+    Diagnostic {
+        severity: Severity::Error,
+        code: NOT_UNDERSTOOD,
+        message: Message::new(error.key),
+        hint: None,
+        param: None,
+        span: Some(error.span),
+    }
+}

@@ -1,0 +1,144 @@
+//! The terminal program as a user runs it.
+#![cfg(feature = "cli")]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
+
+use std::process::{Command, Output};
+
+fn probewright(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_probewright"))
+        .args(arguments)
+        .output()
+        .expect("the program starts")
+}
+
+fn out(output: &Output) -> String {
+    String::from_utf8(output.stdout.clone()).unwrap()
+}
+
+fn err(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).unwrap()
+}
+
+fn file(name: &str, text: &[u8]) -> String {
+    let folder = std::env::temp_dir().join(format!("probewright-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let path = folder.join(name);
+    std::fs::write(&path, text).unwrap();
+    path.to_str().unwrap().to_owned()
+}
+
+/// The measured hole of the readme: 0.03 mm too big, radius of T20 D1 to be corrected.
+const HOLE: &str = "N10 G54 G17 G90 T9 D1\nN20 M6\nN30 G0 X180 Y130\nN40 Z20\nN50 _CHBIT[4]=1\n\
+    N60 _TUL=0.1 _TLL=-0.1 _TZL=0.001 _TMV=0.02 _TDIF=0.2 _TSA=1 _FA=2\n\
+    N61 _MVAR=1 _SETVAL=132 _TNUM=20 _KNUM=2001\nN70 CYCLE977\nN80 G0 Z160\nN90 M2\n";
+
+// oracle: issue text
+#[test]
+fn cycles_as_json_have_the_agreed_shape() {
+    let output = probewright(&["cycles", "--json"]);
+    let list: serde_json::Value = serde_json::from_str(&out(&output)).unwrap();
+    let hole = list
+        .as_array()
+        .unwrap()
+        .iter()
+        .find(|entry| entry["cycle"] == "CYCLE977")
+        .unwrap();
+    assert_eq!(hole["control"], "sinumerik");
+    assert_eq!(hole["variants"].as_array().unwrap().len(), 24);
+    assert_eq!(hole["variants"][0]["mvar"], 1);
+    assert!(
+        hole["parameters"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .any(|param| param["name"] == "_SETVAL")
+    );
+    assert!(
+        hole["results"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .any(|result| result["name"] == "_OVR[4]")
+    );
+}
+
+// oracle: hand
+#[test]
+fn write_gives_assignments_and_the_call() {
+    let output = probewright(&[
+        "write",
+        "CYCLE977",
+        "_MVAR=1",
+        "_SETVAL=132,5",
+        "_KNUM=2001",
+        "_TNUM=20",
+    ]);
+    assert!(output.status.success(), "{}", err(&output));
+    assert_eq!(
+        out(&output),
+        "_MVAR=1 _SETVAL=132.5 _KNUM=2001 _TNUM=20\nCYCLE977\n"
+    );
+}
+
+// oracle: manual A:15840-15948 (numbers)
+#[test]
+fn write_tells_every_problem_and_fails() {
+    let output = probewright(&["write", "CYCLE977", "_MVAR=1", "_KNUM=2000", "_FA=0"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(err(&output).contains("_SETVAL"), "{}", err(&output));
+    assert!(err(&output).contains("61308"), "{}", err(&output));
+    assert!(err(&output).contains("61328"), "{}", err(&output));
+    assert_eq!(out(&output), "");
+}
+
+// oracle: issue text
+#[test]
+fn check_names_file_line_and_column() {
+    let path = file(
+        "wrong.mpf",
+        b"G54 G17\r\n_MVAR=7 _SETVAL=10 _KNUM=0\r\nCYCLE977\r\n",
+    );
+    let output = probewright(&["check", &path]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(
+        out(&output).contains(&format!("{path}:2:7: error[61307]:")),
+        "{}",
+        out(&output)
+    );
+    let path = file("right.mpf", HOLE.as_bytes());
+    let output = probewright(&["check", &path]);
+    assert_eq!(output.status.code(), Some(0), "{}", out(&output));
+}
+
+// oracle: hand
+#[test]
+fn read_finds_the_call_with_its_values() {
+    let path = file("read.mpf", HOLE.as_bytes());
+    let view: serde_json::Value =
+        serde_json::from_str(&out(&probewright(&["read", &path, "--json"]))).unwrap();
+    let call = &view["calls"][0];
+    assert_eq!(call["cycle"], "CYCLE977");
+    assert_eq!(call["lastLine"], 8);
+    assert_eq!(call["values"]["_SETVAL"], "132");
+    assert_eq!(call["values"]["_TSA"], "1");
+}
+
+// oracle: hand
+#[test]
+fn wrong_use_is_told_in_a_line() {
+    for arguments in [
+        &["write", "CYCLE1234"][..],
+        &["write", "CYCLE977", "_NOTHING=1"],
+        &["write", "CYCLE977", "_MVAR"],
+        &["read", "/no/such/file"],
+    ] {
+        let output = probewright(arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        assert_eq!(
+            err(&output).trim_end().lines().count(),
+            1,
+            "{}",
+            err(&output)
+        );
+    }
+}
