@@ -12,6 +12,7 @@ pub const PARAM: Param = Param {
     kind: Kind::Real,
     unit: Unit::None,
     default: None,
+    default_inch: None,
     range: Range::ANY,
     usual: Range::ANY,
     alarm: None,

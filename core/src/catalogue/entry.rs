@@ -68,6 +68,8 @@ pub struct Param {
     pub unit: Unit,
     /// Value when it is not written; `None`: it has to be.
     pub default: Option<f64>,
+    /// The same in inch, where the manual gives a round value of its own (NCT: 5 mm or 0.2 inch, C:94).
+    pub default_inch: Option<f64>,
     /// Outside of this the control alarms (or the call makes no sense).
     pub range: Range,
     /// Outside of this a colleague would ask.

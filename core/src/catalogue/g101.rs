@@ -49,10 +49,12 @@ pub static G101: Cycle = Cycle {
         Param {
             name: "F",
             key: "g101-f",
+            default: Some(1500.0),
+            default_inch: Some(60.0),
             unit: Unit::BasicFeed,
             range: Range::POSITIVE,
             usual: Range::closed(1.0, 5000.0),
-            needs: &[optional(When::Always, "need-g101-feed")],
+            needs: &[optional(When::Always, "need-nct-optional")],
             source: "C:115",
             ..PARAM
         },
@@ -85,9 +87,7 @@ fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     nct::ready(machine)?;
     let incremental = machine.control().bit(nct::INCREMENTAL);
     let to = target(inputs, machine.position(), incremental);
-    let default = nct::by_system(machine, 1500.0, 60.0);
-    let feed = inputs.numbers.get("F").copied().unwrap_or(default);
-    let outcome = machine.travel(to, MotionKind::Positioning, feed, true);
+    let outcome = machine.travel(to, MotionKind::Positioning, inputs.number("F"), true);
     let lost = if outcome.is_ok() { 0.0 } else { 1.0 };
     machine.control().set(nct::POSITION_LOST, lost);
     outcome

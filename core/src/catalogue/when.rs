@@ -2,6 +2,7 @@
 
 use super::{Kind, Level, Param, When};
 use crate::check::Inputs;
+use crate::control::{Control, Units};
 
 impl When {
     /// Whether it holds. A number that is not given counts as 0.
@@ -43,6 +44,14 @@ impl Param {
             .iter()
             .find(|need| need.when.holds(inputs))
             .map(|need| (need.level, need.reason))
+    }
+
+    /// Value when it is not written, as it would be typed on this control.
+    pub fn fallback(&self, control: &Control) -> Option<f64> {
+        match control.active_units {
+            Units::Inch => self.default_inch.or(self.default),
+            Units::Metric => self.default,
+        }
     }
 
     /// Stem of its message keys with these values.

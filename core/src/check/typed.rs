@@ -114,7 +114,7 @@ fn value(param: &Param, text: &str, control: &Control) -> Result<Option<f64>, Di
     let number = match parse(text) {
         Parsed::Empty => {
             return Ok(param
-                .default
+                .fallback(control)
                 .map(|number| number * factor(param.unit, control)));
         }
         Parsed::Number(number) => number,

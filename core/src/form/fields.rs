@@ -96,7 +96,7 @@ fn field(
         help: Message::new(format!("param-{stem}-help")),
         entry: entry(param, inputs, control),
         value: typed.get(param.name).cloned().unwrap_or_default(),
-        fallback: param.default,
+        fallback: param.fallback(control),
         unit: unit(param.unit, control),
         required: level == Level::Required && param.default.is_none(),
         reason: Message::new(reason),

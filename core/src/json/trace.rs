@@ -66,7 +66,7 @@ pub(super) fn alarms(outcome: &Outcome) -> Vec<Value> {
 fn alarm(alarm: Code) -> Value {
     let stops = match alarm {
         Code::Alarm(number) => number < 62000,
-        Code::Nct(text) => !text.contains("TOLERANCE"),
+        Code::Nct(_) => !crate::catalogue::nct::informs(alarm),
         Code::Own(_) => true,
     };
     let key = alarm_key(alarm);

@@ -51,19 +51,20 @@ pub const PARAMS: &[Param] = &[
     Param {
         name: "R",
         key: "g110-r",
+        default: Some(5.0),
+        default_inch: Some(0.2),
         range: Range::POSITIVE,
-        needs: &[optional(
-            When::Variant(&[super::BOSS]),
-            "need-g110-clearance",
-        )],
+        needs: &[optional(When::Variant(&[super::BOSS]), "need-nct-optional")],
         source: "C:1077",
         ..LENGTH
     },
     Param {
         name: "Q",
         key: "g110-q",
+        default: Some(10.0),
+        default_inch: Some(0.4),
         range: Range::POSITIVE,
-        needs: &[optional(When::Always, "need-nct-overtravel")],
+        needs: &[optional(When::Always, "need-nct-optional")],
         source: "C:1078",
         ..LENGTH
     },

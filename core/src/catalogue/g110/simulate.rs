@@ -59,12 +59,11 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
 }
 
 fn call(machine: &mut dyn Machine, inputs: &Inputs) -> Call {
-    let given = |name: &str| inputs.numbers.get(name).copied();
     Call {
         boss: depth(inputs).filter(|_| inputs.variant == BOSS),
         diameter: inputs.number("D"),
-        clearance: given("R").unwrap_or(nct::by_system(machine, 5.0, 0.2)),
-        overtravel: given("Q").unwrap_or(nct::by_system(machine, 10.0, 0.4)),
+        clearance: inputs.number("R"),
+        overtravel: inputs.number("Q"),
         start: machine.position(),
         axes: machine.control().plane.axes(),
     }

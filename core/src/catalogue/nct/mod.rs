@@ -98,10 +98,7 @@ pub fn ready_to_measure(machine: &mut dyn Machine) -> Result<(), Stop> {
     ready(machine)
 }
 
-/// A length that the manual gives in both systems (5 mm or 0.2 inch), in mm by the active one (C:94).
-pub fn by_system(machine: &mut dyn Machine, metric: f64, inch: f64) -> f64 {
-    match machine.control().active_units {
-        crate::control::Units::Metric => metric,
-        crate::control::Units::Inch => inch * crate::control::units::INCH,
-    }
+/// Whether it is an operator message after which the program goes on with START (C:1139-1145); the others stop.
+pub fn informs(code: Code) -> bool {
+    [OUT_OF_TOLERANCE, UPPER_TOLERANCE, TOOL_TOO_LARGE].contains(&code)
 }
