@@ -1,0 +1,270 @@
+//! Measuring calls read from programs, and changes of one value.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use probewright_core::catalogue::{CYCLES, Dialect, Kind, find};
+use probewright_core::check::Typed;
+use probewright_core::control::delivery;
+use probewright_core::program::calls::{CallSite, calls};
+use probewright_core::program::change::{apply, change};
+use probewright_core::program::write::snippet;
+use probewright_core::program::{Program, read};
+use proptest::prelude::*;
+
+fn sinumerik(text: &str) -> (Program, Vec<CallSite>) {
+    let program = read(Dialect::Sinumerik, text.as_bytes());
+    let sites = calls(&program);
+    (program, sites)
+}
+
+fn value<'a>(site: &'a CallSite, name: &str) -> &'a str {
+    site.values.get(name).map_or("", String::as_str)
+}
+
+fn changed(text: &str, call: usize, name: &str, value: &str) -> String {
+    let (program, sites) = sinumerik(text);
+    let edits = change(&program, &sites[call], name, value);
+    String::from_utf8(apply(&program.source, &edits)).unwrap()
+}
+
+// oracle: manual B 5.4.3.2 (hole 132, radius wear of T20)
+#[test]
+fn a_call_has_the_values_of_all_its_lines() {
+    let (program, sites) = sinumerik(include_str!("programs/hole.mpf"));
+    assert_eq!(sites.len(), 1);
+    let site = &sites[0];
+    assert_eq!(
+        (site.cycle.name, site.first_line + 1, site.line + 1),
+        ("CYCLE977", 8, 10)
+    );
+    assert_eq!(program.text(site.span), b"CYCLE977");
+    for (name, expected) in [
+        ("_MVAR", "1"),
+        ("_SETVAL", "132"),
+        ("_TLL", "-0.03"),
+        ("_KNUM", "2001"),
+        ("_TSA", "1"),
+    ] {
+        assert_eq!(value(site, name), expected);
+        assert_eq!(program.text(site.places[name]), expected.as_bytes());
+    }
+}
+
+// oracle: hand (user data stays until it is overwritten)
+#[test]
+fn values_of_earlier_calls_persist_and_the_newest_counts() {
+    let (program, sites) =
+        sinumerik("_MVAR=100 _SETVAL=0 _MA=1 _FA=4\nCYCLE978\n\n_MA=2\ncycle978\nCYCLE978\n");
+    let lines: Vec<_> = sites
+        .iter()
+        .map(|site| (site.first_line, site.line, value(site, "_MA")))
+        .collect();
+    assert_eq!(lines, [(0, 1, "1"), (3, 4, "2"), (5, 5, "2")]);
+    assert!(
+        sites
+            .iter()
+            .all(|site| value(site, "_FA") == "4" && value(site, "_MVAR") == "100")
+    );
+    assert_eq!(program.line_of(sites[2].places["_MA"].start), 3);
+}
+
+// oracle: hand
+#[test]
+fn constant_expressions_are_worked_out_and_others_stay_as_text() {
+    let text = "R5=10\n_MVAR=1 _SETVAL=110.5 _FA=_SETVAL/2 _TSA=R5*2-1 _ID=R99+1\n_TNUM = 3 _VMS=-(2+3)\nCYCLE977\n";
+    let (_, sites) = sinumerik(text);
+    let shown = ["_FA", "_TSA", "_ID", "_TNUM", "_VMS"].map(|name| value(&sites[0], name));
+    assert_eq!(shown, ["55.25", "19", "R99+1", "3", "-5"]);
+}
+
+// oracle: hand
+#[test]
+fn a_variable_that_a_loop_changes_is_not_taken_for_constant() {
+    let (_, sites) =
+        sinumerik("R1=5\nBACK: _TSA=R1 _MVAR=1\nCYCLE977\nR1=R1+1\nIF R1<9 GOTOB BACK\n");
+    assert_eq!(value(&sites[0], "_TSA"), "R1");
+}
+
+// oracle: hand
+#[test]
+fn elements_of_a_list_are_values_with_their_own_places() {
+    let text = "_MVAR=105 _SETV[0]=SET(100, -20.5)\nCYCLE977\n";
+    let (program, sites) = sinumerik(text);
+    assert_eq!(
+        (value(&sites[0], "_SETV[0]"), value(&sites[0], "_SETV[1]")),
+        ("100", "-20.5")
+    );
+    assert_eq!(program.text(sites[0].places["_SETV[1]"]), b"-20.5");
+    assert_eq!(
+        changed(text, 0, "_SETV[1]", "30"),
+        text.replace("-20.5", "30")
+    );
+}
+
+// oracle: hand
+#[test]
+fn calls_that_are_skipped_or_wrong_are_listed_with_places() {
+    let (program, sites) =
+        sinumerik("GOTOF OVER\n/N5 _MVAR=1 _SETVAL=-5\n/N6 CYCLE977\nOVER: M30\n");
+    assert_eq!(sites.len(), 1);
+    assert!(!sites[0].diagnostics.is_empty());
+    for finding in &sites[0].diagnostics {
+        let place = program.text(finding.span.unwrap());
+        assert!(
+            place == b"CYCLE977"
+                || finding
+                    .param
+                    .is_some_and(|name| value(&sites[0], name).as_bytes() == place)
+        );
+    }
+}
+
+// oracle: manual C:1048 (addresses of the G110 block), hand
+#[test]
+fn addresses_of_an_nct_block_are_the_values() {
+    let program = read(Dialect::Nct, include_bytes!("programs/bore.nc"));
+    let sites = calls(&program);
+    let bores: Vec<_> = sites
+        .iter()
+        .filter(|site| site.cycle.name == "G110")
+        .collect();
+    assert_eq!(bores.len(), 2);
+    assert_eq!(
+        (
+            value(bores[0], "S"),
+            value(bores[1], "D"),
+            value(bores[1], "H")
+        ),
+        ("6", "50.", ".3")
+    );
+    let edits = change(&program, bores[1], "H", "0,2");
+    let text = String::from_utf8(apply(&program.source, &edits)).unwrap();
+    assert_eq!(
+        text,
+        include_str!("programs/bore.nc").replace("H.3", "H0.2")
+    );
+    let edits = change(&program, bores[1], "Q", "12");
+    let text = String::from_utf8(apply(&program.source, &edits)).unwrap();
+    assert_eq!(
+        calls(&read(Dialect::Nct, text.as_bytes()))
+            .iter()
+            .filter(|site| value(site, "Q") == "12")
+            .count(),
+        1
+    );
+    let edits = change(&program, bores[1], "H", "");
+    let text = String::from_utf8(apply(&program.source, &edits)).unwrap();
+    assert_eq!(text, include_str!("programs/bore.nc").replace(" H.3", ""));
+}
+
+const PROGRAM: &str = "N10 _MVAR=100  _SETVAL = 12.50 ;set\r\n  N20 _FA=1\t_TSA=2 ;more\r\n N30 CYCLE978 ;go\r\n N40 CYCLE978\r\n";
+
+// oracle: hand
+#[test]
+fn a_change_replaces_the_value_and_nothing_else() {
+    assert_eq!(
+        changed(PROGRAM, 0, "_SETVAL", "13,25"),
+        PROGRAM.replace("12.50", "13.25")
+    );
+    assert_eq!(
+        changed(PROGRAM, 0, "_FA", "3"),
+        PROGRAM.replace("_FA=1", "_FA=3")
+    );
+    assert_eq!(changed(PROGRAM, 0, "_FA", "1"), PROGRAM);
+    assert_eq!(changed(PROGRAM, 0, "_NO_PARAMETER", "1"), PROGRAM);
+}
+
+// oracle: hand
+#[test]
+fn a_new_value_follows_the_last_one_of_the_call() {
+    assert_eq!(
+        changed(PROGRAM, 0, "_VMS", "200"),
+        PROGRAM.replace("_TSA=2", "_TSA=2 _VMS=200")
+    );
+}
+
+// oracle: hand
+#[test]
+fn a_value_shared_with_an_earlier_call_is_written_anew_before_this_call() {
+    assert_eq!(
+        changed(PROGRAM, 1, "_FA", "5"),
+        PROGRAM.replace(" N40", " N35 _FA=5\r\n N40")
+    );
+    let full = PROGRAM.replace("N40", "N31");
+    assert_eq!(
+        changed(&full, 1, "_FA", "5"),
+        full.replace(" N31", " _FA=5\r\n N31")
+    );
+    assert_eq!(changed(PROGRAM, 1, "_FA", ""), PROGRAM);
+}
+
+// oracle: hand
+#[test]
+fn taking_a_value_away_takes_its_blank_along() {
+    assert_eq!(
+        changed(PROGRAM, 0, "_TSA", ""),
+        PROGRAM.replace("\t_TSA=2", "")
+    );
+    assert_eq!(
+        changed(PROGRAM, 0, "_SETVAL", " "),
+        PROGRAM.replace("  _SETVAL = 12.50", "")
+    );
+}
+
+fn typed_values() -> impl Strategy<Value = (usize, Typed)> {
+    let numbers = proptest::collection::vec(
+        (any::<bool>(), -9_999_999..9_999_999_i32, any::<usize>()),
+        24,
+    );
+    (0..CYCLES.len(), numbers).prop_map(|(index, numbers)| {
+        let cycle = CYCLES[index];
+        let mut typed = Typed::new();
+        for (param, (given, number, pick)) in cycle.params.iter().zip(numbers) {
+            let text = match param.kind {
+                Kind::Variant(_) => cycle.variants[pick % cycle.variants.len()]
+                    .number
+                    .to_string(),
+                Kind::Real if given => (f64::from(number) / 1000.0).to_string(),
+                Kind::Text(_) if given => format!("T{}", number.unsigned_abs() % 100),
+                _ if given => (number / 1000).to_string(),
+                _ => continue,
+            };
+            typed.insert(param.name.into(), text);
+        }
+        (index, typed)
+    })
+}
+
+// oracle: self (writing and reading are inverse)
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(1000))]
+
+    #[test]
+    fn what_is_written_is_read_back_and_one_change_changes_one_value((index, typed) in typed_values(), other in 1..1000_u32) {
+        let cycle = CYCLES[index];
+        prop_assert!(find(cycle.dialect, cycle.name).is_some());
+        let text = snippet(cycle, &typed, &delivery(cycle.dialect), None);
+        let program = read(cycle.dialect, text.as_bytes());
+        prop_assert!(program.errors.is_empty(), "{}", text);
+        let sites = calls(&program);
+        prop_assert_eq!(sites.len(), 1);
+        for (name, read) in &sites[0].values {
+            prop_assert_eq!(read.parse::<f64>().ok(), typed[name].parse::<f64>().ok(), "{} in {}", name, text);
+        }
+        let written = sites[0].values.len();
+        for param in cycle.params.iter().filter(|param| !matches!(param.kind, Kind::Text(_))) {
+            let edits = change(&program, &sites[0], param.name, &other.to_string());
+            let after = read(cycle.dialect, &apply(text.as_bytes(), &edits));
+            let again = calls(&after);
+            let had = sites[0].values.contains_key(param.name);
+            prop_assert_eq!(again.len(), 1);
+            prop_assert_eq!(value(&again[0], param.name), other.to_string());
+            prop_assert_eq!(again[0].values.len(), written + usize::from(!had));
+            for (name, read) in sites[0].values.iter().filter(|(name, _)| *name != param.name) {
+                prop_assert_eq!(value(&again[0], name), read);
+            }
+            if let (true, [edit]) = (had, &edits[..]) {
+                prop_assert_eq!(edit.span, sites[0].places[param.name], "only the value's place");
+            }
+        }
+    }
+}
