@@ -12,6 +12,7 @@ use crate::diagnostic::Severity;
 /// Carries out a block whose words were collected.
 pub fn perform(run: &mut Interpreter, at: usize, mut found: Words) -> Result<Next, Stop> {
     if let Some(cycle) = macro_call(run, &found) {
+        gcode::apply_beside_macro(run, &mut found)?;
         cycle::addresses(run, cycle, &found)?;
         return Ok(Next::Block);
     }

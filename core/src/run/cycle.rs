@@ -4,7 +4,7 @@ use super::interpret::Interpreter;
 use super::problem::Problem;
 use super::statement::Words;
 use super::{Stop, call};
-use crate::catalogue::{Cycle, Kind};
+use crate::catalogue::{Cycle, Kind, nct};
 use crate::check::{self, Typed};
 use crate::control::Value;
 use crate::diagnostic::{Code, Severity, Span};
@@ -48,6 +48,8 @@ pub fn addresses(run: &mut Interpreter, cycle: &'static Cycle, found: &Words) ->
             ),
         }
     }
+    let incremental = f64::from(u8::from(!run.modal.absolute));
+    run.sim.control.set(nct::INCREMENTAL, incremental);
     checked(run, cycle, &typed, found.path.span)
 }
 

@@ -11,11 +11,25 @@ use crate::diagnostic::Severity;
 
 /// Applies the G functions of a block.
 pub fn apply(run: &mut Interpreter, found: &mut Words) -> Result<(), Stop> {
+    some(run, found, |_| true)
+}
+
+/// Applies the G functions that stand in a block beside the NCT macro that it calls (`G17 G110 D50`, C:1050).
+pub fn apply_beside_macro(run: &mut Interpreter, found: &mut Words) -> Result<(), Stop> {
+    some(run, found, |code| code < 100.0 && code != 65.0)
+}
+
+fn some(
+    run: &mut Interpreter,
+    found: &mut Words,
+    counts: impl Fn(f64) -> bool,
+) -> Result<(), Stop> {
     let codes: Vec<_> = found
         .addresses
         .iter()
         .filter(|address| address.name == "G")
         .filter_map(|address| address.value.number().map(|number| (number, address.span)))
+        .filter(|(number, _)| counts(*number))
         .collect();
     for (number, span) in codes {
         let known = number.fract() == 0.0

@@ -153,7 +153,7 @@ impl<'a> Interpreter<'a> {
             program,
             sim,
             modal: Modal {
-                motion: 1,
+                motion: if follows { 0 } else { 1 }, // the NCT programs move without F at first, C:1164
                 absolute: true,
                 feed: 0.0,
                 feed_factor,
