@@ -55,8 +55,9 @@ fn number(text: &str, name: &str) -> f64 {
 #[test]
 fn motion_ends_where_it_says() {
     // oracle: hand
-    let outcome =
-        clean("N10 G0 G90 X10 Y-20.5 Z100\nN20 G91 X5 Z=-10\nN30 G90 G1 Y=IC(0.5) Z=AC(7) F500\nM30");
+    let outcome = clean(
+        "N10 G0 G90 X10 Y-20.5 Z100\nN20 G91 X5 Z=-10\nN30 G90 G1 Y=IC(0.5) Z=AC(7) F500\nM30",
+    );
     near(outcome.end(), [15.0, -20.0, 7.0]);
     let kinds: Vec<_> = outcome
         .trace
@@ -232,24 +233,40 @@ fn flow_goes_its_way() {
     let cases = [
         ("IF R2==0\nR1=1\nELSE\nR1=2\nENDIF", 1.0),
         ("IF R2<>0\nR1=1\nELSE\nR1=2\nENDIF", 2.0),
-        ("IF 0\nIF 1\nR1=1\nENDIF\nR1=5\nELSE\nR1=R1+2\nENDIF\nR1=R1*10", 20.0),
+        (
+            "IF 0\nIF 1\nR1=1\nENDIF\nR1=5\nELSE\nR1=R1+2\nENDIF\nR1=R1*10",
+            20.0,
+        ),
         ("GOTOF ENDE\nR1=1\nENDE:\nR1=R1+2", 2.0),
         ("AGAIN: R1=R1+1\nIF R1<5 GOTOB AGAIN\nM2\nR1=99", 5.0),
-        ("N10 R1=R1+1\nN20 IF R1<3 GOTOB N10\nN30 GOTOF \"LA\"<<\"ST\"\nR1=50\nLAST: R1=R1+1", 4.0),
+        (
+            "N10 R1=R1+1\nN20 IF R1<3 GOTOB N10\nN30 GOTOF \"LA\"<<\"ST\"\nR1=50\nLAST: R1=R1+1",
+            4.0,
+        ),
         ("WHILE R1<7\nR1=R1+2\nENDWHILE", 8.0),
         ("DEF INT I\nFOR I=1 TO 4\nR1=R1+I\nENDFOR", 10.0),
         ("DEF INT I\nFOR I=5 TO 4\nR1=R1+I\nENDFOR", 0.0),
         ("REPEAT\nR1=R1+1\nUNTIL R1>=3", 3.0),
         ("LOOP\nR1=R1+1\nIF R1==6 GOTOF OUT\nENDLOOP\nOUT: R2=0", 6.0),
-        ("R3=9\nCASE R3 OF 7 GOTOF A1 9 GOTOF B1 DEFAULT GOTOF C1\nA1: R1=1\nM2\nB1: R1=2\nM2\nC1: R1=3", 2.0),
-        ("R3=8\nCASE R3 OF 7 GOTOF A1 9 GOTOF B1 DEFAULT GOTOF C1\nA1: R1=1\nM2\nB1: R1=2\nM2\nC1: R1=3", 3.0),
+        (
+            "R3=9\nCASE R3 OF 7 GOTOF A1 9 GOTOF B1 DEFAULT GOTOF C1\nA1: R1=1\nM2\nB1: R1=2\nM2\nC1: R1=3",
+            2.0,
+        ),
+        (
+            "R3=8\nCASE R3 OF 7 GOTOF A1 9 GOTOF B1 DEFAULT GOTOF C1\nA1: R1=1\nM2\nB1: R1=2\nM2\nC1: R1=3",
+            3.0,
+        ),
         ("L10\nL10\nM30\n%_N_L10_SPF\nR1=R1+3\nM17", 6.0),
         ("/N10 R1=4", 4.0),
     ];
     for (text, value) in cases {
         assert_eq!(number(text, "R1"), value, "{text}");
     }
-    for (text, key) in [("GOTOF AWAY", "run-label"), ("ENDIF", "run-unmatched"), ("WHILE 1", "run-unmatched")] {
+    for (text, key) in [
+        ("GOTOF AWAY", "run-label"),
+        ("ENDIF", "run-unmatched"),
+        ("WHILE 1", "run-unmatched"),
+    ] {
         assert!(
             matches!(&go(text).stop, Some(Stop::Fault(message)) if message.key == key),
             "{text}"
@@ -271,11 +288,7 @@ fn endless_programs_are_stopped() {
         trace: 1_000,
     };
     for (text, key) in cases {
-        let outcome = run(
-            &read(Dialect::Sinumerik, text.as_bytes()),
-            &setup(),
-            limits,
-        );
+        let outcome = run(&read(Dialect::Sinumerik, text.as_bytes()), &setup(), limits);
         assert!(
             matches!(&outcome.stop, Some(Stop::Fault(message)) if message.key == key),
             "{text}: {:?}",
@@ -310,12 +323,20 @@ fn arcs_end_at_their_end() {
     // oracle: hand: a quarter about X0 Y0 passes 45 degrees
     let outcome = clean("G0 X10 Y0\nG3 X0 Y10 I-10 J0 F100");
     near(outcome.end(), [0.0, 10.0, 500.0]);
-    let on_circle = outcome.trace.entries.iter().skip(1).all(|entry| match entry.step {
-        Step::Motion { to, .. } => (to[0].hypot(to[1]) - 10.0).abs() < 1e-9 && to[0] > -1e-9,
-        _ => true,
-    });
+    let on_circle = outcome
+        .trace
+        .entries
+        .iter()
+        .skip(1)
+        .all(|entry| match entry.step {
+            Step::Motion { to, .. } => (to[0].hypot(to[1]) - 10.0).abs() < 1e-9 && to[0] > -1e-9,
+            _ => true,
+        });
     assert!(on_circle);
-    near(clean("G0 X10 Y0\nG2 X0 Y10 CR=-10 F100").end(), [0.0, 10.0, 500.0]);
+    near(
+        clean("G0 X10 Y0\nG2 X0 Y10 CR=-10 F100").end(),
+        [0.0, 10.0, 500.0],
+    );
     let outcome = go("G0 X10 Y0\nG3 X0 Y20 I-10 J0 F100");
     assert!(matches!(outcome.stop, Some(Stop::Fault(message)) if message.key == "run-arc"));
 }
@@ -414,7 +435,10 @@ fn nct_words_are_understood() {
         &setup,
         Limits::default(),
     );
-    assert_eq!((outcome.stop.clone(), &outcome.diagnostics[..]), (None, &[][..]));
+    assert_eq!(
+        (outcome.stop.clone(), &outcome.diagnostics[..]),
+        (None, &[][..])
+    );
     // oracle: hand
     near(outcome.end(), [6.0, 5.0, 20.0]);
     assert_eq!(outcome.control.number("#101"), 0.0);
@@ -425,13 +449,68 @@ fn nct_words_are_understood() {
 /// Pieces of programs, put together at random: far more of them run deep than of random bytes.
 fn piece() -> impl Strategy<Value = String> {
     let words = [
-        "G0 X10", "G1 Z-5 F100", "G2 X1 Y1 I3", "G54", "G500", "G18", "T9 D1", "M6", "T20 M6", "D0", "R1=R1+1",
-        "R2=R1/R3", "IF R1>2", "ELSE", "ENDIF", "WHILE R1<3", "ENDWHILE", "FOR R1=1 TO 5", "ENDFOR", "REPEAT",
-        "UNTIL R1>4", "LOOP", "ENDLOOP", "GOTOB A", "GOTOF A", "A:", "CYCLE977", "CYCLE978", "_MVAR=1", "_MVAR=101",
-        "_SETVAL=20", "_KNUM=2001", "_KNUM=1", "_TNUM=20", "_MA=1", "_FA=1E9", "_ID=-5", "TRANS X5", "AROT Z45",
-        "DEF REAL B[3]", "B=SET(1,2,3)", "R4=B[R1]", "MSG(\"A\"<<R1)", "X=IC(R1)", "$P_UIFR[1]=CTRANS(X,R1)",
-        "MEAS=1 G1 Z-20", "G91", "G70", "L1", "%_N_L1_SPF", "M17", "G101 X1", "G110 D50 S6", "#1=#2/#3", "G43 H98",
-        "H1", "M2", "_NMSP=1E12", "_PRNUM=101", "R1=-1E308*10", "_EVNUM=9999", "_VMS=-1",
+        "G0 X10",
+        "G1 Z-5 F100",
+        "G2 X1 Y1 I3",
+        "G54",
+        "G500",
+        "G18",
+        "T9 D1",
+        "M6",
+        "T20 M6",
+        "D0",
+        "R1=R1+1",
+        "R2=R1/R3",
+        "IF R1>2",
+        "ELSE",
+        "ENDIF",
+        "WHILE R1<3",
+        "ENDWHILE",
+        "FOR R1=1 TO 5",
+        "ENDFOR",
+        "REPEAT",
+        "UNTIL R1>4",
+        "LOOP",
+        "ENDLOOP",
+        "GOTOB A",
+        "GOTOF A",
+        "A:",
+        "CYCLE977",
+        "CYCLE978",
+        "_MVAR=1",
+        "_MVAR=101",
+        "_SETVAL=20",
+        "_KNUM=2001",
+        "_KNUM=1",
+        "_TNUM=20",
+        "_MA=1",
+        "_FA=1E9",
+        "_ID=-5",
+        "TRANS X5",
+        "AROT Z45",
+        "DEF REAL B[3]",
+        "B=SET(1,2,3)",
+        "R4=B[R1]",
+        "MSG(\"A\"<<R1)",
+        "X=IC(R1)",
+        "$P_UIFR[1]=CTRANS(X,R1)",
+        "MEAS=1 G1 Z-20",
+        "G91",
+        "G70",
+        "L1",
+        "%_N_L1_SPF",
+        "M17",
+        "G101 X1",
+        "G110 D50 S6",
+        "#1=#2/#3",
+        "G43 H98",
+        "H1",
+        "M2",
+        "_NMSP=1E12",
+        "_PRNUM=101",
+        "R1=-1E308*10",
+        "_EVNUM=9999",
+        "_VMS=-1",
     ];
     prop::sample::select(words.to_vec()).prop_map(str::to_owned)
 }

@@ -6,7 +6,7 @@ use super::interpret::Interpreter;
 use super::problem::Problem;
 use crate::catalogue::{CYCLES, Dialect};
 use crate::control::variables::AXES;
-use crate::control::{Frame, Plane, Units, Value, gud};
+use crate::control::{Frame, Plane, Units, gud};
 use crate::diagnostic::Span;
 use crate::program::tree::ExprId;
 

@@ -51,7 +51,9 @@ fn sinumerik(run: &mut Interpreter, found: &Words) -> Result<(), Problem> {
         .addresses
         .iter()
         .find(|address| address.name == "M" && address.value == Datum::Number(6.0));
-    if let (Some(address), Some(tool)) = (change, run.modal.prepared.take()) {
+    if let Some(address) = change
+        && let Some(tool) = run.modal.prepared.take()
+    {
         // after a change D1 is active where no D was programmed
         let edge = run
             .modal
