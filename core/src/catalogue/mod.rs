@@ -30,3 +30,6 @@ pub fn find(dialect: Dialect, name: &str) -> Option<&'static Cycle> {
         .copied()
         .find(|cycle| cycle.dialect == dialect && cycle.name.eq_ignore_ascii_case(name))
 }
+
+#[cfg(test)]
+mod tests;

@@ -3,6 +3,8 @@
 mod finding;
 mod number;
 mod targets;
+#[cfg(test)]
+mod tests;
 mod typed;
 mod units;
 

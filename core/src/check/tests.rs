@@ -1,0 +1,378 @@
+//! Right values give no errors, mistakes give the right ones.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use super::{Checked, Typed, check};
+use crate::catalogue::{Cycle, Dialect, find};
+use crate::control::{Control, Units, delivery};
+use crate::diagnostic::{Code, Severity};
+
+fn typed(values: &[(&str, &str)]) -> Typed {
+    values
+        .iter()
+        .map(|(name, value)| ((*name).to_owned(), (*value).to_owned()))
+        .collect()
+}
+
+fn cycle(name: &str) -> &'static Cycle {
+    find(Dialect::Sinumerik, name).unwrap()
+}
+
+fn control() -> Control {
+    delivery(Dialect::Sinumerik)
+}
+
+/// The worked example of a cycle with some values changed; an empty one is taken out.
+fn changed(name: &str, changes: &[(&str, &str)]) -> Checked {
+    let mut values = typed(cycle(name).example);
+    values.extend(typed(changes));
+    check(cycle(name), &values, &control())
+}
+
+fn found(checked: &Checked, severity: Severity) -> Vec<(Code, &'static str)> {
+    let these = checked
+        .diagnostics
+        .iter()
+        .filter(|other| other.severity == severity);
+    these
+        .map(|other| (other.code, other.param.unwrap_or("")))
+        .collect()
+}
+
+#[test]
+fn the_worked_examples_are_right() {
+    // oracle: manual B:6101-6114, B:6676-6682
+    for cycle in crate::catalogue::CYCLES
+        .iter()
+        .filter(|cycle| cycle.dialect == Dialect::Sinumerik)
+    {
+        let checked = changed(cycle.name, &[]);
+        assert_eq!(found(&checked, Severity::Error), [], "{}", cycle.name);
+        assert!(checked.inputs.is_some());
+    }
+}
+
+#[test]
+fn mistakes_of_cycle977() {
+    // oracle: manual A:15840-15948 for the alarms, hand for the rest
+    let own = Code::Own;
+    let alarm = Code::Alarm;
+    for (changes, code, param) in [
+        (&[("_MVAR", "107")][..], alarm(61307), "_MVAR"),
+        (&[("_MVAR", "")], alarm(61307), "_MVAR"),
+        (&[("_SETVAL", "")], own(1), "_SETVAL"),
+        (&[("_SETVAL", "12x")], own(2), "_SETVAL"),
+        (&[("_SETVAL", "NaN")], own(2), "_SETVAL"),
+        (&[("_SETVAL", "inf")], own(2), "_SETVAL"),
+        (&[("_SETVAL", "1e308")], own(5), "_SETVAL"),
+        (&[("_SETVAL", "0")], own(5), "_SETVAL"),
+        (&[("_SETVAL", "5,5")], own(30), "_SETVAL"),
+        (&[("_FA", "0")], alarm(61308), "_FA"),
+        (&[("_FA", "127")], alarm(61302), "_FA"),
+        (&[("_K", "0")], alarm(61318), "_K"),
+        (&[("_K", "1.5")], own(4), "_K"),
+        (&[("_PRNUM", "4")], alarm(61313), "_PRNUM"),
+        (&[("_PRNUM", "100")], alarm(61313), "_PRNUM"),
+        (&[("_PRNUM", "301")], alarm(61313), "_PRNUM"),
+        (&[("_EVNUM", "21")], own(21), "_EVNUM"),
+        (&[("_EVNUM", "210001")], own(21), "_EVNUM"),
+        (&[("_TUL", "-0,05")], own(22), "_TUL"),
+        (&[("_KNUM", "3001")], alarm(61322), "_KNUM"),
+        (&[("_KNUM", "22001")], alarm(61323), "_KNUM"),
+        (&[("_KNUM", "500001")], alarm(61324), "_KNUM"),
+        (&[("_KNUM", "4000001")], alarm(61407), "_KNUM"),
+        (&[("_KNUM", "2000")], alarm(61328), "_KNUM"),
+        (&[("_KNUM", "11")], alarm(61345), "_KNUM"),
+        (&[("_KNUM", "9999")], alarm(61322), "_KNUM"),
+        (&[("_MVAR", "101")], alarm(61321), "_KNUM"),
+        (&[("_TNUM", "")], own(1), "_TNUM"),
+        (&[("_KNUM", "1002001")], own(1), "_DLNUM"),
+        (
+            &[("_KNUM", "1002001"), ("_DLNUM", "7")],
+            alarm(61406),
+            "_DLNUM",
+        ),
+        (&[("_MVAR", "3")], own(1), "_MA"),
+        (&[("_MVAR", "3"), ("_MA", "3")], alarm(61325), "_MA"),
+        (&[("_MVAR", "2")], own(1), "_ID"),
+        (
+            &[("_MVAR", "1001"), ("_ID", "-20"), ("_SZA", "132")],
+            alarm(61334),
+            "_SZA",
+        ),
+        (
+            &[("_MVAR", "1001"), ("_ID", "-20"), ("_SZA", "125")],
+            alarm(61334),
+            "_SZA",
+        ),
+        (
+            &[("_MVAR", "1002"), ("_ID", "-20"), ("_SZA", "100")],
+            alarm(61334),
+            "_SZA",
+        ),
+        (
+            &[("_MVAR", "1002"), ("_ID", "-20"), ("_SZA", "0")],
+            alarm(61334),
+            "_SZA",
+        ),
+    ] {
+        let checked = changed("CYCLE977", changes);
+        assert_eq!(
+            found(&checked, Severity::Error),
+            [(code, param)],
+            "{changes:?}"
+        );
+        assert!(checked.inputs.is_none(), "{changes:?}");
+        let cures = checked
+            .diagnostics
+            .iter()
+            .filter(|other| other.severity == Severity::Error);
+        assert!(
+            cures.clone().all(|other| other.hint.is_some()),
+            "{changes:?}"
+        );
+    }
+}
+
+#[test]
+fn mistakes_of_cycle978() {
+    // oracle: manual B:6308, B:6418 (alarms are our proposal)
+    let differential = [("_MVAR", "1000"), ("_PRNUM", "101")];
+    let checked = changed("CYCLE978", &differential);
+    assert_eq!(
+        found(&checked, Severity::Error),
+        [(Code::Alarm(61313), "_PRNUM")]
+    );
+    let checked = changed(
+        "CYCLE978",
+        &[("_MVAR", "1100"), ("_KNUM", "1"), ("_MA", "3")],
+    );
+    assert_eq!(
+        found(&checked, Severity::Error),
+        [(Code::Alarm(61325), "_MA")]
+    );
+    let checked = changed("CYCLE978", &[("_MVAR", "100"), ("_KNUM", "2001")]);
+    assert_eq!(
+        found(&checked, Severity::Error),
+        [(Code::Alarm(61321), "_KNUM")]
+    );
+}
+
+#[test]
+fn doubts() {
+    // oracle: manual B:1310-1394, B:5801-5809, B:6388, B:15629
+    for (name, changes, code, param) in [
+        (
+            "CYCLE977",
+            &[("_TDIF", "0.02"), ("_TMV", "0.02")][..],
+            23,
+            "_TDIF",
+        ),
+        ("CYCLE977", &[("_TZL", "0.5")], 24, "_TMV"),
+        ("CYCLE977", &[("_TDIF", "1.5")], 25, "_TSA"),
+        ("CYCLE977", &[("_TSA", "6")], 26, "_FA"),
+        ("CYCLE977", &[("_MVAR", "2"), ("_ID", "20")], 27, "_ID"),
+        ("CYCLE977", &[("_PRNUM", "101")], 8, "_CORA"),
+        ("CYCLE977", &[("_FA", "0.5"), ("_TSA", "0.9")], 7, "_FA"),
+        (
+            "CYCLE977",
+            &[("_MVAR", "1001"), ("_ID", "-20"), ("_SZA", "119")],
+            31,
+            "_FA",
+        ),
+        ("CYCLE978", &[("_TSA", "6")], 26, "_FA"),
+    ] {
+        let checked = changed(name, changes);
+        assert_eq!(
+            found(&checked, Severity::Warning),
+            [(Code::Own(code), param)],
+            "{changes:?}"
+        );
+        assert!(checked.inputs.is_some());
+    }
+}
+
+#[test]
+fn units_are_converted_once() {
+    // oracle: manual B:1787-1795
+    let mut control = control();
+    (control.active_units, control.basic_units) = (Units::Inch, Units::Inch);
+    control.set("_WP[0,0]", 0.25); // ball, inch
+    let values = typed(&[
+        ("_MVAR", "1"),
+        ("_SETVAL", "2"),
+        ("_KNUM", "0"),
+        ("_FA", "3"),
+        ("_VMS", "10"),
+    ]);
+    let inputs = check(cycle("CYCLE977"), &values, &control).inputs.unwrap();
+    assert_eq!(inputs.number("_SETVAL"), 50.8);
+    assert_eq!(inputs.number("_FA"), 3.0);
+    assert_eq!(inputs.number("_VMS"), 254.0);
+    control.basic_units = Units::Metric;
+    let inputs = check(cycle("CYCLE977"), &values, &control).inputs.unwrap();
+    assert_eq!(inputs.number("_VMS"), 10.0);
+    assert_eq!(inputs.number("_SETVAL"), 50.8);
+}
+
+#[test]
+fn expressions_are_left_to_the_run() {
+    // oracle: hand
+    let checked = changed("CYCLE977", &[("_SETVAL", "R10*2")]);
+    assert_eq!(found(&checked, Severity::Error), []);
+    assert!(checked.inputs.is_none());
+}
+
+/// Deterministic numbers for properties (xorshift).
+struct Random(u64);
+
+impl Random {
+    fn between(&mut self, from: f64, to: f64) -> f64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        from + (self.0 >> 11) as f64 / (1_u64 << 53) as f64 * (to - from)
+    }
+
+    fn one<'a>(&mut self, list: &[&'a str]) -> &'a str {
+        list[self.between(0.0, list.len() as f64) as usize % list.len()]
+    }
+}
+
+/// Random values in range for a variant.
+fn values(random: &mut Random, name: &str, variant: i64) -> Typed {
+    let (zero, outside) = (variant / 100 % 10 == 1, variant % 2 == 0);
+    let size = random.between(30.0, 300.0);
+    let other = random.between(30.0, 300.0);
+    let zone = |size: f64| {
+        if outside {
+            size * 1.5 + 13.0
+        } else {
+            (size - 13.0) * 0.9
+        }
+    };
+    let lower = random.between(-1.0, 0.5);
+    let pairs = [
+        ("_MVAR", variant.to_string()),
+        (
+            "_SETVAL",
+            if name == "CYCLE978" {
+                random.between(-500.0, 500.0)
+            } else {
+                size
+            }
+            .to_string(),
+        ),
+        ("_SETV[0]", size.to_string().replace('.', ",")),
+        ("_SETV[1]", other.to_string()),
+        ("_ID", random.between(-90.0, -1.0).to_string()),
+        ("_SZA", zone(size).to_string()),
+        ("_SZO", zone(other).to_string()),
+        ("_MA", random.one(&["1", "2"]).to_owned()),
+        (
+            "_KNUM",
+            if zero {
+                random.one(&["0", "1", "99", "1000", "1011", "1066", "2000", "9999"])
+            } else {
+                random.one(&["0", "3", "2001", "12003", "0100002", "3001002"])
+            }
+            .to_owned(),
+        ),
+        ("_TNUM", random.one(&["1", "20", "4711"]).to_owned()),
+        ("_TNAME", random.one(&["", "CUTTER 10"]).to_owned()),
+        ("_DLNUM", random.one(&["0", "6"]).to_owned()),
+        ("_TENV", "WZUMG1".to_owned()),
+        (
+            "_PRNUM",
+            if variant >= 1000 && name == "CYCLE978" {
+                "2"
+            } else {
+                random.one(&["1", "3", "103"])
+            }
+            .to_owned(),
+        ),
+        ("_FA", random.between(0.1, 20.0).to_string()),
+        ("_TSA", random.between(0.1, 20.0).to_string()),
+        ("_VMS", random.between(0.0, 2000.0).to_string()),
+        ("_NMSP", random.one(&["1", "5"]).to_owned()),
+        ("_CORA", random.between(0.0, 359.5).to_string()),
+        ("_EVNUM", random.one(&["0", "20", "200001"]).to_owned()),
+        ("_K", random.one(&["1", "9"]).to_owned()),
+        ("_TZL", random.between(0.0, 0.1).to_string()),
+        ("_TMV", random.between(0.1, 0.2).to_string()),
+        ("_TUL", (lower + random.between(0.0, 1.0)).to_string()),
+        ("_TLL", lower.to_string()),
+        ("_TDIF", random.between(0.1, 2.0).to_string()),
+    ];
+    pairs
+        .into_iter()
+        .map(|(name, value)| (name.to_owned(), value))
+        .collect()
+}
+
+#[test]
+fn values_in_range_have_no_errors() {
+    // oracle: self, ranges of spec/milling/params.tsv
+    let mut random = Random(0x9e37_79b9_7f4a_7c15);
+    for cycle in ["CYCLE977", "CYCLE978"].map(cycle) {
+        for variant in cycle.variants {
+            for _ in 0..40 {
+                let values = values(&mut random, cycle.name, variant.number);
+                let checked = check(cycle, &values, &control());
+                assert_eq!(found(&checked, Severity::Error), [], "{values:?}");
+                let inputs = checked.inputs.unwrap();
+                assert_eq!(inputs.variant, variant.number);
+                for param in cycle
+                    .params
+                    .iter()
+                    .filter(|param| param.need(&inputs).is_none())
+                {
+                    assert!(
+                        inputs.given(param.name).is_none() || param.name == "_MVAR",
+                        "{}",
+                        param.name
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn nothing_typed_breaks_a_check() {
+    // oracle: self
+    let cycle = cycle("CYCLE977");
+    let strange = [
+        "", " ", "-", "1e999", "-0", "9e8", "\u{0}", "\"", "💥", "1/0", "_X[", "0x10", "٣٤", "--1",
+    ];
+    for param in cycle.params {
+        for text in strange {
+            for variant in ["1", "106", "1001", "1105"] {
+                let mut values = typed(cycle.example);
+                values.insert("_MVAR".into(), variant.into());
+                values.insert(param.name.into(), text.into());
+                let checked = check(cycle, &values, &control());
+                let stopped = checked
+                    .diagnostics
+                    .iter()
+                    .any(|other| other.severity == Severity::Error);
+                assert!(
+                    !stopped || checked.inputs.is_none(),
+                    "{} {text}",
+                    param.name
+                );
+                let picture = crate::form::draw(cycle, &values, &control());
+                let finite = |point: &[f64; 2]| point.iter().all(|value| value.is_finite());
+                assert!(picture.shapes.len() > 5, "{} {text}", param.name);
+                assert!(
+                    picture
+                        .shapes
+                        .iter()
+                        .flat_map(|shape| &shape.points)
+                        .all(finite),
+                    "{} {text}",
+                    param.name
+                );
+            }
+        }
+    }
+}
