@@ -27,6 +27,10 @@ fn file(name: &str, text: &[u8]) -> String {
     path.to_str().unwrap().to_owned()
 }
 
+fn example_setup() -> String {
+    format!("{}/../docs/setup.example.json", env!("CARGO_MANIFEST_DIR"))
+}
+
 /// The measured hole of the readme: 0.03 mm too big, radius of T20 D1 to be corrected.
 const HOLE: &str = "N10 G54 G17 G90 T9 D1\nN20 M6\nN30 G0 X180 Y130\nN40 Z20\nN50 _CHBIT[4]=1\n\
     N60 _TUL=0.1 _TLL=-0.1 _TZL=0.001 _TMV=0.02 _TDIF=0.2 _TSA=1 _FA=2\n\
@@ -123,6 +127,24 @@ fn read_finds_the_call_with_its_values() {
     assert_eq!(call["values"]["_TSA"], "1");
 }
 
+// oracle: hand. 0.03 mm too big lies between _TMV and _TUL: corrected by all of it, half of it in the radius.
+#[test]
+fn run_measures_the_hole_and_corrects_the_radius() {
+    let path = file("run.mpf", HOLE.as_bytes());
+    let output = probewright(&["run", &path, "--setup", &example_setup(), "--json"]);
+    assert!(output.status.success(), "{}{}", out(&output), err(&output));
+    let view: serde_json::Value = serde_json::from_str(&out(&output)).unwrap();
+    let changes = view["changes"].as_array().unwrap();
+    let radius = changes
+        .iter()
+        .find(|change| change["name"] == "$TC_DP15[20,1]")
+        .unwrap();
+    assert!(
+        (radius["after"].as_f64().unwrap() - 0.015).abs() < 1e-9,
+        "{radius}"
+    );
+}
+
 // oracle: hand
 #[test]
 fn wrong_use_is_told_in_a_line() {
@@ -131,6 +153,7 @@ fn wrong_use_is_told_in_a_line() {
         &["write", "CYCLE977", "_NOTHING=1"],
         &["write", "CYCLE977", "_MVAR"],
         &["read", "/no/such/file"],
+        &["run", "/no/such/file", "--setup", "/no/such/setup"],
     ] {
         let output = probewright(arguments);
         assert_eq!(output.status.code(), Some(2), "{arguments:?}");

@@ -47,3 +47,12 @@ pub fn read(request: &str) -> Result<String, JsError> {
 pub fn change(request: &str) -> Result<String, JsError> {
     Ok(json::change(request)?.to_string())
 }
+
+/// `RunRequest` → `RunView`.
+///
+/// # Errors
+/// A request or a setup of the wrong shape.
+#[wasm_bindgen]
+pub fn run(request: &str) -> Result<String, JsError> {
+    Ok(json::run(request)?.to_string())
+}

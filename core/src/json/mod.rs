@@ -11,7 +11,7 @@ mod trace;
 
 pub use catalogue::cycles;
 pub use form::form;
-pub use program::{calls, change, read};
+pub use program::{calls, change, read, run, run_outcome};
 #[cfg(feature = "cli")]
 pub use setup::schema as setup_schema;
 pub use setup::{from_json as setup_from_json, to_json as setup_to_json};

@@ -1,6 +1,6 @@
 //! Reading, changing and running program text. The page counts in UTF-16 units, the core in bytes.
 
-use super::{Error, diagnostic, dialect, dialect_name};
+use super::{Error, diagnostic, dialect, dialect_name, number};
 use crate::check;
 use crate::control::delivery;
 use crate::diagnostic::Diagnostic;
@@ -8,6 +8,9 @@ use crate::program::calls::{CallSite, calls as find_calls};
 use crate::program::change::change as edits;
 use crate::program::position::Positions;
 use crate::program::{self, tree::Program};
+use crate::run::outcome::Outcome;
+use crate::run::setup::Setup;
+use crate::run::{self, Limits};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
@@ -24,6 +27,14 @@ struct ChangeRequest {
     call: usize,
     name: String,
     value: String,
+}
+
+#[derive(Deserialize)]
+struct RunRequest {
+    control: String,
+    text: String,
+    #[serde(default)]
+    setup: Option<Value>,
 }
 
 /// Answers a `ReadRequest` with a `ReadView`: every measuring call, and what is wrong.
@@ -113,4 +124,35 @@ pub fn change(request: &str) -> Result<Value, Error> {
         })
         .collect();
     Ok(json!(list))
+}
+
+/// Answers a `RunRequest` with a `RunView`.
+pub fn run(request: &str) -> Result<Value, Error> {
+    let request: RunRequest = serde_json::from_str(request)?;
+    let dialect = dialect(&request.control)?;
+    let setup = match request.setup {
+        Some(setup) => super::setup::from_value(setup)?,
+        None => Setup::calibrated(dialect, crate::control::Plane::G17),
+    };
+    let program = program::read(dialect, request.text.as_bytes());
+    let outcome = run::run(&program, &setup, Limits::default());
+    run_outcome(&setup, &outcome, &program.source)
+}
+
+/// What a program did, as a `RunView`.
+pub fn run_outcome(setup: &Setup, outcome: &Outcome, source: &[u8]) -> Result<Value, Error> {
+    let results: Vec<Value> = outcome
+        .written()
+        .into_iter()
+        .map(|(name, value)| json!({ "name": name, "value": number(value) }))
+        .collect();
+    Ok(json!({
+        "trace": super::trace::trace(setup, outcome)?,
+        "diagnostics": findings(&outcome.diagnostics, &Positions::new(source)),
+        "results": results,
+        "changes": super::trace::changes(outcome),
+        "alarms": super::trace::alarms(outcome),
+        "log": outcome.log(),
+        "finished": outcome.finished(),
+    }))
 }

@@ -107,6 +107,18 @@ impl Outcome {
             .collect()
     }
 
+    /// Results that the cycles wrote, by name, with their last values; tools and frames are in [`Outcome::changes`].
+    pub fn written(&self) -> BTreeMap<&str, f64> {
+        self.steps()
+            .filter_map(|step| match step {
+                Step::Set { name, after, .. } if !name.starts_with('$') => {
+                    Some((name.as_str(), *after))
+                }
+                _ => None,
+            })
+            .collect()
+    }
+
     /// Position after, in the WCS that is active now, mm.
     pub fn end(&self) -> [f64; 3] {
         self.control.to_workpiece(self.position)

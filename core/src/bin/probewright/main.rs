@@ -4,6 +4,7 @@ mod check;
 mod cycles;
 mod file;
 mod read;
+mod run;
 mod write;
 
 use clap::{Parser, Subcommand};
@@ -55,6 +56,17 @@ enum Command {
         #[arg(long)]
         control: Option<file::Control>,
     },
+    /// Run a part program on a control against a part
+    Run {
+        /// Part program
+        file: PathBuf,
+        /// Setup file, see docs/setup.schema.json
+        #[arg(long)]
+        setup: PathBuf,
+        /// As JSON
+        #[arg(long)]
+        json: bool,
+    },
 }
 
 fn main() -> ExitCode {
@@ -71,6 +83,7 @@ fn main() -> ExitCode {
             json,
             control,
         } => read::read(&file, json, control),
+        Command::Run { file, setup, json } => run::run(&file, &setup, json),
     };
     result.unwrap_or_else(|problem| {
         eprintln!("error: {problem}");
