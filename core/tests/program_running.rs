@@ -446,6 +446,60 @@ fn nct_words_are_understood() {
     assert_eq!(edge(&outcome.control, 98), 50.0);
 }
 
+/// A bore in the plane Z-X, its axis along Y, bigger and off its place.
+fn bore(diameter: f64, at: [f64; 3]) -> Setup {
+    let mut setup = Setup::calibrated(Dialect::Nct, Plane::G17);
+    setup.workpiece.solids.push(Solid {
+        shape: Shape::Hole {
+            diameter,
+            depth: 60.0,
+        },
+        at,
+        rotation: [-90.0, 0.0, 0.0],
+        errors: PartErrors::default(),
+    });
+    setup.position = [120.0, 300.0, 200.0];
+    setup
+}
+
+/// The bore of the manual of the other control (C:1159-1183), written anew: finds the centre for G59.
+const BORE: &str = "%O0110 (BORE)\nG59 G18 G90 G40\nM19\nT98\nG43 Y100 H98\nG101 X120 Z200\nG101 Y-10\nG110 D50 S6\nG0 Y100\nG41 D1\nG40\nM30\n%";
+
+#[test]
+fn a_bore_moves_its_work_offset() {
+    let setup = bore(50.0, [120.4, 0.0, 199.7]);
+    let outcome = run(
+        &read(Dialect::Nct, BORE.as_bytes()),
+        &setup,
+        Limits::default(),
+    );
+    assert_eq!(
+        (outcome.stop.clone(), &outcome.diagnostics[..]),
+        (None, &[][..])
+    );
+    // oracle: manual C:1159-1183: G59 takes over where the centre was found
+    let offset = outcome.control.frames[&6].coarse;
+    near(offset, [0.4, 0.0, -0.3]);
+}
+
+#[test]
+fn the_printed_bore_runs() {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../../shared/spec/common/nct_examples/G110_bore.nc");
+    let Ok(printed) = std::fs::read(path) else {
+        return;
+    };
+    // oracle: manual C:1159-1183: the second call compares with H 0.3 and corrects register 1
+    let setup = bore(50.2, [120.4, 0.0, 199.7]);
+    let outcome = run(&read(Dialect::Nct, &printed), &setup, Limits::default());
+    assert_eq!(outcome.stop, None, "{:?}", outcome.diagnostics);
+    near(outcome.control.frames[&6].coarse, [0.4, 0.0, -0.3]);
+    let before = outcome.before.register(1);
+    let after = outcome.control.register(1);
+    let change = (after.radius + after.radius_wear) - (before.radius + before.radius_wear);
+    assert!(change.abs() > 0.05, "{after:?}");
+}
+
 /// Pieces of programs, put together at random: far more of them run deep than of random bytes.
 fn piece() -> impl Strategy<Value = String> {
     let words = [

@@ -124,7 +124,8 @@ fn structural(program: &Program, words: &[Word]) -> Option<&'static str> {
         }
         let found = NAMES.iter().find(|known| program.is(*name, known))?;
         let labelled = *found == "REPEAT" && value.is_some();
-        (!(*found == "IF" && jumps) && !labelled).then_some(*found)
+        let jump = *found == "IF" && jumps;
+        (!jump && !labelled).then_some(*found)
     })
 }
 

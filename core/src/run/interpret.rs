@@ -127,7 +127,7 @@ fn go(run: &mut Interpreter, limit: usize) -> Result<(), Stop> {
             }
             continue;
         }
-        started |= !header && !block.words.is_empty() || header;
+        started |= !header && !block.words.is_empty();
         match statement::block(run, at)? {
             Next::Block => at += 1,
             Next::Jump(to) => at = to,

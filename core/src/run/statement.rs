@@ -260,11 +260,11 @@ fn keyword(
     let name = run.program.name(place);
     match name.as_str() {
         "IF" => return condition(run, at, place, value, found),
-        "GOTO" | "GOTOF" | "GOTOB" | "GOTOC" => {
-            if found.case.is_none() || found.armed == Some(true) {
-                found.next = jump(run, at, &name, place, value)?.map(Next::Jump);
-                return Ok(found.next.is_none());
-            }
+        "GOTO" | "GOTOF" | "GOTOB" | "GOTOC"
+            if found.case.is_none() || found.armed == Some(true) =>
+        {
+            found.next = jump(run, at, &name, place, value)?.map(Next::Jump);
+            return Ok(found.next.is_none());
         }
         "CASE" => found.case = value.map(|value| evaluate(run, value)).transpose()?,
         "DEFAULT" => found.armed = Some(true),
@@ -346,10 +346,8 @@ fn structure(
         ("ENDWHILE" | "ENDLOOP" | "END", Some(Link::End(begin))) => {
             found.next = Some(Next::Jump(begin))
         }
-        ("UNTIL", Some(Link::End(begin))) => {
-            if !truth(run, place, value)? {
-                found.next = Some(Next::Jump(begin + 1));
-            }
+        ("UNTIL", Some(Link::End(begin))) if !truth(run, place, value)? => {
+            found.next = Some(Next::Jump(begin + 1));
         }
         ("ENDFOR", Some(Link::End(begin))) => found.next = again(run, begin)?,
         _ => {}
