@@ -60,7 +60,8 @@ export function createField(first: Field, actions: Actions, focused: (name: stri
   const list = el("ul", { class: "field-problems", id: `${id}-problems`, "aria-live": "polite" });
   const root = el("div", { class: `field kind-${first.kind}`, "data-field": name },
     el("div", { class: "field-head" }, el("span", { class: "field-title" }, label, required), code),
-    el("div", { class: "field-entry" }, el("div", { class: "entry-line" }, input, unit, first.kind === "choice" ? select : null, info), first.kind === "digits" ? groups : null, meta, help, list),
+    el("div", { class: "field-entry" }, el("div", { class: "entry-line" }, input, unit, first.kind === "choice" ? select : null, info), meta, help),
+    first.kind === "digits" ? groups : null, list,
   );
 
   on(input, "input", () => {

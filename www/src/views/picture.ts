@@ -5,6 +5,8 @@ import { t } from "../texts";
 import type { Picture, PictureShape } from "../wire";
 
 const WIDTH = 400, HEIGHT = 230, MARGIN = 34;
+/** From the ground up: what is filled must not hide what is drawn in lines. */
+const ORDER: PictureShape["kind"][] = ["material", "tolerance", "axis", "zone", "path", "edge", "probe", "touch", "dimension", "label"];
 type Point = [number, number];
 type Place = (point: Point) => Point;
 
@@ -79,9 +81,8 @@ export function createPicture(root: HTMLElement, pick: (field: string) => void):
   const draw = (picture: Picture): void => {
     drawn = picture;
     const { place, scale } = placing(picture.shapes);
-    const first = picture.shapes.filter((shape) => shape.kind !== "label" && shape.kind !== "dimension");
-    const last = picture.shapes.filter((shape) => shape.kind === "label" || shape.kind === "dimension");
-    drawing.replaceChildren(...[...first, ...last].map((shape) =>
+    const shapes = [...picture.shapes].sort((a, b) => ORDER.indexOf(a.kind) - ORDER.indexOf(b.kind));
+    drawing.replaceChildren(...shapes.map((shape) =>
       svg("g", { class: `shape ${shape.kind}`, "data-field": shape.field }, ...figures(shape, place, scale))));
   };
   return (picture, focus) => {

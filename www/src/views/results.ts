@@ -42,7 +42,7 @@ function createOutcome(root: HTMLElement): Draw {
   changeTable.className = "changes";
   const none = el("p", { class: "empty" });
   const same = el("p", { class: "empty" }, t("outcome-no-changes"));
-  root.append(none, alarms, el("div", { class: "outcome" }, resultTable, el("div", {}, changeTable, same, decisionBox)));
+  root.append(none, alarms, el("div", { class: "outcome" }, changeTable, same, decisionBox, resultTable));
   return (state, derived) => {
     const outcome = shownOutcome(state, derived);
     show(none, !outcome);
