@@ -500,6 +500,47 @@ fn the_printed_bore_runs() {
     assert!(change.abs() > 0.05, "{after:?}");
 }
 
+#[test]
+fn printed_programs_hold_no_unknown_word() {
+    let folder =
+        std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/spec/milling/examples");
+    let names = [
+        "DRILL_MEASURE",
+        "WEB_MEASURE",
+        "ZO_RECTANGLE",
+        "ZO_DETERMINING_1",
+        "ONE_POINT_MEASURE",
+        "EXTRA_HOLE_PROTECTION",
+    ];
+    for name in names {
+        let Ok(printed) = std::fs::read(folder.join(format!("{name}.mpf"))) else {
+            return;
+        };
+        let mut setup = setup();
+        for tool in [1, 7] {
+            let like = setup.control.tools[&if tool == 1 { 20 } else { 9 }].clone();
+            setup.control.tools.insert(tool, like);
+        }
+        let outcome = run(
+            &read(Dialect::Sinumerik, &printed),
+            &setup,
+            Limits::default(),
+        );
+        // oracle: hand: nothing to touch, so the first measurement finds no surface (B:13999)
+        assert_eq!(
+            outcome.stop,
+            Some(Stop::Alarm(Code::Alarm(61301))),
+            "{name}: {:?}",
+            outcome.diagnostics
+        );
+        let unknown = outcome
+            .diagnostics
+            .iter()
+            .find(|found| found.message.key == "run-unknown-word");
+        assert_eq!(unknown, None, "{name}");
+    }
+}
+
 /// Pieces of programs, put together at random: far more of them run deep than of random bytes.
 fn piece() -> impl Strategy<Value = String> {
     let words = [
