@@ -87,7 +87,7 @@ fn arguments(message: &Message) -> FluentArgs<'_> {
 
 #[cfg(test)]
 mod tests {
-    #![allow(clippy::unwrap_used)]
+    #![allow(clippy::unwrap_used, clippy::panic)]
     use super::*;
 
     fn folder() -> Vec<String> {

@@ -147,13 +147,7 @@ fn by_name(control: &Control, name: &str) -> Result<i64, u32> {
     if named(&control.tool) {
         return Ok(control.tool);
     }
-    control
-        .tools
-        .keys()
-        .copied()
-        .filter(named)
-        .next_back()
-        .ok_or(61343)
+    control.tools.keys().copied().rfind(named).ok_or(61343)
 }
 
 /// What a correction by `amount` (mm, sign included) writes. `_CHBIT[6]` and `_CHBIT[8]` choose the memories

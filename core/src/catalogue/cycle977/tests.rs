@@ -137,8 +137,8 @@ proptest! {
             let mut end = setup.position;
             end[plane.axes()[0]] = centre[0];
             end[plane.axes()[1]] = centre[1];
-            for axis in 0..3 {
-                prop_assert!((sim.position[axis] - end[axis]).abs() < 1e-8, "{:?}", sim.position);
+            for (is, wanted) in sim.position.iter().zip(end) {
+                prop_assert!((is - wanted).abs() < 1e-8, "{:?}", sim.position);
             }
         }
     }
