@@ -95,7 +95,7 @@ describe("form", () => {
     const input = lengthField(page);
     await input.focus();
     assert.equal(await input.getAttribute("aria-invalid"), null);
-    await input.fill("abc");
+    await input.fill("-5");
     await input.blur();
     await page.locator('.field [aria-invalid="true"]').first().waitFor();
     const description = await input.getAttribute("aria-describedby");

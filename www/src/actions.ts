@@ -28,14 +28,18 @@ export interface Actions {
 const LEFT: Panel[] = ["tasks", "form"];
 const memoryKey = (control: Dialect, cycle: string): string => `${control}/${cycle}`;
 
-/** Whether the typed values are those that choose the variant; numbers compare as numbers. */
-export function isVariant(variant: Variant, values: Record<string, string>): boolean {
-  const wanted = Object.entries(variant.values ?? {});
-  return wanted.length > 0 && wanted.every(([name, value]) => {
+function matches(variant: Variant, values: Record<string, string>): boolean {
+  return Object.entries(variant.values).every(([name, value]) => {
     const typed = values[name] ?? "";
     const number = parseNumber(typed);
     return typed.trim() === value || (number !== null && number === parseNumber(value));
   });
+}
+
+/** The variant that the typed values choose: of those that match the one that asks for most. */
+export function variantOf(cycle: CycleInfo, values: Record<string, string>): Variant | undefined {
+  const asks = (variant: Variant): number => Object.keys(variant.values).length;
+  return cycle.variants.filter((variant) => matches(variant, values)).sort((a, b) => asks(b) - asks(a))[0];
 }
 
 export function createActions(store: Store, core: Core, catalogue: Catalogue): Actions {
@@ -71,7 +75,7 @@ export function createActions(store: Store, core: Core, catalogue: Catalogue): A
     chooseCycle(cycle, variant) {
       const state = now();
       const same = cycle.control === state.control && cycle.cycle === state.cycle;
-      if (same && variant) return edits(Object.entries(variant.values ?? {}));
+      if (same && variant) return edits(Object.entries(variant.values));
       const values = same ? state.values : state.remembered[memoryKey(cycle.control, cycle.cycle)] ?? cycle.example;
       store.update({ ...remember(), control: cycle.control, cycle: cycle.cycle, values: { ...values, ...variant?.values }, open: same ? state.open : null, step: AT_END, source: "form", touched: {}, checked: false });
     },

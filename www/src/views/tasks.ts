@@ -1,7 +1,7 @@
 // What to measure: a tree of controls, cycles and variants, searched by number and by words.
 
 import type { Actions, Variant } from "../actions";
-import { isVariant } from "../actions";
+import { variantOf } from "../actions";
 import type { Derived } from "../derive";
 import { el, keyed, on, setAttribute, setText } from "../dom";
 import type { State } from "../state";
@@ -111,7 +111,8 @@ export function createTasks(root: HTMLElement, store: Store, actions: Actions): 
     const found = matching(all, state.search);
     const hidden = (node: Node): boolean => !!node.parent && !state.search && (!!state.folded[node.parent] || !!all?.some((one) => one.id === node.parent && hidden(one)));
     shown = found.filter((node) => !hidden(node));
-    const chosen = all.find((node) => node.cycle === derived.cycle && node.variant && isVariant(node.variant, state.values));
+    const variant = variantOf(derived.cycle, state.values);
+    const chosen = all.find((node) => node.cycle === derived.cycle && node.variant && node.variant === variant);
     if (!shown.some((node) => node.id === active)) active = shown.find((node) => node.id === chosen?.id)?.id ?? shown[0]?.id ?? "";
     keyed(tree, shown, (node) => node.id, make, (item, node) => {
       setAttribute(item, "aria-selected", node.variant ? String(node.id === chosen?.id) : null);
