@@ -67,7 +67,12 @@ fn cases(folder: &Path, file: &Value, source: &str) -> usize {
     let cases = file["cases"].as_array().unwrap();
     for case in cases {
         let name = format!("{} {}", folder.file_name().unwrap().display(), case["id"]);
-        assert!(case["oracle"].as_str().is_some_and(|oracle| !oracle.is_empty()), "{name}: no oracle");
+        assert!(
+            case["oracle"]
+                .as_str()
+                .is_some_and(|oracle| !oracle.is_empty()),
+            "{name}: no oracle"
+        );
         let mut source = source.to_string();
         for pair in case["replace"].as_array().into_iter().flatten() {
             let (old, new) = (pair[0].as_str().unwrap(), pair[1].as_str().unwrap());
@@ -85,12 +90,15 @@ fn cases(folder: &Path, file: &Value, source: &str) -> usize {
 fn setup(file: &Value, case: &Value) -> Setup {
     let mut whole = file["setup"].clone();
     whole["workpiece"] = case["workpiece"].clone();
-    let mut setup = probewright_core::json::setup::from_json(&whole.to_string()).unwrap();
+    let mut setup = probewright_core::json::setup_from_json(&whole.to_string()).unwrap();
     for (name, value) in members(&case["data"]) {
         setup.control.set(name.clone(), value.as_f64().unwrap());
     }
     for (name, value) in members(&case["variables"]) {
-        assert!(setup.control.set_variable(name, value.as_f64().unwrap()), "{name}");
+        assert!(
+            setup.control.set_variable(&name, value.as_f64().unwrap()),
+            "{name}"
+        );
     }
     let settable = setup.control.settable;
     setup.control.activate(settable);
@@ -103,11 +111,16 @@ fn members(value: &Value) -> Map<String, Value> {
 
 /// Compares everything that the case tells.
 fn expect(name: &str, expected: &Value, outcome: &Outcome) {
-    let stop = expected["stop"].as_u64().map(|number| Stop::Alarm(Code::Alarm(number as u32)));
+    let stop = expected["stop"]
+        .as_u64()
+        .map(|number| Stop::Alarm(Code::Alarm(number as u32)));
+
     assert_eq!(outcome.stop, stop, "{name}: {:?}", outcome.diagnostics);
     if let Some(alarms) = expected["alarms"].as_array() {
-        let alarms: Vec<Code> =
-            alarms.iter().map(|number| Code::Alarm(number.as_u64().unwrap() as u32)).collect();
+        let alarms: Vec<Code> = alarms
+            .iter()
+            .map(|number| Code::Alarm(number.as_u64().unwrap() as u32))
+            .collect();
         assert_eq!(outcome.alarms(), alarms, "{name}");
     }
     for (datum, value) in members(&expected["data"]) {
@@ -118,12 +131,20 @@ fn expect(name: &str, expected: &Value, outcome: &Outcome) {
         let found = outcome.control.variable(&variable).unwrap_or_default();
         close(name, &variable, found, value.as_f64().unwrap());
     }
-    points(name, "starts", &expected["starts"], &probings(outcome, |from, _, _| from));
+    points(
+        name,
+        "starts",
+        &expected["starts"],
+        &probings(outcome, |from, _, _| from),
+    );
     points(name, "touches", &expected["touches"], &touches(outcome));
     points(name, "ends", &expected["ends"], &ends(outcome));
     if let Some(feed) = expected["feed"].as_f64() {
         let feeds = probings(outcome, |_, _, feed| feed);
-        assert!(!feeds.is_empty() && feeds.iter().all(|found| *found == feed), "{name}: {feeds:?}");
+        assert!(
+            !feeds.is_empty() && feeds.iter().all(|found| *found == feed),
+            "{name}: {feeds:?}"
+        );
     }
     if let Some(angles) = expected["orientations"].as_array() {
         let turned = orientations(outcome);
@@ -135,15 +156,20 @@ fn expect(name: &str, expected: &Value, outcome: &Outcome) {
 }
 
 fn close(name: &str, what: &str, found: f64, expected: f64) {
-    assert!((found - expected).abs() < TOLERANCE, "{name}: {what} is {found}, expected {expected}");
+    assert!(
+        (found - expected).abs() < TOLERANCE,
+        "{name}: {what} is {found}, expected {expected}"
+    );
 }
 
 fn points(name: &str, what: &str, expected: &Value, found: &[[f64; 3]]) {
-    let Some(expected) = expected.as_array() else { return };
+    let Some(expected) = expected.as_array() else {
+        return;
+    };
     assert_eq!(found.len(), expected.len(), "{name}: {what} {found:?}");
     for (found, expected) in found.iter().zip(expected) {
-        for axis in 0..3 {
-            close(name, what, found[axis], expected[axis].as_f64().unwrap());
+        for (found, expected) in found.iter().zip(expected.as_array().unwrap()) {
+            close(name, what, *found, expected.as_f64().unwrap());
         }
     }
 }
@@ -153,7 +179,12 @@ fn probings<T>(outcome: &Outcome, tell: impl Fn([f64; 3], [f64; 3], f64) -> T) -
     let steps = outcome.trace.entries.iter().map(|entry| &entry.step);
     steps
         .filter_map(|step| match step {
-            Step::Motion { kind: MotionKind::Measuring, from, to, feed } => Some(tell(*from, *to, *feed)),
+            Step::Motion {
+                kind: MotionKind::Measuring,
+                from,
+                to,
+                feed,
+            } => Some(tell(*from, *to, *feed)),
             _ => None,
         })
         .collect()
