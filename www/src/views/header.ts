@@ -59,6 +59,7 @@ export function createHeader(root: HTMLElement, store: Store): (state: State, de
     return node;
   };
   let last: Derived | null = null;
+  let setup: Setup | undefined; // the last that was used: it stays in sight while the form is incomplete
   const file = el("input", { type: "file", accept: "application/json,.json", hidden: true, tabindex: "-1", "aria-label": t("setup-import") });
   on(file, "change", () => { const chosen = file.files?.[0]; if (chosen) void importSetup(chosen, store); file.value = ""; });
   const theme = quiet("theme-system", () => {
@@ -76,7 +77,8 @@ export function createHeader(root: HTMLElement, store: Store): (state: State, de
   document.body.append(about);
   return (state, derived) => {
     last = derived;
-    keyed(list, facts(derived.cycle.control, derived.view.setup), (one) => one.name, () => el("div", {}, el("dt", {}), el("dd", {})), (node, one) => {
+    setup = derived.view.setup ?? (setup?.control === derived.cycle.control ? setup : undefined);
+    keyed(list, facts(derived.cycle.control, setup), (one) => one.name, () => el("div", {}, el("dt", {}), el("dd", {})), (node, one) => {
       const [name, text] = node.children as unknown as [HTMLElement, HTMLElement];
       setText(name, one.name);
       setText(text, one.text);

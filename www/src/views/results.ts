@@ -47,7 +47,7 @@ function createOutcome(root: HTMLElement): Draw {
     const outcome = shownOutcome(state, derived);
     show(none, !outcome);
     setText(none, outcome ? "" : missing(derived));
-    for (const part of [alarms, resultTable, decisionBox]) show(part, !!outcome);
+    show(resultTable, (outcome?.results.length ?? 0) > 0);
     show(changeTable, !!outcome && outcome.changes.length > 0);
     show(same, !!outcome && outcome.changes.length === 0);
     keyed(alarms, outcome?.alarms ?? [], (one, index) => `${index}/${one.code}`, problemItem, (node, one) =>
@@ -77,9 +77,10 @@ interface Shown { results: { name: string; label: string; value: number; unit: s
 function shownOutcome(state: State, derived: Derived): Shown | null {
   const run = derived.run;
   if (state.source === "program" && run) {
-    const known = new Map(derived.cycle.results.map((one) => [one.name, one]));
+    const keys = new Map(derived.cycle.results.map((one) => [one.name, one.key]));
+    const units = new Map(derived.view.outcome?.results.map((one) => [one.name, one.unit]));
     const decisions = run.trace.entries.flatMap((entry) => entry.step === "decision" ? [entry.message] : []);
-    return { ...run, decisions, results: run.results.map((one) => ({ ...one, label: known.has(one.name) ? t(known.get(one.name)?.key ?? one.name) : "", unit: known.get(one.name)?.unit ?? "" })) };
+    return { ...run, decisions, results: run.results.map((one) => ({ ...one, label: keys.has(one.name) ? t(keys.get(one.name) ?? one.name) : "", unit: units.get(one.name) ?? "" })) };
   }
   const outcome = derived.view.outcome;
   return outcome ? { ...outcome, results: outcome.results.map((one) => ({ ...one, label: say(one.label) })) } : null;
@@ -116,7 +117,9 @@ function located(state: State, derived: Derived, actions: Actions, goTo: (offset
     problem, place: problem.param ?? t("panel-form"),
     go: () => { actions.panel("form"); requestAnimationFrame(() => document.getElementById(fieldId(problem.param ?? ""))?.focus()); },
   }));
-  const program = [...derived.problems, ...(derived.run?.diagnostics ?? [])].map((problem): Located => ({
+  const told = new Set(derived.opened ? derived.view.diagnostics.map((one) => `${one.code}/${one.param}`) : []);
+  const inProgram = derived.problems.filter((one) => !told.has(`${one.code}/${one.param}`));
+  const program = [...inProgram, ...(derived.run?.diagnostics ?? [])].map((problem): Located => ({
     problem, place: t("problem-place", { line: problem.line ?? 0, column: problem.column ?? 1 }),
     go: () => goTo(problem.from ?? 0),
   }));

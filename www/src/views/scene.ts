@@ -3,7 +3,7 @@
 import type { Derived } from "../derive";
 import { el, on, setAttribute, setText, show } from "../dom";
 import type { Preview, ViewName } from "../preview/view";
-import type { State } from "../state";
+import { AT_END, type State } from "../state";
 import type { Store } from "../store";
 import { t } from "../texts";
 import { createTimeline, PACE } from "./timeline";
@@ -23,7 +23,7 @@ export function createScene(root: HTMLElement, store: Store, goToLine: (line: nu
   const segments = el("div", { class: "segments", role: "group", "aria-label": t("view-source") });
   const buttons = SOURCES.map((source) => {
     const button = el("button", { type: "button" }, t(`view-${source}`));
-    on(button, "click", () => store.update({ source, step: 0, playing: false }));
+    on(button, "click", () => store.update({ source, step: AT_END, playing: false }));
     segments.append(button);
     return { source, button };
   });
