@@ -13,7 +13,6 @@ export interface Scene {
   mesh: Mesh;           // solid parts first
   solidCorners: number;
   lines: Line[];
-  gridLines: number;    // how many of them, at the beginning, are the grid below everything
   labels: Label[];
   box: Box;             // what `fit` shows
   origin: Vec3;         // subtracted before anything becomes single precision
@@ -31,14 +30,13 @@ export function buildScene(trace: Trace, colours: Colours, exaggeration = 1): Sc
   const solidCorners = addStylus(all, trace, colours, size);
   const frames = frameLines(trace.frames, colours, 0.14 * size);
   const normal = Math.max(2 * trace.ball.radius, 0.05 * size);
-  const grid = gridLines(solidBox ?? box, colours.grid);
   const lines: Line[] = [
-    ...grid,
+    ...gridLines(solidBox ?? box, colours.grid),
     ...parts.flatMap(({ edges }) => edges),
     ...frames.lines,
     ...pathLines(trace, colours, normal),
   ];
-  return { trace, colours, mesh: all, solidCorners, lines, gridLines: grid.length, labels: frames.labels, box, origin: centre(box), radius: reach(box, lines, trace) };
+  return { trace, colours, mesh: all, solidCorners, lines, labels: frames.labels, box, origin: centre(box), radius: reach(box, lines, trace) };
 }
 
 /** Parts, paths and the origins of coordinate systems near them. */
