@@ -33,3 +33,6 @@ pub fn find(dialect: Dialect, name: &str) -> Option<&'static Cycle> {
 
 #[cfg(test)]
 mod tests;
+
+#[cfg(test)]
+mod proposal_tests;

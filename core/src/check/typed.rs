@@ -43,7 +43,7 @@ pub fn check(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Checked
         Ok(number) => inputs.variant = number,
         Err(finding) => {
             return Checked {
-                diagnostics: vec![finding],
+                diagnostics: vec![*finding],
                 inputs: None,
             };
         }
@@ -93,14 +93,14 @@ pub fn read(
             match name(text, most) {
                 Ok("") => {}
                 Ok(text) => drop(inputs.texts.insert(param.name, text.into())),
-                Err(finding) => diagnostics.push(finding.at(param.name)),
+                Err(finding) => diagnostics.push((*finding).at(param.name)),
             }
             continue;
         }
         match value(param, text, control) {
             Ok(Some(number)) => drop(inputs.numbers.insert(param.name, number)),
             Ok(None) => {}
-            Err(finding) => diagnostics.push(finding.at(param.name)),
+            Err(finding) => diagnostics.push((*finding).at(param.name)),
         }
     }
     if let Ok(number) = variant(cycle, &inputs, diagnostics) {
@@ -110,7 +110,7 @@ pub fn read(
 }
 
 /// A number in mm, or the default.
-fn value(param: &Param, text: &str, control: &Control) -> Result<Option<f64>, Diagnostic> {
+fn value(param: &Param, text: &str, control: &Control) -> Result<Option<f64>, Box<Diagnostic>> {
     let number = match parse(text) {
         Parsed::Empty => {
             return Ok(param
@@ -119,23 +119,29 @@ fn value(param: &Param, text: &str, control: &Control) -> Result<Option<f64>, Di
         }
         Parsed::Number(number) => number,
         Parsed::Expression => {
-            return Err(note(
+            return Err(Box::new(note(
                 EXPRESSION,
                 Message::new("check-expression").text("value", text),
-            ));
+            )));
         }
         Parsed::Wrong => {
             let message = Message::new("check-not-a-number").text("value", text);
-            return Err(error(NOT_A_NUMBER, message).hint(Message::new("check-not-a-number-hint")));
+            return Err(Box::new(
+                error(NOT_A_NUMBER, message).hint(Message::new("check-not-a-number-hint")),
+            ));
         }
     };
     if number.abs() > LIMIT {
         let message = Message::new("check-too-large").text("value", text);
-        return Err(error(OUT_OF_RANGE, message).hint(Message::new("check-too-large-hint")));
+        return Err(Box::new(
+            error(OUT_OF_RANGE, message).hint(Message::new("check-too-large-hint")),
+        ));
     }
     if whole(&param.kind) && number.fract() != 0.0 {
         let message = Message::new("check-not-whole").text("value", text);
-        return Err(error(NOT_WHOLE, message).hint(Message::new("check-not-whole-hint")));
+        return Err(Box::new(
+            error(NOT_WHOLE, message).hint(Message::new("check-not-whole-hint")),
+        ));
     }
     Ok(Some(number * factor(param.unit, control)))
 }
@@ -146,7 +152,7 @@ fn whole(kind: &Kind) -> bool {
 }
 
 /// A text without its quotes.
-fn name(text: &str, most: usize) -> Result<&str, Diagnostic> {
+fn name(text: &str, most: usize) -> Result<&str, Box<Diagnostic>> {
     let inner = text
         .strip_prefix('"')
         .and_then(|rest| rest.strip_suffix('"'))
@@ -154,17 +160,25 @@ fn name(text: &str, most: usize) -> Result<&str, Diagnostic> {
         .trim();
     if inner.chars().count() > most {
         let message = Message::new("check-text-long").number("most", most as f64);
-        return Err(error(BAD_TEXT, message).hint(Message::new("check-text-long-hint")));
+        return Err(Box::new(
+            error(BAD_TEXT, message).hint(Message::new("check-text-long-hint")),
+        ));
     }
     if inner.chars().any(|c| c == '"' || c.is_control()) {
         let message = Message::new("check-text-characters");
-        return Err(error(BAD_TEXT, message).hint(Message::new("check-text-characters-hint")));
+        return Err(Box::new(
+            error(BAD_TEXT, message).hint(Message::new("check-text-characters-hint")),
+        ));
     }
     Ok(inner)
 }
 
 /// The variant, or the only finding that counts without it.
-fn variant(cycle: &'static Cycle, inputs: &Inputs, said: &[Diagnostic]) -> Result<i64, Diagnostic> {
+fn variant(
+    cycle: &'static Cycle,
+    inputs: &Inputs,
+    said: &[Diagnostic],
+) -> Result<i64, Box<Diagnostic>> {
     let Some(param) = cycle
         .params
         .iter()
@@ -173,14 +187,16 @@ fn variant(cycle: &'static Cycle, inputs: &Inputs, said: &[Diagnostic]) -> Resul
         return Ok(chosen(cycle, inputs));
     };
     if let Some(finding) = said.iter().find(|other| other.param == Some(param.name)) {
-        return Err(finding.clone());
+        return Err(Box::new(finding.clone()));
     }
     let code = param.alarm.unwrap_or(MISSING);
     let Some(number) = inputs.given(param.name) else {
         let message = Message::new("check-missing").text("param", param.name);
-        return Err(error(code, message)
-            .hint(Message::new("need-always"))
-            .at(param.name));
+        return Err(Box::new(
+            error(code, message)
+                .hint(Message::new("need-always"))
+                .at(param.name),
+        ));
     };
     if cycle
         .variants
@@ -192,9 +208,11 @@ fn variant(cycle: &'static Cycle, inputs: &Inputs, said: &[Diagnostic]) -> Resul
     let message = Message::new("check-variant")
         .number("value", number)
         .text("cycle", cycle.name);
-    Err(error(code, message)
-        .hint(Message::new("check-variant-hint"))
-        .at(param.name))
+    Err(Box::new(
+        error(code, message)
+            .hint(Message::new("check-variant-hint"))
+            .at(param.name),
+    ))
 }
 
 /// The variant that an address chooses by being given; the first one where none does.

@@ -1,0 +1,130 @@
+//! From the proposed start every variant measures the proposed part, and finds what is wrong with it.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use super::{Cycle, Dialect, find};
+use crate::check::{Typed, check};
+use crate::control::{Frame, Plane};
+use crate::run::predict;
+use crate::run::setup::Setup;
+
+const SHIFT: [f64; 3] = [0.21, -0.13, 0.17];
+const SIZE: f64 = 0.03;
+
+fn typed(variant: i64, axis: &str) -> Typed {
+    let zone = if variant % 2 == 1 {
+        ["20", "25"]
+    } else {
+        ["110", "120"]
+    };
+    let variant = variant.to_string();
+    [
+        ("_MVAR", variant.as_str()),
+        ("_SETVAL", "60"),
+        ("_SETV[0]", "60"),
+        ("_SETV[1]", "70"),
+        ("_ID", "-25"),
+        ("_SZA", zone[0]),
+        ("_SZO", zone[1]),
+        ("_MA", axis),
+        ("_KNUM", "0"),
+        ("_TSA", "1"),
+        ("_TUL", "0.5"),
+        ("_TLL", "-0.5"),
+    ]
+    .map(|(name, value)| (name.to_owned(), value.to_owned()))
+    .into()
+}
+
+/// Results of a call on the proposed part with its errors.
+fn measured(
+    cycle: &'static Cycle,
+    variant: i64,
+    axis: &str,
+    plane: Plane,
+) -> crate::control::Control {
+    let mut setup = Setup::calibrated(Dialect::Sinumerik, plane);
+    setup
+        .control
+        .frames
+        .insert(1, Frame::translation([100.0, 50.0, -20.0]));
+    setup.control.settable = 1;
+    setup.control.activate(1);
+    let checked = check(cycle, &typed(variant, axis), &setup.control);
+    let inputs = checked
+        .inputs
+        .unwrap_or_else(|| panic!("{variant} {:?}", checked.diagnostics));
+    let proposal = (cycle.propose)(&inputs, &setup.control);
+    setup.workpiece = proposal.workpiece;
+    for solid in &mut setup.workpiece.solids {
+        solid.errors.shift = SHIFT;
+        solid.errors.size = SIZE;
+    }
+    setup.position = setup.control.to_machine(proposal.start);
+    let outcome = predict(cycle, &inputs, &setup);
+    assert_eq!(outcome.stop, None, "{variant} axis {axis} {plane:?}");
+    outcome.control
+}
+
+fn near(control: &crate::control::Control, name: &str, expected: f64, what: &str) {
+    let found = control.number(name);
+    assert!(
+        (found - expected).abs() < 1e-9,
+        "{what} {name}: {found} instead of {expected}"
+    );
+}
+
+#[test]
+fn cycle977_finds_size_and_centre() {
+    // oracle: hand (errors of the part)
+    let cycle = find(Dialect::Sinumerik, "CYCLE977").unwrap();
+    for plane in [Plane::G17, Plane::G18, Plane::G19] {
+        let [abscissa, ordinate, _] = plane.axes();
+        for variant in cycle.variants {
+            let element = variant.number % 10;
+            for axis in ["1", "2"] {
+                let control = measured(cycle, variant.number, axis, plane);
+                let what = format!("{} {axis} {plane:?}", variant.number);
+                if element >= 5 {
+                    near(&control, "_OVR[16]", SIZE, &what);
+                    near(&control, "_OVR[17]", SIZE, &what);
+                    near(&control, "_OVR[18]", SHIFT[abscissa], &what);
+                    near(&control, "_OVR[19]", SHIFT[ordinate], &what);
+                    continue;
+                }
+                let one_axis = element >= 3;
+                near(&control, "_OVR[16]", SIZE, &what);
+                let shift = |index, name| {
+                    if one_axis && axis != name {
+                        0.0
+                    } else {
+                        SHIFT[index]
+                    }
+                };
+                near(&control, "_OVR[17]", shift(abscissa, "1"), &what);
+                near(&control, "_OVR[18]", shift(ordinate, "2"), &what);
+            }
+        }
+    }
+}
+
+#[test]
+fn cycle978_finds_the_position() {
+    // oracle: hand (errors of the part; a block grows by half of its size error on each side, its face does not)
+    let cycle = find(Dialect::Sinumerik, "CYCLE978").unwrap();
+    for plane in [Plane::G17, Plane::G18, Plane::G19] {
+        for variant in cycle.variants {
+            for (index, axis) in ["1", "2", "3"].into_iter().enumerate() {
+                if variant.number >= 1000 && index == 2 {
+                    continue;
+                }
+                let control = measured(cycle, variant.number, axis, plane);
+                near(
+                    &control,
+                    "_OVR[16]",
+                    SHIFT[plane.axes()[index]],
+                    &format!("{} {axis} {plane:?}", variant.number),
+                );
+            }
+        }
+    }
+}
