@@ -35,6 +35,7 @@ export async function launch(setup = "neither") {
 // uncaught errors, failed answers, requests to other origins. `options` are Playwright's (viewport, colorScheme, …).
 export async function open(browser, { path = "", ...options } = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, locale: "en-GB", ...options });
+  context.setDefaultTimeout(15_000);
   const page = await context.newPage();
   const problems = watch(page);
   await page.goto(new URL(path, address).href, { waitUntil: "load" });
