@@ -1,0 +1,70 @@
+//! What happens at every keystroke: the request of the page as JSON text in, the answer as JSON text out.
+//! Percentiles count here, not the mean: a slow keystroke is felt. Runs without a harness of its own kind because
+//! the usual ones report no 99th percentile.
+
+use probewright_core::catalogue::CYCLES;
+use probewright_core::json;
+use serde_json::{Value, json as object};
+use std::hint::black_box;
+use std::time::Instant;
+
+const RUNS: usize = 2000;
+/// Goals in milliseconds, at the 99th percentile.
+const FORM_GOAL: f64 = 1.0;
+const PREDICT_GOAL: f64 = 5.0;
+
+fn main() {
+    println!(
+        "{:<44} {:>9} {:>9} {:>9}  goal",
+        "ms", "50 %", "95 %", "99 %"
+    );
+    for cycle in CYCLES {
+        let control = json::dialect_name(cycle.dialect);
+        let form =
+            object!({ "control": control, "cycle": cycle.name, "values": example(cycle.example) });
+        measure(
+            &format!("{} form, check, write", cycle.name),
+            &form,
+            FORM_GOAL,
+        );
+        let mut predict = form;
+        predict["predict"] = Value::Bool(true);
+        measure(
+            &format!("{} the same and simulate", cycle.name),
+            &predict,
+            PREDICT_GOAL,
+        );
+    }
+}
+
+fn example(values: &[(&str, &str)]) -> Value {
+    values
+        .iter()
+        .map(|(name, value)| ((*name).to_owned(), Value::from(*value)))
+        .collect::<serde_json::Map<_, _>>()
+        .into()
+}
+
+fn measure(name: &str, request: &Value, goal: f64) {
+    let request = request.to_string();
+    let mut times: Vec<f64> = (0..RUNS)
+        .map(|_| {
+            let start = Instant::now();
+            black_box(
+                json::form(black_box(&request))
+                    .map(|view| view.to_string())
+                    .ok(),
+            );
+            start.elapsed().as_secs_f64() * 1e3
+        })
+        .collect();
+    times.sort_by(f64::total_cmp);
+    let at = |percent: usize| times[(RUNS - 1) * percent / 100];
+    let verdict = if at(99) < goal { "met" } else { "missed" };
+    println!(
+        "{name:<44} {:>9.3} {:>9.3} {:>9.3}  < {goal} {verdict}",
+        at(50),
+        at(95),
+        at(99)
+    );
+}

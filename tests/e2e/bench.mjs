@@ -1,0 +1,132 @@
+// Speed in Chromium and sizes over the wire; `cargo xtask bench` runs it. Prints a table, fails only when the page does.
+import { readFile } from "node:fs/promises";
+import { gzipSync } from "node:zlib";
+import { launch, open } from "./browser.mjs";
+
+const row = (name, cells) => console.log(name.padEnd(44), ...cells.map((cell) => String(cell).padStart(9)));
+const verdict = (value, wanted) => (value < wanted ? "met" : "missed");
+
+// The modules that Vite bundled, reachable for a measurement without the page around them.
+async function coreModule(page) {
+  const root = new URL("../../pkg/", import.meta.url);
+  await page.route("**/bench-pkg/**", async (route) => {
+    const path = new URL(route.request().url()).pathname.split("/bench-pkg/")[1];
+    const contentType = path.endsWith(".wasm") ? "application/wasm" : "text/javascript";
+    await route.fulfill({ body: await readFile(new URL(path, root)), contentType });
+  });
+  await page.evaluate(async () => {
+    const core = await import(new URL("bench-pkg/core/core.js", location.href).href);
+    await core.default();
+    globalThis.benchCore = core;
+  });
+}
+
+// Runs in the page: milliseconds of `runs` calls, sorted. Timers of a browser are coarse (0.1 ms), so calls are
+// timed in small groups where they are short.
+async function perKeystroke(page, request, runs, group) {
+  return page.evaluate(([text, count, size]) => {
+    const times = [];
+    for (let i = 0; i < count; i++) {
+      const start = performance.now();
+      for (let j = 0; j < size; j++) globalThis.benchCore.form(text);
+      times.push((performance.now() - start) / size);
+    }
+    return times.sort((a, b) => a - b);
+  }, [JSON.stringify(request), runs, group]);
+}
+
+const at = (times, percent) => times[Math.floor(((times.length - 1) * percent) / 100)];
+
+function report(name, times, percent, goal) {
+  const cells = [50, 95, 99].map((p) => at(times, p).toFixed(3));
+  row(name, [...cells, `< ${goal}`, verdict(at(times, percent), goal)]);
+}
+
+async function cycles(page) {
+  const catalogue = await page.evaluate(() => JSON.parse(globalThis.benchCore.catalogue()));
+  for (const { control, cycle, example } of catalogue.cycles) {
+    const request = { control, cycle, values: example };
+    report(`${cycle} form, check, write`, await perKeystroke(page, request, 400, 5), 99, 1);
+    report(`${cycle} the same and simulate`, await perKeystroke(page, { ...request, predict: true }, 400, 1), 99, 5);
+  }
+}
+
+// 10 MB of motion blocks with a measuring call now and then.
+async function reading(page) {
+  const seconds = await page.evaluate(() => {
+    let block = "";
+    for (let n = 0; n < 500; n++) block += `N${n * 10} G1 F1200 X${(n / 7).toFixed(3)} Y-${(n / 21).toFixed(3)}\r\n`;
+    block += "_MVAR=1 _SETVAL=132 _TNUM=20 _KNUM=2001\r\nCYCLE977\r\n";
+    const text = block.repeat(Math.ceil(10e6 / block.length));
+    const request = JSON.stringify({ control: "sinumerik", text });
+    const start = performance.now();
+    globalThis.benchCore.read(request);
+    return (performance.now() - start) / 1000;
+  });
+  const speed = 10 / seconds;
+  row("read a 10 MB program and list its calls, MB/s", [speed.toFixed(1), "> 20", speed > 20 ? "met" : "missed"]);
+}
+
+// Work of the page from the event of a keystroke to the layout of the frame that shows its outcome.
+async function keystrokes(page) {
+  const times = await page.evaluate(async () => {
+    const input = [...document.querySelectorAll(".field input")].find((field) => Number(field.value) > 1);
+    const set = Object.getOwnPropertyDescriptor(HTMLInputElement.prototype, "value").set;
+    const frame = () => new Promise((resolve) => requestAnimationFrame(() => resolve(performance.now())));
+    const start = Number(input.value);
+    const times = [];
+    for (let i = 0; i < 150; i++) {
+      await new Promise((resolve) => setTimeout(resolve, 20));
+      set.call(input, (start + (i % 9) / 1000).toFixed(3));
+      const before = frame();
+      const pressed = performance.now();
+      input.dispatchEvent(new Event("input", { bubbles: true }));
+      const handled = performance.now() - pressed;
+      const drawn = new Promise((resolve) => requestAnimationFrame(() => {
+        void document.body.offsetHeight;
+        resolve(performance.now());
+      }));
+      const [began, ended] = await Promise.all([before, drawn]);
+      times.push(handled + ended - began);
+    }
+    return times.slice(10).sort((a, b) => a - b);
+  });
+  report("keystroke to everything redrawn", times, 95, 16);
+}
+
+// Everything that the page fetches until its first form can be used, gzipped.
+async function wire(browser) {
+  const context = await browser.newContext({ serviceWorkers: "block" });
+  const page = await context.newPage();
+  const fetched = [];
+  page.on("response", (response) => fetched.push(response));
+  await page.goto(process.env.PROBEWRIGHT_URL, { waitUntil: "load" });
+  await page.locator(".field").first().waitFor();
+  await page.waitForLoadState("networkidle");
+  const sums = { "first usable form": 0, "editor": 0, "preview": 0 };
+  for (const response of fetched) {
+    const name = new URL(response.url()).pathname;
+    const part = /editor/.test(name) ? "editor" : /preview[-_]|view-/.test(name) ? "preview" : "first usable form";
+    sums[part] += gzipSync(await response.body(), { level: 9 }).length;
+  }
+  await context.close();
+  for (const [part, bytes] of Object.entries(sums)) {
+    const goal = part === "first usable form" ? ["< 250", verdict(bytes, 250_000)] : [];
+    row(`over the wire, ${part}, KB gzipped`, [(bytes / 1000).toFixed(1), ...goal]);
+  }
+}
+
+const browser = await launch("webgl2");
+try {
+  const { page, context } = await open(browser, { serviceWorkers: "block" });
+  await page.locator(".field").first().waitFor();
+  await coreModule(page);
+  row("ms, in Chromium", ["50 %", "95 %", "99 %", "goal"]);
+  await cycles(page);
+  await keystrokes(page);
+  await reading(page);
+  await context.close();
+  await wire(browser);
+} finally {
+  await browser.close();
+}
