@@ -28,7 +28,7 @@ function firstVisit(core: Core, catalogue: Catalogue): State {
   const cycle = catalogue.cycles[0];
   if (!cycle) return state;
   const errors = { ...NO_ERRORS, part: { ...NO_ERRORS.part, size: FIRST_OVERSIZE } };
-  const { snippet } = core.form({ control: cycle.control, cycle: cycle.cycle, values: cycle.example, errors, comments: state.comments });
+  const { snippet } = core.form({ control: cycle.control, cycle: cycle.cycle, values: cycle.example, errors });
   return { ...state, control: cycle.control, cycle: cycle.cycle, values: cycle.example, errors, programs: { [cycle.control]: snippet }, open: 0 };
 }
 

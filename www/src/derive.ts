@@ -3,6 +3,7 @@
 
 import type { Core } from "./core";
 import type { State } from "./state";
+import { say } from "./texts";
 import type { CallView, Catalogue, CycleInfo, Diagnostic, FormView, ReadView, RunView, Setup, Trace } from "./wire";
 
 export interface Derived {
@@ -40,11 +41,19 @@ function gather(read: ReadView): Diagnostic[] {
   }).sort((a, b) => (a.from ?? 0) - (b.from ?? 0));
 }
 
+/** The names of the fields in the reader's language, for the comments of the snippet. */
+function labels(view: FormView): Record<string, string> {
+  return Object.fromEntries(view.fields.map((field) => [field.name, say(field.label)]));
+}
+
 export function createDerive(core: Core, catalogue: Catalogue): (state: State) => Derived {
   const first = catalogue.cycles[0];
   if (!first) throw new Error("the catalogue is empty");
-  const form = memo((cycle: CycleInfo, values: State["values"], errors: State["errors"], comments: boolean, setup: Setup | null): FormView =>
-    core.form({ control: cycle.control, cycle: cycle.cycle, values, errors, comments, predict: true, ...(setup?.control === cycle.control ? { setup } : {}) }));
+  const form = memo((cycle: CycleInfo, values: State["values"], errors: State["errors"], comments: boolean, setup: Setup | null): FormView => {
+    const request = { control: cycle.control, cycle: cycle.cycle, values, errors, ...(setup?.control === cycle.control ? { setup } : {}) };
+    const view = core.form({ ...request, predict: true });
+    return comments ? { ...view, snippet: core.form({ ...request, comments: labels(view) }).snippet } : view;
+  });
   const read = memo((control: State["control"], text: string): ReadView => core.read({ control, text }));
   const run = memo((control: State["control"], text: string, setup: Setup | null): RunView =>
     core.run({ control, text, ...(setup ? { setup } : {}) }));

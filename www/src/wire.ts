@@ -35,7 +35,7 @@ export interface FormRequest {
   values: Record<string, string>;      // as typed, per parameter name; absent: never typed
   setup?: Setup;                       // absent: the core's own default machine
   errors?: ErrorSliders;
-  comments?: boolean;                  // comment line per parameter in the snippet
+  comments?: Record<string, string>;   // words by parameter name: a comment line each in the snippet
   predict?: boolean;                   // also simulate
 }
 export interface ErrorSliders {

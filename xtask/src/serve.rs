@@ -98,7 +98,7 @@ fn reply(mut stream: &TcpStream, status: &str, kind: &str, body: &[u8], whole: b
 fn file(folder: &Path, address: &str) -> Option<PathBuf> {
     let path = address.split(['?', '#']).next()?.strip_prefix('/')?;
     let outside = |part: &str| part == ".." || part.contains(['\\', ':', '%', '\0']);
-    if path.split('/').any(outside) {
+    if path.starts_with('/') || path.split('/').any(outside) {
         return None;
     }
     let named = folder.join(path);

@@ -39,6 +39,7 @@ const IN_THE_BROWSER: [&str; 2] = ["probewright-web", "probewright-preview"];
 pub fn test(options: &Options) -> Result<bool> {
     let wanted = |part| options.only.is_empty() || options.only.contains(&part);
     wasm_target()?;
+    let runner = runner()?; // now: building the tests of this program may replace its file
     let mut counts = Counts::default();
     if wanted(Part::Fmt) {
         formatting(&mut counts)?;
@@ -50,7 +51,7 @@ pub fn test(options: &Options) -> Result<bool> {
         native(&mut counts);
     }
     if wanted(Part::Wasm) {
-        wasm(&mut counts)?;
+        wasm(&mut counts, &runner)?;
     }
     if wanted(Part::Page) {
         in_the_page(&mut counts, options.no_build)?;
@@ -94,14 +95,14 @@ fn native(counts: &mut Counts) {
     suite(counts, "tests of xtask", &mut cargo(own));
 }
 
-fn wasm(counts: &mut Counts) -> Result<()> {
+fn wasm(counts: &mut Counts, runner: &str) -> Result<()> {
     let surroundings = browser::surroundings(&browser::browser()?)?;
     let mut tests = cargo("test --locked --all-features --no-fail-fast --target");
     tests.arg(WASM).args(in_the_browser());
     tests
         .envs(surroundings)
         .env("CARGO_PROFILE_DEV_DEBUG", "0")
-        .env(runner_variable(), runner()?);
+        .env(runner_variable(), runner);
     suite(counts, "wasm tests in Chromium", &mut tests);
     Ok(())
 }

@@ -24,6 +24,9 @@ struct Request {
     setup: Option<Value>,
     #[serde(default)]
     errors: Option<Errors>,
+    /// Words by parameter name for a comment line each; the core has no words of its own.
+    #[serde(default)]
+    comments: Option<Typed>,
     #[serde(default)]
     predict: bool,
 }
@@ -73,7 +76,13 @@ pub fn form(request: &str) -> Result<Value, Error> {
         None => Setup::calibrated(cycle.dialect, Plane::G17),
     };
     let checked = check::check(cycle, &request.values, &setup.control);
-    let mut view = view(cycle, &request.values, &setup, &checked);
+    let mut view = view(
+        cycle,
+        &request.values,
+        &setup,
+        &checked,
+        request.comments.as_ref(),
+    );
     if let (true, Some(inputs)) = (request.predict, &checked.inputs) {
         prepare(
             &mut setup,
@@ -93,7 +102,14 @@ fn view(
     typed: &Typed,
     setup: &Setup,
     checked: &Checked,
+    comments: Option<&Typed>,
 ) -> Map<String, Value> {
+    let word = |name: &str, _: &str| {
+        comments
+            .and_then(|words| words.get(name))
+            .cloned()
+            .unwrap_or_default()
+    };
     let control = &setup.control;
     let errors = checked
         .diagnostics
@@ -111,7 +127,12 @@ fn view(
     );
     view.insert(
         "snippet".into(),
-        json!(snippet(cycle, typed, control, None)),
+        json!(snippet(
+            cycle,
+            typed,
+            control,
+            comments.map(|_| &word as &dyn Fn(&str, &str) -> String)
+        )),
     );
     view.insert("complete".into(), json!(!errors));
     view.insert(

@@ -7,8 +7,8 @@ use crate::control::Control;
 /// Widest line of assignments, as in the programs of the manual.
 const WIDTH: usize = 78;
 
-/// Words for comments: key → text.
-pub type Words<'a> = &'a dyn Fn(&str) -> String;
+/// Words for comments: name of a parameter and key of its label → text.
+pub type Words<'a> = &'a dyn Fn(&str, &str) -> String;
 
 /// Program text of one call, lines ended by LF. Values that are used and can be written stand in it, in the order of the
 /// manual's tables; `words` adds a comment line for each.
@@ -92,7 +92,7 @@ fn comments(
     words: Words,
 ) {
     for (param, value) in written {
-        let label = words(&format!("param-{}", param.label(inputs)));
+        let label = words(param.name, &format!("param-{}", param.label(inputs)));
         let line = format!("{}={value}: {label}", param.name);
         let line: String = line
             .chars()

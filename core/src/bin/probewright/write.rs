@@ -34,7 +34,7 @@ pub fn write(name: &str, values: &[String], comments: bool) -> Result<ExitCode, 
             cycle,
             &typed,
             &control,
-            comments.then_some(&|key: &str| words.key(key.to_owned()))
+            comments.then_some(&|_: &str, key: &str| words.key(key.to_owned()))
         )
     );
     Ok(ExitCode::SUCCESS)
