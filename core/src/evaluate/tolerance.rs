@@ -66,6 +66,15 @@ pub struct Decision {
     pub memory: f64,
 }
 
+/// What a sum of measured values may be off by, mm: the contact is computed to this. Without it a part that is
+/// exactly on the limit would be over it or not by the last bit.
+pub const RESOLUTION: f64 = 1e-9;
+
+/// Whether a value is more than its limit; on the limit it is not.
+pub fn exceeds(value: f64, limit: f64) -> bool {
+    value > limit + RESOLUTION
+}
+
 /// Decides over one difference, or over the two of a rectangle: the worst one decides the branch, their
 /// mean is corrected. Differences are actual minus setpoint, empirical value included.
 pub fn chain(differences: &[f64], bands: &Bands, old_mean: f64) -> Decision {
@@ -76,7 +85,7 @@ pub fn chain(differences: &[f64], bands: &Bands, old_mean: f64) -> Decision {
             0.0_f64,
             |worst, d| if d.abs() > worst.abs() { d } else { worst },
         );
-    let over = |limit: f64| worst.abs() > limit;
+    let over = |limit: f64| exceeds(worst.abs(), limit);
     let unchanged = |branch| Decision {
         branch,
         correction: 0.0,
@@ -93,9 +102,9 @@ pub fn chain(differences: &[f64], bands: &Bands, old_mean: f64) -> Decision {
         unchanged(Branch::SafeArea)
     } else if over(bands.difference) {
         unchanged(Branch::Difference)
-    } else if worst > bands.upper {
+    } else if exceeds(worst, bands.upper) {
         whole(Branch::Oversize)
-    } else if worst < bands.lower {
+    } else if exceeds(-worst, -bands.lower) {
         whole(Branch::Undersize)
     } else if over(bands.mean) {
         whole(Branch::Whole)
@@ -107,7 +116,7 @@ pub fn chain(differences: &[f64], bands: &Bands, old_mean: f64) -> Decision {
 /// The last step: the mean value decides.
 fn by_mean(difference: f64, bands: &Bands, old_mean: f64) -> Decision {
     let mean = mean::next(old_mean, difference, bands.weight).unwrap_or(old_mean);
-    if mean.abs() > bands.zero_offset {
+    if exceeds(mean.abs(), bands.zero_offset) {
         Decision {
             branch: Branch::Mean,
             correction: mean,
@@ -141,6 +150,14 @@ mod tests {
     fn decide(difference: f64, old: f64) -> (Branch, f64, f64) {
         let decision = chain(&[difference], &BANDS, old);
         (decision.branch, decision.correction, decision.memory)
+    }
+
+    #[test]
+    fn on_the_limit_is_inside_up_to_the_resolution() {
+        // oracle: hand
+        assert_eq!(decide(0.03 + 1e-12, 0.0).0, Branch::Whole);
+        assert_eq!(decide(-0.03 - 1e-12, 0.0).0, Branch::Whole);
+        assert_eq!(decide(0.03 + 1e-8, 0.0).0, Branch::Oversize);
     }
 
     #[test]

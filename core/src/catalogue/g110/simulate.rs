@@ -8,6 +8,7 @@ use super::{BOSS, depth};
 use crate::catalogue::nct::touch::{Calibration, POSITIONING, touch};
 use crate::catalogue::nct::{self, axis_name, print};
 use crate::check::Inputs;
+use crate::evaluate::tolerance::exceeds;
 use crate::message::Message;
 use crate::run::trace::{MotionKind, Step};
 use crate::run::{Machine, Stop};
@@ -182,7 +183,8 @@ fn results(machine: &mut dyn Machine, measured: &Measured) {
 /// Messages first, then M, and unless U is exceeded T or S (C:1083-1099).
 fn correct(machine: &mut dyn Machine, inputs: &Inputs, call: &Call, measured: &Measured) {
     let given = |name: &str| inputs.numbers.get(name).copied();
-    let beyond = |name: &str| given(name).is_some_and(|limit| measured.deviation.abs() > limit);
+    let beyond =
+        |name: &str| given(name).is_some_and(|limit| exceeds(measured.deviation.abs(), limit));
     if beyond("H") {
         machine.record(Step::Alarm(nct::OUT_OF_TOLERANCE));
     }

@@ -5,7 +5,7 @@ use crate::check::Inputs;
 use crate::control::Control;
 use crate::diagnostic::Code;
 use crate::evaluate::symmetry::{Symmetric, symmetric};
-use crate::evaluate::tolerance::{Bands, Branch, Decision, chain};
+use crate::evaluate::tolerance::{Bands, Branch, Decision, chain, exceeds};
 use crate::evaluate::{mean, tool_offset};
 use crate::message::Message;
 use crate::run::trace::Step;
@@ -217,7 +217,7 @@ pub fn safe(
     let Some(worst) = differences
         .iter()
         .copied()
-        .find(|difference| difference.abs() > limit)
+        .find(|difference| exceeds(difference.abs(), limit))
     else {
         return Ok(Next::Done);
     };
