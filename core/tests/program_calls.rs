@@ -251,6 +251,9 @@ proptest! {
             prop_assert_eq!(read.parse::<f64>().ok(), typed[name].parse::<f64>().ok(), "{} in {}", name, text);
         }
         let written = sites[0].values.len();
+        if cycle.dialect == Dialect::Sinumerik {
+            prop_assert_eq!(written, text.matches('=').count(), "every assignment is read: {}", text);
+        }
         for param in cycle.params.iter().filter(|param| !matches!(param.kind, Kind::Text(_))) {
             let edits = change(&program, &sites[0], param.name, &other.to_string());
             let after = read(cycle.dialect, &apply(text.as_bytes(), &edits));

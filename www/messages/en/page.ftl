@@ -27,8 +27,8 @@ fact-tool = Tool
 fact-probe = Probe
 fact-ball = ball Ø { $diameter } mm
 fact-calibration = Calibration
-fact-true = true
-fact-deviates = deviates
+fact-true = matches the probe
+fact-deviates = probe deviates
 
 setup-import = Open setup
 setup-export = Save setup
