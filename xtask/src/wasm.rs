@@ -23,7 +23,7 @@ const MODULES: [Module; 3] = [
         folder: "core",
         name: "core",
         package: "probewright-web",
-        profile: "release",
+        profile: "web",
         features: "",
         shrink: true,
     },
