@@ -122,7 +122,7 @@ describe("form", () => {
     const { context, page } = await start(chrome);
     await lengthField(page).fill("28.125");
     await page.locator(".slider .figure").nth(1).fill("0.4");
-    await keptWhen(page, (state) => Object.values(state.values).includes("28.125") && state.errors.part.dx === 0.4);
+    await keptWhen(page, (state) => Object.values(state.values ?? {}).includes("28.125") && state.errors.part.dx === 0.4);
     await page.waitForTimeout(1200); // the pause after which a value counts as typed, and the saving
     const earlier = await stored(page);
     await page.reload();
@@ -165,7 +165,7 @@ describe("program", () => {
     await page.locator(".opened").waitFor();
     assert.equal(await lengthField(page).inputValue(), typed);
     await page.locator(`.field[data-field="${field}"] .entry-line > .figure`).fill("29.5");
-    const after = await keptWhen(page, (state) => Object.values(state.values).includes("29.5"));
+    const after = await keptWhen(page, (state) => Object.values(state.values ?? {}).includes("29.5"));
     const place = text.indexOf(`${field}=`) + field.length + 1;
     assert.ok(place > field.length, `${field} stands in the program`);
     assert.equal(after.programs[control], `${text.slice(0, place)}29.5${text.slice(place + typed.length)}`);
@@ -267,7 +267,7 @@ describe("reach", () => {
   test("without a network the page opens again, with the work in it", async () => {
     const { context, page } = await start(chrome);
     await lengthField(page).fill("26.5");
-    await keptWhen(page, (state) => Object.values(state.values).includes("26.5"));
+    await keptWhen(page, (state) => Object.values(state.values ?? {}).includes("26.5"));
     await page.evaluate(() => navigator.serviceWorker.ready.then(() => true));
     await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
     await context.setOffline(true);
