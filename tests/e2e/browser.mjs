@@ -2,6 +2,7 @@
 // `cargo xtask test --only page` sets CHROME (the browser) and PROBEWRIGHT_URL (the served page). By hand:
 //   cargo xtask serve                                        (in one terminal)
 //   PROBEWRIGHT_URL=http://127.0.0.1:4173/ node --test tests/e2e/
+// PROBEWRIGHT_SLOW=8 lets the page run eight times slower: it shows which test reads without waiting.
 import { createRequire } from "node:module";
 
 // The packages of the page: `packages("axe-core")`, `packages("pngjs")`.
@@ -37,9 +38,15 @@ export async function open(browser, { path = "", ...options } = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, locale: "en-GB", ...options });
   context.setDefaultTimeout(15_000);
   const page = await context.newPage();
+  if (process.env.PROBEWRIGHT_SLOW) await slow(page, Number(process.env.PROBEWRIGHT_SLOW));
   const problems = watch(page);
   await page.goto(new URL(path, address).href, { waitUntil: "load" });
   return { context, page, problems };
+}
+
+async function slow(page, rate) {
+  const session = await page.context().newCDPSession(page);
+  await session.send("Emulation.setCPUThrottlingRate", { rate });
 }
 
 function watch(page) {

@@ -13,6 +13,9 @@ async function start(chrome, options) {
   return opened;
 }
 
+/** After the redraw that follows what was done last. */
+const drawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+
 const stored = (page) => page.evaluate((name) => JSON.parse(localStorage.getItem(name) ?? "{}"), STORE);
 
 /** What is kept, once it holds what is waited for. */
@@ -27,9 +30,7 @@ async function keptWhen(page, wanted) {
 
 /** Puts a program in place of the present one and opens the page again. */
 async function withProgram(page, text) {
-  await keptWhen(page, (state) => state.cycle !== undefined && state.programs !== undefined);
-  await page.waitForTimeout(400);
-  const state = await stored(page);
+  const state = await keptWhen(page, (state) => state.cycle !== undefined && state.programs !== undefined);
   const next = { ...state, programs: { ...state.programs, [state.control]: text }, open: null };
   await page.context().addInitScript(([name, value]) => {
     if (!sessionStorage.getItem("seeded")) localStorage.setItem(name, value);
@@ -78,9 +79,10 @@ describe("first visit", () => {
     await variants.first().waitFor();
     for (let index = 0; index < await variants.count(); index++) {
       await variants.nth(index).click();
-      await page.locator('[role="treeitem"][aria-selected="true"]').waitFor();
+      await page.waitForFunction((clicked) => clicked.ariaSelected === "true", await variants.nth(index).elementHandle());
       await page.getByRole("button", { name: "Check" }).click();
     }
+    await drawn(page);
     assert.deepEqual(missing, []);
     await context.close();
   });
@@ -122,14 +124,17 @@ describe("form", () => {
     const { context, page } = await start(chrome);
     await lengthField(page).fill("28.125");
     await page.locator(".slider .figure").nth(1).fill("0.4");
-    await keptWhen(page, (state) => Object.values(state.values ?? {}).includes("28.125") && state.errors.part.dx === 0.4);
-    await page.waitForTimeout(1200); // the pause after which a value counts as typed, and the saving
-    const earlier = await stored(page);
+    const field = await lengthField(page).evaluate((input) => input.closest(".field").dataset.field);
+    const earlier = await keptWhen(page, (state) => Object.values(state.values ?? {}).includes("28.125") && state.errors.part.dx === 0.4 && state.touched[field]);
+    await page.addInitScript(() => {
+      const set = Storage.prototype.setItem;
+      Storage.prototype.setItem = function (...args) { set.apply(this, args); globalThis.saved = true; };
+    });
     await page.reload();
     await page.locator(".field").first().waitFor();
     assert.equal(await lengthField(page).inputValue(), "28.125");
     assert.equal(await page.locator(".slider .figure").nth(1).inputValue(), "0.4");
-    await page.waitForTimeout(400);
+    await page.waitForFunction(() => globalThis.saved);
     assert.deepEqual(await stored(page), earlier);
     await context.close();
   });
@@ -179,7 +184,7 @@ describe("program", () => {
     await page.locator(".opened").waitFor({ state: "hidden" });
     await page.locator(".cm-line").nth(1).click();
     await page.locator(".opened").waitFor();
-    assert.ok(await page.locator(".cm-call-open").count() > 0, "the call is marked");
+    await page.locator(".cm-call-open").first().waitFor();
     await context.close();
   });
 
@@ -191,7 +196,7 @@ describe("program", () => {
     const count = await calls.count();
     await page.getByRole("button", { name: "Insert at cursor" }).click();
     await page.waitForFunction((wanted) => document.querySelectorAll(".call-chip").length === wanted, count + 1);
-    assert.equal(await page.locator('.call-chip[aria-pressed="true"]').count(), 1);
+    await page.locator('.call-chip[aria-pressed="true"]').waitFor(); // strict: exactly one
     await context.close();
   });
 });
@@ -211,8 +216,8 @@ describe("reach", () => {
     await press("Escape", "ArrowDown");
     await page.waitForFunction(() => document.activeElement?.getAttribute("role") === "treeitem");
     await press("ArrowDown", "Enter");
-    const chosen = await page.locator('[role="treeitem"][aria-selected="true"]').textContent();
-    assert.equal(await page.evaluate(() => document.activeElement?.textContent), chosen, "the variant under the focus is chosen");
+    await page.waitForFunction(() => document.activeElement?.matches('[role="treeitem"][aria-selected="true"]')); // the variant under the focus is chosen
+    assert.equal(await page.locator('[role="treeitem"][aria-selected="true"]').count(), 1);
     await press("F6");
     await page.waitForFunction(() => document.activeElement?.id === "panel-form");
     for (let tries = 0; tries < 30 && !(await page.evaluate(() => document.activeElement?.matches(".field input"))); tries++) await press("Tab");
@@ -234,6 +239,7 @@ describe("reach", () => {
       test(`axe finds nothing serious, ${colorScheme}, ${viewport.width} wide`, async () => {
         const { context, page } = await start(chrome, { colorScheme, viewport, bypassCSP: true });
         await page.getByRole("button", { name: "Check" }).click();
+        await drawn(page);
         await page.addScriptTag({ path: axe });
         const found = await page.evaluate(() => axe.run(document, { resultTypes: ["violations"] }));
         const serious = found.violations.filter((one) => ["serious", "critical"].includes(one.impact));
@@ -252,6 +258,7 @@ describe("reach", () => {
       for (const name of ["Measure", "Form", "Program", "3D view", "Result"]) {
         const tab = page.locator(".panel-bar").getByRole("button", { name, exact: true });
         if (await tab.isVisible()) await tab.click();
+        await drawn(page);
         const small = await page.evaluate(() => [...document.querySelectorAll("button, select, input:not([type=checkbox]):not([type=range]), [role=treeitem]")]
           .filter((node) => node.checkVisibility() && !node.closest(".skip"))
           .map((node) => ({ box: node.getBoundingClientRect(), html: node.outerHTML.slice(0, 80) }))
@@ -286,6 +293,7 @@ describe("reach", () => {
     await page.locator("#broken").waitFor();
     assert.match(await page.locator("#broken").textContent(), /panicked at test/);
     await page.locator("#broken button").click();
+    await page.locator("#broken").waitFor({ state: "detached" });
     await page.locator(".field").first().waitFor();
     assert.equal(await lengthField(page).inputValue(), "25.5");
     assert.equal(await page.locator("#broken").count(), 0);
@@ -301,7 +309,7 @@ describe("reach", () => {
     await page.locator("#theme").click();
     await page.waitForFunction(() => document.documentElement.dataset.theme === "dark");
     assert.notEqual(await ground(), light);
-    await page.waitForTimeout(400);
+    await keptWhen(page, (state) => state.theme === "dark");
     await page.reload();
     await page.waitForFunction(() => document.documentElement.dataset.theme === "dark");
     await context.close();

@@ -116,6 +116,7 @@ export function createActions(store: Store, core: Core, catalogue: Catalogue): A
     },
     panel(panel) {
       store.update({ panel, ...(LEFT.includes(panel) ? { left: panel } : { right: panel }) });
+      store.flush(); // who shows a panel goes on in it, mostly with the focus
     },
   };
 }

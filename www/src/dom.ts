@@ -65,10 +65,12 @@ export function keyed<T, E extends Element>(
     update(node, item, index);
   });
   for (const gone of old.values()) gone.remove();
+  const focused = document.activeElement;
   let place: Element | null = parent.firstElementChild;
   for (const node of now.values()) {
     if (node === place) place = place.nextElementSibling;
     else parent.insertBefore(node, place);
   }
+  if (focused instanceof HTMLElement && focused !== document.activeElement) focused.focus(); // moving a node takes the focus from it
   kept.set(parent, now);
 }

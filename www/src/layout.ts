@@ -32,7 +32,7 @@ export function createLayout(actions: Actions): Layout {
 
   const enter = (name: Panel): void => {
     actions.panel(name);
-    requestAnimationFrame(() => panels[name].focus());
+    panels[name].focus();
   };
   document.addEventListener("keydown", (event) => {
     if (event.key !== "F6" || document.querySelector("dialog[open]")) return;

@@ -5,13 +5,15 @@ import type { State } from "./state";
 export interface Store {
   readonly state: State;
   update(patch: Partial<State> | ((state: State) => Partial<State>)): void;
+  /** Draws what is still to be drawn, now: for whoever goes on with what the redraw shows, as moving the focus there. */
+  flush(): void;
 }
 
 export function createStore(first: State, draw: () => void): Store {
   let state = first;
-  let waiting = false;
+  let waiting = 0; // the frame asked for
   const frame = (): void => {
-    waiting = false;
+    waiting = 0;
     draw();
   };
   return {
@@ -19,9 +21,12 @@ export function createStore(first: State, draw: () => void): Store {
     update(patch) {
       const change = typeof patch === "function" ? patch(state) : patch;
       state = { ...state, ...change };
-      if (waiting) return;
-      waiting = true;
-      requestAnimationFrame(frame);
+      waiting ||= requestAnimationFrame(frame);
+    },
+    flush() {
+      if (!waiting) return;
+      cancelAnimationFrame(waiting);
+      frame();
     },
   };
 }

@@ -59,7 +59,8 @@ export function createForm(root: HTMLElement, store: Store, actions: Actions): (
   on(insert, "click", () => { actions.insert(snippetText); actions.panel("program"); });
   on(check, "click", () => {
     actions.check();
-    requestAnimationFrame(() => requestAnimationFrame(() => root.querySelector<HTMLElement>('[aria-invalid="true"]')?.focus()));
+    store.flush();
+    root.querySelector<HTMLElement>('[aria-invalid="true"]')?.focus();
   });
 
   const make = (field: Field): HTMLElement => {

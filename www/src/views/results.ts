@@ -115,7 +115,7 @@ function createProblems(root: HTMLElement, actions: Actions, goTo: (offset: numb
 function located(state: State, derived: Derived, actions: Actions, goTo: (offset: number) => void): Located[] {
   const form = shownProblems(state, derived.view.diagnostics).map((problem): Located => ({
     problem, place: problem.param ?? t("panel-form"),
-    go: () => { actions.panel("form"); requestAnimationFrame(() => document.getElementById(fieldId(problem.param ?? ""))?.focus()); },
+    go: () => { actions.panel("form"); document.getElementById(fieldId(problem.param ?? ""))?.focus(); },
   }));
   const told = new Set(derived.opened ? derived.view.diagnostics.map((one) => `${one.code}/${one.param}`) : []);
   const inProgram = derived.problems.filter((one) => !told.has(`${one.code}/${one.param}`));

@@ -68,11 +68,15 @@ export function createTasks(root: HTMLElement, store: Store, actions: Actions): 
   };
   const focus = (node: Node | undefined): void => {
     if (!node) return;
+    const item = tree.children[shown.indexOf(node)];
+    if (!(item instanceof HTMLElement)) return;
+    for (const other of tree.querySelectorAll('[tabindex="0"]')) setAttribute(other, "tabindex", -1);
+    setAttribute(item, "tabindex", 0);
     active = node.id;
-    store.update({});
-    requestAnimationFrame(() => tree.querySelector<HTMLElement>('[tabindex="0"]')?.focus());
+    item.focus();
   };
   const key = (event: KeyboardEvent): void => {
+    store.flush(); // the key is meant for what the last one has led to
     const index = shown.findIndex((node) => node.id === active);
     const node = shown[index];
     if (!node) return;
@@ -95,7 +99,10 @@ export function createTasks(root: HTMLElement, store: Store, actions: Actions): 
   on(tree, "keydown", key);
   on(input, "input", () => store.update({ search: input.value }));
   on(input, "keydown", (event) => {
-    if (event.key === "ArrowDown") focus(shown.find((node) => node.variant) ?? shown[0]);
+    if (event.key === "ArrowDown") {
+      store.flush();
+      focus(shown.find((node) => node.variant) ?? shown[0]);
+    }
     if (event.key === "Escape") { input.value = ""; store.update({ search: "" }); }
   });
 
