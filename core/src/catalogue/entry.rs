@@ -4,7 +4,7 @@ use crate::check::Inputs;
 use crate::control::Control;
 use crate::form::picture::Picture;
 use crate::run::{Machine, Stop};
-use crate::workpiece::Workpiece;
+use crate::workpiece::{Solid, Workpiece};
 
 /// The language of the part program, and with it the control.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -246,10 +246,15 @@ pub struct ResultField {
 }
 
 /// A nominal part with a start position from which the cycle may be called.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Proposal {
     /// Nominal part in machine coordinates; errors are added by the caller.
     pub workpiece: Workpiece,
+    /// What stands beside it and can be touched too, machine coordinates; it has no errors.
+    pub fixture: Vec<Solid>,
+    /// Protection zones, machine coordinates, to be shown and not touched: a shaft, a web or an island whose walls
+    /// part where the probe may go from where it may not.
+    pub zones: Vec<Solid>,
     /// Position of the ball centre in the active WCS at the call, X Y Z, mm.
     pub start: [f64; 3],
     /// Tools that the call corrects, for a machine that has none yet.

@@ -125,7 +125,7 @@ fn propose(inputs: &Inputs, control: &Control) -> Proposal {
             solids: vec![block],
         },
         start,
-        tools: Vec::new(),
+        ..Proposal::default()
     }
 }
 

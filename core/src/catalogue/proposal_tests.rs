@@ -59,6 +59,7 @@ fn measured(
         solid.errors.shift = SHIFT;
         solid.errors.size = SIZE;
     }
+    setup.workpiece.solids.extend(proposal.fixture);
     setup.position = setup.control.to_machine(proposal.start);
     let outcome = predict(cycle, &inputs, &setup);
     assert_eq!(outcome.stop, None, "{variant} axis {axis} {plane:?}");
@@ -104,6 +105,30 @@ fn cycle977_finds_size_and_centre() {
                 near(&control, "_OVR[18]", shift(ordinate, "2"), &what);
             }
         }
+    }
+}
+
+#[test]
+fn without_its_zone_the_probe_meets_the_obstacle() {
+    // oracle: hand: what stands in the zone is in the way of the same call without it
+    let cycle = find(Dialect::Sinumerik, "CYCLE977").unwrap();
+    for variant in [1001, 1003, 1005, 1101] {
+        let setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+        let read = |variant| {
+            check(cycle, &typed(variant, "1"), &setup.control)
+                .inputs
+                .unwrap()
+        };
+        let fixture = (cycle.propose)(&read(variant), &setup.control).fixture;
+        assert!(!fixture.is_empty(), "{variant}");
+        let plain = read(variant - 1000);
+        let proposal = (cycle.propose)(&plain, &setup.control);
+        let mut setup = setup;
+        setup.workpiece = proposal.workpiece;
+        setup.workpiece.solids.extend(fixture);
+        setup.position = setup.control.to_machine(proposal.start);
+        let stop = predict::predict(cycle, &plain, &setup).stop;
+        assert!(stop.is_some(), "{variant}");
     }
 }
 

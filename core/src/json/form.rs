@@ -10,7 +10,7 @@ use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
 use crate::program::write::snippet;
 use crate::run::predict::predict;
 use crate::run::setup::Setup;
-use crate::workpiece::{PartErrors, Probe};
+use crate::workpiece::{PartErrors, Probe, Solid};
 use serde::Deserialize;
 use serde_json::{Map, Value, json};
 
@@ -84,14 +84,16 @@ pub fn form(request: &str) -> Result<Value, Error> {
         request.comments.as_ref(),
     );
     if let (true, Some(inputs)) = (request.predict, &checked.inputs) {
-        prepare(
+        let zones = prepare(
             &mut setup,
             inputs,
             &request.errors.unwrap_or_default(),
             own_machine,
         );
         let outcome = predict(cycle, inputs, &setup);
-        view.insert("outcome".into(), super::outcome(inputs, &setup, &outcome)?);
+        let mut outcome = super::outcome(inputs, &setup, &outcome)?;
+        outcome["trace"]["zones"] = super::trace::solids(&zones)?;
+        view.insert("outcome".into(), outcome);
         view.insert("setup".into(), super::setup_to_json(&setup)?);
     }
     Ok(Value::Object(view))
@@ -143,23 +145,25 @@ fn view(
 }
 
 /// Puts the proposed part with its errors and the probe with its own into the setup, and the probe before it.
-/// A machine that the user described keeps the tools it has.
-fn prepare(setup: &mut Setup, inputs: &Inputs, errors: &Errors, own_machine: bool) {
+/// A machine that the user described keeps the tools it has. Gives the protection zones.
+fn prepare(setup: &mut Setup, inputs: &Inputs, errors: &Errors, own_machine: bool) -> Vec<Solid> {
     let proposal = (inputs.cycle.propose)(inputs, &setup.control);
     setup.workpiece = proposal.workpiece;
     for solid in &mut setup.workpiece.solids {
         solid.errors = part_errors(&errors.part);
     }
+    setup.workpiece.solids.extend(proposal.fixture);
     probe_errors(&mut setup.probe, &errors.probe);
     setup.position = setup.control.to_machine(proposal.start);
     if own_machine {
-        return;
+        return proposal.zones;
     }
     for proposed in proposal.tools {
         let tool = setup.control.tools.entry(proposed.tool).or_default();
         tool.name = proposed.name;
         tool.edges.entry(proposed.edge).or_insert(proposed.data);
     }
+    proposal.zones
 }
 
 /// The errors of the sliders on top of what the probe has.

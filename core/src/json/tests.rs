@@ -127,3 +127,46 @@ fn a_form_without_values_has_fields_and_a_picture() {
         assert_eq!(view["outcome"], Value::Null);
     }
 }
+
+// oracle: manual B:762-817 (the applicate of G18 is Y, of G19 X; the tool stands along it)
+#[test]
+fn the_stylus_stands_along_the_applicate() {
+    let cycle = crate::catalogue::find(Dialect::Sinumerik, "CYCLE977").unwrap();
+    let mut asked: Value = serde_json::from_str(&request(cycle)).unwrap();
+    let mut setup = form(&asked.to_string()).unwrap()["setup"].clone();
+    for (plane, axis) in [
+        ("G17", [0.0, 0.0, 1.0]),
+        ("G18", [0.0, 1.0, 0.0]),
+        ("G19", [1.0, 0.0, 0.0]),
+    ] {
+        setup["plane"] = json!(plane);
+        asked["setup"] = setup.clone();
+        let view = form(&asked.to_string()).unwrap();
+        let ball = &view["outcome"]["trace"]["ball"];
+        assert_eq!(ball["axis"], json!(axis), "{plane}");
+    }
+}
+
+// oracle: hand (errors belong to the part; a post stands in the zone, which is drawn)
+#[test]
+fn what_stands_in_a_protection_zone_has_no_errors() {
+    let cycle = crate::catalogue::find(Dialect::Sinumerik, "CYCLE977").unwrap();
+    let mut asked: Value = serde_json::from_str(&request(cycle)).unwrap();
+    for (name, value) in [("_MVAR", "1001"), ("_SZA", "60"), ("_ID", "-20")] {
+        asked["values"][name] = json!(value);
+    }
+    let trace = form(&asked.to_string()).unwrap()["outcome"]["trace"].take();
+    let [part, post] = trace["solids"].as_array().unwrap().as_slice() else {
+        unreachable!("{}", trace["solids"]);
+    };
+    assert_eq!(
+        (&part["shape"], &post["shape"]),
+        (&json!("hole"), &json!("shaft"))
+    );
+    assert_eq!(
+        (&part["errors"]["size"], &post["errors"]["size"]),
+        (&json!(0.03), &json!(0.0))
+    );
+    assert_eq!(trace["zones"][0]["size"][0], json!(60.0));
+    assert!(post["size"][0].as_f64() < Some(60.0), "{post}");
+}

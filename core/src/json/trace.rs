@@ -10,6 +10,7 @@ use crate::message::Message;
 use crate::run::outcome::{Change, Outcome};
 use crate::run::setup::Setup;
 use crate::run::trace::{Entry, MotionKind, Step, Trace};
+use crate::workpiece::Solid;
 use serde_json::{Map, Value, json};
 
 /// What a call does: results, decisions, alarms, changes, log and trace.
@@ -111,18 +112,25 @@ pub(super) fn unit(unit: Unit, control: &Control) -> &'static str {
 
 /// Everything that happened, with what is needed to draw it.
 pub(super) fn trace(setup: &Setup, outcome: &Outcome) -> Result<Value, Error> {
-    let solids = setup
-        .workpiece
-        .solids
-        .iter()
-        .map(solid_value)
-        .collect::<Result<Vec<_>, _>>()?;
     Ok(json!({
         "entries": entries(&outcome.trace),
-        "ball": { "radius": number(setup.probe.radius), "length": number(setup.probe.length) },
-        "solids": solids,
+        "ball": ball(setup, outcome),
+        "solids": solids(&setup.workpiece.solids)?,
         "frames": frames(&outcome.before, &outcome.control),
     }))
+}
+
+/// Solids as the setup file has them.
+pub(super) fn solids(list: &[Solid]) -> Result<Value, Error> {
+    list.iter().map(solid_value).collect()
+}
+
+/// Ball and stylus. The axis points from the ball to the spindle, in machine coordinates: the applicate of the plane in
+/// which was measured.
+fn ball(setup: &Setup, outcome: &Outcome) -> Value {
+    let mut axis = [0.0; 3];
+    axis[outcome.control.plane.axes()[2]] = 1.0;
+    json!({ "radius": number(setup.probe.radius), "length": number(setup.probe.length), "axis": axis })
 }
 
 fn entries(trace: &Trace) -> Vec<Value> {

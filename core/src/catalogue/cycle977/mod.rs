@@ -5,6 +5,7 @@ mod element;
 pub mod params;
 mod picture;
 mod propose;
+mod protection;
 mod results;
 pub mod simulate;
 #[cfg(test)]

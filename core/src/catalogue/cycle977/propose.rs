@@ -1,6 +1,7 @@
 //! A nominal part for CYCLE977 about the origin of the WCS, its upper face at applicate 0.
 
 use super::params::{OUTSIDE, RECTANGLE, ZONE};
+use super::protection::Protected;
 use crate::catalogue::{Proposal, names, place};
 use crate::check::Inputs;
 use crate::control::Control;
@@ -24,8 +25,14 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
         [1.0, 0.0, 0.0]
     };
     let part = place::solid(control, shape(inputs, height), [0.0; 3], x, [0.0, 0.0, 1.0]);
+    let protected = Protected::of(inputs, height, x);
     Proposal {
         workpiece: Workpiece { solids: vec![part] },
+        fixture: protected
+            .iter()
+            .flat_map(|zone| zone.obstacles(control))
+            .collect(),
+        zones: protected.iter().map(|zone| zone.walls(control)).collect(),
         start: place::in_plane(control, [0.0, 0.0, start]),
         tools: place::corrected_tools(inputs),
     }
@@ -39,6 +46,11 @@ fn above(infeed: f64, ball: f64) -> (f64, f64) {
     (start, (infeed - start).max(0.0))
 }
 
+/// Length of a groove or web across the measuring axis, mm.
+pub(super) fn along(size: f64) -> f64 {
+    (size * 1.5).max(40.0)
+}
+
 fn shape(inputs: &Inputs, height: f64) -> Shape {
     let size = inputs.number(names::SETVAL);
     let length = if RECTANGLE.holds(inputs) {
@@ -46,7 +58,7 @@ fn shape(inputs: &Inputs, height: f64) -> Shape {
     } else {
         [size; 2]
     };
-    let along = (size * 1.5).max(40.0);
+    let along = along(size);
     match inputs.variant % 10 {
         1 => Shape::Hole {
             diameter: size,

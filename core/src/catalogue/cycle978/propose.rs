@@ -32,5 +32,6 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
         workpiece: Workpiece { solids: vec![part] },
         start: place::in_plane(control, start),
         tools: place::corrected_tools(inputs),
+        ..Proposal::default()
     }
 }

@@ -120,6 +120,6 @@ fn propose(inputs: &Inputs, control: &Control) -> Proposal {
             solids: vec![part::in_plane(shape, top, control)],
         },
         start,
-        tools: Vec::new(),
+        ..Proposal::default()
     }
 }
