@@ -25,6 +25,7 @@ export interface CycleInfo {
   results: { name: string; key: string; unit: string; source: string }[];
   alarms: string[];
   example: Record<string, string>;     // values of a worked measurement, as typed
+  simulated: boolean;                  // false: form, checks and text only; a FormView has no outcome
   source: string;
 }
 
@@ -48,7 +49,7 @@ export interface FormView {
   snippet: string;                     // program text, LF; also for incomplete values as far as it can be written
   complete: boolean;                   // no error
   picture: Picture;
-  outcome?: Outcome;                   // when predict and complete
+  outcome?: Outcome;                   // when predict and complete, of a cycle that is simulated
   setup?: Setup;                       // when predict: what was used (machine, proposed part with its errors, start); exported, and what a program runs on
 }
 export interface Field {

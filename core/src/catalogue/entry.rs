@@ -27,6 +27,8 @@ pub struct Cycle {
     pub variants: &'static [Variant],
     /// Parameters in the order in which the snippet writes them.
     pub params: &'static [Param],
+    /// Data of the machine that decide what the form shows or what is right in it: `_CBIT[12]`, `_MT_COMP`, …
+    pub settings: &'static [&'static str],
     /// What it leaves in the result data.
     pub results: &'static [ResultField],
     /// Numbers (or NCT messages) it can raise.
@@ -34,16 +36,22 @@ pub struct Cycle {
     /// Checks over several parameters; everything about one parameter is in its [`Param`].
     /// A value that is missing or wrong is absent from the inputs; nothing more is said about it.
     pub checks: fn(&Inputs, &Control, &mut Vec<crate::diagnostic::Diagnostic>),
-    /// A nominal part and a safe start position for the values of a form, for a control in this state (plane, frames).
-    pub propose: fn(&Inputs, &Control) -> Proposal,
     /// What the values mean, drawn.
     pub picture: fn(&Inputs) -> Picture,
     /// A worked measurement: values as typed, by parameter name.
     pub example: &'static [(&'static str, &'static str)],
-    /// What the control does.
-    pub simulate: fn(&mut dyn Machine, &Inputs) -> Result<(), Stop>,
+    /// What happens at the call; none while only form, checks and text are known.
+    pub simulation: Option<Simulation>,
     /// Place in the manual.
     pub source: &'static str,
+}
+
+/// A cycle at work.
+pub struct Simulation {
+    /// A nominal part and a safe start position for the values of a form, for a control in this state (plane, frames).
+    pub propose: fn(&Inputs, &Control) -> Proposal,
+    /// What the control does.
+    pub simulate: fn(&mut dyn Machine, &Inputs) -> Result<(), Stop>,
 }
 
 /// One measuring variant.
@@ -221,6 +229,22 @@ pub enum When {
     },
     /// The parameter is given and not zero (a text: not empty).
     Given(&'static str),
+    /// The number of this parameter is one of these.
+    Number {
+        /// Parameter.
+        param: &'static str,
+        /// Accepted numbers.
+        is: &'static [f64],
+    },
+    /// A datum of the machine, one of [`Cycle::settings`], has one of these values; unset data are 0.
+    Setting {
+        /// Datum.
+        name: &'static str,
+        /// Accepted numbers.
+        is: &'static [f64],
+    },
+    /// The type of the tool in use (`$TC_DP1`) lies between these numbers, both included.
+    ToolType(i64, i64),
     /// The working plane is this one.
     Plane(crate::control::Plane),
     /// All of these.

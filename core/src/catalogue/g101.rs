@@ -2,7 +2,7 @@
 
 use super::common::{PARAM, optional};
 use super::nct::{self, part};
-use super::{Cycle, Dialect, Kind, Param, Proposal, Range, Unit, Variant, When};
+use super::{Cycle, Dialect, Kind, Param, Proposal, Range, Simulation, Unit, Variant, When};
 use crate::check::Inputs;
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
@@ -30,6 +30,7 @@ pub static G101: Cycle = Cycle {
         key: "g101-positioning",
         source: "C:106",
     }],
+    settings: &[],
     params: &[
         Param {
             name: "X",
@@ -68,10 +69,9 @@ pub static G101: Cycle = Cycle {
         nct::OUT_OF_POSITION,
     ],
     checks,
-    propose,
     picture,
     example: &[("X", "120"), ("Z", "200")],
-    simulate,
+    simulation: Some(Simulation { propose, simulate }),
     source: "C:106-144",
 };
 

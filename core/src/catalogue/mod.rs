@@ -32,7 +32,9 @@ pub fn find(dialect: Dialect, name: &str) -> Option<&'static Cycle> {
 }
 
 #[cfg(test)]
-mod tests;
+mod table_tests;
+#[cfg(test)]
+mod word_tests;
 
 #[cfg(test)]
 mod proposal_tests;

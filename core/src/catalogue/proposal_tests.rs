@@ -53,7 +53,8 @@ fn measured(
     let inputs = checked
         .inputs
         .unwrap_or_else(|| panic!("{variant} {:?}", checked.diagnostics));
-    let proposal = (cycle.propose)(&inputs, &setup.control);
+    let simulation = cycle.simulation.as_ref().unwrap();
+    let proposal = (simulation.propose)(&inputs, &setup.control);
     setup.workpiece = proposal.workpiece;
     for solid in &mut setup.workpiece.solids {
         solid.errors.shift = SHIFT;

@@ -12,6 +12,11 @@ impl When {
             When::Variant(numbers) => numbers.contains(&inputs.variant),
             When::Digit { param, place, is } => is.contains(&digit(inputs, param, *place)),
             When::Given(param) => inputs.number(param) != 0.0 || !inputs.text(param).is_empty(),
+            When::Number { param, is } => is.contains(&inputs.number(param)),
+            When::Setting { name, is } => {
+                is.contains(&inputs.settings.get(name).copied().unwrap_or(0.0))
+            }
+            When::ToolType(from, to) => (*from..=*to).contains(&inputs.tool_type),
             When::Plane(plane) => inputs.plane == *plane,
             When::All(conditions) => conditions.iter().all(|when| when.holds(inputs)),
             When::Any(conditions) => conditions.iter().any(|when| when.holds(inputs)),

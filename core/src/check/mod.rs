@@ -36,6 +36,10 @@ pub struct Inputs {
     pub five_digit_edges: bool,
     /// Working plane of the control at the call.
     pub plane: Plane,
+    /// Data of the machine that the cycle's entry names, as the control has them.
+    pub settings: BTreeMap<&'static str, f64>,
+    /// Type of the tool in use (`$TC_DP1`); 0 without one.
+    pub tool_type: i64,
 }
 
 impl Inputs {
@@ -48,6 +52,8 @@ impl Inputs {
             texts: BTreeMap::new(),
             five_digit_edges: false,
             plane: Plane::G17,
+            settings: BTreeMap::new(),
+            tool_type: 0,
         }
     }
 

@@ -87,6 +87,12 @@ pub fn read(
     );
     inputs.five_digit_edges = knum::five_digit_edges(control);
     inputs.plane = control.plane;
+    inputs.tool_type = control.active_edge().map_or(0, |edge| edge.kind);
+    inputs.settings = cycle
+        .settings
+        .iter()
+        .map(|name| (*name, control.number(name)))
+        .collect();
     for param in cycle.params {
         let text = typed.get(param.name).map_or("", |text| text.trim());
         if let Kind::Text(most) = param.kind {

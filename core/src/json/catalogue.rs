@@ -19,6 +19,7 @@ fn entry(cycle: &Cycle) -> Value {
         "results": cycle.results.iter().map(result).collect::<Vec<_>>(),
         "alarms": cycle.alarms.iter().map(|alarm| code(*alarm)).collect::<Vec<_>>(),
         "example": cycle.example.iter().map(|(name, value)| ((*name).to_owned(), json!(value))).collect::<serde_json::Map<_, _>>(),
+        "simulated": cycle.simulation.is_some(),
         "source": cycle.source,
     })
 }

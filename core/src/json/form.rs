@@ -1,7 +1,7 @@
 //! A form at every keystroke: fields, findings, snippet, picture and what the call would do.
 
 use super::{Error, diagnostic, dialect, message, number};
-use crate::catalogue::{self, Cycle, Range};
+use crate::catalogue::{self, Cycle, Range, Simulation};
 use crate::check::{self, Checked, Inputs, Typed};
 use crate::control::Plane;
 use crate::diagnostic::Severity;
@@ -83,9 +83,11 @@ pub fn form(request: &str) -> Result<Value, Error> {
         &checked,
         request.comments.as_ref(),
     );
-    if let (true, Some(inputs)) = (request.predict, &checked.inputs) {
+    let simulation = cycle.simulation.as_ref().filter(|_| request.predict);
+    if let (Some(simulation), Some(inputs)) = (simulation, &checked.inputs) {
         let zones = prepare(
             &mut setup,
+            simulation,
             inputs,
             &request.errors.unwrap_or_default(),
             own_machine,
@@ -146,8 +148,14 @@ fn view(
 
 /// Puts the proposed part with its errors and the probe with its own into the setup, and the probe before it.
 /// A machine that the user described keeps the tools it has. Gives the protection zones.
-fn prepare(setup: &mut Setup, inputs: &Inputs, errors: &Errors, own_machine: bool) -> Vec<Solid> {
-    let proposal = (inputs.cycle.propose)(inputs, &setup.control);
+fn prepare(
+    setup: &mut Setup,
+    simulation: &Simulation,
+    inputs: &Inputs,
+    errors: &Errors,
+    own_machine: bool,
+) -> Vec<Solid> {
+    let proposal = (simulation.propose)(inputs, &setup.control);
     setup.workpiece = proposal.workpiece;
     for solid in &mut setup.workpiece.solids {
         solid.errors = part_errors(&errors.part);

@@ -87,6 +87,10 @@ fn every_worked_example_is_complete_and_reaches_its_end() {
             "{}: {}",
             cycle.name, view["diagnostics"]
         );
+        if cycle.simulation.is_none() {
+            assert_eq!(view["outcome"], Value::Null, "{}", cycle.name);
+            continue;
+        }
         let alarms = view["outcome"]["alarms"].as_array().unwrap();
         assert!(
             alarms.iter().all(|alarm| alarm["stops"] == false),

@@ -7,6 +7,7 @@ use crate::catalogue::Dialect;
 use crate::check::Inputs;
 use crate::control::Control;
 use crate::diagnostic::Code;
+use crate::message::Message;
 
 /// The alarm with which a cycle refuses a control in this state: without a D number 61311, with a tool that is no
 /// workpiece probe 61309 (B:4147-4152). NCT macros look at the state of the control themselves.
@@ -30,8 +31,12 @@ pub fn perform(sim: &mut Sim, inputs: &Inputs) -> Result<(), Stop> {
     if let Some(code) = refusal(&sim.control) {
         return alarm(sim, code);
     }
+    let Some(simulation) = &inputs.cycle.simulation else {
+        let message = Message::new("run-no-simulation").text("word", inputs.cycle.name);
+        return Err(Stop::Fault(message));
+    };
     sim.measuring = true;
-    let outcome = (inputs.cycle.simulate)(sim, inputs);
+    let outcome = (simulation.simulate)(sim, inputs);
     sim.measuring = false;
     if let Err(Stop::Alarm(code)) = outcome {
         return alarm(sim, code);

@@ -28,6 +28,7 @@ pub const KEYS: &[&str] = &[
     "run-m-function",
     "run-radius-compensation",
     "run-call",
+    "run-no-simulation",
 ];
 
 /// Something wrong at a place.

@@ -130,6 +130,7 @@ outcome-results = Results
 outcome-changes = Tool wear and zero offset
 outcome-decisions = Tolerance chain
 outcome-no-changes = Nothing is corrected.
+outcome-not-simulated = What { $cycle } does at the machine is not simulated yet. Form, checks and program text are complete.
 outcome-incomplete = Complete the form and the result stands here.
 outcome-missing = The result stands here as soon as these are right: { $names }
 column-name = Name

@@ -16,7 +16,7 @@ pub use results::RESULTS;
 pub use variants::VARIANTS;
 
 use crate::catalogue::common::alarms;
-use crate::catalogue::{Cycle, Dialect};
+use crate::catalogue::{Cycle, Dialect, Simulation};
 
 /// The entry. Example: the hole of B:6050-6137.
 pub static CYCLE977: Cycle = Cycle {
@@ -25,6 +25,7 @@ pub static CYCLE977: Cycle = Cycle {
     key: "cycle977",
     variants: VARIANTS,
     params: params::PARAMS,
+    settings: &[],
     results: RESULTS,
     // A:15840-15948, B:13565
     alarms: &alarms([
@@ -33,7 +34,6 @@ pub static CYCLE977: Cycle = Cycle {
         61401, 61402, 61405, 61406, 61407, 62304, 62305, 62306,
     ]),
     checks: checks::checks,
-    propose: propose::propose,
     picture: picture::picture,
     example: &[
         ("_MVAR", "1"),
@@ -53,6 +53,9 @@ pub static CYCLE977: Cycle = Cycle {
         ("_TLL", "-0.03"),
         ("_TDIF", "0.06"),
     ],
-    simulate: simulate::simulate,
+    simulation: Some(Simulation {
+        propose: propose::propose,
+        simulate: simulate::simulate,
+    }),
     source: "B:5600-6285",
 };

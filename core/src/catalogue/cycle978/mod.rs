@@ -10,7 +10,7 @@ pub mod simulate;
 mod tests;
 
 use crate::catalogue::common::alarms;
-use crate::catalogue::{Cycle, Dialect, Variant};
+use crate::catalogue::{Cycle, Dialect, Simulation, Variant};
 
 /// Measuring variants (B:6323-6328).
 pub const VARIANTS: &[Variant] = &[
@@ -45,6 +45,7 @@ pub static CYCLE978: Cycle = Cycle {
     key: "cycle978",
     variants: VARIANTS,
     params: params::PARAMS,
+    settings: &[],
     results: RESULTS,
     // A:15840-15948, B:13565
     alarms: &alarms([
@@ -53,7 +54,6 @@ pub static CYCLE978: Cycle = Cycle {
         61405, 61406, 61407, 62304, 62305, 62306,
     ]),
     checks: checks::checks,
-    propose: propose::propose,
     picture: picture::picture,
     example: &[
         ("_MVAR", "0"),
@@ -74,6 +74,9 @@ pub static CYCLE978: Cycle = Cycle {
         ("_TLL", "-0.03"),
         ("_TDIF", "0.06"),
     ],
-    simulate: simulate::simulate,
+    simulation: Some(Simulation {
+        propose: propose::propose,
+        simulate: simulate::simulate,
+    }),
     source: "B:6287-6735",
 };

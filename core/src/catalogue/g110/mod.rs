@@ -8,7 +8,7 @@ mod simulate;
 mod tests;
 
 use super::nct::{self, part};
-use super::{Cycle, Dialect, Proposal, ResultField, Unit, Variant, When};
+use super::{Cycle, Dialect, Proposal, ResultField, Simulation, Unit, Variant, When};
 use crate::check::Inputs;
 use crate::control::Control;
 use crate::workpiece::{Shape, Workpiece};
@@ -36,6 +36,7 @@ pub static G110: Cycle = Cycle {
         },
     ],
     params: params::PARAMS,
+    settings: &[],
     results: &[
         length("DIAMETER", "result-nct-diameter"),
         length("DEVIATION", "result-nct-deviation"),
@@ -58,7 +59,6 @@ pub static G110: Cycle = Cycle {
         nct::TOOL_TOO_LARGE,
     ],
     checks: checks::checks,
-    propose,
     picture: picture::picture,
     example: &[
         ("D", "50"),
@@ -67,7 +67,10 @@ pub static G110: Cycle = Cycle {
         ("V", "2"),
         ("W", "2"),
     ],
-    simulate: simulate::simulate,
+    simulation: Some(Simulation {
+        propose,
+        simulate: simulate::simulate,
+    }),
     source: "C:1036-1183",
 };
 

@@ -81,7 +81,8 @@ pub fn call(name: &str, variant: i64, values: &[(&'static str, f64)]) -> Inputs 
 /// Runs a call on a machine as it is.
 pub fn run(sim: &mut Sim, inputs: &Inputs) -> Result<(), Stop> {
     sim.measuring = true;
-    (inputs.cycle.simulate)(sim, inputs)
+    let simulation = inputs.cycle.simulation.as_ref().unwrap();
+    (simulation.simulate)(sim, inputs)
 }
 
 /// The alarm that stopped a call.

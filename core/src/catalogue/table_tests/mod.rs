@@ -1,0 +1,75 @@
+//! The catalogue against the tables of the manual, row by row in both directions, where that folder is there.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+mod cells;
+mod conditions;
+mod params;
+mod results;
+
+use super::*;
+use cells::covers;
+use std::collections::BTreeSet;
+use std::path::Path;
+
+/// Rows of the milling and of the turning table of this name; empty where the folder is not present.
+fn rows(table: &str) -> Vec<Vec<String>> {
+    let spec = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/spec");
+    let mut rows = Vec::new();
+    for folder in ["milling", "turning"] {
+        let text = std::fs::read_to_string(spec.join(folder).join(table)).unwrap_or_default();
+        for line in text.lines().skip(1) {
+            rows.push(line.split('\t').map(str::to_owned).collect());
+        }
+    }
+    rows
+}
+
+fn sinumerik() -> impl Iterator<Item = &'static Cycle> {
+    CYCLES
+        .iter()
+        .copied()
+        .filter(|cycle| cycle.dialect == Dialect::Sinumerik)
+}
+
+/// Variants, parameters and results of each SINUMERIK cycle.
+const COUNTS: &[(&str, usize, usize, usize)] = &[("CYCLE977", 24, 26, 44), ("CYCLE978", 4, 21, 30)];
+
+#[test]
+fn counts() {
+    // oracle: manual, spec/*/variants.tsv, params.tsv, results.tsv counted by hand
+    let ours: Vec<(&str, usize, usize, usize)> = sinumerik()
+        .map(|cycle| {
+            let (variants, params) = (cycle.variants.len(), cycle.params.len());
+            (cycle.name, variants, params, cycle.results.len())
+        })
+        .collect();
+    assert_eq!(ours, COUNTS);
+    assert!(find(Dialect::Nct, "CYCLE977").is_none());
+}
+
+#[test]
+fn names_stand_once() {
+    // oracle: self
+    for cycle in CYCLES {
+        let names: BTreeSet<&str> = cycle.params.iter().map(|param| param.name).collect();
+        assert_eq!(names.len(), cycle.params.len(), "{}", cycle.name);
+        let numbers: BTreeSet<i64> = cycle.variants.iter().map(|one| one.number).collect();
+        assert_eq!(numbers.len(), cycle.variants.len(), "{}", cycle.name);
+        for (name, _) in cycle.example {
+            assert!(names.contains(name), "{} example {name}", cycle.name);
+        }
+    }
+}
+
+#[test]
+fn variants_are_those_of_the_table() {
+    // oracle: manual, spec/milling/variants.tsv, spec/turning/variants.tsv
+    let rows = rows("variants.tsv");
+    for cycle in sinumerik().filter(|_| !rows.is_empty()) {
+        let of_cycle = rows.iter().filter(|row| row[0] == cycle.name);
+        // Further rows of a cycle describe what is not valid, in words.
+        let table: BTreeSet<i64> = of_cycle.filter_map(|row| row[1].parse().ok()).collect();
+        let ours: BTreeSet<i64> = cycle.variants.iter().map(|one| one.number).collect();
+        assert_eq!(ours, table, "{}", cycle.name);
+    }
+}

@@ -1,0 +1,98 @@
+//! The words of the catalogue against its own message files.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use super::*;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+/// Keys of all English message files.
+fn words() -> BTreeMap<String, String> {
+    let mut keys = BTreeMap::new();
+    for entry in std::fs::read_dir(root().join("core/messages/en")).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_some_and(|extension| extension == "ftl") {
+            for line in std::fs::read_to_string(&path).unwrap().lines() {
+                if let Some((key, text)) = line.split_once(" = ") {
+                    keys.insert(key.trim().to_owned(), text.to_owned());
+                }
+            }
+        }
+    }
+    keys
+}
+
+#[test]
+fn every_key_of_the_catalogue_has_words() {
+    // oracle: self
+    let words = words();
+    let has = |key: String| assert!(words.contains_key(&key), "no words for {key}");
+    for cycle in CYCLES {
+        for part in ["title", "help", "words"] {
+            has(format!("{}-{part}", cycle.key));
+        }
+        cycle
+            .variants
+            .iter()
+            .for_each(|variant| has(variant.key.into()));
+        cycle.results.iter().for_each(|field| has(field.key.into()));
+        for param in cycle.params {
+            let labels = param.labels.iter().map(|(_, key)| *key);
+            for key in labels.chain([param.key]) {
+                has(format!("param-{key}"));
+                has(format!("param-{key}-help"));
+            }
+            param.needs.iter().for_each(|need| has(need.reason.into()));
+            match &param.kind {
+                Kind::Choice(choices) => choices.iter().for_each(|(_, key)| has((*key).into())),
+                Kind::Variant(groups) | Kind::Digits(groups) => {
+                    for group in *groups {
+                        has(group.key.into());
+                        group.choices.iter().for_each(|(_, key)| has((*key).into()));
+                    }
+                }
+                Kind::Real | Kind::Integer | Kind::Knum | Kind::Text(_) => {}
+            }
+        }
+    }
+}
+
+/// Rust files below a folder.
+fn sources(folder: &Path, found: &mut Vec<String>) {
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            sources(&path, found);
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            found.push(std::fs::read_to_string(&path).unwrap());
+        }
+    }
+}
+
+#[test]
+fn every_finding_has_words() {
+    // oracle: self
+    let (words, mut files) = (words(), Vec::new());
+    for folder in ["check", "catalogue", "form"] {
+        sources(&root().join("core/src").join(folder), &mut files);
+    }
+    let mut seen = 0;
+    for key in files.iter().flat_map(|file| file.split('"')) {
+        let plain = !key.ends_with('-')
+            && key
+                .chars()
+                .all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-');
+        if plain
+            && ["check-", "need-", "knum-zero-", "knum-mode-"]
+                .iter()
+                .any(|stem| key.starts_with(stem))
+        {
+            assert!(words.contains_key(key), "no words for {key}");
+            seen += 1;
+        }
+    }
+    assert!(seen > 100, "{seen}");
+}
