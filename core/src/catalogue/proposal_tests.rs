@@ -120,10 +120,11 @@ fn without_its_zone_the_probe_meets_the_obstacle() {
                 .inputs
                 .unwrap()
         };
-        let fixture = (cycle.propose)(&read(variant), &setup.control).fixture;
+        let fixture =
+            (cycle.simulation.as_ref().unwrap().propose)(&read(variant), &setup.control).fixture;
         assert!(!fixture.is_empty(), "{variant}");
         let plain = read(variant - 1000);
-        let proposal = (cycle.propose)(&plain, &setup.control);
+        let proposal = (cycle.simulation.as_ref().unwrap().propose)(&plain, &setup.control);
         let mut setup = setup;
         setup.workpiece = proposal.workpiece;
         setup.workpiece.solids.extend(fixture);
