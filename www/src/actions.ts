@@ -2,7 +2,7 @@
 
 import type { Core } from "./core";
 import { lineBreak, splice, type Splice } from "./eol";
-import { findCycle } from "./derive";
+import { findCycle, machine } from "./derive";
 import { parseNumber } from "./numbers";
 import { AT_END, type Panel, type State } from "./state";
 import type { Store } from "./store";
@@ -46,7 +46,7 @@ export function createActions(store: Store, core: Core, catalogue: Catalogue): A
   const now = (): State => store.state;
   const program = (): string => now().programs[now().control] ?? "";
   const withProgram = (text: string): Partial<State> => ({ programs: { ...now().programs, [now().control]: text } });
-  const calls = (text: string) => core.read({ control: now().control, text }).calls;
+  const calls = (text: string) => core.read({ control: now().control, text, ...machine(now().control, now().setup) }).calls;
 
   /** The program with one value of the opened call changed; the same text when there is nothing to change. */
   const changed = (text: string, call: number, name: string, value: string): string =>

@@ -2,12 +2,12 @@
 // whoever wants them in a worker puts it behind `Core` and nothing else changes.
 
 import init, * as wasm from "@pkg/core/core.js";
-import type { Catalogue, Dialect, Edit, FormRequest, FormView, ReadView, RunRequest, RunView } from "./wire";
+import type { Catalogue, Dialect, Edit, FormRequest, FormView, ReadRequest, ReadView, RunRequest, RunView } from "./wire";
 
 export interface Core {
   catalogue(): Catalogue;
   form(request: FormRequest): FormView;
-  read(request: { control: Dialect; text: string }): ReadView;
+  read(request: ReadRequest): ReadView;
   change(request: { control: Dialect; text: string; call: number; name: string; value: string }): Edit[];
   run(request: RunRequest): RunView;
 }
@@ -27,9 +27,10 @@ function call<T>(name: string, run: () => string): T {
 
 /** The cursor, the marks and the list of problems all ask about the same text: it is read once. */
 function readOnce(read: Core["read"]): Core["read"] {
-  let last: { control: Dialect; text: string; view: ReadView } | null = null;
-  return ({ control, text }) => {
-    if (last?.control !== control || last.text !== text) last = { control, text, view: read({ control, text }) };
+  let last: { request: ReadRequest; view: ReadView } | null = null;
+  return (request) => {
+    const same = last?.request.control === request.control && last.request.text === request.text && last.request.setup === request.setup;
+    if (!last || !same) last = { request, view: read(request) };
     return last.view;
   };
 }

@@ -4,7 +4,7 @@
 import type { Core } from "./core";
 import type { State } from "./state";
 import { say } from "./texts";
-import type { CallView, Catalogue, CycleInfo, Diagnostic, FormView, ReadView, RunView, Setup, Trace } from "./wire";
+import type { CallView, Catalogue, CycleInfo, Diagnostic, FormView, Plane, ReadView, RunView, Setup, Trace, UnitFunction } from "./wire";
 
 export interface Derived {
   catalogue: Catalogue;
@@ -41,6 +41,11 @@ function gather(read: ReadView): Diagnostic[] {
   }).sort((a, b) => (a.from ?? 0) - (b.from ?? 0));
 }
 
+/** The imported machine, for a control that it has. */
+export function machine(control: State["control"], setup: Setup | null): { setup?: Setup } {
+  return setup?.control === control ? { setup } : {};
+}
+
 /** The names of the fields in the reader's language, for the comments of the snippet. */
 function labels(view: FormView): Record<string, string> {
   return Object.fromEntries(view.fields.map((field) => [field.name, say(field.label)]));
@@ -49,12 +54,12 @@ function labels(view: FormView): Record<string, string> {
 export function createDerive(core: Core, catalogue: Catalogue): (state: State) => Derived {
   const first = catalogue.cycles[0];
   if (!first) throw new Error("the catalogue is empty");
-  const form = memo((cycle: CycleInfo, values: State["values"], errors: State["errors"], comments: boolean, setup: Setup | null): FormView => {
-    const request = { control: cycle.control, cycle: cycle.cycle, values, errors, ...(setup?.control === cycle.control ? { setup } : {}) };
+  const form = memo((cycle: CycleInfo, values: State["values"], errors: State["errors"], comments: boolean, setup: Setup | null, plane?: Plane, units?: UnitFunction): FormView => {
+    const request = { control: cycle.control, cycle: cycle.cycle, values, errors, ...machine(cycle.control, setup), ...(plane && units ? { plane, units } : {}) };
     const view = core.form({ ...request, predict: true });
     return comments ? { ...view, snippet: core.form({ ...request, comments: labels(view) }).snippet } : view;
   });
-  const read = memo((control: State["control"], text: string): ReadView => core.read({ control, text }));
+  const read = memo((control: State["control"], text: string, setup: Setup | null): ReadView => core.read({ control, text, ...machine(control, setup) }));
   const run = memo((control: State["control"], text: string, setup: Setup | null): RunView =>
     core.run({ control, text, ...(setup ? { setup } : {}) }));
   const problems = memo(gather);
@@ -62,9 +67,9 @@ export function createDerive(core: Core, catalogue: Catalogue): (state: State) =
   return (state) => {
     const cycle = findCycle(catalogue, state.control, state.cycle) ?? first;
     const program = state.programs[cycle.control] ?? "";
-    const view = form(cycle, state.values, state.errors, state.comments, state.setup);
-    const reading = read(cycle.control, program);
+    const reading = read(cycle.control, program, state.setup);
     const opened = state.open === null ? null : reading.calls[state.open] ?? null;
+    const view = form(cycle, state.values, state.errors, state.comments, state.setup, opened?.plane, opened?.units);
     const ran = state.source === "program" ? run(cycle.control, program, view.setup ?? state.setup) : null;
     const trace = ran ? ran.trace : view.outcome?.trace ?? null;
     return {

@@ -29,12 +29,17 @@ export interface CycleInfo {
   source: string;
 }
 
+export type Plane = "G17" | "G18" | "G19";
+export type UnitFunction = "G70" | "G71" | "G700" | "G710" | "G20" | "G21";
+
 // form(FormRequest) -> FormView. Called at every keystroke.
 export interface FormRequest {
   control: Dialect;
   cycle: string;
   values: Record<string, string>;      // as typed, per parameter name; absent: never typed
   setup?: Setup;                       // absent: the core's own default machine
+  plane?: Plane;                       // at the call, where it is not that of the setup
+  units?: UnitFunction;                // likewise
   errors?: ErrorSliders;
   comments?: Record<string, string>;   // words by parameter name: a comment line each in the snippet
   predict?: boolean;                   // also simulate
@@ -111,8 +116,8 @@ export interface Solid {
 
 // Setup: docs/setup.schema.json is its schema; also what the terminal reads and the page exports.
 export interface Setup {
-  control: Dialect; units: "mm" | "inch"; plane: "G17" | "G18" | "G19";
-  active?: { tool?: number; edge?: number; frame?: string; spindle?: number }; // in force at the start
+  control: Dialect; units: "mm" | "inch"; plane: Plane;
+  active?: { tool?: number; edge?: number; frame?: string; units?: UnitFunction; spindle?: number }; // in force at the start
   tools: Record<string, { name?: string; edges: Record<string, { type: number; length: Vec3; radius: number; lengthWear?: Vec3; radiusWear?: number; additive?: Record<string, number[]>; setup?: Record<string, number[]> }> }>;
   frames: Record<string, { coarse: Vec3; fine?: Vec3; rotation?: Vec3 }>; // "G54"
   data: Record<string, number | string>;   // "_WP[0,1]", "_CHBIT[4]", "MD18600", "R10", "#500"
@@ -121,13 +126,15 @@ export interface Setup {
   position?: Vec3;                     // at the start, machine coordinates
 }
 
-// read({control, text}) -> ReadView
+// read(ReadRequest) -> ReadView
+export interface ReadRequest { control: Dialect; text: string; setup?: Setup } // absent: the core's own default machine
 export interface ReadView { calls: CallView[]; diagnostics: Diagnostic[] }
 export interface CallView {
   control: Dialect; cycle: string; mvar: number | null; key: string;
   line: number; lastLine: number;      // from 1: first assignment line that belongs to it, line of the call
   from: number; to: number;            // UTF-16 offsets of the call itself
   values: Record<string, string>;      // as the form wants them
+  plane: Plane; units: UnitFunction;   // in force at the call
   diagnostics: Diagnostic[];
 }
 // change({control, text, call: index, name, value}) -> Edit[]; the only bytes that change

@@ -1,7 +1,7 @@
 //! Whether a condition holds for the values of a call.
 
 use super::{Kind, Level, Param, When};
-use crate::check::Inputs;
+use crate::check::{Inputs, delivered_factor};
 use crate::control::{Control, Units};
 
 impl When {
@@ -53,10 +53,10 @@ impl Param {
 
     /// Value when it is not written, as it would be typed on this control.
     pub fn fallback(&self, control: &Control) -> Option<f64> {
-        match control.active_units {
-            Units::Inch => self.default_inch.or(self.default),
-            Units::Metric => self.default,
+        if control.active_units == Units::Inch && self.default_inch.is_some() {
+            return self.default_inch;
         }
+        Some(self.default? / delivered_factor(self.unit, control))
     }
 
     /// Stem of its message keys with these values.

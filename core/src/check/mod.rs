@@ -12,7 +12,7 @@ pub use finding::{Finding, error, note, warning};
 pub use number::{Parsed, parse};
 pub use targets::{Target, target};
 pub use typed::{Checked, check, read};
-pub use units::factor;
+pub use units::{delivered_factor, factor, unit_name};
 
 use crate::catalogue::Cycle;
 use crate::control::Plane;

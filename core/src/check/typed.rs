@@ -57,7 +57,7 @@ pub fn check(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Checked
             continue;
         };
         if empty(typed, param) {
-            absent(param, level, reason, &mut diagnostics);
+            absent(param, level, reason, control, &mut diagnostics);
         } else if let Some(finding) = judge(param, &whole, control) {
             if finding.severity == Severity::Error {
                 inputs.numbers.remove(param.name);
@@ -238,8 +238,14 @@ fn empty(typed: &Typed, param: &Param) -> bool {
 }
 
 /// Nothing was typed.
-fn absent(param: &Param, level: Level, reason: &'static str, diagnostics: &mut Vec<Diagnostic>) {
-    match (level, param.default) {
+fn absent(
+    param: &Param,
+    level: Level,
+    reason: &'static str,
+    control: &Control,
+    diagnostics: &mut Vec<Diagnostic>,
+) {
+    match (level, param.fallback(control)) {
         (Level::Optional, _) => {}
         (Level::Required, Some(number)) => {
             let message = Message::new("check-delivered")

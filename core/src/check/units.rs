@@ -1,20 +1,47 @@
-//! The one place where typed values become mm, degree and mm/min.
+//! The one place where typed values become mm, degree and mm/min, and where units get their names.
 
 use crate::catalogue::{Dialect, Unit};
 use crate::control::{Control, Units};
 
-/// mm (mm/min, degree) per unit of a typed value. Units by B:1787-1795; NCT has one active system only.
-pub fn factor(unit: Unit, control: &Control) -> f64 {
-    let system = match unit {
-        Unit::ActiveLength => control.active_units,
+/// System in which a value of this rule counts; none: it has the same unit on every control. B:1787-1795; NCT has one
+/// active system only.
+fn system(unit: Unit, control: &Control) -> Option<Units> {
+    match unit {
+        Unit::ActiveLength => Some(control.active_units),
         Unit::BasicLength | Unit::BasicFeed if control.dialect == Dialect::Nct => {
-            control.active_units
+            Some(control.active_units)
         }
-        Unit::BasicLength | Unit::BasicFeed => control.basic_units,
-        Unit::None | Unit::Millimetre | Unit::Degree => Units::Metric,
-    };
-    match system {
-        Units::Metric => 1.0,
-        Units::Inch => 25.4,
+        Unit::BasicLength | Unit::BasicFeed => Some(control.basic_units),
+        Unit::None | Unit::Millimetre | Unit::Degree => None,
+    }
+}
+
+/// mm (mm/min, degree) per unit of a typed value.
+pub fn factor(unit: Unit, control: &Control) -> f64 {
+    system(unit, control).map_or(1.0, Units::factor)
+}
+
+/// What one unit of a delivered number is worth: as delivered, in mm (mm/min) on a metric machine, on an inch machine
+/// converted once by the basic system, whatever is active (B:14061). NCT macros have no stored numbers: what they
+/// take instead of a missing address is a length.
+pub fn delivered_factor(unit: Unit, control: &Control) -> f64 {
+    match (system(unit, control), control.dialect) {
+        (None, _) => 1.0,
+        (Some(_), Dialect::Sinumerik) => control.basic_factor(),
+        (Some(active), Dialect::Nct) => active.factor(),
+    }
+}
+
+/// Name of the unit in which a value of this rule is entered and shown on this control: `mm`, `inch`, `deg`, `mm/min`,
+/// `inch/min` or nothing.
+pub fn unit_name(unit: Unit, control: &Control) -> &'static str {
+    let inch = system(unit, control) == Some(Units::Inch);
+    match unit {
+        Unit::None => "",
+        Unit::Degree => "deg",
+        Unit::BasicFeed if inch => "inch/min",
+        Unit::BasicFeed => "mm/min",
+        _ if inch => "inch",
+        Unit::ActiveLength | Unit::BasicLength | Unit::Millimetre => "mm",
     }
 }

@@ -7,7 +7,7 @@ pub mod tools;
 pub mod units;
 pub mod variables;
 
-pub use delivery::delivery;
+pub use delivery::{delivery, delivery_in};
 
 use crate::catalogue::Dialect;
 use std::collections::BTreeMap;
@@ -99,8 +99,11 @@ pub struct Control {
     pub dialect: Dialect,
     /// Basic system of units of the machine.
     pub basic_units: Units,
-    /// Active system (G70/G71, G20/G21).
+    /// Active system (G70/G71/G700/G710, G20/G21).
     pub active_units: Units,
+    /// Whether feeds and the lengths that the control keeps (tools, frames, positions) count in the active system as
+    /// well: with G700 and G710, and on NCT; with G70 and G71 they count in the basic one.
+    pub data_follow: bool,
     /// Working plane.
     pub plane: Plane,
     /// Number of the active settable frame: 0 G500, 1..4 G54..G57, 5..99 G505..G599. NCT: 1..6 G54..G59.

@@ -1,6 +1,7 @@
 //! Inch and millimetre. Inside the core everything is metric; data of the control keep the unit the manual gives them.
 
 use super::{Control, Units};
+use crate::catalogue::Dialect;
 
 /// Millimetres in an inch.
 pub const INCH: f64 = 25.4;
@@ -26,8 +27,99 @@ impl Control {
         self.basic_units.factor()
     }
 
+    /// Millimetres in one unit of feeds and of the lengths that the control keeps: tool and frame data, positions.
+    pub fn data_factor(&self) -> f64 {
+        if self.data_follow {
+            self.active_factor()
+        } else {
+            self.basic_factor()
+        }
+    }
+
     /// A datum whose unit is that of the basic system, in mm or mm/min.
     pub fn basic_length(&self, name: &str) -> f64 {
         self.number(name) * self.basic_factor()
+    }
+}
+
+/// A choice of the unit system by a G function: which system, and whether feeds and data follow it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct UnitCode {
+    /// System of lengths in the program.
+    pub units: Units,
+    /// See [`Control::data_follow`].
+    pub data_follow: bool,
+}
+
+/// What the G function with this number chooses; none: it is another function.
+pub fn unit_code(dialect: Dialect, number: u16) -> Option<UnitCode> {
+    let (units, data_follow) = match (dialect, number) {
+        (Dialect::Sinumerik, 70) => (Units::Inch, false),
+        (Dialect::Sinumerik, 71) => (Units::Metric, false),
+        (Dialect::Sinumerik, 700) | (Dialect::Nct, 20) => (Units::Inch, true),
+        (Dialect::Sinumerik, 710) | (Dialect::Nct, 21) => (Units::Metric, true),
+        _ => return None,
+    };
+    Some(UnitCode { units, data_follow })
+}
+
+impl Control {
+    /// Makes this choice; false: the number is no G function of units.
+    pub fn choose_units(&mut self, number: u16) -> bool {
+        let Some(code) = unit_code(self.dialect, number) else {
+            return false;
+        };
+        (self.active_units, self.data_follow) = (code.units, code.data_follow);
+        true
+    }
+
+    /// Number of the G function whose choice is in force.
+    pub fn unit_function(&self) -> u16 {
+        match (self.dialect, self.active_units, self.data_follow) {
+            (Dialect::Sinumerik, Units::Inch, false) => 70,
+            (Dialect::Sinumerik, Units::Metric, false) => 71,
+            (Dialect::Sinumerik, Units::Inch, true) => 700,
+            (Dialect::Sinumerik, Units::Metric, true) => 710,
+            (Dialect::Nct, Units::Inch, _) => 20,
+            (Dialect::Nct, Units::Metric, _) => 21,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::control::delivery;
+
+    // oracle: self (a choice made is the one in force)
+    #[test]
+    fn every_function_chooses_itself() {
+        for (dialect, numbers) in [
+            (Dialect::Sinumerik, &[70, 71, 700, 710][..]),
+            (Dialect::Nct, &[20, 21][..]),
+        ] {
+            let mut control = delivery(dialect);
+            for number in numbers {
+                assert!(control.choose_units(*number));
+                assert_eq!(control.unit_function(), *number);
+            }
+            assert!(!control.choose_units(17));
+        }
+    }
+
+    // oracle: hand
+    #[test]
+    fn feeds_and_data_follow_g700_only() {
+        let mut control = delivery(Dialect::Sinumerik);
+        assert!(control.choose_units(70));
+        assert_eq!(
+            (control.active_factor(), control.data_factor()),
+            (25.4, 1.0)
+        );
+        assert!(control.choose_units(700));
+        assert_eq!(
+            (control.active_factor(), control.data_factor()),
+            (25.4, 25.4)
+        );
     }
 }

@@ -1,9 +1,9 @@
 //! The fields of a form, in the order in which they are shown.
 
 use super::codes;
-use crate::catalogue::{Cycle, Kind, Level, Param, Range, Unit};
-use crate::check::{self, Inputs, Typed, factor};
-use crate::control::{Control, Units};
+use crate::catalogue::{Cycle, Kind, Level, Param, Range};
+use crate::check::{self, Inputs, Typed, factor, unit_name};
+use crate::control::Control;
 use crate::message::Message;
 
 /// One field. Numbers of `fallback` and `range` are in the unit that is shown.
@@ -97,7 +97,7 @@ fn field(
         entry: entry(param, inputs, control),
         value: typed.get(param.name).cloned().unwrap_or_default(),
         fallback: param.fallback(control),
-        unit: unit(param.unit, control),
+        unit: unit_name(param.unit, control),
         required: level == Level::Required && param.default.is_none(),
         reason: Message::new(reason),
         range: shown(param.range, factor(param.unit, control)),
@@ -126,19 +126,5 @@ fn entry(param: &Param, inputs: &Inputs, control: &Control) -> Entry {
             Entry::Digits(codes::groups(groups, number))
         }
         Kind::Knum => codes::knum(param, inputs, control),
-    }
-}
-
-/// Name of the unit in which a value of this rule is entered on this control.
-pub fn unit(unit: Unit, control: &Control) -> &'static str {
-    let inch = |units| units == Units::Inch;
-    match unit {
-        Unit::None => "",
-        Unit::Degree => "deg",
-        Unit::BasicFeed if inch(control.basic_units) => "inch/min",
-        Unit::BasicFeed => "mm/min",
-        Unit::ActiveLength if inch(control.active_units) => "inch",
-        Unit::BasicLength if inch(control.basic_units) => "inch",
-        Unit::ActiveLength | Unit::BasicLength | Unit::Millimetre => "mm",
     }
 }

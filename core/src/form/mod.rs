@@ -7,4 +7,4 @@ pub mod figures;
 pub mod picture;
 
 pub use draw::draw;
-pub use fields::{Choice, Entry, Field, Group, fields, unit};
+pub use fields::{Choice, Entry, Field, Group, fields};

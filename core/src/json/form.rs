@@ -1,9 +1,10 @@
 //! A form at every keystroke: fields, findings, snippet, picture and what the call would do.
 
+use super::setup::{PlaneName, choose_units, plane};
 use super::{Error, diagnostic, dialect, message, number};
 use crate::catalogue::{self, Cycle, Range, Simulation};
 use crate::check::{self, Checked, Inputs, Typed};
-use crate::control::Plane;
+use crate::control::{Control, Plane, Units};
 use crate::diagnostic::Severity;
 use crate::form;
 use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
@@ -22,6 +23,12 @@ struct Request {
     values: Typed,
     #[serde(default)]
     setup: Option<Value>,
+    /// G function of units in force at the call (`G70`), where it is not that of the setup.
+    #[serde(default)]
+    units: Option<String>,
+    /// Working plane at the call, where it is not that of the setup.
+    #[serde(default)]
+    plane: Option<PlaneName>,
     #[serde(default)]
     errors: Option<Errors>,
     /// Words by parameter name for a comment line each; the core has no words of its own.
@@ -75,6 +82,13 @@ pub fn form(request: &str) -> Result<Value, Error> {
         Some(setup) => super::setup::from_value(setup)?,
         None => Setup::calibrated(cycle.dialect, Plane::G17),
     };
+    let start = modal(&setup.control);
+    if let Some(name) = &request.units {
+        choose_units(&mut setup.control, name)?;
+    }
+    if let Some(name) = request.plane {
+        setup.control.plane = plane(name);
+    }
     let checked = check::check(cycle, &request.values, &setup.control);
     let mut view = view(
         cycle,
@@ -96,9 +110,23 @@ pub fn form(request: &str) -> Result<Value, Error> {
         let mut outcome = super::outcome(inputs, &setup, &outcome)?;
         outcome["trace"]["zones"] = super::trace::solids(&zones)?;
         view.insert("outcome".into(), outcome);
+        set_modal(&mut setup.control, start);
         view.insert("setup".into(), super::setup_to_json(&setup)?);
     }
     Ok(Value::Object(view))
+}
+
+/// Plane and units of a control: what a program begins with is not what counts at one of its calls.
+type Modal = (Plane, Units, bool);
+
+fn modal(control: &Control) -> Modal {
+    (control.plane, control.active_units, control.data_follow)
+}
+
+fn set_modal(control: &mut Control, (plane, units, data_follow): Modal) {
+    control.plane = plane;
+    control.active_units = units;
+    control.data_follow = data_follow;
 }
 
 fn view(

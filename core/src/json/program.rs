@@ -1,10 +1,12 @@
 //! Reading, changing and running program text. The page counts in UTF-16 units, the core in bytes.
 
+use super::setup::{plane_file, units_name};
 use super::{Error, diagnostic, dialect, dialect_name, number};
+use crate::catalogue::Dialect;
 use crate::check;
-use crate::control::delivery;
+use crate::control::{Control, Plane, delivery};
 use crate::diagnostic::Diagnostic;
-use crate::program::calls::{CallSite, calls as find_calls};
+use crate::program::calls::{CallSite, calls as find_calls, calls_on};
 use crate::program::change::change as edits;
 use crate::program::position::Positions;
 use crate::program::{self, tree::Program};
@@ -18,6 +20,8 @@ use serde_json::{Value, json};
 struct ReadRequest {
     control: String,
     text: String,
+    #[serde(default)]
+    setup: Option<Value>,
 }
 
 #[derive(Deserialize)]
@@ -40,20 +44,32 @@ struct RunRequest {
 /// Answers a `ReadRequest` with a `ReadView`: every measuring call, and what is wrong.
 pub fn read(request: &str) -> Result<Value, Error> {
     let request: ReadRequest = serde_json::from_str(request)?;
-    Ok(calls(&program::read(
-        dialect(&request.control)?,
-        request.text.as_bytes(),
-    )))
+    let dialect = dialect(&request.control)?;
+    let program = program::read(dialect, request.text.as_bytes());
+    Ok(view(&program, start(dialect, request.setup)?.control))
 }
 
-/// The measuring calls of a program as a `ReadView`.
+/// The machine of the request, or the core's own.
+fn start(dialect: Dialect, setup: Option<Value>) -> Result<Setup, Error> {
+    match setup {
+        Some(setup) => super::setup::from_value(setup),
+        None => Ok(Setup::calibrated(dialect, Plane::G17)),
+    }
+}
+
+/// The measuring calls of a program as a `ReadView`; the control is a metric one as delivered.
 pub fn calls(program: &Program) -> Value {
+    view(program, delivery(program.dialect))
+}
+
+fn view(program: &Program, control: Control) -> Value {
     let positions = Positions::new(&program.source);
-    let calls: Vec<Value> = find_calls(program)
+    let calls: Vec<Value> = calls_on(program, control.clone())
         .iter()
         .map(|site| call(program, site, &positions))
         .collect();
-    json!({ "calls": calls, "diagnostics": findings(&program::findings(program), &positions) })
+    let found = program::findings_on(program, control);
+    json!({ "calls": calls, "diagnostics": findings(&found, &positions) })
 }
 
 fn call(program: &Program, site: &CallSite, positions: &Positions) -> Value {
@@ -67,6 +83,8 @@ fn call(program: &Program, site: &CallSite, positions: &Positions) -> Value {
         "from": positions.utf16(site.span.start),
         "to": positions.utf16(site.span.end),
         "values": site.values,
+        "plane": plane_file(site.plane),
+        "units": units_name(site.unit_function),
         "diagnostics": findings(&site.diagnostics, positions),
     })
 }
@@ -130,10 +148,7 @@ pub fn change(request: &str) -> Result<Value, Error> {
 pub fn run(request: &str) -> Result<Value, Error> {
     let request: RunRequest = serde_json::from_str(request)?;
     let dialect = dialect(&request.control)?;
-    let setup = match request.setup {
-        Some(setup) => super::setup::from_value(setup)?,
-        None => Setup::calibrated(dialect, crate::control::Plane::G17),
-    };
+    let setup = start(dialect, request.setup)?;
     let program = program::read(dialect, request.text.as_bytes());
     let outcome = run::run(&program, &setup, Limits::default());
     run_outcome(&setup, &outcome, &program.source)

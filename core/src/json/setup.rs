@@ -2,14 +2,14 @@
 
 use super::Error;
 use crate::catalogue::Dialect;
-use crate::control::{Control, Edge, Frame, Plane, Tool, Units, Value, delivery};
+use crate::control::{Control, Edge, Frame, Plane, Tool, Units, Value, delivery_in};
 use crate::run::setup::Setup;
 use crate::workpiece::{PartErrors, Probe, Shape, Solid, Workpiece};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// Machine, probe and part that a program runs on. Lengths in mm, angles in degree, feeds in mm/min, unless a datum
-/// has a unit of its own on the control. Unknown members are refused, so that a slip is told and not ignored.
+/// Machine, probe and part that a program runs on. Lengths in mm, angles in degree, feeds in mm/min, except in `data`,
+/// where a number means what it means on the control: on an inch machine most lengths are inches. Unknown members are refused, so that a slip is told and not ignored.
 #[derive(Deserialize, Serialize)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
@@ -31,7 +31,7 @@ struct SetupFile {
     /// Frames by name: `G54`, `G505`, `COMMON` (NCT), `$P_CHBFR[0]`, `$P_NCBFR[0]`, `$P_SETFR`.
     #[serde(default)]
     frames: BTreeMap<String, FrameFile>,
-    /// User data, R parameters, machine data, # variables: `_WP[0,1]`, `_CHBIT[4]`, `R10`, `MD18600`, `#500`.
+    /// What differs from delivery in user data, R parameters, machine data, # variables: `_WP[0,1]`, `_CHBIT[4]`, `R10`, `MD18600`, `#500`.
     #[serde(default)]
     data: BTreeMap<String, DatumFile>,
     /// The probe as it really is, not as the control believes.
@@ -62,9 +62,10 @@ enum UnitsName {
     Inch,
 }
 
+/// Working plane.
 #[derive(Clone, Copy, Default, Deserialize, Serialize)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
-enum PlaneName {
+pub(super) enum PlaneName {
     #[default]
     G17,
     G18,
@@ -83,6 +84,9 @@ struct ActiveFile {
     /// Settable frame, for example `G54`.
     #[serde(skip_serializing_if = "String::is_empty")]
     frame: String,
+    /// G function of units: `G70`, `G71`, `G700`, `G710` (NCT `G20`, `G21`); none: that of the basic system.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    units: String,
     /// Position of the spindle, degree.
     spindle: f64,
 }
@@ -238,12 +242,11 @@ pub(super) fn from_value(value: serde_json::Value) -> Result<Setup, Error> {
 }
 
 fn setup(file: SetupFile) -> Result<Setup, Error> {
-    let mut control = delivery(match file.control {
+    let dialect = match file.control {
         ControlName::Sinumerik => Dialect::Sinumerik,
         ControlName::Nct => Dialect::Nct,
-    });
-    control.basic_units = units(file.units);
-    control.active_units = control.basic_units;
+    };
+    let mut control = delivery_in(dialect, units(file.units));
     control.plane = plane(file.plane);
     for (number, tool) in file.tools {
         control.tools.insert(number, read_tool(tool));
@@ -259,11 +262,6 @@ fn setup(file: SetupFile) -> Result<Setup, Error> {
         control.data.insert(name, value);
     }
     activate(&mut control, &file.active)?;
-    control.active = control
-        .frames
-        .get(&control.settable)
-        .copied()
-        .unwrap_or_default();
     let solids = file
         .workpiece
         .into_iter()
@@ -288,7 +286,30 @@ fn activate(control: &mut Control, file: &ActiveFile) -> Result<(), Error> {
         };
         control.settable = settable(control, &file.frame).ok_or_else(unknown)?;
     }
+    control.activate(control.settable);
+    if !file.units.is_empty() {
+        choose_units(control, &file.units)?;
+    }
     Ok(())
+}
+
+/// Makes a G function of units the one in force, by its name: `G70`.
+pub(super) fn choose_units(control: &mut Control, name: &str) -> Result<(), Error> {
+    let number = name
+        .strip_prefix('G')
+        .and_then(|digits| digits.parse().ok());
+    if number.is_some_and(|number| control.choose_units(number)) {
+        return Ok(());
+    }
+    Err(Error::Unknown {
+        what: "G function of units",
+        name: name.to_owned(),
+    })
+}
+
+/// Name of a G function of units, see [`choose_units`].
+pub(super) fn units_name(number: u16) -> String {
+    format!("G{number}")
 }
 
 fn units(name: UnitsName) -> Units {
@@ -298,11 +319,21 @@ fn units(name: UnitsName) -> Units {
     }
 }
 
-fn plane(name: PlaneName) -> Plane {
+/// The plane with this name.
+pub(super) fn plane(name: PlaneName) -> Plane {
     match name {
         PlaneName::G17 => Plane::G17,
         PlaneName::G18 => Plane::G18,
         PlaneName::G19 => Plane::G19,
+    }
+}
+
+/// A plane for the wire.
+pub(super) fn plane_file(plane: Plane) -> PlaneName {
+    match plane {
+        Plane::G17 => PlaneName::G17,
+        Plane::G18 => PlaneName::G18,
+        Plane::G19 => PlaneName::G19,
     }
 }
 
@@ -496,15 +527,12 @@ pub fn to_json(setup: &Setup) -> Result<serde_json::Value, Error> {
             Units::Metric => UnitsName::Millimetre,
             Units::Inch => UnitsName::Inch,
         },
-        plane: match control.plane {
-            Plane::G17 => PlaneName::G17,
-            Plane::G18 => PlaneName::G18,
-            Plane::G19 => PlaneName::G19,
-        },
+        plane: plane_file(control.plane),
         active: ActiveFile {
             tool: control.tool,
             edge: control.edge,
             frame: settable_name(control, control.settable),
+            units: units_name(control.unit_function()),
             spindle: control.spindle,
         },
         tools: control

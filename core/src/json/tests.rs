@@ -174,3 +174,70 @@ fn what_stands_in_a_protection_zone_has_no_errors() {
     assert_eq!(trace["zones"][0]["size"][0], json!(60.0));
     assert!(post["size"][0].as_f64() < Some(60.0), "{post}");
 }
+
+/// An inch machine as the page would import it.
+fn inch_machine() -> Value {
+    json!({
+        "control": "sinumerik",
+        "units": "inch",
+        "active": { "tool": 9, "edge": 1 },
+        "tools": { "9": { "edges": { "1": { "type": 710, "length": [50, 0, 0], "radius": 3 } } } },
+        "probe": { "radius": 3, "length": 50 },
+    })
+}
+
+// oracle: manual B:13596 (data converted), B:1787-1795 (units of the fields)
+#[test]
+fn an_inch_machine_goes_over_the_wire() {
+    let setup = setup_from_json(&inch_machine().to_string()).unwrap();
+    assert_eq!(setup.control.basic_length("_WP[0,0]"), 6.0);
+    assert_eq!(setup.control.unit_function(), 70);
+    let written = setup_to_json(&setup).unwrap();
+    assert_eq!(
+        (&written["units"], &written["active"]["units"]),
+        (&json!("inch"), &json!("G70"))
+    );
+    let again = setup_from_json(&written.to_string()).unwrap().control;
+    assert_eq!(
+        (again.basic_units, again.unit_function()),
+        (setup.control.basic_units, 70)
+    );
+    for (name, value) in &setup.control.data {
+        let read = again.number(name);
+        assert!(
+            (read - setup.control.number(name)).abs() < 1e-12,
+            "{name}: {value:?} {read}"
+        );
+    }
+
+    let ask = |units: &str| {
+        let request = json!({ "control": "sinumerik", "cycle": "CYCLE978", "values": { "_MVAR": "0" }, "setup": inch_machine(), "units": units });
+        let view = form(&request.to_string()).unwrap();
+        let fields = view["fields"].as_array().unwrap().clone();
+        ["_SETVAL", "_TSA", "_FA"]
+            .map(|name| fields.iter().find(|field| field["name"] == name).unwrap()["unit"].clone())
+    };
+    assert_eq!(ask("G700"), ["inch", "inch", "mm"]);
+    assert_eq!(ask("G71"), ["mm", "inch", "mm"]);
+}
+
+// oracle: hand
+#[test]
+fn a_call_says_in_which_units_and_plane_it_stands() {
+    let text = "G18 G700\n_SETVAL=2 _MVAR=0\nCYCLE978\nG17 G71\nCYCLE978\n";
+    let request = json!({ "control": "sinumerik", "text": text, "setup": inch_machine() });
+    let view = read(&request.to_string()).unwrap();
+    let state = |index: usize| {
+        let call = &view["calls"][index];
+        (call["plane"].clone(), call["units"].clone())
+    };
+    assert_eq!(state(0), (json!("G18"), json!("G700")));
+    assert_eq!(state(1), (json!("G17"), json!("G71")));
+    let unknown = json!({ "control": "sinumerik", "cycle": "CYCLE978", "units": "G20" });
+    assert!(
+        form(&unknown.to_string())
+            .unwrap_err()
+            .to_string()
+            .contains("G20")
+    );
+}

@@ -2,9 +2,8 @@
 
 use super::setup::{settable_name, solid_value};
 use super::{Error, code, message, number};
-use crate::catalogue::Unit;
-use crate::check::Inputs;
-use crate::control::{Control, Units};
+use crate::check::{Inputs, unit_name};
+use crate::control::Control;
 use crate::diagnostic::Code;
 use crate::message::Message;
 use crate::run::outcome::{Change, Outcome};
@@ -35,7 +34,7 @@ fn results(inputs: &Inputs, outcome: &Outcome) -> Vec<Value> {
                 "name": field.name,
                 "label": super::key(field.key),
                 "value": number(value),
-                "unit": unit(field.unit, &outcome.control),
+                "unit": unit_name(field.unit, &outcome.control),
             })
         })
         .collect()
@@ -93,20 +92,6 @@ pub fn alarm_key(alarm: Code) -> String {
             format!("nct-{words}")
         }
         Code::Own(number) => format!("pw{number:03}"),
-    }
-}
-
-/// Unit of a datum on this control, as shown.
-pub(super) fn unit(unit: Unit, control: &Control) -> &'static str {
-    let length = |units| if units == Units::Metric { "mm" } else { "inch" };
-    match unit {
-        Unit::None => "",
-        Unit::ActiveLength => length(control.active_units),
-        Unit::BasicLength => length(control.basic_units),
-        Unit::Millimetre => "mm",
-        Unit::Degree => "deg",
-        Unit::BasicFeed if control.basic_units == Units::Metric => "mm/min",
-        Unit::BasicFeed => "inch/min",
     }
 }
 

@@ -3,9 +3,9 @@
 use super::fold::{self, Known};
 use super::tree::{Block, Expr, Program, Word, WordKind};
 use super::values::{self, Value};
-use crate::catalogue::{CYCLES, Cycle, Dialect};
+use crate::catalogue::{self, Cycle, Dialect};
 use crate::check::{Typed, check};
-use crate::control::{Control, Plane, Units, delivery};
+use crate::control::{Control, Plane, delivery};
 use crate::diagnostic::{Diagnostic, Span};
 use std::collections::{BTreeMap, HashMap};
 
@@ -25,25 +25,29 @@ pub struct CallSite {
     pub places: BTreeMap<&'static str, Span>,
     /// Places before this byte belong to an earlier call as well.
     pub own_from: u32,
+    /// Working plane at the call.
+    pub plane: Plane,
+    /// Number of the G function of units in force at the call: 70, 71, 700, 710 (NCT 20, 21).
+    pub unit_function: u16,
     /// Findings with their places.
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Every measuring call, in the order of the text; also those that are skipped or jumped over.
+/// Every measuring call, in the order of the text; also those that are skipped or jumped over. The control is a
+/// metric one as delivered.
 pub fn calls(program: &Program) -> Vec<CallSite> {
-    calls_of(program, CYCLES)
+    calls_on(program, delivery(program.dialect))
 }
 
-/// The same with another choice of cycles.
-pub fn calls_of(program: &Program, cycles: &[&'static Cycle]) -> Vec<CallSite> {
+/// The same for a program that starts on a control in this state.
+pub fn calls_on(program: &Program, control: Control) -> Vec<CallSite> {
     let mut walk = Walk {
         program,
-        cycles,
         known: Known::new(),
         unsteady: unsteady(program),
         newest: HashMap::new(),
         own_from: 0,
-        control: delivery(program.dialect),
+        control,
         found: Vec::new(),
     };
     for (line, block) in program.blocks.iter().enumerate() {
@@ -56,7 +60,6 @@ pub fn calls_of(program: &Program, cycles: &[&'static Cycle]) -> Vec<CallSite> {
 
 struct Walk<'a> {
     program: &'a Program,
-    cycles: &'a [&'static Cycle],
     known: Known,
     /// Variables whose number depends on the way through the program.
     unsteady: HashMap<String, u32>,
@@ -134,10 +137,9 @@ impl Walk<'_> {
             }
             WordKind::Address { name, value, .. } if self.program.is(*name, "G") => {
                 if let Some(Expr::Number(number, _)) = self.program.expr(*value) {
-                    let name = format!("G{number}");
-                    modal(&mut self.control, &name);
+                    modal(&mut self.control, *number);
                     if let Some(cycle) = self
-                        .cycle(&name)
+                        .cycle(&format!("G{number}"))
                         .filter(|_| self.program.dialect == Dialect::Nct)
                     {
                         self.nct(cycle, line, block, word.span);
@@ -149,11 +151,7 @@ impl Walk<'_> {
     }
 
     fn cycle(&self, name: &str) -> Option<&'static Cycle> {
-        let dialect = self.program.dialect;
-        self.cycles
-            .iter()
-            .copied()
-            .find(|cycle| cycle.dialect == dialect && cycle.name.eq_ignore_ascii_case(name))
+        catalogue::find(self.program.dialect, name)
     }
 
     fn learn(&mut self, name: String, number: Option<f64>) {
@@ -239,6 +237,8 @@ impl Walk<'_> {
             values: Typed::new(),
             places: BTreeMap::new(),
             own_from: self.own_from,
+            plane: self.control.plane,
+            unit_function: self.control.unit_function(),
             diagnostics: Vec::new(),
         }
     }
@@ -263,16 +263,14 @@ fn elements(program: &Program, value: u32) -> Vec<u32> {
 }
 
 /// Plane and units by the G functions before the call.
-fn modal(control: &mut Control, name: &str) {
-    let sinumerik = control.dialect == Dialect::Sinumerik;
-    match name {
-        "G17" => control.plane = Plane::G17,
-        "G18" => control.plane = Plane::G18,
-        "G19" => control.plane = Plane::G19,
-        "G70" | "G700" if sinumerik => control.active_units = Units::Inch,
-        "G71" | "G710" if sinumerik => control.active_units = Units::Metric,
-        "G20" if !sinumerik => control.active_units = Units::Inch,
-        "G21" if !sinumerik => control.active_units = Units::Metric,
-        _ => {}
+fn modal(control: &mut Control, number: f64) {
+    if number.fract() != 0.0 || !(0.0..1000.0).contains(&number) {
+        return;
+    }
+    match number as u16 {
+        17 => control.plane = Plane::G17,
+        18 => control.plane = Plane::G18,
+        19 => control.plane = Plane::G19,
+        code => drop(control.choose_units(code)),
     }
 }

@@ -1,17 +1,25 @@
 //! What is wrong in a program, without running it.
 
-use super::calls::calls;
+use super::calls::calls_on;
 use super::tree::{Program, SyntaxError};
+use crate::control::{Control, delivery};
 use crate::diagnostic::{Code, Diagnostic, Severity};
 use crate::message::Message;
 
 /// Something in the program is not understood.
 pub const NOT_UNDERSTOOD: Code = Code::Own(100);
 
-/// Everything that reading and checking found, in the order of the text.
+/// Everything that reading and checking found, in the order of the text. The control is a metric one as delivered.
 pub fn findings(program: &Program) -> Vec<Diagnostic> {
+    findings_on(program, delivery(program.dialect))
+}
+
+/// The same for a program that starts on a control in this state.
+pub fn findings_on(program: &Program, control: Control) -> Vec<Diagnostic> {
     let syntax = program.errors.iter().map(not_understood);
-    let calls = calls(program).into_iter().flat_map(|site| site.diagnostics);
+    let calls = calls_on(program, control)
+        .into_iter()
+        .flat_map(|site| site.diagnostics);
     let mut found: Vec<Diagnostic> = syntax.chain(calls).collect();
     found.sort_by_key(|found| found.span.map_or(0, |span| span.start));
     found

@@ -19,6 +19,6 @@ pub mod tree;
 mod values;
 
 pub use block::read;
-pub use findings::findings;
+pub use findings::{findings, findings_on};
 pub use tree::Program;
 pub mod write;

@@ -119,11 +119,7 @@ fn take(run: &mut Interpreter, address: &Address, path: &mut motion::Path) -> Re
         path.radius = Some(number()? * factor);
     } else if name == "F" && !path.dwell {
         run.modal.feed = number()?;
-        run.modal.feed_factor = if run.modal.feed_follows {
-            factor
-        } else {
-            run.sim.control.basic_factor()
-        };
+        run.modal.feed_factor = run.sim.control.data_factor();
     } else if matches!(name, "SPOS" | "SPOSA") {
         let angle = number()?;
         run.sim.orient(angle);

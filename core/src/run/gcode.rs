@@ -6,7 +6,7 @@ use super::motion::Suppress;
 use super::problem::Problem;
 use super::statement::Words;
 use crate::catalogue::Dialect;
-use crate::control::{Plane, Units};
+use crate::control::Plane;
 use crate::diagnostic::Severity;
 
 /// Applies the G functions of a block.
@@ -60,6 +60,7 @@ fn one(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
         90 => run.modal.absolute = true,
         91 => run.modal.absolute = false,
         9 | 60 | 61 | 64 | 80 | 94 => {}
+        _ if run.sim.control.choose_units(code) => {}
         _ if dialect == Dialect::Sinumerik => return sinumerik(run, code, found),
         _ => return nct(run, code),
     }
@@ -68,8 +69,6 @@ fn one(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
 
 fn sinumerik(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
     match code {
-        70 | 700 => units(run, Units::Inch, code == 700),
-        71 | 710 => units(run, Units::Metric, code == 710),
         153 => found.path.suppress = Suppress::All,
         500 => run.sim.control.activate(0),
         505..=599 => run.sim.control.activate(usize::from(code) - 500),
@@ -81,8 +80,6 @@ fn sinumerik(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
 
 fn nct(run: &mut Interpreter, code: u16) -> bool {
     match code {
-        20 => units(run, Units::Inch, true),
-        21 => units(run, Units::Metric, true),
         43 => {}
         49 => run.with_length(|control| control.edge = 0),
         58 | 59 => run.sim.control.activate(usize::from(code) - 53),
@@ -90,10 +87,4 @@ fn nct(run: &mut Interpreter, code: u16) -> bool {
         _ => return false,
     }
     true
-}
-
-/// G70/G71 change lengths only, G700/G710 (NCT G20/G21) feeds too.
-fn units(run: &mut Interpreter, units: Units, feeds: bool) {
-    run.sim.control.active_units = units;
-    run.modal.feed_follows = feeds;
 }

@@ -45,8 +45,6 @@ pub struct Modal {
     pub feed: f64,
     /// mm in a unit of F.
     pub feed_factor: f64,
-    /// Whether F follows the active units (G700, G710, NCT) or the basic ones (G70, G71).
-    pub feed_follows: bool,
     /// T that is waiting for M6.
     pub prepared: Option<i64>,
     /// D programmed after T and before M6.
@@ -147,17 +145,16 @@ impl<'a> Interpreter<'a> {
     fn new(program: &'a Program, setup: &Setup, limits: Limits) -> Interpreter<'a> {
         let mut sim = Sim::new(setup);
         sim.trace_limit = limits.trace;
-        let feed_factor = sim.control.active_factor();
-        let follows = program.dialect == Dialect::Nct;
+        let feed_factor = sim.control.data_factor();
+        let nct = program.dialect == Dialect::Nct;
         Interpreter {
             program,
             sim,
             modal: Modal {
-                motion: if follows { 0 } else { 1 }, // the NCT programs move without F at first, C:1164
+                motion: if nct { 0 } else { 1 }, // the NCT programs move without F at first, C:1164
                 absolute: true,
                 feed: 0.0,
                 feed_factor,
-                feed_follows: follows,
                 prepared: None,
                 waiting_edge: None,
                 compensation: false,

@@ -135,15 +135,14 @@ fn measure(run: &mut Interpreter, path: &Path, to: [f64; 3], feed: f64) -> Resul
             run.sim.control.to_workpiece(position),
             run.sim.control.active_length(),
         );
-        let (active, basic) = (
-            run.sim.control.active_factor(),
-            run.sim.control.basic_factor(),
-        );
+        let factor = run.sim.control.data_factor();
         for (i, axis) in crate::control::variables::AXES.iter().enumerate() {
             run.measured
-                .insert(format!("$AA_MW[{axis}]"), own[i] / active);
-            run.measured
-                .insert(format!("$AA_MM[{axis}]"), (position[i] + length[i]) / basic);
+                .insert(format!("$AA_MW[{axis}]"), own[i] / factor);
+            run.measured.insert(
+                format!("$AA_MM[{axis}]"),
+                (position[i] + length[i]) / factor,
+            );
         }
     }
     Ok(())

@@ -56,15 +56,18 @@ pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem>
     if gud::find(stem).is_some_and(|gud| gud.text) {
         return Ok(Datum::Text(String::new()));
     }
-    Ok(Datum::Number(delivered(key)))
+    Ok(Datum::Number(delivered(run, key)))
 }
 
 /// Value that a parameter has when nobody wrote it: the default of the catalogue (B:1769-1785).
-fn delivered(key: &str) -> f64 {
-    let params = CYCLES.iter().flat_map(|cycle| cycle.params.iter());
-    params
+fn delivered(run: &Interpreter, key: &str) -> f64 {
+    let cycles = CYCLES
+        .iter()
+        .filter(|cycle| cycle.dialect == run.program.dialect);
+    cycles
+        .flat_map(|cycle| cycle.params.iter())
         .filter(|param| param.name == key)
-        .find_map(|param| param.default)
+        .find_map(|param| param.fallback(&run.sim.control))
         .unwrap_or(0.0)
 }
 
@@ -104,21 +107,34 @@ fn write_one(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Re
     if run.arrays.contains(stem(key)) {
         return Err(Problem::new("run-index", place, key));
     }
-    let before = read(run, key, place)?.number().unwrap_or(0.0);
     if key.starts_with('$') {
-        let number = value
-            .number()
-            .ok_or_else(|| Problem::new("run-not-a-number", place, key))?;
-        let factor = variable_factor(run, key);
-        if !run.sim.control.set_variable(key, number * factor) {
-            return Err(Problem::new("run-read-only", place, key));
-        }
-    } else {
-        run.sim.control.data.insert(key.to_owned(), stored);
+        return write_variable(run, key, value, place);
     }
+    let before = read(run, key, place)?.number().unwrap_or(0.0);
+    run.sim.control.data.insert(key.to_owned(), stored);
     if let Some(after) = value.number() {
         run.note_set(key, before, after);
     }
+    Ok(())
+}
+
+/// Tool and frame data; recorded in mm like those that a cycle writes.
+fn write_variable(
+    run: &mut Interpreter,
+    key: &str,
+    value: &Datum,
+    place: Span,
+) -> Result<(), Problem> {
+    let number = value
+        .number()
+        .ok_or_else(|| Problem::new("run-not-a-number", place, key))?;
+    let after = number * variable_factor(run, key);
+    let before = run.sim.control.variable(key).unwrap_or(0.0);
+    if !run.sim.control.set_variable(key, after) {
+        read(run, key, place)?;
+        return Err(Problem::new("run-read-only", place, key));
+    }
+    run.note_set(key, before, after);
     Ok(())
 }
 
@@ -172,7 +188,7 @@ fn system(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem> {
     if let Some(value) = run.measured.get(key) {
         return Ok(Datum::Number(*value));
     }
-    let factor = control.active_factor();
+    let factor = control.data_factor();
     let axis = |list: [f64; 3]| {
         let name = indices(key).first().copied().unwrap_or_default();
         AXES.iter().position(|axis| *axis == name).map(|i| list[i])
@@ -189,7 +205,7 @@ fn system(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem> {
         "$AA_IW" | "$P_EP" => {
             axis(control.to_workpiece(run.sim.position)).map(|value| value / factor)
         }
-        "$AA_IM" => axis(machine(run)).map(|value| value / control.basic_factor()),
+        "$AA_IM" => axis(machine(run)).map(|value| value / factor),
         "$MN_SCALING_SYSTEM_IS_METRIC" => {
             Some(f64::from(u8::from(control.basic_units == Units::Metric)))
         }
@@ -206,7 +222,7 @@ fn machine(run: &Interpreter) -> [f64; 3] {
     std::array::from_fn(|i| run.sim.position[i] + length[i])
 }
 
-/// Active G function of a group: 6 plane (G17 is 1), 13 units (G70 is 1), 14 absolute or incremental.
+/// Active G function of a group: 6 plane (G17 is 1), 13 units (G70, G71, G700, G710), 14 absolute or incremental.
 fn group(run: &Interpreter, key: &str) -> Option<f64> {
     let control = &run.sim.control;
     Some(match *indices(key).first()? {
@@ -215,13 +231,12 @@ fn group(run: &Interpreter, key: &str) -> Option<f64> {
             Plane::G18 => 2.0,
             Plane::G19 => 3.0,
         },
-        "13" => {
-            if control.active_units == Units::Inch {
-                1.0
-            } else {
-                2.0
-            }
-        }
+        "13" => match control.unit_function() {
+            70 => 1.0,
+            71 => 2.0,
+            700 => 3.0,
+            _ => 4.0,
+        },
         "14" => {
             if run.modal.absolute {
                 1.0
@@ -284,13 +299,13 @@ fn write_frame(
     Ok(())
 }
 
-/// mm in one unit of a tool or frame variable: lengths count in the basic system, types and angles do not.
+/// mm in one unit of a tool or frame variable; types and angles have none.
 fn variable_factor(run: &Interpreter, key: &str) -> f64 {
     let plain = stem(key) == "$TC_DP1" || key.ends_with(",RT]");
     if plain {
         1.0
     } else {
-        run.sim.control.basic_factor()
+        run.sim.control.data_factor()
     }
 }
 

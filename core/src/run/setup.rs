@@ -1,7 +1,7 @@
 //! What a run starts from: the control, the probe as it really is, the part, and where the machine stands.
 
 use crate::catalogue::Dialect;
-use crate::control::{Control, Edge, Plane, Tool, delivery};
+use crate::control::{Control, Edge, Plane, Tool, Units, delivery_in};
 use crate::workpiece::{Probe, Workpiece};
 
 /// Everything that a run starts from.
@@ -23,10 +23,15 @@ pub const PROBE_TOOL: i64 = 9;
 pub const PROBE_REGISTER: i64 = 98;
 
 impl Setup {
-    /// A control as delivered with a calibrated ideal probe in the spindle (ball 6 mm, L1 50 mm: B:5855, B:16259),
-    /// nothing to touch, and the machine far above.
+    /// A metric control as delivered with a calibrated ideal probe in the spindle (ball 6 mm, L1 50 mm: B:5855,
+    /// B:16259), nothing to touch, and the machine far above.
     pub fn calibrated(dialect: Dialect, plane: Plane) -> Setup {
-        let mut control = delivery(dialect);
+        Setup::calibrated_in(dialect, plane, Units::Metric)
+    }
+
+    /// The same on a machine with this basic system of units.
+    pub fn calibrated_in(dialect: Dialect, plane: Plane, units: Units) -> Setup {
+        let mut control = delivery_in(dialect, units);
         control.plane = plane;
         let edge = Edge {
             kind: 710,
@@ -47,7 +52,7 @@ impl Setup {
                 *control.register_mut(PROBE_REGISTER) = edge;
                 control.edge = PROBE_REGISTER;
                 for name in ["#500", "#501", "#502", "#503"] {
-                    control.set(name, 3.0); // ball radius by axis and direction, C:304-307
+                    control.set(name, 3.0 / units.factor()); // ball radius by axis and direction, C:304-307
                 }
             }
         }

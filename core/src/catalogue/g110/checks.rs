@@ -26,7 +26,7 @@ pub fn checks(inputs: &Inputs, control: &Control, findings: &mut Vec<Diagnostic>
         );
     }
     let ball = ["#500", "#501", "#502", "#503"]
-        .map(|name| control.number(name))
+        .map(|name| control.basic_length(name))
         .into_iter();
     let ball = 2.0 * ball.fold(0.0, f64::max);
     if let Some(diameter) = given("D")

@@ -17,7 +17,8 @@ pub const POSITIONING: f64 = 1500.0;
 /// Way back off the surface, mm.
 pub const BACK: f64 = 1.0;
 
-/// Calibration of the stylus in one axis of the plane, mm (C:304-307, C:176-177).
+/// Calibration of the stylus in one axis of the plane, mm (C:304-307, C:176-177). The data stand in the basic system
+/// of the machine and are converted for whichever is active (C:92-94).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Calibration {
     /// Ball centre minus spindle axis (#504, #505).
@@ -33,7 +34,7 @@ impl Calibration {
     pub fn of(machine: &mut dyn Machine, index: usize) -> Calibration {
         let control = machine.control();
         let names = [["#504", "#500", "#501"], ["#505", "#502", "#503"]][index.min(1)];
-        let [offset, plus, minus] = names.map(|name| control.number(name));
+        let [offset, plus, minus] = names.map(|name| control.basic_length(name));
         Calibration {
             offset,
             plus,

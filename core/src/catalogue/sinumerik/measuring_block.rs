@@ -5,11 +5,17 @@
 use super::alarm;
 use crate::check::Inputs;
 use crate::control::Control;
+use crate::geometry::TOLERANCE;
 use crate::run::trace::MotionKind;
 use crate::run::{Machine, Stop};
 
 /// Pulled back between the fast and the slow touch, mm (B:13772).
 const PULL_BACK: f64 = 2.0;
+
+/// Whether two coordinates are more than the last bits of a sum apart: what is shorter is no motion.
+fn apart(one: f64, other: f64) -> bool {
+    (one - other).abs() > TOLERANCE
+}
 
 /// How the spindle stands while probing.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -96,7 +102,7 @@ impl Block {
     /// the applicate; else rapid traverse (B:13743-13763).
     pub fn travel(&self, machine: &mut dyn Machine, to: [f64; 3]) -> Result<(), Stop> {
         let from = machine.position();
-        if from == to {
+        if (0..3).all(|axis| !apart(from[axis], to[axis])) {
             return Ok(());
         }
         if !self.monitored {
@@ -108,8 +114,8 @@ impl Block {
 
     fn positioning_feed(&self, from: [f64; 3], to: [f64; 3]) -> f64 {
         let [abscissa, ordinate, _] = self.axes;
-        let in_plane = from[abscissa] != to[abscissa] || from[ordinate] != to[ordinate];
-        if in_plane {
+        let moves = |axis: usize| apart(from[axis], to[axis]);
+        if moves(abscissa) || moves(ordinate) {
             self.feed_plane
         } else {
             self.feed_depth
