@@ -79,11 +79,13 @@ fn measure(
     let inputs = checked
         .inputs
         .unwrap_or_else(|| panic!("{:?}", checked.diagnostics));
-    let proposal = (cycle.propose)(&inputs, &setup.control);
+    let simulation = cycle.simulation.as_ref().unwrap();
+    let proposal = (simulation.propose)(&inputs, &setup.control);
     setup.workpiece = proposal.workpiece;
     for solid in &mut setup.workpiece.solids {
         (solid.errors.shift, solid.errors.size) = errors;
     }
+    setup.workpiece.solids.extend(proposal.fixture);
     setup.position = setup.control.to_machine(proposal.start);
     let text = format!("G{code}\n{}M30\n", snippet(cycle, &typed, &at_call, None));
     let outcome = run(
