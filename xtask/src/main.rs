@@ -1,9 +1,10 @@
-//! `cargo xtask serve | test | dist | bench`: gets what is missing, builds, serves, tests.
+//! `cargo xtask serve | test | dist | bench | fuzz`: gets what is missing, builds, serves, tests.
 
 mod bench;
 mod browser;
 mod counts;
 mod dist;
+mod fuzz;
 mod page;
 mod serve;
 mod test;
@@ -30,6 +31,8 @@ enum Task {
     Dist,
     /// Measure speed and size, native and in the browser
     Bench,
+    /// Look for a program that breaks the reader or the interpreter
+    Fuzz(fuzz::Options),
     /// Run one wasm test program in headless Chromium (cargo calls this)
     #[command(hide = true)]
     TestRunner {
@@ -50,6 +53,7 @@ fn main() -> ExitCode {
         Task::Test(options) => test::test(&options),
         Task::Dist => dist::dist().map(|()| true),
         Task::Bench => bench::bench().map(|()| true),
+        Task::Fuzz(options) => fuzz::fuzz(&options).map(|()| true),
         Task::TestRunner { arguments } => browser::run_wasm_tests(&arguments),
         Task::RunWasmTests { arguments } => browser::wasm_tests(arguments).map(|()| true),
     };
