@@ -42,6 +42,20 @@ fn digit(inputs: &Inputs, name: &str, place: i64) -> i64 {
     }
 }
 
+impl Kind {
+    /// The numbers that can be chosen with these values, each with the key of its name; none where any can be entered.
+    pub fn choices(&self, inputs: &Inputs) -> Option<&'static [(i64, &'static str)]> {
+        match self {
+            Kind::Choice(choices) => Some(choices),
+            Kind::ChoiceBy(lists) => {
+                let list = lists.iter().find(|(when, _)| when.holds(inputs));
+                Some(list.map_or(&[], |(_, choices)| choices))
+            }
+            _ => None,
+        }
+    }
+}
+
 impl Param {
     /// Whether it is needed with these values, and why; none: not used.
     pub fn need(&self, inputs: &Inputs) -> Option<(Level, &'static str)> {

@@ -48,6 +48,10 @@ fn every_key_of_the_catalogue_has_words() {
             param.needs.iter().for_each(|need| has(need.reason.into()));
             match &param.kind {
                 Kind::Choice(choices) => choices.iter().for_each(|(_, key)| has((*key).into())),
+                Kind::ChoiceBy(lists) => lists
+                    .iter()
+                    .flat_map(|(_, choices)| *choices)
+                    .for_each(|(_, key)| has((*key).into())),
                 Kind::Variant(groups) | Kind::Digits(groups) => {
                     for group in *groups {
                         has(group.key.into());

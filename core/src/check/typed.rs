@@ -277,14 +277,15 @@ fn judge(param: &Param, inputs: &Inputs, control: &Control) -> Option<Diagnostic
     let number = inputs.given(param.name)?;
     let shown = number / factor(param.unit, control);
     let code = param.alarm.unwrap_or(OUT_OF_RANGE);
-    let allowed = match &param.kind {
-        Kind::Choice(choices) => choices.iter().any(|(value, _)| *value as f64 == number),
-        _ => param.range.contains(number),
+    let choices = param.kind.choices(inputs);
+    let allowed = match choices {
+        Some(choices) => choices.iter().any(|(value, _)| *value as f64 == number),
+        None => param.range.contains(number),
     };
     if !allowed {
         return Some(
             error(code, outside("check-range", param, shown))
-                .hint(range_hint(param, control))
+                .hint(range_hint(param, choices, control))
                 .at(param.name),
         );
     }
@@ -312,8 +313,8 @@ fn outside(key: &'static str, param: &Param, shown: f64) -> Message {
 }
 
 /// What is allowed, in words that fit the kind and the ends of the range.
-fn range_hint(param: &Param, control: &Control) -> Message {
-    if let Kind::Choice(choices) = &param.kind {
+fn range_hint(param: &Param, choices: Option<&[(i64, &str)]>, control: &Control) -> Message {
+    if let Some(choices) = choices {
         let list: Vec<String> = choices.iter().map(|(value, _)| value.to_string()).collect();
         return Message::new("check-range-choice-hint").text("choices", list.join(", "));
     }

@@ -120,7 +120,10 @@ fn entry(param: &Param, inputs: &Inputs, control: &Control) -> Entry {
         Kind::Real => Entry::Real,
         Kind::Integer => Entry::Integer,
         Kind::Text(most) => Entry::Text(*most),
-        Kind::Choice(choices) => Entry::Choice(codes::choices(choices)),
+        Kind::Choice(_) | Kind::ChoiceBy(_) => {
+            let choices = param.kind.choices(inputs).unwrap_or_default();
+            Entry::Choice(codes::choices(choices))
+        }
         Kind::Variant([]) => Entry::Choice(codes::variants(inputs.cycle)),
         Kind::Variant(groups) | Kind::Digits(groups) => {
             Entry::Digits(codes::groups(groups, number))

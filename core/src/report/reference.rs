@@ -163,12 +163,19 @@ fn unit(unit: Unit) -> &'static str {
 }
 
 fn range(param: &Param) -> String {
-    if let Kind::Choice(choices) = &param.kind {
-        return choices
-            .iter()
-            .map(|(value, _)| value.to_string())
-            .collect::<Vec<_>>()
-            .join(", ");
+    let numbers = |choices: &[(i64, &str)]| {
+        let list: Vec<String> = choices.iter().map(|(value, _)| value.to_string()).collect();
+        list.join(", ")
+    };
+    match &param.kind {
+        Kind::Choice(choices) => return numbers(choices),
+        Kind::ChoiceBy(lists) => {
+            let list = |(condition, choices): &(When, &[(i64, &str)])| {
+                format!("{}: {}", when(condition), numbers(choices))
+            };
+            return lists.iter().map(list).collect::<Vec<_>>().join("; ");
+        }
+        _ => {}
     }
     let Range {
         min,

@@ -3,7 +3,9 @@
 /// Whether a cell of the tables means this variant. Text in brackets explains and is passed over.
 pub fn covers(cell: &str, variant: i64) -> bool {
     let cell = without_brackets(cell);
-    cell.split(';').map(str::trim).any(|part| {
+    cell.split(';').any(|part| {
+        // `0 with _MA=3`: the axis stands in the row's condition too.
+        let part = part.split(" with ").next().unwrap().trim();
         if part.contains('=') {
             part.split(',').all(|digit| digit_is(digit.trim(), variant))
         } else {
@@ -18,6 +20,7 @@ fn special(cell: &str, variant: i64) -> Option<bool> {
     match cell {
         "all" | "-" => Some(true),
         "all 1xxx" => Some(variant / 1000 == 1),
+        "all measuring variants" => Some((1..=2).contains(&(variant % 10))),
         _ => None,
     }
 }
@@ -76,6 +79,9 @@ fn cells_are_understood() {
         ("xx0x08", 110_108, 101_008),
         ("0,10; d1=1,d6=0 (24 values)", 12_101, 112_101),
         ("0xxx (1..6,101..106)", 105, 1005),
+        ("0 with _MA=3", 0, 3),
+        ("all measuring variants (d1=1 or 2)", 102, 10),
+        ("1; 2 outside", 1, 2),
     ] {
         assert!(covers(cell, inside), "{cell} {inside}");
         assert!(outside < 0 || !covers(cell, outside), "{cell} {outside}");

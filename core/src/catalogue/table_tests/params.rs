@@ -1,7 +1,7 @@
 //! Parameters: which variant needs which, unit and default.
 
 use super::super::*;
-use super::conditions::met;
+use super::conditions::{level, met};
 use super::{covers, rows, sinumerik};
 use crate::check::Inputs;
 use std::collections::BTreeSet;
@@ -93,13 +93,8 @@ fn compare(cycle: &'static Cycle, name: &str, row: &[String], used: &mut BTreeSe
                     assert_ne!(plain, Some(Level::Required), "{what}");
                     continue;
                 };
-                // The T number is the one that is asked for; a name may stand instead.
-                let level = if name == names::TNAME {
-                    Level::Optional
-                } else {
-                    Level::Required
-                };
-                assert_eq!(need(&inputs), Some(level), "{what} if {condition}");
+                let expected = Some(level(name, condition));
+                assert_eq!(need(&inputs), expected, "{what} if {condition}");
             }
             other => panic!("{other:?}"),
         }
