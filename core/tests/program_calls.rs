@@ -100,6 +100,56 @@ fn elements_of_a_list_are_values_with_their_own_places() {
     );
 }
 
+// oracle: hand (SET and REP fill an array; values stay until they are overwritten)
+#[test]
+fn repeated_values_persist_to_the_call() {
+    let text =
+        "_MVAR=105\n_SETV=REP(20)\n_SETV[1]=SET(25)\nR5=1\nCYCLE977\n_SETV=SET(30,35)\nCYCLE977\n";
+    let (_, sites) = sinumerik(text);
+    let pair = |index: usize| ["_SETV[0]", "_SETV[1]"].map(|name| value(&sites[index], name));
+    assert_eq!(pair(0), ["20", "25"]);
+    assert_eq!(pair(1), ["30", "35"]);
+    let (_, sites) =
+        sinumerik("DEF REAL A[2,2]=SET(1,2,3)\n_SETVAL=A[1,0]+A[0,1] _MVAR=1\nCYCLE977\n");
+    assert_eq!(value(&sites[0], "_SETVAL"), "5");
+}
+
+// oracle: hand (REP stays as it is for the others; the new value stands behind it)
+#[test]
+fn one_of_repeated_values_is_written_anew() {
+    let text = "_MVAR=105 _SETV=REP(20) ; both\nCYCLE977\n";
+    assert_eq!(
+        changed(text, 0, "_SETV[1]", "25"),
+        "_MVAR=105 _SETV=REP(20) _SETV[1]=25 ; both\nCYCLE977\n"
+    );
+    assert_eq!(changed(text, 0, "_MVAR", "106"), text.replace("105", "106"));
+}
+
+// oracle: manual C:58 (parameters 9041 to 9050: O9010 is G101, O9019 is G110)
+#[test]
+fn a_macro_called_by_its_program_number_is_a_call_like_others() {
+    let text = "%O0110\r\nN10 G17 G65 P9019 D50 S6 (bore)\r\nG65 P9010 X10 F#1\r\nG65 P9500 X1\r\nN40 G110 D30\r\n";
+    let program = read(Dialect::Nct, text.as_bytes());
+    let sites = calls(&program);
+    let found: Vec<_> = sites
+        .iter()
+        .map(|site| (site.cycle.name, site.line))
+        .collect();
+    assert_eq!(found, [("G110", 1), ("G101", 2), ("G110", 4)]);
+    assert_eq!(program.text(sites[0].span), b"G65 P9019");
+    assert_eq!((value(&sites[0], "D"), value(&sites[1], "F")), ("50", "#1"));
+    let edited = |name: &str, value: &str| {
+        let edits = change(&program, &sites[0], name, value);
+        String::from_utf8(apply(&program.source, &edits)).unwrap()
+    };
+    assert_eq!(edited("D", "60,5"), text.replace("D50", "D60.5"));
+    assert_eq!(edited("S", ""), text.replace(" S6", ""));
+    assert_eq!(edited("H", "0.1"), text.replace("S6", "S6 H0.1"));
+    let bare = read(Dialect::Nct, b"G65 P9019\n");
+    let edits = change(&bare, &calls(&bare)[0], "D", "50");
+    assert_eq!(apply(&bare.source, &edits), b"G65 P9019 D50\n");
+}
+
 // oracle: hand
 #[test]
 fn calls_that_are_skipped_or_wrong_are_listed_with_places() {

@@ -215,6 +215,39 @@ fn expressions_are_worked_out() {
 }
 
 #[test]
+fn arrays_are_filled_in_the_order_of_their_elements() {
+    // oracle: hand (the last index counts first; REP goes to the end of the array)
+    let outcome = clean(
+        "_WP[0,9]=SET(1,2,3)\nR998=REP(4)\n_SETV[7]=REP(8)\nDEF REAL A[2,2]\nA[0,1]=SET(5,6)\nR1=A[1,0]\nR2=A[1,1]",
+    );
+    for (name, expected) in [
+        ("_WP[0,9]", 1.0),
+        ("_WP[0,10]", 2.0),
+        ("_WP[1,0]", 3.0),
+        ("R997", 0.0),
+        ("R998", 4.0),
+        ("R999", 4.0),
+        ("_SETV[6]", 0.0),
+        ("_SETV[7]", 8.0),
+        ("_SETV[8]", 8.0),
+        ("R1", 6.0),
+        ("R2", 0.0),
+    ] {
+        assert_eq!(outcome.control.number(name), expected, "{name}");
+    }
+    let whole = clean("_WP=REP(7)");
+    assert_eq!(whole.control.number("_WP[2,10]"), 7.0);
+    assert!(
+        !whole.control.data.contains_key("_WP[3,0]"),
+        "there are three probes, B:13346"
+    );
+    assert!(
+        go("_SETV[8]=SET(1,2)").stop.is_some(),
+        "no room for the second"
+    );
+}
+
+#[test]
 fn arrays_are_filled() {
     let outcome = clean("_SETV[1]=SET(5,,7)\n_EV[3]=0.5 R2=_EV[R9+3]");
     // oracle: hand

@@ -1,5 +1,6 @@
 //! State of the control: plane, units, frames, tools, user data. Plain data with the manual's bookkeeping.
 
+pub mod arrays;
 pub mod delivery;
 pub mod frames;
 pub mod gud;

@@ -1,13 +1,16 @@
 //! The measuring calls of a program, each with the values that count at it.
 
 use super::fold::{self, Known};
-use super::tree::{Block, Expr, Program, Word, WordKind};
+use super::tree::{Block, Expr, ExprId, Program, Word, WordKind};
 use super::values::{self, Value};
-use crate::catalogue::{self, Cycle, Dialect};
+use crate::catalogue::{self, Cycle, Dialect, nct};
 use crate::check::{Typed, check};
-use crate::control::{Control, Plane, delivery};
+use crate::control::{Control, Plane, arrays, delivery};
 use crate::diagnostic::{Diagnostic, Span};
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+
+/// Most elements of an array that a program declares.
+const ELEMENTS: f64 = 10_000.0;
 
 /// A measuring call. Lines count from 0.
 pub struct CallSite {
@@ -23,6 +26,8 @@ pub struct CallSite {
     pub values: Typed,
     /// Place of each value, its newest assignment. Values of earlier calls count until they are overwritten.
     pub places: BTreeMap<&'static str, Span>,
+    /// Parameters whose place gives a value to others too (`REP`), so that it cannot be changed for one of them.
+    pub shared: BTreeSet<&'static str>,
     /// Places before this byte belong to an earlier call as well.
     pub own_from: u32,
     /// Working plane at the call.
@@ -46,6 +51,7 @@ pub fn calls_on(program: &Program, control: Control) -> Vec<CallSite> {
         known: Known::new(),
         unsteady: unsteady(program),
         newest: HashMap::new(),
+        arrays: HashMap::new(),
         own_from: 0,
         control,
         found: Vec::new(),
@@ -65,6 +71,8 @@ struct Walk<'a> {
     unsteady: HashMap<String, u32>,
     /// Newest value of every variable with its line.
     newest: HashMap<String, (Value, u32)>,
+    /// Arrays that the program declares, with their sizes.
+    arrays: HashMap<String, Vec<usize>>,
     own_from: u32,
     control: Control,
     found: Vec<CallSite>,
@@ -101,25 +109,10 @@ impl Walk<'_> {
                 value,
             } => {
                 if let Some(name) = fold::name(self.program, *name, index, &self.known) {
-                    let elements = elements(self.program, *value);
-                    if elements.is_empty() {
-                        let value = values::value(self.program, *value, *value_span, &self.known);
-                        self.assign(name, value, line);
-                    } else {
-                        self.assign_elements(&name, &elements, line);
-                    }
+                    self.write(name, *value, *value_span, line);
                 }
             }
-            WordKind::Declare {
-                name,
-                index,
-                value: Some(value),
-            } if index.is_empty() => {
-                let name = self.program.name(*name);
-                if let Some(number) = fold::number(self.program, *value, &self.known) {
-                    self.learn(name, Some(number));
-                }
-            }
+            WordKind::Declare { name, index, value } => self.declare(*name, index, *value, line),
             WordKind::Call { name, .. } => {
                 let cycle = self.cycle(&self.program.name(*name));
                 if let Some(cycle) = cycle.filter(|_| self.program.dialect == Dialect::Sinumerik) {
@@ -138,16 +131,36 @@ impl Walk<'_> {
             WordKind::Address { name, value, .. } if self.program.is(*name, "G") => {
                 if let Some(Expr::Number(number, _)) = self.program.expr(*value) {
                     modal(&mut self.control, *number);
-                    if let Some(cycle) = self
-                        .cycle(&format!("G{number}"))
-                        .filter(|_| self.program.dialect == Dialect::Nct)
-                    {
-                        self.nct(cycle, line, block, word.span);
+                    if let Some((cycle, span)) = self.macro_call(*number, block, word.span) {
+                        self.nct(cycle, line, block, span);
                     }
                 }
             }
             _ => {}
         }
+    }
+
+    /// The NCT macro that a G function calls: by its own number, or G65 by the program number at P (C:58). With the
+    /// place of the words that name it.
+    fn macro_call(&self, code: f64, block: &Block, span: Span) -> Option<(&'static Cycle, Span)> {
+        if self.program.dialect != Dialect::Nct {
+            return None;
+        }
+        if code != 65.0 {
+            return Some((self.cycle(&format!("G{code}"))?, span));
+        }
+        let words = self.program.words_of(block).iter();
+        let (place, number) = words.into_iter().find_map(|word| match &word.kind {
+            WordKind::Address { name, value, .. } if self.program.is(*name, "P") => {
+                Some((word.span, fold::number(self.program, *value, &self.known)?))
+            }
+            _ => None,
+        })?;
+        let named = Span {
+            start: span.start.min(place.start),
+            end: span.end.max(place.end),
+        };
+        Some((nct::by_program(number)?, named))
     }
 
     fn cycle(&self, name: &str) -> Option<&'static Cycle> {
@@ -169,22 +182,77 @@ impl Walk<'_> {
         self.newest.insert(name, (value, line));
     }
 
-    /// `_SETV[0]=SET(1,,3)` writes `_SETV[0]` and `_SETV[2]`.
-    fn assign_elements(&mut self, name: &str, elements: &[u32], line: u32) {
-        let Some((array, first)) = name.trim_end_matches(']').split_once('[') else {
-            return;
-        };
-        let Ok(first) = first.parse::<usize>() else {
-            return;
-        };
-        for (step, id) in elements.iter().enumerate() {
-            if matches!(self.program.expr(*id), None | Some(Expr::Omitted(_))) {
-                continue;
+    /// One value, or those of `SET(…)` or `REP(…)` spread over an array.
+    fn write(&mut self, name: String, value: ExprId, span: Span, line: u32) {
+        match spread(self.program, value) {
+            Spread::One => {
+                let value = values::value(self.program, value, span, &self.known);
+                self.assign(name, value, line);
             }
-            if let Some(place) = values::place(self.program, *id) {
-                let value = values::value(self.program, *id, place, &self.known);
-                self.assign(format!("{array}[{}]", first + step), value, line);
+            Spread::Each(values) => {
+                let elements = self.elements(&name);
+                for (element, id) in elements.into_iter().zip(values) {
+                    self.assign_element(element, *id, line);
+                }
             }
+            Spread::Same(id) => {
+                let place = values::place(self.program, id).unwrap_or(span);
+                let value = Value {
+                    shared: true,
+                    ..values::value(self.program, id, place, &self.known)
+                };
+                for element in self.repeated(&name) {
+                    self.assign(element, value.clone(), line);
+                }
+            }
+        }
+    }
+
+    /// `_SETV[0]=SET(1,,3)` writes `_SETV[0]` and `_SETV[2]`. A value whose place is not known is at least forgotten.
+    fn assign_element(&mut self, element: String, id: ExprId, line: u32) {
+        if matches!(self.program.expr(id), None | Some(Expr::Omitted(_))) {
+            return;
+        }
+        match values::place(self.program, id) {
+            Some(place) => {
+                let value = values::value(self.program, id, place, &self.known);
+                self.assign(element, value, line);
+            }
+            None => {
+                let number = fold::number(self.program, id, &self.known);
+                self.learn(element.clone(), number);
+                self.newest.remove(&element);
+            }
+        }
+    }
+
+    fn elements(&self, name: &str) -> Vec<String> {
+        let stem = name.split('[').next().unwrap_or_default();
+        let local = self.arrays.get(stem).map(Vec::as_slice);
+        let sizes = local.or_else(|| arrays::sizes(name));
+        sizes.map_or(Vec::new(), |sizes| arrays::elements_from(name, sizes))
+    }
+
+    fn repeated(&self, name: &str) -> Vec<String> {
+        arrays::repeated(&self.control, name).unwrap_or_else(|| self.elements(name))
+    }
+
+    /// `DEF REAL A=1, B[3]=SET(1,2)`.
+    fn declare(&mut self, name: Span, index: &[ExprId], value: Option<ExprId>, line: u32) {
+        let name = self.program.name(name);
+        if !index.is_empty() {
+            let size = |id: &ExprId| fold::number(self.program, *id, &self.known);
+            let sizes: Option<Vec<f64>> = index.iter().map(size).collect();
+            let sizes = sizes.unwrap_or_default();
+            if sizes.iter().product::<f64>() > ELEMENTS {
+                return;
+            }
+            let sizes = sizes.into_iter().map(|size| size as usize).collect();
+            self.arrays.insert(name.clone(), sizes);
+        }
+        if let Some(value) = value {
+            let place = values::place(self.program, value).unwrap_or_default();
+            self.write(name, value, place, line);
         }
     }
 
@@ -194,6 +262,9 @@ impl Walk<'_> {
             if let Some((value, assigned)) = self.newest.get(param.name) {
                 site.values.insert(param.name.into(), value.text.clone());
                 site.places.insert(param.name, value.place);
+                if value.shared {
+                    site.shared.insert(param.name);
+                }
                 if value.place.start >= self.own_from {
                     site.first_line = site.first_line.min(*assigned);
                 }
@@ -236,6 +307,7 @@ impl Walk<'_> {
             span,
             values: Typed::new(),
             places: BTreeMap::new(),
+            shared: BTreeSet::new(),
             own_from: self.own_from,
             plane: self.control.plane,
             unit_function: self.control.unit_function(),
@@ -253,12 +325,24 @@ impl Walk<'_> {
     }
 }
 
-/// Elements of `SET(…)` or of a list; none for any other value.
-fn elements(program: &Program, value: u32) -> Vec<u32> {
+/// How a right side fills an array.
+enum Spread<'a> {
+    /// It does not: one value.
+    One,
+    /// `SET(…)` or a list: an element each.
+    Each(&'a [ExprId]),
+    /// `REP(…)`: all elements.
+    Same(ExprId),
+}
+
+fn spread(program: &Program, value: ExprId) -> Spread<'_> {
     match program.expr(value) {
-        Some(Expr::Call(name, elements)) if program.is(*name, "SET") => elements.to_vec(),
-        Some(Expr::List(elements)) => elements.to_vec(),
-        _ => Vec::new(),
+        Some(Expr::Call(name, values)) if program.is(*name, "SET") => Spread::Each(values),
+        Some(Expr::List(values)) => Spread::Each(values),
+        Some(Expr::Call(name, values)) if program.is(*name, "REP") && values.len() == 1 => {
+            values.first().map_or(Spread::One, |id| Spread::Same(*id))
+        }
+        _ => Spread::One,
     }
 }
 

@@ -15,7 +15,7 @@ pub struct Edit {
 }
 
 /// Gives a parameter of a call this value, as typed; an empty one takes the parameter away.
-/// A value that an earlier call shares is left alone: the call gets an assignment of its own.
+/// A value that an earlier call or another parameter shares is left alone: the call gets an assignment of its own.
 pub fn change(program: &Program, site: &CallSite, name: &str, value: &str) -> Vec<Edit> {
     let Some(param) = site.cycle.params.iter().find(|param| param.name == name) else {
         return Vec::new();
@@ -33,7 +33,7 @@ pub fn change(program: &Program, site: &CallSite, name: &str, value: &str) -> Ve
         .places
         .get(param.name)
         .copied()
-        .filter(|place| place.start >= site.own_from);
+        .filter(|place| place.start >= site.own_from && !site.shared.contains(param.name));
     match own {
         Some(place) if value.is_empty() => vec![remove(program, place)],
         Some(place) if program.text(place) == value.as_bytes() => Vec::new(),

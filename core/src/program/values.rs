@@ -12,6 +12,8 @@ pub(super) struct Value {
     pub place: Span,
     /// What it is worth, where that is known.
     pub number: Option<f64>,
+    /// Whether others take their value from the same place (`REP`).
+    pub shared: bool,
 }
 
 /// The value of an expression that stands at `place`.
@@ -27,6 +29,7 @@ pub(super) fn value(program: &Program, id: ExprId, place: Span, known: &Known) -
             text: String::from_utf8_lossy(program.text(*inside)).into_owned(),
             place: *inside,
             number,
+            shared: false,
         },
         (Some(expr), Some(worth)) => {
             let text = if literal(program, expr) {
@@ -38,12 +41,14 @@ pub(super) fn value(program: &Program, id: ExprId, place: Span, known: &Known) -
                 text,
                 place,
                 number,
+                shared: false,
             }
         }
         _ => Value {
             text: written(),
             place,
             number,
+            shared: false,
         },
     }
 }

@@ -55,14 +55,13 @@ fn macro_call(run: &Interpreter, found: &Words) -> Option<&'static catalogue::Cy
             .filter(|address| address.name == letter)
             .find_map(|address| address.value.number())
     };
-    let find = |name: String| catalogue::find(Dialect::Nct, &name);
     let mut codes = found
         .addresses
         .iter()
         .filter(|address| address.name == "G")
         .filter_map(|address| address.value.number());
     if codes.any(|code| code == 65.0) {
-        return find(format!("G{}", number("P")? - 9010.0 + 101.0));
+        return catalogue::nct::by_program(number("P")?);
     }
     let codes = found
         .addresses
@@ -71,7 +70,7 @@ fn macro_call(run: &Interpreter, found: &Words) -> Option<&'static catalogue::Cy
         .filter_map(|address| address.value.number());
     codes
         .filter(|code| *code >= 100.0)
-        .find_map(|code| find(format!("G{code}")))
+        .find_map(|code| catalogue::find(Dialect::Nct, &format!("G{code}")))
 }
 
 /// `SUPA` and other words that are settings, not calls.

@@ -22,7 +22,7 @@ pub fn call(run: &Interpreter, place: Span, args: &[ExprId]) -> Result<Datum, Pr
         .map(|arg| evaluate(run, *arg))
         .collect::<Result<Vec<_>, _>>()?;
     if name == "REP" {
-        let value = values.into_iter().next().ok_or_else(refused)?;
+        let [value]: [Datum; 1] = values.try_into().map_err(|_| refused())?;
         return Ok(Datum::Repeat(Box::new(value)));
     }
     if let Some(frame) = frame(run, &name, &values) {

@@ -63,8 +63,8 @@ pub struct Interpreter<'a> {
     pub modal: Modal,
     /// Local variables (`DEF`), elements of arrays one by one.
     pub locals: BTreeMap<String, Value>,
-    /// Names of local arrays.
-    pub arrays: BTreeSet<String>,
+    /// Local arrays with their sizes.
+    pub arrays: BTreeMap<String, Vec<usize>>,
     /// What `MEAS` left: `$AC_MEA[1]`, `$AA_MW[X]`, `$AA_MM[X]`.
     pub measured: BTreeMap<String, f64>,
     /// Findings so far, each place and kind once.
@@ -160,7 +160,7 @@ impl<'a> Interpreter<'a> {
                 compensation: false,
             },
             locals: BTreeMap::new(),
-            arrays: BTreeSet::new(),
+            arrays: BTreeMap::new(),
             measured: BTreeMap::new(),
             diagnostics: Vec::new(),
             targets: flow::targets(program),

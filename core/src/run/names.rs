@@ -6,7 +6,7 @@ use super::interpret::Interpreter;
 use super::problem::Problem;
 use crate::catalogue::{CYCLES, Dialect};
 use crate::control::variables::AXES;
-use crate::control::{Frame, Plane, Units, gud};
+use crate::control::{Frame, Plane, Units, arrays, gud};
 use crate::diagnostic::Span;
 use crate::program::tree::ExprId;
 
@@ -75,18 +75,23 @@ fn delivered(run: &Interpreter, key: &str) -> f64 {
 pub fn write(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Result<(), Problem> {
     match value {
         Datum::List(items) => {
-            for (i, item) in items.iter().enumerate() {
+            let elements = elements(run, key, place)?;
+            if items.len() > elements.len() {
+                return Err(Problem::new("run-index", place, key));
+            }
+            for (element, item) in elements.iter().zip(items) {
                 if let Some(item) = item {
-                    let next =
-                        shifted(key, i).ok_or_else(|| Problem::new("run-index", place, key))?;
-                    write(run, &next, item, place)?;
+                    write(run, element, item, place)?;
                 }
             }
             Ok(())
         }
         Datum::Repeat(value) => {
-            let first = shifted(key, 0).ok_or_else(|| Problem::new("run-index", place, key))?;
-            for element in elements(run, &first) {
+            let filled = match arrays::repeated(&run.sim.control, key) {
+                Some(elements) if !run.arrays.contains_key(stem(key)) => elements,
+                _ => elements(run, key, place)?,
+            };
+            for element in filled {
                 write(run, &element, value, place)?;
             }
             Ok(())
@@ -104,7 +109,7 @@ fn write_one(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Re
         run.locals.insert(key.to_owned(), stored);
         return Ok(());
     }
-    if run.arrays.contains(stem(key)) {
+    if run.arrays.contains_key(stem(key)) {
         return Err(Problem::new("run-index", place, key));
     }
     if key.starts_with('$') {
@@ -321,32 +326,11 @@ fn indices(key: &str) -> Vec<&str> {
     }
 }
 
-/// The element `steps` behind this one (an array without index: its first element), counted in the last index.
-fn shifted(key: &str, steps: usize) -> Option<String> {
-    let index = indices(key);
-    let Some((last, before)) = index.split_last() else {
-        return Some(format!("{key}[{steps}]"));
-    };
-    let last = last.parse::<usize>().ok()?.checked_add(steps)?;
-    let mut parts: Vec<String> = before.iter().map(|part| (*part).to_owned()).collect();
-    parts.push(last.to_string());
-    Some(format!("{}[{}]", stem(key), parts.join(",")))
-}
-
-/// All elements from this one to the end of its array.
-fn elements(run: &Interpreter, first: &str) -> Vec<String> {
-    let exists =
-        |key: &String| run.locals.contains_key(key) || run.sim.control.data.contains_key(key);
-    let size = gud::find(stem(first))
-        .and_then(|gud| gud.sizes.last().copied())
-        .filter(|size| *size <= 100);
-    let start: usize = indices(first)
-        .last()
-        .and_then(|i| i.parse().ok())
-        .unwrap_or(0);
-    (0..1000)
-        .map_while(|i| {
-            shifted(first, i).filter(|key| exists(key) || size.is_some_and(|size| start + i < size))
-        })
-        .collect()
+/// All elements from this one to the end of its array, local or of the control.
+fn elements(run: &Interpreter, first: &str, place: Span) -> Result<Vec<String>, Problem> {
+    let local = run.arrays.get(stem(first)).map(Vec::as_slice);
+    let sizes = local
+        .or_else(|| arrays::sizes(first))
+        .ok_or_else(|| Problem::new("run-index", place, first))?;
+    Ok(arrays::elements_from(first, sizes))
 }

@@ -8,7 +8,7 @@ use super::motion::Path;
 use super::problem::Problem;
 use super::trace::Step;
 use super::{Stop, action, names};
-use crate::control::Value;
+use crate::control::{Value, arrays};
 use crate::diagnostic::{Severity, Span};
 use crate::program::tree::{Expr, ExprId, Word, WordKind};
 
@@ -222,25 +222,23 @@ fn declare(
     } else {
         Value::Number(0.0)
     };
-    let mut keys = vec![String::new()];
-    for (level, size) in sizes.iter().enumerate() {
+    let mut total = 1.0;
+    let mut counts = Vec::new();
+    for size in sizes {
         let size = expression::number(run, *size)?;
-        if !(1.0..=ELEMENTS).contains(&(size * keys.len() as f64)) {
+        total *= size;
+        if size < 1.0 || total > ELEMENTS {
             return Err(Problem::new("run-index", name, key));
         }
-        let comma = if level == 0 { "" } else { "," };
-        let next = keys
-            .iter()
-            .flat_map(|key| (0..size as usize).map(move |i| format!("{key}{comma}{i}")));
-        keys = next.collect();
+        counts.push(size as usize);
     }
-    if sizes.is_empty() {
+    if counts.is_empty() {
         run.locals.insert(key.clone(), empty);
     } else {
-        run.arrays.insert(key.clone());
-        for index in keys {
-            run.locals.insert(format!("{key}[{index}]"), empty.clone());
+        for element in arrays::elements_from(&key, &counts) {
+            run.locals.insert(element, empty.clone());
         }
+        run.arrays.insert(key.clone(), counts);
     }
     if let Some(first) = first {
         let value = evaluate(run, first)?;

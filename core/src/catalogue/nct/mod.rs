@@ -5,7 +5,8 @@ pub mod print;
 pub mod touch;
 
 use super::common::{PARAM, optional};
-use super::{Kind, Need, Param, Range, Unit, When};
+use super::{Cycle, Dialect, Kind, Need, Param, Range, Unit, When};
+use crate::catalogue;
 use crate::control::Plane;
 use crate::diagnostic::Code;
 use crate::run::{Machine, Stop};
@@ -77,6 +78,13 @@ pub const TOOL_AXIS: [(Plane, &str); 3] = [(Plane::G17, "Z"), (Plane::G18, "Y"),
 /// Name of an axis.
 pub const fn axis_name(axis: usize) -> &'static str {
     ["X", "Y", "Z"][axis]
+}
+
+/// The macro that `G65 P…` calls by its program number: O9010 to O9019 are G101 to G110 as delivered (parameters 9041
+/// to 9050, C:58).
+pub fn by_program(number: f64) -> Option<&'static Cycle> {
+    const FIRST: (f64, f64) = (9010.0, 101.0);
+    catalogue::find(Dialect::Nct, &format!("G{}", number - FIRST.0 + FIRST.1))
 }
 
 /// What every macro looks at first: a length is applied and the stylus is free (C:118-121).

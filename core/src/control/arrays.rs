@@ -1,0 +1,129 @@
+//! Elements of arrays, in the order in which `SET` and `REP` fill them: the last index counts first.
+
+use super::{Control, gud};
+
+/// R parameters are one array: `R10` is its element 10.
+const R_PARAMETERS: [usize; 1] = [1000];
+
+/// Arrays whose first size is listed as the largest allowed, with the datum that tells how many there are
+/// (B:13345-13348, B:13717-13718).
+const COUNTED: [(&str, &str); 6] = [
+    ("_TP", "_CVAL[0]"),
+    ("_WP", "_CVAL[1]"),
+    ("_KB", "_CVAL[2]"),
+    ("_TPW", "_CVAL[3]"),
+    ("_EV", "_EVMVNUM[0]"),
+    ("_MV", "_EVMVNUM[1]"),
+];
+
+/// Sizes of the user data or R parameters with this name (with or without index); none: no array of the control.
+pub fn sizes(name: &str) -> Option<&'static [usize]> {
+    let (stem, _) = split(name)?;
+    if stem == "R" {
+        return Some(&R_PARAMETERS);
+    }
+    gud::find(stem)
+        .map(|gud| gud.sizes)
+        .filter(|sizes| !sizes.is_empty())
+}
+
+/// Names of the elements from this one (without index: the first) to the end of its array. Nothing where the index
+/// does not fit the sizes.
+pub fn elements_from(name: &str, sizes: &[usize]) -> Vec<String> {
+    let Some((stem, index)) = split(name) else {
+        return Vec::new();
+    };
+    let total: usize = sizes.iter().product();
+    let first = match index.len() {
+        0 => Some(0),
+        n if n == sizes.len() => place(&index, sizes),
+        _ => None,
+    };
+    first
+        .map_or(total..total, |first| first..total)
+        .map(|at| element(stem, at, sizes))
+        .collect()
+}
+
+/// Elements that `REP` fills from this one on; none: it is no array of the control.
+pub fn repeated(control: &Control, name: &str) -> Option<Vec<String>> {
+    let mut sizes = sizes(name)?.to_vec();
+    let (stem, _) = split(name)?;
+    if let Some((_, count)) = COUNTED.iter().find(|(counted, _)| *counted == stem) {
+        let largest = sizes.first_mut()?;
+        *largest = (control.number(count) as usize).min(*largest);
+    }
+    Some(elements_from(name, &sizes))
+}
+
+/// Stem and index: `_WP[0,1]` is `_WP` and 0, 1; `R10` is `R` and 10.
+fn split(name: &str) -> Option<(&str, Vec<usize>)> {
+    let digits = name.strip_prefix('R').filter(|rest| !rest.is_empty());
+    if let Some(number) = digits.and_then(|digits| digits.parse().ok()) {
+        return Some(("R", vec![number]));
+    }
+    let Some((stem, rest)) = name.split_once('[') else {
+        return Some((name, Vec::new()));
+    };
+    let index: Result<Vec<usize>, _> = rest.strip_suffix(']')?.split(',').map(str::parse).collect();
+    Some((stem, index.ok()?))
+}
+
+/// How many elements stand before this one.
+fn place(index: &[usize], sizes: &[usize]) -> Option<usize> {
+    let mut at = 0;
+    for (i, size) in index.iter().zip(sizes) {
+        if i >= size {
+            return None;
+        }
+        at = at * size + i;
+    }
+    Some(at)
+}
+
+fn element(stem: &str, mut at: usize, sizes: &[usize]) -> String {
+    if stem == "R" {
+        return format!("R{at}");
+    }
+    let mut index = Vec::new();
+    for size in sizes.iter().rev() {
+        index.push((at % size).to_string());
+        at /= size;
+    }
+    index.reverse();
+    format!("{stem}[{}]", index.join(","))
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use crate::catalogue::Dialect;
+    use crate::control::delivery;
+
+    #[test]
+    fn the_last_index_counts_first() {
+        // oracle: hand
+        assert_eq!(
+            elements_from("_X[0,1]", &[2, 3]),
+            ["_X[0,1]", "_X[0,2]", "_X[1,0]", "_X[1,1]", "_X[1,2]"]
+        );
+        assert_eq!(elements_from("_X", &[2]), ["_X[0]", "_X[1]"]);
+        assert_eq!(
+            elements_from("R998", sizes("R998").unwrap()),
+            ["R998", "R999"]
+        );
+        assert!(elements_from("_X[2]", &[2]).is_empty());
+        assert!(elements_from("_X[1]", &[2, 3]).is_empty());
+    }
+
+    #[test]
+    fn only_arrays_have_elements() {
+        let control = delivery(Dialect::Sinumerik);
+        // oracle: manual B:16655 (nine set values), B:13442 (three probes as delivered, eleven data each)
+        assert_eq!(repeated(&control, "_SETV").unwrap().len(), 9);
+        assert_eq!(repeated(&control, "_WP[1,5]").unwrap().len(), 6 + 11);
+        assert_eq!(repeated(&control, "_SETVAL"), None);
+        assert_eq!(repeated(&control, "NOTHING[0]"), None);
+    }
+}
