@@ -16,6 +16,8 @@ pub const SZA: &str = "_SZA";
 pub const SZO: &str = "_SZO";
 /// Measuring axis.
 pub const MA: &str = "_MA";
+/// Measuring direction.
+pub const MD: &str = "_MD";
 /// What is corrected.
 pub const KNUM: &str = "_KNUM";
 /// T number of the tool to be corrected.
@@ -52,3 +54,13 @@ pub const TDIF: &str = "_TDIF";
 pub const EVNUM: &str = "_EVNUM";
 /// Weighting factor of the mean value.
 pub const K: &str = "_K";
+/// Set centre in the abscissa.
+pub const CPA: &str = "_CPA";
+/// Set centre in the ordinate.
+pub const CPO: &str = "_CPO";
+/// Starting angle.
+pub const STA1: &str = "_STA1";
+/// Indexing angle.
+pub const INCA: &str = "_INCA";
+/// Feed along circular paths.
+pub const RF: &str = "_RF";

@@ -1,8 +1,20 @@
 //! The language in which the tables name variants: `all`, `1..6, 101`, `xx0x08`, `d1=1,d6=0; 0,10`.
 
+/// Cells that say in words what patterns cannot; as patterns.
+const IN_WORDS: &[(&str, &str)] = &[
+    ("xxx1x01, xx01x08 types with d3=1", "d3=1"),
+    ("d5=1 (hole)", "d1=1,d5=1; d1=8,d5=1"),
+    // which of them, the meaning of the row tells
+    ("the calibrated axis/direction(s)", "all"),
+    // compared without a value of _KNUM
+    ("1 sphere, or _KNUM=0", "all"),
+    ("3-sphere variants (d5=1)", "d5=1"),
+];
+
 /// Whether a cell of the tables means this variant. Text in brackets explains and is passed over.
 pub fn covers(cell: &str, variant: i64) -> bool {
-    let cell = without_brackets(cell);
+    let worded = IN_WORDS.iter().find(|(words, _)| *words == cell);
+    let cell = without_brackets(worded.map_or(cell, |(_, patterns)| patterns));
     cell.split(';').any(|part| {
         // `0 with _MA=3`: the axis stands in the row's condition too.
         let part = part.split(" with ").next().unwrap().trim();
@@ -18,7 +30,7 @@ pub fn covers(cell: &str, variant: i64) -> bool {
 /// Cells that say in words what numbers cannot.
 fn special(cell: &str, variant: i64) -> Option<bool> {
     match cell {
-        "all" | "-" => Some(true),
+        "all" | "any" | "-" => Some(true),
         "all 1xxx" => Some(variant / 1000 == 1),
         "all measuring variants" => Some((1..=2).contains(&(variant % 10))),
         _ => None,
@@ -69,6 +81,14 @@ fn one_of(text: &str, variant: i64) -> bool {
     text.parse() == Ok(variant)
 }
 
+/// `x1x1x9 and _KNUM>0`: variants, and a condition on a parameter; empty where there is none.
+pub fn with_condition(cell: &str) -> (&str, &str) {
+    match cell.split_once(" and _") {
+        Some((variants, condition)) => (variants, &cell[cell.len() - condition.len() - 1..]),
+        None => (cell, ""),
+    }
+}
+
 #[test]
 fn cells_are_understood() {
     // oracle: hand
@@ -82,8 +102,11 @@ fn cells_are_understood() {
         ("0 with _MA=3", 0, 3),
         ("all measuring variants (d1=1 or 2)", 102, 10),
         ("1; 2 outside", 1, 2),
+        ("d5=1 (hole)", 10_008, 10_000),
     ] {
         assert!(covers(cell, inside), "{cell} {inside}");
         assert!(outside < 0 || !covers(cell, outside), "{cell} {outside}");
     }
+    assert_eq!(with_condition("x1x1x9 and _KNUM>0"), ("x1x1x9", "_KNUM>0"));
+    assert_eq!(with_condition("2,4 and all 1xxx"), ("2,4 and all 1xxx", ""));
 }

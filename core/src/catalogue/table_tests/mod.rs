@@ -3,10 +3,14 @@
 
 mod cells;
 mod conditions;
+mod invalid;
 mod params;
 mod results;
 
 use super::*;
+use crate::check::{Typed, check};
+use crate::control::delivery;
+use crate::diagnostic::{Code, Severity};
 use cells::covers;
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -29,6 +33,23 @@ fn sinumerik() -> impl Iterator<Item = &'static Cycle> {
         .iter()
         .copied()
         .filter(|cycle| cycle.dialect == Dialect::Sinumerik)
+}
+
+/// Codes of the errors that a call of this variant raises because of the last of these values.
+fn refused(cycle: &'static Cycle, variant: i64, values: &[(&str, &str)]) -> Vec<Code> {
+    let number = variant.to_string();
+    let mut typed: Typed = [(names::MVAR.to_owned(), number)].into();
+    typed.extend(
+        values
+            .iter()
+            .map(|(name, value)| ((*name).to_owned(), (*value).to_owned())),
+    );
+    let at = values.last().map_or(names::MVAR, |(name, _)| name);
+    let found = check(cycle, &typed, &delivery(Dialect::Sinumerik)).diagnostics;
+    let errors = found
+        .iter()
+        .filter(|one| one.severity == Severity::Error && one.param == Some(at));
+    errors.map(|one| one.code).collect()
 }
 
 /// Variants, parameters and results of each SINUMERIK cycle, by name.
@@ -68,8 +89,15 @@ fn variants_are_those_of_the_table() {
     let rows = rows("variants.tsv");
     for cycle in sinumerik().filter(|_| !rows.is_empty()) {
         let of_cycle = rows.iter().filter(|row| row[0] == cycle.name);
-        // Further rows of a cycle describe what is not valid, in words.
-        let table: BTreeSet<i64> = of_cycle.filter_map(|row| row[1].parse().ok()).collect();
+        // A cycle without variants has one row, named `-`; further rows describe what is not valid, in words.
+        let number = |cell: &str| {
+            if cell == "-" {
+                Some(0)
+            } else {
+                cell.parse().ok()
+            }
+        };
+        let table: BTreeSet<i64> = of_cycle.filter_map(|row| number(&row[1])).collect();
         let ours: BTreeSet<i64> = cycle.variants.iter().map(|one| one.number).collect();
         assert_eq!(ours, table, "{}", cycle.name);
     }

@@ -1,9 +1,11 @@
 //! Parameters: which variant needs which, unit and default.
 
 use super::super::*;
+use super::cells::with_condition;
 use super::conditions::{level, met};
-use super::{covers, rows, sinumerik};
+use super::{covers, refused, rows, sinumerik};
 use crate::check::Inputs;
+use crate::diagnostic::Code;
 use std::collections::BTreeSet;
 
 #[test]
@@ -32,7 +34,7 @@ fn parameters_are_those_of_the_table() {
     }
 }
 
-/// `_CHBIT[2], _SPEED[0..2]` → two names; a comma inside of an index separates nothing.
+/// `_CHBIT[2], _SPEED[0..2]` → four names; a comma inside of an index separates nothing.
 fn names_of(cell: &str) -> Vec<String> {
     let mut names = vec![String::new()];
     let mut depth = 0;
@@ -47,7 +49,22 @@ fn names_of(cell: &str) -> Vec<String> {
             _ => names.push(String::new()),
         }
     }
-    names.iter().map(|name| name.trim().to_owned()).collect()
+    names
+        .iter()
+        .flat_map(|name| elements(name.trim()))
+        .collect()
+}
+
+/// `_SETV[0..2]` → its three elements.
+fn elements(name: &str) -> Vec<String> {
+    let range = name.split_once('[').and_then(|(array, index)| {
+        let (from, to) = index.trim_end_matches(']').split_once("..")?;
+        Some((array, from.parse::<u32>().ok()?, to.parse::<u32>().ok()?))
+    });
+    match range {
+        Some((array, from, to)) => (from..=to).map(|i| format!("{array}[{i}]")).collect(),
+        None => vec![name.to_owned()],
+    }
 }
 
 /// Data of the machine stand in the tables beside the parameters: the bit, or the name of the array.
@@ -68,35 +85,33 @@ fn setting(name: &str) -> Option<String> {
 
 /// One parameter of one row; collects the names that any row lets be used.
 fn compare(cycle: &'static Cycle, name: &str, row: &[String], used: &mut BTreeSet<&'static str>) {
-    let (variants, requirement) = (&row[2], row[3].as_str());
+    let (variants, of_cell) = with_condition(&row[2]);
+    let (requirement, of_row) = row[3].split_once(':').unwrap_or((&row[3], ""));
+    let condition = if of_cell.is_empty() { of_row } else { of_cell };
     let Some(param) = cycle.params.iter().find(|param| param.name == name) else {
         assert_eq!(requirement, "unused", "{} {name}", cycle.name);
         return;
     };
-    if requirement != "unused" {
+    let level = level(name, requirement, condition);
+    if level.is_some() {
         used.insert(param.name);
         unit(cycle, param, row);
+        kind(cycle, param, &row[4]);
     }
     let covered = |one: &&Variant| covers(variants, one.number);
     for variant in cycle.variants.iter().filter(covered) {
-        let what = format!("{} {name} {}", cycle.name, variant.number);
+        let what = format!("{} {name} {} if {condition}", cycle.name, variant.number);
         let need = |inputs: &Inputs| param.need(inputs).map(|(level, _)| level);
-        let plain = need(&Inputs::new(cycle, variant.number));
-        match requirement.split_once(':').unwrap_or((requirement, "")) {
-            ("required", _) => assert_eq!(plain, Some(Level::Required), "{what}"),
-            ("unused", _) => assert_eq!(plain, None, "{what}"),
-            (text, _) if text.starts_with("optional") => {
-                assert_eq!(plain, Some(Level::Optional), "{what}")
-            }
-            ("required-if", condition) => {
-                let Some(inputs) = met(condition, cycle, variant.number) else {
-                    assert_ne!(plain, Some(Level::Required), "{what}");
-                    continue;
-                };
-                let expected = Some(level(name, condition));
-                assert_eq!(need(&inputs), expected, "{what} if {condition}");
-            }
-            other => panic!("{other:?}"),
+        let ways = met(condition, cycle, variant.number);
+        for inputs in &ways {
+            assert_eq!(need(inputs), level, "{what}");
+        }
+        if ways.is_empty() {
+            let plain = need(&Inputs::new(cycle, variant.number));
+            assert_ne!(plain, Some(Level::Required), "{what}");
+        }
+        if condition.is_empty() && level.is_some() {
+            allowed(cycle, param, variant.number, &row[5]);
         }
     }
 }
@@ -104,18 +119,58 @@ fn compare(cycle: &'static Cycle, name: &str, row: &[String], used: &mut BTreeSe
 fn unit(cycle: &Cycle, param: &Param, row: &[String]) {
     let expected = match row[6].as_str() {
         "active-unit" => Unit::ActiveLength,
-        "basic-unit" if param.name == names::VMS => Unit::BasicFeed,
+        "basic-unit" if [names::VMS, names::RF].contains(&param.name) => Unit::BasicFeed,
         "basic-unit" => Unit::BasicLength,
         "always-mm" => Unit::Millimetre,
         "degrees" => Unit::Degree,
         _ => Unit::None,
     };
     assert_eq!(param.unit, expected, "{} {}", cycle.name, param.name);
-    assert_eq!(
-        param.default,
-        row[7].parse().ok(),
-        "{} {}",
-        cycle.name,
-        param.name
-    );
+    // A delivered value that the cycle refuses (_RF=0) is none.
+    let delivered = row[7].parse().ok();
+    let default = delivered.filter(|value| param.range.contains(*value));
+    assert_eq!(param.default, default, "{} {}", cycle.name, param.name);
+}
+
+fn kind(cycle: &Cycle, param: &Param, cell: &str) {
+    let fits = match (cell, &param.kind) {
+        ("STRING[32]", Kind::Text(most)) => *most == 32,
+        (_, Kind::Text(_)) => cell.contains("by reference"),
+        (_, Kind::Real) => cell.starts_with("REAL"),
+        _ => cell.starts_with("INT") || cell.starts_with("REAL"),
+    };
+    assert!(fits, "{} {} {cell}", cycle.name, param.name);
+}
+
+/// Values at the end of what is allowed, and the alarm for those beyond it where the table names one.
+fn allowed(cycle: &'static Cycle, param: &Param, variant: i64, cell: &str) {
+    let (right, wrong): (&[&str], &[&str]) = match cell.split([' ', ';', ',']).next() {
+        Some(">0") => (&[], &["0", "-1"]),
+        Some(">=0") => (&["0"], &["-1"]),
+        Some("any" | "signed") => (&["-1"], &[]),
+        _ => (&[], &[]),
+    };
+    let what = |value| format!("{} {} {variant} {value}", cycle.name, param.name);
+    for value in right {
+        assert_eq!(
+            refused(cycle, variant, &[(param.name, value)]),
+            [],
+            "{}",
+            what(value)
+        );
+    }
+    let alarm = cell
+        .split(|c: char| !c.is_ascii_digit())
+        .find(|text| text.len() == 5);
+    for value in wrong {
+        let codes = refused(cycle, variant, &[(param.name, value)]);
+        assert!(!codes.is_empty(), "{}", what(value));
+        if let Some(alarm) = alarm {
+            assert!(
+                codes.contains(&Code::Alarm(alarm.parse().unwrap())),
+                "{}",
+                what(value)
+            );
+        }
+    }
 }
