@@ -136,6 +136,62 @@ fn programmed_frames_replace_and_add() {
 }
 
 #[test]
+fn scales_are_motion_and_stop_a_measurement() {
+    // oracle: hand
+    near(
+        clean("TRANS X10\nASCALE X2\nG0 X3 Y4 Z5").position,
+        [16.0, 4.0, 5.0],
+    );
+    near(
+        clean("SCALE X2 Y2 Z2\nAROT Z90\nG0 X3 Y0 Z0").position,
+        [0.0, 6.0, 0.0],
+    );
+    near(
+        clean("$P_UIFR[1]=CTRANS(X,5):CSCALE(Y,3)\nG54\nG0 X1 Y2 Z0").position,
+        [6.0, 6.0, 0.0],
+    );
+    near(
+        clean("G70\nSCALE X2\nG0 X1 Y0 Z0").position,
+        [50.8, 0.0, 0.0],
+    );
+    near(
+        clean("SCALE X2\nSCALE\nG0 X3 Y0 Z0").position,
+        [3.0, 0.0, 0.0],
+    );
+    for sheared in ["SCALE X2\nAROT Z30", "$P_UIFR[1]=CSCALE(X,2):CROT(Z,30)"] {
+        let outcome = go(sheared);
+        assert!(matches!(outcome.stop, Some(Stop::Fault(message)) if message.key == "run-shear"));
+    }
+    // oracle: manual B:744, A:15849: in whichever frame of the chain; without one there is only nothing to touch
+    for (scale, alarm) in [
+        ("SCALE X2", 61310),
+        ("$P_UIFR[1,Z,SC]=2\nG54", 61310),
+        ("$P_CHBFR[0,X,SC]=0.5", 61310),
+        ("SCALE X2\nTRANS", 61301),
+    ] {
+        let outcome = go(&format!(
+            "{scale}\n_MVAR=1 _SETVAL=60 _KNUM=2001 _TNUM=20\nCYCLE977"
+        ));
+        assert_eq!(
+            outcome.stop,
+            Some(Stop::Alarm(Code::Alarm(alarm))),
+            "{scale}"
+        );
+    }
+}
+
+#[test]
+fn limit_switches_end_a_program() {
+    let mut setup = setup();
+    setup.control.limits.plus[0] = Some(100.0);
+    let program = read(Dialect::Sinumerik, b"G0 X100\nX101");
+    let outcome = run(&program, &setup, Limits::default());
+    // oracle: hand
+    assert!(matches!(outcome.stop, Some(Stop::Fault(message)) if message.key == "run-limit"));
+    assert_eq!(outcome.position[0], 100.0);
+}
+
+#[test]
 fn tools_change_with_m6() {
     let outcome = clean("N10 T20 D2\nN20 M6");
     assert_eq!((outcome.control.tool, outcome.control.edge), (20, 2));

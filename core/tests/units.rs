@@ -47,6 +47,7 @@ fn machine(dialect: Dialect, basic: Units) -> Setup {
         coarse: [310.0, -45.0, 20.0],
         fine: [0.0; 3],
         rotation: [0.0, 0.0, 30.0],
+        ..Frame::default()
     };
     control.frames.insert(1, offset);
     control.activate(1);

@@ -118,10 +118,11 @@ export interface Solid {
 export interface Setup {
   control: Dialect; units: "mm" | "inch"; plane: Plane;
   active?: { tool?: number; edge?: number; frame?: string; units?: UnitFunction; spindle?: number }; // in force at the start
+  machine?: { limitsMinus?: (number | null)[]; limitsPlus?: (number | null)[]; spindlePositions?: boolean };
   tools: Record<string, { name?: string; edges: Record<string, { type: number; length: Vec3; radius: number; lengthWear?: Vec3; radiusWear?: number; additive?: Record<string, number[]>; setup?: Record<string, number[]> }> }>;
-  frames: Record<string, { coarse: Vec3; fine?: Vec3; rotation?: Vec3 }>; // "G54"
+  frames: Record<string, { coarse: Vec3; fine?: Vec3; rotation?: Vec3; scale?: Vec3 }>; // "G54"
   data: Record<string, number | string>;   // "_WP[0,1]", "_CHBIT[4]", "MD18600", "R10", "#500"
-  probe: { radius: number; length: number; skew?: [number, number]; preTravel?: [number, number]; delay?: number; repeatability?: [number, number] };
+  probe: { radius: number; length: number; skew?: [number, number]; preTravel?: [number, number]; delay?: number; repeatability?: [number, number]; falseSignal?: number };
   workpiece: Solid[];
   position?: Vec3;                     // at the start, machine coordinates
 }

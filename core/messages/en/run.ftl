@@ -24,3 +24,5 @@ run-alarm = The measuring cycle stopped with an alarm.
 run-m-function = M function “{ $word }” belongs to the machine; nothing was simulated for it.
 run-radius-compensation = Motion with tool radius compensation: the path is simulated without it.
 run-call = The call “{ $word }” was refused; see the problems at its parameters.
+run-shear = A rotation inside of a scale that differs by axis would shear the coordinates; such frames do not exist.
+run-limit = The target lies beyond a software limit switch.

@@ -372,6 +372,17 @@ pub const fn integer(
     }
 }
 
+/// Alarms that the manual names for every SINUMERIK measuring cycle (A:15840-15940).
+pub const EVERY_CYCLE: &[Code] = &alarms([
+    61016, 61301, 61302, 61303, 61307, 61308, 61309, 61310, 61311, 61312, 61313, 61320, 61328,
+    61336, 61338, 61339, 61340, 61342, 61343, 61344, 61345, 61372, 61373, 61403, 61404, 61405,
+    61406, 61407, 61408, 61409, 61410, 61416, 62303,
+]);
+/// Alarms of the cycles that correct tools and zero offsets by `_KNUM` (A:15859-15865).
+pub const CORRECTION: &[Code] = &alarms([61318, 61319, 61321, 61322, 61323, 61324]);
+/// Alarms of the tolerance chain (A:15845, A:15941-15943).
+pub const TOLERANCE: &[Code] = &alarms([61306, 62304, 62305, 62306]);
+
 /// Alarm numbers as codes.
 pub const fn alarms<const N: usize>(numbers: [u32; N]) -> [Code; N] {
     let mut codes = [Code::Alarm(0); N];

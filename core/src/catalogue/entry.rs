@@ -2,6 +2,7 @@
 
 use crate::check::Inputs;
 use crate::control::Control;
+use crate::diagnostic::Code;
 use crate::form::picture::Picture;
 use crate::run::{Machine, Stop};
 use crate::workpiece::{Solid, Workpiece};
@@ -31,8 +32,8 @@ pub struct Cycle {
     pub settings: &'static [&'static str],
     /// What it leaves in the result data.
     pub results: &'static [ResultField],
-    /// Numbers (or NCT messages) it can raise.
-    pub alarms: &'static [crate::diagnostic::Code],
+    /// Numbers (or NCT messages) that the manual names for it, in groups; see [`Cycle::alarms`].
+    pub alarms: &'static [&'static [Code]],
     /// Checks over several parameters; everything about one parameter is in its [`Param`].
     /// A value that is missing or wrong is absent from the inputs; nothing more is said about it.
     pub checks: fn(&Inputs, &Control, &mut Vec<crate::diagnostic::Diagnostic>),
@@ -44,6 +45,18 @@ pub struct Cycle {
     pub simulation: Option<Simulation>,
     /// Place in the manual.
     pub source: &'static str,
+}
+
+impl Cycle {
+    /// All alarms, SINUMERIK by number, NCT as listed.
+    pub fn alarms(&self) -> Vec<Code> {
+        let mut list: Vec<Code> = self.alarms.concat();
+        list.sort_by_key(|code| match code {
+            Code::Alarm(number) => *number,
+            _ => 0,
+        });
+        list
+    }
 }
 
 /// A cycle at work.

@@ -61,13 +61,13 @@ pub static G101: Cycle = Cycle {
         },
     ],
     results: &[],
-    alarms: &[
+    alarms: &[&[
         nct::NO_TOOL_LENGTH,
         nct::PATH_OBSTRUCTED,
         nct::STYLUS_IN_CONTACT,
         nct::FALSE_TRIGGER,
         nct::OUT_OF_POSITION,
-    ],
+    ]],
     checks,
     picture,
     example: &[("X", "120"), ("Z", "200")],
@@ -87,10 +87,22 @@ fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     nct::ready(machine)?;
     let incremental = machine.control().bit(nct::INCREMENTAL);
     let to = target(inputs, machine.position(), incremental);
-    let outcome = machine.travel(to, MotionKind::Positioning, inputs.number("F"), true);
+    let outcome = go(machine, to, inputs.number("F"));
     let lost = if outcome.is_ok() { 0.0 } else { 1.0 };
     machine.control().set(nct::POSITION_LOST, lost);
     outcome
+}
+
+/// To the target, or as far as the limits of the axes let it: then it is not reached (C:121-123, C:132).
+fn go(machine: &mut dyn Machine, to: [f64; 3], feed: f64) -> Result<(), Stop> {
+    let from = machine.position();
+    let limited = machine.control().limited(from, to);
+    let end = limited.unwrap_or(to);
+    machine.travel(end, MotionKind::Positioning, feed, true)?;
+    match limited {
+        Some(_) => Err(Stop::Alarm(nct::OUT_OF_POSITION)),
+        None => Ok(()),
+    }
 }
 
 fn checks(inputs: &Inputs, _: &Control, findings: &mut Vec<Diagnostic>) {

@@ -25,6 +25,14 @@ pub fn probe(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
                 .at(names::PRNUM),
         );
     }
+    if code / 100 == 1 && !control.spindle_positions {
+        let message = Message::new("check-mono-spindle");
+        found.push(
+            error(Code::Alarm(61373), message) // A:15917
+                .hint(Message::new("check-mono-spindle-hint"))
+                .at(names::PRNUM),
+        );
+    }
     let offset = inputs.given(names::CORA).unwrap_or(0.0);
     if code / 100 == 1 && offset != 0.0 && !control.bit("_CBIT[8]") {
         let message = Message::new("check-cora-off");

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::*;
+use crate::diagnostic::Code;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -60,6 +61,24 @@ fn every_key_of_the_catalogue_has_words() {
                 }
                 Kind::Real | Kind::Integer | Kind::Knum | Kind::Text(_) => {}
             }
+        }
+    }
+}
+
+#[test]
+fn alarms_have_words_and_stand_once() {
+    // oracle: self
+    let words = words();
+    for cycle in CYCLES {
+        let alarms = cycle.alarms();
+        for (index, code) in alarms.iter().enumerate() {
+            assert!(!alarms[..index].contains(code), "{} {code:?}", cycle.name);
+            let key = match code {
+                Code::Nct(text) => format!("nct-{}", text.to_lowercase().replace(' ', "-")),
+                Code::Alarm(number) => format!("alarm-{number}"),
+                Code::Own(number) => panic!("PW{number} is no alarm of a control"),
+            };
+            assert!(words.contains_key(&key), "no words for {key}");
         }
     }
 }

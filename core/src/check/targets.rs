@@ -4,7 +4,8 @@ use super::{Finding, Inputs, error};
 use crate::catalogue::{Param, When};
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
-use crate::evaluate::knum;
+use crate::evaluate::knum::{self, ZeroCode};
+use crate::evaluate::{tool_offset, zero_offset};
 use crate::message::Message;
 
 /// Sort of target that a variant asks for.
@@ -36,7 +37,11 @@ pub fn findings(param: &Param, inputs: &Inputs, control: &Control) -> Option<Dia
 }
 
 fn zero(param: &Param, code: i64, control: &Control) -> Option<Diagnostic> {
-    let alarm = knum::zero(code).err()?;
+    let alarm = match knum::zero(code) {
+        Err(alarm) => alarm,
+        Ok(Some(ZeroCode::System)) if !zero_offset::system_frame(control) => 61321,
+        Ok(_) => return None,
+    };
     let is_tool = matches!(
         knum::tool(code, knum::five_digit_edges(control)),
         Ok(Some(_))
@@ -58,7 +63,9 @@ fn tool(param: &Param, code: i64, control: &Control) -> Option<Diagnostic> {
     let five = knum::five_digit_edges(control);
     let (alarm, key) = match knum::tool(code, five) {
         Ok(None) => return None,
-        Ok(Some(target)) if target.edge <= largest_edge(control) => return None,
+        Ok(Some(target)) if target.edge <= largest_edge(control) => {
+            return target.location.then(|| memory(param, control))?;
+        }
         Ok(Some(_)) => (61345, "check-knum-edge-large"),
         Err(61322) => (61322, "check-knum-digit-4"),
         Err(61323) => (61323, "check-knum-digit-5"),
@@ -78,6 +85,20 @@ fn tool(param: &Param, code: i64, control: &Control) -> Option<Diagnostic> {
         .number("largest", largest_edge(control) as f64);
     Some(
         error(Code::Alarm(alarm), message)
+            .hint(Message::new(hint))
+            .at(param.name),
+    )
+}
+
+/// Setup or additive offsets that this machine does not have.
+fn memory(param: &Param, control: &Control) -> Option<Diagnostic> {
+    let alarm = tool_offset::missing_memory(control)?;
+    let (key, hint) = match alarm {
+        61408 => ("check-knum-no-additive", "check-knum-no-additive-hint"),
+        _ => ("check-knum-no-setup", "check-knum-no-setup-hint"),
+    };
+    Some(
+        error(Code::Alarm(alarm), Message::new(key))
             .hint(Message::new(hint))
             .at(param.name),
     )

@@ -158,6 +158,35 @@ fn mistakes_of_cycle978() {
 }
 
 #[test]
+fn what_the_machine_lacks_is_told_at_the_field() {
+    // oracle: manual A:15916-15917, A:15927-15928, B:1984
+    let case = |name: &str, changes: &[(&str, &str)], lack: fn(&mut Control)| {
+        let mut control = control();
+        lack(&mut control);
+        let mut values = typed(cycle(name).example);
+        values.extend(typed(changes));
+        found(&check(cycle(name), &values, &control), Severity::Error)
+    };
+    let alarm = Code::Alarm;
+    let spindle: fn(&mut Control) = |control| control.spindle_positions = false;
+    let mono = case("CYCLE977", &[("_PRNUM", "101"), ("_CORA", "0")], spindle);
+    assert_eq!(mono, [(alarm(61373), "_PRNUM")]);
+    let differential = case("CYCLE978", &[("_MVAR", "1000")], spindle);
+    assert_eq!(differential, [(alarm(61372), "_MVAR")]);
+    let additive = [("_KNUM", "1002001"), ("_DLNUM", "1")];
+    let found = case("CYCLE977", &additive, |control| control.set("MD18080", 0.0));
+    assert_eq!(found, [(alarm(61408), "_KNUM")]);
+    let found = case("CYCLE977", &additive, |control| {
+        control.set("MD18112", 0.0);
+        control.set("_CHBIT[6]", 1.0);
+    });
+    assert_eq!(found, [(alarm(61409), "_KNUM")]);
+    let system = [("_MVAR", "101"), ("_KNUM", "2000")];
+    let found = case("CYCLE977", &system, |control| control.set("MD28082", 32.0));
+    assert_eq!(found, [(alarm(61321), "_KNUM")]);
+}
+
+#[test]
 fn doubts() {
     // oracle: manual B:1310-1394, B:5801-5809, B:6388, B:15629
     for (name, changes, code, param) in [

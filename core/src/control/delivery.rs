@@ -2,7 +2,7 @@
 //! Lengths and feeds stand in the basic system of the machine, as the manual says. Initial values of parameters (`_FA`, `_TSA`, …) are defaults of
 //! the catalogue and not repeated here: an unset datum means "as delivered".
 
-use super::{Control, Frame, Plane, Units, Value};
+use super::{Control, Frame, Limits, Plane, Units, Value};
 use crate::catalogue::Dialect;
 use std::collections::BTreeMap;
 
@@ -37,8 +37,14 @@ const NUMBERS: &[(&str, f64)] = &[
     ("_MC_MTL[1]", 33.3),   // B:13240
     ("_MC_MTL[2]", 33.3),   // B:13240
     ("MD18600", 1.0),       // fine translation present; the cycles' preferred case, B:1990
-    ("MD18105", 9.0),       // largest D number; decides the digits of _KNUM, B:1899
-    ("SD42950", 2.0),       // TOOL_LENGTH_TYPE, B:4147-4152
+    ("MD18080", 256.0), // bit 8: additive offsets present, A:15927; the manual prints no default
+    ("MD18112", 16.0),  // bit 4: setup offsets present, A:15928; the manual prints no default
+    ("MD20050[0]", 1.0), // channel axis of the first geometry axis, B:14084
+    ("MD20050[1]", 2.0), // of the second
+    ("MD20050[2]", 3.0), // of the third
+    ("MD28082", 33.0),  // 21H: system frames for PRESET and for cycles present, B:12976
+    ("MD18105", 9.0),   // largest D number; decides the digits of _KNUM, B:1899
+    ("SD42950", 2.0),   // TOOL_LENGTH_TYPE, B:4147-4152
 ];
 
 /// Lengths in mm and feeds in mm/min that are not 0 as delivered; on an inch machine converted (B:13596, B:14061).
@@ -93,6 +99,8 @@ pub fn delivery_in(dialect: Dialect, units: Units) -> Control {
         edge: 0,
         data: BTreeMap::new(),
         spindle: 0.0,
+        spindle_positions: true,
+        limits: Limits::default(),
     };
     match dialect {
         Dialect::Sinumerik => sinumerik(&mut control),

@@ -6,6 +6,17 @@ use super::{Control, Frame};
 use crate::geometry::rigid::{angles, rotation};
 use nalgebra::Vector3;
 
+impl Default for Frame {
+    fn default() -> Frame {
+        Frame {
+            coarse: [0.0; 3],
+            fine: [0.0; 3],
+            rotation: [0.0; 3],
+            scale: [1.0; 3],
+        }
+    }
+}
+
 impl Frame {
     /// A pure translation, mm.
     pub fn translation(coarse: [f64; 3]) -> Frame {
@@ -22,12 +33,26 @@ impl Frame {
 
     /// A point of this system in the one before it.
     pub fn outward(&self, point: [f64; 3]) -> [f64; 3] {
-        add(self.origin(), self.turn(point))
+        let scaled = std::array::from_fn(|i| point[i] * self.scale[i]);
+        add(self.origin(), self.turn(scaled))
     }
 
     /// A point of the system before it in this one.
     pub fn inward(&self, point: [f64; 3]) -> [f64; 3] {
-        self.turn_back(subtract(point, self.origin()))
+        let scaled = self.turn_back(subtract(point, self.origin()));
+        std::array::from_fn(|i| scaled[i] / self.scale[i])
+    }
+
+    /// Whether a scale factor other than 1 is in it.
+    pub fn scaled(&self) -> bool {
+        self.scale != [1.0; 3]
+    }
+
+    /// Whether this frame followed by another is a frame again: a rotation inside of a scale that differs by axis
+    /// would shear.
+    pub fn chains_with(&self, inner: &Frame) -> bool {
+        let [x, y, z] = self.scale;
+        (x == y && y == z) || inner.rotation == [0.0; 3]
     }
 
     /// A direction of this system in the one before it.
@@ -46,7 +71,8 @@ impl Frame {
         (rotation(self.rotation).inverse() * Vector3::from(direction)).into()
     }
 
-    /// This frame followed by another inside it (`:` of frames); the result has no fine part.
+    /// This frame followed by another inside it (`:` of frames), where [`Frame::chains_with`] holds; the result has no
+    /// fine part.
     pub fn then(&self, inner: &Frame) -> Frame {
         let turned = rotation(self.rotation) * rotation(inner.rotation);
         let still = self.rotation == [0.0; 3] || inner.rotation == [0.0; 3];
@@ -58,6 +84,7 @@ impl Frame {
             coarse: self.outward(inner.origin()),
             fine: [0.0; 3],
             rotation,
+            scale: std::array::from_fn(|i| self.scale[i] * inner.scale[i]),
         }
     }
 }
@@ -200,16 +227,34 @@ mod tests {
     }
 
     #[test]
+    fn a_scale_works_along_the_own_axes() {
+        let frame = Frame {
+            coarse: [1.0, 0.0, 0.0],
+            rotation: [0.0, 0.0, 90.0],
+            scale: [2.0, 3.0, 1.0],
+            ..Frame::default()
+        };
+        // oracle: hand: X10 is 20 along the turned X, which is the outer Y
+        near(frame.outward([10.0, 0.0, 5.0]), [1.0, 20.0, 5.0]);
+        near(frame.inward([1.0, 20.0, 5.0]), [10.0, 0.0, 5.0]);
+        assert!(frame.scaled() && !Frame::default().scaled());
+        assert!(!frame.chains_with(&frame));
+        assert!(frame.chains_with(&Frame::translation([1.0; 3])));
+    }
+
+    #[test]
     fn frames_chain_as_one() {
         let outer = Frame {
             coarse: [1.0, 2.0, 3.0],
             fine: [0.1, 0.0, 0.0],
             rotation: [0.0, 30.0, 0.0],
+            scale: [2.0; 3],
         };
         let inner = Frame {
             coarse: [4.0, 5.0, 6.0],
             fine: [0.0; 3],
             rotation: [20.0, 0.0, 40.0],
+            scale: [1.0, 0.5, 3.0],
         };
         let both = outer.then(&inner);
         // oracle: self (one after the other)

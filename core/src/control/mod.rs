@@ -4,11 +4,13 @@ pub mod arrays;
 pub mod delivery;
 pub mod frames;
 pub mod gud;
+pub mod limits;
 pub mod tools;
 pub mod units;
 pub mod variables;
 
 pub use delivery::{delivery, delivery_in};
+pub use limits::Limits;
 
 use crate::catalogue::Dialect;
 use std::collections::BTreeMap;
@@ -45,7 +47,7 @@ pub enum Units {
 }
 
 /// A frame: position and rotation of a coordinate system in the one before it.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
     /// Coarse translation X Y Z, mm.
     pub coarse: [f64; 3],
@@ -53,6 +55,8 @@ pub struct Frame {
     pub fine: [f64; 3],
     /// Rotation about X Y Z (RPY), degree.
     pub rotation: [f64; 3],
+    /// Scale factors along its own X Y Z; 1: none. Measuring does not work with any other (61310, B:744).
+    pub scale: [f64; 3],
 }
 
 /// Cutting edge data of a tool.
@@ -132,6 +136,10 @@ pub struct Control {
     pub data: BTreeMap<String, Value>,
     /// Position of the spindle, degree.
     pub spindle: f64,
+    /// Whether the spindle can be positioned with SPOS (B:864, B:6312).
+    pub spindle_positions: bool,
+    /// Software limit switches.
+    pub limits: Limits,
 }
 
 impl Control {
@@ -154,6 +162,11 @@ impl Control {
     /// Writes a number.
     pub fn set(&mut self, name: impl Into<String>, value: f64) {
         self.data.insert(name.into(), Value::Number(value));
+    }
+
+    /// Whether a bit of a machine datum (`MD28082`, bit 5) is 1.
+    pub fn machine_bit(&self, name: &str, bit: u32) -> bool {
+        (self.number(name) as i64) >> bit & 1 == 1
     }
 
     /// Whether a bit datum (`_CHBIT[4]`) is 1.

@@ -7,6 +7,9 @@ use crate::catalogue::Dialect;
 /// Axis letters by index.
 pub const AXES: [&str; 3] = ["X", "Y", "Z"];
 
+/// Parts of a frame, as `$P_UIFR[1,X,TR]` names them: translation, fine translation, rotation, scale.
+const FRAME_PARTS: [&str; 4] = ["TR", "FI", "RT", "SC"];
+
 /// Where a quantity is stored.
 enum Place {
     /// A frame: store and number, axis 0..2, part.
@@ -32,6 +35,7 @@ enum Part {
     Coarse,
     Fine,
     Rotation,
+    Scale,
 }
 
 /// Quantity of an edge. Lengths L1..L3 are 0..2, the radius 3.
@@ -103,7 +107,7 @@ impl Control {
                 frame_names(&mut names, "$P_CHBFR", self.channel_basic.keys());
                 frame_names(&mut names, "$P_NCBFR", self.global_basic.keys());
                 for axis in AXES {
-                    names.extend(["TR", "FI", "RT"].map(|part| format!("$P_SETFR[{axis},{part}]")));
+                    names.extend(FRAME_PARTS.map(|part| format!("$P_SETFR[{axis},{part}]")));
                 }
             }
             Dialect::Nct => {
@@ -157,7 +161,7 @@ fn nct_offset(number: usize) -> String {
 fn frame_names<'a>(names: &mut Vec<String>, store: &str, numbers: impl Iterator<Item = &'a usize>) {
     for number in numbers {
         for axis in AXES {
-            names.extend(["TR", "FI", "RT"].map(|part| format!("{store}[{number},{axis},{part}]")));
+            names.extend(FRAME_PARTS.map(|part| format!("{store}[{number},{axis},{part}]")));
         }
     }
 }
@@ -276,6 +280,7 @@ fn frame_part_of(name: &str) -> Option<Part> {
         "TR" => Some(Part::Coarse),
         "FI" => Some(Part::Fine),
         "RT" => Some(Part::Rotation),
+        "SC" => Some(Part::Scale),
         _ => None,
     }
 }
@@ -285,6 +290,7 @@ fn frame_part(frame: &Frame, part: Part) -> [f64; 3] {
         Part::Coarse => frame.coarse,
         Part::Fine => frame.fine,
         Part::Rotation => frame.rotation,
+        Part::Scale => frame.scale,
     }
 }
 
@@ -293,6 +299,7 @@ fn frame_part_mut(frame: &mut Frame, part: Part, axis: usize) -> &mut f64 {
         Part::Coarse => &mut frame.coarse[axis],
         Part::Fine => &mut frame.fine[axis],
         Part::Rotation => &mut frame.rotation[axis],
+        Part::Scale => &mut frame.scale[axis],
     }
 }
 

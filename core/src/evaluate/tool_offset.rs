@@ -58,6 +58,9 @@ pub fn target(control: &Control, names: &Names) -> Result<Option<Target>, u32> {
         (true, location @ 1..=6) => Some(location),
         (true, _) => return Err(61406),
     };
+    if let Some(number) = location.and_then(|_| missing_memory(control)) {
+        return Err(number);
+    }
     let part = part(control, names, &code)?;
     Ok(Some(Target {
         tool,
@@ -66,6 +69,17 @@ pub fn target(control: &Control, names: &Names) -> Result<Option<Target>, u32> {
         location,
         inverted: code.inverted,
     }))
+}
+
+/// The alarm for a memory of DL offsets that a correction needs and the machine does not have: 61408 additive
+/// offsets, 61409 setup offsets (A:15927-15928). Which it needs, `_CHBIT[6]` and `_CHBIT[8]` say (B:2047-2060).
+pub fn missing_memory(control: &Control) -> Option<u32> {
+    let only_setup = control.bit("_CHBIT[8]");
+    let setup = only_setup || control.bit("_CHBIT[6]");
+    if !only_setup && !control.machine_bit("MD18080", 8) {
+        return Some(61408);
+    }
+    (setup && !control.machine_bit("MD18112", 4)).then_some(61409)
 }
 
 /// L1, L2, L3 or radius as index. The length that works in an axis: L1 applicate, L2 ordinate, L3 abscissa (B:762-817).
@@ -219,6 +233,28 @@ mod tests {
 
     fn find(control: &Control, names: Names) -> Result<Target, u32> {
         target(control, &names).map(Option::unwrap)
+    }
+
+    #[test]
+    fn offsets_by_dl_number_need_their_memory() {
+        let names = Names {
+            code: 1_002_001,
+            location: 2,
+            ..NAMES
+        };
+        // oracle: manual A:15927-15928, B:2047-2060
+        let case = |bits: &[&str], missing: &str| {
+            let mut control = control();
+            bits.iter().for_each(|bit| control.set(*bit, 1.0));
+            control.set(missing, 0.0);
+            find(&control, names).err()
+        };
+        assert_eq!(case(&[], "MD18080"), Some(61408));
+        assert_eq!(case(&["_CHBIT[6]"], "MD18080"), Some(61408));
+        assert_eq!(case(&["_CHBIT[8]"], "MD18080"), None);
+        assert_eq!(case(&[], "MD18112"), None);
+        assert_eq!(case(&["_CHBIT[6]"], "MD18112"), Some(61409));
+        assert_eq!(case(&["_CHBIT[8]"], "MD18112"), Some(61409));
     }
 
     #[test]

@@ -44,6 +44,7 @@ pub fn target(control: &Control, code: i64) -> Result<Option<Target>, u32> {
         ZeroCode::Settable(number) => stored(Store::Settable(number)),
         ZeroCode::ChannelBasic(index) => stored(Store::ChannelBasic(index)),
         ZeroCode::GlobalBasic(index) => stored(Store::GlobalBasic(index)),
+        ZeroCode::System if !system_frame(control) => return Err(61321),
         ZeroCode::System => stored(Store::System),
         ZeroCode::LastBasic => Target {
             without_settable: true,
@@ -58,6 +59,11 @@ pub fn target(control: &Control, code: i64) -> Result<Option<Target>, u32> {
             ..stored(Store::Settable(control.settable))
         },
     }))
+}
+
+/// Whether the control has the system frame that `_KNUM` = 2000 means (MD28082 bit 0, B:1977-1986).
+pub fn system_frame(control: &Control) -> bool {
+    control.machine_bit("MD28082", 0)
 }
 
 /// The channel basic frame of the highest bit in `$P_CHBFRMASK`; without a mask the last one that exists.
@@ -265,6 +271,7 @@ mod tests {
             coarse: [x, 2.0 * x, 3.0],
             fine: [0.01, 0.0, 0.02],
             rotation: [0.0, 0.0, turn],
+            ..Frame::default()
         };
         control.system = Frame::translation([1.0, 2.0, 3.0]);
         control
@@ -356,6 +363,10 @@ mod tests {
         control.channel_basic.clear();
         control.set("$P_CHBFRMASK", 0.0);
         assert_eq!(target(&control, 1000), Err(61412));
+        // oracle: manual B:1984
+        let mut without = control.clone();
+        without.set("MD28082", 32.0);
+        assert_eq!(target(&without, 2000), Err(61321));
         control.set("$P_CHBFRMASK", 5.0);
         assert_eq!(
             target(&control, 1000).unwrap().unwrap().store,

@@ -17,7 +17,7 @@ fn entry(cycle: &Cycle) -> Value {
         "variants": cycle.variants.iter().map(|variant| self::variant(cycle, variant)).collect::<Vec<_>>(),
         "parameters": cycle.params.iter().map(param).collect::<Vec<_>>(),
         "results": cycle.results.iter().map(result).collect::<Vec<_>>(),
-        "alarms": cycle.alarms.iter().map(|alarm| code(*alarm)).collect::<Vec<_>>(),
+        "alarms": cycle.alarms().into_iter().map(code).collect::<Vec<_>>(),
         "example": cycle.example.iter().map(|(name, value)| ((*name).to_owned(), json!(value))).collect::<serde_json::Map<_, _>>(),
         "simulated": cycle.simulation.is_some(),
         "source": cycle.source,

@@ -2,7 +2,9 @@
 
 use super::Error;
 use crate::catalogue::Dialect;
-use crate::control::{Control, Edge, Frame, Plane, Tool, Units, Value, delivery_in};
+use crate::control::{
+    Control, Edge, Frame, Limits, Plane, Tool, Units, Value, delivery, delivery_in,
+};
 use crate::run::setup::Setup;
 use crate::workpiece::{PartErrors, Probe, Shape, Solid, Workpiece};
 use serde::{Deserialize, Serialize};
@@ -25,6 +27,9 @@ struct SetupFile {
     /// What else is in force at the start.
     #[serde(default)]
     active: ActiveFile,
+    /// What the machine can do.
+    #[serde(default, skip_serializing_if = "MachineFile::is_delivered")]
+    machine: MachineFile,
     /// Tools by T number (NCT: offset registers under T 0).
     #[serde(default)]
     tools: BTreeMap<i64, ToolFile>,
@@ -91,6 +96,31 @@ struct ActiveFile {
     spindle: f64,
 }
 
+/// What the machine can do.
+#[derive(Clone, Deserialize, PartialEq, Serialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields, rename_all = "camelCase", default)]
+struct MachineFile {
+    /// Software limit switches on the minus side (MD36100) of the machine axes X Y Z; null: none.
+    limits_minus: [Option<f64>; 3],
+    /// Software limit switches on the plus side (MD36110) of the machine axes X Y Z; null: none.
+    limits_plus: [Option<f64>; 3],
+    /// Whether the spindle can be positioned with SPOS.
+    spindle_positions: bool,
+}
+
+impl Default for MachineFile {
+    fn default() -> MachineFile {
+        machine_file(&delivery(Dialect::Sinumerik))
+    }
+}
+
+impl MachineFile {
+    fn is_delivered(&self) -> bool {
+        *self == MachineFile::default()
+    }
+}
+
 /// A tool.
 #[derive(Deserialize, Serialize)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
@@ -142,6 +172,17 @@ struct FrameFile {
     /// Rotation about X Y Z (RPY), degree.
     #[serde(default)]
     rotation: [f64; 3],
+    /// Scale factors along its own X Y Z; 1: none. Measuring does not work with any other.
+    #[serde(default = "no_scale", skip_serializing_if = "is_no_scale")]
+    scale: [f64; 3],
+}
+
+fn no_scale() -> [f64; 3] {
+    Frame::default().scale
+}
+
+fn is_no_scale(scale: &[f64; 3]) -> bool {
+    *scale == no_scale()
 }
 
 #[derive(Deserialize, Serialize)]
@@ -173,6 +214,9 @@ struct ProbeFile {
     /// Standard deviation of the switching point, and the seed of its pseudo-random sequence.
     #[serde(default)]
     repeatability: (f64, u64),
+    /// Way with the signal watched after which it comes once without contact.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    false_signal: Option<f64>,
 }
 
 /// A solid.
@@ -248,6 +292,11 @@ fn setup(file: SetupFile) -> Result<Setup, Error> {
     };
     let mut control = delivery_in(dialect, units(file.units));
     control.plane = plane(file.plane);
+    control.limits = Limits {
+        minus: file.machine.limits_minus,
+        plus: file.machine.limits_plus,
+    };
+    control.spindle_positions = file.machine.spindle_positions;
     for (number, tool) in file.tools {
         control.tools.insert(number, read_tool(tool));
     }
@@ -369,6 +418,7 @@ fn read_probe(file: &ProbeFile) -> Probe {
         pre_travel: file.pre_travel,
         delay: file.delay,
         repeatability: file.repeatability,
+        false_signal: file.false_signal,
     }
 }
 
@@ -377,6 +427,7 @@ fn place_frame(control: &mut Control, name: &str, file: &FrameFile) -> Result<()
         coarse: file.coarse,
         fine: file.fine,
         rotation: file.rotation,
+        scale: file.scale,
     };
     let unknown = || Error::Unknown {
         what: "frame",
@@ -535,6 +586,7 @@ pub fn to_json(setup: &Setup) -> Result<serde_json::Value, Error> {
             units: units_name(control.unit_function()),
             spindle: control.spindle,
         },
+        machine: machine_file(control),
         tools: control
             .tools
             .iter()
@@ -551,6 +603,14 @@ pub fn to_json(setup: &Setup) -> Result<serde_json::Value, Error> {
         position: setup.position,
     };
     Ok(serde_json::to_value(file)?)
+}
+
+fn machine_file(control: &Control) -> MachineFile {
+    MachineFile {
+        limits_minus: control.limits.minus,
+        limits_plus: control.limits.plus,
+        spindle_positions: control.spindle_positions,
+    }
 }
 
 fn datum_file(value: &Value) -> DatumFile {
@@ -588,6 +648,7 @@ fn probe_file(probe: &Probe) -> ProbeFile {
         pre_travel: probe.pre_travel,
         delay: probe.delay,
         repeatability: probe.repeatability,
+        false_signal: probe.false_signal,
     }
 }
 
@@ -596,6 +657,7 @@ fn frames_file(control: &Control) -> BTreeMap<String, FrameFile> {
         coarse: frame.coarse,
         fine: frame.fine,
         rotation: frame.rotation,
+        scale: frame.scale,
     };
     let settable = control
         .frames

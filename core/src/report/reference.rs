@@ -225,8 +225,8 @@ fn results(text: &mut String, cycle: &Cycle, words: &Words) {
 
 fn alarms(text: &mut String, cycle: &Cycle, words: &Words) {
     heading(text, "Alarms", &["number", "meaning", "cure"]);
-    for alarm in cycle.alarms {
-        row(text, &alarm_cells(*alarm, words));
+    for alarm in cycle.alarms() {
+        row(text, &alarm_cells(alarm, words));
     }
     text.push('\n');
 }

@@ -94,6 +94,9 @@ fn binary(
     match (operator, &a, &b) {
         (Operator::Join, ..) => return Ok(Datum::Text(a.shown() + &b.shown())),
         (Operator::Chain, Datum::Frame(outer), Datum::Frame(inner)) => {
+            if !outer.chains_with(inner) {
+                return Err(Problem::new("run-shear", span(run, right), ""));
+            }
             return Ok(Datum::Frame(Box::new(chain(outer, inner))));
         }
         (_, Datum::Text(a), Datum::Text(b)) => {
@@ -110,10 +113,10 @@ fn binary(
     numbers(operator, a, b).ok_or_else(|| wrong(run, left))
 }
 
-/// A fine translation stays one as long as nothing is turned before it, so that `CTRANS(…):CFINE(…)` keeps both parts.
+/// A fine translation stays one as long as nothing is turned or scaled before it, so that `CTRANS(…):CFINE(…)` keeps both parts.
 fn chain(outer: &crate::control::Frame, inner: &crate::control::Frame) -> crate::control::Frame {
     let mut frame = outer.then(inner);
-    if outer.rotation == [0.0; 3] {
+    if outer.rotation == [0.0; 3] && !outer.scaled() {
         frame.fine = std::array::from_fn(|i| outer.fine[i] + inner.fine[i]);
         frame.coarse = std::array::from_fn(|i| outer.coarse[i] + inner.coarse[i]);
     }

@@ -1,4 +1,4 @@
-//! Programmed frames: TRANS, ATRANS, ROT, AROT. TRANS and ROT replace what was programmed before, the A forms add to it.
+//! Programmed frames: TRANS, ROT, SCALE replace what was programmed before, ATRANS, AROT, ASCALE add to it.
 
 use super::interpret::Interpreter;
 use super::problem::Problem;
@@ -21,21 +21,37 @@ pub fn apply(run: &mut Interpreter, call: &Call, found: &Words) -> Result<(), Pr
         .axes
         .map(|axis| axis.map_or(0.0, |(value, _)| value));
     let before = run.sim.control.program_frame;
-    let frame = match call.name.as_str() {
-        "TRANS" => Frame::translation(values),
-        "ATRANS" => before.then(&Frame::translation(values)),
-        "ROT" => rotated(run, found),
-        "AROT" => before.then(&rotated(run, found)),
+    let own = match call.name.as_str() {
+        "TRANS" | "ATRANS" => Frame::translation(values),
+        "ROT" | "AROT" => rotated(run, found),
+        "SCALE" | "ASCALE" => scaled(run, found),
         name => {
             run.tell(
                 Severity::Error,
                 &Problem::new("run-not-simulated", call.span, name),
             );
-            before
+            return Ok(());
         }
     };
-    run.sim.control.program_frame = frame;
+    let adds = call.name.starts_with('A');
+    if adds && !before.chains_with(&own) {
+        return Err(Problem::new("run-shear", call.span, &*call.name));
+    }
+    run.sim.control.program_frame = if adds { before.then(&own) } else { own };
     Ok(())
+}
+
+/// Factors are no lengths either; an axis that is not named keeps its size.
+fn scaled(run: &Interpreter, found: &Words) -> Frame {
+    let factor = run.sim.control.active_factor();
+    let scale = found
+        .path
+        .axes
+        .map(|axis| axis.map_or(1.0, |(value, _)| value / factor));
+    Frame {
+        scale,
+        ..Frame::default()
+    }
 }
 
 /// Angles are no lengths: the unit of the axis words is taken out again. RPL turns about the applicate.

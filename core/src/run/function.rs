@@ -91,9 +91,9 @@ fn text(name: &str, values: &[Datum]) -> Option<Datum> {
     })
 }
 
-/// `CTRANS(X,10,Y,20)`, `CFINE(…)`, `CROT(Z,30)`; the outer option: whether it is a function of frames.
+/// `CTRANS(X,10,Y,20)`, `CFINE(…)`, `CROT(Z,30)`, `CSCALE(X,2)`; the outer option: whether it is a function of frames.
 fn frame(run: &Interpreter, name: &str, values: &[Datum]) -> Option<Option<Frame>> {
-    if !matches!(name, "CTRANS" | "CFINE" | "CROT") {
+    if !matches!(name, "CTRANS" | "CFINE" | "CROT" | "CSCALE") {
         return None;
     }
     let mut frame = Frame::default();
@@ -108,6 +108,7 @@ fn frame(run: &Interpreter, name: &str, values: &[Datum]) -> Option<Option<Frame
         match name {
             "CTRANS" => frame.coarse[i] = value * factor,
             "CFINE" => frame.fine[i] = value * factor,
+            "CSCALE" => frame.scale[i] = *value,
             _ => frame.rotation[i] = *value,
         }
     }

@@ -2,7 +2,7 @@
 
 use super::trace::{Entry, MotionKind, Step, Trace};
 use super::{Machine, Setup, Stop};
-use crate::catalogue::Dialect;
+use crate::catalogue::{Dialect, nct};
 use crate::control::Control;
 use crate::diagnostic::Code;
 use crate::message::Message;
@@ -32,6 +32,10 @@ pub struct Sim {
     probe: Probe,
     workpiece: Workpiece,
     noise: Noise,
+    /// Way so far with the signal of the probe watched, mm.
+    watched: f64,
+    /// Whether the last signal came from a contact.
+    touching: bool,
 }
 
 impl Sim {
@@ -47,6 +51,8 @@ impl Sim {
             probe: setup.probe,
             workpiece: setup.workpiece.clone(),
             noise: Noise::new(setup.probe.repeatability.1),
+            watched: 0.0,
+            touching: true,
         }
     }
 
@@ -58,40 +64,27 @@ impl Sim {
         feed: f64,
         monitored: bool,
     ) -> Result<(), Stop> {
-        self.room()?;
-        if !to.iter().all(|value| value.is_finite()) {
-            return Err(Stop::Fault(Message::new("run-not-finite")));
-        }
+        self.admit(to)?;
         let from = self.position;
-        let Some((stop, ball, point, normal)) = self.obstacle(from, to) else {
-            self.position = to;
-            self.note(Step::Motion {
-                kind,
-                from,
-                to,
-                feed,
-            });
+        let hit = self.obstacle(from, to);
+        let end = hit.map_or(to, |(stop, ..)| stop);
+        if monitored && let Some(stop) = self.false_signal(from, end) {
+            self.go(stop, kind, feed);
+            return Err(Stop::Alarm(self.collision()));
+        }
+        self.go(end, kind, feed);
+        let Some((stop, ball, point, normal)) = hit else {
             return Ok(());
         };
-        self.position = stop;
-        self.note(Step::Motion {
-            kind,
-            from,
-            to: stop,
-            feed,
-        });
         if monitored {
+            self.touching = true;
             self.note(Step::Touch {
                 latched: stop,
                 ball,
                 point,
                 normal,
             });
-            let code = match self.control.dialect {
-                Dialect::Sinumerik => Code::Alarm(61302), // B:13743-13763
-                Dialect::Nct => Code::Nct("PATH OBSTRUCTED"),
-            };
-            return Err(Stop::Alarm(code));
+            return Err(Stop::Alarm(self.collision()));
         }
         self.note(Step::Crash { point });
         Err(Stop::Fault(Message::new("run-crash")))
@@ -99,10 +92,7 @@ impl Sim {
 
     /// Straight measuring motion to a machine position; see [`Machine::probe`].
     pub fn probe_machine(&mut self, to: [f64; 3], feed: f64) -> Result<Option<[f64; 3]>, Stop> {
-        self.room()?;
-        if !to.iter().all(|value| value.is_finite()) {
-            return Err(Stop::Fault(Message::new("run-not-finite")));
-        }
+        self.admit(to)?;
         let from = self.position;
         let height = self.ball_height();
         let signal = touch(
@@ -116,14 +106,13 @@ impl Sim {
             &mut self.noise,
         );
         let end = signal.map_or(to, |touch| add(touch.latched, height, -1.0));
-        self.position = end;
-        self.note(Step::Motion {
-            kind: MotionKind::Measuring,
-            from,
-            to: end,
-            feed,
-        });
+        if let Some(stop) = self.false_signal(from, end) {
+            self.go(stop, MotionKind::Measuring, feed);
+            return Ok(Some(stop));
+        }
+        self.go(end, MotionKind::Measuring, feed);
         if let Some(touch) = signal {
+            self.touching = true;
             self.note(Step::Touch {
                 latched: end,
                 ball: touch.ball,
@@ -132,6 +121,40 @@ impl Sim {
             });
         }
         Ok(signal.map(|_| end))
+    }
+
+    /// Moves and records it.
+    fn go(&mut self, to: [f64; 3], kind: MotionKind, feed: f64) {
+        let from = std::mem::replace(&mut self.position, to);
+        self.note(Step::Motion {
+            kind,
+            from,
+            to,
+            feed,
+        });
+    }
+
+    /// Where on a watched way a signal comes that is none. The ways are counted.
+    fn false_signal(&mut self, from: [f64; 3], to: [f64; 3]) -> Option<[f64; 3]> {
+        let before = self.watched;
+        let [x, y, z] = add(to, from, -1.0);
+        let way = x.hypot(y).hypot(z);
+        self.watched += way;
+        let after = self.probe.false_signal? - before;
+        if !(0.0..way).contains(&after) {
+            return None;
+        }
+        self.touching = false;
+        Some(add(from, add(to, from, -1.0), after / way))
+    }
+
+    /// The alarm of a signal where none may come.
+    fn collision(&self) -> Code {
+        match (self.control.dialect, self.touching) {
+            (Dialect::Sinumerik, _) => Code::Alarm(61302), // B:13743-13763
+            (Dialect::Nct, true) => nct::PATH_OBSTRUCTED,
+            (Dialect::Nct, false) => nct::FALSE_TRIGGER,
+        }
     }
 
     /// Adds a step to the trace, with the present line.
@@ -159,13 +182,18 @@ impl Sim {
                 .is_some_and(|edge| edge.kind == 710)
     }
 
-    fn room(&self) -> Result<(), Stop> {
-        if self.trace.entries.len() < self.trace_limit {
+    /// Whether a motion may begin: the trace has room, the target is a position that the axes may take.
+    fn admit(&self, to: [f64; 3]) -> Result<(), Stop> {
+        let problem = if self.trace.entries.len() >= self.trace_limit {
+            Message::new("run-trace-limit").number("limit", self.trace_limit as f64)
+        } else if !to.iter().all(|value| value.is_finite()) {
+            Message::new("run-not-finite")
+        } else if !self.control.within_limits(to) {
+            Message::new("run-limit")
+        } else {
             return Ok(());
-        }
-        Err(Stop::Fault(
-            Message::new("run-trace-limit").number("limit", self.trace_limit as f64),
-        ))
+        };
+        Err(Stop::Fault(problem))
     }
 
     /// From the point to which the tool length refers to the spindle axis at the height of the real ball centre:
@@ -260,6 +288,10 @@ impl Machine for Sim {
         matches!(contact, Contact::Already { .. })
     }
 
+    fn signal_stands(&self) -> bool {
+        self.touching
+    }
+
     fn orient(&mut self, angle: f64) {
         self.control.spindle = angle;
         self.note(Step::Orient(angle));
@@ -339,6 +371,33 @@ mod tests {
         // oracle: manual B:13743-13763
         assert_eq!(stop, Err(Stop::Alarm(Code::Alarm(61302))));
         assert!((sim.position[2] - 3.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_false_signal_comes_once_where_it_was_set() {
+        let mut sim = sim();
+        sim.probe.false_signal = Some(15.0);
+        let mut watched =
+            |to: f64| sim.travel([0.0, 0.0, to], MotionKind::Positioning, 1000.0, true);
+        // oracle: hand: 10 mm down, then after 5 mm of the next watched way
+        assert_eq!(watched(10.0), Ok(()));
+        assert_eq!(watched(20.0), Err(Stop::Alarm(Code::Alarm(61302))));
+        assert_eq!(sim.position, [0.0, 0.0, 15.0]);
+        assert!(!sim.signal_stands());
+        let latched = sim.probe([0.0, 0.0, -10.0], 150.0);
+        assert!((latched.unwrap().unwrap()[2] - 3.0).abs() < 1e-9);
+        assert!(sim.signal_stands());
+    }
+
+    #[test]
+    fn no_axis_goes_beyond_its_limit() {
+        let mut sim = sim();
+        sim.control.limits.plus[0] = Some(10.0);
+        // oracle: hand
+        let stop = sim.travel([10.5, 0.0, 20.0], MotionKind::Rapid, 0.0, false);
+        assert!(matches!(stop, Err(Stop::Fault(message)) if message.key == "run-limit"));
+        assert_eq!(sim.position, [0.0, 0.0, 20.0]);
+        assert!(sim.probe([10.0, 0.0, 20.0], 150.0).is_ok());
     }
 
     #[test]

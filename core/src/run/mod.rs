@@ -48,8 +48,9 @@ pub trait Machine {
     fn control(&mut self) -> &mut Control;
     /// Present position.
     fn position(&self) -> [f64; 3];
-    /// Straight positioning. With `monitored`, a probe signal on the way is alarm 61302 (NCT: PATH OBSTRUCTED);
-    /// without, contact is recorded as a crash.
+    /// Straight positioning. With `monitored`, a probe signal on the way is alarm 61302 (NCT: PATH OBSTRUCTED, or
+    /// FALSE TRIGGER where nothing is touched); without, contact is recorded as a crash. A target beyond a software
+    /// limit switch is refused.
     fn travel(
         &mut self,
         to: [f64; 3],
@@ -62,6 +63,10 @@ pub trait Machine {
     /// Whether the stylus is deflected where the machine stands (NCT looks at this before it moves).
     fn in_contact(&self) -> bool {
         false
+    }
+    /// Whether the signal that ended the last watched motion still stands; a false one is gone (C:98, C:125-138).
+    fn signal_stands(&self) -> bool {
+        true
     }
     /// Turns the spindle to this angle, degree.
     fn orient(&mut self, angle: f64);

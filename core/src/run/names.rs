@@ -176,7 +176,7 @@ fn constant(run: &Interpreter, key: &str) -> Option<Datum> {
         "TRUE" => Some(Datum::Number(1.0)),
         "FALSE" => Some(Datum::Number(0.0)),
         "$PI" => Some(Datum::Number(std::f64::consts::PI)),
-        "CTRANS" | "CROT" | "CFINE" => Some(Datum::Frame(Box::default())),
+        "CTRANS" | "CROT" | "CFINE" | "CSCALE" => Some(Datum::Frame(Box::default())),
         _ => WORDS.contains(&key).then(|| Datum::Word(key.to_owned())),
     }
 }
@@ -304,9 +304,9 @@ fn write_frame(
     Ok(())
 }
 
-/// mm in one unit of a tool or frame variable; types and angles have none.
+/// mm in one unit of a tool or frame variable; types, angles and factors have none.
 fn variable_factor(run: &Interpreter, key: &str) -> f64 {
-    let plain = stem(key) == "$TC_DP1" || key.ends_with(",RT]");
+    let plain = stem(key) == "$TC_DP1" || key.ends_with(",RT]") || key.ends_with(",SC]");
     if plain {
         1.0
     } else {

@@ -29,6 +29,8 @@ pub const KEYS: &[&str] = &[
     "run-radius-compensation",
     "run-call",
     "run-no-simulation",
+    "run-shear",
+    "run-limit",
 ];
 
 /// Something wrong at a place.

@@ -79,6 +79,7 @@ pub fn ideal_probe() -> Probe {
         pre_travel: (0.0, 0.0),
         delay: 0.0,
         repeatability: (0.0, 1),
+        false_signal: None,
     }
 }
 

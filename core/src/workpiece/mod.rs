@@ -115,4 +115,6 @@ pub struct Probe {
     pub delay: f64,
     /// Standard deviation of the switching point along the travel, mm, and seed of the pseudo-random sequence.
     pub repeatability: (f64, u64),
+    /// Way with the signal watched after which it comes once without contact, mm; none: never.
+    pub false_signal: Option<f64>,
 }

@@ -15,8 +15,7 @@ mod variants;
 pub use results::RESULTS;
 pub use variants::VARIANTS;
 
-use crate::catalogue::common::alarms;
-use crate::catalogue::{Cycle, Dialect, Simulation};
+use crate::catalogue::{Cycle, Dialect, Simulation, common};
 
 /// The entry. Example: the hole of B:6050-6137.
 pub static CYCLE977: Cycle = Cycle {
@@ -27,12 +26,13 @@ pub static CYCLE977: Cycle = Cycle {
     params: params::PARAMS,
     settings: &[],
     results: RESULTS,
-    // A:15840-15948, B:13565
-    alarms: &alarms([
-        61016, 61301, 61302, 61303, 61306, 61307, 61308, 61309, 61310, 61311, 61313, 61318, 61319,
-        61320, 61321, 61322, 61323, 61324, 61325, 61328, 61334, 61341, 61343, 61345, 61372, 61373,
-        61401, 61402, 61405, 61406, 61407, 62304, 62305, 62306,
-    ]),
+    alarms: &[
+        common::EVERY_CYCLE,
+        common::CORRECTION,
+        common::TOLERANCE,
+        // A:15866-15882, A:15920-15921; 61412 for _KNUM = 1000 without a basic frame (A:15931)
+        &common::alarms([61325, 61327, 61334, 61341, 61401, 61402, 61412]),
+    ],
     checks: checks::checks,
     picture: picture::picture,
     example: &[

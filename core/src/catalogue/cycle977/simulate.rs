@@ -4,6 +4,7 @@ use super::element::Element;
 use crate::catalogue::sinumerik::measuring_block::{Block, Point, calibrated};
 use crate::catalogue::sinumerik::{Next, alarm, correct, results, tolerance};
 use crate::check::Inputs;
+use crate::diagnostic::Code;
 use crate::evaluate::{tool_offset, zero_offset};
 use crate::run::{Machine, Stop};
 
@@ -122,13 +123,32 @@ fn touch(
     onto[block.axes[other]] = beside[block.axes[other]];
     block.travel(machine, onto)?;
     beside[block.axes[point.axis]] = block.start(point);
-    block.travel(machine, beside)?;
+    let shortened = if element.inside {
+        block.travel(machine, beside)?;
+        false
+    } else {
+        block.travel_as_far(machine, beside)?
+    };
+    let beside = machine.position();
     let mut deep = beside;
     deep[applicate] += element.infeed;
-    block.travel(machine, deep)?;
+    down(machine, block, deep, shortened)?;
     let coordinate = block.measure(machine, point)?;
     block.travel(machine, beside)?;
     Ok(coordinate)
+}
+
+/// The infeed. A collision after a way in the plane that a software limit switch shortened is 61402 (A:15921).
+fn down(
+    machine: &mut dyn Machine,
+    block: &Block,
+    deep: [f64; 3],
+    shortened: bool,
+) -> Result<(), Stop> {
+    match block.travel(machine, deep) {
+        Err(Stop::Alarm(Code::Alarm(61302))) if shortened => Err(alarm(machine, 61402)),
+        outcome => outcome,
+    }
 }
 
 /// To the centre found so far, at the height of the start.

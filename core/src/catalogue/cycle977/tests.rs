@@ -308,10 +308,42 @@ fn no_signal_is_tried_five_times_or_once() {
 #[test]
 fn a_probe_that_touches_on_its_way_alarms() {
     // oracle: manual B:13743-13763 (the hole is 12 mm smaller than _FA allows)
-    let (_, outcome) = hole(|_, inputs| {
+    let (sim, outcome) = hole(|_, inputs| {
         inputs.numbers.insert("_SETVAL", 80.0);
     });
     assert_eq!(stopped(outcome), 61302);
+    assert_eq!(sim.control.number("_OVI[9]"), 61302.0);
+}
+
+#[test]
+fn a_limit_switch_shortens_the_way_to_an_outer_element() {
+    // oracle: manual A:15920-15921, with a shaft of 60 mm at X40: the ball touches it at X73, the block begins at X78
+    let case = |limit: f64| {
+        let mut setup = ready(Plane::G17, 2);
+        setup.workpiece.solids.push(part(Plane::G17, 2, false));
+        setup.control.limits.plus[0] = Some(limit);
+        let mut sim = Sim::new(&setup);
+        let outcome = run(&mut sim, &inputs(2, 1.0));
+        (sim, outcome)
+    };
+    assert_eq!(stopped(case(71.0).1), 61402);
+    // oracle: hand: from X75 the way down is free, and the block measures what it would from X78
+    let (sim, outcome) = case(75.0);
+    assert_eq!(outcome, Ok(()));
+    close(&sim, "_OVR[4]", SIZE[0]);
+    close(&sim, "_OVR[5]", CENTRE[0]);
+}
+
+#[test]
+fn a_limit_switch_before_the_wall_is_told() {
+    // oracle: manual A:15920: the hole's wall is touched at X67
+    let case = |limit: f64| {
+        let (_, outcome) = hole(|setup, _| setup.control.limits.plus[0] = Some(limit));
+        outcome
+    };
+    assert_eq!(stopped(case(66.9)), 61401);
+    assert_eq!(case(67.0), Ok(()));
+    assert_eq!(stopped(case(50.0)), 61401);
 }
 
 #[test]
@@ -334,6 +366,8 @@ fn limits_are_told_and_repeated() {
     assert_eq!(sim.control.number("_OVI[9]"), 62306.0);
     let (alarms, outcome, _) = case(3.5, &[]);
     assert_eq!((alarms, stopped(outcome)), (vec![], 61303));
+    let (alarms, outcome, _) = case(1.5, &["_CBIT[0]", "_CBIT[1]"]);
+    assert_eq!((alarms, outcome), (vec![62306; 5], Ok(())));
     let (alarms, outcome, sim) = case(3.5, &["_CBIT[0]", "_CBIT[1]"]);
     assert_eq!((alarms, stopped(outcome)), (vec![62303; 4], 61303));
     let touches = sim

@@ -15,13 +15,21 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     shared_checks::tolerances(inputs, found);
     shared_checks::reach(inputs, 1.0, found);
     if DIFFERENTIAL.holds(inputs) {
-        differential(inputs, found);
+        differential(inputs, control, found);
     }
 }
 
-/// The spindle turns a multi probe between two measurements in the plane (B:6308, B:6418). The alarms are ours:
-/// the manual names none.
-fn differential(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
+/// The spindle turns a multi probe between two measurements in the plane (B:6308, B:6418). The alarms for
+/// probe and axis are ours: the manual names none.
+fn differential(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
+    if !control.spindle_positions {
+        let message = Message::new("check-differential-spindle");
+        found.push(
+            error(Code::Alarm(61372), message) // A:15916
+                .hint(Message::new("check-differential-spindle-hint"))
+                .at(names::MVAR),
+        );
+    }
     if inputs.integer(names::PRNUM) / 100 == 1 {
         let message = Message::new("check-differential-mono");
         found.push(

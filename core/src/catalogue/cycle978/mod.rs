@@ -9,8 +9,7 @@ pub mod simulate;
 #[cfg(test)]
 mod tests;
 
-use crate::catalogue::common::alarms;
-use crate::catalogue::{Cycle, Dialect, Simulation, Variant};
+use crate::catalogue::{Cycle, Dialect, Simulation, Variant, common};
 
 /// Measuring variants (B:6323-6328).
 pub const VARIANTS: &[Variant] = &[
@@ -47,12 +46,13 @@ pub static CYCLE978: Cycle = Cycle {
     params: params::PARAMS,
     settings: &[],
     results: RESULTS,
-    // A:15840-15948, B:13565
-    alarms: &alarms([
-        61016, 61301, 61302, 61303, 61306, 61307, 61308, 61309, 61310, 61311, 61313, 61318, 61319,
-        61320, 61321, 61322, 61323, 61324, 61325, 61328, 61341, 61343, 61345, 61372, 61373, 61401,
-        61405, 61406, 61407, 62304, 62305, 62306,
-    ]),
+    alarms: &[
+        common::EVERY_CYCLE,
+        common::CORRECTION,
+        common::TOLERANCE,
+        // A:15866-15882, A:15920; 61412 for _KNUM = 1000 without a basic frame (A:15931)
+        &common::alarms([61325, 61327, 61341, 61401, 61412]),
+    ],
     checks: checks::checks,
     picture: picture::picture,
     example: &[

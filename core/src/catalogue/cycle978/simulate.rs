@@ -1,6 +1,6 @@
 //! What CYCLE978 does: one point of a surface, plain or differential (B:6376-6418).
 
-use crate::catalogue::sinumerik::measuring_block::{Block, Point, calibrated};
+use crate::catalogue::sinumerik::measuring_block::{Block, Point, calibrated, turnable};
 use crate::catalogue::sinumerik::{Next, alarm, correct, results, tolerance};
 use crate::check::Inputs;
 use crate::evaluate::{mean, tool_offset, zero_offset};
@@ -21,6 +21,9 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
         _ => return Err(alarm(machine, 61325)),
     };
     let differential = inputs.variant / 1000 % 10 == 1;
+    if differential {
+        turnable(machine)?;
+    }
     if !differential && !calibrated(&block, axis) {
         return Err(alarm(machine, 61341));
     }

@@ -1,20 +1,18 @@
 //! Checks over several addresses of G110.
 
 use super::BORE;
-use crate::catalogue::nct::FORMAT_ERROR;
+use crate::catalogue::nct::{FORMAT_ERROR, NO_MOVEMENT};
 use crate::check::{Finding, Inputs, error, warning};
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::message::Message;
 
-/// The ball does not fit, or leaves no way.
-const NO_ROOM: Code = Code::Own(111);
 /// H not below U: the message about the tolerance never comes alone.
 const LIMITS: Code = Code::Own(112);
 /// The result goes into the register that T corrects.
 const SAME_REGISTER: Code = Code::Own(113);
 
-/// S with T (C:1089), a ball that does not fit, limits that make no sense together, M and T the same register.
+/// S with T (C:1089), a ball without a way to the wall (C:1133), limits that make no sense together, M and T the same register.
 pub fn checks(inputs: &Inputs, control: &Control, findings: &mut Vec<Diagnostic>) {
     let given = |name: &str| inputs.numbers.get(name).copied();
     if given("S").is_some() && given("T").is_some() {
@@ -38,7 +36,7 @@ pub fn checks(inputs: &Inputs, control: &Control, findings: &mut Vec<Diagnostic>
             .number("diameter", diameter / per)
             .number("ball", ball / per);
         findings.push(
-            error(NO_ROOM, message)
+            error(NO_MOVEMENT, message)
                 .hint(Message::new("g110-no-room-hint"))
                 .at("D"),
         );

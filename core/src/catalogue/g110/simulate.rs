@@ -102,9 +102,6 @@ fn touch_inside(
 ) -> Result<f64, Stop> {
     let centre = call.start[axis];
     let reach = call.diameter / 2.0 - calibration.radius(side) + call.overtravel;
-    if reach <= 0.0 {
-        return Err(Stop::Alarm(nct::NO_MOVEMENT));
-    }
     let position = touch(machine, axis, centre + side * reach - calibration.offset)?;
     travel(machine, axis, centre)?;
     Ok(position)

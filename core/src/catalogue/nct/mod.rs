@@ -19,7 +19,7 @@ pub const NO_TOOL_LENGTH: Code = Code::Nct("NO TOOL LENGTH");
 pub const STYLUS_IN_CONTACT: Code = Code::Nct("STYLUS IN CONTACT");
 /// The stylus hit something where it must not (C:125-132).
 pub const PATH_OBSTRUCTED: Code = Code::Nct("PATH OBSTRUCTED");
-/// A signal that was none (C:125-132).
+/// A signal without contact: gone when the stylus stands (C:125-132).
 pub const FALSE_TRIGGER: Code = Code::Nct("FALSE TRIGGER");
 /// The last protected positioning did not reach its target (C:121-123).
 pub const OUT_OF_POSITION: Code = Code::Nct("OUT OF POSITION");
@@ -33,6 +33,17 @@ pub const OUT_OF_TOLERANCE: Code = Code::Nct("OUT OF TOLERANCE");
 pub const UPPER_TOLERANCE: Code = Code::Nct("UPPER TOL EXEEDED");
 /// The corrected tool no longer fits into the bore (C:1144).
 pub const TOOL_TOO_LARGE: Code = Code::Nct("TOOL DIA OFFS TOO LARGE");
+
+/// What every measuring macro can stop with (C:195-204, C:1123-1137).
+pub const MEASURING: &[Code] = &[
+    FORMAT_ERROR,
+    NO_TOOL_LENGTH,
+    STYLUS_IN_CONTACT,
+    PROBE_FAIL,
+    NO_MOVEMENT,
+    FALSE_TRIGGER,
+    OUT_OF_POSITION,
+];
 
 /// Datum that a failed G101 leaves at 1 and the measuring macros look at. The manual gives it no number (C:121-123).
 pub const POSITION_LOST: &str = "OUT_OF_POSITION";

@@ -2,7 +2,7 @@
 //! The manual gives neither feeds nor the way back; those here are chosen so that the slow step adds no lag worth
 //! naming: at 30 mm/min a delay of 1 ms makes 0.0005 mm.
 
-use super::PROBE_FAIL;
+use super::{FALSE_TRIGGER, PROBE_FAIL};
 use crate::run::trace::MotionKind;
 use crate::run::{Machine, Stop};
 
@@ -62,13 +62,17 @@ pub fn touch(machine: &mut dyn Machine, axis: usize, end: f64) -> Result<f64, St
         position
     };
     let way = end - start[axis];
-    let Some(fast) = machine.probe(with(end), FAST)? else {
-        return Err(Stop::Alarm(PROBE_FAIL));
-    };
+    let fast = signal(machine, with(end), FAST)?;
     let back = BACK.min((fast[axis] - start[axis]).abs()).copysign(way);
     machine.travel(with(fast[axis] - back), MotionKind::Retract, MEDIUM, true)?;
-    match machine.probe(with(end), SLOW)? {
-        Some(slow) => Ok(slow[axis]),
+    Ok(signal(machine, with(end), SLOW)?[axis])
+}
+
+/// Probes; where the signal came. No signal is PROBE FAIL; one that is gone when the stylus stands is FALSE TRIGGER.
+fn signal(machine: &mut dyn Machine, to: [f64; 3], feed: f64) -> Result<[f64; 3], Stop> {
+    match machine.probe(to, feed)? {
         None => Err(Stop::Alarm(PROBE_FAIL)),
+        Some(_) if !machine.signal_stands() => Err(Stop::Alarm(FALSE_TRIGGER)),
+        Some(position) => Ok(position),
     }
 }

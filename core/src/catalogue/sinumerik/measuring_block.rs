@@ -2,9 +2,10 @@
 //!
 //! Axes count 0 abscissa, 1 ordinate, 2 applicate. Directions are +1 and -1 along the axis.
 
-use super::alarm;
+use super::{alarm, state};
 use crate::check::Inputs;
 use crate::control::Control;
+use crate::diagnostic::Code;
 use crate::geometry::TOLERANCE;
 use crate::run::trace::MotionKind;
 use crate::run::{Machine, Stop};
@@ -68,6 +69,7 @@ impl Block {
     pub fn prepare(machine: &mut dyn Machine, inputs: &Inputs) -> Result<Block, Stop> {
         let block = read(machine.control(), inputs).map_err(|number| alarm(machine, number))?;
         if let Some(angle) = follow_rotation(machine.control(), inputs) {
+            turnable(machine)?;
             machine.orient(angle);
         }
         Ok(block)
@@ -98,9 +100,26 @@ impl Block {
         point.set + self.trigger(point.axis, point.direction) + point.direction * point.path
     }
 
-    /// Intermediate positioning. `to` in X Y Z of the WCS, mm. Monitored: `_SPEED[1]` in the plane, `_SPEED[2]` in
-    /// the applicate; else rapid traverse (B:13743-13763).
+    /// Intermediate positioning to X Y Z of the WCS, mm. A target beyond a software limit switch is alarm 61401: what
+    /// the setpoint asks for cannot be reached (A:15920).
     pub fn travel(&self, machine: &mut dyn Machine, to: [f64; 3]) -> Result<(), Stop> {
+        let from = machine.position();
+        match machine.control().limited(from, to) {
+            Some(_) => Err(alarm(machine, 61401)),
+            None => self.go(machine, to),
+        }
+    }
+
+    /// Intermediate positioning that ends at a software limit switch; whether it did (A:15921).
+    pub fn travel_as_far(&self, machine: &mut dyn Machine, to: [f64; 3]) -> Result<bool, Stop> {
+        let from = machine.position();
+        let limited = machine.control().limited(from, to);
+        self.go(machine, limited.unwrap_or(to))?;
+        Ok(limited.is_some())
+    }
+
+    /// Monitored: `_SPEED[1]` in the plane, `_SPEED[2]` in the applicate; else rapid traverse (B:13743-13763).
+    fn go(&self, machine: &mut dyn Machine, to: [f64; 3]) -> Result<(), Stop> {
         let from = machine.position();
         if (0..3).all(|axis| !apart(from[axis], to[axis])) {
             return Ok(());
@@ -109,7 +128,10 @@ impl Block {
             return machine.travel(to, MotionKind::Rapid, 0.0, false);
         }
         let feed = self.positioning_feed(from, to);
-        machine.travel(to, MotionKind::Positioning, feed, true)
+        match machine.travel(to, MotionKind::Positioning, feed, true) {
+            Err(Stop::Alarm(Code::Alarm(number))) => Err(alarm(machine, number)),
+            outcome => outcome,
+        }
     }
 
     fn positioning_feed(&self, from: [f64; 3], to: [f64; 3]) -> f64 {
@@ -133,7 +155,8 @@ impl Block {
         self.orient(machine, point);
         let mut start = machine.position();
         start[self.axes[point.axis.min(2)]] = self.start(point);
-        self.travel(machine, start)?;
+        self.travel_as_far(machine, start)?;
+        let start = machine.position();
         let mut sum = 0.0;
         for _ in 0..self.repeats {
             sum += self.attempt(machine, point, start)?;
@@ -141,21 +164,26 @@ impl Block {
         Ok(sum / f64::from(self.repeats))
     }
 
-    /// Probes up to five times until the probe switches (B:13999-14001); each attempt begins at the start.
+    /// Probes up to five times until the probe switches (B:13999-14001); each attempt begins at the start. Where a
+    /// software limit switch ends the way before the probe switches, it is 61401 instead of 61301 (A:15920).
     fn attempt(
         &self,
         machine: &mut dyn Machine,
         point: &Point,
         start: [f64; 3],
     ) -> Result<f64, Stop> {
+        let mut end = start;
+        end[self.axes[point.axis.min(2)]] = self.end(point);
+        let limited = machine.control().limited(start, end);
         for _ in 0..self.attempts {
-            let touched = self.touch(machine, point, start)?;
+            let touched = self.touch(machine, point, start, limited.unwrap_or(end))?;
             self.back(machine, start)?;
             if let Some(position) = touched {
                 return Ok(position[self.axes[point.axis.min(2)]]);
             }
         }
-        Err(alarm(machine, 61301))
+        let number = if limited.is_some() { 61401 } else { 61301 };
+        Err(alarm(machine, number))
     }
 
     /// Towards the surface; with `_CHBIT[17]` fast, back by 2 mm (not behind the start) and slowly again.
@@ -164,10 +192,9 @@ impl Block {
         machine: &mut dyn Machine,
         point: &Point,
         start: [f64; 3],
+        end: [f64; 3],
     ) -> Result<Option<[f64; 3]>, Stop> {
         let axis = self.axes[point.axis.min(2)];
-        let mut end = start;
-        end[axis] = self.end(point);
         if let Some(fast) = self.fast {
             let Some(first) = machine.probe(end, fast)? else {
                 return Ok(None);
@@ -205,12 +232,18 @@ impl Block {
 
 /// Everything from parameters and data; error: number of the alarm.
 fn read(control: &Control, inputs: &Inputs) -> Result<Block, u32> {
-    let radius = probe_radius(control)?;
+    if let Some(number) = state::refusal(control) {
+        return Err(number);
+    }
+    let radius = control.active_radius();
     let number = inputs.integer("_PRNUM");
     let mono = number / 100 == 1;
     let index = number % 100 - 1;
     if index < 0 || (index + 1) as f64 > control.number("_CVAL[1]") {
         return Err(61313);
+    }
+    if mono && !control.spindle_positions {
+        return Err(61373); // A:15917, B:864
     }
     let path = inputs.number("_FA");
     if path <= 0.0 {
@@ -243,13 +276,12 @@ fn read(control: &Control, inputs: &Inputs) -> Result<Block, u32> {
     })
 }
 
-/// Radius of the probe in the tool memory; 61311 without D, 61309 for a tool that is no probe (B:4147-4152).
-fn probe_radius(control: &Control) -> Result<f64, u32> {
-    let edge = control.active_edge().ok_or(61311_u32)?;
-    if !edge.is_milling_probe() {
-        return Err(61309);
+/// Asks for a spindle that a measuring variant can turn (61372, A:15916).
+pub fn turnable(machine: &mut dyn Machine) -> Result<(), Stop> {
+    if machine.control().spindle_positions {
+        return Ok(());
     }
-    Ok(edge.total_radius())
+    Err(alarm(machine, 61372))
 }
 
 /// `_VMS`, or 150 mm/min up to `_FA` = 1 and 300 mm/min above (B:2164-2170).

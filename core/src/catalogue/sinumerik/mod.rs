@@ -3,6 +3,7 @@
 pub mod correct;
 pub mod measuring_block;
 pub mod results;
+pub mod state;
 #[cfg(test)]
 pub mod testing;
 pub mod tolerance;

@@ -84,9 +84,12 @@ pub fn decide(
     let decision = chain(&differences, &bands(inputs), old);
     report(machine, inputs, target, &decision);
     machine.record(Step::Decision(explain(&decision, &differences)));
-    if matches!(decision.branch, Branch::SafeArea | Branch::Difference)
-        && repeat(machine, repetition)
-    {
+    let announced = match decision.branch {
+        Branch::SafeArea => Some(62303),
+        Branch::Difference => Some(62306),
+        _ => None,
+    };
+    if announced.is_some_and(|number| repeat(machine, number, repetition)) {
         return Ok(Next::Again);
     }
     if decision.branch == Branch::SafeArea {
@@ -158,14 +161,14 @@ pub fn report_empirical(machine: &mut dyn Machine, inputs: &Inputs) {
     results::length(machine, 30, stored);
 }
 
-/// Whether to measure again: `_CBIT[0]`, at most four times; with `_CBIT[1]` an alarm and a programmed stop before
-/// (B:13572-13580).
-fn repeat(machine: &mut dyn Machine, repetition: u32) -> bool {
+/// Whether to measure again: `_CBIT[0]`, at most four times; with `_CBIT[1]` an alarm that informs and a programmed
+/// stop before (B:13572-13580).
+fn repeat(machine: &mut dyn Machine, number: u32, repetition: u32) -> bool {
     if !machine.control().bit("_CBIT[0]") || repetition >= REPETITIONS {
         return false;
     }
     if machine.control().bit("_CBIT[1]") {
-        machine.record(Step::Alarm(Code::Alarm(62303)));
+        machine.record(Step::Alarm(Code::Alarm(number)));
         machine.record(Step::Decision(Message::new("evaluate-halt")));
     }
     let count = f64::from(repetition) + 1.0;
@@ -223,7 +226,7 @@ pub fn safe(
     };
     let message = Message::new("evaluate-safe-area").number("difference", worst);
     machine.record(Step::Decision(message.number("mean", 0.0)));
-    if repeat(machine, repetition) {
+    if repeat(machine, 62303, repetition) {
         return Ok(Next::Again);
     }
     Err(alarm(machine, 61303))

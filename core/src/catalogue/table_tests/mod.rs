@@ -1,6 +1,7 @@
 //! The catalogue against the tables of the manual, row by row in both directions, where that folder is there.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+mod alarms;
 mod cells;
 mod conditions;
 mod invalid;
@@ -17,15 +18,19 @@ use std::path::Path;
 
 /// Rows of the milling and of the turning table of this name; empty where the folder is not present.
 fn rows(table: &str) -> Vec<Vec<String>> {
+    [rows_of("milling", table), rows_of("turning", table)].concat()
+}
+
+/// Rows of a table that belongs to no sort of machine.
+fn common_rows(table: &str) -> Vec<Vec<String>> {
+    rows_of("common", table)
+}
+
+fn rows_of(folder: &str, table: &str) -> Vec<Vec<String>> {
     let spec = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/spec");
-    let mut rows = Vec::new();
-    for folder in ["milling", "turning"] {
-        let text = std::fs::read_to_string(spec.join(folder).join(table)).unwrap_or_default();
-        for line in text.lines().skip(1) {
-            rows.push(line.split('\t').map(str::to_owned).collect());
-        }
-    }
-    rows
+    let text = std::fs::read_to_string(spec.join(folder).join(table)).unwrap_or_default();
+    let cells = |line: &str| line.split('\t').map(str::to_owned).collect();
+    text.lines().skip(1).map(cells).collect()
 }
 
 fn sinumerik() -> impl Iterator<Item = &'static Cycle> {

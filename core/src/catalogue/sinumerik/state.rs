@@ -1,0 +1,93 @@
+//! What the workpiece cycles demand of the control before anything else (B:4141-4157, A:15840-15935).
+
+use crate::control::{Control, Frame, Value};
+
+/// Arrays of data fields, each with the datum that tells how many there are (B:13345-13348).
+const FIELDS: [(&str, &str); 4] = [
+    ("_TP", "_CVAL[0]"),
+    ("_WP", "_CVAL[1]"),
+    ("_KB", "_CVAL[2]"),
+    ("_TPW", "_CVAL[3]"),
+];
+
+/// Bit of MD28082 for the system frame of the cycles (A:15840, B:1977).
+const CYCLE_FRAME: u32 = 5;
+
+/// Number of the alarm with which the cycles refuse a control in this state.
+pub fn refusal(control: &Control) -> Option<u32> {
+    if !control.machine_bit("MD28082", CYCLE_FRAME) {
+        return Some(61016);
+    }
+    if (0..3).any(|axis| control.number(&format!("MD20050[{axis}]")) == 0.0) {
+        return Some(61336); // a geometry axis has no channel axis, A:15878, B:14084
+    }
+    if software(control) < 3.0 {
+        return Some(61342); // A:15883, B:13682
+    }
+    if FIELDS
+        .iter()
+        .any(|(array, size)| !fits(control, array, size))
+    {
+        return Some(61416); // A:15935
+    }
+    if control.chain().iter().any(Frame::scaled) {
+        return Some(61310); // B:744, A:15849
+    }
+    match control.active_edge() {
+        None => Some(61311),                                   // A:15850
+        Some(edge) if !edge.is_milling_probe() => Some(61309), // B:4147-4152
+        Some(_) => None,
+    }
+}
+
+/// Version of the control software, `_SI[1]`: a text, of which the first digit counts; 0 where there is none.
+fn software(control: &Control) -> f64 {
+    match control.data.get("_SI[1]") {
+        Some(Value::Text(text)) => text.trim().get(..1).and_then(|digit| digit.parse().ok()),
+        Some(Value::Number(number)) => Some(*number),
+        None => None,
+    }
+    .unwrap_or(0.0)
+}
+
+/// Whether there are as many data fields as the datum says.
+fn fits(control: &Control, array: &str, size: &str) -> bool {
+    let size = control.number(size) as usize;
+    (0..size).all(|field| control.data.contains_key(&format!("{array}[{field},0]")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalogue::Dialect;
+    use crate::control::Plane;
+    use crate::run::Setup;
+
+    /// A number, and what the control lacks for it.
+    type Case = (u32, fn(&mut Control));
+
+    #[test]
+    fn a_ready_control_is_not_refused() {
+        let control = || Setup::calibrated(Dialect::Sinumerik, Plane::G17).control;
+        assert_eq!(refusal(&control()), None);
+        // oracle: manual A:15840, A:15878, A:15883, A:15935, B:744, A:15850, B:4147-4152
+        let cases: [Case; 9] = [
+            (61016, |control| control.set("MD28082", 1.0)),
+            (61336, |control| control.set("MD20050[2]", 0.0)),
+            (61342, |control| drop(control.data.remove("_SI[1]"))),
+            (61342, |control| control.set("_SI[1]", 2.0)),
+            (61416, |control| control.set("_CVAL[2]", 4.0)),
+            (61310, |control| control.system.scale = [1.0, 1.0, 2.0]),
+            (61310, |control| control.active.scale = [0.5; 3]),
+            (61311, |control| control.edge = 0),
+            (61309, |control| {
+                control.set_variable("$TC_DP1[9,1]", 500.0);
+            }),
+        ];
+        for (number, change) in cases {
+            let mut control = control();
+            change(&mut control);
+            assert_eq!(refusal(&control), Some(number));
+        }
+    }
+}

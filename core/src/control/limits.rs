@@ -1,0 +1,99 @@
+//! Software limit switches (MD36100, MD36110): positions of the machine axes that are never passed.
+
+use super::Control;
+use crate::geometry::TOLERANCE;
+
+/// Smallest and largest position of the machine axes X Y Z, mm; none: the axis has no limit there.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Limits {
+    /// MD36100, minus side.
+    pub minus: [Option<f64>; 3],
+    /// MD36110, plus side.
+    pub plus: [Option<f64>; 3],
+}
+
+impl Limits {
+    /// Whether the axes may stand there; the last bit of a sum does not take one over its limit.
+    pub fn contain(&self, axes: [f64; 3]) -> bool {
+        (0..3).all(|i| {
+            self.minus[i].is_none_or(|low| axes[i] >= low - TOLERANCE)
+                && self.plus[i].is_none_or(|high| axes[i] <= high + TOLERANCE)
+        })
+    }
+
+    /// Part of the straight way that stays inside, 0 to 1. A way that begins outside may only lead back.
+    fn part(&self, from: [f64; 3], to: [f64; 3]) -> f64 {
+        let along = |i: usize| {
+            let limit = if to[i] > from[i] {
+                self.plus[i].filter(|high| to[i] > *high)
+            } else {
+                self.minus[i].filter(|low| to[i] < *low)
+            };
+            limit.map_or(1.0, |limit| (limit - from[i]) / (to[i] - from[i]))
+        };
+        (0..3).map(along).fold(1.0, f64::min).max(0.0)
+    }
+}
+
+impl Control {
+    /// Whether the point to which the tool length refers may stand there; machine coordinates, mm.
+    pub fn within_limits(&self, position: [f64; 3]) -> bool {
+        self.limits.contain(self.axes(position))
+    }
+
+    /// Where a straight way from one point of the WCS to another is ended by a limit switch; none: it is not.
+    pub fn limited(&self, from: [f64; 3], to: [f64; 3]) -> Option<[f64; 3]> {
+        let (start, end) = (self.to_machine(from), self.to_machine(to));
+        let (start, end) = (self.axes(start), self.axes(end));
+        if self.limits.contain(end) {
+            return None;
+        }
+        let part = self.limits.part(start, end);
+        Some(std::array::from_fn(|i| from[i] + part * (to[i] - from[i])))
+    }
+
+    /// Positions of the machine axes: the spindle nose stands above the point by the tool length.
+    fn axes(&self, position: [f64; 3]) -> [f64; 3] {
+        let length = self.active_length();
+        std::array::from_fn(|i| position[i] + length[i])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use crate::catalogue::Dialect;
+    use crate::control::{Frame, Plane};
+    use crate::run::Setup;
+
+    #[test]
+    fn a_way_ends_at_the_first_limit() {
+        let mut control = Setup::calibrated(Dialect::Sinumerik, Plane::G17).control;
+        control
+            .frames
+            .insert(1, Frame::translation([100.0, 0.0, 0.0]));
+        control.activate(1);
+        control.limits.plus[0] = Some(150.0);
+        control.limits.minus[2] = Some(40.0);
+        // oracle: hand: X50 of the WCS is X150 of the machine; the nose is 50 mm above the ball, so Z-10 is the lowest
+        assert_eq!(control.limited([0.0; 3], [50.0, 0.0, -10.0]), None);
+        let cut = control.limited([0.0; 3], [100.0, 8.0, 0.0]).unwrap();
+        assert_eq!(cut, [50.0, 4.0, 0.0]);
+        let cut = control.limited([0.0; 3], [0.0, 0.0, -20.0]).unwrap();
+        assert_eq!(cut, [0.0, 0.0, -10.0]);
+        assert!(control.within_limits([150.0, 0.0, -10.0]));
+        assert!(!control.within_limits([150.1, 0.0, 0.0]));
+    }
+
+    #[test]
+    fn from_beyond_a_limit_it_goes_only_back() {
+        let limits = Limits {
+            plus: [Some(10.0), None, None],
+            ..Limits::default()
+        };
+        // oracle: hand
+        assert_eq!(limits.part([12.0, 0.0, 0.0], [14.0, 0.0, 0.0]), 0.0);
+        assert_eq!(limits.part([12.0, 0.0, 0.0], [9.0, 0.0, 0.0]), 1.0);
+    }
+}

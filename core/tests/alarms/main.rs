@@ -1,0 +1,103 @@
+//! Every alarm that an entry of the catalogue names is raised by a program, or stands in a list with the reason why it
+//! cannot be. A new cycle needs its cases here as soon as it is simulated.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+mod cycle977;
+mod cycle978;
+mod nct;
+mod table;
+mod workpiece;
+
+use probewright_core::catalogue::{CYCLES, Cycle};
+use probewright_core::diagnostic::Code;
+use probewright_core::program::read;
+use probewright_core::run::{Limits, Outcome, Setup, Stop, run};
+use table::{Case, Table};
+
+/// The cases of a cycle.
+fn table(name: &str) -> Table {
+    match name {
+        "CYCLE977" => cycle977::table(),
+        "CYCLE978" => cycle978::table(),
+        "G101" => nct::g101(),
+        "G110" => nct::g110(),
+        _ => panic!("{name} has no cases for its alarms"),
+    }
+}
+
+/// Cycles of which more than form and text is known.
+fn simulated() -> impl Iterator<Item = &'static Cycle> {
+    let all = CYCLES.iter().copied();
+    all.filter(|cycle| cycle.simulation.is_some())
+}
+
+/// Runs the program of a table with the change of a case.
+fn outcome(cycle: &Cycle, table: &Table, change: &str, prepare: fn(&mut Setup)) -> Outcome {
+    let mut setup = (table.setup)();
+    prepare(&mut setup);
+    let text = table.program.replace("{change}", change);
+    let program = read(cycle.dialect, text.as_bytes());
+    run(&program, &setup, Limits::default())
+}
+
+#[test]
+fn without_a_change_nothing_is_raised() {
+    // oracle: self: otherwise the cases below would prove nothing
+    for cycle in simulated() {
+        let table = table(cycle.name);
+        let outcome = outcome(cycle, &table, table.usual, |_| ());
+        assert_eq!(outcome.stop, None, "{}", cycle.name);
+        assert_eq!(outcome.alarms(), [], "{}", cycle.name);
+    }
+}
+
+#[test]
+fn every_case_raises_its_alarm() {
+    // oracle: manual A:15840-15948, C:125-132, C:1123-1145 (what the tables say about each number and message)
+    for cycle in simulated() {
+        let table = table(cycle.name);
+        for Case {
+            code,
+            change,
+            prepare,
+        } in &table.cases
+        {
+            let outcome = outcome(cycle, &table, change, *prepare);
+            let context = format!("{} {code:?} {:?}", cycle.name, outcome.diagnostics);
+            assert!(outcome.alarms().contains(code), "{context}");
+            let stopped = outcome.stop == Some(Stop::Alarm(*code));
+            assert_eq!(stopped, stops(*code), "{context}");
+        }
+    }
+}
+
+/// Whether the program cannot go on: 61xxx, and what the NCT macros do not call an operator message (C:1139-1145).
+fn stops(code: Code) -> bool {
+    match code {
+        Code::Alarm(number) => number < 62000,
+        _ => !probewright_core::catalogue::nct::informs(code),
+    }
+}
+
+#[test]
+fn every_listed_alarm_is_reached_or_excused() {
+    // oracle: self (the catalogue)
+    for cycle in simulated() {
+        let table = table(cycle.name);
+        let reached: Vec<Code> = table.cases.iter().map(|case| case.code).collect();
+        for code in cycle.alarms() {
+            let excused = table.unreached.iter().any(|(number, reason)| {
+                assert!(!reason.is_empty());
+                Code::Alarm(*number) == code
+            });
+            assert!(
+                reached.contains(&code) != excused,
+                "{} {code:?}: neither reached nor excused, or both",
+                cycle.name
+            );
+        }
+        for code in reached {
+            assert!(cycle.alarms().contains(&code), "{} {code:?}", cycle.name);
+        }
+    }
+}

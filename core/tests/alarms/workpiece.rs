@@ -1,0 +1,107 @@
+//! Cases that all workpiece cycles with tool offset share: state of the control, probe, `_KNUM`, tool.
+
+use super::table::{Case, case, program};
+use probewright_core::catalogue::Dialect;
+use probewright_core::control::{Edge, Plane, Tool};
+use probewright_core::run::Setup;
+use probewright_core::workpiece::{PartErrors, Shape, Solid};
+
+/// Alarms that no state of the simulated control brings about.
+pub const UNREACHED: &[(u32, &str)] = &[
+    (
+        61306,
+        "the manual gives no condition: where _TDIF is exceeded, every text of these cycles has 62306 (B:6129)",
+    ),
+    (
+        61312,
+        "the cycle itself is permitted; one that is not is no entry of the catalogue (A:15851)",
+    ),
+    (61319, "internal error of the cycles (A:15860)"),
+    (61327, "the manual gives no condition (A:15868)"),
+    (61340, "internal error of the cycles (A:15881)"),
+    (61344, "the simulated machine has one spindle (A:15887)"),
+    (61403, "internal error of the cycles (A:15922)"),
+    (61404, "internal error of the cycles (A:15923)"),
+];
+
+/// The probe in the spindle at this position, T20 to be corrected, one solid with its upper face at Z0.
+pub fn setup(shape: Shape, position: [f64; 3]) -> Setup {
+    let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+    let mill = Edge {
+        kind: 120,
+        length: [80.0, 0.0, 0.0],
+        radius: 10.0,
+        ..Edge::default()
+    };
+    let tool = Tool {
+        name: "MILL".into(),
+        edges: [(1, mill)].into(),
+    };
+    setup.control.tools.insert(20, tool);
+    setup.position = position;
+    setup.workpiece.solids = vec![Solid {
+        shape,
+        at: [0.0; 3],
+        rotation: [0.0; 3],
+        errors: PartErrors::default(),
+    }];
+    setup
+}
+
+/// The shared cases.
+pub fn cases() -> Vec<Case> {
+    let mut cases = state();
+    cases.extend(values());
+    cases.extend(targets());
+    cases
+}
+
+fn state() -> Vec<Case> {
+    vec![
+        case(61016, "", |setup| setup.control.set("MD28082", 1.0)),
+        case(61301, "", |setup| setup.workpiece.solids.clear()),
+        program(61309, "$TC_DP1[9,1]=500"),
+        program(61310, "SCALE X2 Y2"),
+        program(61311, "D0"),
+        case(61336, "", |setup| setup.control.set("MD20050[1]", 0.0)),
+        program(61338, "_SPEED[1]=0"),
+        program(61339, "_SPEED[0]=-1"),
+        program(61341, "_WP[0,1]=0 _WP[0,2]=0"),
+        program(61342, "_SI[1]=\"2\""),
+        case(61373, "_PRNUM=101", |setup| {
+            setup.control.spindle_positions = false;
+        }),
+        program(61416, "_CVAL[1]=4"),
+    ]
+}
+
+fn values() -> Vec<Case> {
+    vec![
+        program(61307, "_MVAR=7"),
+        program(61308, "_FA=0"),
+        program(61313, "_PRNUM=4"),
+        program(61318, "_K=0"),
+    ]
+}
+
+fn targets() -> Vec<Case> {
+    vec![
+        program(61320, "_TNUM=0"),
+        program(61322, "_KNUM=3001"),
+        program(61323, "_KNUM=20001"),
+        program(61324, "_KNUM=500001"),
+        program(61328, "_KNUM=2000"),
+        program(61343, "_TNUM=0 _TNAME=\"NOBODY\""),
+        program(61345, "_KNUM=2012"),
+        program(61405, "_KNUM=2002001 _TENV=\"NOWHERE\""),
+        program(61406, "_KNUM=1002001 _DLNUM=7"),
+        program(61407, "_KNUM=9000001"),
+        case(61408, "_KNUM=1002001 _DLNUM=1", |setup| {
+            setup.control.set("MD18080", 0.0);
+        }),
+        case(61409, "_KNUM=1002001 _DLNUM=1 _CHBIT[8]=1", |setup| {
+            setup.control.set("MD18112", 0.0);
+        }),
+        program(61410, "_KNUM=2002"),
+    ]
+}
