@@ -64,6 +64,8 @@ pub struct Frame {
 pub struct Edge {
     /// `$TC_DP1` tool type: 710 3D probe, 120 end mill.
     pub kind: i64,
+    /// `$TC_DP2` cutting edge position of a turning tool or lathe probe, 1 to 9; 0 of tools that have none.
+    pub tip: i64,
     /// Geometry L1 L2 L3, mm.
     pub length: [f64; 3],
     /// Geometry radius, mm.

@@ -42,6 +42,7 @@ enum Part {
 #[derive(Clone, Copy)]
 enum Quantity {
     Kind,
+    Tip,
     Geometry(usize),
     Wear(usize),
     Additive(i64, usize),
@@ -167,7 +168,7 @@ fn frame_names<'a>(names: &mut Vec<String>, store: &str, numbers: impl Iterator<
 }
 
 fn edge_names(names: &mut Vec<String>, tool: i64, edge: i64, data: &Edge) {
-    names.extend([1, 3, 4, 5, 6, 12, 13, 14, 15].map(|n| format!("$TC_DP{n}[{tool},{edge}]")));
+    names.extend([1, 2, 3, 4, 5, 6, 12, 13, 14, 15].map(|n| format!("$TC_DP{n}[{tool},{edge}]")));
     for (letters, offsets) in [("SCP", &data.additive), ("ECP", &data.setup)] {
         for dl in offsets.keys() {
             names.extend([3, 4, 5, 6].map(|n| format!("$TC_{letters}{dl}{n}[{tool},{edge}]")));
@@ -218,11 +219,12 @@ fn sinumerik_place(name: &str) -> Option<Place> {
     ))
 }
 
-/// `DP6` radius, `DP15` its wear, `SCP13` L1 of the additive offset DL1, `ECP13` of the setup offset.
+/// `DP2` cutting edge position, `DP6` radius, `DP15` its wear, `SCP13` L1 of the additive offset DL1, `ECP13` of the setup offset.
 fn tool_quantity(name: &str) -> Option<Quantity> {
     if let Some(number) = name.strip_prefix("DP") {
         return match number.parse::<usize>().ok()? {
             1 => Some(Quantity::Kind),
+            2 => Some(Quantity::Tip),
             n @ 3..=6 => Some(Quantity::Geometry(n - 3)),
             n @ 12..=15 => Some(Quantity::Wear(n - 12)),
             _ => None,
@@ -306,6 +308,7 @@ fn frame_part_mut(frame: &mut Frame, part: Part, axis: usize) -> &mut f64 {
 fn edge_quantity(edge: &Edge, quantity: Quantity) -> f64 {
     match quantity {
         Quantity::Kind => edge.kind as f64,
+        Quantity::Tip => edge.tip as f64,
         Quantity::Geometry(3) => edge.radius,
         Quantity::Geometry(i) => edge.length[i],
         Quantity::Wear(3) => edge.radius_wear,
@@ -318,6 +321,7 @@ fn edge_quantity(edge: &Edge, quantity: Quantity) -> f64 {
 fn set_edge_quantity(edge: &mut Edge, quantity: Quantity, value: f64) {
     match quantity {
         Quantity::Kind => edge.kind = value as i64,
+        Quantity::Tip => edge.tip = value as i64,
         Quantity::Geometry(3) => edge.radius = value,
         Quantity::Geometry(i) => edge.length[i] = value,
         Quantity::Wear(3) => edge.radius_wear = value,
@@ -342,6 +346,7 @@ mod tests {
             "$P_NCBFR[15,X,TR]",
             "$P_SETFR[Z,TR]",
             "$TC_DP1[20,1]",
+            "$TC_DP2[20,1]",
             "$TC_DP3[20,1]",
             "$TC_DP6[20,1]",
             "$TC_DP12[20,1]",
@@ -362,7 +367,7 @@ mod tests {
         }
         // oracle: hand
         assert_eq!(control.frames[&1].coarse[0], 1.0);
-        assert_eq!(control.tools[&20].edges[&1].radius_wear, 10.0);
+        assert_eq!(control.tools[&20].edges[&1].radius_wear, 11.0);
     }
 
     #[test]

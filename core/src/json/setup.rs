@@ -141,6 +141,9 @@ struct EdgeFile {
     /// `$TC_DP1`: 710 3D probe, 120 end mill.
     #[serde(rename = "type")]
     kind: i64,
+    /// `$TC_DP2`: cutting edge position of a turning tool or lathe probe, 1 to 9.
+    #[serde(default, skip_serializing_if = "is_none")]
+    tip: i64,
     /// Geometry L1 L2 L3.
     length: [f64; 3],
     /// Geometry radius.
@@ -398,9 +401,15 @@ fn read_tool(file: ToolFile) -> Tool {
     }
 }
 
+/// Whether a tool has no cutting edge position.
+fn is_none(tip: &i64) -> bool {
+    *tip == 0
+}
+
 fn read_edge(file: &EdgeFile) -> Edge {
     Edge {
         kind: file.kind,
+        tip: file.tip,
         length: file.length,
         radius: file.radius,
         length_wear: file.length_wear,
@@ -623,6 +632,7 @@ fn datum_file(value: &Value) -> DatumFile {
 fn tool_file(tool: &Tool) -> ToolFile {
     let edge = |edge: &Edge| EdgeFile {
         kind: edge.kind,
+        tip: edge.tip,
         length: edge.length,
         radius: edge.radius,
         length_wear: edge.length_wear,

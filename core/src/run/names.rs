@@ -304,9 +304,10 @@ fn write_frame(
     Ok(())
 }
 
-/// mm in one unit of a tool or frame variable; types, angles and factors have none.
+/// mm in one unit of a tool or frame variable; types, cutting edge positions, angles and factors have none.
 fn variable_factor(run: &Interpreter, key: &str) -> f64 {
-    let plain = stem(key) == "$TC_DP1" || key.ends_with(",RT]") || key.ends_with(",SC]");
+    let number = ["$TC_DP1", "$TC_DP2"].contains(&stem(key));
+    let plain = number || key.ends_with(",RT]") || key.ends_with(",SC]");
     if plain {
         1.0
     } else {
