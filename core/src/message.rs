@@ -35,9 +35,42 @@ impl Message {
         self
     }
 
-    /// The same with a text.
+    /// The same with a text. What comes from a user or a file may be long or binary: it is shortened, and control
+    /// characters, which a terminal would obey, become blanks.
     pub fn text(mut self, name: &'static str, value: impl Into<String>) -> Self {
-        self.args.push((name, Arg::Text(value.into())));
+        self.args.push((name, Arg::Text(printable(&value.into()))));
         self
+    }
+}
+
+/// Most characters of a text in a message.
+const SHOWN: usize = 100;
+
+/// A text on one line, at most [`SHOWN`] characters and three points.
+pub fn printable(text: &str) -> String {
+    let mut shown: String = text
+        .chars()
+        .take(SHOWN)
+        .map(|c| if c.is_control() { ' ' } else { c })
+        .collect();
+    if text.chars().nth(SHOWN).is_some() {
+        shown.push('…');
+    }
+    shown
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    // oracle: hand
+    #[test]
+    fn a_text_of_a_file_is_one_short_line() {
+        assert_eq!(printable("_SETVAL"), "_SETVAL");
+        assert_eq!(printable("a\u{1b}[2J\r\nb"), "a [2J  b");
+        let long = printable(&"ü".repeat(1_000_000));
+        assert_eq!(long.chars().count(), SHOWN + 1);
+        assert!(long.ends_with("ü…"));
+        assert_eq!(printable(&"x".repeat(SHOWN)).len(), SHOWN);
     }
 }

@@ -73,11 +73,22 @@ impl Words {
     }
 }
 
+/// As a person reads it: to a millionth, so that the last bits of a sum do not show. Very large numbers and small ones
+/// from a billionth on stay as they are.
+pub fn rounded(number: f64) -> f64 {
+    let shown = (number * 1e6).round() / 1e6;
+    match number.abs() {
+        size if size < 1e-9 => 0.0,
+        size if size < 1e9 && shown != 0.0 => shown,
+        _ => number,
+    }
+}
+
 fn arguments(message: &Message) -> FluentArgs<'_> {
     let mut args = FluentArgs::new();
     for (name, arg) in &message.args {
         let value = match arg {
-            Arg::Number(number) => FluentValue::from(*number),
+            Arg::Number(number) => FluentValue::from(rounded(*number)),
             Arg::Text(text) => FluentValue::from(text.as_str()),
         };
         args.set(*name, value);
@@ -127,6 +138,17 @@ mod tests {
                 }
             }
         }
+    }
+
+    // oracle: hand
+    #[test]
+    fn numbers_show_no_last_bits() {
+        assert_eq!(rounded(0.030_000_000_000_029_56), 0.03);
+        assert_eq!(rounded(-2.0 / 3.0), -0.666_667);
+        assert_eq!(rounded(-3e-14), 0.0);
+        assert_eq!(rounded(1e-7), 1e-7);
+        assert_eq!(rounded(1e308), 1e308);
+        assert_eq!(rounded(0.0), 0.0);
     }
 
     // oracle: hand

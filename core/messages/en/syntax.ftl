@@ -12,3 +12,4 @@ syntax-comma = The control writes decimals with a point, not with a comma.
 syntax-depth = Brackets and operators are nested too deeply.
 syntax-comment = A comment is not closed.
 syntax-too-large = The program is too large; the rest was not read.
+syntax-exponent = The control writes an exponent as EX, for example 1.5EX-3.

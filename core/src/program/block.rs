@@ -7,6 +7,9 @@ use super::{nct, sinumerik};
 use crate::catalogue::Dialect;
 use crate::diagnostic::Span;
 
+/// What some editors write before the text of a file.
+pub(super) const BYTE_ORDER_MARK: &[u8] = "\u{feff}".as_bytes();
+
 /// Reads a program. Never fails: what is not understood is marked in the tree.
 pub fn read(dialect: Dialect, source: &[u8]) -> Program {
     // Places are u32; what lies beyond 4 GiB is kept but not read.
@@ -45,6 +48,9 @@ fn line(reader: &mut Reader, dialect: Dialect) {
     };
     reader.first = reader.words.len();
     reader.expect = Expect::Words;
+    if reader.at == 0 && reader.rest().starts_with(BYTE_ORDER_MARK) {
+        reader.at = BYTE_ORDER_MARK.len();
+    }
     reader.blanks();
     let before = skip(reader);
     let number = number(reader, dialect);
@@ -79,6 +85,7 @@ fn word(reader: &mut Reader, dialect: Dialect) {
         Dialect::Nct => nct::word(reader),
     };
     if let Err(key) = outcome {
+        let place = reader.at;
         reader.words.truncate(words);
         reader.exprs.truncate(exprs);
         reader.list.clear();
@@ -86,6 +93,7 @@ fn word(reader: &mut Reader, dialect: Dialect) {
         reader.expect = expect;
         reader.unknown(
             start,
+            place,
             key,
             if dialect == Dialect::Nct { b'(' } else { b';' },
         );

@@ -1,5 +1,7 @@
 //! Byte offsets as line and column, and as UTF-16 offsets for the page.
 
+use super::block::BYTE_ORDER_MARK;
+
 /// Bytes between two remembered UTF-16 offsets.
 const STEP: usize = 1024;
 
@@ -8,7 +10,7 @@ pub struct Positions<'a> {
     text: &'a [u8],
     /// UTF-16 offset of every byte at a multiple of [`STEP`].
     marks: Vec<u32>,
-    /// First byte of every line.
+    /// First byte of every line; the first one begins behind a byte order mark.
     lines: Vec<u32>,
 }
 
@@ -44,7 +46,13 @@ impl<'a> Positions<'a> {
             let before = marks.last().copied().unwrap_or(0);
             marks.push(before + count(chunk));
         }
-        let lines = std::iter::once(0).chain(line_starts(text)).collect();
+        let mark = text.starts_with(BYTE_ORDER_MARK);
+        let first = if mark {
+            BYTE_ORDER_MARK.len() as u32
+        } else {
+            0
+        };
+        let lines = std::iter::once(first).chain(line_starts(text)).collect();
         Self { text, marks, lines }
     }
 

@@ -162,8 +162,9 @@ impl<'a> Reader<'a> {
         elements
     }
 
-    /// Marks what was not understood, from `start` to the next blank; touching ones become one.
-    pub fn unknown(&mut self, start: usize, key: &'static str, stop: u8) {
+    /// Marks what was not understood, from `start` to the next blank; touching ones become one. `place` is where the
+    /// reading failed.
+    pub fn unknown(&mut self, start: usize, place: usize, key: &'static str, stop: u8) {
         self.at = start + 1;
         while !self.done() && !is_blank(self.byte(0)) && self.byte(0) != stop {
             let quoted = self.byte(0) == b'"';
@@ -193,6 +194,9 @@ impl<'a> Reader<'a> {
                 span,
                 kind: WordKind::Unknown,
             });
+            let last = span.end.saturating_sub(1).max(span.start);
+            let start = (place as u32).clamp(span.start, last);
+            let span = Span { start, ..span };
             self.errors.push(SyntaxError { span, key });
         }
     }

@@ -84,9 +84,7 @@ fn short(reader: &mut Reader) -> Parsed<()> {
     {
         return done;
     }
-    if reader.byte(0) == b',' && reader.expect == Expect::Words && is_digit(reader.byte(1)) {
-        return Err("syntax-comma");
-    }
+    foreign_number(reader)?;
     if whole && letter.eq_ignore_ascii_case(&b'L') {
         let name = reader.from(start);
         reader.word(
@@ -227,10 +225,23 @@ fn value(reader: &mut Reader) -> Parsed<(ExprId, Span)> {
         return Err("syntax-value");
     }
     let value = expression(reader, Sinumerik, 0)?;
-    if reader.byte(0) == b',' && is_digit(reader.byte(1)) && reader.expect == Expect::Words {
-        return Err("syntax-comma");
-    }
+    foreign_number(reader)?;
     Ok((value.id, reader.from(start)))
+}
+
+/// Numbers as other languages write them: `12,5` and `1e-3`. The second would be read as 1 and an address E.
+fn foreign_number(reader: &Reader) -> Parsed<()> {
+    let signed = usize::from(matches!(reader.byte(1), b'+' | b'-'));
+    let behind_digit = reader.at > 0
+        && reader
+            .source
+            .get(reader.at - 1)
+            .is_some_and(u8::is_ascii_digit);
+    match reader.byte(0) {
+        b',' if reader.expect == Expect::Words && is_digit(reader.byte(1)) => Err("syntax-comma"),
+        b'e' | b'E' if behind_digit && is_digit(reader.byte(1 + signed)) => Err("syntax-exponent"),
+        _ => Ok(()),
+    }
 }
 
 /// The right side of an address: a value, perhaps in `IC(…)`.

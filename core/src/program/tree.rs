@@ -144,7 +144,7 @@ pub enum WordKind {
     },
     /// `%_N_NAME_MPF`, `%O0110`, `%`.
     Header(Span),
-    /// Not understood; the same place is in [`Program::errors`].
+    /// Not understood; where inside of it the reading failed is in [`Program::errors`].
     Unknown,
 }
 

@@ -16,7 +16,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// When a run is given up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
-    /// Blocks carried out.
+    /// Work: blocks carried out; a long block and a block that writes many elements count as several.
     pub steps: usize,
     /// Levels of subprograms (a SINUMERIK has 12 with the main program).
     pub depth: usize,
@@ -79,8 +79,13 @@ pub struct Interpreter<'a> {
     pub returns: Vec<usize>,
     /// Levels allowed.
     pub depth: usize,
+    /// Work so far, in blocks; see [`Limits::steps`].
+    pub work: usize,
     seen: BTreeSet<(u32, String)>,
 }
+
+/// Characters of a block that count as one block's work.
+const BLOCK: u32 = 100;
 
 /// Where a run goes on after a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -108,11 +113,12 @@ pub fn run(program: &Program, setup: &Setup, limits: Limits) -> Outcome {
 fn go(run: &mut Interpreter, limit: usize) -> Result<(), Stop> {
     let mut at = 0;
     let mut started = false;
-    for _ in 0..limit {
+    while run.work < limit {
         let Some(block) = run.program.blocks.get(at) else {
             return Ok(());
         };
         run.sim.line = Some(at as u32);
+        run.work += 1 + ((block.span.end - block.span.start) / BLOCK) as usize;
         let header = run
             .program
             .words_of(block)
@@ -131,6 +137,7 @@ fn go(run: &mut Interpreter, limit: usize) -> Result<(), Stop> {
             Next::Jump(to) => at = to,
             Next::End => return Ok(()),
         }
+        run.recordable(block.span)?;
     }
     let message = Message::new("run-steps").number("limit", limit as f64);
     let span = run
@@ -168,6 +175,7 @@ impl<'a> Interpreter<'a> {
             subprograms: flow::subprograms(program),
             returns: Vec::new(),
             depth: limits.depth,
+            work: 0,
             seen: BTreeSet::new(),
         }
     }
@@ -186,6 +194,11 @@ impl<'a> Interpreter<'a> {
     pub fn fail(&mut self, problem: Problem) -> Stop {
         self.tell(Severity::Error, &problem);
         Stop::Fault(problem.message)
+    }
+
+    /// Whether the trace takes more; a program that only computes never asks the machine.
+    fn recordable(&mut self, span: Span) -> Result<(), Stop> {
+        self.sim.room().map_err(|stop| self.stopped(stop, span))
     }
 
     /// A stop of the machine, with a finding at the place that caused it.

@@ -12,7 +12,7 @@ use crate::workpiece::probe::{ball_offset, touch};
 use crate::workpiece::{Probe, Workpiece};
 
 /// Entries of a trace after which a run is given up.
-pub const TRACE_LIMIT: usize = 200_000;
+pub const TRACE_LIMIT: usize = 50_000;
 
 /// A control, a probe and a part, and what has happened so far.
 #[derive(Clone, Debug)]
@@ -182,11 +182,20 @@ impl Sim {
                 .is_some_and(|edge| edge.kind == 710)
     }
 
+    /// Whether the trace takes more.
+    pub fn room(&self) -> Result<(), Stop> {
+        if self.trace.entries.len() < self.trace_limit {
+            return Ok(());
+        }
+        Err(Stop::Fault(
+            Message::new("run-trace-limit").number("limit", self.trace_limit as f64),
+        ))
+    }
+
     /// Whether a motion may begin: the trace has room, the target is a position that the axes may take.
     fn admit(&self, to: [f64; 3]) -> Result<(), Stop> {
-        let problem = if self.trace.entries.len() >= self.trace_limit {
-            Message::new("run-trace-limit").number("limit", self.trace_limit as f64)
-        } else if !to.iter().all(|value| value.is_finite()) {
+        self.room()?;
+        let problem = if !to.iter().all(|value| value.is_finite()) {
             Message::new("run-not-finite")
         } else if !self.control.within_limits(to) {
             Message::new("run-limit")

@@ -9,6 +9,7 @@ use crate::control::variables::AXES;
 use crate::control::{Frame, Plane, Units, arrays, gud};
 use crate::diagnostic::Span;
 use crate::program::tree::ExprId;
+use std::collections::BTreeMap;
 
 /// Words that stand for themselves: axes, and the parts of a frame.
 const WORDS: [&str; 11] = ["X", "Y", "Z", "A", "B", "C", "TR", "FI", "RT", "SC", "MI"];
@@ -76,6 +77,7 @@ pub fn write(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Re
     match value {
         Datum::List(items) => {
             let elements = elements(run, key, place)?;
+            run.work += elements.len() / 10; // all of them were named
             if items.len() > elements.len() {
                 return Err(Problem::new("run-index", place, key));
             }
@@ -101,10 +103,19 @@ pub fn write(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Re
     }
 }
 
+/// Longest text of a variable, characters; a text that joins itself would grow without end.
+const TEXT: usize = 400;
+
 fn write_one(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Result<(), Problem> {
+    run.work += 1;
     let Some(stored) = value.value() else {
         return Err(Problem::new("run-not-a-number", place, key));
     };
+    if matches!(value, Datum::Text(text) if text.chars().count() > TEXT) {
+        let mut problem = Problem::new("run-text-long", place, key);
+        problem.message = problem.message.number("limit", TEXT as f64);
+        return Err(problem);
+    }
     if run.locals.contains_key(key) {
         run.locals.insert(key.to_owned(), stored);
         return Ok(());
@@ -278,7 +289,8 @@ fn write_frame(
     if self::frame(run, key).is_none() {
         return Err(Problem::new("run-read-only", place, key));
     }
-    let before: Vec<(String, f64)> = run.frame_values();
+    let before: BTreeMap<String, f64> = run.frame_values().into_iter().collect();
+    run.work += before.len() / 10;
     let number = indices(key)
         .first()
         .and_then(|i| i.parse::<usize>().ok())
@@ -293,10 +305,7 @@ fn write_frame(
         _ => control.system = *frame,
     }
     for (name, after) in run.frame_values() {
-        let old = before
-            .iter()
-            .find(|(known, _)| *known == name)
-            .map_or(0.0, |(_, value)| *value);
+        let old = before.get(&name).copied().unwrap_or(0.0);
         if old != after {
             run.note_set(&name, old, after);
         }

@@ -31,6 +31,8 @@ pub const KEYS: &[&str] = &[
     "run-no-simulation",
     "run-shear",
     "run-limit",
+    "run-array-size",
+    "run-text-long",
 ];
 
 /// Something wrong at a place.

@@ -208,6 +208,8 @@ fn assign(
 
 /// Most elements of a local array.
 const ELEMENTS: f64 = 10_000.0;
+/// Declared elements that count as one block's work.
+const WRITTEN: usize = 4;
 
 fn declare(
     run: &mut Interpreter,
@@ -226,12 +228,16 @@ fn declare(
     let mut counts = Vec::new();
     for size in sizes {
         let size = expression::number(run, *size)?;
-        total *= size;
-        if size < 1.0 || total > ELEMENTS {
-            return Err(Problem::new("run-index", name, key));
+        let whole = size.trunc();
+        total *= whole;
+        if !(whole >= 1.0 && total <= ELEMENTS) {
+            let mut problem = Problem::new("run-array-size", name, key);
+            problem.message = problem.message.number("limit", ELEMENTS);
+            return Err(problem);
         }
         counts.push(size as usize);
     }
+    run.work += total as usize / WRITTEN;
     if counts.is_empty() {
         run.locals.insert(key.clone(), empty);
     } else {

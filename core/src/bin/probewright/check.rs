@@ -6,40 +6,67 @@ use probewright_core::json;
 use probewright_core::program;
 use probewright_core::program::position::Positions;
 use probewright_core::words::Words;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-/// Checks every file; 1 when there is an error in one of them.
-pub fn check(files: &[PathBuf], control: Option<Control>) -> Result<ExitCode, Problem> {
+/// Checks every file; 1 when there is an error in one of them, 2 when one cannot be read. The others are checked all
+/// the same.
+pub fn check(
+    files: &[PathBuf],
+    control: Option<Control>,
+    out: &mut dyn Write,
+) -> Result<ExitCode, Problem> {
     let words = Words::english();
-    let mut errors = 0;
+    let (mut errors, mut unread) = (0, false);
     for path in files {
-        let source = file::bytes(path)?;
+        let source = match file::bytes(path) {
+            Ok(source) => source,
+            Err(problem) => {
+                file::complain(&format!("error: {problem}"));
+                unread = true;
+                continue;
+            }
+        };
         let dialect = file::dialect(control, &source);
         let found = program::findings(&program::read(dialect, &source));
-        errors += print_all(path, &source, &found, &words);
+        errors += print_all(path, &source, &found, &words, out)?;
     }
-    Ok(if errors > 0 {
-        ExitCode::FAILURE
-    } else {
-        ExitCode::SUCCESS
+    Ok(match (unread, errors) {
+        (true, _) => ExitCode::from(2),
+        (_, 0) => ExitCode::SUCCESS,
+        _ => ExitCode::FAILURE,
     })
 }
 
+/// Findings that are printed for one file: more of them is another sort of file, not a program with mistakes.
+const PRINTED: usize = 200;
+
 /// Prints findings as `file:line:col: error[61307]: …`; gives the number of errors.
-pub fn print_all(path: &Path, source: &[u8], found: &[Diagnostic], words: &Words) -> usize {
+pub fn print_all(
+    path: &Path,
+    source: &[u8],
+    found: &[Diagnostic],
+    words: &Words,
+    out: &mut dyn Write,
+) -> std::io::Result<usize> {
     let positions = Positions::new(source);
-    for finding in found {
+    for finding in found.iter().take(PRINTED) {
         let place = finding.span.map_or(String::new(), |span| {
             let (line, column) = positions.line_column(span.start);
             format!("{line}:{column}: ")
         });
-        println!("{}:{place}{}", path.display(), one_line(finding, words));
+        let text = one_line(finding, words);
+        writeln!(out, "{}:{place}{text}", path.display())?;
     }
-    found
+    let more = found.len().saturating_sub(PRINTED);
+    if more > 0 {
+        writeln!(out, "{}: {more} more findings", path.display())?;
+    }
+    let errors = found
         .iter()
-        .filter(|finding| finding.severity == Severity::Error)
-        .count()
+        .filter(|finding| finding.severity == Severity::Error);
+    Ok(errors.count())
 }
 
 /// `error[61307]: cause. cure`, without a place.
@@ -50,11 +77,12 @@ pub fn one_line(finding: &Diagnostic, words: &Words) -> String {
         Severity::Note => "note",
     };
     let mut line = format!("{severity}[{}]: ", json::code(finding.code));
-    if let Some(param) = finding.param {
+    let cause = words.text(&finding.message);
+    if let Some(param) = finding.param.filter(|param| !cause.starts_with(param)) {
         line.push_str(param);
         line.push_str(": ");
     }
-    line.push_str(&words.text(&finding.message));
+    line.push_str(&cause);
     if let Some(hint) = &finding.hint {
         line.push(' ');
         line.push_str(&words.text(hint));

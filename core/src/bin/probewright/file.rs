@@ -2,6 +2,7 @@
 
 use clap::ValueEnum;
 use probewright_core::catalogue::Dialect;
+use std::io::{Read, Write};
 use std::path::Path;
 
 /// Control as named on the command line.
@@ -16,15 +17,31 @@ pub enum Control {
 /// Why a command did not work, as a line.
 pub type Problem = Box<dyn std::error::Error>;
 
+/// Largest file that is read, bytes: far above every part program, and a device like /dev/zero never ends.
+const LARGEST: u64 = 100 << 20;
+
 /// Bytes of a file; the error names the file.
 pub fn bytes(path: &Path) -> Result<Vec<u8>, Problem> {
-    std::fs::read(path).map_err(|error| format!("{}: {error}", path.display()).into())
+    let mut source = Vec::new();
+    std::fs::File::open(path)
+        .and_then(|file| file.take(LARGEST + 1).read_to_end(&mut source))
+        .map_err(|error| format!("{}: {error}", path.display()))?;
+    if source.len() as u64 > LARGEST {
+        return Err(format!("{}: larger than {} MB", path.display(), LARGEST >> 20).into());
+    }
+    Ok(source)
+}
+
+/// A line on standard error; where that is closed, nobody can be told.
+pub fn complain(line: &str) {
+    drop(writeln!(std::io::stderr(), "{line}"));
 }
 
 /// Text of a file; the error names the file.
 pub fn text(path: &Path) -> Result<String, Problem> {
-    String::from_utf8(bytes(path)?)
-        .map_err(|_| format!("{}: not UTF-8 text", path.display()).into())
+    let text = String::from_utf8(bytes(path)?)
+        .map_err(|_| format!("{}: not UTF-8 text", path.display()))?;
+    Ok(text.trim_start_matches('\u{feff}').to_owned())
 }
 
 /// The control that was asked for, else the one that the program is written for: NCT programs begin with `%O` or `O`
@@ -39,7 +56,8 @@ pub fn dialect(control: Option<Control>, source: &[u8]) -> Dialect {
 }
 
 fn names_nct_program(source: &[u8]) -> bool {
-    let rest = source.trim_ascii_start();
+    let rest = source.strip_prefix(b"\xef\xbb\xbf").unwrap_or(source);
+    let rest = rest.trim_ascii_start();
     let rest = rest.strip_prefix(b"%").unwrap_or(rest).trim_ascii_start();
     matches!(rest, [b'O' | b'o', digit, ..] if digit.is_ascii_digit())
 }

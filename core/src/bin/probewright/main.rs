@@ -8,6 +8,8 @@ mod run;
 mod write;
 
 use clap::{Parser, Subcommand};
+use file::Problem;
+use std::io::{BufWriter, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -26,7 +28,7 @@ enum Command {
         #[arg(long)]
         json: bool,
     },
-    /// Tell what is wrong in part programs; exit status 1 when there is an error
+    /// Tell what is wrong in part programs; exit status 1 when there is an error, 2 when a file cannot be read
     Check {
         /// Part programs
         #[arg(required = true)]
@@ -56,7 +58,7 @@ enum Command {
         #[arg(long)]
         control: Option<file::Control>,
     },
-    /// Run a part program on a control against a part
+    /// Run a part program on a control against a part; exit status 1 when it has an error or does not reach its end
     Run {
         /// Part program
         file: PathBuf,
@@ -70,23 +72,39 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    let result = match Arguments::parse().command {
-        Command::Cycles { json } => cycles::cycles(json),
-        Command::Check { files, control } => check::check(&files, control),
+    let mut out = BufWriter::new(std::io::stdout().lock());
+    let result = command(Arguments::parse().command, &mut out)
+        .and_then(|code| out.flush().map(|()| code).map_err(Problem::from));
+    match result {
+        Ok(code) => code,
+        // whoever reads the output (head, a pager) has seen enough
+        Err(problem) if is_closed(&problem) => ExitCode::SUCCESS,
+        Err(problem) => {
+            file::complain(&format!("error: {problem}"));
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn command(command: Command, out: &mut dyn Write) -> Result<ExitCode, Problem> {
+    match command {
+        Command::Cycles { json } => cycles::cycles(json, out),
+        Command::Check { files, control } => check::check(&files, control, out),
         Command::Write {
             cycle,
             values,
             comments,
-        } => write::write(&cycle, &values, comments),
+        } => write::write(&cycle, &values, comments, out),
         Command::Read {
             file,
             json,
             control,
-        } => read::read(&file, json, control),
-        Command::Run { file, setup, json } => run::run(&file, &setup, json),
-    };
-    result.unwrap_or_else(|problem| {
-        eprintln!("error: {problem}");
-        ExitCode::from(2)
-    })
+        } => read::read(&file, json, control, out),
+        Command::Run { file, setup, json } => run::run(&file, &setup, json, out),
+    }
+}
+
+fn is_closed(problem: &Problem) -> bool {
+    let kind = |error: &std::io::Error| error.kind() == std::io::ErrorKind::BrokenPipe;
+    problem.downcast_ref().is_some_and(kind)
 }

@@ -2,29 +2,33 @@
 
 use crate::file::{self, Control, Problem};
 use probewright_core::json;
+use probewright_core::message::printable;
 use probewright_core::program;
 use probewright_core::program::calls::calls;
+use std::io::Write;
 use std::path::Path;
 use std::process::ExitCode;
 
 /// Lists the measuring calls of a program.
-pub fn read(path: &Path, as_json: bool, control: Option<Control>) -> Result<ExitCode, Problem> {
+pub fn read(
+    path: &Path,
+    as_json: bool,
+    control: Option<Control>,
+    out: &mut dyn Write,
+) -> Result<ExitCode, Problem> {
     let source = file::bytes(path)?;
     let program = program::read(file::dialect(control, &source), &source);
     if as_json {
-        println!("{}", serde_json::to_string_pretty(&json::calls(&program))?);
+        let text = serde_json::to_string_pretty(&json::calls(&program))?;
+        writeln!(out, "{text}")?;
         return Ok(ExitCode::SUCCESS);
     }
     for call in calls(&program) {
-        println!(
-            "{}:{}-{}: {}",
-            path.display(),
-            call.first_line + 1,
-            call.line + 1,
-            call.cycle.name
-        );
+        let (first, last) = (call.first_line + 1, call.line + 1);
+        let (path, name) = (path.display(), call.cycle.name);
+        writeln!(out, "{path}:{first}-{last}: {name}")?;
         for (name, value) in &call.values {
-            println!("    {name}={value}");
+            writeln!(out, "    {name}={}", printable(value))?;
         }
     }
     Ok(ExitCode::SUCCESS)

@@ -2,56 +2,64 @@
 
 use crate::check::print_all;
 use crate::file::{self, Problem};
-use probewright_core::diagnostic::Code;
+use probewright_core::diagnostic::{Code, Severity};
 use probewright_core::json;
-use probewright_core::message::Message;
+use probewright_core::message::{Message, printable};
 use probewright_core::program;
 use probewright_core::run::outcome::Outcome;
-use probewright_core::run::{self, Limits, Stop};
-use probewright_core::words::Words;
+use probewright_core::run::{self, Limits};
+use probewright_core::words::{Words, rounded};
+use std::io::Write;
 use std::path::Path;
 use std::process::ExitCode;
 
-/// Runs a program; 1 when it did not reach its end.
-pub fn run(path: &Path, setup: &Path, as_json: bool) -> Result<ExitCode, Problem> {
+/// Runs a program; 1 when it has an error or did not reach its end.
+pub fn run(
+    path: &Path,
+    setup: &Path,
+    as_json: bool,
+    out: &mut dyn Write,
+) -> Result<ExitCode, Problem> {
     let source = file::bytes(path)?;
     let setup = json::setup_from_json(&file::text(setup)?)
         .map_err(|error| format!("{}: {error}", setup.display()))?;
     let program = program::read(setup.control.dialect, &source);
     let outcome = run::run(&program, &setup, Limits::default());
     if as_json {
-        println!(
-            "{}",
-            serde_json::to_string_pretty(&json::run_outcome(&setup, &outcome, &source)?)?
-        );
+        let view = json::run_outcome(&setup, &outcome, &source)?;
+        writeln!(out, "{}", serde_json::to_string_pretty(&view)?)?;
     } else {
         let words = Words::english();
-        print_all(path, &source, &outcome.diagnostics, &words);
-        print_outcome(&outcome, &words);
+        print_all(path, &source, &outcome.diagnostics, &words, out)?;
+        print_outcome(&outcome, &words, out)?;
     }
-    Ok(if outcome.finished() {
-        ExitCode::SUCCESS
-    } else {
-        ExitCode::FAILURE
-    })
+    let wrong =
+        |found: &probewright_core::diagnostic::Diagnostic| found.severity == Severity::Error;
+    Ok(
+        if outcome.finished() && !outcome.diagnostics.iter().any(wrong) {
+            ExitCode::SUCCESS
+        } else {
+            ExitCode::FAILURE
+        },
+    )
 }
 
-fn print_outcome(outcome: &Outcome, words: &Words) {
+/// What came out; why a run ended early is among the findings.
+fn print_outcome(outcome: &Outcome, words: &Words, out: &mut dyn Write) -> std::io::Result<()> {
     for decision in outcome.decisions() {
-        println!("{}", words.text(decision));
+        writeln!(out, "{}", words.text(decision))?;
     }
     for line in outcome.log() {
-        println!("log: {line}");
+        writeln!(out, "log: {}", printable(line))?;
     }
     for change in outcome.changes() {
-        println!("{}: {} -> {}", change.name, change.before, change.after);
+        let (before, after) = (rounded(change.before), rounded(change.after));
+        writeln!(out, "{}: {before} -> {after}", change.name)?;
     }
     for alarm in outcome.alarms() {
-        println!("{}", alarm_line(alarm, words));
+        writeln!(out, "{}", alarm_line(alarm, words))?;
     }
-    if let Some(Stop::Fault(message)) = &outcome.stop {
-        println!("{}", words.text(message));
-    }
+    Ok(())
 }
 
 fn alarm_line(alarm: Code, words: &Words) -> String {

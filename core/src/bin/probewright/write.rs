@@ -1,25 +1,32 @@
 //! `probewright write`.
 
 use crate::check::one_line;
-use crate::file::Problem;
+use crate::file::{Problem, complain};
 use probewright_core::catalogue::{self, Cycle, Dialect};
 use probewright_core::check::{self, Typed};
 use probewright_core::control::Plane;
 use probewright_core::diagnostic::Severity;
+use probewright_core::message::printable;
 use probewright_core::program::write::snippet;
 use probewright_core::run::setup::Setup;
 use probewright_core::words::Words;
+use std::io::Write;
 use std::process::ExitCode;
 
 /// Writes the snippet, or every problem to standard error.
-pub fn write(name: &str, values: &[String], comments: bool) -> Result<ExitCode, Problem> {
+pub fn write(
+    name: &str,
+    values: &[String],
+    comments: bool,
+    out: &mut dyn Write,
+) -> Result<ExitCode, Problem> {
     let cycle = find(name)?;
     let typed = typed(cycle, values)?;
     let words = Words::english();
     let control = Setup::calibrated(cycle.dialect, Plane::G17).control;
     let checked = check::check(cycle, &typed, &control);
     for finding in &checked.diagnostics {
-        eprintln!("{}", one_line(finding, &words));
+        complain(&one_line(finding, &words));
     }
     if checked
         .diagnostics
@@ -28,7 +35,8 @@ pub fn write(name: &str, values: &[String], comments: bool) -> Result<ExitCode, 
     {
         return Ok(ExitCode::FAILURE);
     }
-    print!(
+    write!(
+        out,
         "{}",
         snippet(
             cycle,
@@ -36,7 +44,7 @@ pub fn write(name: &str, values: &[String], comments: bool) -> Result<ExitCode, 
             &control,
             comments.then_some(&|_: &str, key: &str| words.key(key.to_owned()))
         )
-    );
+    )?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -44,7 +52,13 @@ fn find(name: &str) -> Result<&'static Cycle, Problem> {
     [Dialect::Sinumerik, Dialect::Nct]
         .into_iter()
         .find_map(|dialect| catalogue::find(dialect, name))
-        .ok_or_else(|| format!("there is no cycle {name}; 'probewright cycles' lists them").into())
+        .ok_or_else(|| {
+            format!(
+                "there is no cycle {}; 'probewright cycles' lists them",
+                printable(name)
+            )
+            .into()
+        })
 }
 
 fn typed(cycle: &Cycle, values: &[String]) -> Result<Typed, Problem> {
@@ -52,13 +66,18 @@ fn typed(cycle: &Cycle, values: &[String]) -> Result<Typed, Problem> {
     for pair in values {
         let (name, value) = pair
             .split_once('=')
-            .ok_or_else(|| format!("not NAME=VALUE: {pair}"))?;
+            .ok_or_else(|| format!("not NAME=VALUE: {}", printable(pair)))?;
         let param = cycle
             .params
             .iter()
             .find(|param| param.name.eq_ignore_ascii_case(name))
-            .ok_or_else(|| format!("{} has no parameter {name}", cycle.name))?;
-        typed.insert(param.name.to_owned(), value.to_owned());
+            .ok_or_else(|| format!("{} has no parameter {}", cycle.name, printable(name)))?;
+        if typed
+            .insert(param.name.to_owned(), value.to_owned())
+            .is_some()
+        {
+            return Err(format!("{} is given twice", param.name).into());
+        }
     }
     Ok(typed)
 }

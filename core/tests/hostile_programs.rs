@@ -1,0 +1,137 @@
+//! Programs that never end, grow without bounds or ask for the impossible: they are stopped, with a message at the place.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use probewright_core::catalogue::Dialect;
+use probewright_core::control::{Plane, Value};
+use probewright_core::message::Arg;
+use probewright_core::program::position::Positions;
+use probewright_core::program::read;
+use probewright_core::run::machine::TRACE_LIMIT;
+use probewright_core::run::{Limits, Outcome, Setup, Stop, run};
+use probewright_core::workpiece::{PartErrors, Shape, Solid};
+
+/// A calibrated probe 20 mm above the middle of a block of 100 mm.
+fn go(text: &str) -> Outcome {
+    let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+    setup.workpiece.solids.push(Solid {
+        shape: Shape::Block { size: [100.0; 3] },
+        at: [0.0; 3],
+        rotation: [0.0; 3],
+        errors: PartErrors::default(),
+    });
+    setup.position = [0.0, 0.0, 20.0];
+    let program = read(Dialect::Sinumerik, text.as_bytes());
+    run(&program, &setup, Limits::default())
+}
+
+/// Key of the message with which a run stopped; every text of it is short.
+fn stopped(outcome: &Outcome) -> String {
+    for finding in &outcome.diagnostics {
+        for (_, arg) in &finding.message.args {
+            assert!(!matches!(arg, Arg::Text(text) if text.len() > 500));
+        }
+    }
+    match &outcome.stop {
+        Some(Stop::Fault(message)) => message.key.to_string(),
+        other => panic!("{other:?} {:?}", outcome.diagnostics),
+    }
+}
+
+/// Line and column of the finding with this key.
+fn place(text: &str, key: &str) -> (u32, u32) {
+    let outcome = go(text);
+    let found = outcome.diagnostics.iter().find(|f| f.message.key == key);
+    let span = found
+        .unwrap_or_else(|| panic!("{key}: {:?}", outcome.diagnostics))
+        .span;
+    Positions::new(text.as_bytes()).line_column(span.unwrap().start)
+}
+
+// oracle: hand (each of these would run for minutes, days or for ever, or fill the memory)
+#[test]
+fn what_never_ends_or_grows_is_stopped() {
+    let many = "1+".repeat(40);
+    let arrays: String = (0..3000)
+        .map(|i| format!("DEF REAL A{i}[10000]\n"))
+        .collect();
+    let frames: String = (1..100)
+        .map(|i| format!("$P_UIFR[{i}]=CTRANS(X,1)\n"))
+        .collect();
+    let text = "x".repeat(50_000);
+    for (program, key) in [
+        ("A: R1=R1+1\nGOTOB A".to_owned(), "run-steps"),
+        ("WHILE 1\nENDWHILE".to_owned(), "run-steps"),
+        ("LOOP\nENDLOOP".to_owned(), "run-steps"),
+        ("REPEAT\nUNTIL 0".to_owned(), "run-steps"),
+        ("FOR R1=0 TO 1EX300\nENDFOR".to_owned(), "run-trace-limit"),
+        (format!("A: R1={many}1\nGOTOB A"), "run-steps"),
+        ("A: _EV[0]=REP(2)\nGOTOB A".to_owned(), "run-trace-limit"),
+        (
+            "DEF REAL Q[1000]\nA: Q[0]=REP(3)\nGOTOB A".to_owned(),
+            "run-steps",
+        ),
+        (arrays, "run-steps"),
+        (
+            format!("{frames}A: R1=R1+1\n$P_UIFR[1]=CTRANS(X,R1)\nGOTOB A"),
+            "run-steps",
+        ),
+        (format!("A: MSG(\"{text}\")\nGOTOB A"), "run-steps"),
+        (format!("A: ({text}\nGOTOB A"), "run-steps"),
+        (
+            "%_N_MAIN_MPF\nDEEP\nM30\n%_N_DEEP_SPF\nDEEP\nM17".to_owned(),
+            "run-depth",
+        ),
+        (
+            "_TXT[0]=\"xxxxxxxxxx\"\nA: _TXT[0]=_TXT[0]<<_TXT[0]\nGOTOB A".to_owned(),
+            "run-text-long",
+        ),
+        (
+            "G1 F100 X0 Y0 Z20\nA: G2 X0 Y0 I10 J0\nGOTOB A".to_owned(),
+            "run-trace-limit",
+        ),
+        (
+            "_NMSP=1EX9 _MVAR=100 _KNUM=0 _MA=3 _SETVAL=0 _FA=20 _TSA=19\nCYCLE978".to_owned(),
+            "run-trace-limit",
+        ),
+    ] {
+        let outcome = go(&program);
+        let shown: String = program.chars().take(60).collect();
+        assert_eq!(stopped(&outcome), key, "{shown}");
+        assert!(outcome.trace.entries.len() <= TRACE_LIMIT, "{shown}");
+        assert!(outcome.control.data.len() < 20_000, "{shown}");
+    }
+}
+
+// oracle: hand
+#[test]
+fn the_impossible_is_told_at_its_place() {
+    for (program, key, at) in [
+        ("R1=1\nDEF REAL A[1000000000]", "run-array-size", (2, 10)),
+        ("DEF REAL A[10000,10000]", "run-array-size", (1, 10)),
+        ("DEF REAL A[0]", "run-array-size", (1, 10)),
+        ("DEF REAL A[-3]", "run-array-size", (1, 10)),
+        ("R[1EX9]=5", "run-unknown-variable", (1, 1)),
+        ("  R[-1]=5", "run-unknown-variable", (1, 3)),
+        ("_SETV[99999]=1", "run-index", (1, 1)),
+        ("_SETV[-1]=1", "run-index", (1, 1)),
+        ("_WP[0]=1", "run-index", (1, 1)),
+        ("N10 R1=_OVR[32]", "run-index", (1, 8)),
+        ("R1=5/(3-3)", "run-division", (1, 7)),
+        ("R1=1EX308*10\nG0 X=R1", "run-not-a-number", (2, 4)),
+        ("GOTOF NOWHERE", "run-label", (1, 1)),
+        ("ENDIF", "run-unmatched", (1, 1)),
+        ("T=4711\nM6", "run-no-tool", (2, 1)),
+    ] {
+        assert_eq!(place(program, key), at, "{program}");
+    }
+}
+
+// oracle: hand
+#[test]
+fn lists_go_on_through_arithmetic_parameters() {
+    let outcome = go("R[3]=SET(5,,7)");
+    assert_eq!(outcome.stop, None, "{:?}", outcome.diagnostics);
+    assert_eq!(outcome.control.data.get("R3"), Some(&Value::Number(5.0)));
+    assert_eq!(outcome.control.data.get("R4"), None);
+    assert_eq!(outcome.control.data.get("R5"), Some(&Value::Number(7.0)));
+}
