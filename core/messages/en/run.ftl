@@ -28,3 +28,4 @@ run-shear = A rotation inside of a scale that differs by axis would shear the co
 run-limit = The target lies beyond a software limit switch.
 run-array-size = “{ $word }” needs whole sizes from 1, with { $limit } elements at most together.
 run-text-long = The text for “{ $word }” is longer than { $limit } characters.
+run-false-signal = The probe gave a signal without touching anything.

@@ -70,6 +70,7 @@ impl Sim {
         let end = hit.map_or(to, |(stop, ..)| stop);
         if monitored && let Some(stop) = self.false_signal(from, end) {
             self.go(stop, kind, feed);
+            self.note(Step::Decision(Message::new("run-false-signal")));
             return Err(Stop::Alarm(self.collision()));
         }
         self.go(end, kind, feed);
@@ -108,6 +109,7 @@ impl Sim {
         let end = signal.map_or(to, |touch| add(touch.latched, height, -1.0));
         if let Some(stop) = self.false_signal(from, end) {
             self.go(stop, MotionKind::Measuring, feed);
+            self.note(Step::Decision(Message::new("run-false-signal")));
             return Ok(Some(stop));
         }
         self.go(end, MotionKind::Measuring, feed);
