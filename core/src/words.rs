@@ -7,6 +7,7 @@ use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
 /// The English message files; a test holds this list against the folder.
 pub const ENGLISH: &[(&str, &str)] = &[
     ("alarms.ftl", include_str!("../messages/en/alarms.ftl")),
+    ("changes.ftl", include_str!("../messages/en/changes.ftl")),
     ("check.ftl", include_str!("../messages/en/check.ftl")),
     ("cycle977.ftl", include_str!("../messages/en/cycle977.ftl")),
     ("cycle978.ftl", include_str!("../messages/en/cycle978.ftl")),

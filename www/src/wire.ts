@@ -75,7 +75,7 @@ export interface Field {
 // Drawn as SVG, millimetres of the working plane; `field` is highlighted while that field has the focus.
 export interface Picture { view: "plane" | "section"; shapes: PictureShape[] }
 export interface PictureShape {
-  kind: "material" | "edge" | "zone" | "probe" | "path" | "dimension" | "label" | "tolerance" | "axis" | "touch";
+  kind: "material" | "cut" | "edge" | "zone" | "probe" | "path" | "dimension" | "label" | "tolerance" | "axis" | "touch";
   points: [number, number][];          // polygon or polyline; dimension: its two ends
   circle?: { x: number; y: number; r: number };
   closed?: boolean;
@@ -86,7 +86,7 @@ export interface Outcome {
   results: { name: string; label: Message; value: number; unit: string }[];
   decisions: Message[];                // tolerance chain, in order, the branch taken last
   alarms: { code: string; message: Message; hint?: Message; stops: boolean }[];
-  changes: { name: string; before: number; after: number; unit: string }[]; // tool wear, zero offset, …
+  changes: { name: string; label: Message; before: number; after: number; unit: string }[]; // tool wear, zero offset, …
   log: string[];
   trace: Trace;
 }

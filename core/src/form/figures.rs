@@ -71,6 +71,11 @@ pub fn frame(mut outer: Vec<[f64; 2]>, mut inner: Vec<[f64; 2]>) -> Vec<[f64; 2]
     outer
 }
 
+/// A ring between two radii.
+pub fn ring(kind: ShapeKind, centre: [f64; 2], inner: f64, outer: f64) -> PictureShape {
+    polygon(kind, frame(round(centre, outer), round(centre, inner)))
+}
+
 impl PictureShape {
     /// The same with a text.
     pub fn text(mut self, text: impl Into<String>) -> Self {

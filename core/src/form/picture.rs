@@ -13,8 +13,10 @@ pub enum View {
 /// What a figure stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ShapeKind {
-    /// Material, seen from above or cut.
+    /// Material, seen from above.
     Material,
+    /// Material, cut by the section plane.
+    Cut,
     /// Edge of the part to be measured.
     Edge,
     /// Protection zone.

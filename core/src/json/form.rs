@@ -1,6 +1,6 @@
 //! A form at every keystroke: fields, findings, snippet, picture and what the call would do.
 
-use super::setup::{PlaneName, choose_units, plane};
+use super::setup::{Machine, PlaneName, choose_units, plane};
 use super::{Error, diagnostic, dialect, message, number};
 use crate::catalogue::{self, Cycle, Range, Simulation};
 use crate::check::{self, Checked, Inputs, Typed};
@@ -23,6 +23,8 @@ struct Request {
     values: Typed,
     #[serde(default)]
     setup: Option<Value>,
+    #[serde(default)]
+    machine: Machine,
     /// G function of units in force at the call (`G70`), where it is not that of the setup.
     #[serde(default)]
     units: Option<String>,
@@ -78,10 +80,7 @@ pub fn form(request: &str) -> Result<Value, Error> {
         }
     })?;
     let own_machine = request.setup.is_some();
-    let mut setup = match request.setup {
-        Some(setup) => super::setup::from_value(setup)?,
-        None => Setup::calibrated(cycle.dialect, Plane::G17),
-    };
+    let mut setup = super::setup::start(cycle.dialect, request.setup, &request.machine)?;
     let start = modal(&setup.control);
     if let Some(name) = &request.units {
         choose_units(&mut setup.control, name)?;
@@ -256,6 +255,7 @@ fn shape(shape: &PictureShape) -> Value {
 fn shape_kind(kind: ShapeKind) -> &'static str {
     match kind {
         ShapeKind::Material => "material",
+        ShapeKind::Cut => "cut",
         ShapeKind::Edge => "edge",
         ShapeKind::Zone => "zone",
         ShapeKind::Probe => "probe",

@@ -2,6 +2,7 @@
 //! Every function takes and gives whole documents; a wrong document is an [`Error`], never a panic.
 
 mod catalogue;
+mod changes;
 mod form;
 mod program;
 mod setup;

@@ -1,10 +1,9 @@
 //! Reading, changing and running program text. The page counts in UTF-16 units, the core in bytes.
 
-use super::setup::{plane_file, units_name};
+use super::setup::{Machine, plane_file, start, units_name};
 use super::{Error, diagnostic, dialect, dialect_name, number};
-use crate::catalogue::Dialect;
 use crate::check;
-use crate::control::{Control, Plane, delivery};
+use crate::control::{Control, delivery};
 use crate::diagnostic::Diagnostic;
 use crate::program::calls::{CallSite, calls as find_calls, calls_on};
 use crate::program::change::change as edits;
@@ -22,6 +21,8 @@ struct ReadRequest {
     text: String,
     #[serde(default)]
     setup: Option<Value>,
+    #[serde(default)]
+    machine: Machine,
 }
 
 #[derive(Deserialize)]
@@ -39,6 +40,8 @@ struct RunRequest {
     text: String,
     #[serde(default)]
     setup: Option<Value>,
+    #[serde(default)]
+    machine: Machine,
 }
 
 /// Answers a `ReadRequest` with a `ReadView`: every measuring call, and what is wrong.
@@ -46,15 +49,10 @@ pub fn read(request: &str) -> Result<Value, Error> {
     let request: ReadRequest = serde_json::from_str(request)?;
     let dialect = dialect(&request.control)?;
     let program = program::read(dialect, request.text.as_bytes());
-    Ok(view(&program, start(dialect, request.setup)?.control))
-}
-
-/// The machine of the request, or the core's own.
-fn start(dialect: Dialect, setup: Option<Value>) -> Result<Setup, Error> {
-    match setup {
-        Some(setup) => super::setup::from_value(setup),
-        None => Ok(Setup::calibrated(dialect, Plane::G17)),
-    }
+    Ok(view(
+        &program,
+        start(dialect, request.setup, &request.machine)?.control,
+    ))
 }
 
 /// The measuring calls of a program as a `ReadView`; the control is a metric one as delivered.
@@ -148,7 +146,7 @@ pub fn change(request: &str) -> Result<Value, Error> {
 pub fn run(request: &str) -> Result<Value, Error> {
     let request: RunRequest = serde_json::from_str(request)?;
     let dialect = dialect(&request.control)?;
-    let setup = start(dialect, request.setup)?;
+    let setup = start(dialect, request.setup, &request.machine)?;
     let program = program::read(dialect, request.text.as_bytes());
     let outcome = run::run(&program, &setup, Limits::default());
     run_outcome(&setup, &outcome, &program.source)
@@ -165,7 +163,7 @@ pub fn run_outcome(setup: &Setup, outcome: &Outcome, source: &[u8]) -> Result<Va
         "trace": super::trace::trace(setup, outcome)?,
         "diagnostics": findings(&outcome.diagnostics, &Positions::new(source)),
         "results": results,
-        "changes": super::trace::changes(outcome),
+        "changes": super::changes::changes(outcome),
         "alarms": super::trace::alarms(outcome),
         "log": outcome.log(),
         "finished": outcome.finished(),

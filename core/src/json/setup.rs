@@ -284,8 +284,34 @@ pub fn from_json(text: &str) -> Result<Setup, Error> {
 }
 
 /// The same from a parsed document.
-pub(super) fn from_value(value: serde_json::Value) -> Result<Setup, Error> {
+fn from_value(value: serde_json::Value) -> Result<Setup, Error> {
     setup(serde_json::from_value(value)?)
+}
+
+/// What the core's own machine begins with; a machine that the user described says so itself.
+#[derive(Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub(super) struct Machine {
+    /// Working plane.
+    plane: PlaneName,
+    /// G function of units, as in [`ActiveFile`]; none: that of a metric machine.
+    units: Option<String>,
+}
+
+/// The described machine, or the core's own with what was chosen for it.
+pub(super) fn start(
+    dialect: Dialect,
+    described: Option<serde_json::Value>,
+    machine: &Machine,
+) -> Result<Setup, Error> {
+    if let Some(described) = described {
+        return from_value(described);
+    }
+    let mut setup = Setup::calibrated(dialect, plane(machine.plane));
+    if let Some(name) = &machine.units {
+        choose_units(&mut setup.control, name)?;
+    }
+    Ok(setup)
 }
 
 fn setup(file: SetupFile) -> Result<Setup, Error> {

@@ -157,18 +157,42 @@ fn a_form_without_values_has_fields_and_a_picture() {
 fn the_stylus_stands_along_the_applicate() {
     let cycle = crate::catalogue::find(Dialect::Sinumerik, "CYCLE977").unwrap();
     let mut asked: Value = serde_json::from_str(&request(cycle)).unwrap();
-    let mut setup = form(&asked.to_string()).unwrap()["setup"].clone();
     for (plane, axis) in [
         ("G17", [0.0, 0.0, 1.0]),
         ("G18", [0.0, 1.0, 0.0]),
         ("G19", [1.0, 0.0, 0.0]),
     ] {
-        setup["plane"] = json!(plane);
-        asked["setup"] = setup.clone();
+        asked["machine"] = json!({ "plane": plane });
         let view = form(&asked.to_string()).unwrap();
         let ball = &view["outcome"]["trace"]["ball"];
         assert_eq!(ball["axis"], json!(axis), "{plane}");
+        assert_eq!(view["setup"]["plane"], json!(plane));
     }
+}
+
+// oracle: manual B:1787-1795 (set values count in the active system, _FA always in mm)
+#[test]
+fn the_chosen_units_decide_what_a_value_means() {
+    let cycle = crate::catalogue::find(Dialect::Sinumerik, "CYCLE977").unwrap();
+    let mut asked: Value = serde_json::from_str(&request(cycle)).unwrap();
+    asked["machine"] = json!({ "units": "G70" });
+    asked["values"]["_SETVAL"] = json!("2");
+    let view = form(&asked.to_string()).unwrap();
+    let unit = |name: &str| {
+        let fields = view["fields"].as_array().unwrap();
+        let field = fields.iter().find(|field| field["name"] == name).unwrap();
+        field["unit"].clone()
+    };
+    assert_eq!((unit("_SETVAL"), unit("_FA")), (json!("inch"), json!("mm")));
+    assert_eq!(
+        view["outcome"]["trace"]["solids"][0]["size"][0],
+        json!(50.8)
+    );
+    assert_eq!(view["setup"]["active"]["units"], "G70");
+    let text = view["snippet"].as_str().unwrap();
+    let read = |machine: Value| json!({ "control": "sinumerik", "text": text, "machine": machine });
+    let calls = super::read(&read(json!({ "units": "G70" })).to_string()).unwrap();
+    assert_eq!(calls["calls"][0]["units"], "G70");
 }
 
 // oracle: hand (errors belong to the part; a post stands in the zone, which is drawn)

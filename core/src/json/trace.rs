@@ -6,7 +6,7 @@ use crate::check::{Inputs, unit_name};
 use crate::control::Control;
 use crate::diagnostic::Code;
 use crate::message::Message;
-use crate::run::outcome::{Change, Outcome};
+use crate::run::outcome::Outcome;
 use crate::run::setup::Setup;
 use crate::run::trace::{Entry, MotionKind, Step, Trace};
 use crate::workpiece::Solid;
@@ -18,7 +18,7 @@ pub fn outcome(inputs: &Inputs, setup: &Setup, outcome: &Outcome) -> Result<Valu
         "results": results(inputs, outcome),
         "decisions": outcome.decisions().into_iter().map(message).collect::<Vec<_>>(),
         "alarms": alarms(outcome),
-        "changes": changes(outcome),
+        "changes": super::changes::changes(outcome),
         "log": outcome.log(),
         "trace": trace(setup, outcome)?,
     }))
@@ -38,19 +38,6 @@ fn results(inputs: &Inputs, outcome: &Outcome) -> Vec<Value> {
             })
         })
         .collect()
-}
-
-/// Tools, frames and memories before and after; lengths in mm, rotations in degree.
-pub(super) fn changes(outcome: &Outcome) -> Vec<Value> {
-    let value = |change: Change| {
-        let unit = if change.name.contains(",RT]") {
-            "deg"
-        } else {
-            "mm"
-        };
-        json!({ "name": change.name, "before": number(change.before), "after": number(change.after), "unit": unit })
-    };
-    outcome.changes().into_iter().map(value).collect()
 }
 
 /// Alarms raised, the one that stopped the run last, a fault of the simulation after them.
@@ -183,7 +170,8 @@ fn kind_name(kind: MotionKind) -> &'static str {
     }
 }
 
-/// The active workpiece coordinate system before, and after where a correction moved it.
+/// The machine's coordinate system where it is another one, the active workpiece coordinate system before, and after
+/// where a correction moved it.
 fn frames(before: &Control, after: &Control) -> Vec<Value> {
     let mut corrected = after.clone();
     corrected.activate(after.settable);
@@ -196,9 +184,14 @@ fn frames(before: &Control, after: &Control) -> Vec<Value> {
         json!({ "name": name, "at": at, "axes": [axis([1.0, 0.0, 0.0]), axis([0.0, 1.0, 0.0]), axis([0.0, 0.0, 1.0])] })
     };
     let name = settable_name(before, before.settable);
-    let mut list = vec![drawn(name.clone(), before)];
+    let mut list = Vec::new();
+    if before.to_machine([0.0; 3]) != [0.0; 3] {
+        let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        list.push(json!({ "name": "MCS", "at": [0.0, 0.0, 0.0], "axes": axes }));
+    }
+    list.push(drawn(format!("WCS {name}"), before));
     if corrected.to_machine([0.0; 3]) != before.to_machine([0.0; 3]) {
-        list.push(drawn(format!("{name}′"), &corrected));
+        list.push(drawn(format!("WCS {name}′"), &corrected));
     }
     list
 }

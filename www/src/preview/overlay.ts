@@ -5,7 +5,7 @@ import type { Colours } from "./colours";
 import type { Scene } from "./scene";
 
 const SVG = "http://www.w3.org/2000/svg";
-const CORNER = 46; // CSS pixels from the lower left corner
+const CORNER = { x: 46, y: 76 }; // CSS pixels from the lower left corner, above the line of the step
 const ARM = 24;
 
 export function overlay(host: HTMLElement): SVGSVGElement {
@@ -27,7 +27,7 @@ export function drawOverlay(element: SVGSVGElement, scene: Scene, frame: Frame):
 
 function triad(colours: Colours, frame: Frame): SVGElement[] {
   const { right, up, back } = basis(frame.camera);
-  const [x0, y0] = [CORNER, frame.view.height - CORNER];
+  const [x0, y0] = [CORNER.x, frame.view.height - CORNER.y];
   const axes = (["X", "Y", "Z"] as const).map((name, i) => ({ name, dx: right[i]!, dy: -up[i]!, near: back[i]!, colour: [colours.axisX, colours.axisY, colours.axisZ][i]! }));
   return axes.sort((a, b) => a.near - b.near).flatMap(({ name, dx, dy, colour }) => {
     const line = make("line", { x1: x0, y1: y0, x2: x0 + ARM * dx, y2: y0 + ARM * dy, stroke: colour, "stroke-width": 2, "stroke-linecap": "round" });

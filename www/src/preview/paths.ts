@@ -36,7 +36,7 @@ function touchLines(step: Extract<Step, { step: "touch" }>, entry: number, colou
   const colour = parse(colours.touch);
   const tip = add(step.point, times(step.normal, normal));
   return [
-    { from: step.point, to: tip, style: { colour, width: 1.5, through: 0.5, ...later } },
+    { from: step.point, to: tip, style: { colour, width: 2, through: 0.6, ...later } },
     point(step.point, { colour: parse(colours.background), width: 10, through: 0.7, ...later }),
     point(step.point, { colour, width: 6.5, through: 0.8, ...later }),
   ];
@@ -66,7 +66,7 @@ export function frameLines(frames: Trace["frames"], colours: Colours, length: nu
     axes.map(([, colour], i): Line => ({ from: at, to: add(at, times(directions[i]!, length)), style: { colour: parse(colour), width: 2.25, through: 0.45 } })));
   const labels = frames.flatMap(({ name, at, axes: directions }): Label[] => [
     ...axes.map(([text, colour], i) => ({ at: add(at, times(directions[i]!, 1.14 * length)), text, colour })),
-    { at: add(at, times(add(directions[0], directions[1]), -0.12 * length)), text: name, colour: colours.text },
+    { at: add(at, times(add(directions[0], directions[1]), -0.3 * length)), text: name, colour: colours.text },
   ]);
   return { lines, labels };
 }

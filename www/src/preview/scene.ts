@@ -3,7 +3,7 @@ import type { Trace, Vec3 } from "../wire";
 import { parse, type Colours } from "./colours";
 import { append, mesh, type Line, type Mesh } from "./mesh";
 import { frameLines, gridLines, pathLines, type Label } from "./paths";
-import { part } from "./solids";
+import { part, zone } from "./solids";
 import { stylus } from "./stylus";
 import { boxCorners, centre, include, sub, type Box } from "./vec";
 
@@ -27,12 +27,14 @@ export function buildScene(trace: Trace, colours: Colours, exaggeration = 1): Sc
   const solidBox = all.box;
   const box = around(trace, solidBox);
   const size = Math.hypot(...sub(box.max, box.min));
+  const zones = (trace.zones ?? []).map((solid) => zone(solid, parse(colours.zone)));
   const solidCorners = addStylus(all, trace, colours, size);
+  for (const { mesh: own } of zones) append(all, own);
   const frames = frameLines(trace.frames, colours, 0.14 * size);
-  const normal = Math.max(2 * trace.ball.radius, 0.05 * size);
+  const normal = Math.max(2.5 * trace.ball.radius, 0.07 * size);
   const lines: Line[] = [
     ...gridLines(solidBox ?? box, colours.grid),
-    ...parts.flatMap(({ edges }) => edges),
+    ...[...parts, ...zones].flatMap(({ edges }) => edges),
     ...frames.lines,
     ...pathLines(trace, colours, normal),
   ];

@@ -10,6 +10,7 @@ interface Look { paint: Paint; edge: Style }
 
 const WALL_LAYERS = 6;
 const EXTRUDE_PARTS = 6;
+const ZONE_OPACITY = 0.22;
 
 /** Errors drawn `factor` times as large as they are. */
 export function exaggerated(errors: Solid["errors"], factor: number): Solid["errors"] {
@@ -26,6 +27,15 @@ export function part(solid: Solid, factor: number, colour: Rgba, edge: Rgba): Pa
   const look: Look = { paint: { colour }, edge: { colour: edge, width: 1.25, through: 0.16 } };
   const own = build(solid.shape, solid.size, errors, look);
   return placed(own, placement(solid, errors));
+}
+
+/** The walls of a protection zone, seen through, with their rims. */
+export function zone(solid: Solid, colour: Rgba): Part {
+  const [a = 10, b = 10, c = 10] = solid.size;
+  const [outline, height] = solid.shape === "shaft" ? [circle(a, solid.errors), b]
+    : solid.shape === "web" ? [rectangle(a, c, solid.errors), b] : [rectangle(a, b, solid.errors), c];
+  const look: Look = { paint: { colour: [colour[0], colour[1], colour[2], ZONE_OPACITY] }, edge: { colour, width: 1.5, dash: 7, through: 0.5 } };
+  return placed({ mesh: walls(outline, 0, height, 1, look), edges: rims(outline, height, look) }, placement(solid, solid.errors));
 }
 
 function build(shape: Solid["shape"], size: number[], errors: Solid["errors"], look: Look): Part {

@@ -31,6 +31,17 @@ function fallbackText(field: Field): string {
   return t("field-default", { value: named ? `${plain(field.fallback)} (${say(named.label)})` : plain(field.fallback) });
 }
 
+/** What may be entered and what counts when nothing is; a choice shows both by itself. */
+function limitsText(field: Field): string {
+  const range = field.kind === "real" || field.kind === "integer" ? rangeText(field) : "";
+  return [range, field.kind === "choice" || field.kind === "digits" ? "" : fallbackText(field)].filter(Boolean).join(" · ");
+}
+
+/** Whether the field has to be filled in, and why. */
+export function needText(field: Field): string {
+  return t(field.required ? "field-required" : "field-optional", { reason: say(field.reason) });
+}
+
 /** The number with one of its digit groups replaced. */
 export function withDigits(number: number, group: Pick<DigitGroup, "place" | "digits">, value: number): number {
   const size = 10 ** group.digits;
@@ -47,7 +58,6 @@ export function createField(first: Field, actions: Actions, focused: (name: stri
   const label = el("label", { for: id, class: "field-label" });
   const required = el("span", { class: "required", "aria-hidden": "true" }, "•");
   const code = el("code", { class: "field-name" }, name);
-  const info = el("button", { type: "button", class: "info", "aria-expanded": "false", "aria-controls": `${id}-help` }, "?");
   const input = el("input", {
     id, class: "figure", type: "text", autocomplete: "off", spellcheck: "false", "data-kind": first.kind,
     inputmode: first.kind === "text" ? "text" : "decimal", "aria-describedby": `${id}-meta ${id}-problems`,
@@ -55,12 +65,13 @@ export function createField(first: Field, actions: Actions, focused: (name: stri
   const unit = el("span", { class: "unit" });
   const select = el("select", { class: "choice" });
   const groups = el("div", { class: "digits" });
-  const meta = el("p", { class: "meta", id: `${id}-meta` });
-  const help = el("p", { class: "help", id: `${id}-help`, hidden: true });
+  const limits = el("span", {});
+  const why = el("span", { class: "visually-hidden" }); // in sight beside the drawing while the field has the focus
+  const meta = el("p", { class: "meta", id: `${id}-meta` }, limits, why);
   const list = el("ul", { class: "field-problems", id: `${id}-problems`, "aria-live": "polite" });
   const root = el("div", { class: `field kind-${first.kind}`, "data-field": name },
     el("div", { class: "field-head" }, el("span", { class: "field-title" }, label, required), code),
-    el("div", { class: "field-entry" }, el("div", { class: "entry-line" }, input, unit, first.kind === "choice" ? select : null, info), meta, help),
+    el("div", { class: "entry-line" }, input, unit, first.kind === "choice" ? select : null, meta),
     first.kind === "digits" ? groups : null, list,
   );
 
@@ -71,14 +82,7 @@ export function createField(first: Field, actions: Actions, focused: (name: stri
   });
   on(input, "change", () => { clearTimeout(timer); actions.touch(name); });
   on(select, "change", () => { actions.edit(name, select.value); actions.touch(name); });
-  on(info, "click", () => {
-    const open = help.hasAttribute("hidden");
-    show(help, open);
-    setAttribute(info, "aria-expanded", String(open));
-  });
   root.addEventListener("focusin", () => focused(name));
-  root.addEventListener("pointerenter", () => root.classList.add("pointed"));
-  root.addEventListener("pointerleave", () => root.classList.remove("pointed"));
 
   const editGroup = (group: DigitGroup, value: number): void => {
     const base = parseNumber(input.value) ?? field.fallback ?? 0;
@@ -98,11 +102,9 @@ export function createField(first: Field, actions: Actions, focused: (name: stri
       setAttribute(input, "aria-required", String(field.required));
       if (field.kind === "choice") updateChoice(select, field, typed);
       if (field.kind === "digits") keyed(groups, field.digits ?? [], (group) => `${group.label.key}/${group.place}/${group.choices.map((one) => one.value).join(",")}`, (group) => createGroup(() => field, group.place, editGroup), (node, group, index) => updateGroup(node, group, `${id}-digit-${index}`));
-      const why = t(field.required ? "field-required" : "field-optional", { reason: say(field.reason) });
-      const parts = [rangeText(field), fallbackText(field), why].filter(Boolean);
-      setText(meta, parts.join(" · "));
-      setText(help, `${say(field.help)} ${t("field-source", { source: field.source })}`);
-      setAttribute(info, "aria-label", t("field-help", { name: say(field.label) }));
+      root.classList.toggle("needed", field.required);
+      setText(limits, limitsText(field));
+      setText(why, ` ${needText(field)}`);
       updateProblems(list, problems);
       const wrong = problems.some((one) => one.severity === "error");
       setAttribute(input, "aria-invalid", wrong ? "true" : null);

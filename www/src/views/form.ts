@@ -5,9 +5,9 @@ import type { Derived } from "../derive";
 import { el, keyed, on, setAttribute, setText, show } from "../dom";
 import type { State } from "../state";
 import type { Store } from "../store";
-import { optional, t } from "../texts";
+import { optional, say, t } from "../texts";
 import type { Diagnostic, Field } from "../wire";
-import { createField, fieldId, problemItem, updateProblem, type FieldView } from "./field";
+import { createField, fieldId, needText, problemItem, updateProblem, type FieldView } from "./field";
 import { createPicture } from "./picture";
 
 /** Problems of a field are shown once it was typed into, or after "check". */
@@ -27,6 +27,10 @@ export async function copyText(text: string, store: Store, notice: string): Prom
 export function createForm(root: HTMLElement, store: Store, actions: Actions): (state: State, derived: Derived) => void {
   const title = el("h2", { id: "form-title" });
   const about = el("p", { class: "lead" });
+  const named = el("strong", {});
+  const code = el("code", {});
+  const told = el("span", {});
+  const explained = el("p", { class: "lead" }, named, " ", code, " ", told);
   const where = el("span", {});
   const detach = el("button", { type: "button", class: "quiet" }, t("form-detach"));
   const opened = el("div", { class: "opened", role: "status" }, el("span", { class: "opened-mark", "aria-hidden": "true" }, "◆"), where, detach);
@@ -43,8 +47,9 @@ export function createForm(root: HTMLElement, store: Store, actions: Actions): (
   const snippetBox = el("section", { class: "snippet-box", "aria-label": t("form-snippet") },
     el("div", { class: "snippet-head" }, el("h3", {}, t("form-snippet")), el("label", { class: "check", for: "comments" }, comments, t("form-comments"))),
     snippet, el("div", { class: "actions" }, insert, copy));
-  const scroll = el("div", { class: "scroll" }, about, loose, fields, el("div", { class: "actions" }, check, example), snippetBox);
-  root.append(el("header", { class: "panel-head" }, title, count), opened, pictureBox, scroll);
+  const scroll = el("div", { class: "scroll" }, loose, fields, el("div", { class: "actions" }, check, example), snippetBox);
+  root.append(el("header", { class: "panel-head" }, title, count), opened, pictureBox,
+    el("div", { class: "explain" }, about, explained), scroll);
 
   const views = new WeakMap<Element, FieldView>();
   const focused = (name: string | null): void => { if (store.state.focus !== name) store.update({ focus: name }); };
@@ -63,6 +68,12 @@ export function createForm(root: HTMLElement, store: Store, actions: Actions): (
     root.querySelector<HTMLElement>('[aria-invalid="true"]')?.focus();
   });
 
+  /** What the focused field means and whether it has to be filled in. */
+  const explain = (field: Field): void => {
+    setText(named, say(field.label));
+    setText(code, field.name);
+    setText(told, `${say(field.help)} ${needText(field)} ${t("field-source", { source: field.source })}`);
+  };
   const make = (field: Field): HTMLElement => {
     const view = createField(field, actions, focused);
     views.set(view.root, view);
@@ -73,7 +84,10 @@ export function createForm(root: HTMLElement, store: Store, actions: Actions): (
     const { view, cycle } = derived;
     setText(title, t(`${cycle.key}-title`));
     setText(about, optional(`${cycle.key}-help`));
-    show(about, !!about.textContent);
+    const inFocus = view.fields.find((field) => field.name === state.focus);
+    show(about, !inFocus && !!about.textContent);
+    show(explained, !!inFocus);
+    if (inFocus) explain(inFocus);
     show(opened, !!derived.opened);
     if (derived.opened) setText(where, t("form-opened", { cycle: cycle.cycle, from: derived.opened.line, to: derived.opened.lastLine }));
     const problems = shownProblems(state, view.diagnostics);
@@ -81,7 +95,7 @@ export function createForm(root: HTMLElement, store: Store, actions: Actions): (
     keyed(fields, view.fields, (field) => `${cycle.control}/${cycle.cycle}/${field.name}/${field.kind}`, make, (node, field) =>
       views.get(node)?.update(field, state.values[field.name] ?? "", problems.filter((one) => one.param === field.name)));
     keyed(loose, problems.filter((one) => one.param === undefined || !names.has(one.param)), (one) => `${one.code}/${one.message.key}`, problemItem, updateProblem);
-    drawPicture(view.picture, state.focus);
+    drawPicture(view.picture, state.focus, state.values);
     renderCount(count, state, view.diagnostics, view.complete);
     if (comments.checked !== state.comments) comments.checked = state.comments;
     snippetText = view.snippet;

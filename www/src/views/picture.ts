@@ -4,9 +4,11 @@ import { setAttribute, show, svg } from "../dom";
 import { t } from "../texts";
 import type { Picture, PictureShape } from "../wire";
 
-const WIDTH = 400, HEIGHT = 230, MARGIN = 34;
+const MARGIN = { x: 30, y: 22 }; // CSS pixels around the figures, for captions
+const CHARACTER = 6.6;           // width of a character of a caption, CSS pixels
 /** From the ground up: what is filled must not hide what is drawn in lines. */
-const ORDER: PictureShape["kind"][] = ["material", "tolerance", "axis", "zone", "path", "edge", "probe", "touch", "dimension", "label"];
+const ORDER: PictureShape["kind"][] = ["material", "cut", "tolerance", "axis", "zone", "path", "edge", "probe", "touch", "dimension", "label"];
+interface Size { width: number; height: number }
 type Point = [number, number];
 type Place = (point: Point) => Point;
 
@@ -22,11 +24,11 @@ function extent(shapes: PictureShape[]): { low: Point; high: Point } {
 }
 
 /** Millimetres to picture points, y up. */
-function placing(shapes: PictureShape[]): { place: Place; scale: number } {
+function placing(shapes: PictureShape[], { width, height }: Size): { place: Place; scale: number } {
   const { low, high } = extent(shapes);
-  const scale = Math.min((WIDTH - 2 * MARGIN) / Math.max(high[0] - low[0], 1e-9), (HEIGHT - 2 * MARGIN) / Math.max(high[1] - low[1], 1e-9));
+  const scale = Math.min((width - 2 * MARGIN.x) / Math.max(high[0] - low[0], 1e-9), (height - 2 * MARGIN.y) / Math.max(high[1] - low[1], 1e-9));
   const middle: Point = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2];
-  return { scale, place: ([x, y]) => [WIDTH / 2 + (x - middle[0]) * scale, HEIGHT / 2 - (y - middle[1]) * scale] };
+  return { scale, place: ([x, y]) => [width / 2 + (x - middle[0]) * scale, height / 2 - (y - middle[1]) * scale] };
 }
 
 const r = (value: number): string => value.toFixed(2);
@@ -35,66 +37,91 @@ function outline(points: Point[], closed: boolean): string {
   return points.map(([x, y], index) => `${index ? "L" : "M"}${r(x)} ${r(y)}`).join("") + (closed ? "Z" : "");
 }
 
-function caption(text: string, at: Point, anchor: string): SVGElement {
-  return svg("text", { x: r(at[0]), y: r(at[1]), "text-anchor": anchor, class: "caption" }, text);
+/** A caption that stays inside the picture. */
+function caption(text: string, at: Point, anchor: "start" | "middle", { width, height }: Size): SVGElement {
+  const long = text.length * CHARACTER;
+  const before = anchor === "middle" ? long / 2 : 0;
+  const x = Math.min(Math.max(at[0], before + 3), width - long + before - 3);
+  const y = Math.min(Math.max(at[1], 11), height - 4);
+  return svg("text", { x: r(x), y: r(y), "text-anchor": anchor, class: "caption" }, text);
 }
 
-function dimension(a: Point, b: Point, text: string | undefined): SVGElement[] {
+function dimension(a: Point, b: Point, text: string | undefined, size: Size): SVGElement[] {
   const length = Math.hypot(b[0] - a[0], b[1] - a[1]) || 1;
   const along: Point = [(b[0] - a[0]) / length, (b[1] - a[1]) / length];
+  const short = length < 22; // no room for two heads inside: they point from outside
   const head = (tip: Point, way: number): SVGElement => {
-    const size = Math.min(7, length / 3);
-    const back: Point = [tip[0] + along[0] * size * way, tip[1] + along[1] * size * way];
-    const side: Point = [-along[1] * size * 0.35, along[0] * size * 0.35];
+    const back: Point = [tip[0] + along[0] * 8 * way, tip[1] + along[1] * 8 * way];
+    const side: Point = [-along[1] * 2.6, along[0] * 2.6];
     return svg("path", { d: outline([tip, [back[0] + side[0], back[1] + side[1]], [back[0] - side[0], back[1] - side[1]]], true), class: "arrow" });
   };
+  const tick = (at: Point): string => `M${r(at[0] - along[1] * 5)} ${r(at[1] + along[0] * 5)}L${r(at[0] + along[1] * 5)} ${r(at[1] - along[0] * 5)}`;
+  const out = short ? 14 : 0;
+  const ends: Point[] = [[a[0] - along[0] * out, a[1] - along[1] * out], [b[0] + along[0] * out, b[1] + along[1] * out]];
+  const parts: SVGElement[] = [svg("path", { d: outline(ends, false) + tick(a) + tick(b) }), head(a, short ? -1 : 1), head(b, short ? 1 : -1)];
   const middle: Point = [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
   const upright = Math.abs(along[1]) > 0.7;
-  const parts: SVGElement[] = [svg("path", { d: outline([a, b], false) }), head(a, 1), head(b, -1)];
-  if (text) parts.push(caption(text, [middle[0] + (upright ? 5 : 0), middle[1] - (upright ? -4 : 5)], upright ? "start" : "middle"));
+  if (text) parts.push(caption(text, [middle[0] + (upright ? 6 : 0), middle[1] - (upright ? -4 : 5)], upright ? "start" : "middle", size));
   return parts;
 }
 
-function figures(shape: PictureShape, place: Place, scale: number): SVGElement[] {
+/** What is drawn for one shape; `value`: what was typed for the parameter that a dimension shows. */
+function figures(shape: PictureShape, place: Place, scale: number, size: Size, value: string): SVGElement[] {
   const points = shape.points.map(place);
   const [a, b] = points;
-  if (shape.kind === "dimension" && a && b) return dimension(a, b, shape.text);
+  const text = shape.text && value ? `${shape.text} ${value}` : shape.text;
+  if (shape.kind === "dimension" && a && b) return dimension(a, b, text, size);
   const parts: SVGElement[] = [];
-  if (shape.circle) {
-    const [x, y] = place([shape.circle.x, shape.circle.y]);
-    parts.push(svg("circle", { cx: r(x), cy: r(y), r: r(Math.max(shape.circle.r * scale, 1.5)) }));
-  }
+  const circle = shape.circle && { at: place([shape.circle.x, shape.circle.y]), r: Math.max(shape.circle.r * scale, 2.5) };
+  if (circle) parts.push(svg("circle", { cx: r(circle.at[0]), cy: r(circle.at[1]), r: r(circle.r) }));
   if (shape.kind === "touch" && !shape.circle) for (const [x, y] of points) parts.push(svg("path", { d: `M${r(x - 4)} ${r(y)}h8M${r(x)} ${r(y - 4)}v8` }));
   else if (points.length > 1) parts.push(svg("path", { d: outline(points, !!shape.closed) }));
-  if (shape.text && a) parts.push(caption(shape.text, shape.kind === "label" ? a : [a[0] + 5, a[1] - 5], shape.kind === "label" ? "middle" : "start"));
+  const at: Point | undefined = circle ? [circle.at[0] + 5, circle.at[1] + 14] : a && (shape.kind === "label" ? a : [a[0] + 5, a[1] - 5]);
+  if (text && at) parts.push(caption(text, at, shape.kind === "label" ? "middle" : "start", size));
   return parts;
 }
 
-export function createPicture(root: HTMLElement, pick: (field: string) => void): (picture: Picture, focus: string | null) => void {
-  const drawing = svg("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "img", class: "picture" });
+/** Lines at 45° for what is cut. */
+function hatching(): SVGElement {
+  return svg("defs", {}, svg("pattern", { id: "hatch", width: 6, height: 6, patternUnits: "userSpaceOnUse", patternTransform: "rotate(45)" },
+    svg("rect", { width: 6, height: 6, class: "hatch-ground" }), svg("path", { d: "M0 0V6", class: "hatch-line" })));
+}
+
+export function createPicture(root: HTMLElement, pick: (field: string) => void): (picture: Picture, focus: string | null, values: Record<string, string>) => void {
+  const shapes = svg("g");
+  const drawing = svg("svg", { role: "img", class: "picture" }, hatching(), shapes);
   root.append(drawing);
-  let drawn: Picture | null = null;
+  let drawn: { picture: Picture; values: Record<string, string> } | null = null;
+  let lit: string | null = null;
   drawing.addEventListener("click", (event) => {
     const field = (event.target as Element).closest("[data-field]")?.getAttribute("data-field");
     if (field) pick(field);
   });
-  const draw = (picture: Picture): void => {
-    drawn = picture;
-    const { place, scale } = placing(picture.shapes);
-    const shapes = [...picture.shapes].sort((a, b) => ORDER.indexOf(a.kind) - ORDER.indexOf(b.kind));
-    drawing.replaceChildren(...shapes.map((shape) =>
-      svg("g", { class: `shape ${shape.kind}`, "data-field": shape.field }, ...figures(shape, place, scale))));
+  const draw = ({ picture, values }: NonNullable<typeof drawn>): void => {
+    const size = { width: Math.max(drawing.clientWidth, 120), height: Math.max(drawing.clientHeight, 100) };
+    setAttribute(drawing, "viewBox", `0 0 ${size.width} ${size.height}`);
+    const { place, scale } = placing(picture.shapes, size);
+    const sorted = [...picture.shapes].sort((a, b) => ORDER.indexOf(a.kind) - ORDER.indexOf(b.kind));
+    shapes.replaceChildren(...sorted.map((shape) => {
+      const value = shape.kind === "dimension" && shape.field === shape.text ? (values[shape.field ?? ""] ?? "").trim() : "";
+      return svg("g", { class: `shape ${shape.kind}`, "data-field": shape.field }, ...figures(shape, place, scale, size, value));
+    }));
   };
-  return (picture, focus) => {
-    if (picture !== drawn) draw(picture);
-    show(root, picture.shapes.length > 0);
-    setAttribute(drawing, "aria-label", t(`picture-${picture.view}`));
-    let lit = false;
-    for (const shape of drawing.children) {
-      const match = focus !== null && shape.getAttribute("data-field") === focus;
+  const light = (): void => {
+    let any = false;
+    for (const shape of shapes.children) {
+      const match = lit !== null && shape.getAttribute("data-field") === lit;
       shape.classList.toggle("lit", match);
-      lit ||= match;
+      any ||= match;
     }
-    drawing.classList.toggle("has-lit", lit);
+    drawing.classList.toggle("has-lit", any);
+  };
+  new ResizeObserver(() => { if (drawn) draw(drawn); light(); }).observe(drawing);
+  return (picture, focus, values) => {
+    show(root, picture.shapes.length > 0);
+    if (picture !== drawn?.picture || values !== drawn.values) draw(drawn = { picture, values });
+    setAttribute(drawing, "aria-label", t(`picture-${picture.view}`));
+    lit = focus;
+    light();
   };
 }

@@ -30,6 +30,12 @@ function fill(node: HTMLElement, texts: string[]): void {
   texts.forEach((text, index) => { const cell = node.children[index]; if (cell) setText(cell, text); });
 }
 
+/** What is changed, in words with the variable below; before, after, difference, unit. */
+function changeRow(): HTMLTableRowElement {
+  const name = el("th", { scope: "row" }, el("span", { class: "change-label" }), el("code", {}));
+  return el("tr", {}, name, ...Array.from({ length: 4 }, () => el("td", {})));
+}
+
 function createOutcome(root: HTMLElement): Draw {
   const alarms = el("ul", { class: "alarms", "aria-label": t("outcome-alarms") });
   const results = el("tbody", {});
@@ -37,7 +43,7 @@ function createOutcome(root: HTMLElement): Draw {
   const decisions = el("ol", { class: "decisions" });
   const decisionBox = el("section", { class: "decision-box" }, el("h3", {}, t("outcome-decisions")), decisions);
   const resultTable = table(t("outcome-results"), [t("column-name"), t("column-meaning"), t("column-value"), t("column-unit")], results);
-  const changeTable = table(t("outcome-changes"), [t("column-name"), t("column-before"), t("column-after"), t("column-difference"), t("column-unit")], changes);
+  const changeTable = table(t("outcome-changes"), [t("column-what"), t("column-before"), t("column-after"), t("column-difference"), t("column-unit")], changes);
   resultTable.className = "results";
   changeTable.className = "changes";
   const none = el("p", { class: "empty" });
@@ -55,8 +61,15 @@ function createOutcome(root: HTMLElement): Draw {
     show(alarms, (outcome?.alarms.length ?? 0) > 0);
     keyed(results, outcome?.results ?? [], (one) => one.name, row(3), (node, one) =>
       fill(node, [one.name, one.label, fixed(one.value), unitText(one.unit)]));
-    keyed(changes, outcome?.changes ?? [], (one) => one.name, row(4), (node, one) =>
-      fill(node, [one.name, fixed(one.before), fixed(one.after), signed(one.after - one.before), unitText(one.unit)]));
+    keyed(changes, outcome?.changes ?? [], (one) => one.name, changeRow, (node, one) => {
+      const [name] = node.children;
+      if (name?.firstElementChild) setText(name.firstElementChild, say(one.label));
+      if (name?.lastElementChild) setText(name.lastElementChild, one.name);
+      [fixed(one.before), fixed(one.after), signed(one.after - one.before), unitText(one.unit)].forEach((text, index) => {
+        const cell = node.children[index + 1];
+        if (cell) setText(cell, text);
+      });
+    });
     show(decisionBox, (outcome?.decisions.length ?? 0) > 0);
     keyed(decisions, outcome?.decisions ?? [], (_, index) => String(index), () => el("li", {}), (node, one, index) => {
       setText(node, say(one));

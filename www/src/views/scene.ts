@@ -6,6 +6,7 @@ import type { Preview, ViewName } from "../preview/view";
 import { AT_END, type State } from "../state";
 import type { Store } from "../store";
 import { t } from "../texts";
+import { createLegend } from "./legend";
 import { createTimeline, PACE } from "./timeline";
 
 const SOURCES = ["form", "program"] as const;
@@ -31,8 +32,9 @@ export function createScene(root: HTMLElement, store: Store, goToLine: (line: nu
   const stage = el("div", { class: "stage" });
   const note = el("p", { class: "empty", role: "status" }, t("view-loading"));
   const empty = el("p", { class: "empty over-stage", role: "status", hidden: true });
+  const legend = createLegend();
   const timeline = el("div", { class: "timeline", role: "group", "aria-label": t("timeline-scrub") });
-  root.append(el("header", { class: "panel-head" }, el("h2", {}, t("view-title")), segments, tools), note, el("div", { class: "stage-box" }, stage, empty), timeline);
+  root.append(el("header", { class: "panel-head" }, el("h2", {}, t("view-title")), segments, tools), note, el("div", { class: "stage-box" }, stage, legend.root, empty), timeline);
   const drawTimeline = createTimeline(timeline, store, goToLine);
 
   let preview: Preview | null = null;
@@ -70,6 +72,7 @@ export function createScene(root: HTMLElement, store: Store, goToLine: (line: nu
     const colours = palette(night);
     if (colours && night !== shown.dark) preview.setColours(colours);
     const fresh = derived.trace !== shown.trace;
+    if (colours && (fresh || night !== shown.dark)) legend.draw(derived.trace, colours);
     if (fresh) preview.setTrace(derived.trace ?? NOTHING);
     const { step } = derived;
     if (fresh || step !== shown.step) move(preview, step, state.playing && derived.trace?.entries[step]?.step === "motion" && !still.matches);

@@ -1,4 +1,4 @@
-//! CYCLE977 drawn: the element from above, and below it the section with the infeed where there is one.
+//! CYCLE977 drawn: the element from above, and beside it the section with the infeed where there is one.
 //! Missing values are drawn as in the manual's examples. Short distances (`_FA`, tolerances) are drawn longer than they
 //! are, so that they can be seen beside the element.
 
@@ -7,6 +7,9 @@ use crate::catalogue::names;
 use crate::check::Inputs;
 use crate::form::figures::{circle, corners, dimension, frame, line, polygon, rectangle, round};
 use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
+
+/// Letters of the geometry axes.
+const AXES: [&str; 3] = ["X", "Y", "Z"];
 
 /// What is drawn, mm.
 struct Scene {
@@ -19,6 +22,8 @@ struct Scene {
     /// Axes that are measured: 0 abscissa, 1 ordinate.
     axes: &'static [usize],
     rectangle: bool,
+    /// Letters of abscissa and ordinate.
+    names: [&'static str; 2],
     ball: f64,
     path: f64,
 }
@@ -93,6 +98,7 @@ fn scene(inputs: &Inputs) -> Scene {
             _ => &[0, 1],
         },
         rectangle,
+        names: [0, 1].map(|axis| AXES[inputs.plane.axes()[axis]]),
         ball: least * 0.045,
         path: positive(inputs, names::FA, 2.0).clamp(least * 0.1, least * 0.25),
     }
@@ -133,17 +139,22 @@ fn part(scene: &Scene) -> Vec<PictureShape> {
 
 fn axes(scene: &Scene, shapes: &mut Vec<PictureShape>) {
     for axis in 0..2 {
-        let reach = scene.size[axis] * if scene.outside { 0.85 } else { 0.75 };
+        let reach = reach(scene, axis);
         let mut shape = line(
             ShapeKind::Axis,
-            vec![along(axis, -reach), along(axis, reach)],
+            vec![along(axis, reach), along(axis, -reach)],
         )
-        .text(if axis == 0 { "1" } else { "2" });
+        .text(scene.names[axis]);
         if scene.axes == [axis] {
             shape = shape.of(names::MA);
         }
         shapes.push(shape);
     }
+}
+
+/// Half the length of an axis, mm.
+fn reach(scene: &Scene, axis: usize) -> f64 {
+    scene.size[axis] * 0.72
 }
 
 /// A point on an axis.
@@ -213,7 +224,7 @@ fn sizes(scene: &Scene, shapes: &mut Vec<PictureShape>) {
         }
         let half = scene.size[axis] / 2.0;
         let (mut from, mut to) = (along(axis, -half), along(axis, half));
-        let beside = -scene.size[1 - axis] * if scene.outside { 0.62 } else { 0.25 };
+        let beside = -scene.size[1 - axis] * if scene.outside { 0.62 } else { 0.2 };
         (from[1 - axis], to[1 - axis]) = (beside, beside);
         shapes.push(dimension(field, from, to));
     }
@@ -228,81 +239,96 @@ fn sizes(scene: &Scene, shapes: &mut Vec<PictureShape>) {
     shapes.push(dimension(names::FA, from, to));
 }
 
-/// Tolerance bands of the size, or the safe area of the centre; wider than they are.
+/// Tolerance bands along the contour, or the safe area of the centre; wider than they are.
 fn bands(scene: &Scene, tool: bool, shapes: &mut Vec<PictureShape>) {
-    let unit = scene.size[0].min(scene.size[1]) * 0.02;
-    let band = |wider: f64, field| {
-        let size = scene.size.map(|size| size + 2.0 * wider);
-        let shape = if scene.round {
-            circle(ShapeKind::Tolerance, [0.0; 2], size[0] / 2.0)
+    let unit = scene.size[0].min(scene.size[1]) * 0.025;
+    if !tool {
+        let area = rectangle(ShapeKind::Tolerance, [0.0; 2], [8.0 * unit; 2]);
+        shapes.push(area.of(names::TSA));
+        return;
+    }
+    let contour = |wider: f64| {
+        let size = scene.size.map(|size| size + 2.0 * wider * unit);
+        if scene.round {
+            round([0.0; 2], size[0] / 2.0)
         } else {
-            rectangle(ShapeKind::Tolerance, [0.0; 2], size)
-        };
-        shape.of(field)
-    };
-    if tool {
-        for (wider, field) in [
-            (unit, names::TUL),
-            (-unit, names::TLL),
-            (1.8 * unit, names::TDIF),
-            (2.6 * unit, names::TSA),
-        ] {
-            shapes.push(band(wider, field));
+            corners([0.0; 2], size)
         }
-    } else {
-        shapes.push(rectangle(ShapeKind::Tolerance, [0.0; 2], [8.0 * unit; 2]).of(names::TSA));
+    };
+    for (from, to, field) in [
+        (-2.6, 2.6, names::TSA),
+        (-1.8, 1.8, names::TDIF),
+        (0.0, 1.0, names::TUL),
+        (-1.0, 0.0, names::TLL),
+    ] {
+        let band = frame(contour(to), contour(from));
+        shapes.push(polygon(ShapeKind::Tolerance, band).of(field));
     }
 }
 
-/// Section through the measuring axis, below the view from above: start height, infeed, measuring height.
+/// Section through the measuring axis, beside the view from above: start height, infeed, measuring height. The upper
+/// face stands at the height of the centre of that view.
 fn section(scene: &Scene, shapes: &mut Vec<PictureShape>) {
     let axis = scene.axes.first().copied().unwrap_or(0);
     let (width, all) = (scene.size[axis], largest(scene));
-    let face = -all * 0.5 - all * 0.45; // the face lies below the view from above
-    let depth = all * 0.25;
-    let block = |from: f64, to: f64| {
-        polygon(
-            ShapeKind::Material,
-            vec![
-                [from, face - depth],
-                [to, face - depth],
-                [to, face],
-                [from, face],
-            ],
-        )
+    let middle = seen_from_above(scene) + half_section(scene, width, all) + all * 0.12;
+    let depth = all * 0.32;
+    let block = |kind, (from, to): (f64, f64), height: f64| {
+        let (left, right) = (middle + from, middle + to);
+        let corners = [
+            [left, -depth],
+            [right, -depth],
+            [right, height - depth],
+            [left, height - depth],
+        ];
+        polygon(kind, corners.to_vec())
     };
-    if scene.outside {
-        shapes.push(block(-width / 2.0, width / 2.0));
+    let walls = if scene.outside {
+        vec![(-width / 2.0, width / 2.0)]
     } else {
-        shapes.push(block(-width * 0.65, -width / 2.0));
-        shapes.push(block(width / 2.0, width * 0.65));
-    }
-    if let Some(zone) = scene.zone {
-        let height = if scene.outside { depth } else { depth * 0.9 };
-        for (from, to) in section_zone(scene.outside, zone[axis], all) {
-            let corners = vec![
-                [from, face - depth],
-                [to, face - depth],
-                [to, face - depth + height],
-                [from, face - depth + height],
-            ];
-            shapes.push(polygon(ShapeKind::Zone, corners).of(names::SZA));
-        }
-    }
-    let away = if scene.outside { 1.0 } else { -1.0 };
-    let start = width / 2.0 + away * (scene.ball + scene.path);
-    let (high, low) = (face + depth * 0.5, face - depth * 0.5);
-    shapes.push(
-        line(
-            ShapeKind::Path,
-            vec![[0.0, high], [start, high], [start, low]],
-        )
-        .of(names::ID),
+        vec![(-width * 0.65, -width / 2.0), (width / 2.0, width * 0.65)]
+    };
+    shapes.extend(
+        walls
+            .into_iter()
+            .map(|wall| block(ShapeKind::Cut, wall, depth)),
     );
-    shapes.push(circle(ShapeKind::Probe, [0.0, high], scene.ball).of(names::ID));
+    if let Some(zone) = scene.zone {
+        let pieces = section_zone(scene.outside, zone[axis], all);
+        shapes.extend(
+            pieces
+                .into_iter()
+                .map(|piece| block(ShapeKind::Zone, piece, depth).of(names::SZA)),
+        );
+    }
+    infeed(scene, width, depth, middle, shapes);
+}
+
+/// The way from above the element down to the measuring height.
+fn infeed(scene: &Scene, width: f64, depth: f64, middle: f64, shapes: &mut Vec<PictureShape>) {
+    let away = if scene.outside { 1.0 } else { -1.0 };
+    let start = middle + width / 2.0 + away * (scene.ball + scene.path);
+    let (high, low) = (depth * 0.6, -depth * 0.5);
+    let way = vec![[middle, high], [start, high], [start, low]];
+    shapes.push(line(ShapeKind::Path, way).of(names::ID));
+    shapes.push(circle(ShapeKind::Probe, [middle, high], scene.ball).of(names::ID));
     shapes.push(circle(ShapeKind::Probe, [start, low], scene.ball).of(names::ID));
-    let beside = start + away * scene.ball * 2.5;
+    let beside = start + away * scene.ball * 2.0;
     shapes.push(dimension(names::ID, [beside, high], [beside, low]));
+}
+
+/// How far the view from above reaches to the right, mm.
+fn seen_from_above(scene: &Scene) -> f64 {
+    let zone = scene.zone.map_or(0.0, |zone| zone[0] / 2.0);
+    (reach(scene, 0)).max(zone)
+}
+
+/// How far the section reaches to both sides, mm.
+fn half_section(scene: &Scene, width: f64, all: f64) -> f64 {
+    match (scene.outside, scene.zone) {
+        (true, Some(zone)) => zone[scene.axes.first().copied().unwrap_or(0)] / 2.0 + all * 0.08,
+        _ => width * 0.65,
+    }
 }
 
 /// Where the zone is cut: one piece in the middle, or two outside of the free room.

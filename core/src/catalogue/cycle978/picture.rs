@@ -24,7 +24,12 @@ pub fn picture(inputs: &Inputs) -> Picture {
         .filter(|path| *path > 0.0)
         .unwrap_or(2.0)
         .clamp(6.0, 24.0);
-    let mut shapes = lying(path, TOOL.holds(inputs));
+    let (view, material) = if axis == 3 {
+        (View::Section, ShapeKind::Cut)
+    } else {
+        (View::Plane, ShapeKind::Material)
+    };
+    let mut shapes = lying(path, TOOL.holds(inputs), material);
     if DIFFERENTIAL.holds(inputs) {
         let turn = circle(ShapeKind::Axis, [-BALL - path, 0.0], BALL * 1.8);
         shapes.push(turn.text("180°/0°").of(names::MVAR));
@@ -32,27 +37,15 @@ pub fn picture(inputs: &Inputs) -> Picture {
     for shape in &mut shapes {
         turn(shape, axis);
     }
-    let label = line(ShapeKind::Label, vec![[-FACE, FACE * 1.25]]);
-    let value = inputs
-        .given(names::SETVAL)
-        .map_or(names::SETVAL.to_string(), |set| {
-            format!("{} = {set}", names::SETVAL)
-        });
-    shapes.push(label.text(value).of(names::SETVAL));
-    let view = if axis == 3 {
-        View::Section
-    } else {
-        View::Plane
-    };
     Picture { view, shapes }
 }
 
 /// The face at 0, touched along the first drawing axis.
-fn lying(path: f64, tool: bool) -> Vec<PictureShape> {
+fn lying(path: f64, tool: bool, material: ShapeKind) -> Vec<PictureShape> {
     let start = -BALL - path;
     let mut shapes = vec![
         polygon(
-            ShapeKind::Material,
+            material,
             vec![[0.0, -FACE], [BEHIND, -FACE], [BEHIND, FACE], [0.0, FACE]],
         ),
         line(ShapeKind::Edge, vec![[0.0, -FACE], [0.0, FACE]]).of(names::SETVAL),
@@ -66,16 +59,18 @@ fn lying(path: f64, tool: bool) -> Vec<PictureShape> {
         dimension(names::SETVAL, [ZERO, -FACE * 0.6], [0.0, -FACE * 0.6]),
         dimension(names::FA, [start, BALL * 2.5], [-BALL, BALL * 2.5]),
     ];
-    let band = |at: f64, field| line(ShapeKind::Tolerance, vec![[at, -FACE], [at, FACE]]).of(field);
+    let band = |from: f64, to: f64, field| {
+        let corners = vec![[from, -FACE], [to, -FACE], [to, FACE], [from, FACE]];
+        polygon(ShapeKind::Tolerance, corners).of(field)
+    };
+    shapes.push(band(-3.2, 3.2, names::TSA));
     if tool {
         shapes.extend([
-            band(1.2, names::TUL),
-            band(-1.2, names::TLL),
-            band(2.2, names::TDIF),
-            band(-2.2, names::TDIF),
+            band(-2.2, 2.2, names::TDIF),
+            band(0.0, 1.2, names::TUL),
+            band(-1.2, 0.0, names::TLL),
         ]);
     }
-    shapes.extend([band(3.2, names::TSA), band(-3.2, names::TSA)]);
     shapes
 }
 

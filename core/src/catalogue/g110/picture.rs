@@ -1,95 +1,123 @@
-//! Bore or boss from above, with clearance, overtravel and tolerance.
+//! Bore or boss from above, with clearance, overtravel and tolerance. The limits are drawn wider than they are.
 
 use super::BOSS;
 use crate::check::Inputs;
+use crate::form::figures::{circle, corners, dimension, frame, line, polygon, ring, round};
 use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
 
-const BALL: f64 = 3.0;
+const CENTRE: [f64; 2] = [0.0; 2];
+/// Ways to the four walls.
+const DIRECTIONS: [[f64; 2]; 4] = [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]];
 
-/// Circles about the centre, and the ways to the four walls.
+/// What is drawn, mm. `side` +1: the ball comes from outside.
+struct Scene {
+    side: f64,
+    radius: f64,
+    ball: f64,
+    /// Distance of the ball centre from the centre at contact and where measuring begins.
+    contact: f64,
+    start: f64,
+    /// Distance of the wall at which the search ends.
+    limit: f64,
+}
+
+/// The picture.
 pub fn picture(inputs: &Inputs) -> Picture {
-    let given = |name: &str, otherwise: f64| inputs.numbers.get(name).copied().unwrap_or(otherwise);
-    let boss = inputs.variant == BOSS;
-    let radius = given("D", 50.0).abs() / 2.0;
-    let side = if boss { 1.0 } else { -1.0 };
-    let contact = (radius + side * BALL).max(0.0);
-    let from = if boss {
-        contact + given("R", 5.0).abs()
-    } else {
-        0.0
-    };
-    let limit = if boss {
-        radius - given("Q", 10.0).abs()
-    } else {
-        radius + given("Q", 10.0).abs()
-    };
-    let mut shapes = vec![
-        circle(ShapeKind::Edge, radius, Some("D")),
-        circle(ShapeKind::Zone, limit.max(0.0), Some("Q")),
-        line(
-            ShapeKind::Dimension,
-            [-radius, 0.0],
-            [radius, 0.0],
-            Some("D"),
-        ),
-    ];
-    if boss {
-        shapes.push(line(
-            ShapeKind::Dimension,
-            [contact, 0.0],
-            [from, 0.0],
-            Some("R"),
+    let scene = scene(inputs);
+    let mut shapes = part(&scene);
+    limits(&scene, inputs, &mut shapes);
+    let Scene {
+        radius,
+        start,
+        contact,
+        limit,
+        ball,
+        ..
+    } = scene;
+    for [x, y] in DIRECTIONS {
+        let way = vec![[x * start, y * start], [x * contact, y * contact]];
+        shapes.push(line(ShapeKind::Path, way));
+        shapes.push(circle(ShapeKind::Probe, [x * start, y * start], ball));
+        shapes.push(circle(
+            ShapeKind::Touch,
+            [x * radius, y * radius],
+            ball * 0.3,
         ));
     }
-    for (name, kind) in [("H", ShapeKind::Tolerance), ("U", ShapeKind::Zone)] {
-        if let Some(limit) = inputs.numbers.get(name) {
-            let half = limit.abs() / 2.0;
-            shapes.push(circle(kind, radius + half, Some(name)));
-            shapes.push(circle(kind, (radius - half).max(0.0), Some(name)));
-        }
-    }
-    for [x, y] in [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]] {
-        shapes.push(line(
-            ShapeKind::Path,
-            [x * from, y * from],
-            [x * contact, y * contact],
-            None,
+    shapes.push(dimension(
+        "D",
+        [-radius, -radius * 0.45],
+        [radius, -radius * 0.45],
+    ));
+    shapes.push(dimension(
+        "Q",
+        [radius, radius * 0.3],
+        [limit, radius * 0.3],
+    ));
+    if scene.side > 0.0 {
+        shapes.push(dimension(
+            "R",
+            [contact, -radius * 0.25],
+            [start, -radius * 0.25],
         ));
-        shapes.push(PictureShape {
-            points: vec![[x * radius, y * radius]],
-            ..line(ShapeKind::Touch, [0.0; 2], [0.0; 2], None)
-        });
     }
-    shapes.push(circle(ShapeKind::Probe, BALL, None));
     Picture {
         view: View::Plane,
         shapes,
     }
 }
 
-fn circle(kind: ShapeKind, radius: f64, field: Option<&'static str>) -> PictureShape {
-    PictureShape {
-        kind,
-        points: Vec::new(),
-        circle: Some(([0.0; 2], radius)),
-        closed: true,
-        text: None,
-        field,
+fn scene(inputs: &Inputs) -> Scene {
+    let given = |name: &str, otherwise: f64| inputs.given(name).unwrap_or(otherwise).abs();
+    let radius = given("D", 50.0).max(1.0) / 2.0;
+    let side = if inputs.variant == BOSS { 1.0 } else { -1.0 };
+    let ball = radius * 0.11;
+    let contact = radius + side * ball;
+    let short = |length: f64| length.clamp(radius * 0.2, radius * 0.6);
+    Scene {
+        side,
+        radius,
+        ball,
+        contact,
+        start: if side > 0.0 {
+            contact + short(given("R", 5.0))
+        } else {
+            0.0
+        },
+        limit: radius - side * short(given("Q", 10.0)),
     }
 }
 
-fn line(
-    kind: ShapeKind,
-    from: [f64; 2],
-    to: [f64; 2],
-    field: Option<&'static str>,
-) -> PictureShape {
-    PictureShape {
-        kind,
-        points: vec![from, to],
-        circle: None,
-        closed: false,
-        text: field.map(String::from),
-        field,
+fn part(scene: &Scene) -> Vec<PictureShape> {
+    let wall = round(CENTRE, scene.radius);
+    let material = if scene.side > 0.0 {
+        wall.clone()
+    } else {
+        frame(corners(CENTRE, [scene.radius * 3.4; 2]), wall.clone())
+    };
+    let reach = scene.radius * 1.8;
+    let axis = |x: f64, y: f64| line(ShapeKind::Axis, vec![[-x, -y], [x, y]]);
+    vec![
+        polygon(ShapeKind::Material, material),
+        polygon(ShapeKind::Edge, wall).of("D"),
+        axis(reach, 0.0),
+        axis(0.0, reach),
+        circle(ShapeKind::Zone, CENTRE, scene.limit).of("Q"),
+    ]
+}
+
+/// Tolerance and upper limit, where they are given.
+fn limits(scene: &Scene, inputs: &Inputs, shapes: &mut Vec<PictureShape>) {
+    for (name, share) in [("U", 0.09), ("H", 0.05)] {
+        if inputs.given(name).is_some() {
+            let half = scene.radius * share;
+            let band = ring(
+                ShapeKind::Tolerance,
+                CENTRE,
+                scene.radius - half,
+                scene.radius + half,
+            );
+            shapes.push(band.of(name));
+        }
     }
 }

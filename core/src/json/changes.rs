@@ -1,0 +1,145 @@
+//! What is different after a run, with words for the names that a program would use.
+
+use super::setup::settable_name;
+use super::{message, number};
+use crate::control::Control;
+use crate::message::Message;
+use crate::run::outcome::{Change, Outcome};
+use serde_json::{Value, json};
+
+/// Tools, frames and memories before and after; lengths in mm, rotations in degree.
+pub fn changes(outcome: &Outcome) -> Vec<Value> {
+    let value = |change: Change| {
+        json!({
+            "name": change.name,
+            "label": message(&label(&outcome.control, &change.name)),
+            "before": number(change.before),
+            "after": number(change.after),
+            "unit": if change.name.ends_with(",RT]") { "deg" } else { "mm" },
+        })
+    };
+    outcome.changes().into_iter().map(value).collect()
+}
+
+/// In words: which quantity of which tool, frame or memory. A name that has no words of its own stands for itself.
+fn label(control: &Control, name: &str) -> Message {
+    let (stem, rest) = name.split_once('[').unwrap_or((name, ""));
+    let index: Vec<&str> = rest.trim_end_matches(']').split(',').collect();
+    let known = match (stem, index.as_slice()) {
+        ("_MV", [memory]) => memory_label("change-mean", memory),
+        ("_EV", [memory]) => memory_label("change-empirical", memory),
+        ("$P_UIFR", [frame, axis, part]) => frame
+            .parse()
+            .ok()
+            .map(|number| frame_label(settable_name(control, number), axis, part)),
+        ("$P_SETFR", [axis, part]) => Some(frame_label(stem.to_owned(), axis, part)),
+        (_, [frame, axis, part]) => Some(frame_label(format!("{stem}[{frame}]"), axis, part)),
+        (_, [tool, edge]) => stem
+            .strip_prefix("$TC_")
+            .and_then(quantity)
+            .map(|text| text.text("tool", *tool).text("edge", *edge)),
+        _ => register(name),
+    };
+    known.unwrap_or_else(|| Message::new("change-other").text("name", name))
+}
+
+/// Memories are counted from 1 on the control's screens, from 0 in the program.
+fn memory_label(key: &'static str, index: &str) -> Option<Message> {
+    let index: f64 = index.parse().ok()?;
+    Some(Message::new(key).number("memory", index + 1.0))
+}
+
+fn frame_label(frame: String, axis: &str, part: &str) -> Message {
+    let key = match part {
+        "FI" => "change-fine",
+        "RT" => "change-rotation",
+        _ => "change-coarse",
+    };
+    Message::new(key).text("frame", frame).text("axis", axis)
+}
+
+/// Tool data: 3 to 5 lengths, 6 radius, 12 to 14 wear of the lengths, 15 wear of the radius; `SCP` and `ECP` are
+/// followed by the DL number and one of 3 to 6.
+fn quantity(name: &str) -> Option<Message> {
+    if let Some(number) = name.strip_prefix("DP") {
+        let number: u32 = number.parse().ok()?;
+        return Some(match number {
+            3..=5 => length("change-length", number - 2),
+            6 => Message::new("change-radius"),
+            12..=14 => length("change-length-wear", number - 11),
+            15 => Message::new("change-radius-wear"),
+            _ => return None,
+        });
+    }
+    let offset: u32 = name
+        .strip_prefix("SCP")
+        .or(name.strip_prefix("ECP"))?
+        .parse()
+        .ok()?;
+    let text = match offset % 10 {
+        3..=5 => length("change-length-offset", offset % 10 - 2),
+        _ => Message::new("change-radius-offset"),
+    };
+    Some(text.number("offset", f64::from(offset / 10)))
+}
+
+fn length(key: &'static str, number: u32) -> Message {
+    Message::new(key).number("length", f64::from(number))
+}
+
+/// NCT: work offsets `G54 X`, and registers with their wear `H98`, `HW98`, `D98`, `DW98`.
+fn register(name: &str) -> Option<Message> {
+    if let Some((frame, axis)) = name.split_once(' ') {
+        let offset = Message::new("change-offset");
+        return Some(offset.text("frame", frame).text("axis", axis));
+    }
+    let digits = name.find(|c: char| c.is_ascii_digit())?;
+    let (letters, register) = name.split_at(digits);
+    let key = match letters {
+        "H" => "change-register-length",
+        "HW" => "change-register-length-wear",
+        "D" => "change-register-radius",
+        "DW" => "change-register-radius-wear",
+        _ => return None,
+    };
+    Some(Message::new(key).text("register", register))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalogue::Dialect;
+    use crate::control::delivery;
+    use crate::words::Words;
+
+    // oracle: manual B:16259-16269 (tool data), B:1899-1990 (frames), C:304-307 (registers)
+    #[test]
+    fn names_are_put_into_words() {
+        for (dialect, name, words) in [
+            (Dialect::Sinumerik, "$TC_DP15[20,1]", "T20 D1, radius wear"),
+            (
+                Dialect::Sinumerik,
+                "$TC_DP12[7,2]",
+                "T7 D2, wear of length 1",
+            ),
+            (Dialect::Sinumerik, "$TC_SCP26[7,2]", "T7 D2, radius, DL2"),
+            (Dialect::Sinumerik, "$P_UIFR[1,X,FI]", "G54, X fine"),
+            (
+                Dialect::Sinumerik,
+                "$P_UIFR[5,Z,RT]",
+                "G505, rotation about Z",
+            ),
+            (
+                Dialect::Sinumerik,
+                "$P_CHBFR[0,Y,TR]",
+                "$P_CHBFR[0], Y coarse",
+            ),
+            (Dialect::Sinumerik, "_MV[9]", "Mean value memory 10"),
+            (Dialect::Nct, "G54 X", "G54, X"),
+            (Dialect::Nct, "DW12", "Register 12, radius wear"),
+        ] {
+            let text = label(&delivery(dialect), name);
+            assert_eq!(Words::english().text(&text), words, "{name}");
+        }
+    }
+}
