@@ -65,6 +65,9 @@ fn every_case_raises_its_alarm() {
             let outcome = outcome(cycle, &table, change, *prepare);
             let context = format!("{} {code:?} {:?}", cycle.name, outcome.diagnostics);
             assert!(outcome.alarms().contains(code), "{context}");
+            for raised in outcome.alarms() {
+                assert!(cycle.alarms().contains(&raised), "{raised:?} {context}");
+            }
             let stopped = outcome.stop == Some(Stop::Alarm(*code));
             assert_eq!(stopped, stops(*code), "{context}");
         }

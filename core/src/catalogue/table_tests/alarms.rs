@@ -39,6 +39,18 @@ fn alarms_are_those_of_the_tables() {
     }
 }
 
+#[test]
+fn what_a_parameter_raises_is_listed() {
+    // oracle: self
+    for cycle in CYCLES {
+        let alarms = cycle.alarms();
+        for param in cycle.params {
+            let listed = param.alarm.is_none_or(|code| alarms.contains(&code));
+            assert!(listed, "{} {} {:?}", cycle.name, param.name, param.alarm);
+        }
+    }
+}
+
 /// Whether the column of sources means this cycle: `all`, `all, except …`, `as 61318`, or a list.
 fn raises(rows: &[Vec<String>], source: &str, cycle: &Cycle) -> bool {
     if let Some(other) = source.strip_prefix("as ") {
