@@ -16,6 +16,7 @@ pub const ENGLISH: &[(&str, &str)] = &[
     ("params.ftl", include_str!("../messages/en/params.ftl")),
     ("run.ftl", include_str!("../messages/en/run.ftl")),
     ("syntax.ftl", include_str!("../messages/en/syntax.ftl")),
+    ("write.ftl", include_str!("../messages/en/write.ftl")),
 ];
 
 /// Words of one language.

@@ -1,7 +1,7 @@
 //! Measuring calls read from programs, and changes of one value.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use probewright_core::catalogue::{CYCLES, Dialect, Kind, find};
+use probewright_core::catalogue::{CYCLES, Dialect, Kind, Style, find};
 use probewright_core::check::Typed;
 use probewright_core::control::delivery;
 use probewright_core::program::calls::{CallSite, calls};
@@ -292,7 +292,7 @@ proptest! {
     fn what_is_written_is_read_back_and_one_change_changes_one_value((index, typed) in typed_values(), other in 1..1000_u32) {
         let cycle = CYCLES[index];
         prop_assert!(find(cycle.dialect, cycle.name).is_some());
-        let text = snippet(cycle, &typed, &delivery(cycle.dialect), None);
+        let text = snippet(cycle, &typed, &delivery(cycle.dialect), Style::Direct, None).text;
         let program = read(cycle.dialect, text.as_bytes());
         prop_assert!(program.errors.is_empty(), "{}", text);
         let sites = calls(&program);

@@ -2,7 +2,7 @@
 //! units of the program are.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use probewright_core::catalogue::{Cycle, Dialect, find};
+use probewright_core::catalogue::{Cycle, Dialect, Style, find};
 use probewright_core::check::{Typed, check, factor, unit_name};
 use probewright_core::control::{Control, Edge, Frame, Plane, Tool, Units};
 use probewright_core::program;
@@ -88,7 +88,10 @@ fn measure(
     }
     setup.workpiece.solids.extend(proposal.fixture);
     setup.position = setup.control.to_machine(proposal.start);
-    let text = format!("G{code}\n{}M30\n", snippet(cycle, &typed, &at_call, None));
+    let text = format!(
+        "G{code}\n{}M30\n",
+        snippet(cycle, &typed, &at_call, Style::Direct, None).text
+    );
     let outcome = run(
         &program::read(cycle.dialect, text.as_bytes()),
         &setup,

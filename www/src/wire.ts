@@ -3,6 +3,7 @@
 
 export type Dialect = "sinumerik" | "nct";
 export interface Message { key: string; args: Record<string, number | string> }
+export type Style = "direct" | "indirect" | "operate";
 export type Severity = "error" | "warning" | "note";
 export interface Diagnostic {
   severity: Severity;
@@ -42,6 +43,7 @@ export interface FormRequest {
   units?: UnitFunction;                // likewise
   errors?: ErrorSliders;
   comments?: Record<string, string>;   // words by parameter name: a comment line each in the snippet
+  style?: Style;                       // way of writing of the snippet; absent: direct
   predict?: boolean;                   // also simulate
 }
 export interface ErrorSliders {
@@ -51,7 +53,8 @@ export interface ErrorSliders {
 export interface FormView {
   fields: Field[];                     // in the order to show; hidden ones are left out
   diagnostics: Diagnostic[];           // all, those of a field carry `param`
-  snippet: string;                     // program text, LF; also for incomplete values as far as it can be written
+  snippet: string;                     // program text, LF; also for incomplete values as far as it can be written; empty: not in this way
+  snippetFindings: Diagnostic[];       // what this way of writing cannot say
   complete: boolean;                   // no error
   picture: Picture;
   outcome?: Outcome;                   // when predict and complete, of a cycle that is simulated
@@ -133,6 +136,7 @@ export interface ReadView { calls: CallView[]; diagnostics: Diagnostic[] }
 export interface CallView {
   control: Dialect; cycle: string; mvar: number | null; key: string;
   line: number; lastLine: number;      // from 1: first assignment line that belongs to it, line of the call
+  style: Style;
   from: number; to: number;            // UTF-16 offsets of the call itself
   values: Record<string, string>;      // as the form wants them
   plane: Plane; units: UnitFunction;   // in force at the call

@@ -28,6 +28,8 @@ pub struct Cycle {
     pub variants: &'static [Variant],
     /// Parameters in the order in which the snippet writes them.
     pub params: &'static [Param],
+    /// Calls with arguments in brackets that mean this cycle.
+    pub lists: &'static [super::ArgumentList],
     /// Data of the machine that decide what the form shows or what is right in it: `_CBIT[12]`, `_MT_COMP`, …
     pub settings: &'static [&'static str],
     /// What it leaves in the result data.
@@ -56,6 +58,19 @@ impl Cycle {
             _ => 0,
         });
         list
+    }
+
+    /// Name of the parameter that takes the number of the variant.
+    pub fn variant_param(&self) -> Option<&'static str> {
+        self.params
+            .iter()
+            .find(|param| matches!(param.kind, Kind::Variant(_)))
+            .map(|param| param.name)
+    }
+
+    /// A parameter by its name.
+    pub fn param(&self, name: &str) -> Option<&'static Param> {
+        self.params.iter().find(|param| param.name == name)
     }
 }
 

@@ -30,6 +30,7 @@ pub static G101: Cycle = Cycle {
         key: "g101-positioning",
         source: "C:106",
     }],
+    lists: &[],
     settings: &[],
     params: &[
         Param {

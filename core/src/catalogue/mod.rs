@@ -7,6 +7,7 @@ pub mod cycle978;
 mod entry;
 pub mod g101;
 pub mod g110;
+pub mod list;
 pub mod names;
 pub mod nct;
 pub mod place;
@@ -14,6 +15,7 @@ pub mod shared_checks;
 pub mod sinumerik;
 mod when;
 pub use entry::*;
+pub use list::{Arg, ArgumentList, Style};
 
 /// Every cycle that Probewright knows, in the order in which they are offered.
 pub static CYCLES: &[&Cycle] = &[

@@ -2,7 +2,7 @@
 
 use super::setup::{Machine, PlaneName, choose_units, plane};
 use super::{Error, diagnostic, dialect, message, number};
-use crate::catalogue::{self, Cycle, Range, Simulation};
+use crate::catalogue::{self, Cycle, Range, Simulation, Style};
 use crate::check::{self, Checked, Inputs, Typed};
 use crate::control::{Control, Plane, Units};
 use crate::diagnostic::Severity;
@@ -36,6 +36,9 @@ struct Request {
     /// Words by parameter name for a comment line each; the core has no words of its own.
     #[serde(default)]
     comments: Option<Typed>,
+    /// Way of writing; absent: direct.
+    #[serde(default)]
+    style: Option<String>,
     #[serde(default)]
     predict: bool,
 }
@@ -88,12 +91,17 @@ pub fn form(request: &str) -> Result<Value, Error> {
     if let Some(name) = request.plane {
         setup.control.plane = plane(name);
     }
+    let style = request
+        .style
+        .as_deref()
+        .map_or(Ok(Style::Direct), super::style)?;
     let checked = check::check(cycle, &request.values, &setup.control);
     let mut view = view(
         cycle,
         &request.values,
         &setup,
         &checked,
+        style,
         request.comments.as_ref(),
     );
     let simulation = cycle.simulation.as_ref().filter(|_| request.predict);
@@ -133,6 +141,7 @@ fn view(
     typed: &Typed,
     setup: &Setup,
     checked: &Checked,
+    style: Style,
     comments: Option<&Typed>,
 ) -> Map<String, Value> {
     let word = |name: &str, _: &str| {
@@ -156,14 +165,12 @@ fn view(
         "diagnostics".into(),
         checked.diagnostics.iter().map(diagnostic).collect(),
     );
+    let words = comments.map(|_| &word as &dyn Fn(&str, &str) -> String);
+    let written = snippet(cycle, typed, control, style, words);
+    view.insert("snippet".into(), json!(written.text));
     view.insert(
-        "snippet".into(),
-        json!(snippet(
-            cycle,
-            typed,
-            control,
-            comments.map(|_| &word as &dyn Fn(&str, &str) -> String)
-        )),
+        "snippetFindings".into(),
+        written.findings.iter().map(diagnostic).collect(),
     );
     view.insert("complete".into(), json!(!errors));
     view.insert(

@@ -18,7 +18,7 @@ pub use setup::schema as setup_schema;
 pub use setup::{from_json as setup_from_json, to_json as setup_to_json};
 pub use trace::{alarm_key, outcome};
 
-use crate::catalogue::Dialect;
+use crate::catalogue::{Dialect, Style};
 use crate::diagnostic::{Code, Diagnostic, Severity};
 use crate::message::{Arg, Message};
 use serde_json::{Map, Value, json};
@@ -57,6 +57,30 @@ pub fn dialect(name: &str) -> Result<Dialect, Error> {
             name: name.to_owned(),
         }),
     }
+}
+
+/// Ways of writing by their name on the wire.
+const STYLES: [(&str, Style); 3] = [
+    ("direct", Style::Direct),
+    ("indirect", Style::Indirect),
+    ("operate", Style::Operate),
+];
+
+/// The way of writing with this name.
+pub fn style(name: &str) -> Result<Style, Error> {
+    let known = STYLES.iter().find(|(known, _)| *known == name);
+    known
+        .map(|(_, style)| *style)
+        .ok_or_else(|| Error::Unknown {
+            what: "style",
+            name: name.to_owned(),
+        })
+}
+
+/// Name of a way of writing.
+pub fn style_name(style: Style) -> &'static str {
+    let known = STYLES.iter().find(|(_, known)| *known == style);
+    known.map_or("direct", |(name, _)| name)
 }
 
 /// A number; JSON has no NaN and no infinity, they become null.

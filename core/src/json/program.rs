@@ -1,7 +1,8 @@
 //! Reading, changing and running program text. The page counts in UTF-16 units, the core in bytes.
 
 use super::setup::{Machine, plane_file, start, units_name};
-use super::{Error, diagnostic, dialect, dialect_name, number};
+use super::{Error, diagnostic, dialect, dialect_name, number, style_name};
+use crate::catalogue::Style;
 use crate::check;
 use crate::control::{Control, delivery};
 use crate::diagnostic::Diagnostic;
@@ -80,6 +81,7 @@ fn call(program: &Program, site: &CallSite, positions: &Positions) -> Value {
         "lastLine": site.line + 1,
         "from": positions.utf16(site.span.start),
         "to": positions.utf16(site.span.end),
+        "style": style_name(site.list.map_or(Style::Direct, |list| list.style)),
         "values": site.values,
         "plane": plane_file(site.plane),
         "units": units_name(site.unit_function),

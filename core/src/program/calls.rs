@@ -1,9 +1,10 @@
 //! The measuring calls of a program, each with the values that count at it.
 
+use super::arguments;
 use super::fold::{self, Known};
 use super::tree::{Block, Expr, ExprId, Program, Word, WordKind};
 use super::values::{self, Value};
-use crate::catalogue::{self, Cycle, Dialect, nct};
+use crate::catalogue::{self, Arg, ArgumentList, Cycle, Dialect, Kind, Style, list, nct};
 use crate::check::{Typed, check};
 use crate::control::{Control, Plane, arrays, delivery};
 use crate::diagnostic::{Diagnostic, Span};
@@ -28,6 +29,8 @@ pub struct CallSite {
     pub places: BTreeMap<&'static str, Span>,
     /// Parameters whose place gives a value to others too (`REP`), so that it cannot be changed for one of them.
     pub shared: BTreeSet<&'static str>,
+    /// The argument list that was called; none: the bare name, or a block of addresses.
+    pub list: Option<&'static ArgumentList>,
     /// Places before this byte belong to an earlier call as well.
     pub own_from: u32,
     /// Working plane at the call.
@@ -113,19 +116,10 @@ impl Walk<'_> {
                 }
             }
             WordKind::Declare { name, index, value } => self.declare(*name, index, *value, line),
-            WordKind::Call { name, .. } => {
-                let cycle = self.cycle(&self.program.name(*name));
-                if let Some(cycle) = cycle.filter(|_| self.program.dialect == Dialect::Sinumerik) {
-                    self.sinumerik(cycle, line, word.span);
-                }
-                // Any cycle may read the same data, so what stands before it is not this call's own.
-                if self
-                    .program
-                    .text(*name)
-                    .get(..5)
-                    .is_some_and(|start| start.eq_ignore_ascii_case(b"CYCLE"))
-                {
-                    self.own_from = word.span.end;
+            WordKind::Call { name, args, .. } => {
+                let start = self.program.text(*name).get(..5);
+                if start.is_some_and(|start| start.eq_ignore_ascii_case(b"CYCLE")) {
+                    self.call(line, word.span, *name, args);
                 }
             }
             WordKind::Address { name, value, .. } if self.program.is(*name, "G") => {
@@ -161,6 +155,94 @@ impl Walk<'_> {
             end: span.end.max(place.end),
         };
         Some((nct::by_program(number)?, named))
+    }
+
+    /// A call of any cycle. Each may read the same data, so what stands before it is not the next call's own.
+    fn call(&mut self, line: u32, span: Span, name: Span, args: &[Option<ExprId>]) {
+        let name = self.program.name(name);
+        let arguments: Vec<Option<Value>> = arguments::places(self.program, span)
+            .into_iter()
+            .enumerate()
+            .map(|(index, place)| {
+                let id = args.get(index).copied().flatten()?;
+                Some(values::value(self.program, id, place, &self.known))
+            })
+            .collect();
+        if name == list::AUXILIARY {
+            return self.auxiliary(line, arguments);
+        }
+        let number = |index: usize| arguments.get(index)?.as_ref()?.number;
+        let listed = list::called(self.program.dialect, &name, number);
+        if let Some((cycle, list)) = listed.filter(|_| !arguments.is_empty()) {
+            self.listed(cycle, list, line, span, &arguments);
+        } else if let Some(cycle) = self.cycle(&name) {
+            self.sinumerik(cycle, line, span, None);
+        }
+        self.own_from = span.end;
+    }
+
+    /// `CYCLE_PARA`: what is not 0 goes into the data (B:11734).
+    fn auxiliary(&mut self, line: u32, arguments: Vec<Option<Value>>) {
+        for (name, value) in list::AUXILIARY_ARGS.iter().zip(arguments) {
+            if let Some(value) = value.filter(|value| value.number != Some(0.0)) {
+                self.assign((*name).to_owned(), value, line);
+            }
+        }
+    }
+
+    fn listed(
+        &mut self,
+        cycle: &'static Cycle,
+        list: &'static ArgumentList,
+        line: u32,
+        span: Span,
+        arguments: &[Option<Value>],
+    ) {
+        let mut values = given(cycle, list, span, arguments);
+        if list.style == Style::Indirect {
+            // The called program puts every argument into the data, also those that are omitted.
+            for (name, value) in values {
+                self.assign(name.to_owned(), value, line);
+            }
+            return self.sinumerik(cycle, line, span, Some(list));
+        }
+        for (arg, value) in list.args.iter().zip(arguments) {
+            if let (Arg::Variable(array), Some(value)) = (arg, value) {
+                self.elements_of(cycle, array, &value.text.to_ascii_uppercase(), &mut values);
+            }
+        }
+        let mut site = self.site(cycle, line, span);
+        site.list = Some(list);
+        for (name, value) in values
+            .into_iter()
+            .filter(|(_, value)| !value.text.is_empty())
+        {
+            if value.place.start >= self.own_from {
+                let assigned = self.program.line_of(value.place.start);
+                site.first_line = site.first_line.min(assigned);
+            }
+            site.values.insert(name.into(), value.text);
+            site.places.insert(name, value.place);
+        }
+        self.finish(site);
+    }
+
+    /// The parameters that are elements of a variable of the program.
+    fn elements_of(
+        &self,
+        cycle: &'static Cycle,
+        array: &str,
+        variable: &str,
+        found: &mut Vec<(&'static str, Value)>,
+    ) {
+        for param in cycle.params {
+            let element = param
+                .name
+                .strip_prefix(array)
+                .filter(|rest| rest.starts_with('['));
+            let value = element.and_then(|rest| self.newest.get(&format!("{variable}{rest}")));
+            found.extend(value.map(|(value, _)| (param.name, value.clone())));
+        }
     }
 
     fn cycle(&self, name: &str) -> Option<&'static Cycle> {
@@ -256,8 +338,15 @@ impl Walk<'_> {
         }
     }
 
-    fn sinumerik(&mut self, cycle: &'static Cycle, line: u32, span: Span) {
+    fn sinumerik(
+        &mut self,
+        cycle: &'static Cycle,
+        line: u32,
+        span: Span,
+        list: Option<&'static ArgumentList>,
+    ) {
         let mut site = self.site(cycle, line, span);
+        site.list = list;
         for param in cycle.params {
             if let Some((value, assigned)) = self.newest.get(param.name) {
                 site.values.insert(param.name.into(), value.text.clone());
@@ -308,6 +397,7 @@ impl Walk<'_> {
             values: Typed::new(),
             places: BTreeMap::new(),
             shared: BTreeSet::new(),
+            list: None,
             own_from: self.own_from,
             plane: self.control.plane,
             unit_function: self.control.unit_function(),
@@ -323,6 +413,49 @@ impl Walk<'_> {
         }
         self.found.push(site);
     }
+}
+
+/// Values of the parameters that the arguments give, the variant put together from its selections. An indirect call
+/// gives all of them: an omitted one is 0, or an empty text.
+fn given(
+    cycle: &'static Cycle,
+    list: &ArgumentList,
+    span: Span,
+    arguments: &[Option<Value>],
+) -> Vec<(&'static str, Value)> {
+    let mut found = Vec::new();
+    let at = |index: usize| arguments.get(index).and_then(Option::as_ref);
+    for (index, arg) in list.args.iter().enumerate() {
+        let Arg::Param(name) = arg else {
+            continue;
+        };
+        let omitted = || {
+            let text = cycle
+                .param(name)
+                .is_some_and(|param| matches!(param.kind, Kind::Text(_)));
+            Value {
+                text: if text { String::new() } else { "0".to_owned() },
+                place: span,
+                number: (!text).then_some(0.0),
+                shared: false,
+            }
+        };
+        let value = at(index).cloned();
+        let value = value.or_else(|| (list.style == Style::Indirect).then(omitted));
+        found.extend(value.map(|value| (*name, value)));
+    }
+    let number = |index| at(index).map_or(Some(0.0), |value| value.number);
+    let composed = cycle.variant_param().filter(|_| !list.has_variant(cycle));
+    if let (Some(name), Some(variant)) = (composed, list.selected(number)) {
+        let value = Value {
+            text: variant.to_string(),
+            place: span,
+            number: Some(variant as f64),
+            shared: false,
+        };
+        found.push((name, value));
+    }
+    found
 }
 
 /// How a right side fills an array.

@@ -1,8 +1,9 @@
 //! Changes of one value as edits of the text; every other byte stays.
 
+use super::arguments;
 use super::calls::CallSite;
 use super::tree::{Block, Program};
-use crate::catalogue::{Dialect, Kind};
+use crate::catalogue::{Arg, Dialect, Kind, Style};
 use crate::diagnostic::Span;
 
 /// Replace a place by a text.
@@ -29,14 +30,33 @@ pub fn change(program: &Program, site: &CallSite, name: &str, value: &str) -> Ve
     if value.contains(['\n', '\r']) {
         return Vec::new();
     }
+    let quoted = if text && !value.is_empty() {
+        format!("\"{value}\"")
+    } else {
+        value.clone()
+    };
+    if let Some(edits) = arguments::change(program, site, param.name, &quoted) {
+        return edits;
+    }
+    if site.list.is_some_and(|list| list.style == Style::Operate) {
+        return Vec::new();
+    }
     let own = site
         .places
         .get(param.name)
         .copied()
         .filter(|place| place.start >= site.own_from && !site.shared.contains(param.name));
     match own {
-        Some(place) if value.is_empty() => vec![remove(program, place)],
         Some(place) if program.text(place) == value.as_bytes() => Vec::new(),
+        Some(place) if arguments::is_auxiliary(program, place) && nothing(&value) => {
+            let mut edits = vec![Edit {
+                span: place,
+                insert: String::new(),
+            }];
+            edits.extend((!value.is_empty()).then(|| add(program, site, param.name, &quoted)));
+            edits
+        }
+        Some(place) if value.is_empty() => vec![remove(program, place)],
         Some(place) => {
             let quoted =
                 place.start > 0 && program.source.get(place.start as usize - 1) == Some(&b'"');
@@ -52,8 +72,7 @@ pub fn change(program: &Program, site: &CallSite, name: &str, value: &str) -> Ve
         }
         None if value.is_empty() => Vec::new(),
         None => {
-            let value = if text { format!("\"{value}\"") } else { value };
-            vec![add(program, site, param.name, &value)]
+            vec![add(program, site, param.name, &quoted)]
         }
     }
 }
@@ -78,6 +97,25 @@ pub fn apply(source: &[u8], edits: &[Edit]) -> Vec<u8> {
     }
     result.extend_from_slice(source.get(at..).unwrap_or_default());
     result
+}
+
+/// What `CYCLE_PARA` cannot give: 0 keeps the datum there (B:11734).
+fn nothing(value: &str) -> bool {
+    value.is_empty() || value.parse() == Ok(0.0)
+}
+
+/// The name under which the program writes a parameter: an element of the variable that it hands to the call.
+fn written_name(program: &Program, site: &CallSite, name: &str) -> String {
+    let places = arguments::places(program, site.span);
+    let args = site.list.map_or(&[][..], |list| list.args);
+    let own = args.iter().zip(places).find_map(|(arg, place)| match arg {
+        Arg::Variable(array) => {
+            let element = name.strip_prefix(array)?;
+            Some(format!("{}{element}", program.name(place)))
+        }
+        _ => None,
+    });
+    own.unwrap_or_else(|| name.to_owned())
 }
 
 /// A typed number with its decimal comma as a point.
@@ -148,14 +186,13 @@ fn add(program: &Program, site: &CallSite, name: &str, value: &str) -> Edit {
     let written = if program.dialect == Dialect::Nct {
         format!("{name}{value}")
     } else {
-        format!("{name}={value}")
+        format!("{}={value}", written_name(program, site, name))
     };
     let skipped =
         |place: &Span| line_at(program, place.start).is_some_and(|block| block.skip.is_some());
-    let own = site
-        .places
-        .values()
-        .filter(|place| place.start >= site.own_from && !skipped(place));
+    let own = site.places.values().filter(|place| {
+        place.start >= site.own_from && !skipped(place) && !arguments::is_argument(program, **place)
+    });
     let last = own
         .max_by_key(|place| place.start)
         .map(|place| whole_word(program, *place).end);

@@ -5,7 +5,7 @@ use super::motion::{self, Suppress};
 use super::problem::Problem;
 use super::statement::{self, Address, Call, Words};
 use super::trace::Step;
-use super::{Machine, Stop, cycle, frame, gcode, tool};
+use super::{Machine, Stop, cycle, frame, gcode, listed, tool};
 use crate::catalogue::{self, Dialect};
 use crate::diagnostic::Severity;
 
@@ -165,6 +165,9 @@ fn end(run: &mut Interpreter, found: &Words) -> Option<Next> {
 /// Calls: operator texts, measuring cycles, subprograms of the same text.
 fn carry_out(run: &mut Interpreter, at: usize, call: &Call) -> Result<Option<Next>, Stop> {
     let name = call.name.as_str();
+    if listed::call(run, call)? {
+        return Ok(None);
+    }
     if name == "MSG" {
         statement::message(run, &call.args);
     } else if let Some(cycle) = catalogue::find(Dialect::Sinumerik, name) {

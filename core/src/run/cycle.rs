@@ -54,7 +54,7 @@ pub fn addresses(run: &mut Interpreter, cycle: &'static Cycle, found: &Words) ->
 }
 
 /// The alarm of the first error stops the program, as on the control; other errors are a fault.
-fn checked(
+pub fn checked(
     run: &mut Interpreter,
     cycle: &'static Cycle,
     typed: &Typed,

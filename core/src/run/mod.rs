@@ -10,6 +10,7 @@ pub mod frame;
 pub mod function;
 pub mod gcode;
 pub mod interpret;
+mod listed;
 pub mod machine;
 pub mod motion;
 pub mod names;

@@ -46,6 +46,10 @@ enum Command {
         /// A comment line for each parameter
         #[arg(long)]
         comments: bool,
+        /// Way of writing: direct (assignments, then the call), indirect (CYCLE_PARA and a parameterizing call), operate
+        /// (parameter list of newer controls)
+        #[arg(long, default_value = "direct", value_parser = ["direct", "indirect", "operate"])]
+        style: String,
     },
     /// Find the measuring calls of a part program
     Read {
@@ -94,7 +98,8 @@ fn command(command: Command, out: &mut dyn Write) -> Result<ExitCode, Problem> {
             cycle,
             values,
             comments,
-        } => write::write(&cycle, &values, comments, out),
+            style,
+        } => write::write(&cycle, &values, &style, comments, out),
         Command::Read {
             file,
             json,

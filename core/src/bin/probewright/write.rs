@@ -6,6 +6,7 @@ use probewright_core::catalogue::{self, Cycle, Dialect};
 use probewright_core::check::{self, Typed};
 use probewright_core::control::Plane;
 use probewright_core::diagnostic::Severity;
+use probewright_core::json;
 use probewright_core::message::printable;
 use probewright_core::program::write::snippet;
 use probewright_core::run::setup::Setup;
@@ -17,6 +18,7 @@ use std::process::ExitCode;
 pub fn write(
     name: &str,
     values: &[String],
+    style: &str,
     comments: bool,
     out: &mut dyn Write,
 ) -> Result<ExitCode, Problem> {
@@ -25,26 +27,17 @@ pub fn write(
     let words = Words::english();
     let control = Setup::calibrated(cycle.dialect, Plane::G17).control;
     let checked = check::check(cycle, &typed, &control);
-    for finding in &checked.diagnostics {
+    let label = |_: &str, key: &str| words.key(key.to_owned());
+    let comments = comments.then_some(&label as &dyn Fn(&str, &str) -> String);
+    let written = snippet(cycle, &typed, &control, json::style(style)?, comments);
+    let mut findings = checked.diagnostics.iter().chain(&written.findings);
+    for finding in findings.clone() {
         complain(&one_line(finding, &words));
     }
-    if checked
-        .diagnostics
-        .iter()
-        .any(|finding| finding.severity == Severity::Error)
-    {
+    if findings.any(|finding| finding.severity == Severity::Error) {
         return Ok(ExitCode::FAILURE);
     }
-    write!(
-        out,
-        "{}",
-        snippet(
-            cycle,
-            &typed,
-            &control,
-            comments.then_some(&|_: &str, key: &str| words.key(key.to_owned()))
-        )
-    )?;
+    write!(out, "{}", written.text)?;
     Ok(ExitCode::SUCCESS)
 }
 

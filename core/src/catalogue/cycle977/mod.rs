@@ -2,6 +2,7 @@
 
 mod checks;
 mod element;
+mod lists;
 pub mod params;
 mod picture;
 mod propose;
@@ -24,6 +25,7 @@ pub static CYCLE977: Cycle = Cycle {
     key: "cycle977",
     variants: VARIANTS,
     params: params::PARAMS,
+    lists: lists::LISTS,
     settings: &[],
     results: RESULTS,
     alarms: &[

@@ -1,6 +1,7 @@
 //! CYCLE978: one point on a surface parallel to an axis (B:6287-6735).
 
 mod checks;
+mod lists;
 pub mod params;
 mod picture;
 mod propose;
@@ -44,6 +45,7 @@ pub static CYCLE978: Cycle = Cycle {
     key: "cycle978",
     variants: VARIANTS,
     params: params::PARAMS,
+    lists: lists::LISTS,
     settings: &[],
     results: RESULTS,
     alarms: &[

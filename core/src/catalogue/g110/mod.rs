@@ -36,6 +36,7 @@ pub static G110: Cycle = Cycle {
         },
     ],
     params: params::PARAMS,
+    lists: &[],
     settings: &[],
     results: &[
         length("DIAMETER", "result-nct-diameter"),

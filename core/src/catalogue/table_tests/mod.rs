@@ -5,6 +5,7 @@ mod alarms;
 mod cells;
 mod conditions;
 mod invalid;
+mod lists;
 mod params;
 mod results;
 

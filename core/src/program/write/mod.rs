@@ -1,8 +1,11 @@
-//! From values to program text: assignments, then the call; on NCT one block of addresses.
+//! From values to program text: assignments, then the call; a call with arguments; on NCT one block of addresses.
 
-use crate::catalogue::{Cycle, Dialect, Kind, Param};
+mod list;
+
+use crate::catalogue::{Cycle, Dialect, Kind, Param, Style};
 use crate::check::{self, Inputs, Parsed, Typed, parse};
 use crate::control::Control;
+use crate::diagnostic::Diagnostic;
 
 /// Widest line of assignments, as in the programs of the manual.
 const WIDTH: usize = 78;
@@ -10,36 +13,64 @@ const WIDTH: usize = 78;
 /// Words for comments: name of a parameter and key of its label → text.
 pub type Words<'a> = &'a dyn Fn(&str, &str) -> String;
 
-/// Program text of one call, lines ended by LF. Values that are used and can be written stand in it, in the order of the
-/// manual's tables; `words` adds a comment line for each.
+/// Program text of a call.
+pub struct Written {
+    /// Lines ended by LF; empty where the call cannot be written in this way.
+    pub text: String,
+    /// What this way of writing cannot say.
+    pub findings: Vec<Diagnostic>,
+}
+
+/// What a way of writing starts from: the values that are used and can be written, in the order of the manual's tables.
+struct Source<'a> {
+    cycle: &'static Cycle,
+    inputs: Inputs,
+    control: &'a Control,
+    values: Vec<(&'static Param, String)>,
+}
+
+/// Program text of one call; `words` adds a comment line for each value.
 pub fn snippet(
     cycle: &'static Cycle,
     typed: &Typed,
     control: &Control,
+    style: Style,
     words: Option<Words>,
-) -> String {
+) -> Written {
     let inputs = check::read(cycle, typed, control, &mut Vec::new());
-    let written: Vec<(&Param, String)> = cycle
+    let used = cycle
         .params
         .iter()
-        .filter(|param| param.need(&inputs).is_some())
+        .filter(|param| param.need(&inputs).is_some());
+    let values = used
         .filter_map(|param| Some((param, value(param, typed.get(param.name)?)?)))
         .collect();
-    let mut text = String::new();
-    if let Some(words) = words {
-        comments(&mut text, cycle, &inputs, &written, words);
-    }
-    match cycle.dialect {
-        Dialect::Sinumerik => assignments(&mut text, &written),
-        Dialect::Nct => {}
-    }
-    text.push_str(cycle.name);
-    if cycle.dialect == Dialect::Nct {
-        for (param, value) in &written {
-            text.push(' ');
-            text.push_str(param.name);
-            text.push_str(value);
+    let source = Source {
+        cycle,
+        inputs,
+        control,
+        values,
+    };
+    let mut written = if style == Style::Direct && cycle.dialect == Dialect::Nct {
+        Written {
+            text: addresses(&source),
+            findings: Vec::new(),
         }
+    } else {
+        list::write(&source, style)
+    };
+    if let Some(words) = words.filter(|_| !written.text.is_empty()) {
+        written.text.insert_str(0, &comments(&source, words));
+    }
+    written
+}
+
+fn addresses(source: &Source) -> String {
+    let mut text = source.cycle.name.to_owned();
+    for (param, value) in &source.values {
+        text.push(' ');
+        text.push_str(param.name);
+        text.push_str(value);
     }
     text.push('\n');
     text
@@ -64,9 +95,10 @@ pub fn value(param: &Param, typed: &str) -> Option<String> {
     }
 }
 
-fn assignments(text: &mut String, written: &[(&Param, String)]) {
-    let mut width = 0;
-    for (param, value) in written {
+/// Lines of assignments.
+fn assignments(values: &[&(&Param, String)]) -> String {
+    let (mut text, mut width) = (String::new(), 0);
+    for (param, value) in values {
         let word = format!("{}={value}", param.name);
         if width > 0 && width + 1 + word.len() > WIDTH {
             text.push('\n');
@@ -81,26 +113,26 @@ fn assignments(text: &mut String, written: &[(&Param, String)]) {
     if width > 0 {
         text.push('\n');
     }
+    text
 }
 
 /// `;_FA: measuring path`, NCT `(D: nominal diameter)`.
-fn comments(
-    text: &mut String,
-    cycle: &Cycle,
-    inputs: &Inputs,
-    written: &[(&Param, String)],
-    words: Words,
-) {
-    for (param, value) in written {
-        let label = words(param.name, &format!("param-{}", param.label(inputs)));
+fn comments(source: &Source, words: Words) -> String {
+    let mut text = String::new();
+    for (param, value) in &source.values {
+        let label = words(
+            param.name,
+            &format!("param-{}", param.label(&source.inputs)),
+        );
         let line = format!("{}={value}: {label}", param.name);
         let line: String = line
             .chars()
             .map(|c| if c.is_control() { ' ' } else { c })
             .collect();
-        match cycle.dialect {
+        match source.cycle.dialect {
             Dialect::Sinumerik => text.push_str(&format!("; {line}\n")),
             Dialect::Nct => text.push_str(&format!("({})\n", line.replace(['(', ')'], " "))),
         }
     }
+    text
 }

@@ -1,0 +1,9 @@
+# Ways of writing a call, and what they cannot say.
+
+write-no-list = There is no call of this kind for { $cycle }.
+write-no-list-variant = This variant or target of { $cycle } cannot be written as such a call.
+write-no-list-hint = Write it as assignments and the call.
+write-zero = { $name }={ $value } stands as an assignment of its own: a 0 in CYCLE_PARA keeps the value of before.
+write-beside = { $name }={ $value } stands as an assignment of its own: the call has no argument for it.
+write-lost = { $name } is left out: the list of newer controls has no argument for it.
+write-lost-hint = Write the call as assignments if the value matters, or set the datum at the control.

@@ -1,0 +1,151 @@
+//! Calls with arguments in brackets, beside the assignments that every cycle takes.
+
+use super::{CYCLES, Cycle, Dialect, When};
+use crate::check::Inputs;
+
+/// A way to write a call.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Style {
+    /// Assignments, then the call (from SW 6.2, B:12497); NCT: one block of addresses.
+    Direct,
+    /// `CYCLE_PARA(…)` and a parameterizing call (up to SW 5.4, B:11640-12133).
+    Indirect,
+    /// Parameter list of newer 840D sl controls (SINUMERIK Operate). Known from practice, not from our manuals.
+    Operate,
+}
+
+/// An argument list that calls a cycle.
+pub struct ArgumentList {
+    /// The way of writing it belongs to; [`Style::Direct`]: arguments that the cycle takes beside the assignments.
+    pub style: Style,
+    /// Name as called.
+    pub name: &'static str,
+    /// Calls that it can express.
+    pub when: When,
+    /// Number of the variant to which the arguments [`Arg::Select`] add; counts where the list has no `_MVAR`.
+    pub base: i64,
+    /// The arguments in order.
+    pub args: &'static [Arg],
+    /// Where the order is from.
+    pub source: &'static str,
+}
+
+/// One argument.
+pub enum Arg {
+    /// The value of this parameter.
+    Param(&'static str),
+    /// A selection: number written, what it adds to the number of the variant.
+    Select(&'static [(i64, i64)]),
+    /// Tells which cycle is meant: this number stands there.
+    Is(i64),
+    /// A variable of the program; the parameters `NAME[…]` of the entry are its elements.
+    Variable(&'static str),
+    /// A variable of the program that takes a result.
+    Output(&'static str),
+    /// Has no counterpart among our parameters, or its meaning is not known.
+    Open,
+}
+
+/// `CYCLE_PARA`: parameters that count for all cycles; 0 leaves the datum as it is (B:11734-11753).
+pub const AUXILIARY: &str = "CYCLE_PARA";
+/// Its arguments in order.
+pub const AUXILIARY_ARGS: &[&str] = &[
+    "_FA", "_VMS", "_NMSP", "_RF", "_PRNUM", "_CORA", "_TZL", "_TMV", "_TUL", "_TLL", "_TSA",
+    "_EVNUM", "_K", "_TDIF",
+];
+
+impl ArgumentList {
+    /// Whether the variant is an argument of its own.
+    pub fn has_variant(&self, cycle: &Cycle) -> bool {
+        self.args
+            .iter()
+            .any(|arg| matches!(arg, Arg::Param(name) if cycle.variant_param() == Some(name)))
+    }
+
+    /// What to write for each [`Arg::Select`], in order, so that this variant comes out.
+    pub fn selections(&self, variant: i64) -> Option<Vec<i64>> {
+        let choices: Vec<_> = self
+            .args
+            .iter()
+            .filter_map(|arg| match arg {
+                Arg::Select(choices) => Some(*choices),
+                _ => None,
+            })
+            .collect();
+        select(&choices, variant - self.base)
+    }
+
+    /// The variant that the selections make; an omitted argument is 0. None: a selection that is not known.
+    pub fn selected(&self, number: impl Fn(usize) -> Option<f64>) -> Option<i64> {
+        let mut variant = self.base;
+        for (index, arg) in self.args.iter().enumerate() {
+            if let Arg::Select(choices) = arg {
+                let written = number(index)?;
+                variant += choices.iter().find(|choice| choice.0 as f64 == written)?.1;
+            }
+        }
+        Some(variant)
+    }
+
+    /// Whether it can express a call with these values.
+    pub fn fits(&self, inputs: &Inputs) -> bool {
+        self.when.holds(inputs)
+            && (self.has_variant(inputs.cycle) || self.selections(inputs.variant).is_some())
+    }
+}
+
+/// The cycle and the list that a call with arguments means; `number` tells what stands at an argument, where it is known.
+pub fn called(
+    dialect: Dialect,
+    name: &str,
+    number: impl Fn(usize) -> Option<f64>,
+) -> Option<(&'static Cycle, &'static ArgumentList)> {
+    let told = |(index, arg): (usize, &Arg)| match arg {
+        Arg::Is(wanted) => number(index) == Some(*wanted as f64),
+        _ => true,
+    };
+    let meant = |list: &&ArgumentList| {
+        list.name.eq_ignore_ascii_case(name) && list.args.iter().enumerate().all(told)
+    };
+    let of_control = CYCLES.iter().filter(|cycle| cycle.dialect == dialect);
+    of_control
+        .copied()
+        .find_map(|cycle| Some((cycle, cycle.lists.iter().find(meant)?)))
+}
+
+/// One number of each list of choices so that what they add is `rest`.
+fn select(choices: &[&[(i64, i64)]], rest: i64) -> Option<Vec<i64>> {
+    let Some((first, others)) = choices.split_first() else {
+        return (rest == 0).then(Vec::new);
+    };
+    first.iter().find_map(|(written, adds)| {
+        let mut chosen = vec![*written];
+        chosen.extend(select(others, rest - adds)?);
+        Some(chosen)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn selections_add_up_to_the_variant() {
+        // oracle: hand
+        let list = ArgumentList {
+            style: Style::Indirect,
+            name: "CYCLE_976",
+            when: When::Always,
+            base: 1,
+            args: &[
+                Arg::Select(&[(0, 0), (1, 100_000)]),
+                Arg::Param("_MA"),
+                Arg::Select(&[(4, 0), (1, 1000), (2, 2000)]),
+            ],
+            source: "",
+        };
+        assert_eq!(list.selections(102_001), Some(vec![1, 2]));
+        assert_eq!(list.selections(1), Some(vec![0, 4]));
+        assert_eq!(list.selections(2), None);
+    }
+}

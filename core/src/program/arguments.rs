@@ -1,0 +1,148 @@
+//! Arguments of a call in brackets: where they stand, which list of the catalogue they fill, and changes of one of them.
+
+use super::calls::CallSite;
+use super::change::Edit;
+use super::tree::{Program, Word, WordKind};
+use crate::catalogue::{Arg, ArgumentList, list};
+use crate::diagnostic::Span;
+
+/// Place of each argument of the call at `span`, blanks around it left out; an empty place where one is omitted.
+pub(super) fn places(program: &Program, span: Span) -> Vec<Span> {
+    let text = program.text(span);
+    let Some(open) = text.iter().position(|byte| *byte == b'(') else {
+        return Vec::new();
+    };
+    let (mut found, mut start, mut depth, mut quoted) = (Vec::new(), open + 1, 0_u32, false);
+    for (at, byte) in text.iter().enumerate().skip(open + 1) {
+        match byte {
+            b'"' => quoted = !quoted,
+            _ if quoted => {}
+            b'(' | b'[' => depth += 1,
+            b')' if depth == 0 => {
+                found.push(trimmed(text, span, start, at));
+                break;
+            }
+            b')' | b']' => depth = depth.saturating_sub(1),
+            b',' if depth == 0 => {
+                found.push(trimmed(text, span, start, at));
+                start = at + 1;
+            }
+            _ => {}
+        }
+    }
+    let nothing = |place: &Span| place.start == place.end;
+    if found.len() == 1 && found.first().is_some_and(nothing) {
+        found.clear();
+    }
+    found
+}
+
+fn trimmed(text: &[u8], span: Span, start: usize, end: usize) -> Span {
+    let bytes = text.get(start..end).unwrap_or_default();
+    let kept = bytes.trim_ascii_start();
+    let from = start + bytes.len() - kept.len();
+    let to = from + kept.trim_ascii_end().len();
+    Span {
+        start: span.start + from as u32,
+        end: span.start + to as u32,
+    }
+}
+
+/// The word around a place.
+fn word_at(program: &Program, place: Span) -> Option<&Word> {
+    let behind = program
+        .words
+        .partition_point(|word| word.span.start <= place.start);
+    let word = program.words.get(behind.checked_sub(1)?)?;
+    (word.span.end >= place.end).then_some(word)
+}
+
+/// Whether a place is an argument of a call.
+pub(super) fn is_argument(program: &Program, place: Span) -> bool {
+    word_at(program, place).is_some_and(|word| matches!(word.kind, WordKind::Call { .. }))
+}
+
+/// Whether a place is an argument of `CYCLE_PARA`, where 0 says nothing.
+pub(super) fn is_auxiliary(program: &Program, place: Span) -> bool {
+    word_at(program, place).is_some_and(|word| match word.kind {
+        WordKind::Call { name, .. } => program.is(name, list::AUXILIARY),
+        _ => false,
+    })
+}
+
+/// Edits that give an argument of the call's own list this text (empty: omitted). None: the list has no such argument.
+pub(super) fn change(
+    program: &Program,
+    site: &CallSite,
+    name: &str,
+    text: &str,
+) -> Option<Vec<Edit>> {
+    let list = site.list?;
+    if site.cycle.variant_param() == Some(name) && !list.has_variant(site.cycle) {
+        return Some(select(program, site, list, text).unwrap_or_default());
+    }
+    let named = |arg: &Arg| matches!(arg, Arg::Param(param) if *param == name);
+    let index = list.args.iter().position(named)?;
+    Some(put(program, site.span, index, text).into_iter().collect())
+}
+
+/// Writes an argument at its index, with the commas that are missing before it.
+fn put(program: &Program, call: Span, index: usize, text: &str) -> Option<Edit> {
+    let places = places(program, call);
+    if let Some(place) = places.get(index) {
+        return (program.text(*place) != text.as_bytes()).then(|| Edit {
+            span: *place,
+            insert: text.to_owned(),
+        });
+    }
+    if text.is_empty() {
+        return None;
+    }
+    let closing = program
+        .text(call)
+        .iter()
+        .rposition(|byte| *byte == b')')
+        .map_or(call.end, |at| call.start + at as u32);
+    let commas = index - places.len().saturating_sub(1).min(index);
+    Some(Edit {
+        span: Span {
+            start: closing,
+            end: closing,
+        },
+        insert: format!("{}{text}", ",".repeat(commas)),
+    })
+}
+
+/// The variant as selections; only those that say something else change.
+fn select(
+    program: &Program,
+    site: &CallSite,
+    list: &ArgumentList,
+    text: &str,
+) -> Option<Vec<Edit>> {
+    let mut wanted = list.selections(text.trim().parse().ok()?)?.into_iter();
+    let places = places(program, site.span);
+    let mut edits = Vec::new();
+    for (index, arg) in list.args.iter().enumerate() {
+        if !matches!(arg, Arg::Select(_)) {
+            continue;
+        }
+        let number = wanted.next()?;
+        let written = places
+            .get(index)
+            .map_or(Some(0), |place| written(program, *place));
+        if written != Some(number) {
+            edits.extend(put(program, site.span, index, &number.to_string()));
+        }
+    }
+    Some(edits)
+}
+
+/// The whole number at a place; 0 where it is omitted.
+fn written(program: &Program, place: Span) -> Option<i64> {
+    let text = std::str::from_utf8(program.text(place)).ok()?;
+    if text.is_empty() {
+        return Some(0);
+    }
+    text.parse().ok()
+}

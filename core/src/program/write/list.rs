@@ -1,0 +1,151 @@
+//! SINUMERIK: assignments and the call, with the arguments that its way of writing takes.
+
+use super::{Source, Written, assignments};
+use crate::catalogue::{Arg, ArgumentList, Param, Style, list};
+use crate::check::{Finding, Parsed, error, note, parse, warning};
+use crate::diagnostic::{Code, Diagnostic};
+use crate::message::Message;
+
+/// There is no call of this kind for the cycle or the variant.
+const NO_LIST: Code = Code::Own(120);
+/// A value that no argument takes stands as an assignment before the call.
+const BESIDE: Code = Code::Own(121);
+/// A value that this way of writing cannot give.
+const LOST: Code = Code::Own(122);
+
+/// The call in this way of writing.
+pub(super) fn write(source: &Source, style: Style) -> Written {
+    let of_style = |list: &&ArgumentList| list.style == style;
+    let mut lists = source.cycle.lists.iter().filter(of_style).peekable();
+    let none = lists.peek().is_none();
+    match lists.find(|list| list.fits(&source.inputs)) {
+        Some(list) => listed(source, list),
+        None if style == Style::Direct && none => Written {
+            text: format!("{}{}\n", all(source), source.cycle.name),
+            findings: Vec::new(),
+        },
+        None => {
+            let key = if none {
+                "write-no-list"
+            } else {
+                "write-no-list-variant"
+            };
+            let message = Message::new(key).text("cycle", source.cycle.name);
+            Written {
+                text: String::new(),
+                findings: vec![error(NO_LIST, message).hint(Message::new("write-no-list-hint"))],
+            }
+        }
+    }
+}
+
+fn all(source: &Source) -> String {
+    assignments(&source.values.iter().collect::<Vec<_>>())
+}
+
+fn listed(source: &Source, list: &ArgumentList) -> Written {
+    let (mut before, mut auxiliary, mut findings) = (Vec::new(), Vec::new(), Vec::new());
+    for value in source
+        .values
+        .iter()
+        .filter(|(param, _)| !takes(source, list, param))
+    {
+        let (param, text) = value;
+        match list.style {
+            Style::Direct => before.push(value),
+            Style::Indirect if is_auxiliary(param, text) => auxiliary.push(value),
+            Style::Indirect => {
+                findings.push(beside(param, text));
+                before.push(value);
+            }
+            Style::Operate if is_default(source, param, text) => {}
+            Style::Operate => findings.push(lost(param)),
+        }
+    }
+    let mut text = assignments(&before);
+    if !auxiliary.is_empty() {
+        let value = |name: &&str| {
+            let of_name = auxiliary.iter().find(|(param, _)| param.name == *name);
+            of_name.map_or(String::new(), |(_, text)| text.clone())
+        };
+        let arguments = list::AUXILIARY_ARGS.iter().map(value).collect();
+        text.push_str(&call(list::AUXILIARY, arguments));
+    }
+    text.push_str(&call(list.name, arguments(source, list)));
+    Written { text, findings }
+}
+
+/// Whether the list says the value: as an argument, or the variant as selections.
+fn takes(source: &Source, list: &ArgumentList, param: &Param) -> bool {
+    let named = |arg: &Arg| matches!(arg, Arg::Param(name) if *name == param.name);
+    list.args.iter().any(named)
+        || source.cycle.variant_param() == Some(param.name) && list.style != Style::Direct
+}
+
+/// Whether `CYCLE_PARA` can give it; a 0 there would keep the value of before (B:11734).
+fn is_auxiliary(param: &Param, text: &str) -> bool {
+    list::AUXILIARY_ARGS.contains(&param.name) && parse(text) != Parsed::Number(0.0)
+}
+
+fn is_default(source: &Source, param: &Param, text: &str) -> bool {
+    parse(text)
+        == param
+            .fallback(source.control)
+            .map_or(Parsed::Empty, Parsed::Number)
+}
+
+fn beside(param: &Param, text: &str) -> Diagnostic {
+    let key = if list::AUXILIARY_ARGS.contains(&param.name) {
+        "write-zero"
+    } else {
+        "write-beside"
+    };
+    let message = Message::new(key)
+        .text("name", param.name)
+        .text("value", text);
+    note(BESIDE, message)
+}
+
+fn lost(param: &Param) -> Diagnostic {
+    let message = Message::new("write-lost").text("name", param.name);
+    warning(LOST, message).hint(Message::new("write-lost-hint"))
+}
+
+/// The arguments in order. What is used and was not typed counts as delivered, because an omitted argument is 0.
+fn arguments(source: &Source, list: &ArgumentList) -> Vec<String> {
+    let mut selections = list
+        .selections(source.inputs.variant)
+        .unwrap_or_default()
+        .into_iter();
+    let written = |arg: &Arg| match arg {
+        Arg::Param(name) => parameter(source, name),
+        Arg::Select(_) => selections
+            .next()
+            .map_or(String::new(), |number| number.to_string()),
+        Arg::Is(number) => number.to_string(),
+        Arg::Variable(name) | Arg::Output(name) => (*name).to_owned(),
+        Arg::Open => String::new(),
+    };
+    list.args.iter().map(written).collect()
+}
+
+fn parameter(source: &Source, name: &str) -> String {
+    let typed = source.values.iter().find(|(param, _)| param.name == name);
+    if let Some((_, text)) = typed {
+        return text.clone();
+    }
+    let used = |param: &&Param| param.need(&source.inputs).is_some();
+    let param = source.cycle.param(name).filter(used);
+    param
+        .and_then(|param| param.fallback(source.control))
+        .filter(|number| *number != 0.0)
+        .map_or(String::new(), |number| number.to_string())
+}
+
+/// `NAME(1,,3)`; omitted arguments at the end are left out.
+fn call(name: &str, mut arguments: Vec<String>) -> String {
+    while arguments.last().is_some_and(String::is_empty) {
+        arguments.pop();
+    }
+    format!("{name}({})\n", arguments.join(","))
+}

@@ -1,0 +1,218 @@
+//! Three ways of writing a call: what is written is read back, and a change changes one value.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use probewright_core::catalogue::{Arg, CYCLES, Cycle, Dialect, Kind, Style, find};
+use probewright_core::check::Typed;
+use probewright_core::control::{Plane, delivery};
+use probewright_core::program::calls::{CallSite, calls};
+use probewright_core::program::change::{apply, change};
+use probewright_core::program::read;
+use probewright_core::program::write::{Written, snippet};
+use probewright_core::run::setup::Setup;
+use probewright_core::run::{self, Limits};
+use proptest::prelude::*;
+
+fn typed(pairs: &[(&str, &str)]) -> Typed {
+    let owned = |(name, value): &(&str, &str)| ((*name).to_owned(), (*value).to_owned());
+    pairs.iter().map(owned).collect()
+}
+
+fn cycle(name: &str) -> &'static Cycle {
+    find(Dialect::Sinumerik, name).unwrap()
+}
+
+fn example(name: &str) -> Typed {
+    typed(cycle(name).example)
+}
+
+fn written(name: &str, values: &Typed, style: Style) -> Written {
+    snippet(
+        cycle(name),
+        values,
+        &delivery(Dialect::Sinumerik),
+        style,
+        None,
+    )
+}
+
+fn sites(text: &str) -> Vec<CallSite> {
+    calls(&read(Dialect::Sinumerik, text.as_bytes()))
+}
+
+// oracle: manual B:11734-11753, B:11987-11996
+#[test]
+fn a_surface_as_a_parameterizing_call() {
+    let mut values = example("CYCLE978");
+    values.insert("_VMS".into(), "0".into());
+    let text = written("CYCLE978", &values, Style::Indirect).text;
+    let lines: Vec<&str> = text.lines().collect();
+    assert_eq!(lines[0], "_VMS=0", "a 0 cannot pass through CYCLE_PARA");
+    assert_eq!(
+        lines[1],
+        "CYCLE_PARA(2,,1,,1,,0.01,0.02,0.03,-0.03,1,20,3,0.06)"
+    );
+    assert_eq!(lines[2], "CYCLE_978(0,100,1,20,,2001)");
+}
+
+// oracle: peer (argument order of newer controls)
+#[test]
+fn a_hole_in_the_list_of_newer_controls() {
+    let values = typed(&[
+        ("_MVAR", "1"),
+        ("_KNUM", "2001"),
+        ("_PRNUM", "1"),
+        ("_SETVAL", "132"),
+        ("_FA", "2"),
+        ("_TSA", "1"),
+        ("_NMSP", "1"),
+        ("_TNAME", "DRILL"),
+        ("_TDIF", "0.06"),
+        ("_TUL", "0.03"),
+        ("_TLL", "-0.03"),
+        ("_TMV", "0.02"),
+        ("_K", "3"),
+        ("_TZL", "0.01"),
+    ]);
+    let written = written("CYCLE977", &values, Style::Operate);
+    assert_eq!(
+        written.text,
+        "CYCLE977(1,2001,,1,132,,,2,1,,,,,,1,\"DRILL\",,,0.06,0.03,-0.03,0.02,3)\n"
+    );
+    let lost: Vec<&str> = written
+        .findings
+        .iter()
+        .map(|found| &*found.message.key)
+        .collect();
+    assert_eq!(lost, ["write-lost"], "_TZL has no place there");
+}
+
+// oracle: manual B:11734
+#[test]
+fn nothing_goes_through_cycle_para_as_zero() {
+    let text = "_TZL=0.5\nCYCLE_PARA(3,,,,,,0)\nCYCLE_978(0,100,1)\n";
+    let site = &sites(text)[0];
+    assert_eq!(site.values["_TZL"], "0.5");
+    assert_eq!(site.values["_FA"], "3");
+    assert_eq!(
+        site.values["_KNUM"], "0",
+        "an omitted argument is 0 for the called program"
+    );
+    let program = read(Dialect::Sinumerik, text.as_bytes());
+    let changed = |name, value| {
+        String::from_utf8(apply(text.as_bytes(), &change(&program, site, name, value))).unwrap()
+    };
+    assert_eq!(changed("_FA", "4"), text.replace("PARA(3", "PARA(4"));
+    assert_eq!(
+        changed("_FA", "0"),
+        "_TZL=0.5 _FA=0\nCYCLE_PARA(,,,,,,0)\nCYCLE_978(0,100,1)\n"
+    );
+    assert_eq!(changed("_KNUM", "2001"), text.replace("1)", "1,,,2001)"));
+    assert_eq!(changed("_SETVAL", "-7.5"), text.replace("100,", "-7.5,"));
+}
+
+// oracle: self (the same call, whichever way it is written)
+#[test]
+fn every_way_of_writing_does_the_same() {
+    for name in ["CYCLE977", "CYCLE978"] {
+        let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+        let simulation = cycle(name).simulation.as_ref().unwrap();
+        let checked = probewright_core::check::check(cycle(name), &example(name), &setup.control);
+        let proposal = (simulation.propose)(&checked.inputs.unwrap(), &setup.control);
+        setup.workpiece = proposal.workpiece;
+        setup.position = setup.control.to_machine(proposal.start);
+        for tool in proposal.tools {
+            let of = setup.control.tools.entry(tool.tool).or_default();
+            of.name = tool.name;
+            of.edges.insert(tool.edge, tool.data);
+        }
+        setup.control.set("_CHBIT[4]", 1.0);
+        let result = |style| {
+            let text = written(name, &example(name), style).text;
+            let program = read(Dialect::Sinumerik, text.as_bytes());
+            let outcome = run::run(&program, &setup, Limits::default());
+            assert_eq!(outcome.stop, None, "{text}\n{:?}", outcome.diagnostics);
+            let results = ["_OVR[0]", "_OVR[4]", "_OVR[16]", "_OVI[0]", "_OVI[9]"];
+            (
+                results.map(|name| outcome.control.number(name)),
+                outcome.control.tools,
+            )
+        };
+        assert_eq!(result(Style::Direct), result(Style::Indirect), "{name}");
+    }
+}
+
+/// Random values for the parameters of a cycle, whole numbers where they are codes.
+fn values() -> impl Strategy<Value = (usize, Typed)> {
+    let numbers =
+        proptest::collection::vec((any::<bool>(), -99_999..99_999_i32, any::<usize>()), 40);
+    (0..CYCLES.len(), numbers).prop_map(|(index, numbers)| {
+        let cycle = CYCLES[index];
+        let mut typed = Typed::new();
+        for (param, (given, number, pick)) in cycle.params.iter().zip(numbers) {
+            let text = match param.kind {
+                Kind::Variant(_) => cycle.variants[pick % cycle.variants.len()]
+                    .number
+                    .to_string(),
+                Kind::Real if given => (f64::from(number) / 1000.0).to_string(),
+                Kind::Text(_) if given => format!("T{}", number.unsigned_abs() % 100),
+                Kind::Knum if given => (number.abs() % 9999).to_string(),
+                _ if given => (number / 1000).to_string(),
+                _ => continue,
+            };
+            typed.insert(param.name.into(), text);
+        }
+        (index, typed)
+    })
+}
+
+/// Whether this way of writing says the parameter.
+fn says(cycle: &Cycle, site: &CallSite, style: Style, name: &str) -> bool {
+    let named = |arg: &Arg| matches!(arg, Arg::Param(param) if *param == name);
+    style != Style::Operate
+        || cycle.variant_param() == Some(name)
+        || site.list.is_some_and(|list| list.args.iter().any(named))
+}
+
+// oracle: self (writing and reading are inverse)
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(600))]
+
+    #[test]
+    fn what_is_written_is_read_back((index, typed) in values(), other in 1..9000_u32) {
+        let cycle = CYCLES[index];
+        for style in [Style::Direct, Style::Indirect, Style::Operate] {
+            let text = snippet(cycle, &typed, &delivery(cycle.dialect), style, None).text;
+            if text.is_empty() {
+                prop_assert!(style != Style::Direct, "{}", cycle.name);
+                continue;
+            }
+            let program = read(cycle.dialect, text.as_bytes());
+            prop_assert!(program.errors.is_empty(), "{}", text);
+            let found = calls(&program);
+            prop_assert_eq!(found.len(), 1, "{}", &text);
+            let site = &found[0];
+            prop_assert_eq!(site.cycle.name, cycle.name);
+            let inputs = probewright_core::check::read(cycle, &typed, &delivery(cycle.dialect), &mut Vec::new());
+            for param in cycle.params.iter().filter(|param| param.need(&inputs).is_some()) {
+                let Some(value) = typed.get(param.name).filter(|_| says(cycle, site, style, param.name)) else {
+                    continue;
+                };
+                let read = site.values.get(param.name).map(String::as_str);
+                prop_assert_eq!(read, Some(value.as_str()), "{} in {}", param.name, &text);
+            }
+            for param in cycle.params.iter().filter(|param| matches!(param.kind, Kind::Real)) {
+                if !says(cycle, site, style, param.name) {
+                    continue;
+                }
+                let edits = change(&program, site, param.name, &other.to_string());
+                let after = read(cycle.dialect, &apply(text.as_bytes(), &edits));
+                let again = calls(&after);
+                prop_assert_eq!(again.len(), 1);
+                prop_assert_eq!(&again[0].values[param.name], &other.to_string(), "{} in {}", param.name, &text);
+                for (name, read) in site.values.iter().filter(|(name, _)| *name != param.name) {
+                    prop_assert_eq!(&again[0].values[name], read, "{} in {}", name, &text);
+                }
+            }
+        }
+    }
+}
