@@ -18,7 +18,7 @@ pub fn version() -> String {
 #[wasm_bindgen]
 #[must_use]
 pub fn catalogue() -> String {
-    serde_json::json!({ "cycles": json::cycles() }).to_string()
+    json::catalogue().to_string()
 }
 
 /// `FormRequest` → `FormView`.

@@ -1,8 +1,13 @@
 //! The whole catalogue as JSON.
 
-use super::{code, dialect_name};
+use super::{code, dialect_name, object};
 use crate::catalogue::{CYCLES, Cycle, Kind, Param, ResultField, Unit, Variant};
-use serde_json::{Map, Value, json};
+use serde_json::Value;
+
+/// What the page asks for first: the cycles under a name.
+pub fn catalogue() -> Value {
+    object([("cycles", cycles())])
+}
 
 /// One object a cycle: control, cycle, variants, parameters, results, alarms, each with its place in the manual.
 pub fn cycles() -> Value {
@@ -10,45 +15,65 @@ pub fn cycles() -> Value {
 }
 
 fn entry(cycle: &Cycle) -> Value {
-    json!({
-        "control": dialect_name(cycle.dialect),
-        "cycle": cycle.name,
-        "key": cycle.key,
-        "variants": cycle.variants.iter().map(|variant| self::variant(cycle, variant)).collect::<Vec<_>>(),
-        "parameters": cycle.params.iter().map(param).collect::<Vec<_>>(),
-        "results": cycle.results.iter().map(result).collect::<Vec<_>>(),
-        "alarms": cycle.alarms().into_iter().map(code).collect::<Vec<_>>(),
-        "example": cycle.example.iter().map(|(name, value)| ((*name).to_owned(), json!(value))).collect::<serde_json::Map<_, _>>(),
-        "simulated": cycle.simulation.is_some(),
-        "source": cycle.source,
-    })
+    let variants = cycle.variants.iter();
+    let example = cycle.example.iter();
+    object([
+        ("control", dialect_name(cycle.dialect).into()),
+        ("cycle", cycle.name.into()),
+        ("key", cycle.key.into()),
+        (
+            "variants",
+            variants.map(|one| variant(cycle, one)).collect(),
+        ),
+        ("parameters", cycle.params.iter().map(param).collect()),
+        ("results", cycle.results.iter().map(result).collect()),
+        ("alarms", cycle.alarms().into_iter().map(code).collect()),
+        (
+            "example",
+            object(example.map(|(name, value)| (*name, (*value).into()))),
+        ),
+        ("simulated", cycle.simulation.is_some().into()),
+        ("source", cycle.source.into()),
+    ])
 }
 
 fn variant(cycle: &Cycle, variant: &Variant) -> Value {
-    let values = choosing(cycle, variant.number);
-    json!({ "mvar": variant.number, "key": variant.key, "source": variant.source, "values": values })
+    object([
+        ("mvar", variant.number.into()),
+        ("key", variant.key.into()),
+        ("source", variant.source.into()),
+        ("values", choosing(cycle, variant.number)),
+    ])
 }
 
 /// Values, as typed, that choose a variant: its number, or the address whose presence makes it.
-fn choosing(cycle: &Cycle, number: i64) -> Map<String, Value> {
-    let mut values = Map::new();
-    for param in cycle.params {
+fn choosing(cycle: &Cycle, number: i64) -> Value {
+    object(cycle.params.iter().filter_map(|param| {
         if matches!(param.kind, Kind::Variant(_)) {
-            values.insert(param.name.into(), json!(number.to_string()));
-        } else if let Some(chosen) = param.chooses {
-            let value = if chosen == number { "0" } else { "" };
-            values.insert(param.name.into(), json!(value));
+            return Some((param.name, number.to_string().into()));
         }
-    }
-    values
+        let value = if param.chooses? == number { "0" } else { "" };
+        Some((param.name, value.into()))
+    }))
 }
 
 fn param(param: &Param) -> Value {
-    json!({ "name": param.name, "key": param.key, "unit": unit_rule(param.unit), "default": param.default, "source": param.source })
+    object([
+        ("name", param.name.into()),
+        ("key", param.key.into()),
+        ("unit", unit_rule(param.unit).into()),
+        ("default", param.default.into()),
+        ("source", param.source.into()),
+    ])
 }
 
 fn result(field: &ResultField) -> Value {
-    json!({ "name": field.name, "key": field.key, "unit": unit_rule(field.unit), "source": field.source })
+    object([
+        ("name", field.name.into()),
+        ("key", field.key.into()),
+        ("unit", unit_rule(field.unit).into()),
+        ("source", field.source.into()),
+    ])
 }
 
 /// The rule, not the unit that it gives on a machine.

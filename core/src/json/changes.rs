@@ -1,22 +1,23 @@
 //! What is different after a run, with words for the names that a program would use.
 
 use super::setup::settable_name;
-use super::{message, number};
+use super::{message, object};
 use crate::control::Control;
 use crate::message::Message;
 use crate::run::outcome::{Change, Outcome};
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// Tools, frames and memories before and after; lengths in mm, rotations in degree.
 pub fn changes(outcome: &Outcome) -> Vec<Value> {
     let value = |change: Change| {
-        json!({
-            "name": change.name,
-            "label": message(&label(&outcome.control, &change.name)),
-            "before": number(change.before),
-            "after": number(change.after),
-            "unit": if change.name.ends_with(",RT]") { "deg" } else { "mm" },
-        })
+        let turned = change.name.ends_with(",RT]");
+        object([
+            ("name", change.name.as_str().into()),
+            ("label", message(&label(&outcome.control, &change.name))),
+            ("before", change.before.into()),
+            ("after", change.after.into()),
+            ("unit", if turned { "deg" } else { "mm" }.into()),
+        ])
     };
     outcome.changes().into_iter().map(value).collect()
 }

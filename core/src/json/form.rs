@@ -1,7 +1,7 @@
 //! A form at every keystroke: fields, findings, snippet, picture and what the call would do.
 
 use super::setup::{Machine, PlaneName, choose_units, plane};
-use super::{Error, diagnostic, dialect, message, number};
+use super::{Error, diagnostic, dialect, message, object, put};
 use crate::catalogue::{self, Cycle, Range, Simulation, Style};
 use crate::check::{self, Checked, Inputs, Typed};
 use crate::control::{Control, Plane, Units};
@@ -13,7 +13,7 @@ use crate::run::predict::predict;
 use crate::run::setup::Setup;
 use crate::workpiece::{PartErrors, Probe, Solid};
 use serde::Deserialize;
-use serde_json::{Map, Value, json};
+use serde_json::Value;
 
 #[derive(Deserialize)]
 struct Request {
@@ -75,7 +75,7 @@ struct ProbeSliders {
 
 /// Answers a `FormRequest` with a `FormView`.
 pub fn form(request: &str) -> Result<Value, Error> {
-    let request: Request = serde_json::from_str(request)?;
+    let request: Request = super::request(request)?;
     let cycle = catalogue::find(dialect(&request.control)?, &request.cycle).ok_or_else(|| {
         Error::Unknown {
             what: "cycle",
@@ -114,13 +114,17 @@ pub fn form(request: &str) -> Result<Value, Error> {
             own_machine,
         );
         let outcome = predict(cycle, inputs, &setup);
-        let mut outcome = super::outcome(inputs, &setup, &outcome)?;
-        outcome["trace"]["zones"] = super::trace::solids(&zones)?;
-        view.insert("outcome".into(), outcome);
+        let mut outcome = super::outcome(inputs, &setup, &outcome);
+        put(
+            &mut outcome["trace"],
+            "zones",
+            super::setup_write::solids(&zones),
+        );
+        put(&mut view, "outcome", outcome);
         set_modal(&mut setup.control, start);
-        view.insert("setup".into(), super::setup_to_json(&setup)?);
+        put(&mut view, "setup", super::setup_to_json(&setup));
     }
-    Ok(Value::Object(view))
+    Ok(view)
 }
 
 /// Plane and units of a control: what a program begins with is not what counts at one of its calls.
@@ -143,7 +147,7 @@ fn view(
     checked: &Checked,
     style: Style,
     comments: Option<&Typed>,
-) -> Map<String, Value> {
+) -> Value {
     let word = |name: &str, _: &str| {
         comments
             .and_then(|words| words.get(name))
@@ -155,29 +159,28 @@ fn view(
         .diagnostics
         .iter()
         .any(|found| found.severity == Severity::Error);
-    let mut view = Map::new();
-    let fields: Vec<Value> = form::fields(cycle, typed, control)
-        .iter()
-        .map(field)
-        .collect();
-    view.insert("fields".into(), json!(fields));
-    view.insert(
-        "diagnostics".into(),
-        checked.diagnostics.iter().map(diagnostic).collect(),
-    );
     let words = comments.map(|_| &word as &dyn Fn(&str, &str) -> String);
     let written = snippet(cycle, typed, control, style, words);
-    view.insert("snippet".into(), json!(written.text));
-    view.insert(
-        "snippetFindings".into(),
-        written.findings.iter().map(diagnostic).collect(),
-    );
-    view.insert("complete".into(), json!(!errors));
-    view.insert(
-        "picture".into(),
-        picture(&form::draw(cycle, typed, control)),
-    );
-    view
+    object([
+        (
+            "fields",
+            form::fields(cycle, typed, control)
+                .iter()
+                .map(field)
+                .collect(),
+        ),
+        (
+            "diagnostics",
+            checked.diagnostics.iter().map(diagnostic).collect(),
+        ),
+        ("snippet", written.text.into()),
+        (
+            "snippetFindings",
+            written.findings.iter().map(diagnostic).collect(),
+        ),
+        ("complete", (!errors).into()),
+        ("picture", picture(&form::draw(cycle, typed, control))),
+    ])
 }
 
 /// Puts the proposed part with its errors and the probe with its own into the setup, and the probe before it.
@@ -237,26 +240,31 @@ fn picture(picture: &Picture) -> Value {
         View::Plane => "plane",
         View::Section => "section",
     };
-    json!({ "view": view, "shapes": picture.shapes.iter().map(shape).collect::<Vec<_>>() })
+    object([
+        ("view", view.into()),
+        ("shapes", picture.shapes.iter().map(shape).collect()),
+    ])
 }
 
 fn shape(shape: &PictureShape) -> Value {
-    let mut object = Map::new();
-    object.insert("kind".into(), json!(shape_kind(shape.kind)));
-    object.insert("points".into(), json!(shape.points));
+    let mut view = object([
+        ("kind", shape_kind(shape.kind).into()),
+        ("points", shape.points.iter().copied().collect()),
+    ]);
     if let Some((at, r)) = shape.circle {
-        object.insert("circle".into(), json!({ "x": at[0], "y": at[1], "r": r }));
+        let circle = [("x", at[0].into()), ("y", at[1].into()), ("r", r.into())];
+        put(&mut view, "circle", object(circle));
     }
     if shape.closed {
-        object.insert("closed".into(), json!(true));
+        put(&mut view, "closed", true);
     }
     if let Some(text) = &shape.text {
-        object.insert("text".into(), json!(text));
+        put(&mut view, "text", text.as_str());
     }
     if let Some(field) = shape.field {
-        object.insert("field".into(), json!(field));
+        put(&mut view, "field", field);
     }
-    Value::Object(object)
+    view
 }
 
 fn shape_kind(kind: ShapeKind) -> &'static str {
@@ -276,62 +284,77 @@ fn shape_kind(kind: ShapeKind) -> &'static str {
 }
 
 fn field(field: &form::Field) -> Value {
-    let mut object = Map::new();
-    object.insert("name".into(), json!(field.name));
-    object.insert("label".into(), message(&field.label));
-    object.insert("help".into(), message(&field.help));
-    object.insert("value".into(), json!(field.value));
-    object.insert("unit".into(), json!(field.unit));
-    object.insert("required".into(), json!(field.required));
-    object.insert("reason".into(), message(&field.reason));
-    object.insert("source".into(), json!(field.source));
+    let mut view = object([
+        ("name", field.name.into()),
+        ("label", message(&field.label)),
+        ("help", message(&field.help)),
+        ("value", field.value.as_str().into()),
+        ("unit", field.unit.into()),
+        ("required", field.required.into()),
+        ("reason", message(&field.reason)),
+        ("source", field.source.into()),
+        ("kind", kind(&field.entry).into()),
+    ]);
     if let Some(fallback) = field.fallback {
-        object.insert("fallback".into(), number(fallback));
+        put(&mut view, "fallback", fallback);
     }
-    let kind = match &field.entry {
+    match &field.entry {
+        form::Entry::Real | form::Entry::Integer => put(&mut view, "range", range(field.range)),
+        form::Entry::Text(_) => {}
+        form::Entry::Choice(list) => put(&mut view, "choices", choices(list)),
+        form::Entry::Digits(groups) => {
+            put(
+                &mut view,
+                "digits",
+                groups.iter().map(group).collect::<Value>(),
+            );
+        }
+    }
+    view
+}
+
+fn kind(entry: &form::Entry) -> &'static str {
+    match entry {
         form::Entry::Real => "real",
         form::Entry::Integer => "integer",
         form::Entry::Text(_) => "text",
-        form::Entry::Choice(choices) => {
-            object.insert("choices".into(), choices.iter().map(choice).collect());
-            "choice"
-        }
-        form::Entry::Digits(groups) => {
-            object.insert("digits".into(), groups.iter().map(group).collect());
-            "digits"
-        }
-    };
-    object.insert("kind".into(), json!(kind));
-    if matches!(field.entry, form::Entry::Real | form::Entry::Integer) {
-        object.insert("range".into(), range(field.range));
+        form::Entry::Choice(_) => "choice",
+        form::Entry::Digits(_) => "digits",
     }
-    Value::Object(object)
 }
 
 /// An open end is left out.
 fn range(range: Range) -> Value {
-    let mut object = Map::new();
+    let mut view = object([
+        ("minIncluded", range.min_included.into()),
+        ("maxIncluded", range.max_included.into()),
+    ]);
     if range.min.is_finite() {
-        object.insert("min".into(), number(range.min));
+        put(&mut view, "min", range.min);
     }
     if range.max.is_finite() {
-        object.insert("max".into(), number(range.max));
+        put(&mut view, "max", range.max);
     }
-    object.insert("minIncluded".into(), json!(range.min_included));
-    object.insert("maxIncluded".into(), json!(range.max_included));
-    Value::Object(object)
+    view
+}
+
+fn choices(list: &[form::Choice]) -> Value {
+    list.iter().map(choice).collect()
 }
 
 fn choice(choice: &form::Choice) -> Value {
-    json!({ "value": choice.value, "label": message(&choice.label) })
+    object([
+        ("value", choice.value.into()),
+        ("label", message(&choice.label)),
+    ])
 }
 
 fn group(group: &form::Group) -> Value {
-    json!({
-        "label": message(&group.label),
-        "place": group.place,
-        "digits": group.digits,
-        "value": group.value,
-        "choices": group.choices.iter().map(choice).collect::<Vec<_>>(),
-    })
+    object([
+        ("label", message(&group.label)),
+        ("place", group.place.into()),
+        ("digits", group.digits.into()),
+        ("value", group.value.into()),
+        ("choices", choices(&group.choices)),
+    ])
 }

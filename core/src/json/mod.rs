@@ -6,22 +6,26 @@ mod changes;
 mod form;
 mod program;
 mod setup;
+mod setup_write;
 #[cfg(test)]
 mod tests;
 mod trace;
 
-pub use catalogue::cycles;
+pub use catalogue::{catalogue, cycles};
 pub use form::form;
 pub use program::{calls, change, read, run, run_outcome};
+pub use setup::from_json as setup_from_json;
 #[cfg(feature = "cli")]
 pub use setup::schema as setup_schema;
-pub use setup::{from_json as setup_from_json, to_json as setup_to_json};
+pub use setup_write::to_json as setup_to_json;
 pub use trace::{alarm_key, outcome};
 
 use crate::catalogue::{Dialect, Style};
+use crate::check::Typed;
 use crate::diagnostic::{Code, Diagnostic, Severity};
 use crate::message::{Arg, Message};
-use serde_json::{Map, Value, json};
+use serde::de::DeserializeOwned;
+use serde_json::{Map, Value};
 
 /// Why a document is refused.
 #[derive(Debug, thiserror::Error)]
@@ -83,28 +87,47 @@ pub fn style_name(style: Style) -> &'static str {
     known.map_or("direct", |(name, _)| name)
 }
 
-/// A number; JSON has no NaN and no infinity, they become null.
-fn number(value: f64) -> Value {
-    json!(value)
+/// Reads a document that the page sent. The shape is read from the parsed document, as the machine in it is: one
+/// reading code for both keeps the page's module small.
+fn request<T: DeserializeOwned>(text: &str) -> Result<T, Error> {
+    let document: Value = serde_json::from_str(text)?;
+    Ok(serde_json::from_value(document)?)
+}
+
+/// An object of these members. A number that is not finite becomes null, as JSON has none.
+fn object<'a>(members: impl IntoIterator<Item = (&'a str, Value)>) -> Value {
+    let mut object = Map::new();
+    for (name, value) in members {
+        object.insert(name.to_owned(), value);
+    }
+    Value::Object(object)
+}
+
+/// Adds a member to an object.
+fn put(object: &mut Value, name: &str, value: impl Into<Value>) {
+    object[name] = value.into();
+}
+
+/// Values as typed.
+fn typed(values: &Typed) -> Value {
+    object(
+        values
+            .iter()
+            .map(|(name, value)| (name.as_str(), value.as_str().into())),
+    )
 }
 
 fn message(message: &Message) -> Value {
-    let args: Map<String, Value> = message
-        .args
-        .iter()
-        .map(|(name, arg)| {
-            let value = match arg {
-                Arg::Number(value) => number(*value),
-                Arg::Text(text) => json!(text),
-            };
-            ((*name).to_owned(), value)
-        })
-        .collect();
-    json!({ "key": message.key.as_ref(), "args": args })
+    let value = |arg: &Arg| match arg {
+        Arg::Number(value) => Value::from(*value),
+        Arg::Text(text) => Value::from(text.as_str()),
+    };
+    let args = message.args.iter().map(|(name, arg)| (*name, value(arg)));
+    object([("key", message.key.as_ref().into()), ("args", object(args))])
 }
 
 fn key(key: &'static str) -> Value {
-    json!({ "key": key, "args": {} })
+    object([("key", key.into()), ("args", object([]))])
 }
 
 /// `61307`, `FORMAT ERROR`, `PW012`.
@@ -125,15 +148,16 @@ fn severity(severity: Severity) -> &'static str {
 }
 
 fn diagnostic(found: &Diagnostic) -> Value {
-    let mut object = Map::new();
-    object.insert("severity".into(), json!(severity(found.severity)));
-    object.insert("code".into(), json!(code(found.code)));
-    object.insert("message".into(), message(&found.message));
+    let mut view = object([
+        ("severity", severity(found.severity).into()),
+        ("code", code(found.code).into()),
+        ("message", message(&found.message)),
+    ]);
     if let Some(hint) = &found.hint {
-        object.insert("hint".into(), message(hint));
+        put(&mut view, "hint", message(hint));
     }
     if let Some(param) = found.param {
-        object.insert("param".into(), json!(param));
+        put(&mut view, "param", param);
     }
-    Value::Object(object)
+    view
 }

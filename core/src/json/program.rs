@@ -1,7 +1,8 @@
 //! Reading, changing and running program text. The page counts in UTF-16 units, the core in bytes.
 
-use super::setup::{Machine, plane_file, start, units_name};
-use super::{Error, diagnostic, dialect, dialect_name, number, style_name};
+use super::setup::{Machine, start, units_name};
+use super::setup_write::plane_name;
+use super::{Error, diagnostic, dialect, dialect_name, object, put, style_name, typed};
 use crate::catalogue::Style;
 use crate::check;
 use crate::control::{Control, delivery};
@@ -14,7 +15,7 @@ use crate::run::outcome::Outcome;
 use crate::run::setup::Setup;
 use crate::run::{self, Limits};
 use serde::Deserialize;
-use serde_json::{Value, json};
+use serde_json::Value;
 
 #[derive(Deserialize)]
 struct ReadRequest {
@@ -47,7 +48,7 @@ struct RunRequest {
 
 /// Answers a `ReadRequest` with a `ReadView`: every measuring call, and what is wrong.
 pub fn read(request: &str) -> Result<Value, Error> {
-    let request: ReadRequest = serde_json::from_str(request)?;
+    let request: ReadRequest = super::request(request)?;
     let dialect = dialect(&request.control)?;
     let program = program::read(dialect, request.text.as_bytes());
     Ok(view(
@@ -68,25 +69,29 @@ fn view(program: &Program, control: Control) -> Value {
         .map(|site| call(program, site, &positions))
         .collect();
     let found = program::findings_on(program, control);
-    json!({ "calls": calls, "diagnostics": findings(&found, &positions) })
+    object([
+        ("calls", calls.into()),
+        ("diagnostics", findings(&found, &positions).into()),
+    ])
 }
 
 fn call(program: &Program, site: &CallSite, positions: &Positions) -> Value {
-    json!({
-        "control": dialect_name(program.dialect),
-        "cycle": site.cycle.name,
-        "key": site.cycle.key,
-        "mvar": variant(site),
-        "line": site.first_line + 1,
-        "lastLine": site.line + 1,
-        "from": positions.utf16(site.span.start),
-        "to": positions.utf16(site.span.end),
-        "style": style_name(site.list.map_or(Style::Direct, |list| list.style)),
-        "values": site.values,
-        "plane": plane_file(site.plane),
-        "units": units_name(site.unit_function),
-        "diagnostics": findings(&site.diagnostics, positions),
-    })
+    let style = site.list.map_or(Style::Direct, |list| list.style);
+    object([
+        ("control", dialect_name(program.dialect).into()),
+        ("cycle", site.cycle.name.into()),
+        ("key", site.cycle.key.into()),
+        ("mvar", variant(site).into()),
+        ("line", (site.first_line + 1).into()),
+        ("lastLine", (site.line + 1).into()),
+        ("from", positions.utf16(site.span.start).into()),
+        ("to", positions.utf16(site.span.end).into()),
+        ("style", style_name(style).into()),
+        ("values", typed(&site.values)),
+        ("plane", plane_name(site.plane).into()),
+        ("units", units_name(site.unit_function).into()),
+        ("diagnostics", findings(&site.diagnostics, positions).into()),
+    ])
 }
 
 /// Number of the measuring variant, where it is known.
@@ -113,17 +118,17 @@ fn placed(found: &Diagnostic, positions: &Positions) -> Value {
     let mut value = diagnostic(found);
     if let Some(span) = found.span {
         let (line, column) = positions.line_column(span.start);
-        value["from"] = json!(positions.utf16(span.start));
-        value["to"] = json!(positions.utf16(span.end));
-        value["line"] = json!(line);
-        value["column"] = json!(column);
+        put(&mut value, "from", positions.utf16(span.start));
+        put(&mut value, "to", positions.utf16(span.end));
+        put(&mut value, "line", line);
+        put(&mut value, "column", column);
     }
     value
 }
 
 /// Answers a `ChangeRequest` with edits: the only places of the text that change.
 pub fn change(request: &str) -> Result<Value, Error> {
-    let request: ChangeRequest = serde_json::from_str(request)?;
+    let request: ChangeRequest = super::request(request)?;
     let program = program::read(dialect(&request.control)?, request.text.as_bytes());
     let sites = find_calls(&program);
     let site = sites.get(request.call).ok_or_else(|| Error::Unknown {
@@ -131,43 +136,45 @@ pub fn change(request: &str) -> Result<Value, Error> {
         name: request.call.to_string(),
     })?;
     let positions = Positions::new(&program.source);
-    let list: Vec<Value> = edits(&program, site, &request.name, &request.value)
+    Ok(edits(&program, site, &request.name, &request.value)
         .iter()
         .map(|edit| {
-            json!({
-                "from": positions.utf16(edit.span.start),
-                "to": positions.utf16(edit.span.end),
-                "insert": edit.insert,
-            })
+            object([
+                ("from", positions.utf16(edit.span.start).into()),
+                ("to", positions.utf16(edit.span.end).into()),
+                ("insert", edit.insert.as_str().into()),
+            ])
         })
-        .collect();
-    Ok(json!(list))
+        .collect())
 }
 
 /// Answers a `RunRequest` with a `RunView`.
 pub fn run(request: &str) -> Result<Value, Error> {
-    let request: RunRequest = serde_json::from_str(request)?;
+    let request: RunRequest = super::request(request)?;
     let dialect = dialect(&request.control)?;
     let setup = start(dialect, request.setup, &request.machine)?;
     let program = program::read(dialect, request.text.as_bytes());
     let outcome = run::run(&program, &setup, Limits::default());
-    run_outcome(&setup, &outcome, &program.source)
+    Ok(run_outcome(&setup, &outcome, &program.source))
 }
 
 /// What a program did, as a `RunView`.
-pub fn run_outcome(setup: &Setup, outcome: &Outcome, source: &[u8]) -> Result<Value, Error> {
+pub fn run_outcome(setup: &Setup, outcome: &Outcome, source: &[u8]) -> Value {
     let results: Vec<Value> = outcome
         .written()
         .into_iter()
-        .map(|(name, value)| json!({ "name": name, "value": number(value) }))
+        .map(|(name, value)| object([("name", name.into()), ("value", value.into())]))
         .collect();
-    Ok(json!({
-        "trace": super::trace::trace(setup, outcome)?,
-        "diagnostics": findings(&outcome.diagnostics, &Positions::new(source)),
-        "results": results,
-        "changes": super::changes::changes(outcome),
-        "alarms": super::trace::alarms(outcome),
-        "log": outcome.log(),
-        "finished": outcome.finished(),
-    }))
+    object([
+        ("trace", super::trace::trace(setup, outcome)),
+        (
+            "diagnostics",
+            findings(&outcome.diagnostics, &Positions::new(source)).into(),
+        ),
+        ("results", results.into()),
+        ("changes", super::changes::changes(outcome).into()),
+        ("alarms", super::trace::alarms(outcome).into()),
+        ("log", outcome.log().into()),
+        ("finished", outcome.finished().into()),
+    ])
 }

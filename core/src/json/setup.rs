@@ -7,13 +7,13 @@ use crate::control::{
 };
 use crate::run::setup::Setup;
 use crate::workpiece::{PartErrors, Probe, Shape, Solid, Workpiece};
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 use std::collections::BTreeMap;
 
 /// Machine, probe and part that a program runs on. Lengths in mm, angles in degree, feeds in mm/min, except in `data`,
 /// where a number means what it means on the control: on an inch machine most lengths are inches. Unknown members are refused, so that a slip is told and not ignored.
-#[derive(Deserialize, Serialize)]
-#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[derive(Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 #[serde(deny_unknown_fields)]
 struct SetupFile {
     /// Control.
@@ -28,7 +28,7 @@ struct SetupFile {
     #[serde(default)]
     active: ActiveFile,
     /// What the machine can do.
-    #[serde(default, skip_serializing_if = "MachineFile::is_delivered")]
+    #[serde(default)]
     machine: MachineFile,
     /// Tools by T number (NCT: offset registers under T 0).
     #[serde(default)]
@@ -49,16 +49,16 @@ struct SetupFile {
     position: [f64; 3],
 }
 
-#[derive(Clone, Copy, Deserialize, Serialize)]
-#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[derive(Clone, Copy, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 #[serde(rename_all = "lowercase")]
 enum ControlName {
     Sinumerik,
     Nct,
 }
 
-#[derive(Clone, Copy, Default, Deserialize, Serialize)]
-#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[derive(Clone, Copy, Default, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 enum UnitsName {
     #[default]
     #[serde(rename = "mm")]
@@ -68,8 +68,8 @@ enum UnitsName {
 }
 
 /// Working plane.
-#[derive(Clone, Copy, Default, Deserialize, Serialize)]
-#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[derive(Clone, Copy, Default, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 pub(super) enum PlaneName {
     #[default]
     G17,
@@ -78,8 +78,8 @@ pub(super) enum PlaneName {
 }
 
 /// What is in force at the start.
-#[derive(Clone, Default, Deserialize, Serialize)]
-#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[derive(Clone, Default, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 #[serde(deny_unknown_fields, default)]
 struct ActiveFile {
     /// T number in the spindle, 0 none.
@@ -87,18 +87,16 @@ struct ActiveFile {
     /// D number (NCT: H), 0 none.
     edge: i64,
     /// Settable frame, for example `G54`.
-    #[serde(skip_serializing_if = "String::is_empty")]
     frame: String,
     /// G function of units: `G70`, `G71`, `G700`, `G710` (NCT `G20`, `G21`); none: that of the basic system.
-    #[serde(skip_serializing_if = "String::is_empty")]
     units: String,
     /// Position of the spindle, degree.
     spindle: f64,
 }
 
 /// What the machine can do.
-#[derive(Clone, Deserialize, PartialEq, Serialize)]
-#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[derive(Clone, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 #[serde(deny_unknown_fields, rename_all = "camelCase", default)]
 struct MachineFile {
     /// Software limit switches on the minus side (MD36100) of the machine axes X Y Z; null: none.
@@ -111,19 +109,18 @@ struct MachineFile {
 
 impl Default for MachineFile {
     fn default() -> MachineFile {
-        machine_file(&delivery(Dialect::Sinumerik))
-    }
-}
-
-impl MachineFile {
-    fn is_delivered(&self) -> bool {
-        *self == MachineFile::default()
+        let control = delivery(Dialect::Sinumerik);
+        MachineFile {
+            limits_minus: control.limits.minus,
+            limits_plus: control.limits.plus,
+            spindle_positions: control.spindle_positions,
+        }
     }
 }
 
 /// A tool.
-#[derive(Deserialize, Serialize)]
-#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[derive(Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 #[serde(deny_unknown_fields)]
 struct ToolFile {
     /// Name under tool management.
@@ -134,15 +131,15 @@ struct ToolFile {
 }
 
 /// Data of a cutting edge.
-#[derive(Deserialize, Serialize)]
-#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[derive(Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 #[serde(deny_unknown_fields, rename_all = "camelCase")]
 struct EdgeFile {
     /// `$TC_DP1`: 710 3D probe, 120 end mill.
     #[serde(rename = "type")]
     kind: i64,
     /// `$TC_DP2`: cutting edge position of a turning tool or lathe probe, 1 to 9.
-    #[serde(default, skip_serializing_if = "is_none")]
+    #[serde(default)]
     tip: i64,
     /// Geometry L1 L2 L3.
     length: [f64; 3],
@@ -155,16 +152,16 @@ struct EdgeFile {
     #[serde(default)]
     radius_wear: f64,
     /// Additive offsets by DL number: L1 L2 L3 radius.
-    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    #[serde(default)]
     additive: BTreeMap<i64, [f64; 4]>,
     /// Setup offsets by DL number: L1 L2 L3 radius.
-    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    #[serde(default)]
     setup: BTreeMap<i64, [f64; 4]>,
 }
 
 /// A frame.
-#[derive(Deserialize, Serialize)]
-#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[derive(Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 #[serde(deny_unknown_fields)]
 struct FrameFile {
     /// Coarse translation X Y Z.
@@ -176,7 +173,7 @@ struct FrameFile {
     #[serde(default)]
     rotation: [f64; 3],
     /// Scale factors along its own X Y Z; 1: none. Measuring does not work with any other.
-    #[serde(default = "no_scale", skip_serializing_if = "is_no_scale")]
+    #[serde(default = "no_scale")]
     scale: [f64; 3],
 }
 
@@ -184,12 +181,8 @@ fn no_scale() -> [f64; 3] {
     Frame::default().scale
 }
 
-fn is_no_scale(scale: &[f64; 3]) -> bool {
-    *scale == no_scale()
-}
-
-#[derive(Deserialize, Serialize)]
-#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[derive(Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 #[serde(untagged)]
 enum DatumFile {
     Number(f64),
@@ -197,8 +190,8 @@ enum DatumFile {
 }
 
 /// The probe as it really is.
-#[derive(Deserialize, Serialize)]
-#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[derive(Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 #[serde(deny_unknown_fields, rename_all = "camelCase")]
 struct ProbeFile {
     /// Ball radius.
@@ -218,13 +211,13 @@ struct ProbeFile {
     #[serde(default)]
     repeatability: (f64, u64),
     /// Way with the signal watched after which it comes once without contact.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default)]
     false_signal: Option<f64>,
 }
 
 /// A solid.
-#[derive(Deserialize, Serialize)]
-#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[derive(Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 #[serde(deny_unknown_fields)]
 struct SolidFile {
     /// Element.
@@ -242,8 +235,8 @@ struct SolidFile {
     errors: ErrorsFile,
 }
 
-#[derive(Clone, Copy, Debug, Deserialize, Serialize)]
-#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 #[serde(rename_all = "lowercase")]
 enum ShapeName {
     Hole,
@@ -256,8 +249,8 @@ enum ShapeName {
 }
 
 /// Errors of a solid. All zero: none.
-#[derive(Default, Deserialize, Serialize)]
-#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[derive(Default, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 #[serde(deny_unknown_fields, rename_all = "camelCase", default)]
 struct ErrorsFile {
     /// Displacement X Y Z, machine axes.
@@ -272,7 +265,7 @@ struct ErrorsFile {
     out_of_round: (f64, u32),
 }
 
-/// JSON Schema of the setup file.
+/// JSON Schema of the setup file. `Serialize` writes the default values into it.
 #[cfg(feature = "cli")]
 pub fn schema() -> serde_json::Value {
     schemars::schema_for!(SetupFile).to_value()
@@ -406,15 +399,6 @@ pub(super) fn plane(name: PlaneName) -> Plane {
     }
 }
 
-/// A plane for the wire.
-pub(super) fn plane_file(plane: Plane) -> PlaneName {
-    match plane {
-        Plane::G17 => PlaneName::G17,
-        Plane::G18 => PlaneName::G18,
-        Plane::G19 => PlaneName::G19,
-    }
-}
-
 fn read_tool(file: ToolFile) -> Tool {
     let edges = file
         .edges
@@ -425,11 +409,6 @@ fn read_tool(file: ToolFile) -> Tool {
         name: file.name,
         edges,
     }
-}
-
-/// Whether a tool has no cutting edge position.
-fn is_none(tip: &i64) -> bool {
-    *tip == 0
 }
 
 fn read_edge(file: &EdgeFile) -> Edge {
@@ -553,164 +532,4 @@ fn solid(file: SolidFile) -> Result<Solid, Error> {
         rotation: file.rotation,
         errors,
     })
-}
-
-/// A solid as JSON, for the trace.
-pub(super) fn solid_value(solid: &Solid) -> Result<serde_json::Value, Error> {
-    Ok(serde_json::to_value(solid_file(solid))?)
-}
-
-/// A solid for the setup file and the trace.
-fn solid_file(solid: &Solid) -> SolidFile {
-    let (shape, size) = match solid.shape {
-        Shape::Hole { diameter, depth } => (ShapeName::Hole, vec![diameter, depth]),
-        Shape::Shaft { diameter, height } => (ShapeName::Shaft, vec![diameter, height]),
-        Shape::Groove {
-            width,
-            depth,
-            length,
-        } => (ShapeName::Groove, vec![width, depth, length]),
-        Shape::Web {
-            width,
-            height,
-            length,
-        } => (ShapeName::Web, vec![width, height, length]),
-        Shape::Pocket { length, depth } => (ShapeName::Pocket, vec![length[0], length[1], depth]),
-        Shape::Island { length, height } => (ShapeName::Island, vec![length[0], length[1], height]),
-        Shape::Block { size } => (ShapeName::Block, size.to_vec()),
-    };
-    let PartErrors {
-        shift,
-        size: oversize,
-        tilt,
-        taper,
-        out_of_round,
-    } = solid.errors;
-    SolidFile {
-        shape,
-        size,
-        at: solid.at,
-        rotation: solid.rotation,
-        errors: ErrorsFile {
-            shift,
-            size: oversize,
-            tilt,
-            taper,
-            out_of_round,
-        },
-    }
-}
-
-/// Writes a setup file that reads back to the same setup.
-pub fn to_json(setup: &Setup) -> Result<serde_json::Value, Error> {
-    let control = &setup.control;
-    let file = SetupFile {
-        control: match control.dialect {
-            Dialect::Sinumerik => ControlName::Sinumerik,
-            Dialect::Nct => ControlName::Nct,
-        },
-        units: match control.basic_units {
-            Units::Metric => UnitsName::Millimetre,
-            Units::Inch => UnitsName::Inch,
-        },
-        plane: plane_file(control.plane),
-        active: ActiveFile {
-            tool: control.tool,
-            edge: control.edge,
-            frame: settable_name(control, control.settable),
-            units: units_name(control.unit_function()),
-            spindle: control.spindle,
-        },
-        machine: machine_file(control),
-        tools: control
-            .tools
-            .iter()
-            .map(|(number, tool)| (*number, tool_file(tool)))
-            .collect(),
-        frames: frames_file(control),
-        data: control
-            .data
-            .iter()
-            .map(|(name, value)| (name.clone(), datum_file(value)))
-            .collect(),
-        probe: probe_file(&setup.probe),
-        workpiece: setup.workpiece.solids.iter().map(solid_file).collect(),
-        position: setup.position,
-    };
-    Ok(serde_json::to_value(file)?)
-}
-
-fn machine_file(control: &Control) -> MachineFile {
-    MachineFile {
-        limits_minus: control.limits.minus,
-        limits_plus: control.limits.plus,
-        spindle_positions: control.spindle_positions,
-    }
-}
-
-fn datum_file(value: &Value) -> DatumFile {
-    match value {
-        Value::Number(number) => DatumFile::Number(*number),
-        Value::Text(text) => DatumFile::Text(text.clone()),
-    }
-}
-
-fn tool_file(tool: &Tool) -> ToolFile {
-    let edge = |edge: &Edge| EdgeFile {
-        kind: edge.kind,
-        tip: edge.tip,
-        length: edge.length,
-        radius: edge.radius,
-        length_wear: edge.length_wear,
-        radius_wear: edge.radius_wear,
-        additive: edge.additive.clone(),
-        setup: edge.setup.clone(),
-    };
-    ToolFile {
-        name: tool.name.clone(),
-        edges: tool
-            .edges
-            .iter()
-            .map(|(number, data)| (*number, edge(data)))
-            .collect(),
-    }
-}
-
-fn probe_file(probe: &Probe) -> ProbeFile {
-    ProbeFile {
-        radius: probe.radius,
-        length: probe.length,
-        skew: probe.skew,
-        pre_travel: probe.pre_travel,
-        delay: probe.delay,
-        repeatability: probe.repeatability,
-        false_signal: probe.false_signal,
-    }
-}
-
-fn frames_file(control: &Control) -> BTreeMap<String, FrameFile> {
-    let file = |frame: &Frame| FrameFile {
-        coarse: frame.coarse,
-        fine: frame.fine,
-        rotation: frame.rotation,
-        scale: frame.scale,
-    };
-    let settable = control
-        .frames
-        .iter()
-        .map(|(number, frame)| (settable_name(control, *number), file(frame)));
-    let channel = control
-        .channel_basic
-        .iter()
-        .map(|(number, frame)| (format!("$P_CHBFR[{number}]"), file(frame)));
-    let global = control
-        .global_basic
-        .iter()
-        .map(|(number, frame)| (format!("$P_NCBFR[{number}]"), file(frame)));
-    let system = std::iter::once(("$P_SETFR".to_owned(), file(&control.system)));
-    settable
-        .chain(channel)
-        .chain(global)
-        .chain(system)
-        .collect()
 }

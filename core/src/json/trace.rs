@@ -1,27 +1,30 @@
 //! Outcome and trace as JSON.
 
-use super::setup::{settable_name, solid_value};
-use super::{Error, code, message, number};
+use super::setup::settable_name;
+use super::setup_write::solids;
+use super::{code, message, object, put};
 use crate::check::{Inputs, unit_name};
 use crate::control::Control;
 use crate::diagnostic::Code;
 use crate::message::Message;
 use crate::run::outcome::Outcome;
 use crate::run::setup::Setup;
-use crate::run::trace::{Entry, MotionKind, Step, Trace};
-use crate::workpiece::Solid;
-use serde_json::{Map, Value, json};
+use crate::run::trace::{Entry, MotionKind, Step};
+use serde_json::Value;
 
 /// What a call does: results, decisions, alarms, changes, log and trace.
-pub fn outcome(inputs: &Inputs, setup: &Setup, outcome: &Outcome) -> Result<Value, Error> {
-    Ok(json!({
-        "results": results(inputs, outcome),
-        "decisions": outcome.decisions().into_iter().map(message).collect::<Vec<_>>(),
-        "alarms": alarms(outcome),
-        "changes": super::changes::changes(outcome),
-        "log": outcome.log(),
-        "trace": trace(setup, outcome)?,
-    }))
+pub fn outcome(inputs: &Inputs, setup: &Setup, outcome: &Outcome) -> Value {
+    object([
+        ("results", results(inputs, outcome).into()),
+        (
+            "decisions",
+            outcome.decisions().into_iter().map(message).collect(),
+        ),
+        ("alarms", alarms(outcome).into()),
+        ("changes", super::changes::changes(outcome).into()),
+        ("log", outcome.log().into()),
+        ("trace", trace(setup, outcome)),
+    ])
 }
 
 fn results(inputs: &Inputs, outcome: &Outcome) -> Vec<Value> {
@@ -30,12 +33,12 @@ fn results(inputs: &Inputs, outcome: &Outcome) -> Vec<Value> {
         .into_iter()
         .filter(|(field, _)| field.when.holds(inputs))
         .map(|(field, value)| {
-            json!({
-                "name": field.name,
-                "label": super::key(field.key),
-                "value": number(value),
-                "unit": unit_name(field.unit, &outcome.control),
-            })
+            object([
+                ("name", field.name.into()),
+                ("label", super::key(field.key)),
+                ("value", value.into()),
+                ("unit", unit_name(field.unit, &outcome.control).into()),
+            ])
         })
         .collect()
 }
@@ -44,7 +47,11 @@ fn results(inputs: &Inputs, outcome: &Outcome) -> Vec<Value> {
 pub(super) fn alarms(outcome: &Outcome) -> Vec<Value> {
     let mut list: Vec<Value> = outcome.alarms().into_iter().map(alarm).collect();
     if let Some(crate::run::Stop::Fault(text)) = &outcome.stop {
-        list.push(json!({ "code": "", "message": message(text), "stops": true }));
+        list.push(object([
+            ("code", "".into()),
+            ("message", message(text)),
+            ("stops", true.into()),
+        ]));
     }
     list
 }
@@ -58,7 +65,12 @@ fn alarm(alarm: Code) -> Value {
     };
     let key = alarm_key(alarm);
     let hint = message(&Message::new(format!("{key}.cure")));
-    json!({ "code": code(alarm), "message": message(&Message::new(key)), "hint": hint, "stops": stops })
+    object([
+        ("code", code(alarm).into()),
+        ("message", message(&Message::new(key))),
+        ("hint", hint),
+        ("stops", stops.into()),
+    ])
 }
 
 /// Key of an alarm's words: `alarm-61303`, `nct-format-error`, `pw012`.
@@ -83,18 +95,13 @@ pub fn alarm_key(alarm: Code) -> String {
 }
 
 /// Everything that happened, with what is needed to draw it.
-pub(super) fn trace(setup: &Setup, outcome: &Outcome) -> Result<Value, Error> {
-    Ok(json!({
-        "entries": entries(&outcome.trace),
-        "ball": ball(setup, outcome),
-        "solids": solids(&setup.workpiece.solids)?,
-        "frames": frames(&outcome.before, &outcome.control),
-    }))
-}
-
-/// Solids as the setup file has them.
-pub(super) fn solids(list: &[Solid]) -> Result<Value, Error> {
-    list.iter().map(solid_value).collect()
+pub(super) fn trace(setup: &Setup, outcome: &Outcome) -> Value {
+    object([
+        ("entries", outcome.trace.entries.iter().map(entry).collect()),
+        ("ball", ball(setup, outcome)),
+        ("solids", solids(&setup.workpiece.solids)),
+        ("frames", frames(&outcome.before, &outcome.control).into()),
+    ])
 }
 
 /// Ball and stylus. The axis points from the ball to the spindle, in machine coordinates: the applicate of the plane in
@@ -102,22 +109,19 @@ pub(super) fn solids(list: &[Solid]) -> Result<Value, Error> {
 fn ball(setup: &Setup, outcome: &Outcome) -> Value {
     let mut axis = [0.0; 3];
     axis[outcome.control.plane.axes()[2]] = 1.0;
-    json!({ "radius": number(setup.probe.radius), "length": number(setup.probe.length), "axis": axis })
-}
-
-fn entries(trace: &Trace) -> Vec<Value> {
-    trace.entries.iter().map(entry).collect()
+    object([
+        ("radius", setup.probe.radius.into()),
+        ("length", setup.probe.length.into()),
+        ("axis", axis.into()),
+    ])
 }
 
 fn entry(entry: &Entry) -> Value {
-    let mut object = match step(&entry.step) {
-        Value::Object(object) => object,
-        _ => Map::new(),
-    };
+    let mut view = step(&entry.step);
     if let Some(line) = entry.line {
-        object.insert("line".into(), json!(line + 1));
+        put(&mut view, "line", line + 1);
     }
-    Value::Object(object)
+    view
 }
 
 fn step(step: &Step) -> Value {
@@ -127,37 +131,56 @@ fn step(step: &Step) -> Value {
             from,
             to,
             feed,
-        } => {
-            json!({ "step": "motion", "kind": kind_name(*kind), "from": from, "to": to, "feed": feed })
-        }
+        } => object([
+            ("step", "motion".into()),
+            ("kind", kind_name(*kind).into()),
+            ("from", (*from).into()),
+            ("to", (*to).into()),
+            ("feed", (*feed).into()),
+        ]),
         Step::Touch {
             latched,
             ball,
             point,
             normal,
-        } => {
-            json!({ "step": "touch", "latched": latched, "ball": ball, "point": point, "normal": normal })
-        }
-        Step::Crash { point } => json!({ "step": "crash", "point": point }),
-        Step::Orient(angle) => json!({ "step": "orient", "angle": angle }),
-        Step::Tool(tool, edge) => json!({ "step": "tool", "tool": tool, "edge": edge }),
+        } => object([
+            ("step", "touch".into()),
+            ("latched", (*latched).into()),
+            ("ball", (*ball).into()),
+            ("point", (*point).into()),
+            ("normal", (*normal).into()),
+        ]),
+        Step::Crash { point } => object([("step", "crash".into()), ("point", (*point).into())]),
+        Step::Orient(angle) => object([("step", "orient".into()), ("angle", (*angle).into())]),
+        Step::Tool(tool, edge) => object([
+            ("step", "tool".into()),
+            ("tool", (*tool).into()),
+            ("edge", (*edge).into()),
+        ]),
         Step::Set {
             name,
             before,
             after,
-        } => json!({ "step": "set", "name": name, "before": before, "after": after }),
-        Step::Decision(text) => json!({ "step": "decision", "message": message(text) }),
+        } => object([
+            ("step", "set".into()),
+            ("name", name.as_str().into()),
+            ("before", (*before).into()),
+            ("after", (*after).into()),
+        ]),
+        Step::Decision(text) => object([("step", "decision".into()), ("message", message(text))]),
         Step::Alarm(code) => {
             let mut value = alarm(*code);
-            value["step"] = json!("alarm");
+            put(&mut value, "step", "alarm");
             value
         }
-        Step::Message(text) => json!({ "step": "message", "text": text }),
-        Step::Log(text) => json!({ "step": "log", "text": text }),
-        Step::CallBegin { cycle, variant } => {
-            json!({ "step": "call", "cycle": cycle, "variant": variant })
-        }
-        Step::CallEnd => json!({ "step": "return" }),
+        Step::Message(text) => object([("step", "message".into()), ("text", text.as_str().into())]),
+        Step::Log(text) => object([("step", "log".into()), ("text", text.as_str().into())]),
+        Step::CallBegin { cycle, variant } => object([
+            ("step", "call".into()),
+            ("cycle", (*cycle).into()),
+            ("variant", (*variant).into()),
+        ]),
+        Step::CallEnd => object([("step", "return".into())]),
     }
 }
 
@@ -181,13 +204,29 @@ fn frames(before: &Control, after: &Control) -> Vec<Value> {
             let end = control.to_machine(direction);
             [end[0] - at[0], end[1] - at[1], end[2] - at[2]]
         };
-        json!({ "name": name, "at": at, "axes": [axis([1.0, 0.0, 0.0]), axis([0.0, 1.0, 0.0]), axis([0.0, 0.0, 1.0])] })
+        object([
+            ("name", name.into()),
+            ("at", at.into()),
+            (
+                "axes",
+                [
+                    axis([1.0, 0.0, 0.0]),
+                    axis([0.0, 1.0, 0.0]),
+                    axis([0.0, 0.0, 1.0]),
+                ]
+                .into(),
+            ),
+        ])
     };
     let name = settable_name(before, before.settable);
     let mut list = Vec::new();
     if before.to_machine([0.0; 3]) != [0.0; 3] {
         let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-        list.push(json!({ "name": "MCS", "at": [0.0, 0.0, 0.0], "axes": axes }));
+        list.push(object([
+            ("name", "MCS".into()),
+            ("at", [0.0; 3].into()),
+            ("axes", axes.into()),
+        ]));
     }
     list.push(drawn(format!("WCS {name}"), before));
     if corrected.to_machine([0.0; 3]) != before.to_machine([0.0; 3]) {

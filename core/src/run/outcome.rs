@@ -56,7 +56,8 @@ impl Outcome {
     pub fn changes(&self) -> Vec<Change> {
         let before = addressable(&self.before);
         let after = addressable(&self.control);
-        let names: BTreeSet<&String> = before.keys().chain(after.keys()).collect();
+        let mut names = BTreeSet::new();
+        names.extend(before.keys().chain(after.keys()));
         let value =
             |side: &BTreeMap<String, f64>, name: &String| side.get(name).copied().unwrap_or(0.0);
         names

@@ -26,7 +26,7 @@ pub fn run(
     let program = program::read(setup.control.dialect, &source);
     let outcome = run::run(&program, &setup, Limits::default());
     if as_json {
-        let view = json::run_outcome(&setup, &outcome, &source)?;
+        let view = json::run_outcome(&setup, &outcome, &source);
         writeln!(out, "{}", serde_json::to_string_pretty(&view)?)?;
     } else {
         let words = Words::english();

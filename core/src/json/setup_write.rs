@@ -1,0 +1,219 @@
+//! Writes the setup file, member by member as `setup` reads it; a test holds that it reads back to the same setup.
+
+use super::setup::{settable_name, units_name};
+use super::{dialect_name, object, put};
+use crate::control::{Control, Edge, Frame, Plane, Tool, Units, Value as Datum, delivery};
+use crate::run::setup::Setup;
+use crate::workpiece::{PartErrors, Probe, Shape, Solid};
+use serde_json::Value;
+use std::collections::BTreeMap;
+
+/// Writes a setup file that reads back to the same setup.
+pub fn to_json(setup: &Setup) -> Value {
+    let control = &setup.control;
+    let units = match control.basic_units {
+        Units::Metric => "mm",
+        Units::Inch => "inch",
+    };
+    let mut setup_file = object([
+        ("control", dialect_name(control.dialect).into()),
+        ("units", units.into()),
+        ("plane", plane_name(control.plane).into()),
+        ("active", active(control)),
+        ("tools", by_number(&control.tools, tool)),
+        ("frames", frames(control)),
+        (
+            "data",
+            object(
+                control
+                    .data
+                    .iter()
+                    .map(|(name, value)| (name.as_str(), datum(value))),
+            ),
+        ),
+        ("probe", probe(&setup.probe)),
+        ("workpiece", solids(&setup.workpiece.solids)),
+        ("position", setup.position.into()),
+    ]);
+    if let Some(machine) = machine(control) {
+        put(&mut setup_file, "machine", machine);
+    }
+    setup_file
+}
+
+/// What the machine can do, where that differs from the delivery.
+fn machine(control: &Control) -> Option<Value> {
+    let delivered = delivery(control.dialect);
+    if control.limits == delivered.limits
+        && control.spindle_positions == delivered.spindle_positions
+    {
+        return None;
+    }
+    let limits = |side: [Option<f64>; 3]| side.into_iter().collect::<Value>();
+    Some(object([
+        ("limitsMinus", limits(control.limits.minus)),
+        ("limitsPlus", limits(control.limits.plus)),
+        ("spindlePositions", control.spindle_positions.into()),
+    ]))
+}
+
+/// Name of a plane.
+pub(super) fn plane_name(plane: Plane) -> &'static str {
+    match plane {
+        Plane::G17 => "G17",
+        Plane::G18 => "G18",
+        Plane::G19 => "G19",
+    }
+}
+
+fn active(control: &Control) -> Value {
+    let mut active = object([
+        ("tool", control.tool.into()),
+        ("edge", control.edge.into()),
+        ("units", units_name(control.unit_function()).into()),
+        ("spindle", control.spindle.into()),
+    ]);
+    put(
+        &mut active,
+        "frame",
+        settable_name(control, control.settable),
+    );
+    active
+}
+
+fn datum(value: &Datum) -> Value {
+    match value {
+        Datum::Number(number) => (*number).into(),
+        Datum::Text(text) => text.as_str().into(),
+    }
+}
+
+/// Members by their number.
+fn by_number<T>(list: &BTreeMap<i64, T>, view: fn(&T) -> Value) -> Value {
+    let mut members = object([]);
+    for (number, item) in list {
+        put(&mut members, &number.to_string(), view(item));
+    }
+    members
+}
+
+fn tool(tool: &Tool) -> Value {
+    object([
+        ("name", tool.name.as_str().into()),
+        ("edges", by_number(&tool.edges, edge)),
+    ])
+}
+
+fn edge(edge: &Edge) -> Value {
+    let offset = |offset: &[f64; 4]| Value::from(*offset);
+    let mut view = object([
+        ("type", edge.kind.into()),
+        ("length", edge.length.into()),
+        ("radius", edge.radius.into()),
+        ("lengthWear", edge.length_wear.into()),
+        ("radiusWear", edge.radius_wear.into()),
+    ]);
+    if edge.tip != 0 {
+        put(&mut view, "tip", edge.tip);
+    }
+    if !edge.additive.is_empty() {
+        put(&mut view, "additive", by_number(&edge.additive, offset));
+    }
+    if !edge.setup.is_empty() {
+        put(&mut view, "setup", by_number(&edge.setup, offset));
+    }
+    view
+}
+
+fn probe(probe: &Probe) -> Value {
+    let (constant, lobes) = probe.pre_travel;
+    let (deviation, seed) = probe.repeatability;
+    let mut view = object([
+        ("radius", probe.radius.into()),
+        ("length", probe.length.into()),
+        ("skew", probe.skew.into()),
+        ("preTravel", [constant, lobes].into()),
+        ("delay", probe.delay.into()),
+        (
+            "repeatability",
+            Value::Array(vec![deviation.into(), seed.into()]),
+        ),
+    ]);
+    if let Some(way) = probe.false_signal {
+        put(&mut view, "falseSignal", way);
+    }
+    view
+}
+
+fn frames(control: &Control) -> Value {
+    let mut frames = object([]);
+    for (number, one) in &control.frames {
+        put(&mut frames, &settable_name(control, *number), frame(one));
+    }
+    for (number, one) in &control.channel_basic {
+        put(&mut frames, &format!("$P_CHBFR[{number}]"), frame(one));
+    }
+    for (number, one) in &control.global_basic {
+        put(&mut frames, &format!("$P_NCBFR[{number}]"), frame(one));
+    }
+    put(&mut frames, "$P_SETFR", frame(&control.system));
+    frames
+}
+
+fn frame(frame: &Frame) -> Value {
+    let mut view = object([
+        ("coarse", frame.coarse.into()),
+        ("fine", frame.fine.into()),
+        ("rotation", frame.rotation.into()),
+    ]);
+    if frame.scale != Frame::default().scale {
+        put(&mut view, "scale", frame.scale);
+    }
+    view
+}
+
+/// Solids as the setup file and the trace have them.
+pub(super) fn solids(list: &[Solid]) -> Value {
+    list.iter().map(solid).collect()
+}
+
+fn solid(solid: &Solid) -> Value {
+    let (shape, size): (&str, Value) = match solid.shape {
+        Shape::Hole { diameter, depth } => ("hole", [diameter, depth].into()),
+        Shape::Shaft { diameter, height } => ("shaft", [diameter, height].into()),
+        Shape::Groove {
+            width,
+            depth,
+            length,
+        } => ("groove", [width, depth, length].into()),
+        Shape::Web {
+            width,
+            height,
+            length,
+        } => ("web", [width, height, length].into()),
+        Shape::Pocket { length, depth } => ("pocket", [length[0], length[1], depth].into()),
+        Shape::Island { length, height } => ("island", [length[0], length[1], height].into()),
+        Shape::Block { size } => ("block", size.into()),
+    };
+    object([
+        ("shape", shape.into()),
+        ("size", size),
+        ("at", solid.at.into()),
+        ("rotation", solid.rotation.into()),
+        ("errors", errors(&solid.errors)),
+    ])
+}
+
+fn errors(errors: &PartErrors) -> Value {
+    let (amplitude, lobes) = errors.out_of_round;
+    object([
+        ("shift", errors.shift.into()),
+        ("size", errors.size.into()),
+        ("tilt", errors.tilt.into()),
+        ("taper", errors.taper.into()),
+        (
+            "outOfRound",
+            Value::Array(vec![amplitude.into(), lobes.into()]),
+        ),
+    ])
+}
