@@ -22,6 +22,7 @@ export default defineConfig({
       icons: [{ src: "icon.svg", sizes: "any", type: "image/svg+xml", purpose: "any" }],
     },
   })],
+  worker: { format: "es" },
   build: {
     outDir: here("../dist"),
     emptyOutDir: true,

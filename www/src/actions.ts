@@ -1,10 +1,10 @@
 // Everything that can happen. Views call these; only these change what is kept.
 
-import type { Core } from "./core";
-import { lineBreak, splice, type Splice } from "./eol";
-import { findCycle, machine } from "./derive";
+import { findCycle } from "./derive";
+import { isRead, opened, SOUGHT, withEdits } from "./desk";
+import { lineBreak, type Splice } from "./eol";
 import { parseNumber } from "./numbers";
-import { AT_END, type Panel, type State } from "./state";
+import { AT_END, programOf, type Panel, type State } from "./state";
 import type { Store } from "./store";
 import type { Catalogue, CycleInfo, Dialect, ErrorSliders } from "./wire";
 
@@ -16,8 +16,9 @@ export interface Actions {
   touch(name: string): void;
   check(): void;
   example(): void;
-  editProgram(text: string): void;
-  cursor(offset: number): void;
+  editProgram(edits: Splice[]): void;
+  openProgram(text: string): void;
+  cursor(offset: number, line: number): void;
   openCall(index: number): void;
   closeCall(): void;
   insert(snippet: string): void;
@@ -42,33 +43,18 @@ export function variantOf(cycle: CycleInfo, values: Record<string, string>): Var
   return cycle.variants.filter((variant) => matches(variant, values)).sort((a, b) => asks(b) - asks(a))[0];
 }
 
-export function createActions(store: Store, core: Core, catalogue: Catalogue): Actions {
+export function createActions(store: Store, catalogue: Catalogue): Actions {
   const now = (): State => store.state;
-  const program = (): string => now().programs[now().control] ?? "";
-  const withProgram = (text: string): Partial<State> => ({ programs: { ...now().programs, [now().control]: text } });
-  const calls = (text: string) => core.read({ control: now().control, text, ...machine(now().control, now().setup) }).calls;
-
-  /** The program with one value of the opened call changed; the same text when there is nothing to change. */
-  const changed = (text: string, call: number, name: string, value: string): string =>
-    splice(text, core.change({ control: now().control, text, call, name, value }) as Splice[]);
-
-  const opened = (index: number, text: string): Partial<State> => {
-    const call = calls(text)[index];
-    if (!call) return { open: null };
-    return { open: index, cycle: call.cycle, values: call.values, checked: true, touched: {}, step: AT_END, source: "form" };
-  };
-
   const remember = (): Partial<State> => ({ remembered: { ...now().remembered, [memoryKey(now().control, now().cycle)]: now().values } });
 
   const edits = (pairs: [string, string][]): void => {
     const state = now();
-    const values = { ...state.values };
-    let text = program();
-    for (const [name, value] of pairs) {
-      values[name] = value;
-      if (state.open !== null) text = changed(text, state.open, name, value);
-    }
-    store.update({ values, step: AT_END, ...(text === program() ? {} : withProgram(text)) });
+    const { control } = state;
+    const at = state.sought ? SOUGHT : state.open;
+    const names = new Set(pairs.map(([name]) => name));
+    const others = state.pending.filter((one) => one.control !== control || one.at !== at || !names.has(one.name));
+    const pending = at === null ? state.pending : [...others, ...pairs.map(([name, value]) => ({ control, at, name, value }))];
+    store.update({ values: { ...state.values, ...Object.fromEntries(pairs) }, step: AT_END, pending });
   };
 
   return {
@@ -77,7 +63,7 @@ export function createActions(store: Store, core: Core, catalogue: Catalogue): A
       const same = cycle.control === state.control && cycle.cycle === state.cycle;
       if (same && variant) return edits(Object.entries(variant.values));
       const values = same ? state.values : state.remembered[memoryKey(cycle.control, cycle.cycle)] ?? cycle.example;
-      store.update({ ...remember(), control: cycle.control, cycle: cycle.cycle, values: { ...values, ...variant?.values }, open: same ? state.open : null, step: AT_END, source: "form", touched: {}, checked: false });
+      store.update({ ...remember(), control: cycle.control, cycle: cycle.cycle, values: { ...values, ...variant?.values }, open: same ? state.open : null, sought: null, step: AT_END, source: "form", touched: {}, checked: false });
     },
     edit: (name, value) => edits([[name, value]]),
     touch(name) {
@@ -86,29 +72,30 @@ export function createActions(store: Store, core: Core, catalogue: Catalogue): A
     check: () => store.update({ checked: true }),
     example() {
       const cycle = findCycle(catalogue, now().control, now().cycle);
-      if (cycle) store.update({ values: cycle.example, open: null, step: AT_END, touched: {}, checked: false });
+      if (cycle) store.update({ values: cycle.example, open: null, sought: null, step: AT_END, touched: {}, checked: false });
     },
-    editProgram(text) {
-      const open = now().open;
-      store.update({ ...withProgram(text), ...(open === null ? {} : { ...opened(open, text), source: now().source }) });
+    editProgram: (edits) => store.update((state) => ({ ...withEdits(state, edits), follow: "text" })),
+    openProgram(text) {
+      const { control, programs, pending } = now();
+      store.update({
+        programs: { ...programs, [control]: text }, pending: pending.filter((one) => one.control !== control),
+        open: null, sought: null, reading: null, ran: null, cursor: 0, cursorLine: 1,
+      });
+      store.flush();
     },
-    cursor(offset) {
-      const text = program();
-      const before = text.slice(0, offset);
-      const line = before.split(/\r\n|\r|\n/).length;
-      const index = calls(text).findIndex((call) => call.line <= line && line <= call.lastLine);
-      if (index >= 0 && index !== now().open) store.update({ ...remember(), ...opened(index, text), cursor: offset });
-      else store.update({ cursor: offset });
+    cursor: (cursor, cursorLine) => store.update((state) => ({ cursor, cursorLine, follow: state.follow ?? "cursor" })),
+    openCall(index) {
+      const state = now();
+      const call = isRead(state) ? state.reading?.view.calls[index] : undefined;
+      store.update(call ? opened(state, call) : { sought: { call: index } });
     },
-    openCall: (index) => store.update({ ...remember(), ...opened(index, program()) }),
-    closeCall: () => store.update({ open: null }),
+    closeCall: () => store.update({ open: null, sought: null }),
     insert(snippet) {
-      const text = program();
-      const place = insertion(text, now().cursor, snippet);
-      const next = splice(text, [place]);
-      const end = place.from + place.insert.length;
-      const index = calls(next).findIndex((call) => call.from >= place.from && call.from < end);
-      store.update({ ...withProgram(next), cursor: end, open: index >= 0 ? index : null, notice: "notice-inserted" });
+      const state = now();
+      const place = insertion(programOf(state), state.cursor, snippet);
+      const to = place.from + place.insert.length;
+      store.update({ ...withEdits(state, [place]), cursor: to, open: null, sought: { from: place.from, to }, notice: "notice-inserted" });
+      store.flush(); // the editor has to hold it before the next key
     },
     error(group, name, value) {
       const errors = now().errors;

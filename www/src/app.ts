@@ -1,14 +1,17 @@
 // Puts the parts together: one state, one draw.
 
 import { createActions, type Actions } from "./actions";
+import { createAside, type Answered, type Aside } from "./aside";
 import { Broken, type Core } from "./core";
-import { createDerive, findCycle } from "./derive";
+import { createDerive, findCycle, type Derived } from "./derive";
+import { createDesk, isCurrent } from "./desk";
 import { el, setText } from "./dom";
 import { createLayout } from "./layout";
 import { unpack } from "./link";
-import { firstState, load, merge, NO_ERRORS, save, type State } from "./state";
+import { firstState, load, merge, NO_ERRORS, programOf, save, type State, type Stopped } from "./state";
 import { createStore, type Store } from "./store";
 import { t } from "./texts";
+import { createActivity } from "./views/activity";
 import { showBroken } from "./views/broken";
 import { createForm } from "./views/form";
 import { createHeader } from "./views/header";
@@ -17,7 +20,7 @@ import { createResults } from "./views/results";
 import { createScene } from "./views/scene";
 import { createSliders } from "./views/sliders";
 import { createTasks } from "./views/tasks";
-import type { Catalogue } from "./wire";
+import type { Catalogue, RunView } from "./wire";
 
 const FIRST_OVERSIZE = 0.03; // mm: the part of the first visit is this much too big
 const SAVE_AFTER = 200; // ms without a change
@@ -29,7 +32,7 @@ function firstVisit(core: Core, catalogue: Catalogue): State {
   if (!cycle) return state;
   const errors = { ...NO_ERRORS, part: { ...NO_ERRORS.part, size: FIRST_OVERSIZE } };
   const { snippet } = core.form({ control: cycle.control, cycle: cycle.cycle, values: cycle.example, errors });
-  return { ...state, control: cycle.control, cycle: cycle.cycle, values: cycle.example, errors, programs: { [cycle.control]: snippet }, open: 0 };
+  return { ...state, control: cycle.control, cycle: cycle.cycle, values: cycle.example, errors, programs: { [cycle.control]: snippet }, sought: { from: 0, to: snippet.length } };
 }
 
 async function startState(core: Core, catalogue: Catalogue): Promise<State> {
@@ -61,12 +64,14 @@ function guard<A extends unknown[]>(store: () => Store, run: (...args: A) => voi
   };
 }
 
-export async function startApp(core: Core): Promise<void> {
+export async function startApp(core: Core, module: WebAssembly.Module): Promise<void> {
   const catalogue = core.catalogue();
   const derive = createDerive(core, catalogue);
   let draw = (): void => undefined;
   const store = createStore(await startState(core, catalogue), guard(() => store, () => draw()));
-  const plain = createActions(store, core, catalogue);
+  const [reader, runner] = [createAside(module, () => store.update({})), createAside(module, () => store.update({}))];
+  const settle = createDesk(core, reader);
+  const plain = createActions(store, catalogue);
   const actions = Object.fromEntries(Object.entries(plain).map(([name, run]) => [name, guard(() => store, run as (...args: unknown[]) => void)])) as unknown as Actions;
 
   const layout = createLayout(actions);
@@ -75,10 +80,12 @@ export async function startApp(core: Core): Promise<void> {
   const sliders = el("aside", { class: "sliders", "aria-label": t("sliders-title") });
   panels.results.append(results, sliders);
   const program = createProgram(panels.program, store, actions);
-  const goToLine = (line: number): void => program.goTo(lineStart(store.state.programs[store.state.control] ?? "", line));
+  const activities = [reading(store, reader), running(store, runner)] as const;
+  program.head.after(activities[0].root);
+  panels.view.append(activities[1].root);
   const views = [
     createHeader(layout.header, store), createTasks(panels.tasks, store, actions), createForm(panels.form, store, actions),
-    program.draw, createScene(panels.view, store, goToLine), createResults(results, store, actions, program.goTo), createSliders(sliders, store, actions),
+    program.draw, createScene(panels.view, store, program.goToLine), createResults(results, store, actions, program.goTo), createSliders(sliders, store, actions),
   ];
   let noticed = 0;
   let saving = 0;
@@ -89,12 +96,14 @@ export async function startApp(core: Core): Promise<void> {
     store.update({ notice: "notice-not-kept" });
   };
   draw = () => {
-    const state = store.state;
+    const state = store.settle(withRun(runner.take(), settle(store.state)));
     clearTimeout(saving);
     saving = window.setTimeout(keep, SAVE_AFTER); // sooner when the page goes or the core breaks
     const derived = derive(state);
+    run(runner, state, derived);
     layout.draw(state);
     for (const view of views) view(state, derived);
+    for (const activity of activities) activity.draw(state);
     setText(layout.notice, state.notice ? t(state.notice) : "");
     clearTimeout(noticed);
     if (state.notice) noticed = window.setTimeout(() => store.update({ notice: "" }), 4000);
@@ -103,12 +112,38 @@ export async function startApp(core: Core): Promise<void> {
   store.update({});
 }
 
-function lineStart(text: string, line: number): number {
-  let at = 0;
-  for (let count = 1; count < line; count++) {
-    const next = text.indexOf("\n", at);
-    if (next < 0) break;
-    at = next + 1;
-  }
-  return at;
+const stopped = (state: State): Stopped => ({ control: state.control, text: programOf(state), why: "" });
+
+function reading(store: Store, reader: Aside) {
+  return createActivity("reading", {
+    busy: reader.busy,
+    stopped: (state) => isCurrent(state.stoppedReading, state) ? state.stoppedReading : null,
+    stop: () => { reader.stop(); store.update((state) => ({ stoppedReading: stopped(state) })); },
+    again: () => store.update({ stoppedReading: null }),
+  });
+}
+
+function running(store: Store, runner: Aside) {
+  return createActivity("running", {
+    busy: runner.busy,
+    stopped: (state) => state.source === "program" && isCurrent(state.stoppedRun, state) ? state.stoppedRun : null,
+    stop: () => { runner.stop(); store.update((state) => ({ stoppedRun: stopped(state) })); },
+    again: () => store.update({ stoppedRun: null }),
+  });
+}
+
+/** Lets the program run on the machine of the form, while its motions are shown. */
+function run(runner: Aside, state: State, { view, program: text }: Derived): void {
+  const { control, ran, stoppedRun } = state;
+  if (state.source !== "program") return;
+  const setup = view.setup ?? state.setup ?? undefined;
+  const done = isCurrent(ran, state) && ran?.setup === setup;
+  if (!done && !isCurrent(stoppedRun, state)) runner.want({ ask: "run", control, text, ...(setup ? { setup } : {}) });
+}
+
+function withRun(answered: Answered | null, state: State): State {
+  if (answered?.question.ask !== "run" || !isCurrent(answered.question, state)) return state;
+  const { question: { control, text, setup }, json, problem } = answered;
+  if (json === undefined) return { ...state, stoppedRun: { control, text, why: problem ?? "" } };
+  return { ...state, ran: { control, text, setup, view: JSON.parse(json) as RunView } };
 }

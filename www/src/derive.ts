@@ -1,8 +1,9 @@
-// What follows from the state: the form, the calls of the program, the motions to show. Computed again only when
-// something that it depends on is another object.
+// What is shown of the state: the form, the calls of the program, the motions. Computed again only when something that
+// it depends on is another object. Of the program it shows what was read last (desk.ts), until the next reading is there.
 
 import type { Core } from "./core";
-import type { State } from "./state";
+import { isRead } from "./desk";
+import { machine, programOf, type State } from "./state";
 import { say } from "./texts";
 import type { CallView, Catalogue, CycleInfo, Diagnostic, FormView, Plane, ReadView, RunView, Setup, Trace, UnitFunction } from "./wire";
 
@@ -11,7 +12,8 @@ export interface Derived {
   cycle: CycleInfo;
   view: FormView;
   program: string;
-  read: ReadView;
+  read: ReadView;                // of `program`, or while `fresh` is false of what it was a little earlier
+  fresh: boolean;
   opened: CallView | null;
   run: RunView | null;           // only while the program's motions are shown
   trace: Trace | null;
@@ -41,10 +43,7 @@ function gather(read: ReadView): Diagnostic[] {
   }).sort((a, b) => (a.from ?? 0) - (b.from ?? 0));
 }
 
-/** The imported machine, for a control that it has. */
-export function machine(control: State["control"], setup: Setup | null): { setup?: Setup } {
-  return setup?.control === control ? { setup } : {};
-}
+const NOTHING_READ: ReadView = { calls: [], diagnostics: [] };
 
 /** The names of the fields in the reader's language, for the comments of the snippet. */
 function labels(view: FormView): Record<string, string> {
@@ -59,21 +58,17 @@ export function createDerive(core: Core, catalogue: Catalogue): (state: State) =
     const view = core.form({ ...request, predict: true });
     return comments ? { ...view, snippet: core.form({ ...request, comments: labels(view) }).snippet } : view;
   });
-  const read = memo((control: State["control"], text: string, setup: Setup | null): ReadView => core.read({ control, text, ...machine(control, setup) }));
-  const run = memo((control: State["control"], text: string, setup: Setup | null): RunView =>
-    core.run({ control, text, ...(setup ? { setup } : {}) }));
   const problems = memo(gather);
 
   return (state) => {
     const cycle = findCycle(catalogue, state.control, state.cycle) ?? first;
-    const program = state.programs[cycle.control] ?? "";
-    const reading = read(cycle.control, program, state.setup);
-    const opened = state.open === null ? null : reading.calls[state.open] ?? null;
+    const reading = state.reading?.control === cycle.control ? state.reading.view : NOTHING_READ;
+    const opened = reading.calls.find((call) => call.from === state.open) ?? null;
     const view = form(cycle, state.values, state.errors, state.comments, state.setup, opened?.plane, opened?.units);
-    const ran = state.source === "program" ? run(cycle.control, program, view.setup ?? state.setup) : null;
-    const trace = ran ? ran.trace : view.outcome?.trace ?? null;
+    const ran = state.source === "program" && state.ran?.control === cycle.control ? state.ran.view : null;
+    const trace = (state.source === "program" ? ran?.trace : view.outcome?.trace) ?? null;
     return {
-      catalogue, cycle, view, program, read: reading, opened, run: ran,
+      catalogue, cycle, view, program: programOf(state), read: reading, fresh: isRead(state), opened, run: ran,
       trace, step: Math.max(0, Math.min(state.step, (trace?.entries.length ?? 0) - 1)),
       problems: problems(reading),
     };

@@ -7,7 +7,8 @@ import { showBroken } from "./views/broken";
 addEventListener("probewright-panic", (event) => showBroken(String((event as CustomEvent).detail)));
 document.documentElement.lang = choose(navigator.languages);
 try {
-  await startApp(await loadCore());
+  const { core, module } = await loadCore();
+  await startApp(core, module);
 } catch (problem) {
   console.error(problem);
   showBroken(problem instanceof Error ? problem.message : String(problem));

@@ -1,10 +1,17 @@
 // The one state of the page. Values in it are never changed in place: a part that changed is a new object,
 // so views and computations compare by identity.
 
-import type { Dialect, ErrorSliders, Setup } from "./wire";
+import type { Dialect, ErrorSliders, Pending, ReadView, RunView, Setup } from "./wire";
 
 export type Panel = "tasks" | "form" | "program" | "view" | "results";
 export type ResultTab = "outcome" | "problems" | "motions" | "log";
+/** What the core said about a text. It is current while the program is still that text. */
+export interface Reading { control: Dialect; text: string; setup?: Setup; view: ReadView }
+export interface Ran { control: Dialect; text: string; setup?: Setup; view: RunView }
+/** A call to open as soon as the program is read: by its number, or the first that begins in a range. */
+export type Sought = { call: number } | { from: number; to: number };
+/** Nothing is asked about this text any more: the user stopped it, or it failed for a reason. */
+export interface Stopped { control: Dialect; text: string; why: string }
 
 export interface State {
   control: Dialect;
@@ -12,7 +19,8 @@ export interface State {
   values: Record<string, string>;                    // as typed
   remembered: Record<string, Record<string, string>>; // last values of the other cycles, by "control/cycle"
   programs: Partial<Record<Dialect, string>>;
-  open: number | null;                               // call of the program that the form edits
+  open: number | null;                               // where in the program the call begins that the form edits
+  pending: readonly Pending[];                       // typed in the form, not yet in the program
   errors: ErrorSliders;
   comments: boolean;
   setup: Setup | null;                               // imported machine; null: the core's own
@@ -32,8 +40,14 @@ export interface State {
   step: number;
   playing: boolean;
   cursor: number;                                    // in the program
+  cursorLine: number;                                // from 1
   notice: string;                                    // key of a short confirmation
-  broken: string | null;
+  reading: Reading | null;
+  ran: Ran | null;
+  sought: Sought | null;
+  follow: "cursor" | "text" | null;                  // the form follows the cursor, or what was typed in the program
+  stoppedReading: Stopped | null;
+  stoppedRun: Stopped | null;
 }
 
 export const NO_ERRORS: ErrorSliders = {
@@ -46,16 +60,27 @@ export const AT_END = Number.MAX_SAFE_INTEGER;
 
 export function firstState(): State {
   return {
-    control: "sinumerik", cycle: "", values: {}, remembered: {}, programs: {}, open: null,
+    control: "sinumerik", cycle: "", values: {}, remembered: {}, programs: {}, open: null, pending: [],
     errors: NO_ERRORS, comments: true, setup: null, checked: false, touched: {}, source: "form",
     panel: "form", left: "form", right: "results", tab: "outcome", theme: "system", folded: {},
-    search: "", focus: null, step: AT_END, playing: false, cursor: 0, notice: "", broken: null,
+    search: "", focus: null, step: AT_END, playing: false, cursor: 0, cursorLine: 1, notice: "",
+    reading: null, ran: null, sought: null, follow: null, stoppedReading: null, stoppedRun: null,
   };
 }
 
-const NOT_KEPT = ["search", "focus", "step", "playing", "cursor", "notice", "broken"] as const satisfies (keyof State)[];
+const NOT_KEPT = ["search", "focus", "step", "playing", "cursor", "cursorLine", "notice", "reading", "ran", "sought", "follow", "stoppedReading", "stoppedRun"] as const satisfies (keyof State)[];
 const IN_LINK = ["control", "cycle", "values", "programs", "open", "errors", "comments", "setup", "checked", "source"] as const satisfies (keyof State)[];
 const STORE = "probewright-1";
+
+/** The program of the control that the form is for. */
+export function programOf(state: State): string {
+  return state.programs[state.control] ?? "";
+}
+
+/** The imported machine, for a control that it has. */
+export function machine(control: Dialect, setup: Setup | null): { setup?: Setup } {
+  return setup?.control === control ? { setup } : {};
+}
 
 export function kept(state: State): Partial<State> {
   const copy: Partial<State> = { ...state };
@@ -79,6 +104,9 @@ function numbers<T extends Record<string, number>>(value: unknown, shape: T): T 
   return Object.fromEntries(Object.entries(shape).map(([name, zero]) => [name, Number.isFinite(given[name]) ? given[name] : zero])) as T;
 }
 
+const isPending = (value: unknown): value is Pending =>
+  plainObject(value) && ["control", "name", "value"].every((name) => typeof value[name] === "string") && Number.isInteger(value.at);
+
 /** A stored state or one out of a link may be old, cut or hand-made: only what has the right shape is taken. */
 export function merge(state: State, data: unknown): State {
   if (!plainObject(data)) return state;
@@ -93,6 +121,7 @@ export function merge(state: State, data: unknown): State {
   if (plainObject(data.errors)) next.errors = { part: numbers(data.errors.part, NO_ERRORS.part), probe: numbers(data.errors.probe, NO_ERRORS.probe) };
   if (Number.isInteger(data.open)) next.open = data.open as number;
   if (data.open === null) next.open = null;
+  next.pending = Array.isArray(data.pending) ? data.pending.filter(isPending) : [];
   if (plainObject(data.setup)) next.setup = data.setup as unknown as Setup;
   return next;
 }

@@ -7,6 +7,8 @@ export interface Store {
   update(patch: Partial<State> | ((state: State) => Partial<State>)): void;
   /** Draws what is still to be drawn, now: for whoever goes on with what the redraw shows, as moving the focus there. */
   flush(): void;
+  /** What follows from the state is part of it, before it is drawn: no redraw. */
+  settle(next: State): State;
 }
 
 export function createStore(first: State, draw: () => void): Store {
@@ -23,6 +25,7 @@ export function createStore(first: State, draw: () => void): Store {
       state = { ...state, ...change };
       waiting ||= requestAnimationFrame(frame);
     },
+    settle: (next) => state = next,
     flush() {
       if (!waiting) return;
       cancelAnimationFrame(waiting);

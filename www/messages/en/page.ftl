@@ -85,6 +85,18 @@ program-save = Save
 program-file-sinumerik = program.mpf
 program-file-nct = program.nc
 
+activity-stop = Stop
+activity-again = Try again
+activity-seconds = { $seconds } s
+reading-working = Reading the program
+reading-working-on = Reading the program ({ $size } million characters). You can go on typing.
+reading-stopped = The reading was stopped. The calls of this program are not known.
+reading-failed = The program could not be read: { $why }
+running-working = Running the program
+running-working-on = Running the program ({ $size } million characters).
+running-stopped = The run was stopped.
+running-failed = The program could not be run: { $why }
+
 view-title = 3D view
 view-source = Shown motions
 view-form = This call
@@ -114,6 +126,7 @@ timeline-on = Step on
 timeline-last = Last step
 timeline-scrub = Step
 motions-none = No motions.
+motions-block = Motions { $from } to { $to } of { $count }; the timeline leads to the others.
 motions-line = line { $line }
 motion-rapid = Rapid to { $to }
 motion-positioning = Positioning to { $to }, F{ $feed }

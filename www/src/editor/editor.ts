@@ -13,7 +13,7 @@ import { theme } from "./theme";
 
 /** Lines from 1. */
 export interface LineMarks { calls: { from: number; to: number; open: boolean }[]; step: number | null }
-export interface EditorHost { typed(changes: { from: number; to: number; insert: string }[]): void; moved(offset: number): void }
+export interface EditorHost { typed(changes: { from: number; to: number; insert: string }[]): void; moved(offset: number, line: number): void }
 export interface Editor {
   view: EditorView;
   setText(text: string): void;
@@ -21,6 +21,7 @@ export interface Editor {
   setMarks(marks: LineMarks): void;
   setProblems(problems: Mark[]): void;
   select(offset: number): void;
+  selectLine(line: number): void;
 }
 
 const LANGUAGES: Record<Dialect, Extension> = { sinumerik, nct };
@@ -72,7 +73,8 @@ export function createEditor(box: HTMLElement, label: string, host: EditorHost):
       update.changes.iterChanges((from, to, _a, _b, inserted) => changes.push({ from, to, insert: inserted.toString() }));
       host.typed(changes);
     }
-    if (update.selectionSet || update.docChanged) host.moved(update.state.selection.main.head);
+    const { head } = update.state.selection.main;
+    if (update.selectionSet || update.docChanged) host.moved(head, update.state.doc.lineAt(head).number);
   });
   const view = new EditorView({
     parent: root, root,
@@ -86,6 +88,10 @@ export function createEditor(box: HTMLElement, label: string, host: EditorHost):
     }),
   });
   const apply = (run: () => void): void => { ours = true; try { run(); } finally { ours = false; } };
+  const select = (offset: number): void => {
+    const at = Math.min(offset, view.state.doc.length);
+    apply(() => view.dispatch({ selection: EditorSelection.cursor(at), scrollIntoView: true }));
+  };
 
   return {
     view,
@@ -100,9 +106,7 @@ export function createEditor(box: HTMLElement, label: string, host: EditorHost):
     },
     setMarks: (marks) => apply(() => view.dispatch({ effects: marksEffect.of(marks) })),
     setProblems: (problems) => apply(() => view.dispatch(setDiagnostics(view.state, problems))),
-    select(offset) {
-      const at = Math.min(offset, view.state.doc.length);
-      apply(() => view.dispatch({ selection: EditorSelection.cursor(at), scrollIntoView: true }));
-    },
+    select,
+    selectLine: (line) => select(view.state.doc.line(Math.max(1, Math.min(line, view.state.doc.lines))).from),
   };
 }

@@ -3,14 +3,14 @@
 import type { Actions } from "../actions";
 import type { Derived } from "../derive";
 import { el, keyed, on, setAttribute, setText, show } from "../dom";
-import type { Editor } from "../editor/editor";
-import { lineBreak, splice, toEditor, toProgram } from "../eol";
-import type { State } from "../state";
+import type { Editor, LineMarks } from "../editor/editor";
+import { lineBreak, toEditor, toProgram } from "../eol";
+import { programOf, type State } from "../state";
 import type { Store } from "../store";
 import { say, t } from "../texts";
 import { copyText } from "./form";
 
-export interface ProgramView { draw(state: State, derived: Derived): void; goTo(offset: number): void; focus(): void }
+export interface ProgramView { head: HTMLElement; draw(state: State, derived: Derived): void; goTo(offset: number): void; goToLine(line: number): void }
 
 export function createProgram(root: HTMLElement, store: Store, actions: Actions): ProgramView {
   const name = el("span", { class: "count" });
@@ -21,22 +21,24 @@ export function createProgram(root: HTMLElement, store: Store, actions: Actions)
   const calls = el("ul", { class: "calls", "aria-label": t("program-calls") });
   const box = el("div", { class: "editor" });
   const waiting = el("p", { class: "empty" }, t("program-loading"));
-  root.append(el("header", { class: "panel-head" }, el("h2", { id: "program-title" }, t("program-title")), name, calls, el("div", { class: "head-actions" }, open, file, download, copy)), waiting, box);
+  const head = el("header", { class: "panel-head" }, el("h2", { id: "program-title" }, t("program-title")), name, calls, el("div", { class: "head-actions" }, open, file, download, copy));
+  root.append(head, waiting, box);
 
   let editor: Editor | null = null;
   let loading = false;
   let text = "";
   let last: Derived | null = null;
-  let target: number | null = null;
+  let target: { offset: number } | { line: number } | null = null; // to be shown as soon as the editor is there
   let inEditor: string | null = null; // the text that the editor holds
   let marked = "";
+  let listed: { read: Derived["read"]; open: State["open"]; fresh: boolean } | null = null;
+  let told: Derived["problems"] | null = null;
 
   on(copy, "click", () => void copyText(text, store, "notice-copied"));
   on(open, "click", () => file.click());
   on(file, "change", () => void (async () => {
     const chosen = file.files?.[0];
-    if (chosen) store.update({ open: null });
-    if (chosen) actions.editProgram(await readText(chosen));
+    if (chosen) actions.openProgram(await readText(chosen));
     file.value = "";
   })());
   on(download, "click", () => saveFile(text, t(`program-file-${store.state.control}`)));
@@ -45,11 +47,10 @@ export function createProgram(root: HTMLElement, store: Store, actions: Actions)
     typed(changes: { from: number; to: number; insert: string }[]): void {
       const eol = lineBreak(text);
       const edits = changes.map((one) => ({ from: toProgram(text, one.from), to: toProgram(text, one.to), insert: one.insert.replaceAll("\n", eol) }));
-      text = splice(text, edits);
-      inEditor = text;
-      actions.editProgram(text);
+      actions.editProgram(edits);
+      text = inEditor = programOf(store.state);
     },
-    moved: (offset: number): void => actions.cursor(toProgram(text, offset)),
+    moved: (offset: number, line: number): void => actions.cursor(toProgram(text, offset), line),
   };
   const start = async (): Promise<void> => {
     loading = true;
@@ -59,28 +60,48 @@ export function createProgram(root: HTMLElement, store: Store, actions: Actions)
     last = null;
     store.update({});
   };
-  const select = (offset: number): void => {
+  const select = (place: { offset: number } | { line: number }): void => {
     target = null;
-    editor?.select(toEditor(text, offset));
+    if ("line" in place) editor?.selectLine(place.line);
+    else editor?.select(toEditor(text, place.offset));
+  };
+  const goTo = (place: { offset: number } | { line: number }): void => {
+    target = place;
+    store.update({});
+    actions.panel("program");
   };
 
   const drawCalls = (state: State, derived: Derived): void => {
+    if (listed?.read === derived.read && listed.open === state.open && listed.fresh === derived.fresh) return;
+    listed = { read: derived.read, open: state.open, fresh: derived.fresh };
     show(calls, derived.read.calls.length > 0);
-    setText(name, derived.read.calls.length > 0 ? "" : t("program-no-call"));
+    setText(name, derived.read.calls.length > 0 || !derived.fresh ? "" : t("program-no-call"));
     keyed(calls, derived.read.calls, (_, index) => String(index), () => {
       const item = el("li", {}, el("button", { type: "button", class: "call-chip" }));
-      on(item, "click", () => { const index = Number(item.dataset.call); actions.openCall(index); const call = last?.read.calls[index]; if (call) select(call.from); });
+      on(item, "click", () => { const index = Number(item.dataset.call); actions.openCall(index); const call = last?.read.calls[index]; if (call) select({ offset: call.from }); });
       return item;
     }, (item, call, index) => {
       item.dataset.call = String(index);
       const button = item.firstElementChild;
       if (!button) return;
-      setText(button, t("program-call", { cycle: call.cycle, line: call.lastLine }));
-      setAttribute(button, "aria-pressed", String(state.open === index));
+      const named = `${call.cycle}/${call.lastLine}`;
+      if (button.getAttribute("data-named") !== named) setText(button, t("program-call", { cycle: call.cycle, line: call.lastLine }));
+      setAttribute(button, "data-named", named);
+      setAttribute(button, "aria-pressed", String(state.open === call.from));
     });
   };
 
+  /** Calls, step and problems. Until the program is read again the editor moves the old ones along by itself. */
+  const mark = (into: Editor, next: LineMarks, derived: Derived): void => {
+    const now = JSON.stringify(next);
+    if (marked !== now) into.setMarks(next);
+    marked = now;
+    if (told !== derived.problems) into.setProblems(marks(derived));
+    told = derived.problems;
+  };
+
   return {
+    head,
     draw(state, derived) {
       text = derived.program;
       if (!editor) {
@@ -92,20 +113,14 @@ export function createProgram(root: HTMLElement, store: Store, actions: Actions)
       if (text !== inEditor) editor.setText(text);
       inEditor = text;
       const step = state.source === "program" ? derived.trace?.entries[derived.step]?.line ?? null : null;
-      const next = { step, calls: derived.read.calls.map((call, index) => ({ from: call.line, to: call.lastLine, open: index === state.open })) };
-      if (marked !== JSON.stringify(next)) editor.setMarks(next);
-      marked = JSON.stringify(next);
-      if (last?.problems !== derived.problems || last.program !== text) editor.setProblems(marks(derived));
+      const next = { step, calls: derived.read.calls.map((call) => ({ from: call.line, to: call.lastLine, open: call.from === state.open })) };
+      if (derived.fresh) mark(editor, next, derived);
       if (target !== null) select(target);
       drawCalls(state, derived);
       last = derived;
     },
-    goTo(offset) {
-      actions.panel("program");
-      target = offset;
-      store.update({});
-    },
-    focus: () => editor?.view.focus(),
+    goTo: (offset) => goTo({ offset }),
+    goToLine: (line) => goTo({ line }),
   };
 }
 

@@ -115,6 +115,7 @@ function createProblems(root: HTMLElement, actions: Actions, goTo: (offset: numb
     return item;
   };
   return (state, derived) => {
+    if (state.tab !== "problems") return;
     const all = located(state, derived, actions, goTo);
     show(none, all.length === 0);
     keyed(list, all, (one, index) => `${index}/${one.problem.code}`, make, (node, one) => {
@@ -140,29 +141,39 @@ function located(state: State, derived: Derived, actions: Actions, goTo: (offset
   return [...form, ...program];
 }
 
+const BLOCK = 1000; // motions listed at once: those around the step
+
 function createMotions(root: HTMLElement, store: Store): Draw {
   const list = el("ol", { class: "motions", tabindex: "-1" });
   const none = el("p", { class: "empty" }, t("motions-none"));
-  root.append(none, list);
+  const rest = el("p", { class: "empty" });
+  root.append(none, rest, list);
   let drawn: Trace | null = null;
+  let first = 0;
   const make = (): HTMLLIElement => {
     const item = el("li", {}, el("button", { type: "button", class: "motion" }));
     on(item, "click", () => store.update({ step: Number(item.dataset.step), playing: false }));
     return item;
   };
   return (state, derived) => {
-    const trace = derived.trace;
+    if (state.tab !== "motions") return;
+    const { trace, step } = derived;
+    const from = Math.floor(step / BLOCK) * BLOCK;
     show(none, !trace?.entries.length);
-    if (trace !== drawn) {
+    if (trace !== drawn || from !== first) {
       drawn = trace;
-      keyed(list, trace?.entries ?? [], (_, index) => String(index), make, (node, entry, index) => {
-        node.dataset.step = String(index);
+      first = from;
+      setAttribute(list, "start", from + 1);
+      keyed(list, trace?.entries.slice(from, from + BLOCK) ?? [], (_, index) => String(index), make, (node, entry, index) => {
+        node.dataset.step = String(from + index);
         setAttribute(node, "data-kind", entry.step === "motion" ? entry.kind : entry.step);
         const button = node.firstElementChild;
-        if (button) setText(button, stepLine(entry, index));
+        if (button) setText(button, stepLine(entry, from + index));
       });
+      setText(rest, t("motions-block", { from: from + 1, to: from + list.children.length, count: trace?.entries.length ?? 0 }));
+      show(rest, (trace?.entries.length ?? 0) > BLOCK);
     }
-    const current = list.children[derived.step];
+    const current = list.children[step - from];
     for (const node of list.querySelectorAll('[aria-current="step"]')) if (node !== current) node.removeAttribute("aria-current");
     if (current && current.getAttribute("aria-current") !== "step") {
       setAttribute(current, "aria-current", "step");

@@ -1,0 +1,160 @@
+// Long programs: read, changed and run beside the page, the newest question alone, and to be stopped.
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { after, before, describe, test } from "node:test";
+import { open, shared } from "./browser.mjs";
+
+const CALL = "_MVAR=1 _SETVAL=132 _TNUM=20 _KNUM=2001\r\nCYCLE977\r\n";
+const BLOCK = "N10 G1 F1200 X12.345 Y-6.789\r\n";
+
+/** A program of about 300 KB with three calls. */
+const LONG = `${BLOCK.repeat(5000)}${CALL}${BLOCK.repeat(5000)}${CALL}${CALL}M30\r\n`;
+
+const chips = (page) => page.locator(".call-chip");
+const chosen = (text) => ({ name: "part.mpf", mimeType: "text/plain", buffer: Buffer.from(text) });
+
+async function start(chrome) {
+  const opened = await open(chrome.browser, { serviceWorkers: "block" });
+  await opened.page.locator(".cm-content").waitFor();
+  await opened.page.locator(".field").first().waitFor();
+  return opened;
+}
+
+async function openFile(page, text) {
+  await page.locator(".panel-program input[type=file]").setInputFiles(chosen(text));
+}
+
+const count = (page, wanted) => page.waitForFunction((number) => document.querySelectorAll(".call-chip").length === number, wanted);
+
+/** The program as the page saves it. */
+async function saved(page) {
+  const download = page.waitForEvent("download");
+  await page.locator(".panel-program").getByRole("button", { name: "Save" }).click();
+  return readFile(await (await download).path(), "utf8");
+}
+
+/** The program, once it is what is waited for: the form's values reach it through the worker. */
+async function savedWhen(page, wanted) {
+  for (let tries = 0; tries < 100; tries++) {
+    if (await saved(page) === wanted) return;
+    await page.waitForTimeout(50);
+  }
+  assert.equal(await saved(page), wanted);
+}
+
+/** Lets no worker start until it is called. */
+async function hold(page) {
+  let release;
+  const held = new Promise((resolve) => { release = resolve; });
+  await page.route("**/worker-*.js", async (route) => { await held; await route.continue(); });
+  return release;
+}
+
+describe("a long program", () => {
+  const chrome = shared("neither", { before, after });
+
+  // oracle: hand
+  test("is read in a worker that needs no second download of the core", async () => {
+    const { context, page, problems } = await open(chrome.browser, { serviceWorkers: "block" });
+    const fetched = [];
+    page.on("request", (request) => fetched.push(new URL(request.url()).pathname));
+    await page.reload();
+    await page.locator(".field").first().waitFor();
+    assert.equal(fetched.filter((path) => path.includes("worker")).length, 0, "the first form needs no worker");
+    await openFile(page, LONG);
+    await count(page, 3);
+    assert.equal(fetched.filter((path) => /core_bg.*\.wasm$/.test(path)).length, 1);
+    assert.equal(fetched.filter((path) => /worker/.test(path)).length, 1);
+    assert.equal(page.workers().length, 1);
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: hand
+  test("can be typed into while it is read, and the newest text counts", async () => {
+    const { context, page, problems } = await start(chrome);
+    const release = await hold(page);
+    await openFile(page, LONG);
+    await page.locator(".cm-line").first().click();
+    await page.keyboard.press("Control+Home");
+    await page.keyboard.insertText("G110 H1\nCYCLE978\n");
+    await page.locator(".panel-program .activity progress").waitFor();
+    assert.equal(await page.locator(".cm-line").first().textContent(), "G110 H1");
+    release();
+    await count(page, 4);
+    await page.locator(".panel-program .activity").waitFor({ state: "hidden" });
+    await page.locator('.call-chip:text-matches("CYCLE978 .* 2$")').waitFor();
+    assert.equal(await saved(page), `G110 H1\r\nCYCLE978\r\n${LONG}`);
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: hand (the text before, with one value replaced)
+  test("takes what is typed in the form at that place only, however fast it is typed", async () => {
+    const { context, page, problems } = await start(chrome);
+    await openFile(page, LONG);
+    await count(page, 3);
+    await chips(page).nth(1).click();
+    await page.locator(".opened").waitFor();
+    const field = page.locator('.field[data-field="_SETVAL"] .entry-line > .figure');
+    for (const value of ["1", "13", "133", "133.", "133.5"]) await field.fill(value);
+    const place = LONG.indexOf("_SETVAL=132", LONG.indexOf("CYCLE977"));
+    await savedWhen(page, `${LONG.slice(0, place)}_SETVAL=133.5${LONG.slice(place + "_SETVAL=132".length)}`);
+    assert.equal(await field.inputValue(), "133.5");
+    await page.locator('.call-chip[aria-pressed="true"]').waitFor();
+    await chips(page).first().click();
+    await page.waitForFunction(() => document.querySelector('[data-field="_SETVAL"] .figure').value === "132");
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: hand
+  test("keeps the values of each call apart when another is opened before they are written", async () => {
+    const { context, page } = await start(chrome);
+    await openFile(page, LONG);
+    await count(page, 3);
+    await chips(page).nth(1).click();
+    await page.locator(".opened").waitFor();
+    await page.evaluate(() => { // within one frame, before anything is answered
+      const field = document.querySelector('[data-field="_SETVAL"] .figure');
+      field.value = "140";
+      field.dispatchEvent(new Event("input", { bubbles: true }));
+      document.querySelectorAll(".call-chip")[2].click();
+    });
+    const place = LONG.indexOf("_SETVAL=132", LONG.indexOf("CYCLE977"));
+    await savedWhen(page, `${LONG.slice(0, place)}_SETVAL=140${LONG.slice(place + "_SETVAL=132".length)}`);
+    assert.equal(await page.locator('[data-field="_SETVAL"] .figure').inputValue(), "132");
+    await context.close();
+  });
+
+  // oracle: hand
+  test("reading can be stopped and tried again", async () => {
+    const { context, page } = await start(chrome);
+    const release = await hold(page);
+    await openFile(page, LONG);
+    const activity = page.locator(".panel-program .activity");
+    await activity.getByRole("button", { name: "Stop" }).click();
+    await activity.locator('text="The reading was stopped. The calls of this program are not known."').waitFor();
+    assert.equal(await chips(page).count(), 0);
+    release();
+    await activity.getByRole("button", { name: "Try again" }).click();
+    await count(page, 3);
+    await activity.waitFor({ state: "hidden" });
+    await context.close();
+  });
+
+  // oracle: hand
+  test("running can be stopped and tried again", async () => {
+    const { context, page, problems } = await start(chrome);
+    const release = await hold(page);
+    await page.getByRole("button", { name: "Whole program" }).click();
+    const activity = page.locator(".panel-view .activity");
+    await activity.getByRole("button", { name: "Stop" }).click();
+    await activity.locator('text="The run was stopped."').waitFor();
+    release();
+    await activity.getByRole("button", { name: "Try again" }).click();
+    await page.locator(".results tbody tr").first().waitFor();
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+});

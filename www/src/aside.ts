@@ -1,0 +1,83 @@
+// Long work beside the page, in a worker: one question at a time, of those that wait only the newest. An answer lies
+// ready until the next redraw takes it, so that nothing changes between two redraws.
+
+import type { Question } from "./core";
+import type { Reply } from "./worker";
+
+export interface Answered { question: Question; json?: string; problem?: string }
+export interface Aside {
+  /** Asks, unless just this is already asked. An older question that waits is forgotten, one that takes long is broken off. */
+  want(question: Question): void;
+  /** The answer that came since the last time. */
+  take(): Answered | null;
+  /** What is being worked on, and since when (ms, as performance.now). */
+  busy(): { question: Question; since: number } | null;
+  stop(): void;
+}
+
+const PATIENCE = 1500; // ms that an outdated question may still take
+
+function same(a: Question | null | undefined, b: Question): boolean {
+  return !!a && Object.entries(b).every(([name, value]) => a[name as keyof Question] === value);
+}
+
+/** The worker starts with the first question; `ready` is called when there is something to take. */
+export function createAside(module: WebAssembly.Module, ready: () => void): Aside {
+  let worker: Worker | null = null;
+  let running: { question: Question; since: number } | null = null;
+  let waiting: Question | null = null;
+  let done: Answered | null = null;
+
+  const end = (answered: Answered): void => {
+    done = answered;
+    running = null;
+    const next = waiting;
+    waiting = null;
+    if (next) ask(next);
+    ready();
+  };
+  const drop = (): void => { // after a problem no call is safe
+    worker?.terminate();
+    worker = null;
+  };
+  const start = (): Worker => {
+    const made = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
+    const finish = (reply: Reply): void => {
+      if ("problem" in reply) drop();
+      if (running) end({ question: running.question, ...reply });
+    };
+    made.onmessage = ({ data }: MessageEvent<Reply>) => finish(data);
+    made.onerror = (event) => finish({ problem: event.message });
+    made.postMessage(module);
+    return made;
+  };
+  const ask = (question: Question): void => {
+    worker ??= start();
+    running = { question, since: performance.now() };
+    worker.postMessage(question);
+  };
+  const stop = (): void => {
+    if (running) drop();
+    running = waiting = done = null;
+  };
+
+  return {
+    want(question) {
+      if (same(running?.question, question)) {
+        waiting = null;
+        return;
+      }
+      if (same(waiting ?? done?.question, question)) return;
+      if (running && performance.now() - running.since > PATIENCE) stop();
+      if (running) waiting = question;
+      else ask(question);
+    },
+    take() {
+      const taken = done;
+      done = null;
+      return taken;
+    },
+    busy: () => running,
+    stop,
+  };
+}

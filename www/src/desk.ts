@@ -1,0 +1,130 @@
+// What follows from a change of the program or of the form before it is drawn: the program is read, what the form
+// changed is written into it, the form follows the cursor. Short programs at once, long ones by a worker.
+
+import type { Aside, Answered } from "./aside";
+import type { ChangeRequest, Core } from "./core";
+import { carried, splice, type Splice } from "./eol";
+import { AT_END, machine, programOf, type Reading, type State } from "./state";
+import type { CallView, Edit, ReadView } from "./wire";
+
+/** Of a program that is read between two keystrokes, in characters. */
+const SHORT = 8_000;
+/** Place of what was typed in the form while the call that it belongs to is still sought. */
+export const SOUGHT = -1;
+
+export function isCurrent(about: { control: string; text: string } | null, state: State): boolean {
+  return about?.control === state.control && about.text === programOf(state);
+}
+
+/** Whether it is known what the program holds now, on the present machine. */
+export function isRead(state: State): boolean {
+  return isCurrent(state.reading, state) && state.reading?.setup === machine(state.control, state.setup).setup;
+}
+
+/** The program with these edits; whatever points into it moves along. */
+export function withEdits(state: State, edits: readonly Splice[]): State {
+  const move = (at: number): number => carried(at, edits);
+  return {
+    ...state,
+    programs: { ...state.programs, [state.control]: splice(programOf(state), edits) },
+    open: state.open === null ? null : move(state.open),
+    pending: state.pending.map((one) => one.control === state.control && one.at !== SOUGHT ? { ...one, at: move(one.at) } : one),
+    cursor: move(state.cursor),
+  };
+}
+
+/** The form filled with a call; what is still on the way into the program counts already. */
+function filled(state: State, call: CallView): State {
+  const typed = state.pending.filter((one) => one.control === state.control && one.at === call.from);
+  const values = { ...call.values, ...Object.fromEntries(typed.map((one) => [one.name, one.value])) };
+  return { ...state, open: call.from, cycle: call.cycle, values, checked: true, touched: {}, step: AT_END };
+}
+
+/** Another call comes into the form; the values of the cycle that leaves it are kept. */
+export function opened(state: State, call: CallView): State {
+  const remembered = { ...state.remembered, [`${state.control}/${state.cycle}`]: state.values };
+  return { ...filled({ ...state, remembered }, call), source: "form" };
+}
+
+/** The call that was looked for, now that the program is read. It came out of the form, or a click wants it in the form. */
+function found(state: State, calls: CallView[]): State {
+  const { sought } = state;
+  if (!sought) return state;
+  const rest = { ...state, sought: null };
+  if ("call" in sought) {
+    const call = calls[sought.call];
+    return call ? opened(rest, call) : rest;
+  }
+  const call = calls.find((one) => one.from >= sought.from && one.from < sought.to);
+  const place = call ? call.from : SOUGHT;
+  const pending = rest.pending.map((one) => one.at === SOUGHT && one.control === state.control ? { ...one, at: place } : one);
+  return { ...rest, pending, open: call?.from ?? null };
+}
+
+function followed(state: State, calls: CallView[]): State {
+  const { follow, cursorLine } = state;
+  if (!follow) return state;
+  const rest = { ...state, follow: null };
+  const under = calls.find((call) => call.line <= cursorLine && cursorLine <= call.lastLine);
+  if (under && under.from !== state.open) return opened(rest, under);
+  const call = calls.find((one) => one.from === state.open);
+  return follow === "text" && call ? filled(rest, call) : rest;
+}
+
+/** The state once the program is read. */
+export function arrived(state: State, reading: Reading): State {
+  const { calls } = reading.view;
+  const near = calls.find((call) => state.open !== null && call.from <= state.open && state.open <= call.to);
+  const anchored = { ...state, reading, open: near?.from ?? null };
+  const next = followed(found(anchored, calls), calls);
+  const there = new Set(calls.map((call) => call.from));
+  const lost = next.pending.filter((one) => one.control === state.control && !there.has(one.at));
+  return lost.length ? { ...next, pending: next.pending.filter((one) => !lost.includes(one)) } : next;
+}
+
+/** What the form typed, for the first call that waits for it. */
+function wanted(state: State): ChangeRequest | null {
+  const { control, pending, reading } = state;
+  const first = pending.find((one) => one.control === control);
+  const call = reading?.view.calls.findIndex((one) => one.from === first?.at) ?? -1;
+  return first && call >= 0 ? { control, text: programOf(state), call, at: first.at, pending } : null;
+}
+
+/** The program with what the form typed, unless something else was typed meanwhile: then that is asked anew. */
+function changed(state: State, request: ChangeRequest, edits: Edit[][]): State {
+  if (state.pending !== request.pending) return state;
+  const left = state.pending.filter((one) => one.control !== request.control || one.at !== request.at);
+  return edits.reduce(withEdits, { ...state, pending: left });
+}
+
+function answered(state: State, { question, json, problem }: Answered): State {
+  if (question.ask === "run" || !isCurrent(question, state)) return state;
+  const { control, text, setup } = question;
+  if (json === undefined) return { ...state, pending: question.ask === "change" ? [] : state.pending, stoppedReading: { control, text, why: problem ?? "" } };
+  if (question.ask === "read") return arrived(state, { control, text, ...(setup ? { setup } : {}), view: JSON.parse(json) as ReadView });
+  return changed(state, question, JSON.parse(json) as Edit[][]);
+}
+
+export function createDesk(core: Core, reader: Aside): (state: State) => State {
+  const settle = (state: State): State => {
+    const { control, reading } = state;
+    const text = programOf(state);
+    const short = text.length <= SHORT;
+    if (!reading || !isRead(state)) {
+      const request = { control, text, ...machine(control, state.setup) };
+      if (short) return settle(arrived(state, { ...request, view: core.read(request) }));
+      if (!isCurrent(state.stoppedReading, state)) reader.want({ ask: "read", ...request });
+      return state;
+    }
+    if (state.follow || state.sought) return settle(arrived(state, reading));
+    const request = wanted(state);
+    if (!request) return state;
+    if (short) return settle(changed(state, request, core.change(request)));
+    reader.want({ ask: "change", ...request });
+    return state;
+  };
+  return (state) => {
+    const answer = reader.take();
+    return settle(answer ? answered(state, answer) : state);
+  };
+}

@@ -1,0 +1,41 @@
+// Long work beside the page: what it is, how long it takes already, and the way to stop it; afterwards why there is no answer.
+
+import { el, on, setText, show } from "../dom";
+import { plain } from "../numbers";
+import { programOf, type State, type Stopped } from "../state";
+import { t } from "../texts";
+
+const QUIET = 300; // ms of work that are not worth a word
+const TICK = 250; // ms
+
+export interface Activity { busy(): { since: number } | null; stopped(state: State): Stopped | null; stop(): void; again(): void }
+
+/** `name` is the first part of the keys of its texts. */
+export function createActivity(name: string, work: Activity): { root: HTMLElement; draw(state: State): void } {
+  const what = el("span", { role: "status" });
+  const seconds = el("span", { class: "figure", "aria-hidden": "true" });
+  const bar = el("progress", { "aria-label": t(`${name}-working`) });
+  const stop = el("button", { type: "button", class: "quiet" }, t("activity-stop"));
+  const again = el("button", { type: "button", class: "quiet" }, t("activity-again"));
+  const root = el("div", { class: "activity", hidden: true }, bar, what, seconds, stop, again);
+  let timer = 0;
+  on(stop, "click", work.stop);
+  on(again, "click", work.again);
+
+  const draw = (state: State): void => {
+    const busy = work.busy();
+    const passed = busy ? performance.now() - busy.since : 0;
+    const stopped = work.stopped(state);
+    const working = passed > QUIET;
+    show(root, working || !!stopped);
+    for (const part of [bar, seconds, stop]) show(part, working);
+    show(again, !working);
+    const size = plain(programOf(state).length / 1e6, 1);
+    if (working) setText(what, t(`${name}-working-on`, { size }));
+    else setText(what, stopped ? t(stopped.why ? `${name}-failed` : `${name}-stopped`, { why: stopped.why }) : "");
+    setText(seconds, t("activity-seconds", { seconds: (passed / 1000).toFixed(1) }));
+    clearTimeout(timer);
+    if (busy) timer = window.setTimeout(() => draw(state), working ? TICK : QUIET);
+  };
+  return { root, draw };
+}

@@ -1,0 +1,19 @@
+// The core on a thread of its own. First comes the compiled module, then questions; each gets one answer.
+
+import { initSync } from "@pkg/core/core.js";
+import { answer, type Question } from "./core";
+
+export type Reply = { json: string } | { problem: string };
+
+function reply(question: Question): Reply {
+  try {
+    return { json: answer(question) };
+  } catch (problem) {
+    return { problem: problem instanceof Error ? problem.message : String(problem) };
+  }
+}
+
+addEventListener("message", ({ data }: MessageEvent<WebAssembly.Module | Question>) => {
+  if (data instanceof WebAssembly.Module) initSync({ module: data });
+  else postMessage(reply(data));
+});
