@@ -2,9 +2,9 @@
 //!
 //! Axes count 0 abscissa, 1 ordinate, 2 applicate. Directions are +1 and -1 along the axis.
 
-use super::{alarm, state};
-use crate::check::Inputs;
-use crate::control::Control;
+mod prepare;
+
+use super::alarm;
 use crate::diagnostic::Code;
 use crate::geometry::TOLERANCE;
 use crate::run::trace::MotionKind;
@@ -65,16 +65,6 @@ pub struct Point {
 }
 
 impl Block {
-    /// Reads parameters and data and checks what must be true before the first motion (sequence of B:4147-4157).
-    pub fn prepare(machine: &mut dyn Machine, inputs: &Inputs) -> Result<Block, Stop> {
-        let block = read(machine.control(), inputs).map_err(|number| alarm(machine, number))?;
-        if let Some(angle) = follow_rotation(machine.control(), inputs) {
-            turnable(machine)?;
-            machine.orient(angle);
-        }
-        Ok(block)
-    }
-
     /// Position at switching minus coordinate of the surface, mm.
     pub fn trigger(&self, axis: usize, direction: f64) -> f64 {
         self.triggers[axis.min(2)][usize::from(direction > 0.0)]
@@ -230,52 +220,6 @@ impl Block {
     }
 }
 
-/// Everything from parameters and data; error: number of the alarm.
-fn read(control: &Control, inputs: &Inputs) -> Result<Block, u32> {
-    if let Some(number) = state::refusal(control) {
-        return Err(number);
-    }
-    let radius = control.active_radius();
-    let number = inputs.integer("_PRNUM");
-    let mono = number / 100 == 1;
-    let index = number % 100 - 1;
-    if index < 0 || (index + 1) as f64 > control.number("_CVAL[1]") {
-        return Err(61313);
-    }
-    if mono && !control.spindle_positions {
-        return Err(61373); // A:15917, B:864
-    }
-    let path = inputs.number("_FA");
-    if path <= 0.0 {
-        return Err(61308);
-    }
-    let probe = |i: usize| control.basic_length(&format!("_WP[{index},{i}]"));
-    let spindle = match (mono, control.bit("_CBIT[8]")) {
-        (false, _) => Spindle::Stays,
-        (true, false) => Spindle::Follows(0.0),
-        (true, true) => Spindle::Follows(inputs.number("_CORA")),
-    };
-    let monitored = control.bit("_CHBIT[2]");
-    let (feed_plane, feed_depth) = speeds(control, monitored)?;
-    Ok(Block {
-        axes: control.plane.axes(),
-        radius,
-        path,
-        triggers: [1, 3, 5].map(|i| [probe(i), probe(i + 1)]),
-        // The skew of a mono probe turns with the spindle, so that it is not carried over.
-        skew: if mono { [0.0; 2] } else { [probe(7), probe(8)] },
-        feed: measuring_feed(inputs),
-        fast: (control.bit("_CHBIT[17]") && path > 1.0).then(|| control.basic_length("_SPEED[3]")),
-        attempts: if control.bit("_CHBIT[15]") { 1 } else { 5 },
-        repeats: u32::try_from(inputs.integer("_NMSP")).unwrap_or(1).max(1),
-        monitored,
-        feed_plane,
-        feed_depth,
-        rapid_retract: control.bit("_CHBIT[16]"),
-        spindle,
-    })
-}
-
 /// Asks for a spindle that a measuring variant can turn (61372, A:15916).
 pub fn turnable(machine: &mut dyn Machine) -> Result<(), Stop> {
     if machine.control().spindle_positions {
@@ -284,58 +228,8 @@ pub fn turnable(machine: &mut dyn Machine) -> Result<(), Stop> {
     Err(alarm(machine, 61372))
 }
 
-/// `_VMS`, or 150 mm/min up to `_FA` = 1 and 300 mm/min above (B:2164-2170).
-fn measuring_feed(inputs: &Inputs) -> f64 {
-    match inputs.number("_VMS") {
-        feed if feed > 0.0 => feed,
-        _ if inputs.number("_FA") > 1.0 => 300.0,
-        _ => 150.0,
-    }
-}
-
-/// Speeds of monitored positioning in the plane and in the applicate, mm/min (B:13732-13733, A:15879-15880).
-fn speeds(control: &Control, monitored: bool) -> Result<(f64, f64), u32> {
-    if control.number("_SPEED[0]") < 0.0 {
-        return Err(61339);
-    }
-    let (plane, depth) = (
-        control.basic_length("_SPEED[1]"),
-        control.basic_length("_SPEED[2]"),
-    );
-    if monitored && (plane == 0.0 || depth == 0.0) {
-        return Err(61338);
-    }
-    Ok((plane, depth))
-}
-
 /// Whether the triggers of this axis are there: they differ (61341 otherwise, B:13565-13667).
 pub fn calibrated(block: &Block, axis: usize) -> bool {
     let [minus, plus] = block.triggers[axis.min(2)];
     minus != plus
-}
-
-/// With `_CHBIT[13]` a multi probe turns with the coordinate system: 90 degree of rotation about the applicate, and only
-/// about it, give 270 degree (with `_CHBIT[14]` 90) of the spindle (B:13973-13987).
-fn follow_rotation(control: &Control, inputs: &Inputs) -> Option<f64> {
-    if !control.bit("_CHBIT[13]") || inputs.integer("_PRNUM") / 100 != 0 {
-        return None;
-    }
-    let [abscissa, ordinate, applicate] = control.plane.axes();
-    let sum = |axis: usize| {
-        control
-            .chain()
-            .iter()
-            .map(|frame| frame.rotation[axis])
-            .sum::<f64>()
-    };
-    if sum(abscissa) != 0.0 || sum(ordinate) != 0.0 {
-        return None;
-    }
-    let rotation = sum(applicate);
-    let angle = if control.bit("_CHBIT[14]") {
-        rotation
-    } else {
-        -rotation
-    };
-    Some(angle.rem_euclid(360.0))
 }

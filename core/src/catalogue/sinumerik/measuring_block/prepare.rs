@@ -1,0 +1,119 @@
+//! What a measuring block takes from parameters and data, and what must be true before the first motion.
+
+use super::{Block, Spindle, turnable};
+use crate::catalogue::sinumerik::{alarm, state};
+use crate::check::Inputs;
+use crate::control::Control;
+use crate::run::{Machine, Stop};
+
+impl Block {
+    /// Reads parameters and data and checks what must be true before the first motion (sequence of B:4147-4157).
+    pub fn prepare(machine: &mut dyn Machine, inputs: &Inputs) -> Result<Block, Stop> {
+        let block = read(machine.control(), inputs).map_err(|number| alarm(machine, number))?;
+        if let Some(angle) = follow_rotation(machine.control(), inputs) {
+            turnable(machine)?;
+            machine.orient(angle);
+        }
+        Ok(block)
+    }
+}
+
+/// Everything from parameters and data; error: number of the alarm.
+fn read(control: &Control, inputs: &Inputs) -> Result<Block, u32> {
+    if let Some(number) = state::refusal(control) {
+        return Err(number);
+    }
+    let (index, mono) = probe(control, inputs)?;
+    let path = inputs.number("_FA");
+    if path <= 0.0 {
+        return Err(61308);
+    }
+    let data = |i: usize| control.basic_length(&format!("_WP[{index},{i}]"));
+    let spindle = match (mono, control.bit("_CBIT[8]")) {
+        (false, _) => Spindle::Stays,
+        (true, false) => Spindle::Follows(0.0),
+        (true, true) => Spindle::Follows(inputs.number("_CORA")),
+    };
+    let monitored = control.bit("_CHBIT[2]");
+    let (feed_plane, feed_depth) = speeds(control, monitored)?;
+    Ok(Block {
+        axes: control.plane.axes(),
+        radius: control.active_radius(),
+        path,
+        triggers: [1, 3, 5].map(|i| [data(i), data(i + 1)]),
+        // The skew of a mono probe turns with the spindle, so that it is not carried over.
+        skew: if mono { [0.0; 2] } else { [data(7), data(8)] },
+        feed: measuring_feed(inputs),
+        fast: (control.bit("_CHBIT[17]") && path > 1.0).then(|| control.basic_length("_SPEED[3]")),
+        attempts: if control.bit("_CHBIT[15]") { 1 } else { 5 },
+        repeats: u32::try_from(inputs.integer("_NMSP")).unwrap_or(1).max(1),
+        monitored,
+        feed_plane,
+        feed_depth,
+        rapid_retract: control.bit("_CHBIT[16]"),
+        spindle,
+    })
+}
+
+/// Index of the probe's data field `_WP[]`, and whether it is a mono probe, which has to be turned (A:15852, A:15917).
+fn probe(control: &Control, inputs: &Inputs) -> Result<(i64, bool), u32> {
+    let number = inputs.integer("_PRNUM");
+    let (mono, field) = (number / 100 == 1, number % 100);
+    if field < 1 || field as f64 > control.number("_CVAL[1]") {
+        return Err(61313);
+    }
+    if mono && !control.spindle_positions {
+        return Err(61373);
+    }
+    Ok((field - 1, mono))
+}
+
+/// `_VMS`, or 150 mm/min up to `_FA` = 1 and 300 mm/min above (B:2164-2170).
+fn measuring_feed(inputs: &Inputs) -> f64 {
+    match inputs.number("_VMS") {
+        feed if feed > 0.0 => feed,
+        _ if inputs.number("_FA") > 1.0 => 300.0,
+        _ => 150.0,
+    }
+}
+
+/// Speeds of monitored positioning in the plane and in the applicate, mm/min (B:13732-13733, A:15879-15880).
+fn speeds(control: &Control, monitored: bool) -> Result<(f64, f64), u32> {
+    if control.number("_SPEED[0]") < 0.0 {
+        return Err(61339);
+    }
+    let (plane, depth) = (
+        control.basic_length("_SPEED[1]"),
+        control.basic_length("_SPEED[2]"),
+    );
+    if monitored && (plane == 0.0 || depth == 0.0) {
+        return Err(61338);
+    }
+    Ok((plane, depth))
+}
+
+/// With `_CHBIT[13]` a multi probe turns with the coordinate system: 90 degree of rotation about the applicate, and only
+/// about it, give 270 degree (with `_CHBIT[14]` 90) of the spindle (B:13973-13987).
+fn follow_rotation(control: &Control, inputs: &Inputs) -> Option<f64> {
+    if !control.bit("_CHBIT[13]") || inputs.integer("_PRNUM") / 100 != 0 {
+        return None;
+    }
+    let [abscissa, ordinate, applicate] = control.plane.axes();
+    let sum = |axis: usize| {
+        control
+            .chain()
+            .iter()
+            .map(|frame| frame.rotation[axis])
+            .sum::<f64>()
+    };
+    if sum(abscissa) != 0.0 || sum(ordinate) != 0.0 {
+        return None;
+    }
+    let rotation = sum(applicate);
+    let angle = if control.bit("_CHBIT[14]") {
+        rotation
+    } else {
+        -rotation
+    };
+    Some(angle.rem_euclid(360.0))
+}

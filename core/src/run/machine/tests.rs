@@ -1,0 +1,129 @@
+//! The simulated machine: touches, collisions, limits.
+#![allow(clippy::unwrap_used, clippy::panic)]
+use super::*;
+use crate::control::{Frame, Plane};
+use crate::workpiece::{PartErrors, Shape, Solid};
+
+/// A cube of 100 mm whose upper face is Z = 0 of the machine.
+fn sim() -> Sim {
+    let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+    let block = Shape::Block {
+        size: [100.0, 100.0, 100.0],
+    };
+    let solid = Solid {
+        shape: block,
+        at: [0.0; 3],
+        rotation: [0.0; 3],
+        errors: PartErrors::default(),
+    };
+    setup.workpiece.solids.push(solid);
+    setup.position = [0.0, 0.0, 20.0];
+    Sim::new(&setup)
+}
+
+#[test]
+fn probing_latches_at_the_surface() {
+    let mut sim = sim();
+    sim.control
+        .frames
+        .insert(1, Frame::translation([0.0, 0.0, -5.0]));
+    sim.control.activate(1);
+    // oracle: hand: the ball centre stops 3 mm above the face; WCS is 5 mm below the machine zero
+    let latched = sim.probe([0.0, 0.0, -10.0], 150.0).unwrap().unwrap();
+    assert!((latched[2] - 8.0).abs() < 1e-9, "{latched:?}");
+    assert!((sim.position[2] - 3.0).abs() < 1e-9);
+    assert!(
+        sim.travel([0.0, 0.0, 20.0], MotionKind::Retract, 1000.0, true)
+            .is_ok()
+    );
+}
+
+#[test]
+fn a_longer_probe_switches_earlier() {
+    let mut sim = sim();
+    sim.probe.length = 50.2;
+    // oracle: hand
+    let latched = sim.probe([0.0, 0.0, -10.0], 150.0).unwrap().unwrap();
+    assert!((latched[2] - 3.2).abs() < 1e-9, "{latched:?}");
+}
+
+#[test]
+fn a_late_signal_lets_the_probe_go_back() {
+    let mut sim = sim();
+    sim.probe.pre_travel = (0.02, 0.0);
+    let latched = sim.probe([0.0, 0.0, -10.0], 150.0).unwrap().unwrap();
+    assert!((latched[2] - 2.98).abs() < 1e-9, "{latched:?}");
+    assert!(
+        sim.travel([0.0, 0.0, 20.0], MotionKind::Retract, 1000.0, true)
+            .is_ok()
+    );
+}
+
+#[test]
+fn a_watched_motion_stops_with_an_alarm() {
+    let mut sim = sim();
+    let stop = sim.travel([0.0, 0.0, -1.0], MotionKind::Positioning, 1000.0, true);
+    // oracle: manual B:13743-13763
+    assert_eq!(stop, Err(Stop::Alarm(Code::Alarm(61302))));
+    assert!((sim.position[2] - 3.0).abs() < 1e-9);
+}
+
+#[test]
+fn a_false_signal_comes_once_where_it_was_set() {
+    let mut sim = sim();
+    sim.probe.false_signal = Some(15.0);
+    let mut watched = |to: f64| sim.travel([0.0, 0.0, to], MotionKind::Positioning, 1000.0, true);
+    // oracle: hand: 10 mm down, then after 5 mm of the next watched way
+    assert_eq!(watched(10.0), Ok(()));
+    assert_eq!(watched(20.0), Err(Stop::Alarm(Code::Alarm(61302))));
+    assert_eq!(sim.position, [0.0, 0.0, 15.0]);
+    assert!(!sim.signal_stands());
+    let latched = sim.probe([0.0, 0.0, -10.0], 150.0);
+    assert!((latched.unwrap().unwrap()[2] - 3.0).abs() < 1e-9);
+    assert!(sim.signal_stands());
+}
+
+#[test]
+fn no_axis_goes_beyond_its_limit() {
+    let mut sim = sim();
+    sim.control.limits.plus[0] = Some(10.0);
+    // oracle: hand
+    let stop = sim.travel([10.5, 0.0, 20.0], MotionKind::Rapid, 0.0, false);
+    assert!(matches!(stop, Err(Stop::Fault(message)) if message.key == "run-limit"));
+    assert_eq!(sim.position, [0.0, 0.0, 20.0]);
+    assert!(sim.probe([10.0, 0.0, 20.0], 150.0).is_ok());
+}
+
+#[test]
+fn an_unwatched_motion_crashes() {
+    let mut sim = sim();
+    let stop = sim.travel([0.0, 0.0, -1.0], MotionKind::Rapid, 0.0, false);
+    assert!(matches!(stop, Err(Stop::Fault(message)) if message.key == "run-crash"));
+    let last = sim.trace.entries.last().unwrap();
+    let Step::Crash { point } = last.step else {
+        panic!("{last:?}")
+    };
+    assert!(point[2].abs() < 1e-9);
+}
+
+#[test]
+fn other_tools_are_not_felt() {
+    let mut sim = sim();
+    sim.control.edge = 0;
+    assert!(
+        sim.travel([0.0, 0.0, -1.0], MotionKind::Rapid, 0.0, false)
+            .is_ok()
+    );
+}
+
+#[test]
+fn a_full_trace_ends_the_run() {
+    let mut sim = sim();
+    sim.trace_limit = 1;
+    assert!(
+        sim.travel([0.0, 0.0, 30.0], MotionKind::Rapid, 0.0, false)
+            .is_ok()
+    );
+    let stop = sim.travel([0.0, 0.0, 20.0], MotionKind::Rapid, 0.0, false);
+    assert!(matches!(stop, Err(Stop::Fault(message)) if message.key == "run-trace-limit"));
+}
