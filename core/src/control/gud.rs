@@ -113,6 +113,17 @@ pub fn find(name: &str) -> Option<&'static Gud> {
     GUD.iter().find(|gud| gud.name == name)
 }
 
+/// A datum by its name with its index, which lies inside of the array: `_WP[0,1]`.
+pub fn named(name: &str) -> Option<&'static Gud> {
+    let (stem, index) = match name.split_once('[') {
+        Some((stem, rest)) => (stem, rest.strip_suffix(']')?.split(',').collect()),
+        None => (name, Vec::new()),
+    };
+    let inside = |(index, size): (&&str, &usize)| index.parse::<usize>().is_ok_and(|i| i < *size);
+    find(stem)
+        .filter(|gud| index.len() == gud.sizes.len() && index.iter().zip(gud.sizes).all(inside))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -6,6 +6,7 @@ mod changes;
 mod form;
 mod program;
 mod setup;
+mod setup_limits;
 mod setup_write;
 #[cfg(test)]
 mod tests;
@@ -40,6 +41,16 @@ pub enum Error {
         what: &'static str,
         /// As given.
         name: String,
+    },
+    /// A number with which nothing can be simulated.
+    #[error("{what} is {value}; allowed: {allowed}")]
+    Bound {
+        /// Member of the document.
+        what: String,
+        /// As given.
+        value: f64,
+        /// What would be right.
+        allowed: &'static str,
     },
 }
 

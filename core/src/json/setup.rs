@@ -338,12 +338,14 @@ fn setup(file: SetupFile) -> Result<Setup, Error> {
         .into_iter()
         .map(solid)
         .collect::<Result<_, _>>()?;
-    Ok(Setup {
+    let setup = Setup {
         control,
         probe: read_probe(&file.probe),
         workpiece: Workpiece { solids },
         position: file.position,
-    })
+    };
+    super::setup_limits::check(&setup)?;
+    Ok(setup)
 }
 
 fn activate(control: &mut Control, file: &ActiveFile) -> Result<(), Error> {

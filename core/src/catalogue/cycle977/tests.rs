@@ -93,7 +93,7 @@ fn ready(plane: Plane, variant: i64) -> Setup {
 fn close(sim: &Sim, name: &str, value: f64) {
     let found = sim.control.number(name);
     assert!(
-        (found - value).abs() < 1e-8,
+        (found - value).abs() < 1e-9,
         "{name} = {found}, expected {value}"
     );
 }
@@ -138,7 +138,7 @@ proptest! {
             end[plane.axes()[0]] = centre[0];
             end[plane.axes()[1]] = centre[1];
             for (is, wanted) in sim.position.iter().zip(end) {
-                prop_assert!((is - wanted).abs() < 1e-8, "{:?}", sim.position);
+                prop_assert!((is - wanted).abs() < 1e-9, "{:?}", sim.position);
             }
         }
     }

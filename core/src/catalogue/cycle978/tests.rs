@@ -50,7 +50,7 @@ fn inputs(variant: i64, axis: usize, side: f64) -> Inputs {
 fn close(sim: &Sim, name: &str, value: f64) {
     let found = sim.control.number(name);
     assert!(
-        (found - value).abs() < 1e-8,
+        (found - value).abs() < 1e-9,
         "{name} = {found}, expected {value}"
     );
 }
@@ -76,7 +76,7 @@ proptest! {
                 // End: the ball _FA before the set surface.
                 let out = if axis == 2 { 1.0 } else { side };
                 let end = inputs.number("_SETVAL") + out * 7.0;
-                prop_assert!((sim.position[plane.axes()[axis]] - end).abs() < 1e-8);
+                prop_assert!((sim.position[plane.axes()[axis]] - end).abs() < 1e-9);
             }
         }
     }
