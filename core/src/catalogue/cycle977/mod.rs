@@ -3,6 +3,8 @@
 mod checks;
 mod element;
 mod lists;
+#[cfg(test)]
+mod motion_tests;
 pub mod params;
 mod picture;
 mod propose;

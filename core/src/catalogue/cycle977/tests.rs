@@ -14,12 +14,12 @@ use proptest::prelude::*;
 
 const PLANES: [Plane; 3] = [Plane::G17, Plane::G18, Plane::G19];
 /// Set centre, abscissa and ordinate.
-const CENTRE: [f64; 2] = [40.0, -25.0];
+pub(super) const CENTRE: [f64; 2] = [40.0, -25.0];
 /// Set sizes.
 const SIZE: [f64; 2] = [60.0, 44.0];
 
 /// Nominal part of a variant with its upper face at 0.
-fn part(plane: Plane, variant: i64, across: bool) -> Solid {
+pub(super) fn part(plane: Plane, variant: i64, across: bool) -> Solid {
     let [length, width] = SIZE;
     let shape = match variant % 10 {
         1 => Shape::Hole {
@@ -53,7 +53,7 @@ fn part(plane: Plane, variant: i64, across: bool) -> Solid {
 }
 
 /// A call of a variant; the axis is 1 or 2.
-fn inputs(variant: i64, axis: f64) -> Inputs {
+pub(super) fn inputs(variant: i64, axis: f64) -> Inputs {
     let inside = variant % 2 == 1;
     let sizes = if inside { [20.0, 12.0] } else { [100.0, 90.0] };
     call(
@@ -80,7 +80,7 @@ fn inputs(variant: i64, axis: f64) -> Inputs {
 }
 
 /// The probe at the start of a variant.
-fn ready(plane: Plane, variant: i64) -> Setup {
+pub(super) fn ready(plane: Plane, variant: i64) -> Setup {
     let mut setup = setup(plane);
     let inside = variant % 2 == 1 && variant < 1000;
     setup.position = at(
@@ -104,7 +104,7 @@ fn centre_at(variant: i64) -> usize {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(12))]
+    #![proptest_config(ProptestConfig::with_cases(24))]
 
     /// Shifts and sizes of the part are found again, in every variant and plane.
     #[test]
@@ -144,6 +144,47 @@ proptest! {
     }
 
     /// A zero offset that was corrected and activated leaves nothing to correct.
+    /// A part that is also turned about the tool axis: the ball meets its walls at an angle, in every variant and plane.
+    #[test]
+    fn a_turned_part_is_measured_as_geometry_says(
+        dx in -1.0..1.0_f64, dy in -1.0..1.0_f64, grown in -1.0..1.0_f64, tilt in -1.0..1.0_f64,
+        plane in 0..3_usize, axis in 1..3_usize,
+    ) {
+        let plane = PLANES[plane];
+        for variant in VARIANTS.iter().map(|variant| variant.number) {
+            let single = matches!(variant % 10, 3 | 4);
+            let mut setup = ready(plane, variant);
+            let mut solid = part(plane, variant, single && axis == 2);
+            solid.errors.shift = at(plane, [dx, dy, 0.0]);
+            solid.errors.size = grown;
+            solid.errors.tilt = at(plane, [0.0, 0.0, tilt]);
+            setup.workpiece.solids.push(solid);
+            let mut sim = Sim::new(&setup);
+            prop_assert_eq!(run(&mut sim, &inputs(variant, axis as f64)), Ok(()), "variant {}", variant);
+            // oracle: hand. A wall turned by a about (dx, dy) is met along the abscissa, from the set centre, at
+            // dx + dy·tan a ± (W/2 ∓ R)/cos a; then along the ordinate through that centre.
+            let (tan, cos) = (tilt.to_radians().tan(), tilt.to_radians().cos());
+            let ball = if variant % 2 == 1 { 6.0 } else { -6.0 };
+            let size = |set: f64| match variant % 10 {
+                1 | 2 => set + grown,
+                _ => (set + grown - ball) / cos + ball,
+            };
+            let centre = match (variant % 10, axis) {
+                (1 | 2, _) => [dx, dy],
+                (3 | 4, 1) => [dx + dy * tan, 0.0],
+                (3 | 4, _) => [0.0, dy - dx * tan],
+                _ => [dx + dy * tan, dy + dy * tan * tan],
+            };
+            close(&sim, "_OVR[4]", size(SIZE[0]));
+            let first = centre_at(variant);
+            if first == 6 {
+                close(&sim, "_OVR[5]", size(SIZE[1]));
+            }
+            close(&sim, &format!("_OVR[{first}]"), CENTRE[0] + centre[0]);
+            close(&sim, &format!("_OVR[{}]", first + 1), CENTRE[1] + centre[1]);
+        }
+    }
+
     #[test]
     fn a_corrected_zero_offset_measures_zero(
         dx in -1.0..1.0_f64, dy in -1.0..1.0_f64, plane in 0..3_usize, code in 0..4_usize,

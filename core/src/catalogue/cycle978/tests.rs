@@ -6,6 +6,7 @@ use crate::catalogue::sinumerik::testing::{at, call, run, setup, solid, stopped}
 use crate::check::Inputs;
 use crate::control::Plane;
 use crate::run::machine::Sim;
+use crate::run::trace::{MotionKind, Step};
 use crate::run::{Setup, Stop};
 use crate::workpiece::Shape;
 use proptest::prelude::*;
@@ -79,6 +80,27 @@ proptest! {
                 prop_assert!((sim.position[plane.axes()[axis]] - end).abs() < 1e-9);
             }
         }
+    }
+
+    /// Two points of a face tell by how much the part is turned; the ball meets both at the same angle.
+    #[test]
+    fn the_tilt_is_recovered(
+        tilt in -1.5..1.5_f64, plane in 0..3_usize, axis in 0..2_usize, plus in any::<bool>(), along in 5.0..25.0_f64,
+    ) {
+        let (plane, side) = (PLANES[plane], if plus { 1.0 } else { -1.0 });
+        let other = plane.axes()[1 - axis];
+        let measured = [-along, along].map(|place| {
+            let mut setup = ready(plane, axis, side, 0.0);
+            setup.workpiece.solids[0].errors.tilt = at(plane, [0.0, 0.0, tilt]);
+            setup.position[other] = place;
+            let mut sim = Sim::new(&setup);
+            assert_eq!(run(&mut sim, &inputs(0, axis, side)), Ok(()));
+            sim.control.number("_OVR[4]")
+        });
+        // oracle: hand. x·cos a + y·sin a = 50, and the same turned by 90 degree for the other axis
+        let turn = if axis == 0 { -1.0 } else { 1.0 };
+        let rise = turn * tilt.to_radians().tan() * 2.0 * along;
+        prop_assert!((measured[1] - measured[0] - rise).abs() < 1e-9, "{:?} {}", measured, rise);
     }
 
     /// A zero offset that was corrected and activated leaves nothing to correct, whatever the empirical value.
@@ -212,4 +234,66 @@ fn measurements_at_the_same_place_are_averaged() {
     assert_eq!(touches.len(), 4);
     assert!(touches[0] != touches[1]);
     close(&sim, "_OVR[4]", touches.iter().sum::<f64>() / 4.0 - 3.0);
+}
+
+/// Motions of a call as kind, position in the measuring axis, feed.
+fn motions(sim: &Sim, geometry: usize) -> Vec<(MotionKind, f64, f64)> {
+    let motion = |step: &Step| match step {
+        Step::Motion { kind, to, feed, .. } => Some((*kind, to[geometry], *feed)),
+        _ => None,
+    };
+    sim.trace
+        .entries
+        .iter()
+        .filter_map(|entry| motion(&entry.step))
+        .collect()
+}
+
+// oracle: hand, with manual B:6376-6388 (start _FA before the surface, back to it), B:6402-6418 (twice for differential)
+#[test]
+fn only_the_measuring_axis_moves_to_the_start_into_the_surface_and_back() {
+    use MotionKind::{Measuring, Positioning, Retract};
+    for plane in PLANES {
+        for (variant, touches, axes) in [(0, 1, 3), (100, 1, 3), (1000, 2, 2), (1100, 2, 2)] {
+            for axis in 0..axes {
+                let mut setup = ready(plane, axis, -1.0, 0.0);
+                setup.control.set("_SPEED[1]", 1200.0);
+                setup.control.set("_SPEED[2]", 700.0);
+                let start = setup.position;
+                let mut sim = Sim::new(&setup);
+                assert_eq!(run(&mut sim, &inputs(variant, axis, -1.0)), Ok(()));
+                // the ball of radius 3, 4 mm before the face at -50, and at the face; from above at 0
+                let (before, at_face, feed) = match axis {
+                    2 => (7.0, 3.0, 700.0),
+                    _ => (-57.0, -53.0, 1200.0),
+                };
+                let mut expected = vec![(Positioning, before, feed)];
+                for _ in 0..touches {
+                    expected.push((Measuring, at_face, 300.0));
+                    expected.push((Retract, before, feed));
+                }
+                let geometry = plane.axes()[axis];
+                let found = motions(&sim, geometry);
+                assert_eq!(found.len(), expected.len(), "{variant} {axis} {found:?}");
+                for (is, wanted) in found.iter().zip(&expected) {
+                    assert_eq!((is.0, is.2), (wanted.0, wanted.2), "{variant} {axis}");
+                    assert!((is.1 - wanted.1).abs() < 1e-9, "{is:?} {wanted:?}");
+                }
+                for other in plane.axes().into_iter().filter(|i| *i != geometry) {
+                    assert_eq!(sim.position[other], start[other]);
+                }
+                let turns: Vec<f64> = sim
+                    .trace
+                    .entries
+                    .iter()
+                    .filter_map(|entry| match entry.step {
+                        Step::Orient(angle) => Some(angle),
+                        _ => None,
+                    })
+                    .collect();
+                let wanted: &[f64] = if touches == 2 { &[180.0, 0.0] } else { &[] };
+                assert_eq!(turns, wanted, "{variant}");
+            }
+        }
+    }
 }

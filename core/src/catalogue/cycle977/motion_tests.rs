@@ -1,0 +1,153 @@
+//! Every motion of every variant of CYCLE977: order, side, height, feed.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use super::VARIANTS;
+use super::tests::{CENTRE, inputs, part, ready};
+use crate::catalogue::sinumerik::testing::{at, run};
+use crate::check::Inputs;
+use crate::control::Plane;
+use crate::run::machine::Sim;
+use crate::run::trace::{MotionKind, Step};
+
+const PLANE_FEED: f64 = 1200.0;
+const DEPTH_FEED: f64 = 700.0;
+/// `_FA` = 5 is above 1 (B:2164-2170).
+const MEASURING_FEED: f64 = 300.0;
+
+/// Ways in the plane from the set centre: `x22` goes there at the height of the start; `[27]` goes down by the infeed
+/// where there is one, measures along the last axis until the ball stands at 27, returns, and goes up again.
+/// Ball of radius 3, `_FA` 5, sizes 60 and 44: inside 60/2 - 3 = 27 and 5 before it, outside 60/2 + 3 = 33 and 5 before it.
+fn table(variant: i64, axis: usize) -> &'static str {
+    match (variant % 10, axis) {
+        (1, _) => "x22 [27] x-22 [-27] x0 y22 [27] y-22 [-27] y0",
+        (2, _) => "x38 [33] x-38 [-33] x0 y38 [33] y-38 [-33] y0",
+        (3, 1) => "x22 [27] x-22 [-27] x0",
+        (3, _) => "y22 [27] y-22 [-27] y0",
+        (4, 1) => "x38 [33] x-38 [-33] x0",
+        (4, _) => "y38 [33] y-38 [-33] y0",
+        (5, _) => "x22 [27] x-22 [-27] x0 y14 [19] y-14 [-19] y0",
+        _ => "x38 [33] x-38 [-33] x0 y30 [25] y-30 [-25] y0",
+    }
+}
+
+/// A motion: kind, end as abscissa, ordinate, applicate from the set centre at the height of the start, feed.
+type Motion = (MotionKind, [f64; 3], f64);
+
+fn expand(table: &str, infeed: f64) -> Vec<Motion> {
+    let mut here = [0.0; 3];
+    let mut axis = 0;
+    let mut motions = Vec::new();
+    for word in table.split(' ') {
+        if let Some(contact) = word.strip_prefix('[') {
+            let mut down = here;
+            down[2] += infeed;
+            let mut touch = down;
+            touch[axis] = contact.trim_end_matches(']').parse().unwrap();
+            let level = infeed == 0.0;
+            motions.extend((!level).then_some((MotionKind::Positioning, down, DEPTH_FEED)));
+            motions.push((MotionKind::Measuring, touch, MEASURING_FEED));
+            motions.push((MotionKind::Retract, down, PLANE_FEED));
+            motions.extend((!level).then_some((MotionKind::Positioning, here, DEPTH_FEED)));
+        } else {
+            axis = usize::from(word.starts_with('y'));
+            here[axis] = word[1..].parse().unwrap();
+            motions.push((MotionKind::Positioning, here, PLANE_FEED));
+        }
+    }
+    motions
+}
+
+fn motions(plane: Plane, variant: i64, inputs: &Inputs, across: bool) -> Vec<Motion> {
+    let mut setup = ready(plane, variant);
+    setup.workpiece.solids.push(part(plane, variant, across));
+    setup.control.set("_SPEED[1]", PLANE_FEED);
+    setup.control.set("_SPEED[2]", DEPTH_FEED);
+    let start = setup.position;
+    let mut sim = Sim::new(&setup);
+    assert_eq!(run(&mut sim, inputs), Ok(()), "{variant}");
+    let motion = |step: &Step| match step {
+        Step::Motion { kind, to, feed, .. } => {
+            let from_start = plane.axes().map(|i| to[i] - start[i]);
+            Some((*kind, from_start, *feed))
+        }
+        _ => None,
+    };
+    let steps = sim.trace.entries.iter();
+    steps.filter_map(|entry| motion(&entry.step)).collect()
+}
+
+fn same(found: &[Motion], expected: &[Motion], what: &str) {
+    assert_eq!(found.len(), expected.len(), "{what}: {found:#?}");
+    for (is, wanted) in found.iter().zip(expected) {
+        assert_eq!(
+            (is.0, is.2),
+            (wanted.0, wanted.2),
+            "{what}: {is:?} {wanted:?}"
+        );
+        for (a, b) in is.1.iter().zip(wanted.1) {
+            assert!((a - b).abs() < 1e-9, "{what}: {is:?} {wanted:?}");
+        }
+    }
+}
+
+/// The infeed of [`inputs`] counts outside and with a protection zone.
+fn infeed(variant: i64) -> f64 {
+    if variant % 2 == 1 && variant < 1000 {
+        0.0
+    } else {
+        -20.0
+    }
+}
+
+// oracle: manual B:5773-5809, B:5892-5957 (order, heights, end above the centre), hand (figures)
+#[test]
+fn every_variant_moves_as_its_table_says() {
+    assert_eq!(at(Plane::G17, [CENTRE[0], CENTRE[1], 0.0])[0], CENTRE[0]);
+    for plane in [Plane::G17, Plane::G18, Plane::G19] {
+        for variant in VARIANTS.iter().map(|variant| variant.number) {
+            for axis in [1, 2] {
+                let across = matches!(variant % 10, 3 | 4) && axis == 2;
+                let found = motions(plane, variant, &inputs(variant, axis as f64), across);
+                let expected = expand(table(variant, axis), infeed(variant));
+                same(&found, &expected, &format!("{variant} {axis} {plane:?}"));
+            }
+        }
+    }
+}
+
+// oracle: hand, with our reading of B:5943-5951. The path is what lies between zone and element less a ball of 6:
+// (60 - 44)/2 - 6 = 2 inside, (80 - 60)/2 - 6 = 4 outside; rectangles have their own in each axis, at most _FA.
+#[test]
+fn a_narrow_zone_shortens_the_path_before_and_behind_the_surface() {
+    for (variant, zone, table) in [
+        (
+            1001,
+            [44.0, 0.0],
+            "x25 [27] x-25 [-27] x0 y25 [27] y-25 [-27] y0",
+        ),
+        (1103, [44.0, 0.0], "x25 [27] x-25 [-27] x0"),
+        (
+            1105,
+            [44.0, 22.0],
+            "x25 [27] x-25 [-27] x0 y14 [19] y-14 [-19] y0",
+        ),
+        (
+            1002,
+            [80.0, 0.0],
+            "x37 [33] x-37 [-33] x0 y37 [33] y-37 [-33] y0",
+        ),
+        (1104, [80.0, 0.0], "x37 [33] x-37 [-33] x0"),
+        (
+            1006,
+            [80.0, 58.0],
+            "x37 [33] x-37 [-33] x0 y26 [25] y-26 [-25] y0",
+        ),
+    ] {
+        let mut inputs = inputs(variant, 1.0);
+        inputs.numbers.insert("_SZA", zone[0]);
+        inputs.numbers.insert("_SZO", zone[1]);
+        let found = motions(Plane::G17, variant, &inputs, false);
+        same(&found, &expand(table, -20.0), &variant.to_string());
+    }
+}
