@@ -166,7 +166,7 @@ fn scales_are_motion_and_stop_a_measurement() {
     for (scale, alarm) in [
         ("SCALE X2", 61310),
         ("$P_UIFR[1,Z,SC]=2\nG54", 61310),
-        ("$P_CHBFR[0,X,SC]=0.5", 61310),
+        ("$P_CHBFR[0,X,SC]=0.5\nG500", 61310),
         ("SCALE X2\nTRANS", 61301),
     ] {
         let outcome = go(&format!(

@@ -124,6 +124,7 @@ export interface Setup {
   machine?: { limitsMinus?: (number | null)[]; limitsPlus?: (number | null)[]; spindlePositions?: boolean };
   tools: Record<string, { name?: string; edges: Record<string, { type: number; length: Vec3; radius: number; lengthWear?: Vec3; radiusWear?: number; additive?: Record<string, number[]>; setup?: Record<string, number[]> }> }>;
   frames: Record<string, { coarse: Vec3; fine?: Vec3; rotation?: Vec3; scale?: Vec3 }>; // "G54"
+  environments?: Record<string, { tool: number; edge: number; location?: number; plane?: Plane }>; // of TOOLENV("NAME")
   data: Record<string, number | string>;   // "_WP[0,1]", "_CHBIT[4]", "MD18600", "R10", "#500"
   probe: { radius: number; length: number; skew?: [number, number]; preTravel?: [number, number]; delay?: number; repeatability?: [number, number]; falseSignal?: number };
   workpiece: Solid[];

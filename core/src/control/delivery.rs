@@ -2,7 +2,7 @@
 //! Lengths and feeds stand in the basic system of the machine, as the manual says. Initial values of parameters (`_FA`, `_TSA`, …) are defaults of
 //! the catalogue and not repeated here: an unset datum means "as delivered".
 
-use super::{Control, Frame, Limits, Plane, Units, Value};
+use super::{BasicFrames, Control, Frame, Limits, Plane, Units, Value};
 use crate::catalogue::Dialect;
 use std::collections::BTreeMap;
 
@@ -92,9 +92,11 @@ pub fn delivery_in(dialect: Dialect, units: Units) -> Control {
         channel_basic: BTreeMap::new(),
         global_basic: BTreeMap::new(),
         system: Frame::default(),
+        basic: BasicFrames::default(),
         active: Frame::default(),
         program_frame: Frame::default(),
         tools: BTreeMap::new(),
+        environments: BTreeMap::new(),
         tool: 0,
         edge: 0,
         data: BTreeMap::new(),

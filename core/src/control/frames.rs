@@ -2,9 +2,14 @@
 //! system frame · NCU-global basic frames · channel basic frames · active settable frame · programmed frame.
 //! Lengths in mm, angles in degree.
 
-use super::{Control, Frame};
+use super::{BasicFrames, Control, Frame, Value};
 use crate::geometry::rigid::{angles, rotation};
 use nalgebra::Vector3;
+
+/// Which channel basic frames are in the chain: bit 0 is `$P_CHBFR[0]`.
+pub const CHANNEL_MASK: &str = "$P_CHBFRMASK";
+/// Which NCU-global basic frames are in the chain: bit 0 is `$P_NCBFR[0]`.
+pub const GLOBAL_MASK: &str = "$P_NCBFRMASK";
 
 impl Default for Frame {
     fn default() -> Frame {
@@ -90,16 +95,24 @@ impl Frame {
 }
 
 impl Control {
-    /// Frames between machine and the settable frame, outermost first: system, global basic, channel basic.
+    /// Frames in effect between machine and the settable frame, outermost first: system, global basic, channel basic.
     pub fn basic_chain(&self) -> Vec<Frame> {
-        let basic = self
-            .global_basic
-            .values()
-            .chain(self.channel_basic.values());
-        std::iter::once(&self.system)
-            .chain(basic)
+        let global = self.basic.global.iter();
+        let global = global.filter(|(index, _)| self.included(GLOBAL_MASK, **index));
+        let channel = self.basic.channel.iter();
+        let channel = channel.filter(|(index, _)| self.included(CHANNEL_MASK, **index));
+        std::iter::once(&self.basic.system)
+            .chain(global.chain(channel).map(|(_, frame)| frame))
             .copied()
             .collect()
+    }
+
+    /// Whether the bit of a basic frame is set in its mask. Without a mask all count.
+    pub fn included(&self, mask: &str, index: usize) -> bool {
+        match self.data.get(mask) {
+            Some(Value::Number(bits)) => *bits as u32 >> index.min(31) & 1 == 1,
+            _ => true,
+        }
     }
 
     /// All frames from the machine to the WCS, outermost first.
@@ -140,9 +153,15 @@ impl Control {
             .fold(direction, |direction, frame| frame.turn_back(direction))
     }
 
-    /// What G54.., G500 do: the stored settable frame becomes the active one. G500 (SINUMERIK 0) is a frame too.
+    /// What G54.., G500 do: the stored settable frame becomes the active one, and so do the stored basic and system
+    /// frames (B:1965). G500 (SINUMERIK 0) is a frame too.
     pub fn activate(&mut self, number: usize) {
         self.settable = number;
+        self.basic = BasicFrames {
+            system: self.system,
+            global: self.global_basic.clone(),
+            channel: self.channel_basic.clone(),
+        };
         self.active = self.frames.get(&number).copied().unwrap_or_default();
         if self.dialect == crate::catalogue::Dialect::Nct {
             let common = self.frames.get(&0).copied().unwrap_or_default();
@@ -240,6 +259,26 @@ mod tests {
         assert!(frame.scaled() && !Frame::default().scaled());
         assert!(!frame.chains_with(&frame));
         assert!(frame.chains_with(&Frame::translation([1.0; 3])));
+    }
+
+    #[test]
+    fn basic_frames_wait_for_the_next_activation() {
+        let mut control = delivery(Dialect::Sinumerik);
+        let shifted = |control: &Control| control.to_machine([0.0; 3])[0];
+        // oracle: manual B:1965 (G500, G54.. make them active), B:1944 (only those of the mask)
+        control.system = Frame::translation([1.0, 0.0, 0.0]);
+        control
+            .global_basic
+            .insert(3, Frame::translation([10.0, 0.0, 0.0]));
+        control
+            .channel_basic
+            .insert(0, Frame::translation([100.0, 0.0, 0.0]));
+        assert_eq!(shifted(&control), 0.0);
+        control.activate(0);
+        assert_eq!(shifted(&control), 111.0);
+        control.set(CHANNEL_MASK, 2.0);
+        control.set(GLOBAL_MASK, 8.0);
+        assert_eq!(shifted(&control), 11.0);
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 pub mod arrays;
 pub mod delivery;
+pub mod environments;
 pub mod frames;
 pub mod gud;
 pub mod limits;
@@ -10,6 +11,7 @@ pub mod units;
 pub mod variables;
 
 pub use delivery::{delivery, delivery_in};
+pub use environments::Environment;
 pub use limits::Limits;
 
 use crate::catalogue::Dialect;
@@ -57,6 +59,17 @@ pub struct Frame {
     pub rotation: [f64; 3],
     /// Scale factors along its own X Y Z; 1: none. Measuring does not work with any other (61310, B:744).
     pub scale: [f64; 3],
+}
+
+/// The frames between machine and settable frame.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct BasicFrames {
+    /// `$P_SETFRAME`.
+    pub system: Frame,
+    /// `$P_NCBFRAME[0..15]`.
+    pub global: BTreeMap<usize, Frame>,
+    /// `$P_CHBFRAME[0..15]`.
+    pub channel: BTreeMap<usize, Frame>,
 }
 
 /// Cutting edge data of a tool.
@@ -117,18 +130,22 @@ pub struct Control {
     pub settable: usize,
     /// Settable frames by number (NCT: 0 common, 1..6).
     pub frames: BTreeMap<usize, Frame>,
-    /// Channel basic frames `$P_CHBFR[0..15]`.
+    /// Channel basic frames as stored, `$P_CHBFR[0..15]`.
     pub channel_basic: BTreeMap<usize, Frame>,
-    /// NCU-global basic frames `$P_NCBFR[0..15]`.
+    /// NCU-global basic frames as stored, `$P_NCBFR[0..15]`.
     pub global_basic: BTreeMap<usize, Frame>,
-    /// System frame `$P_SETFR`.
+    /// System frame as stored, `$P_SETFR`.
     pub system: Frame,
+    /// Basic frames in effect: as stored when G500, G54.. was programmed last.
+    pub basic: BasicFrames,
     /// Settable frame as activated by G54..; a correction becomes active only with the next G54...
     pub active: Frame,
     /// Programmed frame (TRANS, ROT and their additive forms), innermost.
     pub program_frame: Frame,
     /// Tools by T number.
     pub tools: BTreeMap<i64, Tool>,
+    /// Tool environments by name.
+    pub environments: BTreeMap<String, Environment>,
     /// T number in the spindle, 0 none.
     pub tool: i64,
     /// Active D (NCT: H) number, 0 none.

@@ -16,8 +16,8 @@ enum Place {
     Frame(Store, usize, usize, Part),
     /// A tool edge: T, D, quantity.
     Edge(i64, i64, Quantity),
-    /// The settable frame in effect: axis, part.
-    Active(usize, Part),
+    /// A frame in effect: as above.
+    Active(Store, usize, usize, Part),
 }
 
 /// A family of frames.
@@ -60,7 +60,13 @@ impl Control {
                     .unwrap_or_default();
                 Some(frame_part(&frame, part)[axis])
             }
-            Place::Active(axis, part) => Some(frame_part(&self.active, part)[axis]),
+            Place::Active(store, number, axis, part) => {
+                let frame = self
+                    .active_frame(store, number)
+                    .copied()
+                    .unwrap_or_default();
+                Some(frame_part(&frame, part)[axis])
+            }
             Place::Edge(tool, edge, quantity) => {
                 let zero = Edge::default();
                 let found = self.edge_of(tool, edge);
@@ -81,8 +87,8 @@ impl Control {
             Some(Place::Frame(store, number, axis, part)) => {
                 *frame_part_mut(self.stored_frame_mut(store, number), part, axis) = value;
             }
-            Some(Place::Active(axis, part)) => {
-                *frame_part_mut(&mut self.active, part, axis) = value
+            Some(Place::Active(store, number, axis, part)) => {
+                *frame_part_mut(self.active_frame_mut(store, number), part, axis) = value;
             }
             Some(Place::Edge(tool, edge, quantity)) => {
                 let edge = self
@@ -140,6 +146,51 @@ impl Control {
         }
     }
 
+    fn active_frame(&self, store: Store, number: usize) -> Option<&Frame> {
+        match store {
+            Store::Settable => Some(&self.active),
+            Store::Channel => self.basic.channel.get(&number),
+            Store::Global => self.basic.global.get(&number),
+            Store::System => Some(&self.basic.system),
+        }
+    }
+
+    fn active_frame_mut(&mut self, store: Store, number: usize) -> &mut Frame {
+        match store {
+            Store::Settable => &mut self.active,
+            Store::Channel => self.basic.channel.entry(number).or_default(),
+            Store::Global => self.basic.global.entry(number).or_default(),
+            Store::System => &mut self.basic.system,
+        }
+    }
+
+    /// A frame by the name of its variable without axis and part: `$P_UIFR[1]`, `$P_CHBFRAME[0]`, `$P_PFRAME`.
+    pub fn frame(&self, name: &str) -> Option<Frame> {
+        if name == "$P_PFRAME" {
+            return Some(self.program_frame);
+        }
+        let (store, in_effect, number) = whole_frame(name)?;
+        let frame = match in_effect {
+            true => self.active_frame(store, number),
+            false => self.stored_frame(store, number),
+        };
+        Some(frame.copied().unwrap_or_default())
+    }
+
+    /// Writes a frame by the name of its variable; false: there is no such frame.
+    pub fn set_frame(&mut self, name: &str, frame: Frame) -> bool {
+        if name == "$P_PFRAME" {
+            self.program_frame = frame;
+            return true;
+        }
+        match whole_frame(name) {
+            Some((store, true, number)) => *self.active_frame_mut(store, number) = frame,
+            Some((store, false, number)) => *self.stored_frame_mut(store, number) = frame,
+            None => return false,
+        }
+        true
+    }
+
     fn stored_frame_mut(&mut self, store: Store, number: usize) -> &mut Frame {
         match store {
             Store::Settable => self.frames.entry(number).or_default(),
@@ -194,29 +245,64 @@ fn sinumerik_place(name: &str) -> Option<Place> {
             tool_quantity(quantity)?,
         ));
     }
-    let (store, limit) = match stem {
-        "$P_UIFR" => (Store::Settable, 99),
-        "$P_CHBFR" => (Store::Channel, 15),
-        "$P_NCBFR" => (Store::Global, 15),
-        "$P_SETFR" => (Store::System, 0),
-        "$P_IFRAME" => {
-            let [axis, part] = index[..] else { return None };
-            return Some(Place::Active(axis_index(axis)?, frame_part_of(part)?));
-        }
+    let family = family(stem)?;
+    let (number, [axis, part]) = match (family.numbered, &index[..]) {
+        (None, [axis, part]) => (0, [axis, part]),
+        (Some(limit), [number, axis, part]) => (limited(number, limit)?, [axis, part]),
         _ => return None,
     };
-    let (number, axis, part) = match (store, &index[..]) {
-        (Store::System, [axis, part]) => (0, axis, part),
-        (Store::System, _) => return None,
-        (_, [number, axis, part]) => (number.parse().ok()?, axis, part),
+    let (axis, part) = (axis_index(axis)?, frame_part_of(part)?);
+    Some(match family.in_effect {
+        true => Place::Active(family.store, number, axis, part),
+        false => Place::Frame(family.store, number, axis, part),
+    })
+}
+
+/// A variable of frames.
+struct Family {
+    store: Store,
+    /// Of the frames in effect, not of the stored ones.
+    in_effect: bool,
+    /// Largest number, where there is more than one.
+    numbered: Option<usize>,
+}
+
+fn family(stem: &str) -> Option<Family> {
+    let (store, in_effect, numbered) = match stem {
+        "$P_UIFR" => (Store::Settable, false, Some(99)),
+        "$P_CHBFR" => (Store::Channel, false, Some(15)),
+        "$P_NCBFR" => (Store::Global, false, Some(15)),
+        "$P_SETFR" => (Store::System, false, None),
+        "$P_IFRAME" => (Store::Settable, true, None),
+        "$P_CHBFRAME" => (Store::Channel, true, Some(15)),
+        "$P_NCBFRAME" => (Store::Global, true, Some(15)),
+        "$P_SETFRAME" => (Store::System, true, None),
         _ => return None,
     };
-    (number <= limit).then_some(Place::Frame(
+    Some(Family {
         store,
-        number,
-        axis_index(axis)?,
-        frame_part_of(part)?,
-    ))
+        in_effect,
+        numbered,
+    })
+}
+
+fn limited(number: &str, limit: usize) -> Option<usize> {
+    number.parse().ok().filter(|number| *number <= limit)
+}
+
+/// Store, whether in effect, and number of a frame: `$P_UIFR[1]`, `$P_SETFRAME`.
+fn whole_frame(name: &str) -> Option<(Store, bool, usize)> {
+    let (stem, index) = match name.split_once('[') {
+        Some((stem, rest)) => (stem, Some(rest.strip_suffix(']')?)),
+        None => (name, None),
+    };
+    let family = family(stem)?;
+    let number = match (family.numbered, index) {
+        (None, None) => 0,
+        (Some(limit), Some(number)) => limited(number, limit)?,
+        _ => return None,
+    };
+    Some((family.store, family.in_effect, number))
 }
 
 /// `DP2` cutting edge position, `DP6` radius, `DP15` its wear, `SCP13` L1 of the additive offset DL1, `ECP13` of the setup offset.

@@ -2,7 +2,7 @@
 
 use super::Write;
 use super::knum::{self, Quantity, ToolCode};
-use crate::control::{Control, Plane, Value};
+use crate::control::{Control, Environment};
 
 /// Who names the tool of a correction.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,7 +45,8 @@ pub fn target(control: &Control, names: &Names) -> Result<Option<Target>, u32> {
     let Some(code) = knum::tool(names.code, knum::five_digit_edges(control))? else {
         return Ok(None);
     };
-    let (tool, edge) = tool_and_edge(control, names, &code)?;
+    let environment = environment(control, names, &code)?;
+    let (tool, edge) = tool_and_edge(control, names, &code, environment)?;
     let largest = control.number("MD18105");
     if largest > 0.0 && edge as f64 > largest {
         return Err(61345);
@@ -53,7 +54,11 @@ pub fn target(control: &Control, names: &Names) -> Result<Option<Target>, u32> {
     if control.edge_of(tool, edge).is_none() {
         return Err(61410); // the quantity to be corrected does not exist, A:15931
     }
-    let location = match (code.location, names.location) {
+    let location = match (names.location, environment) {
+        (0, Some(environment)) => environment.location,
+        (location, _) => location,
+    };
+    let location = match (code.location, location) {
         (false, _) => None,
         (true, location @ 1..=6) => Some(location),
         (true, _) => return Err(61406),
@@ -61,7 +66,7 @@ pub fn target(control: &Control, names: &Names) -> Result<Option<Target>, u32> {
     if let Some(number) = location.and_then(|_| missing_memory(control)) {
         return Err(number);
     }
-    let part = part(control, names, &code)?;
+    let part = part(control, names, &code, environment)?;
     Ok(Some(Target {
         tool,
         edge,
@@ -82,69 +87,67 @@ pub fn missing_memory(control: &Control) -> Option<u32> {
     (setup && !control.machine_bit("MD18112", 4)).then_some(61409)
 }
 
+/// The environment that `_TENV` names, where the code asks for one (B:2086); 61405: there is none of that name.
+fn environment<'a>(
+    control: &'a Control,
+    names: &Names,
+    code: &ToolCode,
+) -> Result<Option<&'a Environment>, u32> {
+    if !code.environment {
+        return Ok(None);
+    }
+    let stored = control.environments.get(names.environment);
+    stored.map(Some).ok_or(61405)
+}
+
 /// L1, L2, L3 or radius as index. The length that works in an axis: L1 applicate, L2 ordinate, L3 abscissa (B:762-817).
-fn part(control: &Control, names: &Names, code: &ToolCode) -> Result<usize, u32> {
+fn part(
+    control: &Control,
+    names: &Names,
+    code: &ToolCode,
+    environment: Option<&Environment>,
+) -> Result<usize, u32> {
     match code.quantity {
         Quantity::Radius => Ok(RADIUS),
         Quantity::Length(number) => Ok(usize::from(number.saturating_sub(1))),
         Quantity::MeasuringAxis => {
             let axis = names.axis.ok_or(61322_u32)?;
-            let axis = if code.environment {
-                turned(control, names.environment, axis)
-            } else {
-                axis
-            };
+            let axis = environment.map_or(axis, |stored| turned(control, stored, axis));
             Ok(2 - axis.min(2))
         }
     }
 }
 
 /// The measuring axis as seen from the plane that was stored with the environment.
-fn turned(control: &Control, environment: &str, axis: usize) -> usize {
-    let plane = match control.number(&key(environment, "PLANE")) {
-        17.0 => Plane::G17,
-        18.0 => Plane::G18,
-        19.0 => Plane::G19,
-        _ => control.plane,
-    };
+fn turned(control: &Control, environment: &Environment, axis: usize) -> usize {
     let geometry = control.plane.axes()[axis.min(2)];
-    plane
-        .axes()
+    let stored = environment.plane.axes();
+    stored
         .iter()
         .position(|own| *own == geometry)
         .unwrap_or(axis)
 }
 
 /// T and D: by number, by name, or by the environment.
-fn tool_and_edge(control: &Control, names: &Names, code: &ToolCode) -> Result<(i64, i64), u32> {
-    let stored = |part: &str| match control.data.get(&key(names.environment, part)) {
-        Some(Value::Number(number)) => Some(*number as i64),
-        _ => None,
-    };
-    if code.environment && stored("T").is_none() {
-        return Err(61405);
-    }
-    let tool = if names.tool > 0 {
-        names.tool
-    } else if code.environment {
-        stored("T").unwrap_or(0)
-    } else {
-        by_name(control, names.tool_name)?
+fn tool_and_edge(
+    control: &Control,
+    names: &Names,
+    code: &ToolCode,
+    environment: Option<&Environment>,
+) -> Result<(i64, i64), u32> {
+    let tool = match (names.tool, environment) {
+        (tool, _) if tool > 0 => tool,
+        (_, Some(environment)) => environment.tool,
+        _ => by_name(control, names.tool_name)?,
     };
     if !control.tools.contains_key(&tool) {
         return Err(61320);
     }
-    let edge = if code.edge == 0 {
-        stored("D").unwrap_or(0)
-    } else {
-        code.edge
+    let edge = match (code.edge, environment) {
+        (0, Some(environment)) => environment.edge,
+        (edge, _) => edge,
     };
     Ok((tool, edge))
-}
-
-/// Name of a datum of a stored tool environment: `TOOLENV[WZUMG1,T]`; parts are `T`, `D`, `PLANE` (17 to 19).
-pub fn key(environment: &str, part: &str) -> String {
-    format!("TOOLENV[{environment},{part}]")
 }
 
 /// T number of a name; of several sister tools the one in the spindle, else the last (B:1890 "the one last used").
@@ -212,6 +215,7 @@ mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
     use crate::catalogue::Dialect;
+    use crate::control::Plane;
     use crate::control::delivery;
 
     fn control() -> Control {
@@ -364,9 +368,9 @@ mod tests {
     fn an_environment_gives_tool_and_edge() {
         // oracle: manual B:2138-2146
         let mut control = control();
-        for (part, value) in [("T", 5.0), ("D", 2.0), ("PLANE", 17.0)] {
-            control.set(key("WZUMG1", part), value);
-        }
+        (control.tool, control.edge, control.plane) = (5, 2, Plane::G17);
+        control.store_environment("WZUMG1");
+        (control.tool, control.edge) = (20, 1);
         let names = Names {
             code: 2_100_000,
             tool: 0,

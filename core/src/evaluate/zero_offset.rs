@@ -3,8 +3,9 @@
 
 use super::Write;
 use super::knum::{self, ZeroCode};
+use crate::control::frames::{CHANNEL_MASK, GLOBAL_MASK};
 use crate::control::variables::AXES;
-use crate::control::{Control, Frame};
+use crate::control::{Control, Frame, Value};
 
 /// Where a frame is stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,12 +67,12 @@ pub fn system_frame(control: &Control) -> bool {
     control.machine_bit("MD28082", 0)
 }
 
-/// The channel basic frame of the highest bit in `$P_CHBFRMASK`; without a mask the last one that exists.
+/// The channel basic frame of the highest bit in `$P_CHBFRMASK`; without a mask the last one that exists. Alarm 61412
+/// where there is none (A:15931).
 fn last_basic(control: &Control) -> Result<Store, u32> {
-    let mask = control.number("$P_CHBFRMASK") as u32;
-    let index = match mask.checked_ilog2() {
-        Some(bit) => usize::try_from(bit).ok(),
-        None => control.channel_basic.keys().next_back().copied(),
+    let index = match control.data.get(CHANNEL_MASK) {
+        Some(Value::Number(bits)) => (*bits as u32).checked_ilog2().map(|bit| bit as usize),
+        _ => control.channel_basic.keys().next_back().copied(),
     };
     index.map(Store::ChannelBasic).ok_or(61412)
 }
@@ -111,37 +112,43 @@ pub fn writes(control: &Control, target: &Target, measured: &Measured) -> Vec<Wr
     shifted(control, target, &old, old.turn(turned))
 }
 
-/// Frames outside of the target (outermost first), the target as stored, frames inside of it.
+/// Frames outside of the target (outermost first), the target as stored, frames inside of it. Those around it are the
+/// ones in effect, which stay (B:1967).
 fn around(control: &Control, target: &Target) -> (Vec<Frame>, Frame, Vec<Frame>) {
     let mut before = Vec::new();
     let mut after = Vec::new();
-    let mut own = None;
     let settable = match target.store {
-        Store::Settable(number) => (Store::Settable(number), stored(control, target.store)),
-        _ if target.without_settable => (Store::Settable(0), Frame::default()),
-        _ => (Store::Settable(control.settable), control.active),
+        Store::Settable(_) => None,
+        _ if target.without_settable => None,
+        _ => Some((Store::Settable(control.settable), control.active)),
     };
-    let system = std::iter::once((Store::System, control.system));
-    let global = control
-        .global_basic
-        .iter()
-        .map(|(index, frame)| (Store::GlobalBasic(*index), *frame));
-    let channel = control
-        .channel_basic
-        .iter()
-        .map(|(index, frame)| (Store::ChannelBasic(*index), *frame));
-    let settable = std::iter::once(settable);
-    for (store, frame) in system.chain(global).chain(channel).chain(settable) {
-        if store == target.store {
-            own = Some(frame);
-        } else if own.is_none() && outside(store, target.store) {
+    let others = in_effect(control).into_iter().chain(settable);
+    for (store, frame) in others.filter(|(store, _)| *store != target.store) {
+        if outside(store, target.store) {
             before.push(frame);
         } else {
             after.push(frame);
         }
     }
     after.push(control.program_frame);
-    (before, own.unwrap_or_default(), after)
+    (before, stored(control, target.store), after)
+}
+
+/// Basic frames in the chain, outermost first.
+fn in_effect(control: &Control) -> Vec<(Store, Frame)> {
+    let basic = &control.basic;
+    let global = basic.global.iter();
+    let global = global
+        .filter(|(index, _)| control.included(GLOBAL_MASK, **index))
+        .map(|(index, frame)| (Store::GlobalBasic(*index), *frame));
+    let channel = basic.channel.iter();
+    let channel = channel
+        .filter(|(index, _)| control.included(CHANNEL_MASK, **index))
+        .map(|(index, frame)| (Store::ChannelBasic(*index), *frame));
+    std::iter::once((Store::System, basic.system))
+        .chain(global)
+        .chain(channel)
+        .collect()
 }
 
 /// Whether one frame lies outside of the other in the chain.

@@ -3,7 +3,7 @@
 use super::Error;
 use crate::catalogue::Dialect;
 use crate::control::{
-    Control, Edge, Frame, Limits, Plane, Tool, Units, Value, delivery, delivery_in,
+    Control, Edge, Environment, Frame, Limits, Plane, Tool, Units, Value, delivery, delivery_in,
 };
 use crate::run::setup::Setup;
 use crate::workpiece::{PartErrors, Probe, Shape, Solid, Workpiece};
@@ -36,6 +36,9 @@ struct SetupFile {
     /// Frames by name: `G54`, `G505`, `COMMON` (NCT), `$P_CHBFR[0]`, `$P_NCBFR[0]`, `$P_SETFR`.
     #[serde(default)]
     frames: BTreeMap<String, FrameFile>,
+    /// Stored tool environments by name, as `TOOLENV("NAME")` makes them.
+    #[serde(default)]
+    environments: BTreeMap<String, EnvironmentFile>,
     /// What differs from delivery in user data, R parameters, machine data, # variables: `_WP[0,1]`, `_CHBIT[4]`, `R10`, `MD18600`, `#500`.
     #[serde(default)]
     data: BTreeMap<String, DatumFile>,
@@ -157,6 +160,23 @@ struct EdgeFile {
     /// Setup offsets by DL number: L1 L2 L3 radius.
     #[serde(default)]
     setup: BTreeMap<i64, [f64; 4]>,
+}
+
+/// A stored tool environment.
+#[derive(Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
+#[serde(deny_unknown_fields)]
+struct EnvironmentFile {
+    /// T number.
+    tool: i64,
+    /// D number.
+    edge: i64,
+    /// DL number, 0 none.
+    #[serde(default)]
+    location: i64,
+    /// Working plane.
+    #[serde(default)]
+    plane: PlaneName,
 }
 
 /// A frame.
@@ -325,6 +345,9 @@ fn setup(file: SetupFile) -> Result<Setup, Error> {
     for (name, frame) in &file.frames {
         place_frame(&mut control, name, frame)?;
     }
+    for (name, stored) in file.environments {
+        control.environments.insert(name, environment(&stored));
+    }
     for (name, datum) in file.data {
         let value = match datum {
             DatumFile::Number(value) => Value::Number(value),
@@ -346,6 +369,15 @@ fn setup(file: SetupFile) -> Result<Setup, Error> {
     };
     super::setup_limits::check(&setup)?;
     Ok(setup)
+}
+
+fn environment(file: &EnvironmentFile) -> Environment {
+    Environment {
+        tool: file.tool,
+        edge: file.edge,
+        location: file.location,
+        plane: plane(file.plane),
+    }
 }
 
 fn activate(control: &mut Control, file: &ActiveFile) -> Result<(), Error> {

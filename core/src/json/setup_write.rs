@@ -35,10 +35,26 @@ pub fn to_json(setup: &Setup) -> Value {
         ("workpiece", solids(&setup.workpiece.solids)),
         ("position", setup.position.into()),
     ]);
+    if !control.environments.is_empty() {
+        put(&mut setup_file, "environments", environments(control));
+    }
     if let Some(machine) = machine(control) {
         put(&mut setup_file, "machine", machine);
     }
     setup_file
+}
+
+/// Stored tool environments by name.
+fn environments(control: &Control) -> Value {
+    object(control.environments.iter().map(|(name, stored)| {
+        let stored = object([
+            ("tool", stored.tool.into()),
+            ("edge", stored.edge.into()),
+            ("location", stored.location.into()),
+            ("plane", plane_name(stored.plane).into()),
+        ]);
+        (name.as_str(), stored)
+    }))
 }
 
 /// What the machine can do, where that differs from the delivery.

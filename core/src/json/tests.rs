@@ -226,6 +226,7 @@ fn inch_machine() -> Value {
         "control": "sinumerik",
         "units": "inch",
         "active": { "tool": 9, "edge": 1 },
+        "environments": { "ROUGH": { "tool": 20, "edge": 1, "plane": "G18" } },
         "tools": { "9": { "edges": { "1": { "type": 710, "length": [50, 0, 0], "radius": 3 } } } },
         "probe": { "radius": 3, "length": 50 },
     })
@@ -247,6 +248,8 @@ fn an_inch_machine_goes_over_the_wire() {
         (again.basic_units, again.unit_function()),
         (setup.control.basic_units, 70)
     );
+    assert_eq!(again.environments, setup.control.environments);
+    assert_eq!(again.environments["ROUGH"].tool, 20);
     for (name, value) in &setup.control.data {
         let read = again.number(name);
         assert!(

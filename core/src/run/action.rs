@@ -5,7 +5,7 @@ use super::motion::{self, Suppress};
 use super::problem::Problem;
 use super::statement::{self, Address, Call, Words};
 use super::trace::Step;
-use super::{Machine, Stop, cycle, frame, gcode, listed, tool};
+use super::{Machine, Stop, cycle, environment, frame, gcode, listed, tool};
 use crate::catalogue::{self, Dialect};
 use crate::diagnostic::Severity;
 
@@ -170,6 +170,8 @@ fn carry_out(run: &mut Interpreter, at: usize, call: &Call) -> Result<Option<Nex
     }
     if name == "MSG" {
         statement::message(run, &call.args);
+    } else if name == environment::NAME {
+        environment::store(run, &call.args, call.span).map_err(|problem| run.fail(problem))?;
     } else if let Some(cycle) = catalogue::find(Dialect::Sinumerik, name) {
         cycle::data(run, cycle, call.span)?;
     } else if let Some(start) = run.subprograms.get(name).copied() {

@@ -4,6 +4,7 @@ pub mod action;
 pub mod call;
 pub mod cycle;
 pub mod datum;
+pub mod environment;
 pub mod expression;
 pub mod flow;
 pub mod frame;

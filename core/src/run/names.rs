@@ -5,14 +5,18 @@ use super::expression::evaluate;
 use super::interpret::Interpreter;
 use super::problem::Problem;
 use crate::catalogue::{CYCLES, Dialect};
+use crate::control::frames::{CHANNEL_MASK, GLOBAL_MASK};
 use crate::control::variables::AXES;
-use crate::control::{Frame, Plane, Units, arrays, gud};
+use crate::control::{Frame, Plane, Units, Value, arrays, gud};
 use crate::diagnostic::Span;
 use crate::program::tree::ExprId;
 use std::collections::BTreeMap;
 
 /// Words that stand for themselves: axes, and the parts of a frame.
 const WORDS: [&str; 11] = ["X", "Y", "Z", "A", "B", "C", "TR", "FI", "RT", "SC", "MI"];
+
+/// Masks of basic frames. They count at once, unlike the frames.
+const MASKS: [&str; 2] = [CHANNEL_MASK, GLOBAL_MASK];
 
 /// Name with its index, as data are kept: `_WP[0,1]`, `R10`, `#500`, `$P_UIFR[1,X,TR]`.
 pub fn key(run: &Interpreter, place: Span, index: &[ExprId]) -> Result<String, Problem> {
@@ -123,7 +127,7 @@ fn write_one(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Re
     if run.arrays.contains_key(stem(key)) {
         return Err(Problem::new("run-index", place, key));
     }
-    if key.starts_with('$') {
+    if key.starts_with('$') && !MASKS.contains(&key) {
         return write_variable(run, key, value, place);
     }
     let before = read(run, key, place)?.number().unwrap_or(0.0);
@@ -198,7 +202,7 @@ fn system(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem> {
     if let Some(value) = control.variable(key) {
         return Ok(Datum::Number(value / variable_factor(run, key)));
     }
-    if let Some(frame) = frame(run, key) {
+    if let Some(frame) = control.frame(key) {
         return Ok(Datum::Frame(Box::new(frame)));
     }
     if let Some(value) = run.measured.get(key) {
@@ -218,6 +222,7 @@ fn system(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem> {
         "$AC_MEA" => Some(0.0),
         "$P_F" => Some(run.modal.feed),
         "$P_GG" => group(run, key),
+        _ if MASKS.contains(&key) => Some(mask(run, key)),
         "$AA_IW" | "$P_EP" => {
             axis(control.to_workpiece(run.sim.position)).map(|value| value / factor)
         }
@@ -236,6 +241,21 @@ fn system(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem> {
 fn machine(run: &Interpreter) -> [f64; 3] {
     let length = run.sim.control.active_length();
     std::array::from_fn(|i| run.sim.position[i] + length[i])
+}
+
+/// Bits of the basic frames in the chain; where the mask was never set, of all that exist.
+fn mask(run: &Interpreter, key: &str) -> f64 {
+    let control = &run.sim.control;
+    let frames = if key == CHANNEL_MASK {
+        &control.channel_basic
+    } else {
+        &control.global_basic
+    };
+    let all: f64 = frames.keys().map(|index| 2.0_f64.powi(*index as i32)).sum();
+    match control.data.get(key) {
+        Some(Value::Number(bits)) => *bits,
+        _ => all,
+    }
 }
 
 /// Active G function of a group: 6 plane (G17 is 1), 13 units (G70, G71, G700, G710), 14 absolute or incremental.
@@ -264,45 +284,16 @@ fn group(run: &Interpreter, key: &str) -> Option<f64> {
     })
 }
 
-fn frame(run: &Interpreter, key: &str) -> Option<Frame> {
-    let control = &run.sim.control;
-    let number = indices(key).first().and_then(|i| i.parse::<usize>().ok());
-    Some(match (stem(key), number) {
-        ("$P_UIFR", Some(n @ 0..=99)) => control.frames.get(&n).copied().unwrap_or_default(),
-        ("$P_CHBFR", Some(n @ 0..=15)) => {
-            control.channel_basic.get(&n).copied().unwrap_or_default()
-        }
-        ("$P_NCBFR", Some(n @ 0..=15)) => control.global_basic.get(&n).copied().unwrap_or_default(),
-        ("$P_SETFR" | "$P_SETFRAME", None) => control.system,
-        ("$P_IFRAME", None) => control.active,
-        ("$P_PFRAME", None) => control.program_frame,
-        _ => return None,
-    })
-}
-
 fn write_frame(
     run: &mut Interpreter,
     key: &str,
     frame: &Frame,
     place: Span,
 ) -> Result<(), Problem> {
-    if self::frame(run, key).is_none() {
-        return Err(Problem::new("run-read-only", place, key));
-    }
     let before: BTreeMap<String, f64> = run.frame_values().into_iter().collect();
     run.work += before.len() / 10;
-    let number = indices(key)
-        .first()
-        .and_then(|i| i.parse::<usize>().ok())
-        .unwrap_or(0);
-    let control = &mut run.sim.control;
-    match stem(key) {
-        "$P_UIFR" => *control.frames.entry(number).or_default() = *frame,
-        "$P_CHBFR" => *control.channel_basic.entry(number).or_default() = *frame,
-        "$P_NCBFR" => *control.global_basic.entry(number).or_default() = *frame,
-        "$P_IFRAME" => control.active = *frame,
-        "$P_PFRAME" => control.program_frame = *frame,
-        _ => control.system = *frame,
+    if !run.sim.control.set_frame(key, *frame) {
+        return Err(Problem::new("run-read-only", place, key));
     }
     for (name, after) in run.frame_values() {
         let old = before.get(&name).copied().unwrap_or(0.0);

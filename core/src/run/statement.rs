@@ -7,7 +7,7 @@ use super::interpret::{Interpreter, Next};
 use super::motion::Path;
 use super::problem::Problem;
 use super::trace::Step;
-use super::{Stop, action, names};
+use super::{Stop, action, environment, names};
 use crate::control::{Value, arrays};
 use crate::diagnostic::{Severity, Span};
 use crate::program::tree::{Expr, ExprId, Word, WordKind};
@@ -148,7 +148,10 @@ fn word_of(
             name, index, value, ..
         } => {
             let key = names::key(run, *name, index)?;
-            let value = evaluate(run, *value)?;
+            let value = match environment::assigned(run, *value)? {
+                Some(status) => status,
+                None => evaluate(run, *value)?,
+            };
             assign(run, &key, value, word.span, found)?;
         }
         WordKind::Declare { name, index, value } => declare(run, *name, index, *value, found.text)?,

@@ -1,0 +1,30 @@
+//! Stored tool environments: `TOOLENV("NAME")` keeps what a later correction with `_TENV` needs (B:2062-2102).
+
+use super::{Control, Plane};
+
+/// What was in effect when an environment was stored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Environment {
+    /// T number.
+    pub tool: i64,
+    /// D number, 0 none.
+    pub edge: i64,
+    /// DL number, 0 none.
+    pub location: i64,
+    /// Working plane: it decides which length works in which axis.
+    pub plane: Plane,
+}
+
+impl Control {
+    /// Stores what is in effect now under this name; an environment of that name is replaced. The control has no
+    /// active DL number, so that none is stored.
+    pub fn store_environment(&mut self, name: &str) {
+        let environment = Environment {
+            tool: self.tool,
+            edge: self.edge,
+            location: 0,
+            plane: self.plane,
+        };
+        self.environments.insert(name.to_owned(), environment);
+    }
+}
