@@ -9,6 +9,7 @@ pub const ENGLISH: &[(&str, &str)] = &[
     ("alarms.ftl", include_str!("../messages/en/alarms.ftl")),
     ("changes.ftl", include_str!("../messages/en/changes.ftl")),
     ("check.ftl", include_str!("../messages/en/check.ftl")),
+    ("cycle976.ftl", include_str!("../messages/en/cycle976.ftl")),
     ("cycle977.ftl", include_str!("../messages/en/cycle977.ftl")),
     ("cycle978.ftl", include_str!("../messages/en/cycle978.ftl")),
     ("evaluate.ftl", include_str!("../messages/en/evaluate.ftl")),

@@ -48,6 +48,12 @@ param-ma-help = Axis in which the probe measures.
 ma-abscissa = 1: abscissa (G17: X)
 ma-ordinate = 2: ordinate (G17: Y)
 ma-applicate = 3: applicate (G17: Z)
+param-md = Measuring direction
+param-md-help = Direction in which the probe travels towards the surface.
+md-plus = 0: plus
+md-minus = 1: minus
+param-sta1 = Starting angle
+param-sta1-help = Angle of the first point to the abscissa, counter-clockwise.
 
 param-knum = Correction target
 param-knum-help = What the result corrects; 0 corrects nothing.

@@ -165,6 +165,25 @@ pub const MA: Param = Param {
     source: "B:15646",
     ..PARAM
 };
+/// `_MD`.
+pub const MD: Param = Param {
+    name: names::MD,
+    key: "md",
+    kind: Kind::Choice(&[(0, "md-plus"), (1, "md-minus")]),
+    range: Range::closed(0.0, 1.0),
+    alarm: Some(Code::Alarm(61326)),
+    source: "B:1854;A:15867",
+    ..PARAM
+};
+/// `_STA1`.
+pub const STA1: Param = Param {
+    name: names::STA1,
+    key: "sta1",
+    unit: Unit::Degree,
+    usual: Range::closed(-360.0, 360.0),
+    source: "B:15607",
+    ..PARAM
+};
 /// `_KNUM` (B:1894-2029).
 pub const KNUM: Param = Param {
     name: names::KNUM,
@@ -367,6 +386,22 @@ pub const fn length(
         key,
         when,
         unit: Unit::ActiveLength,
+        source,
+    }
+}
+
+/// An angle in `_OVR[]`.
+pub const fn angle(
+    name: &'static str,
+    key: &'static str,
+    when: When,
+    source: &'static str,
+) -> ResultField {
+    ResultField {
+        name,
+        key,
+        when,
+        unit: Unit::Degree,
         source,
     }
 }

@@ -2,6 +2,7 @@
 //! A new cycle is one file and two lines here: `mod` and the place in [`CYCLES`].
 
 pub mod common;
+pub mod cycle976;
 pub mod cycle977;
 pub mod cycle978;
 mod entry;
@@ -19,6 +20,7 @@ pub use list::{Arg, ArgumentList, Style};
 
 /// Every cycle that Probewright knows, in the order in which they are offered.
 pub static CYCLES: &[&Cycle] = &[
+    &cycle976::CYCLE976,
     &cycle977::CYCLE977,
     &cycle978::CYCLE978,
     &g101::G101,
@@ -33,6 +35,8 @@ pub fn find(dialect: Dialect, name: &str) -> Option<&'static Cycle> {
         .find(|cycle| cycle.dialect == dialect && cycle.name.eq_ignore_ascii_case(name))
 }
 
+#[cfg(test)]
+mod picture_tests;
 #[cfg(test)]
 mod table_tests;
 #[cfg(test)]

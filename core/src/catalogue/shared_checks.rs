@@ -153,6 +153,37 @@ pub fn reach(inputs: &Inputs, share: f64, found: &mut Vec<Diagnostic>) {
     }
 }
 
+/// Whether the ball fits between the walls of a hole, groove or pocket of this size, mm; says so where it does not.
+pub fn fits(name: &'static str, size: f64, ball: f64, found: &mut Vec<Diagnostic>) -> bool {
+    let room = size > 2.0 * ball;
+    if !room {
+        let message = Message::new("check-ball")
+            .text("param", name)
+            .number("ball", 2.0 * ball);
+        let hint = Message::new("check-ball-hint");
+        found.push(error(Code::Own(30), message).hint(hint).at(name));
+    }
+    room
+}
+
+/// Between two walls the start of the measuring block must not lie in the opposite wall (B:13743-13763).
+pub fn across(
+    inputs: &Inputs,
+    name: &'static str,
+    size: f64,
+    ball: f64,
+    found: &mut Vec<Diagnostic>,
+) {
+    let free = size - 2.0 * ball;
+    if inputs.given(names::FA).is_some_and(|path| path >= free) {
+        let message = Message::new("check-path-long")
+            .text("param", name)
+            .number("free", free);
+        let hint = Message::new("check-path-long-hint").number("free", free);
+        found.push(error(Code::Alarm(61302), message).hint(hint).at(names::FA));
+    }
+}
+
 /// An infeed that does not lead down to the measuring height (B:5833: minus is down).
 pub fn infeed(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     if inputs.given(names::ID).is_some_and(|infeed| infeed >= 0.0) {

@@ -11,7 +11,7 @@ mod units;
 pub use finding::{Finding, error, note, warning};
 pub use number::{Parsed, parse};
 pub use targets::{Target, target};
-pub use typed::{Checked, check, read};
+pub use typed::{Checked, OUT_OF_RANGE, check, read};
 pub use units::{delivered_factor, factor, unit_name};
 
 use crate::catalogue::Cycle;

@@ -59,6 +59,25 @@ pub fn round([x, y]: [f64; 2], radius: f64) -> Vec<[f64; 2]> {
     (0..CORNERS).map(corner).collect()
 }
 
+/// Points of an arc, from one angle to the other, degree.
+pub fn arc([x, y]: [f64; 2], radius: f64, from: f64, to: f64) -> Vec<[f64; 2]> {
+    let point = |index: u32| {
+        let share = f64::from(index) / f64::from(CORNERS);
+        let (sin, cos) = (from + (to - from) * share).to_radians().sin_cos();
+        [x + radius * cos, y + radius * sin]
+    };
+    (0..=CORNERS).map(point).collect()
+}
+
+/// Head of an arrow that ends at `tip`, coming from `from`.
+pub fn arrow(kind: ShapeKind, from: [f64; 2], tip: [f64; 2], size: f64) -> PictureShape {
+    let (dx, dy) = (tip[0] - from[0], tip[1] - from[1]);
+    let length = dx.hypot(dy).max(f64::MIN_POSITIVE);
+    let (x, y) = (dx / length * size, dy / length * size);
+    let side = |sign: f64| [tip[0] - x - sign * y * 0.4, tip[1] - y + sign * x * 0.4];
+    line(kind, vec![side(1.0), tip, side(-1.0)])
+}
+
 /// One outline around another, as a single polygon that every fill rule fills alike.
 pub fn frame(mut outer: Vec<[f64; 2]>, mut inner: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     if let (Some(first), Some(opening)) = (outer.first().copied(), inner.first().copied()) {

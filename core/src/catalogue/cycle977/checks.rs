@@ -56,30 +56,13 @@ fn sizes(inputs: &Inputs) -> Vec<Size> {
 /// Whether ball, measuring path and protection zone find room (B:5801-5809, B:5943-5951).
 fn room(inputs: &Inputs, size: &Size, ball: f64, found: &mut Vec<Diagnostic>) {
     let outside = OUTSIDE.holds(inputs);
-    if !outside && size.size <= 2.0 * ball {
-        let message = Message::new("check-ball")
-            .text("param", size.name)
-            .number("ball", 2.0 * ball);
-        let hint = Message::new("check-ball-hint");
-        found.push(error(Code::Own(30), message).hint(hint).at(size.name));
+    if !outside && !shared_checks::fits(size.name, size.size, ball, found) {
         return;
     }
     match size.zone {
         Some((name, zone)) => beside_zone(inputs, (name, zone), size.size, ball, outside, found),
-        None if !outside => across(inputs, size, ball, found),
+        None if !outside => shared_checks::across(inputs, size.name, size.size, ball, found),
         None => {}
-    }
-}
-
-/// Inside and without a zone the start of the measuring block must not lie in the opposite wall.
-fn across(inputs: &Inputs, size: &Size, ball: f64, found: &mut Vec<Diagnostic>) {
-    let free = size.size - 2.0 * ball;
-    if inputs.given(names::FA).is_some_and(|path| path >= free) {
-        let message = Message::new("check-path-long")
-            .text("param", size.name)
-            .number("free", free);
-        let hint = Message::new("check-path-long-hint").number("free", free);
-        found.push(error(Code::Alarm(61302), message).hint(hint).at(names::FA));
     }
 }
 

@@ -59,7 +59,11 @@ fn refused(cycle: &'static Cycle, variant: i64, values: &[(&str, &str)]) -> Vec<
 }
 
 /// Variants, parameters and results of each SINUMERIK cycle, by name.
-const COUNTS: &[(&str, usize, usize, usize)] = &[("CYCLE977", 24, 26, 44), ("CYCLE978", 4, 21, 30)];
+const COUNTS: &[(&str, usize, usize, usize)] = &[
+    ("CYCLE976", 28, 12, 26),
+    ("CYCLE977", 24, 26, 44),
+    ("CYCLE978", 4, 21, 30),
+];
 
 #[test]
 fn counts() {

@@ -1,0 +1,120 @@
+//! What several values of CYCLE976 say together.
+
+use super::params::{HOLE, LENGTH, SKEW, SURFACE, UNKNOWN};
+use crate::catalogue::{Unit, names, place, shared_checks};
+use crate::check::{Finding, Inputs, error, factor, note, warning};
+use crate::control::Control;
+use crate::diagnostic::{Code, Diagnostic};
+use crate::message::Message;
+
+/// All of them.
+pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
+    shared_checks::probe(inputs, control, found);
+    band(inputs, found);
+    let ball = ball_radius(inputs, control);
+    first(inputs, control, ball, found);
+    if HOLE.holds(inputs) {
+        hole(inputs, control, ball, found);
+    }
+    if UNKNOWN.holds(inputs) {
+        reversal(inputs, control, found);
+    }
+    upwards(inputs, found);
+}
+
+/// Ball radius that this cycle positions with: that of the active tool (B:5437-5441), not the stored one, which it may
+/// be about to find.
+fn ball_radius(inputs: &Inputs, control: &Control) -> f64 {
+    let active = control.active_edge().map_or(0.0, |edge| edge.radius);
+    if active > 0.0 {
+        active
+    } else {
+        place::ball_radius(inputs, control)
+    }
+}
+
+/// A new value is stored between `_TZL` and `_TSA` (B:5134).
+fn band(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
+    let given = |name| inputs.given(name);
+    if let (Some(low), Some(high)) = (given(names::TZL), given(names::TSA))
+        && low >= high
+    {
+        let message = Message::new("check-calibration-band");
+        found.push(
+            error(Code::Own(40), message)
+                .hint(Message::new("check-calibration-band-hint"))
+                .at(names::TZL),
+        );
+    }
+}
+
+/// While the data of the probe are 0, `_TSA` has to be larger than the ball radius (B:5148). With `_CBIT[14]` = 1 the
+/// trigger value of the applicate is 0 itself (B:5591).
+fn first(inputs: &Inputs, control: &Control, ball: f64, found: &mut Vec<Diagnostic>) {
+    let applicate = inputs.integer(names::MA) == 3 && !HOLE.holds(inputs);
+    if applicate && control.bit("_CBIT[14]") {
+        return;
+    }
+    let index = inputs.integer(names::PRNUM) % 100 - 1;
+    let never = (1..=6).all(|field| control.number(&format!("_WP[{index},{field}]")) == 0.0);
+    if never && inputs.given(names::TSA).is_some_and(|area| area <= ball) {
+        let message = Message::new("check-first-calibration").number("ball", ball);
+        let hint = Message::new("check-first-calibration-hint").number("ball", ball);
+        found.push(error(Code::Alarm(61303), message).hint(hint).at(names::TSA));
+    }
+}
+
+/// The ball has to fit and to have its way (B:5120-5150).
+fn hole(inputs: &Inputs, control: &Control, ball: f64, found: &mut Vec<Diagnostic>) {
+    let Some(size) = inputs.given(names::SETVAL) else {
+        return;
+    };
+    if size <= 0.0 {
+        let shown = size / factor(Unit::ActiveLength, control);
+        let message = Message::new("check-range")
+            .text("param", names::SETVAL)
+            .number("value", shown);
+        found.push(
+            error(crate::check::OUT_OF_RANGE, message)
+                .hint(Message::new("check-positive-hint"))
+                .at(names::SETVAL),
+        );
+    } else if shared_checks::fits(names::SETVAL, size, ball, found) {
+        shared_checks::across(inputs, names::SETVAL, size, ball, found);
+    }
+}
+
+/// Two runs, between which the spindle turns (B:5241, B:5328-5334); the skew is found in any case (B:5232).
+fn reversal(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
+    if !control.spindle_positions {
+        let message = Message::new("check-reversal-spindle");
+        found.push(
+            error(Code::Alarm(61372), message)
+                .hint(Message::new("check-reversal-spindle-hint"))
+                .at(names::MVAR),
+        );
+    }
+    if !SKEW.holds(inputs) {
+        let message = Message::new("check-skew-lost");
+        found.push(
+            note(Code::Own(41), message)
+                .hint(Message::new("check-skew-lost-hint"))
+                .at(names::MVAR),
+        );
+    }
+}
+
+/// In the applicate a probe in the spindle touches in minus direction only; the manual names no field for the other one
+/// but `_WP[k,6]` (B:5352).
+fn upwards(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
+    let applicate = LENGTH.holds(inputs) || SURFACE.holds(inputs);
+    let axis = inputs.given(names::MA) == Some(3.0);
+    if applicate && axis && inputs.given(names::MD) == Some(0.0) {
+        let message = Message::new("check-applicate-plus");
+        found.push(
+            warning(Code::Own(42), message)
+                .hint(Message::new("check-applicate-plus-hint"))
+                .at(names::MD),
+        );
+    }
+}

@@ -1,0 +1,112 @@
+//! The pictures of all cycles: each variant has its own, and it shows what the form asks for.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use super::*;
+use crate::check::{Typed, check, read};
+use crate::control::delivery;
+use crate::form::draw;
+use crate::form::picture::Picture;
+
+/// The worked example in this variant, with every other value that it asks for.
+fn typed(cycle: &'static Cycle, variant: &Variant, number: &str) -> Typed {
+    let control = delivery(cycle.dialect);
+    let of_example = cycle.example.iter();
+    let mut typed: Typed = of_example
+        .map(|(name, value)| ((*name).to_owned(), (*value).to_owned()))
+        .collect();
+    typed.insert(names::MVAR.to_owned(), variant.number.to_string());
+    let inputs = read(cycle, &typed, &control, &mut Vec::new());
+    for param in cycle
+        .params
+        .iter()
+        .filter(|param| param.need(&inputs).is_some())
+    {
+        let value = match param.kind.choices(&inputs) {
+            Some([(first, _), ..]) => first.to_string(),
+            _ => number.to_owned(),
+        };
+        typed.entry(param.name.to_owned()).or_insert(value);
+    }
+    typed
+}
+
+fn sinumerik() -> impl Iterator<Item = &'static Cycle> {
+    let all = CYCLES.iter().copied();
+    all.filter(|cycle| cycle.dialect == Dialect::Sinumerik)
+}
+
+/// Whether a picture can show the parameter: places, sizes, angles, directions; not areas of a deviation.
+fn geometric(param: &Param) -> bool {
+    let shown = matches!(
+        param.unit,
+        Unit::ActiveLength | Unit::Millimetre | Unit::Degree
+    );
+    let direction = [names::MA, names::MD].contains(&param.name);
+    (shown || direction) && param.name != names::CORA
+}
+
+#[test]
+fn pictures_show_what_the_form_asks_for() {
+    // oracle: self (the parameters that the entry needs)
+    for cycle in sinumerik() {
+        for variant in cycle.variants {
+            let control = delivery(cycle.dialect);
+            let typed = typed(cycle, variant, "7");
+            let inputs = read(cycle, &typed, &control, &mut Vec::new());
+            let picture = draw(cycle, &typed, &control);
+            let needed = cycle.params.iter().filter(|param| geometric(param));
+            for param in needed.filter(|param| param.need(&inputs).is_some()) {
+                let shown = picture
+                    .shapes
+                    .iter()
+                    .any(|shape| shape.field == Some(param.name));
+                assert!(shown, "{} {} {}", cycle.name, variant.number, param.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn each_variant_has_its_own_picture() {
+    // oracle: self
+    for cycle in sinumerik() {
+        let control = delivery(cycle.dialect);
+        let pictures: Vec<(i64, Picture)> = cycle
+            .variants
+            .iter()
+            .map(|one| (one.number, draw(cycle, &typed(cycle, one, "7"), &control)))
+            .collect();
+        for (index, (number, picture)) in pictures.iter().enumerate() {
+            let same = pictures[..index].iter().find(|(_, other)| other == picture);
+            assert!(
+                same.is_none(),
+                "{} {number} = {:?}",
+                cycle.name,
+                same.unwrap().0
+            );
+        }
+    }
+}
+
+#[test]
+fn pictures_stay_on_the_paper() {
+    // oracle: self: the largest number that the check lets through is 1e9
+    for cycle in sinumerik() {
+        let control = delivery(cycle.dialect);
+        for variant in cycle.variants {
+            for number in ["0", "-1", "1e-9", "1e9", "-1e9", "x"] {
+                let mut values = typed(cycle, variant, number);
+                for param in cycle.params.iter().filter(|param| geometric(param)) {
+                    values.insert(param.name.to_owned(), number.to_owned());
+                }
+                check(cycle, &values, &control);
+                let shapes = draw(cycle, &values, &control).shapes;
+                let points = shapes.iter().flat_map(|shape| &shape.points);
+                let centres = shapes.iter().filter_map(|shape| shape.circle.as_ref());
+                let mut all = points.chain(centres.map(|(centre, _)| centre)).flatten();
+                let good = all.all(|value| value.is_finite() && value.abs() < 1e11);
+                assert!(good, "{} {} {number}", cycle.name, variant.number);
+            }
+        }
+    }
+}
