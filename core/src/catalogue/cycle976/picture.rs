@@ -95,7 +95,7 @@ fn part(hole: &Hole) -> Vec<PictureShape> {
     let radius = hole.size / 2.0;
     let outline = round([0.0; 2], radius);
     let block = corners([0.0; 2], [hole.size * 1.3; 2]);
-    let low = -hole.size * 0.25;
+    let low = -hole.size * 0.3;
     vec![
         polygon(ShapeKind::Material, frame(block, outline.clone())),
         polygon(ShapeKind::Edge, outline).of(names::SETVAL),
@@ -167,7 +167,7 @@ fn start(hole: &Hole, inputs: &Inputs, shapes: &mut Vec<PictureShape>) {
         shapes.push(circle(ShapeKind::Probe, [0.0; 2], hole.ball).of(names::PRNUM));
         return;
     }
-    let at = [-hole.size * 0.11, -hole.size * 0.08];
+    let at = [-hole.size * 0.13, hole.size * 0.1];
     shapes.push(line(ShapeKind::Touch, vec![[0.0; 2]]).of(names::MVAR));
     shapes.push(line(ShapeKind::Path, vec![at, [0.0; 2]]).of(names::FA));
     shapes.push(circle(ShapeKind::Probe, at, hole.ball).of(names::PRNUM));
@@ -176,7 +176,7 @@ fn start(hole: &Hole, inputs: &Inputs, shapes: &mut Vec<PictureShape>) {
         shapes.push(arrow(ShapeKind::Axis, from, tip, hole.ball).of(names::MVAR));
     }
     shapes.push(line(ShapeKind::Axis, turned).of(names::MVAR));
-    let label = line(ShapeKind::Label, vec![[at[0], at[1] - hole.size * 0.12]]);
+    let label = line(ShapeKind::Label, vec![[at[0], at[1] + hole.size * 0.1]]);
     shapes.push(label.text("180° / 0°").of(names::MVAR));
 }
 
@@ -216,7 +216,7 @@ const ZERO: f64 = -44.0;
 
 /// The face at 0, touched along the first drawing axis, then turned into the measuring axis and direction.
 fn surface(inputs: &Inputs, applicate: bool) -> Vec<PictureShape> {
-    let path = positive(inputs, names::FA, 2.0).clamp(8.0, 24.0);
+    let path = positive(inputs, names::FA, 2.0).clamp(10.0, 24.0);
     let start = -RADIUS - path;
     let mut shapes = vec![
         polygon(
@@ -247,25 +247,28 @@ fn surface(inputs: &Inputs, applicate: bool) -> Vec<PictureShape> {
     }
     let backwards = inputs.given(names::MD).unwrap_or(1.0) == 1.0;
     let upright = applicate || inputs.integer(names::MA) == 2;
+    shapes.push(set_position(inputs, upright));
     for shape in &mut shapes {
         turn(shape, backwards, upright);
     }
+    shapes
+}
+
+/// The set position as a text: in the material, or above it where that is narrow.
+fn set_position(inputs: &Inputs, upright: bool) -> PictureShape {
     let text = inputs
         .given(names::SETVAL)
         .map_or(names::SETVAL.to_string(), |set| {
             format!("{} = {set}", names::SETVAL)
         });
     let at = if upright {
-        [-FACE * 0.62, 2.5]
+        [BEHIND * 0.4, FACE * 0.45]
     } else {
         [0.0, FACE * 1.2]
     };
-    shapes.push(
-        line(ShapeKind::Label, vec![at])
-            .text(text)
-            .of(names::SETVAL),
-    );
-    shapes
+    line(ShapeKind::Label, vec![at])
+        .text(text)
+        .of(names::SETVAL)
 }
 
 /// Stylus and spindle above the ball, with the length that is determined: to the ball's centre, or with `_CBIT[14]` to
