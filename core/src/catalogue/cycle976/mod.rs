@@ -1,6 +1,7 @@
 //! CYCLE976: calibrate a workpiece probe in a hole or on a surface (B:5029-5593).
 
 mod checks;
+mod lists;
 pub mod params;
 mod picture;
 mod results;
@@ -21,6 +22,7 @@ pub static CYCLE976: Cycle = Cycle {
     key: "cycle976",
     variants: VARIANTS,
     params: params::PARAMS,
+    lists: lists::LISTS,
     // B:5579-5583, B:13656
     settings: &["_CBIT[14]", "_CBIT[15]"],
     results: RESULTS,
