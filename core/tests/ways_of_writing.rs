@@ -6,6 +6,7 @@ use probewright_core::check::Typed;
 use probewright_core::control::{Plane, delivery};
 use probewright_core::program::calls::{CallSite, calls};
 use probewright_core::program::change::{apply, change};
+use probewright_core::program::convert::convert;
 use probewright_core::program::read;
 use probewright_core::program::write::{Written, snippet};
 use probewright_core::run::setup::Setup;
@@ -141,6 +142,44 @@ fn every_way_of_writing_does_the_same() {
     }
 }
 
+fn converted(text: &str, index: usize, style: Style) -> (String, Vec<String>) {
+    let program = read(Dialect::Sinumerik, text.as_bytes());
+    let done = convert(&program, index, style);
+    let after = apply(text.as_bytes(), &done.edits);
+    let keys = done
+        .findings
+        .iter()
+        .map(|found| found.message.key.to_string());
+    (String::from_utf8(after).unwrap(), keys.collect())
+}
+
+// oracle: hand
+#[test]
+fn a_call_is_converted_in_place() {
+    let text = "N10 G17 ; start\r\nN20 _MVAR=0 _SETVAL=100 _MA=1\r\n_KNUM=0 _FA=3 G0 X5 ; go\r\nN40 CYCLE978 ; measure\r\nN50 M30\r\n";
+    let (indirect, findings) = converted(text, 0, Style::Indirect);
+    assert_eq!(
+        indirect,
+        "N10 G17 ; start\r\nG0 X5 ; go\r\nCYCLE_PARA(3)\r\nN40 CYCLE_978(0,100,1,,,0) ; measure\r\nN50 M30\r\n"
+    );
+    assert!(findings.is_empty());
+    let (again, _) = converted(&indirect, 0, Style::Direct);
+    let found = sites(&again);
+    assert_eq!(found[0].list.map(|list| list.name), None);
+    assert_eq!(found[0].values["_FA"], "3");
+    assert_eq!(found[0].values["_SETVAL"], "100");
+    let same = converted(text, 0, Style::Direct);
+    assert_eq!(same, (text.to_owned(), vec!["convert-same".to_owned()]));
+}
+
+// oracle: hand
+#[test]
+fn a_call_that_relies_on_the_converted_one_is_told() {
+    let text = "_MVAR=0 _SETVAL=100 _MA=1 _KNUM=0\nCYCLE978\n_SETVAL=50\nCYCLE978\n";
+    assert_eq!(converted(text, 0, Style::Indirect).1, Vec::<String>::new());
+    assert_eq!(converted(text, 0, Style::Operate).1, ["convert-others"]);
+}
+
 /// Random values for the parameters of a cycle, whole numbers where they are codes.
 fn values() -> impl Strategy<Value = (usize, Typed)> {
     let numbers =
@@ -199,6 +238,20 @@ proptest! {
                 };
                 let read = site.values.get(param.name).map(String::as_str);
                 prop_assert_eq!(read, Some(value.as_str()), "{} in {}", param.name, &text);
+            }
+            for other in [Style::Direct, Style::Indirect].into_iter().filter(|other| *other != style) {
+                if cycle.dialect == Dialect::Nct || style == Style::Operate {
+                    continue;
+                }
+                let (after, _) = converted(&text, 0, other);
+                let again = sites(&after);
+                prop_assert_eq!(again.len(), 1, "{}", &after);
+                for param in cycle.params.iter().filter(|param| param.need(&inputs).is_some()) {
+                    if let Some(before) = site.values.get(param.name).filter(|value| !value.is_empty()) {
+                        let after_value = again[0].values.get(param.name);
+                        prop_assert_eq!(after_value, Some(before), "{} of\n{}\n{}", param.name, &text, &after);
+                    }
+                }
             }
             for param in cycle.params.iter().filter(|param| matches!(param.kind, Kind::Real)) {
                 if !says(cycle, site, style, param.name) {

@@ -7,3 +7,7 @@ write-zero = { $name }={ $value } stands as an assignment of its own: a 0 in CYC
 write-beside = { $name }={ $value } stands as an assignment of its own: the call has no argument for it.
 write-lost = { $name } is left out: the list of newer controls has no argument for it.
 write-lost-hint = Write the call as assignments if the value matters, or set the datum at the control.
+
+convert-same = The call is written like that already.
+convert-others = { $cycle } in line { $line } relies on values of this call and would get others.
+convert-others-hint = Convert that call as well, or write its values before it.

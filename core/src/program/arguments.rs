@@ -49,7 +49,7 @@ fn trimmed(text: &[u8], span: Span, start: usize, end: usize) -> Span {
 }
 
 /// The word around a place.
-fn word_at(program: &Program, place: Span) -> Option<&Word> {
+pub(super) fn word_at(program: &Program, place: Span) -> Option<&Word> {
     let behind = program
         .words
         .partition_point(|word| word.span.start <= place.start);

@@ -266,7 +266,7 @@ fn number_between(program: &Program, line: u32, block: &Block) -> Option<u64> {
 }
 
 /// How this line, else the one before it, ends.
-fn line_end(program: &Program, line: u32) -> &'static str {
+pub(super) fn line_end(program: &Program, line: u32) -> &'static str {
     let ends = |line: usize| {
         let end = program.blocks.get(line)?.span.end as usize;
         let rest = program.source.get(end..)?;

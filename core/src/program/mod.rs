@@ -5,6 +5,7 @@ mod block;
 mod bytes;
 pub mod calls;
 pub mod change;
+pub mod convert;
 mod expression;
 mod findings;
 mod fold;
