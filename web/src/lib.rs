@@ -48,6 +48,15 @@ pub fn change(request: &str) -> Result<String, JsError> {
     Ok(json::change(request)?.to_string())
 }
 
+/// `ConvertRequest` → `Converted`.
+///
+/// # Errors
+/// A request of the wrong shape.
+#[wasm_bindgen]
+pub fn convert(request: &str) -> Result<String, JsError> {
+    Ok(json::convert(request)?.to_string())
+}
+
 /// `RunRequest` → `RunView`.
 ///
 /// # Errors

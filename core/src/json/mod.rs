@@ -14,7 +14,7 @@ mod trace;
 
 pub use catalogue::{catalogue, cycles};
 pub use form::form;
-pub use program::{calls, change, read, run, run_outcome};
+pub use program::{calls, change, convert, read, run, run_outcome};
 pub use setup::from_json as setup_from_json;
 #[cfg(feature = "cli")]
 pub use setup::schema as setup_schema;

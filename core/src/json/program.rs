@@ -8,7 +8,7 @@ use crate::check;
 use crate::control::{Control, delivery};
 use crate::diagnostic::Diagnostic;
 use crate::program::calls::{CallSite, calls as find_calls, calls_on};
-use crate::program::change::change as edits;
+use crate::program::change::{Edit, change as edits};
 use crate::program::position::Positions;
 use crate::program::{self, tree::Program};
 use crate::run::outcome::Outcome;
@@ -34,6 +34,14 @@ struct ChangeRequest {
     call: usize,
     name: String,
     value: String,
+}
+
+#[derive(Deserialize)]
+struct ConvertRequest {
+    control: String,
+    text: String,
+    call: usize,
+    style: String,
 }
 
 #[derive(Deserialize)]
@@ -136,16 +144,32 @@ pub fn change(request: &str) -> Result<Value, Error> {
         name: request.call.to_string(),
     })?;
     let positions = Positions::new(&program.source);
-    Ok(edits(&program, site, &request.name, &request.value)
+    let edits = edits(&program, site, &request.name, &request.value);
+    Ok(edits
         .iter()
-        .map(|edit| {
-            object([
-                ("from", positions.utf16(edit.span.start).into()),
-                ("to", positions.utf16(edit.span.end).into()),
-                ("insert", edit.insert.as_str().into()),
-            ])
-        })
+        .map(|edit| placed_edit(edit, &positions))
         .collect())
+}
+
+fn placed_edit(edit: &Edit, positions: &Positions) -> Value {
+    object([
+        ("from", positions.utf16(edit.span.start).into()),
+        ("to", positions.utf16(edit.span.end).into()),
+        ("insert", edit.insert.as_str().into()),
+    ])
+}
+
+/// Answers a `ConvertRequest`: edits that write the call in another way, and what has to be said about it.
+pub fn convert(request: &str) -> Result<Value, Error> {
+    let request: ConvertRequest = super::request(request)?;
+    let program = program::read(dialect(&request.control)?, request.text.as_bytes());
+    let done = program::convert::convert(&program, request.call, super::style(&request.style)?);
+    let positions = Positions::new(&program.source);
+    let edits = done.edits.iter().map(|edit| placed_edit(edit, &positions));
+    Ok(object([
+        ("edits", edits.collect()),
+        ("findings", findings(&done.findings, &positions).into()),
+    ]))
 }
 
 /// Answers a `RunRequest` with a `RunView`.

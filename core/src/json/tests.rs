@@ -289,3 +289,23 @@ fn a_call_says_in_which_units_and_plane_it_stands() {
             .contains("G20")
     );
 }
+
+// oracle: hand
+#[test]
+fn a_call_is_converted_with_places_of_the_page() {
+    let text = "; Ø\n_MVAR=0 _SETVAL=5 _MA=1 _KNUM=0\nCYCLE978\n";
+    let request = json!({ "control": "sinumerik", "text": text, "call": 0, "style": "indirect" });
+    let answer = convert(&request.to_string()).unwrap();
+    let mut now: Vec<u16> = text.encode_utf16().collect();
+    for edit in answer["edits"].as_array().unwrap().iter().rev() {
+        let place = |name: &str| edit[name].as_u64().unwrap() as usize;
+        let insert = edit["insert"].as_str().unwrap().encode_utf16();
+        now.splice(place("from")..place("to"), insert);
+    }
+    let after = String::from_utf16(&now).unwrap();
+    assert_eq!(after, "; Ø\nCYCLE_978(0,5,1,,,0)\n");
+    let read = read(&json!({ "control": "sinumerik", "text": after }).to_string()).unwrap();
+    assert_eq!(read["calls"][0]["style"], "indirect");
+    let wrong = json!({ "control": "sinumerik", "text": text, "call": 0, "style": "spoken" });
+    assert!(convert(&wrong.to_string()).is_err());
+}

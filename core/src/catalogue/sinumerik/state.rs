@@ -77,7 +77,9 @@ mod tests {
             (61342, |control| drop(control.data.remove("_SI[1]"))),
             (61342, |control| control.set("_SI[1]", 2.0)),
             (61416, |control| control.set("_CVAL[2]", 4.0)),
-            (61310, |control| control.basic.system.scale = [1.0, 1.0, 2.0]),
+            (61310, |control| {
+                control.basic.system.scale = [1.0, 1.0, 2.0]
+            }),
             (61310, |control| control.active.scale = [0.5; 3]),
             (61311, |control| control.edge = 0),
             (61309, |control| {
