@@ -154,6 +154,35 @@ describe("form", () => {
   });
 });
 
+describe("machine", () => {
+  const chrome = shared("neither", { before, after });
+
+  // oracle: manual B:1787-1795 (set values count in the active system), B:762-817 (planes)
+  test("plane and units are chosen, decide what values mean, and stay", async () => {
+    const { context, page, problems } = await start(chrome);
+    const form = page.locator(".fields");
+    await form.locator('.unit:text-is("mm")').first().waitFor();
+    await page.locator("#machine-units").selectOption("G70");
+    await form.locator('.unit:text-is("inch")').first().waitFor();
+    await page.locator("#machine-units").selectOption("G71");
+    await page.locator('.picture .axis:has-text("X")').first().waitFor();
+    await page.locator("#machine-plane").selectOption("G18");
+    await page.locator('.picture .axis:has-text("Z")').first().waitFor();
+    await page.locator(".results tbody tr").first().waitFor();
+    await keptWhen(page, (state) => state.own?.sinumerik?.own.plane === "G18");
+    await page.reload();
+    await page.locator('.picture .axis:has-text("Z")').first().waitFor();
+    assert.equal(await page.locator("#machine-plane").inputValue(), "G18");
+    await page.getByRole("button", { name: "Copy link" }).click();
+    await page.waitForFunction(() => location.hash.startsWith("#s="));
+    const other = await start(chrome, { path: new URL(page.url()).hash });
+    await other.page.waitForFunction(() => document.querySelector("#machine-plane").value === "G18");
+    assert.deepEqual(problems, []);
+    await other.context.close();
+    await context.close();
+  });
+});
+
 describe("program", () => {
   const chrome = shared("neither", { before, after });
 

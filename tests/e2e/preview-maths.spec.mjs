@@ -135,3 +135,27 @@ test("colours are read in the notations of CSS", () => {
   near(colours.parse("#33669980"), [0.2, 0.4, 0.6, 128 / 255]);
   near(colours.parse("rgb(51 102 153 / 0.5)"), [0.2, 0.4, 0.6, 0.5]);
 });
+
+// oracle: hand (in G18 the spindle stands along Y: above the ball there is nothing of the probe but along +Y)
+test("the stylus stands along the axis of the tool", () => {
+  const motion = { step: "motion", kind: "positioning", from: [0, 0, 0], to: [1, 0, 0], feed: 100 };
+  for (const [axis, along] of [[[0, 0, 1], 2], [[0, 1, 0], 1], [[1, 0, 0], 0]]) {
+    const trace = { entries: [motion], ball: { radius: 3, length: 50, axis }, solids: [], frames: [] };
+    const { box } = scene.buildScene(trace, colours.LIGHT).mesh;
+    for (const other of [0, 1, 2]) {
+      assert.ok(Math.abs(box.min[other]) < 8, `${axis}: ${box.min}`);
+      assert.equal(box.max[other] > 20, other === along, `${axis}: ${box.max}`);
+    }
+  }
+});
+
+// oracle: hand (a zone is seen through and is not part of what hides lines)
+test("a protection zone is drawn through", () => {
+  const errors = { shift: [0, 0, 0], size: 0, tilt: [0, 0, 0], taper: 0, outOfRound: [0, 0] };
+  const solid = { shape: "shaft", size: [40, 20], at: [0, 0, 0], rotation: [0, 0, 0], errors };
+  const built = scene.buildScene({ entries: [], ball: { radius: 3, length: 50 }, solids: [], zones: [solid], frames: [] }, colours.LIGHT);
+  assert.equal(built.solidCorners, 0);
+  assert.ok(built.mesh.corners.length > 0);
+  near(built.mesh.box.min, [-20, -20, -20], 1e-9);
+  near(built.mesh.box.max, [20, 20, 0], 1e-9);
+});

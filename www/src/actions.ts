@@ -6,7 +6,7 @@ import { lineBreak, type Splice } from "./eol";
 import { parseNumber } from "./numbers";
 import { AT_END, programOf, type Panel, type State } from "./state";
 import type { Store } from "./store";
-import type { Catalogue, CycleInfo, Dialect, ErrorSliders } from "./wire";
+import type { Catalogue, CycleInfo, Dialect, ErrorSliders, OwnMachine } from "./wire";
 
 export type Variant = CycleInfo["variants"][number];
 
@@ -23,6 +23,7 @@ export interface Actions {
   closeCall(): void;
   insert(snippet: string): void;
   error<G extends keyof ErrorSliders>(group: G, name: keyof ErrorSliders[G], value: number): void;
+  begin(machine: OwnMachine["own"]): void;
   panel(panel: Panel): void;
 }
 
@@ -100,6 +101,11 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
     error(group, name, value) {
       const errors = now().errors;
       store.update({ errors: { ...errors, [group]: { ...errors[group], [name]: value } }, step: AT_END });
+    },
+    begin(own) {
+      const { control, setup } = now();
+      const described = setup?.control === control ? { setup: { ...setup, plane: own.plane, active: { ...setup.active, units: own.units } } } : { own: { ...now().own, [control]: { own } } };
+      store.update({ ...described, step: AT_END });
     },
     panel(panel) {
       store.update({ panel, ...(LEFT.includes(panel) ? { left: panel } : { right: panel }) });

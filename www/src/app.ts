@@ -8,7 +8,7 @@ import { createDesk, isCurrent } from "./desk";
 import { el, setText } from "./dom";
 import { createLayout } from "./layout";
 import { unpack } from "./link";
-import { firstState, load, merge, NO_ERRORS, programOf, save, type State, type Stopped } from "./state";
+import { firstState, load, machine, merge, NO_ERRORS, programOf, save, type State, type Stopped } from "./state";
 import { createStore, type Store } from "./store";
 import { t } from "./texts";
 import { createActivity } from "./views/activity";
@@ -84,7 +84,7 @@ export async function startApp(core: Core, module: WebAssembly.Module): Promise<
   program.head.after(activities[0].root);
   panels.view.append(activities[1].root);
   const views = [
-    createHeader(layout.header, store), createTasks(panels.tasks, store, actions), createForm(panels.form, store, actions),
+    createHeader(layout.header, store, actions), createTasks(panels.tasks, store, actions), createForm(panels.form, store, actions),
     program.draw, createScene(panels.view, store, program.goToLine), createResults(results, store, actions, program.goTo), createSliders(sliders, store, actions),
   ];
   let noticed = 0;
@@ -136,7 +136,7 @@ function running(store: Store, runner: Aside) {
 function run(runner: Aside, state: State, { view, program: text }: Derived): void {
   const { control, ran, stoppedRun } = state;
   if (state.source !== "program") return;
-  const setup = view.setup ?? state.setup ?? undefined;
+  const setup = view.setup ?? machine(state).setup;
   const done = isCurrent(ran, state) && ran?.setup === setup;
   if (!done && !isCurrent(stoppedRun, state)) runner.want({ ask: "run", control, text, ...(setup ? { setup } : {}) });
 }

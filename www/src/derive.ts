@@ -5,7 +5,7 @@ import type { Core } from "./core";
 import { isRead } from "./desk";
 import { machine, programOf, type State } from "./state";
 import { say } from "./texts";
-import type { CallView, Catalogue, CycleInfo, Diagnostic, FormView, Plane, ReadView, RunView, Setup, Trace, UnitFunction } from "./wire";
+import type { CallView, Catalogue, CycleInfo, Diagnostic, FormView, OwnMachine, Plane, ReadView, RunView, Setup, Trace, UnitFunction } from "./wire";
 
 export interface Derived {
   catalogue: Catalogue;
@@ -53,8 +53,8 @@ function labels(view: FormView): Record<string, string> {
 export function createDerive(core: Core, catalogue: Catalogue): (state: State) => Derived {
   const first = catalogue.cycles[0];
   if (!first) throw new Error("the catalogue is empty");
-  const form = memo((cycle: CycleInfo, values: State["values"], errors: State["errors"], comments: boolean, setup: Setup | null, plane?: Plane, units?: UnitFunction): FormView => {
-    const request = { control: cycle.control, cycle: cycle.cycle, values, errors, ...machine(cycle.control, setup), ...(plane && units ? { plane, units } : {}) };
+  const form = memo((cycle: CycleInfo, values: State["values"], errors: State["errors"], comments: boolean, setup: Setup | OwnMachine | undefined, plane?: Plane, units?: UnitFunction): FormView => {
+    const request = { control: cycle.control, cycle: cycle.cycle, values, errors, ...(setup ? { setup } : {}), ...(plane && units ? { plane, units } : {}) };
     const view = core.form({ ...request, predict: true });
     return comments ? { ...view, snippet: core.form({ ...request, comments: labels(view) }).snippet } : view;
   });
@@ -64,7 +64,7 @@ export function createDerive(core: Core, catalogue: Catalogue): (state: State) =
     const cycle = findCycle(catalogue, state.control, state.cycle) ?? first;
     const reading = state.reading?.control === cycle.control ? state.reading.view : NOTHING_READ;
     const opened = reading.calls.find((call) => call.from === state.open) ?? null;
-    const view = form(cycle, state.values, state.errors, state.comments, state.setup, opened?.plane, opened?.units);
+    const view = form(cycle, state.values, state.errors, state.comments, machine(state).setup, opened?.plane, opened?.units);
     const ran = state.source === "program" && state.ran?.control === cycle.control ? state.ran.view : null;
     const trace = (state.source === "program" ? ran?.trace : view.outcome?.trace) ?? null;
     return {

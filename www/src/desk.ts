@@ -18,7 +18,7 @@ export function isCurrent(about: { control: string; text: string } | null, state
 
 /** Whether it is known what the program holds now, on the present machine. */
 export function isRead(state: State): boolean {
-  return isCurrent(state.reading, state) && state.reading?.setup === machine(state.control, state.setup).setup;
+  return isCurrent(state.reading, state) && state.reading?.setup === machine(state).setup;
 }
 
 /** The program with these edits; whatever points into it moves along. */
@@ -111,7 +111,7 @@ export function createDesk(core: Core, reader: Aside): (state: State) => State {
     const text = programOf(state);
     const short = text.length <= SHORT;
     if (!reading || !isRead(state)) {
-      const request = { control, text, ...machine(control, state.setup) };
+      const request = { control, text, ...machine(state) };
       if (short) return settle(arrived(state, { ...request, view: core.read(request) }));
       if (!isCurrent(state.stoppedReading, state)) reader.want({ ask: "read", ...request });
       return state;

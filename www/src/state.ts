@@ -1,13 +1,13 @@
 // The one state of the page. Values in it are never changed in place: a part that changed is a new object,
 // so views and computations compare by identity.
 
-import type { Dialect, ErrorSliders, Pending, ReadView, RunView, Setup } from "./wire";
+import type { Dialect, ErrorSliders, OwnMachine, Pending, Plane, ReadView, RunView, Setup, UnitFunction } from "./wire";
 
 export type Panel = "tasks" | "form" | "program" | "view" | "results";
 export type ResultTab = "outcome" | "problems" | "motions" | "log";
 /** What the core said about a text. It is current while the program is still that text. */
-export interface Reading { control: Dialect; text: string; setup?: Setup; view: ReadView }
-export interface Ran { control: Dialect; text: string; setup?: Setup; view: RunView }
+export interface Reading { control: Dialect; text: string; setup?: Setup | OwnMachine; view: ReadView }
+export interface Ran { control: Dialect; text: string; setup?: Setup | OwnMachine; view: RunView }
 /** A call to open as soon as the program is read: by its number, or the first that begins in a range. */
 export type Sought = { call: number } | { from: number; to: number };
 /** Nothing is asked about this text any more: the user stopped it, or it failed for a reason. */
@@ -24,6 +24,7 @@ export interface State {
   errors: ErrorSliders;
   comments: boolean;
   setup: Setup | null;                               // imported machine; null: the core's own
+  own: Partial<Record<Dialect, OwnMachine>>;         // how the core's own begins, where that was chosen
   checked: boolean;                                  // problems are shown at every field
   touched: Record<string, true>;                     // fields whose problems are shown
   source: "form" | "program";                        // whose motions the 3D view shows
@@ -61,7 +62,7 @@ export const AT_END = Number.MAX_SAFE_INTEGER;
 export function firstState(): State {
   return {
     control: "sinumerik", cycle: "", values: {}, remembered: {}, programs: {}, open: null, pending: [],
-    errors: NO_ERRORS, comments: true, setup: null, checked: false, touched: {}, source: "form",
+    errors: NO_ERRORS, comments: true, setup: null, own: {}, checked: false, touched: {}, source: "form",
     panel: "form", left: "form", right: "results", tab: "outcome", theme: "system", folded: {},
     search: "", focus: null, step: AT_END, playing: false, cursor: 0, cursorLine: 1, notice: "",
     reading: null, ran: null, sought: null, follow: null, stoppedReading: null, stoppedRun: null,
@@ -69,7 +70,7 @@ export function firstState(): State {
 }
 
 const NOT_KEPT = ["search", "focus", "step", "playing", "cursor", "cursorLine", "notice", "reading", "ran", "sought", "follow", "stoppedReading", "stoppedRun"] as const satisfies (keyof State)[];
-const IN_LINK = ["control", "cycle", "values", "programs", "open", "errors", "comments", "setup", "checked", "source"] as const satisfies (keyof State)[];
+const IN_LINK = ["control", "cycle", "values", "programs", "open", "errors", "comments", "setup", "own", "checked", "source"] as const satisfies (keyof State)[];
 const STORE = "probewright-1";
 
 /** The program of the control that the form is for. */
@@ -77,9 +78,12 @@ export function programOf(state: State): string {
   return state.programs[state.control] ?? "";
 }
 
-/** The imported machine, for a control that it has. */
-export function machine(control: Dialect, setup: Setup | null): { setup?: Setup } {
-  return setup?.control === control ? { setup } : {};
+/** The imported machine, for a control that it has; else the core's own with what was chosen for it. */
+export function machine(state: State): { setup?: Setup | OwnMachine } {
+  const { control, setup, own } = state;
+  if (setup?.control === control) return { setup };
+  const chosen = own[control];
+  return chosen ? { setup: chosen } : {};
 }
 
 export function kept(state: State): Partial<State> {
@@ -107,6 +111,20 @@ function numbers<T extends Record<string, number>>(value: unknown, shape: T): T 
 const isPending = (value: unknown): value is Pending =>
   plainObject(value) && ["control", "name", "value"].every((name) => typeof value[name] === "string") && Number.isInteger(value.at);
 
+/** What may be chosen for the core's own machine; the first counts where nothing was. */
+export const PLANES: Plane[] = ["G17", "G18", "G19"];
+export const UNITS: Record<Dialect, UnitFunction[]> = { sinumerik: ["G71", "G70", "G710", "G700"], nct: ["G21", "G20"] };
+
+function ownMachines(value: unknown): State["own"] {
+  const given = plainObject(value) ? value : {};
+  const pairs = Object.entries(UNITS).flatMap(([control, known]) => {
+    const one = plainObject(given[control]) ? given[control].own : null;
+    const fits = plainObject(one) && PLANES.includes(one.plane as Plane) && known.includes(one.units as UnitFunction);
+    return fits ? [[control, { own: { plane: one.plane, units: one.units } }]] : [];
+  });
+  return Object.fromEntries(pairs) as State["own"];
+}
+
 /** A stored state or one out of a link may be old, cut or hand-made: only what has the right shape is taken. */
 export function merge(state: State, data: unknown): State {
   if (!plainObject(data)) return state;
@@ -122,6 +140,7 @@ export function merge(state: State, data: unknown): State {
   if (Number.isInteger(data.open)) next.open = data.open as number;
   if (data.open === null) next.open = null;
   next.pending = Array.isArray(data.pending) ? data.pending.filter(isPending) : [];
+  if (data.own !== undefined) next.own = ownMachines(data.own);
   if (plainObject(data.setup)) next.setup = data.setup as unknown as Setup;
   return next;
 }

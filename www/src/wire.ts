@@ -33,12 +33,15 @@ export interface CycleInfo {
 export type Plane = "G17" | "G18" | "G19";
 export type UnitFunction = "G70" | "G71" | "G700" | "G710" | "G20" | "G21";
 
+/** The core's own machine, beginning in this plane and with these units. */
+export interface OwnMachine { own: { plane: Plane; units: UnitFunction } }
+
 // form(FormRequest) -> FormView. Called at every keystroke.
 export interface FormRequest {
   control: Dialect;
   cycle: string;
   values: Record<string, string>;      // as typed, per parameter name; absent: never typed
-  setup?: Setup;                       // absent: the core's own default machine
+  setup?: Setup | OwnMachine;          // absent: the core's own machine as it is
   plane?: Plane;                       // at the call, where it is not that of the setup
   units?: UnitFunction;                // likewise
   errors?: ErrorSliders;
@@ -132,7 +135,7 @@ export interface Setup {
 }
 
 // read(ReadRequest) -> ReadView
-export interface ReadRequest { control: Dialect; text: string; setup?: Setup } // absent: the core's own default machine
+export interface ReadRequest { control: Dialect; text: string; setup?: Setup | OwnMachine } // absent: the core's own machine as it is
 export interface ReadView { calls: CallView[]; diagnostics: Diagnostic[] }
 export interface CallView {
   control: Dialect; cycle: string; mvar: number | null; key: string;
@@ -150,5 +153,5 @@ export interface Pending { control: Dialect; at: number; name: string; value: st
 // convert({control, text, call: index, style}) -> Converted: the call in another way of writing; no edits: not possible, see findings
 export interface Converted { edits: Edit[]; findings: Diagnostic[] }
 // run(RunRequest) -> RunView
-export interface RunRequest { control: Dialect; text: string; setup?: Setup } // absent: the core's own default machine
+export interface RunRequest { control: Dialect; text: string; setup?: Setup | OwnMachine } // absent: the core's own machine as it is
 export interface RunView { trace: Trace; diagnostics: Diagnostic[]; results: { name: string; value: number }[]; changes: Outcome["changes"]; alarms: Outcome["alarms"]; log: string[]; finished: boolean }

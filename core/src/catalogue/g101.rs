@@ -6,6 +6,7 @@ use super::{Cycle, Dialect, Kind, Param, Proposal, Range, Simulation, Unit, Vari
 use crate::check::Inputs;
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
+use crate::form::figures::dimension;
 use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
 use crate::message::Message;
 use crate::run::trace::MotionKind;
@@ -154,13 +155,13 @@ fn picture(inputs: &Inputs) -> Picture {
         text: None,
         field,
     };
-    let name = |index: usize| Some(nct::axis_name(axes[index]));
+    let name = |index: usize| nct::axis_name(axes[index]);
     Picture {
         view: View::Plane,
         shapes: vec![
             figure(ShapeKind::Path, vec![[0.0; 2], end], Some("F")),
-            figure(ShapeKind::Dimension, vec![[0.0; 2], [end[0], 0.0]], name(0)),
-            figure(ShapeKind::Dimension, vec![[end[0], 0.0], end], name(1)),
+            dimension(name(0), [0.0; 2], [end[0], 0.0]),
+            dimension(name(1), [end[0], 0.0], end),
             PictureShape {
                 circle: Some((end, 3.0)),
                 ..figure(ShapeKind::Probe, Vec::new(), None)

@@ -1,6 +1,6 @@
 //! A form at every keystroke: fields, findings, snippet, picture and what the call would do.
 
-use super::setup::{Machine, PlaneName, choose_units, plane};
+use super::setup::{PlaneName, Start, choose_units, plane};
 use super::{Error, diagnostic, dialect, message, object, put};
 use crate::catalogue::{self, Cycle, Range, Simulation, Style};
 use crate::check::{self, Checked, Inputs, Typed};
@@ -23,8 +23,6 @@ struct Request {
     values: Typed,
     #[serde(default)]
     setup: Option<Value>,
-    #[serde(default)]
-    machine: Machine,
     /// G function of units in force at the call (`G70`), where it is not that of the setup.
     #[serde(default)]
     units: Option<String>,
@@ -82,8 +80,10 @@ pub fn form(request: &str) -> Result<Value, Error> {
             name: request.cycle.clone(),
         }
     })?;
-    let own_machine = request.setup.is_some();
-    let mut setup = super::setup::start(cycle.dialect, request.setup, &request.machine)?;
+    let Start {
+        mut setup,
+        described,
+    } = super::setup::start(cycle.dialect, request.setup)?;
     let start = modal(&setup.control);
     if let Some(name) = &request.units {
         choose_units(&mut setup.control, name)?;
@@ -111,7 +111,7 @@ pub fn form(request: &str) -> Result<Value, Error> {
             simulation,
             inputs,
             &request.errors.unwrap_or_default(),
-            own_machine,
+            described,
         );
         let outcome = predict(cycle, inputs, &setup);
         let mut outcome = super::outcome(inputs, &setup, &outcome);
@@ -190,7 +190,7 @@ fn prepare(
     simulation: &Simulation,
     inputs: &Inputs,
     errors: &Errors,
-    own_machine: bool,
+    described: bool,
 ) -> Vec<Solid> {
     let proposal = (simulation.propose)(inputs, &setup.control);
     setup.workpiece = proposal.workpiece;
@@ -200,7 +200,7 @@ fn prepare(
     setup.workpiece.solids.extend(proposal.fixture);
     probe_errors(&mut setup.probe, &errors.probe);
     setup.position = setup.control.to_machine(proposal.start);
-    if own_machine {
+    if described {
         return proposal.zones;
     }
     for proposed in proposal.tools {

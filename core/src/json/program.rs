@@ -1,6 +1,6 @@
 //! Reading, changing and running program text. The page counts in UTF-16 units, the core in bytes.
 
-use super::setup::{Machine, start, units_name};
+use super::setup::{start, units_name};
 use super::setup_write::plane_name;
 use super::{Error, diagnostic, dialect, dialect_name, object, put, style_name, typed};
 use crate::catalogue::Style;
@@ -23,8 +23,6 @@ struct ReadRequest {
     text: String,
     #[serde(default)]
     setup: Option<Value>,
-    #[serde(default)]
-    machine: Machine,
 }
 
 #[derive(Deserialize)]
@@ -50,8 +48,6 @@ struct RunRequest {
     text: String,
     #[serde(default)]
     setup: Option<Value>,
-    #[serde(default)]
-    machine: Machine,
 }
 
 /// Answers a `ReadRequest` with a `ReadView`: every measuring call, and what is wrong.
@@ -59,10 +55,7 @@ pub fn read(request: &str) -> Result<Value, Error> {
     let request: ReadRequest = super::request(request)?;
     let dialect = dialect(&request.control)?;
     let program = program::read(dialect, request.text.as_bytes());
-    Ok(view(
-        &program,
-        start(dialect, request.setup, &request.machine)?.control,
-    ))
+    Ok(view(&program, start(dialect, request.setup)?.setup.control))
 }
 
 /// The measuring calls of a program as a `ReadView`; the control is a metric one as delivered.
@@ -176,7 +169,7 @@ pub fn convert(request: &str) -> Result<Value, Error> {
 pub fn run(request: &str) -> Result<Value, Error> {
     let request: RunRequest = super::request(request)?;
     let dialect = dialect(&request.control)?;
-    let setup = start(dialect, request.setup, &request.machine)?;
+    let setup = start(dialect, request.setup)?.setup;
     let program = program::read(dialect, request.text.as_bytes());
     let outcome = run::run(&program, &setup, Limits::default());
     Ok(run_outcome(&setup, &outcome, &program.source))

@@ -301,30 +301,47 @@ fn from_value(value: serde_json::Value) -> Result<Setup, Error> {
     setup(serde_json::from_value(value)?)
 }
 
-/// What the core's own machine begins with; a machine that the user described says so itself.
+/// What the core's own machine begins with.
 #[derive(Default, Deserialize)]
 #[serde(default, deny_unknown_fields)]
-pub(super) struct Machine {
+struct OwnMachine {
     /// Working plane.
     plane: PlaneName,
     /// G function of units, as in [`ActiveFile`]; none: that of a metric machine.
     units: Option<String>,
 }
 
-/// The described machine, or the core's own with what was chosen for it.
-pub(super) fn start(
-    dialect: Dialect,
-    described: Option<serde_json::Value>,
-    machine: &Machine,
-) -> Result<Setup, Error> {
-    if let Some(described) = described {
-        return from_value(described);
-    }
-    let mut setup = Setup::calibrated(dialect, plane(machine.plane));
-    if let Some(name) = &machine.units {
+/// The machine of a request.
+pub(super) struct Start {
+    /// What is there.
+    pub setup: Setup,
+    /// Whether the user described it; else it is the core's own.
+    pub described: bool,
+}
+
+/// The machine of a request: a setup that the user described, or the core's own, as it is or with what was chosen for
+/// it (`{ "own": { "plane": "G18", "units": "G70" } }`).
+pub(super) fn start(dialect: Dialect, machine: Option<serde_json::Value>) -> Result<Start, Error> {
+    let own = match machine {
+        Some(mut machine) => match machine.get_mut("own") {
+            Some(own) => serde_json::from_value(own.take())?,
+            None => {
+                return Ok(Start {
+                    setup: from_value(machine)?,
+                    described: true,
+                });
+            }
+        },
+        None => OwnMachine::default(),
+    };
+    let mut setup = Setup::calibrated(dialect, plane(own.plane));
+    if let Some(name) = &own.units {
         choose_units(&mut setup.control, name)?;
     }
-    Ok(setup)
+    Ok(Start {
+        setup,
+        described: false,
+    })
 }
 
 fn setup(file: SetupFile) -> Result<Setup, Error> {

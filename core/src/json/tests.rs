@@ -163,7 +163,7 @@ fn the_stylus_stands_along_the_applicate() {
         ("G18", [0.0, 1.0, 0.0]),
         ("G19", [1.0, 0.0, 0.0]),
     ] {
-        asked["machine"] = json!({ "plane": plane });
+        asked["setup"] = json!({ "own": { "plane": plane } });
         let view = form(&asked.to_string()).unwrap();
         let ball = &view["outcome"]["trace"]["ball"];
         assert_eq!(ball["axis"], json!(axis), "{plane}");
@@ -176,7 +176,7 @@ fn the_stylus_stands_along_the_applicate() {
 fn the_chosen_units_decide_what_a_value_means() {
     let cycle = crate::catalogue::find(Dialect::Sinumerik, "CYCLE977").unwrap();
     let mut asked: Value = serde_json::from_str(&request(cycle)).unwrap();
-    asked["machine"] = json!({ "units": "G70" });
+    asked["setup"] = json!({ "own": { "units": "G70" } });
     asked["values"]["_SETVAL"] = json!("2");
     let view = form(&asked.to_string()).unwrap();
     let unit = |name: &str| {
@@ -191,8 +191,8 @@ fn the_chosen_units_decide_what_a_value_means() {
     );
     assert_eq!(view["setup"]["active"]["units"], "G70");
     let text = view["snippet"].as_str().unwrap();
-    let read = |machine: Value| json!({ "control": "sinumerik", "text": text, "machine": machine });
-    let calls = super::read(&read(json!({ "units": "G70" })).to_string()).unwrap();
+    let read = |machine: Value| json!({ "control": "sinumerik", "text": text, "setup": machine });
+    let calls = super::read(&read(json!({ "own": { "units": "G70" } })).to_string()).unwrap();
     assert_eq!(calls["calls"][0]["units"], "G70");
 }
 

@@ -20,8 +20,14 @@ unit-mm-per-min = mm/min
 unit-inch-per-min = inch/min
 
 facts = Machine
+machine = Machine at the start
+machine-all-data = (feeds and data too)
+machine-at-call = At the call: { $functions }
+plane-g17 = X Y
+plane-g18 = Z X
+plane-g19 = Y Z
 fact-control = Control
-fact-unit = Unit
+fact-unit = Units
 fact-plane = Plane
 fact-tool = Tool
 fact-probe = Probe

@@ -51,9 +51,13 @@ function around(trace: Trace, solids: Box | null): Box {
       box = include(include(box, [x - r, y - r, z - r]), [x + r, y + r, z + r]);
     }
   }
-  for (const { at } of trace.frames) box ??= include(null, at);
-  if (!box) return { min: [-20, -20, -20], max: [20, 20, 20] };
-  return box;
+  for (const { at } of trace.frames) if (!box || near(box, at)) box = include(box, at);
+  return box ?? { min: [-20, -20, -20], max: [20, 20, 20] };
+}
+
+/** Not farther away than the box is large. */
+function near(box: Box, at: Vec3): boolean {
+  return Math.hypot(...sub(at, centre(box))) < Math.hypot(...sub(box.max, box.min));
 }
 
 /** Ball and stylus behind the solid corners, its body behind those; the number of solid corners. */

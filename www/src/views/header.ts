@@ -1,5 +1,6 @@
 // The line above everything: what is measured on which machine, and the page's own actions.
 
+import type { Actions } from "../actions";
 import type { Derived } from "../derive";
 import { el, keyed, on, setAttribute, setText } from "../dom";
 import { pack } from "../link";
@@ -10,19 +11,18 @@ import { t } from "../texts";
 import type { Setup } from "../wire";
 import { createAbout } from "./about";
 import { copyText } from "./form";
+import { createMachine } from "./machine";
 import { saveFile } from "./program";
 
 const THEMES: State["theme"][] = ["system", "light", "dark"];
 
-/** Machine, plane, unit, tool and probe as they count now. */
+/** Control, tool and probe as they count now. */
 function facts(control: string, setup: Setup | undefined): { name: string; text: string }[] {
   const list = [{ name: t("fact-control"), text: t(`control-${control}`) }];
   if (!setup) return list;
   const [number, tool] = Object.entries(setup.tools)[0] ?? [];
   return [
     ...list,
-    { name: t("fact-unit"), text: t(`unit-${setup.units}`) },
-    { name: t("fact-plane"), text: setup.plane },
     ...(number && tool ? [{ name: t("fact-tool"), text: `T${number}${tool.name ? ` ${tool.name}` : ""}` }] : []),
     { name: t("fact-probe"), text: t("fact-ball", { diameter: plain(setup.probe.radius * 2, 4) }) },
     { name: t("fact-calibration"), text: t(probeIsTrue(setup) ? "fact-true" : "fact-deviates") },
@@ -50,8 +50,9 @@ async function importSetup(file: File, store: Store): Promise<void> {
   }
 }
 
-export function createHeader(root: HTMLElement, store: Store): (state: State, derived: Derived) => void {
+export function createHeader(root: HTMLElement, store: Store, actions: Actions): (state: State, derived: Derived) => void {
   const about = createAbout();
+  const machine = createMachine(actions);
   const list = el("dl", { class: "facts", "aria-label": t("facts") });
   const quiet = (key: string, run: () => void): HTMLButtonElement => {
     const node = el("button", { type: "button", class: "quiet" }, t(key));
@@ -68,7 +69,7 @@ export function createHeader(root: HTMLElement, store: Store): (state: State, de
   });
   theme.id = "theme";
   root.append(
-    el("div", { class: "brand" }, el("span", { class: "brand-mark", "aria-hidden": "true" }), el("h1", {}, t("app-name"))), list,
+    el("div", { class: "brand" }, el("span", { class: "brand-mark", "aria-hidden": "true" }), el("h1", {}, t("app-name"))), machine.root, list,
     el("div", { class: "head-actions" },
       quiet("setup-import", () => file.click()), file,
       quiet("setup-export", () => { if (last?.view.setup) saveFile(JSON.stringify(last.view.setup, null, 2), "setup.json", "application/json"); }),
@@ -77,6 +78,7 @@ export function createHeader(root: HTMLElement, store: Store): (state: State, de
   document.body.append(about);
   return (state, derived) => {
     last = derived;
+    machine.draw(state, derived);
     setup = derived.view.setup ?? (setup?.control === derived.cycle.control ? setup : undefined);
     keyed(list, facts(derived.cycle.control, setup), (one) => one.name, () => el("div", {}, el("dt", {}), el("dd", {})), (node, one) => {
       const [name, text] = node.children as unknown as [HTMLElement, HTMLElement];

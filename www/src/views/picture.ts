@@ -59,9 +59,10 @@ function dimension(a: Point, b: Point, text: string | undefined, size: Size): SV
   const out = short ? 14 : 0;
   const ends: Point[] = [[a[0] - along[0] * out, a[1] - along[1] * out], [b[0] + along[0] * out, b[1] + along[1] * out]];
   const parts: SVGElement[] = [svg("path", { d: outline(ends, false) + tick(a) + tick(b) }), head(a, short ? -1 : 1), head(b, short ? 1 : -1)];
-  const middle: Point = [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
   const upright = Math.abs(along[1]) > 0.7;
-  if (text) parts.push(caption(text, [middle[0] + (upright ? 6 : 0), middle[1] - (upright ? -4 : 5)], upright ? "start" : "middle", size));
+  const share = upright && !short ? 0.72 : 0.5; // upright ones clear of what is written at the middle
+  const at: Point = [a[0] + (b[0] - a[0]) * share, a[1] + (b[1] - a[1]) * share];
+  if (text) parts.push(caption(text, [at[0] + (upright ? 6 : 0), at[1] + (upright ? 4 : -7)], upright ? "start" : "middle", size));
   return parts;
 }
 
@@ -76,7 +77,8 @@ function figures(shape: PictureShape, place: Place, scale: number, size: Size, v
   if (circle) parts.push(svg("circle", { cx: r(circle.at[0]), cy: r(circle.at[1]), r: r(circle.r) }));
   if (shape.kind === "touch" && !shape.circle) for (const [x, y] of points) parts.push(svg("path", { d: `M${r(x - 4)} ${r(y)}h8M${r(x)} ${r(y - 4)}v8` }));
   else if (points.length > 1) parts.push(svg("path", { d: outline(points, !!shape.closed) }));
-  const at: Point | undefined = circle ? [circle.at[0] + 5, circle.at[1] + 14] : a && (shape.kind === "label" ? a : [a[0] + 5, a[1] - 5]);
+  const below = shape.kind === "touch";
+  const at: Point | undefined = circle ? [circle.at[0] + (below ? 5 : circle.r + 3), circle.at[1] + (below ? 14 : -circle.r)] : a && (shape.kind === "label" ? a : [a[0] + 5, a[1] - 5]);
   if (text && at) parts.push(caption(text, at, shape.kind === "label" ? "middle" : "start", size));
   return parts;
 }

@@ -8,6 +8,9 @@ use crate::check::Inputs;
 use crate::form::figures::{circle, corners, dimension, frame, line, polygon, rectangle, round};
 use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
 
+/// How wide a forbidden area around an element is drawn, as a share of the whole.
+const WALL: f64 = 0.08;
+
 /// Letters of the geometry axes.
 const AXES: [&str; 3] = ["X", "Y", "Z"];
 
@@ -154,7 +157,12 @@ fn axes(scene: &Scene, shapes: &mut Vec<PictureShape>) {
 
 /// Half the length of an axis, mm.
 fn reach(scene: &Scene, axis: usize) -> f64 {
-    scene.size[axis] * 0.72
+    let before = if scene.outside {
+        2.0 * scene.ball + scene.path
+    } else {
+        0.0
+    };
+    scene.size[axis] * 0.64 + before
 }
 
 /// A point on an axis.
@@ -166,11 +174,24 @@ fn along(axis: usize, value: f64) -> [f64; 2] {
 
 fn zone(scene: &Scene, shapes: &mut Vec<PictureShape>) {
     let Some(zone) = scene.zone else { return };
-    shapes.push(if scene.round {
-        circle(ShapeKind::Zone, [0.0; 2], zone[0] / 2.0).of(names::SZA)
+    let wall = if scene.outside {
+        largest(scene) * WALL
     } else {
-        rectangle(ShapeKind::Zone, [0.0; 2], zone).of(names::SZA)
-    });
+        0.0
+    };
+    let contour = |wider: f64| {
+        if scene.round {
+            round([0.0; 2], zone[0] / 2.0 + wider)
+        } else {
+            corners([0.0; 2], zone.map(|size| size + 2.0 * wider))
+        }
+    };
+    let area = if scene.outside {
+        frame(contour(wall), contour(0.0)) // what is beyond is forbidden
+    } else {
+        contour(0.0)
+    };
+    shapes.push(polygon(ShapeKind::Zone, area).of(names::SZA));
     let first = scene.axes.first().copied().unwrap_or(0);
     let span = |axis: usize, at: f64| {
         let (mut from, mut to) = (
@@ -319,14 +340,20 @@ fn infeed(scene: &Scene, width: f64, depth: f64, middle: f64, shapes: &mut Vec<P
 
 /// How far the view from above reaches to the right, mm.
 fn seen_from_above(scene: &Scene) -> f64 {
-    let zone = scene.zone.map_or(0.0, |zone| zone[0] / 2.0);
-    (reach(scene, 0)).max(zone)
+    let zone = scene
+        .zone
+        .map_or(0.0, |zone| zone[0] / 2.0 + largest(scene) * WALL);
+    reach(scene, 0).max(if scene.outside {
+        zone
+    } else {
+        scene.size[0] * 0.65
+    })
 }
 
 /// How far the section reaches to both sides, mm.
 fn half_section(scene: &Scene, width: f64, all: f64) -> f64 {
     match (scene.outside, scene.zone) {
-        (true, Some(zone)) => zone[scene.axes.first().copied().unwrap_or(0)] / 2.0 + all * 0.08,
+        (true, Some(zone)) => zone[scene.axes.first().copied().unwrap_or(0)] / 2.0 + all * WALL,
         _ => width * 0.65,
     }
 }
@@ -334,7 +361,7 @@ fn half_section(scene: &Scene, width: f64, all: f64) -> f64 {
 /// Where the zone is cut: one piece in the middle, or two outside of the free room.
 fn section_zone(outside: bool, zone: f64, all: f64) -> Vec<(f64, f64)> {
     if outside {
-        let wall = zone / 2.0 + all * 0.08;
+        let wall = zone / 2.0 + all * WALL;
         vec![(-wall, -zone / 2.0), (zone / 2.0, wall)]
     } else {
         vec![(-zone / 2.0, zone / 2.0)]

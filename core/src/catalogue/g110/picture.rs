@@ -32,7 +32,7 @@ pub fn picture(inputs: &Inputs) -> Picture {
         contact,
         limit,
         ball,
-        ..
+        side,
     } = scene;
     for [x, y] in DIRECTIONS {
         let way = vec![[x * start, y * start], [x * contact, y * contact]];
@@ -60,6 +60,9 @@ pub fn picture(inputs: &Inputs) -> Picture {
             [contact, -radius * 0.25],
             [start, -radius * 0.25],
         ));
+    }
+    if side < 0.0 {
+        shapes.push(circle(ShapeKind::Probe, CENTRE, ball));
     }
     Picture {
         view: View::Plane,
@@ -102,7 +105,13 @@ fn part(scene: &Scene) -> Vec<PictureShape> {
         polygon(ShapeKind::Edge, wall).of("D"),
         axis(reach, 0.0),
         axis(0.0, reach),
-        circle(ShapeKind::Zone, CENTRE, scene.limit).of("Q"),
+        ring(
+            ShapeKind::Zone,
+            CENTRE,
+            scene.limit.min(scene.radius),
+            scene.limit.max(scene.radius),
+        )
+        .of("Q"),
     ]
 }
 
