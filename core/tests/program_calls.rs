@@ -321,3 +321,20 @@ proptest! {
         }
     }
 }
+
+// oracle: hand. Anything but one value would reach into the words behind it.
+#[test]
+fn what_is_no_value_changes_nothing() {
+    for value in [
+        "12x", "5 M30", "5;", "R1+", "(((", "1,2,3", "5\n_FA=9", "NaN", "1e5x", "-",
+    ] {
+        assert_eq!(changed(PROGRAM, 0, "_SETVAL", value), PROGRAM, "{value}");
+    }
+    assert_eq!(
+        changed(PROGRAM, 0, "_SETVAL", "R1 + 2"),
+        PROGRAM.replace("12.50", "R1 + 2")
+    );
+    for name in ["A\"B", "\"A\" M30 \"", "A\nB"] {
+        assert_eq!(changed(PROGRAM, 0, "_TNAME", name), PROGRAM, "{name}");
+    }
+}

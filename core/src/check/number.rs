@@ -1,5 +1,7 @@
 //! Numbers as people and programs write them.
 
+use crate::program::is_value;
+
 /// What a text is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Parsed {
@@ -30,7 +32,7 @@ pub fn parse(text: &str) -> Parsed {
             _ => Parsed::Wrong,
         };
     }
-    if is_expression(text) {
+    if is_expression(text) && is_value(text) {
         Parsed::Expression
     } else {
         Parsed::Wrong
@@ -79,6 +81,7 @@ mod tests {
         assert_eq!(parse("  "), Parsed::Empty);
         for text in [
             "NaN", "inf", "-inf", "1e999", "12x", "1.2.3", "1,000.5", "--5", "5 mm", "٣", "ü",
+            "R1+", "(((", "a b", "R1 M30", "R1;", "1.5e",
         ] {
             assert_eq!(parse(text), Parsed::Wrong, "{text}");
         }

@@ -3,6 +3,7 @@
 use super::arguments;
 use super::calls::CallSite;
 use super::tree::{Block, Program};
+use super::write;
 use crate::catalogue::{Arg, Dialect, Kind, Style};
 use crate::diagnostic::Span;
 
@@ -27,7 +28,8 @@ pub fn change(program: &Program, site: &CallSite, name: &str, value: &str) -> Ve
     } else {
         plain(value)
     };
-    if value.contains(['\n', '\r']) {
+    // what cannot be written as one value stays in the form, where its problem is told
+    if !value.is_empty() && write::value(param, &value).is_none() {
         return Vec::new();
     }
     let quoted = if text && !value.is_empty() {

@@ -15,6 +15,7 @@ mod nct_expression;
 mod number;
 pub mod position;
 mod reader;
+mod single;
 mod sinumerik;
 mod sinumerik_expression;
 pub mod tree;
@@ -22,5 +23,6 @@ mod values;
 
 pub use block::read;
 pub use findings::{findings, findings_on};
+pub use single::is_value;
 pub use tree::Program;
 pub mod write;
