@@ -33,8 +33,8 @@ export interface CycleInfo {
 export type Plane = "G17" | "G18" | "G19";
 export type UnitFunction = "G70" | "G71" | "G700" | "G710" | "G20" | "G21";
 
-/** The core's own machine, beginning in this plane and with these units. */
-export interface OwnMachine { own: { plane: Plane; units: UnitFunction } }
+/** The core's own machine with this basic system (absent: mm), beginning in this plane and with these units. */
+export interface OwnMachine { own: { basic?: "mm" | "inch"; plane: Plane; units: UnitFunction } }
 
 // form(FormRequest) -> FormView. Called at every keystroke.
 export interface FormRequest {

@@ -305,9 +305,11 @@ fn from_value(value: serde_json::Value) -> Result<Setup, Error> {
 #[derive(Default, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 struct OwnMachine {
+    /// Basic system of units.
+    basic: UnitsName,
     /// Working plane.
     plane: PlaneName,
-    /// G function of units, as in [`ActiveFile`]; none: that of a metric machine.
+    /// G function of units, as in [`ActiveFile`]; none: that of the basic system.
     units: Option<String>,
 }
 
@@ -320,7 +322,7 @@ pub(super) struct Start {
 }
 
 /// The machine of a request: a setup that the user described, or the core's own, as it is or with what was chosen for
-/// it (`{ "own": { "plane": "G18", "units": "G70" } }`).
+/// it (`{ "own": { "basic": "inch", "plane": "G18", "units": "G70" } }`).
 pub(super) fn start(dialect: Dialect, machine: Option<serde_json::Value>) -> Result<Start, Error> {
     let own = match machine {
         Some(mut machine) => match machine.get_mut("own") {
@@ -334,7 +336,7 @@ pub(super) fn start(dialect: Dialect, machine: Option<serde_json::Value>) -> Res
         },
         None => OwnMachine::default(),
     };
-    let mut setup = Setup::calibrated(dialect, plane(own.plane));
+    let mut setup = Setup::calibrated_in(dialect, plane(own.plane), units(own.basic));
     if let Some(name) = &own.units {
         choose_units(&mut setup.control, name)?;
     }

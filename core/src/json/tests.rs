@@ -269,6 +269,29 @@ fn an_inch_machine_goes_over_the_wire() {
     assert_eq!(ask("G71"), ["mm", "inch", "mm"]);
 }
 
+// oracle: manual B:1787-1795, B:13596: the core's own machine may be an inch machine, and may begin in mm
+#[test]
+fn the_own_machine_may_be_built_for_inches() {
+    let request = json!({
+        "control": "sinumerik",
+        "cycle": "CYCLE978",
+        "values": { "_MVAR": "100", "_SETVAL": "0", "_MA": "1", "_KNUM": "0" },
+        "setup": { "own": { "basic": "inch", "units": "G71" } },
+        "predict": true,
+    });
+    let view = form(&request.to_string()).unwrap();
+    let fields = view["fields"].as_array().unwrap();
+    let unit =
+        |name: &str| fields.iter().find(|field| field["name"] == name).unwrap()["unit"].clone();
+    assert_eq!(
+        (unit("_SETVAL"), unit("_TSA")),
+        (json!("mm"), json!("inch"))
+    );
+    assert_eq!(view["setup"]["units"], "inch");
+    assert_eq!(view["setup"]["active"]["units"], "G71");
+    assert_eq!(view["outcome"]["alarms"], json!([]));
+}
+
 // oracle: hand
 #[test]
 fn a_call_says_in_which_units_and_plane_it_stands() {
