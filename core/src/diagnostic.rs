@@ -48,4 +48,24 @@ pub struct Diagnostic {
     pub param: Option<&'static str>,
     /// Place in the program.
     pub span: Option<Span>,
+    /// Edits of the program that mend it, with what they do in words.
+    pub cure: Option<Cure>,
+}
+
+/// Edits that mend a finding.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cure {
+    /// What they do.
+    pub label: Message,
+    /// Only these places change.
+    pub edits: Vec<Edit>,
+}
+
+/// Replace a place by a text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Edit {
+    /// What goes; empty to insert only.
+    pub span: Span,
+    /// What comes.
+    pub insert: String,
 }

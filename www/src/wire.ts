@@ -13,6 +13,7 @@ export interface Diagnostic {
   param?: string;
   from?: number; to?: number;   // UTF-16 offsets into the program text
   line?: number; column?: number; // from 1
+  cure?: { label: Message; edits: Edit[] }; // one click mends it
 }
 
 // catalogue() -> Catalogue

@@ -28,6 +28,8 @@ pub struct Cycle {
     pub variants: &'static [Variant],
     /// Parameters in the order in which the snippet writes them.
     pub params: &'static [Param],
+    /// Where it belongs: the probe it uses, the sort of machine, whether it calibrates.
+    pub purpose: Purpose,
     /// Calls with arguments in brackets that mean this cycle.
     pub lists: &'static [super::ArgumentList],
     /// Data of the machine that decide what the form shows or what is right in it: `_CBIT[12]`, `_MT_COMP`, …
@@ -73,6 +75,55 @@ impl Cycle {
         self.params.iter().find(|param| param.name == name)
     }
 }
+
+/// Where a cycle belongs.
+pub struct Purpose {
+    /// What touches what.
+    pub probe: ProbeUse,
+    /// Sort of machine.
+    pub machine: MachineSort,
+    /// Variants that calibrate the probe.
+    pub calibrates: When,
+}
+
+/// The probe that a cycle uses.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ProbeUse {
+    /// The workpiece probe is in the spindle or turret and touches the part or a gauge.
+    Workpiece,
+    /// The tool in use touches the tool probe.
+    Tool,
+    /// None: it computes or writes.
+    None,
+}
+
+/// Sort of machine that a cycle is made for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MachineSort {
+    /// Milling machines and machining centres.
+    Milling,
+    /// Lathes.
+    Turning,
+    /// Both.
+    Any,
+}
+
+impl Purpose {
+    /// Measures workpieces on milling machines.
+    pub const MILLING: Purpose = Purpose {
+        probe: ProbeUse::Workpiece,
+        machine: MachineSort::Milling,
+        calibrates: NEVER,
+    };
+    /// Measures workpieces on lathes.
+    pub const TURNING: Purpose = Purpose {
+        machine: MachineSort::Turning,
+        ..Purpose::MILLING
+    };
+}
+
+/// A condition that does not hold.
+pub const NEVER: When = When::Any(&[]);
 
 /// A cycle at work.
 pub struct Simulation {

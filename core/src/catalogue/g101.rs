@@ -2,7 +2,9 @@
 
 use super::common::{PARAM, optional};
 use super::nct::{self, part};
-use super::{Cycle, Dialect, Kind, Param, Proposal, Range, Simulation, Unit, Variant, When};
+use super::{
+    Cycle, Dialect, Kind, Param, Proposal, Purpose, Range, Simulation, Unit, Variant, When,
+};
 use crate::check::Inputs;
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
@@ -31,6 +33,7 @@ pub static G101: Cycle = Cycle {
         key: "g101-positioning",
         source: "C:106",
     }],
+    purpose: Purpose::MILLING,
     lists: &[],
     settings: &[],
     params: &[

@@ -12,6 +12,7 @@ fn finding(severity: Severity, code: Code, message: Message) -> Diagnostic {
         hint: None,
         param: None,
         span: None,
+        cure: None,
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::setup::{start, units_name};
 use super::setup_write::plane_name;
-use super::{Error, diagnostic, dialect, dialect_name, object, put, style_name, typed};
+use super::{Error, diagnostic, dialect, dialect_name, message, object, put, style_name, typed};
 use crate::catalogue::Style;
 use crate::check;
 use crate::control::{Control, delivery};
@@ -123,6 +123,11 @@ fn placed(found: &Diagnostic, positions: &Positions) -> Value {
         put(&mut value, "to", positions.utf16(span.end));
         put(&mut value, "line", line);
         put(&mut value, "column", column);
+    }
+    if let Some(cure) = &found.cure {
+        let edits = cure.edits.iter().map(|edit| placed_edit(edit, positions));
+        let members = [("label", message(&cure.label)), ("edits", edits.collect())];
+        put(&mut value, "cure", object(members));
     }
     value
 }

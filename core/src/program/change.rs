@@ -5,16 +5,8 @@ use super::calls::CallSite;
 use super::tree::{Block, Program};
 use super::write;
 use crate::catalogue::{Arg, Dialect, Kind, Style};
+pub use crate::diagnostic::Edit;
 use crate::diagnostic::Span;
-
-/// Replace a place by a text.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Edit {
-    /// What goes; empty to insert only.
-    pub span: Span,
-    /// What comes.
-    pub insert: String,
-}
 
 /// Gives a parameter of a call this value, as typed; an empty one takes the parameter away.
 /// A value that an earlier call or another parameter shares is left alone: the call gets an assignment of its own.
@@ -227,23 +219,27 @@ fn line_at(program: &Program, offset: u32) -> Option<&Block> {
 }
 
 fn new_line(program: &Program, site: &CallSite, written: &str) -> Edit {
-    let Some(block) = program.blocks.get(site.line as usize) else {
-        return inserted(site.span.start, format!("{written} "));
-    };
-    let line = program.text(block.span);
-    let indent: Vec<u8> = line
+    line_before(program, site.line, written)
+        .unwrap_or_else(|| inserted(site.span.start, format!("{written} ")))
+}
+
+/// Writes a line of its own before this line, indented and numbered like it.
+pub(super) fn line_before(program: &Program, line: u32, written: &str) -> Option<Edit> {
+    let block = program.blocks.get(line as usize)?;
+    let indent: Vec<u8> = program
+        .text(block.span)
         .iter()
         .copied()
         .take_while(|byte| matches!(byte, b' ' | b'\t'))
         .collect();
-    let number = number_between(program, site.line, block)
-        .map_or(String::new(), |number| format!("N{number} "));
+    let number =
+        number_between(program, line, block).map_or(String::new(), |number| format!("N{number} "));
     let text = format!(
         "{}{number}{written}{}",
         String::from_utf8_lossy(&indent),
-        line_end(program, site.line)
+        line_end(program, line)
     );
-    inserted(block.span.start, text)
+    Some(inserted(block.span.start, text))
 }
 
 /// A block number between the line's own and the one before it, if there is room.

@@ -33,5 +33,6 @@ fn not_understood(error: &SyntaxError) -> Diagnostic {
         hint: None,
         param: None,
         span: Some(error.span),
+        cure: None,
     }
 }

@@ -62,6 +62,7 @@ impl Problem {
             hint: None,
             param: None,
             span: Some(self.span),
+            cure: None,
         }
     }
 }

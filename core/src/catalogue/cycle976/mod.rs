@@ -13,7 +13,7 @@ pub use results::RESULTS;
 pub use variants::VARIANTS;
 
 use crate::catalogue::common;
-use crate::catalogue::{Cycle, Dialect};
+use crate::catalogue::{Cycle, Dialect, Purpose, When};
 
 /// The entry. Example: the ring of B:5168-5188.
 pub static CYCLE976: Cycle = Cycle {
@@ -22,6 +22,10 @@ pub static CYCLE976: Cycle = Cycle {
     key: "cycle976",
     variants: VARIANTS,
     params: params::PARAMS,
+    purpose: Purpose {
+        calibrates: When::Always,
+        ..Purpose::MILLING
+    },
     lists: lists::LISTS,
     // B:5579-5583, B:13656
     settings: &["_CBIT[14]", "_CBIT[15]"],

@@ -18,7 +18,7 @@ mod variants;
 pub use results::RESULTS;
 pub use variants::VARIANTS;
 
-use crate::catalogue::{Cycle, Dialect, Simulation, common};
+use crate::catalogue::{Cycle, Dialect, Purpose, Simulation, common};
 
 /// The entry. Example: the hole of B:6050-6137.
 pub static CYCLE977: Cycle = Cycle {
@@ -27,6 +27,7 @@ pub static CYCLE977: Cycle = Cycle {
     key: "cycle977",
     variants: VARIANTS,
     params: params::PARAMS,
+    purpose: Purpose::MILLING,
     lists: lists::LISTS,
     settings: &[],
     results: RESULTS,

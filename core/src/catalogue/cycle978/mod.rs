@@ -10,7 +10,7 @@ pub mod simulate;
 #[cfg(test)]
 mod tests;
 
-use crate::catalogue::{Cycle, Dialect, Simulation, Variant, common};
+use crate::catalogue::{Cycle, Dialect, Purpose, Simulation, Variant, common};
 
 /// Measuring variants (B:6323-6328).
 pub const VARIANTS: &[Variant] = &[
@@ -45,6 +45,7 @@ pub static CYCLE978: Cycle = Cycle {
     key: "cycle978",
     variants: VARIANTS,
     params: params::PARAMS,
+    purpose: Purpose::MILLING,
     lists: lists::LISTS,
     settings: &[],
     results: RESULTS,

@@ -8,7 +8,7 @@ mod simulate;
 mod tests;
 
 use super::nct::{self, part};
-use super::{Cycle, Dialect, Proposal, ResultField, Simulation, Unit, Variant, When};
+use super::{Cycle, Dialect, Proposal, Purpose, ResultField, Simulation, Unit, Variant, When};
 use crate::check::Inputs;
 use crate::control::Control;
 use crate::workpiece::{Shape, Workpiece};
@@ -36,6 +36,7 @@ pub static G110: Cycle = Cycle {
         },
     ],
     params: params::PARAMS,
+    purpose: Purpose::MILLING,
     lists: &[],
     settings: &[],
     results: &[
