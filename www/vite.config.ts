@@ -5,7 +5,7 @@ import { VitePWA } from "vite-plugin-pwa";
 const here = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
 
 // Relative paths everywhere (`base`), so that the folder works at any address of any static file server.
-// `@pkg` is what `cargo xtask` built from Rust: core, preview-webgpu, preview-webgl.
+// `@pkg` is what `cargo xtask` built from Rust: core, program, preview-webgpu, preview-webgl.
 export default defineConfig({
   base: "./",
   resolve: { alias: { "@pkg": here("../pkg") } },

@@ -2,12 +2,14 @@
 
 import { createActions, type Actions } from "./actions";
 import { createAside, type Answered, type Aside } from "./aside";
-import { Broken, type Core } from "./core";
+import type { Core } from "./core";
 import { createDerive, findCycle, type Derived } from "./derive";
 import { createDesk, isCurrent } from "./desk";
 import { el, setText } from "./dom";
 import { createLayout } from "./layout";
 import { unpack } from "./link";
+import { Broken } from "./module";
+import type { ProgramCore } from "./program";
 import { firstState, load, machine, merge, NO_ERRORS, programOf, save, type State, type Stopped } from "./state";
 import { createStore, type Store } from "./store";
 import { t } from "./texts";
@@ -64,13 +66,15 @@ function guard<A extends unknown[]>(store: () => Store, run: (...args: A) => voi
   };
 }
 
-export async function startApp(core: Core, module: WebAssembly.Module): Promise<void> {
+export async function startApp(core: Core): Promise<void> {
   const catalogue = core.catalogue();
   const derive = createDerive(core, catalogue);
   let draw = (): void => undefined;
   const store = createStore(await startState(core, catalogue), guard(() => store, () => draw()));
-  const [reader, runner] = [createAside(module, () => store.update({})), createAside(module, () => store.update({}))];
-  const settle = createDesk(core, reader);
+  let programCore: ProgramCore | null = null;
+  const aside = (): Aside => createAside(() => programCore?.module, () => store.update({}));
+  const [reader, runner] = [aside(), aside()];
+  const settle = createDesk(() => programCore, reader);
   const plain = createActions(store, catalogue);
   const actions = Object.fromEntries(Object.entries(plain).map(([name, run]) => [name, guard(() => store, run as (...args: unknown[]) => void)])) as unknown as Actions;
 
@@ -109,6 +113,10 @@ export async function startApp(core: Core, module: WebAssembly.Module): Promise<
     if (state.notice) noticed = window.setTimeout(() => store.update({ notice: "" }), 4000);
   };
   addEventListener("pagehide", () => save(store.state));
+  store.update({});
+  await new Promise(requestAnimationFrame); // the form stands
+  const { loadProgramCore } = await import("./program");
+  programCore = await loadProgramCore();
   store.update({});
 }
 

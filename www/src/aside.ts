@@ -1,7 +1,7 @@
 // Long work beside the page, in a worker: one question at a time, of those that wait only the newest. An answer lies
 // ready until the next redraw takes it, so that nothing changes between two redraws.
 
-import type { Question } from "./core";
+import type { Question } from "./program";
 import type { Reply } from "./worker";
 
 export interface Answered { question: Question; json?: string; problem?: string }
@@ -21,8 +21,8 @@ function same(a: Question | null | undefined, b: Question): boolean {
   return !!a && Object.entries(b).every(([name, value]) => a[name as keyof Question] === value);
 }
 
-/** The worker starts with the first question; `ready` is called when there is something to take. */
-export function createAside(module: WebAssembly.Module, ready: () => void): Aside {
+/** The worker starts with the first question, none before the module is there; `ready` is called when there is something to take. */
+export function createAside(module: () => WebAssembly.Module | undefined, ready: () => void): Aside {
   let worker: Worker | null = null;
   let running: { question: Question; since: number } | null = null;
   let waiting: Question | null = null;
@@ -40,7 +40,7 @@ export function createAside(module: WebAssembly.Module, ready: () => void): Asid
     worker?.terminate();
     worker = null;
   };
-  const start = (): Worker => {
+  const start = (compiled: WebAssembly.Module): Worker => {
     const made = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
     const finish = (reply: Reply): void => {
       if ("problem" in reply) drop();
@@ -48,11 +48,13 @@ export function createAside(module: WebAssembly.Module, ready: () => void): Asid
     };
     made.onmessage = ({ data }: MessageEvent<Reply>) => finish(data);
     made.onerror = (event) => finish({ problem: event.message });
-    made.postMessage(module);
+    made.postMessage(compiled);
     return made;
   };
   const ask = (question: Question): void => {
-    worker ??= start();
+    const compiled = module();
+    if (!compiled) return;
+    worker ??= start(compiled);
     running = { question, since: performance.now() };
     worker.postMessage(question);
   };

@@ -2,8 +2,8 @@
 // changed is written into it, the form follows the cursor. Short programs at once, long ones by a worker.
 
 import type { Aside, Answered } from "./aside";
-import type { ChangeRequest, Core } from "./core";
 import { carried, splice, type Splice } from "./eol";
+import type { ChangeRequest, ProgramCore } from "./program";
 import { AT_END, machine, programOf, type Reading, type State } from "./state";
 import type { CallView, Edit, ReadView } from "./wire";
 
@@ -105,8 +105,11 @@ function answered(state: State, { question, json, problem }: Answered): State {
   return changed(state, question, JSON.parse(json) as Edit[][]);
 }
 
-export function createDesk(core: Core, reader: Aside): (state: State) => State {
+/** Until the part of the core that reads is there, nothing is settled. */
+export function createDesk(programCore: () => ProgramCore | null, reader: Aside): (state: State) => State {
   const settle = (state: State): State => {
+    const core = programCore();
+    if (!core) return state;
     const { control, reading } = state;
     const text = programOf(state);
     const short = text.length <= SHORT;

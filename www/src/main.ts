@@ -7,8 +7,7 @@ import { showBroken } from "./views/broken";
 addEventListener("probewright-panic", (event) => showBroken(String((event as CustomEvent).detail)));
 document.documentElement.lang = choose(navigator.languages);
 try {
-  const { core, module } = await loadCore();
-  await startApp(core, module);
+  await startApp(await loadCore());
 } catch (problem) {
   console.error(problem);
   showBroken(problem instanceof Error ? problem.message : String(problem));

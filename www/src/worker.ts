@@ -1,7 +1,7 @@
 // The core on a thread of its own. First comes the compiled module, then questions; each gets one answer.
 
-import { initSync } from "@pkg/core/core.js";
-import { answer, type Question } from "./core";
+import { initSync } from "@pkg/program/program.js";
+import { answer, type Question } from "./program";
 
 export type Reply = { json: string } | { problem: string };
 

@@ -18,13 +18,21 @@ struct Module {
     shrink: bool,
 }
 
-const MODULES: [Module; 3] = [
+const MODULES: [Module; 4] = [
     Module {
         folder: "core",
         name: "core",
         package: "probewright-web",
         profile: "web",
-        features: "",
+        features: "form",
+        shrink: true,
+    },
+    Module {
+        folder: "program",
+        name: "program",
+        package: "probewright-web",
+        profile: "web",
+        features: "program",
         shrink: true,
     },
     Module {

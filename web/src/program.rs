@@ -1,0 +1,41 @@
+//! What programs need.
+
+use probewright_core::json;
+use wasm_bindgen::JsError;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// `ReadRequest` → `ReadView`.
+///
+/// # Errors
+/// A request of the wrong shape.
+#[wasm_bindgen]
+pub fn read(request: &str) -> Result<String, JsError> {
+    Ok(json::read(request)?.to_string())
+}
+
+/// `ChangeRequest` → `Edit[]`.
+///
+/// # Errors
+/// A request of the wrong shape or a call that is not there.
+#[wasm_bindgen]
+pub fn change(request: &str) -> Result<String, JsError> {
+    Ok(json::change(request)?.to_string())
+}
+
+/// `ConvertRequest` → `Converted`.
+///
+/// # Errors
+/// A request of the wrong shape.
+#[wasm_bindgen]
+pub fn convert(request: &str) -> Result<String, JsError> {
+    Ok(json::convert(request)?.to_string())
+}
+
+/// `RunRequest` → `RunView`.
+///
+/// # Errors
+/// A request or a setup of the wrong shape.
+#[wasm_bindgen]
+pub fn run(request: &str) -> Result<String, JsError> {
+    Ok(json::run(request)?.to_string())
+}

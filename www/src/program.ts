@@ -1,0 +1,43 @@
+// The part of the core that reads, changes and runs programs. Short programs are read on the page's thread, what may
+// take long is asked in a worker (aside.ts), with the same module.
+
+import init, * as wasm from "@pkg/program/program.js";
+import address from "@pkg/program/program_bg.wasm?url";
+import { splice } from "./eol";
+import { call, compile } from "./module";
+import type { Edit, Pending, ReadRequest, ReadView, RunRequest } from "./wire";
+
+/** All values of one call that were changed in the form: `pending` of `control` at `at`, the call being number `call`. */
+export interface ChangeRequest extends ReadRequest { call: number; at: number; pending: readonly Pending[] }
+
+/** What is asked about a whole program. */
+export type Question = { ask: "read" } & ReadRequest | { ask: "change" } & ChangeRequest | { ask: "run" } & RunRequest;
+
+export interface ProgramCore {
+  module: WebAssembly.Module; // for the workers
+  read(request: ReadRequest): ReadView;
+  change(request: ChangeRequest): Edit[][];
+}
+
+/** One list of edits a value, each for the text after the edits before it. */
+function changes({ control, text, call: index, at, pending }: ChangeRequest): Edit[][] {
+  let now = text;
+  return pending.filter((one) => one.control === control && one.at === at).map(({ name, value }) => {
+    const edits = JSON.parse(call("change", () => wasm.change(JSON.stringify({ control, text: now, call: index, name, value })))) as Edit[];
+    now = splice(now, edits);
+    return edits;
+  });
+}
+
+/** The answer as JSON text, so that a worker can hand it over as it is. */
+export function answer(question: Question): string {
+  const { ask, ...request } = question;
+  if (question.ask === "change") return JSON.stringify(changes(question));
+  return call(ask, () => ask === "read" ? wasm.read(JSON.stringify(request)) : wasm.run(JSON.stringify(request)));
+}
+
+export async function loadProgramCore(): Promise<ProgramCore> {
+  const module = await compile(address);
+  await init({ module_or_path: module });
+  return { module, read: (request) => JSON.parse(answer({ ask: "read", ...request })) as ReadView, change: changes };
+}
