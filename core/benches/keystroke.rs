@@ -15,7 +15,7 @@ const PREDICT_GOAL: f64 = 5.0;
 
 fn main() {
     println!(
-        "{:<44} {:>9} {:>9} {:>9}  goal",
+        "{:<44} {:>9} {:>9} {:>9}  goal  99 % / goal",
         "ms", "50 %", "95 %", "99 %"
     );
     for cycle in CYCLES {
@@ -62,9 +62,10 @@ fn measure(name: &str, request: &Value, goal: f64) {
     let at = |percent: usize| times[(RUNS - 1) * percent / 100];
     let verdict = if at(99) < goal { "met" } else { "missed" };
     println!(
-        "{name:<44} {:>9.3} {:>9.3} {:>9.3}  < {goal} {verdict}",
+        "{name:<44} {:>9.3} {:>9.3} {:>9.3}  < {goal}  {:.2} {verdict}",
         at(50),
         at(95),
-        at(99)
+        at(99),
+        at(99) / goal
     );
 }

@@ -453,15 +453,14 @@ pub(super) fn plane(name: PlaneName) -> Plane {
 }
 
 fn read_tool(file: ToolFile) -> Tool {
-    let edges = file
-        .edges
-        .into_iter()
-        .map(|(number, edge)| (number, read_edge(&edge)))
-        .collect();
-    Tool {
+    let mut tool = Tool {
         name: file.name,
-        edges,
+        edges: BTreeMap::new(),
+    };
+    for (number, edge) in file.edges {
+        tool.edges.insert(number, read_edge(&edge));
     }
+    tool
 }
 
 fn read_edge(file: &EdgeFile) -> Edge {
