@@ -8,7 +8,7 @@ use probewright_core::program::calls::{CallSite, calls};
 use probewright_core::program::change::{apply, change};
 use probewright_core::program::read;
 use probewright_core::program::tree::Program;
-use probewright_core::program::write::snippet;
+use probewright_core::program::write::{Words, snippet};
 use proptest::prelude::*;
 
 /// How one value is chosen and typed.
@@ -138,7 +138,7 @@ proptest! {
                 let control = control(cycle.dialect, plane, inch);
                 let typed = values(cycle, &choosing(cycle, index, choices[0].1), &choices);
                 let word = |name: &str, key: &str| format!("{key} of {name}; (12,5) \"x\" %");
-                let words: Option<&dyn Fn(&str, &str) -> String> = comments.then_some(&word);
+                let words: Option<Words> = comments.then_some(&word);
                 let snippet = snippet(cycle, &typed, &control, Style::Direct, words).text;
                 let text = prologue(&control) + &snippet;
                 let (_, site) = only(cycle.dialect, &text);

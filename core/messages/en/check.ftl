@@ -1,7 +1,7 @@
 # What is wrong with the values of a call, and the cure (-hint). Lengths in mm unless they are values as typed.
 
 check-missing = { $param } is missing.
-check-delivered = { $param } is not given; the delivered value { $value } counts.
+check-delivered = { $param } is not given; the delivered value { $value }{ $unit } counts.
 check-not-a-number = “{ $value }” is not a number.
 check-not-a-number-hint = Write digits with a point or a comma, for example 12.5.
 check-expression = “{ $value }” is known only when the program runs; it is not checked here.
@@ -13,14 +13,14 @@ check-text-long = The text is longer than { $most } characters.
 check-text-long-hint = Shorten the name to what the control keeps.
 check-text-characters = The text holds quotation marks or control characters.
 check-text-characters-hint = Use the plain name.
-check-range = { $param } cannot be { $value }.
+check-range = { $param } cannot be { $value }{ $unit }.
 check-range-choice-hint = Choose one of { $choices }.
-check-range-both-hint = Enter a value from { $min } to { $max }.
-check-range-from-hint = Enter { $min } or more.
-check-range-above-hint = Enter more than { $min }.
-check-range-below-hint = Enter a smaller value.
-check-unusual = { $value } is unusual for { $param }.
-check-unusual-hint = Usual is { $min } to { $max }.
+check-range-both-hint = Enter a value from { $min } to { $max }{ $unit }.
+check-range-from-hint = Enter { $min }{ $unit } or more.
+check-range-above-hint = Enter more than { $min }{ $unit }.
+check-range-below-hint = Enter { $max }{ $unit } or less.
+check-unusual = { $value }{ $unit } is unusual for { $param }.
+check-unusual-hint = Usual is { $min } to { $max }{ $unit }.
 check-variant = { $cycle } has no measuring variant { $value }.
 check-variant-hint = Choose the element and the correction from the list.
 
@@ -46,15 +46,15 @@ check-mean-memory = There is no mean value memory { $number }; the array holds {
 check-memory-hint = Choose a smaller number, or enlarge the array and { $array }.
 check-mean-off = No mean value is kept from one part to the next.
 check-mean-off-hint = Set _CHBIT[4]=1 if it should be kept.
-check-tolerance-order = The upper tolerance is below the lower one.
+check-tolerance-order = The upper tolerance { $upper } mm is below the lower one, { $lower } mm.
 check-tolerance-order-hint = Exchange _TUL and _TLL, or check their signs.
-check-band-difference = Half of the tolerance band is wider than _TDIF: a part within tolerance would be taken for wrong.
-check-zero-mean = _TZL is larger than _TMV: the mean value never corrects.
-check-difference-safe = _TDIF is larger than _TSA: the program stops before _TDIF can act.
+check-band-difference = Half of the tolerance band, { $small } mm, is wider than _TDIF, { $large } mm: a part within tolerance would be taken for wrong.
+check-zero-mean = _TZL, { $small } mm, is larger than _TMV, { $large } mm: the mean value never corrects.
+check-difference-safe = _TDIF, { $small } mm, is larger than _TSA, { $large } mm: the program stops before _TDIF can act.
 check-bands-hint = Keep the order _TZL, _TMV, half of the tolerance band, _TDIF, _TSA.
 check-reach = The measuring path { $path } mm ends before the safe area { $area } mm: such a part raises 61301 instead of 61303.
 check-reach-hint = Make _FA larger than the largest deviation, or _TSA smaller.
-check-infeed = The infeed does not lead down to the element.
+check-infeed = The infeed { $infeed } mm does not lead down to the element.
 check-infeed-hint = Enter a negative value if the tool axis points up.
 
 check-ball = A ball of { $ball } mm does not fit in.

@@ -5,6 +5,7 @@ g101-help = Moves the stylus to a position and watches it: whatever it touches o
 g101-words = position move approach protect stylus probe safe
 g101-positioning = Protected positioning
 g101-no-target = No axis is given: nothing moves.
+g101-no-target-hint = Give X, Y or Z.
 param-g101-x = Target in X
 param-g101-x-help = Where the stylus goes in X; absolute, or a way with G91. Without it X stays.
 param-g101-y = Target in Y

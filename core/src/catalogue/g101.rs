@@ -5,6 +5,7 @@ use super::nct::{self, part};
 use super::{
     Cycle, Dialect, Kind, Param, Proposal, Purpose, Range, Simulation, Unit, Variant, When,
 };
+use crate::check::Finding;
 use crate::check::Inputs;
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
@@ -115,10 +116,9 @@ fn checks(inputs: &Inputs, _: &Control, findings: &mut Vec<Diagnostic>) {
         .iter()
         .any(|name| inputs.numbers.contains_key(name))
     {
-        findings.push(crate::check::warning(
-            crate::diagnostic::Code::Own(110),
-            Message::new("g101-no-target"),
-        ));
+        let code = crate::diagnostic::Code::Own(110);
+        let found = crate::check::warning(code, Message::new("g101-no-target"));
+        findings.push(found.hint(Message::new("g101-no-target-hint")));
     }
 }
 

@@ -76,7 +76,9 @@ pub fn memories(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>)
 pub fn tolerances(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     if let (Some(upper), Some(lower)) = (inputs.given(names::TUL), inputs.given(names::TLL)) {
         if upper < lower {
-            let message = Message::new("check-tolerance-order");
+            let message = Message::new("check-tolerance-order")
+                .number("upper", upper)
+                .number("lower", lower);
             found.push(
                 error(Code::Own(22), message)
                     .hint(Message::new("check-tolerance-order-hint"))
@@ -126,9 +128,12 @@ fn order(
     at: &'static str,
     found: &mut Vec<Diagnostic>,
 ) {
-    if large.is_some_and(|large| large < small) {
+    if let Some(large) = large.filter(|large| *large < small) {
+        let message = Message::new(key)
+            .number("small", small)
+            .number("large", large);
         found.push(
-            warning(code, Message::new(key))
+            warning(code, message)
                 .hint(Message::new("check-bands-hint"))
                 .at(at),
         );
@@ -186,8 +191,8 @@ pub fn across(
 
 /// An infeed that does not lead down to the measuring height (B:5833: minus is down).
 pub fn infeed(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
-    if inputs.given(names::ID).is_some_and(|infeed| infeed >= 0.0) {
-        let message = Message::new("check-infeed");
+    if let Some(infeed) = inputs.given(names::ID).filter(|infeed| *infeed >= 0.0) {
+        let message = Message::new("check-infeed").number("infeed", infeed);
         found.push(
             warning(Code::Own(27), message)
                 .hint(Message::new("check-infeed-hint"))

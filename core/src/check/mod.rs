@@ -12,7 +12,7 @@ pub use finding::{Finding, error, note, warning};
 pub use number::{Parsed, parse};
 pub use targets::{Target, target};
 pub use typed::{Checked, OUT_OF_RANGE, check, read};
-pub use units::{delivered_factor, factor, unit_name};
+pub use units::{delivered_factor, factor, unit_behind, unit_name};
 
 use crate::catalogue::Cycle;
 use crate::control::Plane;

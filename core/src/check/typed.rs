@@ -1,6 +1,8 @@
 //! From typed values to inputs, parameter by parameter.
 
-use super::{Finding, Inputs, Parsed, Typed, error, factor, note, parse, targets, warning};
+use super::{
+    Finding, Inputs, Parsed, Typed, error, factor, note, parse, targets, unit_behind, warning,
+};
 use crate::catalogue::{Cycle, Kind, Level, Param, Range, Unit};
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic, Severity};
@@ -250,7 +252,8 @@ fn absent(
         (Level::Required, Some(number)) => {
             let message = Message::new("check-delivered")
                 .text("param", param.name)
-                .number("value", number);
+                .number("value", number)
+                .text("unit", unit_behind(param.unit, control));
             diagnostics.push(
                 warning(DELIVERED, message)
                     .hint(Message::new(reason))
@@ -284,7 +287,7 @@ fn judge(param: &Param, inputs: &Inputs, control: &Control) -> Option<Diagnostic
     };
     if !allowed {
         return Some(
-            error(code, outside("check-range", param, shown))
+            error(code, outside("check-range", param, shown, control))
                 .hint(range_hint(param, choices, control))
                 .at(param.name),
         );
@@ -294,7 +297,7 @@ fn judge(param: &Param, inputs: &Inputs, control: &Control) -> Option<Diagnostic
     }
     let usual = param.usual.contains(number);
     (!usual).then(|| {
-        let message = outside("check-unusual", param, shown);
+        let message = outside("check-unusual", param, shown, control);
         warning(UNUSUAL, message)
             .hint(bounds(
                 "check-unusual-hint",
@@ -306,10 +309,11 @@ fn judge(param: &Param, inputs: &Inputs, control: &Control) -> Option<Diagnostic
     })
 }
 
-fn outside(key: &'static str, param: &Param, shown: f64) -> Message {
+fn outside(key: &'static str, param: &Param, shown: f64, control: &Control) -> Message {
     Message::new(key)
         .text("param", param.name)
         .number("value", shown)
+        .text("unit", unit_behind(param.unit, control))
 }
 
 /// What is allowed, in words that fit the kind and the ends of the range.
@@ -334,7 +338,7 @@ fn range_hint(param: &Param, choices: Option<&[(i64, &str)]>, control: &Control)
 /// Both ends in the unit of the field.
 fn bounds(key: &'static str, range: Range, unit: Unit, control: &Control) -> Message {
     let per = factor(unit, control);
-    let mut message = Message::new(key);
+    let mut message = Message::new(key).text("unit", unit_behind(unit, control));
     if range.min.is_finite() {
         message = message.number("min", range.min / per);
     }

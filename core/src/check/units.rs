@@ -45,3 +45,11 @@ pub fn unit_name(unit: Unit, control: &Control) -> &'static str {
         Unit::ActiveLength | Unit::BasicLength | Unit::Millimetre => "mm",
     }
 }
+
+/// Name of the unit as it stands behind a number; empty where there is none.
+pub fn unit_behind(unit: Unit, control: &Control) -> String {
+    match unit_name(unit, control) {
+        "" => String::new(),
+        name => format!(" {name}"),
+    }
+}

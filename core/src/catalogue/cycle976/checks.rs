@@ -73,7 +73,11 @@ fn hole(inputs: &Inputs, control: &Control, ball: f64, found: &mut Vec<Diagnosti
         let shown = size / factor(Unit::ActiveLength, control);
         let message = Message::new("check-range")
             .text("param", names::SETVAL)
-            .number("value", shown);
+            .number("value", shown)
+            .text(
+                "unit",
+                crate::check::unit_behind(Unit::ActiveLength, control),
+            );
         found.push(
             error(crate::check::OUT_OF_RANGE, message)
                 .hint(Message::new("check-positive-hint"))

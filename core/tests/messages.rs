@@ -1,0 +1,211 @@
+//! What a user reads: every finding has words, names its values with units, and says the cure.
+#![cfg(feature = "cli")]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use probewright_core::catalogue::{CYCLES, Dialect, Kind, find};
+use probewright_core::check::{Typed, check};
+use probewright_core::control::{Control, Units, delivery};
+use probewright_core::diagnostic::{Diagnostic, Severity};
+use probewright_core::words::Words;
+use proptest::prelude::*;
+
+fn findings(name: &str, values: &[(&str, &str)], control: &Control) -> Vec<Diagnostic> {
+    let cycle = find(Dialect::Sinumerik, name).unwrap();
+    let pair = |(name, value): &(&str, &str)| ((*name).to_owned(), (*value).to_owned());
+    let mut typed: Typed = cycle.example.iter().map(pair).collect();
+    typed.extend(values.iter().map(pair));
+    check(cycle, &typed, control).diagnostics
+}
+
+/// Cause and cure of the findings at a parameter.
+fn told(values: &[(&str, &str)], param: &str, control: &Control) -> String {
+    let words = Words::english();
+    let found = findings("CYCLE977", values, control);
+    let these = found.iter().filter(|finding| finding.param == Some(param));
+    these
+        .map(|finding| {
+            let hint = finding
+                .hint
+                .as_ref()
+                .map_or(String::new(), |hint| words.text(hint));
+            format!("{} {hint}\n", words.text(&finding.message))
+        })
+        .collect()
+}
+
+// oracle: hand
+#[test]
+fn causes_and_cures_name_values_with_units() {
+    let metric = delivery(Dialect::Sinumerik);
+    let mut inch = metric.clone();
+    inch.active_units = Units::Inch;
+    for (values, param, control, text) in [
+        (
+            &[("_SETVAL", "-5")][..],
+            "_SETVAL",
+            &metric,
+            "_SETVAL cannot be -5 mm. Enter more than 0 mm.",
+        ),
+        (
+            &[("_SETVAL", "-5")],
+            "_SETVAL",
+            &inch,
+            "_SETVAL cannot be -5 inch. Enter more than 0 inch.",
+        ),
+        (
+            &[("_FA", "0,5")],
+            "_FA",
+            &metric,
+            "0.5 mm is unusual for _FA. Usual is 1 to 100 mm.",
+        ),
+        (
+            &[("_VMS", "5000")],
+            "_VMS",
+            &metric,
+            "5000 mm/min is unusual",
+        ),
+        (
+            &[("_PRNUM", "101"), ("_CORA", "400")],
+            "_CORA",
+            &metric,
+            "_CORA cannot be 400 deg. Enter a value from 0 to 360 deg.",
+        ),
+        (
+            &[("_PRNUM", "101")],
+            "_CORA",
+            &metric,
+            "_CORA is not given; the delivered value 0 deg counts.",
+        ),
+        (
+            &[("_TUL", "-1"), ("_TLL", "0,5")],
+            "_TUL",
+            &metric,
+            "-1 mm is below the lower one, 0.5 mm. Exchange",
+        ),
+        (
+            &[("_TUL", "0,3"), ("_TLL", "-0,3")],
+            "_TDIF",
+            &metric,
+            "0.3 mm, is wider than _TDIF, 0.06 mm",
+        ),
+        (
+            &[("_TZL", "0,5")],
+            "_TMV",
+            &metric,
+            "_TZL, 0.5 mm, is larger than _TMV, 0.02 mm",
+        ),
+        (
+            &[("_TDIF", "3")],
+            "_TSA",
+            &metric,
+            "_TDIF, 3 mm, is larger than _TSA, 1 mm",
+        ),
+        (
+            &[("_SETVAL", "5,5")],
+            "_SETVAL",
+            &metric,
+            "A ball of 6 mm does not fit in.",
+        ),
+        (
+            &[("_FA", "127")],
+            "_FA",
+            &metric,
+            "only 126 mm of way. Choose _FA below 126 mm.",
+        ),
+        (
+            &[("_MVAR", "1001"), ("_ID", "-20"), ("_SZA", "140")],
+            "_SZA",
+            &metric,
+            "The protection zone 140 mm is not smaller than the element, 132 mm. Choose a zone smaller than 120 mm",
+        ),
+        (
+            &[("_MVAR", "2"), ("_ID", "20")],
+            "_ID",
+            &metric,
+            "The infeed 20 mm does not lead down",
+        ),
+        (
+            &[("_MVAR", "101")],
+            "_KNUM",
+            &metric,
+            "2001 names no zero offset. This is the code of a tool offset.",
+        ),
+        (
+            &[("_K", "0")],
+            "_K",
+            &metric,
+            "_K cannot be 0. Enter more than 0.",
+        ),
+    ] {
+        let found = told(values, param, control);
+        assert!(found.contains(text), "{values:?}: {found}");
+    }
+}
+
+const VALUES: &[&str] = &[
+    "",
+    "0",
+    "1",
+    "-1",
+    "3",
+    "20",
+    "132",
+    "-132",
+    "0,5",
+    "1,2,3",
+    "1e9",
+    "1e308",
+    "-1e308",
+    "1.5e",
+    "NaN",
+    "inf",
+    "٣",
+    "R1",
+    "R1+",
+    "101",
+    "1001",
+    "1105",
+    "2001",
+    "9999",
+    "1000000",
+    "399999999",
+    "12x",
+    "\"",
+    "A\nB",
+    "360",
+    "1e-9",
+];
+
+// oracle: self (a missing argument or word would show its name)
+proptest! {
+    #![proptest_config(ProptestConfig { max_shrink_iters: 200, ..ProptestConfig::with_cases(300) })]
+
+    #[test]
+    fn every_finding_has_all_its_words(
+        picks in proptest::collection::vec(any::<prop::sample::Index>(), 40), variant in 0..24_usize, example: bool
+    ) {
+        let words = Words::english();
+        for cycle in CYCLES {
+            let mut typed = Typed::new();
+            for (param, pick) in cycle.params.iter().zip(&picks) {
+                let given = cycle.example.iter().find(|(name, _)| *name == param.name);
+                let text = match (&param.kind, given) {
+                    (Kind::Variant(_), _) => cycle.variants[variant % cycle.variants.len()].number.to_string(),
+                    (_, Some((_, value))) if example && pick.index(3) > 0 => (*value).to_owned(),
+                    _ => VALUES[pick.index(VALUES.len())].to_owned(),
+                };
+                typed.insert(param.name.into(), text);
+            }
+            for finding in check(cycle, &typed, &delivery(cycle.dialect)).diagnostics {
+                let messages = std::iter::once(&finding.message).chain(&finding.hint);
+                for message in messages {
+                    let text = words.find(message);
+                    prop_assert!(text.is_some(), "{}", message.key);
+                    let text = text.unwrap();
+                    prop_assert!(!text.contains("{$") && !text.chars().any(char::is_control), "{}", text);
+                }
+                prop_assert!(finding.hint.is_some() || finding.severity == Severity::Note, "{:?}", finding.message);
+            }
+        }
+    }
+}
