@@ -111,12 +111,7 @@ fn physical(cycle: &'static Cycle, outcome: &Outcome) -> Vec<(String, f64)> {
         ));
     }
     for change in outcome.changes() {
-        let per = if change.name.starts_with("_MV") {
-            outcome.control.basic_factor()
-        } else {
-            1.0
-        };
-        list.push((change.name, (change.after - change.before) * per));
+        list.push((change.name, change.after - change.before));
     }
     for entry in &outcome.trace.entries {
         if let Step::Motion { to, feed, .. } = &entry.step {

@@ -26,7 +26,7 @@ pub struct Outcome {
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Something that is different after a run. Values in the unit of the datum (lengths of tools and frames in mm).
+/// Something that is different after a run. Lengths in mm, also of memories that an inch machine keeps in inch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Change {
     /// `$TC_DP15[20,1]`, `$P_UIFR[1,X,FI]`, `_MV[9]`.
@@ -142,7 +142,7 @@ impl Outcome {
     }
 }
 
-/// Every corrected quantity by the name a program would use for it.
+/// Every corrected quantity by the name a program would use for it, lengths in mm.
 fn addressable(control: &Control) -> BTreeMap<String, f64> {
     let mut all = BTreeMap::new();
     for name in control.variable_names() {
@@ -156,7 +156,7 @@ fn addressable(control: &Control) -> BTreeMap<String, f64> {
         .filter(|(name, _)| name.starts_with("_MV[") || name.starts_with("_EV["));
     for (name, value) in memories {
         if let Value::Number(value) = value {
-            all.insert(name.clone(), *value);
+            all.insert(name.clone(), *value * control.basic_factor());
         }
     }
     all

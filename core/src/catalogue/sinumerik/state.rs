@@ -1,14 +1,7 @@
 //! What the workpiece cycles demand of the control before anything else (B:4141-4157, A:15840-15935).
 
+use crate::control::arrays::FIELDS;
 use crate::control::{Control, Frame, Value};
-
-/// Arrays of data fields, each with the datum that tells how many there are (B:13345-13348).
-const FIELDS: [(&str, &str); 4] = [
-    ("_TP", "_CVAL[0]"),
-    ("_WP", "_CVAL[1]"),
-    ("_KB", "_CVAL[2]"),
-    ("_TPW", "_CVAL[3]"),
-];
 
 /// Bit of MD28082 for the system frame of the cycles (A:15840, B:1977).
 const CYCLE_FRAME: u32 = 5;
