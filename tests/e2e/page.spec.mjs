@@ -69,6 +69,27 @@ describe("first visit", () => {
     await context.close();
   });
 
+  // oracle: hand (untouched, the worked measurement follows the variant; what was typed stays)
+  test("another variant brings its own worked measurement until something is typed", async () => {
+    const { context, page } = await start(chrome);
+    const VARIANTS = '[role="treeitem"][aria-level="3"]';
+    const chosen = () => page.evaluate((all) => [...document.querySelectorAll(all)].findIndex((node) => node.ariaSelected === "true"), VARIANTS);
+    const first = await chosen();
+    const variant = (index) => page.locator(VARIANTS).nth(first + index);
+    const results = page.locator(".results tbody tr");
+    for (const index of [1, 8, 12, 17]) {
+      await variant(index).click();
+      await page.waitForFunction(([all, wanted]) => document.querySelectorAll(all)[wanted]?.ariaSelected === "true", [VARIANTS, first + index]);
+      await results.first().waitFor();
+    }
+    await variant(0).click();
+    await lengthField(page).fill("31.5");
+    await variant(1).click();
+    await results.first().waitFor({ state: "hidden" });
+    assert.equal(await lengthField(page).inputValue(), "31.5");
+    await context.close();
+  });
+
   // oracle: hand
   test("every text of every variant is there", async () => {
     const { context, page } = await open(chrome.browser);

@@ -44,6 +44,12 @@ export function variantOf(cycle: CycleInfo, values: Record<string, string>): Var
   return cycle.variants.filter((variant) => matches(variant, values)).sort((a, b) => asks(b) - asks(a))[0];
 }
 
+/** Whether the worked measurement of a variant is still as it was: then another variant brings its own. */
+function isExample(cycle: CycleInfo, values: Record<string, string>): boolean {
+  const example = variantOf(cycle, values)?.example;
+  return !!example && Object.entries(example).every(([name, value]) => (values[name] ?? "") === value);
+}
+
 export function createActions(store: Store, catalogue: Catalogue): Actions {
   const now = (): State => store.state;
   const remember = (): Partial<State> => ({ remembered: { ...now().remembered, [memoryKey(now().control, now().cycle)]: now().values } });
@@ -62,8 +68,8 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
     chooseCycle(cycle, variant) {
       const state = now();
       const same = cycle.control === state.control && cycle.cycle === state.cycle;
-      if (same && variant) return edits(Object.entries(variant.values));
-      const values = same ? state.values : state.remembered[memoryKey(cycle.control, cycle.cycle)] ?? cycle.example;
+      if (same && variant) return edits(Object.entries(isExample(cycle, state.values) ? variant.example : variant.values));
+      const values = same ? state.values : state.remembered[memoryKey(cycle.control, cycle.cycle)] ?? variant?.example ?? cycle.example;
       store.update({ ...remember(), control: cycle.control, cycle: cycle.cycle, values: { ...values, ...variant?.values }, open: same ? state.open : null, sought: null, step: AT_END, source: "form", touched: {}, checked: false });
     },
     edit: (name, value) => edits([[name, value]]),
@@ -73,7 +79,7 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
     check: () => store.update({ checked: true }),
     example() {
       const cycle = findCycle(catalogue, now().control, now().cycle);
-      if (cycle) store.update({ values: cycle.example, open: null, sought: null, step: AT_END, touched: {}, checked: false });
+      if (cycle) store.update({ values: variantOf(cycle, now().values)?.example ?? cycle.example, open: null, sought: null, step: AT_END, touched: {}, checked: false });
     },
     editProgram: (edits) => store.update((state) => ({ ...withEdits(state, edits), follow: "text" })),
     openProgram(text) {

@@ -22,15 +22,20 @@ import { createResults } from "./views/results";
 import { createScene } from "./views/scene";
 import { createSliders } from "./views/sliders";
 import { createTasks } from "./views/tasks";
-import type { Catalogue, RunView } from "./wire";
+import type { Catalogue, CycleInfo, RunView } from "./wire";
 
 const FIRST_OVERSIZE = 0.03; // mm: the part of the first visit is this much too big
 const SAVE_AFTER = 200; // ms without a change
 
+/** The first that also shows what it does. */
+function firstCycle(catalogue: Catalogue): CycleInfo | undefined {
+  return catalogue.cycles.find((cycle) => cycle.simulated) ?? catalogue.cycles[0];
+}
+
 /** A worked measurement: the first cycle's example on a part that is a little too big, already written into the program. */
 function firstVisit(core: Core, catalogue: Catalogue): State {
   const state = firstState();
-  const cycle = catalogue.cycles[0];
+  const cycle = firstCycle(catalogue);
   if (!cycle) return state;
   const errors = { ...NO_ERRORS, part: { ...NO_ERRORS.part, size: FIRST_OVERSIZE } };
   const { snippet } = core.form({ control: cycle.control, cycle: cycle.cycle, values: cycle.example, errors });
@@ -49,7 +54,7 @@ async function startState(core: Core, catalogue: Catalogue): Promise<State> {
 }
 
 function pickFirst(catalogue: Catalogue): Partial<State> {
-  const cycle = catalogue.cycles[0];
+  const cycle = firstCycle(catalogue);
   return cycle ? { control: cycle.control, cycle: cycle.cycle, values: cycle.example, open: null } : {};
 }
 

@@ -22,7 +22,7 @@ export interface CycleInfo {
   control: Dialect;
   cycle: string;                // "CYCLE977"
   key: string;                  // "cycle977": messages cycle977-title, cycle977-words, cycle977-help
-  variants: { mvar: number; key: string; source: string; values: Record<string, string> }[]; // values: as typed, they choose this variant
+  variants: { mvar: number; key: string; source: string; values: Record<string, string>; example: Record<string, string> }[]; // values: as typed, they choose this variant
   parameters: { name: string; key: string; unit: string; default: number | null; source: string }[];
   results: { name: string; key: string; unit: string; source: string }[];
   alarms: string[];

@@ -131,6 +131,9 @@ pub struct Simulation {
     pub propose: fn(&Inputs, &Control) -> Proposal,
     /// What the control does.
     pub simulate: fn(&mut dyn Machine, &Inputs) -> Result<(), Stop>,
+    /// What a variant's worked measurement has beside [`Cycle::example`], or instead: values as typed where the condition
+    /// holds, later ones win.
+    pub examples: &'static [(When, &'static [(&'static str, &'static str)])],
 }
 
 /// One measuring variant.

@@ -77,7 +77,11 @@ pub static G101: Cycle = Cycle {
     checks,
     picture,
     example: &[("X", "120"), ("Z", "200")],
-    simulation: Some(Simulation { propose, simulate }),
+    simulation: Some(Simulation {
+        propose,
+        simulate,
+        examples: &[],
+    }),
     source: "C:106-144",
 };
 

@@ -6,6 +6,7 @@ pub mod cycle976;
 pub mod cycle977;
 pub mod cycle978;
 mod entry;
+pub mod example;
 pub mod g101;
 pub mod g110;
 pub mod list;

@@ -1,7 +1,9 @@
 //! The whole catalogue as JSON.
 
 use super::{code, dialect_name, object};
-use crate::catalogue::{CYCLES, Cycle, Kind, Param, ResultField, Unit, Variant};
+use crate::catalogue::example::{choosing, example};
+use crate::catalogue::{CYCLES, Cycle, Param, ResultField, Unit, Variant};
+use crate::check::Typed;
 use serde_json::Value;
 
 /// What the page asks for first: the cycles under a name.
@@ -14,7 +16,7 @@ pub fn cycles() -> Value {
     CYCLES.iter().map(|cycle| entry(cycle)).collect()
 }
 
-fn entry(cycle: &Cycle) -> Value {
+fn entry(cycle: &'static Cycle) -> Value {
     let variants = cycle.variants.iter();
     let example = cycle.example.iter();
     object([
@@ -37,24 +39,21 @@ fn entry(cycle: &Cycle) -> Value {
     ])
 }
 
-fn variant(cycle: &Cycle, variant: &Variant) -> Value {
+fn variant(cycle: &'static Cycle, variant: &Variant) -> Value {
     object([
         ("mvar", variant.number.into()),
         ("key", variant.key.into()),
         ("source", variant.source.into()),
-        ("values", choosing(cycle, variant.number)),
+        ("values", words(choosing(cycle, variant.number))),
+        ("example", words(example(cycle, variant))),
     ])
 }
 
-/// Values, as typed, that choose a variant: its number, or the address whose presence makes it.
-fn choosing(cycle: &Cycle, number: i64) -> Value {
-    object(cycle.params.iter().filter_map(|param| {
-        if matches!(param.kind, Kind::Variant(_)) {
-            return Some((param.name, number.to_string().into()));
-        }
-        let value = if param.chooses? == number { "0" } else { "" };
-        Some((param.name, value.into()))
-    }))
+fn words(values: Typed) -> Value {
+    values
+        .into_iter()
+        .map(|(name, value)| (name, Value::from(value)))
+        .collect()
 }
 
 fn param(param: &Param) -> Value {

@@ -83,11 +83,16 @@ fn the_schema_in_docs_is_the_one_of_the_code() {
 }
 
 fn request(cycle: &crate::catalogue::Cycle) -> String {
-    let values: Typed = cycle
-        .example
-        .iter()
-        .map(|(name, value)| ((*name).to_owned(), (*value).to_owned()))
-        .collect();
+    let values = cycle.example.iter();
+    asked(
+        cycle,
+        &values
+            .map(|(name, value)| ((*name).to_owned(), (*value).to_owned()))
+            .collect(),
+    )
+}
+
+fn asked(cycle: &crate::catalogue::Cycle, values: &Typed) -> String {
     json!({
         "control": dialect_name(cycle.dialect),
         "cycle": cycle.name,
@@ -112,29 +117,33 @@ fn every_worked_example_is_complete_and_reaches_its_end() {
             assert_eq!(view["outcome"], Value::Null, "{}", cycle.name);
             continue;
         }
-        let alarms = view["outcome"]["alarms"].as_array().unwrap();
-        assert!(
-            alarms.iter().all(|alarm| alarm["stops"] == false),
-            "{}: {alarms:?}",
-            cycle.name
-        );
-        let entries = view["outcome"]["trace"]["entries"].as_array().unwrap();
-        assert!(
-            entries.iter().any(|entry| entry["step"] == "motion"),
-            "{}",
-            cycle.name
-        );
-        assert!(
-            setup_from_json(&view["setup"].to_string()).is_ok(),
-            "{}",
-            cycle.name
-        );
-        assert!(
-            !view["picture"]["shapes"].as_array().unwrap().is_empty(),
-            "{}",
-            cycle.name
-        );
+        for variant in cycle.variants {
+            reaches_its_end(cycle, variant);
+        }
     }
+}
+
+fn reaches_its_end(cycle: &'static crate::catalogue::Cycle, variant: &crate::catalogue::Variant) {
+    let what = format!("{} {}", cycle.name, variant.number);
+    let values = crate::catalogue::example::example(cycle, variant);
+    let view = form(&asked(cycle, &values)).unwrap();
+    assert_eq!(view["complete"], true, "{what}: {}", view["diagnostics"]);
+    let alarms = view["outcome"]["alarms"].as_array().unwrap();
+    assert!(
+        alarms.iter().all(|alarm| alarm["stops"] == false),
+        "{what}: {alarms:?}"
+    );
+    let entries = view["outcome"]["trace"]["entries"].as_array().unwrap();
+    assert!(
+        entries.iter().any(|entry| entry["step"] == "motion"),
+        "{what}"
+    );
+    assert!(
+        setup_from_json(&view["setup"].to_string()).is_ok(),
+        "{what}"
+    );
+    let shapes = view["picture"]["shapes"].as_array().unwrap();
+    assert!(!shapes.is_empty(), "{what}");
 }
 
 // oracle: hand

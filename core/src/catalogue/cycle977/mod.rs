@@ -61,6 +61,7 @@ pub static CYCLE977: Cycle = Cycle {
     simulation: Some(Simulation {
         propose: propose::propose,
         simulate: simulate::simulate,
+        examples: variants::EXAMPLES,
     }),
     source: "B:5600-6285",
 };

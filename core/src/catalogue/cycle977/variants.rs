@@ -1,6 +1,7 @@
 //! Measuring variants of CYCLE977 (B:5641-5667; 1106 stands in B:6192 only).
 
-use crate::catalogue::Variant;
+use super::params::{OUTSIDE, RECTANGLE, WIDTH, ZERO, ZONE};
+use crate::catalogue::{Variant, When};
 
 /// In the manual's order.
 pub const VARIANTS: &[Variant] = &[
@@ -124,4 +125,16 @@ pub const VARIANTS: &[Variant] = &[
         key: "cycle977-island-zone-zero",
         source: "B:6192;A:6514",
     },
+];
+
+/// What the variants measure: the rectangle and the protection zones of about the size of the hole in the example.
+pub const EXAMPLES: &[(When, &[(&str, &str)])] = &[
+    (ZERO, &[("_KNUM", "1")]),
+    (WIDTH, &[("_MA", "1")]),
+    (RECTANGLE, &[("_SETV[0]", "100"), ("_SETV[1]", "80")]),
+    (OUTSIDE, &[("_ID", "-20"), ("_SZA", "180"), ("_SZO", "160")]),
+    (
+        When::All(&[ZONE, When::Not(&OUTSIDE)]),
+        &[("_ID", "-20"), ("_SZA", "50"), ("_SZO", "40")],
+    ),
 ];

@@ -80,6 +80,7 @@ pub static CYCLE978: Cycle = Cycle {
     simulation: Some(Simulation {
         propose: propose::propose,
         simulate: simulate::simulate,
+        examples: &[(params::ZERO, &[("_KNUM", "1")])],
     }),
     source: "B:6287-6735",
 };

@@ -68,6 +68,7 @@ pub static G110: Cycle = Cycle {
     simulation: Some(Simulation {
         propose,
         simulate: simulate::simulate,
+        examples: &[],
     }),
     source: "C:1036-1183",
 };

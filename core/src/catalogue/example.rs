@@ -1,0 +1,37 @@
+//! The worked measurement of each variant.
+
+use super::{Cycle, Variant};
+use crate::check::{self, Typed};
+use crate::control::delivery;
+
+/// Values as typed: the cycle's example, what chooses the variant, and what the variant needs beside it.
+pub fn example(cycle: &'static Cycle, variant: &Variant) -> Typed {
+    let mut values = typed(cycle.example);
+    values.extend(choosing(cycle, variant.number));
+    let inputs = check::read(cycle, &values, &delivery(cycle.dialect), &mut Vec::new());
+    let more = cycle
+        .simulation
+        .as_ref()
+        .map_or(&[][..], |simulation| simulation.examples);
+    for (_, more) in more.iter().filter(|(when, _)| when.holds(&inputs)) {
+        values.extend(typed(more));
+    }
+    values
+}
+
+/// Values, as typed, that choose a variant: its number, or the address whose presence makes it.
+pub fn choosing(cycle: &Cycle, number: i64) -> Typed {
+    let value = |param: &super::Param| {
+        if matches!(param.kind, super::Kind::Variant(_)) {
+            return Some((param.name.to_owned(), number.to_string()));
+        }
+        let value = if param.chooses? == number { "0" } else { "" };
+        Some((param.name.to_owned(), value.to_owned()))
+    };
+    cycle.params.iter().filter_map(value).collect()
+}
+
+fn typed(pairs: &[(&str, &str)]) -> Typed {
+    let pair = |(name, value): &(&str, &str)| ((*name).to_owned(), (*value).to_owned());
+    pairs.iter().map(pair).collect()
+}
