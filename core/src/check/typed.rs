@@ -26,8 +26,10 @@ pub const UNUSUAL: Code = Code::Own(7);
 /// The delivered value counts where a value was expected.
 pub const DELIVERED: Code = Code::Own(8);
 
-/// Beyond this no length, angle or feed of a machine makes sense, and sums would lose their last digits.
-const LIMIT: f64 = 1e9;
+/// Beyond this no length, angle or feed of a machine makes sense, and contact could not be computed to 1e-9 mm.
+const LIMIT: f64 = 1e6;
+/// The same for numbers that count or name something; `_KNUM` has nine digits.
+const WHOLE_LIMIT: f64 = 1e9;
 
 /// Result of a check.
 pub struct Checked {
@@ -139,7 +141,12 @@ fn value(param: &Param, text: &str, control: &Control) -> Result<Option<f64>, Bo
             ));
         }
     };
-    if number.abs() > LIMIT {
+    let limit = if whole(&param.kind) {
+        WHOLE_LIMIT
+    } else {
+        LIMIT
+    };
+    if number.abs() > limit {
         let message = Message::new("check-too-large").text("value", text);
         return Err(Box::new(
             error(OUT_OF_RANGE, message).hint(Message::new("check-too-large-hint")),
