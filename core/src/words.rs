@@ -12,6 +12,7 @@ pub const ENGLISH: &[(&str, &str)] = &[
     ("cycle976.ftl", include_str!("../messages/en/cycle976.ftl")),
     ("cycle977.ftl", include_str!("../messages/en/cycle977.ftl")),
     ("cycle978.ftl", include_str!("../messages/en/cycle978.ftl")),
+    ("cycle979.ftl", include_str!("../messages/en/cycle979.ftl")),
     ("evaluate.ftl", include_str!("../messages/en/evaluate.ftl")),
     ("nct.ftl", include_str!("../messages/en/nct.ftl")),
     ("params.ftl", include_str!("../messages/en/params.ftl")),

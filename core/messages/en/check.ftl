@@ -39,6 +39,8 @@ check-knum-nine-digits-hint = From the right: five digits D number, then 0 or 1 
 
 check-probe-number = There is no probe number { $number }.
 check-probe-number-hint = Choose a number from 1 to { $fields }.
+check-probe-type = The third digit of the probe number cannot be { $type }.
+check-probe-type-hint = 0 is a multi probe, 1 a mono or bidirectional probe.
 check-cora-off = The offset angle has no effect.
 check-cora-off-hint = Set _CBIT[8]=1, or enter 0.
 check-empirical-memory = There is no empirical value memory { $number }; the array holds { $size }.

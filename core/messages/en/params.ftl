@@ -54,6 +54,14 @@ md-plus = 0: plus
 md-minus = 1: minus
 param-sta1 = Starting angle
 param-sta1-help = Angle of the first point to the abscissa, counter-clockwise.
+param-inca = Indexing angle
+param-inca-help = Angle from one point to the next, plus counter-clockwise; also the sense in which the probe goes round. Three points: up to 120° is useful; four points: up to 90°. Starting angle and all steps together must not exceed 360°.
+param-cpa = Set centre in the abscissa
+param-cpa-help = In the 1st axis of the plane (G17: X), in the workpiece coordinate system.
+param-cpo = Set centre in the ordinate
+param-cpo-help = In the 2nd axis of the plane (G17: Y), in the workpiece coordinate system.
+param-rf = Feed on the circular path
+param-rf-help = The probe goes from point to point along an arc at this feed.
 
 param-knum = Correction target
 param-knum-help = What the result corrects; 0 corrects nothing.

@@ -40,21 +40,22 @@ pub const fn optional(when: When, reason: &'static str) -> Need {
     }
 }
 
+/// Third digit of `_PRNUM`.
+pub const PROBE_TYPE: DigitGroup = DigitGroup {
+    key: "prnum-type",
+    place: 100,
+    digits: 1,
+    choices: &[(0, "prnum-multi"), (1, "prnum-mono")],
+};
+/// First and second digit of `_PRNUM`.
+pub const PROBE_NUMBER: DigitGroup = DigitGroup {
+    key: "prnum-number",
+    place: 1,
+    digits: 2,
+    choices: &[],
+};
 /// Digits of `_PRNUM` (B:5632, A:1966: 102 is mono probe number 2).
-pub const PROBE_DIGITS: &[DigitGroup] = &[
-    DigitGroup {
-        key: "prnum-type",
-        place: 100,
-        digits: 1,
-        choices: &[(0, "prnum-multi"), (1, "prnum-mono")],
-    },
-    DigitGroup {
-        key: "prnum-number",
-        place: 1,
-        digits: 2,
-        choices: &[],
-    },
-];
+pub const PROBE_DIGITS: &[DigitGroup] = &[PROBE_TYPE, PROBE_NUMBER];
 
 /// Halves of `_EVNUM` (B:2325-2342).
 pub const MEMORY_DIGITS: &[DigitGroup] = &[
@@ -99,6 +100,21 @@ pub const MONO: When = When::Digit {
     place: 100,
     is: &[1],
 };
+
+/// With tool offset, where the third digit of `_MVAR` decides (B:5641, B:6323, B:6764).
+pub const TOOL_OFFSET: When = When::Digit {
+    param: names::MVAR,
+    place: 100,
+    is: &[0],
+};
+/// With ZO correction, where the third digit of `_MVAR` decides.
+pub const ZERO_OFFSET: When = When::Digit {
+    param: names::MVAR,
+    place: 100,
+    is: &[1],
+};
+/// A tool is corrected.
+const TOOL_CORRECTED: When = When::All(&[TOOL_OFFSET, When::Given(names::KNUM)]);
 
 /// `_MVAR`; a cycle adds the digit groups.
 pub const MVAR: Param = Param {
@@ -184,6 +200,40 @@ pub const STA1: Param = Param {
     source: "B:15607",
     ..PARAM
 };
+/// `_INCA`.
+pub const INCA: Param = Param {
+    name: names::INCA,
+    key: "inca",
+    unit: Unit::Degree,
+    source: "B:15749",
+    ..PARAM
+};
+/// `_CPA`.
+pub const CPA: Param = Param {
+    name: names::CPA,
+    key: "cpa",
+    unit: Unit::ActiveLength,
+    source: "B:1747",
+    ..PARAM
+};
+/// `_CPO`.
+pub const CPO: Param = Param {
+    name: names::CPO,
+    key: "cpo",
+    unit: Unit::ActiveLength,
+    source: "B:1748",
+    ..PARAM
+};
+/// `_RF`: the delivered 0 is refused (B:6994, A:15909), so that it has to be given.
+pub const RF: Param = Param {
+    name: names::RF,
+    key: "rf",
+    unit: Unit::BasicFeed,
+    range: Range::POSITIVE,
+    alarm: Some(Code::Alarm(61365)),
+    source: "B:6994",
+    ..PARAM
+};
 /// `_KNUM` (B:1894-2029).
 pub const KNUM: Param = Param {
     name: names::KNUM,
@@ -231,6 +281,56 @@ pub const TENV: Param = Param {
     alarm: Some(Code::Alarm(61405)),
     source: "B:2062-2102",
     ..PARAM
+};
+/// `_TNUM` of the cycles with [`TOOL_OFFSET`].
+pub const OFFSET_TNUM: Param = Param {
+    needs: &[
+        required(
+            When::All(&[
+                TOOL_CORRECTED,
+                When::Not(&When::Given(names::TNAME)),
+                When::Not(&When::Given(names::TENV)),
+            ]),
+            "need-tool",
+        ),
+        optional(TOOL_CORRECTED, "need-tool-otherwise"),
+    ],
+    ..TNUM
+};
+/// `_TNAME` of the cycles with [`TOOL_OFFSET`].
+pub const OFFSET_TNAME: Param = Param {
+    needs: &[optional(TOOL_CORRECTED, "need-tool-name")],
+    ..TNAME
+};
+/// `_DLNUM` of the cycles with [`TOOL_OFFSET`].
+pub const OFFSET_DLNUM: Param = Param {
+    needs: &[required(
+        When::All(&[
+            TOOL_OFFSET,
+            When::Digit {
+                param: names::KNUM,
+                place: KNUM_KIND,
+                is: &[1, 3],
+            },
+        ]),
+        "need-additive",
+    )],
+    ..DLNUM
+};
+/// `_TENV` of the cycles with [`TOOL_OFFSET`].
+pub const OFFSET_TENV: Param = Param {
+    needs: &[required(
+        When::All(&[
+            TOOL_OFFSET,
+            When::Digit {
+                param: names::KNUM,
+                place: KNUM_KIND,
+                is: &[2, 3],
+            },
+        ]),
+        "need-environment",
+    )],
+    ..TENV
 };
 /// `_PRNUM`.
 pub const PRNUM: Param = Param {

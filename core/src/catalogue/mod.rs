@@ -5,6 +5,7 @@ pub mod common;
 pub mod cycle976;
 pub mod cycle977;
 pub mod cycle978;
+pub mod cycle979;
 mod entry;
 pub mod example;
 pub mod g101;
@@ -24,6 +25,7 @@ pub static CYCLES: &[&Cycle] = &[
     &cycle976::CYCLE976,
     &cycle977::CYCLE977,
     &cycle978::CYCLE978,
+    &cycle979::CYCLE979,
     &g101::G101,
     &g110::G110,
 ];

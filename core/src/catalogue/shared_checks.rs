@@ -15,7 +15,15 @@ pub fn probe(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
         0.0 => 3.0,
         fields => fields,
     };
-    let number = code % 100;
+    let (number, kind) = (code % 100, code / 100 % 10);
+    if kind > 1 {
+        let message = Message::new("check-probe-type").number("type", kind as f64);
+        found.push(
+            error(Code::Alarm(61313), message)
+                .hint(Message::new("check-probe-type-hint"))
+                .at(names::PRNUM),
+        );
+    }
     if number < 1 || number as f64 > fields {
         let message = Message::new("check-probe-number").number("number", number as f64);
         let hint = Message::new("check-probe-number-hint").number("fields", fields);
@@ -25,7 +33,7 @@ pub fn probe(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
                 .at(names::PRNUM),
         );
     }
-    if code / 100 == 1 && !control.spindle_positions {
+    if kind == 1 && !control.spindle_positions {
         let message = Message::new("check-mono-spindle");
         found.push(
             error(Code::Alarm(61373), message) // A:15917
@@ -34,7 +42,7 @@ pub fn probe(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
         );
     }
     let offset = inputs.given(names::CORA).unwrap_or(0.0);
-    if code / 100 == 1 && offset != 0.0 && !control.bit("_CBIT[8]") {
+    if kind == 1 && offset != 0.0 && !control.bit("_CBIT[8]") {
         let message = Message::new("check-cora-off");
         found.push(
             warning(Code::Own(20), message)

@@ -218,9 +218,14 @@ const ZERO: f64 = -44.0;
 fn surface(inputs: &Inputs, applicate: bool) -> Vec<PictureShape> {
     let path = positive(inputs, names::FA, 2.0).clamp(10.0, 24.0);
     let start = -RADIUS - path;
+    let material = if applicate {
+        ShapeKind::Cut
+    } else {
+        ShapeKind::Material
+    };
     let mut shapes = vec![
         polygon(
-            ShapeKind::Material,
+            material,
             vec![[0.0, -FACE], [BEHIND, -FACE], [BEHIND, FACE], [0.0, FACE]],
         ),
         line(ShapeKind::Edge, vec![[0.0, -FACE], [0.0, FACE]]).of(names::SETVAL),

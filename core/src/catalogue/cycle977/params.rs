@@ -22,17 +22,9 @@ pub const RECTANGLE: When = element(&[5, 6]);
 /// Shaft, web, outside rectangle.
 pub const OUTSIDE: When = element(&[2, 4, 6]);
 /// With tool offset.
-pub const TOOL: When = When::Digit {
-    param: names::MVAR,
-    place: 100,
-    is: &[0],
-};
+pub const TOOL: When = common::TOOL_OFFSET;
 /// With ZO correction.
-pub const ZERO: When = When::Digit {
-    param: names::MVAR,
-    place: 100,
-    is: &[1],
-};
+pub const ZERO: When = common::ZERO_OFFSET;
 /// With a protection zone.
 pub const ZONE: When = When::Digit {
     param: names::MVAR,
@@ -134,61 +126,20 @@ pub const PARAMS: &[Param] = &[
         ..common::KNUM
     },
     Param {
-        needs: &[
-            required(
-                When::All(&[
-                    TOOL,
-                    When::Given(names::KNUM),
-                    When::Not(&When::Given(names::TNAME)),
-                    When::Not(&When::Given(names::TENV)),
-                ]),
-                "need-tool",
-            ),
-            optional(
-                When::All(&[TOOL, When::Given(names::KNUM)]),
-                "need-tool-otherwise",
-            ),
-        ],
         source: "B:6015",
-        ..common::TNUM
+        ..common::OFFSET_TNUM
     },
     Param {
-        needs: &[optional(
-            When::All(&[TOOL, When::Given(names::KNUM)]),
-            "need-tool-name",
-        )],
         source: "B:6016",
-        ..common::TNAME
+        ..common::OFFSET_TNAME
     },
     Param {
-        needs: &[required(
-            When::All(&[
-                TOOL,
-                When::Digit {
-                    param: names::KNUM,
-                    place: common::KNUM_KIND,
-                    is: &[1, 3],
-                },
-            ]),
-            "need-additive",
-        )],
         source: "B:6017",
-        ..common::DLNUM
+        ..common::OFFSET_DLNUM
     },
     Param {
-        needs: &[required(
-            When::All(&[
-                TOOL,
-                When::Digit {
-                    param: names::KNUM,
-                    place: common::KNUM_KIND,
-                    is: &[2, 3],
-                },
-            ]),
-            "need-environment",
-        )],
         source: "B:6018",
-        ..common::TENV
+        ..common::OFFSET_TENV
     },
     Param {
         source: "B:5632-5633;B:5841",

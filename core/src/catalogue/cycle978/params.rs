@@ -4,17 +4,9 @@ use crate::catalogue::common::{self, optional, required};
 use crate::catalogue::{DigitGroup, Kind, Need, Param, When, names};
 
 /// With tool offset.
-pub const TOOL: When = When::Digit {
-    param: names::MVAR,
-    place: 100,
-    is: &[0],
-};
+pub const TOOL: When = common::TOOL_OFFSET;
 /// With ZO correction.
-pub const ZERO: When = When::Digit {
-    param: names::MVAR,
-    place: 100,
-    is: &[1],
-};
+pub const ZERO: When = common::ZERO_OFFSET;
 /// Each point with the spindle at 180 and 0 degree.
 pub const DIFFERENTIAL: When = When::Digit {
     param: names::MVAR,
@@ -68,61 +60,20 @@ pub const PARAMS: &[Param] = &[
         ..common::KNUM
     },
     Param {
-        needs: &[
-            required(
-                When::All(&[
-                    TOOL,
-                    When::Given(names::KNUM),
-                    When::Not(&When::Given(names::TNAME)),
-                    When::Not(&When::Given(names::TENV)),
-                ]),
-                "need-tool",
-            ),
-            optional(
-                When::All(&[TOOL, When::Given(names::KNUM)]),
-                "need-tool-otherwise",
-            ),
-        ],
         source: "B:6602",
-        ..common::TNUM
+        ..common::OFFSET_TNUM
     },
     Param {
-        needs: &[optional(
-            When::All(&[TOOL, When::Given(names::KNUM)]),
-            "need-tool-name",
-        )],
         source: "B:6603-6604",
-        ..common::TNAME
+        ..common::OFFSET_TNAME
     },
     Param {
-        needs: &[required(
-            When::All(&[
-                TOOL,
-                When::Digit {
-                    param: names::KNUM,
-                    place: common::KNUM_KIND,
-                    is: &[1, 3],
-                },
-            ]),
-            "need-additive",
-        )],
         source: "B:6605",
-        ..common::DLNUM
+        ..common::OFFSET_DLNUM
     },
     Param {
-        needs: &[required(
-            When::All(&[
-                TOOL,
-                When::Digit {
-                    param: names::KNUM,
-                    place: common::KNUM_KIND,
-                    is: &[2, 3],
-                },
-            ]),
-            "need-environment",
-        )],
         source: "B:6606",
-        ..common::TENV
+        ..common::OFFSET_TENV
     },
     Param {
         source: "B:6301-6308",

@@ -63,6 +63,7 @@ const COUNTS: &[(&str, usize, usize, usize)] = &[
     ("CYCLE976", 28, 12, 26),
     ("CYCLE977", 24, 26, 44),
     ("CYCLE978", 4, 21, 30),
+    ("CYCLE979", 8, 26, 27),
 ];
 
 #[test]

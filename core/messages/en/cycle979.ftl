@@ -1,0 +1,57 @@
+# CYCLE979: titles, search words, variants, words of its own parameters and checks.
+
+cycle979-title = Hole, shaft, groove, web at an angle
+cycle979-help = Measures a size and its centre where the axes cannot be followed: a hole or shaft, also a segment of one, at three or four points on a circle; a groove or web across an oblique line. Before the call the probe stands at the measuring height near the first point, further from the contour than the measuring path, with nothing in the straight way to that point. It touches the first point in the direction of the set centre (shaft, web) or away from it (hole, groove). Between the points of a hole or shaft it goes along an arc at _RF; in a groove it goes straight across; over a web it rises by _ID. It ends beside the last point. The difference of the size corrects a tool; the difference of the centre corrects a zero offset, whose rotation stays. What goes wrong most often: the probe was calibrated without its ball diameter; the arc runs into something beside a segment; the points lie so close together that the centre is uncertain; _RF is missing.
+cycle979-words = measure workpiece hole bore shaft boss groove slot web rib segment arc angle oblique inclined diameter width centre center three four points inside outside tool offset wear zero offset ZO
+
+cycle979-hole-tool = Hole at an angle: correct a tool
+cycle979-hole-tool-words = hole bore inside circle diameter segment arc angle tool offset wear radius length
+cycle979-shaft-tool = Shaft at an angle: correct a tool
+cycle979-shaft-tool-words = shaft spigot boss pin outside circle diameter segment arc angle tool offset wear radius length
+cycle979-groove-tool = Groove at an angle: correct a tool
+cycle979-groove-tool-words = groove slot channel width inside oblique angle tool offset wear radius length
+cycle979-web-tool = Web at an angle: correct a tool
+cycle979-web-tool-words = web ridge rib width outside oblique angle tool offset wear radius length
+cycle979-hole-zero = Hole at an angle: correct a zero offset
+cycle979-hole-zero-words = hole bore inside circle diameter segment arc angle zero offset ZO frame origin centre G54
+cycle979-shaft-zero = Shaft at an angle: correct a zero offset
+cycle979-shaft-zero-words = shaft spigot boss pin outside circle diameter segment arc angle zero offset ZO frame origin centre G54
+cycle979-groove-zero = Groove at an angle: correct a zero offset
+cycle979-groove-zero-words = groove slot channel width inside oblique angle zero offset ZO frame origin centre G54
+cycle979-web-zero = Web at an angle: correct a zero offset
+cycle979-web-zero-words = web ridge rib width outside oblique angle zero offset ZO frame origin centre G54
+
+prnum-points = Points of a circle
+prnum-three = 3
+prnum-four = 4
+param-setval-width-angle = Set width
+param-setval-width-angle-help = Width from the drawing, across the groove or web, in the direction of the starting angle.
+param-sta1-first = Starting angle
+param-sta1-first-help = Angle of the first point to the abscissa, seen from the set centre, plus counter-clockwise.
+param-sta1-width = Direction of the width
+param-sta1-width-help = Angle to the abscissa in which the width is measured; the first point lies on this side of the centre.
+param-id-lift = Lift over the web
+param-id-lift-help = Way in the tool axis from the measuring height up to where the probe crosses, with its sign. While the length ends at the ball's centre (_CBIT[14]=0) it has to include the ball radius.
+param-prnum-with-points = Probe and number of points
+param-prnum-with-points-help = Three or four points of a circle, type of the probe, number of its data in _WP.
+
+need-points = The points of a circle follow each other by an angle.
+need-circular = Between the points of a circle the probe goes along an arc.
+need-lift = The probe has to cross the web.
+
+check-angles-sum = Starting angle and all steps together make { $sum }°, more than 360°.
+check-angles-sum-hint = Choose a smaller indexing angle, or a starting angle nearer to 0 with its sign.
+check-angles-same = With this indexing angle points fall upon each other; no circle can be found.
+check-angles-same-hint = Choose 120° or less for three points, 90° or less for four.
+check-angles-wide = With { $points } points an indexing angle above { $useful }° is of no use.
+check-angles-wide-hint = Choose { $useful }° or less.
+check-points-unused = The number of points counts for a hole or shaft only.
+check-points-unused-hint = Choose 3, that is the digit 0.
+check-path-centre = The measuring path begins beyond the centre: on the way from point to point the probe would pass on the other side.
+check-path-centre-hint = Choose _FA below { $free } mm.
+check-ball-unknown = The ball diameter of this probe is not known; every size would be wrong by it.
+check-ball-unknown-hint = Calibrate the probe in a hole with determination of the ball diameter.
+check-lift = The probe does not rise before it crosses the web.
+check-lift-hint = Enter a positive value if the tool axis points up.
+check-lift-ball = The lift is not larger than the ball radius, { $ball } mm, which it has to include.
+check-lift-ball-hint = Add the ball radius, or set _CBIT[14]=1 where the probe's length ends at the circumference.

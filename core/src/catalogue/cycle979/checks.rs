@@ -1,0 +1,126 @@
+//! What several values of CYCLE979 say together.
+
+use super::params::{FOUR_POINTS, OUTSIDE, ROUND, TOOL, WEB};
+use crate::catalogue::{names, place, shared_checks};
+use crate::check::{Finding, Inputs, error, warning};
+use crate::control::Control;
+use crate::diagnostic::{Code, Diagnostic};
+use crate::message::Message;
+
+/// All of them.
+pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
+    shared_checks::probe(inputs, control, found);
+    shared_checks::memories(inputs, control, found);
+    shared_checks::weighting(inputs, control, found);
+    shared_checks::tolerances(inputs, found);
+    // a deviation of a diameter or width shows half at each side
+    shared_checks::reach(inputs, if TOOL.holds(inputs) { 0.5 } else { 1.0 }, found);
+    ball_known(inputs, control, found);
+    let ball = place::ball_radius(inputs, control);
+    if ROUND.holds(inputs) {
+        angles(inputs, found);
+    } else if FOUR_POINTS.holds(inputs) {
+        let message = Message::new("check-points-unused");
+        found.push(doubt(
+            Code::Own(50),
+            message,
+            "check-points-unused-hint",
+            names::PRNUM,
+        ));
+    }
+    if !OUTSIDE.holds(inputs) {
+        inside(inputs, ball, found);
+    }
+    if WEB.holds(inputs) {
+        lift(inputs, control, ball, found);
+    }
+}
+
+fn doubt(code: Code, message: Message, hint: &'static str, at: &'static str) -> Diagnostic {
+    warning(code, message).hint(Message::new(hint)).at(at)
+}
+
+/// The probe must have been calibrated with its ball diameter (B:6873).
+fn ball_known(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
+    let probe_wrong = found.iter().any(|one| one.param == Some(names::PRNUM));
+    let Some(code) = inputs.given(names::PRNUM).filter(|_| !probe_wrong) else {
+        return;
+    };
+    let index = code as i64 % 100 - 1;
+    if control.number(&format!("_WP[{index},0]")) == 0.0 {
+        let message = Message::new("check-ball-unknown");
+        let hint = "check-ball-unknown-hint";
+        found.push(doubt(Code::Own(51), message, hint, names::PRNUM));
+    }
+}
+
+/// Where the points lie: not upon each other, and within one turn (B:6850, B:6986).
+fn angles(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
+    let (Some(start), Some(step)) = (inputs.given(names::STA1), inputs.given(names::INCA)) else {
+        return;
+    };
+    let (points, useful) = if FOUR_POINTS.holds(inputs) {
+        (4, 90.0)
+    } else {
+        (3, 120.0)
+    };
+    let sum = start.abs() + f64::from(points - 1) * step.abs();
+    let same = step % 180.0 == 0.0; // every second point, or all of them
+    let finding = if same {
+        error(Code::Alarm(61316), Message::new("check-angles-same"))
+            .hint(Message::new("check-angles-same-hint"))
+    } else if sum > 360.0 {
+        error(
+            Code::Own(52),
+            Message::new("check-angles-sum").number("sum", sum),
+        )
+        .hint(Message::new("check-angles-sum-hint"))
+    } else if step.abs() > useful {
+        let with = |key| {
+            Message::new(key)
+                .number("points", f64::from(points))
+                .number("useful", useful)
+        };
+        warning(Code::Own(53), with("check-angles-wide")).hint(with("check-angles-wide-hint"))
+    } else {
+        return;
+    };
+    found.push(finding.at(names::INCA));
+}
+
+/// In a hole or groove the ball has to fit and to have its way; in a hole it goes round between centre and wall.
+fn inside(inputs: &Inputs, ball: f64, found: &mut Vec<Diagnostic>) {
+    let Some(size) = inputs.given(names::SETVAL) else {
+        return;
+    };
+    if !shared_checks::fits(names::SETVAL, size, ball, found) {
+        return;
+    }
+    let (free, path) = (size / 2.0 - ball, inputs.given(names::FA));
+    let beyond = |path: f64| (free..2.0 * free).contains(&path);
+    if ROUND.holds(inputs) && path.is_some_and(beyond) {
+        let message = Message::new("check-path-centre");
+        let hint = Message::new("check-path-centre-hint").number("free", free);
+        found.push(warning(Code::Own(54), message).hint(hint).at(names::FA));
+    }
+    shared_checks::across(inputs, names::SETVAL, size, ball, found);
+}
+
+/// The way over a web (B:6921-6929).
+fn lift(inputs: &Inputs, control: &Control, ball: f64, found: &mut Vec<Diagnostic>) {
+    let Some(lift) = inputs.given(names::ID) else {
+        return;
+    };
+    if lift <= 0.0 {
+        let message = Message::new("check-lift");
+        found.push(doubt(Code::Own(55), message, "check-lift-hint", names::ID));
+    } else if lift <= ball && !control.bit("_CBIT[14]") {
+        let message = Message::new("check-lift-ball").number("ball", ball);
+        found.push(doubt(
+            Code::Own(56),
+            message,
+            "check-lift-ball-hint",
+            names::ID,
+        ));
+    }
+}

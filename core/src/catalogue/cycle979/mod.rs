@@ -1,0 +1,105 @@
+//! CYCLE979: hole, shaft, groove and web, measured at an angle (B:6736-7250).
+
+mod checks;
+mod lists;
+pub mod params;
+mod picture;
+mod results;
+#[cfg(test)]
+mod tests;
+
+pub use results::RESULTS;
+
+use crate::catalogue::common;
+use crate::catalogue::{Cycle, Dialect, Variant};
+
+/// Measuring variants (B:6764-6773).
+pub const VARIANTS: &[Variant] = &[
+    Variant {
+        number: 1,
+        key: "cycle979-hole-tool",
+        source: "B:6766;B:6975;A:7613",
+    },
+    Variant {
+        number: 2,
+        key: "cycle979-shaft-tool",
+        source: "B:6767;B:6976;A:7614",
+    },
+    Variant {
+        number: 3,
+        key: "cycle979-groove-tool",
+        source: "B:6768;B:6977;A:7615",
+    },
+    Variant {
+        number: 4,
+        key: "cycle979-web-tool",
+        source: "B:6769;B:6978;A:7616",
+    },
+    Variant {
+        number: 101,
+        key: "cycle979-hole-zero",
+        source: "B:6770;B:7157;A:7617",
+    },
+    Variant {
+        number: 102,
+        key: "cycle979-shaft-zero",
+        source: "B:6771;B:7158;A:7618",
+    },
+    Variant {
+        number: 103,
+        key: "cycle979-groove-zero",
+        source: "B:6772;B:7159;A:7619",
+    },
+    Variant {
+        number: 104,
+        key: "cycle979-web-zero",
+        source: "B:6773;B:7160;A:7620",
+    },
+];
+
+/// The entry. Example: the segment of a hole of B:7013-7103.
+pub static CYCLE979: Cycle = Cycle {
+    dialect: Dialect::Sinumerik,
+    name: "CYCLE979",
+    key: "cycle979",
+    variants: VARIANTS,
+    params: params::PARAMS,
+    lists: lists::LISTS,
+    // B:6929: whether the length ends at the centre of the ball
+    settings: &["_CBIT[14]"],
+    results: RESULTS,
+    alarms: &[
+        common::EVERY_CYCLE,
+        common::CORRECTION,
+        common::TOLERANCE,
+        // A:15857-15858, A:15868, A:15882, A:15909; 61412 for _KNUM = 1000 without a basic frame (A:15931)
+        &common::alarms([61316, 61317, 61327, 61341, 61365, 61412]),
+    ],
+    checks: checks::checks,
+    picture: picture::picture,
+    example: &[
+        ("_MVAR", "1"),
+        ("_SETVAL", "130"),
+        ("_CPA", "180"),
+        ("_CPO", "0"),
+        ("_STA1", "15"),
+        ("_INCA", "80"),
+        ("_RF", "900"),
+        ("_KNUM", "2001"),
+        ("_TNUM", "20"),
+        ("_PRNUM", "1"),
+        ("_FA", "2"),
+        ("_TSA", "1"),
+        ("_VMS", "0"),
+        ("_NMSP", "1"),
+        ("_EVNUM", "20"),
+        ("_K", "3"),
+        ("_TZL", "0.01"),
+        ("_TMV", "0.02"),
+        ("_TUL", "0.03"),
+        ("_TLL", "-0.03"),
+        ("_TDIF", "0.06"),
+    ],
+    simulation: None,
+    source: "B:6736-7250",
+};
