@@ -11,7 +11,7 @@ mod tests;
 pub use results::RESULTS;
 
 use crate::catalogue::common;
-use crate::catalogue::{Cycle, Dialect, Variant};
+use crate::catalogue::{Cycle, Dialect, Purpose, Variant};
 
 /// Measuring variants (B:6764-6773).
 pub const VARIANTS: &[Variant] = &[
@@ -64,6 +64,7 @@ pub static CYCLE979: Cycle = Cycle {
     key: "cycle979",
     variants: VARIANTS,
     params: params::PARAMS,
+    purpose: Purpose::MILLING,
     lists: lists::LISTS,
     // B:6929: whether the length ends at the centre of the ball
     settings: &["_CBIT[14]"],
