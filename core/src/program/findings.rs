@@ -1,5 +1,6 @@
 //! What is wrong in a program, without running it.
 
+use super::advice::advice;
 use super::calls::calls_on;
 use super::tree::{Program, SyntaxError};
 use crate::control::{Control, delivery};
@@ -17,10 +18,10 @@ pub fn findings(program: &Program) -> Vec<Diagnostic> {
 /// The same for a program that starts on a control in this state.
 pub fn findings_on(program: &Program, control: Control) -> Vec<Diagnostic> {
     let syntax = program.errors.iter().map(not_understood);
-    let calls = calls_on(program, control)
-        .into_iter()
-        .flat_map(|site| site.diagnostics);
-    let mut found: Vec<Diagnostic> = syntax.chain(calls).collect();
+    let sites = calls_on(program, control.clone());
+    let advice = advice(program, &sites, &control);
+    let calls = sites.into_iter().flat_map(|site| site.diagnostics);
+    let mut found: Vec<Diagnostic> = syntax.chain(calls).chain(advice).collect();
     found.sort_by_key(|found| found.span.map_or(0, |span| span.start));
     found
 }

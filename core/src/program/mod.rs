@@ -1,5 +1,6 @@
 //! One syntax tree for reading and writing part programs; lossless; a dialect a control.
 
+mod advice;
 mod arguments;
 mod block;
 mod bytes;

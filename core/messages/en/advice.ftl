@@ -1,0 +1,27 @@
+# Doubts about a program as a whole, each with its cure.
+
+advice-insert = Insert { $text } before it
+advice-insert-behind = Insert { $text } behind it
+advice-write = Write { $name }={ $value } for this call
+
+advice-compensation = Tool radius compensation is on ({ $word }).
+advice-compensation-hint = The cycle has to be called with G40.
+advice-plane = No working plane is programmed before this call: the machine's reset state decides in which axes is measured.
+advice-plane-hint = Program the plane, for example { $plane }.
+advice-diameter = Neither DIAMON nor DIAMOF is programmed before this call: the machine's reset state decides whether values of the transverse axis are diameters.
+advice-diameter-hint = Program DIAMON for diameters, DIAMOF for radii.
+advice-edge-none = No D number is active: the probe's length does not count.
+advice-edge-open = No D is programmed after the last T: machine data decide whether an offset is active.
+advice-edge-hint = Program the D number of the probe behind the tool change.
+advice-tool = The tool in use, T{ $tool }, is no workpiece probe (type { $type }).
+advice-tool-hint = Change to the probe before the call, or correct the type in the tool list (710, or 580 on a lathe).
+advice-spindle = The spindle is turning: nothing stops it between M3 or M4 and this call.
+advice-spindle-hint = Stop it with M5 before the probe comes near the part.
+advice-calibration = No call of this program calibrates probe { $number }: what the control has in { $data } counts.
+advice-calibration-hint = Check that the probe was calibrated on this machine, or call the calibration first.
+advice-inherited = { $name }={ $value } was written for { $cycle } in line { $line }, where it has another unit.
+advice-inherited-hint = Write { $name } for this call.
+advice-frame = The corrected { $frame } is not in force: the program goes on in the old one.
+advice-frame-hint = Program { $frame } again behind the call.
+advice-level = The call stands on program level { $level }; measuring cycles run on the first five.
+advice-level-hint = Call it from a program nearer to the main program.

@@ -1,0 +1,173 @@
+//! What has to be in force at a call, and values that come from elsewhere by accident.
+
+use super::{Seen, at, with_line};
+use crate::catalogue::{MachineSort, Param, ProbeUse, names};
+use crate::check::{Finding, error, note, warning};
+use crate::diagnostic::{Code, Cure, Diagnostic};
+use crate::message::Message;
+use crate::program::calls::CallSite;
+use crate::program::change::change;
+use std::collections::BTreeSet;
+
+/// What was said already and is said once only.
+#[derive(Default)]
+pub struct Asked {
+    plane: bool,
+    diameter: bool,
+    /// Probes that a call of this program calibrated, or that were asked about.
+    calibrated: BTreeSet<(bool, i64)>,
+}
+
+/// Everything about one call.
+pub fn look(seen: &Seen, asked: &mut Asked, found: &mut Vec<Diagnostic>) {
+    if seen.site.cycle.purpose.probe == ProbeUse::None {
+        return;
+    }
+    let mut say = |finding: Diagnostic| found.push(at(finding, seen.site.span));
+    compensation(seen).map(&mut say);
+    plane(seen, asked).map(&mut say);
+    diameter(seen, asked).map(&mut say);
+    edge(seen).map(&mut say);
+    tool(seen).map(&mut say);
+    spindle(seen).map(&mut say);
+    calibration(seen, asked).map(&mut say);
+    for param in seen.site.cycle.params {
+        found.extend(inherited(seen, param));
+    }
+}
+
+/// Tool radius compensation has to be off (B:654).
+fn compensation(seen: &Seen) -> Option<Diagnostic> {
+    let code = seen.modal.compensation.filter(|code| *code != 40)?;
+    let message = Message::new("advice-compensation").text("word", format!("G{code}"));
+    let finding = error(Code::Own(130), message).hint(Message::new("advice-compensation-hint"));
+    Some(with_line(finding, seen, seen.site.first_line, "G40"))
+}
+
+/// The cycles measure in the axes of the plane; without one the reset state of the machine decides.
+fn plane(seen: &Seen, asked: &mut Asked) -> Option<Diagnostic> {
+    if seen.modal.plane.is_some() || std::mem::replace(&mut asked.plane, true) {
+        return None;
+    }
+    let usual = match seen.site.cycle.purpose.machine {
+        MachineSort::Turning => "G18",
+        _ => "G17",
+    };
+    let message = Message::new("advice-plane");
+    let hint = Message::new("advice-plane-hint").text("plane", usual);
+    let finding = warning(Code::Own(131), message).hint(hint);
+    Some(with_line(finding, seen, seen.site.first_line, usual))
+}
+
+/// On a lathe the setpoint in the transverse axis is a diameter with DIAMON, else a radius (B:10975).
+fn diameter(seen: &Seen, asked: &mut Asked) -> Option<Diagnostic> {
+    let lathe = seen.site.cycle.purpose.machine == MachineSort::Turning;
+    if !lathe || seen.modal.diameter || std::mem::replace(&mut asked.diameter, true) {
+        return None;
+    }
+    let finding = warning(Code::Own(132), Message::new("advice-diameter"))
+        .hint(Message::new("advice-diameter-hint"));
+    Some(with_line(finding, seen, seen.site.first_line, "DIAMON"))
+}
+
+/// Without a D number alarm 61311 comes.
+fn edge(seen: &Seen) -> Option<Diagnostic> {
+    let finding = if seen.modal.edge == Some(0.0) {
+        error(Code::Alarm(61311), Message::new("advice-edge-none"))
+    } else if seen.modal.edge_open {
+        warning(Code::Own(133), Message::new("advice-edge-open"))
+    } else {
+        return None;
+    };
+    let finding = finding.hint(Message::new("advice-edge-hint"));
+    Some(with_line(finding, seen, seen.site.first_line, "D1"))
+}
+
+/// The tool that the program names against the tool list of the machine (B:4147-4152).
+fn tool(seen: &Seen) -> Option<Diagnostic> {
+    if seen.site.cycle.purpose.probe != ProbeUse::Workpiece {
+        return None;
+    }
+    let (number, edge) = (seen.modal.tool?, seen.modal.edge.unwrap_or(1.0));
+    let edge = seen.control.edge_of(number as i64, edge as i64)?;
+    let fits = match seen.site.cycle.purpose.machine {
+        MachineSort::Turning => (500..600).contains(&edge.kind) || edge.is_milling_probe(),
+        _ => edge.is_milling_probe(),
+    };
+    if fits {
+        return None;
+    }
+    let message = Message::new("advice-tool")
+        .number("tool", number)
+        .number("type", edge.kind as f64);
+    Some(error(Code::Alarm(61309), message).hint(Message::new("advice-tool-hint")))
+}
+
+/// A probe must not turn.
+fn spindle(seen: &Seen) -> Option<Diagnostic> {
+    let workpiece = seen.site.cycle.purpose.probe == ProbeUse::Workpiece;
+    let milling = seen.site.cycle.purpose.machine == MachineSort::Milling;
+    if !(workpiece && milling && seen.modal.turning) {
+        return None;
+    }
+    let finding = warning(Code::Own(134), Message::new("advice-spindle"))
+        .hint(Message::new("advice-spindle-hint"));
+    Some(with_line(finding, seen, seen.site.first_line, "M5"))
+}
+
+/// Trigger values that no call of this program determined come from before (B:5010-5060).
+fn calibration(seen: &Seen, asked: &mut Asked) -> Option<Diagnostic> {
+    let purpose = &seen.site.cycle.purpose;
+    let number = seen.inputs.given(names::PRNUM)? as i64 % 100;
+    let probe = (purpose.probe == ProbeUse::Tool, number);
+    let known = !asked.calibrated.insert(probe);
+    if known || purpose.calibrates.holds(&seen.inputs) {
+        return None;
+    }
+    let array = if probe.0 { "_TP" } else { "_WP" };
+    let message = Message::new("advice-calibration")
+        .number("number", number as f64)
+        .text("data", format!("{array}[{},x]", number - 1));
+    Some(note(Code::Own(135), message).hint(Message::new("advice-calibration-hint")))
+}
+
+/// A value that an earlier call of another cycle left, where it meant something else (`_TSA` in mm reaching a cycle
+/// that takes it as degrees).
+fn inherited(seen: &Seen, param: &'static Param) -> Option<Diagnostic> {
+    let place = *seen.site.places.get(param.name)?;
+    if place.start >= seen.site.own_from {
+        return None;
+    }
+    param.need(&seen.inputs)?;
+    let writer = owner(seen, param.name)?;
+    let there = writer.cycle.param(param.name)?;
+    if writer.cycle.name == seen.site.cycle.name || there.unit == param.unit {
+        return None;
+    }
+    let message = Message::new("advice-inherited")
+        .text("name", param.name)
+        .text("value", seen.site.values.get(param.name)?.as_str())
+        .text("cycle", writer.cycle.name)
+        .number("line", f64::from(writer.line + 1));
+    let mut finding = warning(Code::Own(136), message)
+        .hint(Message::new("advice-inherited-hint").text("name", param.name))
+        .at(param.name);
+    finding.span = Some(seen.site.span);
+    finding.cure = param.fallback(seen.control).map(|value| Cure {
+        label: Message::new("advice-write")
+            .text("name", param.name)
+            .text("value", value.to_string()),
+        edits: change(seen.program, seen.site, param.name, &value.to_string()),
+    });
+    Some(finding)
+}
+
+/// The call for which a shared value was written.
+fn owner<'a>(seen: &Seen<'a>, name: &str) -> Option<&'a CallSite> {
+    let place = seen.site.places.get(name)?;
+    let before = seen.sites.get(..seen.index)?;
+    before
+        .iter()
+        .rev()
+        .find(|site| site.places.get(name) == Some(place) && place.start >= site.own_from)
+}

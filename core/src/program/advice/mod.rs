@@ -1,0 +1,97 @@
+//! Doubts about a program as a whole: what a colleague who reads it from top to bottom would ask. SINUMERIK.
+
+mod at_call;
+mod behind;
+mod levels;
+mod modal;
+
+use super::calls::CallSite;
+use super::change::{line_before, line_end};
+use super::tree::Program;
+use crate::catalogue::Dialect;
+use crate::check::{self, Inputs};
+use crate::control::Control;
+use crate::diagnostic::{Cure, Diagnostic, Edit, Span};
+use crate::message::Message;
+use modal::Modal;
+
+/// What the rules look at: a call, what is in force there, what it means.
+struct Seen<'a> {
+    program: &'a Program,
+    control: &'a Control,
+    sites: &'a [CallSite],
+    index: usize,
+    site: &'a CallSite,
+    modal: Modal,
+    inputs: Inputs,
+}
+
+/// Findings about the measuring calls of a program that starts on a control in this state.
+pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<Diagnostic> {
+    if program.dialect != Dialect::Sinumerik {
+        return Vec::new();
+    }
+    let mut found = Vec::new();
+    let mut asked = at_call::Asked::default();
+    let mut modal = Modal::default();
+    let mut next = 0;
+    for word in &program.words {
+        modal.word(program, word);
+        while let Some(site) = sites.get(next).filter(|site| site.span == word.span) {
+            let seen = Seen {
+                program,
+                control,
+                sites,
+                index: next,
+                site,
+                modal: modal.clone(),
+                inputs: check::read(site.cycle, &site.values, control, &mut Vec::new()),
+            };
+            at_call::look(&seen, &mut asked, &mut found);
+            behind::look(&seen, &mut found);
+            next += 1;
+        }
+    }
+    levels::look(program, sites, &mut found);
+    found
+}
+
+/// A finding at the call.
+fn at(mut finding: Diagnostic, span: Span) -> Diagnostic {
+    finding.span = Some(span);
+    finding
+}
+
+/// Offers a line before the first line of the call.
+fn with_line(mut finding: Diagnostic, seen: &Seen, line: u32, text: &str) -> Diagnostic {
+    finding.cure = line_before(seen.program, line, text).map(|edit| Cure {
+        label: Message::new("advice-insert").text("text", text),
+        edits: vec![edit],
+    });
+    finding
+}
+
+/// Offers a line behind the call.
+fn with_line_behind(mut finding: Diagnostic, seen: &Seen, text: &str) -> Diagnostic {
+    let label = Message::new("advice-insert-behind").text("text", text);
+    let edit = match line_before(seen.program, seen.site.line + 1, text) {
+        Some(edit) => edit,
+        None => {
+            let end = seen.program.source.len() as u32;
+            let eol = line_end(seen.program, seen.site.line);
+            let ended = seen.program.source.ends_with(b"\n");
+            let insert = if ended {
+                format!("{text}{eol}")
+            } else {
+                format!("{eol}{text}")
+            };
+            let span = Span { start: end, end };
+            Edit { span, insert }
+        }
+    };
+    finding.cure = Some(Cure {
+        label,
+        edits: vec![edit],
+    });
+    finding
+}

@@ -1,0 +1,84 @@
+//! Wrong programs with the messages that they give: `tests/wrong/NAME.mpf` and what `probewright check` prints,
+//! `NAME.txt`. `PROBEWRIGHT_UPDATE=1` writes the texts anew; then they are read by a person.
+#![cfg(feature = "cli")]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use probewright_core::catalogue::Dialect;
+use probewright_core::diagnostic::Diagnostic;
+use probewright_core::program::change::apply;
+use probewright_core::program::{findings, read};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/wrong")
+}
+
+fn programs() -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder()).unwrap();
+    let mut paths: Vec<PathBuf> = entries
+        .map(|entry| entry.unwrap().path())
+        .filter(|path| path.extension().is_some_and(|extension| extension == "mpf"))
+        .collect();
+    paths.sort();
+    paths
+}
+
+// oracle: self (printed once, then read and corrected by hand)
+#[test]
+fn wrong_programs_give_helpful_messages() {
+    let programs = programs();
+    assert!(programs.len() >= 20, "{}", programs.len());
+    for path in programs {
+        let name = path.file_name().unwrap();
+        let output = Command::new(env!("CARGO_BIN_EXE_probewright"))
+            .current_dir(folder())
+            .arg("check")
+            .arg(name)
+            .output()
+            .unwrap();
+        let printed = String::from_utf8(output.stdout).unwrap();
+        let expected = path.with_extension("txt");
+        if std::env::var_os("PROBEWRIGHT_UPDATE").is_some() {
+            std::fs::write(&expected, &printed).unwrap();
+        }
+        let wanted = std::fs::read_to_string(&expected).unwrap_or_default();
+        assert_eq!(printed, wanted.replace("\r\n", "\n"), "{name:?}");
+        assert!(!printed.is_empty(), "{name:?} is not wrong");
+    }
+}
+
+fn same(one: &Diagnostic, other: &Diagnostic) -> bool {
+    (one.code, &one.message, one.param) == (other.code, &other.message, other.param)
+}
+
+// oracle: self (what a cure promises)
+#[test]
+fn every_cure_mends_its_finding() {
+    let mut cured = 0;
+    for path in programs() {
+        let source = std::fs::read(&path).unwrap();
+        let program = read(Dialect::Sinumerik, &source);
+        let before = findings(&program);
+        for finding in before.iter().filter(|finding| finding.cure.is_some()) {
+            let edits = &finding.cure.as_ref().unwrap().edits;
+            assert!(!edits.is_empty(), "{path:?} {finding:?}");
+            let after = findings(&read(Dialect::Sinumerik, &apply(&source, edits)));
+            let count = |list: &[Diagnostic]| list.iter().filter(|one| same(one, finding)).count();
+            assert!(
+                count(&after) < count(&before),
+                "{path:?} {finding:?} {after:?}"
+            );
+            let errors = |list: &[Diagnostic]| {
+                let error = probewright_core::diagnostic::Severity::Error;
+                list.iter().filter(|one| one.severity == error).count()
+            };
+            assert!(
+                errors(&after) <= errors(&before),
+                "{path:?} {finding:?} {after:?}"
+            );
+            cured += 1;
+        }
+    }
+    assert!(cured >= 7, "{cured}");
+}
