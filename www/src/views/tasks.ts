@@ -44,6 +44,13 @@ function matching(all: Node[], search: string): Node[] {
   return all.filter((node) => hit.has(node.id));
 }
 
+/** Scrolls only when the item is not to be seen, and leaves it some of its neighbours above. */
+function bringIntoSight(tree: HTMLElement, item: Element | null): void {
+  if (!item) return;
+  const [frame, box] = [tree.getBoundingClientRect(), item.getBoundingClientRect()];
+  if (box.top < frame.top || box.bottom > frame.bottom) tree.scrollTop += box.top - frame.top - frame.height / 4;
+}
+
 export function createTasks(root: HTMLElement, store: Store, actions: Actions): (state: State, derived: Derived) => void {
   const input = el("input", { type: "search", id: "task-search", autocomplete: "off", spellcheck: "false", placeholder: t("tasks-search-hint") });
   const tree = el("div", { role: "tree", "aria-labelledby": "tasks-title", class: "tree" });
@@ -55,6 +62,7 @@ export function createTasks(root: HTMLElement, store: Store, actions: Actions): 
   let all: Node[] | null = null;
   let shown: Node[] = [];
   let active = "";
+  let inSight = ""; // the chosen variant that was scrolled to
 
   const fold = (id: string, closed: boolean): void => {
     const folded = { ...store.state.folded };
@@ -127,6 +135,8 @@ export function createTasks(root: HTMLElement, store: Store, actions: Actions): 
       setAttribute(item, "tabindex", node.id === active ? 0 : -1);
       item.classList.toggle("holds-choice", !node.variant && node.cycle === derived.cycle);
     });
+    if (chosen && chosen.id !== inSight) bringIntoSight(tree, tree.querySelector('[aria-selected="true"]'));
+    inSight = chosen?.id ?? "";
     setText(none, found.length === 0 ? t("tasks-none", { search: state.search }) : "");
   };
 }
