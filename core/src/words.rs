@@ -10,6 +10,8 @@ pub const ENGLISH: &[(&str, &str)] = &[
     ("alarms.ftl", include_str!("../messages/en/alarms.ftl")),
     ("changes.ftl", include_str!("../messages/en/changes.ftl")),
     ("check.ftl", include_str!("../messages/en/check.ftl")),
+    ("cycle971.ftl", include_str!("../messages/en/cycle971.ftl")),
+    ("cycle972.ftl", include_str!("../messages/en/cycle972.ftl")),
     ("cycle976.ftl", include_str!("../messages/en/cycle976.ftl")),
     ("cycle977.ftl", include_str!("../messages/en/cycle977.ftl")),
     ("cycle978.ftl", include_str!("../messages/en/cycle978.ftl")),
@@ -19,6 +21,10 @@ pub const ENGLISH: &[(&str, &str)] = &[
     ("params.ftl", include_str!("../messages/en/params.ftl")),
     ("run.ftl", include_str!("../messages/en/run.ftl")),
     ("syntax.ftl", include_str!("../messages/en/syntax.ftl")),
+    (
+        "tool-probe.ftl",
+        include_str!("../messages/en/tool-probe.ftl"),
+    ),
     ("write.ftl", include_str!("../messages/en/write.ftl")),
 ];
 

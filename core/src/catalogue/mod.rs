@@ -2,6 +2,8 @@
 //! A new cycle is one file and two lines here: `mod` and the place in [`CYCLES`].
 
 pub mod common;
+pub mod cycle971;
+pub mod cycle972;
 pub mod cycle976;
 pub mod cycle977;
 pub mod cycle978;
@@ -16,12 +18,15 @@ pub mod nct;
 pub mod place;
 pub mod shared_checks;
 pub mod sinumerik;
+pub mod tool_probe;
 mod when;
 pub use entry::*;
 pub use list::{Arg, ArgumentList, Style};
 
 /// Every cycle that Probewright knows, in the order in which they are offered.
 pub static CYCLES: &[&Cycle] = &[
+    &cycle971::CYCLE971,
+    &cycle972::CYCLE972,
     &cycle976::CYCLE976,
     &cycle977::CYCLE977,
     &cycle978::CYCLE978,

@@ -11,7 +11,7 @@ mod units;
 pub use finding::{Finding, error, note, warning};
 pub use number::{Parsed, parse};
 pub use targets::{Target, target};
-pub use typed::{Checked, OUT_OF_RANGE, check, read};
+pub use typed::{Checked, MISSING, OUT_OF_RANGE, check, read};
 pub use units::{delivered_factor, factor, unit_behind, unit_name};
 
 use crate::catalogue::Cycle;
@@ -65,6 +65,12 @@ impl Inputs {
     /// Number of a parameter where there is one.
     pub fn given(&self, name: &str) -> Option<f64> {
         self.numbers.get(name).copied()
+    }
+
+    /// Whether the call uses this parameter.
+    pub fn uses(&self, name: &str) -> bool {
+        let param = self.cycle.params.iter().find(|param| param.name == name);
+        param.is_some_and(|param| param.need(self).is_some())
     }
 
     /// Number of an integer parameter.

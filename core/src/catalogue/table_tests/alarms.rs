@@ -51,13 +51,15 @@ fn what_a_parameter_raises_is_listed() {
     }
 }
 
-/// Whether the column of sources means this cycle: `all`, `all, except …`, `as 61318`, or a list.
+/// Whether the column of sources means this cycle: `all`, `all, except …`, `as 61318`, or a list. A cycle that is named
+/// once more after the exceptions has a meaning of its own for the alarm.
 fn raises(rows: &[Vec<String>], source: &str, cycle: &Cycle) -> bool {
     if let Some(other) = source.strip_prefix("as ") {
         let row = rows.iter().find(|row| row[0] == other).unwrap();
         return raises(rows, &row[2], cycle);
     }
-    source.starts_with("all") != source.split_whitespace().any(|word| word == cycle.name)
+    let named = source.split_whitespace().filter(|word| *word == cycle.name);
+    source.starts_with("all") != (named.count() % 2 == 1)
 }
 
 /// An alarm as the tables write it.

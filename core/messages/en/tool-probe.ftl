@@ -1,0 +1,77 @@
+# What the cycles at a tool probe have in common: parameters, choices, results, findings.
+
+mvar-task = Task
+task-calibrate = Calibrate the probe
+task-still = Measure a tool, spindle standing
+task-rotating = Measure a tool, spindle turning
+mvar-reference = Probe stands in
+reference-machine = the machine (_TP)
+reference-workpiece = the active workpiece system (_TPW)
+ma-lathe-abscissa = 1: abscissa (G18: Z)
+ma-lathe-ordinate = 2: ordinate (G18: X)
+ma-lathe-l2 = 1: L2, touched in the abscissa (G18: Z)
+ma-lathe-l1 = 2: L1, touched in the ordinate (G18: X)
+mvar-approach = Way to the probe
+approach-normal = Positioned by the cycle
+approach-incremental = Incremental: only the measuring motion
+approach-automatic = Automatic: all sides
+
+param-prnum-tool = Tool probe
+param-prnum-tool-help = Number of the tool probe: its data are _TP[n-1,…], measured in the workpiece system _TPW[n-1,…].
+param-evnum-tool = Empirical value memory
+param-evnum-tool-help = Number n of the memory _EV[n-1] that corrects the measured value; 0: none. Above 9999 only the last four digits count, as no mean value is formed.
+param-tzl-tool = Zero offset area
+param-tzl-tool-help = A difference up to here corrects nothing, without an alarm.
+param-tdif-tool = Permissible difference
+param-tdif-tool-help = A difference of this size or more corrects nothing and shows alarm 62306; the program goes on.
+param-tsa-tool-probe = Safe area of the trigger value
+param-tsa-tool-probe-help = A trigger value that differs more from the stored one stops the program with alarm 61303 and is not stored.
+param-tsa-tool = Safe area of the tool
+param-tsa-tool-help = A length or radius that differs by this much or more stops the program with alarm 61303; nothing is corrected.
+param-fa-tool = Measuring path
+param-fa-tool-help = Distance from the start of the measuring block to the expected trigger point; the same distance again is travelled beyond it. Always in mm, in X as a radius. Also the clearance around the probe, and the distance at the end.
+param-ma-lathe-length = Measured length
+param-ma-lathe-length-help = Length that is measured, and with it the axis in which the probe is touched. The start position faces the side of the probe that the cutting edge touches.
+param-ma-calibrate = Calibrated axis
+param-ma-calibrate-help = Axis in which the probe is touched. The start position decides the direction.
+
+result-trigger-minus-1 = Trigger value in minus direction, 1st geometry axis
+result-trigger-minus-1-difference = Its difference from the stored one, minus direction, 1st geometry axis
+result-trigger-plus-1 = Trigger value in plus direction, 1st geometry axis
+result-trigger-plus-1-difference = Its difference from the stored one, plus direction, 1st geometry axis
+result-trigger-minus-2 = Trigger value in minus direction, 2nd geometry axis
+result-trigger-minus-2-difference = Its difference from the stored one, minus direction, 2nd geometry axis
+result-trigger-plus-2 = Trigger value in plus direction, 2nd geometry axis
+result-trigger-plus-2-difference = Its difference from the stored one, plus direction, 2nd geometry axis
+result-trigger-minus-3 = Trigger value in minus direction, 3rd geometry axis
+result-trigger-minus-3-difference = Its difference from the stored one, minus direction, 3rd geometry axis
+result-trigger-plus-3 = Trigger value in plus direction, 3rd geometry axis
+result-trigger-plus-3-difference = Its difference from the stored one, plus direction, 3rd geometry axis
+result-actual-l1 = Actual length L1
+result-difference-l1 = Difference of the length L1
+result-edge = D number
+result-actual-l2 = Actual length L2
+result-difference-l2 = Difference of the length L2
+result-internal-error = Internal error number
+
+check-tool-probe-number-hint = Choose a number from 1 to { $fields }, or create more probe data and raise { $array }.
+check-tool-limits = { $small } is not smaller than { $large }: nothing between them can be corrected.
+check-tool-limits-hint = Keep the order _TZL, _TDIF, _TSA.
+check-tool-speed = { $name } does not let the cycle position the tool.
+check-tool-speed-hint = Set _SPEED[0] in % of rapid traverse, _SPEED[1] and _SPEED[2] as feeds above 0; they count with collision monitoring (_CHBIT[2]=1).
+check-tool-probe-empty = The control does not know where the tool probe stands: { $names } are 0.
+check-tool-probe-empty-hint = Enter the approximate positions of its sides in the machine's data; the cycle works out its ways from them.
+check-tool-probe-sides = { $minus } is not larger than { $plus }: the side that is touched in minus direction lies on the plus side of the probe.
+check-tool-probe-sides-hint = Exchange both values, or enter the missing one.
+check-tool-probe-in-use = A workpiece probe is in use.
+check-tool-probe-in-use-hint = Load the tool to be measured, or the calibration tool, before the call.
+check-tool-type = A tool of type { $type } is not measured by this cycle.
+check-tool-type-hint = Put the tool to be measured, or the calibration tool, into the spindle; check $TC_DP1.
+check-turning-type-hint = Take a turning tool (type 5xy) and start the cycle with its D number active; check $TC_DP1.
+check-tip = The cutting edge position { $tip } is not permitted here.
+check-tip-calibration-hint = The probe is calibrated with a tool of cutting edge position 3; check $TC_DP2.
+check-tip-hint = Tools with cutting edge positions 1 to 8 are measured; check $TC_DP2.
+check-tip-axis = A tool with cutting edge position { $tip } has no edge across this axis.
+check-tip-axis-hint = Positions 5 and 7 are measured in the abscissa only, 6 and 8 in the ordinate only.
+check-rotation = The coordinate system is turned.
+check-rotation-hint = Switch the rotation off before the call; the sides of the probe lie along the machine's axes.

@@ -1,0 +1,200 @@
+//! What several values of CYCLE971, the data of the tool probe and the tool in use say together.
+
+use super::params::{
+    APPLICATE, AUTOMATIC, CALIBRATE, IN_PLANE, INCREMENTAL, MEASURE, ROTATING, WORKPIECE,
+};
+use super::rotating;
+use crate::catalogue::tool_probe::{self, ProbeData};
+use crate::catalogue::{When, names, shared_checks};
+use crate::check::{Finding, Inputs, MISSING, error, note, warning};
+use crate::control::{Control, Edge, Plane};
+use crate::diagnostic::{Code, Diagnostic};
+use crate::message::Message;
+
+/// The radius is measured.
+const RADIUS: When = When::All(&[MEASURE, IN_PLANE]);
+/// The tool is offset from the centre of the probe where it is wider than that (B:4593-4599).
+const OFFSET: When = When::Any(&[AUTOMATIC, When::All(&[When::Not(&INCREMENTAL), APPLICATE])]);
+/// Edge length or diameter of the probe's upper side in `_TP[k,i]` (B:13363).
+const EDGE_LENGTH: usize = 6;
+/// Axes and directions of automatic calibration (B:13365).
+const DIRECTIONS: usize = 7;
+/// Type (B:13366).
+const TYPE: usize = 8;
+/// From the upper side to the tool's end at a measurement in the plane (B:13369).
+const DEPTH: usize = 9;
+
+/// All of them.
+pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
+    let workpiece = WORKPIECE.holds(inputs);
+    tool_probe::checks::number(inputs, control, workpiece, found);
+    tool_probe::checks::memory(inputs, control, found);
+    tool_probe::checks::limits(inputs, found);
+    path(inputs, found);
+    let data = ProbeData::of(inputs, control, workpiece);
+    probe_type(&data, inputs.plane, found);
+    if !INCREMENTAL.holds(inputs) {
+        tool_probe::checks::speeds(control, found);
+        let [abscissa, ordinate, _] = inputs.plane.axes();
+        tool_probe::checks::place(&data, &[abscissa, ordinate], found);
+        depth(inputs, &data, found);
+    }
+    if AUTOMATIC.holds(inputs) {
+        directions(&data, inputs.plane, found);
+    }
+    if let Some(edge) = tool_probe::checks::tool_in_use(control, found) {
+        tool(inputs, edge, found);
+        offset(inputs, &data, edge.total_radius(), found);
+    }
+    if ROTATING.holds(inputs) {
+        rotating::checks(inputs, control, found);
+    }
+}
+
+/// The measuring path is positive; at incremental calibration its sign is the direction (B:4421-4424, A:15847).
+fn path(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
+    let Some(path) = inputs.given(names::FA) else {
+        return;
+    };
+    let incremental = INCREMENTAL.holds(inputs);
+    if incremental && path != 0.0 {
+        return;
+    }
+    if path > 0.0 {
+        shared_checks::reach(inputs, 1.0, found);
+        return;
+    }
+    let hint = if incremental {
+        "check-path-direction-hint"
+    } else {
+        "check-path-sign-hint"
+    };
+    found.push(
+        error(Code::Alarm(61308), Message::new("check-path-sign"))
+            .hint(Message::new(hint))
+            .at(names::FA),
+    );
+}
+
+/// A cube or a disc; a disc stands in one plane (B:13366, A:15848, A:15934).
+fn probe_type(data: &ProbeData, plane: Plane, found: &mut Vec<Diagnostic>) {
+    let (number, key) = match (data.number(TYPE) as i64, plane) {
+        (0, _) | (101, Plane::G17) | (201, Plane::G18) | (301, Plane::G19) => return,
+        (101 | 201 | 301, _) => (61415, "check-tool-probe-plane"),
+        _ => (61309, "check-tool-probe-type"),
+    };
+    let message = Message::new(key).text("name", data.name(TYPE));
+    found.push(
+        error(Code::Alarm(number), message)
+            .hint(Message::new("check-tool-probe-type-hint"))
+            .at(names::PRNUM),
+    );
+}
+
+/// In the plane the tool has to reach below the probe's upper side: an alarm at a radius (A:15891), else a doubt.
+fn depth(inputs: &Inputs, data: &ProbeData, found: &mut Vec<Diagnostic>) {
+    let beside = AUTOMATIC.holds(inputs) || IN_PLANE.holds(inputs);
+    if !beside || data.length(DEPTH) != 0.0 {
+        return;
+    }
+    let message = Message::new("check-tool-probe-depth").text("name", data.name(DEPTH));
+    let finding = if RADIUS.holds(inputs) {
+        error(Code::Alarm(61349), message)
+    } else {
+        warning(Code::Own(63), message)
+    };
+    found.push(
+        finding
+            .hint(Message::new("check-tool-probe-depth-hint"))
+            .at(names::MA),
+    );
+}
+
+/// Digits of `_TP[k,7]`: 0 not, 1 minus, 2 plus, 3 both; the applicate has to allow minus (B:4720-4741). No alarm is
+/// named there; 61309 is the nearest.
+fn directions(data: &ProbeData, plane: Plane, found: &mut Vec<Diagnostic>) {
+    let code = data.number(DIRECTIONS) as i64;
+    let digit = |axis: usize| code / 10_i64.pow(axis as u32) % 10;
+    let [_, _, applicate] = plane.axes();
+    let key = if code > 999 || (0..3).any(|axis| digit(axis) > 3) {
+        "check-directions-code"
+    } else if digit(applicate) % 2 == 0 {
+        "check-directions-applicate"
+    } else {
+        return;
+    };
+    let message = Message::new(key)
+        .text("name", data.name(DIRECTIONS))
+        .number("code", code as f64);
+    found.push(
+        error(Code::Alarm(61309), message)
+            .hint(Message::new("check-directions-hint"))
+            .at(names::MVAR),
+    );
+}
+
+/// Type and size of the tool in use. Milling tools and drills are measured (B:4157-4175), the radius of milling tools
+/// only; turning and grinding tools are taken for wrong (A:15855 does not list the types).
+fn tool(inputs: &Inputs, edge: &Edge, found: &mut Vec<Diagnostic>) {
+    let drill_radius = RADIUS.holds(inputs) && (200..300).contains(&edge.kind);
+    if matches!(edge.kind, 400..=599) || drill_radius {
+        let key = if drill_radius {
+            "check-tool-type-drill"
+        } else {
+            "check-tool-type"
+        };
+        let message = Message::new(key).number("type", edge.kind as f64);
+        found.push(
+            error(Code::Alarm(61314), message)
+                .hint(Message::new("check-tool-type-hint"))
+                .at(names::MVAR),
+        );
+        return;
+    }
+    let beside = AUTOMATIC.holds(inputs) || IN_PLANE.holds(inputs);
+    let along = AUTOMATIC.holds(inputs) || APPLICATE.holds(inputs);
+    let missing = [
+        (along, edge.total_length(0), "check-tool-length-zero"),
+        (beside, edge.total_radius(), "check-tool-radius-zero"),
+    ];
+    for (_, _, key) in missing
+        .into_iter()
+        .filter(|(needed, size, _)| *needed && *size == 0.0)
+    {
+        found.push(
+            error(Code::Alarm(61351), Message::new(key))
+                .hint(Message::new("check-tool-zero-hint"))
+                .at(names::MVAR),
+        );
+    }
+}
+
+/// A tool that is wider than the probe is offset by its radius less `_ID` (B:4593-4599).
+fn offset(inputs: &Inputs, data: &ProbeData, radius: f64, found: &mut Vec<Diagnostic>) {
+    if !OFFSET.holds(inputs) {
+        return;
+    }
+    let edge = data.length(EDGE_LENGTH);
+    let wide = 2.0 * radius > edge;
+    let given = inputs.given(names::ID);
+    let finding = match given {
+        None if wide && edge > 0.0 && CALIBRATE.holds(inputs) => {
+            let message = Message::new("check-offset-missing")
+                .number("tool", 2.0 * radius)
+                .number("edge", edge);
+            error(MISSING, message).hint(Message::new("check-offset-missing-hint"))
+        }
+        Some(inward) if wide && inward > radius => {
+            let message = Message::new("check-offset-large").number("radius", radius);
+            warning(Code::Own(64), message).hint(Message::new("check-offset-large-hint"))
+        }
+        Some(_) if wide && inputs.integer(names::MA) == 3 => {
+            let message = Message::new("check-offset-abscissa")
+                .number("tool", 2.0 * radius)
+                .number("edge", edge);
+            note(Code::Own(65), message).hint(Message::new("check-offset-abscissa-hint"))
+        }
+        _ => return,
+    };
+    found.push(finding.at(names::ID));
+}

@@ -1,0 +1,42 @@
+//! CYCLE971 as a call with arguments.
+
+use super::params::MEASURE;
+use crate::catalogue::{Arg, ArgumentList, Style, When, names};
+
+/// The parameterizing calls (B:11755-11772, B:11856-11879): calibration in the machine, and measuring. The speeds and
+/// feeds `_MFS[]` are data of the machine here. In the list of newer controls CYCLE971 is not known to us.
+pub const LISTS: &[ArgumentList] = &[
+    ArgumentList {
+        style: Style::Indirect,
+        name: "CYCLE_CAL_TOOLSETTER",
+        when: When::Variant(&[0, 10_000]),
+        base: 0,
+        args: &[
+            Arg::Is(971),
+            Arg::Param(names::MA),
+            Arg::Param(names::PRNUM),
+            Arg::Select(&[(0, 0), (1, 10_000)]),
+            Arg::Param(names::FA),
+        ],
+        source: "B:11767-11772;A:13108-13112",
+    },
+    ArgumentList {
+        style: Style::Indirect,
+        name: "CYCLE_971",
+        when: MEASURE,
+        base: 0,
+        args: &[
+            Arg::Param(names::MVAR),
+            Arg::Param(names::MA),
+            Arg::Param(names::ID),
+            Arg::Param(names::PRNUM),
+            Arg::Open,
+            Arg::Open,
+            Arg::Open,
+            Arg::Open,
+            Arg::Open,
+            Arg::Open,
+        ],
+        source: "B:11870-11879;A:13210-13219",
+    },
+];

@@ -1,0 +1,175 @@
+//! Parameters of CYCLE971 (B:4410-4432, B:4636-4656, B:4830-4859).
+
+use crate::catalogue::common::{self, optional, required};
+use crate::catalogue::tool_probe::params as tool_probe;
+use crate::catalogue::{DigitGroup, Kind, Param, Range, When, names};
+
+/// The probe is calibrated.
+pub const CALIBRATE: When = When::Digit {
+    param: names::MVAR,
+    place: 1,
+    is: &[0],
+};
+/// A tool is measured.
+pub const MEASURE: When = When::Not(&CALIBRATE);
+/// With the spindle turning.
+pub const ROTATING: When = When::Digit {
+    param: names::MVAR,
+    place: 1,
+    is: &[2],
+};
+/// In the active workpiece system, with the data `_TPW`.
+pub const WORKPIECE: When = When::Digit {
+    param: names::MVAR,
+    place: 10,
+    is: &[1],
+};
+/// The tool stands in front of the probe; nothing but the measuring block is travelled.
+pub const INCREMENTAL: When = When::Digit {
+    param: names::MVAR,
+    place: 10_000,
+    is: &[1],
+};
+/// All sides one after the other.
+pub const AUTOMATIC: When = When::Digit {
+    param: names::MVAR,
+    place: 100_000,
+    is: &[1],
+};
+/// Measured in the abscissa.
+pub const ABSCISSA: When = axis(&[1]);
+/// Measured in the ordinate.
+pub const ORDINATE: When = axis(&[2]);
+/// Measured in the applicate.
+pub const APPLICATE: When = axis(&[3]);
+/// Measured in the plane.
+pub const IN_PLANE: When = axis(&[1, 2]);
+
+/// Last digit of `_MA` (B:15395-15401).
+const fn axis(is: &'static [i64]) -> When {
+    When::Digit {
+        param: names::MA,
+        place: 1,
+        is,
+    }
+}
+
+const MVAR_DIGITS: &[DigitGroup] = &[
+    DigitGroup {
+        key: "mvar-task",
+        place: 1,
+        digits: 1,
+        choices: &[
+            (0, "task-calibrate"),
+            (1, "task-still"),
+            (2, "task-rotating"),
+        ],
+    },
+    tool_probe::REFERENCE,
+    DigitGroup {
+        key: "mvar-approach",
+        place: 10_000,
+        digits: 2,
+        choices: &[
+            (0, "approach-normal"),
+            (1, "approach-incremental"),
+            (10, "approach-automatic"),
+        ],
+    },
+];
+
+const AXES: &[(i64, &str)] = &[(1, "ma-abscissa"), (2, "ma-ordinate"), (3, "ma-applicate")];
+const CALIBRATED_AXES: &[(i64, &str)] = &[
+    (1, "ma-abscissa"),
+    (2, "ma-ordinate"),
+    (3, "ma-applicate"),
+    (201, "ma-abscissa-centred"),
+    (102, "ma-ordinate-centred"),
+    (103, "ma-applicate-abscissa"),
+    (203, "ma-applicate-ordinate"),
+];
+const TOOL_AXES: &[(i64, &str)] = &[
+    (1, "ma-radius-abscissa"),
+    (2, "ma-radius-ordinate"),
+    (3, "ma-length"),
+    (103, "ma-length-abscissa"),
+    (203, "ma-length-ordinate"),
+];
+
+/// In the order in which the snippet writes them.
+pub const PARAMS: &[Param] = &[
+    Param {
+        kind: Kind::Variant(MVAR_DIGITS),
+        source: "B:4186-4196;B:4621-4622;B:15403-15414",
+        ..common::MVAR
+    },
+    Param {
+        kind: Kind::ChoiceBy(&[
+            (INCREMENTAL, AXES),
+            (CALIBRATE, CALIBRATED_AXES),
+            (When::Always, TOOL_AXES),
+        ]),
+        range: Range::closed(1.0, 203.0),
+        needs: &[required(When::Not(&AUTOMATIC), "need-axis-tool-probe")],
+        labels: &[
+            (CALIBRATE, "ma-calibrate"),
+            (When::Always, "ma-measure-tool"),
+        ],
+        source: "B:4419-4420;B:4842-4846;B:15395-15401;A:16199",
+        ..common::MA
+    },
+    Param {
+        range: Range::NOT_NEGATIVE,
+        needs: &[
+            required(MEASURE, "need-offset-edge"),
+            optional(AUTOMATIC, "need-offset-wide"),
+            optional(
+                When::All(&[When::Not(&INCREMENTAL), APPLICATE]),
+                "need-offset-wide",
+            ),
+        ],
+        labels: &[
+            (CALIBRATE, "id-calibrate"),
+            (APPLICATE, "id-length"),
+            (When::Always, "id-radius"),
+        ],
+        source: "B:4426;B:4654-4656;B:4849;B:15391",
+        ..common::ID
+    },
+    tool_probe::PRNUM,
+    Param {
+        range: Range::ANY, // signed with incremental calibration; see the checks
+        usual: Range::closed(-100.0, 100.0),
+        needs: &[
+            required(INCREMENTAL, "need-signed-path"),
+            optional(When::Always, "need-default"),
+        ],
+        labels: &[(INCREMENTAL, "fa-incremental"), (When::Always, "fa-tool")],
+        source: "B:4421-4424;B:2221;B:15389-15390;A:15847",
+        ..common::FA
+    },
+    Param {
+        needs: &[optional(When::Not(&INCREMENTAL), "need-default")],
+        labels: &[(CALIBRATE, "tsa-tool-probe"), (When::Always, "tsa-tool")],
+        source: "B:4326;B:4432;B:15431;A:15844",
+        ..common::TSA
+    },
+    Param {
+        needs: &[optional(When::Not(&ROTATING), "need-default")],
+        source: "B:2164-2170;B:4789;B:15433",
+        ..common::VMS
+    },
+    tool_probe::NMSP,
+    Param {
+        needs: &[optional(MEASURE, "need-memory-empirical")],
+        ..tool_probe::EVNUM
+    },
+    Param {
+        needs: &[optional(When::Not(&INCREMENTAL), "need-default")],
+        ..tool_probe::TZL
+    },
+    Param {
+        needs: &[optional(MEASURE, "need-default")],
+        ..tool_probe::TDIF
+    },
+];

@@ -1,0 +1,129 @@
+//! Speed, feed and compensation of a measurement with rotating spindle (B:4334-4387, B:4776-4807).
+
+use super::params::IN_PLANE;
+use crate::catalogue::names;
+use crate::check::{Finding, Inputs, error, warning};
+use crate::control::Control;
+use crate::diagnostic::{Code, Diagnostic, Severity};
+use crate::message::Message;
+
+/// All checks about it.
+pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
+    if control.bit("_CBIT[12]") {
+        own_speeds(control, found);
+    } else {
+        limits(control, found);
+    }
+    compensation(inputs, control, found);
+}
+
+/// A finding at the variant, with `{name}` in its cause.
+fn finding(severity: Severity, code: Code, key: &'static str, name: &str) -> Diagnostic {
+    let message = Message::new(key).text("name", name);
+    let finding = match severity {
+        Severity::Error => error(code, message),
+        _ => warning(code, message),
+    };
+    finding
+        .hint(Message::new(format!("{key}-hint")))
+        .at(names::MVAR)
+}
+
+/// `_MFS[0..5]`: speed and feed of up to three probings; a speed of 0 ends them (B:4779-4787, A:15892).
+fn own_speeds(control: &Control, found: &mut Vec<Diagnostic>) {
+    let value = |index: usize| control.number(&format!("_MFS[{index}]"));
+    let second = value(2) > 0.0;
+    let third = second && value(4) > 0.0;
+    let needed = [(true, 0), (true, 1), (second, 3), (third, 5)];
+    for (_, index) in needed
+        .into_iter()
+        .filter(|(needed, index)| *needed && value(*index) <= 0.0)
+    {
+        let name = format!("_MFS[{index}]");
+        let missing = finding(
+            Severity::Error,
+            Code::Alarm(61350),
+            "check-mfs-missing",
+            &name,
+        );
+        found.push(missing);
+    }
+    if !second && value(4) > 0.0 {
+        let lost = finding(
+            Severity::Warning,
+            Code::Own(66),
+            "check-mfs-third",
+            "_MFS[2]",
+        );
+        found.push(lost);
+    }
+}
+
+/// `_CM[0..7]`: limits from which the cycle works out speed and feed (B:4789-4803, A:15910).
+fn limits(control: &Control, found: &mut Vec<Diagnostic>) {
+    let value = |index: usize| control.number(&format!("_CM[{index}]"));
+    if ![3.0, 4.0].contains(&value(5)) {
+        found.push(finding(
+            Severity::Error,
+            Code::Alarm(61366),
+            "check-cm-direction",
+            "_CM[5]",
+        ));
+    }
+    for index in [0, 1, 3, 4]
+        .into_iter()
+        .filter(|index| value(*index) <= 0.0)
+    {
+        let name = format!("_CM[{index}]");
+        found.push(finding(
+            Severity::Error,
+            Code::Own(67),
+            "check-cm-zero",
+            &name,
+        ));
+    }
+    let (first, second) = (value(6), value(7));
+    let factor = |factor: f64| factor == 0.0 || factor >= 1.0;
+    for (name, _) in [("_CM[6]", first), ("_CM[7]", second)]
+        .into_iter()
+        .filter(|(_, value)| !factor(*value))
+    {
+        found.push(finding(
+            Severity::Warning,
+            Code::Own(68),
+            "check-cm-factor",
+            name,
+        ));
+    }
+    if second >= 1.0 && second >= first {
+        found.push(finding(
+            Severity::Warning,
+            Code::Own(69),
+            "check-cm-order",
+            "_CM[7]",
+        ));
+    }
+}
+
+/// `_MT_COMP`: 1 takes the tables of a make, 2 those of the user, whose radii and speeds ascend (B:4334-4383).
+fn compensation(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
+    let table = if IN_PLANE.holds(inputs) {
+        "_MT_EC_R"
+    } else {
+        "_MT_EC_L"
+    };
+    let (own, key, name) = match control.number("_MT_COMP") as i64 {
+        1 if control.number("_TP_CF") == 0.0 => (70, "check-compensation-make", "_TP_CF"),
+        2 if !ascends(control, table) => (71, "check-compensation-table", table),
+        _ => return,
+    };
+    found.push(finding(Severity::Warning, Code::Own(own), key, name));
+}
+
+/// Whether the radii `[0,1..4]` and the peripheral speeds `[1..5,0]` of a table rise.
+fn ascends(control: &Control, table: &str) -> bool {
+    let rises = |numbers: Vec<f64>| numbers.windows(2).all(|pair| pair[0] < pair[1]);
+    let cell = |row: usize, column: usize| control.number(&format!("{table}[{row},{column}]"));
+    rises((1..=4).map(|column| cell(0, column)).collect())
+        && rises((1..=5).map(|row| cell(row, 0)).collect())
+}

@@ -1,0 +1,75 @@
+//! CYCLE972: tool probe on turning machines: calibrating it, measuring the lengths of turning tools (B:8736-9090).
+//! CYCLE982 with its variants 0 and 1 does the same (B:8752-8760).
+
+mod checks;
+mod lists;
+pub mod params;
+mod picture;
+mod results;
+#[cfg(test)]
+mod tests;
+
+use crate::catalogue::common::alarms;
+use crate::catalogue::{Cycle, Dialect, MachineSort, ProbeUse, Purpose, Variant, tool_probe};
+
+/// Measuring variants (B:8766-8771).
+pub const VARIANTS: &[Variant] = &[
+    Variant {
+        number: 0,
+        key: "cycle972-calibrate",
+        source: "B:8770;B:8816;A:9685",
+    },
+    Variant {
+        number: 1,
+        key: "cycle972-measure",
+        source: "B:8771;B:8964;A:9686",
+    },
+];
+
+/// The entry. Example: the turning tool T3 of B:9044-9053, length L1.
+pub static CYCLE972: Cycle = Cycle {
+    dialect: Dialect::Sinumerik,
+    name: "CYCLE972",
+    key: "cycle972",
+    variants: VARIANTS,
+    params: params::PARAMS,
+    purpose: Purpose {
+        probe: ProbeUse::Tool,
+        machine: MachineSort::Turning,
+        calibrates: params::CALIBRATE,
+    },
+    lists: lists::LISTS,
+    settings: &[
+        "_TP",
+        "_CVAL[0]",
+        "_SPEED",
+        "_EVMVNUM[0]",
+        "_CBIT[0]",
+        "_CBIT[1]",
+        "_CHBIT[2]",
+        "_CHBIT[3]",
+        "_CHBIT[5]",
+        "_CHBIT[15]",
+        "_CHBIT[16]",
+        "_CHBIT[17]",
+    ],
+    results: results::RESULTS,
+    // A:15856, A:15873
+    alarms: &[tool_probe::ALARMS, &alarms([61315, 61330])],
+    checks: checks::checks,
+    picture: picture::picture,
+    example: &[
+        ("_MVAR", "1"),
+        ("_MA", "2"),
+        ("_PRNUM", "1"),
+        ("_FA", "1"),
+        ("_TSA", "1"),
+        ("_VMS", "0"),
+        ("_NMSP", "1"),
+        ("_EVNUM", "0"),
+        ("_TZL", "0.001"),
+        ("_TDIF", "0.8"),
+    ],
+    simulation: None,
+    source: "B:8736-9090",
+};

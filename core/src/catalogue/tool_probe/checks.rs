@@ -1,0 +1,122 @@
+//! Checks that the cycles at a tool probe share.
+
+use super::ProbeData;
+use crate::catalogue::names;
+use crate::check::{Finding, Inputs, error, warning};
+use crate::control::{Control, Edge};
+use crate::diagnostic::{Code, Diagnostic};
+use crate::message::Message;
+
+/// Type of a 3D probe, `$TC_DP1` (B:4147).
+const WORKPIECE_PROBE: i64 = 710;
+
+/// A probe number beyond the data fields; `_CVAL[0]` counts those of the machine, `_CVAL[3]` those of the workpiece
+/// (B:13345-13348, A:15852).
+pub fn number(inputs: &Inputs, control: &Control, workpiece: bool, found: &mut Vec<Diagnostic>) {
+    let array = if workpiece { "_CVAL[3]" } else { "_CVAL[0]" };
+    let fields = control.number(array);
+    let number = inputs.number(names::PRNUM);
+    if number > fields {
+        let message = Message::new("check-probe-number").number("number", number);
+        let hint = Message::new("check-tool-probe-number-hint")
+            .number("fields", fields)
+            .text("array", array);
+        found.push(
+            error(Code::Alarm(61313), message)
+                .hint(hint)
+                .at(names::PRNUM),
+        );
+    }
+}
+
+/// An empirical value memory beyond the array (`_EVMVNUM[0]`, B:13717). What a control does then is not defined; the
+/// access would fail.
+pub fn memory(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
+    let number = (inputs.integer(names::EVNUM) % 10_000) as f64;
+    let size = control.number("_EVMVNUM[0]");
+    if number > size {
+        let message = Message::new("check-empirical-memory")
+            .number("number", number)
+            .number("size", size);
+        let hint = Message::new("check-memory-hint").text("array", "_EVMVNUM[0]");
+        found.push(error(Code::Own(21), message).hint(hint).at(names::EVNUM));
+    }
+}
+
+/// Order of the limits: a difference is corrected between `_TZL` and `_TDIF` (measuring) or `_TSA` (calibrating), and
+/// `_TSA` lies beyond both (B:4324-4326).
+pub fn limits(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
+    let given = [names::TZL, names::TDIF, names::TSA]
+        .into_iter()
+        .filter_map(|name| Some((name, inputs.given(name)?)));
+    let given: Vec<_> = given.collect();
+    for pair in given.windows(2) {
+        let [(small, low), (large, high)] = pair else {
+            continue;
+        };
+        if low >= high {
+            let message = Message::new("check-tool-limits")
+                .text("small", *small)
+                .text("large", *large);
+            found.push(
+                warning(Code::Own(60), message)
+                    .hint(Message::new("check-tool-limits-hint"))
+                    .at(large),
+            );
+        }
+    }
+}
+
+/// The tool in use, to be looked at further; none where it is not known. While a workpiece probe is in use, the tool that
+/// is meant is still to come: a doubt here, 61314 on the machine (A:15855).
+pub fn tool_in_use<'a>(control: &'a Control, found: &mut Vec<Diagnostic>) -> Option<&'a Edge> {
+    let edge = control.active_edge().filter(|edge| edge.kind != 0)?;
+    if edge.kind != WORKPIECE_PROBE {
+        return Some(edge);
+    }
+    found.push(
+        warning(Code::Alarm(61314), Message::new("check-tool-probe-in-use"))
+            .hint(Message::new("check-tool-probe-in-use-hint"))
+            .at(names::MVAR),
+    );
+    None
+}
+
+/// Speeds with which the cycle positions (B:13726-13733, A:15879-15880).
+pub fn speeds(control: &Control, found: &mut Vec<Diagnostic>) {
+    let mut alarm = |number, name: &str| {
+        let message = Message::new("check-tool-speed").text("name", name);
+        found.push(error(Code::Alarm(number), message).hint(Message::new("check-tool-speed-hint")));
+    };
+    if control.number("_SPEED[0]") < 0.0 {
+        alarm(61339, "_SPEED[0]");
+    }
+    for name in ["_SPEED[1]", "_SPEED[2]"] {
+        if control.bit("_CHBIT[2]") && control.number(name) == 0.0 {
+            alarm(61338, name);
+        }
+    }
+}
+
+/// Whether the approximate place of the probe is known in the axes with these indices, with the side that is touched in
+/// minus direction on the plus side (B:4397, B:8848-8850). The cycle works out its ways from these values.
+pub fn place(data: &ProbeData, axes: &[usize], found: &mut Vec<Diagnostic>) {
+    let triggers = || axes.iter().map(|axis| (axis, data.triggers(*axis)));
+    if triggers().all(|(_, values)| values == [0.0; 2]) {
+        let names: Vec<String> = axes
+            .iter()
+            .flat_map(|axis| [data.name(2 * axis), data.name(2 * axis + 1)])
+            .collect();
+        let message = Message::new("check-tool-probe-empty").text("names", names.join(", "));
+        let hint = Message::new("check-tool-probe-empty-hint");
+        found.push(warning(Code::Own(61), message).hint(hint).at(names::PRNUM));
+        return;
+    }
+    for (axis, _) in triggers().filter(|(_, [minus, plus])| minus <= plus) {
+        let message = Message::new("check-tool-probe-sides")
+            .text("minus", data.name(2 * axis))
+            .text("plus", data.name(2 * axis + 1));
+        let hint = Message::new("check-tool-probe-sides-hint");
+        found.push(warning(Code::Own(62), message).hint(hint).at(names::PRNUM));
+    }
+}
