@@ -85,7 +85,7 @@ describe("first visit", () => {
     await variant(0).click();
     await lengthField(page).fill("31.5");
     await variant(1).click();
-    await results.first().waitFor({ state: "hidden" });
+    await page.waitForFunction(([all, wanted]) => document.querySelectorAll(all)[wanted]?.ariaSelected === "true", [VARIANTS, first + 1]);
     assert.equal(await lengthField(page).inputValue(), "31.5");
     await context.close();
   });
