@@ -55,7 +55,7 @@ result-difference-l2 = Difference of the length L2
 result-internal-error = Internal error number
 
 check-tool-probe-number-hint = Choose a number from 1 to { $fields }, or create more probe data and raise { $array }.
-check-tool-limits = { $small } is not smaller than { $large }: nothing between them can be corrected.
+check-tool-limits = { $small }, { $low } mm, is not smaller than { $large }, { $high } mm: one of them never counts.
 check-tool-limits-hint = Keep the order _TZL, _TDIF, _TSA.
 check-tool-speed = { $name } does not let the cycle position the tool.
 check-tool-speed-hint = Set _SPEED[0] in % of rapid traverse, _SPEED[1] and _SPEED[2] as feeds above 0; they count with collision monitoring (_CHBIT[2]=1).

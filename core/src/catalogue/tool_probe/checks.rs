@@ -57,7 +57,9 @@ pub fn limits(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
         if low >= high {
             let message = Message::new("check-tool-limits")
                 .text("small", *small)
-                .text("large", *large);
+                .number("low", *low)
+                .text("large", *large)
+                .number("high", *high);
             found.push(
                 warning(Code::Own(60), message)
                     .hint(Message::new("check-tool-limits-hint"))
