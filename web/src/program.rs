@@ -39,3 +39,13 @@ pub fn convert(request: &str) -> Result<String, JsError> {
 pub fn run(request: &str) -> Result<String, JsError> {
     Ok(json::run(request)?.to_string())
 }
+
+/// Text of a setup file → `Setup` with everything in it that the file leaves to its default.
+///
+/// # Errors
+/// The text is no setup: why, with the place.
+#[wasm_bindgen]
+pub fn setup(text: &str) -> Result<String, JsError> {
+    let setup = json::setup_from_json(text)?;
+    Ok(json::setup_to_json(&setup).to_string())
+}

@@ -3,10 +3,11 @@
 import { findCycle } from "./derive";
 import { isRead, opened, SOUGHT, withEdits } from "./desk";
 import { lineBreak, type Splice } from "./eol";
+import type { ProgramFile } from "./files";
 import { parseNumber } from "./numbers";
-import { AT_END, programOf, type Panel, type State } from "./state";
+import { AT_END, NO_ERRORS, programOf, setsOf, work, type Panel, type State } from "./state";
 import type { Store } from "./store";
-import type { Catalogue, CycleInfo, Dialect, ErrorSliders, OwnMachine } from "./wire";
+import type { Catalogue, CycleInfo, Dialect, ErrorSliders, OwnMachine, Setup } from "./wire";
 
 export type Variant = CycleInfo["variants"][number];
 
@@ -17,14 +18,22 @@ export interface Actions {
   check(): void;
   example(): void;
   editProgram(edits: Splice[]): void;
-  openProgram(text: string): void;
+  openProgram(text: string, file: ProgramFile): void;
+  openSetup(setup: Setup | null): void;
   cursor(offset: number, line: number): void;
   openCall(index: number): void;
   closeCall(): void;
   insert(snippet: string): void;
   error<G extends keyof ErrorSliders>(group: G, name: keyof ErrorSliders[G], value: number): void;
   begin(machine: OwnMachine["own"]): void;
+  noErrors(): void;
   panel(panel: Panel): void;
+  saveSet(name: string): void;
+  loadSet(name: string): void;
+  /** false: the name is taken, or it is none. */
+  renameSet(name: string, next: string): boolean;
+  deleteSet(name: string): void;
+  undo(): void;
 }
 
 const LEFT: Panel[] = ["tasks", "form"];
@@ -54,15 +63,25 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
   const now = (): State => store.state;
   const remember = (): Partial<State> => ({ remembered: { ...now().remembered, [memoryKey(now().control, now().cycle)]: now().values } });
 
-  const edits = (pairs: [string, string][]): void => {
+  /** A change that takes work away; until the next edit it can be undone. */
+  const replace = (notice: string, patch: Partial<State>): void => {
+    store.update({ ...patch, notice, undo: work(now()) });
+    store.flush(); // editor and form have to hold it before the next key
+  };
+
+  const edited = (pairs: [string, string][]): Partial<State> => {
     const state = now();
     const { control } = state;
     const at = state.sought ? SOUGHT : state.open;
     const names = new Set(pairs.map(([name]) => name));
     const others = state.pending.filter((one) => one.control !== control || one.at !== at || !names.has(one.name));
     const pending = at === null ? state.pending : [...others, ...pairs.map(([name, value]) => ({ control, at, name, value }))];
-    store.update({ values: { ...state.values, ...Object.fromEntries(pairs) }, step: AT_END, pending });
+    return { values: { ...state.values, ...Object.fromEntries(pairs) }, step: AT_END, pending };
   };
+  const edits = (pairs: [string, string][]): void => store.update({ ...edited(pairs), undo: null });
+
+  const withSets = (sets: Record<string, Record<string, string>>): Partial<State> =>
+    ({ sets: { ...now().sets, [memoryKey(now().control, now().cycle)]: sets } });
 
   return {
     chooseCycle(cycle, variant) {
@@ -70,7 +89,7 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
       const same = cycle.control === state.control && cycle.cycle === state.cycle;
       if (same && variant) return edits(Object.entries(isExample(cycle, state.values) ? variant.example : variant.values));
       const values = same ? state.values : state.remembered[memoryKey(cycle.control, cycle.cycle)] ?? variant?.example ?? cycle.example;
-      store.update({ ...remember(), control: cycle.control, cycle: cycle.cycle, values: { ...values, ...variant?.values }, open: same ? state.open : null, sought: null, step: AT_END, source: "form", touched: {}, checked: false });
+      store.update({ ...remember(), control: cycle.control, cycle: cycle.cycle, values: { ...values, ...variant?.values }, open: same ? state.open : null, sought: null, step: AT_END, source: "form", touched: {}, checked: false, undo: null });
     },
     edit: (name, value) => edits([[name, value]]),
     touch(name) {
@@ -79,16 +98,22 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
     check: () => store.update({ checked: true }),
     example() {
       const cycle = findCycle(catalogue, now().control, now().cycle);
-      if (cycle) store.update({ values: variantOf(cycle, now().values)?.example ?? cycle.example, open: null, sought: null, step: AT_END, touched: {}, checked: false });
+      if (cycle) replace("notice-example", { values: variantOf(cycle, now().values)?.example ?? cycle.example, open: null, sought: null, step: AT_END, touched: {}, checked: false });
     },
-    editProgram: (edits) => store.update((state) => ({ ...withEdits(state, edits), follow: "text" })),
-    openProgram(text) {
-      const { control, programs, pending } = now();
-      store.update({
-        programs: { ...programs, [control]: text }, pending: pending.filter((one) => one.control !== control),
-        open: null, sought: null, reading: null, ran: null, cursor: 0, cursorLine: 1,
+    editProgram: (edits) => store.update((state) => ({ ...withEdits(state, edits), follow: "text", undo: null })),
+    openProgram(text, file) {
+      const { control, programs, files, pending } = now();
+      replace(file.encoding === "utf-8" ? "notice-opened" : "notice-opened-bytes", {
+        programs: { ...programs, [control]: text }, files: { ...files, [control]: file }, pending: pending.filter((one) => one.control !== control),
+        open: null, sought: null, reading: null, ran: null, cursor: 0, cursorLine: 1, refused: null,
       });
-      store.flush();
+    },
+    openSetup(setup) {
+      const { control, remembered } = now();
+      const cycle = catalogue.cycles.find((one) => one.control === setup?.control);
+      const other = setup && cycle && setup.control !== control
+        ? { control: setup.control, cycle: cycle.cycle, values: remembered[memoryKey(cycle.control, cycle.cycle)] ?? cycle.example, open: null, sought: null, touched: {} } : {};
+      replace(setup ? "notice-setup" : "notice-own-setup", { ...remember(), ...other, setup, ...(setup ? { errors: errorsOf(setup) } : {}), step: AT_END, refused: null });
     },
     cursor: (cursor, cursorLine) => store.update((state) => ({ cursor, cursorLine, follow: state.follow ?? "cursor" })),
     openCall(index) {
@@ -101,12 +126,40 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
       const state = now();
       const place = insertion(programOf(state), state.cursor, snippet);
       const to = place.from + place.insert.length;
-      store.update({ ...withEdits(state, [place]), cursor: to, open: null, sought: { from: place.from, to }, notice: "notice-inserted" });
+      store.update({ ...withEdits(state, [place]), cursor: to, open: null, sought: { from: place.from, to }, notice: "notice-inserted", undo: null });
       store.flush(); // the editor has to hold it before the next key
     },
     error(group, name, value) {
       const errors = now().errors;
-      store.update({ errors: { ...errors, [group]: { ...errors[group], [name]: value } }, step: AT_END });
+      store.update({ errors: { ...errors, [group]: { ...errors[group], [name]: value } }, step: AT_END, undo: null });
+    },
+    noErrors: () => replace("notice-no-errors", { errors: NO_ERRORS, step: AT_END }),
+    saveSet(name) {
+      const sets = setsOf(now());
+      const next = withSets({ ...sets, [name]: now().values });
+      if (sets[name]) replace("notice-set-replaced", next);
+      else store.update({ ...next, notice: "notice-set-saved" });
+    },
+    loadSet(name) {
+      const { values } = now();
+      const set = setsOf(now())[name] ?? {};
+      const names = [...new Set([...Object.keys(values), ...Object.keys(set)])];
+      const changes = names.filter((one) => (values[one] ?? "") !== (set[one] ?? "")).map((one): [string, string] => [one, set[one] ?? ""]);
+      replace("notice-set-loaded", { ...edited(changes), touched: {}, checked: false });
+    },
+    renameSet(name, next) {
+      const sets = setsOf(now());
+      if (!next || (next !== name && sets[next])) return false;
+      store.update(withSets(Object.fromEntries(Object.entries(sets).map(([one, values]) => [one === name ? next : one, values]))));
+      return true;
+    },
+    deleteSet(name) {
+      const { [name]: _, ...rest } = setsOf(now());
+      replace("notice-set-deleted", withSets(rest));
+    },
+    undo() {
+      const before = now().undo;
+      if (before) replace("notice-undone", { ...before, sought: null, follow: null, step: AT_END });
     },
     begin(own) {
       const { control, setup } = now();
@@ -118,6 +171,14 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
       store.flush(); // who shows a panel goes on in it, mostly with the focus
     },
   };
+}
+
+/** What is wrong with part and probe of a setup, for the sliders. The probe's own errors are in the setup already. */
+function errorsOf(setup: Setup): ErrorSliders {
+  const errors = setup.workpiece[0]?.errors;
+  if (!errors) return NO_ERRORS;
+  const [dx, dy, dz] = errors.shift;
+  return { ...NO_ERRORS, part: { dx, dy, dz, size: errors.size, tilt: errors.tilt[2], taper: errors.taper, outOfRound: errors.outOfRound[0] } };
 }
 
 /** Whole lines before the line of the cursor, or after the last line when the cursor stands at its end. */

@@ -5,27 +5,34 @@ import { createAside, type Answered, type Aside } from "./aside";
 import type { Core } from "./core";
 import { createDerive, findCycle, type Derived } from "./derive";
 import { createDesk, isCurrent } from "./desk";
-import { el, setText } from "./dom";
+import { el, setText, show } from "./dom";
+import { load, save } from "./keep";
 import { createLayout } from "./layout";
 import { unpack } from "./link";
 import { Broken } from "./module";
+import { openProgramFile, openSetupFile } from "./open";
 import type { ProgramCore } from "./program";
-import { firstState, load, machine, merge, NO_ERRORS, programOf, save, type State, type Stopped } from "./state";
+import { firstState, machine, merge, NO_ERRORS, programOf, type State, type Stopped } from "./state";
 import { createStore, type Store } from "./store";
 import { t } from "./texts";
 import { createActivity } from "./views/activity";
 import { showBroken } from "./views/broken";
+import { acceptDrops } from "./views/drop";
 import { createForm } from "./views/form";
 import { createHeader } from "./views/header";
 import { createProgram } from "./views/program";
+import { createRefusal } from "./views/refusal";
 import { createResults } from "./views/results";
 import { createScene } from "./views/scene";
+import { createSets } from "./views/sets";
 import { createSliders } from "./views/sliders";
 import { createTasks } from "./views/tasks";
 import type { Catalogue, CycleInfo, RunView } from "./wire";
 
 const FIRST_OVERSIZE = 0.03; // mm: the part of the first visit is this much too big
 const SAVE_AFTER = 200; // ms without a change
+const NOTICE_SHOWN = 4000; // ms
+const UNDO_SHOWN = 12_000; // ms; the key works longer
 
 /** The first that also shows what it does. */
 function firstCycle(catalogue: Catalogue): CycleInfo | undefined {
@@ -43,14 +50,26 @@ function firstVisit(core: Core, catalogue: Catalogue): State {
 }
 
 async function startState(core: Core, catalogue: Catalogue): Promise<State> {
-  const stored = load();
+  const stored = await load();
   let state = stored ? merge(firstState(), stored) : firstVisit(core, catalogue);
   const packed = /^#s=(.+)$/.exec(location.hash)?.[1];
   if (packed) {
     state = merge(state, await unpack(packed));
     history.replaceState(null, "", location.pathname + location.search);
   }
-  return findCycle(catalogue, state.control, state.cycle) ? state : { ...state, ...pickFirst(catalogue) };
+  if (!findCycle(catalogue, state.control, state.cycle)) state = { ...state, ...pickFirst(catalogue) };
+  return setupFits(core, state) ? state : { ...state, setup: null, notice: "notice-setup-outdated" };
+}
+
+/** A kept setup may come from an earlier version. */
+function setupFits(core: Core, { control, cycle, setup }: State): boolean {
+  if (setup?.control !== control) return true;
+  try {
+    core.form({ control, cycle, values: {}, setup });
+    return true;
+  } catch {
+    return false;
+  }
 }
 
 function pickFirst(catalogue: Catalogue): Partial<State> {
@@ -59,14 +78,15 @@ function pickFirst(catalogue: Catalogue): Partial<State> {
 }
 
 /** Keeps the work and says so when something below breaks; every way into the core passes here. */
-function guard<A extends unknown[]>(store: () => Store, run: (...args: A) => void): (...args: A) => void {
+function guard<A extends unknown[], R>(store: () => Store, run: (...args: A) => R): (...args: A) => R | undefined {
   return (...args) => {
     try {
-      run(...args);
+      return run(...args);
     } catch (problem) {
-      save(store().state);
-      if (problem instanceof Broken) showBroken(problem.message);
-      else throw problem;
+      void save(store().state);
+      if (!(problem instanceof Broken)) throw problem;
+      showBroken(problem.message);
+      return undefined;
     }
   };
 }
@@ -77,6 +97,8 @@ export async function startApp(core: Core): Promise<void> {
   let draw = (): void => undefined;
   const store = createStore(await startState(core, catalogue), guard(() => store, () => draw()));
   let programCore: ProgramCore | null = null;
+  let came = (_: ProgramCore): void => undefined;
+  const coming = new Promise<ProgramCore>((resolve) => { came = resolve; });
   const aside = (): Aside => createAside(() => programCore?.module, () => store.update({}));
   const [reader, runner] = [aside(), aside()];
   const settle = createDesk(() => programCore, reader);
@@ -88,40 +110,52 @@ export async function startApp(core: Core): Promise<void> {
   const results = el("div", { class: "results-main" });
   const sliders = el("aside", { class: "sliders", "aria-label": t("sliders-title") });
   panels.results.append(results, sliders);
-  const program = createProgram(panels.program, store, actions);
+  const openProgram = (file: File): void => void openProgramFile(file, store, actions);
+  const openSetup = (file: File): void => void openSetupFile(file, coming, store, actions);
+  acceptDrops(openProgram, openSetup);
+  const program = createProgram(panels.program, store, actions, openProgram);
   const activities = [reading(store, reader), running(store, runner)] as const;
-  program.head.after(activities[0].root);
+  const refusals = [createRefusal(store, "program"), createRefusal(store, "setup")] as const;
+  const sets = createSets(actions);
+  document.body.append(sets.dialog);
+  program.head.after(refusals[0].root, activities[0].root);
+  layout.header.after(refusals[1].root);
   panels.view.append(activities[1].root);
   const views = [
-    createHeader(layout.header, store, actions), createTasks(panels.tasks, store, actions), createForm(panels.form, store, actions),
-    program.draw, createScene(panels.view, store, program.goToLine), createResults(results, store, actions, program.goTo), createSliders(sliders, store, actions),
+    createHeader(layout.header, store, actions, openSetup), createTasks(panels.tasks, store, actions), createForm(panels.form, store, actions, () => sets.dialog.showModal()),
+    program.draw, createScene(panels.view, store, program.goToLine), createResults(results, store, actions, program.goTo), createSliders(sliders, actions), sets.draw,
   ];
-  let noticed = 0;
+  let noticed = "";
+  let hiding = 0;
   let saving = 0;
   let warned = false;
-  const keep = (): void => {
-    if (save(store.state) || warned) return;
+  const keep = async (): Promise<void> => {
+    if (await save(store.state) || warned) return;
     warned = true;
     store.update({ notice: "notice-not-kept" });
   };
   draw = () => {
     const state = store.settle(withRun(runner.take(), settle(store.state)));
     clearTimeout(saving);
-    saving = window.setTimeout(keep, SAVE_AFTER); // sooner when the page goes or the core breaks
+    saving = window.setTimeout(() => void keep(), SAVE_AFTER); // sooner when the page goes or the core breaks
     const derived = derive(state);
     run(runner, state, derived);
     layout.draw(state);
     for (const view of views) view(state, derived);
-    for (const activity of activities) activity.draw(state);
+    for (const part of [...activities, ...refusals]) part.draw(state);
     setText(layout.notice, state.notice ? t(state.notice) : "");
-    clearTimeout(noticed);
-    if (state.notice) noticed = window.setTimeout(() => store.update({ notice: "" }), 4000);
+    show(layout.undo, !!state.notice && !!state.undo);
+    if (state.notice === noticed) return;
+    noticed = state.notice;
+    clearTimeout(hiding);
+    if (noticed) hiding = window.setTimeout(() => store.update({ notice: "" }), state.undo ? UNDO_SHOWN : NOTICE_SHOWN);
   };
-  addEventListener("pagehide", () => save(store.state));
+  addEventListener("pagehide", () => void save(store.state));
   store.update({});
   await new Promise(requestAnimationFrame); // the form stands
   const { loadProgramCore } = await import("./program");
   programCore = await loadProgramCore();
+  came(programCore);
   store.update({});
 }
 
@@ -145,11 +179,12 @@ function running(store: Store, runner: Aside) {
   });
 }
 
-/** Lets the program run on the machine of the form, while its motions are shown. */
+/** Lets the program run on the opened machine, else on that of the form, while its motions are shown. */
 function run(runner: Aside, state: State, { view, program: text }: Derived): void {
   const { control, ran, stoppedRun } = state;
   if (state.source !== "program") return;
-  const setup = view.setup ?? machine(state).setup;
+  const opened = state.setup?.control === control ? state.setup : undefined;
+  const setup = opened ?? view.setup ?? machine(state).setup;
   const done = isCurrent(ran, state) && ran?.setup === setup;
   if (!done && !isCurrent(stoppedRun, state)) runner.want({ ask: "run", control, text, ...(setup ? { setup } : {}) });
 }

@@ -7,7 +7,7 @@ import { t } from "./texts";
 
 const PANELS: Panel[] = ["tasks", "form", "program", "view", "results"];
 
-export interface Layout { header: HTMLElement; panels: Record<Panel, HTMLElement>; notice: HTMLElement; draw(state: State): void }
+export interface Layout { header: HTMLElement; panels: Record<Panel, HTMLElement>; notice: HTMLElement; undo: HTMLElement; draw(state: State): void }
 
 export function createLayout(actions: Actions): Layout {
   const header = el("header", { class: "top" });
@@ -26,9 +26,11 @@ export function createLayout(actions: Actions): Layout {
     on(link, "click", (event) => { event.preventDefault(); enter(name); });
     return link;
   }));
-  const notice = el("p", { class: "notice", role: "status" });
+  const notice = el("span", { role: "status" });
+  const undo = el("button", { type: "button", hidden: true, "aria-keyshortcuts": "Control+Z" }, t("undo"));
+  on(undo, "click", () => actions.undo());
   const main = el("main", { class: "bench" }, ...PANELS.map((name) => panels[name]));
-  document.body.append(skip, header, bar, main, notice);
+  document.body.append(skip, header, bar, main, el("div", { class: "notice" }, notice, undo));
 
   const enter = (name: Panel): void => {
     actions.panel(name);
@@ -42,8 +44,16 @@ export function createLayout(actions: Actions): Layout {
     enter(PANELS[next] ?? "form");
   });
 
+  document.addEventListener("keydown", (event) => {
+    const editing = event.composedPath()[0];
+    if (event.key.toLowerCase() !== "z" || !(event.ctrlKey || event.metaKey) || event.shiftKey) return;
+    if (editing instanceof Element && editing.matches('input:not([type="checkbox"], [type="range"]), [contenteditable="true"]')) return;
+    event.preventDefault();
+    actions.undo();
+  });
+
   return {
-    header, panels, notice,
+    header, panels, notice, undo,
     draw(state) {
       for (const [name, button] of buttons) {
         setAttribute(button, "aria-current", name === state.panel ? "true" : null);

@@ -5,7 +5,7 @@ import init, * as wasm from "@pkg/program/program.js";
 import address from "@pkg/program/program_bg.wasm?url";
 import { splice } from "./eol";
 import { call, compile } from "./module";
-import type { Edit, Pending, ReadRequest, ReadView, RunRequest } from "./wire";
+import type { Edit, Pending, ReadRequest, ReadView, RunRequest, Setup } from "./wire";
 
 /** All values of one call that were changed in the form: `pending` of `control` at `at`, the call being number `call`. */
 export interface ChangeRequest extends ReadRequest { call: number; at: number; pending: readonly Pending[] }
@@ -17,6 +17,8 @@ export interface ProgramCore {
   module: WebAssembly.Module; // for the workers
   read(request: ReadRequest): ReadView;
   change(request: ChangeRequest): Edit[][];
+  /** The setup of a file, with its defaults; or why it is none. */
+  setup(text: string): Setup | { why: string };
 }
 
 /** One list of edits a value, each for the text after the edits before it. */
@@ -36,8 +38,16 @@ export function answer(question: Question): string {
   return call(ask, () => ask === "read" ? wasm.read(JSON.stringify(request)) : wasm.run(JSON.stringify(request)));
 }
 
+function setupOf(text: string): Setup | { why: string } {
+  try {
+    return JSON.parse(wasm.setup(text)) as Setup;
+  } catch (problem) {
+    return { why: problem instanceof Error ? problem.message : String(problem) };
+  }
+}
+
 export async function loadProgramCore(): Promise<ProgramCore> {
   const module = await compile(address);
   await init({ module_or_path: module });
-  return { module, read: (request) => JSON.parse(answer({ ask: "read", ...request })) as ReadView, change: changes };
+  return { module, setup: setupOf, read: (request) => JSON.parse(answer({ ask: "read", ...request })) as ReadView, change: changes };
 }

@@ -1,6 +1,7 @@
 // The one state of the page. Values in it are never changed in place: a part that changed is a new object,
 // so views and computations compare by identity.
 
+import type { ProgramFile, Refusal } from "./files";
 import type { Dialect, ErrorSliders, OwnMachine, Pending, Plane, ReadView, RunView, Setup, UnitFunction } from "./wire";
 
 export type Panel = "tasks" | "form" | "program" | "view" | "results";
@@ -19,6 +20,8 @@ export interface State {
   values: Record<string, string>;                    // as typed
   remembered: Record<string, Record<string, string>>; // last values of the other cycles, by "control/cycle"
   programs: Partial<Record<Dialect, string>>;
+  files: Partial<Record<Dialect, ProgramFile>>;      // where a program came from
+  sets: Record<string, Record<string, Record<string, string>>>; // named values, by "control/cycle" and name
   open: number | null;                               // where in the program the call begins that the form edits
   pending: readonly Pending[];                       // typed in the form, not yet in the program
   errors: ErrorSliders;
@@ -49,6 +52,8 @@ export interface State {
   follow: "cursor" | "text" | null;                  // the form follows the cursor, or what was typed in the program
   stoppedReading: Stopped | null;
   stoppedRun: Stopped | null;
+  refused: (Refusal & { place: "program" | "setup" }) | null; // a file that could not be opened
+  undo: Partial<State> | null;                       // what the last replacement of work has replaced
 }
 
 export const NO_ERRORS: ErrorSliders = {
@@ -61,17 +66,18 @@ export const AT_END = Number.MAX_SAFE_INTEGER;
 
 export function firstState(): State {
   return {
-    control: "sinumerik", cycle: "", values: {}, remembered: {}, programs: {}, open: null, pending: [],
+    control: "sinumerik", cycle: "", values: {}, remembered: {}, programs: {}, files: {}, sets: {}, open: null, pending: [],
     errors: NO_ERRORS, comments: true, setup: null, own: {}, checked: false, touched: {}, source: "form",
     panel: "form", left: "form", right: "results", tab: "outcome", theme: "system", folded: {},
     search: "", focus: null, step: AT_END, playing: false, cursor: 0, cursorLine: 1, notice: "",
-    reading: null, ran: null, sought: null, follow: null, stoppedReading: null, stoppedRun: null,
+    reading: null, ran: null, sought: null, follow: null, stoppedReading: null, stoppedRun: null, refused: null, undo: null,
   };
 }
 
-const NOT_KEPT = ["search", "focus", "step", "playing", "cursor", "cursorLine", "notice", "reading", "ran", "sought", "follow", "stoppedReading", "stoppedRun"] as const satisfies (keyof State)[];
+const NOT_KEPT = ["search", "focus", "step", "playing", "cursor", "cursorLine", "notice", "reading", "ran", "sought", "follow", "stoppedReading", "stoppedRun", "refused", "undo"] as const satisfies (keyof State)[];
+/** What a replacement of work can take away. */
+const WORK = ["control", "cycle", "values", "remembered", "programs", "files", "sets", "open", "pending", "errors", "setup", "own", "checked", "touched"] as const satisfies (keyof State)[];
 const IN_LINK = ["control", "cycle", "values", "programs", "open", "errors", "comments", "setup", "own", "checked", "source"] as const satisfies (keyof State)[];
-const STORE = "probewright-1";
 
 /** The program of the control that the form is for. */
 export function programOf(state: State): string {
@@ -92,6 +98,16 @@ export function kept(state: State): Partial<State> {
   return copy;
 }
 
+/** The work as it is, to come back to it. */
+export function work(state: State): Partial<State> {
+  return Object.fromEntries(WORK.map((name) => [name, state[name]]));
+}
+
+/** The named values of the chosen cycle. */
+export function setsOf(state: State): Record<string, Record<string, string>> {
+  return state.sets[`${state.control}/${state.cycle}`] ?? {};
+}
+
 export function shared(state: State): Partial<State> {
   return Object.fromEntries(IN_LINK.map((name) => [name, state[name]]));
 }
@@ -108,6 +124,8 @@ function numbers<T extends Record<string, number>>(value: unknown, shape: T): T 
   return Object.fromEntries(Object.entries(shape).map(([name, zero]) => [name, Number.isFinite(given[name]) ? given[name] : zero])) as T;
 }
 
+const isFile = (value: unknown): value is ProgramFile =>
+  plainObject(value) && typeof value.name === "string" && (value.encoding === "utf-8" || value.encoding === "latin-1");
 const isPending = (value: unknown): value is Pending =>
   plainObject(value) && ["control", "name", "value"].every((name) => typeof value[name] === "string") && Number.isInteger(value.at);
 
@@ -136,6 +154,9 @@ export function merge(state: State, data: unknown): State {
   if (plainObject(data.values)) next.values = texts(data.values);
   if (plainObject(data.programs)) next.programs = texts(data.programs);
   if (plainObject(data.remembered)) next.remembered = Object.fromEntries(Object.entries(data.remembered).map(([name, values]) => [name, texts(values)]));
+  if (plainObject(data.sets)) next.sets = Object.fromEntries(Object.entries(data.sets).map(([cycle, sets]) =>
+    [cycle, plainObject(sets) ? Object.fromEntries(Object.entries(sets).map(([name, values]) => [name, texts(values)])) : {}]));
+  if (plainObject(data.files)) next.files = Object.fromEntries(Object.entries(data.files).filter(([, file]) => isFile(file)));
   if (plainObject(data.errors)) next.errors = { part: numbers(data.errors.part, NO_ERRORS.part), probe: numbers(data.errors.probe, NO_ERRORS.probe) };
   if (Number.isInteger(data.open)) next.open = data.open as number;
   if (data.open === null) next.open = null;
@@ -143,23 +164,4 @@ export function merge(state: State, data: unknown): State {
   if (data.own !== undefined) next.own = ownMachines(data.own);
   if (plainObject(data.setup)) next.setup = data.setup as unknown as Setup;
   return next;
-}
-
-export function load(): Partial<State> | null {
-  try {
-    return JSON.parse(localStorage.getItem(STORE) ?? "null") as Partial<State> | null;
-  } catch {
-    return null;
-  }
-}
-
-/** false: the browser keeps nothing here (private window) or no more (a very long program). */
-export function save(state: State): boolean {
-  try {
-    localStorage.setItem(STORE, JSON.stringify(kept(state)));
-    return true;
-  } catch (problem) {
-    console.warn("state is not kept", problem);
-    return false;
-  }
 }

@@ -38,6 +38,7 @@ fact-deviates = probe deviates
 
 setup-import = Open setup
 setup-export = Save setup
+setup-own = Default machine
 link-copy = Copy link
 theme-system = Theme: system
 theme-light = Theme: light
@@ -191,11 +192,43 @@ error-probe-repeatability = Repeatability
 
 notice-copied = Copied.
 notice-inserted = Inserted. The form edits this call now.
+notice-link-long = The program is too long for a link. Save it as a file instead.
 notice-link = Link copied. It holds the form, the program and the errors.
 notice-no-clipboard = The browser gave no access to the clipboard. Select the text and copy it by hand.
 notice-not-kept = The browser does not keep this work. Save the program before you close the page.
 notice-setup = Setup opened.
-notice-no-setup = This file is no setup. Save one here to see what it has to hold.
+notice-own-setup = Back to the default machine.
+notice-setup-outdated = The kept setup does not fit this version and was left out.
+notice-nothing-to-save = There is no setup yet: complete the form.
+notice-opened = Program opened.
+notice-opened-bytes = Program opened. It is not UTF-8: each byte is shown as one character and will be saved as it was.
+notice-other-encoding = The program holds a character that its old encoding lacks. It was saved as UTF-8.
+notice-example = Worked example in the form.
+notice-no-errors = All errors are zero.
+notice-set-saved = Values saved.
+notice-set-replaced = Values saved in place of those of the same name.
+notice-set-loaded = Values loaded.
+notice-set-deleted = Values deleted.
+notice-undone = Undone.
+undo = Undo
+
+refused-program-size = { $name } was not opened: it has { $size } MB, programs may have { $most } MB. Your program is unchanged.
+refused-setup-size = { $name } was not opened: it has { $size } MB, a setup has at most { $most } MB. Your setup is unchanged.
+refused-unreadable = { $name } was not opened: the browser cannot read it. It may have been moved or changed meanwhile.
+refused-setup = { $name } was not opened, it is no setup: { $why }. “Save setup” writes one to compare. Your setup is unchanged.
+refused-close = Close
+
+sets-open = Value sets …
+sets-title = Value sets of { $cycle }
+sets-name = Name
+sets-save = Save the present values
+sets-none = Nothing saved yet. Give the present values a name to come back to them.
+sets-rename = Name of { $name }
+sets-load = Load
+sets-load-named = Load { $name }
+sets-delete = Delete
+sets-delete-named = Delete { $name }
+sets-name-taken = This name is taken, or empty.
 
 about-title = About Probewright
 about-what = An assistant for CNC measuring cycles: fill in a form, get the program text, watch the probe at work on a part with errors, read what the control would do.
@@ -210,6 +243,7 @@ keys-f6 = F6 and Shift+F6: next and previous panel
 keys-tab = Tab: next field; the drawing shows what it means
 keys-tree = Arrow keys, Home, End, Enter: move and choose in the task list
 keys-tabs = Left and right arrow: change the result tab
+keys-undo = Ctrl+Z outside of a text: take back a replacement of work, such as another program or the worked example
 keys-editor = In the editor Tab leaves; Ctrl+F searches; the call at the cursor opens its form
 
 broken-title = Probewright has stopped

@@ -4,7 +4,7 @@ import { el, on } from "../dom";
 import { t } from "../texts";
 
 const LINES = ["about-what", "about-offline", "about-prove-out", "about-marks", "about-independent", "about-licence"];
-const KEYS = ["keys-f6", "keys-tab", "keys-tree", "keys-tabs", "keys-editor"];
+const KEYS = ["keys-f6", "keys-tab", "keys-tree", "keys-tabs", "keys-undo", "keys-editor"];
 
 export function createAbout(): HTMLDialogElement {
   const close = el("button", { type: "button", class: "primary" }, t("about-close"));

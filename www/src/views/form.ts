@@ -24,7 +24,7 @@ export async function copyText(text: string, store: Store, notice: string): Prom
   }
 }
 
-export function createForm(root: HTMLElement, store: Store, actions: Actions): (state: State, derived: Derived) => void {
+export function createForm(root: HTMLElement, store: Store, actions: Actions, showSets: () => void): (state: State, derived: Derived) => void {
   const title = el("h2", { id: "form-title" });
   const about = el("p", { class: "lead" });
   const named = el("strong", {});
@@ -39,6 +39,7 @@ export function createForm(root: HTMLElement, store: Store, actions: Actions): (
   const loose = el("ul", { class: "loose-problems", "aria-live": "polite" });
   const count = el("p", { class: "form-state", role: "status" });
   const check = el("button", { type: "button" }, t("form-check"));
+  const sets = el("button", { type: "button" }, t("sets-open"));
   const example = el("button", { type: "button" }, t("form-example"));
   const snippet = el("pre", { class: "snippet", tabindex: "0", "aria-label": t("form-snippet") });
   const comments = el("input", { type: "checkbox", id: "comments" });
@@ -47,7 +48,7 @@ export function createForm(root: HTMLElement, store: Store, actions: Actions): (
   const snippetBox = el("section", { class: "snippet-box", "aria-label": t("form-snippet") },
     el("div", { class: "snippet-head" }, el("h3", {}, t("form-snippet")), el("label", { class: "check", for: "comments" }, comments, t("form-comments"))),
     snippet, el("div", { class: "actions" }, insert, copy));
-  const scroll = el("div", { class: "scroll" }, loose, fields, el("div", { class: "actions" }, check, example), snippetBox);
+  const scroll = el("div", { class: "scroll" }, loose, fields, el("div", { class: "actions" }, check, example, sets), snippetBox);
   root.append(el("header", { class: "panel-head" }, title, count), opened, pictureBox,
     el("div", { class: "explain" }, about, explained), scroll);
 
@@ -59,6 +60,7 @@ export function createForm(root: HTMLElement, store: Store, actions: Actions): (
 
   on(detach, "click", () => actions.closeCall());
   on(example, "click", () => actions.example());
+  on(sets, "click", showSets);
   on(comments, "change", () => store.update({ comments: comments.checked }));
   on(copy, "click", () => void copyText(snippetText, store, "notice-copied"));
   on(insert, "click", () => { actions.insert(snippetText); actions.panel("program"); });

@@ -2,17 +2,17 @@
 
 import type { Actions } from "../actions";
 import type { Derived } from "../derive";
-import { el, keyed, on, setAttribute, setText } from "../dom";
+import { el, keyed, on, setAttribute, setText, show } from "../dom";
+import { saveFile } from "../files";
 import { pack } from "../link";
 import { plain } from "../numbers";
-import { AT_END, shared, type State } from "../state";
+import { shared, type State } from "../state";
 import type { Store } from "../store";
 import { t } from "../texts";
 import type { Setup } from "../wire";
 import { createAbout } from "./about";
 import { copyText } from "./form";
 import { createMachine } from "./machine";
-import { saveFile } from "./program";
 
 const THEMES: State["theme"][] = ["system", "light", "dark"];
 
@@ -34,23 +34,17 @@ function probeIsTrue(setup: Setup): boolean {
   return [...skew, ...preTravel].every((value) => value === 0);
 }
 
+const LONGEST_LINK = 200_000; // characters that every browser takes
+
 async function copyLink(store: Store): Promise<void> {
-  const address = `${location.href.split("#")[0]}#s=${await pack(shared(store.state))}`;
+  const packed = await pack(shared(store.state));
+  if (packed.length > LONGEST_LINK) return store.update({ notice: "notice-link-long" });
+  const address = `${location.href.split("#")[0]}#s=${packed}`;
   history.replaceState(null, "", address);
   await copyText(address, store, "notice-link");
 }
 
-async function importSetup(file: File, store: Store): Promise<void> {
-  try {
-    const setup = JSON.parse(await file.text()) as Setup;
-    if (!setup.control || !setup.probe || !setup.tools) throw new Error("no setup");
-    store.update({ setup, control: setup.control, step: AT_END, notice: "notice-setup" });
-  } catch {
-    store.update({ notice: "notice-no-setup" });
-  }
-}
-
-export function createHeader(root: HTMLElement, store: Store, actions: Actions): (state: State, derived: Derived) => void {
+export function createHeader(root: HTMLElement, store: Store, actions: Actions, openSetup: (file: File) => void): (state: State, derived: Derived) => void {
   const about = createAbout();
   const machine = createMachine(actions);
   const list = el("dl", { class: "facts", "aria-label": t("facts") });
@@ -59,25 +53,29 @@ export function createHeader(root: HTMLElement, store: Store, actions: Actions):
     on(node, "click", run);
     return node;
   };
-  let last: Derived | null = null;
   let setup: Setup | undefined; // the last that was used: it stays in sight while the form is incomplete
   const file = el("input", { type: "file", accept: "application/json,.json", hidden: true, tabindex: "-1", "aria-label": t("setup-import") });
-  on(file, "change", () => { const chosen = file.files?.[0]; if (chosen) void importSetup(chosen, store); file.value = ""; });
+  on(file, "change", () => { const chosen = file.files?.[0]; if (chosen) openSetup(chosen); file.value = ""; });
   const theme = quiet("theme-system", () => {
     const next = THEMES[(THEMES.indexOf(store.state.theme) + 1) % THEMES.length] ?? "system";
     store.update({ theme: next });
   });
   theme.id = "theme";
+  const own = quiet("setup-own", () => actions.openSetup(null));
+  const save = (): void => {
+    const saved = setup ?? store.state.setup;
+    if (saved) saveFile(JSON.stringify(saved, null, 2), "setup.json", "application/json");
+    else store.update({ notice: "notice-nothing-to-save" });
+  };
   root.append(
     el("div", { class: "brand" }, el("span", { class: "brand-mark", "aria-hidden": "true" }), el("h1", {}, t("app-name"))), machine.root, list,
     el("div", { class: "head-actions" },
       quiet("setup-import", () => file.click()), file,
-      quiet("setup-export", () => { if (last?.view.setup) saveFile(JSON.stringify(last.view.setup, null, 2), "setup.json", "application/json"); }),
+      quiet("setup-export", save), own,
       quiet("link-copy", () => void copyLink(store)), theme,
       quiet("about-open", () => about.showModal())));
   document.body.append(about);
   return (state, derived) => {
-    last = derived;
     machine.draw(state, derived);
     setup = derived.view.setup ?? (setup?.control === derived.cycle.control ? setup : undefined);
     keyed(list, facts(derived.cycle.control, setup), (one) => one.name, () => el("div", {}, el("dt", {}), el("dd", {})), (node, one) => {
@@ -85,6 +83,7 @@ export function createHeader(root: HTMLElement, store: Store, actions: Actions):
       setText(name, one.name);
       setText(text, one.text);
     });
+    show(own, !!state.setup);
     setText(theme, t(`theme-${state.theme}`));
     setAttribute(document.documentElement, "data-theme", state.theme === "system" ? null : state.theme);
   };

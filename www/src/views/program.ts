@@ -4,6 +4,7 @@ import type { Actions } from "../actions";
 import type { Derived } from "../derive";
 import { el, keyed, on, setAttribute, setText, show } from "../dom";
 import type { Editor, LineMarks } from "../editor/editor";
+import { encode, saveFile } from "../files";
 import { lineBreak, toEditor, toProgram } from "../eol";
 import { programOf, type State } from "../state";
 import type { Store } from "../store";
@@ -12,7 +13,7 @@ import { copyText } from "./form";
 
 export interface ProgramView { head: HTMLElement; draw(state: State, derived: Derived): void; goTo(offset: number): void; goToLine(line: number): void }
 
-export function createProgram(root: HTMLElement, store: Store, actions: Actions): ProgramView {
+export function createProgram(root: HTMLElement, store: Store, actions: Actions, openFile: (file: File) => void): ProgramView {
   const name = el("span", { class: "count" });
   const copy = el("button", { type: "button", class: "quiet" }, t("program-copy"));
   const open = el("button", { type: "button", class: "quiet" }, t("program-open"));
@@ -36,12 +37,8 @@ export function createProgram(root: HTMLElement, store: Store, actions: Actions)
 
   on(copy, "click", () => void copyText(text, store, "notice-copied"));
   on(open, "click", () => file.click());
-  on(file, "change", () => void (async () => {
-    const chosen = file.files?.[0];
-    if (chosen) actions.openProgram(await readText(chosen));
-    file.value = "";
-  })());
-  on(download, "click", () => saveFile(text, t(`program-file-${store.state.control}`)));
+  on(file, "change", () => { const chosen = file.files?.[0]; if (chosen) openFile(chosen); file.value = ""; });
+  on(download, "click", () => save(store, text));
 
   const host = {
     typed(changes: { from: number; to: number; insert: string }[]): void {
@@ -124,6 +121,15 @@ export function createProgram(root: HTMLElement, store: Store, actions: Actions)
   };
 }
 
+/** The bytes that were opened, but for what was changed. */
+function save(store: Store, text: string): void {
+  const { control, files } = store.state;
+  const { name, encoding } = files[control] ?? { name: t(`program-file-${control}`), encoding: "utf-8" };
+  const bytes = encode(text, encoding);
+  if (!bytes) store.update({ notice: "notice-other-encoding" });
+  saveFile(bytes ?? text, name);
+}
+
 function marks(derived: Derived) {
   const text = derived.program;
   const length = toEditor(text, text.length);
@@ -133,21 +139,4 @@ function marks(derived: Derived) {
     const severity = one.severity === "note" ? "info" as const : one.severity;
     return { from, to, severity, message: `${one.code}  ${say(one.message)}${one.hint ? `\n${say(one.hint)}` : ""}` };
   });
-}
-
-/** UTF-8 where it is that, else Latin-1, in which every byte is a character. */
-async function readText(file: File): Promise<string> {
-  const bytes = await file.arrayBuffer();
-  try {
-    return new TextDecoder("utf-8", { fatal: true, ignoreBOM: true }).decode(bytes);
-  } catch {
-    return Array.from(new Uint8Array(bytes), (byte) => String.fromCharCode(byte)).join("");
-  }
-}
-
-export function saveFile(text: string, name: string, type = "text/plain"): void {
-  const url = URL.createObjectURL(new Blob([text], { type }));
-  const link = el("a", { href: url, download: name });
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(url), 10_000);
 }

@@ -5,8 +5,6 @@ import type { Derived } from "../derive";
 import { el, on, setText } from "../dom";
 import { parseNumber, plain } from "../numbers";
 import type { State } from "../state";
-import type { Store } from "../store";
-import { AT_END, NO_ERRORS } from "../state";
 import { t } from "../texts";
 import type { ErrorSliders } from "../wire";
 
@@ -40,9 +38,9 @@ function createSlider(label: string, id: string, scale: Scale, set: (value: numb
   };
 }
 
-export function createSliders(root: HTMLElement, store: Store, actions: Actions): (state: State, derived: Derived) => void {
+export function createSliders(root: HTMLElement, actions: Actions): (state: State, derived: Derived) => void {
   const reset = el("button", { type: "button", class: "quiet" }, t("sliders-reset"));
-  on(reset, "click", () => store.update({ errors: NO_ERRORS, step: AT_END }));
+  on(reset, "click", actions.noErrors);
   const title = el("h3", {});
   root.append(el("div", { class: "sliders-head" }, title, reset));
   const updates: ((errors: ErrorSliders) => void)[] = [];

@@ -1,0 +1,304 @@
+// What is opened and saved: programs as bytes, setups, named values; nothing is lost by a wrong file or a wrong click.
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { after, before, describe, test } from "node:test";
+import { open, shared } from "./browser.mjs";
+
+async function start(chrome) {
+  const opened = await open(chrome.browser, { serviceWorkers: "block" });
+  await opened.page.locator(".cm-content").waitFor();
+  await opened.page.locator(".field").first().waitFor();
+  return opened;
+}
+
+const programInput = (page) => page.locator(".panel-program input[type=file]");
+const setupInput = (page) => page.locator(".top input[type=file]");
+const file = (name, content, mimeType = "application/octet-stream") => ({ name, mimeType, buffer: Buffer.from(content) });
+const refusal = (page) => page.locator(".refusal:visible .problem");
+const lengthField = (page) => page.locator('.field:has(.unit:text-is("mm")):has([aria-required="true"]) .entry-line > .figure').first();
+
+async function saved(page, panel, name) {
+  const download = page.waitForEvent("download");
+  await page.locator(panel).getByRole("button", { name, exact: true }).click();
+  const done = await download;
+  return { name: done.suggestedFilename(), bytes: await readFile(await done.path()) };
+}
+
+/** Drops a file onto an element, as a person does. */
+async function drop(page, selector, name, text) {
+  const data = await page.evaluateHandle(([called, content]) => {
+    const transfer = new DataTransfer();
+    transfer.items.add(new File([content], called));
+    return transfer;
+  }, [name, text]);
+  for (const type of ["dragover", "drop"]) await page.dispatchEvent(selector, type, { dataTransfer: data });
+}
+
+const CALL = "_MVAR=1 _SETVAL=132 _TNUM=20 _KNUM=2001\r\nCYCLE977\r\n";
+const ALL_BYTES = Buffer.concat([Buffer.from(Array.from({ length: 256 }, (_, byte) => byte)), Buffer.from(`\r\n${CALL}`)]);
+
+describe("a program file", () => {
+  const chrome = shared("neither", { before, after });
+
+  const files = {
+    "CR LF": Buffer.from(`; \u00e4\r\n${CALL}M30\r\n`),
+    "all line ends mixed": Buffer.from(`A\r\rB\n\r\n${CALL}C\r`),
+    "a mark at the begin": Buffer.from(`\ufeff; \u6d4b\u91cf\n${CALL}`),
+    "no UTF-8 (GB 18030)": Buffer.concat([Buffer.from([0x3b, 0xb2, 0xe2, 0xc1, 0xbf, 0x0d, 0x0a]), Buffer.from(CALL)]),
+    "every byte there is": ALL_BYTES,
+    "nothing": Buffer.alloc(0),
+  };
+  for (const [name, bytes] of Object.entries(files)) {
+    // oracle: hand (the bytes opened)
+    test(`is saved with the same bytes: ${name}`, async () => {
+      const { context, page, problems } = await start(chrome);
+      await programInput(page).setInputFiles(file("part one.mpf", bytes));
+      await page.locator('.notice:has-text("Program opened.")').waitFor();
+      const back = await saved(page, ".panel-program", "Save");
+      assert.deepEqual(back.bytes, bytes);
+      assert.equal(back.name, "part one.mpf");
+      assert.deepEqual(problems, []);
+      await context.close();
+    });
+  }
+
+  // oracle: hand (the bytes opened, with one value replaced)
+  test("that is no UTF-8 changes at one value only", async () => {
+    const { context, page } = await start(chrome);
+    await programInput(page).setInputFiles(file("a.mpf", files["no UTF-8 (GB 18030)"]));
+    await page.locator(".call-chip").click();
+    await page.locator(".opened").waitFor();
+    await page.locator('.field[data-field="_SETVAL"] .entry-line > .figure').fill("99");
+    await page.locator('.cm-line:has-text("_SETVAL=99")').waitFor();
+    const { bytes } = await saved(page, ".panel-program", "Save");
+    assert.equal(bytes.toString("latin1"), files["no UTF-8 (GB 18030)"].toString("latin1").replace("=132", "=99"));
+    await context.close();
+  });
+
+  // oracle: hand
+  test("dropped onto the editor replaces the program, and Undo brings it back", async () => {
+    const { context, page } = await start(chrome);
+    const earlier = await saved(page, ".panel-program", "Save");
+    await drop(page, ".cm-content", "dropped.mpf", `; dropped\n${CALL}`);
+    await page.locator('.cm-line:has-text("; dropped")').waitFor();
+    assert.equal((await saved(page, ".panel-program", "Save")).bytes.toString(), `; dropped\n${CALL}`);
+    await page.locator(".notice").getByRole("button", { name: "Undo" }).click();
+    await page.locator('.cm-line:has-text("; dropped")').waitFor({ state: "detached" });
+    assert.deepEqual(await saved(page, ".panel-program", "Save"), earlier);
+    await context.close();
+  });
+
+  // oracle: hand
+  test("that is too large is refused in the program panel, and the program stays", async () => {
+    const { context, page } = await start(chrome);
+    const earlier = await saved(page, ".panel-program", "Save");
+    await page.evaluate(() => {
+      const transfer = new DataTransfer();
+      const large = new File(["x"], "large.mpf");
+      Object.defineProperty(large, "size", { value: 100_000_000 });
+      transfer.items.add(large);
+      const input = document.querySelector(".panel-program input[type=file]");
+      Object.defineProperty(input, "files", { value: [large] });
+      input.dispatchEvent(new Event("change"));
+    });
+    assert.match(await refusal(page).textContent(), /large\.mpf was not opened: it has 100 MB/);
+    assert.equal(await page.locator(".panel-program .refusal:visible").count(), 1);
+    assert.deepEqual(await saved(page, ".panel-program", "Save"), earlier);
+    await page.locator(".panel-program .refusal button").click();
+    await page.locator(".panel-program .refusal").waitFor({ state: "hidden" });
+    await context.close();
+  });
+
+  // oracle: hand
+  test("of any length survives a reload", async () => {
+    const { context, page, problems } = await start(chrome);
+    const text = `${"N10 G1 X1.5 Y2\r\n".repeat(100_000)}${CALL}`;
+    await page.evaluate(() => {
+      const put = IDBObjectStore.prototype.put;
+      IDBObjectStore.prototype.put = function (...args) {
+        this.transaction.addEventListener("complete", () => { globalThis.kept = true; });
+        return put.apply(this, args);
+      };
+    });
+    await programInput(page).setInputFiles(file("long.mpf", text));
+    await page.waitForFunction(() => globalThis.kept);
+    await page.reload();
+    await page.locator(".cm-content").waitFor();
+    await page.locator(".call-chip").waitFor();
+    assert.equal((await saved(page, ".panel-program", "Save")).bytes.toString(), text);
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+});
+
+describe("a setup file", () => {
+  const chrome = shared("neither", { before, after });
+
+  // oracle: self (the file that the page wrote)
+  test("comes back the same in another browser", async () => {
+    const { context, page } = await start(chrome);
+    await page.locator("#error-probe-skew-x").fill("0.1");
+    await page.locator("#error-part-dx").fill("0.5");
+    await page.locator('.results td:text-is("0.0300")').first().waitFor();
+    const first = await saved(page, ".top", "Save setup");
+    const setup = JSON.parse(first.bytes.toString());
+    assert.equal(setup.probe.skew[0], 0.1);
+    await context.close();
+    const other = await start(chrome);
+    await setupInput(other.page).setInputFiles({ name: "setup.json", mimeType: "application/json", buffer: first.bytes });
+    await other.page.locator('.notice:has-text("Setup opened.")').waitFor();
+    const second = await saved(other.page, ".top", "Save setup");
+    assert.equal(second.bytes.toString(), first.bytes.toString());
+    assert.deepEqual(other.problems, []);
+    await other.page.getByRole("button", { name: "Default machine" }).click();
+    await other.page.locator('.notice:has-text("Back to the default machine.")').waitFor();
+    await other.context.close();
+  });
+
+  const wrong = {
+    "no JSON": ["x.json", "G0 X0", /x\.json was not opened, it is no setup: .*line 1 column 1/],
+    "another schema": ["package.json", '{ "name": "x", "version": 1 }', /package\.json was not opened, it is no setup: .*name/],
+    "a control that there is not": ["f.json", '{ "control": "fanuc", "probe": { "radius": 1, "length": 1 } }', /no setup: .*fanuc/],
+    "binary": ["b.json", Buffer.from([0, 255, 254, 1, 2]), /b\.json was not opened, it is no setup/],
+    "far too large": ["large.json", Buffer.alloc(4_500_000, 32), /large\.json was not opened: it has 5 MB, a setup has at most 4 MB/],
+  };
+  for (const [name, [called, content, told]] of Object.entries(wrong)) {
+    // oracle: hand
+    test(`that is ${name} is refused below the header, and nothing is lost`, async () => {
+      const { context, page, problems } = await start(chrome);
+      await lengthField(page).fill("31.25");
+      await page.locator('.snippet:has-text("31.25")').waitFor();
+      const earlier = await saved(page, ".top", "Save setup");
+      await setupInput(page).setInputFiles(file(called, content, "application/json"));
+      await refusal(page).waitFor();
+      assert.match(await refusal(page).textContent(), told);
+      assert.deepEqual(await saved(page, ".top", "Save setup"), earlier);
+      assert.equal(await lengthField(page).inputValue(), "31.25");
+      assert.equal(await page.locator("#broken").count(), 0);
+      assert.deepEqual(problems, []);
+      await context.close();
+    });
+  }
+});
+
+describe("a kept setup", () => {
+  const chrome = shared("neither", { before, after });
+
+  // oracle: hand
+  test("of another version is left out and told, and the page works", async () => {
+    const { context, page, problems } = await start(chrome);
+    await page.waitForFunction(() => localStorage.getItem("probewright-1"));
+    await page.addInitScript(() => {
+      const kept = JSON.parse(localStorage.getItem("probewright-1"));
+      localStorage.setItem("probewright-1", JSON.stringify({ ...kept, setup: { control: kept.control, gone: 1 } }));
+    });
+    await page.reload();
+    await page.locator('.notice:has-text("The kept setup does not fit this version")').waitFor();
+    await page.locator(".results tbody tr").first().waitFor();
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+});
+
+describe("work that is replaced", () => {
+  const chrome = shared("neither", { before, after });
+
+  // oracle: hand
+  test("by the worked example comes back with Ctrl+Z, and goes again with the next", async () => {
+    const { context, page } = await start(chrome);
+    await lengthField(page).fill("31.25");
+    const example = page.getByRole("button", { name: "Worked example" });
+    await example.click();
+    await page.waitForFunction(() => document.querySelector(".snippet").textContent.includes("31.25") === false);
+    await page.keyboard.press("Control+z");
+    await page.locator('.snippet:has-text("31.25")').waitFor();
+    assert.equal(await lengthField(page).inputValue(), "31.25");
+    await page.keyboard.press("Control+z");
+    await page.waitForFunction(() => document.querySelector(".snippet").textContent.includes("31.25") === false);
+    await context.close();
+  });
+
+  // oracle: hand
+  test("is not brought back over a later edit", async () => {
+    const { context, page } = await start(chrome);
+    await page.getByRole("button", { name: "Worked example" }).click();
+    await page.locator(".notice").getByRole("button", { name: "Undo" }).waitFor();
+    await lengthField(page).fill("31.25");
+    await page.locator(".notice").getByRole("button", { name: "Undo" }).waitFor({ state: "hidden" });
+    await page.locator("#theme").focus();
+    await page.keyboard.press("Control+z");
+    assert.equal(await lengthField(page).inputValue(), "31.25");
+    await context.close();
+  });
+});
+
+describe("value sets", () => {
+  const chrome = shared("neither", { before, after });
+  const names = (page) => page.locator(".sets input").evaluateAll((inputs) => inputs.map((input) => input.value));
+
+  // oracle: hand
+  test("are saved, loaded, renamed and deleted by keyboard alone, and survive a reload", async () => {
+    const { context, page, problems } = await start(chrome);
+    const press = async (...keys) => { for (const key of keys) await page.keyboard.press(key); };
+    const openSets = async () => {
+      await page.getByRole("button", { name: "Value sets" }).focus();
+      await press("Enter");
+      await page.locator("dialog .sets-new").waitFor();
+    };
+    await lengthField(page).fill("31.25");
+    await openSets();
+    await page.keyboard.type("small hole");
+    await press("Enter");
+    await page.locator(".sets li").waitFor();
+    await press("Escape");
+    await lengthField(page).fill("77.5");
+    await openSets();
+    await page.keyboard.type("large hole");
+    await press("Enter");
+    await page.locator(".sets li").nth(1).waitFor();
+    assert.deepEqual(await names(page), ["small hole", "large hole"]);
+    await press("Escape");
+    await page.waitForFunction(() => localStorage.getItem("probewright-1")?.includes("large hole"));
+    await page.reload();
+    await page.locator(".field").first().waitFor();
+    await openSets();
+    await press("Tab", "Tab"); // the button that saves, then the name of the first set
+    await press("End");
+    await page.keyboard.type(" A");
+    await press("Tab");
+    await page.locator('.sets button[aria-label="Load small hole A"]').waitFor();
+    assert.deepEqual(await names(page), ["small hole A", "large hole"]);
+    await page.locator('.sets button[aria-label="Load small hole A"]').focus();
+    await press("Enter");
+    await page.locator('.snippet:has-text("31.25")').waitFor();
+    assert.equal(await lengthField(page).inputValue(), "31.25");
+    await openSets();
+    await page.locator('.sets button[aria-label="Delete large hole"]').focus();
+    await press("Enter");
+    await page.waitForFunction(() => document.querySelectorAll(".sets li").length === 1);
+    await page.locator("dialog").getByRole("button", { name: "Undo" }).click();
+    await page.waitForFunction(() => document.querySelectorAll(".sets li").length === 2);
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: hand
+  test("loaded into an opened call change the program there", async () => {
+    const { context, page } = await start(chrome);
+    await page.locator(".opened").waitFor();
+    const field = await lengthField(page).evaluate((input) => input.closest(".field").dataset.field);
+    await page.getByRole("button", { name: "Value sets" }).click();
+    await page.locator("#sets-name").fill("first");
+    await page.keyboard.press("Enter");
+    await page.locator(".sets li").waitFor();
+    await page.keyboard.press("Escape");
+    const earlier = await saved(page, ".panel-program", "Save");
+    await lengthField(page).fill("77.5");
+    await page.locator(`.cm-line:has-text("${field}=77.5")`).waitFor();
+    await page.getByRole("button", { name: "Value sets" }).click();
+    await page.locator('.sets button[aria-label="Load first"]').click();
+    await page.locator(`.cm-line:has-text("${field}=77.5")`).waitFor({ state: "detached" });
+    assert.deepEqual(await saved(page, ".panel-program", "Save"), earlier);
+    await context.close();
+  });
+});

@@ -1,0 +1,67 @@
+// Files in and out. A program's bytes are kept: what is no UTF-8 is taken byte by byte and saved in the same way.
+
+import { el } from "./dom";
+
+export type Encoding = "utf-8" | "latin-1";
+export interface ProgramFile { name: string; encoding: Encoding }
+/** A file that is not taken: why, as a key with arguments. Nothing else changes. */
+export interface Refusal { key: string; args: Record<string, string | number> }
+
+const MEGABYTE = 1e6;
+const LARGEST_PROGRAM = 64 * MEGABYTE;
+const LARGEST_SETUP = 4 * MEGABYTE;
+const CHUNK = 8192;
+
+/** UTF-8 where it is that, a mark at its begin included; else every byte is the character of that number. */
+export function decode(bytes: Uint8Array): { text: string; encoding: Encoding } {
+  try {
+    return { text: new TextDecoder("utf-8", { fatal: true, ignoreBOM: true }).decode(bytes), encoding: "utf-8" };
+  } catch {
+    let text = "";
+    for (let at = 0; at < bytes.length; at += CHUNK) text += String.fromCharCode(...bytes.subarray(at, at + CHUNK));
+    return { text, encoding: "latin-1" };
+  }
+}
+
+/** null: a character that the encoding lacks was typed in. */
+export function encode(text: string, encoding: Encoding): Uint8Array<ArrayBuffer> | null {
+  if (encoding === "utf-8") return new TextEncoder().encode(text);
+  const bytes = new Uint8Array(text.length);
+  for (let at = 0; at < text.length; at++) {
+    const code = text.charCodeAt(at);
+    if (code > 0xff) return null;
+    bytes[at] = code;
+  }
+  return bytes;
+}
+
+function tooLarge(key: string, file: File, most: number): Refusal {
+  return { key, args: { name: file.name, size: Math.ceil(file.size / MEGABYTE), most: most / MEGABYTE } };
+}
+
+export async function readProgram(file: File): Promise<{ text: string; file: ProgramFile } | Refusal> {
+  if (file.size > LARGEST_PROGRAM) return tooLarge("refused-program-size", file, LARGEST_PROGRAM);
+  try {
+    const { text, encoding } = decode(new Uint8Array(await file.arrayBuffer()));
+    return { text, file: { name: file.name, encoding } };
+  } catch {
+    return { key: "refused-unreadable", args: { name: file.name } };
+  }
+}
+
+/** The text of a setup file; whether it is a setup the core says. */
+export async function readSetup(file: File): Promise<string | Refusal> {
+  if (file.size > LARGEST_SETUP) return tooLarge("refused-setup-size", file, LARGEST_SETUP);
+  try {
+    return await file.text();
+  } catch {
+    return { key: "refused-unreadable", args: { name: file.name } };
+  }
+}
+
+export function saveFile(content: BlobPart, name: string, type = "text/plain"): void {
+  const url = URL.createObjectURL(new Blob([content], { type }));
+  const link = el("a", { href: url, download: name });
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(url), 10_000);
+}

@@ -1,0 +1,71 @@
+// The work is kept in the browser. Local storage is written even while the page is left, but holds little; a long program
+// lies in a database beside it.
+
+import { kept, type State } from "./state";
+import type { Dialect } from "./wire";
+
+const STORE = "probewright-1";
+const PROGRAMS = "programs";
+const LONG = 200_000; // characters of a program that no longer goes into local storage
+
+interface Stored extends Partial<State> { apart?: Dialect[] }
+
+function database(): Promise<IDBDatabase> {
+  return new Promise((resolve, reject) => {
+    const request = indexedDB.open(STORE, 1);
+    request.onupgradeneeded = () => request.result.createObjectStore(PROGRAMS);
+    request.onsuccess = () => resolve(request.result);
+    request.onerror = () => reject(request.error ?? new Error("no database"));
+  });
+}
+
+async function inPrograms<T>(mode: IDBTransactionMode, run: (programs: IDBObjectStore) => IDBRequest<T>): Promise<T> {
+  const open = await database();
+  try {
+    return await new Promise<T>((resolve, reject) => {
+      const transaction = open.transaction(PROGRAMS, mode);
+      const request = run(transaction.objectStore(PROGRAMS));
+      transaction.oncomplete = () => resolve(request.result);
+      transaction.onabort = () => reject(transaction.error ?? new Error("not kept"));
+    });
+  } finally {
+    open.close();
+  }
+}
+
+const lying: Partial<Record<Dialect, string>> = {}; // what the database holds
+
+async function put(control: Dialect, text: string): Promise<void> {
+  if (lying[control] === text) return;
+  await inPrograms("readwrite", (programs) => programs.put(text, control));
+  lying[control] = text;
+}
+
+export async function load(): Promise<Partial<State> | null> {
+  try {
+    const stored = JSON.parse(localStorage.getItem(STORE) ?? "null") as Stored | null;
+    for (const control of stored?.apart ?? []) {
+      const text: unknown = await inPrograms("readonly", (programs) => programs.get(control));
+      if (stored && typeof text === "string") stored.programs = { ...stored.programs, [control]: lying[control] = text };
+    }
+    return stored;
+  } catch (problem) {
+    console.warn("what is kept cannot be read", problem);
+    return null;
+  }
+}
+
+/** false: the browser keeps nothing here (private window) or no more. What goes into local storage is there at once. */
+export async function save(state: State): Promise<boolean> {
+  const programs = Object.entries(state.programs) as [Dialect, string][];
+  const apart = programs.filter(([, text]) => text.length > LONG);
+  const short = Object.fromEntries(programs.filter(([, text]) => text.length <= LONG));
+  try {
+    localStorage.setItem(STORE, JSON.stringify({ ...kept(state), programs: short, apart: apart.map(([control]) => control) }));
+    for (const [control, text] of apart) await put(control, text);
+    return true;
+  } catch (problem) {
+    console.warn("the work is not kept", problem);
+    return false;
+  }
+}
