@@ -5,6 +5,7 @@ use super::{Checked, Typed, check};
 use crate::catalogue::{Cycle, Dialect, find};
 use crate::control::{Control, Units, delivery};
 use crate::diagnostic::{Code, Severity};
+use crate::message::Message;
 
 fn typed(values: &[(&str, &str)]) -> Typed {
     values
@@ -403,5 +404,20 @@ fn nothing_typed_breaks_a_check() {
                 );
             }
         }
+    }
+}
+
+#[test]
+fn a_wrong_variant_names_those_close_to_it() {
+    // oracle: hand (B:5066-5084: one direction cannot tell the skew)
+    let hint = |variant: &str| {
+        let found = changed("CYCLE976", &[("_MVAR", variant)]).diagnostics;
+        found[0].hint.clone().unwrap()
+    };
+    let near = |text: &str| Message::new("check-variant-near-hint").text("near", text);
+    assert_eq!(hint("11001"), near("1001, 10001, 12001"));
+    assert_eq!(hint("10100"), near("10101, 10108, 10000"));
+    for far in ["-1", "99999999"] {
+        assert_eq!(hint(far), Message::new("check-variant-hint"), "{far}");
     }
 }
