@@ -23,7 +23,7 @@ check-unusual = { $value }{ $unit } is unusual for { $param }.
 check-unusual-hint = Usual is { $min } to { $max }{ $unit }.
 check-variant = { $cycle } has no measuring variant { $value }.
 check-variant-hint = Choose the variant from the list.
-check-variant-near-hint = Not everything can be combined. Closest to it: { $near }.
+check-variant-near-hint = Variants close to it: { $near }. Not every combination of digits is one.
 
 check-knum-zero = { $code } names no zero offset.
 check-knum-zero-hint = 1 to 99 is G54 and following, 1000, 1011 to 1026 and 1051 to 1066 are basic frames, 2000 is the system frame, 9999 the active frame, 0 corrects nothing.
