@@ -57,6 +57,8 @@ check-difference-safe = _TDIF, { $small } mm, is larger than _TSA, { $large } mm
 check-bands-hint = Keep the order _TZL, _TMV, half of the tolerance band, _TDIF, _TSA.
 check-reach = The measuring path { $path } mm ends before the safe area { $area } mm: a difference between the two raises 61301 instead of 61303.
 check-reach-hint = Make _FA larger than the largest deviation, or _TSA smaller.
+check-rotation = The coordinate system is turned.
+check-rotation-hint = Switch the rotation off before the call: this cycle works along the axes of the machine.
 check-infeed = The infeed { $infeed } mm does not lead down to the element.
 check-infeed-hint = Enter a negative value if the tool axis points up.
 

@@ -4,6 +4,7 @@
 pub mod common;
 pub mod cycle971;
 pub mod cycle972;
+pub mod cycle974;
 pub mod cycle976;
 pub mod cycle977;
 pub mod cycle978;
@@ -12,6 +13,7 @@ mod entry;
 pub mod example;
 pub mod g101;
 pub mod g110;
+pub mod lathe;
 pub mod list;
 pub mod names;
 pub mod nct;
@@ -27,6 +29,7 @@ pub use list::{Arg, ArgumentList, Style};
 pub static CYCLES: &[&Cycle] = &[
     &cycle971::CYCLE971,
     &cycle972::CYCLE972,
+    &cycle974::CYCLE974,
     &cycle976::CYCLE976,
     &cycle977::CYCLE977,
     &cycle978::CYCLE978,

@@ -16,7 +16,7 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     shared::speeds(control, found);
     let data = ProbeData::of(inputs, control, false);
     shared::place(&data, &[0, 1], found); // by axes of the plane, B:13370-13384
-    turning::rotation(control, found);
+    shared_checks::rotation(control, found);
     if let Some(edge) = shared::tool_in_use(control, found) {
         turning::tool(inputs, edge, CALIBRATE.holds(inputs), found);
     }

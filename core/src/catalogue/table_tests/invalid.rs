@@ -1,7 +1,7 @@
 //! Variants and combinations that the tables call invalid are refused, with the alarm named there.
 
 use super::super::{Cycle, names};
-use super::{covers, refused, rows, sinumerik};
+use super::{covers, refused, rows, rows_of, sinumerik};
 use crate::diagnostic::Code;
 
 #[test]
@@ -14,6 +14,35 @@ fn invalid_variants_are_refused() {
             for (variant, values) in calls(cycle, &row[1]) {
                 let codes = refused(cycle, variant, values);
                 assert_eq!(codes, [alarm], "{} {variant} {values:?}", cycle.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn invalid_variants_in_turning_are_refused() {
+    // oracle: manual, rows INVALID of spec/turning/variants.tsv (B:1854, B:10177, A:11372). Combinations with the tool in
+    // use stand in the tests of their cycles.
+    let rows = rows_of("turning", "variants.tsv");
+    for cycle in sinumerik().filter(|_| !rows.is_empty()) {
+        for row in rows.iter().filter(|row| row[0] == cycle.name) {
+            let Some(list) = row[1].strip_prefix("INVALID: ") else {
+                continue;
+            };
+            let others = || (-1..1100).chain([9999, 100_000, 1_000_000]);
+            let meant: Vec<i64> = match list {
+                _ if list.starts_with("every other integer") => others().collect(),
+                _ if list.contains(|c: char| c.is_ascii_lowercase()) => continue, // patterns, words
+                _ => numbers(list).collect(),
+            };
+            let known = |number: &i64| cycle.variants.iter().any(|one| one.number == *number);
+            for variant in meant {
+                if known(&variant) {
+                    assert!(list.starts_with("every other"), "{} {variant}", cycle.name);
+                    continue;
+                }
+                let codes = refused(cycle, variant, &[]);
+                assert_eq!(codes, [Code::Alarm(61307)], "{} {variant}", cycle.name);
             }
         }
     }

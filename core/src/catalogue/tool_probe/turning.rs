@@ -2,7 +2,7 @@
 
 use crate::catalogue::names;
 use crate::check::{Finding, Inputs, error};
-use crate::control::{Control, Edge};
+use crate::control::Edge;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::message::Message;
 
@@ -51,18 +51,4 @@ fn length(inputs: &Inputs, tip: i64, found: &mut Vec<Diagnostic>) {
             .hint(Message::new("check-tip-axis-hint"))
             .at(names::MA),
     );
-}
-
-/// A coordinate system that is turned (A:15873).
-pub fn rotation(control: &Control, found: &mut Vec<Diagnostic>) {
-    let turned = control
-        .chain()
-        .iter()
-        .any(|frame| frame.rotation != [0.0; 3]);
-    if turned {
-        found.push(
-            error(Code::Alarm(61330), Message::new("check-rotation"))
-                .hint(Message::new("check-rotation-hint")),
-        );
-    }
 }

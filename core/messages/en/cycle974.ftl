@@ -1,0 +1,30 @@
+# CYCLE974: titles, search words, variants, words of its own parameters, checks and results.
+
+cycle974-title = Turned part: one point
+cycle974-help = Measures one point of a turned part, outside or inside, on a diameter, an end face or in the third axis, against the setpoint from the drawing. The probe stands opposite the point, further away than the measuring path; only the measuring axis moves, towards the setpoint. The cycle travels to _FA before the setpoint, touches over twice this path and goes back; with reversal the master spindle is positioned at _STA1 first, turned by 180° after the first touch, and the mean of both counts. Then a tool offset (deviation against tolerance, mean and empirical value) or a zero offset is corrected, and the probe stands _FA before the surface. Needed are a probe of type 5xy with cutting edge position 5 to 8, calibrated in this direction and plane, its D number, and a coordinate system that is not turned. What goes wrong most often: a setpoint that is a radius while DIAMON is active, or the reverse; a start position within the measuring path or on the wrong side; a probe calibrated with another feed; _TUL or _TLL left over from the call before.
+cycle974-words = measure workpiece turning lathe turned part diameter outside inside shoulder end face length one point single X Z Y facing axis reversal runout spindle tool offset wear zero offset ZO
+
+cycle974-tool = One point: correct a tool
+cycle974-tool-words = turning lathe diameter face length one point tool offset wear L1 L2
+cycle974-zero = One point: correct a zero offset
+cycle974-zero-words = turning lathe face length one point zero offset ZO frame origin G54
+cycle974-reversal = One point with reversal: correct a tool
+cycle974-reversal-words = turning lathe diameter one point reversal spindle 180 degree runout eccentricity opposite tool offset wear
+
+mvar-reversal = Reversal
+reversal-without = Without
+reversal-with = With: measured again after the part has turned by 180°
+
+param-setval-turned-diameter = Set diameter
+param-setval-turned-diameter-help = From the drawing. With DIAMON it is the diameter, with DIAMOF the radius.
+param-setval-turned-position = Set position
+param-setval-turned-position-help = Where the surface should be in the workpiece coordinate system, in the measuring axis.
+param-sta1-spindle = Spindle position
+param-sta1-spindle-help = Angle to which the spindle turns the part for the first touch; the second one is 180° further.
+
+need-angle-reversal = With reversal the cycle positions the spindle.
+
+check-reversal-part = With reversal the cycle turns the part by 180°, but the spindle cannot be positioned.
+check-reversal-part-hint = Measure without reversal, or on a machine whose master spindle can be positioned.
+
+result-compensation-radius = Compensation value, as a radius

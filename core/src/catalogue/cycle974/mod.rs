@@ -1,0 +1,94 @@
+//! CYCLE974: one point of a turned part, for a tool offset or a zero offset (B:10409-10872).
+
+mod checks;
+mod lists;
+pub mod params;
+mod picture;
+mod results;
+#[cfg(test)]
+mod tests;
+
+pub use results::RESULTS;
+
+use crate::catalogue::{Cycle, Dialect, Purpose, Variant, common, lathe};
+
+/// Measuring variants (B:10455-10459).
+pub const VARIANTS: &[Variant] = &[
+    Variant {
+        number: 0,
+        key: "cycle974-tool",
+        source: "B:10457;B:10622;A:11674",
+    },
+    Variant {
+        number: 100,
+        key: "cycle974-zero",
+        source: "B:10458;B:10533;A:11675",
+    },
+    Variant {
+        number: 1000,
+        key: "cycle974-reversal",
+        source: "B:10459;B:10794;A:11676",
+    },
+];
+
+/// The entry. Example: the outside diameter of B:10661-10712.
+pub static CYCLE974: Cycle = Cycle {
+    dialect: Dialect::Sinumerik,
+    name: "CYCLE974",
+    key: "cycle974",
+    variants: VARIANTS,
+    params: params::PARAMS,
+    purpose: Purpose::TURNING,
+    lists: lists::LISTS,
+    // B:2314, B:13534-13584, B:13739-13773, B:13917-14037
+    settings: &[
+        "_CBIT[0]",
+        "_CBIT[1]",
+        "_CBIT[2]",
+        "_CHBIT[2]",
+        "_CHBIT[4]",
+        "_CHBIT[5]",
+        "_CHBIT[6]",
+        "_CHBIT[8]",
+        "_CHBIT[15]",
+        "_CHBIT[16]",
+        "_CHBIT[17]",
+        "_CHBIT[19]",
+        "_CHBIT[21]",
+        "_SPEED",
+        "_EV",
+        "_MV",
+    ],
+    results: RESULTS,
+    alarms: &[
+        common::EVERY_CYCLE,
+        common::CORRECTION,
+        common::TOLERANCE,
+        lathe::ALARMS,
+        // A:15868, A:15882; 61412 for _KNUM = 1000 without a basic frame (A:15931)
+        &common::alarms([61327, 61341, 61412]),
+    ],
+    checks: checks::checks,
+    picture: picture::picture,
+    example: &[
+        ("_MVAR", "0"),
+        ("_SETVAL", "45"),
+        ("_MA", "2"),
+        ("_KNUM", "1"),
+        ("_TNUM", "7"),
+        ("_PRNUM", "1"),
+        ("_FA", "1"),
+        ("_TSA", "0.5"),
+        ("_VMS", "0"),
+        ("_NMSP", "1"),
+        ("_EVNUM", "13"),
+        ("_K", "2"),
+        ("_TZL", "0.002"),
+        ("_TMV", "0.005"),
+        ("_TUL", "0"),
+        ("_TLL", "-0.01"),
+        ("_TDIF", "0.04"),
+    ],
+    simulation: None,
+    source: "B:10409-10872",
+};

@@ -1,0 +1,58 @@
+//! Checks about the probe in use and the coordinate system.
+
+use super::params::TRANSVERSE;
+use crate::catalogue::{names, shared_checks};
+use crate::check::{Finding, Inputs, error, warning};
+use crate::control::Control;
+use crate::diagnostic::{Code, Diagnostic};
+use crate::message::Message;
+use std::ops::RangeInclusive;
+
+/// Types of turning tools, the probe among them (B:974-985, B:8708).
+const TURNING: RangeInclusive<i64> = 500..=599;
+/// Cutting edge positions of a probe (B:8708).
+const TIPS: RangeInclusive<i64> = 5..=8;
+
+/// What every call that measures a workpiece is checked for.
+pub fn measuring(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
+    shared_checks::probe(inputs, control, found);
+    shared_checks::memories(inputs, control, found);
+    shared_checks::weighting(inputs, control, found);
+    shared_checks::tolerances(inputs, found);
+    // a deviation of a diameter shows half at the point
+    let share = if TRANSVERSE.holds(inputs) { 0.5 } else { 1.0 };
+    shared_checks::reach(inputs, share, found);
+    tip(control, found);
+    shared_checks::rotation(control, found);
+}
+
+/// Cutting edge position of the probe in use, where it is known and permitted. While a milling probe is in use, the right
+/// one is still to come: a doubt here, 61309 on the machine (B:8708, A:15848, A:15856).
+pub fn tip(control: &Control, found: &mut Vec<Diagnostic>) -> Option<i64> {
+    let edge = control.active_edge().filter(|edge| edge.kind != 0)?;
+    if !TURNING.contains(&edge.kind) {
+        let message = Message::new("check-lathe-probe").number("type", edge.kind as f64);
+        let code = Code::Alarm(61309);
+        let finding = if edge.is_milling_probe() {
+            warning(code, message)
+        } else {
+            error(code, message)
+        };
+        let hint = Message::new("check-lathe-probe-hint");
+        found.push(finding.hint(hint).at(names::PRNUM));
+        return None;
+    }
+    if !TIPS.contains(&edge.tip) {
+        found.push(wrong_tip(edge.tip, "check-lathe-tip-hint"));
+        return None;
+    }
+    Some(edge.tip)
+}
+
+/// A cutting edge position that the call cannot work with.
+pub fn wrong_tip(tip: i64, hint: &'static str) -> Diagnostic {
+    let message = Message::new("check-lathe-tip").number("tip", tip as f64);
+    error(Code::Alarm(61315), message)
+        .hint(Message::new(hint))
+        .at(names::PRNUM)
+}
