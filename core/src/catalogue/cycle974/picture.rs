@@ -95,6 +95,11 @@ fn from_side(inputs: &Inputs) -> Scene {
         0,
         [[left - 16.0, 0.0], [right + 12.0, 0.0]],
     ));
+    ground.extend(figures::axis(
+        inputs,
+        1,
+        [[left - 13.0, -12.0], [left - 13.0, 30.0]],
+    ));
     Scene {
         touch: Touch {
             at: [-14.0, side * RADIUS],
