@@ -111,10 +111,8 @@ pub const PARAMS: &[Param] = &[
         ]),
         range: Range::closed(1.0, 203.0),
         needs: &[required(When::Not(&AUTOMATIC), "need-axis-tool-probe")],
-        labels: &[
-            (CALIBRATE, "ma-calibrate"),
-            (When::Always, "ma-measure-tool"),
-        ],
+        key: "ma-measure-tool",
+        labels: &[(CALIBRATE, "ma-calibrate")],
         source: "B:4419-4420;B:4842-4846;B:15395-15401;A:16199",
         ..common::MA
     },
@@ -128,11 +126,8 @@ pub const PARAMS: &[Param] = &[
                 "need-offset-wide",
             ),
         ],
-        labels: &[
-            (CALIBRATE, "id-calibrate"),
-            (APPLICATE, "id-length"),
-            (When::Always, "id-radius"),
-        ],
+        key: "id-radius",
+        labels: &[(CALIBRATE, "id-calibrate"), (APPLICATE, "id-length")],
         source: "B:4426;B:4654-4656;B:4849;B:15391",
         ..common::ID
     },
@@ -144,13 +139,15 @@ pub const PARAMS: &[Param] = &[
             required(INCREMENTAL, "need-signed-path"),
             optional(When::Always, "need-default"),
         ],
-        labels: &[(INCREMENTAL, "fa-incremental"), (When::Always, "fa-tool")],
+        key: "fa-tool",
+        labels: &[(INCREMENTAL, "fa-incremental")],
         source: "B:4421-4424;B:2221;B:15389-15390;A:15847",
         ..common::FA
     },
     Param {
         needs: &[optional(When::Not(&INCREMENTAL), "need-default")],
-        labels: &[(CALIBRATE, "tsa-tool-probe"), (When::Always, "tsa-tool")],
+        key: "tsa-tool",
+        labels: &[(CALIBRATE, "tsa-tool-probe")],
         source: "B:4326;B:4432;B:15431;A:15844",
         ..common::TSA
     },

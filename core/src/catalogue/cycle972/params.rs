@@ -34,21 +34,20 @@ pub const PARAMS: &[Param] = &[
             (MEASURE, &[(1, "ma-lathe-l2"), (2, "ma-lathe-l1")]),
         ]),
         needs: common::ALWAYS_REQUIRED,
-        labels: &[
-            (CALIBRATE, "ma-calibrate"),
-            (When::Always, "ma-lathe-length"),
-        ],
+        key: "ma-lathe-length",
+        labels: &[(CALIBRATE, "ma-calibrate")],
         source: "B:8859;B:9014;B:15453",
         ..common::MA
     },
     tool_probe::PRNUM,
     Param {
-        labels: &[(When::Always, "fa-tool")],
+        key: "fa-tool",
         source: "B:2221;B:9057;B:15448",
         ..common::FA
     },
     Param {
-        labels: &[(CALIBRATE, "tsa-tool-probe"), (When::Always, "tsa-tool")],
+        key: "tsa-tool",
+        labels: &[(CALIBRATE, "tsa-tool-probe")],
         source: "B:8849;B:15472",
         ..common::TSA
     },

@@ -1,7 +1,7 @@
 //! Parameters of the cycles at a tool probe. A cycle fills in when it needs them.
 
 use crate::catalogue::common;
-use crate::catalogue::{DigitGroup, Kind, Param, Range, When};
+use crate::catalogue::{DigitGroup, Kind, Param, Range};
 
 /// Second digit of `_MVAR`: whether the probe stands in the machine (`_TP`) or in the active workpiece system (`_TPW`)
 /// (B:4186-4196, B:9224-9260).
@@ -16,27 +16,27 @@ pub const REFERENCE: DigitGroup = DigitGroup {
 pub const PRNUM: Param = Param {
     kind: Kind::Integer,
     range: Range::closed(1.0, 99.0),
-    labels: &[(When::Always, "prnum-tool")],
+    key: "prnum-tool",
     source: "B:2277;B:15416-15417;A:15852",
     ..common::PRNUM
 };
 /// `_EVNUM`: tool measurement forms no mean value, so that only the lower four digits count (B:2328, B:4322).
 pub const EVNUM: Param = Param {
     kind: Kind::Integer,
-    labels: &[(When::Always, "evnum-tool")],
+    key: "evnum-tool",
     source: "B:2303-2342;B:4322",
     ..common::EVNUM
 };
 /// `_TZL`.
 pub const TZL: Param = Param {
     needs: common::ALWAYS_OPTIONAL,
-    labels: &[(When::Always, "tzl-tool")],
+    key: "tzl-tool",
     source: "B:1382-1394;B:4324-4326",
     ..common::TZL
 };
 /// `_TDIF`.
 pub const TDIF: Param = Param {
-    labels: &[(When::Always, "tdif-tool")],
+    key: "tdif-tool",
     source: "B:1335-1340;B:4937;A:15943",
     ..common::TDIF
 };
