@@ -22,7 +22,7 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     upwards(inputs, found);
 }
 
-/// Ball radius that this cycle positions with: that of the active tool (B:5437-5441), not the stored one, which it may
+/// Ball radius that this cycle positions with: that of the active tool (B:5405, B:5486), not the stored one, which it may
 /// be about to find.
 fn ball_radius(inputs: &Inputs, control: &Control) -> f64 {
     let active = control.active_edge().map_or(0.0, |edge| edge.radius);
@@ -49,7 +49,7 @@ fn band(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
 }
 
 /// While the data of the probe are 0, `_TSA` has to be larger than the ball radius (B:5148). With `_CBIT[14]` = 1 the
-/// trigger value of the applicate is 0 itself (B:5591).
+/// trigger value of the applicate is 0 itself (B:5583).
 fn first(inputs: &Inputs, control: &Control, ball: f64, found: &mut Vec<Diagnostic>) {
     let applicate = inputs.integer(names::MA) == 3 && !HOLE.holds(inputs);
     if applicate && control.bit("_CBIT[14]") {
@@ -64,7 +64,7 @@ fn first(inputs: &Inputs, control: &Control, ball: f64, found: &mut Vec<Diagnost
     }
 }
 
-/// The ball has to fit and to have its way (B:5120-5150).
+/// The ball has to fit and to have its way (B:5132, B:5198).
 fn hole(inputs: &Inputs, control: &Control, ball: f64, found: &mut Vec<Diagnostic>) {
     let Some(size) = inputs.given(names::SETVAL) else {
         return;
@@ -88,7 +88,7 @@ fn hole(inputs: &Inputs, control: &Control, ball: f64, found: &mut Vec<Diagnosti
     }
 }
 
-/// Two runs, between which the spindle turns (B:5241, B:5328-5334); the skew is found in any case (B:5232).
+/// Two runs, between which the spindle turns (B:5241, B:5331-5332); the skew is found in any case (B:5230).
 fn reversal(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     if !control.spindle_positions {
         let message = Message::new("check-reversal-spindle");

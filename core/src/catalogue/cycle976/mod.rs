@@ -27,7 +27,7 @@ pub static CYCLE976: Cycle = Cycle {
         ..Purpose::MILLING
     },
     lists: lists::LISTS,
-    // B:5579-5583, B:13656
+    // B:5471-5472, B:13656
     settings: &["_CBIT[14]", "_CBIT[15]"],
     results: RESULTS,
     alarms: &[

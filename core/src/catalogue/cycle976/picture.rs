@@ -73,7 +73,7 @@ fn hole(inputs: &Inputs) -> Vec<PictureShape> {
     shapes
 }
 
-/// Directions in their order, degree from the first axis of calibration (B:5200-5212, B:5318-5326).
+/// Directions in their order, degree from the first axis of calibration (B:5206-5210, B:5318-5324).
 fn directions(inputs: &Inputs) -> Vec<f64> {
     let axis = if inputs.integer(names::MA) == 2 {
         90.0
@@ -277,7 +277,7 @@ fn set_position(inputs: &Inputs, upright: bool) -> PictureShape {
 }
 
 /// Stylus and spindle above the ball, with the length that is determined: to the ball's centre, or with `_CBIT[14]` to
-/// its circumference (B:5479-5483).
+/// its circumference (B:5471-5472).
 fn probe_above(inputs: &Inputs, start: f64, shapes: &mut Vec<PictureShape>) {
     let nose = start - 30.0;
     shapes.push(line(ShapeKind::Path, vec![[start, 0.0], [nose, 0.0]]).of(names::PRNUM));

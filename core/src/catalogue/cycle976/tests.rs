@@ -79,7 +79,7 @@ fn mistakes_are_told() {
 
 #[test]
 fn the_first_calibration_needs_a_wide_safe_area() {
-    // oracle: manual B:5148, B:5591
+    // oracle: manual B:5148, B:5583
     let erase = |control: &mut Control| {
         (0..7).for_each(|field| control.set(format!("_WP[2,{field}]"), 0.0));
     };
