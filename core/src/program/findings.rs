@@ -23,6 +23,8 @@ pub fn findings_on(program: &Program, control: Control) -> Vec<Diagnostic> {
     let calls = sites.into_iter().flat_map(|site| site.diagnostics);
     let mut found: Vec<Diagnostic> = syntax.chain(calls).chain(advice).collect();
     found.sort_by_key(|found| found.span.map_or(0, |span| span.start));
+    // Calls that share a value say the same about it.
+    found.dedup();
     found
 }
 

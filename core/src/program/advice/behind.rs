@@ -6,30 +6,51 @@ use crate::check::{Finding, Target, target, warning};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::evaluate::knum::{self, ZeroCode};
 use crate::message::Message;
+use crate::program::calls::CallSite;
 use crate::program::fold::{self, Known};
 use crate::program::tree::{Program, Word, WordKind};
 
-/// Motion or measuring in the old frame after it was corrected.
-pub fn look(seen: &Seen, found: &mut Vec<Diagnostic>) {
-    let Some(frame) = corrected(seen).filter(|frame| seen.modal.frame == Some(*frame)) else {
-        return;
-    };
-    let behind = seen
-        .program
-        .words
-        .partition_point(|word| word.span.start < seen.site.span.end);
-    let words = seen.program.words.get(behind..).unwrap_or_default();
-    let next = seen.sites.get(seen.index + 1).map(|site| site.span);
-    let first = words
-        .iter()
-        .find_map(|word| match what(seen.program, word) {
-            What::Other if Some(word.span) == next => Some(true),
-            What::Other => None,
-            What::Motion => Some(true),
-            What::Frame | What::End => Some(false),
-        });
-    let moves = first.unwrap_or(false);
-    if moves {
+/// What comes behind a call until the program ends.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Ahead {
+    /// A frame is chosen.
+    frame: bool,
+    /// An axis moves, and no measuring call comes first.
+    motion: bool,
+}
+
+/// What comes behind each call, in their order.
+pub fn ahead(program: &Program, sites: &[CallSite]) -> Vec<Ahead> {
+    let mut found = vec![Ahead::default(); sites.len()];
+    let mut now = Ahead::default();
+    let mut rest = sites.len();
+    for word in program.words.iter().rev() {
+        while rest > 0
+            && sites
+                .get(rest - 1)
+                .is_some_and(|site| site.span == word.span)
+        {
+            rest -= 1;
+            if let Some(ahead) = found.get_mut(rest) {
+                *ahead = now;
+            }
+            now.motion = false;
+        }
+        match what(program, word) {
+            What::Frame => now.frame = true,
+            What::Motion => now.motion = true,
+            What::End => now = Ahead::default(),
+            What::Other => {}
+        }
+    }
+    found
+}
+
+/// The program goes on in the old frame behind its last measuring call. Between two calls the old frame may be meant:
+/// they measure one axis each.
+pub fn look(seen: &Seen, ahead: Ahead, found: &mut Vec<Diagnostic>) {
+    let corrected = corrected(seen).filter(|frame| seen.modal.frame == Some(*frame));
+    if let Some(frame) = corrected.filter(|_| ahead.motion && !ahead.frame) {
         let name = format!("G{frame}");
         let message = Message::new("advice-frame").text("frame", name.as_str());
         let hint = Message::new("advice-frame-hint").text("frame", name.as_str());

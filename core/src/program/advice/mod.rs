@@ -34,6 +34,7 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
     let mut found = Vec::new();
     let mut asked = at_call::Asked::default();
     let mut modal = Modal::default();
+    let ahead = behind::ahead(program, sites);
     let mut next = 0;
     for word in &program.words {
         modal.word(program, word);
@@ -48,7 +49,11 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
                 inputs: check::read(site.cycle, &site.values, control, &mut Vec::new()),
             };
             at_call::look(&seen, &mut asked, &mut found);
-            behind::look(&seen, &mut found);
+            behind::look(
+                &seen,
+                ahead.get(next).copied().unwrap_or_default(),
+                &mut found,
+            );
             next += 1;
         }
     }
