@@ -226,4 +226,5 @@ result-trigger-minus-applicate = Trigger value in minus direction, applicate
 result-trigger-minus-applicate-difference = Difference of the trigger value in minus direction, applicate
 result-trigger-plus-applicate = Trigger value in plus direction, applicate
 result-trigger-plus-applicate-difference = Difference of the trigger value in plus direction, applicate
+result-edge = D number
 result-internal-error = Internal error number

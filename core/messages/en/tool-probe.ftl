@@ -47,7 +47,6 @@ result-trigger-plus-3 = Trigger value in plus direction, 3rd geometry axis
 result-trigger-plus-3-difference = Its difference from the stored one, plus direction, 3rd geometry axis
 result-actual-l1 = Actual length L1
 result-difference-l1 = Difference of the length L1
-result-edge = D number
 result-actual-l2 = Actual length L2
 result-difference-l2 = Difference of the length L2
 

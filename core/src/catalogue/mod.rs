@@ -9,6 +9,7 @@ pub mod cycle976;
 pub mod cycle977;
 pub mod cycle978;
 pub mod cycle979;
+pub mod cycle994;
 mod entry;
 pub mod example;
 pub mod g101;
@@ -34,6 +35,7 @@ pub static CYCLES: &[&Cycle] = &[
     &cycle977::CYCLE977,
     &cycle978::CYCLE978,
     &cycle979::CYCLE979,
+    &cycle994::CYCLE994,
     &g101::G101,
     &g110::G110,
 ];

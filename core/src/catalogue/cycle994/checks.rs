@@ -1,0 +1,107 @@
+//! What several values of CYCLE994 say together.
+
+use super::ZONE;
+use super::params::INSIDE_ZONE;
+use crate::catalogue::lathe::params::TRANSVERSE;
+use crate::catalogue::{lathe, names, place, shared_checks};
+use crate::check::{Finding, Inputs, error, note, warning};
+use crate::control::Control;
+use crate::diagnostic::{Code, Diagnostic};
+use crate::message::Message;
+
+/// All of them.
+pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
+    lathe::checks::measuring(inputs, control, found);
+    ball_diameter(inputs, control, found);
+    let Some(set) = inputs.given(names::SETVAL) else {
+        return;
+    };
+    if set <= 0.0 {
+        let message = Message::new("check-two-setpoint").number("set", set);
+        found.push(
+            warning(Code::Own(50), message)
+                .hint(Message::new("check-two-setpoint-hint"))
+                .at(names::SETVAL),
+        );
+        return;
+    }
+    let ball = place::ball_radius(inputs, control);
+    if INSIDE_ZONE.holds(inputs) {
+        inside(inputs, set, ball, found);
+    } else {
+        either(inputs, set, ball, found);
+    }
+}
+
+/// Without calibration the stored ball diameter counts alone (B:10905-10913).
+fn ball_diameter(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
+    let name = format!("_WP[{},0]", inputs.integer(names::PRNUM) % 100 - 1);
+    if control.bit("_CHBIT[7]") && control.number(&name) <= 0.0 {
+        let message = Message::new("check-two-ball").text("name", &name);
+        let hint = Message::new("check-two-ball-hint").text("name", name);
+        found.push(error(Code::Own(51), message).hint(hint).at(names::PRNUM));
+    }
+}
+
+/// Parts of a dimension of the measuring axis that a radius makes up: two of a diameter.
+fn radii(inputs: &Inputs) -> f64 {
+    if TRANSVERSE.holds(inputs) { 2.0 } else { 1.0 }
+}
+
+/// The zone in the direction of the measuring axis: `_SZA` in the abscissa, else `_SZO` (B:10986-11001).
+fn across(inputs: &Inputs) -> (&'static str, Option<f64>) {
+    let name = if inputs.integer(names::MA) == 1 {
+        names::SZA
+    } else {
+        names::SZO
+    };
+    (name, inputs.given(name))
+}
+
+/// The ball's centre passes on the border of the zone (B:10891), inside the measured element.
+fn inside(inputs: &Inputs, set: f64, ball: f64, found: &mut Vec<Diagnostic>) {
+    let radii = radii(inputs);
+    if !shared_checks::fits(names::SETVAL, 2.0 * set / radii, ball, found) {
+        return;
+    }
+    let (name, Some(zone)) = across(inputs) else {
+        return;
+    };
+    let limit = set - radii * ball;
+    if zone.abs() > limit {
+        let message = Message::new("check-two-zone-inside")
+            .number("zone", zone)
+            .number("size", set);
+        let hint = Message::new("check-two-zone-inside-hint").number("limit", limit);
+        found.push(error(ZONE, message).hint(hint).at(name));
+    }
+}
+
+/// Outside the way goes around the zone, inside it has none; the start position alone tells which it is (B:10933).
+fn either(inputs: &Inputs, set: f64, ball: f64, found: &mut Vec<Diagnostic>) {
+    let given = |name| inputs.given(name).is_some();
+    match (given(names::SZA), given(names::SZO)) {
+        (true, true) => {}
+        (false, false) => {
+            let message = Message::new("check-two-no-zone");
+            found.push(note(Code::Own(52), message).hint(Message::new("check-two-no-zone-hint")));
+        }
+        (abscissa, _) => {
+            let missing = if abscissa { names::SZO } else { names::SZA };
+            let message = Message::new("check-two-half-zone").text("name", missing);
+            let hint = Message::new("check-two-half-zone-hint");
+            found.push(warning(Code::Own(53), message).hint(hint).at(missing));
+        }
+    }
+    let (name, Some(zone)) = across(inputs) else {
+        return;
+    };
+    let limit = set + radii(inputs) * ball;
+    if zone.abs() < limit {
+        let message = Message::new("check-two-zone-outside")
+            .number("zone", zone)
+            .number("size", set);
+        let hint = Message::new("check-two-zone-outside-hint").number("limit", limit);
+        found.push(warning(ZONE, message).hint(hint).at(name));
+    }
+}

@@ -1,0 +1,95 @@
+//! CYCLE994: two opposite points of a turned part, for a tool offset (B:10873-11146).
+
+mod checks;
+mod lists;
+pub mod params;
+mod picture;
+mod results;
+#[cfg(test)]
+mod tests;
+
+pub use results::RESULTS;
+
+use crate::catalogue::{Cycle, Dialect, Purpose, Variant, common, lathe};
+use crate::diagnostic::Code;
+
+/// Measuring variants (B:10930-10933). What A:12201 says about the second is a slip: there the zone counts outside.
+pub const VARIANTS: &[Variant] = &[
+    Variant {
+        number: 1,
+        key: "cycle994-inside-zone",
+        source: "B:10932;B:10981;A:12250",
+    },
+    Variant {
+        number: 2,
+        key: "cycle994-outside-inside",
+        source: "B:10933;B:10982;A:12250",
+    },
+];
+
+/// The protection zone leaves no way: no number is named, this is the one of CYCLE977.
+const ZONE: Code = Code::Alarm(61334);
+
+/// The entry. Example: the outside diameter of B:11013-11090.
+pub static CYCLE994: Cycle = Cycle {
+    dialect: Dialect::Sinumerik,
+    name: "CYCLE994",
+    key: "cycle994",
+    variants: VARIANTS,
+    params: params::PARAMS,
+    purpose: Purpose::TURNING,
+    lists: lists::LISTS,
+    // B:2314, B:13534-13584, B:13739-13773, B:13917-14027
+    settings: &[
+        "_CBIT[0]",
+        "_CBIT[1]",
+        "_CBIT[2]",
+        "_CHBIT[2]",
+        "_CHBIT[4]",
+        "_CHBIT[5]",
+        "_CHBIT[6]",
+        "_CHBIT[7]",
+        "_CHBIT[8]",
+        "_CHBIT[15]",
+        "_CHBIT[16]",
+        "_CHBIT[17]",
+        "_CHBIT[19]",
+        "_SPEED",
+        "_EV",
+        "_MV",
+    ],
+    results: RESULTS,
+    alarms: &[
+        common::EVERY_CYCLE,
+        common::CORRECTION,
+        common::TOLERANCE,
+        lathe::ALARMS,
+        &common::alarms([61327]), // A:15868
+        &[ZONE],
+    ],
+    checks: checks::checks,
+    picture: picture::picture,
+    example: &[
+        ("_MVAR", "2"),
+        ("_SETVAL", "45"),
+        ("_MA", "2"),
+        ("_SZA", "55"),
+        ("_SZO", "55"),
+        ("_KNUM", "1"),
+        ("_TNUM", "8"),
+        ("_PRNUM", "1"),
+        ("_FA", "1"),
+        ("_TSA", "0.5"),
+        ("_VMS", "0"),
+        ("_NMSP", "1"),
+        ("_EVNUM", "3"),
+        ("_K", "3"),
+        ("_TZL", "0.002"),
+        ("_TMV", "0.005"),
+        ("_TUL", "0"),
+        ("_TLL", "-0.01"),
+        ("_TDIF", "0.04"),
+    ],
+    simulation: None,
+    source: "B:10873-11146",
+};
