@@ -7,15 +7,30 @@ use crate::diagnostic::{Code, Cure, Diagnostic};
 use crate::message::Message;
 use crate::program::calls::CallSite;
 use crate::program::change::change;
+use crate::program::tree::{Program, Word, WordKind};
 use std::collections::BTreeSet;
 
 /// What was said already and is said once only.
-#[derive(Default)]
 pub struct Asked {
+    /// Nothing but assignments and calls: a piece of a program, whose surroundings are elsewhere.
+    piece: bool,
     plane: bool,
     diameter: bool,
     /// Probes that a call of this program calibrated, or that were asked about.
     calibrated: BTreeSet<(bool, i64)>,
+}
+
+impl Asked {
+    /// Nothing was said of this program yet.
+    pub fn of(program: &Program) -> Asked {
+        let address = |word: &Word| matches!(word.kind, WordKind::Address { .. });
+        Asked {
+            piece: !program.words.iter().any(address),
+            plane: false,
+            diameter: false,
+            calibrated: BTreeSet::new(),
+        }
+    }
 }
 
 /// Everything about one call.
@@ -25,12 +40,14 @@ pub fn look(seen: &Seen, asked: &mut Asked, found: &mut Vec<Diagnostic>) {
     }
     let mut say = |finding: Diagnostic| found.push(at(finding, seen.site.span));
     compensation(seen).map(&mut say);
-    plane(seen, asked).map(&mut say);
-    diameter(seen, asked).map(&mut say);
+    if !asked.piece {
+        plane(seen, asked).map(&mut say);
+        diameter(seen, asked).map(&mut say);
+        calibration(seen, asked).map(&mut say);
+    }
     edge(seen).map(&mut say);
     tool(seen).map(&mut say);
     spindle(seen).map(&mut say);
-    calibration(seen, asked).map(&mut say);
     for param in seen.site.cycle.params {
         found.extend(inherited(seen, param));
     }

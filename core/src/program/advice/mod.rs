@@ -32,7 +32,7 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
         return Vec::new();
     }
     let mut found = Vec::new();
-    let mut asked = at_call::Asked::default();
+    let mut asked = at_call::Asked::of(program);
     let mut modal = Modal::default();
     let ahead = behind::ahead(program, sites);
     let mut next = 0;
