@@ -18,6 +18,7 @@ pub const ENGLISH: &[(&str, &str)] = &[
     ("cycle978.ftl", include_str!("../messages/en/cycle978.ftl")),
     ("cycle979.ftl", include_str!("../messages/en/cycle979.ftl")),
     ("cycle994.ftl", include_str!("../messages/en/cycle994.ftl")),
+    ("cycle998.ftl", include_str!("../messages/en/cycle998.ftl")),
     ("evaluate.ftl", include_str!("../messages/en/evaluate.ftl")),
     ("lathe.ftl", include_str!("../messages/en/lathe.ftl")),
     ("nct.ftl", include_str!("../messages/en/nct.ftl")),

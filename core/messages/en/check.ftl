@@ -85,3 +85,8 @@ check-knum-no-additive = This machine has no additive offsets.
 check-knum-no-additive-hint = Correct length or radius instead, or have MD 18080 bit 8 set.
 check-knum-no-setup = This machine has no setup offsets.
 check-knum-no-setup-hint = Correct length or radius instead, or have MD 18112 bit 4 set.
+
+check-knum-rotation = The global basic frame { $code } cannot take a rotation.
+check-knum-rotation-hint = Choose a settable frame or a channel basic frame.
+check-lathe-length = The probe is entered as a turning tool, and its length ends at the circumference of the ball (_CBIT[14]=1).
+check-lathe-length-hint = Set _CBIT[14]=0 and let the length end at the centre of the ball.

@@ -10,6 +10,7 @@ pub mod cycle977;
 pub mod cycle978;
 pub mod cycle979;
 pub mod cycle994;
+pub mod cycle998;
 mod entry;
 pub mod example;
 pub mod g101;
@@ -36,6 +37,7 @@ pub static CYCLES: &[&Cycle] = &[
     &cycle978::CYCLE978,
     &cycle979::CYCLE979,
     &cycle994::CYCLE994,
+    &cycle998::CYCLE998,
     &g101::G101,
     &g110::G110,
 ];

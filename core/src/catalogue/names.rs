@@ -64,3 +64,5 @@ pub const STA1: &str = "_STA1";
 pub const INCA: &str = "_INCA";
 /// Feed along circular paths.
 pub const RF: &str = "_RF";
+/// Rotary axis that takes the angle.
+pub const RA: &str = "_RA";

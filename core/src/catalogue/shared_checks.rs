@@ -1,9 +1,10 @@
 //! Checks over several parameters that the SINUMERIK workpiece cycles share.
 
-use super::names;
+use super::{When, names};
 use crate::check::{Finding, Inputs, error, note, warning};
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
+use crate::evaluate::knum::{self, ZeroCode};
 use crate::message::Message;
 
 /// Probe number beyond the data fields `_WP[]` (`_CVAL[1]`, B:13346) or a type other than multi and mono.
@@ -236,3 +237,52 @@ pub fn rotation(control: &Control, found: &mut Vec<Diagnostic>) {
         );
     }
 }
+
+/// Differential measurement turns the spindle under a multi probe (B:6308, B:7297-7299). The alarm for the probe is ours:
+/// the manual names none.
+pub fn differential(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
+    if !control.spindle_positions {
+        let message = Message::new("check-differential-spindle");
+        found.push(
+            error(Code::Alarm(61372), message) // A:15916
+                .hint(Message::new("check-differential-spindle-hint"))
+                .at(names::MVAR),
+        );
+    }
+    if inputs.integer(names::PRNUM) / 100 == 1 {
+        let message = Message::new("check-differential-mono");
+        found.push(
+            error(Code::Alarm(61313), message)
+                .hint(Message::new("check-differential-mono-hint"))
+                .at(names::PRNUM),
+        );
+    }
+}
+
+/// Global basic frames cannot take a rotation (B:1971).
+pub fn rotation_target(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
+    let code = inputs.integer(names::KNUM);
+    if let Ok(Some(ZeroCode::GlobalBasic(_))) = knum::zero(code) {
+        let message = Message::new("check-knum-rotation").number("code", code as f64);
+        found.push(
+            error(Code::Alarm(61321), message)
+                .hint(Message::new("check-knum-rotation-hint"))
+                .at(names::KNUM),
+        );
+    }
+}
+
+/// On a lathe the length of the probe has to end at the centre of its ball (B:7526-7527, B:7834).
+pub fn lathe_length(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
+    if TURNING_TOOL.holds(inputs) && control.bit("_CBIT[14]") {
+        let message = Message::new("check-lathe-length");
+        found.push(
+            warning(Code::Own(85), message)
+                .hint(Message::new("check-lathe-length-hint"))
+                .at(names::PRNUM),
+        );
+    }
+}
+
+/// A probe that is entered as a turning tool.
+const TURNING_TOOL: When = When::ToolType(500, 599);

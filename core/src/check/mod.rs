@@ -73,6 +73,12 @@ impl Inputs {
         param.is_some_and(|param| param.need(self).is_some())
     }
 
+    /// Number of a parameter where it is given and above 0, else another one: what a picture can draw.
+    pub fn positive(&self, name: &str, otherwise: f64) -> f64 {
+        let given = self.given(name).filter(|value| *value > 0.0);
+        given.unwrap_or(otherwise)
+    }
+
     /// Number of an integer parameter.
     pub fn integer(&self, name: &str) -> i64 {
         self.number(name) as i64

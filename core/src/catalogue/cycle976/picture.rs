@@ -44,17 +44,14 @@ impl Hole {
     }
 }
 
-fn positive(inputs: &Inputs, name: &str, otherwise: f64) -> f64 {
-    let given = inputs.given(name).filter(|value| *value > 0.0);
-    given.unwrap_or(otherwise)
-}
-
 fn hole(inputs: &Inputs) -> Vec<PictureShape> {
-    let size = positive(inputs, names::SETVAL, 110.246);
+    let size = inputs.positive(names::SETVAL, 110.246);
     let hole = Hole {
         size,
         ball: size * 0.045,
-        path: positive(inputs, names::FA, 2.0).clamp(size * 0.1, size * 0.25),
+        path: inputs
+            .positive(names::FA, 2.0)
+            .clamp(size * 0.1, size * 0.25),
         angle: if ANGLE.holds(inputs) {
             inputs.number(names::STA1) % 360.0
         } else {
@@ -216,7 +213,7 @@ const ZERO: f64 = -44.0;
 
 /// The face at 0, touched along the first drawing axis, then turned into the measuring axis and direction.
 fn surface(inputs: &Inputs, applicate: bool) -> Vec<PictureShape> {
-    let path = positive(inputs, names::FA, 2.0).clamp(10.0, 24.0);
+    let path = inputs.positive(names::FA, 2.0).clamp(10.0, 24.0);
     let start = -RADIUS - path;
     let material = if applicate {
         ShapeKind::Cut

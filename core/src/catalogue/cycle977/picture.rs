@@ -52,38 +52,27 @@ pub fn picture(inputs: &Inputs) -> Picture {
     }
 }
 
-fn positive(inputs: &Inputs, name: &str, otherwise: f64) -> f64 {
-    inputs
-        .given(name)
-        .filter(|value| *value > 0.0)
-        .unwrap_or(otherwise)
-}
-
 fn scene(inputs: &Inputs) -> Scene {
     let outside = OUTSIDE.holds(inputs);
     let rectangle = RECTANGLE.holds(inputs);
     let width = WIDTH.holds(inputs);
     let across = usize::from(inputs.integer(names::MA) == 2);
-    let set = positive(inputs, names::SETVAL, 132.0);
+    let set = inputs.positive(names::SETVAL, 132.0);
     let mut size = [set; 2];
     if rectangle {
         size = [
-            positive(inputs, names::SETV0, 100.0),
-            positive(inputs, names::SETV1, 200.0),
+            inputs.positive(names::SETV0, 100.0),
+            inputs.positive(names::SETV1, 200.0),
         ];
     } else if width {
         size[1 - across] = set * 1.4;
     }
     let beside = |size: f64| if outside { size * 1.5 } else { size * 0.4 };
     let zone = ZONE.holds(inputs).then(|| {
-        let first = positive(
-            inputs,
-            names::SZA,
-            beside(if rectangle { size[0] } else { set }),
-        );
+        let first = inputs.positive(names::SZA, beside(if rectangle { size[0] } else { set }));
         let mut zone = [first; 2];
         if rectangle {
-            zone[1] = positive(inputs, names::SZO, beside(size[1]));
+            zone[1] = inputs.positive(names::SZO, beside(size[1]));
         } else if width {
             zone[1 - across] = size[1 - across];
         }
@@ -103,7 +92,9 @@ fn scene(inputs: &Inputs) -> Scene {
         rectangle,
         names: [0, 1].map(|axis| AXES[inputs.plane.axes()[axis]]),
         ball: least * 0.045,
-        path: positive(inputs, names::FA, 2.0).clamp(least * 0.1, least * 0.25),
+        path: inputs
+            .positive(names::FA, 2.0)
+            .clamp(least * 0.1, least * 0.25),
     }
 }
 

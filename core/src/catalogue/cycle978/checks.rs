@@ -19,25 +19,10 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// The spindle turns a multi probe between two measurements in the plane (B:6308, B:6418). The alarms for
-/// probe and axis are ours: the manual names none.
+/// The spindle turns a multi probe between two measurements in the plane (B:6308, B:6418). The alarm for the axis is
+/// ours: the manual names none.
 fn differential(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
-    if !control.spindle_positions {
-        let message = Message::new("check-differential-spindle");
-        found.push(
-            error(Code::Alarm(61372), message) // A:15916
-                .hint(Message::new("check-differential-spindle-hint"))
-                .at(names::MVAR),
-        );
-    }
-    if inputs.integer(names::PRNUM) / 100 == 1 {
-        let message = Message::new("check-differential-mono");
-        found.push(
-            error(Code::Alarm(61313), message)
-                .hint(Message::new("check-differential-mono-hint"))
-                .at(names::PRNUM),
-        );
-    }
+    shared_checks::differential(inputs, control, found);
     if inputs.integer(names::MA) == 3 {
         let message = Message::new("check-differential-axis");
         found.push(

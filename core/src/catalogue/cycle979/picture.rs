@@ -72,11 +72,6 @@ pub fn picture(inputs: &Inputs) -> Picture {
     }
 }
 
-fn positive(inputs: &Inputs, name: &str, otherwise: f64) -> f64 {
-    let given = inputs.given(name).filter(|value| *value > 0.0);
-    given.unwrap_or(otherwise)
-}
-
 fn scene(inputs: &Inputs) -> Scene {
     let round = ROUND.holds(inputs);
     let start = inputs.number(names::STA1) % 360.0;
@@ -88,14 +83,16 @@ fn scene(inputs: &Inputs) -> Scene {
             .map(|index| start + f64::from(index) * step)
             .collect(),
     };
-    let size = positive(inputs, names::SETVAL, 130.0);
+    let size = inputs.positive(names::SETVAL, 130.0);
     Scene {
         outside: OUTSIDE.holds(inputs),
         round,
         size,
         points,
         ball: size * 0.045,
-        path: positive(inputs, names::FA, 2.0).clamp(size * 0.1, size * 0.25),
+        path: inputs
+            .positive(names::FA, 2.0)
+            .clamp(size * 0.1, size * 0.25),
     }
 }
 

@@ -68,6 +68,7 @@ const COUNTS: &[(&str, usize, usize, usize)] = &[
     ("CYCLE978", 4, 21, 30),
     ("CYCLE979", 8, 26, 27),
     ("CYCLE994", 2, 22, 30),
+    ("CYCLE998", 5, 17, 21),
 ];
 
 #[test]

@@ -1,0 +1,69 @@
+# CYCLE998: titles, search words, variants, words of its own parameters and checks.
+
+cycle998-title = Angle of a surface
+cycle998-help = Measures how a clamped part is turned: one angle from two points on a straight edge or surface, or two angles of an oblique plane from three points. Before the call the probe stands opposite the first point, at the height or place in the other axes at which it is to touch; the other points follow in plus direction of their axes, at the distances given. It touches P1, goes back, travels to P2 and touches again; for two angles it then returns by the same way and goes on to P3. From point to point it travels either along the set angle, led away from the surface by the safe area, or straight along the axis. It ends in front of the last point, at the measuring path from it; with two angles and axis-parallel travel at the height of the start. The difference to the set angle turns the coordinate system of a zero offset, or shifts a rotary axis; positions stay, so that measure them afterwards. The changed zero offset counts when it is programmed again. What goes wrong most often: _TSA still holds a length from another cycle although it is an angle here; the points lie close together, so that a burr or a rough surface turns the part; the measuring path is too short for the second point; a rotary axis was corrected and not moved afterwards.
+cycle998-words = measure workpiece angle align alignment skew rotate rotation orientation edge surface face plane oblique inclined tilt clamped crooked rotary table C axis zero offset ZO frame G54 two points three points
+
+cycle998-one = One angle, travel along the set angle
+cycle998-one-words = edge angle align rotation rotary table two points set position safe area zero offset ZO
+cycle998-one-differential = One angle, differential measurement
+cycle998-one-differential-words = edge angle align rotation uncalibrated probe differential spindle reversal 180 degree zero offset ZO
+cycle998-one-paraxial = One angle, travel along the axis
+cycle998-one-paraxial-words = edge angle align rotation two points paraxial axis parallel direction without setpoint zero offset ZO
+cycle998-two = Two angles, travel along the set angles
+cycle998-two-words = oblique plane in space tilt inclination three points two angles swivel CYCLE800 zero offset ZO
+cycle998-two-paraxial = Two angles, travel along the axes
+cycle998-two-paraxial-words = oblique plane in space tilt inclination three points two angles paraxial axis parallel swivel CYCLE800 zero offset ZO
+
+mvar-angles = Angles
+angles-one = One, from two points
+angles-two = Two, from three points
+mvar-positioning = Travel between the points
+positioning-angle = Along the set angle, away from the surface
+positioning-paraxial = Along the axis
+
+param-setval-point = Set position of P1
+param-setval-point-help = Where the surface is expected at the first point, in the measuring axis. The side on which the probe stands decides the measuring direction. A position differing by more than the measuring path is not found.
+param-setval-point-applicate = Set height of P1
+param-setval-point-applicate-help = Where the surface is expected under the first point, in the applicate (G17: Z).
+param-ma-offset = Measuring axis and offset axis
+param-ma-offset-help = In which axis the surface is touched, and in which axis the second point lies. The axis that is neither of them is the one about which the part is turned.
+ma-102 = 102: measures in the ordinate, points along the abscissa
+ma-103 = 103: measures in the applicate, points along the abscissa
+ma-201 = 201: measures in the abscissa, points along the ordinate
+ma-203 = 203: measures in the applicate, points along the ordinate
+ma-301 = 301: measures in the abscissa, points along the applicate
+ma-302 = 302: measures in the ordinate, points along the applicate
+param-id-points = Distance from P1 to P2
+param-id-points-help = In plus direction of the offset axis; the first point therefore has the smaller coordinate. The larger the distance, the better the angle.
+param-id-points-abscissa = Distance from P1 to P2
+param-id-points-abscissa-help = In plus direction of the abscissa (G17: X). The larger the distance, the better the angle.
+param-setv0-points = Distance from P1 to P3
+param-setv0-points-help = In plus direction of the ordinate (G17: Y).
+param-sta1-edge = Set angle
+param-sta1-edge-help = Angle that the surface should have to the plus direction of the offset axis, plus counter-clockwise. With travel along the angle it also leads the probe, so that it should differ little from the real angle.
+param-sta1-about-abscissa = Set angle about the abscissa
+param-sta1-about-abscissa-help = Inclination from P1 to P3. With travel along the angles it also leads the probe.
+param-inca-about-ordinate = Set angle about the ordinate
+param-inca-about-ordinate-help = Inclination from P1 to P2. With travel along the angles it also leads the probe.
+param-ra = Rotary axis
+param-ra-help = 0 turns the coordinate system about the axis that is not named in _MA. Otherwise the number of a rotary axis in the channel: the angle is added to its zero offset, and the table turns the part when the axis is moved.
+param-tsa-angle = Safe area of the angle
+param-tsa-angle-help = In degrees. A larger difference of the angle stops the program with alarm 61303. With travel along the angle the probe is led away from the surface by it as well.
+
+need-set-position = The measuring direction and the first touch follow from it.
+need-axes-angle = The angle lies in the plane of two axes.
+need-direction-paraxial = Without a set position the direction of the touch has to be told.
+need-third-point = A plane needs a third point.
+need-second-angle = A plane has two angles.
+need-rotary = Tell what takes the angle: 0 for the coordinate system.
+
+check-angle-steep = Angle { $param } and safe area make { $sum }° together; along 90° or more the probe cannot travel.
+check-angle-steep-hint = Choose _TSA below { $limit }°. It is an angle here, not a length.
+check-angle-reach = On the way to the next point the safe area leads the probe so far away that the set surface lies { $away } mm ahead, beyond the whole measuring path of { $path } mm.
+check-angle-reach-hint = Choose _FA of { $needed } mm or more, or a smaller _TSA.
+check-angle-reach-worst = An angle that differs by the whole safe area, { $area }°, would be missed at the next point: alarm 61301 comes before 61303.
+check-angle-paraxial = From point to point the set surface rises by { $rise } mm, more than the whole measuring path of { $path } mm.
+check-angle-paraxial-hint = Choose _FA above { $needed } mm, or a variant that travels along the angle.
+check-rotary-axis = The channel axis { $axis } is hardly a rotary axis: the first three are usually X, Y and Z.
+check-rotary-axis-hint = Enter the number of the rotary axis in the channel, for example 4, or 0 to turn the coordinate system.

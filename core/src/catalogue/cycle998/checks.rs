@@ -1,0 +1,126 @@
+//! What several values of CYCLE998 say together.
+
+use super::params::{AT_ANGLE, DIFFERENTIAL, ONE};
+use crate::catalogue::{names, shared_checks};
+use crate::check::{Finding, Inputs, error, note, warning};
+use crate::control::Control;
+use crate::diagnostic::{Code, Diagnostic};
+use crate::message::Message;
+
+/// Number of geometry axes, which are the first channel axes of most machines.
+const GEOMETRY_AXES: i64 = 3;
+
+/// All of them.
+pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
+    shared_checks::probe(inputs, control, found);
+    shared_checks::memories(inputs, control, found);
+    shared_checks::rotation_target(inputs, found);
+    shared_checks::lathe_length(inputs, control, found);
+    if DIFFERENTIAL.holds(inputs) {
+        shared_checks::differential(inputs, control, found);
+    }
+    rotary_axis(inputs, found);
+    for leg in legs(inputs) {
+        let said = if AT_ANGLE.holds(inputs) {
+            along_the_angle(inputs, &leg)
+        } else {
+            along_the_axis(inputs, &leg)
+        };
+        if let Some(finding) = said {
+            found.push(finding);
+            return;
+        }
+    }
+}
+
+/// A way from the first point to another one.
+struct Leg {
+    /// Name of the angle that the surface should have along it.
+    name: &'static str,
+    /// That angle without its sign, degree.
+    angle: f64,
+    /// Distance of the points, mm.
+    distance: f64,
+}
+
+impl Leg {
+    /// How far the surface rises when it is steeper by this angle, mm.
+    fn rise(&self, more: f64) -> f64 {
+        self.distance * (self.angle + more).to_radians().tan()
+    }
+}
+
+/// The ways of this variant whose values are known (B:7506-7520, B:7796-7806).
+fn legs(inputs: &Inputs) -> Vec<Leg> {
+    let pairs: &[(&'static str, &'static str)] = if ONE.holds(inputs) {
+        &[(names::STA1, names::ID)]
+    } else {
+        &[(names::INCA, names::ID), (names::STA1, names::SETV0)]
+    };
+    let leg = |(name, distance): &(&'static str, &'static str)| {
+        Some(Leg {
+            name,
+            angle: inputs.given(name)?.abs(),
+            distance: inputs.given(distance)?,
+        })
+    };
+    pairs.iter().filter_map(leg).collect()
+}
+
+/// Between the points the probe keeps away from the set surface by `_TSA`; the measuring path has to bridge that
+/// (B:7422, B:7546).
+fn along_the_angle(inputs: &Inputs, leg: &Leg) -> Option<Diagnostic> {
+    let (area, path) = (inputs.given(names::TSA)?, inputs.given(names::FA)?);
+    if leg.angle + area >= 90.0 {
+        let message = Message::new("check-angle-steep")
+            .text("param", leg.name)
+            .number("sum", leg.angle + area);
+        let hint = Message::new("check-angle-steep-hint").number("limit", 90.0 - leg.angle);
+        return Some(error(Code::Own(80), message).hint(hint).at(names::TSA));
+    }
+    let away = leg.rise(area) - leg.rise(0.0);
+    let worst = leg.rise(area) - leg.rise(-area);
+    let needed = |path: f64| Message::new("check-angle-reach-hint").number("needed", path);
+    if away > path {
+        let message = Message::new("check-angle-reach").number("away", path + away);
+        return Some(
+            warning(Code::Own(81), message.number("path", 2.0 * path))
+                .hint(needed(worst))
+                .at(names::FA),
+        );
+    }
+    if worst > path {
+        let message = Message::new("check-angle-reach-worst").number("area", area);
+        return Some(
+            note(Code::Own(82), message)
+                .hint(needed(worst))
+                .at(names::FA),
+        );
+    }
+    None
+}
+
+/// Without a set position both points have to lie within the whole measuring path (B:7554).
+fn along_the_axis(inputs: &Inputs, leg: &Leg) -> Option<Diagnostic> {
+    let path = inputs.given(names::FA)?;
+    let rise = leg.rise(0.0);
+    (rise > 2.0 * path).then(|| {
+        let message = Message::new("check-angle-paraxial")
+            .number("rise", rise)
+            .number("path", 2.0 * path);
+        let hint = Message::new("check-angle-paraxial-hint").number("needed", rise / 2.0);
+        warning(Code::Own(83), message).hint(hint).at(names::FA)
+    })
+}
+
+/// The first channel axes are hardly ever rotary (A:15872).
+fn rotary_axis(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
+    let Some(axis) = inputs.given(names::RA) else {
+        return;
+    };
+    if (1..=GEOMETRY_AXES).contains(&(axis as i64)) {
+        let message = Message::new("check-rotary-axis").number("axis", axis);
+        let hint = Message::new("check-rotary-axis-hint");
+        found.push(warning(Code::Own(84), message).hint(hint).at(names::RA));
+    }
+}

@@ -1,0 +1,82 @@
+//! CYCLE998: angle of a surface in one or two directions, for a rotation or a rotary axis (B:7252-7812).
+
+mod checks;
+mod lists;
+pub mod params;
+mod picture;
+mod results;
+#[cfg(test)]
+mod tests;
+
+pub use results::RESULTS;
+
+use crate::catalogue::common;
+use crate::catalogue::{Cycle, Dialect, Purpose, Variant};
+
+/// Measuring variants (B:7318-7324).
+pub const VARIANTS: &[Variant] = &[
+    Variant {
+        number: 105,
+        key: "cycle998-one",
+        source: "B:7320;B:7397;A:8091",
+    },
+    Variant {
+        number: 1105,
+        key: "cycle998-one-differential",
+        source: "B:7321;B:7398;A:8092",
+    },
+    Variant {
+        number: 100_105,
+        key: "cycle998-one-paraxial",
+        source: "B:7322;A:8093",
+    },
+    Variant {
+        number: 106,
+        key: "cycle998-two",
+        source: "B:7323;B:7604;A:8094",
+    },
+    Variant {
+        number: 100_106,
+        key: "cycle998-two-paraxial",
+        source: "B:7324;A:8095",
+    },
+];
+
+/// The entry. Example: the part on a rotary table of B:7428-7494.
+pub static CYCLE998: Cycle = Cycle {
+    dialect: Dialect::Sinumerik,
+    name: "CYCLE998",
+    key: "cycle998",
+    variants: VARIANTS,
+    params: params::PARAMS,
+    purpose: Purpose::MILLING,
+    lists: lists::LISTS,
+    // B:7526-7527: on a lathe the length ends at the centre of the ball
+    settings: &["_CBIT[14]"],
+    results: RESULTS,
+    alarms: &[
+        common::EVERY_CYCLE,
+        common::CORRECTION,
+        // A:15866, A:15868, A:15872, A:15874, A:15908, A:15920; 61412 for _KNUM = 1000 without a basic frame (A:15931)
+        &common::alarms([61325, 61327, 61329, 61331, 61364, 61401, 61412]),
+    ],
+    checks: checks::checks,
+    picture: picture::picture,
+    example: &[
+        ("_MVAR", "105"),
+        ("_SETVAL", "-18"),
+        ("_MA", "102"),
+        ("_ID", "40"),
+        ("_STA1", "0"),
+        ("_RA", "4"),
+        ("_KNUM", "1"),
+        ("_PRNUM", "1"),
+        ("_FA", "8"),
+        ("_TSA", "5"),
+        ("_VMS", "0"),
+        ("_NMSP", "1"),
+        ("_EVNUM", "0"),
+    ],
+    simulation: None,
+    source: "B:7252-7812",
+};
