@@ -66,6 +66,39 @@ fn cycles_as_json_have_the_agreed_shape() {
     );
 }
 
+// oracle: manual A:15882 (who raises it, what stops), A:15941; our own words
+#[test]
+fn alarms_explains_one_and_lists_all() {
+    let one = out(&probewright(&["alarms", "61341"]));
+    assert!(
+        one.starts_with("61341: The probe is not calibrated"),
+        "{one}"
+    );
+    for part in [
+        "cure       Calibrate",
+        "NC RESET",
+        "CYCLE978, CYCLE979",
+        "A:15882",
+    ] {
+        assert!(one.contains(part), "{part}: {one}");
+    }
+    let message = out(&probewright(&["alarms", "probe fail"]));
+    assert!(message.contains("raised by  G110"), "{message}");
+    let all = out(&probewright(&["alarms"]));
+    assert!(all.lines().count() > 100, "{all}");
+    let list = out(&probewright(&["alarms", "--json"]));
+    let list: serde_json::Value = serde_json::from_str(&list).unwrap();
+    let oversize = list
+        .as_array()
+        .unwrap()
+        .iter()
+        .find(|one| one["code"] == "62304");
+    assert_eq!(oversize.unwrap()["stops"], false);
+    let unknown = probewright(&["alarms", "4711"]);
+    assert_eq!(unknown.status.code(), Some(2));
+    assert!(err(&unknown).contains("4711"));
+}
+
 // oracle: hand
 #[test]
 fn write_gives_assignments_and_the_call() {

@@ -1,6 +1,7 @@
 //! What can be measured. One file a cycle: its entry (plain data) beside its simulation.
 //! A new cycle is one file and two lines here: `mod` and the place in [`CYCLES`].
 
+pub mod alarms;
 pub mod common;
 pub mod cycle971;
 pub mod cycle972;

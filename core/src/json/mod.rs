@@ -1,6 +1,7 @@
 //! The one place that knows JSON: what the terminal prints and the page asks. The shapes are those of `www/src/wire.ts`.
 //! Every function takes and gives whole documents; a wrong document is an [`Error`], never a panic.
 
+mod alarms;
 mod catalogue;
 mod changes;
 mod form;
@@ -12,6 +13,7 @@ mod setup_write;
 mod tests;
 mod trace;
 
+pub use alarms::{alarm, alarms};
 pub use catalogue::{catalogue, cycles};
 pub use form::form;
 pub use program::{calls, change, convert, read, run, run_outcome};

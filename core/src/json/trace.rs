@@ -56,13 +56,9 @@ pub(super) fn alarms(outcome: &Outcome) -> Vec<Value> {
     list
 }
 
-/// A 61xxx stops, a 62xxx informs (A: alarm list); NCT operator messages that inform are told apart by the words.
+/// An alarm that was raised.
 fn alarm(alarm: Code) -> Value {
-    let stops = match alarm {
-        Code::Alarm(number) => number < 62000,
-        Code::Nct(_) => !crate::catalogue::nct::informs(alarm),
-        Code::Own(_) => true,
-    };
+    let stops = crate::catalogue::alarms::stops(alarm);
     let key = alarm_key(alarm);
     let hint = message(&Message::new(format!("{key}.cure")));
     object([

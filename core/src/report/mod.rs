@@ -1,4 +1,8 @@
 //! Texts made from the catalogue and from results.
 
 #[cfg(feature = "cli")]
+pub mod alarms;
+#[cfg(feature = "cli")]
+mod markdown;
+#[cfg(feature = "cli")]
 pub mod reference;

@@ -4,8 +4,8 @@ use crate::catalogue::{Cycle, Kind, Level, Param, Range, Unit, When};
 use crate::diagnostic::Code;
 use crate::json::{alarm_key, code};
 use crate::message::Message;
+use crate::report::markdown::{line, row};
 use crate::words::Words;
-use std::fmt::Write;
 
 /// The page of one cycle, Markdown.
 pub fn page(cycle: &Cycle, words: &Words) -> String {
@@ -36,33 +36,10 @@ pub fn page(cycle: &Cycle, words: &Words) -> String {
     text
 }
 
-/// A paragraph.
-fn line(text: &mut String, paragraph: &str) {
-    text.push_str(paragraph);
-    text.push_str("\n\n");
-}
-
-fn row(text: &mut String, cells: &[String]) {
-    text.push('|');
-    for cell in cells {
-        let _ = write!(text, " {} |", cell.replace('|', "\\|").replace('\n', " "));
-    }
-    text.push('\n');
-}
-
 fn heading(text: &mut String, title: &str, columns: &[&str]) {
     line(text, &format!("## {title}"));
-    row(
-        text,
-        &columns
-            .iter()
-            .map(|column| (*column).to_owned())
-            .collect::<Vec<_>>(),
-    );
-    row(
-        text,
-        &columns.iter().map(|_| "---".to_owned()).collect::<Vec<_>>(),
-    );
+    row(text, columns);
+    row(text, &vec!["---"; columns.len()]);
 }
 
 fn variants(text: &mut String, cycle: &Cycle, words: &Words) {

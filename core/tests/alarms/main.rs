@@ -4,10 +4,12 @@
 
 mod cycle977;
 mod cycle978;
+mod found;
 mod nct;
 mod table;
 mod workpiece;
 
+use probewright_core::catalogue::alarms::stops;
 use probewright_core::catalogue::{CYCLES, Cycle};
 use probewright_core::diagnostic::Code;
 use probewright_core::program::read;
@@ -71,14 +73,6 @@ fn every_case_raises_its_alarm() {
             let stopped = outcome.stop == Some(Stop::Alarm(*code));
             assert_eq!(stopped, stops(*code), "{context}");
         }
-    }
-}
-
-/// Whether the program cannot go on: 61xxx, and what the NCT macros do not call an operator message (C:1139-1145).
-fn stops(code: Code) -> bool {
-    match code {
-        Code::Alarm(number) => number < 62000,
-        _ => !probewright_core::catalogue::nct::informs(code),
     }
 }
 

@@ -1,5 +1,6 @@
 //! Measuring cycles from a terminal: the same catalogue, checks, reader and simulation as the page.
 
+mod alarms;
 mod check;
 mod cycles;
 mod file;
@@ -25,6 +26,14 @@ enum Command {
     /// List what can be measured
     Cycles {
         /// As JSON, with variants, parameters and results
+        #[arg(long)]
+        json: bool,
+    },
+    /// Say what an alarm means and what to do about it; without a number list them all
+    Alarms {
+        /// Number, for example 61303, or message of an NCT control, for example "PROBE FAIL"
+        number: Option<String>,
+        /// As JSON
         #[arg(long)]
         json: bool,
     },
@@ -92,6 +101,7 @@ fn main() -> ExitCode {
 
 fn command(command: Command, out: &mut dyn Write) -> Result<ExitCode, Problem> {
     match command {
+        Command::Alarms { number, json } => alarms::alarms(number.as_deref(), json, out),
         Command::Cycles { json } => cycles::cycles(json, out),
         Command::Check { files, control } => check::check(&files, control, out),
         Command::Write {

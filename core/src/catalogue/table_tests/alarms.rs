@@ -1,6 +1,7 @@
 //! The alarms of every entry against the tables of alarms and messages.
 
 use super::common_rows;
+use crate::catalogue::alarms::{ALARMS, stops};
 use crate::catalogue::{CYCLES, Cycle, Dialect, nct};
 use crate::diagnostic::Code;
 use std::collections::BTreeSet;
@@ -37,6 +38,72 @@ fn alarms_are_those_of_the_tables() {
         let foreign = more.find(|code| !added.contains(*code));
         assert_eq!(foreign, None, "{} has it too", cycle.name);
     }
+}
+
+#[test]
+fn the_table_of_alarms_is_that_of_the_manual() {
+    // oracle: manual, spec/common/alarms_full.tsv (A:15840-15948): number, effect, programs that are no measuring cycle
+    let rows = common_rows("alarms_full.tsv");
+    if rows.is_empty() {
+        return;
+    }
+    let table: Vec<(Code, bool, BTreeSet<&str>, String)> = rows
+        .iter()
+        .map(|row| {
+            let helpers = row[2].split_whitespace().filter(|word| is_helper(word));
+            let stops = match row[1].as_str() {
+                "NC reset, block preparation aborted" => true,
+                "clear key, display only" => false,
+                other => panic!("{other}"),
+            };
+            let code = Code::Alarm(row[0].parse().unwrap());
+            (code, stops, helpers.collect(), format!("A:{}", row[8]))
+        })
+        .collect();
+    let ours: Vec<(Code, bool, BTreeSet<&str>, String)> = ALARMS
+        .iter()
+        .filter(|alarm| matches!(alarm.code, Code::Alarm(_)))
+        .map(|alarm| {
+            let programs = alarm.programs.iter().copied().collect();
+            let place = alarm.source.to_owned();
+            (alarm.code, stops(alarm.code), programs, place)
+        })
+        .collect();
+    assert_eq!(ours, table);
+    assert_eq!(ours.len(), 95);
+}
+
+#[test]
+fn the_messages_of_the_macros_have_the_effect_of_the_table() {
+    // oracle: manual, spec/common/nct_errors.tsv (C:125-1145)
+    for row in common_rows("nct_errors.tsv") {
+        let known = ALARMS.iter().find(|alarm| name(alarm.code) == row[1]);
+        if let Some(alarm) = known {
+            assert_eq!(stops(alarm.code), row[2] == "error", "{row:?}");
+        }
+    }
+}
+
+#[test]
+fn what_an_entry_raises_stands_in_the_table_of_alarms_once() {
+    // oracle: self
+    let table: Vec<Code> = ALARMS.iter().map(|alarm| alarm.code).collect();
+    let distinct: BTreeSet<String> = table.iter().copied().map(name).collect();
+    assert_eq!(distinct.len(), table.len());
+    for cycle in CYCLES {
+        for code in cycle.alarms() {
+            assert!(table.contains(&code), "{} {code:?}", cycle.name);
+        }
+    }
+    for code in table {
+        let raised = CYCLES.iter().any(|cycle| cycle.alarms().contains(&code));
+        assert!(raised || matches!(code, Code::Alarm(_)), "{code:?}");
+    }
+}
+
+/// Whether a program of the column of sources is no measuring cycle: a helper of the cycles, or measuring in JOG.
+fn is_helper(word: &str) -> bool {
+    word.starts_with("E_") || word.starts_with("CYCLE1")
 }
 
 #[test]

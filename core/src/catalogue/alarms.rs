@@ -1,0 +1,198 @@
+//! Every alarm of the measuring cycles, and the messages of the NCT macros that the catalogue has: what stops, who
+//! raises it, and whether Probewright finds it. Meaning, cause and cure are words (`alarm-61303`, `.cause`, `.cure`).
+
+use super::{CYCLES, nct};
+use crate::diagnostic::Code;
+use Found::{Both, Check, Nowhere, Run};
+
+/// An alarm or message.
+pub struct Alarm {
+    /// Its name.
+    pub code: Code,
+    /// What Probewright does about it.
+    pub found: Found,
+    /// Programs beside the cycles of the catalogue that raise it: helpers of the cycles, measuring in JOG.
+    pub programs: &'static [&'static str],
+    /// Place in the manual.
+    pub source: &'static str,
+}
+
+/// Where Probewright finds what raises an alarm.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Found {
+    /// While the call is written or the program is checked.
+    Check,
+    /// When the program runs on the simulated machine.
+    Run,
+    /// Both.
+    Both,
+    /// Nothing raises it yet.
+    Nowhere,
+}
+
+const NONE: &[&str] = &[];
+/// Measuring tools in JOG.
+const JOG: &[&str] = &["E_MT_CAL", "E_MT_RAD", "E_MT_LEN"];
+
+/// All of them, SINUMERIK by number, then NCT.
+pub static ALARMS: &[Alarm] = &[
+    alarm(61016, Run, NONE, "A:15840"),
+    alarm(61230, Nowhere, JOG, "A:15841"),
+    alarm(61301, Run, NONE, "A:15842"),
+    alarm(61302, Both, NONE, "A:15843"),
+    alarm(61303, Both, NONE, "A:15844"),
+    alarm(61306, Nowhere, NONE, "A:15845"),
+    alarm(61307, Both, NONE, "A:15846"),
+    alarm(61308, Both, NONE, "A:15847"),
+    alarm(61309, Both, NONE, "A:15848"),
+    alarm(61310, Run, NONE, "A:15849"),
+    alarm(61311, Both, NONE, "A:15850"),
+    alarm(61312, Nowhere, NONE, "A:15851"),
+    alarm(61313, Both, NONE, "A:15852"),
+    alarm(61314, Check, NONE, "A:15855"),
+    alarm(61315, Check, NONE, "A:15856"),
+    alarm(61316, Check, NONE, "A:15857"),
+    alarm(61317, Nowhere, NONE, "A:15858"),
+    alarm(61318, Both, NONE, "A:15859"),
+    alarm(61319, Nowhere, NONE, "A:15860"),
+    alarm(61320, Both, NONE, "A:15861"),
+    alarm(61321, Both, NONE, "A:15862"),
+    alarm(61322, Both, &["CYCLE114"], "A:15863"),
+    alarm(61323, Both, &["CYCLE114"], "A:15864"),
+    alarm(61324, Both, &["CYCLE114"], "A:15865"),
+    alarm(61325, Both, NONE, "A:15866"),
+    alarm(61326, Check, NONE, "A:15867"),
+    alarm(61327, Nowhere, NONE, "A:15868"),
+    alarm(61328, Both, NONE, "A:15871"),
+    alarm(61329, Nowhere, NONE, "A:15872"),
+    alarm(61330, Check, NONE, "A:15873"),
+    alarm(61331, Nowhere, NONE, "A:15874"),
+    alarm(61332, Nowhere, JOG, "A:15875"),
+    alarm(61333, Nowhere, NONE, "A:15876"),
+    alarm(61334, Both, NONE, "A:15877"),
+    alarm(61336, Run, NONE, "A:15878"),
+    alarm(61338, Both, NONE, "A:15879"),
+    alarm(61339, Both, NONE, "A:15880"),
+    alarm(61340, Nowhere, NONE, "A:15881"),
+    alarm(61341, Run, NONE, "A:15882"),
+    alarm(61342, Run, NONE, "A:15883"),
+    alarm(61343, Run, NONE, "A:15886"),
+    alarm(61344, Nowhere, NONE, "A:15887"),
+    alarm(61345, Both, NONE, "A:15888"),
+    alarm(61346, Nowhere, NONE, "A:15889"),
+    alarm(61347, Nowhere, NONE, "A:15890"),
+    alarm(61349, Check, NONE, "A:15891"),
+    alarm(61350, Check, NONE, "A:15892"),
+    alarm(61351, Check, NONE, "A:15893"),
+    alarm(61352, Nowhere, &["CYCLE106"], "A:15894"),
+    alarm(61353, Nowhere, &["CYCLE106"], "A:15895"),
+    alarm(61354, Nowhere, &["CYCLE106"], "A:15896"),
+    alarm(61355, Nowhere, &["CYCLE106"], "A:15897"),
+    alarm(61356, Nowhere, &["CYCLE106"], "A:15898"),
+    alarm(61357, Nowhere, &["CYCLE106"], "A:15899"),
+    alarm(61358, Nowhere, &["CYCLE106"], "A:15900"),
+    alarm(61359, Nowhere, &["CYCLE106"], "A:15901"),
+    alarm(61360, Nowhere, &["CYCLE106"], "A:15902"),
+    alarm(61361, Nowhere, &["CYCLE105"], "A:15903"),
+    alarm(61362, Nowhere, &["CYCLE118"], "A:15904"),
+    alarm(61363, Nowhere, &["CYCLE105"], "A:15907"),
+    alarm(61364, Nowhere, NONE, "A:15908"),
+    alarm(61365, Check, NONE, "A:15909"),
+    alarm(61366, Check, NONE, "A:15910"),
+    alarm(61367, Nowhere, NONE, "A:15911"),
+    alarm(61368, Nowhere, NONE, "A:15912"),
+    alarm(61369, Nowhere, NONE, "A:15913"),
+    alarm(61370, Nowhere, &["CYCLE105"], "A:15914"),
+    alarm(61371, Nowhere, &["CYCLE105"], "A:15915"),
+    alarm(61372, Both, NONE, "A:15916"),
+    alarm(61373, Both, NONE, "A:15917"),
+    alarm(61401, Run, NONE, "A:15920"),
+    alarm(61402, Run, NONE, "A:15921"),
+    alarm(61403, Nowhere, NONE, "A:15922"),
+    alarm(61404, Nowhere, NONE, "A:15923"),
+    alarm(61405, Run, NONE, "A:15924"),
+    alarm(61406, Both, NONE, "A:15925"),
+    alarm(61407, Both, NONE, "A:15926"),
+    alarm(61408, Both, NONE, "A:15927"),
+    alarm(61409, Both, NONE, "A:15928"),
+    alarm(61410, Run, NONE, "A:15929"),
+    alarm(61411, Nowhere, &["CYCLE119"], "A:15930"),
+    alarm(61412, Run, &["CYCLE119"], "A:15931"),
+    alarm(61413, Nowhere, NONE, "A:15932"),
+    alarm(61414, Nowhere, &["CYCLE119"], "A:15933"),
+    alarm(61415, Check, NONE, "A:15934"),
+    alarm(61416, Run, NONE, "A:15935"),
+    alarm(62303, Run, NONE, "A:15940"),
+    alarm(62304, Run, NONE, "A:15941"),
+    alarm(62305, Run, NONE, "A:15942"),
+    alarm(62306, Run, NONE, "A:15943"),
+    alarm(62307, Nowhere, &["CYCLE105"], "A:15944"),
+    alarm(62308, Nowhere, &["CYCLE105"], "A:15945"),
+    alarm(62309, Nowhere, &["CYCLE105"], "A:15946"),
+    alarm(62310, Nowhere, &["CYCLE105"], "A:15947"),
+    alarm(62311, Nowhere, &["CYCLE105"], "A:15948"),
+    message(nct::FORMAT_ERROR, Both, "C:195-204;C:1123-1137"),
+    message(nct::NO_TOOL_LENGTH, Run, "C:125-132;C:195-204"),
+    message(nct::STYLUS_IN_CONTACT, Run, "C:125-132;C:195-204"),
+    message(nct::PATH_OBSTRUCTED, Run, "C:125-132"),
+    message(nct::FALSE_TRIGGER, Run, "C:125-132;C:195-204"),
+    message(nct::OUT_OF_POSITION, Run, "C:121-123;C:195-204"),
+    message(nct::PROBE_FAIL, Run, "C:195-204"),
+    message(nct::NO_MOVEMENT, Both, "C:195-204"),
+    message(nct::OUT_OF_TOLERANCE, Run, "C:1142"),
+    message(nct::UPPER_TOLERANCE, Run, "C:1143"),
+    message(nct::TOOL_TOO_LARGE, Run, "C:1144"),
+];
+
+const fn alarm(
+    number: u32,
+    found: Found,
+    programs: &'static [&'static str],
+    source: &'static str,
+) -> Alarm {
+    Alarm {
+        code: Code::Alarm(number),
+        found,
+        programs,
+        source,
+    }
+}
+
+const fn message(code: Code, found: Found, source: &'static str) -> Alarm {
+    Alarm {
+        code,
+        found,
+        programs: NONE,
+        source,
+    }
+}
+
+/// The alarm with this number, or the message with this text (case does not matter).
+pub fn find(text: &str) -> Option<&'static Alarm> {
+    let number = text.parse().ok().map(Code::Alarm);
+    ALARMS.iter().find(|alarm| match alarm.code {
+        Code::Nct(message) => message.eq_ignore_ascii_case(text),
+        code => Some(code) == number,
+    })
+}
+
+/// Who raises it: the cycles of the catalogue, then other programs.
+pub fn raised_by(alarm: &Alarm) -> Vec<&'static str> {
+    let cycles = CYCLES
+        .iter()
+        .filter(|cycle| cycle.alarms().contains(&alarm.code));
+    cycles
+        .map(|cycle| cycle.name)
+        .chain(alarm.programs.iter().copied())
+        .collect()
+}
+
+/// Whether the program cannot go on. A 61xxx stops it until NC RESET, a 62xxx is a message that the clear key takes
+/// away (A:15840-15948); the operator messages of the NCT macros go on with START (C:1139-1145).
+pub fn stops(code: Code) -> bool {
+    match code {
+        Code::Alarm(number) => number < 62000,
+        Code::Nct(_) => !nct::informs(code),
+        Code::Own(_) => true,
+    }
+}

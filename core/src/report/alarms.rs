@@ -1,0 +1,134 @@
+//! An alarm as a person reads it, for the terminal and for `docs/alarms.md`.
+
+use crate::catalogue::alarms::{ALARMS, Alarm, Found, raised_by, stops};
+use crate::catalogue::{CYCLES, Dialect, ProbeUse};
+use crate::json::{alarm_key, code};
+use crate::message::Message;
+use crate::report::markdown::line;
+use crate::words::Words;
+
+/// What the words say about an alarm.
+pub struct Told {
+    /// `61303`, `FORMAT ERROR`.
+    pub code: String,
+    /// What it means.
+    pub meaning: String,
+    /// Why it comes, where the meaning does not say it already.
+    pub cause: Option<String>,
+    /// What to do.
+    pub cure: String,
+    /// What the control does.
+    pub effect: String,
+    /// Cycles and programs that raise it.
+    pub sources: String,
+    /// What Probewright does about it.
+    pub found: String,
+}
+
+/// An alarm in words.
+pub fn told(alarm: &Alarm, words: &Words) -> Told {
+    let key = alarm_key(alarm.code);
+    Told {
+        code: code(alarm.code),
+        meaning: words.key(key.clone()),
+        cause: words.find(&Message::new(format!("{key}.cause"))),
+        cure: words.key(format!("{key}.cure")),
+        effect: words.key(effect_key(alarm)),
+        sources: sources(alarm, words),
+        found: words.key(found_key(alarm.found)),
+    }
+}
+
+/// Key of what the control does.
+fn effect_key(alarm: &Alarm) -> &'static str {
+    use crate::diagnostic::Code::Nct;
+    match (alarm.code, stops(alarm.code)) {
+        (Nct(_), true) => "effect-abort",
+        (Nct(_), false) => "effect-start",
+        (_, true) => "effect-reset",
+        (_, false) => "effect-message",
+    }
+}
+
+/// Key of what Probewright does about it.
+fn found_key(found: Found) -> &'static str {
+    match found {
+        Found::Check => "found-check",
+        Found::Run => "found-run",
+        Found::Both => "found-both",
+        Found::Nowhere => "found-nowhere",
+    }
+}
+
+/// Cycles and programs in a sentence; those that every measuring cycle raises do not name each.
+fn sources(alarm: &Alarm, words: &Words) -> String {
+    let mut measuring = CYCLES.iter().filter(|cycle| {
+        cycle.dialect == Dialect::Sinumerik && cycle.purpose.probe != ProbeUse::None
+    });
+    let every = measuring.all(|cycle| cycle.alarms().contains(&alarm.code));
+    if every {
+        words.key("alarms-every-cycle")
+    } else {
+        raised_by(alarm).join(", ")
+    }
+}
+
+/// The page of all alarms, Markdown: a section each.
+pub fn page(words: &Words) -> String {
+    let mut text = String::new();
+    line(&mut text, "# Alarms and messages");
+    line(&mut text, &words.key("alarms-intro"));
+    line(&mut text, "Generated from the catalogue; do not edit.");
+    for alarm in ALARMS {
+        section(&mut text, alarm, words);
+    }
+    text.pop();
+    text
+}
+
+fn section(text: &mut String, alarm: &Alarm, words: &Words) {
+    let told = told(alarm, words);
+    line(text, &format!("## {}", told.code));
+    let cause = told
+        .cause
+        .map_or(String::new(), |cause| format!(" {cause}"));
+    line(text, &format!("**{}**{cause}", told.meaning));
+    line(text, &told.cure);
+    let facts = [&told.effect, &told.found].map(String::as_str).join(" ");
+    line(text, &facts);
+    line(
+        text,
+        &format!("Raised by: {}. Source: {}.", told.sources, alarm.source),
+    );
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+
+    // oracle: self. With PROBEWRIGHT_UPDATE=1 the page is written instead.
+    #[test]
+    fn the_page_in_docs_is_that_of_the_catalogue() {
+        let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/alarms.md");
+        let page = page(&Words::english());
+        if std::env::var_os("PROBEWRIGHT_UPDATE").is_some() {
+            std::fs::write(&path, &page).unwrap();
+        }
+        assert_eq!(std::fs::read_to_string(path).unwrap(), page);
+    }
+
+    // oracle: self
+    #[test]
+    fn every_alarm_has_a_cure_and_words_without_gaps() {
+        let words = Words::english();
+        for alarm in ALARMS {
+            let told = told(alarm, &words);
+            let key = alarm_key(alarm.code);
+            for text in [&told.meaning, &told.cure, &told.effect, &told.found] {
+                assert!(text.contains(' ') && !text.contains("{$"), "{key}: {text}");
+            }
+            assert_ne!(told.cause.as_ref(), Some(&told.meaning), "{key}");
+        }
+    }
+}

@@ -1,0 +1,194 @@
+//! What the table of alarms says about being found, against what is found: the cases of the simulated cycles, the wrong
+//! programs of `tests/wrong`, and for cycles of which only form and checks are known a walk over odd values.
+
+use super::{simulated, table};
+use probewright_core::catalogue::alarms::{ALARMS, Found};
+use probewright_core::catalogue::{CYCLES, Cycle, Dialect, example};
+use probewright_core::check::{Typed, check};
+use probewright_core::control::{Control, Edge, Plane, Tool, delivery};
+use probewright_core::diagnostic::{Code, Diagnostic};
+use probewright_core::json::code;
+use probewright_core::program::{Program, findings, findings_on, read};
+use std::collections::BTreeSet;
+
+/// Alarms that nothing raises, with the reason. One that a check or a simulation begins to raise leaves this list and
+/// changes its [`Found`] in the table.
+const NOWHERE: &[(&str, &[u32])] = &[
+    ("measuring in JOG is not known", &[61230]),
+    ("the manual gives no condition", &[61306, 61327]),
+    ("a cycle that is not permitted is no entry", &[61312]),
+    ("CYCLE979 hands over 3 or 4 points itself", &[61317]),
+    (
+        "internal error of the cycles",
+        &[61319, 61340, 61403, 61404],
+    ),
+    (
+        "the cycles at a tool probe are not simulated, and the start position is not known before",
+        &[61332],
+    ),
+    ("the simulated machine has one spindle", &[61344]),
+    (
+        "logging is not simulated, and its cycles are no entries",
+        &[
+            61352, 61353, 61354, 61355, 61356, 61357, 61358, 61359, 61360, 61361, 61362, 61363,
+            61370, 61371, 62307, 62308, 62309, 62310, 62311,
+        ],
+    ),
+    ("CYCLE998 is no entry", &[61329, 61331, 61364]),
+    ("CYCLE973 is no entry", &[61333]),
+    ("CYCLE961 is no entry", &[61346, 61347, 61367, 61368, 61369]),
+    ("CYCLE997 is no entry", &[61411, 61413, 61414]),
+];
+
+/// Values that are wrong for many parameters.
+const ODD: [&str; 10] = ["", "-1", "0", "1", "3", "7", "103", "999", "-500", "100000"];
+/// Types of tools (710 and 500: probes), planes, edge positions.
+const TOOLS: &[(i64, Plane, i64)] = &[
+    (120, Plane::G17, 0),
+    (120, Plane::G18, 0),
+    (710, Plane::G17, 0),
+    (500, Plane::G18, 3),
+    (500, Plane::G18, 9),
+    (580, Plane::G19, 7),
+];
+/// Data of the machine that every cycle reads.
+const DATA: &[&str] = &["_SPEED[0]", "_SPEED[1]", "_TP[0,8]", "_TP[0,9]", "_CM[5]"];
+
+#[test]
+fn the_table_says_where_each_alarm_is_found() {
+    // oracle: self (cases, programs and calls that raise them)
+    let (check, run) = (found_by_check(), found_in_a_run());
+    for alarm in ALARMS {
+        let name = code(alarm.code);
+        let found = match (check.contains(&name), run.contains(&name)) {
+            (true, true) => Found::Both,
+            (true, false) => Found::Check,
+            (false, true) => Found::Run,
+            (false, false) => Found::Nowhere,
+        };
+        assert_eq!(alarm.found, found, "{name} in catalogue/alarms.rs");
+    }
+}
+
+#[test]
+fn alarms_that_nothing_raises_are_known_by_name() {
+    // oracle: hand
+    let nowhere = ALARMS.iter().filter(|alarm| alarm.found == Found::Nowhere);
+    let mut listed: Vec<u32> = NOWHERE
+        .iter()
+        .flat_map(|(_, numbers)| *numbers)
+        .copied()
+        .collect();
+    listed.sort_unstable();
+    let listed: Vec<Code> = listed.into_iter().map(Code::Alarm).collect();
+    assert_eq!(nowhere.map(|alarm| alarm.code).collect::<Vec<_>>(), listed);
+}
+
+/// Every case of a simulated cycle raises its alarm (tested beside this).
+fn found_in_a_run() -> BTreeSet<String> {
+    let cases = simulated().flat_map(|cycle| table(cycle.name).cases);
+    cases.map(|case| code(case.code)).collect()
+}
+
+fn found_by_check() -> BTreeSet<String> {
+    let mut found = BTreeSet::new();
+    let mut add = |list: Vec<Diagnostic>| found.extend(list.iter().map(|one| code(one.code)));
+    for (program, control) in case_programs() {
+        add(findings_on(&program, control));
+    }
+    wrong_programs()
+        .iter()
+        .for_each(|program| add(findings(program)));
+    for cycle in CYCLES {
+        walk(cycle, &mut add);
+    }
+    found
+}
+
+/// The cases of simulated cycles as programs that are only checked.
+fn case_programs() -> Vec<(Program, Control)> {
+    let mut programs = Vec::new();
+    for cycle in simulated() {
+        let table = table(cycle.name);
+        for case in &table.cases {
+            let mut setup = (table.setup)();
+            (case.prepare)(&mut setup);
+            let text = table.program.replace("{change}", case.change);
+            programs.push((read(cycle.dialect, text.as_bytes()), setup.control));
+        }
+    }
+    programs
+}
+
+fn wrong_programs() -> Vec<Program> {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/wrong");
+    let paths = std::fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().path());
+    let programs = paths.filter(|path| path.extension().is_some_and(|name| name == "mpf"));
+    programs
+        .map(|path| read(Dialect::Sinumerik, &std::fs::read(path).unwrap()))
+        .collect()
+}
+
+/// Every variant's example with one value that is odd, and as it is on machines where something is wrong.
+fn walk(cycle: &'static Cycle, add: &mut impl FnMut(Vec<Diagnostic>)) {
+    let machines = machines(cycle);
+    for variant in cycle.variants {
+        let usual = example::example(cycle, variant);
+        for control in &machines {
+            add(check(cycle, &usual, control).diagnostics);
+        }
+        let values = cycle
+            .params
+            .iter()
+            .flat_map(|param| ODD.map(|odd| (param.name, odd)));
+        for (name, value) in values {
+            let mut typed: Typed = usual.clone();
+            typed.insert(name.to_owned(), value.to_owned());
+            for control in &machines[..2] {
+                add(check(cycle, &typed, control).diagnostics);
+            }
+        }
+    }
+}
+
+/// As delivered; with tools of several types in use, in several planes; with data of the machine that are wrong.
+fn machines(cycle: &Cycle) -> Vec<Control> {
+    let usual = delivery(cycle.dialect);
+    let mut machines = vec![usual.clone()];
+    for (kind, plane, tip) in TOOLS {
+        machines.push(with_tool(&usual, *kind, *plane, *tip));
+    }
+    let mill = machines[1].clone();
+    for name in cycle.settings.iter().chain(DATA) {
+        for value in [-1.0, 0.0, 1.0, 2.0, 3.0, 201.0] {
+            let mut control = mill.clone();
+            control.set(*name, value);
+            machines.push(control);
+        }
+    }
+    let mut control = mill;
+    control.spindle_positions = false;
+    control.program_frame.rotation[2] = 30.0;
+    machines.push(control);
+    machines
+}
+
+/// A machine with this tool in use, its size and the depth of the tool probe unknown.
+fn with_tool(usual: &Control, kind: i64, plane: Plane, tip: i64) -> Control {
+    let edge = Edge {
+        kind,
+        tip,
+        ..Edge::default()
+    };
+    let tool = Tool {
+        name: "TOOL".into(),
+        edges: [(1, edge)].into(),
+    };
+    let mut control = usual.clone();
+    (control.plane, control.tool, control.edge) = (plane, 1, 1);
+    control.tools.insert(1, tool);
+    control.set("_TP[0,9]", 0.0);
+    control
+}
