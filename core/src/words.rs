@@ -19,6 +19,7 @@ pub const ENGLISH: &[(&str, &str)] = &[
     ("cycle979.ftl", include_str!("../messages/en/cycle979.ftl")),
     ("cycle994.ftl", include_str!("../messages/en/cycle994.ftl")),
     ("cycle998.ftl", include_str!("../messages/en/cycle998.ftl")),
+    ("datum.ftl", include_str!("../messages/en/datum.ftl")),
     ("evaluate.ftl", include_str!("../messages/en/evaluate.ftl")),
     ("lathe.ftl", include_str!("../messages/en/lathe.ftl")),
     ("nct.ftl", include_str!("../messages/en/nct.ftl")),

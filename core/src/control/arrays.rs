@@ -5,18 +5,6 @@ use super::{Control, gud};
 /// R parameters are one array: `R10` is its element 10.
 const R_PARAMETERS: [usize; 1] = [1000];
 
-/// Arrays of data fields, each with the datum that tells how many there are (B:13345-13348). Their first size is
-/// listed as the largest allowed.
-pub const FIELDS: [(&str, &str); 4] = [
-    ("_TP", "_CVAL[0]"),
-    ("_WP", "_CVAL[1]"),
-    ("_KB", "_CVAL[2]"),
-    ("_TPW", "_CVAL[3]"),
-];
-
-/// Empirical and mean values in the same way (B:13717-13718).
-const MEMORIES: [(&str, &str); 2] = [("_EV", "_EVMVNUM[0]"), ("_MV", "_EVMVNUM[1]")];
-
 /// Sizes of the user data or R parameters with this name (with or without index); none: no array of the control.
 pub fn sizes(name: &str) -> Option<&'static [usize]> {
     let (stem, _) = split(name)?;
@@ -50,10 +38,9 @@ pub fn elements_from(name: &str, sizes: &[usize]) -> Vec<String> {
 pub fn repeated(control: &Control, name: &str) -> Option<Vec<String>> {
     let mut sizes = sizes(name)?.to_vec();
     let (stem, _) = split(name)?;
-    let mut counted = FIELDS.iter().chain(&MEMORIES);
-    if let Some((_, count)) = counted.find(|(array, _)| *array == stem) {
+    if let Some(gud) = gud::find(stem).filter(|gud| !gud.counted.is_empty()) {
         let largest = sizes.first_mut()?;
-        *largest = (control.number(count) as usize).min(*largest);
+        *largest = (control.number(gud.counted) as usize).min(*largest);
     }
     Some(elements_from(name, &sizes))
 }

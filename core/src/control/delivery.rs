@@ -1,73 +1,17 @@
 //! The control as delivered: GUD data that measuring cycles read, with their initial values.
-//! Lengths and feeds stand in the basic system of the machine, as the manual says. Initial values of parameters (`_FA`, `_TSA`, …) are defaults of
+//! Which they are stands in `gud` and `machine_data`. Lengths and feeds stand in the basic system of the machine, as the manual says. Initial values of parameters (`_FA`, `_TSA`, …) are defaults of
 //! the catalogue and not repeated here: an unset datum means "as delivered".
 
-use super::{BasicFrames, Control, Frame, Limits, Plane, Units, Value};
+use super::gud::{self, Block, Element, Initial, System};
+use super::{BasicFrames, Control, Frame, Limits, Plane, Units, Value, machine_data};
 use crate::catalogue::Dialect;
 use std::collections::BTreeMap;
 
-/// Probes, tool probes and calibration blocks (`_CVAL`, B:13345-13348).
-const SETS: usize = 3;
-
-/// Numbers without a unit that are not 0 as delivered, with their place.
-const NUMBERS: &[(&str, f64)] = &[
-    ("_CVAL[0]", 3.0),      // tool probes, B:13345
-    ("_CVAL[1]", 3.0),      // workpiece probes, B:13346
-    ("_CVAL[2]", 3.0),      // calibration blocks, B:13347
-    ("_CVAL[3]", 3.0),      // tool probes of the workpiece, B:13348
-    ("_EVMVNUM[0]", 20.0),  // empirical values, B:13717
-    ("_EVMVNUM[1]", 20.0),  // mean values, B:13718
-    ("_SPEED[0]", 50.0),    // % of rapid traverse, B:13726 (appendix A.1: 100, B:16387)
-    ("_CBIT[8]", 1.0),      // mono probe corrected by _CORA, B:13549
-    ("_CBIT[16]", 1.0),     // calibration monitoring, B:13565
-    ("_CHBIT[1]", 1.0),     // tool probe on input 2, B:13836
-    ("_CHBIT[2]", 1.0),     // collision monitoring, B:13838
-    ("_CM[1]", 1000.0),     // rpm, B:13499
-    ("_CM[5]", 4.0),        // M4, B:13503
-    ("_CM[6]", 10.0),       // feed factor 1, B:13504
-    ("_PROTFORM[0]", 60.0), // lines a page, B:11349
-    ("_PROTFORM[1]", 80.0), // characters a line, B:11350
-    ("_PROTFORM[2]", 1.0),  // first page, B:11351
-    ("_PROTFORM[3]", 3.0),  // own header lines, B:11352
-    ("_PROTFORM[4]", 1.0),  // value lines, B:11353
-    ("_PROTFORM[5]", 12.0), // characters a column, B:11354
-    ("_DIGIT", 3.0),        // decimals, B:13174
-    ("_MC_SIMSIM", 1.0),    // run cycles in simulation, B:13245
-    ("_MC_MTL[0]", 33.3),   // stylus length to ball radius, B:13240
-    ("_MC_MTL[1]", 33.3),   // B:13240
-    ("_MC_MTL[2]", 33.3),   // B:13240
-    ("MD18600", 1.0),       // fine translation present; the cycles' preferred case, B:1990
-    ("MD18080", 256.0), // bit 8: additive offsets present, A:15927; the manual prints no default
-    ("MD18112", 16.0),  // bit 4: setup offsets present, A:15928; the manual prints no default
-    ("MD20050[0]", 1.0), // channel axis of the first geometry axis, B:14084
-    ("MD20050[1]", 2.0), // of the second
-    ("MD20050[2]", 3.0), // of the third
-    ("MD28082", 33.0),  // 21H: system frames for PRESET and for cycles present, B:12976
-    ("MD18105", 9.0),   // largest D number; decides the digits of _KNUM, B:1899
-    ("SD42950", 2.0),   // TOOL_LENGTH_TYPE, B:4147-4152
-];
-
-/// Lengths in mm and feeds in mm/min that are not 0 as delivered; on an inch machine converted (B:13596, B:14061).
-const LENGTHS: &[(&str, f64)] = &[
-    ("_SPEED[1]", 1000.0), // in the plane, monitored, B:13732
-    ("_SPEED[2]", 1000.0), // in the applicate, monitored, B:13733
-    ("_SPEED[3]", 900.0),  // first fast probing, B:13734
-    ("_CM[2]", 1.0),       // B:13500
-    ("_CM[3]", 0.005),     // B:13501
-    ("_CM[4]", 20.0),      // B:13502
-];
-
-/// Largest peripheral speed, m/min (feet/min on an inch machine, B:13498).
-const PERIPHERAL_SPEED: f64 = 100.0;
-/// Metres in a foot.
+/// Metres in a foot (feet/min on an inch machine, B:13498).
 const FOOT: f64 = 0.3048;
 
 /// Which system the machine was built for: 1 metric, 0 inch (B:13539, B:13883, MD10240 SCALING_SYSTEM_IS_METRIC).
 const IS_METRIC: [&str; 3] = ["_CBIT[3]", "_CHBIT[24]", "MD10240"];
-
-/// Trigger values of a calibrated ideal probe with a ball of 6 mm, `_WP[k,0..6]`, mm (appendix A.1, B:16259-16265;
-/// chapter 9.2.3 prints 0, with which nothing can be measured, B:13442).
-const WORKPIECE_PROBE: [f64; 7] = [6.0, 3.0, -3.0, 3.0, -3.0, 3.0, -3.0];
 
 /// NCT variables that are not 0 as delivered: mm, 1/min, mm/min (C:1196-1198).
 const NCT_SPINDLE: (&str, f64) = ("#511", 1500.0);
@@ -125,59 +69,49 @@ fn lengths(control: &mut Control, list: &[(&str, f64)]) {
     }
 }
 
+/// What the tables of data say, except parameters of a call.
 fn sinumerik(control: &mut Control) {
-    zeros(control);
-    for (name, value) in NUMBERS {
-        control.set(*name, *value);
+    for gud in gud::all().filter(|gud| gud.block != Block::Gud5) {
+        let counted = !gud.counted.is_empty();
+        let fields = control.number(gud.counted) as usize;
+        for element in gud.elements {
+            for at in gud.places(element, fields) {
+                deliver(control, gud.spelled(&at), element, counted);
+            }
+        }
     }
-    lengths(control, LENGTHS);
+    for datum in machine_data::MACHINE_DATA {
+        for (name, value) in datum.names().into_iter().zip(datum.initial) {
+            control.set(name, *value);
+        }
+    }
     let metric = control.basic_units == Units::Metric;
     for name in IS_METRIC {
         control.set(name, f64::from(u8::from(metric)));
     }
-    let speed = if metric { 1.0 } else { FOOT };
-    control.set("_CM[0]", PERIPHERAL_SPEED / speed);
-    let per = control.basic_factor();
-    for k in 0..SETS {
-        for (i, value) in WORKPIECE_PROBE.iter().enumerate() {
-            control.set(format!("_WP[{k},{i}]"), *value / per);
-        }
-        for array in ["_TP", "_TPW"] {
-            control.set(format!("{array}[{k},7]"), 133.0); // axes and directions, B:13365
-            control.set(format!("{array}[{k},9]"), 2.0 / per); // upper to lower edge, B:13369
-        }
-    }
-    // B:11355 prints a comma, B:13165 and B:16309 a semicolon.
-    control
-        .data
-        .insert("_PROTSYM[0]".into(), Value::Text(";".into()));
-    control
-        .data
-        .insert("_PROTSYM[1]".into(), Value::Text("#".into()));
-    control
-        .data
-        .insert("_SI[1]".into(), Value::Text("6".into())); // B:13682
 }
 
-/// Arrays that exist, all elements 0 (sizes: column `size` of the tables, B:13097-13236).
-fn zeros(control: &mut Control) {
-    let lists: [(&str, usize); 8] = [
-        ("_CBIT", 17),
-        ("_CHBIT", 30),
-        ("_EV", 20),
-        ("_MV", 20),
-        ("_OVR", 32),
-        ("_OVI", 20),
-        ("_CM", 8),
-        ("_SPEED", 4),
-    ];
-    for (name, size) in lists {
-        (0..size).for_each(|i| control.set(format!("{name}[{i}]"), 0.0));
-    }
-    for (name, size) in [("_WP", 11), ("_TP", 10), ("_TPW", 10), ("_KB", 7)] {
-        for k in 0..SETS {
-            (0..size).for_each(|i| control.set(format!("{name}[{k},{i}]"), 0.0));
+/// Puts an element there. What is 0 or empty needs no entry, except in fields that are counted: these exist by their
+/// entries (`state::refusal`).
+fn deliver(control: &mut Control, name: String, element: &Element, counted: bool) {
+    match element.initial {
+        Initial::Text(text) => {
+            control.data.insert(name, Value::Text(text.to_owned()));
         }
+        Initial::Number(value) if value != 0.0 || counted => {
+            let value = value / factor(element.unit, control.basic_units);
+            control.set(name, value);
+        }
+        Initial::Number(_) => {}
+    }
+}
+
+/// Metric units in one unit of a datum as it stands in the control.
+pub fn factor(unit: gud::Unit, basic: Units) -> f64 {
+    match unit {
+        gud::Unit::Length(System::Basic) | gud::Unit::Feed(System::Basic) => basic.factor(),
+        gud::Unit::Speed(System::Basic) if basic == Units::Inch => FOOT,
+        _ => 1.0,
     }
 }
 

@@ -6,6 +6,7 @@ pub mod environments;
 pub mod frames;
 pub mod gud;
 pub mod limits;
+pub mod machine_data;
 pub mod tools;
 pub mod units;
 pub mod variables;

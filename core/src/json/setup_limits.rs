@@ -89,8 +89,8 @@ fn datum(dialect: Dialect, name: &str, value: &Value) -> Result<(), Error> {
     let text = matches!(value, Value::Text(_));
     let known = match dialect {
         Dialect::Nct => numbered('#', 10_000) && !text,
-        Dialect::Sinumerik if name.starts_with('_') => {
-            gud::named(name).is_some_and(|gud| gud.text == text)
+        Dialect::Sinumerik if name.starts_with('_') || name.starts_with("E_") => {
+            gud::named(name).is_some_and(|gud| gud.text() == text)
         }
         Dialect::Sinumerik => {
             numbered('R', 1000) && !text

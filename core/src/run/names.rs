@@ -58,7 +58,7 @@ pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem>
     }
     known(run, key, place)?;
     let stem = stem(key);
-    if gud::find(stem).is_some_and(|gud| gud.text) {
+    if gud::find(stem).is_some_and(gud::Gud::text) {
         return Ok(Datum::Text(String::new()));
     }
     Ok(Datum::Number(delivered(run, key)))

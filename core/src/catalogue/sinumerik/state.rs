@@ -1,10 +1,12 @@
 //! What the workpiece cycles demand of the control before anything else (B:4141-4157, A:15840-15935).
 
-use crate::control::arrays::FIELDS;
-use crate::control::{Control, Frame, Value};
+use crate::control::{Control, Frame, Value, gud};
 
 /// Bit of MD28082 for the system frame of the cycles (A:15840, B:1977).
 const CYCLE_FRAME: u32 = 5;
+
+/// Arrays that must have as many fields as the control says (B:13345-13348).
+const FIELDS: [&str; 4] = ["_TP", "_WP", "_KB", "_TPW"];
 
 /// Number of the alarm with which the cycles refuse a control in this state.
 pub fn refusal(control: &Control) -> Option<u32> {
@@ -17,10 +19,7 @@ pub fn refusal(control: &Control) -> Option<u32> {
     if software(control) < 3.0 {
         return Some(61342); // A:15883, B:13682
     }
-    if FIELDS
-        .iter()
-        .any(|(array, size)| !fits(control, array, size))
-    {
+    if FIELDS.iter().any(|array| !fits(control, array)) {
         return Some(61416); // A:15935
     }
     if control.chain().iter().any(Frame::scaled) {
@@ -43,9 +42,9 @@ fn software(control: &Control) -> f64 {
     .unwrap_or(0.0)
 }
 
-/// Whether there are as many data fields as the datum says.
-fn fits(control: &Control, array: &str, size: &str) -> bool {
-    let size = control.number(size) as usize;
+/// Whether there are as many data fields as the datum says that counts them.
+fn fits(control: &Control, array: &str) -> bool {
+    let size = gud::find(array).map_or(0.0, |gud| control.number(gud.counted)) as usize;
     (0..size).all(|field| control.data.contains_key(&format!("{array}[{field},0]")))
 }
 

@@ -1,0 +1,138 @@
+//! What one element of a datum means, or a row of them.
+
+use crate::catalogue::Range;
+
+/// Where the system of units of a length comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum System {
+    /// Active G70, G71, G700 or G710.
+    Active,
+    /// Basic system of the machine (B:1787-1795).
+    Basic,
+    /// Always metric.
+    Metric,
+}
+
+/// Unit of an element.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unit {
+    /// No unit, or a code.
+    None,
+    /// mm or inch.
+    Length(System),
+    /// mm/min or inch/min.
+    Feed(System),
+    /// m/min or feet/min (B:13498).
+    Speed(System),
+    /// Degree.
+    Degree,
+    /// Revolutions a minute.
+    Rpm,
+    /// Percent.
+    Percent,
+}
+
+/// Value as delivered.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Initial {
+    /// In metric units, whatever the basic system is.
+    Number(f64),
+    /// A text.
+    Text(&'static str),
+}
+
+/// One element of a datum, or a row of elements that mean the same.
+#[derive(Clone, Copy, Debug)]
+pub struct Element {
+    /// Indices as the manual prints them: `k,0` (any field, second index 0), `1..5,0`; empty for a single value.
+    pub index: &'static str,
+    /// Value as delivered. Parameters of a call have theirs in the catalogue.
+    pub initial: Initial,
+    /// Unit.
+    pub unit: Unit,
+    /// What is allowed.
+    pub range: Range,
+    /// Values that can be chosen, where there is nothing between them; their words are attributes `.v` and the value.
+    pub choices: &'static [i64],
+    /// Whether the cycles keep it for themselves, or nothing uses it.
+    pub internal: bool,
+    /// Place in the manual.
+    pub source: &'static str,
+}
+
+/// One index of an element.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Index {
+    /// Every one: the number of a field.
+    Any,
+    /// From here to there.
+    At(usize, usize),
+}
+
+pub(super) const fn element(index: &'static str, source: &'static str) -> Element {
+    Element {
+        index,
+        initial: Initial::Number(0.0),
+        unit: Unit::None,
+        range: Range::ANY,
+        choices: &[],
+        internal: false,
+        source,
+    }
+}
+
+impl Element {
+    pub(super) const fn initial(mut self, value: f64) -> Element {
+        self.initial = Initial::Number(value);
+        self
+    }
+
+    pub(super) const fn text(mut self, value: &'static str) -> Element {
+        self.initial = Initial::Text(value);
+        self
+    }
+
+    pub(super) const fn unit(mut self, unit: Unit) -> Element {
+        self.unit = unit;
+        self
+    }
+
+    pub(super) const fn within(mut self, range: Range) -> Element {
+        self.range = range;
+        self
+    }
+
+    pub(super) const fn choices(mut self, choices: &'static [i64]) -> Element {
+        self.choices = choices;
+        self
+    }
+
+    pub(super) const fn switch(self) -> Element {
+        self.choices(&[0, 1])
+    }
+
+    pub(super) const fn internal(mut self) -> Element {
+        self.internal = true;
+        self
+    }
+
+    pub(super) fn indices(&self) -> impl Iterator<Item = Index> {
+        let parts = self.index.split(',').filter(|part| !part.is_empty());
+        parts.map(|part| {
+            let (from, to) = part.split_once("..").unwrap_or((part, part));
+            match (from.parse(), to.parse()) {
+                (Ok(from), Ok(to)) => Index::At(from, to),
+                _ => Index::Any,
+            }
+        })
+    }
+
+    /// Whether it stands for the element at these indices.
+    pub(super) fn covers(&self, at: &[usize]) -> bool {
+        let fits = |(index, i): (Index, &usize)| match index {
+            Index::Any => true,
+            Index::At(from, to) => (from..=to).contains(i),
+        };
+        self.indices().count() == at.len() && self.indices().zip(at).all(fits)
+    }
+}

@@ -1,0 +1,240 @@
+//! User data of a SINUMERIK control with measuring cycles: one table, a file a subject. Names, sizes, delivered values,
+//! units and ranges are read from here by everything else (B:1744-1838, B:13097-13247, B:14170-14305).
+
+mod channel_switches;
+mod element;
+mod fields;
+mod jog;
+mod jog_settings;
+mod logging;
+mod masks;
+mod memories;
+mod parameters;
+mod results;
+mod simulation;
+mod speeds;
+mod switches;
+#[cfg(test)]
+mod tests;
+mod tool_measuring;
+mod tool_probes;
+mod workpiece_probes;
+
+pub use element::{Element, Initial, System, Unit};
+use element::{Index, element};
+
+/// Data block in which a datum is defined.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Block {
+    /// Parameters and results of a call.
+    Gud5,
+    /// Settings of the machine builder.
+    Gud6,
+    /// Measuring in JOG.
+    Gud7,
+}
+
+/// What a datum holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// REAL.
+    Real,
+    /// INT.
+    Integer,
+    /// BOOL.
+    Bool,
+    /// STRING or CHAR.
+    Text,
+    /// FRAME.
+    Frame,
+}
+
+/// A datum of the blocks GUD5, GUD6 and GUD7.
+pub struct Gud {
+    /// Name without index.
+    pub name: &'static str,
+    /// Block.
+    pub block: Block,
+    /// Whether every channel has its own (CHAN); else there is one for the control (NCK).
+    pub channel: bool,
+    /// What it holds.
+    pub kind: Kind,
+    /// Sizes of the array, the largest that the manual allows; empty for a single value.
+    pub sizes: &'static [usize],
+    /// The datum that tells how many elements there are really in the first dimension; empty: as `sizes` says.
+    pub counted: &'static str,
+    /// What its elements mean.
+    pub elements: &'static [Element],
+}
+
+/// Data of one subject.
+pub struct Subject {
+    /// Key of its name in the message files: `machine-group-` and this.
+    pub key: &'static str,
+    /// Its data.
+    pub data: &'static [Gud],
+}
+
+const fn subject(key: &'static str, data: &'static [Gud]) -> Subject {
+    Subject { key, data }
+}
+
+/// Everything, in the order in which it is shown.
+pub const SUBJECTS: &[Subject] = &[
+    subject("fields", fields::DATA),
+    subject("workpiece-probes", workpiece_probes::DATA),
+    subject("tool-probes", tool_probes::DATA),
+    subject("switches", switches::DATA),
+    subject("channel-switches", channel_switches::DATA),
+    subject("speeds", speeds::DATA),
+    subject("tool-measuring", tool_measuring::DATA),
+    subject("memories", memories::DATA),
+    subject("masks", masks::DATA),
+    subject("logging", logging::DATA),
+    subject("simulation", simulation::DATA),
+    subject("jog", jog::DATA),
+    subject("jog-settings", jog_settings::DATA),
+    subject("parameters", parameters::DATA),
+    subject("results", results::DATA),
+];
+
+const fn gud(
+    (block, channel): (Block, bool),
+    name: &'static str,
+    kind: Kind,
+    sizes: &'static [usize],
+    elements: &'static [Element],
+) -> Gud {
+    Gud {
+        name,
+        block,
+        channel,
+        kind,
+        sizes,
+        counted: "",
+        elements,
+    }
+}
+
+const fn gud5(
+    name: &'static str,
+    kind: Kind,
+    sizes: &'static [usize],
+    elements: &'static [Element],
+) -> Gud {
+    gud((Block::Gud5, true), name, kind, sizes, elements)
+}
+
+const fn gud6(
+    name: &'static str,
+    kind: Kind,
+    sizes: &'static [usize],
+    elements: &'static [Element],
+) -> Gud {
+    gud((Block::Gud6, false), name, kind, sizes, elements)
+}
+
+const fn gud7(
+    name: &'static str,
+    kind: Kind,
+    sizes: &'static [usize],
+    elements: &'static [Element],
+) -> Gud {
+    gud((Block::Gud7, true), name, kind, sizes, elements)
+}
+
+impl Gud {
+    const fn channel(mut self) -> Gud {
+        self.channel = true;
+        self
+    }
+
+    const fn counted(mut self, by: &'static str) -> Gud {
+        self.counted = by;
+        self
+    }
+
+    /// Whether it holds text.
+    pub fn text(&self) -> bool {
+        self.kind == Kind::Text
+    }
+
+    /// The element at these indices.
+    pub fn element(&self, at: &[usize]) -> Option<&'static Element> {
+        self.elements.iter().find(|one| one.covers(at))
+    }
+
+    /// Key of the words for an element: `_WP[k,0]` has `datum-wp-0`, a range of elements that of its first.
+    pub fn key(&self, element: &Element) -> String {
+        let stem = self.name.trim_matches('_').to_lowercase().replace('_', "-");
+        element
+            .indices()
+            .filter_map(|index| match index {
+                Index::Any => None,
+                Index::At(from, _) => Some(from),
+            })
+            .fold(format!("datum-{stem}"), |key, index| {
+                format!("{key}-{index}")
+            })
+    }
+
+    /// Name of an element as a program writes it.
+    pub fn spelled(&self, at: &[usize]) -> String {
+        if at.is_empty() {
+            return self.name.to_owned();
+        }
+        let index: Vec<String> = at.iter().map(usize::to_string).collect();
+        format!("{}[{}]", self.name, index.join(","))
+    }
+
+    /// Every place that an element stands for, with `first` fields in the first dimension where these are counted.
+    pub fn places(&self, element: &Element, first: usize) -> Vec<Vec<usize>> {
+        let mut places = vec![Vec::new()];
+        for (dimension, (index, size)) in element.indices().zip(self.sizes).enumerate() {
+            let most = match dimension {
+                0 if !self.counted.is_empty() => first.min(*size),
+                _ => *size,
+            };
+            let (from, to) = match index {
+                Index::Any => (0, most),
+                Index::At(from, last) => (from, most.min(last + 1)),
+            };
+            places = places
+                .iter()
+                .flat_map(|place| (from..to).map(move |i| [place.as_slice(), &[i]].concat()))
+                .collect();
+        }
+        places
+    }
+}
+
+/// All data, in the order of [`SUBJECTS`].
+pub fn all() -> impl Iterator<Item = &'static Gud> {
+    SUBJECTS.iter().flat_map(|subject| subject.data)
+}
+
+/// A datum by its name in upper case.
+pub fn find(name: &str) -> Option<&'static Gud> {
+    all().find(|gud| gud.name == name)
+}
+
+/// A datum by its name with its index, which lies inside of the array: `_WP[0,1]`.
+pub fn named(name: &str) -> Option<&'static Gud> {
+    place(name).map(|(gud, _)| gud)
+}
+
+/// A datum and the indices in its name.
+pub fn place(name: &str) -> Option<(&'static Gud, Vec<usize>)> {
+    let (stem, index) = match name.split_once('[') {
+        Some((stem, rest)) => (stem, rest.strip_suffix(']')?.split(',').collect()),
+        None => (name, Vec::new()),
+    };
+    let gud = find(stem)?;
+    let at: Vec<usize> = index
+        .into_iter()
+        .map(str::parse)
+        .collect::<Result<_, _>>()
+        .ok()?;
+    let inside = at.len() == gud.sizes.len() && at.iter().zip(gud.sizes).all(|(i, size)| i < size);
+    inside.then_some((gud, at))
+}
