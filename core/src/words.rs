@@ -12,6 +12,7 @@ pub const ENGLISH: &[(&str, &str)] = &[
     ("check.ftl", include_str!("../messages/en/check.ftl")),
     ("cycle971.ftl", include_str!("../messages/en/cycle971.ftl")),
     ("cycle972.ftl", include_str!("../messages/en/cycle972.ftl")),
+    ("cycle973.ftl", include_str!("../messages/en/cycle973.ftl")),
     ("cycle974.ftl", include_str!("../messages/en/cycle974.ftl")),
     ("cycle976.ftl", include_str!("../messages/en/cycle976.ftl")),
     ("cycle977.ftl", include_str!("../messages/en/cycle977.ftl")),

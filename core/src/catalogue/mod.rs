@@ -2,9 +2,11 @@
 //! A new cycle is one file and two lines here: `mod` and the place in [`CYCLES`].
 
 pub mod alarms;
+pub mod calibration;
 pub mod common;
 pub mod cycle971;
 pub mod cycle972;
+pub mod cycle973;
 pub mod cycle974;
 pub mod cycle976;
 pub mod cycle977;
@@ -32,6 +34,7 @@ pub use list::{Arg, ArgumentList, Style};
 pub static CYCLES: &[&Cycle] = &[
     &cycle971::CYCLE971,
     &cycle972::CYCLE972,
+    &cycle973::CYCLE973,
     &cycle974::CYCLE974,
     &cycle976::CYCLE976,
     &cycle977::CYCLE977,

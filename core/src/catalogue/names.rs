@@ -66,3 +66,5 @@ pub const INCA: &str = "_INCA";
 pub const RF: &str = "_RF";
 /// Rotary axis that takes the angle.
 pub const RA: &str = "_RA";
+/// Number of the reference groove or gauging block.
+pub const CALNUM: &str = "_CALNUM";

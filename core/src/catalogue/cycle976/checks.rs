@@ -1,7 +1,7 @@
 //! What several values of CYCLE976 say together.
 
 use super::params::{HOLE, LENGTH, SKEW, SURFACE, UNKNOWN};
-use crate::catalogue::{Unit, names, place, shared_checks};
+use crate::catalogue::{Unit, calibration, names, shared_checks};
 use crate::check::{Finding, Inputs, error, factor, note, warning};
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
@@ -10,8 +10,8 @@ use crate::message::Message;
 /// All of them.
 pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     shared_checks::probe(inputs, control, found);
-    band(inputs, found);
-    let ball = ball_radius(inputs, control);
+    calibration::band(inputs, found);
+    let ball = calibration::ball_radius(inputs, control);
     first(inputs, control, ball, found);
     if HOLE.holds(inputs) {
         hole(inputs, control, ball, found);
@@ -22,45 +22,11 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     upwards(inputs, found);
 }
 
-/// Ball radius that this cycle positions with: that of the active tool (B:5405, B:5486), not the stored one, which it may
-/// be about to find.
-fn ball_radius(inputs: &Inputs, control: &Control) -> f64 {
-    let active = control.active_edge().map_or(0.0, |edge| edge.radius);
-    if active > 0.0 {
-        active
-    } else {
-        place::ball_radius(inputs, control)
-    }
-}
-
-/// A new value is stored between `_TZL` and `_TSA` (B:5134).
-fn band(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
-    let given = |name| inputs.given(name);
-    if let (Some(low), Some(high)) = (given(names::TZL), given(names::TSA))
-        && low >= high
-    {
-        let message = Message::new("check-calibration-band");
-        found.push(
-            error(Code::Own(40), message)
-                .hint(Message::new("check-calibration-band-hint"))
-                .at(names::TZL),
-        );
-    }
-}
-
-/// While the data of the probe are 0, `_TSA` has to be larger than the ball radius (B:5148). With `_CBIT[14]` = 1 the
-/// trigger value of the applicate is 0 itself (B:5583).
+/// With `_CBIT[14]` = 1 the trigger value of the applicate is 0 itself (B:5583).
 fn first(inputs: &Inputs, control: &Control, ball: f64, found: &mut Vec<Diagnostic>) {
     let applicate = inputs.integer(names::MA) == 3 && !HOLE.holds(inputs);
-    if applicate && control.bit("_CBIT[14]") {
-        return;
-    }
-    let index = inputs.integer(names::PRNUM) % 100 - 1;
-    let never = (1..=6).all(|field| control.number(&format!("_WP[{index},{field}]")) == 0.0);
-    if never && inputs.given(names::TSA).is_some_and(|area| area <= ball) {
-        let message = Message::new("check-first-calibration").number("ball", ball);
-        let hint = Message::new("check-first-calibration-hint").number("ball", ball);
-        found.push(error(Code::Alarm(61303), message).hint(hint).at(names::TSA));
+    if !(applicate && control.bit("_CBIT[14]")) {
+        calibration::first(inputs, control, ball, found);
     }
 }
 

@@ -62,6 +62,7 @@ fn refused(cycle: &'static Cycle, variant: i64, values: &[(&str, &str)]) -> Vec<
 const COUNTS: &[(&str, usize, usize, usize)] = &[
     ("CYCLE971", 10, 11, 27),
     ("CYCLE972", 2, 10, 24),
+    ("CYCLE973", 7, 11, 22),
     ("CYCLE974", 3, 21, 31),
     ("CYCLE976", 28, 12, 26),
     ("CYCLE977", 24, 26, 44),

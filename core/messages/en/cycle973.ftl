@@ -1,0 +1,44 @@
+# CYCLE973: titles, search words, variants, words of its own parameters and checks.
+
+cycle973-title = Calibrate workpiece probe in turning
+cycle973-help = Finds where the probe of a turning machine switches, and stores it in the probe's data _WP, from where every later measurement takes it. In a reference groove of the machine, whose edges and base stand in _KB, it works in machine coordinates, in one direction or in both directions of an axis, on request with the position deviation (skew) and the active ball diameter; the probe has cutting edge position 7 or 8 and starts from where it can reach the groove by straight ways along the axes. On a surface it works in the workpiece system, in one direction; the probe has cutting edge position 5 to 8 and stands opposite, further away than the measuring path. The cycle travels to _FA before the face, touches over twice this path and goes back; it ends _FA before the face touched last. A new trigger value is stored when it differs from the old one by more than _TZL and no more than _TSA. What goes wrong most often: on the first calibration the stored values are 0 and _TSA has to be larger than the ball radius; lengths L1 and L2 of the probe do not refer to the centre of the ball; the data of the groove are diameters in X instead of radii; the feed is not that of the later measurement.
+cycle973-words = calibrate calibration workpiece probe turning lathe reference groove gauging block surface face trigger point values ball diameter skew position deviation
+
+cycle973-surface = Surface: one direction
+cycle973-surface-words = turning lathe surface face one direction trigger point workpiece
+cycle973-groove-short = Reference groove: 1 direction, short number
+cycle973-groove-short-words = turning lathe reference groove gauging block one direction trigger point 13
+cycle973-groove-one = Reference groove: 1 direction
+cycle973-groove-one-words = turning lathe reference groove gauging block one direction trigger point
+cycle973-groove-two = Reference groove: 2 directions of one axis
+cycle973-groove-two-words = turning lathe reference groove gauging block two directions trigger point
+cycle973-groove-two-ball = Reference groove: 2 directions of one axis, ball diameter
+cycle973-groove-two-ball-words = turning lathe reference groove gauging block two directions ball diameter stylus trigger point
+cycle973-groove-two-skew = Reference groove: 2 directions of one axis, skew
+cycle973-groove-two-skew-words = turning lathe reference groove gauging block two directions skew position deviation trigger point
+cycle973-groove-two-skew-ball = Reference groove: 2 directions of one axis, skew, ball diameter
+cycle973-groove-two-skew-ball-words = turning lathe reference groove gauging block two directions skew position deviation ball diameter stylus trigger point
+
+calibrate-groove = Reference groove
+calibrate-one-short = Not told: one direction, as 1
+calibrate-position = Position deviation (skew)
+
+param-setval-surface-diameter = Diameter at the surface
+param-setval-surface-diameter-help = Exact position of the surface in the workpiece coordinate system: with DIAMON the diameter, with DIAMOF the radius.
+param-calnum = Reference groove
+param-calnum-help = Number of the pair of grooves; their edges and bases stand in _KB[n-1,…], in machine coordinates, in X as radii.
+
+need-surface-position = The trigger value is worked out from the position of the surface.
+need-groove = The groove gives the positions that are touched.
+
+check-groove-number = There is no pair of reference grooves with number { $number }.
+check-groove-number-hint = Choose a number from 1 to { $pairs }, or create more data for grooves and raise { "_CVAL[2]" }.
+check-groove-tip-hint = In a groove the probe has position 7 or 8; calibrate other probes on a surface.
+check-groove-base = In this axis the groove has its base only: the minus direction.
+check-groove-base-hint = Calibrate the base with one direction and { "_MD" }=1; both directions exist at the walls, in the other axis.
+check-groove-empty = The groove is not known: { $names } are 0.
+check-groove-empty-hint = Enter its edges and its base in the machine's data, in machine coordinates and as radii.
+check-groove-edges = The edge in plus direction { $plus } is not larger than the edge in minus direction { $minus }.
+check-groove-edges-hint = Exchange both values, or enter the missing one.
+check-shank = A stylus with cutting edge position { $tip } points the other way: it would touch with its shank.
+check-shank-hint = Turn { "_MD" } round, or check cutting edge position and measuring axis.

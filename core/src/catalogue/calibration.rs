@@ -1,0 +1,44 @@
+//! Checks that the cycles which calibrate a workpiece probe share (CYCLE973, CYCLE976).
+
+use super::{names, place};
+use crate::check::{Finding, Inputs, error};
+use crate::control::Control;
+use crate::diagnostic::{Code, Diagnostic};
+use crate::message::Message;
+
+/// Ball radius that a calibration positions with: that of the active tool (B:5405, B:5486), not the stored one, which it
+/// may be about to find.
+pub fn ball_radius(inputs: &Inputs, control: &Control) -> f64 {
+    let active = control.active_edge().map_or(0.0, |edge| edge.radius);
+    if active > 0.0 {
+        active
+    } else {
+        place::ball_radius(inputs, control)
+    }
+}
+
+/// A new value is stored between `_TZL` and `_TSA` (B:5134).
+pub fn band(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
+    let given = |name| inputs.given(name);
+    if let (Some(low), Some(high)) = (given(names::TZL), given(names::TSA))
+        && low >= high
+    {
+        let message = Message::new("check-calibration-band");
+        found.push(
+            error(Code::Own(40), message)
+                .hint(Message::new("check-calibration-band-hint"))
+                .at(names::TZL),
+        );
+    }
+}
+
+/// While the data of the probe are 0, `_TSA` has to be larger than the ball radius (B:5148, B:10263).
+pub fn first(inputs: &Inputs, control: &Control, ball: f64, found: &mut Vec<Diagnostic>) {
+    let index = inputs.integer(names::PRNUM) % 100 - 1;
+    let never = (1..=6).all(|field| control.number(&format!("_WP[{index},{field}]")) == 0.0);
+    if never && inputs.given(names::TSA).is_some_and(|area| area <= ball) {
+        let message = Message::new("check-first-calibration").number("ball", ball);
+        let hint = Message::new("check-first-calibration-hint").number("ball", ball);
+        found.push(error(Code::Alarm(61303), message).hint(hint).at(names::TSA));
+    }
+}

@@ -1,0 +1,154 @@
+//! What several values of CYCLE973, the data of the groove and the probe in use say together.
+
+use super::params::{GROOVE, TWO};
+use crate::catalogue::{calibration, lathe, names, shared_checks};
+use crate::check::{Finding, Inputs, error, warning};
+use crate::control::Control;
+use crate::diagnostic::{Code, Diagnostic};
+use crate::message::Message;
+
+/// All of them.
+pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
+    shared_checks::probe(inputs, control, found);
+    calibration::band(inputs, found);
+    let ball = calibration::ball_radius(inputs, control);
+    calibration::first(inputs, control, ball, found);
+    shared_checks::rotation(control, found);
+    let tip = lathe::checks::tip(control, found);
+    if GROOVE.holds(inputs) {
+        groove(inputs, control, tip, ball, found);
+    } else if let Some(tip) = tip {
+        shank(inputs, tip, found);
+    }
+}
+
+/// One of the two grooves of a pair, seen by a probe with cutting edge position 7 or 8 (B:13473-13482).
+struct Groove {
+    /// Axis in which its base is touched, 1 abscissa, 2 ordinate; its walls lie in the other one.
+    base_axis: i64,
+    /// Second indices of its data in `_KB`: edge in plus direction, edge in minus direction, base.
+    data: [usize; 3],
+}
+
+impl Groove {
+    fn of(tip: i64) -> Option<Groove> {
+        match tip {
+            7 => Some(Groove {
+                base_axis: 1,
+                data: [0, 1, 2],
+            }),
+            8 => Some(Groove {
+                base_axis: 2,
+                data: [3, 4, 6],
+            }),
+            _ => None,
+        }
+    }
+}
+
+/// Number of the pair, position of the probe, direction at the base, data of the groove (B:10145, B:10211-10255).
+fn groove(
+    inputs: &Inputs,
+    control: &Control,
+    tip: Option<i64>,
+    ball: f64,
+    found: &mut Vec<Diagnostic>,
+) {
+    let pair = inputs.given(names::CALNUM);
+    let known = pair.is_none_or(|pair| number(pair, control, found));
+    let Some(tip) = tip else { return };
+    let Some(groove) = Groove::of(tip) else {
+        found.push(lathe::checks::wrong_tip(tip, "check-groove-tip-hint"));
+        return;
+    };
+    if inputs.integer(names::MA) == groove.base_axis {
+        base(inputs, found);
+    }
+    if let Some(pair) = pair.filter(|_| known) {
+        data(inputs, control, &groove, pair as i64 - 1, ball, found);
+    }
+}
+
+/// Whether there is such a pair of grooves; `_CVAL[2]` counts them (B:13347, A:15876).
+fn number(pair: f64, control: &Control, found: &mut Vec<Diagnostic>) -> bool {
+    let pairs = control.number("_CVAL[2]");
+    if pair <= pairs {
+        return true;
+    }
+    let message = Message::new("check-groove-number").number("number", pair);
+    let hint = Message::new("check-groove-number-hint").number("pairs", pairs);
+    found.push(
+        error(Code::Alarm(61333), message)
+            .hint(hint)
+            .at(names::CALNUM),
+    );
+    false
+}
+
+/// In the axis of its base a groove has one face, touched in minus direction (B:13473-13482). No alarm is named; 61326
+/// is that of a wrong direction (A:15867).
+fn base(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
+    let at = match inputs.given(names::MD) {
+        _ if TWO.holds(inputs) => names::MA,
+        Some(0.0) => names::MD,
+        _ => return,
+    };
+    let message = Message::new("check-groove-base");
+    let hint = Message::new("check-groove-base-hint");
+    found.push(error(Code::Alarm(61326), message).hint(hint).at(at));
+}
+
+/// Whether the data of the groove are there, and leave the ball its way.
+fn data(
+    inputs: &Inputs,
+    control: &Control,
+    groove: &Groove,
+    pair: i64,
+    ball: f64,
+    found: &mut Vec<Diagnostic>,
+) {
+    let name = |index: usize| format!("_KB[{pair},{index}]");
+    let [plus, minus, base] = groove.data.map(name);
+    let [upper, lower, depth] = [&plus, &minus, &base].map(|name| control.basic_length(name));
+    if [upper, lower, depth] == [0.0; 3] {
+        let names = [plus, minus, base].join(", ");
+        let message = Message::new("check-groove-empty").text("names", names);
+        let hint = Message::new("check-groove-empty-hint");
+        found.push(warning(Code::Own(54), message).hint(hint).at(names::CALNUM));
+        return;
+    }
+    if upper <= lower {
+        let message = Message::new("check-groove-edges")
+            .text("plus", plus)
+            .text("minus", minus);
+        let hint = Message::new("check-groove-edges-hint");
+        found.push(error(Code::Own(55), message).hint(hint).at(names::CALNUM));
+        return;
+    }
+    let width = upper - lower;
+    let room = shared_checks::fits(names::CALNUM, width, ball, found);
+    if room && inputs.integer(names::MA) != groove.base_axis {
+        shared_checks::across(inputs, names::CALNUM, width, ball, found);
+    }
+}
+
+/// A stylus that points along the axis cannot touch backwards: 5 and 7 point to plus and minus of the abscissa, 6 and 8
+/// of the ordinate (B:10513; the figure is lost, the groove of position 7 has its base in minus).
+fn shank(inputs: &Inputs, tip: i64, found: &mut Vec<Diagnostic>) {
+    let backwards = matches!(
+        (
+            tip,
+            inputs.integer(names::MA),
+            inputs.given(names::MD).map(|direction| direction as i64)
+        ),
+        (5, 1, Some(1)) | (7, 1, Some(0)) | (6, 2, Some(1)) | (8, 2, Some(0))
+    );
+    if backwards {
+        let message = Message::new("check-shank").number("tip", tip as f64);
+        found.push(
+            warning(Code::Own(56), message)
+                .hint(Message::new("check-shank-hint"))
+                .at(names::MD),
+        );
+    }
+}

@@ -1,0 +1,101 @@
+//! CYCLE973: calibrate the workpiece probe of a turning machine in a reference groove or on a surface (B:10128-10407).
+
+mod checks;
+mod lists;
+pub mod params;
+mod picture;
+mod results;
+#[cfg(test)]
+mod tests;
+
+pub use results::RESULTS;
+
+use crate::catalogue::{Cycle, Dialect, Purpose, Variant, When, common, lathe};
+
+/// Measuring variants (B:10163-10177). 13 stands in the programs only, with axis and direction: it is 1013 (B:10286).
+pub const VARIANTS: &[Variant] = &[
+    Variant {
+        number: 0,
+        key: "cycle973-surface",
+        source: "B:10167;B:10349;A:11362",
+    },
+    Variant {
+        number: 13,
+        key: "cycle973-groove-short",
+        source: "B:10286-10293;A:11504",
+    },
+    Variant {
+        number: 1013,
+        key: "cycle973-groove-one",
+        source: "B:10171;B:10242;A:11365",
+    },
+    Variant {
+        number: 2013,
+        key: "cycle973-groove-two",
+        source: "B:10172;B:10295;A:11366",
+    },
+    Variant {
+        number: 2113,
+        key: "cycle973-groove-two-ball",
+        source: "B:10172-10174;A:11366-11367",
+    },
+    Variant {
+        number: 12_013,
+        key: "cycle973-groove-two-skew",
+        source: "B:10170-10172;A:11364-11366",
+    },
+    Variant {
+        number: 12_113,
+        key: "cycle973-groove-two-skew-ball",
+        source: "B:10170-10174;A:11364-11367",
+    },
+];
+
+/// The entry. Example: the surface of B:10366-10399.
+pub static CYCLE973: Cycle = Cycle {
+    dialect: Dialect::Sinumerik,
+    name: "CYCLE973",
+    key: "cycle973",
+    variants: VARIANTS,
+    params: params::PARAMS,
+    purpose: Purpose {
+        calibrates: When::Always,
+        ..Purpose::TURNING
+    },
+    lists: lists::LISTS,
+    // B:13442-13482, B:13534-13572, B:13739-13773, B:13999-14014
+    settings: &[
+        "_WP",
+        "_KB",
+        "_CVAL[2]",
+        "_CBIT[0]",
+        "_CBIT[1]",
+        "_CHBIT[2]",
+        "_CHBIT[15]",
+        "_CHBIT[16]",
+        "_CHBIT[17]",
+        "_SPEED",
+    ],
+    results: RESULTS,
+    alarms: &[
+        common::EVERY_CYCLE,
+        lathe::ALARMS,
+        &common::alarms([61326, 61333]), // A:15867, A:15876
+    ],
+    checks: checks::checks,
+    picture: picture::picture,
+    example: &[
+        ("_MVAR", "0"),
+        ("_SETVAL", "-18"),
+        ("_MA", "1"),
+        ("_MD", "1"),
+        ("_PRNUM", "1"),
+        ("_FA", "3"),
+        ("_TSA", "1"),
+        ("_VMS", "0"),
+        ("_NMSP", "1"),
+        ("_TZL", "0"),
+    ],
+    simulation: None,
+    source: "B:10128-10407",
+};
