@@ -49,3 +49,12 @@ pub fn setup(text: &str) -> Result<String, JsError> {
     let setup = json::setup_from_json(text)?;
     Ok(json::setup_to_json(&setup).to_string())
 }
+
+/// `MachineRequest` → `MachineView`.
+///
+/// # Errors
+/// A request or a setup of the wrong shape.
+#[wasm_bindgen]
+pub fn machine(request: &str) -> Result<String, JsError> {
+    Ok(json::machine(request)?.to_string())
+}

@@ -648,3 +648,12 @@ machine-group-jog-settings = Measuring in JOG, further settings
 machine-group-parameters = Parameters of a call
 machine-group-results = Results of a call
 machine-group-machine-data = Machine data
+
+# Fields of probe data and the like, by number.
+machine-field-wp = Workpiece probe { $number }
+machine-field-mc-mtl = Workpiece probe { $number }
+machine-field-tp = Tool probe { $number }, machine coordinates
+machine-field-tpw = Tool probe { $number }, workpiece coordinates
+machine-field-kb = Gauging block { $number }
+machine-field-ev = Memory { $number }
+machine-field-mv = Memory { $number }

@@ -2,7 +2,7 @@
 //! Which they are stands in `gud` and `machine_data`. Lengths and feeds stand in the basic system of the machine, as the manual says. Initial values of parameters (`_FA`, `_TSA`, …) are defaults of
 //! the catalogue and not repeated here: an unset datum means "as delivered".
 
-use super::gud::{self, Block, Element, Initial, System};
+use super::gud::{self, Element, Initial, System};
 use super::{BasicFrames, Control, Frame, Limits, Plane, Units, Value, machine_data};
 use crate::catalogue::Dialect;
 use std::collections::BTreeMap;
@@ -71,7 +71,7 @@ fn lengths(control: &mut Control, list: &[(&str, f64)]) {
 
 /// What the tables of data say, except parameters of a call.
 fn sinumerik(control: &mut Control) {
-    for gud in gud::all().filter(|gud| gud.block != Block::Gud5) {
+    for gud in gud::all().filter(|gud| gud.of_machine()) {
         let counted = !gud.counted.is_empty();
         let fields = control.number(gud.counted) as usize;
         for element in gud.elements {

@@ -4,6 +4,7 @@ mod codes;
 mod draw;
 mod fields;
 pub mod figures;
+pub mod machine;
 pub mod picture;
 
 pub use draw::draw;

@@ -324,7 +324,7 @@ fn kind(entry: &form::Entry) -> &'static str {
 }
 
 /// An open end is left out.
-fn range(range: Range) -> Value {
+pub(super) fn range(range: Range) -> Value {
     let mut view = object([
         ("minIncluded", range.min_included.into()),
         ("maxIncluded", range.max_included.into()),

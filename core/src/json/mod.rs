@@ -5,6 +5,7 @@ mod alarms;
 mod catalogue;
 mod changes;
 mod form;
+mod machine;
 mod program;
 mod setup;
 mod setup_limits;
@@ -16,6 +17,7 @@ mod trace;
 pub use alarms::{alarm, alarms};
 pub use catalogue::{catalogue, cycles};
 pub use form::form;
+pub use machine::machine;
 pub use program::{calls, change, convert, read, run, run_outcome};
 pub use setup::from_json as setup_from_json;
 #[cfg(feature = "cli")]

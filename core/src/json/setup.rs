@@ -311,6 +311,8 @@ struct OwnMachine {
     plane: PlaneName,
     /// G function of units, as in [`ActiveFile`]; none: that of the basic system.
     units: Option<String>,
+    /// User and machine data that differ.
+    data: BTreeMap<String, DatumFile>,
 }
 
 /// The machine of a request.
@@ -340,6 +342,8 @@ pub(super) fn start(dialect: Dialect, machine: Option<serde_json::Value>) -> Res
     if let Some(name) = &own.units {
         choose_units(&mut setup.control, name)?;
     }
+    read_data(&mut setup.control, own.data);
+    super::setup_limits::check(&setup)?;
     Ok(Start {
         setup,
         described: false,
@@ -367,13 +371,7 @@ fn setup(file: SetupFile) -> Result<Setup, Error> {
     for (name, stored) in file.environments {
         control.environments.insert(name, environment(&stored));
     }
-    for (name, datum) in file.data {
-        let value = match datum {
-            DatumFile::Number(value) => Value::Number(value),
-            DatumFile::Text(text) => Value::Text(text),
-        };
-        control.data.insert(name, value);
-    }
+    read_data(&mut control, file.data);
     activate(&mut control, &file.active)?;
     let solids = file
         .workpiece
@@ -388,6 +386,16 @@ fn setup(file: SetupFile) -> Result<Setup, Error> {
     };
     super::setup_limits::check(&setup)?;
     Ok(setup)
+}
+
+fn read_data(control: &mut Control, data: BTreeMap<String, DatumFile>) {
+    for (name, datum) in data {
+        let value = match datum {
+            DatumFile::Number(value) => Value::Number(value),
+            DatumFile::Text(text) => Value::Text(text),
+        };
+        control.data.insert(name, value);
+    }
 }
 
 fn environment(file: &EnvironmentFile) -> Environment {

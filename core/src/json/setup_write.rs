@@ -97,7 +97,7 @@ fn active(control: &Control) -> Value {
     active
 }
 
-fn datum(value: &Datum) -> Value {
+pub(super) fn datum(value: &Datum) -> Value {
     match value {
         Datum::Number(number) => (*number).into(),
         Datum::Text(text) => text.as_str().into(),

@@ -154,6 +154,11 @@ impl Gud {
         self
     }
 
+    /// Whether it belongs to the machine and not to a call: settings, and the memories of block GUD5.
+    pub fn of_machine(&self) -> bool {
+        self.block != Block::Gud5 || !self.counted.is_empty()
+    }
+
     /// Whether it holds text.
     pub fn text(&self) -> bool {
         self.kind == Kind::Text

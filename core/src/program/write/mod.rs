@@ -1,6 +1,7 @@
 //! From values to program text: assignments, then the call; a call with arguments; on NCT one block of addresses.
 
 mod list;
+pub mod machine;
 
 use crate::catalogue::{Cycle, Dialect, Kind, Param, Style};
 use crate::check::{self, Inputs, Parsed, Typed, parse};

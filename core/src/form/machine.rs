@@ -1,0 +1,212 @@
+//! The machine as a form: what is set once per machine, from the tables of user and machine data.
+
+use crate::catalogue::{Dialect, Range};
+use crate::check::{Parsed, parse};
+use crate::control::gud::{self, Element, Gud, System, Unit};
+use crate::control::machine_data::{self, MACHINE_DATA};
+use crate::control::{Control, Units, Value};
+use crate::message::Message;
+
+/// Most places of one element that are shown; the control may have thousands of memories.
+const SHOWN: usize = 100;
+
+/// How a datum is entered.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Entry {
+    /// A number.
+    Real,
+    /// A whole number.
+    Integer,
+    /// One of these.
+    Choice(&'static [i64]),
+    /// A text.
+    Text,
+}
+
+/// A datum that can be set.
+pub struct Setting {
+    /// As a program writes it: `_WP[0,1]`, `MD18600`.
+    pub name: String,
+    /// Key of its words.
+    pub key: String,
+    /// Array whose field with this number (from 1) it belongs to.
+    pub field: Option<(&'static str, usize)>,
+    /// How it is entered.
+    pub entry: Entry,
+    /// Unit as it counts on this machine.
+    pub unit: &'static str,
+    /// What is allowed, in that unit.
+    pub range: Range,
+    /// Place in the manual.
+    pub source: &'static str,
+}
+
+/// Settings of one subject.
+pub struct Group {
+    /// Key of its name.
+    pub key: String,
+    /// Its settings, fields of the same number together.
+    pub settings: Vec<Setting>,
+}
+
+/// Everything that can be set on this control. NCT macros keep their few variables in the program.
+pub fn groups(control: &Control) -> Vec<Group> {
+    if control.dialect == Dialect::Nct {
+        return Vec::new();
+    }
+    let subjects = gud::SUBJECTS.iter().map(|subject| Group {
+        key: format!("machine-group-{}", subject.key),
+        settings: subject
+            .data
+            .iter()
+            .filter(|gud| gud.of_machine())
+            .flat_map(|gud| of_datum(gud, control))
+            .collect(),
+    });
+    let machine = Group {
+        key: "machine-group-machine-data".to_owned(),
+        settings: MACHINE_DATA.iter().flat_map(of_machine_datum).collect(),
+    };
+    subjects
+        .chain([machine])
+        .filter(|group| !group.settings.is_empty())
+        .collect()
+}
+
+/// Settings of a datum, field by field.
+fn of_datum(gud: &'static Gud, control: &Control) -> Vec<Setting> {
+    let fields = (control.number(gud.counted) as usize).min(SHOWN);
+    let shown = gud.elements.iter().filter(|one| !one.internal);
+    let mut places: Vec<(Vec<usize>, &Element)> = shown
+        .flat_map(|element| {
+            let places = gud.places(element, fields).into_iter();
+            places.map(move |at| (at, element))
+        })
+        .collect();
+    if !gud.counted.is_empty() {
+        places.sort_by_key(|(at, _)| at.first().copied()); // stable: elements keep their order
+    }
+    places
+        .into_iter()
+        .map(|(at, element)| setting(gud, element, &at, control.basic_units))
+        .collect()
+}
+
+fn setting(gud: &'static Gud, element: &Element, at: &[usize], basic: Units) -> Setting {
+    let numbered = !gud.counted.is_empty();
+    let entry = match gud.kind {
+        _ if !element.choices.is_empty() => Entry::Choice(element.choices),
+        gud::Kind::Text | gud::Kind::Frame => Entry::Text,
+        gud::Kind::Real => Entry::Real,
+        gud::Kind::Integer | gud::Kind::Bool => Entry::Integer,
+    };
+    Setting {
+        name: gud.spelled(at),
+        key: gud.key(element),
+        field: at.first().filter(|_| numbered).map(|k| (gud.name, k + 1)),
+        entry,
+        unit: unit(element.unit, basic),
+        range: element.range,
+        source: element.source,
+    }
+}
+
+fn of_machine_datum(datum: &'static machine_data::MachineDatum) -> Vec<Setting> {
+    let setting = |name| Setting {
+        name,
+        key: datum.key(),
+        field: None,
+        entry: if datum.text { Entry::Text } else { Entry::Real },
+        unit: datum.unit,
+        range: Range::ANY,
+        source: datum.source,
+    };
+    datum.names().into_iter().map(setting).collect()
+}
+
+/// Name of a unit on a machine with this basic system.
+fn unit(unit: Unit, basic: Units) -> &'static str {
+    let inch = |system| system == System::Basic && basic == Units::Inch;
+    match unit {
+        Unit::None => "",
+        Unit::Length(system) if inch(system) => "inch",
+        Unit::Length(_) => "mm",
+        Unit::Feed(system) if inch(system) => "inch/min",
+        Unit::Feed(_) => "mm/min",
+        Unit::Speed(system) if inch(system) => "ft/min",
+        Unit::Speed(_) => "m/min",
+        Unit::Degree => "deg",
+        Unit::Rpm => "rpm",
+        Unit::Percent => "%",
+    }
+}
+
+/// Why a typed value is not taken, and what would be.
+pub struct Refusal {
+    /// What is wrong.
+    pub message: Message,
+    /// The cure.
+    pub hint: Message,
+}
+
+/// The value that a typed text gives a setting; an empty one is answered by the caller with what is delivered.
+pub fn accept(setting: &Setting, text: &str) -> Result<Value, Refusal> {
+    if setting.entry == Entry::Text {
+        return plain(text);
+    }
+    let number = match parse(text) {
+        Parsed::Number(number) => Some(number),
+        _ => machine_data::number(text),
+    };
+    let Some(number) = number else {
+        return Err(Refusal {
+            message: Message::new("check-not-a-number").text("value", text),
+            hint: Message::new("check-not-a-number-hint"),
+        });
+    };
+    if setting.entry == Entry::Integer && number.fract() != 0.0 {
+        return Err(Refusal {
+            message: Message::new("check-not-whole").number("value", number),
+            hint: Message::new("check-not-whole-hint"),
+        });
+    }
+    allowed(setting, number).map(|()| Value::Number(number))
+}
+
+/// A text that fits between quotation marks.
+fn plain(text: &str) -> Result<Value, Refusal> {
+    if text.contains('"') || text.chars().any(char::is_control) {
+        return Err(Refusal {
+            message: Message::new("check-text-characters"),
+            hint: Message::new("check-text-characters-hint"),
+        });
+    }
+    Ok(Value::Text(text.to_owned()))
+}
+
+fn allowed(setting: &Setting, number: f64) -> Result<(), Refusal> {
+    let range = setting.range;
+    let hint = match setting.entry {
+        Entry::Choice(choices) if choices.iter().all(|choice| *choice as f64 != number) => {
+            let list: Vec<String> = choices.iter().map(i64::to_string).collect();
+            Message::new("check-range-choice-hint").text("choices", list.join(", "))
+        }
+        _ if range.contains(number) => return Ok(()),
+        _ if range.max.is_finite() => Message::new("check-range-both-hint"),
+        _ if range.min_included => Message::new("check-range-from-hint"),
+        _ => Message::new("check-range-above-hint"),
+    };
+    let unit = match setting.unit {
+        "" => String::new(),
+        unit => format!(" {unit}"),
+    };
+    let message = Message::new("check-range")
+        .text("param", &setting.name)
+        .number("value", number)
+        .text("unit", &unit);
+    let hint = hint.number("min", range.min).number("max", range.max);
+    Err(Refusal {
+        message,
+        hint: hint.text("unit", unit),
+    })
+}

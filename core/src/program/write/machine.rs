@@ -1,0 +1,174 @@
+//! The changed data of a machine as text: assignments for a part program, and lines of the definition file.
+
+use crate::control::gud::{self, Block, Gud, Kind};
+use crate::control::{Control, Value};
+use std::fmt::Write;
+
+/// Whether it is a datum of the machine.
+fn of_machine(name: &str) -> bool {
+    gud::named(name).is_some_and(Gud::of_machine)
+}
+
+/// Names of the user data that differ, in the order of the tables.
+fn differing(control: &Control, delivered: &Control) -> Vec<String> {
+    let names = control.data.keys().chain(delivered.data.keys());
+    let mut names: Vec<String> = names
+        .filter(|name| of_machine(name) && value(control, name) != value(delivered, name))
+        .cloned()
+        .collect();
+    let order = |name: &String| {
+        let (gud, at) = gud::place(name)?;
+        Some((gud::all().position(|one| one.name == gud.name)?, at))
+    };
+    names.sort_by_cached_key(order);
+    names.dedup();
+    names
+}
+
+/// A datum; one that was never set is 0 or empty.
+fn value(control: &Control, name: &str) -> Value {
+    let text = gud::named(name).is_some_and(Gud::text);
+    match control.data.get(name) {
+        Some(value) => value.clone(),
+        None if text => Value::Text(String::new()),
+        None => Value::Number(0.0),
+    }
+}
+
+fn written(value: &Value) -> String {
+    match value {
+        Value::Number(value) => value.to_string(),
+        Value::Text(text) => format!("\"{text}\""),
+    }
+}
+
+/// Assignments that make a control as delivered into this one.
+pub fn assignments(control: &Control, delivered: &Control) -> String {
+    let mut text = String::new();
+    for name in differing(control, delivered) {
+        let _ = writeln!(text, "{name}={}", written(&value(control, &name)));
+    }
+    text
+}
+
+/// Lines of the definition file of block GUD6 for every datum that differs, sizes included (B:13274-13288). Texts are
+/// left out: their lengths are those of the file.
+pub fn definitions(control: &Control, delivered: &Control) -> String {
+    let changed = differing(control, delivered);
+    let counts = |gud: &Gud| changed.iter().any(|name| name == gud.counted);
+    let differs = |gud: &Gud| {
+        let own = |name: &String| gud::named(name).is_some_and(|one| one.name == gud.name);
+        counts(gud) || changed.iter().any(own)
+    };
+    let mut text = String::new();
+    for gud in gud::all().filter(|gud| gud.block == Block::Gud6 && differs(gud)) {
+        let Some(kind) = kind(gud.kind) else {
+            continue;
+        };
+        let _ = writeln!(text, "{}", definition(control, gud, kind));
+    }
+    text
+}
+
+/// `DEF NCK REAL _KB[3,7]=(0,…)`; fields that are counted have as many as there are.
+fn definition(control: &Control, gud: &Gud, kind: &str) -> String {
+    let scope = if gud.channel { "CHAN" } else { "NCK" };
+    let mut sizes = gud.sizes.to_vec();
+    if let Some(first) = sizes.first_mut().filter(|_| !gud.counted.is_empty()) {
+        *first = (control.number(gud.counted) as usize).min(*first);
+    }
+    let mut line = format!("DEF {scope} {kind} {}", gud.name);
+    if sizes.contains(&0) {
+        return format!(";{line} not present"); // the manual turns such a line into a comment
+    }
+    if sizes.is_empty() {
+        return format!("{line}={}", written(&value(control, gud.name)));
+    }
+    let count: Vec<String> = sizes.iter().map(usize::to_string).collect();
+    let _ = write!(line, "[{}]", count.join(","));
+    let mut values: Vec<String> = places(&sizes)
+        .iter()
+        .map(|at| written(&value(control, &gud.spelled(at))))
+        .collect();
+    while values.last().is_some_and(|value| value == "0") {
+        values.pop(); // what a list leaves out is 0
+    }
+    if !values.is_empty() {
+        let _ = write!(line, "=({})", values.join(","));
+    }
+    line
+}
+
+fn kind(kind: Kind) -> Option<&'static str> {
+    match kind {
+        Kind::Real => Some("REAL"),
+        Kind::Integer => Some("INT"),
+        Kind::Bool => Some("BOOL"),
+        Kind::Text | Kind::Frame => None,
+    }
+}
+
+/// Indices of every element, the last one counting first.
+fn places(sizes: &[usize]) -> Vec<Vec<usize>> {
+    sizes.iter().fold(vec![Vec::new()], |places, size| {
+        let longer = |place: &Vec<usize>| {
+            let place = place.clone();
+            (0..*size).map(move |i| [place.as_slice(), &[i]].concat())
+        };
+        places.iter().flat_map(longer).collect()
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalogue::Dialect;
+    use crate::control::delivery;
+
+    #[test]
+    fn only_what_differs_is_written() {
+        let delivered = delivery(Dialect::Sinumerik);
+        let mut control = delivered.clone();
+        assert_eq!(assignments(&control, &delivered), "");
+        assert_eq!(definitions(&control, &delivered), "");
+        control.set("_CVAL[1]", 2.0);
+        control.set("_CBIT[2]", 1.0);
+        control.set("_WP[0,0]", 5.995);
+        control.set("_DIGIT", 4.0);
+        control
+            .data
+            .insert("_PROTNAME[1]".into(), Value::Text("LOG1".into()));
+        control.set("R10", 7.0); // not of the machine
+        // oracle: hand
+        assert_eq!(
+            assignments(&control, &delivered),
+            "_CVAL[1]=2\n_WP[0,0]=5.995\n_CBIT[2]=1\n_PROTNAME[1]=\"LOG1\"\n_DIGIT=4\n"
+        );
+    }
+
+    #[test]
+    fn definitions_are_those_of_the_manual() {
+        let delivered = delivery(Dialect::Sinumerik);
+        let mut control = delivered.clone();
+        for (name, value) in [
+            ("_CVAL[0]", 2.0),
+            ("_CVAL[1]", 2.0),
+            ("_CVAL[2]", 0.0),
+            ("_CVAL[3]", 0.0),
+            ("_EVMVNUM[0]", 10.0),
+            ("_EVMVNUM[1]", 10.0),
+        ] {
+            control.set(name, value);
+        }
+        let text = definitions(&control, &delivered);
+        // oracle: manual B:13278-13283 (the example; its list goes on with the second probe here)
+        for line in [
+            "DEF NCK INT _CVAL[4]=(2,2)",
+            "DEF NCK REAL _TP[2,10]=(0,0,0,0,0,0,0,133,0,2,0,0,0,0,0,0,0,133,0,2)",
+            ";DEF NCK REAL _KB not present",
+            "DEF CHAN INT _EVMVNUM[2]=(10,10)",
+        ] {
+            assert!(text.lines().any(|one| one == line), "{line}\n{text}");
+        }
+    }
+}
