@@ -187,6 +187,8 @@ pub enum Kind {
     Choice(&'static [(i64, &'static str)]),
     /// The same where other values decide what can be chosen: the first list whose condition holds.
     ChoiceBy(&'static [(When, &'static [(i64, &'static str)])]),
+    /// One of these numbers, without a unit, in the variants for which the condition holds; else a real number.
+    ChoiceIf(When, &'static [(i64, &'static str)]),
     /// The measuring variant: choices are the cycle's variants; where its digits are choices of their own, the groups.
     Variant(&'static [DigitGroup]),
     /// A number whose digits are choices of their own.

@@ -34,6 +34,8 @@ pub struct ArgumentList {
 pub enum Arg {
     /// The value of this parameter.
     Param(&'static str),
+    /// The value of this parameter, which leads down, without its sign.
+    Down(&'static str),
     /// A selection: number written, what it adds to the number of the variant.
     Select(&'static [(i64, i64)]),
     /// Tells which cycle is meant: this number stands there.

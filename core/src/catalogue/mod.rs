@@ -4,6 +4,7 @@
 pub mod alarms;
 pub mod calibration;
 pub mod common;
+pub mod cycle961;
 pub mod cycle971;
 pub mod cycle972;
 pub mod cycle973;
@@ -32,6 +33,7 @@ pub use list::{Arg, ArgumentList, Style};
 
 /// Every cycle that Probewright knows, in the order in which they are offered.
 pub static CYCLES: &[&Cycle] = &[
+    &cycle961::CYCLE961,
     &cycle971::CYCLE971,
     &cycle972::CYCLE972,
     &cycle973::CYCLE973,

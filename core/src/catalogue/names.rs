@@ -68,3 +68,15 @@ pub const RF: &str = "_RF";
 pub const RA: &str = "_RA";
 /// Number of the reference groove or gauging block.
 pub const CALNUM: &str = "_CALNUM";
+/// Corner: offset of the zero point or P2, abscissa.
+pub const SETV2: &str = "_SETV[2]";
+/// Corner: offset of the zero point or P2, ordinate.
+pub const SETV3: &str = "_SETV[3]";
+/// Corner: selection of the offset, or P3, abscissa.
+pub const SETV4: &str = "_SETV[4]";
+/// Corner: P3, ordinate.
+pub const SETV5: &str = "_SETV[5]";
+/// Corner: P4, abscissa.
+pub const SETV6: &str = "_SETV[6]";
+/// Corner: P4, ordinate.
+pub const SETV7: &str = "_SETV[7]";

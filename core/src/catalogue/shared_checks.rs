@@ -259,6 +259,17 @@ pub fn differential(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnost
     }
 }
 
+/// Only a multi probe switches in all directions that are needed (B:7846-7848). The alarm is ours.
+pub fn multi_probe(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
+    if inputs.integer(names::PRNUM) / 100 == 1 {
+        found.push(
+            error(Code::Alarm(61313), Message::new("check-multi-probe"))
+                .hint(Message::new("check-multi-probe-hint"))
+                .at(names::PRNUM),
+        );
+    }
+}
+
 /// Global basic frames cannot take a rotation (B:1971).
 pub fn rotation_target(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     let code = inputs.integer(names::KNUM);

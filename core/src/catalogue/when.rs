@@ -1,6 +1,6 @@
 //! Whether a condition holds for the values of a call.
 
-use super::{Kind, Level, Param, When};
+use super::{Kind, Level, Param, Unit, When};
 use crate::check::{Inputs, delivered_factor};
 use crate::control::{Control, Units};
 
@@ -51,6 +51,7 @@ impl Kind {
                 let list = lists.iter().find(|(when, _)| when.holds(inputs));
                 Some(list.map_or(&[], |(_, choices)| choices))
             }
+            Kind::ChoiceIf(when, choices) => when.holds(inputs).then_some(*choices),
             _ => None,
         }
     }
@@ -63,6 +64,14 @@ impl Param {
             .iter()
             .find(|need| need.when.holds(inputs))
             .map(|need| (need.level, need.reason))
+    }
+
+    /// Unit with these values: a selection has none.
+    pub fn unit_with(&self, inputs: &Inputs) -> Unit {
+        match &self.kind {
+            Kind::ChoiceIf(when, _) if when.holds(inputs) => Unit::None,
+            _ => self.unit,
+        }
     }
 
     /// Value when it is not written, as it would be typed on this control.

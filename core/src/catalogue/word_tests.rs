@@ -48,7 +48,9 @@ fn every_key_of_the_catalogue_has_words() {
             }
             param.needs.iter().for_each(|need| has(need.reason.into()));
             match &param.kind {
-                Kind::Choice(choices) => choices.iter().for_each(|(_, key)| has((*key).into())),
+                Kind::Choice(choices) | Kind::ChoiceIf(_, choices) => {
+                    choices.iter().for_each(|(_, key)| has((*key).into()))
+                }
                 Kind::ChoiceBy(lists) => lists
                     .iter()
                     .flat_map(|(_, choices)| *choices)

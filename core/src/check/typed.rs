@@ -107,10 +107,16 @@ pub fn read(
             }
             continue;
         }
-        match value(param, text, control) {
+        let unit = param.unit_with(&inputs);
+        match value(param, unit, text, control) {
             Ok(Some(number)) => drop(inputs.numbers.insert(param.name, number)),
             Ok(None) => {}
             Err(finding) => diagnostics.push((*finding).at(param.name)),
+        }
+        if let Kind::Variant(_) = param.kind
+            && let Ok(number) = variant(cycle, &inputs, diagnostics)
+        {
+            inputs.variant = number; // decides what the others are
         }
     }
     if let Ok(number) = variant(cycle, &inputs, diagnostics) {
@@ -120,12 +126,17 @@ pub fn read(
 }
 
 /// A number in mm, or the default.
-fn value(param: &Param, text: &str, control: &Control) -> Result<Option<f64>, Box<Diagnostic>> {
+fn value(
+    param: &Param,
+    unit: Unit,
+    text: &str,
+    control: &Control,
+) -> Result<Option<f64>, Box<Diagnostic>> {
     let number = match parse(text) {
         Parsed::Empty => {
             return Ok(param
                 .fallback(control)
-                .map(|number| number * factor(param.unit, control)));
+                .map(|number| number * factor(unit, control)));
         }
         Parsed::Number(number) => number,
         Parsed::Expression => {
@@ -158,12 +169,12 @@ fn value(param: &Param, text: &str, control: &Control) -> Result<Option<f64>, Bo
             error(NOT_WHOLE, message).hint(Message::new("check-not-whole-hint")),
         ));
     }
-    Ok(Some(number * factor(param.unit, control)))
+    Ok(Some(number * factor(unit, control)))
 }
 
 /// Whether only whole numbers count.
 fn whole(kind: &Kind) -> bool {
-    !matches!(kind, Kind::Real | Kind::Text(_))
+    !matches!(kind, Kind::Real | Kind::ChoiceIf(..) | Kind::Text(_))
 }
 
 /// A text without its quotes.
@@ -311,7 +322,8 @@ fn absent(
 /// A value against its own parameter: range, choices, code, usual range.
 fn judge(param: &Param, inputs: &Inputs, control: &Control) -> Option<Diagnostic> {
     let number = inputs.given(param.name)?;
-    let shown = number / factor(param.unit, control);
+    let unit = param.unit_with(inputs);
+    let shown = number / factor(unit, control);
     let code = param.alarm.unwrap_or(OUT_OF_RANGE);
     let choices = param.kind.choices(inputs);
     let allowed = match choices {
@@ -320,9 +332,12 @@ fn judge(param: &Param, inputs: &Inputs, control: &Control) -> Option<Diagnostic
     };
     if !allowed {
         return Some(
-            error(code, outside("check-range", param, shown, control))
-                .hint(range_hint(param, choices, control))
-                .at(param.name),
+            error(
+                code,
+                outside("check-range", param.name, (shown, unit), control),
+            )
+            .hint(range_hint(param, choices, control))
+            .at(param.name),
         );
     }
     if matches!(param.kind, Kind::Knum) {
@@ -330,7 +345,7 @@ fn judge(param: &Param, inputs: &Inputs, control: &Control) -> Option<Diagnostic
     }
     let usual = param.usual.contains(number);
     (!usual).then(|| {
-        let message = outside("check-unusual", param, shown, control);
+        let message = outside("check-unusual", param.name, (shown, unit), control);
         warning(UNUSUAL, message)
             .hint(bounds(
                 "check-unusual-hint",
@@ -342,11 +357,16 @@ fn judge(param: &Param, inputs: &Inputs, control: &Control) -> Option<Diagnostic
     })
 }
 
-fn outside(key: &'static str, param: &Param, shown: f64, control: &Control) -> Message {
+fn outside(
+    key: &'static str,
+    param: &'static str,
+    (shown, unit): (f64, Unit),
+    control: &Control,
+) -> Message {
     Message::new(key)
-        .text("param", param.name)
+        .text("param", param)
         .number("value", shown)
-        .text("unit", unit_behind(param.unit, control))
+        .text("unit", unit_behind(unit, control))
 }
 
 /// What is allowed, in words that fit the kind and the ends of the range.

@@ -89,7 +89,7 @@ fn field(
     control: &Control,
 ) -> Option<Field> {
     let (level, reason) = param.need(inputs)?;
-    let stem = param.label(inputs);
+    let (stem, unit) = (param.label(inputs), param.unit_with(inputs));
     Some(Field {
         name: param.name,
         label: Message::new(format!("param-{stem}")),
@@ -97,10 +97,10 @@ fn field(
         entry: entry(param, inputs, control),
         value: typed.get(param.name).cloned().unwrap_or_default(),
         fallback: param.fallback(control),
-        unit: unit_name(param.unit, control),
+        unit: unit_name(unit, control),
         required: level == Level::Required && param.default.is_none(),
         reason: Message::new(reason),
-        range: shown(param.range, factor(param.unit, control)),
+        range: shown(param.range, factor(unit, control)),
         source: param.source,
     })
 }
@@ -120,9 +120,9 @@ fn entry(param: &Param, inputs: &Inputs, control: &Control) -> Entry {
         Kind::Real => Entry::Real,
         Kind::Integer => Entry::Integer,
         Kind::Text(most) => Entry::Text(*most),
-        Kind::Choice(_) | Kind::ChoiceBy(_) => {
-            let choices = param.kind.choices(inputs).unwrap_or_default();
-            Entry::Choice(codes::choices(choices))
+        Kind::Choice(_) | Kind::ChoiceBy(_) | Kind::ChoiceIf(..) => {
+            let choices = param.kind.choices(inputs);
+            choices.map_or(Entry::Real, |list| Entry::Choice(codes::choices(list)))
         }
         Kind::Variant([]) => Entry::Choice(codes::variants(inputs.cycle)),
         Kind::Variant(groups) | Kind::Digits(groups) => {

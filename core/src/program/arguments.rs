@@ -3,6 +3,7 @@
 use super::calls::CallSite;
 use super::change::Edit;
 use super::tree::{Program, Word, WordKind};
+use super::values::opposite;
 use crate::catalogue::{Arg, ArgumentList, list};
 use crate::diagnostic::Span;
 
@@ -81,9 +82,13 @@ pub(super) fn change(
     if site.cycle.variant_param() == Some(name) && !list.has_variant(site.cycle) {
         return Some(select(program, site, list, text).unwrap_or_default());
     }
-    let named = |arg: &Arg| matches!(arg, Arg::Param(param) if *param == name);
+    let named = |arg: &Arg| matches!(arg, Arg::Param(param) | Arg::Down(param) if *param == name);
     let index = list.args.iter().position(named)?;
-    Some(put(program, site.span, index, text).into_iter().collect())
+    let text = match list.args[index] {
+        Arg::Down(_) => opposite(text),
+        _ => text.to_owned(),
+    };
+    Some(put(program, site.span, index, &text).into_iter().collect())
 }
 
 /// Writes an argument at its index, with the commas that are missing before it.

@@ -426,7 +426,7 @@ fn given(
     let mut found = Vec::new();
     let at = |index: usize| arguments.get(index).and_then(Option::as_ref);
     for (index, arg) in list.args.iter().enumerate() {
-        let Arg::Param(name) = arg else {
+        let (Arg::Param(name) | Arg::Down(name)) = arg else {
             continue;
         };
         let omitted = || {
@@ -440,7 +440,10 @@ fn given(
                 shared: false,
             }
         };
-        let value = at(index).cloned();
+        let value = at(index).cloned().map(|value| match arg {
+            Arg::Down(_) => value.opposite(),
+            _ => value,
+        });
         let value = value.or_else(|| (list.style == Style::Indirect).then(omitted));
         found.extend(value.map(|value| (*name, value)));
     }

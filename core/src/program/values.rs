@@ -3,6 +3,7 @@
 
 use super::fold::{self, Known};
 use super::tree::{Expr, ExprId, Operator, Program};
+use crate::check::{Parsed, parse};
 use crate::diagnostic::Span;
 
 /// A value as text, and its place; inside the quotes for a text.
@@ -14,6 +15,34 @@ pub(super) struct Value {
     pub number: Option<f64>,
     /// Whether others take their value from the same place (`REP`).
     pub shared: bool,
+}
+
+impl Value {
+    /// The same with the other sign.
+    pub fn opposite(self) -> Value {
+        Value {
+            text: opposite(&self.text),
+            number: self.number.map(|number| -number),
+            ..self
+        }
+    }
+}
+
+/// A value as text with the other sign: `30` and `-30`, `R1` and `-(R1)`.
+pub fn opposite(text: &str) -> String {
+    let inner = text
+        .strip_prefix("-(")
+        .and_then(|rest| rest.strip_suffix(')'))
+        .filter(|inner| !inner.contains([')', '(']));
+    match parse(text) {
+        Parsed::Empty => String::new(),
+        Parsed::Number(0.0) => text.to_owned(),
+        Parsed::Number(_) => match text.trim().strip_prefix('-') {
+            Some(rest) => rest.to_owned(),
+            None => format!("-{}", text.trim().trim_start_matches('+')),
+        },
+        _ => inner.map_or_else(|| format!("-({text})"), str::to_owned),
+    }
 }
 
 /// The value of an expression that stands at `place`.

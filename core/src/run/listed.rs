@@ -63,6 +63,7 @@ fn values(
         .enumerate()
         .filter_map(|(index, arg)| match arg {
             Arg::Param(name) => Some((*name, at(index).and_then(Datum::value))),
+            Arg::Down(name) => Some((*name, at(index).and_then(Datum::value).map(opposite))),
             _ => None,
         });
     let mut found: Vec<_> = params.collect();
@@ -72,6 +73,14 @@ fn values(
         found.push((name, Some(Value::Number(variant as f64))));
     }
     found
+}
+
+/// A length with the other sign.
+fn opposite(value: Value) -> Value {
+    match value {
+        Value::Number(number) => Value::Number(-number),
+        text => text,
+    }
 }
 
 /// What a called program finds in an argument that is omitted.

@@ -186,7 +186,7 @@ fn section(leg: &Leg, cut: bool) -> Vec<PictureShape> {
     let level = lowest.min(starts[1][1] * leg.direction) - leg.ball * 2.5;
     let at = |along: f64| [along, level * leg.direction];
     shapes.push(dimension(distance, at(0.0), at(leg.distance)));
-    let aside = -leg.ball * 2.0;
+    let aside = -leg.ball * 3.0;
     let ends = [leg.start(0.0), leg.stop(0.0)].map(|height| [aside, height]);
     shapes.push(dimension(names::FA, ends[0], ends[1]));
     shapes

@@ -28,7 +28,7 @@ fn parameterizing_calls_are_those_of_the_table() {
             assert_eq!(list.args.len(), rows.len(), "{}", list.name);
             for (arg, row) in list.args.iter().zip(rows) {
                 match arg {
-                    Arg::Param(name) => assert_eq!(name, row, "{}", list.name),
+                    Arg::Param(name) | Arg::Down(name) => assert_eq!(name, row, "{}", list.name),
                     Arg::Select(_) | Arg::Is(_) => {
                         assert!(row.starts_with("(selection"), "{} {row}", list.name);
                     }

@@ -95,7 +95,7 @@ fn compare(cycle: &'static Cycle, name: &str, row: &[String], used: &mut BTreeSe
     let level = level(name, requirement, condition);
     if level.is_some() {
         used.insert(param.name);
-        unit(cycle, param, row);
+        default(cycle, param, row);
         kind(cycle, param, &row[4]);
     }
     let covered = |one: &&Variant| covers(variants, one.number);
@@ -105,6 +105,9 @@ fn compare(cycle: &'static Cycle, name: &str, row: &[String], used: &mut BTreeSe
         let ways = met(condition, cycle, variant.number);
         for inputs in &ways {
             assert_eq!(need(inputs), level, "{what}");
+            if level.is_some() {
+                assert_eq!(param.unit_with(inputs), unit(param, row), "{what}");
+            }
         }
         if ways.is_empty() {
             let plain = need(&Inputs::new(cycle, variant.number));
@@ -116,16 +119,19 @@ fn compare(cycle: &'static Cycle, name: &str, row: &[String], used: &mut BTreeSe
     }
 }
 
-fn unit(cycle: &Cycle, param: &Param, row: &[String]) {
-    let expected = match row[6].as_str() {
+/// Unit of a row.
+fn unit(param: &Param, row: &[String]) -> Unit {
+    match row[6].as_str() {
         "active-unit" => Unit::ActiveLength,
         "basic-unit" if [names::VMS, names::RF].contains(&param.name) => Unit::BasicFeed,
         "basic-unit" => Unit::BasicLength,
         "always-mm" => Unit::Millimetre,
         "degrees" => Unit::Degree,
         _ => Unit::None,
-    };
-    assert_eq!(param.unit, expected, "{} {}", cycle.name, param.name);
+    }
+}
+
+fn default(cycle: &Cycle, param: &Param, row: &[String]) {
     // A delivered value that the cycle refuses (_RF=0) is none.
     let delivered = row[7].parse().ok();
     let default = delivered.filter(|value| param.range.contains(*value));

@@ -5,6 +5,7 @@ use crate::catalogue::{Arg, ArgumentList, Param, Style, list};
 use crate::check::{Finding, Parsed, error, note, parse, warning};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::message::Message;
+use crate::program::values::opposite;
 
 /// There is no call of this kind for the cycle or the variant.
 const NO_LIST: Code = Code::Own(120);
@@ -77,7 +78,8 @@ fn listed(source: &Source, list: &ArgumentList) -> Written {
 
 /// Whether the list says the value: as an argument, or the variant as selections.
 fn takes(source: &Source, list: &ArgumentList, param: &Param) -> bool {
-    let named = |arg: &Arg| matches!(arg, Arg::Param(name) if *name == param.name);
+    let named =
+        |arg: &Arg| matches!(arg, Arg::Param(name) | Arg::Down(name) if *name == param.name);
     list.args.iter().any(named)
         || source.cycle.variant_param() == Some(param.name) && list.style != Style::Direct
 }
@@ -119,6 +121,7 @@ fn arguments(source: &Source, list: &ArgumentList) -> Vec<String> {
         .into_iter();
     let written = |arg: &Arg| match arg {
         Arg::Param(name) => parameter(source, name),
+        Arg::Down(name) => opposite(&parameter(source, name)),
         Arg::Select(_) => selections
             .next()
             .map_or(String::new(), |number| number.to_string()),

@@ -1,0 +1,139 @@
+//! What several values of CYCLE961 say together.
+
+use super::lines::{Point, away, shares};
+use super::params::{DISTANCES, PASSES, PLACES, POINTS, RECTANGLE};
+use crate::catalogue::{names, shared_checks};
+use crate::check::{Finding, Inputs, error, note, warning};
+use crate::control::Control;
+use crate::diagnostic::{Code, Diagnostic};
+use crate::message::Message;
+
+/// How exactly the angles have to be known, degree (B:7923-7924).
+const TOLERANCE: f64 = 10.0;
+
+/// Sine of an angle that a position of 1e-9 mm cannot tell from 0 on a metre.
+const PARALLEL: f64 = 1e-12;
+
+/// All of them.
+pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
+    shared_checks::probe(inputs, control, found);
+    shared_checks::multi_probe(inputs, found);
+    shared_checks::rotation_target(inputs, found);
+    shared_checks::lathe_length(inputs, control, found);
+    if DISTANCES.holds(inputs) {
+        distances(inputs, found);
+        directions(inputs, found);
+    }
+    if PASSES.holds(inputs) {
+        passing(inputs, found);
+    }
+    if POINTS.holds(inputs) {
+        shared_checks::infeed(inputs, found);
+        points(inputs, found);
+    }
+}
+
+/// The points lie in the directions of the edges, so that distances have no sign (A:15889).
+fn distances(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
+    for name in [names::SETV0, names::SETV1] {
+        if let Some(distance) = inputs.given(name).filter(|distance| *distance <= 0.0) {
+            let message = Message::new("check-corner-distance")
+                .text("param", name)
+                .number("distance", distance);
+            found.push(
+                error(Code::Alarm(61346), message)
+                    .hint(Message::new("check-corner-distance-hint"))
+                    .at(name),
+            );
+        }
+    }
+}
+
+/// Two edges are not one (A:15890), and those of a rectangle stand upright on each other.
+fn directions(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
+    let Some(angle) = inputs.given(names::INCA) else {
+        return;
+    };
+    if angle == 0.0 {
+        found.push(
+            error(Code::Alarm(61347), Message::new("check-corner-straight"))
+                .hint(Message::new("check-corner-straight-hint"))
+                .at(names::INCA),
+        );
+    } else if RECTANGLE.holds(inputs) && (angle.abs() - 90.0).abs() > TOLERANCE {
+        let message = Message::new("check-corner-rectangle").number("angle", angle);
+        found.push(
+            warning(Code::Own(90), message)
+                .hint(Message::new("check-corner-rectangle-hint"))
+                .at(names::INCA),
+        );
+    }
+}
+
+/// Over the corner the probe rises; 0 leads around it (B:8006-8012).
+fn passing(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
+    if let Some(lift) = inputs.given(names::ID).filter(|lift| *lift < 0.0) {
+        let message = Message::new("check-corner-lift").number("lift", lift);
+        found.push(
+            error(Code::Own(91), message)
+                .hint(Message::new("check-corner-lift-hint"))
+                .at(names::ID),
+        );
+    }
+}
+
+/// The points P1 to P4 where all are given.
+fn given(inputs: &Inputs) -> Option<[Point; 4]> {
+    let point =
+        |[abscissa, ordinate]: [&str; 2]| Some([inputs.given(abscissa)?, inputs.given(ordinate)?]);
+    let [p1, p2, p3, p4] = PLACES;
+    Some([point(p1)?, point(p2)?, point(p3)?, point(p4)?])
+}
+
+/// The four points have to make two lines that meet outside of them (A:15911-15913).
+fn points(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
+    let Some([p1, p2, p3, p4]) = given(inputs) else {
+        return;
+    };
+    let refused = |alarm, key, hint, at| {
+        error(Code::Alarm(alarm), Message::new(key))
+            .hint(Message::new(hint))
+            .at(at)
+    };
+    let (same, hint) = ("check-corner-same", "check-corner-same-hint");
+    if p1 == p2 {
+        found.push(refused(61367, same, hint, names::SETV2));
+        return;
+    }
+    if p3 == p4 {
+        found.push(refused(61367, same, hint, names::SETV6));
+        return;
+    }
+    match shares([p1, p3], [away(p1, p2), away(p3, p4)], PARALLEL) {
+        None => found.push(refused(
+            61368,
+            "check-corner-parallel",
+            "check-corner-parallel-hint",
+            names::SETV6,
+        )),
+        Some(shares) => {
+            let between = |share: &f64| (0.0..=1.0).contains(share);
+            if let Some(line) = shares.iter().position(between) {
+                let at = [names::SETV0, names::SETV4][line];
+                found.push(refused(
+                    61369,
+                    "check-corner-between",
+                    "check-corner-between-hint",
+                    at,
+                ));
+            }
+        }
+    }
+    if p2[0] < p1[0] {
+        found.push(
+            note(Code::Own(92), Message::new("check-corner-turned"))
+                .hint(Message::new("check-corner-turned-hint"))
+                .at(names::SETV2),
+        );
+    }
+}

@@ -1,0 +1,88 @@
+//! CYCLE961: inside and outside corner, with the direction of an edge (B:7816-8170).
+
+mod checks;
+mod lines;
+mod lists;
+pub mod params;
+mod picture;
+mod results;
+mod scene;
+#[cfg(test)]
+mod tests;
+
+pub use results::RESULTS;
+
+use crate::catalogue::common;
+use crate::catalogue::{Cycle, Dialect, Purpose, Variant};
+
+/// Measuring variants (B:7862-7869).
+pub const VARIANTS: &[Variant] = &[
+    Variant {
+        number: 105,
+        key: "cycle961-inside-rectangle",
+        source: "B:7864;B:7917;A:8646",
+    },
+    Variant {
+        number: 106,
+        key: "cycle961-outside-rectangle",
+        source: "B:7865;B:7918;A:8647",
+    },
+    Variant {
+        number: 107,
+        key: "cycle961-inside-any",
+        source: "B:7866;B:7919;A:8648",
+    },
+    Variant {
+        number: 108,
+        key: "cycle961-outside-any",
+        source: "B:7867;B:7920;A:8649",
+    },
+    Variant {
+        number: 117,
+        key: "cycle961-inside-points",
+        source: "B:7868;B:8054;A:8650",
+    },
+    Variant {
+        number: 118,
+        key: "cycle961-outside-points",
+        source: "B:7869;B:8055;A:8651",
+    },
+];
+
+/// The entry. Example: the outside corner of B:7944-7972, A:8756-8793.
+pub static CYCLE961: Cycle = Cycle {
+    dialect: Dialect::Sinumerik,
+    name: "CYCLE961",
+    key: "cycle961",
+    variants: VARIANTS,
+    params: params::PARAMS,
+    purpose: Purpose::MILLING,
+    lists: lists::LISTS,
+    // B:7834: on a lathe the length ends at the centre of the ball
+    settings: &["_CBIT[14]"],
+    results: RESULTS,
+    alarms: &[
+        common::EVERY_CYCLE,
+        // A:15866, A:15868, A:15889-15890, A:15911-15913, A:15920; 61321 and 61412 for a _KNUM without a frame
+        &common::alarms([
+            61321, 61325, 61327, 61346, 61347, 61367, 61368, 61369, 61401, 61412,
+        ]),
+    ],
+    checks: checks::checks,
+    picture: picture::picture,
+    example: &[
+        ("_MVAR", "108"),
+        ("_STA1", "-35"),
+        ("_INCA", "80"),
+        ("_SETV[0]", "100"),
+        ("_SETV[1]", "100"),
+        ("_ID", "30"),
+        ("_KNUM", "2"),
+        ("_PRNUM", "1"),
+        ("_FA", "20"),
+        ("_VMS", "0"),
+        ("_NMSP", "1"),
+    ],
+    simulation: None,
+    source: "B:7816-8170",
+};
