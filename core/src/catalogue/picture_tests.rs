@@ -66,7 +66,7 @@ fn pictures_show_what_the_form_asks_for() {
     }
 }
 
-/// Two numbers of one variant: CYCLE973 takes 13 for 1013 (B:10286).
+/// Two numbers of one variant: CYCLE973 takes 13 for 1013 (A:11504).
 const SAME: &[(&str, i64, i64)] = &[("CYCLE973", 13, 1013)];
 
 #[test]

@@ -46,7 +46,7 @@ impl Groove {
     }
 }
 
-/// Number of the pair, position of the probe, direction at the base, data of the groove (B:10145, B:10211-10255).
+/// Number of the pair, position of the probe, direction at the base, data of the groove (B:10145, B:10213-10255).
 fn groove(
     inputs: &Inputs,
     control: &Control,

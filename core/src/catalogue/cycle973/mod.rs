@@ -12,42 +12,42 @@ pub use results::RESULTS;
 
 use crate::catalogue::{Cycle, Dialect, Purpose, Variant, When, common, lathe};
 
-/// Measuring variants (B:10163-10177). 13 stands in the programs only, with axis and direction: it is 1013 (B:10286).
+/// Measuring variants (B:10163-10177). 13 stands in the programs only, with axis and direction: it is 1013 (A:11504).
 pub const VARIANTS: &[Variant] = &[
     Variant {
         number: 0,
         key: "cycle973-surface",
-        source: "B:10167;B:10349;A:11362",
+        source: "B:10166;B:10349;A:11361",
     },
     Variant {
         number: 13,
         key: "cycle973-groove-short",
-        source: "B:10286-10293;A:11504",
+        source: "B:10292;A:11504",
     },
     Variant {
         number: 1013,
         key: "cycle973-groove-one",
-        source: "B:10171;B:10242;A:11365",
+        source: "B:10170;B:10245;A:11365",
     },
     Variant {
         number: 2013,
         key: "cycle973-groove-two",
-        source: "B:10172;B:10295;A:11366",
+        source: "B:10171;B:10295;A:11366",
     },
     Variant {
         number: 2113,
         key: "cycle973-groove-two-ball",
-        source: "B:10172-10174;A:11366-11367",
+        source: "B:10171-10173;A:11366-11368",
     },
     Variant {
         number: 12_013,
         key: "cycle973-groove-two-skew",
-        source: "B:10170-10172;A:11364-11366",
+        source: "B:10169-10171;A:11364-11366",
     },
     Variant {
         number: 12_113,
         key: "cycle973-groove-two-skew-ball",
-        source: "B:10170-10174;A:11364-11367",
+        source: "B:10169-10173;A:11364-11368",
     },
 ];
 

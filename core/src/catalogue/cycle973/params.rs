@@ -1,4 +1,4 @@
-//! Parameters of CYCLE973 in the order of the manual's tables (B:10237-10255, B:10347-10356).
+//! Parameters of CYCLE973 in the order of the manual's tables (B:10239-10255, B:10347-10356).
 
 use crate::catalogue::common::{self, required};
 use crate::catalogue::lathe::params as lathe;
@@ -9,7 +9,7 @@ use crate::diagnostic::Code;
 pub const SURFACE: When = When::Variant(&[0]);
 /// In a reference groove of the machine.
 pub const GROOVE: When = When::Not(&SURFACE);
-/// In the groove in one direction; 13 is written for 1013 (B:10286).
+/// In the groove in one direction; 13 is written for 1013 (A:11504).
 pub const ONE: When = When::Variant(&[13, 1013]);
 /// In the groove in both directions of an axis.
 pub const TWO: When = When::Digit {
@@ -30,7 +30,7 @@ pub const SKEW: When = When::Digit {
     is: &[1],
 };
 
-/// B:10163-10175.
+/// B:10163-10173.
 const MVAR_DIGITS: &[DigitGroup] = &[
     DigitGroup {
         key: "calibrate-place",
@@ -103,7 +103,7 @@ pub const PARAMS: &[Param] = &[
     },
     Param {
         needs: &[required(When::Any(&[ONE, SURFACE]), "need-direction")],
-        source: "B:10250-10251;B:10352-10353",
+        source: "B:10250-10251;B:10352",
         ..common::MD
     },
     Param {
@@ -121,12 +121,12 @@ pub const PARAMS: &[Param] = &[
         ..common::PARAM
     },
     Param {
-        source: "B:10253;B:10355;A:16310",
+        source: "B:10253;B:10353;A:16310",
         ..common::PRNUM
     },
     Param {
         labels: &[(When::Always, "fa-lathe")],
-        source: "B:10257;B:10358;B:15491",
+        source: "B:10255;B:10356;B:15491",
         ..common::FA
     },
     Param {
@@ -135,17 +135,17 @@ pub const PARAMS: &[Param] = &[
         ..common::TSA
     },
     Param {
-        source: "B:10257;B:10358;B:15522",
+        source: "B:10255;B:10356;B:15522",
         ..common::VMS
     },
     Param {
-        source: "B:10257;B:10358;B:15501",
+        source: "B:10255;B:10356;B:15501",
         ..common::NMSP
     },
     Param {
         needs: common::ALWAYS_OPTIONAL,
         labels: &[(When::Always, "tzl-trigger")],
-        source: "B:10257;B:10358;B:15521",
+        source: "B:10255;B:10356;B:15521",
         ..common::TZL
     },
 ];

@@ -14,7 +14,7 @@ use crate::program::write::snippet;
 const ERROR: Severity = Severity::Error;
 const WARNING: Severity = Severity::Warning;
 
-/// The groove of the manual's example (B:10279) and one for a probe with position 8 of the same width.
+/// The groove of the manual's example (B:10281) and one for a probe with position 8 of the same width.
 fn grooves(control: &mut Control) {
     for (index, value) in [60.123, 50.054, 15.021, 40.0, 29.931, 25.0, 20.0]
         .iter()
@@ -121,7 +121,7 @@ fn a_groove_and_its_mistakes() {
 
 #[test]
 fn the_data_of_the_groove_are_looked_at() {
-    // oracle: manual B:10219, B:13347, B:13473-13482, A:15876
+    // oracle: manual B:10281, B:13347, B:13473-13482, A:15876
     let with = |prepare: fn(&mut Control)| {
         found(&CYCLE973, &groove("13", "1", "1"), |control| {
             grooves(control);

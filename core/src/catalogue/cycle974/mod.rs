@@ -17,12 +17,12 @@ pub const VARIANTS: &[Variant] = &[
     Variant {
         number: 0,
         key: "cycle974-tool",
-        source: "B:10457;B:10622;A:11674",
+        source: "B:10457;B:10621;A:11674",
     },
     Variant {
         number: 100,
         key: "cycle974-zero",
-        source: "B:10458;B:10533;A:11675",
+        source: "B:10458;B:10539;A:11675",
     },
     Variant {
         number: 1000,
@@ -31,7 +31,7 @@ pub const VARIANTS: &[Variant] = &[
     },
 ];
 
-/// The entry. Example: the outside diameter of B:10661-10712.
+/// The entry. Example: the outside diameter of B:10661-10720.
 pub static CYCLE974: Cycle = Cycle {
     dialect: Dialect::Sinumerik,
     name: "CYCLE974",

@@ -1,4 +1,4 @@
-//! Parameters of CYCLE974 in the order of the manual's tables (B:10533-10547, B:10620-10643, B:10792-10813).
+//! Parameters of CYCLE974 in the order of the manual's tables (B:10537-10547, B:10619-10639, B:10792-10811).
 
 use crate::catalogue::common::{self, required};
 use crate::catalogue::lathe::params as lathe;
@@ -39,11 +39,11 @@ pub const PARAMS: &[Param] = &[
             (lathe::TRANSVERSE, "setval-turned-diameter"),
             (When::Always, "setval-turned-position"),
         ],
-        source: "B:10534;B:10623-10624;B:10795-10796",
+        source: "B:10540;B:10622-10623;B:10795-10796",
         ..common::SETVAL
     },
     Param {
-        source: "B:10535;B:10545",
+        source: "B:10541;B:10545",
         ..lathe::MA
     },
     Param {
@@ -55,19 +55,19 @@ pub const PARAMS: &[Param] = &[
         ..common::STA1
     },
     Param {
-        source: "B:10536-10538;B:10626-10628",
+        source: "B:10542-10544;B:10625-10627",
         ..lathe::KNUM
     },
     Param {
-        source: "B:10629",
+        source: "B:10628",
         ..lathe::TNUM
     },
     Param {
-        source: "B:10630-10631",
+        source: "B:10629-10630",
         ..lathe::TNAME
     },
     Param {
-        source: "B:10632",
+        source: "B:10631-10632",
         ..lathe::DLNUM
     },
     Param {
@@ -85,11 +85,11 @@ pub const PARAMS: &[Param] = &[
     },
     Param {
         labels: &[(When::Always, "tsa-position")],
-        source: "B:10547;B:10736",
+        source: "B:10547;B:10740",
         ..common::TSA
     },
     Param {
-        source: "B:10547;B:10565-10571",
+        source: "B:10547;B:10567-10571",
         ..common::VMS
     },
     Param {
@@ -97,31 +97,31 @@ pub const PARAMS: &[Param] = &[
         ..common::NMSP
     },
     Param {
-        source: "B:10547;B:10612-10616",
+        source: "B:10547;B:15538-15539",
         ..lathe::EVNUM
     },
     Param {
-        source: "B:10643;B:15544",
+        source: "B:10639;B:15544",
         ..lathe::K
     },
     Param {
-        source: "B:10643;B:15575",
+        source: "B:10639;B:15575",
         ..lathe::TZL
     },
     Param {
-        source: "B:10643;A:16405",
+        source: "B:10639;A:16405",
         ..lathe::TMV
     },
     Param {
-        source: "B:10643;A:16406",
+        source: "B:10639;A:16406",
         ..lathe::TUL
     },
     Param {
-        source: "B:10643;A:16407",
+        source: "B:10639;A:16407",
         ..lathe::TLL
     },
     Param {
-        source: "B:10643;B:15568",
+        source: "B:10639;B:15568",
         ..lathe::TDIF
     },
 ];

@@ -75,7 +75,7 @@ fn probe_and_coordinate_system_have_to_suit() {
 
 #[test]
 fn the_setpoint_is_a_diameter_across_the_axis_of_rotation() {
-    // oracle: manual B:10540, B:14023-14027 (Y counts like X with _CHBIT[19] in G18)
+    // oracle: manual B:10623, B:14023-14027 (Y counts like X with _CHBIT[19] in G18)
     let label = |plane, axis: &str, bit: f64| {
         let mut control = lathe();
         control.plane = plane;

@@ -33,7 +33,7 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Without calibration the stored ball diameter counts alone (B:10905-10913).
+/// Without calibration the stored ball diameter counts alone (B:10901-10906).
 fn ball_diameter(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     let name = format!("_WP[{},0]", inputs.integer(names::PRNUM) % 100 - 1);
     if control.bit("_CHBIT[7]") && control.number(&name) <= 0.0 {

@@ -2,7 +2,7 @@
 
 use crate::catalogue::{Arg, ArgumentList, Style, When, names};
 
-/// The parameterizing call (B:12106-12121). Newer controls have no list for turning that is known to us.
+/// The parameterizing call (B:12108-12121). Newer controls have no list for turning that is known to us.
 pub const LISTS: &[ArgumentList] = &[ArgumentList {
     style: Style::Indirect,
     name: "CYCLE_994",
@@ -19,5 +19,5 @@ pub const LISTS: &[ArgumentList] = &[ArgumentList {
         Arg::Param(names::SZO),
         Arg::Param(names::PRNUM),
     ],
-    source: "B:12106-12121;A:13450-13458",
+    source: "B:12108-12121;A:13450-13458",
 }];

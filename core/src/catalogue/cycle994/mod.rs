@@ -30,7 +30,7 @@ pub const VARIANTS: &[Variant] = &[
 /// The protection zone leaves no way: no number is named, this is the one of CYCLE977.
 const ZONE: Code = Code::Alarm(61334);
 
-/// The entry. Example: the outside diameter of B:11013-11090.
+/// The entry. Example: the outside diameter of B:11015-11090.
 pub static CYCLE994: Cycle = Cycle {
     dialect: Dialect::Sinumerik,
     name: "CYCLE994",

@@ -7,7 +7,7 @@ use crate::catalogue::{Need, Param, Range, When};
 /// Inside, around a protection zone.
 pub const INSIDE_ZONE: When = When::Variant(&[1]);
 
-/// Outside with the second variant too; whether it is outside, the start position tells (B:10933, B:11120-11142).
+/// Outside with the second variant too; whether it is outside, the start position tells (B:10933, B:11122-11142).
 const ZONE: &[Need] = &[
     required(INSIDE_ZONE, "need-zone-inside"),
     optional(When::Always, "need-zone-outside"),

@@ -65,7 +65,7 @@ fn inside_no_zone_is_right() {
 
 #[test]
 fn without_calibration_the_ball_diameter_has_to_be_known() {
-    // oracle: manual B:10905-10913
+    // oracle: manual B:10901-10906
     let with = |bit, diameter| {
         found(&CYCLE994, &[("_PRNUM", "2")], |control| {
             control.set("_CHBIT[7]", bit);

@@ -18,7 +18,7 @@ pub const ORDINATE: When = axis(&[2]);
 /// Measured in the applicate.
 pub const APPLICATE: When = axis(&[3]);
 
-/// Measured in the transverse axis X, where dimensions are diameters with DIAMON (B:10540, B:10975); `_CHBIT[19]` = 1
+/// Measured in the transverse axis X, where dimensions are diameters with DIAMON (B:10623, B:10975); `_CHBIT[19]` = 1
 /// lets Y count like it in G18 (B:14023-14027).
 pub const TRANSVERSE: When = When::Any(&[
     When::All(&[When::Plane(Plane::G18), ORDINATE]),

@@ -7,7 +7,7 @@ use crate::check::{Typed, check};
 use crate::control::{Control, Edge, Plane, Tool, delivery};
 use crate::diagnostic::{Code, Severity};
 
-/// The control in G18 with mean value memory and the probe of the manual's examples in use (B:10685-10709): T9, type 580,
+/// The control in G18 with mean value memory and the probe of the manual's examples in use (B:10695-10709): T9, type 580,
 /// position 7.
 pub fn lathe() -> Control {
     let mut control = delivery(Dialect::Sinumerik);
