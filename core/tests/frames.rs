@@ -44,7 +44,7 @@ fn measured(mut setup: Setup, before: &str, call: &str, after: &str) -> Outcome 
     ]
     .map(|(name, value)| (name.to_owned(), value.to_owned()));
     let inputs = check(cycle, &typed.into(), &setup.control).inputs.unwrap();
-    let proposal = (cycle.simulation.as_ref().unwrap().propose)(&inputs, &setup.control);
+    let proposal = (cycle.work().unwrap().propose)(&inputs, &setup.control);
     setup.workpiece = proposal.workpiece;
     setup.workpiece.solids[0].errors.shift[0] = SHIFT;
     setup.position = setup.control.to_machine(proposal.start);

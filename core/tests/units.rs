@@ -80,8 +80,7 @@ fn measure(
     let inputs = checked
         .inputs
         .unwrap_or_else(|| panic!("{:?}", checked.diagnostics));
-    let simulation = cycle.simulation.as_ref().unwrap();
-    let proposal = (simulation.propose)(&inputs, &setup.control);
+    let proposal = (cycle.work().unwrap().propose)(&inputs, &setup.control);
     setup.workpiece = proposal.workpiece;
     for solid in &mut setup.workpiece.solids {
         (solid.errors.shift, solid.errors.size) = errors;

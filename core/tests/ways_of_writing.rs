@@ -116,9 +116,9 @@ fn nothing_goes_through_cycle_para_as_zero() {
 fn every_way_of_writing_does_the_same() {
     for name in ["CYCLE977", "CYCLE978"] {
         let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
-        let simulation = cycle(name).simulation.as_ref().unwrap();
         let checked = probewright_core::check::check(cycle(name), &example(name), &setup.control);
-        let proposal = (simulation.propose)(&checked.inputs.unwrap(), &setup.control);
+        let proposal =
+            (cycle(name).work().unwrap().propose)(&checked.inputs.unwrap(), &setup.control);
         setup.workpiece = proposal.workpiece;
         setup.position = setup.control.to_machine(proposal.start);
         for tool in proposal.tools {

@@ -1,5 +1,6 @@
 //! The shape of a catalogue entry. Plain data, read by form, check, program, docs and run.
 
+use crate::SIMULATES;
 use crate::check::Inputs;
 use crate::control::Control;
 use crate::diagnostic::Code;
@@ -45,7 +46,7 @@ pub struct Cycle {
     pub picture: fn(&Inputs) -> Picture,
     /// A worked measurement: values as typed, by parameter name.
     pub example: &'static [(&'static str, &'static str)],
-    /// What happens at the call; none while only form, checks and text are known.
+    /// What happens at the call; none while only form, checks and text are known. See [`Cycle::work`].
     pub simulation: Option<Simulation>,
     /// Place in the manual.
     pub source: &'static str,
@@ -54,11 +55,15 @@ pub struct Cycle {
 impl Cycle {
     /// All alarms, SINUMERIK by number, NCT as listed.
     pub fn alarms(&self) -> Vec<Code> {
-        let mut list: Vec<Code> = self.alarms.concat();
-        list.sort_by_key(|code| match code {
+        let number = |code: &Code| match code {
             Code::Alarm(number) => *number,
             _ => 0,
-        });
+        };
+        let mut list: Vec<Code> = Vec::new();
+        for code in self.alarms.iter().copied().flatten() {
+            let place = list.partition_point(|known| number(known) <= number(code));
+            list.insert(place, *code);
+        }
         list
     }
 
@@ -68,6 +73,12 @@ impl Cycle {
             .iter()
             .find(|param| matches!(param.kind, Kind::Variant(_)))
             .map(|param| param.name)
+    }
+
+    /// The cycle at work; none where it is not simulated, or not in this build (feature `simulation`).
+    pub fn work(&self) -> Option<&Work> {
+        let simulation = self.simulation.as_ref().filter(|_| SIMULATES)?;
+        simulation.work.as_ref()
     }
 
     /// A parameter by its name.
@@ -125,15 +136,31 @@ impl Purpose {
 /// A condition that does not hold.
 pub const NEVER: When = When::Any(&[]);
 
-/// A cycle at work.
+/// Values as typed where the condition holds, later ones win.
+pub type Examples = &'static [(When, &'static [(&'static str, &'static str)])];
+
+/// That a cycle is simulated.
 pub struct Simulation {
+    work: Option<Work>,
+    /// What a variant's worked measurement has beside [`Cycle::example`], or instead.
+    pub examples: Examples,
+}
+
+impl Simulation {
+    /// The only way to make one: no entry can forget that a build which does not simulate holds no [`Work`], so that
+    /// nothing of it is linked.
+    pub const fn new(work: Work, examples: Examples) -> Simulation {
+        let work = if SIMULATES { Some(work) } else { None };
+        Simulation { work, examples }
+    }
+}
+
+/// A cycle at work.
+pub struct Work {
     /// A nominal part and a safe start position for the values of a form, for a control in this state (plane, frames).
     pub propose: fn(&Inputs, &Control) -> Proposal,
     /// What the control does.
     pub simulate: fn(&mut dyn Machine, &Inputs) -> Result<(), Stop>,
-    /// What a variant's worked measurement has beside [`Cycle::example`], or instead: values as typed where the condition
-    /// holds, later ones win.
-    pub examples: &'static [(When, &'static [(&'static str, &'static str)])],
 }
 
 /// One measuring variant.

@@ -28,10 +28,17 @@ pub fn choosing(cycle: &Cycle, number: i64) -> Typed {
         let value = if param.chooses? == number { "0" } else { "" };
         Some((param.name.to_owned(), value.to_owned()))
     };
-    cycle.params.iter().filter_map(value).collect()
+    one_by_one(cycle.params.iter().filter_map(value))
 }
 
 fn typed(pairs: &[(&str, &str)]) -> Typed {
     let pair = |(name, value): &(&str, &str)| ((*name).to_owned(), (*value).to_owned());
-    pairs.iter().map(pair).collect()
+    one_by_one(pairs.iter().map(pair))
+}
+
+/// A map of these values. Collecting it would link code that sorts, into the page's first module too.
+fn one_by_one(pairs: impl Iterator<Item = (String, String)>) -> Typed {
+    let mut values = Typed::new();
+    values.extend(pairs);
+    values
 }

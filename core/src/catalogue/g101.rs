@@ -3,7 +3,7 @@
 use super::common::{PARAM, optional};
 use super::nct::{self, part};
 use super::{
-    Cycle, Dialect, Kind, Param, Proposal, Purpose, Range, Simulation, Unit, Variant, When,
+    Cycle, Dialect, Kind, Param, Proposal, Purpose, Range, Simulation, Unit, Variant, When, Work,
 };
 use crate::check::Finding;
 use crate::check::Inputs;
@@ -77,11 +77,7 @@ pub static G101: Cycle = Cycle {
     checks,
     picture,
     example: &[("X", "120"), ("Z", "200")],
-    simulation: Some(Simulation {
-        propose,
-        simulate,
-        examples: &[],
-    }),
+    simulation: Some(Simulation::new(Work { propose, simulate }, &[])),
     source: "C:106-144",
 };
 

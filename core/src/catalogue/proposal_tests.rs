@@ -53,8 +53,7 @@ fn measured(
     let inputs = checked
         .inputs
         .unwrap_or_else(|| panic!("{variant} {:?}", checked.diagnostics));
-    let simulation = cycle.simulation.as_ref().unwrap();
-    let proposal = (simulation.propose)(&inputs, &setup.control);
+    let proposal = (cycle.work().unwrap().propose)(&inputs, &setup.control);
     setup.workpiece = proposal.workpiece;
     for solid in &mut setup.workpiece.solids {
         solid.errors.shift = SHIFT;
@@ -120,11 +119,10 @@ fn without_its_zone_the_probe_meets_the_obstacle() {
                 .inputs
                 .unwrap()
         };
-        let fixture =
-            (cycle.simulation.as_ref().unwrap().propose)(&read(variant), &setup.control).fixture;
+        let fixture = (cycle.work().unwrap().propose)(&read(variant), &setup.control).fixture;
         assert!(!fixture.is_empty(), "{variant}");
         let plain = read(variant - 1000);
-        let proposal = (cycle.simulation.as_ref().unwrap().propose)(&plain, &setup.control);
+        let proposal = (cycle.work().unwrap().propose)(&plain, &setup.control);
         let mut setup = setup;
         setup.workpiece = proposal.workpiece;
         setup.workpiece.solids.extend(fixture);

@@ -92,11 +92,9 @@ pub fn read(
     inputs.five_digit_edges = knum::five_digit_edges(control);
     inputs.plane = control.plane;
     inputs.tool_type = control.active_edge().map_or(0, |edge| edge.kind);
-    inputs.settings = cycle
-        .settings
-        .iter()
-        .map(|name| (*name, control.number(name)))
-        .collect();
+    for name in cycle.settings {
+        inputs.settings.insert(name, control.number(name));
+    }
     for param in cycle.params {
         let text = typed.get(param.name).map_or("", |text| text.trim());
         if let Kind::Text(most) = param.kind {

@@ -1,9 +1,8 @@
 //! The whole catalogue as JSON.
 
-use super::{code, dialect_name, object};
+use super::{code, dialect_name, object, typed};
 use crate::catalogue::example::{choosing, example};
 use crate::catalogue::{CYCLES, Cycle, Param, ResultField, Unit, Variant};
-use crate::check::Typed;
 use serde_json::Value;
 
 /// What the page asks for first: the cycles under a name.
@@ -44,16 +43,9 @@ fn variant(cycle: &'static Cycle, variant: &Variant) -> Value {
         ("mvar", variant.number.into()),
         ("key", variant.key.into()),
         ("source", variant.source.into()),
-        ("values", words(choosing(cycle, variant.number))),
-        ("example", words(example(cycle, variant))),
+        ("values", typed(&choosing(cycle, variant.number))),
+        ("example", typed(&example(cycle, variant))),
     ])
-}
-
-fn words(values: Typed) -> Value {
-    values
-        .into_iter()
-        .map(|(name, value)| (name, Value::from(value)))
-        .collect()
 }
 
 fn param(param: &Param) -> Value {

@@ -1,17 +1,16 @@
-//! A form at every keystroke: fields, findings, snippet, picture and what the call would do.
+//! A form at every keystroke: fields, findings, snippet, picture; what the call would do is [`super::predict`].
 
-use super::setup::{PlaneName, Start, choose_units, plane};
+use super::predict::predict;
+use super::setup::{PlaneName, choose_units, plane};
 use super::{Error, diagnostic, dialect, message, object, put};
-use crate::catalogue::{self, Cycle, Range, Simulation, Style};
-use crate::check::{self, Checked, Inputs, Typed};
+use crate::catalogue::{self, Cycle, Range, Style};
+use crate::check::{self, Checked, Typed};
 use crate::control::{Control, Plane, Units};
 use crate::diagnostic::Severity;
 use crate::form;
 use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
 use crate::program::write::snippet;
-use crate::run::predict::predict;
 use crate::run::setup::Setup;
-use crate::workpiece::{PartErrors, Probe, Solid};
 use serde::Deserialize;
 use serde_json::Value;
 
@@ -30,7 +29,7 @@ struct Request {
     #[serde(default)]
     plane: Option<PlaneName>,
     #[serde(default)]
-    errors: Option<Errors>,
+    errors: Option<Value>,
     /// Words by parameter name for a comment line each; the core has no words of its own.
     #[serde(default)]
     comments: Option<Typed>,
@@ -39,36 +38,6 @@ struct Request {
     style: Option<String>,
     #[serde(default)]
     predict: bool,
-}
-
-/// What is wrong with part and probe, as the sliders of the page set it.
-#[derive(Default, Deserialize)]
-#[serde(default)]
-struct Errors {
-    part: PartSliders,
-    probe: ProbeSliders,
-}
-
-#[derive(Clone, Copy, Default, Deserialize)]
-#[serde(default, rename_all = "camelCase")]
-struct PartSliders {
-    dx: f64,
-    dy: f64,
-    dz: f64,
-    size: f64,
-    tilt: f64,
-    taper: f64,
-    out_of_round: f64,
-}
-
-#[derive(Clone, Copy, Default, Deserialize)]
-#[serde(default, rename_all = "camelCase")]
-struct ProbeSliders {
-    skew_x: f64,
-    skew_y: f64,
-    radius: f64,
-    pre_travel: f64,
-    repeatability: f64,
 }
 
 /// Answers a `FormRequest` with a `FormView`.
@@ -80,48 +49,33 @@ pub fn form(request: &str) -> Result<Value, Error> {
             name: request.cycle.clone(),
         }
     })?;
-    let Start {
-        mut setup,
-        described,
-    } = super::setup::start(cycle.dialect, request.setup)?;
-    let start = modal(&setup.control);
+    let mut start = super::start::start(cycle.dialect, request.setup)?;
+    let control = &mut start.setup.control;
+    let at_start = modal(control);
     if let Some(name) = &request.units {
-        choose_units(&mut setup.control, name)?;
+        choose_units(control, name)?;
     }
     if let Some(name) = request.plane {
-        setup.control.plane = plane(name);
+        control.plane = plane(name);
     }
     let style = request
         .style
         .as_deref()
         .map_or(Ok(Style::Direct), super::style)?;
-    let checked = check::check(cycle, &request.values, &setup.control);
+    let checked = check::check(cycle, &request.values, &start.setup.control);
     let mut view = view(
         cycle,
         &request.values,
-        &setup,
+        &start.setup,
         &checked,
         style,
         request.comments.as_ref(),
     );
-    let simulation = cycle.simulation.as_ref().filter(|_| request.predict);
-    if let (Some(simulation), Some(inputs)) = (simulation, &checked.inputs) {
-        let zones = prepare(
-            &mut setup,
-            simulation,
-            inputs,
-            &request.errors.unwrap_or_default(),
-            described,
-        );
-        let outcome = predict(cycle, inputs, &setup);
-        let mut outcome = super::outcome(inputs, &setup, &outcome);
-        put(
-            &mut outcome["trace"],
-            "zones",
-            super::setup_write::solids(&zones),
-        );
+    let work = cycle.work().filter(|_| request.predict);
+    if let (Some(work), Some(inputs)) = (work, &checked.inputs) {
+        let (outcome, mut setup) = predict(work, inputs, start, request.errors)?;
+        set_modal(&mut setup.control, at_start);
         put(&mut view, "outcome", outcome);
-        set_modal(&mut setup.control, start);
         put(&mut view, "setup", super::setup_to_json(&setup));
     }
     Ok(view)
@@ -181,58 +135,6 @@ fn view(
         ("complete", (!errors).into()),
         ("picture", picture(&form::draw(cycle, typed, control))),
     ])
-}
-
-/// Puts the proposed part with its errors and the probe with its own into the setup, and the probe before it.
-/// A machine that the user described keeps the tools it has. Gives the protection zones.
-fn prepare(
-    setup: &mut Setup,
-    simulation: &Simulation,
-    inputs: &Inputs,
-    errors: &Errors,
-    described: bool,
-) -> Vec<Solid> {
-    let proposal = (simulation.propose)(inputs, &setup.control);
-    setup.workpiece = proposal.workpiece;
-    for solid in &mut setup.workpiece.solids {
-        solid.errors = part_errors(&errors.part);
-    }
-    setup.workpiece.solids.extend(proposal.fixture);
-    probe_errors(&mut setup.probe, &errors.probe);
-    setup.position = setup.control.to_machine(proposal.start);
-    if described {
-        return proposal.zones;
-    }
-    for proposed in proposal.tools {
-        let tool = setup.control.tools.entry(proposed.tool).or_default();
-        tool.name = proposed.name;
-        tool.edges.entry(proposed.edge).or_insert(proposed.data);
-    }
-    proposal.zones
-}
-
-/// The errors of the sliders on top of what the probe has.
-fn probe_errors(probe: &mut Probe, sliders: &ProbeSliders) {
-    probe.skew = [
-        probe.skew[0] + sliders.skew_x,
-        probe.skew[1] + sliders.skew_y,
-    ];
-    probe.radius += sliders.radius;
-    probe.pre_travel.0 += sliders.pre_travel;
-    probe.repeatability.0 += sliders.repeatability;
-}
-
-/// Three lobes, as a three-jaw chuck leaves them.
-const LOBES: u32 = 3;
-
-fn part_errors(sliders: &PartSliders) -> PartErrors {
-    PartErrors {
-        shift: [sliders.dx, sliders.dy, sliders.dz],
-        size: sliders.size,
-        tilt: [0.0, 0.0, sliders.tilt],
-        taper: sliders.taper,
-        out_of_round: (sliders.out_of_round, LOBES),
-    }
 }
 
 fn picture(picture: &Picture) -> Value {

@@ -1,6 +1,6 @@
 //! The machine as a form: its data with what they mean, and what was typed written into them.
 
-use super::setup::Start;
+use super::start::{Start, start};
 use super::{Error, dialect, message, object, put};
 use crate::check::Typed;
 use crate::control::{Control, Value as Datum, delivery_in};
@@ -24,7 +24,7 @@ struct Request {
 pub fn machine(request: &str) -> Result<Value, Error> {
     let request: Request = super::request(request)?;
     let dialect = dialect(&request.control)?;
-    let Start { setup, .. } = super::setup::start(dialect, request.setup)?;
+    let Start { setup, .. } = start(dialect, request.setup)?;
     let mut control = setup.control;
     let delivered = delivery_in(dialect, control.basic_units);
     let problems = write(&mut control, &delivered, &request.values);

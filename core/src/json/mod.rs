@@ -6,10 +6,12 @@ mod catalogue;
 mod changes;
 mod form;
 mod machine;
+mod predict;
 mod program;
 mod setup;
 mod setup_limits;
 mod setup_write;
+mod start;
 #[cfg(test)]
 mod tests;
 mod trace;
@@ -46,6 +48,9 @@ pub enum Error {
         /// As given.
         name: String,
     },
+    /// The question describes a machine; this build has the core's own only (no feature `simulation`).
+    #[error("described machines cannot be read here")]
+    NoSetup,
     /// A number with which nothing can be simulated.
     #[error("{what} is {value}; allowed: {allowed}")]
     Bound {

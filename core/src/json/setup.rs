@@ -62,7 +62,7 @@ enum ControlName {
 
 #[derive(Clone, Copy, Default, Deserialize)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
-enum UnitsName {
+pub(super) enum UnitsName {
     #[default]
     #[serde(rename = "mm")]
     Millimetre,
@@ -204,7 +204,7 @@ fn no_scale() -> [f64; 3] {
 #[derive(Deserialize)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 #[serde(untagged)]
-enum DatumFile {
+pub(super) enum DatumFile {
     Number(f64),
     Text(String),
 }
@@ -297,57 +297,8 @@ pub fn from_json(text: &str) -> Result<Setup, Error> {
 }
 
 /// The same from a parsed document.
-fn from_value(value: serde_json::Value) -> Result<Setup, Error> {
+pub(super) fn from_value(value: serde_json::Value) -> Result<Setup, Error> {
     setup(serde_json::from_value(value)?)
-}
-
-/// What the core's own machine begins with.
-#[derive(Default, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-struct OwnMachine {
-    /// Basic system of units.
-    basic: UnitsName,
-    /// Working plane.
-    plane: PlaneName,
-    /// G function of units, as in [`ActiveFile`]; none: that of the basic system.
-    units: Option<String>,
-    /// User and machine data that differ.
-    data: BTreeMap<String, DatumFile>,
-}
-
-/// The machine of a request.
-pub(super) struct Start {
-    /// What is there.
-    pub setup: Setup,
-    /// Whether the user described it; else it is the core's own.
-    pub described: bool,
-}
-
-/// The machine of a request: a setup that the user described, or the core's own, as it is or with what was chosen for
-/// it (`{ "own": { "basic": "inch", "plane": "G18", "units": "G70" } }`).
-pub(super) fn start(dialect: Dialect, machine: Option<serde_json::Value>) -> Result<Start, Error> {
-    let own = match machine {
-        Some(mut machine) => match machine.get_mut("own") {
-            Some(own) => serde_json::from_value(own.take())?,
-            None => {
-                return Ok(Start {
-                    setup: from_value(machine)?,
-                    described: true,
-                });
-            }
-        },
-        None => OwnMachine::default(),
-    };
-    let mut setup = Setup::calibrated_in(dialect, plane(own.plane), units(own.basic));
-    if let Some(name) = &own.units {
-        choose_units(&mut setup.control, name)?;
-    }
-    read_data(&mut setup.control, own.data);
-    super::setup_limits::check(&setup)?;
-    Ok(Start {
-        setup,
-        described: false,
-    })
 }
 
 fn setup(file: SetupFile) -> Result<Setup, Error> {
@@ -388,7 +339,7 @@ fn setup(file: SetupFile) -> Result<Setup, Error> {
     Ok(setup)
 }
 
-fn read_data(control: &mut Control, data: BTreeMap<String, DatumFile>) {
+pub(super) fn read_data(control: &mut Control, data: BTreeMap<String, DatumFile>) {
     for (name, datum) in data {
         let value = match datum {
             DatumFile::Number(value) => Value::Number(value),
@@ -444,7 +395,8 @@ pub(super) fn units_name(number: u16) -> String {
     format!("G{number}")
 }
 
-fn units(name: UnitsName) -> Units {
+/// The basic system with this name.
+pub(super) fn units(name: UnitsName) -> Units {
     match name {
         UnitsName::Millimetre => Units::Metric,
         UnitsName::Inch => Units::Inch,

@@ -13,12 +13,12 @@ pub fn perform(sim: &mut Sim, inputs: &Inputs) -> Result<(), Stop> {
         cycle: inputs.cycle.name,
         variant: inputs.variant,
     });
-    let Some(simulation) = &inputs.cycle.simulation else {
+    let Some(work) = inputs.cycle.work() else {
         let message = Message::new("run-no-simulation").text("word", inputs.cycle.name);
         return Err(Stop::Fault(message));
     };
     sim.measuring = true;
-    let outcome = (simulation.simulate)(sim, inputs);
+    let outcome = (work.simulate)(sim, inputs);
     sim.measuring = false;
     if let Err(Stop::Alarm(code)) = outcome {
         return alarm(sim, code);

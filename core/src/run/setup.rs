@@ -1,7 +1,7 @@
 //! What a run starts from: the control, the probe as it really is, the part, and where the machine stands.
 
 use crate::catalogue::Dialect;
-use crate::control::{Control, Edge, Plane, Tool, Units, delivery_in};
+use crate::control::{Control, Edge, Plane, Units, delivery_in};
 use crate::workpiece::{Probe, Workpiece};
 
 /// Everything that a run starts from.
@@ -41,11 +41,9 @@ impl Setup {
         };
         match dialect {
             Dialect::Sinumerik => {
-                let tool = Tool {
-                    name: "PROBE".into(),
-                    edges: [(1, edge)].into(),
-                };
-                control.tools.insert(PROBE_TOOL, tool);
+                let tool = control.tools.entry(PROBE_TOOL).or_default();
+                tool.name = "PROBE".into();
+                tool.edges.insert(1, edge);
                 (control.tool, control.edge) = (PROBE_TOOL, 1);
             }
             Dialect::Nct => {

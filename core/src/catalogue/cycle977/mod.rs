@@ -18,7 +18,7 @@ mod variants;
 pub use results::RESULTS;
 pub use variants::VARIANTS;
 
-use crate::catalogue::{Cycle, Dialect, Purpose, Simulation, common};
+use crate::catalogue::{Cycle, Dialect, Purpose, Simulation, Work, common};
 
 /// The entry. Example: the hole of B:6050-6137.
 pub static CYCLE977: Cycle = Cycle {
@@ -58,10 +58,12 @@ pub static CYCLE977: Cycle = Cycle {
         ("_TLL", "-0.03"),
         ("_TDIF", "0.06"),
     ],
-    simulation: Some(Simulation {
-        propose: propose::propose,
-        simulate: simulate::simulate,
-        examples: variants::EXAMPLES,
-    }),
+    simulation: Some(Simulation::new(
+        Work {
+            propose: propose::propose,
+            simulate: simulate::simulate,
+        },
+        variants::EXAMPLES,
+    )),
     source: "B:5600-6285",
 };

@@ -10,7 +10,7 @@ pub mod simulate;
 #[cfg(test)]
 mod tests;
 
-use crate::catalogue::{Cycle, Dialect, Purpose, Simulation, Variant, common};
+use crate::catalogue::{Cycle, Dialect, Purpose, Simulation, Variant, Work, common};
 
 /// Measuring variants (B:6323-6328).
 pub const VARIANTS: &[Variant] = &[
@@ -77,10 +77,12 @@ pub static CYCLE978: Cycle = Cycle {
         ("_TLL", "-0.03"),
         ("_TDIF", "0.06"),
     ],
-    simulation: Some(Simulation {
-        propose: propose::propose,
-        simulate: simulate::simulate,
-        examples: &[(params::ZERO, &[("_KNUM", "1")])],
-    }),
+    simulation: Some(Simulation::new(
+        Work {
+            propose: propose::propose,
+            simulate: simulate::simulate,
+        },
+        &[(params::ZERO, &[("_KNUM", "1")])],
+    )),
     source: "B:6287-6735",
 };

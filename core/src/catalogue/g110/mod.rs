@@ -8,7 +8,9 @@ mod simulate;
 mod tests;
 
 use super::nct::{self, part};
-use super::{Cycle, Dialect, Proposal, Purpose, ResultField, Simulation, Unit, Variant, When};
+use super::{
+    Cycle, Dialect, Proposal, Purpose, ResultField, Simulation, Unit, Variant, When, Work,
+};
 use crate::check::Inputs;
 use crate::control::Control;
 use crate::workpiece::{Shape, Workpiece};
@@ -65,11 +67,13 @@ pub static G110: Cycle = Cycle {
         ("V", "2"),
         ("W", "2"),
     ],
-    simulation: Some(Simulation {
-        propose,
-        simulate: simulate::simulate,
-        examples: &[],
-    }),
+    simulation: Some(Simulation::new(
+        Work {
+            propose,
+            simulate: simulate::simulate,
+        },
+        &[],
+    )),
     source: "C:1036-1183",
 };
 

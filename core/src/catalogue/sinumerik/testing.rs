@@ -81,8 +81,7 @@ pub fn call(name: &str, variant: i64, values: &[(&'static str, f64)]) -> Inputs 
 /// Runs a call on a machine as it is.
 pub fn run(sim: &mut Sim, inputs: &Inputs) -> Result<(), Stop> {
     sim.measuring = true;
-    let simulation = inputs.cycle.simulation.as_ref().unwrap();
-    (simulation.simulate)(sim, inputs)
+    (inputs.cycle.work().unwrap().simulate)(sim, inputs)
 }
 
 /// The alarm that stopped a call.

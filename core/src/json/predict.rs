@@ -1,0 +1,109 @@
+//! What a call would do, on a part and with a probe that have the errors of the page's sliders.
+
+use super::start::Start;
+use super::{Error, put};
+use crate::catalogue::Work;
+use crate::check::Inputs;
+use crate::run::setup::Setup;
+use crate::workpiece::{PartErrors, Probe, Solid};
+use serde::Deserialize;
+use serde_json::Value;
+
+/// What is wrong with part and probe, as the sliders of the page set it.
+#[derive(Default, Deserialize)]
+#[serde(default)]
+struct Errors {
+    part: PartSliders,
+    probe: ProbeSliders,
+}
+
+#[derive(Clone, Copy, Default, Deserialize)]
+#[serde(default, rename_all = "camelCase")]
+struct PartSliders {
+    dx: f64,
+    dy: f64,
+    dz: f64,
+    size: f64,
+    tilt: f64,
+    taper: f64,
+    out_of_round: f64,
+}
+
+#[derive(Clone, Copy, Default, Deserialize)]
+#[serde(default, rename_all = "camelCase")]
+struct ProbeSliders {
+    skew_x: f64,
+    skew_y: f64,
+    radius: f64,
+    pre_travel: f64,
+    repeatability: f64,
+}
+
+/// Carries out the call on the proposed part: an `Outcome`, and the setup that it was carried out on.
+pub(super) fn predict(
+    work: &Work,
+    inputs: &Inputs,
+    start: Start,
+    errors: Option<Value>,
+) -> Result<(Value, Setup), Error> {
+    let errors = errors.map_or(Ok(Errors::default()), serde_json::from_value)?;
+    let mut setup = start.setup;
+    let zones = prepare(&mut setup, work, inputs, &errors, start.described);
+    let outcome = crate::run::predict(inputs.cycle, inputs, &setup);
+    let mut outcome = super::outcome(inputs, &setup, &outcome);
+    let zones = super::setup_write::solids(&zones);
+    put(&mut outcome["trace"], "zones", zones);
+    Ok((outcome, setup))
+}
+
+/// Puts the proposed part with its errors and the probe with its own into the setup, and the probe before it.
+/// A machine that the user described keeps the tools it has. Gives the protection zones.
+fn prepare(
+    setup: &mut Setup,
+    work: &Work,
+    inputs: &Inputs,
+    errors: &Errors,
+    described: bool,
+) -> Vec<Solid> {
+    let proposal = (work.propose)(inputs, &setup.control);
+    setup.workpiece = proposal.workpiece;
+    for solid in &mut setup.workpiece.solids {
+        solid.errors = part_errors(&errors.part);
+    }
+    setup.workpiece.solids.extend(proposal.fixture);
+    probe_errors(&mut setup.probe, &errors.probe);
+    setup.position = setup.control.to_machine(proposal.start);
+    if described {
+        return proposal.zones;
+    }
+    for proposed in proposal.tools {
+        let tool = setup.control.tools.entry(proposed.tool).or_default();
+        tool.name = proposed.name;
+        tool.edges.entry(proposed.edge).or_insert(proposed.data);
+    }
+    proposal.zones
+}
+
+/// The errors of the sliders on top of what the probe has.
+fn probe_errors(probe: &mut Probe, sliders: &ProbeSliders) {
+    probe.skew = [
+        probe.skew[0] + sliders.skew_x,
+        probe.skew[1] + sliders.skew_y,
+    ];
+    probe.radius += sliders.radius;
+    probe.pre_travel.0 += sliders.pre_travel;
+    probe.repeatability.0 += sliders.repeatability;
+}
+
+/// Three lobes, as a three-jaw chuck leaves them.
+const LOBES: u32 = 3;
+
+fn part_errors(sliders: &PartSliders) -> PartErrors {
+    PartErrors {
+        shift: [sliders.dx, sliders.dy, sliders.dz],
+        size: sliders.size,
+        tilt: [0.0, 0.0, sliders.tilt],
+        taper: sliders.taper,
+        out_of_round: (sliders.out_of_round, LOBES),
+    }
+}
