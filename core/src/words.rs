@@ -10,6 +10,7 @@ pub const ENGLISH: &[(&str, &str)] = &[
     ("alarms.ftl", include_str!("../messages/en/alarms.ftl")),
     ("changes.ftl", include_str!("../messages/en/changes.ftl")),
     ("check.ftl", include_str!("../messages/en/check.ftl")),
+    ("cycle116.ftl", include_str!("../messages/en/cycle116.ftl")),
     ("cycle961.ftl", include_str!("../messages/en/cycle961.ftl")),
     ("cycle971.ftl", include_str!("../messages/en/cycle971.ftl")),
     ("cycle972.ftl", include_str!("../messages/en/cycle972.ftl")),

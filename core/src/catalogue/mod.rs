@@ -4,6 +4,7 @@
 pub mod alarms;
 pub mod calibration;
 pub mod common;
+pub mod cycle116;
 pub mod cycle961;
 pub mod cycle971;
 pub mod cycle972;
@@ -44,6 +45,7 @@ pub static CYCLES: &[&Cycle] = &[
     &cycle979::CYCLE979,
     &cycle994::CYCLE994,
     &cycle998::CYCLE998,
+    &cycle116::CYCLE116,
     &g101::G101,
     &g110::G110,
 ];

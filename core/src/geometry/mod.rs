@@ -4,6 +4,7 @@
 
 pub mod circle;
 pub mod feature;
+pub mod fit;
 pub mod lobed;
 pub mod path;
 pub mod point;

@@ -17,7 +17,6 @@ const NOWHERE: &[(&str, &[u32])] = &[
     ("measuring in JOG is not known", &[61230]),
     ("the manual gives no condition", &[61306, 61327]),
     ("a cycle that is not permitted is no entry", &[61312]),
-    ("CYCLE979 hands over 3 or 4 points itself", &[61317]),
     (
         "internal error of the cycles",
         &[61319, 61340, 61403, 61404],
@@ -34,10 +33,15 @@ const NOWHERE: &[(&str, &[u32])] = &[
             61370, 61371, 62307, 62308, 62309, 62310, 62311,
         ],
     ),
-    ("CYCLE961 is no entry", &[61346, 61347, 61367, 61368, 61369]),
     ("CYCLE997 is no entry", &[61411, 61413, 61414]),
 ];
 
+/// Programs for what one odd value does not bring about: corners whose four points P1 to P4 do not make one.
+const PROGRAMS: &[&str] = &[
+    "_MVAR=117 _SETV[0]=SET(50,20,50,20,20,50,20,90)\nCYCLE961\nM30\n", // P1 is P2
+    "_MVAR=117 _SETV[0]=SET(50,20,90,20,50,60,90,60)\nCYCLE961\nM30\n", // parallel
+    "_MVAR=117 _SETV[0]=SET(-50,20,90,20,20,50,20,90)\nCYCLE961\nM30\n", // meet between P1 and P2
+];
 /// Values that are wrong for many parameters.
 const ODD: [&str; 10] = ["", "-1", "0", "1", "3", "7", "103", "999", "-500", "100000"];
 /// Types of tools (710 and 500: probes), planes, edge positions.
@@ -97,6 +101,9 @@ fn found_by_check() -> BTreeSet<String> {
     wrong_programs()
         .iter()
         .for_each(|program| add(findings(program)));
+    for text in PROGRAMS {
+        add(findings(&read(Dialect::Sinumerik, text.as_bytes())));
+    }
     for cycle in CYCLES {
         walk(cycle, &mut add);
     }

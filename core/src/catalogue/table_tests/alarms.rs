@@ -2,7 +2,7 @@
 
 use super::common_rows;
 use crate::catalogue::alarms::{ALARMS, stops};
-use crate::catalogue::{CYCLES, Cycle, Dialect, nct};
+use crate::catalogue::{CYCLES, Cycle, Dialect, ProbeUse, nct};
 use crate::diagnostic::Code;
 use std::collections::BTreeSet;
 
@@ -13,6 +13,8 @@ const ADDED: &[Code] = &[
     Code::Alarm(61412),
     nct::PATH_OBSTRUCTED,
 ];
+/// What a helper cycle hands back as a number, and the measuring cycle that calls it raises (B:2448).
+const HANDED_BACK: &[(&str, &[u32])] = &[("CYCLE116", &[61316, 61317])];
 
 #[test]
 fn alarms_are_those_of_the_tables() {
@@ -29,6 +31,7 @@ fn alarms_are_those_of_the_tables() {
                 .iter()
                 .filter(|row| raises(&numbers, &row[2], cycle))
                 .map(|row| row[0].clone())
+                .chain(handed_back(cycle))
                 .collect(),
             Dialect::Nct => messages
                 .iter()
@@ -123,7 +126,12 @@ fn what_a_parameter_raises_is_listed() {
     }
 }
 
-/// Whether the column of sources means this cycle: `all`, `all, except …`, `as 61318`, or a list. A cycle that is named
+fn handed_back(cycle: &Cycle) -> impl Iterator<Item = String> {
+    let of_cycle = HANDED_BACK.iter().filter(|(name, _)| *name == cycle.name);
+    of_cycle.flat_map(|(_, numbers)| numbers.iter().map(u32::to_string))
+}
+
+/// Whether the column of sources means this cycle: `all` (that measure), `all, except …`, `as 61318`, or a list. A cycle that is named
 /// once more after the exceptions has a meaning of its own for the alarm.
 fn raises(rows: &[Vec<String>], source: &str, cycle: &Cycle) -> bool {
     if let Some(other) = source.strip_prefix("as ") {
@@ -131,7 +139,8 @@ fn raises(rows: &[Vec<String>], source: &str, cycle: &Cycle) -> bool {
         return raises(rows, &row[2], cycle);
     }
     let named = source.split_whitespace().filter(|word| *word == cycle.name);
-    source.starts_with("all") != (named.count() % 2 == 1)
+    let all = source.starts_with("all") && cycle.purpose.probe != ProbeUse::None;
+    all != (named.count() % 2 == 1)
 }
 
 /// An alarm as the tables write it.

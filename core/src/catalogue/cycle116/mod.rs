@@ -1,0 +1,125 @@
+//! CYCLE116: centre and radius of a circle through points that the program has (B:2408-2469). It measures nothing; a
+//! program calls it with variables of its own.
+
+mod params;
+#[cfg(test)]
+mod tests;
+
+use super::common::{alarms, integer};
+use super::{
+    Arg, ArgumentList, Cycle, Dialect, MachineSort, NEVER, ProbeUse, Purpose, ResultField, Style,
+    Unit, Variant, When,
+};
+use crate::check::{Finding, Inputs, error};
+use crate::control::Control;
+use crate::diagnostic::{Code, Diagnostic};
+use crate::form::figures::{circle, dimension};
+use crate::form::picture::{Picture, ShapeKind, View};
+use crate::geometry::fit;
+use crate::message::Message;
+use params::{COUNT, POINTS};
+
+/// The cycle.
+pub static CYCLE116: Cycle = Cycle {
+    dialect: Dialect::Sinumerik,
+    name: "CYCLE116",
+    key: "cycle116",
+    variants: &[Variant {
+        number: 0,
+        key: "cycle116-circle",
+        source: "B:2408;A:2591",
+    }],
+    purpose: Purpose {
+        probe: ProbeUse::None,
+        machine: MachineSort::Any,
+        calibrates: NEVER,
+    },
+    lists: &[ArgumentList {
+        style: Style::Direct,
+        name: "CYCLE116",
+        when: When::Always,
+        base: 0,
+        args: &[Arg::Variable("_DATE"), Arg::Output("_ALM")],
+        source: "B:2422",
+    }],
+    settings: &[],
+    params: params::PARAMS,
+    results: &[
+        length("_DATE[9]", "result-116-abscissa", "B:2444;A:2632"),
+        length("_DATE[10]", "result-116-ordinate", "B:2445;A:2633"),
+        length("_DATE[11]", "result-116-radius", "B:2446;A:2634"),
+        integer("_DATE[12]", "result-116-status", When::Always, "A:2635"),
+        integer("_ALM", "result-116-alarm", When::Always, "B:2448;A:2636"),
+    ],
+    alarms: &[&alarms([61316, 61317])], // B:2448
+    checks,
+    picture,
+    // the example of the manual, B:2456-2466
+    example: &[
+        ("_DATE[0]", "3"),
+        ("_DATE[1]", "0"),
+        ("_DATE[2]", "10"),
+        ("_DATE[3]", "-10"),
+        ("_DATE[4]", "0"),
+        ("_DATE[5]", "0"),
+        ("_DATE[6]", "-10"),
+    ],
+    simulation: None,
+    source: "B:2408-2469",
+};
+
+const fn length(name: &'static str, key: &'static str, source: &'static str) -> ResultField {
+    ResultField {
+        name,
+        key,
+        when: When::Always,
+        unit: Unit::ActiveLength,
+        source,
+    }
+}
+
+/// The points that are given completely, with the names of their coordinates.
+fn points(inputs: &Inputs) -> Vec<([&'static str; 2], [f64; 2])> {
+    let count = inputs.integer(COUNT).clamp(3, 4) as usize;
+    let given = |names: &[&'static str; 2]| {
+        let [x, y] = names.map(|name| inputs.given(name));
+        Some((*names, [x?, y?]))
+    };
+    POINTS[..count].iter().filter_map(given).collect()
+}
+
+/// Points in line or upon each other: the cycle gives 61316 back (B:2447-2448).
+fn checks(inputs: &Inputs, _: &Control, found: &mut Vec<Diagnostic>) {
+    let points = points(inputs);
+    let complete = inputs.given(COUNT) == Some(points.len() as f64);
+    let places: Vec<[f64; 2]> = points.iter().map(|(_, place)| *place).collect();
+    if complete && fit::circle(&places).is_none() {
+        found.push(
+            error(Code::Alarm(61316), Message::new("cycle116-no-circle"))
+                .hint(Message::new("cycle116-no-circle-hint"))
+                .at(POINTS[0][0]),
+        );
+    }
+}
+
+/// The points with their coordinates, and the circle through them.
+fn picture(inputs: &Inputs) -> Picture {
+    let points = points(inputs);
+    let places: Vec<[f64; 2]> = points.iter().map(|(_, place)| *place).collect();
+    let found = fit::circle(&places);
+    let size = found.map_or(10.0, |(_, radius)| radius);
+    let mut shapes = Vec::new();
+    if let Some((centre, radius)) = found {
+        shapes.push(circle(ShapeKind::Edge, centre, radius).of(COUNT));
+        shapes.push(circle(ShapeKind::Axis, centre, radius / 40.0));
+    }
+    for ([abscissa, ordinate], [x, y]) in points {
+        shapes.push(dimension(abscissa, [0.0, y], [x, y]));
+        shapes.push(dimension(ordinate, [x, 0.0], [x, y]));
+        shapes.push(circle(ShapeKind::Touch, [x, y], size / 25.0));
+    }
+    Picture {
+        view: View::Plane,
+        shapes,
+    }
+}
