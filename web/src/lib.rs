@@ -13,7 +13,7 @@ mod program;
 #[cfg(feature = "form")]
 pub use form::{catalogue, form};
 #[cfg(feature = "program")]
-pub use program::{change, convert, machine, read, run, setup};
+pub use program::{alarms, change, convert, machine, read, run, setup};
 
 use wasm_bindgen::prelude::wasm_bindgen;
 

@@ -4,6 +4,13 @@ use probewright_core::json;
 use wasm_bindgen::JsError;
 use wasm_bindgen::prelude::wasm_bindgen;
 
+/// `AlarmInfo[]`: all alarms and messages.
+#[wasm_bindgen]
+#[must_use]
+pub fn alarms() -> String {
+    json::alarms().to_string()
+}
+
 /// `ReadRequest` → `ReadView`.
 ///
 /// # Errors

@@ -31,6 +31,16 @@ export interface CycleInfo {
   source: string;
 }
 
+// alarms() -> AlarmInfo[]
+export interface AlarmInfo {
+  code: string;                 // "61303", "PROBE FAIL"
+  key: string;                  // messages KEY, KEY.cause (where it says more), KEY.cure
+  stops: boolean;
+  cycles: string[];             // who raises it: cycles of the catalogue, then other programs
+  found: "check" | "run" | "both" | "nowhere"; // where Probewright finds what raises it
+  source: string;
+}
+
 export type Plane = "G17" | "G18" | "G19";
 export type UnitFunction = "G70" | "G71" | "G700" | "G710" | "G20" | "G21";
 
