@@ -17,3 +17,10 @@ pub fn row<T: AsRef<str>>(text: &mut String, cells: &[T]) {
     }
     text.push('\n');
 }
+
+/// A heading with the head of a table under it.
+pub fn heading(text: &mut String, title: &str, columns: &[&str]) {
+    line(text, &format!("## {title}"));
+    row(text, columns);
+    row(text, &vec!["---"; columns.len()]);
+}

@@ -4,7 +4,7 @@ use crate::catalogue::{Cycle, Kind, Level, Param, Range, Unit, When};
 use crate::diagnostic::Code;
 use crate::json::{alarm_key, code};
 use crate::message::Message;
-use crate::report::markdown::{line, row};
+use crate::report::markdown::{heading, line, row};
 use crate::words::Words;
 
 /// The page of one cycle, Markdown.
@@ -34,12 +34,6 @@ pub fn page(cycle: &Cycle, words: &Words) -> String {
         text.pop();
     }
     text
-}
-
-fn heading(text: &mut String, title: &str, columns: &[&str]) {
-    line(text, &format!("## {title}"));
-    row(text, columns);
-    row(text, &vec!["---"; columns.len()]);
 }
 
 fn variants(text: &mut String, cycle: &Cycle, words: &Words) {

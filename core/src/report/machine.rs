@@ -1,0 +1,200 @@
+//! The reference of user and machine data in `docs/machine-data.md`, written from the tables and the message files.
+
+use super::markdown::{heading, line, row};
+use crate::catalogue::Range;
+use crate::control::gud::{self, Block, Element, Gud, Initial, Kind, Subject, System, Unit};
+use crate::control::machine_data::{MACHINE_DATA, MachineDatum};
+use crate::message::Message;
+use crate::words::Words;
+
+/// The page, Markdown.
+pub fn page(words: &Words) -> String {
+    let mut text = String::new();
+    line(&mut text, "# Data of the machine");
+    line(
+        &mut text,
+        "User data of the blocks GUD5, GUD6 and GUD7 and the machine data that measuring cycles depend on. Generated from the tables in `core/src/control`; do not edit.",
+    );
+    for subject in gud::SUBJECTS {
+        user_data(&mut text, subject, words);
+    }
+    machine_data(&mut text, words);
+    while text.ends_with("\n\n") {
+        text.pop();
+    }
+    text
+}
+
+fn user_data(text: &mut String, subject: &Subject, words: &Words) {
+    let title = words.key(format!("machine-group-{}", subject.key));
+    let columns = [
+        "name",
+        "meaning",
+        "block",
+        "type",
+        "delivered",
+        "unit",
+        "allowed",
+        "source",
+    ];
+    heading(text, &title, &columns);
+    for gud in subject.data {
+        for element in gud.elements {
+            row(text, &cells(gud, element, words));
+        }
+    }
+    text.push('\n');
+}
+
+fn cells(gud: &Gud, element: &Element, words: &Words) -> [String; 8] {
+    [
+        format!("`{}`", name(gud, element)),
+        meaning(&gud.key(element), element.choices, words),
+        block(gud).to_owned(),
+        kind(gud.kind).to_owned(),
+        initial(gud, element),
+        unit(element.unit).to_owned(),
+        range(element.range),
+        element.source.to_owned(),
+    ]
+}
+
+fn name(gud: &Gud, element: &Element) -> String {
+    match element.index {
+        "" => gud.name.to_owned(),
+        index => format!("{}[{index}]", gud.name),
+    }
+}
+
+/// Name, help and the values of a choice.
+fn meaning(key: &str, choices: &[i64], words: &Words) -> String {
+    let mut text = words.key(key.to_owned());
+    if let Some(help) = words.find(&Message::new(format!("{key}.help"))) {
+        text = format!("{text}. {help}");
+    }
+    for value in choices {
+        text = format!(
+            "{text}<br>{value}: {}",
+            words.key(format!("{key}.v{value}"))
+        );
+    }
+    text
+}
+
+fn block(gud: &Gud) -> &'static str {
+    match (gud.block, gud.channel) {
+        (Block::Gud5, _) => "GUD5, channel",
+        (Block::Gud6, false) => "GUD6, control",
+        (Block::Gud6, true) => "GUD6, channel",
+        (Block::Gud7, _) => "GUD7, channel",
+    }
+}
+
+fn kind(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Real => "REAL",
+        Kind::Integer => "INT",
+        Kind::Bool => "BOOL",
+        Kind::Text => "STRING",
+        Kind::Frame => "FRAME",
+    }
+}
+
+/// Parameters of a call have their defaults on the pages of the cycles.
+fn initial(gud: &Gud, element: &Element) -> String {
+    match element.initial {
+        Initial::Number(_) if !gud.of_machine() || gud.kind == Kind::Frame => String::new(),
+        Initial::Number(_) if gud.text() => String::new(),
+        Initial::Number(value) => value.to_string(),
+        Initial::Text(text) => format!("`{text}`"),
+    }
+}
+
+fn unit(unit: Unit) -> &'static str {
+    match unit {
+        Unit::None => "",
+        Unit::Length(System::Active) => "mm or inch, active",
+        Unit::Length(System::Basic) => "mm or inch, basic",
+        Unit::Length(System::Metric) => "mm",
+        Unit::Feed(System::Metric) => "mm/min",
+        Unit::Feed(_) => "mm/min or inch/min, basic",
+        Unit::Speed(System::Metric) => "m/min",
+        Unit::Speed(_) => "m/min or feet/min, basic",
+        Unit::Degree => "degree",
+        Unit::Rpm => "1/min",
+        Unit::Percent => "%",
+    }
+}
+
+fn range(range: Range) -> String {
+    match (range.min.is_finite(), range.max.is_finite()) {
+        (true, true) => format!("{} to {}", range.min, range.max),
+        (true, false) if range.min_included => format!("≥ {}", range.min),
+        (true, false) => format!("> {}", range.min),
+        _ => String::new(),
+    }
+}
+
+fn machine_data(text: &mut String, words: &Words) {
+    let columns = [
+        "number",
+        "name",
+        "meaning",
+        "standard",
+        "cycles",
+        "JOG",
+        "bounds",
+        "effective",
+        "taken here",
+        "source",
+    ];
+    heading(text, &words.key("machine-group-machine-data"), &columns);
+    for datum in MACHINE_DATA {
+        row(text, &machine_cells(datum, words));
+    }
+}
+
+fn machine_cells(datum: &MachineDatum, words: &Words) -> [String; 10] {
+    let [old, new] = datum.standard;
+    let standard = if old == new {
+        old.to_owned()
+    } else {
+        format!("{old}; {new} from software 63")
+    };
+    let [min, max] = datum.bounds;
+    let bounds = if min.is_empty() {
+        String::new()
+    } else {
+        format!("{min} to {max}")
+    };
+    let taken: Vec<String> = datum.initial.iter().map(f64::to_string).collect();
+    [
+        datum.number.to_owned(),
+        datum.identifier.to_owned(),
+        meaning(&datum.key(), &[], words),
+        standard,
+        datum.cycles.to_owned(),
+        datum.jog.to_owned(),
+        bounds,
+        datum.effective.to_owned(),
+        taken.join(", "),
+        datum.source.to_owned(),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+
+    // oracle: self. With PROBEWRIGHT_UPDATE=1 the page is written instead.
+    #[test]
+    fn the_page_in_docs_is_that_of_the_tables() {
+        let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/machine-data.md");
+        let page = page(&Words::english());
+        if std::env::var_os("PROBEWRIGHT_UPDATE").is_some() {
+            std::fs::write(&file, &page).unwrap();
+        }
+        assert_eq!(std::fs::read_to_string(file).unwrap(), page);
+    }
+}
