@@ -66,7 +66,7 @@ describe("a program file", () => {
   test("that is no UTF-8 changes at one value only", async () => {
     const { context, page } = await start(chrome);
     await programInput(page).setInputFiles(file("a.mpf", files["no UTF-8 (GB 18030)"]));
-    await page.locator(".call-chip").click();
+    await page.locator(".call-row").click();
     await page.locator(".opened").waitFor();
     await page.locator('.field[data-field="_SETVAL"] .entry-line > .figure').fill("99");
     await page.locator('.cm-line:has-text("_SETVAL=99")').waitFor();
@@ -124,7 +124,7 @@ describe("a program file", () => {
     await page.waitForFunction(() => globalThis.kept);
     await page.reload();
     await page.locator(".cm-content").waitFor();
-    await page.locator(".call-chip").waitFor();
+    await page.locator(".call-row").waitFor();
     assert.equal((await saved(page, ".panel-program", "Save")).bytes.toString(), text);
     assert.deepEqual(problems, []);
     await context.close();

@@ -10,7 +10,7 @@ const BLOCK = "N10 G1 F1200 X12.345 Y-6.789\r\n";
 /** A program of about 300 KB with three calls. */
 const LONG = `${BLOCK.repeat(5000)}${CALL}${BLOCK.repeat(5000)}${CALL}${CALL}M30\r\n`;
 
-const chips = (page) => page.locator(".call-chip");
+const rows = (page) => page.locator(".call-row");
 const chosen = (text) => ({ name: "part.mpf", mimeType: "text/plain", buffer: Buffer.from(text) });
 
 async function start(chrome) {
@@ -24,7 +24,7 @@ async function openFile(page, text) {
   await page.locator(".panel-program input[type=file]").setInputFiles(chosen(text));
 }
 
-const count = (page, wanted) => page.waitForFunction((number) => document.querySelectorAll(".call-chip").length === number, wanted);
+const count = (page, wanted) => page.waitForFunction((number) => document.querySelectorAll(".call-row").length === number, wanted);
 
 /** The program as the page saves it. */
 async function saved(page) {
@@ -83,7 +83,7 @@ describe("a long program", () => {
     release();
     await count(page, 4);
     await page.locator(".panel-program .activity").waitFor({ state: "hidden" });
-    await page.locator('.call-chip:text-matches("CYCLE978 .* 2$")').waitFor();
+    await page.locator('.call-row:has-text("CYCLE978"):has-text("line 2")').waitFor();
     assert.equal(await saved(page), `G110 H1\r\nCYCLE978\r\n${LONG}`);
     assert.deepEqual(problems, []);
     await context.close();
@@ -94,15 +94,15 @@ describe("a long program", () => {
     const { context, page, problems } = await start(chrome);
     await openFile(page, LONG);
     await count(page, 3);
-    await chips(page).nth(1).click();
+    await rows(page).nth(1).click();
     await page.locator(".opened").waitFor();
     const field = page.locator('.field[data-field="_SETVAL"] .entry-line > .figure');
     for (const value of ["1", "13", "133", "133.", "133.5"]) await field.fill(value);
     const place = LONG.indexOf("_SETVAL=132", LONG.indexOf("CYCLE977"));
     await savedWhen(page, `${LONG.slice(0, place)}_SETVAL=133.5${LONG.slice(place + "_SETVAL=132".length)}`);
     assert.equal(await field.inputValue(), "133.5");
-    await page.locator('.call-chip[aria-pressed="true"]').waitFor();
-    await chips(page).first().click();
+    await page.locator('.call-row[aria-selected="true"]').waitFor();
+    await rows(page).first().click();
     await page.waitForFunction(() => document.querySelector('[data-field="_SETVAL"] .figure').value === "132");
     assert.deepEqual(problems, []);
     await context.close();
@@ -113,13 +113,13 @@ describe("a long program", () => {
     const { context, page } = await start(chrome);
     await openFile(page, LONG);
     await count(page, 3);
-    await chips(page).nth(1).click();
+    await rows(page).nth(1).click();
     await page.locator(".opened").waitFor();
     await page.evaluate(() => { // within one frame, before anything is answered
       const field = document.querySelector('[data-field="_SETVAL"] .figure');
       field.value = "140";
       field.dispatchEvent(new Event("input", { bubbles: true }));
-      document.querySelectorAll(".call-chip")[2].click();
+      document.querySelectorAll(".call-row")[2].click();
     });
     const place = LONG.indexOf("_SETVAL=132", LONG.indexOf("CYCLE977"));
     await savedWhen(page, `${LONG.slice(0, place)}_SETVAL=140${LONG.slice(place + "_SETVAL=132".length)}`);
@@ -135,7 +135,7 @@ describe("a long program", () => {
     const activity = page.locator(".panel-program .activity");
     await activity.getByRole("button", { name: "Stop" }).click();
     await activity.locator('text="The reading was stopped. The calls of this program are not known."').waitFor();
-    assert.equal(await chips(page).count(), 0);
+    assert.equal(await rows(page).count(), 0);
     release();
     await activity.getByRole("button", { name: "Try again" }).click();
     await count(page, 3);

@@ -28,6 +28,15 @@ async function keptWhen(page, wanted) {
   assert.fail(`never kept: ${wanted}`);
 }
 
+/** Opens every branch of the task tree. */
+async function unfoldAll(page) {
+  const closed = page.locator('[role="treeitem"][aria-expanded="false"]');
+  while (await closed.count() > 0) {
+    await closed.first().click();
+    await drawn(page);
+  }
+}
+
 /** Puts a program in place of the present one and opens the page again. */
 async function withProgram(page, text) {
   const state = await keptWhen(page, (state) => state.cycle !== undefined && state.programs !== undefined);
@@ -98,6 +107,7 @@ describe("first visit", () => {
     await page.reload();
     const variants = page.locator('[role="treeitem"][aria-level="3"]');
     await variants.first().waitFor();
+    await unfoldAll(page);
     for (let index = 0; index < await variants.count(); index++) {
       await variants.nth(index).click();
       await page.waitForFunction((clicked) => clicked.ariaSelected === "true", await variants.nth(index).elementHandle());
@@ -216,7 +226,7 @@ describe("program", () => {
     const field = await page.locator('.field:has(.unit:text-is("mm")):has([aria-required="true"])').first().getAttribute("data-field");
     const text = `; Kopf   mit Umlaut \u00e4\r\n\r\n${programs[control].trimEnd().replaceAll("\n", "\r\n")}\r\nM30  ; end\r\n`;
     await withProgram(page, text);
-    await page.locator(".call-chip").first().click();
+    await page.locator(".call-row").first().click();
     await page.locator(".opened").waitFor();
     assert.equal(await lengthField(page).inputValue(), typed);
     await page.locator(`.field[data-field="${field}"] .entry-line > .figure`).fill("29.5");
@@ -241,12 +251,12 @@ describe("program", () => {
   // oracle: hand
   test("inserting puts whole lines at the cursor and opens the new call", async () => {
     const { context, page } = await start(chrome);
-    const calls = page.locator(".call-chip");
+    const calls = page.locator(".call-row");
     await calls.first().waitFor();
     const count = await calls.count();
     await page.getByRole("button", { name: "Insert at cursor" }).click();
-    await page.waitForFunction((wanted) => document.querySelectorAll(".call-chip").length === wanted, count + 1);
-    await page.locator('.call-chip[aria-pressed="true"]').waitFor(); // strict: exactly one
+    await page.waitForFunction((wanted) => document.querySelectorAll(".call-row").length === wanted, count + 1);
+    await page.locator('.call-row[aria-selected="true"]').waitFor(); // strict: exactly one
     await context.close();
   });
 });

@@ -1,13 +1,13 @@
 // Everything that can happen. Views call these; only these change what is kept.
 
 import { findCycle } from "./derive";
-import { isRead, opened, SOUGHT, withEdits } from "./desk";
+import { isRead, mended, opened, SOUGHT, withEdits } from "./desk";
 import { lineBreak, type Splice } from "./eol";
 import type { ProgramFile } from "./files";
 import { parseNumber } from "./numbers";
-import { AT_END, NO_ERRORS, programOf, setsOf, work, type Panel, type State } from "./state";
+import { AT_END, NO_ERRORS, programOf, setsOf, work, type Card, type Panel, type State } from "./state";
 import type { Store } from "./store";
-import type { Catalogue, CycleInfo, Dialect, ErrorSliders, OwnMachine, Setup } from "./wire";
+import type { Catalogue, CycleInfo, Dialect, Edit, ErrorSliders, OwnMachine, Setup, Style } from "./wire";
 
 export type Variant = CycleInfo["variants"][number];
 
@@ -23,6 +23,13 @@ export interface Actions {
   cursor(offset: number, line: number): void;
   openCall(index: number): void;
   closeCall(): void;
+  /** Way of writing of the snippet. */
+  style(style: Style): void;
+  /** The call in the form, in the program, in another way of writing. */
+  convert(style: Style): void;
+  /** The edits that a finding of the present program proposes. */
+  cure(edits: Edit[]): void;
+  card(card: Card | null): void;
   insert(snippet: string): void;
   error<G extends keyof ErrorSliders>(group: G, name: keyof ErrorSliders[G], value: number): void;
   begin(machine: OwnMachine["own"]): void;
@@ -122,6 +129,10 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
       store.update(call ? opened(state, call) : { sought: { call: index } });
     },
     closeCall: () => store.update({ open: null, sought: null }),
+    style: (style) => store.update({ style }),
+    convert: (style) => store.update((state) => state.open === null ? {} : { converting: { at: state.open, style } }),
+    cure: (edits) => store.update((state) => isRead(state) ? mended(state, edits, "notice-mended") : {}),
+    card: (card) => store.update({ card }),
     insert(snippet) {
       const state = now();
       const place = insertion(programOf(state), state.cursor, snippet);

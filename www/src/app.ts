@@ -10,6 +10,7 @@ import { load, save } from "./keep";
 import { createLayout } from "./layout";
 import { unpack } from "./link";
 import { Broken } from "./module";
+import { createGoToField } from "./goto";
 import { openProgramFile, openSetupFile } from "./open";
 import type { ProgramCore } from "./program";
 import { firstState, machine, merge, NO_ERRORS, programOf, type State, type Stopped } from "./state";
@@ -18,7 +19,9 @@ import { t } from "./texts";
 import { createActivity } from "./views/activity";
 import { showBroken } from "./views/broken";
 import { acceptDrops } from "./views/drop";
+import { createCard } from "./views/card";
 import { createForm } from "./views/form";
+import { createFound } from "./views/found";
 import { createHeader } from "./views/header";
 import { createProgram } from "./views/program";
 import { createRefusal } from "./views/refusal";
@@ -117,13 +120,18 @@ export async function startApp(core: Core): Promise<void> {
   const activities = [reading(store, reader), running(store, runner)] as const;
   const refusals = [createRefusal(store, "program"), createRefusal(store, "setup")] as const;
   const sets = createSets(actions);
-  document.body.append(sets.dialog);
+  const card = createCard(actions);
+  document.body.append(sets.dialog, card.dialog);
+  const shows = (cycle: CycleInfo, values: Record<string, string>, name: string): boolean =>
+    core.form({ control: cycle.control, cycle: cycle.cycle, values, ...machine({ ...store.state, control: cycle.control }) }).fields.some((field) => field.name === name);
+  const goToField = createGoToField(catalogue, guard(() => store, shows), store, actions);
+  const found = (back: () => void) => createFound(catalogue, store, actions, goToField, back);
   program.head.after(refusals[0].root, activities[0].root);
   layout.header.after(refusals[1].root);
   panels.view.append(activities[1].root);
   const views = [
-    createHeader(layout.header, store, actions, openSetup), createTasks(panels.tasks, store, actions), createForm(panels.form, store, actions, () => sets.dialog.showModal()),
-    program.draw, createScene(panels.view, store, program.goToLine), createResults(results, store, actions, program.goTo), createSliders(sliders, actions), sets.draw,
+    createHeader(layout.header, store, actions, openSetup), createTasks(panels.tasks, store, actions, found), createForm(panels.form, store, actions, () => sets.dialog.showModal()),
+    program.draw, createScene(panels.view, store, program.goToLine), createResults(results, store, actions, program.goTo), createSliders(sliders, actions), sets.draw, card.draw,
   ];
   let noticed = "";
   let hiding = 0;

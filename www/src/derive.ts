@@ -3,9 +3,10 @@
 
 import type { Core } from "./core";
 import { isRead } from "./desk";
+import { severities } from "./outline";
 import { machine, programOf, type State } from "./state";
 import { say } from "./texts";
-import type { CallView, Catalogue, CycleInfo, Diagnostic, FormView, OwnMachine, Plane, ReadView, RunView, Setup, Trace, UnitFunction } from "./wire";
+import type { CallView, Catalogue, CycleInfo, Diagnostic, FormView, OwnMachine, Plane, ReadView, RunView, Setup, Severity, Style, Trace, UnitFunction } from "./wire";
 
 export interface Derived {
   catalogue: Catalogue;
@@ -15,6 +16,8 @@ export interface Derived {
   read: ReadView;                // of `program`, or while `fresh` is false of what it was a little earlier
   fresh: boolean;
   opened: CallView | null;
+  states: (Severity | null)[];   // the worst that is said about each call
+  style: Style;                  // of the snippet
   run: RunView | null;           // only while the program's motions are shown
   trace: Trace | null;
   step: number;                  // of the trace, from 0; within it
@@ -53,24 +56,27 @@ function labels(view: FormView): Record<string, string> {
 export function createDerive(core: Core, catalogue: Catalogue): (state: State) => Derived {
   const first = catalogue.cycles[0];
   if (!first) throw new Error("the catalogue is empty");
-  const form = memo((cycle: CycleInfo, values: State["values"], errors: State["errors"], comments: boolean, setup: Setup | OwnMachine | undefined, plane?: Plane, units?: UnitFunction): FormView => {
-    const request = { control: cycle.control, cycle: cycle.cycle, values, errors, ...(setup ? { setup } : {}), ...(plane && units ? { plane, units } : {}) };
+  const form = memo((cycle: CycleInfo, values: State["values"], errors: State["errors"], comments: boolean, style: Style, setup: Setup | OwnMachine | undefined, plane?: Plane, units?: UnitFunction): FormView => {
+    const request = { control: cycle.control, cycle: cycle.cycle, values, errors, style, ...(setup ? { setup } : {}), ...(plane && units ? { plane, units } : {}) };
     const view = core.form({ ...request, predict: true });
     return comments ? { ...view, snippet: core.form({ ...request, comments: labels(view) }).snippet } : view;
   });
   const problems = memo(gather);
+  const states = memo(severities);
 
   return (state) => {
     const cycle = findCycle(catalogue, state.control, state.cycle) ?? first;
     const reading = state.reading?.control === cycle.control ? state.reading.view : NOTHING_READ;
     const opened = reading.calls.find((call) => call.from === state.open) ?? null;
-    const view = form(cycle, state.values, state.errors, state.comments, machine(state).setup, opened?.plane, opened?.units);
+    const style = cycle.styles.includes(state.style) ? state.style : "direct";
+    const view = form(cycle, state.values, state.errors, state.comments, style, machine(state).setup, opened?.plane, opened?.units);
+    const all = problems(reading);
     const ran = state.source === "program" && state.ran?.control === cycle.control ? state.ran.view : null;
     const trace = (state.source === "program" ? ran?.trace : view.outcome?.trace) ?? null;
     return {
-      catalogue, cycle, view, program: programOf(state), read: reading, fresh: isRead(state), opened, run: ran,
+      catalogue, cycle, view, program: programOf(state), read: reading, fresh: isRead(state), opened, states: states(reading.calls, all), style, run: ran,
       trace, step: Math.max(0, Math.min(state.step, (trace?.entries.length ?? 0) - 1)),
-      problems: problems(reading),
+      problems: all,
     };
   };
 }

@@ -3,9 +3,9 @@
 
 import type { Aside, Answered } from "./aside";
 import { carried, splice, type Splice } from "./eol";
-import type { ChangeRequest, ProgramCore } from "./program";
-import { AT_END, machine, programOf, type Reading, type State } from "./state";
-import type { CallView, Edit, ReadView } from "./wire";
+import type { ChangeRequest, ConvertRequest, ProgramCore } from "./program";
+import { AT_END, machine, programOf, work, type Reading, type State } from "./state";
+import type { CallView, Converted, Edit, ReadView } from "./wire";
 
 /** Of a program that is read between two keystrokes, in characters. */
 const SHORT = 8_000;
@@ -65,10 +65,10 @@ function followed(state: State, calls: CallView[]): State {
   const { follow, cursorLine } = state;
   if (!follow) return state;
   const rest = { ...state, follow: null };
-  const under = calls.find((call) => call.line <= cursorLine && cursorLine <= call.lastLine);
+  const under = follow === "edits" ? undefined : calls.find((call) => call.line <= cursorLine && cursorLine <= call.lastLine);
   if (under && under.from !== state.open) return opened(rest, under);
   const call = calls.find((one) => one.from === state.open);
-  return follow === "text" && call ? filled(rest, call) : rest;
+  return follow !== "cursor" && call ? filled(rest, call) : rest;
 }
 
 /** The state once the program is read. */
@@ -97,11 +97,31 @@ function changed(state: State, request: ChangeRequest, edits: Edit[][]): State {
   return edits.reduce(withEdits, { ...state, pending: left });
 }
 
+/** Edits that the core proposes, made at once: one step in the editor, and undone as one. */
+export function mended(state: State, edits: readonly Edit[], notice: string): State {
+  const next = withEdits(state, edits);
+  return { ...next, mended: programOf(next), follow: "edits", notice, undo: work(state) };
+}
+
+/** The call that is to be written in another way, once everything that was typed is in the program. */
+function conversion(state: State): ConvertRequest | null {
+  const { control, converting, reading } = state;
+  const call = reading?.view.calls.findIndex((one) => one.from === converting?.at) ?? -1;
+  return converting && call >= 0 ? { control, text: programOf(state), call, style: converting.style } : null;
+}
+
+function converted(state: State, { edits, findings }: Converted): State {
+  const rest = { ...state, converting: null };
+  const next = edits.length ? mended(rest, edits, "notice-converted") : rest;
+  return { ...next, converted: { control: next.control, text: programOf(next), findings } };
+}
+
 function answered(state: State, { question, json, problem }: Answered): State {
   if (question.ask === "run" || !isCurrent(question, state)) return state;
   const { control, text, setup } = question;
-  if (json === undefined) return { ...state, pending: question.ask === "change" ? [] : state.pending, stoppedReading: { control, text, why: problem ?? "" } };
+  if (json === undefined) return { ...state, converting: null, pending: question.ask === "change" ? [] : state.pending, stoppedReading: { control, text, why: problem ?? "" } };
   if (question.ask === "read") return arrived(state, { control, text, ...(setup ? { setup } : {}), view: JSON.parse(json) as ReadView });
+  if (question.ask === "convert") return state.converting ? converted(state, JSON.parse(json) as Converted) : state;
   return changed(state, question, JSON.parse(json) as Edit[][]);
 }
 
@@ -121,9 +141,15 @@ export function createDesk(programCore: () => ProgramCore | null, reader: Aside)
     }
     if (state.follow || state.sought) return settle(arrived(state, reading));
     const request = wanted(state);
-    if (!request) return state;
-    if (short) return settle(changed(state, request, core.change(request)));
-    reader.want({ ask: "change", ...request });
+    if (request && short) return settle(changed(state, request, core.change(request)));
+    if (request) reader.want({ ask: "change", ...request });
+    return request ? state : convert(core, state, short);
+  };
+  const convert = (core: ProgramCore, state: State, short: boolean): State => {
+    const request = conversion(state);
+    if (!request) return state.converting ? { ...state, converting: null } : state;
+    if (short) return settle(converted(state, core.convert(request)));
+    reader.want({ ask: "convert", ...request });
     return state;
   };
   return (state) => {

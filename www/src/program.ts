@@ -5,18 +5,22 @@ import init, * as wasm from "@pkg/program/program.js";
 import address from "@pkg/program/program_bg.wasm?url";
 import { splice } from "./eol";
 import { call, compile } from "./module";
-import type { Edit, Pending, ReadRequest, ReadView, RunRequest, Setup } from "./wire";
+import type { Converted, Edit, Pending, ReadRequest, ReadView, RunRequest, Setup, Style } from "./wire";
 
 /** All values of one call that were changed in the form: `pending` of `control` at `at`, the call being number `call`. */
 export interface ChangeRequest extends ReadRequest { call: number; at: number; pending: readonly Pending[] }
 
+/** A call, by its number, in another way of writing. */
+export interface ConvertRequest extends ReadRequest { call: number; style: Style }
+
 /** What is asked about a whole program. */
-export type Question = { ask: "read" } & ReadRequest | { ask: "change" } & ChangeRequest | { ask: "run" } & RunRequest;
+export type Question = { ask: "read" } & ReadRequest | { ask: "change" } & ChangeRequest | { ask: "convert" } & ConvertRequest | { ask: "run" } & RunRequest;
 
 export interface ProgramCore {
   module: WebAssembly.Module; // for the workers
   read(request: ReadRequest): ReadView;
   change(request: ChangeRequest): Edit[][];
+  convert(request: ConvertRequest): Converted;
   /** The setup of a file, with its defaults; or why it is none. */
   setup(text: string): Setup | { why: string };
 }
@@ -34,8 +38,8 @@ function changes({ control, text, call: index, at, pending }: ChangeRequest): Ed
 /** The answer as JSON text, so that a worker can hand it over as it is. */
 export function answer(question: Question): string {
   const { ask, ...request } = question;
-  if (question.ask === "change") return JSON.stringify(changes(question));
-  return call(ask, () => ask === "read" ? wasm.read(JSON.stringify(request)) : wasm.run(JSON.stringify(request)));
+  if (ask === "change") return JSON.stringify(changes(question as ChangeRequest));
+  return call(ask, () => wasm[ask](JSON.stringify(request)));
 }
 
 function setupOf(text: string): Setup | { why: string } {
@@ -49,5 +53,5 @@ function setupOf(text: string): Setup | { why: string } {
 export async function loadProgramCore(): Promise<ProgramCore> {
   const module = await compile(address);
   await init({ module_or_path: module });
-  return { module, setup: setupOf, read: (request) => JSON.parse(answer({ ask: "read", ...request })) as ReadView, change: changes };
+  return { module, setup: setupOf, read: (request) => JSON.parse(answer({ ask: "read", ...request })) as ReadView, change: changes, convert: (request) => JSON.parse(answer({ ask: "convert", ...request })) as Converted };
 }

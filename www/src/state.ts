@@ -2,7 +2,7 @@
 // so views and computations compare by identity.
 
 import type { ProgramFile, Refusal } from "./files";
-import type { Dialect, ErrorSliders, OwnMachine, Pending, Plane, ReadView, RunView, Setup, UnitFunction } from "./wire";
+import type { Diagnostic, Dialect, ErrorSliders, OwnMachine, Pending, Plane, ReadView, RunView, Setup, Style, UnitFunction } from "./wire";
 
 export type Panel = "tasks" | "form" | "program" | "view" | "results";
 export type ResultTab = "outcome" | "problems" | "motions" | "log";
@@ -11,6 +11,10 @@ export interface Reading { control: Dialect; text: string; setup?: Setup | OwnMa
 export interface Ran { control: Dialect; text: string; setup?: Setup | OwnMachine; view: RunView }
 /** A call to open as soon as the program is read: by its number, or the first that begins in a range. */
 export type Sought = { call: number } | { from: number; to: number };
+/** What was said when a call was written in another way. It is shown while the program is still what came out. */
+export interface ConvertedCall { control: Dialect; text: string; findings: Diagnostic[] }
+/** What a card tells about: a result or an alarm, by what is written on the control. */
+export interface Card { kind: "result" | "alarm"; control: Dialect; code: string; key: string }
 /** Nothing is asked about this text any more: the user stopped it, or it failed for a reason. */
 export interface Stopped { control: Dialect; text: string; why: string }
 
@@ -26,6 +30,7 @@ export interface State {
   pending: readonly Pending[];                       // typed in the form, not yet in the program
   errors: ErrorSliders;
   comments: boolean;
+  style: Style;                                      // way of writing of the snippet, where the cycle has it
   setup: Setup | null;                               // imported machine; null: the core's own
   own: Partial<Record<Dialect, OwnMachine>>;         // how the core's own begins, where that was chosen
   checked: boolean;                                  // problems are shown at every field
@@ -37,9 +42,14 @@ export interface State {
   right: Panel;
   tab: ResultTab;
   theme: "system" | "light" | "dark";
-  folded: Record<string, true>;                      // branches of the task tree that are closed
+  unfolded: Record<string, boolean>;                 // branches of the task tree that were opened or closed by hand
+  outline: boolean;                                  // the list of calls stands beside the program
 
   search: string;                                    // from here on: not kept
+  card: Card | null;
+  converting: { at: number; style: Style } | null;   // the call that begins there is to be written in another way
+  converted: ConvertedCall | null;
+  mended: string | null;                             // the program as a cure or a conversion has left it: one step of the editor
   focus: string | null;
   step: number;
   playing: boolean;
@@ -49,7 +59,7 @@ export interface State {
   reading: Reading | null;
   ran: Ran | null;
   sought: Sought | null;
-  follow: "cursor" | "text" | null;                  // the form follows the cursor, or what was typed in the program
+  follow: "cursor" | "text" | "edits" | null;        // the form follows the cursor, what was typed in the program, or edits of its call
   stoppedReading: Stopped | null;
   stoppedRun: Stopped | null;
   refused: (Refusal & { place: "program" | "setup" }) | null; // a file that could not be opened
@@ -67,17 +77,17 @@ export const AT_END = Number.MAX_SAFE_INTEGER;
 export function firstState(): State {
   return {
     control: "sinumerik", cycle: "", values: {}, remembered: {}, programs: {}, files: {}, sets: {}, open: null, pending: [],
-    errors: NO_ERRORS, comments: true, setup: null, own: {}, checked: false, touched: {}, source: "form",
-    panel: "form", left: "form", right: "results", tab: "outcome", theme: "system", folded: {},
-    search: "", focus: null, step: AT_END, playing: false, cursor: 0, cursorLine: 1, notice: "",
+    errors: NO_ERRORS, comments: true, style: "direct", setup: null, own: {}, checked: false, touched: {}, source: "form",
+    panel: "form", left: "form", right: "results", tab: "outcome", theme: "system", unfolded: {}, outline: true,
+    search: "", card: null, converting: null, converted: null, mended: null, focus: null, step: AT_END, playing: false, cursor: 0, cursorLine: 1, notice: "",
     reading: null, ran: null, sought: null, follow: null, stoppedReading: null, stoppedRun: null, refused: null, undo: null,
   };
 }
 
-const NOT_KEPT = ["search", "focus", "step", "playing", "cursor", "cursorLine", "notice", "reading", "ran", "sought", "follow", "stoppedReading", "stoppedRun", "refused", "undo"] as const satisfies (keyof State)[];
+const NOT_KEPT = ["search", "card", "converting", "converted", "mended", "focus", "step", "playing", "cursor", "cursorLine", "notice", "reading", "ran", "sought", "follow", "stoppedReading", "stoppedRun", "refused", "undo"] as const satisfies (keyof State)[];
 /** What a replacement of work can take away. */
 const WORK = ["control", "cycle", "values", "remembered", "programs", "files", "sets", "open", "pending", "errors", "setup", "own", "checked", "touched"] as const satisfies (keyof State)[];
-const IN_LINK = ["control", "cycle", "values", "programs", "open", "errors", "comments", "setup", "own", "checked", "source"] as const satisfies (keyof State)[];
+const IN_LINK = ["control", "cycle", "values", "programs", "open", "errors", "comments", "style", "setup", "own", "checked", "source"] as const satisfies (keyof State)[];
 
 /** The program of the control that the form is for. */
 export function programOf(state: State): string {
@@ -129,6 +139,7 @@ const isFile = (value: unknown): value is ProgramFile =>
 const isPending = (value: unknown): value is Pending =>
   plainObject(value) && ["control", "name", "value"].every((name) => typeof value[name] === "string") && Number.isInteger(value.at);
 
+export const STYLES: Style[] = ["direct", "indirect", "operate"];
 /** What may be chosen for the core's own machine; the first counts where nothing was. */
 export const PLANES: Plane[] = ["G17", "G18", "G19"];
 export const UNITS: Record<Dialect, UnitFunction[]> = { sinumerik: ["G71", "G70", "G710", "G700"], nct: ["G21", "G20"] };
@@ -160,6 +171,8 @@ export function merge(state: State, data: unknown): State {
   if (plainObject(data.errors)) next.errors = { part: numbers(data.errors.part, NO_ERRORS.part), probe: numbers(data.errors.probe, NO_ERRORS.probe) };
   if (Number.isInteger(data.open)) next.open = data.open as number;
   if (data.open === null) next.open = null;
+  if (!STYLES.includes(next.style)) next.style = state.style;
+  next.unfolded = Object.fromEntries(Object.entries(next.unfolded).filter(([, open]) => typeof open === "boolean"));
   next.pending = Array.isArray(data.pending) ? data.pending.filter(isPending) : [];
   if (data.own !== undefined) next.own = ownMachines(data.own);
   if (plainObject(data.setup)) next.setup = data.setup as unknown as Setup;

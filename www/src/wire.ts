@@ -22,10 +22,12 @@ export interface CycleInfo {
   control: Dialect;
   cycle: string;                // "CYCLE977"
   key: string;                  // "cycle977": messages cycle977-title, cycle977-words, cycle977-help
+  purpose: Purpose;
+  styles: Style[];              // the ways of writing that its call has, direct first
   variants: { mvar: number; key: string; source: string; values: Record<string, string>; example: Record<string, string> }[]; // values: as typed, they choose this variant
   parameters: { name: string; key: string; unit: string; default: number | null; source: string }[];
   results: { name: string; key: string; unit: string; source: string }[];
-  alarms: string[];
+  alarms: { code: string; key: string }[]; // key: message with its meaning, and `.cure`
   example: Record<string, string>;     // values of a worked measurement, as typed
   simulated: boolean;                  // false: form, checks and text only; a FormView has no outcome
   source: string;
@@ -40,6 +42,8 @@ export interface AlarmInfo {
   found: "check" | "run" | "both" | "nowhere"; // where Probewright finds what raises it
   source: string;
 }
+/** Where a cycle belongs. calibrates: it does nothing else. */
+export interface Purpose { machine: "milling" | "turning" | "any"; probe: "workpiece" | "tool" | "none"; calibrates: boolean }
 
 export type Plane = "G17" | "G18" | "G19";
 export type UnitFunction = "G70" | "G71" | "G700" | "G710" | "G20" | "G21";

@@ -1,8 +1,13 @@
 //! The whole catalogue as JSON.
 
-use super::{code, dialect_name, object, typed};
+use super::{alarm_key, code, dialect_name, object, style_name, typed};
 use crate::catalogue::example::{choosing, example};
-use crate::catalogue::{CYCLES, Cycle, Param, ResultField, Unit, Variant};
+use crate::catalogue::{
+    CYCLES, Cycle, MachineSort, Param, ProbeUse, ResultField, Style, Unit, Variant,
+};
+use crate::check;
+use crate::control::delivery;
+use crate::diagnostic::Code;
 use serde_json::Value;
 
 /// What the page asks for first: the cycles under a name.
@@ -10,7 +15,8 @@ pub fn catalogue() -> Value {
     object([("cycles", cycles())])
 }
 
-/// One object a cycle: control, cycle, variants, parameters, results, alarms, each with its place in the manual.
+/// One object a cycle: control, cycle, purpose, ways of writing, variants, parameters, results, alarms, with their places
+/// in the manual.
 pub fn cycles() -> Value {
     CYCLES.iter().map(|cycle| entry(cycle)).collect()
 }
@@ -22,19 +28,63 @@ fn entry(cycle: &'static Cycle) -> Value {
         ("control", dialect_name(cycle.dialect).into()),
         ("cycle", cycle.name.into()),
         ("key", cycle.key.into()),
+        ("purpose", purpose(cycle)),
+        ("styles", styles(cycle)),
         (
             "variants",
             variants.map(|one| variant(cycle, one)).collect(),
         ),
         ("parameters", cycle.params.iter().map(param).collect()),
         ("results", cycle.results.iter().map(result).collect()),
-        ("alarms", cycle.alarms().into_iter().map(code).collect()),
+        ("alarms", cycle.alarms().into_iter().map(alarm).collect()),
         (
             "example",
             object(example.map(|(name, value)| (*name, (*value).into()))),
         ),
         ("simulated", cycle.simulation.is_some().into()),
         ("source", cycle.source.into()),
+    ])
+}
+
+/// Where it belongs: sort of machine, probe, and whether calibrating is all that it does.
+fn purpose(cycle: &'static Cycle) -> Value {
+    let machine = match cycle.purpose.machine {
+        MachineSort::Milling => "milling",
+        MachineSort::Turning => "turning",
+        MachineSort::Any => "any",
+    };
+    let probe = match cycle.purpose.probe {
+        ProbeUse::Workpiece => "workpiece",
+        ProbeUse::Tool => "tool",
+        ProbeUse::None => "none",
+    };
+    let control = delivery(cycle.dialect);
+    let calibrates = |variant: &Variant| {
+        let typed = choosing(cycle, variant.number);
+        let inputs = check::read(cycle, &typed, &control, &mut Vec::new());
+        cycle.purpose.calibrates.holds(&inputs)
+    };
+    object([
+        ("machine", machine.into()),
+        ("probe", probe.into()),
+        ("calibrates", cycle.variants.iter().all(calibrates).into()),
+    ])
+}
+
+/// The ways of writing that its call has, direct first.
+fn styles(cycle: &Cycle) -> Value {
+    let has = |style: &Style| {
+        *style == Style::Direct || cycle.lists.iter().any(|list| list.style == *style)
+    };
+    let all = [Style::Direct, Style::Indirect, Style::Operate];
+    all.into_iter().filter(has).map(style_name).collect()
+}
+
+/// Number as shown, and the key of its words.
+fn alarm(alarm: Code) -> Value {
+    object([
+        ("code", code(alarm).into()),
+        ("key", alarm_key(alarm).into()),
     ])
 }
 

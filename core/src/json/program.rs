@@ -5,7 +5,7 @@ use super::setup_write::plane_name;
 use super::start::start;
 use super::{Error, diagnostic, dialect, dialect_name, message, object, put, style_name, typed};
 use crate::catalogue::Style;
-use crate::check;
+use crate::check::{self, Parsed};
 use crate::control::{Control, delivery};
 use crate::diagnostic::Diagnostic;
 use crate::program::calls::{CallSite, calls as find_calls, calls_on};
@@ -104,6 +104,12 @@ fn variant(site: &CallSite) -> Option<i64> {
         &delivery(site.cycle.dialect),
         &mut Vec::new(),
     );
+    let name = site.cycle.variant_param();
+    let typed = name.and_then(|name| site.values.get(name));
+    let is_meant = |typed: &String| matches!(check::parse(typed), Parsed::Number(number) if number == inputs.variant as f64);
+    if !typed.is_none_or(is_meant) {
+        return None;
+    }
     site.cycle
         .variants
         .iter()

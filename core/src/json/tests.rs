@@ -341,3 +341,42 @@ fn a_call_is_converted_with_places_of_the_page() {
     let wrong = json!({ "control": "sinumerik", "text": text, "call": 0, "style": "spoken" });
     assert!(convert(&wrong.to_string()).is_err());
 }
+
+// oracle: manual B:654 (the cycles measure workpieces), B:12497 (direct), B:11640-12133 (parameterizing calls); C has neither
+#[test]
+fn the_catalogue_says_where_a_cycle_belongs_and_how_it_is_written() {
+    let catalogue = catalogue();
+    let cycle = |name: &str| {
+        let all = catalogue["cycles"].as_array().unwrap();
+        all.iter()
+            .find(|one| one["cycle"] == name)
+            .unwrap()
+            .clone()
+    };
+    let purpose = |machine: &str, probe: &str, calibrates: bool| json!({ "machine": machine, "probe": probe, "calibrates": calibrates });
+    for (name, wanted) in [
+        ("CYCLE977", purpose("milling", "workpiece", false)),
+        ("CYCLE976", purpose("milling", "workpiece", true)),
+        ("CYCLE971", purpose("milling", "tool", false)),
+        ("G110", purpose("milling", "workpiece", false)),
+    ] {
+        assert_eq!(cycle(name)["purpose"], wanted, "{name}");
+    }
+    assert_eq!(
+        cycle("CYCLE977")["styles"],
+        json!(["direct", "indirect", "operate"])
+    );
+    assert_eq!(cycle("G110")["styles"], json!(["direct"]));
+    let alarms = cycle("CYCLE977")["alarms"].as_array().unwrap().clone();
+    assert!(alarms.contains(&json!({ "code": "61303", "key": "alarm-61303" })));
+}
+
+// oracle: hand
+#[test]
+fn a_call_whose_variant_does_not_exist_has_no_variant() {
+    let text = "_MVAR=77777\nCYCLE977\n_MVAR=2\nCYCLE977\n";
+    let request = json!({ "control": "sinumerik", "text": text }).to_string();
+    let calls = read(&request).unwrap()["calls"].clone();
+    assert_eq!(calls[0]["mvar"], Value::Null);
+    assert_eq!(calls[1]["mvar"], 2);
+}

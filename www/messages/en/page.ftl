@@ -46,9 +46,9 @@ theme-dark = Theme: dark
 about-open = About
 
 tasks-title = What to measure
-tasks-search = Search by cycle number or words
-tasks-search-hint = Number or words
-tasks-none = Nothing found for “{ $search }”. Try fewer words or the number of a cycle.
+tasks-search = Search cycles, parameters, results and alarms
+tasks-search-hint = Cycle, name, alarm, words
+tasks-none = Nothing found for “{ $search }”. Try another word, or the number of a cycle or an alarm.
 
 form-opened = Edits { $cycle } in the program, lines { $from } to { $to }
 form-detach = Detach
@@ -84,7 +84,11 @@ program-title = Program
 program-loading = The editor is loading.
 program-editor = Part program
 program-calls = Measuring calls in the program
-program-call = { $cycle } · line { $line }
+program-call-count = { $count ->
+    [one] 1 call
+   *[other] { $count } calls
+ }
+program-call-line = line { $line }
 program-no-call = no measuring call
 program-copy = Copy
 program-open = Open
@@ -168,6 +172,7 @@ column-unit = Unit
 column-before = Before
 column-after = After
 column-difference = Change
+problems-more = { $count } more. They are marked in the program, and come here when these are mended.
 problems-none = No problems found.
 problem-place = line { $line }, column { $column }
 log-none = Nothing was logged.
@@ -241,11 +246,54 @@ about-close = Close
 keys-title = Keys
 keys-f6 = F6 and Shift+F6: next and previous panel
 keys-tab = Tab: next field; the drawing shows what it means
-keys-tree = Arrow keys, Home, End, Enter: move and choose in the task list
+keys-tree = Arrow keys, Home, End, Enter: move and choose in the task list, in what the search found, and in the list of calls
 keys-tabs = Left and right arrow: change the result tab
 keys-undo = Ctrl+Z outside of a text: take back a replacement of work, such as another program or the worked example
-keys-editor = In the editor Tab leaves; Ctrl+F searches; the call at the cursor opens its form
+keys-editor = In the editor Tab leaves; Ctrl+F searches; F8 goes to the next problem, Ctrl+Shift+M lists them with their cures; the call at the cursor opens its form
 
 broken-title = Probewright has stopped
 broken-kept = This is a defect of the program, not of your entries. Your form and your program are kept in this browser.
 broken-reload = Reload
+
+group-milling-workpiece = Milling: workpiece
+group-milling-tool = Milling: tool
+group-milling-calibrate = Milling: calibrate the probe
+group-milling-none = Milling: without a probe
+group-turning-workpiece = Turning: workpiece
+group-turning-tool = Turning: tool
+group-turning-calibrate = Turning: calibrate the probe
+group-turning-none = Turning: without a probe
+group-any-workpiece = Workpiece
+group-any-tool = Tool
+group-any-calibrate = Calibrate the probe
+group-any-none = Without a probe
+
+found-measurement = Measurements ({ $count })
+found-parameter = Parameters ({ $count })
+found-result = Results ({ $count })
+found-alarm = Alarms ({ $count })
+found-more = { $count } more. A further word narrows it down.
+
+card-result = { $control } result { $code }
+card-alarm = { $control } alarm { $code }
+card-cure = What helps
+card-result-cycles = Left by
+card-alarm-cycles = Raised by
+card-close = Close
+
+ways = Way of writing
+ways-findings = What this way of writing cannot say
+way-direct = direct
+way-indirect = indirect
+way-operate = newer controls
+way-now = Written: { $way }
+convert = Convert to
+
+call-state-ok = no doubts
+call-state-note = no doubts
+call-state-warning = doubts
+call-state-error = errors
+call-variant-unknown = variant not known
+
+notice-converted = Converted.
+notice-mended = Mended.

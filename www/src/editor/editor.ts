@@ -1,8 +1,8 @@
 // The program editor. It lives in a shadow root: there CodeMirror puts its rules into adopted style sheets,
 // so that the page's content policy needs no 'unsafe-inline' for styles.
 
-import { defaultKeymap, history, historyKeymap } from "@codemirror/commands";
-import { lintGutter, setDiagnostics, type Diagnostic as Mark } from "@codemirror/lint";
+import { defaultKeymap, history, historyKeymap, isolateHistory } from "@codemirror/commands";
+import { lintGutter, lintKeymap, setDiagnostics, type Diagnostic as Mark } from "@codemirror/lint";
 import { highlightSelectionMatches, search, searchKeymap } from "@codemirror/search";
 import { Compartment, EditorSelection, EditorState, RangeSetBuilder, StateEffect, StateField, Transaction, type Extension } from "@codemirror/state";
 import { Decoration, drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, highlightSpecialChars, keymap, lineNumbers, type DecorationSet } from "@codemirror/view";
@@ -16,7 +16,8 @@ export interface LineMarks { calls: { from: number; to: number; open: boolean }[
 export interface EditorHost { typed(changes: { from: number; to: number; insert: string }[]): void; moved(offset: number, line: number): void }
 export interface Editor {
   view: EditorView;
-  setText(text: string): void;
+  /** apart: a step of its own to undo, however soon it follows. */
+  setText(text: string, apart: boolean): void;
   setDialect(dialect: Dialect): void;
   setMarks(marks: LineMarks): void;
   setProblems(problems: Mark[]): void;
@@ -82,7 +83,7 @@ export function createEditor(box: HTMLElement, label: string, host: EditorHost):
       extensions: [
         lineNumbers(), lintGutter(), history(), drawSelection(), highlightSpecialChars(), highlightActiveLine(), highlightActiveLineGutter(),
         search({ top: true }), highlightSelectionMatches(), marksField, language.of(LANGUAGES[dialect]), theme, listen,
-        keymap.of([...searchKeymap, ...historyKeymap, ...defaultKeymap]),
+        keymap.of([...searchKeymap, ...lintKeymap, ...historyKeymap, ...defaultKeymap]),
         EditorView.contentAttributes.of({ "aria-label": label, autocapitalize: "characters", spellcheck: "false" }),
       ],
     }),
@@ -95,9 +96,9 @@ export function createEditor(box: HTMLElement, label: string, host: EditorHost):
 
   return {
     view,
-    setText(text) {
+    setText(text, apart) {
       const change = difference(view.state.doc.toString(), text.replace(/\r\n?/g, "\n"));
-      if (change) apply(() => view.dispatch({ changes: change, annotations: Transaction.addToHistory.of(true) }));
+      if (change) apply(() => view.dispatch({ changes: change, annotations: [Transaction.addToHistory.of(true), ...(apart ? [isolateHistory.of("full")] : [])] }));
     },
     setDialect(next) {
       if (next === dialect) return;

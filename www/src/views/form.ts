@@ -9,6 +9,7 @@ import { optional, say, t } from "../texts";
 import type { Diagnostic, Field } from "../wire";
 import { createField, fieldId, needText, problemItem, updateProblem, type FieldView } from "./field";
 import { createPicture } from "./picture";
+import { createCallWays, createSnippetWays } from "./ways";
 
 /** Problems of a field are shown once it was typed into, or after "check". */
 export function shownProblems(state: State, all: Diagnostic[]): Diagnostic[] {
@@ -34,6 +35,8 @@ export function createForm(root: HTMLElement, store: Store, actions: Actions, sh
   const where = el("span", {});
   const detach = el("button", { type: "button", class: "quiet" }, t("form-detach"));
   const opened = el("div", { class: "opened", role: "status" }, el("span", { class: "opened-mark", "aria-hidden": "true" }, "◆"), where, detach);
+  const callWays = createCallWays(actions);
+  const ways = createSnippetWays(actions);
   const pictureBox = el("div", { class: "picture-box" });
   const fields = el("div", { class: "fields", role: "group", "aria-labelledby": "form-title" });
   const loose = el("ul", { class: "loose-problems", "aria-live": "polite" });
@@ -47,9 +50,9 @@ export function createForm(root: HTMLElement, store: Store, actions: Actions, sh
   const insert = el("button", { type: "button", class: "primary" }, t("form-insert"));
   const snippetBox = el("section", { class: "snippet-box", "aria-label": t("form-snippet") },
     el("div", { class: "snippet-head" }, el("h3", {}, t("form-snippet")), el("label", { class: "check", for: "comments" }, comments, t("form-comments"))),
-    snippet, el("div", { class: "actions" }, insert, copy));
+    el("div", { class: "ways" }, ways.choice), snippet, ways.said, el("div", { class: "actions" }, insert, copy));
   const scroll = el("div", { class: "scroll" }, loose, fields, el("div", { class: "actions" }, check, example, sets), snippetBox);
-  root.append(el("header", { class: "panel-head" }, title, count), opened, pictureBox,
+  root.append(el("header", { class: "panel-head" }, title, count), opened, callWays.root, pictureBox,
     el("div", { class: "explain" }, about, explained), scroll);
 
   const views = new WeakMap<Element, FieldView>();
@@ -102,6 +105,10 @@ export function createForm(root: HTMLElement, store: Store, actions: Actions, sh
     if (comments.checked !== state.comments) comments.checked = state.comments;
     snippetText = view.snippet;
     setText(snippet, view.snippet);
+    setAttribute(snippet, "data-style", derived.style);
+    show(snippet, view.snippet !== "");
+    ways.draw(state, derived);
+    callWays.draw(state, derived);
     setAttribute(root, "data-complete", String(view.complete));
   };
 }

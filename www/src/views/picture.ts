@@ -6,6 +6,7 @@ import type { Picture, PictureShape } from "../wire";
 
 const MARGIN = { x: 30, y: 22 }; // CSS pixels around the figures, for captions
 const CHARACTER = 6.6;           // width of a character of a caption, CSS pixels
+const LINE = 12;                 // from one caption to the next below it, CSS pixels
 /** From the ground up: what is filled must not hide what is drawn in lines. */
 const ORDER: PictureShape["kind"][] = ["material", "cut", "tolerance", "axis", "zone", "path", "edge", "probe", "touch", "dimension", "label"];
 interface Size { width: number; height: number }
@@ -35,6 +36,33 @@ const r = (value: number): string => value.toFixed(2);
 
 function outline(points: Point[], closed: boolean): string {
   return points.map(([x, y], index) => `${index ? "L" : "M"}${r(x)} ${r(y)}`).join("") + (closed ? "Z" : "");
+}
+
+/** A polygon that comes back to its first point before its end is an outline around another: both, without the line that joins them. */
+function rings(points: Point[]): Point[][] {
+  const list: Point[][] = [];
+  let start = 0;
+  points.forEach((point, index) => {
+    const first = points[start];
+    if (index <= start || !first || point[0] !== first[0] || point[1] !== first[1]) return;
+    list.push(points.slice(start, index));
+    start = index + 1;
+  });
+  return list.length > 1 ? list : [points];
+}
+
+/** Captions upon each other are moved apart, the later ones by whole lines. */
+function spread(captions: Iterable<Element>, { height }: Size): void {
+  const taken: { left: number; right: number; y: number }[] = [];
+  for (const caption of captions) {
+    const long = (caption.textContent?.length ?? 0) * CHARACTER;
+    const x = Number(caption.getAttribute("x")) - (caption.getAttribute("text-anchor") === "middle" ? long / 2 : 0);
+    const at = Number(caption.getAttribute("y"));
+    const free = (y: number): boolean => y >= 11 && y <= height - 4 && taken.every((one) => x > one.right || x + long < one.left || Math.abs(y - one.y) >= LINE);
+    const y = [0, 1, -1, 2, -2].map((lines) => at + lines * LINE).find(free) ?? at;
+    setAttribute(caption, "y", r(y));
+    taken.push({ left: x, right: x + long, y });
+  }
 }
 
 /** A caption that stays inside the picture. */
@@ -76,7 +104,7 @@ function figures(shape: PictureShape, place: Place, scale: number, size: Size, v
   const circle = shape.circle && { at: place([shape.circle.x, shape.circle.y]), r: Math.max(shape.circle.r * scale, 2.5) };
   if (circle) parts.push(svg("circle", { cx: r(circle.at[0]), cy: r(circle.at[1]), r: r(circle.r) }));
   if (shape.kind === "touch" && !shape.circle) for (const [x, y] of points) parts.push(svg("path", { d: `M${r(x - 4)} ${r(y)}h8M${r(x)} ${r(y - 4)}v8` }));
-  else if (points.length > 1) parts.push(svg("path", { d: outline(points, !!shape.closed) }));
+  else if (points.length > 1) parts.push(svg("path", { d: shape.closed ? rings(points).map((ring) => outline(ring, true)).join("") : outline(points, false) }));
   const below = shape.kind === "touch";
   const at: Point | undefined = circle ? [circle.at[0] + (below ? 5 : circle.r + 3), circle.at[1] + (below ? 14 : -circle.r)] : a && (shape.kind === "label" ? a : [a[0] + 5, a[1] - 5]);
   if (text && at) parts.push(caption(text, at, shape.kind === "label" ? "middle" : "start", size));
@@ -108,6 +136,7 @@ export function createPicture(root: HTMLElement, pick: (field: string) => void):
       const value = shape.kind === "dimension" && shape.field === shape.text ? (values[shape.field ?? ""] ?? "").trim() : "";
       return svg("g", { class: `shape ${shape.kind}`, "data-field": shape.field }, ...figures(shape, place, scale, size, value));
     }));
+    spread(shapes.querySelectorAll(".caption"), size);
   };
   const light = (): void => {
     let any = false;

@@ -2,7 +2,7 @@
 
 import type { Actions } from "../actions";
 import type { Derived } from "../derive";
-import { el, keyed, on, setAttribute, setText, show } from "../dom";
+import { el, on, setAttribute, setText, show } from "../dom";
 import type { Editor, LineMarks } from "../editor/editor";
 import { encode, saveFile } from "../files";
 import { lineBreak, toEditor, toProgram } from "../eol";
@@ -10,6 +10,7 @@ import { programOf, type State } from "../state";
 import type { Store } from "../store";
 import { say, t } from "../texts";
 import { copyText } from "./form";
+import { createOutline } from "./outline";
 
 export interface ProgramView { head: HTMLElement; draw(state: State, derived: Derived): void; goTo(offset: number): void; goToLine(line: number): void }
 
@@ -19,11 +20,16 @@ export function createProgram(root: HTMLElement, store: Store, actions: Actions,
   const open = el("button", { type: "button", class: "quiet" }, t("program-open"));
   const file = el("input", { type: "file", accept: ".mpf,.spf,.nc,.txt,.arc,.prg,text/plain", hidden: true, tabindex: "-1", "aria-label": t("program-open") });
   const download = el("button", { type: "button", class: "quiet" }, t("program-save"));
-  const calls = el("ul", { class: "calls", "aria-label": t("program-calls") });
+  const calls = el("button", { type: "button", class: "quiet", "aria-controls": "outline" });
   const box = el("div", { class: "editor" });
   const waiting = el("p", { class: "empty" }, t("program-loading"));
   const head = el("header", { class: "panel-head" }, el("h2", { id: "program-title" }, t("program-title")), name, calls, el("div", { class: "head-actions" }, open, file, download, copy));
-  root.append(head, waiting, box);
+  const outline = createOutline((index) => {
+    actions.openCall(index);
+    const call = last?.read.calls[index];
+    if (call) select({ offset: call.from });
+  });
+  root.append(head, el("div", { class: "program-body" }, outline.root, waiting, box));
 
   let editor: Editor | null = null;
   let loading = false;
@@ -32,11 +38,11 @@ export function createProgram(root: HTMLElement, store: Store, actions: Actions,
   let target: { offset: number } | { line: number } | null = null; // to be shown as soon as the editor is there
   let inEditor: string | null = null; // the text that the editor holds
   let marked = "";
-  let listed: { read: Derived["read"]; open: State["open"]; fresh: boolean } | null = null;
   let told: Derived["problems"] | null = null;
 
   on(copy, "click", () => void copyText(text, store, "notice-copied"));
   on(open, "click", () => file.click());
+  on(calls, "click", () => store.update((state) => ({ outline: !state.outline })));
   on(file, "change", () => { const chosen = file.files?.[0]; if (chosen) openFile(chosen); file.value = ""; });
   on(download, "click", () => save(store, text));
 
@@ -69,23 +75,12 @@ export function createProgram(root: HTMLElement, store: Store, actions: Actions,
   };
 
   const drawCalls = (state: State, derived: Derived): void => {
-    if (listed?.read === derived.read && listed.open === state.open && listed.fresh === derived.fresh) return;
-    listed = { read: derived.read, open: state.open, fresh: derived.fresh };
-    show(calls, derived.read.calls.length > 0);
-    setText(name, derived.read.calls.length > 0 || !derived.fresh ? "" : t("program-no-call"));
-    keyed(calls, derived.read.calls, (_, index) => String(index), () => {
-      const item = el("li", {}, el("button", { type: "button", class: "call-chip" }));
-      on(item, "click", () => { const index = Number(item.dataset.call); actions.openCall(index); const call = last?.read.calls[index]; if (call) select({ offset: call.from }); });
-      return item;
-    }, (item, call, index) => {
-      item.dataset.call = String(index);
-      const button = item.firstElementChild;
-      if (!button) return;
-      const named = `${call.cycle}/${call.lastLine}`;
-      if (button.getAttribute("data-named") !== named) setText(button, t("program-call", { cycle: call.cycle, line: call.lastLine }));
-      setAttribute(button, "data-named", named);
-      setAttribute(button, "aria-pressed", String(state.open === call.from));
-    });
+    const count = derived.read.calls.length;
+    show(calls, count > 0);
+    setText(calls, t("program-call-count", { count }));
+    setAttribute(calls, "aria-expanded", String(state.outline));
+    setText(name, count > 0 || !derived.fresh ? "" : t("program-no-call"));
+    outline.draw(state, derived);
   };
 
   /** Calls, step and problems. Until the program is read again the editor moves the old ones along by itself. */
@@ -93,7 +88,7 @@ export function createProgram(root: HTMLElement, store: Store, actions: Actions,
     const now = JSON.stringify(next);
     if (marked !== now) into.setMarks(next);
     marked = now;
-    if (told !== derived.problems) into.setProblems(marks(derived));
+    if (told !== derived.problems) into.setProblems(marks(derived, actions.cure));
     told = derived.problems;
   };
 
@@ -107,7 +102,7 @@ export function createProgram(root: HTMLElement, store: Store, actions: Actions,
         return drawCalls(state, derived);
       }
       editor.setDialect(state.control);
-      if (text !== inEditor) editor.setText(text);
+      if (text !== inEditor) editor.setText(text, text === state.mended);
       inEditor = text;
       const step = state.source === "program" ? derived.trace?.entries[derived.step]?.line ?? null : null;
       const next = { step, calls: derived.read.calls.map((call) => ({ from: call.line, to: call.lastLine, open: call.from === state.open })) };
@@ -130,13 +125,14 @@ function save(store: Store, text: string): void {
   saveFile(bytes ?? text, name);
 }
 
-function marks(derived: Derived) {
+function marks(derived: Derived, cure: Actions["cure"]) {
   const text = derived.program;
   const length = toEditor(text, text.length);
   return derived.problems.filter((one) => one.from !== undefined).map((one) => {
     const from = Math.min(toEditor(text, one.from ?? 0), length);
     const to = Math.min(Math.max(from, toEditor(text, one.to ?? one.from ?? 0)), length);
     const severity = one.severity === "note" ? "info" as const : one.severity;
-    return { from, to, severity, message: `${one.code}  ${say(one.message)}${one.hint ? `\n${say(one.hint)}` : ""}` };
+    const actions = one.cure ? [{ name: say(one.cure.label), apply: () => cure(one.cure?.edits ?? []) }] : [];
+    return { from, to, severity, actions, message: `${one.code}  ${say(one.message)}${one.hint ? `\n${say(one.hint)}` : ""}` };
   });
 }

@@ -100,45 +100,67 @@ function shownOutcome(state: State, derived: Derived): Shown | null {
   return outcome ? { ...outcome, results: outcome.results.map((one) => ({ ...one, label: say(one.label) })) } : null;
 }
 
-interface Located { problem: Diagnostic; place: string; go: () => void }
+const LISTED = 200; // problems; the others stand in the editor, and come here when these are mended
+
+interface Located { problem: Diagnostic; place: string; go: () => void; cure?: () => void }
 
 function createProblems(root: HTMLElement, actions: Actions, goTo: (offset: number) => void): Draw {
   const list = el("ul", { class: "problem-list" });
   const none = el("p", { class: "empty" }, t("problems-none"));
-  root.append(none, list);
+  const rest = el("p", { class: "empty" });
+  root.append(none, list, rest);
   const targets = new WeakMap<Element, () => void>();
+  const mend = (button: HTMLElement): void => { // the button goes with its finding: the focus stays in the list
+    targets.get(button)?.();
+    root.focus();
+  };
   const make = (): HTMLLIElement => {
     const item = problemItem();
     const go = el("button", { type: "button", class: "quiet place" });
+    const cure = el("button", { type: "button", class: "cure" });
     on(go, "click", () => targets.get(go)?.());
-    item.append(go);
+    on(cure, "click", () => mend(cure));
+    item.append(el("span", { class: "problem-actions" }, go, cure));
     return item;
   };
   return (state, derived) => {
     if (state.tab !== "problems") return;
     const all = located(state, derived, actions, goTo);
     show(none, all.length === 0);
-    keyed(list, all, (one, index) => `${index}/${one.problem.code}`, make, (node, one) => {
+    show(rest, all.length > LISTED);
+    setText(rest, t("problems-more", { count: all.length - LISTED }));
+    keyed(list, all.slice(0, LISTED), (one, index) => `${index}/${one.problem.code}`, make, (node, one) => {
       updateProblem(node, one.problem);
-      const go = node.lastElementChild as HTMLElement;
+      const [go, cure] = (node.lastElementChild as HTMLElement).children as unknown as [HTMLElement, HTMLElement];
       setText(go, one.place);
       targets.set(go, one.go);
+      show(cure, !!one.cure);
+      setText(cure, one.problem.cure ? say(one.problem.cure.label) : "");
+      if (one.cure) targets.set(cure, one.cure);
     });
   };
 }
 
+/** Of the form and of the program. What both say stands once: with the place in the form, unless only the program mends it. */
 function located(state: State, derived: Derived, actions: Actions, goTo: (offset: number) => void): Located[] {
-  const form = shownProblems(state, derived.view.diagnostics).map((problem): Located => ({
-    problem, place: problem.param ?? t("panel-form"),
-    go: () => { actions.panel("form"); document.getElementById(fieldId(problem.param ?? ""))?.focus(); },
-  }));
-  const told = new Set(derived.opened ? derived.view.diagnostics.map((one) => `${one.code}/${one.param}`) : []);
-  const inProgram = derived.problems.filter((one) => !told.has(`${one.code}/${one.param}`));
-  const program = [...inProgram, ...(derived.run?.diagnostics ?? [])].map((problem): Located => ({
-    problem, place: t("problem-place", { line: problem.line ?? 0, column: problem.column ?? 1 }),
-    go: () => goTo(problem.from ?? 0),
-  }));
-  return [...form, ...program];
+  const same = (one: Diagnostic): string => `${one.code}/${one.param}`;
+  const opened = derived.opened;
+  const ofOpened = (one: Diagnostic): boolean => !!opened && (one.line ?? 0) >= opened.line && (one.line ?? 0) <= opened.lastLine;
+  const told = new Set(derived.problems.filter((one) => one.cure && ofOpened(one)).map(same));
+  const form = shownProblems(state, derived.view.diagnostics).filter((one) => !told.has(same(one)));
+  const inForm = new Set(opened ? form.map(same) : []);
+  const cured = (problem: Diagnostic): Partial<Located> => problem.cure && derived.fresh ? { cure: () => actions.cure(problem.cure?.edits ?? []) } : {};
+  const place = (problem: Diagnostic): Located => ({
+    problem, place: t("problem-place", { line: problem.line ?? 0, column: problem.column ?? 1 }), go: () => goTo(problem.from ?? 0),
+  });
+  return [
+    ...form.map((problem): Located => ({
+      problem, place: problem.param ?? t("panel-form"),
+      go: () => { actions.panel("form"); document.getElementById(fieldId(problem.param ?? ""))?.focus(); },
+    })),
+    ...derived.problems.filter((one) => !inForm.has(same(one)) || !ofOpened(one)).map((problem) => ({ ...place(problem), ...cured(problem) })),
+    ...(derived.run?.diagnostics ?? []).map(place),
+  ];
 }
 
 const BLOCK = 1000; // motions listed at once: those around the step

@@ -1,47 +1,43 @@
-// What to measure: a tree of controls, cycles and variants, searched by number and by words.
+// What to measure: a tree of what is measured on which machine, cycles and variants; a search over everything.
 
 import type { Actions, Variant } from "../actions";
 import { variantOf } from "../actions";
 import type { Derived } from "../derive";
-import { el, keyed, on, setAttribute, setText } from "../dom";
+import { el, keyed, on, setAttribute, show } from "../dom";
 import type { State } from "../state";
 import type { Store } from "../store";
-import { optional, t } from "../texts";
-import type { CycleInfo } from "../wire";
+import { t } from "../texts";
+import type { CycleInfo, Purpose } from "../wire";
+import type { Found } from "./found";
 
-interface Node { id: string; level: number; code: string; title: string; words: string; cycle?: CycleInfo; variant?: Variant; parent: string | null }
+interface Node { id: string; level: number; code: string; title: string; cycle?: CycleInfo; variant?: Variant; parent: string | null }
 
+const MACHINES: Purpose["machine"][] = ["milling", "turning", "any"];
+const USES = ["workpiece", "tool", "calibrate", "none"] as const;
+
+function use({ probe, calibrates }: Purpose): typeof USES[number] {
+  return calibrates ? "calibrate" : probe;
+}
+
+/** Three levels: what is measured on which machine, the cycle, the variant. */
 function nodes(cycles: CycleInfo[]): Node[] {
-  const list: Node[] = [];
-  for (const control of [...new Set(cycles.map((cycle) => cycle.control))]) {
-    list.push({ id: control, level: 1, code: "", title: t(`control-${control}`), words: "", parent: null });
-    for (const cycle of cycles.filter((one) => one.control === control)) list.push(...branch(control, cycle));
-  }
-  return list;
+  const controls = [...new Set(cycles.map((cycle) => cycle.control))];
+  const groups = controls.flatMap((control) => MACHINES.flatMap((machine) => USES.map((what) => ({ control, machine, what }))));
+  return groups.flatMap(({ control, machine, what }) => {
+    const own = cycles.filter((cycle) => cycle.control === control && cycle.purpose.machine === machine && use(cycle.purpose) === what);
+    const id = `${control}/${machine}/${what}`;
+    const group: Node = { id, level: 1, code: t(`control-${control}`), title: t(`group-${machine}-${what}`), parent: null };
+    return own.length ? [group, ...own.flatMap((cycle) => branch(id, cycle))] : [];
+  });
 }
 
-function branch(control: string, cycle: CycleInfo): Node[] {
-  const id = `${control}/${cycle.cycle}`;
-  const title = t(`${cycle.key}-title`);
-  const words = `${t(`control-${control}`)} ${cycle.cycle} ${title} ${optional(`${cycle.key}-words`)}`;
+function branch(parent: string, cycle: CycleInfo): Node[] {
+  const id = `${cycle.control}/${cycle.cycle}`;
   return [
-    { id, level: 2, code: cycle.cycle, title, words, cycle, parent: control },
-    ...cycle.variants.map((variant): Node => {
-      const name = t(variant.key);
-      return { id: `${id}/${variant.mvar}`, level: 3, code: String(variant.mvar), title: name, words: `${words} ${variant.mvar} ${name}`, cycle, variant, parent: id };
-    }),
+    { id, level: 2, code: cycle.cycle, title: t(`${cycle.key}-title`), cycle, parent },
+    ...cycle.variants.map((variant): Node =>
+      ({ id: `${id}/${variant.mvar}`, level: 3, code: String(variant.mvar), title: t(variant.key), cycle, variant, parent: id })),
   ];
-}
-
-const normal = (text: string): string => text.toLowerCase().normalize("NFKD").replace(/[\u0300-\u036f]/g, "");
-
-/** Every word has to be found; a branch stays while something below it does. */
-function matching(all: Node[], search: string): Node[] {
-  const words = normal(search).split(/\s+/).filter(Boolean);
-  if (words.length === 0) return all;
-  const hit = new Set(all.filter((node) => node.words && words.every((word) => normal(node.words).includes(word))).map((node) => node.id));
-  for (const node of [...all].reverse()) if (hit.has(node.id) && node.parent) hit.add(node.parent);
-  return all.filter((node) => hit.has(node.id));
 }
 
 /** Scrolls only when the item is not to be seen, and leaves it some of its neighbours above. */
@@ -51,28 +47,28 @@ function bringIntoSight(tree: HTMLElement, item: Element | null): void {
   if (box.top < frame.top || box.bottom > frame.bottom) tree.scrollTop += box.top - frame.top - frame.height / 4;
 }
 
-export function createTasks(root: HTMLElement, store: Store, actions: Actions): (state: State, derived: Derived) => void {
+export function createTasks(root: HTMLElement, store: Store, actions: Actions, createFound: (back: () => void) => Found): (state: State, derived: Derived) => void {
   const input = el("input", { type: "search", id: "task-search", autocomplete: "off", spellcheck: "false", placeholder: t("tasks-search-hint") });
   const tree = el("div", { role: "tree", "aria-labelledby": "tasks-title", class: "tree" });
-  const none = el("p", { class: "empty", role: "status" });
+  const found = createFound(() => input.focus());
   root.append(
     el("h2", { id: "tasks-title" }, t("tasks-title")),
-    el("label", { for: "task-search", class: "visually-hidden" }, t("tasks-search")), input, tree, none,
+    el("label", { for: "task-search", class: "visually-hidden" }, t("tasks-search")), input, tree, found.root,
   );
   let all: Node[] | null = null;
   let shown: Node[] = [];
   let active = "";
   let inSight = ""; // the chosen variant that was scrolled to
 
-  const fold = (id: string, closed: boolean): void => {
-    const folded = { ...store.state.folded };
-    if (closed) folded[id] = true; else delete folded[id];
-    store.update({ folded });
-  };
+  let holding = new Set<string>(); // the branches that hold the choice
+
+  /** As it was set by hand; else open around the choice. */
+  const isOpen = (id: string): boolean => store.state.unfolded[id] ?? holding.has(id);
+  const unfold = (id: string, open: boolean): void => store.update({ unfolded: { ...store.state.unfolded, [id]: open } });
   const pick = (node: Node): void => {
     active = node.id;
     if (node.variant && node.cycle) actions.chooseCycle(node.cycle, node.variant);
-    else fold(node.id, !store.state.folded[node.id]);
+    else unfold(node.id, !isOpen(node.id));
   };
   const focus = (node: Node | undefined): void => {
     if (!node) return;
@@ -88,14 +84,14 @@ export function createTasks(root: HTMLElement, store: Store, actions: Actions): 
     const index = shown.findIndex((node) => node.id === active);
     const node = shown[index];
     if (!node) return;
-    const closed = !!store.state.folded[node.id] && !store.state.search;
+    const closed = !node.variant && !isOpen(node.id);
     const moves: Record<string, () => void> = {
       ArrowDown: () => focus(shown[index + 1]),
       ArrowUp: () => focus(shown[index - 1]),
       Home: () => focus(shown[0]),
       End: () => focus(shown.at(-1)),
-      ArrowRight: () => node.variant ? undefined : closed ? fold(node.id, false) : focus(shown[index + 1]),
-      ArrowLeft: () => node.variant || closed ? focus(shown.find((one) => one.id === node.parent)) : fold(node.id, true),
+      ArrowRight: () => node.variant ? undefined : closed ? unfold(node.id, true) : focus(shown[index + 1]),
+      ArrowLeft: () => node.variant || closed ? focus(shown.find((one) => one.id === node.parent)) : unfold(node.id, false),
       Enter: () => pick(node),
       " ": () => pick(node),
     };
@@ -105,11 +101,14 @@ export function createTasks(root: HTMLElement, store: Store, actions: Actions): 
     move();
   };
   on(tree, "keydown", key);
+  on(input, "focus", () => found.load());
   on(input, "input", () => store.update({ search: input.value }));
   on(input, "keydown", (event) => {
     if (event.key === "ArrowDown") {
+      event.preventDefault();
       store.flush();
-      focus(shown.find((node) => node.variant) ?? shown[0]);
+      if (store.state.search) found.focusFirst();
+      else focus(shown.find((node) => node.variant) ?? shown[0]);
     }
     if (event.key === "Escape") { input.value = ""; store.update({ search: "" }); }
   });
@@ -123,20 +122,34 @@ export function createTasks(root: HTMLElement, store: Store, actions: Actions): 
 
   return (state, derived) => {
     all ??= nodes(derived.catalogue.cycles);
-    const found = matching(all, state.search);
-    const hidden = (node: Node): boolean => !!node.parent && !state.search && (!!state.folded[node.parent] || !!all?.some((one) => one.id === node.parent && hidden(one)));
-    shown = found.filter((node) => !hidden(node));
     const variant = variantOf(derived.cycle, state.values);
     const chosen = all.find((node) => node.cycle === derived.cycle && node.variant && node.variant === variant);
+    const parent = all.find((node) => !node.variant && node.cycle === derived.cycle);
+    holding = new Set([parent?.id ?? "", parent?.parent ?? ""]);
+    const open = new Set(all.filter((node) => !node.variant && isOpen(node.id)).map((node) => node.id));
+    const above = new Map(all.map((node) => [node.id, node.parent]));
+    const next = all.filter(({ parent }) => parent === null || (open.has(parent) && open.has(above.get(parent) ?? parent)));
+    const still = keepPlace(tree, next.length !== shown.length);
+    shown = next;
     if (!shown.some((node) => node.id === active)) active = shown.find((node) => node.id === chosen?.id)?.id ?? shown[0]?.id ?? "";
     keyed(tree, shown, (node) => node.id, make, (item, node) => {
       setAttribute(item, "aria-selected", node.variant ? String(node.id === chosen?.id) : null);
-      setAttribute(item, "aria-expanded", node.variant ? null : String(!state.folded[node.id] || !!state.search));
+      setAttribute(item, "aria-expanded", node.variant ? null : String(open.has(node.id)));
       setAttribute(item, "tabindex", node.id === active ? 0 : -1);
-      item.classList.toggle("holds-choice", !node.variant && node.cycle === derived.cycle);
+      item.classList.toggle("holds-choice", !node.variant && holding.has(node.id));
     });
+    still();
+    if (input.value !== state.search) input.value = state.search;
+    show(tree, state.search.trim() === "");
+    found.draw(state);
     if (chosen && chosen.id !== inSight) bringIntoSight(tree, tree.querySelector('[aria-selected="true"]'));
     inSight = chosen?.id ?? "";
-    setText(none, found.length === 0 ? t("tasks-none", { search: state.search }) : "");
   };
+}
+
+/** What has the focus stays under the eye while branches above it open or close. */
+function keepPlace(tree: HTMLElement, changes: boolean): () => void {
+  const item = changes && tree.contains(document.activeElement) ? document.activeElement : null;
+  const before = item?.getBoundingClientRect().top ?? 0;
+  return () => { if (item?.isConnected) tree.scrollTop += item.getBoundingClientRect().top - before; };
 }

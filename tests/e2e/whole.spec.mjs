@@ -1,0 +1,171 @@
+// Whole programs: the outline of their calls, doubts with their cures, and ways of writing.
+import assert from "node:assert/strict";
+import { after, before, describe, test } from "node:test";
+import { open, shared } from "./browser.mjs";
+
+async function start(chrome, options) {
+  const opened = await open(chrome.browser, { serviceWorkers: "block", ...options });
+  await opened.page.locator(".cm-content").waitFor();
+  await opened.page.locator(".field").first().waitFor();
+  return opened;
+}
+
+async function openProgram(page, text) {
+  await page.locator(".panel-program input[type=file]").setInputFiles({ name: "part.mpf", mimeType: "text/plain", buffer: Buffer.from(text) });
+  await page.locator('.notice:has-text("Program opened.")').waitFor();
+  await page.locator(".call-row").first().waitFor();
+}
+
+const kept = (page) => page.evaluate(() => JSON.parse(localStorage.getItem("probewright-1") ?? "{}"));
+/** The program, once it is kept and is what is waited for. */
+async function programWhen(page, wanted) {
+  for (let tries = 0; tries < 100; tries++) {
+    const { control, programs } = await kept(page);
+    const text = programs?.[control] ?? "";
+    if (wanted(text)) return text;
+    await page.waitForTimeout(50);
+  }
+  return assert.fail(`never kept: ${wanted}`);
+}
+
+const VALUES = "_MVAR=1 _SETVAL=132 _TUL=0.03 _TLL=-0.03 _TNUM=20 _KNUM=2001 _EVNUM=0 _TZL=0.01 _TSA=1 _PRNUM=1 _VMS=0 _NMSP=1 _FA=2";
+const GOOD = `G17 G54 G40 D1\nT1 D1\nM5\n${VALUES}\nCYCLE977\n`;
+const rows = (page) => page.locator(".call-row");
+
+describe("the outline of a program", () => {
+  const chrome = shared("neither", { before, after });
+
+  // oracle: hand
+  test("tells line, cycle, variant and state of each call, and opens it", async () => {
+    const { context, page, problems } = await start(chrome);
+    await openProgram(page, `${VALUES}\nCYCLE977\n_MVAR=77777\nCYCLE977\nM30\n`);
+    await rows(page).nth(1).waitFor();
+    assert.match(await rows(page).first().textContent(), /CYCLE977.*line 2.*Hole/);
+    assert.equal(await rows(page).nth(1).getAttribute("data-state"), "error");
+    await rows(page).nth(1).click();
+    await page.locator('.opened:has-text("lines 3 to 4")').waitFor();
+    await page.locator('.call-row[aria-selected="true"][data-call="1"]').waitFor();
+    await page.locator(".outline").focus();
+    await page.keyboard.press("Home");
+    await page.keyboard.press("Enter");
+    await page.locator('.opened:has-text("lines 1 to 2")').waitFor();
+    await page.getByRole("button", { name: "2 calls" }).click();
+    await page.locator(".outline").waitFor({ state: "hidden" });
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: hand
+  test("of a thousand calls holds few elements and reaches the last", async () => {
+    const { context, page, problems } = await start(chrome);
+    await openProgram(page, `${`${VALUES}\nCYCLE977\n`.repeat(1000)}M30\n`);
+    await page.getByRole("button", { name: "1000 calls" }).waitFor();
+    assert.ok(await rows(page).count() < 60, "only rows in sight exist");
+    await page.locator(".outline").focus();
+    await page.keyboard.press("End");
+    await page.locator('.call-row[aria-posinset="1000"]').waitFor();
+    await page.keyboard.press("Enter");
+    await page.locator('.opened:has-text("lines 1999 to 2000")').waitFor();
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: hand
+  test("follows what is pasted", async () => {
+    const { context, page } = await start(chrome);
+    await openProgram(page, `${VALUES}\nCYCLE977\nM30\n`);
+    await page.locator(".cm-line").last().click();
+    await page.keyboard.insertText(`\n${VALUES}\nCYCLE978\nM30\n`);
+    await page.locator('.call-row:has-text("CYCLE978")').waitFor();
+    await context.close();
+  });
+});
+
+describe("a finding that can be mended", () => {
+  const chrome = shared("neither", { before, after });
+  const wrong = GOOD.replace("G40 ", "G42 ");
+
+  const cures = (page) => page.locator(".problem .cure:visible");
+  async function openProblems(page) {
+    await page.locator("#tab-problems").click();
+    await cures(page).first().waitFor();
+  }
+
+  // oracle: hand (the line that the button names is there afterwards, and nothing else is different)
+  test("is mended by one click in the list, and by one step undone", async () => {
+    const { context, page, problems } = await start(chrome);
+    await openProgram(page, wrong);
+    await openProblems(page);
+    const cure = cures(page).filter({ hasText: "G40" }).first();
+    await cure.focus();
+    await page.keyboard.press("Enter");
+    const text = await programWhen(page, (now) => now.includes("G40"));
+    assert.equal(text.replace(/^.*G40.*\n/m, ""), wrong, "only a line is added");
+    await cures(page).filter({ hasText: "G40" }).first().waitFor({ state: "detached" });
+    assert.equal(await page.evaluate(() => document.activeElement?.id), "page-problems", "the focus stays in the list");
+    await page.locator(".cm-content").click();
+    await page.keyboard.press("Control+z");
+    assert.equal(await programWhen(page, (now) => !now.includes("G40")), wrong);
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: hand
+  test("is mended in the editor, with the keyboard", async () => {
+    const { context, page, problems } = await start(chrome);
+    await openProgram(page, wrong);
+    await openProblems(page);
+    await page.locator(".cm-content").focus();
+    await page.keyboard.press("Control+Shift+M");
+    const action = page.locator('.cm-panel-lint .cm-diagnosticAction:has-text("G40")').first();
+    await action.waitFor();
+    await action.click();
+    await programWhen(page, (now) => now.includes("G40"));
+    await action.waitFor({ state: "detached" });
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+});
+
+describe("ways of writing", () => {
+  const chrome = shared("neither", { before, after });
+  const snippet = (page) => page.locator(".snippet");
+
+  // oracle: manual B:11734 (CYCLE_PARA and the parameterizing call)
+  test("are chosen for the snippet, kept, and carried by a link", async () => {
+    const { context, page, problems } = await start(chrome);
+    await page.locator('.ways [data-style="indirect"]').click();
+    await page.locator('.snippet[data-style="indirect"]').waitFor();
+    assert.match(await snippet(page).textContent(), /CYCLE_PARA\(/);
+    await page.waitForFunction(() => JSON.parse(localStorage.getItem("probewright-1") ?? "{}").style === "indirect");
+    await page.reload();
+    await page.locator('.snippet[data-style="indirect"]').waitFor();
+    await page.getByRole("button", { name: "Copy link" }).click();
+    await page.waitForFunction(() => location.hash.startsWith("#s="));
+    const other = await start(chrome, { path: new URL(page.url()).hash });
+    await other.page.locator('.snippet[data-style="indirect"]').waitFor();
+    assert.deepEqual(problems, []);
+    await other.context.close();
+    await context.close();
+  });
+
+  // oracle: self (back in the first way the call means the same)
+  test("a call of a program is converted in place, in one step, and back", async () => {
+    const { context, page, problems } = await start(chrome);
+    await openProgram(page, GOOD);
+    await rows(page).first().click();
+    const ways = page.locator(".call-ways");
+    await ways.locator('text="Written: direct"').waitFor();
+    const value = page.locator('.field[data-field="_SETVAL"] .entry-line > .figure');
+    assert.equal(await value.inputValue(), "132");
+    await ways.locator('[data-style="indirect"]').click();
+    await ways.locator('text="Written: indirect"').waitFor();
+    await programWhen(page, (now) => now.includes("CYCLE_PARA("));
+    assert.equal(await value.inputValue(), "132");
+    await page.locator(".cm-content").focus();
+    await page.keyboard.press("Control+z");
+    assert.equal(await programWhen(page, (now) => !now.includes("CYCLE_PARA(")), GOOD);
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+});

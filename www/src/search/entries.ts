@@ -1,0 +1,63 @@
+// Everything that can be looked up, out of the catalogue and the messages: cycles, variants, parameters, results, alarms.
+
+import type { Variant } from "../actions";
+import { optional, t } from "../texts";
+import type { Catalogue, CycleInfo, Dialect } from "../wire";
+
+export type Kind = "measurement" | "parameter" | "result" | "alarm";
+/** In the order in which they are shown where they fit equally well. */
+export const KINDS: Kind[] = ["measurement", "parameter", "result", "alarm"];
+
+export interface Entry {
+  id: number;
+  kind: Kind;
+  control: Dialect;
+  code: string;          // as on the control: CYCLE977, _SZA, _OVR[4], 61303
+  title: string;
+  words: string;         // found too, not shown
+  key: string;           // stem of its messages
+  cycles: CycleInfo[];   // that have it
+  variant?: Variant;
+}
+type Found = Omit<Entry, "id">;
+
+function measurements(cycle: CycleInfo): Found[] {
+  const title = t(`${cycle.key}-title`);
+  const of = { kind: "measurement" as const, control: cycle.control, code: cycle.cycle, key: cycle.key, cycles: [cycle] };
+  const own: Found = { ...of, title, words: `${digits(cycle.cycle)} ${t(`control-${cycle.control}`)} ${optional(`${cycle.key}-words`)}` };
+  return [own, ...cycle.variants.map((variant): Found => ({
+    ...of, variant, code: `${cycle.cycle} ${variant.mvar}`, title: t(variant.key),
+    words: `${digits(cycle.cycle)} ${optional(`${variant.key}-words`)}`,
+  }))];
+}
+
+/** The number in a name, by which people look for it. */
+function digits(name: string): string {
+  return /\d+$/.exec(name)?.[0] ?? "";
+}
+
+/** One entry for what several cycles share: the same name with the same meaning. */
+function shared(cycles: readonly CycleInfo[], list: (cycle: CycleInfo) => Omit<Found, "cycles">[]): Found[] {
+  const all = new Map<string, Found>();
+  for (const cycle of cycles)
+    for (const one of list(cycle)) {
+      const id = `${one.control}/${one.code}/${one.key}`;
+      const known = all.get(id);
+      if (known) known.cycles.push(cycle);
+      else all.set(id, { ...one, cycles: [cycle] });
+    }
+  return [...all.values()];
+}
+
+export function entries({ cycles }: Catalogue): Entry[] {
+  const all = [
+    ...cycles.flatMap(measurements),
+    ...shared(cycles, ({ control, parameters }) => parameters.map(({ name, key }) =>
+      ({ kind: "parameter", control, code: name, key: `param-${key}`, title: t(`param-${key}`), words: optional(`param-${key}-help`) }))),
+    ...shared(cycles, ({ control, results }) => results.map(({ name, key }) =>
+      ({ kind: "result", control, code: name, key, title: t(key), words: "" }))),
+    ...shared(cycles, ({ control, alarms }) => alarms.map(({ code, key }) =>
+      ({ kind: "alarm", control, code, key, title: t(key), words: optional(`${key}.cure`) }))),
+  ];
+  return all.map((one, id) => ({ ...one, id }));
+}

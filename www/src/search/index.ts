@@ -1,0 +1,41 @@
+// The search: fetched when somebody searches for the first time. Every word counts, none has to be there; what is
+// written on the control counts most. A word of letters may have a slip in it.
+
+import MiniSearch from "minisearch";
+import type { Catalogue } from "../wire";
+import { entries, KINDS, type Entry, type Kind } from "./entries";
+import { plainWord, words } from "./words";
+
+/** words: those of the entry that were found, to mark them. */
+export interface Hit { entry: Entry; score: number; words: string[] }
+export interface Group { kind: Kind; hits: Hit[] }
+export type Search = (text: string) => Group[];
+
+const PREFIX_FROM = 4; // letters: shorter words stand for themselves, but the last, which is still being typed
+const SLIP_FROM = 5; // letters: shorter words are too near to each other
+
+export function createSearch(catalogue: Catalogue): Search {
+  const all = entries(catalogue);
+  const index = new MiniSearch<Entry>({ fields: ["code", "title", "words"], tokenize: words, processTerm: plainWord });
+  index.addAll(all);
+  const options = {
+    boost: { code: 6, title: 2 },
+    prefix: (word: string, at: number, all: string[]) => at === all.length - 1 || word.length >= PREFIX_FROM,
+    fuzzy: (word: string) => word.length >= SLIP_FROM && /^\p{L}+$/u.test(word) ? 0.2 : false,
+    weights: { prefix: 0.5, fuzzy: 0.2 },
+  };
+  return (text) => {
+    const hits = index.search(text, options).flatMap((found): Hit[] => {
+      const entry = all[found.id as number];
+      return entry ? [{ entry, score: found.score * found.queryTerms.length, words: found.terms }] : [];
+    });
+    return grouped(hits.sort((a, b) => b.score - a.score));
+  };
+}
+
+/** The kind with the best hit first. */
+function grouped(hits: Hit[]): Group[] {
+  const best = (group: Group): number => group.hits[0]?.score ?? 0;
+  return KINDS.map((kind): Group => ({ kind, hits: hits.filter((hit) => hit.entry.kind === kind) }))
+    .filter((group) => group.hits.length > 0).sort((a, b) => best(b) - best(a));
+}

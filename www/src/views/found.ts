@@ -1,0 +1,83 @@
+// What the search finds, in groups: measurements, parameters, results, alarms. The search itself comes when it is first needed.
+
+import type { Actions } from "../actions";
+import { el, on, setText, show } from "../dom";
+import type { Group, Hit, Search } from "../search";
+import { pieces } from "../search/words";
+import type { State } from "../state";
+import type { Store } from "../store";
+import { t } from "../texts";
+import type { Catalogue, Dialect } from "../wire";
+
+const MOST = 40; // hits of a group that are listed; more say nothing
+
+export interface Found { root: HTMLElement; load(): void; draw(state: State): void; focusFirst(): void }
+
+function marked(text: string, words: readonly string[]): Node[] {
+  return pieces(text, words).map((piece) => piece.found ? el("mark", {}, piece.text) : document.createTextNode(piece.text));
+}
+
+function button(hit: Hit, pick: (hit: Hit) => void): HTMLElement {
+  const { code, title, control, kind } = hit.entry;
+  const node = el("button", { type: "button", class: "hit", "data-kind": kind },
+    el("code", {}, ...marked(code, hit.words)), el("span", { class: "hit-title" }, ...marked(title, hit.words)),
+    kind === "measurement" ? null : el("span", { class: "hit-control" }, t(`control-${control}`)));
+  on(node, "click", () => pick(hit));
+  return el("li", {}, node);
+}
+
+export function createFound(catalogue: Catalogue, store: Store, actions: Actions, goToField: (control: Dialect, name: string) => void, back: () => void): Found {
+  const list = el("div", { class: "hits" });
+  const none = el("p", { class: "empty", role: "status" });
+  const root = el("div", { class: "found", hidden: true }, list, none);
+  let search: Search | null = null;
+  let loading = false;
+  let shown = "";
+
+  const pick = ({ entry }: Hit): void => {
+    const { kind, control, code, key, variant, cycles: [cycle] } = entry;
+    if (kind === "parameter") return goToField(control, code);
+    if (kind !== "measurement") return actions.card({ kind, control, code, key });
+    if (cycle) actions.chooseCycle(cycle, variant);
+    actions.panel("form");
+  };
+  const section = ({ kind, hits }: Group): HTMLElement => {
+    const title = el("h3", {}, t(`found-${kind}`, { count: hits.length }));
+    const more = hits.length > MOST && el("p", { class: "empty" }, t("found-more", { count: hits.length - MOST }));
+    return el("section", {}, title, el("ul", {}, ...hits.slice(0, MOST).map((hit) => button(hit, pick))), more);
+  };
+  const buttons = (): HTMLElement[] => [...list.querySelectorAll<HTMLElement>(".hit")];
+  on(list, "keydown", (event) => {
+    const all = buttons();
+    const at = all.findIndex((one) => one === document.activeElement);
+    const next: Record<string, HTMLElement | undefined> = { ArrowDown: all[at + 1], ArrowUp: all[at - 1], Home: all[0], End: all.at(-1) };
+    if (event.key === "Escape" || (event.key === "ArrowUp" && at === 0)) back();
+    else if (event.key in next) next[event.key]?.focus();
+    else return;
+    event.preventDefault();
+  });
+
+  const load = (): void => {
+    if (loading) return;
+    loading = true;
+    void import("../search").then(({ createSearch }) => {
+      search = createSearch(catalogue);
+      store.update({});
+    });
+  };
+  return {
+    root, load,
+    focusFirst: () => buttons()[0]?.focus(),
+    draw({ search: text }) {
+      const asked = text.trim();
+      show(root, asked !== "");
+      if (asked) load();
+      if (!search || asked === shown) return;
+      shown = asked;
+      const groups = asked ? search(asked) : [];
+      list.replaceChildren(...groups.map(section));
+      list.scrollTop = 0;
+      setText(none, asked && groups.length === 0 ? t("tasks-none", { search: asked }) : "");
+    },
+  };
+}

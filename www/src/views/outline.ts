@@ -1,0 +1,120 @@
+// The measuring calls of the program: line, cycle, variant, and what is said about them. Only the rows in sight exist, so
+// that a thousand calls cost as much as ten.
+
+import type { Derived } from "../derive";
+import { el, keyed, on, setAttribute, setText, show } from "../dom";
+import type { State } from "../state";
+import { t } from "../texts";
+import type { CallView, Catalogue, Severity } from "../wire";
+
+const BEYOND = 4; // rows drawn above and below what is in sight
+const MARKS: Record<Severity | "ok", string> = { ok: "✓", note: "✓", warning: "!", error: "✕" };
+
+interface Row { call: CallView; index: number; state: Severity | "ok"; variant: string; open: boolean }
+
+/** Names of the variants, looked up once. */
+function variantNames({ cycles }: Catalogue): Map<string, string> {
+  return new Map(cycles.flatMap((cycle) => cycle.variants.map((variant) => [`${cycle.control}/${cycle.cycle}/${variant.mvar}`, variant.key])));
+}
+
+function row(): HTMLElement {
+  return el("div", { role: "option", class: "call-row" },
+    el("span", { class: "call-mark", "aria-hidden": "true" }), el("code", {}), el("span", { class: "call-line" }),
+    el("span", { class: "call-variant" }), el("span", { class: "visually-hidden" }));
+}
+
+function fill(node: HTMLElement, { call, index, state, variant, open }: Row, count: number, current: boolean): void {
+  const [mark, cycle, line, name, said] = node.children as unknown as [HTMLElement, HTMLElement, HTMLElement, HTMLElement, HTMLElement];
+  node.dataset.call = String(index);
+  node.id = `call-${index}`;
+  setAttribute(node, "data-state", state);
+  setAttribute(node, "aria-selected", String(open));
+  setAttribute(node, "aria-setsize", count);
+  setAttribute(node, "aria-posinset", index + 1);
+  node.classList.toggle("current", current);
+  setText(mark, MARKS[state]);
+  setText(cycle, call.cycle);
+  setText(line, t("program-call-line", { line: call.lastLine }));
+  setText(name, variant);
+  setText(said, t(`call-state-${state}`));
+}
+
+export function createOutline(openCall: (index: number) => void): { root: HTMLElement; draw(state: State, derived: Derived): void } {
+  const space = el("div", { class: "outline-space" });
+  const list = el("div", { class: "outline", id: "outline", role: "listbox", tabindex: "0", "aria-label": t("program-calls") }, space);
+  let names: Map<string, string> | null = null;
+  let shown: { state: State; derived: Derived } | null = null;
+  let current = 0;
+  let opened: number | null = null; // where the call begins that was scrolled to
+
+  const height = (): number => parseFloat(getComputedStyle(list).getPropertyValue("--row")) || 38;
+  const rows = (from: number, to: number): Row[] => {
+    if (!shown) return [];
+    const { derived, state } = shown;
+    return derived.read.calls.slice(from, to).map((call, offset): Row => {
+      const key = names?.get(`${call.control}/${call.cycle}/${call.mvar}`);
+      const said = derived.states[from + offset];
+      return { call, index: from + offset, state: said ?? "ok", variant: key ? t(key) : t("call-variant-unknown"), open: state.open === call.from };
+    });
+  };
+  const render = (): void => {
+    const count = shown?.derived.read.calls.length ?? 0;
+    const tall = height();
+    current = Math.max(0, Math.min(current, count - 1));
+    const first = Math.max(0, Math.floor(list.scrollTop / tall) - BEYOND);
+    const last = Math.min(count, Math.ceil((list.scrollTop + list.clientHeight) / tall) + BEYOND);
+    space.style.height = `${count * tall}px`;
+    keyed(space, rows(first, last), (one) => String(one.index), row, (node, one) => {
+      node.style.top = `${one.index * tall}px`;
+      fill(node, one, count, one.index === current);
+    });
+    setAttribute(list, "aria-activedescendant", current >= first && current < last ? `call-${current}` : null);
+  };
+  const bring = (index: number): void => {
+    const tall = height();
+    const top = index * tall;
+    if (top < list.scrollTop) list.scrollTop = top;
+    else if (top + tall > list.scrollTop + list.clientHeight) list.scrollTop = top + tall - list.clientHeight;
+  };
+  const go = (index: number): void => {
+    current = Math.max(0, Math.min(index, (shown?.derived.read.calls.length ?? 1) - 1));
+    bring(current);
+    render();
+  };
+  on(list, "scroll", render);
+  on(list, "click", (event) => {
+    const index = (event.target as Element).closest<HTMLElement>("[data-call]")?.dataset.call;
+    if (index === undefined) return;
+    go(Number(index));
+    openCall(Number(index));
+  });
+  on(list, "keydown", (event) => {
+    const page = Math.max(1, Math.floor(list.clientHeight / height()) - 1);
+    const moves: Record<string, () => void> = {
+      ArrowDown: () => go(current + 1), ArrowUp: () => go(current - 1), PageDown: () => go(current + page), PageUp: () => go(current - page),
+      Home: () => go(0), End: () => go(Infinity), Enter: () => openCall(current), " ": () => openCall(current),
+    };
+    const move = moves[event.key];
+    if (!move) return;
+    event.preventDefault();
+    move();
+  });
+  new ResizeObserver(render).observe(list);
+
+  return {
+    root: list,
+    draw(state, derived) {
+      const before = shown;
+      const visible = state.outline && derived.read.calls.length > 0;
+      show(list, visible);
+      names ??= variantNames(derived.catalogue);
+      const same = before?.derived.read === derived.read && before.derived.states === derived.states && before.state.open === state.open && before.state.outline === state.outline;
+      shown = { state, derived };
+      if (!visible || same) return;
+      const index = derived.read.calls.findIndex((call) => call.from === state.open);
+      if (index >= 0 && state.open !== opened) { current = index; bring(index); }
+      opened = state.open;
+      render();
+    },
+  };
+}
