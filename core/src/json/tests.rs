@@ -348,10 +348,7 @@ fn the_catalogue_says_where_a_cycle_belongs_and_how_it_is_written() {
     let catalogue = catalogue();
     let cycle = |name: &str| {
         let all = catalogue["cycles"].as_array().unwrap();
-        all.iter()
-            .find(|one| one["cycle"] == name)
-            .unwrap()
-            .clone()
+        all.iter().find(|one| one["cycle"] == name).unwrap().clone()
     };
     let purpose = |machine: &str, probe: &str, calibrates: bool| json!({ "machine": machine, "probe": probe, "calibrates": calibrates });
     for (name, wanted) in [

@@ -65,10 +65,14 @@ export function createTasks(root: HTMLElement, store: Store, actions: Actions, c
   /** As it was set by hand; else open around the choice. */
   const isOpen = (id: string): boolean => store.state.unfolded[id] ?? holding.has(id);
   const unfold = (id: string, open: boolean): void => store.update({ unfolded: { ...store.state.unfolded, [id]: open } });
+  /** Around the old choice, so that nothing moves away under the pointer. */
+  const keepOpen = (): void => store.update(({ unfolded }) => ({ unfolded: { ...Object.fromEntries([...holding].map((id) => [id, true])), ...unfolded } }));
   const pick = (node: Node): void => {
     active = node.id;
-    if (node.variant && node.cycle) actions.chooseCycle(node.cycle, node.variant);
-    else unfold(node.id, !isOpen(node.id));
+    if (node.variant && node.cycle) {
+      keepOpen();
+      actions.chooseCycle(node.cycle, node.variant);
+    } else unfold(node.id, !isOpen(node.id));
   };
   const focus = (node: Node | undefined): void => {
     if (!node) return;
