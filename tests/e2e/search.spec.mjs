@@ -11,7 +11,7 @@ async function start(chrome, options) {
 
 async function search(page, text) {
   await page.locator("#task-search").fill(text);
-  await page.locator(".hit").first().waitFor();
+  await page.locator(`.hits[data-search="${text}"] .hit`).first().waitFor();
 }
 
 /** Code and title of what stands first of all. */

@@ -84,7 +84,7 @@ export function createEditor(box: HTMLElement, label: string, host: EditorHost):
         lineNumbers(), lintGutter(), history(), drawSelection(), highlightSpecialChars(), highlightActiveLine(), highlightActiveLineGutter(),
         search({ top: true }), highlightSelectionMatches(), marksField, language.of(LANGUAGES[dialect]), theme, listen,
         keymap.of([...searchKeymap, ...lintKeymap, ...historyKeymap, ...defaultKeymap]),
-        EditorView.contentAttributes.of({ "aria-label": label, autocapitalize: "characters", spellcheck: "false" }),
+        EditorView.contentAttributes.of({ "aria-label": label, tabindex: "0", autocapitalize: "characters", spellcheck: "false" }),
       ],
     }),
   });

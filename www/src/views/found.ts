@@ -1,7 +1,7 @@
 // What the search finds, in groups: measurements, parameters, results, alarms. The search itself comes when it is first needed.
 
 import type { Actions } from "../actions";
-import { el, on, setText, show } from "../dom";
+import { el, on, setAttribute, setText, show } from "../dom";
 import type { Group, Hit, Search } from "../search";
 import { pieces } from "../search/words";
 import type { State } from "../state";
@@ -76,6 +76,7 @@ export function createFound(catalogue: Catalogue, store: Store, actions: Actions
       shown = asked;
       const groups = asked ? search(asked) : [];
       list.replaceChildren(...groups.map(section));
+      setAttribute(list, "data-search", asked);
       list.scrollTop = 0;
       setText(none, asked && groups.length === 0 ? t("tasks-none", { search: asked }) : "");
     },
