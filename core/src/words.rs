@@ -20,6 +20,7 @@ pub const ENGLISH: &[(&str, &str)] = &[
     ("cycle977.ftl", include_str!("../messages/en/cycle977.ftl")),
     ("cycle978.ftl", include_str!("../messages/en/cycle978.ftl")),
     ("cycle979.ftl", include_str!("../messages/en/cycle979.ftl")),
+    ("cycle982.ftl", include_str!("../messages/en/cycle982.ftl")),
     ("cycle994.ftl", include_str!("../messages/en/cycle994.ftl")),
     ("cycle998.ftl", include_str!("../messages/en/cycle998.ftl")),
     ("datum.ftl", include_str!("../messages/en/datum.ftl")),

@@ -14,6 +14,7 @@ pub mod cycle976;
 pub mod cycle977;
 pub mod cycle978;
 pub mod cycle979;
+pub mod cycle982;
 pub mod cycle994;
 pub mod cycle998;
 mod entry;
@@ -43,6 +44,7 @@ pub static CYCLES: &[&Cycle] = &[
     &cycle977::CYCLE977,
     &cycle978::CYCLE978,
     &cycle979::CYCLE979,
+    &cycle982::CYCLE982,
     &cycle994::CYCLE994,
     &cycle998::CYCLE998,
     &cycle116::CYCLE116,

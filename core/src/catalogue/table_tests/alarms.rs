@@ -9,7 +9,9 @@ use std::collections::BTreeSet;
 /// Alarms that an entry names beyond the manual, with the reason in DESIGN.md.
 const ADDED: &[Code] = &[
     Code::Alarm(61321),
+    Code::Alarm(61326),
     Code::Alarm(61334),
+    Code::Alarm(61351),
     Code::Alarm(61412),
     nct::PATH_OBSTRUCTED,
 ];

@@ -70,6 +70,7 @@ const COUNTS: &[(&str, usize, usize, usize)] = &[
     ("CYCLE977", 24, 26, 44),
     ("CYCLE978", 4, 21, 30),
     ("CYCLE979", 8, 26, 27),
+    ("CYCLE982", 68, 13, 26),
     ("CYCLE994", 2, 22, 30),
     ("CYCLE998", 5, 17, 21),
 ];

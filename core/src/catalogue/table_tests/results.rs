@@ -49,6 +49,9 @@ fn by_axis(condition: &str, inputs: &Inputs) -> Option<bool> {
         return rest.get(..1)?.parse().ok().map(|only: i64| only == axis);
     }
     let automatic = inputs.variant % 10 == 2;
+    if inputs.cycle.name == "CYCLE982" && radius_alone(inputs.variant) {
+        return None; // `when … is determined` comes first
+    }
     match condition {
         "only length measurement" | "only length measurement (MA=3,103,203)" => Some(axis == 3),
         "only radius measurement" | "only radius measurement (MA=1,2)" => Some(axis != 3),
@@ -64,6 +67,13 @@ fn expected(row: &[String], variant: i64) -> bool {
     if row[5].starts_with("1) tool offset only") {
         return !zero;
     }
+    if row[0] == "CYCLE982" && row[1].starts_with("all measuring") {
+        return match row[2].as_str() {
+            "_OVR[8]" | "_OVR[9]" | "_OVR[10]" | "_OVR[11]" => !radius_alone(variant),
+            "_OVR[12]" | "_OVR[13]" => variant % 10 == 2 || variant / 1000 % 10 > 0,
+            _ => true,
+        };
+    }
     match row[5].as_str() {
         "footnote 1: only with tool offset" => !zero,
         "footnote 2: only with ZO correction" => zero,
@@ -77,6 +87,11 @@ fn expected(row: &[String], variant: i64) -> bool {
         }
         _ => true,
     }
+}
+
+/// CYCLE982: the radius without a length (A:10298).
+fn radius_alone(variant: i64) -> bool {
+    variant / 1000 % 10 == 1
 }
 
 /// Inputs of a variant with each measuring axis and direction.

@@ -1,0 +1,113 @@
+//! What several values of CYCLE982, the data of the tool probe and the tool in use say together.
+
+use super::cutters;
+use super::params::{
+    ABSCISSA, CALIBRATE, DRILL, INCREMENTAL, MEASURE, MILLING, POSITIONED, TURNING, WORKPIECE,
+};
+use crate::catalogue::tool_probe::{ProbeData, checks as shared, turning};
+use crate::catalogue::{names, shared_checks};
+use crate::check::{Finding, Inputs, error, note, warning};
+use crate::control::{Control, Edge};
+use crate::diagnostic::{Code, Diagnostic};
+use crate::message::Message;
+
+/// Digits 3 to 5 of `_MVAR`, which count for milling tools and drills only (B:9224-9260).
+const CUTTER_DIGITS: std::ops::RangeInclusive<i64> = 1..=999;
+
+/// All of them.
+pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
+    let workpiece = WORKPIECE.holds(inputs);
+    shared::number(inputs, control, workpiece, found);
+    shared::memory(inputs, control, found);
+    shared::limits(inputs, found);
+    if POSITIONED.holds(inputs) {
+        shared_checks::reach(inputs, 1.0, found);
+        shared::speeds(control, found);
+        let data = ProbeData::of(inputs, control, workpiece);
+        shared::place(&data, &[0, 1], found); // by axes of the plane, B:13370-13384
+    }
+    old_switch(workpiece, control, found);
+    if let Some(edge) = shared::tool_in_use(control, found) {
+        tool(inputs, control, edge, found);
+    }
+}
+
+/// `_CBIT[5]`, from before the second digit of `_MVAR`, takes `_TP` for the workpiece system (B:13602-13608).
+fn old_switch(workpiece: bool, control: &Control, found: &mut Vec<Diagnostic>) {
+    if !workpiece && control.bit("_CBIT[5]") {
+        found.push(
+            note(Code::Own(72), Message::new("check-tool-reference"))
+                .hint(Message::new("check-tool-reference-hint"))
+                .at(names::MVAR),
+        );
+    }
+}
+
+/// The tool in use: a turning tool for calibration; turning tools, milling tools and drills are measured (B:9330-9338).
+fn tool(inputs: &Inputs, control: &Control, edge: &Edge, found: &mut Vec<Diagnostic>) {
+    let calibrate = CALIBRATE.holds(inputs);
+    if calibrate || TURNING.holds(inputs) {
+        turning::tool(inputs, edge, calibrate, found);
+        idle_digits(inputs, found);
+        direction(inputs, control, edge.tip, found);
+    } else if MILLING.holds(inputs) || DRILL.holds(inputs) {
+        cutters::checks(inputs, control, edge, found);
+    } else {
+        let message = Message::new("check-tool-type").number("type", edge.kind as f64);
+        let hint = Message::new("check-lathe-tool-type-hint");
+        found.push(
+            error(Code::Alarm(61314), message)
+                .hint(hint)
+                .at(names::MVAR),
+        );
+    }
+}
+
+/// A turning tool is measured as without the digits for milling tools.
+fn idle_digits(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
+    if !MEASURE.holds(inputs) || !CUTTER_DIGITS.contains(&(inputs.variant / 100 % 1000)) {
+        return;
+    }
+    let plain = inputs.variant / 100_000 * 100_000 + inputs.variant % 100;
+    let message = Message::new("check-turning-digits").number("value", inputs.variant as f64);
+    let hint = Message::new("check-turning-digits-hint").number("plain", plain as f64);
+    found.push(warning(Code::Own(73), message).hint(hint).at(names::MVAR));
+}
+
+/// Sides of the nose, abscissa and ordinate, on which the tip of cutting edge positions 1 to 8 lies (B:4152, B:9441).
+const TIPS: [[i64; 2]; 8] = [
+    [1, 1],
+    [-1, 1],
+    [-1, -1],
+    [1, -1],
+    [1, 0],
+    [0, 1],
+    [-1, 0],
+    [0, -1],
+];
+
+/// An incremental measurement that travels away from the tip: the back of the tool would meet the probe. `_CHBIT[23]`
+/// mirrors the positions about the abscissa (B:14049-14051).
+fn direction(inputs: &Inputs, control: &Control, tip: i64, found: &mut Vec<Diagnostic>) {
+    let Some(towards) = inputs.given(names::MD) else {
+        return;
+    };
+    let index = usize::try_from(tip - 1).ok();
+    let Some([abscissa, ordinate]) = index.and_then(|index| TIPS.get(index)) else {
+        return;
+    };
+    let side = if ABSCISSA.holds(inputs) {
+        *abscissa
+    } else if control.bit("_CHBIT[23]") {
+        -ordinate
+    } else {
+        *ordinate
+    };
+    let sense = if towards == 0.0 { 1 } else { -1 };
+    // a calibration tool may be bent so that its ball also touches from the other side (B:9907)
+    if INCREMENTAL.holds(inputs) && MEASURE.holds(inputs) && side == -sense {
+        let message = Message::new("check-tip-direction").number("tip", tip as f64);
+        let hint = Message::new("check-tip-direction-hint");
+        found.push(warning(Code::Own(74), message).hint(hint).at(names::MD));
+    }
+}

@@ -1,0 +1,111 @@
+//! Checks of CYCLE982 about the milling tool or drill in use.
+
+use super::params::{
+    ABSCISSA, AUTOMATIC, BOTH, DRILL, DRILL_ALONG_APPLICATE, MILLING, ORDINATE, RADIAL, RADIUS,
+    REVERSAL, SPINDLE_AS_IT_IS, UPPER, WITH_RADIUS,
+};
+use crate::catalogue::{When, names};
+use crate::check::{Finding, Inputs, error, warning};
+use crate::control::{Control, Edge, Plane};
+use crate::diagnostic::{Code, Diagnostic};
+use crate::message::Message;
+
+/// Touched from the side, so that the radius takes part in the length (B:9637).
+const FROM_THE_SIDE: When = When::All(&[
+    When::Not(&AUTOMATIC),
+    When::Not(&WITH_RADIUS),
+    When::Any(&[
+        When::All(&[RADIAL, ABSCISSA]),
+        When::All(&[When::Not(&RADIAL), ORDINATE]),
+    ]),
+]);
+/// What a drill with its length along the applicate cannot do: anything but one length without reversal (B:10112-10120).
+const NOT_ONE_LENGTH: When = When::Any(&[AUTOMATIC, REVERSAL, WITH_RADIUS]);
+/// What the spindle has to be turned for; with `_CHBIT[20]` it stays (B:9275-9277, B:10088-10090).
+const TURNS_SPINDLE: When = When::Any(&[AUTOMATIC, REVERSAL, BOTH, UPPER]);
+/// Length assignment of a turning tool (SD 42950, B:9192).
+const AS_TURNING_TOOL: f64 = 2.0;
+
+/// All of them.
+pub fn checks(inputs: &Inputs, control: &Control, edge: &Edge, found: &mut Vec<Diagnostic>) {
+    if DRILL_ALONG_APPLICATE.holds(inputs) {
+        along_applicate(inputs, found);
+        return;
+    }
+    assignment(control, found);
+    if DRILL.holds(inputs) && WITH_RADIUS.holds(inputs) {
+        found.push(refused(
+            61314,
+            "check-drill-radius",
+            "check-drill-radius-hint",
+        ));
+        return;
+    }
+    spindle(inputs, control, found);
+    sizes(inputs, edge, found);
+}
+
+/// An alarm about the measuring variant.
+fn refused(number: u32, key: &'static str, hint: &'static str) -> Diagnostic {
+    error(Code::Alarm(number), Message::new(key))
+        .hint(Message::new(hint))
+        .at(names::MVAR)
+}
+
+/// A drill whose L1 counts along the applicate (B:10096-10126). No alarm is named there; 61314 is the nearest.
+fn along_applicate(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
+    let key = if inputs.plane == Plane::G18 {
+        "check-drill-plane"
+    } else if NOT_ONE_LENGTH.holds(inputs) {
+        "check-drill-applicate"
+    } else {
+        return;
+    };
+    found.push(refused(61314, key, "check-drill-applicate-hint"));
+}
+
+/// L1 lies along X and L2 along Z only with SD 42950 = 2 (B:9192, B:9507).
+fn assignment(control: &Control, found: &mut Vec<Diagnostic>) {
+    let value = control.number("SD42950");
+    if value != AS_TURNING_TOOL {
+        let message = Message::new("check-length-assignment").number("value", value);
+        let hint = Message::new("check-length-assignment-hint");
+        found.push(error(Code::Own(75), message).hint(hint).at(names::MVAR));
+    }
+}
+
+/// Turning the spindle: forbidden by `_CHBIT[20]`, or impossible (B:10088-10094, A:15916).
+fn spindle(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
+    if SPINDLE_AS_IT_IS.holds(inputs) {
+        if MILLING.holds(inputs) && TURNS_SPINDLE.holds(inputs) {
+            found.push(refused(
+                61307,
+                "check-spindle-stays",
+                "check-spindle-stays-hint",
+            ));
+        }
+    } else if MILLING.holds(inputs) && !control.spindle_positions {
+        found.push(refused(
+            61372,
+            "check-spindle-turns",
+            "check-spindle-turns-hint",
+        ));
+    }
+}
+
+/// Sizes in the tool data that the measurement needs (B:9206-9208, B:9636-9637).
+fn sizes(inputs: &Inputs, edge: &Edge, found: &mut Vec<Diagnostic>) {
+    if FROM_THE_SIDE.holds(inputs) && edge.total_radius() == 0.0 {
+        found.push(refused(
+            61351,
+            "check-side-radius",
+            "check-side-radius-hint",
+        ));
+    }
+    let along = usize::from(RADIAL.holds(inputs)); // L1 of an axial tool lies in the radius's axis, else L2
+    if RADIUS.holds(inputs) && edge.total_length(along) == 0.0 {
+        let message = Message::new("check-radius-length").text("length", ["L1", "L2"][along]);
+        let hint = Message::new("check-radius-length-hint");
+        found.push(warning(Code::Own(76), message).hint(hint).at(names::MVAR));
+    }
+}

@@ -1,0 +1,71 @@
+//! CYCLE982: tool probe on turning machines: calibrating it, measuring turning tools, milling tools and drills
+//! (B:9124-10126).
+
+mod checks;
+mod cutters;
+pub mod params;
+mod picture;
+mod results;
+#[cfg(test)]
+mod tests;
+mod variants;
+
+use crate::catalogue::common::alarms;
+use crate::catalogue::{Cycle, Dialect, MachineSort, ProbeUse, Purpose, tool_probe};
+
+/// The entry. Example: the milling cutter T3 in radial position of B:9526-9580, length L2 and radius.
+pub static CYCLE982: Cycle = Cycle {
+    dialect: Dialect::Sinumerik,
+    name: "CYCLE982",
+    key: "cycle982",
+    variants: variants::VARIANTS,
+    params: params::PARAMS,
+    purpose: Purpose {
+        probe: ProbeUse::Tool,
+        machine: MachineSort::Turning,
+        calibrates: params::CALIBRATE,
+    },
+    // The call for calibrating tool probes knows CYCLE971 and CYCLE972 only (B:11768, although B:11708 names CYCLE982
+    // beside it), and the list of newer controls is not known to us.
+    lists: &[],
+    settings: &[
+        "_TP",
+        "_TPW",
+        "_CVAL[0]",
+        "_CVAL[3]",
+        "_SPEED",
+        "_EVMVNUM[0]",
+        "SD42950",
+        "_CBIT[0]",
+        "_CBIT[1]",
+        "_CBIT[5]",
+        "_CHBIT[2]",
+        "_CHBIT[3]",
+        "_CHBIT[5]",
+        "_CHBIT[15]",
+        "_CHBIT[16]",
+        "_CHBIT[17]",
+        "_CHBIT[20]",
+        "_CHBIT[23]",
+    ],
+    results: results::RESULTS,
+    // A:15856; 61326 and 61351 are ours, for what the manual refuses without a number (B:9208, B:9838)
+    alarms: &[tool_probe::ALARMS, &alarms([61315, 61326, 61351])],
+    checks: checks::checks,
+    picture: picture::picture,
+    example: &[
+        ("_MVAR", "12001"),
+        ("_MA", "1"),
+        ("_STA1", "15"),
+        ("_PRNUM", "1"),
+        ("_FA", "3"),
+        ("_TSA", "3"),
+        ("_VMS", "0"),
+        ("_NMSP", "1"),
+        ("_EVNUM", "0"),
+        ("_TZL", "0.001"),
+        ("_TDIF", "2.5"),
+    ],
+    simulation: None,
+    source: "B:9124-10126",
+};
