@@ -22,6 +22,7 @@ pub const ENGLISH: &[(&str, &str)] = &[
     ("cycle979.ftl", include_str!("../messages/en/cycle979.ftl")),
     ("cycle982.ftl", include_str!("../messages/en/cycle982.ftl")),
     ("cycle994.ftl", include_str!("../messages/en/cycle994.ftl")),
+    ("cycle997.ftl", include_str!("../messages/en/cycle997.ftl")),
     ("cycle998.ftl", include_str!("../messages/en/cycle998.ftl")),
     ("datum.ftl", include_str!("../messages/en/datum.ftl")),
     ("evaluate.ftl", include_str!("../messages/en/evaluate.ftl")),

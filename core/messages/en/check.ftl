@@ -92,3 +92,11 @@ check-lathe-length = The probe is entered as a turning tool, and its length ends
 check-lathe-length-hint = Set _CBIT[14]=0 and let the length end at the centre of the ball.
 check-multi-probe = This measurement needs a multi probe; a mono probe switches in one direction only.
 check-multi-probe-hint = Take a multi probe: { "_PRNUM" } of two digits.
+check-angles-sum = Starting angle and all steps together make { $sum }°, more than 360°.
+check-angles-sum-hint = Choose a smaller indexing angle, or a starting angle nearer to 0 with its sign.
+check-angles-same = With this indexing angle points fall upon each other; no circle can be found.
+check-angles-same-hint = Choose 120° or less for three points, 90° or less for four.
+check-angles-wide = With { $points } points an indexing angle above { $useful }° is of no use.
+check-angles-wide-hint = Choose { $useful }° or less.
+check-ball-unknown = The ball diameter of this probe is not known; every size would be wrong by it.
+check-ball-unknown-hint = Calibrate the probe in a hole with determination of the ball diameter.

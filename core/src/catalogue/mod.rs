@@ -3,6 +3,7 @@
 
 pub mod alarms;
 pub mod calibration;
+pub mod circle;
 pub mod common;
 pub mod cycle116;
 pub mod cycle961;
@@ -16,6 +17,7 @@ pub mod cycle978;
 pub mod cycle979;
 pub mod cycle982;
 pub mod cycle994;
+pub mod cycle997;
 pub mod cycle998;
 mod entry;
 pub mod example;
@@ -46,6 +48,7 @@ pub static CYCLES: &[&Cycle] = &[
     &cycle979::CYCLE979,
     &cycle982::CYCLE982,
     &cycle994::CYCLE994,
+    &cycle997::CYCLE997,
     &cycle998::CYCLE998,
     &cycle116::CYCLE116,
     &g101::G101,

@@ -8,6 +8,20 @@ pub const SETVAL: &str = "_SETVAL";
 pub const SETV0: &str = "_SETV[0]";
 /// Set length of a rectangle in the ordinate.
 pub const SETV1: &str = "_SETV[1]";
+/// Set centre of sphere 1, applicate; or corner: offset of the zero point or P2, abscissa.
+pub const SETV2: &str = "_SETV[2]";
+/// Set centre of sphere 2, abscissa; or corner: offset of the zero point or P2, ordinate.
+pub const SETV3: &str = "_SETV[3]";
+/// Set centre of sphere 2, ordinate; or corner: selection of the offset, or P3, abscissa.
+pub const SETV4: &str = "_SETV[4]";
+/// Set centre of sphere 2, applicate; or corner: P3, ordinate.
+pub const SETV5: &str = "_SETV[5]";
+/// Set centre of sphere 3, abscissa; or corner: P4, abscissa.
+pub const SETV6: &str = "_SETV[6]";
+/// Set centre of sphere 3, ordinate; or corner: P4, ordinate.
+pub const SETV7: &str = "_SETV[7]";
+/// Set centre of sphere 3, applicate.
+pub const SETV8: &str = "_SETV[8]";
 /// Infeed from the start height to the measuring height, signed.
 pub const ID: &str = "_ID";
 /// Protection zone: diameter, width or length in the abscissa.
@@ -68,15 +82,5 @@ pub const RF: &str = "_RF";
 pub const RA: &str = "_RA";
 /// Number of the reference groove or gauging block.
 pub const CALNUM: &str = "_CALNUM";
-/// Corner: offset of the zero point or P2, abscissa.
-pub const SETV2: &str = "_SETV[2]";
-/// Corner: offset of the zero point or P2, ordinate.
-pub const SETV3: &str = "_SETV[3]";
-/// Corner: selection of the offset, or P3, abscissa.
-pub const SETV4: &str = "_SETV[4]";
-/// Corner: P3, ordinate.
-pub const SETV5: &str = "_SETV[5]";
-/// Corner: P4, abscissa.
-pub const SETV6: &str = "_SETV[6]";
-/// Corner: P4, ordinate.
-pub const SETV7: &str = "_SETV[7]";
+/// Limit of the distortion of a triangle of spheres.
+pub const TNVL: &str = "_TNVL";

@@ -259,7 +259,7 @@ pub fn differential(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnost
     }
 }
 
-/// Only a multi probe switches in all directions that are needed (B:7846-7848). The alarm is ours.
+/// Only a multi probe switches in all directions that are needed (B:7846-7848, B:8199-8201). The alarm is ours.
 pub fn multi_probe(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     if inputs.integer(names::PRNUM) / 100 == 1 {
         found.push(

@@ -69,6 +69,21 @@ pub fn arc([x, y]: [f64; 2], radius: f64, from: f64, to: f64) -> Vec<[f64; 2]> {
     (0..=CORNERS).map(point).collect()
 }
 
+/// The point at a distance from the origin, in a direction counted from the abscissa, degree.
+pub fn polar(angle: f64, distance: f64) -> [f64; 2] {
+    let (sin, cos) = angle.to_radians().sin_cos();
+    [distance * cos, distance * sin]
+}
+
+/// An angle of a parameter as an arc about the origin, with its name beside it; radius in mm, from and to in degree.
+pub fn swept(field: &'static str, radius: f64, from: f64, to: f64) -> [PictureShape; 2] {
+    let at = polar((from + to) / 2.0, radius * 1.12);
+    [
+        line(ShapeKind::Path, arc([0.0; 2], radius, from, to)).of(field),
+        line(ShapeKind::Label, vec![at]).text(field).of(field),
+    ]
+}
+
 /// Head of an arrow that ends at `tip`, coming from `from`.
 pub fn arrow(kind: ShapeKind, from: [f64; 2], tip: [f64; 2], size: f64) -> PictureShape {
     let (dx, dy) = (tip[0] - from[0], tip[1] - from[1]);

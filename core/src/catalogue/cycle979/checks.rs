@@ -1,8 +1,8 @@
 //! What several values of CYCLE979 say together.
 
 use super::params::{FOUR_POINTS, OUTSIDE, ROUND, TOOL, WEB};
-use crate::catalogue::{names, place, shared_checks};
-use crate::check::{Finding, Inputs, error, warning};
+use crate::catalogue::{circle, names, place, shared_checks};
+use crate::check::{Finding, Inputs, warning};
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::message::Message;
@@ -15,10 +15,10 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     shared_checks::tolerances(inputs, found);
     // a deviation of a diameter or width shows half at each side
     shared_checks::reach(inputs, if TOOL.holds(inputs) { 0.5 } else { 1.0 }, found);
-    ball_known(inputs, control, found);
+    circle::ball_known(inputs, control, found);
     let ball = place::ball_radius(inputs, control);
     if ROUND.holds(inputs) {
-        angles(inputs, found);
+        circle::angles(inputs, FOUR_POINTS.holds(inputs), found);
     } else if FOUR_POINTS.holds(inputs) {
         let message = Message::new("check-points-unused");
         found.push(doubt(
@@ -38,54 +38,6 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
 
 fn doubt(code: Code, message: Message, hint: &'static str, at: &'static str) -> Diagnostic {
     warning(code, message).hint(Message::new(hint)).at(at)
-}
-
-/// The probe must have been calibrated with its ball diameter (B:6873).
-fn ball_known(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
-    let probe_wrong = found.iter().any(|one| one.param == Some(names::PRNUM));
-    let Some(code) = inputs.given(names::PRNUM).filter(|_| !probe_wrong) else {
-        return;
-    };
-    let index = code as i64 % 100 - 1;
-    if control.number(&format!("_WP[{index},0]")) == 0.0 {
-        let message = Message::new("check-ball-unknown");
-        let hint = "check-ball-unknown-hint";
-        found.push(doubt(Code::Own(51), message, hint, names::PRNUM));
-    }
-}
-
-/// Where the points lie: not upon each other, and within one turn (B:6850, B:6986).
-fn angles(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
-    let (Some(start), Some(step)) = (inputs.given(names::STA1), inputs.given(names::INCA)) else {
-        return;
-    };
-    let (points, useful) = if FOUR_POINTS.holds(inputs) {
-        (4, 90.0)
-    } else {
-        (3, 120.0)
-    };
-    let sum = start.abs() + f64::from(points - 1) * step.abs();
-    let same = step % 180.0 == 0.0; // every second point, or all of them
-    let finding = if same {
-        error(Code::Alarm(61316), Message::new("check-angles-same"))
-            .hint(Message::new("check-angles-same-hint"))
-    } else if sum > 360.0 {
-        error(
-            Code::Own(52),
-            Message::new("check-angles-sum").number("sum", sum),
-        )
-        .hint(Message::new("check-angles-sum-hint"))
-    } else if step.abs() > useful {
-        let with = |key| {
-            Message::new(key)
-                .number("points", f64::from(points))
-                .number("useful", useful)
-        };
-        warning(Code::Own(53), with("check-angles-wide")).hint(with("check-angles-wide-hint"))
-    } else {
-        return;
-    };
-    found.push(finding.at(names::INCA));
 }
 
 /// In a hole or groove the ball has to fit and to have its way; in a hole it goes round between centre and wall.

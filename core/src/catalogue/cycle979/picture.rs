@@ -5,7 +5,9 @@
 use super::params::{FOUR_POINTS, OUTSIDE, ROUND, TOOL, WEB};
 use crate::catalogue::names;
 use crate::check::Inputs;
-use crate::form::figures::{arc, circle, corners, dimension, frame, line, polygon, round};
+use crate::form::figures::{
+    arc, circle, corners, dimension, frame, line, polar, polygon, round, swept,
+};
 use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
 
 /// What is drawn, mm and degree.
@@ -42,11 +44,6 @@ impl Scene {
         let (sin, cos) = angle.to_radians().sin_cos();
         [x * cos - y * sin, x * sin + y * cos]
     }
-}
-
-fn polar(angle: f64, distance: f64) -> [f64; 2] {
-    let (sin, cos) = angle.to_radians().sin_cos();
-    [distance * cos, distance * sin]
 }
 
 /// The picture.
@@ -149,7 +146,7 @@ fn start_angle(scene: &Scene, shapes: &mut Vec<PictureShape>) {
         return;
     };
     let reach = scene.way().0.max(scene.size / 2.0) + scene.size * 0.17;
-    swept((reach, 0.0, angle), names::STA1, shapes);
+    shapes.extend(swept(names::STA1, reach, 0.0, angle));
     let from = if scene.round {
         [0.0; 2]
     } else {
@@ -171,18 +168,11 @@ fn set_size(scene: &Scene, shapes: &mut Vec<PictureShape>) {
     shapes.push(dimension(names::SETVAL, place(-half), place(half)));
 }
 
-/// An angle as an arc about the centre (radius, from, to) with its name.
-fn swept((radius, from, to): (f64, f64, f64), field: &'static str, shapes: &mut Vec<PictureShape>) {
-    shapes.push(line(ShapeKind::Path, arc([0.0; 2], radius, from, to)).of(field));
-    let at = polar((from + to) / 2.0, radius * 1.12);
-    shapes.push(line(ShapeKind::Label, vec![at]).text(field).of(field));
-}
-
 /// Indexing angle, and the arcs that the probe follows from point to point.
 fn around(scene: &Scene, shapes: &mut Vec<PictureShape>) {
     let (start, _) = scene.way();
     if let [first, second, ..] = scene.points[..] {
-        swept((scene.size * 0.2, first, second), names::INCA, shapes);
+        shapes.extend(swept(names::INCA, scene.size * 0.2, first, second));
     }
     for pair in scene.points.windows(2) {
         let way = arc([0.0; 2], start, pair[0], pair[1]);

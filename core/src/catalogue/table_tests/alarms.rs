@@ -8,6 +8,7 @@ use std::collections::BTreeSet;
 
 /// Alarms that an entry names beyond the manual, with the reason in DESIGN.md.
 const ADDED: &[Code] = &[
+    Code::Alarm(61316),
     Code::Alarm(61321),
     Code::Alarm(61326),
     Code::Alarm(61334),

@@ -72,6 +72,7 @@ const COUNTS: &[(&str, usize, usize, usize)] = &[
     ("CYCLE979", 8, 26, 27),
     ("CYCLE982", 68, 13, 26),
     ("CYCLE994", 2, 22, 30),
+    ("CYCLE997", 24, 21, 35),
     ("CYCLE998", 5, 17, 21),
 ];
 

@@ -1,0 +1,141 @@
+//! What several values of CYCLE997 say together.
+
+use super::params::{ANGLE, FOUR_POINTS, THREE, TURNED};
+use super::points::{centres, sides};
+use crate::catalogue::{circle, names, place, shared_checks};
+use crate::check::{Finding, Inputs, error, warning};
+use crate::control::Control;
+use crate::diagnostic::{Code, Diagnostic};
+use crate::geometry::rigid::sin_cos;
+use crate::message::Message;
+use nalgebra::Vector3;
+
+/// Three points are on one line when their triangle is lower than this share of its longest side.
+const FLAT: f64 = 1e-6;
+
+/// All of them.
+pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
+    shared_checks::probe(inputs, control, found);
+    shared_checks::multi_probe(inputs, found);
+    shared_checks::reach(inputs, 1.0, found);
+    let ball = place::ball_radius(inputs, control);
+    small(inputs, ball, found);
+    if ANGLE.holds(inputs) {
+        circle::ball_known(inputs, control, found);
+        circle::angles(inputs, FOUR_POINTS.holds(inputs), found);
+    }
+    if TURNED.holds(inputs) {
+        shared_checks::rotation_target(inputs, found);
+    }
+    if THREE.holds(inputs) {
+        triangle(inputs, ball, found);
+    }
+}
+
+/// The sphere has to be much larger than the ball (B:8229; the factor of two is ours).
+fn small(inputs: &Inputs, ball: f64, found: &mut Vec<Diagnostic>) {
+    let Some(size) = inputs.given(names::SETVAL) else {
+        return;
+    };
+    if size < 4.0 * ball {
+        let message = Message::new("check-sphere-small")
+            .number("size", size)
+            .number("ball", 2.0 * ball);
+        found.push(
+            warning(Code::Own(90), message)
+                .hint(Message::new("check-sphere-small-hint"))
+                .at(names::SETVAL),
+        );
+    }
+}
+
+/// A sphere with its number, and the parameter at which something is said about it.
+struct Sphere {
+    number: f64,
+    centre: Vector3<f64>,
+    field: &'static str,
+}
+
+fn spheres(inputs: &Inputs) -> Vec<Sphere> {
+    let all = centres(inputs).iter().zip([1.0, 2.0, 3.0]);
+    all.filter_map(|([x, y, z], number)| {
+        let centre = Vector3::new(inputs.given(x)?, inputs.given(y)?, inputs.given(z)?);
+        Some(Sphere {
+            number,
+            centre,
+            field: x,
+        })
+    })
+    .collect()
+}
+
+/// Three spheres: apart from each other, not on one line, with room for the ball.
+fn triangle(inputs: &Inputs, ball: f64, found: &mut Vec<Diagnostic>) {
+    let (spheres, size) = (spheres(inputs), inputs.given(names::SETVAL));
+    let ([first, second, third], Some(size)) = (&spheres[..], size) else {
+        return;
+    };
+    for (one, other) in [(first, second), (first, third), (second, third)] {
+        let distance = (other.centre - one.centre).norm();
+        if distance < size {
+            let message = Message::new("check-spheres-overlap")
+                .number("one", one.number)
+                .number("other", other.number)
+                .number("distance", distance);
+            let hint = Message::new("check-spheres-overlap-hint").number("size", size);
+            found.push(error(Code::Own(91), message).hint(hint).at(other.field));
+            return;
+        }
+    }
+    if TURNED.holds(inputs) && flat([first.centre, second.centre, third.centre]) {
+        found.push(
+            error(Code::Alarm(61411), Message::new("check-spheres-line"))
+                .hint(Message::new("check-spheres-line-hint"))
+                .at(third.field),
+        );
+    }
+    beside(inputs, &spheres, size / 2.0, ball, found);
+}
+
+fn flat([a, b, c]: [Vector3<f64>; 3]) -> bool {
+    let sides = [b - a, c - a, c - b].map(|side| side.norm());
+    let longest = sides.into_iter().fold(0.0, f64::max);
+    (b - a).cross(&(c - a)).norm() <= FLAT * longest * longest
+}
+
+/// No measuring block may begin inside of another sphere (B:8429, B:8449).
+fn beside(
+    inputs: &Inputs,
+    spheres: &[Sphere],
+    radius: f64,
+    ball: f64,
+    found: &mut Vec<Diagnostic>,
+) {
+    let Some(path) = inputs.given(names::FA) else {
+        return;
+    };
+    let starts = |sphere: &Sphere| {
+        let centre = sphere.centre;
+        sides(inputs).into_iter().map(move |side| {
+            let (sin, cos) = sin_cos(side);
+            centre + Vector3::new(cos, sin, 0.0) * (radius + ball + path)
+        })
+    };
+    for one in spheres {
+        let hits = |other: &&Sphere| {
+            other.number != one.number
+                && starts(one).any(|start| (start - other.centre).norm() < radius + ball)
+        };
+        if let Some(other) = spheres.iter().find(hits) {
+            let message = Message::new("check-spheres-close")
+                .number("one", one.number)
+                .number("other", other.number);
+            found.push(
+                warning(Code::Own(92), message)
+                    .hint(Message::new("check-spheres-close-hint"))
+                    .at(names::FA),
+            );
+            return;
+        }
+    }
+}

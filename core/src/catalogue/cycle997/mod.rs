@@ -1,0 +1,59 @@
+//! CYCLE997: centre of one sphere, or position in space by three (B:8178-8539).
+
+mod checks;
+pub mod params;
+mod picture;
+mod points;
+mod results;
+#[cfg(test)]
+mod tests;
+mod variants;
+
+pub use results::RESULTS;
+pub use variants::VARIANTS;
+
+use crate::catalogue::common;
+use crate::catalogue::{Cycle, Dialect, Purpose};
+
+/// The entry. Example: the three spheres of B:8480-8529. Its program writes `_KNUM` = 99999, which does not exist; meant
+/// is the active frame.
+pub static CYCLE997: Cycle = Cycle {
+    dialect: Dialect::Sinumerik,
+    name: "CYCLE997",
+    key: "cycle997",
+    variants: VARIANTS,
+    params: params::PARAMS,
+    purpose: Purpose::MILLING,
+    // no parameterizing call (B:11640-12133); the list of newer controls is not known to us
+    lists: &[],
+    settings: &[],
+    results: RESULTS,
+    alarms: &[
+        common::EVERY_CYCLE,
+        // A:15930-15933; 61316 of CYCLE116, which computes the circle (B:8361); 61321 for a frame that takes no rotation
+        &common::alarms([61316, 61321, 61325, 61327, 61411, 61412, 61413, 61414]),
+    ],
+    checks: checks::checks,
+    picture: picture::picture,
+    example: &[
+        ("_MVAR", "10109"),
+        ("_SETVAL", "50"),
+        ("_SETV[0]", "100"),
+        ("_SETV[1]", "100"),
+        ("_SETV[2]", "100"),
+        ("_SETV[3]", "600"),
+        ("_SETV[4]", "100"),
+        ("_SETV[5]", "100"),
+        ("_SETV[6]", "1100"),
+        ("_SETV[7]", "1100"),
+        ("_SETV[8]", "100"),
+        ("_KNUM", "9999"),
+        ("_TNVL", "1.2"),
+        ("_PRNUM", "1"),
+        ("_FA", "5"),
+        ("_VMS", "200"),
+        ("_NMSP", "1"),
+    ],
+    simulation: None,
+    source: "B:8178-8539",
+};

@@ -1,0 +1,188 @@
+//! Parameters of CYCLE997 in the order of the manual's tables (B:8309-8337).
+
+use crate::catalogue::common::{self, optional, required};
+use crate::catalogue::{DigitGroup, Kind, Need, Param, Range, Unit, When, names};
+
+const fn digit(place: i64, is: &'static [i64]) -> When {
+    When::Digit {
+        param: names::MVAR,
+        place,
+        is,
+    }
+}
+
+/// One sphere.
+pub const ONE: When = digit(10_000, &[0]);
+/// Three spheres.
+pub const THREE: When = digit(10_000, &[1]);
+/// Points at an angle, on circular paths.
+pub const ANGLE: When = digit(1000, &[1]);
+/// Four points at an angle instead of three.
+pub const FOUR_POINTS: When = digit(100_000, &[1]);
+/// With the diameter.
+pub const DIAMETER: When = digit(1_000_000, &[1]);
+/// The whole sphere once more, about the centre that was found.
+pub const REPEATED: When = digit(10, &[1]);
+/// A frame is turned and moved.
+pub const TURNED: When = When::All(&[THREE, When::Given(names::KNUM)]);
+
+/// B:8246-8259; the first and the third digit are always 9 and 1.
+const MVAR_DIGITS: &[DigitGroup] = &[
+    DigitGroup {
+        key: "mvar-element",
+        place: 1,
+        digits: 1,
+        choices: &[(9, "element-sphere")],
+    },
+    DigitGroup {
+        key: "spheres-number",
+        place: 10_000,
+        digits: 1,
+        choices: &[(0, "spheres-one"), (1, "spheres-three")],
+    },
+    DigitGroup {
+        key: "spheres-way",
+        place: 1000,
+        digits: 1,
+        choices: &[(0, "spheres-paraxial"), (1, "spheres-angle")],
+    },
+    DigitGroup {
+        key: "spheres-points",
+        place: 100_000,
+        digits: 1,
+        choices: &[(0, "spheres-points-three"), (1, "spheres-points-four")],
+    },
+    DigitGroup {
+        key: "spheres-diameter",
+        place: 1_000_000,
+        digits: 1,
+        choices: &[(0, "spheres-diameter-known"), (1, "spheres-diameter-find")],
+    },
+    DigitGroup {
+        key: "spheres-repeat",
+        place: 10,
+        digits: 1,
+        choices: &[(0, "spheres-once"), (1, "spheres-twice")],
+    },
+    DigitGroup {
+        key: "mvar-correction",
+        place: 100,
+        digits: 1,
+        choices: &[(1, "correction-zero")],
+    },
+];
+
+/// Centres of the second and the third sphere.
+const OTHERS: &[Need] = &[required(THREE, "need-spheres")];
+
+/// A coordinate of a set centre.
+const fn centre(
+    name: &'static str,
+    key: &'static str,
+    needs: &'static [Need],
+    source: &'static str,
+) -> Param {
+    Param {
+        name,
+        key,
+        needs,
+        source,
+        ..common::SETVAL
+    }
+}
+
+/// In the order in which the snippet writes them.
+pub const PARAMS: &[Param] = &[
+    Param {
+        kind: Kind::Variant(MVAR_DIGITS),
+        source: "B:8242-8259;B:15849-15850",
+        ..common::MVAR
+    },
+    Param {
+        range: Range::POSITIVE,
+        alarm: Some(crate::diagnostic::Code::Alarm(61413)),
+        needs: common::ALWAYS_REQUIRED,
+        labels: &[(When::Always, "setval-sphere")],
+        source: "B:8311;A:15932",
+        ..common::SETVAL
+    },
+    centre(
+        names::SETV0,
+        "sphere1-abscissa",
+        common::ALWAYS_REQUIRED,
+        "B:8312",
+    ),
+    centre(
+        names::SETV1,
+        "sphere1-ordinate",
+        common::ALWAYS_REQUIRED,
+        "B:8313",
+    ),
+    centre(
+        names::SETV2,
+        "sphere1-applicate",
+        common::ALWAYS_REQUIRED,
+        "B:8314",
+    ),
+    centre(names::SETV3, "sphere2-abscissa", OTHERS, "B:8315"),
+    centre(names::SETV4, "sphere2-ordinate", OTHERS, "B:8316"),
+    centre(names::SETV5, "sphere2-applicate", OTHERS, "B:8317"),
+    centre(names::SETV6, "sphere3-abscissa", OTHERS, "B:8321"),
+    centre(names::SETV7, "sphere3-ordinate", OTHERS, "B:8322"),
+    centre(names::SETV8, "sphere3-applicate", OTHERS, "B:8323"),
+    Param {
+        needs: &[required(ANGLE, "need-start-angle")],
+        labels: &[(When::Always, "sta1-first")],
+        source: "B:8327;B:8457",
+        ..common::STA1
+    },
+    Param {
+        range: Range::closed(-360.0, 360.0),
+        needs: &[required(ANGLE, "need-points")],
+        source: "B:8328;B:8457",
+        ..common::INCA
+    },
+    Param {
+        alarm: None, // 61365 is named for CYCLE979 only (A:15909)
+        needs: &[required(ANGLE, "need-circular")],
+        source: "B:8324-8325;B:8461",
+        ..common::RF
+    },
+    Param {
+        labels: &[(When::Always, "knum-zero")],
+        source: "B:8326;B:15847-15848",
+        ..common::KNUM
+    },
+    Param {
+        name: names::TNVL,
+        key: "tnvl",
+        unit: Unit::BasicLength,
+        default: Some(1.2),
+        range: Range::POSITIVE,
+        needs: &[optional(TURNED, "need-distortion")],
+        source: "B:8329-8331;B:15859;B:1774",
+        ..common::PARAM
+    },
+    Param {
+        source: "B:8201;B:15852",
+        ..common::PRNUM
+    },
+    Param {
+        labels: &[(When::Always, "fa-sphere")],
+        source: "B:8337;B:8429;B:8437-8445",
+        ..common::FA
+    },
+    Param {
+        labels: &[(When::Always, "tsa-sphere")],
+        source: "B:8373-8379",
+        ..common::TSA
+    },
+    Param {
+        source: "B:8337",
+        ..common::VMS
+    },
+    Param {
+        source: "B:8337",
+        ..common::NMSP
+    },
+];

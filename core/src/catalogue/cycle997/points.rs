@@ -1,0 +1,45 @@
+//! Where CYCLE997 touches a sphere, seen from above.
+
+use super::params::{ANGLE, DIAMETER, FOUR_POINTS, ONE};
+use crate::catalogue::names;
+use crate::check::Inputs;
+
+/// Direction of the additional point for the diameter: approached in plus direction, so on the minus side, degree
+/// (B:8371).
+pub const DIAMETER_SIDE: f64 = 180.0;
+
+/// Directions of the points from the centre in their order, degree; missing angles count as in the drawing. Parallel to
+/// the axes the manual does not say on which side P1 lies; here on the plus side, as with a shaft (B:8437-8445).
+pub fn directions(inputs: &Inputs) -> Vec<f64> {
+    if !ANGLE.holds(inputs) {
+        return vec![0.0, 180.0, 90.0, 270.0];
+    }
+    let start = inputs.number(names::STA1) % 360.0;
+    let step = inputs.given(names::INCA).unwrap_or(90.0) % 360.0;
+    let points = if FOUR_POINTS.holds(inputs) { 4 } else { 3 };
+    (0..points)
+        .map(|index| start + f64::from(index) * step)
+        .collect()
+}
+
+/// All directions from which the ball comes, the one for the diameter included.
+pub fn sides(inputs: &Inputs) -> Vec<f64> {
+    let mut all = directions(inputs);
+    if DIAMETER.holds(inputs) && ANGLE.holds(inputs) {
+        all.push(DIAMETER_SIDE);
+    }
+    all
+}
+
+/// Names of the set centre of each sphere: abscissa, ordinate, applicate.
+const CENTRES: &[[&str; 3]] = &[
+    [names::SETV0, names::SETV1, names::SETV2],
+    [names::SETV3, names::SETV4, names::SETV5],
+    [names::SETV6, names::SETV7, names::SETV8],
+];
+
+/// Those of the spheres that are measured, in their order.
+pub fn centres(inputs: &Inputs) -> &'static [[&'static str; 3]] {
+    let measured = if ONE.holds(inputs) { 1 } else { 3 };
+    &CENTRES[..measured]
+}
