@@ -125,7 +125,7 @@ export async function startApp(core: Core): Promise<void> {
   const shows = (cycle: CycleInfo, values: Record<string, string>, name: string): boolean =>
     core.form({ control: cycle.control, cycle: cycle.cycle, values, ...machine({ ...store.state, control: cycle.control }) }).fields.some((field) => field.name === name);
   const goToField = createGoToField(catalogue, guard(() => store, shows), store, actions);
-  const found = (back: () => void) => createFound(catalogue, store, actions, goToField, back);
+  const found = (back: () => void) => createFound(catalogue, coming.then((part) => part.alarms()), store, actions, goToField, back);
   program.head.after(refusals[0].root, activities[0].root);
   layout.header.after(refusals[1].root);
   panels.view.append(activities[1].root);

@@ -2,7 +2,7 @@
 // so views and computations compare by identity.
 
 import type { ProgramFile, Refusal } from "./files";
-import type { Diagnostic, Dialect, ErrorSliders, OwnMachine, Pending, Plane, ReadView, RunView, Setup, Style, UnitFunction } from "./wire";
+import type { CycleInfo, Diagnostic, Dialect, ErrorSliders, OwnMachine, Pending, Plane, ReadView, RunView, Setup, Style, UnitFunction } from "./wire";
 
 export type Panel = "tasks" | "form" | "program" | "view" | "results";
 export type ResultTab = "outcome" | "problems" | "motions" | "log";
@@ -13,8 +13,8 @@ export interface Ran { control: Dialect; text: string; setup?: Setup | OwnMachin
 export type Sought = { call: number } | { from: number; to: number };
 /** What was said when a call was written in another way. It is shown while the program is still what came out. */
 export interface ConvertedCall { control: Dialect; text: string; findings: Diagnostic[] }
-/** What a card tells about: a result or an alarm, by what is written on the control. */
-export interface Card { kind: "result" | "alarm"; control: Dialect; code: string; key: string }
+/** What a card tells about: a result or an alarm as written on the control, the stem of its messages, who has it. */
+export interface Card { kind: "result" | "alarm"; code: string; key: string; cycles: CycleInfo[]; others: string[] }
 /** Nothing is asked about this text any more: the user stopped it, or it failed for a reason. */
 export interface Stopped { control: Dialect; text: string; why: string }
 

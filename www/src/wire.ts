@@ -27,7 +27,7 @@ export interface CycleInfo {
   variants: { mvar: number; key: string; source: string; values: Record<string, string>; example: Record<string, string> }[]; // values: as typed, they choose this variant
   parameters: { name: string; key: string; unit: string; default: number | null; source: string }[];
   results: { name: string; key: string; unit: string; source: string }[];
-  alarms: { code: string; key: string }[]; // key: message with its meaning, and `.cure`
+  alarms: string[];
   example: Record<string, string>;     // values of a worked measurement, as typed
   simulated: boolean;                  // false: form, checks and text only; a FormView has no outcome
   source: string;
@@ -42,6 +42,7 @@ export interface AlarmInfo {
   found: "check" | "run" | "both" | "nowhere"; // where Probewright finds what raises it
   source: string;
 }
+
 /** Where a cycle belongs. calibrates: it does nothing else. */
 export interface Purpose { machine: "milling" | "turning" | "any"; probe: "workpiece" | "tool" | "none"; calibrates: boolean }
 

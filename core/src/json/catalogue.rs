@@ -1,13 +1,12 @@
 //! The whole catalogue as JSON.
 
-use super::{alarm_key, code, dialect_name, object, style_name, typed};
+use super::{code, dialect_name, object, style_name, typed};
 use crate::catalogue::example::{choosing, example};
 use crate::catalogue::{
     CYCLES, Cycle, MachineSort, Param, ProbeUse, ResultField, Style, Unit, Variant,
 };
 use crate::check;
 use crate::control::delivery;
-use crate::diagnostic::Code;
 use serde_json::Value;
 
 /// What the page asks for first: the cycles under a name.
@@ -36,7 +35,7 @@ fn entry(cycle: &'static Cycle) -> Value {
         ),
         ("parameters", cycle.params.iter().map(param).collect()),
         ("results", cycle.results.iter().map(result).collect()),
-        ("alarms", cycle.alarms().into_iter().map(alarm).collect()),
+        ("alarms", cycle.alarms().into_iter().map(code).collect()),
         (
             "example",
             object(example.map(|(name, value)| (*name, (*value).into()))),
@@ -78,14 +77,6 @@ fn styles(cycle: &Cycle) -> Value {
     };
     let all = [Style::Direct, Style::Indirect, Style::Operate];
     all.into_iter().filter(has).map(style_name).collect()
-}
-
-/// Number as shown, and the key of its words.
-fn alarm(alarm: Code) -> Value {
-    object([
-        ("code", code(alarm).into()),
-        ("key", alarm_key(alarm).into()),
-    ])
 }
 
 fn variant(cycle: &'static Cycle, variant: &Variant) -> Value {

@@ -274,8 +274,9 @@ found-result = Results ({ $count })
 found-alarm = Alarms ({ $count })
 found-more = { $count } more. A further word narrows it down.
 
-card-result = { $control } result { $code }
-card-alarm = { $control } alarm { $code }
+card-result = Result { $code }
+card-alarm = Alarm { $code }
+card-cause = Why
 card-cure = What helps
 card-result-cycles = Left by
 card-alarm-cycles = Raised by

@@ -2,7 +2,7 @@
 
 import type { Variant } from "../actions";
 import { optional, t } from "../texts";
-import type { Catalogue, CycleInfo, Dialect } from "../wire";
+import type { AlarmInfo, Catalogue, CycleInfo, Dialect } from "../wire";
 
 export type Kind = "measurement" | "parameter" | "result" | "alarm";
 /** In the order in which they are shown where they fit equally well. */
@@ -11,19 +11,20 @@ export const KINDS: Kind[] = ["measurement", "parameter", "result", "alarm"];
 export interface Entry {
   id: number;
   kind: Kind;
-  control: Dialect;
+  control: Dialect | null; // null: of no cycle that is known here
   code: string;          // as on the control: CYCLE977, _SZA, _OVR[4], 61303
   title: string;
   words: string;         // found too, not shown
   key: string;           // stem of its messages
   cycles: CycleInfo[];   // that have it
+  others: string[];      // other programs that have it
   variant?: Variant;
 }
 type Found = Omit<Entry, "id">;
 
 function measurements(cycle: CycleInfo): Found[] {
   const title = t(`${cycle.key}-title`);
-  const of = { kind: "measurement" as const, control: cycle.control, code: cycle.cycle, key: cycle.key, cycles: [cycle] };
+  const of = { kind: "measurement" as const, control: cycle.control, code: cycle.cycle, key: cycle.key, cycles: [cycle], others: [] };
   const own: Found = { ...of, title, words: `${digits(cycle.cycle)} ${t(`control-${cycle.control}`)} ${optional(`${cycle.key}-words`)}` };
   return [own, ...cycle.variants.map((variant): Found => ({
     ...of, variant, code: `${cycle.cycle} ${variant.mvar}`, title: t(variant.key),
@@ -37,27 +38,33 @@ function digits(name: string): string {
 }
 
 /** One entry for what several cycles share: the same name with the same meaning. */
-function shared(cycles: readonly CycleInfo[], list: (cycle: CycleInfo) => Omit<Found, "cycles">[]): Found[] {
+function shared(cycles: readonly CycleInfo[], list: (cycle: CycleInfo) => Omit<Found, "cycles" | "others">[]): Found[] {
   const all = new Map<string, Found>();
   for (const cycle of cycles)
     for (const one of list(cycle)) {
       const id = `${one.control}/${one.code}/${one.key}`;
       const known = all.get(id);
       if (known) known.cycles.push(cycle);
-      else all.set(id, { ...one, cycles: [cycle] });
+      else all.set(id, { ...one, cycles: [cycle], others: [] });
     }
   return [...all.values()];
 }
 
-export function entries({ cycles }: Catalogue): Entry[] {
+function ofAlarm(cycles: readonly CycleInfo[], { code, key, cycles: names }: AlarmInfo): Found {
+  const having = cycles.filter((cycle) => names.includes(cycle.cycle));
+  const others = names.filter((name) => !having.some((cycle) => cycle.cycle === name));
+  const words = `${optional(`${key}.cause`)} ${optional(`${key}.cure`)}`;
+  return { kind: "alarm", control: having[0]?.control ?? null, code, key, title: t(key), words, cycles: having, others };
+}
+
+export function entries({ cycles }: Catalogue, alarms: readonly AlarmInfo[]): Entry[] {
   const all = [
     ...cycles.flatMap(measurements),
     ...shared(cycles, ({ control, parameters }) => parameters.map(({ name, key }) =>
       ({ kind: "parameter", control, code: name, key: `param-${key}`, title: t(`param-${key}`), words: optional(`param-${key}-help`) }))),
     ...shared(cycles, ({ control, results }) => results.map(({ name, key }) =>
       ({ kind: "result", control, code: name, key, title: t(key), words: "" }))),
-    ...shared(cycles, ({ control, alarms }) => alarms.map(({ code, key }) =>
-      ({ kind: "alarm", control, code, key, title: t(key), words: optional(`${key}.cure`) }))),
+    ...alarms.map((alarm) => ofAlarm(cycles, alarm)),
   ];
   return all.map((one, id) => ({ ...one, id }));
 }

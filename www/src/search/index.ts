@@ -2,7 +2,7 @@
 // written on the control counts most. A word of letters may have a slip in it.
 
 import MiniSearch from "minisearch";
-import type { Catalogue } from "../wire";
+import type { AlarmInfo, Catalogue } from "../wire";
 import { entries, KINDS, type Entry, type Kind } from "./entries";
 import { plainWord, words } from "./words";
 
@@ -14,8 +14,8 @@ export type Search = (text: string) => Group[];
 const PREFIX_FROM = 4; // letters: shorter words stand for themselves, but the last, which is still being typed
 const SLIP_FROM = 5; // letters: shorter words are too near to each other
 
-export function createSearch(catalogue: Catalogue): Search {
-  const all = entries(catalogue);
+export function createSearch(catalogue: Catalogue, alarms: readonly AlarmInfo[]): Search {
+  const all = entries(catalogue, alarms);
   const index = new MiniSearch<Entry>({ fields: ["code", "title", "words"], tokenize: words, processTerm: plainWord });
   index.addAll(all);
   const options = {

@@ -2,27 +2,30 @@
 
 import type { Actions } from "../actions";
 import { el, on, setText, show } from "../dom";
-import { say, optional, t } from "../texts";
-import type { State } from "../state";
+import { optional, t } from "../texts";
+import type { Card, State } from "../state";
 import type { CycleInfo } from "../wire";
-import type { Derived } from "../derive";
 
-export interface CardView { dialog: HTMLDialogElement; draw(state: State, derived: Derived): void }
+export interface CardView { dialog: HTMLDialogElement; draw(state: State): void }
 
-function has(cycle: CycleInfo, { kind, code, key }: NonNullable<State["card"]>): boolean {
-  return kind === "alarm" ? cycle.alarms.some((one) => one.code === code && one.key === key) : cycle.results.some((one) => one.name === code && one.key === key);
+/** A heading with a text below it; without a text neither is shown. */
+function told(key: string): { parts: HTMLElement[]; set(text: string): void } {
+  const text = el("p", {});
+  const parts = [el("h3", {}, t(key)), text];
+  return { parts, set: (what) => { setText(text, what); for (const part of parts) show(part, what !== ""); } };
 }
 
 export function createCard(actions: Actions): CardView {
   const title = el("h2", { id: "card-title" });
   const meaning = el("p", { class: "card-meaning" });
-  const cureTitle = el("h3", {}, t("card-cure"));
-  const cure = el("p", {});
+  const cause = told("card-cause");
+  const cure = told("card-cure");
   const cyclesTitle = el("h3", {});
   const cycles = el("ul", { class: "card-cycles" });
+  const others = el("p", {});
   const close = el("button", { type: "button", class: "primary" }, t("card-close"));
   const dialog = el("dialog", { class: "about card", "aria-labelledby": "card-title" },
-    title, meaning, cureTitle, cure, cyclesTitle, cycles, el("div", { class: "actions" }, close));
+    title, meaning, ...cause.parts, ...cure.parts, cyclesTitle, cycles, others, el("div", { class: "actions" }, close));
   on(close, "click", () => dialog.close());
   on(dialog, "close", () => actions.card(null));
   let drawn: State["card"] = null;
@@ -32,26 +35,24 @@ export function createCard(actions: Actions): CardView {
     on(open, "click", () => { dialog.close(); actions.chooseCycle(cycle); actions.panel("form"); });
     return el("li", {}, open);
   };
-  const fill = (card: NonNullable<State["card"]>, derived: Derived): void => {
-    const { kind, code, key, control } = card;
-    const found = derived.catalogue.cycles.filter((cycle) => cycle.control === control && has(cycle, card));
-    const result = found.flatMap((cycle) => cycle.results).find((one) => one.name === code && one.key === key);
-    const told = optional(`${key}.cure`);
-    setText(title, t(`card-${kind}`, { code, control: t(`control-${control}`) }));
-    setText(meaning, say({ key, args: {} }));
-    for (const part of [cureTitle, cure]) show(part, told !== "");
-    setText(cure, told);
+  const fill = (card: Card): void => {
+    const { kind, code, key } = card;
+    setText(title, t(`card-${kind}`, { code }));
+    setText(meaning, t(key));
+    cause.set(optional(`${key}.cause`));
+    cure.set(optional(`${key}.cure`));
+    show(cyclesTitle, card.cycles.length + card.others.length > 0);
     setText(cyclesTitle, t(`card-${kind}-cycles`));
-    cycles.replaceChildren(...found.map(entry));
-    if (result) setText(meaning, `${t(key)}. ${t("field-source", { source: result.source })}`);
+    cycles.replaceChildren(...card.cycles.map(entry));
+    setText(others, card.others.join(", "));
   };
   return {
     dialog,
-    draw({ card }, derived) {
+    draw({ card }) {
       if (card === drawn) return;
       drawn = card;
       if (!card) return;
-      fill(card, derived);
+      fill(card);
       if (!dialog.open) dialog.showModal();
     },
   };

@@ -7,7 +7,7 @@ import { pieces } from "../search/words";
 import type { State } from "../state";
 import type { Store } from "../store";
 import { t } from "../texts";
-import type { Catalogue, Dialect } from "../wire";
+import type { AlarmInfo, Catalogue, Dialect } from "../wire";
 
 const MOST = 40; // hits of a group that are listed; more say nothing
 
@@ -21,12 +21,12 @@ function button(hit: Hit, pick: (hit: Hit) => void): HTMLElement {
   const { code, title, control, kind } = hit.entry;
   const node = el("button", { type: "button", class: "hit", "data-kind": kind },
     el("code", {}, ...marked(code, hit.words)), el("span", { class: "hit-title" }, ...marked(title, hit.words)),
-    kind === "measurement" ? null : el("span", { class: "hit-control" }, t(`control-${control}`)));
+    kind === "measurement" || !control ? null : el("span", { class: "hit-control" }, t(`control-${control}`)));
   on(node, "click", () => pick(hit));
   return el("li", {}, node);
 }
 
-export function createFound(catalogue: Catalogue, store: Store, actions: Actions, goToField: (control: Dialect, name: string) => void, back: () => void): Found {
+export function createFound(catalogue: Catalogue, alarms: Promise<AlarmInfo[]>, store: Store, actions: Actions, goToField: (control: Dialect, name: string) => void, back: () => void): Found {
   const list = el("div", { class: "hits" });
   const none = el("p", { class: "empty", role: "status" });
   const root = el("div", { class: "found", hidden: true }, list, none);
@@ -35,9 +35,10 @@ export function createFound(catalogue: Catalogue, store: Store, actions: Actions
   let shown = "";
 
   const pick = ({ entry }: Hit): void => {
-    const { kind, control, code, key, variant, cycles: [cycle] } = entry;
-    if (kind === "parameter") return goToField(control, code);
-    if (kind !== "measurement") return actions.card({ kind, control, code, key });
+    const { kind, code, key, variant, cycles, others } = entry;
+    const [cycle] = cycles;
+    if (kind === "result" || kind === "alarm") return actions.card({ kind, code, key, cycles, others });
+    if (kind === "parameter") return cycle && goToField(cycle.control, code);
     if (cycle) actions.chooseCycle(cycle, variant);
     actions.panel("form");
   };
@@ -60,8 +61,8 @@ export function createFound(catalogue: Catalogue, store: Store, actions: Actions
   const load = (): void => {
     if (loading) return;
     loading = true;
-    void import("../search").then(({ createSearch }) => {
-      search = createSearch(catalogue);
+    void Promise.all([import("../search"), alarms]).then(([{ createSearch }, known]) => {
+      search = createSearch(catalogue, known);
       store.update({});
     });
   };

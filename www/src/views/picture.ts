@@ -6,7 +6,7 @@ import type { Picture, PictureShape } from "../wire";
 
 const MARGIN = { x: 30, y: 22 }; // CSS pixels around the figures, for captions
 const CHARACTER = 6.6;           // width of a character of a caption, CSS pixels
-const LINE = 12;                 // from one caption to the next below it, CSS pixels
+const LINE = 11;                 // height of a caption, CSS pixels
 /** From the ground up: what is filled must not hide what is drawn in lines. */
 const ORDER: PictureShape["kind"][] = ["material", "cut", "tolerance", "axis", "zone", "path", "edge", "probe", "touch", "dimension", "label"];
 interface Size { width: number; height: number }
@@ -51,17 +51,23 @@ function rings(points: Point[]): Point[][] {
   return list.length > 1 ? list : [points];
 }
 
-/** Captions upon each other are moved apart, the later ones by whole lines. */
-function spread(captions: Iterable<Element>, { height }: Size): void {
+/** Where a caption may go to when it would lie upon another, the nearest first. */
+const MOVES: Point[] = [0, 6, -6, 12, -12, 18, -18, 24, -24].flatMap((y) => [0, 8, -8, 16, -16].map((x): Point => [x, y]))
+  .sort((a, b) => Math.hypot(...a) - Math.hypot(...b));
+
+/** Captions upon each other are moved apart, the later ones by as little as it takes. */
+function spread(captions: Iterable<Element>, { width, height }: Size): void {
   const taken: { left: number; right: number; y: number }[] = [];
   for (const caption of captions) {
     const long = (caption.textContent?.length ?? 0) * CHARACTER;
-    const x = Number(caption.getAttribute("x")) - (caption.getAttribute("text-anchor") === "middle" ? long / 2 : 0);
-    const at = Number(caption.getAttribute("y"));
-    const free = (y: number): boolean => y >= 11 && y <= height - 4 && taken.every((one) => x > one.right || x + long < one.left || Math.abs(y - one.y) >= LINE);
-    const y = [0, 1, -1, 2, -2].map((lines) => at + lines * LINE).find(free) ?? at;
-    setAttribute(caption, "y", r(y));
-    taken.push({ left: x, right: x + long, y });
+    const [x, y] = [Number(caption.getAttribute("x")), Number(caption.getAttribute("y"))];
+    const left = x - (caption.getAttribute("text-anchor") === "middle" ? long / 2 : 0);
+    const free = ([dx, dy]: Point): boolean => left + dx >= 0 && left + dx + long <= width && y + dy >= 11 && y + dy <= height - 4
+      && taken.every((one) => left + dx > one.right || left + dx + long < one.left || Math.abs(y + dy - one.y) >= LINE);
+    const [dx, dy] = MOVES.find(free) ?? [0, 0];
+    setAttribute(caption, "x", r(x + dx));
+    setAttribute(caption, "y", r(y + dy));
+    taken.push({ left: left + dx, right: left + dx + long, y: y + dy });
   }
 }
 
