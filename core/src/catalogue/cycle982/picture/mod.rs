@@ -168,7 +168,7 @@ fn reference(inputs: &Inputs, shapes: &mut Vec<PictureShape>) {
     }
     let array = if workpiece { "_TPW" } else { "_TP" };
     let number = inputs.integer(names::PRNUM).clamp(1, 99) - 1;
-    let label = line(ShapeKind::Label, vec![[0.0, -PROBE - 20.0]]);
+    let label = line(ShapeKind::Label, vec![[corner[0], corner[1] - 7.0]]);
     shapes.push(
         label
             .text(format!("{array}[{number},0…3]"))
@@ -260,8 +260,9 @@ fn measured(inputs: &Inputs, scene: &Scene, shapes: &mut Vec<PictureShape>) {
     };
     let label = line(ShapeKind::Label, vec![[SPINDLE[0], -PROBE - 20.0]]);
     shapes.push(label.text(text).of(names::MVAR));
-    if OPPOSITE.holds(inputs) {
-        let (from, tip) = (at(first, PROBE + 9.0, 6.0), at(first, PROBE + 1.0, 6.0));
+    let against = scene.touches.iter().find(|touch| touch.axis == scene.along);
+    if let Some(touch) = against.filter(|_| OPPOSITE.holds(inputs)) {
+        let (from, tip) = (at(touch, PROBE + 9.0, 6.0), at(touch, PROBE + 1.0, 6.0));
         shapes.push(arrow(ShapeKind::Path, from, tip, 2.5).of(names::MVAR));
     }
 }
