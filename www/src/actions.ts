@@ -5,7 +5,7 @@ import { isRead, mended, opened, SOUGHT, withEdits } from "./desk";
 import { lineBreak, type Splice } from "./eol";
 import type { ProgramFile } from "./files";
 import { parseNumber } from "./numbers";
-import { AT_END, NO_ERRORS, programOf, setsOf, work, type Card, type Panel, type State } from "./state";
+import { AT_END, NO_ERRORS, ownMachine, programOf, setsOf, work, type Card, type Panel, type State } from "./state";
 import type { Store } from "./store";
 import type { Catalogue, CycleInfo, Dialect, Edit, ErrorSliders, OwnMachine, Setup, Style } from "./wire";
 
@@ -33,6 +33,8 @@ export interface Actions {
   insert(snippet: string): void;
   error<G extends keyof ErrorSliders>(group: G, name: keyof ErrorSliders[G], value: number): void;
   begin(machine: OwnMachine["own"]): void;
+  /** What differs from delivery in the data of the machine. */
+  data(data: Setup["data"]): void;
   noErrors(): void;
   panel(panel: Panel): void;
   saveSet(name: string): void;
@@ -174,7 +176,12 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
     },
     begin(own) {
       const { control, setup } = now();
-      const described = setup?.control === control ? { setup: { ...setup, plane: own.plane, active: { ...setup.active, units: own.units } } } : { own: { ...now().own, [control]: { own } } };
+      const described = setup?.control === control ? { setup: { ...setup, plane: own.plane, active: { ...setup.active, units: own.units } } } : { own: { ...now().own, [control]: { own: { ...ownMachine(now()), ...own } } } };
+      store.update({ ...described, step: AT_END });
+    },
+    data(data) {
+      const { control, setup, own } = now();
+      const described = setup?.control === control ? { setup: { ...setup, data } } : { own: { ...own, [control]: { own: { ...ownMachine(now()), data } } } };
       store.update({ ...described, step: AT_END });
     },
     panel(panel) {

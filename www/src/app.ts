@@ -130,7 +130,7 @@ export async function startApp(core: Core): Promise<void> {
   layout.header.after(refusals[1].root);
   panels.view.append(activities[1].root);
   const views = [
-    createHeader(layout.header, store, actions, openSetup), createTasks(panels.tasks, store, actions, found), createForm(panels.form, store, actions, () => sets.dialog.showModal()),
+    createHeader(layout.header, store, actions, openSetup, () => programCore), createTasks(panels.tasks, store, actions, found), createForm(panels.form, store, actions, () => sets.dialog.showModal()),
     program.draw, createScene(panels.view, store, program.goToLine), createResults(results, store, actions, program.goTo), createSliders(sliders, actions), sets.draw, card.draw,
   ];
   let noticed = "";

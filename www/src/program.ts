@@ -5,7 +5,7 @@ import init, * as wasm from "@pkg/program/program.js";
 import address from "@pkg/program/program_bg.wasm?url";
 import { splice } from "./eol";
 import { call, compile } from "./module";
-import type { AlarmInfo, Converted, Edit, Pending, ReadRequest, ReadView, RunRequest, Setup, Style } from "./wire";
+import type { AlarmInfo, Converted, Edit, MachineRequest, MachineView, Pending, ReadRequest, ReadView, RunRequest, Setup, Style } from "./wire";
 
 /** All values of one call that were changed in the form: `pending` of `control` at `at`, the call being number `call`. */
 export interface ChangeRequest extends ReadRequest { call: number; at: number; pending: readonly Pending[] }
@@ -22,6 +22,7 @@ export interface ProgramCore {
   change(request: ChangeRequest): Edit[][];
   convert(request: ConvertRequest): Converted;
   alarms(): AlarmInfo[];
+  machine(request: MachineRequest): MachineView;
   /** The setup of a file, with its defaults; or why it is none. */
   setup(text: string): Setup | { why: string };
 }
@@ -54,5 +55,11 @@ function setupOf(text: string): Setup | { why: string } {
 export async function loadProgramCore(): Promise<ProgramCore> {
   const module = await compile(address);
   await init({ module_or_path: module });
-  return { module, setup: setupOf, read: (request) => JSON.parse(answer({ ask: "read", ...request })) as ReadView, change: changes, alarms: () => JSON.parse(call("alarms", () => wasm.alarms())) as AlarmInfo[], convert: (request) => JSON.parse(answer({ ask: "convert", ...request })) as Converted };
+  return {
+    module, setup: setupOf, change: changes,
+    read: (request) => JSON.parse(answer({ ask: "read", ...request })) as ReadView,
+    convert: (request) => JSON.parse(answer({ ask: "convert", ...request })) as Converted,
+    machine: (request) => JSON.parse(call("machine", () => wasm.machine(JSON.stringify(request)))) as MachineView,
+    alarms: () => JSON.parse(call("alarms", () => wasm.alarms())) as AlarmInfo[],
+  };
 }

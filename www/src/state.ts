@@ -140,16 +140,29 @@ const isPending = (value: unknown): value is Pending =>
   plainObject(value) && ["control", "name", "value"].every((name) => typeof value[name] === "string") && Number.isInteger(value.at);
 
 export const STYLES: Style[] = ["direct", "indirect", "operate"];
+
+/** How the core's own machine begins now. */
+export function ownMachine({ control, own }: State): OwnMachine["own"] {
+  const [plane = "G17"] = PLANES;
+  const [units = "G71"] = UNITS[control];
+  return own[control]?.own ?? { plane, units };
+}
+
 /** What may be chosen for the core's own machine; the first counts where nothing was. */
 export const PLANES: Plane[] = ["G17", "G18", "G19"];
 export const UNITS: Record<Dialect, UnitFunction[]> = { sinumerik: ["G71", "G70", "G710", "G700"], nct: ["G21", "G20"] };
+
+function data(value: unknown): Setup["data"] {
+  const known = (pair: [string, unknown]): pair is [string, number | string] => Number.isFinite(pair[1]) || typeof pair[1] === "string";
+  return plainObject(value) ? Object.fromEntries(Object.entries(value).filter(known)) : {};
+}
 
 function ownMachines(value: unknown): State["own"] {
   const given = plainObject(value) ? value : {};
   const pairs = Object.entries(UNITS).flatMap(([control, known]) => {
     const one = plainObject(given[control]) ? given[control].own : null;
     const fits = plainObject(one) && PLANES.includes(one.plane as Plane) && known.includes(one.units as UnitFunction);
-    return fits ? [[control, { own: { plane: one.plane, units: one.units } }]] : [];
+    return fits ? [[control, { own: { plane: one.plane, units: one.units, data: data(one.data) } }]] : [];
   });
   return Object.fromEntries(pairs) as State["own"];
 }

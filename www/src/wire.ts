@@ -50,7 +50,7 @@ export type Plane = "G17" | "G18" | "G19";
 export type UnitFunction = "G70" | "G71" | "G700" | "G710" | "G20" | "G21";
 
 /** The core's own machine with this basic system (absent: mm), beginning in this plane and with these units. */
-export interface OwnMachine { own: { basic?: "mm" | "inch"; plane: Plane; units: UnitFunction } }
+export interface OwnMachine { own: { basic?: "mm" | "inch"; plane: Plane; units: UnitFunction; data?: Setup["data"] } }
 
 // form(FormRequest) -> FormView. Called at every keystroke.
 export interface FormRequest {
@@ -148,6 +148,29 @@ export interface Setup {
   probe: { radius: number; length: number; skew?: [number, number]; preTravel?: [number, number]; delay?: number; repeatability?: [number, number]; falseSignal?: number };
   workpiece: Solid[];
   position?: Vec3;                     // at the start, machine coordinates
+}
+
+// machine(MachineRequest) -> MachineView: what is set once per machine
+export interface MachineRequest { control: Dialect; setup?: Setup | OwnMachine; values: Record<string, string> } // typed; empty: as delivered
+export interface MachineView {
+  groups: MachineGroup[];
+  data: Setup["data"];                 // what differs from delivery now, for the setup
+  problems: { name: string; message: Message; hint: Message }[]; // of values that were not taken
+  assignments: string;                 // the same as blocks of a part program
+  definitions: string;                 // and as lines of the definition file
+}
+export interface MachineGroup { label: Message; fields: MachineField[] }
+export interface MachineField {
+  name: string;                        // "_WP[0,1]", "MD18600"
+  key: string;                         // its name; .help and .v0, .v1, … of a choice may be there
+  set?: Message;                       // which field of data it belongs to
+  kind: "real" | "integer" | "choice" | "text";
+  value: string;                       // "": as delivered
+  fallback: string;                    // as delivered; "": not known
+  unit: string;
+  range: NonNullable<Field["range"]>;
+  choices?: number[];
+  source: string;
 }
 
 // read(ReadRequest) -> ReadView

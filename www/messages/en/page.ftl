@@ -18,6 +18,13 @@ unit-inch = inch
 unit-deg = °
 unit-mm-per-min = mm/min
 unit-inch-per-min = inch/min
+unit-m-per-min = m/min
+unit-ft-per-min = feet/min
+unit-rpm = 1/min
+unit-percent = %
+unit-kb = KB
+unit-s = s
+unit-hex = hex
 
 facts = Machine
 machine = Machine at the start
@@ -35,6 +42,21 @@ fact-ball = ball Ø { $diameter } mm
 fact-calibration = Calibration
 fact-true = matches the probe
 fact-deviates = probe deviates
+
+machine-data-open = Machine
+machine-data-title = Machine data
+machine-data-search = Search machine data
+machine-data-search-hint = Name or words, for example _WP or feed
+machine-data-changed = Only what differs from delivery
+machine-data-count = { $changed } of { $all } differ
+machine-data-group-changed = { $changed } differ
+machine-data-none = Nothing found. Try fewer words, or show all data.
+machine-data-nothing = This control keeps nothing that is set once.
+machine-data-delivered = { $value } (delivered)
+machine-data-assignments = Copy as program
+machine-data-definitions = Copy as definitions
+machine-data-reset = All as delivered
+machine-data-close = Done
 
 setup-import = Open setup
 setup-export = Save setup

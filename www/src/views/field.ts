@@ -16,8 +16,7 @@ export function fieldId(name: string): string {
 }
 
 /** What may be entered, in the manual's way of writing an interval. */
-export function rangeText(field: Field): string {
-  const range = field.range;
+export function rangeText(range: Field["range"]): string {
   if (!range || (range.min === undefined && range.max === undefined)) return "";
   const { min, max } = range;
   if (min !== undefined && max !== undefined) return `${plain(min)} ${range.minIncluded ? "≤" : "<"} … ${range.maxIncluded ? "≤" : "<"} ${plain(max)}`;
@@ -33,7 +32,7 @@ function fallbackText(field: Field): string {
 
 /** What may be entered and what counts when nothing is; a choice shows both by itself. */
 function limitsText(field: Field): string {
-  const range = field.kind === "real" || field.kind === "integer" ? rangeText(field) : "";
+  const range = field.kind === "real" || field.kind === "integer" ? rangeText(field.range) : "";
   return [range, field.kind === "choice" || field.kind === "digits" ? "" : fallbackText(field)].filter(Boolean).join(" · ");
 }
 

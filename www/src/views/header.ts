@@ -7,12 +7,14 @@ import { saveFile } from "../files";
 import { pack } from "../link";
 import { plain } from "../numbers";
 import { shared, type State } from "../state";
+import type { ProgramCore } from "../program";
 import type { Store } from "../store";
 import { t } from "../texts";
 import type { Setup } from "../wire";
 import { createAbout } from "./about";
 import { copyText } from "./form";
 import { createMachine } from "./machine";
+import { createMachineData } from "./machine-data";
 
 const THEMES: State["theme"][] = ["system", "light", "dark"];
 
@@ -44,9 +46,10 @@ async function copyLink(store: Store): Promise<void> {
   await copyText(address, store, "notice-link");
 }
 
-export function createHeader(root: HTMLElement, store: Store, actions: Actions, openSetup: (file: File) => void): (state: State, derived: Derived) => void {
+export function createHeader(root: HTMLElement, store: Store, actions: Actions, openSetup: (file: File) => void, core: () => ProgramCore | null): (state: State, derived: Derived) => void {
   const about = createAbout();
   const machine = createMachine(actions);
+  const machineData = createMachineData(store, actions, core);
   const list = el("dl", { class: "facts", "aria-label": t("facts") });
   const quiet = (key: string, run: () => void): HTMLButtonElement => {
     const node = el("button", { type: "button", class: "quiet" }, t(key));
@@ -69,7 +72,7 @@ export function createHeader(root: HTMLElement, store: Store, actions: Actions, 
   };
   root.append(
     el("div", { class: "brand" }, el("span", { class: "brand-mark", "aria-hidden": "true" }), el("h1", {}, t("app-name"))), machine.root, list,
-    el("div", { class: "head-actions" },
+    el("div", { class: "head-actions" }, machineData.open,
       quiet("setup-import", () => file.click()), file,
       quiet("setup-export", save), own,
       quiet("link-copy", () => void copyLink(store)), theme,
@@ -77,6 +80,7 @@ export function createHeader(root: HTMLElement, store: Store, actions: Actions, 
   document.body.append(about);
   return (state, derived) => {
     machine.draw(state, derived);
+    machineData.draw(state);
     setup = derived.view.setup ?? (setup?.control === derived.cycle.control ? setup : undefined);
     keyed(list, facts(derived.cycle.control, setup), (one) => one.name, () => el("div", {}, el("dt", {}), el("dd", {})), (node, one) => {
       const [name, text] = node.children as unknown as [HTMLElement, HTMLElement];

@@ -3,7 +3,7 @@
 import type { Actions } from "../actions";
 import type { Derived } from "../derive";
 import { el, keyed, on, setAttribute, setText } from "../dom";
-import { PLANES, UNITS, type State } from "../state";
+import { ownMachine, PLANES, UNITS, type State } from "../state";
 import { t } from "../texts";
 import type { Dialect, OwnMachine, UnitFunction } from "../wire";
 
@@ -11,11 +11,10 @@ const INCH: UnitFunction[] = ["G70", "G700", "G20"];
 
 /** What counts at the start now. */
 function beginning(state: State): OwnMachine["own"] {
-  const { control, setup, own } = state;
-  const [plane = "G17"] = PLANES;
-  const [units = "G71"] = UNITS[control];
-  if (setup?.control === control) return { plane: setup.plane, units: setup.active?.units ?? units };
-  return own[control]?.own ?? { plane, units };
+  const { control, setup } = state;
+  const own = ownMachine(state);
+  if (setup?.control === control) return { plane: setup.plane, units: setup.active?.units ?? UNITS[control][0] ?? own.units };
+  return own;
 }
 
 function unitText(control: Dialect, units: UnitFunction): string {
