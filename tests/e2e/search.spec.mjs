@@ -63,6 +63,7 @@ describe("search", () => {
     const measurements = page.locator('.hit[data-kind="measurement"]');
     assert.match(await measurements.first().textContent(), /hole|bore/i);
     await search(page, "gear web too wide");
+    assert.equal(await best(page).getAttribute("data-kind"), "measurement");
     assert.match(await measurements.first().textContent(), /web/i);
     assert.ok(await page.locator("mark").count() > 0, "what was found is marked");
     await measurements.first().click();

@@ -6,8 +6,8 @@ import type { AlarmInfo, Catalogue } from "../wire";
 import { entries, KINDS, type Entry, type Kind } from "./entries";
 import { plainWord, words } from "./words";
 
-/** words: those of the entry that were found, to mark them. */
-export interface Hit { entry: Entry; score: number; words: string[] }
+/** words: those of the entry that were found, to mark them. complete: everything that was typed was found in it. */
+export interface Hit { entry: Entry; score: number; words: string[]; complete: boolean }
 export interface Group { kind: Kind; hits: Hit[] }
 export type Search = (text: string) => Group[];
 
@@ -25,17 +25,19 @@ export function createSearch(catalogue: Catalogue, alarms: readonly AlarmInfo[])
     weights: { prefix: 0.5, fuzzy: 0.2 },
   };
   return (text) => {
+    const asked = new Set(words(text).map(plainWord)).size;
     const hits = index.search(text, options).flatMap((found): Hit[] => {
       const entry = all[found.id as number];
-      return entry ? [{ entry, score: found.score * found.queryTerms.length, words: found.terms }] : [];
+      return entry ? [{ entry, score: found.score * found.queryTerms.length, words: found.terms, complete: found.queryTerms.length >= asked }] : [];
     });
     return grouped(hits.sort((a, b) => b.score - a.score));
   };
 }
 
-/** The kind with the best hit first. */
+/** The kind with the best hit first, if everything that was typed is in that; else in the order of the kinds, since a
+    chance word says little. */
 function grouped(hits: Hit[]): Group[] {
-  const best = (group: Group): number => group.hits[0]?.score ?? 0;
+  const best = ({ hits: [first] }: Group): number => first?.complete ? first.score : 0;
   return KINDS.map((kind): Group => ({ kind, hits: hits.filter((hit) => hit.entry.kind === kind) }))
     .filter((group) => group.hits.length > 0).sort((a, b) => best(b) - best(a));
 }
