@@ -29,5 +29,10 @@ export default defineConfig({
     target: "es2022",
     assetsInlineLimit: 0,      // a strict content policy allows no data: addresses
     modulePreload: { polyfill: false },
+    // A language in one piece; English comes with the page.
+    rollupOptions: { output: { manualChunks: (id) => {
+      const language = /\/messages\/([^/]+)\/[^/]+\.ftl/.exec(id)?.[1];
+      return language && language !== "en" ? `words-${language}` : undefined;
+    } } },
   },
 });

@@ -38,6 +38,58 @@ pub const ENGLISH: &[(&str, &str)] = &[
     ("write.ftl", include_str!("../messages/en/write.ftl")),
 ];
 
+/// A language: its code, which is also its folder, and its message files. English has every message; the others are
+/// held against it by a test.
+pub struct Language {
+    /// As in `LANG`, without a country.
+    pub code: &'static str,
+    /// Name and text of each file.
+    pub files: &'static [(&'static str, &'static str)],
+}
+
+/// A language with the same files as English.
+macro_rules! language {
+    ($code:literal: $($name:literal)*) => {
+        Language {
+            code: $code,
+            files: &[$(($name, include_str!(concat!("../messages/", $code, "/", $name)))),*],
+        }
+    };
+}
+
+/// The languages; a test holds each against its folder.
+pub const LANGUAGES: &[Language] = &[
+    Language {
+        code: "en",
+        files: ENGLISH,
+    },
+    language!("zh":
+        "advice.ftl"
+        "changes.ftl"
+        "check.ftl"
+        "cycle116.ftl"
+        "cycle961.ftl"
+        "cycle971.ftl"
+        "cycle972.ftl"
+        "cycle973.ftl"
+        "cycle974.ftl"
+        "cycle976.ftl"
+        "cycle977.ftl"
+        "cycle978.ftl"
+        "cycle979.ftl"
+        "cycle994.ftl"
+        "cycle998.ftl"
+        "evaluate.ftl"
+        "lathe.ftl"
+        "nct.ftl"
+        "params.ftl"
+        "run.ftl"
+        "syntax.ftl"
+        "tool-probe.ftl"
+        "write.ftl"
+    ),
+];
+
 /// Words of one language.
 pub struct Words {
     bundle: FluentBundle<FluentResource>,
@@ -47,6 +99,14 @@ impl Words {
     /// English.
     pub fn english() -> Words {
         Words::new(unic_langid::langid!("en"), ENGLISH)
+    }
+
+    /// A language by its code, as in `zh` or `zh_CN.UTF-8`.
+    pub fn of(code: &str) -> Option<Words> {
+        let code = code.split(['_', '-', '.', '@']).next()?;
+        let language = LANGUAGES.iter().find(|language| language.code == code)?;
+        let tag = language.code.parse().ok()?;
+        Some(Words::new(tag, language.files))
     }
 
     /// A language from its files. A line that Fluent does not understand is left out; a test finds it.
@@ -170,6 +230,17 @@ mod tests {
         assert_eq!(rounded(1e-7), 1e-7);
         assert_eq!(rounded(1e308), 1e308);
         assert_eq!(rounded(0.0), 0.0);
+    }
+
+    // oracle: hand
+    #[test]
+    fn a_language_is_found_by_its_code() {
+        for code in ["zh", "zh_CN.UTF-8", "zh-CN"] {
+            assert!(Words::of(code).is_some(), "{code}");
+        }
+        for code in ["", "C", "xx_YY.UTF-8"] {
+            assert!(Words::of(code).is_none(), "{code}");
+        }
     }
 
     // oracle: hand

@@ -6,6 +6,7 @@ use std::process::{Command, Output};
 
 fn probewright(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_probewright"))
+        .env("LC_ALL", "C")
         .args(arguments)
         .output()
         .expect("the program starts")
@@ -252,6 +253,7 @@ fn binary_and_huge_lines_give_short_clean_messages() {
 #[test]
 fn a_closed_pipe_ends_the_output_quietly() {
     let mut child = Command::new(env!("CARGO_BIN_EXE_probewright"))
+        .env("LC_ALL", "C")
         .args(["cycles", "--json"])
         .stdout(std::process::Stdio::piped())
         .stderr(std::process::Stdio::piped())
@@ -276,4 +278,21 @@ fn a_run_with_an_unknown_word_fails() {
         "{}",
         out(&output)
     );
+}
+
+// oracle: hand
+#[test]
+fn the_language_is_asked_for_or_taken_from_the_environment() {
+    let chinese = |text: &str| text.chars().any(|c| ('\u{4e00}'..='\u{9fff}').contains(&c));
+    assert!(chinese(&out(&probewright(&["--lang", "zh", "cycles"]))));
+    assert!(!chinese(&out(&probewright(&["cycles"]))));
+    let environment = Command::new(env!("CARGO_BIN_EXE_probewright"))
+        .env("LC_ALL", "zh_CN.UTF-8")
+        .arg("cycles")
+        .output()
+        .unwrap();
+    assert!(chinese(&out(&environment)));
+    let unknown = probewright(&["cycles", "--lang", "xx"]);
+    assert_eq!(unknown.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&unknown.stderr).contains("en, zh"));
 }

@@ -32,6 +32,7 @@ fn wrong_programs_give_helpful_messages() {
     for path in programs {
         let name = path.file_name().unwrap();
         let output = Command::new(env!("CARGO_BIN_EXE_probewright"))
+            .env("LC_ALL", "C")
             .current_dir(folder())
             .arg("check")
             .arg(name)

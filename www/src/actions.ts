@@ -5,6 +5,7 @@ import { isRead, mended, opened, SOUGHT, withEdits } from "./desk";
 import { lineBreak, type Splice } from "./eol";
 import type { ProgramFile } from "./files";
 import { parseNumber } from "./numbers";
+import { speak } from "./language";
 import { AT_END, NO_ERRORS, ownMachine, programOf, setsOf, work, type Card, type Panel, type State } from "./state";
 import type { Store } from "./store";
 import type { Catalogue, CycleInfo, Dialect, Edit, ErrorSliders, OwnMachine, Setup, Style } from "./wire";
@@ -43,6 +44,8 @@ export interface Actions {
   renameSet(name: string, next: string): boolean;
   deleteSet(name: string): void;
   undo(): void;
+  /** The page in another language, as soon as its words are there. */
+  speak(language: string): void;
 }
 
 const LEFT: Panel[] = ["tasks", "form"];
@@ -173,6 +176,9 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
     undo() {
       const before = now().undo;
       if (before) replace("notice-undone", { ...before, sought: null, follow: null, step: AT_END });
+    },
+    speak(language) {
+      speak(language).then(() => store.update({ language }), () => store.update({ notice: "notice-no-language" }));
     },
     begin(own) {
       const { control, setup } = now();

@@ -2,34 +2,24 @@
 
 import { createActions, type Actions } from "./actions";
 import { createAside, type Answered, type Aside } from "./aside";
+import { createBench, type Bench } from "./bench";
 import type { Core } from "./core";
 import { createDerive, findCycle, type Derived } from "./derive";
 import { createDesk, isCurrent } from "./desk";
-import { el, setText, show } from "./dom";
-import { load, save } from "./keep";
-import { createLayout } from "./layout";
+import { createEditorPlace } from "./editor/place";
+import { save } from "./keep";
 import { unpack } from "./link";
 import { Broken } from "./module";
-import { createGoToField } from "./goto";
+import { createGoToField, type Shows } from "./goto";
 import { openProgramFile, openSetupFile } from "./open";
+import { keepPlaces } from "./places";
 import type { ProgramCore } from "./program";
-import { firstState, machine, merge, NO_ERRORS, programOf, type State, type Stopped } from "./state";
+import { firstState, machine, merge, NO_ERRORS, type State } from "./state";
 import { createStore, type Store } from "./store";
-import { t } from "./texts";
-import { createActivity } from "./views/activity";
+import { language } from "./texts";
 import { showBroken } from "./views/broken";
 import { acceptDrops } from "./views/drop";
-import { createCard } from "./views/card";
-import { createForm } from "./views/form";
-import { createFound } from "./views/found";
-import { createHeader } from "./views/header";
-import { createProgram } from "./views/program";
-import { createRefusal } from "./views/refusal";
-import { createResults } from "./views/results";
-import { createScene } from "./views/scene";
-import { createSets } from "./views/sets";
-import { createSliders } from "./views/sliders";
-import { createTasks } from "./views/tasks";
+import { createStage } from "./views/stage";
 import type { Catalogue, CycleInfo, RunView } from "./wire";
 
 const FIRST_OVERSIZE = 0.03; // mm: the part of the first visit is this much too big
@@ -52,8 +42,7 @@ function firstVisit(core: Core, catalogue: Catalogue): State {
   return { ...state, control: cycle.control, cycle: cycle.cycle, values: cycle.example, errors, programs: { [cycle.control]: snippet }, sought: { from: 0, to: snippet.length } };
 }
 
-async function startState(core: Core, catalogue: Catalogue): Promise<State> {
-  const stored = await load();
+async function startState(core: Core, catalogue: Catalogue, stored: Partial<State> | null): Promise<State> {
   let state = stored ? merge(firstState(), stored) : firstVisit(core, catalogue);
   const packed = /^#s=(.+)$/.exec(location.hash)?.[1];
   if (packed) {
@@ -94,11 +83,12 @@ function guard<A extends unknown[], R>(store: () => Store, run: (...args: A) => 
   };
 }
 
-export async function startApp(core: Core): Promise<void> {
+/** `stored`: what was kept the last time. */
+export async function startApp(core: Core, stored: Partial<State> | null): Promise<void> {
   const catalogue = core.catalogue();
   const derive = createDerive(core, catalogue);
   let draw = (): void => undefined;
-  const store = createStore(await startState(core, catalogue), guard(() => store, () => draw()));
+  const store = createStore(await startState(core, catalogue, stored), guard(() => store, () => draw()));
   let programCore: ProgramCore | null = null;
   let came = (_: ProgramCore): void => undefined;
   const coming = new Promise<ProgramCore>((resolve) => { came = resolve; });
@@ -108,31 +98,27 @@ export async function startApp(core: Core): Promise<void> {
   const plain = createActions(store, catalogue);
   const actions = Object.fromEntries(Object.entries(plain).map(([name, run]) => [name, guard(() => store, run as (...args: unknown[]) => void)])) as unknown as Actions;
 
-  const layout = createLayout(actions);
-  const { panels } = layout;
-  const results = el("div", { class: "results-main" });
-  const sliders = el("aside", { class: "sliders", "aria-label": t("sliders-title") });
-  panels.results.append(results, sliders);
-  const openProgram = (file: File): void => void openProgramFile(file, store, actions);
-  const openSetup = (file: File): void => void openSetupFile(file, coming, store, actions);
-  acceptDrops(openProgram, openSetup);
-  const program = createProgram(panels.program, store, actions, openProgram);
-  const activities = [reading(store, reader), running(store, runner)] as const;
-  const refusals = [createRefusal(store, "program"), createRefusal(store, "setup")] as const;
-  const sets = createSets(actions);
-  const card = createCard(actions);
-  document.body.append(sets.dialog, card.dialog);
-  const shows = (cycle: CycleInfo, values: Record<string, string>, name: string): boolean =>
+  const shows: Shows = (cycle, values, name) =>
     core.form({ control: cycle.control, cycle: cycle.cycle, values, ...machine({ ...store.state, control: cycle.control }) }).fields.some((field) => field.name === name);
-  const goToField = createGoToField(catalogue, guard(() => store, shows), store, actions);
-  const found = (back: () => void) => createFound(catalogue, coming.then((part) => part.alarms()), store, actions, goToField, back);
-  program.head.after(refusals[0].root, activities[0].root);
-  layout.header.after(refusals[1].root);
-  panels.view.append(activities[1].root);
-  const views = [
-    createHeader(layout.header, store, actions, openSetup, () => programCore), createTasks(panels.tasks, store, actions, found), createForm(panels.form, store, actions, () => sets.dialog.showModal()),
-    program.draw, createScene(panels.view, store, program.goToLine), createResults(results, store, actions, program.goTo), createSliders(sliders, actions), sets.draw, card.draw,
-  ];
+  const open = {
+    program: (file: File): void => void openProgramFile(file, store, actions),
+    setup: (file: File): void => void openSetupFile(file, coming, store, actions),
+  };
+  acceptDrops(open.program, open.setup);
+  const editor = createEditorPlace(() => store.update({}));
+  const stage = createStage(store);
+  const makeBench = (): Bench => createBench({
+    catalogue, store, actions, open, editor, stage, reader, runner, core: () => programCore, alarms: coming.then((part) => part.alarms()),
+    goToField: createGoToField(catalogue, guard(() => store, shows), store, actions),
+  });
+  let bench = makeBench();
+  /** The page in the words that count now; everything stays where it was, once the new one is drawn. */
+  const remade = (): (() => void) => {
+    const [places, place] = [keepPlaces(), editor.editor?.keepPlace()];
+    bench.end();
+    bench = makeBench();
+    return () => { places(); place?.(); };
+  };
   let noticed = "";
   let hiding = 0;
   let saving = 0;
@@ -148,11 +134,9 @@ export async function startApp(core: Core): Promise<void> {
     saving = window.setTimeout(() => void keep(), SAVE_AFTER); // sooner when the page goes or the core breaks
     const derived = derive(state);
     run(runner, state, derived);
-    layout.draw(state);
-    for (const view of views) view(state, derived);
-    for (const part of [...activities, ...refusals]) part.draw(state);
-    setText(layout.notice, state.notice ? t(state.notice) : "");
-    show(layout.undo, !!state.notice && !!state.undo);
+    const back = bench.language === language() ? null : remade();
+    bench.draw(state, derived);
+    back?.();
     if (state.notice === noticed) return;
     noticed = state.notice;
     clearTimeout(hiding);
@@ -165,26 +149,6 @@ export async function startApp(core: Core): Promise<void> {
   programCore = await loadProgramCore();
   came(programCore);
   store.update({});
-}
-
-const stopped = (state: State): Stopped => ({ control: state.control, text: programOf(state), why: "" });
-
-function reading(store: Store, reader: Aside) {
-  return createActivity("reading", {
-    busy: reader.busy,
-    stopped: (state) => isCurrent(state.stoppedReading, state) ? state.stoppedReading : null,
-    stop: () => { reader.stop(); store.update((state) => ({ stoppedReading: stopped(state) })); },
-    again: () => store.update({ stoppedReading: null }),
-  });
-}
-
-function running(store: Store, runner: Aside) {
-  return createActivity("running", {
-    busy: runner.busy,
-    stopped: (state) => state.source === "program" && isCurrent(state.stoppedRun, state) ? state.stoppedRun : null,
-    stop: () => { runner.stop(); store.update((state) => ({ stoppedRun: stopped(state) })); },
-    again: () => store.update({ stoppedRun: null }),
-  });
 }
 
 /** Lets the program run on the opened machine, else on that of the form, while its motions are shown. */

@@ -5,7 +5,7 @@ import type { Core } from "./core";
 import { isRead } from "./desk";
 import { severities } from "./outline";
 import { machine, programOf, type State } from "./state";
-import { say } from "./texts";
+import { language, say } from "./texts";
 import type { CallView, Catalogue, CycleInfo, Diagnostic, FormView, OwnMachine, Plane, ReadView, RunView, Setup, Severity, Style, Trace, UnitFunction } from "./wire";
 
 export interface Derived {
@@ -48,7 +48,7 @@ function gather(read: ReadView): Diagnostic[] {
 
 const NOTHING_READ: ReadView = { calls: [], diagnostics: [] };
 
-/** The names of the fields in the reader's language, for the comments of the snippet. */
+/** The names of the fields in the reader's language, for the comments of the snippet: asked again when that changes. */
 function labels(view: FormView): Record<string, string> {
   return Object.fromEntries(view.fields.map((field) => [field.name, say(field.label)]));
 }
@@ -56,10 +56,10 @@ function labels(view: FormView): Record<string, string> {
 export function createDerive(core: Core, catalogue: Catalogue): (state: State) => Derived {
   const first = catalogue.cycles[0];
   if (!first) throw new Error("the catalogue is empty");
-  const form = memo((cycle: CycleInfo, values: State["values"], errors: State["errors"], comments: boolean, style: Style, setup: Setup | OwnMachine | undefined, plane?: Plane, units?: UnitFunction): FormView => {
+  const form = memo((cycle: CycleInfo, values: State["values"], errors: State["errors"], comments: string | null, style: Style, setup: Setup | OwnMachine | undefined, plane?: Plane, units?: UnitFunction): FormView => {
     const request = { control: cycle.control, cycle: cycle.cycle, values, errors, style, ...(setup ? { setup } : {}), ...(plane && units ? { plane, units } : {}) };
     const view = core.form({ ...request, predict: true });
-    return comments ? { ...view, snippet: core.form({ ...request, comments: labels(view) }).snippet } : view;
+    return comments !== null ? { ...view, snippet: core.form({ ...request, comments: labels(view) }).snippet } : view;
   });
   const problems = memo(gather);
   const states = memo(severities);
@@ -69,7 +69,7 @@ export function createDerive(core: Core, catalogue: Catalogue): (state: State) =
     const reading = state.reading?.control === cycle.control ? state.reading.view : NOTHING_READ;
     const opened = reading.calls.find((call) => call.from === state.open) ?? null;
     const style = cycle.styles.includes(state.style) ? state.style : "direct";
-    const view = form(cycle, state.values, state.errors, state.comments, style, machine(state).setup, opened?.plane, opened?.units);
+    const view = form(cycle, state.values, state.errors, state.comments ? language() : null, style, machine(state).setup, opened?.plane, opened?.units);
     const all = problems(reading);
     const ran = state.source === "program" && state.ran?.control === cycle.control ? state.ran.view : null;
     const trace = (state.source === "program" ? ran?.trace : view.outcome?.trace) ?? null;

@@ -9,7 +9,8 @@ const PANELS: Panel[] = ["tasks", "form", "program", "view", "results"];
 
 export interface Layout { header: HTMLElement; panels: Record<Panel, HTMLElement>; notice: HTMLElement; undo: HTMLElement; draw(state: State): void }
 
-export function createLayout(actions: Actions): Layout {
+/** Listens to the keys of the whole page until `end`. */
+export function createLayout(actions: Actions, end: AbortSignal): Layout {
   const header = el("header", { class: "top" });
   const panels = Object.fromEntries(PANELS.map((name) =>
     [name, el("section", { id: `panel-${name}`, class: `panel panel-${name}`, "data-panel": name, tabindex: "-1", "aria-label": t(`panel-${name}`) })])) as Record<Panel, HTMLElement>;
@@ -42,7 +43,7 @@ export function createLayout(actions: Actions): Layout {
     const here = PANELS.findIndex((name) => panels[name].contains(document.activeElement));
     const next = (here + (event.shiftKey ? -1 : 1) + PANELS.length) % PANELS.length;
     enter(PANELS[next] ?? "form");
-  });
+  }, { signal: end });
 
   document.addEventListener("keydown", (event) => {
     const editing = event.composedPath()[0];
@@ -50,7 +51,7 @@ export function createLayout(actions: Actions): Layout {
     if (editing instanceof Element && editing.matches('input:not([type="checkbox"], [type="range"]), [contenteditable="true"]')) return;
     event.preventDefault();
     actions.undo();
-  });
+  }, { signal: end });
 
   return {
     header, panels, notice, undo,

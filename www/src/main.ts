@@ -1,13 +1,16 @@
 import "./styles/main.css";
 import { startApp } from "./app";
 import { loadCore } from "./core";
-import { choose } from "./texts";
+import { load } from "./keep";
+import { speak } from "./language";
+import { firstState, merge } from "./state";
 import { showBroken } from "./views/broken";
 
 addEventListener("probewright-panic", (event) => showBroken(String((event as CustomEvent).detail)));
-document.documentElement.lang = choose(navigator.languages);
 try {
-  await startApp(await loadCore());
+  const [stored, core] = [await load(), loadCore()];
+  await speak(merge(firstState(), stored).language);
+  await startApp(await core, stored);
 } catch (problem) {
   console.error(problem);
   showBroken(problem instanceof Error ? problem.message : String(problem));

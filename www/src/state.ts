@@ -42,6 +42,7 @@ export interface State {
   right: Panel;
   tab: ResultTab;
   theme: "system" | "light" | "dark";
+  language: string;                                  // its code; empty: what the browser wants
   unfolded: Record<string, boolean>;                 // branches of the task tree that were opened or closed by hand
   outline: boolean;                                  // the list of calls stands beside the program
 
@@ -78,7 +79,7 @@ export function firstState(): State {
   return {
     control: "sinumerik", cycle: "", values: {}, remembered: {}, programs: {}, files: {}, sets: {}, open: null, pending: [],
     errors: NO_ERRORS, comments: true, style: "direct", setup: null, own: {}, checked: false, touched: {}, source: "form",
-    panel: "form", left: "form", right: "results", tab: "outcome", theme: "system", unfolded: {}, outline: true,
+    panel: "form", left: "form", right: "results", tab: "outcome", theme: "system", language: "", unfolded: {}, outline: true,
     search: "", card: null, converting: null, converted: null, mended: null, focus: null, step: AT_END, playing: false, cursor: 0, cursorLine: 1, notice: "",
     reading: null, ran: null, sought: null, follow: null, stoppedReading: null, stoppedRun: null, refused: null, undo: null,
   };

@@ -1,34 +1,46 @@
 // Words come from Fluent files: core/messages/<language>/ for what the core says, www/messages/<language>/ for the page.
-// Nothing here knows which languages there are; English is the one that has every message.
+// Nothing here knows which languages there are. English comes with the page and is what a missing word falls back to;
+// another language is fetched when it is chosen.
 
 import { FluentBundle, FluentNumber, FluentResource } from "@fluent/bundle";
 import type { Message } from "./wire";
 
 const FALLBACK = "en";
-const files: Record<string, string> = {
-  ...import.meta.glob<string>("../../core/messages/*/*.ftl", { query: "?raw", import: "default", eager: true }),
-  ...import.meta.glob<string>("../messages/*/*.ftl", { query: "?raw", import: "default", eager: true }),
-};
+const english = import.meta.glob<string>(["../../core/messages/en/*.ftl", "../messages/en/*.ftl"], { query: "?raw", import: "default", eager: true });
+const others = import.meta.glob<string>(
+  ["../../core/messages/*/*.ftl", "../messages/*/*.ftl", "!../../core/messages/en/*.ftl", "!../messages/en/*.ftl"], { query: "?raw", import: "default" });
 
-const bundles = new Map<string, FluentBundle>();
+const languageOf = (path: string): string => path.split("/").at(-2) ?? FALLBACK;
+const bundles = new Map<string, FluentBundle>([[FALLBACK, bundle(FALLBACK, Object.values(english))]]);
 const missing = new Set<string>();
 let order: string[] = [FALLBACK];
 
-for (const [path, source] of Object.entries(files)) {
-  const language = path.split("/").at(-2) ?? FALLBACK;
-  const bundle = bundles.get(language) ?? new FluentBundle(language, { useIsolating: false });
-  for (const problem of bundle.addResource(new FluentResource(source))) console.error(`messages: ${path}: ${problem.message}`);
-  bundles.set(language, bundle);
+function bundle(language: string, sources: string[]): FluentBundle {
+  const made = new FluentBundle(language, { useIsolating: false });
+  for (const source of sources)
+    for (const problem of made.addResource(new FluentResource(source))) console.error(`messages: ${language}: ${problem.message}`);
+  return made;
 }
 
+/** Codes of the languages that there are. */
 export function languages(): string[] {
-  return [...bundles.keys()].sort();
+  return [...new Set([FALLBACK, ...Object.keys(others).map(languageOf)])].sort();
 }
 
-/** Takes the first of the wanted languages that is there, English behind it; gives the one taken. */
-export function choose(wanted: readonly string[]): string {
-  const found = wanted.map((one) => bundles.has(one) ? one : one.split("-")[0] ?? one).find((one) => bundles.has(one)) ?? FALLBACK;
-  order = found === FALLBACK ? [FALLBACK] : [found, FALLBACK];
+/** The one whose words are shown. */
+export function language(): string {
+  return order[0] ?? FALLBACK;
+}
+
+/** Fetches the first of the wanted languages that there is and speaks it, English behind it; gives the one taken. */
+export async function choose(wanted: readonly string[]): Promise<string> {
+  const there = languages();
+  const found = wanted.map((one) => there.includes(one) ? one : one.split("-")[0] ?? one).find((one) => there.includes(one)) ?? FALLBACK;
+  if (!bundles.has(found)) {
+    const files = Object.entries(others).filter(([path]) => languageOf(path) === found);
+    bundles.set(found, bundle(found, await Promise.all(files.map(([, fetch]) => fetch()))));
+  }
+  order = [...new Set([found, FALLBACK])];
   return found;
 }
 
@@ -42,8 +54,8 @@ function pattern(bundle: FluentBundle, key: string) {
   return attribute ? message?.attributes[attribute] : message?.value;
 }
 
-function find(key: string, args: Record<string, number | string>): string | null {
-  for (const language of order) {
+function find(key: string, args: Record<string, number | string>, within: readonly string[] = order): string | null {
+  for (const language of within) {
     const bundle = bundles.get(language);
     const found = bundle && pattern(bundle, key);
     if (!bundle || !found) continue;
@@ -73,6 +85,11 @@ export function t(key: string, args: Record<string, number | string> = {}): stri
 /** The text of a key that may be left out. */
 export function optional(key: string): string {
   return find(key, {}) ?? "";
+}
+
+/** The English text of a key, for those who look something up by its English name. */
+export function inEnglish(key: string): string {
+  return find(key, {}, [FALLBACK]) ?? "";
 }
 
 /** What the core says. An argument that is itself a key is put into words first. */

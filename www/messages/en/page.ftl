@@ -102,6 +102,31 @@ severity-note = Note
 picture-plane = Drawing of the measurement, seen onto the working plane
 picture-section = Drawing of the measurement, section
 
+editor-find = Find
+editor-replace-with = Replace
+editor-next = next
+editor-previous = previous
+editor-all = all
+editor-match-case = match case
+editor-regexp = regexp
+editor-by-word = by word
+editor-replace = replace
+editor-replace-all = replace all
+editor-close = close
+editor-current-match = current match
+editor-on-line = on line
+editor-replaced = replaced match on line $
+editor-replaced-all = replaced $ matches
+editor-go-to-line = Go to line
+editor-go = go
+editor-problems = Problems
+editor-no-problems = No problems
+editor-deleted = Selection deleted
+editor-control-character = Control character
+
+language = Language
+notice-no-language = The words of this language could not be fetched.
+
 program-title = Program
 program-loading = The editor is loading.
 program-editor = Part program

@@ -2,8 +2,8 @@
 // so that the page's content policy needs no 'unsafe-inline' for styles.
 
 import { defaultKeymap, history, historyKeymap, isolateHistory } from "@codemirror/commands";
-import { lintGutter, lintKeymap, setDiagnostics, type Diagnostic as Mark } from "@codemirror/lint";
-import { highlightSelectionMatches, search, searchKeymap } from "@codemirror/search";
+import { closeLintPanel, lintGutter, lintKeymap, setDiagnostics, type Diagnostic as Mark } from "@codemirror/lint";
+import { closeSearchPanel, highlightSelectionMatches, search, searchKeymap } from "@codemirror/search";
 import { Compartment, EditorSelection, EditorState, RangeSetBuilder, StateEffect, StateField, Transaction, type Extension } from "@codemirror/state";
 import { Decoration, drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, highlightSpecialChars, keymap, lineNumbers, type DecorationSet } from "@codemirror/view";
 import type { Dialect } from "../wire";
@@ -14,8 +14,13 @@ import { theme } from "./theme";
 /** Lines from 1. */
 export interface LineMarks { calls: { from: number; to: number; open: boolean }[]; step: number | null }
 export interface EditorHost { typed(changes: { from: number; to: number; insert: string }[]): void; moved(offset: number, line: number): void }
+/** Its name, and what it says by itself: the editor's own English words with those to be shown. */
+export interface EditorWords { label: string; phrases: Record<string, string> }
 export interface Editor {
   view: EditorView;
+  setWords(words: EditorWords): void;
+  /** Remembers what is in sight, and brings it there again. */
+  keepPlace(): () => void;
   /** apart: a step of its own to undo, however soon it follows. */
   setText(text: string, apart: boolean): void;
   setDialect(dialect: Dialect): void;
@@ -61,9 +66,14 @@ export function difference(before: string, after: string): { from: number; to: n
   return { from: start, to: before.length - end, insert: after.slice(start, after.length - end) };
 }
 
-export function createEditor(box: HTMLElement, label: string, host: EditorHost): Editor {
+function speaking({ label, phrases }: EditorWords): Extension {
+  return [EditorState.phrases.of(phrases), EditorView.contentAttributes.of({ "aria-label": label })];
+}
+
+export function createEditor(box: HTMLElement, words: EditorWords, host: EditorHost): Editor {
   const root = box.attachShadow({ mode: "open" });
   const language = new Compartment();
+  const spoken = new Compartment();
   let ours = false; // a change made by the page, not by the user
   let dialect: Dialect = "sinumerik";
 
@@ -84,7 +94,7 @@ export function createEditor(box: HTMLElement, label: string, host: EditorHost):
         lineNumbers(), lintGutter(), history(), drawSelection(), highlightSpecialChars(), highlightActiveLine(), highlightActiveLineGutter(),
         search({ top: true }), highlightSelectionMatches(), marksField, language.of(LANGUAGES[dialect]), theme, listen,
         keymap.of([...searchKeymap, ...lintKeymap, ...historyKeymap, ...defaultKeymap]),
-        EditorView.contentAttributes.of({ "aria-label": label, tabindex: "0", autocapitalize: "characters", spellcheck: "false" }),
+        spoken.of(speaking(words)), EditorView.contentAttributes.of({ tabindex: "0", autocapitalize: "characters", spellcheck: "false" }),
       ],
     }),
   });
@@ -96,6 +106,15 @@ export function createEditor(box: HTMLElement, label: string, host: EditorHost):
 
   return {
     view,
+    setWords(next) {
+      closeSearchPanel(view); // a panel that stands keeps its words
+      closeLintPanel(view);
+      apply(() => view.dispatch({ effects: spoken.reconfigure(speaking(next)) }));
+    },
+    keepPlace() {
+      const place = view.scrollSnapshot();
+      return () => apply(() => view.dispatch({ effects: place }));
+    },
     setText(text, apart) {
       const change = difference(view.state.doc.toString(), text.replace(/\r\n?/g, "\n"));
       if (change) apply(() => view.dispatch({ changes: change, annotations: [Transaction.addToHistory.of(true), ...(apart ? [isolateHistory.of("full")] : [])] }));

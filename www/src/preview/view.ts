@@ -32,6 +32,8 @@ export interface Preview {
   setStep(index: number, fraction: number): void;
   setView(name: ViewName): void;
   fit(): void;
+  /** What a screen reader says. */
+  setLabel(label: string): void;
   /** A click on a motion or touch. */
   onPick(callback: (entry: number) => void): void;
   setColours(colours: Colours): void;
@@ -147,6 +149,7 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
     setStep(index, fraction) { step = { index, fraction }; redraw(); },
     setView,
     fit: fitAgain,
+    setLabel(label) { stage.setAttribute("aria-label", label); },
     onPick(callback) { picked = callback; },
     setColours(palette) { colours = palette; rebuild(); },
     setExaggeration(factor) { exaggeration = factor; rebuild(); },

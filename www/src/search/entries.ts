@@ -1,7 +1,7 @@
 // Everything that can be looked up, out of the catalogue and the messages: cycles, variants, parameters, results, alarms.
 
 import type { Variant } from "../actions";
-import { optional, t } from "../texts";
+import { inEnglish, optional, t } from "../texts";
 import type { AlarmInfo, Catalogue, CycleInfo, Dialect } from "../wire";
 
 export type Kind = "measurement" | "parameter" | "result" | "alarm";
@@ -25,11 +25,16 @@ type Found = Omit<Entry, "id">;
 function measurements(cycle: CycleInfo): Found[] {
   const title = t(`${cycle.key}-title`);
   const of = { kind: "measurement" as const, control: cycle.control, code: cycle.cycle, key: cycle.key, cycles: [cycle], others: [] };
-  const own: Found = { ...of, title, words: `${digits(cycle.cycle)} ${t(`control-${cycle.control}`)} ${optional(`${cycle.key}-words`)}` };
+  const own: Found = { ...of, title, words: `${digits(cycle.cycle)} ${t(`control-${cycle.control}`)} ${said(`${cycle.key}-words`)}` };
   return [own, ...cycle.variants.map((variant): Found => ({
     ...of, variant, code: `${cycle.cycle} ${variant.mvar}`, title: t(variant.key),
-    words: `${digits(cycle.cycle)} ${optional(`${variant.key}-words`)}`,
+    words: `${digits(cycle.cycle)} ${said(`${variant.key}-words`)}`,
   }))];
+}
+
+/** In the page's language and in English: many know the English word. */
+function said(key: string): string {
+  return [...new Set([optional(key), inEnglish(key)])].join(" ");
 }
 
 /** The number in a name, by which people look for it. */

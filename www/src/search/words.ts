@@ -1,6 +1,7 @@
 // Words of a text, as they are compared and as they are marked.
 
-const BETWEEN = /([\s,;:."“”()/…]+)/;
+/** Between words; Chinese is written without gaps, there each character counts as a word. */
+const BETWEEN = /([\s,;:."“”()/…，。；：、（）]+)|(?<=\p{Script=Han})|(?=\p{Script=Han})/u;
 
 export interface Piece { text: string; found: boolean }
 

@@ -5,11 +5,12 @@ import type { Derived } from "../derive";
 import { el, keyed, on, setAttribute, setText, show } from "../dom";
 import { saveFile } from "../files";
 import { pack } from "../link";
+import { nameOf } from "../language";
 import { plain } from "../numbers";
 import { shared, type State } from "../state";
 import type { ProgramCore } from "../program";
 import type { Store } from "../store";
-import { t } from "../texts";
+import { language, languages, t } from "../texts";
 import type { Setup } from "../wire";
 import { createAbout } from "./about";
 import { copyText } from "./form";
@@ -46,6 +47,14 @@ async function copyLink(store: Store): Promise<void> {
   await copyText(address, store, "notice-link");
 }
 
+/** Each language in its own words. */
+function languageChoice(actions: Actions): HTMLSelectElement {
+  const choice = el("select", { id: "language", "aria-label": t("language") }, ...languages().map((one) => el("option", { value: one, lang: one }, nameOf(one))));
+  choice.value = language();
+  on(choice, "change", () => actions.speak(choice.value));
+  return choice;
+}
+
 export function createHeader(root: HTMLElement, store: Store, actions: Actions, openSetup: (file: File) => void, core: () => ProgramCore | null): (state: State, derived: Derived) => void {
   const about = createAbout();
   const machine = createMachine(actions);
@@ -75,7 +84,7 @@ export function createHeader(root: HTMLElement, store: Store, actions: Actions, 
     el("div", { class: "head-actions" }, machineData.open,
       quiet("setup-import", () => file.click()), file,
       quiet("setup-export", save), own,
-      quiet("link-copy", () => void copyLink(store)), theme,
+      quiet("link-copy", () => void copyLink(store)), theme, languageChoice(actions),
       quiet("about-open", () => about.showModal())));
   document.body.append(about);
   return (state, derived) => {

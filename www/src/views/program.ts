@@ -3,7 +3,8 @@
 import type { Actions } from "../actions";
 import type { Derived } from "../derive";
 import { el, on, setAttribute, setText, show } from "../dom";
-import type { Editor, LineMarks } from "../editor/editor";
+import type { Editor, EditorHost, LineMarks } from "../editor/editor";
+import type { EditorPlace } from "../editor/place";
 import { encode, saveFile } from "../files";
 import { lineBreak, toEditor, toProgram } from "../eol";
 import { programOf, type State } from "../state";
@@ -14,14 +15,13 @@ import { createOutline } from "./outline";
 
 export interface ProgramView { head: HTMLElement; draw(state: State, derived: Derived): void; goTo(offset: number): void; goToLine(line: number): void }
 
-export function createProgram(root: HTMLElement, store: Store, actions: Actions, openFile: (file: File) => void): ProgramView {
+export function createProgram(root: HTMLElement, store: Store, actions: Actions, openFile: (file: File) => void, place: EditorPlace): ProgramView {
   const name = el("span", { class: "count" });
   const copy = el("button", { type: "button", class: "quiet" }, t("program-copy"));
   const open = el("button", { type: "button", class: "quiet" }, t("program-open"));
   const file = el("input", { type: "file", accept: ".mpf,.spf,.nc,.txt,.arc,.prg,text/plain", hidden: true, tabindex: "-1", "aria-label": t("program-open") });
   const download = el("button", { type: "button", class: "quiet" }, t("program-save"));
   const calls = el("button", { type: "button", class: "quiet", "aria-controls": "outline" });
-  const box = el("div", { class: "editor" });
   const waiting = el("p", { class: "empty" }, t("program-loading"));
   const head = el("header", { class: "panel-head" }, el("h2", { id: "program-title" }, t("program-title")), name, calls, el("div", { class: "head-actions" }, open, file, download, copy));
   const outline = createOutline((index) => {
@@ -29,10 +29,8 @@ export function createProgram(root: HTMLElement, store: Store, actions: Actions,
     const call = last?.read.calls[index];
     if (call) select({ offset: call.from });
   });
-  root.append(head, el("div", { class: "program-body" }, outline.root, waiting, box));
+  root.append(head, el("div", { class: "program-body" }, outline.root, waiting, place.box));
 
-  let editor: Editor | null = null;
-  let loading = false;
   let text = "";
   let last: Derived | null = null;
   let target: { offset: number } | { line: number } | null = null; // to be shown as soon as the editor is there
@@ -46,30 +44,23 @@ export function createProgram(root: HTMLElement, store: Store, actions: Actions,
   on(file, "change", () => { const chosen = file.files?.[0]; if (chosen) openFile(chosen); file.value = ""; });
   on(download, "click", () => save(store, text));
 
-  const host = {
-    typed(changes: { from: number; to: number; insert: string }[]): void {
+  const host: EditorHost = {
+    typed(changes) {
       const eol = lineBreak(text);
       const edits = changes.map((one) => ({ from: toProgram(text, one.from), to: toProgram(text, one.to), insert: one.insert.replaceAll("\n", eol) }));
       actions.editProgram(edits);
       text = inEditor = programOf(store.state);
     },
-    moved: (offset: number, line: number): void => actions.cursor(toProgram(text, offset), line),
+    moved: (offset, line) => actions.cursor(toProgram(text, offset), line),
   };
-  const start = async (): Promise<void> => {
-    loading = true;
-    const { createEditor } = await import("../editor/editor");
-    editor = createEditor(box, t("program-editor"), host);
-    waiting.remove();
-    last = null;
-    store.update({});
-  };
-  const select = (place: { offset: number } | { line: number }): void => {
+  place.serve(host);
+  const select = (wanted: { offset: number } | { line: number }): void => {
     target = null;
-    if ("line" in place) editor?.selectLine(place.line);
-    else editor?.select(toEditor(text, place.offset));
+    if ("line" in wanted) place.editor?.selectLine(wanted.line);
+    else place.editor?.select(toEditor(text, wanted.offset));
   };
-  const goTo = (place: { offset: number } | { line: number }): void => {
-    target = place;
+  const goTo = (wanted: { offset: number } | { line: number }): void => {
+    target = wanted;
     store.update({});
     actions.panel("program");
   };
@@ -96,8 +87,10 @@ export function createProgram(root: HTMLElement, store: Store, actions: Actions,
     head,
     draw(state, derived) {
       text = derived.program;
+      const { editor } = place;
+      show(waiting, !editor);
       if (!editor) {
-        if (!loading) void start();
+        place.fetch();
         last = derived;
         return drawCalls(state, derived);
       }

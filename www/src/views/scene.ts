@@ -7,20 +7,15 @@ import { AT_END, type State } from "../state";
 import type { Store } from "../store";
 import { t } from "../texts";
 import { createLegend } from "./legend";
+import { isDark, type Stage } from "./stage";
 import { createTimeline, PACE } from "./timeline";
 
 const SOURCES = ["form", "program"] as const;
 const VIEWS: ViewName[] = ["iso", "top", "front", "right"];
 const NOTHING = { entries: [], ball: { radius: 1, length: 1 }, solids: [], frames: [] };
 const still = matchMedia("(prefers-reduced-motion: reduce)");
-const dark = matchMedia("(prefers-color-scheme: dark)");
 
-/** The stage takes its colours from the tokens that count now. */
-function isDark(state: State): boolean {
-  return state.theme === "dark" || (state.theme === "system" && dark.matches);
-}
-
-export function createScene(root: HTMLElement, store: Store, goToLine: (line: number) => void): (state: State, derived: Derived) => void {
+export function createScene(root: HTMLElement, store: Store, goToLine: (line: number) => void, stage: Stage): (state: State, derived: Derived) => void {
   const segments = el("div", { class: "segments", role: "group", "aria-label": t("view-source") });
   const buttons = SOURCES.map((source) => {
     const button = el("button", { type: "button" }, t(`view-${source}`));
@@ -29,47 +24,38 @@ export function createScene(root: HTMLElement, store: Store, goToLine: (line: nu
     return { source, button };
   });
   const tools = el("div", { class: "head-actions" });
-  const stage = el("div", { class: "stage" });
   const note = el("p", { class: "empty", role: "status" }, t("view-loading"));
   const empty = el("p", { class: "empty over-stage", role: "status", hidden: true });
   const legend = createLegend();
   const timeline = el("div", { class: "timeline", role: "group", "aria-label": t("timeline-scrub") });
-  root.append(el("header", { class: "panel-head" }, el("h2", {}, t("view-title")), segments, tools), note, el("div", { class: "stage-box" }, stage, legend.root, empty), timeline);
+  root.append(el("header", { class: "panel-head" }, el("h2", {}, t("view-title")), segments, tools), note, el("div", { class: "stage-box" }, stage.box, legend.root, empty), timeline);
   const drawTimeline = createTimeline(timeline, store, goToLine);
 
-  let preview: Preview | null = null;
-  let loading = false;
   let shown: Pick<Derived, "trace"> & { dark: boolean; step: number } = { trace: null, dark: false, step: -1 };
-  let palette = (_: boolean): Parameters<Preview["setColours"]>[0] | null => null;
+  let dressed = false; // the preview has its buttons and its name
 
-  const start = async (): Promise<void> => {
-    loading = true;
-    try {
-      const { createPreview, coloursFrom, LIGHT, DARK } = await import("../preview/view");
-      palette = (night) => coloursFrom(stage, night ? DARK : LIGHT);
-      const made = await createPreview(stage, { label: t("view-canvas"), colours: coloursFrom(stage, isDark(store.state) ? DARK : LIGHT) });
-      made.onPick((entry) => store.update({ step: entry, playing: false }));
-      tools.append(...viewButtons(made));
-      preview = made;
-      show(note, false);
-      store.update({});
-    } catch (problem) {
-      setText(note, t("view-failed", { problem: problem instanceof Error ? problem.message : String(problem) }));
-    }
+  const dress = (preview: Preview): void => {
+    if (dressed) return;
+    dressed = true;
+    preview.setLabel(t("view-canvas"));
+    tools.append(...viewButtons(preview));
+    show(note, false);
   };
-  dark.addEventListener("change", () => store.update({}));
 
   return (state, derived) => {
     for (const { source, button } of buttons) setAttribute(button, "aria-pressed", String(source === state.source));
     drawTimeline(state, derived);
+    const { preview, failed } = stage;
+    if (failed) setText(note, t("view-failed", { problem: failed }));
     if (!preview) {
-      if (!loading && root.offsetParent) void start();
+      if (root.offsetParent) stage.fetch();
       return;
     }
+    dress(preview);
     setText(empty, derived.trace?.entries.length ? "" : t(state.source === "form" ? "view-empty" : "motions-none"));
     show(empty, !!empty.textContent);
     const night = isDark(state);
-    const colours = palette(night);
+    const colours = stage.colours(night);
     if (colours && night !== shown.dark) preview.setColours(colours);
     const fresh = derived.trace !== shown.trace;
     if (colours && (fresh || night !== shown.dark)) legend.draw(derived.trace, colours);

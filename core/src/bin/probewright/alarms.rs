@@ -12,20 +12,20 @@ use std::process::ExitCode;
 pub fn alarms(
     number: Option<&str>,
     as_json: bool,
+    words: &Words,
     out: &mut dyn Write,
 ) -> Result<ExitCode, Problem> {
     let chosen = match number {
         Some(text) => Some(find(text).ok_or_else(|| format!("no such alarm: {text}"))?),
         None => None,
     };
-    let words = Words::english();
     match chosen {
         _ if as_json => {
             let list = chosen.map_or_else(json::alarms, json::alarm);
             writeln!(out, "{}", serde_json::to_string_pretty(&list)?)?;
         }
-        Some(alarm) => explain(alarm, &words, out)?,
-        None => list(&words, out)?,
+        Some(alarm) => explain(alarm, words, out)?,
+        None => list(words, out)?,
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -15,9 +15,9 @@ use std::process::ExitCode;
 pub fn check(
     files: &[PathBuf],
     control: Option<Control>,
+    words: &Words,
     out: &mut dyn Write,
 ) -> Result<ExitCode, Problem> {
-    let words = Words::english();
     let (mut errors, mut unread) = (0, false);
     for path in files {
         let source = match file::bytes(path) {
@@ -30,7 +30,7 @@ pub fn check(
         };
         let dialect = file::dialect(control, &source);
         let found = program::findings(&program::read(dialect, &source));
-        errors += print_all(path, &source, &found, &words, out)?;
+        errors += print_all(path, &source, &found, words, out)?;
     }
     Ok(match (unread, errors) {
         (true, _) => ExitCode::from(2),

@@ -8,12 +8,11 @@ use std::io::Write;
 use std::process::ExitCode;
 
 /// Lists the catalogue.
-pub fn cycles(as_json: bool, out: &mut dyn Write) -> Result<ExitCode, Problem> {
+pub fn cycles(as_json: bool, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
     if as_json {
         writeln!(out, "{}", serde_json::to_string_pretty(&json::cycles())?)?;
         return Ok(ExitCode::SUCCESS);
     }
-    let words = Words::english();
     for cycle in CYCLES {
         writeln!(
             out,

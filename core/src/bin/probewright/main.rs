@@ -10,6 +10,7 @@ mod write;
 
 use clap::{Parser, Subcommand};
 use file::Problem;
+use probewright_core::words::{LANGUAGES, Words};
 use std::io::{BufWriter, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -17,6 +18,9 @@ use std::process::ExitCode;
 #[derive(Parser)]
 #[command(version, about = "Programming assistant for CNC measuring cycles")]
 struct Arguments {
+    /// Language of what is said, for example zh; otherwise that of the environment, else English
+    #[arg(long, global = true)]
+    lang: Option<String>,
     #[command(subcommand)]
     command: Command,
 }
@@ -86,7 +90,9 @@ enum Command {
 
 fn main() -> ExitCode {
     let mut out = BufWriter::new(std::io::stdout().lock());
-    let result = command(Arguments::parse().command, &mut out)
+    let Arguments { lang, command } = Arguments::parse();
+    let result = words(lang.as_deref())
+        .and_then(|words| run_command(command, &words, &mut out))
         .and_then(|code| out.flush().map(|()| code).map_err(Problem::from));
     match result {
         Ok(code) => code,
@@ -99,23 +105,39 @@ fn main() -> ExitCode {
     }
 }
 
-fn command(command: Command, out: &mut dyn Write) -> Result<ExitCode, Problem> {
+/// In the language that was asked for, else that of the environment where it is known.
+fn words(asked: Option<&str>) -> Result<Words, Problem> {
+    let Some(code) = asked else {
+        let set = |name: &&str| std::env::var(name).is_ok_and(|value| !value.is_empty());
+        let first = ["LC_ALL", "LC_MESSAGES", "LANG"].into_iter().find(set);
+        let wanted = first.and_then(|name| std::env::var(name).ok());
+        return Ok(wanted
+            .and_then(|code| Words::of(&code))
+            .unwrap_or_else(Words::english));
+    };
+    Words::of(code).ok_or_else(|| {
+        let known: Vec<&str> = LANGUAGES.iter().map(|language| language.code).collect();
+        format!("no language {code}; there are {}", known.join(", ")).into()
+    })
+}
+
+fn run_command(command: Command, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
     match command {
-        Command::Alarms { number, json } => alarms::alarms(number.as_deref(), json, out),
-        Command::Cycles { json } => cycles::cycles(json, out),
-        Command::Check { files, control } => check::check(&files, control, out),
+        Command::Alarms { number, json } => alarms::alarms(number.as_deref(), json, words, out),
+        Command::Cycles { json } => cycles::cycles(json, words, out),
+        Command::Check { files, control } => check::check(&files, control, words, out),
         Command::Write {
             cycle,
             values,
             comments,
             style,
-        } => write::write(&cycle, &values, &style, comments, out),
+        } => write::write(&cycle, &values, &style, comments, words, out),
         Command::Read {
             file,
             json,
             control,
         } => read::read(&file, json, control, out),
-        Command::Run { file, setup, json } => run::run(&file, &setup, json, out),
+        Command::Run { file, setup, json } => run::run(&file, &setup, json, words, out),
     }
 }
 

@@ -18,6 +18,7 @@ pub fn run(
     path: &Path,
     setup: &Path,
     as_json: bool,
+    words: &Words,
     out: &mut dyn Write,
 ) -> Result<ExitCode, Problem> {
     let source = file::bytes(path)?;
@@ -29,9 +30,8 @@ pub fn run(
         let view = json::run_outcome(&setup, &outcome, &source);
         writeln!(out, "{}", serde_json::to_string_pretty(&view)?)?;
     } else {
-        let words = Words::english();
-        print_all(path, &source, &outcome.diagnostics, &words, out)?;
-        print_outcome(&outcome, &words, out)?;
+        print_all(path, &source, &outcome.diagnostics, words, out)?;
+        print_outcome(&outcome, words, out)?;
     }
     let wrong =
         |found: &probewright_core::diagnostic::Diagnostic| found.severity == Severity::Error;

@@ -20,11 +20,11 @@ pub fn write(
     values: &[String],
     style: &str,
     comments: bool,
+    words: &Words,
     out: &mut dyn Write,
 ) -> Result<ExitCode, Problem> {
     let cycle = find(name)?;
     let typed = typed(cycle, values)?;
-    let words = Words::english();
     let control = Setup::calibrated(cycle.dialect, Plane::G17).control;
     let checked = check::check(cycle, &typed, &control);
     let label = |_: &str, key: &str| words.key(key.to_owned());
@@ -32,7 +32,7 @@ pub fn write(
     let written = snippet(cycle, &typed, &control, json::style(style)?, comments);
     let mut findings = checked.diagnostics.iter().chain(&written.findings);
     for finding in findings.clone() {
-        complain(&one_line(finding, &words));
+        complain(&one_line(finding, words));
     }
     if findings.any(|finding| finding.severity == Severity::Error) {
         return Ok(ExitCode::FAILURE);

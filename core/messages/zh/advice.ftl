@@ -1,0 +1,27 @@
+# 对整个程序的疑问，各附纠正办法。
+
+advice-insert = 在前面插入 { $text }
+advice-insert-behind = 在后面插入 { $text }
+advice-write = 为此调用写 { $name }={ $value }
+
+advice-compensation = 刀具半径补偿有效（{ $word }）。
+advice-compensation-hint = 调用循环时必须为 G40。
+advice-plane = 此调用之前没有编程工作平面：在哪些轴上测量由机床的复位状态决定。
+advice-plane-hint = 请编程平面，例如 { $plane }。
+advice-diameter = 此调用之前没有编程 DIAMON 或 DIAMOF：横向轴的值是否为直径由机床的复位状态决定。
+advice-diameter-hint = 按直径编程用 DIAMON，按半径用 DIAMOF。
+advice-edge-none = 没有有效的 D 号：测量头的长度不起作用。
+advice-edge-open = 最后一个 T 之后没有编程 D：补偿是否有效由机床数据决定。
+advice-edge-hint = 请在换刀之后编程测量头的 D 号。
+advice-tool = 当前刀具 T{ $tool } 不是工件测量头（类型 { $type }）。
+advice-tool-hint = 请在调用前换上测量头，或更正刀具表中的类型（710，车床为 580）。
+advice-spindle = 主轴在旋转：M3 或 M4 与此调用之间没有停止主轴。
+advice-spindle-hint = 测量头接近工件之前请用 M5 停止主轴。
+advice-calibration = 此程序没有校准 { $number } 号测量头：以控制系统 { $data } 中的值为准。
+advice-calibration-hint = 请确认测量头已在此机床上校准，或先调用校准。
+advice-inherited = { $name }={ $value } 是第 { $line } 行为 { $cycle } 写的，在那里单位不同。
+advice-inherited-hint = 请为此调用写出 { $name }。
+advice-frame = 补偿后的 { $frame } 尚未生效：程序仍在原坐标框架中继续。
+advice-frame-hint = 请在调用之后再次编程 { $frame }。
+advice-level = 调用位于第 { $level } 程序级；测量循环只能在前五级运行。
+advice-level-hint = 请在更接近主程序的程序中调用。

@@ -1,0 +1,102 @@
+# 调用的数值有什么问题，以及如何纠正（-hint）。长度单位为 mm，原样引用的输入值除外。
+
+check-missing = 缺少 { $param }。
+check-delivered = 未给出 { $param }；按出厂值 { $value }{ $unit } 计。
+check-not-a-number = “{ $value }”不是数字。
+check-not-a-number-hint = 请输入数字，小数用点或逗号，例如 12.5。
+check-expression = “{ $value }”在程序运行时才知道，这里不检查。
+check-too-large = { $value } 超出任何机床的范围。
+check-too-large-hint = 请检查数字及其指数。
+check-not-whole = { $value } 不是整数。
+check-not-whole-hint = 请去掉小数。
+check-text-long = 文字超过 { $most } 个字符。
+check-text-long-hint = 请把名称缩短到控制系统能保存的长度。
+check-text-characters = 文字中含有引号或控制字符。
+check-text-characters-hint = 请只写名称本身。
+check-range = { $param } 不能是 { $value }{ $unit }。
+check-range-choice-hint = 请从 { $choices } 中选择。
+check-range-both-hint = 请输入 { $min } 到 { $max }{ $unit } 之间的值。
+check-range-from-hint = 请输入不小于 { $min }{ $unit } 的值。
+check-range-above-hint = 请输入大于 { $min }{ $unit } 的值。
+check-range-below-hint = 请输入不大于 { $max }{ $unit } 的值。
+check-unusual = { $param } 为 { $value }{ $unit } 不常见。
+check-unusual-hint = 通常为 { $min } 到 { $max }{ $unit }。
+check-variant = { $cycle } 没有测量方式 { $value }。
+check-variant-hint = 请从列表中选择测量方式。
+check-variant-near-hint = 相近的测量方式：{ $near }。并非每种数位组合都有效。
+
+check-knum-zero = { $code } 不是零点偏移的代码。
+check-knum-zero-hint = 1 到 99 为 G54 及其后各个，1000、1011 到 1026 和 1051 到 1066 为基本坐标框架，2000 为系统框架，9999 为有效框架，0 不作补偿。
+check-knum-is-tool-hint = 这是刀具补偿的代码。请选择带刀具补偿的测量方式，或给出坐标框架。
+check-knum-is-zero-hint = 这是零点偏移的代码。请选择带零点偏移的测量方式，或给出 D 号。
+check-knum-digit-4 = { $code } 的第 4 位（D 号为五位时第 6 位）不存在。
+check-knum-digit-5 = { $code } 的第 5 位（D 号为五位时第 7 位）不存在。
+check-knum-digit-6 = { $code } 的第 6 位（D 号为五位时第 8 位）不存在。
+check-knum-digit-7 = { $code } 的第 7 位（D 号为五位时第 9 位）或更高位不存在。
+check-knum-edge-none = { $code } 没有给出 D 号。
+check-knum-edge-large = { $code } 中的 D 号大于 { $largest }，即此控制系统的最大 D 号。
+check-knum-seven-digits-hint = 从右起：三位 D 号；0 或 1 为长度，2 为半径；1 表示反号；1 到 3 为 L1 到 L3，4 为半径；0 到 3 为补偿种类。
+check-knum-nine-digits-hint = 从右起：五位 D 号；0 或 1 为长度，2 为半径；1 表示反号；1 到 3 为 L1 到 L3，4 为半径；0 到 3 为补偿种类。
+
+check-probe-number = 没有 { $number } 号测量头。
+check-probe-number-hint = 请选择 1 到 { $fields } 的号。
+check-probe-type = 测量头号的第三位不能是 { $type }。
+check-probe-type-hint = 0 为多向测量头，1 为单向或双向测量头。
+check-cora-off = 补偿角不起作用。
+check-cora-off-hint = 请设 _CBIT[8]=1，或输入 0。
+check-empirical-memory = 没有 { $number } 号经验值存储器；数组只有 { $size } 个。
+check-mean-memory = 没有 { $number } 号平均值存储器；数组只有 { $size } 个。
+check-memory-hint = 请选择较小的号，或扩大数组和 { $array }。
+check-mean-off = 平均值不会从一个工件保留到下一个工件。
+check-mean-off-hint = 需要保留时请设 _CHBIT[4]=1。
+check-tolerance-order = 公差上限 { $upper } mm 低于公差下限 { $lower } mm。
+check-tolerance-order-hint = 请交换 _TUL 和 _TLL，或检查它们的符号。
+check-band-difference = 公差带的一半 { $small } mm 大于 _TDIF { $large } mm：公差内的工件会被当作不合格。
+check-zero-mean = _TZL { $small } mm 大于 _TMV { $large } mm：平均值永远不会补偿。
+check-difference-safe = _TDIF { $small } mm 大于 _TSA { $large } mm：在 _TDIF 起作用之前程序就停止。
+check-bands-hint = 请保持次序：_TZL、_TMV、公差带的一半、_TDIF、_TSA。
+check-reach = 测量行程 { $path } mm 短于安全区 { $area } mm：介于两者之间的偏差引发 61301 而不是 61303。
+check-reach-hint = 请使 _FA 大于最大偏差，或减小 _TSA。
+check-rotation = 坐标系已旋转。
+check-rotation-hint = 调用前请取消旋转：此循环沿机床轴工作。
+check-infeed = 进给深度 { $infeed } mm 不通向要测的部位。
+check-infeed-hint = 刀具轴向上时请输入负值。
+
+check-ball = { $ball } mm 的测球放不进去。
+check-ball-hint = 请检查设定值，或换较小的测量头。
+check-path-long = 测量行程会从对面的壁内开始：测球只有 { $free } mm 的行程。
+check-path-long-hint = 请把 _FA 选在 { $free } mm 以下。
+check-zone-wide = 保护区 { $zone } mm 不小于被测部位 { $size } mm。
+check-zone-wide-hint = 请选择小于 { $limit } mm 的保护区，使测球能从旁边通过。
+check-zone-narrow = 保护区 { $zone } mm 不大于被测部位 { $size } mm。
+check-zone-narrow-hint = 请选择大于 { $limit } mm 的保护区，使测球能从旁边通过。
+check-zone-ball = 被测部位与保护区之间容不下 { $ball } mm 的测球。
+check-zone-shortens = 保护区把测量行程缩短到 { $free } mm。
+check-zone-shortens-hint = 工件的偏差不能超过此值；否则请给保护区留出更多空间。
+check-differential-mono = 差分测量要转动主轴；单向测量头只能朝一个方向测量。
+check-differential-mono-hint = 请用多向测量头，或选不带差分测量的测量方式。
+check-differential-axis = 差分测量只能在平面内进行。
+check-differential-axis-hint = 请选择轴 1 或 2。
+check-mono-spindle = 单向测量头每次触碰前都要转动，而此主轴不能定位。
+check-mono-spindle-hint = 请用多向测量头。
+check-differential-spindle = 差分测量要转动主轴，而此主轴不能定位。
+check-differential-spindle-hint = 请用校准过的测量头，选不带差分测量的测量方式。
+check-knum-no-additive = 此机床没有附加补偿。
+check-knum-no-additive-hint = 请改为补偿长度或半径，或请机床厂设置 MD 18080 第 8 位。
+check-knum-no-setup = 此机床没有设定补偿。
+check-knum-no-setup-hint = 请改为补偿长度或半径，或请机床厂设置 MD 18112 第 4 位。
+
+check-knum-rotation = 全局基本坐标框架 { $code } 不能有旋转。
+check-knum-rotation-hint = 请选择可设定框架或通道基本框架。
+check-lathe-length = 测量头按车刀输入，其长度算到测球的圆周（_CBIT[14]=1）。
+check-lathe-length-hint = 请设 _CBIT[14]=0，使长度算到测球中心。
+check-multi-probe = 此测量需要多向测量头；单向测量头只在一个方向触发。
+check-multi-probe-hint = 请使用多向测量头：{ "_PRNUM" } 为两位数。
+check-angles-sum = 起始角与各步之和为 { $sum }°，大于 360°。
+check-angles-sum-hint = 请选较小的步进角，或带符号更接近 0 的起始角。
+check-angles-same = 用此步进角各点会重合，求不出圆。
+check-angles-same-hint = 三点请选 120° 以下，四点请选 90° 以下。
+check-angles-wide = { $points } 点时步进角大于 { $useful }° 没有意义。
+check-angles-wide-hint = 请选 { $useful }° 以下。
+check-ball-unknown = 此测量头的测球直径未知；每个尺寸都会因此出错。
+check-ball-unknown-hint = 请在孔中校准测量头，并求出测球直径。

@@ -1,0 +1,30 @@
+# CYCLE974：标题、搜索词、测量方式，及其自有参数、检查和结果。
+
+cycle974-title = 车削工件：一点
+cycle974-help = 对照图纸的设定值，测量车削工件外或内、直径、端面或第三轴上的一点。测量头对着该点，距离大于测量行程；只有测量轴朝设定值移动。循环移到设定值前 _FA 处，在两倍行程内触碰并退回；带反转时先把主主轴定位到 _STA1，第一次触碰后转 180°，取两者的平均。然后补偿刀具（偏差与公差比较，平均值和经验值）或零点偏移，测量头停在表面前 _FA 处。需要：类型 5xy、刀沿位置 5 到 8、在此方向和平面校准过的测量头，其 D 号，以及未旋转的坐标系。最常见的错误：DIAMON 有效时设定值写成半径，或相反；起点在测量行程以内或在错误的一侧；测量头用别的进给校准；_TUL 或 _TLL 是上次调用留下的。
+cycle974-words = 测量 工件 车削 车床 直径 外 内 shoulder 端 端面 长度 一个 点 单点 X Z Y facing 轴 反转 跳动 主轴 刀具 补偿 磨损 零点 零偏
+
+cycle974-tool = 一点：补偿刀具
+cycle974-tool-words = 车削 车床 直径 端面 长度 一个 点 刀具 补偿 磨损 L1 L2
+cycle974-zero = 一点：补偿零点偏移
+cycle974-zero-words = 车削 车床 端面 长度 一个 点 零点 补偿 零偏 坐标框架 原点 G54
+cycle974-reversal = 一点，带反转：补偿刀具
+cycle974-reversal-words = 车削 车床 直径 一个 点 反转 主轴 180 度 跳动 偏心 相对 刀具 补偿 磨损
+
+mvar-reversal = 反转
+reversal-without = 无
+reversal-with = 有：工件转过 180° 后再测一次
+
+param-setval-turned-diameter = 设定直径
+param-setval-turned-diameter-help = 取自图纸。DIAMON 时为直径，DIAMOF 时为半径。
+param-setval-turned-position = 设定位置
+param-setval-turned-position-help = 测量轴上，表面在工件坐标系中应在的位置。
+param-sta1-spindle = 主轴位置
+param-sta1-spindle-help = 第一次触碰时主轴把工件转到的角度；第二次再转 180°。
+
+need-angle-reversal = 带反转时循环要定位主轴。
+
+check-reversal-part = 带反转时循环要把工件转 180°，但主轴不能定位。
+check-reversal-part-hint = 请不带反转测量，或在主主轴可定位的机床上测量。
+
+result-compensation-radius = 补偿值，按半径

@@ -1,0 +1,45 @@
+# CYCLE979：标题、搜索词、测量方式，及其自有参数和检查。
+
+cycle979-title = 斜向的孔、轴、槽、凸台
+cycle979-help = 在不能沿轴测量时测量尺寸及其中心：孔或轴（也可只是一段圆弧）在圆周上测三点或四点；槽或凸台横过一条斜线测量。调用前，测量头在测量高度上靠近第一点，离轮廓的距离大于测量行程，到该点的直线路径上无障碍。它朝设定中心（轴、凸台）或背离设定中心（孔、槽）触碰第一点。在孔或轴的各点之间以 _RF 沿圆弧移动；在槽中直线横过；在凸台上方抬高 _ID。最后停在最后一点旁。尺寸的偏差补偿刀具；中心的偏差补偿零点偏移，其旋转不变。最常见的错误：校准测量头时没有求测球直径；圆弧碰到圆弧段旁的东西；各点太近，中心不可靠；缺少 _RF。
+cycle979-words = 测量 工件 孔 镗孔 轴 圆凸台 槽 键槽 凸台 筋 圆弧段 圆弧 角度 倾斜 直径 宽度 中心 三 四 点 内 外 刀具 补偿 磨损 零点 零偏
+
+cycle979-hole-tool = 斜向孔：补偿刀具
+cycle979-hole-tool-words = 孔 镗孔 内 圆 直径 圆弧段 圆弧 角度 刀具 补偿 磨损 半径 长度
+cycle979-shaft-tool = 斜向轴：补偿刀具
+cycle979-shaft-tool-words = 轴 凸台 圆凸台 销 外 圆 直径 圆弧段 圆弧 角度 刀具 补偿 磨损 半径 长度
+cycle979-groove-tool = 斜向槽：补偿刀具
+cycle979-groove-tool-words = 槽 键槽 宽度 内 倾斜 角度 刀具 补偿 磨损 半径 长度
+cycle979-web-tool = 斜向凸台：补偿刀具
+cycle979-web-tool-words = 凸台 筋 宽度 外 倾斜 角度 刀具 补偿 磨损 半径 长度
+cycle979-hole-zero = 斜向孔：补偿零点偏移
+cycle979-hole-zero-words = 孔 镗孔 内 圆 直径 圆弧段 圆弧 角度 零点 补偿 零偏 坐标框架 原点 中心 G54
+cycle979-shaft-zero = 斜向轴：补偿零点偏移
+cycle979-shaft-zero-words = 轴 凸台 圆凸台 销 外 圆 直径 圆弧段 圆弧 角度 零点 补偿 零偏 坐标框架 原点 中心 G54
+cycle979-groove-zero = 斜向槽：补偿零点偏移
+cycle979-groove-zero-words = 槽 键槽 宽度 内 倾斜 角度 零点 补偿 零偏 坐标框架 原点 中心 G54
+cycle979-web-zero = 斜向凸台：补偿零点偏移
+cycle979-web-zero-words = 凸台 筋 宽度 外 倾斜 角度 零点 补偿 零偏 坐标框架 原点 中心 G54
+
+prnum-points = 圆周的点数
+prnum-three = 3
+prnum-four = 4
+param-setval-width-angle = 设定宽度
+param-setval-width-angle-help = 图纸上横过槽或凸台、沿起始角方向的宽度。
+param-sta1-width = 宽度的方向
+param-sta1-width-help = 测量宽度的方向与横坐标所成的角度；第一点在中心的这一侧。
+param-id-lift = 越过凸台的抬高量
+param-id-lift-help = 沿刀具轴从测量高度到越过高度的行程，带符号。长度算到测球中心（_CBIT[14]=0）时必须包含测球半径。
+param-prnum-with-points = 测量头和点数
+param-prnum-with-points-help = 圆周三点或四点、测量头类型及其数据在 _WP 中的号。
+
+need-lift = 测量头必须越过凸台。
+
+check-points-unused = 点数只对孔或轴有意义。
+check-points-unused-hint = 请选 3，即数位 0。
+check-path-centre = 测量行程从中心的另一边开始：从一点到另一点时测量头会从另一侧经过。
+check-path-centre-hint = 请把 _FA 选在 { $free } mm 以下。
+check-lift = 测量头越过凸台之前没有抬起。
+check-lift-hint = 刀具轴向上时请输入正值。
+check-lift-ball = 抬高量不大于测球半径 { $ball } mm，而它必须包含该半径。
+check-lift-ball-hint = 请加上测球半径；若测量头长度算到圆周，则设 _CBIT[14]=1。

@@ -1,0 +1,50 @@
+# CYCLE994：标题、搜索词、测量方式，及其自有参数、检查和结果。
+
+cycle994-title = 车削工件：两点
+cycle994-help = 以工件零点两侧正负设定值处相对的两点，测量车削工件外或内的直径，并补偿刀具。测量头对着正侧的点，距离大于测量行程；它所在的位置决定测外还是测内。循环先触碰此点并退回，再移到另一侧触碰负侧的点；最后停在该点前 _FA 处。测外时，以及用测量方式 1 测内时，途中绕过保护区：退到 _SZO，移到 _SZA，横过，再返回，测球中心在保护区边界上走；测球半径由您加上。然后由偏差、平均值和经验值决定补偿什么。需要：类型 5xy、刀沿位置 5 到 8 的测量头，其 D 号，未旋转的坐标系，以及两个方向的校准；_CHBIT[7]=1 时改用存储的测球直径。最常见的错误：保护区是上次调用留下的；保护区没有加测球半径；DIAMON 有效时设定值写成半径；_TUL 或 _TLL 是上次留下的。
+cycle994-words = 测量 工件 车削 车床 直径 镗孔 轴 外 内 两 点 相对 安全 区 保护 X Y facing 刀具 补偿 磨损
+
+cycle994-inside-zone = 测内，绕过保护区
+cycle994-inside-zone-words = 车削 车床 镗孔 内 直径 两 点 保护 区 安全 障碍 销 刀具 补偿 磨损
+cycle994-outside-inside = 绕过保护区测外，或无保护区测内
+cycle994-outside-inside-words = 车削 车床 直径 外 轴 内 镗孔 两 点 保护 区 安全 刀具 补偿 磨损
+
+param-setval-two-diameter = 设定直径
+param-setval-two-diameter-help = 取自图纸。DIAMON 时为直径，DIAMOF 时为半径；两点位于工件零点两侧。
+param-setval-two-radius = 到零点的设定距离
+param-setval-two-radius-help = 两点离工件零点这么远，一正一负。
+param-sza-turned = 横坐标方向的保护区
+param-sza-turned-help = 测量头经过工件时在平面第 1 轴（G18：Z）的位置，从工件零点算起。经过那里的是测球中心：请加上其半径。
+param-szo-turned = 纵坐标方向的保护区
+param-szo-turned-help = 测量头经过工件之前退到的平面第 2 轴（G18：X）的尺寸；DIAMON 时为直径，否则为半径。经过那里的是测球中心：请加上其半径。
+param-szo-turned-applicate = 垂直坐标方向的保护区
+param-szo-turned-applicate-help = 测量头经过工件之前退到的第 3 轴（G18：Y）的尺寸；为半径，_CHBIT[19]=1 时与 X 相同。经过那里的是测球中心：请加上其半径。
+
+need-zone-inside = 此测量方式绕过保护区。
+need-zone-outside = 测外时需要；此测量方式测内时没有保护区，省略是对的。
+
+check-two-setpoint = 两点位于正负设定值处；{ $set } mm 使两点之间没有空间。
+check-two-setpoint-hint = 请输入大于 0 的直径或半径。
+check-two-ball = 不校准时（{ "_CHBIT[7]" }=1）以测球直径 { $name } 为准，而它为 0。
+check-two-ball-hint = 请把测球直径输入 { $name }，或校准测量头并设 { "_CHBIT[7]" }=0。
+check-two-zone-inside = 保护区 { $zone } mm 在 { $size } mm 之内没有给测球留出空间。
+check-two-zone-inside-hint = 请在测量轴上选择不超过 { $limit } mm 的保护区。
+check-two-no-zone = 没有保护区时此测量方式测内；测外时会用上次调用的保护区。
+check-two-no-zone-hint = 测外时请输入 { "_SZA" } 和 { "_SZO" }。
+check-two-half-zone = 只给出保护区的一部分：{ $name } 以上次调用的值为准。
+check-two-half-zone-hint = 测外时请给出 _SZA 和 _SZO 两者，测内时都不给。
+check-two-zone-outside = 测外时，测球在 { $zone } mm 处经过会碰到 { $size } mm 的工件；测内时此保护区不起作用。
+check-two-zone-outside-hint = 测外时请选择至少 { $limit } mm 的保护区；测内时请省略。
+
+result-set-two = 设定直径或半径
+result-set-two-abscissa = 设定直径或半径，横坐标
+result-set-two-ordinate = 设定直径或半径，纵坐标
+result-set-two-applicate = 设定直径或半径，垂直坐标
+result-actual-two = 实际直径或半径
+result-actual-two-abscissa = 实际直径或半径，横坐标
+result-actual-two-ordinate = 实际直径或半径，纵坐标
+result-actual-two-applicate = 实际直径或半径，垂直坐标
+result-difference-two = 直径或半径的偏差
+result-difference-two-abscissa = 直径或半径的偏差，横坐标
+result-difference-two-ordinate = 直径或半径的偏差，纵坐标
+result-difference-two-applicate = 直径或半径的偏差，垂直坐标

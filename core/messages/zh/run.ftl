@@ -1,0 +1,31 @@
+# 运行程序或调用：为什么停止，什么没有看懂。
+
+run-unknown-word = 这里不认识“{ $word }”。
+run-unknown-variable = 没有变量“{ $word }”。
+run-no-simulation = “{ $word }”的表单、检查和程序文本已有，但其动作没有模拟。模拟到此结束。
+run-not-simulated = “{ $word }”看得懂，但没有模拟。
+run-index = “{ $word }”的下标超出数组。
+run-division = 除以零。
+run-not-a-number = “{ $word }”在这里不是数字。
+run-function = 用这些值无法计算“{ $word }”。
+run-read-only = “{ $word }”不能写入。
+run-label = 没有找到跳转目标“{ $word }”。
+run-unmatched = “{ $word }”没有对应的另一半。
+run-subprogram = 子程序“{ $word }”不在此文本中；已跳过该调用。
+run-depth = 调用嵌套超过 { $limit } 层。
+run-steps = 程序在 { $limit } 个程序段内没有结束（长程序段和大数组按多段计），已停止。请查找死循环。
+run-trace-limit = 记录已超过 { $limit } 步，运行中止。请查找死循环，或过大的 _NMSP。
+run-no-tool = 刀具存储器中没有刀具“{ $word }”。
+run-no-feed = 有进给运动，但没有编程进给 F。
+run-arc = 圆弧的圆心或半径与其端点不符。
+run-crash = 测量头在无监控的运动中碰到工件。
+run-not-finite = 运动的目标不是数字。
+run-alarm = 测量循环因报警停止。
+run-m-function = M 功能“{ $word }”由机床决定；没有为它模拟任何动作。
+run-radius-compensation = 带刀具半径补偿的运动：按无补偿的轨迹模拟。
+run-call = 调用“{ $word }”被拒绝；见其参数处的问题。
+run-shear = 在各轴不同的比例之内旋转会使坐标歪斜；没有这样的坐标框架。
+run-limit = 目标超出软件限位。
+run-array-size = “{ $word }”的大小须为从 1 起的整数，元素总数不超过 { $limit }。
+run-text-long = “{ $word }”的文字超过 { $limit } 个字符。
+run-false-signal = 测量头没有触碰任何东西却发出信号。

@@ -1,0 +1,16 @@
+# 读程序时没有看懂的内容。
+
+syntax-unknown = 这里看不懂。
+syntax-value = 这里缺少数值。
+syntax-operand = 这里应为数字、变量或括号。
+syntax-operator = 字不能以运算符开头。
+syntax-equals = 这里应为“=”。
+syntax-bracket = 括号没有闭合。
+syntax-index = 下标有一到三个值。
+syntax-text = 文字没有用引号闭合。
+syntax-number = 这个数字无法读取。
+syntax-comma = 控制系统用小数点，不用逗号。
+syntax-depth = 括号和运算符嵌套太深。
+syntax-comment = 注释没有闭合。
+syntax-too-large = 程序太大，其余部分没有读取。
+syntax-exponent = 控制系统的指数写作 EX，例如 1.5EX-3。

@@ -1,0 +1,71 @@
+# 使用刀具测量头的循环的共同内容：参数、选项、结果、检查。
+
+mvar-task = 任务
+task-calibrate = 校准测量头
+task-still = 测量刀具，主轴静止
+task-rotating = 测量刀具，主轴旋转
+mvar-reference = 测量头位于
+reference-machine = 机床（_TP）
+reference-workpiece = 有效工件坐标系（_TPW）
+ma-lathe-l2 = 1：L2，在横坐标触碰（G18：Z）
+ma-lathe-l1 = 2：L1，在纵坐标触碰（G18：X）
+mvar-approach = 到测量头的路径
+approach-normal = 由循环定位
+approach-incremental = 增量：只有测量运动
+approach-automatic = 自动：各面
+
+param-prnum-tool = 刀具测量头
+param-prnum-tool-help = 刀具测量头的号：数据在 _TP[n-1,…]，在工件坐标系中测量时在 _TPW[n-1,…]。
+param-evnum-tool = 经验值存储器
+param-evnum-tool-help = 修正测量值的存储器 _EV[n-1] 的号 n；0：无。大于 9999 时只取后四位，因为不形成平均值。
+param-tzl-tool = 零补偿区
+param-tzl-tool-help = 偏差不超过此值时不作补偿，也不报警。
+param-tdif-tool = 允许偏差
+param-tdif-tool-help = 偏差达到或超过此值时不作补偿并显示报警 62306；程序继续。
+param-tsa-tool-probe = 触发值的安全区
+param-tsa-tool-probe-help = 触发值与存储值相差更大时，程序以报警 61303 停止，不存储。
+param-tsa-tool = 刀具的安全区
+param-tsa-tool-help = 长度或半径相差达到或超过此值时，程序以报警 61303 停止；不作补偿。
+param-fa-tool = 测量行程
+param-fa-tool-help = 从测量程序段起点到预期触发点的距离；过了该点再走同样的距离。始终以 mm 为单位，X 轴按半径计。也是测量头四周的间距和结束时的距离。
+param-ma-lathe-length = 测量的长度
+param-ma-lathe-length-help = 测量的长度，也决定在哪个轴触碰测量头。起点对着切削刃要触碰的那一面。
+param-ma-calibrate = 校准的轴
+param-ma-calibrate-help = 在哪个轴触碰测量头。起点决定方向。
+
+result-trigger-minus-1 = 负方向触发值，第 1 几何轴
+result-trigger-minus-1-difference = 它与存储值之差，负方向，第 1 几何轴
+result-trigger-plus-1 = 正方向触发值，第 1 几何轴
+result-trigger-plus-1-difference = 它与存储值之差，正方向，第 1 几何轴
+result-trigger-minus-2 = 负方向触发值，第 2 几何轴
+result-trigger-minus-2-difference = 它与存储值之差，负方向，第 2 几何轴
+result-trigger-plus-2 = 正方向触发值，第 2 几何轴
+result-trigger-plus-2-difference = 它与存储值之差，正方向，第 2 几何轴
+result-trigger-minus-3 = 负方向触发值，第 3 几何轴
+result-trigger-minus-3-difference = 它与存储值之差，负方向，第 3 几何轴
+result-trigger-plus-3 = 正方向触发值，第 3 几何轴
+result-trigger-plus-3-difference = 它与存储值之差，正方向，第 3 几何轴
+result-actual-l1 = 实际长度 L1
+result-difference-l1 = 长度 L1 的偏差
+result-actual-l2 = 实际长度 L2
+result-difference-l2 = 长度 L2 的偏差
+
+check-tool-probe-number-hint = 请选择 1 到 { $fields } 的号，或建立更多测量头数据并加大 { $array }。
+check-tool-limits = { $small } 为 { $low } mm，不小于 { $large } 的 { $high } mm：其中之一永远不起作用。
+check-tool-limits-hint = 请保持次序：_TZL、_TDIF、_TSA。
+check-tool-speed = { $name } 使循环不能定位刀具。
+check-tool-speed-hint = 请把 _SPEED[0] 设为快速移动的百分比，_SPEED[1] 和 _SPEED[2] 设为大于 0 的进给；它们在碰撞监控（_CHBIT[2]=1）时起作用。
+check-tool-probe-empty = 控制系统不知道刀具测量头在哪里：{ $names } 为 0。
+check-tool-probe-empty-hint = 请在机床数据中输入其各面的近似位置；循环由此计算路径。
+check-tool-probe-sides = { $minus } 不大于 { $plus }：朝负方向触碰的面位于测量头的正侧。
+check-tool-probe-sides-hint = 请交换两个值，或输入缺少的一个。
+check-tool-probe-in-use = 当前使用的是工件测量头。
+check-tool-probe-in-use-hint = 请在调用前换上要测量的刀具或校准刀具。
+check-tool-type = 此循环不测量类型 { $type } 的刀具。
+check-tool-type-hint = 请把要测量的刀具或校准刀具装入主轴；请检查 $TC_DP1。
+check-turning-type-hint = 请用车刀（类型 5xy），并在其 D 号有效时启动循环；请检查 $TC_DP1。
+check-tip = 这里不允许刀沿位置 { $tip }。
+check-tip-calibration-hint = 测量头用刀沿位置 3 的刀具校准；请检查 $TC_DP2。
+check-tip-hint = 可测量刀沿位置 1 到 8 的刀具；请检查 $TC_DP2。
+check-tip-axis = 刀沿位置 { $tip } 的刀具在此轴方向上没有切削刃。
+check-tip-axis-hint = 位置 5 和 7 只能在横坐标测量，6 和 8 只能在纵坐标测量。

@@ -1,0 +1,13 @@
+# 调用的写法，以及各写法不能表达的内容。
+
+write-no-list = { $cycle } 没有这种调用。
+write-no-list-variant = { $cycle } 的这种测量方式或补偿对象不能写成这种调用。
+write-no-list-hint = 请写成赋值和调用。
+write-zero = { $name }={ $value } 单独写成赋值：CYCLE_PARA 中的 0 保留原来的值。
+write-beside = { $name }={ $value } 单独写成赋值：该调用没有对应的参数。
+write-lost = 略去 { $name }：新控制系统的参数表中没有它。
+write-lost-hint = 若此值重要，请写成赋值和调用，或在控制系统上设置该数据。
+
+convert-same = 调用已经是这种写法。
+convert-others = 第 { $line } 行的 { $cycle } 依赖此调用的值，转换后会得到别的值。
+convert-others-hint = 请一并转换那个调用，或在它前面写出这些值。

@@ -1,0 +1,102 @@
+// Everything to be seen, in the language that counts when it is made. Another language: another bench, from the same state.
+
+import type { Actions } from "./actions";
+import type { Aside } from "./aside";
+import type { Derived } from "./derive";
+import { isCurrent } from "./desk";
+import { el, setText, show } from "./dom";
+import type { EditorPlace } from "./editor/place";
+import { createLayout } from "./layout";
+import type { ProgramCore } from "./program";
+import { programOf, type State, type Stopped } from "./state";
+import type { Store } from "./store";
+import { language, t } from "./texts";
+import { createActivity } from "./views/activity";
+import { createCard } from "./views/card";
+import { createForm } from "./views/form";
+import { createFound } from "./views/found";
+import { createHeader } from "./views/header";
+import { createProgram } from "./views/program";
+import { createRefusal } from "./views/refusal";
+import { createResults } from "./views/results";
+import { createScene } from "./views/scene";
+import { createSets } from "./views/sets";
+import { createSliders } from "./views/sliders";
+import type { Stage } from "./views/stage";
+import { createTasks } from "./views/tasks";
+import type { AlarmInfo, Catalogue, Dialect } from "./wire";
+
+/** What outlives a bench. */
+export interface Parts {
+  catalogue: Catalogue;
+  store: Store;
+  actions: Actions;
+  open: { program(file: File): void; setup(file: File): void };
+  editor: EditorPlace;
+  stage: Stage;
+  reader: Aside;
+  runner: Aside;
+  goToField(control: Dialect, name: string): void;
+  /** As soon as it is there. */
+  core(): ProgramCore | null;
+  alarms: Promise<AlarmInfo[]>;
+}
+
+export interface Bench { readonly language: string; draw(state: State, derived: Derived): void; end(): void }
+
+export function createBench({ catalogue, store, actions, open, editor, stage, reader, runner, goToField, core, alarms }: Parts): Bench {
+  const stop = new AbortController();
+  const layout = createLayout(actions, stop.signal);
+  const { panels } = layout;
+  const results = el("div", { class: "results-main" });
+  const sliders = el("aside", { class: "sliders", "aria-label": t("sliders-title") });
+  panels.results.append(results, sliders);
+  const program = createProgram(panels.program, store, actions, open.program, editor);
+  const activities = [reading(store, reader), running(store, runner)] as const;
+  const refusals = [createRefusal(store, "program"), createRefusal(store, "setup")] as const;
+  const sets = createSets(actions);
+  const card = createCard(actions);
+  document.body.append(sets.dialog, card.dialog);
+  const found = (back: () => void) => createFound(catalogue, alarms, store, actions, goToField, back);
+  program.head.after(refusals[0].root, activities[0].root);
+  layout.header.after(refusals[1].root);
+  panels.view.append(activities[1].root);
+  const views = [
+    createHeader(layout.header, store, actions, open.setup, core), createTasks(panels.tasks, store, actions, found), createForm(panels.form, store, actions, () => sets.dialog.showModal()),
+    program.draw, createScene(panels.view, store, program.goToLine, stage), createResults(results, store, actions, program.goTo), createSliders(sliders, actions), sets.draw, card.draw,
+  ];
+  return {
+    language: language(),
+    draw(state, derived) {
+      layout.draw(state);
+      for (const view of views) view(state, derived);
+      for (const part of [...activities, ...refusals]) part.draw(state);
+      setText(layout.notice, state.notice ? t(state.notice) : "");
+      show(layout.undo, !!state.notice && !!state.undo);
+    },
+    end() {
+      stop.abort();
+      document.body.replaceChildren();
+    },
+  };
+}
+
+const stopped = (state: State): Stopped => ({ control: state.control, text: programOf(state), why: "" });
+
+function reading(store: Store, reader: Aside) {
+  return createActivity("reading", {
+    busy: reader.busy,
+    stopped: (state) => isCurrent(state.stoppedReading, state) ? state.stoppedReading : null,
+    stop: () => { reader.stop(); store.update((state) => ({ stoppedReading: stopped(state) })); },
+    again: () => store.update({ stoppedReading: null }),
+  });
+}
+
+function running(store: Store, runner: Aside) {
+  return createActivity("running", {
+    busy: runner.busy,
+    stopped: (state) => state.source === "program" && isCurrent(state.stoppedRun, state) ? state.stoppedRun : null,
+    stop: () => { runner.stop(); store.update((state) => ({ stoppedRun: stopped(state) })); },
+    again: () => store.update({ stoppedRun: null }),
+  });
+}

@@ -1,0 +1,57 @@
+// The 3D view outlives the panel around it: when the language changes, it moves into the new panel with its camera.
+
+import { el } from "../dom";
+import type { Preview } from "../preview/view";
+import type { State } from "../state";
+import type { Store } from "../store";
+import { t } from "../texts";
+
+type Colours = Parameters<Preview["setColours"]>[0];
+export interface Stage {
+  readonly box: HTMLElement;
+  readonly preview: Preview | null;
+  /** Why there is none. */
+  readonly failed: string;
+  /** Fetches the drawing unless it is there or on its way. */
+  fetch(): void;
+  colours(night: boolean): Colours | null;
+}
+
+const dark = matchMedia("(prefers-color-scheme: dark)");
+
+/** The stage takes its colours from the tokens that count now. */
+export function isDark(state: State): boolean {
+  return state.theme === "dark" || (state.theme === "system" && dark.matches);
+}
+
+export function createStage(store: Store): Stage {
+  const box = el("div", { class: "stage" });
+  let preview: Preview | null = null;
+  let failed = "";
+  let fetching = false;
+  let colours = (_: boolean): Colours | null => null;
+
+  const start = async (): Promise<void> => {
+    try {
+      const { createPreview, coloursFrom, LIGHT, DARK } = await import("../preview/view");
+      colours = (night) => coloursFrom(box, night ? DARK : LIGHT);
+      preview = await createPreview(box, { label: t("view-canvas"), colours: coloursFrom(box, isDark(store.state) ? DARK : LIGHT) });
+      preview.onPick((entry) => store.update({ step: entry, playing: false }));
+    } catch (problem) {
+      failed = problem instanceof Error ? problem.message : String(problem);
+    }
+    store.update({});
+  };
+  dark.addEventListener("change", () => store.update({}));
+  return {
+    box,
+    get preview() { return preview; },
+    get failed() { return failed; },
+    fetch() {
+      if (fetching) return;
+      fetching = true;
+      void start();
+    },
+    colours: (night) => colours(night),
+  };
+}
