@@ -35,7 +35,7 @@ async function perKeystroke(page, request, runs, group) {
     const times = [];
     for (let i = 0; i < count; i++) {
       const start = performance.now();
-      for (let j = 0; j < size; j++) globalThis["bench-core"].form(text);
+      for (let j = 0; j < size; j++) globalThis["bench-program"].form(text);
       times.push((performance.now() - start) / size);
     }
     return times.sort((a, b) => a - b);

@@ -1,7 +1,7 @@
 // The page loads, and only from its own origin.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { launch, open, setups, shared } from "./browser.mjs";
+import { address, launch, open, setups, shared } from "./browser.mjs";
 
 for (const setup of Object.keys(setups)) {
   describe(`browser with ${setup}`, () => {
@@ -17,6 +17,25 @@ for (const setup of Object.keys(setups)) {
     });
   });
 }
+
+describe("without the part of the core that simulates", () => {
+  const chrome = shared("neither", { before, after });
+
+  // oracle: hand (the first module alone answers fields, checks, snippet and picture)
+  test("the form works and the result panel says what is missing", async () => {
+    const context = await chrome.browser.newContext({ locale: "en-GB", serviceWorkers: "block" });
+    const page = await context.newPage();
+    await page.route(/\/program_bg-[^/]*\.wasm$/, (route) => route.abort());
+    await page.goto(address);
+    await page.locator("#page-outcome .empty", { hasText: "could not be loaded" }).waitFor();
+    const field = page.locator('[id="field-_SETVAL"]');
+    await field.fill("-1");
+    await field.blur();
+    await page.locator(".problem", { hasText: "_SETVAL" }).first().waitFor();
+    assert.equal(await page.locator("#broken").count(), 0);
+    await context.close();
+  });
+});
 
 describe("the set-ups are what they say", () => {
   // oracle: browser (the interfaces that it offers)

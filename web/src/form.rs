@@ -1,15 +1,8 @@
-//! What the first form needs.
+//! The form: both modules answer it, the first without the prediction.
 
 use probewright_core::json;
 use wasm_bindgen::JsError;
 use wasm_bindgen::prelude::wasm_bindgen;
-
-/// `Catalogue`: everything that can be measured.
-#[wasm_bindgen]
-#[must_use]
-pub fn catalogue() -> String {
-    json::catalogue().to_string()
-}
 
 /// `FormRequest` → `FormView`.
 ///

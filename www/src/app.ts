@@ -3,7 +3,7 @@
 import { createActions, type Actions } from "./actions";
 import { createAside, type Answered, type Aside } from "./aside";
 import { createBench, type Bench } from "./bench";
-import type { Core } from "./core";
+import type { Core, FormCore } from "./core";
 import { createDerive, findCycle, type Derived } from "./derive";
 import { createDesk, isCurrent } from "./desk";
 import { createEditorPlace } from "./editor/place";
@@ -42,7 +42,7 @@ function firstVisit(core: Core, catalogue: Catalogue): State {
   return { ...state, control: cycle.control, cycle: cycle.cycle, values: cycle.example, errors, programs: { [cycle.control]: snippet }, sought: { from: 0, to: snippet.length } };
 }
 
-async function startState(core: Core, catalogue: Catalogue, stored: Partial<State> | null): Promise<State> {
+async function startState(core: Core, full: () => Promise<ProgramCore>, catalogue: Catalogue, stored: Partial<State> | null): Promise<State> {
   let state = stored ? merge(firstState(), stored) : firstVisit(core, catalogue);
   const packed = /^#s=(.+)$/.exec(location.hash)?.[1];
   if (packed) {
@@ -50,11 +50,12 @@ async function startState(core: Core, catalogue: Catalogue, stored: Partial<Stat
     history.replaceState(null, "", location.pathname + location.search);
   }
   if (!findCycle(catalogue, state.control, state.cycle)) state = { ...state, ...pickFirst(catalogue) };
-  return setupFits(core, state) ? state : { ...state, setup: null, notice: "notice-setup-outdated" };
+  if (!state.setup) return state;
+  return setupFits(await full(), state) ? state : { ...state, setup: null, notice: "notice-setup-outdated" };
 }
 
 /** A kept setup may come from an earlier version. */
-function setupFits(core: Core, { control, cycle, setup }: State): boolean {
+function setupFits(core: ProgramCore, { control, cycle, setup }: State): boolean {
   if (setup?.control !== control) return true;
   try {
     core.form({ control, cycle, values: {}, setup });
@@ -86,23 +87,39 @@ function guard<A extends unknown[], R>(store: () => Store, run: (...args: A) => 
 /** `stored`: what was kept the last time. */
 export async function startApp(core: Core, stored: Partial<State> | null): Promise<void> {
   const catalogue = core.catalogue();
-  const derive = createDerive(core, catalogue);
-  let draw = (): void => undefined;
-  const store = createStore(await startState(core, catalogue, stored), guard(() => store, () => draw()));
   let programCore: ProgramCore | null = null;
+  let forms: FormCore = core;
   let came = (_: ProgramCore): void => undefined;
   const coming = new Promise<ProgramCore>((resolve) => { came = resolve; });
+  let fetching: Promise<ProgramCore> | null = null;
+  const fetched = async (): Promise<ProgramCore> => {
+    forms = programCore = await (await import("./program")).loadProgramCore();
+    came(programCore);
+    return programCore;
+  };
+  const full = (): Promise<ProgramCore> => fetching ??= fetched().catch((problem: unknown) => {
+    fetching = null; // the next one who asks tries again
+    throw problem;
+  });
+  const derive = createDerive(() => forms, catalogue);
+  let draw = (): void => undefined;
+  const store = createStore(await startState(core, full, catalogue, stored), guard(() => store, () => draw()));
   const aside = (): Aside => createAside(() => programCore?.module, () => store.update({}));
   const [reader, runner] = [aside(), aside()];
   const settle = createDesk(() => programCore, reader);
   const plain = createActions(store, catalogue);
   const actions = Object.fromEntries(Object.entries(plain).map(([name, run]) => [name, guard(() => store, run as (...args: unknown[]) => void)])) as unknown as Actions;
 
+  const absent = (problem: unknown): void => { // the form goes on without
+    console.error(problem);
+    forms = { ...core, simulates: "no" };
+    store.update({ notice: "outcome-absent" });
+  };
   const shows: Shows = (cycle, values, name) =>
-    core.form({ control: cycle.control, cycle: cycle.cycle, values, ...machine({ ...store.state, control: cycle.control }) }).fields.some((field) => field.name === name);
+    forms.form({ control: cycle.control, cycle: cycle.cycle, values, ...machine({ ...store.state, control: cycle.control }) }).fields.some((field) => field.name === name);
   const open = {
     program: (file: File): void => void openProgramFile(file, store, actions),
-    setup: (file: File): void => void openSetupFile(file, coming, store, actions),
+    setup: (file: File): void => void openSetupFile(file, full, store, actions).catch(absent),
   };
   acceptDrops(open.program, open.setup);
   const editor = createEditorPlace(() => store.update({}));
@@ -145,10 +162,12 @@ export async function startApp(core: Core, stored: Partial<State> | null): Promi
   addEventListener("pagehide", () => void save(store.state));
   store.update({});
   await new Promise(requestAnimationFrame); // the form stands
-  const { loadProgramCore } = await import("./program");
-  programCore = await loadProgramCore();
-  came(programCore);
-  store.update({});
+  try {
+    await full();
+    store.update({});
+  } catch (problem) {
+    absent(problem);
+  }
 }
 
 /** Lets the program run on the opened machine, else on that of the form, while its motions are shown. */

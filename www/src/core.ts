@@ -1,19 +1,26 @@
 // The seam to the core: JSON functions of probewright-web, here with types. This module of it is all that the form
-// needs and is fetched first; what reads and runs programs comes when the form stands (program.ts).
+// needs and is fetched first; what carries out cycles, reads and runs programs comes when the form stands (program.ts)
+// and answers about forms from then on.
 
 import init, * as wasm from "@pkg/core/core.js";
 import address from "@pkg/core/core_bg.wasm?url";
 import { call, compile } from "./module";
 import type { Catalogue, FormRequest, FormView } from "./wire";
 
-export interface Core {
-  catalogue(): Catalogue;
+export interface FormCore {
+  /** Whether `predict` is answered and a setup that the user described is read; else whether that will come. */
+  simulates: "yes" | "coming" | "no";
   form(request: FormRequest): FormView;
+}
+
+export interface Core extends FormCore {
+  catalogue(): Catalogue;
 }
 
 export async function loadCore(): Promise<Core> {
   await init({ module_or_path: await compile(address) });
   return {
+    simulates: "coming",
     catalogue: () => JSON.parse(call("catalogue", () => wasm.catalogue())) as Catalogue,
     form: (request) => JSON.parse(call("form", () => wasm.form(JSON.stringify(request)))) as FormView,
   };

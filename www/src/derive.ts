@@ -1,7 +1,7 @@
 // What is shown of the state: the form, the calls of the program, the motions. Computed again only when something that
 // it depends on is another object. Of the program it shows what was read last (desk.ts), until the next reading is there.
 
-import type { Core } from "./core";
+import type { FormCore } from "./core";
 import { isRead } from "./desk";
 import { severities } from "./outline";
 import { machine, programOf, type State } from "./state";
@@ -12,6 +12,7 @@ export interface Derived {
   catalogue: Catalogue;
   cycle: CycleInfo;
   view: FormView;
+  simulates: FormCore["simulates"]; // "yes" once the part of the core is there that does
   program: string;
   read: ReadView;                // of `program`, or while `fresh` is false of what it was a little earlier
   fresh: boolean;
@@ -53,10 +54,10 @@ function labels(view: FormView): Record<string, string> {
   return Object.fromEntries(view.fields.map((field) => [field.name, say(field.label)]));
 }
 
-export function createDerive(core: Core, catalogue: Catalogue): (state: State) => Derived {
+export function createDerive(forms: () => FormCore, catalogue: Catalogue): (state: State) => Derived {
   const first = catalogue.cycles[0];
   if (!first) throw new Error("the catalogue is empty");
-  const form = memo((cycle: CycleInfo, values: State["values"], errors: State["errors"], comments: string | null, style: Style, setup: Setup | OwnMachine | undefined, plane?: Plane, units?: UnitFunction): FormView => {
+  const form = memo((core: FormCore, cycle: CycleInfo, values: State["values"], errors: State["errors"], comments: string | null, style: Style, setup: Setup | OwnMachine | undefined, plane?: Plane, units?: UnitFunction): FormView => {
     const request = { control: cycle.control, cycle: cycle.cycle, values, errors, style, ...(setup ? { setup } : {}), ...(plane && units ? { plane, units } : {}) };
     const view = core.form({ ...request, predict: true });
     return comments !== null ? { ...view, snippet: core.form({ ...request, comments: labels(view) }).snippet } : view;
@@ -69,12 +70,13 @@ export function createDerive(core: Core, catalogue: Catalogue): (state: State) =
     const reading = state.reading?.control === cycle.control ? state.reading.view : NOTHING_READ;
     const opened = reading.calls.find((call) => call.from === state.open) ?? null;
     const style = cycle.styles.includes(state.style) ? state.style : "direct";
-    const view = form(cycle, state.values, state.errors, state.comments ? language() : null, style, machine(state).setup, opened?.plane, opened?.units);
+    const core = forms();
+    const view = form(core, cycle, state.values, state.errors, state.comments ? language() : null, style, machine(state).setup, opened?.plane, opened?.units);
     const all = problems(reading);
     const ran = state.source === "program" && state.ran?.control === cycle.control ? state.ran.view : null;
     const trace = (state.source === "program" ? ran?.trace : view.outcome?.trace) ?? null;
     return {
-      catalogue, cycle, view, program: programOf(state), read: reading, fresh: isRead(state), opened, states: states(reading.calls, all), style, run: ran,
+      catalogue, cycle, view, simulates: core.simulates, program: programOf(state), read: reading, fresh: isRead(state), opened, states: states(reading.calls, all), style, run: ran,
       trace, step: Math.max(0, Math.min(state.step, (trace?.entries.length ?? 0) - 1)),
       problems: all,
     };

@@ -15,10 +15,10 @@ export async function openProgramFile(file: File, store: Store, actions: Actions
   else actions.openProgram(read.text, read.file);
 }
 
-export async function openSetupFile(file: File, core: Promise<ProgramCore>, store: Store, actions: Actions): Promise<void> {
+export async function openSetupFile(file: File, core: () => Promise<ProgramCore>, store: Store, actions: Actions): Promise<void> {
   const text = await readSetup(file);
   if (typeof text !== "string") return refuse(store, "setup", text);
-  const setup = (await core).setup(text);
+  const setup = (await core()).setup(text);
   if ("why" in setup) refuse(store, "setup", { key: "refused-setup", args: { name: file.name, why: setup.why } });
   else actions.openSetup(setup);
 }

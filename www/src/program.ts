@@ -1,11 +1,12 @@
-// The part of the core that reads, changes and runs programs. Short programs are read on the page's thread, what may
+// All of the core: forms with what the call would do; reading, changing and running programs. Short programs are read on the page's thread, what may
 // take long is asked in a worker (aside.ts), with the same module.
 
 import init, * as wasm from "@pkg/program/program.js";
 import address from "@pkg/program/program_bg.wasm?url";
+import type { FormCore } from "./core";
 import { splice } from "./eol";
 import { call, compile } from "./module";
-import type { AlarmInfo, Converted, Edit, MachineRequest, MachineView, Pending, ReadRequest, ReadView, RunRequest, Setup, Style } from "./wire";
+import type { AlarmInfo, Converted, Edit, FormView, MachineRequest, MachineView, Pending, ReadRequest, ReadView, RunRequest, Setup, Style } from "./wire";
 
 /** All values of one call that were changed in the form: `pending` of `control` at `at`, the call being number `call`. */
 export interface ChangeRequest extends ReadRequest { call: number; at: number; pending: readonly Pending[] }
@@ -16,7 +17,7 @@ export interface ConvertRequest extends ReadRequest { call: number; style: Style
 /** What is asked about a whole program. */
 export type Question = { ask: "read" } & ReadRequest | { ask: "change" } & ChangeRequest | { ask: "convert" } & ConvertRequest | { ask: "run" } & RunRequest;
 
-export interface ProgramCore {
+export interface ProgramCore extends FormCore {
   module: WebAssembly.Module; // for the workers
   read(request: ReadRequest): ReadView;
   change(request: ChangeRequest): Edit[][];
@@ -56,7 +57,8 @@ export async function loadProgramCore(): Promise<ProgramCore> {
   const module = await compile(address);
   await init({ module_or_path: module });
   return {
-    module, setup: setupOf, change: changes,
+    module, simulates: "yes", setup: setupOf, change: changes,
+    form: (request) => JSON.parse(call("form", () => wasm.form(JSON.stringify(request)))) as FormView,
     read: (request) => JSON.parse(answer({ ask: "read", ...request })) as ReadView,
     convert: (request) => JSON.parse(answer({ ask: "convert", ...request })) as Converted,
     machine: (request) => JSON.parse(call("machine", () => wasm.machine(JSON.stringify(request)))) as MachineView,

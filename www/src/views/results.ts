@@ -81,6 +81,8 @@ function createOutcome(root: HTMLElement): Draw {
 /** Why there is no outcome yet: by name, what the form still lacks. */
 function missing(derived: Derived): string {
   if (!derived.cycle.simulated) return t("outcome-not-simulated", { cycle: derived.cycle.cycle });
+  if (derived.simulates === "no") return t("outcome-absent");
+  if (derived.simulates === "coming" && derived.view.complete) return t("outcome-coming");
   const names = [...new Set(derived.view.diagnostics.filter((one) => one.severity === "error" && one.param).map((one) => one.param))];
   return names.length ? t("outcome-missing", { names: names.join(", ") }) : t("outcome-incomplete");
 }

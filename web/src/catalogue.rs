@@ -1,0 +1,11 @@
+//! What the page asks for first.
+
+use probewright_core::json;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// `Catalogue`: everything that can be measured.
+#[wasm_bindgen]
+#[must_use]
+pub fn catalogue() -> String {
+    json::catalogue().to_string()
+}
