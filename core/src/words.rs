@@ -65,6 +65,7 @@ pub const LANGUAGES: &[Language] = &[
     },
     language!("zh":
         "advice.ftl"
+        "alarms.ftl"
         "changes.ftl"
         "check.ftl"
         "cycle116.ftl"
@@ -77,8 +78,11 @@ pub const LANGUAGES: &[Language] = &[
         "cycle977.ftl"
         "cycle978.ftl"
         "cycle979.ftl"
+        "cycle982.ftl"
         "cycle994.ftl"
+        "cycle997.ftl"
         "cycle998.ftl"
+        "datum.ftl"
         "evaluate.ftl"
         "lathe.ftl"
         "nct.ftl"

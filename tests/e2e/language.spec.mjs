@@ -35,10 +35,11 @@ describe("language", () => {
     await content.click();
     await page.keyboard.press("Control+Home");
     await page.keyboard.type("G17 ");
-    const typed = await content.innerText();
-    assert.match(typed, /^G17 /);
     await page.locator(".field.kind-real .entry-line > .figure").first().fill("x");
     await page.locator(".field .problem").first().waitFor();
+    await page.waitForFunction(() => document.querySelector(".editor").shadowRoot.textContent.includes("=x "));
+    const typed = await content.innerText();
+    assert.match(typed, /^G17 .*=x /);
     const scrolled = await page.locator(".panel-form > .scroll").evaluate((node) => (node.scrollTop = 120, node.scrollTop));
 
     await speak(page, "zh");
@@ -51,8 +52,8 @@ describe("language", () => {
     assert.equal(await content.innerText(), typed);
     assert.match(await content.getAttribute("aria-label"), HAN);
     await content.click();
-    await page.keyboard.press("Control+Z");
-    assert.notEqual(await content.innerText(), typed, "what was typed before the switch is undone after it");
+    for (let undone = 0; undone < 9 && /^G17 /.test(await content.innerText()); undone++) await page.keyboard.press("Control+Z");
+    assert.doesNotMatch(await content.innerText(), /^G17 |=x /, "what was done before the switch is undone after it");
     await page.keyboard.press("Control+F");
     assert.match(await page.locator(".cm-search").innerText(), HAN);
 
@@ -61,7 +62,8 @@ describe("language", () => {
     assert.equal(await page.evaluate(() => document.documentElement.lang), "zh");
     assert.match(await page.locator(".field-label").first().textContent(), HAN);
     await speak(page, "en");
-    assert.doesNotMatch(await page.locator("body").innerText(), /\p{Script=Han}(?<!文)/u);
+    const name = await page.locator('#language option[value="zh"]').textContent();
+    assert.doesNotMatch((await page.locator("body").innerText()).replace(name, ""), HAN);
     assert.deepEqual(problems, []);
     await context.close();
   });

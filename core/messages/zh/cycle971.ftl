@@ -2,24 +2,24 @@
 
 cycle971-title = 铣床刀具测量头：校准、测量刀具
 cycle971-help = 在刀具测量头上测量主轴中铣刀或钻头的长度 L1 或半径，或用尺寸已知的刀具校准该测量头。刀具轴平行于测量头，平面和 D 号有效，刀具所在处到测量头的各条路径畅通；增量校准时刀具已在要触碰的面前 _FA 处。循环在另一轴移到测量头中心，再移到要触碰的面旁（测长度：在其上方，宽的刀具偏移其半径减 _ID），下降，在两倍测量行程内触碰并退回；最后停在触碰面前 _FA 处，测半径时停在其深度。校准把触发值存入 _TP 或 _TPW；测量补偿当前刀具：几何值（磨损置 0），或在 _CHBIT[3]=1 时只补偿磨损。最常见的错误：缺少测量头的近似数据或其各面颠倒；起点没有离开要触碰的面；校准刀具尺寸不准；切削刃没有转向测量头；刃口高度不同的刀具没有给出 _ID。
-cycle971-words = 测量 刀具 对刀仪 setting preset 测量头 触碰 laser cube disc disk 校准 长度 L1 半径 直径 铣刀 end mill 端面 钻头 磨损 geometry breakage 主轴 旋转 静止 边 触发 点
+cycle971-words = 测量 刀具 对刀仪 对刀 设定 预调 测量头 触碰 激光 方块 圆盘 校准 长度 L1 半径 直径 铣刀 端面 钻头 磨损 主轴 旋转 静止 边 触发 点
 
 cycle971-calibrate = 校准刀具测量头
-cycle971-calibrate-words = 校准 刀具 测量头 触发 点 机床 _TP side top
+cycle971-calibrate-words = 校准 刀具 测量头 触发 点 机床 _TP
 cycle971-calibrate-workpiece = 在工件坐标系中校准刀具测量头
 cycle971-calibrate-workpiece-words = 校准 刀具 测量头 触发 点 工件 WCS 坐标框架 _TPW
 cycle971-still = 测量刀具，主轴静止
-cycle971-still-words = 测量 刀具 长度 半径 motionless 静止 主轴 钻头 end mill 边 机床
+cycle971-still-words = 测量 刀具 长度 半径 静止 主轴 钻头 边 机床
 cycle971-rotating = 测量刀具，主轴旋转
-cycle971-rotating-words = 测量 刀具 长度 半径 旋转 车削 主轴 largest 边 铣刀 端面 mill 转速 feed 机床
+cycle971-rotating-words = 测量 刀具 长度 半径 旋转 主轴 边 铣刀 端面 转速 机床
 cycle971-still-workpiece = 在工件坐标系中测量刀具，主轴静止
-cycle971-still-workpiece-words = 测量 刀具 长度 半径 motionless 静止 主轴 工件 WCS 坐标框架
+cycle971-still-workpiece-words = 测量 刀具 长度 半径 静止 主轴 工件 WCS 坐标框架
 cycle971-rotating-workpiece = 在工件坐标系中测量刀具，主轴旋转
-cycle971-rotating-workpiece-words = 测量 刀具 长度 半径 旋转 车削 主轴 工件 WCS 坐标框架 转速 feed
+cycle971-rotating-workpiece-words = 测量 刀具 长度 半径 旋转 主轴 工件 WCS 坐标框架 转速
 cycle971-incremental = 增量校准刀具测量头
-cycle971-incremental-words = 校准 刀具 测量头 增量 signed path 未知 位置 first time
+cycle971-incremental-words = 校准 刀具 测量头 增量 未知 位置
 cycle971-incremental-workpiece = 在工件坐标系中增量校准刀具测量头
-cycle971-incremental-workpiece-words = 校准 刀具 测量头 增量 signed path 未知 位置 工件 WCS 坐标框架
+cycle971-incremental-workpiece-words = 校准 刀具 测量头 增量 未知 位置 工件 WCS 坐标框架
 cycle971-automatic = 校准刀具测量头的各面
 cycle971-automatic-words = 校准 刀具 测量头 自动 全部 轴 面 方向 中心
 cycle971-automatic-workpiece = 在工件坐标系中校准刀具测量头的各面

@@ -2,22 +2,22 @@
 
 cycle973-title = 校准车床工件测量头
 cycle973-help = 求出车床测量头在哪里触发，并存入测量头数据 _WP，以后的测量都从那里取用。在机床的基准槽中（其边和底在 _KB 中），按机床坐标工作，一个方向或一个轴的两个方向，按需求出位置偏差（偏斜）和有效测球直径；测量头的刀沿位置为 7 或 8，从能沿轴直线到达槽的位置开始。在表面上按工件坐标系工作，一个方向；测量头的刀沿位置为 5 到 8，对着表面，距离大于测量行程。循环移到该面前 _FA 处，在两倍行程内触碰并退回；最后停在最后触碰的面前 _FA 处。新触发值与原值相差大于 _TZL 且不大于 _TSA 时存储。最常见的错误：首次校准时存储的值为 0，_TSA 必须大于测球半径；测量头长度 L1 和 L2 没有算到测球中心；槽的数据在 X 上写成直径而不是半径；进给与以后测量时不同。
-cycle973-words = 校准 工件 测量头 车削 lathe 基准 槽 gauging 方块 表面 端面 触发 点 值 测球 直径 偏斜 位置 偏差
+cycle973-words = 校准 工件 测量头 车削 基准 槽 方块 表面 端面 触发 点 值 测球 直径 偏斜 位置 偏差
 
 cycle973-surface = 表面：一个方向
-cycle973-surface-words = 车削 lathe 表面 端面 一个 方向 触发 点 工件
+cycle973-surface-words = 车削 表面 端面 一个 方向 触发 点 工件
 cycle973-groove-short = 基准槽：1 个方向，短写法
-cycle973-groove-short-words = 车削 lathe 基准 槽 gauging 方块 一个 方向 触发 点 13
+cycle973-groove-short-words = 车削 基准 槽 方块 一个 方向 触发 点 13
 cycle973-groove-one = 基准槽：1 个方向
-cycle973-groove-one-words = 车削 lathe 基准 槽 gauging 方块 一个 方向 触发 点
+cycle973-groove-one-words = 车削 基准 槽 方块 一个 方向 触发 点
 cycle973-groove-two = 基准槽：一个轴的 2 个方向
-cycle973-groove-two-words = 车削 lathe 基准 槽 gauging 方块 两 方向 触发 点
+cycle973-groove-two-words = 车削 基准 槽 方块 两 方向 触发 点
 cycle973-groove-two-ball = 基准槽：一个轴的 2 个方向，测球直径
-cycle973-groove-two-ball-words = 车削 lathe 基准 槽 gauging 方块 两 方向 测球 直径 测针 触发 点
+cycle973-groove-two-ball-words = 车削 基准 槽 方块 两 方向 测球 直径 测针 触发 点
 cycle973-groove-two-skew = 基准槽：一个轴的 2 个方向，偏斜
-cycle973-groove-two-skew-words = 车削 lathe 基准 槽 gauging 方块 两 方向 偏斜 位置 偏差 触发 点
+cycle973-groove-two-skew-words = 车削 基准 槽 方块 两 方向 偏斜 位置 偏差 触发 点
 cycle973-groove-two-skew-ball = 基准槽：一个轴的 2 个方向，偏斜，测球直径
-cycle973-groove-two-skew-ball-words = 车削 lathe 基准 槽 gauging 方块 两 方向 偏斜 位置 偏差 测球 直径 测针 触发 点
+cycle973-groove-two-skew-ball-words = 车削 基准 槽 方块 两 方向 偏斜 位置 偏差 测球 直径 测针 触发 点
 
 calibrate-groove = 基准槽
 calibrate-one-short = 未说明：一个方向，同 1

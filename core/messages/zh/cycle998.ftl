@@ -2,18 +2,18 @@
 
 cycle998-title = 表面的角度
 cycle998-help = 测量装夹的工件转了多少：由直边或表面上两点求一个角度，或由斜面上三点求两个角度。调用前，测量头对着第一点，位于其他轴上要触碰的高度或位置；其余各点依次位于其轴的正方向、给定的距离处。它触碰 P1，退回，移到 P2 再触碰；求两个角度时按原路返回，再到 P3。点与点之间或沿设定角度移动（按安全区从表面让开），或沿轴直线移动。最后停在最后一点前、离它测量行程处；求两个角度且平行于轴移动时，停在起始高度。与设定角度之差使零点偏移的坐标系旋转，或移动回转轴；位置不变，请在之后测量位置。改变后的零点偏移在再次编程时生效。最常见的错误：_TSA 还是别的循环留下的长度，而这里是角度；各点太近，毛刺或粗糙的表面使工件转动；测量行程对第二点太短；补偿了回转轴而之后没有移动它。
-cycle998-words = 测量 工件 角度 找正 alignment 偏斜 rotate rotation orientation 边 表面 端面 平面 倾斜 tilt 装夹 crooked 回转 工作台 C 轴 零点 补偿 零偏 坐标框架 G54 两 点 三
+cycle998-words = 测量 工件 角度 找正 偏斜 边 表面 端面 平面 倾斜 装夹 回转 工作台 C 轴 零点 补偿 零偏 坐标框架 G54 两 点 三
 
 cycle998-one = 一个角度，沿设定角度移动
-cycle998-one-words = 边 角度 找正 rotation 回转 工作台 两 点 set 位置 safe area 零点 补偿 零偏
+cycle998-one-words = 边 角度 找正 回转 工作台 两 点 位置 零点 补偿 零偏
 cycle998-one-differential = 一个角度，差分测量
-cycle998-one-differential-words = 边 角度 找正 rotation 未校准 测量头 差分 主轴 反转 180 度 零点 补偿 零偏
+cycle998-one-differential-words = 边 角度 找正 未校准 测量头 差分 主轴 反转 180 度 零点 补偿 零偏
 cycle998-one-paraxial = 一个角度，沿轴移动
-cycle998-one-paraxial-words = 边 角度 找正 rotation 两 点 平行于轴 轴 parallel 方向 without setpoint 零点 补偿 零偏
+cycle998-one-paraxial-words = 边 角度 找正 两 点 平行于轴 轴 方向 零点 补偿 零偏
 cycle998-two = 两个角度，沿设定角度移动
-cycle998-two-words = 倾斜 平面 in space tilt 三 点 两 angles swivel CYCLE800 零点 补偿 零偏
+cycle998-two-words = 倾斜 平面 三 点 两 CYCLE800 零点 补偿 零偏
 cycle998-two-paraxial = 两个角度，沿轴移动
-cycle998-two-paraxial-words = 倾斜 平面 in space tilt 三 点 两 angles 平行于轴 轴 parallel swivel CYCLE800 零点 补偿 零偏
+cycle998-two-paraxial-words = 倾斜 平面 三 点 两 平行于轴 轴 CYCLE800 零点 补偿 零偏
 
 mvar-angles = 角度
 angles-one = 一个，由两点

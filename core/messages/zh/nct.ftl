@@ -2,7 +2,7 @@
 
 g101-title = 受保护的定位
 g101-help = 把测针移到一个位置并监视它：途中碰到任何东西都会停止。
-g101-words = 位置 移动 approach protect 测针 测量头 安全
+g101-words = 位置 移动 测针 测量头 安全
 g101-positioning = 受保护的定位
 g101-no-target = 没有给出轴：不会移动。
 g101-no-target-hint = 请给出 X、Y 或 Z。

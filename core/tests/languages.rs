@@ -1,0 +1,143 @@
+//! Every language says everything that English says, with the same arguments and the same names of parameters.
+#![cfg(feature = "cli")]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
+
+use probewright_core::words::LANGUAGES;
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+
+/// Units and names, which are the same in every language.
+const SAME: &[&str] = &[
+    "app-name",
+    "program-file-nct",
+    "program-file-sinumerik",
+    "unit-ft-per-min",
+    "unit-hex",
+    "unit-inch",
+    "unit-inch-per-min",
+    "unit-m-per-min",
+    "unit-mm-per-min",
+    "unit-rpm",
+];
+
+/// Folders of the core's messages and of the page's.
+fn folders() -> [PathBuf; 2] {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    [root.join("core/messages"), root.join("www/messages")]
+}
+
+fn files(folder: &Path) -> BTreeSet<String> {
+    std::fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .filter(|name| name.ends_with(".ftl"))
+        .collect()
+}
+
+/// Texts of a file: of a message under its key, of an attribute under `key.attribute`.
+fn texts(path: &Path) -> BTreeMap<String, String> {
+    let mut texts: BTreeMap<String, String> = BTreeMap::new();
+    let (mut key, mut part) = (String::new(), String::new());
+    for line in std::fs::read_to_string(path).unwrap().lines() {
+        let inside = line.starts_with(' ');
+        match line.trim_start().split_once(" =") {
+            Some((name, text)) if !inside && !line.starts_with('#') => {
+                key = name.to_owned();
+                part = key.clone();
+                texts.insert(part.clone(), text.to_owned());
+            }
+            Some((name, text)) if inside && name.starts_with('.') => {
+                part = format!("{key}{name}");
+                texts.insert(part.clone(), text.to_owned());
+            }
+            _ if inside => texts.get_mut(&part).unwrap().push_str(line),
+            _ => {}
+        }
+    }
+    texts
+}
+
+/// What stands in braces: arguments and names. The forms of a number differ by language and are not looked at.
+fn placeables(text: &str) -> BTreeSet<&str> {
+    text.split('{')
+        .skip(1)
+        .map(|rest| rest.split(['}', '-']).next().unwrap().trim())
+        .collect()
+}
+
+/// Whether a text holds a word of English, and not only names, numbers and units of one or two letters.
+fn has_words(text: &str) -> bool {
+    let outside = text.split('{').map(|part| part.rsplit('}').next().unwrap());
+    let plain = outside.collect::<Vec<_>>().join(" ");
+    plain
+        .split(|c: char| !c.is_alphanumeric() && c != '_' && c != '$')
+        .any(|word| word.len() > 2 && word.chars().skip(1).all(|c| c.is_ascii_lowercase()))
+}
+
+fn compare(english: &Path, other: &Path) {
+    let (english, other) = (texts(english), texts(other).into_iter());
+    let other: BTreeMap<String, String> = other.collect();
+    let keys = |texts: &BTreeMap<String, String>| texts.keys().cloned().collect::<BTreeSet<_>>();
+    let (wanted, there) = (keys(&english), keys(&other));
+    let missing: Vec<_> = wanted.difference(&there).collect();
+    let unknown: Vec<_> = there.difference(&wanted).collect();
+    assert!(missing.is_empty(), "no text for {missing:?}");
+    assert!(unknown.is_empty(), "English has no message for {unknown:?}");
+    for (key, text) in &english {
+        let said = &other[key];
+        assert_eq!(placeables(text), placeables(said), "{key}");
+        let translated = said != text || !has_words(text) || SAME.contains(&key.as_str());
+        assert!(translated, "{key} is still English: {text}");
+    }
+}
+
+// oracle: self (English is the list of what has to be said)
+#[test]
+fn every_language_is_complete() {
+    for folder in folders() {
+        let english = folder.join("en");
+        for language in LANGUAGES.iter().filter(|language| language.code != "en") {
+            let other = folder.join(language.code);
+            assert_eq!(files(&english), files(&other), "{}", other.display());
+            for name in files(&english) {
+                compare(&english.join(&name), &other.join(&name));
+            }
+        }
+    }
+}
+
+// oracle: self
+#[test]
+fn every_folder_is_a_language_and_every_file_is_read() {
+    let [core, page] = folders();
+    let known: BTreeSet<&str> = LANGUAGES.iter().map(|language| language.code).collect();
+    for folder in [&core, &page] {
+        let there = std::fs::read_dir(folder).unwrap();
+        let there: BTreeSet<String> = there
+            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+            .collect();
+        assert!(there.iter().map(String::as_str).eq(known.iter().copied()));
+    }
+    for language in LANGUAGES {
+        let listed = language.files.iter().map(|(name, _)| (*name).to_owned());
+        let listed: BTreeSet<String> = listed.collect();
+        assert_eq!(listed, files(&core.join(language.code)));
+    }
+}
+
+// oracle: hand
+#[test]
+fn english_words_are_told_from_names() {
+    for text in [" Feed", " { $param } is missing", " a b see { $c }"] {
+        assert!(has_words(text), "{text}");
+    }
+    for text in [
+        " G17 · X Y",
+        " { $value } mm",
+        " _MVAR=1",
+        " 3",
+        " SINUMERIK",
+    ] {
+        assert!(!has_words(text), "{text}");
+    }
+}
