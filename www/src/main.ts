@@ -9,7 +9,7 @@ import { showBroken } from "./views/broken";
 addEventListener("probewright-panic", (event) => showBroken(String((event as CustomEvent).detail)));
 try {
   const [stored, core] = [await load(), loadCore()];
-  await speak(merge(firstState(), stored).language);
+  await speak(merge(firstState(), stored).language).catch(console.warn); // words that cannot be fetched: English
   await startApp(await core, stored);
 } catch (problem) {
   console.error(problem);
