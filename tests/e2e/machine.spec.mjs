@@ -65,7 +65,6 @@ describe("machine data", () => {
       await page.addScriptTag({ path: axe });
       const found = await page.evaluate(() => globalThis.axe.run(".machine-data"));
       assert.deepEqual(found.violations.map((one) => `${one.id}: ${one.nodes[0]?.html}`), []);
-      if (process.env.PROBEWRIGHT_SCREENSHOT) await page.screenshot({ path: `${process.env.PROBEWRIGHT_SCREENSHOT}-${options.colorScheme}.png` });
       await context.close();
     }
   });

@@ -1,5 +1,5 @@
-//! What can be measured. One file a cycle: its entry (plain data) beside its simulation.
-//! A new cycle is one file and two lines here: `mod` and the place in [`CYCLES`].
+//! What can be measured. A folder a cycle, or a file where it is small: its entry (plain data) beside its simulation.
+//! A new cycle is that and two lines here: `mod` and the place in [`CYCLES`]. CONTRIBUTING.md has the steps.
 
 pub mod alarms;
 pub mod calibration;
