@@ -1,8 +1,29 @@
+import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
-import { defineConfig } from "vite";
+import { defineConfig, type Plugin } from "vite";
 import { VitePWA } from "vite-plugin-pwa";
 
 const here = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
+
+/** Help, cures and search words are asked for only when the form stands: they come in a part of their own. */
+const LATER = /^[a-z0-9-]+-(help|hint|words) =/;
+
+/** What running, alarms and machine data say (texts.ts names the same files). */
+const BEHIND = /^(advice|alarms|datum|run|syntax)$/;
+
+/** The messages of a file (`?first`, `?later`), each with its attributes. */
+function partsOfWords(): Plugin {
+  return {
+    name: "parts-of-words",
+    enforce: "pre",
+    load(id) {
+      const [path = "", part] = id.split("?");
+      if (!path.endsWith(".ftl") || (part !== "first" && part !== "later")) return null;
+      const messages = readFileSync(path, "utf8").split(/\n(?=[a-z#]|$)/).filter((message) => /^[a-z]/.test(message));
+      return `export default ${JSON.stringify(messages.filter((message) => LATER.test(message) === (part === "later")).join("\n"))}`;
+    },
+  };
+}
 
 // Relative paths everywhere (`base`), so that the folder works at any address of any static file server.
 // `@pkg` is what `cargo xtask` built from Rust: core, program, preview-webgpu, preview-webgl.
@@ -11,7 +32,7 @@ export default defineConfig({
   resolve: { alias: { "@pkg": here("../pkg") } },
   // After the first load everything comes from the browser's store: shop networks are closed.
   // `script`: registered by a file of its own, the content policy allows no inline script.
-  plugins: [VitePWA({
+  plugins: [partsOfWords(), VitePWA({
     registerType: "autoUpdate",
     injectRegister: "script-defer",
     includeAssets: ["icon.svg"],
@@ -29,10 +50,11 @@ export default defineConfig({
     target: "es2022",
     assetsInlineLimit: 0,      // a strict content policy allows no data: addresses
     modulePreload: { polyfill: false },
-    // A language in one piece; English comes with the page.
+    // A language in one piece; English comes with the page, in two parts.
     rollupOptions: { output: { manualChunks: (id) => {
-      const language = /\/messages\/([^/]+)\/[^/]+\.ftl/.exec(id)?.[1];
-      return language && language !== "en" ? `words-${language}` : undefined;
+      const [, language, file, part] = /\/messages\/([^/]+)\/([^/]+)\.ftl\?(\w+)/.exec(id) ?? [];
+      if (language === "en") return part === "later" || BEHIND.test(file ?? "") ? "words-en-later" : undefined;
+      return language ? `words-${language}` : undefined;
     } } },
   },
 });

@@ -16,7 +16,7 @@ import { keepPlaces } from "./places";
 import type { ProgramCore } from "./program";
 import { firstState, machine, merge, NO_ERRORS, type State } from "./state";
 import { createStore, type Store } from "./store";
-import { language } from "./texts";
+import { language, laterWords } from "./texts";
 import { showBroken } from "./views/broken";
 import { acceptDrops } from "./views/drop";
 import { createStage } from "./views/stage";
@@ -93,7 +93,8 @@ export async function startApp(core: Core, stored: Partial<State> | null): Promi
   const coming = new Promise<ProgramCore>((resolve) => { came = resolve; });
   let fetching: Promise<ProgramCore> | null = null;
   const fetched = async (): Promise<ProgramCore> => {
-    forms = programCore = await (await import("./program")).loadProgramCore();
+    const [part] = await Promise.all([import("./program").then((module) => module.loadProgramCore()), laterWords()]);
+    forms = programCore = part;
     came(programCore);
     return programCore;
   };

@@ -6,7 +6,15 @@ import { FluentBundle, FluentNumber, FluentResource } from "@fluent/bundle";
 import type { Message } from "./wire";
 
 const FALLBACK = "en";
-const english = import.meta.glob<string>(["../../core/messages/en/*.ftl", "../messages/en/*.ftl"], { query: "?raw", import: "default", eager: true });
+// English comes in parts: labels with the page; help, cures and search words (`?later`, vite.config.ts) and what only
+// running, alarms and machine data say behind the first form.
+const english = import.meta.glob<string>(
+  ["../../core/messages/en/*.ftl", "../messages/en/*.ftl", "!../../core/messages/en/{advice,alarms,datum,run,syntax}.ftl"], { query: "?first", import: "default", eager: true });
+const later = [
+  ...Object.values(import.meta.glob<string>(["../../core/messages/en/*.ftl", "../messages/en/*.ftl"], { query: "?later", import: "default" })),
+  ...Object.values(import.meta.glob<string>("../../core/messages/en/{advice,alarms,datum,run,syntax}.ftl", { query: "?first", import: "default" })),
+];
+let complete = false; // whether all of English is here
 const others = import.meta.glob<string>(
   ["../../core/messages/*/*.ftl", "../messages/*/*.ftl", "!../../core/messages/en/*.ftl", "!../messages/en/*.ftl"], { query: "?raw", import: "default" });
 
@@ -20,6 +28,14 @@ function bundle(language: string, sources: string[]): FluentBundle {
   for (const source of sources)
     for (const problem of made.addResource(new FluentResource(source))) console.error(`messages: ${language}: ${problem.message}`);
   return made;
+}
+
+/** The English words that the first form does without. */
+export async function laterWords(): Promise<void> {
+  const sources = await Promise.all(later.map((fetch) => fetch()));
+  const made = bundles.get(FALLBACK);
+  for (const source of sources) made?.addResource(new FluentResource(source));
+  complete = true;
 }
 
 /** Codes of the languages that there are. */
@@ -78,6 +94,7 @@ function note(what: string): void {
 export function t(key: string, args: Record<string, number | string> = {}): string {
   const text = find(key, args);
   if (text !== null) return text;
+  if (!complete) return ""; // still on its way; the page is drawn again when it has come
   note(`no text for ${key}`);
   return key;
 }

@@ -75,7 +75,7 @@ export interface FormView {
   snippet: string;                     // program text, LF; also for incomplete values as far as it can be written; empty: not in this way
   snippetFindings: Diagnostic[];       // what this way of writing cannot say
   complete: boolean;                   // no error
-  picture: Picture;
+  picture?: Picture;                   // only from the full module, which comes after the first form
   outcome?: Outcome;                   // when predict and complete, of a cycle that is simulated
   setup?: Setup;                       // when predict: what was used (machine, proposed part with its errors, start); exported, and what a program runs on
 }

@@ -486,7 +486,7 @@ pub const fn length(
         key,
         when,
         unit: Unit::ActiveLength,
-        source,
+        source: crate::cited(source),
     }
 }
 
@@ -502,7 +502,7 @@ pub const fn angle(
         key,
         when,
         unit: Unit::Degree,
-        source,
+        source: crate::cited(source),
     }
 }
 
@@ -518,7 +518,7 @@ pub const fn integer(
         key,
         when,
         unit: Unit::None,
-        source,
+        source: crate::cited(source),
     }
 }
 

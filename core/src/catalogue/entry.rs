@@ -43,7 +43,7 @@ pub struct Cycle {
     /// A value that is missing or wrong is absent from the inputs; nothing more is said about it.
     pub checks: fn(&Inputs, &Control, &mut Vec<crate::diagnostic::Diagnostic>),
     /// What the values mean, drawn.
-    pub picture: fn(&Inputs) -> Picture,
+    pub picture: Drawing,
     /// A worked measurement: values as typed, by parameter name.
     pub example: &'static [(&'static str, &'static str)],
     /// What happens at the call; none while only form, checks and text are known. See [`Cycle::work`].
@@ -161,6 +161,24 @@ pub struct Work {
     pub propose: fn(&Inputs, &Control) -> Proposal,
     /// What the control does.
     pub simulate: fn(&mut dyn Machine, &Inputs) -> Result<(), Stop>,
+}
+
+/// How a cycle is drawn.
+pub struct Drawing {
+    draw: Option<fn(&Inputs) -> Picture>,
+}
+
+impl Drawing {
+    /// A build that does not simulate links no drawing either: the page's first module is the form alone.
+    pub const fn new(draw: fn(&Inputs) -> Picture) -> Drawing {
+        let draw = if SIMULATES { Some(draw) } else { None };
+        Drawing { draw }
+    }
+
+    /// The picture for these values; none in a build that does not draw.
+    pub fn draw(&self, inputs: &Inputs) -> Option<Picture> {
+        Some(self.draw?(inputs))
+    }
 }
 
 /// One measuring variant.

@@ -3,7 +3,8 @@
 use super::common::{PARAM, optional};
 use super::nct::{self, part};
 use super::{
-    Cycle, Dialect, Kind, Param, Proposal, Purpose, Range, Simulation, Unit, Variant, When, Work,
+    Cycle, Dialect, Drawing, Kind, Param, Proposal, Purpose, Range, Simulation, Unit, Variant,
+    When, Work,
 };
 use crate::check::Finding;
 use crate::check::Inputs;
@@ -75,7 +76,7 @@ pub static G101: Cycle = Cycle {
         nct::OUT_OF_POSITION,
     ]],
     checks,
-    picture,
+    picture: Drawing::new(picture),
     example: &[("X", "120"), ("Z", "200")],
     simulation: Some(Simulation::new(Work { propose, simulate }, &[])),
     source: "C:106-144",

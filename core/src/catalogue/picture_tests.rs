@@ -53,7 +53,7 @@ fn pictures_show_what_the_form_asks_for() {
             let control = delivery(cycle.dialect);
             let typed = typed(cycle, variant, "7");
             let inputs = read(cycle, &typed, &control, &mut Vec::new());
-            let picture = draw(cycle, &typed, &control);
+            let picture = draw(cycle, &typed, &control).unwrap();
             let needed = cycle.params.iter().filter(|param| geometric(param));
             for param in needed.filter(|param| param.need(&inputs).is_some()) {
                 let shown = picture
@@ -77,7 +77,12 @@ fn each_variant_has_its_own_picture() {
         let pictures: Vec<(i64, Picture)> = cycle
             .variants
             .iter()
-            .map(|one| (one.number, draw(cycle, &typed(cycle, one, "7"), &control)))
+            .map(|one| {
+                (
+                    one.number,
+                    draw(cycle, &typed(cycle, one, "7"), &control).unwrap(),
+                )
+            })
             .collect();
         for (index, (number, picture)) in pictures.iter().enumerate() {
             let same = pictures[..index].iter().find(|(_, other)| other == picture);
@@ -106,7 +111,7 @@ fn pictures_stay_on_the_paper() {
                     values.insert(param.name.to_owned(), number.to_owned());
                 }
                 check(cycle, &values, &control);
-                let shapes = draw(cycle, &values, &control).shapes;
+                let shapes = draw(cycle, &values, &control).unwrap().shapes;
                 let points = shapes.iter().flat_map(|shape| &shape.points);
                 let centres = shapes.iter().filter_map(|shape| shape.circle.as_ref());
                 let mut all = points.chain(centres.map(|(centre, _)| centre)).flatten();

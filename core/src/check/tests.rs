@@ -390,7 +390,7 @@ fn nothing_typed_breaks_a_check() {
                     "{} {text}",
                     param.name
                 );
-                let picture = crate::form::draw(cycle, &values, &control());
+                let picture = crate::form::draw(cycle, &values, &control()).unwrap();
                 let finite = |point: &[f64; 2]| point.iter().all(|value| value.is_finite());
                 assert!(picture.shapes.len() > 5, "{} {text}", param.name);
                 assert!(

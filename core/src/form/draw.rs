@@ -5,8 +5,12 @@ use crate::catalogue::Cycle;
 use crate::check::{self, Parsed, Typed, parse};
 use crate::control::Control;
 
-/// Draws the values; what is missing or wrong is taken from the cycle's worked example.
-pub fn draw(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Picture {
+/// Draws the values; what is missing or wrong is taken from the cycle's worked example. None in a build that does not
+/// draw.
+pub fn draw(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Option<Picture> {
+    if !crate::SIMULATES {
+        return None;
+    }
     let mut values = typed.clone();
     for (name, example) in cycle.example {
         let usable = values
@@ -16,5 +20,7 @@ pub fn draw(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Picture 
             values.insert((*name).to_owned(), (*example).to_owned());
         }
     }
-    (cycle.picture)(&check::read(cycle, &values, control, &mut Vec::new()))
+    cycle
+        .picture
+        .draw(&check::read(cycle, &values, control, &mut Vec::new()))
 }

@@ -115,7 +115,7 @@ fn view(
         .any(|found| found.severity == Severity::Error);
     let words = comments.map(|_| &word as &dyn Fn(&str, &str) -> String);
     let written = snippet(cycle, typed, control, style, words);
-    object([
+    let mut view = object([
         (
             "fields",
             form::fields(cycle, typed, control)
@@ -133,8 +133,11 @@ fn view(
             written.findings.iter().map(diagnostic).collect(),
         ),
         ("complete", (!errors).into()),
-        ("picture", picture(&form::draw(cycle, typed, control))),
-    ])
+    ]);
+    if let Some(drawn) = form::draw(cycle, typed, control) {
+        put(&mut view, "picture", picture(&drawn));
+    }
+    view
 }
 
 fn picture(picture: &Picture) -> Value {

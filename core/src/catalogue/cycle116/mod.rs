@@ -7,8 +7,8 @@ mod tests;
 
 use super::common::{alarms, integer};
 use super::{
-    Arg, ArgumentList, Cycle, Dialect, MachineSort, NEVER, ProbeUse, Purpose, ResultField, Style,
-    Unit, Variant, When,
+    Arg, ArgumentList, Cycle, Dialect, Drawing, MachineSort, NEVER, ProbeUse, Purpose, ResultField,
+    Style, Unit, Variant, When,
 };
 use crate::check::{Finding, Inputs, error};
 use crate::control::Control;
@@ -53,7 +53,7 @@ pub static CYCLE116: Cycle = Cycle {
     ],
     alarms: &[&alarms([61316, 61317])], // B:2448
     checks,
-    picture,
+    picture: Drawing::new(picture),
     // the example of the manual, B:2456-2466
     example: &[
         ("_DATE[0]", "3"),

@@ -38,7 +38,7 @@ fn points_that_determine_no_circle_are_refused() {
 #[test]
 fn the_picture_shows_the_circle() {
     let control = delivery(Dialect::Sinumerik);
-    let drawn = draw(&CYCLE116, &typed(&[]), &control);
+    let drawn = draw(&CYCLE116, &typed(&[]), &control).unwrap();
     let edge = drawn.shapes.iter().find(|one| one.kind == ShapeKind::Edge);
     let (centre, radius) = edge.unwrap().circle.unwrap();
     assert!(centre[0].abs() < 1e-9 && centre[1].abs() < 1e-9 && (radius - 10.0).abs() < 1e-9);

@@ -13,7 +13,7 @@ mod tests;
 pub use results::RESULTS;
 
 use crate::catalogue::common;
-use crate::catalogue::{Cycle, Dialect, Purpose, Variant};
+use crate::catalogue::{Cycle, Dialect, Drawing, Purpose, Variant};
 
 /// Measuring variants (B:7862-7869).
 pub const VARIANTS: &[Variant] = &[
@@ -69,7 +69,7 @@ pub static CYCLE961: Cycle = Cycle {
         ]),
     ],
     checks: checks::checks,
-    picture: picture::picture,
+    picture: Drawing::new(picture::picture),
     example: &[
         ("_MVAR", "108"),
         ("_STA1", "-35"),

@@ -11,7 +11,9 @@ mod rotating;
 mod tests;
 
 use crate::catalogue::common::alarms;
-use crate::catalogue::{Cycle, Dialect, MachineSort, ProbeUse, Purpose, Variant, tool_probe};
+use crate::catalogue::{
+    Cycle, Dialect, Drawing, MachineSort, ProbeUse, Purpose, Variant, tool_probe,
+};
 
 /// Measuring variants (B:4186-4196, B:4621-4628).
 pub const VARIANTS: &[Variant] = &[
@@ -111,7 +113,7 @@ pub static CYCLE971: Cycle = Cycle {
         &alarms([61309, 61349, 61350, 61351, 61366, 61401, 61415]),
     ],
     checks: checks::checks,
-    picture: picture::picture,
+    picture: Drawing::new(picture::picture),
     example: &[
         ("_MVAR", "1"),
         ("_MA", "103"),

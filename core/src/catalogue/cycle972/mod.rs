@@ -10,7 +10,9 @@ mod results;
 mod tests;
 
 use crate::catalogue::common::alarms;
-use crate::catalogue::{Cycle, Dialect, MachineSort, ProbeUse, Purpose, Variant, tool_probe};
+use crate::catalogue::{
+    Cycle, Dialect, Drawing, MachineSort, ProbeUse, Purpose, Variant, tool_probe,
+};
 
 /// Measuring variants (B:8766-8771).
 pub const VARIANTS: &[Variant] = &[
@@ -57,7 +59,7 @@ pub static CYCLE972: Cycle = Cycle {
     // A:15856, A:15873
     alarms: &[tool_probe::ALARMS, &alarms([61315, 61330])],
     checks: checks::checks,
-    picture: picture::picture,
+    picture: Drawing::new(picture::picture),
     example: &[
         ("_MVAR", "1"),
         ("_MA", "2"),

@@ -10,7 +10,7 @@ mod tests;
 
 pub use results::RESULTS;
 
-use crate::catalogue::{Cycle, Dialect, Purpose, Variant, When, common, lathe};
+use crate::catalogue::{Cycle, Dialect, Drawing, Purpose, Variant, When, common, lathe};
 
 /// Measuring variants (B:10163-10177). 13 stands in the programs only, with axis and direction: it is 1013 (A:11504).
 pub const VARIANTS: &[Variant] = &[
@@ -83,7 +83,7 @@ pub static CYCLE973: Cycle = Cycle {
         &common::alarms([61326, 61333]), // A:15867, A:15876
     ],
     checks: checks::checks,
-    picture: picture::picture,
+    picture: Drawing::new(picture::picture),
     example: &[
         ("_MVAR", "0"),
         ("_SETVAL", "-18"),

@@ -209,7 +209,8 @@ fn both_directions_of_the_abscissa_are_drawn_in_the_other_groove() {
             &CYCLE973,
             &call(&CYCLE973, &groove("2013", axis, "")),
             &lathe(),
-        );
+        )
+        .unwrap();
         let mut texts = picture.shapes.into_iter().filter_map(|shape| shape.text);
         texts.find(|text| text.starts_with("SL"))
     };

@@ -10,7 +10,7 @@ mod tests;
 
 pub use results::RESULTS;
 
-use crate::catalogue::{Cycle, Dialect, Purpose, Variant, common, lathe};
+use crate::catalogue::{Cycle, Dialect, Drawing, Purpose, Variant, common, lathe};
 
 /// Measuring variants (B:10455-10459).
 pub const VARIANTS: &[Variant] = &[
@@ -69,7 +69,7 @@ pub static CYCLE974: Cycle = Cycle {
         &common::alarms([61327, 61341, 61412]),
     ],
     checks: checks::checks,
-    picture: picture::picture,
+    picture: Drawing::new(picture::picture),
     example: &[
         ("_MVAR", "0"),
         ("_SETVAL", "45"),

@@ -102,7 +102,8 @@ fn the_setpoint_is_a_diameter_across_the_axis_of_rotation() {
 #[test]
 fn the_picture_follows_axis_and_sign() {
     // oracle: self: another place is measured, so another picture is drawn
-    let picture = |changes: &[(&str, &str)]| draw(&CYCLE974, &call(&CYCLE974, changes), &lathe());
+    let picture =
+        |changes: &[(&str, &str)]| draw(&CYCLE974, &call(&CYCLE974, changes), &lathe()).unwrap();
     let pictures = [
         picture(&[]),
         picture(&[("_SETVAL", "-45")]),

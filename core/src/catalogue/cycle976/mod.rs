@@ -13,7 +13,7 @@ pub use results::RESULTS;
 pub use variants::VARIANTS;
 
 use crate::catalogue::common;
-use crate::catalogue::{Cycle, Dialect, Purpose, When};
+use crate::catalogue::{Cycle, Dialect, Drawing, Purpose, When};
 
 /// The entry. Example: the ring of B:5168-5188.
 pub static CYCLE976: Cycle = Cycle {
@@ -36,7 +36,7 @@ pub static CYCLE976: Cycle = Cycle {
         &common::alarms([61325, 61326, 61401]),
     ],
     checks: checks::checks,
-    picture: picture::picture,
+    picture: Drawing::new(picture::picture),
     example: &[
         ("_MVAR", "10101"),
         ("_SETVAL", "110.246"),

@@ -18,7 +18,7 @@ mod variants;
 pub use results::RESULTS;
 pub use variants::VARIANTS;
 
-use crate::catalogue::{Cycle, Dialect, Purpose, Simulation, Work, common};
+use crate::catalogue::{Cycle, Dialect, Drawing, Purpose, Simulation, Work, common};
 
 /// The entry. Example: the hole of B:6050-6137.
 pub static CYCLE977: Cycle = Cycle {
@@ -39,7 +39,7 @@ pub static CYCLE977: Cycle = Cycle {
         &common::alarms([61325, 61327, 61334, 61341, 61401, 61402, 61412]),
     ],
     checks: checks::checks,
-    picture: picture::picture,
+    picture: Drawing::new(picture::picture),
     example: &[
         ("_MVAR", "1"),
         ("_SETVAL", "132"),

@@ -10,7 +10,7 @@ pub mod simulate;
 #[cfg(test)]
 mod tests;
 
-use crate::catalogue::{Cycle, Dialect, Purpose, Simulation, Variant, Work, common};
+use crate::catalogue::{Cycle, Dialect, Drawing, Purpose, Simulation, Variant, Work, common};
 
 /// Measuring variants (B:6323-6328).
 pub const VARIANTS: &[Variant] = &[
@@ -57,7 +57,7 @@ pub static CYCLE978: Cycle = Cycle {
         &common::alarms([61325, 61327, 61341, 61401, 61412]),
     ],
     checks: checks::checks,
-    picture: picture::picture,
+    picture: Drawing::new(picture::picture),
     example: &[
         ("_MVAR", "0"),
         ("_SETVAL", "100"),

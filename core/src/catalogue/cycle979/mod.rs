@@ -11,7 +11,7 @@ mod tests;
 pub use results::RESULTS;
 
 use crate::catalogue::common;
-use crate::catalogue::{Cycle, Dialect, Purpose, Variant};
+use crate::catalogue::{Cycle, Dialect, Drawing, Purpose, Variant};
 
 /// Measuring variants (B:6764-6773).
 pub const VARIANTS: &[Variant] = &[
@@ -77,7 +77,7 @@ pub static CYCLE979: Cycle = Cycle {
         &common::alarms([61316, 61317, 61327, 61341, 61365, 61412]),
     ],
     checks: checks::checks,
-    picture: picture::picture,
+    picture: Drawing::new(picture::picture),
     example: &[
         ("_MVAR", "1"),
         ("_SETVAL", "130"),

@@ -11,7 +11,7 @@ mod tests;
 mod variants;
 
 use crate::catalogue::common::alarms;
-use crate::catalogue::{Cycle, Dialect, MachineSort, ProbeUse, Purpose, tool_probe};
+use crate::catalogue::{Cycle, Dialect, Drawing, MachineSort, ProbeUse, Purpose, tool_probe};
 
 /// The entry. Example: the milling cutter T3 in radial position of B:9526-9580, length L2 and radius.
 pub static CYCLE982: Cycle = Cycle {
@@ -52,7 +52,7 @@ pub static CYCLE982: Cycle = Cycle {
     // A:15856; 61326 and 61351 are ours, for what the manual refuses without a number (B:9208, B:9838)
     alarms: &[tool_probe::ALARMS, &alarms([61315, 61326, 61351])],
     checks: checks::checks,
-    picture: picture::picture,
+    picture: Drawing::new(picture::picture),
     example: &[
         ("_MVAR", "12001"),
         ("_MA", "1"),

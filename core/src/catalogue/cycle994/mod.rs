@@ -10,7 +10,7 @@ mod tests;
 
 pub use results::RESULTS;
 
-use crate::catalogue::{Cycle, Dialect, Purpose, Variant, common, lathe};
+use crate::catalogue::{Cycle, Dialect, Drawing, Purpose, Variant, common, lathe};
 use crate::diagnostic::Code;
 
 /// Measuring variants (B:10930-10933). What A:12201 says about the second is a slip: there the zone counts outside.
@@ -68,7 +68,7 @@ pub static CYCLE994: Cycle = Cycle {
         &[ZONE],
     ],
     checks: checks::checks,
-    picture: picture::picture,
+    picture: Drawing::new(picture::picture),
     example: &[
         ("_MVAR", "2"),
         ("_SETVAL", "45"),

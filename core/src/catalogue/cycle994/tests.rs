@@ -94,7 +94,7 @@ fn y_counts_like_x_where_it_is_told_to() {
 fn the_second_variant_is_drawn_outside_with_and_inside_without_zone() {
     // oracle: manual B:10933
     let zones = |changes: &[(&str, &str)]| {
-        let picture = draw(&CYCLE994, &call(&CYCLE994, changes), &lathe());
+        let picture = draw(&CYCLE994, &call(&CYCLE994, changes), &lathe()).unwrap();
         let of = |kind| {
             picture
                 .shapes

@@ -13,7 +13,7 @@ pub use results::RESULTS;
 pub use variants::VARIANTS;
 
 use crate::catalogue::common;
-use crate::catalogue::{Cycle, Dialect, Purpose};
+use crate::catalogue::{Cycle, Dialect, Drawing, Purpose};
 
 /// The entry. Example: the three spheres of B:8480-8529. Its program writes `_KNUM` = 99999, which does not exist; meant
 /// is the active frame.
@@ -34,7 +34,7 @@ pub static CYCLE997: Cycle = Cycle {
         &common::alarms([61316, 61321, 61325, 61327, 61411, 61412, 61413, 61414]),
     ],
     checks: checks::checks,
-    picture: picture::picture,
+    picture: Drawing::new(picture::picture),
     example: &[
         ("_MVAR", "10109"),
         ("_SETVAL", "50"),

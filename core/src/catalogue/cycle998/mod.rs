@@ -11,7 +11,7 @@ mod tests;
 pub use results::RESULTS;
 
 use crate::catalogue::common;
-use crate::catalogue::{Cycle, Dialect, Purpose, Variant};
+use crate::catalogue::{Cycle, Dialect, Drawing, Purpose, Variant};
 
 /// Measuring variants (B:7318-7324).
 pub const VARIANTS: &[Variant] = &[
@@ -61,7 +61,7 @@ pub static CYCLE998: Cycle = Cycle {
         &common::alarms([61325, 61327, 61329, 61331, 61364, 61401, 61412]),
     ],
     checks: checks::checks,
-    picture: picture::picture,
+    picture: Drawing::new(picture::picture),
     example: &[
         ("_MVAR", "105"),
         ("_SETVAL", "-18"),

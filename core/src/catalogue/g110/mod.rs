@@ -9,7 +9,7 @@ mod tests;
 
 use super::nct::{self, part};
 use super::{
-    Cycle, Dialect, Proposal, Purpose, ResultField, Simulation, Unit, Variant, When, Work,
+    Cycle, Dialect, Drawing, Proposal, Purpose, ResultField, Simulation, Unit, Variant, When, Work,
 };
 use crate::check::Inputs;
 use crate::control::Control;
@@ -59,7 +59,7 @@ pub static G110: Cycle = Cycle {
         ],
     ],
     checks: checks::checks,
-    picture: picture::picture,
+    picture: Drawing::new(picture::picture),
     example: &[
         ("D", "50"),
         ("S", "1"),

@@ -77,7 +77,7 @@ pub(super) const fn element(index: &'static str, source: &'static str) -> Elemen
         range: Range::ANY,
         choices: &[],
         internal: false,
-        source,
+        source: crate::cited(source),
     }
 }
 
