@@ -289,7 +289,7 @@ fn limits_memories_and_positioning() {
     assert_eq!(found(&[("_FA", "1")], |_| ()), doubt(26));
     assert_eq!(
         found(&[("_EVNUM", "21")], |_| ()),
-        vec![(Severity::Error, Code::Own(21))]
+        vec![(Severity::Error, Code::Own(59))]
     );
     assert_eq!(found(&[("_EVNUM", "990020")], |_| ()), []);
     assert_eq!(

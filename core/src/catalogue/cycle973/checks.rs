@@ -114,7 +114,7 @@ fn data(
         let names = [plus, minus, base].join(", ");
         let message = Message::new("check-groove-empty").text("names", names);
         let hint = Message::new("check-groove-empty-hint");
-        found.push(warning(Code::Own(54), message).hint(hint).at(names::CALNUM));
+        found.push(warning(Code::Own(43), message).hint(hint).at(names::CALNUM));
         return;
     }
     if upper <= lower {
@@ -122,7 +122,7 @@ fn data(
             .text("plus", plus)
             .text("minus", minus);
         let hint = Message::new("check-groove-edges-hint");
-        found.push(error(Code::Own(55), message).hint(hint).at(names::CALNUM));
+        found.push(error(Code::Own(44), message).hint(hint).at(names::CALNUM));
         return;
     }
     let width = upper - lower;
@@ -146,7 +146,7 @@ fn shank(inputs: &Inputs, tip: i64, found: &mut Vec<Diagnostic>) {
     if backwards {
         let message = Message::new("check-shank").number("tip", tip as f64);
         found.push(
-            warning(Code::Own(56), message)
+            warning(Code::Own(45), message)
                 .hint(Message::new("check-shank-hint"))
                 .at(names::MD),
         );

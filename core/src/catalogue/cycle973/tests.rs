@@ -44,7 +44,7 @@ fn a_surface_and_its_mistakes() {
         (&[("_MVAR", "1113")], Some((ERROR, alarm(61307), "_MVAR"))),
         (&[("_SETVAL", "")], Some((ERROR, own(1), "_SETVAL"))),
         (&[("_MD", "2")], Some((ERROR, alarm(61326), "_MD"))),
-        (&[("_MD", "0")], Some((WARNING, own(56), "_MD"))),
+        (&[("_MD", "0")], Some((WARNING, own(45), "_MD"))),
         (&[("_MA", "2"), ("_MD", "0")], None),
         (&[("_MA", "4")], Some((ERROR, alarm(61325), "_MA"))),
         (&[("_TZL", "1")], Some((ERROR, own(40), "_TZL"))),
@@ -132,10 +132,10 @@ fn the_data_of_the_groove_are_looked_at() {
     assert_eq!(with(|_| ()), []);
     let empty =
         |control: &mut Control| (0..3).for_each(|i| control.set(format!("_KB[0,{i}]"), 0.0));
-    assert_eq!(with(empty), at(WARNING, Code::Own(54)));
+    assert_eq!(with(empty), at(WARNING, Code::Own(43)));
     assert_eq!(
         with(|control| control.set("_KB[0,0]", 50.0)),
-        at(ERROR, Code::Own(55))
+        at(ERROR, Code::Own(44))
     );
     assert_eq!(
         with(|control| control.set("_KB[0,0]", 56.0)),

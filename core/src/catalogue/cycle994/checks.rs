@@ -19,7 +19,7 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     if set <= 0.0 {
         let message = Message::new("check-two-setpoint").number("set", set);
         found.push(
-            warning(Code::Own(50), message)
+            warning(Code::Own(46), message)
                 .hint(Message::new("check-two-setpoint-hint"))
                 .at(names::SETVAL),
         );
@@ -39,7 +39,7 @@ fn ball_diameter(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>
     if control.bit("_CHBIT[7]") && control.number(&name) <= 0.0 {
         let message = Message::new("check-two-ball").text("name", &name);
         let hint = Message::new("check-two-ball-hint").text("name", name);
-        found.push(error(Code::Own(51), message).hint(hint).at(names::PRNUM));
+        found.push(error(Code::Own(47), message).hint(hint).at(names::PRNUM));
     }
 }
 
@@ -84,13 +84,13 @@ fn either(inputs: &Inputs, set: f64, ball: f64, found: &mut Vec<Diagnostic>) {
         (true, true) => {}
         (false, false) => {
             let message = Message::new("check-two-no-zone");
-            found.push(note(Code::Own(52), message).hint(Message::new("check-two-no-zone-hint")));
+            found.push(note(Code::Own(48), message).hint(Message::new("check-two-no-zone-hint")));
         }
         (abscissa, _) => {
             let missing = if abscissa { names::SZO } else { names::SZA };
             let message = Message::new("check-two-half-zone").text("name", missing);
             let hint = Message::new("check-two-half-zone-hint");
-            found.push(warning(Code::Own(53), message).hint(hint).at(missing));
+            found.push(warning(Code::Own(49), message).hint(hint).at(missing));
         }
     }
     let (name, Some(zone)) = across(inputs) else {

@@ -42,7 +42,7 @@ fn small(inputs: &Inputs, ball: f64, found: &mut Vec<Diagnostic>) {
             .number("size", size)
             .number("ball", 2.0 * ball);
         found.push(
-            warning(Code::Own(90), message)
+            warning(Code::Own(93), message)
                 .hint(Message::new("check-sphere-small-hint"))
                 .at(names::SETVAL),
         );
@@ -83,7 +83,7 @@ fn triangle(inputs: &Inputs, ball: f64, found: &mut Vec<Diagnostic>) {
                 .number("other", other.number)
                 .number("distance", distance);
             let hint = Message::new("check-spheres-overlap-hint").number("size", size);
-            found.push(error(Code::Own(91), message).hint(hint).at(other.field));
+            found.push(error(Code::Own(94), message).hint(hint).at(other.field));
             return;
         }
     }
@@ -131,7 +131,7 @@ fn beside(
                 .number("one", one.number)
                 .number("other", other.number);
             found.push(
-                warning(Code::Own(92), message)
+                warning(Code::Own(95), message)
                     .hint(Message::new("check-spheres-close-hint"))
                     .at(names::FA),
             );

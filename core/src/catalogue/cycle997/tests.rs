@@ -62,7 +62,7 @@ fn mistakes_are_told() {
             Some((error, alarm(61316), "_INCA")),
         ),
         (&[("_SETVAL", "0")], Some((error, alarm(61413), "_SETVAL"))),
-        (&[("_SETVAL", "11")], Some((warning, own(90), "_SETVAL"))),
+        (&[("_SETVAL", "11")], Some((warning, own(93), "_SETVAL"))),
         (&[("_PRNUM", "101")], Some((error, alarm(61313), "_PRNUM"))),
         (&[("_FA", "1")], Some((warning, own(26), "_FA"))),
         (&[("_KNUM", "1051")], Some((error, alarm(61321), "_KNUM"))),
@@ -70,12 +70,12 @@ fn mistakes_are_told() {
         (&[("_KNUM", "99999")], Some((error, alarm(61321), "_KNUM"))),
         (&[("_TNVL", "0")], Some((error, own(5), "_TNVL"))),
         (&[("_SETV[3]", "")], Some((error, own(1), "_SETV[3]"))),
-        (&[("_SETV[3]", "149")], Some((error, own(91), "_SETV[3]"))),
+        (&[("_SETV[3]", "149")], Some((error, own(94), "_SETV[3]"))),
         (
             &[("_SETV[6]", "600"), ("_SETV[7]", "140")],
-            Some((error, own(91), "_SETV[6]")),
+            Some((error, own(94), "_SETV[6]")),
         ),
-        (&[("_SETV[3]", "155")], Some((warning, own(92), "_FA"))),
+        (&[("_SETV[3]", "155")], Some((warning, own(95), "_FA"))),
         // as close, but no point lies towards the other sphere
         (
             &[

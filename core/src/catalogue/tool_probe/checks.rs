@@ -39,7 +39,7 @@ pub fn memory(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
             .number("number", number)
             .number("size", size);
         let hint = Message::new("check-memory-hint").text("array", "_EVMVNUM[0]");
-        found.push(error(Code::Own(21), message).hint(hint).at(names::EVNUM));
+        found.push(error(Code::Own(59), message).hint(hint).at(names::EVNUM));
     }
 }
 
