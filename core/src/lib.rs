@@ -20,7 +20,7 @@ pub mod run;
 pub mod words;
 pub mod workpiece;
 
-/// Whether this build carries out cycles and reads descriptions of machines (feature `simulation`). The page's first
+/// Whether this build carries out cycles, draws them and reads descriptions of machines (feature `simulation`). The page's first
 /// module does not, and is so much smaller.
 pub const SIMULATES: bool = cfg!(feature = "simulation");
 

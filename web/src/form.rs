@@ -1,4 +1,4 @@
-//! The form: both modules answer it, the first without the prediction.
+//! The form: both modules answer it, the first without picture and prediction.
 
 use probewright_core::json;
 use wasm_bindgen::JsError;
