@@ -65,11 +65,8 @@ const WASM_FEATURES: [&str; 6] = [
 
 /// Builds all modules. Needs the wasm target and the npm packages.
 pub fn build() -> Result<()> {
-    let preview = root().join("web/preview/Cargo.toml").is_file();
-    let there = |module: &&Module| module.package != "probewright-preview" || preview;
     MODULES
         .iter()
-        .filter(there)
         .try_for_each(|module| step(&format!("wasm {}", module.folder), || build_module(module)))
 }
 
