@@ -19,6 +19,7 @@ pub fn page(cycle: &Cycle, words: &Words) -> String {
         ),
     );
     line(&mut text, &words.key(format!("{}-help", cycle.key)));
+    line(&mut text, known(cycle));
     line(
         &mut text,
         &format!(
@@ -34,6 +35,14 @@ pub fn page(cycle: &Cycle, words: &Words) -> String {
         text.pop();
     }
     text
+}
+
+/// How much of the cycle Probewright knows.
+fn known(cycle: &Cycle) -> &'static str {
+    match cycle.simulation {
+        Some(_) => "Form, checks, program text and simulation.",
+        None => "Form, checks and program text; not simulated, so a run stops at the call.",
+    }
 }
 
 fn variants(text: &mut String, cycle: &Cycle, words: &Words) {
