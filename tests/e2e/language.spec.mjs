@@ -86,4 +86,28 @@ describe("language", () => {
     }
     await context.close();
   });
+
+  // oracle: hand
+  test("without a network the other language is there too", async () => {
+    const { context, page } = await start(chrome);
+    await page.evaluate(() => navigator.serviceWorker.ready.then(() => true));
+    await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
+    await context.setOffline(true);
+    await speak(page, "zh");
+    assert.match(await page.locator("#form-title").textContent(), HAN);
+    await context.close();
+  });
+
+  for (const [width, height] of [[1280, 800], [768, 1024]]) {
+    // oracle: hand
+    test(`nothing sticks out in Chinese, ${width} × ${height}`, async () => {
+      const { context, page } = await start(chrome, { locale: "zh-CN", viewport: { width, height } });
+      for (const panel of ["tasks", "form", "program", "view", "results"]) {
+        const tab = page.locator(`.panel-bar [aria-controls="panel-${panel}"]`);
+        if (await tab.isVisible()) await tab.click();
+        assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width, panel);
+      }
+      await context.close();
+    });
+  }
 });
