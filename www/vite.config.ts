@@ -20,7 +20,8 @@ function partsOfWords(): Plugin {
       const [path = "", part] = id.split("?");
       if (!path.endsWith(".ftl") || (part !== "first" && part !== "later")) return null;
       const messages = readFileSync(path, "utf8").split(/\n(?=[a-z#]|$)/).filter((message) => /^[a-z]/.test(message));
-      return `export default ${JSON.stringify(messages.filter((message) => LATER.test(message) === (part === "later")).join("\n"))}`;
+      const isLater = (message: string): boolean => path.includes("/core/") && LATER.test(message); // the page's own stand from the start
+      return `export default ${JSON.stringify(messages.filter((message) => isLater(message) === (part === "later")).join("\n"))}`;
     },
   };
 }

@@ -64,6 +64,12 @@ describe("first visit", () => {
     assert.match(await page.locator(".snippet").textContent(), /\S/);
     assert.ok(await page.locator(".picture .shape").count() > 3, "the picture is drawn");
     assert.ok(Number(await page.locator(".transport-row input").getAttribute("max")) > 3, "there are motions to step through");
+    assert.equal(await page.locator('[placeholder=""]:visible, [aria-label=""]:visible, h2:empty:visible, button:empty:visible').count(), 0, "every word that stands from the start is there");
+    const cut = await page.locator(".facts div").evaluateAll((list) => list.filter((one) => {
+      const [inner, outer] = [one.getBoundingClientRect(), one.parentElement.getBoundingClientRect()];
+      return inner.top < outer.bottom && (inner.right > outer.right + 1 || inner.bottom > outer.bottom + 1);
+    }).length);
+    assert.equal(cut, 0, "no fact of the header is cut");
     assert.deepEqual(problems, []);
     if (process.env.PROBEWRIGHT_SCREENSHOT) await page.screenshot({ path: process.env.PROBEWRIGHT_SCREENSHOT });
     await context.close();

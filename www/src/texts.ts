@@ -11,7 +11,7 @@ const FALLBACK = "en";
 const english = import.meta.glob<string>(
   ["../../core/messages/en/*.ftl", "../messages/en/*.ftl", "!../../core/messages/en/{advice,alarms,datum,run,syntax}.ftl"], { query: "?first", import: "default", eager: true });
 const later = [
-  ...Object.values(import.meta.glob<string>(["../../core/messages/en/*.ftl", "../messages/en/*.ftl"], { query: "?later", import: "default" })),
+  ...Object.values(import.meta.glob<string>("../../core/messages/en/*.ftl", { query: "?later", import: "default" })),
   ...Object.values(import.meta.glob<string>("../../core/messages/en/{advice,alarms,datum,run,syntax}.ftl", { query: "?first", import: "default" })),
 ];
 let complete = false; // whether all of English is here
