@@ -69,7 +69,7 @@ about-open = About
 
 tasks-title = What to measure
 tasks-search = Search cycles, parameters, results and alarms
-tasks-search-hint = Cycle, name, alarm, words
+tasks-search-hint = Cycle, alarm, words
 tasks-none = Nothing found for “{ $search }”. Try another word, or the number of a cycle or an alarm.
 
 form-opened = Edits { $cycle } in the program, lines { $from } to { $to }
