@@ -5,11 +5,10 @@ import { VitePWA } from "vite-plugin-pwa";
 
 const here = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
 
-/** Help, cures and search words are asked for only when the form stands: they come in a part of their own. */
-const LATER = /^[a-z0-9-]+-(help|hint|words) =/;
-
-/** What running, alarms and machine data say (texts.ts names the same files). */
-const BEHIND = /^(advice|alarms|datum|run|syntax)$/;
+// What is asked for only when the form stands comes in a part of its own: help, cures and search words of the core, and
+// all that running, alarms and machine data say. The page's own words stand from the start.
+const LATER_WORDS = /^[a-z0-9-]+-(help|hint|words) =/;
+const LATER_FILES = /\/core\/messages\/[^/]+\/(advice|alarms|datum|run|syntax)\.ftl$/;
 
 /** The messages of a file (`?first`, `?later`), each with its attributes. */
 function partsOfWords(): Plugin {
@@ -20,7 +19,7 @@ function partsOfWords(): Plugin {
       const [path = "", part] = id.split("?");
       if (!path.endsWith(".ftl") || (part !== "first" && part !== "later")) return null;
       const messages = readFileSync(path, "utf8").split(/\n(?=[a-z#]|$)/).filter((message) => /^[a-z]/.test(message));
-      const isLater = (message: string): boolean => path.includes("/core/") && LATER.test(message); // the page's own stand from the start
+      const isLater = (message: string): boolean => LATER_FILES.test(path) || path.includes("/core/") && LATER_WORDS.test(message);
       return `export default ${JSON.stringify(messages.filter((message) => isLater(message) === (part === "later")).join("\n"))}`;
     },
   };
@@ -53,8 +52,8 @@ export default defineConfig({
     modulePreload: { polyfill: false },
     // A language in one piece; English comes with the page, in two parts.
     rollupOptions: { output: { manualChunks: (id) => {
-      const [, language, file, part] = /\/messages\/([^/]+)\/([^/]+)\.ftl\?(\w+)/.exec(id) ?? [];
-      if (language === "en") return part === "later" || BEHIND.test(file ?? "") ? "words-en-later" : undefined;
+      const [, language, part] = /\/messages\/([^/]+)\/[^/]+\.ftl\?(\w+)/.exec(id) ?? [];
+      if (language === "en") return part === "later" ? "words-en-later" : undefined;
       return language ? `words-${language}` : undefined;
     } } },
   },

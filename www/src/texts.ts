@@ -6,14 +6,9 @@ import { FluentBundle, FluentNumber, FluentResource } from "@fluent/bundle";
 import type { Message } from "./wire";
 
 const FALLBACK = "en";
-// English comes in parts: labels with the page; help, cures and search words (`?later`, vite.config.ts) and what only
-// running, alarms and machine data say behind the first form.
-const english = import.meta.glob<string>(
-  ["../../core/messages/en/*.ftl", "../messages/en/*.ftl", "!../../core/messages/en/{advice,alarms,datum,run,syntax}.ftl"], { query: "?first", import: "default", eager: true });
-const later = [
-  ...Object.values(import.meta.glob<string>("../../core/messages/en/*.ftl", { query: "?later", import: "default" })),
-  ...Object.values(import.meta.glob<string>("../../core/messages/en/{advice,alarms,datum,run,syntax}.ftl", { query: "?first", import: "default" })),
-];
+// English comes in two parts, split by the build (vite.config.ts): what the first form says, and what comes behind it.
+const english = import.meta.glob<string>(["../../core/messages/en/*.ftl", "../messages/en/*.ftl"], { query: "?first", import: "default", eager: true });
+const later = Object.values(import.meta.glob<string>("../../core/messages/en/*.ftl", { query: "?later", import: "default" }));
 let complete = false; // whether all of English is here
 const others = import.meta.glob<string>(
   ["../../core/messages/*/*.ftl", "../messages/*/*.ftl", "!../../core/messages/en/*.ftl", "!../messages/en/*.ftl"], { query: "?raw", import: "default" });

@@ -59,9 +59,27 @@ pub const AUXILIARY_ARGS: &[&str] = &[
 impl ArgumentList {
     /// Whether the variant is an argument of its own.
     pub fn has_variant(&self, cycle: &Cycle) -> bool {
-        self.args
-            .iter()
-            .any(|arg| matches!(arg, Arg::Param(name) if cycle.variant_param() == Some(name)))
+        let variant = cycle.variant_param();
+        variant.is_some_and(|name| self.position(name).is_some())
+    }
+
+    /// Which argument takes this parameter.
+    pub fn position(&self, name: &str) -> Option<usize> {
+        let takes =
+            |arg: &Arg| matches!(arg, Arg::Param(param) | Arg::Down(param) if *param == name);
+        self.args.iter().position(takes)
+    }
+
+    /// The parameter that takes the variant, and the variant that the selections make, where it has no argument of its
+    /// own; `number` tells what stands at an argument, an omitted one is 0.
+    pub fn composed(
+        &self,
+        cycle: &Cycle,
+        number: impl Fn(usize) -> Option<f64>,
+    ) -> Option<(&'static str, i64)> {
+        let name = cycle.variant_param()?;
+        let own = self.has_variant(cycle);
+        (!own).then(|| Some((name, self.selected(number)?)))?
     }
 
     /// What to write for each [`Arg::Select`], in order, so that this variant comes out.
@@ -78,7 +96,7 @@ impl ArgumentList {
     }
 
     /// The variant that the selections make; an omitted argument is 0. None: a selection that is not known.
-    pub fn selected(&self, number: impl Fn(usize) -> Option<f64>) -> Option<i64> {
+    fn selected(&self, number: impl Fn(usize) -> Option<f64>) -> Option<i64> {
         let mut variant = self.base;
         for (index, arg) in self.args.iter().enumerate() {
             if let Arg::Select(choices) = arg {

@@ -66,11 +66,12 @@ pub fn calls(program: &Program) -> Value {
 
 fn view(program: &Program, control: Control) -> Value {
     let positions = Positions::new(&program.source);
-    let calls: Vec<Value> = calls_on(program, control.clone())
+    let sites = calls_on(program, control.clone());
+    let calls: Vec<Value> = sites
         .iter()
         .map(|site| call(program, site, &positions))
         .collect();
-    let found = program::findings_on(program, control);
+    let found = program::findings_of(program, &sites, &control);
     object([
         ("calls", calls.into()),
         ("diagnostics", findings(&found, &positions).into()),

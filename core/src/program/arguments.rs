@@ -2,7 +2,7 @@
 
 use super::calls::CallSite;
 use super::change::Edit;
-use super::tree::{Program, Word, WordKind};
+use super::tree::{Program, WordKind};
 use super::values::opposite;
 use crate::catalogue::{Arg, ArgumentList, list};
 use crate::diagnostic::Span;
@@ -49,23 +49,16 @@ fn trimmed(text: &[u8], span: Span, start: usize, end: usize) -> Span {
     }
 }
 
-/// The word around a place.
-pub(super) fn word_at(program: &Program, place: Span) -> Option<&Word> {
-    let behind = program
-        .words
-        .partition_point(|word| word.span.start <= place.start);
-    let word = program.words.get(behind.checked_sub(1)?)?;
-    (word.span.end >= place.end).then_some(word)
-}
-
 /// Whether a place is an argument of a call.
 pub(super) fn is_argument(program: &Program, place: Span) -> bool {
-    word_at(program, place).is_some_and(|word| matches!(word.kind, WordKind::Call { .. }))
+    program
+        .word_at(place)
+        .is_some_and(|word| matches!(word.kind, WordKind::Call { .. }))
 }
 
 /// Whether a place is an argument of `CYCLE_PARA`, where 0 says nothing.
 pub(super) fn is_auxiliary(program: &Program, place: Span) -> bool {
-    word_at(program, place).is_some_and(|word| match word.kind {
+    program.word_at(place).is_some_and(|word| match word.kind {
         WordKind::Call { name, .. } => program.is(name, list::AUXILIARY),
         _ => false,
     })
@@ -82,8 +75,7 @@ pub(super) fn change(
     if site.cycle.variant_param() == Some(name) && !list.has_variant(site.cycle) {
         return Some(select(program, site, list, text).unwrap_or_default());
     }
-    let named = |arg: &Arg| matches!(arg, Arg::Param(param) | Arg::Down(param) if *param == name);
-    let index = list.args.iter().position(named)?;
+    let index = list.position(name)?;
     let text = match list.args[index] {
         Arg::Down(_) => opposite(text),
         _ => text.to_owned(),

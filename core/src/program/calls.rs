@@ -172,8 +172,10 @@ impl Walk<'_> {
             return self.auxiliary(line, arguments);
         }
         let number = |index: usize| arguments.get(index)?.as_ref()?.number;
-        let listed = list::called(self.program.dialect, &name, number);
-        if let Some((cycle, list)) = listed.filter(|_| !arguments.is_empty()) {
+        let listed = (!arguments.is_empty())
+            .then(|| list::called(self.program.dialect, &name, number))
+            .flatten();
+        if let Some((cycle, list)) = listed {
             self.listed(cycle, list, line, span, &arguments);
         } else if let Some(cycle) = self.cycle(&name) {
             self.sinumerik(cycle, line, span, None);
@@ -448,8 +450,7 @@ fn given(
         found.extend(value.map(|value| (*name, value)));
     }
     let number = |index| at(index).map_or(Some(0.0), |value| value.number);
-    let composed = cycle.variant_param().filter(|_| !list.has_variant(cycle));
-    if let (Some(name), Some(variant)) = (composed, list.selected(number)) {
+    if let Some((name, variant)) = list.composed(cycle, number) {
         let value = Value {
             text: variant.to_string(),
             place: span,

@@ -159,13 +159,7 @@ fn remove(program: &Program, place: Span) -> Edit {
 
 /// The whole assignment around a value; the value itself where it is an element of a list.
 fn word_around(program: &Program, place: Span) -> Span {
-    let behind = program
-        .words
-        .partition_point(|word| word.span.start <= place.start);
-    let word = behind
-        .checked_sub(1)
-        .and_then(|index| program.words.get(index));
-    let Some(word) = word.filter(|word| word.span.end >= place.end) else {
+    let Some(word) = program.word_at(place) else {
         return place;
     };
     let between = |start, end| program.text(Span { start, end });
@@ -187,9 +181,11 @@ fn add(program: &Program, site: &CallSite, name: &str, value: &str) -> Edit {
     let own = site.places.values().filter(|place| {
         place.start >= site.own_from && !skipped(place) && !arguments::is_argument(program, **place)
     });
-    let last = own
-        .max_by_key(|place| place.start)
-        .map(|place| whole_word(program, *place).end);
+    let last = own.max_by_key(|place| place.start).map(|place| {
+        program
+            .word_at(*place)
+            .map_or(place.end, |word| word.span.end)
+    });
     match last {
         Some(end) => inserted(end, format!(" {written}")),
         None if program.dialect == Dialect::Nct => inserted(site.span.end, format!(" {written}")),
@@ -202,16 +198,6 @@ fn inserted(at: u32, insert: String) -> Edit {
         span: Span { start: at, end: at },
         insert,
     }
-}
-
-fn whole_word(program: &Program, place: Span) -> Span {
-    let behind = program
-        .words
-        .partition_point(|word| word.span.start <= place.start);
-    behind
-        .checked_sub(1)
-        .and_then(|index| program.words.get(index))
-        .map_or(place, |word| word.span)
 }
 
 fn line_at(program: &Program, offset: u32) -> Option<&Block> {

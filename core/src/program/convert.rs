@@ -87,7 +87,7 @@ fn own_words<'a>(program: &'a Program, site: &CallSite) -> BTreeMap<u32, Vec<&'a
         place.start >= site.own_from && **place != site.span && !site.shared.contains(*name)
     });
     for (_, place) in places {
-        let Some(word) = arguments::word_at(program, *place) else {
+        let Some(word) = program.word_at(*place) else {
             continue;
         };
         let single = match &word.kind {

@@ -1,7 +1,7 @@
 //! What is wrong in a program, without running it.
 
 use super::advice::advice;
-use super::calls::calls_on;
+use super::calls::{CallSite, calls_on};
 use super::tree::{Program, SyntaxError};
 use crate::control::{Control, delivery};
 use crate::diagnostic::{Code, Diagnostic, Severity};
@@ -17,10 +17,17 @@ pub fn findings(program: &Program) -> Vec<Diagnostic> {
 
 /// The same for a program that starts on a control in this state.
 pub fn findings_on(program: &Program, control: Control) -> Vec<Diagnostic> {
-    let syntax = program.errors.iter().map(not_understood);
     let sites = calls_on(program, control.clone());
-    let advice = advice(program, &sites, &control);
-    let calls = sites.into_iter().flat_map(|site| site.diagnostics);
+    findings_of(program, &sites, &control)
+}
+
+/// The same where the calls of the program on this control are known already.
+pub fn findings_of(program: &Program, sites: &[CallSite], control: &Control) -> Vec<Diagnostic> {
+    let syntax = program.errors.iter().map(not_understood);
+    let advice = advice(program, sites, control);
+    let calls = sites
+        .iter()
+        .flat_map(|site| site.diagnostics.iter().cloned());
     let mut found: Vec<Diagnostic> = syntax.chain(calls).chain(advice).collect();
     found.sort_by_key(|found| found.span.map_or(0, |span| span.start));
     // Calls that share a value say the same about it.

@@ -23,7 +23,7 @@ pub mod tree;
 mod values;
 
 pub use block::read;
-pub use findings::{findings, findings_on};
+pub use findings::{findings, findings_of, findings_on};
 pub use single::is_value;
 pub use tree::Program;
 pub mod write;

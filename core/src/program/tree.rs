@@ -54,6 +54,15 @@ impl Program {
         self.exprs.get(id as usize)
     }
 
+    /// The word around a place.
+    pub fn word_at(&self, place: Span) -> Option<&Word> {
+        let behind = self
+            .words
+            .partition_point(|word| word.span.start <= place.start);
+        let word = self.words.get(behind.checked_sub(1)?)?;
+        (word.span.end >= place.end).then_some(word)
+    }
+
     /// Line (from 0) that holds a byte; the line end belongs to the line before it.
     pub fn line_of(&self, offset: u32) -> u32 {
         let after = self

@@ -68,8 +68,7 @@ fn values(
         });
     let mut found: Vec<_> = params.collect();
     let number = |index| at(index).map_or(Some(0.0), |value| value.number());
-    let composed = cycle.variant_param().filter(|_| !list.has_variant(cycle));
-    if let (Some(name), Some(variant)) = (composed, list.selected(number)) {
+    if let Some((name, variant)) = list.composed(cycle, number) {
         found.push((name, Some(Value::Number(variant as f64))));
     }
     found

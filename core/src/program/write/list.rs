@@ -78,9 +78,7 @@ fn listed(source: &Source, list: &ArgumentList) -> Written {
 
 /// Whether the list says the value: as an argument, or the variant as selections.
 fn takes(source: &Source, list: &ArgumentList, param: &Param) -> bool {
-    let named =
-        |arg: &Arg| matches!(arg, Arg::Param(name) | Arg::Down(name) if *name == param.name);
-    list.args.iter().any(named)
+    list.position(param.name).is_some()
         || source.cycle.variant_param() == Some(param.name) && list.style != Style::Direct
 }
 
