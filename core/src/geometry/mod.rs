@@ -2,6 +2,7 @@
 //!
 //! Lengths in mm, parameters along a path in mm from its start. One file a kind of surface.
 
+pub mod arc;
 pub mod circle;
 pub mod feature;
 pub mod fit;

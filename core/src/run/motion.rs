@@ -5,9 +5,7 @@ use super::problem::Problem;
 use super::trace::MotionKind;
 use super::{Machine, Stop};
 use crate::diagnostic::{Severity, Span};
-
-/// Degrees of an arc per chord.
-const CHORD: f64 = 3.0;
+use crate::geometry::arc::chords;
 
 /// How a block measures its positions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -169,16 +167,13 @@ fn arc(
     let first = (start[1] - centre[1]).atan2(start[0] - centre[0]);
     let last = (end[1] - centre[1]).atan2(end[0] - centre[0]);
     let sweep = sweep(last - first, counter);
-    let radius = (start[0] - centre[0]).hypot(start[1] - centre[1]);
-    let chords = (sweep.abs().to_degrees() / CHORD).ceil().max(1.0) as usize;
-    for i in 1..=chords {
-        let part = i as f64 / chords as f64;
-        let angle = first + sweep * part;
+    let chords = chords(centre, start, sweep.to_degrees());
+    for (i, [x, y]) in chords.iter().enumerate() {
+        let part = (i + 1) as f64 / chords.len() as f64;
         let mut point = [0.0; 3];
-        point[a] = centre[0] + radius * angle.cos();
-        point[o] = centre[1] + radius * angle.sin();
+        (point[a], point[o]) = (*x, *y);
         point[p] = from[p] + (to[p] - from[p]) * part;
-        let point = if i == chords { to } else { point };
+        let point = if i + 1 == chords.len() { to } else { point };
         straight(run, path.suppress, point, MotionKind::Positioning, feed)?;
     }
     Ok(())

@@ -1,12 +1,15 @@
-//! One measuring block: to the start, `_FA` towards the surface and `_FA` into it, back (B:1111-1121, B:2213-2225).
+//! One measuring block, along an axis or any direction of the plane: to the start, `_FA` towards the surface and `_FA` into it, back (B:1111-1121, B:2213-2225).
 //!
 //! Axes count 0 abscissa, 1 ordinate, 2 applicate. Directions are +1 and -1 along the axis.
 
 mod prepare;
+mod ray;
+
+pub use ray::{Ray, ball_known};
 
 use super::alarm;
 use crate::diagnostic::Code;
-use crate::geometry::TOLERANCE;
+use crate::geometry::{TOLERANCE, arc};
 use crate::run::trace::MotionKind;
 use crate::run::{Machine, Stop};
 
@@ -40,6 +43,8 @@ pub struct Block {
     triggers: [[f64; 2]; 3],
     /// Ball centre minus spindle axis in abscissa and ordinate, mm (`_WP[k,7]`, `_WP[k,8]`).
     pub skew: [f64; 2],
+    /// Active radius of the ball, mm: half of `_WP[k,0]`, 0 where it was never determined (B:6873, B:13442).
+    pub ball: f64,
     feed: f64,
     fast: Option<f64>,
     attempts: u32,
@@ -51,7 +56,7 @@ pub struct Block {
     spindle: Spindle,
 }
 
-/// A surface to be touched.
+/// A surface to be touched along an axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
     /// Axis.
@@ -62,6 +67,17 @@ pub struct Point {
     pub set: f64,
     /// Distance of start and end from the set switching position, mm.
     pub path: f64,
+}
+
+/// The way of a measuring block.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Way {
+    /// Start X Y Z of the WCS, mm.
+    start: [f64; 3],
+    /// End, mm.
+    end: [f64; 3],
+    /// Unit vector from start to end.
+    direction: [f64; 3],
 }
 
 impl Block {
@@ -76,6 +92,7 @@ impl Block {
         Block {
             triggers: [ideal; 3],
             skew: [0.0; 2],
+            ball: self.radius,
             ..self.clone()
         }
     }
@@ -93,11 +110,8 @@ impl Block {
     /// Intermediate positioning to X Y Z of the WCS, mm. A target beyond a software limit switch is alarm 61401: what
     /// the setpoint asks for cannot be reached (A:15920).
     pub fn travel(&self, machine: &mut dyn Machine, to: [f64; 3]) -> Result<(), Stop> {
-        let from = machine.position();
-        match machine.control().limited(from, to) {
-            Some(_) => Err(alarm(machine, 61401)),
-            None => self.go(machine, to),
-        }
+        reachable(machine, to)?;
+        self.go(machine, to)
     }
 
     /// Intermediate positioning that ends at a software limit switch; whether it did (A:15921).
@@ -106,6 +120,27 @@ impl Block {
         let limited = machine.control().limited(from, to);
         self.go(machine, limited.unwrap_or(to))?;
         Ok(limited.is_some())
+    }
+
+    /// Intermediate positioning of the ball on an arc about a point of the plane (abscissa, ordinate, mm), degree
+    /// positive from abscissa to ordinate, at its own feed in mm/min (B:6911-6913). Limits as in [`Block::travel`].
+    pub fn travel_around(
+        &self,
+        machine: &mut dyn Machine,
+        centre: [f64; 2],
+        degrees: f64,
+        feed: f64,
+    ) -> Result<(), Stop> {
+        let from = machine.position();
+        let about = [0, 1].map(|i| centre[i] - self.skew[i]);
+        let start = [0, 1].map(|i| from[self.axes[i]]);
+        for [x, y] in arc::chords(about, start, degrees) {
+            let mut to = from;
+            (to[self.axes[0]], to[self.axes[1]]) = (x, y);
+            reachable(machine, to)?;
+            self.position(machine, to, feed)?;
+        }
+        Ok(())
     }
 
     /// Monitored: `_SPEED[1]` in the plane, `_SPEED[2]` in the applicate; else rapid traverse (B:13743-13763).
@@ -117,8 +152,12 @@ impl Block {
         if !self.monitored {
             return machine.travel(to, MotionKind::Rapid, 0.0, false);
         }
-        let feed = self.positioning_feed(from, to);
-        match machine.travel(to, MotionKind::Positioning, feed, true) {
+        self.position(machine, to, self.positioning_feed(from, to))
+    }
+
+    /// Positioning at a feed, watched if positioning is.
+    fn position(&self, machine: &mut dyn Machine, to: [f64; 3], feed: f64) -> Result<(), Stop> {
+        match machine.travel(to, MotionKind::Positioning, feed, self.monitored) {
             Err(Stop::Alarm(Code::Alarm(number))) => Err(alarm(machine, number)),
             outcome => outcome,
         }
@@ -142,34 +181,48 @@ impl Block {
 
     /// The same without the trigger value: mean position at switching, mm.
     pub fn latch(&self, machine: &mut dyn Machine, point: &Point) -> Result<f64, Stop> {
-        self.orient(machine, point);
+        if let Some(angle) = heading(point) {
+            self.orient(machine, angle);
+        }
+        let axis = self.axes[point.axis.min(2)];
         let mut start = machine.position();
-        start[self.axes[point.axis.min(2)]] = self.start(point);
+        start[axis] = self.start(point);
         self.travel_as_far(machine, start)?;
         let start = machine.position();
-        let mut sum = 0.0;
+        let (mut end, mut direction) = (start, [0.0; 3]);
+        end[axis] = self.end(point);
+        direction[axis] = point.direction;
+        let way = Way {
+            start,
+            end,
+            direction,
+        };
+        Ok(self.mean(machine, &way)?[axis])
+    }
+
+    /// Mean position of `_NMSP` measurements (B:2348-2356); the probe stands at the start and returns there.
+    fn mean(&self, machine: &mut dyn Machine, way: &Way) -> Result<[f64; 3], Stop> {
+        let mut sum = [0.0; 3];
         for _ in 0..self.repeats {
-            sum += self.attempt(machine, point, start)?;
+            let position = self.attempt(machine, way)?;
+            (0..3).for_each(|axis| sum[axis] += position[axis]);
         }
-        Ok(sum / f64::from(self.repeats))
+        Ok(sum.map(|sum| sum / f64::from(self.repeats)))
     }
 
     /// Probes up to five times until the probe switches (B:13999-14001); each attempt begins at the start. Where a
     /// software limit switch ends the way before the probe switches, it is 61401 instead of 61301 (A:15920).
-    fn attempt(
-        &self,
-        machine: &mut dyn Machine,
-        point: &Point,
-        start: [f64; 3],
-    ) -> Result<f64, Stop> {
-        let mut end = start;
-        end[self.axes[point.axis.min(2)]] = self.end(point);
-        let limited = machine.control().limited(start, end);
+    fn attempt(&self, machine: &mut dyn Machine, way: &Way) -> Result<[f64; 3], Stop> {
+        let limited = machine.control().limited(way.start, way.end);
+        let reached = Way {
+            end: limited.unwrap_or(way.end),
+            ..*way
+        };
         for _ in 0..self.attempts {
-            let touched = self.touch(machine, point, start, limited.unwrap_or(end))?;
-            self.back(machine, start)?;
+            let touched = self.touch(machine, &reached)?;
+            self.back(machine, way.start)?;
             if let Some(position) = touched {
-                return Ok(position[self.axes[point.axis.min(2)]]);
+                return Ok(position);
             }
         }
         let number = if limited.is_some() { 61401 } else { 61301 };
@@ -177,24 +230,17 @@ impl Block {
     }
 
     /// Towards the surface; with `_CHBIT[17]` fast, back by 2 mm (not behind the start) and slowly again.
-    fn touch(
-        &self,
-        machine: &mut dyn Machine,
-        point: &Point,
-        start: [f64; 3],
-        end: [f64; 3],
-    ) -> Result<Option<[f64; 3]>, Stop> {
-        let axis = self.axes[point.axis.min(2)];
+    fn touch(&self, machine: &mut dyn Machine, way: &Way) -> Result<Option<[f64; 3]>, Stop> {
         if let Some(fast) = self.fast {
-            let Some(first) = machine.probe(end, fast)? else {
+            let Some(first) = machine.probe(way.end, fast)? else {
                 return Ok(None);
             };
-            let room = (first[axis] - start[axis]).abs().min(PULL_BACK);
-            let mut pulled = start;
-            pulled[axis] = first[axis] - point.direction * room;
+            let gone = |axis: usize| (first[axis] - way.start[axis]) * way.direction[axis];
+            let room = (0..3).map(gone).sum::<f64>().min(PULL_BACK);
+            let pulled = std::array::from_fn(|axis| first[axis] - way.direction[axis] * room);
             self.back(machine, pulled)?;
         }
-        machine.probe(end, self.feed)
+        machine.probe(way.end, self.feed)
     }
 
     /// Away from the surface (B:1121, B:14005-14007).
@@ -206,17 +252,31 @@ impl Block {
         machine.travel(to, MotionKind::Retract, feed, false)
     }
 
-    fn orient(&self, machine: &mut dyn Machine, point: &Point) {
-        let angle = match (point.axis, point.direction > 0.0) {
-            (0, true) => 0.0,
-            (1, true) => 90.0,
-            (0, false) => 180.0,
-            (1, false) => 270.0,
-            _ => return,
-        };
+    /// Turns a probe that follows into the direction of probing, degree from the abscissa.
+    fn orient(&self, machine: &mut dyn Machine, angle: f64) {
         if let Spindle::Follows(offset) = self.spindle {
             machine.orient((angle + offset).rem_euclid(360.0));
         }
+    }
+}
+
+/// Direction of probing in the plane, degree; none along the applicate.
+fn heading(point: &Point) -> Option<f64> {
+    match (point.axis, point.direction > 0.0) {
+        (0, true) => Some(0.0),
+        (1, true) => Some(90.0),
+        (0, false) => Some(180.0),
+        (1, false) => Some(270.0),
+        _ => None,
+    }
+}
+
+/// Refuses a target beyond a software limit switch (A:15920).
+fn reachable(machine: &mut dyn Machine, to: [f64; 3]) -> Result<(), Stop> {
+    let from = machine.position();
+    match machine.control().limited(from, to) {
+        Some(_) => Err(alarm(machine, 61401)),
+        None => Ok(()),
     }
 }
 

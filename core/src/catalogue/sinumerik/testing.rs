@@ -2,8 +2,6 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use crate::catalogue::cycle977::params::PARAMS as PARAMS977;
-use crate::catalogue::cycle978::params::PARAMS as PARAMS978;
 use crate::catalogue::{Dialect, find};
 use crate::check::Inputs;
 use crate::control::Plane;
@@ -63,13 +61,9 @@ pub fn solid(plane: Plane, shape: Shape, place: [f64; 3], across: bool) -> Solid
 
 /// A call: delivered values of all parameters, then these.
 pub fn call(name: &str, variant: i64, values: &[(&'static str, f64)]) -> Inputs {
-    let params = if name == "CYCLE977" {
-        PARAMS977
-    } else {
-        PARAMS978
-    };
-    let mut inputs = Inputs::new(find(Dialect::Sinumerik, name).unwrap(), variant);
-    for param in params {
+    let cycle = find(Dialect::Sinumerik, name).unwrap();
+    let mut inputs = Inputs::new(cycle, variant);
+    for param in cycle.params {
         if let Some(default) = param.default {
             inputs.numbers.insert(param.name, default);
         }

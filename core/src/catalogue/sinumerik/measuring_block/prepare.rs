@@ -43,6 +43,7 @@ fn read(control: &Control, inputs: &Inputs) -> Result<Block, u32> {
         triggers: [1, 3, 5].map(|i| [data(i), data(i + 1)]),
         // The skew of a mono probe turns with the spindle, so that it is not carried over.
         skew: if mono { [0.0; 2] } else { [data(7), data(8)] },
+        ball: data(0) / 2.0,
         feed: measuring_feed(inputs),
         fast: (control.bit("_CHBIT[17]") && path > 1.0).then(|| control.basic_length("_SPEED[3]")),
         attempts: if control.bit("_CHBIT[15]") { 1 } else { 5 },
