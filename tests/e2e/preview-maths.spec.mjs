@@ -62,6 +62,12 @@ test("fitting shows the whole box, centred and as large as it may be", () => {
 // oracle: hand (a closed surface has no net area in any direction; the divergence theorem gives its volume)
 test("every part is closed, faces outwards and has its volume", () => {
   const circle = (r) => (96 / 2) * r * r * Math.sin((2 * Math.PI) / 96);
+  // 24 slices of a ball, each a frustum over a polygon of 48 sides
+  const ball = (r) => Array.from({ length: 24 }, (_, i) => {
+    const [a, b] = [i, i + 1].map((row) => r * Math.sin((row * Math.PI) / 24));
+    const height = r * (Math.cos((i * Math.PI) / 24) - Math.cos(((i + 1) * Math.PI) / 24));
+    return 24 * Math.sin((2 * Math.PI) / 48) * (height / 3) * (a * a + a * b + b * b);
+  }).reduce((sum, slice) => sum + slice);
   // Blocks are larger than the element by max(8 mm, 0.45 × half its larger length) on every side.
   const expected = {
     hole: 46 ** 2 * (18 + 4.5) - circle(15) * 18,
@@ -71,8 +77,9 @@ test("every part is closed, faces outwards and has its volume", () => {
     pocket: (34 + 16) * (24 + 16) * (12 + 4) - 34 * 24 * 12,
     island: 34 * 24 * 12 + (34 + 16) * (24 + 16) * 3,
     block: 46 * 46 * 16,
+    sphere: ball(15),
   };
-  for (const solid of demo.shapes.solids.slice(0, 7)) {
+  for (const solid of demo.shapes.solids.slice(0, 8)) {
     const { mesh } = scene.buildScene({ ...demo.shapes, solids: [solid] }, colours.LIGHT);
     const { area, volume } = measured(mesh);
     near(area, [0, 0, 0], 1e-6);

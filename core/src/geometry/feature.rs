@@ -22,6 +22,8 @@ pub enum Feature {
     Segment(Segment),
     /// Corner.
     Point(V3),
+    /// Sphere about the origin, by its radius in mm.
+    Sphere(f64),
 }
 
 /// The point of a feature nearest to a given point.
@@ -36,6 +38,7 @@ pub fn foot(feature: &Feature, p: &V3) -> Option<Foot> {
         Feature::Circle(circle) => Some(circle.foot(p)),
         Feature::Segment(segment) => segment.foot(p),
         Feature::Point(corner) => Some(*corner),
+        Feature::Sphere(size) => Some(p.try_normalize(0.0).unwrap_or_else(V3::z) * *size),
     }
 }
 
@@ -48,5 +51,6 @@ pub fn first(feature: &Feature, path: &Path, radius: f64) -> Option<f64> {
         Feature::Circle(circle) => circle.first(path, radius),
         Feature::Segment(segment) => segment.first(path, radius),
         Feature::Point(corner) => point::first(corner, path, radius),
+        Feature::Sphere(size) => point::first(&V3::zeros(), path, size + radius),
     }
 }

@@ -1,4 +1,4 @@
-//! Ball against a corner point.
+//! Ball against a corner point; with its radius added, against another ball.
 
 use super::{Path, V3, roots};
 

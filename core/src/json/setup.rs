@@ -243,9 +243,9 @@ struct SolidFile {
     /// Element.
     shape: ShapeName,
     /// hole: diameter, depth; shaft: diameter, height; groove and web: width, depth, length; pocket and island:
-    /// X, Y, depth; block: X, Y, Z.
+    /// X, Y, depth; block: X, Y, Z; sphere: diameter.
     size: Vec<f64>,
-    /// Centre of the element at its upper face, machine coordinates X Y Z.
+    /// Centre of the element at its upper face, of a sphere its centre, machine coordinates X Y Z.
     at: [f64; 3],
     /// Orientation about X Y Z (RPY), degree.
     #[serde(default)]
@@ -266,6 +266,7 @@ enum ShapeName {
     Pocket,
     Island,
     Block,
+    Sphere,
 }
 
 /// Errors of a solid. All zero: none.
@@ -524,6 +525,7 @@ fn solid(file: SolidFile) -> Result<Solid, Error> {
             height,
         },
         (ShapeName::Block, &[x, y, z]) => Shape::Block { size: [x, y, z] },
+        (ShapeName::Sphere, &[diameter]) => Shape::Sphere { diameter },
         (shape, size) => {
             return Err(Error::Unknown {
                 what: "shape",

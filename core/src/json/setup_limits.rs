@@ -190,6 +190,7 @@ fn sizes(shape: &Shape) -> (Vec<f64>, f64) {
         Shape::Pocket { length, depth } => (length.to_vec(), depth),
         Shape::Island { length, height } => (length.to_vec(), height),
         Shape::Block { size: [x, y, z] } => (vec![x, y], z),
+        Shape::Sphere { diameter } => (vec![diameter], diameter),
     }
 }
 

@@ -210,6 +210,7 @@ fn solid(solid: &Solid) -> Value {
         Shape::Pocket { length, depth } => ("pocket", [length[0], length[1], depth].into()),
         Shape::Island { length, height } => ("island", [length[0], length[1], height].into()),
         Shape::Block { size } => ("block", size.into()),
+        Shape::Sphere { diameter } => ("sphere", [diameter].into()),
     };
     object([
         ("shape", shape.into()),

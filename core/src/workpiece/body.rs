@@ -28,6 +28,7 @@ pub(super) struct Body {
 enum Piece {
     Frustum(Frustum),
     Round { lobes: Lobes, depth: f64 },
+    Ball { radius: f64 },
 }
 
 /// A block whose walls lean: half lengths X Y at the top and at the bottom.
@@ -79,6 +80,11 @@ impl Body {
                 body.add(&block.walls(), true);
                 body.add(&[block.lid(), block.base()], true);
                 body.material.push(Piece::Frustum(block));
+            }
+            Shape::Sphere { diameter } => {
+                let radius = (diameter + errors.size) / 2.0;
+                body.features.push(Feature::Sphere(radius));
+                body.material.push(Piece::Ball { radius });
             }
         }
         body
@@ -246,6 +252,7 @@ impl Piece {
             Piece::Round { lobes, depth } => {
                 p.z <= 0.0 && p.z >= -depth && p.xy().norm() <= lobes.radius_at(p)
             }
+            Piece::Ball { radius } => p.norm() <= *radius,
         }
     }
 }

@@ -48,6 +48,7 @@ fn shapes() -> Vec<Shape> {
         Shape::Block {
             size: [60.0, 50.0, 20.0],
         },
+        Shape::Sphere { diameter: 30.0 },
     ]
 }
 
@@ -137,6 +138,21 @@ fn rim_of_a_hole() {
     };
     assert!((ball[0] - (25.0 - 3f64.sqrt())).abs() < 1e-11, "{ball:?}");
     assert!((point[0] - 25.0).abs() < 1e-12 && point[2].abs() < 1e-12);
+}
+
+// oracle: hand: ball of 3 on a sphere of 25, 4 mm beside its centre and 8 mm above it: 28² = x² + 4² + 8²
+#[test]
+fn sphere_touched_beside_the_centre() {
+    let sphere = part(Shape::Sphere { diameter: 50.0 }, PartErrors::default());
+    let Contact::Hit { ball, normal, .. } = first(&sphere, 3.0, [40.0, 4.0, 8.0], [0.0, 4.0, 8.0])
+    else {
+        panic!("no hit")
+    };
+    let reached = (28.0_f64 * 28.0 - 80.0).sqrt();
+    assert!((ball[0] - reached).abs() < 1e-12, "{ball:?}");
+    for (is, wanted) in normal.iter().zip([reached, 4.0, 8.0]) {
+        assert!((is - wanted / 28.0).abs() < 1e-12, "{normal:?}");
+    }
 }
 
 // oracle: hand: r(angle) = 25 + 0.1·cos(3·angle)

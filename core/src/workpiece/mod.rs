@@ -63,9 +63,14 @@ pub enum Shape {
         /// X, Y and thickness Z, mm.
         size: [f64; 3],
     },
+    /// Sphere about the origin.
+    Sphere {
+        /// Diameter, mm.
+        diameter: f64,
+    },
 }
 
-/// What is wrong with a part. All zero: nothing.
+/// What is wrong with a part. All zero: nothing. A sphere has neither taper nor lobes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PartErrors {
     /// Displacement X Y Z, mm, machine axes.
@@ -83,7 +88,7 @@ pub struct PartErrors {
 /// One solid, placed in machine (basic) coordinates.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solid {
-    /// Shape. The origin is the centre of the element at its upper face, Z is the depth axis.
+    /// Shape. The origin is the centre of the element at its upper face (of a sphere its centre), Z is the depth axis.
     pub shape: Shape,
     /// Position of the origin X Y Z, mm.
     pub at: [f64; 3],

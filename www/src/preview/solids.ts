@@ -10,6 +10,7 @@ interface Look { paint: Paint; edge: Style }
 
 const WALL_LAYERS = 6;
 const EXTRUDE_PARTS = 6;
+const BALL_ROWS = 24; // from pole to pole; even, so that one is the equator
 const ZONE_OPACITY = 0.22;
 
 /** Errors drawn `factor` times as large as they are. */
@@ -48,6 +49,7 @@ function build(shape: Solid["shape"], size: number[], errors: Solid["errors"], l
     case "groove": return extruded(grooveProfile(a, b, errors), c, look);
     case "web": return extruded(webProfile(a, b, errors), c, look);
     case "block": return block([a + errors.size, b + errors.size], 0, -c, look);
+    case "sphere": return sphere((a + errors.size) / 2, look);
   }
 }
 
@@ -160,6 +162,26 @@ function block([x, y]: Vec2, top: number, bottom: number, look: Look, closed = t
   if (closed) append(into, disc(border([x / 8, y / 8]), top, look));
   const uprights = corners.map((corner): Line => ({ from: at(corner, top), to: at(corner, bottom), style: look.edge }));
   return { mesh: into, edges: [...loop(corners, top, look), ...loop(corners, bottom, look), ...uprights] };
+}
+
+/** A ball about the origin, with its equator as edge. */
+function sphere(radius: number, look: Look): Part {
+  const into = mesh();
+  const point = (row: number, column: number): Vec3 => {
+    const [down, turn] = [(row * Math.PI) / BALL_ROWS, (column * Math.PI) / BALL_ROWS];
+    return [Math.sin(down) * Math.cos(turn), Math.sin(down) * Math.sin(turn), Math.cos(down)];
+  };
+  for (let row = 0; row < BALL_ROWS; row++) {
+    for (let column = 0; column < 2 * BALL_ROWS; column++) {
+      const facing = [point(row, column), point(row, column + 1), point(row + 1, column + 1), point(row + 1, column)] as [Vec3, Vec3, Vec3, Vec3];
+      quad(into, facing.map((direction) => times(direction, radius)) as [Vec3, Vec3, Vec3, Vec3], facing, look.paint);
+    }
+  }
+  const equator = Array.from({ length: 2 * BALL_ROWS }, (_, column): Vec2 => {
+    const [x, y] = point(BALL_ROWS / 2, column);
+    return [x * radius, y * radius];
+  });
+  return { mesh: into, edges: loop(equator, 0, look) };
 }
 
 function loop(points: Vec2[], z: number, { edge }: Look): Line[] {
