@@ -6,7 +6,8 @@ use probewright_core::catalogue::{CYCLES, Dialect, Kind, find};
 use probewright_core::check::{Typed, check};
 use probewright_core::control::{Control, Units, delivery};
 use probewright_core::diagnostic::{Diagnostic, Severity};
-use probewright_core::words::Words;
+use probewright_core::form::{Choice, Entry, fields};
+use probewright_core::words::{LANGUAGES, Words};
 use proptest::prelude::*;
 
 fn findings(name: &str, values: &[(&str, &str)], control: &Control) -> Vec<Diagnostic> {
@@ -205,6 +206,41 @@ proptest! {
                     prop_assert!(!text.contains("{$") && !text.chars().any(char::is_control), "{}", text);
                 }
                 prop_assert!(finding.hint.is_some() || finding.severity == Severity::Note, "{:?}", finding.message);
+            }
+        }
+    }
+}
+
+/// What can be chosen for a field, in all its groups of digits.
+fn choices(entry: Entry) -> Vec<Choice> {
+    match entry {
+        Entry::Choice(choices) => choices,
+        Entry::Digits(groups) => groups
+            .into_iter()
+            .flat_map(|group| group.choices)
+            .collect(),
+        _ => Vec::new(),
+    }
+}
+
+// oracle: hand (whoever shows a choice writes its number before the name)
+#[test]
+fn the_name_of_a_choice_does_not_repeat_its_number() {
+    for language in LANGUAGES {
+        let words = Words::of(language.code).unwrap();
+        for cycle in CYCLES {
+            for variant in cycle.variants {
+                let pair = |(name, value): &(&str, &str)| ((*name).to_owned(), (*value).to_owned());
+                let mut typed: Typed = cycle.example.iter().map(pair).collect();
+                if let Some(name) = cycle.variant_param() {
+                    typed.insert(name.to_owned(), variant.number.to_string());
+                }
+                let fields = fields(cycle, &typed, &delivery(cycle.dialect));
+                for choice in fields.into_iter().flat_map(|field| choices(field.entry)) {
+                    let text = words.find(&choice.label).unwrap();
+                    let begins_with_name = !text.starts_with(|first: char| first.is_ascii_digit());
+                    assert!(begins_with_name, "{}: {} {text}", cycle.name, choice.value);
+                }
             }
         }
     }

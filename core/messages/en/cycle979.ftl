@@ -22,8 +22,8 @@ cycle979-web-zero = Web at an angle: correct a zero offset
 cycle979-web-zero-words = web ridge rib width outside oblique angle zero offset ZO frame origin centre G54
 
 prnum-points = Points of a circle
-prnum-three = 3
-prnum-four = 4
+prnum-three = Three points
+prnum-four = Four points
 param-setval-width-angle = Set width
 param-setval-width-angle-help = Width from the drawing, across the groove or web, in the direction of the starting angle.
 param-sta1-width = Direction of the width

@@ -155,10 +155,10 @@ extent-upper-opposite = Upper cutting edge, length against the approach; automat
 mvar-tool-axis = Position of the milling tool or drill
 tool-axis-axial = Axial: radius in the ordinate (G18: X)
 tool-axis-radial = Radial: radius in the abscissa (G18: Z)
-ma-lathe-radius = 1: radius, touched in the abscissa (G18: Z)
-ma-lathe-radius-ordinate = 2: radius, touched in the ordinate (G18: X)
-ma-lathe-l2-radius = 1: L2 and radius, touched in the abscissa (G18: Z)
-ma-lathe-l1-radius = 2: L1 and radius, touched in the ordinate (G18: X)
+ma-lathe-radius = Radius, touched in the abscissa (G18: Z)
+ma-lathe-radius-ordinate = Radius, touched in the ordinate (G18: X)
+ma-lathe-l2-radius = L2 and radius, touched in the abscissa (G18: Z)
+ma-lathe-l1-radius = L1 and radius, touched in the ordinate (G18: X)
 
 param-ma-lathe-measured = Measured size
 param-ma-lathe-measured-help = What is measured, and with it the axis in which the probe is touched. The radius lies in the ordinate of an axial tool and in the abscissa of a radial one. The start position faces the side of the probe that is touched.

@@ -1,8 +1,8 @@
 # What the cycles with the workpiece probe of a turning machine have in common.
 
-ma-lathe-abscissa = 1: abscissa (G18: Z)
-ma-lathe-ordinate = 2: ordinate (G18: X)
-ma-lathe-applicate = 3: applicate (G18: Y), where there is one
+ma-lathe-abscissa = Abscissa (G18: Z)
+ma-lathe-ordinate = Ordinate (G18: X)
+ma-lathe-applicate = Applicate (G18: Y), where there is one
 
 param-fa-lathe = Measuring path
 param-fa-lathe-help = Distance from the start of the measuring block to the set position; the same distance again is travelled beyond it, and the probe ends this far before the surface. Always in mm, in X as a radius.

@@ -22,8 +22,8 @@ cycle979-web-zero = 斜向凸台：补偿零点偏移
 cycle979-web-zero-words = 凸台 筋 宽度 外 倾斜 角度 零点 补偿 零偏 坐标框架 原点 中心 G54
 
 prnum-points = 圆周的点数
-prnum-three = 3
-prnum-four = 4
+prnum-three = 三点
+prnum-four = 四点
 param-setval-width-angle = 设定宽度
 param-setval-width-angle-help = 图纸上横过槽或凸台、沿起始角方向的宽度。
 param-sta1-width = 宽度的方向

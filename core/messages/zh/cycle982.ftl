@@ -155,10 +155,10 @@ extent-upper-opposite = 上刀刃，长度与接近方向相反；只用于自�
 mvar-tool-axis = 铣刀或钻头的位置
 tool-axis-axial = 轴向：半径在纵坐标（G18：X）
 tool-axis-radial = 径向：半径在横坐标（G18：Z）
-ma-lathe-radius = 1：半径，在横坐标触碰（G18：Z）
-ma-lathe-radius-ordinate = 2：半径，在纵坐标触碰（G18：X）
-ma-lathe-l2-radius = 1：L2 和半径，在横坐标触碰（G18：Z）
-ma-lathe-l1-radius = 2：L1 和半径，在纵坐标触碰（G18：X）
+ma-lathe-radius = 半径，在横坐标触碰（G18：Z）
+ma-lathe-radius-ordinate = 半径，在纵坐标触碰（G18：X）
+ma-lathe-l2-radius = L2 和半径，在横坐标触碰（G18：Z）
+ma-lathe-l1-radius = L1 和半径，在纵坐标触碰（G18：X）
 
 param-ma-lathe-measured = 测量的尺寸
 param-ma-lathe-measured-help = 测量什么，也就决定在哪个轴触碰测量头。轴向刀具的半径在纵坐标，径向刀具的半径在横坐标。起点对着测量头要触碰的面。

@@ -1,8 +1,8 @@
 # 使用车床工件测量头的循环的共同内容。
 
-ma-lathe-abscissa = 1：横坐标（G18：Z）
-ma-lathe-ordinate = 2：纵坐标（G18：X）
-ma-lathe-applicate = 3：垂直坐标（G18：Y），若有此轴
+ma-lathe-abscissa = 横坐标（G18：Z）
+ma-lathe-ordinate = 纵坐标（G18：X）
+ma-lathe-applicate = 垂直坐标（G18：Y），若有此轴
 
 param-fa-lathe = 测量行程
 param-fa-lathe-help = 从测量程序段起点到设定位置的距离；过了设定位置再走同样的距离，测量头停在表面前这么远处。始终以 mm 为单位，X 轴按半径计。
