@@ -54,14 +54,19 @@ pub fn tool(
     amount
 }
 
-/// Corrects a zero offset and, for `_KNUM` = 9999, activates it.
+/// Corrects the translation of a zero offset; see [`frame`].
 pub fn zero(
     machine: &mut dyn Machine,
     target: &zero_offset::Target,
     measured: &zero_offset::Measured,
 ) {
     let writes = zero_offset::writes(machine.control(), target, measured);
-    write(machine, &writes);
+    frame(machine, target, &writes);
+}
+
+/// Writes what corrects a frame and, for `_KNUM` = 9999, activates it.
+pub fn frame(machine: &mut dyn Machine, target: &zero_offset::Target, writes: &[Write]) {
+    write(machine, writes);
     if target.activate {
         let settable = machine.control().settable;
         machine.control().activate(settable);

@@ -1,0 +1,232 @@
+//! What correcting a zero offset writes (B:1930-2003, B:6153): afterwards the measured point has the set
+//! coordinates, as soon as the corrected frame is active. The rotation is kept.
+
+#[cfg(test)]
+mod tests;
+mod turn;
+
+pub use turn::{placed, rotation, seen, seen_turn, turned};
+
+use super::Write;
+use super::knum::{self, ZeroCode};
+use crate::control::frames::{CHANNEL_MASK, GLOBAL_MASK};
+use crate::control::variables::AXES;
+use crate::control::{Control, Frame, Value};
+
+/// Where a frame is stored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Store {
+    /// `$P_UIFR[n]`.
+    Settable(usize),
+    /// `$P_CHBFR[n]`.
+    ChannelBasic(usize),
+    /// `$P_NCBFR[n]`.
+    GlobalBasic(usize),
+    /// `$P_SETFR`.
+    System,
+}
+
+/// The frame to correct.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Target {
+    /// Where it is stored.
+    pub store: Store,
+    /// Reckoned as if no settable frame were active (`_KNUM` = 1000, B:1938).
+    pub without_settable: bool,
+    /// The cycle makes it active itself (`_KNUM` = 9999, B:1965).
+    pub activate: bool,
+}
+
+/// Finds the frame. None: `_KNUM` is 0. Error: number of the alarm.
+pub fn target(control: &Control, code: i64) -> Result<Option<Target>, u32> {
+    let Some(code) = knum::zero(code)? else {
+        return Ok(None);
+    };
+    let stored = |store| Target {
+        store,
+        without_settable: false,
+        activate: false,
+    };
+    Ok(Some(match code {
+        ZeroCode::Settable(number) => stored(Store::Settable(number)),
+        ZeroCode::ChannelBasic(index) => stored(Store::ChannelBasic(index)),
+        ZeroCode::GlobalBasic(index) => stored(Store::GlobalBasic(index)),
+        ZeroCode::System if !system_frame(control) => return Err(61321),
+        ZeroCode::System => stored(Store::System),
+        ZeroCode::LastBasic => Target {
+            without_settable: true,
+            ..stored(last_basic(control)?)
+        },
+        ZeroCode::Active if control.settable == 0 => Target {
+            activate: true,
+            ..stored(last_basic(control)?)
+        },
+        ZeroCode::Active => Target {
+            activate: true,
+            ..stored(Store::Settable(control.settable))
+        },
+    }))
+}
+
+/// Whether the control has the system frame that `_KNUM` = 2000 means (MD28082 bit 0, B:1977-1986).
+pub fn system_frame(control: &Control) -> bool {
+    control.machine_bit("MD28082", 0)
+}
+
+/// The channel basic frame of the highest bit in `$P_CHBFRMASK`; without a mask the last one that exists. Alarm 61412
+/// where there is none (A:15931).
+fn last_basic(control: &Control) -> Result<Store, u32> {
+    let index = match control.data.get(CHANNEL_MASK) {
+        Some(Value::Number(bits)) => (*bits as u32).checked_ilog2().map(|bit| bit as usize),
+        _ => control.channel_basic.keys().next_back().copied(),
+    };
+    index.map(Store::ChannelBasic).ok_or(61412)
+}
+
+/// What was measured. Points X Y Z in the WCS that is active while measuring, mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measured {
+    /// Where the part really is.
+    pub actual: [f64; 3],
+    /// Where it should be.
+    pub set: [f64; 3],
+    /// Which of X Y Z were measured; only these are corrected (B:6167-6171).
+    pub axes: [bool; 3],
+}
+
+/// What the correction writes. The chain is system : global basic : channel basic : settable : programmed frame.
+pub fn writes(control: &Control, target: &Target, measured: &Measured) -> Vec<Write> {
+    let (before, old, after) = around(control, target);
+    let shift = missing(control, (&before, &old, &after), measured);
+    shifted(control, target, &old, shift)
+}
+
+/// What has to be added to the translation of a frame, so that the point gets its set coordinates.
+fn missing(
+    control: &Control,
+    (before, frame, after): (&[Frame], &Frame, &[Frame]),
+    measured: &Measured,
+) -> [f64; 3] {
+    let machine = control.to_machine(measured.actual);
+    let seen = before
+        .iter()
+        .chain([frame])
+        .chain(after)
+        .fold(machine, |point, frame| frame.inward(point));
+    let wrong = std::array::from_fn(|axis| {
+        if measured.axes[axis] {
+            seen[axis] - measured.set[axis]
+        } else {
+            0.0
+        }
+    });
+    let turned = after
+        .iter()
+        .rev()
+        .fold(wrong, |direction, frame| frame.turn(direction));
+    frame.turn(turned)
+}
+
+/// Frames outside of the target (outermost first), the target as stored, frames inside of it. Those around it are the
+/// ones in effect, which stay (B:1967).
+fn around(control: &Control, target: &Target) -> (Vec<Frame>, Frame, Vec<Frame>) {
+    let mut before = Vec::new();
+    let mut after = Vec::new();
+    let settable = match target.store {
+        Store::Settable(_) => None,
+        _ if target.without_settable => None,
+        _ => Some((Store::Settable(control.settable), control.active)),
+    };
+    let others = in_effect(control).into_iter().chain(settable);
+    for (store, frame) in others.filter(|(store, _)| *store != target.store) {
+        if outside(store, target.store) {
+            before.push(frame);
+        } else {
+            after.push(frame);
+        }
+    }
+    after.push(control.program_frame);
+    (before, stored(control, target.store), after)
+}
+
+/// Basic frames in the chain, outermost first.
+fn in_effect(control: &Control) -> Vec<(Store, Frame)> {
+    let basic = &control.basic;
+    let global = basic.global.iter();
+    let global = global
+        .filter(|(index, _)| control.included(GLOBAL_MASK, **index))
+        .map(|(index, frame)| (Store::GlobalBasic(*index), *frame));
+    let channel = basic.channel.iter();
+    let channel = channel
+        .filter(|(index, _)| control.included(CHANNEL_MASK, **index))
+        .map(|(index, frame)| (Store::ChannelBasic(*index), *frame));
+    std::iter::once((Store::System, basic.system))
+        .chain(global)
+        .chain(channel)
+        .collect()
+}
+
+/// Whether one frame lies outside of the other in the chain.
+fn outside(one: Store, other: Store) -> bool {
+    let rank = |store| match store {
+        Store::System => (0, 0),
+        Store::GlobalBasic(index) => (1, index),
+        Store::ChannelBasic(index) => (2, index),
+        Store::Settable(_) => (3, 0),
+    };
+    rank(one) < rank(other)
+}
+
+/// The frame as stored.
+fn stored(control: &Control, store: Store) -> Frame {
+    match store {
+        Store::Settable(number) => control.frames.get(&number).copied(),
+        Store::ChannelBasic(index) => control.channel_basic.get(&index).copied(),
+        Store::GlobalBasic(index) => control.global_basic.get(&index).copied(),
+        Store::System => Some(control.system),
+    }
+    .unwrap_or_default()
+}
+
+/// Into the fine part with MD18600 = 1; into the coarse part with MD18600 = 0, `_CHBIT[21]` = 1 or for `$P_SETFR`
+/// (B:1990-2003, B:14035-14039).
+fn shifted(control: &Control, target: &Target, old: &Frame, shift: [f64; 3]) -> Vec<Write> {
+    if target.store == Store::System
+        || control.bit("_CHBIT[21]")
+        || control.number("MD18600") == 0.0
+    {
+        return coarse(target, old, shift);
+    }
+    let fine = std::array::from_fn(|axis| old.fine[axis] + shift[axis]);
+    part(target, "FI", fine, old.fine)
+}
+
+/// Into the coarse part, the fine part included and erased (B:1990-2003).
+fn coarse(target: &Target, old: &Frame, shift: [f64; 3]) -> Vec<Write> {
+    let whole = std::array::from_fn(|axis| old.coarse[axis] + old.fine[axis] + shift[axis]);
+    let mut writes = part(target, "TR", whole, old.coarse);
+    writes.extend(part(target, "FI", [0.0; 3], old.fine));
+    writes
+}
+
+/// What of a part of the frame (`TR`, `FI`, `RT`) is different from before.
+fn part(target: &Target, part: &str, values: [f64; 3], before: [f64; 3]) -> Vec<Write> {
+    let stem = stem(target.store);
+    let changed = (0..3).filter(|axis| values[*axis] != before[*axis]);
+    changed
+        .map(|axis| Write {
+            name: format!("{stem}{},{part}]", AXES[axis]),
+            value: values[axis],
+        })
+        .collect()
+}
+
+/// Name of the frame's variable as far as its axis.
+fn stem(store: Store) -> String {
+    match store {
+        Store::Settable(number) => format!("$P_UIFR[{number},"),
+        Store::ChannelBasic(index) => format!("$P_CHBFR[{index},"),
+        Store::GlobalBasic(index) => format!("$P_NCBFR[{index},"),
+        Store::System => "$P_SETFR[".to_string(),
+    }
+}

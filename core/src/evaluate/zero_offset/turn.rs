@@ -1,0 +1,72 @@
+//! Rotations of a corrected frame: the part is turned, and afterwards it is not any more (B:7371, B:7844, B:8411).
+
+use super::{Measured, Target, around, coarse, missing, part};
+use crate::control::{Control, Frame};
+use crate::evaluate::Write;
+use crate::geometry::rigid;
+use nalgebra::{Rotation3, Vector3};
+
+/// Two angles closer than this, degree, are the same: what is left of sines and cosines is no correction.
+const SAME: f64 = 1e-12;
+
+/// A direction of the present WCS as it is seen when the frame to be corrected is active as it is stored.
+pub fn seen(control: &Control, target: &Target, direction: [f64; 3]) -> [f64; 3] {
+    (towards(control, target) * Vector3::from(direction)).into()
+}
+
+/// How the part is turned from where it should be (directions of the part = `turn` · set directions), given for the
+/// present WCS, as it is seen when the frame to be corrected is active as it is stored.
+pub fn seen_turn(control: &Control, target: &Target, turn: &Rotation3<f64>) -> Rotation3<f64> {
+    towards(control, target) * turn
+}
+
+/// Rotation about X, Y, Z (RPY, degree) of the frame to be corrected after which a part that is now turned by `turn`
+/// stands right. `turn` as [`seen_turn`] gives it.
+pub fn rotation(control: &Control, target: &Target, turn: &Rotation3<f64>) -> [f64; 3] {
+    let (_, old, after) = around(control, target);
+    let inner = of(&after);
+    let angles = rigid::angles(&(rigid::rotation(old.rotation) * inner * turn * inner.inverse()));
+    std::array::from_fn(|axis| {
+        if (angles[axis] - old.rotation[axis]).abs() < SAME {
+            old.rotation[axis]
+        } else {
+            angles[axis]
+        }
+    })
+}
+
+/// What writes this rotation alone.
+pub fn turned(control: &Control, target: &Target, rotation: [f64; 3]) -> Vec<Write> {
+    let (_, old, _) = around(control, target);
+    part(target, "RT", rotation, old.rotation)
+}
+
+/// What writes this rotation together with the translation that gives the point its set coordinates, into the coarse
+/// part (B:7840-7844, B:8411).
+pub fn placed(
+    control: &Control,
+    target: &Target,
+    rotation: [f64; 3],
+    measured: &Measured,
+) -> Vec<Write> {
+    let (before, old, after) = around(control, target);
+    let turned = Frame { rotation, ..old };
+    let shift = missing(control, (&before, &turned, &after), measured);
+    let mut writes = coarse(target, &old, shift);
+    writes.extend(part(target, "RT", rotation, old.rotation));
+    writes
+}
+
+/// From directions of the present WCS to those of the WCS with the frame as it is stored.
+fn towards(control: &Control, target: &Target) -> Rotation3<f64> {
+    let (before, old, after) = around(control, target);
+    let stored = of(&before) * of(&[old]) * of(&after);
+    stored.inverse() * of(&control.chain())
+}
+
+/// Rotation of a chain of frames, outermost first.
+fn of(chain: &[Frame]) -> Rotation3<f64> {
+    chain.iter().fold(Rotation3::identity(), |turn, frame| {
+        turn * rigid::rotation(frame.rotation)
+    })
+}
