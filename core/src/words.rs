@@ -11,6 +11,7 @@ pub const ENGLISH: &[(&str, &str)] = &[
     ("changes.ftl", include_str!("../messages/en/changes.ftl")),
     ("check.ftl", include_str!("../messages/en/check.ftl")),
     ("cycle116.ftl", include_str!("../messages/en/cycle116.ftl")),
+    ("cycle119.ftl", include_str!("../messages/en/cycle119.ftl")),
     ("cycle961.ftl", include_str!("../messages/en/cycle961.ftl")),
     ("cycle971.ftl", include_str!("../messages/en/cycle971.ftl")),
     ("cycle972.ftl", include_str!("../messages/en/cycle972.ftl")),
@@ -69,6 +70,7 @@ pub const LANGUAGES: &[Language] = &[
         "changes.ftl"
         "check.ftl"
         "cycle116.ftl"
+        "cycle119.ftl"
         "cycle961.ftl"
         "cycle971.ftl"
         "cycle972.ftl"

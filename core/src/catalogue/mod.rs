@@ -6,6 +6,7 @@ pub mod calibration;
 pub mod circle;
 pub mod common;
 pub mod cycle116;
+pub mod cycle119;
 pub mod cycle961;
 pub mod cycle971;
 pub mod cycle972;
@@ -51,6 +52,7 @@ pub static CYCLES: &[&Cycle] = &[
     &cycle997::CYCLE997,
     &cycle998::CYCLE998,
     &cycle116::CYCLE116,
+    &cycle119::CYCLE119,
     &g101::G101,
     &g110::G110,
 ];

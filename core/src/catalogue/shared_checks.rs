@@ -270,15 +270,20 @@ pub fn multi_probe(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Global basic frames cannot take a rotation (B:1971).
+/// `_KNUM` of a measurement that turns a frame.
 pub fn rotation_target(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
-    let code = inputs.integer(names::KNUM);
+    takes_rotation(names::KNUM, inputs, found);
+}
+
+/// Global basic frames, named by this parameter, cannot take a rotation (B:1971).
+pub fn takes_rotation(name: &'static str, inputs: &Inputs, found: &mut Vec<Diagnostic>) {
+    let code = inputs.integer(name);
     if let Ok(Some(ZeroCode::GlobalBasic(_))) = knum::zero(code) {
         let message = Message::new("check-knum-rotation").number("code", code as f64);
         found.push(
             error(Code::Alarm(61321), message)
                 .hint(Message::new("check-knum-rotation-hint"))
-                .at(names::KNUM),
+                .at(name),
         );
     }
 }

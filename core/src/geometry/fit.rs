@@ -1,5 +1,6 @@
-//! A circle through measured points of a plane.
+//! A circle through measured points of a plane; whether points make a triangle.
 
+use super::V3;
 use nalgebra::{Matrix3, Vector3};
 
 /// Points that differ from a line by less than this part of their extent determine no circle.
@@ -32,6 +33,16 @@ pub fn circle(points: &[[f64; 2]]) -> Option<([f64; 2], f64)> {
     let radius = (rest + x * x + y * y).sqrt() * apart;
     let centre = [middle[0] + x * apart, middle[1] + y * apart];
     radius.is_finite().then_some((centre, radius))
+}
+
+/// Three points are on one line when their triangle is lower than this share of its longest side.
+const LOW: f64 = 1e-6;
+
+/// Whether three points lie on one line or upon each other.
+pub fn in_line([a, b, c]: [V3; 3]) -> bool {
+    let sides = [b - a, c - a, c - b].map(|side| side.norm());
+    let longest = sides.into_iter().fold(0.0, f64::max);
+    (b - a).cross(&(c - a)).norm() <= LOW * longest * longest
 }
 
 #[cfg(test)]

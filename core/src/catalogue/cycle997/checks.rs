@@ -6,12 +6,10 @@ use crate::catalogue::{circle, names, place, shared_checks};
 use crate::check::{Finding, Inputs, error, warning};
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
+use crate::geometry::fit;
 use crate::geometry::rigid::sin_cos;
 use crate::message::Message;
 use nalgebra::Vector3;
-
-/// Three points are on one line when their triangle is lower than this share of its longest side.
-const FLAT: f64 = 1e-6;
 
 /// All of them.
 pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
@@ -87,7 +85,7 @@ fn triangle(inputs: &Inputs, ball: f64, found: &mut Vec<Diagnostic>) {
             return;
         }
     }
-    if TURNED.holds(inputs) && flat([first.centre, second.centre, third.centre]) {
+    if TURNED.holds(inputs) && fit::in_line([first.centre, second.centre, third.centre]) {
         found.push(
             error(Code::Alarm(61411), Message::new("check-spheres-line"))
                 .hint(Message::new("check-spheres-line-hint"))
@@ -95,12 +93,6 @@ fn triangle(inputs: &Inputs, ball: f64, found: &mut Vec<Diagnostic>) {
         );
     }
     beside(inputs, &spheres, size / 2.0, ball, found);
-}
-
-fn flat([a, b, c]: [Vector3<f64>; 3]) -> bool {
-    let sides = [b - a, c - a, c - b].map(|side| side.norm());
-    let longest = sides.into_iter().fold(0.0, f64::max);
-    (b - a).cross(&(c - a)).norm() <= FLAT * longest * longest
 }
 
 /// No measuring block may begin inside of another sphere (B:8429, B:8449).

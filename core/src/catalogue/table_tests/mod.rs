@@ -61,6 +61,7 @@ fn refused(cycle: &'static Cycle, variant: i64, values: &[(&str, &str)]) -> Vec<
 /// Variants, parameters and results of each SINUMERIK cycle, by name.
 const COUNTS: &[(&str, usize, usize, usize)] = &[
     ("CYCLE116", 1, 9, 5),
+    ("CYCLE119", 1, 20, 3),
     ("CYCLE961", 6, 17, 10),
     ("CYCLE971", 10, 11, 27),
     ("CYCLE972", 2, 10, 24),

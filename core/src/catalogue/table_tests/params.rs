@@ -63,8 +63,12 @@ fn names_of(cell: &str) -> Vec<String> {
         .collect()
 }
 
-/// `_SETV[0..2]` → its three elements.
+/// `_SETV[0..2]` → its three elements; `_SETPOINT[3,3]`, which tells a size → all nine.
 fn elements(name: &str) -> Vec<String> {
+    if let Some(array) = name.strip_suffix("[3,3]") {
+        let element = |at: usize| format!("{array}[{},{}]", at / 3, at % 3);
+        return (0..9).map(element).collect();
+    }
     let range = name.split_once('[').and_then(|(array, index)| {
         let (from, to) = index.trim_end_matches(']').split_once("..")?;
         Some((array, from.parse::<u32>().ok()?, to.parse::<u32>().ok()?))

@@ -1,0 +1,30 @@
+# CYCLE119：空间位置。
+
+cycle119-title = 由三点求空间位置
+cycle119-help = 计算工件在空间中的位置：三个额定点构成基准三角形，同样三个点再逐个测量，例如用 CYCLE977 或 CYCLE997。不产生运动。请在程序开头声明变量：DEF REAL { "_SETPOINT[3,3], _MEASPOINT[3,3], _RES" }、DEF INT { "_ALARM" } 和 DEF FRAME { "_REFRAME" }；调用时 { "_ALARM" } 必须为 0。{ "_COR" }=0 时只计算两个三角形之间的框架；否则在两个三角形的偏差小于 { "_RESLIM" } 时，对该框架作平移和旋转校正。该框架不得含镜像或比例。程序不会停止：请在调用之后查看 { "_ALARM" }，0 表示成功。只有重新编程相应的 G 功能（G54 …），校正后的框架才生效。
+cycle119-words = 空间位置 框架 三点 三角形 找正 对齐 平面 旋转 平移 零点偏移 辅助
+cycle119-position = 由三个额定点和三个测量点求框架
+
+check-119-set-line = 三个额定点在一条直线上或重合：无法确定工件的转角。
+check-119-measured-line = 三个测量点在一条直线上或重合：无法确定工件的转角。
+check-119-line-hint = 请选取构成宽大三角形的三个点，两次都按相同的顺序输入。
+
+param-119-set-x = 额定点，第 1 几何轴
+param-119-set-x-help = 该点应处的位置，工件坐标系中的 X。第一个下标是点（0 到 2），第二个是轴（0：X，1：Y，2：Z）。
+param-119-set-y = 额定点，第 2 几何轴
+param-119-set-y-help = 该点应处的位置，工件坐标系中的 Y。
+param-119-set-z = 额定点，第 3 几何轴
+param-119-set-z-help = 该点应处的位置，工件坐标系中的 Z。
+param-119-measured-x = 测量点，第 1 几何轴
+param-119-measured-x-help = 同一点测得的位置，工件坐标系中的 X；通常是前面测量的结果，例如 { "_OVR[5]" }。
+param-119-measured-y = 测量点，第 2 几何轴
+param-119-measured-y-help = 同一点测得的位置，工件坐标系中的 Y。
+param-119-measured-z = 测量点，第 3 几何轴
+param-119-measured-z-help = 同一点测得的位置，工件坐标系中的 Z。
+param-119-limit = 变形的极限值
+param-119-limit-help = 两个三角形的形状不会完全相同。只有三个点的偏差之和小于此值时才校正框架；否则 { "_ALARM" } 变为 61414。
+need-119-corrected = 要校正框架，因此需要极限值。
+
+result-119-alarm = 0，或说明为何没有框架的报警号
+result-119-distortion = 三个点的偏差之和；小于 0：未计算出框架
+result-119-frame = 与有效框架相连后，把测得的三角形带到额定位置的框架

@@ -1,0 +1,39 @@
+//! What the points and the target say together.
+
+use super::params::{MEASURED, Names, SET, TARGET};
+use crate::catalogue::shared_checks;
+use crate::check::{Finding, Inputs, error};
+use crate::control::Control;
+use crate::diagnostic::{Code, Diagnostic};
+use crate::geometry::{V3, fit};
+use crate::message::Message;
+
+/// Points that make no triangle determine no frame: the cycle hands 61411 back. A corrected frame has to take a rotation.
+pub fn checks(inputs: &Inputs, _: &Control, found: &mut Vec<Diagnostic>) {
+    shared_checks::takes_rotation(TARGET, inputs, found);
+    for (names, key) in [
+        (SET, "check-119-set-line"),
+        (MEASURED, "check-119-measured-line"),
+    ] {
+        if points(inputs, names).is_some_and(fit::in_line) {
+            found.push(
+                error(Code::Alarm(61411), Message::new(key))
+                    .hint(Message::new("check-119-line-hint"))
+                    .at(names[2][0]),
+            );
+        }
+    }
+}
+
+/// The three points where all of their coordinates are known, mm.
+pub fn points(inputs: &Inputs, names: Names) -> Option<[V3; 3]> {
+    let point = |[x, y, z]: [&str; 3]| {
+        Some(V3::new(
+            inputs.given(x)?,
+            inputs.given(y)?,
+            inputs.given(z)?,
+        ))
+    };
+    let [a, b, c] = names.map(point);
+    Some([a?, b?, c?])
+}

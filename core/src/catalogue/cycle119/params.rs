@@ -1,0 +1,87 @@
+//! The arrays that the program hands over, and what is to be done with the frame (B:8560-8576).
+
+use crate::catalogue::common::{ALWAYS_REQUIRED, KNUM, PARAM, required};
+use crate::catalogue::{Param, Range, Unit, When};
+
+/// Frame to be corrected, as `_KNUM` of a zero offset.
+pub const TARGET: &str = "_COR";
+/// Limit of the distortion.
+pub const LIMIT: &str = "_RESLIM";
+
+/// Coordinates of three points along the geometry axes.
+pub type Names = [[&'static str; 3]; 3];
+
+/// The reference triangle.
+pub const SET: Names = [
+    ["_SETPOINT[0,0]", "_SETPOINT[0,1]", "_SETPOINT[0,2]"],
+    ["_SETPOINT[1,0]", "_SETPOINT[1,1]", "_SETPOINT[1,2]"],
+    ["_SETPOINT[2,0]", "_SETPOINT[2,1]", "_SETPOINT[2,2]"],
+];
+/// The same points as measured.
+pub const MEASURED: Names = [
+    ["_MEASPOINT[0,0]", "_MEASPOINT[0,1]", "_MEASPOINT[0,2]"],
+    ["_MEASPOINT[1,0]", "_MEASPOINT[1,1]", "_MEASPOINT[1,2]"],
+    ["_MEASPOINT[2,0]", "_MEASPOINT[2,1]", "_MEASPOINT[2,2]"],
+];
+
+/// Set points, measured points, correction.
+pub const PARAMS: &[Param] = &[
+    set(0, 0),
+    set(0, 1),
+    set(0, 2),
+    set(1, 0),
+    set(1, 1),
+    set(1, 2),
+    set(2, 0),
+    set(2, 1),
+    set(2, 2),
+    measured(0, 0),
+    measured(0, 1),
+    measured(0, 2),
+    measured(1, 0),
+    measured(1, 1),
+    measured(1, 2),
+    measured(2, 0),
+    measured(2, 1),
+    measured(2, 2),
+    Param {
+        name: TARGET,
+        labels: &[(When::Always, "knum-zero")],
+        source: "B:8566-8572",
+        ..KNUM
+    },
+    Param {
+        name: LIMIT,
+        key: "119-limit",
+        unit: Unit::BasicLength,
+        range: Range::POSITIVE,
+        needs: &[required(When::Given(TARGET), "need-119-corrected")],
+        source: "B:8573;A:9412",
+        ..PARAM
+    },
+];
+
+const fn set(point: usize, axis: usize) -> Param {
+    Param {
+        name: SET[point][axis],
+        key: ["119-set-x", "119-set-y", "119-set-z"][axis],
+        source: "B:8563-8564",
+        ..COORDINATE
+    }
+}
+
+const fn measured(point: usize, axis: usize) -> Param {
+    Param {
+        name: MEASURED[point][axis],
+        key: ["119-measured-x", "119-measured-y", "119-measured-z"][axis],
+        source: "B:8565",
+        ..COORDINATE
+    }
+}
+
+/// Workpiece coordinates; the unit is not named (B:8563-8565).
+const COORDINATE: Param = Param {
+    unit: Unit::ActiveLength,
+    needs: ALWAYS_REQUIRED,
+    ..PARAM
+};
