@@ -215,10 +215,7 @@ proptest! {
 fn choices(entry: Entry) -> Vec<Choice> {
     match entry {
         Entry::Choice(choices) => choices,
-        Entry::Digits(groups) => groups
-            .into_iter()
-            .flat_map(|group| group.choices)
-            .collect(),
+        Entry::Digits(groups) => groups.into_iter().flat_map(|group| group.choices).collect(),
         _ => Vec::new(),
     }
 }

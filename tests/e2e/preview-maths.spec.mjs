@@ -78,8 +78,11 @@ test("every part is closed, faces outwards and has its volume", () => {
     island: 34 * 24 * 12 + (34 + 16) * (24 + 16) * 3,
     block: 46 * 46 * 16,
     sphere: ball(15),
+    // askew by the sine of the angle between the edges
+    outerCorner: 30 * 24 * 16 * Math.sin(Math.PI / 3),
+    innerCorner: ((34 + 16) * (24 + 16) * (12 + 4) - 34 * 24 * 12) * Math.sin((110 * Math.PI) / 180),
   };
-  for (const solid of demo.shapes.solids.slice(0, 8)) {
+  for (const solid of demo.shapes.solids.slice(0, -1)) {
     const { mesh } = scene.buildScene({ ...demo.shapes, solids: [solid] }, colours.LIGHT);
     const { area, volume } = measured(mesh);
     near(area, [0, 0, 0], 1e-6);

@@ -243,9 +243,10 @@ struct SolidFile {
     /// Element.
     shape: ShapeName,
     /// hole: diameter, depth; shaft: diameter, height; groove and web: width, depth, length; pocket and island:
-    /// X, Y, depth; block: X, Y, Z; sphere: diameter.
+    /// X, Y, depth; block: X, Y, Z; sphere: diameter; outerCorner and innerCorner: angle between the edges in degree,
+    /// lengths of the edge along X and of the other one, depth.
     size: Vec<f64>,
-    /// Centre of the element at its upper face, of a sphere its centre, machine coordinates X Y Z.
+    /// Centre of the element at its upper face, of a sphere its centre, of a corner the corner, machine coordinates X Y Z.
     at: [f64; 3],
     /// Orientation about X Y Z (RPY), degree.
     #[serde(default)]
@@ -257,7 +258,7 @@ struct SolidFile {
 
 #[derive(Clone, Copy, Debug, Deserialize)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
-#[serde(rename_all = "lowercase")]
+#[serde(rename_all = "camelCase")]
 enum ShapeName {
     Hole,
     Shaft,
@@ -267,6 +268,8 @@ enum ShapeName {
     Island,
     Block,
     Sphere,
+    OuterCorner,
+    InnerCorner,
 }
 
 /// Errors of a solid. All zero: none.
@@ -525,6 +528,16 @@ fn solid(file: SolidFile) -> Result<Solid, Error> {
             height,
         },
         (ShapeName::Block, &[x, y, z]) => Shape::Block { size: [x, y, z] },
+        (ShapeName::OuterCorner, &[angle, x, y, height]) => Shape::OuterCorner {
+            angle,
+            length: [x, y],
+            height,
+        },
+        (ShapeName::InnerCorner, &[angle, x, y, depth]) => Shape::InnerCorner {
+            angle,
+            length: [x, y],
+            depth,
+        },
         (ShapeName::Sphere, &[diameter]) => Shape::Sphere { diameter },
         (shape, size) => {
             return Err(Error::Unknown {

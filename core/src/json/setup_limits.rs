@@ -3,6 +3,7 @@
 use super::Error;
 use crate::catalogue::Dialect;
 use crate::control::{Control, Frame, Value, gud};
+use crate::geometry::rigid::sin_cos;
 use crate::run::setup::Setup;
 use crate::workpiece::{Probe, Shape, Solid};
 
@@ -139,6 +140,15 @@ fn solid(name: &str, solid: &Solid) -> Result<(), Error> {
     small(&format!("{name}.rotation"), &solid.rotation)?;
     small(&format!("{name}.errors.shift"), &errors.shift)?;
     small(&format!("{name}.errors.tilt"), &errors.tilt)?;
+    if let Some(angle) = opening(&solid.shape) {
+        let holds = (1.0..=179.0).contains(&angle);
+        bound(
+            &format!("{name}.size"),
+            angle,
+            holds,
+            "an angle of 1 to 179 degrees",
+        )?;
+    }
     let (across, deep) = sizes(&solid.shape);
     for size in across.iter().chain([&deep]) {
         bound(
@@ -172,6 +182,14 @@ fn solid(name: &str, solid: &Solid) -> Result<(), Error> {
     )
 }
 
+/// Angle between the edges of a corner, degree.
+fn opening(shape: &Shape) -> Option<f64> {
+    match *shape {
+        Shape::OuterCorner { angle, .. } | Shape::InnerCorner { angle, .. } => Some(angle),
+        _ => None,
+    }
+}
+
 /// Sizes across, to which errors add, and the depth.
 fn sizes(shape: &Shape) -> (Vec<f64>, f64) {
     match *shape {
@@ -190,6 +208,16 @@ fn sizes(shape: &Shape) -> (Vec<f64>, f64) {
         Shape::Pocket { length, depth } => (length.to_vec(), depth),
         Shape::Island { length, height } => (length.to_vec(), height),
         Shape::Block { size: [x, y, z] } => (vec![x, y], z),
+        Shape::OuterCorner {
+            angle,
+            length,
+            height: deep,
+        }
+        | Shape::InnerCorner {
+            angle,
+            length,
+            depth: deep,
+        } => (length.map(|l| l * sin_cos(angle).0).to_vec(), deep),
         Shape::Sphere { diameter } => (vec![diameter], diameter),
     }
 }

@@ -210,6 +210,16 @@ fn solid(solid: &Solid) -> Value {
         Shape::Pocket { length, depth } => ("pocket", [length[0], length[1], depth].into()),
         Shape::Island { length, height } => ("island", [length[0], length[1], height].into()),
         Shape::Block { size } => ("block", size.into()),
+        Shape::OuterCorner {
+            angle,
+            length: [x, y],
+            height,
+        } => ("outerCorner", [angle, x, y, height].into()),
+        Shape::InnerCorner {
+            angle,
+            length: [x, y],
+            depth,
+        } => ("innerCorner", [angle, x, y, depth].into()),
         Shape::Sphere { diameter } => ("sphere", [diameter].into()),
     };
     object([

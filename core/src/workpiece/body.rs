@@ -1,5 +1,8 @@
 //! A solid taken apart into faces, edges and corners, in its own frame (origin at the upper face, Z up).
 
+mod frustum;
+
+use self::frustum::{Frustum, quad, reversed};
 use super::{PartErrors, Shape, Solid};
 use crate::geometry::circle::Circle;
 use crate::geometry::lobed::{LobedWall, Lobes};
@@ -31,15 +34,6 @@ enum Piece {
     Ball { radius: f64 },
 }
 
-/// A block whose walls lean: half lengths X Y at the top and at the bottom.
-#[derive(Clone, Copy)]
-struct Frustum {
-    above: [f64; 2],
-    below: [f64; 2],
-    top: f64,
-    bottom: f64,
-}
-
 impl Body {
     /// Takes a solid apart, its errors applied.
     pub fn new(solid: &Solid) -> Body {
@@ -59,7 +53,10 @@ impl Body {
                 depth,
                 length,
             } => body.groove([width, length], depth, errors),
-            Shape::Pocket { length, depth } => body.pocket(length, depth, errors),
+            Shape::Pocket { length, depth } => {
+                let length = length.map(|l| l + errors.size);
+                body.pocket(Frustum::tapered(length, depth, errors.taper));
+            }
             Shape::Web {
                 width,
                 height,
@@ -76,11 +73,19 @@ impl Body {
                 body.island(Frustum::tapered(length, height, errors.taper));
             }
             Shape::Block { size: [x, y, z] } => {
-                let block = Frustum::tapered([x + errors.size, y + errors.size], z, errors.taper);
-                body.add(&block.walls(), true);
-                body.add(&[block.lid(), block.base()], true);
-                body.material.push(Piece::Frustum(block));
+                let length = [x + errors.size, y + errors.size];
+                body.block(Frustum::tapered(length, z, errors.taper));
             }
+            Shape::OuterCorner {
+                angle,
+                length,
+                height,
+            } => body.block(Frustum::corner(angle, length, height, errors)),
+            Shape::InnerCorner {
+                angle,
+                length,
+                depth,
+            } => body.pocket(Frustum::corner(angle, length, depth, errors)),
             Shape::Sphere { diameter } => {
                 let radius = (diameter + errors.size) / 2.0;
                 body.features.push(Feature::Sphere(radius));
@@ -159,10 +164,14 @@ impl Body {
         self.material.push(Piece::Frustum(plate));
     }
 
-    fn pocket(&mut self, length: [f64; 2], depth: f64, errors: &PartErrors) {
-        let cavity = Frustum::tapered(length.map(|l| l + errors.size), depth, errors.taper);
-        let half = [0, 1].map(|i| cavity.above[i].max(cavity.below[i]) + MARGIN);
-        let block = Frustum::upright(half, 0.0, -depth - FLOOR);
+    fn block(&mut self, block: Frustum) {
+        self.add(&block.walls(), true);
+        self.add(&[block.lid(), block.base()], true);
+        self.material.push(Piece::Frustum(block));
+    }
+
+    fn pocket(&mut self, cavity: Frustum) {
+        let block = cavity.around(MARGIN, FLOOR);
         let [a, b, c, d] = block.ring(true);
         let [i, j, k, l] = cavity.ring(true);
         let lids = [[a, b, j, i], [b, c, k, j], [c, d, l, k], [d, a, i, l]].map(quad);
@@ -254,81 +263,6 @@ impl Piece {
             }
             Piece::Ball { radius } => p.norm() <= *radius,
         }
-    }
-}
-
-impl Frustum {
-    fn upright(half: [f64; 2], top: f64, bottom: f64) -> Frustum {
-        Frustum {
-            above: half,
-            below: half,
-            top,
-            bottom,
-        }
-    }
-
-    fn tapered(length: [f64; 2], depth: f64, taper: f64) -> Frustum {
-        let above = length.map(|l| l / 2.0);
-        Frustum {
-            above,
-            below: above.map(|l| l + taper * depth / 2.0),
-            top: 0.0,
-            bottom: -depth,
-        }
-    }
-
-    fn contains(&self, p: &V3) -> bool {
-        let part = (self.top - p.z) / (self.top - self.bottom);
-        let half = |i: usize| self.above[i] + (self.below[i] - self.above[i]) * part;
-        (0.0..=1.0).contains(&part) && p.x.abs() <= half(0) && p.y.abs() <= half(1)
-    }
-
-    /// Corners of the upper or lower face, counter-clockwise from (−, −).
-    fn ring(&self, upper: bool) -> [V3; 4] {
-        let ([x, y], z) = if upper {
-            (self.above, self.top)
-        } else {
-            (self.below, self.bottom)
-        };
-        [
-            V3::new(-x, -y, z),
-            V3::new(x, -y, z),
-            V3::new(x, y, z),
-            V3::new(-x, y, z),
-        ]
-    }
-
-    fn lid(&self) -> Quad {
-        quad(self.ring(true))
-    }
-
-    fn base(&self) -> Quad {
-        reversed(quad(self.ring(false)))
-    }
-
-    /// Walls −Y, +X, +Y, −X, facing outwards.
-    fn walls(&self) -> [Quad; 4] {
-        let (up, low) = (self.ring(true), self.ring(false));
-        [0, 1, 2, 3].map(|i| {
-            let next = (i + 1) % 4;
-            quad([low[i], low[next], up[next], up[i]])
-        })
-    }
-}
-
-fn quad(corners: [V3; 4]) -> Quad {
-    Quad {
-        corners,
-        trim: Trim::Whole,
-    }
-}
-
-/// The same face seen from the other side.
-fn reversed(face: Quad) -> Quad {
-    let [a, b, c, d] = face.corners;
-    Quad {
-        corners: [d, c, b, a],
-        ..face
     }
 }
 

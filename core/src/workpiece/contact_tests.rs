@@ -49,6 +49,16 @@ fn shapes() -> Vec<Shape> {
             size: [60.0, 50.0, 20.0],
         },
         Shape::Sphere { diameter: 30.0 },
+        Shape::OuterCorner {
+            angle: 50.0,
+            length: [60.0, 50.0],
+            height: 20.0,
+        },
+        Shape::InnerCorner {
+            angle: 115.0,
+            length: [40.0, 50.0],
+            depth: 20.0,
+        },
     ]
 }
 
@@ -268,4 +278,36 @@ fn check_free(part: &Workpiece, radius: f64, from: V3, to: V3) -> Result<(), Tes
         prop_assert!(gap > radius - 1e-8, "at {i}/60: {gap} < {radius}");
     }
     Ok(())
+}
+
+// oracle: hand: the second edge runs along (1/2, √3/2), its wall faces (√3/2, -1/2) into the part. A wall stands out by
+// half of the error of size, in a pocket away from the ball.
+#[test]
+fn the_walls_of_a_corner_stand_out_by_half_of_its_error() {
+    let errors = PartErrors {
+        size: 0.4,
+        ..PartErrors::default()
+    };
+    let (angle, length, depth) = (60.0, [50.0, 40.0], 30.0);
+    let outer = Shape::OuterCorner {
+        angle,
+        length,
+        height: depth,
+    };
+    let inner = Shape::InnerCorner {
+        angle,
+        length,
+        depth,
+    };
+    let root = 3.0_f64.sqrt() / 2.0;
+    let first_wall = |way: f64| [25.0, way, -15.0];
+    let second_wall = |way: f64| [10.0 + root * way, 20.0 * root - way / 2.0, -15.0];
+    for (shape, into) in [(outer, -7.0), (inner, 7.0)] {
+        let part = part(shape, errors);
+        for place in [first_wall(into), second_wall(into)] {
+            let found = distance(&part, place);
+            let wanted = if into < 0.0 { 6.8 } else { 7.2 };
+            assert!((found - wanted).abs() < 1e-9, "{place:?} {found}");
+        }
+    }
 }

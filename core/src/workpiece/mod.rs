@@ -58,6 +58,25 @@ pub enum Shape {
         /// Height above the plate, mm.
         height: f64,
     },
+    /// Block with a corner of any angle at the origin. Its edges run from there along X and along a direction that is
+    /// turned counter-clockwise from X; opposite walls are parallel.
+    OuterCorner {
+        /// Angle between the edges, degree, between 0 and 180.
+        angle: f64,
+        /// Lengths of both edges, mm.
+        length: [f64; 2],
+        /// Z, mm.
+        height: f64,
+    },
+    /// Pocket with such a corner.
+    InnerCorner {
+        /// Angle between the edges, degree, between 0 and 180.
+        angle: f64,
+        /// Lengths of both edges, mm.
+        length: [f64; 2],
+        /// Depth of the floor, mm.
+        depth: f64,
+    },
     /// Half space below Z = 0, bounded by a rectangle X × Y, thickness Z.
     Block {
         /// X, Y and thickness Z, mm.
@@ -88,7 +107,7 @@ pub struct PartErrors {
 /// One solid, placed in machine (basic) coordinates.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solid {
-    /// Shape. The origin is the centre of the element at its upper face (of a sphere its centre), Z is the depth axis.
+    /// Shape. The origin is the centre of the element at its upper face (of a sphere its centre, of a corner the corner), Z is the depth axis.
     pub shape: Shape,
     /// Position of the origin X Y Z, mm.
     pub at: [f64; 3],

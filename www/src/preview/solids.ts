@@ -3,7 +3,7 @@ import type { Solid, Vec3 } from "../wire";
 import type { Rgba } from "./colours";
 import { append, flat, mesh, quad, triangle, VERTEX_FLOATS, type Line, type Mesh, type Paint, type Style } from "./mesh";
 import { border, circle, normals, rectangle, type Outline, type Vec2 } from "./outline";
-import { add, apply, rpy, times } from "./vec";
+import { add, apply, radians, rpy, times, unit } from "./vec";
 
 export interface Part { mesh: Mesh; edges: Line[] }
 interface Look { paint: Paint; edge: Style }
@@ -40,7 +40,7 @@ export function zone(solid: Solid, colour: Rgba): Part {
 }
 
 function build(shape: Solid["shape"], size: number[], errors: Solid["errors"], look: Look): Part {
-  const [a = 10, b = 10, c = 10] = size;
+  const [a = 10, b = 10, c = 10, d = 10] = size;
   switch (shape) {
     case "hole": return sunk(circle(a, errors), b, look);
     case "pocket": return sunk(rectangle(a, b, errors), c, look);
@@ -49,18 +49,31 @@ function build(shape: Solid["shape"], size: number[], errors: Solid["errors"], l
     case "groove": return extruded(grooveProfile(a, b, errors), c, look);
     case "web": return extruded(webProfile(a, b, errors), c, look);
     case "block": return block([a + errors.size, b + errors.size], 0, -c, look);
+    case "outerCorner": return cornered(a, [b, c], errors, (x, y, own) => block([x + own.size, y + own.size], 0, -d, look));
+    case "innerCorner": return cornered(a, [b, c], errors, (x, y, own) => sunk(rectangle(x, y, own), d, look));
     case "sphere": return sphere((a + errors.size) / 2, look);
   }
 }
 
 // Placing
 
-/** Shape origin into the machine: tilt about the origin, then rotation and position, then the shift in machine axes. */
+/** Shape origin into the machine: rotation and position, then the tilt about the origin and the shift, both in machine axes. */
 export function placement(solid: Solid, errors: Solid["errors"]): { point(p: Vec3): Vec3; direction(p: Vec3): Vec3 } {
   const [tilt, rotation] = [rpy(errors.tilt), rpy(solid.rotation)];
-  const direction = (p: Vec3) => apply(rotation, apply(tilt, p));
+  const direction = (p: Vec3) => apply(tilt, apply(rotation, p));
   const at = add(solid.at, errors.shift);
   return { direction, point: (p) => add(at, direction(p)) };
+}
+
+/** A rectangular body pushed askew, so that its first corner stands at the origin with this angle: the second edge leans
+ *  over, and what counts across a wall is longer along the other edge. */
+function cornered(degrees: number, [x, y]: Vec2, errors: Solid["errors"], body: (x: number, y: number, own: Solid["errors"]) => Part): Part {
+  const [sine, cosine] = [Math.sin(radians(degrees)), Math.cos(radians(degrees))];
+  const own = body(x, y, { ...errors, size: errors.size / sine, taper: errors.taper / sine });
+  return placed(own, {
+    point: ([u, v, z]) => [u + x / 2 + (v + y / 2) * cosine, (v + y / 2) * sine, z],
+    direction: ([u, v, z]) => unit([u, (v - cosine * u) / sine, z]),
+  });
 }
 
 function placed(own: Part, { point, direction }: ReturnType<typeof placement>): Part {

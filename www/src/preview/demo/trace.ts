@@ -46,7 +46,8 @@ export const hole: Trace = {
 const place = (i: number): Vec3 => [(i % 4) * 75, Math.floor(i / 4) * -75, 0];
 const sizes: [Solid["shape"], number[]][] = [
   ["hole", [30, 18]], ["shaft", [30, 18]], ["groove", [20, 14, 46]], ["web", [16, 14, 46]],
-  ["pocket", [34, 24, 12]], ["island", [34, 24, 12]], ["block", [46, 46, 16]], ["sphere", [30]], ["shaft", [30, 18]],
+  ["pocket", [34, 24, 12]], ["island", [34, 24, 12]], ["block", [46, 46, 16]], ["sphere", [30]],
+  ["outerCorner", [60, 30, 24, 16]], ["innerCorner", [110, 34, 24, 12]], ["shaft", [30, 18]],
 ];
 
 /** Every shape; the last one with errors that are there to be seen. */
@@ -55,7 +56,7 @@ export const shapes: Trace = {
   ball: { radius: BALL, length: 120 },
   solids: sizes.map(([shape, size], i): Solid => ({
     shape, size, at: place(i), rotation: [0, 0, 0],
-    errors: i < 8 ? exact : { shift: [0, 0, 0], size: 0, tilt: [6, 0, 0], taper: 0.3, outOfRound: [2, 3] },
+    errors: i < sizes.length - 1 ? exact : { shift: [0, 0, 0], size: 0, tilt: [6, 0, 0], taper: 0.3, outOfRound: [2, 3] },
   })),
   frames: [],
 };
