@@ -1,4 +1,4 @@
-//! Checks for points that lie on a circle, at a starting angle and steps of an indexing angle: CYCLE979, CYCLE997.
+//! Points that lie on a circle, and checks for them, at a starting angle and steps of an indexing angle: CYCLE979, CYCLE997.
 
 use super::names;
 use crate::check::{Finding, Inputs, error, warning};
@@ -20,6 +20,14 @@ pub fn ball_known(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic
                 .at(names::PRNUM),
         );
     }
+}
+
+/// Directions from the centre to three or four points in their order, degree.
+pub fn points(start: f64, step: f64, four: bool) -> Vec<f64> {
+    let count = if four { 4 } else { 3 };
+    (0..count)
+        .map(|index| start + f64::from(index) * step)
+        .collect()
 }
 
 /// Where three or four points lie: not upon each other, and within one turn (B:6850, B:6986, B:8471).

@@ -46,6 +46,36 @@ pub fn solid(control: &Control, shape: Shape, at: [f64; 3], x: [f64; 3], z: [f64
     }
 }
 
+/// Length of a groove or web across its width, mm.
+pub fn along(width: f64) -> f64 {
+    (width * 1.5).max(40.0)
+}
+
+/// Hole, shaft, groove or web, as the last digit of `_MVAR` counts them from 1 in CYCLE977 and CYCLE979; diameter or
+/// width, depth or height in mm.
+pub fn element(kind: i64, size: f64, height: f64) -> Shape {
+    match kind {
+        1 => Shape::Hole {
+            diameter: size,
+            depth: height,
+        },
+        2 => Shape::Shaft {
+            diameter: size,
+            height,
+        },
+        3 => Shape::Groove {
+            width: size,
+            depth: height,
+            length: along(size),
+        },
+        _ => Shape::Web {
+            width: size,
+            height,
+            length: along(size),
+        },
+    }
+}
+
 /// The tool that `_KNUM` and `_TNUM` or `_TNAME` name, as an end mill of 20 mm; none without a tool offset.
 pub fn corrected_tools(inputs: &Inputs) -> Vec<ProposedTool> {
     let code = knum::tool(inputs.integer(names::KNUM), inputs.five_digit_edges);

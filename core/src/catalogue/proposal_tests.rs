@@ -26,6 +26,10 @@ fn typed(variant: i64, axis: &str) -> Typed {
         ("_SZA", zone[0]),
         ("_SZO", zone[1]),
         ("_MA", axis),
+        ("_CPA", "12"),
+        ("_CPO", "-7"),
+        ("_INCA", "80"),
+        ("_RF", "900"),
         ("_KNUM", "0"),
         ("_TSA", "1"),
         ("_TUL", "0.5"),
@@ -35,11 +39,21 @@ fn typed(variant: i64, axis: &str) -> Typed {
     .into()
 }
 
-/// Results of a call on the proposed part with its errors.
+/// Results of a call in a measuring axis on the proposed part with its errors.
 fn measured(
     cycle: &'static Cycle,
     variant: i64,
     axis: &str,
+    plane: Plane,
+) -> crate::control::Control {
+    measured_with(cycle, variant, &[("_MA", axis)], plane)
+}
+
+/// Results of a call with these values changed.
+fn measured_with(
+    cycle: &'static Cycle,
+    variant: i64,
+    changes: &[(&str, &str)],
     plane: Plane,
 ) -> crate::control::Control {
     let mut setup = Setup::calibrated(Dialect::Sinumerik, plane);
@@ -49,7 +63,13 @@ fn measured(
         .insert(1, Frame::translation([100.0, 50.0, -20.0]));
     setup.control.settable = 1;
     setup.control.activate(1);
-    let checked = check(cycle, &typed(variant, axis), &setup.control);
+    let mut typed = typed(variant, "1");
+    typed.extend(
+        changes
+            .iter()
+            .map(|(name, value)| ((*name).to_owned(), (*value).to_owned())),
+    );
+    let checked = check(cycle, &typed, &setup.control);
     let inputs = checked
         .inputs
         .unwrap_or_else(|| panic!("{variant} {:?}", checked.diagnostics));
@@ -62,7 +82,7 @@ fn measured(
     setup.workpiece.solids.extend(proposal.fixture);
     setup.position = setup.control.to_machine(proposal.start);
     let outcome = predict(cycle, &inputs, &setup);
-    assert_eq!(outcome.stop, None, "{variant} axis {axis} {plane:?}");
+    assert_eq!(outcome.stop, None, "{variant} {changes:?} {plane:?}");
     outcome.control
 }
 
@@ -149,6 +169,32 @@ fn cycle978_finds_the_position() {
                     SHIFT[plane.axes()[index]],
                     &format!("{} {axis} {plane:?}", variant.number),
                 );
+            }
+        }
+    }
+}
+
+#[test]
+fn cycle979_finds_size_and_centre() {
+    // oracle: hand (errors of the part; a width is found in its direction, here the abscissa or the ordinate)
+    let cycle = find(Dialect::Sinumerik, "CYCLE979").unwrap();
+    for plane in [Plane::G17, Plane::G18, Plane::G19] {
+        let shift = plane.axes().map(|axis| SHIFT[axis]);
+        for variant in cycle.variants {
+            for (angle, along) in [("0", [1.0, 0.0]), ("90", [0.0, 1.0]), ("-180", [1.0, 0.0])] {
+                let control = measured_with(
+                    cycle,
+                    variant.number,
+                    &[("_STA1", angle), ("_ID", "20")],
+                    plane,
+                );
+                let what = format!("{} {angle} {plane:?}", variant.number);
+                let round = variant.number % 10 <= 2;
+                near(&control, "_OVR[16]", SIZE, &what);
+                for (axis, name) in ["_OVR[17]", "_OVR[18]"].into_iter().enumerate() {
+                    let part = if round { 1.0 } else { along[axis] };
+                    near(&control, name, shift[axis] * part, &what);
+                }
             }
         }
     }

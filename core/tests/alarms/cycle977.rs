@@ -18,7 +18,7 @@ pub fn table() -> Table {
         usual: "",
         setup,
         cases,
-        unreached: workpiece::UNREACHED,
+        unreached: workpiece::UNREACHED.to_vec(),
     }
 }
 

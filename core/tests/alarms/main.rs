@@ -4,6 +4,7 @@
 
 mod cycle977;
 mod cycle978;
+mod cycle979;
 mod found;
 mod nct;
 mod table;
@@ -21,6 +22,7 @@ fn table(name: &str) -> Table {
     match name {
         "CYCLE977" => cycle977::table(),
         "CYCLE978" => cycle978::table(),
+        "CYCLE979" => cycle979::table(),
         "G101" => nct::g101(),
         "G110" => nct::g110(),
         _ => panic!("{name} has no cases for its alarms"),

@@ -25,7 +25,7 @@ pub fn g101() -> Table {
                 setup.control.limits.plus[0] = Some(5.0);
             }),
         ],
-        unreached: &[],
+        unreached: Vec::new(),
     }
 }
 
@@ -63,7 +63,7 @@ pub fn g110() -> Table {
                 setup.control.register_mut(1).radius = 24.9;
             }),
         ],
-        unreached: &[],
+        unreached: Vec::new(),
     }
 }
 

@@ -14,7 +14,7 @@ pub struct Table {
     /// One case for each alarm that can be reached.
     pub cases: Vec<Case>,
     /// Alarms of the entry that nothing raises, each with the reason.
-    pub unreached: &'static [(u32, &'static str)],
+    pub unreached: Vec<(u32, &'static str)>,
 }
 
 /// What raises an alarm.

@@ -12,8 +12,6 @@ pub struct Element {
     pub rectangle: bool,
     /// Hole, groove, inside rectangle.
     pub inside: bool,
-    /// Zero offset instead of tool offset.
-    pub zero: bool,
     /// Diameter, width or length by axis.
     pub size: [f64; 2],
     /// Protection zone by axis.
@@ -25,7 +23,7 @@ pub struct Element {
 }
 
 impl Element {
-    /// Digits of `_MVAR`: units element, hundreds correction, thousands protection zone (B:5641-5667).
+    /// Digits of `_MVAR`: units element, thousands protection zone (B:5641-5667).
     pub fn of(inputs: &Inputs) -> Element {
         let digit = |place: i64| inputs.variant / place % 10;
         let kind = digit(1);
@@ -41,7 +39,6 @@ impl Element {
             round: kind <= 2,
             rectangle,
             inside,
-            zero: digit(100) == 1,
             size,
             zone: zoned.then(|| pair(inputs.number("_SZA"), inputs.number("_SZO"))),
             infeed: if inside && !zoned {

@@ -4,11 +4,11 @@
 
 use super::VARIANTS;
 use super::tests::{CENTRE, inputs, part, ready};
-use crate::catalogue::sinumerik::testing::{at, run};
+use crate::catalogue::sinumerik::testing::{Motion, at, motions, run, same};
 use crate::check::Inputs;
 use crate::control::Plane;
 use crate::run::machine::Sim;
-use crate::run::trace::{MotionKind, Step};
+use crate::run::trace::MotionKind;
 
 const PLANE_FEED: f64 = 1200.0;
 const DEPTH_FEED: f64 = 700.0;
@@ -30,9 +30,6 @@ fn table(variant: i64, axis: usize) -> &'static str {
         _ => "x38 [33] x-38 [-33] x0 y30 [25] y-30 [-25] y0",
     }
 }
-
-/// A motion: kind, end as abscissa, ordinate, applicate from the set centre at the height of the start, feed.
-type Motion = (MotionKind, [f64; 3], f64);
 
 fn expand(table: &str, infeed: f64) -> Vec<Motion> {
     let mut here = [0.0; 3];
@@ -58,37 +55,15 @@ fn expand(table: &str, infeed: f64) -> Vec<Motion> {
     motions
 }
 
-fn motions(plane: Plane, variant: i64, inputs: &Inputs, across: bool) -> Vec<Motion> {
+/// What a call does on the nominal part, from the set centre at the height of the start.
+fn driven(plane: Plane, variant: i64, inputs: &Inputs, across: bool) -> Vec<Motion> {
     let mut setup = ready(plane, variant);
     setup.workpiece.solids.push(part(plane, variant, across));
     setup.control.set("_SPEED[1]", PLANE_FEED);
     setup.control.set("_SPEED[2]", DEPTH_FEED);
-    let start = setup.position;
     let mut sim = Sim::new(&setup);
     assert_eq!(run(&mut sim, inputs), Ok(()), "{variant}");
-    let motion = |step: &Step| match step {
-        Step::Motion { kind, to, feed, .. } => {
-            let from_start = plane.axes().map(|i| to[i] - start[i]);
-            Some((*kind, from_start, *feed))
-        }
-        _ => None,
-    };
-    let steps = sim.trace.entries.iter();
-    steps.filter_map(|entry| motion(&entry.step)).collect()
-}
-
-fn same(found: &[Motion], expected: &[Motion], what: &str) {
-    assert_eq!(found.len(), expected.len(), "{what}: {found:#?}");
-    for (is, wanted) in found.iter().zip(expected) {
-        assert_eq!(
-            (is.0, is.2),
-            (wanted.0, wanted.2),
-            "{what}: {is:?} {wanted:?}"
-        );
-        for (a, b) in is.1.iter().zip(wanted.1) {
-            assert!((a - b).abs() < 1e-9, "{what}: {is:?} {wanted:?}");
-        }
-    }
+    motions(&sim, plane, setup.position)
 }
 
 /// The infeed of [`inputs`] counts outside and with a protection zone.
@@ -108,7 +83,7 @@ fn every_variant_moves_as_its_table_says() {
         for variant in VARIANTS.iter().map(|variant| variant.number) {
             for axis in [1, 2] {
                 let across = matches!(variant % 10, 3 | 4) && axis == 2;
-                let found = motions(plane, variant, &inputs(variant, axis as f64), across);
+                let found = driven(plane, variant, &inputs(variant, axis as f64), across);
                 let expected = expand(table(variant, axis), infeed(variant));
                 same(&found, &expected, &format!("{variant} {axis} {plane:?}"));
             }
@@ -147,7 +122,7 @@ fn a_narrow_zone_shortens_the_path_before_and_behind_the_surface() {
         let mut inputs = inputs(variant, 1.0);
         inputs.numbers.insert("_SZA", zone[0]);
         inputs.numbers.insert("_SZO", zone[1]);
-        let found = motions(Plane::G17, variant, &inputs, false);
+        let found = driven(Plane::G17, variant, &inputs, false);
         same(&found, &expand(table, -20.0), &variant.to_string());
     }
 }

@@ -46,39 +46,11 @@ fn above(infeed: f64, ball: f64) -> (f64, f64) {
     (start, (infeed - start).max(0.0))
 }
 
-/// Length of a groove or web across the measuring axis, mm.
-pub(super) fn along(size: f64) -> f64 {
-    (size * 1.5).max(40.0)
-}
-
 fn shape(inputs: &Inputs, height: f64) -> Shape {
-    let size = inputs.number(names::SETVAL);
-    let length = if RECTANGLE.holds(inputs) {
-        [inputs.number(names::SETV0), inputs.number(names::SETV1)]
-    } else {
-        [size; 2]
-    };
-    let along = along(size);
-    match inputs.variant % 10 {
-        1 => Shape::Hole {
-            diameter: size,
-            depth: height,
-        },
-        2 => Shape::Shaft {
-            diameter: size,
-            height,
-        },
-        3 => Shape::Groove {
-            width: size,
-            depth: height,
-            length: along,
-        },
-        4 => Shape::Web {
-            width: size,
-            height,
-            length: along,
-        },
-        5 => Shape::Pocket {
+    let length = [inputs.number(names::SETV0), inputs.number(names::SETV1)];
+    match (inputs.variant % 10, RECTANGLE.holds(inputs)) {
+        (kind, false) => place::element(kind, inputs.number(names::SETVAL), height),
+        (5, true) => Shape::Pocket {
             length,
             depth: height,
         },

@@ -2,7 +2,6 @@
 //! not meet (B:5892-5951).
 
 use super::params::{OUTSIDE, RECTANGLE, WIDTH};
-use super::propose::along;
 use crate::catalogue::{names, place};
 use crate::check::Inputs;
 use crate::control::Control;
@@ -44,7 +43,7 @@ impl Protected {
                 [inputs.number(names::SETV0), inputs.number(names::SETV1)],
                 [zone, inputs.number(names::SZO)],
             ),
-            (_, true) => ([size, along(size)], [zone, along(size)]),
+            (_, true) => ([size, place::along(size)], [zone, place::along(size)]),
             _ => ([size; 2], [zone; 2]),
         };
         Some(Protected {

@@ -1,25 +1,13 @@
 //! What CYCLE977 does: the order of probing, the ways between, what follows (B:5773-5809, B:5892-5957).
 
 use super::element::Element;
+use crate::catalogue::sinumerik::centred::{self, Found, Pair};
 use crate::catalogue::sinumerik::measuring_block::{Block, Point, calibrated};
-use crate::catalogue::sinumerik::{Next, alarm, correct, results, tolerance};
+use crate::catalogue::sinumerik::target::Target;
+use crate::catalogue::sinumerik::{Next, alarm, results};
 use crate::check::Inputs;
 use crate::diagnostic::Code;
-use crate::evaluate::{tool_offset, zero_offset};
 use crate::run::{Machine, Stop};
-
-/// What was measured, mm. Entries of axes that are not measured keep their set value.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Found {
-    size: [f64; 2],
-    centre: [f64; 2],
-}
-
-/// What is corrected.
-enum Target {
-    Tool(Option<tool_offset::Target>),
-    Zero(Option<zero_offset::Target>),
-}
 
 /// Runs the cycle from the present position, which is the set centre.
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
@@ -33,37 +21,12 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     if element.axes().iter().any(|axis| !calibrated(&block, *axis)) {
         return Err(alarm(machine, 61341));
     }
-    let target = if element.zero {
-        Target::Zero(correct::zero_target(machine, inputs)?)
-    } else {
-        let axis = (!element.round && !element.rectangle).then_some(element.axes()[0]);
-        Target::Tool(tolerance::prepare(machine, inputs, axis)?)
-    };
+    let axis = (!element.round && !element.rectangle).then_some(element.axes()[0]);
+    let target = Target::of(machine, inputs, axis)?;
     let start = machine.position();
     for repetition in 0.. {
         let found = measure(machine, &block, &element, paths, start)?;
-        report(machine, inputs, &element, &block, start, &found);
-        let next = match &target {
-            Target::Tool(target) => by_tool(
-                machine,
-                inputs,
-                &element,
-                &found,
-                target.as_ref(),
-                repetition,
-            )?,
-            Target::Zero(target) => by_zero(
-                machine,
-                inputs,
-                &element,
-                &block,
-                start,
-                &found,
-                target.as_ref(),
-                repetition,
-            )?,
-        };
-        if next == Next::Done {
+        if centred::finish(machine, inputs, &found, &target, repetition)? == Next::Done {
             break;
         }
     }
@@ -79,10 +42,7 @@ fn measure(
     start: [f64; 3],
 ) -> Result<Found, Stop> {
     let set = [start[block.axes[0]], start[block.axes[1]]];
-    let mut found = Found {
-        size: element.size,
-        centre: set,
-    };
+    let (mut size, mut centre) = (element.size, set);
     for axis in element.axes().iter().copied() {
         let mut sides = [0.0; 2];
         for (side, coordinate) in [1.0, -1.0].into_iter().zip(&mut sides) {
@@ -92,17 +52,24 @@ fn measure(
                 set: set[axis] + side * element.size[axis] / 2.0,
                 path: paths[axis],
             };
-            *coordinate = touch(machine, block, element, &point, start, found.centre)?;
+            *coordinate = touch(machine, block, element, &point, start, centre)?;
         }
         let [plus, minus] = sides;
-        found.centre[axis] = (plus + minus) / 2.0;
-        found.size[axis] = plus - minus;
-        above(machine, block, start, found.centre)?;
+        centre[axis] = (plus + minus) / 2.0;
+        size[axis] = plus - minus;
+        above(machine, block, start, centre)?;
     }
-    if element.round {
-        found.size[0] = found.size[1]; // the diameter comes from the ordinate, B:5773
-    }
-    Ok(found)
+    let pair = |axis: usize, set: [f64; 2], actual: [f64; 2]| Pair {
+        set: set[axis],
+        actual: actual[axis],
+    };
+    let sizes = element.sizes().iter();
+    Ok(Found {
+        sizes: sizes.map(|axis| pair(*axis, element.size, size)).collect(),
+        centre: [0, 1].map(|axis| pair(axis, set, centre)),
+        axes: element.axes(),
+        inside: element.inside,
+    })
 }
 
 /// One side: to the start of its measuring block, there down by the infeed, measure, up again. Sideways the ball runs
@@ -162,91 +129,4 @@ fn above(
     to[block.axes[0]] = centre[0];
     to[block.axes[1]] = centre[1];
     block.travel(machine, to)
-}
-
-/// Setpoints, actual values and differences (B:5675-5685, B:5709-5724).
-fn report(
-    machine: &mut dyn Machine,
-    inputs: &Inputs,
-    element: &Element,
-    block: &Block,
-    start: [f64; 3],
-    found: &Found,
-) {
-    let centre = [start[block.axes[0]], start[block.axes[1]]];
-    let mut set = Vec::new();
-    let mut actual = Vec::new();
-    for (index, axis) in element.sizes().iter().copied().enumerate() {
-        if element.zero {
-            set.push(element.size[axis]);
-        } else {
-            let middle = tolerance::middle(inputs, element.size[axis]);
-            set.push(middle.setpoint);
-            results::length(machine, 8 + index, middle.upper);
-            results::length(machine, 12 + index, middle.lower);
-        }
-        actual.push(found.size[axis]);
-    }
-    set.extend(centre);
-    actual.extend(found.centre);
-    for (index, (set, actual)) in set.iter().zip(&actual).enumerate() {
-        results::length(machine, index, *set);
-        results::length(machine, 4 + index, *actual);
-        results::length(machine, 16 + index, actual - set);
-    }
-}
-
-/// The size decides over the tool (B:6123-6137).
-fn by_tool(
-    machine: &mut dyn Machine,
-    inputs: &Inputs,
-    element: &Element,
-    found: &Found,
-    target: Option<&tool_offset::Target>,
-    repetition: u32,
-) -> Result<Next, Stop> {
-    let differences: Vec<f64> = element
-        .sizes()
-        .iter()
-        .map(|axis| found.size[*axis] - tolerance::middle(inputs, element.size[*axis]).setpoint)
-        .collect();
-    let sizes = tolerance::Sizes {
-        differences: &differences,
-        factor: 0.5,
-        radius_sign: if element.inside { 1.0 } else { -1.0 },
-    };
-    tolerance::decide(machine, inputs, &sizes, target, repetition)
-}
-
-/// The centre decides over the zero offset (B:6153-6171).
-#[allow(clippy::too_many_arguments)]
-fn by_zero(
-    machine: &mut dyn Machine,
-    inputs: &Inputs,
-    element: &Element,
-    block: &Block,
-    start: [f64; 3],
-    found: &Found,
-    target: Option<&zero_offset::Target>,
-    repetition: u32,
-) -> Result<Next, Stop> {
-    results::integer(machine, 0, inputs.integer("_KNUM"));
-    results::integer(machine, 11, 0);
-    let mut measured = zero_offset::Measured {
-        actual: start,
-        set: start,
-        axes: [false; 3],
-    };
-    let mut differences = Vec::new();
-    for axis in element.axes().iter().copied() {
-        let geometry = block.axes[axis];
-        measured.actual[geometry] = found.centre[axis];
-        measured.axes[geometry] = true;
-        differences.push(found.centre[axis] - start[geometry]);
-    }
-    let next = tolerance::safe(machine, inputs, &differences, repetition)?;
-    if let (Next::Done, Some(target)) = (next, target) {
-        correct::zero(machine, target, &measured);
-    }
-    Ok(next)
 }

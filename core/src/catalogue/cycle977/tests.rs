@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::VARIANTS;
-use crate::catalogue::sinumerik::testing::{alarms, at, call, run, setup, solid, stopped};
+use crate::catalogue::sinumerik::testing::{alarms, at, call, close, run, setup, solid, stopped};
 use crate::check::Inputs;
 use crate::control::{Frame, Plane};
 use crate::run::Setup;
@@ -88,14 +88,6 @@ pub(super) fn ready(plane: Plane, variant: i64) -> Setup {
         [CENTRE[0], CENTRE[1], if inside { -10.0 } else { 10.0 }],
     );
     setup
-}
-
-fn close(sim: &Sim, name: &str, value: f64) {
-    let found = sim.control.number(name);
-    assert!(
-        (found - value).abs() < 1e-9,
-        "{name} = {found}, expected {value}"
-    );
 }
 
 /// Index of the centre's actual value.

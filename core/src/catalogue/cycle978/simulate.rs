@@ -1,16 +1,11 @@
 //! What CYCLE978 does: one point of a surface, plain or differential (B:6376-6418).
 
 use crate::catalogue::sinumerik::measuring_block::{Block, Point, calibrated, turnable};
+use crate::catalogue::sinumerik::target::Target;
 use crate::catalogue::sinumerik::{Next, alarm, correct, results, tolerance};
 use crate::check::Inputs;
 use crate::evaluate::{mean, tool_offset, zero_offset};
 use crate::run::{Machine, Stop};
-
-/// What is corrected.
-enum Target {
-    Tool(Option<tool_offset::Target>),
-    Zero(Option<zero_offset::Target>),
-}
 
 /// Runs the cycle from the present position, which is opposite the surface.
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
@@ -27,10 +22,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     if !differential && !calibrated(&block, axis) {
         return Err(alarm(machine, 61341));
     }
-    let target = match inputs.variant / 100 % 10 {
-        1 => Target::Zero(correct::zero_target(machine, inputs)?),
-        _ => Target::Tool(tolerance::prepare(machine, inputs, Some(axis))?),
-    };
+    let target = Target::of(machine, inputs, Some(axis))?;
     let start = machine.position();
     let set = inputs.number("_SETVAL");
     let direction = if set < start[block.axes[axis]] {
@@ -144,13 +136,12 @@ fn by_zero(
 ) -> Result<Next, Stop> {
     report(machine, point, point.set, actual);
     tolerance::report_empirical(machine, inputs);
-    results::integer(machine, 0, inputs.integer("_KNUM"));
+    results::begin_zero(machine, inputs);
     results::integer(
         machine,
         7,
         mean::memories(inputs.integer("_EVNUM")).empirical,
     );
-    results::integer(machine, 11, 0);
     let counted = actual - tolerance::empirical(machine.control(), inputs);
     let next = tolerance::safe(machine, inputs, &[counted - point.set], repetition)?;
     if let (Next::Done, Some(target)) = (next, target) {

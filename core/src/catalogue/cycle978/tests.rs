@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use crate::catalogue::sinumerik::testing::{at, call, run, setup, solid, stopped};
+use crate::catalogue::sinumerik::testing::{at, call, close, run, setup, solid, stopped};
 use crate::check::Inputs;
 use crate::control::Plane;
 use crate::run::machine::Sim;
@@ -46,14 +46,6 @@ fn inputs(variant: i64, axis: usize, side: f64) -> Inputs {
             ("_TNUM", 20.0),
         ],
     )
-}
-
-fn close(sim: &Sim, name: &str, value: f64) {
-    let found = sim.control.number(name);
-    assert!(
-        (found - value).abs() < 1e-9,
-        "{name} = {found}, expected {value}"
-    );
 }
 
 proptest! {

@@ -2,16 +2,22 @@
 
 mod checks;
 mod lists;
+#[cfg(test)]
+mod motion_tests;
 pub mod params;
 mod picture;
+mod propose;
 mod results;
+mod simulate;
+#[cfg(test)]
+mod simulation_tests;
 #[cfg(test)]
 mod tests;
 
 pub use results::RESULTS;
 
 use crate::catalogue::common;
-use crate::catalogue::{Cycle, Dialect, Drawing, Purpose, Variant};
+use crate::catalogue::{Cycle, Dialect, Drawing, Purpose, Simulation, Variant, Work};
 
 /// Measuring variants (B:6764-6773).
 pub const VARIANTS: &[Variant] = &[
@@ -73,8 +79,8 @@ pub static CYCLE979: Cycle = Cycle {
         common::EVERY_CYCLE,
         common::CORRECTION,
         common::TOLERANCE,
-        // A:15857-15858, A:15868, A:15882, A:15909; 61412 for _KNUM = 1000 without a basic frame (A:15931)
-        &common::alarms([61316, 61317, 61327, 61341, 61365, 61412]),
+        // A:15857-15858, A:15868, A:15882, A:15909; 61401 as in the other cycles (A:15920); 61412 for _KNUM = 1000 without a basic frame (A:15931)
+        &common::alarms([61316, 61317, 61327, 61341, 61365, 61401, 61412]),
     ],
     checks: checks::checks,
     picture: Drawing::new(picture::picture),
@@ -101,6 +107,17 @@ pub static CYCLE979: Cycle = Cycle {
         ("_TLL", "-0.03"),
         ("_TDIF", "0.06"),
     ],
-    simulation: None,
+    simulation: Some(Simulation::new(
+        Work {
+            propose: propose::propose,
+            simulate: simulate::simulate,
+        },
+        // B:7205-7246 for the groove; a web is crossed 20 mm above the measuring height
+        &[
+            (params::ZERO, &[("_KNUM", "2")]),
+            (params::WIDTH, &[("_STA1", "70")]),
+            (params::WEB, &[("_ID", "20")]),
+        ],
+    )),
     source: "B:6736-7250",
 };

@@ -3,6 +3,7 @@
 //! zero stands where the drawing has room.
 
 use super::params::{FOUR_POINTS, OUTSIDE, ROUND, TOOL, WEB};
+use crate::catalogue::circle::points;
 use crate::catalogue::names;
 use crate::check::Inputs;
 use crate::form::figures::{
@@ -73,12 +74,9 @@ fn scene(inputs: &Inputs) -> Scene {
     let round = ROUND.holds(inputs);
     let start = inputs.number(names::STA1) % 360.0;
     let step = inputs.given(names::INCA).unwrap_or(80.0) % 360.0;
-    let points = match (round, FOUR_POINTS.holds(inputs)) {
-        (false, _) => vec![start, start + 180.0],
-        (true, false) => vec![start, start + step, start + 2.0 * step],
-        (true, true) => (0..4)
-            .map(|index| start + f64::from(index) * step)
-            .collect(),
+    let points = match round {
+        true => points(start, step, FOUR_POINTS.holds(inputs)),
+        false => vec![start, start + 180.0],
     };
     let size = inputs.positive(names::SETVAL, 130.0);
     Scene {

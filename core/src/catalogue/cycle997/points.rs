@@ -1,7 +1,7 @@
 //! Where CYCLE997 touches a sphere, seen from above.
 
 use super::params::{ANGLE, DIAMETER, FOUR_POINTS, ONE};
-use crate::catalogue::names;
+use crate::catalogue::{circle, names};
 use crate::check::Inputs;
 
 /// Direction of the additional point for the diameter: approached in plus direction, so on the minus side, degree
@@ -16,10 +16,7 @@ pub fn directions(inputs: &Inputs) -> Vec<f64> {
     }
     let start = inputs.number(names::STA1) % 360.0;
     let step = inputs.given(names::INCA).unwrap_or(90.0) % 360.0;
-    let points = if FOUR_POINTS.holds(inputs) { 4 } else { 3 };
-    (0..points)
-        .map(|index| start + f64::from(index) * step)
-        .collect()
+    circle::points(start, step, FOUR_POINTS.holds(inputs))
 }
 
 /// All directions from which the ball comes, the one for the diameter included.

@@ -1,9 +1,11 @@
 //! What the SINUMERIK workpiece cycles have in common: the measuring block, results, tolerances, corrections.
 
+pub mod centred;
 pub mod correct;
 pub mod measuring_block;
 pub mod results;
 pub mod state;
+pub mod target;
 #[cfg(test)]
 pub mod testing;
 pub mod tolerance;

@@ -33,3 +33,10 @@ pub fn begin(machine: &mut dyn Machine, inputs: &Inputs, cycle: i64) {
     integer(machine, 9, 0);
     length(machine, 28, inputs.number("_TSA"));
 }
+
+/// What a measurement with zero offset tells beside: the frame, no tool, nothing written yet (B:5692-5701).
+pub fn begin_zero(machine: &mut dyn Machine, inputs: &Inputs) {
+    integer(machine, 0, inputs.integer("_KNUM"));
+    integer(machine, 8, 0);
+    integer(machine, 11, 0);
+}

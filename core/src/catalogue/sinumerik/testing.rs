@@ -7,7 +7,7 @@ use crate::check::Inputs;
 use crate::control::Plane;
 use crate::diagnostic::Code;
 use crate::run::machine::Sim;
-use crate::run::trace::Step;
+use crate::run::trace::{MotionKind, Step};
 use crate::run::{Setup, Stop};
 use crate::workpiece::{PartErrors, Shape, Solid};
 use nalgebra::{Matrix3, Rotation3};
@@ -97,4 +97,43 @@ pub fn alarms(sim: &Sim) -> Vec<u32> {
         .iter()
         .filter_map(|entry| shown(&entry.step))
         .collect()
+}
+
+/// A datum is what was expected, to 1e-9.
+pub fn close(sim: &Sim, name: &str, value: f64) {
+    let found = sim.control.number(name);
+    assert!(
+        (found - value).abs() < 1e-9,
+        "{name} = {found}, expected {value}"
+    );
+}
+
+/// A motion: kind, end as abscissa, ordinate, applicate from an origin, feed.
+pub type Motion = (MotionKind, [f64; 3], f64);
+
+/// Motions of a trace, from a machine position.
+pub fn motions(sim: &Sim, plane: Plane, origin: [f64; 3]) -> Vec<Motion> {
+    let motion = |step: &Step| match step {
+        Step::Motion { kind, to, feed, .. } => {
+            Some((*kind, plane.axes().map(|i| to[i] - origin[i]), *feed))
+        }
+        _ => None,
+    };
+    let steps = sim.trace.entries.iter();
+    steps.filter_map(|entry| motion(&entry.step)).collect()
+}
+
+/// Motions are those that were expected, to 1e-9 mm.
+pub fn same(found: &[Motion], expected: &[Motion], what: &str) {
+    assert_eq!(found.len(), expected.len(), "{what}: {found:#?}");
+    for (is, wanted) in found.iter().zip(expected) {
+        assert_eq!(
+            (is.0, is.2),
+            (wanted.0, wanted.2),
+            "{what}: {is:?} {wanted:?}"
+        );
+        for (a, b) in is.1.iter().zip(wanted.1) {
+            assert!((a - b).abs() < 1e-9, "{what}: {is:?} {wanted:?}");
+        }
+    }
 }

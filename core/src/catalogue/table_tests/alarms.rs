@@ -13,6 +13,7 @@ const ADDED: &[Code] = &[
     Code::Alarm(61326),
     Code::Alarm(61334),
     Code::Alarm(61351),
+    Code::Alarm(61401),
     Code::Alarm(61412),
     nct::PATH_OBSTRUCTED,
 ];

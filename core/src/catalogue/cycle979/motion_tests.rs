@@ -1,0 +1,93 @@
+//! Every motion of every variant of CYCLE979: order, side, height, feed.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use super::VARIANTS;
+use super::simulation_tests::{CENTRE, HEIGHT, inputs, part, ready};
+use crate::catalogue::sinumerik::testing::{Motion, at, motions, run, same};
+use crate::control::Plane;
+use crate::geometry::rigid::sin_cos;
+use crate::run::machine::Sim;
+use crate::run::trace::MotionKind::{Measuring, Positioning, Retract};
+
+const PLANE_FEED: f64 = 1200.0;
+const DEPTH_FEED: f64 = 700.0;
+/// `_FA` = 5 is above 1 (B:2164-2170).
+const MEASURING_FEED: f64 = 300.0;
+/// `_RF`.
+const CIRCLE_FEED: f64 = 900.0;
+/// Starting angle.
+const ANGLE: f64 = 20.0;
+
+/// Where the ball stands, from the centre at measuring height: distance, direction, height.
+fn polar(distance: f64, angle: f64, height: f64) -> [f64; 3] {
+    let (sine, cosine) = sin_cos(angle);
+    [distance * cosine, distance * sine, height]
+}
+
+/// To a point: straight where `way` says how, then the touch and back. Ball of radius 3, `_FA` 5, size 60: inside the
+/// ball touches at 27 and starts at 22, outside 33 and 38.
+fn point(inside: bool, angle: f64, expected: &mut Vec<Motion>) {
+    let [start, contact] = if inside { [22.0, 27.0] } else { [38.0, 33.0] };
+    expected.push((Measuring, polar(contact, angle, 0.0), MEASURING_FEED));
+    expected.push((Retract, polar(start, angle, 0.0), PLANE_FEED));
+}
+
+/// The motions as the manual tells them; `chords`: ends of the chords of an arc, in degree.
+fn expected(variant: i64, step: f64, points: usize) -> Vec<Motion> {
+    let inside = variant % 2 == 1;
+    let start = if inside { 22.0 } else { 38.0 };
+    let mut all = vec![(Positioning, polar(start, ANGLE, 0.0), PLANE_FEED)];
+    point(inside, ANGLE, &mut all);
+    match variant % 10 {
+        1 | 2 => {
+            for index in 1..points {
+                let from = ANGLE + (index - 1) as f64 * step;
+                // chords of three degree
+                let count = (step.abs() / 3.0).ceil() as usize;
+                for part in 1..=count {
+                    let angle = from + step * part as f64 / count as f64;
+                    all.push((Positioning, polar(start, angle, 0.0), CIRCLE_FEED));
+                }
+                point(inside, from + step, &mut all);
+            }
+        }
+        3 => {
+            all.push((Positioning, polar(start, ANGLE + 180.0, 0.0), PLANE_FEED));
+            point(inside, ANGLE + 180.0, &mut all);
+        }
+        _ => {
+            all.push((Positioning, polar(start, ANGLE, 20.0), DEPTH_FEED));
+            all.push((Positioning, polar(start, ANGLE + 180.0, 20.0), PLANE_FEED));
+            all.push((Positioning, polar(start, ANGLE + 180.0, 0.0), DEPTH_FEED));
+            point(inside, ANGLE + 180.0, &mut all);
+        }
+    }
+    all
+}
+
+// oracle: manual B:6835-6858, B:6898-6939 (order, circular ways with the sign of _INCA, lifting over a web, end before
+// the last point), hand (figures)
+#[test]
+fn every_variant_moves_as_the_manual_says() {
+    for plane in [Plane::G17, Plane::G18, Plane::G19] {
+        for variant in VARIANTS.iter().map(|variant| variant.number) {
+            for (step, points) in [(80.0, 3), (-80.0, 3), (85.0, 4), (-25.0, 4)] {
+                let mut setup = ready(plane, variant, ANGLE);
+                setup.workpiece.solids.push(part(plane, variant, ANGLE));
+                setup.control.set("_SPEED[1]", PLANE_FEED);
+                setup.control.set("_SPEED[2]", DEPTH_FEED);
+                let mut sim = Sim::new(&setup);
+                let inputs = inputs(variant, ANGLE, step, points == 4);
+                let what = format!("{variant} {step} {points} {plane:?}");
+                assert_eq!(run(&mut sim, &inputs), Ok(()), "{what}");
+                let origin = at(plane, [CENTRE[0], CENTRE[1], HEIGHT]);
+                same(
+                    &motions(&sim, plane, origin),
+                    &expected(variant, step, points),
+                    &what,
+                );
+            }
+        }
+    }
+}
