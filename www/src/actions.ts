@@ -24,8 +24,8 @@ export interface Actions {
   cursor(offset: number, line: number): void;
   openCall(index: number): void;
   closeCall(): void;
-  /** Way of writing of the snippet. */
-  style(style: Style): void;
+  /** Way of writing of the snippet; empty: as the machine has it. */
+  style(style: State["style"]): void;
   /** The call in the form, in the program, in another way of writing. */
   convert(style: Style): void;
   /** The edits that a finding of the present program proposes. */

@@ -57,8 +57,8 @@ function labels(view: FormView): Record<string, string> {
 export function createDerive(forms: () => FormCore, catalogue: Catalogue): (state: State) => Derived {
   const first = catalogue.cycles[0];
   if (!first) throw new Error("the catalogue is empty");
-  const form = memo((core: FormCore, cycle: CycleInfo, values: State["values"], errors: State["errors"], comments: string | null, style: Style, setup: Setup | OwnMachine | undefined, plane?: Plane, units?: UnitFunction): FormView => {
-    const request = { control: cycle.control, cycle: cycle.cycle, values, errors, style, ...(setup ? { setup } : {}), ...(plane && units ? { plane, units } : {}) };
+  const form = memo((core: FormCore, cycle: CycleInfo, values: State["values"], errors: State["errors"], comments: string | null, style: Style | null, setup: Setup | OwnMachine | undefined, plane?: Plane, units?: UnitFunction): FormView => {
+    const request = { control: cycle.control, cycle: cycle.cycle, values, errors, ...(style ? { style } : {}), ...(setup ? { setup } : {}), ...(plane && units ? { plane, units } : {}) };
     const view = core.form({ ...request, predict: true });
     return comments !== null ? { ...view, snippet: core.form({ ...request, comments: labels(view) }).snippet } : view;
   });
@@ -69,14 +69,14 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
     const cycle = findCycle(catalogue, state.control, state.cycle) ?? first;
     const reading = state.reading?.control === cycle.control ? state.reading.view : NOTHING_READ;
     const opened = reading.calls.find((call) => call.from === state.open) ?? null;
-    const style = cycle.styles.includes(state.style) ? state.style : "direct";
+    const style = cycle.styles.find((one) => one === state.style) ?? null;
     const core = forms();
     const view = form(core, cycle, state.values, state.errors, state.comments ? language() : null, style, machine(state).setup, opened?.plane, opened?.units);
     const all = problems(reading);
     const ran = state.source === "program" && state.ran?.control === cycle.control ? state.ran.view : null;
     const trace = (state.source === "program" ? ran?.trace : view.outcome?.trace) ?? null;
     return {
-      catalogue, cycle, view, simulates: core.simulates, program: programOf(state), read: reading, fresh: isRead(state), opened, states: states(reading.calls, all), style, run: ran,
+      catalogue, cycle, view, simulates: core.simulates, program: programOf(state), read: reading, fresh: isRead(state), opened, states: states(reading.calls, all), style: style ?? view.preset, run: ran,
       trace, step: Math.max(0, Math.min(state.step, (trace?.entries.length ?? 0) - 1)),
       problems: all,
     };

@@ -30,7 +30,7 @@ export interface State {
   pending: readonly Pending[];                       // typed in the form, not yet in the program
   errors: ErrorSliders;
   comments: boolean;
-  style: Style;                                      // way of writing of the snippet, where the cycle has it
+  style: Style | "";                                 // way of writing of the snippet, where the cycle has it; empty: as the machine has it
   setup: Setup | null;                               // imported machine; null: the core's own
   own: Partial<Record<Dialect, OwnMachine>>;         // how the core's own begins, where that was chosen
   checked: boolean;                                  // problems are shown at every field
@@ -78,7 +78,7 @@ export const AT_END = Number.MAX_SAFE_INTEGER;
 export function firstState(): State {
   return {
     control: "sinumerik", cycle: "", values: {}, remembered: {}, programs: {}, files: {}, sets: {}, open: null, pending: [],
-    errors: NO_ERRORS, comments: true, style: "direct", setup: null, own: {}, checked: false, touched: {}, source: "form",
+    errors: NO_ERRORS, comments: true, style: "", setup: null, own: {}, checked: false, touched: {}, source: "form",
     panel: "form", left: "form", right: "results", tab: "outcome", theme: "system", language: "", unfolded: {}, outline: true,
     search: "", card: null, converting: null, converted: null, mended: null, focus: null, step: AT_END, playing: false, cursor: 0, cursorLine: 1, notice: "",
     reading: null, ran: null, sought: null, follow: null, stoppedReading: null, stoppedRun: null, refused: null, undo: null,
@@ -185,7 +185,7 @@ export function merge(state: State, data: unknown): State {
   if (plainObject(data.errors)) next.errors = { part: numbers(data.errors.part, NO_ERRORS.part), probe: numbers(data.errors.probe, NO_ERRORS.probe) };
   if (Number.isInteger(data.open)) next.open = data.open as number;
   if (data.open === null) next.open = null;
-  if (!STYLES.includes(next.style)) next.style = state.style;
+  if (next.style && !STYLES.includes(next.style)) next.style = state.style;
   next.unfolded = Object.fromEntries(Object.entries(next.unfolded).filter(([, open]) => typeof open === "boolean"));
   next.pending = Array.isArray(data.pending) ? data.pending.filter(isPending) : [];
   if (data.own !== undefined) next.own = ownMachines(data.own);

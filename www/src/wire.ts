@@ -62,7 +62,7 @@ export interface FormRequest {
   units?: UnitFunction;                // likewise
   errors?: ErrorSliders;
   comments?: Record<string, string>;   // words by parameter name: a comment line each in the snippet
-  style?: Style;                       // way of writing of the snippet; absent: direct
+  style?: Style;                       // way of writing of the snippet; absent: preset
   predict?: boolean;                   // also simulate
 }
 export interface ErrorSliders {
@@ -74,6 +74,7 @@ export interface FormView {
   diagnostics: Diagnostic[];           // all, those of a field carry `param`
   snippet: string;                     // program text, LF; also for incomplete values as far as it can be written; empty: not in this way
   snippetFindings: Diagnostic[];       // what this way of writing cannot say
+  preset: Style;                       // way of writing that counts until another is chosen: the machine may say so
   complete: boolean;                   // no error
   picture?: Picture;                   // only from the full module, which comes after the first form
   outcome?: Outcome;                   // when predict and complete, of a cycle that is simulated

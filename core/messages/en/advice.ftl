@@ -25,3 +25,12 @@ advice-frame = The corrected { $frame } is not in force: the program goes on in 
 advice-frame-hint = Program { $frame } again behind the call.
 advice-level = The call stands on program level { $level }; measuring cycles run on the first five.
 advice-level-hint = Call it from a program nearer to the main program.
+
+advice-read-back = Read back by the control's support, this call becomes another one: { $changes }.
+advice-read-back-hint = _MZ_MASK of the machine gives these values. Take them now, or change the mask if the values of the program are right.
+advice-read-back-cure = Take the values of the mask
+advice-mask = The settings were others when this call was written: { $changes }.
+advice-mask-hint = What they change comes into the program as soon as the control reads the call back.
+advice-mask-cure = Name the settings of this machine
+advice-tool-programming = The control cannot read this call back into its form: { $changes } since it was written.
+advice-tool-programming-hint = Write the call anew with the form, and look at tool and D number: they are programmed in another way now.

@@ -83,6 +83,8 @@ check-differential-spindle = Differential measurement turns the spindle, and thi
 check-differential-spindle-hint = Take a variant without differential measurement, with a calibrated probe.
 check-knum-no-additive = This machine has no additive offsets.
 check-knum-no-additive-hint = Correct length or radius instead, or have MD 18080 bit 8 set.
+check-target-not-offered = { $param } = { $value } is not among the targets that the forms of this machine offer.
+check-target-not-offered-hint = Choose a settable zero offset or the last basic frame, or set { $entry } to 1 in the machine data.
 check-knum-no-setup = This machine has no setup offsets.
 check-knum-no-setup-hint = Correct length or radius instead, or have MD 18112 bit 4 set.
 

@@ -90,3 +90,16 @@ check-compensation-make = No compensation takes place: _MT_COMP=1 needs the make
 check-compensation-make-hint = Set _TP_CF to 1 (TT130) or 2 (TS27R), or use a table of your own with _MT_COMP=2.
 check-compensation-table = Radii or peripheral speeds in { $name } do not ascend; the wrong compensation may be taken.
 check-compensation-table-hint = Enter the radii in [0,1] to [0,4] and the speeds in [1,0] to [5,0] in ascending order, or set _MT_COMP=0.
+
+param-mfs-speed-1 = Speed, first touch
+param-mfs-speed-1-help = In revolutions a minute.
+param-mfs-feed-1 = Feed, first touch
+param-mfs-feed-1-help = Feed towards the tool probe at the first touch.
+param-mfs-speed-2 = Speed, second touch
+param-mfs-speed-2-help = In revolutions a minute. 0 ends the measurement behind the first touch.
+param-mfs-feed-2 = Feed, second touch
+param-mfs-feed-2-help = Feed towards the tool probe at the second touch.
+param-mfs-speed-3 = Speed, third touch
+param-mfs-speed-3-help = In revolutions a minute. 0 ends it behind the second.
+param-mfs-feed-3 = Feed, third touch
+param-mfs-feed-3-help = Feed towards the tool probe at the third touch.

@@ -167,6 +167,7 @@ need-points = The points of a circle follow each other by an angle.
 need-circular = Between the points of a circle the probe goes along an arc.
 need-memory = May be left out: no mean value is formed and no empirical value is used.
 need-memory-empirical = May be left out: no empirical value is used.
+need-own-speeds = The machine's forms ask for feed and speed: _CBIT[12]=1 is written with them.
 need-tolerance = Belongs to the tool correction and has to be valid even when nothing is corrected; without it the delivered value counts.
 
 result-set-size = Set diameter or width

@@ -83,6 +83,8 @@ check-differential-spindle = 差分测量要转动主轴，而此主轴不能定
 check-differential-spindle-hint = 请用校准过的测量头，选不带差分测量的测量方式。
 check-knum-no-additive = 此机床没有附加补偿。
 check-knum-no-additive-hint = 请改为补偿长度或半径，或请机床厂设置 MD 18080 第 8 位。
+check-target-not-offered = { $param } = { $value } 不在此机床的表格所提供的补偿对象之中。
+check-target-not-offered-hint = 请选择可设定的零点偏移或最后一个基本框架，或把机床数据中的 { $entry } 设为 1。
 check-knum-no-setup = 此机床没有设定补偿。
 check-knum-no-setup-hint = 请改为补偿长度或半径，或请机床厂设置 MD 18112 第 4 位。
 

@@ -90,3 +90,16 @@ check-compensation-make = 不会补偿：_MT_COMP=1 需要 { $name } 中测量�
 check-compensation-make-hint = 请把 _TP_CF 设为 1（TT130）或 2（TS27R），或用自己的表并设 _MT_COMP=2。
 check-compensation-table = { $name } 中的半径或圆周速度没有递增；可能取到错误的补偿。
 check-compensation-table-hint = 请在 [0,1] 到 [0,4] 输入递增的半径，在 [1,0] 到 [5,0] 输入递增的速度，或设 _MT_COMP=0。
+
+param-mfs-speed-1 = 转速，第一次触碰
+param-mfs-speed-1-help = 每分钟转数。
+param-mfs-feed-1 = 进给，第一次触碰
+param-mfs-feed-1-help = 第一次触碰时朝向刀具测量头的进给。
+param-mfs-speed-2 = 转速，第二次触碰
+param-mfs-speed-2-help = 每分钟转数。 0：只触碰一次。
+param-mfs-feed-2 = 进给，第二次触碰
+param-mfs-feed-2-help = 第二次触碰时朝向刀具测量头的进给。
+param-mfs-speed-3 = 转速，第三次触碰
+param-mfs-speed-3-help = 每分钟转数。 0：第二次为最后一次。
+param-mfs-feed-3 = 进给，第三次触碰
+param-mfs-feed-3-help = 第三次触碰时朝向刀具测量头的进给。

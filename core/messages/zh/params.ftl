@@ -167,6 +167,7 @@ need-points = 圆周各点之间隔一个角度。
 need-circular = 圆周各点之间测量头沿圆弧移动。
 need-memory = 可以省略：不形成平均值，也不用经验值。
 need-memory-empirical = 可以省略：不用经验值。
+need-own-speeds = 此机床的表格要求给出进给和转速：随之写入 _CBIT[12]=1。
 need-tolerance = 属于刀具补偿，即使不作补偿也必须有效；省略时按出厂值。
 
 result-set-size = 设定直径或宽度

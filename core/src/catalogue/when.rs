@@ -2,7 +2,7 @@
 
 use super::{Kind, Level, Param, Unit, When};
 use crate::check::{Inputs, delivered_factor};
-use crate::control::{Control, Units};
+use crate::control::{Control, Units, gud};
 
 impl When {
     /// Whether it holds. A number that is not given counts as 0.
@@ -74,8 +74,16 @@ impl Param {
         }
     }
 
+    /// Whether it stands in the data of the machine, and a call may write it there (`_MFS[0]`).
+    pub fn is_machine_datum(&self) -> bool {
+        gud::named(self.name).is_some_and(gud::Gud::of_machine)
+    }
+
     /// Value when it is not written, as it would be typed on this control.
     pub fn fallback(&self, control: &Control) -> Option<f64> {
+        if self.default.is_none() && self.is_machine_datum() {
+            return Some(control.number(self.name));
+        }
         if control.active_units == Units::Inch && self.default_inch.is_some() {
             return self.default_inch;
         }

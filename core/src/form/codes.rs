@@ -56,25 +56,29 @@ pub fn knum(param: &Param, inputs: &Inputs, control: &Control) -> Entry {
     }
 }
 
-const EDGE: DigitGroup = DigitGroup {
+/// The D number, with up to three digits.
+pub const EDGE: DigitGroup = DigitGroup {
     key: "knum-edge",
     place: 1,
     digits: 3,
     choices: &[],
 };
 
+/// The digit above it: length or radius.
+pub const KIND: DigitGroup = DigitGroup {
+    key: "knum-kind",
+    place: 1000,
+    digits: 1,
+    choices: &[
+        (0, "knum-kind-axis"),
+        (1, "knum-kind-length"),
+        (2, "knum-kind-radius"),
+    ],
+};
+
 /// The digits above the D number, their places for D numbers of three digits (B:1902-1926).
 const ABOVE_EDGE: &[DigitGroup] = &[
-    DigitGroup {
-        key: "knum-kind",
-        place: 1000,
-        digits: 1,
-        choices: &[
-            (0, "knum-kind-axis"),
-            (1, "knum-kind-length"),
-            (2, "knum-kind-radius"),
-        ],
-    },
+    KIND,
     DigitGroup {
         key: "knum-sign",
         place: 10_000,

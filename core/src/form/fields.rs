@@ -1,10 +1,11 @@
 //! The fields of a form, in the order in which they are shown.
 
-use super::codes;
+use super::{codes, masks};
 use crate::catalogue::{Cycle, Kind, Level, Param, Range};
 use crate::check::{self, Inputs, Typed, factor, unit_name};
 use crate::control::Control;
 use crate::message::Message;
+use crate::support::Support;
 
 /// One field. Numbers of `fallback` and `range` are in the unit that is shown.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,12 +73,14 @@ pub struct Group {
     pub choices: Vec<Choice>,
 }
 
-/// The fields that these values ask for; those that they do not use are left out.
+/// The fields that these values ask for; those that they do not use are left out, and those that the settings of the
+/// machine leave out (`_MZ_MASK`, see [`crate::support`]).
 pub fn fields(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Vec<Field> {
     let inputs = check::read(cycle, typed, control, &mut Vec::new());
-    cycle
-        .params
-        .iter()
+    let support = Support::of(cycle, control);
+    let shown = |param: &&Param| support.is_none_or(|support| !support.hides(param, &inputs));
+    let params = cycle.params.iter().filter(shown);
+    params
         .filter_map(|param| field(param, &inputs, typed, control))
         .collect()
 }
@@ -116,6 +119,7 @@ fn shown(range: Range, per: f64) -> Range {
 
 fn entry(param: &Param, inputs: &Inputs, control: &Control) -> Entry {
     let number = inputs.given(param.name).unwrap_or(0.0) as i64;
+    let support = Support::of(inputs.cycle, control);
     match &param.kind {
         Kind::Real => Entry::Real,
         Kind::Integer => Entry::Integer,
@@ -126,8 +130,9 @@ fn entry(param: &Param, inputs: &Inputs, control: &Control) -> Entry {
         }
         Kind::Variant([]) => Entry::Choice(codes::variants(inputs.cycle)),
         Kind::Variant(groups) | Kind::Digits(groups) => {
-            Entry::Digits(codes::groups(groups, number))
+            let groups = codes::groups(groups, number);
+            Entry::Digits(masks::groups(support, groups))
         }
-        Kind::Knum => codes::knum(param, inputs, control),
+        Kind::Knum => masks::target(support, codes::knum(param, inputs, control), inputs),
     }
 }

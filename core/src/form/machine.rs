@@ -6,6 +6,7 @@ use crate::control::gud::{self, Element, Gud, System, Unit};
 use crate::control::machine_data::{self, MACHINE_DATA};
 use crate::control::{Control, Units, Value};
 use crate::message::Message;
+use crate::support;
 
 /// Most places of one element that are shown; the control may have thousands of memories.
 const SHOWN: usize = 100;
@@ -56,12 +57,7 @@ pub fn groups(control: &Control) -> Vec<Group> {
     }
     let subjects = gud::SUBJECTS.iter().map(|subject| Group {
         key: format!("machine-group-{}", subject.key),
-        settings: subject
-            .data
-            .iter()
-            .filter(|gud| gud.of_machine())
-            .flat_map(|gud| of_datum(gud, control))
-            .collect(),
+        settings: of_subject(subject, control),
     });
     let machine = Group {
         key: "machine-group-machine-data".to_owned(),
@@ -71,6 +67,29 @@ pub fn groups(control: &Control) -> Vec<Group> {
         .chain([machine])
         .filter(|group| !group.settings.is_empty())
         .collect()
+}
+
+/// Settings of a subject; before those of the masks stands whether they count.
+fn of_subject(subject: &'static gud::Subject, control: &Control) -> Vec<Setting> {
+    let forms = (subject.key == gud::MASKS).then(forms);
+    let data = subject.data.iter().filter(|gud| gud.of_machine());
+    forms
+        .into_iter()
+        .chain(data.flat_map(|gud| of_datum(gud, control)))
+        .collect()
+}
+
+/// Whether forms and code are those of the control's own support.
+fn forms() -> Setting {
+    Setting {
+        name: support::FORMS.to_owned(),
+        key: support::FORMS_KEY.to_owned(),
+        field: None,
+        entry: Entry::Choice(&[0, 1]),
+        unit: "",
+        range: Range::closed(0.0, 1.0),
+        source: "",
+    }
 }
 
 /// Settings of a datum, field by field.

@@ -5,6 +5,7 @@ mod draw;
 mod fields;
 pub mod figures;
 pub mod machine;
+mod masks;
 pub mod picture;
 
 pub use draw::draw;

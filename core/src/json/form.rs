@@ -11,6 +11,7 @@ use crate::form;
 use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
 use crate::program::write::snippet;
 use crate::run::setup::Setup;
+use crate::support::{self, Before, Support};
 use serde::Deserialize;
 use serde_json::Value;
 
@@ -33,7 +34,7 @@ struct Request {
     /// Words by parameter name for a comment line each; the core has no words of its own.
     #[serde(default)]
     comments: Option<Typed>,
-    /// Way of writing; absent: direct.
+    /// Way of writing; absent: as the machine's forms have it, else direct.
     #[serde(default)]
     style: Option<String>,
     #[serde(default)]
@@ -58,27 +59,45 @@ pub fn form(request: &str) -> Result<Value, Error> {
     if let Some(name) = request.plane {
         control.plane = plane(name);
     }
-    let style = request
-        .style
-        .as_deref()
-        .map_or(Ok(Style::Direct), super::style)?;
-    let checked = check::check(cycle, &request.values, &start.setup.control);
-    let mut view = view(
-        cycle,
-        &request.values,
-        &start.setup,
-        &checked,
-        style,
-        request.comments.as_ref(),
-    );
+    let support = Support::of(cycle, control);
+    let preset = support.map_or(Style::Direct, |support| support.style(cycle));
+    let style = request.style.as_deref();
+    let style = style.map_or(Ok(preset), super::style)?;
+    let (values, before) = entered(support, cycle, request.values, control);
+    let mut checked = check::check(cycle, &values, control);
+    if let (Some(support), Some(inputs)) = (support, &checked.inputs) {
+        let params = cycle.params.iter();
+        let found = params.filter_map(|param| support::finding(support, param, inputs));
+        checked.diagnostics.extend(found);
+    }
+    let comments = request.comments.as_ref();
+    let mut view = view(cycle, &values, &start.setup, &checked, style, comments);
+    put(&mut view, "preset", super::style_name(preset));
     let work = cycle.work().filter(|_| request.predict);
     if let (Some(work), Some(inputs)) = (work, &checked.inputs) {
         let (outcome, mut setup) = predict(work, inputs, start, request.errors)?;
         set_modal(&mut setup.control, at_start);
+        support::restore(&mut setup.control, before);
         put(&mut view, "outcome", outcome);
         put(&mut view, "setup", super::setup_to_json(&setup));
     }
     Ok(view)
+}
+
+/// The values of the form, those included that the settings of the machine give; the control gets what they write into
+/// its data.
+fn entered(
+    support: Option<Support>,
+    cycle: &'static Cycle,
+    typed: Typed,
+    control: &mut Control,
+) -> (Typed, Before) {
+    let Some(support) = support else {
+        return (typed, Before::new());
+    };
+    let entered = support.entered(cycle, &typed, control);
+    let before = entered.write(control);
+    (entered.values, before)
 }
 
 /// Plane and units of a control: what a program begins with is not what counts at one of its calls.

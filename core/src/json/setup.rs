@@ -39,7 +39,7 @@ struct SetupFile {
     /// Stored tool environments by name, as `TOOLENV("NAME")` makes them.
     #[serde(default)]
     environments: BTreeMap<String, EnvironmentFile>,
-    /// What differs from delivery in user data, R parameters, machine data, # variables: `_WP[0,1]`, `_CHBIT[4]`, `R10`, `MD18600`, `#500`.
+    /// What differs from delivery in user data, R parameters, machine data, # variables: `_WP[0,1]`, `_CHBIT[4]`, `R10`, `MD18600`, `#500`; and `PW-FORMS`, 1 where `_MZ_MASK` decides forms and code.
     #[serde(default)]
     data: BTreeMap<String, DatumFile>,
     /// The probe as it really is, not as the control believes.

@@ -5,6 +5,7 @@ use crate::catalogue::Dialect;
 use crate::control::{Control, Frame, Value, gud};
 use crate::geometry::rigid::sin_cos;
 use crate::run::setup::Setup;
+use crate::support::FORMS;
 use crate::workpiece::{Probe, Shape, Solid};
 
 /// Largest length, angle or feed: contact is computed to 1e-9 mm, which f64 holds up to here.
@@ -93,6 +94,7 @@ fn datum(dialect: Dialect, name: &str, value: &Value) -> Result<(), Error> {
         Dialect::Sinumerik if name.starts_with('_') || name.starts_with("E_") => {
             gud::named(name).is_some_and(|gud| gud.text() == text)
         }
+        Dialect::Sinumerik if name == FORMS => !text,
         Dialect::Sinumerik => {
             numbered('R', 1000) && !text
                 || ["MD", "SD", "TOOLENV["]

@@ -375,3 +375,31 @@ fn a_call_whose_variant_does_not_exist_has_no_variant() {
     assert_eq!(calls[0]["mvar"], Value::Null);
     assert_eq!(calls[1]["mvar"], 2);
 }
+
+// oracle: manual B:12501-12506, B:12518-12532; hand (what the call writes is not the machine's own)
+#[test]
+fn a_form_as_on_the_control_has_its_fields_and_code() {
+    let ask = |data: &Value| {
+        let request = json!({
+            "control": "sinumerik", "cycle": "CYCLE977", "setup": {"own": {"data": data}}, "predict": true,
+            "values": {"_MVAR": "1", "_SETVAL": "100", "_KNUM": "2001", "_TNUM": "1", "_VMS": "200", "_EVNUM": "3", "_TUL": "0.06", "_TLL": "-0.06"},
+        });
+        form(&request.to_string()).unwrap()
+    };
+    let has = |view: &Value, name: &str| {
+        let fields = view["fields"].as_array().unwrap().iter();
+        fields.into_iter().any(|field| field["name"] == name)
+    };
+    let all = ask(&json!({ "_MZ_MASK[0]": 0 }));
+    assert!(has(&all, "_VMS") && all["preset"] == "direct");
+    let view = ask(&json!({ "PW-FORMS": 1, "_MZ_MASK[0]": 0, "_CHBIT[4]": 1 }));
+    assert!(!has(&view, "_VMS") && !has(&view, "_EVNUM") && has(&view, "_TUL"));
+    assert_eq!(view["preset"], "indirect");
+    let text = view["snippet"].as_str().unwrap();
+    assert!(
+        text.contains("_CHBIT[4]=0") && text.contains("CYCLE_977_979A(977"),
+        "{text}"
+    );
+    assert_eq!(view["setup"]["data"]["_CHBIT[4]"], 1.0);
+    assert_eq!(view["setup"]["data"]["PW-FORMS"], 1.0);
+}

@@ -8,6 +8,7 @@ use crate::catalogue::{self, Arg, ArgumentList, Cycle, Dialect, Kind, Style, lis
 use crate::check::{Typed, check};
 use crate::control::{Control, Plane, arrays, delivery};
 use crate::diagnostic::{Diagnostic, Span};
+use crate::support::BITS;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// Most elements of an array that a program declares.
@@ -33,6 +34,8 @@ pub struct CallSite {
     pub list: Option<&'static ArgumentList>,
     /// Places before this byte belong to an earlier call as well.
     pub own_from: u32,
+    /// Bits that the control's own support writes with a call, as the program has set them: name, value as text, place.
+    pub bits: Vec<(&'static str, String, Span)>,
     /// Working plane at the call.
     pub plane: Plane,
     /// Number of the G function of units in force at the call: 70, 71, 700, 710 (NCT 20, 21).
@@ -401,10 +404,19 @@ impl Walk<'_> {
             shared: BTreeSet::new(),
             list: None,
             own_from: self.own_from,
+            bits: self.bits(),
             plane: self.control.plane,
             unit_function: self.control.unit_function(),
             diagnostics: Vec::new(),
         }
+    }
+
+    fn bits(&self) -> Vec<(&'static str, String, Span)> {
+        let set = |name: &'static str| {
+            let (value, _) = self.newest.get(name)?;
+            Some((name, value.text.clone(), value.place))
+        };
+        BITS.into_iter().filter_map(set).collect()
     }
 
     fn finish(&mut self, mut site: CallSite) {

@@ -5,6 +5,7 @@ use crate::catalogue::Range;
 use crate::control::gud::{self, Block, Element, Gud, Initial, Kind, Subject, System, Unit};
 use crate::control::machine_data::{MACHINE_DATA, MachineDatum};
 use crate::message::Message;
+use crate::support;
 use crate::words::Words;
 
 /// The page, Markdown.
@@ -38,12 +39,24 @@ fn user_data(text: &mut String, subject: &Subject, words: &Words) {
         "source",
     ];
     heading(text, &title, &columns);
+    if subject.key == gud::MASKS {
+        row(text, &forms(words));
+    }
     for gud in subject.data {
         for element in gud.elements {
             row(text, &cells(gud, element, words));
         }
     }
     text.push('\n');
+}
+
+/// The setting of ours that lets the masks count.
+fn forms(words: &Words) -> [String; 8] {
+    let plain = ["none: a setting of Probewright", "", "0", "", "", ""].map(str::to_owned);
+    let [block, kind, delivered, unit, allowed, source] = plain;
+    let name = format!("`{}`", support::FORMS);
+    let meaning = meaning(support::FORMS_KEY, &[0, 1], words);
+    [name, meaning, block, kind, delivered, unit, allowed, source]
 }
 
 fn cells(gud: &Gud, element: &Element, words: &Words) -> [String; 8] {

@@ -34,7 +34,7 @@ export function createSnippetWays(actions: Actions): { choice: HTMLElement; said
     choice, said,
     draw(_, { cycle, style, view }) {
       show(choice, cycle.styles.length > 1);
-      buttons(choice, cycle.styles, (one) => t(`way-${one}`), style, actions.style);
+      buttons(choice, cycle.styles, (one) => t(`way-${one}`), style, (one) => actions.style(one === view.preset ? "" : one));
       findings(said, view.snippetFindings);
     },
   };

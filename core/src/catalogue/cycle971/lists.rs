@@ -4,7 +4,7 @@ use super::params::MEASURE;
 use crate::catalogue::{Arg, ArgumentList, Style, When, names};
 
 /// The parameterizing calls (B:11755-11772, B:11856-11879): calibration in the machine, and measuring. The speeds and
-/// feeds `_MFS[]` are data of the machine here. In the list of newer controls CYCLE971 is not known to us.
+/// feeds `_MFS[]` are printed the other way round than the data are defined (B:13515-13520), which count. In the list of newer controls CYCLE971 is not known to us.
 pub const LISTS: &[ArgumentList] = &[
     ArgumentList {
         style: Style::Indirect,
@@ -30,12 +30,12 @@ pub const LISTS: &[ArgumentList] = &[
             Arg::Param(names::MA),
             Arg::Param(names::ID),
             Arg::Param(names::PRNUM),
-            Arg::Open,
-            Arg::Open,
-            Arg::Open,
-            Arg::Open,
-            Arg::Open,
-            Arg::Open,
+            Arg::Param("_MFS[0]"),
+            Arg::Param("_MFS[1]"),
+            Arg::Param("_MFS[2]"),
+            Arg::Param("_MFS[3]"),
+            Arg::Param("_MFS[4]"),
+            Arg::Param("_MFS[5]"),
         ],
         source: "B:11870-11879;A:13210-13219",
     },

@@ -14,6 +14,7 @@ use crate::catalogue::common::alarms;
 use crate::catalogue::{
     Cycle, Dialect, Drawing, MachineSort, ProbeUse, Purpose, Variant, tool_probe,
 };
+use crate::support;
 
 /// Measuring variants (B:4186-4196, B:4621-4628).
 pub const VARIANTS: &[Variant] = &[
@@ -105,6 +106,8 @@ pub static CYCLE971: Cycle = Cycle {
         "_CHBIT[16]",
         "_CHBIT[17]",
         "_CHBIT[22]",
+        support::FORMS,
+        params::SPEEDS_IN_FORM,
     ],
     results: results::RESULTS,
     alarms: &[

@@ -2,7 +2,8 @@
 
 use crate::catalogue::common::{self, optional, required};
 use crate::catalogue::tool_probe::params as tool_probe;
-use crate::catalogue::{DigitGroup, Kind, Param, Range, When, names};
+use crate::catalogue::{DigitGroup, Kind, Need, Param, Range, Unit, When, names};
+use crate::support;
 
 /// The probe is calibrated.
 pub const CALIBRATE: When = When::Digit {
@@ -96,6 +97,45 @@ const TOOL_AXES: &[(i64, &str)] = &[
     (203, "ma-length-ordinate"),
 ];
 
+/// The form has fields for feed and speed: it is that of the control's own support, and asks for them (B:12537-12539).
+const OWN_SPEEDS: &[Need] = &[optional(
+    When::All(&[
+        ROTATING,
+        When::Setting {
+            name: support::FORMS,
+            is: &[1.0],
+        },
+        When::Setting {
+            name: SPEEDS_IN_FORM,
+            is: &[1.0],
+        },
+    ]),
+    "need-own-speeds",
+)];
+
+/// The entry of the mask that gives the form these fields.
+pub const SPEEDS_IN_FORM: &str = "_MZ_MASK[7]";
+
+/// Speed of one probing, 1/min; 0 ends the probings (B:13515-13520).
+const fn speed(name: &'static str, key: &'static str, source: &'static str) -> Param {
+    Param {
+        name,
+        key,
+        range: Range::NOT_NEGATIVE,
+        needs: OWN_SPEEDS,
+        source: crate::cited(source),
+        ..common::PARAM
+    }
+}
+
+/// Feed of one probing.
+const fn feed(name: &'static str, key: &'static str, source: &'static str) -> Param {
+    Param {
+        unit: Unit::BasicFeed,
+        ..speed(name, key, source)
+    }
+}
+
 /// In the order in which the snippet writes them.
 pub const PARAMS: &[Param] = &[
     Param {
@@ -157,6 +197,12 @@ pub const PARAMS: &[Param] = &[
         ..common::VMS
     },
     tool_probe::NMSP,
+    speed("_MFS[0]", "mfs-speed-1", "B:13515"),
+    feed("_MFS[1]", "mfs-feed-1", "B:13516"),
+    speed("_MFS[2]", "mfs-speed-2", "B:13517"),
+    feed("_MFS[3]", "mfs-feed-2", "B:13518"),
+    speed("_MFS[4]", "mfs-speed-3", "B:13519"),
+    feed("_MFS[5]", "mfs-feed-3", "B:13520"),
     Param {
         needs: &[optional(MEASURE, "need-memory-empirical")],
         ..tool_probe::EVNUM

@@ -3,7 +3,7 @@
 use super::super::*;
 use super::cells::with_condition;
 use super::conditions::{level, met};
-use super::{covers, refused, rows, sinumerik};
+use super::{covers, of_the_call, refused, rows, sinumerik};
 use crate::check::Inputs;
 use crate::diagnostic::Code;
 use std::collections::BTreeSet;
@@ -26,7 +26,7 @@ fn parameters_are_those_of_the_table() {
                 }
             }
         }
-        let ours: BTreeSet<&str> = cycle.params.iter().map(|param| param.name).collect();
+        let ours: BTreeSet<&str> = of_the_call(cycle).map(|param| param.name).collect();
         assert_eq!(ours, used, "{}", cycle.name);
         let ours: BTreeSet<&str> = cycle.settings.iter().copied().collect();
         let missing: Vec<_> = settings

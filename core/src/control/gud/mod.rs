@@ -79,6 +79,9 @@ const fn subject(key: &'static str, data: &'static [Gud]) -> Subject {
     Subject { key, data }
 }
 
+/// Key of the subject of the support in the program editor.
+pub const MASKS: &str = "masks";
+
 /// Everything, in the order in which it is shown.
 pub const SUBJECTS: &[Subject] = &[
     subject("fields", fields::DATA),
@@ -89,7 +92,7 @@ pub const SUBJECTS: &[Subject] = &[
     subject("speeds", speeds::DATA),
     subject("tool-measuring", tool_measuring::DATA),
     subject("memories", memories::DATA),
-    subject("masks", masks::DATA),
+    subject(MASKS, masks::DATA),
     subject("logging", logging::DATA),
     subject("simulation", simulation::DATA),
     subject("jog", jog::DATA),

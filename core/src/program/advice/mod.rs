@@ -4,6 +4,7 @@ mod at_call;
 mod behind;
 mod levels;
 mod modal;
+mod read_back;
 
 use super::calls::CallSite;
 use super::change::{line_before, line_end};
@@ -34,6 +35,7 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
     let mut found = Vec::new();
     let mut asked = at_call::Asked::of(program);
     let mut modal = Modal::default();
+    let mut at_call = control.clone();
     let ahead = behind::ahead(program, sites);
     let mut next = 0;
     for word in &program.words {
@@ -49,6 +51,7 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
                 inputs: check::read(site.cycle, &site.values, control, &mut Vec::new()),
             };
             at_call::look(&seen, &mut asked, &mut found);
+            read_back::look(&seen, &mut at_call, &mut found);
             behind::look(
                 &seen,
                 ahead.get(next).copied().unwrap_or_default(),

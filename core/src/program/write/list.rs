@@ -1,6 +1,6 @@
 //! SINUMERIK: assignments and the call, with the arguments that its way of writing takes.
 
-use super::{Source, Written, assignments};
+use super::{Source, Written, assignments, word};
 use crate::catalogue::{Arg, ArgumentList, Param, Style, list};
 use crate::check::{Finding, Parsed, error, note, parse, warning};
 use crate::diagnostic::{Code, Diagnostic};
@@ -41,7 +41,11 @@ pub(super) fn write(source: &Source, style: Style) -> Written {
 }
 
 fn all(source: &Source) -> String {
-    assignments(&source.values.iter().collect::<Vec<_>>())
+    let words = source.values.iter();
+    let words: Vec<String> = words
+        .map(|(param, value)| word(param.name, value))
+        .collect();
+    assignments(&words)
 }
 
 fn listed(source: &Source, list: &ArgumentList) -> Written {
@@ -53,11 +57,11 @@ fn listed(source: &Source, list: &ArgumentList) -> Written {
     {
         let (param, text) = value;
         match list.style {
-            Style::Direct => before.push(value),
+            Style::Direct => before.push(word(param.name, text)),
             Style::Indirect if is_auxiliary(param, text) => auxiliary.push(value),
             Style::Indirect => {
                 findings.push(beside(param, text));
-                before.push(value);
+                before.push(word(param.name, text));
             }
             Style::Operate if is_default(source, param, text) => {}
             Style::Operate => findings.push(lost(param)),
@@ -111,7 +115,8 @@ fn lost(param: &Param) -> Diagnostic {
     warning(LOST, message).hint(Message::new("write-lost-hint"))
 }
 
-/// The arguments in order. What is used and was not typed counts as delivered, because an omitted argument is 0.
+/// The arguments in order. What is used and was not typed counts as delivered, because an omitted argument is 0; so do
+/// data of the machine, which the call overwrites.
 fn arguments(source: &Source, list: &ArgumentList) -> Vec<String> {
     let mut selections = list
         .selections(source.inputs.variant)
@@ -135,8 +140,8 @@ fn parameter(source: &Source, name: &str) -> String {
     if let Some((_, text)) = typed {
         return text.clone();
     }
-    let used = |param: &&Param| param.need(&source.inputs).is_some();
-    let param = source.cycle.param(name).filter(used);
+    let kept = |param: &&Param| param.is_machine_datum() || param.need(&source.inputs).is_some();
+    let param = source.cycle.param(name).filter(kept);
     param
         .and_then(|param| param.fallback(source.control))
         .filter(|number| *number != 0.0)

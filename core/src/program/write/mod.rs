@@ -2,11 +2,13 @@
 
 mod list;
 pub mod machine;
+mod support;
 
 use crate::catalogue::{Cycle, Dialect, Kind, Param, Style};
 use crate::check::{self, Inputs, Parsed, Typed, parse};
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
+use crate::support::Support;
 
 /// Widest line of assignments, as in the programs of the manual.
 const WIDTH: usize = 78;
@@ -28,9 +30,14 @@ struct Source<'a> {
     inputs: Inputs,
     control: &'a Control,
     values: Vec<(&'static Param, String)>,
+    /// Whether the control's own support writes it.
+    form: bool,
+    /// Bits that the support writes too; see [`crate::support`].
+    bits: Vec<(&'static str, bool)>,
 }
 
-/// Program text of one call; `words` adds a comment line for each value.
+/// Program text of one call; `words` adds a comment line for each value. On a machine whose forms are those of the
+/// control's own support it is what that support writes; the lists of newer controls know nothing of it.
 pub fn snippet(
     cycle: &'static Cycle,
     typed: &Typed,
@@ -38,32 +45,51 @@ pub fn snippet(
     style: Style,
     words: Option<Words>,
 ) -> Written {
+    let source = match Support::of(cycle, control) {
+        Some(support) => support::source(support, cycle, typed, control, style),
+        None => source(cycle, typed, control),
+    };
+    let mut written = match style {
+        Style::Direct if source.form => whole(support::blocks(&source)),
+        Style::Direct if cycle.dialect == Dialect::Nct => whole(addresses(&source)),
+        _ => list::write(&source, style),
+    };
+    if written.text.is_empty() {
+        return written;
+    }
+    if source.form {
+        written.text.insert_str(0, &support::head(&source, style));
+    }
+    if let Some(words) = words {
+        written.text.insert_str(0, &comments(&source, words));
+    }
+    written
+}
+
+/// A text that says everything.
+fn whole(text: String) -> Written {
+    Written {
+        text,
+        findings: Vec::new(),
+    }
+}
+
+/// The values that are used and can be written.
+fn source<'a>(cycle: &'static Cycle, typed: &Typed, control: &'a Control) -> Source<'a> {
     let inputs = check::read(cycle, typed, control, &mut Vec::new());
-    let used = cycle
-        .params
-        .iter()
-        .filter(|param| param.need(&inputs).is_some());
+    let used = cycle.params.iter();
+    let used = used.filter(|param| param.need(&inputs).is_some());
     let values = used
         .filter_map(|param| Some((param, value(param, typed.get(param.name)?)?)))
         .collect();
-    let source = Source {
+    Source {
         cycle,
         inputs,
         control,
         values,
-    };
-    let mut written = if style == Style::Direct && cycle.dialect == Dialect::Nct {
-        Written {
-            text: addresses(&source),
-            findings: Vec::new(),
-        }
-    } else {
-        list::write(&source, style)
-    };
-    if let Some(words) = words.filter(|_| !written.text.is_empty()) {
-        written.text.insert_str(0, &comments(&source, words));
+        form: false,
+        bits: Vec::new(),
     }
-    written
 }
 
 fn addresses(source: &Source) -> String {
@@ -96,11 +122,15 @@ pub fn value(param: &Param, typed: &str) -> Option<String> {
     }
 }
 
+/// One assignment.
+fn word(name: &str, value: &str) -> String {
+    format!("{name}={value}")
+}
+
 /// Lines of assignments.
-fn assignments(values: &[&(&Param, String)]) -> String {
+fn assignments(words: &[String]) -> String {
     let (mut text, mut width) = (String::new(), 0);
-    for (param, value) in values {
-        let word = format!("{}={value}", param.name);
+    for word in words {
         if width > 0 && width + 1 + word.len() > WIDTH {
             text.push('\n');
             width = 0;
@@ -108,7 +138,7 @@ fn assignments(values: &[&(&Param, String)]) -> String {
             text.push(' ');
             width += 1;
         }
-        text.push_str(&word);
+        text.push_str(word);
         width += word.len();
     }
     if width > 0 {
@@ -125,6 +155,9 @@ fn comments(source: &Source, words: Words) -> String {
             param.name,
             &format!("param-{}", param.label(&source.inputs)),
         );
+        if label.is_empty() {
+            continue; // a value without a field
+        }
         let line = format!("{}={value}: {label}", param.name);
         let line: String = line
             .chars()

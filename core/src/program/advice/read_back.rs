@@ -1,0 +1,214 @@
+//! What the support in the control's own editor makes of a call that it reads back: the settings in force count, and
+//! their changes go into the program (B:12549-12558).
+
+use super::{Seen, at};
+use crate::catalogue::{Param, Style, names};
+use crate::check::{self, Finding, Parsed, parse, warning};
+use crate::control::Control;
+use crate::diagnostic::{Code, Cure, Diagnostic, Edit, Span};
+use crate::message::Message;
+use crate::program::calls::CallSite;
+use crate::program::change::{change, line_before};
+use crate::program::tree::{Block, Program, Word, WordKind};
+use crate::support::{self, BITS, Changed, Mark, Support};
+
+/// Values would be others.
+const TAKEN_OVER: Code = Code::Own(140);
+/// The call was written with another mask.
+const MASK: Code = Code::Own(141);
+/// The call was written with another kind of tool programming.
+const TOOLS: Code = Code::Own(142);
+
+/// Numbers that differ by less are the same one, rounded.
+const ROUNDED: f64 = 0.001;
+
+/// A value that reading back would change.
+struct Change {
+    name: &'static str,
+    before: String,
+    after: String,
+}
+
+/// Findings at one call. `control` is one to work on; it takes plane and units of the call.
+pub fn look(seen: &Seen, control: &mut Control, found: &mut Vec<Diagnostic>) {
+    let site = seen.site;
+    let mark = mark(seen.program, site);
+    let now = Mark::of(seen.control);
+    let tools = mark.as_ref().and_then(|(mark, _)| tools(mark, &now));
+    found.extend(tools.map(|finding| at(finding, site.span)));
+    let Some(support) = Support::of(site.cycle, seen.control).filter(|_| of_support(site)) else {
+        return;
+    };
+    control.plane = site.plane;
+    control.choose_units(site.unit_function);
+    let own = mark
+        .as_ref()
+        .map(|(mark, place)| (mark, *place, now.text()));
+    let mask = own.as_ref().and_then(|(mark, place, text)| {
+        let finding = mask(&mark.mask_changed(&now))?;
+        let edits = vec![replaced(*place, text)];
+        Some(cured(finding, Message::new("advice-mask-cure"), edits))
+    });
+    let values = taken_over(
+        seen,
+        support,
+        control,
+        own.as_ref().map(|own| (own.1, &*own.2)),
+    );
+    let inputs = check::read(site.cycle, &site.values, control, &mut Vec::new());
+    let params = site.cycle.params.iter();
+    let targets = params.filter_map(|param| support::finding(support, param, &inputs));
+    let all = mask.into_iter().chain(values).chain(targets);
+    found.extend(all.map(|finding| at(finding, site.span)));
+}
+
+/// The lists of newer controls are not of this support.
+fn of_support(site: &CallSite) -> bool {
+    site.list.is_none_or(|list| list.style != Style::Operate)
+}
+
+/// The comment with the settings, on the line before the call's first; lines that set nothing but bits for it may stand
+/// between.
+fn mark(program: &Program, site: &CallSite) -> Option<(Mark, Span)> {
+    let before = program.blocks.get(..site.first_line as usize)?;
+    let block = before
+        .iter()
+        .rev()
+        .find(|block| !sets_bits(program, block))?;
+    let place = block.comment?;
+    let text = std::str::from_utf8(program.text(place)).ok()?;
+    Some((Mark::read(text)?, place))
+}
+
+fn sets_bits(program: &Program, block: &Block) -> bool {
+    let words = program.words_of(block);
+    let is_bit = |word: &Word| match &word.kind {
+        WordKind::Assign { value_span, .. } => {
+            let name = Span {
+                start: word.span.start,
+                end: value_span.start.saturating_sub(1),
+            };
+            BITS.iter().any(|bit| program.is(name, bit))
+        }
+        _ => false,
+    };
+    !words.is_empty() && block.comment.is_none() && words.iter().all(is_bit)
+}
+
+fn mask(changed: &[Changed]) -> Option<Diagnostic> {
+    let message = Message::new("advice-mask").text("changes", listed(changed)?);
+    Some(warning(MASK, message).hint(Message::new("advice-mask-hint")))
+}
+
+/// The control does not read its calls back once this changed.
+fn tools(mark: &Mark, now: &Mark) -> Option<Diagnostic> {
+    let changes = listed(&mark.tools_changed(now))?;
+    let message = Message::new("advice-tool-programming").text("changes", changes);
+    Some(warning(TOOLS, message).hint(Message::new("advice-tool-programming-hint")))
+}
+
+/// `_MZ_MASK[4]: 1 → 0`; none for no change.
+fn listed(changed: &[Changed]) -> Option<String> {
+    let each = changed.iter();
+    let each: Vec<String> = each
+        .map(|(name, before, now)| format!("{name}: {before} → {now}"))
+        .collect();
+    (!each.is_empty()).then(|| each.join(", "))
+}
+
+/// The values that would become others, with the edits that make them so now.
+fn taken_over(
+    seen: &Seen,
+    support: Support,
+    control: &Control,
+    mark: Option<(Span, &str)>,
+) -> Option<Diagnostic> {
+    let site = seen.site;
+    let entered = support.entered(site.cycle, &site.values, control);
+    let inputs = check::read(site.cycle, &entered.values, control, &mut Vec::new());
+    let used = site.cycle.params.iter();
+    let used = used.filter(|param| param.need(&inputs).is_some());
+    let values = used.filter_map(|param| {
+        let after = entered.values.get(param.name)?;
+        value(site, param, after, control)
+    });
+    let values: Vec<Change> = values.collect();
+    let bits = entered.bits.iter();
+    let bits: Vec<Change> = bits
+        .filter_map(|(name, on)| bit(site, name, *on, control))
+        .collect();
+    let all = values.iter().chain(&bits);
+    let all: Vec<String> = all
+        .map(|one| format!("{}={} → {}", one.name, one.before, one.after))
+        .collect();
+    if all.is_empty() {
+        return None;
+    }
+    let of_values = values.iter();
+    let of_values = of_values.flat_map(|one| change(seen.program, site, one.name, &one.after));
+    let of_bits = bits.iter().filter_map(|one| set(seen.program, site, one));
+    let of_mark = mark.map(|(place, text)| replaced(place, text));
+    let edits: Vec<Edit> = of_values.chain(of_bits).chain(of_mark).collect();
+    let message = Message::new("advice-read-back").text("changes", all.join(", "));
+    let finding = warning(TAKEN_OVER, message).hint(Message::new("advice-read-back-hint"));
+    let label = Message::new("advice-read-back-cure");
+    Some(cured(finding, label, edits))
+}
+
+/// What the program does not say counts as delivered; without a mean value the limit of its formation counts nothing.
+fn value(site: &CallSite, param: &Param, after: &str, control: &Control) -> Option<Change> {
+    let before = match site.values.get(param.name) {
+        Some(text) => text.clone(),
+        None if param.name == names::TMV => return None,
+        None => param.fallback(control)?.to_string(),
+    };
+    different(param.name, before, after)
+}
+
+fn bit(site: &CallSite, name: &'static str, on: bool, control: &Control) -> Option<Change> {
+    let set = site.bits.iter().find(|(one, ..)| *one == name);
+    let before = set.map_or_else(
+        || control.number(name).to_string(),
+        |(_, text, _)| text.clone(),
+    );
+    different(name, before, if on { "1" } else { "0" })
+}
+
+fn different(name: &'static str, before: String, after: &str) -> Option<Change> {
+    let same = match (parse(&before), parse(after)) {
+        (Parsed::Number(before), Parsed::Number(after)) => (before - after).abs() < ROUNDED,
+        _ => before == after,
+    };
+    (!same).then(|| Change {
+        name,
+        before,
+        after: after.to_owned(),
+    })
+}
+
+/// The bit in the place where the call sets it, else on a line of its own before the call.
+fn set(program: &Program, site: &CallSite, change: &Change) -> Option<Edit> {
+    let own = |(name, _, place): &&(&str, String, Span)| {
+        *name == change.name && place.start >= site.own_from
+    };
+    match site.bits.iter().find(own) {
+        Some((.., place)) => Some(replaced(*place, &change.after)),
+        None => {
+            let written = format!("{}={}", change.name, change.after);
+            line_before(program, site.first_line, &written)
+        }
+    }
+}
+
+fn replaced(span: Span, text: &str) -> Edit {
+    Edit {
+        span,
+        insert: text.to_owned(),
+    }
+}
+
+/// A finding with one click that mends it, where there is one.
+fn cured(mut finding: Diagnostic, label: Message, edits: Vec<Edit>) -> Diagnostic {
+    finding.cure = (!edits.is_empty()).then_some(Cure { label, edits });
+    finding
+}

@@ -1,0 +1,130 @@
+//! The block that the support in the control's editor writes: what its form holds, in its order (B:12414-12423), and
+//! what was set for it.
+
+use super::{Source, assignments, value, word};
+use crate::catalogue::{Cycle, Style, names};
+use crate::check::Typed;
+use crate::control::Control;
+use crate::support::{MEAN_BIT, Mark, SPEEDS_BIT, Support, decimal};
+
+/// Order of the first block. The example measures a hole; what other forms have beside its fields stands behind the
+/// set size.
+const FIRST: [&str; 13] = [
+    names::MVAR,
+    OTHERS,
+    names::PRNUM,
+    names::KNUM,
+    names::FA,
+    names::TSA,
+    names::VMS,
+    names::NMSP,
+    names::ID,
+    names::SZA,
+    names::SZO,
+    names::CORA,
+    SPEEDS_BIT,
+];
+/// Order of the second: tolerances, memories and the tool.
+const SECOND: [&str; 12] = [
+    names::TZL,
+    names::TDIF,
+    names::TUL,
+    names::TLL,
+    MEAN_BIT,
+    names::TMV,
+    names::K,
+    names::EVNUM,
+    names::TNUM,
+    names::TNAME,
+    names::DLNUM,
+    names::TENV,
+];
+/// Where everything else stands.
+const OTHERS: &str = "";
+
+/// What a form with these settings writes. It leaves no field open: what was not typed counts as delivered. The lists of
+/// newer controls are not of this support; what has no field is not among their values.
+pub(super) fn source<'a>(
+    support: Support,
+    cycle: &'static Cycle,
+    typed: &Typed,
+    control: &'a Control,
+    style: Style,
+) -> Source<'a> {
+    let entered = support.entered(cycle, typed, control);
+    let mut source = super::source(cycle, &entered.values, control);
+    if style == Style::Operate {
+        let inputs = &source.inputs;
+        source
+            .values
+            .retain(|(param, _)| !support.hides(param, inputs));
+        return source;
+    }
+    let used = cycle.params.iter();
+    let used = used.filter(|param| param.need(&source.inputs).is_some());
+    source.values = used
+        .filter_map(|param| {
+            let typed = entered
+                .values
+                .get(param.name)
+                .map_or("", |text| text.trim());
+            let text = match typed {
+                "" => param.fallback(control).map(decimal),
+                typed => value(param, typed),
+            };
+            Some((param, text?))
+        })
+        .collect();
+    Source {
+        form: true,
+        bits: entered.bits,
+        ..source
+    }
+}
+
+/// Assignments in two blocks and the call in one of its own.
+pub(super) fn blocks(source: &Source) -> String {
+    let values = source.values.iter();
+    let values = values.map(|(param, value)| (param.name, word(param.name, value)));
+    let bits = source.bits.iter();
+    let bits = bits.map(|(name, on)| (*name, bit(name, *on)));
+    let mut words: Vec<(&str, String)> = values.chain(bits).collect();
+    words.sort_by_key(|(name, _)| rank(name));
+    let second = words.partition_point(|(name, _)| rank(name) < FIRST.len());
+    let (first, second) = words.split_at(second);
+    let line = |words: &[(&str, String)]| {
+        let words: Vec<&str> = words.iter().map(|(_, word)| word.as_str()).collect();
+        match words.is_empty() {
+            true => String::new(),
+            false => format!("{}\n", words.join(" ")),
+        }
+    };
+    format!("{}{}{}\n", line(first), line(second), source.cycle.name)
+}
+
+/// Place in the order, the second block behind the first.
+fn rank(name: &str) -> usize {
+    let place = |order: &[&str], name: &str| order.iter().position(|one| *one == name);
+    let others = || place(&FIRST, OTHERS).unwrap_or_default();
+    let second = place(&SECOND, name).map(|place| FIRST.len() + place);
+    second
+        .or_else(|| place(&FIRST, name))
+        .unwrap_or_else(others)
+}
+
+fn bit(name: &str, on: bool) -> String {
+    word(name, if on { "1" } else { "0" })
+}
+
+/// What stands before the call: the settings, and for a call with arguments the bits, which no argument takes.
+pub(super) fn head(source: &Source, style: Style) -> String {
+    let mark = Mark::of(source.control).text();
+    let bits: Vec<String> = match style {
+        Style::Indirect => {
+            let bits = source.bits.iter();
+            bits.map(|(name, on)| bit(name, *on)).collect()
+        }
+        Style::Direct | Style::Operate => Vec::new(),
+    };
+    format!("{mark}\n{}", assignments(&bits))
+}
