@@ -6,6 +6,7 @@ use probewright_core::check::check;
 use probewright_core::control::{Edge, Frame, Plane, Tool};
 use probewright_core::diagnostic::Code;
 use probewright_core::program::read;
+use probewright_core::run::trace::Step;
 use probewright_core::run::{Limits, Outcome, Setup, Stop, run};
 
 /// How far the measured face stands beside its set position, mm.
@@ -207,4 +208,39 @@ fn a_stored_tool_environment_is_corrected() {
         "",
     );
     assert_eq!(outcome.stop, Some(Stop::Alarm(Code::Alarm(61405))));
+}
+
+#[test]
+fn a_rotary_axis_turns_the_part_and_its_offset_counts_when_the_frame_is_called() {
+    // oracle: manual B:7490-7494 (the changed translation of C counts with the next G54), hand
+    let program = "G54\n\
+        G0 C30\n\
+        $P_UIFR[1,C,TR]=$P_UIFR[1,C,TR]+2\n\
+        C=IC(5)\n\
+        G54 C0\n\
+        G91 C-1\n\
+        M30\n";
+    let program = read(Dialect::Sinumerik, program.as_bytes());
+    let outcome = run(&program, &machine(), Limits::default());
+    assert_eq!(
+        (&outcome.stop, outcome.diagnostics.as_slice()),
+        (&None, &[][..])
+    );
+    let turned = outcome
+        .trace
+        .entries
+        .iter()
+        .filter_map(|entry| match entry.step {
+            Step::Table { axis, to, .. } => Some((axis, to)),
+            _ => None,
+        });
+    let wanted = [(2, 30.0), (2, 35.0), (2, 2.0), (2, 1.0)];
+    assert_eq!(turned.collect::<Vec<_>>(), wanted);
+    assert_eq!(outcome.control.rotary, [0.0, 0.0, 1.0]);
+    let changes = outcome.changes();
+    assert_eq!(changes.len(), 1, "{changes:?}");
+    assert_eq!(
+        (changes[0].name.as_str(), changes[0].after),
+        ("$P_UIFR[1,C,TR]", 2.0)
+    );
 }

@@ -102,6 +102,14 @@ function measured({ vertices, corners }) {
   return { area, volume };
 }
 
+// oracle: hand
+test("a part stands as the last rotary axis before left it", () => {
+  const turned = [{ ...demo.shapes.solids[0], at: [1, 2, 3] }];
+  const entries = [{ step: "orient", angle: 0 }, { step: "table", axis: "C", from: 0, to: 9, solids: turned }, { step: "return" }];
+  const trace = { ...demo.shapes, entries };
+  assert.deepEqual([-1, 0, 1, 2, 9].map((index) => scene.standing(trace, index) === turned), [false, false, true, true, true]);
+});
+
 // oracle: hand (diameter 40 + 0.2 + 0.01 × depth 10 = 40.3; lobe amplitude 0.5 at the angle 0)
 test("errors of a part are where they belong", () => {
   const errors = { shift: [0, 0, 0], size: 0.2, tilt: [0, 0, 0], taper: 0.01, outOfRound: [0.5, 3] };

@@ -120,6 +120,7 @@ export type Step =
   | { step: "touch"; latched: Vec3; ball: Vec3; point: Vec3; normal: Vec3 }
   | { step: "crash"; point: Vec3 }
   | { step: "orient"; angle: number }
+  | { step: "table"; axis: string; from: number; to: number; solids: Solid[] } // the part as it stands then
   | { step: "tool"; tool: number; edge: number }
   | { step: "set"; name: string; before: number; after: number }
   | { step: "decision"; message: Message }

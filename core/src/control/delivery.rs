@@ -46,6 +46,8 @@ pub fn delivery_in(dialect: Dialect, units: Units) -> Control {
         data: BTreeMap::new(),
         spindle: 0.0,
         spindle_positions: true,
+        rotary: [0.0; 3],
+        rotary_centre: [0.0; 3],
         limits: Limits::default(),
     };
     match dialect {
@@ -83,6 +85,9 @@ fn sinumerik(control: &mut Control) {
     for datum in machine_data::MACHINE_DATA {
         for (name, value) in datum.names().into_iter().zip(datum.initial) {
             control.set(name, *value);
+        }
+        for (name, text) in datum.names().into_iter().zip(datum.initial_names) {
+            control.data.insert(name, Value::Text((*text).to_owned()));
         }
     }
     let metric = control.basic_units == Units::Metric;

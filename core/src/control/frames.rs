@@ -17,6 +17,8 @@ impl Default for Frame {
             coarse: [0.0; 3],
             fine: [0.0; 3],
             rotation: [0.0; 3],
+            rotary: [0.0; 3],
+            rotary_fine: [0.0; 3],
             scale: [1.0; 3],
         }
     }
@@ -89,6 +91,11 @@ impl Frame {
             coarse: self.outward(inner.origin()),
             fine: [0.0; 3],
             rotation,
+            rotary: add(
+                add(self.rotary, self.rotary_fine),
+                add(inner.rotary, inner.rotary_fine),
+            ),
+            rotary_fine: [0.0; 3],
             scale: std::array::from_fn(|i| self.scale[i] * inner.scale[i]),
         }
     }
@@ -288,12 +295,14 @@ mod tests {
             fine: [0.1, 0.0, 0.0],
             rotation: [0.0, 30.0, 0.0],
             scale: [2.0; 3],
+            ..Frame::default()
         };
         let inner = Frame {
             coarse: [4.0, 5.0, 6.0],
             fine: [0.0; 3],
             rotation: [20.0, 0.0, 40.0],
             scale: [1.0, 0.5, 3.0],
+            ..Frame::default()
         };
         let both = outer.then(&inner);
         // oracle: self (one after the other)

@@ -24,6 +24,8 @@ pub struct MachineDatum {
     pub text: bool,
     /// Values with which the core begins: what a machine must have so that the cycles work (see DESIGN.md).
     pub initial: &'static [f64],
+    /// The same of names.
+    pub initial_names: &'static [&'static str],
     /// Place in the manual.
     pub source: &'static str,
 }
@@ -40,8 +42,12 @@ const PLAIN: MachineDatum = MachineDatum {
     elements: 0,
     text: false,
     initial: &[],
+    initial_names: &[],
     source: "",
 };
+
+/// Channel axes that can be named: three linear and three rotary ones.
+pub const CHANNEL_AXES: usize = 6;
 
 /// All of them, in the order of the manual.
 pub const MACHINE_DATA: &[MachineDatum] = &[
@@ -382,12 +388,16 @@ pub const MACHINE_DATA: &[MachineDatum] = &[
     },
     MachineDatum {
         number: "MD20080",
+        elements: CHANNEL_AXES,
         text: true,
+        initial_names: &["X", "Y", "Z", "C"],
         source: "A:15872",
         ..PLAIN
     },
     MachineDatum {
         number: "MD30300",
+        elements: CHANNEL_AXES,
+        initial: &[0.0, 0.0, 0.0, 1.0],
         source: "A:15872",
         ..PLAIN
     },

@@ -7,6 +7,7 @@ pub mod frames;
 pub mod gud;
 pub mod limits;
 pub mod machine_data;
+pub mod rotary;
 pub mod tools;
 pub mod units;
 pub mod variables;
@@ -58,6 +59,10 @@ pub struct Frame {
     pub fine: [f64; 3],
     /// Rotation about X Y Z (RPY), degree.
     pub rotation: [f64; 3],
+    /// Coarse translation of the rotary axes A B C, degree.
+    pub rotary: [f64; 3],
+    /// Fine translation of the rotary axes A B C, degree.
+    pub rotary_fine: [f64; 3],
     /// Scale factors along its own X Y Z; 1: none. Measuring does not work with any other (61310, B:744).
     pub scale: [f64; 3],
 }
@@ -158,6 +163,10 @@ pub struct Control {
     pub spindle: f64,
     /// Whether the spindle can be positioned with SPOS (B:864, B:6312).
     pub spindle_positions: bool,
+    /// Where the rotary axes A B C stand, machine, degree.
+    pub rotary: [f64; 3],
+    /// Point on the lines about which they turn, machine coordinates X Y Z, mm.
+    pub rotary_centre: [f64; 3],
     /// Software limit switches.
     pub limits: Limits,
 }

@@ -1,6 +1,7 @@
 //! Tool and frame data under the names a part program uses: `$TC_DP6[9,1]`, `$P_UIFR[1,X,FI]`; on NCT by plain names
 //! (`H98`, `D1`, `G59 X`), since that control has no such variables in the manual.
 
+use super::rotary::ROTARY;
 use super::{Control, Edge, Frame};
 use crate::catalogue::Dialect;
 
@@ -35,6 +36,8 @@ enum Part {
     Coarse,
     Fine,
     Rotation,
+    Rotary,
+    RotaryFine,
     Scale,
 }
 
@@ -110,12 +113,26 @@ impl Control {
         let mut names = Vec::new();
         match self.dialect {
             Dialect::Sinumerik => {
-                frame_names(&mut names, "$P_UIFR", self.frames.keys());
-                frame_names(&mut names, "$P_CHBFR", self.channel_basic.keys());
-                frame_names(&mut names, "$P_NCBFR", self.global_basic.keys());
-                for axis in AXES {
-                    names.extend(FRAME_PARTS.map(|part| format!("$P_SETFR[{axis},{part}]")));
-                }
+                let numbered = |number: &usize| format!("{number},");
+                names.extend(
+                    self.frames
+                        .keys()
+                        .map(numbered)
+                        .flat_map(|n| self.frame_names("$P_UIFR", &n)),
+                );
+                names.extend(
+                    self.channel_basic
+                        .keys()
+                        .map(numbered)
+                        .flat_map(|n| self.frame_names("$P_CHBFR", &n)),
+                );
+                names.extend(
+                    self.global_basic
+                        .keys()
+                        .map(numbered)
+                        .flat_map(|n| self.frame_names("$P_NCBFR", &n)),
+                );
+                names.extend(self.frame_names("$P_SETFR", ""));
             }
             Dialect::Nct => {
                 let offsets = self.frames.keys().filter(|number| **number <= 6);
@@ -135,6 +152,19 @@ impl Control {
             }
         }
         names
+    }
+
+    /// Names of all parts of a frame; `number` with the comma behind it, where there is more than one.
+    fn frame_names(&self, store: &str, number: &str) -> Vec<String> {
+        let rotary = ROTARY
+            .iter()
+            .filter(|axis| self.rotary_axis(axis).is_some());
+        let linear = AXES.iter().map(|axis| (axis, &FRAME_PARTS[..]));
+        linear
+            .chain(rotary.map(|axis| (axis, &FRAME_PARTS[..2])))
+            .flat_map(|(axis, parts)| parts.iter().map(move |part| (axis, part)))
+            .map(|(axis, part)| format!("{store}[{number}{axis},{part}]"))
+            .collect()
     }
 
     fn stored_frame(&self, store: Store, number: usize) -> Option<&Frame> {
@@ -210,14 +240,6 @@ fn nct_offset(number: usize) -> String {
     }
 }
 
-fn frame_names<'a>(names: &mut Vec<String>, store: &str, numbers: impl Iterator<Item = &'a usize>) {
-    for number in numbers {
-        for axis in AXES {
-            names.extend(FRAME_PARTS.map(|part| format!("{store}[{number},{axis},{part}]")));
-        }
-    }
-}
-
 fn edge_names(names: &mut Vec<String>, tool: i64, edge: i64, data: &Edge) {
     names.extend([1, 2, 3, 4, 5, 6, 12, 13, 14, 15].map(|n| format!("$TC_DP{n}[{tool},{edge}]")));
     for (letters, offsets) in [("SCP", &data.additive), ("ECP", &data.setup)] {
@@ -251,7 +273,7 @@ fn sinumerik_place(name: &str) -> Option<Place> {
         (Some(limit), [number, axis, part]) => (limited(number, limit)?, [axis, part]),
         _ => return None,
     };
-    let (axis, part) = (axis_index(axis)?, frame_part_of(part)?);
+    let (axis, part) = axis_and_part(axis, part)?;
     Some(match family.in_effect {
         true => Place::Active(family.store, number, axis, part),
         false => Place::Frame(family.store, number, axis, part),
@@ -363,14 +385,23 @@ fn axis_index(name: &str) -> Option<usize> {
     AXES.iter().position(|axis| *axis == name)
 }
 
-fn frame_part_of(name: &str) -> Option<Part> {
-    match name {
-        "TR" => Some(Part::Coarse),
-        "FI" => Some(Part::Fine),
-        "RT" => Some(Part::Rotation),
-        "SC" => Some(Part::Scale),
-        _ => None,
+/// Index of the axis and part of a frame: `X`, `TR`. A rotary axis has translations only.
+fn axis_and_part(axis: &str, part: &str) -> Option<(usize, Part)> {
+    if let Some(axis) = ROTARY.iter().position(|known| *known == axis) {
+        return match part {
+            "TR" => Some((axis, Part::Rotary)),
+            "FI" => Some((axis, Part::RotaryFine)),
+            _ => None,
+        };
     }
+    let part = match part {
+        "TR" => Part::Coarse,
+        "FI" => Part::Fine,
+        "RT" => Part::Rotation,
+        "SC" => Part::Scale,
+        _ => return None,
+    };
+    Some((axis_index(axis)?, part))
 }
 
 fn frame_part(frame: &Frame, part: Part) -> [f64; 3] {
@@ -378,6 +409,8 @@ fn frame_part(frame: &Frame, part: Part) -> [f64; 3] {
         Part::Coarse => frame.coarse,
         Part::Fine => frame.fine,
         Part::Rotation => frame.rotation,
+        Part::Rotary => frame.rotary,
+        Part::RotaryFine => frame.rotary_fine,
         Part::Scale => frame.scale,
     }
 }
@@ -387,6 +420,8 @@ fn frame_part_mut(frame: &mut Frame, part: Part, axis: usize) -> &mut f64 {
         Part::Coarse => &mut frame.coarse[axis],
         Part::Fine => &mut frame.fine[axis],
         Part::Rotation => &mut frame.rotation[axis],
+        Part::Rotary => &mut frame.rotary[axis],
+        Part::RotaryFine => &mut frame.rotary_fine[axis],
         Part::Scale => &mut frame.scale[axis],
     }
 }
@@ -431,6 +466,8 @@ mod tests {
             "$P_CHBFR[0,Y,RT]",
             "$P_NCBFR[15,X,TR]",
             "$P_SETFR[Z,TR]",
+            "$P_UIFR[99,C,TR]",
+            "$P_SETFR[C,FI]",
             "$TC_DP1[20,1]",
             "$TC_DP2[20,1]",
             "$TC_DP3[20,1]",
@@ -453,7 +490,7 @@ mod tests {
         }
         // oracle: hand
         assert_eq!(control.frames[&1].coarse[0], 1.0);
-        assert_eq!(control.tools[&20].edges[&1].radius_wear, 11.0);
+        assert_eq!(control.tools[&20].edges[&1].radius_wear, 13.0);
     }
 
     #[test]
@@ -462,6 +499,7 @@ mod tests {
         for name in [
             "$P_UIFR[100,X,TR]",
             "$P_UIFR[1,W,TR]",
+            "$P_UIFR[1,C,RT]",
             "$P_UIFR[1,X,MI]",
             "$TC_DP99[1,1]",
             "$TC_SCP73[1,1]",

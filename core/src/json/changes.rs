@@ -3,6 +3,7 @@
 use super::setup::settable_name;
 use super::{message, object};
 use crate::control::Control;
+use crate::control::rotary::is_angle;
 use crate::message::Message;
 use crate::run::outcome::{Change, Outcome};
 use serde_json::Value;
@@ -10,7 +11,7 @@ use serde_json::Value;
 /// Tools, frames and memories before and after; lengths in mm, rotations in degree.
 pub fn changes(outcome: &Outcome) -> Vec<Value> {
     let value = |change: Change| {
-        let turned = change.name.ends_with(",RT]");
+        let turned = is_angle(&change.name);
         object([
             ("name", change.name.as_str().into()),
             ("label", message(&label(&outcome.control, &change.name))),

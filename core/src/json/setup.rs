@@ -44,7 +44,7 @@ struct SetupFile {
     data: BTreeMap<String, DatumFile>,
     /// The probe as it really is, not as the control believes.
     probe: ProbeFile,
-    /// The part: every solid can be touched.
+    /// The part: every solid can be touched. It is given as it is clamped while the rotary axes stand at 0.
     #[serde(default)]
     workpiece: Vec<SolidFile>,
     /// Where the machine stands at the start: the point to which L1 refers, machine coordinates X Y Z.
@@ -95,6 +95,8 @@ struct ActiveFile {
     units: String,
     /// Position of the spindle, degree.
     spindle: f64,
+    /// Where the rotary axes A B C stand, machine, degree.
+    rotary: [f64; 3],
 }
 
 /// What the machine can do.
@@ -108,6 +110,8 @@ struct MachineFile {
     limits_plus: [Option<f64>; 3],
     /// Whether the spindle can be positioned with SPOS.
     spindle_positions: bool,
+    /// Point X Y Z on the lines about which the rotary axes turn the part. Which there are: MD20080 and MD30300 in `data`.
+    rotary_centre: [f64; 3],
 }
 
 impl Default for MachineFile {
@@ -117,6 +121,7 @@ impl Default for MachineFile {
             limits_minus: control.limits.minus,
             limits_plus: control.limits.plus,
             spindle_positions: control.spindle_positions,
+            rotary_centre: control.rotary_centre,
         }
     }
 }
@@ -182,7 +187,7 @@ struct EnvironmentFile {
 /// A frame.
 #[derive(Deserialize)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, rename_all = "camelCase")]
 struct FrameFile {
     /// Coarse translation X Y Z.
     coarse: [f64; 3],
@@ -192,6 +197,12 @@ struct FrameFile {
     /// Rotation about X Y Z (RPY), degree.
     #[serde(default)]
     rotation: [f64; 3],
+    /// Coarse translation of the rotary axes A B C, degree.
+    #[serde(default)]
+    rotary: [f64; 3],
+    /// Fine translation of the rotary axes A B C, degree.
+    #[serde(default)]
+    rotary_fine: [f64; 3],
     /// Scale factors along its own X Y Z; 1: none. Measuring does not work with any other.
     #[serde(default = "no_scale")]
     scale: [f64; 3],
@@ -317,6 +328,7 @@ fn setup(file: SetupFile) -> Result<Setup, Error> {
         plus: file.machine.limits_plus,
     };
     control.spindle_positions = file.machine.spindle_positions;
+    control.rotary_centre = file.machine.rotary_centre;
     for (number, tool) in file.tools {
         control.tools.insert(number, read_tool(tool));
     }
@@ -366,6 +378,7 @@ fn activate(control: &mut Control, file: &ActiveFile) -> Result<(), Error> {
     control.tool = file.tool;
     control.edge = file.edge;
     control.spindle = file.spindle;
+    control.rotary = file.rotary;
     if !file.frame.is_empty() {
         let unknown = || Error::Unknown {
             what: "frame",
@@ -457,6 +470,8 @@ fn place_frame(control: &mut Control, name: &str, file: &FrameFile) -> Result<()
         coarse: file.coarse,
         fine: file.fine,
         rotation: file.rotation,
+        rotary: file.rotary,
+        rotary_fine: file.rotary_fine,
         scale: file.scale,
     };
     let unknown = || Error::Unknown {

@@ -59,6 +59,8 @@ fn control(control: &Control) -> Result<(), Error> {
         }
     }
     small("active.spindle", &[control.spindle])?;
+    small("active.rotary", &control.rotary)?;
+    small("machine.rotaryCentre", &control.rotary_centre)?;
     in_spindle(control)?;
     control
         .data
@@ -110,7 +112,8 @@ fn datum(dialect: Dialect, name: &str, value: &Value) -> Result<(), Error> {
 }
 
 fn frame(name: &str, frame: &Frame) -> Result<(), Error> {
-    for values in [&frame.coarse, &frame.fine, &frame.rotation] {
+    let (rotary, fine) = (&frame.rotary, &frame.rotary_fine);
+    for values in [&frame.coarse, &frame.fine, &frame.rotation, rotary, fine] {
         small(&format!("frames {name}"), values)?;
     }
     Ok(())

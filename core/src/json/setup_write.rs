@@ -62,6 +62,7 @@ fn machine(control: &Control) -> Option<Value> {
     let delivered = delivery(control.dialect);
     if control.limits == delivered.limits
         && control.spindle_positions == delivered.spindle_positions
+        && control.rotary_centre == delivered.rotary_centre
     {
         return None;
     }
@@ -70,6 +71,7 @@ fn machine(control: &Control) -> Option<Value> {
         ("limitsMinus", limits(control.limits.minus)),
         ("limitsPlus", limits(control.limits.plus)),
         ("spindlePositions", control.spindle_positions.into()),
+        ("rotaryCentre", control.rotary_centre.into()),
     ]))
 }
 
@@ -88,6 +90,7 @@ fn active(control: &Control) -> Value {
         ("edge", control.edge.into()),
         ("units", units_name(control.unit_function()).into()),
         ("spindle", control.spindle.into()),
+        ("rotary", control.rotary.into()),
     ]);
     put(
         &mut active,
@@ -182,6 +185,11 @@ fn frame(frame: &Frame) -> Value {
         ("fine", frame.fine.into()),
         ("rotation", frame.rotation.into()),
     ]);
+    for (name, rotary) in [("rotary", frame.rotary), ("rotaryFine", frame.rotary_fine)] {
+        if rotary != [0.0; 3] {
+            put(&mut view, name, rotary);
+        }
+    }
     if frame.scale != Frame::default().scale {
         put(&mut view, "scale", frame.scale);
     }

@@ -5,11 +5,13 @@ use super::setup_write::solids;
 use super::{code, message, object, put};
 use crate::check::{Inputs, unit_name};
 use crate::control::Control;
+use crate::control::rotary::ROTARY;
 use crate::diagnostic::Code;
 use crate::message::Message;
 use crate::run::outcome::Outcome;
 use crate::run::setup::Setup;
 use crate::run::trace::{Entry, MotionKind, Step};
+use crate::workpiece::Solid;
 use serde_json::Value;
 
 /// What a call does: results, decisions, alarms, changes, log and trace.
@@ -95,9 +97,15 @@ pub(super) fn trace(setup: &Setup, outcome: &Outcome) -> Value {
     object([
         ("entries", outcome.trace.entries.iter().map(entry).collect()),
         ("ball", ball(setup, outcome)),
-        ("solids", solids(&setup.workpiece.solids)),
+        ("solids", solids(&clamped(setup))),
         ("frames", frames(&outcome.before, &outcome.control).into()),
     ])
+}
+
+/// The part as it stands at the start.
+fn clamped(setup: &Setup) -> Vec<Solid> {
+    let solids = setup.workpiece.solids.iter();
+    solids.map(|solid| setup.control.on_table(solid)).collect()
 }
 
 /// Ball and stylus. The axis points from the ball to the spindle, in machine coordinates: the applicate of the plane in
@@ -147,6 +155,21 @@ fn step(step: &Step) -> Value {
             ("normal", (*normal).into()),
         ]),
         Step::Crash { point } => object([("step", "crash".into()), ("point", (*point).into())]),
+        Step::Table {
+            axis,
+            from,
+            to,
+            solids: turned,
+        } => object([
+            ("step", "table".into()),
+            (
+                "axis",
+                ROTARY.get(*axis).copied().unwrap_or_default().into(),
+            ),
+            ("from", (*from).into()),
+            ("to", (*to).into()),
+            ("solids", solids(turned)),
+        ]),
         Step::Orient(angle) => object([("step", "orient".into()), ("angle", (*angle).into())]),
         Step::Tool(tool, edge) => object([
             ("step", "tool".into()),

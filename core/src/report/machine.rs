@@ -180,7 +180,13 @@ fn machine_cells(datum: &MachineDatum, words: &Words) -> [String; 10] {
     } else {
         format!("{min} to {max}")
     };
-    let taken: Vec<String> = datum.initial.iter().map(f64::to_string).collect();
+    let names = datum.initial_names.iter().map(|name| (*name).to_owned());
+    let taken: Vec<String> = datum
+        .initial
+        .iter()
+        .map(f64::to_string)
+        .chain(names)
+        .collect();
     [
         datum.number.to_owned(),
         datum.identifier.to_owned(),

@@ -119,6 +119,14 @@ fn take(run: &mut Interpreter, address: &Address, path: &mut motion::Path) -> Re
     } else if name == "F" && !path.dwell {
         run.modal.feed = number()?;
         run.modal.feed_factor = run.sim.control.data_factor();
+    } else if let Some(axis) = run.sim.control.rotary_axis(name) {
+        let position = match address.mode.as_deref() {
+            Some("IC") => run.sim.control.rotary[axis] + number()?,
+            Some("AC") => run.sim.control.rotary_to_machine(axis, number()?),
+            _ if run.modal.absolute => run.sim.control.rotary_to_machine(axis, number()?),
+            _ => run.sim.control.rotary[axis] + number()?,
+        };
+        run.sim.turn_table(axis, position);
     } else if matches!(name, "SPOS" | "SPOSA") {
         let angle = number()?;
         run.sim.orient(angle);

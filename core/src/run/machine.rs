@@ -30,7 +30,10 @@ pub struct Sim {
     /// Whether a measuring cycle is running: then the probe is in the spindle whatever the tool data say.
     pub measuring: bool,
     probe: Probe,
+    /// The part where it stands now.
     workpiece: Workpiece,
+    /// The part as it is clamped, rotary axes at 0.
+    clamped: Workpiece,
     noise: Noise,
     /// Way so far with the signal of the probe watched, mm.
     watched: f64,
@@ -49,7 +52,8 @@ impl Sim {
             trace_limit: TRACE_LIMIT,
             measuring: false,
             probe: setup.probe,
-            workpiece: setup.workpiece.clone(),
+            workpiece: on_table(&setup.control, &setup.workpiece),
+            clamped: setup.workpiece.clone(),
             noise: Noise::new(setup.probe.repeatability.1),
             watched: 0.0,
             touching: true,
@@ -123,6 +127,23 @@ impl Sim {
             });
         }
         Ok(signal.map(|_| end))
+    }
+
+    /// Turns a rotary axis (index A B C) to a position of the machine, degree; the part turns with it. What it meets on
+    /// the way is not simulated.
+    pub fn turn_table(&mut self, axis: usize, to: f64) {
+        let Some(position) = self.control.rotary.get_mut(axis) else {
+            return;
+        };
+        let from = std::mem::replace(position, to);
+        self.workpiece = on_table(&self.control, &self.clamped);
+        let solids = self.workpiece.solids.clone();
+        self.note(Step::Table {
+            axis,
+            from,
+            to,
+            solids,
+        });
     }
 
     /// Moves and records it.
@@ -262,6 +283,14 @@ fn released(from: [f64; 3], to: [f64; 3], normal: [f64; 3], depth: f64) -> Optio
     let outward: f64 = (0..3).map(|i| way[i] * normal[i]).sum();
     let part = depth * (1.0 + 1e-9) / outward + 1e-12;
     (outward > 0.0 && part < 1.0).then(|| add(from, way, part))
+}
+
+/// The part as the rotary axes turn it.
+fn on_table(control: &Control, clamped: &Workpiece) -> Workpiece {
+    let solids = clamped.solids.iter().map(|solid| control.on_table(solid));
+    Workpiece {
+        solids: solids.collect(),
+    }
 }
 
 fn add(a: [f64; 3], b: [f64; 3], factor: f64) -> [f64; 3] {

@@ -6,6 +6,7 @@ use super::interpret::Interpreter;
 use super::problem::Problem;
 use crate::catalogue::{CYCLES, Dialect};
 use crate::control::frames::{CHANNEL_MASK, GLOBAL_MASK};
+use crate::control::rotary::is_angle;
 use crate::control::variables::AXES;
 use crate::control::{Frame, Plane, Units, Value, arrays, gud};
 use crate::diagnostic::Span;
@@ -307,7 +308,7 @@ fn write_frame(
 /// mm in one unit of a tool or frame variable; types, cutting edge positions, angles and factors have none.
 fn variable_factor(run: &Interpreter, key: &str) -> f64 {
     let number = ["$TC_DP1", "$TC_DP2"].contains(&stem(key));
-    let plain = number || key.ends_with(",RT]") || key.ends_with(",SC]");
+    let plain = number || is_angle(key) || key.ends_with(",SC]");
     if plain {
         1.0
     } else {

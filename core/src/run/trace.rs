@@ -2,6 +2,7 @@
 
 use crate::diagnostic::Code;
 use crate::message::Message;
+use crate::workpiece::Solid;
 
 /// Kind of a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,6 +49,17 @@ pub enum Step {
     },
     /// Spindle orientation, degree.
     Orient(f64),
+    /// A rotary axis turned, and the part with it.
+    Table {
+        /// Which one: 0 A, 1 B, 2 C.
+        axis: usize,
+        /// Before, machine, degree.
+        from: f64,
+        /// After.
+        to: f64,
+        /// The part as it stands then, machine coordinates.
+        solids: Vec<Solid>,
+    },
     /// The tool in the spindle changed: T number, D number.
     Tool(i64, i64),
     /// A datum was written: name and value, in the unit of the datum.

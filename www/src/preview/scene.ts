@@ -1,5 +1,5 @@
 // What is to be seen, for all ways of drawing: triangles, lines and labels made from a trace.
-import type { Trace, Vec3 } from "../wire";
+import type { Solid, Trace, Vec3 } from "../wire";
 import { parse, type Colours } from "./colours";
 import { append, mesh, type Line, type Mesh } from "./mesh";
 import { frameLines, gridLines, pathLines, type Label } from "./paths";
@@ -19,9 +19,18 @@ export interface Scene {
   radius: number;       // everything lies within it around the origin, mm
 }
 
-/** `exaggeration`: how many times as large the errors of parts are drawn. */
-export function buildScene(trace: Trace, colours: Colours, exaggeration = 1): Scene {
-  const parts = trace.solids.map((solid) => part(solid, exaggeration, parse(colours.part), parse(colours.edge)));
+/** The part as it stands when entry `index` is done: a rotary axis turns it. */
+export function standing(trace: Trace, index: number): Solid[] {
+  for (let i = Math.min(index, trace.entries.length - 1); i >= 0; i--) {
+    const entry = trace.entries[i]!;
+    if (entry.step === "table") return entry.solids;
+  }
+  return trace.solids;
+}
+
+/** `exaggeration`: how many times as large the errors of parts are drawn. `solids`: the part as it stands. */
+export function buildScene(trace: Trace, colours: Colours, exaggeration = 1, solids = trace.solids): Scene {
+  const parts = solids.map((solid) => part(solid, exaggeration, parse(colours.part), parse(colours.edge)));
   const all = mesh();
   for (const { mesh: own } of parts) append(all, own);
   const solidBox = all.box;

@@ -8,7 +8,7 @@ import { listen } from "./input";
 import { drawOverlay, overlay } from "./overlay";
 import { probeAt } from "./paths";
 import { pick } from "./pick";
-import { buildScene, type Scene } from "./scene";
+import { buildScene, standing, type Scene } from "./scene";
 import { openSvg } from "./svg";
 
 export { coloursFrom, DARK, LIGHT, type Colours } from "./colours";
@@ -51,6 +51,7 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
   let colours = options.colours ?? LIGHT;
   let exaggeration = options.exaggeration ?? 1;
   let trace = EMPTY;
+  let solids = trace.solids; // as they stand at this step
   let scene: Scene = buildScene(trace, colours, exaggeration);
   let camera = initial();
   let step = { index: 0, fraction: 0 };
@@ -115,7 +116,8 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
   }
 
   function rebuild(): void {
-    scene = buildScene(trace, colours, exaggeration);
+    solids = standing(trace, step.index);
+    scene = buildScene(trace, colours, exaggeration, solids);
     backend.setScene(scene, devicePixelRatio);
     redraw();
   }
@@ -146,7 +148,11 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
       rebuild();
       if (first || untouched) refit();
     },
-    setStep(index, fraction) { step = { index, fraction }; redraw(); },
+    setStep(index, fraction) {
+      step = { index, fraction };
+      if (standing(trace, index) === solids) redraw();
+      else rebuild();
+    },
     setView,
     fit: fitAgain,
     setLabel(label) { stage.setAttribute("aria-label", label); },

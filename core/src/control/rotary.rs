@@ -1,0 +1,150 @@
+//! Rotary axes: which channel axes are, where they stand, how they turn the part that is clamped on them.
+//!
+//! A, B and C turn about lines parallel to X, Y and Z through one point. A positive angle moves the tool counter-clockwise
+//! about the part (DIN 66217, B:627), so that the table turns clockwise; C is carried by B, B by A.
+
+use super::{Control, Value};
+use crate::geometry::{V3, rigid};
+use crate::workpiece::{PartErrors, Solid};
+use nalgebra::Rotation3;
+
+/// Names by index.
+pub const ROTARY: [&str; 3] = ["A", "B", "C"];
+
+impl Control {
+    /// The rotary axis (index of its name) with this number among the channel axes, from 1; none where there is no such
+    /// axis, where it has no name (MD20080) or is not rotary (MD30300, A:15872).
+    pub fn rotary_channel_axis(&self, number: i64) -> Option<usize> {
+        let place = number.checked_sub(1)?;
+        let name = self.text_of(&format!("MD20080[{place}]"))?;
+        let rotary = self.number(&format!("MD30300[{place}]")) == 1.0;
+        ROTARY.iter().position(|known| rotary && name == *known)
+    }
+
+    /// The rotary axis with this name, where the machine has it.
+    pub fn rotary_axis(&self, name: &str) -> Option<usize> {
+        let axis = ROTARY.iter().position(|known| *known == name)?;
+        let numbers = 1..=super::machine_data::CHANNEL_AXES as i64;
+        numbers
+            .map(|number| self.rotary_channel_axis(number))
+            .find(|found| *found == Some(axis))
+            .flatten()
+    }
+
+    /// Where the table has to stand (machine, degree) for a programmed position of a rotary axis: the frames move it.
+    pub fn rotary_to_machine(&self, axis: usize, position: f64) -> f64 {
+        let moved: f64 = self.chain().iter().map(|frame| frame.rotary[axis]).sum();
+        let fine: f64 = self
+            .chain()
+            .iter()
+            .map(|frame| frame.rotary_fine[axis])
+            .sum();
+        position + moved + fine
+    }
+
+    /// A part as it stands now; as it is given it is clamped with all rotary axes at 0.
+    pub fn on_table(&self, solid: &Solid) -> Solid {
+        if self.rotary == [0.0; 3] {
+            return solid.clone();
+        }
+        let turn = self.table_turn();
+        let centre = V3::from(self.rotary_centre);
+        let errors = &solid.errors;
+        let at = V3::from(solid.at) + V3::from(errors.shift) - centre;
+        let clamped = rigid::rotation(errors.tilt) * rigid::rotation(solid.rotation);
+        Solid {
+            shape: solid.shape.clone(),
+            at: (centre + turn * at).into(),
+            rotation: rigid::angles(&(turn * clamped)),
+            errors: PartErrors {
+                shift: [0.0; 3],
+                tilt: [0.0; 3],
+                ..*errors
+            },
+        }
+    }
+
+    /// How the table is turned, in machine coordinates.
+    fn table_turn(&self) -> Rotation3<f64> {
+        rigid::rotation(self.rotary).inverse()
+    }
+
+    fn text_of(&self, name: &str) -> Option<&str> {
+        match self.data.get(name) {
+            Some(Value::Text(text)) => Some(text.trim()),
+            _ => None,
+        }
+    }
+}
+
+/// Whether a frame variable (`$P_UIFR[1,Z,RT]`, `$P_UIFR[1,C,TR]`) counts in degree.
+pub fn is_angle(variable: &str) -> bool {
+    let mut parts = variable.trim_end_matches(']').rsplit(',');
+    let (part, axis) = (parts.next(), parts.next());
+    let axis = axis.map(|axis| axis.rsplit('[').next().unwrap_or(axis));
+    part == Some("RT")
+        || matches!(part, Some("TR" | "FI")) && axis.is_some_and(|axis| ROTARY.contains(&axis))
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use crate::catalogue::Dialect;
+    use crate::control::delivery;
+    use crate::workpiece::Shape;
+
+    #[test]
+    fn the_fourth_axis_is_a_table_as_delivered() {
+        // oracle: manual B:7462 (the example's machine), A:15872
+        let mut control = delivery(Dialect::Sinumerik);
+        assert_eq!(control.rotary_channel_axis(4), Some(2));
+        assert_eq!(control.rotary_axis("C"), Some(2));
+        for number in [-1, 0, 1, 3, 5, 99] {
+            assert_eq!(control.rotary_channel_axis(number), None, "{number}");
+        }
+        assert_eq!(control.rotary_axis("A"), None);
+        control.set("MD30300[3]", 0.0);
+        assert_eq!(control.rotary_axis("C"), None);
+    }
+
+    #[test]
+    fn a_positive_angle_turns_the_table_clockwise() {
+        let mut control = delivery(Dialect::Sinumerik);
+        control.rotary_centre = [10.0, 0.0, 0.0];
+        control.rotary[2] = 90.0;
+        let solid = Solid {
+            shape: Shape::Sphere { diameter: 5.0 },
+            at: [30.0, 0.0, 7.0],
+            rotation: [0.0; 3],
+            errors: PartErrors {
+                shift: [1.0, 0.0, 0.0],
+                tilt: [0.0, 0.0, 30.0],
+                ..PartErrors::default()
+            },
+        };
+        let turned = control.on_table(&solid);
+        // oracle: manual B:627, hand: 21 mm from the centre along X, then along minus Y
+        let wanted = [10.0, -21.0, 7.0];
+        for axis in 0..3 {
+            assert!((turned.at[axis] - wanted[axis]).abs() < 1e-12);
+        }
+        assert!((turned.rotation[2] + 60.0).abs() < 1e-12);
+        assert_eq!(turned.errors, PartErrors::default());
+    }
+
+    #[test]
+    fn which_variables_are_angles() {
+        // oracle: hand
+        for (name, angle) in [
+            ("$P_UIFR[1,Z,RT]", true),
+            ("$P_UIFR[1,C,FI]", true),
+            ("$P_SETFR[C,TR]", true),
+            ("$P_SETFR[X,TR]", false),
+            ("$P_UIFR[1,X,FI]", false),
+            ("$TC_DP3[9,1]", false),
+        ] {
+            assert_eq!(is_angle(name), angle, "{name}");
+        }
+    }
+}
