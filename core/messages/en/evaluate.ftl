@@ -6,6 +6,7 @@ evaluate-undersize = Difference { $difference } mm is below the lower tolerance:
 evaluate-whole = Difference { $difference } mm is within tolerance, but beyond the range of the mean value: the whole difference is corrected, the mean value begins again.
 evaluate-mean = Difference { $difference } mm gives the mean value { $mean } mm, which exceeds the zero offset area: the mean value is corrected and begins again.
 evaluate-small = Difference { $difference } mm gives the mean value { $mean } mm, which stays within the zero offset area: nothing is corrected.
+evaluate-kept = Difference { $difference } mm stays within the zero offset area: { $datum } is kept as stored.
 evaluate-repeat = Measured again after a violated limit, repetition { $count } of 4.
 evaluate-halt = Programmed stop (M0): the operator continues with NC START.
 evaluate-activated = The corrected frame is active at once.

@@ -7,6 +7,7 @@ evaluate-undersize = 偏差 { $difference } mm 低于公差下限：补偿全部
 evaluate-whole = 偏差 { $difference } mm 在公差内，但超出平均值的范围：补偿全部偏差，平均值重新开始。
 evaluate-mean = 偏差 { $difference } mm 得到平均值 { $mean } mm，超出零补偿区：补偿平均值并重新开始。
 evaluate-small = 偏差 { $difference } mm 得到平均值 { $mean } mm，仍在零补偿区内：不作补偿。
+evaluate-kept = 偏差 { $difference } mm 在零补偿区内：{ $datum } 保持原存储值。
 evaluate-repeat = 超限后重新测量，第 { $count } 次，共 4 次。
 evaluate-halt = 编程停止（M0）：操作者按 NC START 继续。
 evaluate-activated = 补偿后的坐标框架立即生效。

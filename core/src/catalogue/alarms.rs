@@ -61,7 +61,7 @@ pub static ALARMS: &[Alarm] = &[
     alarm(61323, Both, &["CYCLE114"], "A:15864"),
     alarm(61324, Both, &["CYCLE114"], "A:15865"),
     alarm(61325, Both, NONE, "A:15866"),
-    alarm(61326, Check, NONE, "A:15867"),
+    alarm(61326, Both, NONE, "A:15867"),
     alarm(61327, Nowhere, NONE, "A:15868"),
     alarm(61328, Both, NONE, "A:15871"),
     alarm(61329, Check, NONE, "A:15872"),

@@ -76,6 +76,28 @@ pub fn element(kind: i64, size: f64, height: f64) -> Shape {
     }
 }
 
+/// Size of a block whose face is touched, mm: two sides of the face and the thickness behind it.
+const FACE: [f64; 3] = [60.0, 60.0, 40.0];
+/// How far below the upper edge of the block a side face is touched, mm.
+const FACE_DEPTH: f64 = 10.0;
+
+/// A block with a face at `set` of an axis (0 abscissa, 1 ordinate, 2 applicate), and the position opposite that face,
+/// `away` from it; `side` +1: outside is the plus side of the axis.
+pub fn face(control: &Control, axis: usize, set: f64, side: f64, away: f64) -> (Solid, [f64; 3]) {
+    let (mut at, mut start, mut normal) = ([0.0; 3], [0.0; 3], [0.0; 3]);
+    (at[axis], start[axis], normal[axis]) = (set, set + side * away, side);
+    if axis != 2 {
+        at[2] = FACE_DEPTH - FACE[0] / 2.0;
+    }
+    let x = if axis == 2 {
+        [1.0, 0.0, 0.0]
+    } else {
+        [0.0, 0.0, 1.0]
+    };
+    let block = solid(control, Shape::Block { size: FACE }, at, x, normal);
+    (block, in_plane(control, start))
+}
+
 /// The tool that `_KNUM` and `_TNUM` or `_TNAME` name, as an end mill of 20 mm; none without a tool offset.
 pub fn corrected_tools(inputs: &Inputs) -> Vec<ProposedTool> {
     let code = knum::tool(inputs.integer(names::KNUM), inputs.five_digit_edges);

@@ -50,9 +50,9 @@ fn one(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
     match code {
         0..=3 => run.modal.motion = code as u8,
         4 => found.path.dwell = true,
-        17 => run.with_length(|control| control.plane = Plane::G17),
-        18 => run.with_length(|control| control.plane = Plane::G18),
-        19 => run.with_length(|control| control.plane = Plane::G19),
+        17 => run.sim.with_length(|control| control.plane = Plane::G17),
+        18 => run.sim.with_length(|control| control.plane = Plane::G18),
+        19 => run.sim.with_length(|control| control.plane = Plane::G19),
         40 => run.modal.compensation = false,
         41 | 42 => run.modal.compensation = true,
         53 => found.path.suppress = Suppress::Settable,
@@ -81,7 +81,7 @@ fn sinumerik(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
 fn nct(run: &mut Interpreter, code: u16) -> bool {
     match code {
         43 => {}
-        49 => run.with_length(|control| control.edge = 0),
+        49 => run.sim.with_length(|control| control.edge = 0),
         58 | 59 => run.sim.control.activate(usize::from(code) - 53),
         98 | 99 => {}
         _ => return false,

@@ -7,7 +7,7 @@ use super::statement;
 use super::trace::Step;
 use super::{Outcome, Setup, Stop};
 use crate::catalogue::Dialect;
-use crate::control::{Control, Value};
+use crate::control::Value;
 use crate::diagnostic::{Diagnostic, Severity, Span};
 use crate::message::Message;
 use crate::program::tree::{Program, WordKind};
@@ -225,16 +225,6 @@ impl<'a> Interpreter<'a> {
             before,
             after,
         });
-    }
-
-    /// Changes what decides over the tool length; the spindle nose stays where it is.
-    pub fn with_length(&mut self, change: impl FnOnce(&mut Control)) {
-        let before = self.sim.control.active_length();
-        change(&mut self.sim.control);
-        let after = self.sim.control.active_length();
-        for i in 0..3 {
-            self.sim.position[i] += before[i] - after[i];
-        }
     }
 
     /// Stored and active frames by name.

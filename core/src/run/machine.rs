@@ -180,6 +180,15 @@ impl Sim {
         }
     }
 
+    /// Changes what decides over the tool length; the spindle nose stays where it is.
+    pub fn with_length<T>(&mut self, change: impl FnOnce(&mut Control) -> T) -> T {
+        let before = self.control.active_length();
+        let outcome = change(&mut self.control);
+        let after = self.control.active_length();
+        self.position = add(self.position, add(before, after, -1.0), 1.0);
+        outcome
+    }
+
     /// Adds a step to the trace, with the present line.
     pub fn note(&mut self, step: Step) {
         if self.trace.entries.len() < self.trace_limit {
@@ -330,6 +339,10 @@ impl Machine for Sim {
 
     fn signal_stands(&self) -> bool {
         self.touching
+    }
+
+    fn correct(&mut self, name: &str, value: f64) {
+        self.with_length(|control| control.set_variable(name, value));
     }
 
     fn orient(&mut self, angle: f64) {

@@ -70,6 +70,8 @@ pub trait Machine {
     fn signal_stands(&self) -> bool {
         true
     }
+    /// Writes a datum of tools or frames, lengths in mm. Where it is the length in use, the spindle nose stays.
+    fn correct(&mut self, name: &str, value: f64);
     /// Turns the spindle to this angle, degree.
     fn orient(&mut self, angle: f64);
     /// Records something that is no motion: a result, a correction, a decision, an alarm that informs.

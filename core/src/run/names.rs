@@ -151,7 +151,10 @@ fn write_variable(
         .ok_or_else(|| Problem::new("run-not-a-number", place, key))?;
     let after = number * variable_factor(run, key);
     let before = run.sim.control.variable(key).unwrap_or(0.0);
-    if !run.sim.control.set_variable(key, after) {
+    if !run
+        .sim
+        .with_length(|control| control.set_variable(key, after))
+    {
         read(run, key, place)?;
         return Err(Problem::new("run-read-only", place, key));
     }

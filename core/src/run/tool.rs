@@ -97,7 +97,8 @@ fn select(run: &mut Interpreter, tool: i64, edge: i64, address: &Address) -> Res
         ));
     }
     let edge = if tool == 0 { 0 } else { edge };
-    run.with_length(|control| (control.tool, control.edge) = (tool, edge));
+    run.sim
+        .with_length(|control| (control.tool, control.edge) = (tool, edge));
     Ok(())
 }
 
@@ -111,7 +112,7 @@ fn nct(run: &mut Interpreter, found: &Words) -> Result<(), Problem> {
             .number()
             .ok_or_else(|| Problem::new("run-not-a-number", address.span, "H"))?
             as i64;
-        run.with_length(|control| control.edge = edge);
+        run.sim.with_length(|control| control.edge = edge);
     }
     Ok(())
 }

@@ -48,11 +48,21 @@ pub fn setup(shape: Shape, position: [f64; 3]) -> Setup {
     setup
 }
 
-/// The shared cases.
+/// The cases that the cycles with tool offset share.
 pub fn cases() -> Vec<Case> {
+    let mut cases = common();
+    cases.extend([
+        program(61318, "_K=0"),
+        program(61341, "_WP[0,1]=0 _WP[0,2]=0"),
+    ]);
+    cases.extend(targets());
+    cases
+}
+
+/// The cases of every workpiece cycle.
+pub fn common() -> Vec<Case> {
     let mut cases = state();
     cases.extend(values());
-    cases.extend(targets());
     cases
 }
 
@@ -66,7 +76,6 @@ fn state() -> Vec<Case> {
         case(61336, "", |setup| setup.control.set("MD20050[1]", 0.0)),
         program(61338, "_SPEED[1]=0"),
         program(61339, "_SPEED[0]=-1"),
-        program(61341, "_WP[0,1]=0 _WP[0,2]=0"),
         program(61342, "_SI[1]=\"2\""),
         case(61373, "_PRNUM=101", |setup| {
             setup.control.spindle_positions = false;
@@ -80,7 +89,6 @@ fn values() -> Vec<Case> {
         program(61307, "_MVAR=7"),
         program(61308, "_FA=0"),
         program(61313, "_PRNUM=4"),
-        program(61318, "_K=0"),
     ]
 }
 

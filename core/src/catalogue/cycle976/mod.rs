@@ -1,10 +1,21 @@
 //! CYCLE976: calibrate a workpiece probe in a hole or on a surface (B:5029-5593).
 
 mod checks;
+mod directions;
+mod hole;
 mod lists;
+#[cfg(test)]
+mod motion_tests;
 pub mod params;
 mod picture;
+mod propose;
 mod results;
+mod simulate;
+#[cfg(test)]
+mod simulate_tests;
+mod store;
+#[cfg(test)]
+mod store_tests;
 #[cfg(test)]
 mod tests;
 mod variants;
@@ -13,7 +24,7 @@ pub use results::RESULTS;
 pub use variants::VARIANTS;
 
 use crate::catalogue::common;
-use crate::catalogue::{Cycle, Dialect, Drawing, Purpose, When};
+use crate::catalogue::{Cycle, Dialect, Drawing, Purpose, Simulation, When, Work};
 
 /// The entry. Example: the ring of B:5168-5188.
 pub static CYCLE976: Cycle = Cycle {
@@ -47,6 +58,12 @@ pub static CYCLE976: Cycle = Cycle {
         ("_NMSP", "1"),
         ("_TZL", "0"),
     ],
-    simulation: None,
+    simulation: Some(Simulation::new(
+        Work {
+            propose: propose::propose,
+            simulate: simulate::simulate,
+        },
+        variants::EXAMPLES,
+    )),
     source: "B:5029-5593",
 };

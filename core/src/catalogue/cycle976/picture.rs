@@ -2,6 +2,7 @@
 //! diameter where they are determined; or the surface with the direction. Missing values are drawn as in the manual's
 //! examples. Short distances are drawn longer than they are.
 
+use super::directions::{Direction, angle, directions};
 use super::params::{ANGLE, BALL, FOUR, HOLE, LENGTH, ONE, SKEW, UNKNOWN};
 use crate::catalogue::names;
 use crate::check::Inputs;
@@ -52,15 +53,12 @@ fn hole(inputs: &Inputs) -> Vec<PictureShape> {
         path: inputs
             .positive(names::FA, 2.0)
             .clamp(size * 0.1, size * 0.25),
-        angle: if ANGLE.holds(inputs) {
-            inputs.number(names::STA1) % 360.0
-        } else {
-            0.0
-        },
+        angle: angle(inputs) % 360.0,
     };
     let mut shapes = part(&hole);
     axes(&hole, inputs, &mut shapes);
-    for (index, direction) in directions(inputs).into_iter().enumerate() {
+    let degrees = directions(inputs).into_iter().map(Direction::degrees);
+    for (index, direction) in degrees.enumerate() {
         touch(&hole, direction, index + 1, &mut shapes);
     }
     start(&hole, inputs, &mut shapes);
@@ -68,24 +66,6 @@ fn hole(inputs: &Inputs) -> Vec<PictureShape> {
         stylus(&hole, inputs, &mut shapes);
     }
     shapes
-}
-
-/// Directions in their order, degree from the first axis of calibration (B:5206-5210, B:5318-5324).
-fn directions(inputs: &Inputs) -> Vec<f64> {
-    let axis = if inputs.integer(names::MA) == 2 {
-        90.0
-    } else {
-        0.0
-    };
-    if FOUR.holds(inputs) {
-        vec![0.0, 180.0, 90.0, 270.0]
-    } else if !ONE.holds(inputs) {
-        vec![axis, axis + 180.0]
-    } else if inputs.integer(names::MD) == 1 {
-        vec![axis + 180.0]
-    } else {
-        vec![axis]
-    }
 }
 
 fn part(hole: &Hole) -> Vec<PictureShape> {
@@ -127,7 +107,7 @@ fn axes(hole: &Hole, inputs: &Inputs, shapes: &mut Vec<PictureShape>) {
         shapes.push(line(ShapeKind::Axis, ends).of(names::MA));
     }
     if ONE.holds(inputs) {
-        for direction in directions(inputs) {
+        for direction in directions(inputs).into_iter().map(Direction::degrees) {
             let tip = hole.at(direction, hole.size / 2.0 - 2.0 * hole.ball);
             shapes.push(arrow(ShapeKind::Path, [0.0; 2], tip, hole.ball * 1.6).of(names::MD));
         }

@@ -4,19 +4,13 @@
 
 use super::VARIANTS;
 use super::tests::{CENTRE, inputs, part, ready};
+use crate::catalogue::sinumerik::motion_testing::{DEPTH_FEED, PLANE_FEED, expand};
 use crate::catalogue::sinumerik::testing::{Motion, at, motions, run, same};
 use crate::check::Inputs;
 use crate::control::Plane;
 use crate::run::machine::Sim;
-use crate::run::trace::MotionKind;
 
-const PLANE_FEED: f64 = 1200.0;
-const DEPTH_FEED: f64 = 700.0;
-/// `_FA` = 5 is above 1 (B:2164-2170).
-const MEASURING_FEED: f64 = 300.0;
-
-/// Ways in the plane from the set centre: `x22` goes there at the height of the start; `[27]` goes down by the infeed
-/// where there is one, measures along the last axis until the ball stands at 27, returns, and goes up again.
+/// Ways as [`expand`] reads them, from the set centre.
 /// Ball of radius 3, `_FA` 5, sizes 60 and 44: inside 60/2 - 3 = 27 and 5 before it, outside 60/2 + 3 = 33 and 5 before it.
 fn table(variant: i64, axis: usize) -> &'static str {
     match (variant % 10, axis) {
@@ -29,30 +23,6 @@ fn table(variant: i64, axis: usize) -> &'static str {
         (5, _) => "x22 [27] x-22 [-27] x0 y14 [19] y-14 [-19] y0",
         _ => "x38 [33] x-38 [-33] x0 y30 [25] y-30 [-25] y0",
     }
-}
-
-fn expand(table: &str, infeed: f64) -> Vec<Motion> {
-    let mut here = [0.0; 3];
-    let mut axis = 0;
-    let mut motions = Vec::new();
-    for word in table.split(' ') {
-        if let Some(contact) = word.strip_prefix('[') {
-            let mut down = here;
-            down[2] += infeed;
-            let mut touch = down;
-            touch[axis] = contact.trim_end_matches(']').parse().unwrap();
-            let level = infeed == 0.0;
-            motions.extend((!level).then_some((MotionKind::Positioning, down, DEPTH_FEED)));
-            motions.push((MotionKind::Measuring, touch, MEASURING_FEED));
-            motions.push((MotionKind::Retract, down, PLANE_FEED));
-            motions.extend((!level).then_some((MotionKind::Positioning, here, DEPTH_FEED)));
-        } else {
-            axis = usize::from(word.starts_with('y'));
-            here[axis] = word[1..].parse().unwrap();
-            motions.push((MotionKind::Positioning, here, PLANE_FEED));
-        }
-    }
-    motions
 }
 
 /// What a call does on the nominal part, from the set centre at the height of the start.

@@ -4,16 +4,13 @@
 
 use super::VARIANTS;
 use super::simulation_tests::{CENTRE, HEIGHT, inputs, part, ready};
+use crate::catalogue::sinumerik::motion_testing::{DEPTH_FEED, MEASURING_FEED, PLANE_FEED};
 use crate::catalogue::sinumerik::testing::{Motion, at, motions, run, same};
 use crate::control::Plane;
 use crate::geometry::rigid::sin_cos;
 use crate::run::machine::Sim;
 use crate::run::trace::MotionKind::{Measuring, Positioning, Retract};
 
-const PLANE_FEED: f64 = 1200.0;
-const DEPTH_FEED: f64 = 700.0;
-/// `_FA` = 5 is above 1 (B:2164-2170).
-const MEASURING_FEED: f64 = 300.0;
 /// `_RF`.
 const CIRCLE_FEED: f64 = 900.0;
 /// Starting angle.

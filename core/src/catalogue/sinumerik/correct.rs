@@ -78,11 +78,10 @@ pub fn frame(machine: &mut dyn Machine, target: &zero_offset::Target, writes: &[
 }
 
 /// Writes and records.
-fn write(machine: &mut dyn Machine, writes: &[Write]) {
+pub fn write(machine: &mut dyn Machine, writes: &[Write]) {
     for Write { name, value } in writes {
-        let control = machine.control();
-        let before = control.variable(name).unwrap_or(0.0);
-        control.set_variable(name, *value);
+        let before = machine.control().variable(name).unwrap_or(0.0);
+        machine.correct(name, *value);
         machine.record(Step::Set {
             name: name.clone(),
             before,

@@ -39,6 +39,8 @@ pub struct Block {
     pub radius: f64,
     /// `_FA`, mm.
     pub path: f64,
+    /// Height of the ball centre above the point to which L1 refers, mm: 0, or with `_CBIT[14]` the radius (B:13652).
+    centre: f64,
     /// Trigger values by axis: probing in minus and plus direction, mm; position at switching minus surface.
     triggers: [[f64; 2]; 3],
     /// Ball centre minus spindle axis in abscissa and ordinate, mm (`_WP[k,7]`, `_WP[k,8]`).
@@ -86,11 +88,12 @@ impl Block {
         self.triggers[axis.min(2)][usize::from(direction > 0.0)]
     }
 
-    /// The same block with a probe that was never calibrated: plus or minus the radius (B:6402-6418).
+    /// The same block with a probe that was never calibrated: plus or minus the radius (B:6402-6418), and along the
+    /// applicate from the point to which L1 refers (B:5581-5583).
     pub fn uncalibrated(&self) -> Block {
         let ideal = [self.radius, -self.radius];
         Block {
-            triggers: [ideal; 3],
+            triggers: [ideal, ideal, ideal.map(|trigger| trigger - self.centre)],
             skew: [0.0; 2],
             ball: self.radius,
             ..self.clone()
@@ -200,6 +203,21 @@ impl Block {
         Ok(self.mean(machine, &way)?[axis])
     }
 
+    /// The same for a surface whose place is not known: from where the probe stands, on a way of twice the path.
+    pub fn latch_from_here(&self, machine: &mut dyn Machine, point: &Point) -> Result<f64, Stop> {
+        let axis = self.axes[point.axis.min(2)];
+        let start = machine.position();
+        let (mut end, mut direction) = (start, [0.0; 3]);
+        end[axis] += point.direction * 2.0 * point.path;
+        direction[axis] = point.direction;
+        let way = Way {
+            start,
+            end,
+            direction,
+        };
+        Ok(self.mean(machine, &way)?[axis])
+    }
+
     /// Mean position of `_NMSP` measurements (B:2348-2356); the probe stands at the start and returns there.
     fn mean(&self, machine: &mut dyn Machine, way: &Way) -> Result<[f64; 3], Stop> {
         let mut sum = [0.0; 3];
@@ -250,6 +268,13 @@ impl Block {
             false => self.positioning_feed(machine.position(), to),
         };
         machine.travel(to, MotionKind::Retract, feed, false)
+    }
+
+    /// Turns the spindle under a multi probe, degree; a mono probe stands as the direction of probing wants.
+    pub fn reverse(&self, machine: &mut dyn Machine, angle: f64) {
+        if self.spindle == Spindle::Stays {
+            machine.orient(angle.rem_euclid(360.0));
+        }
     }
 
     /// Turns a probe that follows into the direction of probing, degree from the abscissa.

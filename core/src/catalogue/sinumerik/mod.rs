@@ -3,6 +3,8 @@
 pub mod centred;
 pub mod correct;
 pub mod measuring_block;
+#[cfg(test)]
+pub mod motion_testing;
 pub mod results;
 pub mod state;
 pub mod target;

@@ -36,10 +36,16 @@ fn read(control: &Control, inputs: &Inputs) -> Result<Block, u32> {
     };
     let monitored = control.bit("_CHBIT[2]");
     let (feed_plane, feed_depth) = speeds(control, monitored)?;
+    let radius = control.active_radius();
     Ok(Block {
         axes: control.plane.axes(),
-        radius: control.active_radius(),
+        radius,
         path,
+        centre: if control.bit("_CBIT[14]") {
+            radius
+        } else {
+            0.0
+        },
         triggers: [1, 3, 5].map(|i| [data(i), data(i + 1)]),
         // The skew of a mono probe turns with the spindle, so that it is not carried over.
         skew: if mono { [0.0; 2] } else { [data(7), data(8)] },

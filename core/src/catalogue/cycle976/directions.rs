@@ -1,0 +1,67 @@
+//! In which directions a hole is touched, and how the axes of calibration lie (B:5202-5210, B:5316-5326).
+
+use super::params::{ANGLE, FOUR, ONE};
+use crate::catalogue::names;
+use crate::check::Inputs;
+use crate::geometry::rigid::sin_cos;
+
+/// One direction: an axis of calibration (0 the first, 1 the second) and +1 or -1 along it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Direction {
+    /// Axis of calibration.
+    pub axis: usize,
+    /// +1 or -1.
+    pub sign: f64,
+}
+
+impl Direction {
+    /// Angle from the first axis of calibration, degree.
+    pub fn degrees(self) -> f64 {
+        90.0 * self.axis as f64 + if self.sign < 0.0 { 180.0 } else { 0.0 }
+    }
+}
+
+/// In their order: plus before minus, abscissa before ordinate.
+pub fn directions(inputs: &Inputs) -> Vec<Direction> {
+    let one = usize::from(inputs.integer(names::MA) == 2);
+    let axes: &[usize] = match (FOUR.holds(inputs), one) {
+        (true, _) => &[0, 1],
+        (false, 0) => &[0],
+        (false, _) => &[1],
+    };
+    let signs: &[f64] = match (ONE.holds(inputs), inputs.integer(names::MD)) {
+        (false, _) => &[1.0, -1.0],
+        (true, 1) => &[-1.0],
+        (true, _) => &[1.0],
+    };
+    let both = |axis: &usize| {
+        let axis = *axis;
+        signs
+            .iter()
+            .map(move |sign| Direction { axis, sign: *sign })
+    };
+    axes.iter().flat_map(both).collect()
+}
+
+/// Angle of the first axis of calibration from the abscissa, degree: `_STA1`, or 0 where it is paraxial.
+pub fn angle(inputs: &Inputs) -> f64 {
+    if ANGLE.holds(inputs) {
+        inputs.number(names::STA1)
+    } else {
+        0.0
+    }
+}
+
+/// A vector from the axes of calibration, which are turned by `angle`, in abscissa and ordinate.
+pub fn in_plane([first, second]: [f64; 2], angle: f64) -> [f64; 2] {
+    let (sine, cosine) = sin_cos(angle);
+    [
+        first * cosine - second * sine,
+        first * sine + second * cosine,
+    ]
+}
+
+/// A vector from abscissa and ordinate in the axes of calibration.
+pub fn turned(vector: [f64; 2], angle: f64) -> [f64; 2] {
+    in_plane(vector, -angle)
+}

@@ -1,0 +1,151 @@
+//! What a calibration found: the results, the comparison with what is stored, the new data (B:5134, B:5090-5118).
+
+use crate::catalogue::names;
+use crate::catalogue::sinumerik::{Next, correct, results, tolerance};
+use crate::check::Inputs;
+use crate::control::Control;
+use crate::evaluate::Write;
+use crate::evaluate::tolerance::exceeds;
+use crate::message::Message;
+use crate::run::trace::Step;
+use crate::run::{Machine, Stop};
+
+/// A trigger value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Trigger {
+    /// 0 abscissa, 1 ordinate, 2 applicate.
+    pub axis: usize,
+    /// Direction of probing, +1 or -1.
+    pub sign: f64,
+    /// Position at switching minus surface, mm.
+    pub value: f64,
+}
+
+/// What was found, mm.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Calibration {
+    /// In the order of probing.
+    pub triggers: Vec<Trigger>,
+    /// Active ball diameter.
+    pub ball: Option<f64>,
+    /// Ball centre minus spindle axis, abscissa and ordinate.
+    pub skew: Option<[f64; 2]>,
+    /// Centre of the hole in the WCS, abscissa and ordinate.
+    pub centre: Option<[f64; 2]>,
+    /// What L1 of the probe has to be longer by.
+    pub length: Option<f64>,
+}
+
+/// Where in `_WP[k,0..8]` things stand (B:13441-13449).
+const BALL: usize = 0;
+const SKEW: [usize; 2] = [7, 8];
+
+impl Trigger {
+    /// 0 to 5: by axis, minus before plus.
+    fn index(&self) -> usize {
+        2 * self.axis + usize::from(self.sign > 0.0)
+    }
+
+    /// Index in `_WP[k,1..6]`.
+    fn field(&self) -> usize {
+        1 + self.index()
+    }
+}
+
+/// A datum of the probe.
+fn datum(inputs: &Inputs, field: usize) -> String {
+    format!("_WP[{},{field}]", inputs.integer(names::PRNUM) % 100 - 1)
+}
+
+/// A datum of the probe as stored, mm.
+fn stored(control: &Control, inputs: &Inputs, field: usize) -> f64 {
+    control.basic_length(&datum(inputs, field))
+}
+
+/// The skew as stored, mm.
+pub fn skew(control: &Control, inputs: &Inputs) -> [f64; 2] {
+    SKEW.map(|field| stored(control, inputs, field))
+}
+
+/// Reports, compares the trigger values with the safe area, and stores what was found. `_TSA` watches trigger values
+/// only: it may be smaller than a ball that was never measured (B:5148), and the length does not count (B:5509).
+pub fn store(
+    machine: &mut dyn Machine,
+    inputs: &Inputs,
+    found: &Calibration,
+    repetition: u32,
+) -> Result<Next, Stop> {
+    let differences = report(machine, inputs, found);
+    let next = tolerance::safe(machine, inputs, &differences, repetition)?;
+    if next == Next::Again {
+        return Ok(next);
+    }
+    for trigger in &found.triggers {
+        renew(machine, inputs, trigger.field(), trigger.value);
+    }
+    if let Some(skew) = found.skew {
+        for (field, value) in SKEW.into_iter().zip(skew) {
+            renew(machine, inputs, field, value);
+        }
+    }
+    if let Some(ball) = found.ball {
+        renew(machine, inputs, BALL, ball);
+        if machine.control().bit("_CBIT[15]") {
+            set_tool(machine, RADIUS, |_| ball / 2.0); // B:13656
+        }
+    }
+    if let Some(length) = found.length {
+        let length = set_tool(machine, LENGTH, |before| before + length);
+        results::length(machine, 22, length);
+    }
+    Ok(next)
+}
+
+/// Results; the differences of the trigger values, mm.
+fn report(machine: &mut dyn Machine, inputs: &Inputs, found: &Calibration) -> Vec<f64> {
+    if let Some(ball) = found.ball {
+        let before = stored(machine.control(), inputs, BALL);
+        results::length(machine, 4, ball);
+        results::length(machine, 5, ball - before);
+    }
+    for (first, pair) in [(6, found.centre), (20, found.skew)] {
+        for (index, value) in pair.into_iter().flatten().enumerate() {
+            results::length(machine, first + index, value);
+        }
+    }
+    let mut differences = Vec::new();
+    for trigger in &found.triggers {
+        let difference = trigger.value - stored(machine.control(), inputs, trigger.field());
+        let first = 8 + 2 * trigger.index();
+        results::length(machine, first, trigger.value);
+        results::length(machine, first + 1, difference);
+        differences.push(difference);
+    }
+    differences
+}
+
+/// Stores a new value where it differs by more than `_TZL` from the old one (B:5134).
+fn renew(machine: &mut dyn Machine, inputs: &Inputs, field: usize, value: f64) {
+    let difference = value - stored(machine.control(), inputs, field);
+    let name = datum(inputs, field);
+    if exceeds(difference.abs(), inputs.number(names::TZL)) {
+        let per = machine.control().basic_factor();
+        results::set(machine, &name, value / per);
+    } else {
+        let message = Message::new("evaluate-kept").number("difference", difference);
+        machine.record(Step::Decision(message.text("datum", &name)));
+    }
+}
+
+/// Geometry of L1 and of the radius in the tool memory.
+const LENGTH: &str = "$TC_DP3";
+const RADIUS: &str = "$TC_DP6";
+
+/// Writes a geometry value of the probe in use; the new one, mm.
+fn set_tool(machine: &mut dyn Machine, part: &str, change: impl Fn(f64) -> f64) -> f64 {
+    let control = machine.control();
+    let name = format!("{part}[{},{}]", control.tool, control.edge);
+    let value = change(control.variable(&name).unwrap_or(0.0));
+    correct::write(machine, &[Write { name, value }]);
+    value
+}
