@@ -58,8 +58,8 @@ fn split(name: &str) -> Option<(&str, Vec<usize>)> {
     Some((stem, index.ok()?))
 }
 
-/// How many elements stand before this one.
-fn place(index: &[usize], sizes: &[usize]) -> Option<usize> {
+/// How many elements stand before this one; none: the index lies outside.
+pub fn place(index: &[usize], sizes: &[usize]) -> Option<usize> {
     let mut at = 0;
     for (i, size) in index.iter().zip(sizes) {
         if i >= size {

@@ -308,6 +308,21 @@ fn family(stem: &str) -> Option<Family> {
     })
 }
 
+/// Component of a frame by the names of its axis and its part; none: there is no such component.
+pub fn component(frame: &Frame, axis: &str, part: &str) -> Option<f64> {
+    let (axis, part) = axis_and_part(axis, part)?;
+    Some(frame_part(frame, part)[axis])
+}
+
+/// Writes a component of a frame; false: there is none of this name.
+pub fn set_component(frame: &mut Frame, axis: &str, part: &str, value: f64) -> bool {
+    let Some((axis, part)) = axis_and_part(axis, part) else {
+        return false;
+    };
+    *frame_part_mut(frame, part, axis) = value;
+    true
+}
+
 fn limited(number: &str, limit: usize) -> Option<usize> {
     number.parse().ok().filter(|number| *number <= limit)
 }

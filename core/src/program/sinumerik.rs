@@ -148,7 +148,8 @@ fn named(reader: &mut Reader) -> Parsed<()> {
     let start = reader.at;
     let name = reader.name();
     let text = reader.text(name);
-    if let Some(kind) = keyword::find(text) {
+    let labels = text.eq_ignore_ascii_case(b"ENDLABEL") && reader.byte(0) == b':';
+    if let Some(kind) = keyword::find(text).filter(|_| !labels) {
         return keyword_word(reader, start, name, kind);
     }
     match reader.expect {

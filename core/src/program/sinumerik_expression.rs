@@ -77,6 +77,7 @@ pub(super) fn operand(reader: &mut Reader) -> Parsed<Node> {
         b'<' if reader.byte(1) == b'<' => unary(reader, Sinumerik, Operator::Join, 2, JOIN + 1),
         b'(' => brackets(reader),
         b'"' => text(reader),
+        b'\'' if reader.byte(2) == b'\'' => character(reader),
         b'\'' => {
             let read = number::quoted(reader.rest());
             constant(reader, read)
@@ -104,6 +105,16 @@ pub(super) fn text(reader: &mut Reader) -> Parsed<Node> {
     reader.at += 1;
     let start = reader.at;
     reader.at += length;
+    let span = reader.from(start);
+    reader.at += 1;
+    reader.push(Expr::Text(span), 1)
+}
+
+/// `'A'`: a text of one character.
+fn character(reader: &mut Reader) -> Parsed<Node> {
+    reader.at += 1;
+    let start = reader.at;
+    reader.at += 1;
     let span = reader.from(start);
     reader.at += 1;
     reader.push(Expr::Text(span), 1)

@@ -5,7 +5,9 @@ use super::motion::{self, Suppress};
 use super::problem::Problem;
 use super::statement::{self, Address, Call, Words};
 use super::trace::Step;
-use super::{Machine, Stop, cycle, environment, frame, gcode, listed, tool};
+use super::{
+    Machine, Stop, cycle, environment, frame, gcode, listed, names, repeat, subprogram, tool,
+};
 use crate::catalogue::{self, Dialect};
 use crate::diagnostic::Severity;
 
@@ -19,8 +21,11 @@ pub fn perform(run: &mut Interpreter, at: usize, mut found: Words) -> Result<Nex
     gcode::apply(run, &mut found)?;
     words_without_value(run, &mut found);
     tool::apply(run, &found)?;
+    let calls = !found.calls.is_empty();
     for address in &found.addresses {
-        take(run, address, &mut found.path).map_err(|problem| run.fail(problem))?;
+        if !(calls && address.name == "P") {
+            take(run, address, &mut found.path).map_err(|problem| run.fail(problem))?;
+        }
     }
     let frame_call = found
         .calls
@@ -35,12 +40,44 @@ pub fn perform(run: &mut Interpreter, at: usize, mut found: Words) -> Result<Nex
     if let Some(next) = end(run, &found) {
         return Ok(next);
     }
-    for call in &found.calls {
-        if let Some(next) = carry_out(run, at, call)? {
+    let passes = passes(&found).map_err(|problem| run.fail(problem))?;
+    let calls = named_by_text(run, &found).map_err(|problem| run.fail(problem))?;
+    for call in &calls {
+        if let Some(next) = carry_out(run, at, call, passes)? {
             return Ok(next);
         }
     }
     Ok(Next::Block)
+}
+
+/// The calls of a block; of `CALL "NAME"` and `CALL VARIABLE` the one that the text names.
+fn named_by_text(run: &Interpreter, found: &Words) -> Result<Vec<Call>, Problem> {
+    let [first, rest @ ..] = &found.calls[..] else {
+        return Ok(Vec::new());
+    };
+    if first.name != statement::CALL {
+        return Ok(found.calls.clone());
+    }
+    let text = match (&first.args[..], rest) {
+        ([Some(text)], []) => text.clone(),
+        ([], [variable]) => names::read(run, &variable.name, variable.span)?,
+        _ => return Err(Problem::new("run-function", first.span, &*first.name)),
+    };
+    Ok(vec![Call {
+        name: text.shown().to_ascii_uppercase(),
+        args: Vec::new(),
+        places: Vec::new(),
+        span: first.span,
+    }])
+}
+
+/// How often the block calls its program: `L10 P3`.
+fn passes(found: &Words) -> Result<u32, Problem> {
+    let mut addresses = found.addresses.iter();
+    let Some(address) = addresses.find(|address| address.name == "P") else {
+        return Ok(1);
+    };
+    repeat::count(address.value.number().unwrap_or(f64::NAN), address.span)
 }
 
 /// The NCT macro that a block calls with `G110` or `G65 P9019` (parameters 9041.. give G101.. to O9010.., C:58).
@@ -151,13 +188,14 @@ fn take(run: &mut Interpreter, address: &Address, path: &mut motion::Path) -> Re
 fn end(run: &mut Interpreter, found: &Words) -> Option<Next> {
     let nct = run.program.dialect == Dialect::Nct;
     let mut next = None;
+    let mut leaves = found.leaves;
     for address in found.addresses.iter().filter(|address| address.name == "M") {
         let number = address.value.number().unwrap_or(-1.0);
         match number as i64 {
             0 | 1 => run.sim.note(Step::Message(format!("M{number}"))),
             2 | 30 => next = Some(Next::End),
-            17 => next = Some(run.returns.pop().map_or(Next::End, Next::Jump)),
-            99 if nct => next = Some(run.returns.pop().map_or(Next::End, Next::Jump)),
+            17 => leaves = true,
+            99 if nct => leaves = true,
             19 => run.sim.orient(0.0),
             3..=9 => {}
             55 | 59 if nct => {}
@@ -167,11 +205,16 @@ fn end(run: &mut Interpreter, found: &Words) -> Option<Next> {
             ),
         }
     }
-    next
+    next.or_else(|| leaves.then(|| subprogram::leave(run)))
 }
 
 /// Calls: operator texts, measuring cycles, subprograms of the same text.
-fn carry_out(run: &mut Interpreter, at: usize, call: &Call) -> Result<Option<Next>, Stop> {
+fn carry_out(
+    run: &mut Interpreter,
+    at: usize,
+    call: &Call,
+    passes: u32,
+) -> Result<Option<Next>, Stop> {
     let name = call.name.as_str();
     if listed::call(run, call)? {
         return Ok(None);
@@ -182,18 +225,10 @@ fn carry_out(run: &mut Interpreter, at: usize, call: &Call) -> Result<Option<Nex
         environment::store(run, &call.args, call.span).map_err(|problem| run.fail(problem))?;
     } else if let Some(cycle) = catalogue::find(Dialect::Sinumerik, name) {
         cycle::data(run, cycle, call.span)?;
-    } else if let Some(start) = run.subprograms.get(name).copied() {
-        if run.returns.len() >= run.depth {
-            let message =
-                crate::message::Message::new("run-depth").number("limit", run.depth as f64);
-            return Err(run.fail(Problem {
-                span: call.span,
-                message,
-            }));
-        }
-        run.returns.push(at + 1);
-        return Ok(Some(Next::Jump(start)));
-    } else if is_subprogram(name) {
+    } else if let Some(unit) = run.programs.named(name).cloned() {
+        let entered = subprogram::enter(run, at, call, &unit, passes);
+        return entered.map(Some).map_err(|problem| run.fail(problem));
+    } else if is_subprogram(name) || run.programs.external.contains(name) {
         run.tell(
             Severity::Warning,
             &Problem::new("run-subprogram", call.span, name),

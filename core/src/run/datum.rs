@@ -9,14 +9,16 @@ pub enum Datum {
     Number(f64),
     /// STRING.
     Text(String),
+    /// CHAR: a character by its code.
+    Char(u8),
     /// FRAME.
     Frame(Box<Frame>),
     /// A word that stands for itself: axis `X`, part of a frame `TR`.
     Word(String),
     /// Several values, to be spread over an array; none: left as it is.
     List(Vec<Option<Datum>>),
-    /// One value for a whole array.
-    Repeat(Box<Datum>),
+    /// One value for so many elements of an array; none: up to its end.
+    Repeat(Box<Datum>, Option<usize>),
 }
 
 impl Datum {
@@ -24,14 +26,25 @@ impl Datum {
     pub fn number(&self) -> Option<f64> {
         match self {
             Datum::Number(value) => Some(*value),
+            Datum::Char(code) => Some(f64::from(*code)),
             _ => None,
         }
     }
 
-    /// As it is shown in a text: whole numbers without decimals.
+    /// The character, if it is one or a text of one.
+    pub fn character(&self) -> Option<char> {
+        match self {
+            Datum::Char(code) => Some(char::from(*code)),
+            Datum::Text(text) => super::types::single(text).map(char::from),
+            _ => None,
+        }
+    }
+
+    /// As it is shown in a text: numbers with at most ten decimals and no zeros at the end, a character as itself.
     pub fn shown(&self) -> String {
         match self {
-            Datum::Number(value) => format!("{value}"),
+            Datum::Number(value) => shown(*value),
+            Datum::Char(code) => char::from(*code).to_string(),
             Datum::Text(text) | Datum::Word(text) => text.clone(),
             _ => String::new(),
         }
@@ -42,8 +55,17 @@ impl Datum {
         match self {
             Datum::Number(value) => Some(Value::Number(*value)),
             Datum::Text(text) => Some(Value::Text(text.clone())),
+            Datum::Char(code) => Some(Value::Number(f64::from(*code))),
             _ => None,
         }
+    }
+}
+
+fn shown(value: f64) -> String {
+    let text = format!("{value:.10}");
+    match text.trim_end_matches('0').trim_end_matches('.') {
+        "-0" => "0".to_owned(),
+        short => short.to_owned(),
     }
 }
 

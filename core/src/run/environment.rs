@@ -29,7 +29,7 @@ pub fn store(run: &mut Interpreter, args: &[Option<Datum>], place: Span) -> Resu
 
 /// The same where the right side of an assignment is the function: its status. None: it is something else.
 pub fn assigned(run: &mut Interpreter, value: ExprId) -> Result<Option<Datum>, Problem> {
-    let program = run.program;
+    let program = std::rc::Rc::clone(&run.program);
     let Some(Expr::Call(name, args)) = program.expr(value) else {
         return Ok(None);
     };

@@ -4,6 +4,7 @@ use super::datum::Datum;
 use super::interpret::Interpreter;
 use super::problem::Problem;
 use super::{function, names};
+use crate::catalogue::Dialect;
 use crate::diagnostic::Span;
 use crate::program::tree::{Expr, ExprId, Operator};
 
@@ -99,7 +100,11 @@ fn binary(
             }
             return Ok(Datum::Frame(Box::new(chain(outer, inner))));
         }
-        (_, Datum::Text(a), Datum::Text(b)) => {
+        (_, Datum::Text(_), Datum::Text(_) | Datum::Char(_))
+        | (_, Datum::Char(_), Datum::Text(_)) => {
+            return texts(operator, &a.shown(), &b.shown()).ok_or_else(|| wrong(run, left));
+        }
+        (_, Datum::Word(a), Datum::Word(b)) => {
             return texts(operator, a, b).ok_or_else(|| wrong(run, left));
         }
         _ => {}
@@ -110,7 +115,36 @@ fn binary(
     if b == 0.0 && matches!(operator, Operator::Over | Operator::Div | Operator::Mod) {
         return Err(Problem::new("run-division", span(run, right), ""));
     }
-    numbers(operator, a, b).ok_or_else(|| wrong(run, left))
+    let result = match run.program.dialect {
+        Dialect::Sinumerik => compared(operator, a, b),
+        Dialect::Nct => None,
+    };
+    let result = result.or_else(|| numbers(operator, a, b));
+    match result.ok_or_else(|| wrong(run, left))? {
+        Datum::Number(number) if !number.is_finite() => {
+            let place = span(run, left);
+            Err(Problem::new("run-range", place, run.program.name(place)))
+        }
+        value => Ok(value),
+    }
+}
+
+/// Difference of numbers that count as equal, as a part of the larger one (Job planning 03/2006, 1.7: 10^-12).
+const SAME: f64 = 1e-12;
+
+/// Comparisons in which almost equal numbers are equal, with `<` and `>` too: MD10280 bit 0, which would change that, is 0
+/// as delivered.
+fn compared(operator: Operator, a: f64, b: f64) -> Option<Datum> {
+    let same = (a - b).abs() <= SAME * a.abs().max(b.abs());
+    Some(Datum::from(match operator {
+        Operator::Equal => same,
+        Operator::NotEqual => !same,
+        Operator::LessEqual => same || a < b,
+        Operator::GreaterEqual => same || a > b,
+        Operator::Less => !same && a < b,
+        Operator::Greater => !same && a > b,
+        _ => return None,
+    }))
 }
 
 /// A fine translation stays one as long as nothing is turned or scaled before it, so that `CTRANS(…):CFINE(…)` keeps both parts.

@@ -1,5 +1,6 @@
 //! Where a program goes on: jumps, branches, loops. Structure is found once, before the run.
 
+use super::programs::Programs;
 use crate::program::tree::{Program, Word, WordKind};
 use std::collections::BTreeMap;
 
@@ -24,15 +25,12 @@ pub enum Link {
 pub type Links = BTreeMap<usize, Link>;
 
 /// Finds what belongs together. NCT `WHILE … DOn` and `ENDn` pair like `WHILE` and `ENDWHILE`.
-pub fn links(program: &Program) -> Links {
+pub fn links(program: &Program, programs: &Programs) -> Links {
     let mut links = Links::new();
     let mut open: Vec<Open> = Vec::new();
     for (i, block) in program.blocks.iter().enumerate() {
         let words = program.words_of(block);
-        if words
-            .iter()
-            .any(|word| matches!(word.kind, WordKind::Header(_)))
-        {
+        if programs.units.iter().any(|unit| unit.blocks.start == i) {
             open.clear();
         }
         let Some(name) = structural(program, words) else {
@@ -158,26 +156,4 @@ pub fn canonical(name: &str) -> String {
         Ok(number) => format!("N{number}"),
         Err(_) => name.to_owned(),
     }
-}
-
-/// First blocks of the programs in the text, by name (`NAME` of `%_N_NAME_SPF`, `L10`).
-pub fn subprograms(program: &Program) -> BTreeMap<String, usize> {
-    let mut found = BTreeMap::new();
-    for (i, block) in program.blocks.iter().enumerate() {
-        for word in program.words_of(block) {
-            let WordKind::Header(span) = word.kind else {
-                continue;
-            };
-            let text = program.name(span);
-            let name = text.trim_start_matches('%').trim_start_matches("_N_");
-            let name = name
-                .strip_suffix("_SPF")
-                .or_else(|| name.strip_suffix("_MPF"))
-                .unwrap_or(name);
-            if !name.is_empty() {
-                found.entry(name.to_owned()).or_insert(i + 1);
-            }
-        }
-    }
-    found
 }

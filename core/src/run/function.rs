@@ -4,6 +4,7 @@ use super::datum::Datum;
 use super::expression::{evaluate, list};
 use super::interpret::Interpreter;
 use super::problem::Problem;
+use super::texts;
 use crate::catalogue::Dialect;
 use crate::control::Frame;
 use crate::control::variables::AXES;
@@ -22,15 +23,14 @@ pub fn call(run: &Interpreter, place: Span, args: &[ExprId]) -> Result<Datum, Pr
         .map(|arg| evaluate(run, *arg))
         .collect::<Result<Vec<_>, _>>()?;
     if name == "REP" {
-        let [value]: [Datum; 1] = values.try_into().map_err(|_| refused())?;
-        return Ok(Datum::Repeat(Box::new(value)));
+        return repeated(values).ok_or_else(refused);
     }
     if let Some(frame) = frame(run, &name, &values) {
         return frame
             .map(|frame| Datum::Frame(Box::new(frame)))
             .ok_or_else(refused);
     }
-    if let Some(value) = text(&name, &values) {
+    if let Some(value) = texts::call(&name, &values) {
         return Ok(value);
     }
     let numbers: Vec<f64> = values.iter().filter_map(Datum::number).collect();
@@ -43,6 +43,20 @@ pub fn call(run: &Interpreter, place: Span, args: &[ExprId]) -> Result<Datum, Pr
         Some(_) => Err(refused()),
         None => Err(Problem::new("run-unknown-word", place, name.as_str())),
     }
+}
+
+/// `REP(value)` up to the end of an array, `REP(value,count)` for so many elements.
+fn repeated(values: Vec<Datum>) -> Option<Datum> {
+    let mut values = values.into_iter();
+    let value = Box::new(values.next()?);
+    let count = match values.next() {
+        None => None,
+        Some(count) => Some(count.number().filter(|count| *count >= 1.0)? as usize),
+    };
+    values
+        .next()
+        .is_none()
+        .then_some(Datum::Repeat(value, count))
 }
 
 fn arithmetic(name: &str, values: &[f64], dialect: Dialect) -> Option<f64> {
@@ -71,24 +85,6 @@ fn arithmetic(name: &str, values: &[f64], dialect: Dialect) -> Option<f64> {
         _ => return None,
     };
     Some(value)
-}
-
-fn text(name: &str, values: &[Datum]) -> Option<Datum> {
-    Some(match (name, values) {
-        ("STRLEN", [Datum::Text(text)]) => Datum::Number(text.chars().count() as f64),
-        ("TOUPPER", [Datum::Text(text)]) => Datum::Text(text.to_uppercase()),
-        ("TOLOWER", [Datum::Text(text)]) => Datum::Text(text.to_lowercase()),
-        ("ISNUMBER", [Datum::Text(text)]) => {
-            Datum::from(text.trim().parse::<f64>().is_ok_and(f64::is_finite))
-        }
-        ("NUMBER", [Datum::Text(text)]) => Datum::Number(
-            text.trim()
-                .parse()
-                .ok()
-                .filter(|value: &f64| value.is_finite())?,
-        ),
-        _ => return None,
-    })
 }
 
 /// `CTRANS(X,10,Y,20)`, `CFINE(…)`, `CROT(Z,30)`, `CSCALE(X,2)`; the outer option: whether it is a function of frames.

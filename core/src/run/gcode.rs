@@ -2,6 +2,7 @@
 
 use super::Stop;
 use super::interpret::Interpreter;
+use super::modal::{Compensation, Motion};
 use super::motion::Suppress;
 use super::problem::Problem;
 use super::statement::Words;
@@ -48,13 +49,17 @@ fn some(
 fn one(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
     let dialect = run.program.dialect;
     match code {
-        0..=3 => run.modal.motion = code as u8,
+        0 => run.modal.motion = Motion::Rapid,
+        1 => run.modal.motion = Motion::Line,
+        2 => run.modal.motion = Motion::Clockwise,
+        3 => run.modal.motion = Motion::Counter,
         4 => found.path.dwell = true,
         17 => run.sim.with_length(|control| control.plane = Plane::G17),
         18 => run.sim.with_length(|control| control.plane = Plane::G18),
         19 => run.sim.with_length(|control| control.plane = Plane::G19),
-        40 => run.modal.compensation = false,
-        41 | 42 => run.modal.compensation = true,
+        40 => run.modal.compensation = Compensation::Off,
+        41 => run.modal.compensation = Compensation::Left,
+        42 => run.modal.compensation = Compensation::Right,
         53 => found.path.suppress = Suppress::Settable,
         54..=57 => run.sim.control.activate(usize::from(code) - 53),
         90 => run.modal.absolute = true,

@@ -1,17 +1,19 @@
 //! Runs a program block by block. A program that never ends is stopped by limits.
 
 use super::flow::{self, Link, Links};
+use super::level::Level;
+use super::locals::Locals;
 use super::machine::Sim;
+use super::modal::Modal;
 use super::problem::{self, Problem};
-use super::statement;
+use super::programs::{self, Programs};
 use super::trace::Step;
-use super::{Outcome, Setup, Stop};
-use crate::catalogue::Dialect;
-use crate::control::Value;
+use super::{Outcome, Setup, Stop, repeat, statement, subprogram};
 use crate::diagnostic::{Diagnostic, Severity, Span};
 use crate::message::Message;
-use crate::program::tree::{Program, WordKind};
+use crate::program::tree::Program;
 use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
 
 /// When a run is given up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,37 +36,18 @@ impl Default for Limits {
     }
 }
 
-/// What stays until it is programmed anew.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Modal {
-    /// G0, G1, G2, G3.
-    pub motion: u8,
-    /// G90 or G91.
-    pub absolute: bool,
-    /// F as programmed, in the unit of that moment.
-    pub feed: f64,
-    /// mm in a unit of F.
-    pub feed_factor: f64,
-    /// T that is waiting for M6.
-    pub prepared: Option<i64>,
-    /// D programmed after T and before M6.
-    pub waiting_edge: Option<i64>,
-    /// Whether G41 or G42 is active.
-    pub compensation: bool,
-}
-
 /// A program on its way.
-pub struct Interpreter<'a> {
+pub struct Interpreter {
     /// The program.
-    pub program: &'a Program,
+    pub program: Rc<Program>,
     /// The machine.
     pub sim: Sim,
     /// What stays.
     pub modal: Modal,
-    /// Local variables (`DEF`), elements of arrays one by one.
-    pub locals: BTreeMap<String, Value>,
-    /// Local arrays with their sizes.
-    pub arrays: BTreeMap<String, Vec<usize>>,
+    /// Program levels, the main program first.
+    pub levels: Vec<Level>,
+    /// Variables that all programs of the text see.
+    pub shared: Locals,
     /// What `MEAS` left: `$AC_MEA[1]`, `$AA_MW[X]`, `$AA_MM[X]`.
     pub measured: BTreeMap<String, f64>,
     /// Findings so far, each place and kind once.
@@ -74,13 +57,13 @@ pub struct Interpreter<'a> {
     /// Control structures.
     pub links: Links,
     /// Programs in the same text.
-    pub subprograms: BTreeMap<String, usize>,
-    /// Where subprograms return to.
-    pub returns: Vec<usize>,
-    /// Levels allowed.
+    pub programs: Programs,
+    /// Levels of subprograms allowed.
     pub depth: usize,
     /// Work so far, in blocks; see [`Limits::steps`].
     pub work: usize,
+    /// The block that comes next.
+    at: usize,
     seen: BTreeSet<(u32, String)>,
 }
 
@@ -98,85 +81,135 @@ pub enum Next {
     End,
 }
 
-/// Runs a program from its first block.
+/// Runs a program from its first block to its end.
 pub fn run(program: &Program, setup: &Setup, limits: Limits) -> Outcome {
-    let mut outcome = Outcome::new(setup);
-    let mut run = Interpreter::new(program, setup, limits);
-    outcome.stop = go(&mut run, limits.steps).err();
-    outcome.control = run.sim.control;
-    outcome.position = run.sim.position;
-    outcome.trace = run.sim.trace;
-    outcome.diagnostics = run.diagnostics;
-    outcome
+    let mut session = Session::new(program.clone(), setup, limits);
+    while !session.advance(usize::MAX) {}
+    session.outcome()
 }
 
-fn go(run: &mut Interpreter, limit: usize) -> Result<(), Stop> {
-    let mut at = 0;
-    let mut started = false;
-    while run.work < limit {
-        let Some(block) = run.program.blocks.get(at) else {
-            return Ok(());
-        };
-        run.sim.line = Some(at as u32);
-        run.work += 1 + ((block.span.end - block.span.start) / BLOCK) as usize;
-        let header = run
-            .program
-            .words_of(block)
-            .iter()
-            .any(|word| matches!(word.kind, WordKind::Header(_)));
-        if header && started {
-            match run.returns.pop() {
-                Some(back) => at = back,
-                None => return Ok(()),
-            }
-            continue;
+/// A run that can be halted between two blocks and goes on later.
+pub struct Session {
+    run: Interpreter,
+    before: Setup,
+    limit: usize,
+    ended: Option<Result<(), Stop>>,
+}
+
+/// How far a run is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Progress {
+    /// Line that comes next, from 0.
+    pub line: usize,
+    /// Blocks carried out, long ones counted as several.
+    pub work: usize,
+    /// Work after which the run is given up.
+    pub limit: usize,
+}
+
+impl Session {
+    /// A run before its first block.
+    pub fn new(program: Program, setup: &Setup, limits: Limits) -> Session {
+        Session {
+            run: Interpreter::new(program, setup, limits),
+            before: setup.clone(),
+            limit: limits.steps,
+            ended: None,
         }
-        started |= !header && !block.words.is_empty();
-        match statement::block(run, at)? {
-            Next::Block => at += 1,
-            Next::Jump(to) => at = to,
-            Next::End => return Ok(()),
-        }
-        run.recordable(block.span)?;
     }
-    let message = Message::new("run-steps").number("limit", limit as f64);
-    let span = run
-        .program
-        .blocks
-        .get(at)
-        .map_or(Span::default(), |block| block.span);
-    Err(run.fail(Problem { span, message }))
+
+    /// Carries out about this much work; true: the run is over.
+    pub fn advance(&mut self, work: usize) -> bool {
+        let until = self.run.work.saturating_add(work);
+        while self.ended.is_none() && self.run.work < until {
+            self.ended = one_block(&mut self.run, self.limit).transpose();
+        }
+        self.ended.is_some()
+    }
+
+    /// How far it is.
+    pub fn progress(&self) -> Progress {
+        Progress {
+            line: self.run.at,
+            work: self.run.work,
+            limit: self.limit,
+        }
+    }
+
+    /// What came out so far; a run that was halted says so.
+    pub fn outcome(self) -> Outcome {
+        let mut outcome = Outcome::new(&self.before);
+        outcome.stop = match self.ended {
+            Some(ended) => ended.err(),
+            None => Some(Stop::Fault(Message::new("run-cancelled"))),
+        };
+        outcome.control = self.run.sim.control;
+        outcome.position = self.run.sim.position;
+        outcome.trace = self.run.sim.trace;
+        outcome.diagnostics = self.run.diagnostics;
+        outcome
+    }
 }
 
-impl<'a> Interpreter<'a> {
-    fn new(program: &'a Program, setup: &Setup, limits: Limits) -> Interpreter<'a> {
+/// Carries out the block that comes next; some: that was the end.
+fn one_block(run: &mut Interpreter, limit: usize) -> Result<Option<()>, Stop> {
+    let at = run.at;
+    let span = run.program.blocks.get(at).map(|block| block.span);
+    if run.work >= limit {
+        let message = Message::new("run-steps").number("limit", limit as f64);
+        let span = span.unwrap_or_default();
+        return Err(run.fail(Problem { span, message }));
+    }
+    let own = run
+        .levels
+        .last()
+        .is_some_and(|level| level.blocks.contains(&at));
+    let (Some(span), true) = (span, own) else {
+        return Ok(go_on(run, subprogram::leave));
+    };
+    run.sim.line = Some(at as u32);
+    run.work += 1 + ((span.end - span.start) / BLOCK) as usize;
+    let next = statement::block(run, at)?;
+    if let Next::Jump(to) = next {
+        repeat::jumped(run, to);
+    }
+    run.recordable(span)?;
+    Ok(go_on(run, |_| next))
+}
+
+/// Takes the next block; some: there is none.
+fn go_on(run: &mut Interpreter, next: impl FnOnce(&mut Interpreter) -> Next) -> Option<()> {
+    match next(run) {
+        Next::Block => run.at = repeat::after(run, run.at),
+        Next::Jump(to) => run.at = to,
+        Next::End => return Some(()),
+    }
+    None
+}
+
+impl Interpreter {
+    fn new(program: Program, setup: &Setup, limits: Limits) -> Interpreter {
         let mut sim = Sim::new(setup);
         sim.trace_limit = limits.trace;
-        let feed_factor = sim.control.data_factor();
-        let nct = program.dialect == Dialect::Nct;
+        let modal = Modal::start(program.dialect, sim.control.data_factor());
+        let programs = programs::programs(&program);
+        let main = programs.units.first().map(|unit| unit.blocks.clone());
+        let main = main.unwrap_or_default();
         Interpreter {
-            program,
             sim,
-            modal: Modal {
-                motion: if nct { 0 } else { 1 }, // the NCT programs move without F at first, C:1164
-                absolute: true,
-                feed: 0.0,
-                feed_factor,
-                prepared: None,
-                waiting_edge: None,
-                compensation: false,
-            },
-            locals: BTreeMap::new(),
-            arrays: BTreeMap::new(),
+            modal,
+            at: main.start,
+            levels: vec![Level::main(main)],
+            shared: Locals::new(),
             measured: BTreeMap::new(),
             diagnostics: Vec::new(),
-            targets: flow::targets(program),
-            links: flow::links(program),
-            subprograms: flow::subprograms(program),
-            returns: Vec::new(),
+            targets: flow::targets(&program),
+            links: flow::links(&program, &programs),
+            programs,
             depth: limits.depth,
             work: 0,
             seen: BTreeSet::new(),
+            program: Rc::new(program),
         }
     }
 

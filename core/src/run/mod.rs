@@ -1,9 +1,11 @@
 //! Runs a program or a single call on a control against a workpiece and records a trace.
 
 pub mod action;
+pub mod branch;
 pub mod call;
 pub mod cycle;
 pub mod datum;
+pub mod declare;
 pub mod environment;
 pub mod expression;
 pub mod flow;
@@ -11,19 +13,27 @@ pub mod frame;
 pub mod function;
 pub mod gcode;
 pub mod interpret;
+pub mod level;
 mod listed;
+pub mod locals;
 pub mod machine;
+pub mod modal;
 pub mod motion;
 pub mod names;
 pub mod outcome;
 pub mod predict;
 pub mod problem;
+pub mod programs;
+pub mod repeat;
 pub mod setup;
 pub mod statement;
+pub mod subprogram;
+mod texts;
 pub mod tool;
 pub mod trace;
+pub mod types;
 
-pub use interpret::{Limits, run};
+pub use interpret::{Limits, Progress, Session, run};
 pub use outcome::{Change, Outcome};
 pub use predict::predict;
 pub use setup::Setup;

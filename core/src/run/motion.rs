@@ -1,6 +1,7 @@
 //! Motion of a program: targets from axis words, straight lines, arcs as chords.
 
 use super::interpret::Interpreter;
+use super::modal::{Compensation, Motion};
 use super::problem::Problem;
 use super::trace::MotionKind;
 use super::{Machine, Stop};
@@ -49,7 +50,7 @@ impl Path {
 
 /// Carries out the motion of a block.
 pub fn go(run: &mut Interpreter, path: &Path) -> Result<(), Stop> {
-    if run.modal.compensation {
+    if run.modal.compensation != Compensation::Off {
         run.tell(
             Severity::Warning,
             &Problem::new("run-radius-compensation", path.span, ""),
@@ -67,13 +68,15 @@ pub fn go(run: &mut Interpreter, path: &Path) -> Result<(), Stop> {
         }
     });
     let feed = run.modal.feed * run.modal.feed_factor;
-    if run.modal.motion != 0 && feed <= 0.0 {
+    if run.modal.motion != Motion::Rapid && feed <= 0.0 {
         run.tell(Severity::Error, &Problem::new("run-no-feed", path.span, ""));
     }
     let outcome = match run.modal.motion {
         _ if path.measure.is_some() => measure(run, path, to, feed),
-        0 => straight(run, path.suppress, to, MotionKind::Rapid, 0.0),
-        1 => straight(run, path.suppress, to, MotionKind::Positioning, feed),
+        Motion::Rapid => straight(run, path.suppress, to, MotionKind::Rapid, 0.0),
+        Motion::Line | Motion::Spline => {
+            straight(run, path.suppress, to, MotionKind::Positioning, feed)
+        }
         _ => arc(run, path, from, to, feed),
     };
     outcome.map_err(|stop| run.stopped(stop, path.span))
@@ -154,7 +157,7 @@ fn arc(
     feed: f64,
 ) -> Result<(), Stop> {
     let [a, o, p] = run.sim.control.plane.axes();
-    let counter = run.modal.motion == 3;
+    let counter = run.modal.motion == Motion::Counter;
     let start = [from[a], from[o]];
     let end = [to[a], to[o]];
     let centre = match path.radius {

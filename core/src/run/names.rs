@@ -3,6 +3,7 @@
 use super::datum::Datum;
 use super::expression::evaluate;
 use super::interpret::Interpreter;
+use super::locals::{self, Home, indices, stem};
 use super::problem::Problem;
 use crate::catalogue::{CYCLES, Dialect};
 use crate::control::frames::{CHANNEL_MASK, GLOBAL_MASK};
@@ -45,9 +46,11 @@ pub fn key(run: &Interpreter, place: Span, index: &[ExprId]) -> Result<String, P
 
 /// Value of a variable.
 pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem> {
-    if let Some(value) = run.locals.get(key) {
-        return Ok(Datum::from(value));
+    let home = locals::home(run, key);
+    if let Some(value) = locals::read(run, &home, place) {
+        return value;
     }
+    let key = outside(&home, key);
     if let Some(value) = constant(run, key) {
         return Ok(value);
     }
@@ -63,6 +66,14 @@ pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem>
         return Ok(Datum::Text(String::new()));
     }
     Ok(Datum::Number(delivered(run, key)))
+}
+
+/// Name of a variable of the control: of a `VAR` parameter what the call named.
+fn outside<'a>(home: &'a Home, key: &'a str) -> &'a str {
+    match home {
+        Home::Control(name) => name,
+        _ => key,
+    }
 }
 
 /// Value that a parameter has when nobody wrote it: the default of the catalogue (B:1769-1785).
@@ -93,17 +104,27 @@ pub fn write(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Re
             }
             Ok(())
         }
-        Datum::Repeat(value) => {
-            let filled = match arrays::repeated(&run.sim.control, key) {
-                Some(elements) if !run.arrays.contains_key(stem(key)) => elements,
+        Datum::Repeat(value, count) => {
+            let home = locals::home(run, key);
+            let filled = match (
+                &home,
+                arrays::repeated(&run.sim.control, outside(&home, key)),
+            ) {
+                (Home::Control(_), Some(elements)) => elements,
                 _ => elements(run, key, place)?,
             };
-            for element in filled {
-                write(run, &element, value, place)?;
+            if count.is_some_and(|count| count > filled.len()) {
+                return Err(Problem::new("run-index", place, key));
+            }
+            for element in filled.iter().take(count.unwrap_or(usize::MAX)) {
+                write(run, element, value, place)?;
             }
             Ok(())
         }
-        Datum::Frame(frame) => write_frame(run, key, frame, place),
+        Datum::Frame(frame) if matches!(locals::home(run, key), Home::Control(_)) => {
+            let home = locals::home(run, key);
+            write_frame(run, outside(&home, key), frame, place)
+        }
         _ => write_one(run, key, value, place),
     }
 }
@@ -113,6 +134,11 @@ const TEXT: usize = 400;
 
 fn write_one(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Result<(), Problem> {
     run.work += 1;
+    let home = locals::home(run, key);
+    if let Some(written) = locals::write(run, &home, value, place) {
+        return written;
+    }
+    let key = outside(&home, key);
     let Some(stored) = value.value() else {
         return Err(Problem::new("run-not-a-number", place, key));
     };
@@ -120,13 +146,6 @@ fn write_one(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Re
         let mut problem = Problem::new("run-text-long", place, key);
         problem.message = problem.message.number("limit", TEXT as f64);
         return Err(problem);
-    }
-    if run.locals.contains_key(key) {
-        run.locals.insert(key.to_owned(), stored);
-        return Ok(());
-    }
-    if run.arrays.contains_key(stem(key)) {
-        return Err(Problem::new("run-index", place, key));
     }
     if key.starts_with('$') && !MASKS.contains(&key) {
         return write_variable(run, key, value, place);
@@ -319,23 +338,14 @@ fn variable_factor(run: &Interpreter, key: &str) -> f64 {
     }
 }
 
-/// The name without its index.
-pub fn stem(key: &str) -> &str {
-    key.split('[').next().unwrap_or_default()
-}
-
-fn indices(key: &str) -> Vec<&str> {
-    match key.split_once('[') {
-        Some((_, rest)) => rest.trim_end_matches(']').split(',').collect(),
-        None => Vec::new(),
-    }
-}
-
-/// All elements from this one to the end of its array, local or of the control.
+/// All elements from this one to the end of its array, of the program or of the control.
 fn elements(run: &Interpreter, first: &str, place: Span) -> Result<Vec<String>, Problem> {
-    let local = run.arrays.get(stem(first)).map(Vec::as_slice);
-    let sizes = local
-        .or_else(|| arrays::sizes(first))
-        .ok_or_else(|| Problem::new("run-index", place, first))?;
-    Ok(arrays::elements_from(first, sizes))
+    let home = locals::home(run, first);
+    let elements = match &home {
+        Home::Control(name) => arrays::sizes(name).map(|sizes| arrays::elements_from(name, sizes)),
+        _ => locals::variable(run, &home)
+            .filter(|variable| !variable.sizes.is_empty())
+            .map(|variable| arrays::elements_from(first, &variable.sizes)),
+    };
+    elements.ok_or_else(|| Problem::new("run-index", place, first))
 }

@@ -33,6 +33,12 @@ pub const KEYS: &[&str] = &[
     "run-limit",
     "run-array-size",
     "run-text-long",
+    "run-range",
+    "run-type",
+    "run-declared-twice",
+    "run-argument",
+    "run-arguments",
+    "run-cancelled",
 ];
 
 /// Something wrong at a place.

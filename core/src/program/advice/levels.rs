@@ -7,7 +7,7 @@ use crate::diagnostic::{Code, Diagnostic};
 use crate::message::Message;
 use crate::program::calls::CallSite;
 use crate::program::tree::{Program, WordKind};
-use crate::run::flow::subprograms;
+use crate::run::programs::subprograms;
 use std::collections::BTreeMap;
 
 /// Deepest level of a call.

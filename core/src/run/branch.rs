@@ -1,0 +1,165 @@
+//! Where a block sends the program: `IF`, loops, `CASE`, jumps.
+
+use super::datum::Datum;
+use super::expression::{self, evaluate};
+use super::flow::{Link, canonical};
+use super::interpret::{Interpreter, Next};
+use super::problem::Problem;
+use super::statement::Words;
+use super::{locals, names};
+use crate::diagnostic::Span;
+use crate::program::tree::{Expr, ExprId, WordKind};
+use std::rc::Rc;
+
+/// `IF` with a jump (or NCT `THEN`) decides over the rest of the block, else over the blocks up to `ELSE` or `ENDIF`.
+pub fn condition(
+    run: &mut Interpreter,
+    at: usize,
+    place: Span,
+    value: Option<ExprId>,
+    found: &mut Words,
+) -> Result<bool, Problem> {
+    let holds = truth(run, place, value)?;
+    match run.link(at) {
+        Some(Link::If(other)) if !holds => {
+            found.next = Some(Next::Jump(other + 1));
+            Ok(false)
+        }
+        // an IF with ELSE is linked to the ELSE block, which is passed over from above
+        Some(Link::If(_)) => Ok(true),
+        Some(Link::Alone) => Err(Problem::new("run-unmatched", place, "IF")),
+        _ => Ok(holds),
+    }
+}
+
+fn truth(run: &Interpreter, place: Span, value: Option<ExprId>) -> Result<bool, Problem> {
+    let value = value.ok_or_else(|| Problem::new("run-not-a-number", place, ""))?;
+    Ok(expression::number(run, value)? != 0.0)
+}
+
+/// Loops and the parts of `IF`.
+pub fn structure(
+    run: &mut Interpreter,
+    at: usize,
+    name: &str,
+    place: Span,
+    value: Option<ExprId>,
+    found: &mut Words,
+) -> Result<bool, Problem> {
+    let link = run.link(at);
+    if link == Some(Link::Alone) || (link.is_none() && name != "TO") {
+        return Err(Problem::new("run-unmatched", place, name));
+    }
+    match (name, link) {
+        ("WHILE", Some(Link::Begin(end))) if !truth(run, place, value)? => {
+            found.next = Some(Next::Jump(end + 1));
+            return Ok(false);
+        }
+        ("TO", Some(Link::Begin(end))) => {
+            let last = value
+                .map(|value| expression::number(run, value))
+                .transpose()?;
+            if found
+                .counter
+                .zip(last)
+                .is_some_and(|(counter, last)| counter > last)
+            {
+                found.next = Some(Next::Jump(end + 1));
+                return Ok(false);
+            }
+        }
+        ("ENDWHILE" | "ENDLOOP" | "END", Some(Link::End(begin))) => {
+            found.next = Some(Next::Jump(begin))
+        }
+        ("UNTIL", Some(Link::End(begin))) if !truth(run, place, value)? => {
+            found.next = Some(Next::Jump(begin + 1));
+        }
+        ("ENDFOR", Some(Link::End(begin))) => found.next = again(run, begin)?,
+        _ => {}
+    }
+    Ok(found.next.is_none())
+}
+
+/// Counts the variable of the `FOR` in this block up; where its body goes on, if it does.
+fn again(run: &mut Interpreter, begin: usize) -> Result<Option<Next>, Problem> {
+    let program = Rc::clone(&run.program);
+    let Some(block) = program.blocks.get(begin) else {
+        return Ok(None);
+    };
+    let (mut counter, mut last) = (None, None);
+    for word in program.words_of(block) {
+        match &word.kind {
+            WordKind::Assign { name, index, .. } => {
+                let key = names::key(run, *name, index)?;
+                let value = names::read(run, &key, *name)?.number().unwrap_or(0.0) + 1.0;
+                names::write(run, &key, &Datum::Number(value), *name)?;
+                counter = Some(value);
+            }
+            WordKind::Keyword {
+                name,
+                value: Some(value),
+            } if program.is(*name, "TO") => {
+                last = Some(expression::number(run, *value)?);
+            }
+            _ => {}
+        }
+    }
+    let inside = counter
+        .zip(last)
+        .is_some_and(|(counter, last)| counter <= last);
+    Ok(inside.then_some(Next::Jump(begin + 1)))
+}
+
+/// Block of a jump target; none for GOTOC without target.
+pub fn jump(
+    run: &Interpreter,
+    at: usize,
+    word: &str,
+    place: Span,
+    value: Option<ExprId>,
+) -> Result<Option<usize>, Problem> {
+    let target = value
+        .map(|id| target(run, id))
+        .transpose()?
+        .unwrap_or_default();
+    let blocks = places(run, &target);
+    let forward = blocks.iter().copied().find(|block| *block > at);
+    let backward = blocks.iter().copied().rfind(|block| *block <= at);
+    let found = match word {
+        "GOTOF" => forward,
+        "GOTOB" => backward,
+        _ => forward.or(backward),
+    };
+    match found {
+        None if word != "GOTOC" => Err(Problem::new("run-label", place, target)),
+        found => Ok(found),
+    }
+}
+
+/// A target is a label, a block number, a text or a number.
+pub fn target(run: &Interpreter, id: ExprId) -> Result<String, Problem> {
+    if let Some(Expr::Name { name, index }) = run.program.expr(id)
+        && index.is_empty()
+        && !run.program.text(*name).starts_with(b"#")
+        && !locals::declared(run, &run.program.name(*name))
+    {
+        return Ok(run.program.name(*name));
+    }
+    Ok(match evaluate(run, id)? {
+        Datum::Number(number) => format!("N{number}"),
+        other => other.shown().to_ascii_uppercase(),
+    })
+}
+
+/// Blocks of a label or a block number in the present program.
+pub fn places(run: &Interpreter, target: &str) -> Vec<usize> {
+    let blocks = run.targets.get(&canonical(target));
+    let own = run.levels.last().map(|level| level.blocks.clone());
+    let inside = |block: &&usize| own.as_ref().is_none_or(|own| own.contains(block));
+    blocks
+        .into_iter()
+        .flatten()
+        .filter(inside)
+        .copied()
+        .collect()
+}

@@ -1,0 +1,99 @@
+//! `DEF`: variables of a program with sizes and first values.
+
+use super::expression;
+use super::interpret::Interpreter;
+use super::locals::{Local, Variable};
+use super::names;
+use super::problem::Problem;
+use super::types::Type;
+use crate::diagnostic::{Severity, Span};
+use crate::program::tree::ExprId;
+
+/// What the words of a declaration have said so far.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Declaring {
+    /// Type of the names that follow.
+    pub kind: Option<Type>,
+    /// Whether every program of the text sees them (`NCK`, `CHAN`).
+    pub shared: bool,
+}
+
+/// Most elements of a variable.
+const ELEMENTS: f64 = 10_000.0;
+/// Declared elements that count as one block's work.
+const WRITTEN: usize = 4;
+
+/// Takes a type or an attribute; false: the word is neither.
+pub fn attribute(
+    run: &Interpreter,
+    name: &str,
+    length: Option<ExprId>,
+    declaring: &mut Declaring,
+) -> Result<bool, Problem> {
+    if matches!(name, "NCK" | "CHAN") {
+        declaring.shared = true;
+        return Ok(true);
+    }
+    let length = length
+        .map(|length| expression::number(run, length))
+        .transpose()?;
+    let kind = Type::named(name, length);
+    declaring.kind = kind.or(declaring.kind);
+    Ok(kind.is_some())
+}
+
+/// Declares a name, with its first value.
+pub fn declare(
+    run: &mut Interpreter,
+    name: Span,
+    sizes: &[ExprId],
+    first: Option<ExprId>,
+    declaring: Declaring,
+) -> Result<(), Problem> {
+    let key = run.program.name(name);
+    let kind = declaring
+        .kind
+        .ok_or_else(|| Problem::new("run-type", name, &*key))?;
+    let variable = variable(run, name, kind, sizes)?;
+    let locals = match run.levels.last_mut() {
+        Some(level) if !declaring.shared => &mut level.locals,
+        _ => &mut run.shared,
+    };
+    let before = locals.insert(key.clone(), Local::Own(variable));
+    if matches!(before, Some(Local::Own(old)) if old.place != name) {
+        run.tell(
+            Severity::Error,
+            &Problem::new("run-declared-twice", name, &*key),
+        );
+    }
+    match first {
+        Some(first) => {
+            let value = expression::evaluate(run, first)?;
+            names::write(run, &key, &value, name)
+        }
+        None => Ok(()),
+    }
+}
+
+/// A variable of these sizes; making it is work that counts.
+pub fn variable(
+    run: &mut Interpreter,
+    name: Span,
+    kind: Type,
+    sizes: &[ExprId],
+) -> Result<Variable, Problem> {
+    let mut total = 1.0;
+    let mut counts = Vec::new();
+    for size in sizes {
+        let size = expression::number(run, *size)?;
+        total *= size.trunc();
+        if !(size >= 1.0 && total <= ELEMENTS) {
+            let mut problem = Problem::new("run-array-size", name, run.program.name(name));
+            problem.message = problem.message.number("limit", ELEMENTS);
+            return Err(problem);
+        }
+        counts.push(size as usize);
+    }
+    run.work += total as usize / WRITTEN;
+    Ok(Variable::new(kind, counts, name))
+}

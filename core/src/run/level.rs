@@ -1,0 +1,85 @@
+//! Program levels: the main program, and one more for each call that has not returned.
+
+use super::interpret::Interpreter;
+use super::locals::Locals;
+use super::modal::Modal;
+use super::problem::Problem;
+use super::repeat::Repetition;
+use crate::control::{Frame, Plane, Units};
+use crate::diagnostic::Span;
+use crate::message::Message;
+use std::ops::Range;
+
+/// A program that is being carried out.
+#[derive(Clone, Debug)]
+pub struct Level {
+    /// Its variables and parameters.
+    pub locals: Locals,
+    /// Its blocks.
+    pub blocks: Range<usize>,
+    /// Block of the call.
+    pub call: usize,
+    /// Passes that are still to come (`P3`).
+    pub left: u32,
+    /// Program parts that are being repeated (`REPEAT LABEL`), innermost last.
+    pub repeats: Vec<Repetition>,
+    /// What `SAVE` brings back at the end.
+    pub saved: Option<Box<Saved>>,
+}
+
+/// Modal functions and programmed frame at the time of a call.
+#[derive(Clone, Debug)]
+pub struct Saved {
+    modal: Modal,
+    plane: Plane,
+    units: (Units, bool),
+    frame: Frame,
+}
+
+impl Level {
+    /// The main program.
+    pub fn main(blocks: Range<usize>) -> Level {
+        Level {
+            locals: Locals::new(),
+            blocks,
+            call: 0,
+            left: 0,
+            repeats: Vec::new(),
+            saved: None,
+        }
+    }
+}
+
+/// Whether one more level fits.
+pub fn room(run: &Interpreter, place: Span) -> Result<(), Problem> {
+    let repeats: usize = run.levels.iter().map(|level| level.repeats.len()).sum();
+    if run.levels.len() + repeats <= run.depth {
+        return Ok(());
+    }
+    let message = Message::new("run-depth").number("limit", run.depth as f64);
+    Err(Problem {
+        span: place,
+        message,
+    })
+}
+
+/// What is in force now.
+pub fn save(run: &Interpreter) -> Saved {
+    let control = &run.sim.control;
+    Saved {
+        modal: run.modal,
+        plane: control.plane,
+        units: (control.active_units, control.data_follow),
+        frame: control.program_frame,
+    }
+}
+
+/// Brings back what was in force at the call; the tool stays as it is.
+pub fn restore(run: &mut Interpreter, saved: Saved) {
+    let tools = (run.modal.prepared, run.modal.waiting_edge);
+    run.modal = saved.modal;
+    (run.modal.prepared, run.modal.waiting_edge) = tools;
+    run.sim.with_length(|control| control.plane = saved.plane);
+    (run.sim.control.active_units, run.sim.control.data_follow) = saved.units;
+    run.sim.control.program_frame = saved.frame;
+}

@@ -1,0 +1,104 @@
+//! What stays in force until it is programmed anew.
+
+use crate::catalogue::Dialect;
+
+/// Modal functions of a program.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Modal {
+    /// G0, G1, G2, G3.
+    pub motion: Motion,
+    /// G90 or G91.
+    pub absolute: bool,
+    /// F as programmed, in the unit of that moment.
+    pub feed: f64,
+    /// mm in a unit of F.
+    pub feed_factor: f64,
+    /// What F means.
+    pub feed_type: FeedType,
+    /// S of the main spindle, revolutions a minute.
+    pub speed: f64,
+    /// T that is waiting for M6.
+    pub prepared: Option<i64>,
+    /// D programmed after T and before M6.
+    pub waiting_edge: Option<i64>,
+    /// G40, G41 or G42.
+    pub compensation: Compensation,
+    /// How positions of the transverse axis X are programmed.
+    pub diameter: Diameter,
+}
+
+impl Modal {
+    /// What is in force before the first block; `factor`: mm in the unit of F.
+    pub fn start(dialect: Dialect, factor: f64) -> Modal {
+        Modal {
+            motion: match dialect {
+                Dialect::Sinumerik => Motion::Line,
+                Dialect::Nct => Motion::Rapid, // its programs move without F at first, C:1164
+            },
+            absolute: true,
+            feed: 0.0,
+            feed_factor: factor,
+            feed_type: FeedType::Minute,
+            speed: 0.0,
+            prepared: None,
+            waiting_edge: None,
+            compensation: Compensation::Off,
+            diameter: Diameter::Off,
+        }
+    }
+}
+
+/// How a block with axis words moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Motion {
+    /// G0.
+    Rapid,
+    /// G1.
+    Line,
+    /// G2: clockwise, seen against the applicate.
+    Clockwise,
+    /// G3.
+    Counter,
+    /// CIP: through an intermediate point.
+    Through,
+    /// A spline or polynomial, of which only the programmed points are passed.
+    Spline,
+}
+
+impl Motion {
+    /// Whether it is along a circle.
+    pub fn circular(self) -> bool {
+        matches!(self, Motion::Clockwise | Motion::Counter | Motion::Through)
+    }
+}
+
+/// What F means: G94 a way a minute, G95 (and G96, G97) a way a revolution.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FeedType {
+    /// mm or inch a minute.
+    Minute,
+    /// mm or inch a revolution of the spindle.
+    Revolution,
+}
+
+/// Side on which the tool stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Compensation {
+    /// G40: the tool centre goes on the programmed path.
+    Off,
+    /// G41: left of the path.
+    Left,
+    /// G42: right of it.
+    Right,
+}
+
+/// Programming of the transverse axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Diameter {
+    /// DIAMOF: radii.
+    Off,
+    /// DIAMON: diameters.
+    On,
+    /// DIAM90: diameters where the position is absolute.
+    Absolute,
+}

@@ -1,0 +1,160 @@
+//! The programs of a text: `%_N_NAME_SPF` begins one, and so does a `PROC` behind another program's blocks.
+
+use crate::program::tree::{Block, Program, WordKind};
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
+
+/// One program of a text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unit {
+    /// Its blocks, header excluded.
+    pub blocks: Range<usize>,
+    /// The block of its `PROC`.
+    pub signature: Option<usize>,
+}
+
+/// All programs of a text.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Programs {
+    /// In the order of the text.
+    pub units: Vec<Unit>,
+    /// By name in upper case: of the header (`NAME` of `%_N_NAME_SPF`, `L10`) or of the `PROC`.
+    pub names: BTreeMap<String, usize>,
+    /// Names that an `EXTERN` declares.
+    pub external: BTreeSet<String>,
+}
+
+impl Programs {
+    /// The program with this name, as a call writes it: `NAME`, `_N_NAME_SPF`.
+    pub fn named(&self, name: &str) -> Option<&Unit> {
+        self.units.get(*self.names.get(bare(name))?)
+    }
+}
+
+/// Finds the programs of a text. There is always one.
+pub fn programs(program: &Program) -> Programs {
+    let mut found = Programs::default();
+    let mut current = Unit {
+        blocks: 0..0,
+        signature: None,
+    };
+    let mut empty = true;
+    for (at, block) in program.blocks.iter().enumerate() {
+        let header = header(program, block);
+        let procedure = declared(program, block, "PROC");
+        let begins = header.is_some() || (procedure.is_some() && !empty);
+        if begins {
+            close(&mut found, &mut current, at, empty);
+            let first = at + usize::from(header.is_some());
+            current = Unit {
+                blocks: first..first,
+                signature: None,
+            };
+        }
+        for name in header.iter().chain(&procedure) {
+            found
+                .names
+                .entry(bare(name).to_owned())
+                .or_insert(found.units.len());
+        }
+        if procedure.is_some() {
+            current.signature = Some(at);
+        }
+        found.external.extend(declared(program, block, "EXTERN"));
+        empty = header.is_some() || ((empty || begins) && block.words.is_empty());
+    }
+    close(&mut found, &mut current, program.blocks.len(), false);
+    found
+}
+
+/// First blocks of the programs with a name.
+pub fn subprograms(program: &Program) -> BTreeMap<String, usize> {
+    let found = programs(program);
+    let start = |unit: &usize| found.units.get(*unit).map(|unit| unit.blocks.start);
+    found
+        .names
+        .iter()
+        .filter_map(|(name, unit)| Some((name.clone(), start(unit)?)))
+        .collect()
+}
+
+/// Ends a program; a stretch of empty lines before the first header is none.
+fn close(found: &mut Programs, current: &mut Unit, end: usize, empty: bool) {
+    let first = found.units.is_empty() && found.names.is_empty();
+    if !(first && empty) {
+        current.blocks.end = end;
+        found.units.push(current.clone());
+    }
+}
+
+fn header(program: &Program, block: &Block) -> Option<String> {
+    let found = program
+        .words_of(block)
+        .iter()
+        .find_map(|word| match word.kind {
+            WordKind::Header(span) => Some(program.name(span)),
+            _ => None,
+        })?;
+    Some(found.trim_start_matches('%').to_owned())
+}
+
+/// The name behind `PROC` or `EXTERN`.
+fn declared(program: &Program, block: &Block, keyword: &str) -> Option<String> {
+    let words = program.words_of(block);
+    let begins = words.iter().any(|word| match &word.kind {
+        WordKind::Keyword { name, .. } => program.is(*name, keyword),
+        _ => false,
+    });
+    words
+        .iter()
+        .filter(|_| begins)
+        .find_map(|word| match &word.kind {
+            WordKind::Declare { name, .. } => Some(program.name(*name)),
+            _ => None,
+        })
+}
+
+/// `_N_NAME_SPF` without what is no part of the name.
+fn bare(name: &str) -> &str {
+    let name = name.trim_start_matches("_N_");
+    name.strip_suffix("_SPF")
+        .or_else(|| name.strip_suffix("_MPF"))
+        .unwrap_or(name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalogue::Dialect::Sinumerik;
+    use crate::program::read;
+
+    fn ranges(text: &str) -> Vec<(usize, usize)> {
+        let found = programs(&read(Sinumerik, text.as_bytes()));
+        let ends = |unit: &Unit| (unit.blocks.start, unit.blocks.end);
+        found.units.iter().map(ends).collect()
+    }
+
+    // oracle: hand
+    #[test]
+    fn headers_and_procedures_begin_programs() {
+        assert_eq!(ranges("G0\nG1"), [(0, 2)]);
+        assert_eq!(
+            ranges("\n%_N_A_MPF\nG0\n%_N_B_SPF\nPROC B\nM17"),
+            [(2, 3), (4, 6)]
+        );
+        assert_eq!(ranges("PROC A\nG0\nPROC B(INT I)\nRET"), [(0, 2), (2, 4)]);
+        assert_eq!(ranges("G0\n%_N_B_SPF\nM17"), [(0, 1), (2, 3)]);
+        assert_eq!(ranges("").len(), 1);
+    }
+
+    // oracle: hand
+    #[test]
+    fn a_program_is_found_by_each_way_to_write_its_name() {
+        let text = "EXTERN FAR(INT)\nM30\n%_N_NEAR_SPF\nM17";
+        let found = programs(&read(Sinumerik, text.as_bytes()));
+        assert_eq!(found.named("NEAR").map(|unit| unit.blocks.start), Some(3));
+        assert_eq!(found.named("_N_NEAR_SPF"), found.named("NEAR"));
+        assert_eq!(found.named("FAR"), None);
+        assert!(found.external.contains("FAR"));
+    }
+}

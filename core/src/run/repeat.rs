@@ -1,0 +1,141 @@
+//! Repeated program parts: `REPEAT LABEL P=3`, `REPEAT FIRST LAST`, `REPEATB LABEL`, up to an `ENDLABEL` between them.
+
+use super::expression;
+use super::interpret::{Interpreter, Next};
+use super::problem::Problem;
+use super::{branch, level};
+use crate::diagnostic::Span;
+use crate::program::tree::{ExprId, Word, WordKind};
+
+/// Most repetitions that `P` may ask for.
+const MOST: f64 = 9999.0;
+
+/// A program part that is being repeated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Repetition {
+    /// First block of the part.
+    first: usize,
+    /// Last block of the part.
+    last: usize,
+    /// Passes that are still to come.
+    left: u32,
+    /// Block of the instruction.
+    instruction: usize,
+}
+
+/// Begins the repetition that a block asks for.
+pub fn begin(
+    run: &mut Interpreter,
+    at: usize,
+    keyword: Span,
+    start: ExprId,
+    words: &[Word],
+) -> Result<Next, Problem> {
+    let passes = passes(run, words)?;
+    if passes == 0 {
+        return Ok(Next::Block);
+    }
+    let single = run.program.is(keyword, "REPEATB");
+    let label = branch::target(run, start)?;
+    let first =
+        nearest(run, at, &label).ok_or_else(|| Problem::new("run-label", keyword, &*label))?;
+    let last = match end_label(run, words) {
+        Some(end) => {
+            let mut blocks = branch::places(run, &end).into_iter();
+            let found = blocks.find(|block| *block >= first);
+            found.ok_or_else(|| Problem::new("run-label", keyword, end))?
+        }
+        None if single => first,
+        None => default_end(run, at, first, keyword)?,
+    };
+    level::room(run, keyword)?;
+    if let Some(level) = run.levels.last_mut() {
+        level.repeats.push(Repetition {
+            first,
+            last,
+            left: passes - 1,
+            instruction: at,
+        });
+    }
+    Ok(Next::Jump(first))
+}
+
+/// Block behind a block that was carried out to its end.
+pub fn after(run: &mut Interpreter, mut at: usize) -> usize {
+    let Some(level) = run.levels.last_mut() else {
+        return at + 1;
+    };
+    while let Some(part) = level.repeats.last_mut().filter(|part| part.last == at) {
+        if part.left > 0 {
+            part.left -= 1;
+            return part.first;
+        }
+        at = part.instruction;
+        level.repeats.pop();
+    }
+    at + 1
+}
+
+/// A jump out of a repeated part ends its repetition.
+pub fn jumped(run: &mut Interpreter, to: usize) {
+    if let Some(level) = run.levels.last_mut() {
+        let outside = |part: &Repetition| to < part.first || to > part.last;
+        while level.repeats.last().is_some_and(outside) {
+            level.repeats.pop();
+        }
+    }
+}
+
+/// How many passes `P` asks for; without it one.
+fn passes(run: &Interpreter, words: &[Word]) -> Result<u32, Problem> {
+    for word in words {
+        if let WordKind::Address { name, value, .. } = &word.kind
+            && run.program.is(*name, "P")
+        {
+            return count(expression::number(run, *value)?, word.span);
+        }
+    }
+    Ok(1)
+}
+
+/// A number of passes.
+pub fn count(number: f64, place: Span) -> Result<u32, Problem> {
+    if number.fract() == 0.0 && (0.0..=MOST).contains(&number) {
+        Ok(number as u32)
+    } else {
+        Err(Problem::new("run-range", place, "P"))
+    }
+}
+
+/// The end of a part where no label names it: `ENDLABEL`, else the block before the instruction.
+fn default_end(
+    run: &Interpreter,
+    at: usize,
+    first: usize,
+    keyword: Span,
+) -> Result<usize, Problem> {
+    let before = first < at;
+    let mut ends = branch::places(run, "ENDLABEL").into_iter();
+    match ends.find(|block| *block >= first && (!before || *block < at)) {
+        Some(end) => Ok(end),
+        None if before => Ok(at - 1),
+        None => Err(Problem::new("run-label", keyword, "ENDLABEL")),
+    }
+}
+
+/// The second label of `REPEAT FIRST LAST`.
+fn end_label(run: &Interpreter, words: &[Word]) -> Option<String> {
+    words.iter().find_map(|word| match &word.kind {
+        WordKind::Call { name, .. } => Some(run.program.name(*name)),
+        _ => None,
+    })
+}
+
+/// The label before the instruction that is nearest, else the first behind it.
+fn nearest(run: &Interpreter, at: usize, label: &str) -> Option<usize> {
+    let blocks = branch::places(run, label);
+    let before = blocks.iter().rfind(|block| **block < at);
+    before
+        .or_else(|| blocks.iter().find(|block| **block > at))
+        .copied()
+}

@@ -1,0 +1,172 @@
+//! Calls of programs of the same text: parameters by value and by reference, passes, `SAVE`, the way back.
+
+use super::datum::Datum;
+use super::declare::{self, Declaring};
+use super::expression;
+use super::interpret::{Interpreter, Next};
+use super::level::{self, Level};
+use super::locals::{self, Home, Local, Locals, Variable};
+use super::problem::Problem;
+use super::programs::Unit;
+use super::repeat;
+use super::statement::Call;
+use crate::diagnostic::Span;
+use crate::program::tree::{Expr, ExprId, Word, WordKind};
+use std::rc::Rc;
+
+/// Begins a program: its parameters, its level.
+pub fn enter(
+    run: &mut Interpreter,
+    at: usize,
+    call: &Call,
+    unit: &Unit,
+    passes: u32,
+) -> Result<Next, Problem> {
+    if passes == 0 {
+        return Ok(Next::Block);
+    }
+    level::room(run, call.span)?;
+    let program = Rc::clone(&run.program);
+    let signature = unit.signature.and_then(|block| program.blocks.get(block));
+    let words = signature.map_or(&[][..], |block| program.words_of(block));
+    let parameters = parameters(run, words)?;
+    if call.args.len() > parameters.len() {
+        return Err(Problem::new("run-arguments", call.span, &*call.name));
+    }
+    let saves = words.iter().any(|word| match &word.kind {
+        WordKind::Call { name, .. } => program.is(*name, "SAVE"),
+        _ => false,
+    });
+    let saved = saves.then(|| Box::new(level::save(run)));
+    let mut bound = Locals::new();
+    for (i, parameter) in parameters.iter().enumerate() {
+        let local = bind(run, parameter, call, i)?;
+        bound.insert(run.program.name(parameter.name), local);
+    }
+    run.levels.push(Level {
+        locals: bound,
+        blocks: unit.blocks.clone(),
+        call: at,
+        left: passes - 1,
+        repeats: Vec::new(),
+        saved,
+    });
+    Ok(Next::Jump(unit.blocks.start))
+}
+
+/// Ends a pass of the present program: its next one, or the block behind the call; the main program ends the run.
+pub fn leave(run: &mut Interpreter) -> Next {
+    if run.levels.len() <= 1 {
+        return Next::End;
+    }
+    if let Some(level) = run.levels.last_mut().filter(|level| level.left > 0) {
+        level.left -= 1;
+        level.repeats.clear();
+        return Next::Jump(level.blocks.start);
+    }
+    let Some(level) = run.levels.pop() else {
+        return Next::End;
+    };
+    if let Some(saved) = level.saved {
+        level::restore(run, *saved);
+    }
+    Next::Jump(repeat::after(run, level.call))
+}
+
+/// A formal parameter.
+struct Parameter {
+    name: Span,
+    kind: super::types::Type,
+    by_reference: bool,
+    sizes: Box<[ExprId]>,
+    default: Option<ExprId>,
+}
+
+/// The parameters that a `PROC` declares; the first name is that of the program.
+fn parameters(run: &Interpreter, words: &[Word]) -> Result<Vec<Parameter>, Problem> {
+    let mut found = Vec::new();
+    let mut declaring = Declaring::default();
+    let mut by_reference = false;
+    let mut named = false;
+    for word in words {
+        match &word.kind {
+            WordKind::Keyword { name, value } => {
+                by_reference |= run.program.is(*name, "VAR");
+                declare::attribute(run, &run.program.name(*name), *value, &mut declaring)?;
+            }
+            WordKind::Declare { .. } if !named => named = true,
+            WordKind::Declare { name, index, value } => {
+                let kind = declaring.kind.take();
+                let missing = || Problem::new("run-type", *name, run.program.name(*name));
+                found.push(Parameter {
+                    name: *name,
+                    kind: kind.ok_or_else(missing)?,
+                    by_reference: std::mem::take(&mut by_reference),
+                    sizes: index.clone(),
+                    default: *value,
+                });
+            }
+            _ => {}
+        }
+    }
+    Ok(found)
+}
+
+/// What a parameter is in the called program.
+fn bind(
+    run: &mut Interpreter,
+    parameter: &Parameter,
+    call: &Call,
+    i: usize,
+) -> Result<Local, Problem> {
+    let argument = call.args.get(i).and_then(Option::as_ref);
+    let place = call.places.get(i).and_then(Option::as_ref);
+    let name = run.program.name(parameter.name);
+    if parameter.by_reference && argument.is_some() {
+        let place = place.ok_or_else(|| Problem::new("run-argument", call.span, name))?;
+        return Ok(Local::Other(locals::home(run, place)));
+    }
+    let mut variable = sized(run, parameter, place)?;
+    let kind = variable.kind;
+    let refused = || Problem::new("run-argument", call.span, run.program.name(parameter.name));
+    match argument {
+        Some(Datum::List(items)) if items.len() == variable.values.len() => {
+            let items = items.iter().map(|item| kind.converted(item.as_ref()?));
+            variable.values = items.collect::<Option<_>>().ok_or_else(refused)?;
+        }
+        Some(value) => variable.values = vec![kind.converted(value).ok_or_else(refused)?],
+        None => {
+            let default = parameter.default;
+            let value = default.map(|default| expression::evaluate(run, default));
+            if let Some(value) = value.transpose()? {
+                variable.values = vec![kind.converted(&value).ok_or_else(refused)?];
+            }
+        }
+    }
+    if variable.values.len() != variable.sizes.iter().product::<usize>() {
+        return Err(refused());
+    }
+    Ok(Local::Own(variable))
+}
+
+/// A variable of the parameter's sizes; an array that names none (`REAL F[,]`) has those of its argument.
+fn sized(
+    run: &mut Interpreter,
+    parameter: &Parameter,
+    place: Option<&String>,
+) -> Result<Variable, Problem> {
+    let open = parameter
+        .sizes
+        .iter()
+        .any(|size| matches!(run.program.expr(*size), Some(Expr::Omitted(_))));
+    if !open {
+        return declare::variable(run, parameter.name, parameter.kind, &parameter.sizes);
+    }
+    let home = place.map(|place| locals::home(run, place));
+    let sizes = home
+        .as_ref()
+        .and_then(|home: &Home| locals::variable(run, home))
+        .map(|variable| variable.sizes.clone())
+        .unwrap_or_default();
+    Ok(Variable::new(parameter.kind, sizes, parameter.name))
+}

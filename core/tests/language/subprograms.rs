@@ -1,0 +1,111 @@
+//! Programs that call programs of the same text.
+
+use super::{clean, fault, findings, number};
+
+// oracle: hand
+#[test]
+fn parameters_are_passed_by_value_and_by_reference() {
+    let text = "DEF REAL OLD=2\nDEF REAL NEW\nTWICE(OLD+1,NEW)\nR1=OLD R2=NEW\nM30\n\
+        %_N_TWICE_SPF\nPROC TWICE(REAL SIZE, VAR REAL RESULT)\nRESULT=2*SIZE\nSIZE=99\nRET";
+    assert_eq!((number(text, "R1"), number(text, "R2")), (2.0, 6.0));
+    let control = "TWICE(4,R7)\nTWICE(R7,_SETV[2])\nM30\nPROC TWICE(INT SIZE,VAR REAL RESULT)\nRESULT=2*SIZE\nM17";
+    let outcome = clean(control);
+    assert_eq!(outcome.control.number("R7"), 8.0);
+    assert_eq!(outcome.control.number("_SETV[2]"), 16.0);
+}
+
+// oracle: manual (Job planning: what a call omits is 0 or the default of the PROC)
+#[test]
+fn omitted_arguments_have_their_default() {
+    let text = "PART(1,,3)\nM30\n%_N_PART_SPF\nPROC PART(REAL A, REAL B, REAL C, REAL D=4)\nR1=1000*A+100*B+10*C+D\nRET";
+    assert_eq!(number(text, "R1"), 1034.0);
+}
+
+// oracle: hand
+#[test]
+fn variables_belong_to_their_program() {
+    let text = "DEF INT COUNT=5\nR1=7\nINNER\nR2=COUNT\nM30\n%_N_INNER_SPF\nDEF INT COUNT=1\nCOUNT=COUNT+1 R1=R1+COUNT\nM17";
+    assert_eq!((number(text, "R1"), number(text, "R2")), (9.0, 5.0));
+    assert_eq!(
+        fault("DEF INT OUTER=1\nSUB\nM30\n%_N_SUB_SPF\nR1=OUTER\nM17"),
+        "run-unknown-variable"
+    );
+    let shared = "DEF CHAN REAL ALL=1\nSUB\nR1=ALL\nM30\n%_N_SUB_SPF\nALL=ALL+1\nM17";
+    assert_eq!(number(shared, "R1"), 2.0);
+}
+
+// oracle: hand: a program that calls itself has its own variables each time
+#[test]
+fn recursion_works_down_to_its_end() {
+    let text = "DEF REAL N\nFACTORIAL(5,N)\nR1=N\nM30\n%_N_FACTORIAL_SPF\nPROC FACTORIAL(INT N, VAR REAL RESULT)\n\
+        DEF REAL BEFORE\nIF N<2\nRESULT=1\nRET\nENDIF\nFACTORIAL(N-1,BEFORE)\nRESULT=N*BEFORE\nRET";
+    assert_eq!(number(text, "R1"), 120.0);
+}
+
+// oracle: hand
+#[test]
+fn whole_arrays_are_parameters() {
+    let by_reference = "DEF REAL F[3]=(1,2,3)\nSUM(F,3)\nR1=F[0]\nM30\n%_N_SUM_SPF\nPROC SUM(VAR REAL LIST[3],INT N)\n\
+        DEF INT I\nFOR I=1 TO N-1\nLIST[0]=LIST[0]+LIST[I]\nENDFOR\nRET";
+    assert_eq!(number(by_reference, "R1"), 6.0);
+    let by_value = "DEF REAL F[2,2]=(1,2,3,4)\nREAD(F)\nR2=F[1,1]\nM30\n%_N_READ_SPF\nPROC READ(REAL G[2,2])\nR1=G[1,0]\nG[1,1]=0\nRET";
+    assert_eq!((number(by_value, "R1"), number(by_value, "R2")), (3.0, 4.0));
+}
+
+// oracle: hand
+#[test]
+fn a_call_may_ask_for_several_passes() {
+    assert_eq!(number("L10 P3\nM30\n%_N_L10_SPF\nR1=R1+1\nM17", "R1"), 3.0);
+    assert_eq!(number("L10 P0\nM30\n%_N_L10_SPF\nR1=R1+1\nM17", "R1"), 0.0);
+    assert_eq!(
+        number("CALL \"L10\"\nM30\n%_N_L10_SPF\nR1=R1+1\nM17", "R1"),
+        1.0
+    );
+    let named = "DEF STRING[9] WHICH=\"L10\"\nCALL WHICH\nM30\n%_N_L10_SPF\nR1=R1+1\nM17";
+    assert_eq!(number(named, "R1"), 1.0);
+}
+
+// oracle: hand: SAVE brings back what was in force at the call
+#[test]
+fn save_restores_the_modal_functions() {
+    let called = |attributes: &str| {
+        let text = format!(
+            "G90 G0 X10\nSUB\nX5\nR1=$AA_IW[X]\nM30\n%_N_SUB_SPF\nPROC SUB {attributes}\nG91\nRET"
+        );
+        number(&text, "R1")
+    };
+    assert_eq!((called("SAVE"), called("DISPLOF")), (5.0, 15.0));
+}
+
+// oracle: hand
+#[test]
+fn jumps_stay_in_their_program() {
+    let text = "SUB\nTHERE: R1=R1+10\nM30\n%_N_SUB_SPF\nGOTOF THERE\nR1=99\nTHERE: R1=R1+1\nM17";
+    assert_eq!(number(text, "R1"), 11.0);
+    assert_eq!(
+        fault("SUB\nTHERE: M30\n%_N_SUB_SPF\nGOTO THERE\nM17"),
+        "run-label"
+    );
+}
+
+// oracle: hand
+#[test]
+fn what_does_not_fit_is_told() {
+    assert_eq!(
+        fault("SUB(1,2)\nM30\n%_N_SUB_SPF\nPROC SUB(REAL A)\nRET"),
+        "run-arguments"
+    );
+    assert_eq!(
+        fault("SUB(1)\nM30\n%_N_SUB_SPF\nPROC SUB(VAR REAL A)\nRET"),
+        "run-argument"
+    );
+    assert_eq!(
+        fault("SUB(\"A\")\nM30\n%_N_SUB_SPF\nPROC SUB(REAL A)\nRET"),
+        "run-argument"
+    );
+    assert_eq!(
+        findings("EXTERN AWAY(REAL)\nAWAY(1)\nM30"),
+        ["run-subprogram"]
+    );
+    assert_eq!(fault("SUB\nM30\n%_N_SUB_SPF\nSUB"), "run-depth");
+}

@@ -1,0 +1,168 @@
+//! Variables of all types, conversions, operators and functions.
+
+use super::{clean, fault, findings, messages, near, number};
+
+// oracle: manual (Job planning 03/2006, 1.9: conversions at an assignment)
+#[test]
+fn a_variable_keeps_its_type() {
+    for (text, expected) in [
+        ("DEF INT I\nI=2.5\nR1=I", 3.0),
+        ("DEF INT I=2.4\nR1=I", 2.0),
+        ("DEF BOOL SO\nSO=0.3\nR1=SO", 1.0),
+        ("DEF BOOL SO\nSO=\"\"\nR1=SO", 0.0),
+        ("DEF CHAR C=65\nR1=C+1", 66.0),
+        ("DEF CHAR C='A'\nR1=C", 65.0),
+        ("DEF CHAR C='A'\nR1=C==\"A\"", 1.0),
+        ("DEF REAL ONE=1,THREE=3\nR1=ONE/THREE*3", 1.0),
+        ("DEF AXIS WHICH=Y\nG0 X1 Y2 Z3\nR1=$AA_IW[WHICH]", 2.0),
+        ("DEF AXIS WHICH=Y\nR1=WHICH==Y", 1.0),
+        (
+            "DEF FRAME F=CTRANS(X,5)\nF[Y,TR]=7\nR1=F[X,TR]+F[Y,TR]",
+            12.0,
+        ),
+        (
+            "DEF FRAME F\nF=CTRANS(X,5):CROT(Z,90)\n$P_UIFR[1]=F\nG54\nG0 X1 Y0\nR1=$AA_IM[Y]",
+            1.0,
+        ),
+    ] {
+        near(number(text, "R1"), expected, text);
+    }
+    for (text, key) in [
+        ("DEF INT I\nI=3000000000", "run-range"),
+        ("DEF REAL IT\nIT=\"1\"", "run-type"),
+        ("DEF STRING[3] T\nT=\"ABCD\"", "run-text-long"),
+        ("DEF STRING[3] T\nT=1", "run-type"),
+        ("DEF FRAME F\nF=1", "run-type"),
+        ("DEF REAL A[2]\nA[2]=1", "run-index"),
+        ("R1=1EX300*1EX300", "run-range"),
+    ] {
+        assert_eq!(fault(text), key, "{text}");
+    }
+    assert_eq!(findings("DEF INT A\nDEF INT A"), ["run-declared-twice"]);
+}
+
+// oracle: hand
+#[test]
+fn arrays_are_set_and_repeated() {
+    for (text, expected) in [
+        (
+            "DEF REAL F[2,3]=SET(1,,3)\nR1=F[0,0]+10*F[0,1]+100*F[0,2]",
+            301.0,
+        ),
+        ("DEF REAL F[2,3]=REP(4)\nR1=F[1,2]", 4.0),
+        ("DEF REAL F[5]\nF[1]=REP(2,3)\nR1=F[0]+F[1]+F[3]+F[4]", 4.0),
+        ("DEF INT F[3]=(1.6,2)\nR1=10*F[0]+F[1]", 22.0),
+        (
+            "DEF REAL F[2,2,2]\nF[1,0,1]=SET(5,6)\nR1=10*F[1,0,1]+F[1,1,0]",
+            56.0,
+        ),
+        (
+            "DEF STRING[4] T[2]=SET(\"AB\",\"CD\")\nR1=STRLEN(T[0]<<T[1])",
+            4.0,
+        ),
+    ] {
+        assert_eq!(number(text, "R1"), expected, "{text}");
+    }
+}
+
+// oracle: manual (Job planning 03/2006, 1.7: equal to 10^-12 of the value, its own example included)
+#[test]
+fn almost_equal_numbers_are_equal() {
+    for (expression, expected) in [
+        ("0.1+0.2==0.3", 1.0),
+        ("0.1+0.2<>0.3", 0.0),
+        ("0.1+0.2<=0.3", 1.0),
+        ("0.1+0.2>0.3", 0.0),
+        ("ABS(61.02-61.01)>0.01", 0.0),
+        ("1.00000000001==1", 0.0),
+        ("2>1", 1.0),
+        ("0==0", 1.0),
+    ] {
+        assert_eq!(
+            number(&format!("R1={expression}"), "R1"),
+            expected,
+            "{expression}"
+        );
+    }
+}
+
+// oracle: manual (Job planning 03/2006: priorities 1.7, ROUNDUP 1.24), else hand
+#[test]
+fn operators_and_functions_are_worked_out() {
+    for (expression, expected) in [
+        ("7 DIV 4.1", 1.0),
+        ("7 MOD 4.1", 2.9),
+        ("2*-3", -6.0),
+        ("1+1-1+-1", 0.0),
+        ("NOT 0 AND 1", 1.0),
+        ("5 B_OR 2 B_AND 6", 7.0),
+        ("B_NOT 5", -6.0),
+        ("'B101'+'HF'", 20.0),
+        ("ROUNDUP(3.1)", 4.0),
+        ("ROUNDUP(-3.1)", -3.0),
+        ("ROUND(-2.4)", -2.0),
+        ("TRUNC(-2.7)", -2.0),
+        ("ASIN(0.5)", 30.0),
+        ("ROUND(ATAN2(30.5,80.1)*10000)", 208_455.0),
+        ("ATAN2(1,-1)", 135.0),
+        ("LN(EXP(2))", 2.0),
+        ("SQRT(POT(3)+POT(4))", 5.0),
+        ("TAN(45)", 1.0),
+        ("MINVAL(2,-1)+MAXVAL(2,-1)*10", 19.0),
+        ("BOUND(0,5,7)", 5.0),
+    ] {
+        near(
+            number(&format!("R1={expression}"), "R1"),
+            expected,
+            expression,
+        );
+    }
+    for text in [
+        "R1=SQRT(-1)",
+        "R1=LN(0)",
+        "R1=ASIN(2)",
+        "R1=BOUND(5,0,1)",
+        "R1=SIN(\"A\")",
+    ] {
+        assert_eq!(fault(text), "run-function", "{text}");
+    }
+    assert_eq!(fault("R1=NOSUCH(1)"), "run-unknown-word");
+}
+
+// oracle: manual (Job planning, string operations: places count from 0, -1 where nothing is found)
+#[test]
+fn texts_are_joined_and_searched() {
+    for (expression, expected) in [
+        ("STRLEN(\"AB\"<<12)", 4.0),
+        ("INDEX(\"CONTENT\",\"N\")", 2.0),
+        ("RINDEX(\"CONTENT\",\"N\")", 5.0),
+        ("INDEX(\"CONTENT\",\"X\")", -1.0),
+        ("MINDEX(\"CONTENT\",\"TE\")", 3.0),
+        ("MATCH(\"CONTENT\",\"TENT\")", 3.0),
+        ("NUMBER(\"-1.5\")", -1.5),
+        ("ISNUMBER(\"1A\")", 0.0),
+        ("SUBSTR(\"CONTENT\",3,2)==\"TE\"", 1.0),
+        ("SUBSTR(\"CONTENT\",4)==\"ENT\"", 1.0),
+        ("TOUPPER(\"ab\")==\"AB\"", 1.0),
+    ] {
+        assert_eq!(
+            number(&format!("R1={expression}"), "R1"),
+            expected,
+            "{expression}"
+        );
+    }
+    let text = "DEF STRING[9] T=\"ABC\"\nDEF CHAR C='!'\nT[1]='X'\nMSG(\"<\"<<T<<\">\"<<T[0]<<C<<1.50<<\" \"<<0.1+0.2<<\" \"<<AXNAME(\"Y\"))";
+    assert_eq!(messages(text), ["<AXC>A!1.5 0.3 Y"]);
+}
+
+// oracle: hand
+#[test]
+fn names_do_not_know_upper_and_lower_case() {
+    assert_eq!(number("DEF REAL lAyEr=2.5\nr1=LAYER*4\nR2=R1", "R2"), 10.0);
+    assert_eq!(
+        clean("def int i\nfor i=1 to 3\nr1=r1+i\nendfor")
+            .control
+            .number("R1"),
+        6.0
+    );
+}
