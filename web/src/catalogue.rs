@@ -7,5 +7,5 @@ use wasm_bindgen::prelude::wasm_bindgen;
 #[wasm_bindgen]
 #[must_use]
 pub fn catalogue() -> String {
-    json::catalogue().to_string()
+    json::text(&json::catalogue())
 }

@@ -10,5 +10,5 @@ use wasm_bindgen::prelude::wasm_bindgen;
 /// A request of the wrong shape or an unknown cycle.
 #[wasm_bindgen]
 pub fn form(request: &str) -> Result<String, JsError> {
-    Ok(json::form(request)?.to_string())
+    Ok(json::text(&json::form(request)?))
 }

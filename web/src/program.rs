@@ -8,7 +8,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 #[wasm_bindgen]
 #[must_use]
 pub fn alarms() -> String {
-    json::alarms().to_string()
+    json::text(&json::alarms())
 }
 
 /// `ReadRequest` → `ReadView`.
@@ -17,7 +17,7 @@ pub fn alarms() -> String {
 /// A request of the wrong shape.
 #[wasm_bindgen]
 pub fn read(request: &str) -> Result<String, JsError> {
-    Ok(json::read(request)?.to_string())
+    Ok(json::text(&json::read(request)?))
 }
 
 /// `ChangeRequest` → `Edit[]`.
@@ -26,7 +26,7 @@ pub fn read(request: &str) -> Result<String, JsError> {
 /// A request of the wrong shape or a call that is not there.
 #[wasm_bindgen]
 pub fn change(request: &str) -> Result<String, JsError> {
-    Ok(json::change(request)?.to_string())
+    Ok(json::text(&json::change(request)?))
 }
 
 /// `ConvertRequest` → `Converted`.
@@ -35,7 +35,7 @@ pub fn change(request: &str) -> Result<String, JsError> {
 /// A request of the wrong shape.
 #[wasm_bindgen]
 pub fn convert(request: &str) -> Result<String, JsError> {
-    Ok(json::convert(request)?.to_string())
+    Ok(json::text(&json::convert(request)?))
 }
 
 /// `RunRequest` → `RunView`.
@@ -44,7 +44,7 @@ pub fn convert(request: &str) -> Result<String, JsError> {
 /// A request or a setup of the wrong shape.
 #[wasm_bindgen]
 pub fn run(request: &str) -> Result<String, JsError> {
-    Ok(json::run(request)?.to_string())
+    Ok(json::text(&json::run(request)?))
 }
 
 /// Text of a setup file → `Setup` with everything in it that the file leaves to its default.
@@ -54,7 +54,7 @@ pub fn run(request: &str) -> Result<String, JsError> {
 #[wasm_bindgen]
 pub fn setup(text: &str) -> Result<String, JsError> {
     let setup = json::setup_from_json(text)?;
-    Ok(json::setup_to_json(&setup).to_string())
+    Ok(json::text(&json::setup_to_json(&setup)))
 }
 
 /// `MachineRequest` → `MachineView`.
@@ -63,5 +63,5 @@ pub fn setup(text: &str) -> Result<String, JsError> {
 /// A request or a setup of the wrong shape.
 #[wasm_bindgen]
 pub fn machine(request: &str) -> Result<String, JsError> {
-    Ok(json::machine(request)?.to_string())
+    Ok(json::text(&json::machine(request)?))
 }

@@ -14,8 +14,8 @@ struct Module {
     /// Cargo profile it is built with.
     profile: &'static str,
     features: &'static str,
-    /// Whether `wasm-opt` is worth its time (it barely helps the large WebGL module).
-    shrink: bool,
+    /// Level of `wasm-opt` where it is worth its time (it barely helps the large WebGL module).
+    optimise: Option<&'static str>,
 }
 
 const MODULES: [Module; 4] = [
@@ -25,15 +25,15 @@ const MODULES: [Module; 4] = [
         package: "probewright-web",
         profile: "web",
         features: "form",
-        shrink: true,
+        optimise: Some("-Oz"),
     },
     Module {
         folder: "program",
         name: "program",
         package: "probewright-web",
-        profile: "web",
+        profile: "program",
         features: "program",
-        shrink: true,
+        optimise: Some("-O3"),
     },
     Module {
         folder: "preview-webgpu",
@@ -41,7 +41,7 @@ const MODULES: [Module; 4] = [
         package: "probewright-preview",
         profile: "preview",
         features: "webgpu",
-        shrink: true,
+        optimise: Some("-Oz"),
     },
     Module {
         folder: "preview-webgl",
@@ -49,7 +49,7 @@ const MODULES: [Module; 4] = [
         package: "probewright-preview",
         profile: "preview",
         features: "webgl",
-        shrink: false,
+        optimise: None,
     },
 ];
 
@@ -74,10 +74,10 @@ fn build_module(module: &Module) -> Result<()> {
     compile(module)?;
     let out = root().join("pkg").join(module.folder);
     bind(&compiled(module), &out, module.name)?;
-    if module.shrink {
-        shrink(&out.join(format!("{}_bg.wasm", module.name)))?;
+    match module.optimise {
+        Some(level) => optimise(&out.join(format!("{}_bg.wasm", module.name)), level),
+        None => Ok(()),
     }
-    Ok(())
 }
 
 /// As `cdylib` only: with an `rlib` beside it, link-time optimisation is silently off.
@@ -120,10 +120,10 @@ fn bind(wasm: &Path, out: &Path, name: &str) -> Result<()> {
     ])
 }
 
-/// Rewrites a module smaller, with npm's `binaryen`.
-fn shrink(wasm: &Path) -> Result<()> {
+/// Rewrites a module smaller or faster, with npm's `binaryen`.
+fn optimise(wasm: &Path, level: &str) -> Result<()> {
     let mut node = command("node");
     node.arg("www/node_modules/binaryen/bin/wasm-opt");
-    node.arg("-Oz").args(WASM_FEATURES);
+    node.arg(level).args(WASM_FEATURES);
     run(node.arg(wasm).arg("-o").arg(wasm))
 }

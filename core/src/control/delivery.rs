@@ -3,9 +3,10 @@
 //! the catalogue and not repeated here: an unset datum means "as delivered".
 
 use super::gud::{self, Element, Initial, System};
-use super::{BasicFrames, Control, Frame, Limits, Plane, Units, Value, machine_data};
+use super::{BasicFrames, Control, Data, Frame, Limits, Plane, Units, Value, machine_data};
 use crate::catalogue::Dialect;
 use std::collections::BTreeMap;
+use std::sync::OnceLock;
 
 /// Metres in a foot (feet/min on an inch machine, B:13498).
 const FOOT: f64 = 0.3048;
@@ -25,7 +26,28 @@ pub fn delivery(dialect: Dialect) -> Control {
 
 /// The same with this basic system of units, which is also the active one.
 pub fn delivery_in(dialect: Dialect, units: Units) -> Control {
-    let mut control = Control {
+    let mut control = bare(dialect, units);
+    control.data = Data::delivered(dialect, units);
+    control
+}
+
+/// The data of a control as delivered, made once.
+pub(super) fn data(dialect: Dialect, units: Units) -> &'static BTreeMap<String, Value> {
+    static MADE: [OnceLock<BTreeMap<String, Value>>; 4] = [const { OnceLock::new() }; 4];
+    let index = usize::from(dialect == Dialect::Nct) * 2 + usize::from(units == Units::Inch);
+    MADE[index].get_or_init(|| {
+        let mut control = bare(dialect, units);
+        match dialect {
+            Dialect::Sinumerik => sinumerik(&mut control),
+            Dialect::Nct => nct(&mut control),
+        }
+        control.data.all()
+    })
+}
+
+/// A control without any data.
+fn bare(dialect: Dialect, units: Units) -> Control {
+    Control {
         dialect,
         basic_units: units,
         active_units: units,
@@ -43,18 +65,13 @@ pub fn delivery_in(dialect: Dialect, units: Units) -> Control {
         environments: BTreeMap::new(),
         tool: 0,
         edge: 0,
-        data: BTreeMap::new(),
+        data: Data::default(),
         spindle: 0.0,
         spindle_positions: true,
         rotary: [0.0; 3],
         rotary_centre: [0.0; 3],
         limits: Limits::default(),
-    };
-    match dialect {
-        Dialect::Sinumerik => sinumerik(&mut control),
-        Dialect::Nct => nct(&mut control),
     }
-    control
 }
 
 fn nct(control: &mut Control) {

@@ -1,6 +1,7 @@
 //! State of the control: plane, units, frames, tools, user data. Plain data with the manual's bookkeeping.
 
 pub mod arrays;
+pub mod data;
 pub mod delivery;
 pub mod environments;
 pub mod frames;
@@ -12,6 +13,7 @@ pub mod tools;
 pub mod units;
 pub mod variables;
 
+pub use data::Data;
 pub use delivery::{delivery, delivery_in};
 pub use environments::Environment;
 pub use limits::Limits;
@@ -158,7 +160,7 @@ pub struct Control {
     pub edge: i64,
     /// User data: GUD arrays and scalars (`_WP[0,1]`, `_CHBIT[4]`, `_OVR[4]`, `_EV[9]`, `_KNUM`), R parameters (`R10`),
     /// machine data (`MD18600`), NCT variables (`#500`); indices written without blanks.
-    pub data: BTreeMap<String, Value>,
+    pub data: Data,
     /// Position of the spindle, degree.
     pub spindle: f64,
     /// Whether the spindle can be positioned with SPOS (B:864, B:6312).

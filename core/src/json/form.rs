@@ -164,19 +164,36 @@ fn picture(picture: &Picture) -> Value {
         View::Plane => "plane",
         View::Section => "section",
     };
+    let parts = parts(picture);
     object([
         ("view", view.into()),
-        ("shapes", picture.shapes.iter().map(shape).collect()),
+        (
+            "shapes",
+            picture.shapes.iter().map(|one| shape(one, parts)).collect(),
+        ),
     ])
 }
 
-fn shape(shape: &PictureShape) -> Value {
+/// Into how many parts of a mm the coordinates of a picture are rounded: far finer than a pixel, and a third of the
+/// text that is sent at every keystroke.
+fn parts(picture: &Picture) -> f64 {
+    let points = picture.shapes.iter().flat_map(|shape| &shape.points);
+    let largest = points
+        .flatten()
+        .fold(0.0_f64, |most, value| most.max(value.abs()));
+    10_f64.powi(6 - largest.max(1e-9).log10().ceil() as i32)
+}
+
+fn shape(shape: &PictureShape, parts: f64) -> Value {
+    let near = |value: f64| (value * parts).round() / parts;
+    let points = shape.points.iter().map(|point| point.map(near));
     let mut view = object([
         ("kind", shape_kind(shape.kind).into()),
-        ("points", shape.points.iter().copied().collect()),
+        ("points", points.collect()),
     ]);
     if let Some((at, r)) = shape.circle {
-        let circle = [("x", at[0].into()), ("y", at[1].into()), ("r", r.into())];
+        let [x, y] = at.map(near);
+        let circle = [("x", x.into()), ("y", y.into()), ("r", near(r).into())];
         put(&mut view, "circle", object(circle));
     }
     if shape.closed {

@@ -89,7 +89,7 @@ fn problem(name: &str, refusal: Refusal) -> Value {
 fn data(control: &Control, delivered: &Control) -> Value {
     let differs = control.data.iter().filter(|(name, value)| {
         let zero = **value == Datum::Number(0.0);
-        match delivered.data.get(*name) {
+        match delivered.data.get(name) {
             Some(other) => other != *value,
             None => !zero,
         }

@@ -63,6 +63,11 @@ pub enum Error {
     },
 }
 
+/// A document as text. (Its `to_string` gives the same by way of a formatter, for a third of the time of a keystroke.)
+pub fn text(document: &Value) -> String {
+    serde_json::to_string(document).unwrap_or_default() // only maps with keys that are no texts fail
+}
+
 /// Name of a dialect on the wire.
 pub fn dialect_name(dialect: Dialect) -> &'static str {
     match dialect {

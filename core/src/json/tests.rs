@@ -259,7 +259,7 @@ fn an_inch_machine_goes_over_the_wire() {
     );
     assert_eq!(again.environments, setup.control.environments);
     assert_eq!(again.environments["ROUGH"].tool, 20);
-    for (name, value) in &setup.control.data {
+    for (name, value) in setup.control.data.iter() {
         let read = again.number(name);
         assert!(
             (read - setup.control.number(name)).abs() < 1e-12,

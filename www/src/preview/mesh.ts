@@ -1,31 +1,30 @@
 // Collects triangles and lines in the layout that web/preview/src/layout.rs describes.
 import type { Vec3 } from "../wire";
 import type { Rgba } from "./colours";
-import { add, cross, dot, include, sub, unit, type Box } from "./vec";
+import { cross, dot, sub, unit, type Box } from "./vec";
 
 export const VERTEX_FLOATS = 11;
 export const LINE_FLOATS = 15;
 
 /** Triangles; both windings are allowed when adding, kept is the one whose outside is where the normals point. */
-export interface Mesh { vertices: number[]; corners: number[]; box: Box | null }
-export const mesh = (): Mesh => ({ vertices: [], corners: [], box: null });
+export interface Mesh { vertices: number[]; corners: number[] }
+export const mesh = (): Mesh => ({ vertices: [], corners: [] });
 
 export interface Paint { colour: Rgba; moves?: boolean }
 
-function vertex(into: Mesh, at: Vec3, normal: Vec3, paint: Paint): number {
-  into.vertices.push(...at, ...normal, ...paint.colour, paint.moves ? 1 : 0);
-  into.box = include(into.box, at);
-  return into.vertices.length / VERTEX_FLOATS - 1;
+function vertex({ vertices }: Mesh, at: Vec3, normal: Vec3, { colour, moves }: Paint): number {
+  vertices.push(at[0], at[1], at[2], normal[0], normal[1], normal[2], colour[0], colour[1], colour[2], colour[3], moves ? 1 : 0);
+  return vertices.length / VERTEX_FLOATS - 1;
 }
 
 /** A triangle with a normal at each corner. */
 export function triangle(into: Mesh, points: [Vec3, Vec3, Vec3], normals: [Vec3, Vec3, Vec3], paint: Paint): void {
   const [a, b, c] = points;
   const face = cross(sub(b, a), sub(c, a));
-  if (Math.hypot(...face) === 0) return;
-  const outside = dot(face, add(add(normals[0], normals[1]), normals[2])) >= 0;
-  const [i, j, k] = points.map((point, index) => vertex(into, point, normals[index]!, paint)) as [number, number, number];
-  into.corners.push(i, ...(outside ? [j, k] : [k, j]));
+  if (dot(face, face) === 0) return;
+  const outside = dot(face, normals[0]) + dot(face, normals[1]) + dot(face, normals[2]) >= 0;
+  const [i, j, k] = [vertex(into, a, normals[0], paint), vertex(into, b, normals[1], paint), vertex(into, c, normals[2], paint)];
+  into.corners.push(i, outside ? j : k, outside ? k : j);
 }
 
 /** A quadrilateral `a b c d` (in turn) with a normal at each corner. */
@@ -49,7 +48,20 @@ export function append(into: Mesh, other: Mesh): void {
   const first = into.vertices.length / VERTEX_FLOATS;
   for (const value of other.vertices) into.vertices.push(value);
   for (const corner of other.corners) into.corners.push(first + corner);
-  for (const point of other.box ? [other.box.min, other.box.max] : []) into.box = include(into.box, point);
+}
+
+/** Smallest box around all corners; null: there are none. */
+export function boxOf({ vertices }: Mesh): Box | null {
+  if (vertices.length === 0) return null;
+  const box: Box = { min: [Infinity, Infinity, Infinity], max: [-Infinity, -Infinity, -Infinity] };
+  for (let i = 0; i < vertices.length; i += VERTEX_FLOATS) {
+    for (let axis = 0; axis < 3; axis++) {
+      const value = vertices[i + axis]!;
+      if (value < box.min[axis]!) box.min[axis] = value;
+      if (value > box.max[axis]!) box.max[axis] = value;
+    }
+  }
+  return box;
 }
 
 /** How a line looks and when it is there. */

@@ -1,7 +1,7 @@
 // What is to be seen, for all ways of drawing: triangles, lines and labels made from a trace.
 import type { Solid, Trace, Vec3 } from "../wire";
 import { parse, type Colours } from "./colours";
-import { append, mesh, type Line, type Mesh } from "./mesh";
+import { append, boxOf, mesh, type Line, type Mesh } from "./mesh";
 import { frameLines, gridLines, pathLines, type Label } from "./paths";
 import { part, zone } from "./solids";
 import { stylus } from "./stylus";
@@ -33,7 +33,7 @@ export function buildScene(trace: Trace, colours: Colours, exaggeration = 1, sol
   const parts = solids.map((solid) => part(solid, exaggeration, parse(colours.part), parse(colours.edge)));
   const all = mesh();
   for (const { mesh: own } of parts) append(all, own);
-  const solidBox = all.box;
+  const solidBox = boxOf(all);
   const box = around(trace, solidBox);
   const size = Math.hypot(...sub(box.max, box.min));
   const zones = (trace.zones ?? []).map((solid) => zone(solid, parse(colours.zone)));

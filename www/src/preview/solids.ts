@@ -1,7 +1,7 @@
 // Parts of the trace as triangles and edges, errors included.
 import type { Solid, Vec3 } from "../wire";
 import type { Rgba } from "./colours";
-import { append, flat, mesh, quad, triangle, VERTEX_FLOATS, type Line, type Mesh, type Paint, type Style } from "./mesh";
+import { flat, mesh, quad, triangle, VERTEX_FLOATS, type Line, type Mesh, type Paint, type Style } from "./mesh";
 import { border, circle, normals, rectangle, type Outline, type Vec2 } from "./outline";
 import { add, apply, radians, rpy, times, unit } from "./vec";
 
@@ -36,7 +36,9 @@ export function zone(solid: Solid, colour: Rgba): Part {
   const [outline, height] = solid.shape === "shaft" ? [circle(a, solid.errors), b]
     : solid.shape === "web" ? [rectangle(a, c, solid.errors), b] : [rectangle(a, b, solid.errors), c];
   const look: Look = { paint: { colour: [colour[0], colour[1], colour[2], ZONE_OPACITY] }, edge: { colour, width: 1.5, dash: 7, through: 0.5 } };
-  return placed({ mesh: walls(outline, 0, height, 1, look), edges: rims(outline, height, look) }, placement(solid, solid.errors));
+  const own: Part = { mesh: mesh(), edges: rims(outline, height, look) };
+  walls(own.mesh, outline, 0, height, 1, look);
+  return placed(own, placement(solid, solid.errors));
 }
 
 function build(shape: Solid["shape"], size: number[], errors: Solid["errors"], look: Look): Part {
@@ -76,21 +78,20 @@ function cornered(degrees: number, [x, y]: Vec2, errors: Solid["errors"], body: 
   });
 }
 
+/** Moves what was built in the part's own frame; neither a rotation nor a push askew turns a winding round. */
 function placed(own: Part, { point, direction }: ReturnType<typeof placement>): Part {
-  const moved = mesh();
-  const v = own.mesh.vertices;
-  const read = (corner: number, offset: number): Vec3 => {
-    const first = corner * VERTEX_FLOATS + offset;
-    return [v[first]!, v[first + 1]!, v[first + 2]!];
+  const { vertices } = own.mesh;
+  const put = (first: number, [x, y, z]: Vec3): void => {
+    vertices[first] = x;
+    vertices[first + 1] = y;
+    vertices[first + 2] = z;
   };
-  const paint = { colour: v.slice(6, 10) as Rgba };
-  for (let i = 0; i < own.mesh.corners.length; i += 3) {
-    const corners = own.mesh.corners.slice(i, i + 3);
-    const points = corners.map((corner) => point(read(corner, 0))) as [Vec3, Vec3, Vec3];
-    const facing = corners.map((corner) => direction(read(corner, 3))) as [Vec3, Vec3, Vec3];
-    triangle(moved, points, facing, paint);
+  const read = (first: number): Vec3 => [vertices[first]!, vertices[first + 1]!, vertices[first + 2]!];
+  for (let i = 0; i < vertices.length; i += VERTEX_FLOATS) {
+    put(i, point(read(i)));
+    put(i + 3, direction(read(i + 3)));
   }
-  return { mesh: moved, edges: own.edges.map((line) => ({ ...line, from: point(line.from), to: point(line.to) })) };
+  return { mesh: own.mesh, edges: own.edges.map((line) => ({ ...line, from: point(line.from), to: point(line.to) })) };
 }
 
 // Shapes in their own frame
@@ -104,9 +105,9 @@ function sunk(outline: Outline, depth: number, look: Look): Part {
   const half = grown(outline.half, around(outline.half));
   const bottom = -depth - Math.max(4, 0.25 * depth);
   const own = block(half.map((h) => 2 * h) as Vec2, 0, bottom, look, false);
-  append(own.mesh, walls(outline, 0, depth, -1, look));
-  append(own.mesh, ring(outline.at(0), outline.around(half), 0, look));
-  append(own.mesh, disc(outline.at(depth), -depth, look));
+  walls(own.mesh, outline, 0, depth, -1, look);
+  ring(own.mesh, outline.at(0), outline.around(half), 0, look);
+  disc(own.mesh, outline.at(depth), -depth, look);
   own.edges.push(...rims(outline, depth, look));
   return own;
 }
@@ -115,16 +116,15 @@ function sunk(outline: Outline, depth: number, look: Look): Part {
 function standing(outline: Outline, height: number, look: Look): Part {
   const half = grown(outline.half, around(outline.half));
   const own = block(half.map((h) => 2 * h) as Vec2, -height, -height - Math.max(3, 0.2 * height), look, false);
-  append(own.mesh, walls(outline, 0, height, 1, look));
-  append(own.mesh, disc(outline.at(0), 0, look));
-  append(own.mesh, ring(outline.at(height), outline.around(half), -height, look));
+  walls(own.mesh, outline, 0, height, 1, look);
+  disc(own.mesh, outline.at(0), 0, look);
+  ring(own.mesh, outline.at(height), outline.around(half), -height, look);
   own.edges.push(...rims(outline, height, look));
   return own;
 }
 
 /** Walls between two depths; `side` +1: solid inside the contour, −1: outside. */
-function walls(outline: Outline, from: number, to: number, side: number, { paint }: Look): Mesh {
-  const into = mesh();
+function walls(into: Mesh, outline: Outline, from: number, to: number, side: number, { paint }: Look): void {
   for (let layer = 0; layer < WALL_LAYERS; layer++) {
     const [d0, d1] = [0, 1].map((end) => from + ((to - from) * (layer + end)) / WALL_LAYERS) as [number, number];
     const [upper, lower] = [outline.at(d0), outline.at(d1)];
@@ -136,28 +136,23 @@ function walls(outline: Outline, from: number, to: number, side: number, { paint
       quad(into, corners, [here, there, there, here], paint);
     });
   }
-  return into;
 }
 
 /** Flat ring facing up between two contours of as many points. */
-function ring(inner: Vec2[], outer: Vec2[], z: number, { paint }: Look): Mesh {
-  const into = mesh();
+function ring(into: Mesh, inner: Vec2[], outer: Vec2[], z: number, { paint }: Look): void {
   inner.forEach((point, i) => {
     const next = (i + 1) % inner.length;
     flat(into, [at(point, z), at(inner[next]!, z), at(outer[next]!, z), at(outer[i]!, z)], [0, 0, 1], paint);
   });
-  return into;
 }
 
 /** Flat face facing up inside a contour. */
-function disc(points: Vec2[], z: number, { paint }: Look): Mesh {
-  const into = mesh();
+function disc(into: Mesh, points: Vec2[], z: number, { paint }: Look): void {
   const up: Vec3 = [0, 0, 1];
   points.forEach((point, i) => {
     const next = points[(i + 1) % points.length]!;
     triangle(into, [[0, 0, z], at(point, z), at(next, z)], [up, up, up], paint);
   });
-  return into;
 }
 
 /** A rectangular body between two heights, with or without its upper face. */
@@ -171,8 +166,8 @@ function block([x, y]: Vec2, top: number, bottom: number, look: Look, closed = t
   });
   const face = (z: number, outside: Vec3) => flat(into, corners.map((corner) => at(corner, z)) as [Vec3, Vec3, Vec3, Vec3], outside, look.paint);
   face(bottom, [0, 0, -1]);
-  if (closed) append(into, ring(border([x / 8, y / 8]), border([x / 2, y / 2]), top, look));
-  if (closed) append(into, disc(border([x / 8, y / 8]), top, look));
+  if (closed) ring(into, border([x / 8, y / 8]), border([x / 2, y / 2]), top, look);
+  if (closed) disc(into, border([x / 8, y / 8]), top, look);
   const uprights = corners.map((corner): Line => ({ from: at(corner, top), to: at(corner, bottom), style: look.edge }));
   return { mesh: into, edges: [...loop(corners, top, look), ...loop(corners, bottom, look), ...uprights] };
 }

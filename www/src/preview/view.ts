@@ -54,6 +54,7 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
   let solids = trace.solids; // as they stand at this step
   let scene: Scene = buildScene(trace, colours, exaggeration);
   let camera = initial();
+  let size = sizeOf(stage); // kept: to ask for it while drawing would lay out the page once more
   let step = { index: 0, fraction: 0 };
   let untouched = true;      // fitted again on a new size until somebody moved the camera
   let asked = 0;             // animation frame under way
@@ -100,10 +101,18 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
     redraw();
   }
 
-  const viewport = (): Viewport => ({ width: Math.max(1, stage.clientWidth), height: Math.max(1, stage.clientHeight) });
+  const viewport = (): Viewport => size;
   const redraw = () => { if (!asked && !ended) asked = requestAnimationFrame(draw); };
+  /** What the page shows changes within its own frame: the view with it, once everything of it is told. */
+  let telling = false;
+  const redrawNow = () => {
+    if (telling) return;
+    telling = true;
+    queueMicrotask(() => { telling = false; if (!ended) draw(); });
+  };
 
   function draw(): void {
+    cancelAnimationFrame(asked);
     asked = 0;
     const probe = probeAt(trace, step.index, step.fraction);
     const frame: Frame = { camera, view: viewport(), ratio: devicePixelRatio, time: step.index + step.fraction, probe };
@@ -119,7 +128,7 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
     solids = standing(trace, step.index);
     scene = buildScene(trace, colours, exaggeration, solids);
     backend.setScene(scene, devicePixelRatio);
-    redraw();
+    redrawNow();
   }
   const refit = () => { camera = fit(camera, viewport(), scene.box); redraw(); };
   const move = (next: typeof camera) => { camera = next; untouched = false; redraw(); };
@@ -133,7 +142,10 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
       if (entry !== null) picked(entry);
     },
   });
-  const sizes = new ResizeObserver(() => { if (untouched) refit(); else redraw(); });
+  const sizes = new ResizeObserver(() => {
+    size = sizeOf(stage);
+    if (untouched) refit(); else redraw();
+  });
   sizes.observe(stage);
   adopt();
 
@@ -150,7 +162,7 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
     },
     setStep(index, fraction) {
       step = { index, fraction };
-      if (standing(trace, index) === solids) redraw();
+      if (standing(trace, index) === solids) redrawNow();
       else rebuild();
     },
     setView,
@@ -168,6 +180,10 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
       stage.remove();
     },
   };
+}
+
+function sizeOf(stage: HTMLElement): Viewport {
+  return { width: Math.max(1, stage.clientWidth), height: Math.max(1, stage.clientHeight) };
 }
 
 function makeStage(host: HTMLElement, label: string): HTMLElement {

@@ -133,8 +133,8 @@ export function createPicture(root: HTMLElement, pick: (field: string) => void):
     const field = (event.target as Element).closest("[data-field]")?.getAttribute("data-field");
     if (field) pick(field);
   });
+  let size: Size = { width: 120, height: 100 };
   const draw = ({ picture, values }: NonNullable<typeof drawn>): void => {
-    const size = { width: Math.max(drawing.clientWidth, 120), height: Math.max(drawing.clientHeight, 100) };
     setAttribute(drawing, "viewBox", `0 0 ${size.width} ${size.height}`);
     const { place, scale } = placing(picture.shapes, size);
     const sorted = [...picture.shapes].sort((a, b) => ORDER.indexOf(a.kind) - ORDER.indexOf(b.kind));
@@ -153,7 +153,12 @@ export function createPicture(root: HTMLElement, pick: (field: string) => void):
     }
     drawing.classList.toggle("has-lit", any);
   };
-  new ResizeObserver(() => { if (drawn) draw(drawn); light(); }).observe(drawing);
+  // To ask for the size while drawing would lay out the page once more at each keystroke.
+  new ResizeObserver(() => {
+    size = { width: Math.max(drawing.clientWidth, 120), height: Math.max(drawing.clientHeight, 100) };
+    if (drawn) draw(drawn);
+    light();
+  }).observe(drawing);
   return (picture, focus, values) => {
     show(root, picture.shapes.length > 0);
     if (picture !== drawn?.picture || values !== drawn.values) draw(drawn = { picture, values });

@@ -34,8 +34,14 @@ export function createStage(store: Store): Stage {
   const start = async (): Promise<void> => {
     try {
       const { createPreview, coloursFrom, LIGHT, DARK } = await import("../preview/view");
-      colours = (night) => coloursFrom(box, night ? DARK : LIGHT);
-      preview = await createPreview(box, { label: t("view-canvas"), colours: coloursFrom(box, isDark(store.state) ? DARK : LIGHT) });
+      const known = new Map<boolean, Colours>(); // to ask makes the browser work out all styles: once is enough
+      const of = (night: boolean): Colours => {
+        const found = known.get(night) ?? coloursFrom(box, night ? DARK : LIGHT);
+        known.set(night, found);
+        return found;
+      };
+      colours = of;
+      preview = await createPreview(box, { label: t("view-canvas"), colours: of(isDark(store.state)) });
       preview.onPick((entry) => store.update({ step: entry, playing: false }));
     } catch (problem) {
       failed = problem instanceof Error ? problem.message : String(problem);

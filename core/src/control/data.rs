@@ -1,0 +1,105 @@
+//! User and machine data: what was written, over what the control was delivered with.
+//!
+//! A control is copied at every keystroke and holds some hundred data as delivered; these are made once and shared.
+
+use super::{Units, Value, delivery};
+use crate::catalogue::Dialect;
+use std::collections::BTreeMap;
+
+/// Data by name; see [`super::Control::data`].
+#[derive(Clone, Debug, Default)]
+pub struct Data {
+    delivered: Option<&'static BTreeMap<String, Value>>,
+    /// What differs; `None`: a delivered datum that is gone.
+    written: BTreeMap<String, Option<Value>>,
+}
+
+impl Data {
+    /// As delivered.
+    pub fn delivered(dialect: Dialect, units: Units) -> Data {
+        Data {
+            delivered: Some(delivery::data(dialect, units)),
+            written: BTreeMap::new(),
+        }
+    }
+
+    /// A datum; `None` where it was never set.
+    pub fn get(&self, name: &str) -> Option<&Value> {
+        match self.written.get(name) {
+            Some(written) => written.as_ref(),
+            None => self.delivered?.get(name),
+        }
+    }
+
+    /// Whether there is such a datum.
+    pub fn contains_key(&self, name: &str) -> bool {
+        self.get(name).is_some()
+    }
+
+    /// Writes a datum; gives the one of before.
+    pub fn insert(&mut self, name: String, value: Value) -> Option<Value> {
+        let before = self.get(&name).cloned();
+        self.written.insert(name, Some(value));
+        before
+    }
+
+    /// Takes a datum away; gives it.
+    pub fn remove(&mut self, name: &str) -> Option<Value> {
+        let before = self.get(name).cloned();
+        self.written.insert(name.to_owned(), None);
+        before
+    }
+
+    /// All data in the order of their names.
+    pub fn iter(&self) -> impl Iterator<Item = (&String, &Value)> {
+        let mut all: BTreeMap<&String, &Value> = self.delivered.into_iter().flatten().collect();
+        for (name, value) in &self.written {
+            match value {
+                Some(value) => all.insert(name, value),
+                None => all.remove(name),
+            };
+        }
+        all.into_iter()
+    }
+
+    /// Their names in order.
+    pub fn keys(&self) -> impl Iterator<Item = &String> {
+        self.iter().map(|(name, _)| name)
+    }
+
+    /// Everything as a map of its own.
+    pub(super) fn all(&self) -> BTreeMap<String, Value> {
+        self.iter()
+            .map(|(name, value)| (name.clone(), value.clone()))
+            .collect()
+    }
+}
+
+impl PartialEq for Data {
+    fn eq(&self, other: &Data) -> bool {
+        self.iter().eq(other.iter())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_written_counts_before_what_was_delivered() {
+        // oracle: hand
+        let delivered = Data::delivered(Dialect::Nct, Units::Metric);
+        let mut data = delivered.clone();
+        data.insert("#509".to_owned(), Value::Number(41.0));
+        data.insert("#500".to_owned(), Value::Number(1.0));
+        data.remove("#511");
+        assert_eq!(data.get("#509"), Some(&Value::Number(41.0)));
+        assert!(!data.contains_key("#511"));
+        assert_eq!(data.keys().collect::<Vec<_>>(), ["#500", "#509", "#512"]);
+        assert_ne!(data, delivered);
+        data.insert("#509".to_owned(), Value::Number(40.0));
+        data.insert("#511".to_owned(), Value::Number(1500.0));
+        data.remove("#500");
+        assert_eq!(data, delivered);
+    }
+}
