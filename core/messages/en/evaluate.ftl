@@ -11,3 +11,4 @@ evaluate-repeat = Measured again after a violated limit, repetition { $count } o
 evaluate-halt = Programmed stop (M0): the operator continues with NC START.
 evaluate-activated = The corrected frame is active at once.
 evaluate-not-activated = The corrected frame becomes active when the program calls it again (G54, G500 …).
+evaluate-distortion = The measured triangle differs from the set one by { $distortion } mm; below { $limit } mm the frame is corrected.

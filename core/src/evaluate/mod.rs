@@ -2,6 +2,7 @@
 
 pub mod knum;
 pub mod mean;
+pub mod position;
 pub mod symmetry;
 pub mod tolerance;
 pub mod tool_offset;

@@ -13,6 +13,7 @@ pub mod quad;
 pub mod rigid;
 pub mod roots;
 pub mod segment;
+pub mod triangle;
 pub mod wall;
 
 pub use feature::{Feature, Foot};

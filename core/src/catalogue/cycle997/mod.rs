@@ -1,10 +1,17 @@
 //! CYCLE997: centre of one sphere, or position in space by three (B:8178-8539).
 
 mod checks;
+#[cfg(test)]
+mod motion_tests;
 pub mod params;
 mod picture;
 mod points;
+mod propose;
 mod results;
+mod simulate;
+#[cfg(test)]
+mod simulation_tests;
+mod sphere;
 #[cfg(test)]
 mod tests;
 mod variants;
@@ -13,7 +20,7 @@ pub use results::RESULTS;
 pub use variants::VARIANTS;
 
 use crate::catalogue::common;
-use crate::catalogue::{Cycle, Dialect, Drawing, Purpose};
+use crate::catalogue::{Cycle, Dialect, Drawing, Purpose, Simulation, Work};
 
 /// The entry. Example: the three spheres of B:8480-8529. Its program writes `_KNUM` = 99999, which does not exist; meant
 /// is the active frame.
@@ -54,6 +61,15 @@ pub static CYCLE997: Cycle = Cycle {
         ("_VMS", "200"),
         ("_NMSP", "1"),
     ],
-    simulation: None,
+    simulation: Some(Simulation::new(
+        Work {
+            propose: propose::propose,
+            simulate: simulate::simulate,
+        },
+        &[(
+            params::ANGLE,
+            &[("_STA1", "0"), ("_INCA", "90"), ("_RF", "1000")],
+        )],
+    )),
     source: "B:8178-8539",
 };

@@ -7,6 +7,7 @@ use crate::evaluate::{Write, tool_offset, zero_offset};
 use crate::message::Message;
 use crate::run::trace::Step;
 use crate::run::{Machine, Stop};
+use nalgebra::IsometryMatrix3;
 
 /// Finds the quantity that a tool offset corrects; `axis` where there is one measuring axis. None: `_KNUM` = 0.
 pub fn tool_target(
@@ -61,6 +62,26 @@ pub fn zero(
     measured: &zero_offset::Measured,
 ) {
     let writes = zero_offset::writes(machine.control(), target, measured);
+    frame(machine, target, &writes);
+}
+
+/// Turns and moves a frame so that what lies where `motion` takes it from its set position has the set coordinates;
+/// X Y Z of the WCS that is active while measuring, mm.
+pub fn position(
+    machine: &mut dyn Machine,
+    target: &zero_offset::Target,
+    motion: &IsometryMatrix3<f64>,
+    set: [f64; 3],
+) {
+    let control = machine.control();
+    let turn = zero_offset::seen_turn(control, target, &motion.rotation);
+    let rotation = zero_offset::rotation(control, target, &turn);
+    let measured = zero_offset::Measured {
+        actual: motion.transform_point(&set.into()).into(),
+        set,
+        axes: [true; 3],
+    };
+    let writes = zero_offset::placed(control, target, rotation, &measured);
     frame(machine, target, &writes);
 }
 

@@ -1,0 +1,127 @@
+//! What CYCLE997 does: sphere by sphere, then the frame (B:8341-8417).
+
+use super::points::centres;
+use super::sphere::{Plan, Sphere};
+use crate::catalogue::names;
+use crate::catalogue::place::in_plane;
+use crate::catalogue::sinumerik::measuring_block::Block;
+use crate::catalogue::sinumerik::{Next, alarm, correct, results, tolerance};
+use crate::check::Inputs;
+use crate::evaluate::position::position;
+use crate::evaluate::zero_offset::{Measured, Target};
+use crate::geometry::V3;
+use crate::message::Message;
+use crate::run::trace::Step;
+use crate::run::{Machine, Stop};
+
+/// Runs the cycle from the present position, which is above the first sphere at safety height.
+pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
+    results::begin(machine, inputs, 997);
+    results::integer(machine, 0, inputs.integer(names::KNUM));
+    results::integer(machine, 11, 0);
+    results::integer(machine, 12, 0);
+    let block = Block::prepare(machine, inputs)?;
+    let target = correct::zero_target(machine, inputs)?;
+    let refers_to_tip = machine.control().bit("_CBIT[14]");
+    let plan = Plan {
+        block: &block,
+        inputs,
+        safety: machine.position()[block.axes[2]],
+        tip: if refers_to_tip { block.radius } else { 0.0 },
+    };
+    let mut spheres = Vec::new();
+    for (index, names) in centres(inputs).iter().enumerate() {
+        let set = Sphere {
+            centre: names.map(|name| inputs.number(name)),
+            diameter: inputs.number(names::SETVAL),
+        };
+        let found = within_safe_area(machine, &plan, index, &set)?;
+        spheres.push((set, found));
+    }
+    match (target, spheres.as_slice()) {
+        (Some(target), [sphere]) => move_frame(machine, &target, sphere),
+        (Some(target), [first, second, third]) => {
+            turn_frame(machine, inputs, &target, [first, second, third])?;
+        }
+        _ => {}
+    }
+    Ok(())
+}
+
+/// Measures a sphere until its differences are within the safe area, as often as `_CBIT[0]` allows (B:8373-8379).
+fn within_safe_area(
+    machine: &mut dyn Machine,
+    plan: &Plan,
+    index: usize,
+    set: &Sphere,
+) -> Result<Sphere, Stop> {
+    for repetition in 0.. {
+        let found = plan.measure(machine, set)?;
+        let differences = report(machine, index, set, &found);
+        if tolerance::safe(machine, plan.inputs, &differences, repetition)? == Next::Done {
+            return Ok(found);
+        }
+    }
+    Ok(*set)
+}
+
+/// Diameter and centre as numbers.
+fn quantities(sphere: &Sphere) -> [f64; 4] {
+    let [x, y, z] = sphere.centre;
+    [sphere.diameter, x, y, z]
+}
+
+/// Setpoints of the first sphere, actual values and differences of each (B:8267-8297); the differences.
+fn report(machine: &mut dyn Machine, index: usize, set: &Sphere, found: &Sphere) -> [f64; 4] {
+    let (set, actual) = (quantities(set), quantities(found));
+    let differences = std::array::from_fn(|i| actual[i] - set[i]);
+    let first = 4 + 8 * index;
+    for i in 0..4 {
+        if index == 0 {
+            results::length(machine, i, set[i]);
+        }
+        results::length(machine, first + i, actual[i]);
+        results::length(machine, first + 4 + i, differences[i]);
+    }
+    differences
+}
+
+/// One sphere: its centre gets the set coordinates, the rotation stays (B:8383-8405).
+fn move_frame(machine: &mut dyn Machine, target: &Target, (set, found): &(Sphere, Sphere)) {
+    let control = machine.control();
+    let measured = Measured {
+        actual: in_plane(control, found.centre),
+        set: in_plane(control, set.centre),
+        axes: [true; 3],
+    };
+    correct::zero(machine, target, &measured);
+}
+
+/// Three spheres: CYCLE119 finds translation and rotation; beyond `_TNVL` nothing is corrected (B:8407-8413).
+fn turn_frame(
+    machine: &mut dyn Machine,
+    inputs: &Inputs,
+    target: &Target,
+    spheres: [&(Sphere, Sphere); 3],
+) -> Result<(), Stop> {
+    let control = machine.control();
+    let set = spheres.map(|(set, _)| V3::from(in_plane(control, set.centre)));
+    let actual = spheres.map(|(_, found)| V3::from(in_plane(control, found.centre)));
+    let position = position(&set, &actual).map_err(|number| failed(machine, number))?;
+    let limit = inputs.number(names::TNVL);
+    let message = Message::new("evaluate-distortion")
+        .number("distortion", position.distortion)
+        .number("limit", limit);
+    machine.record(Step::Decision(message));
+    position
+        .within(limit)
+        .map_err(|number| failed(machine, number))?;
+    correct::position(machine, target, &position.motion, set[0].into());
+    Ok(())
+}
+
+/// Ends the cycle with an alarm of what follows from the measured points; it stays in `_OVI[12]` too (B:8304).
+pub(super) fn failed(machine: &mut dyn Machine, number: u32) -> Stop {
+    results::integer(machine, 12, i64::from(number));
+    alarm(machine, number)
+}
