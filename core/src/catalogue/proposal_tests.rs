@@ -199,3 +199,46 @@ fn cycle979_finds_size_and_centre() {
         }
     }
 }
+
+/// Set centres of three spheres, and points at an angle.
+const SPHERES: &[(&str, &str)] = &[
+    ("_SETV[2]", "5"),
+    ("_SETV[3]", "300"),
+    ("_SETV[4]", "-50"),
+    ("_SETV[5]", "0"),
+    ("_SETV[6]", "90"),
+    ("_SETV[7]", "260"),
+    ("_SETV[8]", "-20"),
+    ("_STA1", "20"),
+    ("_INCA", "70"),
+    ("_RF", "500"),
+];
+
+#[test]
+fn cycle997_finds_the_spheres() {
+    // oracle: hand (errors of the part; where the diameter is not measured, a sphere that is larger stands higher)
+    let cycle = find(Dialect::Sinumerik, "CYCLE997").unwrap();
+    for plane in [Plane::G17, Plane::G18, Plane::G19] {
+        for variant in cycle.variants.iter().map(|variant| variant.number) {
+            let control = measured_with(cycle, variant, SPHERES, plane);
+            let what = format!("{variant} {plane:?}");
+            let [abscissa, ordinate, applicate] = plane.axes().map(|axis| SHIFT[axis]);
+            for first in if variant / 10_000 % 10 == 1 {
+                &[9, 17, 25][..]
+            } else {
+                &[9]
+            } {
+                near(&control, &format!("_OVR[{first}]"), abscissa, &what);
+                near(&control, &format!("_OVR[{}]", first + 1), ordinate, &what);
+                if variant < 1_000_000 {
+                    near(
+                        &control,
+                        &format!("_OVR[{}]", first + 2),
+                        applicate + SIZE / 2.0,
+                        &what,
+                    );
+                }
+            }
+        }
+    }
+}

@@ -33,7 +33,6 @@ const NOWHERE: &[(&str, &[u32])] = &[
             61370, 61371, 62307, 62308, 62309, 62310, 62311,
         ],
     ),
-    ("CYCLE997 and CYCLE119 are not simulated", &[61414]),
 ];
 
 /// Programs for what one odd value does not bring about: corners whose four points P1 to P4 do not make one.

@@ -6,6 +6,7 @@ mod cycle976;
 mod cycle977;
 mod cycle978;
 mod cycle979;
+mod cycle997;
 mod found;
 mod nct;
 mod table;
@@ -25,6 +26,7 @@ fn table(name: &str) -> Table {
         "CYCLE977" => cycle977::table(),
         "CYCLE978" => cycle978::table(),
         "CYCLE979" => cycle979::table(),
+        "CYCLE997" => cycle997::table(),
         "G101" => nct::g101(),
         "G110" => nct::g110(),
         _ => panic!("{name} has no cases for its alarms"),

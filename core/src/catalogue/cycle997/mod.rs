@@ -23,7 +23,7 @@ use crate::catalogue::common;
 use crate::catalogue::{Cycle, Dialect, Drawing, Purpose, Simulation, Work};
 
 /// The entry. Example: the three spheres of B:8480-8529. Its program writes `_KNUM` = 99999, which does not exist; meant
-/// is the active frame.
+/// is the active frame, there G54, which a form without a program has to name.
 pub static CYCLE997: Cycle = Cycle {
     dialect: Dialect::Sinumerik,
     name: "CYCLE997",
@@ -37,8 +37,11 @@ pub static CYCLE997: Cycle = Cycle {
     results: RESULTS,
     alarms: &[
         common::EVERY_CYCLE,
-        // A:15930-15933; 61316 of CYCLE116, which computes the circle (B:8361); 61321 for a frame that takes no rotation
-        &common::alarms([61316, 61321, 61325, 61327, 61411, 61412, 61413, 61414]),
+        // A:15930-15933; 61316 of CYCLE116, which computes the circle (B:8361); 61321 for a frame that takes no rotation;
+        // 61401 as in the other cycles (A:15920)
+        &common::alarms([
+            61316, 61321, 61325, 61327, 61401, 61411, 61412, 61413, 61414,
+        ]),
     ],
     checks: checks::checks,
     picture: Drawing::new(picture::picture),
@@ -54,7 +57,7 @@ pub static CYCLE997: Cycle = Cycle {
         ("_SETV[6]", "1100"),
         ("_SETV[7]", "1100"),
         ("_SETV[8]", "100"),
-        ("_KNUM", "9999"),
+        ("_KNUM", "1"),
         ("_TNVL", "1.2"),
         ("_PRNUM", "1"),
         ("_FA", "5"),
