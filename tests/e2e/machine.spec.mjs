@@ -24,6 +24,8 @@ describe("machine data", () => {
     const row = shown.locator(".datum", { hasText: "_WP[1,0]" });
     assert.ok(await shown.locator(".datum").count() < 10, "the search narrows");
     const entry = row.locator("input");
+    await entry.focus();
+    assert.match(await shown.locator(".datum-cited").textContent(), /_WP\[1,0\].*Ball diameter.*B:\d+/i);
     await entry.fill("5,995");
     await entry.press("Tab");
     await shown.locator(".datum.changed").waitFor();
@@ -52,6 +54,41 @@ describe("machine data", () => {
     await told.waitFor();
     assert.match(await told.textContent(), /100/);
     assert.equal(await entry.getAttribute("aria-invalid"), "true");
+    await context.close();
+  });
+
+  // oracle: manual B:12501-12506, B:12518-12532, B:12549-12553
+  test("forms are those of the control where that is chosen: the mask decides fields and code, and a change of it is told", async () => {
+    const { context, page, problems } = await open(chrome.browser);
+    const field = (name) => page.locator(`.field[data-field="${name}"]`);
+    const snippet = page.locator(".snippet");
+    const set = async (name, value) => {
+      const shown = await dialog(page);
+      await shown.getByRole("searchbox").fill(name);
+      await shown.locator(".datum select").selectOption(value);
+      await shown.getByRole("button", { name: "Done" }).click();
+    };
+    await field("_VMS").waitFor();
+    await set("_MZ_MASK[1]", "1");
+    await field("_VMS").waitFor(); // nothing changes for who did not choose it
+    await set("PW-FORMS", "1");
+    await field("_VMS").waitFor({ state: "detached" });
+    await field("_EVNUM").waitFor({ state: "detached" });
+    assert.match(await snippet.textContent(), /^; _MZ_MASK=1,1,0,0,0,0,0,0 MD18102=0 MD18080=256$/m);
+    assert.match(await snippet.textContent(), /_VMS=0 _NMSP=1/);
+    assert.match(await snippet.textContent(), /_CHBIT\[4\]=0 _TMV=\S+ _K=1 _EVNUM=0/);
+    await page.getByRole("button", { name: "Insert at cursor" }).click();
+    await page.locator(".call-row").first().waitFor();
+    await set("_MZ_MASK[4]", "1");
+    await field("_EVNUM").waitFor();
+    assert.match(await snippet.textContent(), /_CHBIT\[4\]=1/);
+    await page.locator("#tab-problems").click();
+    await page.locator('.problem-code:has-text("PW141")').first().waitFor();
+    await page.locator('.problem:has-text("_CHBIT[4]=0 → 1")').first().waitFor();
+    await set("_MZ_MASK[0]", "0");
+    await page.locator('.snippet[data-style="indirect"]').waitFor();
+    assert.match(await snippet.textContent(), /CYCLE_PARA\(/);
+    assert.deepEqual(problems, []);
     await context.close();
   });
 

@@ -96,7 +96,8 @@ export function createField(first: Field, actions: Actions, focused: (name: stri
       setText(label, say(field.label));
       show(required, field.required);
       setText(unit, field.unit ? t(`unit-${field.unit.replace("/", "-per-")}`) : "");
-      if (input.value !== typed) input.value = typed;
+      const text = document.activeElement === input ? typed : next.value; // settings of the machine may give part of it
+      if (input.value !== text) input.value = text;
       setAttribute(input, "placeholder", field.fallback === undefined ? null : plain(field.fallback));
       setAttribute(input, "aria-required", String(field.required));
       if (field.kind === "choice") updateChoice(select, field, typed);

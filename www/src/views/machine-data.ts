@@ -45,6 +45,14 @@ function limitsText({ kind, range, fallback }: MachineField): string {
   return [allowed, kind === "choice" || fallback === "" ? "" : t("field-default", { value: fallback })].filter(Boolean).join(" · ");
 }
 
+const entryId = (name: string): string => `datum-${name.replace(/[^A-Za-z0-9_]/g, "-")}`;
+
+/** Which datum it is, and where the manual has it; what it means stands at its entry. */
+function citedText({ name, key, set, source }: MachineField): string {
+  const words = [name, set ? say(set) : "", t(key)].filter(Boolean).join(" · ");
+  return source ? `${words}. ${t("field-source", { source })}` : words;
+}
+
 const choiceText = (key: string, value: number): string => `${plain(value)} · ${optional(`${key}.v${value}`)}`;
 
 export function createMachineData(store: Store, actions: Actions, core: () => ProgramCore | null): MachineData {
@@ -53,6 +61,7 @@ export function createMachineData(store: Store, actions: Actions, core: () => Pr
   const changedOnly = el("input", { type: "checkbox", id: "machine-data-changed" });
   const count = el("p", { class: "machine-data-count", role: "status" });
   const list = el("div", { class: "machine-data-list scroll" });
+  const cited = el("p", { class: "datum-cited", id: "machine-data-cited", "aria-live": "polite" });
   const none = el("p", { class: "empty" });
   const close = el("button", { type: "button", class: "primary" }, t("machine-data-close"));
   const assignments = el("button", { type: "button" }, t("machine-data-assignments"));
@@ -61,7 +70,7 @@ export function createMachineData(store: Store, actions: Actions, core: () => Pr
   const dialog = el("dialog", { class: "machine-data", "aria-labelledby": "machine-data-title" },
     el("header", {}, el("h2", { id: "machine-data-title" }, t("machine-data-title")), count),
     el("div", { class: "machine-data-tools" }, search, el("label", { class: "check", for: "machine-data-changed" }, changedOnly, t("machine-data-changed"))),
-    list, el("div", { class: "actions" }, assignments, definitions, reset, close));
+    list, cited, el("div", { class: "actions" }, assignments, definitions, reset, close));
   document.body.append(dialog);
 
   let view: MachineView | null = null;
@@ -129,6 +138,10 @@ export function createMachineData(store: Store, actions: Actions, core: () => Pr
     dialog.showModal();
     drawAll(true);
   });
+  list.addEventListener("focusin", ({ target }) => {
+    const datum = view?.groups.flatMap((group) => group.fields).find((field) => entryId(field.name) === (target as HTMLElement).id);
+    setText(cited, datum ? citedText(datum) : "");
+  });
   on(search, "input", () => drawAll(true));
   on(changedOnly, "change", () => drawAll(true));
   on(close, "click", () => dialog.close());
@@ -152,7 +165,7 @@ export function createMachineData(store: Store, actions: Actions, core: () => Pr
 function createRow(view: () => MachineView | null, typed: (name: string) => string | undefined, edit: (name: string, value: string) => void) {
   const create = ({ title, datum }: Row): HTMLElement => {
     if (!datum) return el("h3", { class: "machine-set" }, title);
-    const id = `datum-${datum.name.replace(/[^A-Za-z0-9_]/g, "-")}`;
+    const id = entryId(datum.name);
     const entry = datum.kind === "choice"
       ? el("select", { id, class: "choice", "aria-describedby": `${id}-help ${id}-problem` })
       : el("input", { id, class: "figure", type: "text", autocomplete: "off", spellcheck: "false", inputmode: datum.kind === "text" ? "text" : "decimal", "aria-describedby": `${id}-help ${id}-problem` });
