@@ -78,17 +78,18 @@ impl Hole<'_> {
     }
 
     /// Both runs, the first with the spindle turned by 180°: the touches of the second, and the centre of the hole, which
-    /// lies between those of the runs (B:5326-5332). A mono probe follows the directions in both.
+    /// lies between those of the runs (B:5326-5332). A mono probe follows the directions in both, and the second, which
+    /// begins nearer to the centre, counts.
     fn reversed(&self, machine: &mut dyn Machine) -> Result<(Vec<Touch>, [f64; 2]), Stop> {
         let usual = machine.control().spindle;
-        self.block.reverse(machine, usual + 180.0);
+        let reversed = self.block.reverse(machine, usual + 180.0);
         let turned = self.run(machine, [0.0; 2])?;
         let first = self.middle(&turned);
         self.block.reverse(machine, usual);
         let touches = self.run(machine, first)?;
         let second = self.middle(&touches);
-        let centre = std::array::from_fn(|axis| (first[axis] + second[axis]) / 2.0);
-        Ok((touches, centre))
+        let between = std::array::from_fn(|axis| (first[axis] + second[axis]) / 2.0);
+        Ok((touches, if reversed { between } else { second }))
     }
 
     /// All directions. Where the centre is not known, the second axis is touched through the middle of the first.

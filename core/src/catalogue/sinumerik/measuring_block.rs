@@ -270,11 +270,13 @@ impl Block {
         machine.travel(to, MotionKind::Retract, feed, false)
     }
 
-    /// Turns the spindle under a multi probe, degree; a mono probe stands as the direction of probing wants.
-    pub fn reverse(&self, machine: &mut dyn Machine, angle: f64) {
-        if self.spindle == Spindle::Stays {
+    /// Turns the spindle under a multi probe, degree; false: a mono probe stands as the direction of probing wants.
+    pub fn reverse(&self, machine: &mut dyn Machine, angle: f64) -> bool {
+        let multi = self.spindle == Spindle::Stays;
+        if multi {
             machine.orient(angle.rem_euclid(360.0));
         }
+        multi
     }
 
     /// Turns a probe that follows into the direction of probing, degree from the abscissa.
