@@ -74,3 +74,5 @@ mod word_tests;
 
 #[cfg(test)]
 mod proposal_tests;
+#[cfg(test)]
+mod result_tests;

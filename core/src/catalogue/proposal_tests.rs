@@ -56,19 +56,30 @@ fn measured_with(
     changes: &[(&str, &str)],
     plane: Plane,
 ) -> crate::control::Control {
+    measured_in(
+        Frame::translation([100.0, 50.0, -20.0]),
+        cycle,
+        variant,
+        changes,
+        plane,
+    )
+}
+
+/// Results of a call in a settable frame; the errors of the part count in it.
+fn measured_in(
+    frame: Frame,
+    cycle: &'static Cycle,
+    variant: i64,
+    changes: &[(&str, &str)],
+    plane: Plane,
+) -> crate::control::Control {
     let mut setup = Setup::calibrated(Dialect::Sinumerik, plane);
-    setup
-        .control
-        .frames
-        .insert(1, Frame::translation([100.0, 50.0, -20.0]));
+    setup.control.frames.insert(1, frame);
     setup.control.settable = 1;
     setup.control.activate(1);
     let mut typed = typed(variant, "1");
-    typed.extend(
-        changes
-            .iter()
-            .map(|(name, value)| ((*name).to_owned(), (*value).to_owned())),
-    );
+    let changes = changes.iter();
+    typed.extend(changes.map(|(name, value)| ((*name).to_owned(), (*value).to_owned())));
     let checked = check(cycle, &typed, &setup.control);
     let inputs = checked
         .inputs
@@ -76,13 +87,13 @@ fn measured_with(
     let proposal = (cycle.work().unwrap().propose)(&inputs, &setup.control);
     setup.workpiece = proposal.workpiece;
     for solid in &mut setup.workpiece.solids {
-        solid.errors.shift = SHIFT;
+        solid.errors.shift = setup.control.direction_to_machine(SHIFT);
         solid.errors.size = SIZE;
     }
     setup.workpiece.solids.extend(proposal.fixture);
     setup.position = setup.control.to_machine(proposal.start);
     let outcome = predict(cycle, &inputs, &setup);
-    assert_eq!(outcome.stop, None, "{variant} {changes:?} {plane:?}");
+    assert_eq!(outcome.stop, None, "{variant} {typed:?} {plane:?}");
     outcome.control
 }
 
@@ -237,6 +248,43 @@ fn cycle997_finds_the_spheres() {
                         applicate + SIZE / 2.0,
                         &what,
                     );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn results_do_not_depend_on_where_the_part_stands() {
+    // oracle: self (the same measurement in other frames, all of it moved and turned)
+    let frames = [
+        Frame::default(),
+        Frame {
+            rotation: [0.0, 0.0, 37.0],
+            ..Frame::translation([-700.0, 411.0, 93.0])
+        },
+        Frame {
+            rotation: [20.0, -35.0, 120.0],
+            ..Frame::translation([310.0, -205.0, 60.0])
+        },
+    ];
+    for name in ["CYCLE977", "CYCLE978", "CYCLE979"] {
+        let cycle = find(Dialect::Sinumerik, name).unwrap();
+        for plane in [Plane::G17, Plane::G18, Plane::G19] {
+            for variant in cycle.variants {
+                let changes = [
+                    ("_STA1", "25"),
+                    ("_ID", if name == "CYCLE979" { "20" } else { "-25" }),
+                ];
+                let results = frames.map(|frame| {
+                    let control = measured_in(frame, cycle, variant.number, &changes, plane);
+                    [4, 5, 6, 7, 16, 17, 18, 19].map(|i| control.number(&format!("_OVR[{i}]")))
+                });
+                for moved in &results[1..] {
+                    for (one, other) in results[0].iter().zip(moved) {
+                        let what = format!("{name} {} {plane:?}", variant.number);
+                        assert!((one - other).abs() < 1e-9, "{what}: {one} {other}");
+                    }
                 }
             }
         }

@@ -7,6 +7,8 @@ mod lists;
 mod motion_tests;
 pub mod params;
 mod picture;
+#[cfg(test)]
+mod probe_tests;
 mod propose;
 mod protection;
 mod results;

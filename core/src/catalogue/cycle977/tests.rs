@@ -232,7 +232,9 @@ proptest! {
 }
 
 /// Runs a hole with these data and values changed.
-fn hole(errors: impl Fn(&mut Setup, &mut Inputs)) -> (Sim, Result<(), crate::run::Stop>) {
+pub(super) fn hole(
+    errors: impl Fn(&mut Setup, &mut Inputs),
+) -> (Sim, Result<(), crate::run::Stop>) {
     let mut setup = ready(Plane::G17, 1);
     setup.workpiece.solids.push(part(Plane::G17, 1, false));
     let mut inputs = inputs(1, 1.0);
@@ -433,96 +435,4 @@ fn the_ordinate_is_measured_through_the_centre_found_in_the_abscissa() {
             .all(|touch| (touch[0] - 40.8).abs() < 1e-9),
         "{touches:?}"
     );
-}
-
-#[test]
-fn a_mono_probe_is_turned_before_each_touch() {
-    // oracle: manual B:864-871, B:13624-13626
-    let (sim, outcome) = hole(|_, inputs| {
-        inputs.numbers.extend([("_PRNUM", 101.0), ("_CORA", 0.5)]);
-    });
-    assert_eq!(outcome, Ok(()));
-    let turns: Vec<f64> = sim
-        .trace
-        .entries
-        .iter()
-        .filter_map(|entry| match entry.step {
-            Step::Orient(angle) => Some(angle),
-            _ => None,
-        })
-        .collect();
-    assert_eq!(turns, [0.5, 180.5, 90.5, 270.5]);
-}
-
-#[test]
-fn a_multi_probe_may_turn_with_the_coordinates() {
-    // oracle: manual B:13973-13987
-    for (reverse, angle) in [(0.0, 330.0), (1.0, 30.0)] {
-        let (sim, outcome) = hole(|setup, _| {
-            setup.control.set("_CHBIT[13]", 1.0);
-            setup.control.set("_CHBIT[14]", reverse);
-            setup.control.active.rotation = [0.0, 0.0, 30.0];
-            let start = setup.control.to_machine([CENTRE[0], CENTRE[1], -10.0]);
-            setup.position = start;
-            setup.workpiece.solids[0].at = setup.control.to_machine([CENTRE[0], CENTRE[1], 0.0]);
-        });
-        assert_eq!(outcome, Ok(()));
-        assert_eq!(sim.control.spindle, angle);
-        close(&sim, "_OVR[4]", 60.0);
-    }
-}
-
-#[test]
-fn the_fast_touch_is_followed_by_a_slow_one() {
-    // oracle: manual B:13772
-    let (sim, outcome) = hole(|setup, _| setup.control.set("_CHBIT[17]", 1.0));
-    assert_eq!(outcome, Ok(()));
-    let feeds: Vec<f64> = sim
-        .trace
-        .entries
-        .iter()
-        .filter_map(|entry| match entry.step {
-            Step::Motion {
-                kind: crate::run::trace::MotionKind::Measuring,
-                feed,
-                ..
-            } => Some(feed),
-            _ => None,
-        })
-        .collect();
-    assert_eq!(
-        feeds,
-        [900.0, 300.0, 900.0, 300.0, 900.0, 300.0, 900.0, 300.0]
-    );
-}
-
-#[test]
-fn results_count_in_the_active_units() {
-    // oracle: hand (60 mm and a tolerance of 2.4 mm in inch)
-    let (sim, outcome) = hole(|setup, _| setup.control.active_units = crate::control::Units::Inch);
-    assert_eq!(outcome, Ok(()));
-    close(&sim, "_OVR[0]", 60.0 / 25.4);
-    close(&sim, "_OVR[8]", 2.4 / 25.4);
-}
-
-#[test]
-fn a_skewed_multi_probe_with_calibrated_triggers_measures_right() {
-    // oracle: hand: triggers and skew as sequence of B:13441-13452 with F2 and F3
-    let (sim, outcome) = hole(|setup, _| {
-        setup.probe.skew = [0.3, -0.2];
-        for (i, value) in [
-            (1, 2.7),
-            (2, -3.3),
-            (3, 3.2),
-            (4, -2.8),
-            (7, 0.3),
-            (8, -0.2),
-        ] {
-            setup.control.set(format!("_WP[0,{i}]"), value);
-        }
-    });
-    assert_eq!(outcome, Ok(()));
-    for (name, value) in [("_OVR[4]", 60.0), ("_OVR[5]", 40.0), ("_OVR[6]", -25.0)] {
-        close(&sim, name, value);
-    }
 }

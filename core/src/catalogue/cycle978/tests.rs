@@ -289,3 +289,35 @@ fn only_the_measuring_axis_moves_to_the_start_into_the_surface_and_back() {
         }
     }
 }
+
+#[test]
+fn the_length_may_end_at_the_centre_or_the_circumference_of_the_ball() {
+    // oracle: manual B:13646-13652, B:5581-5583: the face stands at 0.5 either way; the end is the ball _FA above 0
+    for (bit, length, trigger, end) in [(0.0, 50.0, 3.0, 7.0), (1.0, 53.0, 0.0, 4.0)] {
+        let mut setup = ready(Plane::G17, 2, 1.0, 0.5);
+        setup.control.set("_CBIT[14]", bit);
+        setup.control.set("_WP[0,5]", trigger);
+        assert!(setup.control.set_variable("$TC_DP3[9,1]", length));
+        let mut sim = Sim::new(&setup);
+        assert_eq!(run(&mut sim, &inputs(0, 2, 1.0)), Ok(()));
+        close(&sim, "_OVR[16]", 0.5);
+        assert!((sim.position[2] - end).abs() < 1e-9, "{:?}", sim.position);
+    }
+}
+
+#[test]
+fn a_mono_probe_is_known_by_its_triggers() {
+    // oracle: hand: its ball stands 0.2 mm ahead of the spindle axis in every direction of probing
+    for (axis, side) in [(0, 1.0), (0, -1.0), (1, 1.0), (1, -1.0)] {
+        let mut setup = ready(Plane::G17, axis, side, 0.5);
+        setup.probe.skew = [0.2, 0.0];
+        for (i, value) in [(1, 3.2), (2, -3.2), (3, 3.2), (4, -3.2)] {
+            setup.control.set(format!("_WP[0,{i}]"), value);
+        }
+        let mut inputs = inputs(0, axis, side);
+        inputs.numbers.insert("_PRNUM", 101.0);
+        let mut sim = Sim::new(&setup);
+        assert_eq!(run(&mut sim, &inputs), Ok(()));
+        close(&sim, "_OVR[16]", 0.5);
+    }
+}

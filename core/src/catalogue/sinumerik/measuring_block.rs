@@ -5,10 +5,12 @@
 mod prepare;
 mod ray;
 
-pub use ray::{Ray, ball_known};
+pub use ray::Ray;
 
 use super::alarm;
+use crate::control::Control;
 use crate::diagnostic::Code;
+use crate::geometry::rigid::sin_cos;
 use crate::geometry::{TOLERANCE, arc};
 use crate::run::trace::MotionKind;
 use crate::run::{Machine, Stop};
@@ -47,6 +49,8 @@ pub struct Block {
     pub skew: [f64; 2],
     /// Active radius of the ball, mm: half of `_WP[k,0]`, 0 where it was never determined (B:6873, B:13442).
     pub ball: f64,
+    /// Whether the probe was calibrated otherwise than it is used now (`_CBIT[16]`).
+    other: bool,
     feed: f64,
     fast: Option<f64>,
     attempts: u32,
@@ -279,10 +283,23 @@ impl Block {
         multi
     }
 
-    /// Turns a probe that follows into the direction of probing, degree from the abscissa.
+    /// Turns a probe that follows into the direction of probing, degree from the abscissa of the WCS.
     fn orient(&self, machine: &mut dyn Machine, angle: f64) {
         if let Spindle::Follows(offset) = self.spindle {
-            machine.orient((angle + offset).rem_euclid(360.0));
+            let seen = self.on_machine(machine.control(), angle);
+            machine.orient((seen + offset).rem_euclid(360.0));
+        }
+    }
+
+    /// A direction of the WCS as the spindle sees it, degree: frames may be turned.
+    fn on_machine(&self, control: &Control, angle: f64) -> f64 {
+        let [abscissa, ordinate, _] = self.axes;
+        let mut direction = [0.0; 3];
+        (direction[ordinate], direction[abscissa]) = sin_cos(angle);
+        let seen = control.direction_to_machine(direction);
+        match seen == direction {
+            true => angle,
+            false => seen[ordinate].atan2(seen[abscissa]).to_degrees(),
         }
     }
 }
@@ -315,8 +332,14 @@ pub fn turnable(machine: &mut dyn Machine) -> Result<(), Stop> {
     Err(alarm(machine, 61372))
 }
 
-/// Whether the triggers of this axis are there: they differ (61341 otherwise, B:13565-13667).
+/// Whether the triggers of this axis are there: they differ, and come from a calibration as the probe is used now
+/// (61341 otherwise, B:13565-13667).
 pub fn calibrated(block: &Block, axis: usize) -> bool {
     let [minus, plus] = block.triggers[axis.min(2)];
-    minus != plus
+    minus != plus && !block.other
+}
+
+/// Whether the active ball is there, without which nothing can be measured at an angle (B:6873); as [`calibrated`].
+pub fn ball_known(block: &Block) -> bool {
+    block.ball > 0.0 && !block.other
 }

@@ -1,5 +1,6 @@
 //! What the SINUMERIK workpiece cycles have in common: the measuring block, results, tolerances, corrections.
 
+pub mod calibrated_as;
 pub mod centred;
 pub mod correct;
 pub mod measuring_block;

@@ -1,7 +1,7 @@
 //! What a measuring block takes from parameters and data, and what must be true before the first motion.
 
 use super::{Block, Spindle, turnable};
-use crate::catalogue::sinumerik::{alarm, state};
+use crate::catalogue::sinumerik::{alarm, calibrated_as, state};
 use crate::check::Inputs;
 use crate::control::Control;
 use crate::run::{Machine, Stop};
@@ -50,6 +50,7 @@ fn read(control: &Control, inputs: &Inputs) -> Result<Block, u32> {
         // The skew of a mono probe turns with the spindle, so that it is not carried over.
         skew: if mono { [0.0; 2] } else { [data(7), data(8)] },
         ball: data(0) / 2.0,
+        other: calibrated_as::differs(control, inputs),
         feed: measuring_feed(inputs),
         fast: (control.bit("_CHBIT[17]") && path > 1.0).then(|| control.basic_length("_SPEED[3]")),
         attempts: if control.bit("_CHBIT[15]") { 1 } else { 5 },

@@ -82,11 +82,6 @@ impl Block {
     }
 }
 
-/// Whether the active ball is there, without which nothing can be measured at an angle (B:6873).
-pub fn ball_known(block: &Block) -> bool {
-    block.ball > 0.0
-}
-
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
