@@ -1,7 +1,7 @@
 //! What a calibration found: the results, the comparison with what is stored, the new data (B:5134, B:5090-5118).
 
 use crate::catalogue::names;
-use crate::catalogue::sinumerik::{Next, correct, results, tolerance};
+use crate::catalogue::sinumerik::{Next, calibrated_as, correct, results, tolerance};
 use crate::check::Inputs;
 use crate::control::Control;
 use crate::evaluate::Write;
@@ -94,6 +94,7 @@ pub fn store(
             set_tool(machine, RADIUS, |_| ball / 2.0); // B:13656
         }
     }
+    calibrated_as::note(machine, inputs);
     if let Some(length) = found.length {
         let length = set_tool(machine, LENGTH, |before| before + length);
         results::length(machine, 22, length);

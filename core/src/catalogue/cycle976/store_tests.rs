@@ -104,3 +104,24 @@ fn every_result_of_the_entry_is_written_and_no_other() {
         }
     }
 }
+
+#[test]
+fn a_calibration_says_how_it_was_made() {
+    // oracle: manual B:13658-13667; what another measurement then sees stands in `sinumerik::calibrated_as`
+    for (plane, number) in [(Plane::G17, 17.0), (Plane::G18, 18.0), (Plane::G19, 19.0)] {
+        for (probe, kind) in [(1.0, 0.0), (101.0, 100.0)] {
+            let mut inputs = inputs(1, 1.0, 0.0);
+            inputs.numbers.insert("_PRNUM", probe);
+            let mut sim = Sim::new(&ready(plane, &inputs));
+            assert_eq!(run(&mut sim, &inputs), Ok(()));
+            let noted = [9, 10].map(|field| sim.control.number(&format!("_WP[0,{field}]")));
+            assert_eq!(noted, [number + kind, 1.0]);
+        }
+    }
+    let (sim, outcome) = ring(1, |setup, inputs| {
+        setup.probe.radius = 2.5;
+        inputs.numbers.insert("_TSA", 0.1);
+    });
+    assert_eq!(stopped(outcome), 61303);
+    assert_eq!(sim.control.number("_WP[0,9]"), 0.0, "nothing was stored");
+}
