@@ -269,3 +269,20 @@ proptest! {
         }
     }
 }
+
+// oracle: manual B:11870-11879, B:13515-13520 (feed and speed of the call stand in data of the machine)
+#[test]
+fn data_of_the_machine_that_a_call_sets_are_kept() {
+    let direct = "_MVAR=2 _MA=3 _ID=1 _PRNUM=1\n_MFS[0]=800 _MFS[1]=20\nCYCLE971\n";
+    let turned = |text: &str, style| {
+        let program = read(Dialect::Sinumerik, text.as_bytes());
+        let edits = convert(&program, 0, style).edits;
+        String::from_utf8(apply(text.as_bytes(), &edits)).unwrap()
+    };
+    let indirect = turned(direct, Style::Indirect);
+    assert!(indirect.contains("CYCLE_971(2,3,1,1,800,20)"), "{indirect}");
+    let back = turned(&indirect, Style::Direct);
+    let site = &sites(&back)[0];
+    assert_eq!(site.values["_MFS[0]"], "800", "{back}");
+    assert_eq!(site.values["_MFS[1]"], "20", "{back}");
+}

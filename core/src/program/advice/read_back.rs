@@ -29,37 +29,37 @@ struct Change {
     after: String,
 }
 
+/// The settings that a comment before the call names, and those of the machine.
+struct Marked {
+    then: Mark,
+    now: Mark,
+    place: Span,
+}
+
+impl Marked {
+    /// The comment with the settings of the machine.
+    fn renewed(&self) -> Edit {
+        replaced(self.place, &self.now.text())
+    }
+}
+
 /// Findings at one call. `control` is one to work on; it takes plane and units of the call.
 pub fn look(seen: &Seen, control: &mut Control, found: &mut Vec<Diagnostic>) {
     let site = seen.site;
-    let mark = mark(seen.program, site);
-    let now = Mark::of(seen.control);
-    let tools = mark.as_ref().and_then(|(mark, _)| tools(mark, &now));
-    found.extend(tools.map(|finding| at(finding, site.span)));
+    let marked = marked(seen);
+    let mut say = |finding| found.push(at(finding, site.span));
+    marked.as_ref().and_then(tools).map(&mut say);
     let Some(support) = Support::of(site.cycle, seen.control).filter(|_| of_support(site)) else {
         return;
     };
     control.plane = site.plane;
     control.choose_units(site.unit_function);
-    let own = mark
-        .as_ref()
-        .map(|(mark, place)| (mark, *place, now.text()));
-    let mask = own.as_ref().and_then(|(mark, place, text)| {
-        let finding = mask(&mark.mask_changed(&now))?;
-        let edits = vec![replaced(*place, text)];
-        Some(cured(finding, Message::new("advice-mask-cure"), edits))
-    });
-    let values = taken_over(
-        seen,
-        support,
-        control,
-        own.as_ref().map(|own| (own.1, &*own.2)),
-    );
+    marked.as_ref().and_then(mask).map(&mut say);
+    taken_over(seen, support, control, marked.as_ref()).map(&mut say);
     let inputs = check::read(site.cycle, &site.values, control, &mut Vec::new());
     let params = site.cycle.params.iter();
     let targets = params.filter_map(|param| support::finding(support, param, &inputs));
-    let all = mask.into_iter().chain(values).chain(targets);
-    found.extend(all.map(|finding| at(finding, site.span)));
+    targets.for_each(&mut say);
 }
 
 /// The lists of newer controls are not of this support.
@@ -69,15 +69,17 @@ fn of_support(site: &CallSite) -> bool {
 
 /// The comment with the settings, on the line before the call's first; lines that set nothing but bits for it may stand
 /// between.
-fn mark(program: &Program, site: &CallSite) -> Option<(Mark, Span)> {
-    let before = program.blocks.get(..site.first_line as usize)?;
-    let block = before
-        .iter()
-        .rev()
-        .find(|block| !sets_bits(program, block))?;
+fn marked(seen: &Seen) -> Option<Marked> {
+    let program = seen.program;
+    let mut before = program.blocks.get(..seen.site.first_line as usize)?.iter();
+    let block = before.rfind(|block| !sets_bits(program, block))?;
     let place = block.comment?;
     let text = std::str::from_utf8(program.text(place)).ok()?;
-    Some((Mark::read(text)?, place))
+    Some(Marked {
+        then: Mark::read(text)?,
+        now: Mark::of(seen.control),
+        place,
+    })
 }
 
 fn sets_bits(program: &Program, block: &Block) -> bool {
@@ -95,14 +97,18 @@ fn sets_bits(program: &Program, block: &Block) -> bool {
     !words.is_empty() && block.comment.is_none() && words.iter().all(is_bit)
 }
 
-fn mask(changed: &[Changed]) -> Option<Diagnostic> {
-    let message = Message::new("advice-mask").text("changes", listed(changed)?);
-    Some(warning(MASK, message).hint(Message::new("advice-mask-hint")))
+/// The mask is another one than when the call was written.
+fn mask(marked: &Marked) -> Option<Diagnostic> {
+    let changes = listed(&marked.then.mask_changed(&marked.now))?;
+    let message = Message::new("advice-mask").text("changes", changes);
+    let finding = warning(MASK, message).hint(Message::new("advice-mask-hint"));
+    let label = Message::new("advice-mask-cure");
+    Some(cured(finding, label, vec![marked.renewed()]))
 }
 
 /// The control does not read its calls back once this changed.
-fn tools(mark: &Mark, now: &Mark) -> Option<Diagnostic> {
-    let changes = listed(&mark.tools_changed(now))?;
+fn tools(marked: &Marked) -> Option<Diagnostic> {
+    let changes = listed(&marked.then.tools_changed(&marked.now))?;
     let message = Message::new("advice-tool-programming").text("changes", changes);
     Some(warning(TOOLS, message).hint(Message::new("advice-tool-programming-hint")))
 }
@@ -121,7 +127,7 @@ fn taken_over(
     seen: &Seen,
     support: Support,
     control: &Control,
-    mark: Option<(Span, &str)>,
+    marked: Option<&Marked>,
 ) -> Option<Diagnostic> {
     let site = seen.site;
     let entered = support.entered(site.cycle, &site.values, control);
@@ -147,7 +153,7 @@ fn taken_over(
     let of_values = values.iter();
     let of_values = of_values.flat_map(|one| change(seen.program, site, one.name, &one.after));
     let of_bits = bits.iter().filter_map(|one| set(seen.program, site, one));
-    let of_mark = mark.map(|(place, text)| replaced(place, text));
+    let of_mark = marked.map(Marked::renewed);
     let edits: Vec<Edit> = of_values.chain(of_bits).chain(of_mark).collect();
     let message = Message::new("advice-read-back").text("changes", all.join(", "));
     let finding = warning(TAKEN_OVER, message).hint(Message::new("advice-read-back-hint"));

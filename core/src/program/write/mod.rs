@@ -74,14 +74,16 @@ fn whole(text: String) -> Written {
     }
 }
 
-/// The values that are used and can be written.
+/// The values that are used and can be written; and data of the machine that were set for the call, which the data of
+/// this machine may let count or not.
 fn source<'a>(cycle: &'static Cycle, typed: &Typed, control: &'a Control) -> Source<'a> {
     let inputs = check::read(cycle, typed, control, &mut Vec::new());
-    let used = cycle.params.iter();
-    let used = used.filter(|param| param.need(&inputs).is_some());
-    let values = used
-        .filter_map(|param| Some((param, value(param, typed.get(param.name)?)?)))
-        .collect();
+    let written = cycle.params.iter().filter_map(|param| {
+        let text = value(param, typed.get(param.name)?)?;
+        let set = || param.is_machine_datum() && parse(&text) != Parsed::Number(0.0);
+        (param.need(&inputs).is_some() || set()).then_some((param, text))
+    });
+    let values = written.collect();
     Source {
         cycle,
         inputs,
