@@ -146,8 +146,10 @@ proptest! {
                 let mut none = Vec::new();
                 let inputs = check::read(cycle, &typed, &control, &mut none);
                 for param in cycle.params {
-                    let asked = param.need(&inputs).is_some();
-                    let given = typed.get(param.name).filter(|_| asked);
+                    let given = typed.get(param.name).filter(|text| {
+                        let set = param.is_machine_datum() && parse(text) != Parsed::Number(0.0);
+                        set || param.need(&inputs).is_some()
+                    });
                     let read = site.values.get(param.name);
                     let back = match (given, read) {
                         (Some(given), Some(read)) => same(given, read),
