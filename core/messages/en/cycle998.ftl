@@ -65,5 +65,5 @@ check-angle-reach-hint = Choose _FA of { $needed } mm or more, or a smaller _TSA
 check-angle-reach-worst = An angle that differs by the whole safe area, { $area }°, would be missed at the next point: alarm 61301 comes before 61303.
 check-angle-paraxial = From point to point the set surface rises by { $rise } mm, more than the whole measuring path of { $path } mm.
 check-angle-paraxial-hint = Choose _FA above { $needed } mm, or a variant that travels along the angle.
-check-rotary-axis = The channel axis { $axis } is hardly a rotary axis: the first three are usually X, Y and Z.
-check-rotary-axis-hint = Enter the number of the rotary axis in the channel, for example 4, or 0 to turn the coordinate system.
+check-rotary-axis = The channel axis { $axis } has no name or is no rotary axis.
+check-rotary-axis-hint = Enter the number of the rotary axis in the channel, or 0 to turn the coordinate system. Which axes there are stands in MD 20080 and MD 30300.

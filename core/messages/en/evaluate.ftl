@@ -1,5 +1,6 @@
 # Decisions of a measuring cycle after measuring. Numbers in mm.
 evaluate-safe-area = Difference { $difference } mm exceeds the safe area: nothing is corrected, the program stops.
+evaluate-safe-area-angle = Difference { $difference }° exceeds the safe area: nothing is corrected, the program stops.
 evaluate-difference = Difference { $difference } mm exceeds the permissible dimensional difference: nothing is corrected, the program goes on.
 evaluate-oversize = Difference { $difference } mm is above the upper tolerance: the whole difference is corrected, the mean value begins again.
 evaluate-undersize = Difference { $difference } mm is below the lower tolerance: the whole difference is corrected, the mean value begins again.

@@ -65,5 +65,5 @@ check-angle-reach-hint = 请把 _FA 选为 { $needed } mm 或以上，或减小 
 check-angle-reach-worst = 相差整个安全区 { $area }° 的角度在下一点会找不到：报警 61301 先于 61303。
 check-angle-paraxial = 点与点之间设定表面升高 { $rise } mm，大于整个测量行程 { $path } mm。
 check-angle-paraxial-hint = 请把 _FA 选得大于 { $needed } mm，或选沿角度移动的测量方式。
-check-rotary-axis = 通道轴 { $axis } 大概不是回转轴：前三个通常为 X、Y 和 Z。
-check-rotary-axis-hint = 请输入回转轴在通道中的号，例如 4，或输入 0 旋转坐标系。
+check-rotary-axis = 通道轴 { $axis } 没有名称，或不是回转轴。
+check-rotary-axis-hint = 请输入回转轴在通道中的号，或输入 0 旋转坐标系。有哪些轴由 MD 20080 和 MD 30300 给出。

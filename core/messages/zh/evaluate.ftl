@@ -1,6 +1,7 @@
 # 测量循环测量后的判断。数字单位为 mm。
 
 evaluate-safe-area = 偏差 { $difference } mm 超出安全区：不作补偿，程序停止。
+evaluate-safe-area-angle = 偏差 { $difference }° 超出安全区：不作补偿，程序停止。
 evaluate-difference = 偏差 { $difference } mm 超出允许尺寸差：不作补偿，程序继续。
 evaluate-oversize = 偏差 { $difference } mm 超过公差上限：补偿全部偏差，平均值重新开始。
 evaluate-undersize = 偏差 { $difference } mm 低于公差下限：补偿全部偏差，平均值重新开始。

@@ -126,8 +126,8 @@ mod tests {
         let turned = control.on_table(&solid);
         // oracle: manual B:627, hand: 21 mm from the centre along X, then along minus Y
         let wanted = [10.0, -21.0, 7.0];
-        for axis in 0..3 {
-            assert!((turned.at[axis] - wanted[axis]).abs() < 1e-12);
+        for (found, wanted) in turned.at.iter().zip(wanted) {
+            assert!((found - wanted).abs() < 1e-12);
         }
         assert!((turned.rotation[2] + 60.0).abs() < 1e-12);
         assert_eq!(turned.errors, PartErrors::default());

@@ -7,6 +7,7 @@ mod cycle977;
 mod cycle978;
 mod cycle979;
 mod cycle997;
+mod cycle998;
 mod found;
 mod nct;
 mod table;
@@ -27,6 +28,7 @@ fn table(name: &str) -> Table {
         "CYCLE978" => cycle978::table(),
         "CYCLE979" => cycle979::table(),
         "CYCLE997" => cycle997::table(),
+        "CYCLE998" => cycle998::table(),
         "G101" => nct::g101(),
         "G110" => nct::g110(),
         _ => panic!("{name} has no cases for its alarms"),

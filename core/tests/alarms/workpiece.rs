@@ -24,6 +24,21 @@ pub const UNREACHED: &[(u32, &str)] = &[
     (61404, "internal error of the cycles (A:15923)"),
 ];
 
+/// Alarms of the groups that such a cycle shares, where it corrects zero offsets only: it has no tool to be corrected.
+pub const NO_TOOL: &[(u32, &str)] = &[
+    (61320, ZERO_ONLY),
+    (61328, ZERO_ONLY),
+    (61343, ZERO_ONLY),
+    (61345, ZERO_ONLY),
+    (61405, ZERO_ONLY),
+    (61406, ZERO_ONLY),
+    (61407, ZERO_ONLY),
+    (61408, ZERO_ONLY),
+    (61409, ZERO_ONLY),
+    (61410, ZERO_ONLY),
+];
+const ZERO_ONLY: &str = "the cycle corrects zero offsets, no tool";
+
 /// The probe in the spindle at this position, T20 to be corrected, one solid with its upper face at Z0.
 pub fn setup(shape: Shape, position: [f64; 3]) -> Setup {
     let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);

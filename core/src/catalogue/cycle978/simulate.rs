@@ -1,5 +1,6 @@
 //! What CYCLE978 does: one point of a surface, plain or differential (B:6376-6418).
 
+use crate::catalogue::sinumerik::differential::twice;
 use crate::catalogue::sinumerik::measuring_block::{Block, Point, calibrated, turnable};
 use crate::catalogue::sinumerik::target::Target;
 use crate::catalogue::sinumerik::{Next, alarm, correct, results, tolerance};
@@ -38,7 +39,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     };
     for repetition in 0.. {
         let actual = match differential {
-            true => twice(machine, inputs, &block, &point)?,
+            true => twice(machine, inputs, &block, &point)?.surface,
             false => block.measure(machine, &point)?,
         };
         let next = match &target {
@@ -60,39 +61,6 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
         }
     }
     Ok(())
-}
-
-/// Differential measurement: with the spindle turned by 180 degree, then as at the start; the uncalibrated probe counts
-/// with plus or minus its radius. Its skew in the measuring axis is found on the way and stored with the trigger value
-/// (B:6402-6418, A:7281-7291).
-fn twice(
-    machine: &mut dyn Machine,
-    inputs: &Inputs,
-    block: &Block,
-    point: &Point,
-) -> Result<f64, Stop> {
-    if point.axis > 1 {
-        return Err(alarm(machine, 61325));
-    }
-    let plain = block.uncalibrated();
-    let angle = machine.control().spindle;
-    machine.orient((angle + 180.0).rem_euclid(360.0));
-    let turned = plain.latch(machine, point)?;
-    machine.orient(angle.rem_euclid(360.0));
-    let straight = plain.latch(machine, point)?;
-    // The latched position is the surface minus radius and minus the skew, which changes its sign with the spindle.
-    let skew = (turned - straight) / 2.0;
-    let probe = inputs.integer("_PRNUM") % 100 - 1;
-    let factor = machine.control().basic_factor();
-    let trigger = 2 * point.axis + if point.direction > 0.0 { 2 } else { 1 };
-    let value = plain.trigger(point.axis, point.direction);
-    results::set(machine, &format!("_WP[{probe},{trigger}]"), value / factor);
-    results::set(
-        machine,
-        &format!("_WP[{probe},{}]", 7 + point.axis),
-        skew / factor,
-    );
-    Ok((turned + straight) / 2.0 - value)
 }
 
 /// Setpoint, actual value and difference, each also in the entry of its axis (B:6336-6349).

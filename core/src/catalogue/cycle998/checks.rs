@@ -7,9 +7,6 @@ use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::message::Message;
 
-/// Number of geometry axes, which are the first channel axes of most machines.
-const GEOMETRY_AXES: i64 = 3;
-
 /// All of them.
 pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     shared_checks::probe(inputs, control, found);
@@ -19,7 +16,7 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     if DIFFERENTIAL.holds(inputs) {
         shared_checks::differential(inputs, control, found);
     }
-    rotary_axis(inputs, found);
+    rotary_axis(inputs, control, found);
     for leg in legs(inputs) {
         let said = if AT_ANGLE.holds(inputs) {
             along_the_angle(inputs, &leg)
@@ -113,14 +110,14 @@ fn along_the_axis(inputs: &Inputs, leg: &Leg) -> Option<Diagnostic> {
     })
 }
 
-/// The first channel axes are hardly ever rotary (A:15872).
-fn rotary_axis(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
-    let Some(axis) = inputs.given(names::RA) else {
+/// The channel axis has to have a name and to be rotary (MD20080, MD30300, A:15872).
+fn rotary_axis(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
+    let Some(axis) = inputs.given(names::RA).filter(|axis| *axis > 0.0) else {
         return;
     };
-    if (1..=GEOMETRY_AXES).contains(&(axis as i64)) {
+    if control.rotary_channel_axis(axis as i64).is_none() {
         let message = Message::new("check-rotary-axis").number("axis", axis);
         let hint = Message::new("check-rotary-axis-hint");
-        found.push(warning(Code::Own(84), message).hint(hint).at(names::RA));
+        found.push(error(Code::Alarm(61329), message).hint(hint).at(names::RA));
     }
 }

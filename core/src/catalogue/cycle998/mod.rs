@@ -1,17 +1,25 @@
 //! CYCLE998: angle of a surface in one or two directions, for a rotation or a rotary axis (B:7252-7812).
 
+mod angles;
 mod checks;
+mod correction;
 mod lists;
+#[cfg(test)]
+mod motion_tests;
 pub mod params;
 mod picture;
+mod propose;
 mod results;
+mod simulate;
+#[cfg(test)]
+mod simulation_tests;
 #[cfg(test)]
 mod tests;
 
 pub use results::RESULTS;
 
 use crate::catalogue::common;
-use crate::catalogue::{Cycle, Dialect, Drawing, Purpose, Variant};
+use crate::catalogue::{Cycle, Dialect, Drawing, Purpose, Simulation, Variant, Work};
 
 /// Measuring variants (B:7318-7324).
 pub const VARIANTS: &[Variant] = &[
@@ -77,6 +85,26 @@ pub static CYCLE998: Cycle = Cycle {
         ("_NMSP", "1"),
         ("_EVNUM", "0"),
     ],
-    simulation: None,
+    simulation: Some(Simulation::new(
+        Work {
+            propose: propose::propose,
+            simulate: simulate::simulate,
+        },
+        &[
+            (params::PARAXIAL, &[("_MD", "0")]),
+            // the oblique plane of B:7624-7694
+            (
+                params::TWO,
+                &[
+                    ("_SETVAL", "30"),
+                    ("_MD", "1"),
+                    ("_SETV[0]", "30"),
+                    ("_STA1", "8"),
+                    ("_INCA", "12"),
+                    ("_FA", "10"),
+                ],
+            ),
+        ],
+    )),
     source: "B:7252-7812",
 };

@@ -50,7 +50,8 @@ fn mistakes_are_told() {
     for (changes, wanted) in [
         (&[][..], None),
         (&[("_RA", "0")], None),
-        (&[("_RA", "2")], Some((warning, own(84), "_RA"))),
+        (&[("_RA", "2")], Some((error, alarm(61329), "_RA"))),
+        (&[("_RA", "5")], Some((error, alarm(61329), "_RA"))),
         (&[("_RA", "-1")], Some((error, alarm(61329), "_RA"))),
         (&[("_RA", "")], Some((error, own(1), "_RA"))),
         (&[("_STA1", "45.5")], Some((error, alarm(61331), "_STA1"))),

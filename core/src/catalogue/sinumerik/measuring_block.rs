@@ -188,22 +188,47 @@ impl Block {
 
     /// The same without the trigger value: mean position at switching, mm.
     pub fn latch(&self, machine: &mut dyn Machine, point: &Point) -> Result<f64, Stop> {
-        if let Some(angle) = heading(point) {
+        if let Some(angle) = heading(point.axis, point.direction) {
             self.orient(machine, angle);
         }
-        let axis = self.axes[point.axis.min(2)];
         let mut start = machine.position();
-        start[axis] = self.start(point);
+        start[self.axes[point.axis.min(2)]] = self.start(point);
         self.travel_as_far(machine, start)?;
+        self.towards(machine, point.axis, point.direction, self.end(point))
+    }
+
+    /// Touches a surface `_NMSP` times from where the probe stands, over a way of this length along an axis, and returns
+    /// there. Coordinate of the surface, mm.
+    pub fn measure_from_here(
+        &self,
+        machine: &mut dyn Machine,
+        axis: usize,
+        direction: f64,
+        length: f64,
+    ) -> Result<f64, Stop> {
+        if let Some(angle) = heading(axis, direction) {
+            self.orient(machine, angle);
+        }
+        let end = machine.position()[self.axes[axis.min(2)]] + direction * length;
+        Ok(self.towards(machine, axis, direction, end)? - self.trigger(axis, direction))
+    }
+
+    /// From here along an axis as far as this coordinate; mean position at switching, mm.
+    fn towards(
+        &self,
+        machine: &mut dyn Machine,
+        axis: usize,
+        sign: f64,
+        end: f64,
+    ) -> Result<f64, Stop> {
+        let axis = self.axes[axis.min(2)];
         let start = machine.position();
-        let (mut end, mut direction) = (start, [0.0; 3]);
-        end[axis] = self.end(point);
-        direction[axis] = point.direction;
-        let way = Way {
+        let mut way = Way {
             start,
-            end,
-            direction,
+            end: start,
+            direction: [0.0; 3],
         };
+        (way.end[axis], way.direction[axis]) = (end, sign);
         Ok(self.mean(machine, &way)?[axis])
     }
 
@@ -305,8 +330,8 @@ impl Block {
 }
 
 /// Direction of probing in the plane, degree; none along the applicate.
-fn heading(point: &Point) -> Option<f64> {
-    match (point.axis, point.direction > 0.0) {
+fn heading(axis: usize, direction: f64) -> Option<f64> {
+    match (axis, direction > 0.0) {
         (0, true) => Some(0.0),
         (1, true) => Some(90.0),
         (0, false) => Some(180.0),

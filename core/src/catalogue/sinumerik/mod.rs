@@ -3,6 +3,7 @@
 pub mod calibrated_as;
 pub mod centred;
 pub mod correct;
+pub mod differential;
 pub mod measuring_block;
 #[cfg(test)]
 pub mod motion_testing;

@@ -1,5 +1,6 @@
 //! Result data `_OVR[]` and `_OVI[]`: written to the control and recorded.
 
+use crate::catalogue::{Unit, names};
 use crate::check::Inputs;
 use crate::run::{Machine, trace::Step};
 
@@ -21,6 +22,11 @@ pub fn length(machine: &mut dyn Machine, index: usize, millimetres: f64) {
     set(machine, &format!("_OVR[{index}]"), value);
 }
 
+/// Writes an angle (degree) into `_OVR[index]`.
+pub fn angle(machine: &mut dyn Machine, index: usize, degrees: f64) {
+    set(machine, &format!("_OVR[{index}]"), degrees);
+}
+
 /// Writes `_OVI[index]`.
 pub fn integer(machine: &mut dyn Machine, index: usize, value: i64) {
     set(machine, &format!("_OVI[{index}]"), value as f64);
@@ -31,7 +37,17 @@ pub fn begin(machine: &mut dyn Machine, inputs: &Inputs, cycle: i64) {
     integer(machine, 2, cycle);
     integer(machine, 5, inputs.integer("_PRNUM") % 100);
     integer(machine, 9, 0);
-    length(machine, 28, inputs.number("_TSA"));
+    if watches_angle(inputs) {
+        angle(machine, 28, inputs.number(names::TSA));
+    } else if inputs.cycle.param(names::TSA).is_some() {
+        length(machine, 28, inputs.number(names::TSA));
+    }
+}
+
+/// Whether the safe area of the cycle is an angle (B:15921).
+pub fn watches_angle(inputs: &Inputs) -> bool {
+    let area = inputs.cycle.param(names::TSA);
+    area.is_some_and(|param| param.unit == Unit::Degree)
 }
 
 /// What a measurement with zero offset tells beside: the frame, no tool, nothing written yet (B:5692-5701).

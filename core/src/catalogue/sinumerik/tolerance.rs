@@ -32,11 +32,20 @@ pub fn middle(inputs: &Inputs, setpoint: f64) -> Symmetric {
 
 /// Empirical value with its sign as subtracted from the actual value, mm (B:13924-13926).
 pub fn empirical(control: &Control, inputs: &Inputs) -> f64 {
+    memorized(control, inputs, |name| control.basic_length(name))
+}
+
+/// The same of an angle, degree.
+pub fn empirical_angle(control: &Control, inputs: &Inputs) -> f64 {
+    memorized(control, inputs, |name| control.number(name))
+}
+
+fn memorized(control: &Control, inputs: &Inputs, read: impl Fn(&str) -> f64) -> f64 {
     let number = mean::memories(inputs.integer("_EVNUM")).empirical;
     if number == 0 {
         return 0.0;
     }
-    let value = control.basic_length(&format!("_EV[{}]", number - 1));
+    let value = read(&format!("_EV[{}]", number - 1));
     if control.bit("_CHBIT[5]") {
         -value
     } else {
@@ -224,7 +233,12 @@ pub fn safe(
     else {
         return Ok(Next::Done);
     };
-    let message = Message::new("evaluate-safe-area").number("difference", worst);
+    let key = if results::watches_angle(inputs) {
+        "evaluate-safe-area-angle"
+    } else {
+        "evaluate-safe-area"
+    };
+    let message = Message::new(key).number("difference", worst);
     machine.record(Step::Decision(message.number("mean", 0.0)));
     if repeat(machine, 62303, repetition) {
         return Ok(Next::Again);

@@ -5,7 +5,7 @@
 mod tests;
 mod turn;
 
-pub use turn::{placed, rotation, seen, seen_turn, turned};
+pub use turn::{placed, rotary, rotation, seen, seen_turn, turned};
 
 use super::Write;
 use super::knum::{self, ZeroCode};
@@ -198,24 +198,30 @@ fn shifted(control: &Control, target: &Target, old: &Frame, shift: [f64; 3]) -> 
         return coarse(target, old, shift);
     }
     let fine = std::array::from_fn(|axis| old.fine[axis] + shift[axis]);
-    part(target, "FI", fine, old.fine)
+    part(target, &AXES, "FI", fine, old.fine)
 }
 
 /// Into the coarse part, the fine part included and erased (B:1990-2003).
 fn coarse(target: &Target, old: &Frame, shift: [f64; 3]) -> Vec<Write> {
     let whole = std::array::from_fn(|axis| old.coarse[axis] + old.fine[axis] + shift[axis]);
-    let mut writes = part(target, "TR", whole, old.coarse);
-    writes.extend(part(target, "FI", [0.0; 3], old.fine));
+    let mut writes = part(target, &AXES, "TR", whole, old.coarse);
+    writes.extend(part(target, &AXES, "FI", [0.0; 3], old.fine));
     writes
 }
 
-/// What of a part of the frame (`TR`, `FI`, `RT`) is different from before.
-fn part(target: &Target, part: &str, values: [f64; 3], before: [f64; 3]) -> Vec<Write> {
+/// What of a part of the frame (`TR`, `FI`, `RT`) is different from before, axis by axis.
+fn part(
+    target: &Target,
+    axes: &[&str; 3],
+    part: &str,
+    values: [f64; 3],
+    before: [f64; 3],
+) -> Vec<Write> {
     let stem = stem(target.store);
     let changed = (0..3).filter(|axis| values[*axis] != before[*axis]);
     changed
         .map(|axis| Write {
-            name: format!("{stem}{},{part}]", AXES[axis]),
+            name: format!("{stem}{},{part}]", axes[axis]),
             value: values[axis],
         })
         .collect()

@@ -1,6 +1,8 @@
 //! Rotations of a corrected frame: the part is turned, and afterwards it is not any more (B:7371, B:7844, B:8411).
 
-use super::{Measured, Target, around, coarse, missing, part};
+use super::{Measured, Store, Target, around, coarse, in_effect, missing, part};
+use crate::control::rotary::ROTARY;
+use crate::control::variables::AXES;
 use crate::control::{Control, Frame};
 use crate::evaluate::Write;
 use crate::geometry::rigid;
@@ -38,7 +40,7 @@ pub fn rotation(control: &Control, target: &Target, turn: &Rotation3<f64>) -> [f
 /// What writes this rotation alone.
 pub fn turned(control: &Control, target: &Target, rotation: [f64; 3]) -> Vec<Write> {
     let (_, old, _) = around(control, target);
-    part(target, "RT", rotation, old.rotation)
+    part(target, &AXES, "RT", rotation, old.rotation)
 }
 
 /// What writes this rotation together with the translation that gives the point its set coordinates, into the coarse
@@ -53,7 +55,33 @@ pub fn placed(
     let turned = Frame { rotation, ..old };
     let shift = missing(control, (&before, &turned, &after), measured);
     let mut writes = coarse(target, &old, shift);
-    writes.extend(part(target, "RT", rotation, old.rotation));
+    writes.extend(part(target, &AXES, "RT", rotation, old.rotation));
+    writes
+}
+
+/// What writes an angle (degree) to the translation of a rotary axis, in addition to what is in effect (B:7410-7411):
+/// into the fine part with MD18600 = 1, else into the coarse part (B:1990-2003).
+pub fn rotary(control: &Control, target: &Target, axis: usize, angle: f64) -> Vec<Write> {
+    let (_, stored, _) = around(control, target);
+    let settable = (Store::Settable(control.settable), control.active);
+    let effective = in_effect(control)
+        .into_iter()
+        .chain([settable])
+        .find(|(store, _)| *store == target.store)
+        .map_or(stored, |(_, frame)| frame);
+    let with = |mut values: [f64; 3], value: f64| {
+        values[axis] = value;
+        values
+    };
+    let (coarse, fine) = (effective.rotary[axis], effective.rotary_fine[axis]);
+    if target.store != Store::System && control.number("MD18600") != 0.0 {
+        let changed = with(stored.rotary_fine, fine + angle);
+        return part(target, &ROTARY, "FI", changed, stored.rotary_fine);
+    }
+    let changed = with(stored.rotary, coarse + fine + angle);
+    let mut writes = part(target, &ROTARY, "TR", changed, stored.rotary);
+    let erased = with(stored.rotary_fine, 0.0);
+    writes.extend(part(target, &ROTARY, "FI", erased, stored.rotary_fine));
     writes
 }
 

@@ -1,0 +1,130 @@
+//! What CYCLE998 corrects: the rotation of a frame, or the translation of the rotary axis on which the part is clamped
+//! (B:7262-7278, B:7371-7391).
+
+use super::angles::{Surface, between, normal};
+use super::params::ONE;
+use crate::catalogue::names;
+use crate::catalogue::sinumerik::{alarm, correct, results};
+use crate::check::Inputs;
+use crate::control::Control;
+use crate::evaluate::zero_offset::{self, Target};
+use crate::geometry::rigid;
+use crate::run::{Machine, Stop};
+use nalgebra::{Rotation3, Vector3};
+
+/// Where the angle goes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Correction {
+    /// The frame; none with `_KNUM` = 0.
+    target: Option<Target>,
+    /// Its rotary axis; none: its rotation.
+    rotary: Option<usize>,
+}
+
+impl Correction {
+    /// Finds the frame, and the rotary axis of `_RA` (61329, A:15872).
+    pub fn prepare(machine: &mut dyn Machine, inputs: &Inputs) -> Result<Correction, Stop> {
+        let target = correct::zero_target(machine, inputs)?;
+        let number = inputs.integer(names::RA);
+        let rotary = machine.control().rotary_channel_axis(number);
+        let wanted = ONE.holds(inputs) && number != 0;
+        if wanted && rotary.is_none() {
+            return Err(alarm(machine, 61329));
+        }
+        Ok(Correction {
+            target,
+            rotary: rotary.filter(|_| wanted),
+        })
+    }
+
+    /// Corrects by the angles by which the surface is wrong, in the order of its ways.
+    pub fn write(&self, machine: &mut dyn Machine, surface: &Surface, wrong: &[f64]) {
+        match *wrong {
+            [angle] => self.one(machine, surface, angle),
+            [about_ordinate, about_abscissa] => {
+                self.two(machine, surface, [about_abscissa, about_ordinate]);
+            }
+            _ => {}
+        }
+    }
+
+    fn one(&self, machine: &mut dyn Machine, surface: &Surface, wrong: f64) {
+        let control = machine.control();
+        let amount = match (&self.target, self.rotary) {
+            (Some(target), None) => seen_wrong(control, target, surface, wrong),
+            _ => wrong,
+        };
+        results::angle(machine, 20, amount);
+        let Some(target) = self.target else {
+            return;
+        };
+        let control = machine.control();
+        let writes = match self.rotary {
+            Some(axis) => zero_offset::rotary(control, &target, axis, amount),
+            None => {
+                let turn = about(control, surface.third(), amount);
+                let rotation = zero_offset::rotation(control, &target, &turn);
+                zero_offset::turned(control, &target, rotation)
+            }
+        };
+        correct::frame(machine, &target, &writes);
+    }
+
+    fn two(&self, machine: &mut dyn Machine, surface: &Surface, wrong: [f64; 2]) {
+        let control = machine.control();
+        let set = match surface.legs.as_slice() {
+            [ordinate, abscissa] => [abscissa.set, ordinate.set],
+            _ => return,
+        };
+        let place = |normal: Vector3<f64>| in_machine_order(control, normal);
+        let wanted = place(normal(set[0], set[1]));
+        let actual = place(normal(set[0] + wrong[0], set[1] + wrong[1]));
+        let seen = match &self.target {
+            Some(target) => zero_offset::seen(control, target, actual.into()).into(),
+            None => actual,
+        };
+        let turn = between(&wanted, &seen);
+        let angles = rigid::angles(&turn);
+        for (index, axis) in control.plane.axes().into_iter().enumerate() {
+            results::angle(machine, 21 + index, angles[axis]);
+        }
+        if let Some(target) = self.target {
+            let control = machine.control();
+            let rotation = zero_offset::rotation(control, &target, &turn);
+            let writes = zero_offset::turned(control, &target, rotation);
+            correct::frame(machine, &target, &writes);
+        }
+    }
+}
+
+/// By how much a direction of the surface is wrong when the frame is active as it is stored.
+fn seen_wrong(control: &Control, target: &Target, surface: &Surface, wrong: f64) -> f64 {
+    let Some(leg) = surface.legs.first() else {
+        return wrong;
+    };
+    let axes = control.plane.axes();
+    let mut direction = [0.0; 3];
+    direction[axes[leg.axis]] = leg.distance;
+    direction[axes[surface.measuring]] = leg.rise(leg.set + wrong);
+    let seen = zero_offset::seen(control, target, direction);
+    let (along, up) = (seen[axes[leg.axis]], seen[axes[surface.measuring]]);
+    let angle = leg.sense * up.atan2(along).to_degrees() - leg.set;
+    // an edge has no beginning: turned by 180 degree it is the same
+    angle - 180.0 * (angle / 180.0).round()
+}
+
+/// A rotation about an axis of the plane, degree.
+fn about(control: &Control, axis: usize, angle: f64) -> Rotation3<f64> {
+    let mut angles = [0.0; 3];
+    angles[control.plane.axes()[axis]] = angle;
+    rigid::rotation(angles)
+}
+
+/// Abscissa, ordinate, applicate as X Y Z.
+fn in_machine_order(control: &Control, vector: Vector3<f64>) -> Vector3<f64> {
+    let mut xyz = Vector3::zeros();
+    for (value, axis) in vector.iter().zip(control.plane.axes()) {
+        xyz[axis] = *value;
+    }
+    xyz
+}

@@ -1,0 +1,294 @@
+//! Every motion of every variant of CYCLE998: order, positions, feeds.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use crate::catalogue::sinumerik::testing::{at, call, run, setup, solid};
+use crate::check::Inputs;
+use crate::control::Plane;
+use crate::run::machine::Sim;
+use crate::run::trace::{MotionKind, Step};
+use crate::workpiece::Shape;
+
+const PLANE_FEED: f64 = 1200.0;
+const DEPTH_FEED: f64 = 700.0;
+const MEASURING_FEED: f64 = 300.0;
+
+/// Where the probe switched, machine.
+pub fn touches(sim: &Sim) -> Vec<[f64; 3]> {
+    let steps = sim.trace.entries.iter();
+    steps
+        .filter_map(|entry| match entry.step {
+            Step::Touch { latched, .. } => Some(latched),
+            _ => None,
+        })
+        .collect()
+}
+
+/// A straight block in the corner of the axes: its faces look to minus abscissa, minus ordinate and plus applicate, the
+/// last one at 0, the others at 0 too.
+fn machine(plane: Plane, start: [f64; 3]) -> Sim {
+    let mut setup = setup(plane);
+    let shape = Shape::Block {
+        size: [100.0, 100.0, 100.0],
+    };
+    setup
+        .workpiece
+        .solids
+        .push(solid(plane, shape, [50.0, 50.0, 0.0], false));
+    setup.control.set("_SPEED[1]", PLANE_FEED);
+    setup.control.set("_SPEED[2]", DEPTH_FEED);
+    setup.position = at(plane, start);
+    Sim::new(&setup)
+}
+
+/// Motions as letter and end: `p` positioning in the plane, `d` along the applicate, `m` measuring, `r` and `s` back in the
+/// plane and along the applicate.
+fn motions(sim: &Sim, plane: Plane) -> Vec<(char, [f64; 3])> {
+    let letter = |kind, feed: f64| match kind {
+        MotionKind::Positioning if feed == PLANE_FEED => 'p',
+        MotionKind::Positioning if feed == DEPTH_FEED => 'd',
+        MotionKind::Measuring if feed == MEASURING_FEED => 'm',
+        MotionKind::Retract if feed == PLANE_FEED => 'r',
+        MotionKind::Retract if feed == DEPTH_FEED => 's',
+        _ => '?',
+    };
+    let motion = |step: &Step| match step {
+        Step::Motion { kind, to, feed, .. } => {
+            Some((letter(*kind, *feed), plane.axes().map(|axis| to[axis])))
+        }
+        _ => None,
+    };
+    let steps = sim.trace.entries.iter();
+    steps.filter_map(|entry| motion(&entry.step)).collect()
+}
+
+/// Ball of radius 3, `_FA` 8, 40 mm and 30 mm between the points; 40·tan 5° = 3.4995, 30·tan 5° = 2.6247,
+/// 40·tan 8° = 5.6216, 30·tan 1° = 0.5237.
+fn inputs(variant: i64, axes: i64, set: [f64; 2]) -> Inputs {
+    call(
+        "CYCLE998",
+        variant,
+        &[
+            ("_SETVAL", 0.0),
+            ("_MA", axes as f64),
+            ("_MD", if axes % 10 == 3 { 1.0 } else { 0.0 }),
+            ("_ID", 40.0),
+            ("_SETV[0]", 30.0),
+            ("_STA1", set[0]),
+            ("_INCA", set[1]),
+            ("_FA", 8.0),
+            ("_TSA", 5.0),
+        ],
+    )
+}
+
+/// Variant, `_MA`, set angles, start, motions.
+type Case = (i64, i64, [f64; 2], [f64; 3], Vec<(char, [f64; 3])>);
+
+#[test]
+fn every_variant_moves_as_its_table_says() {
+    // oracle: manual B:7530-7564, B:7788-7808 (order, ways, end), hand (figures)
+    let (tan1, tan5) = (1.0_f64.to_radians().tan(), 5.0_f64.to_radians().tan());
+    let away = 40.0 * tan5;
+    let edge = [20.0, -20.0, -10.0];
+    let top = [20.0, 20.0, 30.0];
+    let cases: Vec<Case> = vec![
+        // S1 is the ball 8 mm before the edge at 0; the way to P2 leads away by 5 degree
+        (
+            105,
+            102,
+            [0.0; 2],
+            edge,
+            vec![
+                ('p', [20.0, -11.0, -10.0]),
+                ('m', [20.0, -3.0, -10.0]),
+                ('r', [20.0, -11.0, -10.0]),
+                ('p', [60.0, -11.0 - away, -10.0]),
+                ('m', [60.0, -3.0, -10.0]),
+                ('r', [60.0, -11.0 - away, -10.0]),
+            ],
+        ),
+        // the edge should rise by 4 degree: 1 degree away remains
+        (
+            105,
+            102,
+            [4.0, 0.0],
+            edge,
+            vec![
+                ('p', [20.0, -11.0, -10.0]),
+                ('m', [20.0, -3.0, -10.0]),
+                ('r', [20.0, -11.0, -10.0]),
+                ('p', [60.0, -11.0 - 40.0 * tan1, -10.0]),
+                ('m', [60.0, -3.0, -10.0]),
+                ('r', [60.0, -11.0 - 40.0 * tan1, -10.0]),
+            ],
+        ),
+        // a positive angle about the applicate leads to minus abscissa
+        (
+            105,
+            201,
+            [4.0, 0.0],
+            [-20.0, 20.0, -10.0],
+            vec![
+                ('p', [-11.0, 20.0, -10.0]),
+                ('m', [-3.0, 20.0, -10.0]),
+                ('r', [-11.0, 20.0, -10.0]),
+                (
+                    'p',
+                    [-11.0 - 40.0 * 9.0_f64.to_radians().tan(), 60.0, -10.0],
+                ),
+                ('m', [-3.0, 60.0, -10.0]),
+                (
+                    'r',
+                    [-11.0 - 40.0 * 9.0_f64.to_radians().tan(), 60.0, -10.0],
+                ),
+            ],
+        ),
+        (
+            105,
+            103,
+            [0.0; 2],
+            top,
+            vec![
+                ('d', [20.0, 20.0, 11.0]),
+                ('m', [20.0, 20.0, 3.0]),
+                ('s', [20.0, 20.0, 11.0]),
+                ('p', [60.0, 20.0, 11.0 + away]),
+                ('m', [60.0, 20.0, 3.0]),
+                ('s', [60.0, 20.0, 11.0 + away]),
+            ],
+        ),
+        (
+            1105,
+            102,
+            [0.0; 2],
+            edge,
+            vec![
+                ('p', [20.0, -11.0, -10.0]),
+                ('m', [20.0, -3.0, -10.0]),
+                ('r', [20.0, -11.0, -10.0]),
+                ('m', [20.0, -3.0, -10.0]),
+                ('r', [20.0, -11.0, -10.0]),
+                ('p', [60.0, -11.0 - away, -10.0]),
+                ('m', [60.0, -3.0, -10.0]),
+                ('r', [60.0, -11.0 - away, -10.0]),
+            ],
+        ),
+        // from where it stands, over 16 mm
+        (
+            100_105,
+            102,
+            [0.0; 2],
+            [20.0, -18.0, -10.0],
+            vec![
+                ('m', [20.0, -3.0, -10.0]),
+                ('r', [20.0, -18.0, -10.0]),
+                ('p', [60.0, -18.0, -10.0]),
+                ('m', [60.0, -3.0, -10.0]),
+                ('r', [60.0, -18.0, -10.0]),
+            ],
+        ),
+        // P2 along the abscissa, back, P3 along the ordinate
+        (
+            106,
+            103,
+            [0.0; 2],
+            top,
+            vec![
+                ('d', [20.0, 20.0, 11.0]),
+                ('m', [20.0, 20.0, 3.0]),
+                ('s', [20.0, 20.0, 11.0]),
+                ('p', [60.0, 20.0, 11.0 + away]),
+                ('m', [60.0, 20.0, 3.0]),
+                ('s', [60.0, 20.0, 11.0 + away]),
+                ('p', [20.0, 20.0, 11.0]),
+                ('p', [20.0, 50.0, 11.0 + 30.0 * tan5]),
+                ('m', [20.0, 50.0, 3.0]),
+                ('s', [20.0, 50.0, 11.0 + 30.0 * tan5]),
+            ],
+        ),
+        // about the ordinate 4 degree fall along the abscissa, about the abscissa they rise along the ordinate
+        (
+            106,
+            103,
+            [-4.0, 4.0],
+            top,
+            vec![
+                ('d', [20.0, 20.0, 11.0]),
+                ('m', [20.0, 20.0, 3.0]),
+                ('s', [20.0, 20.0, 11.0]),
+                ('p', [60.0, 20.0, 11.0 + 40.0 * tan1]),
+                ('m', [60.0, 20.0, 3.0]),
+                ('s', [60.0, 20.0, 11.0 + 40.0 * tan1]),
+                ('p', [20.0, 20.0, 11.0]),
+                ('p', [20.0, 50.0, 11.0 + 30.0 * tan1]),
+                ('m', [20.0, 50.0, 3.0]),
+                ('s', [20.0, 50.0, 11.0 + 30.0 * tan1]),
+            ],
+        ),
+        (
+            100_106,
+            103,
+            [0.0; 2],
+            [20.0, 20.0, 18.0],
+            vec![
+                ('m', [20.0, 20.0, 3.0]),
+                ('s', [20.0, 20.0, 18.0]),
+                ('p', [60.0, 20.0, 18.0]),
+                ('m', [60.0, 20.0, 3.0]),
+                ('s', [60.0, 20.0, 18.0]),
+                ('p', [20.0, 20.0, 18.0]),
+                ('p', [20.0, 50.0, 18.0]),
+                ('m', [20.0, 50.0, 3.0]),
+                ('s', [20.0, 50.0, 18.0]),
+            ],
+        ),
+    ];
+    for plane in [Plane::G17, Plane::G18, Plane::G19] {
+        for (variant, axes, set, start, wanted) in &cases {
+            let mut sim = machine(plane, *start);
+            let outcome = run(&mut sim, &inputs(*variant, *axes, *set));
+            assert_eq!(outcome, Ok(()), "{variant} {axes} {set:?} {plane:?}");
+            let found = motions(&sim, plane);
+            assert_eq!(found.len(), wanted.len(), "{variant} {axes} {found:?}");
+            for (is, wanted) in found.iter().zip(wanted) {
+                let near = is.1.iter().zip(wanted.1).all(|(a, b)| (a - b).abs() < 1e-9);
+                assert!(
+                    is.0 == wanted.0 && near,
+                    "{variant} {plane:?} {is:?} {wanted:?}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn measurements_at_the_same_place_are_repeated_at_each_point() {
+    // oracle: manual B:2348-2356
+    let mut inputs = inputs(106, 103, [0.0; 2]);
+    inputs.numbers.insert("_NMSP", 3.0);
+    let mut sim = machine(Plane::G17, [20.0, 20.0, 30.0]);
+    assert_eq!(run(&mut sim, &inputs), Ok(()));
+    assert_eq!(touches(&sim).len(), 9);
+}
+
+#[test]
+fn a_mono_probe_is_turned_and_a_differential_one_turns_back() {
+    // oracle: manual B:864-871, B:7570-7576
+    let turns = |inputs: &Inputs| {
+        let mut sim = machine(Plane::G17, [20.0, -20.0, -10.0]);
+        sim.control.spindle = 30.0;
+        assert_eq!(run(&mut sim, inputs), Ok(()));
+        let steps = sim.trace.entries.iter();
+        steps
+            .filter_map(|entry| match entry.step {
+                Step::Orient(angle) => Some(angle),
+                _ => None,
+            })
+            .collect::<Vec<f64>>()
+    };
+    let mut mono = inputs(105, 102, [0.0; 2]);
+    mono.numbers.insert("_PRNUM", 101.0);
+    assert_eq!(turns(&mono), [90.0, 90.0]);
+    assert_eq!(turns(&inputs(1105, 102, [0.0; 2])), [210.0, 30.0]);
+}

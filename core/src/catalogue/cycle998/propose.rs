@@ -1,0 +1,125 @@
+//! A nominal part for CYCLE998: a block with a face at the set angles.
+
+use super::angles::{Surface, normal};
+use super::params::AT_ANGLE;
+use crate::catalogue::{Proposal, names, place};
+use crate::check::Inputs;
+use crate::control::Control;
+use crate::geometry::V3;
+use crate::workpiece::{Shape, Workpiece};
+
+/// Face beyond the points, mm.
+const BEYOND: f64 = 25.0;
+/// Thickness behind the face, mm.
+const THICKNESS: f64 = 40.0;
+/// Width of the face across a single way, mm.
+const WIDTH: f64 = 60.0;
+/// How far below the upper edge a side face is touched, mm.
+const DEPTH: f64 = 10.0;
+/// How much further than `_FA` the probe starts from the face, mm.
+const AWAY: f64 = 5.0;
+
+/// Part and start: opposite the first point, further away than `_FA` (B:7530-7540); with paraxial positioning so that
+/// both points lie in the middle of the measuring path (B:7550-7556).
+pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
+    let Some(surface) = Surface::of(inputs) else {
+        return Proposal::default();
+    };
+    let axis = surface.measuring;
+    let towards = towards(inputs, axis);
+    let (first, start) = heights(inputs, control, &surface, towards);
+    let mut at = [0.0; 3];
+    at[axis] = first;
+    let mut from = [0.0; 3];
+    from[axis] = start;
+    let (outward, along) = directions(&surface, towards);
+    let size = size(&surface);
+    let middle = V3::from(at) + to_middle(&surface, &outward);
+    let part = place::solid(
+        control,
+        Shape::Block { size },
+        middle.into(),
+        along.into(),
+        outward.into(),
+    );
+    Proposal {
+        workpiece: Workpiece { solids: vec![part] },
+        start: place::in_plane(control, from),
+        ..Proposal::default()
+    }
+}
+
+/// Direction of the probe: as `_MD` says, else from the minus side in the plane and from above along the applicate.
+fn towards(inputs: &Inputs, axis: usize) -> f64 {
+    let minus = match AT_ANGLE.holds(inputs) {
+        true => axis == 2,
+        false => inputs.integer(names::MD) == 1,
+    };
+    if minus { -1.0 } else { 1.0 }
+}
+
+/// Measuring axis at the first point of the face, and at the start.
+fn heights(inputs: &Inputs, control: &Control, surface: &Surface, towards: f64) -> (f64, f64) {
+    let (ball, path) = (
+        place::ball_radius(inputs, control),
+        inputs.number(names::FA),
+    );
+    if AT_ANGLE.holds(inputs) {
+        let set = inputs.number(names::SETVAL);
+        return (set, set - towards * (path + ball + AWAY));
+    }
+    let rises = surface.legs.iter().map(|leg| leg.rise(leg.set) * towards);
+    let (low, high) = rises.fold((0.0_f64, 0.0_f64), |(low, high), rise| {
+        (low.min(rise), high.max(rise))
+    });
+    (towards * (ball + path - (low + high) / 2.0), 0.0)
+}
+
+/// Normal of the face towards the probe, and a direction in it; abscissa, ordinate, applicate.
+fn directions(surface: &Surface, towards: f64) -> (V3, V3) {
+    let mut up = V3::zeros();
+    let mut along = V3::zeros();
+    match surface.legs.as_slice() {
+        [leg] => {
+            up[leg.axis] = -leg.rise(leg.set) / leg.distance;
+            up[surface.measuring] = 1.0;
+            along[leg.axis] = 1.0;
+            along[surface.measuring] = leg.rise(leg.set) / leg.distance;
+        }
+        [ordinate, abscissa, ..] => {
+            up = normal(abscissa.set, ordinate.set);
+            along = V3::new(1.0, 0.0, ordinate.rise(ordinate.set) / ordinate.distance);
+        }
+        [] => {}
+    }
+    (up.normalize() * -towards, along.normalize())
+}
+
+/// From the first point to the middle of the face.
+fn to_middle(surface: &Surface, outward: &V3) -> V3 {
+    let mut way = V3::zeros();
+    for leg in &surface.legs {
+        way[leg.axis] += leg.distance / 2.0;
+    }
+    // along the measuring axis back into the face
+    way[surface.measuring] = -way.dot(outward) / outward[surface.measuring];
+    let single = surface.legs.len() == 1;
+    if single && surface.third() == 2 {
+        way[2] += DEPTH - WIDTH / 2.0;
+    }
+    way
+}
+
+/// Lengths of the face along its first way and across, and the thickness.
+fn size(surface: &Surface) -> [f64; 3] {
+    let length = |index: usize| {
+        let leg = surface.legs.get(index)?;
+        Some(leg.distance.hypot(leg.rise(leg.set)) + 2.0 * BEYOND)
+    };
+    let slant = 1.0 / directions(surface, -1.0).0[surface.measuring].abs();
+    [
+        length(0).unwrap_or(WIDTH),
+        length(1).map_or(WIDTH, |length| length * slant),
+        THICKNESS,
+    ]
+}

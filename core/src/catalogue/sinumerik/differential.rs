@@ -1,0 +1,52 @@
+//! Differential measurement with a probe that was never calibrated: once with the spindle turned by 180 degree, once as it
+//! stood (B:6402-6418, B:7570-7582).
+
+use super::measuring_block::{Block, Point};
+use super::{alarm, results};
+use crate::check::Inputs;
+use crate::run::{Machine, Stop};
+
+/// What the two touches tell.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Twice {
+    /// Coordinate of the surface, mm.
+    pub surface: f64,
+    /// Skew of the ball in the measuring axis with the spindle as it stood, mm.
+    pub skew: f64,
+}
+
+/// Touches twice; the probe counts with plus or minus its radius. Its skew is found on the way and stored with the
+/// trigger value (A:7281-7291). Another axis than those of the plane is refused (61325).
+pub fn twice(
+    machine: &mut dyn Machine,
+    inputs: &Inputs,
+    block: &Block,
+    point: &Point,
+) -> Result<Twice, Stop> {
+    if point.axis > 1 {
+        return Err(alarm(machine, 61325));
+    }
+    let plain = block.uncalibrated();
+    let angle = machine.control().spindle;
+    machine.orient((angle + 180.0).rem_euclid(360.0));
+    let turned = plain.latch(machine, point)?;
+    machine.orient(angle.rem_euclid(360.0));
+    let straight = plain.latch(machine, point)?;
+    // The latched position is the surface minus radius and minus the skew, which changes its sign with the spindle.
+    let skew = (turned - straight) / 2.0;
+    let value = plain.trigger(point.axis, point.direction);
+    store(machine, inputs, point, value, skew);
+    Ok(Twice {
+        surface: (turned + straight) / 2.0 - value,
+        skew,
+    })
+}
+
+fn store(machine: &mut dyn Machine, inputs: &Inputs, point: &Point, value: f64, skew: f64) {
+    let probe = inputs.integer("_PRNUM") % 100 - 1;
+    let factor = machine.control().basic_factor();
+    let trigger = 2 * point.axis + if point.direction > 0.0 { 2 } else { 1 };
+    for (element, value) in [(trigger, value), (7 + point.axis, skew)] {
+        results::set(machine, &format!("_WP[{probe},{element}]"), value / factor);
+    }
+}
