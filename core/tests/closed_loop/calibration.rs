@@ -152,9 +152,9 @@ fn along_the_axes(rig: Rig, setup: &mut Setup, ball: f64, skew: [f64; 2], tolera
             } else {
                 17
             };
-            for index in 0..2 {
+            for (index, skew) in skew.into_iter().enumerate() {
                 let measured = !single || index as i32 + 1 == axis;
-                let wrong = if measured { -skew[index] } else { 0.0 };
+                let wrong = if measured { -skew } else { 0.0 };
                 near(result(setup, centre + index), wrong, tolerance, &what);
             }
         }
