@@ -3,7 +3,9 @@
 //! the catalogue and not repeated here: an unset datum means "as delivered".
 
 use super::gud::{self, Element, Initial, System};
-use super::{BasicFrames, Control, Data, Frame, Limits, Plane, Units, Value, machine_data};
+use super::{
+    BasicFrames, Control, Data, Frame, Limits, Plane, Transverse, Units, Value, machine_data,
+};
 use crate::catalogue::Dialect;
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
@@ -53,6 +55,7 @@ fn bare(dialect: Dialect, units: Units) -> Control {
         active_units: units,
         data_follow: dialect == Dialect::Nct,
         plane: Plane::G17,
+        transverse: Transverse::Radius,
         settable: if dialect == Dialect::Nct { 1 } else { 0 },
         frames: BTreeMap::new(),
         channel_basic: BTreeMap::new(),
@@ -61,10 +64,12 @@ fn bare(dialect: Dialect, units: Units) -> Control {
         basic: BasicFrames::default(),
         active: Frame::default(),
         program_frame: Frame::default(),
+        part_frame: Frame::default(),
         tools: BTreeMap::new(),
         environments: BTreeMap::new(),
         tool: 0,
         edge: 0,
+        location: 0,
         data: Data::default(),
         spindle: 0.0,
         spindle_positions: true,

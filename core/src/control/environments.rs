@@ -16,13 +16,12 @@ pub struct Environment {
 }
 
 impl Control {
-    /// Stores what is in effect now under this name; an environment of that name is replaced. The control has no
-    /// active DL number, so that none is stored.
+    /// Stores what is in effect now under this name; an environment of that name is replaced.
     pub fn store_environment(&mut self, name: &str) {
         let environment = Environment {
             tool: self.tool,
             edge: self.edge,
-            location: 0,
+            location: self.location,
             plane: self.plane,
         };
         self.environments.insert(name.to_owned(), environment);

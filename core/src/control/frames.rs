@@ -1,5 +1,5 @@
 //! Coordinate systems: workpiece (WCS) ↔ machine (basic) by the chain
-//! system frame · NCU-global basic frames · channel basic frames · active settable frame · programmed frame.
+//! frame of the swivel table · system frame · NCU-global basic frames · channel basic frames · active settable frame · programmed frame.
 //! Lengths in mm, angles in degree.
 
 use super::{BasicFrames, Control, Frame, Value};
@@ -20,6 +20,7 @@ impl Default for Frame {
             rotary: [0.0; 3],
             rotary_fine: [0.0; 3],
             scale: [1.0; 3],
+            mirror: [false; 3],
         }
     }
 }
@@ -64,6 +65,7 @@ impl Frame {
 
     /// A direction of this system in the one before it.
     pub fn turn(&self, direction: [f64; 3]) -> [f64; 3] {
+        let direction = self.mirrored(direction);
         if self.rotation == [0.0; 3] {
             return direction;
         }
@@ -73,19 +75,35 @@ impl Frame {
     /// A direction of the system before it in this one.
     pub fn turn_back(&self, direction: [f64; 3]) -> [f64; 3] {
         if self.rotation == [0.0; 3] {
-            return direction;
+            return self.mirrored(direction);
         }
-        (rotation(self.rotation).inverse() * Vector3::from(direction)).into()
+        self.mirrored((rotation(self.rotation).inverse() * Vector3::from(direction)).into())
+    }
+
+    fn mirrored(&self, direction: [f64; 3]) -> [f64; 3] {
+        std::array::from_fn(|i| self.sign(i) * direction[i])
+    }
+
+    /// -1 for an axis whose direction is reversed.
+    fn sign(&self, axis: usize) -> f64 {
+        if self.mirror[axis] { -1.0 } else { 1.0 }
+    }
+
+    /// Angles that a rotation inside of this frame has outside of its mirrors: each turns the other way for every mirror
+    /// that is not of its own axis.
+    fn angles_outside(&self, rotation: [f64; 3]) -> [f64; 3] {
+        let all: f64 = (0..3).map(|axis| self.sign(axis)).product();
+        std::array::from_fn(|i| all * self.sign(i) * rotation[i])
     }
 
     /// This frame followed by another inside it (`:` of frames), where [`Frame::chains_with`] holds; the result has no
     /// fine part.
     pub fn then(&self, inner: &Frame) -> Frame {
-        let turned = rotation(self.rotation) * rotation(inner.rotation);
-        let still = self.rotation == [0.0; 3] || inner.rotation == [0.0; 3];
+        let inside = self.angles_outside(inner.rotation);
+        let still = self.rotation == [0.0; 3] || inside == [0.0; 3];
         let rotation = match still {
-            true => add(self.rotation, inner.rotation),
-            false => angles(&turned),
+            true => add(self.rotation, inside),
+            false => angles(&(rotation(self.rotation) * rotation(inside))),
         };
         Frame {
             coarse: self.outward(inner.origin()),
@@ -97,18 +115,21 @@ impl Frame {
             ),
             rotary_fine: [0.0; 3],
             scale: std::array::from_fn(|i| self.scale[i] * inner.scale[i]),
+            mirror: std::array::from_fn(|i| self.mirror[i] != inner.mirror[i]),
         }
     }
 }
 
 impl Control {
-    /// Frames in effect between machine and the settable frame, outermost first: system, global basic, channel basic.
+    /// Frames in effect between machine and the settable frame, outermost first: table, system, global basic, channel
+    /// basic.
     pub fn basic_chain(&self) -> Vec<Frame> {
         let global = self.basic.global.iter();
         let global = global.filter(|(index, _)| self.included(GLOBAL_MASK, **index));
         let channel = self.basic.channel.iter();
         let channel = channel.filter(|(index, _)| self.included(CHANNEL_MASK, **index));
-        std::iter::once(&self.basic.system)
+        [&self.part_frame, &self.basic.system]
+            .into_iter()
             .chain(global.chain(channel).map(|(_, frame)| frame))
             .copied()
             .collect()
@@ -128,6 +149,14 @@ impl Control {
         chain.push(self.active);
         chain.push(self.program_frame);
         chain
+    }
+
+    /// All frames as one, `$P_ACTFRAME`; none: a scale and a rotation in them would shear.
+    pub fn total_frame(&self) -> Option<Frame> {
+        let chain = self.chain();
+        chain.iter().try_fold(Frame::default(), |all, frame| {
+            all.chains_with(frame).then(|| all.then(frame))
+        })
     }
 
     /// A point of the WCS in machine coordinates.
@@ -269,6 +298,26 @@ mod tests {
     }
 
     #[test]
+    fn a_mirror_reverses_an_axis() {
+        let frame = Frame {
+            coarse: [10.0, 0.0, 0.0],
+            rotation: [0.0, 0.0, 90.0],
+            mirror: [true, false, false],
+            ..Frame::default()
+        };
+        // oracle: hand: X3 goes to the minus side of X, which the rotation puts along -Y of the outer system
+        near(frame.outward([3.0, 1.0, 2.0]), [9.0, -3.0, 2.0]);
+        near(frame.inward([9.0, -3.0, 2.0]), [3.0, 1.0, 2.0]);
+        // oracle: hand: seen from outside, a rotation inside of a mirror turns the other way
+        let inner = Frame {
+            rotation: [0.0, 0.0, 30.0],
+            ..Frame::default()
+        };
+        assert_eq!(frame.then(&inner).rotation, [0.0, 0.0, 60.0]);
+        assert_eq!(frame.then(&frame).mirror, [false; 3]);
+    }
+
+    #[test]
     fn basic_frames_wait_for_the_next_activation() {
         let mut control = delivery(Dialect::Sinumerik);
         let shifted = |control: &Control| control.to_machine([0.0; 3])[0];
@@ -295,6 +344,7 @@ mod tests {
             fine: [0.1, 0.0, 0.0],
             rotation: [0.0, 30.0, 0.0],
             scale: [2.0; 3],
+            mirror: [false, true, true],
             ..Frame::default()
         };
         let inner = Frame {
@@ -302,6 +352,7 @@ mod tests {
             fine: [0.0; 3],
             rotation: [20.0, 0.0, 40.0],
             scale: [1.0, 0.5, 3.0],
+            mirror: [true, false, false],
             ..Frame::default()
         };
         let both = outer.then(&inner);

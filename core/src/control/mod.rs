@@ -43,6 +43,27 @@ impl Plane {
     }
 }
 
+/// How the program gives positions of the transverse axis X of a lathe.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Transverse {
+    /// DIAMOF: radii.
+    Radius,
+    /// DIAMON: diameters.
+    Diameter,
+    /// DIAM90: diameters where the position is absolute.
+    AbsoluteDiameter,
+}
+
+impl Transverse {
+    /// What a position is multiplied with when the program reads it.
+    pub const fn shown(self) -> f64 {
+        match self {
+            Transverse::Radius => 1.0,
+            Transverse::Diameter | Transverse::AbsoluteDiameter => 2.0,
+        }
+    }
+}
+
 /// System of units.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Units {
@@ -67,6 +88,8 @@ pub struct Frame {
     pub rotary_fine: [f64; 3],
     /// Scale factors along its own X Y Z; 1: none. Measuring does not work with any other (61310, B:744).
     pub scale: [f64; 3],
+    /// Whether the direction of X Y Z is reversed; counts before scale and rotation.
+    pub mirror: [bool; 3],
 }
 
 /// The frames between machine and settable frame.
@@ -99,6 +122,9 @@ pub struct Edge {
     pub additive: BTreeMap<i64, [f64; 4]>,
     /// Setup offsets by DL number 1..6: L1 L2 L3 radius, mm.
     pub setup: BTreeMap<i64, [f64; 4]>,
+    /// Tool data that are only kept, by their number: `$TC_DP7` to 11 and 16 to 25. Those of the adapter, 21 to 23, count
+    /// with L1 L2 L3, mm.
+    pub further: BTreeMap<usize, f64>,
 }
 
 /// A tool.
@@ -134,6 +160,8 @@ pub struct Control {
     pub data_follow: bool,
     /// Working plane.
     pub plane: Plane,
+    /// How positions of X are given.
+    pub transverse: Transverse,
     /// Number of the active settable frame: 0 G500, 1..4 G54..G57, 5..99 G505..G599. NCT: 1..6 G54..G59.
     pub settable: usize,
     /// Settable frames by number (NCT: 0 common, 1..6).
@@ -150,6 +178,8 @@ pub struct Control {
     pub active: Frame,
     /// Programmed frame (TRANS, ROT and their additive forms), innermost.
     pub program_frame: Frame,
+    /// Frame of a swivel table, `$P_PARTFRAME`, outermost: how the table has turned the part (CYCLE800).
+    pub part_frame: Frame,
     /// Tools by T number.
     pub tools: BTreeMap<i64, Tool>,
     /// Tool environments by name.
@@ -158,6 +188,8 @@ pub struct Control {
     pub tool: i64,
     /// Active D (NCT: H) number, 0 none.
     pub edge: i64,
+    /// Active DL number, whose additive and setup offsets count with the edge; 0 none.
+    pub location: i64,
     /// User data: GUD arrays and scalars (`_WP[0,1]`, `_CHBIT[4]`, `_OVR[4]`, `_EV[9]`, `_KNUM`), R parameters (`R10`),
     /// machine data (`MD18600`), NCT variables (`#500`); indices written without blanks.
     pub data: Data,

@@ -2,6 +2,7 @@
 
 use super::{Control, Edge};
 use crate::catalogue::Dialect;
+use std::collections::BTreeMap;
 
 impl Control {
     /// Edge D of tool T, as stored.
@@ -50,7 +51,7 @@ impl Control {
         if let Some(edge) = self.active_edge() {
             let [abscissa, ordinate, applicate] = self.plane.axes();
             for (axis, i) in [(applicate, 0), (ordinate, 1), (abscissa, 2)] {
-                length[axis] = edge.total_length(i);
+                length[axis] = edge.total_length(i) + edge.location(self.location)[i];
             }
         }
         length
@@ -58,14 +59,25 @@ impl Control {
 
     /// Radius in effect, mm; 0 without a correction.
     pub fn active_radius(&self) -> f64 {
-        self.active_edge().map_or(0.0, Edge::total_radius)
+        self.active_edge().map_or(0.0, |edge| {
+            edge.total_radius() + edge.location(self.location)[3]
+        })
     }
 }
 
 impl Edge {
-    /// Geometry and wear of L1 (0), L2 (1) or L3 (2), mm.
+    /// Geometry and wear of L1 (0), L2 (1) or L3 (2), with the length of the adapter, mm.
     pub fn total_length(&self, i: usize) -> f64 {
-        self.length[i] + self.length_wear[i]
+        let adapter = self.further.get(&(21 + i)).copied().unwrap_or(0.0);
+        self.length[i] + self.length_wear[i] + adapter
+    }
+
+    /// Additive and setup offset of a DL number together: L1 L2 L3 radius, mm.
+    pub fn location(&self, number: i64) -> [f64; 4] {
+        let offset =
+            |offsets: &BTreeMap<i64, [f64; 4]>| offsets.get(&number).copied().unwrap_or_default();
+        let (additive, setup) = (offset(&self.additive), offset(&self.setup));
+        std::array::from_fn(|i| additive[i] + setup[i])
     }
 
     /// Geometry and wear of the radius, mm.
@@ -101,6 +113,26 @@ mod tests {
         assert_eq!(control.active_length(), [2.0, 50.5, 3.0]);
         control.edge = 0;
         assert_eq!(control.active_length(), [0.0; 3]);
+    }
+
+    #[test]
+    fn offsets_of_a_location_count_while_it_is_active() {
+        let mut control = delivery(Dialect::Sinumerik);
+        let edge = Edge {
+            length: [50.0, 0.0, 0.0],
+            radius: 3.0,
+            additive: [(2, [0.1, 0.0, 0.0, 0.01])].into(),
+            setup: [(2, [0.02, 0.0, 0.0, 0.0])].into(),
+            further: [(21, 5.0)].into(),
+            ..Edge::default()
+        };
+        control.tools.entry(9).or_default().edges.insert(1, edge);
+        (control.tool, control.edge) = (9, 1);
+        // oracle: hand
+        assert_eq!(control.active_length()[2], 55.0);
+        control.location = 2;
+        assert!((control.active_length()[2] - 55.12).abs() < 1e-12);
+        assert!((control.active_radius() - 3.01).abs() < 1e-12);
     }
 
     #[test]

@@ -8,8 +8,8 @@ use crate::catalogue::Dialect;
 /// Axis letters by index.
 pub const AXES: [&str; 3] = ["X", "Y", "Z"];
 
-/// Parts of a frame, as `$P_UIFR[1,X,TR]` names them: translation, fine translation, rotation, scale.
-const FRAME_PARTS: [&str; 4] = ["TR", "FI", "RT", "SC"];
+/// Parts of a frame, as `$P_UIFR[1,X,TR]` names them: translation, fine translation, rotation, scale, mirror.
+const FRAME_PARTS: [&str; 5] = ["TR", "FI", "RT", "SC", "MI"];
 
 /// Where a quantity is stored.
 enum Place {
@@ -28,6 +28,8 @@ enum Store {
     Channel,
     Global,
     System,
+    Program,
+    Part,
 }
 
 /// Part of a frame.
@@ -39,6 +41,7 @@ enum Part {
     Rotary,
     RotaryFine,
     Scale,
+    Mirror,
 }
 
 /// Quantity of an edge. Lengths L1..L3 are 0..2, the radius 3.
@@ -50,6 +53,7 @@ enum Quantity {
     Wear(usize),
     Additive(i64, usize),
     Setup(i64, usize),
+    Further(usize),
 }
 
 impl Control {
@@ -61,14 +65,14 @@ impl Control {
                     .stored_frame(store, number)
                     .copied()
                     .unwrap_or_default();
-                Some(frame_part(&frame, part)[axis])
+                Some(part_of(&frame, part, axis))
             }
             Place::Active(store, number, axis, part) => {
                 let frame = self
                     .active_frame(store, number)
                     .copied()
                     .unwrap_or_default();
-                Some(frame_part(&frame, part)[axis])
+                Some(part_of(&frame, part, axis))
             }
             Place::Edge(tool, edge, quantity) => {
                 let zero = Edge::default();
@@ -88,10 +92,10 @@ impl Control {
     pub fn set_variable(&mut self, name: &str, value: f64) -> bool {
         match place(self.dialect, name) {
             Some(Place::Frame(store, number, axis, part)) => {
-                *frame_part_mut(self.stored_frame_mut(store, number), part, axis) = value;
+                set_part(self.stored_frame_mut(store, number), part, axis, value);
             }
             Some(Place::Active(store, number, axis, part)) => {
-                *frame_part_mut(self.active_frame_mut(store, number), part, axis) = value;
+                set_part(self.active_frame_mut(store, number), part, axis, value);
             }
             Some(Place::Edge(tool, edge, quantity)) => {
                 let edge = self
@@ -173,6 +177,8 @@ impl Control {
             Store::Channel => self.channel_basic.get(&number),
             Store::Global => self.global_basic.get(&number),
             Store::System => Some(&self.system),
+            Store::Program => Some(&self.program_frame),
+            Store::Part => Some(&self.part_frame),
         }
     }
 
@@ -182,6 +188,8 @@ impl Control {
             Store::Channel => self.basic.channel.get(&number),
             Store::Global => self.basic.global.get(&number),
             Store::System => Some(&self.basic.system),
+            Store::Program => Some(&self.program_frame),
+            Store::Part => Some(&self.part_frame),
         }
     }
 
@@ -191,14 +199,13 @@ impl Control {
             Store::Channel => self.basic.channel.entry(number).or_default(),
             Store::Global => self.basic.global.entry(number).or_default(),
             Store::System => &mut self.basic.system,
+            Store::Program => &mut self.program_frame,
+            Store::Part => &mut self.part_frame,
         }
     }
 
     /// A frame by the name of its variable without axis and part: `$P_UIFR[1]`, `$P_CHBFRAME[0]`, `$P_PFRAME`.
     pub fn frame(&self, name: &str) -> Option<Frame> {
-        if name == "$P_PFRAME" {
-            return Some(self.program_frame);
-        }
         let (store, in_effect, number) = whole_frame(name)?;
         let frame = match in_effect {
             true => self.active_frame(store, number),
@@ -209,10 +216,6 @@ impl Control {
 
     /// Writes a frame by the name of its variable; false: there is no such frame.
     pub fn set_frame(&mut self, name: &str, frame: Frame) -> bool {
-        if name == "$P_PFRAME" {
-            self.program_frame = frame;
-            return true;
-        }
         match whole_frame(name) {
             Some((store, true, number)) => *self.active_frame_mut(store, number) = frame,
             Some((store, false, number)) => *self.stored_frame_mut(store, number) = frame,
@@ -227,6 +230,8 @@ impl Control {
             Store::Channel => self.channel_basic.entry(number).or_default(),
             Store::Global => self.global_basic.entry(number).or_default(),
             Store::System => &mut self.system,
+            Store::Program => &mut self.program_frame,
+            Store::Part => &mut self.part_frame,
         }
     }
 }
@@ -242,6 +247,11 @@ fn nct_offset(number: usize) -> String {
 
 fn edge_names(names: &mut Vec<String>, tool: i64, edge: i64, data: &Edge) {
     names.extend([1, 2, 3, 4, 5, 6, 12, 13, 14, 15].map(|n| format!("$TC_DP{n}[{tool},{edge}]")));
+    names.extend(
+        data.further
+            .keys()
+            .map(|n| format!("$TC_DP{n}[{tool},{edge}]")),
+    );
     for (letters, offsets) in [("SCP", &data.additive), ("ECP", &data.setup)] {
         for dl in offsets.keys() {
             names.extend([3, 4, 5, 6].map(|n| format!("$TC_{letters}{dl}{n}[{tool},{edge}]")));
@@ -299,6 +309,10 @@ fn family(stem: &str) -> Option<Family> {
         "$P_CHBFRAME" => (Store::Channel, true, Some(15)),
         "$P_NCBFRAME" => (Store::Global, true, Some(15)),
         "$P_SETFRAME" => (Store::System, true, None),
+        "$P_UBFR" => (Store::Channel, false, None),
+        "$P_BFRAME" => (Store::Channel, true, None),
+        "$P_PFRAME" => (Store::Program, true, None),
+        "$P_PARTFRAME" => (Store::Part, true, None),
         _ => return None,
     };
     Some(Family {
@@ -311,7 +325,7 @@ fn family(stem: &str) -> Option<Family> {
 /// Component of a frame by the names of its axis and its part; none: there is no such component.
 pub fn component(frame: &Frame, axis: &str, part: &str) -> Option<f64> {
     let (axis, part) = axis_and_part(axis, part)?;
-    Some(frame_part(frame, part)[axis])
+    Some(part_of(frame, part, axis))
 }
 
 /// Writes a component of a frame; false: there is none of this name.
@@ -319,7 +333,7 @@ pub fn set_component(frame: &mut Frame, axis: &str, part: &str, value: f64) -> b
     let Some((axis, part)) = axis_and_part(axis, part) else {
         return false;
     };
-    *frame_part_mut(frame, part, axis) = value;
+    set_part(frame, part, axis, value);
     true
 }
 
@@ -350,6 +364,7 @@ fn tool_quantity(name: &str) -> Option<Quantity> {
             2 => Some(Quantity::Tip),
             n @ 3..=6 => Some(Quantity::Geometry(n - 3)),
             n @ 12..=15 => Some(Quantity::Wear(n - 12)),
+            n @ (7..=11 | 16..=25) => Some(Quantity::Further(n)),
             _ => None,
         };
     }
@@ -414,30 +429,33 @@ fn axis_and_part(axis: &str, part: &str) -> Option<(usize, Part)> {
         "FI" => Part::Fine,
         "RT" => Part::Rotation,
         "SC" => Part::Scale,
+        "MI" => Part::Mirror,
         _ => return None,
     };
     Some((axis_index(axis)?, part))
 }
 
-fn frame_part(frame: &Frame, part: Part) -> [f64; 3] {
+fn part_of(frame: &Frame, part: Part, axis: usize) -> f64 {
     match part {
-        Part::Coarse => frame.coarse,
-        Part::Fine => frame.fine,
-        Part::Rotation => frame.rotation,
-        Part::Rotary => frame.rotary,
-        Part::RotaryFine => frame.rotary_fine,
-        Part::Scale => frame.scale,
+        Part::Coarse => frame.coarse[axis],
+        Part::Fine => frame.fine[axis],
+        Part::Rotation => frame.rotation[axis],
+        Part::Rotary => frame.rotary[axis],
+        Part::RotaryFine => frame.rotary_fine[axis],
+        Part::Scale => frame.scale[axis],
+        Part::Mirror => f64::from(u8::from(frame.mirror[axis])),
     }
 }
 
-fn frame_part_mut(frame: &mut Frame, part: Part, axis: usize) -> &mut f64 {
+fn set_part(frame: &mut Frame, part: Part, axis: usize, value: f64) {
     match part {
-        Part::Coarse => &mut frame.coarse[axis],
-        Part::Fine => &mut frame.fine[axis],
-        Part::Rotation => &mut frame.rotation[axis],
-        Part::Rotary => &mut frame.rotary[axis],
-        Part::RotaryFine => &mut frame.rotary_fine[axis],
-        Part::Scale => &mut frame.scale[axis],
+        Part::Coarse => frame.coarse[axis] = value,
+        Part::Fine => frame.fine[axis] = value,
+        Part::Rotation => frame.rotation[axis] = value,
+        Part::Rotary => frame.rotary[axis] = value,
+        Part::RotaryFine => frame.rotary_fine[axis] = value,
+        Part::Scale => frame.scale[axis] = value,
+        Part::Mirror => frame.mirror[axis] = value != 0.0,
     }
 }
 
@@ -451,6 +469,7 @@ fn edge_quantity(edge: &Edge, quantity: Quantity) -> f64 {
         Quantity::Wear(i) => edge.length_wear[i],
         Quantity::Additive(dl, i) => edge.additive.get(&dl).map_or(0.0, |offset| offset[i]),
         Quantity::Setup(dl, i) => edge.setup.get(&dl).map_or(0.0, |offset| offset[i]),
+        Quantity::Further(n) => edge.further.get(&n).copied().unwrap_or(0.0),
     }
 }
 
@@ -464,6 +483,7 @@ fn set_edge_quantity(edge: &mut Edge, quantity: Quantity, value: f64) {
         Quantity::Wear(i) => edge.length_wear[i] = value,
         Quantity::Additive(dl, i) => edge.additive.entry(dl).or_default()[i] = value,
         Quantity::Setup(dl, i) => edge.setup.entry(dl).or_default()[i] = value,
+        Quantity::Further(n) => drop(edge.further.insert(n, value)),
     }
 }
 
@@ -483,6 +503,7 @@ mod tests {
             "$P_SETFR[Z,TR]",
             "$P_UIFR[99,C,TR]",
             "$P_SETFR[C,FI]",
+            "$TC_DP21[20,1]",
             "$TC_DP1[20,1]",
             "$TC_DP2[20,1]",
             "$TC_DP3[20,1]",
@@ -505,7 +526,7 @@ mod tests {
         }
         // oracle: hand
         assert_eq!(control.frames[&1].coarse[0], 1.0);
-        assert_eq!(control.tools[&20].edges[&1].radius_wear, 13.0);
+        assert_eq!(control.tools[&20].edges[&1].radius_wear, 14.0);
     }
 
     #[test]
@@ -515,7 +536,7 @@ mod tests {
             "$P_UIFR[100,X,TR]",
             "$P_UIFR[1,W,TR]",
             "$P_UIFR[1,C,RT]",
-            "$P_UIFR[1,X,MI]",
+            "$P_UIFR[1,X,MM]",
             "$TC_DP99[1,1]",
             "$TC_SCP73[1,1]",
             "_OVR[0]",

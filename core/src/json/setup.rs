@@ -165,6 +165,9 @@ struct EdgeFile {
     /// Setup offsets by DL number: L1 L2 L3 radius.
     #[serde(default)]
     setup: BTreeMap<i64, [f64; 4]>,
+    /// Other tool data by number, `$TC_DP7` to 11 and 16 to 25; 21 to 23 are the lengths of the adapter.
+    #[serde(default)]
+    further: BTreeMap<usize, f64>,
 }
 
 /// A stored tool environment.
@@ -206,6 +209,9 @@ struct FrameFile {
     /// Scale factors along its own X Y Z; 1: none. Measuring does not work with any other.
     #[serde(default = "no_scale")]
     scale: [f64; 3],
+    /// Whether the direction of X Y Z is reversed.
+    #[serde(default)]
+    mirror: [bool; 3],
 }
 
 fn no_scale() -> [f64; 3] {
@@ -450,6 +456,7 @@ fn read_edge(file: &EdgeFile) -> Edge {
         radius_wear: file.radius_wear,
         additive: file.additive.clone(),
         setup: file.setup.clone(),
+        further: file.further.clone(),
     }
 }
 
@@ -473,6 +480,7 @@ fn place_frame(control: &mut Control, name: &str, file: &FrameFile) -> Result<()
         rotary: file.rotary,
         rotary_fine: file.rotary_fine,
         scale: file.scale,
+        mirror: file.mirror,
     };
     let unknown = || Error::Unknown {
         what: "frame",

@@ -141,6 +141,13 @@ fn edge(edge: &Edge) -> Value {
     if !edge.setup.is_empty() {
         put(&mut view, "setup", by_number(&edge.setup, offset));
     }
+    if !edge.further.is_empty() {
+        let mut further = object([]);
+        for (number, value) in &edge.further {
+            put(&mut further, &number.to_string(), *value);
+        }
+        put(&mut view, "further", further);
+    }
     view
 }
 
@@ -192,6 +199,9 @@ fn frame(frame: &Frame) -> Value {
     }
     if frame.scale != Frame::default().scale {
         put(&mut view, "scale", frame.scale);
+    }
+    if frame.mirror != [false; 3] {
+        put(&mut view, "mirror", frame.mirror.to_vec());
     }
     view
 }

@@ -1,12 +1,12 @@
 //! What the words of a block do together: functions first, then tool, motion, calls, and the end.
 
 use super::interpret::{Interpreter, Next};
-use super::motion::{self, Suppress};
 use super::problem::Problem;
-use super::statement::{self, Address, Call, Words};
+use super::statement::{self, Call, Words};
 use super::trace::Step;
 use super::{
-    Machine, Stop, cycle, environment, frame, gcode, listed, names, repeat, subprogram, tool,
+    Machine, Stop, addresses, cycle, environment, frame, gcode, listed, motion, names, repeat,
+    set_alarm, subprogram, swivel, tool, words,
 };
 use crate::catalogue::{self, Dialect};
 use crate::diagnostic::Severity;
@@ -19,22 +19,15 @@ pub fn perform(run: &mut Interpreter, at: usize, mut found: Words) -> Result<Nex
         return Ok(Next::Block);
     }
     gcode::apply(run, &mut found)?;
-    words_without_value(run, &mut found);
+    words::apply(run, &mut found);
     tool::apply(run, &found)?;
     let calls = !found.calls.is_empty();
     for address in &found.addresses {
         if !(calls && address.name == "P") {
-            take(run, address, &mut found.path).map_err(|problem| run.fail(problem))?;
+            addresses::take(run, address, &mut found.path).map_err(|problem| run.fail(problem))?;
         }
     }
-    let frame_call = found
-        .calls
-        .iter()
-        .find(|call| frame::is_frame(&call.name))
-        .cloned();
-    if let Some(call) = frame_call {
-        frame::apply(run, &call, &found).map_err(|problem| run.fail(problem))?;
-    } else if found.path.moves() {
+    if !frame::applied(run, &found)? && found.path.moves() {
         motion::go(run, &found.path)?;
     }
     if let Some(next) = end(run, &found) {
@@ -110,80 +103,6 @@ fn macro_call(run: &Interpreter, found: &Words) -> Option<&'static catalogue::Cy
         .find_map(|code| catalogue::find(Dialect::Nct, &format!("G{code}")))
 }
 
-/// `SUPA` and other words that are settings, not calls.
-fn words_without_value(run: &mut Interpreter, found: &mut Words) {
-    for call in &found.calls {
-        if call.name == "SUPA" {
-            found.path.suppress = Suppress::All;
-        }
-    }
-    if run.program.dialect == Dialect::Nct {
-        found.calls.clear();
-    }
-}
-
-/// Words that change nothing that is simulated.
-const WITHOUT_EFFECT: [&str; 16] = [
-    "SUPA", "STOPRE", "BRISK", "SOFT", "DRIVE", "FFWON", "FFWOF", "CFC", "CFIN", "CFTCP", "NORM",
-    "KONT", "DIAMOF", "SAVE", "DISPLOF", "DELDTG",
-];
-
-/// Axis words, feed, arcs, spindle angle.
-fn take(run: &mut Interpreter, address: &Address, path: &mut motion::Path) -> Result<(), Problem> {
-    let nct = run.program.dialect == Dialect::Nct;
-    let name = address.name.as_str();
-    let number = || {
-        address
-            .value
-            .number()
-            .filter(|value| value.is_finite())
-            .ok_or_else(|| Problem::new("run-not-a-number", address.span, name))
-    };
-    let factor = run.sim.control.active_factor();
-    let axis = |name: &str, list: [&str; 3]| list.iter().position(|known| *known == name);
-    if let Some(i) = axis(name, ["X", "Y", "Z"]) {
-        let absolute = match address.mode.as_deref() {
-            Some("AC") => Some(true),
-            Some("IC") => Some(false),
-            _ => None,
-        };
-        path.axes[i] = Some((number()? * factor, absolute));
-    } else if let Some(i) = axis(name, ["I", "J", "K"]) {
-        path.centre[i] = number()? * factor;
-        path.centred = true;
-    } else if name == "CR" || (nct && name == "R") {
-        path.radius = Some(number()? * factor);
-    } else if name == "F" && !path.dwell {
-        run.modal.feed = number()?;
-        run.modal.feed_factor = run.sim.control.data_factor();
-    } else if let Some(axis) = run.sim.control.rotary_axis(name) {
-        let position = match address.mode.as_deref() {
-            Some("IC") => run.sim.control.rotary[axis] + number()?,
-            Some("AC") => run.sim.control.rotary_to_machine(axis, number()?),
-            _ if run.modal.absolute => run.sim.control.rotary_to_machine(axis, number()?),
-            _ => run.sim.control.rotary[axis] + number()?,
-        };
-        run.sim.turn_table(axis, position);
-    } else if matches!(name, "SPOS" | "SPOSA") {
-        let angle = number()?;
-        run.sim.orient(angle);
-    } else if matches!(name, "G" | "M" | "T" | "D" | "S" | "F")
-        || (nct && matches!(name, "H" | "P" | "O" | "N"))
-    {
-        number()
-            .map(|_| ())
-            .or_else(|problem| if name == "T" { Ok(()) } else { Err(problem) })?;
-    } else if matches!(name, "S1" | "S2" | "SF") {
-        number()?;
-    } else {
-        run.tell(
-            Severity::Warning,
-            &Problem::new("run-not-simulated", address.span, name),
-        );
-    }
-    Ok(())
-}
-
 /// M functions that stop, end or turn; the others belong to the machine.
 fn end(run: &mut Interpreter, found: &Words) -> Option<Next> {
     let nct = run.program.dialect == Dialect::Nct;
@@ -223,6 +142,10 @@ fn carry_out(
         statement::message(run, &call.args);
     } else if name == environment::NAME {
         environment::store(run, &call.args, call.span).map_err(|problem| run.fail(problem))?;
+    } else if name == set_alarm::NAME {
+        set_alarm::call(run, call)?;
+    } else if name == swivel::NAME {
+        swivel::call(run, call).map_err(|problem| run.fail(problem))?;
     } else if let Some(cycle) = catalogue::find(Dialect::Sinumerik, name) {
         cycle::data(run, cycle, call.span)?;
     } else if let Some(unit) = run.programs.named(name).cloned() {
@@ -233,7 +156,7 @@ fn carry_out(
             Severity::Warning,
             &Problem::new("run-subprogram", call.span, name),
         );
-    } else if !WITHOUT_EFFECT.contains(&name) && !frame::is_frame(name) && !is_type(name) {
+    } else if !words::known(name) && !frame::is_frame(name) {
         run.tell(
             Severity::Error,
             &Problem::new("run-unknown-word", call.span, name),
@@ -250,12 +173,4 @@ fn is_subprogram(name: &str) -> bool {
     digits.is_some_and(|digits| {
         !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit())
     })
-}
-
-/// Types of declarations.
-fn is_type(name: &str) -> bool {
-    matches!(
-        name,
-        "REAL" | "INT" | "BOOL" | "STRING" | "CHAR" | "AXIS" | "FRAME" | "NCK" | "CHAN"
-    )
 }

@@ -150,7 +150,7 @@ fn compared(operator: Operator, a: f64, b: f64) -> Option<Datum> {
 /// A fine translation stays one as long as nothing is turned or scaled before it, so that `CTRANS(…):CFINE(…)` keeps both parts.
 fn chain(outer: &crate::control::Frame, inner: &crate::control::Frame) -> crate::control::Frame {
     let mut frame = outer.then(inner);
-    if outer.rotation == [0.0; 3] && !outer.scaled() {
+    if outer.rotation == [0.0; 3] && !outer.scaled() && outer.mirror == [false; 3] {
         frame.fine = std::array::from_fn(|i| outer.fine[i] + inner.fine[i]);
         frame.coarse = std::array::from_fn(|i| outer.coarse[i] + inner.coarse[i]);
     }

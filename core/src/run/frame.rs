@@ -1,10 +1,11 @@
-//! Programmed frames: TRANS, ROT, SCALE replace what was programmed before, ATRANS, AROT, ASCALE add to it.
+//! Programmed frames: TRANS, ROT, SCALE, MIRROR replace what was programmed before, their forms with A add to it. Angles
+//! and factors are no lengths: the unit of the axis words is taken out again.
 
+use super::Stop;
 use super::interpret::Interpreter;
 use super::problem::Problem;
 use super::statement::{Call, Words};
 use crate::control::Frame;
-use crate::diagnostic::Severity;
 
 /// Whether a word begins a frame instruction.
 pub fn is_frame(name: &str) -> bool {
@@ -14,24 +15,39 @@ pub fn is_frame(name: &str) -> bool {
     )
 }
 
-/// Carries out a frame instruction with the axis words of its block.
-pub fn apply(run: &mut Interpreter, call: &Call, found: &Words) -> Result<(), Problem> {
-    let values = found
-        .path
-        .axes
-        .map(|axis| axis.map_or(0.0, |(value, _)| value));
+/// Carries out the frame instruction of a block with its axis words; false: there is none.
+pub fn applied(run: &mut Interpreter, found: &Words) -> Result<bool, Stop> {
+    let calls = found.calls.iter().filter(|call| is_frame(&call.name));
+    let calls: Vec<&Call> = calls.collect();
+    for call in &calls {
+        let done = match calls.len() {
+            1 => apply(run, call, found),
+            _ => Err(Problem::new("run-alone", call.span, &*call.name)),
+        };
+        done.map_err(|problem| run.fail(problem))?;
+    }
+    Ok(!calls.is_empty())
+}
+
+fn apply(run: &mut Interpreter, call: &Call, found: &Words) -> Result<(), Problem> {
+    let values = found.path.axes.map(|axis| axis.map(|axis| axis.value));
+    let factor = run.sim.control.active_factor();
     let before = run.sim.control.program_frame;
-    let own = match call.name.as_str() {
-        "TRANS" | "ATRANS" => Frame::translation(values),
-        "ROT" | "AROT" => rotated(run, found),
-        "SCALE" | "ASCALE" => scaled(run, found),
-        name => {
-            run.tell(
-                Severity::Error,
-                &Problem::new("run-not-simulated", call.span, name),
-            );
-            return Ok(());
-        }
+    let own = match call.name.trim_start_matches('A') {
+        "TRANS" => Frame::translation(values.map(|value| value.unwrap_or(0.0))),
+        "ROT" => rotated(
+            run,
+            found,
+            values.map(|value| value.unwrap_or(0.0) / factor),
+        ),
+        "SCALE" => Frame {
+            scale: values.map(|value| value.map_or(1.0, |value| value / factor)),
+            ..Frame::default()
+        },
+        _ => Frame {
+            mirror: values.map(|value| value.is_some()),
+            ..Frame::default()
+        },
     };
     let adds = call.name.starts_with('A');
     if adds && !before.chains_with(&own) {
@@ -41,26 +57,8 @@ pub fn apply(run: &mut Interpreter, call: &Call, found: &Words) -> Result<(), Pr
     Ok(())
 }
 
-/// Factors are no lengths either; an axis that is not named keeps its size.
-fn scaled(run: &Interpreter, found: &Words) -> Frame {
-    let factor = run.sim.control.active_factor();
-    let scale = found
-        .path
-        .axes
-        .map(|axis| axis.map_or(1.0, |(value, _)| value / factor));
-    Frame {
-        scale,
-        ..Frame::default()
-    }
-}
-
-/// Angles are no lengths: the unit of the axis words is taken out again. RPL turns about the applicate.
-fn rotated(run: &Interpreter, found: &Words) -> Frame {
-    let factor = run.sim.control.active_factor();
-    let mut rotation = found
-        .path
-        .axes
-        .map(|axis| axis.map_or(0.0, |(value, _)| value / factor));
+/// Angles of the axis words; RPL turns about the applicate.
+fn rotated(run: &Interpreter, found: &Words, mut rotation: [f64; 3]) -> Frame {
     if let Some(turn) = found.turn {
         rotation[run.sim.tool_axis()] = turn;
     }

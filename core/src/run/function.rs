@@ -7,7 +7,8 @@ use super::problem::Problem;
 use super::texts;
 use crate::catalogue::Dialect;
 use crate::control::Frame;
-use crate::control::variables::AXES;
+use crate::control::rotary::ROTARY;
+use crate::control::variables::set_component;
 use crate::diagnostic::Span;
 use crate::program::tree::ExprId;
 
@@ -87,26 +88,38 @@ fn arithmetic(name: &str, values: &[f64], dialect: Dialect) -> Option<f64> {
     Some(value)
 }
 
-/// `CTRANS(X,10,Y,20)`, `CFINE(…)`, `CROT(Z,30)`, `CSCALE(X,2)`; the outer option: whether it is a function of frames.
+/// `CTRANS(X,10,Y,20)`, `CFINE(…)`, `CROT(Z,30)`, `CSCALE(X,2)`, `CMIRROR(X,Y)`; the outer option: whether it is a
+/// function of frames.
 fn frame(run: &Interpreter, name: &str, values: &[Datum]) -> Option<Option<Frame>> {
-    if !matches!(name, "CTRANS" | "CFINE" | "CROT" | "CSCALE") {
-        return None;
-    }
+    let (part, factor) = match name {
+        "CTRANS" => ("TR", run.sim.control.active_factor()),
+        "CFINE" => ("FI", run.sim.control.active_factor()),
+        "CROT" => ("RT", 1.0),
+        "CSCALE" => ("SC", 1.0),
+        "CMIRROR" => return Some(mirrored(values)),
+        _ => return None,
+    };
     let mut frame = Frame::default();
-    let factor = run.sim.control.active_factor();
     for pair in values.chunks(2) {
         let [Datum::Word(axis), Datum::Number(value)] = pair else {
             return Some(None);
         };
-        let Some(i) = AXES.iter().position(|known| known == axis) else {
+        let rotary = ROTARY.contains(&axis.as_str());
+        let value = if rotary { *value } else { value * factor };
+        if !set_component(&mut frame, axis, part, value) {
             return Some(None);
-        };
-        match name {
-            "CTRANS" => frame.coarse[i] = value * factor,
-            "CFINE" => frame.fine[i] = value * factor,
-            "CSCALE" => frame.scale[i] = *value,
-            _ => frame.rotation[i] = *value,
         }
     }
     Some(Some(frame))
+}
+
+fn mirrored(values: &[Datum]) -> Option<Frame> {
+    let mut frame = Frame::default();
+    for value in values {
+        let Datum::Word(axis) = value else {
+            return None;
+        };
+        set_component(&mut frame, axis, "MI", 1.0).then_some(())?;
+    }
+    Some(frame)
 }

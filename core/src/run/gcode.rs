@@ -2,8 +2,8 @@
 
 use super::Stop;
 use super::interpret::Interpreter;
-use super::modal::{Compensation, Motion};
-use super::motion::Suppress;
+use super::modal::{Compensation, FeedType, Motion};
+use super::path::Suppress;
 use super::problem::Problem;
 use super::statement::Words;
 use crate::catalogue::Dialect;
@@ -64,7 +64,8 @@ fn one(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
         54..=57 => run.sim.control.activate(usize::from(code) - 53),
         90 => run.modal.absolute = true,
         91 => run.modal.absolute = false,
-        9 | 60 | 61 | 64 | 80 | 94 => {}
+        9 | 60 | 61 | 64 | 80 => {}
+        94 => run.modal.feed_type = FeedType::Minute,
         _ if run.sim.control.choose_units(code) => {}
         _ if dialect == Dialect::Sinumerik => return sinumerik(run, code, found),
         _ => return nct(run, code),
@@ -77,7 +78,10 @@ fn sinumerik(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
         153 => found.path.suppress = Suppress::All,
         500 => run.sim.control.activate(0),
         505..=599 => run.sim.control.activate(usize::from(code) - 500),
-        601..=603 | 641 | 642 | 450 | 451 | 290 => {}
+        95 | 97 | 971 => run.modal.feed_type = FeedType::Revolution,
+        961 | 972 | 973 => run.modal.feed_type = FeedType::Minute,
+        62 | 140..=143 | 290 | 291 | 340 | 341 | 450..=453 | 460..=462 | 601..=603 => {}
+        621 | 641..=645 => {}
         _ => return false,
     }
     true

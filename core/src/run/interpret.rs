@@ -50,6 +50,9 @@ pub struct Interpreter {
     pub shared: Locals,
     /// What `MEAS` left: `$AC_MEA[1]`, `$AA_MW[X]`, `$AA_MM[X]`.
     pub measured: BTreeMap<String, f64>,
+    /// Where the spindle nose stood at the end of the last motion of the program, machine coordinates, and the position
+    /// in the WCS of that moment.
+    pub programmed: Option<([f64; 3], [f64; 3])>,
     /// Findings so far, each place and kind once.
     pub diagnostics: Vec<Diagnostic>,
     /// Jump targets.
@@ -202,6 +205,7 @@ impl Interpreter {
             levels: vec![Level::main(main)],
             shared: Locals::new(),
             measured: BTreeMap::new(),
+            programmed: None,
             diagnostics: Vec::new(),
             targets: flow::targets(&program),
             links: flow::links(&program, &programs),

@@ -129,6 +129,11 @@ impl Sim {
         Ok(signal.map(|_| end))
     }
 
+    /// Goes on behind a signal to the end of the motion: the stylus gives way (`MEAW`).
+    pub fn press_on(&mut self, to: [f64; 3], feed: f64) {
+        self.go(to, MotionKind::Measuring, feed);
+    }
+
     /// Turns a rotary axis (index A B C) to a position of the machine, degree; the part turns with it. What it meets on
     /// the way is not simulated.
     pub fn turn_table(&mut self, axis: usize, to: f64) {

@@ -1,6 +1,8 @@
 //! Runs a program or a single call on a control against a workpiece and records a trace.
 
 pub mod action;
+pub mod addresses;
+pub mod arcs;
 pub mod branch;
 pub mod call;
 pub mod cycle;
@@ -21,17 +23,22 @@ pub mod modal;
 pub mod motion;
 pub mod names;
 pub mod outcome;
+pub mod path;
 pub mod predict;
 pub mod problem;
 pub mod programs;
 pub mod repeat;
+mod set_alarm;
 pub mod setup;
 pub mod statement;
 pub mod subprogram;
+mod swivel;
+mod system;
 mod texts;
 pub mod tool;
 pub mod trace;
 pub mod types;
+mod words;
 
 pub use interpret::{Limits, Progress, Session, run};
 pub use outcome::{Change, Outcome};

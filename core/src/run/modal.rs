@@ -23,8 +23,6 @@ pub struct Modal {
     pub waiting_edge: Option<i64>,
     /// G40, G41 or G42.
     pub compensation: Compensation,
-    /// How positions of the transverse axis X are programmed.
-    pub diameter: Diameter,
 }
 
 impl Modal {
@@ -43,7 +41,6 @@ impl Modal {
             prepared: None,
             waiting_edge: None,
             compensation: Compensation::Off,
-            diameter: Diameter::Off,
         }
     }
 }
@@ -90,15 +87,4 @@ pub enum Compensation {
     Left,
     /// G42: right of it.
     Right,
-}
-
-/// Programming of the transverse axis.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Diameter {
-    /// DIAMOF: radii.
-    Off,
-    /// DIAMON: diameters.
-    On,
-    /// DIAM90: diameters where the position is absolute.
-    Absolute,
 }

@@ -1,52 +1,18 @@
-//! Motion of a program: targets from axis words, straight lines, arcs as chords.
+//! Motion of a program: straight lines, arcs as chords, measuring blocks.
 
+use super::arcs::{self, Arc};
 use super::interpret::Interpreter;
-use super::modal::{Compensation, Motion};
+use super::modal::{Compensation, FeedType, Motion};
+use super::path::{Coordinate, Measure, Path, Suppress};
 use super::problem::Problem;
 use super::trace::MotionKind;
 use super::{Machine, Stop};
-use crate::diagnostic::{Severity, Span};
-use crate::geometry::arc::chords;
+use crate::control::Transverse;
+use crate::control::variables::AXES;
+use crate::diagnostic::Severity;
 
-/// How a block measures its positions.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Suppress {
-    /// In the WCS.
-    #[default]
-    Nothing,
-    /// G53: without settable and programmed frame.
-    Settable,
-    /// G153, SUPA: without any frame.
-    All,
-}
-
-/// Axis words of one block, mm.
-#[derive(Clone, Debug, Default)]
-pub struct Path {
-    /// Target value by axis and whether it is absolute (AC), incremental (IC) or as the modal G90/G91 says.
-    pub axes: [Option<(f64, Option<bool>)>; 3],
-    /// Centre I J K, from the start.
-    pub centre: [f64; 3],
-    /// Whether a centre was given.
-    pub centred: bool,
-    /// CR or R: radius, negative for more than a half circle.
-    pub radius: Option<f64>,
-    /// Frames left out in this block.
-    pub suppress: Suppress,
-    /// MEAS or MEAW: number of the input, sign for the edge.
-    pub measure: Option<i64>,
-    /// Whether F is a time (G4).
-    pub dwell: bool,
-    /// Place of the block.
-    pub span: Span,
-}
-
-impl Path {
-    /// Whether the block moves.
-    pub fn moves(&self) -> bool {
-        self.axes.iter().any(Option::is_some) || (self.centred || self.radius.is_some())
-    }
-}
+/// Axes that differ by less have not moved, mm.
+const STILL: f64 = 1e-9;
 
 /// Carries out the motion of a block.
 pub fn go(run: &mut Interpreter, path: &Path) -> Result<(), Stop> {
@@ -57,29 +23,73 @@ pub fn go(run: &mut Interpreter, path: &Path) -> Result<(), Stop> {
         );
     }
     let from = position(run, path.suppress);
-    let to: [f64; 3] = std::array::from_fn(|i| match path.axes[i] {
-        None => from[i],
-        Some((value, mode)) => {
-            if mode.unwrap_or(run.modal.absolute) {
-                value
-            } else {
-                from[i] + value
-            }
-        }
-    });
-    let feed = run.modal.feed * run.modal.feed_factor;
+    let base = incremental_base(run, path.suppress, from);
+    let to = std::array::from_fn(|i| target(run, from[i], base[i], path.axes[i], i));
+    let feed = feed(run);
     if run.modal.motion != Motion::Rapid && feed <= 0.0 {
         run.tell(Severity::Error, &Problem::new("run-no-feed", path.span, ""));
     }
-    let outcome = match run.modal.motion {
-        _ if path.measure.is_some() => measure(run, path, to, feed),
-        Motion::Rapid => straight(run, path.suppress, to, MotionKind::Rapid, 0.0),
-        Motion::Line | Motion::Spline => {
+    let outcome = match (path.measure, run.modal.motion) {
+        (Some(measure), _) => measured(run, path, measure, to, feed),
+        (None, Motion::Rapid) => straight(run, path.suppress, to, MotionKind::Rapid, 0.0),
+        (None, Motion::Line | Motion::Spline) => {
             straight(run, path.suppress, to, MotionKind::Positioning, feed)
         }
-        _ => arc(run, path, from, to, feed),
+        (None, Motion::Through) => points(run, path, through(run, path, from, to), feed),
+        (None, Motion::Clockwise | Motion::Counter) => {
+            points(run, path, in_plane(run, path, from, to), feed)
+        }
     };
+    run.programmed = Some((nose(run), run.sim.position()));
     outcome.map_err(|stop| run.stopped(stop, path.span))
+}
+
+/// Where the spindle nose stands, machine coordinates: no new frame and no new tool moves it.
+fn nose(run: &Interpreter) -> [f64; 3] {
+    let length = run.sim.control.active_length();
+    std::array::from_fn(|i| run.sim.position[i] + length[i])
+}
+
+/// From where incremental positions count: the end of the last motion as it was programmed, also where a frame or a tool
+/// has changed since (SD 42440 and SD 42442 as delivered); where something else has moved the axes, their position.
+fn incremental_base(run: &Interpreter, suppress: Suppress, from: [f64; 3]) -> [f64; 3] {
+    let now = nose(run);
+    let stays = |stood: [f64; 3]| (0..3).all(|i| (stood[i] - now[i]).abs() < STILL);
+    match run.programmed {
+        Some((stood, end)) if suppress == Suppress::Nothing && stays(stood) => end,
+        _ => from,
+    }
+}
+
+/// mm/min, 0 where there is none.
+fn feed(run: &Interpreter) -> f64 {
+    let feed = run.modal.feed * run.modal.feed_factor;
+    match run.modal.feed_type {
+        FeedType::Minute => feed,
+        FeedType::Revolution => feed * run.modal.speed.abs(),
+    }
+}
+
+/// Target of an axis that stands at `from`, mm; increments count from `base`.
+fn target(
+    run: &Interpreter,
+    from: f64,
+    base: f64,
+    written: Option<Coordinate>,
+    axis: usize,
+) -> f64 {
+    let Some(Coordinate { value, absolute }) = written else {
+        return from;
+    };
+    let absolute = absolute.unwrap_or(run.modal.absolute);
+    let half = axis == 0
+        && match run.sim.control.transverse {
+            Transverse::Radius => false,
+            Transverse::Diameter => true,
+            Transverse::AbsoluteDiameter => absolute,
+        };
+    let value = if half { value / 2.0 } else { value };
+    if absolute { value } else { base + value }
 }
 
 fn position(run: &Interpreter, suppress: Suppress) -> [f64; 3] {
@@ -116,8 +126,31 @@ fn straight(
     run.sim.travel_machine(to, kind, feed, false)
 }
 
-/// `MEAS=1 G1 X100`: stops at the signal; `$AC_MEA`, `$AA_MW`, `$AA_MM` tell where (B:12790-12856).
-fn measure(run: &mut Interpreter, path: &Path, to: [f64; 3], feed: f64) -> Result<(), Stop> {
+/// Goes along points; none: they are no arc.
+fn points(
+    run: &mut Interpreter,
+    path: &Path,
+    points: Option<Vec<[f64; 3]>>,
+    feed: f64,
+) -> Result<(), Stop> {
+    let Some(points) = points else {
+        return Err(Stop::Fault(Problem::new("run-arc", path.span, "").message));
+    };
+    for point in points {
+        straight(run, path.suppress, point, MotionKind::Positioning, feed)?;
+    }
+    Ok(())
+}
+
+/// `MEAS=1 G1 X100`: stops at the signal; `$AC_MEA`, `$AA_MW`, `$AA_MM` tell where (B:12790-12856). Behind the signal of
+/// `MEAW` the stylus is deflected until the end.
+fn measured(
+    run: &mut Interpreter,
+    path: &Path,
+    measure: Measure,
+    to: [f64; 3],
+    feed: f64,
+) -> Result<(), Stop> {
     let to = machine(run, path.suppress, to);
     let latched = if run.sim.has_probe() {
         run.sim.probe_machine(to, feed)?
@@ -126,97 +159,77 @@ fn measure(run: &mut Interpreter, path: &Path, to: [f64; 3], feed: f64) -> Resul
             .travel_machine(to, MotionKind::Measuring, feed, false)?;
         None
     };
-    let input = path.measure.unwrap_or(1).abs();
+    let input = measure.input.abs();
     run.measured.insert(
         format!("$AC_MEA[{input}]"),
         f64::from(u8::from(latched.is_some())),
     );
-    if let Some(position) = latched {
-        let (own, length) = (
-            run.sim.control.to_workpiece(position),
-            run.sim.control.active_length(),
-        );
-        let factor = run.sim.control.data_factor();
-        for (i, axis) in crate::control::variables::AXES.iter().enumerate() {
-            run.measured
-                .insert(format!("$AA_MW[{axis}]"), own[i] / factor);
-            run.measured.insert(
-                format!("$AA_MM[{axis}]"),
-                (position[i] + length[i]) / factor,
-            );
+    let Some(position) = latched else {
+        return Ok(());
+    };
+    let control = &run.sim.control;
+    let (own, length) = (control.to_workpiece(position), control.active_length());
+    let factor = control.data_factor();
+    for (i, axis) in AXES.iter().enumerate() {
+        let shown = if i == 0 {
+            control.transverse.shown()
+        } else {
+            1.0
+        };
+        let basic = position[i] / factor;
+        let values = [
+            ("MW", own[i] * shown / factor),
+            ("MB", basic),
+            ("MM", basic + length[i] / factor),
+        ];
+        for (name, value) in values {
+            run.measured.insert(format!("$AA_{name}[{axis}]"), value);
         }
     }
+    if measure.goes_on {
+        run.sim.press_on(to, feed);
+    }
     Ok(())
 }
 
-fn arc(
-    run: &mut Interpreter,
-    path: &Path,
-    from: [f64; 3],
-    to: [f64; 3],
-    feed: f64,
-) -> Result<(), Stop> {
+/// Points of CIP.
+fn through(run: &Interpreter, path: &Path, from: [f64; 3], to: [f64; 3]) -> Option<Vec<[f64; 3]>> {
+    let middle = std::array::from_fn(|i| target(run, from[i], from[i], path.middle[i], i));
+    arcs::through(from, middle, to)
+}
+
+/// Points of an arc or a helix in the working plane.
+fn in_plane(run: &Interpreter, path: &Path, from: [f64; 3], to: [f64; 3]) -> Option<Vec<[f64; 3]>> {
     let [a, o, p] = run.sim.control.plane.axes();
-    let counter = run.modal.motion == Motion::Counter;
-    let start = [from[a], from[o]];
-    let end = [to[a], to[o]];
-    let centre = match path.radius {
-        Some(radius) => centre_by_radius(start, end, radius, counter),
-        None => Some([start[0] + path.centre[a], start[1] + path.centre[o]]),
-    };
-    let Some(centre) = centre.filter(|centre| fits(*centre, start, end)) else {
-        return Err(Stop::Fault(Problem::new("run-arc", path.span, "").message));
-    };
-    let first = (start[1] - centre[1]).atan2(start[0] - centre[0]);
-    let last = (end[1] - centre[1]).atan2(end[0] - centre[0]);
-    let sweep = sweep(last - first, counter);
-    let chords = chords(centre, start, sweep.to_degrees());
-    for (i, [x, y]) in chords.iter().enumerate() {
-        let part = (i + 1) as f64 / chords.len() as f64;
+    let arc = arc(run, path, from, to)?;
+    let climb = to[p] - from[p];
+    let place = |([x, y], part): ([f64; 2], f64)| {
         let mut point = [0.0; 3];
-        (point[a], point[o]) = (*x, *y);
-        point[p] = from[p] + (to[p] - from[p]) * part;
-        let point = if i + 1 == chords.len() { to } else { point };
-        straight(run, path.suppress, point, MotionKind::Positioning, feed)?;
-    }
-    Ok(())
+        (point[a], point[o], point[p]) = (x, y, from[p] + climb * part);
+        point
+    };
+    Some(arc.points().into_iter().map(place).collect())
 }
 
-/// Both ends lie on one circle within 0.01 mm.
-fn fits(centre: [f64; 2], start: [f64; 2], end: [f64; 2]) -> bool {
-    let radius = |point: [f64; 2]| (point[0] - centre[0]).hypot(point[1] - centre[1]);
-    radius(start) > 0.0 && (radius(start) - radius(end)).abs() <= 0.01
-}
-
-/// Angle from start to end, radian; a full circle where they are the same.
-fn sweep(difference: f64, counter: bool) -> f64 {
-    let turn = std::f64::consts::TAU;
-    let positive = difference.rem_euclid(turn);
-    let positive = if positive < 1e-9 { turn } else { positive };
-    let whole = (positive - turn).abs() < 1e-9;
-    match counter {
-        true => positive,
-        false if whole => -turn,
-        false => positive - turn,
-    }
-}
-
-fn centre_by_radius(
-    start: [f64; 2],
-    end: [f64; 2],
-    radius: f64,
-    counter: bool,
-) -> Option<[f64; 2]> {
-    let (dx, dy) = (end[0] - start[0], end[1] - start[1]);
-    let length = dx.hypot(dy);
-    let below = radius * radius - length * length / 4.0;
-    if length == 0.0 || below < -1e-6 {
-        return None;
-    }
-    let height = below.max(0.0).sqrt() / length;
-    let side = if counter == (radius > 0.0) { 1.0 } else { -1.0 };
-    Some([
-        start[0] + dx / 2.0 - side * height * dy,
-        start[1] + dy / 2.0 + side * height * dx,
-    ])
+/// The arc in the plane: with a radius or an opening angle, else about a centre.
+fn arc(run: &Interpreter, path: &Path, from: [f64; 3], to: [f64; 3]) -> Option<Arc> {
+    let [a, o, _] = run.sim.control.plane.axes();
+    let counter = run.modal.motion == Motion::Counter;
+    let (start, end) = ([from[a], from[o]], [to[a], to[o]]);
+    let centred = path.centre[a].is_some() || path.centre[o].is_some();
+    let centre = [a, o].map(|i| match path.centre[i] {
+        Some(Coordinate {
+            value,
+            absolute: Some(true),
+        }) => value,
+        Some(Coordinate { value, .. }) => from[i] + value,
+        None => from[i],
+    });
+    let arc = match (path.radius, path.angle) {
+        (Some(radius), _) => Arc::with_radius(radius, start, end, counter),
+        (None, Some(angle)) if centred => Arc::turned(centre, start, angle, counter),
+        (None, Some(angle)) => Arc::with_angle(angle, start, end, counter),
+        (None, None) => Arc::about(centre, start, end, counter),
+    };
+    Some(arc?.with_turns(path.turns))
 }

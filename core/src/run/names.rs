@@ -5,11 +5,10 @@ use super::expression::evaluate;
 use super::interpret::Interpreter;
 use super::locals::{self, Home, indices, stem};
 use super::problem::Problem;
+use super::system;
 use crate::catalogue::{CYCLES, Dialect};
-use crate::control::frames::{CHANNEL_MASK, GLOBAL_MASK};
 use crate::control::rotary::is_angle;
-use crate::control::variables::AXES;
-use crate::control::{Frame, Plane, Units, Value, arrays, gud};
+use crate::control::{Frame, arrays, gud};
 use crate::diagnostic::Span;
 use crate::program::tree::ExprId;
 use std::collections::BTreeMap;
@@ -17,8 +16,8 @@ use std::collections::BTreeMap;
 /// Words that stand for themselves: axes, and the parts of a frame.
 const WORDS: [&str; 11] = ["X", "Y", "Z", "A", "B", "C", "TR", "FI", "RT", "SC", "MI"];
 
-/// Masks of basic frames. They count at once, unlike the frames.
-const MASKS: [&str; 2] = [CHANNEL_MASK, GLOBAL_MASK];
+/// Functions of frames that without arguments are a frame that changes nothing.
+const NO_FRAME: [&str; 5] = ["CTRANS", "CROT", "CFINE", "CSCALE", "CMIRROR"];
 
 /// Name with its index, as data are kept: `_WP[0,1]`, `R10`, `#500`, `$P_UIFR[1,X,TR]`.
 pub fn key(run: &Interpreter, place: Span, index: &[ExprId]) -> Result<String, Problem> {
@@ -55,7 +54,7 @@ pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem>
         return Ok(value);
     }
     if key.starts_with('$') {
-        return system(run, key, place);
+        return system::read(run, key, place);
     }
     if let Some(value) = run.sim.control.data.get(key) {
         return Ok(Datum::from(value));
@@ -147,7 +146,7 @@ fn write_one(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Re
         problem.message = problem.message.number("limit", TEXT as f64);
         return Err(problem);
     }
-    if key.starts_with('$') && !MASKS.contains(&key) {
+    if key.starts_with('$') && !system::MASKS.contains(&key) {
         return write_variable(run, key, value, place);
     }
     let before = read(run, key, place)?.number().unwrap_or(0.0);
@@ -214,97 +213,9 @@ fn constant(run: &Interpreter, key: &str) -> Option<Datum> {
         "TRUE" => Some(Datum::Number(1.0)),
         "FALSE" => Some(Datum::Number(0.0)),
         "$PI" => Some(Datum::Number(std::f64::consts::PI)),
-        "CTRANS" | "CROT" | "CFINE" | "CSCALE" => Some(Datum::Frame(Box::default())),
+        _ if NO_FRAME.contains(&key) => Some(Datum::Frame(Box::default())),
         _ => WORDS.contains(&key).then(|| Datum::Word(key.to_owned())),
     }
-}
-
-/// `$…`: tool and frame data, and what the control tells about itself.
-fn system(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem> {
-    let control = &run.sim.control;
-    if let Some(value) = control.variable(key) {
-        return Ok(Datum::Number(value / variable_factor(run, key)));
-    }
-    if let Some(frame) = control.frame(key) {
-        return Ok(Datum::Frame(Box::new(frame)));
-    }
-    if let Some(value) = run.measured.get(key) {
-        return Ok(Datum::Number(*value));
-    }
-    let factor = control.data_factor();
-    let axis = |list: [f64; 3]| {
-        let name = indices(key).first().copied().unwrap_or_default();
-        AXES.iter().position(|axis| *axis == name).map(|i| list[i])
-    };
-    let value = match stem(key) {
-        "$P_TOOLNO" => Some(control.tool as f64),
-        "$P_TOOL" => Some(control.edge as f64),
-        "$P_TOOLR" => Some(control.active_radius() / factor),
-        "$P_UIFRNUM" => Some(control.settable as f64),
-        "$P_DRYRUN" | "$P_ISTEST" | "$P_SEARCH" | "$P_SIM" | "$A_PROTO" => Some(0.0),
-        "$AC_MEA" => Some(0.0),
-        "$P_F" => Some(run.modal.feed),
-        "$P_GG" => group(run, key),
-        _ if MASKS.contains(&key) => Some(mask(run, key)),
-        "$AA_IW" | "$P_EP" => {
-            axis(control.to_workpiece(run.sim.position)).map(|value| value / factor)
-        }
-        "$AA_IM" => axis(machine(run)).map(|value| value / factor),
-        "$MN_SCALING_SYSTEM_IS_METRIC" => {
-            Some(f64::from(u8::from(control.basic_units == Units::Metric)))
-        }
-        _ => None,
-    };
-    value
-        .map(Datum::Number)
-        .ok_or_else(|| Problem::new("run-unknown-variable", place, key))
-}
-
-/// Machine position of the spindle nose.
-fn machine(run: &Interpreter) -> [f64; 3] {
-    let length = run.sim.control.active_length();
-    std::array::from_fn(|i| run.sim.position[i] + length[i])
-}
-
-/// Bits of the basic frames in the chain; where the mask was never set, of all that exist.
-fn mask(run: &Interpreter, key: &str) -> f64 {
-    let control = &run.sim.control;
-    let frames = if key == CHANNEL_MASK {
-        &control.channel_basic
-    } else {
-        &control.global_basic
-    };
-    let all: f64 = frames.keys().map(|index| 2.0_f64.powi(*index as i32)).sum();
-    match control.data.get(key) {
-        Some(Value::Number(bits)) => *bits,
-        _ => all,
-    }
-}
-
-/// Active G function of a group: 6 plane (G17 is 1), 13 units (G70, G71, G700, G710), 14 absolute or incremental.
-fn group(run: &Interpreter, key: &str) -> Option<f64> {
-    let control = &run.sim.control;
-    Some(match *indices(key).first()? {
-        "6" => match control.plane {
-            Plane::G17 => 1.0,
-            Plane::G18 => 2.0,
-            Plane::G19 => 3.0,
-        },
-        "13" => match control.unit_function() {
-            70 => 1.0,
-            71 => 2.0,
-            700 => 3.0,
-            _ => 4.0,
-        },
-        "14" => {
-            if run.modal.absolute {
-                1.0
-            } else {
-                2.0
-            }
-        }
-        _ => return None,
-    })
 }
 
 fn write_frame(
@@ -328,9 +239,9 @@ fn write_frame(
 }
 
 /// mm in one unit of a tool or frame variable; types, cutting edge positions, angles and factors have none.
-fn variable_factor(run: &Interpreter, key: &str) -> f64 {
+pub fn variable_factor(run: &Interpreter, key: &str) -> f64 {
     let number = ["$TC_DP1", "$TC_DP2"].contains(&stem(key));
-    let plain = number || is_angle(key) || key.ends_with(",SC]");
+    let plain = number || is_angle(key) || key.ends_with(",SC]") || key.ends_with(",MI]");
     if plain {
         1.0
     } else {

@@ -39,6 +39,11 @@ pub const KEYS: &[&str] = &[
     "run-argument",
     "run-arguments",
     "run-cancelled",
+    "run-spline",
+    "run-alarm-number",
+    "run-set-alarm",
+    "run-swivel",
+    "run-alone",
 ];
 
 /// Something wrong at a place.

@@ -5,7 +5,7 @@ use super::declare::{self, Declaring};
 use super::expression::evaluate;
 use super::flow::Link;
 use super::interpret::{Interpreter, Next};
-use super::motion::Path;
+use super::path::{Measure, Path};
 use super::problem::Problem;
 use super::trace::Step;
 use super::{Stop, action, branch, environment, locals, names, repeat};
@@ -261,7 +261,12 @@ fn assign(
             .ok_or_else(|| Problem::new("run-not-a-number", span, key))
     };
     match key {
-        "MEAS" | "MEAW" => found.path.measure = Some(number()? as i64),
+        "MEAS" | "MEAW" => {
+            found.path.measure = Some(Measure {
+                input: number()? as i64,
+                goes_on: key == "MEAW",
+            });
+        }
         "RPL" => found.turn = Some(number()?),
         _ => {
             names::write(run, key, &value, span)?;

@@ -1,11 +1,11 @@
 //! Tool change and edges: `T9 D1`, `M6`; NCT `G43 H98`. The spindle nose stays; a trace step tells the change.
 
-use super::Stop;
 use super::datum::Datum;
 use super::interpret::Interpreter;
 use super::problem::Problem;
 use super::statement::{Address, Words};
 use super::trace::Step;
+use super::{Stop, addresses};
 use crate::catalogue::Dialect;
 
 /// Applies T, D, M6 (NCT: T, H) of a block.
@@ -47,6 +47,9 @@ fn sinumerik(run: &mut Interpreter, found: &Words) -> Result<(), Problem> {
             _ => select(run, run.sim.control.tool, edge, address)?,
         }
     }
+    if let Some(address) = last(found, "DL") {
+        location(run, address)?;
+    }
     let change = found
         .addresses
         .iter()
@@ -66,6 +69,16 @@ fn sinumerik(run: &mut Interpreter, found: &Words) -> Result<(), Problem> {
             });
         select(run, tool, edge, address)?;
     }
+    Ok(())
+}
+
+/// `DL=2`: offsets of a location are used from now on, until the next T or D.
+fn location(run: &mut Interpreter, address: &Address) -> Result<(), Problem> {
+    let number = addresses::number(address)? as i64;
+    if !(0..=6).contains(&number) {
+        return Err(Problem::new("run-range", address.span, "DL"));
+    }
+    run.sim.with_length(|control| control.location = number);
     Ok(())
 }
 
@@ -98,7 +111,7 @@ fn select(run: &mut Interpreter, tool: i64, edge: i64, address: &Address) -> Res
     }
     let edge = if tool == 0 { 0 } else { edge };
     run.sim
-        .with_length(|control| (control.tool, control.edge) = (tool, edge));
+        .with_length(|control| (control.tool, control.edge, control.location) = (tool, edge, 0));
     Ok(())
 }
 

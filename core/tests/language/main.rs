@@ -2,9 +2,13 @@
 //! of these controls ("Job planning", 03/2006), where a comment names it; everything else is reckoned by hand.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+mod corpus;
 mod flow;
+mod frames;
+mod motion;
 mod subprograms;
 mod values;
+mod words;
 
 use probewright_core::catalogue::Dialect;
 use probewright_core::control::{Edge, Plane, Tool};
@@ -73,6 +77,18 @@ fn messages(text: &str) -> Vec<String> {
             _ => None,
         })
         .collect()
+}
+
+/// Where the machine stands at the end of a clean run, machine coordinates.
+fn end(text: &str) -> [f64; 3] {
+    clean(text).position
+}
+
+fn at(text: &str, expected: [f64; 3]) {
+    let found = end(text);
+    for i in 0..3 {
+        near(found[i], expected[i], text);
+    }
 }
 
 fn near(found: f64, expected: f64, what: &str) {

@@ -1,0 +1,106 @@
+//! Addresses of a block: axes, arcs, feed, speed, spindle angle.
+
+use super::Machine;
+use super::interpret::Interpreter;
+use super::path::{Coordinate, Path};
+use super::problem::Problem;
+use super::statement::Address;
+use crate::catalogue::Dialect;
+use crate::control::variables::AXES;
+use crate::diagnostic::Severity;
+
+/// Takes an address into the path of the block or the modal data.
+pub fn take(run: &mut Interpreter, address: &Address, path: &mut Path) -> Result<(), Problem> {
+    let nct = run.program.dialect == Dialect::Nct;
+    let factor = run.sim.control.active_factor();
+    let name = address.name.as_str();
+    match name {
+        "X" | "Y" | "Z" if address.extension.is_none() => {
+            let axis = AXES.iter().position(|axis| *axis == name);
+            put(&mut path.axes, axis, coordinate(address, factor)?);
+        }
+        "I" | "J" | "K" => {
+            let axis = ["I", "J", "K"].iter().position(|centre| *centre == name);
+            let list = match address.extension {
+                None => &mut path.centre,
+                Some(1) => &mut path.middle,
+                Some(_) => return Err(Problem::new("run-unknown-word", address.span, name)),
+            };
+            put(list, axis, coordinate(address, factor)?);
+        }
+        "CR" => path.radius = Some(number(address)? * factor),
+        "R" if nct => path.radius = Some(number(address)? * factor),
+        "AR" => path.angle = Some(number(address)?),
+        "TURN" => path.turns = number(address)?.trunc(),
+        "F" if !path.dwell => {
+            run.modal.feed = number(address)?;
+            run.modal.feed_factor = run.sim.control.data_factor();
+        }
+        "S" if !path.dwell && matches!(address.extension, None | Some(1)) => {
+            run.modal.speed = number(address)?;
+        }
+        "SPOS" | "SPOSA" => spindle(run, address)?,
+        "T" => {} // number or name, see `tool`
+        "G" | "M" | "F" | "S" | "D" | "DL" => drop(number(address)?),
+        "H" | "P" | "O" | "N" if nct => drop(number(address)?),
+        // what tunes a path or a spline: only the programmed points are passed
+        "SF" | "PW" | "SD" | "PL" => drop(number(address)?),
+        _ => return other(run, address),
+    }
+    Ok(())
+}
+
+fn put(list: &mut [Option<Coordinate>; 3], axis: Option<usize>, coordinate: Coordinate) {
+    if let Some(place) = axis.and_then(|axis| list.get_mut(axis)) {
+        *place = Some(coordinate);
+    }
+}
+
+/// The value of an address as a number.
+pub fn number(address: &Address) -> Result<f64, Problem> {
+    let number = address.value.number().filter(|value| value.is_finite());
+    number.ok_or_else(|| Problem::new("run-not-a-number", address.span, &*address.name))
+}
+
+fn coordinate(address: &Address, factor: f64) -> Result<Coordinate, Problem> {
+    let absolute = match address.mode.as_deref() {
+        None => None,
+        Some("AC") => Some(true),
+        Some("IC") => Some(false),
+        Some(mode) => return Err(Problem::new("run-function", address.span, mode)),
+    };
+    Ok(Coordinate {
+        value: number(address)? * factor,
+        absolute,
+    })
+}
+
+fn spindle(run: &mut Interpreter, address: &Address) -> Result<(), Problem> {
+    let angle = number(address)?;
+    let angle = match address.mode.as_deref() {
+        Some("IC") => run.sim.control.spindle + angle,
+        _ => angle,
+    };
+    run.sim.orient(angle);
+    Ok(())
+}
+
+/// A rotary axis of the machine, else something that is not simulated.
+fn other(run: &mut Interpreter, address: &Address) -> Result<(), Problem> {
+    let Some(axis) = run.sim.control.rotary_axis(&address.name) else {
+        run.tell(
+            Severity::Warning,
+            &Problem::new("run-not-simulated", address.span, &*address.name),
+        );
+        return Ok(());
+    };
+    let written = number(address)?;
+    let control = &run.sim.control;
+    let position = match address.mode.as_deref() {
+        Some("IC" | "CIC") => control.rotary[axis] + written,
+        None if !run.modal.absolute => control.rotary[axis] + written,
+        _ => control.rotary_to_machine(axis, written),
+    };
+    run.sim.turn_table(axis, position);
+    Ok(())
+}

@@ -1,0 +1,222 @@
+//! Circles of a program: from centre, radius, opening angle or intermediate point to a sequence of points, in the plane
+//! and in space.
+
+use crate::geometry::arc::chords;
+use nalgebra::Vector3;
+use std::f64::consts::TAU;
+
+/// How far the distances of both ends from the centre may differ, mm.
+const TOLERANCE: f64 = 0.01;
+/// Angles below this are none, radian.
+const NO_ANGLE: f64 = 1e-9;
+
+/// An arc in the plane: abscissa and ordinate, mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Arc {
+    /// Centre.
+    pub centre: [f64; 2],
+    /// Start.
+    pub start: [f64; 2],
+    /// End.
+    pub end: [f64; 2],
+    /// Angle from start to end, radian, counter-clockwise positive; whole turns included.
+    pub sweep: f64,
+}
+
+impl Arc {
+    /// The arc about a centre; none: it does not lie as far from both ends.
+    pub fn about(centre: [f64; 2], start: [f64; 2], end: [f64; 2], counter: bool) -> Option<Arc> {
+        let (from, to) = (distance(centre, start), distance(centre, end));
+        if from <= 0.0 || (from - to).abs() > TOLERANCE {
+            return None;
+        }
+        let sweep = sweep(direction(centre, end) - direction(centre, start), counter);
+        Some(Arc {
+            centre,
+            start,
+            end,
+            sweep,
+        })
+    }
+
+    /// The arc with a radius, negative for more than a half circle.
+    pub fn with_radius(radius: f64, start: [f64; 2], end: [f64; 2], counter: bool) -> Option<Arc> {
+        let (dx, dy) = (end[0] - start[0], end[1] - start[1]);
+        let length = dx.hypot(dy);
+        let below = radius * radius - length * length / 4.0;
+        if length == 0.0 || below < -1e-6 {
+            return None;
+        }
+        let height = below.max(0.0).sqrt() / length;
+        let side = if counter == (radius > 0.0) { 1.0 } else { -1.0 };
+        let centre = [
+            start[0] + dx / 2.0 - side * height * dy,
+            start[1] + dy / 2.0 + side * height * dx,
+        ];
+        Arc::about(centre, start, end, counter)
+    }
+
+    /// The arc with an opening angle, degree.
+    pub fn with_angle(angle: f64, start: [f64; 2], end: [f64; 2], counter: bool) -> Option<Arc> {
+        if !(angle > 0.0 && angle < 360.0) {
+            return None;
+        }
+        let radius = distance(start, end) / 2.0 / (angle.to_radians() / 2.0).sin();
+        let radius = if angle > 180.0 { -radius } else { radius };
+        Arc::with_radius(radius, start, end, counter)
+    }
+
+    /// The arc about a centre with an opening angle, degree.
+    pub fn turned(centre: [f64; 2], start: [f64; 2], angle: f64, counter: bool) -> Option<Arc> {
+        if !(angle > 0.0 && angle <= 360.0) {
+            return None;
+        }
+        let turn = angle.to_radians() * if counter { 1.0 } else { -1.0 };
+        let end = point(
+            centre,
+            distance(centre, start),
+            direction(centre, start) + turn,
+        );
+        Arc::about(centre, start, end, counter)
+    }
+
+    /// The same arc with whole turns before its end (`TURN`).
+    pub fn with_turns(self, turns: f64) -> Arc {
+        Arc {
+            sweep: self.sweep + TAU * turns * self.sweep.signum(),
+            ..self
+        }
+    }
+
+    /// Radius, mm.
+    pub fn radius(&self) -> f64 {
+        distance(self.centre, self.start)
+    }
+
+    /// Points behind the start up to the end, each with its part of the whole way.
+    pub fn points(&self) -> Vec<([f64; 2], f64)> {
+        let mut ends = chords(self.centre, self.start, self.sweep.to_degrees());
+        if let Some(last) = ends.last_mut() {
+            *last = self.end;
+        }
+        let count = ends.len() as f64;
+        let part = |(i, end)| (end, (i + 1) as f64 / count);
+        ends.into_iter().enumerate().map(part).collect()
+    }
+}
+
+/// Points of the circle from start through a point to the end, start excluded; none: the three lie on a line.
+pub fn through(start: [f64; 3], middle: [f64; 3], end: [f64; 3]) -> Option<Vec<[f64; 3]>> {
+    let [a, b, c] = [start, middle, end].map(Vector3::from);
+    let (to_middle, to_end) = (b - a, c - a);
+    let normal = to_middle.cross(&to_end);
+    let square = normal.norm_squared();
+    if square <= 1e-18 * to_middle.norm_squared() * to_end.norm_squared() {
+        return None;
+    }
+    let lift = to_middle.norm_squared() * to_end.cross(&normal)
+        - to_end.norm_squared() * to_middle.cross(&normal);
+    let centre = a + lift / (2.0 * square);
+    let x = a - centre;
+    let y = normal.normalize().cross(&x);
+    let to_end = c - centre;
+    let sweep = to_end.dot(&y).atan2(to_end.dot(&x)).rem_euclid(TAU);
+    let flat = chords([0.0; 2], [1.0, 0.0], sweep.to_degrees());
+    let mut points: Vec<[f64; 3]> = flat
+        .iter()
+        .map(|[along, across]| (centre + x * *along + y * *across).into())
+        .collect();
+    if let Some(last) = points.last_mut() {
+        *last = end;
+    }
+    Some(points)
+}
+
+/// Angle from start to end, radian; a full circle where they are the same.
+fn sweep(difference: f64, counter: bool) -> f64 {
+    let positive = difference.rem_euclid(TAU);
+    let same = positive < NO_ANGLE || TAU - positive < NO_ANGLE;
+    match (counter, same) {
+        (true, true) => TAU,
+        (true, false) => positive,
+        (false, true) => -TAU,
+        (false, false) => positive - TAU,
+    }
+}
+
+/// Distance of two points, mm.
+pub fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+    (a[0] - b[0]).hypot(a[1] - b[1])
+}
+
+/// Direction from a centre to a point, radian.
+fn direction(centre: [f64; 2], point: [f64; 2]) -> f64 {
+    (point[1] - centre[1]).atan2(point[0] - centre[0])
+}
+
+fn point(centre: [f64; 2], radius: f64, angle: f64) -> [f64; 2] {
+    [
+        centre[0] + radius * angle.cos(),
+        centre[1] + radius * angle.sin(),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+
+    fn near(a: &[f64], b: &[f64]) {
+        assert!(
+            a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-9),
+            "{a:?} {b:?}"
+        );
+    }
+
+    // oracle: hand (a circle of 10 about the origin, from X10 to Y10)
+    #[test]
+    fn all_ways_to_write_an_arc_give_the_same() {
+        let (start, end) = ([10.0, 0.0], [0.0, 10.0]);
+        let arc = Arc::about([0.0; 2], start, end, true).unwrap();
+        for other in [
+            Arc::with_radius(10.0, start, end, true),
+            Arc::with_angle(90.0, start, end, true),
+            Arc::turned([0.0; 2], start, 90.0, true),
+        ] {
+            let other = other.unwrap();
+            near(&other.centre, &arc.centre);
+            near(&[other.sweep], &[TAU / 4.0]);
+            near(&other.end, &end);
+        }
+        let long = Arc::with_radius(-10.0, start, end, true).unwrap();
+        near(&long.centre, &[10.0, 10.0]);
+        near(&[long.sweep], &[0.75 * TAU]);
+        assert_eq!(Arc::about([0.0; 2], start, [0.0, 10.02], true), None);
+    }
+
+    // oracle: hand
+    #[test]
+    fn turns_and_full_circles_go_round() {
+        let full = Arc::about([0.0; 2], [10.0, 0.0], [10.0, 0.0], false).unwrap();
+        near(&[full.sweep], &[-TAU]);
+        near(&[full.with_turns(2.0).sweep], &[-3.0 * TAU]);
+        assert!(
+            full.points()
+                .iter()
+                .all(|(at, _)| (at[0].hypot(at[1]) - 10.0).abs() < 1e-9)
+        );
+    }
+
+    // oracle: hand: a half circle over the Z axis stands in the plane X-Z
+    #[test]
+    fn three_points_make_a_circle_in_space() {
+        let points = through([10.0, 5.0, 0.0], [0.0, 5.0, 10.0], [-10.0, 5.0, 0.0]).unwrap();
+        assert!(
+            points
+                .iter()
+                .all(|[x, y, z]| (x.hypot(*z) - 10.0).abs() < 1e-9 && *y == 5.0 && *z > -1e-9)
+        );
+        near(points.last().unwrap(), &[-10.0, 5.0, 0.0]);
+        assert_eq!(through([0.0; 3], [1.0, 1.0, 1.0], [2.0, 2.0, 2.0]), None);
+    }
+}

@@ -1,0 +1,67 @@
+//! What the axis words of a block ask for: the target, and how it is reached.
+
+use crate::diagnostic::Span;
+
+/// How a block measures its positions.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Suppress {
+    /// In the WCS.
+    #[default]
+    Nothing,
+    /// G53: without settable and programmed frame.
+    Settable,
+    /// G153, SUPA: without any frame.
+    All,
+}
+
+/// A coordinate as it is written, mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Coordinate {
+    /// Value.
+    pub value: f64,
+    /// AC (true) or IC (false); none: as usual for this address.
+    pub absolute: Option<bool>,
+}
+
+/// A measuring block.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Measure {
+    /// Number of the input, sign for the edge.
+    pub input: i64,
+    /// MEAW: the motion goes on to its end behind the signal.
+    pub goes_on: bool,
+}
+
+/// Axis words of one block.
+#[derive(Clone, Debug, Default)]
+pub struct Path {
+    /// Targets X Y Z.
+    pub axes: [Option<Coordinate>; 3],
+    /// Centre I J K, from the start unless absolute.
+    pub centre: [Option<Coordinate>; 3],
+    /// Intermediate point I1 J1 K1 of CIP.
+    pub middle: [Option<Coordinate>; 3],
+    /// CR or R: radius, negative for more than a half circle.
+    pub radius: Option<f64>,
+    /// AR: opening angle, degree.
+    pub angle: Option<f64>,
+    /// TURN: whole turns before the end.
+    pub turns: f64,
+    /// Frames left out in this block.
+    pub suppress: Suppress,
+    /// MEAS or MEAW.
+    pub measure: Option<Measure>,
+    /// Whether F is a time (G4).
+    pub dwell: bool,
+    /// Place of the block.
+    pub span: Span,
+}
+
+impl Path {
+    /// Whether the block moves.
+    pub fn moves(&self) -> bool {
+        let written = |list: &[Option<Coordinate>; 3]| list.iter().any(Option::is_some);
+        let arc = self.radius.is_some() || self.angle.is_some();
+        written(&self.axes) || written(&self.centre) || written(&self.middle) || arc
+    }
+}

@@ -1,0 +1,46 @@
+//! CYCLE800 with offsets 0: the table turns the part until the working plane of the active frames lies across the tool,
+//! and the coordinate systems turn with it (B:7696-7786, B:7773-7782).
+
+use super::datum::Datum;
+use super::interpret::Interpreter;
+use super::problem::Problem;
+use super::statement::Call;
+use crate::control::Frame;
+use crate::geometry::V3;
+use crate::geometry::rigid::{angles, rotation};
+
+/// Name of the cycle.
+pub const NAME: &str = "CYCLE800";
+
+/// Arguments that shift or turn the plane: X0 Y0 Z0, three angles, X1 Y1 Z1.
+const OFFSETS: std::ops::Range<usize> = 4..13;
+
+/// Turns the table; the machine axes stay where they are. Data set, mode and direction choose between ways that end in
+/// the same plane.
+pub fn call(run: &mut Interpreter, call: &Call) -> Result<(), Problem> {
+    let offsets = call.args.iter().enumerate();
+    let mut offsets = offsets.filter(|(place, _)| OFFSETS.contains(place));
+    let shifted = offsets.any(|(_, value)| !matches!(value, None | Some(Datum::Number(0.0))));
+    if shifted || call.args.len() < 4 {
+        return Err(Problem::new("run-swivel", call.span, NAME));
+    }
+    let control = &mut run.sim.control;
+    control.part_frame = Frame::default();
+    let total = control
+        .total_frame()
+        .ok_or_else(|| Problem::new("run-shear", call.span, NAME))?;
+    let turn = rotation(total.rotation).inverse();
+    let centre = V3::from(control.rotary_centre);
+    let table = Frame {
+        coarse: (centre - turn * centre).into(),
+        rotation: angles(&turn),
+        ..Frame::default()
+    };
+    for (axis, to) in total.rotation.into_iter().enumerate() {
+        if run.sim.control.rotary[axis] != to {
+            run.sim.turn_table(axis, to);
+        }
+    }
+    run.sim.control.part_frame = table;
+    Ok(())
+}

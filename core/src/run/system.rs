@@ -1,0 +1,174 @@
+//! What the control tells about itself: `$P_…`, `$AA_…`, `$AC_…`.
+
+use super::datum::Datum;
+use super::interpret::Interpreter;
+use super::locals::{indices, stem};
+use super::modal::{Compensation, Motion};
+use super::names;
+use super::problem::Problem;
+use crate::control::frames::{CHANNEL_MASK, GLOBAL_MASK};
+use crate::control::variables::{AXES, component};
+use crate::control::{Plane, Transverse, Units, Value};
+use crate::diagnostic::Span;
+
+/// All frames in effect as one.
+const TOTAL: &str = "$P_ACTFRAME";
+
+/// Masks of basic frames. They count at once, unlike the frames.
+pub const MASKS: [&str; 2] = [CHANNEL_MASK, GLOBAL_MASK];
+
+/// `$…`: tool and frame data, and what the control tells about itself.
+pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem> {
+    let control = &run.sim.control;
+    if let Some(value) = control.variable(key) {
+        return Ok(Datum::Number(value / names::variable_factor(run, key)));
+    }
+    let whole = || control.total_frame().filter(|_| key == TOTAL);
+    if let Some(frame) = control.frame(key).or_else(whole) {
+        return Ok(Datum::Frame(Box::new(frame)));
+    }
+    if let Some(value) = run.measured.get(key) {
+        return Ok(Datum::Number(*value));
+    }
+    let value = tool(run, key)
+        .or_else(|| position(run, key))
+        .or_else(|| state(run, key))
+        .or_else(|| total(run, key));
+    value
+        .map(Datum::Number)
+        .ok_or_else(|| Problem::new("run-unknown-variable", place, key))
+}
+
+/// The active tool.
+fn tool(run: &Interpreter, key: &str) -> Option<f64> {
+    let control = &run.sim.control;
+    let factor = control.data_factor();
+    Some(match stem(key) {
+        "$P_TOOLNO" => control.tool as f64,
+        "$P_TOOLP" => run.modal.prepared.unwrap_or(control.tool) as f64,
+        "$P_TOOL" => control.edge as f64,
+        "$P_DLNO" => control.location as f64,
+        "$P_TOOLR" => control.active_radius() / factor,
+        "$P_TOOLL" => {
+            let number: usize = indices(key).first()?.parse().ok()?;
+            let [abscissa, ordinate, applicate] = control.plane.axes();
+            let axis = *[applicate, ordinate, abscissa].get(number.checked_sub(1)?)?;
+            control.active_length()[axis] / factor
+        }
+        _ => return None,
+    })
+}
+
+/// Where an axis stands: `$AA_IW[X]` in the WCS, `$AA_IB` in the basic system, `$AA_IM` the spindle nose; rotary axes in
+/// degree.
+fn position(run: &Interpreter, key: &str) -> Option<f64> {
+    let control = &run.sim.control;
+    let (stem, index) = (stem(key), indices(key));
+    let name = *index.first()?;
+    if let Some(axis) = control.rotary_axis(name) {
+        let stands = control.rotary[axis];
+        return match stem {
+            "$AA_IM" | "$AA_IB" => Some(stands),
+            "$AA_IW" | "$P_EP" => Some(stands - control.rotary_to_machine(axis, 0.0)),
+            _ => None,
+        };
+    }
+    let axis = AXES.iter().position(|axis| *axis == name)?;
+    let at = run.sim.position;
+    let shown = if axis == 0 {
+        control.transverse.shown()
+    } else {
+        1.0
+    };
+    let value = match stem {
+        "$AA_IW" | "$P_EP" => control.to_workpiece(at)[axis] * shown,
+        "$AA_IB" => at[axis],
+        "$AA_IM" => at[axis] + control.active_length()[axis],
+        _ => return None,
+    };
+    Some(value / control.data_factor())
+}
+
+/// What else the control tells about itself.
+fn state(run: &Interpreter, key: &str) -> Option<f64> {
+    let control = &run.sim.control;
+    Some(match stem(key) {
+        "$P_UIFRNUM" => control.settable as f64,
+        "$P_DRYRUN" | "$P_ISTEST" | "$P_SEARCH" | "$P_SIM" | "$A_PROTO" => 0.0,
+        "$AC_MEA" => 0.0,
+        "$P_F" => run.modal.feed,
+        "$P_S" => run.modal.speed,
+        "$P_GG" => group(run, key)?,
+        _ if MASKS.contains(&key) => mask(run, key),
+        "$MN_SCALING_SYSTEM_IS_METRIC" => f64::from(u8::from(control.basic_units == Units::Metric)),
+        _ => return None,
+    })
+}
+
+/// A component of `$P_ACTFRAME`.
+fn total(run: &Interpreter, key: &str) -> Option<f64> {
+    let (stem, index) = (stem(key), indices(key));
+    let [axis, part] = index[..] else { return None };
+    let frame = run.sim.control.total_frame().filter(|_| stem == TOTAL)?;
+    Some(component(&frame, axis, part)? / names::variable_factor(run, key))
+}
+
+/// Bits of the basic frames in the chain; where the mask was never set, of all that exist.
+fn mask(run: &Interpreter, key: &str) -> f64 {
+    let control = &run.sim.control;
+    let frames = if key == CHANNEL_MASK {
+        &control.channel_basic
+    } else {
+        &control.global_basic
+    };
+    let all: f64 = frames.keys().map(|index| 2.0_f64.powi(*index as i32)).sum();
+    match control.data.get(key) {
+        Some(Value::Number(bits)) => *bits,
+        _ => all,
+    }
+}
+
+/// Active G function of a group: 1 motion, 6 plane (G17 is 1), 7 compensation, 13 units (G70, G71, G700, G710), 14
+/// absolute or incremental, 29 diameters.
+fn group(run: &Interpreter, key: &str) -> Option<f64> {
+    let control = &run.sim.control;
+    Some(match *indices(key).first()? {
+        "1" => match run.modal.motion {
+            Motion::Rapid => 1.0,
+            Motion::Line => 2.0,
+            Motion::Clockwise => 3.0,
+            Motion::Counter => 4.0,
+            Motion::Through => 5.0,
+            Motion::Spline => return None,
+        },
+        "7" => match run.modal.compensation {
+            Compensation::Off => 1.0,
+            Compensation::Left => 2.0,
+            Compensation::Right => 3.0,
+        },
+        "29" => match control.transverse {
+            Transverse::Radius => 1.0,
+            Transverse::Diameter => 2.0,
+            Transverse::AbsoluteDiameter => 3.0,
+        },
+        "6" => match control.plane {
+            Plane::G17 => 1.0,
+            Plane::G18 => 2.0,
+            Plane::G19 => 3.0,
+        },
+        "13" => match control.unit_function() {
+            70 => 1.0,
+            71 => 2.0,
+            700 => 3.0,
+            _ => 4.0,
+        },
+        "14" => {
+            if run.modal.absolute {
+                1.0
+            } else {
+                2.0
+            }
+        }
+        _ => return None,
+    })
+}

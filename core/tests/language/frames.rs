@@ -1,0 +1,138 @@
+//! Programmed frames, frame variables, the swivel cycle.
+
+use super::{at, clean, fault, near, number, setup};
+use probewright_core::catalogue::Dialect;
+use probewright_core::program::read;
+use probewright_core::run::trace::Step;
+use probewright_core::run::{Limits, run};
+use probewright_core::workpiece::{PartErrors, Shape, Solid};
+
+// oracle: hand
+#[test]
+fn mirrors_reverse_their_axes() {
+    at("MIRROR X0\nG0 X10 Y5", [-10.0, 5.0, 0.0]);
+    at("TRANS X100\nAMIRROR X0 Y0\nG0 X10 Y5", [90.0, -5.0, 0.0]);
+    at("MIRROR X0\nATRANS X3\nG0 X10", [-13.0, 0.0, 0.0]);
+    at("MIRROR X0\nMIRROR\nG0 X10", [10.0, 0.0, 0.0]);
+    at("MIRROR X0\nAROT Z90\nG0 X10 Y0", [0.0, 10.0, 0.0]);
+    at(
+        "$P_UIFR[1]=CTRANS(X,5):CMIRROR(X)\nG54\nG0 X1",
+        [4.0, 0.0, 0.0],
+    );
+    at("$P_UIFR[1,Y,MI]=1\nG54\nG0 Y1", [0.0, -1.0, 0.0]);
+}
+
+// oracle: hand
+#[test]
+fn frames_are_variables_with_components() {
+    for (text, expected) in [
+        ("$P_CHBFR[0]=CTRANS(X,7)\nR1=$P_UBFR[X,TR]", 7.0),
+        ("$P_SETFR=CTRANS(Y,7)\nG500\nR1=$P_SETFRAME[Y,TR]", 7.0),
+        ("TRANS X7\nR1=$P_PFRAME[X,TR]", 7.0),
+        ("$P_PFRAME=CTRANS(X,3):CROT(Z,90)\nR1=$P_PFRAME[Z,RT]", 90.0),
+        (
+            "$P_UIFR[1]=CTRANS(X,5)\nG54\nTRANS X2\nR1=$P_ACTFRAME[X,TR]",
+            7.0,
+        ),
+        (
+            "$P_UIFR[1]=CTRANS(X,5)\n$P_UIFR[2]=$P_UIFR[1]:CTRANS(X,1)\nR1=$P_UIFR[2,X,TR]",
+            6.0,
+        ),
+        ("DEF FRAME F\nF=CROT(Z,90)\nG0 X1 Y0\nR1=$AA_IM[X]", 1.0),
+        (
+            "$P_UIFR[1]=CTRANS(X,1,Y,2):CFINE(X,0.5)\nR1=$P_UIFR[1,X,FI]+$P_UIFR[1,Y,TR]",
+            2.5,
+        ),
+        ("$P_UIFR[1]=CTRANS(C,30)\nG54\nG0 C10\nR1=$AA_IM[C]", 40.0),
+    ] {
+        near(number(text, "R1"), expected, text);
+    }
+    assert_eq!(fault("$P_ACTFRAME=CTRANS(X,1)"), "run-read-only");
+    assert_eq!(fault("R1=$P_UIFR[1,X,QQ]"), "run-unknown-variable");
+    assert_eq!(fault("TRANS X1 ROT Z10"), "run-alone");
+}
+
+// oracle: hand: G53 without settable and programmed frame, SUPA and G153 without any
+#[test]
+fn frames_are_left_out_for_a_block() {
+    let frames = "$P_CHBFR[0]=CTRANS(X,1)\n$P_UIFR[1]=CTRANS(X,10)\n$P_UIFR[99]=CTRANS(X,20)\nG54\nTRANS X100\n";
+    for (words, x) in [
+        ("G0 X0", 111.0),
+        ("G0 G53 X0", 1.0),
+        ("G0 G153 X0", 0.0),
+        ("G0 SUPA X0", 0.0),
+        ("G599\nTRANS\nG0 X0", 21.0),
+        ("G500\nG0 X0", 101.0),
+        ("G0 G53 X5\nG91 X1", 7.0),
+    ] {
+        at(&format!("{frames}{words}"), [x, 0.0, 0.0]);
+    }
+}
+
+// oracle: hand: the oblique face (turned by 30 degrees about X, as G57 says) lies level afterwards, and coordinates of the
+// part stay coordinates of the part
+#[test]
+fn the_swivel_cycle_turns_the_part_level() {
+    let mut setup = setup();
+    setup.control.rotary_centre = [0.0, 0.0, -100.0];
+    setup.workpiece.solids.push(Solid {
+        shape: Shape::Block { size: [40.0; 3] },
+        at: [0.0, 5.0, 3.0],
+        rotation: [30.0, 0.0, 0.0],
+        errors: PartErrors::default(),
+    });
+    setup.position = [0.0, 0.0, 300.0];
+    let text = "$P_UIFR[4]=CTRANS(Y,5,Z,3):CROT(X,30)\nG57\nG0 X0 Y0 Z100\n\
+        CYCLE800(1,\"\",0,57,0,0,0,0,0,0,0,0,0,-1)\nR1=$P_ACTFRAME[X,RT]\nG0 X5 Y6 Z50\nMEAS=1 G1 Z-5 F300\nR2=$AA_MW[Z]\nR3=$AC_MEA[1]\n\
+        G0 Z50\nCYCLE800(1,\"\",0,57,0,0,0,0,0,0,0,0,0,-1)\nG500\nCYCLE800(1,\"\",0,57)\n";
+    let program = read(Dialect::Sinumerik, text.as_bytes());
+    let outcome = run(&program, &setup, Limits::default());
+    assert_eq!((&outcome.stop, &outcome.diagnostics[..]), (&None, &[][..]));
+    let found = ["R1", "R2", "R3"].map(|name| outcome.control.number(name));
+    for (found, expected) in found.into_iter().zip([0.0, 3.0, 1.0]) {
+        near(found, expected, "swivel");
+    }
+    let tables = outcome.trace.entries.iter();
+    let turned: Vec<_> = tables
+        .filter_map(|entry| match &entry.step {
+            Step::Table {
+                axis, to, solids, ..
+            } => Some((*axis, *to, solids[0].rotation[0])),
+            _ => None,
+        })
+        .collect();
+    assert_eq!(turned.len(), 2, "there and back: {turned:?}");
+    near(turned[0].1, 30.0, "table");
+    near(turned[0].2, 0.0, "the face lies level");
+    near(turned[1].2, 30.0, "and back");
+    for text in ["CYCLE800(1,\"\",0,57,0,0,0,30,0,0,0,0,0,-1)", "CYCLE800"] {
+        assert_eq!(fault(text), "run-swivel", "{text}");
+    }
+}
+
+// oracle: manual (SD 42440 and SD 42442 are 1 as delivered: an incremental motion goes along with a new frame or tool)
+#[test]
+fn increments_count_from_the_programmed_position() {
+    at("G0 X1\nTRANS X100\nX=IC(1)", [102.0, 0.0, 0.0]);
+    at("G0 X1 Y2\nTRANS X100 Y7\nG91 X1", [102.0, 2.0, 0.0]);
+    at("G0 X1\nG0 SUPA X5\nG91 X1", [6.0, 0.0, 0.0]);
+    near(
+        number("G0 X1\nTRANS X100\nR1=$AA_IW[X]", "R1"),
+        -99.0,
+        "the axis has not moved",
+    );
+    near(
+        number("G0 Z10\nT20 M6\nG91 G0 Z5\nR1=$AA_IW[Z]", "R1"),
+        15.0,
+        "another tool",
+    );
+}
+
+// oracle: hand
+#[test]
+fn units_reach_frames_and_feeds_as_they_should() {
+    at("G70\nTRANS X1\nG0 X1 Y0", [50.8, 0.0, 0.0]);
+    at("G700\n$P_UIFR[1,X,TR]=1\nG54\nG0 X0", [25.4, 0.0, 0.0]);
+    at("G70\nROT Z90\nG0 X1 Y0", [0.0, 25.4, 0.0]);
+    assert!(clean("G710 G0 X1").position[0] == 1.0);
+}

@@ -1,0 +1,151 @@
+//! Lines, arcs, feeds, measuring blocks.
+
+use super::{at, clean, fault, findings, go, near, number, setup};
+use probewright_core::catalogue::Dialect;
+use probewright_core::program::read;
+use probewright_core::run::trace::{MotionKind, Step};
+use probewright_core::run::{Limits, run};
+use probewright_core::workpiece::{PartErrors, Shape, Solid};
+
+/// Ends of the motions that a clean run makes.
+fn points(text: &str) -> Vec<[f64; 3]> {
+    let steps = clean(text).trace.entries.into_iter();
+    steps
+        .filter_map(|entry| match entry.step {
+            Step::Motion { to, .. } => Some(to),
+            _ => None,
+        })
+        .collect()
+}
+
+// oracle: hand: a circle about X10 Y0 from the origin
+#[test]
+fn arcs_keep_to_their_circle() {
+    for text in [
+        "G2 X20 Y0 I10 J0 F100",
+        "G2 X20 Y0 I=AC(10) J=AC(0) F100",
+        "G2 X20 Y0 CR=10 F100",
+        "G2 X20 Y0 CR=-10 F100",
+        "G2 X20 Y0 AR=180 F100",
+        "G2 AR=180 I10 J0 F100",
+        "G91 G2 X20 I10 F100",
+        "CIP X20 Y0 I1=10 J1=10 F100",
+        "G3 X20 Y0 I10 J0 TURN=2 F100",
+    ] {
+        let found = points(text);
+        for [x, y, _] in &found {
+            near((x - 10.0).hypot(*y), 10.0, text);
+        }
+        let upper = found.iter().filter(|[_, y, _]| *y > 1.0).count();
+        let lower = found.iter().filter(|[_, y, _]| *y < -1.0).count();
+        assert!(upper > 0, "{text}");
+        assert_eq!(lower > 0, text.contains("TURN"), "{text}");
+    }
+    at("G2 AR=90 I10 J0 F100", [10.0, 10.0, 0.0]);
+}
+
+// oracle: hand
+#[test]
+fn arcs_stand_in_the_working_plane() {
+    // G18: Z is the abscissa, X the ordinate
+    at("G18\nG0 X0 Y0 Z0\nG3 Z0 X20 I10 K0 F100", [20.0, 0.0, 0.0]);
+    let text = "G19\nG0 X0 Y0 Z0\nG2 Y20 Z0 X6 J10 K0 F100";
+    for [x, y, z] in points(text).into_iter().skip(1) {
+        near((y - 10.0).hypot(z), 10.0, text);
+        assert!((0.0..=6.0).contains(&x));
+    }
+    at(
+        "MIRROR X0\nG1 X0 Y0 F100\nG2 X20 Y0 I10 J0\n",
+        [-20.0, 0.0, 0.0],
+    );
+}
+
+// oracle: hand
+#[test]
+fn what_is_no_arc_is_told() {
+    for text in [
+        "G2 X20 F100",
+        "G2 X20 Y0 I7 J0 F100",
+        "G2 X20 Y0 CR=9 F100",
+        "G2 X0 Y0 CR=9 F100",
+        "CIP X20 I1=10 F100",
+        "G2 X20 AR=360 F100",
+    ] {
+        assert_eq!(fault(text), "run-arc", "{text}");
+    }
+}
+
+// oracle: hand (mm a revolution times revolutions a minute)
+#[test]
+fn feeds_count_a_minute_or_a_revolution() {
+    let feed = |text: &str| match clean(text).trace.entries.last().unwrap().step {
+        Step::Motion { feed, .. } => feed,
+        _ => panic!("{text}"),
+    };
+    assert_eq!(feed("G94 F200 S500 G1 X1"), 200.0);
+    assert_eq!(feed("G95 F0.2 S500 M3 G1 X1"), 100.0);
+    assert_eq!(feed("G95 F0.2 S1=500\nG94 F80 G1 X1"), 80.0);
+    assert_eq!(findings("G95 F0.2 G1 X1"), ["run-no-feed"]);
+    assert_eq!(findings("G1 X1"), ["run-no-feed"]);
+}
+
+// oracle: hand: the transverse axis by diameter (DIAMON), by diameter where it is absolute (DIAM90)
+#[test]
+fn diameters_are_halved() {
+    at("DIAMON\nG0 X20 Z5\nX=IC(4)", [12.0, 0.0, 5.0]);
+    at("DIAM90\nG0 X20\nX=IC(4)", [14.0, 0.0, 0.0]);
+    at("DIAMON\nDIAMOF\nG0 X20", [20.0, 0.0, 0.0]);
+    assert_eq!(number("DIAMON\nG0 X20\nR1=$AA_IW[X]", "R1"), 20.0);
+}
+
+// oracle: hand
+#[test]
+fn a_spline_passes_its_points_and_says_that_it_is_none() {
+    assert_eq!(
+        findings("BSPLINE SD=2 F100\nX10 Y20 PW=2\nG1 X0"),
+        ["run-spline"]
+    );
+    let outcome = go("ASPLINE BNAT ETAN F100\nX70 Y30");
+    assert_eq!(outcome.position, [70.0, 30.0, 0.0]);
+}
+
+// oracle: hand: the ball (radius 3) meets the face X=-50; MEAS stops there, MEAW goes on
+#[test]
+fn measuring_blocks_latch_and_stop_or_go_on() {
+    for (word, stands) in [("MEAS", -53.0), ("MEAW", -45.0)] {
+        let mut setup = setup();
+        setup.position = [-100.0, 0.0, -10.0];
+        setup.workpiece.solids.push(Solid {
+            shape: Shape::Block {
+                size: [100.0, 100.0, 50.0],
+            },
+            at: [0.0; 3],
+            rotation: [0.0; 3],
+            errors: PartErrors::default(),
+        });
+        let text = format!(
+            "TRANS X5\n{word}=1 G1 X-50 F300\nSTOPRE\nR1=$AC_MEA[1] R2=$AA_MW[X] R3=$AA_MM[Z] R4=$AA_IB[X]\nG0 X=IC(-50)\nG0 Z20"
+        );
+        let outcome = run(
+            &read(Dialect::Sinumerik, text.as_bytes()),
+            &setup,
+            Limits::default(),
+        );
+        assert_eq!(outcome.stop, None, "{word}");
+        let found = ["R1", "R2", "R3", "R4"].map(|name| outcome.control.number(name));
+        for (found, expected) in found.into_iter().zip([1.0, -58.0, 40.0, stands]) {
+            near(found, expected, word);
+        }
+        let probed = outcome.trace.entries.iter();
+        let probed = probed.filter(|entry| {
+            matches!(
+                entry.step,
+                Step::Motion {
+                    kind: MotionKind::Measuring,
+                    ..
+                }
+            )
+        });
+        assert_eq!(probed.count(), if word == "MEAS" { 1 } else { 2 });
+    }
+}

@@ -1,0 +1,105 @@
+//! Tools, spindle, alarms, operator texts, ends, and what is not understood.
+
+use super::{clean, fault, findings, go, messages, near, number};
+use probewright_core::run::trace::Step;
+
+// oracle: hand
+#[test]
+fn tools_are_chosen_and_told() {
+    for (text, expected) in [
+        ("T20 D2 M6\nR1=$P_TOOLNO*10+$P_TOOL", 202.0),
+        ("T20 M6\nR1=$P_TOOLL[1]+$P_TOOLR", 90.0),
+        ("T20 M6\n$TC_DP12[20,1]=0.5\nR1=$P_TOOLL[1]", 80.5),
+        (
+            "T20 M6\n$TC_SCP23[20,1]=0.25\nR1=$P_TOOLL[1]\nDL=2\nR1=100*R1+$P_TOOLL[1]",
+            8080.25,
+        ),
+        ("T20 M6\nDL=2\nD1\nR1=$P_DLNO", 0.0),
+        (
+            "$TC_DP1[33,1]=120 $TC_DP3[33,1]=60\nT33 M6\nR1=$P_TOOLL[1]",
+            60.0,
+        ),
+        ("$TC_DP25[20,1]=7\nR1=$TC_DP25[20,1]", 7.0),
+        ("G18\nT20 M6\n$TC_DP4[20,1]=3\nR1=$P_TOOLL[2]", 3.0),
+        ("T20\nR1=$P_TOOLNO*100+$P_TOOLP", 920.0),
+    ] {
+        near(number(text, "R1"), expected, text);
+    }
+    assert_eq!(fault("DL=9"), "run-range");
+}
+
+// oracle: hand
+#[test]
+fn the_spindle_is_turned() {
+    let angles = |text: &str| {
+        let steps = clean(text).trace.entries.into_iter();
+        let angles = steps.filter_map(|entry| match entry.step {
+            Step::Orient(angle) => Some(angle),
+            _ => None,
+        });
+        angles.collect::<Vec<_>>()
+    };
+    assert_eq!(
+        angles("SPOS=90\nSPOS=IC(45)\nSPOSA=DC(10)\nM19"),
+        [90.0, 135.0, 10.0, 0.0]
+    );
+}
+
+// oracle: manual (Job planning, alarms in the cycle area: 61000 and 65000 stop, 62000 and 67000 are shown)
+#[test]
+fn a_program_raises_alarms() {
+    assert_eq!(fault("SETAL(65000)\nR1=1"), "run-set-alarm");
+    assert_eq!(fault("SETAL(61301)"), "run-set-alarm");
+    assert_eq!(fault("SETAL(12345)"), "run-alarm-number");
+    assert_eq!(
+        messages("SETAL(67001,\"look\")\nMSG(\"on\")"),
+        ["67001 look", "on"]
+    );
+}
+
+// oracle: hand
+#[test]
+fn programs_end_and_stop_where_they_say() {
+    assert_eq!(
+        messages("M0\nM1\nMSG(\"A\"<<1.5)\nMSG()\nM30\nMSG(\"no\")"),
+        ["M0", "M1", "A1.5", ""]
+    );
+    for last in ["M2", "M30", "M17", "RET"] {
+        assert_eq!(number(&format!("R1=1\n{last}\nR1=2"), "R1"), 1.0, "{last}");
+    }
+}
+
+// oracle: hand
+#[test]
+fn a_block_number_a_skip_level_and_a_comment_change_nothing() {
+    assert_eq!(
+        number("N10 R1=1 ; R1=5\n/2 N20 R1=R1+1\n:30 R1=R1+1", "R1"),
+        3.0
+    );
+}
+
+// oracle: hand: each at its place, none left out silently
+#[test]
+fn what_is_not_simulated_is_told() {
+    for (text, key) in [
+        ("FROBNICATE", "run-unknown-word"),
+        ("FROBNICATE(1,2)", "run-unknown-word"),
+        ("G777", "run-unknown-word"),
+        ("G331 Z-5 K1", "run-unknown-word"),
+        ("WHEN $AA_IW[Z]>10 DO M8", "run-not-simulated"),
+        ("U5", "run-not-simulated"),
+        ("A90", "run-not-simulated"),
+        ("M77", "run-m-function"),
+        ("L77", "run-subprogram"),
+        ("X=DC(5)", "run-function"),
+        ("POS[X]=5", "run-unknown-variable"),
+        ("R1=$AN_NOBODY", "run-unknown-variable"),
+    ] {
+        let found = go(&format!("G0 Y1\n{text}"));
+        let finding = &found.diagnostics[0];
+        assert_eq!(finding.message.key, key, "{text}");
+        let start = finding.span.unwrap().start as usize;
+        assert!((6..6 + text.len()).contains(&start), "{text}: {start}");
+    }
+    assert_eq!(findings("BRISK FFWON SOFT\nG64 G602\nSTOPRE"), [""; 0]);
+}
