@@ -3,12 +3,12 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { modules } from "./sources.mjs";
 
-let sources, camera, scene, demo, colours, pick, paths, vec, outline;
+let sources, camera, scene, demo, colours, pick, paths, vec, outline, mesh;
 before(async () => {
   sources = await modules();
   const load = (name) => sources.load(`/src/preview/${name}.ts`);
-  [camera, scene, demo, colours, pick, paths, vec, outline] =
-    await Promise.all(["camera", "scene", "demo/trace", "colours", "pick", "paths", "vec", "outline"].map(load));
+  [camera, scene, demo, colours, pick, paths, vec, outline, mesh] =
+    await Promise.all(["camera", "scene", "demo/trace", "colours", "pick", "paths", "vec", "outline", "mesh"].map(load));
 });
 after(() => sources.close());
 
@@ -159,7 +159,7 @@ test("the stylus stands along the axis of the tool", () => {
   const motion = { step: "motion", kind: "positioning", from: [0, 0, 0], to: [1, 0, 0], feed: 100 };
   for (const [axis, along] of [[[0, 0, 1], 2], [[0, 1, 0], 1], [[1, 0, 0], 0]]) {
     const trace = { entries: [motion], ball: { radius: 3, length: 50, axis }, solids: [], frames: [] };
-    const { box } = scene.buildScene(trace, colours.LIGHT).mesh;
+    const box = mesh.boxOf(scene.buildScene(trace, colours.LIGHT).mesh);
     for (const other of [0, 1, 2]) {
       assert.ok(Math.abs(box.min[other]) < 8, `${axis}: ${box.min}`);
       assert.equal(box.max[other] > 20, other === along, `${axis}: ${box.max}`);
@@ -174,6 +174,7 @@ test("a protection zone is drawn through", () => {
   const built = scene.buildScene({ entries: [], ball: { radius: 3, length: 50 }, solids: [], zones: [solid], frames: [] }, colours.LIGHT);
   assert.equal(built.solidCorners, 0);
   assert.ok(built.mesh.corners.length > 0);
-  near(built.mesh.box.min, [-20, -20, -20], 1e-9);
-  near(built.mesh.box.max, [20, 20, 0], 1e-9);
+  const box = mesh.boxOf(built.mesh);
+  near(box.min, [-20, -20, -20], 1e-9);
+  near(box.max, [20, 20, 0], 1e-9);
 });

@@ -7,32 +7,56 @@ export const VERTEX_FLOATS = 11;
 export const LINE_FLOATS = 15;
 
 /** Triangles; both windings are allowed when adding, kept is the one whose outside is where the normals point. */
-export interface Mesh { vertices: number[]; corners: number[] }
-export const mesh = (): Mesh => ({ vertices: [], corners: [] });
+export interface Mesh {
+  vertices: Float64Array; // with room for more behind the first `used` numbers
+  used: number;
+  corners: number[];
+}
+export const mesh = (): Mesh => ({ vertices: new Float64Array(2048 * VERTEX_FLOATS), used: 0, corners: [] });
 
 export interface Paint { colour: Rgba; moves?: boolean }
 
-function vertex({ vertices }: Mesh, at: Vec3, normal: Vec3, { colour, moves }: Paint): number {
-  vertices.push(at[0], at[1], at[2], normal[0], normal[1], normal[2], colour[0], colour[1], colour[2], colour[3], moves ? 1 : 0);
-  return vertices.length / VERTEX_FLOATS - 1;
+function makeRoom(into: Mesh, numbers: number): void {
+  if (into.used + numbers <= into.vertices.length) return;
+  const larger = new Float64Array(2 * (into.used + numbers));
+  larger.set(into.vertices.subarray(0, into.used));
+  into.vertices = larger;
+}
+
+function vertex(into: Mesh, at: Vec3, normal: Vec3, { colour, moves }: Paint): number {
+  makeRoom(into, VERTEX_FLOATS);
+  const { vertices, used } = into;
+  for (let i = 0; i < 3; i++) {
+    vertices[used + i] = at[i]!;
+    vertices[used + 3 + i] = normal[i]!;
+  }
+  for (let i = 0; i < 4; i++) vertices[used + 6 + i] = colour[i]!;
+  vertices[used + 10] = moves ? 1 : 0;
+  into.used += VERTEX_FLOATS;
+  return used / VERTEX_FLOATS;
+}
+
+/** Joins three corners that are there, in the order in which their normals point outside; three in a line are nothing. */
+function face(into: Mesh, corners: [number, number, number], [a, b, c]: [Vec3, Vec3, Vec3], facing: [Vec3, Vec3, Vec3]): void {
+  const across = cross(sub(b, a), sub(c, a));
+  if (dot(across, across) === 0) return;
+  const outside = dot(across, facing[0]) + dot(across, facing[1]) + dot(across, facing[2]) >= 0;
+  into.corners.push(corners[0], corners[outside ? 1 : 2], corners[outside ? 2 : 1]);
 }
 
 /** A triangle with a normal at each corner. */
 export function triangle(into: Mesh, points: [Vec3, Vec3, Vec3], normals: [Vec3, Vec3, Vec3], paint: Paint): void {
-  const [a, b, c] = points;
-  const face = cross(sub(b, a), sub(c, a));
-  if (dot(face, face) === 0) return;
-  const outside = dot(face, normals[0]) + dot(face, normals[1]) + dot(face, normals[2]) >= 0;
-  const [i, j, k] = [vertex(into, a, normals[0], paint), vertex(into, b, normals[1], paint), vertex(into, c, normals[2], paint)];
-  into.corners.push(i, outside ? j : k, outside ? k : j);
+  const corner = (i: 0 | 1 | 2): number => vertex(into, points[i], normals[i], paint);
+  face(into, [corner(0), corner(1), corner(2)], points, normals);
 }
 
 /** A quadrilateral `a b c d` (in turn) with a normal at each corner. */
 export function quad(into: Mesh, points: [Vec3, Vec3, Vec3, Vec3], normals: [Vec3, Vec3, Vec3, Vec3], paint: Paint): void {
   const [a, b, c, d] = points;
   const [k, l, m, n] = normals;
-  triangle(into, [a, b, c], [k, l, m], paint);
-  triangle(into, [a, c, d], [k, m, n], paint);
+  const [i, j, o, p] = [vertex(into, a, k, paint), vertex(into, b, l, paint), vertex(into, c, m, paint), vertex(into, d, n, paint)];
+  face(into, [i, j, o], [a, b, c], [k, l, m]);
+  face(into, [i, o, p], [a, c, d], [k, m, n]);
 }
 
 /** A flat quadrilateral; `outside` says roughly where its outside is. */
@@ -45,16 +69,18 @@ export function flat(into: Mesh, points: [Vec3, Vec3, Vec3, Vec3], outside: Vec3
 
 /** Takes `other` in behind what is there. */
 export function append(into: Mesh, other: Mesh): void {
-  const first = into.vertices.length / VERTEX_FLOATS;
-  for (const value of other.vertices) into.vertices.push(value);
+  const first = into.used / VERTEX_FLOATS;
+  makeRoom(into, other.used);
+  into.vertices.set(other.vertices.subarray(0, other.used), into.used);
+  into.used += other.used;
   for (const corner of other.corners) into.corners.push(first + corner);
 }
 
 /** Smallest box around all corners; null: there are none. */
-export function boxOf({ vertices }: Mesh): Box | null {
-  if (vertices.length === 0) return null;
+export function boxOf({ vertices, used }: Mesh): Box | null {
+  if (used === 0) return null;
   const box: Box = { min: [Infinity, Infinity, Infinity], max: [-Infinity, -Infinity, -Infinity] };
-  for (let i = 0; i < vertices.length; i += VERTEX_FLOATS) {
+  for (let i = 0; i < used; i += VERTEX_FLOATS) {
     for (let axis = 0; axis < 3; axis++) {
       const value = vertices[i + axis]!;
       if (value < box.min[axis]!) box.min[axis] = value;
@@ -87,8 +113,8 @@ export function packLines(lines: Line[], origin: Vec3, ratio: number): Float32Ar
 }
 
 /** Vertices relative to `origin`; those that move with the probe are relative to it already. */
-export function packVertices({ vertices }: Mesh, origin: Vec3): Float32Array {
-  const packed = Float32Array.from(vertices);
+export function packVertices({ vertices, used }: Mesh, origin: Vec3): Float32Array {
+  const packed = new Float32Array(vertices.subarray(0, used));
   for (let i = 0; i < packed.length; i += VERTEX_FLOATS) {
     if (vertices[i + VERTEX_FLOATS - 1] === 1) continue;
     for (let axis = 0; axis < 3; axis++) packed[i + axis] = vertices[i + axis]! - origin[axis]!;

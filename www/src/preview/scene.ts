@@ -4,7 +4,7 @@ import { parse, type Colours } from "./colours";
 import { append, boxOf, mesh, type Line, type Mesh } from "./mesh";
 import { frameLines, gridLines, pathLines, type Label } from "./paths";
 import { part, zone } from "./solids";
-import { stylus } from "./stylus";
+import { addStylus } from "./stylus";
 import { boxCorners, centre, include, sub, type Box } from "./vec";
 
 export interface Scene {
@@ -37,7 +37,8 @@ export function buildScene(trace: Trace, colours: Colours, exaggeration = 1, sol
   const box = around(trace, solidBox);
   const size = Math.hypot(...sub(box.max, box.min));
   const zones = (trace.zones ?? []).map((solid) => zone(solid, parse(colours.zone)));
-  const solidCorners = addStylus(all, trace, colours, size);
+  const moves = trace.entries.some((entry) => entry.step === "motion");
+  const solidCorners = moves ? addStylus(all, trace.ball, { ball: parse(colours.ball), stylus: parse(colours.stylus) }, 0.3 * size) : all.corners.length;
   for (const { mesh: own } of zones) append(all, own);
   const frames = frameLines(trace.frames, colours, 0.14 * size);
   const normal = Math.max(2.5 * trace.ball.radius, 0.07 * size);
@@ -67,16 +68,6 @@ function around(trace: Trace, solids: Box | null): Box {
 /** Not farther away than the box is large. */
 function near(box: Box, at: Vec3): boolean {
   return Math.hypot(...sub(at, centre(box))) < Math.hypot(...sub(box.max, box.min));
-}
-
-/** Ball and stylus behind the solid corners, its body behind those; the number of solid corners. */
-function addStylus(into: Mesh, trace: Trace, colours: Colours, size: number): number {
-  if (!trace.entries.some((entry) => entry.step === "motion")) return into.corners.length;
-  const probe = stylus(trace.ball, { ball: parse(colours.ball), stylus: parse(colours.stylus) }, 0.3 * size);
-  append(into, probe.solid);
-  const solidCorners = into.corners.length;
-  append(into, probe.clear);
-  return solidCorners;
 }
 
 function reach(box: Box, lines: Line[], trace: Trace): number {

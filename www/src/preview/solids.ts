@@ -80,14 +80,14 @@ function cornered(degrees: number, [x, y]: Vec2, errors: Solid["errors"], body: 
 
 /** Moves what was built in the part's own frame; neither a rotation nor a push askew turns a winding round. */
 function placed(own: Part, { point, direction }: ReturnType<typeof placement>): Part {
-  const { vertices } = own.mesh;
+  const { vertices, used } = own.mesh;
   const put = (first: number, [x, y, z]: Vec3): void => {
     vertices[first] = x;
     vertices[first + 1] = y;
     vertices[first + 2] = z;
   };
   const read = (first: number): Vec3 => [vertices[first]!, vertices[first + 1]!, vertices[first + 2]!];
-  for (let i = 0; i < vertices.length; i += VERTEX_FLOATS) {
+  for (let i = 0; i < used; i += VERTEX_FLOATS) {
     put(i, point(read(i)));
     put(i + 3, direction(read(i + 3)));
   }

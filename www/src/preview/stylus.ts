@@ -1,7 +1,7 @@
 // The probe: ball and stylus solid, the body above them seen through, the centre of the ball at 0 0 0.
 import type { Vec3 } from "../wire";
 import type { Rgba } from "./colours";
-import { mesh, quad, type Mesh, type Paint } from "./mesh";
+import { quad, type Mesh, type Paint } from "./mesh";
 import { apply, fromZ, times, unit } from "./vec";
 
 const AROUND = 24;
@@ -9,22 +9,21 @@ const BALL_LAYERS = 14;
 
 /** `radius` of the ball and `length` from it to the spindle in mm; `axis` from the ball to the spindle. */
 export interface Ball { radius: number; length: number; axis?: Vec3 }
-export interface Stylus { solid: Mesh; clear: Mesh }
 
-export function stylus(ball: Ball, colours: { ball: Rgba; stylus: Rgba }, longest: number): Stylus {
+/** Behind what is there: ball and stylus, then its body; gives the number of corners without the body. */
+export function addStylus(into: Mesh, ball: Ball, colours: { ball: Rgba; stylus: Rgba }, longest: number): number {
   const frame = fromZ(unit(ball.axis ?? [0, 0, 1]));
   const place = (p: Vec3) => apply(frame, p);
   const r = ball.radius;
   const reach = Math.min(ball.length, Math.max(10 * r, longest));
   const body = Math.min(reach + 6 * r, Math.max(ball.length, 4 * r));
-  const solid = mesh();
-  turned(solid, sphere(r), place, { colour: colours.ball, moves: true });
-  turned(solid, [[0.45 * r, 0.8 * r], [0.45 * r, reach]], place, { colour: colours.stylus, moves: true });
-  const clear = mesh();
+  turned(into, sphere(r), place, { colour: colours.ball, moves: true });
+  turned(into, [[0.45 * r, 0.8 * r], [0.45 * r, reach]], place, { colour: colours.stylus, moves: true });
+  const solid = into.corners.length;
   const [red, green, blue] = colours.stylus;
   const profile: [number, number][] = [[0.45 * r, reach], [2.2 * r, reach + 1.2 * r], [2.2 * r, Math.max(body, reach + 3 * r)]];
-  turned(clear, profile, place, { colour: [red, green, blue, 0.4], moves: true });
-  return { solid, clear };
+  turned(into, profile, place, { colour: [red, green, blue, 0.4], moves: true });
+  return solid;
 }
 
 /** Half circle from the lower to the upper pole: distance from the axis, height. */

@@ -83,7 +83,7 @@ function position(mesh: Mesh, corner: number, probe: Vec3 | null): Vec3 {
 }
 
 const paintOf = ({ vertices }: Mesh, corner: number) =>
-  vertices.slice(corner * VERTEX_FLOATS + 6, corner * VERTEX_FLOATS + 10) as Rgba;
+  [...vertices.subarray(corner * VERTEX_FLOATS + 6, corner * VERTEX_FLOATS + 10)] as Rgba;
 
 // Lines
 
