@@ -11,13 +11,24 @@ pub fn alarms() -> String {
     json::text(&json::alarms())
 }
 
-/// `ReadRequest` → `ReadView`.
+#[wasm_bindgen(inline_js = "
+export function tell(share) {
+  globalThis.dispatchEvent?.(new CustomEvent('probewright-progress', { detail: share }));
+}")]
+extern "C" {
+    fn tell(share: f64);
+}
+
+/// `ReadRequest` → `ReadView`. A long program says on the way how far it is, as an event `probewright-progress` with the
+/// share that is done.
 ///
 /// # Errors
 /// A request of the wrong shape.
 #[wasm_bindgen]
 pub fn read(request: &str) -> Result<String, JsError> {
-    Ok(json::text(&json::read(request)?))
+    Ok(json::text(&json::read_told(request, &mut |share| {
+        tell(share)
+    })?))
 }
 
 /// `ChangeRequest` → `Edit[]`.

@@ -6,9 +6,9 @@ import { lineBreak, type Splice } from "./eol";
 import type { ProgramFile } from "./files";
 import { parseNumber } from "./numbers";
 import { speak } from "./language";
-import { AT_END, NO_ERRORS, ownMachine, programOf, setsOf, work, type Card, type Panel, type State } from "./state";
+import { AT_END, beginning, NO_ERRORS, ownMachine, programOf, setsOf, unitsIn, work, type Card, type Panel, type State } from "./state";
 import type { Store } from "./store";
-import type { Catalogue, CycleInfo, Dialect, Edit, ErrorSliders, OwnMachine, Setup, Style } from "./wire";
+import type { Catalogue, CycleInfo, Dialect, Edit, ErrorSliders, MachineView, OwnMachine, Setup, Style } from "./wire";
 
 export type Variant = CycleInfo["variants"][number];
 
@@ -34,8 +34,8 @@ export interface Actions {
   insert(snippet: string): void;
   error<G extends keyof ErrorSliders>(group: G, name: keyof ErrorSliders[G], value: number): void;
   begin(machine: OwnMachine["own"]): void;
-  /** What differs from delivery in the data of the machine. */
-  data(data: Setup["data"]): void;
+  /** What the machine is built for, and what differs from delivery in its data. */
+  data(machine: Pick<MachineView, "basic" | "data">): void;
   noErrors(): void;
   panel(panel: Panel): void;
   saveSet(name: string): void;
@@ -185,9 +185,13 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
       const described = setup?.control === control ? { setup: { ...setup, plane: own.plane, active: { ...setup.active, units: own.units } } } : { own: { ...now().own, [control]: { own: { ...ownMachine(now()), ...own } } } };
       store.update({ ...described, step: AT_END });
     },
-    data(data) {
+    data({ basic, data }) {
       const { control, setup, own } = now();
-      const described = setup?.control === control ? { setup: { ...setup, data } } : { own: { ...own, [control]: { own: { ...ownMachine(now()), data } } } };
+      const before = beginning(now());
+      const units = basic === (before.basic ?? "mm") ? before.units : unitsIn(control, before.units, basic); // rebuilt, it begins in the new system
+      const described = setup?.control === control
+        ? { setup: { ...setup, units: basic, active: { ...setup.active, units }, data } }
+        : { own: { ...own, [control]: { own: { ...before, basic, units, data } } } };
       store.update({ ...described, step: AT_END });
     },
     panel(panel) {

@@ -5,13 +5,15 @@ import type { Question } from "./program";
 import type { Reply } from "./worker";
 
 export interface Answered { question: Question; json?: string; problem?: string }
+/** `since`: ms, as performance.now; `share`: how much is done, where that is told. */
+export interface Busy { question: Question; since: number; share?: number }
 export interface Aside {
   /** Asks, unless just this is already asked. An older question that waits is forgotten, one that takes long is broken off. */
   want(question: Question): void;
   /** The answer that came since the last time. */
   take(): Answered | null;
-  /** What is being worked on, and since when (ms, as performance.now). */
-  busy(): { question: Question; since: number } | null;
+  /** What is being worked on. */
+  busy(): Busy | null;
   stop(): void;
 }
 
@@ -24,7 +26,7 @@ function same(a: Question | null | undefined, b: Question): boolean {
 /** The worker starts with the first question, none before the module is there; `ready` is called when there is something to take. */
 export function createAside(module: () => WebAssembly.Module | undefined, ready: () => void): Aside {
   let worker: Worker | null = null;
-  let running: { question: Question; since: number } | null = null;
+  let running: Busy | null = null;
   let waiting: Question | null = null;
   let done: Answered | null = null;
 
@@ -42,11 +44,15 @@ export function createAside(module: () => WebAssembly.Module | undefined, ready:
   };
   const start = (compiled: WebAssembly.Module): Worker => {
     const made = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
-    const finish = (reply: Reply): void => {
+    const finish = (reply: Exclude<Reply, { share: number }>): void => {
       if ("problem" in reply) drop();
       if (running) end({ question: running.question, ...reply });
     };
-    made.onmessage = ({ data }: MessageEvent<Reply>) => finish(data);
+    const hear = (reply: Reply): void => {
+      if (!("share" in reply)) return finish(reply);
+      if (running) running = { ...running, share: reply.share };
+    };
+    made.onmessage = ({ data }: MessageEvent<Reply>) => hear(data);
     made.onerror = (event) => finish({ problem: event.message });
     made.postMessage(compiled);
     return made;

@@ -2,7 +2,7 @@
 // so views and computations compare by identity.
 
 import type { ProgramFile, Refusal } from "./files";
-import type { CycleInfo, Diagnostic, Dialect, ErrorSliders, OwnMachine, Pending, Plane, ReadView, RunView, Setup, Style, UnitFunction } from "./wire";
+import type { BasicSystem, CycleInfo, Diagnostic, Dialect, ErrorSliders, OwnMachine, Pending, Plane, ReadView, RunView, Setup, Style, UnitFunction } from "./wire";
 
 export type Panel = "tasks" | "form" | "program" | "view" | "results";
 export type ResultTab = "outcome" | "problems" | "motions" | "log";
@@ -149,9 +149,25 @@ export function ownMachine({ control, own }: State): OwnMachine["own"] {
   return own[control]?.own ?? { plane, units };
 }
 
-/** What may be chosen for the core's own machine; the first counts where nothing was. */
+/** How the machine that counts begins: the opened one, else the core's own. */
+export function beginning(state: State): OwnMachine["own"] {
+  const { control, setup } = state;
+  const own = ownMachine(state);
+  if (setup?.control !== control) return own;
+  return { basic: setup.units, plane: setup.plane, units: setup.active?.units ?? unitsIn(control, own.units, setup.units) };
+}
+
+/** The G function of this kind, feeds and data included or not, that counts in this system. */
+export function unitsIn(control: Dialect, units: UnitFunction, basic: BasicSystem): UnitFunction {
+  if (INCH.includes(units) === (basic === "inch")) return units;
+  const place = UNITS[control].indexOf(units);
+  return UNITS[control][place % 2 ? place - 1 : place + 1] ?? units;
+}
+
+/** What may be chosen for the core's own machine, in pairs of mm and inch; the first counts where nothing was. */
 export const PLANES: Plane[] = ["G17", "G18", "G19"];
 export const UNITS: Record<Dialect, UnitFunction[]> = { sinumerik: ["G71", "G70", "G710", "G700"], nct: ["G21", "G20"] };
+export const INCH: UnitFunction[] = ["G70", "G700", "G20"];
 
 function data(value: unknown): Setup["data"] {
   const known = (pair: [string, unknown]): pair is [string, number | string] => Number.isFinite(pair[1]) || typeof pair[1] === "string";
@@ -163,7 +179,8 @@ function ownMachines(value: unknown): State["own"] {
   const pairs = Object.entries(UNITS).flatMap(([control, known]) => {
     const one = plainObject(given[control]) ? given[control].own : null;
     const fits = plainObject(one) && PLANES.includes(one.plane as Plane) && known.includes(one.units as UnitFunction);
-    return fits ? [[control, { own: { plane: one.plane, units: one.units, data: data(one.data) } }]] : [];
+    const basic = plainObject(one) && one.basic === "inch" ? { basic: one.basic } : {};
+    return fits ? [[control, { own: { ...basic, plane: one.plane, units: one.units, data: data(one.data) } }]] : [];
   });
   return Object.fromEntries(pairs) as State["own"];
 }

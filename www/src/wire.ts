@@ -49,8 +49,11 @@ export interface Purpose { machine: "milling" | "turning" | "any"; probe: "workp
 export type Plane = "G17" | "G18" | "G19";
 export type UnitFunction = "G70" | "G71" | "G700" | "G710" | "G20" | "G21";
 
+/** What a machine is built for: its data and, with some G functions, its feeds and lengths count in it. */
+export type BasicSystem = "mm" | "inch";
+
 /** The core's own machine with this basic system (absent: mm), beginning in this plane and with these units. */
-export interface OwnMachine { own: { basic?: "mm" | "inch"; plane: Plane; units: UnitFunction; data?: Setup["data"] } }
+export interface OwnMachine { own: { basic?: BasicSystem; plane: Plane; units: UnitFunction; data?: Setup["data"] } }
 
 // form(FormRequest) -> FormView. Called at every keystroke.
 export interface FormRequest {
@@ -78,7 +81,7 @@ export interface FormView {
   complete: boolean;                   // no error
   picture?: Picture;                   // only from the full module, which comes after the first form
   outcome?: Outcome;                   // when predict and complete, of a cycle that is simulated
-  setup?: Setup;                       // when predict: what was used (machine, proposed part with its errors, start); exported, and what a program runs on
+  setup?: Setup;                       // when predict: the machine, for an outcome with the proposed part, its errors and the start; exported, and what a program runs on
 }
 export interface Field {
   name: string;                        // "_SETVAL"
@@ -140,7 +143,7 @@ export interface Solid {
 
 // Setup: docs/setup.schema.json is its schema; also what the terminal reads and the page exports.
 export interface Setup {
-  control: Dialect; units: "mm" | "inch"; plane: Plane;
+  control: Dialect; units: BasicSystem; plane: Plane;
   active?: { tool?: number; edge?: number; frame?: string; units?: UnitFunction; spindle?: number }; // in force at the start
   machine?: { limitsMinus?: (number | null)[]; limitsPlus?: (number | null)[]; spindlePositions?: boolean };
   tools: Record<string, { name?: string; edges: Record<string, { type: number; length: Vec3; radius: number; lengthWear?: Vec3; radiusWear?: number; additive?: Record<string, number[]>; setup?: Record<string, number[]> }> }>;
@@ -153,9 +156,15 @@ export interface Setup {
 }
 
 // machine(MachineRequest) -> MachineView: what is set once per machine
-export interface MachineRequest { control: Dialect; setup?: Setup | OwnMachine; values: Record<string, string> } // typed; empty: as delivered
+export interface MachineRequest {
+  control: Dialect;
+  setup?: Setup | OwnMachine;
+  basic?: BasicSystem;                 // the machine is to be built for it from now on; the data keep their sizes
+  values: Record<string, string>;      // typed; empty: as delivered
+}
 export interface MachineView {
   groups: MachineGroup[];
+  basic: BasicSystem;                  // now
   data: Setup["data"];                 // what differs from delivery now, for the setup
   problems: { name: string; message: Message; hint: Message }[]; // of values that were not taken
   assignments: string;                 // the same as blocks of a part program

@@ -1,9 +1,15 @@
-// The core on a thread of its own. First comes the compiled module, then questions; each gets one answer.
+// The core on a thread of its own. First comes the compiled module, then questions; each gets one answer, before it how much of a long
+// program is done.
 
 import { initSync } from "@pkg/program/program.js";
 import { answer, type Question } from "./program";
 
-export type Reply = { json: string } | { problem: string };
+export type Reply = { json: string } | { problem: string } | { share: number };
+
+addEventListener("probewright-progress", (event) => {
+  const share = event instanceof CustomEvent ? Number(event.detail) : 0;
+  postMessage({ share } satisfies Reply);
+});
 
 function reply(question: Question): Reply {
   try {

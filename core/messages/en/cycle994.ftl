@@ -6,7 +6,7 @@ cycle994-words = measure workpiece turning lathe turned part diameter bore shaft
 
 cycle994-inside-zone = Inside, around a protection zone
 cycle994-inside-zone-words = turning lathe bore inside diameter two points protection zone safety zone obstacle stud tool offset wear
-cycle994-outside-inside = Outside around a protection zone, or inside without one
+cycle994-outside-inside = Outside around a zone, or inside without one
 cycle994-outside-inside-words = turning lathe diameter outside shaft inside bore two points protection zone safety zone tool offset wear
 
 param-setval-two-diameter = Set diameter

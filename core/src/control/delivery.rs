@@ -142,6 +142,45 @@ pub fn factor(unit: gud::Unit, basic: Units) -> f64 {
     }
 }
 
+/// The same machine built for the other basic system (MD10240, B:13594): everything keeps its size. What is as
+/// delivered is what that system is delivered with; what has no unit, such as R parameters, stays a number.
+pub fn rebuilt(control: &Control, units: Units) -> Control {
+    let before = delivery_in(control.dialect, control.basic_units);
+    let mut data = delivery_in(control.dialect, units).data;
+    for (name, value) in control.data.iter() {
+        let follows = IS_METRIC.contains(&name.as_str()) || before.data.get(name) == Some(value);
+        if !follows {
+            let ratio = unit_of(name, control.basic_units) / unit_of(name, units);
+            data.insert(name.clone(), scaled(value, ratio));
+        }
+    }
+    Control {
+        basic_units: units,
+        data,
+        ..control.clone()
+    }
+}
+
+/// Metric units in one unit of the datum with this name.
+fn unit_of(name: &str, basic: Units) -> f64 {
+    if NCT_LENGTHS.iter().any(|(length, _)| *length == name) {
+        return basic.factor();
+    }
+    let element = gud::place(name).and_then(|(gud, at)| gud.element(&at));
+    element.map_or(1.0, |element| factor(element.unit, basic))
+}
+
+/// Without what the last digits of a product lack, so that there and back gives the same number.
+fn scaled(value: &Value, ratio: f64) -> Value {
+    match value {
+        Value::Number(number) if ratio != 1.0 => {
+            let product = number * ratio;
+            Value::Number(format!("{product:.14e}").parse().unwrap_or(product))
+        }
+        _ => value.clone(),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -182,6 +221,25 @@ mod tests {
             (control.basic_length("#509"), control.number("#511")),
             (40.0, 1500.0)
         );
+    }
+
+    // oracle: manual B:13596 (lengths and speeds are converted), hand (the rest has no unit)
+    #[test]
+    fn a_machine_that_is_rebuilt_keeps_its_sizes() {
+        let mut metric = delivery(Dialect::Sinumerik);
+        for (name, value) in [("_WP[0,0]", 5.995), ("_CM[0]", 90.0), ("R10", 4.0)] {
+            metric.set(name, value);
+        }
+        let inch = rebuilt(&metric, Units::Inch);
+        assert!((inch.number("_WP[0,0]") - 5.995 / 25.4).abs() < 1e-12);
+        assert!((inch.number("_CM[0]") - 90.0 / 0.3048).abs() < 1e-9);
+        assert_eq!((inch.number("R10"), inch.bit("MD10240")), (4.0, false));
+        let delivered = delivery_in(Dialect::Sinumerik, Units::Inch);
+        assert_eq!(inch.number("_WP[1,0]"), delivered.number("_WP[1,0]"));
+        assert_eq!(rebuilt(&inch, Units::Metric).data, metric.data);
+        let mut nct = delivery(Dialect::Nct);
+        nct.set("#509", 38.1);
+        assert_eq!(rebuilt(&nct, Units::Inch).number("#509"), 1.5);
     }
 
     #[test]

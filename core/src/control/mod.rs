@@ -14,7 +14,7 @@ pub mod units;
 pub mod variables;
 
 pub use data::Data;
-pub use delivery::{delivery, delivery_in};
+pub use delivery::{delivery, delivery_in, rebuilt};
 pub use environments::Environment;
 pub use limits::Limits;
 

@@ -1,6 +1,6 @@
 //! What is different after a run, with words for the names that a program would use.
 
-use super::setup::settable_name;
+use super::setup::{settable_name, units_of};
 use super::{message, object};
 use crate::control::Control;
 use crate::control::rotary::is_angle;
@@ -8,16 +8,20 @@ use crate::message::Message;
 use crate::run::outcome::{Change, Outcome};
 use serde_json::Value;
 
-/// Tools, frames and memories before and after; lengths in mm, rotations in degree.
+/// Tools, frames and memories before and after; lengths in the basic system of the machine, rotations in degree.
 pub fn changes(outcome: &Outcome) -> Vec<Value> {
+    let basic = outcome.control.basic_units;
     let value = |change: Change| {
-        let turned = is_angle(&change.name);
+        let (factor, unit) = match is_angle(&change.name) {
+            true => (1.0, "deg"),
+            false => (basic.factor(), units_of(basic)),
+        };
         object([
             ("name", change.name.as_str().into()),
             ("label", message(&label(&outcome.control, &change.name))),
-            ("before", change.before.into()),
-            ("after", change.after.into()),
-            ("unit", if turned { "deg" } else { "mm" }.into()),
+            ("before", (change.before / factor).into()),
+            ("after", (change.after / factor).into()),
+            ("unit", unit.into()),
         ])
     };
     outcome.changes().into_iter().map(value).collect()

@@ -3,6 +3,7 @@
 use super::predict::predict;
 use super::setup::{PlaneName, choose_units, plane};
 use super::{Error, diagnostic, dialect, message, object, put};
+use crate::SIMULATES;
 use crate::catalogue::{self, Cycle, Range, Style};
 use crate::check::{self, Checked, Typed};
 use crate::control::{Control, Plane, Units};
@@ -73,12 +74,17 @@ pub fn form(request: &str) -> Result<Value, Error> {
     let comments = request.comments.as_ref();
     let mut view = view(cycle, &values, &start.setup, &checked, style, comments);
     put(&mut view, "preset", super::style_name(preset));
-    let work = cycle.work().filter(|_| request.predict);
-    if let (Some(work), Some(inputs)) = (work, &checked.inputs) {
-        let (outcome, mut setup) = predict(work, inputs, start, request.errors)?;
+    if request.predict && SIMULATES {
+        let mut setup = match (cycle.work(), &checked.inputs) {
+            (Some(work), Some(inputs)) => {
+                let (outcome, setup) = predict(work, inputs, start, request.errors)?;
+                put(&mut view, "outcome", outcome);
+                setup
+            }
+            _ => start.setup,
+        };
         set_modal(&mut setup.control, at_start);
         support::restore(&mut setup.control, before);
-        put(&mut view, "outcome", outcome);
         put(&mut view, "setup", super::setup_to_json(&setup));
     }
     Ok(view)

@@ -1,9 +1,10 @@
 //! The machine as a form: its data with what they mean, and what was typed written into them.
 
+use super::setup::{UnitsName, units, units_of};
 use super::start::{Start, start};
 use super::{Error, dialect, message, object, put};
 use crate::check::Typed;
-use crate::control::{Control, Value as Datum, delivery_in};
+use crate::control::{Control, Units, Value as Datum, delivery_in, rebuilt};
 use crate::form::machine::{Entry, Group, Refusal, Setting, accept, groups};
 use crate::message::Message;
 use crate::program::write::machine::{assignments, definitions};
@@ -15,6 +16,9 @@ struct Request {
     control: String,
     #[serde(default)]
     setup: Option<Value>,
+    /// Basic system that the machine is to be built for from now on.
+    #[serde(default)]
+    basic: Option<UnitsName>,
     /// Typed values by name; an empty one goes back to what is delivered.
     #[serde(default)]
     values: Typed,
@@ -25,7 +29,11 @@ pub fn machine(request: &str) -> Result<Value, Error> {
     let request: Request = super::request(request)?;
     let dialect = dialect(&request.control)?;
     let Start { setup, .. } = start(dialect, request.setup)?;
-    let mut control = setup.control;
+    let asked = request.basic.map(units).or_else(|| chosen(&request.values));
+    let mut control = match asked {
+        Some(basic) if basic != setup.control.basic_units => rebuilt(&setup.control, basic),
+        _ => setup.control,
+    };
     let delivered = delivery_in(dialect, control.basic_units);
     let problems = write(&mut control, &delivered, &request.values);
     let groups = groups(&control);
@@ -37,11 +45,21 @@ pub fn machine(request: &str) -> Result<Value, Error> {
                 .map(|one| group(one, &control, &delivered))
                 .collect(),
         ),
+        ("basic", units_of(control.basic_units).into()),
         ("data", data(&control, &delivered)),
         ("problems", problems.into()),
         ("assignments", assignments(&control, &delivered).into()),
         ("definitions", definitions(&control, &delivered).into()),
     ]))
+}
+
+/// The basic system that a typed MD10240 stands for (B:13594): 1 metric, 0 inch.
+fn chosen(typed: &Typed) -> Option<Units> {
+    match typed.get("MD10240")?.trim() {
+        "1" => Some(Units::Metric),
+        "0" => Some(Units::Inch),
+        _ => None,
+    }
 }
 
 /// Writes what was typed; gives what cannot be taken.
@@ -250,6 +268,28 @@ mod tests {
         assert_eq!(field(&view, "_WP[0,0]").unwrap()["unit"], "inch");
         assert_eq!(field(&view, "_CM[0]").unwrap()["unit"], "ft/min");
         assert_eq!(view["data"], json!({}));
+    }
+
+    // oracle: manual B:13594-13596 (MD10240 decides, the data are converted)
+    #[test]
+    fn the_basic_system_is_chosen_and_the_data_keep_their_sizes() {
+        let metric = own(&json!({ "_WP[0,0]": 5.08 }));
+        let ask_for = |request: Value| machine(&request.to_string()).unwrap();
+        let chosen = ask_for(json!({ "control": "sinumerik", "setup": metric, "basic": "inch" }));
+        let typed = ask(&metric, &json!({ "MD10240": "0" }));
+        for view in [&chosen, &typed] {
+            assert_eq!(
+                (&view["basic"], &view["data"]),
+                (&json!("inch"), &json!({ "_WP[0,0]": 0.2 }))
+            );
+            assert_eq!(field(view, "_WP[0,0]").unwrap()["unit"], "inch");
+        }
+        let inch = json!({ "own": { "basic": "inch", "data": chosen["data"] } });
+        let back = ask_for(json!({ "control": "sinumerik", "setup": inch, "basic": "mm" }));
+        assert_eq!(
+            (&back["basic"], &back["data"]),
+            (&json!("mm"), &json!({ "_WP[0,0]": 5.08 }))
+        );
     }
 
     // oracle: self

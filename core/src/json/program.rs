@@ -8,7 +8,7 @@ use crate::catalogue::Style;
 use crate::check::{self, Parsed};
 use crate::control::{Control, delivery};
 use crate::diagnostic::Diagnostic;
-use crate::program::calls::{CallSite, calls as find_calls, calls_on};
+use crate::program::calls::{CallSite, calls as find_calls, calls_told};
 use crate::program::change::{Edit, change as edits};
 use crate::program::position::Positions;
 use crate::program::{self, tree::Program};
@@ -51,22 +51,34 @@ struct RunRequest {
     setup: Option<Value>,
 }
 
+/// Of reading: until the text is read, and until its calls are found. What is left are doubts about the whole.
+const SHARES: [f64; 2] = [0.6, 0.9];
+
 /// Answers a `ReadRequest` with a `ReadView`: every measuring call, and what is wrong.
 pub fn read(request: &str) -> Result<Value, Error> {
+    read_told(request, &mut |_| {})
+}
+
+/// The same, telling from time to time which share of the work is done; short programs are done at once.
+pub fn read_told(request: &str, told: &mut dyn FnMut(f64)) -> Result<Value, Error> {
     let request: ReadRequest = super::request(request)?;
     let dialect = dialect(&request.control)?;
-    let program = program::read(dialect, request.text.as_bytes());
-    Ok(view(&program, start(dialect, request.setup)?.setup.control))
+    let [text, calls] = SHARES;
+    let source = request.text.as_bytes();
+    let program = program::read_told(dialect, source, &mut |share| told(share * text));
+    let mut found = |share: f64| told(text + share * (calls - text));
+    let control = start(dialect, request.setup)?.setup.control;
+    Ok(view(&program, control, &mut found))
 }
 
 /// The measuring calls of a program as a `ReadView`; the control is a metric one as delivered.
 pub fn calls(program: &Program) -> Value {
-    view(program, delivery(program.dialect))
+    view(program, delivery(program.dialect), &mut |_| {})
 }
 
-fn view(program: &Program, control: Control) -> Value {
+fn view(program: &Program, control: Control, told: &mut dyn FnMut(f64)) -> Value {
     let positions = Positions::new(&program.source);
-    let sites = calls_on(program, control.clone());
+    let sites = calls_told(program, control.clone(), told);
     let calls: Vec<Value> = sites
         .iter()
         .map(|site| call(program, site, &positions))

@@ -426,6 +426,14 @@ pub(super) fn units(name: UnitsName) -> Units {
     }
 }
 
+/// Name of a basic system.
+pub(super) fn units_of(basic: Units) -> &'static str {
+    match basic {
+        Units::Metric => "mm",
+        Units::Inch => "inch",
+    }
+}
+
 /// The plane with this name.
 pub(super) fn plane(name: PlaneName) -> Plane {
     match name {

@@ -1,8 +1,8 @@
 //! Writes the setup file, member by member as `setup` reads it; a test holds that it reads back to the same setup.
 
-use super::setup::{settable_name, units_name};
+use super::setup::{settable_name, units_name, units_of};
 use super::{dialect_name, object, put};
-use crate::control::{Control, Edge, Frame, Plane, Tool, Units, Value as Datum, delivery};
+use crate::control::{Control, Edge, Frame, Plane, Tool, Value as Datum, delivery};
 use crate::run::setup::Setup;
 use crate::workpiece::{PartErrors, Probe, Shape, Solid};
 use serde_json::Value;
@@ -11,13 +11,9 @@ use std::collections::BTreeMap;
 /// Writes a setup file that reads back to the same setup.
 pub fn to_json(setup: &Setup) -> Value {
     let control = &setup.control;
-    let units = match control.basic_units {
-        Units::Metric => "mm",
-        Units::Inch => "inch",
-    };
     let mut setup_file = object([
         ("control", dialect_name(control.dialect).into()),
-        ("units", units.into()),
+        ("units", units_of(control.basic_units).into()),
         ("plane", plane_name(control.plane).into()),
         ("active", active(control)),
         ("tools", by_number(&control.tools, tool)),

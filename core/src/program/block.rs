@@ -10,8 +10,16 @@ use crate::diagnostic::Span;
 /// What some editors write before the text of a file.
 pub(super) const BYTE_ORDER_MARK: &[u8] = "\u{feff}".as_bytes();
 
+/// Lines between two tellings of how far the work is.
+pub(super) const BETWEEN: usize = 8192;
+
 /// Reads a program. Never fails: what is not understood is marked in the tree.
 pub fn read(dialect: Dialect, source: &[u8]) -> Program {
+    read_told(dialect, source, &mut |_| {})
+}
+
+/// The same, telling from time to time which share of the text is read.
+pub fn read_told(dialect: Dialect, source: &[u8], told: &mut dyn FnMut(f64)) -> Program {
     // Places are u32; what lies beyond 4 GiB is kept but not read.
     let readable = source.get(..u32::MAX as usize).unwrap_or(source);
     let mut reader = Reader::new(readable);
@@ -28,6 +36,9 @@ pub fn read(dialect: Dialect, source: &[u8]) -> Program {
         reader.end = stop - usize::from(carriage);
         line(&mut reader, dialect);
         reader.at = stop + 1;
+        if reader.blocks.len() % BETWEEN == 0 {
+            told(reader.at as f64 / readable.len() as f64);
+        }
     }
     if readable.len() < source.len() {
         reader.errors.push(SyntaxError {

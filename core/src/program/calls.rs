@@ -1,6 +1,7 @@
 //! The measuring calls of a program, each with the values that count at it.
 
 use super::arguments;
+use super::block::BETWEEN;
 use super::fold::{self, Known};
 use super::tree::{Block, Expr, ExprId, Program, Word, WordKind};
 use super::values::{self, Value};
@@ -52,6 +53,11 @@ pub fn calls(program: &Program) -> Vec<CallSite> {
 
 /// The same for a program that starts on a control in this state.
 pub fn calls_on(program: &Program, control: Control) -> Vec<CallSite> {
+    calls_told(program, control, &mut |_| {})
+}
+
+/// The same, telling from time to time which share of the program is looked through.
+pub fn calls_told(program: &Program, control: Control, told: &mut dyn FnMut(f64)) -> Vec<CallSite> {
     let mut walk = Walk {
         program,
         known: Known::new(),
@@ -65,6 +71,9 @@ pub fn calls_on(program: &Program, control: Control) -> Vec<CallSite> {
     for (line, block) in program.blocks.iter().enumerate() {
         for word in program.words_of(block) {
             walk.word(line as u32, block, word);
+        }
+        if line % BETWEEN == BETWEEN - 1 {
+            told(line as f64 / program.blocks.len() as f64);
         }
     }
     walk.found

@@ -22,7 +22,7 @@ mod sinumerik_expression;
 pub mod tree;
 mod values;
 
-pub use block::read;
+pub use block::{read, read_told};
 pub use findings::{findings, findings_of, findings_on};
 pub use single::is_value;
 pub use tree::Program;

@@ -1,6 +1,6 @@
 // Long work beside the page: what it is, how long it takes already, and the way to stop it; afterwards why there is no answer.
 
-import { el, on, setText, show } from "../dom";
+import { el, on, setAttribute, setText, show } from "../dom";
 import { plain } from "../numbers";
 import { programOf, type State, type Stopped } from "../state";
 import { t } from "../texts";
@@ -8,7 +8,7 @@ import { t } from "../texts";
 const QUIET = 300; // ms of work that are not worth a word
 const TICK = 250; // ms
 
-export interface Activity { busy(): { since: number } | null; stopped(state: State): Stopped | null; stop(): void; again(): void }
+export interface Activity { busy(): { since: number; share?: number } | null; stopped(state: State): Stopped | null; stop(): void; again(): void }
 
 /** `name` is the first part of the keys of its texts. */
 export function createActivity(name: string, work: Activity): { root: HTMLElement; draw(state: State): void } {
@@ -33,7 +33,10 @@ export function createActivity(name: string, work: Activity): { root: HTMLElemen
     const size = plain(programOf(state).length / 1e6, 1);
     if (working) setText(what, t(`${name}-working-on`, { size }));
     else setText(what, stopped ? t(stopped.why ? `${name}-failed` : `${name}-stopped`, { why: stopped.why }) : "");
-    setText(seconds, t("activity-seconds", { seconds: (passed / 1000).toFixed(1) }));
+    setAttribute(bar, "value", busy?.share);
+    const parts = [t("activity-seconds", { seconds: (passed / 1000).toFixed(1) })];
+    if (busy?.share !== undefined) parts.unshift(t("activity-share", { percent: Math.floor(busy.share * 100) }));
+    setText(seconds, parts.join(" · "));
     clearTimeout(timer);
     if (busy) timer = window.setTimeout(() => draw(state), working ? TICK : QUIET);
   };

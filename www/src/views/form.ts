@@ -5,9 +5,10 @@ import type { Derived } from "../derive";
 import { el, keyed, on, setAttribute, setText, show } from "../dom";
 import type { State } from "../state";
 import type { Store } from "../store";
-import { optional, say, t } from "../texts";
+import { optional, t } from "../texts";
 import type { Diagnostic, Field } from "../wire";
-import { createField, fieldId, needText, problemItem, updateProblem, type FieldView } from "./field";
+import { createExplain } from "./explain";
+import { createField, fieldId, problemItem, updateProblem, type FieldView } from "./field";
 import { createPicture } from "./picture";
 import { createCallWays, createSnippetWays } from "./ways";
 
@@ -27,11 +28,7 @@ export async function copyText(text: string, store: Store, notice: string): Prom
 
 export function createForm(root: HTMLElement, store: Store, actions: Actions, showSets: () => void): (state: State, derived: Derived) => void {
   const title = el("h2", { id: "form-title" });
-  const about = el("p", { class: "lead" });
-  const named = el("strong", {});
-  const code = el("code", {});
-  const told = el("span", {});
-  const explained = el("p", { class: "lead" }, named, " ", code, " ", told);
+  const explain = createExplain();
   const where = el("span", {});
   const detach = el("button", { type: "button", class: "quiet" }, t("form-detach"));
   const opened = el("div", { class: "opened", role: "status" }, el("span", { class: "opened-mark", "aria-hidden": "true" }, "◆"), where, detach);
@@ -52,8 +49,7 @@ export function createForm(root: HTMLElement, store: Store, actions: Actions, sh
     el("div", { class: "snippet-head" }, el("h3", {}, t("form-snippet")), el("label", { class: "check", for: "comments" }, comments, t("form-comments"))),
     el("div", { class: "ways" }, ways.choice), snippet, ways.said, el("div", { class: "actions" }, insert, copy));
   const scroll = el("div", { class: "scroll" }, loose, fields, el("div", { class: "actions" }, check, example, sets), snippetBox);
-  root.append(el("header", { class: "panel-head" }, title, count), opened, callWays.root, pictureBox,
-    el("div", { class: "explain" }, about, explained), scroll);
+  root.append(el("header", { class: "panel-head" }, title, count), opened, callWays.root, pictureBox, explain.root, scroll);
 
   const views = new WeakMap<Element, FieldView>();
   const focused = (name: string | null): void => { if (store.state.focus !== name) store.update({ focus: name }); };
@@ -73,12 +69,6 @@ export function createForm(root: HTMLElement, store: Store, actions: Actions, sh
     root.querySelector<HTMLElement>('[aria-invalid="true"]')?.focus();
   });
 
-  /** What the focused field means and whether it has to be filled in. */
-  const explain = (field: Field): void => {
-    setText(named, say(field.label));
-    setText(code, field.name);
-    setText(told, `${say(field.help)} ${needText(field)} ${t("field-source", { source: field.source })}`);
-  };
   const make = (field: Field): HTMLElement => {
     const view = createField(field, actions, focused);
     views.set(view.root, view);
@@ -88,11 +78,7 @@ export function createForm(root: HTMLElement, store: Store, actions: Actions, sh
   return (state, derived) => {
     const { view, cycle } = derived;
     setText(title, t(`${cycle.key}-title`));
-    setText(about, optional(`${cycle.key}-help`));
-    const inFocus = view.fields.find((field) => field.name === state.focus);
-    show(about, !inFocus && !!about.textContent);
-    show(explained, !!inFocus);
-    if (inFocus) explain(inFocus);
+    explain.draw(optional(`${cycle.key}-help`), view.fields.find((field) => field.name === state.focus));
     show(opened, !!derived.opened);
     if (derived.opened) setText(where, t("form-opened", { cycle: cycle.cycle, from: derived.opened.line, to: derived.opened.lastLine }));
     const problems = shownProblems(state, view.diagnostics);

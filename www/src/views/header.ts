@@ -17,17 +17,20 @@ import { copyText } from "./form";
 import { createMachine } from "./machine";
 import { createMachineData } from "./machine-data";
 
+const MM_PER_INCH = 25.4;
 const THEMES: State["theme"][] = ["system", "light", "dark"];
 
 /** Control, tool and probe as they count now. */
 function facts(control: string, setup: Setup | undefined): { name: string; text: string }[] {
-  const list = [{ name: t("fact-control"), text: t(`control-${control}`) }];
+  const name = t(`control-${control}`);
+  const inch = setup?.units === "inch";
+  const list = [{ name: t("fact-control"), text: inch ? t("fact-built", { control: name, unit: t("unit-inch") }) : name }];
   if (!setup) return list;
   const [number, tool] = Object.entries(setup.tools)[0] ?? [];
   return [
     ...list,
     ...(number && tool ? [{ name: t("fact-tool"), text: `T${number}${tool.name ? ` ${tool.name}` : ""}` }] : []),
-    { name: t("fact-probe"), text: t("fact-ball", { diameter: plain(setup.probe.radius * 2, 4) }) },
+    { name: t("fact-probe"), text: t("fact-ball", { diameter: plain(setup.probe.radius * 2 / (inch ? MM_PER_INCH : 1), 4), unit: t(inch ? "unit-inch" : "unit-mm") }) },
     { name: t("fact-calibration"), text: t(probeIsTrue(setup) ? "fact-true" : "fact-deviates") },
   ];
 }

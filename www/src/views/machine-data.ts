@@ -7,7 +7,7 @@ import type { ProgramCore } from "../program";
 import { machine, type State } from "../state";
 import type { Store } from "../store";
 import { optional, say, t } from "../texts";
-import type { MachineField, MachineGroup, MachineView } from "../wire";
+import type { BasicSystem, MachineField, MachineGroup, MachineRequest, MachineView } from "../wire";
 import { rangeText } from "./field";
 import { copyText } from "./form";
 
@@ -16,6 +16,7 @@ type Row = { title: string; datum: null } | { title: null; datum: MachineField }
 
 export interface MachineData { open: HTMLButtonElement; draw(state: State): void }
 
+const BASIC: BasicSystem[] = ["mm", "inch"];
 const differs = (field: MachineField): boolean => field.value !== "";
 
 /** Whether all words stand in what is shown of a datum. */
@@ -59,6 +60,7 @@ export function createMachineData(store: Store, actions: Actions, core: () => Pr
   const open = el("button", { type: "button", class: "quiet", "aria-haspopup": "dialog" }, t("machine-data-open"));
   const search = el("input", { type: "search", id: "machine-data-search", placeholder: t("machine-data-search-hint"), "aria-label": t("machine-data-search") });
   const changedOnly = el("input", { type: "checkbox", id: "machine-data-changed" });
+  const basic = el("select", { id: "machine-data-basic", "aria-describedby": "machine-data-basic-help" }, ...BASIC.map((system) => el("option", { value: system }, t(`unit-${system}`))));
   const count = el("p", { class: "machine-data-count", role: "status" });
   const list = el("div", { class: "machine-data-list scroll" });
   const cited = el("p", { class: "datum-cited", id: "machine-data-cited", "aria-live": "polite" });
@@ -69,6 +71,7 @@ export function createMachineData(store: Store, actions: Actions, core: () => Pr
   const reset = el("button", { type: "button" }, t("machine-data-reset"));
   const dialog = el("dialog", { class: "machine-data", "aria-labelledby": "machine-data-title" },
     el("header", {}, el("h2", { id: "machine-data-title" }, t("machine-data-title")), count),
+    el("div", { class: "machine-data-basic" }, el("label", { for: "machine-data-basic" }, t("machine-data-basic")), basic, el("p", { id: "machine-data-basic-help" }, t("machine-data-basic-help"))),
     el("div", { class: "machine-data-tools" }, search, el("label", { class: "check", for: "machine-data-changed" }, changedOnly, t("machine-data-changed"))),
     list, cited, el("div", { class: "actions" }, assignments, definitions, reset, close));
   document.body.append(dialog);
@@ -77,16 +80,23 @@ export function createMachineData(store: Store, actions: Actions, core: () => Pr
   let typed: Record<string, string> = {}; // what was not taken
   const opened = new Set<string>();
 
-  const ask = (values: Record<string, string>): MachineView | null => {
+  const ask = (change: Partial<MachineRequest> = {}): MachineView | null => {
     const { state } = store;
-    return core()?.machine({ control: state.control, ...machine(state), values }) ?? null;
+    return core()?.machine({ control: state.control, ...machine(state), values: {}, ...change }) ?? null;
   };
   const edit = (name: string, value: string): void => {
-    const answer = ask({ [name]: value });
+    const answer = ask({ values: { [name]: value } });
     if (!answer) return;
     const { [name]: _, ...others } = typed;
     typed = answer.problems.length ? { ...others, [name]: value } : others;
-    if (!answer.problems.length) actions.data(answer.data);
+    if (!answer.problems.length) actions.data(answer);
+    view = answer;
+    drawAll();
+  };
+  const take = (answer: MachineView | null): void => {
+    if (!answer) return;
+    typed = {};
+    actions.data(answer);
     view = answer;
     drawAll();
   };
@@ -101,6 +111,7 @@ export function createMachineData(store: Store, actions: Actions, core: () => Pr
     const shown = view.groups.map((group) => ({
       ...group, fields: group.fields.filter((field) => (!changedOnly.checked || isChanged(field)) && found(field, group, words)),
     })).filter((group) => group.fields.length > 0);
+    if (basic.value !== view.basic) basic.value = view.basic;
     setText(count, t("machine-data-count", { changed: all.filter(differs).length, all: all.length }));
     setText(none, t(all.length === 0 ? "machine-data-nothing" : "machine-data-none"));
     keyed(list, shown, (group) => group.label.key, createGroup, (node, group) => updateGroup(node, group, opening));
@@ -132,7 +143,7 @@ export function createMachineData(store: Store, actions: Actions, core: () => Pr
   }
 
   on(open, "click", () => {
-    view = ask({});
+    view = ask();
     if (!view) return; // the module is still on its way
     typed = {};
     dialog.showModal();
@@ -142,6 +153,7 @@ export function createMachineData(store: Store, actions: Actions, core: () => Pr
     const datum = view?.groups.flatMap((group) => group.fields).find((field) => entryId(field.name) === (target as HTMLElement).id);
     setText(cited, datum ? citedText(datum) : "");
   });
+  on(basic, "change", () => take(ask({ basic: basic.value as BasicSystem })));
   on(search, "input", () => drawAll(true));
   on(changedOnly, "change", () => drawAll(true));
   on(close, "click", () => dialog.close());
@@ -149,12 +161,7 @@ export function createMachineData(store: Store, actions: Actions, core: () => Pr
   on(definitions, "click", () => void copyText(view?.definitions ?? "", store, "notice-copied"));
   on(reset, "click", () => {
     const names = view?.groups.flatMap((group) => group.fields.filter(differs).map((field) => field.name)) ?? [];
-    const answer = ask(Object.fromEntries(names.map((name) => [name, ""])));
-    if (!answer) return;
-    typed = {};
-    actions.data(answer.data);
-    view = answer;
-    drawAll();
+    take(ask({ values: Object.fromEntries(names.map((name) => [name, ""])) }));
   });
   return {
     open,

@@ -3,19 +3,9 @@
 import type { Actions } from "../actions";
 import type { Derived } from "../derive";
 import { el, keyed, on, setAttribute, setText } from "../dom";
-import { ownMachine, PLANES, UNITS, type State } from "../state";
+import { beginning, INCH, PLANES, UNITS, type State } from "../state";
 import { t } from "../texts";
 import type { Dialect, OwnMachine, UnitFunction } from "../wire";
-
-const INCH: UnitFunction[] = ["G70", "G700", "G20"];
-
-/** What counts at the start now. */
-function beginning(state: State): OwnMachine["own"] {
-  const { control, setup } = state;
-  const own = ownMachine(state);
-  if (setup?.control === control) return { plane: setup.plane, units: setup.active?.units ?? UNITS[control][0] ?? own.units };
-  return own;
-}
 
 function unitText(control: Dialect, units: UnitFunction): string {
   const unit = t(INCH.includes(units) ? "unit-inch" : "unit-mm");

@@ -3,14 +3,11 @@
 import { setAttribute, show, svg } from "../dom";
 import { t } from "../texts";
 import type { Picture, PictureShape } from "../wire";
+import { spread, widthOf, type Obstacle, type Point, type Size } from "./captions";
 
 const MARGIN = { x: 30, y: 22 }; // CSS pixels around the figures, for captions
-const CHARACTER = 6.6;           // width of a character of a caption, CSS pixels
-const LINE = 11;                 // height of a caption, CSS pixels
 /** From the ground up: what is filled must not hide what is drawn in lines. */
 const ORDER: PictureShape["kind"][] = ["material", "cut", "tolerance", "axis", "zone", "path", "edge", "probe", "touch", "dimension", "label"];
-interface Size { width: number; height: number }
-type Point = [number, number];
 type Place = (point: Point) => Point;
 
 function extent(shapes: PictureShape[]): { low: Point; high: Point } {
@@ -51,29 +48,31 @@ function rings(points: Point[]): Point[][] {
   return list.length > 1 ? list : [points];
 }
 
-/** Where a caption may go to when it would lie upon another, the nearest first. */
-const MOVES: Point[] = [0, 6, -6, 12, -12, 18, -18, 24, -24].flatMap((y) => [0, 8, -8, 16, -16].map((x): Point => [x, y]))
-  .sort((a, b) => Math.hypot(...a) - Math.hypot(...b));
+/** How much a caption upon a line of each kind takes from the reader; what is filled only is none. */
+const WEIGHTS: Partial<Record<PictureShape["kind"], number>> = { edge: 1.2, cut: 1.2, probe: 0.8, dimension: 0.8, zone: 0.6, axis: 0.3, path: 0.3, touch: 4 };
+const CORNERS = 16; // of a circle, for captions that go around it
 
-/** Captions upon each other are moved apart, the later ones by as little as it takes. */
-function spread(captions: Iterable<Element>, { width, height }: Size): void {
-  const taken: { left: number; right: number; y: number }[] = [];
-  for (const caption of captions) {
-    const long = (caption.textContent?.length ?? 0) * CHARACTER;
-    const [x, y] = [Number(caption.getAttribute("x")), Number(caption.getAttribute("y"))];
-    const left = x - (caption.getAttribute("text-anchor") === "middle" ? long / 2 : 0);
-    const free = ([dx, dy]: Point): boolean => left + dx >= 0 && left + dx + long <= width && y + dy >= 11 && y + dy <= height - 4
-      && taken.every((one) => left + dx > one.right || left + dx + long < one.left || Math.abs(y + dy - one.y) >= LINE);
-    const [dx, dy] = MOVES.find(free) ?? [0, 0];
-    setAttribute(caption, "x", r(x + dx));
-    setAttribute(caption, "y", r(y + dy));
-    taken.push({ left: left + dx, right: left + dx + long, y: y + dy });
-  }
+/** The lines of a shape that captions keep away from. */
+function obstacles(shape: PictureShape, place: Place, scale: number): Obstacle[] {
+  const weight = WEIGHTS[shape.kind];
+  if (!weight) return [];
+  const points = shape.points.map(place);
+  const lines = rings(points).map((ring): Point[] => shape.closed && ring[0] ? [...ring, ring[0]] : ring);
+  const dots = shape.kind === "touch" && !shape.circle ? points.map((point) => round(point, 4)) : [];
+  const circle = shape.circle ? [round(place([shape.circle.x, shape.circle.y]), Math.max(shape.circle.r * scale, 4))] : [];
+  return [...lines, ...dots, ...circle].flatMap((line) => line.slice(1).map((to, index) => ({ from: line[index] ?? to, to, weight })));
+}
+
+function round([x, y]: Point, radius: number): Point[] {
+  return Array.from({ length: CORNERS + 1 }, (_, index): Point => {
+    const angle = (index / CORNERS) * 2 * Math.PI;
+    return [x + radius * Math.cos(angle), y + radius * Math.sin(angle)];
+  });
 }
 
 /** A caption that stays inside the picture. */
 function caption(text: string, at: Point, anchor: "start" | "middle", { width, height }: Size): SVGElement {
-  const long = text.length * CHARACTER;
+  const long = widthOf(text);
   const before = anchor === "middle" ? long / 2 : 0;
   const x = Math.min(Math.max(at[0], before + 3), width - long + before - 3);
   const y = Math.min(Math.max(at[1], 11), height - 4);
@@ -142,7 +141,7 @@ export function createPicture(root: HTMLElement, pick: (field: string) => void):
       const value = shape.kind === "dimension" && shape.field === shape.text ? (values[shape.field ?? ""] ?? "").trim() : "";
       return svg("g", { class: `shape ${shape.kind}`, "data-field": shape.field }, ...figures(shape, place, scale, size, value));
     }));
-    spread(shapes.querySelectorAll(".caption"), size);
+    spread(shapes.querySelectorAll(".caption"), sorted.flatMap((shape) => obstacles(shape, place, scale)), size);
   };
   const light = (): void => {
     let any = false;

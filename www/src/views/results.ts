@@ -79,7 +79,7 @@ function createOutcome(root: HTMLElement): Draw {
 }
 
 /** Why there is no outcome yet: by name, what the form still lacks. */
-function missing(derived: Derived): string {
+export function missing(derived: Derived): string {
   if (!derived.cycle.simulated) return t("outcome-not-simulated", { cycle: derived.cycle.cycle });
   if (derived.simulates === "no") return t("outcome-absent");
   if (derived.simulates === "coming" && derived.view.complete) return t("outcome-coming");

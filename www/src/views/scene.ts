@@ -7,6 +7,7 @@ import { AT_END, type State } from "../state";
 import type { Store } from "../store";
 import { t } from "../texts";
 import { createLegend } from "./legend";
+import { missing } from "./results";
 import { isDark, type Stage } from "./stage";
 import { createTimeline, PACE } from "./timeline";
 
@@ -52,7 +53,7 @@ export function createScene(root: HTMLElement, store: Store, goToLine: (line: nu
       return;
     }
     dress(preview);
-    setText(empty, derived.trace?.entries.length ? "" : t(state.source === "form" ? "view-empty" : "motions-none"));
+    setText(empty, derived.trace?.entries.length ? "" : state.source === "form" ? nothing(derived) : t("motions-none"));
     show(empty, !!empty.textContent);
     const night = isDark(state);
     const colours = stage.colours(night);
@@ -64,6 +65,11 @@ export function createScene(root: HTMLElement, store: Store, goToLine: (line: nu
     if (fresh || step !== shown.step) move(preview, step, state.playing && derived.trace?.entries[step]?.step === "motion" && !still.matches);
     shown = { trace: derived.trace, dark: night, step };
   };
+}
+
+/** Why the call in the form shows no motions. */
+function nothing(derived: Derived): string {
+  return derived.view.outcome ? t("motions-none") : missing(derived);
 }
 
 let moving = 0;

@@ -1,0 +1,84 @@
+// Where the captions of a drawing stand: each as near to its figure as it can without lying upon another caption, a touch
+// point or, where there is a way around, upon a line. All in CSS pixels, y down.
+
+import { setAttribute } from "../dom";
+
+export type Point = [number, number];
+export interface Size { width: number; height: number }
+/** A line that a caption had better not lie upon, and how much it weighs against a pixel of distance. */
+export interface Obstacle { from: Point; to: Point; weight: number }
+interface Box { left: number; right: number; top: number; bottom: number }
+
+const CHARACTER = 6.6; // width of a character of a caption
+const ABOVE = 9;       // of the base line
+const BELOW = 3;
+const BESIDE = 3;      // between two captions in a row
+const COLLISION = 40;  // weight of a pixel of height shared with another caption
+const STEPS = { x: [0, 8, -8, 16, -16, 26, -26, 38, -38, 52, -52], y: [0, 6, -6, 12, -12, 18, -18, 24, -24, 32, -32, 42, -42] };
+const MOVES: Point[] = STEPS.y.flatMap((y) => STEPS.x.map((x): Point => [x, y])).sort((a, b) => Math.hypot(...a) - Math.hypot(...b));
+
+export function widthOf(text: string): number {
+  return text.length * CHARACTER;
+}
+
+/** Length of the part of a line that lies in a box. */
+function inside({ from, to }: Obstacle, box: Box): number {
+  const way: Point = [to[0] - from[0], to[1] - from[1]];
+  let [enter, leave] = [0, 1];
+  for (const [axis, low, high] of [[0, box.left, box.right], [1, box.top, box.bottom]] as const) {
+    if (way[axis] === 0) {
+      if (from[axis] <= low || from[axis] >= high) return 0;
+      continue;
+    }
+    const [one, other] = [(low - from[axis]) / way[axis], (high - from[axis]) / way[axis]];
+    enter = Math.max(enter, Math.min(one, other));
+    leave = Math.min(leave, Math.max(one, other));
+  }
+  return Math.max(0, leave - enter) * Math.hypot(...way);
+}
+
+/** Far off, a caption is no longer taken for that of its figure. */
+function farness(move: Point): number {
+  const far = Math.hypot(...move);
+  return far + far * far / 30;
+}
+
+function shared(a: Box, b: Box): number {
+  const across = Math.min(a.right, b.right) - Math.max(a.left, b.left) + BESIDE;
+  const down = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);
+  return across > 0 && down > 0 ? down : 0;
+}
+
+/** How bad a place is; no further than `enough`. */
+function cost(box: Box, taken: readonly Box[], obstacles: readonly Obstacle[], moved: number, enough: number): number {
+  let sum = moved;
+  for (const other of taken) sum += COLLISION * shared(box, other);
+  for (const obstacle of obstacles) {
+    if (sum >= enough) return sum;
+    sum += obstacle.weight * inside(obstacle, box);
+  }
+  return sum;
+}
+
+/** Moves captions to better places, one after the other. */
+export function spread(captions: Iterable<Element>, obstacles: readonly Obstacle[], { width, height }: Size): void {
+  const taken: Box[] = [];
+  for (const caption of captions) {
+    const long = widthOf(caption.textContent ?? "");
+    const [x, y] = [Number(caption.getAttribute("x")), Number(caption.getAttribute("y"))];
+    const left = x - (caption.getAttribute("text-anchor") === "middle" ? long / 2 : 0);
+    const at = ([dx, dy]: Point): Box => ({ left: left + dx, right: left + dx + long, top: y + dy - ABOVE, bottom: y + dy + BELOW });
+    let best = { move: [0, 0] as Point, cost: Infinity };
+    for (const move of MOVES) {
+      const moved = farness(move);
+      if (moved >= best.cost) break; // the others are further still
+      const box = at(move);
+      if (move !== MOVES[0] && (box.left < 0 || box.right > width || box.top < 0 || box.bottom > height)) continue;
+      const found = cost(box, taken, obstacles, moved, best.cost);
+      if (found < best.cost) best = { move, cost: found };
+    }
+    setAttribute(caption, "x", (x + best.move[0]).toFixed(2));
+    setAttribute(caption, "y", (y + best.move[1]).toFixed(2));
+    taken.push(at(best.move));
+  }
+}

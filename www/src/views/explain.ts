@@ -1,0 +1,55 @@
+// The strip between drawing and fields: what the cycle does, or what the focused field means. It keeps its height, so that
+// no field moves; a longer text unfolds over the fields.
+
+import { el, on, setAttribute, setText, show } from "../dom";
+import { say, t } from "../texts";
+import type { Field } from "../wire";
+import { needText } from "./field";
+
+export interface Explain { root: HTMLElement; draw(cycle: string, field: Field | undefined): void }
+
+export function createExplain(): Explain {
+  const about = el("p", { class: "lead" });
+  const named = el("strong", {});
+  const code = el("code", {});
+  const told = el("span", {});
+  const explained = el("p", { class: "lead" }, named, " ", code, " ", told);
+  const text = el("div", { class: "explain-text", id: "explain-text" }, about, explained);
+  const more = el("button", { type: "button", class: "explain-more", hidden: true, "aria-controls": "explain-text" });
+  const root = el("div", { class: "explain" }, text, more);
+  let open = false;
+
+  const unfold = (now: boolean): void => {
+    open = now;
+    root.classList.toggle("unfolded", open);
+    setText(more, t(open ? "explain-less" : "explain-more"));
+    setAttribute(more, "aria-expanded", String(open));
+  };
+  const fit = (): void => show(more, open || text.scrollHeight > root.clientHeight + 1);
+  const sizes = new ResizeObserver(fit);
+  for (const part of [root, about, explained]) sizes.observe(part);
+  on(more, "click", () => { unfold(!open); fit(); });
+  on(root, "keydown", (event) => {
+    if (event.key !== "Escape" || !open) return;
+    unfold(false);
+    fit();
+  });
+  unfold(false);
+
+  let shown = "";
+  return {
+    root,
+    draw(cycle, field) {
+      const what = field?.name ?? cycle;
+      if (what !== shown && open) unfold(false);
+      shown = what;
+      setText(about, cycle);
+      show(about, !field && cycle !== "");
+      show(explained, !!field);
+      if (!field) return;
+      setText(named, say(field.label));
+      setText(code, field.name);
+      setText(told, `${say(field.help)} ${needText(field)} ${t("field-source", { source: field.source })}`);
+    },
+  };
+}
