@@ -128,6 +128,33 @@ describe("a long program", () => {
   });
 
   // oracle: hand
+  test("tells how far the reading is, takes keys meanwhile, and can be stopped on the way", async () => {
+    const { context, page, problems } = await start(chrome);
+    const activity = page.locator(".panel-program .activity");
+    await page.evaluate(() => {
+      globalThis.shares = [];
+      const bar = document.querySelector(".panel-program .activity progress");
+      new MutationObserver(() => { if (bar.hasAttribute("value")) globalThis.shares.push(bar.value); }).observe(bar, { attributeFilter: ["value"] });
+    });
+    await openFile(page, BLOCK.repeat(400_000) + CALL);
+    await page.waitForFunction(() => globalThis.shares.some((share) => share > 0));
+    assert.match(await activity.textContent(), /\d %/);
+    const field = page.locator('.field[data-field="_SETVAL"] .entry-line > .figure');
+    await field.fill("133.5");
+    assert.equal(await field.inputValue(), "133.5");
+    await activity.getByRole("button", { name: "Stop" }).click();
+    await activity.locator('text="The reading was stopped. The calls of this program are not known."').waitFor();
+    const shares = await page.evaluate(() => globalThis.shares);
+    assert.deepEqual(shares, [...shares].sort((a, b) => a - b), "it only goes up");
+    assert.ok(shares.every((share) => share <= 1));
+    await activity.getByRole("button", { name: "Try again" }).click();
+    await count(page, 1);
+    await activity.waitFor({ state: "hidden" });
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: hand
   test("reading can be stopped and tried again", async () => {
     const { context, page } = await start(chrome);
     const release = await hold(page);

@@ -225,7 +225,7 @@ function createLog(root: HTMLElement): Draw {
 
 export function createResults(root: HTMLElement, store: Store, actions: Actions, goTo: (offset: number) => void): Draw {
   const bar = el("div", { role: "tablist", class: "tabs", "aria-label": t("panel-results") });
-  root.append(bar);
+  root.append(el("h2", { class: "visually-hidden" }, t("panel-results")), bar);
   const tabs = new Map<ResultTab, { button: HTMLButtonElement; page: HTMLElement }>();
   for (const name of TABS) {
     const button = el("button", { type: "button", role: "tab", id: `tab-${name}`, "aria-controls": `page-${name}` });

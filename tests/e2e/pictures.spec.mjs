@@ -1,0 +1,46 @@
+// The drawing of every variant of every cycle: its captions can be read.
+import assert from "node:assert/strict";
+import { after, before, describe, test } from "node:test";
+import { open, shared } from "./browser.mjs";
+
+/** In the page: goes through all variants; gives the captions that lie upon another or stick out of the drawing. */
+async function unreadable() {
+  const drawn = () => new Promise((resolve) => { requestAnimationFrame(() => requestAnimationFrame(resolve)); });
+  for (let closed; (closed = document.querySelector('.tree-item[aria-expanded="false"]'));) {
+    closed.click();
+    await drawn();
+  }
+  const found = [];
+  const variants = [...document.querySelectorAll(".tree-item.level-3")];
+  for (const variant of variants) {
+    variant.click();
+    await drawn();
+    const frame = document.querySelector(".picture").getBoundingClientRect();
+    const boxes = [...document.querySelectorAll(".picture .caption")].map((node) => ({ text: node.textContent, box: node.getBoundingClientRect() }));
+    const told = (what) => found.push(`${document.querySelector("#form-title").textContent} ${variant.textContent}: ${what}`);
+    for (const [index, { text, box }] of boxes.entries()) {
+      if (box.left < frame.left - 1 || box.right > frame.right + 1 || box.top < frame.top - 1 || box.bottom > frame.bottom + 1) told(`${text} sticks out`);
+      for (const other of boxes.slice(0, index)) {
+        const across = Math.min(box.right, other.box.right) - Math.max(box.left, other.box.left);
+        const down = Math.min(box.bottom, other.box.bottom) - Math.max(box.top, other.box.top);
+        if (across > 1 && down > 4) told(`${text} upon ${other.text}`); // a line has some air above and below its letters
+      }
+    }
+  }
+  return { found, count: variants.length };
+}
+
+describe("the drawings", () => {
+  const chrome = shared("neither", { before, after });
+
+  // oracle: hand
+  test("have captions that can be read", async () => {
+    const { context, page, problems } = await open(chrome.browser, { serviceWorkers: "block" });
+    await page.locator(".picture .caption").first().waitFor();
+    const { found, count } = await page.evaluate(unreadable);
+    assert.ok(count > 100, `${count} variants`);
+    assert.deepEqual(found, []);
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+});
