@@ -1,5 +1,7 @@
 //! CYCLE977: hole, shaft, groove, web and rectangle, measured parallel to the axes (B:5600-6285).
 
+#[cfg(test)]
+mod alarm_tests;
 mod checks;
 mod element;
 mod lists;
