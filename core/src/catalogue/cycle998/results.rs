@@ -87,5 +87,11 @@ pub const RESULTS: &[ResultField] = &[
         "B:7354;B:16080",
     ),
     integer("_OVI[9]", "result-alarm", When::Always, "B:7355;B:16082"),
-    integer("_OVI[11]", "result-zero-status", TWO, "B:7356;B:16084"),
+    // the footnote of B:7356 leaves one angle out, which corrects a frame just as well
+    integer(
+        "_OVI[11]",
+        "result-zero-status",
+        When::Always,
+        "B:7356;B:16084",
+    ),
 ];
