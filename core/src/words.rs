@@ -28,6 +28,7 @@ pub const ENGLISH: &[(&str, &str)] = &[
     ("datum.ftl", include_str!("../messages/en/datum.ftl")),
     ("evaluate.ftl", include_str!("../messages/en/evaluate.ftl")),
     ("lathe.ftl", include_str!("../messages/en/lathe.ftl")),
+    ("logging.ftl", include_str!("../messages/en/logging.ftl")),
     ("nct.ftl", include_str!("../messages/en/nct.ftl")),
     ("params.ftl", include_str!("../messages/en/params.ftl")),
     ("run.ftl", include_str!("../messages/en/run.ftl")),
@@ -87,6 +88,7 @@ pub const LANGUAGES: &[Language] = &[
         "datum.ftl"
         "evaluate.ftl"
         "lathe.ftl"
+        "logging.ftl"
         "nct.ftl"
         "params.ftl"
         "run.ftl"

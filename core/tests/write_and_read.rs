@@ -191,6 +191,9 @@ proptest! {
             text += " ;go\r\nM30";
             let (program, site) = only(Dialect::Sinumerik, &text);
             let names: Vec<_> = site.places.keys().copied().collect();
+            if names.is_empty() {
+                continue; // CYCLE101 takes no values
+            }
             let name = names[target.index(names.len())];
             let place = site.places[name];
             let new = format!("{}", f64::from(value) / 1000.0);

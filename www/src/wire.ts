@@ -29,6 +29,7 @@ export interface CycleInfo {
   results: { name: string; key: string; unit: string; source: string }[];
   alarms: string[];
   example: Record<string, string>;     // values of a worked measurement, as typed
+  drawn: boolean;                      // false: there is no picture
   simulated: boolean;                  // false: form, checks and text only; a FormView has no outcome
   source: string;
 }
@@ -44,7 +45,7 @@ export interface AlarmInfo {
 }
 
 /** Where a cycle belongs. calibrates: it does nothing else. */
-export interface Purpose { machine: "milling" | "turning" | "any"; probe: "workpiece" | "tool" | "none"; calibrates: boolean }
+export interface Purpose { machine: "milling" | "turning" | "any"; probe: "workpiece" | "tool" | "none" | "log"; calibrates: boolean }
 
 export type Plane = "G17" | "G18" | "G19";
 export type UnitFunction = "G70" | "G71" | "G700" | "G710" | "G20" | "G21";

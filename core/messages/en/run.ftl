@@ -11,6 +11,7 @@ run-function = “{ $word }” cannot be worked out with these values.
 run-read-only = “{ $word }” cannot be written.
 run-label = The jump target “{ $word }” was not found.
 run-unmatched = “{ $word }” has no counterpart.
+run-log = “{ $word }” belongs to the log of measurements, which is not simulated; the program goes on without it.
 run-subprogram = The subprogram “{ $word }” is not in this text; the call was left out.
 run-depth = Calls are nested deeper than { $limit } levels.
 run-steps = The program did not end within { $limit } blocks (long blocks and large arrays count as several); it was stopped. Look for a loop without end.

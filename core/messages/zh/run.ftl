@@ -11,6 +11,7 @@ run-function = 用这些值无法计算“{ $word }”。
 run-read-only = “{ $word }”不能写入。
 run-label = 没有找到跳转目标“{ $word }”。
 run-unmatched = “{ $word }”没有对应的另一半。
+run-log = “{ $word }”属于测量记录，没有模拟；程序跳过它继续运行。
 run-subprogram = 子程序“{ $word }”不在此文本中；已跳过该调用。
 run-depth = 调用嵌套超过 { $limit } 层。
 run-steps = 程序在 { $limit } 个程序段内没有结束（长程序段和大数组按多段计），已停止。请查找死循环。

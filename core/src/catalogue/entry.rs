@@ -104,8 +104,17 @@ pub enum ProbeUse {
     Workpiece,
     /// The tool in use touches the tool probe.
     Tool,
-    /// None: it computes or writes.
+    /// None: it computes.
     None,
+    /// None: it belongs to the log of measurements; nothing but the log depends on it.
+    Log,
+}
+
+impl ProbeUse {
+    /// Whether anything is touched.
+    pub fn measures(self) -> bool {
+        matches!(self, ProbeUse::Workpiece | ProbeUse::Tool)
+    }
 }
 
 /// Sort of machine that a cycle is made for.
@@ -166,13 +175,21 @@ pub struct Work {
 /// How a cycle is drawn.
 pub struct Drawing {
     draw: Option<fn(&Inputs) -> Picture>,
+    /// Whether there is anything to draw; also in a build that does not draw.
+    pub drawn: bool,
 }
 
 impl Drawing {
+    /// There is nothing to draw.
+    pub const NONE: Drawing = Drawing {
+        draw: None,
+        drawn: false,
+    };
+
     /// A build that does not simulate links no drawing either: the page's first module is the form alone.
     pub const fn new(draw: fn(&Inputs) -> Picture) -> Drawing {
         let draw = if SIMULATES { Some(draw) } else { None };
-        Drawing { draw }
+        Drawing { draw, drawn: true }
     }
 
     /// The picture for these values; none in a build that does not draw.
@@ -366,6 +383,13 @@ pub enum When {
         param: &'static str,
         /// Accepted numbers.
         is: &'static [f64],
+    },
+    /// The number of this parameter is larger.
+    Above {
+        /// Parameter.
+        param: &'static str,
+        /// Than this.
+        than: f64,
     },
     /// A datum of the machine, one of [`Cycle::settings`], has one of these values; unset data are 0.
     Setting {

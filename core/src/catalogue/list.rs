@@ -70,6 +70,12 @@ impl ArgumentList {
         self.args.iter().position(takes)
     }
 
+    /// Whether this parameter is an argument or an element of one.
+    pub fn gives(&self, name: &str) -> bool {
+        let element = |arg: &Arg| matches!(arg, Arg::Variable(array) if name.strip_prefix(array).is_some_and(|rest| rest.starts_with('[')));
+        self.position(name).is_some() || self.args.iter().any(element)
+    }
+
     /// The parameter that takes the variant, and the variant that the selections make, where it has no argument of its
     /// own; `number` tells what stands at an argument, an omitted one is 0.
     pub fn composed(

@@ -5,7 +5,13 @@ pub mod alarms;
 pub mod calibration;
 pub mod circle;
 pub mod common;
+pub mod cycle100;
+pub mod cycle101;
+pub mod cycle105;
+pub mod cycle106;
+pub mod cycle113;
 pub mod cycle116;
+pub mod cycle118;
 pub mod cycle119;
 pub mod cycle961;
 pub mod cycle971;
@@ -26,6 +32,7 @@ pub mod g101;
 pub mod g110;
 pub mod lathe;
 pub mod list;
+pub mod logging;
 pub mod names;
 pub mod nct;
 pub mod place;
@@ -53,6 +60,12 @@ pub static CYCLES: &[&Cycle] = &[
     &cycle998::CYCLE998,
     &cycle116::CYCLE116,
     &cycle119::CYCLE119,
+    &cycle100::CYCLE100,
+    &cycle101::CYCLE101,
+    &cycle105::CYCLE105,
+    &cycle106::CYCLE106,
+    &cycle113::CYCLE113,
+    &cycle118::CYCLE118,
     &g101::G101,
     &g110::G110,
 ];

@@ -13,6 +13,7 @@ impl When {
             When::Digit { param, place, is } => is.contains(&digit(inputs, param, *place)),
             When::Given(param) => inputs.number(param) != 0.0 || !inputs.text(param).is_empty(),
             When::Number { param, is } => is.contains(&inputs.number(param)),
+            When::Above { param, than } => inputs.number(param) > *than,
             When::Setting { name, is } => {
                 is.contains(&inputs.settings.get(name).copied().unwrap_or(0.0))
             }
@@ -81,7 +82,8 @@ impl Param {
 
     /// Value when it is not written, as it would be typed on this control.
     pub fn fallback(&self, control: &Control) -> Option<f64> {
-        if self.default.is_none() && self.is_machine_datum() {
+        let number = !matches!(self.kind, Kind::Text(_));
+        if number && self.default.is_none() && self.is_machine_datum() {
             return Some(control.number(self.name));
         }
         if control.active_units == Units::Inch && self.default_inch.is_some() {

@@ -1,5 +1,6 @@
 //! From typed values to inputs, parameter by parameter.
 
+use super::text::{self, Text};
 use super::{
     Finding, Inputs, Parsed, Typed, error, factor, note, parse, targets, unit_behind, warning,
 };
@@ -60,7 +61,8 @@ pub fn check(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Checked
             inputs.texts.remove(param.name);
             continue;
         };
-        if empty(typed, param) {
+        let machine = !whole.text(param.name).is_empty();
+        if empty(typed, param) && !machine {
             absent(param, level, reason, control, &mut diagnostics);
         } else if let Some(finding) = judge(param, &whole, control) {
             if finding.severity == Severity::Error {
@@ -98,7 +100,11 @@ pub fn read(
     for param in cycle.params {
         let text = typed.get(param.name).map_or("", |text| text.trim());
         if let Kind::Text(most) = param.kind {
-            match name(text, most) {
+            match written_text(text, most) {
+                Ok("") if param.is_machine_datum() => {
+                    let text = control.text(param.name);
+                    inputs.texts.insert(param.name, text.into());
+                }
                 Ok("") => {}
                 Ok(text) => drop(inputs.texts.insert(param.name, text.into())),
                 Err(finding) => diagnostics.push((*finding).at(param.name)),
@@ -137,12 +143,7 @@ fn value(
                 .map(|number| number * factor(unit, control)));
         }
         Parsed::Number(number) => number,
-        Parsed::Expression => {
-            return Err(Box::new(note(
-                EXPRESSION,
-                Message::new("check-expression").text("value", text),
-            )));
-        }
+        Parsed::Expression => return Err(Box::new(expression(text))),
         Parsed::Wrong => {
             let message = Message::new("check-not-a-number").text("value", text);
             return Err(Box::new(
@@ -175,13 +176,12 @@ fn whole(kind: &Kind) -> bool {
     !matches!(kind, Kind::Real | Kind::ChoiceIf(..) | Kind::Text(_))
 }
 
-/// A text without its quotes.
-fn name(text: &str, most: usize) -> Result<&str, Box<Diagnostic>> {
-    let inner = text
-        .strip_prefix('"')
-        .and_then(|rest| rest.strip_suffix('"'))
-        .unwrap_or(text)
-        .trim();
+/// A text that can be written, or what is wrong with it.
+fn written_text(text: &str, most: usize) -> Result<&str, Box<Diagnostic>> {
+    let inner = match text::parse(text) {
+        Text::Plain(inner) => inner,
+        Text::Expression => return Err(Box::new(expression(text))),
+    };
     if inner.chars().count() > most {
         let message = Message::new("check-text-long").number("most", most as f64);
         return Err(Box::new(
@@ -195,6 +195,14 @@ fn name(text: &str, most: usize) -> Result<&str, Box<Diagnostic>> {
         ));
     }
     Ok(inner)
+}
+
+/// What is known at run time only.
+fn expression(text: &str) -> Diagnostic {
+    note(
+        EXPRESSION,
+        Message::new("check-expression").text("value", text),
+    )
 }
 
 /// The variant, or the only finding that counts without it.
@@ -213,11 +221,10 @@ fn variant(
     if let Some(finding) = said.iter().find(|other| other.param == Some(param.name)) {
         return Err(Box::new(finding.clone()));
     }
-    let code = param.alarm.unwrap_or(MISSING);
     let Some(number) = inputs.given(param.name) else {
         let message = Message::new("check-missing").text("param", param.name);
         return Err(Box::new(
-            error(code, message)
+            error(param.alarm.unwrap_or(MISSING), message)
                 .hint(Message::new("need-always"))
                 .at(param.name),
         ));
@@ -233,7 +240,7 @@ fn variant(
         .number("value", number)
         .text("cycle", cycle.name);
     Err(Box::new(
-        error(code, message)
+        error(param.alarm.unwrap_or(OUT_OF_RANGE), message)
             .hint(variant_hint(cycle, number))
             .at(param.name),
     ))

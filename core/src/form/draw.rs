@@ -1,7 +1,7 @@
 //! The drawing of a form, also while it is incomplete.
 
 use super::picture::Picture;
-use crate::catalogue::Cycle;
+use crate::catalogue::{Cycle, Kind};
 use crate::check::{self, Parsed, Typed, parse};
 use crate::control::Control;
 
@@ -13,10 +13,15 @@ pub fn draw(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Option<P
     }
     let mut values = typed.clone();
     for (name, example) in cycle.example {
-        let usable = values
-            .get(*name)
-            .is_some_and(|text| !matches!(parse(text), Parsed::Empty | Parsed::Wrong));
-        if !usable {
+        let text = cycle
+            .param(name)
+            .is_some_and(|param| matches!(param.kind, Kind::Text(_)));
+        let usable = |typed: &String| match parse(typed) {
+            Parsed::Empty => false,
+            Parsed::Wrong => text,
+            _ => true,
+        };
+        if !values.get(*name).is_some_and(usable) {
             values.insert((*name).to_owned(), (*example).to_owned());
         }
     }

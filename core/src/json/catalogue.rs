@@ -40,6 +40,7 @@ fn entry(cycle: &'static Cycle) -> Value {
             "example",
             object(example.map(|(name, value)| (*name, (*value).into()))),
         ),
+        ("drawn", cycle.picture.drawn.into()),
         ("simulated", cycle.simulation.is_some().into()),
         ("source", cycle.source.into()),
     ])
@@ -56,6 +57,7 @@ fn purpose(cycle: &'static Cycle) -> Value {
         ProbeUse::Workpiece => "workpiece",
         ProbeUse::Tool => "tool",
         ProbeUse::None => "none",
+        ProbeUse::Log => "log",
     };
     let control = delivery(cycle.dialect);
     let calibrates = |variant: &Variant| {

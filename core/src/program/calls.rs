@@ -225,6 +225,12 @@ impl Walk<'_> {
                 self.elements_of(cycle, array, &value.text.to_ascii_uppercase(), &mut values);
             }
         }
+        if list.style == Style::Direct {
+            let beside = cycle.params.iter().filter(|param| !list.gives(param.name));
+            let assigned =
+                beside.filter_map(|param| Some((param.name, self.newest.get(param.name)?)));
+            values.extend(assigned.map(|(name, (value, _))| (name, value.clone())));
+        }
         let mut site = self.site(cycle, line, span);
         site.list = Some(list);
         for (name, value) in values

@@ -5,6 +5,7 @@ use super::calls::CallSite;
 use super::tree::{Block, Program};
 use super::write;
 use crate::catalogue::{Arg, Dialect, Kind, Style};
+use crate::check::{Text, parse_text};
 pub use crate::diagnostic::Edit;
 use crate::diagnostic::Span;
 
@@ -15,21 +16,13 @@ pub fn change(program: &Program, site: &CallSite, name: &str, value: &str) -> Ve
         return Vec::new();
     };
     let text = matches!(param.kind, Kind::Text(_));
-    let value = if text {
-        value.trim().trim_matches('"').to_owned()
-    } else {
-        plain(value)
-    };
     // what cannot be written as one value stays in the form, where its problem is told
-    if !value.is_empty() && write::value(param, &value).is_none() {
+    let written = write::value(param, value).unwrap_or_default();
+    if written.is_empty() && !value.trim().is_empty() {
         return Vec::new();
     }
-    let quoted = if text && !value.is_empty() {
-        format!("\"{value}\"")
-    } else {
-        value.clone()
-    };
-    if let Some(edits) = arguments::change(program, site, param.name, &quoted) {
+    let value = if text { written } else { plain(value) };
+    if let Some(edits) = arguments::change(program, site, param.name, &value) {
         return edits;
     }
     if site.list.is_some_and(|list| list.style == Style::Operate) {
@@ -41,33 +34,52 @@ pub fn change(program: &Program, site: &CallSite, name: &str, value: &str) -> Ve
         .copied()
         .filter(|place| place.start >= site.own_from && !site.shared.contains(param.name));
     match own {
-        Some(place) if program.text(place) == value.as_bytes() => Vec::new(),
+        Some(place) if program.text(around(program, place)) == value.as_bytes() => Vec::new(),
         Some(place) if arguments::is_auxiliary(program, place) && nothing(&value) => {
             let mut edits = vec![Edit {
                 span: place,
                 insert: String::new(),
             }];
-            edits.extend((!value.is_empty()).then(|| add(program, site, param.name, &quoted)));
+            edits.extend((!value.is_empty()).then(|| add(program, site, param.name, &value)));
             edits
         }
         Some(place) if value.is_empty() => vec![remove(program, place)],
-        Some(place) => {
-            let quoted =
-                place.start > 0 && program.source.get(place.start as usize - 1) == Some(&b'"');
-            let insert = if text && !quoted {
-                format!("\"{value}\"")
-            } else {
-                value
-            };
-            vec![Edit {
-                span: place,
-                insert,
-            }]
-        }
+        Some(place) => vec![replace(program, place, value)],
         None if value.is_empty() => Vec::new(),
         None => {
-            vec![add(program, site, param.name, &quoted)]
+            vec![add(program, site, param.name, &value)]
         }
+    }
+}
+
+/// The place of a value with the quotes around it.
+fn around(program: &Program, place: Span) -> Span {
+    let byte = |at: Option<u32>| at.and_then(|at| program.source.get(at as usize));
+    let quotes = [place.start.checked_sub(1), Some(place.end)].map(byte);
+    match quotes {
+        [Some(b'"'), Some(b'"')] => Span {
+            start: place.start - 1,
+            end: place.end + 1,
+        },
+        _ => place,
+    }
+}
+
+/// Another value at a place; quotes that stand there already stay.
+fn replace(program: &Program, place: Span, value: String) -> Edit {
+    let whole = around(program, place);
+    let inner = match parse_text(&value) {
+        Text::Plain(inner) if whole != place => inner.to_owned(),
+        _ => {
+            return Edit {
+                span: whole,
+                insert: value,
+            };
+        }
+    };
+    Edit {
+        span: place,
+        insert: inner,
     }
 }
 

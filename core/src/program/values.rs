@@ -3,7 +3,7 @@
 
 use super::fold::{self, Known};
 use super::tree::{Expr, ExprId, Operator, Program};
-use crate::check::{Parsed, parse};
+use crate::check::{Parsed, parse, typed_text};
 use crate::diagnostic::Span;
 
 /// A value as text, and its place; inside the quotes for a text.
@@ -55,7 +55,7 @@ pub(super) fn value(program: &Program, id: ExprId, place: Span, known: &Known) -
     };
     match (program.expr(id), number) {
         (Some(Expr::Text(inside)), _) => Value {
-            text: String::from_utf8_lossy(program.text(*inside)).into_owned(),
+            text: typed_text(&String::from_utf8_lossy(program.text(*inside))),
             place: *inside,
             number,
             shared: false,

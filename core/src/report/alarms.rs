@@ -1,7 +1,7 @@
 //! An alarm as a person reads it, for the terminal and for `docs/alarms.md`.
 
 use crate::catalogue::alarms::{ALARMS, Alarm, Found, raised_by, stops};
-use crate::catalogue::{CYCLES, Dialect, ProbeUse};
+use crate::catalogue::{CYCLES, Dialect};
 use crate::json::{alarm_key, code};
 use crate::message::Message;
 use crate::report::markdown::line;
@@ -62,9 +62,9 @@ fn found_key(found: Found) -> &'static str {
 
 /// Cycles and programs in a sentence; those that every measuring cycle raises do not name each.
 fn sources(alarm: &Alarm, words: &Words) -> String {
-    let mut measuring = CYCLES.iter().filter(|cycle| {
-        cycle.dialect == Dialect::Sinumerik && cycle.purpose.probe != ProbeUse::None
-    });
+    let mut measuring = CYCLES
+        .iter()
+        .filter(|cycle| cycle.dialect == Dialect::Sinumerik && cycle.purpose.probe.measures());
     let every = measuring.all(|cycle| cycle.alarms().contains(&alarm.code));
     if every {
         words.key("alarms-every-cycle")

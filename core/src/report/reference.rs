@@ -1,6 +1,6 @@
 //! The cycle reference in `docs/cycles/`: one page a cycle, written from the catalogue and the message files.
 
-use crate::catalogue::{Cycle, Kind, Level, Param, Range, Unit, When};
+use crate::catalogue::{Cycle, Kind, Level, Param, ProbeUse, Range, Unit, When};
 use crate::diagnostic::Code;
 use crate::json::{alarm_key, code};
 use crate::message::Message;
@@ -41,6 +41,9 @@ pub fn page(cycle: &Cycle, words: &Words) -> String {
 fn known(cycle: &Cycle) -> &'static str {
     match cycle.simulation {
         Some(_) => "Form, checks, program text and simulation.",
+        None if cycle.purpose.probe == ProbeUse::Log => {
+            "Form, checks and program text; not simulated, so a run goes on without it."
+        }
         None => "Form, checks and program text; not simulated, so a run stops at the call.",
     }
 }
@@ -65,6 +68,9 @@ fn variants(text: &mut String, cycle: &Cycle, words: &Words) {
 }
 
 fn parameters(text: &mut String, cycle: &Cycle, words: &Words) {
+    if cycle.params.is_empty() {
+        return;
+    }
     heading(
         text,
         "Parameters",
@@ -79,9 +85,11 @@ fn parameters(text: &mut String, cycle: &Cycle, words: &Words) {
 }
 
 fn parameter(param: &Param, words: &Words) -> [String; 7] {
-    let default = param
-        .default
-        .map_or(String::new(), |number| number.to_string());
+    let default = match param.default {
+        Some(number) => number.to_string(),
+        None if param.is_machine_datum() => "as on the machine".to_owned(),
+        None => String::new(),
+    };
     [
         format!("`{}`", param.name),
         words.key(format!("param-{}", param.key)),
@@ -122,6 +130,7 @@ fn when(condition: &When) -> String {
         When::Digit { param, place, is } => format!("`{param}` digit {place} ∈ {is:?}"),
         When::Given(param) => format!("`{param}` given"),
         When::Number { param, is } => format!("`{param}` ∈ {is:?}"),
+        When::Above { param, than } => format!("`{param}` > {than}"),
         When::Setting { name, is } => format!("`{name}` ∈ {is:?}"),
         When::ToolType(from, to) => format!("tool type {from}..{to}"),
         When::Plane(plane) => format!("{plane:?}"),
@@ -184,6 +193,9 @@ fn range(param: &Param) -> String {
 }
 
 fn results(text: &mut String, cycle: &Cycle, words: &Words) {
+    if cycle.results.is_empty() {
+        return;
+    }
     heading(
         text,
         "Results",
@@ -207,8 +219,12 @@ fn results(text: &mut String, cycle: &Cycle, words: &Words) {
 }
 
 fn alarms(text: &mut String, cycle: &Cycle, words: &Words) {
+    let alarms = cycle.alarms();
+    if alarms.is_empty() {
+        return;
+    }
     heading(text, "Alarms", &["number", "meaning", "cure"]);
-    for alarm in cycle.alarms() {
+    for alarm in alarms {
         row(text, &alarm_cells(alarm, words));
     }
     text.push('\n');

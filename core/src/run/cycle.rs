@@ -4,7 +4,7 @@ use super::interpret::Interpreter;
 use super::problem::Problem;
 use super::statement::Words;
 use super::{Stop, call};
-use crate::catalogue::{Cycle, Kind, nct};
+use crate::catalogue::{Cycle, Kind, ProbeUse, nct};
 use crate::check::{self, Typed};
 use crate::control::Value;
 use crate::diagnostic::{Code, Severity, Span};
@@ -17,7 +17,7 @@ pub fn data(run: &mut Interpreter, cycle: &'static Cycle, span: Span) -> Result<
             Some(Value::Number(value)) if !matches!(param.kind, Kind::Text(_)) => {
                 format!("{value}")
             }
-            Some(Value::Text(text)) if !text.is_empty() => text.clone(),
+            Some(Value::Text(text)) if !text.is_empty() => check::typed_text(text),
             _ => continue,
         };
         typed.insert(param.name.to_owned(), text);
@@ -81,6 +81,11 @@ pub fn checked(
         }
     }
     if let Some(inputs) = &checked.inputs {
+        if cycle.purpose.probe == ProbeUse::Log && cycle.work().is_none() {
+            let problem = Problem::new("run-log", span, cycle.name);
+            run.tell(Severity::Warning, &problem);
+            return Ok(());
+        }
         return call::perform(&mut run.sim, inputs).map_err(|stop| run.stopped(stop, span));
     }
     match code {

@@ -32,9 +32,15 @@ pub fn call(run: &mut Interpreter, call: &Call) -> Result<bool, Stop> {
         cycle::checked(run, cycle, &typed, call.span)?;
         return Ok(true);
     }
+    let data = &mut run.sim.control.data;
     for (name, value) in values {
-        let value = value.unwrap_or_else(|| omitted(cycle, name));
-        run.sim.control.data.insert(name.to_owned(), value);
+        match value {
+            None if list.style == Style::Direct => drop(data.remove(name)),
+            value => {
+                let value = value.unwrap_or_else(|| omitted(cycle, name));
+                data.insert(name.to_owned(), value);
+            }
+        }
     }
     cycle::data(run, cycle, call.span)?;
     Ok(true)

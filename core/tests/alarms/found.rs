@@ -27,16 +27,19 @@ const NOWHERE: &[(&str, &[u32])] = &[
     ),
     ("the simulated machine has one spindle", &[61344]),
     (
-        "logging is not simulated, and its cycles are no entries",
+        "logging is not simulated; a name that is missing the form asks for itself",
         &[
-            61352, 61353, 61354, 61355, 61356, 61357, 61358, 61359, 61360, 61361, 61362, 61363,
-            61370, 61371, 62307, 62308, 62309, 62310, 62311,
+            61352, 61353, 61354, 61355, 61356, 61357, 61358, 61359, 62311,
         ],
     ),
 ];
 
-/// Programs for what one odd value does not bring about: corners whose four points P1 to P4 do not make one.
+/// Programs for what one odd value does not bring about: logs without contents, without titles or of data that cannot be
+/// logged, and corners whose four points P1 to P4 do not make one.
 const PROGRAMS: &[&str] = &[
+    "_PROTNAME[1]=\"LOG\"\nCYCLE100\nM30\n",
+    "_PROTNAME[1]=\"LOG\" _PROTFORM[5]=0 _PROTVAL[2]=\"R1\"\nCYCLE100\nM30\n",
+    "_PROTNAME[1]=\"LOG\" _PROTVAL[2]=\"_OVI[0]\"\nCYCLE100\nM30\n",
     "_MVAR=117 _SETV[0]=SET(50,20,50,20,20,50,20,90)\nCYCLE961\nM30\n", // P1 is P2
     "_MVAR=117 _SETV[0]=SET(50,20,90,20,50,60,90,60)\nCYCLE961\nM30\n", // parallel
     "_MVAR=117 _SETV[0]=SET(-50,20,90,20,20,50,20,90)\nCYCLE961\nM30\n", // meet between P1 and P2

@@ -314,14 +314,17 @@ group-milling-workpiece = Milling: workpiece
 group-milling-tool = Milling: tool
 group-milling-calibrate = Milling: calibrate the probe
 group-milling-none = Milling: without a probe
+group-milling-log = Milling: log of measurements
 group-turning-workpiece = Turning: workpiece
 group-turning-tool = Turning: tool
 group-turning-calibrate = Turning: calibrate the probe
 group-turning-none = Turning: without a probe
+group-turning-log = Turning: log of measurements
 group-any-workpiece = Workpiece
 group-any-tool = Tool
 group-any-calibrate = Calibrate the probe
 group-any-none = Without a probe
+group-any-log = Log of measurements
 
 found-measurement = Measurements ({ $count })
 found-parameter = Parameters ({ $count })

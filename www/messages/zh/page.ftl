@@ -310,14 +310,17 @@ group-milling-workpiece = 铣削：工件
 group-milling-tool = 铣削：刀具
 group-milling-calibrate = 铣削：校准测量头
 group-milling-none = 铣削：不用测量头
+group-milling-log = 铣削：测量记录
 group-turning-workpiece = 车削：工件
 group-turning-tool = 车削：刀具
 group-turning-calibrate = 车削：校准测量头
 group-turning-none = 车削：不用测量头
+group-turning-log = 车削：测量记录
 group-any-workpiece = 工件
 group-any-tool = 刀具
 group-any-calibrate = 校准测量头
 group-any-none = 不用测量头
+group-any-log = 测量记录
 
 found-measurement = 测量（{ $count }）
 found-parameter = 参数（{ $count }）

@@ -13,7 +13,7 @@ import type { Found } from "./found";
 interface Node { id: string; level: number; code: string; title: string; cycle?: CycleInfo; variant?: Variant; parent: string | null }
 
 const MACHINES: Purpose["machine"][] = ["milling", "turning", "any"];
-const USES = ["workpiece", "tool", "calibrate", "none"] as const;
+const USES = ["workpiece", "tool", "calibrate", "none", "log"] as const;
 
 function use({ probe, calibrates }: Purpose): typeof USES[number] {
   return calibrates ? "calibrate" : probe;

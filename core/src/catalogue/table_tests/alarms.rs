@@ -2,7 +2,7 @@
 
 use super::common_rows;
 use crate::catalogue::alarms::{ALARMS, stops};
-use crate::catalogue::{CYCLES, Cycle, Dialect, ProbeUse, find, nct};
+use crate::catalogue::{CYCLES, Cycle, Dialect, find, nct};
 use crate::diagnostic::Code;
 use std::collections::BTreeSet;
 
@@ -17,8 +17,23 @@ const ADDED: &[Code] = &[
     Code::Alarm(61412),
     nct::PATH_OBSTRUCTED,
 ];
-/// What a helper cycle hands back as a number, and the measuring cycle that calls it raises (B:2448).
-const HANDED_BACK: &[(&str, &[u32])] = &[("CYCLE116", &[61316, 61317])];
+/// What a helper cycle hands back as a number, and the measuring cycle that calls it raises (B:2448); what comes from
+/// the cycles of the log that one calls (B:11217, B:11253).
+const HANDED_BACK: &[(&str, &[u32])] = &[
+    ("CYCLE116", &[61316, 61317]),
+    ("CYCLE106", OF_CONTENTS),
+    ("CYCLE100", OF_CONTENTS),
+    (
+        "CYCLE100",
+        &[
+            61352, 61353, 61354, 61355, 61356, 61357, 61358, 61359, 61360,
+        ],
+    ),
+];
+/// Raised by CYCLE105.
+const OF_CONTENTS: &[u32] = &[
+    61361, 61363, 61370, 61371, 62307, 62308, 62309, 62310, 62311,
+];
 
 #[test]
 fn alarms_are_those_of_the_tables() {
@@ -144,7 +159,7 @@ fn raises(rows: &[Vec<String>], source: &str, cycle: &Cycle) -> bool {
         return raises(rows, &row[2], cycle);
     }
     let named = source.split_whitespace().filter(|word| *word == cycle.name);
-    let all = source.starts_with("all") && cycle.purpose.probe != ProbeUse::None;
+    let all = source.starts_with("all") && cycle.purpose.probe.measures();
     all != (named.count() % 2 == 1)
 }
 

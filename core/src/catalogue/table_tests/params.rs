@@ -3,7 +3,7 @@
 use super::super::*;
 use super::cells::with_condition;
 use super::conditions::{level, met};
-use super::{covers, of_the_call, refused, rows, sinumerik};
+use super::{covers, of_the_call, refused, rows, tabled};
 use crate::check::Inputs;
 use crate::diagnostic::Code;
 use std::collections::BTreeSet;
@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 fn parameters_are_those_of_the_table() {
     // oracle: manual, spec/milling/params.tsv, spec/turning/params.tsv
     let rows = rows("params.tsv");
-    for cycle in sinumerik().filter(|_| !rows.is_empty()) {
+    for cycle in tabled().filter(|_| !rows.is_empty()) {
         let (mut used, mut settings) = (BTreeSet::new(), BTreeSet::new());
         for row in rows.iter().filter(|row| row[0] == cycle.name) {
             for name in names_of(&row[1]) {
@@ -43,7 +43,7 @@ fn is_result(cycle: &Cycle, name: &str) -> bool {
 }
 
 /// `_CHBIT[2], _SPEED[0..2]` → four names; a comma inside of an index separates nothing.
-fn names_of(cell: &str) -> Vec<String> {
+pub fn names_of(cell: &str) -> Vec<String> {
     let mut names = vec![String::new()];
     let mut depth = 0;
     for c in cell.replace(" / ", ",").chars() {

@@ -1,7 +1,7 @@
 //! Results: which variant sets which.
 
 use super::super::*;
-use super::{covers, rows, sinumerik};
+use super::{covers, rows, tabled};
 use crate::check::Inputs;
 use std::collections::BTreeSet;
 
@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 fn results_are_those_of_the_table() {
     // oracle: manual, spec/milling/results.tsv, spec/turning/results.tsv
     let rows = rows("results.tsv");
-    for cycle in sinumerik().filter(|_| !rows.is_empty()) {
+    for cycle in tabled().filter(|_| !rows.is_empty()) {
         let counts = |row: &&Vec<String>| {
             row[0].split(", ").any(|name| name == cycle.name) && !row[5].contains("not a result of")
         };

@@ -1,7 +1,7 @@
 //! The table against the manual's lists, row by row in both directions where these are there.
 #![allow(clippy::unwrap_used)]
 use super::*;
-use crate::catalogue::{CYCLES, Dialect, ProbeUse};
+use crate::catalogue::{CYCLES, Dialect};
 use crate::control::machine_data::{self, MACHINE_DATA, MachineDatum};
 use crate::control::{delivery, delivery::factor};
 use crate::message::Message;
@@ -294,7 +294,7 @@ fn the_catalogue_speaks_of_these_data() {
         .iter()
         .filter(|cycle| cycle.dialect == Dialect::Sinumerik)
         // What a helper is called with are variables of the program.
-        .filter(|cycle| cycle.purpose.probe != ProbeUse::None)
+        .filter(|cycle| cycle.purpose.probe.measures())
     {
         let params = cycle.params.iter().map(|param| param.name);
         for name in params.chain(cycle.results.iter().map(|result| result.name)) {

@@ -35,7 +35,7 @@ impl Asked {
 
 /// Everything about one call.
 pub fn look(seen: &Seen, asked: &mut Asked, found: &mut Vec<Diagnostic>) {
-    if seen.site.cycle.purpose.probe == ProbeUse::None {
+    if !seen.site.cycle.purpose.probe.measures() {
         return;
     }
     let mut say = |finding: Diagnostic| found.push(at(finding, seen.site.span));

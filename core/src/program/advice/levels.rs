@@ -1,7 +1,6 @@
 //! Program levels: a measuring cycle is called no deeper than on the fifth (B:656). The main program is the first.
 
 use super::at;
-use crate::catalogue::ProbeUse;
 use crate::check::{Finding, error};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::message::Message;
@@ -30,7 +29,7 @@ pub fn look(program: &Program, sites: &[CallSite], found: &mut Vec<Diagnostic>) 
             .get(unit_of(site.line as usize))
             .copied()
             .unwrap_or(1);
-        if level > DEEPEST && site.cycle.purpose.probe != ProbeUse::None {
+        if level > DEEPEST && site.cycle.purpose.probe.measures() {
             let message = Message::new("advice-level").number("level", level as f64);
             let finding = error(Code::Own(138), message).hint(Message::new("advice-level-hint"));
             found.push(at(finding, site.span));

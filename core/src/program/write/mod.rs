@@ -5,7 +5,7 @@ pub mod machine;
 mod support;
 
 use crate::catalogue::{Cycle, Dialect, Kind, Param, Style};
-use crate::check::{self, Inputs, Parsed, Typed, parse};
+use crate::check::{self, Inputs, Parsed, Text, Typed, parse, parse_text};
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
 use crate::support::Support;
@@ -109,10 +109,9 @@ fn addresses(source: &Source) -> String {
 pub fn value(param: &Param, typed: &str) -> Option<String> {
     let typed = typed.trim();
     if let Kind::Text(_) = param.kind {
-        let inner = typed
-            .strip_prefix('"')
-            .and_then(|rest| rest.strip_suffix('"'))
-            .unwrap_or(typed);
+        let Text::Plain(inner) = parse_text(typed) else {
+            return Some(typed.to_owned());
+        };
         let plain =
             !inner.is_empty() && !inner.contains('"') && !inner.chars().any(char::is_control);
         return plain.then(|| format!("\"{inner}\""));

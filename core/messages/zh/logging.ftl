@@ -1,0 +1,101 @@
+# 测量记录：CYCLE100、101、105、106、113、118。
+
+cycle100-title = 打开记录
+cycle100-help = 打开测量记录：在调用程序的目录中删除同名文件并重新建立，然后写入记录头。此后每个测量循环都加入一组数值，直到 CYCLE101。不产生运动。记录的内容和格式由用户数据决定，这些数据保持其值：这里只需写出不同之处。由于各循环的结果不同，请在每次测量调用之前说明各行的内容（{ "_PROTVAL[2]" } 等）。该文件是 MPF 程序，最大为 MD 11420 千字节；容纳不下的内容写入最多九个在名称后加数字的文件。只有关闭记录后才能读出文件。
+cycle100-words = 记录 测量记录 打印 文件 报告 记录头 打开 开始 测量结果
+cycle100-on = 打开记录，写入记录头
+
+cycle101-title = 关闭记录
+cycle101-help = 关闭由 CYCLE100 打开的测量记录。之后可以读出文件。无需给出任何值。
+cycle101-words = 记录 关闭 停止 结束
+cycle101-off = 关闭记录
+
+cycle105-title = 写入记录
+cycle105-help = 不通过测量循环，单独把记录头或一组数值写入记录，例如在自己的计算之后。记录必须已打开（CYCLE100）。测量时由测量循环完成这项工作。
+cycle105-words = 记录 打印 记录头 数值 内容
+
+cycle106-title = 记录过程控制
+cycle106-help = 写入记录头或一组数值，并管理文件：删除同名的旧记录，文件写满时打开下一个文件，需要时另起一页。CYCLE100 会自行调用它；只有不用测量循环而要记录时，程序才需要它。
+cycle106-words = 记录 页 后续文件 过程控制
+
+cycle113-title = 日期和时间文本
+cycle113-help = 把控制系统的日期（yy/mm/dd）或时间（hh:mm:ss）读入程序的一个变量。请在程序开头声明该变量：DEF STRING[10] PAR2，或在调用中写入自己的变量名。
+cycle113-words = 日期 时间 时钟 文本 字符串 记录
+cycle113-date = 日期
+cycle113-time = 时间
+param-113-job = 日期或时间
+param-113-job-help = 1 读日期，2 读时间。
+result-113-text = 日期或时间的文本
+
+cycle118-title = 数值转换为文本
+cycle118-help = 把一个实数按给定的小数位数四舍五入，转换为文本，用于信息或记录。请在程序开头声明接收文本的变量：DEF STRING[12] PAR3，或在调用中写入自己的变量名。若数值位于连续的 R 参数中，最多可一次转换十个：各文本在 { "_TXT[0]" } 到 { "_TXT[9]" } 中给出，最后一个也在该变量中。
+cycle118-words = 格式化 实数 小数位 文本 字符串 四舍五入 信息 记录
+cycle118-format = 一个或多个数值的文本
+param-118-number = 数值
+param-118-number-help = 要转换为文本的数值。取多个 R 参数时不使用。
+param-118-decimals = 小数位数
+param-118-decimals-help = 小数点后的位数；文本四舍五入。记录使用 { "_DIGIT" }。
+param-118-count = 数值个数
+param-118-count-help = 大于 1 时，数值位于连续的 R 参数中；最多十个。
+param-118-register = 第一个 R 参数
+param-118-register-help = 11 表示 R11、R12 等。
+need-118-one = 转换一个数值。
+need-118-count = 只有一个数值时可以省略。
+need-118-registers = 多个数值位于 R 参数中。
+result-118-text = 数值的文本；多个数值时为最后一个
+result-118-field = 多个数值中一个的文本
+
+log-job-header = 记录头
+log-job-values = 数值组
+param-log-job = 写入的内容
+param-log-job-help = 记录头或数值组。
+param-log-file = 记录文件
+param-log-file-help = 不带扩展名的名称：字母、数字和下划线，以两个字母或一个字母加下划线开头。同名文件会被覆盖。
+param-log-program = 测量程序
+param-log-program-help = 记录头中作为程序显示的名称。
+param-log-headline = 自定义记录头行
+param-log-headline-help = 任意文本，也可以组合：{ "\"Part number: \"<<PARTNUM" }。{ "_CBIT[11]" }=1 时，这些行就是整个记录头。
+param-log-page = 每页行数
+param-log-page-help = 达到该行数（包括记录头）后另起一页并写记录头。0：只在开头写记录头。
+param-log-line = 每行字符数
+param-log-line-help = 最多 200。更长的行会给出信息。
+param-log-first-page = 首页页码
+param-log-first-page-help = 记录头的页码从此数开始。
+param-log-head-lines = 自定义记录头行数
+param-log-head-lines-help = 写入多少行 { "_HEADLINE[]" }。
+param-log-value-lines = 数值行数
+param-log-value-lines-help = 每次测量占多少行，最多四行。
+param-log-column = 每列字符数
+param-log-column-help = 0：各列的宽度与第一标题行中相应字段相同。
+param-log-separator = 分隔符
+param-log-separator-help = 记录中两个数值之间的字符。在说明内容的各行中总是用逗号。
+param-log-mark = 超差值的标记
+param-log-mark-help = 超出 { "_TSA" }、{ "_TDIF" }、{ "_TUL" } 或 { "_TLL" } 时，写在测量值和差值之后。
+param-log-title = 标题行
+param-log-title-help = 各列的名称，用逗号分开。若一行已够，请在第二行中写入带引号的空格，否则会出现旧的文本。
+param-log-values = 数值行
+param-log-values-help = 各列的内容，用逗号分开：{ "_OVR[4]" } 等结果，R27 等 R 参数，文本 { "_TXT[0]" }，{ "_AXIS" }（{ "_MA" } 的轴），{ "_AXIS1" } 到 { "_AXIS3" }（平面的各轴），{ "_TIME" }。其他内容照原样写入。
+param-log-digits = 小数位数
+param-log-digits-help = 所有数值小数点后的位数。
+need-log-file = 记录需要一个文件。
+need-log-header = 属于记录头；不输入时使用机床上的值。
+need-log-values = 属于数值；不输入时使用机床上的值。
+need-log-titles = 属于记录头，并决定各列的宽度。
+need-log-format = 属于格式；不输入时使用机床上的值。
+
+check-log-file = 这不能作为记录文件的名称。
+check-log-file-hint = 只能用字母、数字和下划线，以两个字母或一个字母加下划线开头。扩展名会自动加上。
+check-log-line = 记录的一行最多有 { $most } 个字符；控制系统按此执行。
+check-log-line-hint = 请输入不大于 { $most } 的数。
+check-log-empty = 没有要记录的内容：标题行和数值行都是空的。
+check-log-empty-hint = 请输入要写入的内容，例如 { "_OVR[0],_OVR[4],_OVR[16]" }。
+check-log-width = 没有标题行，各列无法按标题取宽度；都取 12 个字符宽。
+check-log-width-hint = 请输入标题行，或给出宽度。
+check-log-unknown = { $word } 不能记录。
+check-log-unknown-hint = 记录只认识 { "_OVR[0]" } 到 { "_OVR[31]" }、R 参数、{ "_TXT[0]" } 到 { "_TXT[99]" }、{ "_AXIS" }、{ "_AXIS1" } 到 { "_AXIS3" } 和 { "_TIME" }。其他值请先放入一个 R 参数。
+check-log-narrow = 第 { $column } 列宽 { $width } 个字符，而其文本有 { $needed } 个。
+check-log-narrow-hint = 请加宽该列或缩短文本；否则控制系统会加宽并给出信息。
+check-log-long = 该行长达 { $total } 个字符；任何记录都不超过 { $most } 个。
+check-log-long-hint = 请减小列宽，或在一行中少记录几个值。
+check-log-longer = 该行长达 { $total } 个字符，而只允许 { $most } 个。
+check-log-longer-hint = 请增大每行字符数，或减小列宽。

@@ -1,0 +1,39 @@
+//! CYCLE100: the log is switched on (B:11227-11229). The file is made anew, the header is printed; from then on every
+//! measuring cycle adds a block of values.
+
+use super::common::{optional, required};
+use super::logging::params::{self, log_params};
+use super::logging::{self, CONTENT_ALARMS, FILE_ALARMS, log_example, names};
+use super::{Cycle, Dialect, Drawing, Param, Variant, When};
+
+/// The cycle.
+pub static CYCLE100: Cycle = Cycle {
+    dialect: Dialect::Sinumerik,
+    name: "CYCLE100",
+    key: "cycle100",
+    variants: &[Variant {
+        number: 0,
+        key: "cycle100-on",
+        source: "B:11227;A:12535",
+    }],
+    purpose: logging::PURPOSE,
+    lists: &[],
+    settings: logging::SETTINGS,
+    params: PARAMS,
+    results: &[],
+    alarms: &[FILE_ALARMS, CONTENT_ALARMS],
+    checks: logging::checks,
+    picture: Drawing::new(logging::picture),
+    example: log_example!((names::FILE, "LOG_1")),
+    simulation: None,
+    source: "B:11172-11229",
+};
+
+const PARAMS: &[Param] = log_params!(
+    Param {
+        needs: &[required(When::Always, "need-log-file")],
+        ..params::FILE
+    };
+    header When::Always;
+    values When::Always
+);

@@ -1,0 +1,63 @@
+//! CYCLE105(PAR1): prints the header or a block of values into the log (B:11235-11242). The edition A gives the two
+//! numbers the other way round (A:12553).
+
+use super::common::{ALWAYS_REQUIRED, PARAM, optional};
+use super::logging::names::{self, JOB};
+use super::logging::params::{self, log_params};
+use super::logging::{self, CONTENT_ALARMS, log_example};
+use super::{Arg, ArgumentList, Cycle, Dialect, Drawing, Kind, Param, Style, Variant, When};
+
+/// The cycle.
+pub static CYCLE105: Cycle = Cycle {
+    dialect: Dialect::Sinumerik,
+    name: "CYCLE105",
+    key: "cycle105",
+    variants: &[
+        Variant {
+            number: 0,
+            key: "log-job-values",
+            source: "B:11241",
+        },
+        Variant {
+            number: 1,
+            key: "log-job-header",
+            source: "B:11242",
+        },
+    ],
+    purpose: logging::PURPOSE,
+    lists: &[ArgumentList {
+        style: Style::Direct,
+        name: "CYCLE105",
+        when: When::Always,
+        base: 0,
+        args: &[Arg::Param(JOB)],
+        source: "B:11235-11242",
+    }],
+    settings: logging::SETTINGS,
+    params: PARAMS,
+    results: &[],
+    alarms: &[CONTENT_ALARMS],
+    checks: logging::checks,
+    picture: Drawing::new(logging::picture),
+    example: log_example!((JOB, "0")),
+    simulation: None,
+    source: "B:11235-11242",
+};
+
+/// The header is printed.
+const HEADER: When = When::Variant(&[1]);
+/// A block of values is printed.
+const VALUES: When = When::Variant(&[0]);
+
+const PARAMS: &[Param] = log_params!(
+    Param {
+        name: JOB,
+        key: "log-job",
+        kind: Kind::Variant(&[]),
+        needs: ALWAYS_REQUIRED,
+        source: "B:11235-11242",
+        ..PARAM
+    };
+    header HEADER;
+    values VALUES
+);

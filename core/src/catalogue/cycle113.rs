@@ -1,0 +1,51 @@
+//! CYCLE113(PAR1,PAR2): reads date or time of the control as a text (B:11255-11260).
+
+use super::common::{ALWAYS_REQUIRED, PARAM, integer};
+use super::logging::names::JOB;
+use super::{
+    Arg, ArgumentList, Cycle, Dialect, Drawing, Kind, Param, Style, Variant, When, logging,
+};
+
+/// The cycle.
+pub static CYCLE113: Cycle = Cycle {
+    dialect: Dialect::Sinumerik,
+    name: "CYCLE113",
+    key: "cycle113",
+    variants: &[
+        Variant {
+            number: 1,
+            key: "cycle113-date",
+            source: "B:11258;A:12576",
+        },
+        Variant {
+            number: 2,
+            key: "cycle113-time",
+            source: "B:11259;A:12577",
+        },
+    ],
+    purpose: logging::PURPOSE,
+    lists: &[ArgumentList {
+        style: Style::Direct,
+        name: "CYCLE113",
+        when: When::Always,
+        base: 0,
+        args: &[Arg::Param(JOB), Arg::Output("PAR2")],
+        source: "B:11255",
+    }],
+    settings: &[],
+    params: &[Param {
+        name: JOB,
+        key: "113-job",
+        kind: Kind::Variant(&[]),
+        needs: ALWAYS_REQUIRED,
+        source: "B:11258-11259",
+        ..PARAM
+    }],
+    results: &[integer("PAR2", "result-113-text", When::Always, "B:11260")],
+    alarms: &[],
+    checks: |_, _, _| {},
+    picture: Drawing::NONE,
+    example: &[(JOB, "1")],
+    simulation: None,
+    source: "B:11255-11260",
+};

@@ -1,0 +1,210 @@
+//! What the cycles of the log refuse, how they are written and read.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use super::names::*;
+use crate::catalogue::cycle100::CYCLE100;
+use crate::catalogue::cycle105::CYCLE105;
+use crate::catalogue::cycle106::CYCLE106;
+use crate::catalogue::cycle118::CYCLE118;
+use crate::catalogue::example::example;
+use crate::catalogue::{CYCLES, Cycle, Dialect, ProbeUse, Style};
+use crate::check::{MISSING, OUT_OF_RANGE, Typed, check};
+use crate::control::{Plane, delivery};
+use crate::diagnostic::Code;
+use crate::program::calls::calls;
+use crate::program::change::{apply, change};
+use crate::program::read;
+use crate::program::write::snippet;
+use crate::run::{Limits, Setup, run};
+
+fn typed(cycle: &'static Cycle, changes: &[(&str, &str)]) -> Typed {
+    let mut typed = example(cycle, &cycle.variants[0]);
+    let pair = |(name, value): &(&str, &str)| ((*name).to_owned(), (*value).to_owned());
+    typed.extend(changes.iter().map(pair));
+    typed
+}
+
+fn found(cycle: &'static Cycle, changes: &[(&str, &str)]) -> Vec<(Code, Option<&'static str>)> {
+    let control = delivery(Dialect::Sinumerik);
+    let found = check(cycle, &typed(cycle, changes), &control).diagnostics;
+    found.iter().map(|one| (one.code, one.param)).collect()
+}
+
+// oracle: manual B:11192 (name), A:15903-15948 (alarms), B:11437 (widths)
+#[test]
+fn what_a_log_cannot_be_is_told() {
+    let alarm = Code::Alarm;
+    assert_eq!(found(&CYCLE100, &[]), []);
+    assert_eq!(found(&CYCLE100, &[(FILE, "")]), [(MISSING, Some(FILE))]);
+    for name in ["1LOG", "L", "L1", "MY-LOG", "LOG.MPF"] {
+        assert_eq!(
+            found(&CYCLE100, &[(FILE, name)]),
+            [(Code::Own(115), Some(FILE))],
+            "{name}"
+        );
+    }
+    let wide = "_OVR[0],_OVR[1],_OVR[2],_OVR[3],_OVR[4],_OVR[5],_OVR[6]";
+    for (changes, expected) in [
+        (vec![(LINE, "201")], (alarm(62310), LINE)),
+        (vec![(VALUE_LINES, "5")], (alarm(61363), VALUE_LINES)),
+        (vec![(VALUES[0], "_OVI[0]")], (alarm(61361), VALUES[0])),
+        (vec![(VALUES[0], wide)], (alarm(62307), VALUES[0])),
+        (
+            vec![(VALUES[0], wide), (COLUMN, "29")],
+            (alarm(61371), VALUES[0]),
+        ),
+        (vec![(COLUMN, "7")], (alarm(62309), VALUES[0])), // the time has eight characters
+        (vec![(COLUMN, "0"), (TITLES[0], "")], (alarm(62308), COLUMN)),
+        (vec![(COLUMN, "0")], (alarm(62309), VALUES[0])), // the title "Time" is narrower
+        (
+            vec![(TITLES[0], ""), (TITLES[1], ""), (VALUES[0], "")],
+            (alarm(61370), VALUES[0]),
+        ),
+    ] {
+        let (code, at) = expected;
+        assert_eq!(
+            found(&CYCLE100, &changes),
+            [(code, Some(at))],
+            "{changes:?}"
+        );
+    }
+}
+
+// oracle: manual B:11239-11251, A:15902 (61360: a job that CYCLE106 does not know)
+#[test]
+fn header_and_values_have_their_numbers() {
+    assert_eq!(found(&CYCLE105, &[(JOB, "1")]), []);
+    assert_eq!(found(&CYCLE105, &[(JOB, "2")]), [(OUT_OF_RANGE, Some(JOB))]);
+    assert_eq!(found(&CYCLE106, &[(JOB, "2")]), []);
+    assert_eq!(
+        found(&CYCLE106, &[(JOB, "0")]),
+        [(Code::Alarm(61360), Some(JOB))]
+    );
+    assert_eq!(
+        found(&CYCLE118, &[("PAR4", "11"), ("PAR5", "1")]),
+        [(Code::Alarm(61362), Some("PAR4"))]
+    );
+    assert_eq!(
+        found(&CYCLE118, &[("PAR4", "3")]),
+        [(MISSING, Some("PAR5"))]
+    );
+}
+
+// oracle: hand (what the machine has counts where nothing is written)
+#[test]
+fn data_of_the_machine_count() {
+    let mut control = delivery(Dialect::Sinumerik);
+    let typed = typed(&CYCLE100, &[(FILE, ""), (COLUMN, "")]);
+    control
+        .data
+        .insert(FILE.into(), crate::control::Value::Text("LOG".into()));
+    control.set(COLUMN, 7.0);
+    let found = check(&CYCLE100, &typed, &control);
+    let codes: Vec<Code> = found.diagnostics.iter().map(|one| one.code).collect();
+    assert_eq!(codes, [Code::Alarm(62309)]);
+    assert_eq!(found.inputs.unwrap().text(FILE), "LOG");
+}
+
+// oracle: manual B:11513-11600 (the sample program), B:11404 (blanks in a title line)
+#[test]
+fn texts_of_a_program_are_read_as_they_stand() {
+    let text = "DEF INT PARTNUM\n_PROTNAME[1]=\"LOG_1\" _PROTVAL[1]=\"  \"\n\
+        _HEADLINE[0]=\"Part number: \"<<PARTNUM\n_PROTVAL[2]=\"_TXT[0],_AXIS,_TIME\"\nCYCLE100\n";
+    let program = read(Dialect::Sinumerik, text.as_bytes());
+    let site = &calls(&program)[0];
+    assert_eq!(site.values[TITLES[1]], "\"  \"");
+    assert_eq!(site.values[HEADLINES[0]], "\"Part number: \"<<PARTNUM");
+    let codes: Vec<Code> = site.diagnostics.iter().map(|one| one.code).collect();
+    assert_eq!(codes, [Code::Own(3)], "known at run time only");
+    let changed = |name, value| {
+        let edits = change(&program, site, name, value);
+        String::from_utf8(apply(text.as_bytes(), &edits)).unwrap()
+    };
+    assert_eq!(changed(FILE, "LOG_2"), text.replace("LOG_1", "LOG_2"));
+    assert_eq!(changed(TITLES[1], "\" \""), text.replace("\"  \"", "\" \""));
+    assert_eq!(
+        changed(FILE, "\"L_\"<<R1"),
+        text.replace("\"LOG_1\"", "\"L_\"<<R1")
+    );
+    assert_eq!(
+        changed(HEADLINES[0], "Part 7"),
+        text.replace("\"Part number: \"<<PARTNUM", "\"Part 7\"")
+    );
+    let control = delivery(Dialect::Sinumerik);
+    let written = snippet(&CYCLE100, &site.values, &control, Style::Direct, None).text;
+    let again = calls(&read(Dialect::Sinumerik, written.as_bytes()));
+    assert_eq!(again[0].values, site.values, "{written}");
+}
+
+// oracle: manual B:11241, B:11217 (CYCLE105 takes its contents from data)
+#[test]
+fn an_argument_and_data_make_one_call() {
+    let text = "_PROTVAL[2]=\"_OVR[4]\"\nCYCLE105(0)\n_PROTVAL[2]=\"R27\"\nCYCLE105(0)\n";
+    let program = read(Dialect::Sinumerik, text.as_bytes());
+    let sites = calls(&program);
+    let shown: Vec<_> = sites
+        .iter()
+        .map(|one| (&*one.values[VALUES[0]], &*one.values[JOB]))
+        .collect();
+    assert_eq!(shown, [("_OVR[4]", "0"), ("R27", "0")]);
+    assert_eq!((sites[1].first_line, sites[1].line), (2, 3));
+}
+
+// oracle: manual B:11296-11320 (both examples; the second one as A:12644-12650 has it)
+#[test]
+fn one_number_or_several() {
+    let text =
+        "DEF STRING[12] TEXTVAR\nCYCLE118(31.83,2,TEXTVAR)\nCYCLE118(0,_DIGIT,TEXTVAR,3,11)\n";
+    let sites = calls(&read(Dialect::Sinumerik, text.as_bytes()));
+    let values = |index: usize| -> Vec<(&str, &str)> {
+        let values = sites[index].values.iter();
+        values
+            .map(|(name, value)| (name.as_str(), value.as_str()))
+            .collect()
+    };
+    assert_eq!(values(0), [("PAR1", "31.83"), ("PAR2", "2")]);
+    let several = [
+        ("PAR1", "0"),
+        ("PAR2", "_DIGIT"),
+        ("PAR4", "3"),
+        ("PAR5", "11"),
+    ];
+    assert_eq!(values(1), several);
+}
+
+// oracle: hand (the log is left out of a run, and nothing else is)
+#[test]
+fn a_run_goes_on_without_the_log() {
+    let text = "_PROTNAME[1]=\"LOG_1\" _PROTVAL[2]=\"_OVR[4]\"\nCYCLE100\nDEF STRING[12] T\n\
+        CYCLE118(1.5,2,T)\nCYCLE101\nR1=5\nM30\n";
+    let program = read(Dialect::Sinumerik, text.as_bytes());
+    let setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+    let outcome = run(&program, &setup, Limits::default());
+    assert_eq!(outcome.stop, None, "{:?}", outcome.diagnostics);
+    assert_eq!(outcome.control.number("R1"), 5.0);
+    let told: Vec<&str> = outcome
+        .diagnostics
+        .iter()
+        .map(|one| &*one.message.key)
+        .collect();
+    assert_eq!(told, ["run-log"; 3]);
+}
+
+// oracle: self
+#[test]
+fn only_what_prints_a_page_is_drawn() {
+    for cycle in CYCLES {
+        let control = delivery(cycle.dialect);
+        let drawn = crate::form::draw(cycle, &example(cycle, &cycle.variants[0]), &control);
+        let blank = ["CYCLE101", "CYCLE113", "CYCLE118"].contains(&cycle.name);
+        let expected = (!blank, !blank);
+        assert_eq!(
+            (drawn.is_some(), cycle.picture.drawn),
+            expected,
+            "{}",
+            cycle.name
+        );
+        assert!(!blank || cycle.purpose.probe == ProbeUse::Log);
+    }
+}
