@@ -39,6 +39,8 @@ const fn target(code: f64, settable: usize, name: &'static str) -> Target {
 
 /// How far the part stands beside its place, abscissa, ordinate, applicate.
 const SHIFT: [f64; 3] = [0.4, -0.3, 0.2];
+/// How it is turned where an angle is measured, about abscissa, ordinate, applicate, degree.
+const TILT: [f64; 3] = [0.3, -0.2, 0.5];
 
 /// A frame that moves and turns.
 fn frame(origin: [f64; 3], rotation: [f64; 3]) -> Frame {
@@ -80,8 +82,66 @@ fn machine(plane: Plane, units: Units, settable: usize) -> Setup {
 /// A call, and which results are differences to be zero afterwards.
 type Call = (&'static str, Values, &'static [usize]);
 
-/// Every variant with zero offset of the cycles that find a place.
+/// Every sort of measurement that corrects a place or an angle.
 fn calls() -> Vec<Call> {
+    let mut calls = places();
+    calls.extend(spheres());
+    calls.extend(angles());
+    calls
+}
+
+/// One sphere, and three, which turn the frame too.
+fn spheres() -> Vec<Call> {
+    let centres = [
+        ("_SETV[0]", 10.0),
+        ("_SETV[1]", 20.0),
+        ("_SETV[2]", -5.0),
+        ("_SETV[3]", 170.0),
+        ("_SETV[4]", 40.0),
+        ("_SETV[5]", -5.0),
+        ("_SETV[6]", 80.0),
+        ("_SETV[7]", 190.0),
+        ("_SETV[8]", -5.0),
+    ];
+    let common = [("_SETVAL", 40.0), ("_FA", 5.0), ("_TSA", 5.0)];
+    let values = |variant: f64, of: &[(&'static str, f64)]| -> Values {
+        with(&with(&common, &[("_MVAR", variant)]), of)
+    };
+    vec![
+        ("CYCLE997", values(109.0, &centres[..3]), &[9, 10, 11]),
+        (
+            "CYCLE997",
+            values(10_109.0, &centres),
+            &[9, 10, 11, 17, 18, 19, 25, 26, 27],
+        ),
+    ]
+}
+
+/// An edge, and an oblique plane.
+fn angles() -> Vec<Call> {
+    let common = [("_MA", 102.0), ("_ID", 40.0), ("_FA", 12.0), ("_TSA", 3.0)];
+    let edge = [
+        ("_MVAR", 105.0),
+        ("_SETVAL", -18.0),
+        ("_STA1", 5.0),
+        ("_RA", 0.0),
+    ];
+    let plane = [
+        ("_MVAR", 106.0),
+        ("_SETVAL", 30.0),
+        ("_SETV[0]", 30.0),
+        ("_STA1", 8.0),
+        ("_INCA", 12.0),
+        ("_MD", 1.0),
+    ];
+    vec![
+        ("CYCLE998", with(&common, &edge), &[16]),
+        ("CYCLE998", with(&common, &plane), &[16, 17]),
+    ]
+}
+
+/// Elements and faces.
+fn places() -> Vec<Call> {
     let common = vec![
         ("_SETVAL", 60.0),
         ("_SETV[0]", 60.0),
@@ -122,9 +182,11 @@ fn calls() -> Vec<Call> {
 fn closed(mut setup: Setup, target: Target, (name, values, differences): &Call) -> Setup {
     let what = format!("{target:?} {name} {values:?}");
     let plane = setup.control.plane;
+    let tilt = if *name == "CYCLE998" { TILT } else { [0.0; 3] };
     let inputs = inputs(&setup, name, &with(values, &[("_KNUM", target.code)]));
     let errors = PartErrors {
         shift: setup.control.direction_to_machine(at(plane, SHIFT)),
+        tilt: setup.control.direction_to_machine(at(plane, tilt)),
         ..PartErrors::default()
     };
     place(&mut setup, &inputs, errors);
@@ -157,6 +219,10 @@ fn measured_again_nothing_is_wrong() {
         for (number, target) in TARGETS.into_iter().enumerate() {
             let turn = (index + number) % PLANES.len();
             for call in calls().into_iter().skip(turn).step_by(PLANES.len()) {
+                let rotates = call.0 == "CYCLE998" || call.1.contains(&("_MVAR", 10_109.0));
+                if rotates && target.name.starts_with("$P_NCBFR") {
+                    continue; // global basic frames take no rotation, B:1971
+                }
                 let units = [Units::Metric, Units::Inch][index % 2];
                 closed(machine(plane, units, target.settable), target, &call);
             }
