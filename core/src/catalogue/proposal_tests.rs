@@ -256,7 +256,7 @@ fn cycle997_finds_the_spheres() {
 
 #[test]
 fn results_do_not_depend_on_where_the_part_stands() {
-    // oracle: self (the same measurement in other frames, all of it moved and turned)
+    // oracle: self (the same measurement in other frames, all of it moved, turned, mirrored)
     let frames = [
         Frame::default(),
         Frame {
@@ -266,6 +266,11 @@ fn results_do_not_depend_on_where_the_part_stands() {
         Frame {
             rotation: [20.0, -35.0, 120.0],
             ..Frame::translation([310.0, -205.0, 60.0])
+        },
+        Frame {
+            rotation: [0.0, 0.0, 37.0],
+            mirror: [true, false, false],
+            ..Frame::translation([30.0, 20.0, 10.0])
         },
     ];
     for name in ["CYCLE977", "CYCLE978", "CYCLE979"] {

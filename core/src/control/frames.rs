@@ -189,6 +189,17 @@ impl Control {
             .fold(direction, |direction, frame| frame.turn_back(direction))
     }
 
+    /// Whether an axis X Y Z of the WCS runs against that of the machine: an odd number of frames mirrors it.
+    pub fn mirrored(&self, axis: usize) -> bool {
+        let frames = self.chain();
+        frames
+            .iter()
+            .filter(|frame| frame.mirror[axis.min(2)])
+            .count()
+            % 2
+            == 1
+    }
+
     /// What G54.., G500 do: the stored settable frame becomes the active one, and so do the stored basic and system
     /// frames (B:1965). G500 (SINUMERIK 0) is a frame too.
     pub fn activate(&mut self, number: usize) {

@@ -282,3 +282,42 @@ fn a_programmed_stop_follows_an_alarm_that_informs() {
     };
     assert_eq!((halts(0.0), halts(1.0)), (0, 1));
 }
+
+/// The hole in coordinates of which some axes are mirrored.
+fn mirrored(setup: &mut Setup, axes: [bool; 3]) {
+    setup.control.active.mirror = axes;
+    setup.position = setup.control.to_machine([CENTRE[0], CENTRE[1], -10.0]);
+    setup.workpiece.solids[0].at = setup.control.to_machine([CENTRE[0], CENTRE[1], 0.0]);
+}
+
+#[test]
+fn mirrored_axes_take_the_values_of_the_other_direction() {
+    // oracle: manual B:6153 (mirroring can be active), hand (the hole as it was made)
+    for axes in [
+        [true, false, false],
+        [false, true, false],
+        [true, true, false],
+    ] {
+        let (sim, outcome) = hole(|setup, _| {
+            skewed(setup);
+            mirrored(setup, axes);
+            setup.workpiece.solids[0].errors.shift = [0.4, 0.7, 0.0];
+        });
+        assert_eq!(outcome, Ok(()));
+        let seen = |axis: usize, way: f64| if axes[axis] { -way } else { way };
+        close(&sim, "_OVR[4]", 60.0);
+        close(&sim, "_OVR[17]", seen(0, 0.4));
+        close(&sim, "_OVR[18]", seen(1, 0.7));
+    }
+}
+
+#[test]
+fn a_mono_probe_looks_where_a_mirrored_axis_goes() {
+    // oracle: hand: plus abscissa is minus on the machine
+    let (sim, outcome) = hole(|setup, inputs| {
+        mirrored(setup, [true, false, false]);
+        inputs.numbers.insert("_PRNUM", 101.0);
+    });
+    assert_eq!(outcome, Ok(()));
+    assert_eq!(turns(&sim), [180.0, 0.0, 90.0, 270.0]);
+}

@@ -321,3 +321,17 @@ fn a_mono_probe_is_known_by_its_triggers() {
         close(&sim, "_OVR[16]", 0.5);
     }
 }
+
+#[test]
+fn differential_measurement_in_a_mirrored_axis_stores_what_the_machine_knows() {
+    // oracle: hand: towards minus of a mirrored abscissa the machine goes in plus direction, where the trigger is -3
+    let mut setup = ready(Plane::G17, 0, -1.0, 0.5);
+    setup.control.active.mirror = [true, false, false];
+    setup.probe.skew[0] = 0.2;
+    (0..9).for_each(|i| setup.control.set(format!("_WP[0,{i}]"), 0.0));
+    let mut sim = Sim::new(&setup);
+    assert_eq!(run(&mut sim, &inputs(1000, 0, 1.0)), Ok(()));
+    close(&sim, "_OVR[16]", -0.5);
+    close(&sim, "_WP[0,2]", -3.0);
+    close(&sim, "_WP[0,7]", 0.2);
+}

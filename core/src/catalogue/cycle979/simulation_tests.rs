@@ -131,21 +131,27 @@ proptest! {
         }
     }
 
-    // oracle: self (afterwards nothing is left to correct), for every sort of frame, in turned coordinates
+    // oracle: self (afterwards nothing is left to correct), for every sort of frame, in turned and mirrored coordinates
     #[test]
     fn a_corrected_zero_offset_measures_zero(
         shift in prop::array::uniform2(-1.0..1.0_f64), turn in -180.0..180.0_f64, plane in 0..3_usize, code in 0..4_usize,
+        mirrored in any::<bool>(),
     ) {
         let plane = PLANES[plane];
         for variant in [101, 102, 103, 104] {
             let mut setup = ready(plane, variant, 30.0);
-            let turned = Frame { rotation: at(plane, [0.0, 0.0, turn]), ..Frame::translation([3.0, -2.0, 1.0]) };
+            let turned = Frame {
+                rotation: at(plane, [0.0, 0.0, turn]),
+                mirror: at(plane, [1.0, 0.0, 0.0]).map(|abscissa| mirrored && abscissa == 1.0),
+                ..Frame::translation([3.0, -2.0, 1.0])
+            };
+            let angle = if mirrored { 150.0 } else { 30.0 };
             setup.control.frames.insert(1, turned);
             setup.control.channel_basic.insert(0, Frame::translation([1.0, 1.0, 1.0]));
             setup.control.activate(1);
             let start = setup.position;
             setup.position = setup.control.to_machine(start);
-            let mut part = part(plane, variant, 30.0 + turn);
+            let mut part = part(plane, variant, angle + turn);
             part.at = setup.control.to_machine(part.at);
             part.errors.shift = at(plane, [shift[0], shift[1], 0.0]);
             setup.workpiece.solids.push(part);
@@ -340,6 +346,36 @@ fn without_monitoring_the_ways_are_rapid_and_the_circle_keeps_its_feed() {
         kinds,
         [&begin[..], &touch, &round, &touch, &round, &touch].concat()
     );
+}
+
+#[test]
+fn in_mirrored_coordinates_the_circle_goes_the_other_way_round() {
+    // oracle: manual B:7133 (mirroring can be active), hand (the part as it was made); a skewed probe meets it too
+    for variant in [1, 2, 3, 4] {
+        let (sim, outcome) = changed(variant, |setup, _| {
+            setup.probe.skew = [0.3, -0.2];
+            [(7, 0.3), (8, -0.2)]
+                .iter()
+                .for_each(|(i, value)| setup.control.set(format!("_WP[0,{i}]"), *value));
+            setup.control.active.mirror = [false, true, false];
+            let part = &mut setup.workpiece.solids[0];
+            part.at[1] = -part.at[1];
+            part.errors.tilt[2] = -part.errors.tilt[2];
+            part.errors.shift = [0.5, -0.5 * 30.0_f64.to_radians().tan(), 0.0];
+            setup.position[1] = -setup.position[1];
+        });
+        assert_eq!(outcome, Ok(()), "{variant}");
+        close(&sim, "_OVR[4]", SIZE);
+        close(&sim, "_OVR[17]", 0.5);
+        close(&sim, "_OVR[18]", 0.5 * 30.0_f64.to_radians().tan());
+        let touched = |step: &Step| match step {
+            Step::Touch { point, .. } => Some((point[1] + CENTRE[1]).atan2(point[0] - CENTRE[0])),
+            _ => None,
+        };
+        let entries = sim.trace.entries.iter();
+        let angles: Vec<f64> = entries.filter_map(|entry| touched(&entry.step)).collect();
+        assert!(variant > 2 || angles[1] < angles[0], "{angles:?}");
+    }
 }
 
 #[test]

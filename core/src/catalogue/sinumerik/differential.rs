@@ -35,18 +35,37 @@ pub fn twice(
     // The latched position is the surface minus radius and minus the skew, which changes its sign with the spindle.
     let skew = (turned - straight) / 2.0;
     let value = plain.trigger(point.axis, point.direction);
-    store(machine, inputs, point, value, skew);
+    let axis = block.axes[point.axis];
+    let sense = if machine.control().mirrored(axis) {
+        -1.0
+    } else {
+        1.0
+    };
+    store(machine, inputs, point, sense, value, skew);
     Ok(Twice {
         surface: (turned + straight) / 2.0 - value,
         skew,
     })
 }
 
-fn store(machine: &mut dyn Machine, inputs: &Inputs, point: &Point, value: f64, skew: f64) {
+/// Stores trigger value and skew in the directions of the machine: `sense` is -1 where a frame mirrors the axis.
+fn store(
+    machine: &mut dyn Machine,
+    inputs: &Inputs,
+    point: &Point,
+    sense: f64,
+    value: f64,
+    skew: f64,
+) {
     let probe = inputs.integer("_PRNUM") % 100 - 1;
     let factor = machine.control().basic_factor();
-    let trigger = 2 * point.axis + if point.direction > 0.0 { 2 } else { 1 };
+    let plus = point.direction * sense > 0.0;
+    let trigger = 2 * point.axis + if plus { 2 } else { 1 };
     for (element, value) in [(trigger, value), (7 + point.axis, skew)] {
-        results::set(machine, &format!("_WP[{probe},{element}]"), value / factor);
+        results::set(
+            machine,
+            &format!("_WP[{probe},{element}]"),
+            sense * value / factor,
+        );
     }
 }

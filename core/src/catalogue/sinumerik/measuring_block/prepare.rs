@@ -29,6 +29,16 @@ fn read(control: &Control, inputs: &Inputs) -> Result<Block, u32> {
         return Err(61308);
     }
     let data = |i: usize| control.basic_length(&format!("_WP[{index},{i}]"));
+    let axes = control.plane.axes();
+    // The data were found in machine directions: in a mirrored axis plus is their minus.
+    let sense = axes.map(|axis| if control.mirrored(axis) { -1.0 } else { 1.0 });
+    let triggers = std::array::from_fn(|i| {
+        let [minus, plus] = [data(2 * i + 1), data(2 * i + 2)];
+        match sense[i] > 0.0 {
+            true => [minus, plus],
+            false => [-plus, -minus],
+        }
+    });
     let spindle = match (mono, control.bit("_CBIT[8]")) {
         (false, _) => Spindle::Stays,
         (true, false) => Spindle::Follows(0.0),
@@ -38,7 +48,7 @@ fn read(control: &Control, inputs: &Inputs) -> Result<Block, u32> {
     let (feed_plane, feed_depth) = speeds(control, monitored)?;
     let radius = control.active_radius();
     Ok(Block {
-        axes: control.plane.axes(),
+        axes,
         radius,
         path,
         centre: if control.bit("_CBIT[14]") {
@@ -46,9 +56,12 @@ fn read(control: &Control, inputs: &Inputs) -> Result<Block, u32> {
         } else {
             0.0
         },
-        triggers: [1, 3, 5].map(|i| [data(i), data(i + 1)]),
+        triggers,
         // The skew of a mono probe turns with the spindle, so that it is not carried over.
-        skew: if mono { [0.0; 2] } else { [data(7), data(8)] },
+        skew: match mono {
+            true => [0.0; 2],
+            false => [data(7) * sense[0], data(8) * sense[1]],
+        },
         ball: data(0) / 2.0,
         other: calibrated_as::differs(control, inputs),
         feed: measuring_feed(inputs),
