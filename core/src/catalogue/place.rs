@@ -98,6 +98,14 @@ pub fn face(control: &Control, axis: usize, set: f64, side: f64, away: f64) -> (
     (block, in_plane(control, start))
 }
 
+/// Start height of the ball centre and measuring depth below the face: the infeed is their sum. The ball stays clear
+/// of the face by a third of what is left, at most 10 mm.
+pub fn above(infeed: f64, ball: f64) -> (f64, f64) {
+    let clear = ((infeed - ball) / 3.0).clamp(0.5, 10.0);
+    let start = ball + clear;
+    (start, (infeed - start).max(0.0))
+}
+
 /// The tool that `_KNUM` and `_TNUM` or `_TNAME` name, as an end mill of 20 mm; none without a tool offset.
 pub fn corrected_tools(inputs: &Inputs) -> Vec<ProposedTool> {
     let code = knum::tool(inputs.integer(names::KNUM), inputs.five_digit_edges);

@@ -2,6 +2,7 @@
 //! cannot be. A new cycle needs its cases here as soon as it is simulated.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+mod cycle961;
 mod cycle976;
 mod cycle977;
 mod cycle978;
@@ -23,6 +24,7 @@ use table::{Case, Table};
 /// The cases of a cycle.
 fn table(name: &str) -> Table {
     match name {
+        "CYCLE961" => cycle961::table(),
         "CYCLE976" => cycle976::table(),
         "CYCLE977" => cycle977::table(),
         "CYCLE978" => cycle978::table(),

@@ -1,19 +1,27 @@
 //! CYCLE961: inside and outside corner, with the direction of an edge (B:7816-8170).
 
 mod checks;
+mod corner;
 mod lines;
 mod lists;
+#[cfg(test)]
+mod motion_tests;
 pub mod params;
 mod picture;
+mod propose;
 mod results;
 mod scene;
+mod simulate;
+#[cfg(test)]
+mod simulation_tests;
 #[cfg(test)]
 mod tests;
+mod touches;
 
 pub use results::RESULTS;
 
 use crate::catalogue::common;
-use crate::catalogue::{Cycle, Dialect, Drawing, Purpose, Variant};
+use crate::catalogue::{Cycle, Dialect, Drawing, Purpose, Simulation, Variant, Work};
 
 /// Measuring variants (B:7862-7869).
 pub const VARIANTS: &[Variant] = &[
@@ -83,6 +91,29 @@ pub static CYCLE961: Cycle = Cycle {
         ("_VMS", "0"),
         ("_NMSP", "1"),
     ],
-    simulation: None,
+    simulation: Some(Simulation::new(
+        Work {
+            propose: propose::propose,
+            simulate: simulate::simulate,
+        },
+        &[
+            (params::RECTANGLE, &[("_INCA", "90"), ("_SETV[4]", "1")]),
+            // the points of B:8090-8124
+            (
+                params::POINTS,
+                &[
+                    ("_SETV[0]", "50"),
+                    ("_SETV[1]", "20"),
+                    ("_SETV[2]", "150"),
+                    ("_SETV[3]", "20"),
+                    ("_SETV[4]", "15"),
+                    ("_SETV[5]", "40"),
+                    ("_SETV[6]", "15"),
+                    ("_SETV[7]", "80"),
+                    ("_ID", "-60"),
+                ],
+            ),
+        ],
+    )),
     source: "B:7816-8170",
 };

@@ -14,7 +14,7 @@ const DEPTH: f64 = 10.0;
 pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let ball = place::ball_radius(inputs, control);
     let (start, depth) = if OUTSIDE.holds(inputs) || ZONE.holds(inputs) {
-        above(inputs.number(names::ID).abs(), ball)
+        place::above(inputs.number(names::ID).abs(), ball)
     } else {
         (-DEPTH, DEPTH)
     };
@@ -36,14 +36,6 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
         start: place::in_plane(control, [0.0, 0.0, start]),
         tools: place::corrected_tools(inputs),
     }
-}
-
-/// Start height of the ball centre and measuring depth below the face: the infeed is their sum. The ball stays clear
-/// of the face by a third of what is left, at most 10 mm.
-fn above(infeed: f64, ball: f64) -> (f64, f64) {
-    let clear = ((infeed - ball) / 3.0).clamp(0.5, 10.0);
-    let start = ball + clear;
-    (start, (infeed - start).max(0.0))
 }
 
 fn shape(inputs: &Inputs, height: f64) -> Shape {

@@ -1,0 +1,178 @@
+//! A nominal part for CYCLE961: a part or a pocket with a corner where the values say.
+
+use super::lines::{Point, across, along, away, direction, shares, unit};
+use super::params::{OUTSIDE, PASSES, POINTS};
+use super::touches::{TOLERANCE, Touch, edges, touches};
+use crate::catalogue::{Proposal, names, place};
+use crate::check::Inputs;
+use crate::control::Control;
+use crate::workpiece::{Shape, Workpiece};
+
+/// Measuring depth of the ball centre below the face where `_ID` does not decide it, mm.
+const DEPTH: f64 = 10.0;
+/// How far the ball stands from the edges where there is room, mm.
+const CLEAR: f64 = 10.0;
+/// Edge beyond the points, mm.
+const BEYOND: f64 = 15.0;
+
+/// A corner with the directions of its edges, the reference edge first.
+struct Nominal {
+    corner: Point,
+    edges: [Point; 2],
+}
+
+/// Part and start: opposite the corner at measuring depth, or above P2 at positioning height (B:7980-7988, B:8158-8166).
+pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
+    let ball = place::ball_radius(inputs, control);
+    let start = [0.0; 2];
+    let touches = touches(inputs, control, start);
+    let (nominal, start, height, depth) = if POINTS.holds(inputs) {
+        let (height, depth) = place::above(inputs.number(names::ID).abs(), ball);
+        (by_points(&touches, ball), touches[1].at, height, depth)
+    } else {
+        let depth = depth(inputs, ball);
+        (by_distances(inputs, control, ball), start, -depth, depth)
+    };
+    let part = solid(
+        inputs,
+        control,
+        &nominal,
+        &touches,
+        depth + 2.0 * ball + 10.0,
+    );
+    Proposal {
+        workpiece: Workpiece { solids: vec![part] },
+        start: place::in_plane(control, [start[0], start[1], height]),
+        ..Proposal::default()
+    }
+}
+
+/// Below the face; so deep that the ball passes over the corner clear of it by a third of what is left of `_ID`.
+fn depth(inputs: &Inputs, ball: f64) -> f64 {
+    match inputs.given(names::ID).filter(|lift| *lift > 0.0) {
+        Some(lift) if PASSES.holds(inputs) => ((lift - ball) * 2.0 / 3.0).clamp(0.5, DEPTH),
+        _ => DEPTH,
+    }
+}
+
+/// The corner lies before the start where the edges part, outside; behind it inside.
+fn by_distances(inputs: &Inputs, control: &Control, ball: f64) -> Nominal {
+    let angles = edges(inputs, control);
+    let half = inputs.number(names::INCA).abs().to_radians() / 2.0;
+    let (sign, beside) = if OUTSIDE.holds(inputs) {
+        let room = room(inputs, angles, half, ball);
+        (1.0, (ball + CLEAR).min(room).max(ball + 0.5))
+    } else {
+        (-1.0, ball + CLEAR)
+    };
+    let middle = unit((angles[0] + angles[1]) / 2.0);
+    Nominal {
+        corner: along([0.0; 2], middle, sign * beside / half.sin()),
+        edges: angles.map(unit),
+    }
+}
+
+/// How far outside the start may lie beside the edges, so that P1 and P3 are touched on them and not at the corner: the
+/// ball runs along an axis, which brings it nearer to the corner.
+fn room(inputs: &Inputs, angles: [f64; 2], half: f64, ball: f64) -> f64 {
+    let (sine, cosine) = TOLERANCE.to_radians().sin_cos();
+    let edges = angles.into_iter().zip([names::SETV0, names::SETV1]);
+    edges
+        .map(|(angle, name)| {
+            let [x, y] = unit(angle).map(f64::abs);
+            let lean = x.min(y) / x.max(y);
+            let way = inputs.number(name) / 2.0 * (cosine - sine * lean);
+            (way - 2.0 * ball) / (1.0 / half.tan() + lean)
+        })
+        .fold(f64::INFINITY, f64::min)
+}
+
+/// The edges lie before the points, parallel to their lines.
+fn by_points(touches: &[Touch], ball: f64) -> Nominal {
+    let [p1, p2, p3, p4] = [0, 1, 2, 3].map(|index| touches[index]);
+    let lines = [direction(p1.at, p2.at), direction(p3.at, p4.at)];
+    let cross = |one: Point, other: Point| {
+        let share = shares([one, other], lines, 0.0).map_or(0.0, |[share, _]| share);
+        along(one, lines[0], share)
+    };
+    let meeting = cross(p1.at, p3.at);
+    let reach = [p1, p2, p3, p4].map(|touch| {
+        let [x, y] = away(meeting, touch.at);
+        x.hypot(y)
+    });
+    let nearest = reach.into_iter().fold(f64::INFINITY, f64::min);
+    let gap = (ball + CLEAR).min(nearest * 0.45).max(ball + 0.5);
+    let before = |touch: Touch| along(touch.at, touch.towards(), gap);
+    let corner = cross(before(p1), before(p3));
+    let outward = |line: Point, touch: Touch| {
+        let [x, y] = away(corner, touch.at);
+        let sign = (x * line[0] + y * line[1]).signum();
+        line.map(|part| part * sign)
+    };
+    Nominal {
+        corner,
+        edges: [outward(lines[0], p2), outward(lines[1], p4)],
+    }
+}
+
+/// The places before the touches, and where they meet their edges.
+fn visited(nominal: &Nominal, touches: &[Touch]) -> Vec<Point> {
+    let mut visited = Vec::new();
+    for (index, touch) in touches.iter().enumerate() {
+        let edge = nominal.edges[index / 2];
+        visited.push(touch.at);
+        if let Some([way, _]) = shares([touch.at, nominal.corner], [touch.towards(), edge], 0.0) {
+            visited.push(along(touch.at, touch.towards(), way));
+        }
+    }
+    visited
+}
+
+fn solid(
+    inputs: &Inputs,
+    control: &Control,
+    nominal: &Nominal,
+    touches: &[Touch],
+    height: f64,
+) -> crate::workpiece::Solid {
+    let [mut one, mut other] = nominal.edges;
+    if across(one, other) < 0.0 {
+        (one, other) = (other, one);
+    }
+    let (sine, cosine) = (across(one, other), one[0] * other[0] + one[1] * other[1]);
+    let beyond = BEYOND / sine.max(0.05);
+    let visited = visited(nominal, touches);
+    let reach = |from: Point, line: Point, across_to: Point| {
+        let furthest = visited
+            .iter()
+            .map(|place| across(away(from, *place), across_to) / across(line, across_to))
+            .fold(0.0, f64::max);
+        furthest + beyond
+    };
+    let length = [
+        reach(nominal.corner, one, other),
+        reach(nominal.corner, other, one),
+    ];
+    let angle = sine.atan2(cosine).to_degrees();
+    let shape = if OUTSIDE.holds(inputs) {
+        Shape::OuterCorner {
+            angle,
+            length,
+            height,
+        }
+    } else {
+        Shape::InnerCorner {
+            angle,
+            length,
+            depth: height,
+        }
+    };
+    let [x, y] = nominal.corner;
+    place::solid(
+        control,
+        shape,
+        [x, y, 0.0],
+        [one[0], one[1], 0.0],
+        [0.0, 0.0, 1.0],
+    )
+}

@@ -1,0 +1,125 @@
+//! Where CYCLE961 touches: the places before the edges, and which way the probe goes there.
+//!
+//! Places are abscissa and ordinate of the WCS, mm; axes count 0 abscissa, 1 ordinate.
+
+use super::lines::{Point, across, along, away, direction, unit};
+use super::params::{OUTSIDE, PLACES, POINTS, RECTANGLE};
+use crate::catalogue::names;
+use crate::check::Inputs;
+use crate::control::Control;
+
+/// How exactly the angles are known: the way leads so much away from the edges, degree (B:7996).
+pub const TOLERANCE: f64 = 10.0;
+/// Half of the shortest measuring path, mm (B:8154).
+const SHORTEST: f64 = 20.0;
+/// Two directions are equally good for measuring along an axis.
+const EQUAL: f64 = 1e-9;
+
+/// One touch along an axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Touch {
+    /// Where the probe stands before.
+    pub at: Point,
+    /// Measuring axis.
+    pub axis: usize,
+    /// Direction of the probe, +1 or -1.
+    pub direction: f64,
+    /// Half of the whole measuring path, mm.
+    pub path: f64,
+}
+
+impl Touch {
+    /// The direction as a vector.
+    pub fn towards(&self) -> Point {
+        let mut vector = [0.0; 2];
+        vector[self.axis] = self.direction;
+        vector
+    }
+}
+
+/// P1 to P4, of a rectangle P1 to P3, when the cycle is called here.
+pub fn touches(inputs: &Inputs, control: &Control, start: Point) -> Vec<Touch> {
+    let mut all = if POINTS.holds(inputs) {
+        by_points(inputs)
+    } else {
+        by_distances(inputs, control, start)
+    };
+    if RECTANGLE.holds(inputs) {
+        all.truncate(3);
+    }
+    all
+}
+
+/// Angles of both edges to the abscissa of the WCS, degree. `_STA1` counts in the machine (B:7992).
+pub fn edges(inputs: &Inputs, control: &Control) -> [f64; 2] {
+    let [abscissa, ordinate, _] = control.plane.axes();
+    let [x, y] = unit(inputs.number(names::STA1));
+    let mut direction = [0.0; 3];
+    (direction[abscissa], direction[ordinate]) = (x, y);
+    let seen = control.direction_to_workpiece(direction);
+    let first = seen[ordinate].atan2(seen[abscissa]).to_degrees();
+    [first, first + inputs.number(names::INCA)]
+}
+
+/// In the directions of the edges, turned away from them, at the distances and at half of them (B:7984-7998).
+fn by_distances(inputs: &Inputs, control: &Control, start: Point) -> Vec<Touch> {
+    let outside = if OUTSIDE.holds(inputs) { 1.0 } else { -1.0 };
+    // outside the material lies between the edges
+    let apart = outside * inputs.number(names::INCA).signum();
+    let distances = [names::SETV0, names::SETV1].map(|name| inputs.number(name));
+    let mut touches = Vec::new();
+    for ((edge, distance), away) in edges(inputs, control)
+        .into_iter()
+        .zip(distances)
+        .zip([-apart, apart])
+    {
+        let way = unit(edge + TOLERANCE * away);
+        let (axis, direction) = paraxial(unit(edge - 90.0 * away));
+        let inner = distance * (2.0 * TOLERANCE).to_radians().tan();
+        for part in [0.5, 1.0] {
+            touches.push(Touch {
+                at: along(start, way, distance * part),
+                axis,
+                direction,
+                path: inputs.number(names::FA).max(SHORTEST).max(inner),
+            });
+        }
+    }
+    touches
+}
+
+/// From the places given: across the line of a pair, outside to the side on which the other pair lies, inside away from it
+/// (B:8046-8050).
+fn by_points(inputs: &Inputs) -> Vec<Touch> {
+    let places = PLACES.map(|place| place.map(|name| inputs.number(name)));
+    let [p1, p2, p3, p4] = places;
+    let path = inputs.number(names::FA).max(SHORTEST);
+    let outside = if OUTSIDE.holds(inputs) { 1.0 } else { -1.0 };
+    let pair = |one: Point, two: Point, other: Point| {
+        let line = direction(one, two);
+        let side = across(line, away(one, other)).signum() * outside;
+        let (axis, direction) = paraxial([-line[1] * side, line[0] * side]);
+        [one, two].map(|at| Touch {
+            at,
+            axis,
+            direction,
+            path,
+        })
+    };
+    let middle = |a: Point, b: Point| [(a[0] + b[0]) / 2.0, (a[1] + b[1]) / 2.0];
+    let reference = pair(p1, p2, middle(p3, p4));
+    reference
+        .into_iter()
+        .chain(pair(p3, p4, middle(p1, p2)))
+        .collect()
+}
+
+/// The axis that a direction is nearest to, the abscissa between both, and the sign along it.
+fn paraxial(towards: Point) -> (usize, f64) {
+    let axis = if towards[1].abs() > towards[0].abs() + EQUAL {
+        1
+    } else {
+        0
+    };
+    (axis, towards[axis].signum())
+}
