@@ -661,3 +661,9 @@ machine-field-tpw = Tool probe { $number }, workpiece coordinates
 machine-field-kb = Gauging block { $number }
 machine-field-ev = Memory { $number }
 machine-field-mv = Memory { $number }
+
+machine-user-programs = User programs around a measurement
+user-program-before = At the beginning of every measuring cycle
+    .help = For what has to happen before a measurement, such as switching the probe on. As delivered it only jumps to a label for each cycle (_M977) with M17 behind it: your blocks go between. When the program text holds a CYCLE198, the simulation runs it from that label.
+user-program-behind = When the measurement is complete
+    .help = For what has to happen after a measurement, such as switching the probe off. It is made like CYCLE198, and called after the measurements in JOG too.

@@ -658,3 +658,9 @@ machine-field-tpw = 刀具测量头 { $number }，工件坐标
 machine-field-kb = 量块 { $number }
 machine-field-ev = 存储器 { $number }
 machine-field-mv = 存储器 { $number }
+
+machine-user-programs = 测量前后的用户程序
+user-program-before = 在每个测量循环开始时
+    .help = 用于测量之前的动作，例如接通测量头。交付状态下它只跳转到各循环的标记（_M977），其后是 M17：您的程序段写在两者之间。程序文本中有 CYCLE198 时，模拟从该标记开始运行它。
+user-program-behind = 测量完成时
+    .help = 用于测量之后的动作，例如断开测量头。其结构与 CYCLE198 相同，JOG 中测量之后也会调用。

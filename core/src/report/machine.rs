@@ -5,6 +5,7 @@ use crate::catalogue::Range;
 use crate::control::gud::{self, Block, Element, Gud, Initial, Kind, Subject, System, Unit};
 use crate::control::machine_data::{MACHINE_DATA, MachineDatum};
 use crate::message::Message;
+use crate::run::user_program;
 use crate::support;
 use crate::words::Words;
 
@@ -20,6 +21,7 @@ pub fn page(words: &Words) -> String {
         user_data(&mut text, subject, words);
     }
     machine_data(&mut text, words);
+    user_programs(&mut text, words);
     while text.ends_with("\n\n") {
         text.pop();
     }
@@ -199,6 +201,21 @@ fn machine_cells(datum: &MachineDatum, words: &Words) -> [String; 10] {
         taken.join(", "),
         datum.source.to_owned(),
     ]
+}
+
+/// Programs of the machine's user around each measurement.
+fn user_programs(text: &mut String, words: &Words) {
+    let columns = ["name", "called", "source"];
+    heading(text, &words.key("machine-user-programs"), &columns);
+    for program in user_program::ALL {
+        let cells = [
+            format!("`{}`", program.name),
+            meaning(program.key, &[], words),
+            program.source.to_owned(),
+        ];
+        row(text, &cells);
+    }
+    text.push('\n');
 }
 
 #[cfg(test)]

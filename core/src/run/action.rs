@@ -6,7 +6,7 @@ use super::statement::{self, Call, Words};
 use super::trace::Step;
 use super::{
     Machine, Stop, addresses, cycle, environment, frame, gcode, listed, motion, names, repeat,
-    set_alarm, subprogram, swivel, tool, words,
+    set_alarm, subprogram, swivel, tool, user_program, words,
 };
 use crate::catalogue::{self, Dialect};
 use crate::diagnostic::Severity;
@@ -151,6 +151,8 @@ fn carry_out(
     } else if let Some(unit) = run.programs.named(name).cloned() {
         let entered = subprogram::enter(run, at, call, &unit, passes);
         return entered.map(Some).map_err(|problem| run.fail(problem));
+    } else if user_program::delivered(name) {
+        // empty as delivered
     } else if is_subprogram(name) || run.programs.external.contains(name) {
         run.tell(
             Severity::Warning,

@@ -3,7 +3,7 @@
 use super::interpret::Interpreter;
 use super::problem::Problem;
 use super::statement::Words;
-use super::{Stop, call};
+use super::{Stop, call, user_program};
 use crate::catalogue::{Cycle, Kind, ProbeUse, nct};
 use crate::check::{self, Typed};
 use crate::control::Value;
@@ -86,7 +86,9 @@ pub fn checked(
             run.tell(Severity::Warning, &problem);
             return Ok(());
         }
-        return call::perform(&mut run.sim, inputs).map_err(|stop| run.stopped(stop, span));
+        user_program::around(run, &user_program::BEFORE, cycle, span)?;
+        call::perform(&mut run.sim, inputs).map_err(|stop| run.stopped(stop, span))?;
+        return user_program::around(run, &user_program::BEHIND, cycle, span);
     }
     match code {
         Some(code) => call::alarm(&mut run.sim, code).map_err(|stop| run.stopped(stop, span)),

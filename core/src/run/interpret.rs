@@ -66,7 +66,9 @@ pub struct Interpreter {
     /// Work so far, in blocks; see [`Limits::steps`].
     pub work: usize,
     /// The block that comes next.
-    at: usize,
+    pub at: usize,
+    /// Work after which the run is given up.
+    pub limit: usize,
     seen: BTreeSet<(u32, String)>,
 }
 
@@ -95,7 +97,6 @@ pub fn run(program: &Program, setup: &Setup, limits: Limits) -> Outcome {
 pub struct Session {
     run: Interpreter,
     before: Setup,
-    limit: usize,
     ended: Option<Result<(), Stop>>,
 }
 
@@ -116,7 +117,6 @@ impl Session {
         Session {
             run: Interpreter::new(program, setup, limits),
             before: setup.clone(),
-            limit: limits.steps,
             ended: None,
         }
     }
@@ -125,7 +125,7 @@ impl Session {
     pub fn advance(&mut self, work: usize) -> bool {
         let until = self.run.work.saturating_add(work);
         while self.ended.is_none() && self.run.work < until {
-            self.ended = one_block(&mut self.run, self.limit).transpose();
+            self.ended = one_block(&mut self.run).transpose();
         }
         self.ended.is_some()
     }
@@ -135,7 +135,7 @@ impl Session {
         Progress {
             line: self.run.at,
             work: self.run.work,
-            limit: self.limit,
+            limit: self.run.limit,
         }
     }
 
@@ -155,7 +155,8 @@ impl Session {
 }
 
 /// Carries out the block that comes next; some: that was the end.
-fn one_block(run: &mut Interpreter, limit: usize) -> Result<Option<()>, Stop> {
+pub fn one_block(run: &mut Interpreter) -> Result<Option<()>, Stop> {
+    let limit = run.limit;
     let at = run.at;
     let span = run.program.blocks.get(at).map(|block| block.span);
     if run.work >= limit {
@@ -212,6 +213,7 @@ impl Interpreter {
             programs,
             depth: limits.depth,
             work: 0,
+            limit: limits.steps,
             seen: BTreeSet::new(),
             program: Rc::new(program),
         }

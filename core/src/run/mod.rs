@@ -38,6 +38,7 @@ mod texts;
 pub mod tool;
 pub mod trace;
 pub mod types;
+pub mod user_program;
 mod words;
 
 pub use interpret::{Limits, Progress, Session, run};
