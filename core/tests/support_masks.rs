@@ -344,6 +344,18 @@ fn the_second_entry_limits_the_targets() {
     }
 }
 
+// oracle: manual B:2009-2029 (five digits of the edge), B:12503
+#[test]
+fn flat_edges_have_the_same_choice() {
+    let mut control = with(1, 0);
+    control.set("MD18102", 1.0);
+    let values = typed("_MVAR=1 _SETVAL=50 _KNUM=1212345 _TNUM=1");
+    let text = code("CYCLE977", &values, &control);
+    assert!(has(&text, "_KNUM=212345"), "{text}");
+    let kinds = numbers(entry("CYCLE977", &values, &control, "_KNUM"));
+    assert_eq!(kinds, [2]);
+}
+
 /// The manual's sample, repaired as in the tables: B:12414-12423, A:13686-13701.
 const SAMPLE: &str = "_MVAR=1001 _SETVAL=100.000 _PRNUM=101
     _KNUM=2002 _FA=2 _TSA=0.23

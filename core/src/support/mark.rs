@@ -79,3 +79,28 @@ fn changed(names: impl Iterator<Item = String>, before: &[f64], now: &[f64]) -> 
         .map(|(name, (before, now))| (name, *before, *now))
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalogue::Dialect;
+    use crate::control::delivery;
+
+    // oracle: hand
+    #[test]
+    fn it_is_read_as_it_was_written_and_nothing_else_is() {
+        let mark = Mark::of(&delivery(Dialect::Sinumerik));
+        assert_eq!(Mark::read(&mark.text()).as_ref(), Some(&mark));
+        for other in [
+            "",
+            ";",
+            "; _MZ_MASK[0]=1 generated",
+            "; _MZ_MASK=1,0,0 MD18102=0 MD18080=256",
+            "; _MZ_MASK=1,0,0,0,0,0,0,x MD18102=0 MD18080=256",
+            "; _MZ_MASK=1,0,0,0,0,0,0,0 MD18102=0",
+            "; _MZ_MASK=1,0,0,0,0,0,0,inf MD18102=0 MD18080=256",
+        ] {
+            assert_eq!(Mark::read(other), None, "{other}");
+        }
+    }
+}
