@@ -26,11 +26,11 @@ advice-frame-hint = 请在调用之后再次编程 { $frame }。
 advice-level = 调用位于第 { $level } 程序级；测量循环只能在前五级运行。
 advice-level-hint = 请在更接近主程序的程序中调用。
 
-advice-read-back = 由控制系统的编程支持反编译后，此调用会变成另一个调用：{ $changes }。
+advice-read-back = 被控制系统的测量循环支持读回时，此调用会变成另一个：{ $changes }。
 advice-read-back-hint = 这些值来自机床的 _MZ_MASK。请现在就采用；若程序中的值正确，请修改该设置。
 advice-read-back-cure = 采用 _MZ_MASK 给出的值
 advice-mask = 编写此调用时设置不同：{ $changes }。
-advice-mask-hint = 控制系统一反编译此调用，由此产生的改动就会写进程序。
+advice-mask-hint = 控制系统一读回此调用，由此产生的改动就会写进程序。
 advice-mask-cure = 注明此机床的设置
-advice-tool-programming = 控制系统不能把此调用反编译成表格：编写之后 { $changes }。
+advice-tool-programming = 控制系统不能把此调用读回到画面中：编写之后 { $changes }。
 advice-tool-programming-hint = 请用表格重新编写此调用，并检查刀具号和 D 号：它们现在的编程方式不同。
