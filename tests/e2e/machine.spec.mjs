@@ -5,6 +5,8 @@ import { open, packages, shared } from "./browser.mjs";
 
 const axe = packages.resolve("axe-core/axe.min.js");
 
+const PROGRAM = "G17 G54 G40 D1\nT1 D1\nM5\n_MVAR=1 _SETVAL=132 _TUL=0.03 _TLL=-0.03 _TNUM=20 _KNUM=2001 _TSA=1 _PRNUM=1 _VMS=200 _FA=2\nCYCLE977\n";
+
 /** The dialog, opened from the header. */
 async function dialog(page) {
   const button = page.getByRole("button", { name: "Machine", exact: true });
@@ -68,6 +70,9 @@ describe("machine data", () => {
       await shown.locator(".datum select").selectOption(value);
       await shown.getByRole("button", { name: "Done" }).click();
     };
+    const problem = (text) => page.locator(".problem", { hasText: text }).first();
+    await page.locator(".panel-program input[type=file]").setInputFiles({ name: "part.mpf", mimeType: "text/plain", buffer: Buffer.from(PROGRAM) });
+    await page.locator(".call-row").first().click();
     await field("_VMS").waitFor();
     await set("_MZ_MASK[1]", "1");
     await field("_VMS").waitFor(); // nothing changes for who did not choose it
@@ -77,14 +82,17 @@ describe("machine data", () => {
     assert.match(await snippet.textContent(), /^; _MZ_MASK=1,1,0,0,0,0,0,0 MD18102=0 MD18080=256$/m);
     assert.match(await snippet.textContent(), /_VMS=0 _NMSP=1/);
     assert.match(await snippet.textContent(), /_CHBIT\[4\]=0 _TMV=\S+ _K=1 _EVNUM=0/);
+    await page.locator("#tab-problems").click();
+    await problem("_VMS=200 → 0").waitFor();
+    await problem("_VMS=200 → 0").locator(".cure").click();
+    await problem("_VMS=200 → 0").waitFor({ state: "detached" });
     await page.getByRole("button", { name: "Insert at cursor" }).click();
-    await page.locator(".call-row").first().waitFor();
+    await page.locator(".call-row").nth(1).waitFor();
     await set("_MZ_MASK[4]", "1");
     await field("_EVNUM").waitFor();
     assert.match(await snippet.textContent(), /_CHBIT\[4\]=1/);
-    await page.locator("#tab-problems").click();
-    await page.locator('.problem-code:has-text("PW141")').first().waitFor();
-    await page.locator('.problem:has-text("_CHBIT[4]=0 → 1")').first().waitFor();
+    await problem("_MZ_MASK[4]: 0 → 1").waitFor();
+    await problem("_CHBIT[4]=0 → 1").waitFor();
     await set("_MZ_MASK[0]", "0");
     await page.locator('.snippet[data-style="indirect"]').waitFor();
     assert.match(await snippet.textContent(), /CYCLE_PARA\(/);
