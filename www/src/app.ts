@@ -27,9 +27,10 @@ const SAVE_AFTER = 200; // ms without a change
 const NOTICE_SHOWN = 4000; // ms
 const UNDO_SHOWN = 12_000; // ms; the key works longer
 
-/** The first that also shows what it does. */
+/** What shows most of what there is: the simulated measurement of a workpiece with the most variants. */
 function firstCycle(catalogue: Catalogue): CycleInfo | undefined {
-  return catalogue.cycles.find((cycle) => cycle.simulated) ?? catalogue.cycles[0];
+  const measured = catalogue.cycles.filter(({ simulated, purpose }) => simulated && purpose.probe === "workpiece" && !purpose.calibrates);
+  return measured.sort((a, b) => b.variants.length - a.variants.length)[0] ?? catalogue.cycles[0];
 }
 
 /** A worked measurement: the first cycle's example on a part that is a little too big, already written into the program. */
