@@ -39,7 +39,7 @@ fn own_programs() {
         let source = std::fs::read_to_string(folder.join("program.mpf")).unwrap();
         count += cases(&folder, &file, &source);
     }
-    assert!(count >= 27, "only {count} cases found");
+    assert!(count >= 33, "only {count} cases found");
 }
 
 #[test]
@@ -126,6 +126,10 @@ fn expect(name: &str, expected: &Value, outcome: &Outcome) {
     for (datum, value) in members(&expected["data"]) {
         let found = outcome.control.number(&datum);
         close(name, &datum, found, value.as_f64().unwrap());
+    }
+    for (datum, value) in members(&expected["written"]) {
+        let found = outcome.written().get(datum.as_str()).copied();
+        close(name, &datum, found.unwrap(), value.as_f64().unwrap());
     }
     for (variable, value) in members(&expected["variables"]) {
         let found = outcome.control.variable(&variable).unwrap_or_default();

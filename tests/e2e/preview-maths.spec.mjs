@@ -110,6 +110,16 @@ test("a part stands as the last rotary axis before left it", () => {
   assert.deepEqual([-1, 0, 1, 2, 9].map((index) => scene.standing(trace, index) === turned), [false, false, true, true, true]);
 });
 
+// oracle: hand (nothing is touched and nothing moves: both origins with 20 mm around them)
+test("coordinate systems alone are seen whole", () => {
+  const axes = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+  const frames = [{ name: "MCS", at: [0, 0, 0], axes }, { name: "G54", at: [300, -40, 5], axes }];
+  const { box } = scene.buildScene({ ...demo.shapes, solids: [], frames }, colours.LIGHT);
+  near(box.min, [-20, -60, -20]);
+  near(box.max, [320, 20, 25]);
+  near(scene.buildScene({ ...demo.shapes, solids: [], frames: [] }, colours.LIGHT).box.max, [20, 20, 20]);
+});
+
 // oracle: hand (diameter 40 + 0.2 + 0.01 × depth 10 = 40.3; lobe amplitude 0.5 at the angle 0)
 test("errors of a part are where they belong", () => {
   const errors = { shift: [0, 0, 0], size: 0.2, tilt: [0, 0, 0], taper: 0.01, outOfRound: [0.5, 3] };

@@ -27,4 +27,9 @@ need-119-corrected = A frame is corrected, so that a limit is needed.
 
 result-119-alarm = 0, or the number of the alarm that says why there is no frame
 result-119-distortion = Sum of the deviations of the three points; below 0: no frame was computed
-result-119-frame = Frame that brings the measured triangle into the set position, chained to the active one
+result-119-frame-x = Frame that brings the measured triangle into the set position, chained to the active one: translation X
+result-119-frame-y = The same frame: translation Y
+result-119-frame-z = The same frame: translation Z
+result-119-turn-x = The same frame: rotation about X
+result-119-turn-y = The same frame: rotation about Y
+result-119-turn-z = The same frame: rotation about Z

@@ -13,3 +13,4 @@ evaluate-halt = Programmed stop (M0): the operator continues with NC START.
 evaluate-activated = The corrected frame is active at once.
 evaluate-not-activated = The corrected frame becomes active when the program calls it again (G54, G500 …).
 evaluate-distortion = The measured triangle differs from the set one by { $distortion } mm; below { $limit } mm the frame is corrected.
+evaluate-handed-back = There is no result: { $name } becomes { $alarm }, and the program goes on.

@@ -27,4 +27,9 @@ need-119-corrected = 要校正框架，因此需要极限值。
 
 result-119-alarm = 0，或说明为何没有框架的报警号
 result-119-distortion = 三个点的偏差之和；小于 0：未计算出框架
-result-119-frame = 与有效框架相连后，把测得的三角形带到额定位置的框架
+result-119-frame-x = 与有效框架相连后，把测得的三角形带到额定位置的框架：X 平移
+result-119-frame-y = 同一框架：Y 平移
+result-119-frame-z = 同一框架：Z 平移
+result-119-turn-x = 同一框架：绕 X 旋转
+result-119-turn-y = 同一框架：绕 Y 旋转
+result-119-turn-z = 同一框架：绕 Z 旋转

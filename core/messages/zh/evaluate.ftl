@@ -14,3 +14,4 @@ evaluate-halt = 编程停止（M0）：操作者按 NC START 继续。
 evaluate-activated = 补偿后的坐标框架立即生效。
 evaluate-not-activated = 补偿后的坐标框架在程序再次调用它（G54、G500 …）时生效。
 evaluate-distortion = 测得的三角形与设定三角形相差 { $distortion } mm；小于 { $limit } mm 时才补偿坐标框架。
+evaluate-handed-back = 没有结果：{ $name } 变为 { $alarm }，程序继续。

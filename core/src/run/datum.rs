@@ -50,6 +50,14 @@ impl Datum {
         }
     }
 
+    /// As it is shown, but a number with all of its digits.
+    pub fn exact(&self) -> String {
+        match self {
+            Datum::Number(value) => value.to_string(),
+            other => other.shown(),
+        }
+    }
+
     /// As user data hold it.
     pub fn value(&self) -> Option<Value> {
         match self {

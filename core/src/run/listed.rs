@@ -3,7 +3,7 @@
 use super::datum::Datum;
 use super::interpret::Interpreter;
 use super::statement::Call;
-use super::{Stop, cycle};
+use super::{Stop, cycle, helper};
 use crate::catalogue::{Arg, ArgumentList, Cycle, Dialect, Kind, Style, list};
 use crate::check::Typed;
 use crate::control::Value;
@@ -21,12 +21,16 @@ pub fn call(run: &mut Interpreter, call: &Call) -> Result<bool, Stop> {
     let Some((cycle, list)) = list::called(Dialect::Sinumerik, &call.name, number) else {
         return Ok(false);
     };
+    if helper::takes_variables(list) {
+        helper::call(run, cycle, list, call)?;
+        return Ok(true);
+    }
     let values = values(cycle, list, call);
     if list.style == Style::Operate {
         let typed: Typed = values
             .iter()
             .filter_map(|(name, value)| {
-                Some(((*name).to_owned(), Datum::from(value.as_ref()?).shown()))
+                Some(((*name).to_owned(), Datum::from(value.as_ref()?).exact()))
             })
             .collect();
         cycle::checked(run, cycle, &typed, call.span)?;

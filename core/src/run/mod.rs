@@ -14,6 +14,7 @@ pub mod flow;
 pub mod frame;
 pub mod function;
 pub mod gcode;
+mod helper;
 pub mod interpret;
 pub mod level;
 mod listed;

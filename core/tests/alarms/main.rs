@@ -10,6 +10,7 @@ mod cycle979;
 mod cycle997;
 mod cycle998;
 mod found;
+mod helpers;
 mod nct;
 mod table;
 mod workpiece;
@@ -24,6 +25,8 @@ use table::{Case, Table};
 /// The cases of a cycle.
 fn table(name: &str) -> Table {
     match name {
+        "CYCLE116" => helpers::cycle116(),
+        "CYCLE119" => helpers::cycle119(),
         "CYCLE961" => cycle961::table(),
         "CYCLE976" => cycle976::table(),
         "CYCLE977" => cycle977::table(),

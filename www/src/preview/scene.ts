@@ -51,7 +51,9 @@ export function buildScene(trace: Trace, colours: Colours, exaggeration = 1, sol
   return { trace, colours, mesh: all, solidCorners, lines, labels: frames.labels, box, origin: centre(box), radius: reach(box, lines, trace) };
 }
 
-/** Parts, paths and the origins of coordinate systems near them. */
+const ALONE = 20; // room around coordinate systems where there is nothing else, mm
+
+/** Parts, paths and the origins of coordinate systems near them; all of those where nothing else is there. */
 function around(trace: Trace, solids: Box | null): Box {
   let box = solids && boxCorners(solids).reduce(include, null as Box | null);
   const r = trace.ball.radius;
@@ -61,8 +63,10 @@ function around(trace: Trace, solids: Box | null): Box {
       box = include(include(box, [x - r, y - r, z - r]), [x + r, y + r, z + r]);
     }
   }
-  for (const { at } of trace.frames) if (!box || near(box, at)) box = include(box, at);
-  return box ?? { min: [-20, -20, -20], max: [20, 20, 20] };
+  if (!box) return trace.frames.flatMap(({ at: [x, y, z] }): Vec3[] => [[x - ALONE, y - ALONE, z - ALONE], [x + ALONE, y + ALONE, z + ALONE]])
+    .reduce(include, null as Box | null) ?? { min: [-ALONE, -ALONE, -ALONE], max: [ALONE, ALONE, ALONE] };
+  for (const { at } of trace.frames) if (near(box, at)) box = include(box, at);
+  return box;
 }
 
 /** Not farther away than the box is large. */

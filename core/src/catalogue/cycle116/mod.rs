@@ -2,13 +2,16 @@
 //! program calls it with variables of its own.
 
 mod params;
+mod simulate;
+#[cfg(test)]
+mod simulation_tests;
 #[cfg(test)]
 mod tests;
 
 use super::common::{alarms, integer};
 use super::{
     Arg, ArgumentList, Cycle, Dialect, Drawing, MachineSort, NEVER, ProbeUse, Purpose, ResultField,
-    Style, Unit, Variant, When,
+    Simulation, Style, Unit, Variant, When, Work,
 };
 use crate::check::{Finding, Inputs, error};
 use crate::control::Control;
@@ -64,7 +67,13 @@ pub static CYCLE116: Cycle = Cycle {
         ("_DATE[5]", "0"),
         ("_DATE[6]", "-10"),
     ],
-    simulation: None,
+    simulation: Some(Simulation::new(
+        Work {
+            propose: simulate::propose,
+            simulate: simulate::simulate,
+        },
+        &[],
+    )),
     source: "B:2408-2469",
 };
 

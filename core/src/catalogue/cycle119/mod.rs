@@ -5,13 +5,16 @@
 mod checks;
 mod params;
 mod picture;
+mod simulate;
+#[cfg(test)]
+mod simulation_tests;
 #[cfg(test)]
 mod tests;
 
 use super::common::{alarms, integer};
 use super::{
     Arg, ArgumentList, Cycle, Dialect, Drawing, MachineSort, NEVER, ProbeUse, Purpose, ResultField,
-    Style, Unit, Variant, When,
+    Simulation, Style, Unit, Variant, When, Work,
 };
 
 /// The cycle.
@@ -56,12 +59,17 @@ pub static CYCLE119: Cycle = Cycle {
             unit: Unit::ActiveLength,
             source: "B:8581;A:9416",
         },
-        integer("_REFRAME", "result-119-frame", When::Always, "B:8584"),
+        translation("_REFRAME[X,TR]", "result-119-frame-x"),
+        translation("_REFRAME[Y,TR]", "result-119-frame-y"),
+        translation("_REFRAME[Z,TR]", "result-119-frame-z"),
+        rotation("_REFRAME[X,RT]", "result-119-turn-x"),
+        rotation("_REFRAME[Y,RT]", "result-119-turn-y"),
+        rotation("_REFRAME[Z,RT]", "result-119-turn-z"),
     ],
     alarms: &[&alarms([61321, 61411, 61412, 61414])], // A:15862, A:15930-15933
     checks: checks::checks,
     picture: Drawing::new(picture::picture),
-    // the example of the manual, B:8600-8622
+    // the example of the manual, B:8600-8622; its active frame is G54, which a form without a program has to name
     example: &[
         ("_SETPOINT[0,0]", "10"),
         ("_SETPOINT[0,1]", "0"),
@@ -81,9 +89,35 @@ pub static CYCLE119: Cycle = Cycle {
         ("_MEASPOINT[2,0]", "1"),
         ("_MEASPOINT[2,1]", "0"),
         ("_MEASPOINT[2,2]", "30"),
-        ("_COR", "9999"),
+        ("_COR", "1"),
         ("_RESLIM", "1.2"),
     ],
-    simulation: None,
+    simulation: Some(Simulation::new(
+        Work {
+            propose: simulate::propose,
+            simulate: simulate::simulate,
+        },
+        &[],
+    )),
     source: "B:8541-8622",
 };
+
+/// Translation of the result frame.
+const fn translation(name: &'static str, key: &'static str) -> ResultField {
+    ResultField {
+        unit: Unit::ActiveLength,
+        ..component(name, key)
+    }
+}
+
+/// Rotation of the result frame about an axis.
+const fn rotation(name: &'static str, key: &'static str) -> ResultField {
+    ResultField {
+        unit: Unit::Degree,
+        ..component(name, key)
+    }
+}
+
+const fn component(name: &'static str, key: &'static str) -> ResultField {
+    integer(name, key, When::Always, "B:8584")
+}

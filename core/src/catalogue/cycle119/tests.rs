@@ -73,19 +73,19 @@ fn the_picture_shows_both_triangles() {
     }
 }
 
-// oracle: manual B:8600-8622 (the example, with arrays of its own names)
+// oracle: manual B:8600-8622 (the example, with arrays of its own names, and G54 by its number)
 #[test]
 fn the_example_of_the_manual_is_read_and_written() {
     let text =
         b"DEF REAL SOLL[3,3], IST[3,3]\nDEF REAL RES, RESLIMIT\nDEF INT ALARM\nDEF FRAME REFRAME\n\
         SOLL[0,0]=SET(10,0,0)\nSOLL[1,0]=SET(0,20,0)\nSOLL[2,0]=SET(0,0,30)\n\
         IST[0,0]=SET(11,0,0)\nIST[1,0]=SET(1,20,0)\nIST[2,0]=SET(1,0,30)\n\
-        CYCLE119(SOLL,IST,ALARM,RES,REFRAME,9999,1.2)\nM2\n";
+        CYCLE119(SOLL,IST,ALARM,RES,REFRAME,1,1.2)\nM2\n";
     let found = calls(&read(Dialect::Sinumerik, text));
     assert_eq!(found[0].values, typed(&[]));
     let control = delivery(Dialect::Sinumerik);
     let written = snippet(&CYCLE119, &typed(&[]), &control, Style::Direct, None).text;
-    let call = "CYCLE119(_SETPOINT,_MEASPOINT,_ALARM,_RES,_REFRAME,9999,1.2)\n";
+    let call = "CYCLE119(_SETPOINT,_MEASPOINT,_ALARM,_RES,_REFRAME,1,1.2)\n";
     assert!(written.ends_with(call), "{written}");
     let again = calls(&read(Dialect::Sinumerik, written.as_bytes()));
     assert_eq!(again[0].values, typed(&[]));

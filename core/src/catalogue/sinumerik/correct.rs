@@ -73,15 +73,7 @@ pub fn position(
     motion: &IsometryMatrix3<f64>,
     set: [f64; 3],
 ) {
-    let control = machine.control();
-    let turn = zero_offset::seen_turn(control, target, &motion.rotation);
-    let rotation = zero_offset::rotation(control, target, &turn);
-    let measured = zero_offset::Measured {
-        actual: motion.transform_point(&set.into()).into(),
-        set,
-        axes: [true; 3],
-    };
-    let writes = zero_offset::placed(control, target, rotation, &measured);
+    let writes = zero_offset::moved(machine.control(), target, motion, set);
     frame(machine, target, &writes);
 }
 

@@ -2,6 +2,7 @@
 
 use crate::catalogue::{Unit, names};
 use crate::check::Inputs;
+use crate::message::Message;
 use crate::run::{Machine, trace::Step};
 
 /// Writes a datum and records it.
@@ -18,8 +19,24 @@ pub fn set(machine: &mut dyn Machine, name: &str, value: f64) {
 
 /// Writes a length (mm) into `_OVR[index]`, in the active system of units.
 pub fn length(machine: &mut dyn Machine, index: usize, millimetres: f64) {
+    named_length(machine, &format!("_OVR[{index}]"), millimetres);
+}
+
+/// Writes a length (mm) into a datum, in the active system of units.
+pub fn named_length(machine: &mut dyn Machine, name: &str, millimetres: f64) {
     let value = millimetres / machine.control().active_factor();
-    set(machine, &format!("_OVR[{index}]"), value);
+    set(machine, name, value);
+}
+
+/// Writes the number of the alarm that a helper cycle hands back instead of raising it; 0: all went well.
+pub fn hand_back(machine: &mut dyn Machine, name: &str, alarm: Option<u32>) {
+    let number = f64::from(alarm.unwrap_or(0));
+    set(machine, name, number);
+    if alarm.is_some() {
+        let message = Message::new("evaluate-handed-back");
+        let message = message.number("alarm", number).text("name", name);
+        machine.record(Step::Decision(message));
+    }
 }
 
 /// Writes an angle (degree) into `_OVR[index]`.

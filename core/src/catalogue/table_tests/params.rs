@@ -3,6 +3,7 @@
 use super::super::*;
 use super::cells::with_condition;
 use super::conditions::{level, met};
+use super::results::row_name;
 use super::{covers, of_the_call, refused, rows, tabled};
 use crate::check::Inputs;
 use crate::diagnostic::Code;
@@ -39,7 +40,8 @@ fn parameters_are_those_of_the_table() {
 
 /// What a helper cycle hands back stands among the parameters too; it is compared with the results.
 fn is_result(cycle: &Cycle, name: &str) -> bool {
-    cycle.purpose.probe == ProbeUse::None && cycle.results.iter().any(|field| field.name == name)
+    cycle.purpose.probe == ProbeUse::None
+        && cycle.results.iter().any(|field| row_name(field) == name)
 }
 
 /// `_CHBIT[2], _SPEED[0..2]` → four names; a comma inside of an index separates nothing.

@@ -5,7 +5,7 @@
 mod tests;
 mod turn;
 
-pub use turn::{placed, rotary, rotation, seen, seen_turn, turned};
+pub use turn::{moved, placed, rotary, rotation, seen, seen_turn, turned};
 
 use super::Write;
 use super::knum::{self, ZeroCode};

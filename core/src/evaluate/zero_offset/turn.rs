@@ -6,7 +6,7 @@ use crate::control::variables::AXES;
 use crate::control::{Control, Frame};
 use crate::evaluate::Write;
 use crate::geometry::rigid;
-use nalgebra::{Rotation3, Vector3};
+use nalgebra::{IsometryMatrix3, Rotation3, Vector3};
 
 /// Two angles closer than this, degree, are the same: what is left of sines and cosines is no correction.
 const SAME: f64 = 1e-12;
@@ -83,6 +83,27 @@ pub fn rotary(control: &Control, target: &Target, axis: usize, angle: f64) -> Ve
     let erased = with(stored.rotary_fine, 0.0);
     writes.extend(part(target, &ROTARY, "FI", erased, stored.rotary_fine));
     writes
+}
+
+/// What turns and moves a frame so that what lies where `motion` takes it from its set position has the set coordinates
+/// (B:8411); X Y Z of the present WCS, mm. `set` is one of those positions.
+pub fn moved(
+    control: &Control,
+    target: &Target,
+    motion: &IsometryMatrix3<f64>,
+    set: [f64; 3],
+) -> Vec<Write> {
+    let rotation = rotation(
+        control,
+        target,
+        &seen_turn(control, target, &motion.rotation),
+    );
+    let measured = Measured {
+        actual: motion.transform_point(&set.into()).into(),
+        set,
+        axes: [true; 3],
+    };
+    placed(control, target, rotation, &measured)
 }
 
 /// From directions of the present WCS to those of the WCS with the frame as it is stored.

@@ -1,0 +1,81 @@
+//! What CYCLE119 computes, corrects and hands back (B:8541-8592). It stops no program.
+
+use super::checks::points;
+use super::params::{LIMIT, MEASURED, SET, TARGET};
+use crate::catalogue::Proposal;
+use crate::catalogue::sinumerik::{correct, results};
+use crate::check::Inputs;
+use crate::control::variables::AXES;
+use crate::control::{Control, Frame};
+use crate::evaluate::position::{NO_FRAME, Position, position};
+use crate::evaluate::zero_offset::{self, Store, Target};
+use crate::geometry::rigid::angles;
+use crate::run::{Machine, Stop};
+
+/// What stands in `_RES` where no frame was computed (B:8582: below 0).
+const NONE: f64 = -1.0;
+
+/// The frame cannot take a rotation (B:1971).
+const NO_ROTATION: u32 = 61321;
+
+/// Nothing is touched.
+pub fn propose(_: &Inputs, _: &Control) -> Proposal {
+    Proposal::default()
+}
+
+/// Computes the frame between both triangles; where one is to be corrected and all is well, corrects it. The corrected
+/// frame becomes active when the program calls it again, 9999 included (B:8592).
+pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
+    let found = computed(machine.control(), inputs);
+    match &found {
+        Ok(position) => {
+            results::named_length(machine, "_RES", position.distortion);
+            frame(machine, position);
+        }
+        Err(_) => results::set(machine, "_RES", NONE),
+    }
+    let outcome = found.and_then(|position| corrected(machine, inputs, &position));
+    results::hand_back(machine, "_ALARM", outcome.err());
+    Ok(())
+}
+
+/// The position. Frames that scale are none that it can turn (B:8588).
+fn computed(control: &Control, inputs: &Inputs) -> Result<Position, u32> {
+    let (Some(set), Some(measured)) = (points(inputs, SET), points(inputs, MEASURED)) else {
+        return Err(NO_FRAME);
+    };
+    if control.chain().iter().any(Frame::scaled) {
+        return Err(NO_FRAME);
+    }
+    position(&set, &measured)
+}
+
+/// Corrects the frame that `_COR` names, if the distortion is below its limit (B:8566-8576).
+fn corrected(machine: &mut dyn Machine, inputs: &Inputs, position: &Position) -> Result<(), u32> {
+    let control = machine.control();
+    let Some(target) = zero_offset::target(control, inputs.integer(TARGET))? else {
+        return Ok(());
+    };
+    if let Store::GlobalBasic(_) = target.store {
+        return Err(NO_ROTATION);
+    }
+    position.within(inputs.number(LIMIT))?;
+    let target = Target {
+        activate: false,
+        ..target
+    };
+    let set = SET[0].map(|name| inputs.number(name));
+    let writes = zero_offset::moved(control, &target, &position.motion, set);
+    correct::write(machine, &writes);
+    Ok(())
+}
+
+/// The difference frame: chained to the active one, the measured points have the set coordinates (B:8584).
+fn frame(machine: &mut dyn Machine, position: &Position) {
+    let turn = angles(&position.motion.rotation);
+    for (axis, letter) in AXES.into_iter().enumerate() {
+        let way = position.motion.translation.vector[axis];
+        results::named_length(machine, &format!("_REFRAME[{letter},TR]"), way);
+        results::set(machine, &format!("_REFRAME[{letter},RT]"), turn[axis]);
+    }
+}
