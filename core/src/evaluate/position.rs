@@ -1,10 +1,14 @@
 //! Position in space from three points: what CYCLE119 computes, and CYCLE997 for three spheres (B:8541-8592).
 
+use super::zero_offset::{Store, Target, rigid};
+use crate::control::Control;
 use crate::geometry::{V3, fit, triangle};
 use nalgebra::IsometryMatrix3;
 
 /// Set points cannot be brought onto measured ones (A:15930).
 pub const NO_FRAME: u32 = 61411;
+/// The frame takes no rotation (B:1971, B:8415).
+pub const NO_ROTATION: u32 = 61321;
 /// The measured triangle is not the set one (A:15933).
 pub const DISTORTED: u32 = 61414;
 
@@ -15,6 +19,16 @@ pub struct Position {
     pub motion: IsometryMatrix3<f64>,
     /// Sum of the distances that are left between them, mm (B:8581-8583).
     pub distortion: f64,
+}
+
+/// Refuses a frame that cannot be brought into position: a global basic frame, or one with a mirror or a scale factor,
+/// its own or of the frames in effect (B:8405-8415, B:8588). Error: number of the alarm.
+pub fn correctable(control: &Control, target: &Target) -> Result<(), u32> {
+    match target.store {
+        Store::GlobalBasic(_) => Err(NO_ROTATION),
+        _ if rigid(control, target) => Ok(()),
+        _ => Err(NO_FRAME),
+    }
 }
 
 /// The nearest motion from set to measured points. Error: number of the alarm.

@@ -5,18 +5,15 @@ use super::params::{LIMIT, MEASURED, SET, TARGET};
 use crate::catalogue::Proposal;
 use crate::catalogue::sinumerik::{correct, results};
 use crate::check::Inputs;
+use crate::control::Control;
 use crate::control::variables::AXES;
-use crate::control::{Control, Frame};
-use crate::evaluate::position::{NO_FRAME, Position, position};
-use crate::evaluate::zero_offset::{self, Store, Target};
+use crate::evaluate::position::{NO_FRAME, Position, correctable, position};
+use crate::evaluate::zero_offset::{self, Target};
 use crate::geometry::rigid::angles;
 use crate::run::{Machine, Stop};
 
 /// What stands in `_RES` where no frame was computed (B:8582: below 0).
 const NONE: f64 = -1.0;
-
-/// The frame cannot take a rotation (B:1971).
-const NO_ROTATION: u32 = 61321;
 
 /// Nothing is touched.
 pub fn propose(_: &Inputs, _: &Control) -> Proposal {
@@ -26,7 +23,7 @@ pub fn propose(_: &Inputs, _: &Control) -> Proposal {
 /// Computes the frame between both triangles; where one is to be corrected and all is well, corrects it. The corrected
 /// frame becomes active when the program calls it again, 9999 included (B:8592).
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
-    let found = computed(machine.control(), inputs);
+    let found = computed(inputs);
     match &found {
         Ok(position) => {
             results::named_length(machine, "_RES", position.distortion);
@@ -39,14 +36,11 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     Ok(())
 }
 
-/// The position. Frames that scale are none that it can turn (B:8588).
-fn computed(control: &Control, inputs: &Inputs) -> Result<Position, u32> {
+/// The position.
+fn computed(inputs: &Inputs) -> Result<Position, u32> {
     let (Some(set), Some(measured)) = (points(inputs, SET), points(inputs, MEASURED)) else {
         return Err(NO_FRAME);
     };
-    if control.chain().iter().any(Frame::scaled) {
-        return Err(NO_FRAME);
-    }
     position(&set, &measured)
 }
 
@@ -56,9 +50,7 @@ fn corrected(machine: &mut dyn Machine, inputs: &Inputs, position: &Position) ->
     let Some(target) = zero_offset::target(control, inputs.integer(TARGET))? else {
         return Ok(());
     };
-    if let Store::GlobalBasic(_) = target.store {
-        return Err(NO_ROTATION);
-    }
+    correctable(control, &target)?;
     position.within(inputs.number(LIMIT))?;
     let target = Target {
         activate: false,

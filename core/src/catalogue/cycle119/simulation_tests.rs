@@ -159,7 +159,8 @@ fn what_is_wrong_is_handed_back() {
         ("", &SET, "1000,1", 61412.0, true),
         ("", &SET, "1051,1", 61321.0, true),
         ("", &SET, "1,0", 61414.0, true),
-        ("\nSCALE X2 Y2\n", &SET, "1,1", 61411.0, false),
+        ("\nSCALE X2 Y2\n", &SET, "1,1", 61411.0, true),
+        ("\nMIRROR X0\n", &SET, "1,1", 61411.0, true),
     ] {
         let outcome = called(&plain, before, set, &SET, last, "");
         assert_eq!(outcome.control.number("R1"), alarm, "{last}");

@@ -1,5 +1,6 @@
 //! What CYCLE997 does: sphere by sphere, then the frame (B:8341-8417).
 
+use super::params::THREE;
 use super::points::centres;
 use super::sphere::{Plan, Sphere};
 use crate::catalogue::names;
@@ -7,7 +8,7 @@ use crate::catalogue::place::in_plane;
 use crate::catalogue::sinumerik::measuring_block::Block;
 use crate::catalogue::sinumerik::{Next, alarm, correct, results, tolerance};
 use crate::check::Inputs;
-use crate::evaluate::position::position;
+use crate::evaluate::position::{correctable, position};
 use crate::evaluate::zero_offset::{Measured, Target};
 use crate::geometry::V3;
 use crate::message::Message;
@@ -22,6 +23,9 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     results::integer(machine, 12, 0);
     let block = Block::prepare(machine, inputs)?;
     let target = correct::zero_target(machine, inputs)?;
+    if let Some(target) = target.filter(|_| THREE.holds(inputs)) {
+        correctable(machine.control(), &target).map_err(|number| failed(machine, number))?;
+    }
     let refers_to_tip = machine.control().bit("_CBIT[14]");
     let plan = Plan {
         block: &block,

@@ -350,6 +350,32 @@ fn every_difference_is_watched_and_the_sphere_repeated() {
 }
 
 #[test]
+fn a_mirrored_frame_is_not_turned() {
+    // oracle: manual B:8405; the number is ours. One sphere may be measured and only moves the frame
+    let mirrored = |variant: i64| {
+        changed(variant, 1.0, |setup, _| {
+            setup.control.frames.entry(1).or_default().mirror[0] = true;
+            setup.control.activate(1);
+            setup
+                .workpiece
+                .solids
+                .iter_mut()
+                .for_each(|solid| solid.at[0] *= -1.0);
+            setup.position[0] *= -1.0;
+        })
+    };
+    let (sim, outcome) = mirrored(10_109);
+    assert_eq!(stopped(outcome), 61411);
+    assert!(
+        !sim.trace
+            .entries
+            .iter()
+            .any(|entry| matches!(entry.step, Step::Motion { .. }))
+    );
+    assert_eq!(mirrored(109).1, Ok(()));
+}
+
+#[test]
 fn points_on_no_circle_are_told() {
     // oracle: manual A:15857: the third point lies upon the first one
     let (sim, outcome) = changed(1109, 1.0, |_, inputs| {

@@ -83,6 +83,13 @@ fn last_basic(control: &Control) -> Result<Store, u32> {
     index.map(Store::ChannelBasic).ok_or(61412)
 }
 
+/// Whether a frame and those in effect with it only move and turn: no mirror, no scale factor.
+pub fn rigid(control: &Control, target: &Target) -> bool {
+    let own = stored(control, target.store);
+    let plain = |frame: &Frame| !frame.scaled() && frame.mirror == [false; 3];
+    plain(&own) && control.chain().iter().all(plain)
+}
+
 /// What was measured. Points X Y Z in the WCS that is active while measuring, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measured {
