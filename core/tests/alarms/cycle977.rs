@@ -45,6 +45,7 @@ fn own() -> Vec<Case> {
         case(62306, "", |setup| grown(setup, 2.5)),
         program(61321, "_MVAR=101 _KNUM=100"),
         program(61325, "_MVAR=3 _MA=3"),
+        program(61341, "_WP[0,1]=0 _WP[0,2]=0"),
         program(61334, "_MVAR=1001 _SZA=50 _ID=-10"),
         case(61372, "_CHBIT[13]=1", |setup| {
             setup.control.spindle_positions = false;

@@ -43,6 +43,7 @@ fn own() -> Vec<Case> {
         case(62305, "", |setup| shifted(setup, -0.7)),
         case(62306, "", |setup| shifted(setup, 2.5)),
         program(61321, "_MVAR=100 _KNUM=100"),
+        program(61341, "_WP[0,1]=0 _WP[0,2]=0"),
         program(61325, "_MA=4"),
         case(61372, "_MVAR=1000", |setup| {
             setup.control.spindle_positions = false;

@@ -46,8 +46,6 @@ fn grown(setup: &mut Setup, size: f64) {
 
 fn cases() -> Vec<Case> {
     let mut cases = workpiece::cases();
-    // at an angle the ball counts, not the trigger values (B:6873)
-    cases.retain(|case| case.code != program(61341, "").code);
     cases.extend([
         program(61302, "_SETVAL=80"),
         case(61303, "", |setup| grown(setup, 3.5)),
@@ -57,6 +55,7 @@ fn cases() -> Vec<Case> {
         case(62306, "", |setup| grown(setup, 2.5)),
         program(61316, "_INCA=180"),
         program(61321, "_MVAR=101 _KNUM=100"),
+        // at an angle the ball counts, not the trigger values (B:6873)
         program(61341, "_WP[0,0]=0"),
         program(61365, "_RF=0"),
         case(61372, "_CHBIT[13]=1", |setup| {

@@ -63,6 +63,7 @@ fn apart(setup: &mut Setup, way: f64) {
 
 fn own() -> Vec<Case> {
     vec![
+        workpiece::OTHER_PLANE,
         program(61302, "_SETVAL=36"),
         case(61303, "", |setup| apart(setup, 2.5)),
         case(62303, "_CBIT[0]=1 _CBIT[1]=1", |setup| apart(setup, 2.5)),

@@ -52,6 +52,7 @@ fn turned(setup: &mut Setup, angle: f64) {
 
 fn own() -> Vec<Case> {
     vec![
+        workpiece::OTHER_PLANE,
         program(61302, "_SETVAL=-44"),
         case(61303, "", |setup| turned(setup, 3.5)),
         case(62303, "_CBIT[0]=1 _CBIT[1]=1", |setup| turned(setup, 3.5)),

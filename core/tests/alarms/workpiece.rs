@@ -3,6 +3,7 @@
 use super::table::{Case, case, program};
 use probewright_core::catalogue::Dialect;
 use probewright_core::control::{Edge, Plane, Tool};
+use probewright_core::diagnostic::Code;
 use probewright_core::run::Setup;
 use probewright_core::workpiece::{PartErrors, Shape, Solid};
 
@@ -63,13 +64,17 @@ pub fn setup(shape: Shape, position: [f64; 3]) -> Setup {
     setup
 }
 
+/// Calibrated in another plane (B:13658-13667).
+pub const OTHER_PLANE: Case = Case {
+    code: Code::Alarm(61341),
+    change: "_WP[0,9]=18",
+    prepare: |_| (),
+};
+
 /// The cases that the cycles with tool offset share.
 pub fn cases() -> Vec<Case> {
     let mut cases = common();
-    cases.extend([
-        program(61318, "_K=0"),
-        program(61341, "_WP[0,1]=0 _WP[0,2]=0"),
-    ]);
+    cases.extend([program(61318, "_K=0"), OTHER_PLANE]);
     cases.extend(targets());
     cases
 }

@@ -38,9 +38,9 @@ pub static CYCLE997: Cycle = Cycle {
     alarms: &[
         common::EVERY_CYCLE,
         // A:15930-15933; 61316 of CYCLE116, which computes the circle (B:8361); 61321 for a frame that takes no rotation;
-        // 61401 as in the other cycles (A:15920)
+        // 61341 as B:13658 has it; 61401 as in the other cycles (A:15920)
         &common::alarms([
-            61316, 61321, 61325, 61327, 61401, 61411, 61412, 61413, 61414,
+            61316, 61321, 61325, 61327, 61341, 61401, 61411, 61412, 61413, 61414,
         ]),
     ],
     checks: checks::checks,

@@ -5,7 +5,7 @@ use super::points::centres;
 use super::sphere::{Plan, Sphere};
 use crate::catalogue::names;
 use crate::catalogue::place::in_plane;
-use crate::catalogue::sinumerik::measuring_block::Block;
+use crate::catalogue::sinumerik::measuring_block::{Block, same_calibration};
 use crate::catalogue::sinumerik::{Next, alarm, correct, results, tolerance};
 use crate::check::Inputs;
 use crate::evaluate::position::{correctable, position};
@@ -22,6 +22,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     results::integer(machine, 11, 0);
     results::integer(machine, 12, 0);
     let block = Block::prepare(machine, inputs)?;
+    same_calibration(machine, &block)?;
     let target = correct::zero_target(machine, inputs)?;
     if let Some(target) = target.filter(|_| THREE.holds(inputs)) {
         correctable(machine.control(), &target).map_err(|number| failed(machine, number))?;

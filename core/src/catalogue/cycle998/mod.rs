@@ -65,8 +65,9 @@ pub static CYCLE998: Cycle = Cycle {
     alarms: &[
         common::EVERY_CYCLE,
         common::CORRECTION,
-        // A:15866, A:15868, A:15872, A:15874, A:15908, A:15920; 61412 for _KNUM = 1000 without a basic frame (A:15931)
-        &common::alarms([61325, 61327, 61329, 61331, 61364, 61401, 61412]),
+        // A:15866, A:15868, A:15872, A:15874, A:15908, A:15920; 61341 as B:13658 has it; 61412 for _KNUM = 1000
+        // without a basic frame (A:15931)
+        &common::alarms([61325, 61327, 61329, 61331, 61341, 61364, 61401, 61412]),
     ],
     checks: checks::checks,
     picture: Drawing::new(picture::picture),

@@ -6,7 +6,7 @@ use super::correction::Correction;
 use super::params::{AT_ANGLE, DIFFERENTIAL};
 use crate::catalogue::names;
 use crate::catalogue::sinumerik::differential::twice;
-use crate::catalogue::sinumerik::measuring_block::{Block, Point, turnable};
+use crate::catalogue::sinumerik::measuring_block::{Block, Point, same_calibration, turnable};
 use crate::catalogue::sinumerik::{Next, alarm, results, tolerance};
 use crate::check::Inputs;
 use crate::evaluate::mean;
@@ -20,7 +20,9 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
         return Err(alarm(machine, 61325));
     };
     if DIFFERENTIAL.holds(inputs) {
-        turnable(machine)?;
+        turnable(machine)?; // a probe that was never calibrated will do
+    } else {
+        same_calibration(machine, &block)?;
     }
     let correction = Correction::prepare(machine, inputs)?;
     begin(machine, inputs);

@@ -357,6 +357,14 @@ pub fn turnable(machine: &mut dyn Machine) -> Result<(), Stop> {
     Err(alarm(machine, 61372))
 }
 
+/// Refuses a probe that was calibrated otherwise than it is used now (61341, B:13658-13667).
+pub fn same_calibration(machine: &mut dyn Machine, block: &Block) -> Result<(), Stop> {
+    if block.other {
+        return Err(alarm(machine, 61341));
+    }
+    Ok(())
+}
+
 /// Whether the triggers of this axis are there: they differ, and come from a calibration as the probe is used now
 /// (61341 otherwise, B:13565-13667).
 pub fn calibrated(block: &Block, axis: usize) -> bool {

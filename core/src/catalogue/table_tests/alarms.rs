@@ -12,6 +12,7 @@ const ADDED: &[Code] = &[
     Code::Alarm(61321),
     Code::Alarm(61326),
     Code::Alarm(61334),
+    Code::Alarm(61341),
     Code::Alarm(61351),
     Code::Alarm(61401),
     Code::Alarm(61412),
