@@ -135,6 +135,10 @@ fn expect(name: &str, expected: &Value, outcome: &Outcome) {
         let found = outcome.control.variable(&variable).unwrap_or_default();
         close(name, &variable, found, value.as_f64().unwrap());
     }
+    for (frame, origin) in members(&expected["origins"]) {
+        let found = outcome.control.frames[&frame.parse().unwrap()].origin();
+        points(name, "origins", &Value::Array(vec![origin]), &[found]);
+    }
     points(
         name,
         "starts",

@@ -137,7 +137,7 @@ fn missing(
 /// Frames outside of the target (outermost first), the target as stored, frames inside of it. Those around it are the
 /// ones in effect, which stay (B:1967).
 fn around(control: &Control, target: &Target) -> (Vec<Frame>, Frame, Vec<Frame>) {
-    let mut before = Vec::new();
+    let mut before = vec![control.part_frame];
     let mut after = Vec::new();
     let settable = match target.store {
         Store::Settable(_) => None,
