@@ -117,7 +117,8 @@ export function createMachineData(store: Store, actions: Actions, core: () => Pr
     keyed(list, shown, (group) => group.label.key, createGroup, (node, group) => updateGroup(node, group, opening));
     if (shown.length === 0) list.append(none);
     else none.remove();
-    for (const button of [assignments, reset]) button.disabled = all.every((field) => !isChanged(field));
+    reset.disabled = all.every((field) => !isChanged(field));
+    assignments.disabled = view.assignments === "";
     definitions.disabled = view.definitions === "";
   }
   const isChanged = (field: MachineField): boolean => differs(field) || field.name in typed;
