@@ -35,6 +35,7 @@ pub mod list;
 pub mod logging;
 pub mod names;
 pub mod nct;
+pub mod operator_messages;
 pub mod place;
 pub mod shared_checks;
 pub mod sinumerik;

@@ -1,12 +1,28 @@
-//! The table of alarms as JSON: for search, and for a card that explains one.
+//! The tables of alarms and of texts for the operator as JSON: for search, and for a card that explains one.
 
 use super::{alarm_key, code, object};
 use crate::catalogue::alarms::{ALARMS, Alarm, Found, raised_by, stops};
+use crate::catalogue::operator_messages::{MESSAGES, OperatorMessage, shown_by};
 use serde_json::Value;
 
 /// One object an alarm or message.
 pub fn alarms() -> Value {
-    ALARMS.iter().map(alarm).collect()
+    let alarms = ALARMS.iter().map(alarm);
+    alarms
+        .chain(MESSAGES.iter().map(operator_message))
+        .collect()
+}
+
+/// A text for the operator, in the shape of an alarm; its text is its name.
+pub fn operator_message(message: &OperatorMessage) -> Value {
+    object([
+        ("code", message.text.into()),
+        ("key", message.key.into()),
+        ("stops", false.into()),
+        ("cycles", shown_by(message).into()),
+        ("found", found(Found::Nowhere).into()),
+        ("source", message.source.into()),
+    ])
 }
 
 /// Its name, the key of its words (`.cause` and `.cure` behind it), whether the program stops, who raises it, and

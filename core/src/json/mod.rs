@@ -16,7 +16,7 @@ mod start;
 mod tests;
 mod trace;
 
-pub use alarms::{alarm, alarms};
+pub use alarms::{alarm, alarms, operator_message};
 pub use catalogue::{catalogue, cycles};
 pub use form::form;
 pub use machine::machine;

@@ -1,6 +1,7 @@
 //! An alarm as a person reads it, for the terminal and for `docs/alarms.md`.
 
 use crate::catalogue::alarms::{ALARMS, Alarm, Found, raised_by, stops};
+use crate::catalogue::operator_messages::{MESSAGES, OperatorMessage, Sender, shown_by};
 use crate::catalogue::{CYCLES, Dialect};
 use crate::json::{alarm_key, code};
 use crate::message::Message;
@@ -36,6 +37,27 @@ pub fn told(alarm: &Alarm, words: &Words) -> Told {
         effect: words.key(effect_key(alarm)),
         sources: sources(alarm, words),
         found: words.key(found_key(alarm.found)),
+    }
+}
+
+/// A text for the operator in words.
+pub fn told_message(message: &OperatorMessage, words: &Words) -> Told {
+    let effect = if message.waits {
+        "effect-start"
+    } else {
+        "effect-shown"
+    };
+    Told {
+        code: message.text.to_owned(),
+        meaning: words.key(message.key),
+        cause: None,
+        cure: words.key(format!("{}.cure", message.key)),
+        effect: words.key(effect),
+        sources: match message.sender {
+            Sender::EveryCycle => words.key("alarms-every-cycle"),
+            _ => shown_by(message).join(", "),
+        },
+        found: words.key(found_key(Found::Nowhere)),
     }
 }
 
@@ -80,14 +102,16 @@ pub fn page(words: &Words) -> String {
     line(&mut text, &words.key("alarms-intro"));
     line(&mut text, "Generated from the catalogue; do not edit.");
     for alarm in ALARMS {
-        section(&mut text, alarm, words);
+        section(&mut text, told(alarm, words), alarm.source);
+    }
+    for message in MESSAGES {
+        section(&mut text, told_message(message, words), message.source);
     }
     text.pop();
     text
 }
 
-fn section(text: &mut String, alarm: &Alarm, words: &Words) {
-    let told = told(alarm, words);
+fn section(text: &mut String, told: Told, source: &str) {
     line(text, &format!("## {}", told.code));
     let cause = told
         .cause
@@ -98,7 +122,7 @@ fn section(text: &mut String, alarm: &Alarm, words: &Words) {
     line(text, &facts);
     line(
         text,
-        &format!("Raised by: {}. Source: {}.", told.sources, alarm.source),
+        &format!("Raised by: {}. Source: {}.", told.sources, source),
     );
 }
 
@@ -122,9 +146,10 @@ mod tests {
     #[test]
     fn every_alarm_has_a_cure_and_words_without_gaps() {
         let words = Words::english();
-        for alarm in ALARMS {
-            let told = told(alarm, &words);
-            let key = alarm_key(alarm.code);
+        let alarms = ALARMS.iter().map(|alarm| told(alarm, &words));
+        let messages = MESSAGES.iter().map(|message| told_message(message, &words));
+        for told in alarms.chain(messages) {
+            let key = &told.code;
             for text in [&told.meaning, &told.cure, &told.effect, &told.found] {
                 assert!(text.contains(' ') && !text.contains("{$"), "{key}: {text}");
             }

@@ -1,45 +1,56 @@
 //! `probewright alarms`.
 
 use crate::file::Problem;
-use probewright_core::catalogue::alarms::{ALARMS, Alarm, find};
+use probewright_core::catalogue::alarms::{self, ALARMS};
+use probewright_core::catalogue::operator_messages::{self, MESSAGES};
 use probewright_core::json;
-use probewright_core::report::alarms::told;
+use probewright_core::report::alarms::{Told, told, told_message};
 use probewright_core::words::Words;
 use std::io::Write;
 use std::process::ExitCode;
 
-/// Explains one alarm, or lists all.
+/// Explains one alarm or text for the operator, or lists all.
 pub fn alarms(
     number: Option<&str>,
     as_json: bool,
     words: &Words,
     out: &mut dyn Write,
 ) -> Result<ExitCode, Problem> {
-    let chosen = match number {
-        Some(text) => Some(find(text).ok_or_else(|| format!("no such alarm: {text}"))?),
-        None => None,
-    };
-    match chosen {
-        _ if as_json => {
-            let list = chosen.map_or_else(json::alarms, json::alarm);
-            writeln!(out, "{}", serde_json::to_string_pretty(&list)?)?;
-        }
-        Some(alarm) => explain(alarm, words, out)?,
+    match number {
+        Some(text) => one(text, as_json, words, out)?,
+        None if as_json => writeln!(out, "{}", serde_json::to_string_pretty(&json::alarms())?)?,
         None => list(words, out)?,
     }
     Ok(ExitCode::SUCCESS)
 }
 
 fn list(words: &Words, out: &mut dyn Write) -> std::io::Result<()> {
-    for alarm in ALARMS {
-        let told = told(alarm, words);
+    let alarms = ALARMS.iter().map(|alarm| told(alarm, words));
+    let messages = MESSAGES.iter().map(|message| told_message(message, words));
+    for told in alarms.chain(messages) {
         writeln!(out, "{:24} {}", told.code, told.meaning)?;
     }
     Ok(())
 }
 
-fn explain(alarm: &Alarm, words: &Words, out: &mut dyn Write) -> std::io::Result<()> {
-    let told = told(alarm, words);
+fn one(text: &str, as_json: bool, words: &Words, out: &mut dyn Write) -> Result<(), Problem> {
+    let (view, told, source) = match (alarms::find(text), operator_messages::find(text)) {
+        (Some(alarm), _) => (json::alarm(alarm), told(alarm, words), alarm.source),
+        (None, Some(message)) => {
+            let told = told_message(message, words);
+            (json::operator_message(message), told, message.source)
+        }
+        (None, None) => return Err(format!("no such alarm: {text}").into()),
+    };
+    if as_json {
+        writeln!(out, "{}", serde_json::to_string_pretty(&view)?)?;
+    } else {
+        explain(&told, source, out)?;
+    }
+    Ok(())
+}
+
+fn explain(told: &Told, source: &str, out: &mut dyn Write) -> std::io::Result<()> {
     writeln!(out, "{}: {}", told.code, told.meaning)?;
     for (name, text) in [
         ("cause", told.cause.as_deref().unwrap_or_default()),
@@ -47,7 +58,7 @@ fn explain(alarm: &Alarm, words: &Words, out: &mut dyn Write) -> std::io::Result
         ("effect", &told.effect),
         ("raised by", &told.sources),
         ("found", &told.found),
-        ("source", alarm.source),
+        ("source", source),
     ] {
         if !text.is_empty() {
             writeln!(out, "  {name:9}  {text}")?;

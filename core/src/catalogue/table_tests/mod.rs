@@ -7,6 +7,7 @@ mod conditions;
 mod invalid;
 mod lists;
 mod logging;
+mod messages;
 mod params;
 mod results;
 
