@@ -34,6 +34,7 @@ fn label(control: &Control, name: &str) -> Message {
     let known = match (stem, index.as_slice()) {
         ("_MV", [memory]) => memory_label("change-mean", memory),
         ("_EV", [memory]) => memory_label("change-empirical", memory),
+        ("_WP", [probe, field]) => probe_label(probe, field),
         ("$P_UIFR", [frame, axis, part]) => frame
             .parse()
             .ok()
@@ -53,6 +54,26 @@ fn label(control: &Control, name: &str) -> Message {
 fn memory_label(key: &'static str, index: &str) -> Option<Message> {
     let index: f64 = index.parse().ok()?;
     Some(Message::new(key).number("memory", index + 1.0))
+}
+
+/// Ball, trigger values and skew of a probe by their place in `_WP[k,0..8]` (B:13441-13450).
+const PROBE: [&str; 9] = [
+    "change-probe-ball",
+    "change-trigger-abscissa-minus",
+    "change-trigger-abscissa-plus",
+    "change-trigger-ordinate-minus",
+    "change-trigger-ordinate-plus",
+    "change-trigger-applicate-minus",
+    "change-trigger-applicate-plus",
+    "change-skew-abscissa",
+    "change-skew-ordinate",
+];
+
+/// Probes are counted from 1 in `_PRNUM`, from 0 in the data.
+fn probe_label(index: &str, field: &str) -> Option<Message> {
+    let (index, field): (f64, usize) = (index.parse().ok()?, field.parse().ok()?);
+    let key = *PROBE.get(field)?;
+    Some(Message::new(key).number("probe", index + 1.0))
 }
 
 fn frame_label(frame: String, axis: &str, part: &str) -> Message {
@@ -141,6 +162,11 @@ mod tests {
                 "$P_CHBFR[0], Y coarse",
             ),
             (Dialect::Sinumerik, "_MV[9]", "Mean value memory 10"),
+            (
+                Dialect::Sinumerik,
+                "_WP[2,4]",
+                "Probe 3, trigger value ordinate plus",
+            ),
             (Dialect::Nct, "G54 X", "G54, X"),
             (Dialect::Nct, "DW12", "Register 12, radius wear"),
         ] {

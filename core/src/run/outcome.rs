@@ -4,7 +4,7 @@ use super::Stop;
 use super::setup::Setup;
 use super::trace::{Entry, Step, Trace};
 use crate::catalogue::{Cycle, ResultField};
-use crate::control::{Control, Value};
+use crate::control::{Control, Value, gud};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::message::Message;
 use std::collections::{BTreeMap, BTreeSet};
@@ -52,7 +52,7 @@ impl Outcome {
             .collect()
     }
 
-    /// Tools, frames and mean values that are different now, in the order of the names.
+    /// Tools, frames, mean values and data of probes that are different now, in the order of the names.
     pub fn changes(&self) -> Vec<Change> {
         let before = addressable(&self.before);
         let after = addressable(&self.control);
@@ -150,14 +150,24 @@ fn addressable(control: &Control) -> BTreeMap<String, f64> {
             all.insert(name, value);
         }
     }
-    let memories = control
-        .data
-        .iter()
-        .filter(|(name, _)| name.starts_with("_MV[") || name.starts_with("_EV["));
+    let memories = control.data.iter().filter(|(name, _)| remembered(name));
     for (name, value) in memories {
         if let Value::Number(value) = value {
             all.insert(name.clone(), *value * control.basic_factor());
         }
     }
     all
+}
+
+/// User data in which later measurements find what this one left: empirical and mean values, and how a workpiece probe
+/// was calibrated.
+const MEMORIES: [&str; 3] = ["_EV[", "_MV[", "_WP["];
+
+/// Whether a datum is one of these, and a length: the code of the calibration status tells nobody anything.
+fn remembered(name: &str) -> bool {
+    let length = |(gud, at): (&gud::Gud, Vec<usize>)| {
+        gud.element(&at)
+            .is_some_and(|element| element.unit == gud::Unit::Length(gud::System::Basic))
+    };
+    MEMORIES.iter().any(|stem| name.starts_with(stem)) && gud::place(name).is_some_and(length)
 }

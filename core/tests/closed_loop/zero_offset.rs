@@ -156,22 +156,19 @@ fn places() -> Vec<Call> {
         ("_RF", 900.0),
     ];
     let mut calls = Vec::new();
-    for variant in 101..=106 {
-        let single = variant == 103 || variant == 104;
-        for axis in 1..=if single { 2 } else { 1 } {
-            let values = with(
-                &common,
-                &[("_MVAR", f64::from(variant)), ("_MA", f64::from(axis))],
-            );
-            let differences: &[usize] = if variant > 104 { &[18, 19] } else { &[17, 18] };
-            calls.push(("CYCLE977", values, differences));
-        }
+    for (variant, axis) in [(101, 1), (102, 1), (103, 2), (104, 1), (106, 1)] {
+        let values = with(
+            &common,
+            &[("_MVAR", f64::from(variant)), ("_MA", f64::from(axis))],
+        );
+        let differences: &[usize] = if variant > 104 { &[18, 19] } else { &[17, 18] };
+        calls.push(("CYCLE977", values, differences));
     }
     for axis in 1..=3 {
         let values = with(&common, &[("_MVAR", 100.0), ("_MA", f64::from(axis))]);
         calls.push(("CYCLE978", values, &[16]));
     }
-    for variant in 101..=104 {
+    for variant in [101, 104] {
         let values = with(&common, &[("_MVAR", f64::from(variant)), ("_ID", 25.0)]);
         calls.push(("CYCLE979", values, &[17, 18]));
     }
