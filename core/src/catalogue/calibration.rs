@@ -32,6 +32,16 @@ pub fn band(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     }
 }
 
+/// The data are those of the machine's directions, so that no axis may be mirrored (B:4153-4154). The manual names no
+/// alarm.
+pub fn unmirrored(control: &Control, found: &mut Vec<Diagnostic>) {
+    if (0..3).any(|axis| control.mirrored(axis)) {
+        let message = Message::new("check-calibration-mirror");
+        let hint = Message::new("check-calibration-mirror-hint");
+        found.push(error(Code::Own(144), message).hint(hint));
+    }
+}
+
 /// While the data of the probe are 0, `_TSA` has to be larger than the ball radius (B:5148, B:10263).
 pub fn first(inputs: &Inputs, control: &Control, ball: f64, found: &mut Vec<Diagnostic>) {
     let index = inputs.integer(names::PRNUM) % 100 - 1;

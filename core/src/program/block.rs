@@ -36,7 +36,7 @@ pub fn read_told(dialect: Dialect, source: &[u8], told: &mut dyn FnMut(f64)) -> 
         reader.end = stop - usize::from(carriage);
         line(&mut reader, dialect);
         reader.at = stop + 1;
-        if reader.blocks.len() % BETWEEN == 0 {
+        if reader.blocks.len().is_multiple_of(BETWEEN) {
             told(reader.at as f64 / readable.len() as f64);
         }
     }

@@ -11,6 +11,7 @@ use crate::message::Message;
 pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     shared_checks::probe(inputs, control, found);
     calibration::band(inputs, found);
+    calibration::unmirrored(control, found);
     let ball = calibration::ball_radius(inputs, control);
     first(inputs, control, ball, found);
     if HOLE.holds(inputs) {

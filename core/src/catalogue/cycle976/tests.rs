@@ -105,6 +105,17 @@ fn an_unknown_centre_needs_a_spindle_that_turns() {
 }
 
 #[test]
+fn mirrored_coordinates_are_refused() {
+    // oracle: manual B:4153-4154
+    let mut control = delivery(CYCLE976.dialect);
+    control.active.mirror[1] = true;
+    let found = check(&CYCLE976, &values(&[]), &control);
+    assert!(found.inputs.is_none());
+    let codes: Vec<Code> = found.diagnostics.iter().map(|one| one.code).collect();
+    assert_eq!(codes, [Code::Own(144)]);
+}
+
+#[test]
 fn fields_follow_the_variant() {
     // oracle: manual B:5154-5166, B:5364-5373
     let of = |changes: &[(&str, &str)]| -> Vec<String> {
