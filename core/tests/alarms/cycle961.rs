@@ -55,6 +55,7 @@ fn own() -> Vec<Case> {
     vec![
         program(61302, "_STA1=25"),
         program(61321, "_KNUM=1051"),
+        workpiece::OTHER_PLANE,
         program(61346, "_SETV[0]=0"),
         program(61347, "_INCA=0"),
         case(

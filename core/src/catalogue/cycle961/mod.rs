@@ -71,9 +71,10 @@ pub static CYCLE961: Cycle = Cycle {
     results: RESULTS,
     alarms: &[
         common::EVERY_CYCLE,
-        // A:15866, A:15868, A:15889-15890, A:15911-15913, A:15920; 61321 and 61412 for a _KNUM without a frame
+        // A:15866, A:15868, A:15889-15890, A:15911-15913, A:15920; 61321 and 61412 for a _KNUM without a frame;
+        // 61341 as B:13658 has it
         &common::alarms([
-            61321, 61325, 61327, 61346, 61347, 61367, 61368, 61369, 61401, 61412,
+            61321, 61325, 61327, 61341, 61346, 61347, 61367, 61368, 61369, 61401, 61412,
         ]),
     ],
     checks: checks::checks,

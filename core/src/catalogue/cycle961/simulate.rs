@@ -6,7 +6,7 @@ use super::lines::Point;
 use super::params::{OUTSIDE, POINTS, RECTANGLE};
 use super::touches::{Touch, touches};
 use crate::catalogue::names;
-use crate::catalogue::sinumerik::measuring_block::Block;
+use crate::catalogue::sinumerik::measuring_block::{Block, same_calibration};
 use crate::catalogue::sinumerik::{alarm, correct, results};
 use crate::check::Inputs;
 use crate::control::Control;
@@ -22,6 +22,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     results::begin(machine, inputs, 961);
     results::integer(machine, 3, inputs.variant);
     let block = Block::prepare(machine, inputs)?;
+    same_calibration(machine, &block)?;
     let target = correct::zero_target(machine, inputs)?;
     let start = machine.position();
     let [abscissa, ordinate, _] = block.axes;
