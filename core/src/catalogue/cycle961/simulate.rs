@@ -172,7 +172,7 @@ fn write(
     (measured.set[abscissa], measured.set[ordinate]) = (-x, -y);
     measured.axes[applicate] = false;
     let writes = zero_offset::placed(control, target, rotation, &measured);
-    correct::frame(machine, target, &writes);
+    correct::apply(machine, target, &writes); // no result tells so (B:7877-7888)
 }
 
 /// Where the zero lies from the corner, in the turned system (B:7929-7935, B:8018-8026).

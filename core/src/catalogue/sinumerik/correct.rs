@@ -77,8 +77,14 @@ pub fn position(
     frame(machine, target, &writes);
 }
 
-/// Writes what corrects a frame and, for `_KNUM` = 9999, activates it.
+/// Corrects a frame and tells so in `_OVI[11]`.
 pub fn frame(machine: &mut dyn Machine, target: &zero_offset::Target, writes: &[Write]) {
+    apply(machine, target, writes);
+    results::integer(machine, 11, 1);
+}
+
+/// Writes what corrects a frame and, for `_KNUM` = 9999, activates it.
+pub fn apply(machine: &mut dyn Machine, target: &zero_offset::Target, writes: &[Write]) {
     write(machine, writes);
     if target.activate {
         let settable = machine.control().settable;
@@ -87,7 +93,6 @@ pub fn frame(machine: &mut dyn Machine, target: &zero_offset::Target, writes: &[
     } else {
         machine.record(Step::Decision(Message::new("evaluate-not-activated")));
     }
-    results::integer(machine, 11, 1);
 }
 
 /// Writes and records.
