@@ -14,6 +14,7 @@ pub fn changes(outcome: &Outcome) -> Vec<Value> {
     let value = |change: Change| {
         let (factor, unit) = match is_angle(&change.name) {
             true => (1.0, "deg"),
+            false if is_factor(&change.name) => (1.0, ""),
             false => (basic.factor(), units_of(basic)),
         };
         object([
@@ -27,6 +28,11 @@ pub fn changes(outcome: &Outcome) -> Vec<Value> {
     outcome.changes().into_iter().map(value).collect()
 }
 
+/// Whether a name is a scale factor or a mirror of a frame.
+fn is_factor(name: &str) -> bool {
+    name.ends_with(",SC]") || name.ends_with(",MI]")
+}
+
 /// In words: which quantity of which tool, frame or memory. A name that has no words of its own stands for itself.
 fn label(control: &Control, name: &str) -> Message {
     let (stem, rest) = name.split_once('[').unwrap_or((name, ""));
@@ -38,9 +44,9 @@ fn label(control: &Control, name: &str) -> Message {
         ("$P_UIFR", [frame, axis, part]) => frame
             .parse()
             .ok()
-            .map(|number| frame_label(settable_name(control, number), axis, part)),
-        ("$P_SETFR", [axis, part]) => Some(frame_label(stem.to_owned(), axis, part)),
-        (_, [frame, axis, part]) => Some(frame_label(format!("{stem}[{frame}]"), axis, part)),
+            .and_then(|number| frame_label(settable_name(control, number), axis, part)),
+        ("$P_SETFR", [axis, part]) => frame_label(stem.to_owned(), axis, part),
+        (_, [frame, axis, part]) => frame_label(format!("{stem}[{frame}]"), axis, part),
         (_, [tool, edge]) => stem
             .strip_prefix("$TC_")
             .and_then(quantity)
@@ -76,13 +82,15 @@ fn probe_label(index: &str, field: &str) -> Option<Message> {
     Some(Message::new(key).number("probe", index + 1.0))
 }
 
-fn frame_label(frame: String, axis: &str, part: &str) -> Message {
+/// Scale factors and mirrors, which no cycle corrects, stand for themselves.
+fn frame_label(frame: String, axis: &str, part: &str) -> Option<Message> {
     let key = match part {
         "FI" => "change-fine",
         "RT" => "change-rotation",
-        _ => "change-coarse",
+        "TR" => "change-coarse",
+        _ => return None,
     };
-    Message::new(key).text("frame", frame).text("axis", axis)
+    Some(Message::new(key).text("frame", frame).text("axis", axis))
 }
 
 /// Tool data: 3 to 5 lengths, 6 radius, 12 to 14 wear of the lengths, 15 wear of the radius; `SCP` and `ECP` are
@@ -161,6 +169,7 @@ mod tests {
                 "$P_CHBFR[0,Y,TR]",
                 "$P_CHBFR[0], Y coarse",
             ),
+            (Dialect::Sinumerik, "$P_UIFR[1,X,SC]", "$P_UIFR[1,X,SC]"),
             (Dialect::Sinumerik, "_MV[9]", "Mean value memory 10"),
             (
                 Dialect::Sinumerik,

@@ -4,6 +4,7 @@ use super::start::Start;
 use super::{Error, put};
 use crate::catalogue::Work;
 use crate::check::Inputs;
+use crate::geometry::{V3, rigid};
 use crate::run::setup::Setup;
 use crate::workpiece::{PartErrors, Probe, Solid};
 use serde::Deserialize;
@@ -67,9 +68,8 @@ fn prepare(
 ) -> Vec<Solid> {
     let proposal = (work.propose)(inputs, &setup.control);
     setup.workpiece = proposal.workpiece;
-    for solid in &mut setup.workpiece.solids {
-        solid.errors = part_errors(&errors.part);
-    }
+    let part = part_errors(&errors.part);
+    spoil(&mut setup.workpiece.solids, &part);
     setup.workpiece.solids.extend(proposal.fixture);
     probe_errors(&mut setup.probe, &errors.probe);
     setup.position = setup.control.to_machine(proposal.start);
@@ -82,6 +82,22 @@ fn prepare(
         tool.edges.entry(proposed.edge).or_insert(proposed.data);
     }
     proposal.zones
+}
+
+/// Gives the part its errors. One of several solids is tilted as a whole, about the origin of the first.
+fn spoil(solids: &mut [Solid], errors: &PartErrors) {
+    let Some(about) = solids.first().map(|solid| V3::from(solid.at)) else {
+        return;
+    };
+    let turn = rigid::rotation(errors.tilt);
+    for solid in solids {
+        let away = V3::from(solid.at) - about;
+        let shift = V3::from(errors.shift) + turn * away - away;
+        solid.errors = PartErrors {
+            shift: shift.into(),
+            ..*errors
+        };
+    }
 }
 
 /// The errors of the sliders on top of what the probe has.

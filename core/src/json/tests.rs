@@ -104,6 +104,23 @@ fn asked(cycle: &crate::catalogue::Cycle, values: &Typed) -> String {
     .to_string()
 }
 
+// oracle: hand: three spheres turned together by 0.1 degree about Z, and nothing else, about the first one
+#[test]
+fn solids_of_one_part_are_tilted_together() {
+    let cycle = crate::catalogue::find(Dialect::Sinumerik, "CYCLE997").unwrap();
+    let mut document: Value = serde_json::from_str(&request(cycle)).unwrap();
+    document["errors"] = json!({ "part": { "tilt": 0.1 } });
+    let view = form(&document.to_string()).unwrap();
+    let changes = view["outcome"]["changes"].as_array().unwrap();
+    let turned = changes
+        .iter()
+        .filter(|change| change["unit"] == "deg")
+        .collect::<Vec<_>>();
+    assert_eq!(turned.len(), 1, "{changes:?}");
+    assert_eq!(turned[0]["name"], "$P_UIFR[1,Z,RT]");
+    assert!((turned[0]["after"].as_f64().unwrap() - 0.1).abs() < 1e-9);
+}
+
 // oracle: hand
 #[test]
 fn every_worked_example_is_complete_and_reaches_its_end() {

@@ -58,14 +58,17 @@ impl Outcome {
         let after = addressable(&self.control);
         let mut names = BTreeSet::new();
         names.extend(before.keys().chain(after.keys()));
-        let value =
-            |side: &BTreeMap<String, f64>, name: &String| side.get(name).copied().unwrap_or(0.0);
+        // what does not exist on one side counts there as a control reads it: a frame has scale factors of 1
+        let value = |side: &BTreeMap<String, f64>, control: &Control, name: &String| {
+            let known = side.get(name).copied();
+            known.or_else(|| control.variable(name)).unwrap_or(0.0)
+        };
         names
             .into_iter()
             .map(|name| Change {
                 name: name.clone(),
-                before: value(&before, name),
-                after: value(&after, name),
+                before: value(&before, &self.before, name),
+                after: value(&after, &self.control, name),
             })
             .filter(|change| change.before != change.after)
             .collect()
@@ -170,4 +173,24 @@ fn remembered(name: &str) -> bool {
             .is_some_and(|element| element.unit == gud::Unit::Length(gud::System::Basic))
     };
     MEMORIES.iter().any(|stem| name.starts_with(stem)) && gud::place(name).is_some_and(length)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalogue::Dialect;
+    use crate::control::Plane;
+
+    // oracle: hand
+    #[test]
+    fn a_frame_that_was_not_there_differs_by_what_was_written() {
+        let mut outcome = Outcome::new(&Setup::calibrated(Dialect::Sinumerik, Plane::G17));
+        assert!(outcome.control.set_variable("$P_UIFR[7,X,TR]", 1.5));
+        let change = Change {
+            name: "$P_UIFR[7,X,TR]".into(),
+            before: 0.0,
+            after: 1.5,
+        };
+        assert_eq!(outcome.changes(), [change]);
+    }
 }

@@ -13,6 +13,10 @@ use crate::control::frames::{CHANNEL_MASK, GLOBAL_MASK};
 use crate::control::variables::AXES;
 use crate::control::{Control, Frame, Value};
 
+/// Two values of a frame closer than this, mm or degree, are the same: what sums, sines and cosines leave over is no
+/// correction.
+const SAME: f64 = 1e-12;
+
 /// Where a frame is stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Store {
@@ -225,7 +229,7 @@ fn part(
     before: [f64; 3],
 ) -> Vec<Write> {
     let stem = stem(target.store);
-    let changed = (0..3).filter(|axis| values[*axis] != before[*axis]);
+    let changed = (0..3).filter(|axis| (values[*axis] - before[*axis]).abs() >= SAME);
     changed
         .map(|axis| Write {
             name: format!("{stem}{},{part}]", axes[axis]),

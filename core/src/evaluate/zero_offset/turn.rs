@@ -1,15 +1,12 @@
 //! Rotations of a corrected frame: the part is turned, and afterwards it is not any more (B:7371, B:7844, B:8411).
 
-use super::{Measured, Store, Target, around, coarse, in_effect, missing, part};
+use super::{Measured, SAME, Store, Target, around, coarse, in_effect, missing, part};
 use crate::control::rotary::ROTARY;
 use crate::control::variables::AXES;
 use crate::control::{Control, Frame};
 use crate::evaluate::Write;
 use crate::geometry::rigid;
 use nalgebra::{IsometryMatrix3, Rotation3, Vector3};
-
-/// Two angles closer than this, degree, are the same: what is left of sines and cosines is no correction.
-const SAME: f64 = 1e-12;
 
 /// A direction of the present WCS as it is seen when the frame to be corrected is active as it is stored.
 pub fn seen(control: &Control, target: &Target, direction: [f64; 3]) -> [f64; 3] {
