@@ -148,12 +148,37 @@ impl Words {
             Some(name) => entry.get_attribute(name)?.value(),
             None => entry.value()?,
         };
-        let args = arguments(message);
+        let args = self.arguments(message);
         let mut errors = Vec::new();
         let text = self
             .bundle
             .format_pattern(pattern, Some(&args), &mut errors);
         Some(text.into_owned())
+    }
+
+    /// The arguments of a message; a text that is itself a key is put into words first, as in the page.
+    fn arguments<'a>(&self, message: &'a Message) -> FluentArgs<'a> {
+        let mut args = FluentArgs::new();
+        for (name, arg) in &message.args {
+            let value = match arg {
+                Arg::Number(number) => FluentValue::from(rounded(*number)),
+                Arg::Text(text) => match self.spoken(text) {
+                    Some(words) => FluentValue::from(words),
+                    None => FluentValue::from(text.as_str()),
+                },
+            };
+            args.set(*name, value);
+        }
+        args
+    }
+
+    /// The words of a text that is a key.
+    fn spoken(&self, text: &str) -> Option<String> {
+        let of_key = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
+        let key = text.contains('-')
+            && text.starts_with(|c: char| c.is_ascii_lowercase())
+            && text.chars().all(of_key);
+        key.then(|| self.find(&Message::new(text.to_owned())))?
     }
 
     /// The text of a key without arguments.
@@ -171,18 +196,6 @@ pub fn rounded(number: f64) -> f64 {
         size if size < 1e9 && shown != 0.0 => shown,
         _ => number,
     }
-}
-
-fn arguments(message: &Message) -> FluentArgs<'_> {
-    let mut args = FluentArgs::new();
-    for (name, arg) in &message.args {
-        let value = match arg {
-            Arg::Number(number) => FluentValue::from(rounded(*number)),
-            Arg::Text(text) => FluentValue::from(text.as_str()),
-        };
-        args.set(*name, value);
-    }
-    args
 }
 
 #[cfg(test)]

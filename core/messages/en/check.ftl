@@ -22,6 +22,7 @@ check-range-below-hint = Enter { $max }{ $unit } or less.
 check-unusual = { $value }{ $unit } is unusual for { $param }.
 check-unusual-hint = Usual is { $min } to { $max }{ $unit }.
 check-variant = { $cycle } has no measuring variant { $value }.
+check-variant-pair = “{ $one }: { $first }” and “{ $other }: { $second }” do not go together: { $cycle } has no measuring variant { $value }.
 check-variant-hint = Choose the variant from the list.
 check-variant-near-hint = Variants close to it: { $near }. Not every combination of digits is one.
 

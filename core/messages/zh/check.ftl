@@ -22,6 +22,7 @@ check-range-below-hint = 请输入不大于 { $max }{ $unit } 的值。
 check-unusual = { $param } 为 { $value }{ $unit } 不常见。
 check-unusual-hint = 通常为 { $min } 到 { $max }{ $unit }。
 check-variant = { $cycle } 没有测量方式 { $value }。
+check-variant-pair = “{ $one }：{ $first }”和“{ $other }：{ $second }”不能同时选用，因此 { $cycle } 没有测量方式 { $value }。
 check-variant-hint = 请从列表中选择测量方式。
 check-variant-near-hint = 相近的测量方式：{ $near }。并非每种数位组合都有效。
 

@@ -2,7 +2,8 @@
 
 use super::text::{self, Text};
 use super::{
-    Finding, Inputs, Parsed, Typed, error, factor, note, parse, targets, unit_behind, warning,
+    Finding, Inputs, Parsed, Typed, error, factor, note, parse, targets, unit_behind, variants,
+    warning,
 };
 use crate::catalogue::{Cycle, Kind, Level, Param, Range, Unit};
 use crate::control::Control;
@@ -236,40 +237,14 @@ fn variant(
     {
         return Ok(number as i64);
     }
-    let message = Message::new("check-variant")
-        .number("value", number)
-        .text("cycle", cycle.name);
     Err(Box::new(
-        error(param.alarm.unwrap_or(OUT_OF_RANGE), message)
-            .hint(variant_hint(cycle, number))
-            .at(param.name),
+        error(
+            param.alarm.unwrap_or(OUT_OF_RANGE),
+            variants::cause(cycle, param, number),
+        )
+        .hint(variants::hint(cycle, number))
+        .at(param.name),
     ))
-}
-
-/// Names the variants that differ from a wrong number in the fewest digits; a number that is far from all gets none.
-fn variant_hint(cycle: &Cycle, number: f64) -> Message {
-    const FAR: u32 = 3;
-    let numbers = || cycle.variants.iter().map(|variant| variant.number);
-    let apart = |other: i64| differing_digits(number as i64, other);
-    let least = numbers().map(apart).min().unwrap_or(FAR);
-    if number < 0.0 || least >= FAR {
-        return Message::new("check-variant-hint");
-    }
-    let near: Vec<String> = numbers()
-        .filter(|other| apart(*other) == least)
-        .map(|other| other.to_string())
-        .collect();
-    Message::new("check-variant-near-hint").text("near", near.join(", "))
-}
-
-/// How many decimal digits of two numbers are not the same.
-fn differing_digits(mut one: i64, mut other: i64) -> u32 {
-    let mut count = 0;
-    while one != other {
-        count += u32::from(one % 10 != other % 10);
-        (one, other) = (one / 10, other / 10);
-    }
-    count
 }
 
 /// The variant that an address chooses by being given; the first one where none does.
