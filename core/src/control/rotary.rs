@@ -42,6 +42,17 @@ impl Control {
         position + moved + fine
     }
 
+    /// The direction in the machine about which a positive angle turns a direction of the WCS from one of its axes X Y Z
+    /// (by index) towards another: the third axis, reversed where the WCS is mirrored.
+    pub fn turn_axis(&self, from: usize, to: usize) -> [f64; 3] {
+        let direction = |axis: usize| {
+            let mut unit = [0.0; 3];
+            unit[axis] = 1.0;
+            V3::from(self.direction_to_machine(unit))
+        };
+        direction(from).cross(&direction(to)).into()
+    }
+
     /// A part as it stands now; as it is given it is clamped with all rotary axes at 0.
     pub fn on_table(&self, solid: &Solid) -> Solid {
         if self.rotary == [0.0; 3] {

@@ -65,10 +65,11 @@ fn by_distances(inputs: &Inputs, control: &Control, ball: f64) -> Nominal {
     } else {
         (-1.0, ball + CLEAR)
     };
-    let middle = unit((angles[0] + angles[1]) / 2.0);
+    let edges = angles.map(unit);
+    let middle = direction([0.0; 2], along(edges[0], edges[1], 1.0));
     Nominal {
         corner: along([0.0; 2], middle, sign * beside / half.sin()),
-        edges: angles.map(unit),
+        edges,
     }
 }
 
@@ -115,6 +116,14 @@ fn by_points(touches: &[Touch], ball: f64) -> Nominal {
     }
 }
 
+/// -1 where the WCS is mirrored: then counter-clockwise in it is clockwise in the machine.
+fn handed(control: &Control) -> f64 {
+    let [abscissa, ordinate, _] = control.plane.axes();
+    let up = control.direction_to_machine(place::in_plane(control, [0.0, 0.0, 1.0]));
+    let about = control.turn_axis(abscissa, ordinate);
+    (0..3).map(|i| up[i] * about[i]).sum::<f64>().signum()
+}
+
 /// The places before the touches, and where they meet their edges.
 fn visited(nominal: &Nominal, touches: &[Touch]) -> Vec<Point> {
     let mut visited = Vec::new();
@@ -136,10 +145,13 @@ fn solid(
     height: f64,
 ) -> crate::workpiece::Solid {
     let [mut one, mut other] = nominal.edges;
-    if across(one, other) < 0.0 {
+    if across(one, other) * handed(control) < 0.0 {
         (one, other) = (other, one);
     }
-    let (sine, cosine) = (across(one, other), one[0] * other[0] + one[1] * other[1]);
+    let (sine, cosine) = (
+        across(one, other).abs(),
+        one[0] * other[0] + one[1] * other[1],
+    );
     let beyond = BEYOND / sine.max(0.05);
     let visited = visited(nominal, touches);
     let reach = |from: Point, line: Point, across_to: Point| {

@@ -52,7 +52,7 @@ impl Case {
         setup.control.frames.insert(1, self.frame);
         setup.control.activate(1);
         setup.workpiece.solids = vec![self.part(&setup.control)];
-        let inputs = self.inputs(&setup.control);
+        let inputs = self.inputs();
         let middle = unit(self.real.edge + self.real.opening / 2.0);
         let way = BESIDE / (self.real.opening.abs().to_radians() / 2.0).sin();
         let [x, y] = along(
@@ -72,8 +72,8 @@ impl Case {
             edge,
             opening,
         } = self.real;
-        let first = if opening < 0.0 { edge + opening } else { edge };
-        let [along, across] = unit(first);
+        let clockwise = (opening < 0.0) != self.mirrored();
+        let [along, across] = unit(if clockwise { edge + opening } else { edge });
         let (angle, length) = (opening.abs(), [500.0; 2]);
         let shape = match self.outside() {
             true => Shape::OuterCorner {
@@ -96,23 +96,27 @@ impl Case {
         )
     }
 
-    /// `_STA1` counts in the machine, which the frame turns about the applicate.
-    fn inputs(&self, control: &Control) -> Inputs {
-        let turn = self.frame.rotation[control.plane.axes()[2]];
+    fn mirrored(&self) -> bool {
+        self.frame.mirror != [false; 3]
+    }
+
+    /// An angle to the abscissa of the WCS as one to that of the machine.
+    fn in_machine(&self, angle: f64) -> f64 {
+        let turn = self.frame.rotation[self.plane.axes()[2]];
+        turn + if self.mirrored() { -angle } else { angle }
+    }
+
+    /// `_STA1` and `_INCA` count in the machine.
+    fn inputs(&self) -> Inputs {
+        let Real { edge, opening, .. } = self.real;
+        let first = self.in_machine(edge + self.wrong[0]);
         let set = [
-            self.real.edge + turn + self.wrong[0],
-            self.real.opening - self.wrong[0] + self.wrong[1],
+            first,
+            self.in_machine(edge + opening + self.wrong[1]) - first,
         ];
         let mut values = vec![
             ("_STA1", set[0]),
-            (
-                "_INCA",
-                if self.variant <= 106 {
-                    self.real.opening
-                } else {
-                    set[1]
-                },
-            ),
+            ("_INCA", set[1]),
             ("_SETV[0]", 130.0),
             ("_SETV[1]", 115.0),
             ("_SETV[2]", 7.0),
@@ -214,9 +218,11 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(40))]
 
     /// The corner and the direction of the reference edge are found again, in the WCS and in the machine, whatever the
-    /// opening, its sense and how wrong the set angles are.
+    /// opening, its sense and how wrong the set angles are, in mirrored coordinates too.
     #[test]
-    fn the_corner_is_recovered(case in cases()) {
+    fn the_corner_is_recovered(case in cases(), mirrored in any::<bool>()) {
+        let mut case = case;
+        case.frame.mirror[case.plane.axes()[1]] = mirrored;
         let (setup, inputs) = case.ready();
         let sim = done(&setup, &inputs);
         // oracle: hand (the part as it was made)
@@ -226,7 +232,7 @@ proptest! {
         close(&sim, "_OVR[5]", x);
         close(&sim, "_OVR[6]", y);
         let machine = setup.workpiece.solids[0].at;
-        close_angle(&sim, "_OVR[20]", edge + case.frame.rotation[axes[2]]);
+        close_angle(&sim, "_OVR[20]", case.in_machine(edge));
         close(&sim, "_OVR[21]", machine[axes[0]]);
         close(&sim, "_OVR[22]", machine[axes[1]]);
         for (name, value) in [("_OVI[2]", 961.0), ("_OVI[3]", case.variant as f64), ("_OVI[5]", 1.0), ("_OVI[9]", 0.0)] {

@@ -50,29 +50,28 @@ pub fn touches(inputs: &Inputs, control: &Control, start: Point) -> Vec<Touch> {
     all
 }
 
-/// Angles of both edges to the abscissa of the WCS, degree. `_STA1` counts in the machine (B:7992).
+/// Directions of both edges in the WCS, the reference edge first, degree from the abscissa. The angles count in the machine
+/// (B:7992).
 pub fn edges(inputs: &Inputs, control: &Control) -> [f64; 2] {
     let [abscissa, ordinate, _] = control.plane.axes();
-    let [x, y] = unit(inputs.number(names::STA1));
-    let mut direction = [0.0; 3];
-    (direction[abscissa], direction[ordinate]) = (x, y);
-    let seen = control.direction_to_workpiece(direction);
-    let first = seen[ordinate].atan2(seen[abscissa]).to_degrees();
-    [first, first + inputs.number(names::INCA)]
+    let first = inputs.number(names::STA1);
+    [first, first + inputs.number(names::INCA)].map(|angle| {
+        let mut direction = [0.0; 3];
+        [direction[abscissa], direction[ordinate]] = unit(angle);
+        let seen = control.direction_to_workpiece(direction);
+        seen[ordinate].atan2(seen[abscissa]).to_degrees()
+    })
 }
 
 /// In the directions of the edges, turned away from them, at the distances and at half of them (B:7984-7998).
 fn by_distances(inputs: &Inputs, control: &Control, start: Point) -> Vec<Touch> {
     let outside = if OUTSIDE.holds(inputs) { 1.0 } else { -1.0 };
+    let angles = edges(inputs, control);
     // outside the material lies between the edges
-    let apart = outside * inputs.number(names::INCA).signum();
+    let apart = outside * across(unit(angles[0]), unit(angles[1])).signum();
     let distances = [names::SETV0, names::SETV1].map(|name| inputs.number(name));
     let mut touches = Vec::new();
-    for ((edge, distance), away) in edges(inputs, control)
-        .into_iter()
-        .zip(distances)
-        .zip([-apart, apart])
-    {
+    for ((edge, distance), away) in angles.into_iter().zip(distances).zip([-apart, apart]) {
         let way = unit(edge + TOLERANCE * away);
         let (axis, direction) = paraxial(unit(edge - 90.0 * away));
         let inner = distance * (2.0 * TOLERANCE).to_radians().tan();

@@ -86,6 +86,22 @@ fn ready(plane: Plane, inputs: &Inputs, turned: [f64; 3], actual: &[f64]) -> Set
     setup
 }
 
+/// The same where axes of the WCS are reversed.
+fn mirrored(
+    mirror: [bool; 3],
+    plane: Plane,
+    inputs: &Inputs,
+    turned: [f64; 3],
+    actual: &[f64],
+) -> Setup {
+    let mut setup = ready(plane, inputs, turned, actual);
+    setup.control.frames.get_mut(&1).unwrap().mirror = mirror;
+    setup.control.activate(1);
+    setup.workpiece.solids = vec![face(&setup.control, inputs, actual)];
+    stand(&mut setup, inputs);
+    setup
+}
+
 /// To the start of a call, which lies at the zero but in the measuring axis. Without a set position both points lie in
 /// the measuring path from there.
 fn stand(setup: &mut Setup, inputs: &Inputs) {
@@ -109,6 +125,7 @@ proptest! {
     #[test]
     fn one_angle_is_recovered(
         set in -25.0..25.0_f64, wrong in -9.0..9.0_f64, plane in 0..3_usize, axes in 0..6_usize, turn in -170.0..170.0_f64,
+        mirror in prop::array::uniform3(any::<bool>()),
     ) {
         let (plane, axes) = (PLANES[plane], AXES[axes]);
         for variant in ONE {
@@ -116,7 +133,7 @@ proptest! {
                 continue;
             }
             let inputs = inputs(variant, axes, [set, 0.0]);
-            let setup = ready(plane, &inputs, [turn / 3.0, turn / 5.0, turn], &[set + wrong]);
+            let setup = mirrored(mirror, plane, &inputs, [turn / 3.0, turn / 5.0, turn], &[set + wrong]);
             let sim = done(&setup, &inputs);
             // oracle: hand (the part as it was made)
             for (name, value) in [
@@ -200,6 +217,27 @@ proptest! {
         prop_assert_eq!(frame.rotation, [0.0; 3]);
         sim.control.activate(1);
         let there = sim.control.rotary_to_machine(2, -3.0);
+        sim.turn_table(2, there);
+        sim.position = setup.position;
+        prop_assert_eq!(run(&mut sim, &inputs), Ok(()));
+        close(&sim, "_OVR[16]", 0.0);
+    }
+
+    /// So it does where the WCS is mirrored or turned upside down.
+    #[test]
+    fn the_table_turns_right_in_reversed_coordinates(wrong in -9.0..9.0_f64, mirror in 0..2_usize, upside in any::<bool>()) {
+        let mut inputs = inputs(105, 102, [0.0; 2]);
+        inputs.numbers.insert("_RA", 4.0);
+        let turned = [if upside { 180.0 } else { 0.0 }, 0.0, 0.0];
+        let mut mirrors = [false; 3];
+        mirrors[0] = mirror == 1;
+        let mut setup = mirrored(mirrors, Plane::G17, &inputs, turned, &[wrong]);
+        setup.control.rotary_centre = setup.workpiece.solids[0].at;
+        let mut sim = Sim::new(&setup);
+        prop_assert_eq!(run(&mut sim, &inputs), Ok(()));
+        close(&sim, "_OVR[16]", wrong);
+        sim.control.activate(1);
+        let there = sim.control.rotary_to_machine(2, 0.0);
         sim.turn_table(2, there);
         sim.position = setup.position;
         prop_assert_eq!(run(&mut sim, &inputs), Ok(()));
