@@ -80,19 +80,9 @@ pub fn store(
     if next == Next::Again {
         return Ok(next);
     }
-    for trigger in &found.triggers {
-        renew(machine, inputs, trigger.field(), trigger.value);
-    }
-    if let Some(skew) = found.skew {
-        for (field, value) in SKEW.into_iter().zip(skew) {
-            renew(machine, inputs, field, value);
-        }
-    }
-    if let Some(ball) = found.ball {
-        renew(machine, inputs, BALL, ball);
-        if machine.control().bit("_CBIT[15]") {
-            set_tool(machine, RADIUS, |_| ball / 2.0); // B:13656
-        }
+    renew(machine, inputs, found);
+    if let Some(ball) = found.ball.filter(|_| machine.control().bit("_CBIT[15]")) {
+        set_tool(machine, RADIUS, |_| ball / 2.0); // B:13656
     }
     calibrated_as::note(machine, inputs);
     if let Some(length) = found.length {
@@ -125,17 +115,33 @@ fn report(machine: &mut dyn Machine, inputs: &Inputs, found: &Calibration) -> Ve
     differences
 }
 
-/// Stores a new value where it differs by more than `_TZL` from the old one (B:5134).
-fn renew(machine: &mut dyn Machine, inputs: &Inputs, field: usize, value: f64) {
-    let difference = value - stored(machine.control(), inputs, field);
-    let name = datum(inputs, field);
-    if exceeds(difference.abs(), inputs.number(names::TZL)) {
-        let per = machine.control().basic_factor();
-        results::set(machine, &name, value / per);
-    } else {
-        let message = Message::new("evaluate-kept").number("difference", difference);
-        machine.record(Step::Decision(message.text("datum", &name)));
+/// Stores what differs by more than `_TZL` from the old values, and tells what is kept (B:5134).
+fn renew(machine: &mut dyn Machine, inputs: &Inputs, found: &Calibration) {
+    let limit = inputs.number(names::TZL);
+    let per = machine.control().basic_factor();
+    let mut kept = Vec::new();
+    for (field, value) in fields(found) {
+        let difference = value - stored(machine.control(), inputs, field);
+        let name = datum(inputs, field);
+        if exceeds(difference.abs(), limit) {
+            results::set(machine, &name, value / per);
+        } else {
+            kept.push(name);
+        }
     }
+    if !kept.is_empty() {
+        let message = Message::new("evaluate-kept").number("limit", limit);
+        machine.record(Step::Decision(message.text("data", kept.join(", "))));
+    }
+}
+
+/// What was found by its place in `_WP[k,0..8]`.
+fn fields(found: &Calibration) -> Vec<(usize, f64)> {
+    let mut fields: Vec<(usize, f64)> = found.ball.map(|ball| (BALL, ball)).into_iter().collect();
+    let triggers = found.triggers.iter();
+    fields.extend(triggers.map(|trigger| (trigger.field(), trigger.value)));
+    fields.extend(SKEW.into_iter().zip(found.skew.into_iter().flatten()));
+    fields
 }
 
 /// Geometry of L1 and of the radius in the tool memory.

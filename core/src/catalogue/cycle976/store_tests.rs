@@ -8,6 +8,7 @@ use super::{CYCLE976, VARIANTS};
 use crate::catalogue::sinumerik::testing::{alarms, run, stopped};
 use crate::check::Inputs;
 use crate::control::Plane;
+use crate::message::Message;
 use crate::run::Setup;
 use crate::run::machine::Sim;
 use crate::run::trace::{Entry, Step};
@@ -30,6 +31,10 @@ fn only_what_lies_between_the_limits_is_stored() {
     assert_eq!(outcome, Ok(()));
     assert_eq!(mm(&sim.control, 1), 3.0);
     close(mm(&sim.control, 0), 5.9, "the diameter differs by more");
+    let kept = Message::new("evaluate-kept").number("limit", 0.06);
+    let kept = kept.text("data", "_WP[0,2], _WP[0,1], _WP[0,4], _WP[0,3]");
+    let told = |entry: &Entry| entry.step == Step::Decision(kept.clone());
+    assert!(sim.trace.entries.iter().any(told));
     let first = |area: f64| {
         ring(101, |setup, inputs| {
             (0..9).for_each(|field| setup.control.set(format!("_WP[0,{field}]"), 0.0));
