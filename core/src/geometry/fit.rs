@@ -1,38 +1,95 @@
-//! A circle through measured points of a plane; whether points make a triangle.
+//! The circle and the sphere nearest to measured points; whether points make a triangle.
 
 use super::V3;
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix4, Vector4};
 
-/// Points that differ from a line by less than this part of their extent determine no circle.
+/// Points that differ from a line (of a sphere: from a plane) by less than this part of their extent determine nothing.
 const FLAT: f64 = 1e-9;
+/// Steps towards the least squares after which the last one counts; four at most are needed where points lie near a
+/// circle.
+const STEPS: usize = 50;
+/// A step that is shorter than this part of the extent changes nothing any more.
+const STILL: f64 = 1e-15;
 
-/// Centre and radius of the circle through three points, of the nearest one to more (least squares of
-/// x² + y² = 2ax + 2by + c). None where the points lie in a line or upon each other.
+/// Centre and radius of the circle through three points, of the nearest one to more: least squares of the distances.
+/// None where the points lie in a line or upon each other.
 pub fn circle(points: &[[f64; 2]]) -> Option<([f64; 2], f64)> {
-    let count = points.len() as f64;
-    let middle = [0, 1].map(|axis| points.iter().map(|point| point[axis]).sum::<f64>() / count);
+    let flat: Vec<V3> = points.iter().map(|[x, y]| V3::new(*x, *y, 0.0)).collect();
+    let (centre, radius) = nearest(&flat, true)?;
+    Some(([centre.x, centre.y], radius))
+}
+
+/// The sphere nearest to points, or with `plane`, where all have Z = 0, the circle.
+pub fn nearest(points: &[V3], plane: bool) -> Option<(V3, f64)> {
+    let middle = points.iter().sum::<V3>() / points.len() as f64;
     // about the middle and as large as 1, so that the size of the numbers decides nothing
     let apart = points
         .iter()
-        .map(|[x, y]| (x - middle[0]).hypot(y - middle[1]))
+        .map(|p| (p - middle).norm())
         .fold(0.0, f64::max);
-    if points.len() < 3 || !apart.is_finite() || apart == 0.0 {
+    let least = if plane { 3 } else { 4 };
+    if points.len() < least || !apart.is_finite() || apart == 0.0 {
         return None;
     }
-    let (mut normal, mut right) = (Matrix3::zeros(), Vector3::zeros());
-    for [x, y] in points {
-        let (x, y) = ((x - middle[0]) / apart, (y - middle[1]) / apart);
-        let row = Vector3::new(2.0 * x, 2.0 * y, 1.0);
-        normal += row * row.transpose();
-        right += row * (x * x + y * y);
+    let points: Vec<V3> = points.iter().map(|p| (p - middle) / apart).collect();
+    let mut round = algebraic(&points, plane)?;
+    for _ in 0..STEPS {
+        let Some(step) = step(&points, plane, &round) else {
+            break;
+        };
+        let next = round + step;
+        if left(&points, &next) > left(&points, &round) * (1.0 + FLAT) {
+            break;
+        }
+        round = next;
+        if step.norm() < STILL {
+            break;
+        }
     }
-    let solution = (normal.determinant() > FLAT * FLAT)
+    let found = (middle + round.xyz() * apart, round.w * apart);
+    found.1.is_finite().then_some(found)
+}
+
+/// Where the search begins: least squares of p² = 2·p·centre + rest. Centre and radius as one vector.
+fn algebraic(points: &[V3], plane: bool) -> Option<Vector4<f64>> {
+    let rows = points.iter().map(|p| {
+        let row = Vector4::new(2.0 * p.x, 2.0 * p.y, 2.0 * p.z, 1.0);
+        (row, p.norm_squared())
+    });
+    let solution = solved(rows, plane)?;
+    let radius = (solution.w + solution.xyz().norm_squared()).sqrt();
+    radius.is_finite().then(|| solution.xyz().push(radius))
+}
+
+/// Gauss-Newton: the change of centre and radius that takes away the distances, as far as they are linear.
+fn step(points: &[V3], plane: bool, round: &Vector4<f64>) -> Option<Vector4<f64>> {
+    let rows = points.iter().map(|p| {
+        let away = p - round.xyz();
+        let out = away.try_normalize(0.0).unwrap_or_else(V3::zeros);
+        (out.push(1.0), away.norm() - round.w)
+    });
+    solved(rows, plane)
+}
+
+/// Sum of the squares of the distances.
+fn left(points: &[V3], round: &Vector4<f64>) -> f64 {
+    let distance = |p: &V3| (p - round.xyz()).norm() - round.w;
+    points.iter().map(|p| distance(p).powi(2)).sum()
+}
+
+/// Least squares of linear equations; in the plane the third unknown stays 0.
+fn solved(rows: impl Iterator<Item = (Vector4<f64>, f64)>, plane: bool) -> Option<Vector4<f64>> {
+    let (mut normal, mut right) = (Matrix4::zeros(), Vector4::zeros());
+    for (row, value) in rows {
+        normal += row * row.transpose();
+        right += row * value;
+    }
+    if plane {
+        normal[(2, 2)] = 1.0;
+    }
+    (normal.determinant() > FLAT * FLAT)
         .then(|| normal.lu().solve(&right))
-        .flatten()?;
-    let [x, y, rest]: [f64; 3] = solution.into();
-    let radius = (rest + x * x + y * y).sqrt() * apart;
-    let centre = [middle[0] + x * apart, middle[1] + y * apart];
-    radius.is_finite().then_some((centre, radius))
+        .flatten()
 }
 
 /// Three points are on one line when their triangle is lower than this share of its longest side.
@@ -78,6 +135,81 @@ mod tests {
             [[f64::INFINITY, 0.0], [0.0, 1.0], [1.0, 0.0]],
         ] {
             assert_eq!(circle(&points), None, "{points:?}");
+        }
+    }
+
+    /// Numbers of a reference pair, where the folder with those of others is present: the points, and the fit.
+    fn reference(name: &str) -> Option<(Vec<V3>, Vec<f64>)> {
+        let folder =
+            std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/corpus/nist");
+        let numbers = |ending: &str| -> Option<Vec<f64>> {
+            let text = std::fs::read_to_string(folder.join(format!("{name}.{ending}"))).ok()?;
+            Some(
+                text.split_whitespace()
+                    .map(|word| word.parse().unwrap())
+                    .collect(),
+            )
+        };
+        let (points, fit) = (numbers("ds")?, numbers("fit")?);
+        let points: Vec<V3> = points[1..].chunks(3).map(V3::from_column_slice).collect();
+        Some((points, fit))
+    }
+
+    // oracle: NIST reference pairs for least-squares fits (centre, normal of the plane, diameter)
+    #[test]
+    fn circles_are_those_of_the_reference_pairs() {
+        for name in ["cir7", "cir10"] {
+            let Some((points, fit)) = reference(name) else {
+                return;
+            };
+            let (centre, normal) = (
+                V3::from_column_slice(&fit[..3]),
+                V3::from_column_slice(&fit[3..6]),
+            );
+            let along = normal.cross(&V3::y()).normalize();
+            let across = normal.cross(&along).normalize();
+            let flat: Vec<[f64; 2]> = points
+                .iter()
+                .map(|p| [(p - centre).dot(&along), (p - centre).dot(&across)])
+                .collect();
+            let ([x, y], radius) = circle(&flat).unwrap();
+            assert!(x.abs() < 1e-9 && y.abs() < 1e-9, "{name}: {x} {y}");
+            assert!((2.0 * radius - fit[6]).abs() < 1e-9, "{name}: {radius}");
+        }
+    }
+
+    // oracle: NIST reference pairs for least-squares fits (centre, diameter)
+    #[test]
+    fn the_sphere_is_that_of_the_reference_pair() {
+        let Some((points, fit)) = reference("sph11") else {
+            return;
+        };
+        let (centre, radius) = nearest(&points, false).unwrap();
+        assert!(
+            (centre - V3::from_column_slice(&fit[..3])).norm() < 1e-12,
+            "{centre}"
+        );
+        assert!((2.0 * radius - fit[3]).abs() < 1e-12, "{radius}");
+    }
+
+    // oracle: definition: no circle near to it leaves less
+    #[test]
+    fn four_points_beside_a_circle_have_the_nearest_one() {
+        let points = [[10.4, 0.0], [0.0, 9.7], [-10.0, 0.3], [1.0, -11.0]];
+        let ([x, y], radius) = circle(&points).unwrap();
+        let left = |x: f64, y: f64, radius: f64| -> f64 {
+            let distance = |[a, b]: &[f64; 2]| (a - x).hypot(b - y) - radius;
+            points.iter().map(|point| distance(point).powi(2)).sum()
+        };
+        let best = left(x, y, radius);
+        for [dx, dy, dr] in [
+            [1e-4, 0.0, 0.0],
+            [0.0, 1e-4, 0.0],
+            [0.0, 0.0, 1e-4],
+            [1e-4, -1e-4, 1e-4],
+        ] {
+            assert!(left(x + dx, y + dy, radius + dr) > best);
+            assert!(left(x - dx, y - dy, radius - dr) > best);
         }
     }
 }

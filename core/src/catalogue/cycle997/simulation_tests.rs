@@ -6,7 +6,7 @@ use super::VARIANTS;
 use crate::catalogue::sinumerik::testing::{alarms, at, call, run, setup, solid, stopped};
 use crate::check::Inputs;
 use crate::control::{Frame, Plane, Units};
-use crate::geometry::{V3, rigid};
+use crate::geometry::{V3, fit, rigid};
 use crate::run::machine::Sim;
 use crate::run::trace::Step;
 use crate::run::{Setup, Stop};
@@ -194,6 +194,58 @@ fn framed(plane: Plane) -> Setup {
     control.frames.insert(1, frame(100.0, [0.4, -0.7, 20.0]));
     control.activate(1);
     setup
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(6))]
+
+    /// Where frame and part stand together on the machine decides nothing; and the points that were really touched lie on
+    /// the sphere that is told.
+    #[test]
+    fn the_place_on_the_machine_decides_nothing(
+        at_x in [-400.0..400.0_f64, -400.0..400.0_f64, -400.0..400.0_f64],
+        turn in [-180.0..180.0_f64, -80.0..80.0_f64, -180.0..180.0_f64],
+        shift in [-1.0..1.0_f64, -1.0..1.0_f64, -1.0..1.0_f64], plane in 0..3_usize,
+    ) {
+        let plane = PLANES[plane];
+        for variant in [109, 1_000_119, 1109, 101_119, 1_101_109, 10_109, 1_011_109] {
+            let mut results = Vec::new();
+            for frame in [Frame::default(), Frame { coarse: at_x, rotation: turn, ..Frame::default() }] {
+                let mut setup = setup(plane);
+                setup.control.frames.insert(1, frame);
+                setup.control.activate(1);
+                let mut setup = spheres(setup, plane, variant);
+                let away = setup.control.direction_to_machine(at(plane, shift));
+                setup.workpiece.solids[0].errors.shift = away;
+                let mut sim = Sim::new(&setup);
+                prop_assert_eq!(run(&mut sim, &inputs(variant)), Ok(()), "variant {}", variant);
+                results.push((0..28).map(|i| sim.control.number(&format!("_OVR[{i}]"))).collect::<Vec<_>>());
+                touched(&sim, variant, plane)?;
+            }
+            for (one, other) in results[0].iter().zip(&results[1]) {
+                prop_assert!((one - other).abs() < 1e-9, "{}: {} {}", variant, one, other);
+            }
+        }
+    }
+}
+
+/// Holds the last sphere against the one through the points that the ball touched of it.
+fn touched(sim: &Sim, variant: i64, plane: Plane) -> Result<(), TestCaseError> {
+    let steps = sim.trace.entries.iter();
+    let points: Vec<V3> = steps
+        .filter_map(|entry| match entry.step {
+            Step::Touch { point, .. } => Some(V3::from(sim.control.to_workpiece(point))),
+            _ => None,
+        })
+        .collect();
+    let each = points.len() / count(variant);
+    let (centre, radius) = fit::nearest(&points[points.len() - each..], false).unwrap();
+    let last = 4 + 8 * (count(variant) - 1);
+    close(sim, &format!("_OVR[{last}]"), 2.0 * radius)?;
+    for (i, axis) in plane.axes().into_iter().enumerate() {
+        close(sim, &format!("_OVR[{}]", last + 1 + i), centre[axis])?;
+    }
+    Ok(())
 }
 
 /// Names of frame data that a run wrote.
