@@ -6,6 +6,7 @@ use super::trace::{Entry, Step, Trace};
 use crate::catalogue::{Cycle, ResultField};
 use crate::control::{Control, Value, gud};
 use crate::diagnostic::{Code, Diagnostic};
+use crate::geometry::TOLERANCE;
 use crate::message::Message;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -52,7 +53,8 @@ impl Outcome {
             .collect()
     }
 
-    /// Tools, frames, mean values and data of probes that are different now, in the order of the names.
+    /// Tools, frames, mean values and data of probes that are different now, in the order of the names. Less than the
+    /// resolution of contact is no difference.
     pub fn changes(&self) -> Vec<Change> {
         let before = addressable(&self.before);
         let after = addressable(&self.control);
@@ -70,7 +72,7 @@ impl Outcome {
                 before: value(&before, &self.before, name),
                 after: value(&after, &self.control, name),
             })
-            .filter(|change| change.before != change.after)
+            .filter(|change| (change.before - change.after).abs() > TOLERANCE)
             .collect()
     }
 
@@ -192,5 +194,16 @@ mod tests {
             after: 1.5,
         };
         assert_eq!(outcome.changes(), [change]);
+    }
+
+    // oracle: hand
+    #[test]
+    fn the_last_bits_of_a_sum_are_no_change() {
+        let mut outcome = Outcome::new(&Setup::calibrated(Dialect::Sinumerik, Plane::G17));
+        for (name, value) in [("$P_UIFR[2,X,FI]", 0.1), ("$P_UIFR[2,Y,FI]", -2.8e-14)] {
+            assert!(outcome.control.set_variable(name, value));
+        }
+        let changes = outcome.changes();
+        assert!(matches!(&changes[..], [change] if change.name == "$P_UIFR[2,X,FI]"));
     }
 }
