@@ -23,14 +23,14 @@ fn a_question_of_another_shape_is_an_error() {
         assert!(json::form(question).is_err(), "form");
         assert!(json::read(question).is_err(), "read");
         assert!(json::change(question).is_err(), "change");
-        assert!(json::run(question).is_err(), "run");
+        assert!(json::Run::new(question).is_err(), "run");
     }
     let unknown = document!({ "control": "fanuc", "cycle": "CYCLE977", "text": "", "values": {} })
         .to_string();
     assert!(
         json::form(&unknown).is_err()
             && json::read(&unknown).is_err()
-            && json::run(&unknown).is_err()
+            && json::Run::new(&unknown).is_err()
     );
     let call = document!({ "control": "sinumerik", "text": "M30", "call": 3, "name": "_FA", "value": "1" });
     assert!(json::change(&call.to_string()).is_err());

@@ -15,7 +15,7 @@ mod program;
 pub use catalogue::catalogue;
 pub use form::form;
 #[cfg(feature = "program")]
-pub use program::{alarms, change, convert, machine, read, run, setup};
+pub use program::{Run, alarms, change, convert, machine, read, setup};
 
 use wasm_bindgen::prelude::wasm_bindgen;
 

@@ -49,13 +49,37 @@ pub fn convert(request: &str) -> Result<String, JsError> {
     Ok(json::text(&json::convert(request)?))
 }
 
-/// `RunRequest` → `RunView`.
-///
-/// # Errors
-/// A request or a setup of the wrong shape.
+/// A `RunRequest` that is answered in pieces with a `RunView`, so that a worker can hear between them that it should wait.
 #[wasm_bindgen]
-pub fn run(request: &str) -> Result<String, JsError> {
-    Ok(json::text(&json::run(request)?))
+pub struct Run(json::Run);
+
+#[wasm_bindgen]
+impl Run {
+    /// A run before its first block.
+    ///
+    /// # Errors
+    /// A request or a setup of the wrong shape.
+    #[wasm_bindgen(constructor)]
+    pub fn new(request: &str) -> Result<Run, JsError> {
+        Ok(Run(json::Run::new(request)?))
+    }
+
+    /// Carries out about so many blocks; true: the run is over.
+    pub fn advance(&mut self, blocks: u32) -> bool {
+        self.0.advance(blocks as usize)
+    }
+
+    /// How much of the main program is done, 0 to 1.
+    #[must_use]
+    pub fn share(&self) -> f64 {
+        self.0.share()
+    }
+
+    /// What it did, as a `RunView`. The run is gone afterwards.
+    #[must_use]
+    pub fn view(self) -> String {
+        json::text(&self.0.view())
+    }
 }
 
 /// Text of a setup file → `Setup` with everything in it that the file leaves to its default.

@@ -2,11 +2,11 @@
 // ready until the next redraw takes it, so that nothing changes between two redraws.
 
 import type { Question } from "./program";
-import type { Reply } from "./worker";
+import type { Reply, Wait } from "./worker";
 
 export interface Answered { question: Question; json?: string; problem?: string }
-/** `since`: ms, as performance.now; `share`: how much is done, where that is told. */
-export interface Busy { question: Question; since: number; share?: number }
+/** `since`: ms, as performance.now; `share`: how much is done, where that is told; `halted`: since when it waits. */
+export interface Busy { question: Question; since: number; share?: number; halted?: number }
 export interface Aside {
   /** Asks, unless just this is already asked. An older question that waits is forgotten, one that takes long is broken off. */
   want(question: Question): void;
@@ -14,6 +14,8 @@ export interface Aside {
   take(): Answered | null;
   /** What is being worked on. */
   busy(): Busy | null;
+  /** Lets a run wait, or go on. */
+  halt(on: boolean): void;
   stop(): void;
 }
 
@@ -86,6 +88,13 @@ export function createAside(module: () => WebAssembly.Module | undefined, ready:
       return taken;
     },
     busy: () => running,
+    halt(on) {
+      if (!running || on === (running.halted !== undefined)) return;
+      worker?.postMessage({ wait: on } satisfies Wait);
+      const { halted, ...going } = running;
+      running = on ? { ...going, halted: performance.now() } : { ...going, since: going.since + performance.now() - (halted ?? 0) };
+      ready();
+    },
     stop,
   };
 }

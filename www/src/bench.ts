@@ -96,6 +96,7 @@ function reading(store: Store, reader: Aside) {
 function running(store: Store, runner: Aside) {
   return createActivity("running", {
     busy: runner.busy,
+    halt: runner.halt,
     stopped: (state) => state.source === "program" && isCurrent(state.stoppedRun, state) ? state.stoppedRun : null,
     stop: () => { runner.stop(); store.update((state) => ({ stoppedRun: stopped(state) })); },
     again: () => store.update({ stoppedRun: null }),

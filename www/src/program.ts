@@ -38,11 +38,28 @@ function changes({ control, text, call: index, at, pending }: ChangeRequest): Ed
   });
 }
 
+/** A question that is answered at once; a run is answered in pieces. */
+export type AtOnce = Exclude<Question, { ask: "run" }>;
+
 /** The answer as JSON text, so that a worker can hand it over as it is. */
-export function answer(question: Question): string {
+export function answer(question: AtOnce): string {
   const { ask, ...request } = question;
   if (ask === "change") return JSON.stringify(changes(question as ChangeRequest));
   return call(ask, () => wasm[ask](JSON.stringify(request)));
+}
+
+const PIECE = 500; // blocks between two looks at the clock
+const SLICE = 40; // ms between two messages of others
+
+/** Runs a program. Before each slice `between` is told how much is done, and the run waits for it. */
+export async function runInPieces({ ask: _, ...request }: RunRequest & { ask: "run" }, between: (share: number) => Promise<void>): Promise<string> {
+  const run = new wasm.Run(JSON.stringify(request));
+  for (let over = false; !over;) {
+    await between(run.share());
+    const until = performance.now() + SLICE;
+    while (!over && performance.now() < until) over = run.advance(PIECE);
+  }
+  return run.view();
 }
 
 function setupOf(text: string): Setup | { why: string } {

@@ -1,25 +1,38 @@
 // The core on a thread of its own. First comes the compiled module, then questions; each gets one answer, before it how much of a long
-// program is done.
+// program is done. A run goes in pieces, so that it hears between them that it should wait.
 
 import { initSync } from "@pkg/program/program.js";
-import { answer, type Question } from "./program";
+import { answer, runInPieces, type Question } from "./program";
 
 export type Reply = { json: string } | { problem: string } | { share: number };
+export interface Wait { wait: boolean }
 
-addEventListener("probewright-progress", (event) => {
-  const share = event instanceof CustomEvent ? Number(event.detail) : 0;
-  postMessage({ share } satisfies Reply);
-});
+const tell = (reply: Reply): void => postMessage(reply);
 
-function reply(question: Question): Reply {
+addEventListener("probewright-progress", (event) => tell({ share: event instanceof CustomEvent ? Number(event.detail) : 0 }));
+
+let waiting = false;
+let goOn = (): void => {};
+
+/** Lets messages in, and comes back once nobody wants the run to wait. */
+async function between(share: number): Promise<void> {
+  tell({ share });
+  await new Promise((resolve) => setTimeout(resolve));
+  while (waiting) await new Promise<void>((resolve) => { goOn = resolve; });
+}
+
+async function reply(question: Question): Promise<Reply> {
   try {
-    return { json: answer(question) };
+    return { json: question.ask === "run" ? await runInPieces(question, between) : answer(question) };
   } catch (problem) {
     return { problem: problem instanceof Error ? problem.message : String(problem) };
   }
 }
 
-addEventListener("message", ({ data }: MessageEvent<WebAssembly.Module | Question>) => {
+addEventListener("message", ({ data }: MessageEvent<WebAssembly.Module | Question | Wait>) => {
   if (data instanceof WebAssembly.Module) initSync({ module: data });
-  else postMessage(reply(data));
+  else if ("wait" in data) {
+    waiting = data.wait;
+    goOn();
+  } else void reply(data).then(tell);
 });

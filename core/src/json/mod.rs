@@ -20,7 +20,7 @@ pub use alarms::{alarm, alarms, operator_message};
 pub use catalogue::{catalogue, cycles};
 pub use form::form;
 pub use machine::machine;
-pub use program::{calls, change, convert, read, read_told, run, run_outcome};
+pub use program::{Run, calls, change, convert, read, read_told, run_outcome};
 pub use setup::from_json as setup_from_json;
 #[cfg(feature = "cli")]
 pub use setup::schema as setup_schema;

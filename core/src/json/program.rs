@@ -14,7 +14,7 @@ use crate::program::position::Positions;
 use crate::program::{self, tree::Program};
 use crate::run::outcome::Outcome;
 use crate::run::setup::Setup;
-use crate::run::{self, Limits};
+use crate::run::{Limits, Session};
 use serde::Deserialize;
 use serde_json::Value;
 
@@ -190,14 +190,41 @@ pub fn convert(request: &str) -> Result<Value, Error> {
     ]))
 }
 
-/// Answers a `RunRequest` with a `RunView`.
-pub fn run(request: &str) -> Result<Value, Error> {
-    let request: RunRequest = super::request(request)?;
-    let dialect = dialect(&request.control)?;
-    let setup = start(dialect, request.setup)?.setup;
-    let program = program::read(dialect, request.text.as_bytes());
-    let outcome = run::run(&program, &setup, Limits::default());
-    Ok(run_outcome(&setup, &outcome, &program.source))
+/// The answer to a `RunRequest` in pieces, so that whoever waits for it can be told how far it is, halt it and leave it.
+pub struct Run {
+    session: Session,
+    setup: Setup,
+    source: Vec<u8>,
+}
+
+impl Run {
+    /// A run before its first block.
+    pub fn new(request: &str) -> Result<Run, Error> {
+        let request: RunRequest = super::request(request)?;
+        let dialect = dialect(&request.control)?;
+        let setup = start(dialect, request.setup)?.setup;
+        let program = program::read(dialect, request.text.as_bytes());
+        Ok(Run {
+            session: Session::new(program, &setup, Limits::default()),
+            setup,
+            source: request.text.into_bytes(),
+        })
+    }
+
+    /// Carries out about so many blocks; true: the run is over.
+    pub fn advance(&mut self, blocks: usize) -> bool {
+        self.session.advance(blocks)
+    }
+
+    /// How much of the main program is done, 0 to 1.
+    pub fn share(&self) -> f64 {
+        self.session.share()
+    }
+
+    /// What it did so far, as a `RunView`.
+    pub fn view(self) -> Value {
+        run_outcome(&self.setup, &self.session.outcome(), &self.source)
+    }
 }
 
 /// What a program did, as a `RunView`.

@@ -97,18 +97,8 @@ pub fn run(program: &Program, setup: &Setup, limits: Limits) -> Outcome {
 pub struct Session {
     run: Interpreter,
     before: Setup,
+    furthest: f64,
     ended: Option<Result<(), Stop>>,
-}
-
-/// How far a run is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Progress {
-    /// Line that comes next, from 0.
-    pub line: usize,
-    /// Blocks carried out, long ones counted as several.
-    pub work: usize,
-    /// Work after which the run is given up.
-    pub limit: usize,
 }
 
 impl Session {
@@ -117,6 +107,7 @@ impl Session {
         Session {
             run: Interpreter::new(program, setup, limits),
             before: setup.clone(),
+            furthest: 0.0,
             ended: None,
         }
     }
@@ -127,16 +118,13 @@ impl Session {
         while self.ended.is_none() && self.run.work < until {
             self.ended = one_block(&mut self.run).transpose();
         }
+        self.furthest = self.furthest.max(self.run.reached());
         self.ended.is_some()
     }
 
-    /// How far it is.
-    pub fn progress(&self) -> Progress {
-        Progress {
-            line: self.run.at,
-            work: self.run.work,
-            limit: self.run.limit,
-        }
+    /// How much of the main program lies behind it, 0 to 1; loops and jumps back do not make it less.
+    pub fn share(&self) -> f64 {
+        self.furthest
     }
 
     /// What came out so far; a run that was halted says so.
@@ -217,6 +205,14 @@ impl Interpreter {
             seen: BTreeSet::new(),
             program: Rc::new(program),
         }
+    }
+
+    /// Part of the main program that lies before the block that comes next, or before the call that has not returned.
+    fn reached(&self) -> f64 {
+        let at = self.levels.get(1).map_or(self.at, |called| called.call);
+        let main = self.levels.first().map(|main| main.blocks.clone());
+        let main = main.unwrap_or_default();
+        (at.saturating_sub(main.start) as f64 / main.len().max(1) as f64).min(1.0)
     }
 
     /// A finding that does not stop the run; the same one is told once.

@@ -42,7 +42,7 @@ pub mod types;
 pub mod user_program;
 mod words;
 
-pub use interpret::{Limits, Progress, Session, run};
+pub use interpret::{Limits, Session, run};
 pub use outcome::{Change, Outcome};
 pub use predict::predict;
 pub use setup::Setup;

@@ -6,6 +6,7 @@ mod corpus;
 mod flow;
 mod frames;
 mod motion;
+mod properties;
 mod subprograms;
 mod values;
 mod words;

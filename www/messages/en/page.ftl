@@ -149,6 +149,8 @@ program-file-sinumerik = program.mpf
 program-file-nct = program.nc
 
 activity-stop = Stop
+activity-halt = Pause
+activity-go-on = Go on
 activity-again = Try again
 activity-seconds = { $seconds } s
 activity-share = { $percent } %
@@ -158,6 +160,7 @@ reading-stopped = The reading was stopped. The calls of this program are not kno
 reading-failed = The program could not be read: { $why }
 running-working = Running the program
 running-working-on = Running the program ({ $size } million characters).
+running-halted = The run is paused.
 running-stopped = The run was stopped.
 running-failed = The program could not be run: { $why }
 

@@ -145,6 +145,8 @@ program-file-sinumerik = program.mpf
 program-file-nct = program.nc
 
 activity-stop = 停止
+activity-halt = 暂停
+activity-go-on = 继续
 activity-again = 重试
 activity-seconds = { $seconds } s
 activity-share = { $percent } %
@@ -154,6 +156,7 @@ reading-stopped = 读取已停止，程序中的调用未知。
 reading-failed = 无法读取程序：{ $why }
 running-working = 正在运行程序
 running-working-on = 正在运行程序（{ $size } 百万字符）。
+running-halted = 运行已暂停。
 running-stopped = 运行已停止。
 running-failed = 无法运行程序：{ $why }
 

@@ -8,37 +8,43 @@ import { t } from "../texts";
 const QUIET = 300; // ms of work that are not worth a word
 const TICK = 250; // ms
 
-export interface Activity { busy(): { since: number; share?: number } | null; stopped(state: State): Stopped | null; stop(): void; again(): void }
+/** `halt` where the work can wait. */
+export interface Activity { busy(): { since: number; share?: number; halted?: number } | null; stopped(state: State): Stopped | null; stop(): void; again(): void; halt?(on: boolean): void }
 
 /** `name` is the first part of the keys of its texts. */
 export function createActivity(name: string, work: Activity): { root: HTMLElement; draw(state: State): void } {
   const what = el("span", { role: "status" });
   const seconds = el("span", { class: "figure", "aria-hidden": "true" });
   const bar = el("progress", { "aria-label": t(`${name}-working`) });
+  const halt = el("button", { type: "button", class: "quiet" });
   const stop = el("button", { type: "button", class: "quiet" }, t("activity-stop"));
   const again = el("button", { type: "button", class: "quiet" }, t("activity-again"));
-  const root = el("div", { class: "activity", hidden: true }, bar, what, seconds, stop, again);
+  const root = el("div", { class: "activity", hidden: true }, bar, what, seconds, el("div", { class: "activity-buttons" }, halt, stop, again));
   let timer = 0;
+  on(halt, "click", () => work.halt?.(work.busy()?.halted === undefined));
   on(stop, "click", work.stop);
   on(again, "click", work.again);
 
   const draw = (state: State): void => {
     const busy = work.busy();
-    const passed = busy ? performance.now() - busy.since : 0;
+    const halted = busy?.halted !== undefined;
+    const passed = busy ? (busy.halted ?? performance.now()) - busy.since : 0;
     const stopped = work.stopped(state);
-    const working = passed > QUIET;
+    const working = passed > QUIET || halted;
     show(root, working || !!stopped);
     for (const part of [bar, seconds, stop]) show(part, working);
+    show(halt, working && !!work.halt);
     show(again, !working);
+    setText(halt, t(halted ? "activity-go-on" : "activity-halt"));
     const size = plain(programOf(state).length / 1e6, 1);
-    if (working) setText(what, t(`${name}-working-on`, { size }));
+    if (working) setText(what, t(`${name}-${halted ? "halted" : "working-on"}`, { size }));
     else setText(what, stopped ? t(stopped.why ? `${name}-failed` : `${name}-stopped`, { why: stopped.why }) : "");
     setAttribute(bar, "value", busy?.share);
     const parts = [t("activity-seconds", { seconds: (passed / 1000).toFixed(1) })];
     if (busy?.share !== undefined) parts.unshift(t("activity-share", { percent: Math.floor(busy.share * 100) }));
     setText(seconds, parts.join(" · "));
     clearTimeout(timer);
-    if (busy) timer = window.setTimeout(() => draw(state), working ? TICK : QUIET);
+    if (busy && !halted) timer = window.setTimeout(() => draw(state), working ? TICK : QUIET);
   };
   return { root, draw };
 }
