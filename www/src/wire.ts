@@ -154,6 +154,7 @@ export interface Setup {
   probe: { radius: number; length: number; skew?: [number, number]; preTravel?: [number, number]; delay?: number; repeatability?: [number, number]; falseSignal?: number };
   workpiece: Solid[];
   position?: Vec3;                     // at the start, machine coordinates
+  skip?: number[];                     // levels switched on: blocks with /, /1.. are left out
 }
 
 // machine(MachineRequest) -> MachineView: what is set once per machine

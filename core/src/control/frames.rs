@@ -4,7 +4,7 @@
 
 use super::{BasicFrames, Control, Frame, Value};
 use crate::geometry::rigid::{angles, rotation};
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 /// Which channel basic frames are in the chain: bit 0 is `$P_CHBFR[0]`.
 pub const CHANNEL_MASK: &str = "$P_CHBFRMASK";
@@ -78,6 +78,11 @@ impl Frame {
             return self.mirrored(direction);
         }
         self.mirrored((rotation(self.rotation).inverse() * Vector3::from(direction)).into())
+    }
+
+    /// What [`Frame::turn`] does with a direction, as a matrix.
+    pub fn directions(&self) -> Matrix3<f64> {
+        rotation(self.rotation).matrix() * Matrix3::from_diagonal(&self.mirrored([1.0; 3]).into())
     }
 
     fn mirrored(&self, direction: [f64; 3]) -> [f64; 3] {

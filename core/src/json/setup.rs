@@ -8,7 +8,7 @@ use crate::control::{
 use crate::run::setup::Setup;
 use crate::workpiece::{PartErrors, Probe, Shape, Solid, Workpiece};
 use serde::Deserialize;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Machine, probe and part that a program runs on. Lengths in mm, angles in degree, feeds in mm/min, except in `data`,
 /// where a number means what it means on the control: on an inch machine most lengths are inches. Unknown members are refused, so that a slip is told and not ignored.
@@ -50,6 +50,9 @@ struct SetupFile {
     /// Where the machine stands at the start: the point to which L1 refers, machine coordinates X Y Z.
     #[serde(default)]
     position: [f64; 3],
+    /// Skip levels 0 to 9 that are switched on at the panel: blocks with `/`, `/1` to `/9` are left out.
+    #[serde(default)]
+    skip: BTreeSet<u8>,
 }
 
 #[derive(Clone, Copy, Deserialize)]
@@ -356,6 +359,7 @@ fn setup(file: SetupFile) -> Result<Setup, Error> {
         probe: read_probe(&file.probe),
         workpiece: Workpiece { solids },
         position: file.position,
+        skip: file.skip,
     };
     super::setup_limits::check(&setup)?;
     Ok(setup)

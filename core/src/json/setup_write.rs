@@ -37,6 +37,10 @@ pub fn to_json(setup: &Setup) -> Value {
     if let Some(machine) = machine(control) {
         put(&mut setup_file, "machine", machine);
     }
+    if !setup.skip.is_empty() {
+        let levels = setup.skip.iter().copied();
+        put(&mut setup_file, "skip", levels.collect::<Value>());
+    }
     setup_file
 }
 

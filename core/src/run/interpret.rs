@@ -63,6 +63,8 @@ pub struct Interpreter {
     pub programs: Programs,
     /// Levels of subprograms allowed.
     pub depth: usize,
+    /// Skip levels that are switched on.
+    pub skip: BTreeSet<u8>,
     /// Work so far, in blocks; see [`Limits::steps`].
     pub work: usize,
     /// The block that comes next.
@@ -200,6 +202,7 @@ impl Interpreter {
             links: flow::links(&program, &programs),
             programs,
             depth: limits.depth,
+            skip: setup.skip.clone(),
             work: 0,
             limit: limits.steps,
             seen: BTreeSet::new(),

@@ -3,6 +3,7 @@
 use crate::catalogue::Dialect;
 use crate::control::{Control, Edge, Plane, Units, delivery_in};
 use crate::workpiece::{Probe, Workpiece};
+use std::collections::BTreeSet;
 
 /// Everything that a run starts from.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,6 +16,8 @@ pub struct Setup {
     pub workpiece: Workpiece,
     /// Where the point to which the tool length refers stands, machine (basic) coordinates X Y Z, mm.
     pub position: [f64; 3],
+    /// Skip levels 0 to 9 that are switched on at the panel: blocks with `/`, `/1` to `/9` are left out.
+    pub skip: BTreeSet<u8>,
 }
 
 /// T number of the probe in [`Setup::calibrated`], as in the programs of the manual (B:5855).
@@ -64,6 +67,7 @@ impl Setup {
             probe: ideal_probe(),
             workpiece: Workpiece::default(),
             position,
+            skip: BTreeSet::new(),
         }
     }
 }

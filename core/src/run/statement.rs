@@ -76,7 +76,8 @@ pub fn block(run: &mut Interpreter, at: usize) -> Result<Next, Stop> {
         return Ok(Next::End);
     };
     let words = program.words_of(block);
-    if left_out(run, words) {
+    let skipped = block.skip.is_some_and(|level| run.skip.contains(&level));
+    if skipped || left_out(run, words) {
         return Ok(Next::Block);
     }
     if let Some((keyword, label)) = repetition(run, words) {

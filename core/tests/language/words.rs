@@ -1,7 +1,10 @@
 //! Tools, spindle, alarms, operator texts, ends, and what is not understood.
 
-use super::{clean, fault, findings, go, messages, near, number};
+use super::{clean, fault, findings, go, messages, near, number, setup};
+use probewright_core::catalogue::Dialect;
+use probewright_core::program::read;
 use probewright_core::run::trace::Step;
+use probewright_core::run::{Limits, run};
 
 // oracle: hand
 #[test]
@@ -76,6 +79,24 @@ fn a_block_number_a_skip_level_and_a_comment_change_nothing() {
         number("N10 R1=1 ; R1=5\n/2 N20 R1=R1+1\n:30 R1=R1+1", "R1"),
         3.0
     );
+}
+
+// oracle: hand
+#[test]
+fn skip_levels_leave_out_what_is_switched_on() {
+    let text = "/N10 R1=R1+1\n/0 R1=R1+10\n/2 R1=R1+100\n/9 R1=R1+1000\nR2=7\n/2 GOTOF OUT\nR2=8\nOUT: M30";
+    let program = read(Dialect::Sinumerik, text.as_bytes());
+    for (skip, expected, end) in [
+        (&[][..], 1111.0, 7.0),
+        (&[0], 1100.0, 7.0),
+        (&[2, 9], 11.0, 8.0),
+    ] {
+        let mut setup = setup();
+        setup.skip = skip.iter().copied().collect();
+        let control = run(&program, &setup, Limits::default()).control;
+        assert_eq!(control.number("R1"), expected, "{skip:?}");
+        assert_eq!(control.number("R2"), end, "{skip:?}");
+    }
 }
 
 // oracle: hand: each at its place, none left out silently

@@ -173,6 +173,24 @@ fn what_does_not_exist_alarms() {
     );
 }
 
+/// The same with X reversed in a basic frame, in the settable ones, or in the programmed one; 0: in none.
+fn mirrored_in(place: usize) -> Control {
+    let mut control = chained();
+    let mirror = [true, false, false];
+    match place {
+        1 => control.channel_basic.entry(0).or_default().mirror = mirror,
+        2 => {
+            for frame in control.frames.values_mut() {
+                frame.mirror = mirror;
+            }
+        }
+        3 => control.program_frame.mirror = mirror,
+        _ => {}
+    }
+    control.activate(1);
+    control
+}
+
 /// A part that is turned and moved in the present WCS.
 fn turned_part() -> (nalgebra::Rotation3<f64>, Measured) {
     let turn = crate::geometry::rigid::rotation([3.0, -7.0, 12.0]);
@@ -194,8 +212,9 @@ fn write_all(control: &mut Control, writes: &[Write]) {
 fn afterwards_a_turned_part_stands_right() {
     // oracle: self (the definition of B:7371 and B:8411 by the control's own transformation)
     let set = [0.6, -0.48, 0.64];
-    for code in [1, 2, 1011, 1012, 2000, 9999] {
-        let mut control = chained();
+    let codes = [1, 2, 1011, 1012, 2000, 9999];
+    for (mirrored, code) in (0..4).flat_map(|mirrored| codes.map(|code| (mirrored, code))) {
+        let mut control = mirrored_in(mirrored);
         let (turn, measured) = turned_part();
         let target = target(&control, code).unwrap().unwrap();
         let machine = control.to_machine(measured.actual);

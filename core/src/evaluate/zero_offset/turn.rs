@@ -6,7 +6,7 @@ use crate::control::variables::AXES;
 use crate::control::{Control, Frame};
 use crate::evaluate::Write;
 use crate::geometry::rigid;
-use nalgebra::{IsometryMatrix3, Rotation3, Vector3};
+use nalgebra::{IsometryMatrix3, Matrix3, Rotation3, Vector3};
 
 /// A direction of the present WCS as it is seen when the frame to be corrected is active as it is stored.
 pub fn seen(control: &Control, target: &Target, direction: [f64; 3]) -> [f64; 3] {
@@ -16,15 +16,19 @@ pub fn seen(control: &Control, target: &Target, direction: [f64; 3]) -> [f64; 3]
 /// How the part is turned from where it should be (directions of the part = `turn` · set directions), given for the
 /// present WCS, as it is seen when the frame to be corrected is active as it is stored.
 pub fn seen_turn(control: &Control, target: &Target, turn: &Rotation3<f64>) -> Rotation3<f64> {
-    towards(control, target) * turn
+    Rotation3::from_matrix_unchecked(towards(control, target) * turn.matrix())
 }
 
 /// Rotation about X, Y, Z (RPY, degree) of the frame to be corrected after which a part that is now turned by `turn`
 /// stands right. `turn` as [`seen_turn`] gives it.
 pub fn rotation(control: &Control, target: &Target, turn: &Rotation3<f64>) -> [f64; 3] {
     let (_, old, after) = around(control, target);
-    let inner = of(&after);
-    let angles = rigid::angles(&(rigid::rotation(old.rotation) * inner * turn * inner.inverse()));
+    let inner = of(&[Frame {
+        rotation: [0.0; 3],
+        ..old
+    }]) * of(&after);
+    let outward = Rotation3::from_matrix_unchecked(inner * turn.matrix() * inner.transpose());
+    let angles = rigid::angles(&(rigid::rotation(old.rotation) * outward));
     std::array::from_fn(|axis| {
         if (angles[axis] - old.rotation[axis]).abs() < SAME {
             old.rotation[axis]
@@ -104,15 +108,15 @@ pub fn moved(
 }
 
 /// From directions of the present WCS to those of the WCS with the frame as it is stored.
-fn towards(control: &Control, target: &Target) -> Rotation3<f64> {
+fn towards(control: &Control, target: &Target) -> Matrix3<f64> {
     let (before, old, after) = around(control, target);
     let stored = of(&before) * of(&[old]) * of(&after);
-    stored.inverse() * of(&control.chain())
+    stored.transpose() * of(&control.chain())
 }
 
-/// Rotation of a chain of frames, outermost first.
-fn of(chain: &[Frame]) -> Rotation3<f64> {
-    chain.iter().fold(Rotation3::identity(), |turn, frame| {
-        turn * rigid::rotation(frame.rotation)
-    })
+/// Rotations and mirrors of a chain of frames, outermost first.
+fn of(chain: &[Frame]) -> Matrix3<f64> {
+    chain
+        .iter()
+        .fold(Matrix3::identity(), |turn, frame| turn * frame.directions())
 }
