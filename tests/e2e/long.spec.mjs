@@ -170,6 +170,25 @@ describe("a long program", () => {
     await context.close();
   });
 
+  // oracle: hand (a run that waits does not end, one that goes on does)
+  test("running can be paused and goes on", async () => {
+    const { context, page, problems } = await start(chrome);
+    const release = await hold(page);
+    await page.getByRole("button", { name: "Whole program" }).click();
+    const activity = page.locator(".panel-view .activity");
+    await activity.getByRole("button", { name: "Pause" }).click();
+    await activity.locator('text="The run is paused."').waitFor();
+    release();
+    await page.waitForTimeout(1000); // the worker is there by now, and waits
+    assert.equal(page.workers().length, 1);
+    assert.equal(await activity.locator('text="The run is paused."').isVisible(), true);
+    await activity.getByRole("button", { name: "Go on" }).click();
+    await activity.waitFor({ state: "hidden" });
+    await page.locator(".results tbody tr").first().waitFor();
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
   // oracle: hand
   test("running can be stopped and tried again", async () => {
     const { context, page, problems } = await start(chrome);
