@@ -48,6 +48,25 @@ fn truth(holds: bool) -> f64 {
     f64::from(u8::from(holds))
 }
 
+/// Sine of an angle in degree: the turns are taken off first, and quarters have no rounding.
+fn sine(degree: f64) -> f64 {
+    match degree.rem_euclid(360.0) {
+        0.0 | 180.0 => 0.0,
+        90.0 => 1.0,
+        270.0 => -1.0,
+        part => part.to_radians().sin(),
+    }
+}
+
+fn cosine(degree: f64) -> f64 {
+    match degree.rem_euclid(360.0) {
+        0.0 => 1.0,
+        90.0 | 270.0 => 0.0,
+        180.0 => -1.0,
+        part => part.to_radians().cos(),
+    }
+}
+
 fn called(function: usize, inner: Expression) -> Expression {
     let x = inner.value;
     let (name, value) = match function {
@@ -56,8 +75,8 @@ fn called(function: usize, inner: Expression) -> Expression {
         2 => ("ROUNDUP", x.ceil()),
         3 => ("-", -x),
         4 => ("NOT ", truth(x == 0.0)),
-        5 => ("SIN", x.to_radians().sin()),
-        6 => ("COS", x.to_radians().cos()),
+        5 => ("SIN", sine(x)),
+        6 => ("COS", cosine(x)),
         7 if x >= 0.0 => ("SQRT", x.sqrt()),
         _ => ("POT", x * x),
     };
