@@ -329,7 +329,7 @@ mod tests {
             rotation: [0.0, 0.0, 30.0],
             ..Frame::default()
         };
-        assert_eq!(frame.then(&inner).rotation, [0.0, 0.0, 60.0]);
+        near(frame.then(&inner).rotation, [0.0, 0.0, 60.0]);
         assert_eq!(frame.then(&frame).mirror, [false; 3]);
     }
 

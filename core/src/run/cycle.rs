@@ -53,6 +53,18 @@ pub fn addresses(run: &mut Interpreter, cycle: &'static Cycle, found: &Words) ->
     checked(run, cycle, &typed, found.path.span)
 }
 
+/// Whether a call is left out, which is told: logging is not simulated, and a run goes on without it.
+pub fn left_out(run: &mut Interpreter, cycle: &'static Cycle, span: Span) -> bool {
+    let log = cycle.purpose.probe == ProbeUse::Log && cycle.work().is_none();
+    if log {
+        run.tell(
+            Severity::Warning,
+            &Problem::new("run-log", span, cycle.name),
+        );
+    }
+    log
+}
+
 /// The alarm of the first error stops the program, as on the control; other errors are a fault.
 pub fn checked(
     run: &mut Interpreter,
@@ -81,9 +93,7 @@ pub fn checked(
         }
     }
     if let Some(inputs) = &checked.inputs {
-        if cycle.purpose.probe == ProbeUse::Log && cycle.work().is_none() {
-            let problem = Problem::new("run-log", span, cycle.name);
-            run.tell(Severity::Warning, &problem);
+        if left_out(run, cycle, span) {
             return Ok(());
         }
         user_program::around(run, &user_program::BEFORE, cycle, span)?;

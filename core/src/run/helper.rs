@@ -5,7 +5,7 @@ use super::datum::Datum;
 use super::interpret::Interpreter;
 use super::problem::Problem;
 use super::statement::Call;
-use super::{Stop, call, names};
+use super::{Stop, call, cycle, names};
 use crate::catalogue::{Arg, ArgumentList, Cycle};
 use crate::check::{self, Typed};
 
@@ -22,6 +22,9 @@ pub fn call(
     list: &ArgumentList,
     call: &Call,
 ) -> Result<(), Stop> {
+    if cycle::left_out(run, cycle, call.span) {
+        return Ok(());
+    }
     let typed = values(run, cycle, list, call).map_err(|problem| run.fail(problem))?;
     let inputs = check::read(cycle, &typed, &run.sim.control, &mut Vec::new());
     call::perform(&mut run.sim, &inputs).map_err(|stop| run.stopped(stop, call.span))?;
