@@ -117,7 +117,7 @@ fn the_impossible_is_told_at_its_place() {
         ("_WP[0]=1", "run-index", (1, 1)),
         ("N10 R1=_OVR[32]", "run-index", (1, 8)),
         ("R1=5/(3-3)", "run-division", (1, 7)),
-        ("R1=1EX308*10\nG0 X=R1", "run-not-a-number", (2, 4)),
+        ("R1=1EX308*10\nG0 X=R1", "run-range", (1, 4)),
         ("GOTOF NOWHERE", "run-label", (1, 1)),
         ("ENDIF", "run-unmatched", (1, 1)),
         ("T=4711\nM6", "run-no-tool", (2, 1)),
