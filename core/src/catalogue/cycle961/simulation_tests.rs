@@ -255,7 +255,12 @@ proptest! {
     /// With the corrected frame the corner is its zero and the reference edge its abscissa, in every frame that can be
     /// corrected; the applicate and its place stay.
     #[test]
-    fn the_corner_becomes_the_zero(case in cases(), target in prop::sample::select(vec![1, 2, 1011, 2000, 9999]), beside in 1..5_u8) {
+    fn the_corner_becomes_the_zero(
+        case in cases(), target in prop::sample::select(vec![1, 2, 1011, 2000, 9999]), beside in 1..5_u8,
+        mirrored in any::<bool>(),
+    ) {
+        let mut case = case;
+        case.frame.mirror[case.plane.axes()[1]] = mirrored;
         let (mut setup, mut inputs) = case.ready();
         setup.control.frames.insert(2, Frame {
             coarse: [11.0, 22.0, 33.0],

@@ -170,6 +170,7 @@ proptest! {
     fn a_corrected_rotation_measures_zero(
         set in prop::array::uniform2(-15.0..15.0_f64), wrong in prop::array::uniform2(-9.0..9.0_f64), plane in 0..3_usize,
         axes in 0..6_usize, turn in -60.0..60.0_f64, target in prop::sample::select(vec![1, 1011, 2000, 9999]),
+        mirror in prop::array::uniform3(any::<bool>()),
     ) {
         for variant in ONE.into_iter().chain(TWO) {
             if variant == 1105 && AXES[axes] % 10 == 3 {
@@ -181,7 +182,7 @@ proptest! {
                 5 => vec![set[0] + wrong[0]],
                 _ => vec![set[1] + wrong[1], set[0] + wrong[0]],
             };
-            let mut setup = ready(PLANES[plane], &inputs, [0.0, turn, turn / 2.0], &actual);
+            let mut setup = mirrored(mirror, PLANES[plane], &inputs, [0.0, turn, turn / 2.0], &actual);
             setup.control = done(&setup, &inputs).control;
             if target != 9999 {
                 setup.control.activate(1);
