@@ -1,6 +1,7 @@
 //! Programs that call programs of the same text.
 
 use super::{clean, fault, findings, number};
+use probewright_core::run::trace::Step;
 
 // oracle: hand
 #[test]
@@ -108,4 +109,18 @@ fn what_does_not_fit_is_told() {
         ["run-subprogram"]
     );
     assert_eq!(fault("SUB\nM30\n%_N_SUB_SPF\nSUB"), "run-depth");
+}
+
+// oracle: hand: rows of 1, 2 and 3 steps of 2.5 mm; R1 and R2 after three passes of the part
+#[test]
+fn a_program_with_a_bit_of_everything_runs() {
+    let outcome = clean(include_str!("../programs/subprograms.mpf"));
+    let numbers = ["R1", "R2"].map(|name| outcome.control.number(name));
+    assert_eq!(numbers, [3.0, 6.0]);
+    let texts = outcome.trace.entries.iter().rev();
+    let mut texts = texts.filter_map(|entry| match &entry.step {
+        Step::Message(text) => Some(text.as_str()),
+        _ => None,
+    });
+    assert_eq!(texts.next(), Some("GRID of 15 mm, 2"));
 }
