@@ -2,9 +2,11 @@
 
 use super::{at, clean, fault, near, number, setup};
 use probewright_core::catalogue::Dialect;
+use probewright_core::diagnostic::Severity;
+use probewright_core::geometry::rigid::rotation;
 use probewright_core::program::read;
 use probewright_core::run::trace::Step;
-use probewright_core::run::{Limits, run};
+use probewright_core::run::{Limits, Setup, run};
 use probewright_core::workpiece::{PartErrors, Shape, Solid};
 
 // oracle: hand
@@ -135,4 +137,52 @@ fn units_reach_frames_and_feeds_as_they_should() {
     at("G700\n$P_UIFR[1,X,TR]=1\nG54\nG0 X0", [25.4, 0.0, 0.0]);
     at("G70\nROT Z90\nG0 X1 Y0", [0.0, 25.4, 0.0]);
     assert!(clean("G710 G0 X1").position[0] == 1.0);
+}
+
+/// A block that is clamped askew, its front left upper corner in the machine's zero; G56 stands there, parallel to the axes.
+fn askew() -> Setup {
+    let turn = rotation([4.0, -3.0, 5.0]);
+    let corner: [f64; 3] = (turn * nalgebra::Vector3::new(50.0, 40.0, 0.0)).into();
+    let mut setup = setup();
+    setup.workpiece.solids.push(Solid {
+        shape: Shape::Block {
+            size: [100.0, 80.0, 50.0],
+        },
+        at: corner,
+        rotation: [4.0, -3.0, 5.0],
+        errors: PartErrors::default(),
+    });
+    setup.control.rotary_centre = [30.0, 30.0, -80.0];
+    setup.position = [0.0, 0.0, 60.0];
+    setup
+}
+
+// oracle: manual B:7696-7786 (the way of its example, in our words): afterwards the corner is the zero of G57 and the edges
+// are its axes
+#[test]
+fn an_oblique_part_is_set_up_with_the_swivel_cycle() {
+    let text = "G56 G17 G90 G1 F500\nCYCLE800(1,\"\",0,57,0,0,0,0,0,0,0,0,0,-1)\n$P_UIFR[4]=$P_UIFR[3]\nX20 Y25\nZ40\n\
+        _PRNUM=1 _VMS=0 _NMSP=1 _TSA=20 _EVNUM=0\n\
+        _FA=40 _STA1=0 _INCA=0 _MVAR=100106 _MD=1 _ID=50 _SETV[0]=35 _SETVAL=0 _KNUM=4\nCYCLE998\nG57\n\
+        CYCLE800(1,\"\",0,57,0,0,0,0,0,0,0,0,0,-1)\nX20 Y25\nZ20\n_MVAR=100 _SETVAL=0 _MA=3 _TSA=10 _FA=20\nCYCLE978\nG57\n\
+        Z20\nX25 Y-20\nZ-10\n_MVAR=105 _MA=102 _SETVAL=0 _RA=0 _STA1=0\nCYCLE998\nG57\n\
+        X25 Y-20\nZ-10\n_MVAR=100 _MA=2 _FA=10\nCYCLE978\nG57\nX-20 Y-20\nY25\n_MA=1\nCYCLE978\nG57\nZ20";
+    let program = read(Dialect::Sinumerik, text.as_bytes());
+    let outcome = run(&program, &askew(), Limits::default());
+    let errors: Vec<_> = outcome
+        .diagnostics
+        .iter()
+        .filter(|found| found.severity == Severity::Error)
+        .collect();
+    assert_eq!((&outcome.stop, errors), (&None, Vec::new()));
+    let frame = outcome.control.frames[&4];
+    let (found, wanted) = (rotation(frame.rotation), rotation([4.0, -3.0, 5.0]));
+    assert!(
+        (found.matrix() - wanted.matrix()).norm() < 1e-9,
+        "{:?}",
+        frame.rotation
+    );
+    for (axis, at) in frame.origin().into_iter().enumerate() {
+        near(at, 0.0, ["X", "Y", "Z"][axis]);
+    }
 }
