@@ -8,6 +8,8 @@ mod lists;
 mod motion_tests;
 pub mod params;
 mod picture;
+#[cfg(test)]
+mod proposal_tests;
 mod propose;
 mod results;
 mod simulate;

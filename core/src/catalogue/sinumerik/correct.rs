@@ -83,14 +83,14 @@ pub fn frame(machine: &mut dyn Machine, target: &zero_offset::Target, writes: &[
     results::integer(machine, 11, 1);
 }
 
-/// Writes what corrects a frame and, for `_KNUM` = 9999, activates it.
+/// Writes what corrects a frame and, for `_KNUM` = 9999, activates it. Nothing is told of a frame that is right.
 pub fn apply(machine: &mut dyn Machine, target: &zero_offset::Target, writes: &[Write]) {
     write(machine, writes);
     if target.activate {
         let settable = machine.control().settable;
         machine.control().activate(settable);
         machine.record(Step::Decision(Message::new("evaluate-activated")));
-    } else {
+    } else if !writes.is_empty() {
         machine.record(Step::Decision(Message::new("evaluate-not-activated")));
     }
 }
