@@ -532,7 +532,7 @@ fn nct_words_are_understood() {
     near(outcome.end(), [6.0, 5.0, 20.0]);
     assert_eq!(outcome.control.number("#101"), 0.0);
     assert_eq!(outcome.control.settable, 2);
-    assert_eq!(edge(&outcome.control, 98), 50.0);
+    assert_eq!(edge(&outcome.control, 98), 53.0);
 }
 
 /// A bore in the plane Z-X, its axis along Y, bigger and off its place.

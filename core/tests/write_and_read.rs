@@ -72,7 +72,7 @@ fn choosing(cycle: &Cycle, index: usize, part: f64) -> Vec<(String, String)> {
         None => cycle
             .params
             .iter()
-            .find(|param| param.chooses == Some(variant.number))
+            .find(|param| matches!(param.chooses, Some((_, number)) if number == variant.number))
             .map(|param| (param.name, number(param, part).to_string())),
     };
     chosen

@@ -231,8 +231,8 @@ pub struct Param {
     /// First rule that holds decides; none: not used.
     pub needs: &'static [Need],
     /// Number of the variant that is chosen by giving it (even 0), in a cycle that has no parameter for the variant
-    /// (NCT: the address of the tool axis makes a boss out of a bore). It counts where `needs` lets it be used.
-    pub chooses: Option<i64>,
+    /// (NCT: the address of the tool axis makes a boss out of a bore), and where it does so.
+    pub chooses: Option<(When, i64)>,
     /// Wording that differs by variant: stem of the first that holds, else [`Param::key`].
     pub labels: &'static [(When, &'static str)],
     /// Place in the manual.

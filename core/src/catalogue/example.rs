@@ -20,13 +20,22 @@ pub fn example(cycle: &'static Cycle, variant: &Variant) -> Typed {
 }
 
 /// Values, as typed, that choose a variant: its number, or the address whose presence makes it.
-pub fn choosing(cycle: &Cycle, number: i64) -> Typed {
+/// An address that does so in one plane only stands in the plane of a control as delivered.
+pub fn choosing(cycle: &'static Cycle, number: i64) -> Typed {
+    let delivered = check::read(
+        cycle,
+        &Typed::new(),
+        &delivery(cycle.dialect),
+        &mut Vec::new(),
+    );
     let value = |param: &super::Param| {
         if matches!(param.kind, super::Kind::Variant(_)) {
             return Some((param.name.to_owned(), number.to_string()));
         }
-        let value = if param.chooses? == number { "0" } else { "" };
-        Some((param.name.to_owned(), value.to_owned()))
+        let (when, chosen) = param.chooses.as_ref()?;
+        let value = if *chosen == number { "0" } else { "" };
+        when.holds(&delivered)
+            .then(|| (param.name.to_owned(), value.to_owned()))
     };
     one_by_one(cycle.params.iter().filter_map(value))
 }

@@ -29,6 +29,9 @@ pub mod cycle998;
 mod entry;
 pub mod example;
 pub mod g101;
+pub mod g102;
+pub mod g103;
+pub mod g104;
 pub mod g110;
 pub mod lathe;
 pub mod list;
@@ -68,6 +71,9 @@ pub static CYCLES: &[&Cycle] = &[
     &cycle113::CYCLE113,
     &cycle118::CYCLE118,
     &g101::G101,
+    &g102::G102,
+    &g103::G103,
+    &g104::G104,
     &g110::G110,
 ];
 

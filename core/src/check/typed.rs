@@ -250,8 +250,9 @@ fn variant(
 /// The variant that an address chooses by being given; the first one where none does.
 fn chosen(cycle: &'static Cycle, inputs: &Inputs) -> i64 {
     let by_address = cycle.params.iter().find_map(|param| {
-        let counts = inputs.given(param.name).is_some() && param.need(inputs).is_some();
-        param.chooses.filter(|_| counts)
+        let (when, number) = param.chooses.as_ref()?;
+        let counts = inputs.given(param.name).is_some() && when.holds(inputs);
+        counts.then_some(*number)
     });
     by_address.unwrap_or(inputs.variant)
 }

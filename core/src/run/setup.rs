@@ -27,7 +27,7 @@ pub const PROBE_REGISTER: i64 = 98;
 
 impl Setup {
     /// A metric control as delivered with a calibrated ideal probe in the spindle (ball 6 mm, L1 50 mm: B:5855,
-    /// B:16259), nothing to touch, and the machine far above.
+    /// B:16259; on NCT the length is that to the end of the ball), nothing to touch, and the machine far above.
     pub fn calibrated(dialect: Dialect, plane: Plane) -> Setup {
         Setup::calibrated_in(dialect, plane, Units::Metric)
     }
@@ -50,7 +50,11 @@ impl Setup {
                 (control.tool, control.edge) = (PROBE_TOOL, 1);
             }
             Dialect::Nct => {
-                *control.register_mut(PROBE_REGISTER) = edge;
+                let tip = [edge.length[0] + edge.radius, 0.0, 0.0]; // G104 makes it so: no axial radius is kept
+                *control.register_mut(PROBE_REGISTER) = Edge {
+                    length: tip,
+                    ..edge
+                };
                 control.edge = PROBE_REGISTER;
                 for name in ["#500", "#501", "#502", "#503"] {
                     control.set(name, 3.0 / units.factor()); // ball radius by axis and direction, C:304-307
@@ -96,7 +100,7 @@ mod tests {
         assert_eq!(setup.control.active_length(), [0.0, 50.0, 0.0]);
         assert_eq!(setup.position, [0.0, 500.0, 0.0]);
         let setup = Setup::calibrated(Dialect::Nct, Plane::G17);
-        assert_eq!(setup.control.active_length(), [0.0, 0.0, 50.0]);
+        assert_eq!(setup.control.active_length(), [0.0, 0.0, 53.0]); // C:383-393: to the end of the ball
         assert_eq!(setup.control.number("#502"), 3.0);
     }
 }

@@ -35,6 +35,9 @@ fn table(name: &str) -> Table {
         "CYCLE997" => cycle997::table(),
         "CYCLE998" => cycle998::table(),
         "G101" => nct::g101(),
+        "G102" => nct::g102(),
+        "G103" => nct::g103(),
+        "G104" => nct::g104(),
         "G110" => nct::g110(),
         _ => panic!("{name} has no cases for its alarms"),
     }

@@ -29,42 +29,77 @@ pub fn g101() -> Table {
     }
 }
 
-pub fn g110() -> Table {
+pub fn g102() -> Table {
+    in_bore("G102 D50", "G102", "G102 D6")
+}
+
+pub fn g103() -> Table {
+    in_bore("G103 D50", "G103", "G103 D6")
+}
+
+pub fn g104() -> Table {
     Table {
         program: PROGRAM,
-        usual: "G110 D50",
-        setup,
-        cases: vec![
-            case(nct::FORMAT_ERROR, "G110 S1", |_| ()),
-            case(nct::NO_TOOL_LENGTH, "G110 D50", |setup| {
-                setup.control.edge = 0;
-            }),
-            case(nct::STYLUS_IN_CONTACT, "G110 D50", pressed),
-            case(nct::PROBE_FAIL, "G110 D50", |setup| {
-                setup.workpiece.solids.clear();
-            }),
-            case(nct::NO_MOVEMENT, "G110 D6", |_| ()),
-            case(nct::FALSE_TRIGGER, "G110 D50", false_signal),
-            case(nct::OUT_OF_POSITION, "G110 D50", |setup| {
-                setup.control.set(nct::POSITION_LOST, 1.0);
-            }),
-            // a boss that is so large that the way down beside its nominal wall ends on it
-            case(nct::PATH_OBSTRUCTED, "G110 D50 Z-10", |setup| {
-                setup.workpiece.solids[0].shape = Shape::Shaft {
-                    diameter: 70.0,
-                    height: 40.0,
-                };
-                setup.position[2] = 10.0;
-            }),
-            case(nct::OUT_OF_TOLERANCE, "G110 D50 H0.5", grown),
-            case(nct::UPPER_TOLERANCE, "G110 D50 S1 U0.5", grown),
-            case(nct::TOOL_TOO_LARGE, "G110 D50 T1", |setup| {
-                grown(setup);
-                setup.control.register_mut(1).radius = 24.9;
-            }),
-        ],
+        usual: "G104 Z0 T98",
+        setup: above,
+        cases: measuring("G104 Z0 T98", "G104 Z0", "G104 Z90 T98", sunk),
         unreached: Vec::new(),
     }
+}
+
+pub fn g110() -> Table {
+    let mut table = in_bore("G110 D50", "G110 S1", "G110 D6");
+    table.cases.extend([
+        // a boss that is so large that the way down beside its nominal wall ends on it
+        case(nct::PATH_OBSTRUCTED, "G110 D50 Z-10", |setup| {
+            setup.workpiece.solids[0].shape = Shape::Shaft {
+                diameter: 70.0,
+                height: 40.0,
+            };
+            setup.position[2] = 10.0;
+        }),
+        case(nct::OUT_OF_TOLERANCE, "G110 D50 H0.5", grown),
+        case(nct::UPPER_TOLERANCE, "G110 D50 S1 U0.5", grown),
+        case(nct::TOOL_TOO_LARGE, "G110 D50 T1", |setup| {
+            grown(setup);
+            setup.control.register_mut(1).radius = 24.9;
+        }),
+    ]);
+    table
+}
+
+/// A macro that begins inside of the bore.
+fn in_bore(usual: &'static str, incomplete: &'static str, still: &'static str) -> Table {
+    Table {
+        program: PROGRAM,
+        usual,
+        setup,
+        cases: measuring(usual, incomplete, still, pressed),
+        unreached: Vec::new(),
+    }
+}
+
+/// What every measuring macro stops with: as called, with an address missing, with nothing to move, and with a stylus
+/// that touches.
+fn measuring(
+    usual: &'static str,
+    incomplete: &'static str,
+    still: &'static str,
+    touching: fn(&mut Setup),
+) -> Vec<Case> {
+    vec![
+        case(nct::FORMAT_ERROR, incomplete, |_| ()),
+        case(nct::NO_TOOL_LENGTH, usual, |setup| setup.control.edge = 0),
+        case(nct::STYLUS_IN_CONTACT, usual, touching),
+        case(nct::PROBE_FAIL, usual, |setup| {
+            setup.workpiece.solids.clear();
+        }),
+        case(nct::NO_MOVEMENT, still, |_| ()),
+        case(nct::FALSE_TRIGGER, usual, false_signal),
+        case(nct::OUT_OF_POSITION, usual, |setup| {
+            setup.control.set(nct::POSITION_LOST, 1.0);
+        }),
+    ]
 }
 
 fn case(code: Code, change: &'static str, prepare: fn(&mut Setup)) -> Case {
@@ -88,6 +123,21 @@ fn setup() -> Setup {
         errors: PartErrors::default(),
     }];
     setup
+}
+
+/// A block with its face at 0, the stylus 50 mm above.
+fn above() -> Setup {
+    let mut setup = setup();
+    setup.position = [0.0, 0.0, 50.0];
+    setup.workpiece.solids[0].shape = Shape::Block {
+        size: [100.0, 100.0, 60.0],
+    };
+    setup
+}
+
+/// The stylus stands 1 mm deep in the face.
+fn sunk(setup: &mut Setup) {
+    setup.position[2] = -1.0;
 }
 
 /// The stylus stands 1 mm deep in the wall.

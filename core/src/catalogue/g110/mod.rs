@@ -1,16 +1,14 @@
 //! G110: bore or boss (C:1036-1183).
 
+mod addresses;
 mod checks;
-mod params;
 mod picture;
 mod simulate;
 #[cfg(test)]
 mod tests;
 
-use super::nct::{self, part};
-use super::{
-    Cycle, Dialect, Drawing, Proposal, Purpose, ResultField, Simulation, Unit, Variant, When, Work,
-};
+use super::nct::{self, params, part};
+use super::{Cycle, Dialect, Drawing, Proposal, Purpose, ResultField, Simulation, Variant, Work};
 use crate::check::Inputs;
 use crate::control::Control;
 use crate::workpiece::{Shape, Workpiece};
@@ -37,7 +35,7 @@ pub static G110: Cycle = Cycle {
             source: "C:1076",
         },
     ],
-    params: params::PARAMS,
+    params: addresses::PARAMS,
     purpose: Purpose::MILLING,
     lists: &[],
     settings: &[],
@@ -77,15 +75,8 @@ pub static G110: Cycle = Cycle {
     source: "C:1036-1183",
 };
 
-/// The macro leaves no named results; these are what it works with, in the active unit.
 const fn length(name: &'static str, key: &'static str) -> ResultField {
-    ResultField {
-        name,
-        key,
-        when: When::Always,
-        unit: Unit::ActiveLength,
-        source: "C:1036-1046",
-    }
+    params::length(name, key, "C:1036-1046")
 }
 
 /// Coordinate of the tool axis to which a boss is measured, mm.

@@ -3,37 +3,17 @@
 
 use super::{BORE, BOSS, G110};
 use crate::catalogue::g101::G101;
-use crate::catalogue::{Cycle, Dialect, nct};
-use crate::check::{Typed, check};
+use crate::catalogue::nct::bench::{self, call, near, typed};
+use crate::catalogue::{Dialect, nct};
+use crate::check::check;
 use crate::control::{Frame, Plane};
-use crate::diagnostic::{Code, Severity};
-use crate::run::{Outcome, Setup, Stop, predict};
+use crate::diagnostic::Code;
+use crate::run::{Setup, Stop};
 use crate::workpiece::{PartErrors, Shape, Solid};
 use proptest::prelude::*;
 
-fn typed(values: &[(&str, &str)]) -> Typed {
-    values
-        .iter()
-        .map(|(name, value)| (name.to_string(), value.to_string()))
-        .collect()
-}
-
-fn call(cycle: &'static Cycle, values: &[(&str, &str)], setup: &Setup) -> Outcome {
-    let checked = check(cycle, &typed(values), &setup.control);
-    let inputs = checked
-        .inputs
-        .unwrap_or_else(|| panic!("{:?}", checked.diagnostics));
-    predict(cycle, &inputs, setup)
-}
-
 fn codes(values: &[(&str, &str)], plane: Plane) -> Vec<Code> {
-    let setup = Setup::calibrated(Dialect::Nct, plane);
-    let findings = check(&G110, &typed(values), &setup.control).diagnostics;
-    findings
-        .into_iter()
-        .filter(|f| f.severity == Severity::Error)
-        .map(|f| f.code)
-        .collect()
+    bench::codes(&G110, values, plane)
 }
 
 /// G59 at some place of the machine; a bore of 50 (or a boss) displaced in Z-X, the stylus at X120 Z200 Y-10.
@@ -64,10 +44,6 @@ fn bore(errors: PartErrors) -> Setup {
         },
         -10.0,
     )
-}
-
-fn near(a: f64, b: f64) {
-    assert!((a - b).abs() < 1e-9, "{a} is not {b}");
 }
 
 // oracle: manual C:1159-1176 (first call of the example): G59 moves by centre − (X120, Z200); zero after a second call

@@ -1,13 +1,24 @@
 //! What the probing macros of the NCT controls share (manual C).
 
+#[cfg(test)]
+pub(crate) mod bench;
+pub mod checks;
+pub mod correct;
+pub mod params;
 pub mod part;
 pub mod print;
+pub mod ring;
+pub mod surface;
 pub mod touch;
+pub mod walls;
+
+#[cfg(test)]
+mod calibration_tests;
 
 use super::common::{PARAM, optional};
 use super::{Cycle, Dialect, Kind, Need, Param, Range, Unit, When};
 use crate::catalogue;
-use crate::control::Plane;
+use crate::control::{Control, Plane, Units};
 use crate::diagnostic::Code;
 use crate::run::{Machine, Stop};
 
@@ -82,6 +93,15 @@ pub const PRINT: Param = Param {
     needs: FREE,
     ..PARAM
 };
+
+/// Overtravel Q where it is not given, as the calibrations have it: 10 mm or 0.4 inch (C:187, C:391). mm.
+pub const OVERTRAVEL: [f64; 2] = [10.0, 0.4 * 25.4];
+
+/// That overtravel for the system of units in force, mm.
+pub fn overtravel(control: &Control) -> f64 {
+    let inch = control.active_units == Units::Inch;
+    OVERTRAVEL[usize::from(inch)]
+}
 
 /// The axis address of the tool in its plane.
 pub const TOOL_AXIS: [(Plane, &str); 3] = [(Plane::G17, "Z"), (Plane::G18, "Y"), (Plane::G19, "X")];

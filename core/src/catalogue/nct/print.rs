@@ -1,5 +1,10 @@
 //! Lines of the print-out, in the manual's columns (C:1103-1116).
 
+use super::PRINT_ENABLED;
+use crate::check::Inputs;
+use crate::run::Machine;
+use crate::run::trace::Step;
+
 /// Four decimals, no zero before the point, a blank after the minus sign: `.7810`, `- 15.0000`.
 pub fn number(value: f64) -> String {
     let digits = format!("{:.4}", value.abs());
@@ -39,11 +44,61 @@ pub fn dimension(
     )
 }
 
-/// Data line of a position: work offset corrected by S, axis, nominal, deviation, in the active unit.
+/// Data line of a position: work offset corrected by S, nominal, deviation, in the active unit. `axis` is empty where
+/// one axis was measured (C:1107, C:955).
 pub fn position(offset: Option<i64>, axis: &str, nominal: f64, deviation: f64) -> String {
     let offset = offset.map_or(String::new(), |offset| offset.to_string());
     let nominal = format!("{axis} {}", number(nominal));
+    let nominal = nominal.trim_start();
     format!("{offset:<11}{nominal:<11}{}", number(deviation))
+}
+
+/// What is printed, mm.
+pub struct Values {
+    /// Nominal dimension and its deviation, where V prints one.
+    pub dimension: Option<(f64, f64)>,
+    /// Axis, nominal position and its deviation.
+    pub positions: Vec<(&'static str, f64, f64)>,
+}
+
+/// Prints by V and W, unless the machine has printing switched off (C:60, C:1100-1116).
+pub fn print(machine: &mut dyn Machine, inputs: &Inputs, values: &Values) {
+    let control = machine.control();
+    if control.data.contains_key(PRINT_ENABLED) && !control.bit(PRINT_ENABLED) {
+        return;
+    }
+    for line in lines(inputs, values, control.active_factor()) {
+        machine.record(Step::Log(line));
+    }
+}
+
+fn lines(inputs: &Inputs, values: &Values, per: f64) -> Vec<String> {
+    let whole = |name: &str| inputs.given(name).map(|number| number as i64);
+    let mut lines: Vec<String> = Vec::new();
+    if let Some((nominal, deviation)) = values.dimension {
+        if whole("V") == Some(2) {
+            lines.extend(DIMENSION_HEADER.map(String::from));
+        }
+        if inputs.integer("V") > 0 {
+            let tolerance = inputs.given("H").map(|limit| limit / per);
+            lines.push(dimension(
+                whole("T"),
+                nominal / per,
+                tolerance,
+                deviation / per,
+            ));
+        }
+    }
+    if whole("W") == Some(2) {
+        lines.extend(POSITION_HEADER.map(String::from));
+    }
+    if inputs.integer("W") > 0 {
+        let line = |(axis, nominal, deviation): &(&str, f64, f64)| {
+            position(whole("S"), axis, nominal / per, deviation / per)
+        };
+        lines.extend(values.positions.iter().map(line));
+    }
+    lines
 }
 
 #[cfg(test)]
@@ -66,6 +121,10 @@ mod tests {
         assert_eq!(
             position(Some(6), "Y", 0.0, -0.0006),
             "6          Y .0000    - .0006"
+        );
+        assert_eq!(
+            position(Some(3), "", -15.0, 0.781),
+            "3          - 15.0000  .7810"
         );
         assert_eq!(number(-15.0), "- 15.0000");
         assert_eq!(number(-0.00001), ".0000");

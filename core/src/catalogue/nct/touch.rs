@@ -2,7 +2,7 @@
 //! The manual gives neither feeds nor the way back; those here are chosen so that the slow step adds no lag worth
 //! naming: at 30 mm/min a delay of 1 ms makes 0.0005 mm.
 
-use super::{FALSE_TRIGGER, PROBE_FAIL};
+use super::{FALSE_TRIGGER, NO_MOVEMENT, PROBE_FAIL};
 use crate::run::trace::MotionKind;
 use crate::run::{Machine, Stop};
 
@@ -62,6 +62,9 @@ pub fn touch(machine: &mut dyn Machine, axis: usize, end: f64) -> Result<f64, St
         position
     };
     let way = end - start[axis];
+    if way == 0.0 {
+        return Err(Stop::Alarm(NO_MOVEMENT));
+    }
     let fast = signal(machine, with(end), FAST)?;
     let back = BACK.min((fast[axis] - start[axis]).abs()).copysign(way);
     machine.travel(with(fast[axis] - back), MotionKind::Retract, MEDIUM, true)?;

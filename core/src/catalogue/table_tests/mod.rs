@@ -8,6 +8,7 @@ mod invalid;
 mod lists;
 mod logging;
 mod messages;
+mod nct;
 mod params;
 mod results;
 

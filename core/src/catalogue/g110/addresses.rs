@@ -1,20 +1,24 @@
 //! Addresses of G110 (C:1075-1101).
 
 use crate::catalogue::common::{ALWAYS_REQUIRED, PARAM, optional};
-use crate::catalogue::nct::{FORMAT_ERROR, LENGTH, NUMBER, PRINT, REGISTER};
+use crate::catalogue::nct::{FORMAT_ERROR, params};
 use crate::catalogue::{Need, Param, Range, Unit, When};
 use crate::control::Plane;
 
 /// The address of the tool axis makes it a boss, whatever its value (C:1076).
 const AXIS: Param = Param {
+    key: "g110-axis",
     unit: Unit::ActiveLength,
-    chooses: Some(super::BOSS),
     source: "C:1076",
     ..PARAM
 };
 
 const fn in_plane(plane: Plane) -> Need {
     optional(When::Plane(plane), "need-g110-boss")
+}
+
+const fn boss_in(plane: Plane) -> Option<(When, i64)> {
+    Some((When::Plane(plane), super::BOSS))
 }
 
 /// In the order of the block format.
@@ -32,86 +36,58 @@ pub const PARAMS: &[Param] = &[
     },
     Param {
         name: "X",
-        key: "g110-axis",
         needs: &[in_plane(Plane::G19)],
+        chooses: boss_in(Plane::G19),
         ..AXIS
     },
     Param {
         name: "Y",
-        key: "g110-axis",
         needs: &[in_plane(Plane::G18)],
+        chooses: boss_in(Plane::G18),
         ..AXIS
     },
     Param {
         name: "Z",
-        key: "g110-axis",
         needs: &[in_plane(Plane::G17)],
+        chooses: boss_in(Plane::G17),
         ..AXIS
     },
     Param {
-        name: "R",
-        key: "g110-r",
-        default: Some(5.0),
-        default_inch: Some(0.2),
-        range: Range::POSITIVE,
         needs: &[optional(When::Variant(&[super::BOSS]), "need-nct-optional")],
         source: "C:1077",
-        ..LENGTH
+        ..params::R
     },
     Param {
-        name: "Q",
-        key: "g110-q",
-        default: Some(10.0),
-        default_inch: Some(0.4),
-        range: Range::POSITIVE,
-        needs: &[optional(When::Always, "need-nct-optional")],
         source: "C:1078",
-        ..LENGTH
+        ..params::Q
     },
     Param {
-        name: "S",
-        key: "g110-s",
-        range: Range::closed(0.0, 6.0),
-        alarm: Some(FORMAT_ERROR),
         source: "C:1079",
-        ..NUMBER
+        ..params::S
     },
     Param {
-        name: "T",
-        key: "g110-t",
+        key: "nct-t-size",
         source: "C:1097",
-        ..REGISTER
+        ..params::T
     },
     Param {
-        name: "M",
-        key: "g110-m",
         source: "C:1091",
-        ..REGISTER
+        ..params::M
     },
     Param {
-        name: "H",
-        key: "g110-h",
-        range: Range::NOT_NEGATIVE,
         source: "C:1098",
-        ..LENGTH
+        ..params::H
     },
     Param {
-        name: "U",
-        key: "g110-u",
-        range: Range::NOT_NEGATIVE,
         source: "C:1099",
-        ..LENGTH
+        ..params::U
     },
     Param {
-        name: "V",
-        key: "g110-v",
         source: "C:1100",
-        ..PRINT
+        ..params::V
     },
     Param {
-        name: "W",
-        key: "g110-w",
         source: "C:1101",
-        ..PRINT
+        ..params::W
     },
 ];

@@ -1,0 +1,90 @@
+//! G102: radial offset of the stylus (C:150-278).
+//!
+//! Signs are not printed. The offset is ball centre minus spindle axis, so that every macro adds it to a coordinate of
+//! the spindle. Where the spindle cannot be indexed the start is the axis of the hole, which the spindle itself has
+//! just bored: offset = start − middle of the contacts. Otherwise the middle is found at both positions of the spindle,
+//! and half of the difference is the offset, wherever the ring stands.
+
+use super::nct::ring::{self, D};
+use super::nct::walls::home;
+use super::nct::{self, correct};
+use super::{Cycle, Dialect, Drawing, Param, Purpose, Range, Simulation, Variant, When, Work};
+use crate::check::Inputs;
+use crate::message::Message;
+use crate::run::trace::Step;
+use crate::run::{Machine, Stop};
+
+/// The M function that turns the spindle by 180 degree. Where it cannot be indexed, the manual says 1 in one place
+/// (C:74) and 0 in another (C:156): both are no M functions that turn a spindle.
+pub const INDEX: &str = "#510";
+
+/// The macro.
+pub static G102: Cycle = Cycle {
+    dialect: Dialect::Nct,
+    name: "G102",
+    key: "g102",
+    variants: &[Variant {
+        number: 0,
+        key: "g102-offset",
+        source: "C:179",
+    }],
+    purpose: Purpose {
+        calibrates: When::Always,
+        ..Purpose::MILLING
+    },
+    lists: &[],
+    settings: &[],
+    params: &[Param {
+        key: "g102-d",
+        usual: Range::closed(20.0, 1000.0),
+        source: "C:187-189",
+        ..D
+    }],
+    results: &[
+        ring::value("#504", "result-g102-1", "C:176"),
+        ring::value("#505", "result-g102-2", "C:177"),
+    ],
+    alarms: &[nct::MEASURING],
+    checks: ring::check,
+    picture: Drawing::new(ring::picture),
+    example: &[("D", "25")],
+    simulation: Some(Simulation::new(
+        Work {
+            propose: ring::propose,
+            simulate,
+        },
+        &[],
+    )),
+    source: "C:150-278",
+};
+
+fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
+    nct::ready_to_measure(machine)?;
+    let start = machine.position();
+    let [abscissa, ordinate, _] = machine.control().plane.axes();
+    let first = centre(machine, inputs, start)?;
+    let indexed = ![0.0, 1.0].contains(&machine.control().number(INDEX));
+    let offset = if indexed {
+        turn(machine);
+        let second = centre(machine, inputs, start)?;
+        turn(machine);
+        [0, 1].map(|i| (second[i] - first[i]) / 2.0)
+    } else {
+        machine.record(Step::Decision(Message::new("decision-g102-hole")));
+        [start[abscissa] - first[0], start[ordinate] - first[1]]
+    };
+    correct::calibration(machine, &[("#504", offset[0]), ("#505", offset[1])]);
+    Ok(())
+}
+
+/// Where the spindle stands with the ball in the middle of the ring; then back to the start.
+fn centre(machine: &mut dyn Machine, inputs: &Inputs, start: [f64; 3]) -> Result<[f64; 2], Stop> {
+    let centre = ring::centre(machine, inputs)?;
+    home(machine, start)?;
+    Ok(centre)
+}
+
+fn turn(machine: &mut dyn Machine) {
+    let angle = machine.control().spindle;
+    machine.orient((angle + 180.0).rem_euclid(360.0));
+}

@@ -1,0 +1,103 @@
+//! G104: length of the stylus at a surface of known height (C:351-427).
+//!
+//! The formula is not printed: the length becomes the one with which the surface shows its given coordinate. That is
+//! right for both meanings of a length offset (C:355-379), the part of the tool outside the spindle and the axial
+//! coordinate of a work offset, because either is subtracted from where the spindle stands.
+
+use super::common::{ALWAYS_REQUIRED, PARAM, required};
+use super::nct::walls::home;
+use super::nct::{self, FORMAT_ERROR, REGISTER, axis_name, correct, overtravel, params, surface};
+use super::{Cycle, Dialect, Drawing, Need, Param, Purpose, Simulation, Unit, Variant, When, Work};
+use crate::check::Inputs;
+use crate::control::Plane;
+use crate::run::{Machine, Stop};
+
+const fn in_plane(plane: Plane) -> Need {
+    required(When::Plane(plane), "need-nct-tool-axis")
+}
+
+/// Height of the surface.
+const SURFACE: Param = Param {
+    key: "g104-surface",
+    unit: Unit::ActiveLength,
+    alarm: Some(FORMAT_ERROR),
+    source: "C:391-393",
+    ..PARAM
+};
+
+/// The macro.
+pub static G104: Cycle = Cycle {
+    dialect: Dialect::Nct,
+    name: "G104",
+    key: "g104",
+    variants: &[Variant {
+        number: 0,
+        key: "g104-length",
+        source: "C:383",
+    }],
+    purpose: Purpose {
+        calibrates: When::Always,
+        ..Purpose::MILLING
+    },
+    lists: &[],
+    settings: &[],
+    params: &[
+        Param {
+            name: "X",
+            needs: &[in_plane(Plane::G19)],
+            ..SURFACE
+        },
+        Param {
+            name: "Y",
+            needs: &[in_plane(Plane::G18)],
+            ..SURFACE
+        },
+        Param {
+            name: "Z",
+            needs: &[in_plane(Plane::G17)],
+            ..SURFACE
+        },
+        Param {
+            name: "T",
+            key: "g104-t",
+            needs: ALWAYS_REQUIRED,
+            source: "C:393",
+            ..REGISTER
+        },
+    ],
+    results: &[
+        params::length("LENGTH", "result-g104-length", "C:383-393"),
+        params::length("DEVIATION", "result-g104-deviation", "C:383-393"),
+    ],
+    alarms: &[nct::MEASURING],
+    checks: |_, _, _| {},
+    picture: Drawing::new(surface::axial_picture),
+    example: &[("Z", "0"), ("T", "98")],
+    simulation: Some(Simulation::new(
+        Work {
+            propose: surface::propose_axially,
+            simulate,
+        },
+        &[],
+    )),
+    source: "C:351-427",
+};
+
+fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
+    nct::ready_to_measure(machine)?;
+    let start = machine.position();
+    let [.., applicate] = machine.control().plane.axes();
+    let nominal = inputs.number(axis_name(applicate));
+    let limit = overtravel(machine.control());
+    let found = surface::touch_axially(machine, applicate, nominal, limit)?;
+    home(machine, start)?;
+    let length = machine.control().active_length()[applicate] + found - nominal;
+    correct::results(
+        machine,
+        &[("LENGTH", length), ("DEVIATION", found - nominal)],
+    );
+    let register = inputs.integer("T");
+    let wear = machine.control().register(register).length_wear[0];
+    correct::write(machine, format!("H{register}"), length - wear);
+    Ok(())
+}

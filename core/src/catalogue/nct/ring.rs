@@ -1,0 +1,113 @@
+//! The ring gauge or bored hole in which the stylus is calibrated (C:158, C:187-189, C:299, C:317-319).
+
+use super::walls::{across, travel};
+use super::{FORMAT_ERROR, OVERTRAVEL, checks, overtravel, part};
+use crate::catalogue::common::{ALWAYS_REQUIRED, PARAM};
+use crate::catalogue::{Param, Proposal, Range, ResultField, Unit, When};
+use crate::check::Inputs;
+use crate::control::Control;
+use crate::diagnostic::Diagnostic;
+use crate::form::figures::{circle, corners, dimension, frame, line, polygon, ring, round};
+use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
+use crate::run::{Machine, Stop};
+use crate::workpiece::{Shape, Workpiece};
+
+/// Diameter of the ring; a macro adds label, usual range and source.
+pub const D: Param = Param {
+    name: "D",
+    unit: Unit::ActiveLength,
+    range: Range::POSITIVE,
+    alarm: Some(FORMAT_ERROR),
+    needs: ALWAYS_REQUIRED,
+    ..PARAM
+};
+
+/// A value of the calibration: stands in the basic system of the machine (C:92-94).
+pub const fn value(name: &'static str, key: &'static str, source: &'static str) -> ResultField {
+    ResultField {
+        name,
+        key,
+        when: When::Always,
+        unit: Unit::BasicLength,
+        source,
+    }
+}
+
+/// A ring without room for the ball.
+pub fn check(inputs: &Inputs, control: &Control, findings: &mut Vec<Diagnostic>) {
+    checks::room(inputs, "D", control, findings);
+}
+
+/// Coordinates of the spindle where the stylus is in the centre: middle between the walls in the first axis, and on
+/// that line in the second. The stylus then stands in the middle of the first axis.
+pub fn centre(machine: &mut dyn Machine, inputs: &Inputs) -> Result<[f64; 2], Stop> {
+    let [abscissa, ordinate, _] = machine.control().plane.axes();
+    let first = middle(walls(machine, inputs, abscissa)?);
+    travel(machine, abscissa, first)?;
+    let second = middle(walls(machine, inputs, ordinate)?);
+    Ok([first, second])
+}
+
+/// Both walls along one axis from where the machine stands; coordinates of the spindle. The limit (C:187) counts on
+/// each side, so that a start as far off the centre as the manual allows (C:299) still reaches every wall; and for the
+/// spindle, because the ball radius is not known yet.
+pub fn walls(machine: &mut dyn Machine, inputs: &Inputs, axis: usize) -> Result<[f64; 2], Stop> {
+    let reach = inputs.number("D") / 2.0 + overtravel(machine.control());
+    let from = machine.position()[axis];
+    across(machine, axis, [from + reach, from - reach])
+}
+
+fn middle([upper, lower]: [f64; 2]) -> f64 {
+    (upper + lower) / 2.0
+}
+
+/// A ring whose upper face is the zero of the WCS, the stylus 10 mm deep in it.
+pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
+    let [.., applicate] = control.plane.axes();
+    let diameter = inputs.given("D").filter(|d| *d > 0.0).unwrap_or(50.0);
+    let mut start = [0.0; 3];
+    start[applicate] = -10.0;
+    let shape = Shape::Hole {
+        diameter,
+        depth: 30.0,
+    };
+    Proposal {
+        workpiece: Workpiece {
+            solids: vec![part::in_plane(shape, [0.0; 3], control)],
+        },
+        start,
+        ..Proposal::default()
+    }
+}
+
+/// The ring with the ways to its walls and the limit of the search.
+pub fn picture(inputs: &Inputs) -> Picture {
+    let radius = inputs.given("D").unwrap_or(50.0).abs().max(1.0) / 2.0;
+    let ball = radius * 0.11;
+    let wall = round([0.0; 2], radius);
+    let material = frame(corners([0.0; 2], [radius * 3.4; 2]), wall.clone());
+    let limit = radius + OVERTRAVEL[0].min(radius * 0.5);
+    let mut shapes = vec![
+        polygon(ShapeKind::Material, material),
+        polygon(ShapeKind::Edge, wall).of("D"),
+        ring(ShapeKind::Zone, [0.0; 2], radius, limit),
+        circle(ShapeKind::Probe, [0.0; 2], ball),
+    ];
+    for way in [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]] {
+        shapes.extend(touched(way, radius, ball));
+    }
+    let below = -radius * 0.45;
+    shapes.push(dimension("D", [-radius, below], [radius, below]));
+    Picture {
+        view: View::Plane,
+        shapes,
+    }
+}
+
+fn touched(way: [f64; 2], radius: f64, ball: f64) -> [PictureShape; 2] {
+    let at = |distance: f64| way.map(|part| part * distance);
+    [
+        line(ShapeKind::Path, vec![[0.0; 2], at(radius - ball)]),
+        circle(ShapeKind::Touch, at(radius), ball * 0.3),
+    ]
+}

@@ -1,0 +1,125 @@
+//! Walls on both sides of a centre, in one axis of the plane: pocket, web, bore, boss, and the ring of calibration.
+
+use super::touch::{Calibration, POSITIONING, touch};
+use crate::run::trace::MotionKind;
+use crate::run::{Machine, Stop};
+
+/// Where walls are looked for, mm.
+pub struct Walls {
+    /// How they are reached from outside; none: the stylus stands between them.
+    pub outside: Option<Outside>,
+    /// Nominal distance.
+    pub size: f64,
+    /// Overtravel Q past the nominal wall.
+    pub overtravel: f64,
+    /// Position at the call: over or in the nominal centre, WCS.
+    pub start: [f64; 3],
+    /// Axes of the plane, then that of the tool.
+    pub axes: [usize; 3],
+}
+
+/// The way to walls that are touched from outside (C:911-912, C:1076-1077).
+pub struct Outside {
+    /// Coordinate of the tool axis at which they are touched, WCS, mm.
+    pub depth: f64,
+    /// Way between ball and nominal wall, mm.
+    pub clearance: f64,
+}
+
+/// Walls of one axis as found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Chord {
+    /// Middle between the walls, WCS, mm.
+    pub middle: f64,
+    /// Half way of the ball centre between the contacts, mm.
+    pub half: f64,
+    /// Mean effective ball radius, mm.
+    pub ball: f64,
+}
+
+impl Walls {
+    /// +1 where a wall is material inside, as the ball sees it: the size is the way of the ball less its diameter.
+    /// −1 where the size is the way and the diameter.
+    pub fn material(&self) -> f64 {
+        if self.outside.is_some() { 1.0 } else { -1.0 }
+    }
+}
+
+/// Both walls of the first (0) or second (1) axis of the plane, + side first; ends where it began.
+pub fn chord(machine: &mut dyn Machine, walls: &Walls, index: usize) -> Result<Chord, Stop> {
+    let calibration = Calibration::of(machine, index);
+    let axis = walls.axes[index];
+    let moving = -walls.material();
+    let spindle = match &walls.outside {
+        Some(outside) => {
+            let upper = touch_outside(machine, walls, outside, &calibration, axis, 1.0)?;
+            let lower = touch_outside(machine, walls, outside, &calibration, axis, -1.0)?;
+            [upper, lower]
+        }
+        None => {
+            let reach = |side: f64| {
+                let reach = walls.size / 2.0 - calibration.radius(side) + walls.overtravel;
+                walls.start[axis] + side * reach - calibration.offset
+            };
+            across(machine, axis, [reach(1.0), reach(-1.0)])?
+        }
+    };
+    let ball_at = spindle.map(|position| position + calibration.offset);
+    let (upper, lower) = (calibration.radius(moving), calibration.radius(-moving));
+    let wall = [ball_at[0] + moving * upper, ball_at[1] - moving * lower];
+    Ok(Chord {
+        middle: (wall[0] + wall[1]) / 2.0,
+        half: (ball_at[0] - ball_at[1]) / 2.0,
+        ball: (upper + lower) / 2.0,
+    })
+}
+
+/// Touches along one axis towards both ends, the + side first, from where the machine stands and back to there each
+/// time. Coordinates of the spindle at the contacts.
+pub fn across(machine: &mut dyn Machine, axis: usize, ends: [f64; 2]) -> Result<[f64; 2], Stop> {
+    let from = machine.position()[axis];
+    let mut contacts = [0.0; 2];
+    for (end, contact) in ends.into_iter().zip(&mut contacts) {
+        *contact = touch(machine, axis, end)?;
+        travel(machine, axis, from)?;
+    }
+    Ok(contacts)
+}
+
+/// Over the part to the clearance beside it, down, to the wall, back and up (C:1076-1077).
+fn touch_outside(
+    machine: &mut dyn Machine,
+    walls: &Walls,
+    outside: &Outside,
+    calibration: &Calibration,
+    axis: usize,
+    side: f64,
+) -> Result<f64, Stop> {
+    let applicate = walls.axes[2];
+    let wall = walls.start[axis] + side * (walls.size / 2.0 + calibration.radius(-side))
+        - calibration.offset;
+    let beside = wall + side * outside.clearance;
+    travel(machine, axis, beside)?;
+    travel(machine, applicate, outside.depth)?;
+    let position = touch(machine, axis, wall - side * walls.overtravel)?;
+    travel(machine, axis, beside)?;
+    travel(machine, applicate, walls.start[applicate])?;
+    Ok(position)
+}
+
+/// Protected positioning along one axis.
+pub fn travel(machine: &mut dyn Machine, axis: usize, to: f64) -> Result<(), Stop> {
+    let mut target = machine.position();
+    if target[axis] == to {
+        return Ok(());
+    }
+    target[axis] = to;
+    machine.travel(target, MotionKind::Positioning, POSITIONING, true)
+}
+
+/// Back to the start: along the tool axis first, then in the plane.
+pub fn home(machine: &mut dyn Machine, start: [f64; 3]) -> Result<(), Stop> {
+    let [.., applicate] = machine.control().plane.axes();
+    travel(machine, applicate, start[applicate])?;
+    machine.travel(start, MotionKind::Positioning, POSITIONING, true)
+}

@@ -1,0 +1,161 @@
+//! The macros against the tables of the NCT manual.
+
+use super::common_rows;
+use crate::catalogue::{CYCLES, Cycle, Dialect, Param, nct};
+use crate::check::Inputs;
+use crate::control::Plane;
+use crate::diagnostic::Code;
+use std::collections::BTreeSet;
+
+/// Variants, addresses and results of each macro, by name.
+const COUNTS: &[(&str, usize, usize, usize)] = &[
+    ("G101", 1, 4, 0),
+    ("G102", 1, 1, 2),
+    ("G103", 1, 1, 4),
+    ("G104", 1, 4, 2),
+    ("G110", 2, 13, 6),
+];
+
+fn macros() -> impl Iterator<Item = &'static Cycle> {
+    let all = CYCLES.iter().copied();
+    all.filter(|cycle| cycle.dialect == Dialect::Nct)
+}
+
+#[test]
+fn counts() {
+    // oracle: manual, spec/common/nct_params.tsv counted by hand; an axis that depends on the plane stands three times
+    let ours: Vec<(&str, usize, usize, usize)> = macros()
+        .map(|one| {
+            let sizes = (one.variants.len(), one.params.len(), one.results.len());
+            (one.name, sizes.0, sizes.1, sizes.2)
+        })
+        .collect();
+    assert_eq!(ours, COUNTS);
+}
+
+/// Addresses of a row: `X,Y,Z`, `X|Y|Z (…)`, `Z (G17) / Y (G18) / X (G19)`, `both axes of the plane`, `D`.
+fn addresses(cell: &str) -> BTreeSet<&str> {
+    if cell.starts_with("both axes") {
+        return ["X", "Y", "Z"].into();
+    }
+    cell.split([',', '|', '/', ' '])
+        .filter(|word| word.len() == 1 && word.chars().all(|letter| letter.is_ascii_uppercase()))
+        .collect()
+}
+
+/// Rows of the table for a macro.
+fn of<'a>(rows: &'a [Vec<String>], cycle: &Cycle) -> Vec<&'a Vec<String>> {
+    rows.iter().filter(|row| row[0] == cycle.name).collect()
+}
+
+#[test]
+fn addresses_are_those_of_the_table() {
+    // oracle: manual, spec/common/nct_params.tsv (C:114-1101), both directions
+    let rows = common_rows("nct_params.tsv");
+    for cycle in macros().filter(|_| !rows.is_empty()) {
+        let rows = of(&rows, cycle);
+        let table: BTreeSet<&str> = rows.iter().flat_map(|row| addresses(&row[1])).collect();
+        let ours: BTreeSet<&str> = cycle.params.iter().map(|param| param.name).collect();
+        assert_eq!(ours, table, "{}", cycle.name);
+    }
+}
+
+#[test]
+fn defaults_are_those_of_the_table() {
+    // oracle: manual, spec/common/nct_params.tsv: `5 mm`, `0.2 inch`, `1500 mm/min`
+    let number = |cell: &str| cell.split(' ').next()?.parse::<f64>().ok();
+    let mut seen = 0;
+    for row in common_rows("nct_params.tsv") {
+        let Some(cycle) = macros().find(|cycle| cycle.name == row[0]) else {
+            continue;
+        };
+        for name in addresses(&row[1]) {
+            let param = cycle.param(name).unwrap();
+            assert_eq!(param.default, number(&row[3]), "{row:?}");
+            assert_eq!(param.default_inch, number(&row[4]), "{row:?}");
+            seen += 1;
+        }
+    }
+    assert!(seen == 0 || seen == 23, "{seen}");
+}
+
+#[test]
+fn what_has_to_be_given_is_a_format_error_otherwise() {
+    // oracle: manual, spec/common/nct_params.tsv, column mandatory
+    let mut seen = 0;
+    for row in common_rows("nct_params.tsv") {
+        let Some(cycle) = macros().find(|cycle| cycle.name == row[0]) else {
+            continue;
+        };
+        if !row[2].starts_with("yes") {
+            continue;
+        }
+        for plane in [Plane::G17, Plane::G18, Plane::G19] {
+            assert!(
+                nothing_given(cycle, plane).contains(&nct::FORMAT_ERROR),
+                "{row:?}"
+            );
+            seen += 1;
+        }
+    }
+    assert!(seen == 0 || seen >= 15, "{seen}");
+}
+
+fn nothing_given(cycle: &'static Cycle, plane: Plane) -> Vec<Code> {
+    nct::bench::codes(cycle, &[], plane)
+}
+
+#[test]
+fn a_register_and_an_offset_have_their_range() {
+    // oracle: manual, spec/common/nct_params.tsv: S 0 to 6; T and M up to 99 (the lower end printed as 6 is 1: examples)
+    let ranged = |name: &str, min: f64, max: f64| {
+        for cycle in macros() {
+            let Some(param) = cycle.param(name) else {
+                continue;
+            };
+            let ends = (param.range.min, param.range.max);
+            assert_eq!(ends, (min, max), "{} {name}", cycle.name);
+            assert_eq!(
+                param.alarm,
+                Some(nct::FORMAT_ERROR),
+                "{} {name}",
+                cycle.name
+            );
+        }
+    };
+    ranged("S", 0.0, 6.0);
+    ranged("T", 1.0, 99.0);
+    ranged("M", 1.0, 99.0);
+}
+
+#[test]
+fn programs_call_their_macros() {
+    // oracle: manual, spec/common/nct_macros.tsv (C:58): O9010 is G101
+    for row in common_rows("nct_macros.tsv") {
+        let Some(number) = row[1].strip_prefix('O').and_then(|text| text.parse().ok()) else {
+            continue;
+        };
+        let found = nct::by_program(number).map(|cycle| cycle.name);
+        let known = macros().find(|cycle| cycle.name == row[0]);
+        assert_eq!(found, known.map(|cycle| cycle.name), "{row:?}");
+    }
+}
+
+#[test]
+fn the_address_of_the_tool_axis_belongs_to_its_plane() {
+    // oracle: manual, spec/common/nct_params.tsv: `Z (G17) / Y (G18) / X (G19)`
+    for row in common_rows("nct_params.tsv") {
+        let Some(cycle) = macros().find(|cycle| cycle.name == row[0]) else {
+            continue;
+        };
+        if !row[1].starts_with("Z (G17)") {
+            continue;
+        }
+        for (plane, axis) in nct::TOOL_AXIS {
+            let mut inputs = Inputs::new(cycle, 0);
+            inputs.plane = plane;
+            let param: &Param = cycle.param(axis).unwrap();
+            assert!(param.need(&inputs).is_some(), "{} {axis}", cycle.name);
+        }
+    }
+}
