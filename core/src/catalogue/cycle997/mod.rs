@@ -7,6 +7,8 @@ pub mod params;
 mod picture;
 mod points;
 mod propose;
+#[cfg(test)]
+mod refusal_tests;
 mod results;
 mod simulate;
 #[cfg(test)]
