@@ -44,15 +44,17 @@ fn own_programs() {
 
 #[test]
 fn printed_programs() {
-    let printed = root().join("../shared/spec/milling/examples");
-    if !printed.exists() {
+    let spec = root().join("../shared/spec");
+    if !spec.exists() {
         return;
     }
+    let chapters = ["milling", "turning"].map(|sort| spec.join(sort).join("examples"));
     for folder in folders() {
         let file = read(&folder);
         if let Some(name) = file["printed"].as_str() {
-            let source = std::fs::read_to_string(printed.join(name)).unwrap();
-            cases(&folder, &file, &source);
+            let mut places = chapters.iter().map(|chapter| chapter.join(name));
+            let place = places.find(|place| place.exists()).expect(name);
+            cases(&folder, &file, &std::fs::read_to_string(place).unwrap());
         }
     }
 }

@@ -77,6 +77,7 @@ test("every part is closed, faces outwards and has its volume", () => {
     pocket: (34 + 16) * (24 + 16) * (12 + 4) - 34 * 24 * 12,
     island: 34 * 24 * 12 + (34 + 16) * (24 + 16) * 3,
     block: 46 * 46 * 16,
+    turned: circle(20) * 50 - circle(10) * 30,
     sphere: ball(15),
     // askew by the sine of the angle between the edges
     outerCorner: 30 * 24 * 16 * Math.sin(Math.PI / 3),

@@ -13,7 +13,7 @@ const BEFORE: f64 = -9876.5;
 
 /// The worked example of a variant, carried out on its own part with some deviation.
 fn measured(cycle: &'static Cycle, variant: &Variant) -> (Inputs, Control) {
-    let mut setup = Setup::calibrated(cycle.dialect, Plane::G17);
+    let mut setup = Setup::for_cycle(cycle, Plane::G17);
     let checked = check(cycle, &example(cycle, variant), &setup.control);
     let Some(inputs) = checked.inputs else {
         panic!("{} {:?}", cycle.name, checked.diagnostics);

@@ -226,11 +226,7 @@ pub fn weighting(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>
 
 /// A coordinate system that is turned (A:15873).
 pub fn rotation(control: &Control, found: &mut Vec<Diagnostic>) {
-    let turned = control
-        .chain()
-        .iter()
-        .any(|frame| frame.rotation != [0.0; 3]);
-    if turned {
+    if control.rotated() {
         found.push(
             error(Code::Alarm(61330), Message::new("check-rotation"))
                 .hint(Message::new("check-rotation-hint")),

@@ -156,6 +156,11 @@ impl Control {
         chain
     }
 
+    /// Whether a frame between machine and WCS turns.
+    pub fn rotated(&self) -> bool {
+        self.chain().iter().any(|frame| frame.rotation != [0.0; 3])
+    }
+
     /// All frames as one, `$P_ACTFRAME`; none: a scale and a rotation in them would shear.
     pub fn total_frame(&self) -> Option<Frame> {
         let chain = self.chain();

@@ -3,6 +3,12 @@
 use super::{Control, Edge};
 use crate::catalogue::Dialect;
 use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
+
+/// Types of turning tools, the probe of a turning machine among them (B:974-985, B:8708).
+const TURNING: RangeInclusive<i64> = 500..=599;
+/// Type of the probe of a turning machine (B:974-985).
+pub const LATHE_PROBE: i64 = 580;
 
 impl Control {
     /// Edge D of tool T, as stored.
@@ -44,14 +50,13 @@ impl Control {
         }
     }
 
-    /// Length in effect along X Y Z: L1 on the applicate, L2 on the ordinate, L3 on the abscissa (B:762-817).
-    /// 0 without a correction.
+    /// Length in effect along X Y Z, see [`Edge::length_axes`]. 0 without a correction.
     pub fn active_length(&self) -> [f64; 3] {
         let mut length = [0.0; 3];
         if let Some(edge) = self.active_edge() {
-            let [abscissa, ordinate, applicate] = self.plane.axes();
-            for (axis, i) in [(applicate, 0), (ordinate, 1), (abscissa, 2)] {
-                length[axis] = edge.total_length(i) + edge.location(self.location)[i];
+            let axes = self.plane.axes();
+            for (i, axis) in edge.length_axes().into_iter().enumerate() {
+                length[axes[axis]] = edge.total_length(i) + edge.location(self.location)[i];
             }
         }
         length
@@ -85,6 +90,21 @@ impl Edge {
         self.radius + self.radius_wear
     }
 
+    /// Along which axis (0 abscissa, 1 ordinate, 2 applicate) L1, L2 and L3 count: from the applicate on (B:762-817), of
+    /// turning tools L1 in the ordinate and L2 in the abscissa (B:974-985: X and Z in G18).
+    pub fn length_axes(&self) -> [usize; 3] {
+        if self.is_turning() {
+            [1, 0, 2]
+        } else {
+            [2, 1, 0]
+        }
+    }
+
+    /// Whether it is a turning tool, or the probe of a turning machine.
+    pub fn is_turning(&self) -> bool {
+        TURNING.contains(&self.kind)
+    }
+
     /// Whether a workpiece probe in milling may be called with it: type 1x0 or 710 (B:4147-4152).
     pub fn is_milling_probe(&self) -> bool {
         self.kind == 710 || (100..200).contains(&self.kind) && self.kind % 10 == 0
@@ -113,6 +133,23 @@ mod tests {
         assert_eq!(control.active_length(), [2.0, 50.5, 3.0]);
         control.edge = 0;
         assert_eq!(control.active_length(), [0.0; 3]);
+    }
+
+    #[test]
+    fn lengths_of_turning_tools_follow_the_plane() {
+        let mut control = delivery(Dialect::Sinumerik);
+        let edge = Edge {
+            kind: LATHE_PROBE,
+            length: [40.0, 100.0, 5.0],
+            ..Edge::default()
+        };
+        control.tools.entry(9).or_default().edges.insert(1, edge);
+        (control.tool, control.edge) = (9, 1);
+        // oracle: manual B:974-985, B:10425 (L1 in X, L2 in Z with G18)
+        control.plane = Plane::G18;
+        assert_eq!(control.active_length(), [40.0, 5.0, 100.0]);
+        control.plane = Plane::G17;
+        assert_eq!(control.active_length(), [100.0, 40.0, 5.0]);
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use super::Write;
 use super::knum::{self, Quantity, ToolCode};
-use crate::control::{Control, Environment};
+use crate::control::{Control, Edge, Environment};
 
 /// Who names the tool of a correction.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,7 +66,7 @@ pub fn target(control: &Control, names: &Names) -> Result<Option<Target>, u32> {
     if let Some(number) = location.and_then(|_| missing_memory(control)) {
         return Err(number);
     }
-    let part = part(control, names, &code, environment)?;
+    let part = part(control, names, &code, environment, (tool, edge))?;
     Ok(Some(Target {
         tool,
         edge,
@@ -100,12 +100,13 @@ fn environment<'a>(
     stored.map(Some).ok_or(61405)
 }
 
-/// L1, L2, L3 or radius as index. The length that works in an axis: L1 applicate, L2 ordinate, L3 abscissa (B:762-817).
+/// L1, L2, L3 or radius as index. Which length works in an axis, the type of the tool decides: [`Edge::length_axes`].
 fn part(
     control: &Control,
     names: &Names,
     code: &ToolCode,
     environment: Option<&Environment>,
+    (tool, edge): (i64, i64),
 ) -> Result<usize, u32> {
     match code.quantity {
         Quantity::Radius => Ok(RADIUS),
@@ -113,7 +114,10 @@ fn part(
         Quantity::MeasuringAxis => {
             let axis = names.axis.ok_or(61322_u32)?;
             let axis = environment.map_or(axis, |stored| turned(control, stored, axis));
-            Ok(2 - axis.min(2))
+            let lengths = control
+                .edge_of(tool, edge)
+                .map_or(Edge::default().length_axes(), Edge::length_axes);
+            Ok(lengths.iter().position(|own| *own == axis).unwrap_or(0))
         }
     }
 }
@@ -286,6 +290,22 @@ mod tests {
             ),
             Err(61322)
         );
+    }
+
+    #[test]
+    fn the_length_of_a_turning_tool_in_the_measuring_axis() {
+        // oracle: manual B:974-985, B:10748 (L1 of a turning tool in the ordinate X of G18, L2 in the abscissa Z)
+        let mut control = control();
+        control.set_variable("$TC_DP1[7,2]", 500.0);
+        for (axis, part) in [(0, 1), (1, 0), (2, 2)] {
+            let names = Names {
+                code: 2,
+                tool: 7,
+                axis: Some(axis),
+                ..NAMES
+            };
+            assert_eq!(find(&control, names).unwrap().part, part);
+        }
     }
 
     #[test]

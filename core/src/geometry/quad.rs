@@ -12,6 +12,8 @@ pub enum Trim {
     Within(Lobes),
     /// What lies outside of the curve.
     Outside(Lobes),
+    /// The ring between an inner and an outer curve.
+    Between(Lobes, Lobes),
 }
 
 /// A flat face. Its corners run counter-clockwise seen from outside the material.
@@ -64,11 +66,15 @@ impl Quad {
             .edges()
             .iter()
             .all(|(a, b)| (b - a).cross(&(point - a)).dot(normal) >= 0.0);
+        let away = point.xy().norm();
         within
             && match self.trim {
                 Trim::Whole => true,
-                Trim::Within(curve) => point.xy().norm() <= curve.radius_at(point),
-                Trim::Outside(curve) => point.xy().norm() >= curve.radius_at(point),
+                Trim::Within(curve) => away <= curve.radius_at(point),
+                Trim::Outside(curve) => away >= curve.radius_at(point),
+                Trim::Between(inner, outer) => {
+                    away >= inner.radius_at(point) && away <= outer.radius_at(point)
+                }
             }
     }
 }

@@ -4,9 +4,9 @@ use super::predict::predict;
 use super::setup::{PlaneName, choose_units, plane};
 use super::{Error, diagnostic, dialect, message, object, put};
 use crate::SIMULATES;
-use crate::catalogue::{self, Cycle, Range, Style};
+use crate::catalogue::{self, Cycle, MachineSort, Range, Style};
 use crate::check::{self, Checked, Typed};
-use crate::control::{Control, Plane, Units};
+use crate::control::{Control, Plane, Transverse, Units};
 use crate::diagnostic::Severity;
 use crate::form;
 use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
@@ -52,7 +52,14 @@ pub fn form(request: &str) -> Result<Value, Error> {
         }
     })?;
     let mut start = super::start::start(cycle.dialect, request.setup)?;
+    if !start.described {
+        start.setup.suit(cycle);
+    }
     let control = &mut start.setup.control;
+    // a form has no DIAMON before its call; it asks for diameters (B:10623)
+    if cycle.purpose.machine == MachineSort::Turning {
+        control.transverse = Transverse::Diameter;
+    }
     let at_start = modal(control);
     if let Some(name) = &request.units {
         choose_units(control, name)?;

@@ -238,7 +238,8 @@ struct ProbeFile {
     radius: f64,
     /// Spindle nose to ball centre.
     length: f64,
-    /// Ball centre minus spindle axis at spindle position 0, X Y.
+    /// Ball centre minus spindle axis at spindle position 0, X Y; of a probe in a turret ball centre minus the point
+    /// where L1 and L2 end, abscissa and ordinate, where the length does not count.
     #[serde(default)]
     skew: [f64; 2],
     /// Travel after contact until the signal: constant part, amplitude of the three-lobed part.
@@ -263,7 +264,7 @@ struct SolidFile {
     /// Element.
     shape: ShapeName,
     /// hole: diameter, depth; shaft: diameter, height; groove and web: width, depth, length; pocket and island:
-    /// X, Y, depth; block: X, Y, Z; sphere: diameter; outerCorner and innerCorner: angle between the edges in degree,
+    /// X, Y, depth; block: X, Y, Z; turned: diameter, length, diameter and depth of the bore (0: none); sphere: diameter; outerCorner and innerCorner: angle between the edges in degree,
     /// lengths of the edge along X and of the other one, depth.
     size: Vec<f64>,
     /// Centre of the element at its upper face, of a sphere its centre, of a corner the corner, machine coordinates X Y Z.
@@ -287,6 +288,7 @@ enum ShapeName {
     Pocket,
     Island,
     Block,
+    Turned,
     Sphere,
     OuterCorner,
     InnerCorner,
@@ -572,6 +574,11 @@ fn solid(file: SolidFile) -> Result<Solid, Error> {
             angle,
             length: [x, y],
             depth,
+        },
+        (ShapeName::Turned, &[diameter, length, bore, depth]) => Shape::Turned {
+            diameter,
+            length,
+            bore: [bore, depth],
         },
         (ShapeName::Sphere, &[diameter]) => Shape::Sphere { diameter },
         (shape, size) => {

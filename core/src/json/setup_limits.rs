@@ -163,6 +163,16 @@ fn solid(name: &str, solid: &Solid) -> Result<(), Error> {
             "more than 0, and at most 1000000 mm",
         )?;
     }
+    if let Shape::Turned {
+        diameter,
+        length,
+        bore: [bore, depth],
+    } = solid.shape
+    {
+        let holds = bore == 0.0 || bore < diameter && depth > 0.0 && depth < length;
+        let what = format!("{name}.size: bore");
+        bound(&what, bore, holds, "0, or less than the part")?;
+    }
     let (amplitude, lobes) = errors.out_of_round;
     bound(
         &format!("{name}.errors.outOfRound"),
@@ -223,6 +233,14 @@ fn sizes(shape: &Shape) -> (Vec<f64>, f64) {
             length,
             depth: deep,
         } => (length.map(|l| l * sin_cos(angle).0).to_vec(), deep),
+        Shape::Turned {
+            diameter,
+            length,
+            bore: [bore, _],
+        } => match bore == 0.0 {
+            true => (vec![diameter], length),
+            false => (vec![diameter, bore], length),
+        },
         Shape::Sphere { diameter } => (vec![diameter], diameter),
     }
 }

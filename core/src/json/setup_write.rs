@@ -238,6 +238,11 @@ fn solid(solid: &Solid) -> Value {
             length: [x, y],
             depth,
         } => ("innerCorner", [angle, x, y, depth].into()),
+        Shape::Turned {
+            diameter,
+            length,
+            bore: [bore, depth],
+        } => ("turned", [diameter, length, bore, depth].into()),
         Shape::Sphere { diameter } => ("sphere", [diameter].into()),
     };
     object([

@@ -3,13 +3,14 @@
 use super::trace::{Entry, MotionKind, Step, Trace};
 use super::{Machine, Setup, Stop};
 use crate::catalogue::{Dialect, nct};
-use crate::control::Control;
+use crate::control::tools::LATHE_PROBE;
+use crate::control::{Control, Edge};
 use crate::diagnostic::Code;
 use crate::message::Message;
 use crate::workpiece::contact::{self, Contact};
 use crate::workpiece::noise::Noise;
 use crate::workpiece::probe::{ball_offset, touch};
-use crate::workpiece::{Probe, Workpiece};
+use crate::workpiece::{Probe, Workpiece, chuck};
 
 /// Entries of a trace after which a run is given up.
 pub const TRACE_LIMIT: usize = 50_000;
@@ -32,8 +33,10 @@ pub struct Sim {
     probe: Probe,
     /// The part where it stands now.
     workpiece: Workpiece,
-    /// The part as it is clamped, rotary axes at 0.
+    /// The part as it is clamped, rotary axes and the spindle of a turning machine at 0.
     clamped: Workpiece,
+    /// How far the spindle of a turning machine has turned the part, degree.
+    turned: f64,
     noise: Noise,
     /// Way so far with the signal of the probe watched, mm.
     watched: f64,
@@ -52,8 +55,9 @@ impl Sim {
             trace_limit: TRACE_LIMIT,
             measuring: false,
             probe: setup.probe,
-            workpiece: on_table(&setup.control, &setup.workpiece),
+            workpiece: on_table(&setup.control, &setup.workpiece, 0.0),
             clamped: setup.workpiece.clone(),
+            turned: 0.0,
             noise: Noise::new(setup.probe.repeatability.1),
             watched: 0.0,
             touching: true,
@@ -103,7 +107,7 @@ impl Sim {
         let signal = touch(
             &self.workpiece,
             &self.probe,
-            self.control.spindle,
+            self.probe_angle(),
             self.tool_axis(),
             add(from, height, 1.0),
             add(to, height, 1.0),
@@ -141,7 +145,7 @@ impl Sim {
             return;
         };
         let from = std::mem::replace(position, to);
-        self.workpiece = on_table(&self.control, &self.clamped);
+        self.workpiece = on_table(&self.control, &self.clamped, self.turned);
         let solids = self.workpiece.solids.clone();
         self.note(Step::Table {
             axis,
@@ -209,14 +213,25 @@ impl Sim {
         self.control.plane.axes()[2]
     }
 
-    /// Whether the simulated probe is in the spindle: type 710, or a measuring cycle is running. What any other tool
+    /// Whether the simulated probe is in use: type 710 or 580, or a measuring cycle is running. What any other tool
     /// touches is not simulated.
     pub fn has_probe(&self) -> bool {
-        self.measuring
-            || self
-                .control
-                .active_edge()
-                .is_some_and(|edge| edge.kind == 710)
+        let probe = |edge: &Edge| [710, LATHE_PROBE].contains(&edge.kind);
+        self.measuring || self.control.active_edge().is_some_and(probe)
+    }
+
+    /// Whether the tool stands in a turret and the spindle holds the part.
+    fn in_turret(&self) -> bool {
+        self.control.active_edge().is_some_and(Edge::is_turning)
+    }
+
+    /// How far the probe is turned, degree: with the spindle, or not at all in a turret.
+    fn probe_angle(&self) -> f64 {
+        if self.in_turret() {
+            0.0
+        } else {
+            self.control.spindle
+        }
     }
 
     /// Whether the trace takes more.
@@ -243,10 +258,14 @@ impl Sim {
     }
 
     /// From the point to which the tool length refers to the spindle axis at the height of the real ball centre:
-    /// differs from zero when the probe is not as long as the control believes.
+    /// differs from zero when the probe is not as long as the control believes. In a turret the skew alone tells how
+    /// far the ball is from there.
     fn ball_height(&self) -> [f64; 3] {
         let axis = self.tool_axis();
         let mut height = [0.0; 3];
+        if self.in_turret() {
+            return height;
+        }
         height[axis] = self.control.active_length()[axis] - self.probe.length;
         height
     }
@@ -261,7 +280,7 @@ impl Sim {
         if !self.has_probe() {
             return None;
         }
-        let skew = ball_offset(&self.probe, self.control.spindle, self.tool_axis());
+        let skew = ball_offset(&self.probe, self.probe_angle(), self.tool_axis());
         let shift = add(self.ball_height(), skew, 1.0);
         let end = add(to, shift, 1.0);
         let mut start = add(from, shift, 1.0);
@@ -299,9 +318,10 @@ fn released(from: [f64; 3], to: [f64; 3], normal: [f64; 3], depth: f64) -> Optio
     (outward > 0.0 && part < 1.0).then(|| add(from, way, part))
 }
 
-/// The part as the rotary axes turn it.
-fn on_table(control: &Control, clamped: &Workpiece) -> Workpiece {
-    let solids = clamped.solids.iter().map(|solid| control.on_table(solid));
+/// The part as the rotary axes and, by so many degrees, the spindle of a turning machine turn it.
+fn on_table(control: &Control, clamped: &Workpiece, turned: f64) -> Workpiece {
+    let solids = clamped.solids.iter();
+    let solids = solids.map(|solid| control.on_table(&chuck::turned(solid, turned)));
     Workpiece {
         solids: solids.collect(),
     }
@@ -336,7 +356,7 @@ impl Machine for Sim {
     }
 
     fn in_contact(&self) -> bool {
-        let skew = ball_offset(&self.probe, self.control.spindle, self.tool_axis());
+        let skew = ball_offset(&self.probe, self.probe_angle(), self.tool_axis());
         let ball = add(self.position, add(self.ball_height(), skew, 1.0), 1.0);
         let contact = contact::first(&self.workpiece, self.probe.radius, ball, ball);
         matches!(contact, Contact::Already { .. })
@@ -352,6 +372,10 @@ impl Machine for Sim {
 
     fn orient(&mut self, angle: f64) {
         self.control.spindle = angle;
+        if self.in_turret() {
+            self.turned = angle;
+            self.workpiece = on_table(&self.control, &self.clamped, angle);
+        }
         self.note(Step::Orient(angle));
     }
 

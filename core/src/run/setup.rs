@@ -1,7 +1,8 @@
 //! What a run starts from: the control, the probe as it really is, the part, and where the machine stands.
 
-use crate::catalogue::Dialect;
-use crate::control::{Control, Edge, Plane, Units, delivery_in};
+use crate::catalogue::{Cycle, Dialect, MachineSort, ProbeUse};
+use crate::control::tools::LATHE_PROBE;
+use crate::control::{Control, Edge, Plane, Transverse, Units, delivery_in};
 use crate::workpiece::{Probe, Workpiece};
 use std::collections::BTreeSet;
 
@@ -73,6 +74,49 @@ impl Setup {
             position,
             skip: BTreeSet::new(),
         }
+    }
+}
+
+impl Setup {
+    /// A turning machine with the probe of the manual's examples in its turret, calibrated (B:10695-10709): T9, type
+    /// 580, position 7; X in diameters.
+    pub fn turning(plane: Plane) -> Setup {
+        Setup::turning_in(plane, Units::Metric)
+    }
+
+    /// The same on a machine with this basic system of units.
+    pub fn turning_in(plane: Plane, units: Units) -> Setup {
+        let mut setup = Setup::calibrated_in(Dialect::Sinumerik, plane, units);
+        setup.make_turning();
+        setup
+    }
+
+    /// The machine for a cycle, metric: see [`Setup::calibrated`] and [`Setup::turning`].
+    pub fn for_cycle(cycle: &Cycle, plane: Plane) -> Setup {
+        let mut setup = Setup::calibrated(cycle.dialect, plane);
+        setup.suit(cycle);
+        setup
+    }
+
+    /// Makes a turning machine of it where the cycle uses the probe of one.
+    pub fn suit(&mut self, cycle: &Cycle) {
+        let purpose = &cycle.purpose;
+        if purpose.machine == MachineSort::Turning && purpose.probe == ProbeUse::Workpiece {
+            self.make_turning();
+        }
+    }
+
+    fn make_turning(&mut self) {
+        let edge = Edge {
+            kind: LATHE_PROBE,
+            tip: 7,
+            length: [40.123, 100.456, 0.0],
+            radius: 3.0,
+            ..Edge::default()
+        };
+        let tool = self.control.tools.entry(PROBE_TOOL).or_default();
+        tool.edges.insert(1, edge);
+        self.control.transverse = Transverse::Diameter;
     }
 }
 

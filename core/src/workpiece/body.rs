@@ -86,6 +86,11 @@ impl Body {
                 length,
                 depth,
             } => body.pocket(Frustum::corner(angle, length, depth, errors)),
+            Shape::Turned {
+                diameter,
+                length,
+                bore,
+            } => body.turned(diameter, length, bore, errors),
             Shape::Sphere { diameter } => {
                 let radius = (diameter + errors.size) / 2.0;
                 body.features.push(Feature::Sphere(radius));
@@ -131,6 +136,35 @@ impl Body {
         self.plate([half, half], -height);
     }
 
+    fn turned(&mut self, diameter: f64, length: f64, [bore, depth]: [f64; 2], errors: &PartErrors) {
+        let outer = lobes(diameter, errors);
+        let face = |z: f64, trim: Trim| {
+            let half = diameter + MARGIN;
+            let mut face = Frustum::upright([half, half], z, z - FLOOR).lid();
+            face.trim = trim;
+            face
+        };
+        let mut front = Trim::Within(outer);
+        if bore > 0.0 {
+            let inner = lobes(bore, errors);
+            front = Trim::Between(inner, outer);
+            self.add(&[face(-depth, Trim::Within(inner))], false);
+            self.round(inner, depth, true);
+            self.cavity = Some(Piece::Round {
+                lobes: inner,
+                depth,
+            });
+        }
+        let back = reversed(face(-length, Trim::Within(outer)));
+        self.add(&[face(0.0, front), back], false);
+        self.round(outer, length, false);
+        self.rim(outer, -length);
+        self.material.push(Piece::Round {
+            lobes: outer,
+            depth: length,
+        });
+    }
+
     fn round(&mut self, lobes: Lobes, depth: f64, inner: bool) {
         if lobes.amplitude != 0.0 && lobes.count > 0 {
             self.features
@@ -143,8 +177,15 @@ impl Body {
                 depth,
                 inner,
             }));
-            self.features
-                .push(Feature::Circle(Circle { radius, z: 0.0 }));
+        }
+        self.rim(lobes, 0.0);
+    }
+
+    /// Edge of a round wall at this height; a wall with lobes has it already.
+    fn rim(&mut self, lobes: Lobes, z: f64) {
+        if lobes.amplitude == 0.0 || lobes.count == 0 {
+            let radius = lobes.radius + lobes.amplitude - lobes.slope * z;
+            self.features.push(Feature::Circle(Circle { radius, z }));
         }
     }
 

@@ -1,6 +1,7 @@
 //! Parametric parts with their errors, and the probe that touches them.
 
 mod body;
+pub mod chuck;
 pub mod contact;
 #[cfg(test)]
 mod contact_tests;
@@ -82,6 +83,16 @@ pub enum Shape {
         /// X, Y and thickness Z, mm.
         size: [f64; 3],
     },
+    /// Cylinder about Z with its front face at the origin, with or without a bore there. The spindle of a turning machine
+    /// turns it about its nominal axis. Steps of a turned part are such cylinders one behind the other.
+    Turned {
+        /// Diameter, mm.
+        diameter: f64,
+        /// Length, mm.
+        length: f64,
+        /// Diameter and depth of the bore, mm; diameter 0: none.
+        bore: [f64; 2],
+    },
     /// Sphere about the origin.
     Sphere {
         /// Diameter, mm.
@@ -131,7 +142,8 @@ pub struct Probe {
     pub radius: f64,
     /// Real length from the spindle nose to the ball centre, mm.
     pub length: f64,
-    /// Ball centre minus spindle axis at spindle position 0, X Y, mm.
+    /// Ball centre minus spindle axis at spindle position 0, X Y, mm. In a turret: ball centre minus the point where L1
+    /// and L2 end, abscissa and ordinate; the length does not count there.
     pub skew: [f64; 2],
     /// Travel after contact until the signal, mm: constant part and amplitude of the three-lobed part.
     pub pre_travel: (f64, f64),

@@ -74,13 +74,27 @@ pub const OTHER_PLANE: Case = Case {
 /// The cases that the cycles with tool offset share.
 pub fn cases() -> Vec<Case> {
     let mut cases = common();
-    cases.extend([program(61318, "_K=0"), OTHER_PLANE]);
+    cases.push(OTHER_PLANE);
+    cases.extend(offsets());
+    cases
+}
+
+/// The cases of a tool that is corrected.
+pub fn offsets() -> Vec<Case> {
+    let mut cases = vec![program(61318, "_K=0")];
     cases.extend(targets());
     cases
 }
 
-/// The cases of every workpiece cycle.
+/// The cases of every workpiece cycle of milling.
 pub fn common() -> Vec<Case> {
+    let mut cases = everywhere();
+    cases.extend(in_spindle());
+    cases
+}
+
+/// The cases of every workpiece cycle.
+pub fn everywhere() -> Vec<Case> {
     let mut cases = state();
     cases.extend(values());
     cases
@@ -90,17 +104,23 @@ fn state() -> Vec<Case> {
     vec![
         case(61016, "", |setup| setup.control.set("MD28082", 1.0)),
         case(61301, "", |setup| setup.workpiece.solids.clear()),
-        program(61309, "$TC_DP1[9,1]=500"),
         program(61310, "SCALE X2 Y2"),
         program(61311, "D0"),
         case(61336, "", |setup| setup.control.set("MD20050[1]", 0.0)),
         program(61338, "_SPEED[1]=0"),
         program(61339, "_SPEED[0]=-1"),
         program(61342, "_SI[1]=\"2\""),
+        program(61416, "_CVAL[1]=4"),
+    ]
+}
+
+/// The probe in the spindle of a milling machine.
+fn in_spindle() -> Vec<Case> {
+    vec![
+        program(61309, "$TC_DP1[9,1]=500"),
         case(61373, "_PRNUM=101", |setup| {
             setup.control.spindle_positions = false;
         }),
-        program(61416, "_CVAL[1]=4"),
     ]
 }
 

@@ -53,6 +53,7 @@ function build(shape: Solid["shape"], size: number[], errors: Solid["errors"], l
     case "block": return block([a + errors.size, b + errors.size], 0, -c, look);
     case "outerCorner": return cornered(a, [b, c], errors, (x, y, own) => block([x + own.size, y + own.size], 0, -d, look));
     case "innerCorner": return cornered(a, [b, c], errors, (x, y, own) => sunk(rectangle(x, y, own), d, look));
+    case "turned": return turned(circle(a, errors), b, c > 0 ? circle(c, errors) : undefined, d, look);
     case "sphere": return sphere((a + errors.size) / 2, look);
   }
 }
@@ -123,6 +124,22 @@ function standing(outline: Outline, height: number, look: Look): Part {
   return own;
 }
 
+/** A cylinder about Z with its front face at the origin, with or without a bore there. */
+function turned(outline: Outline, length: number, bore: Outline | undefined, depth: number, look: Look): Part {
+  const own: Part = { mesh: mesh(), edges: rims(outline, length, look) };
+  walls(own.mesh, outline, 0, length, 1, look);
+  disc(own.mesh, outline.at(length), -length, look, [0, 0, -1]);
+  if (!bore) {
+    disc(own.mesh, outline.at(0), 0, look);
+    return own;
+  }
+  walls(own.mesh, bore, 0, depth, -1, look);
+  ring(own.mesh, bore.at(0), outline.at(0), 0, look);
+  disc(own.mesh, bore.at(depth), -depth, look);
+  own.edges.push(...rims(bore, depth, look));
+  return own;
+}
+
 /** Walls between two depths; `side` +1: solid inside the contour, −1: outside. */
 function walls(into: Mesh, outline: Outline, from: number, to: number, side: number, { paint }: Look): void {
   for (let layer = 0; layer < WALL_LAYERS; layer++) {
@@ -146,9 +163,8 @@ function ring(into: Mesh, inner: Vec2[], outer: Vec2[], z: number, { paint }: Lo
   });
 }
 
-/** Flat face facing up inside a contour. */
-function disc(into: Mesh, points: Vec2[], z: number, { paint }: Look): void {
-  const up: Vec3 = [0, 0, 1];
+/** Flat face inside a contour, facing up or as told. */
+function disc(into: Mesh, points: Vec2[], z: number, { paint }: Look, up: Vec3 = [0, 0, 1]): void {
   points.forEach((point, i) => {
     const next = points[(i + 1) % points.length]!;
     triangle(into, [[0, 0, z], at(point, z), at(next, z)], [up, up, up], paint);

@@ -4,13 +4,19 @@ mod checks;
 mod lists;
 pub mod params;
 mod picture;
+mod propose;
 mod results;
+mod simulate;
+#[cfg(test)]
+mod simulation_tests;
 #[cfg(test)]
 mod tests;
 
 pub use results::RESULTS;
 
-use crate::catalogue::{Cycle, Dialect, Drawing, Purpose, Variant, common, lathe};
+use crate::catalogue::{
+    Cycle, Dialect, Drawing, Purpose, Simulation, Variant, Work, common, lathe,
+};
 
 /// Measuring variants (B:10455-10459).
 pub const VARIANTS: &[Variant] = &[
@@ -65,8 +71,8 @@ pub static CYCLE974: Cycle = Cycle {
         common::CORRECTION,
         common::TOLERANCE,
         lathe::ALARMS,
-        // A:15868, A:15882; 61412 for _KNUM = 1000 without a basic frame (A:15931)
-        &common::alarms([61327, 61341, 61412]),
+        // A:15868, A:15882; 61401 as in the other cycles (A:15920); 61412 for _KNUM = 1000 without a basic frame (A:15931)
+        &common::alarms([61327, 61341, 61401, 61412]),
     ],
     checks: checks::checks,
     picture: Drawing::new(picture::picture),
@@ -89,6 +95,12 @@ pub static CYCLE974: Cycle = Cycle {
         ("_TLL", "-0.01"),
         ("_TDIF", "0.04"),
     ],
-    simulation: None,
+    simulation: Some(Simulation::new(
+        Work {
+            propose: propose::propose,
+            simulate: simulate::simulate,
+        },
+        &[(params::REVERSAL, &[("_STA1", "0")])],
+    )),
     source: "B:10409-10872",
 };

@@ -1,17 +1,12 @@
 //! Checks about the probe in use and the coordinate system.
 
+use super::TIPS;
 use super::params::TRANSVERSE;
 use crate::catalogue::{names, shared_checks};
 use crate::check::{Finding, Inputs, error, warning};
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::message::Message;
-use std::ops::RangeInclusive;
-
-/// Types of turning tools, the probe among them (B:974-985, B:8708).
-const TURNING: RangeInclusive<i64> = 500..=599;
-/// Cutting edge positions of a probe (B:8708).
-const TIPS: RangeInclusive<i64> = 5..=8;
 
 /// What every call that measures a workpiece is checked for.
 pub fn measuring(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
@@ -30,7 +25,7 @@ pub fn measuring(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>
 /// one is still to come: a doubt here, 61309 on the machine (B:8708, A:15848, A:15856).
 pub fn tip(control: &Control, found: &mut Vec<Diagnostic>) -> Option<i64> {
     let edge = control.active_edge().filter(|edge| edge.kind != 0)?;
-    if !TURNING.contains(&edge.kind) {
+    if !edge.is_turning() {
         let message = Message::new("check-lathe-probe").number("type", edge.kind as f64);
         let code = Code::Alarm(61309);
         let finding = if edge.is_milling_probe() {

@@ -2,10 +2,13 @@
 
 #![allow(clippy::unwrap_used)]
 
+use crate::catalogue::sinumerik;
 use crate::catalogue::{Cycle, Dialect};
+use crate::check::Inputs;
 use crate::check::{Typed, check};
-use crate::control::{Control, Edge, Plane, Tool, delivery};
+use crate::control::{Control, Edge, Frame, Plane, Tool, Transverse, delivery};
 use crate::diagnostic::{Code, Severity};
+use crate::run::Setup;
 
 /// The control in G18 with mean value memory and the probe of the manual's examples in use (B:10695-10709): T9, type 580,
 /// position 7.
@@ -49,4 +52,56 @@ pub fn found(
     short
         .map(|one| (one.severity, one.code, one.param.unwrap_or_default()))
         .collect()
+}
+
+/// T number of the turning tool that the calls of [`measured`] correct.
+pub const TURNING_TOOL: i64 = 7;
+
+/// A calibrated turning machine in G54, with a turning tool; X as the call gives it.
+pub fn setup(plane: Plane, transverse: Transverse) -> Setup {
+    let mut setup = Setup::turning(plane);
+    setup.control.transverse = transverse;
+    for (name, value) in [
+        ("$TC_DP1[7,1]", 500.0),
+        ("$TC_DP2[7,1]", 3.0),
+        ("$TC_DP3[7,1]", 60.0),
+        ("$TC_DP4[7,1]", 40.0),
+    ] {
+        assert!(setup.control.set_variable(name, value));
+    }
+    let frame = Frame::translation([0.0, 0.0, 250.0]);
+    setup.control.frames.insert(1, frame);
+    setup.control.settable = 1;
+    setup.control.activate(1);
+    setup
+}
+
+/// A call in this plane with delivered values of what is not given; wide bands, without a mean value.
+pub fn inputs(name: &str, plane: Plane, values: &[(&'static str, f64)]) -> Inputs {
+    let variant = values.iter().find(|(name, _)| *name == "_MVAR");
+    let variant = variant.map_or(0, |(_, value)| *value as i64);
+    let mut all = vec![
+        ("_KNUM", 1.0),
+        ("_TNUM", TURNING_TOOL as f64),
+        ("_FA", 5.0),
+        ("_TSA", 3.0),
+        ("_TDIF", 2.5),
+        ("_TUL", 2.4),
+        ("_TLL", -2.4),
+        ("_TMV", 2.0),
+        ("_TZL", 0.0),
+    ];
+    all.extend(values);
+    let mut inputs = sinumerik::testing::call(name, variant, &all);
+    inputs.plane = plane;
+    inputs
+}
+
+/// The setup with the part that the call proposes and the probe before it.
+pub fn placed(mut setup: Setup, inputs: &Inputs) -> Setup {
+    let proposal = (inputs.cycle.work().unwrap().propose)(inputs, &setup.control);
+    setup.workpiece = proposal.workpiece;
+    setup.workpiece.solids.extend(proposal.fixture);
+    setup.position = setup.control.to_machine(proposal.start);
+    setup
 }

@@ -7,6 +7,7 @@ pub mod differential;
 pub mod measuring_block;
 #[cfg(test)]
 pub mod motion_testing;
+pub mod one_point;
 pub mod results;
 pub mod state;
 pub mod target;

@@ -1,6 +1,7 @@
 //! What the workpiece cycles demand of the control before anything else (B:4141-4157, A:15840-15935).
 
-use crate::control::{Control, Frame, Value, gud};
+use crate::catalogue::{MachineSort, lathe};
+use crate::control::{Control, Edge, Frame, Value, gud};
 
 /// Bit of MD28082 for the system frame of the cycles (A:15840, B:1977).
 const CYCLE_FRAME: u32 = 5;
@@ -8,8 +9,8 @@ const CYCLE_FRAME: u32 = 5;
 /// Arrays that must have as many fields as the control says (B:13345-13348).
 const FIELDS: [&str; 4] = ["_TP", "_WP", "_KB", "_TPW"];
 
-/// Number of the alarm with which the cycles refuse a control in this state.
-pub fn refusal(control: &Control) -> Option<u32> {
+/// Number of the alarm with which the cycles of this sort of machine refuse a control in this state.
+pub fn refusal(control: &Control, machine: MachineSort) -> Option<u32> {
     if !control.machine_bit("MD28082", CYCLE_FRAME) {
         return Some(61016);
     }
@@ -25,11 +26,24 @@ pub fn refusal(control: &Control) -> Option<u32> {
     if control.chain().iter().any(Frame::scaled) {
         return Some(61310); // B:744, A:15849
     }
-    match control.active_edge() {
-        None => Some(61311),                                   // A:15850
-        Some(edge) if !edge.is_milling_probe() => Some(61309), // B:4147-4152
-        Some(_) => None,
+    let Some(edge) = control.active_edge() else {
+        return Some(61311); // A:15850
+    };
+    match machine {
+        MachineSort::Turning => turning(control, edge),
+        _ => (!edge.is_milling_probe()).then_some(61309), // B:4147-4152
     }
+}
+
+/// The same of a turning machine: its probe, and no rotation (B:8708, A:15848, A:15856, A:15873).
+fn turning(control: &Control, edge: &Edge) -> Option<u32> {
+    if !edge.is_turning() {
+        return Some(61309);
+    }
+    if !lathe::TIPS.contains(&edge.tip) {
+        return Some(61315);
+    }
+    control.rotated().then_some(61330)
 }
 
 /// Version of the control software, `_SI[1]`: a text, of which the first digit counts; 0 where there is none.
@@ -61,7 +75,7 @@ mod tests {
     #[test]
     fn a_ready_control_is_not_refused() {
         let control = || Setup::calibrated(Dialect::Sinumerik, Plane::G17).control;
-        assert_eq!(refusal(&control()), None);
+        assert_eq!(refusal(&control(), MachineSort::Milling), None);
         // oracle: manual A:15840, A:15878, A:15883, A:15935, B:744, A:15850, B:4147-4152
         let cases: [Case; 9] = [
             (61016, |control| control.set("MD28082", 1.0)),
@@ -81,7 +95,29 @@ mod tests {
         for (number, change) in cases {
             let mut control = control();
             change(&mut control);
-            assert_eq!(refusal(&control), Some(number));
+            assert_eq!(refusal(&control, MachineSort::Milling), Some(number));
+        }
+    }
+
+    #[test]
+    fn a_turning_machine_needs_its_own_probe() {
+        // oracle: manual B:8708, A:15848, A:15856, A:15873
+        let cases: [Case; 4] = [
+            (61309, |control| {
+                control.set_variable("$TC_DP1[9,1]", 710.0);
+            }),
+            (61315, |control| {
+                control.set_variable("$TC_DP2[9,1]", 3.0);
+            }),
+            (61330, |control| control.active.rotation = [0.0, 5.0, 0.0]),
+            (61311, |control| control.edge = 0),
+        ];
+        let control = || Setup::turning(Plane::G18).control;
+        assert_eq!(refusal(&control(), MachineSort::Turning), None);
+        for (number, change) in cases {
+            let mut control = control();
+            change(&mut control);
+            assert_eq!(refusal(&control, MachineSort::Turning), Some(number));
         }
     }
 }

@@ -151,11 +151,15 @@ fn report(
     results::integer(machine, 6, memories.mean);
     results::integer(machine, 7, memories.empirical);
     results::integer(machine, 8, target.map_or(0, |target| target.tool));
-    results::integer(
-        machine,
-        13,
-        target.and_then(|target| target.location).unwrap_or(0),
-    );
+    if inputs
+        .cycle
+        .results
+        .iter()
+        .any(|field| field.name == "_OVI[13]")
+    {
+        let location = target.and_then(|target| target.location);
+        results::integer(machine, 13, location.unwrap_or(0));
+    }
 }
 
 /// The empirical value as stored, whichever way `_CHBIT[5]` reckons it (B:6359).

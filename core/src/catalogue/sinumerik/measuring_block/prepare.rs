@@ -1,6 +1,7 @@
 //! What a measuring block takes from parameters and data, and what must be true before the first motion.
 
 use super::{Block, Spindle, turnable};
+use crate::catalogue::MachineSort;
 use crate::catalogue::sinumerik::{alarm, calibrated_as, state};
 use crate::check::Inputs;
 use crate::control::Control;
@@ -20,7 +21,7 @@ impl Block {
 
 /// Everything from parameters and data; error: number of the alarm.
 fn read(control: &Control, inputs: &Inputs) -> Result<Block, u32> {
-    if let Some(number) = state::refusal(control) {
+    if let Some(number) = state::refusal(control, inputs.cycle.purpose.machine) {
         return Err(number);
     }
     let (index, mono) = probe(control, inputs)?;
@@ -51,7 +52,7 @@ fn read(control: &Control, inputs: &Inputs) -> Result<Block, u32> {
         axes,
         radius,
         path,
-        centre: if control.bit("_CBIT[14]") {
+        centre: if control.bit("_CBIT[14]") && !turning(inputs) {
             radius
         } else {
             0.0
@@ -79,7 +80,8 @@ fn read(control: &Control, inputs: &Inputs) -> Result<Block, u32> {
 /// Index of the probe's data field `_WP[]`, and whether it is a mono probe, which has to be turned (A:15852, A:15917).
 fn probe(control: &Control, inputs: &Inputs) -> Result<(i64, bool), u32> {
     let number = inputs.integer("_PRNUM");
-    let (mono, field) = (number / 100 == 1, number % 100);
+    // In a turret a mono probe is used as a multi probe (B:2277).
+    let (mono, field) = (number / 100 == 1 && !turning(inputs), number % 100);
     if field < 1 || field as f64 > control.number("_CVAL[1]") {
         return Err(61313);
     }
@@ -87,6 +89,11 @@ fn probe(control: &Control, inputs: &Inputs) -> Result<(i64, bool), u32> {
         return Err(61373);
     }
     Ok((field - 1, mono))
+}
+
+/// Whether the probe stands in the turret of a turning machine, where no spindle turns it.
+fn turning(inputs: &Inputs) -> bool {
+    inputs.cycle.purpose.machine == MachineSort::Turning
 }
 
 /// `_VMS`, or 150 mm/min up to `_FA` = 1 and 300 mm/min above (B:2164-2170).
@@ -116,7 +123,7 @@ fn speeds(control: &Control, monitored: bool) -> Result<(f64, f64), u32> {
 /// With `_CHBIT[13]` a multi probe turns with the coordinate system: 90 degree of rotation about the applicate, and only
 /// about it, give 270 degree (with `_CHBIT[14]` 90) of the spindle (B:13973-13987).
 fn follow_rotation(control: &Control, inputs: &Inputs) -> Option<f64> {
-    if !control.bit("_CHBIT[13]") || inputs.integer("_PRNUM") / 100 != 0 {
+    if turning(inputs) || !control.bit("_CHBIT[13]") || inputs.integer("_PRNUM") / 100 != 0 {
         return None;
     }
     let [abscissa, ordinate, applicate] = control.plane.axes();

@@ -1,0 +1,71 @@
+//! What CYCLE974 does: one point of a turned part, as it stands or at two places 180 degree apart (B:10409-10872).
+
+use super::params::REVERSAL;
+use crate::catalogue::lathe::measure;
+use crate::catalogue::names;
+use crate::catalogue::sinumerik::measuring_block::{Block, Point, calibrated, turnable};
+use crate::catalogue::sinumerik::one_point::{self, OnePoint};
+use crate::catalogue::sinumerik::target::Target;
+use crate::catalogue::sinumerik::{Next, alarm};
+use crate::check::Inputs;
+use crate::run::{Machine, Stop};
+
+/// Runs the cycle from the present position, which is opposite the point.
+pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
+    measure::begin(machine, inputs, 974);
+    let block = Block::prepare(machine, inputs)?;
+    let axis = measure::axis(machine, inputs)?;
+    let reversal = REVERSAL.holds(inputs);
+    if reversal {
+        turnable(machine)?;
+    }
+    if !calibrated(&block, axis) {
+        return Err(alarm(machine, 61341));
+    }
+    let corrected = measure::corrected(inputs, axis);
+    let target = Target::of(machine, inputs, Some(corrected))?;
+    let per = measure::per(machine.control(), inputs);
+    let set = inputs.number(names::SETVAL);
+    let start = machine.position()[block.axes[axis]];
+    let direction = if set / per < start { -1.0 } else { 1.0 };
+    let point = Point {
+        axis,
+        direction,
+        set: set / per,
+        path: block.path,
+    };
+    for repetition in 0.. {
+        let surface = match reversal {
+            true => both_sides(machine, inputs, &block, &point)?,
+            false => block.measure(machine, &point)?,
+        };
+        let found = OnePoint {
+            axis,
+            corrected,
+            direction,
+            set,
+            actual: surface * per,
+            per,
+        };
+        if one_point::finish(machine, inputs, &found, &target, repetition)? == Next::Done {
+            break;
+        }
+    }
+    Ok(())
+}
+
+/// Mean of the same point with the part turned to `_STA1` and 180 degree further (B:10784).
+fn both_sides(
+    machine: &mut dyn Machine,
+    inputs: &Inputs,
+    block: &Block,
+    point: &Point,
+) -> Result<f64, Stop> {
+    let mut sum = 0.0;
+    for further in [0.0, 180.0] {
+        let angle = inputs.number(names::STA1) + further;
+        machine.orient(angle.rem_euclid(360.0));
+        sum += block.measure(machine, point)?;
+    }
+    Ok(sum / 2.0)
+}

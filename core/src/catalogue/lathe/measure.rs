@@ -1,0 +1,52 @@
+//! What a measuring call of a turning machine means: its axis, and whether its dimensions are diameters.
+
+use super::params::{APPLICATE, TRANSVERSE};
+use crate::catalogue::names;
+use crate::catalogue::sinumerik::{alarm, results};
+use crate::check::Inputs;
+use crate::control::{Control, Plane};
+use crate::run::{Machine, Stop};
+
+/// Results that every call of these cycles begins with (B:16014-16022).
+pub fn begin(machine: &mut dyn Machine, inputs: &Inputs, cycle: i64) {
+    results::begin(machine, inputs, cycle);
+    results::integer(machine, 3, inputs.variant);
+    results::integer(machine, 12, 0);
+}
+
+/// Measuring axis: 0 abscissa, 1 ordinate, 2 applicate; 61325 where there is none (A:15866).
+pub fn axis(machine: &mut dyn Machine, inputs: &Inputs) -> Result<usize, Stop> {
+    match inputs.integer(names::MA) {
+        axis @ 1..=3 => Ok(axis as usize - 1),
+        _ => Err(alarm(machine, 61325)),
+    }
+}
+
+/// Axis in which tool and zero offset are corrected: the measuring axis, or with `_CHBIT[19]` = 1 in G18 X, the
+/// ordinate, for Y (B:14023-14027).
+pub fn corrected(inputs: &Inputs, axis: usize) -> usize {
+    let like_x = APPLICATE.holds(inputs) && TRANSVERSE.holds(inputs);
+    if like_x && inputs.plane == Plane::G18 {
+        1
+    } else {
+        axis
+    }
+}
+
+/// Dimension per length in the measuring axis: 2 where dimensions are diameters (B:10623, B:10975), else 1.
+pub fn per(control: &Control, inputs: &Inputs) -> f64 {
+    if TRANSVERSE.holds(inputs) {
+        control.transverse.shown()
+    } else {
+        1.0
+    }
+}
+
+/// The same of an axis of the plane in which nothing is measured: X is the transverse one.
+pub fn per_axis(control: &Control, axis: usize) -> f64 {
+    if control.plane.axes()[axis.min(2)] == 0 {
+        control.transverse.shown()
+    } else {
+        1.0
+    }
+}

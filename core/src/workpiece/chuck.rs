@@ -1,0 +1,90 @@
+//! A turned part in the chuck of a turning machine.
+
+use super::{PartErrors, Shape, Solid};
+use crate::geometry::{V3, rigid};
+
+/// A solid as it stands with the spindle turned by so many degrees, positive about its Z: a turned part goes round the
+/// axis that it nominally has, so that its errors, clamped off the centre or askew, go round with it. Every other solid
+/// belongs to the machine and stays.
+pub fn turned(solid: &Solid, angle: f64) -> Solid {
+    if angle == 0.0 || !matches!(solid.shape, Shape::Turned { .. }) {
+        return solid.clone();
+    }
+    let own = rigid::rotation(solid.rotation);
+    let turn = own * rigid::rotation([0.0, 0.0, angle]) * own.inverse();
+    let errors = &solid.errors;
+    Solid {
+        errors: PartErrors {
+            shift: (turn * V3::from(errors.shift)).into(),
+            tilt: rigid::angles(&(turn * rigid::rotation(errors.tilt))),
+            ..*errors
+        },
+        ..solid.clone()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::workpiece::Workpiece;
+    use crate::workpiece::contact::distance;
+
+    #[test]
+    fn eccentricity_and_lobes_go_round_with_the_part() {
+        // oracle: hand: a point of the machine that is turned with the part is as far from it as before
+        let part = Solid {
+            shape: Shape::Turned {
+                diameter: 40.0,
+                length: 60.0,
+                bore: [20.0, 30.0],
+            },
+            at: [5.0, -3.0, 10.0],
+            rotation: [0.0; 3],
+            errors: PartErrors {
+                shift: [0.4, -0.3, 0.2],
+                tilt: [0.5, -0.2, 3.0],
+                out_of_round: (0.05, 3),
+                ..PartErrors::default()
+            },
+        };
+        let axis = V3::from([5.0, -3.0, 0.0]);
+        for angle in [30.0, 180.0, 355.0] {
+            for point in [[32.0, -3.0, -5.0], [12.0, 1.0, -10.0], [5.0, 14.0, 30.0]] {
+                let turn = rigid::rotation([0.0, 0.0, angle]);
+                let moved = axis + turn * (V3::from(point) - axis);
+                let far = |solid: Solid, point: V3| {
+                    distance(
+                        &Workpiece {
+                            solids: vec![solid],
+                        },
+                        point.into(),
+                    )
+                };
+                let before = far(part.clone(), point.into());
+                let after = far(turned(&part, angle), moved);
+                assert!(
+                    (before - after).abs() < 1e-9,
+                    "{angle} {point:?}: {before} {after}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn what_belongs_to_the_machine_stays() {
+        let groove = Solid {
+            shape: Shape::Groove {
+                width: 10.0,
+                depth: 20.0,
+                length: 40.0,
+            },
+            at: [60.0, 0.0, 0.0],
+            rotation: [0.0; 3],
+            errors: PartErrors {
+                shift: [0.1, 0.2, 0.3],
+                ..PartErrors::default()
+            },
+        };
+        assert_eq!(turned(&groove, 90.0), groove);
+    }
+}

@@ -1,0 +1,58 @@
+//! Cases that the workpiece cycles of a turning machine share: its probe, the coordinate system, the measuring axis.
+
+use super::table::{Case, program};
+use super::workpiece;
+use probewright_core::control::{Edge, Plane, Tool};
+use probewright_core::run::Setup;
+use probewright_core::workpiece::{PartErrors, Shape, Solid};
+
+/// Alarms that no state of the simulated machine brings about, beside [`workpiece::UNREACHED`].
+pub const SPINDLE: (u32, &str) = (
+    61373,
+    "a mono probe in a turret is not turned by a spindle (A:15917)",
+);
+
+/// A turned part of 60 mm with its face at Z0, the probe at this position; T20 is to be corrected.
+pub fn setup(position: [f64; 3], bore: [f64; 2]) -> Setup {
+    let mut setup = Setup::turning(Plane::G18);
+    let turning = Edge {
+        kind: 500,
+        tip: 3,
+        length: [60.0, 40.0, 0.0],
+        ..Edge::default()
+    };
+    let tool = Tool {
+        name: "TURNING".into(),
+        edges: [(1, turning)].into(),
+    };
+    setup.control.tools.insert(20, tool);
+    setup.position = position;
+    setup.workpiece.solids = vec![Solid {
+        shape: Shape::Turned {
+            diameter: 60.0,
+            length: 80.0,
+            bore,
+        },
+        at: [0.0; 3],
+        rotation: [0.0; 3],
+        errors: PartErrors::default(),
+    }];
+    setup
+}
+
+/// The cases of every workpiece cycle of turning.
+pub fn cases() -> Vec<Case> {
+    let mut cases = workpiece::everywhere();
+    cases.extend([
+        program(61309, "$TC_DP1[9,1]=710"),
+        program(61315, "$TC_DP2[9,1]=3"),
+        program(61325, "_MA=4"),
+        program(61330, "ROT Y10"),
+    ]);
+    cases
+}
+
+/// A part that is larger in diameter by so much.
+pub fn larger(setup: &mut Setup, size: f64) {
+    setup.workpiece.solids[0].errors.size = size;
+}
