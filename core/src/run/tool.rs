@@ -7,6 +7,7 @@ use super::statement::{Address, Words};
 use super::trace::Step;
 use super::{Stop, addresses};
 use crate::catalogue::Dialect;
+use crate::control::Edge;
 
 /// Applies T, D, M6 (NCT: T, H) of a block.
 pub fn apply(run: &mut Interpreter, found: &Words) -> Result<(), Stop> {
@@ -50,11 +51,11 @@ fn sinumerik(run: &mut Interpreter, found: &Words) -> Result<(), Problem> {
     if let Some(address) = last(found, "DL") {
         location(run, address)?;
     }
-    let change = found
+    let m6 = found
         .addresses
         .iter()
         .find(|address| address.name == "M" && address.value == Datum::Number(6.0));
-    if let Some(address) = change
+    if let Some(address) = m6.or_else(|| turret(run, found))
         && let Some(tool) = run.modal.prepared.take()
     {
         // after a change D1 is active where no D was programmed
@@ -70,6 +71,14 @@ fn sinumerik(run: &mut Interpreter, found: &Words) -> Result<(), Problem> {
         select(run, tool, edge, address)?;
     }
     Ok(())
+}
+
+/// The T with which a turret turns to its tool at once, without M6: that of a turning tool.
+fn turret<'a>(run: &Interpreter, found: &'a Words) -> Option<&'a Address> {
+    let prepared = run.modal.prepared?;
+    let tool = run.sim.control.tools.get(&prepared)?;
+    let turning = tool.edges.values().any(Edge::is_turning);
+    last(found, "T").filter(|_| turning)
 }
 
 /// `DL=2`: offsets of a location are used from now on, until the next T or D.

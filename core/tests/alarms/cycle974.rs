@@ -19,9 +19,9 @@ pub fn table() -> Table {
         case(61372, "_MVAR=1000 _STA1=0", |setup| {
             setup.control.spindle_positions = false;
         }),
-        // the ball would touch at radius 33
+        // the ball would touch at radius 33, the turret 40.123 further out
         case(61401, "", |setup| {
-            setup.control.limits.minus[0] = Some(34.0);
+            setup.control.limits.minus[0] = Some(74.0);
         }),
         program(61412, "_MVAR=100 _KNUM=1000"),
     ]);

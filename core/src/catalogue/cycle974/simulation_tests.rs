@@ -146,7 +146,7 @@ const LENGTHS: [&str; 3] = ["$TC_DP13[7,1]", "$TC_DP12[7,1]", "$TC_DP14[7,1]"];
 fn a_corrected_tool_makes_the_next_part_right() {
     // oracle: manual B:8945-8947, B:10743-10748: the length is longer by so much that the tool stands further out
     for plane in PLANES {
-        for axis in 0..3 {
+        for (axis, length) in LENGTHS.into_iter().enumerate() {
             let geometry = plane.axes()[axis];
             for transverse in [Transverse::Diameter, Transverse::Radius] {
                 let case = (plane, transverse, 0.0, axis, 30.0);
@@ -157,7 +157,7 @@ fn a_corrected_tool_makes_the_next_part_right() {
                 };
                 let (sim, outcome) = measured(case, shift, size);
                 assert_eq!(outcome, Ok(()));
-                let longer = sim.control.variable(LENGTHS[axis]).unwrap();
+                let longer = sim.control.variable(length).unwrap();
                 assert!((longer + 0.3).abs() < 1e-9, "{longer}");
                 close(&sim, "_OVR[20]", -0.3);
                 let (again, size) = match geometry {

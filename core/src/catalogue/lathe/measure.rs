@@ -42,9 +42,9 @@ pub fn per(control: &Control, inputs: &Inputs) -> f64 {
     }
 }
 
-/// The same of an axis of the plane in which nothing is measured: X is the transverse one.
-pub fn per_axis(control: &Control, axis: usize) -> f64 {
-    if control.plane.axes()[axis.min(2)] == 0 {
+/// The same of an axis of the plane, measured or not: of X, and of Y where it counts like X.
+pub fn per_axis(control: &Control, inputs: &Inputs, axis: usize) -> f64 {
+    if control.plane.axes()[axis.min(2)] == 0 || corrected(inputs, axis) != axis {
         control.transverse.shown()
     } else {
         1.0

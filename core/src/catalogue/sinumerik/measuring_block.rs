@@ -104,6 +104,14 @@ impl Block {
         }
     }
 
+    /// The same block reckoning with the active ball alone, which needs no trigger values (B:10901-10906).
+    pub fn by_ball(&self) -> Block {
+        Block {
+            triggers: [[self.ball, -self.ball]; 3],
+            ..self.clone()
+        }
+    }
+
     /// Start of the measuring block in the measuring axis: the ball `path` before the set surface.
     pub fn start(&self, point: &Point) -> f64 {
         point.set + self.trigger(point.axis, point.direction) - point.direction * point.path
