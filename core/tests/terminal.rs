@@ -84,7 +84,7 @@ fn alarms_explains_one_and_lists_all() {
         assert!(one.contains(part), "{part}: {one}");
     }
     let message = out(&probewright(&["alarms", "probe fail"]));
-    assert!(message.contains("raised by  G110"), "{message}");
+    assert!(message.contains("raised by  G102, G103"), "{message}");
     let all = out(&probewright(&["alarms"]));
     assert!(all.lines().count() > 100, "{all}");
     let list = out(&probewright(&["alarms", "--json"]));

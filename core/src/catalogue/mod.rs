@@ -32,6 +32,11 @@ pub mod g101;
 pub mod g102;
 pub mod g103;
 pub mod g104;
+pub mod g105;
+pub mod g106;
+pub mod g107;
+pub mod g108;
+pub mod g109;
 pub mod g110;
 pub mod lathe;
 pub mod list;
@@ -74,6 +79,11 @@ pub static CYCLES: &[&Cycle] = &[
     &g102::G102,
     &g103::G103,
     &g104::G104,
+    &g105::G105,
+    &g106::G106,
+    &g107::G107,
+    &g108::G108,
+    &g109::G109,
     &g110::G110,
 ];
 

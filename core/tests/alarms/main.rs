@@ -41,6 +41,11 @@ fn table(name: &str) -> Table {
         "G102" => nct::g102(),
         "G103" => nct::g103(),
         "G104" => nct::g104(),
+        "G105" => nct::g105(),
+        "G106" => nct::g106(),
+        "G107" => nct::g107(),
+        "G108" => nct::g108(),
+        "G109" => nct::g109(),
         "G110" => nct::g110(),
         _ => panic!("{name} has no cases for its alarms"),
     }

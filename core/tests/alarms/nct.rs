@@ -47,23 +47,79 @@ pub fn g104() -> Table {
     }
 }
 
+pub fn g105() -> Table {
+    let mut table = in_bore("G105 X25", "G105 S1", "G105 X1 Q1");
+    table.cases.extend([
+        // on the way to the clearance beside the wall the bore ends
+        case(nct::PATH_OBSTRUCTED, "G105 X-60 Z-20", |_| ()),
+        case(nct::OUT_OF_TOLERANCE, "G105 X25 H0.2", grown),
+        case(nct::UPPER_TOLERANCE, "G105 X25 S1 U0.2", grown),
+    ]);
+    table
+}
+
+pub fn g106() -> Table {
+    let mut cases = measuring("G106 Z0", "G106 S1", "G106 Z60", sunk);
+    cases.extend([
+        case(nct::OUT_OF_TOLERANCE, "G106 Z0.6 H0.5", |_| ()),
+        case(nct::UPPER_TOLERANCE, "G106 Z0.6 S1 U0.5", |_| ()),
+    ]);
+    Table {
+        usual: "G106 Z0",
+        cases,
+        ..g104()
+    }
+}
+
+pub fn g107() -> Table {
+    in_bore("G107 X25 Y25", "G107 X25", "G107 X0 Y25")
+}
+
+pub fn g108() -> Table {
+    let cases = measuring("G108 X-20 Y-20", "G108 X-20", "G108 X-40 Y-20", |setup| {
+        setup.position = [-21.0, 0.0, -10.0];
+    });
+    let mut table = Table {
+        usual: "G108 X-20 Y-20",
+        setup: || {
+            let mut setup = setup();
+            setup.workpiece.solids[0].shape = Shape::Island {
+                length: [40.0, 40.0],
+                height: 30.0,
+            };
+            setup.position = [-40.0, -40.0, -10.0];
+            setup
+        },
+        cases,
+        ..in_bore("", "", "")
+    };
+    // the stylus starts before the second wall, not before the corner
+    table
+        .cases
+        .push(case(nct::PATH_OBSTRUCTED, "G108 X-20 Y-20", |setup| {
+            setup.position = [0.0, -40.0, -10.0];
+        }));
+    table
+}
+
+pub fn g109() -> Table {
+    let mut table = in_bore("G109 X50", "G109 S1", "G109 X6");
+    table.cases.extend([
+        case(nct::PATH_OBSTRUCTED, "G109 X50 Z-10", too_large_a_boss),
+        case(nct::OUT_OF_TOLERANCE, "G109 X50 H0.5", grown),
+        case(nct::UPPER_TOLERANCE, "G109 X50 S1 U0.5", grown),
+        case(nct::TOOL_TOO_LARGE, "G109 X50 T1", thick_tool),
+    ]);
+    table
+}
+
 pub fn g110() -> Table {
     let mut table = in_bore("G110 D50", "G110 S1", "G110 D6");
     table.cases.extend([
-        // a boss that is so large that the way down beside its nominal wall ends on it
-        case(nct::PATH_OBSTRUCTED, "G110 D50 Z-10", |setup| {
-            setup.workpiece.solids[0].shape = Shape::Shaft {
-                diameter: 70.0,
-                height: 40.0,
-            };
-            setup.position[2] = 10.0;
-        }),
+        case(nct::PATH_OBSTRUCTED, "G110 D50 Z-10", too_large_a_boss),
         case(nct::OUT_OF_TOLERANCE, "G110 D50 H0.5", grown),
         case(nct::UPPER_TOLERANCE, "G110 D50 S1 U0.5", grown),
-        case(nct::TOOL_TOO_LARGE, "G110 D50 T1", |setup| {
-            grown(setup);
-            setup.control.register_mut(1).radius = 24.9;
-        }),
+        case(nct::TOOL_TOO_LARGE, "G110 D50 T1", thick_tool),
     ]);
     table
 }
@@ -153,4 +209,19 @@ fn false_signal(setup: &mut Setup) {
 /// The bore is larger by 0.6 mm.
 fn grown(setup: &mut Setup) {
     setup.workpiece.solids[0].errors.size = 0.6;
+}
+
+/// A boss that is so large that the way down beside its nominal wall ends on it.
+fn too_large_a_boss(setup: &mut Setup) {
+    setup.workpiece.solids[0].shape = Shape::Shaft {
+        diameter: 70.0,
+        height: 40.0,
+    };
+    setup.position[2] = 10.0;
+}
+
+/// A tool that no longer fits once it is corrected.
+fn thick_tool(setup: &mut Setup) {
+    grown(setup);
+    setup.control.register_mut(1).radius = 24.9;
 }

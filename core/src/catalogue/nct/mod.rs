@@ -3,9 +3,11 @@
 #[cfg(test)]
 pub(crate) mod bench;
 pub mod checks;
+pub mod corner;
 pub mod correct;
 pub mod params;
 pub mod part;
+pub mod plane_axis;
 pub mod print;
 pub mod ring;
 pub mod surface;
@@ -14,6 +16,8 @@ pub mod walls;
 
 #[cfg(test)]
 mod calibration_tests;
+#[cfg(test)]
+mod measuring_tests;
 
 use super::common::{PARAM, optional};
 use super::{Cycle, Dialect, Kind, Need, Param, Range, Unit, When};

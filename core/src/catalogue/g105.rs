@@ -1,0 +1,232 @@
+//! G105: surface across one axis of the plane (C:430-560).
+
+use super::common::PARAM;
+use super::nct::correct::{self, Found, Part};
+use super::nct::plane_axis::{depth, index, needs, nominal};
+use super::nct::surface::{self, BALL, FACE, Wall, drawn, limits, spindle_at, touch_wall};
+use super::nct::walls::{home, travel};
+use super::nct::{self, FORMAT_ERROR, checks, params, part, plane_axis, print};
+use super::{
+    Cycle, Dialect, Drawing, Param, Proposal, Purpose, Simulation, Unit, Variant, When, Work,
+};
+use crate::check::Inputs;
+use crate::control::{Control, Plane};
+use crate::diagnostic::Diagnostic;
+use crate::form::figures::{circle, corners, dimension, line, rectangle};
+use crate::form::picture::{Picture, ShapeKind, View};
+use crate::run::{Machine, Stop};
+use crate::workpiece::{Shape, Workpiece};
+
+/// One of X, Y, Z.
+const AXIS: Param = Param {
+    key: "g105-nominal",
+    unit: Unit::ActiveLength,
+    alarm: Some(FORMAT_ERROR),
+    source: "C:472-473",
+    ..PARAM
+};
+/// The macro.
+pub static G105: Cycle = Cycle {
+    dialect: Dialect::Nct,
+    name: "G105",
+    key: "g105",
+    variants: &[Variant {
+        number: 0,
+        key: "g105-surface",
+        source: "C:450",
+    }],
+    purpose: Purpose::MILLING,
+    lists: &[],
+    settings: &[],
+    params: &[
+        Param {
+            name: "X",
+            needs: &needs(Plane::G19),
+            labels: &[(When::Plane(Plane::G19), "nct-depth")],
+            ..AXIS
+        },
+        Param {
+            name: "Y",
+            needs: &needs(Plane::G18),
+            labels: &[(When::Plane(Plane::G18), "nct-depth")],
+            ..AXIS
+        },
+        Param {
+            name: "Z",
+            needs: &needs(Plane::G17),
+            labels: &[(When::Plane(Plane::G17), "nct-depth")],
+            ..AXIS
+        },
+        Param {
+            source: "C:474",
+            ..params::R
+        },
+        Param {
+            source: "C:475",
+            ..params::Q
+        },
+        Param {
+            source: "C:481",
+            ..params::S
+        },
+        Param {
+            key: "nct-t-surface",
+            source: "C:495",
+            ..params::T
+        },
+        Param {
+            source: "C:491",
+            ..params::M
+        },
+        Param {
+            source: "C:500",
+            ..params::H
+        },
+        Param {
+            source: "C:501",
+            ..params::U
+        },
+        Param {
+            source: "C:502",
+            ..params::W
+        },
+    ],
+    results: &[
+        params::length("POSITION", "result-nct-position", "C:430-450"),
+        params::length("DEVIATION", "result-nct-position-deviation", "C:430-450"),
+    ],
+    alarms: &[
+        nct::MEASURING,
+        &[
+            nct::PATH_OBSTRUCTED, // the ways beside the surface are protected like those of G101
+            nct::OUT_OF_TOLERANCE,
+            nct::UPPER_TOLERANCE,
+        ],
+    ],
+    checks,
+    picture: Drawing::new(picture),
+    example: &[
+        ("X", "50"),
+        ("Z", "-10"),
+        ("S", "1"),
+        ("H", "0.2"),
+        ("W", "2"),
+    ],
+    simulation: Some(Simulation::new(Work { propose, simulate }, &[])),
+    source: "C:430-560",
+};
+
+fn checks(inputs: &Inputs, control: &Control, findings: &mut Vec<Diagnostic>) {
+    plane_axis::check(inputs, control, findings);
+    checks::corrections(inputs, findings);
+}
+
+fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
+    nct::ready_to_measure(machine)?;
+    let start = machine.position();
+    let index = index(inputs).unwrap_or(0);
+    let axes = machine.control().plane.axes();
+    let (axis, applicate) = (axes[index], axes[2]);
+    let (_, nominal) = nominal(inputs);
+    if let (_, Some(depth)) = depth(inputs) {
+        let direction = surface::direction(machine, axis, index, nominal)?;
+        let contact = spindle_at(machine, index, nominal, direction);
+        travel(machine, axis, contact - direction * inputs.number("R"))?;
+        travel(machine, applicate, depth)?;
+    }
+    let beside = machine.position()[axis];
+    let wall = touch_wall(machine, index, nominal, inputs.number("Q"))?;
+    travel(machine, axis, beside)?;
+    home(machine, start)?;
+    finish(machine, inputs, axis, &wall);
+    Ok(())
+}
+
+/// Results, corrections, print-out. Metal is left where the surface stands towards the stylus (C:491).
+fn finish(machine: &mut dyn Machine, inputs: &Inputs, axis: usize, wall: &Wall) {
+    let (_, nominal) = nominal(inputs);
+    let deviation = wall.position - nominal;
+    let excess = -wall.direction * deviation;
+    correct::results(
+        machine,
+        &[("POSITION", wall.position), ("DEVIATION", deviation)],
+    );
+    let mut shift = [0.0; 3];
+    shift[axis] = deviation;
+    let found = Found {
+        deviation,
+        excess,
+        at_surface: excess,
+        shift,
+        part: Part::Radius,
+        room: None,
+    };
+    correct::correct(machine, inputs, &found);
+    let values = print::Values {
+        dimension: None,
+        positions: vec![("", nominal, deviation)],
+    };
+    print::print(machine, inputs, &values);
+}
+
+/// A block that reaches from the zero side to the nominal surface, the stylus on the other side: above where a depth is
+/// given, else beside it.
+fn propose(inputs: &Inputs, control: &Control) -> Proposal {
+    let axes = control.plane.axes();
+    let (axis, applicate) = (axes[index(inputs).unwrap_or(0)], axes[2]);
+    let ((_, nominal), (_, depth)) = (nominal(inputs), depth(inputs));
+    let side = 1.0_f64.copysign(nominal);
+    let size = [100.0, 100.0, 60.0];
+    let (mut top, mut start) = ([0.0; 3], [0.0; 3]);
+    top[axis] = nominal - side * size[0] / 2.0;
+    top[applicate] = depth.unwrap_or(-10.0) + 10.0;
+    start[axis] = nominal + side * 20.0;
+    start[applicate] = top[applicate] + if depth.is_some() { 20.0 } else { -10.0 };
+    Proposal {
+        workpiece: Workpiece {
+            solids: vec![part::in_plane(Shape::Block { size }, top, control)],
+        },
+        start,
+        ..Proposal::default()
+    }
+}
+
+/// The wall from the side: the measured axis to the right, the tool axis up.
+fn picture(inputs: &Inputs) -> Picture {
+    let (name, _) = nominal(inputs);
+    let (axial, depth) = depth(inputs);
+    let (clearance, past) = (drawn(inputs.number("R")), drawn(inputs.number("Q")));
+    let (zero, above, beside) = (-44.0, FACE * 0.8, -BALL - clearance);
+    let mut shapes = vec![
+        rectangle(ShapeKind::Cut, [FACE / 2.0, -FACE / 2.0], [FACE, FACE]),
+        rectangle(ShapeKind::Zone, [past / 2.0, -FACE / 2.0], [past, FACE]).of("Q"),
+        line(ShapeKind::Edge, vec![[0.0, -FACE], [0.0, 0.0]]).of(name),
+        line(ShapeKind::Axis, vec![[zero, -FACE], [zero, FACE]]).text("0"),
+        circle(ShapeKind::Touch, [0.0, -FACE / 2.0], BALL * 0.3),
+        dimension(name, [zero, -FACE * 0.9], [0.0, -FACE * 0.9]),
+        dimension("Q", [0.0, -FACE * 0.25], [past, -FACE * 0.25]),
+    ];
+    let measured = [-BALL, -FACE / 2.0];
+    let (way, start) = if depth.is_some() {
+        let start = [beside * 1.6, above];
+        shapes.push(dimension("R", [beside, BALL * 2.0], [-BALL, BALL * 2.0]));
+        shapes.push(dimension(
+            axial,
+            [zero * 0.8, 0.0],
+            [zero * 0.8, -FACE / 2.0],
+        ));
+        let corner = [beside, -FACE / 2.0];
+        (vec![start, [beside, above], corner, measured], start)
+    } else {
+        let start = [beside, -FACE / 2.0];
+        (vec![start, measured], start)
+    };
+    shapes.push(line(ShapeKind::Path, way));
+    shapes.push(circle(ShapeKind::Probe, start, BALL));
+    let band = |half: f64| corners([0.0, -FACE / 2.0], [2.0 * half, FACE]);
+    shapes.extend(limits(inputs, band));
+    Picture {
+        view: View::Section,
+        shapes,
+    }
+}

@@ -1,0 +1,135 @@
+//! G106: surface across the tool axis (C:562-694).
+//!
+//! Touched downwards. The text of T and M is that of G105 (radius), but the example corrects a length (C:676-694):
+//! here both are the length.
+
+use super::common::{PARAM, required};
+use super::nct::correct::{self, Found, Part};
+use super::nct::walls::home;
+use super::nct::{self, FORMAT_ERROR, axis_name, checks, params, print, surface};
+use super::{Cycle, Dialect, Drawing, Need, Param, Purpose, Simulation, Unit, Variant, When, Work};
+use crate::check::Inputs;
+use crate::control::Plane;
+use crate::run::{Machine, Stop};
+
+const fn in_plane(plane: Plane) -> Need {
+    required(When::Plane(plane), "need-nct-tool-axis")
+}
+
+/// Nominal height of the surface.
+const SURFACE: Param = Param {
+    key: "g106-surface",
+    unit: Unit::ActiveLength,
+    alarm: Some(FORMAT_ERROR),
+    source: "C:603",
+    ..PARAM
+};
+
+/// The macro.
+pub static G106: Cycle = Cycle {
+    dialect: Dialect::Nct,
+    name: "G106",
+    key: "g106",
+    variants: &[Variant {
+        number: 0,
+        key: "g106-surface",
+        source: "C:583",
+    }],
+    purpose: Purpose::MILLING,
+    lists: &[],
+    settings: &[],
+    params: &[
+        Param {
+            name: "X",
+            needs: &[in_plane(Plane::G19)],
+            ..SURFACE
+        },
+        Param {
+            name: "Y",
+            needs: &[in_plane(Plane::G18)],
+            ..SURFACE
+        },
+        Param {
+            name: "Z",
+            needs: &[in_plane(Plane::G17)],
+            ..SURFACE
+        },
+        Param {
+            source: "C:604",
+            ..params::Q
+        },
+        Param {
+            source: "C:605",
+            ..params::S
+        },
+        Param {
+            key: "g106-t",
+            source: "C:624",
+            ..params::T
+        },
+        Param {
+            source: "C:620",
+            ..params::M
+        },
+        Param {
+            source: "C:626",
+            ..params::H
+        },
+        Param {
+            source: "C:627",
+            ..params::U
+        },
+        Param {
+            source: "C:628",
+            ..params::W
+        },
+    ],
+    results: &[
+        params::length("POSITION", "result-nct-position", "C:562-583"),
+        params::length("DEVIATION", "result-nct-position-deviation", "C:562-583"),
+    ],
+    alarms: &[
+        nct::MEASURING,
+        &[nct::OUT_OF_TOLERANCE, nct::UPPER_TOLERANCE],
+    ],
+    checks: |inputs, _, findings| checks::corrections(inputs, findings),
+    picture: Drawing::new(surface::axial_picture),
+    example: &[("Z", "0"), ("S", "1"), ("H", "0.2"), ("W", "2")],
+    simulation: Some(Simulation::new(
+        Work {
+            propose: surface::propose_axially,
+            simulate,
+        },
+        &[],
+    )),
+    source: "C:562-694",
+};
+
+fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
+    nct::ready_to_measure(machine)?;
+    let start = machine.position();
+    let [.., applicate] = machine.control().plane.axes();
+    let nominal = inputs.number(axis_name(applicate));
+    let position = surface::touch_axially(machine, applicate, nominal, inputs.number("Q"))?;
+    home(machine, start)?;
+    let deviation = position - nominal;
+    correct::results(machine, &[("POSITION", position), ("DEVIATION", deviation)]);
+    let mut shift = [0.0; 3];
+    shift[applicate] = deviation;
+    let found = Found {
+        deviation,
+        excess: deviation,
+        at_surface: deviation,
+        shift,
+        part: Part::Length,
+        room: None,
+    };
+    correct::correct(machine, inputs, &found);
+    let positions = vec![("", nominal, deviation)];
+    let values = print::Values {
+        dimension: None,
+        positions,
+    };
+    print::print(machine, inputs, &values);
+    Ok(())
+}

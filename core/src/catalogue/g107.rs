@@ -1,0 +1,57 @@
+//! G107: internal corner of two walls along the axes of the plane (C:696-781).
+
+use super::nct::{self, corner, params};
+use super::{Cycle, Dialect, Drawing, Param, Purpose, Simulation, Variant, Work};
+
+/// The macro.
+pub static G107: Cycle = Cycle {
+    dialect: Dialect::Nct,
+    name: "G107",
+    key: "g107",
+    variants: &[Variant {
+        number: 0,
+        key: "g107-corner",
+        source: "C:700",
+    }],
+    purpose: Purpose::MILLING,
+    lists: &[],
+    settings: &[],
+    params: &[
+        Param {
+            source: "C:723",
+            ..corner::X
+        },
+        Param {
+            source: "C:723",
+            ..corner::Y
+        },
+        Param {
+            source: "C:723",
+            ..corner::Z
+        },
+        Param {
+            source: "C:724",
+            ..params::Q
+        },
+        Param {
+            source: "C:725-733",
+            ..corner::S
+        },
+    ],
+    results: corner::RESULTS,
+    alarms: &[nct::MEASURING],
+    checks: |_, _, _| {},
+    picture: Drawing::new(|inputs| corner::picture(inputs, false)),
+    example: &[("X", "100"), ("Y", "80"), ("S", "1")],
+    simulation: Some(Simulation::new(
+        Work {
+            propose: |inputs, control| corner::propose(inputs, control, false),
+            simulate: |machine, inputs| {
+                nct::ready_to_measure(machine)?;
+                corner::measure(machine, inputs, false)
+            },
+        },
+        &[],
+    )),
+    source: "C:696-781",
+};

@@ -1,0 +1,308 @@
+//! G109: pocket or web along one axis of the plane (C:868-1028).
+
+use super::common::{PARAM, optional};
+use super::nct::correct::{self, Found, Part};
+use super::nct::plane_axis::{depth, index, needs, nominal};
+use super::nct::surface::{BALL, FACE, drawn, limits};
+use super::nct::walls::{Outside, Walls, chord, home};
+use super::nct::{self, FORMAT_ERROR, checks, params, part, plane_axis, print};
+use super::{
+    Cycle, Dialect, Drawing, Param, Proposal, Purpose, Simulation, Unit, Variant, When, Work,
+};
+use crate::check::Inputs;
+use crate::control::{Control, Plane};
+use crate::diagnostic::Diagnostic;
+use crate::form::figures::{circle, corners, dimension, line, rectangle};
+use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
+use crate::run::{Machine, Stop};
+use crate::workpiece::{Shape, Workpiece};
+
+/// The stylus stands between the walls.
+pub const POCKET: i64 = 0;
+/// The stylus stands above; the address of the tool axis says how deep to measure.
+pub const WEB: i64 = 1;
+
+/// One of X, Y, Z.
+const AXIS: Param = Param {
+    key: "g109-width",
+    unit: Unit::ActiveLength,
+    alarm: Some(FORMAT_ERROR),
+    source: "C:907-911",
+    ..PARAM
+};
+
+const fn web_in(plane: Plane) -> Option<(When, i64)> {
+    Some((When::Plane(plane), WEB))
+}
+
+/// The macro.
+pub static G109: Cycle = Cycle {
+    dialect: Dialect::Nct,
+    name: "G109",
+    key: "g109",
+    variants: &[
+        Variant {
+            number: POCKET,
+            key: "g109-pocket",
+            source: "C:911",
+        },
+        Variant {
+            number: WEB,
+            key: "g109-web",
+            source: "C:911",
+        },
+    ],
+    purpose: Purpose::MILLING,
+    lists: &[],
+    settings: &[],
+    params: &[
+        Param {
+            name: "X",
+            needs: &needs(Plane::G19),
+            chooses: web_in(Plane::G19),
+            labels: &[(When::Plane(Plane::G19), "g109-depth")],
+            ..AXIS
+        },
+        Param {
+            name: "Y",
+            needs: &needs(Plane::G18),
+            chooses: web_in(Plane::G18),
+            labels: &[(When::Plane(Plane::G18), "g109-depth")],
+            ..AXIS
+        },
+        Param {
+            name: "Z",
+            needs: &needs(Plane::G17),
+            chooses: web_in(Plane::G17),
+            labels: &[(When::Plane(Plane::G17), "g109-depth")],
+            ..AXIS
+        },
+        Param {
+            needs: &[optional(When::Variant(&[WEB]), "need-nct-optional")],
+            source: "C:912",
+            ..params::R
+        },
+        Param {
+            source: "C:913",
+            ..params::Q
+        },
+        Param {
+            source: "C:914",
+            ..params::S
+        },
+        Param {
+            key: "nct-t-size",
+            source: "C:933",
+            ..params::T
+        },
+        Param {
+            source: "C:927",
+            ..params::M
+        },
+        Param {
+            source: "C:934",
+            ..params::H
+        },
+        Param {
+            source: "C:935",
+            ..params::U
+        },
+        Param {
+            source: "C:936",
+            ..params::V
+        },
+        Param {
+            source: "C:937",
+            ..params::W
+        },
+    ],
+    results: &[
+        params::length("WIDTH", "result-g109-width", "C:868-887"),
+        params::length("DEVIATION", "result-g109-deviation", "C:868-887"),
+        params::length("CENTRE", "result-g109-centre", "C:868-887"),
+        params::length("SHIFT", "result-g109-shift", "C:868-887"),
+    ],
+    alarms: &[
+        nct::MEASURING,
+        &[
+            nct::PATH_OBSTRUCTED, // the ways beside a web are protected like those of G101
+            nct::OUT_OF_TOLERANCE,
+            nct::UPPER_TOLERANCE,
+            nct::TOOL_TOO_LARGE,
+        ],
+    ],
+    checks,
+    picture: Drawing::new(picture),
+    example: &[
+        ("X", "80"),
+        ("S", "1"),
+        ("H", "0.02"),
+        ("V", "2"),
+        ("W", "2"),
+    ],
+    simulation: Some(Simulation::new(Work { propose, simulate }, &[])),
+    source: "C:868-1028",
+};
+
+fn checks(inputs: &Inputs, control: &Control, findings: &mut Vec<Diagnostic>) {
+    plane_axis::check(inputs, control, findings);
+    checks::corrections(inputs, findings);
+    let (name, _) = nominal(inputs);
+    if inputs.variant == POCKET {
+        checks::room(inputs, name, control, findings);
+    }
+}
+
+fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
+    nct::ready_to_measure(machine)?;
+    let index = index(inputs).unwrap_or(0);
+    let walls = walls(machine, inputs);
+    let axis = walls.axes[index];
+    let found = chord(machine, &walls, index)?;
+    home(machine, walls.start)?;
+    let width = 2.0 * (found.half - walls.material() * found.ball);
+    let deviation = width - walls.size;
+    let along = found.middle - walls.start[axis];
+    correct::results(
+        machine,
+        &[
+            ("WIDTH", width),
+            ("DEVIATION", deviation),
+            ("CENTRE", found.middle),
+            ("SHIFT", along),
+        ],
+    );
+    let excess = walls.material() * deviation; // metal on is positive (C:927-931)
+    let mut shift = [0.0; 3];
+    shift[axis] = along;
+    let found = Found {
+        deviation,
+        excess,
+        at_surface: excess / 2.0,
+        shift,
+        part: Part::Radius,
+        room: walls.outside.is_none().then_some(walls.size),
+    };
+    correct::correct(machine, inputs, &found);
+    let values = print::Values {
+        dimension: Some((walls.size, deviation)),
+        positions: vec![("", walls.start[axis], along)],
+    };
+    print::print(machine, inputs, &values);
+    Ok(())
+}
+
+fn walls(machine: &mut dyn Machine, inputs: &Inputs) -> Walls {
+    let (_, depth) = depth(inputs);
+    Walls {
+        outside: depth.map(|depth| Outside {
+            depth,
+            clearance: inputs.number("R"),
+        }),
+        size: nominal(inputs).1,
+        overtravel: inputs.number("Q"),
+        start: machine.position(),
+        axes: machine.control().plane.axes(),
+    }
+}
+
+/// A pocket whose upper face is the zero of the WCS, the stylus inside; or a web, the stylus above.
+fn propose(inputs: &Inputs, control: &Control) -> Proposal {
+    let [.., applicate] = control.plane.axes();
+    let width = Some(nominal(inputs).1).filter(|width| *width > 0.0);
+    let mut length = [100.0; 2];
+    length[index(inputs).unwrap_or(0)] = width.unwrap_or(80.0);
+    let (mut top, mut start) = ([0.0; 3], [0.0; 3]);
+    let shape = match depth(inputs) {
+        (_, Some(depth)) => {
+            top[applicate] = (depth + 10.0).max(0.0);
+            start[applicate] = top[applicate] + 20.0;
+            let height = top[applicate] - depth + 20.0;
+            Shape::Island { length, height }
+        }
+        _ => {
+            start[applicate] = -10.0;
+            Shape::Pocket {
+                length,
+                depth: 30.0,
+            }
+        }
+    };
+    Proposal {
+        workpiece: Workpiece {
+            solids: vec![part::in_plane(shape, top, control)],
+        },
+        start,
+        ..Proposal::default()
+    }
+}
+
+/// The walls from the side: the measured axis to the right, the tool axis up.
+fn picture(inputs: &Inputs) -> Picture {
+    let (name, _) = nominal(inputs);
+    let web = inputs.variant == WEB;
+    let (half, down) = (FACE, -FACE / 2.0);
+    let mut shapes = material(web, half);
+    let past = drawn(inputs.number("Q"));
+    for side in [1.0, -1.0] {
+        let into = if web { -side } else { side };
+        let zone = [side * half + into * past / 2.0, down];
+        shapes.push(rectangle(ShapeKind::Zone, zone, [past, FACE]).of("Q"));
+        let wall = vec![[side * half, -FACE], [side * half, 0.0]];
+        shapes.push(line(ShapeKind::Edge, wall).of(name));
+        let contact = [side * half - into * BALL, down];
+        let way = if web {
+            let beside = contact[0] + side * drawn(inputs.number("R"));
+            vec![[0.0, half], [beside, half], [beside, down], contact]
+        } else {
+            vec![[0.0, down], contact]
+        };
+        shapes.push(line(ShapeKind::Path, way));
+        shapes.push(circle(ShapeKind::Touch, [side * half, down], BALL * 0.3));
+        let band = |wide: f64| corners([side * half, down], [2.0 * wide, FACE]);
+        shapes.extend(limits(inputs, band));
+    }
+    let start = if web { half } else { down };
+    shapes.push(circle(ShapeKind::Probe, [0.0, start], BALL));
+    shapes.push(dimension(name, [-half, -FACE * 0.85], [half, -FACE * 0.85]));
+    let into = if web { -past } else { past };
+    shapes.push(dimension(
+        "Q",
+        [half, -FACE * 0.2],
+        [half + into, -FACE * 0.2],
+    ));
+    if web {
+        let (axial, _) = depth(inputs);
+        let beside = half + BALL + drawn(inputs.number("R"));
+        shapes.push(dimension(
+            "R",
+            [half + BALL, BALL * 2.0],
+            [beside, BALL * 2.0],
+        ));
+        shapes.push(dimension(axial, [-half * 1.6, 0.0], [-half * 1.6, down]));
+    }
+    Picture {
+        view: View::Section,
+        shapes,
+    }
+}
+
+/// What is cut: the web, or the material on both sides of the pocket.
+fn material(web: bool, half: f64) -> Vec<PictureShape> {
+    if web {
+        return vec![rectangle(
+            ShapeKind::Cut,
+            [0.0, -FACE / 2.0],
+            [2.0 * half, FACE],
+        )];
+    }
+    [1.0, -1.0]
+        .map(|side| {
+            rectangle(
+                ShapeKind::Cut,
+                [side * half * 1.5, -FACE / 2.0],
+                [half, FACE],
+            )
+        })
+        .into()
+}
