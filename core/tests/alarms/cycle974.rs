@@ -35,7 +35,7 @@ pub fn table() -> Table {
             CYCLE974\n\
             M30\n",
         usual: "",
-        setup: || lathe::setup([50.0, 0.0, -30.0], [0.0; 2]),
+        setup: || lathe::setup([50.0, 0.0, -30.0]),
         cases,
         unreached,
     }

@@ -12,8 +12,10 @@ pub const SPINDLE: (u32, &str) = (
     "a mono probe in a turret is not turned by a spindle (A:15917)",
 );
 
-/// A turned part of 60 mm with its face at Z0, the probe at this position; T20 is to be corrected.
-pub fn setup(position: [f64; 3], bore: [f64; 2]) -> Setup {
+pub const NOT_TURNED: (u32, &str) = (61372, "the cycle turns neither part nor probe (A:15916)");
+
+/// A turned part of 60 mm with its face at Z20, the probe at this position; T20 is to be corrected.
+pub fn setup(position: [f64; 3]) -> Setup {
     let mut setup = Setup::turning(Plane::G18);
     let turning = Edge {
         kind: 500,
@@ -31,9 +33,9 @@ pub fn setup(position: [f64; 3], bore: [f64; 2]) -> Setup {
         shape: Shape::Turned {
             diameter: 60.0,
             length: 80.0,
-            bore,
+            bore: [0.0; 2],
         },
-        at: [0.0; 3],
+        at: [0.0, 0.0, 20.0],
         rotation: [0.0; 3],
         errors: PartErrors::default(),
     }];

@@ -8,6 +8,7 @@ mod cycle976;
 mod cycle977;
 mod cycle978;
 mod cycle979;
+mod cycle994;
 mod cycle997;
 mod cycle998;
 mod found;
@@ -35,6 +36,7 @@ fn table(name: &str) -> Table {
         "CYCLE977" => cycle977::table(),
         "CYCLE978" => cycle978::table(),
         "CYCLE979" => cycle979::table(),
+        "CYCLE994" => cycle994::table(),
         "CYCLE997" => cycle997::table(),
         "CYCLE998" => cycle998::table(),
         "G101" => nct::g101(),

@@ -4,13 +4,19 @@ mod checks;
 mod lists;
 pub mod params;
 mod picture;
+mod propose;
 mod results;
+mod simulate;
+#[cfg(test)]
+mod simulation_tests;
 #[cfg(test)]
 mod tests;
 
 pub use results::RESULTS;
 
-use crate::catalogue::{Cycle, Dialect, Drawing, Purpose, Variant, common, lathe};
+use crate::catalogue::{
+    Cycle, Dialect, Drawing, Purpose, Simulation, Variant, Work, common, lathe,
+};
 use crate::diagnostic::Code;
 
 /// Measuring variants (B:10930-10933). What A:12201 says about the second is a slip: there the zone counts outside.
@@ -64,7 +70,8 @@ pub static CYCLE994: Cycle = Cycle {
         common::CORRECTION,
         common::TOLERANCE,
         lathe::ALARMS,
-        &common::alarms([61327]), // A:15868
+        // A:15868; 61401 as in the other cycles (A:15920)
+        &common::alarms([61327, 61401]),
         &[ZONE],
     ],
     checks: checks::checks,
@@ -90,6 +97,13 @@ pub static CYCLE994: Cycle = Cycle {
         ("_TLL", "-0.01"),
         ("_TDIF", "0.04"),
     ],
-    simulation: None,
+    simulation: Some(Simulation::new(
+        Work {
+            propose: propose::propose,
+            simulate: simulate::simulate,
+        },
+        // inside the zone has to be smaller than the bore
+        &[(params::INSIDE_ZONE, &[("_SZO", "30")])],
+    )),
     source: "B:10873-11146",
 };

@@ -1,0 +1,146 @@
+//! A nominal part for CYCLE994 about the zero point: a turned part, with a bore and a pin in it where the zone lies
+//! inside. Where the zone is not left along the axis of rotation, a block or a groove with a pin.
+
+use super::params::INSIDE_ZONE;
+use super::simulate::Zone;
+use crate::catalogue::lathe::{measure, place};
+use crate::catalogue::{Proposal, names, place as plane};
+use crate::check::Inputs;
+use crate::control::Control;
+use crate::workpiece::{Shape, Solid, Workpiece};
+
+/// How much further from the surface than the first block the probe starts, mm.
+const AWAY: f64 = 5.0;
+/// What is left between ball and part on the way round it, mm.
+const CLEAR: f64 = 2.0;
+/// Width of a block or groove across, mm.
+const ACROSS: f64 = 60.0;
+/// How far behind its face a part is touched, mm.
+const BEHIND: f64 = 20.0;
+
+/// The measured element as the call describes it, mm.
+struct Element<'a> {
+    control: &'a Control,
+    /// Distance of the points from the zero point.
+    radius: f64,
+    /// The zone, and the axes in which it is passed.
+    zone: Zone,
+    /// How far part and pin reach in the axis in which the zone is left.
+    end: f64,
+    /// Half of what stands in the zone.
+    pin: f64,
+}
+
+/// Part and start: opposite the positive point, inside only where the variant says so.
+pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
+    let index = (inputs.integer(names::MA).clamp(1, 3) - 1) as usize;
+    let ball = plane::ball_radius(inputs, control);
+    let zone = Zone::of(control, inputs, index);
+    let [measured, left] = zone.axes;
+    let element = Element {
+        control,
+        radius: inputs.number(names::SETVAL) / measure::per(control, inputs),
+        zone,
+        end: (zone.border[1] - ball - CLEAR).max(ball),
+        pin: zone.border[0] - ball - CLEAR,
+    };
+    let gap = ball + inputs.number(names::FA);
+    let inside = INSIDE_ZONE.holds(inputs);
+    let mut start = [0.0; 3];
+    start[left] = (element.end - BEHIND).max(0.0);
+    start[measured] = match inside {
+        true => (element.radius - gap).max(zone.border[0]),
+        false => element.radius + gap + AWAY,
+    };
+    let part = if inside {
+        element.inside()
+    } else {
+        element.outside()
+    };
+    Proposal {
+        workpiece: Workpiece { solids: vec![part] },
+        fixture: element.pin().filter(|_| inside).into_iter().collect(),
+        zones: vec![element.shown()],
+        start,
+        tools: place::corrected_tools(inputs),
+    }
+}
+
+impl Element<'_> {
+    /// A solid whose depth lies along the axis in which the zone is left and whose X is measured, its face at `end`.
+    fn standing(&self, shape: Shape, end: f64) -> Solid {
+        let [measured, left] = self.zone.axes.map(|axis| {
+            let mut unit = [0.0; 3];
+            unit[axis] = 1.0;
+            unit
+        });
+        let at = left.map(|part| part * end);
+        place::standing(self.control, shape, at, measured, left)
+    }
+
+    /// Whether the zone is left along the axis of rotation Z.
+    fn turned(&self) -> bool {
+        self.zone.axes[1] == 2
+    }
+
+    fn outside(&self) -> Solid {
+        let width = 2.0 * self.radius;
+        let length = place::LENGTH;
+        let shape = match self.turned() {
+            true => Shape::Turned {
+                diameter: width,
+                length,
+                bore: [0.0; 2],
+            },
+            false => Shape::Block {
+                size: [width, ACROSS, length],
+            },
+        };
+        self.standing(shape, self.end)
+    }
+
+    fn inside(&self) -> Solid {
+        let width = 2.0 * self.radius;
+        let depth = 2.0 * BEHIND;
+        let shape = match self.turned() {
+            true => Shape::Turned {
+                diameter: width + BEHIND,
+                length: place::LENGTH,
+                bore: [width, depth],
+            },
+            false => Shape::Groove {
+                width,
+                depth,
+                length: ACROSS,
+            },
+        };
+        self.standing(shape, self.end)
+    }
+
+    /// What stands in the zone; nothing where the ball hardly fits.
+    fn pin(&self) -> Option<Solid> {
+        let diameter = 2.0 * self.pin;
+        let length = 2.0 * BEHIND;
+        let shape = match self.turned() {
+            true => Shape::Turned {
+                diameter,
+                length,
+                bore: [0.0; 2],
+            },
+            false => Shape::Block {
+                size: [diameter, ACROSS / 2.0, length],
+            },
+        };
+        (self.pin > 0.0).then(|| self.standing(shape, self.end))
+    }
+
+    /// The zone, to be shown.
+    fn shown(&self) -> Solid {
+        let [across, end] = self.zone.border;
+        let shape = Shape::Island {
+            length: [2.0 * across, ACROSS],
+            height: place::LENGTH,
+        };
+        self.standing(shape, end)
+    }
+}

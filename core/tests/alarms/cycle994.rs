@@ -1,0 +1,41 @@
+//! A turned part of 60 mm in diameter, the ball at X 100 (radius 50) beside it.
+
+use super::lathe::{self, larger};
+use super::table::{Table, case, program};
+use super::workpiece;
+
+pub fn table() -> Table {
+    let mut cases = lathe::cases();
+    cases.extend(workpiece::offsets());
+    cases.extend([
+        program(61302, "_SETVAL=46"),
+        case(61303, "", |setup| larger(setup, 3.5)),
+        case(62303, "_CBIT[0]=1 _CBIT[1]=1", |setup| larger(setup, 3.5)),
+        case(62304, "", |setup| larger(setup, 0.7)),
+        case(62305, "", |setup| larger(setup, -0.7)),
+        case(62306, "", |setup| larger(setup, 2.5)),
+        program(61334, "_SZO=62"),
+        // the ball would touch at radius 33, the turret 40.123 further out
+        case(61401, "", |setup| {
+            setup.control.limits.minus[0] = Some(74.0);
+        }),
+    ]);
+    let mut unreached = workpiece::UNREACHED.to_vec();
+    unreached.extend([
+        lathe::SPINDLE,
+        lathe::NOT_TURNED,
+        (61321, "the cycle corrects tools, no zero offset"),
+    ]);
+    Table {
+        program: "G18 G90 G54 DIAMON\n\
+            _MVAR=2 _SETVAL=60 _MA=2 _SZA=40 _SZO=90 _KNUM=1 _TNUM=20 _PRNUM=1 _FA=5 _NMSP=1 _VMS=0 _EVNUM=0 _K=1\n\
+            _TSA=3 _TDIF=2 _TUL=0.5 _TLL=-0.5 _TMV=0.3 _TZL=0.01\n\
+            {change}\n\
+            CYCLE994\n\
+            M30\n",
+        usual: "",
+        setup: || lathe::setup([50.0, 0.0, 10.0]),
+        cases,
+        unreached,
+    }
+}
