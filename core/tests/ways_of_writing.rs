@@ -3,14 +3,15 @@
 
 use probewright_core::catalogue::{Arg, CYCLES, Cycle, Dialect, Kind, Style, find};
 use probewright_core::check::Typed;
-use probewright_core::control::{Plane, delivery};
-use probewright_core::program::calls::{CallSite, calls};
+use probewright_core::control::{Control, Plane, Units, delivery, delivery_in};
+use probewright_core::program::calls::{CallSite, calls, calls_on};
 use probewright_core::program::change::{apply, change};
 use probewright_core::program::convert::convert;
 use probewright_core::program::read;
 use probewright_core::program::write::{Written, snippet};
 use probewright_core::run::setup::Setup;
 use probewright_core::run::{self, Limits};
+use probewright_core::support;
 use proptest::prelude::*;
 
 fn typed(pairs: &[(&str, &str)]) -> Typed {
@@ -143,8 +144,18 @@ fn every_way_of_writing_does_the_same() {
 }
 
 fn converted(text: &str, index: usize, style: Style) -> (String, Vec<String>) {
+    converted_on(&delivery(Dialect::Sinumerik), text, index, style)
+}
+
+/// The program with one call written in another way on this machine, and the keys of what is said.
+fn converted_on(
+    control: &Control,
+    text: &str,
+    index: usize,
+    style: Style,
+) -> (String, Vec<String>) {
     let program = read(Dialect::Sinumerik, text.as_bytes());
-    let done = convert(&program, index, style);
+    let done = convert(&program, index, style, control);
     let after = apply(text.as_bytes(), &done.edits);
     let keys = done
         .findings
@@ -178,6 +189,50 @@ fn a_call_that_relies_on_the_converted_one_is_told() {
     let text = "_MVAR=0 _SETVAL=100 _MA=1 _KNUM=0\nCYCLE978\n_SETVAL=50\nCYCLE978\n";
     assert_eq!(converted(text, 0, Style::Indirect).1, Vec::<String>::new());
     assert_eq!(converted(text, 0, Style::Operate).1, ["convert-others"]);
+}
+
+// oracle: self (what the form of that machine writes), manual B:12501-12539, B:13594-13596 (the data are converted)
+#[test]
+fn a_call_is_converted_as_the_forms_of_the_machine_write_it() {
+    let text =
+        "N10 G54\n; side\n_MVAR=0 _SETVAL=5 _MA=1 _KNUM=1 _TNUM=20 _VMS=200\nCYCLE978\nM30\n";
+    for units in [Units::Metric, Units::Inch] {
+        for mean in [0.0, 1.0] {
+            let mut control = delivery_in(Dialect::Sinumerik, units);
+            control.set(support::FORMS, 1.0);
+            control.set(support::name(support::MEAN), mean);
+            let site = &calls_on(&read(Dialect::Sinumerik, text.as_bytes()), control.clone())[0];
+            let own = |style| {
+                let code = snippet(site.cycle, &site.values, &control, style, None).text;
+                format!("N10 G54\n; side\n{code}M30\n")
+            };
+            let on = |text: &str, style| converted_on(&control, text, 0, style).0;
+            let indirect = on(text, Style::Indirect);
+            assert_eq!(indirect, own(Style::Indirect));
+            let direct = on(&indirect, Style::Direct);
+            assert_eq!(direct, own(Style::Direct), "one comment with the settings");
+            assert_eq!(on(&direct, Style::Indirect), indirect);
+        }
+    }
+}
+
+// oracle: hand (the comment belongs to the support, which has no lists of newer controls)
+#[test]
+fn the_settings_of_forms_stay_where_nothing_takes_their_place() {
+    let mut control = delivery(Dialect::Sinumerik);
+    control.set(support::FORMS, 1.0);
+    let code = snippet(
+        cycle("CYCLE977"),
+        &example("CYCLE977"),
+        &control,
+        Style::Direct,
+        None,
+    )
+    .text;
+    let mark = code.lines().next().unwrap();
+    let (operate, _) = converted_on(&control, &code, 0, Style::Operate);
+    assert_eq!(operate.lines().next(), Some(mark));
+    assert_eq!(operate.matches("_MZ_MASK").count(), 1, "{operate}");
 }
 
 /// Random values for the parameters of a cycle, whole numbers where they are codes.
@@ -276,7 +331,7 @@ fn data_of_the_machine_that_a_call_sets_are_kept() {
     let direct = "_MVAR=2 _MA=3 _ID=1 _PRNUM=1\n_MFS[0]=800 _MFS[1]=20\nCYCLE971\n";
     let turned = |text: &str, style| {
         let program = read(Dialect::Sinumerik, text.as_bytes());
-        let edits = convert(&program, 0, style).edits;
+        let edits = convert(&program, 0, style, &delivery(Dialect::Sinumerik)).edits;
         String::from_utf8(apply(text.as_bytes(), &edits)).unwrap()
     };
     let indirect = turned(direct, Style::Indirect);

@@ -107,7 +107,7 @@ export function mended(state: State, edits: readonly Edit[], notice: string): St
 function conversion(state: State): ConvertRequest | null {
   const { control, converting, reading } = state;
   const call = reading?.view.calls.findIndex((one) => one.from === converting?.at) ?? -1;
-  return converting && call >= 0 ? { control, text: programOf(state), call, style: converting.style } : null;
+  return converting && call >= 0 ? { control, text: programOf(state), call, style: converting.style, ...machine(state) } : null;
 }
 
 function converted(state: State, { edits, findings }: Converted): State {

@@ -202,7 +202,7 @@ export interface CallView {
 export interface Edit { from: number; to: number; insert: string }
 // A value changed in the form and not yet in the program: of the call that begins at UTF-16 offset `at` there.
 export interface Pending { control: Dialect; at: number; name: string; value: string }
-// convert({control, text, call: index, style}) -> Converted: the call in another way of writing; no edits: not possible, see findings
+// convert({control, text, setup?, call: index, style}) -> Converted: the call in another way of writing; no edits: not possible, see findings
 export interface Converted { edits: Edit[]; findings: Diagnostic[] }
 // run(RunRequest) -> RunView
 export interface RunRequest { control: Dialect; text: string; setup?: Setup | OwnMachine } // absent: the core's own machine as it is

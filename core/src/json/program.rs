@@ -41,6 +41,8 @@ struct ConvertRequest {
     text: String,
     call: usize,
     style: String,
+    #[serde(default)]
+    setup: Option<Value>,
 }
 
 #[derive(Deserialize)]
@@ -180,8 +182,11 @@ fn placed_edit(edit: &Edit, positions: &Positions) -> Value {
 /// Answers a `ConvertRequest`: edits that write the call in another way, and what has to be said about it.
 pub fn convert(request: &str) -> Result<Value, Error> {
     let request: ConvertRequest = super::request(request)?;
-    let program = program::read(dialect(&request.control)?, request.text.as_bytes());
-    let done = program::convert::convert(&program, request.call, super::style(&request.style)?);
+    let dialect = dialect(&request.control)?;
+    let program = program::read(dialect, request.text.as_bytes());
+    let style = super::style(&request.style)?;
+    let control = start(dialect, request.setup)?.setup.control;
+    let done = program::convert::convert(&program, request.call, style, &control);
     let positions = Positions::new(&program.source);
     let edits = done.edits.iter().map(|edit| placed_edit(edit, &positions));
     Ok(object([

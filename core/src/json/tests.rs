@@ -355,6 +355,26 @@ fn a_call_is_converted_with_places_of_the_page() {
     assert!(convert(&wrong.to_string()).is_err());
 }
 
+// oracle: manual B:12414-12423 (the comment with the settings), B:13594-13596 (an inch machine counts in inches)
+#[test]
+fn a_call_is_converted_on_the_machine_of_the_request() {
+    let ask = |own: Value| {
+        let request = json!({
+            "control": "sinumerik", "text": "_MVAR=0 _SETVAL=5 _MA=1 _KNUM=0\nCYCLE978\n", "call": 0,
+            "style": "indirect", "setup": { "own": own },
+        });
+        let edits = convert(&request.to_string()).unwrap()["edits"].to_string();
+        (edits.contains("; _MZ_MASK="), edits)
+    };
+    let (marked, plain) = ask(json!({}));
+    assert!(!marked, "{plain}");
+    let forms = json!({ "PW-FORMS": 1 });
+    let (marked, metric) = ask(json!({ "data": forms }));
+    assert!(marked, "{metric}");
+    let (marked, inch) = ask(json!({ "basic": "inch", "data": forms }));
+    assert!(marked && inch != metric, "{inch}");
+}
+
 // oracle: manual B:654 (the cycles measure workpieces), B:12497 (direct), B:11640-12133 (parameterizing calls); C has neither
 #[test]
 fn the_catalogue_says_where_a_cycle_belongs_and_how_it_is_written() {

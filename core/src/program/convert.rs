@@ -1,16 +1,18 @@
 //! One call from one way of writing to another, in place: its own assignments go, its new text comes where the call is.
 
 use super::arguments;
-use super::calls::{CallSite, calls};
+use super::calls::{CallSite, calls_on};
 use super::change::{Edit, apply, line_end};
+use super::marked::mark_before;
 use super::read;
 use super::tree::{Program, Word, WordKind};
 use super::write::snippet;
 use crate::catalogue::{Param, Style, list};
 use crate::check::{self, note, warning};
-use crate::control::delivery;
+use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::message::Message;
+use crate::support::Mark;
 use std::collections::BTreeMap;
 
 /// A call behind this one would get other values.
@@ -26,9 +28,9 @@ pub struct Converted {
     pub findings: Vec<Diagnostic>,
 }
 
-/// Writes the call at `index` of the program's calls in this way.
-pub fn convert(program: &Program, index: usize, style: Style) -> Converted {
-    let sites = calls(program);
+/// Writes the call at `index` of the program's calls in this way; the program starts on a control in this state.
+pub fn convert(program: &Program, index: usize, style: Style, control: &Control) -> Converted {
+    let sites = calls_on(program, control.clone());
     let Some(site) = sites.get(index) else {
         return Converted {
             edits: Vec::new(),
@@ -41,26 +43,30 @@ pub fn convert(program: &Program, index: usize, style: Style) -> Converted {
             findings: vec![note(SAME, Message::new("convert-same"))],
         };
     }
-    let mut control = delivery(program.dialect);
-    control.plane = site.plane;
-    control.choose_units(site.unit_function);
-    let written = snippet(site.cycle, &site.values, &control, style, None);
+    let mut at_call = control.clone();
+    at_call.plane = site.plane;
+    at_call.choose_units(site.unit_function);
+    let written = snippet(site.cycle, &site.values, &at_call, style, None);
     let mut findings = written.findings;
     let edits = if written.text.is_empty() {
         Vec::new()
     } else {
         rewritten(program, site, &written.text)
     };
-    findings.extend(others(program, &sites, index, &edits));
+    findings.extend(others(program, &sites, index, &edits, control));
     Converted { edits, findings }
 }
 
 fn rewritten(program: &Program, site: &CallSite, text: &str) -> Vec<Edit> {
-    let own = own_words(program, site);
+    let marks = text.lines().next().and_then(Mark::read).is_some();
+    let own = own_words(program, site, marks);
     let mut lines: Vec<String> = kept(program, site, &own);
     lines.extend(text.lines().map(str::to_owned));
     let call = lines.pop().unwrap_or_default();
     let mut edits: Vec<Edit> = emptied(program, &own, site.line);
+    if let (true, Some((_, place))) = (marks, mark_before(program, site)) {
+        edits.push(without_comment(program, place));
+    }
     edits.push(Edit {
         span: site.span,
         insert: call,
@@ -80,14 +86,23 @@ fn rewritten(program: &Program, site: &CallSite, text: &str) -> Vec<Edit> {
     edits
 }
 
-/// The words that give values to this call only, as far as they stand outside of it, by their line.
-fn own_words<'a>(program: &'a Program, site: &CallSite) -> BTreeMap<u32, Vec<&'a Word>> {
+/// The words that give values to this call only, as far as they stand outside of it, by their line. `bits`: those that
+/// set bits for it too.
+fn own_words<'a>(
+    program: &'a Program,
+    site: &CallSite,
+    bits: bool,
+) -> BTreeMap<u32, Vec<&'a Word>> {
     let mut found: BTreeMap<u32, Vec<&Word>> = BTreeMap::new();
-    let places = site.places.iter().filter(|(name, place)| {
-        place.start >= site.own_from && **place != site.span && !site.shared.contains(*name)
-    });
-    for (_, place) in places {
-        let Some(word) = program.word_at(*place) else {
+    let of_values = site.places.iter();
+    let of_values = of_values.filter(|(name, _)| !site.shared.contains(*name));
+    let of_bits = site.bits.iter().filter(|_| bits);
+    let places = of_values
+        .map(|(_, place)| *place)
+        .chain(of_bits.map(|(_, _, place)| *place))
+        .filter(|place| place.start >= site.own_from && *place != site.span);
+    for place in places {
+        let Some(word) = program.word_at(place) else {
             continue;
         };
         let single = match &word.kind {
@@ -137,9 +152,7 @@ fn emptied(program: &Program, own: &BTreeMap<u32, Vec<&Word>>, call_line: u32) -
             && block.comment.is_none()
             && *line != call_line;
         if alone {
-            let next = program.blocks.get(*line as usize + 1);
-            let end = next.map_or(block.span.end, |next| next.span.start);
-            edits.push(removed(block.span.start, end));
+            edits.push(without_line(program, *line, block.span.start));
             continue;
         }
         edits.extend(words.iter().map(|word| without_blanks(program, word.span)));
@@ -151,6 +164,26 @@ fn removed(start: u32, end: u32) -> Edit {
     Edit {
         span: Span { start, end },
         insert: String::new(),
+    }
+}
+
+/// A line from a byte on, with its end.
+fn without_line(program: &Program, line: u32, from: u32) -> Edit {
+    let behind = program.blocks.get(line as usize + 1);
+    removed(
+        from,
+        behind.map_or(program.source.len() as u32, |next| next.span.start),
+    )
+}
+
+/// A comment; a line without anything else goes with its end.
+fn without_comment(program: &Program, comment: Span) -> Edit {
+    let line = program.line_of(comment.start);
+    match program.blocks.get(line as usize) {
+        Some(block) if program.words_of(block).is_empty() => {
+            without_line(program, line, block.span.start)
+        }
+        _ => removed(comment.start, comment.end),
     }
 }
 
@@ -167,9 +200,8 @@ fn without_blanks(program: &Program, word: Span) -> Edit {
 }
 
 /// Whether two calls have the same values; a datum that was never written holds its delivered value, or 0.
-fn means_the_same(one: &CallSite, other: &CallSite) -> bool {
-    let control = delivery(one.cycle.dialect);
-    let inputs = |site: &CallSite| check::read(site.cycle, &site.values, &control, &mut Vec::new());
+fn means_the_same(one: &CallSite, other: &CallSite, control: &Control) -> bool {
+    let inputs = |site: &CallSite| check::read(site.cycle, &site.values, control, &mut Vec::new());
     let (left, right) = (inputs(one), inputs(other));
     let same = |param: &Param| {
         left.number(param.name) == right.number(param.name)
@@ -179,15 +211,21 @@ fn means_the_same(one: &CallSite, other: &CallSite) -> bool {
 }
 
 /// Calls that would have other values afterwards.
-fn others(program: &Program, sites: &[CallSite], index: usize, edits: &[Edit]) -> Vec<Diagnostic> {
+fn others(
+    program: &Program,
+    sites: &[CallSite],
+    index: usize,
+    edits: &[Edit],
+    control: &Control,
+) -> Vec<Diagnostic> {
     if edits.is_empty() {
         return Vec::new();
     }
     let after = read(program.dialect, &apply(&program.source, edits));
-    let after = calls(&after);
+    let after = calls_on(&after, control.clone());
     let mut findings = Vec::new();
     for (place, (before, after)) in sites.iter().zip(&after).enumerate() {
-        if place != index && !means_the_same(before, after) {
+        if place != index && !means_the_same(before, after, control) {
             let message = Message::new("convert-others")
                 .text("cycle", before.cycle.name)
                 .number("line", f64::from(before.line + 1));

@@ -11,6 +11,7 @@ mod expression;
 mod findings;
 mod fold;
 mod keyword;
+mod marked;
 mod nct;
 mod nct_expression;
 mod number;

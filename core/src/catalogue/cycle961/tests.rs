@@ -200,7 +200,7 @@ fn parameterizing_calls() {
     };
     let deeper = applied(&change::change(&program, site, "_ID", "-7.5"));
     assert_eq!(deeper, points.replace("60", "7.5"));
-    let direct = applied(&convert(&program, 0, Style::Direct).edits);
+    let direct = applied(&convert(&program, 0, Style::Direct, &delivery(CYCLE961.dialect)).edits);
     assert!(direct.contains("_ID=-60"), "{direct}");
     let computed = "CYCLE_961_P(0,R1,50,20,150,20,15,40,15,80,2,1)";
     let site = &calls(&read(Dialect::Sinumerik, computed.as_bytes()))[0];

@@ -9,8 +9,9 @@ use crate::diagnostic::{Code, Cure, Diagnostic, Edit, Span};
 use crate::message::Message;
 use crate::program::calls::CallSite;
 use crate::program::change::{change, line_before};
-use crate::program::tree::{Block, Program, Word, WordKind};
-use crate::support::{self, BITS, Changed, Mark, Support};
+use crate::program::marked::mark_before;
+use crate::program::tree::Program;
+use crate::support::{self, Changed, Mark, Support};
 
 /// Values would be others.
 const TAKEN_OVER: Code = Code::Own(140);
@@ -67,34 +68,14 @@ fn of_support(site: &CallSite) -> bool {
     site.list.is_none_or(|list| list.style != Style::Operate)
 }
 
-/// The comment with the settings, on the line before the call's first; lines that set nothing but bits for it may stand
-/// between.
+/// The settings with which the call was written, if a comment before it names them.
 fn marked(seen: &Seen) -> Option<Marked> {
-    let program = seen.program;
-    let mut before = program.blocks.get(..seen.site.first_line as usize)?.iter();
-    let block = before.rfind(|block| !sets_bits(program, block))?;
-    let place = block.comment?;
-    let text = std::str::from_utf8(program.text(place)).ok()?;
+    let (then, place) = mark_before(seen.program, seen.site)?;
     Some(Marked {
-        then: Mark::read(text)?,
+        then,
         now: Mark::of(seen.control),
         place,
     })
-}
-
-fn sets_bits(program: &Program, block: &Block) -> bool {
-    let words = program.words_of(block);
-    let is_bit = |word: &Word| match &word.kind {
-        WordKind::Assign { value_span, .. } => {
-            let name = Span {
-                start: word.span.start,
-                end: value_span.start.saturating_sub(1),
-            };
-            BITS.iter().any(|bit| program.is(name, bit))
-        }
-        _ => false,
-    };
-    !words.is_empty() && block.comment.is_none() && words.iter().all(is_bit)
 }
 
 /// The mask is another one than when the call was written.

@@ -1,0 +1,31 @@
+//! The comment with the settings that belongs to a call.
+
+use super::calls::CallSite;
+use super::tree::{Block, Program, Word, WordKind};
+use crate::diagnostic::Span;
+use crate::support::{BITS, Mark};
+
+/// The comment with the settings and its place, on the line before the call's first; lines that set nothing but bits for
+/// it may stand between.
+pub fn mark_before(program: &Program, site: &CallSite) -> Option<(Mark, Span)> {
+    let mut before = program.blocks.get(..site.first_line as usize)?.iter();
+    let block = before.rfind(|block| !sets_bits(program, block))?;
+    let place = block.comment?;
+    let text = std::str::from_utf8(program.text(place)).ok()?;
+    Some((Mark::read(text)?, place))
+}
+
+fn sets_bits(program: &Program, block: &Block) -> bool {
+    let words = program.words_of(block);
+    let is_bit = |word: &Word| match &word.kind {
+        WordKind::Assign { value_span, .. } => {
+            let name = Span {
+                start: word.span.start,
+                end: value_span.start.saturating_sub(1),
+            };
+            BITS.iter().any(|bit| program.is(name, bit))
+        }
+        _ => false,
+    };
+    !words.is_empty() && block.comment.is_none() && words.iter().all(is_bit)
+}
