@@ -5,10 +5,10 @@ import { VitePWA } from "vite-plugin-pwa";
 
 const here = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
 
-// What is asked for only when the form stands comes in a part of its own: help, cures and search words of the core, and
-// all that running, alarms and machine data say. The page's own words stand from the start.
-const LATER_WORDS = /^[a-z0-9-]+-(help|hint|words) =/;
-const LATER_FILES = /\/core\/messages\/[^/]+\/(advice|alarms|datum|run|syntax)\.ftl$/;
+// What is asked for only when the form stands comes in a part of its own: help, cures, search words and results of the
+// core, and all that measuring, running, alarms and machine data say. The page's own words stand from the start.
+const LATER_WORDS = /^([a-z0-9-]+-(help|hint|words)|result-[a-z0-9-]+) =/;
+const LATER_FILES = /\/core\/messages\/[^/]+\/(advice|alarms|changes|datum|evaluate|run|syntax)\.ftl$/;
 
 /** The messages of a file (`?first`, `?later`), each with its attributes. */
 function partsOfWords(): Plugin {

@@ -1,4 +1,4 @@
-//! What the page asks for first.
+//! What can be measured: asked for first, and once more of the module that knows all cycles.
 
 use probewright_core::json;
 use wasm_bindgen::prelude::wasm_bindgen;

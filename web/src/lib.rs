@@ -1,17 +1,15 @@
 //! What the page can ask of the core. Every question and answer is JSON text; `www/src/wire.ts` describes it.
 //! A question of the wrong shape is an exception with the reason.
 //!
-//! Built twice, each time with one of its features: the page fetches what the form needs first, and everything, with the
-//! simulation, once the form stands.
+//! Built twice, each time with one of its features: the page fetches what the form of the first visit needs first, and
+//! everything, with all cycles and the simulation, once that form stands.
 
-#[cfg(feature = "form")]
 mod catalogue;
 mod form;
 mod panic;
 #[cfg(feature = "program")]
 mod program;
 
-#[cfg(feature = "form")]
 pub use catalogue::catalogue;
 pub use form::form;
 #[cfg(feature = "program")]

@@ -50,7 +50,9 @@ async function startState(core: Core, full: () => Promise<ProgramCore>, catalogu
     state = merge(state, await unpack(packed));
     history.replaceState(null, "", location.pathname + location.search);
   }
-  if (!findCycle(catalogue, state.control, state.cycle)) state = { ...state, ...pickFirst(catalogue) };
+  const known = (): boolean => !!findCycle(catalogue, state.control, state.cycle);
+  if (!known()) await full().catch(console.error); // the first module knows the cycle of the first visit alone
+  if (!known()) state = { ...state, remembered: { ...state.remembered, [`${state.control}/${state.cycle}`]: state.values }, ...pickFirst(catalogue) };
   if (!state.setup) return state;
   return setupFits(await full(), state) ? state : { ...state, setup: null, notice: "notice-setup-outdated" };
 }
@@ -96,6 +98,7 @@ export async function startApp(core: Core, stored: Partial<State> | null): Promi
   const fetched = async (): Promise<ProgramCore> => {
     const [part] = await Promise.all([import("./program").then((module) => module.loadProgramCore()), laterWords()]);
     forms = programCore = part;
+    catalogue.cycles = part.catalogue().cycles;
     came(programCore);
     return programCore;
   };

@@ -107,7 +107,7 @@ export function createOutline(openCall: (index: number) => void): { root: HTMLEl
       const before = shown;
       const visible = state.outline && derived.read.calls.length > 0;
       show(list, visible);
-      names ??= variantNames(derived.catalogue);
+      if (visible) names ??= variantNames(derived.catalogue); // what reads programs knows all cycles
       const same = before?.derived.read === derived.read && before.derived.states === derived.states && before.state.open === state.open && before.state.outline === state.outline;
       shown = { state, derived };
       if (!visible || same) return;

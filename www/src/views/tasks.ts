@@ -55,7 +55,8 @@ export function createTasks(root: HTMLElement, store: Store, actions: Actions, c
     el("h2", { id: "tasks-title" }, t("tasks-title")),
     el("label", { for: "task-search", class: "visually-hidden" }, t("tasks-search")), input, tree, found.root,
   );
-  let all: Node[] | null = null;
+  let cycles: CycleInfo[] = []; // of the tree: a few, until all are known
+  let all: Node[] = [];
   let shown: Node[] = [];
   let active = "";
   let inSight = ""; // the chosen variant that was scrolled to
@@ -125,7 +126,7 @@ export function createTasks(root: HTMLElement, store: Store, actions: Actions, c
   };
 
   return (state, derived) => {
-    all ??= nodes(derived.catalogue.cycles);
+    if (cycles !== derived.catalogue.cycles) all = nodes(cycles = derived.catalogue.cycles);
     const variant = variantOf(derived.cycle, state.values);
     const chosen = all.find((node) => node.cycle === derived.cycle && node.variant && node.variant === variant);
     const parent = all.find((node) => !node.variant && node.cycle === derived.cycle);
