@@ -5,7 +5,7 @@ import { open, shared } from "./browser.mjs";
 
 async function start(chrome, options) {
   const opened = await open(chrome.browser, options);
-  await opened.page.locator(".field").first().waitFor();
+  await opened.page.locator(".tree:not([aria-busy])").waitFor(); // all cycles are known
   return opened;
 }
 

@@ -73,6 +73,8 @@ about-open = About
 tasks-title = What to measure
 tasks-search = Search cycles, parameters, results and alarms
 tasks-search-hint = Cycle, alarm, words
+tasks-coming = All other cycles are on their way.
+tasks-absent = The other cycles could not be loaded. Reload the page to try again.
 tasks-none = Nothing found for “{ $search }”. Try another word, or the number of a cycle or an alarm.
 
 form-opened = Edits { $cycle } in the program, lines { $from } to { $to }
@@ -219,7 +221,7 @@ outcome-decisions = Tolerance chain
 outcome-no-changes = Nothing is corrected.
 outcome-not-simulated = What { $cycle } does at the machine is not simulated in this version. Form, checks and program text work.
 outcome-coming = The result is being worked out.
-outcome-absent = What works out results and reads programs could not be loaded. Form, checks and program text work; reload the page to try again.
+outcome-absent = What works out results and reads programs could not be loaded. The form of this cycle, its checks and its program text work; reload the page to try again.
 outcome-incomplete = Complete the form and the result stands here.
 outcome-missing = The result stands here as soon as these are right: { $names }
 column-name = Name

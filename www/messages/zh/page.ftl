@@ -73,6 +73,8 @@ about-open = 关于
 tasks-title = 测量什么
 tasks-search = 搜索循环、参数、结果和报警
 tasks-search-hint = 循环、名称、报警、词语
+tasks-coming = 其他循环正在加载。
+tasks-absent = 无法加载其他循环；请重新加载页面再试。
 tasks-none = 没有找到“{ $search }”。请换一个词，或输入循环号或报警号。
 
 form-opened = 正在编辑程序中的 { $cycle }，第 { $from } 至 { $to } 行
@@ -215,7 +217,7 @@ outcome-decisions = 公差判断
 outcome-no-changes = 不作任何补偿。
 outcome-not-simulated = 本版本不模拟 { $cycle } 在机床上的动作。表单、检查和程序文本可以使用。
 outcome-coming = 正在计算结果。
-outcome-absent = 无法加载计算结果和读取程序的部分。表单、检查和程序文本仍可使用；请重新加载页面再试。
+outcome-absent = 无法加载计算结果和读取程序的部分。此循环的表单、检查和程序文本仍可使用；请重新加载页面再试。
 outcome-incomplete = 填完表单后，结果显示在这里。
 outcome-missing = 以下各项正确后，结果显示在这里：{ $names }
 column-name = 名称

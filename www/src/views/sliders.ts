@@ -2,11 +2,11 @@
 
 import type { Actions } from "../actions";
 import type { Derived } from "../derive";
-import { el, on, setText } from "../dom";
+import { el, on, setText, show } from "../dom";
 import { parseNumber, plain } from "../numbers";
 import type { State } from "../state";
 import { t } from "../texts";
-import type { ErrorSliders } from "../wire";
+import type { ErrorSliders, Purpose } from "../wire";
 
 interface Scale { reach: number; step: number; low?: number; unit: "mm" | "deg" }
 const LENGTH: Scale = { reach: 2, step: 0.01, unit: "mm" };
@@ -16,6 +16,8 @@ const SCALES: { [G in keyof ErrorSliders]: Record<keyof ErrorSliders[G], Scale> 
   part: { size: { ...LENGTH, reach: 1 }, dx: LENGTH, dy: LENGTH, dz: LENGTH, tilt: ANGLE, taper: ANGLE, outOfRound: { ...FINE, low: 0 } },
   probe: { skewX: FINE, skewY: FINE, radius: FINE, preTravel: { ...FINE, low: 0 }, repeatability: { reach: 0.02, step: 0.0001, low: 0, unit: "mm" } },
 };
+
+const TOUCHING: Purpose["probe"][] = ["workpiece", "tool"];
 
 const slug = (name: string): string => name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
 
@@ -53,7 +55,8 @@ export function createSliders(root: HTMLElement, actions: Actions): (state: Stat
     }
     root.append(box);
   }
-  return (state) => {
+  return (state, { cycle }) => {
+    show(root, cycle.simulated && TOUCHING.includes(cycle.purpose.probe)); // elsewhere nothing would come of them
     setText(title, t("sliders-title"));
     for (const update of updates) update(state.errors);
   };

@@ -3,7 +3,7 @@
 import type { Actions, Variant } from "../actions";
 import { variantOf } from "../actions";
 import type { Derived } from "../derive";
-import { el, keyed, on, setAttribute, show } from "../dom";
+import { el, keyed, on, setAttribute, setText, show } from "../dom";
 import type { State } from "../state";
 import type { Store } from "../store";
 import { t } from "../texts";
@@ -50,10 +50,11 @@ function bringIntoSight(tree: HTMLElement, item: Element | null): void {
 export function createTasks(root: HTMLElement, store: Store, actions: Actions, createFound: (back: () => void) => Found): (state: State, derived: Derived) => void {
   const input = el("input", { type: "search", id: "task-search", autocomplete: "off", spellcheck: "false", placeholder: t("tasks-search-hint") });
   const tree = el("div", { role: "tree", "aria-labelledby": "tasks-title", class: "tree" });
+  const others = el("p", { class: "empty", role: "status" }); // what is said while the tree knows the first cycle alone
   const found = createFound(() => input.focus());
   root.append(
     el("h2", { id: "tasks-title" }, t("tasks-title")),
-    el("label", { for: "task-search", class: "visually-hidden" }, t("tasks-search")), input, tree, found.root,
+    el("label", { for: "task-search", class: "visually-hidden" }, t("tasks-search")), input, tree, others, found.root,
   );
   let cycles: CycleInfo[] = []; // of the tree: a few, until all are known
   let all: Node[] = [];
@@ -145,7 +146,11 @@ export function createTasks(root: HTMLElement, store: Store, actions: Actions, c
     });
     still();
     if (input.value !== state.search) input.value = state.search;
-    show(tree, state.search.trim() === "");
+    const searching = state.search.trim() !== "";
+    show(tree, !searching);
+    show(others, !searching && derived.simulates !== "yes");
+    setText(others, derived.simulates === "yes" ? "" : t(derived.simulates === "coming" ? "tasks-coming" : "tasks-absent"));
+    setAttribute(tree, "aria-busy", derived.simulates === "coming" ? "true" : null);
     found.draw(state);
     if (chosen && chosen.id !== inSight) bringIntoSight(tree, tree.querySelector('[aria-selected="true"]'));
     inSight = chosen?.id ?? "";
