@@ -5,7 +5,7 @@
 #![cfg(feature = "json")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use probewright_core::catalogue::Dialect;
+use probewright_core::catalogue::{Dialect, alarms};
 use probewright_core::diagnostic::Code;
 use probewright_core::program;
 use probewright_core::run::trace::{MotionKind, Step};
@@ -36,10 +36,14 @@ fn own_programs() {
     let mut count = 0;
     for folder in folders() {
         let file = read(&folder);
-        let source = std::fs::read_to_string(folder.join("program.mpf")).unwrap();
+        let program = match dialect(&file) {
+            Dialect::Sinumerik => "program.mpf",
+            Dialect::Nct => "program.nc",
+        };
+        let source = std::fs::read_to_string(folder.join(program)).unwrap();
         count += cases(&folder, &file, &source);
     }
-    assert!(count >= 33, "only {count} cases found");
+    assert!(count >= 48, "only {count} cases found");
 }
 
 #[test]
@@ -48,7 +52,12 @@ fn printed_programs() {
     if !spec.exists() {
         return;
     }
-    let chapters = ["milling", "turning"].map(|sort| spec.join(sort).join("examples"));
+    let chapters = [
+        "milling/examples",
+        "turning/examples",
+        "common/nct_examples",
+    ];
+    let chapters = chapters.map(|chapter| spec.join(chapter));
     for folder in folders() {
         let file = read(&folder);
         if let Some(name) = file["printed"].as_str() {
@@ -62,6 +71,22 @@ fn printed_programs() {
 fn read(folder: &Path) -> Value {
     let text = std::fs::read_to_string(folder.join("case.json")).unwrap();
     serde_json::from_str(&text).unwrap_or_else(|error| panic!("{}: {error}", folder.display()))
+}
+
+/// The control of a folder.
+fn dialect(file: &Value) -> Dialect {
+    match file["setup"]["control"].as_str() {
+        Some("nct") => Dialect::Nct,
+        _ => Dialect::Sinumerik,
+    }
+}
+
+/// An alarm by its number, or a message of NCT by its words.
+fn code(value: &Value) -> Code {
+    match value {
+        Value::Number(number) => Code::Alarm(number.as_u64().unwrap() as u32),
+        other => alarms::find(other.as_str().unwrap()).unwrap().code,
+    }
 }
 
 /// Runs every case of a folder; how many there were.
@@ -81,7 +106,7 @@ fn cases(folder: &Path, file: &Value, source: &str) -> usize {
             assert!(source.contains(old), "{name}: {old} is not in the program");
             source = source.replace(old, new);
         }
-        let program = program::read(Dialect::Sinumerik, source.as_bytes());
+        let program = program::read(dialect(file), source.as_bytes());
         let outcome = run(&program, &setup(file, case), Limits::default());
         expect(&name, &case["expect"], &outcome);
     }
@@ -113,16 +138,10 @@ fn members(value: &Value) -> Map<String, Value> {
 
 /// Compares everything that the case tells.
 fn expect(name: &str, expected: &Value, outcome: &Outcome) {
-    let stop = expected["stop"]
-        .as_u64()
-        .map(|number| Stop::Alarm(Code::Alarm(number as u32)));
-
+    let stop = expected.get("stop").map(|stop| Stop::Alarm(code(stop)));
     assert_eq!(outcome.stop, stop, "{name}: {:?}", outcome.diagnostics);
     if let Some(alarms) = expected["alarms"].as_array() {
-        let alarms: Vec<Code> = alarms
-            .iter()
-            .map(|number| Code::Alarm(number.as_u64().unwrap() as u32))
-            .collect();
+        let alarms: Vec<Code> = alarms.iter().map(code).collect();
         assert_eq!(outcome.alarms(), alarms, "{name}");
     }
     for (datum, value) in members(&expected["data"]) {
