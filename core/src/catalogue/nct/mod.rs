@@ -18,6 +18,8 @@ pub mod walls;
 mod calibration_tests;
 #[cfg(test)]
 mod measuring_tests;
+#[cfg(test)]
+mod proposal_tests;
 
 use super::common::{PARAM, optional};
 use super::{Cycle, Dialect, Kind, Need, Param, Range, Unit, When};
