@@ -9,11 +9,12 @@ use super::nct::{self, FORMAT_ERROR, checks, params, part, plane_axis, print};
 use super::{
     Cycle, Dialect, Drawing, Param, Proposal, Purpose, Simulation, Unit, Variant, When, Work,
 };
-use crate::check::Inputs;
+use crate::check::{Finding, Inputs, error};
 use crate::control::{Control, Plane};
 use crate::diagnostic::Diagnostic;
 use crate::form::figures::{circle, corners, dimension, line, rectangle};
 use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
+use crate::message::Message;
 use crate::run::{Machine, Stop};
 use crate::workpiece::{Shape, Workpiece};
 
@@ -147,8 +148,12 @@ pub static G109: Cycle = Cycle {
 fn checks(inputs: &Inputs, control: &Control, findings: &mut Vec<Diagnostic>) {
     plane_axis::check(inputs, control, findings);
     checks::corrections(inputs, findings);
-    let (name, _) = nominal(inputs);
-    if inputs.variant == POCKET {
+    let (name, width) = nominal(inputs);
+    if index(inputs).is_some() && width <= 0.0 {
+        let message = Message::new("g109-no-width");
+        let hint = Message::new("g109-no-width-hint");
+        findings.push(error(FORMAT_ERROR, message).hint(hint).at(name));
+    } else if inputs.variant == POCKET {
         checks::room(inputs, name, control, findings);
     }
 }

@@ -296,6 +296,10 @@ fn format_errors() {
             }
             assert!(codes(cycle, &[(second, "50"), (depth, "0")], plane).is_empty());
         }
+        for web in ["", "-10"] {
+            assert_eq!(codes(&G109, &[(first, "0"), (depth, web)], plane), wrong);
+            assert_eq!(codes(&G109, &[(second, "-8"), (depth, web)], plane), wrong);
+        }
         for cycle in [&G107, &G108] {
             assert_eq!(codes(cycle, &[(first, "50")], plane), wrong);
             assert_eq!(codes(cycle, &[(second, "50"), (depth, "5")], plane), wrong);

@@ -38,8 +38,8 @@ pub struct Chord {
 }
 
 impl Walls {
-    /// +1 where a wall is material inside, as the ball sees it: the size is the way of the ball less its diameter.
-    /// −1 where the size is the way and the diameter.
+    /// +1 where the material is between the walls (web, boss), so that a greater size is more metal; −1 where it is
+    /// beyond them (pocket, bore).
     pub fn material(&self) -> f64 {
         if self.outside.is_some() { 1.0 } else { -1.0 }
     }
