@@ -2,26 +2,21 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+use crate::catalogue::sinumerik::motion_testing::{
+    DEPTH_FEED, Lettered, PLANE_FEED, lettered, same_lettered,
+};
 use crate::catalogue::sinumerik::testing::{at, call, run, setup, solid};
 use crate::control::Plane;
 use crate::run::machine::Sim;
-use crate::run::trace::{MotionKind, Step};
 use crate::workpiece::Shape;
 
-const PLANE_FEED: f64 = 1200.0;
-const DEPTH_FEED: f64 = 700.0;
-const MEASURING_FEED: f64 = 300.0;
-
-type Motion = (char, [f64; 3]);
-
-/// A right corner at the zero between plus abscissa and plus ordinate, part or pocket; its motions as letter and end: `p`
-/// positioning in the plane, `d` along the applicate, `m` measuring, `r` back.
+/// Motions at a right corner at the zero between plus abscissa and plus ordinate, part or pocket.
 fn motions(
     plane: Plane,
     variant: i64,
     values: &[(&'static str, f64)],
     start: [f64; 3],
-) -> Vec<Motion> {
+) -> Vec<Lettered> {
     let (angle, length) = (90.0, [200.0; 2]);
     let shape = match variant % 2 == 0 {
         true => Shape::OuterCorner {
@@ -49,43 +44,15 @@ fn motions(
         Ok(()),
         "{variant} {plane:?}"
     );
-    let letter = |kind, feed: f64| match kind {
-        MotionKind::Positioning if feed == PLANE_FEED => 'p',
-        MotionKind::Positioning if feed == DEPTH_FEED => 'd',
-        MotionKind::Measuring if feed == MEASURING_FEED => 'm',
-        MotionKind::Retract if feed == PLANE_FEED => 'r',
-        _ => '?',
-    };
-    let motion = |step: &Step| match step {
-        Step::Motion { kind, to, feed, .. } => {
-            Some((letter(*kind, *feed), plane.axes().map(|axis| to[axis])))
-        }
-        _ => None,
-    };
-    sim.trace
-        .entries
-        .iter()
-        .filter_map(|entry| motion(&entry.step))
-        .collect()
+    lettered(&sim, plane)
 }
 
 /// Positioning to a place in the plane, a touch at 3 mm before the edge, back.
-fn touch(place: [f64; 2], axis: usize, ball: f64, height: f64) -> Vec<Motion> {
+fn touch(place: [f64; 2], axis: usize, ball: f64, height: f64) -> Vec<Lettered> {
     let before = [place[0], place[1], height];
     let mut contact = before;
     contact[axis] = ball;
     vec![('m', contact), ('r', before)]
-}
-
-fn check(plane: Plane, variant: i64, found: &[Motion], wanted: &[Motion]) {
-    assert_eq!(found.len(), wanted.len(), "{variant} {found:#?}");
-    for (is, wanted) in found.iter().zip(wanted) {
-        let near = is.1.iter().zip(wanted.1).all(|(a, b)| (a - b).abs() < 1e-9);
-        assert!(
-            is.0 == wanted.0 && near,
-            "{variant} {plane:?}: {is:?} {wanted:?}"
-        );
-    }
 }
 
 #[test]
@@ -143,7 +110,7 @@ fn variants_with_distances_move_as_their_tables_say() {
                 ("_ID", lift),
             ];
             let found = motions(plane, variant, &values, start);
-            check(plane, variant, &found, &wanted);
+            same_lettered(&found, &wanted, &format!("{variant} {plane:?}"));
         }
     }
 }
@@ -174,7 +141,7 @@ fn variants_with_points_move_as_their_tables_say() {
                 values.extend([(names[0], place[0]), (names[1], place[1])]);
             }
             let found = motions(plane, variant, &values, [30.0, 50.0, over]);
-            check(plane, variant, &found, &wanted);
+            same_lettered(&found, &wanted, &format!("{variant} {plane:?}"));
         }
     }
 }

@@ -2,10 +2,13 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use super::params::PLACES;
+use super::params::POINTS;
 use super::simulation_tests::{PLANES, close_angle, done};
+use super::{CYCLE961, VARIANTS};
+use crate::catalogue::example::example;
+use crate::catalogue::names;
 use crate::catalogue::sinumerik::testing::{at, call, close, setup};
-use crate::check::Inputs;
+use crate::check::{Inputs, check};
 use crate::run::Setup;
 
 #[test]
@@ -33,17 +36,21 @@ fn the_proposed_part_is_measured_from_the_proposed_start() {
         let inputs = call("CYCLE961", variant, &values);
         proposed(&mut setup, &inputs, first);
     }
+}
+
+#[test]
+fn the_worked_examples_are_measured_from_the_proposed_start() {
+    // oracle: hand (as above); a corner by places has its reference edge along the abscissa there (B:8090-8124)
     for plane in PLANES {
-        for variant in [117, 118] {
-            let mut values = vec![("_ID", -60.0), ("_FA", 30.0)];
-            let places = [[50.0, 20.0], [150.0, 20.0], [15.0, 40.0], [15.0, 80.0]];
-            values.extend(
-                PLACES
-                    .into_iter()
-                    .zip(places)
-                    .flat_map(|(names, place)| [(names[0], place[0]), (names[1], place[1])]),
-            );
-            proposed(&mut setup(plane), &call("CYCLE961", variant, &values), 0.0);
+        for variant in VARIANTS {
+            let mut setup = setup(plane);
+            let typed = example(&CYCLE961, variant);
+            let inputs = check(&CYCLE961, &typed, &setup.control).inputs.unwrap();
+            let edge = match POINTS.holds(&inputs) {
+                true => 0.0,
+                false => inputs.number(names::STA1),
+            };
+            proposed(&mut setup, &inputs, edge);
         }
     }
 }

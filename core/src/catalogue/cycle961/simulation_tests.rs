@@ -5,7 +5,7 @@
 use super::lines::{Point, along, unit};
 use super::params::PLACES;
 use crate::catalogue::place;
-use crate::catalogue::sinumerik::testing::{at, call, close, run, setup, stopped};
+use crate::catalogue::sinumerik::testing::{at, call, called, close, run, setup, stopped};
 use crate::check::Inputs;
 use crate::control::{Control, Frame, Plane, Units};
 use crate::run::machine::Sim;
@@ -117,8 +117,9 @@ impl Case {
         let mut values = vec![
             ("_STA1", set[0]),
             ("_INCA", set[1]),
-            ("_SETV[0]", 130.0),
-            ("_SETV[1]", 115.0),
+            // so far that all places lie before the edges of the sharpest corner too
+            ("_SETV[0]", 230.0),
+            ("_SETV[1]", 200.0),
             ("_SETV[2]", 7.0),
             ("_SETV[3]", -4.0),
             ("_SETV[4]", 1.0),
@@ -333,9 +334,7 @@ fn corner(change: impl Fn(&mut Setup, &mut Inputs)) -> (Sim, Result<(), Stop>) {
     };
     let (mut setup, mut inputs) = case.ready();
     change(&mut setup, &mut inputs);
-    let mut sim = Sim::new(&setup);
-    let outcome = run(&mut sim, &inputs);
-    (sim, outcome)
+    called(&setup, &inputs)
 }
 
 #[test]

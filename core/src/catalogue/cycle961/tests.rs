@@ -2,8 +2,9 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use super::CYCLE961;
-use crate::catalogue::{Dialect, Style};
+use super::{CYCLE961, VARIANTS};
+use crate::catalogue::example::example;
+use crate::catalogue::{Dialect, Style, Variant};
 use crate::check::{Typed, check};
 use crate::control::{Control, Units, delivery};
 use crate::diagnostic::{Code, Severity};
@@ -13,10 +14,18 @@ use crate::program::convert::convert;
 use crate::program::write::snippet;
 use crate::program::{change, read};
 
+/// The worked example of the variant that is chosen, else of an outside corner with any angle, with some values changed.
 fn typed(changes: &[(&str, &str)]) -> Typed {
-    let all = CYCLE961.example.iter().chain(changes);
-    all.map(|(name, value)| ((*name).to_owned(), (*value).to_owned()))
-        .collect()
+    let changes = changes
+        .iter()
+        .map(|(name, value)| ((*name).to_owned(), (*value).to_owned()));
+    let changes: Typed = changes.collect();
+    let chosen = |variant: &&Variant| changes.get("_MVAR") == Some(&variant.number.to_string());
+    let usual = VARIANTS.iter().find(|variant| variant.number == 108);
+    let variant = VARIANTS.iter().find(chosen).or(usual);
+    let mut typed = example(&CYCLE961, variant.unwrap());
+    typed.extend(changes);
+    typed
 }
 
 /// Everything found in the worked example with some values changed.
@@ -28,23 +37,11 @@ fn found(changes: &[(&str, &str)]) -> Vec<(Severity, Code, &'static str)> {
         .collect()
 }
 
-/// The four points of B:8090-8124.
-const POINTS: &[(&str, &str)] = &[
-    ("_MVAR", "118"),
-    ("_SETV[0]", "50"),
-    ("_SETV[1]", "20"),
-    ("_SETV[2]", "150"),
-    ("_SETV[3]", "20"),
-    ("_SETV[4]", "15"),
-    ("_SETV[5]", "40"),
-    ("_SETV[6]", "15"),
-    ("_SETV[7]", "80"),
-    ("_ID", "-60"),
-    ("_FA", "100"),
-];
+/// The four places of B:8090-8124.
+const POINTS: &[(&str, &str)] = &[("_MVAR", "118")];
 
 /// A corner of a rectangle as the zero point.
-const RECTANGLE: &[(&str, &str)] = &[("_MVAR", "106"), ("_INCA", "90"), ("_SETV[4]", "1")];
+const RECTANGLE: &[(&str, &str)] = &[("_MVAR", "106")];
 
 fn with<'a>(
     base: &[(&'a str, &'a str)],

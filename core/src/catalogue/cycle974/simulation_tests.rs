@@ -4,11 +4,13 @@
 
 use crate::catalogue::lathe::testing::{inputs, placed, setup};
 use crate::catalogue::sinumerik::motion_testing::{MEASURING_FEED, PLANE_FEED};
-use crate::catalogue::sinumerik::testing::{Motion, close, motions, run, same, stopped};
+use crate::catalogue::sinumerik::testing::{
+    self, Motion, called, close, motions, run, same, stopped,
+};
 use crate::check::Inputs;
 use crate::control::{Plane, Transverse, Units};
 use crate::run::machine::Sim;
-use crate::run::trace::{MotionKind, Step};
+use crate::run::trace::MotionKind;
 use crate::run::{Setup, Stop};
 use proptest::prelude::*;
 
@@ -67,16 +69,7 @@ fn only_the_measuring_axis_moves() {
             &expected,
             &format!("{variant} {repeats}"),
         );
-        let turned: Vec<f64> = sim
-            .trace
-            .entries
-            .iter()
-            .filter_map(|entry| match entry.step {
-                Step::Orient(angle) => Some(angle),
-                _ => None,
-            })
-            .collect();
-        assert_eq!(turned, turns);
+        assert_eq!(testing::turns(&sim), turns);
     }
 }
 
@@ -104,9 +97,7 @@ fn measured(
     let part = &mut setup.workpiece.solids[0];
     part.errors.shift[plane.axes()[axis]] = shift;
     part.errors.size = size;
-    let mut sim = Sim::new(&setup);
-    let outcome = run(&mut sim, &call);
-    (sim, outcome)
+    called(&setup, &call)
 }
 
 proptest! {

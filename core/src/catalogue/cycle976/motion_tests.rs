@@ -7,11 +7,11 @@ use super::directions::{angle, turned};
 use super::params::{HOLE, LENGTH, ONE, TWO, UNKNOWN};
 use super::simulate_tests::{inputs, ready};
 use crate::catalogue::sinumerik::motion_testing::{DEPTH_FEED, MEASURING_FEED, PLANE_FEED, expand};
-use crate::catalogue::sinumerik::testing::{Motion, motions, run, same};
+use crate::catalogue::sinumerik::testing::{Motion, motions, run, same, turns};
 use crate::check::Inputs;
 use crate::control::Plane;
 use crate::run::machine::Sim;
-use crate::run::trace::{MotionKind, Step};
+use crate::run::trace::MotionKind;
 
 /// What [`moved`] tells: the motions, and the angles to which the spindle was turned.
 type Moved = (Vec<Motion>, Vec<f64>);
@@ -28,15 +28,7 @@ fn moved(plane: Plane, inputs: &Inputs) -> Moved {
     for (_, [abscissa, ordinate, _], _) in &mut found {
         [*abscissa, *ordinate] = turned([*abscissa, *ordinate], angle(inputs));
     }
-    let turns = sim
-        .trace
-        .entries
-        .iter()
-        .filter_map(|entry| match entry.step {
-            Step::Orient(angle) => Some(angle),
-            _ => None,
-        });
-    (found, turns.collect())
+    (found, turns(&sim))
 }
 
 /// Ways in a hole of 60 mm in the axes of calibration; ball of radius 3, `_FA` 5: 60/2 - 3 = 27, and 5 before it.

@@ -6,7 +6,7 @@ use super::directions::{angle, directions, in_plane, turned};
 use super::params::{BALL, HOLE, SKEW, UNKNOWN};
 use super::{VARIANTS, propose};
 use crate::catalogue::Dialect;
-use crate::catalogue::sinumerik::testing::{at, call, run, stopped};
+use crate::catalogue::sinumerik::testing::{at, call, called, run, stopped};
 use crate::check::Inputs;
 use crate::control::{Control, Frame, Plane, Units};
 use crate::run::machine::Sim;
@@ -238,9 +238,7 @@ pub(super) fn ring(
     let mut inputs = inputs(variant, 1.0, 0.0);
     let mut setup = ready(Plane::G17, &inputs);
     change(&mut setup, &mut inputs);
-    let mut sim = Sim::new(&setup);
-    let outcome = run(&mut sim, &inputs);
-    (sim, outcome)
+    called(&setup, &inputs)
 }
 
 #[test]

@@ -3,11 +3,10 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::tests::{CENTRE, SIZE, hole, inputs, part, ready};
-use crate::catalogue::sinumerik::testing::{alarms, close, run, stopped};
+use crate::catalogue::sinumerik::testing::{alarms, called, close, motions, stopped};
 use crate::check::Inputs;
 use crate::control::Plane;
 use crate::run::Setup;
-use crate::run::machine::Sim;
 use crate::run::trace::{MotionKind, Step};
 
 #[test]
@@ -93,15 +92,8 @@ fn no_signal_is_tried_five_times_or_once() {
             setup.control.set("_CHBIT[15]", bit);
         });
         assert_eq!(stopped(outcome), 61301);
-        let probings = sim.trace.entries.iter().filter(|entry| {
-            matches!(
-                entry.step,
-                Step::Motion {
-                    kind: MotionKind::Measuring,
-                    ..
-                }
-            )
-        });
+        let all = motions(&sim, Plane::G17, [0.0; 3]).into_iter();
+        let probings = all.filter(|(kind, ..)| *kind == MotionKind::Measuring);
         assert_eq!(probings.count(), attempts);
     }
 }
@@ -123,9 +115,7 @@ fn a_limit_switch_shortens_the_way_to_an_outer_element() {
         let mut setup = ready(Plane::G17, 2);
         setup.workpiece.solids.push(part(Plane::G17, 2, false));
         setup.control.limits.plus[0] = Some(limit);
-        let mut sim = Sim::new(&setup);
-        let outcome = run(&mut sim, &inputs(2, 1.0));
-        (sim, outcome)
+        called(&setup, &inputs(2, 1.0))
     };
     assert_eq!(stopped(case(71.0).1), 61402);
     // oracle: hand: from X75 the way down is free, and the block measures what it would from X78

@@ -3,9 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::tests::{CENTRE, hole};
-use crate::catalogue::sinumerik::testing::{at, close, motions, stopped};
+use crate::catalogue::sinumerik::testing::{at, close, motions, stopped, turns};
 use crate::control::Plane;
-use crate::run::machine::Sim;
 use crate::run::trace::{MotionKind, Step};
 use crate::run::{Setup, Stop};
 
@@ -16,16 +15,7 @@ fn a_mono_probe_is_turned_before_each_touch() {
         inputs.numbers.extend([("_PRNUM", 101.0), ("_CORA", 0.5)]);
     });
     assert_eq!(outcome, Ok(()));
-    let turns: Vec<f64> = sim
-        .trace
-        .entries
-        .iter()
-        .filter_map(|entry| match entry.step {
-            Step::Orient(angle) => Some(angle),
-            _ => None,
-        })
-        .collect();
-    assert_eq!(turns, [0.5, 180.5, 90.5, 270.5]);
+    assert_eq!(turns(&sim), [0.5, 180.5, 90.5, 270.5]);
 }
 
 #[test]
@@ -51,19 +41,9 @@ fn the_fast_touch_is_followed_by_a_slow_one() {
     // oracle: manual B:13772
     let (sim, outcome) = hole(|setup, _| setup.control.set("_CHBIT[17]", 1.0));
     assert_eq!(outcome, Ok(()));
-    let feeds: Vec<f64> = sim
-        .trace
-        .entries
-        .iter()
-        .filter_map(|entry| match entry.step {
-            Step::Motion {
-                kind: MotionKind::Measuring,
-                feed,
-                ..
-            } => Some(feed),
-            _ => None,
-        })
-        .collect();
+    let all = motions(&sim, Plane::G17, [0.0; 3]).into_iter();
+    let measuring = all.filter(|(kind, ..)| *kind == MotionKind::Measuring);
+    let feeds: Vec<f64> = measuring.map(|(_, _, feed)| feed).collect();
     assert_eq!(
         feeds,
         [900.0, 300.0, 900.0, 300.0, 900.0, 300.0, 900.0, 300.0]
@@ -99,16 +79,6 @@ fn a_skewed_multi_probe_with_calibrated_triggers_measures_right() {
     for (name, value) in [("_OVR[4]", 60.0), ("_OVR[5]", 40.0), ("_OVR[6]", -25.0)] {
         close(&sim, name, value);
     }
-}
-
-/// Angles to which the spindle was turned.
-fn turns(sim: &Sim) -> Vec<f64> {
-    let turn = |step: &Step| match step {
-        Step::Orient(angle) => Some(*angle),
-        _ => None,
-    };
-    let entries = sim.trace.entries.iter();
-    entries.filter_map(|entry| turn(&entry.step)).collect()
 }
 
 /// The hole in coordinates that are turned by an angle about the tool axis.

@@ -3,13 +3,14 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::VARIANTS;
-use crate::catalogue::sinumerik::testing::{at, call, close, run, setup, solid};
+use crate::catalogue::sinumerik::testing::{
+    WIDE_BANDS, at, call, called, close, element, run, setup, solid, touches,
+};
 use crate::check::Inputs;
 use crate::control::{Frame, Plane};
 use crate::run::Setup;
 use crate::run::machine::Sim;
-use crate::run::trace::Step;
-use crate::workpiece::{Shape, Solid};
+use crate::workpiece::Solid;
 use proptest::prelude::*;
 
 const PLANES: [Plane; 3] = [Plane::G17, Plane::G18, Plane::G19];
@@ -20,35 +21,7 @@ pub(super) const SIZE: [f64; 2] = [60.0, 44.0];
 
 /// Nominal part of a variant with its upper face at 0.
 pub(super) fn part(plane: Plane, variant: i64, across: bool) -> Solid {
-    let [length, width] = SIZE;
-    let shape = match variant % 10 {
-        1 => Shape::Hole {
-            diameter: length,
-            depth: 40.0,
-        },
-        2 => Shape::Shaft {
-            diameter: length,
-            height: 40.0,
-        },
-        3 => Shape::Groove {
-            width: length,
-            depth: 40.0,
-            length: 200.0,
-        },
-        4 => Shape::Web {
-            width: length,
-            height: 40.0,
-            length: 200.0,
-        },
-        5 => Shape::Pocket {
-            length: [length, width],
-            depth: 40.0,
-        },
-        _ => Shape::Island {
-            length: [length, width],
-            height: 40.0,
-        },
-    };
+    let shape = element(variant, SIZE);
     solid(plane, shape, [CENTRE[0], CENTRE[1], 0.0], across)
 }
 
@@ -56,27 +29,18 @@ pub(super) fn part(plane: Plane, variant: i64, across: bool) -> Solid {
 pub(super) fn inputs(variant: i64, axis: f64) -> Inputs {
     let inside = variant % 2 == 1;
     let sizes = if inside { [20.0, 12.0] } else { [100.0, 90.0] };
-    call(
-        "CYCLE977",
-        variant,
-        &[
-            ("_SETVAL", SIZE[0]),
-            ("_SETV[0]", SIZE[0]),
-            ("_SETV[1]", SIZE[1]),
-            ("_MA", axis),
-            ("_ID", -20.0),
-            ("_SZA", sizes[0]),
-            ("_SZO", sizes[1]),
-            ("_FA", 5.0),
-            ("_TSA", 3.0),
-            ("_TDIF", 2.5),
-            ("_TUL", 2.4),
-            ("_TLL", -2.4),
-            ("_TMV", 2.0),
-            ("_TZL", 0.0),
-            ("_TNUM", 20.0),
-        ],
-    )
+    let values = [
+        ("_SETVAL", SIZE[0]),
+        ("_SETV[0]", SIZE[0]),
+        ("_SETV[1]", SIZE[1]),
+        ("_MA", axis),
+        ("_ID", -20.0),
+        ("_SZA", sizes[0]),
+        ("_SZO", sizes[1]),
+        ("_FA", 5.0),
+        ("_TNUM", 20.0),
+    ];
+    call("CYCLE977", variant, &[&values[..], &WIDE_BANDS].concat())
 }
 
 /// The probe at the start of a variant.
@@ -239,9 +203,7 @@ pub(super) fn hole(
     setup.workpiece.solids.push(part(Plane::G17, 1, false));
     let mut inputs = inputs(1, 1.0);
     errors(&mut setup, &mut inputs);
-    let mut sim = Sim::new(&setup);
-    let outcome = run(&mut sim, &inputs);
-    (sim, outcome)
+    called(&setup, &inputs)
 }
 
 #[test]
@@ -249,15 +211,7 @@ fn the_ordinate_is_measured_through_the_centre_found_in_the_abscissa() {
     // oracle: manual B:5773-5799
     let (sim, outcome) = hole(|setup, _| setup.workpiece.solids[0].errors.shift = [0.8, -0.6, 0.0]);
     assert_eq!(outcome, Ok(()));
-    let touches: Vec<[f64; 3]> = sim
-        .trace
-        .entries
-        .iter()
-        .filter_map(|entry| match entry.step {
-            Step::Touch { latched, .. } => Some(latched),
-            _ => None,
-        })
-        .collect();
+    let touches = touches(&sim);
     assert_eq!(touches.len(), 4);
     assert!(touches[0][0] > touches[1][0] && touches[2][1] > touches[3][1]);
     assert!(

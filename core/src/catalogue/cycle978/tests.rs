@@ -2,11 +2,13 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use crate::catalogue::sinumerik::testing::{at, call, close, run, setup, solid, stopped};
+use crate::catalogue::sinumerik::testing::{
+    WIDE_BANDS, at, call, called, close, motions, run, setup, solid, stopped, touches, turns,
+};
 use crate::check::Inputs;
 use crate::control::Plane;
 use crate::run::machine::Sim;
-use crate::run::trace::{MotionKind, Step};
+use crate::run::trace::MotionKind;
 use crate::run::{Setup, Stop};
 use crate::workpiece::Shape;
 use proptest::prelude::*;
@@ -30,22 +32,13 @@ fn ready(plane: Plane, axis: usize, side: f64, error: f64) -> Setup {
 
 fn inputs(variant: i64, axis: usize, side: f64) -> Inputs {
     let set = if axis == 2 { 0.0 } else { side * 50.0 };
-    call(
-        "CYCLE978",
-        variant,
-        &[
-            ("_SETVAL", set),
-            ("_MA", axis as f64 + 1.0),
-            ("_FA", 4.0),
-            ("_TSA", 3.0),
-            ("_TDIF", 2.5),
-            ("_TUL", 2.4),
-            ("_TLL", -2.4),
-            ("_TMV", 2.0),
-            ("_TZL", 0.0),
-            ("_TNUM", 20.0),
-        ],
-    )
+    let values = [
+        ("_SETVAL", set),
+        ("_MA", axis as f64 + 1.0),
+        ("_FA", 4.0),
+        ("_TNUM", 20.0),
+    ];
+    call("CYCLE978", variant, &[&values[..], &WIDE_BANDS].concat())
 }
 
 proptest! {
@@ -156,9 +149,7 @@ fn surface(error: f64, change: impl Fn(&mut Setup, &mut Inputs)) -> (Sim, Result
     let mut setup = ready(Plane::G17, 0, 1.0, error);
     let mut inputs = inputs(0, 0, 1.0);
     change(&mut setup, &mut inputs);
-    let mut sim = Sim::new(&setup);
-    let outcome = run(&mut sim, &inputs);
-    (sim, outcome)
+    called(&setup, &inputs)
 }
 
 #[test]
@@ -214,31 +205,10 @@ fn measurements_at_the_same_place_are_averaged() {
         setup.probe.repeatability = (0.01, 7);
     });
     assert_eq!(outcome, Ok(()));
-    let touches: Vec<f64> = sim
-        .trace
-        .entries
-        .iter()
-        .filter_map(|entry| match entry.step {
-            crate::run::trace::Step::Touch { latched, .. } => Some(latched[0]),
-            _ => None,
-        })
-        .collect();
+    let touches: Vec<f64> = touches(&sim).iter().map(|touch| touch[0]).collect();
     assert_eq!(touches.len(), 4);
     assert!(touches[0] != touches[1]);
     close(&sim, "_OVR[4]", touches.iter().sum::<f64>() / 4.0 - 3.0);
-}
-
-/// Motions of a call as kind, position in the measuring axis, feed.
-fn motions(sim: &Sim, geometry: usize) -> Vec<(MotionKind, f64, f64)> {
-    let motion = |step: &Step| match step {
-        Step::Motion { kind, to, feed, .. } => Some((*kind, to[geometry], *feed)),
-        _ => None,
-    };
-    sim.trace
-        .entries
-        .iter()
-        .filter_map(|entry| motion(&entry.step))
-        .collect()
 }
 
 // oracle: hand, with manual B:6376-6388 (start _FA before the surface, back to it), B:6402-6418 (twice for differential)
@@ -265,7 +235,10 @@ fn only_the_measuring_axis_moves_to_the_start_into_the_surface_and_back() {
                     expected.push((Retract, before, feed));
                 }
                 let geometry = plane.axes()[axis];
-                let found = motions(&sim, geometry);
+                let found: Vec<_> = motions(&sim, plane, [0.0; 3])
+                    .into_iter()
+                    .map(|(kind, to, feed)| (kind, to[axis], feed))
+                    .collect();
                 assert_eq!(found.len(), expected.len(), "{variant} {axis} {found:?}");
                 for (is, wanted) in found.iter().zip(&expected) {
                     assert_eq!((is.0, is.2), (wanted.0, wanted.2), "{variant} {axis}");
@@ -274,17 +247,9 @@ fn only_the_measuring_axis_moves_to_the_start_into_the_surface_and_back() {
                 for other in plane.axes().into_iter().filter(|i| *i != geometry) {
                     assert_eq!(sim.position[other], start[other]);
                 }
-                let turns: Vec<f64> = sim
-                    .trace
-                    .entries
-                    .iter()
-                    .filter_map(|entry| match entry.step {
-                        Step::Orient(angle) => Some(angle),
-                        _ => None,
-                    })
-                    .collect();
+
                 let wanted: &[f64] = if touches == 2 { &[180.0, 0.0] } else { &[] };
-                assert_eq!(turns, wanted, "{variant}");
+                assert_eq!(turns(&sim), wanted, "{variant}");
             }
         }
     }

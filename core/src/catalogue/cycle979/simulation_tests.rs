@@ -4,7 +4,9 @@
 
 use super::VARIANTS;
 use crate::catalogue::Dialect;
-use crate::catalogue::sinumerik::testing::{alarms, at, call, close, run, setup, solid, stopped};
+use crate::catalogue::sinumerik::testing::{
+    WIDE_BANDS, alarms, at, call, called, close, element, run, setup, solid, stopped, turns,
+};
 use crate::check::Inputs;
 use crate::control::{Frame, Plane};
 use crate::geometry::rigid::sin_cos;
@@ -12,7 +14,7 @@ use crate::program::read;
 use crate::run::machine::Sim;
 use crate::run::trace::{MotionKind, Step};
 use crate::run::{Limits, Setup};
-use crate::workpiece::{Shape, Solid};
+use crate::workpiece::Solid;
 use proptest::prelude::*;
 
 const PLANES: [Plane; 3] = [Plane::G17, Plane::G18, Plane::G19];
@@ -29,27 +31,7 @@ fn round(variant: i64) -> bool {
 
 /// Nominal part of a variant, its width in the direction of `angle`.
 pub(super) fn part(plane: Plane, variant: i64, angle: f64) -> Solid {
-    let (size, length) = (SIZE, 200.0);
-    let shape = match variant % 10 {
-        1 => Shape::Hole {
-            diameter: size,
-            depth: 40.0,
-        },
-        2 => Shape::Shaft {
-            diameter: size,
-            height: 40.0,
-        },
-        3 => Shape::Groove {
-            width: size,
-            depth: 40.0,
-            length,
-        },
-        _ => Shape::Web {
-            width: size,
-            height: 40.0,
-            length,
-        },
-    };
+    let shape = element(variant, [SIZE; 2]);
     let mut part = solid(plane, shape, [CENTRE[0], CENTRE[1], 0.0], false);
     part.errors.tilt = at(plane, [0.0, 0.0, angle]);
     part
@@ -67,15 +49,9 @@ pub(super) fn inputs(variant: i64, angle: f64, step: f64, four: bool) -> Inputs 
         ("_ID", 20.0),
         ("_PRNUM", if four { 1001.0 } else { 1.0 }),
         ("_FA", 5.0),
-        ("_TSA", 3.0),
-        ("_TDIF", 2.5),
-        ("_TUL", 2.4),
-        ("_TLL", -2.4),
-        ("_TMV", 2.0),
-        ("_TZL", 0.0),
         ("_TNUM", 20.0),
     ];
-    call("CYCLE979", variant, &values)
+    call("CYCLE979", variant, &[&values[..], &WIDE_BANDS].concat())
 }
 
 /// The probe inside, or outside at P1 beyond the start of the first block.
@@ -199,9 +175,7 @@ fn changed(
     setup.workpiece.solids.push(part(Plane::G17, variant, 30.0));
     let mut inputs = inputs(variant, 30.0, 80.0, false);
     change(&mut setup, &mut inputs);
-    let mut sim = Sim::new(&setup);
-    let outcome = run(&mut sim, &inputs);
-    (sim, outcome)
+    called(&setup, &inputs)
 }
 
 #[test]
@@ -269,25 +243,18 @@ fn a_measurement_is_repeated_from_its_first_point() {
 #[test]
 fn a_mono_probe_looks_at_the_wall() {
     // oracle: manual B:864-871, B:13624-13626: inside along the angle of the point, outside against it
-    let turns = |variant: i64| {
+    let turned = |variant: i64| {
         let (sim, outcome) = changed(variant, |setup, inputs| {
             setup.control.set("_CBIT[8]", 1.0);
             inputs.numbers.extend([("_PRNUM", 101.0), ("_CORA", 5.0)]);
         });
         assert_eq!(outcome, Ok(()));
-        let turn = |step: &Step| match step {
-            Step::Orient(angle) => Some(*angle),
-            _ => None,
-        };
-        let entries = sim.trace.entries.iter();
-        entries
-            .filter_map(|entry| turn(&entry.step))
-            .collect::<Vec<f64>>()
+        turns(&sim)
     };
-    assert_eq!(turns(1), [35.0, 115.0, 195.0]);
-    assert_eq!(turns(2), [215.0, 295.0, 15.0]);
-    assert_eq!(turns(3), [35.0, 215.0]);
-    assert_eq!(turns(4), [215.0, 35.0]);
+    assert_eq!(turned(1), [35.0, 115.0, 195.0]);
+    assert_eq!(turned(2), [215.0, 295.0, 15.0]);
+    assert_eq!(turned(3), [35.0, 215.0]);
+    assert_eq!(turned(4), [215.0, 35.0]);
 }
 
 #[test]

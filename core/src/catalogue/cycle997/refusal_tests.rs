@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::simulation_tests::{corrected, ready, written};
-use crate::catalogue::sinumerik::testing::{alarms, run, stopped};
+use crate::catalogue::sinumerik::testing::{alarms, called, stopped};
 use crate::check::Inputs;
 use crate::control::Plane;
 use crate::run::machine::Sim;
@@ -19,9 +19,7 @@ fn changed(
     let mut setup = ready(Plane::G17, variant);
     let mut inputs = corrected(variant, target);
     change(&mut setup, &mut inputs);
-    let mut sim = Sim::new(&setup);
-    let outcome = run(&mut sim, &inputs);
-    (sim, outcome)
+    called(&setup, &inputs)
 }
 
 #[test]

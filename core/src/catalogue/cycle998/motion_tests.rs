@@ -2,27 +2,14 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use crate::catalogue::sinumerik::testing::{at, call, run, setup, solid};
+use crate::catalogue::sinumerik::motion_testing::{
+    DEPTH_FEED, Lettered, PLANE_FEED, lettered, same_lettered,
+};
+use crate::catalogue::sinumerik::testing::{at, call, run, setup, solid, touches, turns};
 use crate::check::Inputs;
 use crate::control::Plane;
 use crate::run::machine::Sim;
-use crate::run::trace::{MotionKind, Step};
 use crate::workpiece::Shape;
-
-const PLANE_FEED: f64 = 1200.0;
-const DEPTH_FEED: f64 = 700.0;
-const MEASURING_FEED: f64 = 300.0;
-
-/// Where the probe switched, machine.
-pub fn touches(sim: &Sim) -> Vec<[f64; 3]> {
-    let steps = sim.trace.entries.iter();
-    steps
-        .filter_map(|entry| match entry.step {
-            Step::Touch { latched, .. } => Some(latched),
-            _ => None,
-        })
-        .collect()
-}
 
 /// A straight block in the corner of the axes: its faces look to minus abscissa, minus ordinate and plus applicate, the
 /// last one at 0, the others at 0 too.
@@ -39,27 +26,6 @@ fn machine(plane: Plane, start: [f64; 3]) -> Sim {
     setup.control.set("_SPEED[2]", DEPTH_FEED);
     setup.position = at(plane, start);
     Sim::new(&setup)
-}
-
-/// Motions as letter and end: `p` positioning in the plane, `d` along the applicate, `m` measuring, `r` and `s` back in the
-/// plane and along the applicate.
-fn motions(sim: &Sim, plane: Plane) -> Vec<(char, [f64; 3])> {
-    let letter = |kind, feed: f64| match kind {
-        MotionKind::Positioning if feed == PLANE_FEED => 'p',
-        MotionKind::Positioning if feed == DEPTH_FEED => 'd',
-        MotionKind::Measuring if feed == MEASURING_FEED => 'm',
-        MotionKind::Retract if feed == PLANE_FEED => 'r',
-        MotionKind::Retract if feed == DEPTH_FEED => 's',
-        _ => '?',
-    };
-    let motion = |step: &Step| match step {
-        Step::Motion { kind, to, feed, .. } => {
-            Some((letter(*kind, *feed), plane.axes().map(|axis| to[axis])))
-        }
-        _ => None,
-    };
-    let steps = sim.trace.entries.iter();
-    steps.filter_map(|entry| motion(&entry.step)).collect()
 }
 
 /// Ball of radius 3, `_FA` 8, 40 mm and 30 mm between the points; 40·tan 5° = 3.4995, 30·tan 5° = 2.6247,
@@ -83,7 +49,16 @@ fn inputs(variant: i64, axes: i64, set: [f64; 2]) -> Inputs {
 }
 
 /// Variant, `_MA`, set angles, start, motions.
-type Case = (i64, i64, [f64; 2], [f64; 3], Vec<(char, [f64; 3])>);
+type Case = (i64, i64, [f64; 2], [f64; 3], Vec<Lettered>);
+
+/// To a place before the face, a touch, back to the place, as far as there are letters.
+fn touch(letters: &str, before: [f64; 3], contact: [f64; 3]) -> Vec<Lettered> {
+    let end = |letter| if letter == 'm' { contact } else { before };
+    letters
+        .chars()
+        .map(|letter| (letter, end(letter)))
+        .collect()
+}
 
 #[test]
 fn every_variant_moves_as_its_table_says() {
@@ -99,14 +74,11 @@ fn every_variant_moves_as_its_table_says() {
             102,
             [0.0; 2],
             edge,
-            vec![
-                ('p', [20.0, -11.0, -10.0]),
-                ('m', [20.0, -3.0, -10.0]),
-                ('r', [20.0, -11.0, -10.0]),
-                ('p', [60.0, -11.0 - away, -10.0]),
-                ('m', [60.0, -3.0, -10.0]),
-                ('r', [60.0, -11.0 - away, -10.0]),
-            ],
+            [
+                touch("pmr", [20.0, -11.0, -10.0], [20.0, -3.0, -10.0]),
+                touch("pmr", [60.0, -11.0 - away, -10.0], [60.0, -3.0, -10.0]),
+            ]
+            .concat(),
         ),
         // the edge should rise by 4 degree: 1 degree away remains
         (
@@ -114,14 +86,15 @@ fn every_variant_moves_as_its_table_says() {
             102,
             [4.0, 0.0],
             edge,
-            vec![
-                ('p', [20.0, -11.0, -10.0]),
-                ('m', [20.0, -3.0, -10.0]),
-                ('r', [20.0, -11.0, -10.0]),
-                ('p', [60.0, -11.0 - 40.0 * tan1, -10.0]),
-                ('m', [60.0, -3.0, -10.0]),
-                ('r', [60.0, -11.0 - 40.0 * tan1, -10.0]),
-            ],
+            [
+                touch("pmr", [20.0, -11.0, -10.0], [20.0, -3.0, -10.0]),
+                touch(
+                    "pmr",
+                    [60.0, -11.0 - 40.0 * tan1, -10.0],
+                    [60.0, -3.0, -10.0],
+                ),
+            ]
+            .concat(),
         ),
         // a positive angle about the applicate leads to minus abscissa
         (
@@ -129,50 +102,38 @@ fn every_variant_moves_as_its_table_says() {
             201,
             [4.0, 0.0],
             [-20.0, 20.0, -10.0],
-            vec![
-                ('p', [-11.0, 20.0, -10.0]),
-                ('m', [-3.0, 20.0, -10.0]),
-                ('r', [-11.0, 20.0, -10.0]),
-                (
-                    'p',
+            [
+                touch("pmr", [-11.0, 20.0, -10.0], [-3.0, 20.0, -10.0]),
+                touch(
+                    "pmr",
                     [-11.0 - 40.0 * 9.0_f64.to_radians().tan(), 60.0, -10.0],
+                    [-3.0, 60.0, -10.0],
                 ),
-                ('m', [-3.0, 60.0, -10.0]),
-                (
-                    'r',
-                    [-11.0 - 40.0 * 9.0_f64.to_radians().tan(), 60.0, -10.0],
-                ),
-            ],
+            ]
+            .concat(),
         ),
         (
             105,
             103,
             [0.0; 2],
             top,
-            vec![
-                ('d', [20.0, 20.0, 11.0]),
-                ('m', [20.0, 20.0, 3.0]),
-                ('s', [20.0, 20.0, 11.0]),
-                ('p', [60.0, 20.0, 11.0 + away]),
-                ('m', [60.0, 20.0, 3.0]),
-                ('s', [60.0, 20.0, 11.0 + away]),
-            ],
+            [
+                touch("dms", [20.0, 20.0, 11.0], [20.0, 20.0, 3.0]),
+                touch("pms", [60.0, 20.0, 11.0 + away], [60.0, 20.0, 3.0]),
+            ]
+            .concat(),
         ),
         (
             1105,
             102,
             [0.0; 2],
             edge,
-            vec![
-                ('p', [20.0, -11.0, -10.0]),
-                ('m', [20.0, -3.0, -10.0]),
-                ('r', [20.0, -11.0, -10.0]),
-                ('m', [20.0, -3.0, -10.0]),
-                ('r', [20.0, -11.0, -10.0]),
-                ('p', [60.0, -11.0 - away, -10.0]),
-                ('m', [60.0, -3.0, -10.0]),
-                ('r', [60.0, -11.0 - away, -10.0]),
-            ],
+            [
+                touch("pmr", [20.0, -11.0, -10.0], [20.0, -3.0, -10.0]),
+                touch("mr", [20.0, -11.0, -10.0], [20.0, -3.0, -10.0]),
+                touch("pmr", [60.0, -11.0 - away, -10.0], [60.0, -3.0, -10.0]),
+            ]
+            .concat(),
         ),
         // from where it stands, over 16 mm
         (
@@ -180,13 +141,11 @@ fn every_variant_moves_as_its_table_says() {
             102,
             [0.0; 2],
             [20.0, -18.0, -10.0],
-            vec![
-                ('m', [20.0, -3.0, -10.0]),
-                ('r', [20.0, -18.0, -10.0]),
-                ('p', [60.0, -18.0, -10.0]),
-                ('m', [60.0, -3.0, -10.0]),
-                ('r', [60.0, -18.0, -10.0]),
-            ],
+            [
+                touch("mr", [20.0, -18.0, -10.0], [20.0, -3.0, -10.0]),
+                touch("pmr", [60.0, -18.0, -10.0], [60.0, -3.0, -10.0]),
+            ]
+            .concat(),
         ),
         // P2 along the abscissa, back, P3 along the ordinate
         (
@@ -194,18 +153,13 @@ fn every_variant_moves_as_its_table_says() {
             103,
             [0.0; 2],
             top,
-            vec![
-                ('d', [20.0, 20.0, 11.0]),
-                ('m', [20.0, 20.0, 3.0]),
-                ('s', [20.0, 20.0, 11.0]),
-                ('p', [60.0, 20.0, 11.0 + away]),
-                ('m', [60.0, 20.0, 3.0]),
-                ('s', [60.0, 20.0, 11.0 + away]),
-                ('p', [20.0, 20.0, 11.0]),
-                ('p', [20.0, 50.0, 11.0 + 30.0 * tan5]),
-                ('m', [20.0, 50.0, 3.0]),
-                ('s', [20.0, 50.0, 11.0 + 30.0 * tan5]),
-            ],
+            [
+                touch("dms", [20.0, 20.0, 11.0], [20.0, 20.0, 3.0]),
+                touch("pms", [60.0, 20.0, 11.0 + away], [60.0, 20.0, 3.0]),
+                vec![('p', [20.0, 20.0, 11.0])],
+                touch("pms", [20.0, 50.0, 11.0 + 30.0 * tan5], [20.0, 50.0, 3.0]),
+            ]
+            .concat(),
         ),
         // about the ordinate 4 degree fall along the abscissa, about the abscissa they rise along the ordinate
         (
@@ -213,51 +167,35 @@ fn every_variant_moves_as_its_table_says() {
             103,
             [-4.0, 4.0],
             top,
-            vec![
-                ('d', [20.0, 20.0, 11.0]),
-                ('m', [20.0, 20.0, 3.0]),
-                ('s', [20.0, 20.0, 11.0]),
-                ('p', [60.0, 20.0, 11.0 + 40.0 * tan1]),
-                ('m', [60.0, 20.0, 3.0]),
-                ('s', [60.0, 20.0, 11.0 + 40.0 * tan1]),
-                ('p', [20.0, 20.0, 11.0]),
-                ('p', [20.0, 50.0, 11.0 + 30.0 * tan1]),
-                ('m', [20.0, 50.0, 3.0]),
-                ('s', [20.0, 50.0, 11.0 + 30.0 * tan1]),
-            ],
+            [
+                touch("dms", [20.0, 20.0, 11.0], [20.0, 20.0, 3.0]),
+                touch("pms", [60.0, 20.0, 11.0 + 40.0 * tan1], [60.0, 20.0, 3.0]),
+                vec![('p', [20.0, 20.0, 11.0])],
+                touch("pms", [20.0, 50.0, 11.0 + 30.0 * tan1], [20.0, 50.0, 3.0]),
+            ]
+            .concat(),
         ),
         (
             100_106,
             103,
             [0.0; 2],
             [20.0, 20.0, 18.0],
-            vec![
-                ('m', [20.0, 20.0, 3.0]),
-                ('s', [20.0, 20.0, 18.0]),
-                ('p', [60.0, 20.0, 18.0]),
-                ('m', [60.0, 20.0, 3.0]),
-                ('s', [60.0, 20.0, 18.0]),
-                ('p', [20.0, 20.0, 18.0]),
-                ('p', [20.0, 50.0, 18.0]),
-                ('m', [20.0, 50.0, 3.0]),
-                ('s', [20.0, 50.0, 18.0]),
-            ],
+            [
+                touch("ms", [20.0, 20.0, 18.0], [20.0, 20.0, 3.0]),
+                touch("pms", [60.0, 20.0, 18.0], [60.0, 20.0, 3.0]),
+                vec![('p', [20.0, 20.0, 18.0])],
+                touch("pms", [20.0, 50.0, 18.0], [20.0, 50.0, 3.0]),
+            ]
+            .concat(),
         ),
     ];
     for plane in [Plane::G17, Plane::G18, Plane::G19] {
         for (variant, axes, set, start, wanted) in &cases {
             let mut sim = machine(plane, *start);
             let outcome = run(&mut sim, &inputs(*variant, *axes, *set));
-            assert_eq!(outcome, Ok(()), "{variant} {axes} {set:?} {plane:?}");
-            let found = motions(&sim, plane);
-            assert_eq!(found.len(), wanted.len(), "{variant} {axes} {found:?}");
-            for (is, wanted) in found.iter().zip(wanted) {
-                let near = is.1.iter().zip(wanted.1).all(|(a, b)| (a - b).abs() < 1e-9);
-                assert!(
-                    is.0 == wanted.0 && near,
-                    "{variant} {plane:?} {is:?} {wanted:?}"
-                );
-            }
+            let what = format!("{variant} {axes} {set:?} {plane:?}");
+            assert_eq!(outcome, Ok(()), "{what}");
+            same_lettered(&lettered(&sim, plane), wanted, &what);
         }
     }
 }
@@ -275,20 +213,14 @@ fn measurements_at_the_same_place_are_repeated_at_each_point() {
 #[test]
 fn a_mono_probe_is_turned_and_a_differential_one_turns_back() {
     // oracle: manual B:864-871, B:7570-7576
-    let turns = |inputs: &Inputs| {
+    let turned = |inputs: &Inputs| {
         let mut sim = machine(Plane::G17, [20.0, -20.0, -10.0]);
         sim.control.spindle = 30.0;
         assert_eq!(run(&mut sim, inputs), Ok(()));
-        let steps = sim.trace.entries.iter();
-        steps
-            .filter_map(|entry| match entry.step {
-                Step::Orient(angle) => Some(angle),
-                _ => None,
-            })
-            .collect::<Vec<f64>>()
+        turns(&sim)
     };
     let mut mono = inputs(105, 102, [0.0; 2]);
     mono.numbers.insert("_PRNUM", 101.0);
-    assert_eq!(turns(&mono), [90.0, 90.0]);
-    assert_eq!(turns(&inputs(1105, 102, [0.0; 2])), [210.0, 30.0]);
+    assert_eq!(turned(&mono), [90.0, 90.0]);
+    assert_eq!(turned(&inputs(1105, 102, [0.0; 2])), [210.0, 30.0]);
 }

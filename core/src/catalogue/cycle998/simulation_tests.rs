@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::angles::{Surface, normal};
-use crate::catalogue::sinumerik::testing::{at, call, close, run, setup, stopped};
+use crate::catalogue::sinumerik::testing::{at, call, called, close, run, setup, stopped, touches};
 use crate::check::Inputs;
 use crate::control::{Control, Frame, Plane};
 use crate::geometry::V3;
@@ -264,9 +264,7 @@ fn edge(change: impl Fn(&mut Setup, &mut Inputs)) -> (Sim, Result<(), Stop>) {
     let mut inputs = inputs(105, 102, [0.0; 2]);
     let mut setup = ready(Plane::G17, &inputs, [0.0; 3], &[2.0]);
     change(&mut setup, &mut inputs);
-    let mut sim = Sim::new(&setup);
-    let outcome = run(&mut sim, &inputs);
-    (sim, outcome)
+    called(&setup, &inputs)
 }
 
 #[test]
@@ -357,7 +355,7 @@ fn a_violated_safe_area_is_measured_again() {
         setup.control.set("_CBIT[0]", 1.0);
     });
     assert_eq!(stopped(outcome), 61303);
-    assert_eq!(super::motion_tests::touches(&sim).len(), 2 * 5);
+    assert_eq!(touches(&sim).len(), 2 * 5);
 }
 
 #[test]

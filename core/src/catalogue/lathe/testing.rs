@@ -80,17 +80,8 @@ pub fn setup(plane: Plane, transverse: Transverse) -> Setup {
 pub fn inputs(name: &str, plane: Plane, values: &[(&'static str, f64)]) -> Inputs {
     let variant = values.iter().find(|(name, _)| *name == "_MVAR");
     let variant = variant.map_or(0, |(_, value)| *value as i64);
-    let mut all = vec![
-        ("_KNUM", 1.0),
-        ("_TNUM", TURNING_TOOL as f64),
-        ("_FA", 5.0),
-        ("_TSA", 3.0),
-        ("_TDIF", 2.5),
-        ("_TUL", 2.4),
-        ("_TLL", -2.4),
-        ("_TMV", 2.0),
-        ("_TZL", 0.0),
-    ];
+    let mut all = vec![("_KNUM", 1.0), ("_TNUM", TURNING_TOOL as f64), ("_FA", 5.0)];
+    all.extend(sinumerik::testing::WIDE_BANDS);
     all.extend(values);
     let mut inputs = sinumerik::testing::call(name, variant, &all);
     inputs.plane = plane;

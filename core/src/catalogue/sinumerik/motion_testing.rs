@@ -2,7 +2,9 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use super::testing::Motion;
+use super::testing::{Motion, motions};
+use crate::control::Plane;
+use crate::run::machine::Sim;
 use crate::run::trace::MotionKind;
 
 /// `_SPEED[1]` of these tests.
@@ -36,4 +38,34 @@ pub fn expand(table: &str, infeed: f64) -> Vec<Motion> {
         }
     }
     motions
+}
+
+/// A motion as letter and end: `p` positioning in the plane, `d` along the applicate, `m` measuring, `r` and `s` back in the
+/// plane and along the applicate.
+pub type Lettered = (char, [f64; 3]);
+
+/// Motions of a trace at the feeds of these tests, machine.
+pub fn lettered(sim: &Sim, plane: Plane) -> Vec<Lettered> {
+    let letter = |(kind, to, feed): Motion| {
+        let letter = match kind {
+            MotionKind::Positioning if feed == PLANE_FEED => 'p',
+            MotionKind::Positioning if feed == DEPTH_FEED => 'd',
+            MotionKind::Measuring if feed == MEASURING_FEED => 'm',
+            MotionKind::Retract if feed == PLANE_FEED => 'r',
+            MotionKind::Retract if feed == DEPTH_FEED => 's',
+            _ => '?',
+        };
+        (letter, to)
+    };
+    let all = motions(sim, plane, [0.0; 3]);
+    all.into_iter().map(letter).collect()
+}
+
+/// Motions are those that were expected, to 1e-9 mm.
+pub fn same_lettered(found: &[Lettered], wanted: &[Lettered], what: &str) {
+    assert_eq!(found.len(), wanted.len(), "{what}: {found:#?}");
+    for (is, wanted) in found.iter().zip(wanted) {
+        let near = is.1.iter().zip(wanted.1).all(|(a, b)| (a - b).abs() < 1e-9);
+        assert!(is.0 == wanted.0 && near, "{what}: {is:?} {wanted:?}");
+    }
 }

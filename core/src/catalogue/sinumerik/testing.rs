@@ -59,6 +59,50 @@ pub fn solid(plane: Plane, shape: Shape, place: [f64; 3], across: bool) -> Solid
     }
 }
 
+/// The hole, shaft, groove, web, pocket or island that the last digit of a variant names (B:5645-5650, B:6766-6769), of
+/// this size.
+pub fn element(variant: i64, [length, width]: [f64; 2]) -> Shape {
+    let depth = 40.0;
+    match variant % 10 {
+        1 => Shape::Hole {
+            diameter: length,
+            depth,
+        },
+        2 => Shape::Shaft {
+            diameter: length,
+            height: depth,
+        },
+        3 => Shape::Groove {
+            width: length,
+            depth,
+            length: 200.0,
+        },
+        4 => Shape::Web {
+            width: length,
+            height: depth,
+            length: 200.0,
+        },
+        5 => Shape::Pocket {
+            length: [length, width],
+            depth,
+        },
+        _ => Shape::Island {
+            length: [length, width],
+            height: depth,
+        },
+    }
+}
+
+/// Bands so wide that errors of some mm are corrected, at once and without a mean value.
+pub const WIDE_BANDS: [(&str, f64); 6] = [
+    ("_TSA", 3.0),
+    ("_TDIF", 2.5),
+    ("_TUL", 2.4),
+    ("_TLL", -2.4),
+    ("_TMV", 2.0),
+    ("_TZL", 0.0),
+];
+
 /// A call: delivered values of all parameters, then these.
 pub fn call(name: &str, variant: i64, values: &[(&'static str, f64)]) -> Inputs {
     let cycle = find(Dialect::Sinumerik, name).unwrap();
@@ -78,6 +122,13 @@ pub fn run(sim: &mut Sim, inputs: &Inputs) -> Result<(), Stop> {
     (inputs.cycle.work().unwrap().simulate)(sim, inputs)
 }
 
+/// Runs a call on a new machine: what became of it, and how it ended.
+pub fn called(setup: &Setup, inputs: &Inputs) -> (Sim, Result<(), Stop>) {
+    let mut sim = Sim::new(setup);
+    let outcome = run(&mut sim, inputs);
+    (sim, outcome)
+}
+
 /// The alarm that stopped a call.
 pub fn stopped(outcome: Result<(), Stop>) -> u32 {
     match outcome {
@@ -86,17 +137,34 @@ pub fn stopped(outcome: Result<(), Stop>) -> u32 {
     }
 }
 
+/// What some steps of a trace tell, in order.
+fn told<T>(sim: &Sim, tell: impl Fn(&Step) -> Option<T>) -> Vec<T> {
+    let entries = sim.trace.entries.iter();
+    entries.filter_map(|entry| tell(&entry.step)).collect()
+}
+
 /// Alarms that a trace shows, in order.
 pub fn alarms(sim: &Sim) -> Vec<u32> {
-    let shown = |step: &Step| match step {
+    told(sim, |step| match step {
         Step::Alarm(Code::Alarm(number)) => Some(*number),
         _ => None,
-    };
-    sim.trace
-        .entries
-        .iter()
-        .filter_map(|entry| shown(&entry.step))
-        .collect()
+    })
+}
+
+/// Angles to which the spindle was turned, in order.
+pub fn turns(sim: &Sim) -> Vec<f64> {
+    told(sim, |step| match step {
+        Step::Orient(angle) => Some(*angle),
+        _ => None,
+    })
+}
+
+/// Where the probe switched, machine, in order.
+pub fn touches(sim: &Sim) -> Vec<[f64; 3]> {
+    told(sim, |step| match step {
+        Step::Touch { latched, .. } => Some(*latched),
+        _ => None,
+    })
 }
 
 /// A datum is what was expected, to 1e-9.
@@ -113,14 +181,12 @@ pub type Motion = (MotionKind, [f64; 3], f64);
 
 /// Motions of a trace, from a machine position.
 pub fn motions(sim: &Sim, plane: Plane, origin: [f64; 3]) -> Vec<Motion> {
-    let motion = |step: &Step| match step {
+    told(sim, |step| match step {
         Step::Motion { kind, to, feed, .. } => {
             Some((*kind, plane.axes().map(|i| to[i] - origin[i]), *feed))
         }
         _ => None,
-    };
-    let steps = sim.trace.entries.iter();
-    steps.filter_map(|entry| motion(&entry.step)).collect()
+    })
 }
 
 /// Motions are those that were expected, to 1e-9 mm.
