@@ -68,7 +68,7 @@ pub static ALARMS: &[Alarm] = &[
     alarm(61330, Both, NONE, "A:15873"),
     alarm(61331, Both, NONE, "A:15874"),
     alarm(61332, Nowhere, JOG, "A:15875"),
-    alarm(61333, Check, NONE, "A:15876"),
+    alarm(61333, Both, NONE, "A:15876"),
     alarm(61334, Both, NONE, "A:15877"),
     alarm(61336, Run, NONE, "A:15878"),
     alarm(61338, Both, NONE, "A:15879"),

@@ -125,6 +125,15 @@ impl Frame {
     }
 }
 
+/// The frames between machine and WCS while they are out of effect.
+#[derive(Clone, Debug)]
+pub struct InEffect {
+    basic: BasicFrames,
+    part: Frame,
+    settable: Frame,
+    programmed: Frame,
+}
+
 impl Control {
     /// Frames in effect between machine and the settable frame, outermost first: table, system, global basic, channel
     /// basic.
@@ -154,6 +163,24 @@ impl Control {
         chain.push(self.active);
         chain.push(self.program_frame);
         chain
+    }
+
+    /// Takes all frames out of effect, so that the WCS is that of the machine; see [`Control::put_frames`].
+    pub fn take_frames(&mut self) -> InEffect {
+        InEffect {
+            basic: std::mem::take(&mut self.basic),
+            part: std::mem::take(&mut self.part_frame),
+            settable: std::mem::take(&mut self.active),
+            programmed: std::mem::take(&mut self.program_frame),
+        }
+    }
+
+    /// Brings back into effect what [`Control::take_frames`] took out.
+    pub fn put_frames(&mut self, frames: InEffect) {
+        self.basic = frames.basic;
+        self.part_frame = frames.part;
+        self.active = frames.settable;
+        self.program_frame = frames.programmed;
     }
 
     /// Whether a frame between machine and WCS turns.

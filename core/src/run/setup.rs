@@ -26,6 +26,10 @@ pub const PROBE_TOOL: i64 = 9;
 /// Length register of the probe in [`Setup::calibrated`] on NCT, as in the programs of the manual (C:1159).
 pub const PROBE_REGISTER: i64 = 98;
 
+/// The pair of reference grooves of the turning machine, `_KB[0,0]` to `[0,6]`, mm: the first as in B:10275-10285, the
+/// second turned by 90 degree.
+const REFERENCE_GROOVES: [f64; 7] = [60.123, 50.054, 15.021, 40.118, 30.047, 32.015, 20.015];
+
 impl Setup {
     /// A metric control as delivered with a calibrated ideal probe in the spindle (ball 6 mm, L1 50 mm: B:5855,
     /// B:16259; on NCT the length is that to the end of the ball), nothing to touch, and the machine far above.
@@ -117,6 +121,10 @@ impl Setup {
         let tool = self.control.tools.entry(PROBE_TOOL).or_default();
         tool.edges.insert(1, edge);
         self.control.transverse = Transverse::Diameter;
+        for (index, value) in REFERENCE_GROOVES.into_iter().enumerate() {
+            let value = value / self.control.basic_factor();
+            self.control.set(format!("_KB[0,{index}]"), value);
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod cycle961;
+mod cycle973;
 mod cycle974;
 mod cycle976;
 mod cycle977;
@@ -31,6 +32,7 @@ fn table(name: &str) -> Table {
         "CYCLE116" => helpers::cycle116(),
         "CYCLE119" => helpers::cycle119(),
         "CYCLE961" => cycle961::table(),
+        "CYCLE973" => cycle973::table(),
         "CYCLE974" => cycle974::table(),
         "CYCLE976" => cycle976::table(),
         "CYCLE977" => cycle977::table(),

@@ -1,5 +1,6 @@
 //! What several values of CYCLE973, the data of the groove and the probe in use say together.
 
+use super::groove::Groove;
 use super::params::{GROOVE, TWO};
 use crate::catalogue::{calibration, lathe, names, shared_checks};
 use crate::check::{Finding, Inputs, error, warning};
@@ -14,35 +15,14 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     let ball = calibration::ball_radius(inputs, control);
     calibration::first(inputs, control, ball, found);
     shared_checks::rotation(control, found);
+    if !GROOVE.holds(inputs) {
+        calibration::unmirrored(control, found);
+    }
     let tip = lathe::checks::tip(control, found);
     if GROOVE.holds(inputs) {
         groove(inputs, control, tip, ball, found);
     } else if let Some(tip) = tip {
         shank(inputs, tip, found);
-    }
-}
-
-/// One of the two grooves of a pair, seen by a probe with cutting edge position 7 or 8 (B:13473-13482).
-struct Groove {
-    /// Axis in which its base is touched, 1 abscissa, 2 ordinate; its walls lie in the other one.
-    base_axis: i64,
-    /// Second indices of its data in `_KB`: edge in plus direction, edge in minus direction, base.
-    data: [usize; 3],
-}
-
-impl Groove {
-    fn of(tip: i64) -> Option<Groove> {
-        match tip {
-            7 => Some(Groove {
-                base_axis: 1,
-                data: [0, 1, 2],
-            }),
-            8 => Some(Groove {
-                base_axis: 2,
-                data: [3, 4, 6],
-            }),
-            _ => None,
-        }
     }
 }
 
@@ -107,8 +87,7 @@ fn data(
     ball: f64,
     found: &mut Vec<Diagnostic>,
 ) {
-    let name = |index: usize| format!("_KB[{pair},{index}]");
-    let [plus, minus, base] = groove.data.map(name);
+    let [plus, minus, base] = groove.names(pair);
     let [upper, lower, depth] = [&plus, &minus, &base].map(|name| control.basic_length(name));
     if [upper, lower, depth] == [0.0; 3] {
         let names = [plus, minus, base].join(", ");

@@ -1,16 +1,23 @@
 //! CYCLE973: calibrate the workpiece probe of a turning machine in a reference groove or on a surface (B:10128-10407).
 
 mod checks;
+mod groove;
 mod lists;
 pub mod params;
 mod picture;
+mod propose;
 mod results;
+mod simulate;
+#[cfg(test)]
+mod simulation_tests;
 #[cfg(test)]
 mod tests;
 
 pub use results::RESULTS;
 
-use crate::catalogue::{Cycle, Dialect, Drawing, Purpose, Variant, When, common, lathe};
+use crate::catalogue::{
+    Cycle, Dialect, Drawing, Purpose, Simulation, Variant, When, Work, common, lathe,
+};
 
 /// Measuring variants (B:10163-10177). 13 stands in the programs only, with axis and direction: it is 1013 (A:11504).
 pub const VARIANTS: &[Variant] = &[
@@ -80,7 +87,8 @@ pub static CYCLE973: Cycle = Cycle {
     alarms: &[
         common::EVERY_CYCLE,
         lathe::ALARMS,
-        &common::alarms([61326, 61333]), // A:15867, A:15876
+        // A:15867, A:15876; 61401 as in the other cycles (A:15920)
+        &common::alarms([61326, 61333, 61401]),
     ],
     checks: checks::checks,
     picture: Drawing::new(picture::picture),
@@ -96,6 +104,13 @@ pub static CYCLE973: Cycle = Cycle {
         ("_NMSP", "1"),
         ("_TZL", "0"),
     ],
-    simulation: None,
+    simulation: Some(Simulation::new(
+        Work {
+            propose: propose::propose,
+            simulate: simulate::simulate,
+        },
+        // across the groove of position 7
+        &[(params::GROOVE, &[("_CALNUM", "1"), ("_MA", "2")])],
+    )),
     source: "B:10128-10407",
 };

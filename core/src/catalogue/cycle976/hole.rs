@@ -6,8 +6,8 @@
 
 use super::directions::{Direction, angle, directions, in_plane, turned};
 use super::params::{BALL, SKEW, UNKNOWN};
-use super::store::{self, Calibration, Trigger};
 use crate::catalogue::names;
+use crate::catalogue::sinumerik::calibration::{self, Calibration, Trigger};
 use crate::catalogue::sinumerik::measuring_block::{Block, Ray};
 use crate::check::Inputs;
 use crate::run::{Machine, Stop};
@@ -166,10 +166,14 @@ impl Hole<'_> {
         let position = self.position(centre);
         Calibration {
             ball: BALL.holds(self.inputs).then(|| diameter(&triggers)),
-            skew: SKEW.holds(self.inputs).then(|| {
-                let found = std::array::from_fn(|axis| centre[axis] - middle[axis]);
-                self.skew(store::skew(machine.control(), self.inputs), found)
-            }),
+            skew: match SKEW.holds(self.inputs) {
+                true => {
+                    let found = std::array::from_fn(|axis| centre[axis] - middle[axis]);
+                    let stored = calibration::skew(machine.control(), self.inputs);
+                    self.skew(stored, found).map(Some)
+                }
+                false => [None; 2],
+            },
             centre: UNKNOWN
                 .holds(self.inputs)
                 .then(|| [position[x], position[y]]),

@@ -13,7 +13,6 @@ mod results;
 mod simulate;
 #[cfg(test)]
 mod simulate_tests;
-mod store;
 #[cfg(test)]
 mod store_tests;
 #[cfg(test)]

@@ -3,8 +3,8 @@
 use super::directions::angle;
 use super::hole;
 use super::params::{HOLE, LENGTH, UNKNOWN};
-use super::store::{Calibration, Trigger, store};
 use crate::catalogue::names;
+use crate::catalogue::sinumerik::calibration::{Calibration, Trigger, store};
 use crate::catalogue::sinumerik::measuring_block::{Block, Point, turnable};
 use crate::catalogue::sinumerik::{Next, alarm, results};
 use crate::check::Inputs;
@@ -77,7 +77,7 @@ fn surface(
     Ok(Calibration {
         triggers: vec![trigger],
         ball: None,
-        skew: None,
+        skew: [None; 2],
         centre: None,
         length,
     })

@@ -9,7 +9,7 @@ use crate::workpiece::{Shape, Solid};
 pub const LENGTH: f64 = 60.0;
 
 /// A turned part with its front face at this Z; diameter and length, bore as [`Shape::Turned`] has it, mm.
-pub fn part(control: &Control, face: f64, [diameter, length]: [f64; 2], bore: [f64; 2]) -> Solid {
+fn part(control: &Control, face: f64, [diameter, length]: [f64; 2], bore: [f64; 2]) -> Solid {
     let shape = Shape::Turned {
         diameter,
         length,
@@ -29,6 +29,38 @@ pub fn standing(control: &Control, shape: Shape, at: [f64; 3], x: [f64; 3], z: [
     let axes = control.plane.axes();
     let [at, x, z] = [at, x, z].map(|xyz| axes.map(|axis| xyz[axis]));
     place::solid(control, shape, at, x, z)
+}
+
+/// How far the front face stands before the place where the outside is touched, mm.
+const BEHIND: f64 = 20.0;
+/// Diameter of an end face, mm, and size of a block where no turned part has such a surface.
+const FACE: f64 = 40.0;
+
+/// A part with a surface at `set` of a geometry axis and the position opposite it, `away` from it; `side` +1: outside is
+/// the plus side. End face and outside are those of a turned part, anything else is a block.
+pub fn touched(
+    control: &Control,
+    axis: usize,
+    set: f64,
+    side: f64,
+    away: f64,
+) -> (Solid, [f64; 3]) {
+    let mut start = [0.0; 3];
+    start[axis] = set + side * away;
+    if axis == 2 {
+        start[0] = FACE / 4.0; // an end face beside its middle
+    }
+    let part = if axis == 2 && side > 0.0 {
+        part(control, set, [FACE, LENGTH], [0.0; 2])
+    } else if axis != 2 && set * side > 0.0 {
+        part(control, BEHIND, [2.0 * set.abs(), LENGTH], [0.0; 2])
+    } else {
+        let (mut at, mut x, mut z) = ([0.0; 3], [0.0; 3], [0.0; 3]);
+        (at[axis], z[axis], x[(axis + 1) % 3]) = (set, side, 1.0);
+        let size = [FACE, FACE, LENGTH];
+        standing(control, Shape::Block { size }, at, x, z)
+    };
+    (part, start)
 }
 
 /// The tool that the call corrects, as a turning tool.

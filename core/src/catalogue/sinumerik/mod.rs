@@ -1,6 +1,7 @@
 //! What the SINUMERIK workpiece cycles have in common: the measuring block, results, tolerances, corrections.
 
 pub mod calibrated_as;
+pub mod calibration;
 pub mod centred;
 pub mod correct;
 pub mod differential;

@@ -1,7 +1,7 @@
 //! What a calibration found: the results, the comparison with what is stored, the new data (B:5134, B:5090-5118).
 
-use crate::catalogue::names;
-use crate::catalogue::sinumerik::{Next, calibrated_as, correct, results, tolerance};
+use super::{Next, calibrated_as, correct, results, tolerance};
+use crate::catalogue::{MachineSort, names};
 use crate::check::Inputs;
 use crate::control::Control;
 use crate::evaluate::Write;
@@ -28,8 +28,8 @@ pub struct Calibration {
     pub triggers: Vec<Trigger>,
     /// Active ball diameter.
     pub ball: Option<f64>,
-    /// Ball centre minus spindle axis, abscissa and ordinate.
-    pub skew: Option<[f64; 2]>,
+    /// Ball centre minus spindle axis, abscissa and ordinate, where they were determined.
+    pub skew: [Option<f64>; 2],
     /// Centre of the hole in the WCS, abscissa and ordinate.
     pub centre: Option<[f64; 2]>,
     /// What L1 of the probe has to be longer by.
@@ -81,8 +81,10 @@ pub fn store(
         return Ok(next);
     }
     renew(machine, inputs, found);
-    if let Some(ball) = found.ball.filter(|_| machine.control().bit("_CBIT[15]")) {
-        set_tool(machine, RADIUS, |_| ball / 2.0); // B:13656
+    let milling = inputs.cycle.purpose.machine == MachineSort::Milling;
+    let into_tool = milling && machine.control().bit("_CBIT[15]");
+    if let Some(ball) = found.ball.filter(|_| into_tool) {
+        set_tool(machine, RADIUS, |_| ball / 2.0); // B:13656, in CYCLE976
     }
     calibrated_as::note(machine, inputs);
     if let Some(length) = found.length {
@@ -99,9 +101,12 @@ fn report(machine: &mut dyn Machine, inputs: &Inputs, found: &Calibration) -> Ve
         results::length(machine, 4, ball);
         results::length(machine, 5, ball - before);
     }
-    for (first, pair) in [(6, found.centre), (20, found.skew)] {
-        for (index, value) in pair.into_iter().flatten().enumerate() {
-            results::length(machine, first + index, value);
+    let centre = found.centre.map_or([None; 2], |centre| centre.map(Some));
+    for (first, pair) in [(6, centre), (20, found.skew)] {
+        for (index, value) in pair.into_iter().enumerate() {
+            if let Some(value) = value {
+                results::length(machine, first + index, value);
+            }
         }
     }
     let mut differences = Vec::new();
@@ -140,7 +145,8 @@ fn fields(found: &Calibration) -> Vec<(usize, f64)> {
     let mut fields: Vec<(usize, f64)> = found.ball.map(|ball| (BALL, ball)).into_iter().collect();
     let triggers = found.triggers.iter();
     fields.extend(triggers.map(|trigger| (trigger.field(), trigger.value)));
-    fields.extend(SKEW.into_iter().zip(found.skew.into_iter().flatten()));
+    let skew = SKEW.into_iter().zip(found.skew);
+    fields.extend(skew.filter_map(|(field, value)| Some((field, value?))));
     fields
 }
 
