@@ -22,11 +22,9 @@ async function coreModules(page) {
     await route.fulfill({ body: await readFile(new URL(path, root)), contentType });
   });
   await page.evaluate(async () => {
-    for (const name of ["core", "program"]) {
-      const module = await import(new URL(`bench-pkg/${name}/${name}.js`, location.href).href);
-      await module.default();
-      globalThis[`bench-${name}`] = module;
-    }
+    const module = await import(new URL("bench-pkg/program/program.js", location.href).href);
+    await module.default();
+    globalThis["bench-program"] = module;
   });
 }
 
@@ -56,7 +54,7 @@ function report(name, times, percent, goal) {
 }
 
 async function cycles(page) {
-  const catalogue = await page.evaluate(() => JSON.parse(globalThis["bench-core"].catalogue()));
+  const catalogue = await page.evaluate(() => JSON.parse(globalThis["bench-program"].catalogue()));
   for (const { control, cycle, example } of catalogue.cycles) {
     const request = { control, cycle, values: example };
     report(`${cycle} form, check, write`, await perKeystroke(page, request, 400, 5), 99, 1);

@@ -3,7 +3,7 @@
 import type { Actions } from "../actions";
 import { el, keyed, on, setAttribute, setText, show } from "../dom";
 import { parseNumber, plain } from "../numbers";
-import { say, t } from "../texts";
+import { say, t, wordsEdition } from "../texts";
 import type { Diagnostic, Field } from "../wire";
 
 export interface FieldView { root: HTMLElement; update(field: Field, typed: string, problems: Diagnostic[]): void }
@@ -53,6 +53,7 @@ export function createField(first: Field, actions: Actions, focused: (name: stri
   const id = fieldId(name);
   let field = first;
   let timer = 0;
+  let drawn = "";
 
   const label = el("label", { for: id, class: "field-label" });
   const required = el("span", { class: "required", "aria-hidden": "true" }, "•");
@@ -93,6 +94,10 @@ export function createField(first: Field, actions: Actions, focused: (name: stri
     root,
     update(next, typed, problems) {
       field = next;
+      // Most fields say the same after a keystroke. Not so digits: a wrong one is put right without a change of the state.
+      const now = JSON.stringify([next, typed, problems, wordsEdition()]);
+      if (now === drawn && field.kind !== "digits") return;
+      drawn = now;
       setText(label, say(field.label));
       show(required, field.required);
       setText(unit, field.unit ? t(`unit-${field.unit.replace("/", "-per-")}`) : "");
