@@ -19,13 +19,11 @@ pub fn table() -> Table {
         usual: "",
         setup,
         cases,
-        unreached: workpiece::UNREACHED
-            .iter()
-            .filter(|(number, _)| ![61306, 61319].contains(number))
-            .chain(workpiece::NO_TOOL)
-            .chain(OWN)
-            .copied()
-            .collect(),
+        unreached: [
+            workpiece::unreached_without_tool(&[61306, 61319], workpiece::ZERO_ONLY),
+            OWN.to_vec(),
+        ]
+        .concat(),
     }
 }
 

@@ -19,12 +19,8 @@ pub fn table() -> Table {
             setup.control.limits.plus[0] = Some(97.0);
         }),
     ]);
-    let mut unreached: Vec<_> = workpiece::UNREACHED
-        .iter()
-        .chain(workpiece::NO_TOOL)
-        .copied()
-        .filter(|(number, _)| ![61306, 61319, 61327].contains(number))
-        .collect();
+    let mut unreached =
+        workpiece::unreached_without_tool(&[61306, 61319, 61327], workpiece::ZERO_ONLY);
     unreached.extend([lathe::SPINDLE, lathe::NOT_TURNED]);
     Table {
         program: "G18 G90 G54 DIAMOF\n\

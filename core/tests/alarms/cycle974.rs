@@ -1,19 +1,15 @@
 //! A turned part of 60 mm in diameter, the ball at X 100 (radius 50) beside it.
 
-use super::lathe::{self, larger};
+use super::lathe;
 use super::table::{Table, case, program};
 use super::workpiece;
 
 pub fn table() -> Table {
     let mut cases = lathe::cases();
     cases.extend(workpiece::offsets());
+    cases.extend(workpiece::diameters());
     cases.extend([
         program(61302, "_SETVAL=46"),
-        case(61303, "", |setup| larger(setup, 3.5)),
-        case(62303, "_CBIT[0]=1 _CBIT[1]=1", |setup| larger(setup, 3.5)),
-        case(62304, "", |setup| larger(setup, 0.7)),
-        case(62305, "", |setup| larger(setup, -0.7)),
-        case(62306, "", |setup| larger(setup, 2.5)),
         program(61321, "_MVAR=100 _KNUM=100"),
         program(61341, "_WP[0,3]=0 _WP[0,4]=0"),
         case(61372, "_MVAR=1000 _STA1=0", |setup| {

@@ -3,7 +3,6 @@
 use super::table::{Case, Table, case, program};
 use super::workpiece;
 use probewright_core::run::Setup;
-use probewright_core::workpiece::Shape;
 
 pub fn table() -> Table {
     let mut cases = workpiece::common();
@@ -17,36 +16,14 @@ pub fn table() -> Table {
         usual: "",
         setup,
         cases,
-        unreached: UNREACHED.to_vec(),
+        unreached: workpiece::unreached_without_tool(&[61306, 61319, 61327], NO_TOOL),
     }
 }
 
-/// Alarms that the manual's table gives to every cycle, and that calibration of a workpiece probe has no cause for.
-const UNREACHED: &[(u32, &str)] = &[
-    (61312, "the cycle itself is permitted (A:15851)"),
-    (61320, NO_TOOL),
-    (61328, NO_TOOL),
-    (61340, "internal error of the cycles (A:15881)"),
-    (61343, NO_TOOL),
-    (61344, "the simulated machine has one spindle (A:15887)"),
-    (61345, NO_TOOL),
-    (61403, "internal error of the cycles (A:15922)"),
-    (61404, "internal error of the cycles (A:15923)"),
-    (61405, NO_TOOL),
-    (61406, NO_TOOL),
-    (61407, NO_TOOL),
-    (61408, NO_TOOL),
-    (61409, NO_TOOL),
-    (61410, NO_TOOL),
-];
 const NO_TOOL: &str = "the cycle has no _KNUM; what it corrects is the probe in use (B:5154-5166)";
 
 fn setup() -> Setup {
-    let ring = Shape::Hole {
-        diameter: 60.0,
-        depth: 40.0,
-    };
-    workpiece::setup(ring, [0.0, 0.0, -20.0])
+    workpiece::setup(workpiece::HOLE, [0.0, 0.0, -20.0])
 }
 
 /// A ball that is smaller than the stored one by more than `_TSA`.

@@ -7,6 +7,7 @@ use probewright_core::workpiece::Shape;
 
 pub fn table() -> Table {
     let mut cases = workpiece::cases();
+    cases.extend(workpiece::diameters());
     cases.extend(own());
     Table {
         program: "G17 G90 G54\n\
@@ -23,26 +24,12 @@ pub fn table() -> Table {
 }
 
 fn setup() -> Setup {
-    let hole = Shape::Hole {
-        diameter: 60.0,
-        depth: 40.0,
-    };
-    workpiece::setup(hole, [0.0, 0.0, -10.0])
-}
-
-/// A hole that is larger by so much.
-fn grown(setup: &mut Setup, size: f64) {
-    setup.workpiece.solids[0].errors.size = size;
+    workpiece::setup(workpiece::HOLE, [0.0, 0.0, -10.0])
 }
 
 fn own() -> Vec<Case> {
     vec![
         program(61302, "_SETVAL=80"),
-        case(61303, "", |setup| grown(setup, 3.5)),
-        case(62303, "_CBIT[0]=1 _CBIT[1]=1", |setup| grown(setup, 3.5)),
-        case(62304, "", |setup| grown(setup, 0.7)),
-        case(62305, "", |setup| grown(setup, -0.7)),
-        case(62306, "", |setup| grown(setup, 2.5)),
         program(61321, "_MVAR=101 _KNUM=100"),
         program(61325, "_MVAR=3 _MA=3"),
         program(61341, "_WP[0,1]=0 _WP[0,2]=0"),

@@ -3,7 +3,6 @@
 use super::table::{Case, Table, case, program};
 use super::workpiece;
 use probewright_core::run::Setup;
-use probewright_core::workpiece::Shape;
 
 /// Alarms of the entry that no call of it brings about.
 const UNREACHED: &[(u32, &str)] = &[(
@@ -32,27 +31,14 @@ pub fn table() -> Table {
 }
 
 fn setup() -> Setup {
-    let hole = Shape::Hole {
-        diameter: 60.0,
-        depth: 40.0,
-    };
-    workpiece::setup(hole, [0.0, 0.0, -10.0])
-}
-
-/// A hole that is larger by so much.
-fn grown(setup: &mut Setup, size: f64) {
-    setup.workpiece.solids[0].errors.size = size;
+    workpiece::setup(workpiece::HOLE, [0.0, 0.0, -10.0])
 }
 
 fn cases() -> Vec<Case> {
     let mut cases = workpiece::cases();
+    cases.extend(workpiece::diameters());
     cases.extend([
         program(61302, "_SETVAL=80"),
-        case(61303, "", |setup| grown(setup, 3.5)),
-        case(62303, "_CBIT[0]=1 _CBIT[1]=1", |setup| grown(setup, 3.5)),
-        case(62304, "", |setup| grown(setup, 0.7)),
-        case(62305, "", |setup| grown(setup, -0.7)),
-        case(62306, "", |setup| grown(setup, 2.5)),
         program(61316, "_INCA=180"),
         program(61321, "_MVAR=101 _KNUM=100"),
         // at an angle the ball counts, not the trigger values (B:6873)

@@ -20,28 +20,18 @@ pub fn table() -> Table {
         usual: "",
         setup,
         cases,
-        unreached: workpiece::UNREACHED
-            .iter()
-            .chain(UNREACHED)
-            .copied()
-            .collect(),
+        unreached: [
+            workpiece::unreached_without_tool(&[], NO_TOOL),
+            UNREACHED.to_vec(),
+        ]
+        .concat(),
     }
 }
 
 /// Alarms of the entry that no call of it brings about.
 const UNREACHED: &[(u32, &str)] = &[
-    (61320, NO_TOOL),
     (61325, "the cycle has no _MA"),
-    (61328, NO_TOOL),
-    (61343, NO_TOOL),
-    (61345, NO_TOOL),
     (61373, "a mono probe is refused as such, 61313 (B:8199)"),
-    (61405, NO_TOOL),
-    (61406, NO_TOOL),
-    (61407, NO_TOOL),
-    (61408, NO_TOOL),
-    (61409, NO_TOOL),
-    (61410, NO_TOOL),
 ];
 const NO_TOOL: &str = "_KNUM names a frame, no tool is corrected (B:8326)";
 

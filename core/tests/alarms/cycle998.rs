@@ -18,13 +18,11 @@ pub fn table() -> Table {
         usual: "",
         setup,
         cases,
-        unreached: workpiece::UNREACHED
-            .iter()
-            .filter(|(number, _)| *number != 61306)
-            .chain(workpiece::NO_TOOL)
-            .chain(OWN)
-            .copied()
-            .collect(),
+        unreached: [
+            workpiece::unreached_without_tool(&[61306], workpiece::ZERO_ONLY),
+            OWN.to_vec(),
+        ]
+        .concat(),
     }
 }
 

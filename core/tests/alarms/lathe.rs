@@ -53,8 +53,3 @@ pub fn cases() -> Vec<Case> {
     ]);
     cases
 }
-
-/// A part that is larger in diameter by so much.
-pub fn larger(setup: &mut Setup, size: f64) {
-    setup.workpiece.solids[0].errors.size = size;
-}

@@ -25,20 +25,43 @@ pub const UNREACHED: &[(u32, &str)] = &[
     (61404, "internal error of the cycles (A:15923)"),
 ];
 
-/// Alarms of the groups that such a cycle shares, where it corrects zero offsets only: it has no tool to be corrected.
-pub const NO_TOOL: &[(u32, &str)] = &[
-    (61320, ZERO_ONLY),
-    (61328, ZERO_ONLY),
-    (61343, ZERO_ONLY),
-    (61345, ZERO_ONLY),
-    (61405, ZERO_ONLY),
-    (61406, ZERO_ONLY),
-    (61407, ZERO_ONLY),
-    (61408, ZERO_ONLY),
-    (61409, ZERO_ONLY),
-    (61410, ZERO_ONLY),
+/// Alarms about a tool to be corrected, which a cycle has not that corrects something else.
+const NO_TOOL: [u32; 10] = [
+    61320, 61328, 61343, 61345, 61405, 61406, 61407, 61408, 61409, 61410,
 ];
-const ZERO_ONLY: &str = "the cycle corrects zero offsets, no tool";
+
+/// What no call of a cycle without a tool to be corrected brings about: what its entry does not have is in `not`, and why
+/// there is no tool in `why`.
+pub fn unreached_without_tool(not: &[u32], why: &'static str) -> Vec<(u32, &'static str)> {
+    let common = UNREACHED.iter().copied();
+    let common = common.filter(|(number, _)| !not.contains(number));
+    common.chain(NO_TOOL.map(|number| (number, why))).collect()
+}
+
+/// Why a cycle that corrects zero offsets only has no tool.
+pub const ZERO_ONLY: &str = "the cycle corrects zero offsets, no tool";
+
+/// A hole of 60 mm.
+pub const HOLE: Shape = Shape::Hole {
+    diameter: 60.0,
+    depth: 40.0,
+};
+
+/// The first solid is larger in diameter by so much.
+pub fn larger(setup: &mut Setup, size: f64) {
+    setup.workpiece.solids[0].errors.size = size;
+}
+
+/// The cases of a diameter of 60 mm that is measured with `_TSA=3 _TDIF=2 _TUL=0.5 _TLL=-0.5`.
+pub fn diameters() -> Vec<Case> {
+    vec![
+        case(61303, "", |setup| larger(setup, 3.5)),
+        case(62303, "_CBIT[0]=1 _CBIT[1]=1", |setup| larger(setup, 3.5)),
+        case(62304, "", |setup| larger(setup, 0.7)),
+        case(62305, "", |setup| larger(setup, -0.7)),
+        case(62306, "", |setup| larger(setup, 2.5)),
+    ]
+}
 
 /// The probe in the spindle at this position, T20 to be corrected, one solid with its upper face at Z0.
 pub fn setup(shape: Shape, position: [f64; 3]) -> Setup {
