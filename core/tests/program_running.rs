@@ -1,45 +1,24 @@
 //! Running part programs: end positions, frames, tools, flow, measuring calls; and no text makes the run panic or hang.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+mod running;
+
 use probewright_core::catalogue::Dialect;
-use probewright_core::control::{Control, Edge, Frame, Plane, Tool};
+use probewright_core::control::{Control, Frame, Plane};
 use probewright_core::diagnostic::Code;
 use probewright_core::program::read;
 use probewright_core::run::trace::{MotionKind, Step};
 use probewright_core::run::{Limits, Outcome, Setup, Stop, run};
 use probewright_core::workpiece::{PartErrors, Shape, Solid};
 use proptest::prelude::*;
-
-/// T9 is the probe, T20 an end mill with radius 10.
-fn setup() -> Setup {
-    let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
-    let mill = Edge {
-        kind: 120,
-        length: [80.0, 0.0, 0.0],
-        radius: 10.0,
-        ..Edge::default()
-    };
-    let tool = Tool {
-        name: "MILL".into(),
-        edges: [(1, mill.clone()), (2, mill)].into(),
-    };
-    setup.control.tools.insert(20, tool);
-    setup
-}
+use running::{block, clean_on, go_on, machine};
 
 fn go(text: &str) -> Outcome {
-    run(
-        &read(Dialect::Sinumerik, text.as_bytes()),
-        &setup(),
-        Limits::default(),
-    )
+    go_on(&machine(), text)
 }
 
 fn clean(text: &str) -> Outcome {
-    let outcome = go(text);
-    assert_eq!(outcome.diagnostics, [], "{text}");
-    assert_eq!(outcome.stop, None, "{text}");
-    outcome
+    clean_on(&machine(), text)
 }
 
 fn near(a: [f64; 3], b: [f64; 3]) {
@@ -182,7 +161,7 @@ fn scales_are_motion_and_stop_a_measurement() {
 
 #[test]
 fn limit_switches_end_a_program() {
-    let mut setup = setup();
+    let mut setup = machine();
     setup.control.limits.plus[0] = Some(100.0);
     let program = read(Dialect::Sinumerik, b"G0 X100\nX101");
     let outcome = run(&program, &setup, Limits::default());
@@ -377,7 +356,11 @@ fn endless_programs_are_stopped() {
         trace: 1_000,
     };
     for (text, key) in cases {
-        let outcome = run(&read(Dialect::Sinumerik, text.as_bytes()), &setup(), limits);
+        let outcome = run(
+            &read(Dialect::Sinumerik, text.as_bytes()),
+            &machine(),
+            limits,
+        );
         assert!(
             matches!(&outcome.stop, Some(Stop::Fault(message)) if message.key == key),
             "{text}: {:?}",
@@ -431,15 +414,8 @@ fn arcs_end_at_their_end() {
 }
 
 fn block_setup() -> Setup {
-    let mut setup = setup();
-    setup.workpiece.solids.push(Solid {
-        shape: Shape::Block {
-            size: [100.0, 100.0, 50.0],
-        },
-        at: [0.0; 3],
-        rotation: [0.0; 3],
-        errors: PartErrors::default(),
-    });
+    let mut setup = machine();
+    setup.workpiece.solids.push(block());
     setup
 }
 
@@ -451,7 +427,7 @@ fn the_test_of_a_probe_runs_as_printed() {
     let outcome = run(&program, &block_setup(), Limits::default());
     assert_eq!(outcome.stop, None);
     assert!((outcome.control.number("R1") - 3.0).abs() < 1e-9);
-    let outcome = run(&program, &setup(), Limits::default());
+    let outcome = run(&program, &machine(), Limits::default());
     let texts: Vec<_> = outcome
         .trace
         .entries
@@ -605,7 +581,7 @@ fn printed_programs_hold_no_unknown_word() {
         let Ok(printed) = std::fs::read(folder.join(format!("{name}.mpf"))) else {
             return;
         };
-        let mut setup = setup();
+        let mut setup = machine();
         for tool in [1, 7] {
             let like = setup.control.tools[&if tool == 1 { 20 } else { 9 }].clone();
             setup.control.tools.insert(tool, like);

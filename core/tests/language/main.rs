@@ -7,45 +7,30 @@ mod flow;
 mod frames;
 mod motion;
 mod properties;
+#[path = "../running/mod.rs"]
+mod running;
 mod subprograms;
 mod values;
 mod words;
 
-use probewright_core::catalogue::Dialect;
-use probewright_core::control::{Edge, Plane, Tool};
-use probewright_core::program::read;
 use probewright_core::run::trace::Step;
-use probewright_core::run::{Limits, Outcome, Setup, Stop, run};
+use probewright_core::run::{Outcome, Setup, Stop};
+use running::{clean_on, go_on, machine};
 
-/// T9 is the probe, T20 an end mill with radius 10 and length 80; the machine stands at its zero.
+/// The machine of these tests at its zero.
 fn setup() -> Setup {
-    let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
-    let mill = Edge {
-        kind: 120,
-        length: [80.0, 0.0, 0.0],
-        radius: 10.0,
-        ..Edge::default()
-    };
-    let tool = Tool {
-        name: "MILL".into(),
-        edges: [(1, mill.clone()), (2, mill)].into(),
-    };
-    setup.control.tools.insert(20, tool);
+    let mut setup = machine();
     setup.position = [0.0; 3];
     setup
 }
 
 fn go(text: &str) -> Outcome {
-    let program = read(Dialect::Sinumerik, text.as_bytes());
-    run(&program, &setup(), Limits::default())
+    go_on(&setup(), text)
 }
 
 /// A run without any finding.
 fn clean(text: &str) -> Outcome {
-    let outcome = go(text);
-    assert_eq!(outcome.diagnostics, [], "{text}");
-    assert_eq!(outcome.stop, None, "{text}");
-    outcome
+    clean_on(&setup(), text)
 }
 
 /// Key of the fault that stops a program.

@@ -1,11 +1,8 @@
 //! Lines, arcs, feeds, measuring blocks.
 
+use super::running::{block, go_on};
 use super::{at, clean, fault, findings, go, near, number, setup};
-use probewright_core::catalogue::Dialect;
-use probewright_core::program::read;
 use probewright_core::run::trace::{MotionKind, Step};
-use probewright_core::run::{Limits, run};
-use probewright_core::workpiece::{PartErrors, Shape, Solid};
 
 /// Ends of the motions that a clean run makes.
 fn points(text: &str) -> Vec<[f64; 3]> {
@@ -115,22 +112,11 @@ fn measuring_blocks_latch_and_stop_or_go_on() {
     for (word, stands) in [("MEAS", -53.0), ("MEAW", -45.0)] {
         let mut setup = setup();
         setup.position = [-100.0, 0.0, -10.0];
-        setup.workpiece.solids.push(Solid {
-            shape: Shape::Block {
-                size: [100.0, 100.0, 50.0],
-            },
-            at: [0.0; 3],
-            rotation: [0.0; 3],
-            errors: PartErrors::default(),
-        });
+        setup.workpiece.solids.push(block());
         let text = format!(
             "TRANS X5\n{word}=1 G1 X-50 F300\nSTOPRE\nR1=$AC_MEA[1] R2=$AA_MW[X] R3=$AA_MM[Z] R4=$AA_IB[X]\nG0 X=IC(-50)\nG0 Z20"
         );
-        let outcome = run(
-            &read(Dialect::Sinumerik, text.as_bytes()),
-            &setup,
-            Limits::default(),
-        );
+        let outcome = go_on(&setup, &text);
         assert_eq!(outcome.stop, None, "{word}");
         let found = ["R1", "R2", "R3", "R4"].map(|name| outcome.control.number(name));
         for (found, expected) in found.into_iter().zip([1.0, -58.0, 40.0, stands]) {

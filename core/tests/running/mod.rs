@@ -1,0 +1,50 @@
+//! A machine for part programs, and runs on it, for the tests of the program language.
+
+use probewright_core::catalogue::Dialect;
+use probewright_core::control::{Edge, Plane, Tool};
+use probewright_core::program::read;
+use probewright_core::run::{Limits, Outcome, Setup, run};
+use probewright_core::workpiece::{PartErrors, Shape, Solid};
+
+/// T9 is the probe, T20 an end mill with radius 10 and length 80.
+pub fn machine() -> Setup {
+    let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+    let mill = Edge {
+        kind: 120,
+        length: [80.0, 0.0, 0.0],
+        radius: 10.0,
+        ..Edge::default()
+    };
+    let tool = Tool {
+        name: "MILL".into(),
+        edges: [(1, mill.clone()), (2, mill)].into(),
+    };
+    setup.control.tools.insert(20, tool);
+    setup
+}
+
+/// A block of 100 by 100 by 50 mm, the middle of its upper face at the zero of the machine.
+pub fn block() -> Solid {
+    Solid {
+        shape: Shape::Block {
+            size: [100.0, 100.0, 50.0],
+        },
+        at: [0.0; 3],
+        rotation: [0.0; 3],
+        errors: PartErrors::default(),
+    }
+}
+
+/// What a program does on a machine.
+pub fn go_on(setup: &Setup, text: &str) -> Outcome {
+    let program = read(Dialect::Sinumerik, text.as_bytes());
+    run(&program, setup, Limits::default())
+}
+
+/// A run without any finding.
+pub fn clean_on(setup: &Setup, text: &str) -> Outcome {
+    let outcome = go_on(setup, text);
+    assert_eq!(outcome.diagnostics, [], "{text}");
+    assert_eq!(outcome.stop, None, "{text}");
+    outcome
+}
