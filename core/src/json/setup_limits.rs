@@ -289,6 +289,25 @@ mod tests {
 
     // oracle: hand
     #[test]
+    fn a_bore_lies_within_its_part() {
+        let turned = |size: [f64; 4]| {
+            let part = json!({ "shape": "turned", "size": size, "at": [0, 0, 0] });
+            refused("/workpiece/0", part)
+        };
+        assert_eq!(turned([60.0, 80.0, 0.0, 0.0]), "");
+        assert_eq!(turned([60.0, 80.0, 40.0, 30.0]), "");
+        for size in [
+            [60.0, 80.0, 60.0, 30.0],
+            [60.0, 80.0, 40.0, 80.0],
+            [60.0, 80.0, 40.0, 0.0],
+        ] {
+            assert!(turned(size).contains("bore"), "{size:?}");
+        }
+        assert!(turned([60.0, 80.0, -40.0, 30.0]).contains("workpiece[0].size"));
+    }
+
+    // oracle: hand
+    #[test]
     fn what_cannot_be_is_refused_by_name() {
         let solid = example()["workpiece"][0].clone();
         for (path, value, told) in [

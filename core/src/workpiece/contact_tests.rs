@@ -48,6 +48,16 @@ fn shapes() -> Vec<Shape> {
         Shape::Block {
             size: [60.0, 50.0, 20.0],
         },
+        Shape::Turned {
+            diameter: 30.0,
+            length: 20.0,
+            bore: [0.0; 2],
+        },
+        Shape::Turned {
+            diameter: 46.0,
+            length: 22.0,
+            bore: [28.0, 14.0],
+        },
         Shape::Sphere { diameter: 30.0 },
         Shape::OuterCorner {
             angle: 50.0,

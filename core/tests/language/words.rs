@@ -12,6 +12,9 @@ fn tools_are_chosen_and_told() {
     for (text, expected) in [
         ("T20 D2 M6\nR1=$P_TOOLNO*10+$P_TOOL", 202.0),
         ("T20 M6\nR1=$P_TOOLL[1]+$P_TOOLR", 90.0),
+        // a turning tool is in a turret, which T turns at once
+        ("T20 D1\nR1=$P_TOOLNO", 9.0),
+        ("$TC_DP1[20,1]=500\nT20 D1\nR1=$P_TOOLNO", 20.0),
         ("T20 M6\n$TC_DP12[20,1]=0.5\nR1=$P_TOOLL[1]", 80.5),
         (
             "T20 M6\n$TC_SCP23[20,1]=0.25\nR1=$P_TOOLL[1]\nDL=2\nR1=100*R1+$P_TOOLL[1]",
