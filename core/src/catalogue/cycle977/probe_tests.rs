@@ -8,6 +8,29 @@ use crate::control::Plane;
 use crate::run::trace::{MotionKind, Step};
 use crate::run::{Setup, Stop};
 
+/// The hole in coordinates that are turned by an angle about the tool axis.
+fn turned(setup: &mut Setup, angle: f64) {
+    setup.control.active.rotation = [0.0, 0.0, angle];
+    setup.position = setup.control.to_machine([CENTRE[0], CENTRE[1], -10.0]);
+    setup.workpiece.solids[0].at = setup.control.to_machine([CENTRE[0], CENTRE[1], 0.0]);
+}
+
+/// A multi probe whose ball stands beside the spindle axis, calibrated with the spindle at 0
+/// (triggers and skew in the order of B:13441-13452).
+fn skewed(setup: &mut Setup) {
+    setup.probe.skew = [0.3, -0.2];
+    let data = [
+        (1, 2.7),
+        (2, -3.3),
+        (3, 3.2),
+        (4, -2.8),
+        (7, 0.3),
+        (8, -0.2),
+    ];
+    data.iter()
+        .for_each(|(i, value)| setup.control.set(format!("_WP[0,{i}]"), *value));
+}
+
 #[test]
 fn a_mono_probe_is_turned_before_each_touch() {
     // oracle: manual B:864-871, B:13624-13626
@@ -25,10 +48,7 @@ fn a_multi_probe_may_turn_with_the_coordinates() {
         let (sim, outcome) = hole(|setup, _| {
             setup.control.set("_CHBIT[13]", 1.0);
             setup.control.set("_CHBIT[14]", reverse);
-            setup.control.active.rotation = [0.0, 0.0, 30.0];
-            let start = setup.control.to_machine([CENTRE[0], CENTRE[1], -10.0]);
-            setup.position = start;
-            setup.workpiece.solids[0].at = setup.control.to_machine([CENTRE[0], CENTRE[1], 0.0]);
+            turned(setup, 30.0);
         });
         assert_eq!(outcome, Ok(()));
         assert_eq!(sim.control.spindle, angle);
@@ -62,30 +82,11 @@ fn results_count_in_the_active_units() {
 #[test]
 fn a_skewed_multi_probe_with_calibrated_triggers_measures_right() {
     // oracle: hand: triggers and skew as sequence of B:13441-13452 with F2 and F3
-    let (sim, outcome) = hole(|setup, _| {
-        setup.probe.skew = [0.3, -0.2];
-        for (i, value) in [
-            (1, 2.7),
-            (2, -3.3),
-            (3, 3.2),
-            (4, -2.8),
-            (7, 0.3),
-            (8, -0.2),
-        ] {
-            setup.control.set(format!("_WP[0,{i}]"), value);
-        }
-    });
+    let (sim, outcome) = hole(|setup, _| skewed(setup));
     assert_eq!(outcome, Ok(()));
     for (name, value) in [("_OVR[4]", 60.0), ("_OVR[5]", 40.0), ("_OVR[6]", -25.0)] {
         close(&sim, name, value);
     }
-}
-
-/// The hole in coordinates that are turned by an angle about the tool axis.
-fn turned(setup: &mut Setup, angle: f64) {
-    setup.control.active.rotation = [0.0, 0.0, angle];
-    setup.position = setup.control.to_machine([CENTRE[0], CENTRE[1], -10.0]);
-    setup.workpiece.solids[0].at = setup.control.to_machine([CENTRE[0], CENTRE[1], 0.0]);
 }
 
 #[test]
@@ -100,21 +101,6 @@ fn a_mono_probe_looks_along_turned_coordinates() {
         assert!((found - wanted).abs() < 1e-9, "{:?}", turns(&sim));
     }
     close(&sim, "_OVR[4]", 60.0);
-}
-
-/// A multi probe whose ball stands beside the spindle axis, calibrated with the spindle at 0.
-fn skewed(setup: &mut Setup) {
-    setup.probe.skew = [0.3, -0.2];
-    let data = [
-        (1, 2.7),
-        (2, -3.3),
-        (3, 3.2),
-        (4, -2.8),
-        (7, 0.3),
-        (8, -0.2),
-    ];
-    data.iter()
-        .for_each(|(i, value)| setup.control.set(format!("_WP[0,{i}]"), *value));
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use crate::catalogue::{Dialect, find};
+use crate::catalogue::{Dialect, find, place};
 use crate::check::Inputs;
 use crate::control::Plane;
 use crate::diagnostic::Code;
@@ -61,35 +61,15 @@ pub fn solid(plane: Plane, shape: Shape, place: [f64; 3], across: bool) -> Solid
 
 /// The hole, shaft, groove, web, pocket or island that the last digit of a variant names (B:5645-5650, B:6766-6769), of
 /// this size.
-pub fn element(variant: i64, [length, width]: [f64; 2]) -> Shape {
-    let depth = 40.0;
+pub fn element(variant: i64, length: [f64; 2]) -> Shape {
+    let height = 40.0;
     match variant % 10 {
-        1 => Shape::Hole {
-            diameter: length,
-            depth,
-        },
-        2 => Shape::Shaft {
-            diameter: length,
-            height: depth,
-        },
-        3 => Shape::Groove {
-            width: length,
-            depth,
-            length: 200.0,
-        },
-        4 => Shape::Web {
-            width: length,
-            height: depth,
-            length: 200.0,
-        },
         5 => Shape::Pocket {
-            length: [length, width],
-            depth,
+            length,
+            depth: height,
         },
-        _ => Shape::Island {
-            length: [length, width],
-            height: depth,
-        },
+        6 => Shape::Island { length, height },
+        round_or_wide => place::element(round_or_wide, length[0], height),
     }
 }
 
