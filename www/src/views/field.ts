@@ -94,15 +94,16 @@ export function createField(first: Field, actions: Actions, focused: (name: stri
     root,
     update(next, typed, problems) {
       field = next;
-      // Most fields say the same after a keystroke. Not so digits: a wrong one is put right without a change of the state.
+      const text = document.activeElement === input ? typed : next.value; // settings of the machine may give part of it
+      if (input.value !== text) input.value = text;
+      // Most fields say the same after a keystroke. Entries are put right all the same: what was typed may be gone again
+      // before it was ever drawn.
       const now = JSON.stringify([next, typed, problems, wordsEdition()]);
-      if (now === drawn && field.kind !== "digits") return;
+      if (now === drawn && field.kind !== "digits" && field.kind !== "choice") return;
       drawn = now;
       setText(label, say(field.label));
       show(required, field.required);
       setText(unit, field.unit ? t(`unit-${field.unit.replace("/", "-per-")}`) : "");
-      const text = document.activeElement === input ? typed : next.value; // settings of the machine may give part of it
-      if (input.value !== text) input.value = text;
       setAttribute(input, "placeholder", field.fallback === undefined ? null : plain(field.fallback));
       setAttribute(input, "aria-required", String(field.required));
       if (field.kind === "choice") updateChoice(select, field, typed);
