@@ -2,16 +2,18 @@
 // written on the control counts most. A word of letters may have a slip in it.
 
 import MiniSearch from "minisearch";
-import type { AlarmInfo, Catalogue } from "../wire";
+import type { AlarmInfo, Catalogue, Dialect } from "../wire";
 import { entries, KINDS, type Entry, type Kind } from "./entries";
 import { plainWord, words } from "./words";
 
 /** words: those of the entry that were found, to mark them. complete: everything that was typed was found in it. */
 export interface Hit { entry: Entry; score: number; words: string[]; complete: boolean }
 export interface Group { kind: Kind; hits: Hit[] }
-export type Search = (text: string) => Group[];
+/** `control`: the one in use, whose entries come before as good ones of another. */
+export type Search = (text: string, control: Dialect) => Group[];
 
 const PREFIX_FROM = 4; // letters: shorter words stand for themselves, but the last, which is still being typed
+const OWN_CONTROL = 1.5; // times as much as another
 const SLIP_FROM = 5; // letters: shorter words are too near to each other
 
 export function createSearch(catalogue: Catalogue, alarms: readonly AlarmInfo[]): Search {
@@ -24,11 +26,12 @@ export function createSearch(catalogue: Catalogue, alarms: readonly AlarmInfo[])
     fuzzy: (word: string) => word.length >= SLIP_FROM && /^\p{L}+$/u.test(word) ? 0.2 : false,
     weights: { prefix: 0.5, fuzzy: 0.2 },
   };
-  return (text) => {
+  return (text, control) => {
     const asked = new Set(words(text).map(plainWord)).size;
     const hits = index.search(text, options).flatMap((found): Hit[] => {
       const entry = all[found.id as number];
-      return entry ? [{ entry, score: found.score * found.queryTerms.length, words: found.terms, complete: found.queryTerms.length >= asked }] : [];
+      const own = entry?.control === control ? OWN_CONTROL : 1;
+      return entry ? [{ entry, score: own * found.score * found.queryTerms.length, words: found.terms, complete: found.queryTerms.length >= asked }] : [];
     });
     return grouped(hits.sort((a, b) => b.score - a.score));
   };

@@ -69,13 +69,14 @@ export function createFound(catalogue: Catalogue, alarms: Promise<AlarmInfo[]>, 
   return {
     root, load,
     focusFirst: () => buttons()[0]?.focus(),
-    draw({ search: text }) {
+    draw({ search: text, control }) {
       const asked = text.trim();
       show(root, asked !== "");
       if (asked) load();
-      if (!search || asked === shown) return;
-      shown = asked;
-      const groups = asked ? search(asked) : [];
+      const now = `${control} ${asked}`;
+      if (!search || now === shown) return;
+      shown = now;
+      const groups = asked ? search(asked, control) : [];
       list.replaceChildren(...groups.map(section));
       setAttribute(list, "data-search", asked);
       list.scrollTop = 0;

@@ -132,9 +132,20 @@ fn spindle(seen: &Seen) -> Option<Diagnostic> {
     Some(with_line(finding, seen, seen.site.first_line, "M5"))
 }
 
+/// There is no probe of this number: nothing can be said about its calibration.
+const NO_PROBE: Code = Code::Alarm(61313);
+
 /// Trigger values that no call of this program determined come from before (B:5010-5060).
 fn calibration(seen: &Seen, asked: &mut Asked) -> Option<Diagnostic> {
     let purpose = &seen.site.cycle.purpose;
+    if seen
+        .site
+        .diagnostics
+        .iter()
+        .any(|found| found.code == NO_PROBE)
+    {
+        return None;
+    }
     let number = seen.inputs.given(names::PRNUM)? as i64 % 100;
     let probe = (purpose.probe == ProbeUse::Tool, number);
     let known = !asked.calibrated.insert(probe);
