@@ -148,6 +148,21 @@ fn check_names_file_line_and_column() {
     assert_eq!(output.status.code(), Some(0), "{}", out(&output));
 }
 
+// oracle: manual B:4147-4152 (a probe is of type 710 or 1x0, not a drill)
+#[test]
+fn check_holds_a_program_against_the_machine_it_is_for() {
+    let path = file("mill.mpf", HOLE.replace("T9", "T20").as_bytes());
+    let machine = include_str!("../../docs/setup.example.json");
+    let with_drill = machine.replace("\"type\": 120", "\"type\": 200");
+    let machine = file("drill.json", with_drill.as_bytes());
+    let output = probewright(&["check", &path, "--setup", &machine]);
+    assert!(out(&output).contains("error[61309]"), "{}", out(&output));
+    assert_eq!(output.status.code(), Some(1));
+    let output = probewright(&["check", &path, "--setup", &path]);
+    assert!(!output.status.success());
+    assert!(err(&output).contains("mill.mpf"), "{}", err(&output));
+}
+
 // oracle: hand
 #[test]
 fn read_finds_the_call_with_its_values() {

@@ -11,13 +11,15 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// Checks every file; 1 when there is an error in one of them, 2 when one cannot be read. The others are checked all
-/// the same.
+/// the same. With a setup they are held against its machine.
 pub fn check(
     files: &[PathBuf],
     control: Option<Control>,
+    setup: Option<&Path>,
     words: &Words,
     out: &mut dyn Write,
 ) -> Result<ExitCode, Problem> {
+    let machine = setup.map(file::setup).transpose()?;
     let (mut errors, mut unread) = (0, false);
     for path in files {
         let source = match file::bytes(path) {
@@ -28,8 +30,13 @@ pub fn check(
                 continue;
             }
         };
-        let dialect = file::dialect(control, &source);
-        let found = program::findings(&program::read(dialect, &source));
+        let found = match &machine {
+            Some(setup) => {
+                let program = program::read(setup.control.dialect, &source);
+                program::findings_on(&program, setup.control.clone())
+            }
+            None => program::findings(&program::read(file::dialect(control, &source), &source)),
+        };
         errors += print_all(path, &source, &found, words, out)?;
     }
     Ok(match (unread, errors) {

@@ -2,6 +2,8 @@
 
 use clap::ValueEnum;
 use probewright_core::catalogue::Dialect;
+use probewright_core::json;
+use probewright_core::run::setup::Setup;
 use std::io::{Read, Write};
 use std::path::Path;
 
@@ -42,6 +44,12 @@ pub fn text(path: &Path) -> Result<String, Problem> {
     let text = String::from_utf8(bytes(path)?)
         .map_err(|_| format!("{}: not UTF-8 text", path.display()))?;
     Ok(text.trim_start_matches('\u{feff}').to_owned())
+}
+
+/// The machine of a setup file; the error names the file.
+pub fn setup(path: &Path) -> Result<Setup, Problem> {
+    let setup = json::setup_from_json(&text(path)?);
+    Ok(setup.map_err(|error| format!("{}: {error}", path.display()))?)
 }
 
 /// The control that was asked for, else the one that the program is written for: NCT programs begin with `%O` or `O`

@@ -47,8 +47,11 @@ enum Command {
         #[arg(required = true)]
         files: Vec<PathBuf>,
         /// Control; otherwise told by the program
-        #[arg(long)]
+        #[arg(long, conflicts_with = "setup")]
         control: Option<file::Control>,
+        /// Setup file of the machine they are for, with its tools and data; otherwise one as delivered
+        #[arg(long)]
+        setup: Option<PathBuf>,
     },
     /// Write the program text of one call to standard output
     Write {
@@ -125,7 +128,11 @@ fn run_command(command: Command, words: &Words, out: &mut dyn Write) -> Result<E
     match command {
         Command::Alarms { number, json } => alarms::alarms(number.as_deref(), json, words, out),
         Command::Cycles { json } => cycles::cycles(json, words, out),
-        Command::Check { files, control } => check::check(&files, control, words, out),
+        Command::Check {
+            files,
+            control,
+            setup,
+        } => check::check(&files, control, setup.as_deref(), words, out),
         Command::Write {
             cycle,
             values,

@@ -22,8 +22,7 @@ pub fn run(
     out: &mut dyn Write,
 ) -> Result<ExitCode, Problem> {
     let source = file::bytes(path)?;
-    let setup = json::setup_from_json(&file::text(setup)?)
-        .map_err(|error| format!("{}: {error}", setup.display()))?;
+    let setup = file::setup(setup)?;
     let program = program::read(setup.control.dialect, &source);
     let outcome = run::run(&program, &setup, Limits::default());
     if as_json {
