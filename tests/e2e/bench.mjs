@@ -13,8 +13,8 @@ const verdict = (value, goal, more = false) => {
   return `${(value / goal).toFixed(2)} ${met ? "met" : "missed"}`;
 };
 
-// The modules that Vite bundled, reachable for a measurement without the page around them.
-async function coreModules(page) {
+// The module that answers once the form stands, reachable for a measurement without the page around them.
+async function programModule(page) {
   const root = new URL("../../pkg/", import.meta.url);
   await page.route("**/bench-pkg/**", async (route) => {
     const path = new URL(route.request().url()).pathname.split("/bench-pkg/")[1];
@@ -198,7 +198,7 @@ const browser = await launch("webgl2");
 try {
   const { page, context } = await open(browser, { serviceWorkers: "block" });
   await page.locator(".field").first().waitFor();
-  await coreModules(page);
+  await programModule(page);
   row("ms, in Chromium", ["50 %", "95 %", "99 %", "goal", "ratio"]);
   await cycles(page);
   await keystrokes(browser, page);

@@ -6,9 +6,9 @@ import { lineBreak, type Splice } from "./eol";
 import type { ProgramFile } from "./files";
 import { parseNumber } from "./numbers";
 import { speak } from "./language";
-import { AT_END, beginning, NO_ERRORS, ownMachine, programOf, setsOf, unitsIn, work, type Card, type Panel, type State } from "./state";
+import { AT_END, beginning, memoryKey, NO_ERRORS, ownMachine, programOf, remember, setsOf, unitsIn, work, type Card, type Panel, type State } from "./state";
 import type { Store } from "./store";
-import type { Catalogue, CycleInfo, Dialect, Edit, ErrorSliders, MachineView, OwnMachine, Setup, Style } from "./wire";
+import type { Catalogue, CycleInfo, Edit, ErrorSliders, MachineView, OwnMachine, Setup, Style } from "./wire";
 
 export type Variant = CycleInfo["variants"][number];
 
@@ -49,7 +49,6 @@ export interface Actions {
 }
 
 const LEFT: Panel[] = ["tasks", "form"];
-const memoryKey = (control: Dialect, cycle: string): string => `${control}/${cycle}`;
 
 function matches(variant: Variant, values: Record<string, string>): boolean {
   return Object.entries(variant.values).every(([name, value]) => {
@@ -73,7 +72,6 @@ function isExample(cycle: CycleInfo, values: Record<string, string>): boolean {
 
 export function createActions(store: Store, catalogue: Catalogue): Actions {
   const now = (): State => store.state;
-  const remember = (): Partial<State> => ({ remembered: { ...now().remembered, [memoryKey(now().control, now().cycle)]: now().values } });
 
   /** A change that takes work away; until the next edit it can be undone. */
   const replace = (notice: string, patch: Partial<State>): void => {
@@ -93,15 +91,15 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
   const edits = (pairs: [string, string][]): void => store.update({ ...edited(pairs), undo: null });
 
   const withSets = (sets: Record<string, Record<string, string>>): Partial<State> =>
-    ({ sets: { ...now().sets, [memoryKey(now().control, now().cycle)]: sets } });
+    ({ sets: { ...now().sets, [memoryKey(now())]: sets } });
 
   return {
     chooseCycle(cycle, variant) {
       const state = now();
       const same = cycle.control === state.control && cycle.cycle === state.cycle;
       if (same && variant) return edits(Object.entries(isExample(cycle, state.values) ? variant.example : variant.values));
-      const values = same ? state.values : state.remembered[memoryKey(cycle.control, cycle.cycle)] ?? variant?.example ?? cycle.example;
-      store.update({ ...remember(), control: cycle.control, cycle: cycle.cycle, values: { ...values, ...variant?.values }, open: same ? state.open : null, sought: null, step: AT_END, source: "form", touched: {}, checked: false, undo: null });
+      const values = same ? state.values : state.remembered[memoryKey(cycle)] ?? variant?.example ?? cycle.example;
+      store.update({ ...remember(now()), control: cycle.control, cycle: cycle.cycle, values: { ...values, ...variant?.values }, open: same ? state.open : null, sought: null, step: AT_END, source: "form", touched: {}, checked: false, undo: null });
     },
     edit: (name, value) => edits([[name, value]]),
     touch(name) {
@@ -124,8 +122,8 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
       const { control, remembered } = now();
       const cycle = catalogue.cycles.find((one) => one.control === setup?.control);
       const other = setup && cycle && setup.control !== control
-        ? { control: setup.control, cycle: cycle.cycle, values: remembered[memoryKey(cycle.control, cycle.cycle)] ?? cycle.example, open: null, sought: null, touched: {} } : {};
-      replace(setup ? "notice-setup" : "notice-own-setup", { ...remember(), ...other, setup, ...(setup ? { errors: errorsOf(setup) } : {}), step: AT_END, refused: null });
+        ? { control: setup.control, cycle: cycle.cycle, values: remembered[memoryKey(cycle)] ?? cycle.example, open: null, sought: null, touched: {} } : {};
+      replace(setup ? "notice-setup" : "notice-own-setup", { ...remember(now()), ...other, setup, ...(setup ? { errors: errorsOf(setup) } : {}), step: AT_END, refused: null });
     },
     cursor: (cursor, cursorLine) => store.update((state) => ({ cursor, cursorLine, follow: state.follow ?? "cursor" })),
     openCall(index) {

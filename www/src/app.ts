@@ -14,7 +14,7 @@ import { createGoToField, type Shows } from "./goto";
 import { openProgramFile, openSetupFile } from "./open";
 import { keepPlaces } from "./places";
 import type { ProgramCore } from "./program";
-import { firstState, machine, merge, NO_ERRORS, type State } from "./state";
+import { firstState, machine, merge, NO_ERRORS, remember, type State } from "./state";
 import { createStore, type Store } from "./store";
 import { language, laterWords } from "./texts";
 import { showBroken } from "./views/broken";
@@ -52,7 +52,7 @@ async function startState(core: Core, full: () => Promise<ProgramCore>, catalogu
   }
   const known = (): boolean => !!findCycle(catalogue, state.control, state.cycle);
   if (!known()) await full().catch(console.error); // the first module knows the cycle of the first visit alone
-  if (!known()) state = { ...state, remembered: { ...state.remembered, [`${state.control}/${state.cycle}`]: state.values }, ...pickFirst(catalogue) };
+  if (!known()) state = { ...state, ...remember(state), ...pickFirst(catalogue) };
   if (!state.setup) return state;
   return setupFits(await full(), state) ? state : { ...state, setup: null, notice: "notice-setup-outdated" };
 }

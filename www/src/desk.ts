@@ -4,7 +4,7 @@
 import type { Aside, Answered } from "./aside";
 import { carried, splice, type Splice } from "./eol";
 import type { ChangeRequest, ConvertRequest, ProgramCore } from "./program";
-import { AT_END, machine, programOf, work, type Reading, type State } from "./state";
+import { AT_END, machine, programOf, remember, work, type Reading, type State } from "./state";
 import type { CallView, Converted, Edit, ReadView } from "./wire";
 
 /** Of a program that is read between two keystrokes, in characters. */
@@ -42,8 +42,7 @@ function filled(state: State, call: CallView): State {
 
 /** Another call comes into the form; the values of the cycle that leaves it are kept. */
 export function opened(state: State, call: CallView): State {
-  const remembered = { ...state.remembered, [`${state.control}/${state.cycle}`]: state.values };
-  return { ...filled({ ...state, remembered }, call), source: "form" };
+  return { ...filled({ ...state, ...remember(state) }, call), source: "form" };
 }
 
 /** The call that was looked for, now that the program is read. It came out of the form, or a click wants it in the form. */

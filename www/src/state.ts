@@ -90,6 +90,16 @@ const NOT_KEPT = ["search", "card", "converting", "converted", "mended", "focus"
 const WORK = ["control", "cycle", "values", "remembered", "programs", "files", "sets", "open", "pending", "errors", "setup", "own", "checked", "touched"] as const satisfies (keyof State)[];
 const IN_LINK = ["control", "cycle", "values", "programs", "open", "errors", "comments", "style", "setup", "own", "checked", "source"] as const satisfies (keyof State)[];
 
+/** Under what the values and value sets of a cycle are kept. */
+export function memoryKey({ control, cycle }: Pick<State, "control" | "cycle">): string {
+  return `${control}/${cycle}`;
+}
+
+/** The values in the form among those that are kept. */
+export function remember(state: State): Pick<State, "remembered"> {
+  return { remembered: { ...state.remembered, [memoryKey(state)]: state.values } };
+}
+
 /** The program of the control that the form is for. */
 export function programOf(state: State): string {
   return state.programs[state.control] ?? "";
@@ -116,7 +126,7 @@ export function work(state: State): Partial<State> {
 
 /** The named values of the chosen cycle. */
 export function setsOf(state: State): Record<string, Record<string, string>> {
-  return state.sets[`${state.control}/${state.cycle}`] ?? {};
+  return state.sets[memoryKey(state)] ?? {};
 }
 
 export function shared(state: State): Partial<State> {

@@ -10,7 +10,6 @@ const FALLBACK = "en";
 const english = import.meta.glob<string>(["../../core/messages/en/*.ftl", "../messages/en/*.ftl"], { query: "?first", import: "default", eager: true });
 const later = Object.values(import.meta.glob<string>("../../core/messages/en/*.ftl", { query: "?later", import: "default" }));
 let complete = false; // whether all of English is here
-let edition = 0;
 const others = import.meta.glob<string>(
   ["../../core/messages/*/*.ftl", "../messages/*/*.ftl", "!../../core/messages/en/*.ftl", "!../messages/en/*.ftl"], { query: "?raw", import: "default" });
 
@@ -32,12 +31,11 @@ export async function laterWords(): Promise<void> {
   const made = bundles.get(FALLBACK);
   for (const source of sources) made?.addResource(new FluentResource(source));
   complete = true;
-  edition += 1;
 }
 
-/** Another number when the words of a language have become more. */
-export function wordsEdition(): number {
-  return edition;
+/** Whether all words of English have come. */
+export function allWords(): boolean {
+  return complete;
 }
 
 /** Codes of the languages that there are. */

@@ -4,17 +4,13 @@
 //! right for both meanings of a length offset (C:355-379), the part of the tool outside the spindle and the axial
 //! coordinate of a work offset, because either is subtracted from where the spindle stands.
 
-use super::common::{ALWAYS_REQUIRED, PARAM, required};
+use super::common::{ALWAYS_REQUIRED, PARAM};
 use super::nct::walls::home;
 use super::nct::{self, FORMAT_ERROR, REGISTER, axis_name, correct, overtravel, params, surface};
-use super::{Cycle, Dialect, Drawing, Need, Param, Purpose, Simulation, Unit, Variant, When, Work};
+use super::{Cycle, Dialect, Drawing, Param, Purpose, Simulation, Unit, Variant, When, Work};
 use crate::check::Inputs;
 use crate::control::Plane;
 use crate::run::{Machine, Stop};
-
-const fn in_plane(plane: Plane) -> Need {
-    required(When::Plane(plane), "need-nct-tool-axis")
-}
 
 /// Height of the surface.
 const SURFACE: Param = Param {
@@ -44,17 +40,17 @@ pub static G104: Cycle = Cycle {
     params: &[
         Param {
             name: "X",
-            needs: &[in_plane(Plane::G19)],
+            needs: &[surface::along_tool(Plane::G19)],
             ..SURFACE
         },
         Param {
             name: "Y",
-            needs: &[in_plane(Plane::G18)],
+            needs: &[surface::along_tool(Plane::G18)],
             ..SURFACE
         },
         Param {
             name: "Z",
-            needs: &[in_plane(Plane::G17)],
+            needs: &[surface::along_tool(Plane::G17)],
             ..SURFACE
         },
         Param {

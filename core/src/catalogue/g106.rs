@@ -3,18 +3,14 @@
 //! Touched downwards. The text of T and M is that of G105 (radius), but the example corrects a length (C:676-694):
 //! here both are the length.
 
-use super::common::{PARAM, required};
+use super::common::PARAM;
 use super::nct::correct::{self, Found, Part};
 use super::nct::walls::home;
 use super::nct::{self, FORMAT_ERROR, axis_name, checks, params, print, surface};
-use super::{Cycle, Dialect, Drawing, Need, Param, Purpose, Simulation, Unit, Variant, When, Work};
+use super::{Cycle, Dialect, Drawing, Param, Purpose, Simulation, Unit, Variant, Work};
 use crate::check::Inputs;
 use crate::control::Plane;
 use crate::run::{Machine, Stop};
-
-const fn in_plane(plane: Plane) -> Need {
-    required(When::Plane(plane), "need-nct-tool-axis")
-}
 
 /// Nominal height of the surface.
 const SURFACE: Param = Param {
@@ -41,17 +37,17 @@ pub static G106: Cycle = Cycle {
     params: &[
         Param {
             name: "X",
-            needs: &[in_plane(Plane::G19)],
+            needs: &[surface::along_tool(Plane::G19)],
             ..SURFACE
         },
         Param {
             name: "Y",
-            needs: &[in_plane(Plane::G18)],
+            needs: &[surface::along_tool(Plane::G18)],
             ..SURFACE
         },
         Param {
             name: "Z",
-            needs: &[in_plane(Plane::G17)],
+            needs: &[surface::along_tool(Plane::G17)],
             ..SURFACE
         },
         Param {

@@ -3,7 +3,7 @@
 import type { Actions } from "../actions";
 import { el, keyed, on, setAttribute, setText, show } from "../dom";
 import { parseNumber, plain } from "../numbers";
-import { say, t, wordsEdition } from "../texts";
+import { say, t, allWords } from "../texts";
 import type { Diagnostic, Field } from "../wire";
 
 export interface FieldView { root: HTMLElement; update(field: Field, typed: string, problems: Diagnostic[]): void }
@@ -98,7 +98,7 @@ export function createField(first: Field, actions: Actions, focused: (name: stri
       if (input.value !== text) input.value = text;
       // Most fields say the same after a keystroke. Entries are put right all the same: what was typed may be gone again
       // before it was ever drawn.
-      const now = JSON.stringify([next, typed, problems, wordsEdition()]);
+      const now = JSON.stringify([next, typed, problems, allWords()]);
       if (now === drawn && field.kind !== "digits" && field.kind !== "choice") return;
       drawn = now;
       setText(label, say(field.label));

@@ -3,13 +3,19 @@
 use super::axis_name;
 use super::touch::{Calibration, touch};
 use super::{NO_MOVEMENT, part};
-use crate::catalogue::Proposal;
+use crate::catalogue::common::required;
+use crate::catalogue::{Need, Proposal, When};
 use crate::check::Inputs;
-use crate::control::Control;
+use crate::control::{Control, Plane};
 use crate::form::figures::{circle, corners, dimension, line, polygon, rectangle};
 use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
 use crate::run::{Machine, Stop};
 use crate::workpiece::{Shape, Workpiece};
+
+/// Need of X, Y or Z where the height of a surface across the tool axis is given: in the plane of which it is that axis.
+pub const fn along_tool(tool_axis_in: Plane) -> Need {
+    required(When::Plane(tool_axis_in), "need-nct-tool-axis")
+}
 
 /// A wall as found.
 pub struct Wall {

@@ -88,18 +88,11 @@ fn by_zero(
     report(machine, &found.sizes, &found.centre);
     results::begin_zero(machine, inputs);
     let axes = machine.control().plane.axes();
-    let here = machine.position();
-    let mut measured = zero_offset::Measured {
-        actual: here,
-        set: here,
-        axes: [false; 3],
-    };
+    let mut measured = zero_offset::Measured::at(machine.position());
     let mut differences = Vec::new();
     for axis in found.axes.iter().copied() {
         let Pair { set, actual } = found.centre[axis];
-        measured.set[axes[axis]] = set;
-        measured.actual[axes[axis]] = actual;
-        measured.axes[axes[axis]] = true;
+        measured.put(axes[axis], set, actual);
         differences.push(actual - set);
     }
     let next = tolerance::safe(machine, inputs, &differences, repetition)?;

@@ -84,15 +84,8 @@ fn by_zero(
     let next = tolerance::safe(machine, inputs, &[counted - found.set], repetition)?;
     if let (Next::Done, Some(target)) = (next, target) {
         let geometry = machine.control().plane.axes()[found.corrected.min(2)];
-        let here = machine.position();
-        let mut measured = zero_offset::Measured {
-            actual: here,
-            set: here,
-            axes: [false; 3],
-        };
-        measured.actual[geometry] = counted / found.per;
-        measured.set[geometry] = found.set / found.per;
-        measured.axes[geometry] = true;
+        let mut measured = zero_offset::Measured::at(machine.position());
+        measured.put(geometry, found.set / found.per, counted / found.per);
         correct::zero(machine, target, &measured);
     }
     Ok(next)

@@ -105,6 +105,24 @@ pub struct Measured {
     pub axes: [bool; 3],
 }
 
+impl Measured {
+    /// Nothing was measured yet; the probe stands here.
+    pub fn at(here: [f64; 3]) -> Measured {
+        Measured {
+            actual: here,
+            set: here,
+            axes: [false; 3],
+        }
+    }
+
+    /// A coordinate of X (0), Y (1) or Z (2), as given and as measured, mm.
+    pub fn put(&mut self, axis: usize, set: f64, actual: f64) {
+        self.set[axis] = set;
+        self.actual[axis] = actual;
+        self.axes[axis] = true;
+    }
+}
+
 /// What the correction writes. The chain is system : global basic : channel basic : settable : programmed frame.
 pub fn writes(control: &Control, target: &Target, measured: &Measured) -> Vec<Write> {
     let (before, old, after) = around(control, target);
