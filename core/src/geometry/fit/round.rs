@@ -1,6 +1,6 @@
-//! The circle and the sphere nearest to measured points; whether points make a triangle.
+//! The circle and the sphere nearest to points; whether points make a triangle.
 
-use super::V3;
+use crate::geometry::V3;
 use nalgebra::{Matrix4, Vector4};
 
 /// Points that differ from a line (of a sphere: from a plane) by less than this part of their extent determine nothing.
@@ -136,60 +136,6 @@ mod tests {
         ] {
             assert_eq!(circle(&points), None, "{points:?}");
         }
-    }
-
-    /// Numbers of a reference pair, where the folder with those of others is present: the points, and the fit.
-    fn reference(name: &str) -> Option<(Vec<V3>, Vec<f64>)> {
-        let folder =
-            std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/corpus/nist");
-        let numbers = |ending: &str| -> Option<Vec<f64>> {
-            let text = std::fs::read_to_string(folder.join(format!("{name}.{ending}"))).ok()?;
-            Some(
-                text.split_whitespace()
-                    .map(|word| word.parse().unwrap())
-                    .collect(),
-            )
-        };
-        let (points, fit) = (numbers("ds")?, numbers("fit")?);
-        let points: Vec<V3> = points[1..].chunks(3).map(V3::from_column_slice).collect();
-        Some((points, fit))
-    }
-
-    // oracle: NIST reference pairs for least-squares fits (centre, normal of the plane, diameter)
-    #[test]
-    fn circles_are_those_of_the_reference_pairs() {
-        for name in ["cir7", "cir10"] {
-            let Some((points, fit)) = reference(name) else {
-                return;
-            };
-            let (centre, normal) = (
-                V3::from_column_slice(&fit[..3]),
-                V3::from_column_slice(&fit[3..6]),
-            );
-            let along = normal.cross(&V3::y()).normalize();
-            let across = normal.cross(&along).normalize();
-            let flat: Vec<[f64; 2]> = points
-                .iter()
-                .map(|p| [(p - centre).dot(&along), (p - centre).dot(&across)])
-                .collect();
-            let ([x, y], radius) = circle(&flat).unwrap();
-            assert!(x.abs() < 1e-9 && y.abs() < 1e-9, "{name}: {x} {y}");
-            assert!((2.0 * radius - fit[6]).abs() < 1e-9, "{name}: {radius}");
-        }
-    }
-
-    // oracle: NIST reference pairs for least-squares fits (centre, diameter)
-    #[test]
-    fn the_sphere_is_that_of_the_reference_pair() {
-        let Some((points, fit)) = reference("sph11") else {
-            return;
-        };
-        let (centre, radius) = nearest(&points, false).unwrap();
-        assert!(
-            (centre - V3::from_column_slice(&fit[..3])).norm() < 1e-12,
-            "{centre}"
-        );
-        assert!((2.0 * radius - fit[3]).abs() < 1e-12, "{radius}");
     }
 
     // oracle: definition: no circle near to it leaves less

@@ -1,0 +1,165 @@
+//! The fits against reference pairs: those of NIST where the folder with the work of others is present, and sets whose
+//! nearest element is known without reckoning it.
+//!
+//! The latter are points of an element, each moved off it by an amount. Where the sum of these amounts is 0, and the sums
+//! of amounts times every way in which the element can be moved, nothing is left to move (the derivative of the sum of
+//! squares is 0): the element is the nearest one, exactly.
+#![allow(clippy::unwrap_used)]
+
+use super::{circle, line, nearest, plane};
+use crate::geometry::V3;
+use nalgebra::{Isometry3, Rotation3};
+
+/// Digits of a coordinate: four times the last one that f64 holds at a metre.
+const PLACE: f64 = 1e-12;
+/// Digits of a direction.
+const DIRECTION: f64 = 1e-14;
+
+/// Numbers of a reference pair of NIST: the points, and the fit. None: the folder is not there.
+fn reference(name: &str) -> Option<(Vec<V3>, Vec<f64>)> {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/corpus/nist");
+    let numbers = |ending: &str| -> Option<Vec<f64>> {
+        let text = std::fs::read_to_string(folder.join(format!("{name}.{ending}"))).ok()?;
+        Some(
+            text.split_whitespace()
+                .map(|word| word.parse().unwrap())
+                .collect(),
+        )
+    };
+    let (points, fit) = (numbers("ds")?, numbers("fit")?);
+    let points: Vec<V3> = points[1..].chunks(3).map(V3::from_column_slice).collect();
+    Some((points, fit))
+}
+
+fn vector(numbers: &[f64]) -> V3 {
+    V3::from_column_slice(numbers)
+}
+
+/// A point and a direction, which may have either sense.
+fn same(name: &str, found: (V3, V3), point: V3, direction: V3) {
+    let (at, along) = found;
+    assert!((at - point).norm() < PLACE, "{name}: {at}");
+    let turned = along.cross(&direction.normalize()).norm();
+    assert!(turned < DIRECTION, "{name}: {turned}");
+}
+
+// oracle: NIST reference pairs for least-squares fits (point, direction or normal)
+#[test]
+fn lines_and_planes_are_those_of_the_reference_pairs() {
+    for (name, fit) in [
+        ("lin2d1", line as fn(&[V3]) -> Option<(V3, V3)>),
+        ("pla7", plane),
+    ] {
+        let Some((points, wanted)) = reference(name) else {
+            return;
+        };
+        let found = fit(&points).unwrap();
+        same(name, found, vector(&wanted[..3]), vector(&wanted[3..]));
+    }
+}
+
+// oracle: NIST reference pairs for least-squares fits (centre, normal of the plane, diameter)
+#[test]
+fn circles_are_those_of_the_reference_pairs() {
+    for name in ["cir7", "cir10"] {
+        let Some((points, fit)) = reference(name) else {
+            return;
+        };
+        let (centre, normal) = (vector(&fit[..3]), vector(&fit[3..6]));
+        let along = normal.cross(&V3::y()).normalize();
+        let across = normal.cross(&along).normalize();
+        let flat: Vec<[f64; 2]> = points
+            .iter()
+            .map(|p| [(p - centre).dot(&along), (p - centre).dot(&across)])
+            .collect();
+        let ([x, y], radius) = circle(&flat).unwrap();
+        assert!(x.hypot(y) < PLACE, "{name}: {x} {y}");
+        assert!((2.0 * radius - fit[6]).abs() < PLACE, "{name}: {radius}");
+    }
+}
+
+// oracle: NIST reference pairs for least-squares fits (centre, diameter)
+#[test]
+fn the_sphere_is_that_of_the_reference_pair() {
+    let Some((points, fit)) = reference("sph11") else {
+        return;
+    };
+    let (centre, radius) = nearest(&points, false).unwrap();
+    assert!((centre - vector(&fit[..3])).norm() < PLACE, "{centre}");
+    assert!((2.0 * radius - fit[3]).abs() < PLACE, "{radius}");
+}
+
+/// Where the sets stand: near, and as far from the zero of a machine as its axes reach, turned by every angle.
+fn places() -> impl Iterator<Item = Isometry3<f64>> {
+    let turns = (0..12).map(f64::from);
+    turns.map(|turn| {
+        let rotation = Rotation3::from_euler_angles(turn, 0.7 * turn, -1.3 * turn);
+        let far = if turn > 6.0 { 1000.0 } else { 1.0 };
+        Isometry3::from_parts((V3::new(0.3, -0.7, 0.2) * far).into(), rotation.into())
+    })
+}
+
+// oracle: hand: amounts d, -d, -d, d at -3, -1, 1, 3: their sum is 0, and that of amount times place
+#[test]
+fn a_line_through_points_beside_it() {
+    for place in places() {
+        let points = [(-3.0, 1.0), (-1.0, -1.0), (1.0, -1.0), (3.0, 1.0)]
+            .map(|(along, side)| place * nalgebra::Point3::new(40.0 * along, 0.02 * side, 0.0))
+            .map(|point| point.coords);
+        let found = line(&points).unwrap();
+        same("line", found, place.translation.vector, place * V3::x());
+    }
+}
+
+// oracle: hand: amounts a·b at the places of a square grid, a and b each 1, -2, 1: orthogonal to 1, x and y
+#[test]
+fn a_plane_through_points_above_and_below() {
+    let steps = [(-1.0, 1.0), (0.0, -2.0), (1.0, 1.0)];
+    for place in places() {
+        let grid = steps.iter().flat_map(|x| steps.map(|y| (*x, y)));
+        let points: Vec<V3> = grid
+            .map(|((x, a), (y, b))| V3::new(60.0 * x, 45.0 * y, 0.01 * a * b))
+            .map(|point| place.rotation * point + place.translation.vector)
+            .collect();
+        let found = plane(&points).unwrap();
+        same("plane", found, place.translation.vector, place * V3::z());
+    }
+}
+
+// oracle: hand: amounts cos(2·angle), cos(3·angle), cos(4·angle) at eight equal steps: orthogonal to 1, cos and sin
+#[test]
+fn a_circle_through_points_that_are_out_of_round() {
+    for lobes in [2.0, 3.0, 4.0] {
+        for centre in [[0.3, -0.2], [830.0, -1240.0]] {
+            let points: Vec<[f64; 2]> = (0..8)
+                .map(|step| f64::from(step) * std::f64::consts::FRAC_PI_4)
+                .map(|angle| (angle.sin_cos(), 30.0 + 0.05 * (lobes * angle).cos()))
+                .map(|((sin, cos), radius)| [centre[0] + radius * cos, centre[1] + radius * sin])
+                .collect();
+            let ([x, y], radius) = circle(&points).unwrap();
+            assert!(
+                (x - centre[0]).hypot(y - centre[1]) < PLACE,
+                "{lobes}: {x} {y}"
+            );
+            assert!((radius - 30.0).abs() < PLACE, "{lobes}: {radius}");
+        }
+    }
+}
+
+// oracle: hand: amounts of the sign of x·y·z at the corners of a cube: orthogonal to 1, x, y and z
+#[test]
+fn a_sphere_through_points_above_and_below() {
+    let signs = [-1.0, 1.0];
+    for place in places() {
+        let corners = signs
+            .iter()
+            .flat_map(|x| signs.iter().flat_map(move |y| signs.map(|z| (*x, *y, z))));
+        let points: Vec<V3> = corners
+            .map(|(x, y, z)| V3::new(x, y, z).normalize() * (12.5 + 0.02 * x * y * z))
+            .map(|point| place.rotation * point + place.translation.vector)
+            .collect();
+        let (centre, radius) = nearest(&points, false).unwrap();
+        let off = (centre - place.translation.vector).norm();
+        assert!(off < PLACE && (radius - 12.5).abs() < PLACE, "{off}");
+    }
+}
