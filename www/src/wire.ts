@@ -145,7 +145,7 @@ export interface Solid {
 // Setup: docs/setup.schema.json is its schema; also what the terminal reads and the page exports.
 export interface Setup {
   control: Dialect; units: BasicSystem; plane: Plane;
-  active?: { tool?: number; edge?: number; frame?: string; units?: UnitFunction; spindle?: number }; // in force at the start
+  active?: { tool?: number; edge?: number; frame?: string; units?: UnitFunction; transverse?: "DIAMOF" | "DIAMON" | "DIAM90"; spindle?: number }; // in force at the start
   machine?: { limitsMinus?: (number | null)[]; limitsPlus?: (number | null)[]; spindlePositions?: boolean };
   tools: Record<string, { name?: string; edges: Record<string, { type: number; length: Vec3; radius: number; lengthWear?: Vec3; radiusWear?: number; additive?: Record<string, number[]>; setup?: Record<string, number[]> }> }>;
   frames: Record<string, { coarse: Vec3; fine?: Vec3; rotation?: Vec3; scale?: Vec3 }>; // "G54"

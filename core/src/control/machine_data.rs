@@ -414,13 +414,25 @@ pub const MACHINE_DATA: &[MachineDatum] = &[
         ..PLAIN
     },
     MachineDatum {
-        number: "SD42950",
+        number: TOOL_LENGTH_TYPE,
         identifier: "TOOL_LENGTH_TYPE",
-        initial: &[2.0],
         source: "B:828",
         ..PLAIN
     },
 ];
+
+/// Setting datum that decides along which axes the lengths of drills and mills count (B:828).
+pub const TOOL_LENGTH_TYPE: &str = "SD42950";
+
+/// The setting datum that a program calls by its identifier: `$SC_TOOL_LENGTH_TYPE` is [`TOOL_LENGTH_TYPE`].
+pub fn setting(name: &str) -> Option<&'static str> {
+    let identifier = name.strip_prefix("$SC_")?;
+    let mut settings = MACHINE_DATA
+        .iter()
+        .filter(|datum| datum.number.starts_with("SD"));
+    let found = settings.find(|datum| datum.identifier == identifier)?;
+    Some(found.number)
+}
 
 impl MachineDatum {
     /// Names of its elements as the setup has them: `MD20050[0]`, or the plain number.

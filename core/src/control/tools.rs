@@ -1,5 +1,6 @@
 //! Tools and registers: which edge is active, what it is long and how thick, wear included. mm.
 
+use super::machine_data::TOOL_LENGTH_TYPE;
 use super::{Control, Edge};
 use crate::catalogue::Dialect;
 use std::collections::BTreeMap;
@@ -9,6 +10,8 @@ use std::ops::RangeInclusive;
 const TURNING: RangeInclusive<i64> = 500..=599;
 /// Type of the probe of a turning machine (B:974-985).
 pub const LATHE_PROBE: i64 = 580;
+/// Value of SD 42950 with which every tool is as long as a turning tool (B:828).
+pub const AS_TURNING_TOOL: f64 = 2.0;
 
 impl Control {
     /// Edge D of tool T, as stored.
@@ -50,12 +53,23 @@ impl Control {
         }
     }
 
-    /// Length in effect along X Y Z, see [`Edge::length_axes`]. 0 without a correction.
+    /// Along which axis (0 abscissa, 1 ordinate, 2 applicate) L1, L2 and L3 of an edge count: from the applicate on
+    /// (B:762-817); of turning tools, and with SD 42950 = 2 of every tool, L1 in the ordinate and L2 in the abscissa
+    /// (B:828, B:974-985: X and Z in G18).
+    pub fn length_axes(&self, edge: &Edge) -> [usize; 3] {
+        if edge.is_turning() || self.number(TOOL_LENGTH_TYPE) == AS_TURNING_TOOL {
+            [1, 0, 2]
+        } else {
+            [2, 1, 0]
+        }
+    }
+
+    /// Length in effect along X Y Z, see [`Control::length_axes`]. 0 without a correction.
     pub fn active_length(&self) -> [f64; 3] {
         let mut length = [0.0; 3];
         if let Some(edge) = self.active_edge() {
             let axes = self.plane.axes();
-            for (i, axis) in edge.length_axes().into_iter().enumerate() {
+            for (i, axis) in self.length_axes(edge).into_iter().enumerate() {
                 length[axes[axis]] = edge.total_length(i) + edge.location(self.location)[i];
             }
         }
@@ -88,16 +102,6 @@ impl Edge {
     /// Geometry and wear of the radius, mm.
     pub fn total_radius(&self) -> f64 {
         self.radius + self.radius_wear
-    }
-
-    /// Along which axis (0 abscissa, 1 ordinate, 2 applicate) L1, L2 and L3 count: from the applicate on (B:762-817), of
-    /// turning tools L1 in the ordinate and L2 in the abscissa (B:974-985: X and Z in G18).
-    pub fn length_axes(&self) -> [usize; 3] {
-        if self.is_turning() {
-            [1, 0, 2]
-        } else {
-            [2, 1, 0]
-        }
     }
 
     /// Whether it is a turning tool, or the probe of a turning machine.
@@ -150,6 +154,31 @@ mod tests {
         assert_eq!(control.active_length(), [40.0, 5.0, 100.0]);
         control.plane = Plane::G17;
         assert_eq!(control.active_length(), [100.0, 40.0, 5.0]);
+    }
+
+    #[test]
+    fn on_a_turning_machine_drills_and_mills_are_as_long_as_turning_tools() {
+        let mut control = delivery(Dialect::Sinumerik);
+        control.plane = Plane::G18;
+        (control.tool, control.edge) = (3, 1);
+        for (kind, milling) in [(120, true), (200, true), (500, false)] {
+            let edge = Edge {
+                kind,
+                length: [40.0, 100.0, 5.0],
+                ..Edge::default()
+            };
+            control.tools.entry(3).or_default().edges.insert(1, edge);
+            // oracle: manual B:828, B:9192 (2: L1 in X, L2 in Z), B:10096-10108 (0: as on a milling machine)
+            control.set("SD42950", 2.0);
+            assert_eq!(control.active_length(), [40.0, 5.0, 100.0]);
+            control.set("SD42950", 0.0);
+            let as_defined = if milling {
+                [100.0, 40.0, 5.0]
+            } else {
+                [40.0, 5.0, 100.0]
+            };
+            assert_eq!(control.active_length(), as_defined, "{kind}");
+        }
     }
 
     #[test]

@@ -100,7 +100,7 @@ fn environment<'a>(
     stored.map(Some).ok_or(61405)
 }
 
-/// L1, L2, L3 or radius as index. Which length works in an axis, the type of the tool decides: [`Edge::length_axes`].
+/// L1, L2, L3 or radius as index. Which length works in an axis, the type of the tool decides: [`Control::length_axes`].
 fn part(
     control: &Control,
     names: &Names,
@@ -114,9 +114,8 @@ fn part(
         Quantity::MeasuringAxis => {
             let axis = names.axis.ok_or(61322_u32)?;
             let axis = environment.map_or(axis, |stored| turned(control, stored, axis));
-            let lengths = control
-                .edge_of(tool, edge)
-                .map_or(Edge::default().length_axes(), Edge::length_axes);
+            let unknown = Edge::default();
+            let lengths = control.length_axes(control.edge_of(tool, edge).unwrap_or(&unknown));
             Ok(lengths.iter().position(|own| *own == axis).unwrap_or(0))
         }
     }

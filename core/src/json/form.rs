@@ -56,11 +56,11 @@ pub fn form(request: &str) -> Result<Value, Error> {
         start.setup.suit(cycle);
     }
     let control = &mut start.setup.control;
+    let at_start = modal(control);
     // a form has no DIAMON before its call; it asks for diameters (B:10623)
     if cycle.purpose.machine == MachineSort::Turning {
         control.transverse = Transverse::Diameter;
     }
-    let at_start = modal(control);
     if let Some(name) = &request.units {
         choose_units(control, name)?;
     }
@@ -113,15 +113,23 @@ fn entered(
     (entered.values, before)
 }
 
-/// Plane and units of a control: what a program begins with is not what counts at one of its calls.
-type Modal = (Plane, Units, bool);
+/// Plane, diameters and units of a control: what a program begins with is not what counts at one of its calls.
+type Modal = (Plane, Transverse, Units, bool);
 
 fn modal(control: &Control) -> Modal {
-    (control.plane, control.active_units, control.data_follow)
+    let Control {
+        plane,
+        transverse,
+        active_units,
+        data_follow,
+        ..
+    } = *control;
+    (plane, transverse, active_units, data_follow)
 }
 
-fn set_modal(control: &mut Control, (plane, units, data_follow): Modal) {
+fn set_modal(control: &mut Control, (plane, transverse, units, data_follow): Modal) {
     control.plane = plane;
+    control.transverse = transverse;
     control.active_units = units;
     control.data_follow = data_follow;
 }

@@ -109,10 +109,15 @@ fn data(control: &Control, delivered: &Control) -> Value {
         let zero = **value == Datum::Number(0.0);
         match delivered.data.get(name) {
             Some(other) => other != *value,
-            None => !zero,
+            None => !zero || without_delivery(name),
         }
     });
     object(differs.map(|(name, value)| (name.as_str(), super::setup_write::datum(value))))
+}
+
+/// Whether a datum that the core does not deliver stands for "not known" until it is typed: machine and setting data.
+fn without_delivery(name: &str) -> bool {
+    name.starts_with("MD") || name.starts_with("SD")
 }
 
 fn group(group: &Group, control: &Control, delivered: &Control) -> Value {
@@ -161,7 +166,7 @@ fn shown(control: &Control, setting: &Setting) -> String {
     match control.data.get(&setting.name) {
         Some(Datum::Number(value)) => value.to_string(),
         Some(Datum::Text(text)) => text.clone(),
-        None if setting.entry == Entry::Text || setting.name.starts_with("MD") => String::new(),
+        None if setting.entry == Entry::Text || without_delivery(&setting.name) => String::new(),
         None => "0".to_owned(),
     }
 }
@@ -207,6 +212,17 @@ mod tests {
             &json!({ "_WP[0,0]": "", "_CBIT[2]": "0", "MD28082": "", "_PROTNAME[1]": " " }),
         );
         assert_eq!(back["data"], json!({}));
+    }
+
+    // oracle: manual B:828, B:10100 (2 in most cases, 0 for a drill): neither is delivered, so that 0 is said too
+    #[test]
+    fn a_zero_that_is_typed_is_not_the_same_as_nothing() {
+        let view = ask(&own(&json!({})), &json!({ "SD42950": "0" }));
+        assert_eq!(view["data"], json!({ "SD42950": 0.0 }));
+        assert_eq!(field(&view, "SD42950").unwrap()["value"], "0");
+        assert_eq!(field(&view, "SD42950").unwrap()["fallback"], "");
+        let view = ask(&own(&view["data"]), &json!({ "SD42950": "" }));
+        assert_eq!(view["data"], json!({}));
     }
 
     // oracle: hand

@@ -3,7 +3,8 @@
 use super::Error;
 use crate::catalogue::Dialect;
 use crate::control::{
-    Control, Edge, Environment, Frame, Limits, Plane, Tool, Units, Value, delivery, delivery_in,
+    Control, Edge, Environment, Frame, Limits, Plane, Tool, Transverse, Units, Value, delivery,
+    delivery_in,
 };
 use crate::run::setup::Setup;
 use crate::workpiece::{PartErrors, Probe, Shape, Solid, Workpiece};
@@ -96,10 +97,23 @@ struct ActiveFile {
     frame: String,
     /// G function of units: `G70`, `G71`, `G700`, `G710` (NCT `G20`, `G21`); none: that of the basic system.
     units: String,
+    /// How positions of X are given.
+    transverse: TransverseName,
     /// Position of the spindle, degree.
     spindle: f64,
     /// Where the rotary axes A B C stand, machine, degree.
     rotary: [f64; 3],
+}
+
+/// How positions of the transverse axis X of a lathe are given: radii, diameters, diameters where they are absolute.
+#[derive(Clone, Copy, Default, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
+#[serde(rename_all = "UPPERCASE")]
+enum TransverseName {
+    #[default]
+    Diamof,
+    Diamon,
+    Diam90,
 }
 
 /// What the machine can do.
@@ -389,6 +403,7 @@ fn environment(file: &EnvironmentFile) -> Environment {
 fn activate(control: &mut Control, file: &ActiveFile) -> Result<(), Error> {
     control.tool = file.tool;
     control.edge = file.edge;
+    control.transverse = transverse(file.transverse);
     control.spindle = file.spindle;
     control.rotary = file.rotary;
     if !file.frame.is_empty() {
@@ -446,6 +461,14 @@ pub(super) fn plane(name: PlaneName) -> Plane {
         PlaneName::G17 => Plane::G17,
         PlaneName::G18 => Plane::G18,
         PlaneName::G19 => Plane::G19,
+    }
+}
+
+fn transverse(name: TransverseName) -> Transverse {
+    match name {
+        TransverseName::Diamof => Transverse::Radius,
+        TransverseName::Diamon => Transverse::Diameter,
+        TransverseName::Diam90 => Transverse::AbsoluteDiameter,
     }
 }
 

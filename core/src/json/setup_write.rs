@@ -2,7 +2,7 @@
 
 use super::setup::{settable_name, units_name, units_of};
 use super::{dialect_name, object, put};
-use crate::control::{Control, Edge, Frame, Plane, Tool, Value as Datum, delivery};
+use crate::control::{Control, Edge, Frame, Plane, Tool, Transverse, Value as Datum, delivery};
 use crate::run::setup::Setup;
 use crate::workpiece::{PartErrors, Probe, Shape, Solid};
 use serde_json::Value;
@@ -84,11 +84,20 @@ pub(super) fn plane_name(plane: Plane) -> &'static str {
     }
 }
 
+fn transverse_name(transverse: Transverse) -> &'static str {
+    match transverse {
+        Transverse::Radius => "DIAMOF",
+        Transverse::Diameter => "DIAMON",
+        Transverse::AbsoluteDiameter => "DIAM90",
+    }
+}
+
 fn active(control: &Control) -> Value {
     let mut active = object([
         ("tool", control.tool.into()),
         ("edge", control.edge.into()),
         ("units", units_name(control.unit_function()).into()),
+        ("transverse", transverse_name(control.transverse).into()),
         ("spindle", control.spindle.into()),
         ("rotary", control.rotary.into()),
     ]);

@@ -29,7 +29,7 @@ fn what_the_machine_can_do_is_read_and_written() {
         "control": "sinumerik",
         "machine": {"limitsMinus": [null, null, -100], "limitsPlus": [400, null, null], "spindlePositions": false},
         "frames": {"G54": {"coarse": [0, 0, 0], "scale": [2, 2, 1]}},
-        "active": {"frame": "G54"},
+        "active": {"frame": "G54", "transverse": "DIAMON"},
         "probe": {"radius": 3, "length": 50, "falseSignal": 12.5}
     }"#;
     let setup = setup_from_json(text).unwrap();
@@ -37,6 +37,10 @@ fn what_the_machine_can_do_is_read_and_written() {
     assert_eq!(setup.control.limits.plus, [Some(400.0), None, None]);
     assert!(!setup.control.spindle_positions);
     assert_eq!(setup.control.active.scale, [2.0, 2.0, 1.0]);
+    assert_eq!(
+        setup.control.transverse,
+        crate::control::Transverse::Diameter
+    );
     assert_eq!(setup.probe.false_signal, Some(12.5));
     let again = setup_from_json(&setup_to_json(&setup).to_string()).unwrap();
     assert_eq!(setup, again);

@@ -8,7 +8,7 @@ use super::problem::Problem;
 use super::system;
 use crate::catalogue::{CYCLES, Dialect};
 use crate::control::rotary::is_angle;
-use crate::control::{Frame, arrays, gud};
+use crate::control::{Frame, arrays, gud, machine_data};
 use crate::diagnostic::Span;
 use crate::program::tree::ExprId;
 use std::collections::BTreeMap;
@@ -157,7 +157,7 @@ fn write_one(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Re
     Ok(())
 }
 
-/// Tool and frame data; recorded in mm like those that a cycle writes.
+/// Tool and frame data, and setting data; recorded in mm like those that a cycle writes.
 fn write_variable(
     run: &mut Interpreter,
     key: &str,
@@ -167,6 +167,12 @@ fn write_variable(
     let number = value
         .number()
         .ok_or_else(|| Problem::new("run-not-a-number", place, key))?;
+    if let Some(setting) = machine_data::setting(key) {
+        let before = run.sim.control.number(setting);
+        run.sim.with_length(|control| control.set(setting, number));
+        run.note_set(setting, before, number);
+        return Ok(());
+    }
     let after = number * variable_factor(run, key);
     let before = run.sim.control.variable(key).unwrap_or(0.0);
     if !run

@@ -1,7 +1,8 @@
 //! What a run starts from: the control, the probe as it really is, the part, and where the machine stands.
 
 use crate::catalogue::{Cycle, Dialect, MachineSort, ProbeUse};
-use crate::control::tools::LATHE_PROBE;
+use crate::control::machine_data::TOOL_LENGTH_TYPE;
+use crate::control::tools::{AS_TURNING_TOOL, LATHE_PROBE};
 use crate::control::{Control, Edge, Plane, Transverse, Units, delivery_in};
 use crate::workpiece::{Probe, Workpiece};
 use std::collections::BTreeSet;
@@ -92,6 +93,7 @@ impl Setup {
     pub fn turning_in(plane: Plane, units: Units) -> Setup {
         let mut setup = Setup::calibrated_in(Dialect::Sinumerik, plane, units);
         setup.make_turning();
+        setup.mount_turning_probe();
         setup
     }
 
@@ -102,15 +104,27 @@ impl Setup {
         setup
     }
 
-    /// Makes a turning machine of it where the cycle uses the probe of one.
+    /// Makes a turning machine of it where the cycle is for one, with a probe in its turret where the cycle uses it. What
+    /// the machine says of itself counts more.
     pub fn suit(&mut self, cycle: &Cycle) {
-        let purpose = &cycle.purpose;
-        if purpose.machine == MachineSort::Turning && purpose.probe == ProbeUse::Workpiece {
+        if cycle.purpose.machine == MachineSort::Turning {
             self.make_turning();
+            if cycle.purpose.probe == ProbeUse::Workpiece {
+                self.mount_turning_probe();
+            }
         }
     }
 
+    /// X in diameters, and every tool as long as a turning tool (B:828).
     fn make_turning(&mut self) {
+        self.control.transverse = Transverse::Diameter;
+        if !self.control.data.contains_key(TOOL_LENGTH_TYPE) {
+            self.control.set(TOOL_LENGTH_TYPE, AS_TURNING_TOOL);
+        }
+    }
+
+    /// The probe in the turret, and the grooves in which it is calibrated.
+    fn mount_turning_probe(&mut self) {
         let edge = Edge {
             kind: LATHE_PROBE,
             tip: 7,
@@ -120,10 +134,11 @@ impl Setup {
         };
         let tool = self.control.tools.entry(PROBE_TOOL).or_default();
         tool.edges.insert(1, edge);
-        self.control.transverse = Transverse::Diameter;
         for (index, value) in REFERENCE_GROOVES.into_iter().enumerate() {
-            let value = value / self.control.basic_factor();
-            self.control.set(format!("_KB[0,{index}]"), value);
+            let name = format!("_KB[0,{index}]");
+            if self.control.number(&name) == 0.0 {
+                self.control.set(name, value / self.control.basic_factor());
+            }
         }
     }
 }
@@ -143,7 +158,26 @@ pub fn ideal_probe() -> Probe {
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::unwrap_used)]
     use super::*;
+    use crate::catalogue::find;
+
+    #[test]
+    fn a_turning_machine_keeps_what_it_says_of_itself() {
+        let cycle = find(Dialect::Sinumerik, "CYCLE974").unwrap();
+        let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G18);
+        setup.suit(cycle);
+        // oracle: manual B:828 (2 in most cases), B:10275-10285
+        assert_eq!(setup.control.number("SD42950"), 2.0);
+        assert_eq!(setup.control.number("_KB[0,2]"), 15.021);
+        assert_eq!(setup.control.transverse, Transverse::Diameter);
+        let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G18);
+        setup.control.set("SD42950", 0.0);
+        setup.control.set("_KB[0,2]", 17.5);
+        setup.suit(cycle);
+        assert_eq!(setup.control.number("SD42950"), 0.0);
+        assert_eq!(setup.control.number("_KB[0,2]"), 17.5);
+    }
 
     #[test]
     fn the_probe_is_ready() {

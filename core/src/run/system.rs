@@ -7,6 +7,7 @@ use super::modal::{Compensation, Motion};
 use super::names;
 use super::problem::Problem;
 use crate::control::frames::{CHANNEL_MASK, GLOBAL_MASK};
+use crate::control::machine_data;
 use crate::control::variables::{AXES, component};
 use crate::control::{Plane, Transverse, Units, Value};
 use crate::diagnostic::Span;
@@ -101,7 +102,7 @@ fn state(run: &Interpreter, key: &str) -> Option<f64> {
         "$P_GG" => group(run, key)?,
         _ if MASKS.contains(&key) => mask(run, key),
         "$MN_SCALING_SYSTEM_IS_METRIC" => f64::from(u8::from(control.basic_units == Units::Metric)),
-        _ => return None,
+        _ => control.number(machine_data::setting(key)?),
     })
 }
 

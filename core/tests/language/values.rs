@@ -166,3 +166,13 @@ fn names_do_not_know_upper_and_lower_case() {
         6.0
     );
 }
+
+// oracle: manual B:828, B:974-985 (L1 along the applicate; with 2 along the ordinate)
+#[test]
+fn a_program_chooses_how_long_its_tools_are() {
+    let text = "T20 M6 D1\nR1=$SC_TOOL_LENGTH_TYPE\nR2=$AA_IB[Y]\n$SC_TOOL_LENGTH_TYPE=2\nR3=$SC_TOOL_LENGTH_TYPE\nR4=$AA_IB[Y]";
+    let control = clean(text).control;
+    let read = |name: &str| control.number(name);
+    assert_eq!((read("R1"), read("R3")), (0.0, 2.0));
+    assert_eq!(read("R4") - read("R2"), -80.0, "T20 is 80 mm long");
+}

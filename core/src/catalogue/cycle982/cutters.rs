@@ -6,6 +6,8 @@ use super::params::{
 };
 use crate::catalogue::{When, names};
 use crate::check::{Finding, Inputs, error, warning};
+use crate::control::machine_data::TOOL_LENGTH_TYPE;
+use crate::control::tools::AS_TURNING_TOOL;
 use crate::control::{Control, Edge, Plane};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::message::Message;
@@ -23,8 +25,6 @@ const FROM_THE_SIDE: When = When::All(&[
 const NOT_ONE_LENGTH: When = When::Any(&[AUTOMATIC, REVERSAL, WITH_RADIUS]);
 /// What the spindle has to be turned for; with `_CHBIT[20]` it stays (B:9275-9277, B:10088-10090).
 const TURNS_SPINDLE: When = When::Any(&[AUTOMATIC, REVERSAL, BOTH, UPPER]);
-/// Length assignment of a turning tool (SD 42950, B:9192).
-const AS_TURNING_TOOL: f64 = 2.0;
 
 /// All of them.
 pub fn checks(inputs: &Inputs, control: &Control, edge: &Edge, found: &mut Vec<Diagnostic>) {
@@ -66,7 +66,7 @@ fn along_applicate(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
 
 /// L1 lies along X and L2 along Z only with SD 42950 = 2 (B:9192, B:9507).
 fn assignment(control: &Control, found: &mut Vec<Diagnostic>) {
-    let value = control.number("SD42950");
+    let value = control.number(TOOL_LENGTH_TYPE);
     if value != AS_TURNING_TOOL {
         let message = Message::new("check-length-assignment").number("value", value);
         let hint = Message::new("check-length-assignment-hint");

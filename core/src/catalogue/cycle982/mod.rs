@@ -12,6 +12,7 @@ mod variants;
 
 use crate::catalogue::common::alarms;
 use crate::catalogue::{Cycle, Dialect, Drawing, MachineSort, ProbeUse, Purpose, tool_probe};
+use crate::control::machine_data::TOOL_LENGTH_TYPE;
 
 /// The entry. Example: the milling cutter T3 in radial position of B:9526-9580, length L2 and radius.
 pub static CYCLE982: Cycle = Cycle {
@@ -35,7 +36,7 @@ pub static CYCLE982: Cycle = Cycle {
         "_CVAL[3]",
         "_SPEED",
         "_EVMVNUM[0]",
-        "SD42950",
+        TOOL_LENGTH_TYPE,
         "_CBIT[0]",
         "_CBIT[1]",
         "_CBIT[5]",

@@ -4,6 +4,7 @@
 use crate::catalogue::common::{self, optional, required};
 use crate::catalogue::tool_probe::params as tool_probe;
 use crate::catalogue::{DigitGroup, Kind, Param, Range, When, names};
+use crate::control::machine_data::TOOL_LENGTH_TYPE;
 
 const fn digit(place: i64, is: &'static [i64]) -> When {
     When::Digit {
@@ -60,7 +61,7 @@ pub const TURNING: When = When::ToolType(500, 599);
 pub const DRILL_ALONG_APPLICATE: When = When::All(&[
     DRILL,
     When::Setting {
-        name: "SD42950",
+        name: TOOL_LENGTH_TYPE,
         is: &[0.0],
     },
 ]);

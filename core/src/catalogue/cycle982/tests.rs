@@ -15,6 +15,7 @@ type Found = Vec<(Severity, Code)>;
 fn control() -> Control {
     let mut control = delivery(Dialect::Sinumerik);
     control.plane = Plane::G18;
+    control.set("SD42950", 2.0);
     for (index, value) in [220.0, 200.0, 400.0, 380.0].into_iter().enumerate() {
         control.set(format!("_TP[0,{index}]"), value);
         control.set(format!("_TPW[0,{index}]"), value);
