@@ -40,4 +40,5 @@ run-spline = The curve of “{ $word }” is simulated as straight lines between
 run-alarm-number = A program cannot raise an alarm with the number { $word }.
 run-set-alarm = The program raised alarm { $number }. { $text }
 run-swivel = “{ $word }” is simulated with offsets and angles 0 only.
+run-no-program = A call of a program needs its number at { $word }.
 run-alone = “{ $word }” needs a block of its own.

@@ -40,4 +40,5 @@ run-spline = “{ $word }”的曲线按编程点之间的直线模拟。
 run-alarm-number = 程序不能触发编号为 { $word } 的报警。
 run-set-alarm = 程序触发了报警 { $number }。{ $text }
 run-swivel = “{ $word }”只能在偏移和角度为 0 时模拟。
+run-no-program = 程序调用须在 { $word } 处给出程序号。
 run-alone = “{ $word }”须单独占一个程序段。

@@ -95,7 +95,7 @@ struct Walk<'a> {
 
 /// How often each variable is assigned, if the program can run a line twice; else nothing.
 fn unsteady(program: &Program) -> HashMap<String, u32> {
-    const BACK: [&str; 6] = ["FOR", "WHILE", "REPEAT", "LOOP", "GOTOB", "GOTO"];
+    const BACK: [&str; 7] = ["FOR", "WHILE", "DO", "REPEAT", "LOOP", "GOTOB", "GOTO"];
     let repeats = |word: &Word| match word.kind {
         WordKind::Keyword { name, .. } => BACK.iter().any(|keyword| program.is(name, keyword)),
         _ => false,

@@ -5,33 +5,49 @@ use super::problem::Problem;
 use super::statement::{self, Call, Words};
 use super::trace::Step;
 use super::{
-    Machine, Stop, addresses, cycle, environment, frame, gcode, listed, motion, names, repeat,
-    set_alarm, subprogram, swivel, tool, user_program, words,
+    Machine, Stop, addresses, cycle, environment, frame, gcode, listed, macro_call, motion, names,
+    repeat, set_alarm, subprogram, swivel, tool, user_program, words,
 };
 use crate::catalogue::{self, Dialect};
 use crate::diagnostic::Severity;
 
 /// Carries out a block whose words were collected.
 pub fn perform(run: &mut Interpreter, at: usize, mut found: Words) -> Result<Next, Stop> {
-    if let Some(cycle) = macro_call(run, &found) {
+    if let Some(cycle) = measuring_macro(run, &found) {
         gcode::apply_beside_macro(run, &mut found)?;
         cycle::addresses(run, cycle, &found)?;
         return Ok(Next::Block);
     }
+    let nct = run.program.dialect == Dialect::Nct;
+    if nct && macro_call::function(&found, "G", 65.0).is_some() {
+        gcode::apply_beside_macro(run, &mut found)?;
+        let entered = macro_call::with_arguments(run, at, &found);
+        return entered.map_err(|problem| run.fail(problem));
+    }
+    let subprogram = nct && macro_call::function(&found, "M", 98.0).is_some();
     gcode::apply(run, &mut found)?;
     words::apply(run, &mut found);
     tool::apply(run, &found)?;
     let calls = !found.calls.is_empty();
     for address in &found.addresses {
-        if !(calls && address.name == "P") {
+        let of_call = match address.name.as_str() {
+            "P" => calls || subprogram,
+            "L" => subprogram,
+            _ => false,
+        };
+        if !of_call {
             addresses::take(run, address, &mut found.path).map_err(|problem| run.fail(problem))?;
         }
     }
     if !frame::applied(run, &found)? && found.path.moves() {
         motion::go(run, &found.path)?;
     }
-    if let Some(next) = end(run, &found) {
+    if let Some(next) = end(run, &found).map_err(|problem| run.fail(problem))? {
         return Ok(next);
+    }
+    if subprogram {
+        let entered = macro_call::with_variables(run, at, &found);
+        return entered.map_err(|problem| run.fail(problem));
     }
     let passes = passes(&found).map_err(|problem| run.fail(problem))?;
     let calls = named_by_text(run, &found).map_err(|problem| run.fail(problem))?;
@@ -74,7 +90,7 @@ fn passes(found: &Words) -> Result<u32, Problem> {
 }
 
 /// The NCT macro that a block calls with `G110` or `G65 P9019` (parameters 9041.. give G101.. to O9010.., C:58).
-fn macro_call(run: &Interpreter, found: &Words) -> Option<&'static catalogue::Cycle> {
+fn measuring_macro(run: &Interpreter, found: &Words) -> Option<&'static catalogue::Cycle> {
     if run.program.dialect != Dialect::Nct {
         return None;
     }
@@ -104,7 +120,7 @@ fn macro_call(run: &Interpreter, found: &Words) -> Option<&'static catalogue::Cy
 }
 
 /// M functions that stop, end or turn; the others belong to the machine.
-fn end(run: &mut Interpreter, found: &Words) -> Option<Next> {
+fn end(run: &mut Interpreter, found: &Words) -> Result<Option<Next>, Problem> {
     let nct = run.program.dialect == Dialect::Nct;
     let mut next = None;
     let mut leaves = found.leaves;
@@ -114,7 +130,8 @@ fn end(run: &mut Interpreter, found: &Words) -> Option<Next> {
             0 | 1 => run.sim.note(Step::Message(format!("M{number}"))),
             2 | 30 => next = Some(Next::End),
             17 => leaves = true,
-            99 if nct => leaves = true,
+            98 if nct => {}
+            99 if nct => return macro_call::back(run, found, address.span).map(Some),
             19 => run.sim.orient(0.0),
             3..=9 => {}
             55 | 59 if nct => {}
@@ -124,7 +141,7 @@ fn end(run: &mut Interpreter, found: &Words) -> Option<Next> {
             ),
         }
     }
-    next.or_else(|| leaves.then(|| subprogram::leave(run)))
+    Ok(next.or_else(|| leaves.then(|| subprogram::leave(run))))
 }
 
 /// Calls: operator texts, measuring cycles, subprograms of the same text.

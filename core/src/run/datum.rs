@@ -5,6 +5,8 @@ use crate::control::{Frame, Value};
 /// A value of an expression.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Datum {
+    /// NCT: a variable to which nothing was written. 0 in arithmetic; an address with it is as if not written.
+    Vacant,
     /// REAL, INT, BOOL.
     Number(f64),
     /// STRING.
@@ -27,6 +29,7 @@ impl Datum {
         match self {
             Datum::Number(value) => Some(*value),
             Datum::Char(code) => Some(f64::from(*code)),
+            Datum::Vacant => Some(0.0),
             _ => None,
         }
     }

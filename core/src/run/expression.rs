@@ -3,7 +3,7 @@
 use super::datum::Datum;
 use super::interpret::Interpreter;
 use super::problem::Problem;
-use super::{function, names};
+use super::{function, macro_variables, names};
 use crate::catalogue::Dialect;
 use crate::diagnostic::Span;
 use crate::program::tree::{Expr, ExprId, Operator};
@@ -109,6 +109,7 @@ fn binary(
         }
         _ => {}
     }
+    let vacancy = macro_variables::compared(operator, &a, &b);
     let (Some(a), Some(b)) = (a.number(), b.number()) else {
         return Err(wrong(run, if a.number().is_none() { left } else { right }));
     };
@@ -117,7 +118,7 @@ fn binary(
     }
     let result = match run.program.dialect {
         Dialect::Sinumerik => compared(operator, a, b),
-        Dialect::Nct => None,
+        Dialect::Nct => vacancy.or_else(|| numbers(bits(operator)?, a, b)),
     };
     let result = result.or_else(|| numbers(operator, a, b));
     match result.ok_or_else(|| wrong(run, left))? {
@@ -145,6 +146,16 @@ fn compared(operator: Operator, a: f64, b: f64) -> Option<Datum> {
         Operator::Greater => !same && a > b,
         _ => return None,
     }))
+}
+
+/// The operator that NCT means by `AND`, `OR` and `XOR`: they work on the bits of whole numbers.
+fn bits(operator: Operator) -> Option<Operator> {
+    Some(match operator {
+        Operator::And => Operator::BitAnd,
+        Operator::Or => Operator::BitOr,
+        Operator::Xor => Operator::BitXor,
+        _ => return None,
+    })
 }
 
 /// A fine translation stays one as long as nothing is turned or scaled before it, so that `CTRANS(…):CFINE(…)` keeps both parts.

@@ -1,7 +1,8 @@
 //! Where a program goes on: jumps, branches, loops. Structure is found once, before the run.
 
 use super::programs::Programs;
-use crate::program::tree::{Program, Word, WordKind};
+use crate::catalogue::Dialect;
+use crate::program::tree::{Expr, Program, Word, WordKind};
 use std::collections::BTreeMap;
 
 /// What stands at a block with a control structure, with the blocks that belong to it.
@@ -24,7 +25,8 @@ pub enum Link {
 /// Links by block.
 pub type Links = BTreeMap<usize, Link>;
 
-/// Finds what belongs together. NCT `WHILE … DOn` and `ENDn` pair like `WHILE` and `ENDWHILE`.
+/// Finds what belongs together. NCT `WHILE … DOn` or `DOn` alone and `ENDn` pair like `WHILE` and `ENDWHILE`
+/// where their numbers are the same.
 pub fn links(program: &Program, programs: &Programs) -> Links {
     let mut links = Links::new();
     let mut open: Vec<Open> = Vec::new();
@@ -36,22 +38,26 @@ pub fn links(program: &Program, programs: &Programs) -> Links {
         let Some(name) = structural(program, words) else {
             continue;
         };
+        let number = loop_number(program, words);
         if let Some(end) = end_of(name) {
             links.insert(i, Link::Alone);
             open.push(Open {
                 block: i,
                 end,
+                number,
                 otherwise: false,
             });
             continue;
         }
         let matching = open.last().is_some_and(|open| {
-            open.end == name || (open.end == "ENDIF" && name == "ELSE" && !open.otherwise)
+            (open.end == name && open.number == number)
+                || (open.end == "ENDIF" && name == "ELSE" && !open.otherwise)
         });
         let Some(Open {
             block: begin,
             end,
             otherwise,
+            ..
         }) = matching.then(|| open.pop()).flatten()
         else {
             links.insert(i, Link::Alone);
@@ -63,6 +69,7 @@ pub fn links(program: &Program, programs: &Programs) -> Links {
             open.push(Open {
                 block: i,
                 end,
+                number,
                 otherwise: true,
             });
         } else if name == "ENDIF" {
@@ -85,6 +92,8 @@ pub fn links(program: &Program, programs: &Programs) -> Links {
 struct Open {
     block: usize,
     end: &'static str,
+    /// NCT: number behind `DO`, which `END` repeats.
+    number: Option<f64>,
     /// Whether it is the `ELSE` part.
     otherwise: bool,
 }
@@ -93,7 +102,7 @@ struct Open {
 fn end_of(name: &str) -> Option<&'static str> {
     Some(match name {
         "IF" => "ENDIF",
-        "WHILE" => "ENDWHILE",
+        "WHILE" | "DO" => "ENDWHILE",
         "FOR" => "ENDFOR",
         "LOOP" => "ENDLOOP",
         "REPEAT" => "UNTIL",
@@ -120,10 +129,27 @@ fn structural(program: &Program, words: &[Word]) -> Option<&'static str> {
         if program.is(*name, "END") {
             return Some("ENDWHILE");
         }
+        if program.dialect == Dialect::Nct && program.is(*name, "DO") {
+            return Some("DO");
+        }
         let found = NAMES.iter().find(|known| program.is(*name, known))?;
         let labelled = *found == "REPEAT" && value.is_some();
         let jump = *found == "IF" && jumps;
         (!jump && !labelled).then_some(*found)
+    })
+}
+
+/// The number behind `DO` or `END` of NCT.
+fn loop_number(program: &Program, words: &[Word]) -> Option<f64> {
+    words.iter().find_map(|word| match &word.kind {
+        WordKind::Keyword {
+            name,
+            value: Some(value),
+        } if program.is(*name, "DO") || program.is(*name, "END") => match program.expr(*value) {
+            Some(Expr::Number(number, _)) => Some(*number),
+            _ => None,
+        },
+        _ => None,
     })
 }
 

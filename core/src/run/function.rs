@@ -83,6 +83,7 @@ fn arithmetic(name: &str, values: &[f64], dialect: Dialect) -> Option<f64> {
         ("BOUND", [low, high, value]) if low <= high => value.clamp(*low, *high),
         ("BOUND", [_, _, _]) => f64::NAN,
         ("NOT", [a]) if dialect == Dialect::Sinumerik => f64::from(u8::from(*a == 0.0)),
+        ("NOT", [a]) => !(*a as i64) as f64,
         _ => return None,
     };
     Some(value)

@@ -23,8 +23,21 @@ pub struct Level {
     pub left: u32,
     /// Program parts that are being repeated (`REPEAT LABEL`), innermost last.
     pub repeats: Vec<Repetition>,
+    /// Where its variables come from.
+    pub variables: Variables,
     /// What `SAVE` brings back at the end.
     pub saved: Option<Box<Saved>>,
+}
+
+/// Where the variables of a program come from.
+#[derive(Clone, Debug)]
+pub enum Variables {
+    /// They are its own.
+    Own,
+    /// NCT `M98`: from the caller, which gets them back.
+    Caller,
+    /// NCT `G65`: each pass begins with these.
+    Arguments(Locals),
 }
 
 /// Modal functions and programmed frame at the time of a call.
@@ -45,6 +58,7 @@ impl Level {
             call: 0,
             left: 0,
             repeats: Vec::new(),
+            variables: Variables::Own,
             saved: None,
         }
     }

@@ -20,6 +20,8 @@ pub mod level;
 mod listed;
 pub mod locals;
 pub mod machine;
+mod macro_call;
+mod macro_variables;
 pub mod modal;
 pub mod motion;
 pub mod names;

@@ -5,7 +5,7 @@ use super::expression::evaluate;
 use super::interpret::Interpreter;
 use super::locals::{self, Home, indices, stem};
 use super::problem::Problem;
-use super::system;
+use super::{macro_variables, system};
 use crate::catalogue::{CYCLES, Dialect};
 use crate::control::rotary::is_angle;
 use crate::control::{Frame, arrays, gud, machine_data};
@@ -23,7 +23,7 @@ const NO_FRAME: [&str; 5] = ["CTRANS", "CROT", "CFINE", "CSCALE", "CMIRROR"];
 pub fn key(run: &Interpreter, place: Span, index: &[ExprId]) -> Result<String, Problem> {
     let name = run.program.name(place);
     if index.is_empty() {
-        return Ok(name);
+        return Ok(macro_variables::canonical(name));
     }
     let mut parts = Vec::new();
     for id in index {
@@ -45,6 +45,9 @@ pub fn key(run: &Interpreter, place: Span, index: &[ExprId]) -> Result<String, P
 
 /// Value of a variable.
 pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem> {
+    if macro_variables::is(key) {
+        return macro_variables::read(run, key, place);
+    }
     let home = locals::home(run, key);
     if let Some(value) = locals::read(run, &home, place) {
         return value;
@@ -59,7 +62,7 @@ pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem>
     if let Some(value) = run.sim.control.data.get(key) {
         return Ok(Datum::from(value));
     }
-    known(run, key, place)?;
+    known(key, place)?;
     let stem = stem(key);
     if gud::find(stem).is_some_and(gud::Gud::text) {
         return Ok(Datum::Text(String::new()));
@@ -133,6 +136,9 @@ const TEXT: usize = 400;
 
 fn write_one(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Result<(), Problem> {
     run.work += 1;
+    if macro_variables::is(key) {
+        return macro_variables::write(run, key, value, place);
+    }
     let home = locals::home(run, key);
     if let Some(written) = locals::write(run, &home, value, place) {
         return written;
@@ -187,16 +193,9 @@ fn write_variable(
 }
 
 /// Whether a name without `$` exists, with such an index.
-fn known(run: &Interpreter, key: &str, place: Span) -> Result<(), Problem> {
+fn known(key: &str, place: Span) -> Result<(), Problem> {
     let unknown = || Problem::new("run-unknown-variable", place, key);
     let number = |digits: &str| digits.parse::<u32>().ok();
-    if run.program.dialect == Dialect::Nct {
-        let digits = key.strip_prefix('#').and_then(number);
-        return digits
-            .filter(|number| *number < 10_000)
-            .map(|_| ())
-            .ok_or_else(unknown);
-    }
     if let Some(digits) = key.strip_prefix('R').and_then(number) {
         return (digits < 1000).then_some(()).ok_or_else(unknown);
     }

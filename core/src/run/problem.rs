@@ -44,6 +44,7 @@ pub const KEYS: &[&str] = &[
     "run-set-alarm",
     "run-swivel",
     "run-alone",
+    "run-no-program",
 ];
 
 /// Something wrong at a place.

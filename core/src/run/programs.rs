@@ -1,5 +1,7 @@
-//! The programs of a text: `%_N_NAME_SPF` begins one, and so does a `PROC` behind another program's blocks.
+//! The programs of a text: `%_N_NAME_SPF` begins one, and so does a `PROC` behind another program's blocks; on NCT
+//! `O0110`, while a `%` alone is the begin or end of the tape.
 
+use crate::catalogue::Dialect;
 use crate::program::tree::{Block, Program, WordKind};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
@@ -18,7 +20,7 @@ pub struct Unit {
 pub struct Programs {
     /// In the order of the text.
     pub units: Vec<Unit>,
-    /// By name in upper case: of the header (`NAME` of `%_N_NAME_SPF`, `L10`) or of the `PROC`.
+    /// By name in upper case: of the header (`NAME` of `%_N_NAME_SPF`, `L10`; NCT `O110`) or of the `PROC`.
     pub names: BTreeMap<String, usize>,
     /// Names that an `EXTERN` declares.
     pub external: BTreeSet<String>,
@@ -61,7 +63,7 @@ pub fn programs(program: &Program) -> Programs {
             current.signature = Some(at);
         }
         found.external.extend(declared(program, block, "EXTERN"));
-        empty = header.is_some() || ((empty || begins) && block.words.is_empty());
+        empty = header.is_some() || ((empty || begins) && says_nothing(program, block));
     }
     close(&mut found, &mut current, program.blocks.len(), false);
     found
@@ -87,6 +89,12 @@ fn close(found: &mut Programs, current: &mut Unit, end: usize, empty: bool) {
     }
 }
 
+/// Whether a block has no words, or on NCT the `%` of the tape alone.
+fn says_nothing(program: &Program, block: &Block) -> bool {
+    let mut words = program.words_of(block).iter();
+    words.all(|word| matches!(word.kind, WordKind::Header(_)))
+}
+
 fn header(program: &Program, block: &Block) -> Option<String> {
     let found = program
         .words_of(block)
@@ -95,7 +103,16 @@ fn header(program: &Program, block: &Block) -> Option<String> {
             WordKind::Header(span) => Some(program.name(span)),
             _ => None,
         })?;
-    Some(found.trim_start_matches('%').to_owned())
+    let name = found.trim_start_matches('%');
+    match program.dialect {
+        Dialect::Sinumerik => Some(name.to_owned()),
+        Dialect::Nct => numbered(name.get(1..)?.parse().ok()?),
+    }
+}
+
+/// Name of the NCT program with this number: `O0110` and `:110` are `O110`.
+pub fn numbered(number: f64) -> Option<String> {
+    (number.fract() == 0.0 && number > 0.0).then(|| format!("O{number}"))
 }
 
 /// The name behind `PROC` or `EXTERN`.

@@ -9,6 +9,7 @@ use super::path::{Measure, Path};
 use super::problem::Problem;
 use super::trace::Step;
 use super::{Stop, action, branch, environment, locals, names, repeat};
+use crate::catalogue::Dialect;
 use crate::diagnostic::{Severity, Span};
 use crate::program::tree::{Expr, ExprId, Word, WordKind};
 use std::rc::Rc;
@@ -178,7 +179,9 @@ fn word_of(
                 value: evaluate(run, *value)?,
                 span: word.span,
             };
-            found.addresses.push(address);
+            if address.value != Datum::Vacant {
+                found.addresses.push(address);
+            }
         }
         WordKind::Assign {
             name, index, value, ..
@@ -299,6 +302,9 @@ fn keyword(
         "DEFAULT" => found.armed = Some(true),
         "WHILE" | "FOR" | "LOOP" | "UNTIL" | "ENDWHILE" | "ENDFOR" | "ENDLOOP" | "ELSE"
         | "ENDIF" | "TO" | "END" | "REPEAT" => {
+            return branch::structure(run, at, &name, place, value, found);
+        }
+        "DO" if run.program.dialect == Dialect::Nct => {
             return branch::structure(run, at, &name, place, value, found);
         }
         "RET" => found.leaves = true,

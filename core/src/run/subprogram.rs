@@ -4,7 +4,7 @@ use super::datum::Datum;
 use super::declare::{self, Declaring};
 use super::expression;
 use super::interpret::{Interpreter, Next};
-use super::level::{self, Level};
+use super::level::{self, Level, Variables};
 use super::locals::{self, Home, Local, Locals, Variable};
 use super::problem::Problem;
 use super::programs::Unit;
@@ -49,6 +49,7 @@ pub fn enter(
         call: at,
         left: passes - 1,
         repeats: Vec::new(),
+        variables: Variables::Own,
         saved,
     });
     Ok(Next::Jump(unit.blocks.start))
@@ -62,6 +63,9 @@ pub fn leave(run: &mut Interpreter) -> Next {
     if let Some(level) = run.levels.last_mut().filter(|level| level.left > 0) {
         level.left -= 1;
         level.repeats.clear();
+        if let Variables::Arguments(arguments) = &level.variables {
+            level.locals = arguments.clone();
+        }
         return Next::Jump(level.blocks.start);
     }
     let Some(level) = run.levels.pop() else {
@@ -69,6 +73,9 @@ pub fn leave(run: &mut Interpreter) -> Next {
     };
     if let Some(saved) = level.saved {
         level::restore(run, *saved);
+    }
+    if let (Variables::Caller, Some(caller)) = (level.variables, run.levels.last_mut()) {
+        caller.locals = level.locals;
     }
     Next::Jump(repeat::after(run, level.call))
 }

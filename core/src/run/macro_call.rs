@@ -1,0 +1,143 @@
+//! Calls of programs on NCT: `M98 P110 L2`, `G65 P9110 A1. B2.` with arguments, and the way back, `M99`.
+
+use super::interpret::{Interpreter, Next};
+use super::level::Variables;
+use super::locals::Locals;
+use super::macro_variables::{holding, local};
+use super::problem::Problem;
+use super::statement::{Address, Call, Words};
+use super::{branch, programs, repeat, subprogram};
+use crate::diagnostic::{Severity, Span};
+
+/// Local variable that an address of `G65` fills.
+const ARGUMENTS: [(&str, u32); 21] = [
+    ("A", 1),
+    ("B", 2),
+    ("C", 3),
+    ("I", 4),
+    ("J", 5),
+    ("K", 6),
+    ("D", 7),
+    ("E", 8),
+    ("F", 9),
+    ("H", 11),
+    ("M", 13),
+    ("Q", 17),
+    ("R", 18),
+    ("S", 19),
+    ("T", 20),
+    ("U", 21),
+    ("V", 22),
+    ("W", 23),
+    ("X", 24),
+    ("Y", 25),
+    ("Z", 26),
+];
+
+/// Last local variable.
+const LAST: u32 = 33;
+
+/// The G function or M function with this number in a block.
+pub fn function<'a>(found: &'a Words, letter: &str, number: f64) -> Option<&'a Address> {
+    let mut addresses = found.addresses.iter();
+    addresses.find(|address| address.name == letter && address.value.number() == Some(number))
+}
+
+fn last<'a>(found: &'a Words, letter: &str) -> Option<&'a Address> {
+    let mut addresses = found.addresses.iter().rev();
+    addresses.find(|address| address.name == letter)
+}
+
+/// `G65 P…`: a program of the text with variables of its own, filled from the addresses of the block.
+pub fn with_arguments(run: &mut Interpreter, at: usize, found: &Words) -> Result<Next, Problem> {
+    let arguments = arguments(run, found)?;
+    let next = call(run, at, found)?;
+    if let (Next::Jump(_), Some(level)) = (next, run.levels.last_mut()) {
+        level.locals = arguments.clone();
+        level.variables = Variables::Arguments(arguments);
+    }
+    Ok(next)
+}
+
+/// `M98 P…`: a program of the text that works with the variables of its caller.
+pub fn with_variables(run: &mut Interpreter, at: usize, found: &Words) -> Result<Next, Problem> {
+    let next = call(run, at, found)?;
+    if let (Next::Jump(_), [.., caller, called]) = (next, &mut run.levels[..]) {
+        called.variables = Variables::Caller;
+        called.locals = std::mem::take(&mut caller.locals);
+    }
+    Ok(next)
+}
+
+/// Begins the program at P, L times; one that is not in the text is left out, which is told.
+fn call(run: &mut Interpreter, at: usize, found: &Words) -> Result<Next, Problem> {
+    let passes = last(found, "L").map(|address| {
+        let number = address.value.number().unwrap_or(f64::NAN);
+        repeat::count(number, address.span)
+    });
+    let passes = passes.transpose()?.unwrap_or(1);
+    let Some(address) = last(found, "P") else {
+        return Err(Problem::new("run-no-program", found.path.span, "P"));
+    };
+    let name = address.value.number().and_then(programs::numbered);
+    let unit = name.as_ref().and_then(|name| run.programs.named(name));
+    let Some(unit) = unit.cloned() else {
+        let name = name.unwrap_or_else(|| format!("P{}", address.value.shown()));
+        let problem = Problem::new("run-subprogram", address.span, name);
+        run.tell(Severity::Warning, &problem);
+        return Ok(Next::Block);
+    };
+    let call = Call {
+        name: name.unwrap_or_default(),
+        args: Vec::new(),
+        places: Vec::new(),
+        span: address.span,
+    };
+    subprogram::enter(run, at, &call, &unit, passes)
+}
+
+/// The local variables that the addresses of a block fill; I, J and K that come again fill the next three.
+fn arguments(run: &mut Interpreter, found: &Words) -> Result<Locals, Problem> {
+    let mut locals = Locals::new();
+    for address in &found.addresses {
+        let name = address.name.as_str();
+        if matches!(name, "G" | "N" | "O" | "P" | "L") {
+            continue;
+        }
+        let Some((_, first)) = ARGUMENTS.iter().find(|(letter, _)| *letter == name) else {
+            let problem = Problem::new("run-unknown-word", address.span, name);
+            run.tell(Severity::Error, &problem);
+            continue;
+        };
+        let number = super::addresses::number(address)?;
+        let mut place = *first;
+        while matches!(name, "I" | "J" | "K") && locals.contains_key(&local(place)) {
+            place += 3;
+        }
+        if place > LAST {
+            return Err(Problem::new("run-arguments", address.span, name));
+        }
+        locals.insert(local(place), holding(number, address.span));
+    }
+    Ok(locals)
+}
+
+/// `M99`: back to the caller, with P to that block of it. The main program begins anew.
+pub fn back(run: &mut Interpreter, found: &Words, span: Span) -> Result<Next, Problem> {
+    let target = last(found, "P");
+    let main = run.levels.len() <= 1;
+    if let Some(level) = run.levels.last_mut().filter(|_| target.is_some()) {
+        level.left = 0;
+    }
+    let next = match (main, run.levels.first()) {
+        (true, Some(level)) => Next::Jump(level.blocks.start),
+        _ => subprogram::leave(run),
+    };
+    let Some(address) = target else {
+        return Ok(next);
+    };
+    let label = format!("N{}", address.value.shown());
+    let block = branch::places(run, &label).first().copied();
+    let block = block.ok_or_else(|| Problem::new("run-label", span, label))?;
+    Ok(Next::Jump(block))
+}

@@ -1,0 +1,123 @@
+//! Variables of NCT programs, `#number`: of a program level, of all programs, and those that stay. One to which nothing was
+//! written is vacant. Numbers are those of the manual (C:78-90) and, for levels, of the macro language that it builds on.
+
+use super::datum::Datum;
+use super::interpret::Interpreter;
+use super::locals::{Local, Variable};
+use super::problem::Problem;
+use super::types::Type;
+use crate::diagnostic::Span;
+use crate::program::tree::Operator;
+
+/// What a number stands for.
+enum Kind {
+    /// `#0`: always vacant.
+    Nothing,
+    /// `#1` to `#33`: of the program level; arguments of `G65`.
+    Local,
+    /// `#100` to `#199`: free for all programs, used by the macros (C:78-82). `#500` to `#999` stay (C:84-88).
+    Common,
+    /// `#1002` and `#1003`: signals of the tool measuring device (C:1204).
+    Input,
+}
+
+fn kind(number: u32) -> Option<Kind> {
+    Some(match number {
+        0 => Kind::Nothing,
+        1..=33 => Kind::Local,
+        100..=199 | 500..=999 => Kind::Common,
+        1002 | 1003 => Kind::Input,
+        _ => return None,
+    })
+}
+
+/// Whether a name is one of these variables.
+pub fn is(key: &str) -> bool {
+    key.starts_with('#')
+}
+
+/// `#0100` is `#100`; other names stay.
+pub fn canonical(name: String) -> String {
+    match name.strip_prefix('#').map(str::parse::<u32>) {
+        Some(Ok(number)) => local(number),
+        _ => name,
+    }
+}
+
+/// Name of the variable with this number.
+pub fn local(number: u32) -> String {
+    format!("#{number}")
+}
+
+fn known(key: &str, place: Span) -> Result<Kind, Problem> {
+    let number = key.get(1..).and_then(|digits| digits.parse().ok());
+    let unknown = || Problem::new("run-unknown-variable", place, key);
+    number.and_then(kind).ok_or_else(unknown)
+}
+
+/// Value of a variable.
+pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem> {
+    let value = match known(key, place)? {
+        Kind::Nothing => None,
+        Kind::Local => {
+            let level = run.levels.last();
+            match level.and_then(|level| level.locals.get(key)) {
+                Some(Local::Own(variable)) => variable.values.first().cloned(),
+                _ => None,
+            }
+        }
+        Kind::Common | Kind::Input => run.sim.control.data.get(key).map(Datum::from),
+    };
+    Ok(value.unwrap_or(Datum::Vacant))
+}
+
+/// Writes a variable; what is not of a level is recorded.
+pub fn write(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Result<(), Problem> {
+    let number = value
+        .number()
+        .ok_or_else(|| Problem::new("run-not-a-number", place, key))?;
+    let vacant = *value == Datum::Vacant;
+    match known(key, place)? {
+        Kind::Nothing | Kind::Input => Err(Problem::new("run-read-only", place, key)),
+        Kind::Local => {
+            let locals = run.levels.last_mut().map(|level| &mut level.locals);
+            if let Some(locals) = locals {
+                match vacant {
+                    true => drop(locals.remove(key)),
+                    false => drop(locals.insert(key.to_owned(), holding(number, place))),
+                }
+            }
+            Ok(())
+        }
+        Kind::Common => {
+            let before = run.sim.control.number(key);
+            match vacant {
+                true => drop(run.sim.control.data.remove(key)),
+                false => run.sim.control.set(key, number),
+            }
+            run.note_set(key, before, number);
+            Ok(())
+        }
+    }
+}
+
+/// A variable of a level with its value.
+pub fn holding(number: f64, place: Span) -> Local {
+    let mut variable = Variable::new(Type::Real, Vec::new(), place);
+    variable.values = vec![Datum::Number(number)];
+    Local::Own(variable)
+}
+
+/// `EQ` and `NE` where one side is vacant: only vacant is equal to vacant. None: the values decide.
+pub fn compared(operator: Operator, a: &Datum, b: &Datum) -> Option<Datum> {
+    let vacant = (*a == Datum::Vacant, *b == Datum::Vacant);
+    let same = match vacant {
+        (false, false) => return None,
+        (one, other) => one == other,
+    };
+    match operator {
+        Operator::Equal => Some(Datum::from(same)),
+        Operator::NotEqual => Some(Datum::from(!same)),
+        _ => None,
+    }
+}

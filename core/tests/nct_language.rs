@@ -1,0 +1,225 @@
+//! The macro language of NCT: variables, expressions, jumps and loops, calls of programs with and without arguments.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use probewright_core::catalogue::Dialect;
+use probewright_core::control::Plane;
+use probewright_core::program::position::Positions;
+use probewright_core::program::read;
+use probewright_core::run::{Limits, Outcome, Setup, Stop, run};
+
+fn go(text: &str) -> Outcome {
+    let program = read(Dialect::Nct, text.as_bytes());
+    let setup = Setup::calibrated(Dialect::Nct, Plane::G17);
+    run(&program, &setup, Limits::default())
+}
+
+/// A common variable after a run without any finding.
+fn number(text: &str, name: &str) -> f64 {
+    let outcome = go(text);
+    assert_eq!(outcome.diagnostics, [], "{text}");
+    assert_eq!(outcome.stop, None, "{text}");
+    outcome.control.number(name)
+}
+
+/// Key of the fault that ends a run, with line and column of its finding.
+fn fault(text: &str) -> (String, (u32, u32)) {
+    let outcome = go(text);
+    let Some(Stop::Fault(message)) = &outcome.stop else {
+        panic!("{text}: {:?} {:?}", outcome.stop, outcome.diagnostics);
+    };
+    let mut findings = outcome.diagnostics.iter();
+    let finding = findings.find(|finding| finding.message.key == message.key);
+    let span = finding.unwrap().span.unwrap();
+    let place = Positions::new(text.as_bytes()).line_column(span.start);
+    (message.key.to_string(), place)
+}
+
+// oracle: hand
+#[test]
+fn expressions_are_worked_out() {
+    for (expression, expected) in [
+        ("1+2*3", 7.0),
+        ("[1+2]*3", 9.0),
+        ("-#100+5", 5.0),
+        ("10/4", 2.5),
+        ("7 MOD 4", 3.0),
+        ("6 AND 3", 2.0),
+        ("6 OR 3", 7.0),
+        ("6 XOR 3", 5.0),
+        ("[2 GT 1] AND [1 LE 1]", 1.0),
+        ("SQRT[9]+ABS[-2]", 5.0),
+        ("SIN[30]", 0.5),
+        ("ATAN[1]/[1]", 45.0),
+        ("FIX[2.7]+FUP[2.1]", 5.0),
+        ("ROUND[2.5]", 3.0),
+        ("NOT[0]", -1.0),
+        ("[3 EQ 3]+[3 NE 3]", 1.0),
+    ] {
+        let found = number(&format!("#600={expression}\nM30"), "#600");
+        assert!((found - expected).abs() < 1e-12, "{expression}: {found}");
+    }
+}
+
+// oracle: hand; a vacant variable is 0 in arithmetic, unlike 0 for EQ and NE, and its address is not written
+#[test]
+fn a_variable_to_which_nothing_was_written_is_vacant() {
+    for (text, expected) in [
+        ("#600=#1+1", 1.0),
+        ("#600=[#1 EQ #0]", 1.0),
+        ("#600=[#1 EQ 0]", 0.0),
+        ("#600=[#1 NE 0]", 1.0),
+        ("#600=[#1 GE 0]", 1.0),
+        ("#1=4\n#1=#0\n#600=[#1 EQ #0]", 1.0),
+        ("#600=7\n#600=#0\n#600=[#600 EQ #0]", 1.0),
+    ] {
+        assert_eq!(number(text, "#600"), expected, "{text}");
+    }
+    let outcome = go("G0 X5 Y6\nX#1 Y7\nM30");
+    assert_eq!(outcome.position[..2], [5.0, 7.0]);
+}
+
+// oracle: hand
+#[test]
+fn variables_are_reached_by_their_number() {
+    for text in [
+        "#0600=3",
+        "#1=600\n#[#1]=3",
+        "#1=599\n#[#1+1]=3",
+        "#1=600\n##1=3",
+        "#2=3\n#1=2\n#600=##1",
+    ] {
+        assert_eq!(number(text, "#600"), 3.0, "{text}");
+    }
+}
+
+// oracle: hand
+#[test]
+fn jumps_and_loops() {
+    for (text, expected) in [
+        ("IF[1 EQ 1]GOTO 10\n#600=9\nN10 #600=#600+1", 1.0),
+        ("#600=0\nN5 #600=#600+1\nIF[#600 LT 4]GOTO 5", 4.0),
+        ("#1=20\nGOTO #1\n#600=9\nN0020 #600=#600+2", 2.0),
+        ("GOTO[10*2]\n#600=9\nN20 #600=#600+2", 2.0),
+        ("IF[#1 EQ #0]THEN #600=8", 8.0),
+        ("IF[#1 NE #0]THEN #600=8", 0.0),
+        ("#1=0\nWHILE[#1 LT 5]DO1\n#1=#1+1\n#600=#600+#1\nEND1", 15.0),
+        (
+            "#1=0\nWHILE[#1 LT 3]DO1\n#2=0\nWHILE[#2 LT 2]DO2\n#600=#600+1\n#2=#2+1\nEND2\n#1=#1+1\nEND1",
+            6.0,
+        ),
+        ("DO1\n#600=#600+1\nIF[#600 EQ 7]GOTO 9\nEND1\nN9 M30", 7.0),
+        ("WHILE[0]DO1\n#600=5\nEND1", 0.0),
+    ] {
+        assert_eq!(number(text, "#600"), expected, "{text}");
+    }
+}
+
+// oracle: hand
+#[test]
+fn programs_are_called_with_the_variables_of_the_caller() {
+    for (text, expected) in [
+        ("O1\n#1=2\nM98 P20\n#600=#1\nM30\nO20\n#1=#1*10\nM99", 20.0),
+        ("O1\nM98 P20 L3\nM30\nO0020\n#600=#600+1\nM99", 3.0),
+        ("%O1\nM98 P20\n#600=#600+1\nM30\n%O20\n#600=4\nM99\n%", 5.0),
+        ("%\nO1 (MAIN)\nM98 P20\nM30\n:20\n#600=6\nM99\n%", 6.0),
+        ("O1\nM98 P20\n#600=9\nN7 #600=#600+1\nM30\nO20\nM99 P7", 1.0),
+        (
+            "O1\nM98 P20\nM30\nO20\nM98 P30\n#600=#600+1\nM99\nO30\n#600=1\nM99",
+            2.0,
+        ),
+    ] {
+        assert_eq!(number(text, "#600"), expected, "{text}");
+    }
+}
+
+// oracle: hand
+#[test]
+fn programs_are_called_with_arguments() {
+    for (text, expected) in [
+        ("G65 P20 A1 B20 Z300", 321.0),
+        ("#1=7\nG65 P20 A1\n#600=#600+#1", 8.0),
+        ("G65 P20 A1 L2", 1.0),
+        ("G65 P20 I100 J20 K3", 123.0),
+        ("G65 P20 I1 I10 J4", 15.0),
+    ] {
+        let called = "O20\n#600=#1+#2+#26+#4+#5+#6+#7+#8\n#1=99\nM99";
+        let text = format!("O1\n{text}\nM30\n{called}");
+        assert_eq!(number(&text, "#600"), expected, "{text}");
+    }
+    let vacant = "O1\nG65 P20 A1\nM30\nO20\n#600=[#2 EQ #0]\nM99";
+    assert_eq!(number(vacant, "#600"), 1.0);
+}
+
+// oracle: hand: the main program begins anew with M99, until a jump leaves it
+#[test]
+fn the_main_program_may_begin_anew() {
+    let text = "O1\n#600=#600+1\nIF[#600 EQ 3]GOTO 9\nM99\nN9 M30";
+    assert_eq!(number(text, "#600"), 3.0);
+    let text = "#600=0\nN3 #600=#600+1\nIF[#600 EQ 3]GOTO 9\nM99 P3\nN9 M30";
+    assert_eq!(number(text, "#600"), 3.0);
+}
+
+// oracle: hand: what is not known, or never ends, is told at its place
+#[test]
+fn wrong_programs_stop_at_their_place() {
+    for (text, key, place) in [
+        ("G0 X1\n#400=1", "run-unknown-variable", (2, 1)),
+        ("#600=#12345", "run-unknown-variable", (1, 6)),
+        ("#600=#[1000000000000]", "run-unknown-variable", (1, 6)),
+        ("#600=#[-1]", "run-unknown-variable", (1, 6)),
+        ("#0=1", "run-read-only", (1, 1)),
+        ("#1003=1", "run-read-only", (1, 1)),
+        ("#600=1/#1", "run-division", (1, 8)),
+        ("GOTO 5", "run-label", (1, 1)),
+        ("M98 P20\nM30\nO20\nM99 P4", "run-label", (4, 1)),
+        ("WHILE[1]DO1\nEND2", "run-unmatched", (1, 1)),
+        ("END1", "run-unmatched", (1, 1)),
+        ("N1 GOTO 1", "run-steps", (1, 1)),
+        ("DO1\nEND1", "run-steps", (1, 1)),
+        ("#600=1\nM99", "run-steps", (1, 1)),
+        ("M98", "run-no-program", (1, 1)),
+        ("G65 A1", "run-no-program", (1, 1)),
+        ("M98 P20 L-1", "run-range", (1, 9)),
+        ("O1\nM98 P1", "run-depth", (2, 5)),
+        ("O1\nG65 P1", "run-depth", (2, 5)),
+        ("M30\nO2\nM99", "", (0, 0)),
+    ] {
+        if key.is_empty() {
+            assert_eq!(go(text).stop, None, "{text}");
+            continue;
+        }
+        let (found, at) = fault(text);
+        assert_eq!(found, key, "{text}");
+        if key != "run-steps" {
+            assert_eq!(at, place, "{text}");
+        }
+    }
+    let groups = "I1".repeat(11);
+    let text = format!("G65 P20 {groups}\nM30\nO20\nM99");
+    assert_eq!(fault(&text).0, "run-arguments");
+}
+
+// oracle: hand: a run goes on behind what it does not know, and says so
+#[test]
+fn unknown_words_and_programs_are_told() {
+    for (text, key) in [
+        ("M98 P999", "run-subprogram"),
+        ("G65 P999 A1", "run-subprogram"),
+        ("G65 P1.5", "run-subprogram"),
+        ("G777", "run-unknown-word"),
+        ("M77", "run-m-function"),
+        ("Q5", "run-not-simulated"),
+        ("O1\nG65 P2 ,C1\nM30\nO2\nM99", "run-unknown-word"),
+        ("HALLO", "run-unknown-word"),
+        ("X1,5", "run-unknown-word"),
+    ] {
+        let outcome = go(text);
+        assert_eq!(outcome.stop, None, "{text}");
+        let keys: Vec<_> = outcome
+            .diagnostics
+            .iter()
+            .map(|d| &*d.message.key)
+            .collect();
+        assert_eq!(keys, [key], "{text}");
+    }
+}
