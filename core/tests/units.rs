@@ -2,7 +2,7 @@
 //! units of the program are.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use probewright_core::catalogue::{Cycle, Dialect, Style, find};
+use probewright_core::catalogue::{Cycle, Dialect, MachineSort, Style, find};
 use probewright_core::check::{Typed, check, factor, unit_name};
 use probewright_core::control::{Control, Edge, Frame, Plane, Tool, Units};
 use probewright_core::program;
@@ -54,6 +54,34 @@ fn machine(dialect: Dialect, basic: Units) -> Setup {
     setup
 }
 
+/// A turning machine with a tool to be corrected, a memory in use and the zero point in front of the chuck; all lengths
+/// the same in mm.
+fn turning_machine(basic: Units) -> Setup {
+    let mut setup = Setup::turning_in(Plane::G18, basic);
+    let control = &mut setup.control;
+    let edge = Edge {
+        kind: 500,
+        tip: 3,
+        length: [60.0, 40.0, 0.0],
+        radius: 0.8,
+        ..Edge::default()
+    };
+    let tool = Tool {
+        name: "TURNING".into(),
+        edges: [(1, edge)].into(),
+    };
+    control.tools.insert(20, tool);
+    control.set("_EV[9]", 0.01 / control.basic_factor());
+    control.set("_MV[9]", 0.02 / control.basic_factor());
+    control.set("_CHBIT[4]", 1.0);
+    control.set("_WP[0,3]", 2.9 / control.basic_factor());
+    control
+        .frames
+        .insert(1, Frame::translation([0.0, 0.0, 210.0]));
+    control.activate(1);
+    setup
+}
+
 /// Physical values as a form takes them on this control.
 fn typed(cycle: &Cycle, values: &Physical, control: &Control) -> Typed {
     let as_typed = |(name, value): &(&'static str, f64)| {
@@ -72,7 +100,10 @@ fn measure(
     code: u16,
     errors: Errors,
 ) -> Outcome {
-    let mut setup = machine(cycle.dialect, basic);
+    let mut setup = match cycle.purpose.machine {
+        MachineSort::Turning => turning_machine(basic),
+        _ => machine(cycle.dialect, basic),
+    };
     let mut at_call = setup.control.clone();
     assert!(at_call.choose_units(code));
     let typed = typed(cycle, values, &at_call);
@@ -169,6 +200,22 @@ fn workpiece(variant: i64, axis: i64) -> Physical {
     ]
 }
 
+/// Values for any variant of the cycles of turning machines.
+fn turned(variant: i64, axis: i64) -> Physical {
+    let values = workpiece(variant, axis);
+    let mut values: Physical = values
+        .into_iter()
+        .filter(|(name, _)| *name != "_KNUM")
+        .collect();
+    values.extend([
+        ("_KNUM", 1.0),
+        ("_STA1", 30.0),
+        ("_CALNUM", 1.0),
+        ("_MD", 1.0),
+    ]);
+    values
+}
+
 fn used(cycle: &Cycle, values: Physical) -> Physical {
     let has = |name: &str| cycle.params.iter().any(|param| param.name == name);
     values.into_iter().filter(|(name, _)| has(name)).collect()
@@ -215,6 +262,16 @@ proptest! {
         let cycle = find(Dialect::Sinumerik, "CYCLE978").unwrap();
         let variant = cycle.variants[index].number;
         all_units_agree(cycle, &used(cycle, workpiece(variant, axis)), &[71, 70, 700, 710], errors);
+    }
+
+    // oracle: self, as above, on a turning machine with X as diameter
+    #[test]
+    fn turning_in_all_units(name in prop::sample::select(vec!["CYCLE973", "CYCLE974", "CYCLE994"]), index in 0_usize..12, axis in 1_i64..=2, errors in errors()) {
+        let cycle = find(Dialect::Sinumerik, name).unwrap();
+        let variant = cycle.variants[index % cycle.variants.len()].number;
+        // the walls of the groove of position 7 lie in the ordinate, of its base there is one direction
+        let axis = if variant % 100 == 13 { 2 } else { axis };
+        all_units_agree(cycle, &used(cycle, turned(variant, axis)), &[71, 70, 700, 710], errors);
     }
 
     // oracle: self, as above, with the two units of the other control

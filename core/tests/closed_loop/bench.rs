@@ -22,6 +22,16 @@ pub fn with(values: &[(&'static str, f64)], more: &[(&'static str, f64)]) -> Val
 
 /// A call as it would be typed on this machine, checked.
 pub fn inputs(setup: &Setup, name: &str, values: &[(&'static str, f64)]) -> Inputs {
+    inputs_with(setup, name, values, &[])
+}
+
+/// The same with texts beside the numbers.
+pub fn inputs_with(
+    setup: &Setup,
+    name: &str,
+    values: &[(&'static str, f64)],
+    texts: &[(&'static str, &'static str)],
+) -> Inputs {
     let cycle = cycle(name);
     let control = &setup.control;
     let text = |(name, value): &(&str, f64)| {
@@ -32,7 +42,12 @@ pub fn inputs(setup: &Setup, name: &str, values: &[(&'static str, f64)]) -> Inpu
         };
         ((*name).to_owned(), format!("{}", value / per))
     };
-    let typed: Typed = values.iter().map(text).collect();
+    let mut typed: Typed = values.iter().map(text).collect();
+    typed.extend(
+        texts
+            .iter()
+            .map(|(name, text)| ((*name).to_owned(), (*text).to_owned())),
+    );
     let checked = check(cycle, &typed, control);
     let refused = || panic!("{name} {values:?}: {:?}", checked.diagnostics);
     checked.inputs.clone().unwrap_or_else(refused)

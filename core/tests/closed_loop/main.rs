@@ -5,4 +5,5 @@
 mod bench;
 mod calibration;
 mod tool;
+mod turning;
 mod zero_offset;

@@ -8,17 +8,17 @@ use probewright_core::workpiece::PartErrors;
 
 /// What the cycle is told to correct, and what has to be active for it.
 #[derive(Clone, Copy, Debug)]
-struct Target {
+pub struct Target {
     code: f64,
     /// Settable frame in use: 0 for G500.
-    settable: usize,
+    pub settable: usize,
     /// Where it is kept.
     name: &'static str,
 }
 
 /// Every sort of `_KNUM` (B:1930-1969): settable frames, channel and global basic frames, the system frame, the active
 /// frame with and without a settable one.
-const TARGETS: [Target; 8] = [
+pub const TARGETS: [Target; 8] = [
     target(1.0, 1, "$P_UIFR[1]"),
     target(5.0, 5, "$P_UIFR[5]"),
     target(1011.0, 1, "$P_CHBFR[0]"),
@@ -80,7 +80,7 @@ fn machine(plane: Plane, units: Units, settable: usize) -> Setup {
 }
 
 /// A call, and which results are differences to be zero afterwards.
-type Call = (&'static str, Values, &'static [usize]);
+pub type Call = (&'static str, Values, &'static [usize]);
 
 /// Every sort of measurement that corrects a place or an angle.
 fn calls() -> Vec<Call> {
@@ -176,7 +176,7 @@ fn places() -> Vec<Call> {
 }
 
 /// Measures and corrects, makes the frame active and measures again from the same place of the workpiece system.
-fn closed(mut setup: Setup, target: Target, (name, values, differences): &Call) -> Setup {
+pub fn closed(mut setup: Setup, target: Target, (name, values, differences): &Call) -> Setup {
     let what = format!("{target:?} {name} {values:?}");
     let plane = setup.control.plane;
     let tilt = if *name == "CYCLE998" { TILT } else { [0.0; 3] };
