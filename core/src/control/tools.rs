@@ -111,8 +111,13 @@ impl Edge {
 
     /// Whether a workpiece probe in milling may be called with it: type 1x0 or 710 (B:4147-4152).
     pub fn is_milling_probe(&self) -> bool {
-        self.kind == 710 || (100..200).contains(&self.kind) && self.kind % 10 == 0
+        is_milling_probe(self.kind)
     }
+}
+
+/// The same of a type alone.
+pub fn is_milling_probe(kind: i64) -> bool {
+    kind == 710 || (100..200).contains(&kind) && kind % 10 == 0
 }
 
 #[cfg(test)]

@@ -3,6 +3,8 @@
 use super::arguments;
 use super::block::BETWEEN;
 use super::fold::{self, Known};
+pub use super::tools::ToolInUse;
+use super::tools::Tools;
 use super::tree::{Block, Expr, ExprId, Program, Word, WordKind};
 use super::values::{self, Value};
 use crate::catalogue::{self, Arg, ArgumentList, Cycle, Dialect, Kind, Style, list, nct};
@@ -41,6 +43,8 @@ pub struct CallSite {
     pub plane: Plane,
     /// Number of the G function of units in force at the call: 70, 71, 700, 710 (NCT 20, 21).
     pub unit_function: u16,
+    /// Tool in use, where program and machine tell its type.
+    pub tool: Option<ToolInUse>,
     /// Findings with their places.
     pub diagnostics: Vec<Diagnostic>,
 }
@@ -65,6 +69,7 @@ pub fn calls_told(program: &Program, control: Control, told: &mut dyn FnMut(f64)
         newest: HashMap::new(),
         arrays: HashMap::new(),
         own_from: 0,
+        tools: Tools::of(program, &control),
         control,
         found: Vec::new(),
     };
@@ -89,6 +94,7 @@ struct Walk<'a> {
     /// Arrays that the program declares, with their sizes.
     arrays: HashMap<String, Vec<usize>>,
     own_from: u32,
+    tools: Tools,
     control: Control,
     found: Vec<CallSite>,
 }
@@ -270,6 +276,7 @@ impl Walk<'_> {
     }
 
     fn learn(&mut self, name: String, number: Option<f64>) {
+        self.tools.learn(&mut self.control, &name, number);
         match number.filter(|_| !self.unsteady.contains_key(&name)) {
             Some(number) => {
                 self.control.set(name.clone(), number);
@@ -422,6 +429,7 @@ impl Walk<'_> {
             bits: self.bits(),
             plane: self.control.plane,
             unit_function: self.control.unit_function(),
+            tool: None,
             diagnostics: Vec::new(),
         }
     }
@@ -435,7 +443,10 @@ impl Walk<'_> {
     }
 
     fn finish(&mut self, mut site: CallSite) {
+        site.tool = self.tools.use_at(&mut self.control, site.span.start);
         site.diagnostics = check(site.cycle, &site.values, &self.control).diagnostics;
+        let told = |finding: &Diagnostic| self.tools.told(&self.control, finding.code);
+        site.diagnostics.retain(told);
         for finding in &mut site.diagnostics {
             let place = finding.param.and_then(|name| site.places.get(name));
             finding.span = Some(place.copied().unwrap_or(site.span));

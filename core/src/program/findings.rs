@@ -29,10 +29,25 @@ pub fn findings_of(program: &Program, sites: &[CallSite], control: &Control) -> 
         .iter()
         .flat_map(|site| site.diagnostics.iter().cloned());
     let mut found: Vec<Diagnostic> = syntax.chain(calls).chain(advice).collect();
-    found.sort_by_key(|found| found.span.map_or(0, |span| span.start));
-    // Calls that share a value say the same about it.
-    found.dedup();
-    found
+    found.sort_by_key(start);
+    once(found)
+}
+
+fn start(finding: &Diagnostic) -> u32 {
+    finding.span.map_or(0, |span| span.start)
+}
+
+/// Each finding once a place: calls that share a value say the same about it, and so do two ways to a call.
+fn once(found: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    let mut kept: Vec<Diagnostic> = Vec::with_capacity(found.len());
+    for finding in found {
+        let place = start(&finding);
+        let mut same = kept.iter().rev().take_while(|other| start(other) == place);
+        if !same.any(|other| *other == finding) {
+            kept.push(finding);
+        }
+    }
+    kept
 }
 
 fn not_understood(error: &SyntaxError) -> Diagnostic {

@@ -9,6 +9,7 @@ pub mod change;
 pub mod convert;
 mod expression;
 mod findings;
+mod flow;
 mod fold;
 mod keyword;
 mod marked;
@@ -20,6 +21,7 @@ mod reader;
 mod single;
 mod sinumerik;
 mod sinumerik_expression;
+mod tools;
 pub mod tree;
 mod values;
 

@@ -184,6 +184,15 @@ fn carry_out(
     Ok(None)
 }
 
+/// Whether a word without value belongs to the control: its language and its cycles, not a program of the user.
+pub fn is_of_control(name: &str) -> bool {
+    name.starts_with("CYCLE")
+        || ["MSG", environment::NAME, set_alarm::NAME].contains(&name)
+        || user_program::delivered(name)
+        || words::known(name)
+        || frame::is_frame(name)
+}
+
 /// Names by which subprograms are called: `L10`, `CYCLE…`.
 fn is_subprogram(name: &str) -> bool {
     let digits = name

@@ -111,7 +111,7 @@ fn end_of(name: &str) -> Option<&'static str> {
 }
 
 /// The word of a block that belongs to a control structure; an `IF` with a jump is none.
-fn structural(program: &Program, words: &[Word]) -> Option<&'static str> {
+pub fn structural(program: &Program, words: &[Word]) -> Option<&'static str> {
     const NAMES: [&str; 11] = [
         "IF", "ELSE", "ENDIF", "WHILE", "ENDWHILE", "FOR", "ENDFOR", "LOOP", "ENDLOOP", "REPEAT",
         "UNTIL",

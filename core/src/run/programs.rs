@@ -29,7 +29,12 @@ pub struct Programs {
 impl Programs {
     /// The program with this name, as a call writes it: `NAME`, `_N_NAME_SPF`.
     pub fn named(&self, name: &str) -> Option<&Unit> {
-        self.units.get(*self.names.get(bare(name))?)
+        self.units.get(self.place(name)?)
+    }
+
+    /// Its place in `units`.
+    pub fn place(&self, name: &str) -> Option<usize> {
+        self.names.get(bare(name)).copied()
     }
 }
 
@@ -67,17 +72,6 @@ pub fn programs(program: &Program) -> Programs {
     }
     close(&mut found, &mut current, program.blocks.len(), false);
     found
-}
-
-/// First blocks of the programs with a name.
-pub fn subprograms(program: &Program) -> BTreeMap<String, usize> {
-    let found = programs(program);
-    let start = |unit: &usize| found.units.get(*unit).map(|unit| unit.blocks.start);
-    found
-        .names
-        .iter()
-        .filter_map(|(name, unit)| Some((name.clone(), start(unit)?)))
-        .collect()
 }
 
 /// Ends a program; a stretch of empty lines before the first header is none.

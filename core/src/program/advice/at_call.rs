@@ -3,6 +3,7 @@
 use super::{Seen, at, with_line};
 use crate::catalogue::{MachineSort, Param, ProbeUse, names};
 use crate::check::{Finding, error, note, warning};
+use crate::control::tools::is_milling_probe;
 use crate::diagnostic::{Code, Cure, Diagnostic};
 use crate::message::Message;
 use crate::program::calls::CallSite;
@@ -55,7 +56,7 @@ pub fn look(seen: &Seen, asked: &mut Asked, found: &mut Vec<Diagnostic>) {
 
 /// Tool radius compensation has to be off (B:654).
 fn compensation(seen: &Seen) -> Option<Diagnostic> {
-    let code = seen.modal.compensation.filter(|code| *code != 40)?;
+    let code = seen.force.compensation.is().filter(|code| **code != 40)?;
     let message = Message::new("advice-compensation").text("word", format!("G{code}"));
     let finding = error(Code::Own(130), message).hint(Message::new("advice-compensation-hint"));
     Some(with_line(finding, seen, seen.site.first_line, "G40"))
@@ -63,7 +64,7 @@ fn compensation(seen: &Seen) -> Option<Diagnostic> {
 
 /// The cycles measure in the axes of the plane; without one the reset state of the machine decides.
 fn plane(seen: &Seen, asked: &mut Asked) -> Option<Diagnostic> {
-    if seen.modal.plane.is_some() || std::mem::replace(&mut asked.plane, true) {
+    if !seen.force.plane.unset() || std::mem::replace(&mut asked.plane, true) {
         return None;
     }
     let usual = match seen.site.cycle.purpose.machine {
@@ -79,7 +80,7 @@ fn plane(seen: &Seen, asked: &mut Asked) -> Option<Diagnostic> {
 /// On a lathe the setpoint in the transverse axis is a diameter with DIAMON, else a radius (B:10975).
 fn diameter(seen: &Seen, asked: &mut Asked) -> Option<Diagnostic> {
     let lathe = seen.site.cycle.purpose.machine == MachineSort::Turning;
-    if !lathe || seen.modal.diameter || std::mem::replace(&mut asked.diameter, true) {
+    if !lathe || !seen.force.transverse.unset() || std::mem::replace(&mut asked.diameter, true) {
         return None;
     }
     let finding = warning(Code::Own(132), Message::new("advice-diameter"))
@@ -89,9 +90,9 @@ fn diameter(seen: &Seen, asked: &mut Asked) -> Option<Diagnostic> {
 
 /// Without a D number alarm 61311 comes.
 fn edge(seen: &Seen) -> Option<Diagnostic> {
-    let finding = if seen.modal.edge == Some(0.0) {
+    let finding = if seen.force.edge.is() == Some(&0) {
         error(Code::Alarm(61311), Message::new("advice-edge-none"))
-    } else if seen.modal.edge_open {
+    } else if seen.force.edge.unset() && !seen.force.tool.unset() {
         warning(Code::Own(133), Message::new("advice-edge-open"))
     } else {
         return None;
@@ -100,23 +101,17 @@ fn edge(seen: &Seen) -> Option<Diagnostic> {
     Some(with_line(finding, seen, seen.site.first_line, "D1"))
 }
 
-/// The tool that the program names against the tool list of the machine (B:4147-4152).
+/// The tool in use of a milling machine is no probe (B:4147-4152). What lathes and tool probes take, their own checks say.
 fn tool(seen: &Seen) -> Option<Diagnostic> {
-    if seen.site.cycle.purpose.probe != ProbeUse::Workpiece {
-        return None;
-    }
-    let (number, edge) = (seen.modal.tool?, seen.modal.edge.unwrap_or(1.0));
-    let edge = seen.control.edge_of(number as i64, edge as i64)?;
-    let fits = match seen.site.cycle.purpose.machine {
-        MachineSort::Turning => (500..600).contains(&edge.kind) || edge.is_milling_probe(),
-        _ => edge.is_milling_probe(),
-    };
-    if fits {
+    let purpose = &seen.site.cycle.purpose;
+    let probed = purpose.probe == ProbeUse::Workpiece && purpose.machine != MachineSort::Turning;
+    let tool = seen.site.tool.filter(|_| probed)?;
+    if is_milling_probe(tool.kind) {
         return None;
     }
     let message = Message::new("advice-tool")
-        .number("tool", number)
-        .number("type", edge.kind as f64);
+        .number("tool", tool.number as f64)
+        .number("type", tool.kind as f64);
     Some(error(Code::Alarm(61309), message).hint(Message::new("advice-tool-hint")))
 }
 
@@ -124,7 +119,7 @@ fn tool(seen: &Seen) -> Option<Diagnostic> {
 fn spindle(seen: &Seen) -> Option<Diagnostic> {
     let workpiece = seen.site.cycle.purpose.probe == ProbeUse::Workpiece;
     let milling = seen.site.cycle.purpose.machine == MachineSort::Milling;
-    if !(workpiece && milling && seen.modal.turning) {
+    if !(workpiece && milling && seen.force.turning.is() == Some(&true)) {
         return None;
     }
     let finding = warning(Code::Own(134), Message::new("advice-spindle"))

@@ -49,7 +49,7 @@ pub fn ahead(program: &Program, sites: &[CallSite]) -> Vec<Ahead> {
 /// The program goes on in the old frame behind its last measuring call. Between two calls the old frame may be meant:
 /// they measure one axis each.
 pub fn look(seen: &Seen, ahead: Ahead, found: &mut Vec<Diagnostic>) {
-    let corrected = corrected(seen).filter(|frame| seen.modal.frame == Some(*frame));
+    let corrected = corrected(seen).filter(|frame| seen.force.frame.is() == Some(frame));
     if let Some(frame) = corrected.filter(|_| ahead.motion && !ahead.frame) {
         let name = format!("G{frame}");
         let message = Message::new("advice-frame").text("frame", name.as_str());

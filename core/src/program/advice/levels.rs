@@ -5,59 +5,33 @@ use crate::check::{Finding, error};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::message::Message;
 use crate::program::calls::CallSite;
-use crate::program::tree::{Program, WordKind};
-use crate::run::programs::subprograms;
-use std::collections::BTreeMap;
+use crate::program::flow::{LEVELS, callers};
+use crate::program::tree::Program;
+use crate::run::programs::programs;
 
 /// Deepest level of a call.
 const DEEPEST: usize = 5;
-/// Levels that a control has; what is deeper is not followed.
-const LEVELS: usize = 12;
 
 /// Calls in subprograms of the same text that are reached on too deep a level.
 pub fn look(program: &Program, sites: &[CallSite], found: &mut Vec<Diagnostic>) {
-    let starts = subprograms(program);
-    if starts.is_empty() || sites.is_empty() {
+    let programs = programs(program);
+    if programs.units.len() < 2 || sites.is_empty() {
         return;
     }
-    let mut units: Vec<usize> = starts.values().copied().collect();
-    units.sort_unstable();
-    let unit_of = |line: usize| units.partition_point(|start| *start <= line);
-    let levels = levels(&callers(program, &starts, unit_of, units.len() + 1));
+    let levels = levels(&callers(program, &programs));
     for site in sites {
-        let level = levels
-            .get(unit_of(site.line as usize))
-            .copied()
-            .unwrap_or(1);
+        let line = site.line as usize;
+        let units = programs
+            .units
+            .partition_point(|unit| unit.blocks.start <= line);
+        let level = units.checked_sub(1).and_then(|unit| levels.get(unit));
+        let level = level.copied().unwrap_or(1);
         if level > DEEPEST && site.cycle.purpose.probe.measures() {
             let message = Message::new("advice-level").number("level", level as f64);
             let finding = error(Code::Own(138), message).hint(Message::new("advice-level-hint"));
             found.push(at(finding, site.span));
         }
     }
-}
-
-/// Which unit (0: the main program) calls which.
-fn callers(
-    program: &Program,
-    starts: &BTreeMap<String, usize>,
-    unit_of: impl Fn(usize) -> usize,
-    units: usize,
-) -> Vec<Vec<usize>> {
-    let mut calls = vec![Vec::new(); units];
-    for (line, block) in program.blocks.iter().enumerate() {
-        for word in program.words_of(block) {
-            let WordKind::Call { name, .. } = &word.kind else {
-                continue;
-            };
-            if let Some(start) = starts.get(&program.name(*name))
-                && let Some(list) = calls.get_mut(unit_of(line))
-            {
-                list.push(unit_of(*start));
-            }
-        }
-    }
-    calls
 }
 
 /// Deepest level on which each unit runs. What nothing calls may be the main program.

@@ -3,18 +3,17 @@
 mod at_call;
 mod behind;
 mod levels;
-mod modal;
 mod read_back;
 
 use super::calls::CallSite;
 use super::change::{line_before, line_end};
+use super::flow::{State, in_force};
 use super::tree::Program;
 use crate::catalogue::Dialect;
 use crate::check::{self, Inputs};
 use crate::control::Control;
 use crate::diagnostic::{Cure, Diagnostic, Edit, Span};
 use crate::message::Message;
-use modal::Modal;
 
 /// What the rules look at: a call, what is in force there, what it means.
 struct Seen<'a> {
@@ -23,7 +22,8 @@ struct Seen<'a> {
     sites: &'a [CallSite],
     index: usize,
     site: &'a CallSite,
-    modal: Modal,
+    /// What is in force on a way to the call.
+    force: &'a State,
     inputs: Inputs,
 }
 
@@ -34,31 +34,29 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
     }
     let mut found = Vec::new();
     let mut asked = at_call::Asked::of(program);
-    let mut modal = Modal::default();
+    let force = in_force(program);
     let mut at_call = control.clone();
     let ahead = behind::ahead(program, sites);
-    let mut next = 0;
-    for word in &program.words {
-        modal.word(program, word);
-        while let Some(site) = sites.get(next).filter(|site| site.span == word.span) {
-            let seen = Seen {
-                program,
-                control,
-                sites,
-                index: next,
-                site,
-                modal: modal.clone(),
-                inputs: check::read(site.cycle, &site.values, control, &mut Vec::new()),
-            };
-            at_call::look(&seen, &mut asked, &mut found);
-            read_back::look(&seen, &mut at_call, &mut found);
-            behind::look(
-                &seen,
-                ahead.get(next).copied().unwrap_or_default(),
-                &mut found,
-            );
-            next += 1;
-        }
+    for (call, state) in force.visits() {
+        let Ok(index) = sites.binary_search_by_key(&call, |site| site.span.start) else {
+            continue;
+        };
+        let Some(site) = sites.get(index) else {
+            continue;
+        };
+        let seen = Seen {
+            program,
+            control,
+            sites,
+            index,
+            site,
+            force: state,
+            inputs: check::read(site.cycle, &site.values, control, &mut Vec::new()),
+        };
+        at_call::look(&seen, &mut asked, &mut found);
+        read_back::look(&seen, &mut at_call, &mut found);
+        let ahead = ahead.get(index).copied().unwrap_or_default();
+        behind::look(&seen, ahead, &mut found);
     }
     levels::look(program, sites, &mut found);
     found

@@ -1,0 +1,63 @@
+//! Which programs a block calls: `L5`, `L5 P3`, `NAME(1)`, `PCALL NAME(1)`, `MCALL NAME`, `CALL "NAME"`.
+
+use crate::program::tree::{Expr, Program, Word, WordKind};
+use crate::run::programs::Programs;
+use crate::run::{action, statement};
+
+/// Words before the name of a program that say how it is called.
+const MANNERS: [&str; 4] = [statement::CALL, "PCALL", "MCALL", "EXTCALL"];
+
+/// What a word calls.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Called {
+    /// A program of this text, by its place in [`Programs::units`].
+    Here(usize),
+    /// A program that is not in this text.
+    Elsewhere,
+}
+
+/// The program that the word at this place of a block calls; none: it calls nothing, or a cycle.
+pub fn called(program: &Program, programs: &Programs, words: &[Word], at: usize) -> Option<Called> {
+    let before = at.checked_sub(1).and_then(|before| words.get(before));
+    let (name, certain) = match &words.get(at)?.kind {
+        WordKind::Call { name, .. } => (program.name(*name), false),
+        WordKind::Constant(id) if before.is_some_and(|word| is_manner(program, word)) => {
+            match program.expr(*id)? {
+                Expr::Text(place) => (program.name(*place), true),
+                _ => return Some(Called::Elsewhere),
+            }
+        }
+        _ => return None,
+    };
+    if let Some(unit) = programs.place(&name) {
+        return Some(Called::Here(unit));
+    }
+    let manner = MANNERS.contains(&name.as_str());
+    let unknown = certain || !(manner || action::is_of_control(&name));
+    unknown.then_some(Called::Elsewhere)
+}
+
+/// Which program of a text calls which, by their places in [`Programs::units`].
+pub fn callers(program: &Program, programs: &Programs) -> Vec<Vec<usize>> {
+    let units = programs.units.iter();
+    let calls = units.map(|unit| {
+        let blocks = program.blocks.get(unit.blocks.clone()).unwrap_or_default();
+        let words = blocks.iter().map(|block| program.words_of(block));
+        let called = words.flat_map(|words| {
+            (0..words.len()).filter_map(|at| called(program, programs, words, at))
+        });
+        let here = called.filter_map(|called| match called {
+            Called::Here(unit) => Some(unit),
+            Called::Elsewhere => None,
+        });
+        here.collect()
+    });
+    calls.collect()
+}
+
+fn is_manner(program: &Program, word: &Word) -> bool {
+    match &word.kind {
+        WordKind::Call { name, .. } => MANNERS.iter().any(|manner| program.is(*name, manner)),
+        _ => false,
+    }
+}

@@ -1,0 +1,159 @@
+//! What is in force at a place of a program, as far as its text tells.
+
+use crate::control::Transverse;
+
+/// One thing that is in force.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum Mode<T> {
+    /// Nothing was programmed since the main program began.
+    #[default]
+    Unset,
+    /// This.
+    Is(T),
+    /// It depends on what the text does not tell: a branch, a program elsewhere, a value of the run.
+    Open,
+}
+
+impl<T: PartialEq + Clone> Mode<T> {
+    /// What is in force for certain.
+    pub fn is(&self) -> Option<&T> {
+        match self {
+            Mode::Is(value) => Some(value),
+            _ => None,
+        }
+    }
+
+    /// Whether nothing was programmed for certain.
+    pub fn unset(&self) -> bool {
+        *self == Mode::Unset
+    }
+
+    fn meet(&self, other: &Self) -> Self {
+        if self == other {
+            self.clone()
+        } else {
+            Mode::Open
+        }
+    }
+}
+
+/// A tool, as the program names it.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Tool {
+    /// T number.
+    Number(i64),
+    /// Name under tool management, in upper case.
+    Name(String),
+}
+
+/// State at a place of the program.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct State {
+    /// G17, G18 or G19.
+    pub plane: Mode<u16>,
+    /// G40, G41 or G42.
+    pub compensation: Mode<u16>,
+    /// G500, G54 to G57, G505 to G599.
+    pub frame: Mode<u16>,
+    /// DIAMON, DIAMOF, DIAM90.
+    pub transverse: Mode<Transverse>,
+    /// M3 or M4 (true), or a stop or positioning since.
+    pub turning: Mode<bool>,
+    /// Tool in use.
+    pub tool: Mode<Tool>,
+    /// D number; unset behind a tool change: none was programmed since.
+    pub edge: Mode<i64>,
+    /// Tool that M6 brings.
+    pub prepared: Option<Mode<Tool>>,
+    /// D number that counts for it.
+    pub waiting: Mode<i64>,
+}
+
+impl State {
+    /// Nothing is known.
+    pub fn elsewhere() -> State {
+        State {
+            plane: Mode::Open,
+            compensation: Mode::Open,
+            frame: Mode::Open,
+            transverse: Mode::Open,
+            turning: Mode::Open,
+            tool: Mode::Open,
+            edge: Mode::Open,
+            prepared: None,
+            waiting: Mode::Open,
+        }
+    }
+
+    /// What holds where two ways meet.
+    pub fn meet(&self, other: &State) -> State {
+        State {
+            plane: self.plane.meet(&other.plane),
+            compensation: self.compensation.meet(&other.compensation),
+            frame: self.frame.meet(&other.frame),
+            transverse: self.transverse.meet(&other.transverse),
+            turning: self.turning.meet(&other.turning),
+            tool: self.tool.meet(&other.tool),
+            edge: self.edge.meet(&other.edge),
+            prepared: match (&self.prepared, &other.prepared) {
+                (one, other) if one == other => one.clone(),
+                _ => Some(Mode::Open),
+            },
+            waiting: self.waiting.meet(&other.waiting),
+        }
+    }
+
+    /// T: the tool is in use at once, or M6 brings it.
+    pub fn choose(&mut self, tool: Mode<Tool>, prepares: bool) {
+        if prepares {
+            self.prepared = Some(tool);
+            self.waiting = Mode::Unset;
+        } else {
+            self.tool = tool;
+            self.edge = Mode::Unset;
+        }
+    }
+
+    /// D: of the tool in use, and of the one that M6 brings.
+    pub fn correct(&mut self, edge: Mode<i64>) {
+        self.waiting.clone_from(&edge);
+        self.edge = edge;
+    }
+
+    /// M6.
+    pub fn change(&mut self) {
+        match self.prepared.take() {
+            Some(tool) => {
+                self.tool = tool;
+                self.edge = std::mem::take(&mut self.waiting);
+            }
+            None => {
+                self.tool = Mode::Open;
+                self.edge = Mode::Open;
+            }
+        }
+    }
+
+    /// A G function.
+    pub fn function(&mut self, code: u16) {
+        match code {
+            17..=19 => self.plane = Mode::Is(code),
+            40..=42 => self.compensation = Mode::Is(code),
+            54..=57 | 500 | 505..=599 => self.frame = Mode::Is(code),
+            _ => {}
+        }
+    }
+
+    /// An M function of the main spindle.
+    pub fn machine(&mut self, code: i64) {
+        match code {
+            3 | 4 => self.turning = Mode::Is(true),
+            5 | 19 => self.turning = Mode::Is(false),
+            6 => {
+                self.turning = Mode::Is(false);
+                self.change();
+            }
+            _ => {}
+        }
+    }
+}

@@ -1,0 +1,222 @@
+//! Ways through one program: `IF` to `ENDIF`, loops that may not run, jumps forward, ends.
+
+use crate::program::fold::{self, Known};
+use crate::program::tree::{Block, Expr, Program, Word, WordKind};
+use crate::run::flow::{canonical, structural};
+use std::collections::HashMap;
+
+/// The state on the present way, and on the ways that meet it later.
+pub struct Branches<S> {
+    /// On the present way.
+    pub state: S,
+    /// Nothing comes here in the order of the text.
+    pub dead: bool,
+    open: Vec<Open<S>>,
+    /// States with which a label or block number is jumped to.
+    jumps: HashMap<String, S>,
+    /// State of those who went back before the end.
+    left: Option<S>,
+}
+
+/// A structure whose end has not come yet.
+struct Open<S> {
+    before: S,
+    dead: bool,
+    /// End of the part before `ELSE`; none inside where it does not come to its end.
+    first: Option<Option<S>>,
+}
+
+impl<S: Clone> Branches<S> {
+    /// The one way at the beginning.
+    pub fn new(state: S) -> Self {
+        Self {
+            state,
+            dead: false,
+            open: Vec::new(),
+            jumps: HashMap::new(),
+            left: None,
+        }
+    }
+
+    /// Before a block: jumps arrive, branches end or begin.
+    pub fn arrive(
+        &mut self,
+        program: &Program,
+        block: &Block,
+        words: &[Word],
+        meet: impl Fn(&S, &S) -> S,
+    ) {
+        self.labels(program, block, words, &meet);
+        match structural(program, words) {
+            Some("ELSE") => {
+                if let Some(open) = self.open.last_mut() {
+                    open.first = Some((!self.dead).then(|| self.state.clone()));
+                    self.state = open.before.clone();
+                    self.dead = open.dead;
+                }
+            }
+            Some("ENDIF" | "ENDWHILE" | "ENDFOR") => {
+                if let Some(open) = self.open.pop() {
+                    let other = (!open.dead).then_some(open.before);
+                    self.join(open.first.unwrap_or(other), meet);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// Behind a block: a branch begins, or a jump or the end goes away.
+    pub fn leave(
+        &mut self,
+        program: &Program,
+        block: &Block,
+        words: &[Word],
+        meet: impl Fn(&S, &S) -> S,
+    ) {
+        if let Some("IF" | "WHILE" | "FOR") = structural(program, words) {
+            self.open.push(Open {
+                before: self.state.clone(),
+                dead: self.dead,
+                first: None,
+            });
+        }
+        let mut goes = ends(program, words);
+        if returns(program, words) && !self.dead {
+            let left = self.left.take();
+            self.left =
+                Some(left.map_or_else(|| self.state.clone(), |left| meet(&left, &self.state)));
+            goes = true;
+        }
+        for target in words.iter().filter_map(|word| target(program, word)) {
+            goes = true;
+            if let Some(name) = target.filter(|_| !self.dead) {
+                let known = self.jumps.remove(&name);
+                let state =
+                    known.map_or_else(|| self.state.clone(), |known| meet(&known, &self.state));
+                self.jumps.insert(name, state);
+            }
+        }
+        if goes && block.skip.is_none() && !conditional(program, words) {
+            self.dead = true;
+        }
+    }
+
+    /// Whether the present way comes to this block for certain, as far as the text tells.
+    pub fn alive(&self, block: &Block) -> bool {
+        !self.dead && block.skip.is_none()
+    }
+
+    /// What holds behind the program; none: it does not come back.
+    pub fn after(mut self, meet: impl Fn(&S, &S) -> S) -> Option<S> {
+        let left = self.left.take();
+        if self.dead {
+            return left;
+        }
+        self.join(left, meet);
+        Some(self.state)
+    }
+
+    fn labels(
+        &mut self,
+        program: &Program,
+        block: &Block,
+        words: &[Word],
+        meet: impl Fn(&S, &S) -> S,
+    ) {
+        let label = words.iter().find_map(|word| match word.kind {
+            WordKind::Label(name) => Some(name),
+            _ => None,
+        });
+        if self.jumps.is_empty() && (label.is_none() || !self.dead) {
+            return;
+        }
+        let names = label.into_iter().chain(block.number);
+        for name in names.map(|name| canonical(&program.name(name))) {
+            let state = self.jumps.remove(&name);
+            self.join(state, &meet);
+        }
+        // A label that is jumped to from behind: nothing better is known than the order of the text.
+        self.dead &= label.is_none();
+    }
+
+    /// Another way meets the present one.
+    fn join(&mut self, other: Option<S>, meet: impl Fn(&S, &S) -> S) {
+        let Some(other) = other else {
+            return;
+        };
+        self.state = if self.dead {
+            other
+        } else {
+            meet(&self.state, &other)
+        };
+        self.dead = false;
+    }
+}
+
+/// Where a word jumps to; none inside: the text does not tell.
+fn target(program: &Program, word: &Word) -> Option<Option<String>> {
+    let WordKind::Keyword { name, value } = &word.kind else {
+        return None;
+    };
+    let text = program.text(*name);
+    if !text
+        .get(..4)
+        .is_some_and(|start| start.eq_ignore_ascii_case(b"GOTO"))
+    {
+        return None;
+    }
+    Some(match value.and_then(|value| program.expr(value)) {
+        Some(Expr::Name { name, index }) if index.is_empty() => {
+            Some(canonical(&program.name(*name)))
+        }
+        Some(Expr::Text(name)) => Some(canonical(&program.name(*name))),
+        Some(Expr::Number(number, _)) => Some(format!("N{number}")),
+        _ => None,
+    })
+}
+
+/// Whether a condition stands in the block.
+fn conditional(program: &Program, words: &[Word]) -> bool {
+    words.iter().any(|word| match word.kind {
+        WordKind::Keyword { name, .. } => program.is(name, "IF") || program.is(name, "CASE"),
+        _ => false,
+    })
+}
+
+/// Whether the block ends the whole program: M2, M30.
+pub fn ends(program: &Program, words: &[Word]) -> bool {
+    words
+        .iter()
+        .any(|word| function(program, word, &[2.0, 30.0]))
+}
+
+/// Whether the block goes back to the caller: M17, RET.
+pub fn returns(program: &Program, words: &[Word]) -> bool {
+    words.iter().any(|word| match word.kind {
+        WordKind::Keyword { name, .. } => program.is(name, "RET"),
+        _ => function(program, word, &[17.0]),
+    })
+}
+
+/// Whether a word without value stands in the block.
+pub fn calls(program: &Program, words: &[Word], known: &str) -> bool {
+    words.iter().any(|word| match word.kind {
+        WordKind::Call { name, .. } => program.is(name, known),
+        _ => false,
+    })
+}
+
+fn function(program: &Program, word: &Word, numbers: &[f64]) -> bool {
+    let WordKind::Address {
+        name,
+        value,
+        extension: None,
+        ..
+    } = &word.kind
+    else {
+        return false;
+    };
+    program.is(*name, "M")
+        && fold::number(program, *value, &Known::new())
+            .is_some_and(|number| numbers.contains(&number))
+}

@@ -1,0 +1,92 @@
+//! The tool in use at the calls of a program, and what the program itself says of it (`$TC_DP1[7,1]=120`).
+
+use super::flow::{Force, Tool, in_force};
+use super::tree::Program;
+use crate::catalogue::Dialect;
+use crate::control::Control;
+use crate::diagnostic::Code;
+use std::collections::BTreeSet;
+
+/// The tool has no length or no radius.
+const SIZE: Code = Code::Alarm(61351);
+/// The cutting edge position is none that the cycle takes.
+const TIP: Code = Code::Alarm(61315);
+
+/// A tool with what it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ToolInUse {
+    /// T number.
+    pub number: i64,
+    /// `$TC_DP1`.
+    pub kind: i64,
+}
+
+/// What is known of the tools while a program is read.
+pub struct Tools {
+    force: Force,
+    /// T and D with which the program starts.
+    start: (i64, i64),
+    /// Edges that the control had before.
+    known: BTreeSet<(i64, i64)>,
+}
+
+impl Tools {
+    /// Those of a program that starts on a control in this state.
+    pub fn of(program: &Program, control: &Control) -> Tools {
+        let force = match program.dialect {
+            Dialect::Sinumerik => in_force(program),
+            Dialect::Nct => Force::default(),
+        };
+        let edges = control.tools.iter();
+        let edges = edges.flat_map(|(tool, data)| data.edges.keys().map(|edge| (*tool, *edge)));
+        Tools {
+            force,
+            start: (control.tool, control.edge),
+            known: edges.collect(),
+        }
+    }
+
+    /// A datum that the program writes; none: its value is not known.
+    pub fn learn(&self, control: &mut Control, name: &str, number: Option<f64>) {
+        if name.starts_with("$TC_") {
+            control.set_variable(name, number.unwrap_or(0.0));
+        }
+    }
+
+    /// Puts the tool in use that the call finds, and says what it is. None is in use where the text does not tell.
+    pub fn use_at(&self, control: &mut Control, call: u32) -> Option<ToolInUse> {
+        let agreed = self.force.agreed(call).unwrap_or_default();
+        (control.tool, control.edge) = self.start;
+        if !agreed.tool.unset() {
+            let number = match agreed.tool.is() {
+                Some(Tool::Number(number)) => Some(*number),
+                Some(Tool::Name(name)) => named(control, name),
+                None => None,
+            };
+            control.tool = number.unwrap_or(0);
+            control.edge = number.map_or(0, |_| match agreed.edge.is() {
+                Some(edge) => *edge,
+                None if agreed.edge.unset() => 1,
+                None => 0,
+            });
+        }
+        let edge = control.active_edge().filter(|edge| edge.kind != 0)?;
+        Some(ToolInUse {
+            number: control.tool,
+            kind: edge.kind,
+        })
+    }
+
+    /// Whether a finding is worth telling: what a program does not say of a tool that it enters the machine may know.
+    pub fn told(&self, control: &Control, code: Code) -> bool {
+        let no_tip = || control.active_edge().is_none_or(|edge| edge.tip == 0);
+        let left_open = code == SIZE || code == TIP && no_tip();
+        !left_open || self.known.contains(&(control.tool, control.edge))
+    }
+}
+
+fn named(control: &Control, name: &str) -> Option<i64> {
+    let mut tools = control.tools.iter();
+    let found = tools.find(|(_, tool)| tool.name.eq_ignore_ascii_case(name));
+    found.map(|(number, _)| *number)
+}

@@ -1,0 +1,203 @@
+//! Doubts about whole programs: what is in force at a call, along the calls of subprograms and past branches.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use probewright_core::catalogue::Dialect;
+use probewright_core::diagnostic::Code::{self, Alarm, Own};
+use probewright_core::diagnostic::Diagnostic;
+use probewright_core::program::{findings, read};
+
+/// A hole that is only measured, and its call.
+const HOLE: &str = "_MVAR=1 _SETVAL=132 _KNUM=0 _PRNUM=1 _FA=2 _TSA=2\nCYCLE977\n";
+/// The same at the tool probe: length of the tool in use.
+const LENGTH: &str = "_MVAR=1 _MA=3 _ID=20 _PRNUM=1 _FA=10 _TSA=5\nCYCLE971\n";
+/// A turning tool is measured.
+const TURNED: &str = "_MVAR=1 _MA=1 _PRNUM=1 _FA=10 _TSA=5\nCYCLE972\n";
+
+const COMPENSATION: Code = Own(130);
+const PLANE: Code = Own(131);
+const EDGE: Code = Own(133);
+const SPINDLE: Code = Own(134);
+const CALIBRATION: Code = Own(135);
+const LEVEL: Code = Own(138);
+
+fn found(text: &str) -> Vec<Diagnostic> {
+    findings(&read(Dialect::Sinumerik, text.as_bytes()))
+}
+
+fn tells(text: &str, code: Code) -> bool {
+    found(text).iter().any(|finding| finding.code == code)
+}
+
+// oracle: manual A:15848, A:15855, B:4147-4152 (types of probes and of tools)
+#[test]
+fn the_type_that_the_program_enters_is_the_type_of_its_tool() {
+    let tool = |kind: i64, call: &str| {
+        let g = if call == TURNED { "G18" } else { "G17" };
+        format!("$TC_DP1[7,1]={kind}\n{g} G40 G54 DIAMON\nT7 D1\n{call}M30\n")
+    };
+    for (kind, call, wrong) in [
+        (710, HOLE, None),
+        (120, HOLE, None),
+        (500, HOLE, Some(Alarm(61309))),
+        (220, HOLE, Some(Alarm(61309))),
+        (120, LENGTH, None),
+        (200, LENGTH, None),
+        (500, LENGTH, Some(Alarm(61314))),
+        (710, LENGTH, Some(Alarm(61314))),
+        (500, TURNED, None),
+        (120, TURNED, Some(Alarm(61314))),
+        (710, TURNED, Some(Alarm(61314))),
+    ] {
+        let text = tool(kind, call);
+        let all = found(&text);
+        let codes = all.iter().map(|finding| finding.code);
+        let told: Vec<Code> = codes
+            .filter(|code| matches!(code, Alarm(61309 | 61314 | 61315 | 61351)))
+            .collect();
+        assert_eq!(told, Vec::from_iter(wrong), "{text}");
+    }
+}
+
+// oracle: hand (T prepares where M6 changes)
+#[test]
+fn a_tool_that_is_only_prepared_is_not_in_use() {
+    let tools = "$TC_DP1[9,1]=710 $TC_DP1[7,1]=500\nG17 G40 G54\n";
+    let wrong = |order: &str| tells(&format!("{tools}{order}{HOLE}M30\n"), Alarm(61309));
+    assert!(!wrong("T9 M6\nD1\nT7\n"));
+    assert!(!wrong("M6 T9 D1\nT7\n"));
+    assert!(wrong("T7 M6\nD1\nT9\n"));
+    assert!(wrong("T7 D1\n"));
+    assert!(!tells(&format!("{tools}T9 D1\nM6\nT7\n{HOLE}M30\n"), EDGE));
+    assert!(tells(&format!("{tools}T9 M6\nT7\n{HOLE}M30\n"), EDGE));
+}
+
+/// A main program and a subprogram `L5` with the call of the hole, or what is given.
+fn called(main: &str, sub: &str) -> String {
+    format!("%_N_MAIN_MPF\n{main}\nM30\n%_N_L5_SPF\n{sub}\nM17\n")
+}
+
+// oracle: manual B:654-656, hand (a call takes the state of the caller along)
+#[test]
+fn what_is_in_force_follows_the_calls() {
+    let hole = |main: &str| called(main, HOLE);
+    for call in [
+        "L5",
+        "L5 P3",
+        "PCALL L5",
+        "CALL \"L5\"",
+        "CALL \"_N_L5_SPF\"",
+        "MCALL L5",
+    ] {
+        let right = hole(&format!("G17 G40 G54 T9 D1\n{call}"));
+        for code in [COMPENSATION, PLANE, EDGE, SPINDLE] {
+            assert!(!tells(&right, code), "{right}");
+        }
+        for (state, code) in [
+            ("G17 G41 T9 D1", COMPENSATION),
+            ("T9 D1", PLANE),
+            ("G17 T9", EDGE),
+            ("G17 T9 D1 M3", SPINDLE),
+            ("G17 T9 D0", Alarm(61311)),
+        ] {
+            let text = hole(&format!("{state}\n{call}"));
+            assert!(tells(&text, code), "{text}");
+        }
+    }
+    // The order of the text is not that of the run.
+    let behind = "G17 G40 T9 D1\nL5\nG41 G1 X10";
+    assert!(!tells(&hole(behind), COMPENSATION));
+    let each = "G17 G40 T9 D1\nL5\nG41 G1 X10\nL5";
+    assert!(tells(&hole(each), COMPENSATION));
+    let twice = "G17 G41 T9 D1\nL5\nG18\nL5";
+    let all = found(&hole(twice));
+    assert_eq!(all.iter().filter(|one| one.code == COMPENSATION).count(), 1);
+    let back = called(&format!("G17 T9 D1\nL5\n{HOLE}"), "G41");
+    assert!(tells(&back, COMPENSATION));
+    let saved =
+        format!("%_N_MAIN_MPF\nG17 G40 T9 D1\nL5\n{HOLE}M30\n%_N_L5_SPF\nPROC L5 SAVE\nG41\nM17\n");
+    assert!(!tells(&saved, COMPENSATION));
+}
+
+// oracle: hand
+#[test]
+fn a_probe_that_a_subprogram_calibrates_is_calibrated() {
+    let ring = "_MVAR=1 _SETVAL=50 _PRNUM=1 _FA=2 _TSA=2\nCYCLE976";
+    let begin = "G17 G40 G54 T9 D1\n";
+    assert!(!tells(
+        &called(&format!("{begin}L5\n{HOLE}"), ring),
+        CALIBRATION
+    ));
+    assert!(tells(
+        &called(&format!("{begin}{HOLE}L5"), ring),
+        CALIBRATION
+    ));
+}
+
+// oracle: hand (what the text does not tell is not doubted)
+#[test]
+fn what_depends_on_the_run_is_not_doubted() {
+    for way in [
+        "IF R1>0\nG41\nENDIF",
+        "IF R1>0\nG40\nELSE\nG41\nENDIF",
+        "IF R1>0 GOTOF OVER\nG41\nOVER:",
+        "WHILE R1>0\nG41\nENDWHILE",
+        "/G41",
+        "G41\nL77",
+        "G41\nUNKNOWN_PREPARATION(1)",
+        "G41\nCALL \"FAR\"",
+    ] {
+        let text = format!("G17 G40 T9 D1\n{way}\n{HOLE}M30\n");
+        assert!(!tells(&text, COMPENSATION), "{text}");
+    }
+    for way in [
+        "IF R1>0\nG41\nELSE\nG41\nENDIF",
+        "IF R1>0\nG40\nM30\nENDIF\nG41",
+        "LOOP\nG41\nENDLOOP",
+        "GOTOF OVER\nG40\nOVER: G41",
+        "G41\nSTOPRE",
+        "G41\nCYCLE81(10,0,2,-5)",
+    ] {
+        let text = format!("G17 T9 D1\n{way}\n{HOLE}M30\n");
+        assert!(tells(&text, COMPENSATION), "{text}");
+    }
+    let text = format!("G17 G41 T9 D1\nIF R1>0 GOTOF END\nM30\nEND: G40\n{HOLE}");
+    assert!(!tells(&text, COMPENSATION));
+}
+
+// oracle: hand
+#[test]
+fn programs_without_an_end_are_followed_to_an_end() {
+    for (main, sub) in [
+        ("G17 G41 T9 D1\nL5", format!("L5\n{HOLE}")),
+        (
+            "G17 G41 T9 D1\nL5\nL6",
+            format!("{HOLE}M17\n%_N_L6_SPF\nL5\nL6"),
+        ),
+    ] {
+        let text = called(main, &sub);
+        assert!(tells(&text, COMPENSATION), "{text}");
+    }
+    let circle = format!("%_N_L1_SPF\nL2\n{HOLE}M17\n%_N_L2_SPF\nL1\nM17\n");
+    assert!(!tells(&circle, COMPENSATION));
+    let many: String = (1..400)
+        .map(|n| format!("%_N_L{n}_SPF\nL{}\nL{}\nM17\n", n + 1, n + 2))
+        .collect();
+    assert!(!found(&format!("G17 G40 T9 D1\nL1\nM30\n{many}{HOLE}")).is_empty());
+}
+
+// oracle: manual B:656 (not deeper than the fifth level)
+#[test]
+fn every_way_to_call_counts_as_a_level() {
+    for way in ["L#", "L# P2", "PCALL L#", "CALL \"L#\"", "MCALL L#"] {
+        let chain = |deepest: usize| {
+            let name = |n: usize| way.replace('#', &n.to_string());
+            let subs: String = (2..deepest)
+                .map(|n| format!("%_N_L{n}_SPF\n{}\nM17\n", name(n + 1)))
+                .collect();
+            let main = format!("%_N_M_MPF\nG17 G40 T9 D1\n{}\nM30\n", name(2));
+            format!("{main}{subs}%_N_L{deepest}_SPF\n{HOLE}M17\n")
+        };
+        assert!(!tells(&chain(5), LEVEL), "{way}");
+        assert!(tells(&chain(6), LEVEL), "{way}");
+    }
+}
