@@ -213,6 +213,7 @@ fn probings<T>(outcome: &Outcome, tell: impl Fn([f64; 3], [f64; 3], f64) -> T) -
                 from,
                 to,
                 feed,
+                ..
             } => Some(tell(*from, *to, *feed)),
             _ => None,
         })

@@ -311,6 +311,7 @@ fn measuring_feed_and_path_as_delivered() {
                         to,
                         feed,
                         kind,
+                        ..
                     } if format!("{kind:?}") == "Measuring" => Some((*from, *to, *feed)),
                     _ => None,
                 });

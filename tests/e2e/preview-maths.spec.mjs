@@ -153,6 +153,22 @@ test("the probe is on its motion and stays where the last motion ended", () => {
   assert.equal(paths.probeAt({ entries: [] }, 0, 0), null);
 });
 
+// oracle: hand (a half turn and up by 4 about the axis X10, then a turn about an axis along X)
+test("an arc is drawn and travelled round its axis", () => {
+  const half = { step: "motion", kind: "positioning", from: [0, 0, 0], to: [20, 0, 4], feed: 900, around: { centre: [10, 0, 0], axis: [0, 0, 1], degrees: -180 } };
+  const turn = { step: "motion", kind: "positioning", from: [20, 0, 4], to: [20, 0, 4], feed: 900, around: { centre: [20, 0, 0], axis: [1, 0, 0], degrees: 360 } };
+  const entries = [half, turn];
+  near(paths.probeAt({ entries }, 0, 0.5), [10, 10, 2], 1e-9);
+  near(paths.probeAt({ entries }, 1, 0.25), [20, -4, 0], 1e-9);
+  near(paths.probeAt({ entries }, 1, 1), [20, 0, 4], 1e-9);
+  const lines = paths.pathLines({ entries: [half], ball: { radius: 3, length: 50 }, solids: [], frames: [] }, colours.LIGHT, 1);
+  assert.equal(lines.length, 60);
+  for (const { to: [x, y], style: { entry, during: [begin, end] } } of lines) {
+    near([Math.hypot(x - 10, y), entry, end - begin], [10, 0, 1 / 60], 1e-9);
+  }
+  near(lines.at(-1).to, [20, 0, 4], 1e-9);
+});
+
 // oracle: hand
 test("grid lines are 1, 2 or 5 times a power of ten apart, about ten of them", () => {
   near([0.9, 18, 58, 430, 1000].map(paths.gridSpacing), [0.1, 2, 10, 50, 100], 1e-12);

@@ -119,8 +119,10 @@ export interface Outcome {
 }
 export type Vec3 = [number, number, number];
 export type MotionKind = "rapid" | "positioning" | "measuring" | "retract";
+/** A way round an axis, right-handed; absent: straight. Between different heights it climbs evenly. */
+export interface Around { centre: Vec3; axis: Vec3; degrees: number }
 export type Step =
-  | { step: "motion"; kind: MotionKind; from: Vec3; to: Vec3; feed: number }
+  | { step: "motion"; kind: MotionKind; from: Vec3; to: Vec3; feed: number; around?: Around }
   | { step: "touch"; latched: Vec3; ball: Vec3; point: Vec3; normal: Vec3 }
   | { step: "crash"; point: Vec3 }
   | { step: "orient"; angle: number }

@@ -1,45 +1,189 @@
-//! An arc about a centre of the plane, as the chords that are driven.
+//! A way round an axis: an arc, or with a climb along the axis a helix.
 
-/// Degrees of an arc per chord.
-const CHORD: f64 = 3.0;
+use super::V3;
+use nalgebra::{Rotation3, Unit};
 
-/// Ends of the chords of an arc from a point about a centre, mm: the last one is the end of the arc. Degrees, positive
-/// from the first axis towards the second.
-pub fn chords(centre: [f64; 2], from: [f64; 2], degrees: f64) -> Vec<[f64; 2]> {
-    let [x, y] = [from[0] - centre[0], from[1] - centre[1]];
-    let (radius, first) = (x.hypot(y), y.atan2(x));
-    let count = (degrees.abs() / CHORD).ceil().max(1.0) as usize;
-    let sweep = degrees.to_radians();
-    let end = |part: usize| {
-        let angle = first + sweep * part as f64 / count as f64;
-        [
-            centre[0] + radius * angle.cos(),
-            centre[1] + radius * angle.sin(),
-        ]
-    };
-    (1..=count).map(end).collect()
+/// Degrees of a piece of an arc that is short enough to be taken for a straight line: on a radius of 100 mm they are
+/// 0.04 mm apart.
+const PIECE: f64 = 3.0;
+
+/// How a way between two points goes round an axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Around {
+    /// A point of the axis.
+    pub centre: [f64; 3],
+    /// Unit vector along it.
+    pub axis: [f64; 3],
+    /// Degrees from start to end, right-handed about the axis; whole turns included.
+    pub degrees: f64,
+}
+
+impl Around {
+    /// The place after a part of the way, 0 to 1. It climbs evenly, and changes evenly from the distance of the start to
+    /// that of the end, so that it ends where it should.
+    pub fn at(&self, from: [f64; 3], to: [f64; 3], part: f64) -> [f64; 3] {
+        if part >= 1.0 {
+            return to;
+        }
+        let axis = Unit::new_unchecked(V3::from(self.axis));
+        let [(start, height), (end, top)] = [from, to].map(|point| self.split(point));
+        let turn = Rotation3::from_axis_angle(&axis, (self.degrees * part).to_radians());
+        let size = 1.0 + part * (end.norm() / start.norm() - 1.0);
+        let climbed = height + part * (top - height);
+        (V3::from(self.centre) + turn * start * size + axis.scale(climbed)).into()
+    }
+
+    /// Where an arc from here ends that climbs by so much.
+    pub fn end(&self, from: [f64; 3], climb: f64) -> [f64; 3] {
+        let axis = Unit::new_unchecked(V3::from(self.axis));
+        let (start, height) = self.split(from);
+        let turn = Rotation3::from_axis_angle(&axis, self.degrees.to_radians());
+        (V3::from(self.centre) + turn * start + axis.scale(height + climb)).into()
+    }
+
+    /// A point seen from the axis, and its height along it.
+    fn split(&self, point: [f64; 3]) -> (V3, f64) {
+        let axis = V3::from(self.axis);
+        let away = V3::from(point) - V3::from(self.centre);
+        let height = away.dot(&axis);
+        (away - axis * height, height)
+    }
+
+    /// Length of the way, mm.
+    pub fn length(&self, from: [f64; 3], to: [f64; 3]) -> f64 {
+        let [(start, height), (_, top)] = [from, to].map(|point| self.split(point));
+        (start.norm() * self.degrees.to_radians()).hypot(top - height)
+    }
+
+    /// How many pieces are short enough to be taken for straight lines.
+    pub fn pieces(&self) -> usize {
+        (self.degrees.abs() / PIECE).ceil().max(1.0) as usize
+    }
+
+    /// The same way in coordinates to which `map` takes a point; none where it is no circle there: the axes have
+    /// different scales.
+    pub fn mapped(&self, map: impl Fn([f64; 3]) -> [f64; 3]) -> Option<Around> {
+        let axis = V3::from(self.axis);
+        let upright = if axis.x.abs() < 0.9 { V3::x() } else { V3::y() };
+        let first = axis.cross(&upright).normalize();
+        let centre = V3::from(map(self.centre));
+        let seen = |direction: V3| {
+            let point = V3::from(self.centre) + direction;
+            V3::from(map(point.into())) - centre
+        };
+        let (first, second) = (seen(first), seen(axis.cross(&first)));
+        let size = first.norm();
+        let round =
+            (second.norm() - size).abs() < 1e-9 * size && first.dot(&second).abs() < 1e-9 * size;
+        round.then(|| Around {
+            centre: centre.into(),
+            axis: first.cross(&second).normalize().into(),
+            degrees: self.degrees,
+        })
+    }
+}
+
+/// The way from start through a point to the end; none: the three lie on a line.
+pub fn through(start: [f64; 3], middle: [f64; 3], end: [f64; 3]) -> Option<Around> {
+    let [a, b, c] = [start, middle, end].map(V3::from);
+    let (to_middle, to_end) = (b - a, c - a);
+    let normal = to_middle.cross(&to_end);
+    let square = normal.norm_squared();
+    if square <= 1e-18 * to_middle.norm_squared() * to_end.norm_squared() {
+        return None;
+    }
+    let lift = to_middle.norm_squared() * to_end.cross(&normal)
+        - to_end.norm_squared() * to_middle.cross(&normal);
+    let centre = a + lift / (2.0 * square);
+    let axis = normal.normalize();
+    let (x, to_end) = (a - centre, c - centre);
+    let angle = to_end.dot(&axis.cross(&x)).atan2(to_end.dot(&x));
+    Some(Around {
+        centre: centre.into(),
+        axis: axis.into(),
+        degrees: angle.to_degrees().rem_euclid(360.0),
+    })
 }
 
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]
-    use super::chords;
+    use super::*;
+
+    fn near(a: [f64; 3], b: [f64; 3]) {
+        assert!((V3::from(a) - V3::from(b)).norm() < 1e-9, "{a:?} {b:?}");
+    }
+
+    const ABOUT: Around = Around {
+        centre: [5.0, 2.0, 0.0],
+        axis: [0.0, 0.0, 1.0],
+        degrees: 90.0,
+    };
 
     // oracle: hand
     #[test]
     fn a_quarter_is_driven_on_its_circle() {
+        let from = [15.0, 2.0, 7.0];
         for (degrees, end) in [
-            (90.0, [5.0, 12.0]),
-            (-90.0, [5.0, -8.0]),
-            (360.0, [15.0, 2.0]),
+            (90.0, [5.0, 12.0, 7.0]),
+            (-90.0, [5.0, -8.0, 7.0]),
+            (360.0, from),
         ] {
-            let ends = chords([5.0, 2.0], [15.0, 2.0], degrees);
-            assert_eq!(ends.len(), (degrees.abs() / 3.0) as usize);
-            for [x, y] in &ends {
+            let arc = Around { degrees, ..ABOUT };
+            near(arc.end(from, 0.0), end);
+            assert_eq!(arc.pieces(), (degrees.abs() / 3.0) as usize);
+            for part in [0.0, 0.1, 0.5, 0.9, 1.0] {
+                let [x, y, z] = arc.at(from, end, part);
                 assert!(((x - 5.0_f64).hypot(y - 2.0) - 10.0).abs() < 1e-9);
+                assert_eq!(z, 7.0);
             }
-            let [x, y] = ends.last().unwrap();
-            assert!((x - end[0]).hypot(y - end[1]) < 1e-9, "{degrees}: {x} {y}");
+            let way = 10.0 * degrees.abs().to_radians();
+            assert!((arc.length(from, end) - way).abs() < 1e-9);
         }
+    }
+
+    // oracle: hand: a turn and a half up by 3; and an end that lies 0.01 farther out
+    #[test]
+    fn a_helix_climbs_evenly_and_every_way_ends_at_its_end() {
+        let arc = Around {
+            degrees: 540.0,
+            ..ABOUT
+        };
+        let from = [15.0, 2.0, 0.0];
+        let to = arc.end(from, 3.0);
+        near(to, [-5.0, 2.0, 3.0]);
+        near(arc.at(from, to, 1.0 / 3.0), [-5.0, 2.0, 1.0]);
+        near(arc.at(from, to, 2.0 / 3.0), [15.0, 2.0, 2.0]);
+        let beside = [5.0, 12.01, 0.0];
+        near(ABOUT.at(from, beside, 1.0), beside);
+        let [x, y, _] = ABOUT.at(from, beside, 0.5);
+        assert!(((x - 5.0_f64).hypot(y - 2.0) - 10.005).abs() < 1e-9);
+    }
+
+    // oracle: hand: what is mirrored goes round the other way; an ellipse is no circle
+    #[test]
+    fn a_way_is_mapped_with_its_points() {
+        let map = |[x, y, z]: [f64; 3]| [z + 1.0, -2.0 * x, 2.0 * y];
+        let (from, to) = ([15.0, 2.0, 0.0], [5.0, 12.0, 0.0]);
+        let seen = ABOUT.mapped(map).unwrap();
+        for part in [0.2, 0.7] {
+            near(
+                seen.at(map(from), map(to), part),
+                map(ABOUT.at(from, to, part)),
+            );
+        }
+        assert_eq!(ABOUT.mapped(|[x, y, z]| [x, 2.0 * y, z]), None);
+    }
+
+    // oracle: hand: a half circle over the Z axis stands in the plane X-Z
+    #[test]
+    fn three_points_make_a_circle_in_space() {
+        let (from, to) = ([10.0, 5.0, 0.0], [-10.0, 5.0, 0.0]);
+        let arc = through(from, [0.0, 5.0, 10.0], to).unwrap();
+        for part in [0.1, 0.5, 0.8] {
+            let [x, y, z] = arc.at(from, to, part);
+            assert!((x.hypot(z) - 10.0).abs() < 1e-9 && y == 5.0 && z > 0.0);
+        }
+        assert_eq!(through([0.0; 3], [1.0; 3], [2.0; 3]), None);
     }
 }

@@ -7,6 +7,7 @@ use crate::check::{Inputs, unit_name};
 use crate::control::Control;
 use crate::control::rotary::ROTARY;
 use crate::diagnostic::Code;
+use crate::geometry::arc::Around;
 use crate::message::Message;
 use crate::run::outcome::Outcome;
 use crate::run::setup::Setup;
@@ -120,6 +121,14 @@ fn ball(setup: &Setup, outcome: &Outcome) -> Value {
     ])
 }
 
+fn arc(around: &Around) -> Value {
+    object([
+        ("centre", around.centre.into()),
+        ("axis", around.axis.into()),
+        ("degrees", around.degrees.into()),
+    ])
+}
+
 fn entry(entry: &Entry) -> Value {
     let mut view = step(&entry.step);
     if let Some(line) = entry.line {
@@ -134,14 +143,21 @@ fn step(step: &Step) -> Value {
             kind,
             from,
             to,
+            around,
             feed,
-        } => object([
-            ("step", "motion".into()),
-            ("kind", kind_name(*kind).into()),
-            ("from", (*from).into()),
-            ("to", (*to).into()),
-            ("feed", (*feed).into()),
-        ]),
+        } => {
+            let mut view = object([
+                ("step", "motion".into()),
+                ("kind", kind_name(*kind).into()),
+                ("from", (*from).into()),
+                ("to", (*to).into()),
+                ("feed", (*feed).into()),
+            ]);
+            if let Some(around) = around {
+                put(&mut view, "around", arc(around));
+            }
+            view
+        }
         Step::Touch {
             latched,
             ball,

@@ -1,8 +1,5 @@
-//! Circles of a program: from centre, radius, opening angle or intermediate point to a sequence of points, in the plane
-//! and in space.
+//! Arcs of a program in the working plane: from centre, radius or opening angle.
 
-use crate::geometry::arc::chords;
-use nalgebra::Vector3;
 use std::f64::consts::TAU;
 
 /// How far the distances of both ends from the centre may differ, mm.
@@ -92,44 +89,6 @@ impl Arc {
     pub fn radius(&self) -> f64 {
         distance(self.centre, self.start)
     }
-
-    /// Points behind the start up to the end, each with its part of the whole way.
-    pub fn points(&self) -> Vec<([f64; 2], f64)> {
-        let mut ends = chords(self.centre, self.start, self.sweep.to_degrees());
-        if let Some(last) = ends.last_mut() {
-            *last = self.end;
-        }
-        let count = ends.len() as f64;
-        let part = |(i, end)| (end, (i + 1) as f64 / count);
-        ends.into_iter().enumerate().map(part).collect()
-    }
-}
-
-/// Points of the circle from start through a point to the end, start excluded; none: the three lie on a line.
-pub fn through(start: [f64; 3], middle: [f64; 3], end: [f64; 3]) -> Option<Vec<[f64; 3]>> {
-    let [a, b, c] = [start, middle, end].map(Vector3::from);
-    let (to_middle, to_end) = (b - a, c - a);
-    let normal = to_middle.cross(&to_end);
-    let square = normal.norm_squared();
-    if square <= 1e-18 * to_middle.norm_squared() * to_end.norm_squared() {
-        return None;
-    }
-    let lift = to_middle.norm_squared() * to_end.cross(&normal)
-        - to_end.norm_squared() * to_middle.cross(&normal);
-    let centre = a + lift / (2.0 * square);
-    let x = a - centre;
-    let y = normal.normalize().cross(&x);
-    let to_end = c - centre;
-    let sweep = to_end.dot(&y).atan2(to_end.dot(&x)).rem_euclid(TAU);
-    let flat = chords([0.0; 2], [1.0, 0.0], sweep.to_degrees());
-    let mut points: Vec<[f64; 3]> = flat
-        .iter()
-        .map(|[along, across]| (centre + x * *along + y * *across).into())
-        .collect();
-    if let Some(last) = points.last_mut() {
-        *last = end;
-    }
-    Some(points)
 }
 
 /// Angle from start to end, radian; a full circle where they are the same.
@@ -200,23 +159,5 @@ mod tests {
         let full = Arc::about([0.0; 2], [10.0, 0.0], [10.0, 0.0], false).unwrap();
         near(&[full.sweep], &[-TAU]);
         near(&[full.with_turns(2.0).sweep], &[-3.0 * TAU]);
-        assert!(
-            full.points()
-                .iter()
-                .all(|(at, _)| (at[0].hypot(at[1]) - 10.0).abs() < 1e-9)
-        );
-    }
-
-    // oracle: hand: a half circle over the Z axis stands in the plane X-Z
-    #[test]
-    fn three_points_make_a_circle_in_space() {
-        let points = through([10.0, 5.0, 0.0], [0.0, 5.0, 10.0], [-10.0, 5.0, 0.0]).unwrap();
-        assert!(
-            points
-                .iter()
-                .all(|[x, y, z]| (x.hypot(*z) - 10.0).abs() < 1e-9 && *y == 5.0 && *z > -1e-9)
-        );
-        near(points.last().unwrap(), &[-10.0, 5.0, 0.0]);
-        assert_eq!(through([0.0; 3], [1.0, 1.0, 1.0], [2.0, 2.0, 2.0]), None);
     }
 }

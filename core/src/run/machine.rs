@@ -1,13 +1,15 @@
 //! The simulated machine: moves the probe among the solids and records what happens.
 
+use super::route::{Obstacle, Route, add};
 use super::trace::{Entry, MotionKind, Step, Trace};
 use super::{Machine, Setup, Stop};
 use crate::catalogue::{Dialect, nct};
 use crate::control::tools::LATHE_PROBE;
 use crate::control::{Control, Edge};
 use crate::diagnostic::Code;
+use crate::geometry::arc::Around;
 use crate::message::Message;
-use crate::workpiece::contact::{self, Contact};
+use crate::workpiece::contact::{Boundary, Contact};
 use crate::workpiece::noise::Noise;
 use crate::workpiece::probe::{ball_offset, touch};
 use crate::workpiece::{Probe, Workpiece, chuck};
@@ -32,7 +34,7 @@ pub struct Sim {
     pub measuring: bool,
     probe: Probe,
     /// The part where it stands now.
-    workpiece: Workpiece,
+    part: Boundary,
     /// The part as it is clamped, rotary axes and the spindle of a turning machine at 0.
     clamped: Workpiece,
     /// How far the spindle of a turning machine has turned the part, degree.
@@ -55,7 +57,7 @@ impl Sim {
             trace_limit: TRACE_LIMIT,
             measuring: false,
             probe: setup.probe,
-            workpiece: on_table(&setup.control, &setup.workpiece, 0.0),
+            part: Boundary::of(&on_table(&setup.control, &setup.workpiece, 0.0)),
             clamped: setup.workpiece.clone(),
             turned: 0.0,
             noise: Noise::new(setup.probe.repeatability.1),
@@ -64,25 +66,37 @@ impl Sim {
         }
     }
 
-    /// Straight motion between machine positions; see [`Machine::travel`].
+    /// Motion to a machine position, straight or round an axis; see [`Machine::travel`].
     pub fn travel_machine(
         &mut self,
         to: [f64; 3],
+        around: Option<Around>,
         kind: MotionKind,
         feed: f64,
         monitored: bool,
     ) -> Result<(), Stop> {
-        self.admit(to)?;
-        let from = self.position;
-        let hit = self.obstacle(from, to);
-        let end = hit.map_or(to, |(stop, ..)| stop);
-        if monitored && let Some(stop) = self.false_signal(from, end) {
-            self.go(stop, kind, feed);
+        let way = Route {
+            from: self.position,
+            to,
+            around,
+        };
+        self.admit(&way)?;
+        let hit = self.obstacle(&way);
+        let free = hit.map_or(way, |hit| way.until(hit.part, hit.stop));
+        if monitored && let Some((part, stop)) = self.false_signal(&free) {
+            self.go(&free.until(part, stop), kind, feed);
             self.note(Step::Decision(Message::new("run-false-signal")));
             return Err(Stop::Alarm(self.collision()));
         }
-        self.go(end, kind, feed);
-        let Some((stop, ball, point, normal)) = hit else {
+        self.go(&free, kind, feed);
+        let Some(Obstacle {
+            stop,
+            ball,
+            point,
+            normal,
+            ..
+        }) = hit
+        else {
             return Ok(());
         };
         if monitored {
@@ -101,11 +115,11 @@ impl Sim {
 
     /// Straight measuring motion to a machine position; see [`Machine::probe`].
     pub fn probe_machine(&mut self, to: [f64; 3], feed: f64) -> Result<Option<[f64; 3]>, Stop> {
-        self.admit(to)?;
         let from = self.position;
+        self.admit(&Route::straight(from, to))?;
         let height = self.ball_height();
         let signal = touch(
-            &self.workpiece,
+            &self.part,
             &self.probe,
             self.probe_angle(),
             self.tool_axis(),
@@ -115,12 +129,13 @@ impl Sim {
             &mut self.noise,
         );
         let end = signal.map_or(to, |touch| add(touch.latched, height, -1.0));
-        if let Some(stop) = self.false_signal(from, end) {
-            self.go(stop, MotionKind::Measuring, feed);
+        let way = Route::straight(from, end);
+        if let Some((part, stop)) = self.false_signal(&way) {
+            self.go(&way.until(part, stop), MotionKind::Measuring, feed);
             self.note(Step::Decision(Message::new("run-false-signal")));
             return Ok(Some(stop));
         }
-        self.go(end, MotionKind::Measuring, feed);
+        self.go(&way, MotionKind::Measuring, feed);
         if let Some(touch) = signal {
             self.touching = true;
             self.note(Step::Touch {
@@ -135,7 +150,11 @@ impl Sim {
 
     /// Goes on behind a signal to the end of the motion: the stylus gives way (`MEAW`).
     pub fn press_on(&mut self, to: [f64; 3], feed: f64) {
-        self.go(to, MotionKind::Measuring, feed);
+        self.go(
+            &Route::straight(self.position, to),
+            MotionKind::Measuring,
+            feed,
+        );
     }
 
     /// Turns a rotary axis (index A B C) to a position of the machine, degree; the part turns with it. What it meets on
@@ -145,8 +164,7 @@ impl Sim {
             return;
         };
         let from = std::mem::replace(position, to);
-        self.workpiece = on_table(&self.control, &self.clamped, self.turned);
-        let solids = self.workpiece.solids.clone();
+        let Workpiece { solids } = self.stands();
         self.note(Step::Table {
             axis,
             from,
@@ -155,29 +173,36 @@ impl Sim {
         });
     }
 
+    /// The part as rotary axes and spindle have turned it, which from now on is what can be touched.
+    fn stands(&mut self) -> Workpiece {
+        let part = on_table(&self.control, &self.clamped, self.turned);
+        self.part = Boundary::of(&part);
+        part
+    }
+
     /// Moves and records it.
-    fn go(&mut self, to: [f64; 3], kind: MotionKind, feed: f64) {
-        let from = std::mem::replace(&mut self.position, to);
+    fn go(&mut self, way: &Route, kind: MotionKind, feed: f64) {
+        self.position = way.to;
         self.note(Step::Motion {
             kind,
-            from,
-            to,
+            from: way.from,
+            to: way.to,
+            around: way.around,
             feed,
         });
     }
 
-    /// Where on a watched way a signal comes that is none. The ways are counted.
-    fn false_signal(&mut self, from: [f64; 3], to: [f64; 3]) -> Option<[f64; 3]> {
-        let before = self.watched;
-        let [x, y, z] = add(to, from, -1.0);
-        let way = x.hypot(y).hypot(z);
-        self.watched += way;
+    /// Where on a watched way a signal comes that is none, and after which part of it. The ways are counted.
+    fn false_signal(&mut self, way: &Route) -> Option<(f64, [f64; 3])> {
+        let (before, length) = (self.watched, way.length());
+        self.watched += length;
         let after = self.probe.false_signal? - before;
-        if !(0.0..way).contains(&after) {
+        if !(0.0..length).contains(&after) {
             return None;
         }
         self.touching = false;
-        Some(add(from, add(to, from, -1.0), after / way))
+        let part = after / length;
+        Some((part, way.at(part)))
     }
 
     /// The alarm of a signal where none may come.
@@ -244,12 +269,12 @@ impl Sim {
         ))
     }
 
-    /// Whether a motion may begin: the trace has room, the target is a position that the axes may take.
-    fn admit(&self, to: [f64; 3]) -> Result<(), Stop> {
+    /// Whether a motion may begin: the trace has room, the axes may take all its positions.
+    fn admit(&self, way: &Route) -> Result<(), Stop> {
         self.room()?;
-        let problem = if !to.iter().all(|value| value.is_finite()) {
+        let problem = if !way.to.iter().all(|value| value.is_finite()) {
             Message::new("run-not-finite")
-        } else if !self.control.within_limits(to) {
+        } else if !way.ends().all(|end| self.control.within_limits(end)) {
             Message::new("run-limit")
         } else {
             return Ok(());
@@ -270,52 +295,18 @@ impl Sim {
         height
     }
 
-    /// Where a motion is stopped by the part: position, ball centre, point and normal.
-    #[allow(clippy::type_complexity)]
-    fn obstacle(
-        &self,
-        from: [f64; 3],
-        to: [f64; 3],
-    ) -> Option<([f64; 3], [f64; 3], [f64; 3], [f64; 3])> {
-        if !self.has_probe() {
-            return None;
-        }
-        let skew = ball_offset(&self.probe, self.probe_angle(), self.tool_axis());
-        let shift = add(self.ball_height(), skew, 1.0);
-        let end = add(to, shift, 1.0);
-        let mut start = add(from, shift, 1.0);
-        for _ in 0..4 {
-            match contact::first(&self.workpiece, self.probe.radius, start, end) {
-                Contact::None => return None,
-                Contact::Hit {
-                    ball,
-                    point,
-                    normal,
-                    ..
-                } => {
-                    return Some((add(ball, shift, -1.0), ball, point, normal));
-                }
-                Contact::Already {
-                    point,
-                    normal,
-                    depth,
-                } => match released(start, end, normal, depth) {
-                    Some(free) => start = free,
-                    None => return Some((add(start, shift, -1.0), start, point, normal)),
-                },
-            }
-        }
-        None
+    /// Where a motion is stopped by the part.
+    fn obstacle(&self, way: &Route) -> Option<Obstacle> {
+        self.has_probe()
+            .then(|| way.obstacle(&self.part, self.probe.radius, self.ball()))
+            .flatten()
     }
-}
 
-/// Where a ball that reaches into the part by `depth` is free again on its way; none when it does not leave.
-/// A stylus that is deflected by pre-travel or delay leaves the part on its way back.
-fn released(from: [f64; 3], to: [f64; 3], normal: [f64; 3], depth: f64) -> Option<[f64; 3]> {
-    let way = add(to, from, -1.0);
-    let outward: f64 = (0..3).map(|i| way[i] * normal[i]).sum();
-    let part = depth * (1.0 + 1e-9) / outward + 1e-12;
-    (outward > 0.0 && part < 1.0).then(|| add(from, way, part))
+    /// From the point to which the tool length refers to the real centre of the ball.
+    fn ball(&self) -> [f64; 3] {
+        let skew = ball_offset(&self.probe, self.probe_angle(), self.tool_axis());
+        add(self.ball_height(), skew, 1.0)
+    }
 }
 
 /// The part as the rotary axes and, by so many degrees, the spindle of a turning machine turn it.
@@ -325,10 +316,6 @@ fn on_table(control: &Control, clamped: &Workpiece, turned: f64) -> Workpiece {
     Workpiece {
         solids: solids.collect(),
     }
-}
-
-fn add(a: [f64; 3], b: [f64; 3], factor: f64) -> [f64; 3] {
-    std::array::from_fn(|i| a[i] + factor * b[i])
 }
 
 impl Machine for Sim {
@@ -347,7 +334,21 @@ impl Machine for Sim {
         feed: f64,
         monitored: bool,
     ) -> Result<(), Stop> {
-        self.travel_machine(self.control.to_machine(to), kind, feed, monitored)
+        self.travel_machine(self.control.to_machine(to), None, kind, feed, monitored)
+    }
+
+    fn travel_around(
+        &mut self,
+        to: [f64; 3],
+        around: &Around,
+        kind: MotionKind,
+        feed: f64,
+        monitored: bool,
+    ) -> Result<(), Stop> {
+        let on_machine = around.mapped(|point| self.control.to_machine(point));
+        let around = on_machine.ok_or_else(|| Stop::Fault(Message::new("run-arc")))?;
+        let to = self.control.to_machine(to);
+        self.travel_machine(to, Some(around), kind, feed, monitored)
     }
 
     fn probe(&mut self, to: [f64; 3], feed: f64) -> Result<Option<[f64; 3]>, Stop> {
@@ -356,9 +357,8 @@ impl Machine for Sim {
     }
 
     fn in_contact(&self) -> bool {
-        let skew = ball_offset(&self.probe, self.probe_angle(), self.tool_axis());
-        let ball = add(self.position, add(self.ball_height(), skew, 1.0), 1.0);
-        let contact = contact::first(&self.workpiece, self.probe.radius, ball, ball);
+        let ball = add(self.position, self.ball(), 1.0);
+        let contact = self.part.first(self.probe.radius, ball, ball);
         matches!(contact, Contact::Already { .. })
     }
 
@@ -374,7 +374,7 @@ impl Machine for Sim {
         self.control.spindle = angle;
         if self.in_turret() {
             self.turned = angle;
-            self.workpiece = on_table(&self.control, &self.clamped, angle);
+            self.stands();
         }
         self.note(Step::Orient(angle));
     }

@@ -31,6 +31,7 @@ pub mod predict;
 pub mod problem;
 pub mod programs;
 pub mod repeat;
+pub mod route;
 mod set_alarm;
 pub mod setup;
 pub mod statement;
@@ -52,6 +53,7 @@ pub use setup::Setup;
 use crate::check::Inputs;
 use crate::control::Control;
 use crate::diagnostic::Code;
+use crate::geometry::arc::Around;
 use crate::message::Message;
 use trace::{MotionKind, Step};
 
@@ -77,6 +79,15 @@ pub trait Machine {
     fn travel(
         &mut self,
         to: [f64; 3],
+        kind: MotionKind,
+        feed: f64,
+        monitored: bool,
+    ) -> Result<(), Stop>;
+    /// The same round an axis of the WCS.
+    fn travel_around(
+        &mut self,
+        to: [f64; 3],
+        around: &Around,
         kind: MotionKind,
         feed: f64,
         monitored: bool,

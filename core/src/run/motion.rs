@@ -1,6 +1,6 @@
-//! Motion of a program: straight lines, arcs as chords, measuring blocks.
+//! Motion of a program: straight lines, arcs, measuring blocks.
 
-use super::arcs::{self, Arc};
+use super::arcs::Arc;
 use super::interpret::Interpreter;
 use super::modal::{Compensation, FeedType, Motion};
 use super::path::{Coordinate, Measure, Path, Suppress};
@@ -10,6 +10,7 @@ use super::{Machine, Stop};
 use crate::control::Transverse;
 use crate::control::variables::AXES;
 use crate::diagnostic::Severity;
+use crate::geometry::arc::{self, Around};
 
 /// Axes that differ by less have not moved, mm.
 const STILL: f64 = 1e-9;
@@ -35,9 +36,9 @@ pub fn go(run: &mut Interpreter, path: &Path) -> Result<(), Stop> {
         (None, Motion::Line | Motion::Spline) => {
             straight(run, path.suppress, to, MotionKind::Positioning, feed)
         }
-        (None, Motion::Through) => points(run, path, through(run, path, from, to), feed),
+        (None, Motion::Through) => around(run, path, through(run, path, from, to), feed),
         (None, Motion::Clockwise | Motion::Counter) => {
-            points(run, path, in_plane(run, path, from, to), feed)
+            around(run, path, in_plane(run, path, from, to), feed)
         }
     };
     run.programmed = Some((nose(run), run.sim.position()));
@@ -123,23 +124,23 @@ fn straight(
     feed: f64,
 ) -> Result<(), Stop> {
     let to = machine(run, suppress, to);
-    run.sim.travel_machine(to, kind, feed, false)
+    run.sim.travel_machine(to, None, kind, feed, false)
 }
 
-/// Goes along points; none: they are no arc.
-fn points(
+/// Goes round an axis to a target, both in the coordinates of the block; none: they make no arc.
+fn around(
     run: &mut Interpreter,
     path: &Path,
-    points: Option<Vec<[f64; 3]>>,
+    arc: Option<([f64; 3], Around)>,
     feed: f64,
 ) -> Result<(), Stop> {
-    let Some(points) = points else {
+    let seen = |point| machine(run, path.suppress, point);
+    let arc = arc.and_then(|(to, around)| Some((seen(to), around.mapped(seen)?)));
+    let Some((to, around)) = arc else {
         return Err(Stop::Fault(Problem::new("run-arc", path.span, "").message));
     };
-    for point in points {
-        straight(run, path.suppress, point, MotionKind::Positioning, feed)?;
-    }
-    Ok(())
+    let kind = MotionKind::Positioning;
+    run.sim.travel_machine(to, Some(around), kind, feed, false)
 }
 
 /// `MEAS=1 G1 X100`: stops at the signal; `$AC_MEA`, `$AA_MW`, `$AA_MM` tell where (B:12790-12856). Behind the signal of
@@ -156,7 +157,7 @@ fn measured(
         run.sim.probe_machine(to, feed)?
     } else {
         run.sim
-            .travel_machine(to, MotionKind::Measuring, feed, false)?;
+            .travel_machine(to, None, MotionKind::Measuring, feed, false)?;
         None
     };
     let input = measure.input.abs();
@@ -192,23 +193,36 @@ fn measured(
     Ok(())
 }
 
-/// Points of CIP.
-fn through(run: &Interpreter, path: &Path, from: [f64; 3], to: [f64; 3]) -> Option<Vec<[f64; 3]>> {
+/// CIP: the target, and the way there.
+fn through(
+    run: &Interpreter,
+    path: &Path,
+    from: [f64; 3],
+    to: [f64; 3],
+) -> Option<([f64; 3], Around)> {
     let middle = std::array::from_fn(|i| target(run, from[i], from[i], path.middle[i], i));
-    arcs::through(from, middle, to)
+    Some((to, arc::through(from, middle, to)?))
 }
 
-/// Points of an arc or a helix in the working plane.
-fn in_plane(run: &Interpreter, path: &Path, from: [f64; 3], to: [f64; 3]) -> Option<Vec<[f64; 3]>> {
+/// An arc or a helix in the working plane: the target, which an opening angle may tell, and the way there.
+fn in_plane(
+    run: &Interpreter,
+    path: &Path,
+    from: [f64; 3],
+    to: [f64; 3],
+) -> Option<([f64; 3], Around)> {
     let [a, o, p] = run.sim.control.plane.axes();
     let arc = arc(run, path, from, to)?;
-    let climb = to[p] - from[p];
-    let place = |([x, y], part): ([f64; 2], f64)| {
-        let mut point = [0.0; 3];
-        (point[a], point[o], point[p]) = (x, y, from[p] + climb * part);
-        point
+    let (mut centre, mut axis, mut end) = (from, [0.0; 3], to);
+    [centre[a], centre[o]] = arc.centre;
+    [end[a], end[o]] = arc.end;
+    axis[p] = 1.0;
+    let around = Around {
+        centre,
+        axis,
+        degrees: arc.sweep.to_degrees(),
     };
-    Some(arc.points().into_iter().map(place).collect())
+    Some((end, around))
 }
 
 /// The arc in the plane: with a radius or an opening angle, else about a centre.

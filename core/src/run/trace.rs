@@ -1,6 +1,7 @@
 //! What happened, in order, each with the program line that caused it. 3D view, timeline, tables and tests read this.
 
 use crate::diagnostic::Code;
+use crate::geometry::arc::Around;
 use crate::message::Message;
 use crate::workpiece::Solid;
 
@@ -20,7 +21,7 @@ pub enum MotionKind {
 /// One step. Positions are machine (basic) coordinates X Y Z in mm.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Step {
-    /// A straight motion.
+    /// A motion.
     Motion {
         /// Kind.
         kind: MotionKind,
@@ -28,6 +29,8 @@ pub enum Step {
         from: [f64; 3],
         /// Real end.
         to: [f64; 3],
+        /// Round what it went; none: straight.
+        around: Option<Around>,
         /// mm/min; 0: rapid traverse.
         feed: f64,
     },

@@ -18,6 +18,7 @@ const MARGIN: f64 = 20.0;
 const FLOOR: f64 = 10.0;
 
 /// Boundary and inside of a solid.
+#[derive(Clone, Debug)]
 pub(super) struct Body {
     /// Own frame → machine.
     pub place: IsometryMatrix3<f64>,
@@ -28,6 +29,7 @@ pub(super) struct Body {
 }
 
 /// A convex piece of space.
+#[derive(Clone, Debug)]
 enum Piece {
     Frustum(Frustum),
     Round { lobes: Lobes, depth: f64 },

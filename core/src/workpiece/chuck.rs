@@ -27,7 +27,7 @@ pub fn turned(solid: &Solid, angle: f64) -> Solid {
 mod tests {
     use super::*;
     use crate::workpiece::Workpiece;
-    use crate::workpiece::contact::distance;
+    use crate::workpiece::contact::Boundary;
 
     #[test]
     fn eccentricity_and_lobes_go_round_with_the_part() {
@@ -53,12 +53,8 @@ mod tests {
                 let turn = rigid::rotation([0.0, 0.0, angle]);
                 let moved = axis + turn * (V3::from(point) - axis);
                 let far = |solid: Solid, point: V3| {
-                    distance(
-                        &Workpiece {
-                            solids: vec![solid],
-                        },
-                        point.into(),
-                    )
+                    let solids = vec![solid];
+                    Boundary::of(&Workpiece { solids }).distance(point.into())
                 };
                 let before = far(part.clone(), point.into());
                 let after = far(turned(&part, angle), moved);

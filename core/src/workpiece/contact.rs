@@ -33,65 +33,78 @@ pub enum Contact {
     },
 }
 
-/// First contact of a ball whose centre moves from `from` to `to`.
-pub fn first(workpiece: &Workpiece, ball_radius: f64, from: [f64; 3], to: [f64; 3]) -> Contact {
-    let way = Path::new(V3::from(from), V3::from(to));
-    let mut nearest: Option<(f64, V3, V3)> = None;
-    for solid in &workpiece.solids {
-        let body = Body::new(solid);
-        let own = Path {
-            from: body.place.inverse_transform_point(&way.from.into()).coords,
-            direction: body.place.rotation.inverse() * way.direction,
-            length: way.length,
-        };
-        match start(&body, &own, ball_radius) {
-            Start::Already(point, normal, depth) => {
-                let point = body.place.transform_point(&point.into()).coords;
-                let normal = body.place.rotation * normal;
-                return Contact::Already {
-                    point: point.into(),
-                    normal: normal.into(),
-                    depth,
-                };
-            }
-            Start::Pressed(point, normal) => nearest = Some(placed(&body, 0.0, point, normal)),
-            Start::Free => {
-                let limit = nearest.map_or(f64::INFINITY, |(s, ..)| s);
-                if let Some((s, point, normal)) = hit(&body, &own, ball_radius)
-                    && s < limit
-                {
-                    nearest = Some(placed(&body, s, point, normal));
+/// A part taken apart into what a ball can touch: made once, asked for every motion.
+#[derive(Clone, Debug)]
+pub struct Boundary {
+    bodies: Vec<Body>,
+}
+
+impl Boundary {
+    /// That of a part.
+    pub fn of(workpiece: &Workpiece) -> Boundary {
+        Boundary {
+            bodies: workpiece.solids.iter().map(Body::new).collect(),
+        }
+    }
+
+    /// First contact of a ball whose centre moves from `from` to `to`.
+    pub fn first(&self, ball_radius: f64, from: [f64; 3], to: [f64; 3]) -> Contact {
+        let way = Path::new(V3::from(from), V3::from(to));
+        let mut nearest: Option<(f64, V3, V3)> = None;
+        for body in &self.bodies {
+            let own = Path {
+                from: body.place.inverse_transform_point(&way.from.into()).coords,
+                direction: body.place.rotation.inverse() * way.direction,
+                length: way.length,
+            };
+            match start(body, &own, ball_radius) {
+                Start::Already(point, normal, depth) => {
+                    let point = body.place.transform_point(&point.into()).coords;
+                    let normal = body.place.rotation * normal;
+                    return Contact::Already {
+                        point: point.into(),
+                        normal: normal.into(),
+                        depth,
+                    };
+                }
+                Start::Pressed(point, normal) => nearest = Some(placed(body, 0.0, point, normal)),
+                Start::Free => {
+                    let limit = nearest.map_or(f64::INFINITY, |(s, ..)| s);
+                    if let Some((s, point, normal)) = hit(body, &own, ball_radius)
+                        && s < limit
+                    {
+                        nearest = Some(placed(body, s, point, normal));
+                    }
                 }
             }
         }
-    }
-    nearest.map_or(Contact::None, |(s, point, normal)| Contact::Hit {
-        t: if way.length > 0.0 {
-            s / way.length
-        } else {
-            0.0
-        },
-        ball: way.at(s).into(),
-        point: point.into(),
-        normal: normal.into(),
-    })
-}
-
-/// Distance of a point from the surface of the nearest solid, negative inside.
-pub fn distance(workpiece: &Workpiece, p: [f64; 3]) -> f64 {
-    workpiece.solids.iter().fold(f64::INFINITY, |least, solid| {
-        let body = Body::new(solid);
-        let own = body
-            .place
-            .inverse_transform_point(&V3::from(p).into())
-            .coords;
-        let distance = surface(&body, &own).map_or(f64::INFINITY, |(_, distance)| distance);
-        least.min(if body.inside(&own) {
-            -distance
-        } else {
-            distance
+        nearest.map_or(Contact::None, |(s, point, normal)| Contact::Hit {
+            t: if way.length > 0.0 {
+                s / way.length
+            } else {
+                0.0
+            },
+            ball: way.at(s).into(),
+            point: point.into(),
+            normal: normal.into(),
         })
-    })
+    }
+
+    /// Distance of a point from the surface of the nearest solid, negative inside; infinite where there is none.
+    pub fn distance(&self, p: [f64; 3]) -> f64 {
+        self.bodies.iter().fold(f64::INFINITY, |least, body| {
+            let own = body
+                .place
+                .inverse_transform_point(&V3::from(p).into())
+                .coords;
+            let distance = surface(body, &own).map_or(f64::INFINITY, |(_, distance)| distance);
+            least.min(if body.inside(&own) {
+                -distance
+            } else {
+                distance
+            })
+        })
+    }
 }
 
 enum Start {

@@ -1,7 +1,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 //! Identities of contact: they need no second implementation.
 
-use super::contact::{Contact, distance, first};
+use super::contact::{Boundary, Contact};
 use super::{PartErrors, Shape, Solid, Workpiece};
 use crate::geometry::{V3, rigid};
 use proptest::prelude::*;
@@ -15,6 +15,14 @@ fn part(shape: Shape, errors: PartErrors) -> Workpiece {
             errors,
         }],
     }
+}
+
+fn first(part: &Workpiece, radius: f64, from: [f64; 3], to: [f64; 3]) -> Contact {
+    Boundary::of(part).first(radius, from, to)
+}
+
+fn distance(part: &Workpiece, point: [f64; 3]) -> f64 {
+    Boundary::of(part).distance(point)
 }
 
 fn shapes() -> Vec<Shape> {

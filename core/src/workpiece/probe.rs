@@ -1,8 +1,8 @@
 //! When the probe switches, and where the control then believes the spindle to be.
 
-use super::contact::{self, Contact};
+use super::Probe;
+use super::contact::{Boundary, Contact};
 use super::noise::Noise;
-use super::{Probe, Workpiece};
 use crate::geometry::rigid::sin_cos;
 use crate::geometry::{Path, V3};
 
@@ -35,7 +35,7 @@ pub fn ball_offset(probe: &Probe, spindle: f64, axis: usize) -> [f64; 3] {
 /// start gives its signal at once.
 #[allow(clippy::too_many_arguments)]
 pub fn touch(
-    workpiece: &Workpiece,
+    part: &Boundary,
     probe: &Probe,
     spindle: f64,
     axis: usize,
@@ -47,12 +47,7 @@ pub fn touch(
     let offset = V3::from(ball_offset(probe, spindle, axis));
     let (from, to) = (V3::from(from), V3::from(to));
     let way = Path::new(from, to);
-    match contact::first(
-        workpiece,
-        probe.radius,
-        (from + offset).into(),
-        (to + offset).into(),
-    ) {
+    match part.first(probe.radius, (from + offset).into(), (to + offset).into()) {
         Contact::None => None,
         Contact::Already { point, normal, .. } => Some(Touch {
             latched: from.into(),

@@ -1,6 +1,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 //! The probe with and without errors of its own.
 
+use super::contact::Boundary;
 use super::noise::Noise;
 use super::probe::{Touch, ball_offset, touch};
 use super::{PartErrors, Probe, Shape, Solid, Workpiece};
@@ -50,7 +51,7 @@ fn go(
 ) -> Option<Touch> {
     let point = |p: [f64; 2]| [p[0], p[1], -5.0];
     touch(
-        part,
+        &Boundary::of(part),
         probe,
         spindle,
         2,
@@ -143,9 +144,18 @@ fn scatter_repeats() {
         let mut noise = Noise::new(probe.repeatability.1);
         let one = |_| {
             let (from, to) = ([40.0, 0.0, -5.0], [0.0, 0.0, -5.0]);
-            touch(&block(), &probe, 0.0, 2, from, to, 300.0, &mut noise)
-                .unwrap()
-                .latched[0]
+            touch(
+                &Boundary::of(&block()),
+                &probe,
+                0.0,
+                2,
+                from,
+                to,
+                300.0,
+                &mut noise,
+            )
+            .unwrap()
+            .latched[0]
                 - 23.0
         };
         (0..400).map(one).collect::<Vec<f64>>()

@@ -24,9 +24,6 @@ const STOPPED: [(&str, &str); 3] = [
     ("simple", "run-arc"),                  // G2 without centre and radius
 ];
 
-/// Programs with arcs, whose chords end between the positions of the table.
-const CURVED: [&str; 3] = ["arc", "edge_cases", "flatten_demo"];
-
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/corpus/language")
 }
@@ -91,7 +88,7 @@ fn meets(row: &[Option<f64>; 4], position: &[f64; 4]) -> bool {
     pairs.all(|(row, position)| row.is_none_or(|row| (row - position).abs() < 0.000_51))
 }
 
-/// Every row of the table is reached in its order; without arcs nothing else is.
+/// Every row of the table is reached in its order, and nothing else.
 fn compare(name: &str, rows: &[[Option<f64>; 4]], positions: &[[f64; 4]]) {
     let mut at = 0;
     let mut reached = None;
@@ -102,11 +99,7 @@ fn compare(name: &str, rows: &[[Option<f64>; 4]], positions: &[[f64; 4]]) {
         let rest = positions.get(at..).unwrap_or_default();
         let next = rest.iter().position(|position| meets(row, position));
         let next = next.unwrap_or_else(|| panic!("{name}: {row:?} is not reached: {rest:?}"));
-        assert!(
-            next == 0 || CURVED.contains(&name),
-            "{name}: {:?} is too much",
-            rest[0]
-        );
+        assert!(next == 0, "{name}: {:?} is too much", rest[0]);
         reached = rest.get(next);
         at += next + 1;
     }

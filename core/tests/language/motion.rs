@@ -2,16 +2,20 @@
 
 use super::running::{block, go_on};
 use super::{at, clean, fault, findings, go, near, number, setup};
+use probewright_core::run::route::Route;
 use probewright_core::run::trace::{MotionKind, Step};
 
-/// Ends of the motions that a clean run makes.
+/// Places that a clean run passes: ends of straight motions, every few degrees of an arc.
 fn points(text: &str) -> Vec<[f64; 3]> {
     let steps = clean(text).trace.entries.into_iter();
     steps
         .filter_map(|entry| match entry.step {
-            Step::Motion { to, .. } => Some(to),
+            Step::Motion {
+                from, to, around, ..
+            } => Some(Route { from, to, around }),
             _ => None,
         })
+        .flat_map(|route| route.ends().collect::<Vec<_>>())
         .collect()
 }
 
@@ -67,6 +71,7 @@ fn what_is_no_arc_is_told() {
         "G2 X0 Y0 CR=9 F100",
         "CIP X20 I1=10 F100",
         "G2 X20 AR=360 F100",
+        "SCALE X2\nG2 X20 Y0 I10 J0 F100",
     ] {
         assert_eq!(fault(text), "run-arc", "{text}");
     }

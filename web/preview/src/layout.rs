@@ -5,8 +5,8 @@ use wgpu::{VertexAttribute, VertexBufferLayout, VertexFormat, VertexStepMode};
 /// Floats of one mesh vertex: position 3, outward normal 3, RGBA 4, 1 if it moves with the probe.
 pub const VERTEX_FLOATS: usize = 11;
 /// Floats of one line instance: ends 6, RGBA 4, width px, dash period px (0: solid), place in the trace (−1: always
-/// there), 1 if unseen before its place (0: faint), opacity behind the part.
-pub const LINE_FLOATS: usize = 15;
+/// there), 1 if unseen before its place (0: faint), opacity behind the part, part of an entry that it is travelled in.
+pub const LINE_FLOATS: usize = 16;
 /// Floats of the uniform block: matrix 16, right 4, up 4, towards the viewer 4, screen 4 (width px, height px, time,
 /// faintness of what is still to come), probe 4 (offset in mm, depth bias).
 pub const UNIFORM_FLOATS: usize = 36;
@@ -33,7 +33,7 @@ const LINE: [VertexAttribute; 5] = [
     attribute(VertexFormat::Float32x3, 3, 1),
     attribute(VertexFormat::Float32x4, 6, 2),
     attribute(VertexFormat::Float32x4, 10, 3),
-    attribute(VertexFormat::Float32, 14, 4),
+    attribute(VertexFormat::Float32x2, 14, 4),
 ];
 
 /// Layout of a mesh vertex.

@@ -50,7 +50,7 @@ fn to_pixels(clip: vec4<f32>) -> vec2<f32> {
 fn line_vertex(
     @builtin(vertex_index) corner: u32,
     @location(0) a: vec3<f32>, @location(1) b: vec3<f32>, @location(2) colour: vec4<f32>,
-    @location(3) style: vec4<f32>, @location(4) through: f32,
+    @location(3) style: vec4<f32>, @location(4) behind: vec2<f32>,
 ) -> Stroke {
     let from_clip = view.matrix * vec4<f32>(a, 1.0);
     let to_clip = view.matrix * vec4<f32>(b, 1.0);
@@ -66,14 +66,14 @@ fn line_vertex(
     let local = vec2<f32>(mix(-pad, length_px + pad, end), side * pad);
     let px = from_px + along * local.x + vec2<f32>(-along.y, along.x) * local.y;
     let depth = mix(from_clip.z / from_clip.w, to_clip.z / to_clip.w, end) - view.probe.w;
-    let travelled = select(clamp(view.screen.z - style.z, 0.0, 1.0), 1.0, style.z < 0.0);
+    let travelled = select(clamp((view.screen.z - style.z) / behind.y, 0.0, 1.0), 1.0, style.z < 0.0);
     let coming = select(view.screen.w, 0.0, style.w > 0.5);
     var out: Stroke;
     out.clip = vec4<f32>(px / (0.5 * view.screen.xy), depth, 1.0);
     out.colour = colour;
     out.local = local;
     out.shape = vec4<f32>(length_px, half_width, style.y, travelled);
-    out.style = vec2<f32>(coming, through);
+    out.style = vec2<f32>(coming, behind.x);
     return out;
 }
 

@@ -68,7 +68,7 @@ async function available(name: BackendName): Promise<void> {
 async function prove(renderer: Renderer, canvas: HTMLCanvasElement): Promise<void> {
   const face = (x: number, y: number) => [x, y, 0, 0, 0, 1, 0.1, 0.8, 0.2, 1, 0];
   const vertices = Float32Array.from([...face(-1, -1), ...face(0, -1), ...face(0, 1), ...face(-1, 1)]);
-  const line = Float32Array.from([-1, 0.75, 0.5, 1, 0.75, 0.5, 1, 0.5, 0, 1, 10, 0, -1, 0, 0]);
+  const line = Float32Array.from([-1, 0.75, 0.5, 1, 0.75, 0.5, 1, 0.5, 0, 1, 10, 0, -1, 0, 0, 1]);
   const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -0.5, 0, 0, 0, 0.5, 1];
   const axes = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0];
   renderer.set_scene(vertices, Uint32Array.of(0, 1, 2, 0, 2, 3), 6, line);

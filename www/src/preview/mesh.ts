@@ -4,7 +4,7 @@ import type { Rgba } from "./colours";
 import { cross, dot, sub, unit, type Box } from "./vec";
 
 export const VERTEX_FLOATS = 11;
-export const LINE_FLOATS = 15;
+export const LINE_FLOATS = 16;
 
 /** Triangles; both windings are allowed when adding, kept is the one whose outside is where the normals point. */
 export interface Mesh {
@@ -96,6 +96,7 @@ export interface Style {
   width: number;          // CSS pixels
   dash?: number;          // period in CSS pixels
   entry?: number;         // place in the trace; absent: always there
+  during?: readonly [number, number]; // between which parts of its entry it is travelled; absent: the whole of it
   unseenBefore?: boolean; // else faint
   through?: number;       // opacity behind a part
 }
@@ -105,8 +106,8 @@ export interface Line { from: Vec3; to: Vec3; style: Style }
 export function packLines(lines: Line[], origin: Vec3, ratio: number): Float32Array {
   const packed = new Float32Array(lines.length * LINE_FLOATS);
   lines.forEach(({ from, to, style }, i) => {
-    const { colour, width, dash = 0, entry = -1, unseenBefore = false, through = 0 } = style;
-    const numbers = [...sub(from, origin), ...sub(to, origin), ...colour, width * ratio, dash * ratio, entry, unseenBefore ? 1 : 0, through];
+    const { colour, width, dash = 0, entry = -1, during: [begin, end] = [0, 1], unseenBefore = false, through = 0 } = style;
+    const numbers = [...sub(from, origin), ...sub(to, origin), ...colour, width * ratio, dash * ratio, entry + begin, unseenBefore ? 1 : 0, through, end - begin];
     packed.set(numbers, i * LINE_FLOATS);
   });
   return packed;

@@ -2,13 +2,14 @@
 import type { Step, Trace, Vec3 } from "../wire";
 import { parse, type Colours } from "./colours";
 import type { Line, Style } from "./mesh";
-import { add, mix, times, type Box } from "./vec";
+import { along, pieces, type Motion } from "./route";
+import { add, times, type Box } from "./vec";
 
 export interface Label { at: Vec3; text: string; colour: string }
 
 const BEHIND = 0.42; // opacity of paths behind a part
 
-function motionStyle(kind: Extract<Step, { step: "motion" }>["kind"], colours: Colours): Style {
+function motionStyle(kind: Motion["kind"], colours: Colours): Style {
   switch (kind) {
     case "rapid": return { colour: parse(colours.rapid), width: 1.75, dash: 9, through: BEHIND };
     case "positioning": return { colour: parse(colours.positioning), width: 1.75, through: BEHIND };
@@ -21,14 +22,21 @@ const point = (at: Vec3, style: Style): Line => ({ from: at, to: at, style });
 
 /** Lines of one entry; `normal`: length of a normal in mm. */
 function entryLines(step: Step, entry: number, colours: Colours, normal: number): Line[] {
-  if (step.step === "motion") {
-    return [{ from: step.from, to: step.to, style: { ...motionStyle(step.kind, colours), entry } }];
-  }
+  if (step.step === "motion") return motionLines(step, { ...motionStyle(step.kind, colours), entry });
   if (step.step === "touch") return touchLines(step, entry, colours, normal);
   if (step.step === "crash") {
     return [point(step.point, { colour: parse(colours.crash), width: 14, entry, unseenBefore: true, through: 1 })];
   }
   return [];
+}
+
+function motionLines(motion: Motion, style: Style): Line[] {
+  let [from, before] = [motion.from, 0];
+  return pieces(motion).map((part) => {
+    const line = { from, to: along(motion, part), style: { ...style, during: [before, part] as const } };
+    [from, before] = [line.to, part];
+    return line;
+  });
 }
 
 function touchLines(step: Extract<Step, { step: "touch" }>, entry: number, colours: Colours, normal: number): Line[] {
@@ -52,11 +60,12 @@ export function pathLines(trace: Trace, colours: Colours, normal: number): Line[
 /** Where the centre of the ball is while entry `index` is done to `fraction`; null: no motion at all. */
 export function probeAt(trace: Trace, index: number, fraction: number): Vec3 | null {
   const current = trace.entries[index];
-  if (current?.step === "motion") return mix(current.from, current.to, Math.min(1, Math.max(0, fraction)));
-  const motions = (from: number, to: number) => trace.entries.slice(from, to).filter((entry) => entry.step === "motion");
-  const before = motions(0, Math.max(0, index)).at(-1);
-  if (before) return before.to;
-  return motions(Math.max(0, index), trace.entries.length)[0]?.from ?? null;
+  if (current?.step === "motion") return along(current, Math.min(1, Math.max(0, fraction)));
+  for (let i = Math.min(index, trace.entries.length) - 1; i >= 0; i--) {
+    const entry = trace.entries[i]!;
+    if (entry.step === "motion") return entry.to;
+  }
+  return trace.entries.find((entry) => entry.step === "motion")?.from ?? null;
 }
 
 /** Axes of the coordinate systems, `length` mm long. */

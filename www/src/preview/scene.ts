@@ -4,6 +4,7 @@ import { parse, type Colours } from "./colours";
 import { append, boxOf, mesh, type Line, type Mesh } from "./mesh";
 import { frameLines, gridLines, pathLines, type Label } from "./paths";
 import { part, zone } from "./solids";
+import { along, pieces } from "./route";
 import { addStylus } from "./stylus";
 import { boxCorners, centre, include, sub, type Box } from "./vec";
 
@@ -59,7 +60,7 @@ function around(trace: Trace, solids: Box | null): Box {
   const r = trace.ball.radius;
   for (const entry of trace.entries) {
     if (entry.step !== "motion") continue;
-    for (const [x, y, z] of [entry.from, entry.to]) {
+    for (const [x, y, z] of [entry.from, ...pieces(entry).map((part) => along(entry, part))]) {
       box = include(include(box, [x - r, y - r, z - r]), [x + r, y + r, z + r]);
     }
   }

@@ -89,8 +89,8 @@ const paintOf = ({ vertices }: Mesh, corner: number) =>
 
 /** The part of a line that is there at a time, each with its opacity: travelled, still to come. */
 function spans({ from, to, style }: Line, time: number): { from: Vec3; to: Vec3; opacity: number }[] {
-  const { entry = -1, unseenBefore } = style;
-  const done = entry < 0 ? 1 : Math.min(1, Math.max(0, time - entry));
+  const { entry = -1, during: [begin, end] = [0, 1], unseenBefore } = style;
+  const done = entry < 0 ? 1 : Math.min(1, Math.max(0, (time - entry - begin) / (end - begin)));
   const middle = mix(from, to, done);
   const later = unseenBefore ? 0 : COMING;
   const all = [{ from, to: middle, opacity: done > 0 ? 1 : 0 }, { from: middle, to, opacity: done < 1 ? later : 0 }];

@@ -3,13 +3,14 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::VARIANTS;
-use super::simulation_tests::{CENTRE, HEIGHT, inputs, part, ready};
+use super::simulation_tests::{CENTRE, HEIGHT, inputs, part, ready, round};
 use crate::catalogue::sinumerik::motion_testing::{DEPTH_FEED, MEASURING_FEED, PLANE_FEED};
 use crate::catalogue::sinumerik::testing::{Motion, at, motions, run, same};
 use crate::control::Plane;
 use crate::geometry::rigid::sin_cos;
 use crate::run::machine::Sim;
 use crate::run::trace::MotionKind::{Measuring, Positioning, Retract};
+use crate::run::trace::Step;
 
 /// `_RF`.
 const CIRCLE_FEED: f64 = 900.0;
@@ -30,7 +31,7 @@ fn point(inside: bool, angle: f64, expected: &mut Vec<Motion>) {
     expected.push((Retract, polar(start, angle, 0.0), PLANE_FEED));
 }
 
-/// The motions as the manual tells them; `chords`: ends of the chords of an arc, in degree.
+/// The motions as the manual tells them.
 fn expected(variant: i64, step: f64, points: usize) -> Vec<Motion> {
     let inside = variant % 2 == 1;
     let start = if inside { 22.0 } else { 38.0 };
@@ -39,14 +40,9 @@ fn expected(variant: i64, step: f64, points: usize) -> Vec<Motion> {
     match variant % 10 {
         1 | 2 => {
             for index in 1..points {
-                let from = ANGLE + (index - 1) as f64 * step;
-                // chords of three degree
-                let count = (step.abs() / 3.0).ceil() as usize;
-                for part in 1..=count {
-                    let angle = from + step * part as f64 / count as f64;
-                    all.push((Positioning, polar(start, angle, 0.0), CIRCLE_FEED));
-                }
-                point(inside, from + step, &mut all);
+                let angle = ANGLE + index as f64 * step;
+                all.push((Positioning, polar(start, angle, 0.0), CIRCLE_FEED));
+                point(inside, angle, &mut all);
             }
         }
         3 => {
@@ -61,6 +57,34 @@ fn expected(variant: i64, step: f64, points: usize) -> Vec<Motion> {
         }
     }
     all
+}
+
+/// Degrees of the ways round the centre, which keep their distance from it.
+fn around(sim: &Sim, plane: Plane, origin: [f64; 3]) -> Vec<f64> {
+    let mut degrees = Vec::new();
+    for entry in &sim.trace.entries {
+        let Step::Motion {
+            from,
+            to,
+            around: Some(around),
+            ..
+        } = entry.step
+        else {
+            continue;
+        };
+        let away = |part: f64| {
+            let at = around.at(from, to, part);
+            let [x, y, _] = plane.axes().map(|i| at[i] - origin[i]);
+            x.hypot(y)
+        };
+        assert!(
+            [0.3, 0.7]
+                .iter()
+                .all(|part| (away(*part) - away(0.0)).abs() < 1e-9)
+        );
+        degrees.push(around.degrees);
+    }
+    degrees
 }
 
 // oracle: manual B:6835-6858, B:6898-6939 (order, circular ways with the sign of _INCA, lifting over a web, end before
@@ -84,6 +108,8 @@ fn every_variant_moves_as_the_manual_says() {
                     &expected(variant, step, points),
                     &what,
                 );
+                let ways = if round(variant) { points - 1 } else { 0 };
+                assert_eq!(around(&sim, plane, origin), vec![step; ways], "{what}");
             }
         }
     }

@@ -25,7 +25,7 @@ pub(super) const SIZE: f64 = 60.0;
 /// Height of the ball centre while measuring; the upper face stands at 0.
 pub(super) const HEIGHT: f64 = -10.0;
 
-fn round(variant: i64) -> bool {
+pub(super) fn round(variant: i64) -> bool {
     variant % 10 <= 2
 }
 

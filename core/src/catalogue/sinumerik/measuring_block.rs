@@ -10,8 +10,10 @@ pub use ray::Ray;
 use super::alarm;
 use crate::control::Control;
 use crate::diagnostic::Code;
+use crate::geometry::TOLERANCE;
+use crate::geometry::arc::Around;
 use crate::geometry::rigid::sin_cos;
-use crate::geometry::{TOLERANCE, arc};
+use crate::run::route::Route;
 use crate::run::trace::MotionKind;
 use crate::run::{Machine, Stop};
 
@@ -146,16 +148,28 @@ impl Block {
         degrees: f64,
         feed: f64,
     ) -> Result<(), Stop> {
+        let [abscissa, ordinate, applicate] = self.axes;
         let from = machine.position();
-        let about = [0, 1].map(|i| centre[i] - self.skew[i]);
-        let start = [0, 1].map(|i| from[self.axes[i]]);
-        for [x, y] in arc::chords(about, start, degrees) {
-            let mut to = from;
-            (to[self.axes[0]], to[self.axes[1]]) = (x, y);
-            reachable(machine, to)?;
-            self.position(machine, to, feed)?;
+        let mut around = Around {
+            centre: from,
+            axis: [0.0; 3],
+            degrees,
+        };
+        around.centre[abscissa] = centre[0] - self.skew[0];
+        around.centre[ordinate] = centre[1] - self.skew[1];
+        around.axis[applicate] = 1.0;
+        let way = Route {
+            from,
+            to: around.end(from, 0.0),
+            around: Some(around),
+        };
+        for end in way.ends() {
+            reachable(machine, end)?;
         }
-        Ok(())
+        let kind = MotionKind::Positioning;
+        told(machine, |machine| {
+            machine.travel_around(way.to, &around, kind, feed, self.monitored)
+        })
     }
 
     /// Monitored: `_SPEED[1]` in the plane, `_SPEED[2]` in the applicate; else rapid traverse (B:13743-13763).
@@ -172,10 +186,9 @@ impl Block {
 
     /// Positioning at a feed, watched if positioning is.
     fn position(&self, machine: &mut dyn Machine, to: [f64; 3], feed: f64) -> Result<(), Stop> {
-        match machine.travel(to, MotionKind::Positioning, feed, self.monitored) {
-            Err(Stop::Alarm(Code::Alarm(number))) => Err(alarm(machine, number)),
-            outcome => outcome,
-        }
+        told(machine, |machine| {
+            machine.travel(to, MotionKind::Positioning, feed, self.monitored)
+        })
     }
 
     fn positioning_feed(&self, from: [f64; 3], to: [f64; 3]) -> f64 {
@@ -345,6 +358,17 @@ fn heading(axis: usize, direction: f64) -> Option<f64> {
         (0, false) => Some(180.0),
         (1, false) => Some(270.0),
         _ => None,
+    }
+}
+
+/// A motion whose alarm is a result of the cycle too.
+fn told(
+    machine: &mut dyn Machine,
+    travel: impl FnOnce(&mut dyn Machine) -> Result<(), Stop>,
+) -> Result<(), Stop> {
+    match travel(machine) {
+        Err(Stop::Alarm(Code::Alarm(number))) => Err(alarm(machine, number)),
+        outcome => outcome,
     }
 }
 

@@ -1,0 +1,171 @@
+//! The way of one motion, straight or round an axis, and what stops the probe on it. Machine coordinates, mm.
+
+use crate::geometry::arc::Around;
+use crate::workpiece::contact::{Boundary, Contact};
+
+/// From where to where, and how.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Route {
+    /// Start.
+    pub from: [f64; 3],
+    /// End.
+    pub to: [f64; 3],
+    /// Round what; none: straight.
+    pub around: Option<Around>,
+}
+
+/// Where the part stops a motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Obstacle {
+    /// Part of the way that is done, 0 to 1.
+    pub part: f64,
+    /// Position then.
+    pub stop: [f64; 3],
+    /// Centre of the ball then.
+    pub ball: [f64; 3],
+    /// Point touched.
+    pub point: [f64; 3],
+    /// Outward unit normal of the part there.
+    pub normal: [f64; 3],
+}
+
+impl Route {
+    /// A straight way.
+    pub fn straight(from: [f64; 3], to: [f64; 3]) -> Route {
+        Route {
+            from,
+            to,
+            around: None,
+        }
+    }
+
+    /// The place after a part of it, 0 to 1.
+    pub fn at(&self, part: f64) -> [f64; 3] {
+        match &self.around {
+            Some(around) => around.at(self.from, self.to, part),
+            None => add(self.from, add(self.to, self.from, -1.0), part),
+        }
+    }
+
+    /// Length, mm.
+    pub fn length(&self) -> f64 {
+        match &self.around {
+            Some(around) => around.length(self.from, self.to),
+            None => {
+                let [x, y, z] = add(self.to, self.from, -1.0);
+                x.hypot(y).hypot(z)
+            }
+        }
+    }
+
+    /// Ends of pieces that are straight, or short enough to be taken for it.
+    pub fn ends(&self) -> impl Iterator<Item = [f64; 3]> {
+        let count = self.around.map_or(1, |around| around.pieces());
+        (1..=count).map(move |piece| self.at(piece as f64 / count as f64))
+    }
+
+    /// The first part of it, as far as this place.
+    pub fn until(&self, part: f64, stop: [f64; 3]) -> Route {
+        let around = self.around.map(|around| Around {
+            degrees: around.degrees * part,
+            ..around
+        });
+        Route {
+            to: stop,
+            around,
+            ..*self
+        }
+    }
+
+    /// Where a ball of this radius meets the part, whose centre is `shift` away from the positions of the way.
+    ///
+    /// An arc is looked at piece by piece; what lies farther away than the ball can come is passed at once.
+    pub fn obstacle(&self, part: &Boundary, radius: f64, shift: [f64; 3]) -> Option<Obstacle> {
+        let Some(around) = &self.around else {
+            return straight(part, radius, self.from, self.to, shift);
+        };
+        let (piece, length) = (1.0 / around.pieces() as f64, self.length());
+        let mut done = 0.0;
+        while done < 1.0 {
+            let from = self.at(done);
+            let free = part.distance(add(from, shift, 1.0)) - radius;
+            let next = (done + (free / length).max(piece)).min(1.0);
+            if free < piece * length
+                && let Some(met) = straight(part, radius, from, self.at(next), shift)
+            {
+                return Some(Obstacle {
+                    part: done + met.part * (next - done),
+                    ..met
+                });
+            }
+            done = next;
+        }
+        None
+    }
+}
+
+/// The same on a straight way. A ball that reaches into the part at the start and leaves it goes on.
+fn straight(
+    part: &Boundary,
+    radius: f64,
+    from: [f64; 3],
+    to: [f64; 3],
+    shift: [f64; 3],
+) -> Option<Obstacle> {
+    let end = add(to, shift, 1.0);
+    let mut start = add(from, shift, 1.0);
+    let mut gone = 0.0;
+    for _ in 0..4 {
+        match part.first(radius, start, end) {
+            Contact::None => return None,
+            Contact::Hit {
+                t,
+                ball,
+                point,
+                normal,
+            } => {
+                return Some(Obstacle {
+                    part: gone + t * (1.0 - gone),
+                    stop: add(ball, shift, -1.0),
+                    ball,
+                    point,
+                    normal,
+                });
+            }
+            Contact::Already {
+                point,
+                normal,
+                depth,
+            } => match released(start, end, normal, depth) {
+                Some(share) => {
+                    start = add(start, add(end, start, -1.0), share);
+                    gone += share * (1.0 - gone);
+                }
+                None => {
+                    return Some(Obstacle {
+                        part: gone,
+                        stop: add(start, shift, -1.0),
+                        ball: start,
+                        point,
+                        normal,
+                    });
+                }
+            },
+        }
+    }
+    None
+}
+
+/// After which part of its way a ball that reaches into the part by `depth` is free again; none when it does not leave.
+/// A stylus that is deflected by pre-travel or delay leaves the part on its way back.
+fn released(from: [f64; 3], to: [f64; 3], normal: [f64; 3], depth: f64) -> Option<f64> {
+    let way = add(to, from, -1.0);
+    let outward: f64 = (0..3).map(|i| way[i] * normal[i]).sum();
+    let part = depth * (1.0 + 1e-9) / outward + 1e-12;
+    (outward > 0.0 && part < 1.0).then_some(part)
+}
+
+/// A point and so many times a vector.
+pub fn add(a: [f64; 3], b: [f64; 3], factor: f64) -> [f64; 3] {
+    std::array::from_fn(|i| a[i] + factor * b[i])
+}
