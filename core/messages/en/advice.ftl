@@ -22,6 +22,8 @@ advice-calibration-hint = Check that the probe was calibrated on this machine, o
 advice-inherited = { $name }={ $value } was written for { $cycle } in line { $line }, where it has another unit.
 advice-inherited-hint = Write { $name } for this call.
 advice-frame = The corrected { $frame } is not in force: the program goes on in the old one.
+advice-frame-other = { $frame } was corrected, but the program goes on in { $other } and never takes it.
+advice-frame-basic = The corrected basic frame is not in force: the program goes on with the old one.
 advice-frame-hint = Program { $frame } again behind the call.
 advice-level = The call stands on program level { $level }; measuring cycles run on the first five.
 advice-level-hint = Call it from a program nearer to the main program.

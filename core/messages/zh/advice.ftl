@@ -22,6 +22,8 @@ advice-calibration-hint = 请确认测量头已在此机床上校准，或先调
 advice-inherited = { $name }={ $value } 是第 { $line } 行为 { $cycle } 写的，在那里单位不同。
 advice-inherited-hint = 请为此调用写出 { $name }。
 advice-frame = 补偿后的 { $frame } 尚未生效：程序仍在原坐标框架中继续。
+advice-frame-other = 已补偿 { $frame }，但程序在 { $other } 中继续，始终没有激活它。
+advice-frame-basic = 补偿后的基本框架尚未生效：程序仍使用旧的框架。
 advice-frame-hint = 请在调用之后再次编程 { $frame }。
 advice-level = 调用位于第 { $level } 程序级；测量循环只能在前五级运行。
 advice-level-hint = 请在更接近主程序的程序中调用。

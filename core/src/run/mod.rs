@@ -36,7 +36,7 @@ mod set_alarm;
 pub mod setup;
 pub mod statement;
 pub mod subprogram;
-mod swivel;
+pub mod swivel;
 mod system;
 mod texts;
 pub mod tool;

@@ -1,104 +1,284 @@
-//! What happens behind a call: a corrected frame is in force only when it is programmed again (B:1965).
+//! What happens behind a call: a corrected frame that is only stored counts when it is programmed again (B:1965).
 
-use super::{Seen, at, with_line_behind};
-use crate::catalogue::{Kind, names};
+use super::{Seen, at, behind_call};
+use crate::catalogue::{Kind, ProbeUse, names};
 use crate::check::{Finding, Target, target, warning};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::evaluate::knum::{self, ZeroCode};
 use crate::message::Message;
 use crate::program::calls::CallSite;
+use crate::program::flow::{self, Follow, Mode};
 use crate::program::fold::{self, Known};
 use crate::program::tree::{Program, Word, WordKind};
+use crate::run::frame::is_frame;
+use crate::run::swivel;
+use std::collections::BTreeMap;
 
-/// What comes behind a call until the program ends.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Ahead {
-    /// A frame is chosen.
-    frame: bool,
-    /// An axis moves, and no measuring call comes first.
-    motion: bool,
+/// A frame that a call corrects where it is stored, and the one in force there.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Corrected {
+    /// G function that takes it; none: a basic or system frame, which each of them takes.
+    function: Option<u16>,
+    /// The one in force at the call.
+    active: Mode<u16>,
+    /// The function that brings it into effect, where it is known.
+    cure: Option<u16>,
 }
 
-/// What comes behind each call, in their order.
-pub fn ahead(program: &Program, sites: &[CallSite]) -> Vec<Ahead> {
-    let mut found = vec![Ahead::default(); sites.len()];
-    let mut now = Ahead::default();
-    let mut rest = sites.len();
-    for word in program.words.iter().rev() {
-        while rest > 0
-            && sites
-                .get(rest - 1)
-                .is_some_and(|site| site.span == word.span)
-        {
-            rest -= 1;
-            if let Some(ahead) = found.get_mut(rest) {
-                *ahead = now;
-            }
-            now.motion = false;
-        }
-        match what(program, word) {
-            What::Frame => now.frame = true,
-            What::Motion => now.motion = true,
-            What::End => now = Ahead::default(),
-            What::Other => {}
+impl Corrected {
+    /// Whether the program moves in it before it is taken anew.
+    fn in_force(&self) -> bool {
+        match &self.function {
+            Some(function) => self.active.is() == Some(function),
+            None => true,
         }
     }
-    found
 }
 
-/// The program goes on in the old frame behind its last measuring call. Between two calls the old frame may be meant:
-/// they measure one axis each.
-pub fn look(seen: &Seen, ahead: Ahead, found: &mut Vec<Diagnostic>) {
-    let corrected = corrected(seen).filter(|frame| seen.force.frame.is() == Some(frame));
-    if let Some(frame) = corrected.filter(|_| ahead.motion && !ahead.frame) {
-        let name = format!("G{frame}");
-        let message = Message::new("advice-frame").text("frame", name.as_str());
-        let hint = Message::new("advice-frame-hint").text("frame", name.as_str());
-        let finding = warning(Code::Own(137), message).hint(hint);
-        found.push(at(with_line_behind(finding, seen, &name), seen.site.span));
-    }
-}
-
-/// Number of the G function of the settable frame that the call corrects.
-fn corrected(seen: &Seen) -> Option<u16> {
+/// What the call corrects; none where nothing is, or where it counts at once (`_KNUM` = 9999).
+pub fn corrected(seen: &Seen) -> Option<Corrected> {
     let param = seen.site.cycle.param(names::KNUM)?;
     param.need(&seen.inputs)?;
     if !matches!(param.kind, Kind::Knum) || target(param, &seen.inputs) != Target::Zero {
         return None;
     }
-    match knum::zero(seen.inputs.given(names::KNUM)? as i64) {
-        Ok(Some(ZeroCode::Settable(number))) => u16::try_from(number).ok().map(|number| {
-            if number < 5 {
-                53 + number
-            } else {
-                500 + number
+    let code = knum::zero(seen.inputs.given(names::KNUM)? as i64).ok()??;
+    let active = seen.force.frame.clone();
+    let function = match code {
+        ZeroCode::Settable(number) => Some(function(u16::try_from(number).ok()?)),
+        _ => None,
+    };
+    let cure = match code {
+        ZeroCode::Active => return None,
+        ZeroCode::LastBasic => Some(500), // reckoned for it, B:1945
+        _ => function.or(active.is().copied()),
+    };
+    Some(Corrected {
+        function,
+        active,
+        cure,
+    })
+}
+
+/// G54 to G57, G505 to G599.
+fn function(number: u16) -> u16 {
+    if number < 5 {
+        53 + number
+    } else {
+        500 + number
+    }
+}
+
+/// The program goes on without ever taking a frame that one of its calls corrected. Between two calls the old frame may
+/// be meant: they measure one axis each.
+pub fn look(
+    program: &Program,
+    sites: &[CallSite],
+    corrected: &[Option<Corrected>],
+    found: &mut Vec<Diagnostic>,
+) {
+    if corrected.iter().all(Option::is_none) {
+        return;
+    }
+    let mut rules = Rules {
+        program,
+        sites,
+        corrected,
+        forgotten: BTreeMap::new(),
+    };
+    flow::follow(program, &mut rules, &Pending::new());
+    for (index, waiting) in rules.forgotten {
+        if let Some((site, corrected)) = sites.get(index).zip(corrected.get(index)) {
+            let finding = corrected
+                .as_ref()
+                .map(|frame| finding(program, site, frame, &waiting));
+            found.extend(finding);
+        }
+    }
+}
+
+fn finding(program: &Program, site: &CallSite, frame: &Corrected, waiting: &Waiting) -> Diagnostic {
+    let known = frame.cure.map(|code| format!("G{code}"));
+    let word = known.clone().unwrap_or("G500, G54 …".to_owned());
+    let message = match (frame.function, waiting.other) {
+        (None, _) => Message::new("advice-frame-basic"),
+        (_, Some(other)) => Message::new("advice-frame-other").text("other", format!("G{other}")),
+        _ => Message::new("advice-frame"),
+    };
+    let finding = warning(Code::Own(137), message.text("frame", word.as_str()))
+        .hint(Message::new("advice-frame-hint").text("frame", word.as_str()));
+    let finding = at(finding, site.span);
+    match known {
+        Some(word) => behind_call(finding, program, site, &word),
+        None => finding,
+    }
+}
+
+/// Corrected frames that were not taken yet, by the call.
+type Pending = BTreeMap<usize, Waiting>;
+
+/// What happened since the correction.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct Waiting {
+    /// An axis moved.
+    moved: bool,
+    /// Another frame was taken instead.
+    other: Option<u16>,
+}
+
+struct Rules<'a> {
+    program: &'a Program,
+    sites: &'a [CallSite],
+    corrected: &'a [Option<Corrected>],
+    forgotten: Pending,
+}
+
+impl Rules<'_> {
+    fn corrected(&self, index: usize) -> Option<&Corrected> {
+        self.corrected.get(index)?.as_ref()
+    }
+
+    /// A frame is taken: G500, G54 and so on.
+    fn take(&self, pending: &mut Pending, code: u16) {
+        pending.retain(|index, waiting| {
+            let Some(corrected) = self.corrected(*index) else {
+                return false;
+            };
+            match corrected.function {
+                // Who leaves the old one for another moves in it no more; who never was in it may have taken the
+                // wrong one.
+                Some(function) if function != code => {
+                    waiting.other = (code != 500).then_some(code).or(waiting.other);
+                    !corrected.in_force()
+                }
+                _ => false,
             }
-        }),
+        });
+    }
+
+    /// What moved the axes, in frames that were corrected and not taken.
+    fn use_all(&self, pending: &mut Pending) {
+        for (index, waiting) in pending {
+            let in_force = self.corrected(*index).is_some_and(Corrected::in_force);
+            waiting.moved |= in_force || waiting.other.is_some();
+        }
+    }
+}
+
+impl Follow for Rules<'_> {
+    type State = Pending;
+
+    fn block(&mut self, pending: &mut Pending, words: &[Word]) {
+        if pending.is_empty() {
+            return;
+        }
+        for code in words
+            .iter()
+            .filter_map(|word| number(self.program, word, "G"))
+        {
+            if matches!(code as i64, 54..=57 | 500 | 505..=599) {
+                self.take(pending, code as u16);
+            }
+        }
+        if words.iter().any(|word| sets_frame(self.program, word)) {
+            pending.clear();
+        } else if moves(self.program, words) {
+            self.use_all(pending);
+        }
+    }
+
+    fn call(&mut self, pending: &mut Pending, word: &Word) {
+        let WordKind::Call { name, .. } = &word.kind else {
+            return;
+        };
+        let Ok(index) = self
+            .sites
+            .binary_search_by_key(&word.span.start, |site| site.span.start)
+        else {
+            if is_machining(&self.program.name(*name)) {
+                self.use_all(pending);
+            }
+            return;
+        };
+        let site = self.sites.get(index);
+        let touches = |site: &CallSite| site.cycle.purpose.probe == ProbeUse::Workpiece;
+        if !site.is_some_and(touches) {
+            return;
+        }
+        let now = self.corrected(index);
+        pending.retain(|before, _| now.is_none() || self.corrected(*before) != now);
+        self.use_all(pending);
+        if now.is_some() {
+            pending.insert(index, Waiting::default());
+        }
+    }
+
+    fn elsewhere(&self, pending: &mut Pending) {
+        pending.clear();
+    }
+
+    fn meet(&self, one: &Pending, other: &Pending) -> Pending {
+        let both = one.iter().filter_map(|(index, waiting)| {
+            let there = other.get(index)?;
+            let met = Waiting {
+                moved: waiting.moved && there.moved,
+                other: waiting.other.filter(|_| waiting.other == there.other),
+            };
+            Some((*index, met))
+        });
+        both.collect()
+    }
+
+    fn restore(&self, _: &Pending, _: &mut Pending) {}
+
+    fn end(&mut self, pending: &Pending) {
+        let moved = pending.iter().filter(|(_, waiting)| waiting.moved);
+        self.forgotten
+            .extend(moved.map(|(index, waiting)| (*index, waiting.clone())));
+    }
+}
+
+/// G functions beside which an axis word moves nothing in the frame in force: G53, G153 and fixed points are those of
+/// the machine, G58 and G59 write a frame.
+const BESIDE: [f64; 6] = [53.0, 58.0, 59.0, 74.0, 75.0, 153.0];
+
+/// Whether an axis moves in the frame in force.
+fn moves(program: &Program, words: &[Word]) -> bool {
+    let axis = |word: &Word| match &word.kind {
+        WordKind::Address { name, .. } => {
+            ["X", "Y", "Z"].iter().any(|axis| program.is(*name, axis))
+        }
+        _ => false,
+    };
+    let beside = |word: &Word| match &word.kind {
+        WordKind::Call { name, .. } => program.is(*name, "SUPA") || is_frame(&program.name(*name)),
+        _ => number(program, word, "G").is_some_and(|code| BESIDE.contains(&code)),
+    };
+    words.iter().any(axis) && !words.iter().any(beside)
+}
+
+/// Constant number of this address.
+fn number(program: &Program, word: &Word, letter: &str) -> Option<f64> {
+    match &word.kind {
+        WordKind::Address { name, value, .. } if program.is(*name, letter) => {
+            fold::number(program, *value, &Known::new())
+        }
         _ => None,
     }
 }
 
-/// What a word says about frames.
-enum What {
-    /// A frame is chosen.
-    Frame,
-    /// The program ends.
-    End,
-    /// An axis moves.
-    Motion,
-    /// Nothing.
-    Other,
+/// Whether a frame in effect is written: `$P_IFRAME=…`, `$P_CHBFRAME[0]=…`.
+fn sets_frame(program: &Program, word: &Word) -> bool {
+    const IN_EFFECT: [&str; 4] = ["$P_IFRAME", "$P_CHBFRAME", "$P_NCBFRAME", "$P_SETFRAME"];
+    match &word.kind {
+        WordKind::Assign { name, .. } => IN_EFFECT.iter().any(|known| program.is(*name, known)),
+        _ => false,
+    }
 }
 
-fn what(program: &Program, word: &Word) -> What {
-    let WordKind::Address { name, value, .. } = &word.kind else {
-        return What::Other;
-    };
-    let number = fold::number(program, *value, &Known::new()).unwrap_or(-1.0);
-    match program.name(*name).as_str() {
-        "G" if matches!(number as i64, 53..=57 | 500 | 505..=599) => What::Frame,
-        "M" if matches!(number as i64, 2 | 17 | 30) => What::End,
-        "X" | "Y" | "Z" => What::Motion,
-        _ => What::Other,
-    }
+/// Whether a call that measures nothing moves the axes: `CYCLE81` and so on, not the cycles that only swivel or set.
+fn is_machining(name: &str) -> bool {
+    let digits = name.strip_prefix("CYCLE").unwrap_or_default();
+    digits.starts_with(|first: char| first.is_ascii_digit())
+        && ![swivel::NAME, "CYCLE832"].contains(&name)
 }

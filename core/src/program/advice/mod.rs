@@ -36,7 +36,7 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
     let mut asked = at_call::Asked::of(program);
     let force = in_force(program);
     let mut at_call = control.clone();
-    let ahead = behind::ahead(program, sites);
+    let mut corrected = vec![None; sites.len()];
     for (call, state) in force.visits() {
         let Ok(index) = sites.binary_search_by_key(&call, |site| site.span.start) else {
             continue;
@@ -55,9 +55,11 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
         };
         at_call::look(&seen, &mut asked, &mut found);
         read_back::look(&seen, &mut at_call, &mut found);
-        let ahead = ahead.get(index).copied().unwrap_or_default();
-        behind::look(&seen, ahead, &mut found);
+        if let Some(corrected) = corrected.get_mut(index) {
+            *corrected = behind::corrected(&seen);
+        }
     }
+    behind::look(program, sites, &corrected, &mut found);
     levels::look(program, sites, &mut found);
     found
 }
@@ -78,14 +80,19 @@ fn with_line(mut finding: Diagnostic, seen: &Seen, line: u32, text: &str) -> Dia
 }
 
 /// Offers a line behind the call.
-fn with_line_behind(mut finding: Diagnostic, seen: &Seen, text: &str) -> Diagnostic {
+fn behind_call(
+    mut finding: Diagnostic,
+    program: &Program,
+    site: &CallSite,
+    text: &str,
+) -> Diagnostic {
     let label = Message::new("advice-insert-behind").text("text", text);
-    let edit = match line_before(seen.program, seen.site.line + 1, text) {
+    let edit = match line_before(program, site.line + 1, text) {
         Some(edit) => edit,
         None => {
-            let end = seen.program.source.len() as u32;
-            let eol = line_end(seen.program, seen.site.line);
-            let ended = seen.program.source.ends_with(b"\n");
+            let end = program.source.len() as u32;
+            let eol = line_end(program, site.line);
+            let ended = program.source.ends_with(b"\n");
             let insert = if ended {
                 format!("{text}{eol}")
             } else {

@@ -9,7 +9,7 @@ mod structure;
 pub use called::callers;
 use called::{Called, called};
 pub use force::{Force, in_force};
-pub use state::{State, Tool};
+pub use state::{Mode, State, Tool};
 
 use super::tree::{Block, Program, Word};
 use crate::run::programs::{Programs, programs};
