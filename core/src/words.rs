@@ -27,6 +27,24 @@ pub const ENGLISH: &[(&str, &str)] = &[
     ("cycle998.ftl", include_str!("../messages/en/cycle998.ftl")),
     ("datum.ftl", include_str!("../messages/en/datum.ftl")),
     ("evaluate.ftl", include_str!("../messages/en/evaluate.ftl")),
+    (
+        "help-calibrate.ftl",
+        include_str!("../messages/en/help-calibrate.ftl"),
+    ),
+    ("help-nct.ftl", include_str!("../messages/en/help-nct.ftl")),
+    (
+        "help-tool.ftl",
+        include_str!("../messages/en/help-tool.ftl"),
+    ),
+    (
+        "help-turning.ftl",
+        include_str!("../messages/en/help-turning.ftl"),
+    ),
+    (
+        "help-workpiece.ftl",
+        include_str!("../messages/en/help-workpiece.ftl"),
+    ),
+    ("help.ftl", include_str!("../messages/en/help.ftl")),
     ("lathe.ftl", include_str!("../messages/en/lathe.ftl")),
     ("logging.ftl", include_str!("../messages/en/logging.ftl")),
     ("nct.ftl", include_str!("../messages/en/nct.ftl")),
@@ -87,6 +105,12 @@ pub const LANGUAGES: &[Language] = &[
         "cycle998.ftl"
         "datum.ftl"
         "evaluate.ftl"
+        "help-calibrate.ftl"
+        "help-nct.ftl"
+        "help-tool.ftl"
+        "help-turning.ftl"
+        "help-workpiece.ftl"
+        "help.ftl"
         "lathe.ftl"
         "logging.ftl"
         "nct.ftl"

@@ -4,7 +4,7 @@
 use super::common::{optional, required};
 use super::logging::params::{self, log_params};
 use super::logging::{self, CONTENT_ALARMS, FILE_ALARMS, log_example, names};
-use super::{Cycle, Dialect, Drawing, Param, Variant, When};
+use super::{Cycle, Dialect, Drawing, Help, Param, Variant, When};
 
 /// The cycle.
 pub static CYCLE100: Cycle = Cycle {
@@ -23,6 +23,7 @@ pub static CYCLE100: Cycle = Cycle {
     results: &[],
     alarms: &[FILE_ALARMS, CONTENT_ALARMS],
     checks: logging::checks,
+    help: Help::NONE,
     picture: Drawing::new(logging::picture),
     example: log_example!((names::FILE, "LOG_1")),
     simulation: None,

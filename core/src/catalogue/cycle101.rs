@@ -1,6 +1,6 @@
 //! CYCLE101: the log is switched off (B:11231-11233).
 
-use super::{Cycle, Dialect, Drawing, Variant, logging};
+use super::{Cycle, Dialect, Drawing, Help, Variant, logging};
 
 /// The cycle.
 pub static CYCLE101: Cycle = Cycle {
@@ -19,6 +19,7 @@ pub static CYCLE101: Cycle = Cycle {
     results: &[],
     alarms: &[],
     checks: |_, _, _| {},
+    help: Help::NONE,
     picture: Drawing::NONE,
     example: &[],
     simulation: None,

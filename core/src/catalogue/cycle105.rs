@@ -5,7 +5,7 @@ use super::common::{ALWAYS_REQUIRED, PARAM, optional};
 use super::logging::names::{self, JOB};
 use super::logging::params::{self, log_params};
 use super::logging::{self, CONTENT_ALARMS, log_example};
-use super::{Arg, ArgumentList, Cycle, Dialect, Drawing, Kind, Param, Style, Variant, When};
+use super::{Arg, ArgumentList, Cycle, Dialect, Drawing, Help, Kind, Param, Style, Variant, When};
 
 /// The cycle.
 pub static CYCLE105: Cycle = Cycle {
@@ -38,6 +38,7 @@ pub static CYCLE105: Cycle = Cycle {
     results: &[],
     alarms: &[CONTENT_ALARMS],
     checks: logging::checks,
+    help: Help::NONE,
     picture: Drawing::new(logging::picture),
     example: log_example!((JOB, "0")),
     simulation: None,

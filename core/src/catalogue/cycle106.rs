@@ -4,7 +4,7 @@ use super::common::{ALWAYS_REQUIRED, PARAM, alarms, optional, required};
 use super::logging::names::{self, JOB};
 use super::logging::params::{self, log_params};
 use super::logging::{self, CONTENT_ALARMS, FILE_ALARMS, log_example};
-use super::{Arg, ArgumentList, Cycle, Dialect, Drawing, Kind, Param, Style, Variant, When};
+use super::{Arg, ArgumentList, Cycle, Dialect, Drawing, Help, Kind, Param, Style, Variant, When};
 
 /// The cycle.
 pub static CYCLE106: Cycle = Cycle {
@@ -37,6 +37,7 @@ pub static CYCLE106: Cycle = Cycle {
     results: &[],
     alarms: &[CONTENT_ALARMS, FILE_ALARMS],
     checks: logging::checks,
+    help: Help::NONE,
     picture: Drawing::new(logging::picture),
     example: log_example!((JOB, "2"), (names::FILE, "LOG_1")),
     simulation: None,

@@ -3,7 +3,7 @@
 use super::common::{ALWAYS_REQUIRED, PARAM, integer};
 use super::logging::names::JOB;
 use super::{
-    Arg, ArgumentList, Cycle, Dialect, Drawing, Kind, Param, Style, Variant, When, logging,
+    Arg, ArgumentList, Cycle, Dialect, Drawing, Help, Kind, Param, Style, Variant, When, logging,
 };
 
 /// The cycle.
@@ -44,6 +44,7 @@ pub static CYCLE113: Cycle = Cycle {
     results: &[integer("PAR2", "result-113-text", When::Always, "B:11260")],
     alarms: &[],
     checks: |_, _, _| {},
+    help: Help::NONE,
     picture: Drawing::NONE,
     example: &[(JOB, "1")],
     simulation: None,

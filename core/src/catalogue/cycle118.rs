@@ -3,7 +3,8 @@
 
 use super::common::{ALWAYS_REQUIRED, PARAM, alarms, integer, optional, required};
 use super::{
-    Arg, ArgumentList, Cycle, Dialect, Drawing, Kind, Param, Range, Style, Variant, When, logging,
+    Arg, ArgumentList, Cycle, Dialect, Drawing, Help, Kind, Param, Range, Style, Variant, When,
+    logging,
 };
 
 /// How many numbers.
@@ -138,6 +139,7 @@ pub static CYCLE118: Cycle = Cycle {
     ],
     alarms: &[&alarms([61362])], // A:15904
     checks: |_, _, _| {},
+    help: Help::NONE,
     picture: Drawing::NONE,
     // the example of the manual, B:11296-11308
     example: &[("PAR1", "31.830988618"), ("PAR2", "2")],

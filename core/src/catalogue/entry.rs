@@ -42,6 +42,8 @@ pub struct Cycle {
     /// Checks over several parameters; everything about one parameter is in its [`Param`].
     /// A value that is missing or wrong is absent from the inputs; nothing more is said about it.
     pub checks: fn(&Inputs, &Control, &mut Vec<crate::diagnostic::Diagnostic>),
+    /// The help page of each variant.
+    pub help: super::help::Help,
     /// What the values mean, drawn.
     pub picture: Drawing,
     /// A worked measurement: values as typed, by parameter name.

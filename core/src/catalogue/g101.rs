@@ -3,9 +3,10 @@
 use super::common::{PARAM, optional};
 use super::nct::{self, part};
 use super::{
-    Cycle, Dialect, Drawing, Kind, Param, Proposal, Purpose, Range, Simulation, Unit, Variant,
-    When, Work,
+    Cycle, Dialect, Drawing, Help, Kind, Param, Proposal, Purpose, Range, Simulation, Unit,
+    Variant, When, Work,
 };
+use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
 use crate::check::Finding;
 use crate::check::Inputs;
 use crate::control::Control;
@@ -76,6 +77,7 @@ pub static G101: Cycle = Cycle {
         nct::OUT_OF_POSITION,
     ]],
     checks,
+    help: Help::new(&[HELP]),
     picture: Drawing::new(picture),
     example: &[("X", "120"), ("Z", "200")],
     simulation: Some(Simulation::new(Work { propose, simulate }, &[])),
@@ -173,3 +175,13 @@ fn picture(inputs: &Inputs) -> Picture {
         ],
     }
 }
+
+/// The lines of the help page.
+const HELP: &[HelpLine] = &[
+    measures(When::Always, "help-g101-measures-nothing", "C:106-112"),
+    before(When::Always, "help-g101-before-free", "C:125-132"),
+    order(When::Always, "help-g101-order-straight", "C:106-112"),
+    corrects(When::Always, "help-g101-corrects-nothing", "C:121-123"),
+    wrong(When::Always, "help-g101-wrong-obstructed", "C:125-132"),
+    wrong(When::Always, "help-g101-wrong-incremental", "C:108"),
+];

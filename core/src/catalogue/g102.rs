@@ -8,7 +8,10 @@
 use super::nct::ring::{self, D};
 use super::nct::walls::home;
 use super::nct::{self, correct};
-use super::{Cycle, Dialect, Drawing, Param, Purpose, Range, Simulation, Variant, When, Work};
+use super::{
+    Cycle, Dialect, Drawing, Help, Param, Purpose, Range, Simulation, Variant, When, Work,
+};
+use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
 use crate::check::Inputs;
 use crate::message::Message;
 use crate::run::trace::Step;
@@ -46,6 +49,7 @@ pub static G102: Cycle = Cycle {
     ],
     alarms: &[nct::MEASURING],
     checks: ring::check,
+    help: Help::new(&[HELP, nct::help::MEASURING, nct::help::CALIBRATING]),
     picture: Drawing::new(ring::picture),
     example: &[("D", "25")],
     simulation: Some(Simulation::new(
@@ -88,3 +92,12 @@ fn turn(machine: &mut dyn Machine) {
     let angle = machine.control().spindle;
     machine.orient((angle + 180.0).rem_euclid(360.0));
 }
+
+/// The lines of the help page.
+const HELP: &[HelpLine] = &[
+    measures(When::Always, "help-g102-measures-offset", "C:150-168"),
+    before(When::Always, "help-g102-before-ring", "C:156-187"),
+    order(When::Always, "help-g102-order-walls", "C:161-187"),
+    corrects(When::Always, "help-g102-corrects-offset", "C:161-168"),
+    wrong(When::Always, "help-g102-wrong-moved", "C:156-168"),
+];

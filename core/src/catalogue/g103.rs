@@ -10,7 +10,10 @@ use super::nct::ring::{self, D};
 use super::nct::touch::Calibration;
 use super::nct::walls::{home, travel};
 use super::nct::{self, correct};
-use super::{Cycle, Dialect, Drawing, Param, Purpose, Range, Simulation, Variant, When, Work};
+use super::{
+    Cycle, Dialect, Drawing, Help, Param, Purpose, Range, Simulation, Variant, When, Work,
+};
+use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
 use crate::check::Inputs;
 use crate::run::{Machine, Stop};
 
@@ -44,6 +47,7 @@ pub static G103: Cycle = Cycle {
     ],
     alarms: &[nct::MEASURING],
     checks: ring::check,
+    help: Help::new(&[HELP, nct::help::MEASURING, nct::help::CALIBRATING]),
     picture: Drawing::new(ring::picture),
     example: &[("D", "50")],
     simulation: Some(Simulation::new(
@@ -77,3 +81,12 @@ fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     correct::calibration(machine, &values);
     Ok(())
 }
+
+/// The lines of the help page.
+const HELP: &[HelpLine] = &[
+    measures(When::Always, "help-g103-measures-radius", "C:288-317"),
+    before(When::Always, "help-g103-before-ring", "C:288-299"),
+    order(When::Always, "help-g103-order-centre", "C:309-345"),
+    corrects(When::Always, "help-g103-corrects-radius", "C:309-345"),
+    wrong(When::Always, "help-g103-wrong-size", "C:288-317"),
+];

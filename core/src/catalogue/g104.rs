@@ -7,7 +7,8 @@
 use super::common::{ALWAYS_REQUIRED, PARAM};
 use super::nct::walls::home;
 use super::nct::{self, FORMAT_ERROR, REGISTER, axis_name, correct, overtravel, params, surface};
-use super::{Cycle, Dialect, Drawing, Param, Purpose, Simulation, Unit, Variant, When, Work};
+use super::{Cycle, Dialect, Drawing, Help, Param, Purpose, Simulation, Unit, Variant, When, Work};
+use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
 use crate::check::Inputs;
 use crate::control::Plane;
 use crate::run::{Machine, Stop};
@@ -67,6 +68,7 @@ pub static G104: Cycle = Cycle {
     ],
     alarms: &[nct::MEASURING],
     checks: |_, _, _| {},
+    help: Help::new(&[HELP, nct::help::MEASURING, nct::help::CALIBRATING]),
     picture: Drawing::new(surface::axial_picture),
     example: &[("Z", "0"), ("T", "98")],
     simulation: Some(Simulation::new(
@@ -97,3 +99,12 @@ fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     correct::write(machine, format!("H{register}"), length - wear);
     Ok(())
 }
+
+/// The lines of the help page.
+const HELP: &[HelpLine] = &[
+    measures(When::Always, "help-g104-measures-length", "C:383-393"),
+    before(When::Always, "help-g104-before-above", "C:383-393"),
+    order(When::Always, "help-g104-order-down", "C:383-419"),
+    corrects(When::Always, "help-g104-corrects-register", "C:355-393"),
+    wrong(When::Always, "help-g104-wrong-coordinate", "C:355-393"),
+];

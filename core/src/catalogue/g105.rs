@@ -7,8 +7,9 @@ use super::nct::surface::{self, BALL, FACE, Wall, drawn, limits, spindle_at, tou
 use super::nct::walls::{home, travel};
 use super::nct::{self, FORMAT_ERROR, checks, params, part, plane_axis, print};
 use super::{
-    Cycle, Dialect, Drawing, Param, Proposal, Purpose, Simulation, Unit, Variant, When, Work,
+    Cycle, Dialect, Drawing, Help, Param, Proposal, Purpose, Simulation, Unit, Variant, When, Work,
 };
+use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
 use crate::check::Inputs;
 use crate::control::{Control, Plane};
 use crate::diagnostic::Diagnostic;
@@ -104,6 +105,7 @@ pub static G105: Cycle = Cycle {
         ],
     ],
     checks,
+    help: Help::new(&[HELP, nct::help::MEASURING, nct::help::SHIFTS]),
     picture: Drawing::new(picture),
     example: &[
         ("X", "50"),
@@ -230,3 +232,12 @@ fn picture(inputs: &Inputs) -> Picture {
         shapes,
     }
 }
+
+/// The lines of the help page.
+const HELP: &[HelpLine] = &[
+    measures(When::Always, "help-g105-measures-surface", "C:450-472"),
+    before(When::Always, "help-g105-before-side", "C:472-475"),
+    order(When::Always, "help-g105-order-touch", "C:450-475"),
+    corrects(When::Always, "help-g105-corrects-radius", "C:484-493"),
+    wrong(When::Always, "help-g105-wrong-far", "C:475"),
+];

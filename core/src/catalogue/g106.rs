@@ -7,7 +7,8 @@ use super::common::PARAM;
 use super::nct::correct::{self, Found, Part};
 use super::nct::walls::home;
 use super::nct::{self, FORMAT_ERROR, axis_name, checks, params, print, surface};
-use super::{Cycle, Dialect, Drawing, Param, Purpose, Simulation, Unit, Variant, Work};
+use super::{Cycle, Dialect, Drawing, Help, Param, Purpose, Simulation, Unit, Variant, When, Work};
+use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
 use crate::check::Inputs;
 use crate::control::Plane;
 use crate::run::{Machine, Stop};
@@ -89,6 +90,7 @@ pub static G106: Cycle = Cycle {
         &[nct::OUT_OF_TOLERANCE, nct::UPPER_TOLERANCE],
     ],
     checks: |inputs, _, findings| checks::corrections(inputs, findings),
+    help: Help::new(&[HELP, nct::help::MEASURING, nct::help::SHIFTS]),
     picture: Drawing::new(surface::axial_picture),
     example: &[("Z", "0"), ("S", "1"), ("H", "0.2"), ("W", "2")],
     simulation: Some(Simulation::new(
@@ -129,3 +131,12 @@ fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     print::print(machine, inputs, &values);
     Ok(())
 }
+
+/// The lines of the help page.
+const HELP: &[HelpLine] = &[
+    measures(When::Always, "help-g106-measures-surface", "C:583-600"),
+    before(When::Always, "help-g106-before-above", "C:583-600"),
+    order(When::Always, "help-g106-order-down", "C:583-600"),
+    corrects(When::Always, "help-g106-corrects-length", "C:676-694"),
+    wrong(When::Always, "help-g106-wrong-low", "C:583-600"),
+];

@@ -1,7 +1,8 @@
 //! G107: internal corner of two walls along the axes of the plane (C:696-781).
 
+use super::help::{HelpLine, before, corrects, measures, order, wrong};
 use super::nct::{self, corner, params};
-use super::{Cycle, Dialect, Drawing, Param, Purpose, Simulation, Variant, Work};
+use super::{Cycle, Dialect, Drawing, Help, Param, Purpose, Simulation, Variant, When, Work};
 
 /// The macro.
 pub static G107: Cycle = Cycle {
@@ -41,6 +42,7 @@ pub static G107: Cycle = Cycle {
     results: corner::RESULTS,
     alarms: &[nct::MEASURING],
     checks: |_, _, _| {},
+    help: Help::new(&[HELP, nct::help::MEASURING]),
     picture: Drawing::new(|inputs| corner::picture(inputs, false)),
     example: &[("X", "100"), ("Y", "80"), ("S", "1")],
     simulation: Some(Simulation::new(
@@ -55,3 +57,12 @@ pub static G107: Cycle = Cycle {
     )),
     source: "C:696-781",
 };
+
+/// The lines of the help page.
+const HELP: &[HelpLine] = &[
+    measures(When::Always, "help-g107-measures-corner", "C:700-720"),
+    before(When::Always, "help-g107-before-inside", "C:700-720"),
+    order(When::Always, "help-g107-order-walls", "C:700-766"),
+    corrects(When::Always, "help-g107-corrects-offset", "C:700-720"),
+    wrong(When::Always, "help-g107-wrong-turned", "C:700-720"),
+];

@@ -1,7 +1,8 @@
 //! G108: external corner of two walls along the axes of the plane (C:785-865).
 
+use super::help::{HelpLine, before, corrects, measures, order, wrong};
 use super::nct::{self, corner, params};
-use super::{Cycle, Dialect, Drawing, Param, Purpose, Simulation, Variant, Work};
+use super::{Cycle, Dialect, Drawing, Help, Param, Purpose, Simulation, Variant, When, Work};
 
 /// The macro.
 pub static G108: Cycle = Cycle {
@@ -44,6 +45,7 @@ pub static G108: Cycle = Cycle {
         &[nct::PATH_OBSTRUCTED], // the ways round the corner are protected like those of G101
     ],
     checks: |_, _, _| {},
+    help: Help::new(&[HELP, nct::help::MEASURING]),
     picture: Drawing::new(|inputs| corner::picture(inputs, true)),
     example: &[("X", "100"), ("Y", "80"), ("S", "1")],
     simulation: Some(Simulation::new(
@@ -58,3 +60,12 @@ pub static G108: Cycle = Cycle {
     )),
     source: "C:785-865",
 };
+
+/// The lines of the help page.
+const HELP: &[HelpLine] = &[
+    measures(When::Always, "help-g108-measures-corner", "C:787-800"),
+    before(When::Always, "help-g108-before-before", "C:787-800"),
+    order(When::Always, "help-g108-order-walls", "C:787-849"),
+    corrects(When::Always, "help-g108-corrects-offset", "C:787-800"),
+    wrong(When::Always, "help-g108-wrong-close", "C:787-849"),
+];

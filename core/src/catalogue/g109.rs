@@ -7,8 +7,9 @@ use super::nct::surface::{BALL, FACE, drawn, limits};
 use super::nct::walls::{Outside, Walls, chord, home};
 use super::nct::{self, FORMAT_ERROR, checks, params, part, plane_axis, print};
 use super::{
-    Cycle, Dialect, Drawing, Param, Proposal, Purpose, Simulation, Unit, Variant, When, Work,
+    Cycle, Dialect, Drawing, Help, Param, Proposal, Purpose, Simulation, Unit, Variant, When, Work,
 };
+use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
 use crate::check::{Finding, Inputs, error};
 use crate::control::{Control, Plane};
 use crate::diagnostic::Diagnostic;
@@ -133,6 +134,7 @@ pub static G109: Cycle = Cycle {
         ],
     ],
     checks,
+    help: Help::new(&[HELP, nct::help::MEASURING, nct::help::SHIFTS]),
     picture: Drawing::new(picture),
     example: &[
         ("X", "80"),
@@ -311,3 +313,31 @@ fn material(web: bool, half: f64) -> Vec<PictureShape> {
         })
         .into()
 }
+
+/// The lines of the help page.
+const HELP: &[HelpLine] = &[
+    measures(
+        When::Variant(&[POCKET]),
+        "help-g109-measures-pocket",
+        "C:887-911",
+    ),
+    measures(When::Variant(&[WEB]), "help-g109-measures-web", "C:887-911"),
+    before(
+        When::Variant(&[POCKET]),
+        "help-g109-before-inside",
+        "C:887-911",
+    ),
+    before(When::Variant(&[WEB]), "help-g109-before-above", "C:887-911"),
+    order(
+        When::Variant(&[POCKET]),
+        "help-g109-order-outwards",
+        "C:887-999",
+    ),
+    order(
+        When::Variant(&[WEB]),
+        "help-g109-order-inwards",
+        "C:887-999",
+    ),
+    corrects(When::Always, "help-g109-corrects-half", "C:925-960"),
+    wrong(When::Always, "help-g109-wrong-width", "C:887-911"),
+];

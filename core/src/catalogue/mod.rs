@@ -38,6 +38,7 @@ pub mod g107;
 pub mod g108;
 pub mod g109;
 pub mod g110;
+pub mod help;
 pub mod lathe;
 pub mod list;
 pub mod logging;
@@ -50,6 +51,7 @@ pub mod sinumerik;
 pub mod tool_probe;
 mod when;
 pub use entry::*;
+pub use help::Help;
 pub use list::{Arg, ArgumentList, Style};
 
 /// Every cycle that Probewright knows, in the order in which they are offered. The page's first module knows that of
@@ -100,6 +102,8 @@ pub fn find(dialect: Dialect, name: &str) -> Option<&'static Cycle> {
         .find(|cycle| cycle.dialect == dialect && cycle.name.eq_ignore_ascii_case(name))
 }
 
+#[cfg(all(test, feature = "cli"))]
+mod help_tests;
 #[cfg(test)]
 mod picture_tests;
 #[cfg(test)]

@@ -26,6 +26,35 @@ impl When {
     }
 }
 
+impl When {
+    /// What the variant alone says about it; none where it depends on other values.
+    pub fn of_variant(&self, inputs: &Inputs) -> Option<bool> {
+        match self {
+            When::Always | When::Variant(_) => Some(self.holds(inputs)),
+            When::Digit { param, .. } if inputs.cycle.variant_param() == Some(*param) => {
+                Some(self.holds(inputs))
+            }
+            When::All(conditions) => decided(conditions, inputs, false),
+            When::Any(conditions) => decided(conditions, inputs, true),
+            When::Not(when) => when.of_variant(inputs).map(|holds| !holds),
+            _ => None,
+        }
+    }
+}
+
+/// One that is `decisive` decides; else all have to be known.
+fn decided(conditions: &[When], inputs: &Inputs, decisive: bool) -> Option<bool> {
+    let mut known = Some(!decisive);
+    for when in conditions {
+        match when.of_variant(inputs) {
+            Some(holds) if holds == decisive => return Some(decisive),
+            Some(_) => {}
+            None => known = None,
+        }
+    }
+    known
+}
+
 /// One digit; those of `_KNUM` above its D number move by two where D numbers take five digits (B:2009).
 fn digit(inputs: &Inputs, name: &str, place: i64) -> i64 {
     let kind = inputs

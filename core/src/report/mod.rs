@@ -3,6 +3,8 @@
 #[cfg(feature = "cli")]
 pub mod alarms;
 #[cfg(feature = "cli")]
+mod help;
+#[cfg(feature = "cli")]
 pub mod machine;
 #[cfg(feature = "cli")]
 mod markdown;

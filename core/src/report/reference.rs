@@ -4,11 +4,12 @@ use crate::catalogue::{Cycle, Kind, Level, Param, ProbeUse, Range, Unit, When};
 use crate::diagnostic::Code;
 use crate::json::{alarm_key, code};
 use crate::message::Message;
+use crate::report::help::help;
 use crate::report::markdown::{heading, line, row};
 use crate::words::Words;
 
 /// The page of one cycle, Markdown.
-pub fn page(cycle: &Cycle, words: &Words) -> String {
+pub fn page(cycle: &'static Cycle, words: &Words) -> String {
     let mut text = String::new();
     line(
         &mut text,
@@ -28,6 +29,7 @@ pub fn page(cycle: &Cycle, words: &Words) -> String {
         ),
     );
     variants(&mut text, cycle, words);
+    help(&mut text, cycle, words);
     parameters(&mut text, cycle, words);
     results(&mut text, cycle, words);
     alarms(&mut text, cycle, words);

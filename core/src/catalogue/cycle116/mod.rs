@@ -10,8 +10,8 @@ mod tests;
 
 use super::common::{alarms, integer};
 use super::{
-    Arg, ArgumentList, Cycle, Dialect, Drawing, MachineSort, NEVER, ProbeUse, Purpose, ResultField,
-    Simulation, Style, Unit, Variant, When, Work,
+    Arg, ArgumentList, Cycle, Dialect, Drawing, Help, MachineSort, NEVER, ProbeUse, Purpose,
+    ResultField, Simulation, Style, Unit, Variant, When, Work,
 };
 use crate::check::{Finding, Inputs, error};
 use crate::control::Control;
@@ -56,6 +56,7 @@ pub static CYCLE116: Cycle = Cycle {
     ],
     alarms: &[&alarms([61316, 61317])], // B:2448
     checks,
+    help: Help::NONE,
     picture: Drawing::new(picture),
     // the example of the manual, B:2456-2466
     example: &[

@@ -13,8 +13,8 @@ mod tests;
 
 use super::common::{alarms, integer};
 use super::{
-    Arg, ArgumentList, Cycle, Dialect, Drawing, MachineSort, NEVER, ProbeUse, Purpose, ResultField,
-    Simulation, Style, Unit, Variant, When, Work,
+    Arg, ArgumentList, Cycle, Dialect, Drawing, Help, MachineSort, NEVER, ProbeUse, Purpose,
+    ResultField, Simulation, Style, Unit, Variant, When, Work,
 };
 
 /// The cycle.
@@ -68,6 +68,7 @@ pub static CYCLE119: Cycle = Cycle {
     ],
     alarms: &[&alarms([61321, 61411, 61412, 61414])], // A:15862, A:15930-15933
     checks: checks::checks,
+    help: Help::NONE,
     picture: Drawing::new(picture::picture),
     // the example of the manual, B:8600-8622; its active frame is G54, which a form without a program has to name
     example: &[

@@ -2,6 +2,7 @@
 
 mod checks;
 mod corner;
+mod help;
 mod lines;
 mod lists;
 #[cfg(test)]
@@ -23,7 +24,8 @@ mod touches;
 pub use results::RESULTS;
 
 use crate::catalogue::common;
-use crate::catalogue::{Cycle, Dialect, Drawing, Purpose, Simulation, Variant, Work};
+use crate::catalogue::sinumerik;
+use crate::catalogue::{Cycle, Dialect, Drawing, Help, Purpose, Simulation, Variant, Work};
 
 /// Measuring variants (B:7862-7869).
 pub const VARIANTS: &[Variant] = &[
@@ -80,6 +82,13 @@ pub static CYCLE961: Cycle = Cycle {
         ]),
     ],
     checks: checks::checks,
+    help: Help::new(&[
+        help::LINES,
+        sinumerik::help::PROBE,
+        sinumerik::help::CALIBRATED,
+        sinumerik::help::AGAIN,
+        sinumerik::help::MEASURING,
+    ]),
     picture: Drawing::new(picture::picture),
     example: &[
         ("_MVAR", "108"),

@@ -2,6 +2,7 @@
 //! (B:4157-5029).
 
 mod checks;
+mod help;
 mod lists;
 pub mod params;
 mod picture;
@@ -12,7 +13,7 @@ mod tests;
 
 use crate::catalogue::common::alarms;
 use crate::catalogue::{
-    Cycle, Dialect, Drawing, MachineSort, ProbeUse, Purpose, Variant, tool_probe,
+    Cycle, Dialect, Drawing, Help, MachineSort, ProbeUse, Purpose, Variant, tool_probe,
 };
 use crate::support;
 
@@ -116,6 +117,7 @@ pub static CYCLE971: Cycle = Cycle {
         &alarms([61309, 61349, 61350, 61351, 61366, 61401, 61415]),
     ],
     checks: checks::checks,
+    help: Help::new(&[help::LINES, tool_probe::help::ALL]),
     picture: Drawing::new(picture::picture),
     example: &[
         ("_MVAR", "1"),

@@ -2,6 +2,7 @@
 //! CYCLE982 with its variants 0 and 1 does the same (B:8752-8760).
 
 mod checks;
+mod help;
 mod lists;
 pub mod params;
 mod picture;
@@ -11,7 +12,7 @@ mod tests;
 
 use crate::catalogue::common::alarms;
 use crate::catalogue::{
-    Cycle, Dialect, Drawing, MachineSort, ProbeUse, Purpose, Variant, tool_probe,
+    Cycle, Dialect, Drawing, Help, MachineSort, ProbeUse, Purpose, Variant, tool_probe,
 };
 
 /// Measuring variants (B:8766-8771).
@@ -59,6 +60,7 @@ pub static CYCLE972: Cycle = Cycle {
     // A:15856, A:15873
     alarms: &[tool_probe::ALARMS, &alarms([61315, 61330])],
     checks: checks::checks,
+    help: Help::new(&[help::LINES, tool_probe::help::ALL]),
     picture: Drawing::new(picture::picture),
     example: &[
         ("_MVAR", "1"),

@@ -2,6 +2,7 @@
 
 mod checks;
 mod groove;
+mod help;
 mod lists;
 pub mod params;
 mod picture;
@@ -15,8 +16,9 @@ mod tests;
 
 pub use results::RESULTS;
 
+use crate::catalogue::sinumerik;
 use crate::catalogue::{
-    Cycle, Dialect, Drawing, Purpose, Simulation, Variant, When, Work, common, lathe,
+    Cycle, Dialect, Drawing, Help, Purpose, Simulation, Variant, When, Work, common, lathe,
 };
 
 /// Measuring variants (B:10163-10177). 13 stands in the programs only, with axis and direction: it is 1013 (A:11504).
@@ -91,6 +93,12 @@ pub static CYCLE973: Cycle = Cycle {
         &common::alarms([61326, 61333, 61401]),
     ],
     checks: checks::checks,
+    help: Help::new(&[
+        sinumerik::help::STORED,
+        sinumerik::help::BLOCK,
+        help::LINES,
+        lathe::help::PROBE,
+    ]),
     picture: Drawing::new(picture::picture),
     example: &[
         ("_MVAR", "0"),

@@ -1,6 +1,7 @@
 //! CYCLE974: one point of a turned part, for a tool offset or a zero offset (B:10409-10872).
 
 mod checks;
+mod help;
 mod lists;
 pub mod params;
 mod picture;
@@ -14,8 +15,9 @@ mod tests;
 
 pub use results::RESULTS;
 
+use crate::catalogue::sinumerik;
 use crate::catalogue::{
-    Cycle, Dialect, Drawing, Purpose, Simulation, Variant, Work, common, lathe,
+    Cycle, Dialect, Drawing, Help, Purpose, Simulation, Variant, Work, common, lathe,
 };
 
 /// Measuring variants (B:10455-10459).
@@ -75,6 +77,15 @@ pub static CYCLE974: Cycle = Cycle {
         &common::alarms([61327, 61341, 61401, 61412]),
     ],
     checks: checks::checks,
+    help: Help::new(&[
+        sinumerik::help::CORRECTION,
+        sinumerik::help::BLOCK,
+        help::LINES,
+        lathe::help::PROBE,
+        sinumerik::help::CALIBRATED,
+        sinumerik::help::AGAIN,
+        sinumerik::help::MEASURING,
+    ]),
     picture: Drawing::new(picture::picture),
     example: &[
         ("_MVAR", "0"),

@@ -2,6 +2,7 @@
 
 mod checks;
 mod directions;
+mod help;
 mod hole;
 mod lists;
 #[cfg(test)]
@@ -23,7 +24,8 @@ pub use results::RESULTS;
 pub use variants::VARIANTS;
 
 use crate::catalogue::common;
-use crate::catalogue::{Cycle, Dialect, Drawing, Purpose, Simulation, When, Work};
+use crate::catalogue::sinumerik;
+use crate::catalogue::{Cycle, Dialect, Drawing, Help, Purpose, Simulation, When, Work};
 
 /// The entry. Example: the ring of B:5168-5188.
 pub static CYCLE976: Cycle = Cycle {
@@ -46,6 +48,7 @@ pub static CYCLE976: Cycle = Cycle {
         &common::alarms([61325, 61326, 61401]),
     ],
     checks: checks::checks,
+    help: Help::new(&[sinumerik::help::STORED, help::LINES, sinumerik::help::PROBE]),
     picture: Drawing::new(picture::picture),
     example: &[
         ("_MVAR", "10101"),

@@ -4,6 +4,7 @@
 mod alarm_tests;
 mod checks;
 mod element;
+mod help;
 mod lists;
 #[cfg(test)]
 mod motion_tests;
@@ -22,7 +23,8 @@ mod variants;
 pub use results::RESULTS;
 pub use variants::VARIANTS;
 
-use crate::catalogue::{Cycle, Dialect, Drawing, Purpose, Simulation, Work, common};
+use crate::catalogue::sinumerik;
+use crate::catalogue::{Cycle, Dialect, Drawing, Help, Purpose, Simulation, Work, common};
 
 /// The entry. Example: the hole of B:6050-6137.
 pub static CYCLE977: Cycle = Cycle {
@@ -43,6 +45,15 @@ pub static CYCLE977: Cycle = Cycle {
         &common::alarms([61325, 61327, 61334, 61341, 61401, 61402, 61412]),
     ],
     checks: checks::checks,
+    help: Help::new(&[
+        sinumerik::help::CORRECTION,
+        sinumerik::help::BLOCK,
+        help::LINES,
+        sinumerik::help::PROBE,
+        sinumerik::help::CALIBRATED,
+        sinumerik::help::AGAIN,
+        sinumerik::help::MEASURING,
+    ]),
     picture: Drawing::new(picture::picture),
     example: &[
         ("_MVAR", "1"),

@@ -3,7 +3,8 @@
 use crate::catalogue::common::{self, optional, required};
 use crate::catalogue::{DigitGroup, Kind, Need, Param, Range, When, names};
 
-const fn element(is: &'static [i64]) -> When {
+/// The element in the first digit of `_MVAR` is one of these.
+pub const fn element(is: &'static [i64]) -> When {
     When::Digit {
         param: names::MVAR,
         place: 1,

@@ -1,6 +1,7 @@
 //! CYCLE978: one point on a surface parallel to an axis (B:6287-6735).
 
 mod checks;
+mod help;
 mod lists;
 pub mod params;
 mod picture;
@@ -10,7 +11,8 @@ pub mod simulate;
 #[cfg(test)]
 mod tests;
 
-use crate::catalogue::{Cycle, Dialect, Drawing, Purpose, Simulation, Variant, Work, common};
+use crate::catalogue::sinumerik;
+use crate::catalogue::{Cycle, Dialect, Drawing, Help, Purpose, Simulation, Variant, Work, common};
 
 /// Measuring variants (B:6323-6328).
 pub const VARIANTS: &[Variant] = &[
@@ -57,6 +59,15 @@ pub static CYCLE978: Cycle = Cycle {
         &common::alarms([61325, 61327, 61341, 61401, 61412]),
     ],
     checks: checks::checks,
+    help: Help::new(&[
+        sinumerik::help::CORRECTION,
+        sinumerik::help::BLOCK,
+        sinumerik::help::DIFFERENTIAL,
+        help::LINES,
+        sinumerik::help::PROBE,
+        sinumerik::help::AGAIN,
+        sinumerik::help::MEASURING,
+    ]),
     picture: Drawing::new(picture::picture),
     example: &[
         ("_MVAR", "0"),

@@ -1,6 +1,7 @@
 //! CYCLE979: hole, shaft, groove and web, measured at an angle (B:6736-7250).
 
 mod checks;
+mod help;
 mod lists;
 #[cfg(test)]
 mod motion_tests;
@@ -17,7 +18,8 @@ mod tests;
 pub use results::RESULTS;
 
 use crate::catalogue::common;
-use crate::catalogue::{Cycle, Dialect, Drawing, Purpose, Simulation, Variant, Work};
+use crate::catalogue::sinumerik;
+use crate::catalogue::{Cycle, Dialect, Drawing, Help, Purpose, Simulation, Variant, Work};
 
 /// Measuring variants (B:6764-6773).
 pub const VARIANTS: &[Variant] = &[
@@ -83,6 +85,15 @@ pub static CYCLE979: Cycle = Cycle {
         &common::alarms([61316, 61317, 61327, 61341, 61365, 61401, 61412]),
     ],
     checks: checks::checks,
+    help: Help::new(&[
+        sinumerik::help::CORRECTION,
+        sinumerik::help::BLOCK,
+        help::LINES,
+        sinumerik::help::PROBE,
+        sinumerik::help::CALIBRATED,
+        sinumerik::help::AGAIN,
+        sinumerik::help::MEASURING,
+    ]),
     picture: Drawing::new(picture::picture),
     example: &[
         ("_MVAR", "1"),

@@ -3,6 +3,7 @@
 
 mod checks;
 mod cutters;
+mod help;
 pub mod params;
 mod picture;
 mod results;
@@ -11,7 +12,7 @@ mod tests;
 mod variants;
 
 use crate::catalogue::common::alarms;
-use crate::catalogue::{Cycle, Dialect, Drawing, MachineSort, ProbeUse, Purpose, tool_probe};
+use crate::catalogue::{Cycle, Dialect, Drawing, Help, MachineSort, ProbeUse, Purpose, tool_probe};
 use crate::control::machine_data::TOOL_LENGTH_TYPE;
 
 /// The entry. Example: the milling cutter T3 in radial position of B:9526-9580, length L2 and radius.
@@ -53,6 +54,7 @@ pub static CYCLE982: Cycle = Cycle {
     // A:15856; 61326 and 61351 are ours, for what the manual refuses without a number (B:9208, B:9838)
     alarms: &[tool_probe::ALARMS, &alarms([61315, 61326, 61351])],
     checks: checks::checks,
+    help: Help::new(&[help::LINES, tool_probe::help::ALL]),
     picture: Drawing::new(picture::picture),
     example: &[
         ("_MVAR", "12001"),

@@ -1,6 +1,7 @@
 //! CYCLE994: two opposite points of a turned part, for a tool offset (B:10873-11146).
 
 mod checks;
+mod help;
 mod lists;
 pub mod params;
 mod picture;
@@ -14,8 +15,9 @@ mod tests;
 
 pub use results::RESULTS;
 
+use crate::catalogue::sinumerik;
 use crate::catalogue::{
-    Cycle, Dialect, Drawing, Purpose, Simulation, Variant, Work, common, lathe,
+    Cycle, Dialect, Drawing, Help, Purpose, Simulation, Variant, Work, common, lathe,
 };
 use crate::diagnostic::Code;
 
@@ -75,6 +77,15 @@ pub static CYCLE994: Cycle = Cycle {
         &[ZONE],
     ],
     checks: checks::checks,
+    help: Help::new(&[
+        sinumerik::help::CORRECTION,
+        sinumerik::help::BLOCK,
+        help::LINES,
+        lathe::help::PROBE,
+        sinumerik::help::CALIBRATED,
+        sinumerik::help::AGAIN,
+        sinumerik::help::MEASURING,
+    ]),
     picture: Drawing::new(picture::picture),
     example: &[
         ("_MVAR", "2"),

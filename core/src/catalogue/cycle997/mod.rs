@@ -1,6 +1,7 @@
 //! CYCLE997: centre of one sphere, or position in space by three (B:8178-8539).
 
 mod checks;
+mod help;
 #[cfg(test)]
 mod motion_tests;
 pub mod params;
@@ -22,7 +23,8 @@ pub use results::RESULTS;
 pub use variants::VARIANTS;
 
 use crate::catalogue::common;
-use crate::catalogue::{Cycle, Dialect, Drawing, Purpose, Simulation, Work};
+use crate::catalogue::sinumerik;
+use crate::catalogue::{Cycle, Dialect, Drawing, Help, Purpose, Simulation, Work};
 
 /// The entry. Example: the three spheres of B:8480-8529. Its program writes `_KNUM` = 99999, which does not exist; meant
 /// is the active frame, there G54, which a form without a program has to name.
@@ -46,6 +48,14 @@ pub static CYCLE997: Cycle = Cycle {
         ]),
     ],
     checks: checks::checks,
+    help: Help::new(&[
+        sinumerik::help::BLOCK,
+        help::LINES,
+        sinumerik::help::PROBE,
+        sinumerik::help::CALIBRATED,
+        sinumerik::help::AGAIN,
+        sinumerik::help::MEASURING,
+    ]),
     picture: Drawing::new(picture::picture),
     example: &[
         ("_MVAR", "10109"),

@@ -3,6 +3,7 @@
 mod angles;
 mod checks;
 mod correction;
+mod help;
 mod lists;
 #[cfg(test)]
 mod motion_tests;
@@ -21,7 +22,8 @@ mod tests;
 pub use results::RESULTS;
 
 use crate::catalogue::common;
-use crate::catalogue::{Cycle, Dialect, Drawing, Purpose, Simulation, Variant, Work};
+use crate::catalogue::sinumerik;
+use crate::catalogue::{Cycle, Dialect, Drawing, Help, Purpose, Simulation, Variant, Work};
 
 /// Measuring variants (B:7318-7324).
 pub const VARIANTS: &[Variant] = &[
@@ -72,6 +74,13 @@ pub static CYCLE998: Cycle = Cycle {
         &common::alarms([61325, 61327, 61329, 61331, 61341, 61364, 61401, 61412]),
     ],
     checks: checks::checks,
+    help: Help::new(&[
+        sinumerik::help::DIFFERENTIAL,
+        help::LINES,
+        sinumerik::help::PROBE,
+        sinumerik::help::AGAIN,
+        sinumerik::help::MEASURING,
+    ]),
     picture: Drawing::new(picture::picture),
     example: &[
         ("_MVAR", "105"),

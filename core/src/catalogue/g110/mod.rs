@@ -8,7 +8,10 @@ mod simulate;
 mod tests;
 
 use super::nct::{self, params, part};
-use super::{Cycle, Dialect, Drawing, Proposal, Purpose, ResultField, Simulation, Variant, Work};
+use super::{
+    Cycle, Dialect, Drawing, Help, Proposal, Purpose, ResultField, Simulation, Variant, When, Work,
+};
+use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
 use crate::check::Inputs;
 use crate::control::Control;
 use crate::workpiece::{Shape, Workpiece};
@@ -57,6 +60,7 @@ pub static G110: Cycle = Cycle {
         ],
     ],
     checks: checks::checks,
+    help: Help::new(&[HELP, nct::help::MEASURING, nct::help::SHIFTS]),
     picture: Drawing::new(picture::picture),
     example: &[
         ("D", "50"),
@@ -120,3 +124,39 @@ fn propose(inputs: &Inputs, control: &Control) -> Proposal {
         ..Proposal::default()
     }
 }
+
+/// The lines of the help page.
+const HELP: &[HelpLine] = &[
+    measures(
+        When::Variant(&[BORE]),
+        "help-g110-measures-bore",
+        "C:1048-1076",
+    ),
+    measures(
+        When::Variant(&[BOSS]),
+        "help-g110-measures-boss",
+        "C:1048-1076",
+    ),
+    before(
+        When::Variant(&[BORE]),
+        "help-g110-before-inside",
+        "C:1048-1076",
+    ),
+    before(
+        When::Variant(&[BOSS]),
+        "help-g110-before-above",
+        "C:1048-1076",
+    ),
+    order(
+        When::Variant(&[BORE]),
+        "help-g110-order-outwards",
+        "C:1048-1157",
+    ),
+    order(
+        When::Variant(&[BOSS]),
+        "help-g110-order-inwards",
+        "C:1048-1157",
+    ),
+    corrects(When::Always, "help-g110-corrects-half", "C:1089-1144"),
+    wrong(When::Always, "help-g110-wrong-room", "C:1144"),
+];

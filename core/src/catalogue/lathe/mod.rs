@@ -2,6 +2,7 @@
 
 pub mod checks;
 pub mod figures;
+pub mod help;
 pub mod measure;
 pub mod params;
 pub mod place;

@@ -5,6 +5,7 @@ pub mod calibration;
 pub mod centred;
 pub mod correct;
 pub mod differential;
+pub mod help;
 pub mod measuring_block;
 #[cfg(test)]
 pub mod motion_testing;

@@ -3,6 +3,7 @@
 pub mod checks;
 mod data;
 pub mod figures;
+pub mod help;
 pub mod params;
 pub mod turning;
 

@@ -1,0 +1,123 @@
+# Help pages of the cycles that measure a workpiece on milling machines.
+
+help-cycle961-measures-inside = An inside corner: where its two edges meet, and how the reference edge (P1, P2) is turned.
+help-cycle961-measures-outside = An outside corner: where its two edges meet, and how the reference edge (P1, P2) is turned.
+help-cycle961-measures-square = The corner of a rectangle: three points do, its second edge is taken at a right angle.
+help-cycle961-measures-free = The angle between the edges is not known: it takes two points on each edge.
+help-cycle961-measures-given = Four points, each given by its coordinates.
+help-cycle961-before-opposite = The probe stands at measuring depth opposite the corner: inside the pocket, or outside the part. All points can be reached from there; _STA1 and _INCA are known to 10°.
+help-cycle961-before-above = The probe stands at a height from which all points can be reached by straight ways; _ID leads down to the measuring depth, with minus sign.
+help-cycle961-before-multi = The probe switches in all directions of the plane (multi probe).
+help-cycle961-order-three = P2 at _SETV[0] along the reference edge, P1 at half of it, then P3 at half of _SETV[1] along the other edge.
+help-cycle961-order-four = P2 at _SETV[0] along the reference edge, P1 at half of it, then P3 at half of _SETV[1] and P4 at _SETV[1] along the other edge.
+help-cycle961-order-in-plane = All ways run at measuring depth, inside the pocket.
+help-cycle961-order-passes = From P1 to P3 it rises by _ID, passes over the corner and goes down again; with _ID=0 it goes round the corner through the start.
+help-cycle961-order-infeed = P2, P1, P3, P4: above each of them it goes down by _ID, touches, goes back and up.
+help-cycle961-order-toward-pocket = Each touch leads away from the other pair of points.
+help-cycle961-order-toward-part = Each touch leads to the side on which the other pair of points lies.
+help-cycle961-order-along-axis = Every touch follows an axis of the active coordinate system, over twice _FA, at least twice 20 mm.
+help-cycle961-order-end-p4 = It ends above P4, at the height of the start.
+help-cycle961-corrects-absolute = The zero offset named by _KNUM, coarse and absolute: the corner becomes zero in the plane, the abscissa runs along the reference edge. The fine offset is cleared, the applicate stays.
+help-cycle961-corrects-choice = With _SETV[4] from 2 to 4 the zero is moved away from the corner by _SETV[2], by _SETV[3] or by both.
+help-cycle961-wrong-angle = The edges are turned by more than 10° against _STA1 and _INCA: a point misses its edge, alarm 61301.
+help-cycle961-wrong-not-opposite = The start is not opposite the corner: P3 is sought beside its edge.
+help-cycle961-wrong-swapped = P1 and P2 are exchanged: the coordinate system comes out turned by 180°.
+help-cycle961-wrong-same-points = Two points of an edge are the same (61367), or the edges are parallel (61368).
+
+help-cycle977-measures-hole = Diameter and centre of a hole.
+help-cycle977-measures-shaft = Diameter and centre of a shaft.
+help-cycle977-measures-groove = Width of a groove and its middle, in the axis _MA.
+help-cycle977-measures-web = Width of a web and its middle, in the axis _MA.
+help-cycle977-measures-pocket = Both lengths and the centre of an inside rectangle that lies along the axes.
+help-cycle977-measures-island = Both lengths and the centre of an outside rectangle that lies along the axes.
+help-cycle977-before-centre = The probe stands over or in the set centre: where it stands in the plane is what the centre is compared with. A groove or web asks for it in _MA only.
+help-cycle977-before-depth = The ball is at measuring height.
+help-cycle977-before-above = The ball is above the element, so high that it passes freely; _ID leads from there to the measuring height, downwards with minus sign.
+help-cycle977-before-zone-inside = _SZA (rectangle: with _SZO in the ordinate) is the size of what stands in the middle and must not be touched.
+help-cycle977-before-zone-outside = _SZA (rectangle: with _SZO in the ordinate) is the size of the free room round the element.
+help-cycle977-order-two-axes = Abscissa: plus side, then minus side. It goes to the middle between them, then ordinate: plus side, minus side.
+help-cycle977-order-one-axis = The plus side in _MA, then the minus side.
+help-cycle977-order-straight = All ways are straight, at measuring height.
+help-cycle977-order-outwards = Touches lead outwards, from the middle to the wall.
+help-cycle977-order-inwards = At each point it travels beside the element, goes down by _ID, touches towards the middle, goes back and up, and crosses over the element.
+help-cycle977-order-over-zone = From point to point it rises by _ID and crosses what stands in the middle.
+help-cycle977-order-less-room = Where the zone leaves less room, the cycle shortens _FA as far as the ball still fits.
+help-cycle977-order-diameter = The diameter comes from the touches in the ordinate, through the centre found in the abscissa.
+help-cycle977-order-lengths = Each length and each coordinate of the centre comes from the two touches of its axis.
+help-cycle977-order-end = It ends over or in the centre that was found, at the height of the start.
+help-cycle977-corrects-half = A radius takes half the deviation of the size. A rectangle corrects with the mean of both lengths.
+help-cycle977-corrects-both-axes = Both axes of the plane are corrected.
+help-cycle977-corrects-one-axis = Only _MA is corrected.
+help-cycle977-wrong-depth = The ball stands too high: it touches a chamfer or nothing.
+help-cycle977-wrong-infeed = _ID has the wrong sign or is too short: the ball passes over the element. Too long: it runs into the bottom, alarm 61302.
+help-cycle977-wrong-zone = _SZA or _SZO leaves no room for the ball: alarm 61334.
+help-cycle977-wrong-start = The start is not the set centre: the zero offset gets the error of the start position.
+
+help-cycle978-measures-point = The position of one point on a surface that lies across the axis _MA.
+help-cycle978-before-opposite = The ball stands opposite the point, further from the surface than _FA; the side on which it stands decides the direction.
+help-cycle978-order-axis = Only _MA moves; it ends _FA before the surface.
+help-cycle978-corrects-full = The whole deviation goes into the length or radius.
+help-cycle978-corrects-one-axis = Only _MA is corrected, less the empirical value of _EVNUM.
+help-cycle978-wrong-side = The ball stands on the wrong side: it travels away from the surface.
+help-cycle978-wrong-oblique = The surface is not square to _MA: the ball touches beside its lowest point, and the value is wrong by that.
+
+help-cycle979-measures-hole = Diameter and centre of a hole or of a segment of one, from points on its circle.
+help-cycle979-measures-shaft = Diameter and centre of a shaft or of a segment of one, from points on its circle.
+help-cycle979-measures-groove = Width of an oblique groove, and its middle on the line at _STA1.
+help-cycle979-measures-web = Width of an oblique web, and its middle on the line at _STA1.
+help-cycle979-before-near = The ball stands at measuring height near P1, further from the contour than _FA, with a free straight way to it. P1 lies at the angle _STA1 seen from the set centre _CPA, _CPO.
+help-cycle979-before-ball = The active ball diameter of the probe is calibrated (CYCLE976 with ball diameter).
+help-cycle979-order-circle = Three points, with fourth digit 1 in _PRNUM four, each _INCA further round; between them it travels along an arc at _RF.
+help-cycle979-order-outwards = Each touch leads away from the set centre.
+help-cycle979-order-inwards = Each touch leads towards the set centre.
+help-cycle979-order-across = P1, straight along the line to the other wall, P2, all at measuring height.
+help-cycle979-order-over = P1, up by _ID, across the web on the line, down again, P2.
+help-cycle979-order-fit = The circle through all points gives diameter and centre.
+help-cycle979-order-end = It ends _FA before the last point, at measuring height.
+help-cycle979-corrects-half = A radius takes half the deviation of diameter or width.
+help-cycle979-corrects-both = Both axes of the plane are corrected; of a groove or web as far as its middle moved along the line.
+help-cycle979-wrong-arc = The arc beside a segment runs into the part: alarm 61302.
+help-cycle979-wrong-close = The points lie close together: a small error of one point moves the centre a lot. Take _INCA as large as the segment allows.
+help-cycle979-wrong-speed = _RF is 0: alarm 61365.
+help-cycle979-wrong-skewed = The line at _STA1 is not square to the walls: the width comes out too large.
+help-cycle979-wrong-lift = _ID is too short; where lengths end at the ball centre (_CBIT[14]=0) it has to include the ball radius.
+
+help-cycle997-measures-one = The centre of a sphere.
+help-cycle997-measures-three = The centres of three spheres, and from them how the part is moved and turned.
+help-cycle997-measures-diameter = The diameter of each sphere.
+help-cycle997-before-above = The ball stands at safety height above the set centre of sphere 1; from that height every sphere can be reached without touching anything.
+help-cycle997-before-ball = Beforehand CYCLE976 has determined the active ball diameter.
+help-cycle997-before-frame = The active zero offset is so near to the truth that each sphere lies within _FA of its set place, and it neither mirrors nor scales.
+help-cycle997-order-paraxial = At the height of the set centre: abscissa plus and minus side, then ordinate plus and minus side through the middle found; between the points it rises _FA above the sphere.
+help-cycle997-order-three-points = At the height of the set centre: three points, the first at _STA1, each _INCA further, with arcs at _RF between them.
+help-cycle997-order-four-points = At the height of the set centre: four points, the first at _STA1, each _INCA further, with arcs at _RF between them.
+help-cycle997-order-top = Then the top, above the centre just found.
+help-cycle997-order-diameter = One more point at the height of the centre found, in plus direction of the abscissa, gives the diameter.
+help-cycle997-order-repeat = The whole sphere is measured once more about the centre found.
+help-cycle997-order-next = Sphere 2 and sphere 3 follow in the same way; the way to the next one runs at safety height.
+help-cycle997-order-end = It ends at safety height above the last sphere.
+help-cycle997-corrects-shift = The zero offset named by _KNUM, in all three axes: the sphere gets its set coordinates; its rotation stays. _KNUM=0 corrects nothing.
+help-cycle997-corrects-turn = The zero offset named by _KNUM, coarse: moved and turned so that the three spheres lie where they should. If they fit each other worse than _TNVL, it is alarm 61414 and nothing is corrected.
+help-cycle997-corrects-area = Any difference beyond _TSA stops with alarm 61303.
+help-cycle997-wrong-holder = The holder of the sphere stands where a point lies or where the probe goes down.
+help-cycle997-wrong-no-ball = The probe was calibrated without its ball diameter: the height of the centre is right, its place in the plane is not.
+help-cycle997-wrong-line = The set centres lie on one line: alarm 61411.
+
+help-cycle998-measures-one = One angle: how a straight edge or surface is turned against an axis, from two points.
+help-cycle998-measures-two = Two angles: how a plane is inclined about the abscissa and the ordinate, from three points.
+help-cycle998-before-opposite = The ball stands opposite P1, further from _SETVAL than _FA; P2 follows at _ID in plus direction of the offset axis.
+help-cycle998-before-both-near = The ball stands opposite P1; both points lie within twice _FA of this position in the measuring axis.
+help-cycle998-before-over = The ball stands above P1, at a height from which P2 (_ID further in the abscissa) and P3 (_SETV[0] further in the ordinate) can be reached.
+help-cycle998-order-one-angle = P1, then to P2 along the set angle _STA1, led away from the surface by _TSA, then P2.
+help-cycle998-order-one-paraxial = P1 in direction _MD, back to the start, by _ID in the offset axis, then P2; no setpoint counts.
+help-cycle998-order-two-angle = P1, along the set angle to P2, back the same way, along the other set angle to P3; each way is led away from the surface by _TSA.
+help-cycle998-order-two-paraxial = P1, P2 and P3, always from the height of the start: in the abscissa, back, in the ordinate.
+help-cycle998-order-end = It ends _FA before the last point.
+help-cycle998-order-end-height = It ends above P3, at the height of the start.
+help-cycle998-corrects-rotation = With _RA=0 the rotation of the zero offset named by _KNUM, by actual minus set angle; its position stays, so measure that afterwards. _KNUM=0 corrects nothing.
+help-cycle998-corrects-axis = With _RA above 0 the zero of that rotary axis instead; it has to be moved afterwards.
+help-cycle998-corrects-area = An angle that differs from the set one by more than _TSA, in degrees, is alarm 61303.
+help-cycle998-wrong-degrees = _TSA still holds millimetres from another cycle; here it is degrees.
+help-cycle998-wrong-near = The points lie close together: 0.01 mm of burr over 10 mm is 0.06°.
+help-cycle998-wrong-limit = The part is turned by more than 45°: alarm 61331.
+help-cycle998-wrong-path = Over the distance of the points the surface leaves twice _FA: P2 is not reached.

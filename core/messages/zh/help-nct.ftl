@@ -1,0 +1,78 @@
+# Help pages of the probing macros of the NCT controls.
+
+help-stylus = 测针在主轴中，其长度补偿已生效，且没有碰到任何东西。
+help-guarded = 用 G101 移到那里，途中若有碰撞便会停止。
+help-steps = 一次触碰分三步：快速移到触发，以中等速度退回，再以很低的速度前进；以最后一步为准。
+help-position-lost = 上一次 G101 没有到达目标：OUT OF POSITION。
+help-result = 给出 S 时，工件偏置接受测量值减公称值；给出 T 时，刀具寄存器接受它，使下一个工件合格；给出 M 时只存储，有余量为正。都不给出则不补偿。
+help-limits = 偏差大于 H 为 OUT OF TOLERANCE；大于 U 为 UPPER TOL EXEEDED，不作补偿。
+help-both-targets = 同时给出 S 和 T：偏差只能属于其中之一。
+help-middle-tolerance = 公称尺寸不是公差带中点：H 向两侧计算（20 +0.1/−0.3 写成 19.9 和 H0.2）。
+help-one-system = 校准一部分用英制、一部分用公制：全部应在同一单位制中进行。
+
+help-g101-measures-nothing = 不测量：把测针移到 X、Y、Z，并监视途中的每个信号。
+help-g101-before-free = 测针的长度补偿已生效，且没有碰到任何东西。
+help-g101-order-straight = 以 F 直线移动，未给出时为 1500 mm/min；有信号立即停止。
+help-g101-corrects-nothing = 不补偿。停止后记住没有到达目标，在下一次 G101 成功之前，各测量宏都拒绝执行。
+help-g101-wrong-obstructed = 途中有障碍：PATH OBSTRUCTED。手动移开测针，换一条路径。
+help-g101-wrong-incremental = G91 有效时，各地址是行程而不是位置。
+
+help-g102-measures-offset = 测球在平面两个轴上偏离主轴轴线多少。
+help-g102-before-ring = 测球在直径 D 的孔中间，误差不超过 10 mm。该孔由本主轴刚镗出，或是环规，且 #510 中有使主轴转 180° 的 M 功能。
+help-g102-order-walls = 触碰两个轴的四个壁；设定了 #510 时，主轴转 180° 后再触碰一遍。
+help-g102-corrects-offset = #504 和 #505：平面第一轴和第二轴的径向偏置。
+help-g102-wrong-moved = 孔不是以主轴现在的位置加工的，主轴也不反转：孔的位置被当作偏置。
+
+help-g103-measures-radius = 平面两个轴正负方向的有效测球半径。
+help-g103-before-ring = 已执行 G102；测球在环规中间，误差不超过 10 mm，在测量深度。
+help-g103-order-centre = 触碰四个壁求出环规中心；从中心再把每个壁触碰一次。
+help-g103-corrects-radius = 第一轴正、负方向为 #500 和 #501，第二轴为 #502 和 #503。
+help-g103-wrong-size = D 只是近似值：误差的一半进入各半径。请给出环规的精确尺寸。
+
+help-g104-measures-length = 测针的长度：触碰刀具轴坐标已知的表面。
+help-g104-before-above = 测球在表面上方；长度寄存器中的长度误差不超过约 5 mm。
+help-g104-order-down = 向下触碰，最多到给定坐标以下 10 mm。
+help-g104-corrects-register = 长度寄存器 T：之后在测球触碰处控制系统显示给定坐标。
+help-g104-wrong-coordinate = 该坐标属于另一个工件偏置，而不是当前的。
+
+help-g105-measures-surface = 横在平面一个轴上的表面的位置。
+help-g105-before-side = 测球在表面的空侧：在测量深度；给出刀具轴地址时在其上方。
+help-g105-order-touch = 给出刀具轴地址时，先移到表面前 R 处并下降；然后朝公称坐标触碰，最多超过 Q。
+help-g105-corrects-radius = T 是半径寄存器，接受全部偏差。
+help-g105-wrong-far = 表面在公称坐标之后超过 Q：PROBE FAIL。
+
+help-g106-measures-surface = 垂直于刀具轴的表面的高度。
+help-g106-before-above = 测球在要触碰处的上方。
+help-g106-order-down = 向下触碰，最多到公称坐标以下 Q。
+help-g106-corrects-length = T 是长度寄存器，接受全部偏差。
+help-g106-wrong-low = 测球已在公称坐标以下：NO MOVEMENT。
+
+help-g107-measures-corner = 内角两个壁的交点。
+help-g107-before-inside = 测球在内角中、测量深度，离开两个壁；两壁平行于轴。
+help-g107-order-walls = 先触碰横在第一轴上的壁，退回，再触碰横在第二轴上的壁，各最多超过公称坐标 Q。
+help-g107-corrects-offset = 工件偏置 S（未给出 S 时为当前偏置），两个轴：使角得到公称坐标。
+help-g107-wrong-turned = 工件装夹歪斜：只补偿角的位置，不补偿方向。
+
+help-g108-measures-corner = 外角两个壁的交点。
+help-g108-before-before = 测球在外角前、测量深度，在两个壁之外。起点在角前多远，就在角后多远处触碰。
+help-g108-order-walls = 越过角，触碰横在第一轴上的壁并返回；第二轴同样，各最多超过公称坐标 Q。
+help-g108-corrects-offset = 工件偏置 S（未给出 S 时为当前偏置），两个轴，按角的差值移动。
+help-g108-wrong-close = 起点离角太近：只碰到倒圆或倒角。
+
+help-g109-measures-pocket = 型腔在平面一个轴上的宽度和中线。
+help-g109-measures-web = 凸台在平面一个轴上的宽度和中线。
+help-g109-before-inside = 测球在型腔的公称中线上、测量深度。
+help-g109-before-above = 测球在凸台公称中线的上方。
+help-g109-order-outwards = 向外触碰一壁，再触碰对面，各最多超过公称位置 Q。
+help-g109-order-inwards = 在每侧移到壁旁 R 处，下降，向内触碰，最多超过公称位置 Q。
+help-g109-corrects-half = S 接受中线的移动；T 为半径，接受宽度偏差的一半。
+help-g109-wrong-width = 没有宽度或为 0：FORMAT ERROR。
+
+help-g110-measures-bore = 镗孔的直径和中心。
+help-g110-measures-boss = 圆凸台的直径和中心。
+help-g110-before-inside = 测球在孔的公称中心、测量深度。
+help-g110-before-above = 测球在圆凸台公称中心的上方。
+help-g110-order-outwards = 先第一轴的两壁，再第二轴的两壁，向外触碰，各最多超过公称位置 Q。
+help-g110-order-inwards = 先第一轴的两壁，再第二轴的两壁：每次移到壁旁 R 处，下降，向内触碰，最多超过公称位置 Q。
+help-g110-corrects-half = S 接受中心在两个轴上的移动；T 为半径，接受直径偏差的一半。
+help-g110-wrong-room = 补偿后的刀具放不进孔：TOOL DIA OFFS TOO LARGE。

@@ -1,0 +1,50 @@
+//! The lines of the help page of CYCLE961 (B:7815-8170).
+
+use super::params::{DISTANCES, OUTSIDE, PASSES, POINTS, RECTANGLE};
+use crate::catalogue::When;
+use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
+
+const FREE: When = When::Variant(&[107, 108]);
+const PLANE_ONLY: When = When::Variant(&[105, 107]);
+const POINTS_INSIDE: When = When::Variant(&[117]);
+const POINTS_OUTSIDE: When = When::Variant(&[118]);
+
+/// Section by section, in the order in which they are read.
+pub const LINES: &[HelpLine] = &[
+    measures(
+        When::Not(&OUTSIDE),
+        "help-cycle961-measures-inside",
+        "B:7822;B:8030",
+    ),
+    measures(OUTSIDE, "help-cycle961-measures-outside", "B:7823;B:8031"),
+    measures(RECTANGLE, "help-cycle961-measures-square", "B:7893"),
+    measures(FREE, "help-cycle961-measures-free", "B:7895"),
+    measures(POINTS, "help-cycle961-measures-given", "B:8028-8066"),
+    before(DISTANCES, "help-cycle961-before-opposite", "B:7980-7988"),
+    before(POINTS, "help-cycle961-before-above", "B:8158-8170"),
+    before(When::Always, "help-cycle961-before-multi", "B:7846"),
+    order(RECTANGLE, "help-cycle961-order-three", "B:7891-7998"),
+    order(FREE, "help-cycle961-order-four", "B:7891-7998"),
+    order(PLANE_ONLY, "help-cycle961-order-in-plane", "B:7998-8014"),
+    order(PASSES, "help-cycle961-order-passes", "B:7998-8014"),
+    order(POINTS, "help-cycle961-order-infeed", "B:8158-8170"),
+    order(POINTS_INSIDE, "help-cycle961-order-toward-pocket", "B:8046"),
+    order(POINTS_OUTSIDE, "help-cycle961-order-toward-part", "B:8046"),
+    order(
+        When::Always,
+        "help-cycle961-order-along-axis",
+        "B:7990;B:8148-8154",
+    ),
+    order(DISTANCES, "help-ends-at-start", "B:8016"),
+    order(POINTS, "help-cycle961-order-end-p4", "B:8158-8170"),
+    corrects(
+        When::Always,
+        "help-cycle961-corrects-absolute",
+        "B:7840;B:8411",
+    ),
+    corrects(RECTANGLE, "help-cycle961-corrects-choice", "B:7905-7917"),
+    wrong(DISTANCES, "help-cycle961-wrong-angle", "B:7996"),
+    wrong(DISTANCES, "help-cycle961-wrong-not-opposite", "B:7980-7988"),
+    wrong(POINTS, "help-cycle961-wrong-swapped", "B:8140"),
+    wrong(POINTS, "help-cycle961-wrong-same-points", "B:8120-8138"),
+];

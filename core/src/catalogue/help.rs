@@ -1,0 +1,214 @@
+//! The help page of a measuring variant: lines in five sections that the entry lists, each for the variants of which it
+//! is true, and what follows from the rest of the entry: values that have to be given, alarms that can come.
+
+use super::common::{TOOL_OFFSET, ZERO_OFFSET};
+use super::{CYCLES, Cycle, Kind, Level, Param, ProbeUse, When, names};
+use crate::SIMULATES;
+use crate::check::Inputs;
+use crate::diagnostic::Code;
+
+/// A section of a help page.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Section {
+    /// What it measures.
+    Measures,
+    /// Where the probe or the tool stands before.
+    Before,
+    /// What happens, in order.
+    Order,
+    /// What it corrects.
+    Corrects,
+    /// What goes wrong.
+    Wrong,
+}
+
+impl Section {
+    /// Key of its heading on a page of this cycle.
+    pub fn key(self, cycle: &Cycle) -> &'static str {
+        match self {
+            Section::Measures => "help-section-measures",
+            Section::Before if cycle.purpose.probe == ProbeUse::Tool => "help-section-before-tool",
+            Section::Before => "help-section-before",
+            Section::Order => "help-section-order",
+            Section::Corrects => "help-section-corrects",
+            Section::Wrong => "help-section-wrong",
+        }
+    }
+}
+
+/// All sections, in the order in which they are read.
+pub const SECTIONS: [Section; 5] = [
+    Section::Measures,
+    Section::Before,
+    Section::Order,
+    Section::Corrects,
+    Section::Wrong,
+];
+
+/// A sentence or two of a help page.
+pub struct HelpLine {
+    /// Where it stands.
+    pub section: Section,
+    /// Variants of which it is true: a condition on the variant alone.
+    pub when: When,
+    /// Key of its words.
+    pub key: &'static str,
+    /// Place in the manual.
+    pub source: &'static str,
+}
+
+/// What it measures.
+pub const fn measures(when: When, key: &'static str, source: &'static str) -> HelpLine {
+    line(Section::Measures, when, key, source)
+}
+
+/// Where the probe or the tool stands before.
+pub const fn before(when: When, key: &'static str, source: &'static str) -> HelpLine {
+    line(Section::Before, when, key, source)
+}
+
+/// What happens, in order.
+pub const fn order(when: When, key: &'static str, source: &'static str) -> HelpLine {
+    line(Section::Order, when, key, source)
+}
+
+/// What it corrects.
+pub const fn corrects(when: When, key: &'static str, source: &'static str) -> HelpLine {
+    line(Section::Corrects, when, key, source)
+}
+
+/// What goes wrong.
+pub const fn wrong(when: When, key: &'static str, source: &'static str) -> HelpLine {
+    line(Section::Wrong, when, key, source)
+}
+
+const fn line(section: Section, when: When, key: &'static str, source: &'static str) -> HelpLine {
+    HelpLine {
+        section,
+        when,
+        key,
+        source,
+    }
+}
+
+/// A digit of `_MVAR` is one of these.
+pub const fn mvar(place: i64, is: &'static [i64]) -> When {
+    When::Digit {
+        param: names::MVAR,
+        place,
+        is,
+    }
+}
+
+/// The lines of an entry, in groups; what many cycles share is a group of its own.
+pub struct Help {
+    groups: &'static [&'static [HelpLine]],
+}
+
+impl Help {
+    /// No pages: a cycle that only computes or logs says everything in its `-help`.
+    pub const NONE: Help = Help { groups: &[] };
+
+    /// The page's first module carries none of it: help comes behind the first form.
+    pub const fn new(groups: &'static [&'static [HelpLine]]) -> Help {
+        if SIMULATES {
+            Help { groups }
+        } else {
+            Help::NONE
+        }
+    }
+
+    /// All lines.
+    pub fn lines(&self) -> impl Iterator<Item = &'static HelpLine> {
+        self.groups.iter().copied().flatten()
+    }
+}
+
+/// What the help page of one variant says.
+pub struct HelpPage {
+    /// Lines, section by section.
+    pub lines: Vec<&'static HelpLine>,
+    /// Names of the parameters that every call of this variant has to give, that of the variant aside.
+    pub required: Vec<&'static str>,
+    /// Alarms that can come.
+    pub alarms: Vec<Code>,
+}
+
+impl HelpPage {
+    /// The page of this variant.
+    pub fn of(cycle: &'static Cycle, variant: i64) -> HelpPage {
+        let inputs = Inputs::new(cycle, variant);
+        let mut lines: Vec<_> = cycle
+            .help
+            .lines()
+            .filter(|line| line.when.of_variant(&inputs) == Some(true))
+            .collect();
+        lines.sort_by_key(|line| line.section);
+        let required = cycle.params.iter().filter(|param| required(param, &inputs));
+        let mut alarms = cycle.alarms();
+        alarms.retain(|alarm| can_come(*alarm, &inputs));
+        HelpPage {
+            lines,
+            required: required.map(|param| param.name).collect(),
+            alarms,
+        }
+    }
+
+    /// The lines of a section.
+    pub fn section(&self, section: Section) -> impl Iterator<Item = &'static HelpLine> {
+        let lines = self.lines.iter().copied();
+        lines.filter(move |line| line.section == section)
+    }
+}
+
+/// Whether every call of the variant has to give this parameter, whatever else it gives.
+fn required(param: &Param, inputs: &Inputs) -> bool {
+    let open = |need: &&super::Need| need.when.of_variant(inputs) != Some(false);
+    param.needs.iter().find(open).is_some_and(|need| {
+        need.level == Level::Required && need.when.of_variant(inputs) == Some(true)
+    }) && !matches!(param.kind, Kind::Variant(_))
+}
+
+/// Whether some call of the variant uses this parameter.
+fn used(param: &Param, inputs: &Inputs) -> bool {
+    let needs = param.needs.iter();
+    needs
+        .filter(|need| need.when.of_variant(inputs) != Some(false))
+        .count()
+        > 0
+}
+
+/// Alarms about parameters beside those that stand with a parameter: about the safe area, the tolerances, the tool or
+/// the frame that is corrected. They come in variants that use the parameter and for which the condition holds.
+const ABOUT: &[(&str, When, &[u32])] = &[
+    (names::TSA, When::Always, &[61303, 62303]),
+    (names::TDIF, When::Always, &[61306, 62306]),
+    (names::TUL, When::Always, &[62304, 62305]),
+    (
+        names::KNUM,
+        TOOL_OFFSET,
+        &[
+            61322, 61323, 61324, 61328, 61345, 61407, 61408, 61409, 61410,
+        ],
+    ),
+    (names::KNUM, ZERO_OFFSET, &[61321, 61403, 61412]),
+];
+
+/// Whether a call of the variant can raise an alarm of the entry: not one about a parameter that the variant does not use.
+fn can_come(alarm: Code, inputs: &Inputs) -> bool {
+    let is_used = |name: &str| {
+        let param = inputs.cycle.param(name);
+        param.is_some_and(|param| used(param, inputs))
+    };
+    let params = CYCLES.iter().flat_map(|cycle| cycle.params);
+    let mut bound = params.filter(|param| param.alarm == Some(alarm)).peekable();
+    if bound.peek().is_some() {
+        return bound.any(|param| is_used(param.name));
+    }
+    let mut about = ABOUT
+        .iter()
+        .filter(|(_, _, alarms)| alarms.iter().any(|number| Code::Alarm(*number) == alarm))
+        .peekable();
+    about.peek().is_none()
+        || about.any(|(name, when, _)| when.of_variant(inputs) == Some(true) && is_used(name))
+}

@@ -1,0 +1,10 @@
+//! What the help pages of the cycles with the probe of a turning machine have in common.
+
+use crate::catalogue::When;
+use crate::catalogue::help::{HelpLine, before, wrong};
+
+/// What every cycle with the probe of a turning machine asks for.
+pub const PROBE: &[HelpLine] = &[
+    before(When::Always, "help-turning-probe", "B:8708-8709;A:15873"),
+    wrong(When::Always, "help-turning-diameter", "B:10623;B:10975"),
+];

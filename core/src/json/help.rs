@@ -1,0 +1,48 @@
+//! The help page of a variant as JSON.
+
+use super::{Error, alarm, dialect, key, object};
+use crate::catalogue::help::{HelpLine, HelpPage, SECTIONS, Section};
+use crate::catalogue::{self, alarms};
+use serde::Deserialize;
+use serde_json::Value;
+
+#[derive(Deserialize)]
+struct Request {
+    control: String,
+    cycle: String,
+    mvar: i64,
+}
+
+/// Answers a `HelpRequest` with a `HelpView`. A cycle that only computes or logs has no sections.
+pub fn help(request: &str) -> Result<Value, Error> {
+    let request: Request = super::request(request)?;
+    let cycle = catalogue::find(dialect(&request.control)?, &request.cycle).ok_or_else(|| {
+        Error::Unknown {
+            what: "cycle",
+            name: request.cycle.clone(),
+        }
+    })?;
+    let page = HelpPage::of(cycle, request.mvar);
+    let section = |section: Section| {
+        let lines: Vec<Value> = page.section(section).map(line).collect();
+        let heading = ("label", key(section.key(cycle)));
+        object([heading, ("lines", lines.into())])
+    };
+    let filled = |view: &Value| {
+        view["lines"]
+            .as_array()
+            .is_some_and(|lines| !lines.is_empty())
+    };
+    let sections: Vec<Value> = SECTIONS.into_iter().map(section).filter(filled).collect();
+    let known = |code| alarms::ALARMS.iter().find(|alarm| alarm.code == code);
+    let raised = page.alarms.iter().filter_map(|code| known(*code));
+    Ok(object([
+        ("sections", sections.into()),
+        ("required", page.required.into()),
+        ("alarms", raised.map(alarm).collect()),
+    ]))
+}
+
+fn line(line: &HelpLine) -> Value {
+    object([("message", key(line.key)), ("source", line.source.into())])
+}

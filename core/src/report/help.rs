@@ -1,0 +1,123 @@
+//! The help of a cycle in `docs/cycles/`: first what is true of every variant, then what each says beside it; variants
+//! that say the same stand together.
+
+use crate::catalogue::help::{HelpPage, SECTIONS, Section};
+use crate::catalogue::{Cycle, Variant};
+use crate::json::code;
+use crate::message::{Arg, Message};
+use crate::report::markdown::line;
+use crate::words::Words;
+
+/// Something that a help page says.
+#[derive(Clone, PartialEq)]
+enum Said {
+    /// A sentence, with its place in the manual.
+    Line(Section, String),
+    /// A value that has to be given.
+    Value(&'static str),
+    /// An alarm that can come.
+    Alarm(String),
+}
+
+impl Said {
+    fn section(&self) -> Section {
+        match self {
+            Said::Line(section, _) => *section,
+            Said::Value(_) => Section::Before,
+            Said::Alarm(_) => Section::Wrong,
+        }
+    }
+}
+
+/// Appends the help of a cycle; nothing for a cycle that only computes or logs.
+pub fn help(text: &mut String, cycle: &'static Cycle, words: &Words) {
+    let pages: Vec<(&Variant, Vec<Said>)> = cycle
+        .variants
+        .iter()
+        .map(|variant| (variant, said(cycle, variant, words)))
+        .collect();
+    let Some((_, first)) = pages.first() else {
+        return;
+    };
+    let of_all = |one: &Said| pages.iter().all(|(_, page)| page.contains(one));
+    let every: Vec<Said> = first.iter().filter(|one| of_all(one)).cloned().collect();
+    if every.iter().all(|one| !matches!(one, Said::Line(..))) {
+        return;
+    }
+    line(text, "## Help");
+    if pages.len() > 1 {
+        line(text, "### Every variant");
+    }
+    write(text, cycle, &every, words);
+    for (own, variants) in groups(&pages, &every) {
+        line(text, &title(&variants, words));
+        write(text, cycle, &own, words);
+    }
+}
+
+fn said(cycle: &'static Cycle, variant: &Variant, words: &Words) -> Vec<Said> {
+    let page = HelpPage::of(cycle, variant.number);
+    let sentence = |key, source| format!("{} ({source})", words.key(key));
+    let lines = page.lines.iter();
+    let lines = lines.map(|line| Said::Line(line.section, sentence(line.key, line.source)));
+    let values = page.required.iter().map(|name| Said::Value(name));
+    let alarms = page.alarms.iter().map(|alarm| Said::Alarm(code(*alarm)));
+    lines.chain(values).chain(alarms).collect()
+}
+
+/// What variants say beside what all say, each with the variants that say the same, in the order of the variants.
+fn groups<'a>(
+    pages: &[(&'a Variant, Vec<Said>)],
+    every: &[Said],
+) -> Vec<(Vec<Said>, Vec<&'a Variant>)> {
+    let mut groups: Vec<(Vec<Said>, Vec<&Variant>)> = Vec::new();
+    for (variant, page) in pages {
+        let own = page.iter().filter(|one| !every.contains(one));
+        let own: Vec<Said> = own.cloned().collect();
+        match groups.iter_mut().find(|(known, _)| *known == own) {
+            Some((_, variants)) => variants.push(variant),
+            None => groups.push((own, vec![variant])),
+        }
+    }
+    groups.retain(|(own, _)| !own.is_empty());
+    groups
+}
+
+/// The variants of a group by number and name.
+fn title(variants: &[&Variant], words: &Words) -> String {
+    let names: Vec<String> = variants
+        .iter()
+        .map(|variant| format!("{} {}", variant.number, words.key(variant.key)))
+        .collect();
+    format!("### {}", names.join(" / "))
+}
+
+fn write(text: &mut String, cycle: &Cycle, page: &[Said], words: &Words) {
+    for section in SECTIONS {
+        let of_section: Vec<&Said> = page.iter().filter(|one| one.section() == section).collect();
+        if of_section.is_empty() {
+            continue;
+        }
+        line(text, &format!("**{}**", words.key(section.key(cycle))));
+        let mut items: Vec<String> = Vec::new();
+        let (mut values, mut alarms) = (Vec::new(), Vec::new());
+        for one in of_section {
+            match one {
+                Said::Line(_, sentence) => items.push(sentence.clone()),
+                Said::Value(name) => values.push(format!("`{name}`")),
+                Said::Alarm(code) => alarms.push(code.clone()),
+            }
+        }
+        items.extend(listed("help-values", &values, words));
+        items.extend(listed("help-alarms", &alarms, words));
+        line(text, &format!("- {}", items.join("\n- ")));
+    }
+}
+
+/// A sentence that lists names; none without names.
+fn listed(key: &'static str, names: &[String], words: &Words) -> Option<String> {
+    let names = Some(names.join(", ")).filter(|names| !names.is_empty())?;
+    let mut message = Message::new(key);
+    message.args.push(("names", Arg::Text(names))); // whole: `text` would shorten it
+    Some(words.text(&message))
+}
