@@ -138,11 +138,15 @@ export type Step =
 // ball.axis: from the ball to the spindle. zones: walls of protection zones, as shaft, web or island; shown, not touched.
 export interface Trace { entries: (Step & { line?: number })[]; ball: { radius: number; length: number; axis?: Vec3 }; solids: Solid[]; zones?: Solid[]; frames: { name: string; at: Vec3; axes: [Vec3, Vec3, Vec3] }[] }
 export interface Solid {
-  shape: "hole" | "shaft" | "groove" | "web" | "pocket" | "island" | "block" | "turned" | "sphere" | "outerCorner" | "innerCorner";
+  shape: "hole" | "shaft" | "groove" | "web" | "pocket" | "island" | "block" | "turned" | "sphere" | "outerCorner" | "innerCorner" | "surface";
   size: number[];                      // hole [diameter, depth]; shaft [diameter, height]; groove/web [width, depth, length]; pocket/island [x, y, depth]; block [x, y, z]; sphere [diameter]; outerCorner/innerCorner [degrees between the edges, edge along X, other edge, z]
+  surface?: Surface;                   // of the shape "surface", which has no size
   at: Vec3; rotation: Vec3;            // mm; RPY degree
   errors: { shift: Vec3; size: number; tilt: Vec3; taper: number; outOfRound: [number, number] };
 }
+
+/** Heights in rows along X over a grid about the origin, or single triangles. */
+export type Surface = { heights: { columns: number; step: [number, number]; values: number[] } } | { triangles: [Vec3, Vec3, Vec3][] };
 
 // Setup: docs/setup.schema.json is its schema; also what the terminal reads and the page exports.
 export interface Setup {

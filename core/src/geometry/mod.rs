@@ -7,6 +7,7 @@ pub mod circle;
 pub mod feature;
 pub mod fit;
 pub mod lobed;
+pub mod mesh;
 pub mod path;
 pub mod point;
 pub mod quad;

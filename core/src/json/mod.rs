@@ -11,6 +11,7 @@ mod predict;
 mod program;
 mod setup;
 mod setup_limits;
+mod setup_surface;
 mod setup_write;
 mod start;
 #[cfg(test)]
@@ -53,6 +54,9 @@ pub enum Error {
     /// The question describes a machine; this build has the core's own only (no feature `simulation`).
     #[error("described machines cannot be read here")]
     NoSetup,
+    /// A surface that cannot be touched.
+    #[error("{0}")]
+    Surface(#[from] crate::workpiece::free::Refused),
     /// A number with which nothing can be simulated.
     #[error("{what} is {value}; allowed: {allowed}")]
     Bound {

@@ -1,6 +1,7 @@
 //! The setup file: machine, probe and part. Its schema is `docs/setup.schema.json`.
 
 use super::Error;
+use super::setup_surface::{self, SurfaceFile};
 use crate::catalogue::Dialect;
 use crate::control::{
     Control, Edge, Environment, Frame, Limits, Plane, Tool, Transverse, Units, Value, delivery,
@@ -279,8 +280,12 @@ struct SolidFile {
     shape: ShapeName,
     /// hole: diameter, depth; shaft: diameter, height; groove and web: width, depth, length; pocket and island:
     /// X, Y, depth; block: X, Y, Z; turned: diameter, length, diameter and depth of the bore (0: none); sphere: diameter; outerCorner and innerCorner: angle between the edges in degree,
-    /// lengths of the edge along X and of the other one, depth.
+    /// lengths of the edge along X and of the other one, depth; surface: none.
+    #[serde(default)]
     size: Vec<f64>,
+    /// What a surface looks like, of this shape only.
+    #[serde(default)]
+    surface: Option<SurfaceFile>,
     /// Centre of the element at its upper face, of a sphere its centre, of a corner the corner, machine coordinates X Y Z.
     at: [f64; 3],
     /// Orientation about X Y Z (RPY), degree.
@@ -306,6 +311,7 @@ enum ShapeName {
     Sphere,
     OuterCorner,
     InnerCorner,
+    Surface,
 }
 
 /// Errors of a solid. All zero: none.
@@ -566,7 +572,36 @@ pub(super) fn settable_name(control: &Control, number: usize) -> String {
 }
 
 fn solid(file: SolidFile) -> Result<Solid, Error> {
-    let shape = match (file.shape, file.size.as_slice()) {
+    let shape = match (file.shape, file.surface) {
+        (ShapeName::Surface, Some(surface)) if file.size.is_empty() => {
+            setup_surface::shape(surface)?
+        }
+        (ShapeName::Surface, _) | (_, Some(_)) => {
+            return Err(Error::Unknown {
+                what: "shape",
+                name: format!("{:?} with {} sizes", file.shape, file.size.len()),
+            });
+        }
+        (shape, None) => sized(shape, &file.size)?,
+    };
+    let errors = PartErrors {
+        shift: file.errors.shift,
+        size: file.errors.size,
+        tilt: file.errors.tilt,
+        taper: file.errors.taper,
+        out_of_round: file.errors.out_of_round,
+    };
+    Ok(Solid {
+        shape,
+        at: file.at,
+        rotation: file.rotation,
+        errors,
+    })
+}
+
+/// A shape that its sizes tell.
+fn sized(shape: ShapeName, size: &[f64]) -> Result<Shape, Error> {
+    Ok(match (shape, size) {
         (ShapeName::Hole, &[diameter, depth]) => Shape::Hole { diameter, depth },
         (ShapeName::Shaft, &[diameter, height]) => Shape::Shaft { diameter, height },
         (ShapeName::Groove, &[width, depth, length]) => Shape::Groove {
@@ -610,18 +645,5 @@ fn solid(file: SolidFile) -> Result<Solid, Error> {
                 name: format!("{shape:?} with {} sizes", size.len()),
             });
         }
-    };
-    let errors = PartErrors {
-        shift: file.errors.shift,
-        size: file.errors.size,
-        tilt: file.errors.tilt,
-        taper: file.errors.taper,
-        out_of_round: file.errors.out_of_round,
-    };
-    Ok(Solid {
-        shape,
-        at: file.at,
-        rotation: file.rotation,
-        errors,
     })
 }

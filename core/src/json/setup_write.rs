@@ -1,7 +1,7 @@
 //! Writes the setup file, member by member as `setup` reads it; a test holds that it reads back to the same setup.
 
 use super::setup::{settable_name, units_name, units_of};
-use super::{dialect_name, object, put};
+use super::{dialect_name, object, put, setup_surface};
 use crate::control::{Control, Edge, Frame, Plane, Tool, Transverse, Value as Datum, delivery};
 use crate::run::setup::Setup;
 use crate::workpiece::{PartErrors, Probe, Shape, Solid};
@@ -253,14 +253,19 @@ fn solid(solid: &Solid) -> Value {
             bore: [bore, depth],
         } => ("turned", [diameter, length, bore, depth].into()),
         Shape::Sphere { diameter } => ("sphere", [diameter].into()),
+        Shape::Free(_) => ("surface", Value::Array(Vec::new())),
     };
-    object([
+    let mut view = object([
         ("shape", shape.into()),
         ("size", size),
         ("at", solid.at.into()),
         ("rotation", solid.rotation.into()),
         ("errors", errors(&solid.errors)),
-    ])
+    ]);
+    if let Shape::Free(surface) = &solid.shape {
+        put(&mut view, "surface", setup_surface::view(surface));
+    }
+    view
 }
 
 fn errors(errors: &PartErrors) -> Value {

@@ -3,6 +3,7 @@
 mod frustum;
 
 use self::frustum::{Frustum, quad, reversed};
+use super::free::FreeSurface;
 use super::{PartErrors, Shape, Solid};
 use crate::geometry::circle::Circle;
 use crate::geometry::lobed::{LobedWall, Lobes};
@@ -11,6 +12,7 @@ use crate::geometry::segment::Segment;
 use crate::geometry::wall::Wall;
 use crate::geometry::{Feature, V3, rigid};
 use nalgebra::IsometryMatrix3;
+use std::sync::Arc;
 
 /// Material beside and below an inner element, and plate around an outer one, mm.
 const MARGIN: f64 = 20.0;
@@ -24,6 +26,8 @@ pub(super) struct Body {
     pub place: IsometryMatrix3<f64>,
     /// Boundary.
     pub features: Vec<Feature>,
+    /// Triangles of a free surface.
+    pub free: Option<Arc<FreeSurface>>,
     material: Vec<Piece>,
     cavity: Option<Piece>,
 }
@@ -44,10 +48,12 @@ impl Body {
         let mut body = Body {
             place: rigid::placed(V3::from(solid.at) + V3::from(errors.shift), turn),
             features: Vec::new(),
+            free: None,
             material: Vec::new(),
             cavity: None,
         };
         match solid.shape {
+            Shape::Free(ref surface) => body.free = Some(Arc::clone(surface)),
             Shape::Hole { diameter, depth } => body.hole(diameter, depth, errors),
             Shape::Shaft { diameter, height } => body.shaft(diameter, height, errors),
             Shape::Groove {
@@ -104,6 +110,9 @@ impl Body {
 
     /// Whether a point lies in the material.
     pub fn inside(&self, p: &V3) -> bool {
+        if let Some(free) = &self.free {
+            return free.mesh.covers(p);
+        }
         self.material.iter().any(|piece| piece.contains(p))
             && !self.cavity.as_ref().is_some_and(|piece| piece.contains(p))
     }

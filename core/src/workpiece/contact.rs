@@ -3,6 +3,7 @@
 use super::Workpiece;
 use super::body::Body;
 use crate::geometry::feature::{first as first_on, foot};
+use crate::geometry::mesh::{Mesh, Stand};
 use crate::geometry::{Path, TOLERANCE, V3};
 
 /// What a ball meets on a straight way. Machine coordinates, mm.
@@ -115,6 +116,9 @@ enum Start {
 
 /// How the ball stands at the start of the way.
 fn start(body: &Body, path: &Path, radius: f64) -> Start {
+    if let Some(free) = &body.free {
+        return start_at_mesh(&free.mesh, path, radius);
+    }
     let Some((point, distance)) = surface(body, &path.from) else {
         return Start::Free;
     };
@@ -149,8 +153,23 @@ fn start(body: &Body, path: &Path, radius: f64) -> Start {
     Start::Free
 }
 
+/// The same at a surface of triangles. A ball that stands is inside also where it is altogether under the surface.
+fn start_at_mesh(mesh: &Mesh, path: &Path, radius: f64) -> Start {
+    match mesh.stand(path, radius) {
+        Stand::Inside(point, normal, depth) => Start::Already(point, normal, depth),
+        Stand::Pressed(point, normal) => Start::Pressed(point, normal),
+        Stand::Free if path.length == 0.0 && mesh.covers(&path.from) => {
+            Start::Already(path.from, V3::z(), radius)
+        }
+        Stand::Free => Start::Free,
+    }
+}
+
 /// Nearest point of the surface, and its distance.
 fn surface(body: &Body, p: &V3) -> Option<(V3, f64)> {
+    if let Some(free) = &body.free {
+        return free.mesh.nearest(p, f64::INFINITY);
+    }
     body.features
         .iter()
         .filter_map(|feature| foot(feature, p))
@@ -160,6 +179,10 @@ fn surface(body: &Body, p: &V3) -> Option<(V3, f64)> {
 
 /// First contact with the boundary of a solid; faces win over their own edges.
 fn hit(body: &Body, path: &Path, radius: f64) -> Option<(f64, V3, V3)> {
+    if let Some(free) = &body.free {
+        let (s, point) = free.mesh.first(path, radius)?;
+        return Some((s, point, (path.at(s) - point).try_normalize(0.0)?));
+    }
     let mut nearest: Option<(f64, V3, V3)> = None;
     for feature in &body.features {
         let Some(s) = first_on(feature, path, radius) else {

@@ -2,9 +2,11 @@
 //! Identities of contact: they need no second implementation.
 
 use super::contact::{Boundary, Contact};
+use super::free::Heights;
 use super::{PartErrors, Shape, Solid, Workpiece};
 use crate::geometry::{V3, rigid};
 use proptest::prelude::*;
+use std::sync::Arc;
 
 fn part(shape: Shape, errors: PartErrors) -> Workpiece {
     Workpiece {
@@ -328,4 +330,23 @@ fn the_walls_of_a_corner_stand_out_by_half_of_its_error() {
             assert!((found - wanted).abs() < 1e-9, "{place:?} {found}");
         }
     }
+}
+
+// oracle: hand: on a plane that falls by 3 in 4 the centre of a ball stands 5/4 of its radius above what it touches
+#[test]
+fn a_free_surface_is_touched_like_any_solid() {
+    let heights = Heights::over([40.0, 40.0], [10, 10], |x, _| -0.75 * x);
+    let surface = heights.surface().unwrap();
+    let free = part(Shape::Free(Arc::new(surface)), PartErrors::default());
+    let free = Boundary::of(&free);
+    let found = free.first(4.0, [0.0, 1.0, 30.0], [0.0, 1.0, -30.0]);
+    let Contact::Hit { ball, normal, .. } = found else {
+        panic!("{found:?}")
+    };
+    assert!((ball[2] - 5.0).abs() < 1e-9);
+    assert!((normal[0] - 0.6).abs() < 1e-9 && (normal[2] - 0.8).abs() < 1e-9);
+    let under = free.first(4.0, [0.0, 0.0, -9.0], [0.0, 0.0, -9.0]);
+    assert!(matches!(under, Contact::Already { .. }));
+    assert!((free.distance([0.0, 0.0, 5.0]) - 4.0).abs() < 1e-9);
+    assert!((free.distance([0.0, 0.0, -5.0]) + 4.0).abs() < 1e-9);
 }

@@ -5,10 +5,14 @@ pub mod chuck;
 pub mod contact;
 #[cfg(test)]
 mod contact_tests;
+pub mod free;
 pub mod noise;
 pub mod probe;
 #[cfg(test)]
 mod probe_tests;
+
+use free::FreeSurface;
+use std::sync::Arc;
 
 /// What can be touched. Nominal sizes in mm, in the part's own frame.
 #[derive(Clone, Debug, PartialEq)]
@@ -98,6 +102,8 @@ pub enum Shape {
         /// Diameter, mm.
         diameter: f64,
     },
+    /// Any surface. Of the errors it has displacement and tilt.
+    Free(Arc<FreeSurface>),
 }
 
 /// What is wrong with a part. All zero: nothing. A sphere has neither taper nor lobes.

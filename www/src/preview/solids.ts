@@ -2,11 +2,12 @@
 import type { Solid, Vec3 } from "../wire";
 import type { Rgba } from "./colours";
 import { flat, mesh, quad, triangle, VERTEX_FLOATS, type Line, type Mesh, type Paint, type Style } from "./mesh";
+import { surface } from "./surface";
 import { border, circle, normals, rectangle, type Outline, type Vec2 } from "./outline";
 import { add, apply, radians, rpy, times, unit } from "./vec";
 
 export interface Part { mesh: Mesh; edges: Line[] }
-interface Look { paint: Paint; edge: Style }
+export interface Look { paint: Paint; edge: Style }
 
 const WALL_LAYERS = 6;
 const EXTRUDE_PARTS = 6;
@@ -26,7 +27,7 @@ export function exaggerated(errors: Solid["errors"], factor: number): Solid["err
 export function part(solid: Solid, factor: number, colour: Rgba, edge: Rgba): Part {
   const errors = exaggerated(solid.errors, factor);
   const look: Look = { paint: { colour }, edge: { colour: edge, width: 1.25, through: 0.16 } };
-  const own = build(solid.shape, solid.size, errors, look);
+  const own = solid.surface ? surface(solid.surface, look) : build(solid.shape, solid.size, errors, look);
   return placed(own, placement(solid, errors));
 }
 
@@ -55,6 +56,7 @@ function build(shape: Solid["shape"], size: number[], errors: Solid["errors"], l
     case "innerCorner": return cornered(a, [b, c], errors, (x, y, own) => sunk(rectangle(x, y, own), d, look));
     case "turned": return turned(circle(a, errors), b, c > 0 ? circle(c, errors) : undefined, d, look);
     case "sphere": return sphere((a + errors.size) / 2, look);
+    case "surface": return { mesh: mesh(), edges: [] };
   }
 }
 

@@ -1,0 +1,56 @@
+//! Surfaces of ours, as formulas.
+
+use super::Heights;
+use std::f64::consts::PI;
+
+/// A surface of ours.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Example {
+    /// Part of a sphere.
+    Dome,
+    /// Hills and hollows.
+    Waves,
+    /// Higher towards two sides, lower towards the others.
+    Saddle,
+    /// Two levels with a flank between them.
+    Step,
+}
+
+/// All of them, by name.
+pub const EXAMPLES: [(&str, Example); 4] = [
+    ("dome", Example::Dome),
+    ("waves", Example::Waves),
+    ("saddle", Example::Saddle),
+    ("step", Example::Step),
+];
+
+/// Cells along the longer side.
+const CELLS: f64 = 72.0;
+
+impl Example {
+    /// Over a rectangle X × Y, the highest point at 0, the lowest one so many mm below. A dome is less high than asked
+    /// for where it would be more than half a sphere.
+    pub fn heights(self, size: [f64; 2], height: f64) -> Heights {
+        let cell = size[0].max(size[1]) / CELLS;
+        let cells = size.map(|length| (length / cell).round() as usize);
+        let half = size.map(|length| length / 2.0);
+        Heights::over(size, cells, |x, y| {
+            let (u, v) = (x / half[0], y / half[1]);
+            match self {
+                Example::Dome => dome(x.hypot(y), half[0].hypot(half[1]), height),
+                Example::Waves => height * ((2.0 * PI * u).cos() * (PI * v).cos() - 1.0) / 2.0,
+                Example::Saddle => height * ((u * u - v * v) - 1.0) / 2.0,
+                Example::Step => {
+                    height * (((6.0 * u + v).clamp(-1.0, 1.0) * PI / 2.0).sin() - 1.0) / 2.0
+                }
+            }
+        })
+    }
+}
+
+/// Height at a distance from the middle, of a sphere whose top is 0 and which is `height` lower at `reach`.
+fn dome(away: f64, reach: f64, height: f64) -> f64 {
+    let height = height.min(reach);
+    let radius = (reach * reach + height * height) / (2.0 * height);
+    (radius * radius - away * away).max(0.0).sqrt() - radius
+}
