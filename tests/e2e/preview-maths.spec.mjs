@@ -26,6 +26,12 @@ test("standard views look along the axes of the machine", () => {
   near([...seen("right").right, ...seen("right").up], [0, 1, 0, 0, 0, 1]);
 });
 
+// oracle: hand (a turning machine: Z to the right and X up seen from the front, right-handed, so Y towards the viewer)
+test("a turning machine stands as it does in the shop", () => {
+  const { right, up, back } = camera.basis({ ...camera.turn(camera.initial(), "front"), turning: true });
+  near([...right, ...up, ...back], [0, 0, 1, 1, 0, 0, 0, 1, 0]);
+});
+
 // oracle: hand (identities)
 test("matrix and projection put a point at the same place", () => {
   const looking = camera.pan(camera.orbit(camera.initial(), 0.4, -0.2), 31, -17);
@@ -77,7 +83,7 @@ test("every part is closed, faces outwards and has its volume", () => {
     pocket: (34 + 16) * (24 + 16) * (12 + 4) - 34 * 24 * 12,
     island: 34 * 24 * 12 + (34 + 16) * (24 + 16) * 3,
     block: 46 * 46 * 16,
-    turned: circle(20) * 50 - circle(10) * 30,
+    turned: (circle(20) * 50 - circle(10) * 30) / 2, // half section
     sphere: ball(15),
     // askew by the sine of the angle between the edges
     outerCorner: 30 * 24 * 16 * Math.sin(Math.PI / 3),

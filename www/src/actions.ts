@@ -65,6 +65,13 @@ export function variantOf(cycle: CycleInfo, values: Record<string, string>): Var
 }
 
 /** Whether the worked measurement of a variant is still as it was: then another variant brings its own. */
+/** The core's own machine becomes one of the other sort with its usual plane, where the task is for another sort than the one before. */
+function planeFor(state: State, before: CycleInfo | undefined, cycle: CycleInfo): Partial<State> {
+  const { plane } = cycle.purpose;
+  if (!plane || before?.control !== cycle.control || before.purpose.plane === null || before.purpose.plane === plane) return {};
+  return { own: { ...state.own, [cycle.control]: { own: { ...ownMachine(state), plane } } } };
+}
+
 function isExample(cycle: CycleInfo, values: Record<string, string>): boolean {
   const example = variantOf(cycle, values)?.example;
   return !!example && Object.entries(example).every(([name, value]) => (values[name] ?? "") === value);
@@ -99,7 +106,7 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
       const same = cycle.control === state.control && cycle.cycle === state.cycle;
       if (same && variant) return edits(Object.entries(isExample(cycle, state.values) ? variant.example : variant.values));
       const values = same ? state.values : state.remembered[memoryKey(cycle)] ?? variant?.example ?? cycle.example;
-      store.update({ ...remember(now()), control: cycle.control, cycle: cycle.cycle, values: { ...values, ...variant?.values }, open: same ? state.open : null, sought: null, step: AT_END, source: "form", touched: {}, checked: false, undo: null });
+      store.update({ ...remember(now()), ...planeFor(state, findCycle(catalogue, state.control, state.cycle), cycle), control: cycle.control, cycle: cycle.cycle, values: { ...values, ...variant?.values }, open: same ? state.open : null, sought: null, step: AT_END, source: "form", touched: {}, checked: false, undo: null });
     },
     edit: (name, value) => edits([[name, value]]),
     touch(name) {

@@ -44,8 +44,8 @@ export interface AlarmInfo {
   source: string;
 }
 
-/** Where a cycle belongs. calibrates: it does nothing else. */
-export interface Purpose { machine: "milling" | "turning" | "any"; probe: "workpiece" | "tool" | "none" | "log"; calibrates: boolean }
+/** Where a cycle belongs. plane: in which such a machine works unless told otherwise. calibrates: it does nothing else. */
+export interface Purpose { machine: "milling" | "turning" | "any"; plane: Plane | null; probe: "workpiece" | "tool" | "none" | "log"; calibrates: boolean }
 
 export type Plane = "G17" | "G18" | "G19";
 export type UnitFunction = "G70" | "G71" | "G700" | "G710" | "G20" | "G21";
@@ -136,7 +136,7 @@ export type Step =
   | { step: "call"; cycle: string; variant: number }
   | { step: "return" };
 // ball.axis: from the ball to the spindle. zones: walls of protection zones, as shaft, web or island; shown, not touched.
-export interface Trace { entries: (Step & { line?: number })[]; ball: { radius: number; length: number; axis?: Vec3 }; solids: Solid[]; zones?: Solid[]; frames: { name: string; at: Vec3; axes: [Vec3, Vec3, Vec3] }[] }
+export interface Trace { entries: (Step & { line?: number })[]; ball: { radius: number; length: number; axis?: Vec3 }; turning?: boolean; solids: Solid[]; zones?: Solid[]; frames: { name: string; at: Vec3; axes: [Vec3, Vec3, Vec3] }[] }
 export interface Solid {
   shape: "hole" | "shaft" | "groove" | "web" | "pocket" | "island" | "block" | "turned" | "sphere" | "outerCorner" | "innerCorner" | "surface";
   size: number[];                      // hole [diameter, depth]; shaft [diameter, height]; groove/web [width, depth, length]; pocket/island [x, y, depth]; block [x, y, z]; sphere [diameter]; outerCorner/innerCorner [degrees between the edges, edge along X, other edge, z]

@@ -2,7 +2,7 @@
 
 use crate::SIMULATES;
 use crate::check::Inputs;
-use crate::control::Control;
+use crate::control::{Control, Plane};
 use crate::diagnostic::Code;
 use crate::form::picture::Picture;
 use crate::run::{Machine, Stop};
@@ -128,6 +128,17 @@ pub enum MachineSort {
     Turning,
     /// Both.
     Any,
+}
+
+impl MachineSort {
+    /// The plane in which such a machine works unless told otherwise (B:8718); none where any may be meant.
+    pub fn plane(self) -> Option<Plane> {
+        match self {
+            MachineSort::Milling => Some(Plane::G17),
+            MachineSort::Turning => Some(Plane::G18),
+            MachineSort::Any => None,
+        }
+    }
 }
 
 impl Purpose {

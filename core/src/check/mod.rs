@@ -43,6 +43,9 @@ pub struct Inputs {
     pub settings: BTreeMap<&'static str, f64>,
     /// Type of the tool in use (`$TC_DP1`); 0 without one.
     pub tool_type: i64,
+    /// Where the body of a turning machine's probe lies from its ball, abscissa and ordinate; none of another tool, and
+    /// where no tool is in use. See [`crate::control::Edge::body`].
+    pub body: Option<[f64; 2]>,
 }
 
 impl Inputs {
@@ -57,6 +60,7 @@ impl Inputs {
             plane: Plane::G17,
             settings: BTreeMap::new(),
             tool_type: 0,
+            body: None,
         }
     }
 

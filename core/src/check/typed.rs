@@ -6,7 +6,7 @@ use super::{
     warning,
 };
 use crate::catalogue::{Cycle, Kind, Level, Param, Range, Unit};
-use crate::control::Control;
+use crate::control::{Control, Edge};
 use crate::diagnostic::{Code, Diagnostic, Severity};
 use crate::evaluate::knum;
 use crate::message::Message;
@@ -95,6 +95,7 @@ pub fn read(
     inputs.five_digit_edges = knum::five_digit_edges(control);
     inputs.plane = control.plane;
     inputs.tool_type = control.active_edge().map_or(0, |edge| edge.kind);
+    inputs.body = control.active_edge().and_then(Edge::body);
     for name in cycle.settings {
         inputs.settings.insert(name, control.number(name));
     }

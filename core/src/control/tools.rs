@@ -53,6 +53,12 @@ impl Control {
         }
     }
 
+    /// Whether it is a turning machine, as far as its tools tell: a turning tool is in use, or every tool is as long as one.
+    pub fn turns(&self) -> bool {
+        self.active_edge().is_some_and(Edge::is_turning)
+            || self.number(TOOL_LENGTH_TYPE) == AS_TURNING_TOOL
+    }
+
     /// Along which axis (0 abscissa, 1 ordinate, 2 applicate) L1, L2 and L3 of an edge count: from the applicate on
     /// (B:762-817); of turning tools, and with SD 42950 = 2 of every tool, L1 in the ordinate and L2 in the abscissa
     /// (B:828, B:974-985: X and Z in G18).
@@ -107,6 +113,20 @@ impl Edge {
     /// Whether it is a turning tool, or the probe of a turning machine.
     pub fn is_turning(&self) -> bool {
         TURNING.contains(&self.kind)
+    }
+
+    /// Direction from the ball of a turning machine's probe to its body, abscissa and ordinate: with cutting edge
+    /// position 5 and 7 it lies along the abscissa, with 6 and 8 along the ordinate, and 7 and 8 point in minus direction
+    /// (B:4152, B:13474-13481).
+    pub fn body(&self) -> Option<[f64; 2]> {
+        match self.tip {
+            _ if !self.is_turning() => None,
+            5 => Some([-1.0, 0.0]),
+            6 => Some([0.0, -1.0]),
+            7 => Some([1.0, 0.0]),
+            8 => Some([0.0, 1.0]),
+            _ => None,
+        }
     }
 
     /// Whether a workpiece probe in milling may be called with it: type 1x0 or 710 (B:4147-4152).

@@ -1,5 +1,6 @@
 //! The whole catalogue as JSON.
 
+use super::setup_write::plane_name;
 use super::{code, dialect_name, object, style_name, typed};
 use crate::catalogue::example::{choosing, example};
 use crate::catalogue::{
@@ -65,8 +66,10 @@ fn purpose(cycle: &'static Cycle) -> Value {
         let inputs = check::read(cycle, &typed, &control, &mut Vec::new());
         cycle.purpose.calibrates.holds(&inputs)
     };
+    let plane = cycle.purpose.machine.plane().map(plane_name);
     object([
         ("machine", machine.into()),
+        ("plane", plane.into()),
         ("probe", probe.into()),
         ("calibrates", cycle.variants.iter().all(calibrates).into()),
     ])

@@ -2,6 +2,8 @@
 use super::*;
 use crate::catalogue::ProbeUse;
 use crate::check::Typed;
+use crate::control::Plane;
+use crate::run::setup::Setup;
 use serde_json::json;
 use std::path::PathBuf;
 
@@ -197,6 +199,30 @@ fn the_stylus_stands_along_the_applicate() {
     }
 }
 
+// oracle: manual B:4152, B:13474-13481 (in G18 position 7 lies along Z and points in minus direction, 8 along X)
+#[test]
+fn the_stylus_of_a_turning_machine_lies_as_its_cutting_edge_position_says() {
+    let cycle = crate::catalogue::find(Dialect::Sinumerik, "CYCLE974").unwrap();
+    for (tip, axis) in [
+        (5, [0.0, 0.0, -1.0]),
+        (6, [-1.0, 0.0, 0.0]),
+        (7, [0.0, 0.0, 1.0]),
+        (8, [1.0, 0.0, 0.0]),
+    ] {
+        let mut setup = Setup::for_cycle(cycle, Plane::G18);
+        let edge = setup.control.edge_of_mut(9, 1).unwrap();
+        edge.tip = tip;
+        let mut asked: Value = serde_json::from_str(&request(cycle)).unwrap();
+        asked["setup"] = setup_to_json(&setup);
+        let view = form(&asked.to_string()).unwrap();
+        assert_eq!(
+            view["outcome"]["trace"]["ball"]["axis"],
+            json!(axis),
+            "{tip}"
+        );
+    }
+}
+
 // oracle: manual B:1787-1795 (set values count in the active system, _FA always in mm)
 #[test]
 fn the_chosen_units_decide_what_a_value_means() {
@@ -387,11 +413,18 @@ fn the_catalogue_says_where_a_cycle_belongs_and_how_it_is_written() {
         let all = catalogue["cycles"].as_array().unwrap();
         all.iter().find(|one| one["cycle"] == name).unwrap().clone()
     };
-    let purpose = |machine: &str, probe: &str, calibrates: bool| json!({ "machine": machine, "probe": probe, "calibrates": calibrates });
+    let purpose = |machine: &str, probe: &str, calibrates: bool| {
+        let plane = match machine {
+            "turning" => "G18",
+            _ => "G17",
+        };
+        json!({ "machine": machine, "plane": plane, "probe": probe, "calibrates": calibrates })
+    };
     for (name, wanted) in [
         ("CYCLE977", purpose("milling", "workpiece", false)),
         ("CYCLE976", purpose("milling", "workpiece", true)),
         ("CYCLE971", purpose("milling", "tool", false)),
+        ("CYCLE974", purpose("turning", "workpiece", false)),
         ("G110", purpose("milling", "workpiece", false)),
     ] {
         assert_eq!(cycle(name)["purpose"], wanted, "{name}");

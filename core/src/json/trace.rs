@@ -4,8 +4,8 @@ use super::setup::settable_name;
 use super::setup_write::solids;
 use super::{code, message, object, put};
 use crate::check::{Inputs, unit_name};
-use crate::control::Control;
 use crate::control::rotary::ROTARY;
+use crate::control::{Control, Edge};
 use crate::diagnostic::Code;
 use crate::geometry::arc::Around;
 use crate::message::Message;
@@ -98,6 +98,7 @@ pub(super) fn trace(setup: &Setup, outcome: &Outcome) -> Value {
     object([
         ("entries", outcome.trace.entries.iter().map(entry).collect()),
         ("ball", ball(setup, outcome)),
+        ("turning", setup.control.turns().into()),
         ("solids", solids(&clamped(setup))),
         ("frames", frames(&outcome.before, &outcome.control).into()),
     ])
@@ -109,11 +110,15 @@ fn clamped(setup: &Setup) -> Vec<Solid> {
     solids.map(|solid| setup.control.on_table(solid)).collect()
 }
 
-/// Ball and stylus. The axis points from the ball to the spindle, in machine coordinates: the applicate of the plane in
-/// which was measured.
+/// Ball and stylus. The axis points from the ball to what holds it, in machine coordinates: along the applicate of the
+/// plane in which was measured, on a turning machine as the cutting edge position says.
 fn ball(setup: &Setup, outcome: &Outcome) -> Value {
+    let [abscissa, ordinate, applicate] = outcome.control.plane.axes();
     let mut axis = [0.0; 3];
-    axis[outcome.control.plane.axes()[2]] = 1.0;
+    match setup.control.active_edge().and_then(Edge::body) {
+        Some([along, across]) => (axis[abscissa], axis[ordinate]) = (along, across),
+        None => axis[applicate] = 1.0,
+    }
     object([
         ("radius", setup.probe.radius.into()),
         ("length", setup.probe.length.into()),

@@ -1,9 +1,10 @@
-// The camera of all ways of drawing: parallel projection, Z of the machine always upright.
+// The camera of all ways of drawing: parallel projection. Z of the machine is always upright; of a turning machine X is,
+// with Z to the right.
 import type { Vec3 } from "../wire";
 import { add, boxCorners, cross, dot, radians, sub, times, type Box } from "./vec";
 
-/** `yaw`, `pitch` in radians; yaw 0, pitch 0: seen from −Y. `scale`: CSS pixels a millimetre. */
-export interface Camera { yaw: number; pitch: number; target: Vec3; scale: number }
+/** `yaw`, `pitch` in radians; yaw 0, pitch 0: seen from −Y, a turning machine from +Y. `scale`: CSS pixels a millimetre. */
+export interface Camera { yaw: number; pitch: number; target: Vec3; scale: number; turning: boolean }
 /** CSS pixels. */
 export interface Viewport { width: number; height: number }
 export type ViewName = "top" | "front" | "right" | "iso";
@@ -23,12 +24,13 @@ const MIN_SCALE = 1e-3;
 const MAX_SCALE = 1e6;
 
 export function initial(): Camera {
-  return { yaw: VIEWS.iso[0], pitch: VIEWS.iso[1], target: [0, 0, 0], scale: 4 };
+  return { yaw: VIEWS.iso[0], pitch: VIEWS.iso[1], target: [0, 0, 0], scale: 4, turning: false };
 }
 
-export function basis({ yaw, pitch }: Camera): Basis {
-  const right: Vec3 = [Math.cos(yaw), Math.sin(yaw), 0];
-  const back: Vec3 = [Math.sin(yaw) * Math.cos(pitch), -Math.cos(yaw) * Math.cos(pitch), Math.sin(pitch)];
+export function basis({ yaw, pitch, turning }: Camera): Basis {
+  const lies = ([x, y, z]: Vec3): Vec3 => (turning ? [z, -y, x] : [x, y, z]);
+  const right = lies([Math.cos(yaw), Math.sin(yaw), 0]);
+  const back = lies([Math.sin(yaw) * Math.cos(pitch), -Math.cos(yaw) * Math.cos(pitch), Math.sin(pitch)]);
   return { right, back, up: cross(back, right) };
 }
 

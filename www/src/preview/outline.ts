@@ -6,7 +6,7 @@ export type Vec2 = [number, number];
  *  `around`: as many points on a rectangle around it, its corners among them. */
 export interface Outline { at(depth: number): Vec2[]; around(half: Vec2): Vec2[]; smooth: boolean; half: Vec2 }
 
-const CIRCLE_POINTS = 96; // a multiple of 8: the corners of the block around it lie on rays through points
+export const CIRCLE_POINTS = 96; // a multiple of 8: the corners of the block around it lie on rays through points
 const EDGE_POINTS = 8;
 
 type Errors = Solid["errors"];

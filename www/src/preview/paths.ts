@@ -87,18 +87,20 @@ export function gridSpacing(length: number): number {
   return power * (([1, 2, 5] as const).find((step) => step * power >= rough) ?? 10);
 }
 
-/** Grid below a box, in the X-Y plane of the machine, lines on round coordinates. */
-export function gridLines(box: Box, colour: string): Line[] {
-  const size = Math.max(box.max[0] - box.min[0], box.max[1] - box.min[1]);
+/** Grid below a box, in the X-Y plane of the machine, lines on round coordinates; of a turning machine in the Z-Y plane. */
+export function gridLines(box: Box, colour: string, turning = false): Line[] {
+  const [across, along, up] = turning ? [2, 1, 0] as const : [0, 1, 2] as const;
+  const size = Math.max(box.max[across] - box.min[across], box.max[along] - box.min[along]);
   const spacing = gridSpacing(size);
-  const range = (axis: 0 | 1) => {
+  const range = (axis: 0 | 1 | 2) => {
     const low = Math.floor(box.min[axis] / spacing) - 2;
     const high = Math.ceil(box.max[axis] / spacing) + 2;
     return { low: low * spacing, high: high * spacing, count: high - low };
   };
-  const [x, y, z] = [range(0), range(1), box.min[2]];
+  const [x, y, z] = [range(across), range(along), box.min[up]];
+  const at = (first: number, second: number): Vec3 => (turning ? [z, second, first] : [first, second, z]);
   const style: Style = { colour: parse(colour), width: 1 };
-  const columns = Array.from({ length: x.count + 1 }, (_, i): Line => ({ from: [x.low + i * spacing, y.low, z], to: [x.low + i * spacing, y.high, z], style }));
-  const rows = Array.from({ length: y.count + 1 }, (_, i): Line => ({ from: [x.low, y.low + i * spacing, z], to: [x.high, y.low + i * spacing, z], style }));
+  const columns = Array.from({ length: x.count + 1 }, (_, i): Line => ({ from: at(x.low + i * spacing, y.low), to: at(x.low + i * spacing, y.high), style }));
+  const rows = Array.from({ length: y.count + 1 }, (_, i): Line => ({ from: at(x.low, y.low + i * spacing), to: at(x.high, y.low + i * spacing), style }));
   return [...columns, ...rows];
 }

@@ -44,7 +44,7 @@ export function buildScene(trace: Trace, colours: Colours, exaggeration = 1, sol
   const frames = frameLines(trace.frames, colours, 0.14 * size);
   const normal = Math.max(2.5 * trace.ball.radius, 0.07 * size);
   const lines: Line[] = [
-    ...gridLines(solidBox ?? box, colours.grid),
+    ...gridLines(solidBox ?? box, colours.grid, trace.turning),
     ...[...parts, ...zones].flatMap(({ edges }) => edges),
     ...frames.lines,
     ...pathLines(trace, colours, normal),

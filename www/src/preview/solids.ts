@@ -3,7 +3,7 @@ import type { Solid, Vec3 } from "../wire";
 import type { Rgba } from "./colours";
 import { flat, mesh, quad, triangle, VERTEX_FLOATS, type Line, type Mesh, type Paint, type Style } from "./mesh";
 import { surface } from "./surface";
-import { border, circle, normals, rectangle, type Outline, type Vec2 } from "./outline";
+import { border, circle, CIRCLE_POINTS, normals, rectangle, type Outline, type Vec2 } from "./outline";
 import { add, apply, radians, rpy, times, unit } from "./vec";
 
 export interface Part { mesh: Mesh; edges: Line[] }
@@ -126,29 +126,58 @@ function standing(outline: Outline, height: number, look: Look): Part {
   return own;
 }
 
-/** A cylinder about Z with its front face at the origin, with or without a bore there. */
+/** A cylinder about Z with its front face at the origin. One with a bore is drawn in half section, the half on the side
+ *  of +Y taken away, so that the bore is seen. */
 function turned(outline: Outline, length: number, bore: Outline | undefined, depth: number, look: Look): Part {
+  if (bore) return halfTurned(outline, length, bore, depth, look);
   const own: Part = { mesh: mesh(), edges: rims(outline, length, look) };
   walls(own.mesh, outline, 0, length, 1, look);
   disc(own.mesh, outline.at(length), -length, look, [0, 0, -1]);
-  if (!bore) {
-    disc(own.mesh, outline.at(0), 0, look);
-    return own;
-  }
-  walls(own.mesh, bore, 0, depth, -1, look);
-  ring(own.mesh, bore.at(0), outline.at(0), 0, look);
-  disc(own.mesh, bore.at(depth), -depth, look);
-  own.edges.push(...rims(bore, depth, look));
+  disc(own.mesh, outline.at(0), 0, look);
   return own;
 }
 
-/** Walls between two depths; `side` +1: solid inside the contour, −1: outside. */
-function walls(into: Mesh, outline: Outline, from: number, to: number, side: number, { paint }: Look): void {
+function halfTurned(outline: Outline, length: number, bore: Outline, depth: number, look: Look): Part {
+  const own: Part = { mesh: mesh(), edges: [] };
+  walls(own.mesh, outline, 0, length, 1, look, true);
+  walls(own.mesh, bore, 0, depth, -1, look, true);
+  const halves = (contour: Outline, at: number): Vec2[] => half(contour.at(at));
+  fan(own.mesh, halves(outline, length), -length, look, [0, 0, -1]);
+  fan(own.mesh, halves(bore, depth), -depth, look);
+  strip(own.mesh, halves(bore, 0), halves(outline, 0), 0, look);
+  for (const end of [0, HALF_POINTS]) own.edges.push(...cutFace(own.mesh, outline, length, bore, depth, end, look));
+  for (const [contour, at] of [[outline, 0], [outline, length], [bore, 0], [bore, depth]] as const) own.edges.push(...chain(halves(contour, at), -at, look));
+  return own;
+}
+
+const HALF_POINTS = CIRCLE_POINTS / 2;
+
+/** The points of a circle's contour on the side of −Y, those on the X axis included. */
+const half = (points: Vec2[]): Vec2[] => Array.from({ length: HALF_POINTS + 1 }, (_, i) => points[(HALF_POINTS + i) % CIRCLE_POINTS]!);
+
+/** One of the two faces of a half section: from the axis, or the bore, to the outside. Gives its edges. */
+function cutFace(into: Mesh, outline: Outline, length: number, bore: Outline, depth: number, end: number, look: Look): Line[] {
+  const outside = (z: number): Vec3 => at(outline.at(z)[end]!, -z);
+  const inside = (z: number): Vec3 => at(bore.at(z)[end]!, -z);
+  const cut: Vec3 = [0, 1, 0];
+  for (let layer = 0; layer < WALL_LAYERS; layer++) {
+    const [a, b] = [layer, layer + 1].map((k) => (depth * k) / WALL_LAYERS) as [number, number];
+    flat(into, [inside(a), outside(a), outside(b), inside(b)], cut, look.paint);
+    const [c, d] = [layer, layer + 1].map((k) => depth + ((length - depth) * k) / WALL_LAYERS) as [number, number];
+    flat(into, [[0, 0, -c], outside(c), outside(d), [0, 0, -d]], cut, look.paint);
+  }
+  const corners = [outside(0), outside(length), [0, 0, -length] as Vec3, [0, 0, -depth] as Vec3, inside(depth), inside(0)];
+  return corners.flatMap((from, i): Line[] => (i === 2 ? [] : [{ from, to: corners[(i + 1) % corners.length]!, style: look.edge }]));
+}
+
+/** Walls between two depths; `side` +1: solid inside the contour, −1: outside; of a circle perhaps the half on the side of −Y. */
+function walls(into: Mesh, outline: Outline, from: number, to: number, side: number, { paint }: Look, halved = false): void {
   for (let layer = 0; layer < WALL_LAYERS; layer++) {
     const [d0, d1] = [0, 1].map((end) => from + ((to - from) * (layer + end)) / WALL_LAYERS) as [number, number];
     const [upper, lower] = [outline.at(d0), outline.at(d1)];
     const facing = normals(upper, outline.smooth).map(([x, y]): Vec3 => [x * side, y * side, 0]);
     upper.forEach((point, i) => {
+      if (halved && i < HALF_POINTS) return;
       const next = (i + 1) % upper.length;
       const [here, there] = [facing[i]!, facing[outline.smooth ? next : i]!];
       const corners: [Vec3, Vec3, Vec3, Vec3] = [at(point, -d0), at(upper[next]!, -d0), at(lower[next]!, -d1), at(lower[i]!, -d1)];
@@ -156,6 +185,20 @@ function walls(into: Mesh, outline: Outline, from: number, to: number, side: num
     });
   }
 }
+
+/** Flat face inside half a contour, facing up or as told. */
+function fan(into: Mesh, points: Vec2[], z: number, { paint }: Look, up: Vec3 = [0, 0, 1]): void {
+  for (let i = 0; i + 1 < points.length; i++) triangle(into, [[0, 0, z], at(points[i]!, z), at(points[i + 1]!, z)], [up, up, up], paint);
+}
+
+/** Flat face between two halves of contours, facing up. */
+function strip(into: Mesh, inner: Vec2[], outer: Vec2[], z: number, { paint }: Look): void {
+  for (let i = 0; i + 1 < inner.length; i++) flat(into, [at(inner[i]!, z), at(inner[i + 1]!, z), at(outer[i + 1]!, z), at(outer[i]!, z)], [0, 0, 1], paint);
+}
+
+/** Edges from point to point. */
+const chain = (points: Vec2[], z: number, { edge }: Look): Line[] =>
+  points.slice(1).map((to, i): Line => ({ from: at(points[i]!, z), to: at(to, z), style: edge }));
 
 /** Flat ring facing up between two contours of as many points. */
 function ring(into: Mesh, inner: Vec2[], outer: Vec2[], z: number, { paint }: Look): void {

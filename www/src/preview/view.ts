@@ -155,10 +155,12 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
     setTrace(next, palette) {
       const first = trace === EMPTY;
       trace = next;
+      const other = camera.turning !== (next.turning ?? false);
+      camera = { ...camera, turning: next.turning ?? false };
       colours = palette ?? colours;
       step = { index: Math.max(0, next.entries.length - 1), fraction: 1 };
       rebuild();
-      if (first || untouched) refit();
+      if (first || untouched || other) refit();
     },
     setStep(index, fraction) {
       step = { index, fraction };

@@ -26,7 +26,8 @@ function facts(control: string, setup: Setup | undefined): { name: string; text:
   const inch = setup?.units === "inch";
   const list = [{ name: t("fact-control"), text: inch ? t("fact-built", { control: name, unit: t("unit-inch") }) : name }];
   if (!setup) return list;
-  const [number, tool] = Object.entries(setup.tools)[0] ?? [];
+  const inUse = String(setup.active?.tool ?? "");
+  const [number, tool] = setup.tools[inUse] ? [inUse, setup.tools[inUse]] : Object.entries(setup.tools)[0] ?? [];
   return [
     ...list,
     ...(number && tool ? [{ name: t("fact-tool"), text: `T${number}${tool.name ? ` ${tool.name}` : ""}` }] : []),

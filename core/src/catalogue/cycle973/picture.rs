@@ -1,6 +1,6 @@
 //! CYCLE973 drawn: the surface, or the section through the reference groove, touched along the measuring axis; beside the
-//! groove the stylus with what is determined about it. The groove is drawn for cutting edge position 7, whose walls lie
-//! in the ordinate; both directions of the abscissa exist in that of position 8 only (B:13473-13482).
+//! groove the stylus with what is determined about it. The groove is drawn for the cutting edge position of the probe in
+//! use: of 7 the walls lie in the ordinate, of 8 in the abscissa (B:13473-13482).
 
 use super::params::{BALL as DIAMETER, SKEW, SURFACE, TWO};
 use crate::catalogue::lathe::figures::{self, BALL, Bands, Touch};
@@ -83,8 +83,7 @@ fn surface(inputs: &Inputs) -> Picture {
     shapes.extend(touched(&touch, path));
     shapes.push(figures::path_dimension(&touch, path));
     if axis != 3 {
-        let back = if axis == 1 { touch.out } else { [1.0, 0.0] };
-        shapes.extend(figures::probe(touch.start(path), back));
+        shapes.extend(figures::probe(inputs, touch.start(path)));
     }
     Picture {
         view: if axis == 3 {
@@ -120,11 +119,19 @@ fn set_position(inputs: &Inputs, place: impl Fn(f64, f64) -> [f64; 2]) -> [Pictu
     ]
 }
 
+/// Whether the groove is that of cutting edge position 8: the axis of both walls says it, else the probe in use.
+fn lies_along_ordinate(inputs: &Inputs) -> bool {
+    if TWO.holds(inputs) {
+        return inputs.integer(names::MA) == 1;
+    }
+    inputs.body.is_some_and(|[abscissa, _]| abscissa == 0.0)
+}
+
 /// The groove with its touches.
 fn groove(inputs: &Inputs) -> Vec<PictureShape> {
     let two = TWO.holds(inputs);
-    let walls = two || inputs.integer(names::MA) == 2;
-    let turned = two && inputs.integer(names::MA) == 1;
+    let turned = lies_along_ordinate(inputs);
+    let walls = two || inputs.integer(names::MA) == if turned { 1 } else { 2 };
     let path = figures::path(inputs).min(8.0);
     let touches = touches(inputs, walls, two);
     let mut shapes = walls_and_base(inputs);
@@ -141,7 +148,7 @@ fn groove(inputs: &Inputs) -> Vec<PictureShape> {
     if let Some(first) = touches.first() {
         let start = first.start(path);
         shapes.push(figures::path_dimension(first, path));
-        shapes.extend(figures::probe(start, [1.0, 0.0]));
+        shapes.extend(figures::stylus(start, [1.0, 0.0]));
         let way_in = vec![[58.0, 0.0], [start[0], 0.0], start];
         shapes.push(line(ShapeKind::Path, way_in).of(names::MVAR));
     }

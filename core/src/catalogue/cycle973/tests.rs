@@ -217,3 +217,18 @@ fn both_directions_of_the_abscissa_are_drawn_in_the_other_groove() {
     assert_eq!(tips("2").as_deref(), Some("SL 7"));
     assert_eq!(tips("1").as_deref(), Some("SL 8"));
 }
+
+#[test]
+fn one_direction_is_drawn_in_the_groove_of_the_probe_in_use() {
+    // oracle: manual B:13473-13482
+    let tips = |tip| {
+        let mut control = lathe();
+        control.edge_of_mut(9, 1).unwrap().tip = tip;
+        let call = call(&CYCLE973, &groove("1013", "1", "1"));
+        let picture = draw(&CYCLE973, &call, &control).unwrap();
+        let mut texts = picture.shapes.into_iter().filter_map(|shape| shape.text);
+        texts.find(|text| text.starts_with("SL"))
+    };
+    assert_eq!(tips(7).as_deref(), Some("SL 7"));
+    assert_eq!(tips(8).as_deref(), Some("SL 8"));
+}

@@ -47,7 +47,7 @@ pub fn picture(inputs: &Inputs) -> Picture {
     shapes.extend(figures::touch(&scene.touch, path));
     shapes.push(figures::path_dimension(&scene.touch, path));
     if axis != 3 {
-        shapes.extend(figures::probe(start, [1.0, 0.0]));
+        shapes.extend(figures::probe(inputs, start));
     }
     shapes.push(dimension(names::SETVAL, scene.set[0], scene.set[1]));
     if ZERO.holds(inputs) {

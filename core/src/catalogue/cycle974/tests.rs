@@ -6,6 +6,7 @@ use super::CYCLE974;
 use crate::catalogue::lathe::testing::{call, found, lathe};
 use crate::control::{Control, Frame, Plane};
 use crate::diagnostic::{Code, Severity};
+use crate::form::picture::{Picture, ShapeKind};
 use crate::form::{draw, fields};
 
 const ERROR: Severity = Severity::Error;
@@ -114,4 +115,34 @@ fn the_picture_follows_axis_and_sign() {
     for (index, one) in pictures.iter().enumerate() {
         assert!(!pictures[..index].contains(one), "{index}");
     }
+}
+
+#[test]
+fn the_probe_is_drawn_as_its_cutting_edge_position_says() {
+    // oracle: self (another body, another picture); which side: manual B:4152, B:13474-13481
+    let picture = |tip: i64| {
+        let mut control = lathe();
+        control.edge_of_mut(9, 1).unwrap().tip = tip;
+        draw(&CYCLE974, &call(&CYCLE974, &[]), &control).unwrap()
+    };
+    let pictures = [5, 6, 7, 8].map(picture);
+    for (index, one) in pictures.iter().enumerate() {
+        assert!(!pictures[..index].contains(one), "{index}");
+    }
+    // of position 7 the body lies to the right of the ball, of 8 above it
+    let body = |picture: &Picture| {
+        let mut probe = picture
+            .shapes
+            .iter()
+            .filter(|shape| shape.kind == ShapeKind::Probe);
+        let body = probe.next_back().unwrap().points.iter();
+        body.fold([0.0; 2], |[x, y], point| {
+            [x + point[0] / 4.0, y + point[1] / 4.0]
+        })
+    };
+    let [_, _, seven, eight] = pictures.each_ref().map(body);
+    assert!(
+        seven[0] > eight[0] && eight[1] > seven[1],
+        "{seven:?} {eight:?}"
+    );
 }

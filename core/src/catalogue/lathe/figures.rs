@@ -66,8 +66,14 @@ pub fn path_dimension(touch: &Touch, path: f64) -> PictureShape {
     dimension(names::FA, beside(from), beside(to))
 }
 
-/// Stylus and body of a probe whose ball is here; `back`: direction from the ball to the body, of length 1.
-pub fn probe(ball: [f64; 2], back: [f64; 2]) -> [PictureShape; 2] {
+/// Stylus and body of a probe whose ball is here, as the cutting edge position of the one in use says; where none is in
+/// use, as that of position 7.
+pub fn probe(inputs: &Inputs, ball: [f64; 2]) -> [PictureShape; 2] {
+    stylus(ball, inputs.body.unwrap_or([1.0, 0.0]))
+}
+
+/// The same; `back`: direction from the ball to the body, of length 1.
+pub fn stylus(ball: [f64; 2], back: [f64; 2]) -> [PictureShape; 2] {
     let along = |distance: f64| [ball[0] + back[0] * distance, ball[1] + back[1] * distance];
     let size = [6.0 + 6.0 * back[0].abs(), 6.0 + 6.0 * back[1].abs()];
     [
