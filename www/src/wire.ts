@@ -126,6 +126,7 @@ export type Step =
   | { step: "touch"; latched: Vec3; ball: Vec3; point: Vec3; normal: Vec3 }
   | { step: "crash"; point: Vec3 }
   | { step: "orient"; angle: number }
+  | { step: "spin"; speed: number }    // 1/min, negative as M4; 0: it stops
   | { step: "table"; axis: string; from: number; to: number; solids: Solid[] } // the part as it stands then
   | { step: "tool"; tool: number; edge: number }
   | { step: "set"; name: string; before: number; after: number }
@@ -153,14 +154,22 @@ export interface Setup {
   control: Dialect; units: BasicSystem; plane: Plane;
   active?: { tool?: number; edge?: number; frame?: string; units?: UnitFunction; transverse?: "DIAMOF" | "DIAMON" | "DIAM90"; spindle?: number }; // in force at the start
   machine?: { limitsMinus?: (number | null)[]; limitsPlus?: (number | null)[]; spindlePositions?: boolean };
-  tools: Record<string, { name?: string; edges: Record<string, { type: number; length: Vec3; radius: number; lengthWear?: Vec3; radiusWear?: number; additive?: Record<string, number[]>; setup?: Record<string, number[]> }> }>;
+  tools: Record<string, { name?: string; edges: Record<string, { type: number; length: Vec3; radius: number; lengthWear?: Vec3; radiusWear?: number; additive?: Record<string, number[]>; setup?: Record<string, number[]>; real?: RealTool }> }>;
   frames: Record<string, { coarse: Vec3; fine?: Vec3; rotation?: Vec3; scale?: Vec3 }>; // "G54"
   environments?: Record<string, { tool: number; edge: number; location?: number; plane?: Plane }>; // of TOOLENV("NAME")
   data: Record<string, number | string>;   // "_WP[0,1]", "_CHBIT[4]", "MD18600", "R10", "#500"
   probe: { radius: number; length: number; skew?: [number, number]; preTravel?: [number, number]; delay?: number; repeatability?: [number, number]; falseSignal?: number };
+  toolProbes?: { solid: Solid; preTravel?: number; delay?: number; repeatability?: [number, number] }[]; // block or turned
   workpiece: Solid[];
   position?: Vec3;                     // at the start, machine coordinates
   skip?: number[];                     // levels switched on: blocks with /, /1.. are left out
+}
+
+/** A tool as it is where it touches a tool probe; runoutAngle and angle in degree with the spindle at 0. */
+export interface RealTool {
+  length: Vec3;                        // L1 L2 L3
+  cut: { cutter: { radius: number; corner?: number; chamfer?: [number, number]; teeth?: number; angle?: number; runout?: [number, number]; runoutAngle?: number; axis?: number } }
+    | { nose: { radius: number; side: [number, number] } };
 }
 
 // machine(MachineRequest) -> MachineView: what is set once per machine

@@ -72,6 +72,7 @@ fn bare(dialect: Dialect, units: Units) -> Control {
         location: 0,
         data: Data::default(),
         spindle: 0.0,
+        spindle_speed: 0.0,
         spindle_positions: true,
         rotary: [0.0; 3],
         rotary_centre: [0.0; 3],

@@ -195,6 +195,8 @@ pub struct Control {
     pub data: Data,
     /// Position of the spindle, degree.
     pub spindle: f64,
+    /// Speed of the spindle, 1/min: positive with M3, negative with M4; 0: it stands.
+    pub spindle_speed: f64,
     /// Whether the spindle can be positioned with SPOS (B:864, B:6312).
     pub spindle_positions: bool,
     /// Where the rotary axes A B C stand, machine, degree.

@@ -4,6 +4,7 @@
 
 pub mod arc;
 pub mod circle;
+pub mod convex;
 pub mod feature;
 pub mod fit;
 pub mod lobed;

@@ -12,6 +12,7 @@ mod program;
 mod setup;
 mod setup_limits;
 mod setup_surface;
+mod setup_tool;
 mod setup_write;
 mod start;
 #[cfg(test)]

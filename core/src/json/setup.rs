@@ -2,6 +2,7 @@
 
 use super::Error;
 use super::setup_surface::{self, SurfaceFile};
+use super::setup_tool::{RealFile, ToolProbeFile};
 use crate::catalogue::Dialect;
 use crate::control::{
     Control, Edge, Environment, Frame, Limits, Plane, Tool, Transverse, Units, Value, delivery,
@@ -16,7 +17,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// where a number means what it means on the control: on an inch machine most lengths are inches. Unknown members are refused, so that a slip is told and not ignored.
 #[derive(Deserialize)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, rename_all = "camelCase")]
 struct SetupFile {
     /// Control.
     control: ControlName,
@@ -46,6 +47,9 @@ struct SetupFile {
     data: BTreeMap<String, DatumFile>,
     /// The probe as it really is, not as the control believes.
     probe: ProbeFile,
+    /// The tool probes of the machine as they really are, not as `_TP` and `_TPW` in `data` believe.
+    #[serde(default)]
+    tool_probes: Vec<ToolProbeFile>,
     /// The part: every solid can be touched. It is given as it is clamped while the rotary axes stand at 0.
     #[serde(default)]
     workpiece: Vec<SolidFile>,
@@ -148,19 +152,19 @@ impl Default for MachineFile {
 #[derive(Deserialize)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 #[serde(deny_unknown_fields)]
-struct ToolFile {
+pub(super) struct ToolFile {
     /// Name under tool management.
     #[serde(default)]
     name: String,
     /// Edges by D number.
-    edges: BTreeMap<i64, EdgeFile>,
+    pub(super) edges: BTreeMap<i64, EdgeFile>,
 }
 
 /// Data of a cutting edge.
 #[derive(Deserialize)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 #[serde(deny_unknown_fields, rename_all = "camelCase")]
-struct EdgeFile {
+pub(super) struct EdgeFile {
     /// `$TC_DP1`: 710 3D probe, 120 end mill.
     #[serde(rename = "type")]
     kind: i64,
@@ -186,6 +190,9 @@ struct EdgeFile {
     /// Other tool data by number, `$TC_DP7` to 11 and 16 to 25; 21 to 23 are the lengths of the adapter.
     #[serde(default)]
     further: BTreeMap<usize, f64>,
+    /// The tool as it really is where it touches a tool probe; none: as its data say at the start.
+    #[serde(default)]
+    pub(super) real: Option<RealFile>,
 }
 
 /// A stored tool environment.
@@ -275,7 +282,7 @@ struct ProbeFile {
 #[derive(Deserialize)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 #[serde(deny_unknown_fields)]
-struct SolidFile {
+pub(super) struct SolidFile {
     /// Element.
     shape: ShapeName,
     /// hole: diameter, depth; shaft: diameter, height; groove and web: width, depth, length; pocket and island:
@@ -347,7 +354,7 @@ pub(super) fn from_value(value: serde_json::Value) -> Result<Setup, Error> {
     setup(serde_json::from_value(value)?)
 }
 
-fn setup(file: SetupFile) -> Result<Setup, Error> {
+fn setup(mut file: SetupFile) -> Result<Setup, Error> {
     let dialect = match file.control {
         ControlName::Sinumerik => Dialect::Sinumerik,
         ControlName::Nct => Dialect::Nct,
@@ -360,6 +367,7 @@ fn setup(file: SetupFile) -> Result<Setup, Error> {
     };
     control.spindle_positions = file.machine.spindle_positions;
     control.rotary_centre = file.machine.rotary_centre;
+    let real_tools = super::setup_tool::real_tools(&mut file.tools);
     for (number, tool) in file.tools {
         control.tools.insert(number, read_tool(tool));
     }
@@ -376,10 +384,16 @@ fn setup(file: SetupFile) -> Result<Setup, Error> {
         .into_iter()
         .map(solid)
         .collect::<Result<_, _>>()?;
+    let tool_probes = file.tool_probes.into_iter();
+    let tool_probes = tool_probes
+        .map(super::setup_tool::tool_probe)
+        .collect::<Result<_, _>>()?;
     let setup = Setup {
         control,
         probe: read_probe(&file.probe),
         workpiece: Workpiece { solids },
+        tool_probes,
+        real_tools,
         position: file.position,
         skip: file.skip,
     };
@@ -571,7 +585,7 @@ pub(super) fn settable_name(control: &Control, number: usize) -> String {
     }
 }
 
-fn solid(file: SolidFile) -> Result<Solid, Error> {
+pub(super) fn solid(file: SolidFile) -> Result<Solid, Error> {
     let shape = match (file.shape, file.surface) {
         (ShapeName::Surface, Some(surface)) if file.size.is_empty() => {
             setup_surface::shape(surface)?

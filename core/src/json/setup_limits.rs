@@ -20,6 +20,7 @@ pub(super) fn check(setup: &Setup) -> Result<(), Error> {
     control(&setup.control)?;
     probe(&setup.probe)?;
     small("position", &setup.position)?;
+    super::setup_tool::check(setup)?;
     let solids = &setup.workpiece.solids;
     bound(
         "workpiece",
@@ -139,7 +140,7 @@ fn probe(probe: &Probe) -> Result<(), Error> {
     small("probe.delay", &[probe.delay])
 }
 
-fn solid(name: &str, solid: &Solid) -> Result<(), Error> {
+pub(super) fn solid(name: &str, solid: &Solid) -> Result<(), Error> {
     let errors = &solid.errors;
     small(&format!("{name}.at"), &solid.at)?;
     small(&format!("{name}.rotation"), &solid.rotation)?;
@@ -249,13 +250,18 @@ fn sizes(shape: &Shape) -> (Vec<f64>, f64) {
     }
 }
 
-fn small(what: &str, values: &[f64]) -> Result<(), Error> {
+pub(super) fn small(what: &str, values: &[f64]) -> Result<(), Error> {
     values
         .iter()
         .try_for_each(|value| bound(what, *value, value.abs() <= LIMIT, "-1000000 to 1000000"))
 }
 
-fn bound(what: &str, value: f64, holds: bool, allowed: &'static str) -> Result<(), Error> {
+pub(super) fn bound(
+    what: &str,
+    value: f64,
+    holds: bool,
+    allowed: &'static str,
+) -> Result<(), Error> {
     if holds {
         return Ok(());
     }

@@ -1,7 +1,7 @@
 //! Writes the setup file, member by member as `setup` reads it; a test holds that it reads back to the same setup.
 
 use super::setup::{settable_name, units_name, units_of};
-use super::{dialect_name, object, put, setup_surface};
+use super::{dialect_name, object, put, setup_surface, setup_tool};
 use crate::control::{Control, Edge, Frame, Plane, Tool, Transverse, Value as Datum, delivery};
 use crate::run::setup::Setup;
 use crate::workpiece::{PartErrors, Probe, Shape, Solid};
@@ -28,9 +28,16 @@ pub fn to_json(setup: &Setup) -> Value {
             ),
         ),
         ("probe", probe(&setup.probe)),
+        ("toolProbes", setup_tool::tool_probes(&setup.tool_probes)),
         ("workpiece", solids(&setup.workpiece.solids)),
         ("position", setup.position.into()),
     ]);
+    for ((tool, edge), real) in &setup.real_tools {
+        let edge = &mut setup_file["tools"][tool.to_string()]["edges"][edge.to_string()];
+        if edge.is_object() {
+            put(edge, "real", setup_tool::real(real));
+        }
+    }
     if !control.environments.is_empty() {
         put(&mut setup_file, "environments", environments(control));
     }
@@ -220,7 +227,7 @@ pub(super) fn solids(list: &[Solid]) -> Value {
     list.iter().map(solid).collect()
 }
 
-fn solid(solid: &Solid) -> Value {
+pub(super) fn solid(solid: &Solid) -> Value {
     let (shape, size): (&str, Value) = match solid.shape {
         Shape::Hole { diameter, depth } => ("hole", [diameter, depth].into()),
         Shape::Shaft { diameter, height } => ("shaft", [diameter, height].into()),

@@ -192,6 +192,7 @@ fn step(step: &Step) -> Value {
             ("solids", solids(turned)),
         ]),
         Step::Orient(angle) => object([("step", "orient".into()), ("angle", (*angle).into())]),
+        Step::Spin(speed) => object([("step", "spin".into()), ("speed", (*speed).into())]),
         Step::Tool(tool, edge) => object([
             ("step", "tool".into()),
             ("tool", (*tool).into()),

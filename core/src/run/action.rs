@@ -133,7 +133,10 @@ fn end(run: &mut Interpreter, found: &Words) -> Result<Option<Next>, Problem> {
             98 if nct => {}
             99 if nct => return macro_call::back(run, found, address.span).map(Some),
             19 => run.sim.orient(0.0),
-            3..=9 => {}
+            3 => run.sim.spin(run.modal.speed),
+            4 => run.sim.spin(-run.modal.speed),
+            5 => run.sim.spin(0.0),
+            6..=9 => {}
             55 | 59 if nct => {}
             _ => run.tell(
                 Severity::Note,

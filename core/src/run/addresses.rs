@@ -38,6 +38,10 @@ pub fn take(run: &mut Interpreter, address: &Address, path: &mut Path) -> Result
         }
         "S" if !path.dwell && matches!(address.extension, None | Some(1)) => {
             run.modal.speed = number(address)?;
+            let turns = run.sim.control.spindle_speed;
+            if turns != 0.0 {
+                run.sim.spin(run.modal.speed.copysign(turns));
+            }
         }
         "SPOS" | "SPOSA" => spindle(run, address)?,
         "T" => {} // number or name, see `tool`

@@ -3,6 +3,7 @@
 use super::Stop;
 use super::machine::Sim;
 use super::trace::Step;
+use crate::catalogue::ProbeUse;
 use crate::check::Inputs;
 use crate::diagnostic::Code;
 use crate::message::Message;
@@ -17,7 +18,7 @@ pub fn perform(sim: &mut Sim, inputs: &Inputs) -> Result<(), Stop> {
         let message = Message::new("run-no-simulation").text("word", inputs.cycle.name);
         return Err(Stop::Fault(message));
     };
-    sim.measuring = true;
+    sim.measuring = inputs.cycle.purpose.probe == ProbeUse::Workpiece;
     let outcome = (work.simulate)(sim, inputs);
     sim.measuring = false;
     if let Err(Stop::Alarm(code)) = outcome {

@@ -12,7 +12,10 @@ use crate::message::Message;
 use crate::workpiece::contact::{Boundary, Contact};
 use crate::workpiece::noise::Noise;
 use crate::workpiece::probe::{ball_offset, touch};
+use crate::workpiece::tool::Tool;
+use crate::workpiece::tool_probe::ToolProbe;
 use crate::workpiece::{Probe, Workpiece, chuck};
+use std::collections::BTreeMap;
 
 /// Entries of a trace after which a run is given up.
 pub const TRACE_LIMIT: usize = 50_000;
@@ -30,7 +33,7 @@ pub struct Sim {
     pub line: Option<u32>,
     /// Entries after which the run is given up.
     pub trace_limit: usize,
-    /// Whether a measuring cycle is running: then the probe is in the spindle whatever the tool data say.
+    /// Whether a measuring cycle of workpieces is running: then the probe is in the spindle whatever the tool data say.
     pub measuring: bool,
     probe: Probe,
     /// The part where it stands now.
@@ -40,6 +43,10 @@ pub struct Sim {
     /// How far the spindle of a turning machine has turned the part, degree.
     turned: f64,
     noise: Noise,
+    tool_probes: Vec<ToolProbe>,
+    /// Tools as they are, by T and D number: those that were told, and others as they were when they were first moved.
+    real_tools: BTreeMap<(i64, i64), Tool>,
+    tool_noise: Noise,
     /// Way so far with the signal of the probe watched, mm.
     watched: f64,
     /// Whether the last signal came from a contact.
@@ -61,6 +68,9 @@ impl Sim {
             clamped: setup.workpiece.clone(),
             turned: 0.0,
             noise: Noise::new(setup.probe.repeatability.1),
+            tool_noise: self::tool::noise(&setup.tool_probes),
+            tool_probes: setup.tool_probes.clone(),
+            real_tools: setup.real_tools.clone(),
             watched: 0.0,
             touching: true,
         }
@@ -81,7 +91,10 @@ impl Sim {
             around,
         };
         self.admit(&way)?;
-        let hit = self.obstacle(&way);
+        let hit = match self.has_probe() {
+            true => self.obstacle(&way),
+            false => self.tool_obstacle(&way),
+        };
         let free = hit.map_or(way, |hit| way.until(hit.part, hit.stop));
         if monitored && let Some((part, stop)) = self.false_signal(&free) {
             self.go(&free.until(part, stop), kind, feed);
@@ -117,6 +130,9 @@ impl Sim {
     pub fn probe_machine(&mut self, to: [f64; 3], feed: f64) -> Result<Option<[f64; 3]>, Stop> {
         let from = self.position;
         self.admit(&Route::straight(from, to))?;
+        if !self.has_probe() {
+            return Ok(self.probe_with_tool(to, feed));
+        }
         let height = self.ball_height();
         let signal = touch(
             &self.part,
@@ -238,8 +254,8 @@ impl Sim {
         self.control.plane.axes()[2]
     }
 
-    /// Whether the simulated probe is in use: type 710 or 580, or a measuring cycle is running. What any other tool
-    /// touches is not simulated.
+    /// Whether the simulated probe is in use: type 710 or 580, or a measuring cycle of workpieces is running. Any other
+    /// tool touches the tool probes only; that it cuts is not simulated.
     pub fn has_probe(&self) -> bool {
         let probe = |edge: &Edge| [710, LATHE_PROBE].contains(&edge.kind);
         self.measuring || self.control.active_edge().is_some_and(probe)
@@ -297,9 +313,7 @@ impl Sim {
 
     /// Where a motion is stopped by the part.
     fn obstacle(&self, way: &Route) -> Option<Obstacle> {
-        self.has_probe()
-            .then(|| way.obstacle(&self.part, self.probe.radius, self.ball()))
-            .flatten()
+        way.obstacle(&self.part, self.probe.radius, self.ball())
     }
 
     /// From the point to which the tool length refers to the real centre of the ball.
@@ -372,6 +386,7 @@ impl Machine for Sim {
 
     fn orient(&mut self, angle: f64) {
         self.control.spindle = angle;
+        self.control.spindle_speed = 0.0;
         if self.in_turret() {
             self.turned = angle;
             self.stands();
@@ -379,10 +394,19 @@ impl Machine for Sim {
         self.note(Step::Orient(angle));
     }
 
+    fn spin(&mut self, speed: f64) {
+        if self.control.spindle_speed != speed {
+            self.control.spindle_speed = speed;
+            self.note(Step::Spin(speed));
+        }
+    }
+
     fn record(&mut self, step: Step) {
         self.note(step);
     }
 }
+
+mod tool;
 
 #[cfg(test)]
 mod tests;

@@ -92,7 +92,8 @@ pub trait Machine {
         feed: f64,
         monitored: bool,
     ) -> Result<(), Stop>;
-    /// Straight measuring motion. Some: position latched at switching (delete distance-to-go); None: no signal up to `to`.
+    /// Straight measuring motion of what is in use: the probe towards the part, any other tool towards the tool probes,
+    /// with its highest edge where the spindle turns. Some: position latched at switching (delete distance-to-go); None: no signal up to `to`.
     fn probe(&mut self, to: [f64; 3], feed: f64) -> Result<Option<[f64; 3]>, Stop>;
     /// Whether the stylus is deflected where the machine stands (NCT looks at this before it moves).
     fn in_contact(&self) -> bool {
@@ -104,8 +105,10 @@ pub trait Machine {
     }
     /// Writes a datum of tools or frames, lengths in mm. Where it is the length in use, the spindle nose stays.
     fn correct(&mut self, name: &str, value: f64);
-    /// Turns the spindle to this angle, degree.
+    /// Turns the spindle to this angle, degree, where it stands.
     fn orient(&mut self, angle: f64);
+    /// Lets the spindle turn, 1/min: positive as M3, negative as M4; 0 stops it.
+    fn spin(&mut self, speed: f64);
     /// Records something that is no motion: a result, a correction, a decision, an alarm that informs.
     fn record(&mut self, step: Step);
 }

@@ -14,18 +14,18 @@ pub struct Route {
     pub around: Option<Around>,
 }
 
-/// Where the part stops a motion.
+/// Where part or tool probe stops a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Obstacle {
     /// Part of the way that is done, 0 to 1.
     pub part: f64,
     /// Position then.
     pub stop: [f64; 3],
-    /// Centre of the ball then.
+    /// Centre of the ball then, or of a tool the point to which its lengths refer.
     pub ball: [f64; 3],
     /// Point touched.
     pub point: [f64; 3],
-    /// Outward unit normal of the part there.
+    /// Outward unit normal there.
     pub normal: [f64; 3],
 }
 

@@ -4,8 +4,10 @@ use crate::catalogue::{Cycle, Dialect, MachineSort, ProbeUse};
 use crate::control::machine_data::TOOL_LENGTH_TYPE;
 use crate::control::tools::{AS_TURNING_TOOL, LATHE_PROBE};
 use crate::control::{Control, Edge, Plane, Transverse, Units, delivery_in};
+use crate::workpiece::tool::Tool;
+use crate::workpiece::tool_probe::ToolProbe;
 use crate::workpiece::{Probe, Workpiece};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Everything that a run starts from.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,6 +18,10 @@ pub struct Setup {
     pub probe: Probe,
     /// The part.
     pub workpiece: Workpiece,
+    /// The tool probes of the machine as they are.
+    pub tool_probes: Vec<ToolProbe>,
+    /// Tools that are otherwise than their data say, by T and D number.
+    pub real_tools: BTreeMap<(i64, i64), Tool>,
     /// Where the point to which the tool length refers stands, machine (basic) coordinates X Y Z, mm.
     pub position: [f64; 3],
     /// Skip levels 0 to 9 that are switched on at the panel: blocks with `/`, `/1` to `/9` are left out.
@@ -76,6 +82,8 @@ impl Setup {
             control,
             probe: ideal_probe(),
             workpiece: Workpiece::default(),
+            tool_probes: Vec::new(),
+            real_tools: BTreeMap::new(),
             position,
             skip: BTreeSet::new(),
         }

@@ -38,7 +38,7 @@ pub enum Step {
     Touch {
         /// Position latched by the control.
         latched: [f64; 3],
-        /// Centre of the ball at contact.
+        /// Centre of the ball at contact; of a tool at a tool probe the point to which its lengths refer.
         ball: [f64; 3],
         /// Point touched on the part.
         point: [f64; 3],
@@ -52,6 +52,8 @@ pub enum Step {
     },
     /// Spindle orientation, degree.
     Orient(f64),
+    /// The spindle turns from now on, 1/min: positive with M3, negative with M4; 0: it stops.
+    Spin(f64),
     /// A rotary axis turned, and the part with it.
     Table {
         /// Which one: 0 A, 1 B, 2 C.

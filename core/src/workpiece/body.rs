@@ -1,6 +1,6 @@
 //! A solid taken apart into faces, edges and corners, in its own frame (origin at the upper face, Z up).
 
-mod frustum;
+pub(super) mod frustum;
 
 use self::frustum::{Frustum, quad, reversed};
 use super::free::FreeSurface;

@@ -10,6 +10,10 @@ pub mod noise;
 pub mod probe;
 #[cfg(test)]
 mod probe_tests;
+pub mod tool;
+pub mod tool_probe;
+#[cfg(test)]
+mod tool_tests;
 
 use free::FreeSurface;
 use std::sync::Arc;

@@ -32,6 +32,15 @@ impl Noise {
         let spread = (-2.0 * self.uniform().ln()).sqrt();
         spread * (std::f64::consts::TAU * self.uniform()).cos()
     }
+
+    /// Next number of the normal distribution with mean 0 and this standard deviation; with 0 none is drawn.
+    pub fn scatter(&mut self, deviation: f64) -> f64 {
+        if deviation == 0.0 {
+            0.0
+        } else {
+            deviation * self.normal()
+        }
+    }
 }
 
 #[cfg(test)]

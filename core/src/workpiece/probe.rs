@@ -88,10 +88,8 @@ fn lateness(
     let across = abscissa.hypot(ordinate);
     let turned = ordinate.atan2(abscissa) - spindle.to_radians();
     let (deviation, _) = probe.repeatability;
-    let scatter = if deviation == 0.0 {
-        0.0
-    } else {
-        deviation * noise.normal()
-    };
-    constant + lobes * across * (3.0 * turned).cos() + probe.delay * feed / 60.0 + scatter
+    constant
+        + lobes * across * (3.0 * turned).cos()
+        + probe.delay * feed / 60.0
+        + noise.scatter(deviation)
 }

@@ -203,6 +203,7 @@ motion-retract = Back to { $to }
 step-touch = Touch at { $at }
 step-crash = Crash at { $at }
 step-orient = Spindle to { $angle }°
+step-spin = Spindle { $direction }, { $speed } rpm
 step-table = Rotary axis { $axis } to { $angle }°
 step-tool = Tool T{ $tool } D{ $edge }
 step-set = { $name }: { $before } becomes { $after }

@@ -199,6 +199,7 @@ motion-retract = 退回至 { $to }
 step-touch = 在 { $at } 触碰
 step-crash = 在 { $at } 碰撞
 step-orient = 主轴定位到 { $angle }°
+step-spin = 主轴 { $direction }，{ $speed } 转/分
 step-table = 回转轴 { $axis } 转到 { $angle }°
 step-tool = 刀具 T{ $tool } D{ $edge }
 step-set = { $name }：由 { $before } 变为 { $after }

@@ -12,6 +12,7 @@ export function describe(step: Step): string {
     case "touch": return t("step-touch", { at: at(step.point) });
     case "crash": return t("step-crash", { at: at(step.point) });
     case "orient": return t("step-orient", { angle: plain(step.angle, 3) });
+    case "spin": return t("step-spin", { direction: step.speed > 0 ? "M3" : step.speed < 0 ? "M4" : "M5", speed: plain(Math.abs(step.speed), 1) });
     case "table": return t("step-table", { axis: step.axis, angle: plain(step.to, 3) });
     case "tool": return t("step-tool", { tool: step.tool, edge: step.edge });
     case "set": return t("step-set", { name: step.name, before: plain(step.before), after: plain(step.after) });

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use crate::catalogue::{Dialect, find, place};
+use crate::catalogue::{Dialect, ProbeUse, find, place};
 use crate::check::Inputs;
 use crate::control::Plane;
 use crate::diagnostic::Code;
@@ -98,7 +98,7 @@ pub fn call(name: &str, variant: i64, values: &[(&'static str, f64)]) -> Inputs 
 
 /// Runs a call on a machine as it is.
 pub fn run(sim: &mut Sim, inputs: &Inputs) -> Result<(), Stop> {
-    sim.measuring = true;
+    sim.measuring = inputs.cycle.purpose.probe == ProbeUse::Workpiece;
     (inputs.cycle.work().unwrap().simulate)(sim, inputs)
 }
 

@@ -8,7 +8,7 @@ use crate::workpiece::PartErrors;
 /// Two pairs of walls facing each other, a lid and a base. Lengths are counted along the edges: the first along X, the
 /// second along the direction that is turned from X by the angle between the edges.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Frustum {
+pub(in crate::workpiece) struct Frustum {
     /// Half lengths at the top, mm.
     pub above: [f64; 2],
     /// Half lengths at the bottom, mm.

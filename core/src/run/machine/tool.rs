@@ -1,0 +1,190 @@
+//! The simulated machine with a tool that touches tool probes.
+
+use super::Sim;
+use crate::control::{Control, Edge};
+use crate::geometry::V3;
+use crate::run::route::{Obstacle, Route, add};
+use crate::run::trace::{MotionKind, Step};
+use crate::workpiece::noise::Noise;
+use crate::workpiece::tool::{Piece, Spindle, Tool};
+use crate::workpiece::tool_probe::{self, Contact, ToolProbe};
+
+/// `_CHBIT[23]` = 1: cutting edge positions count the other way round in the ordinate (B:14051).
+const REVERSED: &str = "_CHBIT[23]";
+
+/// The scatter of all tool probes comes from the sequence of the first.
+pub(super) fn noise(probes: &[ToolProbe]) -> Noise {
+    Noise::new(probes.first().map_or(1, |probe| probe.repeatability.1))
+}
+
+/// From the point to which the lengths of the control refer to the one to which those of the real tool refer.
+fn error(control: &Control, edge: &Edge, tool: &Tool) -> [f64; 3] {
+    let axes = control.plane.axes();
+    let mut error = control.active_length();
+    for (real, axis) in tool.length.into_iter().zip(control.length_axes(edge)) {
+        error[axes[axis]] -= real;
+    }
+    error
+}
+
+impl Sim {
+    /// What can touch of the tool in use, as it is, where the machine stands at `at`, and the way from there to the point
+    /// to which its lengths refer. None without a tool, and where there is nothing that it could touch.
+    fn tool_at(&mut self, at: [f64; 3]) -> Option<(Vec<Piece>, [f64; 3])> {
+        if self.tool_probes.is_empty() {
+            return None;
+        }
+        let edge = self.control.active_edge()?.clone();
+        let key = (self.control.tool, self.control.edge);
+        let reversed = self.control.bit(REVERSED);
+        let tool = self.real_tools.entry(key);
+        let tool = tool.or_insert_with(|| Tool::nominal(&edge, reversed));
+        let error = error(&self.control, &edge, tool);
+        let point = V3::from(add(at, error, 1.0));
+        let spindle = match self.control.spindle_speed {
+            0.0 => Spindle::Stands(self.control.spindle),
+            _ => Spindle::Turns,
+        };
+        Some((tool.pieces(point, self.control.plane, spindle), error))
+    }
+
+    /// Where the tool in use is stopped by a tool probe.
+    pub(super) fn tool_obstacle(&mut self, way: &Route) -> Option<Obstacle> {
+        let pieces = way.ends().count() as f64;
+        let mut from = way.from;
+        for (piece, to) in way.ends().enumerate() {
+            let (tool, error) = self.tool_at(from)?;
+            if let Some(contact) = tool_probe::obstacle(&self.tool_probes, &tool, from, to) {
+                let met = seen(&contact, &Route::straight(from, to), error);
+                let part = (piece as f64 + met.part) / pieces;
+                return Some(Obstacle { part, ..met });
+            }
+            from = to;
+        }
+        None
+    }
+
+    /// Moves the tool in use until a tool probe switches; the position then.
+    pub(super) fn probe_with_tool(&mut self, to: [f64; 3], feed: f64) -> Option<[f64; 3]> {
+        let way = Route::straight(self.position, to);
+        let touched = self.tool_at(way.from).and_then(|(tool, error)| {
+            let noise = &mut self.tool_noise;
+            let touched = tool_probe::touch(&self.tool_probes, &tool, way.from, to, feed, noise);
+            touched.map(|(contact, signal)| (seen(&contact, &way, error), signal))
+        });
+        let Some((met, signal)) = touched else {
+            self.go(&way, MotionKind::Measuring, feed);
+            return None;
+        };
+        let end = way.at(share(&way, signal));
+        self.go(&Route::straight(way.from, end), MotionKind::Measuring, feed);
+        self.touching = true;
+        self.note(Step::Touch {
+            latched: end,
+            ball: met.ball,
+            point: met.point,
+            normal: met.normal,
+        });
+        Some(end)
+    }
+}
+
+fn seen(contact: &Contact, way: &Route, error: [f64; 3]) -> Obstacle {
+    let meeting = &contact.meeting;
+    let part = share(way, meeting.way);
+    let stop = way.at(part);
+    Obstacle {
+        part,
+        stop,
+        ball: add(stop, error, 1.0),
+        point: meeting.point.into(),
+        normal: meeting.normal.into(),
+    }
+}
+
+/// Which part of a way so many mm are.
+fn share(way: &Route, length: f64) -> f64 {
+    match way.length() {
+        0.0 => 0.0,
+        whole => length / whole,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use crate::catalogue::Dialect;
+    use crate::control::Plane;
+    use crate::diagnostic::Code;
+    use crate::run::{Machine, Setup, Stop};
+    use crate::workpiece::tool::{Cut, Cutter};
+    use crate::workpiece::{PartErrors, Shape, Solid};
+
+    /// A cube of 20 mm about the origin and an end mill of 70 mm and 5 mm radius above it; it is longer than its data say.
+    fn sim() -> Sim {
+        let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+        let edge = Edge {
+            kind: 120,
+            length: [70.0, 0.0, 0.0],
+            radius: 5.0,
+            ..Edge::default()
+        };
+        let tool = setup.control.tools.entry(3).or_default();
+        tool.edges.insert(1, edge);
+        (setup.control.tool, setup.control.edge) = (3, 1);
+        let real = Tool {
+            length: [70.5, 0.0, 0.0],
+            cut: Cut::Cutter(Cutter {
+                teeth: 2,
+                ..Cutter::smooth(5.2)
+            }),
+        };
+        setup.real_tools.insert((3, 1), real);
+        setup.tool_probes.push(ToolProbe::ideal(Solid {
+            shape: Shape::Block { size: [20.0; 3] },
+            at: [0.0; 3],
+            rotation: [0.0; 3],
+            errors: PartErrors::default(),
+        }));
+        setup.position = [0.0, 0.0, 30.0];
+        Sim::new(&setup)
+    }
+
+    #[test]
+    fn a_longer_tool_switches_earlier_whatever_is_corrected_meanwhile() {
+        // oracle: hand: the position of the control is that of a tool of 70 mm, later of one of 70.5 mm
+        let mut sim = sim();
+        let latched = sim.probe([0.0, 0.0, -10.0], 150.0).unwrap().unwrap();
+        assert!((latched[2] - 0.5).abs() < 1e-9, "{latched:?}");
+        sim.travel([0.0, 0.0, 30.0], MotionKind::Retract, 1000.0, false)
+            .unwrap();
+        sim.correct("$TC_DP3[3,1]", 70.5);
+        let latched = sim.probe([0.0, 0.0, -10.0], 150.0).unwrap().unwrap();
+        assert!(latched[2].abs() < 1e-9, "{latched:?}");
+    }
+
+    #[test]
+    fn a_spindle_that_turns_brings_the_highest_edge() {
+        // oracle: hand: teeth at 60 and 240 degree reach 5.2·cos 60, turning ones 5.2
+        for (speed, reach) in [(0.0, 2.6), (500.0, 5.2), (-500.0, 5.2)] {
+            let mut sim = sim();
+            sim.orient(60.0);
+            sim.spin(speed);
+            sim.position = [40.0, 0.0, -5.0];
+            let latched = sim.probe([0.0, 0.0, -5.0], 150.0).unwrap().unwrap();
+            assert!((latched[0] - 10.0 - reach).abs() < 1e-9, "{latched:?}");
+        }
+    }
+
+    #[test]
+    fn a_tool_that_runs_into_the_probe_is_a_collision() {
+        // oracle: manual B:13743-13763
+        let mut sim = sim();
+        let stop = sim.travel([0.0, 0.0, -5.0], MotionKind::Positioning, 1000.0, true);
+        assert_eq!(stop, Err(Stop::Alarm(Code::Alarm(61302))));
+        assert!((sim.position[2] - 0.5).abs() < 1e-9);
+        let away = sim.travel([0.0, 0.0, 20.0], MotionKind::Retract, 1000.0, true);
+        assert!(away.is_ok());
+    }
+}

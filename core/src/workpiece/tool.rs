@@ -1,0 +1,315 @@
+//! A tool as it really is, not as the control believes, and what of it can touch: a milling cutter or drill about its
+//! axis, or the nose of a turning tool.
+
+use crate::control::{Edge, Plane};
+use crate::geometry::V3;
+use crate::geometry::convex::Convex;
+use crate::geometry::rigid::sin_cos;
+
+/// Height of a drill's point per mm of its radius: the usual point of 118 degree.
+const DRILL_POINT: f64 = 0.600_860_619;
+/// Least height of a cutter, mm.
+const HEIGHT: f64 = 50.0;
+
+/// A tool.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tool {
+    /// L1, L2 and L3 as they are, mm: to the lowest edge of a cutter in its axis; to the point P of a turning tool.
+    pub length: [f64; 3],
+    /// What cuts.
+    pub cut: Cut,
+}
+
+/// What cuts.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Cut {
+    /// Milling cutter or drill.
+    Cutter(Cutter),
+    /// Turning tool.
+    Nose(Nose),
+}
+
+/// A milling cutter or drill about its axis, with a flat end or one that ends in a point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cutter {
+    /// Radius to the cutting edge, mm.
+    pub radius: f64,
+    /// Radius between end and side, mm.
+    pub corner: f64,
+    /// How far the lowest place of an edge lies inside of the widest, and the widest above the lowest, mm; beside `corner`.
+    pub chamfer: [f64; 2],
+    /// Number of teeth, evenly spread; 0: smooth all round.
+    pub teeth: u32,
+    /// Where the first tooth stands with the spindle at 0, degree.
+    pub angle: f64,
+    /// How far the axis of the cutter stands beside that of the spindle, and how much lower than in the mean a tooth in that
+    /// direction stands, mm. A smooth cutter has neither.
+    pub runout: [f64; 2],
+    /// In which direction, with the spindle at 0, degree.
+    pub runout_angle: f64,
+    /// Axis of the plane along which it stands, its end in minus direction: 0 abscissa, 1 ordinate, 2 applicate.
+    pub axis: usize,
+}
+
+/// The nose of a turning tool. It lies in the plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Nose {
+    /// Radius, mm.
+    pub radius: f64,
+    /// From the centre S to the point P in abscissa and ordinate, in nose radii: -1, 0 or 1.
+    pub side: [f64; 2],
+}
+
+/// How the spindle stands in which a cutter is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Spindle {
+    /// It stands at this angle, degree, positive from abscissa to ordinate of the cutter's own plane.
+    Stands(f64),
+    /// It turns: the highest edge comes by everywhere.
+    Turns,
+}
+
+/// From S to P in abscissa and ordinate by cutting edge position 1 to 9, in nose radii (B:9441, B:13474-13481); with 9, and
+/// where there is none, P is S. `reversed`: the ordinate is the other way round (`_CHBIT[23]`, B:14051).
+pub fn side(position: i64, reversed: bool) -> [f64; 2] {
+    let [abscissa, ordinate] = match position {
+        1 => [1.0, 1.0],
+        2 => [-1.0, 1.0],
+        3 => [-1.0, -1.0],
+        4 => [1.0, -1.0],
+        5 => [1.0, 0.0],
+        6 => [0.0, 1.0],
+        7 => [-1.0, 0.0],
+        8 => [0.0, -1.0],
+        _ => [0.0, 0.0],
+    };
+    [abscissa, if reversed { -ordinate } else { ordinate }]
+}
+
+impl Tool {
+    /// A tool that is as the control believes: turning tools by their cutting edge position, drills with a point, anything
+    /// else a smooth cutter with its corner radius (`$TC_DP7`).
+    pub fn nominal(edge: &Edge, reversed: bool) -> Tool {
+        let radius = edge.total_radius();
+        let cut = if edge.is_turning() {
+            Cut::Nose(Nose {
+                radius,
+                side: side(edge.tip, reversed),
+            })
+        } else {
+            let drill = (200..300).contains(&edge.kind);
+            let corner = edge.further.get(&7).copied().unwrap_or(0.0);
+            Cut::Cutter(Cutter {
+                chamfer: if drill {
+                    [radius, radius * DRILL_POINT]
+                } else {
+                    [0.0; 2]
+                },
+                corner: if drill {
+                    0.0
+                } else {
+                    corner.clamp(0.0, radius)
+                },
+                ..Cutter::smooth(radius)
+            })
+        };
+        Tool {
+            length: [0, 1, 2].map(|i| edge.total_length(i)),
+            cut,
+        }
+    }
+
+    /// What of it can touch, the point to which its lengths refer standing at `point`, machine coordinates.
+    pub fn pieces(&self, point: V3, plane: Plane, spindle: Spindle) -> Vec<Piece> {
+        let axes = plane.axes();
+        match &self.cut {
+            Cut::Nose(nose) => vec![Piece::Nose(NosePiece::new(nose, point, axes))],
+            Cut::Cutter(cutter) => cutter.pieces(point, axes, spindle),
+        }
+    }
+}
+
+impl Cutter {
+    /// Smooth, with a flat end, along the applicate.
+    pub fn smooth(radius: f64) -> Cutter {
+        Cutter {
+            radius,
+            corner: 0.0,
+            chamfer: [0.0; 2],
+            teeth: 0,
+            angle: 0.0,
+            runout: [0.0; 2],
+            runout_angle: 0.0,
+            axis: 2,
+        }
+    }
+
+    /// The teeth as the spindle carries them: distance from its axis, direction with the spindle at 0 (degree), and how much
+    /// lower than in the mean, mm.
+    pub fn edges(&self) -> Vec<[f64; 3]> {
+        let (away_sine, away_cosine) = sin_cos(self.runout_angle);
+        let [aside, lower] = self.runout;
+        let tooth = |number: u32| {
+            let angle = self.angle + 360.0 * f64::from(number) / f64::from(self.teeth);
+            let (sine, cosine) = sin_cos(angle);
+            let x = self.radius * cosine + aside * away_cosine;
+            let y = self.radius * sine + aside * away_sine;
+            let direction = if aside == 0.0 {
+                angle
+            } else {
+                y.atan2(x).to_degrees()
+            };
+            let drop = lower * (cosine * away_cosine + sine * away_sine);
+            [x.hypot(y), direction, drop]
+        };
+        (0..self.teeth).map(tooth).collect()
+    }
+
+    fn pieces(&self, point: V3, axes: [usize; 3], spindle: Spindle) -> Vec<Piece> {
+        let along = axes[self.axis.min(2)];
+        let [first, second] = [(along + 1) % 3, (along + 2) % 3];
+        let unit = |axis: usize| V3::from_fn(|row, _| if row == axis { 1.0 } else { 0.0 });
+        let piece = |[radius, direction, drop]: [f64; 3], round: bool| {
+            let (sine, cosine) = sin_cos(direction);
+            Piece::Turned(TurnedPiece {
+                end: point - unit(along) * drop,
+                up: unit(along),
+                out: (!round).then(|| unit(first) * cosine + unit(second) * sine),
+                profile: self.profile(radius),
+            })
+        };
+        match spindle {
+            _ if self.teeth == 0 => vec![piece([self.radius, 0.0, 0.0], true)],
+            Spindle::Turns => self
+                .edges()
+                .into_iter()
+                .map(|edge| piece(edge, true))
+                .collect(),
+            Spindle::Stands(angle) => {
+                let turned =
+                    |[radius, direction, drop]: [f64; 3]| [radius, direction + angle, drop];
+                let edges = self.edges().into_iter().map(turned);
+                edges.map(|edge| piece(edge, false)).collect()
+            }
+        }
+    }
+
+    fn profile(&self, radius: f64) -> Profile {
+        let [inside, above] = self.chamfer;
+        let corner = self.corner.min(radius);
+        let top = HEIGHT.max(2.0 * (corner + above));
+        Profile {
+            corner,
+            points: [
+                [0.0, corner],
+                [(radius - corner - inside).max(0.0), corner],
+                [radius - corner, corner + above],
+                [radius - corner, top],
+                [0.0, top],
+            ],
+        }
+    }
+}
+
+/// A convex piece of a tool.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Piece {
+    /// What a profile cuts that turns, or one tooth that stands.
+    Turned(TurnedPiece),
+    /// Nose of a turning tool.
+    Nose(NosePiece),
+}
+
+/// Half of the section of a cutter through its axis: distance from the axis and height above the end, mm, a polygon whose
+/// border lies outwards by the corner radius.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Profile {
+    corner: f64,
+    points: [[f64; 2]; 5],
+}
+
+/// A profile, turned about the axis or in one direction.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TurnedPiece {
+    end: V3,
+    up: V3,
+    /// Direction of a tooth that stands; none: turned all round.
+    out: Option<V3>,
+    profile: Profile,
+}
+
+/// The round nose; what holds it is out of the way.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NosePiece {
+    /// S.
+    centre: V3,
+    radius: f64,
+    /// Index of the axis across the plane.
+    across: usize,
+}
+
+impl NosePiece {
+    fn new(nose: &Nose, point: V3, [abscissa, ordinate, applicate]: [usize; 3]) -> NosePiece {
+        let mut side = V3::zeros();
+        (side[abscissa], side[ordinate]) = (nose.side[0], nose.side[1]);
+        let centre = point - side * nose.radius;
+        NosePiece {
+            centre,
+            radius: nose.radius,
+            across: applicate,
+        }
+    }
+}
+
+impl Convex for Piece {
+    fn farthest(&self, direction: &V3) -> V3 {
+        match self {
+            Piece::Turned(piece) => piece.farthest(direction),
+            Piece::Nose(piece) => piece.farthest(direction),
+        }
+    }
+}
+
+impl TurnedPiece {
+    fn farthest(&self, direction: &V3) -> V3 {
+        let high = direction.dot(&self.up);
+        let (out, wide) = match self.out {
+            Some(out) => (out, direction.dot(&out)),
+            None => {
+                let aside = direction - self.up * high;
+                let wide = aside.norm();
+                (aside.try_normalize(0.0).unwrap_or_else(V3::zeros), wide)
+            }
+        };
+        let [away, height] = self.profile.farthest([wide, high]);
+        self.end + out * away + self.up * height
+    }
+}
+
+impl Profile {
+    /// The point that lies farthest in a direction; towards the axis the profile ends there.
+    fn farthest(&self, [wide, high]: [f64; 2]) -> [f64; 2] {
+        let reach = |[x, y]: &[f64; 2]| x * wide + y * high;
+        let farthest = self
+            .points
+            .iter()
+            .max_by(|a, b| reach(a).total_cmp(&reach(b)));
+        let [x, y] = farthest.copied().unwrap_or_default();
+        let size = wide.hypot(high);
+        if wide < 0.0 {
+            return [0.0, if high < 0.0 { 0.0 } else { self.points[4][1] }];
+        }
+        if size == 0.0 {
+            return [x, y];
+        }
+        [x + self.corner * wide / size, y + self.corner * high / size]
+    }
+}
+
+impl NosePiece {
+    fn farthest(&self, direction: &V3) -> V3 {
+        let mut inside = *direction;
+        inside[self.across] = 0.0;
+        self.centre + inside.try_normalize(0.0).unwrap_or_else(V3::zeros) * self.radius
+    }
+}

@@ -1,0 +1,198 @@
+//! A tool probe of a machine: a cube or a disc that a tool touches, and when it switches.
+
+use super::body::frustum::Frustum;
+use super::noise::Noise;
+use super::tool::Piece;
+use super::{Shape, Solid};
+use crate::geometry::convex::{self, Convex, Meeting};
+use crate::geometry::{Path, V3, rigid};
+use nalgebra::IsometryMatrix3;
+
+/// How far a probe gives way without harm, mm: a tool that stands in it deeper cannot be drawn out of it.
+const GIVES_WAY: f64 = 5.0;
+
+/// A tool probe as it is, not as the control believes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ToolProbe {
+    /// Its cap: a [`Shape::Block`] (cube), or a [`Shape::Turned`] without bore (disc). Where it really stands is a matter
+    /// of its errors; of these shift, size, tilt and taper count.
+    pub solid: Solid,
+    /// Travel after contact until the signal, mm.
+    pub pre_travel: f64,
+    /// Delay of the signal, s; multiplies the feed.
+    pub delay: f64,
+    /// Standard deviation of the switching point along the travel, mm, and seed of the pseudo-random sequence.
+    pub repeatability: (f64, u64),
+}
+
+impl ToolProbe {
+    /// A probe without errors.
+    pub fn ideal(solid: Solid) -> ToolProbe {
+        ToolProbe {
+            solid,
+            pre_travel: 0.0,
+            delay: 0.0,
+            repeatability: (0.0, 1),
+        }
+    }
+
+    /// The cap as a convex body; none where it is no cube and no disc.
+    fn cap(&self) -> Option<Cap> {
+        let Solid {
+            shape,
+            at,
+            rotation,
+            errors,
+        } = &self.solid;
+        let form = match *shape {
+            Shape::Block { size: [x, y, z] } => {
+                let block = Frustum::tapered([x + errors.size, y + errors.size], z, errors.taper);
+                Form::Cube([block.ring(true), block.ring(false)])
+            }
+            Shape::Turned {
+                diameter, length, ..
+            } => {
+                let radius = (diameter + errors.size) / 2.0;
+                Form::Disc([radius, radius + errors.taper * length / 2.0], length)
+            }
+            _ => return None,
+        };
+        let turn = rigid::rotation(errors.tilt) * rigid::rotation(*rotation);
+        let place = rigid::placed(V3::from(*at) + V3::from(errors.shift), turn);
+        Some(Cap { form, place })
+    }
+}
+
+/// The cap in its place.
+struct Cap {
+    form: Form,
+    place: IsometryMatrix3<f64>,
+}
+
+enum Form {
+    /// Corners above and below.
+    Cube([[V3; 4]; 2]),
+    /// Radii above and below, height; mm.
+    Disc([f64; 2], f64),
+}
+
+impl Convex for Cap {
+    fn farthest(&self, direction: &V3) -> V3 {
+        let own = self.place.rotation.inverse() * direction;
+        let farthest = match &self.form {
+            Form::Cube(rings) => {
+                let corners = rings.iter().flatten();
+                corners
+                    .max_by(|a, b| a.dot(&own).total_cmp(&b.dot(&own)))
+                    .copied()
+            }
+            Form::Disc([above, below], height) => {
+                let out = V3::new(own.x, own.y, 0.0);
+                let out = out.try_normalize(0.0).unwrap_or_else(V3::zeros);
+                let ends = [out * *above, out * *below - V3::z() * *height];
+                ends.into_iter()
+                    .max_by(|a, b| a.dot(&own).total_cmp(&b.dot(&own)))
+            }
+        };
+        self.place
+            .transform_point(&farthest.unwrap_or_default().into())
+            .coords
+    }
+}
+
+/// What of which probe a tool meets, after which way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contact {
+    /// Index of the probe.
+    pub probe: usize,
+    /// Way until then (0 where it stands in contact), what is touched, and the normal there.
+    pub meeting: Meeting,
+}
+
+/// First contact of a tool with one of the probes; `from` and `to` are the ends of the way of any of its points.
+pub fn first<T: Convex>(
+    probes: &[ToolProbe],
+    tool: &[T],
+    from: [f64; 3],
+    to: [f64; 3],
+) -> Option<Contact> {
+    let path = Path::new(from.into(), to.into());
+    least(probes, tool, &|piece, cap| convex::first(piece, cap, &path))
+}
+
+/// What stops a tool that moves without measuring: as [`first`], but a tool that stands in contact may leave the probe
+/// that has given way under it.
+pub fn obstacle(
+    probes: &[ToolProbe],
+    tool: &[Piece],
+    from: [f64; 3],
+    to: [f64; 3],
+) -> Option<Contact> {
+    let path = Path::new(from.into(), to.into());
+    least(probes, tool, &|piece, cap| {
+        let met = convex::first(piece, cap, &path)?;
+        let leaves = met.way == 0.0 && way_out(piece, cap, &path) <= GIVES_WAY;
+        (!leaves).then_some(met)
+    })
+}
+
+/// Way after which a piece in contact has left the cap, mm; endless where it stands in it at the end as well.
+fn way_out(piece: &Piece, cap: &Cap, path: &Path) -> f64 {
+    let back = Path {
+        direction: -path.direction,
+        ..*path
+    };
+    let there = Moved(piece, path.direction * path.length);
+    match convex::first(&there, cap, &back) {
+        None => 0.0,
+        Some(met) if met.way == 0.0 => f64::INFINITY,
+        Some(met) => path.length - met.way,
+    }
+}
+
+/// A piece at the end of its way.
+struct Moved<'a>(&'a Piece, V3);
+
+impl Convex for Moved<'_> {
+    fn farthest(&self, direction: &V3) -> V3 {
+        self.0.farthest(direction) + self.1
+    }
+}
+
+fn least<T: Convex>(
+    probes: &[ToolProbe],
+    tool: &[T],
+    meet: &dyn Fn(&T, &Cap) -> Option<Meeting>,
+) -> Option<Contact> {
+    let mut found: Option<Contact> = None;
+    for (probe, solid) in probes.iter().enumerate() {
+        let Some(cap) = solid.cap() else { continue };
+        for meeting in tool.iter().filter_map(|piece| meet(piece, &cap)) {
+            if found.is_none_or(|before| meeting.way < before.meeting.way) {
+                found = Some(Contact { probe, meeting });
+            }
+        }
+    }
+    found
+}
+
+/// Moves a tool until a probe switches: what is touched, and the way until the signal, mm. None where no signal comes
+/// before `to`. A tool that stands in contact gives its signal at once.
+pub fn touch(
+    probes: &[ToolProbe],
+    tool: &[Piece],
+    from: [f64; 3],
+    to: [f64; 3],
+    feed: f64,
+    noise: &mut Noise,
+) -> Option<(Contact, f64)> {
+    let contact = first(probes, tool, from, to)?;
+    if contact.meeting.way == 0.0 {
+        return Some((contact, 0.0));
+    }
+    let probe = probes.get(contact.probe)?;
+    let late = probe.pre_travel + probe.delay * feed / 60.0 + noise.scatter(probe.repeatability.0);
+    let signal = (contact.meeting.way + late).max(0.0);
+    let length = Path::new(from.into(), to.into()).length;
+    (signal <= length).then_some((contact, signal))
+}
