@@ -23,7 +23,7 @@ pub enum Severity {
 }
 
 /// Where a problem is named.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Code {
     /// Alarm of the SINUMERIK measuring cycles, 61000..62999 (61xxx stops, 62xxx informs).
     Alarm(u32),

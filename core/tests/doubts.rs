@@ -18,8 +18,13 @@ const PLANE: Code = Own(131);
 const EDGE: Code = Own(133);
 const SPINDLE: Code = Own(134);
 const CALIBRATION: Code = Own(135);
+const DIAMETER: Code = Own(132);
 const FRAME: Code = Own(137);
 const LEVEL: Code = Own(138);
+const OPEN: Code = Own(145);
+const COMPENSATION_LATER: Code = Own(146);
+const NO_TOOL: Code = Own(147);
+const RADIUS: Code = Own(148);
 
 fn found(text: &str) -> Vec<Diagnostic> {
     findings(&read(Dialect::Sinumerik, text.as_bytes()))
@@ -294,5 +299,57 @@ fn a_corrected_frame_is_followed_through_the_calls() {
     assert!(!tells(
         &format!("%_N_L5_SPF\nG54\n{hole}G0 X5\nM17\n"),
         FRAME
+    ));
+}
+
+// oracle: hand (what a setter asks, and what the manual's own programs leave to the reset)
+#[test]
+fn what_nothing_in_the_text_says_is_asked_once() {
+    let main = |before: &str, behind: &str| format!("{before}\n{HOLE}{behind}\nG0 Z100\nM30\n");
+    let plain = main("G17 G54 T9 D1", "");
+    for code in [OPEN, COMPENSATION_LATER, NO_TOOL, RADIUS, DIAMETER, PLANE] {
+        assert!(!tells(&plain, code), "{code:?}");
+    }
+    assert!(tells(&main("G17 G54", ""), NO_TOOL));
+    assert!(tells(&main("G17 G54 D1", ""), NO_TOOL));
+    let later = main("G17 G54 T9 D1", "G41 G1 X10");
+    assert!(tells(&later, COMPENSATION_LATER));
+    assert!(!tells(
+        &main("G17 G40 T9 D1", "G41 G1 X10"),
+        COMPENSATION_LATER
+    ));
+    let sub = format!("%_N_L5_SPF\n{HOLE}{HOLE}M17\n");
+    let all = found(&sub);
+    let open: Vec<_> = all.iter().filter(|one| one.code == OPEN).collect();
+    assert_eq!(open.len(), 1);
+    let said = probewright_core::words::Words::english().text(&open[0].message);
+    assert!(said.contains("G40, G17, T, D"), "{said}");
+    let prepared = format!("%_N_L5_SPF\nG17 G40 T9 D1\n{HOLE}M17\n");
+    assert!(!tells(&prepared, OPEN));
+    assert!(
+        !tells(HOLE, OPEN) && !tells(HOLE, NO_TOOL),
+        "a piece of a program"
+    );
+}
+
+// oracle: manual B:10975 (diameters with DIAMON, else radii)
+#[test]
+fn a_setpoint_that_counts_as_a_radius_is_told_as_a_diameter() {
+    let turned = |mode: &str, axis: i64| {
+        let call = "_MVAR=100 _SETVAL=55 _KNUM=0 _PRNUM=1 _FA=2 _TSA=2";
+        format!("G18 G54 {mode} T8 D1\nG0 X60\n{call} _MA={axis}\nCYCLE974\nM30\n")
+    };
+    assert!(tells(&turned("DIAMOF", 2), RADIUS));
+    assert!(
+        !tells(&turned("DIAMOF", 1), RADIUS),
+        "along Z there is no diameter"
+    );
+    assert!(!tells(&turned("DIAMON", 2), RADIUS));
+    assert!(!tells(&turned("", 2), RADIUS) && tells(&turned("", 2), DIAMETER));
+    // The plane of the caller decides which axis is transverse.
+    let call = "_MVAR=100 _SETVAL=55 _KNUM=0 _PRNUM=1 _FA=2 _TSA=2 _MA=2\nCYCLE974";
+    assert!(tells(
+        &called("G18 G40 DIAMOF T8 D1\nL5\nG17", call),
+        RADIUS
     ));
 }

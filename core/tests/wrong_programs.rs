@@ -1,12 +1,15 @@
 //! Wrong programs with the messages that they give: `tests/wrong/NAME.mpf` and what `probewright check` prints,
-//! `NAME.txt`. `PROBEWRIGHT_UPDATE=1` writes the texts anew; then they are read by a person.
+//! `NAME.txt`; with `NAME.json` it is held against that machine. `PROBEWRIGHT_UPDATE=1` writes the texts anew; then they
+//! are read by a person.
 #![cfg(feature = "cli")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use probewright_core::catalogue::Dialect;
+use probewright_core::control::{Control, delivery};
 use probewright_core::diagnostic::Diagnostic;
+use probewright_core::json::setup_from_json;
 use probewright_core::program::change::apply;
-use probewright_core::program::{findings, read};
+use probewright_core::program::{findings_on, read};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -28,16 +31,17 @@ fn programs() -> Vec<PathBuf> {
 #[test]
 fn wrong_programs_give_helpful_messages() {
     let programs = programs();
-    assert!(programs.len() >= 20, "{}", programs.len());
+    assert!(programs.len() >= 39, "{}", programs.len());
     for path in programs {
         let name = path.file_name().unwrap();
-        let output = Command::new(env!("CARGO_BIN_EXE_probewright"))
-            .env("LC_ALL", "C")
-            .current_dir(folder())
-            .arg("check")
-            .arg(name)
-            .output()
-            .unwrap();
+        let mut command = Command::new(env!("CARGO_BIN_EXE_probewright"));
+        command.env("LC_ALL", "C").current_dir(folder());
+        command.arg("check").arg(name);
+        let machine = path.with_extension("json");
+        if machine.exists() {
+            command.arg("--setup").arg(machine);
+        }
+        let output = command.output().unwrap();
         let printed = String::from_utf8(output.stdout).unwrap();
         let expected = path.with_extension("txt");
         if std::env::var_os("PROBEWRIGHT_UPDATE").is_some() {
@@ -46,6 +50,14 @@ fn wrong_programs_give_helpful_messages() {
         let wanted = std::fs::read_to_string(&expected).unwrap_or_default();
         assert_eq!(printed, wanted.replace("\r\n", "\n"), "{name:?}");
         assert!(!printed.is_empty(), "{name:?} is not wrong");
+    }
+}
+
+/// The machine beside a program, else one as delivered.
+fn machine(path: &Path) -> Control {
+    match std::fs::read_to_string(path.with_extension("json")) {
+        Ok(text) => setup_from_json(&text).unwrap().control,
+        Err(_) => delivery(Dialect::Sinumerik),
     }
 }
 
@@ -59,12 +71,14 @@ fn every_cure_mends_its_finding() {
     let mut cured = 0;
     for path in programs() {
         let source = std::fs::read(&path).unwrap();
-        let program = read(Dialect::Sinumerik, &source);
-        let before = findings(&program);
+        let control = machine(&path);
+        let findings =
+            |source: &[u8]| findings_on(&read(Dialect::Sinumerik, source), control.clone());
+        let before = findings(&source);
         for finding in before.iter().filter(|finding| finding.cure.is_some()) {
             let edits = &finding.cure.as_ref().unwrap().edits;
             assert!(!edits.is_empty(), "{path:?} {finding:?}");
-            let after = findings(&read(Dialect::Sinumerik, &apply(&source, edits)));
+            let after = findings(&apply(&source, edits));
             let count = |list: &[Diagnostic]| list.iter().filter(|one| same(one, finding)).count();
             assert!(
                 count(&after) < count(&before),
@@ -81,5 +95,5 @@ fn every_cure_mends_its_finding() {
             cured += 1;
         }
     }
-    assert!(cured >= 7, "{cured}");
+    assert!(cured >= 12, "{cured}");
 }

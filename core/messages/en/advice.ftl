@@ -6,6 +6,7 @@ advice-write = Write { $name }={ $value } for this call
 
 advice-compensation = Tool radius compensation is on ({ $word }).
 advice-compensation-hint = The cycle has to be called with G40.
+advice-compensation-open = G40 is not programmed before this call, and elsewhere the program switches tool radius compensation on: run again from here, it may still be active.
 advice-plane = No working plane is programmed before this call: the machine's reset state decides in which axes is measured.
 advice-plane-hint = Program the plane, for example { $plane }.
 advice-diameter = Neither DIAMON nor DIAMOF is programmed before this call: the machine's reset state decides whether values of the transverse axis are diameters.
@@ -17,6 +18,12 @@ advice-tool = The tool in use, T{ $tool }, is no workpiece probe (type { $type }
 advice-tool-hint = Change to the probe before the call, or correct the type in the tool list (710, or 580 on a lathe).
 advice-spindle = The spindle is turning: nothing stops it between M3 or M4 and this call.
 advice-spindle-hint = Stop it with M5 before the probe comes near the part.
+advice-open = What is in force at this call depends on another program or on the way through this one: { $words }.
+advice-open-hint = Make sure that each program that comes here has them as the cycle needs them, or program them here.
+advice-tool-none = No tool is programmed before this call: whatever is in the spindle or turret is used, with the D number that is active.
+advice-tool-none-hint = Program T and D before the call.
+advice-radius = With DIAMOF the setpoint { $value } is a radius: the diameter is { $diameter }.
+advice-radius-hint = Program DIAMON before the call if the drawing's diameter was entered.
 advice-calibration = No call of this program calibrates probe { $number }: what the control has in { $data } counts.
 advice-calibration-hint = Check that the probe was calibrated on this machine, or call the calibration first.
 advice-inherited = { $name }={ $value } was written for { $cycle } in line { $line }, where it has another unit.
@@ -25,6 +32,7 @@ advice-frame = The corrected { $frame } is not in force: the program goes on in 
 advice-frame-other = { $frame } was corrected, but the program goes on in { $other } and never takes it.
 advice-frame-basic = The corrected basic frame is not in force: the program goes on with the old one.
 advice-frame-hint = Program { $frame } again behind the call.
+advice-frame-other-hint = Program { $frame } behind the call.
 advice-level = The call stands on program level { $level }; measuring cycles run on the first five.
 advice-level-hint = Call it from a program nearer to the main program.
 

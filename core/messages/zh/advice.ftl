@@ -6,6 +6,7 @@ advice-write = 为此调用写 { $name }={ $value }
 
 advice-compensation = 刀具半径补偿有效（{ $word }）。
 advice-compensation-hint = 调用循环时必须为 G40。
+advice-compensation-open = 此调用之前没有编程 G40，而程序在别处接通刀具半径补偿：从此处再次运行时补偿可能仍然有效。
 advice-plane = 此调用之前没有编程工作平面：在哪些轴上测量由机床的复位状态决定。
 advice-plane-hint = 请编程平面，例如 { $plane }。
 advice-diameter = 此调用之前没有编程 DIAMON 或 DIAMOF：横向轴的值是否为直径由机床的复位状态决定。
@@ -17,6 +18,12 @@ advice-tool = 当前刀具 T{ $tool } 不是工件测量头（类型 { $type }�
 advice-tool-hint = 请在调用前换上测量头，或更正刀具表中的类型（710，车床为 580）。
 advice-spindle = 主轴在旋转：M3 或 M4 与此调用之间没有停止主轴。
 advice-spindle-hint = 测量头接近工件之前请用 M5 停止主轴。
+advice-open = 此调用时有效的状态取决于另一个程序或本程序的执行路径：{ $words }。
+advice-open-hint = 请确保每个执行到此处的程序都已按循环的要求编程，或在此处编程。
+advice-tool-none = 此调用之前没有编程刀具：使用主轴或刀塔中的任意刀具及当前有效的 D 号。
+advice-tool-none-hint = 请在调用之前编程 T 和 D。
+advice-radius = DIAMOF 有效时设定值 { $value } 为半径：直径为 { $diameter }。
+advice-radius-hint = 若输入的是图纸上的直径，请在调用前编程 DIAMON。
 advice-calibration = 此程序没有校准 { $number } 号测量头：以控制系统 { $data } 中的值为准。
 advice-calibration-hint = 请确认测量头已在此机床上校准，或先调用校准。
 advice-inherited = { $name }={ $value } 是第 { $line } 行为 { $cycle } 写的，在那里单位不同。
@@ -25,6 +32,7 @@ advice-frame = 补偿后的 { $frame } 尚未生效：程序仍在原坐标框�
 advice-frame-other = 已补偿 { $frame }，但程序在 { $other } 中继续，始终没有激活它。
 advice-frame-basic = 补偿后的基本框架尚未生效：程序仍使用旧的框架。
 advice-frame-hint = 请在调用之后再次编程 { $frame }。
+advice-frame-other-hint = 请在调用之后编程 { $frame }。
 advice-level = 调用位于第 { $level } 程序级；测量循环只能在前五级运行。
 advice-level-hint = 请在更接近主程序的程序中调用。
 

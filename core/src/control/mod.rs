@@ -33,6 +33,16 @@ pub enum Plane {
 }
 
 impl Plane {
+    /// The plane of G17, G18 or G19; none: another function.
+    pub const fn of(code: u16) -> Option<Plane> {
+        match code {
+            17 => Some(Plane::G17),
+            18 => Some(Plane::G18),
+            19 => Some(Plane::G19),
+            _ => None,
+        }
+    }
+
     /// Indices (X = 0, Y = 1, Z = 2) of abscissa, ordinate, applicate.
     pub const fn axes(self) -> [usize; 3] {
         match self {

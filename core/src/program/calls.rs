@@ -443,7 +443,10 @@ impl Walk<'_> {
     }
 
     fn finish(&mut self, mut site: CallSite) {
-        site.tool = self.tools.use_at(&mut self.control, site.span.start);
+        if self.program.dialect == Dialect::Sinumerik {
+            site.tool = self.tools.use_at(&mut self.control, site.span.start);
+            site.plane = self.control.plane;
+        }
         site.diagnostics = check(site.cycle, &site.values, &self.control).diagnostics;
         let told = |finding: &Diagnostic| self.tools.told(&self.control, finding.code);
         site.diagnostics.retain(told);
@@ -526,10 +529,8 @@ fn modal(control: &mut Control, number: f64) {
     if number.fract() != 0.0 || !(0.0..1000.0).contains(&number) {
         return;
     }
-    match number as u16 {
-        17 => control.plane = Plane::G17,
-        18 => control.plane = Plane::G18,
-        19 => control.plane = Plane::G19,
-        code => drop(control.choose_units(code)),
+    match Plane::of(number as u16) {
+        Some(plane) => control.plane = plane,
+        None => drop(control.choose_units(number as u16)),
     }
 }

@@ -3,7 +3,7 @@
 use super::flow::{Force, Tool, in_force};
 use super::tree::Program;
 use crate::catalogue::Dialect;
-use crate::control::Control;
+use crate::control::{Control, Plane};
 use crate::diagnostic::Code;
 use std::collections::BTreeSet;
 
@@ -26,6 +26,8 @@ pub struct Tools {
     force: Force,
     /// T and D with which the program starts.
     start: (i64, i64),
+    /// Plane with which it starts.
+    plane: Plane,
     /// Edges that the control had before.
     known: BTreeSet<(i64, i64)>,
 }
@@ -42,6 +44,7 @@ impl Tools {
         Tools {
             force,
             start: (control.tool, control.edge),
+            plane: control.plane,
             known: edges.collect(),
         }
     }
@@ -53,10 +56,16 @@ impl Tools {
         }
     }
 
-    /// Puts the tool in use that the call finds, and says what it is. None is in use where the text does not tell.
+    /// Puts plane and tool in force that the call finds, and says what the tool is. None is in use where the text does not
+    /// tell.
     pub fn use_at(&self, control: &mut Control, call: u32) -> Option<ToolInUse> {
         let agreed = self.force.agreed(call).unwrap_or_default();
         (control.tool, control.edge) = self.start;
+        match agreed.plane.is() {
+            Some(plane) => control.plane = *plane,
+            None if agreed.plane.unset() => control.plane = self.plane,
+            None => {}
+        }
         if !agreed.tool.unset() {
             let number = match agreed.tool.is() {
                 Some(Tool::Number(number)) => Some(*number),

@@ -1,6 +1,6 @@
 //! What has to be in force at a call, and values that come from elsewhere by accident.
 
-use super::{Seen, at, with_line};
+use super::{Seen, at, unsaid, with_line};
 use crate::catalogue::{MachineSort, Param, ProbeUse, names};
 use crate::check::{Finding, error, note, warning};
 use crate::control::tools::is_milling_probe;
@@ -15,8 +15,8 @@ use std::collections::BTreeSet;
 pub struct Asked {
     /// Nothing but assignments and calls: a piece of a program, whose surroundings are elsewhere.
     piece: bool,
-    plane: bool,
-    diameter: bool,
+    /// Doubts about what the text does not say.
+    said: BTreeSet<Code>,
     /// Probes that a call of this program calibrated, or that were asked about.
     calibrated: BTreeSet<(bool, i64)>,
 }
@@ -27,8 +27,7 @@ impl Asked {
         let address = |word: &Word| matches!(word.kind, WordKind::Address { .. });
         Asked {
             piece: !program.words.iter().any(address),
-            plane: false,
-            diameter: false,
+            said: BTreeSet::new(),
             calibrated: BTreeSet::new(),
         }
     }
@@ -42,8 +41,11 @@ pub fn look(seen: &Seen, asked: &mut Asked, found: &mut Vec<Diagnostic>) {
     let mut say = |finding: Diagnostic| found.push(at(finding, seen.site.span));
     compensation(seen).map(&mut say);
     if !asked.piece {
-        plane(seen, asked).map(&mut say);
-        diameter(seen, asked).map(&mut say);
+        for finding in unsaid::doubts(seen) {
+            if asked.said.insert(finding.code) {
+                say(finding);
+            }
+        }
         calibration(seen, asked).map(&mut say);
     }
     edge(seen).map(&mut say);
@@ -60,32 +62,6 @@ fn compensation(seen: &Seen) -> Option<Diagnostic> {
     let message = Message::new("advice-compensation").text("word", format!("G{code}"));
     let finding = error(Code::Own(130), message).hint(Message::new("advice-compensation-hint"));
     Some(with_line(finding, seen, seen.site.first_line, "G40"))
-}
-
-/// The cycles measure in the axes of the plane; without one the reset state of the machine decides.
-fn plane(seen: &Seen, asked: &mut Asked) -> Option<Diagnostic> {
-    if !seen.force.plane.unset() || std::mem::replace(&mut asked.plane, true) {
-        return None;
-    }
-    let usual = match seen.site.cycle.purpose.machine {
-        MachineSort::Turning => "G18",
-        _ => "G17",
-    };
-    let message = Message::new("advice-plane");
-    let hint = Message::new("advice-plane-hint").text("plane", usual);
-    let finding = warning(Code::Own(131), message).hint(hint);
-    Some(with_line(finding, seen, seen.site.first_line, usual))
-}
-
-/// On a lathe the setpoint in the transverse axis is a diameter with DIAMON, else a radius (B:10975).
-fn diameter(seen: &Seen, asked: &mut Asked) -> Option<Diagnostic> {
-    let lathe = seen.site.cycle.purpose.machine == MachineSort::Turning;
-    if !lathe || !seen.force.transverse.unset() || std::mem::replace(&mut asked.diameter, true) {
-        return None;
-    }
-    let finding = warning(Code::Own(132), Message::new("advice-diameter"))
-        .hint(Message::new("advice-diameter-hint"));
-    Some(with_line(finding, seen, seen.site.first_line, "DIAMON"))
 }
 
 /// Without a D number alarm 61311 comes.

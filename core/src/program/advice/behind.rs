@@ -100,13 +100,16 @@ pub fn look(
 fn finding(program: &Program, site: &CallSite, frame: &Corrected, waiting: &Waiting) -> Diagnostic {
     let known = frame.cure.map(|code| format!("G{code}"));
     let word = known.clone().unwrap_or("G500, G54 …".to_owned());
-    let message = match (frame.function, waiting.other) {
-        (None, _) => Message::new("advice-frame-basic"),
-        (_, Some(other)) => Message::new("advice-frame-other").text("other", format!("G{other}")),
-        _ => Message::new("advice-frame"),
+    let (message, hint) = match (frame.function, waiting.other) {
+        (None, _) => (Message::new("advice-frame-basic"), "advice-frame-hint"),
+        (_, Some(other)) => {
+            let message = Message::new("advice-frame-other").text("other", format!("G{other}"));
+            (message, "advice-frame-other-hint")
+        }
+        _ => (Message::new("advice-frame"), "advice-frame-hint"),
     };
     let finding = warning(Code::Own(137), message.text("frame", word.as_str()))
-        .hint(Message::new("advice-frame-hint").text("frame", word.as_str()));
+        .hint(Message::new(hint).text("frame", word.as_str()));
     let finding = at(finding, site.span);
     match known {
         Some(word) => behind_call(finding, program, site, &word),

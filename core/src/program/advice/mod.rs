@@ -4,6 +4,7 @@ mod at_call;
 mod behind;
 mod levels;
 mod read_back;
+mod unsaid;
 
 use super::calls::CallSite;
 use super::change::{line_before, line_end};
@@ -44,6 +45,8 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
         let Some(site) = sites.get(index) else {
             continue;
         };
+        at_call.plane = site.plane;
+        at_call.choose_units(site.unit_function);
         let seen = Seen {
             program,
             control,
@@ -51,10 +54,10 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
             index,
             site,
             force: state,
-            inputs: check::read(site.cycle, &site.values, control, &mut Vec::new()),
+            inputs: check::read(site.cycle, &site.values, &at_call, &mut Vec::new()),
         };
         at_call::look(&seen, &mut asked, &mut found);
-        read_back::look(&seen, &mut at_call, &mut found);
+        read_back::look(&seen, &at_call, &mut found);
         if let Some(corrected) = corrected.get_mut(index) {
             *corrected = behind::corrected(&seen);
         }

@@ -44,8 +44,8 @@ impl Marked {
     }
 }
 
-/// Findings at one call. `control` is one to work on; it takes plane and units of the call.
-pub fn look(seen: &Seen, control: &mut Control, found: &mut Vec<Diagnostic>) {
+/// Findings at one call. `control` has plane and units of the call.
+pub fn look(seen: &Seen, control: &Control, found: &mut Vec<Diagnostic>) {
     let site = seen.site;
     let marked = marked(seen);
     let mut say = |finding| found.push(at(finding, site.span));
@@ -53,13 +53,10 @@ pub fn look(seen: &Seen, control: &mut Control, found: &mut Vec<Diagnostic>) {
     let Some(support) = Support::of(site.cycle, seen.control).filter(|_| of_support(site)) else {
         return;
     };
-    control.plane = site.plane;
-    control.choose_units(site.unit_function);
     marked.as_ref().and_then(mask).map(&mut say);
     taken_over(seen, support, control, marked.as_ref()).map(&mut say);
-    let inputs = check::read(site.cycle, &site.values, control, &mut Vec::new());
     let params = site.cycle.params.iter();
-    let targets = params.filter_map(|param| support::finding(support, param, &inputs));
+    let targets = params.filter_map(|param| support::finding(support, param, &seen.inputs));
     targets.for_each(&mut say);
 }
 

@@ -1,6 +1,6 @@
 //! What is in force at a place of a program, as far as its text tells.
 
-use crate::control::Transverse;
+use crate::control::{Plane, Transverse};
 
 /// One thing that is in force.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -50,7 +50,7 @@ pub enum Tool {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct State {
     /// G17, G18 or G19.
-    pub plane: Mode<u16>,
+    pub plane: Mode<Plane>,
     /// G40, G41 or G42.
     pub compensation: Mode<u16>,
     /// G500, G54 to G57, G505 to G599.
@@ -137,7 +137,7 @@ impl State {
     /// A G function.
     pub fn function(&mut self, code: u16) {
         match code {
-            17..=19 => self.plane = Mode::Is(code),
+            17..=19 => self.plane = Plane::of(code).map_or(Mode::Open, Mode::Is),
             40..=42 => self.compensation = Mode::Is(code),
             54..=57 | 500 | 505..=599 => self.frame = Mode::Is(code),
             _ => {}

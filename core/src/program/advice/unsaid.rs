@@ -1,0 +1,122 @@
+//! What the text does not say before a call, so that the state of the machine or another program decides. Each is asked
+//! once a program.
+
+use super::{Seen, with_line};
+use crate::catalogue::{MachineSort, lathe, names};
+use crate::check::{Finding, note, warning};
+use crate::control::Transverse;
+use crate::diagnostic::{Code, Diagnostic};
+use crate::message::Message;
+use crate::program::flow::Mode;
+use crate::program::fold::{self, Known};
+use crate::program::tree::{Program, Word, WordKind};
+
+/// Every doubt of this sort at a call.
+pub fn doubts(seen: &Seen) -> impl Iterator<Item = Diagnostic> {
+    let doubts = [
+        open(seen),
+        plane(seen),
+        compensation(seen),
+        tool(seen),
+        diameter(seen),
+        radius(seen),
+    ];
+    doubts.into_iter().flatten()
+}
+
+fn on_a_lathe(seen: &Seen) -> bool {
+    seen.site.cycle.purpose.machine == MachineSort::Turning
+}
+
+fn usual_plane(seen: &Seen) -> &'static str {
+    if on_a_lathe(seen) { "G18" } else { "G17" }
+}
+
+/// Another program, or the way through this one, decides what is in force.
+fn open(seen: &Seen) -> Option<Diagnostic> {
+    let force = seen.force;
+    let left_open = [
+        ("G40", force.compensation == Mode::Open),
+        (usual_plane(seen), force.plane == Mode::Open),
+        ("T", force.tool == Mode::Open),
+        ("D", force.edge == Mode::Open),
+    ];
+    let words: Vec<&str> = left_open
+        .into_iter()
+        .filter_map(|(word, open)| open.then_some(word))
+        .collect();
+    if words.is_empty() {
+        return None;
+    }
+    let message = Message::new("advice-open").text("words", words.join(", "));
+    Some(note(Code::Own(145), message).hint(Message::new("advice-open-hint")))
+}
+
+/// The cycles measure in the axes of the plane; without one the reset state of the machine decides. That of a lathe is
+/// G18, and the manual's programs for lathes rely on it (B:10425).
+fn plane(seen: &Seen) -> Option<Diagnostic> {
+    if !seen.force.plane.unset() {
+        return None;
+    }
+    let usual = usual_plane(seen);
+    let say = if on_a_lathe(seen) { note } else { warning };
+    let hint = Message::new("advice-plane-hint").text("plane", usual);
+    let finding = say(Code::Own(131), Message::new("advice-plane")).hint(hint);
+    Some(with_line(finding, seen, seen.site.first_line, usual))
+}
+
+/// Compensation is off after a reset; a program that switches it on later may come back to this call with it.
+fn compensation(seen: &Seen) -> Option<Diagnostic> {
+    let switched = |word: &Word| switches_on(seen.program, word);
+    if !seen.force.compensation.unset() || !seen.program.words.iter().any(switched) {
+        return None;
+    }
+    let finding = note(Code::Own(146), Message::new("advice-compensation-open"))
+        .hint(Message::new("advice-compensation-hint"));
+    Some(with_line(finding, seen, seen.site.first_line, "G40"))
+}
+
+fn switches_on(program: &Program, word: &Word) -> bool {
+    match &word.kind {
+        WordKind::Address { name, value, .. } if program.is(*name, "G") => {
+            let code = fold::number(program, *value, &Known::new());
+            code.is_some_and(|code| code == 41.0 || code == 42.0)
+        }
+        _ => false,
+    }
+}
+
+/// Nothing says which tool is in use.
+fn tool(seen: &Seen) -> Option<Diagnostic> {
+    if !seen.force.tool.unset() {
+        return None;
+    }
+    let finding = note(Code::Own(147), Message::new("advice-tool-none"));
+    Some(finding.hint(Message::new("advice-tool-none-hint")))
+}
+
+/// On a lathe the setpoint in the transverse axis is a diameter with DIAMON, else a radius (B:10975).
+fn diameter(seen: &Seen) -> Option<Diagnostic> {
+    if !on_a_lathe(seen) || !seen.force.transverse.unset() {
+        return None;
+    }
+    let finding = warning(Code::Own(132), Message::new("advice-diameter"))
+        .hint(Message::new("advice-diameter-hint"));
+    Some(with_line(finding, seen, seen.site.first_line, "DIAMON"))
+}
+
+/// The setpoint of the transverse axis is taken for a radius; drawings of turned parts give diameters.
+fn radius(seen: &Seen) -> Option<Diagnostic> {
+    let transverse = on_a_lathe(seen) && lathe::params::TRANSVERSE.holds(&seen.inputs);
+    if !transverse || seen.force.transverse.is() != Some(&Transverse::Radius) {
+        return None;
+    }
+    let param = seen.site.cycle.param(names::SETVAL)?;
+    param.need(&seen.inputs)?;
+    let set: f64 = seen.site.values.get(names::SETVAL)?.trim().parse().ok()?;
+    let message = Message::new("advice-radius")
+        .number("value", set)
+        .number("diameter", 2.0 * set);
+    let finding = note(Code::Own(148), message).hint(Message::new("advice-radius-hint"));
+    Some(finding.at(names::SETVAL))
+}
