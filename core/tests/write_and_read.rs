@@ -1,7 +1,7 @@
 //! Writing and reading are inverse, for every variant with values in range; and a change touches its own place only.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use probewright_core::catalogue::{CYCLES, Cycle, Dialect, Kind, Param, Style};
+use probewright_core::catalogue::{CYCLES, Cycle, Dialect, Kind, Param, Style, When};
 use probewright_core::check::{self, Parsed, Typed, parse};
 use probewright_core::control::{Control, Plane, Units, delivery};
 use probewright_core::program::calls::{CallSite, calls};
@@ -69,16 +69,29 @@ fn choosing(cycle: &Cycle, index: usize, part: f64) -> Vec<(String, String)> {
         .find(|param| matches!(param.kind, Kind::Variant(_)));
     let chosen = match by_number {
         Some(param) => Some((param.name, variant.number.to_string())),
-        None => cycle
-            .params
-            .iter()
-            .find(|param| matches!(param.chooses, Some((_, number)) if number == variant.number))
-            .map(|param| (param.name, number(param, part).to_string())),
+        None => return by_address(cycle, variant.number, part),
     };
     chosen
         .into_iter()
         .map(|(name, value)| (name.to_owned(), value))
         .collect()
+}
+
+/// The addresses that choose a variant; one whose value is free gets any.
+fn by_address(cycle: &Cycle, variant: i64, part: f64) -> Vec<(String, String)> {
+    let mut chosen = cycle.params.iter().filter_map(|param| {
+        let one = param.chooses.iter().find(|one| one.variant == variant)?;
+        let free = matches!(one.when, When::Plane(_));
+        let value = match free {
+            true => number(param, part).to_string(),
+            false => one.typed.to_owned(),
+        };
+        Some((param.name.to_owned(), value))
+    });
+    match cycle.params.iter().any(|param| param.chooses.len() > 1) {
+        true => chosen.collect(),
+        false => chosen.next().into_iter().collect(),
+    }
 }
 
 fn control(dialect: Dialect, plane: usize, inch: bool) -> Control {

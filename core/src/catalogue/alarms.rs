@@ -1,7 +1,7 @@
 //! Every alarm of the measuring cycles, and the messages of the NCT macros that the catalogue has: what stops, who
 //! raises it, and whether Probewright finds it. Meaning, cause and cure are words (`alarm-61303`, `.cause`, `.cure`).
 
-use super::{CYCLES, nct};
+use super::{CYCLES, nct, p9920};
 use crate::diagnostic::Code;
 use Found::{Both, Check, Nowhere, Run};
 
@@ -142,6 +142,10 @@ pub static ALARMS: &[Alarm] = &[
     message(nct::OUT_OF_TOLERANCE, Run, "C:1142"),
     message(nct::UPPER_TOLERANCE, Run, "C:1143"),
     message(nct::TOOL_TOO_LARGE, Run, "C:1144"),
+    message(p9920::MEASURING_DEVICE, Nowhere, "C:1204"),
+    message(p9920::DEPRESSED, Nowhere, "C:1204"),
+    message(p9920::TOO_SMALL, Nowhere, "C:1224;C:1245"),
+    message(p9920::INCORRECT, Nowhere, "C:1224;C:1245"),
 ];
 
 const fn alarm(

@@ -17,7 +17,7 @@ pub const PARAM: Param = Param {
     usual: Range::ANY,
     alarm: None,
     needs: &[],
-    chooses: None,
+    chooses: &[],
     labels: &[],
     source: "",
 };

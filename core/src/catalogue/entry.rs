@@ -243,13 +243,23 @@ pub struct Param {
     pub alarm: Option<crate::diagnostic::Code>,
     /// First rule that holds decides; none: not used.
     pub needs: &'static [Need],
-    /// Number of the variant that is chosen by giving it (even 0), in a cycle that has no parameter for the variant
-    /// (NCT: the address of the tool axis makes a boss out of a bore), and where it does so.
-    pub chooses: Option<(When, i64)>,
+    /// Variants that are chosen by giving it (even 0), in a cycle that has no parameter for the variant (NCT: the address
+    /// of the tool axis makes a boss out of a bore). The first that holds counts.
+    pub chooses: &'static [Chooses],
     /// Wording that differs by variant: stem of the first that holds, else [`Param::key`].
     pub labels: &'static [(When, &'static str)],
     /// Place in the manual.
     pub source: &'static str,
+}
+
+/// A variant that an address chooses.
+pub struct Chooses {
+    /// Where it does so.
+    pub when: When,
+    /// Number of the variant.
+    pub variant: i64,
+    /// A value as typed that does it.
+    pub typed: &'static str,
 }
 
 /// What can be entered.

@@ -22,20 +22,21 @@ pub fn example(cycle: &'static Cycle, variant: &Variant) -> Typed {
 /// Values, as typed, that choose a variant: its number, or the address whose presence makes it.
 /// An address that does so in one plane only stands in the plane of a control as delivered.
 pub fn choosing(cycle: &'static Cycle, number: i64) -> Typed {
-    let delivered = check::read(
-        cycle,
-        &Typed::new(),
-        &delivery(cycle.dialect),
-        &mut Vec::new(),
-    );
+    let first = |param: &super::Param| {
+        let typed = param.chooses.first()?.typed;
+        Some((param.name.to_owned(), typed.to_owned()))
+    };
+    let given = one_by_one(cycle.params.iter().filter_map(first));
+    let given = check::read(cycle, &given, &delivery(cycle.dialect), &mut Vec::new());
     let value = |param: &super::Param| {
         if matches!(param.kind, super::Kind::Variant(_)) {
             return Some((param.name.to_owned(), number.to_string()));
         }
-        let (when, chosen) = param.chooses.as_ref()?;
-        let value = if *chosen == number { "0" } else { "" };
-        when.holds(&delivered)
-            .then(|| (param.name.to_owned(), value.to_owned()))
+        let mut choices = param.chooses.iter().filter(|one| one.when.holds(&given));
+        choices.clone().next()?;
+        let chosen = choices.find(|one| one.variant == number);
+        let typed = chosen.map_or("", |one| one.typed);
+        Some((param.name.to_owned(), typed.to_owned()))
     };
     one_by_one(cycle.params.iter().filter_map(value))
 }

@@ -7,7 +7,8 @@ use super::nct::surface::{BALL, FACE, drawn, limits};
 use super::nct::walls::{Outside, Walls, chord, home};
 use super::nct::{self, FORMAT_ERROR, checks, params, part, plane_axis, print};
 use super::{
-    Cycle, Dialect, Drawing, Help, Param, Proposal, Purpose, Simulation, Unit, Variant, When, Work,
+    Chooses, Cycle, Dialect, Drawing, Help, Param, Proposal, Purpose, Simulation, Unit, Variant,
+    When, Work,
 };
 use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
 use crate::check::{Finding, Inputs, error};
@@ -33,8 +34,12 @@ const AXIS: Param = Param {
     ..PARAM
 };
 
-const fn web_in(plane: Plane) -> Option<(When, i64)> {
-    Some((When::Plane(plane), WEB))
+const fn web_in(plane: Plane) -> Chooses {
+    Chooses {
+        when: When::Plane(plane),
+        variant: WEB,
+        typed: "0",
+    }
 }
 
 /// The macro.
@@ -61,21 +66,21 @@ pub static G109: Cycle = Cycle {
         Param {
             name: "X",
             needs: &needs(Plane::G19),
-            chooses: web_in(Plane::G19),
+            chooses: &[web_in(Plane::G19)],
             labels: &[(When::Plane(Plane::G19), "g109-depth")],
             ..AXIS
         },
         Param {
             name: "Y",
             needs: &needs(Plane::G18),
-            chooses: web_in(Plane::G18),
+            chooses: &[web_in(Plane::G18)],
             labels: &[(When::Plane(Plane::G18), "g109-depth")],
             ..AXIS
         },
         Param {
             name: "Z",
             needs: &needs(Plane::G17),
-            chooses: web_in(Plane::G17),
+            chooses: &[web_in(Plane::G17)],
             labels: &[(When::Plane(Plane::G17), "g109-depth")],
             ..AXIS
         },

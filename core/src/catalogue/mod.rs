@@ -45,6 +45,7 @@ pub mod logging;
 pub mod names;
 pub mod nct;
 pub mod operator_messages;
+pub mod p9920;
 pub mod place;
 pub mod shared_checks;
 pub mod sinumerik;
@@ -92,6 +93,7 @@ const ALL: &[&Cycle] = &[
     &g108::G108,
     &g109::G109,
     &g110::G110,
+    &p9920::P9920,
 ];
 
 /// The entry with this name on this control (`CYCLE977`, `G110`; case does not matter).

@@ -76,7 +76,10 @@ fn alarms_have_words_and_stand_once() {
         for (index, code) in alarms.iter().enumerate() {
             assert!(!alarms[..index].contains(code), "{} {code:?}", cycle.name);
             let key = match code {
-                Code::Nct(text) => format!("nct-{}", text.to_lowercase().replace(' ', "-")),
+                Code::Nct(text) => {
+                    let plain = text.trim_end_matches(['?', '!']);
+                    format!("nct-{}", plain.to_lowercase().replace(' ', "-"))
+                }
                 Code::Alarm(number) => format!("alarm-{number}"),
                 Code::Own(number) => panic!("PW{number} is no alarm of a control"),
             };

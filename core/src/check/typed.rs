@@ -251,9 +251,9 @@ fn variant(
 /// The variant that an address chooses by being given; the first one where none does.
 fn chosen(cycle: &'static Cycle, inputs: &Inputs) -> i64 {
     let by_address = cycle.params.iter().find_map(|param| {
-        let (when, number) = param.chooses.as_ref()?;
-        let counts = inputs.given(param.name).is_some() && when.holds(inputs);
-        counts.then_some(*number)
+        inputs.given(param.name)?;
+        let mut chosen = param.chooses.iter();
+        Some(chosen.find(|one| one.when.holds(inputs))?.variant)
     });
     by_address.unwrap_or(inputs.variant)
 }

@@ -87,7 +87,7 @@ pub fn alarm_key(alarm: Code) -> String {
                     }
                 })
                 .collect();
-            format!("nct-{words}")
+            format!("nct-{}", words.trim_end_matches('-'))
         }
         Code::Own(number) => format!("pw{number:03}"),
     }

@@ -254,7 +254,7 @@ mod tests {
         let words = Words::english();
         let mut expected = Vec::new();
         for cycle in CYCLES {
-            let name = format!("{}.md", cycle.name);
+            let name = format!("{}.md", cycle.name.replace(' ', "-"));
             if update {
                 std::fs::create_dir_all(&folder).unwrap();
                 std::fs::write(folder.join(&name), page(cycle, &words)).unwrap();

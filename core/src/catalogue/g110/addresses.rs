@@ -2,7 +2,7 @@
 
 use crate::catalogue::common::{ALWAYS_REQUIRED, PARAM, optional};
 use crate::catalogue::nct::{FORMAT_ERROR, params};
-use crate::catalogue::{Need, Param, Range, Unit, When};
+use crate::catalogue::{Chooses, Need, Param, Range, Unit, When};
 use crate::control::Plane;
 
 /// The address of the tool axis makes it a boss, whatever its value (C:1076).
@@ -17,8 +17,12 @@ const fn in_plane(plane: Plane) -> Need {
     optional(When::Plane(plane), "need-g110-boss")
 }
 
-const fn boss_in(plane: Plane) -> Option<(When, i64)> {
-    Some((When::Plane(plane), super::BOSS))
+const fn boss_in(plane: Plane) -> Chooses {
+    Chooses {
+        when: When::Plane(plane),
+        variant: super::BOSS,
+        typed: "0",
+    }
 }
 
 /// In the order of the block format.
@@ -37,19 +41,19 @@ pub const PARAMS: &[Param] = &[
     Param {
         name: "X",
         needs: &[in_plane(Plane::G19)],
-        chooses: boss_in(Plane::G19),
+        chooses: &[boss_in(Plane::G19)],
         ..AXIS
     },
     Param {
         name: "Y",
         needs: &[in_plane(Plane::G18)],
-        chooses: boss_in(Plane::G18),
+        chooses: &[boss_in(Plane::G18)],
         ..AXIS
     },
     Param {
         name: "Z",
         needs: &[in_plane(Plane::G17)],
-        chooses: boss_in(Plane::G17),
+        chooses: &[boss_in(Plane::G17)],
         ..AXIS
     },
     Param {

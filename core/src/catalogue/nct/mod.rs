@@ -119,10 +119,11 @@ pub const fn axis_name(axis: usize) -> &'static str {
 }
 
 /// The macro that `G65 P…` calls by its program number: O9010 to O9019 are G101 to G110 as delivered (parameters 9041
-/// to 9050, C:58).
+/// to 9050, C:58); others are called by their number only, which is their name.
 pub fn by_program(number: f64) -> Option<&'static Cycle> {
     const FIRST: (f64, f64) = (9010.0, 101.0);
     catalogue::find(Dialect::Nct, &format!("G{}", number - FIRST.0 + FIRST.1))
+        .or_else(|| catalogue::find(Dialect::Nct, &format!("G65 P{number}")))
 }
 
 /// What every macro looks at first: a length is applied and the stylus is free (C:118-121).

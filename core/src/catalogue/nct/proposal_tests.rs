@@ -3,7 +3,7 @@
 
 use super::bench::{along, machine, near};
 use crate::catalogue::example::example;
-use crate::catalogue::{CYCLES, Cycle, Dialect, Variant};
+use crate::catalogue::{CYCLES, Cycle, Dialect, ProbeUse, Variant};
 use crate::check::{Typed, check, read};
 use crate::control::{Control, Plane};
 use crate::form::draw;
@@ -12,9 +12,10 @@ use crate::run::predict;
 const SHIFT: [f64; 3] = [0.21, -0.13, 0.17];
 const SIZE: f64 = 0.01;
 
+/// Those that measure a part, in the plane that is in force.
 fn macros() -> impl Iterator<Item = (&'static Cycle, &'static Variant)> {
     let all = CYCLES.iter().copied();
-    all.filter(|cycle| cycle.dialect == Dialect::Nct)
+    all.filter(|cycle| cycle.dialect == Dialect::Nct && cycle.purpose.probe == ProbeUse::Workpiece)
         .flat_map(|cycle| cycle.variants.iter().map(move |variant| (cycle, variant)))
 }
 

@@ -1,0 +1,139 @@
+//! Addresses of G65 P9920 (C:1216-1243), in the order of the block formats.
+
+use super::{CALIBRATE, DIAMETER, LENGTH};
+use crate::catalogue::common::{ALWAYS_REQUIRED, PARAM, optional, required};
+use crate::catalogue::nct::NUMBER;
+use crate::catalogue::{Chooses, Kind, Param, Range, Unit, When};
+
+const AT_CALIBRATION: When = When::Variant(&[CALIBRATE]);
+const AT_MEASUREMENT: When = When::Variant(&[LENGTH, DIAMETER]);
+
+/// The tool sinks beside the disk.
+const BESIDE: When = When::Variant(&[CALIBRATE, DIAMETER]);
+
+/// A length that may be left out.
+const LENGTH_GIVEN: Param = Param {
+    unit: Unit::ActiveLength,
+    needs: &[optional(When::Always, "need-nct-optional")],
+    ..PARAM
+};
+
+/// T says what is done: 0 calibrates, a register is measured into (C:1219, C:1239).
+const BY_REGISTER: &[Chooses] = &[
+    Chooses {
+        when: When::All(&[When::Given("T"), When::Given("K")]),
+        variant: DIAMETER,
+        typed: "1",
+    },
+    Chooses {
+        when: When::Given("T"),
+        variant: LENGTH,
+        typed: "1",
+    },
+    Chooses {
+        when: When::Always,
+        variant: CALIBRATE,
+        typed: "0",
+    },
+];
+
+/// How the tool turns (C:1240, C:1251).
+const TURNS: &[(i64, &str)] = &[
+    (5, "p9920-m-still"),
+    (3, "p9920-m-right"),
+    (4, "p9920-m-left"),
+    (13, "p9920-m-right-diameter"),
+    (14, "p9920-m-left-diameter"),
+];
+
+/// All of them.
+pub const PARAMS: &[Param] = &[
+    Param {
+        name: "Z",
+        key: "p9920-z",
+        unit: Unit::ActiveLength,
+        range: Range {
+            max: 0.0,
+            ..Range::ANY
+        },
+        needs: ALWAYS_REQUIRED,
+        source: "C:1216;C:1236",
+        ..PARAM
+    },
+    Param {
+        name: "K",
+        key: "p9920-k",
+        range: Range::POSITIVE,
+        usual: Range::closed(2.0, 30.0), // "about 2 mm" at least, C:1252
+        needs: &[optional(AT_MEASUREMENT, "need-p9920-k")],
+        chooses: &[Chooses {
+            when: When::Given("T"),
+            variant: DIAMETER,
+            typed: "5",
+        }],
+        source: "C:1237;C:1252",
+        ..LENGTH_GIVEN
+    },
+    Param {
+        name: "D",
+        key: "p9920-d",
+        range: Range::NOT_NEGATIVE,
+        needs: &[
+            required(AT_CALIBRATION, "need-p9920-reference"),
+            optional(When::Always, "need-p9920-d"),
+        ],
+        labels: &[(AT_CALIBRATION, "p9920-d-reference")],
+        source: "C:1217;C:1238;C:1256",
+        ..LENGTH_GIVEN
+    },
+    Param {
+        name: "H",
+        key: "p9920-h",
+        default: Some(0.0),
+        range: Range::NOT_NEGATIVE,
+        needs: &[optional(AT_CALIBRATION, "need-nct-optional")],
+        source: "C:1218",
+        ..LENGTH_GIVEN
+    },
+    Param {
+        name: "T",
+        key: "p9920-t",
+        range: Range::closed(0.0, 99.0),
+        needs: ALWAYS_REQUIRED,
+        chooses: BY_REGISTER,
+        source: "C:1219;C:1239",
+        ..NUMBER
+    },
+    Param {
+        name: "M",
+        key: "p9920-m",
+        kind: Kind::Choice(TURNS),
+        needs: &[optional(AT_MEASUREMENT, "need-nct-optional")],
+        source: "C:1240;C:1251",
+        ..PARAM
+    },
+    Param {
+        name: "E",
+        key: "p9920-e",
+        default: Some(2.0),
+        range: Range::NOT_NEGATIVE,
+        needs: &[optional(BESIDE, "need-nct-optional")],
+        source: "C:1220;C:1241;C:1256",
+        ..LENGTH_GIVEN
+    },
+    Param {
+        name: "F",
+        key: "p9920-f",
+        unit: Unit::BasicFeed,
+        range: Range::POSITIVE,
+        source: "C:1221;C:1242",
+        ..LENGTH_GIVEN
+    },
+    Param {
+        name: "S",
+        key: "p9920-s",
+        range: Range::POSITIVE,
+        source: "C:1222;C:1243",
+        ..NUMBER
+    },
+];
