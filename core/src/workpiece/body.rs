@@ -6,6 +6,7 @@ use self::frustum::{Frustum, quad, reversed};
 use super::free::FreeSurface;
 use super::{PartErrors, Shape, Solid};
 use crate::geometry::circle::Circle;
+use crate::geometry::feature::Bound;
 use crate::geometry::lobed::{LobedWall, Lobes};
 use crate::geometry::quad::{Quad, Trim};
 use crate::geometry::segment::Segment;
@@ -28,6 +29,8 @@ pub(super) struct Body {
     pub features: Vec<Feature>,
     /// Triangles of a free surface.
     pub free: Option<Arc<FreeSurface>>,
+    /// Where each of them is.
+    pub bounds: Vec<Bound>,
     material: Vec<Piece>,
     cavity: Option<Piece>,
 }
@@ -49,6 +52,7 @@ impl Body {
             place: rigid::placed(V3::from(solid.at) + V3::from(errors.shift), turn),
             features: Vec::new(),
             free: None,
+            bounds: Vec::new(),
             material: Vec::new(),
             cavity: None,
         };
@@ -105,6 +109,7 @@ impl Body {
                 body.material.push(Piece::Ball { radius });
             }
         }
+        body.bounds = body.features.iter().map(Bound::around).collect();
         body
     }
 

@@ -98,7 +98,8 @@ impl Boundary {
                 .place
                 .inverse_transform_point(&V3::from(p).into())
                 .coords;
-            let distance = surface(body, &own).map_or(f64::INFINITY, |(_, distance)| distance);
+            let distance = surface(body, &own, f64::INFINITY);
+            let distance = distance.map_or(f64::INFINITY, |(_, distance)| distance);
             least.min(if body.inside(&own) {
                 -distance
             } else {
@@ -119,10 +120,15 @@ fn start(body: &Body, path: &Path, radius: f64) -> Start {
     if let Some(free) = &body.free {
         return start_at_mesh(&free.mesh, path, radius);
     }
-    let Some((point, distance)) = surface(body, &path.from) else {
+    let inside = body.inside(&path.from);
+    let reach = if inside {
+        f64::INFINITY
+    } else {
+        radius + TOLERANCE
+    };
+    let Some((point, distance)) = surface(body, &path.from, reach) else {
         return Start::Free;
     };
-    let inside = body.inside(&path.from);
     let depth = if inside {
         radius + distance
     } else {
@@ -165,16 +171,28 @@ fn start_at_mesh(mesh: &Mesh, path: &Path, radius: f64) -> Start {
     }
 }
 
-/// Nearest point of the surface, and its distance.
-fn surface(body: &Body, p: &V3) -> Option<(V3, f64)> {
+/// Nearest point of the surface, and its distance; none beyond `reach`, mm.
+fn surface(body: &Body, p: &V3, reach: f64) -> Option<(V3, f64)> {
     if let Some(free) = &body.free {
-        return free.mesh.nearest(p, f64::INFINITY);
+        return free.mesh.nearest(p, reach);
     }
-    body.features
-        .iter()
-        .filter_map(|feature| foot(feature, p))
-        .map(|point| (point, (p - point).norm()))
-        .min_by(|a, b| a.1.total_cmp(&b.1))
+    let place: [f64; 3] = (*p).into();
+    let mut nearest = None;
+    let mut limit = reach;
+    for (feature, bound) in body.features.iter().zip(&body.bounds) {
+        if bound.distance(place) > limit {
+            continue;
+        }
+        let Some(point) = foot(feature, p) else {
+            continue;
+        };
+        let distance = (p - point).norm();
+        if distance <= limit && nearest.is_none_or(|(_, before)| distance < before) {
+            limit = distance;
+            nearest = Some((point, distance));
+        }
+    }
+    nearest
 }
 
 /// First contact with the boundary of a solid; faces win over their own edges.
@@ -184,7 +202,10 @@ fn hit(body: &Body, path: &Path, radius: f64) -> Option<(f64, V3, V3)> {
         return Some((s, point, (path.at(s) - point).try_normalize(0.0)?));
     }
     let mut nearest: Option<(f64, V3, V3)> = None;
-    for feature in &body.features {
+    for (feature, bound) in body.features.iter().zip(&body.bounds) {
+        if bound.distance_of_way(path) > radius + TOLERANCE {
+            continue;
+        }
         let Some(s) = first_on(feature, path, radius) else {
             continue;
         };

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use crate::catalogue::Dialect;
+use crate::catalogue::sinumerik::testing::random_parts;
 use crate::control::Plane;
 use crate::program::read;
 use crate::run::{Limits, Outcome, Setup, run};
@@ -78,7 +79,7 @@ fn an_array_that_is_too_short_is_told_at_its_place() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(32))]
+    #![proptest_config(random_parts(1))]
 
     // oracle: hand (points laid on a circle; numbers have no unit here, so that G70 changes nothing)
     #[test]

@@ -5,7 +5,9 @@
 use super::lines::{Point, along, unit};
 use super::params::PLACES;
 use crate::catalogue::place;
-use crate::catalogue::sinumerik::testing::{at, call, called, close, run, setup, stopped};
+use crate::catalogue::sinumerik::testing::{
+    at, call, called, close, random_parts, run, setup, stopped,
+};
 use crate::check::Inputs;
 use crate::control::{Control, Frame, Plane, Units};
 use crate::run::machine::Sim;
@@ -216,7 +218,7 @@ pub(super) fn close_angle(sim: &Sim, name: &str, angle: f64) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(40))]
+    #![proptest_config(random_parts(1))]
 
     /// The corner and the direction of the reference edge are found again, in the WCS and in the machine, whatever the
     /// opening, its sense and how wrong the set angles are, in mirrored coordinates too.
@@ -252,6 +254,10 @@ proptest! {
             prop_assert!((is - wanted).abs() < 1e-9, "{:?} {:?}", end, wanted);
         }
     }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(40))]
 
     /// With the corrected frame the corner is its zero and the reference edge its abscissa, in every frame that can be
     /// corrected; the applicate and its place stay.

@@ -6,7 +6,7 @@ use super::directions::{angle, directions, in_plane, turned};
 use super::params::{BALL, HOLE, SKEW, UNKNOWN};
 use super::{VARIANTS, propose};
 use crate::catalogue::Dialect;
-use crate::catalogue::sinumerik::testing::{at, call, called, run, stopped};
+use crate::catalogue::sinumerik::testing::{at, call, called, random_parts, run, stopped};
 use crate::check::Inputs;
 use crate::control::{Control, Frame, Plane, Units};
 use crate::run::machine::Sim;
@@ -143,7 +143,7 @@ impl Case {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(4))]
+    #![proptest_config(random_parts(VARIANTS.len()))]
 
     // oracle: hand: the ball switches its radius before the wall, and the spindle stands beside it by the skew
     // (sequence of B:13441-13452 with F1 to F3)
@@ -183,6 +183,10 @@ proptest! {
             prop_assert_eq!(control.spindle, setup.control.spindle);
         }
     }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(4))]
 
     // oracle: hand: the radius before the face, and later by the pre-travel; along the applicate the length counts
     #[test]

@@ -4,7 +4,7 @@
 
 use super::VARIANTS;
 use crate::catalogue::sinumerik::testing::{
-    WIDE_BANDS, at, call, called, close, element, run, setup, solid, touches,
+    WIDE_BANDS, at, call, called, close, element, random_parts, run, setup, solid, touches,
 };
 use crate::check::Inputs;
 use crate::control::{Frame, Plane};
@@ -60,7 +60,7 @@ fn centre_at(variant: i64) -> usize {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(6))]
+    #![proptest_config(random_parts(VARIANTS.len()))]
 
     /// Shifts and sizes of the part are found again, in every variant and plane.
     #[test]
@@ -98,8 +98,11 @@ proptest! {
             }
         }
     }
+}
 
-    /// A zero offset that was corrected and activated leaves nothing to correct.
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(6))]
+
     /// A part that is also turned about the tool axis: the ball meets its walls at an angle, in every variant and plane.
     #[test]
     fn a_turned_part_is_measured_as_geometry_says(

@@ -3,7 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use crate::catalogue::sinumerik::testing::{
-    WIDE_BANDS, at, call, called, close, motions, run, setup, solid, stopped, touches, turns,
+    WIDE_BANDS, at, call, called, close, motions, random_parts, run, setup, solid, stopped,
+    touches, turns,
 };
 use crate::check::Inputs;
 use crate::control::Plane;
@@ -42,7 +43,7 @@ fn inputs(variant: i64, axis: usize, side: f64) -> Inputs {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(12))]
+    #![proptest_config(random_parts(10))]
 
     /// The position of a surface is found again, in every variant, axis, direction and plane.
     #[test]
@@ -66,6 +67,10 @@ proptest! {
             }
         }
     }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(12))]
 
     /// Two points of a face tell by how much the part is turned; the ball meets both at the same angle.
     #[test]

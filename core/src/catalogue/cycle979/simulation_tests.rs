@@ -5,7 +5,8 @@
 use super::VARIANTS;
 use crate::catalogue::Dialect;
 use crate::catalogue::sinumerik::testing::{
-    WIDE_BANDS, alarms, at, call, called, close, element, run, setup, solid, stopped, turns,
+    WIDE_BANDS, alarms, at, call, called, close, element, random_parts, run, setup, solid, stopped,
+    turns,
 };
 use crate::check::Inputs;
 use crate::control::{Frame, Plane};
@@ -75,7 +76,7 @@ fn cases() -> impl Iterator<Item = (i64, bool)> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(6))]
+    #![proptest_config(random_parts(cases().count()))]
 
     // oracle: hand (the part as it was made; a width is found in its direction only)
     #[test]
@@ -106,6 +107,10 @@ proptest! {
             }
         }
     }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(6))]
 
     // oracle: self (afterwards nothing is left to correct), for every sort of frame, in turned and mirrored coordinates
     #[test]

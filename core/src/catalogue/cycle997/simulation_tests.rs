@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::VARIANTS;
-use crate::catalogue::sinumerik::testing::{at, call, run, setup, solid};
+use crate::catalogue::sinumerik::testing::{at, call, random_parts, run, setup, solid};
 use crate::catalogue::{Dialect, find};
 use crate::check::{Inputs, Typed, check};
 use crate::control::{Frame, Plane, Units};
@@ -104,7 +104,7 @@ fn determined(variant: i64, real: f64) -> (f64, f64) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(4))]
+    #![proptest_config(random_parts(VARIANTS.len()))]
 
     /// Each sphere is found where it is, in every variant, plane and system of units.
     #[test]
@@ -148,6 +148,10 @@ proptest! {
             }
         }
     }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(4))]
 
     /// What a skewed probe latches is the same place, as long as triggers, skew and ball come from one calibration. A
     /// signal that comes late along the way is one of paraxial measurement only: at an angle the ball meets the sphere

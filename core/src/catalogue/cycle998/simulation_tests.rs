@@ -3,7 +3,9 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::angles::{Surface, normal};
-use crate::catalogue::sinumerik::testing::{at, call, called, close, run, setup, stopped, touches};
+use crate::catalogue::sinumerik::testing::{
+    at, call, called, close, random_parts, run, setup, stopped, touches,
+};
 use crate::check::Inputs;
 use crate::control::{Control, Frame, Plane};
 use crate::geometry::V3;
@@ -119,12 +121,13 @@ pub(super) fn done(setup: &Setup, inputs: &Inputs) -> Sim {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(8))]
+    #![proptest_config(random_parts(ONE.len()))]
 
-    /// The angle of a face is found again, in every variant, plane and pair of axes, in a turned WCS.
+    /// The angle of a face is found again, in every variant, plane and pair of axes, in a turned WCS. Paraxial
+    /// measurement reaches 31 degree here: on 40 mm the face comes 24 mm nearer, of 28.
     #[test]
     fn one_angle_is_recovered(
-        set in -25.0..25.0_f64, wrong in -9.0..9.0_f64, plane in 0..3_usize, axes in 0..6_usize, turn in -170.0..170.0_f64,
+        set in -22.0..22.0_f64, wrong in -9.0..9.0_f64, plane in 0..3_usize, axes in 0..6_usize, turn in -170.0..170.0_f64,
         mirror in prop::array::uniform3(any::<bool>()),
     ) {
         let (plane, axes) = (PLANES[plane], AXES[axes]);
@@ -163,6 +166,10 @@ proptest! {
             }
         }
     }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(8))]
 
     /// Measured again after the corrected frame was called, nothing is wrong any more: in every frame that can be
     /// corrected.

@@ -11,6 +11,19 @@ use crate::run::trace::{MotionKind, Step};
 use crate::run::{Setup, Stop};
 use crate::workpiece::{PartErrors, Shape, Solid};
 use nalgebra::{Matrix3, Rotation3};
+use proptest::test_runner::{Config, RngSeed};
+
+/// Parts by which each cycle shows that it finds what is there.
+const PARTS: u32 = 2000;
+
+/// Random parts, thousands a cycle where each case measures so many of them, and always the same ones.
+pub fn random_parts(each: usize) -> Config {
+    Config {
+        rng_seed: RngSeed::Fixed(977),
+        failure_persistence: None,
+        ..Config::with_cases(PARTS.div_ceil(each as u32))
+    }
+}
 
 /// T number of the tool to be corrected: an end mill with all lengths and a radius.
 pub const MILL: i64 = 20;
