@@ -112,7 +112,7 @@ async function typed(page) {
       const [began, ended] = await Promise.all([before, drawn]);
       times.push(handled + ended - began);
     }
-    return times.slice(10).sort((a, b) => a - b);
+    return times.slice(30).sort((a, b) => a - b); // the first ones compile what the others use
   });
 }
 
@@ -194,7 +194,7 @@ async function wire(browser) {
   }
 }
 
-const browser = await launch("webgl2");
+const browser = await launch("as-it-is");
 try {
   const { page, context } = await open(browser, { serviceWorkers: "block" });
   await page.locator(".field").first().waitFor();

@@ -14,12 +14,15 @@ export const address = process.env.PROBEWRIGHT_URL ?? "http://127.0.0.1:4173/";
 const always = ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking",
   "--disable-component-update", "--disable-sync"];
 
-// The four set-ups. Software rendering everywhere, so that a machine without a GPU shows the same.
+// The set-ups. Software rendering everywhere, so that a machine without a GPU shows the same.
 // `webgpu-blank`: an adapter is found, but nothing is ever drawn; only pixels tell.
+// `as-it-is`: what Chromium does by itself on a machine without a graphics card, for measurements. Where `--use-angle`
+// forces software, it also puts the page itself together that way, at several times the cost.
 export const setups = {
   "webgpu": ["--enable-unsafe-webgpu", "--enable-features=Vulkan", "--use-vulkan=swiftshader", "--use-angle=swiftshader"],
   "webgpu-blank": ["--enable-unsafe-webgpu", "--use-angle=swiftshader"],
   "webgl2": ["--use-angle=swiftshader"],
+  "as-it-is": ["--enable-unsafe-swiftshader"],
   "neither": ["--disable-gpu", "--disable-3d-apis"],
 };
 

@@ -16,16 +16,16 @@ export interface LineMarks { calls: { from: number; to: number; open: boolean }[
 export interface EditorHost { typed(changes: { from: number; to: number; insert: string }[]): void; moved(offset: number, line: number): void }
 /** Its name, and what it says by itself: the editor's own English words with those to be shown. */
 export interface EditorWords { label: string; phrases: Record<string, string> }
+/** `apart`: a step of its own to undo, however soon it follows. Places are those in the text as it is then. */
+export interface Shown { text?: string; apart?: boolean; marks?: LineMarks; problems?: Mark[] }
 export interface Editor {
   view: EditorView;
   setWords(words: EditorWords): void;
   /** Remembers what is in sight, and brings it there again. */
   keepPlace(): () => void;
-  /** apart: a step of its own to undo, however soon it follows. */
-  setText(text: string, apart: boolean): void;
   setDialect(dialect: Dialect): void;
-  setMarks(marks: LineMarks): void;
-  setProblems(problems: Mark[]): void;
+  /** What is told and differs, in one step: each by itself lays out the page once more. */
+  set(next: Shown): void;
   select(offset: number): void;
   selectLine(line: number): void;
 }
@@ -115,17 +115,18 @@ export function createEditor(box: HTMLElement, words: EditorWords, host: EditorH
       const place = view.scrollSnapshot();
       return () => apply(() => view.dispatch({ effects: place }));
     },
-    setText(text, apart) {
-      const change = difference(view.state.doc.toString(), text.replace(/\r\n?/g, "\n"));
-      if (change) apply(() => view.dispatch({ changes: change, annotations: [Transaction.addToHistory.of(true), ...(apart ? [isolateHistory.of("full")] : [])] }));
+    set({ text, apart, marks, problems }) {
+      const change = text === undefined ? null : difference(view.state.doc.toString(), text.replace(/\r\n?/g, "\n"));
+      const told = problems ? [setDiagnostics(view.state, problems).effects ?? []].flat() : [];
+      const effects = [...marks ? [marksEffect.of(marks)] : [], ...told];
+      const step = change ? { changes: change, annotations: [Transaction.addToHistory.of(true), ...(apart ? [isolateHistory.of("full")] : [])] } : {};
+      if (change || effects.length) apply(() => view.dispatch({ ...step, effects }));
     },
     setDialect(next) {
       if (next === dialect) return;
       dialect = next;
       apply(() => view.dispatch({ effects: language.reconfigure(LANGUAGES[next]) }));
     },
-    setMarks: (marks) => apply(() => view.dispatch({ effects: marksEffect.of(marks) })),
-    setProblems: (problems) => apply(() => view.dispatch(setDiagnostics(view.state, problems))),
     select,
     selectLine: (line) => select(view.state.doc.line(Math.max(1, Math.min(line, view.state.doc.lines))).from),
   };

@@ -59,6 +59,17 @@ export function quad(into: Mesh, points: [Vec3, Vec3, Vec3, Vec3], normals: [Vec
   face(into, [i, o, p], [a, c, d], [k, m, n]);
 }
 
+/** A smooth band between two rows of as many points: a corner and its normal serve all faces around them. */
+export function band(into: Mesh, upper: Vec3[], lower: Vec3[], normals: { upper: Vec3[]; lower: Vec3[] }, closed: boolean, paint: Paint): void {
+  const above = upper.map((point, i) => vertex(into, point, normals.upper[i]!, paint));
+  const below = lower.map((point, i) => vertex(into, point, normals.lower[i]!, paint));
+  for (let i = 0; i < upper.length - (closed ? 0 : 1); i++) {
+    const k = (i + 1) % upper.length;
+    face(into, [above[i]!, above[k]!, below[k]!], [upper[i]!, upper[k]!, lower[k]!], [normals.upper[i]!, normals.upper[k]!, normals.lower[k]!]);
+    face(into, [above[i]!, below[k]!, below[i]!], [upper[i]!, lower[k]!, lower[i]!], [normals.upper[i]!, normals.lower[k]!, normals.lower[i]!]);
+  }
+}
+
 /** A flat quadrilateral; `outside` says roughly where its outside is. */
 export function flat(into: Mesh, points: [Vec3, Vec3, Vec3, Vec3], outside: Vec3, paint: Paint): void {
   const [a, b, c, d] = points;

@@ -1,53 +1,66 @@
 // Letters over the picture: names of axes and coordinate systems, and the small triad in the corner.
+import { drawInto, type Drawn } from "../draw";
+import { svg } from "../dom";
 import { basis, projector } from "./camera";
 import type { Frame } from "./backend";
 import type { Colours } from "./colours";
 import type { Scene } from "./scene";
 
-const SVG = "http://www.w3.org/2000/svg";
 const CORNER = { x: 46, y: 76 }; // CSS pixels from the lower left corner, above the line of the step
 const ARM = 24;
+const SMALLEST = 4; // radius of the ring around the ball
+const BELOW = 18;   // from an origin to its name
+const LINE = 14;    // from one name to the next
+const NEAR = 80;    // names that are closer than this side by side would touch
 
 export function overlay(host: HTMLElement): SVGSVGElement {
-  const element = document.createElementNS(SVG, "svg");
-  element.setAttribute("aria-hidden", "true");
+  const element = svg("svg", { "aria-hidden": "true" });
   Object.assign(element.style, { position: "absolute", inset: "0", width: "100%", height: "100%", pointerEvents: "none" });
   host.append(element);
   return element;
 }
 
 export function drawOverlay(element: SVGSVGElement, scene: Scene, frame: Frame): void {
-  const project = projector(frame.camera, frame.view);
-  const names = scene.labels.map(({ at, text: words, colour }) => {
-    const { x, y } = project(at);
-    return text(x, y, words, colour, scene.colours);
-  });
-  element.replaceChildren(...names, ...triad(scene.colours, frame));
+  drawInto(element, [...ring(scene, frame), ...names(scene, frame), ...triad(scene.colours, frame)]);
 }
 
-function triad(colours: Colours, frame: Frame): SVGElement[] {
+/** Tells where the ball is, behind a part too. */
+function ring(scene: Scene, { camera, view, probe }: Frame): Drawn[] {
+  if (!probe) return [];
+  const { x, y } = projector(camera, view)(probe);
+  const r = Math.max(SMALLEST, scene.trace.ball.radius * camera.scale + 1);
+  const circle = (stroke: string, width: number): Drawn => ({ tag: "circle", attributes: { cx: x, cy: y, r, fill: "none", stroke, "stroke-width": width } });
+  return [circle(scene.colours.background, 3.5), circle(scene.colours.ball, 2)];
+}
+
+/** One below the other where several coordinate systems have their origins at one place. */
+function names(scene: Scene, { camera, view }: Frame): Drawn[] {
+  const project = projector(camera, view);
+  const taken: { x: number; y: number }[] = [];
+  return scene.labels.map(({ at, text: words, colour, below }) => {
+    const place = project(at);
+    const spot = { x: place.x, y: place.y + (below ? BELOW : 0) };
+    while (below && taken.some(({ x, y }) => Math.abs(x - spot.x) < NEAR && Math.abs(y - spot.y) < LINE)) spot.y += LINE;
+    if (below) taken.push(spot);
+    return text(spot.x, spot.y, words, colour, scene.colours);
+  });
+}
+
+function triad(colours: Colours, frame: Frame): Drawn[] {
   const { right, up, back } = basis(frame.camera);
   const [x0, y0] = [CORNER.x, frame.view.height - CORNER.y];
   const axes = (["X", "Y", "Z"] as const).map((name, i) => ({ name, dx: right[i]!, dy: -up[i]!, near: back[i]!, colour: [colours.axisX, colours.axisY, colours.axisZ][i]! }));
-  return axes.sort((a, b) => a.near - b.near).flatMap(({ name, dx, dy, colour }) => {
-    const line = make("line", { x1: x0, y1: y0, x2: x0 + ARM * dx, y2: y0 + ARM * dy, stroke: colour, "stroke-width": 2, "stroke-linecap": "round" });
+  return axes.sort((a, b) => a.near - b.near).flatMap(({ name, dx, dy, colour }): Drawn[] => {
+    const line: Drawn = { tag: "line", attributes: { x1: x0, y1: y0, x2: x0 + ARM * dx, y2: y0 + ARM * dy, stroke: colour, "stroke-width": 2, "stroke-linecap": "round" } };
     const towards = Math.hypot(dx, dy) < 0.2;
     return towards ? [line] : [line, text(x0 + (ARM + 10) * dx, y0 + (ARM + 10) * dy, name, colour, colours)];
   });
 }
 
-function text(x: number, y: number, words: string, colour: string, colours: Colours): SVGElement {
-  const element = make("text", {
+function text(x: number, y: number, words: string, colour: string, colours: Colours): Drawn {
+  const attributes = {
     x, y, fill: colour, stroke: colours.background, "stroke-width": 3, "paint-order": "stroke", "stroke-linejoin": "round",
     "text-anchor": "middle", "dominant-baseline": "central", "font-size": 12, "font-weight": 600,
-  });
-  element.style.fontFamily = "inherit";
-  element.textContent = words;
-  return element;
-}
-
-function make(name: string, attributes: Record<string, string | number>): SVGElement {
-  const element = document.createElementNS(SVG, name);
-  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, String(value));
-  return element;
+  };
+  return { tag: "text", attributes, text: words };
 }

@@ -5,7 +5,8 @@ import type { Line, Style } from "./mesh";
 import { along, pieces, type Motion } from "./route";
 import { add, times, type Box } from "./vec";
 
-export interface Label { at: Vec3; text: string; colour: string }
+/** `below`: under its point on the screen, clear of what stands there. */
+export interface Label { at: Vec3; text: string; colour: string; below?: boolean }
 
 const BEHIND = 0.42; // opacity of paths behind a part
 
@@ -75,7 +76,7 @@ export function frameLines(frames: Trace["frames"], colours: Colours, length: nu
     axes.map(([, colour], i): Line => ({ from: at, to: add(at, times(directions[i]!, length)), style: { colour: parse(colour), width: 2.25, through: 0.45 } })));
   const labels = frames.flatMap(({ name, at, axes: directions }): Label[] => [
     ...axes.map(([text, colour], i) => ({ at: add(at, times(directions[i]!, 1.14 * length)), text, colour })),
-    { at: add(at, times(add(directions[0], directions[1]), -0.3 * length)), text: name, colour: colours.text },
+    { at, text: name, colour: colours.text, below: true },
   ]);
   return { lines, labels };
 }

@@ -29,15 +29,16 @@ export function standing(trace: Trace, index: number): Solid[] {
   return trace.solids;
 }
 
-/** `exaggeration`: how many times as large the errors of parts are drawn. `solids`: the part as it stands. */
-export function buildScene(trace: Trace, colours: Colours, exaggeration = 1, solids = trace.solids): Scene {
-  const parts = solids.map((solid) => part(solid, exaggeration, parse(colours.part), parse(colours.edge)));
+/** `exaggeration`: how many times as large the errors of parts are drawn. `solids`: the part as it stands. `pieces`: of a
+ *  long face, for a way of drawing that needs it. */
+export function buildScene(trace: Trace, colours: Colours, exaggeration = 1, solids = trace.solids, pieces = 1): Scene {
+  const parts = solids.map((solid) => part(solid, exaggeration, parse(colours.part), parse(colours.edge), pieces));
   const all = mesh();
   for (const { mesh: own } of parts) append(all, own);
   const solidBox = boxOf(all);
   const box = around(trace, solidBox);
   const size = Math.hypot(...sub(box.max, box.min));
-  const zones = (trace.zones ?? []).map((solid) => zone(solid, parse(colours.zone)));
+  const zones = (trace.zones ?? []).map((solid) => zone(solid, parse(colours.zone), pieces));
   const moves = trace.entries.some((entry) => entry.step === "motion");
   const solidCorners = moves ? addStylus(all, trace.ball, { ball: parse(colours.ball), stylus: parse(colours.stylus) }, 0.3 * size) : all.corners.length;
   for (const { mesh: own } of zones) append(all, own);

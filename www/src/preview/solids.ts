@@ -1,16 +1,17 @@
 // Parts of the trace as triangles and edges, errors included.
 import type { Solid, Vec3 } from "../wire";
 import type { Rgba } from "./colours";
-import { flat, mesh, quad, triangle, VERTEX_FLOATS, type Line, type Mesh, type Paint, type Style } from "./mesh";
+import { band, flat, mesh, quad, triangle, VERTEX_FLOATS, type Line, type Mesh, type Paint, type Style } from "./mesh";
 import { surface } from "./surface";
 import { border, circle, CIRCLE_POINTS, normals, rectangle, type Outline, type Vec2 } from "./outline";
 import { add, apply, radians, rpy, times, unit } from "./vec";
 
 export interface Part { mesh: Mesh; edges: Line[] }
-export interface Look { paint: Paint; edge: Style }
+/** `pieces`: into how many a long face is cut. */
+export interface Look { paint: Paint; edge: Style; pieces: number }
 
-const WALL_LAYERS = 6;
-const EXTRUDE_PARTS = 6;
+/** Enough for faces that are drawn one over the other in the order of their distance: long ones have no one distance. */
+export const SORTED_PIECES = 6;
 const BALL_ROWS = 24; // from pole to pole; even, so that one is the equator
 const ZONE_OPACITY = 0.22;
 
@@ -24,19 +25,19 @@ export function exaggerated(errors: Solid["errors"], factor: number): Solid["err
 }
 
 /** A part in machine coordinates. */
-export function part(solid: Solid, factor: number, colour: Rgba, edge: Rgba): Part {
+export function part(solid: Solid, factor: number, colour: Rgba, edge: Rgba, pieces: number): Part {
   const errors = exaggerated(solid.errors, factor);
-  const look: Look = { paint: { colour }, edge: { colour: edge, width: 1.25, through: 0.16 } };
+  const look: Look = { paint: { colour }, edge: { colour: edge, width: 1.25, through: 0.16 }, pieces };
   const own = solid.surface ? surface(solid.surface, look) : build(solid.shape, solid.size, errors, look);
   return placed(own, placement(solid, errors));
 }
 
 /** The walls of a protection zone, seen through, with their rims. */
-export function zone(solid: Solid, colour: Rgba): Part {
+export function zone(solid: Solid, colour: Rgba, pieces: number): Part {
   const [a = 10, b = 10, c = 10] = solid.size;
   const [outline, height] = solid.shape === "shaft" ? [circle(a, solid.errors), b]
     : solid.shape === "web" ? [rectangle(a, c, solid.errors), b] : [rectangle(a, b, solid.errors), c];
-  const look: Look = { paint: { colour: [colour[0], colour[1], colour[2], ZONE_OPACITY] }, edge: { colour, width: 1.5, dash: 7, through: 0.5 } };
+  const look: Look = { paint: { colour: [colour[0], colour[1], colour[2], ZONE_OPACITY] }, edge: { colour, width: 1.5, dash: 7, through: 0.5 }, pieces };
   const own: Part = { mesh: mesh(), edges: rims(outline, height, look) };
   walls(own.mesh, outline, 0, height, 1, look);
   return placed(own, placement(solid, solid.errors));
@@ -160,10 +161,10 @@ function cutFace(into: Mesh, outline: Outline, length: number, bore: Outline, de
   const outside = (z: number): Vec3 => at(outline.at(z)[end]!, -z);
   const inside = (z: number): Vec3 => at(bore.at(z)[end]!, -z);
   const cut: Vec3 = [0, 1, 0];
-  for (let layer = 0; layer < WALL_LAYERS; layer++) {
-    const [a, b] = [layer, layer + 1].map((k) => (depth * k) / WALL_LAYERS) as [number, number];
+  for (let piece = 0; piece < look.pieces; piece++) {
+    const [a, b] = [piece, piece + 1].map((k) => (depth * k) / look.pieces) as [number, number];
     flat(into, [inside(a), outside(a), outside(b), inside(b)], cut, look.paint);
-    const [c, d] = [layer, layer + 1].map((k) => depth + ((length - depth) * k) / WALL_LAYERS) as [number, number];
+    const [c, d] = [piece, piece + 1].map((k) => depth + ((length - depth) * k) / look.pieces) as [number, number];
     flat(into, [[0, 0, -c], outside(c), outside(d), [0, 0, -d]], cut, look.paint);
   }
   const corners = [outside(0), outside(length), [0, 0, -length] as Vec3, [0, 0, -depth] as Vec3, inside(depth), inside(0)];
@@ -171,17 +172,21 @@ function cutFace(into: Mesh, outline: Outline, length: number, bore: Outline, de
 }
 
 /** Walls between two depths; `side` +1: solid inside the contour, −1: outside; of a circle perhaps the half on the side of −Y. */
-function walls(into: Mesh, outline: Outline, from: number, to: number, side: number, { paint }: Look, halved = false): void {
-  for (let layer = 0; layer < WALL_LAYERS; layer++) {
-    const [d0, d1] = [0, 1].map((end) => from + ((to - from) * (layer + end)) / WALL_LAYERS) as [number, number];
-    const [upper, lower] = [outline.at(d0), outline.at(d1)];
-    const facing = normals(upper, outline.smooth).map(([x, y]): Vec3 => [x * side, y * side, 0]);
-    upper.forEach((point, i) => {
-      if (halved && i < HALF_POINTS) return;
-      const next = (i + 1) % upper.length;
-      const [here, there] = [facing[i]!, facing[outline.smooth ? next : i]!];
-      const corners: [Vec3, Vec3, Vec3, Vec3] = [at(point, -d0), at(upper[next]!, -d0), at(lower[next]!, -d1), at(lower[i]!, -d1)];
-      quad(into, corners, [here, there, there, here], paint);
+function walls(into: Mesh, outline: Outline, from: number, to: number, side: number, { paint, pieces }: Look, halved = false): void {
+  for (let piece = 0; piece < pieces; piece++) {
+    const [d0, d1] = [0, 1].map((end) => from + ((to - from) * (piece + end)) / pieces) as [number, number];
+    const [above, below] = [outline.at(d0), outline.at(d1)];
+    const facing = normals(above, outline.smooth).map(([x, y]): Vec2 => [x * side, y * side]);
+    if (outline.smooth) {
+      const chosen = (points: Vec2[], z: number): Vec3[] => (halved ? half(points) : points).map((point) => at(point, z));
+      const outside = chosen(facing, 0);
+      band(into, chosen(above, -d0), chosen(below, -d1), { upper: outside, lower: outside }, !halved, paint);
+      continue;
+    }
+    facing.forEach((direction, i) => {
+      const next = (i + 1) % above.length;
+      const normal = at(direction, 0);
+      quad(into, [at(above[i]!, -d0), at(above[next]!, -d0), at(below[next]!, -d1), at(below[i]!, -d1)], [normal, normal, normal, normal], paint);
     });
   }
 }
@@ -240,12 +245,12 @@ function sphere(radius: number, look: Look): Part {
     const [down, turn] = [(row * Math.PI) / BALL_ROWS, (column * Math.PI) / BALL_ROWS];
     return [Math.sin(down) * Math.cos(turn), Math.sin(down) * Math.sin(turn), Math.cos(down)];
   };
-  for (let row = 0; row < BALL_ROWS; row++) {
-    for (let column = 0; column < 2 * BALL_ROWS; column++) {
-      const facing = [point(row, column), point(row, column + 1), point(row + 1, column + 1), point(row + 1, column)] as [Vec3, Vec3, Vec3, Vec3];
-      quad(into, facing.map((direction) => times(direction, radius)) as [Vec3, Vec3, Vec3, Vec3], facing, look.paint);
-    }
-  }
+  const rows = Array.from({ length: BALL_ROWS + 1 }, (_, row) => Array.from({ length: 2 * BALL_ROWS }, (_, column) => point(row, column)));
+  rows.slice(1).forEach((lower, above) => {
+    const upper = rows[above]!;
+    const grown = (row: Vec3[]): Vec3[] => row.map((direction) => times(direction, radius));
+    band(into, grown(upper), grown(lower), { upper, lower }, true, look.paint);
+  });
   const equator = Array.from({ length: 2 * BALL_ROWS }, (_, column): Vec2 => {
     const [x, y] = point(BALL_ROWS / 2, column);
     return [x * radius, y * radius];
@@ -304,8 +309,8 @@ function extruded({ outline, pieces }: Profile, length: number, look: Look): Par
   outline.forEach((from, i) => {
     const to = outline[(i + 1) % outline.length]!;
     const outside: Vec3 = [to[1] - from[1], 0, from[0] - to[0]];
-    for (let k = 0; k < EXTRUDE_PARTS; k++) {
-      const [y0, y1] = [-h + (length * k) / EXTRUDE_PARTS, -h + (length * (k + 1)) / EXTRUDE_PARTS];
+    for (let k = 0; k < look.pieces; k++) {
+      const [y0, y1] = [-h + (length * k) / look.pieces, -h + (length * (k + 1)) / look.pieces];
       flat(own.mesh, [point(from, y0), point(to, y0), point(to, y1), point(from, y1)], outside, look.paint);
     }
     own.edges.push({ from: point(from, -h), to: point(from, h), style: look.edge });

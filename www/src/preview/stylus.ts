@@ -1,11 +1,12 @@
 // The probe: ball and stylus solid, the body above them seen through, the centre of the ball at 0 0 0.
 import type { Vec3 } from "../wire";
 import type { Rgba } from "./colours";
-import { quad, type Mesh, type Paint } from "./mesh";
-import { apply, fromZ, times, unit } from "./vec";
+import { band, type Mesh, type Paint } from "./mesh";
+import { apply, fromZ, unit } from "./vec";
 
 const AROUND = 24;
 const BALL_LAYERS = 14;
+const TURNS = Array.from({ length: AROUND }, (_, i) => (2 * Math.PI * i) / AROUND).map((angle): [number, number] => [Math.cos(angle), Math.sin(angle)]);
 
 /** `radius` of the ball and `length` from it to the spindle in mm; `axis` from the ball to the spindle. */
 export interface Ball { radius: number; length: number; axis?: Vec3 }
@@ -22,7 +23,7 @@ export function addStylus(into: Mesh, ball: Ball, colours: { ball: Rgba; stylus:
   const solid = into.corners.length;
   const [red, green, blue] = colours.stylus;
   const profile: [number, number][] = [[0.45 * r, reach], [2.2 * r, reach + 1.2 * r], [2.2 * r, Math.max(body, reach + 3 * r)]];
-  turned(into, profile, place, { colour: [red, green, blue, 0.4], moves: true });
+  turned(into, profile, place, { colour: [red, green, blue, 0.6], moves: true });
   return solid;
 }
 
@@ -37,16 +38,11 @@ function sphere(r: number): [number, number][] {
 /** A profile turned about Z; on a sphere the normals are radial, elsewhere they belong to each piece. */
 function turned(into: Mesh, profile: [number, number][], place: (p: Vec3) => Vec3, paint: Paint): void {
   const round = profile.length === BALL_LAYERS + 1;
+  const row = (r: number, z: number): Vec3[] => TURNS.map(([cosine, sine]) => place([r * cosine, r * sine, z]));
   for (let layer = 0; layer + 1 < profile.length; layer++) {
     const [[r0, z0], [r1, z1]] = [profile[layer]!, profile[layer + 1]!];
-    const slope: [number, number] = [z1 - z0, r0 - r1];
-    for (let i = 0; i < AROUND; i++) {
-      const ends = [i, i + 1].map((k) => (2 * Math.PI * k) / AROUND) as [number, number];
-      const corner = (angle: number, r: number, z: number) => place([r * Math.cos(angle), r * Math.sin(angle), z]);
-      const points: [Vec3, Vec3, Vec3, Vec3] = [corner(ends[0], r0, z0), corner(ends[1], r0, z0), corner(ends[1], r1, z1), corner(ends[0], r1, z1)];
-      const facing = ends.map((angle) => unit(corner(angle, ...slope)));
-      const normals: Vec3[] = round ? points.map((p) => unit(times(p, 1))) : [facing[0]!, facing[1]!, facing[1]!, facing[0]!];
-      quad(into, points, normals as [Vec3, Vec3, Vec3, Vec3], paint);
-    }
+    const [lower, upper] = [row(r0, z0), row(r1, z1)];
+    const slope = round ? [] : row(z1 - z0, r0 - r1).map(unit);
+    band(into, upper, lower, round ? { upper: upper.map(unit), lower: lower.map(unit) } : { upper: slope, lower: slope }, true, paint);
   }
 }

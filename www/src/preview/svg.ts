@@ -1,5 +1,7 @@
 // The 3D view without a GPU: the same scene and camera as SVG. Faces from the farthest to the nearest, then the lines,
 // which are fainter where they lie behind a face.
+import { svg } from "../dom";
+import { drawInto, type Drawn } from "../draw";
 import type { Vec3 } from "../wire";
 import { COMING, type Backend, type Frame } from "./backend";
 import { basis, projector, type Projected } from "./camera";
@@ -10,13 +12,12 @@ import { VERTEX_FLOATS, type Line, type Mesh } from "./mesh";
 import type { Scene } from "./scene";
 import { add, cross, dot, mix, sub, unit } from "./vec";
 
-const SVG = "http://www.w3.org/2000/svg";
 const PIECE = 5;       // CSS pixels between two looks at whether a line is hidden
 const PIECES = 400;    // at most so many looks a line
 const SLACK = 0.004;   // a line on a face is before it; share of the radius of the scene
 
 export function openSvg(host: HTMLElement): Backend {
-  const element = document.createElementNS(SVG, "svg");
+  const element = svg("svg");
   host.prepend(element);
   let scene: Scene | null = null;
   return {
@@ -34,10 +35,10 @@ function paint(element: SVGSVGElement, scene: Scene, frame: Frame): void {
   const solid = faces(scene, frame, 0, scene.solidCorners);
   for (const { points } of solid) cover(depth, points);
   const clear = faces(scene, frame, scene.solidCorners, scene.mesh.corners.length);
-  const lines = scene.lines.map((line) => strokes(line, scene, frame, depth));
+  const lines = scene.lines.flatMap((line) => strokes(line, scene, frame, depth));
   element.setAttribute("viewBox", `0 0 ${width} ${height}`);
-  const ground = `<rect width="${width}" height="${height}" fill="${scene.colours.background}"/>`;
-  element.innerHTML = [ground, ...solid.map(polygon), ...lines, ...clear.map(polygon)].join("");
+  const ground: Drawn = { tag: "rect", attributes: { width, height, fill: scene.colours.background } };
+  drawInto(element, [ground, ...solid.map(polygon), ...lines, ...clear.map(polygon)]);
 }
 
 const round = (value: number) => Math.round(value * 100) / 100;
@@ -65,10 +66,11 @@ function faces(scene: Scene, frame: Frame, from: number, to: number): Face[] {
 }
 
 /** A thin border of the same colour closes the seams between neighbours. */
-function polygon({ points, colour }: Face): string {
+function polygon({ points, colour }: Face): Drawn {
   const path = points.map(({ x, y }) => `${round(x)} ${round(y)}`).join("L");
-  const seam = colour[3] === 1 ? ` stroke="${css(colour)}" stroke-width=".8" stroke-linejoin="round"` : ' shape-rendering="crispEdges"';
-  return `<path d="M${path}Z" fill="${css(colour)}"${seam}/>`;
+  const fill = css(colour);
+  const border = colour[3] === 1 ? { stroke: fill, "stroke-width": 0.8, "stroke-linejoin": "round" } : { "shape-rendering": "crispEdges" };
+  return { tag: "path", attributes: { d: `M${path}Z`, fill, ...border } };
 }
 
 function read({ vertices }: Mesh, corner: number, offset: number): Vec3 {
@@ -97,17 +99,16 @@ function spans({ from, to, style }: Line, time: number): { from: Vec3; to: Vec3;
   return all.filter((span) => span.opacity > 0);
 }
 
-function strokes(line: Line, scene: Scene, frame: Frame, depth: Depth): string {
+function strokes(line: Line, scene: Scene, frame: Frame, depth: Depth): Drawn[] {
   const project = projector(frame.camera, frame.view);
   const slack = SLACK * scene.radius;
-  return spans(line, frame.time).map(({ from, to, opacity }) => {
+  return spans(line, frame.time).flatMap(({ from, to, opacity }) => {
     const [a, b] = [project(from), project(to)];
     const length = Math.hypot(b.x - a.x, b.y - a.y);
     const between = (t: number): Projected => ({ x: a.x + t * (b.x - a.x), y: a.y + t * (b.y - a.y), near: a.near + t * (b.near - a.near) });
     return runs(length, (t) => hidden(depth, between(t), slack))
-      .map((run) => stroke(between(run.from), between(run.to), line, opacity * (run.hidden ? line.style.through ?? 0 : 1), run.from * length))
-      .join("");
-  }).join("");
+      .flatMap((run) => stroke(between(run.from), between(run.to), line, opacity * (run.hidden ? line.style.through ?? 0 : 1), run.from * length));
+  });
 }
 
 /** Neighbouring pieces (shares of the line, 0 … 1) that are all hidden or all seen. */
@@ -123,13 +124,14 @@ function runs(length: number, isHidden: (t: number) => boolean): { from: number;
   return found;
 }
 
-function stroke(a: Projected, b: Projected, { style }: Line, opacity: number, along: number): string {
-  if (opacity === 0) return "";
+function stroke(a: Projected, b: Projected, { style }: Line, opacity: number, along: number): Drawn[] {
+  if (opacity === 0) return [];
   const [red, green, blue, alpha] = style.colour;
   const colour = css([red, green, blue, alpha * opacity]);
   const point = Math.hypot(b.x - a.x, b.y - a.y) < 0.01;
-  if (point) return `<circle cx="${round(a.x)}" cy="${round(a.y)}" r="${style.width / 2}" fill="${colour}"/>`;
-  const dash = style.dash ? ` stroke-dasharray="${0.6 * style.dash} ${0.4 * style.dash}" stroke-dashoffset="${round(along)}"` : "";
+  if (point) return [{ tag: "circle", attributes: { cx: round(a.x), cy: round(a.y), r: style.width / 2, fill: colour } }];
+  const dash = style.dash ? { "stroke-dasharray": `${0.6 * style.dash} ${0.4 * style.dash}`, "stroke-dashoffset": round(along) } : {};
   const cap = style.dash || opacity < 1 ? "butt" : "round";
-  return `<path d="M${round(a.x)} ${round(a.y)}L${round(b.x)} ${round(b.y)}" stroke="${colour}" stroke-width="${style.width}" stroke-linecap="${cap}"${dash} fill="none"/>`;
+  const d = `M${round(a.x)} ${round(a.y)}L${round(b.x)} ${round(b.y)}`;
+  return [{ tag: "path", attributes: { d, stroke: colour, "stroke-width": style.width, "stroke-linecap": cap, ...dash, fill: "none" } }];
 }

@@ -9,6 +9,7 @@ import { drawOverlay, overlay } from "./overlay";
 import { probeAt } from "./paths";
 import { pick } from "./pick";
 import { buildScene, standing, type Scene } from "./scene";
+import { SORTED_PIECES } from "./solids";
 import { openSvg } from "./svg";
 
 export { coloursFrom, DARK, LIGHT, type Colours } from "./colours";
@@ -52,7 +53,6 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
   let exaggeration = options.exaggeration ?? 1;
   let trace = EMPTY;
   let solids = trace.solids; // as they stand at this step
-  let scene: Scene = buildScene(trace, colours, exaggeration);
   let camera = initial();
   let size = sizeOf(stage); // kept: to ask for it while drawing would lay out the page once more
   let step = { index: 0, fraction: 0 };
@@ -61,6 +61,8 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
   let ended = false;
   let picked: (entry: number) => void = () => undefined;
   let backend = await open(WAYS);
+  const built = (): Scene => buildScene(trace, colours, exaggeration, solids, backend.name === "svg" ? SORTED_PIECES : 1);
+  let scene = built();
 
   async function open(ways: BackendName[]): Promise<Backend> {
     for (const name of ways) {
@@ -86,6 +88,7 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
     backend = next;
     replacing = false;
     if (ended) return backend.destroy();
+    scene = built();
     adopt();
   }
   function lost(reason?: string): void {
@@ -126,7 +129,7 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
 
   function rebuild(): void {
     solids = standing(trace, step.index);
-    scene = buildScene(trace, colours, exaggeration, solids);
+    scene = built();
     backend.setScene(scene, devicePixelRatio);
     redrawNow();
   }

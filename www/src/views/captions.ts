@@ -1,12 +1,12 @@
 // Where the captions of a drawing stand: each as near to its figure as it can without lying upon another caption, a touch
 // point or, where there is a way around, upon a line. All in CSS pixels, y down.
 
-import { setAttribute } from "../dom";
-
 export type Point = [number, number];
 export interface Size { width: number; height: number }
 /** A line that a caption had better not lie upon, and how much it weighs against a pixel of distance. */
 export interface Obstacle { from: Point; to: Point; weight: number }
+/** A text that begins or has its middle at a point on its base line. */
+export interface Caption { text: string; at: Point; anchor: "start" | "middle" }
 interface Box { left: number; right: number; top: number; bottom: number }
 
 const CHARACTER = 6.6; // width of a character of a caption
@@ -61,12 +61,12 @@ function cost(box: Box, taken: readonly Box[], obstacles: readonly Obstacle[], m
 }
 
 /** Moves captions to better places, one after the other. */
-export function spread(captions: Iterable<Element>, obstacles: readonly Obstacle[], { width, height }: Size): void {
+export function spread(captions: readonly Caption[], obstacles: readonly Obstacle[], { width, height }: Size): void {
   const taken: Box[] = [];
   for (const caption of captions) {
-    const long = widthOf(caption.textContent ?? "");
-    const [x, y] = [Number(caption.getAttribute("x")), Number(caption.getAttribute("y"))];
-    const left = x - (caption.getAttribute("text-anchor") === "middle" ? long / 2 : 0);
+    const long = widthOf(caption.text);
+    const [x, y] = caption.at;
+    const left = x - (caption.anchor === "middle" ? long / 2 : 0);
     const at = ([dx, dy]: Point): Box => ({ left: left + dx, right: left + dx + long, top: y + dy - ABOVE, bottom: y + dy + BELOW });
     let best = { move: [0, 0] as Point, cost: Infinity };
     for (const move of MOVES) {
@@ -77,8 +77,7 @@ export function spread(captions: Iterable<Element>, obstacles: readonly Obstacle
       const found = cost(box, taken, obstacles, moved, best.cost);
       if (found < best.cost) best = { move, cost: found };
     }
-    setAttribute(caption, "x", (x + best.move[0]).toFixed(2));
-    setAttribute(caption, "y", (y + best.move[1]).toFixed(2));
+    caption.at = [x + best.move[0], y + best.move[1]];
     taken.push(at(best.move));
   }
 }

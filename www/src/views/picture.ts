@@ -1,9 +1,10 @@
 // The help picture: plain figures from the core, drawn as SVG. What belongs to the focused field stands out.
 
 import { setAttribute, show, svg } from "../dom";
+import { drawInto, type Drawn } from "../draw";
 import { t } from "../texts";
 import type { Picture, PictureShape } from "../wire";
-import { spread, widthOf, type Obstacle, type Point, type Size } from "./captions";
+import { spread, widthOf, type Caption, type Obstacle, type Point, type Size } from "./captions";
 
 const MARGIN = { x: 30, y: 22 }; // CSS pixels around the figures, for captions
 /** From the ground up: what is filled must not hide what is drawn in lines. */
@@ -71,50 +72,55 @@ function round([x, y]: Point, radius: number): Point[] {
 }
 
 /** A caption that stays inside the picture. */
-function caption(text: string, at: Point, anchor: "start" | "middle", { width, height }: Size): SVGElement {
+function caption(text: string, at: Point, anchor: Caption["anchor"], { width, height }: Size): Caption {
   const long = widthOf(text);
   const before = anchor === "middle" ? long / 2 : 0;
   const x = Math.min(Math.max(at[0], before + 3), width - long + before - 3);
-  const y = Math.min(Math.max(at[1], 11), height - 4);
-  return svg("text", { x: r(x), y: r(y), "text-anchor": anchor, class: "caption" }, text);
+  return { text, anchor, at: [x, Math.min(Math.max(at[1], 11), height - 4)] };
 }
 
-function dimension(a: Point, b: Point, text: string | undefined, size: Size): SVGElement[] {
+/** Of one shape: its lines, and what is written beside them. */
+interface Figure { lines: Drawn[]; captions: Caption[] }
+
+const path = (d: string, more: Drawn["attributes"] = {}): Drawn => ({ tag: "path", attributes: { d, ...more } });
+
+function dimension(a: Point, b: Point, text: string | undefined, size: Size): Figure {
   const length = Math.hypot(b[0] - a[0], b[1] - a[1]) || 1;
   const along: Point = [(b[0] - a[0]) / length, (b[1] - a[1]) / length];
   const short = length < 22; // no room for two heads inside: they point from outside
-  const head = (tip: Point, way: number): SVGElement => {
+  const head = (tip: Point, way: number): Drawn => {
     const back: Point = [tip[0] + along[0] * 8 * way, tip[1] + along[1] * 8 * way];
     const side: Point = [-along[1] * 2.6, along[0] * 2.6];
-    return svg("path", { d: outline([tip, [back[0] + side[0], back[1] + side[1]], [back[0] - side[0], back[1] - side[1]]], true), class: "arrow" });
+    return path(outline([tip, [back[0] + side[0], back[1] + side[1]], [back[0] - side[0], back[1] - side[1]]], true), { class: "arrow" });
   };
   const tick = (at: Point): string => `M${r(at[0] - along[1] * 5)} ${r(at[1] + along[0] * 5)}L${r(at[0] + along[1] * 5)} ${r(at[1] - along[0] * 5)}`;
   const out = short ? 14 : 0;
   const ends: Point[] = [[a[0] - along[0] * out, a[1] - along[1] * out], [b[0] + along[0] * out, b[1] + along[1] * out]];
-  const parts: SVGElement[] = [svg("path", { d: outline(ends, false) + tick(a) + tick(b) }), head(a, short ? -1 : 1), head(b, short ? 1 : -1)];
+  const lines = [path(outline(ends, false) + tick(a) + tick(b)), head(a, short ? -1 : 1), head(b, short ? 1 : -1)];
   const upright = Math.abs(along[1]) > 0.7;
   const share = upright && !short ? 0.72 : 0.5; // upright ones clear of what is written at the middle
   const at: Point = [a[0] + (b[0] - a[0]) * share, a[1] + (b[1] - a[1]) * share];
-  if (text) parts.push(caption(text, [at[0] + (upright ? 6 : 0), at[1] + (upright ? 4 : -7)], upright ? "start" : "middle", size));
-  return parts;
+  const captions = text ? [caption(text, [at[0] + (upright ? 6 : 0), at[1] + (upright ? 4 : -7)], upright ? "start" : "middle", size)] : [];
+  return { lines, captions };
 }
 
 /** What is drawn for one shape; `value`: what was typed for the parameter that a dimension shows. */
-function figures(shape: PictureShape, place: Place, scale: number, size: Size, value: string): SVGElement[] {
+function figure(shape: PictureShape, place: Place, scale: number, size: Size, value: string): Figure {
   const points = shape.points.map(place);
   const [a, b] = points;
   const text = shape.text && value ? `${shape.text} ${value}` : shape.text;
   if (shape.kind === "dimension" && a && b) return dimension(a, b, text, size);
-  const parts: SVGElement[] = [];
+  const lines: Drawn[] = [];
   const circle = shape.circle && { at: place([shape.circle.x, shape.circle.y]), r: Math.max(shape.circle.r * scale, 2.5) };
-  if (circle) parts.push(svg("circle", { cx: r(circle.at[0]), cy: r(circle.at[1]), r: r(circle.r) }));
-  if (shape.kind === "touch" && !shape.circle) for (const [x, y] of points) parts.push(svg("path", { d: `M${r(x - 4)} ${r(y)}h8M${r(x)} ${r(y - 4)}v8` }));
-  else if (points.length > 1) parts.push(svg("path", { d: shape.closed ? rings(points).map((ring) => outline(ring, true)).join("") : outline(points, false) }));
+  if (circle) lines.push({ tag: "circle", attributes: { cx: r(circle.at[0]), cy: r(circle.at[1]), r: r(circle.r) } });
+  if (shape.kind === "touch" && !shape.circle) for (const [x, y] of points) lines.push(path(`M${r(x - 4)} ${r(y)}h8M${r(x)} ${r(y - 4)}v8`));
+  else if (points.length > 1) lines.push(path(shape.closed ? rings(points).map((ring) => outline(ring, true)).join("") : outline(points, false)));
   const below = shape.kind === "touch";
   const at: Point | undefined = circle ? [circle.at[0] + (below ? 5 : circle.r + 3), circle.at[1] + (below ? 14 : -circle.r)] : a && (shape.kind === "label" ? a : [a[0] + 5, a[1] - 5]);
-  if (text && at) parts.push(caption(text, at, shape.kind === "label" ? "middle" : "start", size));
-  return parts;
+  return { lines, captions: text && at ? [caption(text, at, shape.kind === "label" ? "middle" : "start", size)] : [] };
 }
+
+const written = ({ text, at, anchor }: Caption): Drawn => ({ tag: "text", attributes: { x: r(at[0]), y: r(at[1]), "text-anchor": anchor, class: "caption" }, text });
 
 /** Lines at 45° for what is cut. */
 function hatching(): SVGElement {
@@ -137,11 +143,15 @@ export function createPicture(root: HTMLElement, pick: (field: string) => void):
     setAttribute(drawing, "viewBox", `0 0 ${size.width} ${size.height}`);
     const { place, scale } = placing(picture.shapes, size);
     const sorted = [...picture.shapes].sort((a, b) => ORDER.indexOf(a.kind) - ORDER.indexOf(b.kind));
-    shapes.replaceChildren(...sorted.map((shape) => {
+    const figures = sorted.map((shape) => {
       const value = shape.kind === "dimension" && shape.field === shape.text ? (values[shape.field ?? ""] ?? "").trim() : "";
-      return svg("g", { class: `shape ${shape.kind}`, "data-field": shape.field }, ...figures(shape, place, scale, size, value));
+      return figure(shape, place, scale, size, value);
+    });
+    spread(figures.flatMap(({ captions }) => captions), sorted.flatMap((shape) => obstacles(shape, place, scale)), size);
+    drawInto(shapes, figures.map(({ lines, captions }, index): Drawn => {
+      const { kind, field } = sorted[index]!;
+      return { tag: "g", attributes: { class: `shape ${kind}${field === lit ? " lit" : ""}`, "data-field": field }, children: [...lines, ...captions.map(written)] };
     }));
-    spread(shapes.querySelectorAll(".caption"), sorted.flatMap((shape) => obstacles(shape, place, scale)), size);
   };
   const light = (): void => {
     let any = false;
@@ -160,9 +170,9 @@ export function createPicture(root: HTMLElement, pick: (field: string) => void):
   }).observe(drawing);
   return (picture, focus, values) => {
     show(root, picture.shapes.length > 0);
+    lit = focus;
     if (picture !== drawn?.picture || values !== drawn.values) draw(drawn = { picture, values });
     setAttribute(drawing, "aria-label", t(`picture-${picture.view}`));
-    lit = focus;
     light();
   };
 }

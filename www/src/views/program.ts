@@ -3,7 +3,7 @@
 import type { Actions } from "../actions";
 import type { Derived } from "../derive";
 import { el, on, setAttribute, setText, show } from "../dom";
-import type { Editor, EditorHost, LineMarks } from "../editor/editor";
+import type { EditorHost, LineMarks, Shown } from "../editor/editor";
 import type { EditorPlace } from "../editor/place";
 import { encode, saveFile } from "../files";
 import { lineBreak, toEditor, toProgram } from "../eol";
@@ -35,7 +35,7 @@ export function createProgram(root: HTMLElement, store: Store, actions: Actions,
   let last: Derived | null = null;
   let target: { offset: number } | { line: number } | null = null; // to be shown as soon as the editor is there
   let inEditor: string | null = null; // the text that the editor holds
-  let marked = "";
+  let lines = "";
   let told: Derived["problems"] | null = null;
 
   on(copy, "click", () => void copyText(text, store, "notice-copied"));
@@ -75,12 +75,14 @@ export function createProgram(root: HTMLElement, store: Store, actions: Actions,
   };
 
   /** Calls, step and problems. Until the program is read again the editor moves the old ones along by itself. */
-  const mark = (into: Editor, next: LineMarks, derived: Derived): void => {
-    const now = JSON.stringify(next);
-    if (marked !== now) into.setMarks(next);
-    marked = now;
-    if (told !== derived.problems) into.setProblems(marks(derived, actions.cure));
+  const marked = (state: State, derived: Derived): Pick<Shown, "marks" | "problems"> => {
+    if (!derived.fresh) return {};
+    const step = state.source === "program" ? derived.trace?.entries[derived.step]?.line ?? null : null;
+    const next: LineMarks = { step, calls: derived.read.calls.map((call) => ({ from: call.line, to: call.lastLine, open: call.from === state.open })) };
+    const [before, known] = [lines, told];
+    lines = JSON.stringify(next);
     told = derived.problems;
+    return { ...lines !== before && { marks: next }, ...told !== known && { problems: marks(derived, actions.cure) } };
   };
 
   return {
@@ -95,11 +97,8 @@ export function createProgram(root: HTMLElement, store: Store, actions: Actions,
         return drawCalls(state, derived);
       }
       editor.setDialect(state.control);
-      if (text !== inEditor) editor.setText(text, text === state.mended);
+      editor.set({ ...text !== inEditor && { text, apart: text === state.mended }, ...marked(state, derived) });
       inEditor = text;
-      const step = state.source === "program" ? derived.trace?.entries[derived.step]?.line ?? null : null;
-      const next = { step, calls: derived.read.calls.map((call) => ({ from: call.line, to: call.lastLine, open: call.from === state.open })) };
-      if (derived.fresh) mark(editor, next, derived);
       if (target !== null) select(target);
       drawCalls(state, derived);
       last = derived;

@@ -1,0 +1,26 @@
+// SVG as plain data, brought into the document by changing what differs: to make all of it anew at each keystroke costs
+// the browser several times as much.
+
+import { setAttribute, setText, svg, type Attributes } from "./dom";
+
+/** An element to be; `text` or `children`, not both. */
+export interface Drawn { tag: keyof SVGElementTagNameMap; attributes: Attributes; text?: string; children?: Drawn[] }
+
+/** The children of `parent` become these, each made from the one that stood in its place if it is of the same kind. */
+export function drawInto(parent: Element, wanted: readonly Drawn[]): void {
+  wanted.forEach((one, index) => {
+    const there = parent.children[index];
+    const node = there?.tagName === one.tag ? there : svg(one.tag);
+    if (!there) parent.append(node);
+    else if (there !== node) there.replaceWith(node);
+    dress(node, one);
+  });
+  while (parent.children.length > wanted.length) parent.lastElementChild?.remove();
+}
+
+function dress(node: Element, { attributes, text, children }: Drawn): void {
+  for (const name of node.getAttributeNames()) if (!(name in attributes)) node.removeAttribute(name);
+  for (const [name, value] of Object.entries(attributes)) setAttribute(node, name, value);
+  if (children) drawInto(node, children);
+  else setText(node, text ?? "");
+}
