@@ -31,7 +31,7 @@ fn programs() -> Vec<PathBuf> {
 #[test]
 fn wrong_programs_give_helpful_messages() {
     let programs = programs();
-    assert!(programs.len() >= 39, "{}", programs.len());
+    assert!(programs.len() >= 40, "{}", programs.len());
     for path in programs {
         let name = path.file_name().unwrap();
         let mut command = Command::new(env!("CARGO_BIN_EXE_probewright"));

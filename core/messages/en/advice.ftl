@@ -27,6 +27,7 @@ advice-radius-hint = Program DIAMON before the call if the drawing's diameter wa
 advice-calibration = No call of this program calibrates probe { $number }: what the control has in { $data } counts.
 advice-calibration-hint = Check that the probe was calibrated on this machine, or call the calibration first.
 advice-inherited = { $name }={ $value } was written for { $cycle } in line { $line }, where it has another unit.
+advice-inherited-meaning = { $name }={ $value } was written for { $cycle } in line { $line }, where it means “{ $before }”; here it means “{ $now }”.
 advice-inherited-hint = Write { $name } for this call.
 advice-frame = The corrected { $frame } is not in force: the program goes on in the old one.
 advice-frame-other = { $frame } was corrected, but the program goes on in { $other } and never takes it.

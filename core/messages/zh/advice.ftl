@@ -27,6 +27,7 @@ advice-radius-hint = 若输入的是图纸上的直径，请在调用前编程 D
 advice-calibration = 此程序没有校准 { $number } 号测量头：以控制系统 { $data } 中的值为准。
 advice-calibration-hint = 请确认测量头已在此机床上校准，或先调用校准。
 advice-inherited = { $name }={ $value } 是第 { $line } 行为 { $cycle } 写的，在那里单位不同。
+advice-inherited-meaning = { $name }={ $value } 是第 { $line } 行为 { $cycle } 写的，在那里表示“{ $before }”；在此处表示“{ $now }”。
 advice-inherited-hint = 请为此调用写出 { $name }。
 advice-frame = 补偿后的 { $frame } 尚未生效：程序仍在原坐标框架中继续。
 advice-frame-other = 已补偿 { $frame }，但程序在 { $other } 中继续，始终没有激活它。

@@ -1,13 +1,11 @@
-//! What has to be in force at a call, and values that come from elsewhere by accident.
+//! What has to be in force at a call.
 
-use super::{Seen, at, unsaid, with_line};
-use crate::catalogue::{MachineSort, Param, ProbeUse, names};
+use super::{Seen, at, inherited, unsaid, with_line};
+use crate::catalogue::{MachineSort, ProbeUse, names};
 use crate::check::{Finding, error, note, warning};
 use crate::control::tools::is_milling_probe;
-use crate::diagnostic::{Code, Cure, Diagnostic};
+use crate::diagnostic::{Code, Diagnostic};
 use crate::message::Message;
-use crate::program::calls::CallSite;
-use crate::program::change::change;
 use crate::program::tree::{Program, Word, WordKind};
 use std::collections::BTreeSet;
 
@@ -51,9 +49,7 @@ pub fn look(seen: &Seen, asked: &mut Asked, found: &mut Vec<Diagnostic>) {
     edge(seen).map(&mut say);
     tool(seen).map(&mut say);
     spindle(seen).map(&mut say);
-    for param in seen.site.cycle.params {
-        found.extend(inherited(seen, param));
-    }
+    inherited::look(seen, found);
 }
 
 /// Tool radius compensation has to be off (B:654).
@@ -128,45 +124,4 @@ fn calibration(seen: &Seen, asked: &mut Asked) -> Option<Diagnostic> {
         .number("number", number as f64)
         .text("data", format!("{array}[{},x]", number - 1));
     Some(note(Code::Own(135), message).hint(Message::new("advice-calibration-hint")))
-}
-
-/// A value that an earlier call of another cycle left, where it meant something else (`_TSA` in mm reaching a cycle
-/// that takes it as degrees).
-fn inherited(seen: &Seen, param: &'static Param) -> Option<Diagnostic> {
-    let place = *seen.site.places.get(param.name)?;
-    if place.start >= seen.site.own_from {
-        return None;
-    }
-    param.need(&seen.inputs)?;
-    let writer = owner(seen, param.name)?;
-    let there = writer.cycle.param(param.name)?;
-    if writer.cycle.name == seen.site.cycle.name || there.unit == param.unit {
-        return None;
-    }
-    let message = Message::new("advice-inherited")
-        .text("name", param.name)
-        .text("value", seen.site.values.get(param.name)?.as_str())
-        .text("cycle", writer.cycle.name)
-        .number("line", f64::from(writer.line + 1));
-    let mut finding = warning(Code::Own(136), message)
-        .hint(Message::new("advice-inherited-hint").text("name", param.name))
-        .at(param.name);
-    finding.span = Some(seen.site.span);
-    finding.cure = param.fallback(seen.control).map(|value| Cure {
-        label: Message::new("advice-write")
-            .text("name", param.name)
-            .text("value", value.to_string()),
-        edits: change(seen.program, seen.site, param.name, &value.to_string()),
-    });
-    Some(finding)
-}
-
-/// The call for which a shared value was written.
-fn owner<'a>(seen: &Seen<'a>, name: &str) -> Option<&'a CallSite> {
-    let place = seen.site.places.get(name)?;
-    let before = seen.sites.get(..seen.index)?;
-    before
-        .iter()
-        .rev()
-        .find(|site| site.places.get(name) == Some(place) && place.start >= site.own_from)
 }

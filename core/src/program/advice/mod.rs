@@ -2,6 +2,7 @@
 
 mod at_call;
 mod behind;
+mod inherited;
 mod levels;
 mod read_back;
 mod unsaid;

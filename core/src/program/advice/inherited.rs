@@ -1,0 +1,207 @@
+//! Values that were written for an earlier call and reach this one, where they mean something else: the data of a call
+//! persist until they are overwritten (`_TSA` in mm reaching a cycle that takes it as degrees).
+
+use super::Seen;
+use crate::catalogue::{Kind, Level, Param, Unit};
+use crate::check::{self, Finding, Inputs, note, warning};
+use crate::diagnostic::{Code, Cure, Diagnostic};
+use crate::message::Message;
+use crate::program::calls::CallSite;
+use crate::program::change::change;
+
+/// Labels of one parameter in the same words; where they differ is in their help. A test holds them against the words.
+const SAME: [&[&str]; 8] = [
+    &["id-points", "id-points-abscissa"],
+    &["ma-calibrate", "ma-calibrated"],
+    &["md", "md-incremental"],
+    &[
+        "setval-diameter",
+        "setval-turned-diameter",
+        "setval-two-diameter",
+    ],
+    &["setval-width", "setval-width-angle"],
+    &["sta1", "sta1-first"],
+    &["sza-length", "sza-turned"],
+    &["szo", "szo-turned"],
+];
+
+/// What a value says at a call.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Meaning {
+    /// Stem of the parameter's label.
+    label: &'static str,
+    unit: Unit,
+    /// Key of the choice that the value is.
+    choice: Option<&'static str>,
+}
+
+impl Meaning {
+    fn of(param: &Param, inputs: &Inputs) -> Meaning {
+        let number = inputs.given(param.name);
+        let variants = match param.kind {
+            Kind::Variant(_) => inputs.cycle.variants,
+            _ => &[],
+        };
+        let variant = variants
+            .iter()
+            .find(|variant| Some(variant.number as f64) == number);
+        let choices = param.kind.choices(inputs).unwrap_or_default().iter();
+        let mut choices = choices.filter(|(value, _)| Some(*value as f64) == number);
+        let label = param.label(inputs);
+        let same = SAME.iter().find(|same| same.contains(&label));
+        Meaning {
+            label: same.and_then(|same| same.first()).unwrap_or(&label),
+            unit: param.unit_with(inputs),
+            choice: variant
+                .map(|variant| variant.key)
+                .or(choices.next().map(|(_, key)| *key)),
+        }
+    }
+
+    /// Key of the words that tell it from another meaning.
+    fn words(&self, other: &Meaning) -> String {
+        match self.choice {
+            Some(choice) if self.label == other.label => choice.to_owned(),
+            _ => format!("param-{}", self.label),
+        }
+    }
+}
+
+/// The doubts about the values that a call did not write itself.
+pub fn look(seen: &Seen, found: &mut Vec<Diagnostic>) {
+    // Most values were written for the same call.
+    let mut writer: Option<(usize, Inputs)> = None;
+    for param in seen.site.cycle.params {
+        let Some((level, _)) = param.need(&seen.inputs) else {
+            continue;
+        };
+        let Some(index) = owner(seen, param.name) else {
+            continue;
+        };
+        let Some(site) = seen.sites.get(index) else {
+            continue;
+        };
+        if writer.as_ref().is_none_or(|(known, _)| *known != index) {
+            let inputs = check::read(site.cycle, &site.values, seen.control, &mut Vec::new());
+            writer = Some((index, inputs));
+        }
+        if let Some((_, there)) = &writer {
+            found.extend(doubt(seen, param, level, site, there));
+        }
+    }
+}
+
+fn doubt(
+    seen: &Seen,
+    param: &'static Param,
+    level: Level,
+    site: &CallSite,
+    there: &Inputs,
+) -> Option<Diagnostic> {
+    let written = site.cycle.param(param.name)?;
+    written.need(there)?;
+    let (before, now) = (
+        Meaning::of(written, there),
+        Meaning::of(param, &seen.inputs),
+    );
+    let value = seen.site.values.get(param.name)?.as_str();
+    if before == now || !counts(seen, param, site, (&before, &now)) {
+        return None;
+    }
+    let key = if before.unit == now.unit {
+        "advice-inherited-meaning"
+    } else {
+        "advice-inherited"
+    };
+    let message = Message::new(key)
+        .text("name", param.name)
+        .text("value", value)
+        .text("cycle", site.cycle.name)
+        .number("line", f64::from(site.line + 1))
+        .text("before", before.words(&now))
+        .text("now", now.words(&before));
+    let say = if level == Level::Required || before.unit != now.unit {
+        warning
+    } else {
+        note
+    };
+    let mut finding = say(Code::Own(136), message)
+        .hint(Message::new("advice-inherited-hint").text("name", param.name))
+        .at(param.name);
+    finding.span = Some(seen.site.span);
+    finding.cure = param.fallback(seen.control).map(|value| Cure {
+        label: Message::new("advice-write")
+            .text("name", param.name)
+            .text("value", value.to_string()),
+        edits: change(seen.program, seen.site, param.name, &value.to_string()),
+    });
+    Some(finding)
+}
+
+/// Whether the difference may be an accident. What has a delivered value (path, safe area, feed, number of the probe) says
+/// how is measured, and is meant to stay; unless its unit is another one, or it is about the other sort of probe. What has
+/// none says what is measured.
+fn counts(
+    seen: &Seen,
+    param: &Param,
+    site: &CallSite,
+    (before, now): (&Meaning, &Meaning),
+) -> bool {
+    let number = seen.inputs.given(param.name);
+    if matches!(param.kind, Kind::Knum) && number == Some(0.0) {
+        return false; // nothing is corrected, whatever it means
+    }
+    if before.unit != now.unit || param.default.is_none() {
+        return true;
+    }
+    let probes = (site.cycle.purpose.probe, seen.site.cycle.purpose.probe);
+    probes.0 != probes.1 && before.label != now.label && number != param.default
+}
+
+/// The earlier call for which a value was written.
+fn owner(seen: &Seen, name: &str) -> Option<usize> {
+    let place = *seen.site.places.get(name)?;
+    let index = seen
+        .sites
+        .partition_point(|site| site.span.end <= place.start);
+    let site = seen.sites.get(index)?;
+    let own = index < seen.index && place.start >= site.own_from;
+    (own && site.places.get(name) == Some(&place)).then_some(index)
+}
+
+#[cfg(all(test, feature = "cli"))]
+mod tests {
+    use super::*;
+    use crate::catalogue::{CYCLES, Dialect};
+    use crate::words::Words;
+    use std::collections::{BTreeMap, BTreeSet};
+
+    // oracle: self (the English words)
+    #[test]
+    fn labels_of_the_same_words_mean_the_same() {
+        let words = Words::english();
+        let mut labels: BTreeMap<(&str, String), BTreeSet<&str>> = BTreeMap::new();
+        let cycles = CYCLES
+            .iter()
+            .filter(|cycle| cycle.dialect == Dialect::Sinumerik);
+        let params = cycles.flat_map(|cycle| cycle.params);
+        for param in params.filter(|param| param.default.is_none()) {
+            // The stem alone is a label where it has words.
+            let stems = param
+                .labels
+                .iter()
+                .map(|(_, stem)| *stem)
+                .chain([param.key]);
+            for stem in stems {
+                let label = words.find(&Message::new(format!("param-{stem}")));
+                let label = label.unwrap_or_else(|| stem.to_owned());
+                labels.entry((param.name, label)).or_default().insert(stem);
+            }
+        }
+        let groups: Vec<BTreeSet<&str>> =
+            labels.into_values().filter(|same| same.len() > 1).collect();
+        let ours = SAME.iter().map(|same| same.iter().copied().collect());
+        let ours: BTreeSet<BTreeSet<&str>> = ours.collect();
+        assert_eq!(ours, groups.into_iter().collect());
+    }
+}
