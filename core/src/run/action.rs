@@ -5,7 +5,7 @@ use super::problem::Problem;
 use super::statement::{self, Call, Words};
 use super::trace::Step;
 use super::{
-    Machine, Stop, addresses, cycle, environment, frame, gcode, listed, macro_call, motion, names,
+    Machine, Stop, addresses, cycle, environment, frame, gcode, listed, macro_call, manner, motion,
     repeat, set_alarm, subprogram, swivel, tool, user_program, words,
 };
 use crate::catalogue::{self, Dialect};
@@ -39,7 +39,8 @@ pub fn perform(run: &mut Interpreter, at: usize, mut found: Words) -> Result<Nex
             addresses::take(run, address, &mut found.path).map_err(|problem| run.fail(problem))?;
         }
     }
-    if !frame::applied(run, &found)? && found.path.moves() {
+    let moves = !frame::applied(run, &found)? && found.path.moves();
+    if moves {
         motion::go(run, &found.path)?;
     }
     if let Some(next) = end(run, &found).map_err(|problem| run.fail(problem))? {
@@ -50,34 +51,16 @@ pub fn perform(run: &mut Interpreter, at: usize, mut found: Words) -> Result<Nex
         return entered.map_err(|problem| run.fail(problem));
     }
     let passes = passes(&found).map_err(|problem| run.fail(problem))?;
-    let calls = named_by_text(run, &found).map_err(|problem| run.fail(problem))?;
+    let mut calls = manner::calls(run, &found).map_err(|problem| run.fail(problem))?;
+    if moves && found.path.pole.is_none() && calls.is_empty() {
+        calls.extend(manner::after_motion(run));
+    }
     for call in &calls {
         if let Some(next) = carry_out(run, at, call, passes)? {
             return Ok(next);
         }
     }
     Ok(Next::Block)
-}
-
-/// The calls of a block; of `CALL "NAME"` and `CALL VARIABLE` the one that the text names.
-fn named_by_text(run: &Interpreter, found: &Words) -> Result<Vec<Call>, Problem> {
-    let [first, rest @ ..] = &found.calls[..] else {
-        return Ok(Vec::new());
-    };
-    if first.name != statement::CALL {
-        return Ok(found.calls.clone());
-    }
-    let text = match (&first.args[..], rest) {
-        ([Some(text)], []) => text.clone(),
-        ([], [variable]) => names::read(run, &variable.name, variable.span)?,
-        _ => return Err(Problem::new("run-function", first.span, &*first.name)),
-    };
-    Ok(vec![Call {
-        name: text.shown().to_ascii_uppercase(),
-        args: Vec::new(),
-        places: Vec::new(),
-        span: first.span,
-    }])
 }
 
 /// How often the block calls its program: `L10 P3`.

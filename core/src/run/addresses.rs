@@ -28,6 +28,8 @@ pub fn take(run: &mut Interpreter, address: &Address, path: &mut Path) -> Result
             };
             put(list, axis, coordinate(address, factor)?);
         }
+        "AP" if !nct => path.polar.angle = Some(coordinate(address, 1.0)?),
+        "RP" if !nct => path.polar.radius = Some(coordinate(address, factor)?),
         "CR" => path.radius = Some(number(address)? * factor),
         "R" if nct => path.radius = Some(number(address)? * factor),
         "AR" => path.angle = Some(number(address)?),

@@ -3,7 +3,7 @@
 use super::Stop;
 use super::interpret::Interpreter;
 use super::modal::{Compensation, FeedType, Motion};
-use super::path::Suppress;
+use super::path::{Pole, Suppress};
 use super::problem::Problem;
 use super::statement::Words;
 use crate::catalogue::Dialect;
@@ -75,10 +75,14 @@ fn one(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
 
 fn sinumerik(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
     match code {
+        110 => found.path.pole = Some(Pole::Position),
+        111 => found.path.pole = Some(Pole::Zero),
+        112 => found.path.pole = Some(Pole::Before),
         153 => found.path.suppress = Suppress::All,
         500 => run.sim.control.activate(0),
         505..=599 => run.sim.control.activate(usize::from(code) - 500),
         95 | 97 | 971 => run.modal.feed_type = FeedType::Revolution,
+        96 | 962 => run.modal.feed_type = FeedType::Cutting,
         961 | 972 | 973 => run.modal.feed_type = FeedType::Minute,
         62 | 140..=143 | 290 | 291 | 340 | 341 | 450..=453 | 460..=462 | 601..=603 => {}
         621 | 641..=645 => {}

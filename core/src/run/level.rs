@@ -5,6 +5,7 @@ use super::locals::Locals;
 use super::modal::Modal;
 use super::problem::Problem;
 use super::repeat::Repetition;
+use super::statement::Call;
 use crate::control::{Frame, Plane, Units};
 use crate::diagnostic::Span;
 use crate::message::Message;
@@ -25,6 +26,8 @@ pub struct Level {
     pub repeats: Vec<Repetition>,
     /// Where its variables come from.
     pub variables: Variables,
+    /// What is called after each block that moves (`MCALL`).
+    pub modal: Option<Call>,
     /// What `SAVE` brings back at the end.
     pub saved: Option<Box<Saved>>,
 }
@@ -59,6 +62,7 @@ impl Level {
             left: 0,
             repeats: Vec::new(),
             variables: Variables::Own,
+            modal: None,
             saved: None,
         }
     }

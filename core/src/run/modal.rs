@@ -17,6 +17,10 @@ pub struct Modal {
     pub feed_type: FeedType,
     /// S of the main spindle, revolutions a minute.
     pub speed: f64,
+    /// LIMS: greatest speed of the spindle with G96, revolutions a minute.
+    pub speed_limit: Option<f64>,
+    /// The pole of polar coordinates: abscissa and ordinate of the WCS, mm.
+    pub pole: [f64; 2],
     /// T that is waiting for M6.
     pub prepared: Option<i64>,
     /// D programmed after T and before M6.
@@ -38,6 +42,8 @@ impl Modal {
             feed_factor: factor,
             feed_type: FeedType::Minute,
             speed: 0.0,
+            speed_limit: None,
+            pole: [0.0; 2],
             prepared: None,
             waiting_edge: None,
             compensation: Compensation::Off,
@@ -76,6 +82,8 @@ pub enum FeedType {
     Minute,
     /// mm or inch a revolution of the spindle.
     Revolution,
+    /// The same, of a spindle that turns as fast as the cutting speed S wants at the diameter (G96): m or feet a minute.
+    Cutting,
 }
 
 /// Side on which the tool stands.

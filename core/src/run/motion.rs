@@ -6,11 +6,12 @@ use super::modal::{Compensation, FeedType, Motion};
 use super::path::{Coordinate, Measure, Path, Suppress};
 use super::problem::Problem;
 use super::trace::MotionKind;
-use super::{Machine, Stop};
-use crate::control::Transverse;
+use super::{Machine, Stop, polar};
 use crate::control::variables::AXES;
+use crate::control::{Transverse, Units};
 use crate::diagnostic::Severity;
 use crate::geometry::arc::{self, Around};
+use std::f64::consts::TAU;
 
 /// Axes that differ by less have not moved, mm.
 const STILL: f64 = 1e-9;
@@ -24,9 +25,14 @@ pub fn go(run: &mut Interpreter, path: &Path) -> Result<(), Stop> {
         );
     }
     let from = position(run, path.suppress);
+    if let Some(kind) = path.pole {
+        polar::set_pole(run, path, kind, from);
+        return Ok(());
+    }
     let base = incremental_base(run, path.suppress, from);
     let to = std::array::from_fn(|i| target(run, from[i], base[i], path.axes[i], i));
-    let feed = feed(run);
+    let to = polar::target(run, path, from, to);
+    let feed = feed(run, to);
     if run.modal.motion != Motion::Rapid && feed <= 0.0 {
         run.tell(Severity::Error, &Problem::new("run-no-feed", path.span, ""));
     }
@@ -62,12 +68,29 @@ fn incremental_base(run: &Interpreter, suppress: Suppress, from: [f64; 3]) -> [f
     }
 }
 
-/// mm/min, 0 where there is none.
-fn feed(run: &Interpreter) -> f64 {
+/// mm/min, 0 where there is none; with a constant cutting speed that at the target.
+fn feed(run: &Interpreter, to: [f64; 3]) -> f64 {
     let feed = run.modal.feed * run.modal.feed_factor;
     match run.modal.feed_type {
         FeedType::Minute => feed,
         FeedType::Revolution => feed * run.modal.speed.abs(),
+        FeedType::Cutting => feed * turns(run, to[0].abs()),
+    }
+}
+
+/// Revolutions a minute with which the circumference passes as fast as S says, m or feet a minute, at this distance
+/// from the turning centre, mm; LIMS is the most. None, 0, at the centre itself without LIMS.
+fn turns(run: &Interpreter, distance: f64) -> f64 {
+    let a_minute = run.modal.speed.abs()
+        * match run.sim.control.active_units {
+            Units::Metric => 1000.0,
+            Units::Inch => 12.0 * 25.4,
+        };
+    let turns = a_minute / (TAU * distance);
+    match run.modal.speed_limit {
+        Some(limit) => turns.min(limit),
+        None if turns.is_finite() => turns,
+        None => 0.0,
     }
 }
 
@@ -231,6 +254,10 @@ fn arc(run: &Interpreter, path: &Path, from: [f64; 3], to: [f64; 3]) -> Option<A
     let counter = run.modal.motion == Motion::Counter;
     let (start, end) = ([from[a], from[o]], [to[a], to[o]]);
     let centred = path.centre[a].is_some() || path.centre[o].is_some();
+    if path.polar.is_written() && !centred && path.radius.is_none() && path.angle.is_none() {
+        let arc = Arc::about(run.modal.pole, start, end, counter)?;
+        return Some(arc.with_turns(path.turns));
+    }
     let centre = [a, o].map(|i| match path.centre[i] {
         Some(Coordinate {
             value,

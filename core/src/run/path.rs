@@ -23,6 +23,33 @@ pub struct Coordinate {
     pub absolute: Option<bool>,
 }
 
+/// What a block says of a point by angle and distance.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Polar {
+    /// AP: from the abscissa, degree.
+    pub angle: Option<Coordinate>,
+    /// RP: from the pole, mm.
+    pub radius: Option<Coordinate>,
+}
+
+impl Polar {
+    /// Whether it says anything.
+    pub fn is_written(&self) -> bool {
+        self.angle.is_some() || self.radius.is_some()
+    }
+}
+
+/// From where a new pole counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pole {
+    /// G110: from where the axes stand.
+    Position,
+    /// G111: from the zero of the WCS.
+    Zero,
+    /// G112: from the pole before.
+    Before,
+}
+
 /// A measuring block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Measure {
@@ -41,6 +68,10 @@ pub struct Path {
     pub centre: [Option<Coordinate>; 3],
     /// Intermediate point I1 J1 K1 of CIP.
     pub middle: [Option<Coordinate>; 3],
+    /// AP and RP.
+    pub polar: Polar,
+    /// The block tells a new pole, and nothing moves.
+    pub pole: Option<Pole>,
     /// CR or R: radius, negative for more than a half circle.
     pub radius: Option<f64>,
     /// AR: opening angle, degree.
@@ -62,6 +93,7 @@ impl Path {
     pub fn moves(&self) -> bool {
         let written = |list: &[Option<Coordinate>; 3]| list.iter().any(Option::is_some);
         let arc = self.radius.is_some() || self.angle.is_some();
-        written(&self.axes) || written(&self.centre) || written(&self.middle) || arc
+        let polar = self.polar.is_written() || self.pole.is_some();
+        written(&self.axes) || written(&self.centre) || written(&self.middle) || arc || polar
     }
 }

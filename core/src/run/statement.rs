@@ -8,7 +8,7 @@ use super::interpret::{Interpreter, Next};
 use super::path::{Measure, Path};
 use super::problem::Problem;
 use super::trace::Step;
-use super::{Stop, action, branch, environment, locals, names, repeat};
+use super::{Stop, action, branch, environment, locals, manner, names, repeat};
 use crate::catalogue::Dialect;
 use crate::diagnostic::{Severity, Span};
 use crate::program::tree::{Expr, ExprId, Word, WordKind};
@@ -200,7 +200,9 @@ fn word_of(
             let value = evaluate(run, *value)?;
             match (&found.case, found.calls.last_mut()) {
                 (Some(case), _) => found.armed = Some(*case == value),
-                (None, Some(call)) if call.name == CALL => call.args.push(Some(value)),
+                (None, Some(call)) if manner::BY_TEXT.contains(&call.name.as_str()) => {
+                    call.args.push(Some(value))
+                }
                 _ => return Err(Problem::new("run-unknown-word", word.span, value.shown())),
             }
         }
@@ -272,6 +274,7 @@ fn assign(
             });
         }
         "RPL" => found.turn = Some(number()?),
+        "LIMS" => run.modal.speed_limit = Some(number()?),
         _ => {
             names::write(run, key, &value, span)?;
             found.counter = value.number();

@@ -50,6 +50,7 @@ pub fn enter(
         left: passes - 1,
         repeats: Vec::new(),
         variables: Variables::Own,
+        modal: None,
         saved,
     });
     Ok(Next::Jump(unit.blocks.start))

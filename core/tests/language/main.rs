@@ -6,6 +6,7 @@ mod corpus;
 mod flow;
 mod frames;
 mod motion;
+mod polar;
 mod properties;
 #[path = "../running/mod.rs"]
 mod running;
@@ -68,6 +69,16 @@ fn messages(text: &str) -> Vec<String> {
 /// Where the machine stands at the end of a clean run, machine coordinates.
 fn end(text: &str) -> [f64; 3] {
     clean(text).position
+}
+
+/// Feed of the last motion of a clean run, mm/min.
+fn feed(text: &str) -> f64 {
+    let entries = clean(text).trace.entries.into_iter().rev();
+    let mut feeds = entries.filter_map(|entry| match entry.step {
+        Step::Motion { feed, .. } => Some(feed),
+        _ => None,
+    });
+    feeds.next().expect("a motion")
 }
 
 fn at(text: &str, expected: [f64; 3]) {

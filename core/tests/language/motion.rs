@@ -1,7 +1,7 @@
 //! Lines, arcs, feeds, measuring blocks.
 
 use super::running::{block, go_on};
-use super::{at, clean, fault, findings, go, near, number, setup};
+use super::{at, clean, fault, feed, findings, go, near, number, setup};
 use probewright_core::run::route::Route;
 use probewright_core::run::trace::{MotionKind, Step};
 
@@ -80,10 +80,6 @@ fn what_is_no_arc_is_told() {
 // oracle: hand (mm a revolution times revolutions a minute)
 #[test]
 fn feeds_count_a_minute_or_a_revolution() {
-    let feed = |text: &str| match clean(text).trace.entries.last().unwrap().step {
-        Step::Motion { feed, .. } => feed,
-        _ => panic!("{text}"),
-    };
     assert_eq!(feed("G94 F200 S500 G1 X1"), 200.0);
     assert_eq!(feed("G95 F0.2 S500 M3 G1 X1"), 100.0);
     assert_eq!(feed("G95 F0.2 S1=500\nG94 F80 G1 X1"), 80.0);

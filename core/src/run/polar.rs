@@ -1,0 +1,53 @@
+//! Polar coordinates: a pole in the working plane, an angle and a distance from it (G110 to G112, AP, RP).
+
+use super::interpret::Interpreter;
+use super::path::{Coordinate, Path, Polar, Pole};
+
+/// G110, G111, G112: the pole that the block tells, cartesian or polar itself; `from` is where the axes stand.
+pub fn set_pole(run: &mut Interpreter, path: &Path, kind: Pole, from: [f64; 3]) {
+    let [a, o, _] = run.sim.control.plane.axes();
+    let origin = match kind {
+        Pole::Position => [from[a], from[o]],
+        Pole::Zero => [0.0; 2],
+        Pole::Before => run.modal.pole,
+    };
+    let written = |axis: usize| path.axes[axis].map_or(0.0, |coordinate| coordinate.value);
+    let offset = match path.polar {
+        Polar {
+            angle: None,
+            radius: None,
+        } => [written(a), written(o)],
+        polar => away(polar, [0.0; 2]),
+    };
+    run.modal.pole = [origin[0] + offset[0], origin[1] + offset[1]];
+}
+
+/// The target of a block, which polar coordinates may tell in the plane.
+pub fn target(run: &Interpreter, path: &Path, from: [f64; 3], to: [f64; 3]) -> [f64; 3] {
+    if !path.polar.is_written() {
+        return to;
+    }
+    let [a, o, _] = run.sim.control.plane.axes();
+    let [x, y] = run.modal.pole;
+    let [dx, dy] = away(path.polar, [from[a] - x, from[o] - y]);
+    let mut to = to;
+    (to[a], to[o]) = (x + dx, y + dy);
+    to
+}
+
+/// From the pole to the place; what is not written, and what increments count from, is as the axes stand.
+fn away(polar: Polar, stands: [f64; 2]) -> [f64; 2] {
+    let value = |written: Option<Coordinate>, now: f64| match written {
+        None => now,
+        Some(Coordinate {
+            value,
+            absolute: Some(false),
+        }) => now + value,
+        Some(Coordinate { value, .. }) => value,
+    };
+    let [x, y] = stands;
+    let radius = value(polar.radius, x.hypot(y));
+    let angle = value(polar.angle, y.atan2(x).to_degrees());
+    let (sine, cosine) = crate::geometry::rigid::sin_cos(angle);
+    [radius * cosine, radius * sine]
+}
