@@ -53,6 +53,15 @@ impl Control {
         direction(from).cross(&direction(to)).into()
     }
 
+    /// The direction in the machine about which a positive angle of a rotary axis turns the tool round the part, and the
+    /// part the other way: that of its name, turned by the axes that carry it.
+    pub fn rotary_direction(&self, axis: usize) -> [f64; 3] {
+        let carrying = std::array::from_fn(|i| if i < axis { self.rotary[i] } else { 0.0 });
+        let mut own = V3::zeros();
+        own[axis.min(2)] = 1.0;
+        (rigid::rotation(carrying).inverse() * own).into()
+    }
+
     /// A part as it stands now; as it is given it is clamped with all rotary axes at 0.
     pub fn on_table(&self, solid: &Solid) -> Solid {
         if self.rotary == [0.0; 3] {
@@ -156,6 +165,24 @@ mod tests {
             ("$TC_DP3[9,1]", false),
         ] {
             assert_eq!(is_angle(name), angle, "{name}");
+        }
+    }
+
+    #[test]
+    fn a_part_turns_about_the_axis_that_is_told() {
+        // oracle: definition: from one position of an axis to another is a turn about it, against the tool
+        let mut control = delivery(Dialect::Sinumerik);
+        for axis in 0..3 {
+            control.rotary = [20.0, -35.0, 50.0];
+            let before = control.table_turn();
+            let about = nalgebra::Unit::new_normalize(V3::from(control.rotary_direction(axis)));
+            control.rotary[axis] += 25.0;
+            let turn = Rotation3::from_axis_angle(&about, -25.0_f64.to_radians());
+            let after = turn * before;
+            assert!(
+                (after.matrix() - control.table_turn().matrix()).norm() < 1e-12,
+                "{axis}"
+            );
         }
     }
 }

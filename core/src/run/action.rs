@@ -39,6 +39,7 @@ pub fn perform(run: &mut Interpreter, at: usize, mut found: Words) -> Result<Nex
             addresses::take(run, address, &mut found.path).map_err(|problem| run.fail(problem))?;
         }
     }
+    motion::turn(run, &found.path)?;
     let moves = !frame::applied(run, &found)? && found.path.moves();
     if moves {
         motion::go(run, &found.path)?;
@@ -148,7 +149,7 @@ fn carry_out(
     } else if name == set_alarm::NAME {
         set_alarm::call(run, call)?;
     } else if name == swivel::NAME {
-        swivel::call(run, call).map_err(|problem| run.fail(problem))?;
+        swivel::call(run, call)?;
     } else if let Some(cycle) = catalogue::find(Dialect::Sinumerik, name) {
         cycle::data(run, cycle, call.span)?;
     } else if let Some(unit) = run.programs.named(name).cloned() {

@@ -51,7 +51,7 @@ pub fn take(run: &mut Interpreter, address: &Address, path: &mut Path) -> Result
         "H" | "P" | "O" | "N" if nct => drop(number(address)?),
         // what tunes a path or a spline: only the programmed points are passed
         "SF" | "PW" | "SD" | "PL" => drop(number(address)?),
-        _ => return other(run, address),
+        _ => return other(run, address, path),
     }
     Ok(())
 }
@@ -92,7 +92,7 @@ fn spindle(run: &mut Interpreter, address: &Address) -> Result<(), Problem> {
 }
 
 /// A rotary axis of the machine, else something that is not simulated.
-fn other(run: &mut Interpreter, address: &Address) -> Result<(), Problem> {
+fn other(run: &mut Interpreter, address: &Address, path: &mut Path) -> Result<(), Problem> {
     let Some(axis) = run.sim.control.rotary_axis(&address.name) else {
         run.tell(
             Severity::Warning,
@@ -107,6 +107,6 @@ fn other(run: &mut Interpreter, address: &Address) -> Result<(), Problem> {
         None if !run.modal.absolute => control.rotary[axis] + written,
         _ => control.rotary_to_machine(axis, written),
     };
-    run.sim.turn_table(axis, position);
+    path.rotary[axis] = Some(position);
     Ok(())
 }

@@ -173,22 +173,6 @@ impl Sim {
         );
     }
 
-    /// Turns a rotary axis (index A B C) to a position of the machine, degree; the part turns with it. What it meets on
-    /// the way is not simulated.
-    pub fn turn_table(&mut self, axis: usize, to: f64) {
-        let Some(position) = self.control.rotary.get_mut(axis) else {
-            return;
-        };
-        let from = std::mem::replace(position, to);
-        let Workpiece { solids } = self.stands();
-        self.note(Step::Table {
-            axis,
-            from,
-            to,
-            solids,
-        });
-    }
-
     /// The part as rotary axes and spindle have turned it, which from now on is what can be touched.
     fn stands(&mut self) -> Workpiece {
         let part = on_table(&self.control, &self.clamped, self.turned);
@@ -406,6 +390,7 @@ impl Machine for Sim {
     }
 }
 
+mod table;
 mod tool;
 
 #[cfg(test)]

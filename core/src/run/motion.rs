@@ -51,6 +51,17 @@ pub fn go(run: &mut Interpreter, path: &Path) -> Result<(), Stop> {
     outcome.map_err(|stop| run.stopped(stop, path.span))
 }
 
+/// Turns the rotary axes of a block, before the others move.
+pub fn turn(run: &mut Interpreter, path: &Path) -> Result<(), Stop> {
+    for (axis, position) in path.rotary.into_iter().enumerate() {
+        if let Some(position) = position {
+            let turned = run.sim.turn_table(axis, position);
+            turned.map_err(|stop| run.stopped(stop, path.span))?;
+        }
+    }
+    Ok(())
+}
+
 /// Where the spindle nose stands, machine coordinates: no new frame and no new tool moves it.
 fn nose(run: &Interpreter) -> [f64; 3] {
     let length = run.sim.control.active_length();

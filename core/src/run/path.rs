@@ -64,6 +64,8 @@ pub struct Measure {
 pub struct Path {
     /// Targets X Y Z.
     pub axes: [Option<Coordinate>; 3],
+    /// Where the rotary axes A B C go, machine, degree.
+    pub rotary: [Option<f64>; 3],
     /// Centre I J K, from the start unless absolute.
     pub centre: [Option<Coordinate>; 3],
     /// Intermediate point I1 J1 K1 of CIP.

@@ -1,6 +1,7 @@
 //! CYCLE800 with offsets 0: the table turns the part until the working plane of the active frames lies across the tool,
 //! and the coordinate systems turn with it (B:7696-7786, B:7773-7782).
 
+use super::Stop;
 use super::datum::Datum;
 use super::interpret::Interpreter;
 use super::problem::Problem;
@@ -17,7 +18,20 @@ const OFFSETS: std::ops::Range<usize> = 4..13;
 
 /// Turns the table; the machine axes stay where they are. Data set, mode and direction choose between ways that end in
 /// the same plane.
-pub fn call(run: &mut Interpreter, call: &Call) -> Result<(), Problem> {
+pub fn call(run: &mut Interpreter, call: &Call) -> Result<(), Stop> {
+    let (turns, table) = planned(run, call).map_err(|problem| run.fail(problem))?;
+    for (axis, to) in turns.into_iter().enumerate() {
+        if run.sim.control.rotary[axis] != to {
+            let turned = run.sim.turn_table(axis, to);
+            turned.map_err(|stop| run.stopped(stop, call.span))?;
+        }
+    }
+    run.sim.control.part_frame = table;
+    Ok(())
+}
+
+/// Where the rotary axes go, degree, and the frame that turns with the table.
+fn planned(run: &mut Interpreter, call: &Call) -> Result<([f64; 3], Frame), Problem> {
     let offsets = call.args.iter().enumerate();
     let mut offsets = offsets.filter(|(place, _)| OFFSETS.contains(place));
     let shifted = offsets.any(|(_, value)| !matches!(value, None | Some(Datum::Number(0.0))));
@@ -36,11 +50,5 @@ pub fn call(run: &mut Interpreter, call: &Call) -> Result<(), Problem> {
         rotation: angles(&turn),
         ..Frame::default()
     };
-    for (axis, to) in total.rotation.into_iter().enumerate() {
-        if run.sim.control.rotary[axis] != to {
-            run.sim.turn_table(axis, to);
-        }
-    }
-    run.sim.control.part_frame = table;
-    Ok(())
+    Ok((total.rotation, table))
 }

@@ -2,6 +2,7 @@
 
 use super::running::{block, go_on};
 use super::{at, clean, fault, feed, findings, go, near, number, setup};
+use probewright_core::run::Stop;
 use probewright_core::run::route::Route;
 use probewright_core::run::trace::{MotionKind, Step};
 
@@ -135,4 +136,22 @@ fn measuring_blocks_latch_and_stop_or_go_on() {
         });
         assert_eq!(probed.count(), if word == "MEAS" { 1 } else { 2 });
     }
+}
+
+// oracle: hand: the corner of the block, 71 mm from the table's axis, comes round to the ball 60 mm from it
+#[test]
+fn a_table_that_turns_the_part_into_the_probe_crashes() {
+    let run = |way: &str| {
+        let mut setup = setup();
+        setup.workpiece.solids.push(block());
+        setup.control.rotary_centre = setup.workpiece.solids[0].at;
+        let [x, y, _] = setup.control.rotary_centre;
+        setup.position = [x, y - 60.0, 40.0];
+        go_on(&setup, way)
+    };
+    let outcome = run("G0 Z-10\nC90\nX0");
+    assert!(matches!(&outcome.stop, Some(Stop::Fault(message)) if message.key == "run-crash"));
+    let place = outcome.diagnostics[0].span.unwrap();
+    assert_eq!((place.start, place.end), (8, 11));
+    assert_eq!(run("G0 Z20\nC90").stop, None);
 }

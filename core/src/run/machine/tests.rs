@@ -127,3 +127,45 @@ fn a_full_trace_ends_the_run() {
     let stop = sim.travel([0.0, 0.0, 20.0], MotionKind::Rapid, 0.0, false);
     assert!(matches!(stop, Err(Stop::Fault(message)) if message.key == "run-trace-limit"));
 }
+
+/// Turns the table C by 90 degree with the ball here: how it ended, and where the table stands then.
+fn turned(ball: [f64; 3]) -> (Sim, Result<(), Stop>) {
+    let mut sim = sim();
+    sim.position = ball;
+    let outcome = sim.turn_table(2, 90.0);
+    (sim, outcome)
+}
+
+// oracle: hand: turned by a, a face 50 mm from the axis is 60·cos a - 50 from the ball's centre; edges stand 70.7 from it
+#[test]
+fn a_part_that_turns_may_meet_the_ball() {
+    let crash = Err(Stop::Fault(Message::new("run-crash")));
+    let (sim, outcome) = turned([0.0, -60.0, -10.0]);
+    assert_eq!(outcome, crash);
+    assert!((sim.part.distance([0.0, -60.0, -10.0]) - 3.0).abs() < 0.05);
+    assert!((sim.control.rotary[2] - (53.0_f64 / 60.0).acos().to_degrees()).abs() < 0.1);
+    let [.., table, last] = &sim.trace.entries[..] else {
+        panic!("{:?}", sim.trace);
+    };
+    assert!(matches!(table.step, Step::Table { to, .. } if to == sim.control.rotary[2]));
+    let Step::Crash { point } = last.step else {
+        panic!("{last:?}");
+    };
+    assert!(sim.part.distance(point).abs() < 0.05, "{point:?}");
+    for free in [[0.0, -75.0, -10.0], [0.0, -60.0, 3.1], [0.0, 0.0, 20.0]] {
+        let (sim, outcome) = turned(free);
+        assert_eq!((outcome, sim.control.rotary[2]), (Ok(()), 90.0));
+    }
+}
+
+// oracle: hand: the ball is below the cube, and the stylus beside it
+#[test]
+fn a_part_that_turns_may_meet_the_stylus() {
+    let (sim, outcome) = turned([0.0, -60.0, -120.0]);
+    assert_eq!(outcome, Err(Stop::Fault(Message::new("run-crash"))));
+    let [.., last] = &sim.trace.entries[..] else {
+        panic!("{:?}", sim.trace);
+    };
+    assert!(matches!(last.step, Step::Crash { point: [.., z] } if (-100.0..=-70.0).contains(&z)));
+    assert_eq!(turned([0.0, -60.0, -160.0]).1, Ok(())); // the spindle nose is below too
+}
