@@ -50,9 +50,10 @@ export default defineConfig({
     target: "es2022",
     assetsInlineLimit: 0,      // a strict content policy allows no data: addresses
     modulePreload: { polyfill: false },
-    // A language in one piece; English comes with the page, in two parts.
+    // A language in one piece; English comes with the page, in two parts; help pages by themselves, when one is opened.
     rollupOptions: { output: { manualChunks: (id) => {
-      const [, language, part] = /\/messages\/([^/]+)\/[^/]+\.ftl\?(\w+)/.exec(id) ?? [];
+      const [, language, name, part] = /\/messages\/([^/]+)\/([^/]+)\.ftl\?(\w+)/.exec(id) ?? [];
+      if (language && name?.startsWith("help")) return `help-${language}`;
       if (language === "en") return part === "later" ? "words-en-later" : undefined;
       return language ? `words-${language}` : undefined;
     } } },

@@ -13,7 +13,7 @@ mod program;
 pub use catalogue::catalogue;
 pub use form::form;
 #[cfg(feature = "program")]
-pub use program::{Run, alarms, change, convert, machine, read, setup};
+pub use program::{Run, alarms, change, convert, help, machine, read, setup};
 
 use wasm_bindgen::prelude::wasm_bindgen;
 

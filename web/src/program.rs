@@ -11,6 +11,15 @@ pub fn alarms() -> String {
     json::text(&json::alarms())
 }
 
+/// `HelpRequest` → `HelpView`.
+///
+/// # Errors
+/// A request of the wrong shape or an unknown cycle.
+#[wasm_bindgen]
+pub fn help(request: &str) -> Result<String, JsError> {
+    Ok(json::text(&json::help(request)?))
+}
+
 #[wasm_bindgen(inline_js = "
 export function tell(share) {
   globalThis.dispatchEvent?.(new CustomEvent('probewright-progress', { detail: share }));

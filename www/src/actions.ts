@@ -6,7 +6,7 @@ import { lineBreak, type Splice } from "./eol";
 import type { ProgramFile } from "./files";
 import { parseNumber } from "./numbers";
 import { speak } from "./language";
-import { AT_END, beginning, memoryKey, NO_ERRORS, ownMachine, programOf, remember, setsOf, unitsIn, work, type Card, type Panel, type State } from "./state";
+import { AT_END, beginning, firstState, memoryKey, NO_ERRORS, ownMachine, programOf, remember, setsOf, unitsIn, work, type Card, type Panel, type State } from "./state";
 import type { Store } from "./store";
 import type { Catalogue, CycleInfo, Edit, ErrorSliders, MachineView, OwnMachine, Setup, Style } from "./wire";
 
@@ -38,6 +38,8 @@ export interface Actions {
   data(machine: Pick<MachineView, "basic" | "data">): void;
   noErrors(): void;
   panel(panel: Panel): void;
+  /** Shows the help page of the variant in the form, or closes it. */
+  help(): void;
   saveSet(name: string): void;
   loadSet(name: string): void;
   /** false: the name is taken, or it is none. */
@@ -155,6 +157,11 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
       store.update({ errors: { ...errors, [group]: { ...errors[group], [name]: value } }, step: AT_END, undo: null });
     },
     noErrors: () => replace("notice-no-errors", { errors: NO_ERRORS, step: AT_END }),
+    help() {
+      const closes = now().right === "help";
+      store.update(closes ? { panel: "form", left: "form", right: firstState().right } : { panel: "help", right: "help" });
+      store.flush(); // the focus goes there
+    },
     saveSet(name) {
       const sets = setsOf(now());
       const next = withSets({ ...sets, [name]: now().values });

@@ -5,7 +5,9 @@ import { el, on, setAttribute } from "./dom";
 import type { Panel, State } from "./state";
 import { t } from "./texts";
 
-const PANELS: Panel[] = ["tasks", "form", "program", "view", "results"];
+const PANELS: Panel[] = ["tasks", "form", "program", "view", "results", "help"];
+/** The panels that help covers where all panels stand side by side. */
+const COVERED: Panel[] = ["program", "view", "results"];
 
 export interface Layout { header: HTMLElement; panels: Record<Panel, HTMLElement>; notice: HTMLElement; undo: HTMLElement; draw(state: State): void }
 
@@ -40,9 +42,10 @@ export function createLayout(actions: Actions, end: AbortSignal): Layout {
   document.addEventListener("keydown", (event) => {
     if (event.key !== "F6" || document.querySelector("dialog[open]")) return;
     event.preventDefault();
-    const here = PANELS.findIndex((name) => panels[name].contains(document.activeElement));
-    const next = (here + (event.shiftKey ? -1 : 1) + PANELS.length) % PANELS.length;
-    enter(PANELS[next] ?? "form");
+    const shown = PANELS.filter((name) => name !== "help" || panels.help.hasAttribute("data-shown"));
+    const here = shown.findIndex((name) => panels[name].contains(document.activeElement));
+    const next = (here + (event.shiftKey ? -1 : 1) + shown.length) % shown.length;
+    enter(shown[next] ?? "form");
   }, { signal: end });
 
   document.addEventListener("keydown", (event) => {
@@ -56,6 +59,7 @@ export function createLayout(actions: Actions, end: AbortSignal): Layout {
   return {
     header, panels, notice, undo,
     draw(state) {
+      for (const name of COVERED) setAttribute(panels[name], "inert", state.right === "help");
       for (const [name, button] of buttons) {
         setAttribute(button, "aria-current", name === state.panel ? "true" : null);
         setAttribute(button, "data-shown", name === state.left || name === state.right ? "" : null);

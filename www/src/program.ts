@@ -6,7 +6,7 @@ import address from "@pkg/program/program_bg.wasm?url";
 import type { FormCore } from "./core";
 import { splice } from "./eol";
 import { call, compile } from "./module";
-import type { AlarmInfo, Catalogue, Converted, Edit, FormView, MachineRequest, MachineView, Pending, ReadRequest, ReadView, RunRequest, Setup, Style } from "./wire";
+import type { AlarmInfo, Catalogue, Converted, Edit, FormView, HelpRequest, HelpView, MachineRequest, MachineView, Pending, ReadRequest, ReadView, RunRequest, Setup, Style } from "./wire";
 
 /** All values of one call that were changed in the form: `pending` of `control` at `at`, the call being number `call`. */
 export interface ChangeRequest extends ReadRequest { call: number; at: number; pending: readonly Pending[] }
@@ -24,6 +24,7 @@ export interface ProgramCore extends FormCore {
   convert(request: ConvertRequest): Converted;
   catalogue(): Catalogue; // of all cycles
   alarms(): AlarmInfo[];
+  help(request: HelpRequest): HelpView;
   machine(request: MachineRequest): MachineView;
   /** The setup of a file, with its defaults; or why it is none. */
   setup(text: string): Setup | { why: string };
@@ -79,6 +80,7 @@ export async function loadProgramCore(): Promise<ProgramCore> {
     form: (request) => JSON.parse(call("form", () => wasm.form(JSON.stringify(request)))) as FormView,
     read: (request) => JSON.parse(answer({ ask: "read", ...request })) as ReadView,
     convert: (request) => JSON.parse(answer({ ask: "convert", ...request })) as Converted,
+    help: (request) => JSON.parse(call("help", () => wasm.help(JSON.stringify(request)))) as HelpView,
     machine: (request) => JSON.parse(call("machine", () => wasm.machine(JSON.stringify(request)))) as MachineView,
     catalogue: () => JSON.parse(call("catalogue", () => wasm.catalogue())) as Catalogue,
     alarms: () => JSON.parse(call("alarms", () => wasm.alarms())) as AlarmInfo[],

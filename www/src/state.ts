@@ -4,7 +4,7 @@
 import type { ProgramFile, Refusal } from "./files";
 import type { BasicSystem, CycleInfo, Diagnostic, Dialect, ErrorSliders, OwnMachine, Pending, Plane, ReadView, RunView, Setup, Style, UnitFunction } from "./wire";
 
-export type Panel = "tasks" | "form" | "program" | "view" | "results";
+export type Panel = "tasks" | "form" | "program" | "view" | "results" | "help";
 export type ResultTab = "outcome" | "problems" | "motions" | "log";
 /** What the core said about a text. It is current while the program is still that text. */
 export interface Reading { control: Dialect; text: string; setup?: Setup | OwnMachine; view: ReadView }

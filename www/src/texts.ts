@@ -7,16 +7,19 @@ import type { Message } from "./wire";
 
 const FALLBACK = "en";
 // English comes in two parts, split by the build (vite.config.ts): what the first form says, and what comes behind it.
-const english = import.meta.glob<string>(["../../core/messages/en/*.ftl", "../messages/en/*.ftl"], { query: "?first", import: "default", eager: true });
-const later = Object.values(import.meta.glob<string>("../../core/messages/en/*.ftl", { query: "?later", import: "default" }));
+const english = import.meta.glob<string>(["../../core/messages/en/*.ftl", "../messages/en/*.ftl", "!../../core/messages/en/help*.ftl"], { query: "?first", import: "default", eager: true });
+const later = Object.values(import.meta.glob<string>(["../../core/messages/en/*.ftl", "!../../core/messages/en/help*.ftl"], { query: "?later", import: "default" }));
 let complete = false; // whether all of English is here
 const others = import.meta.glob<string>(
-  ["../../core/messages/*/*.ftl", "../messages/*/*.ftl", "!../../core/messages/en/*.ftl", "!../messages/en/*.ftl"], { query: "?raw", import: "default" });
+  ["../../core/messages/*/*.ftl", "../messages/*/*.ftl", "!../../core/messages/en/*.ftl", "!../messages/en/*.ftl", "!../../core/messages/*/help*.ftl"], { query: "?raw", import: "default" });
+// Help pages are long and read by few: their words come when one is opened.
+const help = import.meta.glob<string>("../../core/messages/*/help*.ftl", { query: "?raw", import: "default" });
 
 const languageOf = (path: string): string => path.split("/").at(-2) ?? FALLBACK;
 const bundles = new Map<string, FluentBundle>([[FALLBACK, bundle(FALLBACK, Object.values(english))]]);
 const missing = new Set<string>();
 let order: string[] = [FALLBACK];
+const helped = new Set<string>(); // languages whose words of help are here
 
 function bundle(language: string, sources: string[]): FluentBundle {
   const made = new FluentBundle(language, { useIsolating: false });
@@ -36,6 +39,20 @@ export async function laterWords(): Promise<void> {
 /** Whether all words of English have come. */
 export function allWords(): boolean {
   return complete;
+}
+
+/** The words of the help pages, in the language that is spoken. */
+export async function helpWords(): Promise<void> {
+  await Promise.all(order.filter((one) => !helped.has(one)).map(async (one) => {
+    const files = Object.entries(help).filter(([path]) => languageOf(path) === one);
+    for (const source of await Promise.all(files.map(([, fetch]) => fetch()))) bundles.get(one)?.addResource(new FluentResource(source));
+    helped.add(one);
+  }));
+}
+
+/** Whether they have come. */
+export function hasHelp(): boolean {
+  return order.every((one) => helped.has(one));
 }
 
 /** Codes of the languages that there are. */

@@ -172,6 +172,14 @@ export interface RealTool {
     | { nose: { radius: number; side: [number, number] } };
 }
 
+// help(HelpRequest) -> HelpView: the help page of a variant
+export interface HelpRequest { control: Dialect; cycle: string; mvar: number }
+export interface HelpView {
+  sections: { label: Message; lines: { message: Message; source: string }[] }[]; // none: the cycle only computes or logs
+  required: string[];                  // parameters that every call of the variant gives
+  alarms: AlarmInfo[];                 // that can come
+}
+
 // machine(MachineRequest) -> MachineView: what is set once per machine
 export interface MachineRequest {
   control: Dialect;

@@ -1,7 +1,7 @@
 # CYCLE961: titles, search words, variants, words of its own parameters and checks.
 
 cycle961-title = Corner, inside or outside
-cycle961-help = Finds where two edges of a part or pocket meet and how the first of them is turned, and makes the corner the workpiece zero. The points follow from angles and distances, or are given one by one. With distances the probe stands at the measuring depth opposite the corner, where all points can be reached freely; with given points it stands above the part. It touches P2 and P1 on the reference edge, then P3 and P4 on the other one; three points do for a rectangle. Every touch goes along an axis of the active coordinate system. An inside corner is measured in the plane only; outside the probe passes over the corner, raised by _ID, or around it. With given points it goes down by _ID at each of them. It ends at the start, or above P4. The zero offset is written into the coarse offset, absolutely: the corner becomes zero in the plane, the abscissa runs along the reference edge, a fine offset is cleared, the applicate stays. It counts when it is programmed again. What goes wrong most often: the angles are more than 10° wrong, so that a point misses the edge; the start does not lie opposite the corner; P1 and P2 are exchanged, which turns the coordinate system by 180°; _ID has the wrong sign.
+cycle961-help = Finds where two edges of a part or pocket meet and how the first of them is turned, and makes the corner the workpiece zero.
 cycle961-words = measure workpiece corner vertex edge edges set up setup zero point origin rectangle vice angle rotation rotate align inside outside internal external three points four points zero offset ZO frame G54
 
 cycle961-inside-rectangle = Inside corner of a rectangle, three points

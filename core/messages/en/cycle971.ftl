@@ -1,7 +1,7 @@
 # CYCLE971: titles, search words, variants, words of its own parameters, checks and results.
 
 cycle971-title = Tool probe in milling: calibrate, measure tools
-cycle971-help = Measures length L1 or radius of the milling tool or drill in the spindle at a tool probe, or calibrates this probe with a tool of known size. The tool axis is parallel to the probe, plane and D number are active, and the tool stands where every way to the probe is free; with incremental calibration it already stands _FA in front of the side that is touched. The cycle travels to the centre of the probe in the other axis, beside the side to be touched (for a length: above it, a wide tool offset by its radius less _ID), goes down, touches over twice the measuring path and goes back; it ends _FA before the touched side, for a radius at its depth. Calibrating stores the trigger value in _TP or _TPW; measuring corrects the tool in use: geometry with the wear set to 0, or the wear alone with _CHBIT[3]=1. What goes wrong most often: the approximate data of the probe are missing or its sides exchanged, the start position does not clear the side to be touched, the calibration tool is not known exactly, the edge was not turned towards the probe, or a tool with edges on different heights is measured without _ID.
+cycle971-help = Measures length L1 or radius of the milling tool or drill in the spindle at a tool probe, or calibrates this probe with a tool of known size.
 cycle971-words = measure tool setter tool setting preset tool probe touch probe laser cube disc disk calibrate calibration length L1 radius diameter cutter end mill face mill drill wear geometry breakage spindle rotating standing edge trigger point
 
 cycle971-calibrate = Calibrate the tool probe

@@ -1,7 +1,7 @@
 # CYCLE973: titles, search words, variants, words of its own parameters and checks.
 
 cycle973-title = Calibrate workpiece probe in turning
-cycle973-help = Finds where the probe of a turning machine switches, and stores it in the probe's data _WP, from where every later measurement takes it. In a reference groove of the machine, whose edges and base stand in _KB, it works in machine coordinates, in one direction or in both directions of an axis, on request with the position deviation (skew) and the active ball diameter; the probe has cutting edge position 7 or 8 and starts from where it can reach the groove by straight ways along the axes. On a surface it works in the workpiece system, in one direction; the probe has cutting edge position 5 to 8 and stands opposite, further away than the measuring path. The cycle travels to _FA before the face, touches over twice this path and goes back; it ends _FA before the face touched last. A new trigger value is stored when it differs from the old one by more than _TZL and no more than _TSA. What goes wrong most often: on the first calibration the stored values are 0 and _TSA has to be larger than the ball radius; lengths L1 and L2 of the probe do not refer to the centre of the ball; the data of the groove are diameters in X instead of radii; the feed is not that of the later measurement.
+cycle973-help = Finds where the probe of a turning machine switches, and stores it in the probe's data _WP, from where every later measurement takes it.
 cycle973-words = calibrate calibration workpiece probe turning lathe reference groove gauging block surface face trigger point values ball diameter skew position deviation
 
 cycle973-surface = Surface: one direction

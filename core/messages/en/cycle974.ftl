@@ -1,7 +1,7 @@
 # CYCLE974: titles, search words, variants, words of its own parameters, checks and results.
 
 cycle974-title = Turned part: one point
-cycle974-help = Measures one point of a turned part, outside or inside, on a diameter, an end face or in the third axis, against the setpoint from the drawing. The probe stands opposite the point, further away than the measuring path; only the measuring axis moves, towards the setpoint. The cycle travels to _FA before the setpoint, touches over twice this path and goes back; with reversal the master spindle is positioned at _STA1 first, turned by 180° after the first touch, and the mean of both counts. Then a tool offset (deviation against tolerance, mean and empirical value) or a zero offset is corrected, and the probe stands _FA before the surface. Needed are a probe of type 5xy with cutting edge position 5 to 8, calibrated in this direction and plane, its D number, and a coordinate system that is not turned. What goes wrong most often: a setpoint that is a radius while DIAMON is active, or the reverse; a start position within the measuring path or on the wrong side; a probe calibrated with another feed; _TUL or _TLL left over from the call before.
+cycle974-help = Measures one point of a turned part, outside or inside, on a diameter, an end face or in the third axis, against the setpoint from the drawing.
 cycle974-words = measure workpiece turning lathe turned part diameter outside inside shoulder end face length one point single X Z Y facing axis reversal runout spindle tool offset wear zero offset ZO
 
 cycle974-tool = One point: correct a tool

@@ -1,7 +1,7 @@
 # CYCLE976: titles, search words, variants, words of its own parameters, checks and results.
 
 cycle976-title = Calibrate workpiece probe
-cycle976-help = Finds at which position the probe switches, against a ring whose diameter is known or a surface whose position is known, and stores it in the probe's data _WP, from where every later measurement takes it. In a ring (hole) the probe stands at the centre, or near it where the centre is unknown, at the calibration depth; opposite a surface it stands further away than the measuring path, and for the probe length within twice the measuring path. The directions are touched one after the other, plus before minus, abscissa before ordinate; with an unknown centre all of them twice, first with the spindle turned by 180°. New trigger values are stored when they differ from the old ones by more than _TZL and no more than _TSA; on request the skew of the stylus, the active ball diameter or the length L1 of the probe as well. In a ring the probe ends at the centre. What goes wrong most often: on the first calibration the stored values are 0 and _TSA has to be larger than the ball radius; the diameter or radius of the ball in the tool data is wrong; plane, feed, spindle position or _CBIT[14] are not those of the later measurement.
+cycle976-help = Finds at which position the probe switches, against a ring whose diameter is known or a surface whose position is known, and stores it in the probe's data _WP, from where every later measurement takes it.
 cycle976-words = calibrate calibration workpiece probe stylus ring gauge hole bore surface trigger point values ball diameter radius skew position deviation runout probe length L1 reference
 
 cycle976-known-four = Hole, centre known: 4 directions

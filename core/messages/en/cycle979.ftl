@@ -1,7 +1,7 @@
 # CYCLE979: titles, search words, variants, words of its own parameters and checks.
 
 cycle979-title = Hole, shaft, groove, web at an angle
-cycle979-help = Measures a size and its centre where the axes cannot be followed: a hole or shaft, also a segment of one, at three or four points on a circle; a groove or web across an oblique line. Before the call the probe stands at the measuring height near the first point, further from the contour than the measuring path, with nothing in the straight way to that point. It touches the first point in the direction of the set centre (shaft, web) or away from it (hole, groove). Between the points of a hole or shaft it goes along an arc at _RF; in a groove it goes straight across; over a web it rises by _ID. It ends beside the last point. The difference of the size corrects a tool; the difference of the centre corrects a zero offset, whose rotation stays. What goes wrong most often: the probe was calibrated without its ball diameter; the arc runs into something beside a segment; the points lie so close together that the centre is uncertain; _RF is missing.
+cycle979-help = Measures a size and its centre where the axes cannot be followed: a hole or shaft, also a segment of one, at three or four points on a circle; a groove or web across an oblique line.
 cycle979-words = measure workpiece hole bore shaft boss groove slot web rib segment arc angle oblique inclined diameter width centre center three four points inside outside tool offset wear zero offset ZO
 
 cycle979-hole-tool = Hole at an angle: correct a tool

@@ -1,7 +1,7 @@
 # CYCLE994: titles, search words, variants, words of its own parameters, checks and results.
 
 cycle994-title = Turned part: two points
-cycle994-help = Measures a diameter of a turned part by two opposite points that lie at plus and minus the setpoint about the workpiece zero, outside or inside, and corrects a tool. The probe stands opposite the point on the plus side, further away than the measuring path; where it stands decides whether the part is measured outside or inside. The cycle touches this point first, comes back, travels to the other side and touches the point on the minus side; it ends _FA before that one. Outside, and inside with variant 1, it goes around the protection zone on the way: out to _SZO, along to _SZA, across, and back, with the centre of the ball on the border of the zone; the ball radius is for you to add. Deviation, mean and empirical value then decide what is corrected. Needed are a probe of type 5xy with cutting edge position 5 to 8, its D number, a coordinate system that is not turned, and calibration in both directions; with _CHBIT[7]=1 the stored ball diameter counts instead. What goes wrong most often: a protection zone left over from the call before; a zone without the ball radius; a radius for a setpoint while DIAMON is active; _TUL or _TLL left over.
+cycle994-help = Measures a diameter of a turned part by two opposite points that lie at plus and minus the setpoint about the workpiece zero, outside or inside, and corrects a tool.
 cycle994-words = measure workpiece turning lathe turned part diameter bore shaft outside inside two points opposite safety zone protection zone X Y facing axis tool offset wear
 
 cycle994-inside-zone = Inside, around a protection zone

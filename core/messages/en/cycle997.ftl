@@ -1,7 +1,7 @@
 # CYCLE997: titles, search words, variants, words of its own parameters, checks and results.
 
 cycle997-title = Measure spheres
-cycle997-help = Finds the centre of a sphere, or of three spheres one after the other, and corrects a zero offset by it: one sphere moves it in three axes, three spheres move and turn it. The frame has to be near the truth before, and the probe stands at safety height above the set centre of sphere 1, from where every sphere must be reached without a collision. Around each sphere three or four points are touched at the height of the set centre: parallel to the axes the probe rises above the sphere between the points, at an angle it goes round along an arc at _RF. The last point is the top, above the centre that was just found; on request one more point in plus direction of the abscissa gives the diameter, and everything is repeated about the found centre. Then the probe returns to safety height, above the last sphere. Every difference larger than _TSA stops with alarm 61303. What goes wrong most often: the holder of a sphere stands in the way; at an angle the probe was calibrated without its ball diameter; _FA is smaller than the deviation; the triangle is distorted by more than _TNVL; a frame with mirroring or scale is active.
+cycle997-help = Finds the centre of a sphere, or of three spheres one after the other, and corrects a zero offset by it: one sphere moves it in three axes, three spheres move and turn it.
 cycle997-words = measure workpiece sphere ball spheres balls calibration ball centre center position in space three triangle plane rotation setup fixture diameter zero offset ZO frame G54
 
 cycle997-one = 1 sphere: parallel to the axes

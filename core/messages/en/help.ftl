@@ -11,7 +11,7 @@ help-alarms = Alarms that can come: { $names }.
 
 help-probe-loaded = The probe is in the spindle (tool type 710 or 1x0), its D number is active; G40 is programmed, no scale factor is.
 help-wrong-tool = _TNUM or the D number in _KNUM is not that of the tool which cut this surface: a good tool is spoiled.
-help-wrong-chip = A chip on the surface makes the part seem larger: clean it, and set _TDIF so that such a value is not corrected.
+help-wrong-chip = A chip or burr on the surface falsifies the size: clean it, and set _TDIF so that such a value is not corrected.
 help-wrong-conditions = The probe was calibrated with another feed, plane or spindle position, so every result is off by the same amount.
 help-wrong-kept = A parameter that this call does not write still has its value from an earlier call: a limit, a zone, an angle.
 help-order-block = One touch: to _FA before the set position, from there at the measuring feed over at most twice _FA, back after the signal. With _NMSP above 1 it is repeated and the mean counts.
@@ -20,7 +20,7 @@ help-wrong-reach = The surface lies further than _FA from its set position: noth
 help-wrong-in-the-way = Something stands in the way: a touch while positioning is alarm 61302.
 help-corrects-tool = A tool: _TNUM or _TNAME says which, _KNUM which edge and length or radius. The correction goes into the wear, with _CHBIT[6]=1 into the geometry. _KNUM=0 corrects nothing.
 help-corrects-chain = Deviation beyond _TSA: alarm 61303, the program stops. Beyond _TDIF: message 62306, no correction. Beyond _TUL, _TLL or _TMV: the whole deviation. Within _TMV: the mean value weighted by _K, once it is larger than _TZL.
-help-corrects-zero = A zero offset, named by _KNUM: it is moved by actual minus set value, so that the place measured gets its set coordinates; its rotation stays. The fine offset takes it, with _CHBIT[21]=1 the coarse one. _KNUM=0 corrects nothing.
+help-corrects-zero = A zero offset, named by _KNUM: it is moved by actual minus set value, so that the place measured gets its set coordinates; its rotation stays. The fine offset takes it where the machine has one, with _CHBIT[21]=1 the coarse one. _KNUM=0 corrects nothing.
 help-corrects-zero-area = A deviation beyond _TSA is alarm 61303: the program stops, nothing is corrected.
 help-corrects-when = It counts when its G function (G54 …) is programmed again; only with _KNUM=9999 it counts at once.
 help-corrects-trigger = The data of the probe: a trigger value in _WP that differs from the stored one by more than _TZL is renewed. Beyond _TSA: alarm 61303, nothing is stored.

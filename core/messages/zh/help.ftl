@@ -11,7 +11,7 @@ help-alarms = 可能出现的报警：{ $names }。
 
 help-probe-loaded = 测量头在主轴中（刀具类型 710 或 1x0），其 D 号有效；已编程 G40，没有比例系数。
 help-wrong-tool = _TNUM 或 _KNUM 中的 D 号不是加工此表面的刀具：把好的刀具补偿坏了。
-help-wrong-chip = 表面上的切屑使工件显得偏大：测量前清洁，并设定 _TDIF，使这样的值不被补偿。
+help-wrong-chip = 表面上的切屑或毛刺使尺寸失真：测量前清洁，并设定 _TDIF，使这样的值不被补偿。
 help-wrong-conditions = 校准测量头时的进给、平面或主轴位置与现在不同，所有结果都偏差同样的量。
 help-wrong-kept = 本次调用没有写的参数仍是以前调用的值：公差、保护区、角度。
 help-order-block = 一次触碰：移到设定位置前 _FA 处，从那里以测量进给最多走两倍 _FA，触发后退回。_NMSP 大于 1 时重复触碰，取平均值。
@@ -20,7 +20,7 @@ help-wrong-reach = 表面离其设定位置超过 _FA：测量头不触发，报
 help-wrong-in-the-way = 途中有障碍：定位时触碰为报警 61302。
 help-corrects-tool = 刀具：_TNUM 或 _TNAME 指定刀具，_KNUM 指定刀沿以及长度或半径。补偿写入磨损，_CHBIT[6]=1 时写入几何值。_KNUM=0 不补偿。
 help-corrects-chain = 偏差超过 _TSA：报警 61303，程序停止。超过 _TDIF：信息 62306，不补偿。超过 _TUL、_TLL 或 _TMV：补偿全部偏差。在 _TMV 以内：以 _K 加权的平均值，大于 _TZL 时才补偿。
-help-corrects-zero = 零点偏移，由 _KNUM 指定：移动量为实际值减设定值，使测得的位置得到其设定坐标；旋转不变。写入精偏移，_CHBIT[21]=1 时写入粗偏移。_KNUM=0 不补偿。
+help-corrects-zero = 零点偏移，由 _KNUM 指定：移动量为实际值减设定值，使测得的位置得到其设定坐标；旋转不变。机床有精偏移时写入精偏移，_CHBIT[21]=1 时写入粗偏移。_KNUM=0 不补偿。
 help-corrects-zero-area = 偏差超过 _TSA 时报警 61303：程序停止，不作补偿。
 help-corrects-when = 重新编程其 G 功能（G54 …）后才生效；只有 _KNUM=9999 时立即生效。
 help-corrects-trigger = 测量头数据：_WP 中与原值相差大于 _TZL 的触发值被更新。超过 _TSA：报警 61303，不存储。

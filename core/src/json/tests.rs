@@ -473,3 +473,31 @@ fn a_form_as_on_the_control_has_its_fields_and_code() {
     assert_eq!(view["setup"]["data"]["_CHBIT[4]"], 1.0);
     assert_eq!(view["setup"]["data"]["PW-FORMS"], 1.0);
 }
+
+// oracle: self: the page of a variant as the browser shows it, and none for what only computes
+#[test]
+fn help_is_asked_by_variant() {
+    let ask = |cycle: &str, mvar: i64| {
+        help(&json!({"control": "sinumerik", "cycle": cycle, "mvar": mvar}).to_string()).unwrap()
+    };
+    let hole = ask("CYCLE977", 1);
+    let labels: Vec<&str> = hole["sections"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|section| section["label"]["key"].as_str().unwrap())
+        .collect();
+    let sections = ["measures", "before", "order", "corrects", "wrong"];
+    assert_eq!(labels, sections.map(|name| format!("help-section-{name}")));
+    let first = &hole["sections"][0]["lines"][0];
+    assert_eq!(first["message"]["key"], "help-cycle977-measures-hole");
+    assert_eq!(hole["required"], json!(["_SETVAL", "_KNUM"]));
+    assert_eq!(hole["alarms"][0]["key"], "alarm-61016");
+    let tool = ask("CYCLE971", 1);
+    assert_eq!(
+        tool["sections"][1]["label"]["key"],
+        "help-section-before-tool"
+    );
+    assert_eq!(ask("CYCLE116", 0)["sections"], json!([]));
+    assert!(help(r#"{"control": "nct", "cycle": "CYCLE977", "mvar": 1}"#).is_err());
+}

@@ -7,6 +7,7 @@ panel-form = Form
 panel-program = Program
 panel-view = 3D view
 panel-results = Result
+panel-help = Help
 skip = Skip
 skip-to = Go to { $panel }
 
@@ -80,6 +81,16 @@ tasks-none = Nothing found for “{ $search }”. Try another word, or the numbe
 form-opened = Edits { $cycle } in the program, lines { $from } to { $to }
 explain-more = More
 explain-less = Less
+
+help-open = Help
+help-title = { $cycle } · { $name }
+help-close = Close
+help-coming = The help page is on its way.
+help-absent = The help page could not be loaded. Close it and open it again to try once more.
+help-no-variant = The help page follows the measuring variant: choose one in the form.
+help-values-title = To be given
+help-alarms-title = Alarms that can come ({ $count })
+
 form-detach = Detach
 form-check = Check
 form-example = Worked example

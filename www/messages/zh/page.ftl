@@ -7,6 +7,7 @@ panel-form = 表单
 panel-program = 程序
 panel-view = 3D 视图
 panel-results = 结果
+panel-help = 帮助
 skip = 跳转
 skip-to = 转到{ $panel }
 
@@ -80,6 +81,16 @@ tasks-none = 没有找到“{ $search }”。请换一个词，或输入循环�
 form-opened = 正在编辑程序中的 { $cycle }，第 { $from } 至 { $to } 行
 explain-more = 展开
 explain-less = 收起
+
+help-open = 帮助
+help-title = { $cycle } · { $name }
+help-close = 关闭
+help-coming = 帮助页正在加载。
+help-absent = 帮助页无法加载。请关闭后重新打开再试。
+help-no-variant = 帮助页随测量方式而变：请在表单中选择测量方式。
+help-values-title = 必须给出
+help-alarms-title = 可能出现的报警（{ $count }）
+
 form-detach = 断开
 form-check = 检查
 form-example = 示例数据

@@ -30,6 +30,7 @@ export function createForm(root: HTMLElement, store: Store, actions: Actions, sh
   const title = el("h2", { id: "form-title" });
   const explain = createExplain();
   const where = el("span", {});
+  const help = el("button", { type: "button", class: "quiet help-open", "aria-controls": "panel-help" }, t("help-open"));
   const detach = el("button", { type: "button", class: "quiet" }, t("form-detach"));
   const opened = el("div", { class: "opened", role: "status" }, el("span", { class: "opened-mark", "aria-hidden": "true" }, "◆"), where, detach);
   const callWays = createCallWays(actions);
@@ -49,7 +50,7 @@ export function createForm(root: HTMLElement, store: Store, actions: Actions, sh
     el("div", { class: "snippet-head" }, el("h3", {}, t("form-snippet")), el("label", { class: "check", for: "comments" }, comments, t("form-comments"))),
     el("div", { class: "ways" }, ways.choice), snippet, ways.said, el("div", { class: "actions" }, insert, copy));
   const scroll = el("div", { class: "scroll" }, loose, fields, el("div", { class: "actions" }, check, example, sets), snippetBox);
-  root.append(el("header", { class: "panel-head" }, title, count), opened, callWays.root, pictureBox, explain.root, scroll);
+  root.append(el("header", { class: "panel-head" }, title, count, help), opened, callWays.root, pictureBox, explain.root, scroll);
 
   const views = new WeakMap<Element, FieldView>();
   const focused = (name: string | null): void => { if (store.state.focus !== name) store.update({ focus: name }); };
@@ -58,6 +59,10 @@ export function createForm(root: HTMLElement, store: Store, actions: Actions, sh
   let snippetText = "";
 
   on(detach, "click", () => actions.closeCall());
+  on(help, "click", () => {
+    actions.help();
+    if (store.state.right === "help") document.getElementById("panel-help")?.focus();
+  });
   on(example, "click", () => actions.example());
   on(sets, "click", showSets);
   on(comments, "change", () => store.update({ comments: comments.checked }));
@@ -78,6 +83,7 @@ export function createForm(root: HTMLElement, store: Store, actions: Actions, sh
   return (state, derived) => {
     const { view, cycle } = derived;
     setText(title, t(`${cycle.key}-title`));
+    setAttribute(help, "aria-expanded", String(state.right === "help"));
     explain.draw(optional(`${cycle.key}-help`), view.fields.find((field) => field.name === state.focus));
     show(opened, !!derived.opened);
     if (derived.opened) setText(where, t("form-opened", { cycle: cycle.cycle, from: derived.opened.line, to: derived.opened.lastLine }));

@@ -95,8 +95,8 @@ pub static CYCLE973: Cycle = Cycle {
     checks: checks::checks,
     help: Help::new(&[
         sinumerik::help::STORED,
-        sinumerik::help::BLOCK,
         help::LINES,
+        sinumerik::help::BLOCK,
         lathe::help::PROBE,
     ]),
     picture: Drawing::new(picture::picture),

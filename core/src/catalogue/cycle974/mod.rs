@@ -79,8 +79,8 @@ pub static CYCLE974: Cycle = Cycle {
     checks: checks::checks,
     help: Help::new(&[
         sinumerik::help::CORRECTION,
-        sinumerik::help::BLOCK,
         help::LINES,
+        sinumerik::help::BLOCK,
         lathe::help::PROBE,
         sinumerik::help::CALIBRATED,
         sinumerik::help::AGAIN,

@@ -10,6 +10,8 @@ const RAISED: When = When::Any(&[OUTSIDE, ZONE]);
 const ZONE_INSIDE: When = When::All(&[ZONE, INSIDE]);
 const ZONE_OUTSIDE: When = When::All(&[ZONE, OUTSIDE]);
 const TWO_AXES: When = When::Not(&WIDTH);
+const ZONE_RECTANGLE: When = When::All(&[ZONE, RECTANGLE]);
+const TOOL_RECTANGLE: When = When::All(&[TOOL, RECTANGLE]);
 const ZERO_BOTH: When = When::All(&[ZERO, TWO_AXES]);
 const ZERO_ONE: When = When::All(&[ZERO, WIDTH]);
 
@@ -41,7 +43,8 @@ pub const LINES: &[HelpLine] = &[
         "help-cycle977-measures-island",
         "B:5650;B:5773",
     ),
-    before(When::Always, "help-cycle977-before-centre", "B:5879-5902"),
+    before(TWO_AXES, "help-cycle977-before-centre", "B:5879-5902"),
+    before(WIDTH, "help-cycle977-before-middle", "B:5879-5902"),
     before(LEVEL, "help-cycle977-before-depth", "B:5917-5928"),
     before(
         RAISED,
@@ -56,6 +59,11 @@ pub const LINES: &[HelpLine] = &[
     before(
         ZONE_OUTSIDE,
         "help-cycle977-before-zone-outside",
+        "B:5801-5809",
+    ),
+    before(
+        ZONE_RECTANGLE,
+        "help-cycle977-before-zone-lengths",
         "B:5801-5809",
     ),
     order(TWO_AXES, "help-cycle977-order-two-axes", "B:5773-5799"),
@@ -73,6 +81,7 @@ pub const LINES: &[HelpLine] = &[
     order(RECTANGLE, "help-cycle977-order-lengths", "B:5773"),
     order(When::Always, "help-cycle977-order-end", "B:5957"),
     corrects(TOOL, "help-cycle977-corrects-half", "B:6130-6134"),
+    corrects(TOOL_RECTANGLE, "help-cycle977-corrects-mean", "B:6130-6134"),
     corrects(ZERO_BOTH, "help-cycle977-corrects-both-axes", "B:6167-6171"),
     corrects(ZERO_ONE, "help-cycle977-corrects-one-axis", "B:6167-6171"),
     wrong(LEVEL, "help-cycle977-wrong-depth", "B:5917-5928"),

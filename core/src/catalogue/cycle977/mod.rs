@@ -47,8 +47,8 @@ pub static CYCLE977: Cycle = Cycle {
     checks: checks::checks,
     help: Help::new(&[
         sinumerik::help::CORRECTION,
-        sinumerik::help::BLOCK,
         help::LINES,
+        sinumerik::help::BLOCK,
         sinumerik::help::PROBE,
         sinumerik::help::CALIBRATED,
         sinumerik::help::AGAIN,

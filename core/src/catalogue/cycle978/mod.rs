@@ -61,9 +61,9 @@ pub static CYCLE978: Cycle = Cycle {
     checks: checks::checks,
     help: Help::new(&[
         sinumerik::help::CORRECTION,
-        sinumerik::help::BLOCK,
         sinumerik::help::DIFFERENTIAL,
         help::LINES,
+        sinumerik::help::BLOCK,
         sinumerik::help::PROBE,
         sinumerik::help::AGAIN,
         sinumerik::help::MEASURING,

@@ -87,8 +87,8 @@ pub static CYCLE979: Cycle = Cycle {
     checks: checks::checks,
     help: Help::new(&[
         sinumerik::help::CORRECTION,
-        sinumerik::help::BLOCK,
         help::LINES,
+        sinumerik::help::BLOCK,
         sinumerik::help::PROBE,
         sinumerik::help::CALIBRATED,
         sinumerik::help::AGAIN,

@@ -49,8 +49,8 @@ pub static CYCLE997: Cycle = Cycle {
     ],
     checks: checks::checks,
     help: Help::new(&[
-        sinumerik::help::BLOCK,
         help::LINES,
+        sinumerik::help::BLOCK,
         sinumerik::help::PROBE,
         sinumerik::help::CALIBRATED,
         sinumerik::help::AGAIN,

@@ -1,0 +1,88 @@
+// The help page of the variant in the form: what it measures, where the probe stands before, what happens in order, what it
+// corrects, what goes wrong. It stands beside the form, in the place of program, view and results.
+
+import { variantOf, type Actions } from "../actions";
+import type { Derived } from "../derive";
+import { el, on, setText, show } from "../dom";
+import type { ProgramCore } from "../program";
+import type { State } from "../state";
+import type { Store } from "../store";
+import { hasHelp, helpWords, language, optional, say, t } from "../texts";
+import type { AlarmInfo, HelpView } from "../wire";
+import { fieldId } from "./field";
+
+export function createHelp(root: HTMLElement, store: Store, actions: Actions, core: () => ProgramCore | null): (state: State, derived: Derived) => void {
+  const title = el("h2", { id: "help-title" });
+  const close = el("button", { type: "button", class: "quiet" }, t("help-close"));
+  const note = el("p", { class: "empty" });
+  const page = el("div", { class: "help-page" });
+  root.append(el("header", { class: "panel-head" }, title, close), el("div", { class: "scroll", tabindex: "0", role: "region", "aria-labelledby": "help-title" }, note, page));
+  const leave = (): void => {
+    actions.help();
+    document.querySelector<HTMLElement>(".help-open")?.focus();
+  };
+  on(close, "click", leave);
+  on(root, "keydown", (event) => { if (event.key === "Escape") leave(); });
+
+  const goTo = (name: string): void => {
+    actions.panel("form");
+    document.getElementById(fieldId(name))?.focus();
+  };
+  let fetching = "";
+  let failed = false;
+  /** Asks once a language; draws again when the words are there, or say that they are not. */
+  const fetchWords = (): void => {
+    if (fetching === language()) return;
+    fetching = language();
+    failed = false;
+    helpWords().catch((problem: unknown) => { console.error(problem); failed = true; fetching = ""; }).finally(() => store.update({}));
+  };
+
+  let drawn = "";
+  return (state, { cycle }) => {
+    if (state.right !== "help") {
+      failed = false; // opened again, it tries again
+      return;
+    }
+    const variant = variantOf(cycle, state.values);
+    const name = t(`${cycle.key}-title`);
+    setText(title, t("help-title", { cycle: cycle.cycle, name: variant ? t(variant.key) : name }));
+    const asked = core();
+    if (!failed && !hasHelp()) fetchWords();
+    const ready = asked && hasHelp();
+    const what = `${cycle.control}/${cycle.cycle}/${variant?.mvar}/${language()}`;
+    const view = ready && variant ? asked.help({ control: cycle.control, cycle: cycle.cycle, mvar: variant.mvar }) : null;
+    const missing = !ready ? t(failed ? "help-absent" : "help-coming") : !variant ? t("help-no-variant") : "";
+    setText(note, missing);
+    show(note, missing !== "");
+    show(page, !!view);
+    if (!view || what === drawn) return;
+    drawn = what;
+    page.replaceChildren(...(view.sections.length ? fill(view, goTo) : [el("p", {}, optional(`${cycle.key}-help`))]));
+    page.parentElement?.scrollTo({ top: 0 });
+  };
+}
+
+/** A text with the names of data in it marked as such. */
+function marked(text: string): (string | HTMLElement)[] {
+  return text.split(/([_$][A-Z][A-Z0-9_]*(?:\[[^\]]*\])?)/).map((part, index) => index % 2 ? el("code", {}, part) : part);
+}
+
+/** Headings and lines; the values stand with where the probe is before the call, the alarms at the end. */
+function fill({ sections, required, alarms }: HelpView, goTo: (name: string) => void): HTMLElement[] {
+  const parts = sections.map(({ label, lines }) => el("section", {}, el("h3", {}, say(label)),
+    el("ul", {}, ...lines.map(({ message, source }) => el("li", {}, ...marked(say(message)), " ", el("small", {}, source))))));
+  const name = (one: string): HTMLElement => {
+    const button = el("button", { type: "button", class: "quiet" }, el("code", {}, one));
+    on(button, "click", () => goTo(one));
+    return el("li", {}, button);
+  };
+  const values = el("section", {}, el("h3", {}, t("help-values-title")), el("ul", { class: "help-values" }, ...required.map(name)));
+  const list = el("section", {}, el("h3", {}, t("help-alarms-title", { count: alarms.length })), ...alarms.map(alarmEntry));
+  return [...parts.slice(0, 2), ...(required.length ? [values] : []), ...parts.slice(2), list];
+}
+
+function alarmEntry({ code, key }: AlarmInfo): HTMLElement {
+  const told = [`${key}.cause`, `${key}.cure`].map(optional).filter((text) => text !== "");
+  return el("details", { class: "help-alarm" }, el("summary", {}, el("code", {}, code), ` ${t(key)}`), ...told.map((text) => el("p", {}, text)));
+}
