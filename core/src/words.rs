@@ -55,6 +55,7 @@ pub const ENGLISH: &[(&str, &str)] = &[
         "tool-probe.ftl",
         include_str!("../messages/en/tool-probe.ftl"),
     ),
+    ("twin.ftl", include_str!("../messages/en/twin.ftl")),
     ("write.ftl", include_str!("../messages/en/write.ftl")),
 ];
 
@@ -118,6 +119,7 @@ pub const LANGUAGES: &[Language] = &[
         "run.ftl"
         "syntax.ftl"
         "tool-probe.ftl"
+        "twin.ftl"
         "write.ftl"
     ),
 ];

@@ -97,6 +97,8 @@ pub struct Purpose {
     pub machine: MachineSort,
     /// Variants that calibrate the probe.
     pub calibrates: When,
+    /// What of it the other control can do too.
+    pub tasks: &'static [super::task::Shared],
 }
 
 /// The probe that a cycle uses.
@@ -147,6 +149,7 @@ impl Purpose {
         probe: ProbeUse::Workpiece,
         machine: MachineSort::Milling,
         calibrates: NEVER,
+        tasks: &[],
     };
     /// Measures workpieces on lathes.
     pub const TURNING: Purpose = Purpose {

@@ -10,6 +10,7 @@ use super::nct::ring::{self, D};
 use super::nct::touch::Calibration;
 use super::nct::walls::{home, travel};
 use super::nct::{self, correct};
+use super::task::{Meaning, Task};
 use super::{
     Cycle, Dialect, Drawing, Help, Param, Purpose, Range, Simulation, Variant, When, Work,
 };
@@ -29,6 +30,12 @@ pub static G103: Cycle = Cycle {
     }],
     purpose: Purpose {
         calibrates: When::Always,
+        tasks: &[nct::tasks::task(
+            Task::Ball,
+            &[0],
+            0,
+            &[("D", Meaning::Nominal)],
+        )],
         ..Purpose::MILLING
     },
     lists: &[],

@@ -7,6 +7,7 @@
 use super::common::{ALWAYS_REQUIRED, PARAM};
 use super::nct::walls::home;
 use super::nct::{self, FORMAT_ERROR, REGISTER, axis_name, correct, overtravel, params, surface};
+use super::task::{Meaning, Task};
 use super::{Cycle, Dialect, Drawing, Help, Param, Purpose, Simulation, Unit, Variant, When, Work};
 use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
 use crate::check::Inputs;
@@ -22,6 +23,13 @@ const SURFACE: Param = Param {
     ..PARAM
 };
 
+/// Height of the surface in the tool axis; T is the register of the stylus itself.
+const LENGTH_VALUES: &[(&str, Meaning)] = &[
+    ("X", Meaning::NominalInAxis),
+    ("Y", Meaning::NominalInAxis),
+    ("Z", Meaning::NominalInAxis),
+];
+
 /// The macro.
 pub static G104: Cycle = Cycle {
     dialect: Dialect::Nct,
@@ -34,6 +42,7 @@ pub static G104: Cycle = Cycle {
     }],
     purpose: Purpose {
         calibrates: When::Always,
+        tasks: &[nct::tasks::task(Task::Length, &[0], 0, LENGTH_VALUES)],
         ..Purpose::MILLING
     },
     lists: &[],

@@ -10,6 +10,7 @@ use super::{
     Cycle, Dialect, Drawing, Help, Param, Proposal, Purpose, Simulation, Unit, Variant, When, Work,
 };
 use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
+use crate::catalogue::task::Task;
 use crate::check::Inputs;
 use crate::control::{Control, Plane};
 use crate::diagnostic::Diagnostic;
@@ -36,7 +37,10 @@ pub static G105: Cycle = Cycle {
         key: "g105-surface",
         source: "C:450",
     }],
-    purpose: Purpose::MILLING,
+    purpose: Purpose {
+        tasks: &[nct::tasks::task(Task::Wall, &[0], 0, nct::tasks::IN_AXIS)],
+        ..Purpose::MILLING
+    },
     lists: &[],
     settings: &[],
     params: &[

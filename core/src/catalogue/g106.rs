@@ -9,6 +9,7 @@ use super::nct::walls::home;
 use super::nct::{self, FORMAT_ERROR, axis_name, checks, params, print, surface};
 use super::{Cycle, Dialect, Drawing, Help, Param, Purpose, Simulation, Unit, Variant, When, Work};
 use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
+use crate::catalogue::task::Task;
 use crate::check::Inputs;
 use crate::control::Plane;
 use crate::run::{Machine, Stop};
@@ -32,7 +33,10 @@ pub static G106: Cycle = Cycle {
         key: "g106-surface",
         source: "C:583",
     }],
-    purpose: Purpose::MILLING,
+    purpose: Purpose {
+        tasks: &[nct::tasks::task(Task::Face, &[0], 0, nct::tasks::IN_AXIS)],
+        ..Purpose::MILLING
+    },
     lists: &[],
     settings: &[],
     params: &[

@@ -2,6 +2,7 @@
 
 use super::help::{HelpLine, before, corrects, measures, order, wrong};
 use super::nct::{self, corner, params};
+use super::task::{Meaning, Task};
 use super::{Cycle, Dialect, Drawing, Help, Param, Purpose, Simulation, Variant, When, Work};
 
 /// The macro.
@@ -14,7 +15,15 @@ pub static G107: Cycle = Cycle {
         key: "g107-corner",
         source: "C:700",
     }],
-    purpose: Purpose::MILLING,
+    purpose: Purpose {
+        tasks: &[nct::tasks::task(
+            Task::InnerCorner,
+            &[0],
+            0,
+            &[("S", Meaning::Zero)],
+        )],
+        ..Purpose::MILLING
+    },
     lists: &[],
     settings: &[],
     params: &[

@@ -2,6 +2,7 @@
 
 use super::help::{HelpLine, before, corrects, measures, order, wrong};
 use super::nct::{self, corner, params};
+use super::task::{Meaning, Task};
 use super::{Cycle, Dialect, Drawing, Help, Param, Purpose, Simulation, Variant, When, Work};
 
 /// The macro.
@@ -14,7 +15,15 @@ pub static G108: Cycle = Cycle {
         key: "g108-corner",
         source: "C:787",
     }],
-    purpose: Purpose::MILLING,
+    purpose: Purpose {
+        tasks: &[nct::tasks::task(
+            Task::OuterCorner,
+            &[0],
+            0,
+            &[("S", Meaning::Zero)],
+        )],
+        ..Purpose::MILLING
+    },
     lists: &[],
     settings: &[],
     params: &[

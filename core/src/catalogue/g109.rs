@@ -11,6 +11,7 @@ use super::{
     When, Work,
 };
 use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
+use crate::catalogue::task::Task;
 use crate::check::{Finding, Inputs, error};
 use crate::control::{Control, Plane};
 use crate::diagnostic::Diagnostic;
@@ -59,7 +60,13 @@ pub static G109: Cycle = Cycle {
             source: "C:911",
         },
     ],
-    purpose: Purpose::MILLING,
+    purpose: Purpose {
+        tasks: &[
+            nct::tasks::task(Task::Pocket, &[POCKET], POCKET, nct::tasks::IN_AXIS),
+            nct::tasks::task(Task::Web, &[WEB], WEB, nct::tasks::IN_AXIS),
+        ],
+        ..Purpose::MILLING
+    },
     lists: &[],
     settings: &[],
     params: &[

@@ -49,7 +49,9 @@ pub mod p9920;
 pub mod place;
 pub mod shared_checks;
 pub mod sinumerik;
+pub mod task;
 pub mod tool_probe;
+pub mod twin;
 mod when;
 pub use entry::*;
 pub use help::Help;
@@ -110,6 +112,8 @@ mod help_tests;
 mod picture_tests;
 #[cfg(test)]
 mod table_tests;
+#[cfg(test)]
+mod twin_tests;
 #[cfg(test)]
 mod word_tests;
 

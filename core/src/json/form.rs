@@ -40,6 +40,9 @@ struct Request {
     style: Option<String>,
     #[serde(default)]
     predict: bool,
+    /// Whether the same task on the other control is asked for.
+    #[serde(default)]
+    twin: bool,
 }
 
 /// Answers a `FormRequest` with a `FormView`.
@@ -81,6 +84,10 @@ pub fn form(request: &str) -> Result<Value, Error> {
     let comments = request.comments.as_ref();
     let mut view = view(cycle, &values, &start.setup, &checked, style, comments);
     put(&mut view, "preset", super::style_name(preset));
+    if request.twin && SIMULATES {
+        let there = super::twin::view(cycle, &values, &start.setup.control);
+        put(&mut view, "twin", there);
+    }
     if request.predict && SIMULATES {
         let mut setup = match (cycle.work(), &checked.inputs) {
             (Some(work), Some(inputs)) => {

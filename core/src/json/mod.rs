@@ -18,6 +18,7 @@ mod start;
 #[cfg(test)]
 mod tests;
 mod trace;
+mod twin;
 
 pub use alarms::{alarm, alarms, operator_message};
 pub use catalogue::{catalogue, cycles};

@@ -36,6 +36,7 @@ pub static CYCLE116: Cycle = Cycle {
         probe: ProbeUse::None,
         machine: MachineSort::Any,
         calibrates: NEVER,
+        tasks: &[],
     },
     lists: &[ArgumentList {
         style: Style::Direct,

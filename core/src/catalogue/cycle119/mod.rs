@@ -31,6 +31,7 @@ pub static CYCLE119: Cycle = Cycle {
         probe: ProbeUse::None,
         machine: MachineSort::Milling,
         calibrates: NEVER,
+        tasks: &[],
     },
     lists: &[ArgumentList {
         style: Style::Direct,

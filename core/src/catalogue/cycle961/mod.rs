@@ -17,6 +17,7 @@ mod scene;
 mod simulate;
 #[cfg(test)]
 mod simulation_tests;
+mod tasks;
 #[cfg(test)]
 mod tests;
 mod touches;
@@ -68,7 +69,10 @@ pub static CYCLE961: Cycle = Cycle {
     key: "cycle961",
     variants: VARIANTS,
     params: params::PARAMS,
-    purpose: Purpose::MILLING,
+    purpose: Purpose {
+        tasks: tasks::TASKS,
+        ..Purpose::MILLING
+    },
     lists: lists::LISTS,
     // B:7834: on a lathe the length ends at the centre of the ball
     settings: &["_CBIT[14]"],

@@ -82,6 +82,7 @@ pub static CYCLE971: Cycle = Cycle {
         probe: ProbeUse::Tool,
         machine: MachineSort::Milling,
         calibrates: params::CALIBRATE,
+        tasks: &[],
     },
     lists: lists::LISTS,
     settings: &[

@@ -40,6 +40,7 @@ pub static CYCLE972: Cycle = Cycle {
         probe: ProbeUse::Tool,
         machine: MachineSort::Turning,
         calibrates: params::CALIBRATE,
+        tasks: &[],
     },
     lists: lists::LISTS,
     settings: &[

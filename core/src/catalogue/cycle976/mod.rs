@@ -16,6 +16,7 @@ mod simulate;
 mod simulate_tests;
 #[cfg(test)]
 mod store_tests;
+mod tasks;
 #[cfg(test)]
 mod tests;
 mod variants;
@@ -36,6 +37,7 @@ pub static CYCLE976: Cycle = Cycle {
     params: params::PARAMS,
     purpose: Purpose {
         calibrates: When::Always,
+        tasks: tasks::TASKS,
         ..Purpose::MILLING
     },
     lists: lists::LISTS,

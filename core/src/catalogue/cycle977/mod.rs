@@ -16,6 +16,7 @@ mod propose;
 mod protection;
 mod results;
 pub mod simulate;
+mod tasks;
 #[cfg(test)]
 mod tests;
 mod variants;
@@ -33,7 +34,10 @@ pub static CYCLE977: Cycle = Cycle {
     key: "cycle977",
     variants: VARIANTS,
     params: params::PARAMS,
-    purpose: Purpose::MILLING,
+    purpose: Purpose {
+        tasks: tasks::TASKS,
+        ..Purpose::MILLING
+    },
     lists: lists::LISTS,
     settings: &[],
     results: RESULTS,

@@ -8,6 +8,7 @@ mod picture;
 mod propose;
 mod results;
 pub mod simulate;
+mod tasks;
 #[cfg(test)]
 mod tests;
 
@@ -47,7 +48,10 @@ pub static CYCLE978: Cycle = Cycle {
     key: "cycle978",
     variants: VARIANTS,
     params: params::PARAMS,
-    purpose: Purpose::MILLING,
+    purpose: Purpose {
+        tasks: tasks::TASKS,
+        ..Purpose::MILLING
+    },
     lists: lists::LISTS,
     settings: &[],
     results: RESULTS,

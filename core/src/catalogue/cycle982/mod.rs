@@ -26,6 +26,7 @@ pub static CYCLE982: Cycle = Cycle {
         probe: ProbeUse::Tool,
         machine: MachineSort::Turning,
         calibrates: params::CALIBRATE,
+        tasks: &[],
     },
     // The call for calibrating tool probes knows CYCLE971 and CYCLE972 only (B:11768, although B:11708 names CYCLE982
     // beside it), and the list of newer controls is not known to us.

@@ -12,6 +12,7 @@ use super::{
     Cycle, Dialect, Drawing, Help, Proposal, Purpose, ResultField, Simulation, Variant, When, Work,
 };
 use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
+use crate::catalogue::task::Task;
 use crate::check::Inputs;
 use crate::control::Control;
 use crate::workpiece::{Shape, Workpiece};
@@ -39,7 +40,13 @@ pub static G110: Cycle = Cycle {
         },
     ],
     params: addresses::PARAMS,
-    purpose: Purpose::MILLING,
+    purpose: Purpose {
+        tasks: &[
+            nct::tasks::task(Task::Bore, &[BORE], BORE, nct::tasks::ROUND),
+            nct::tasks::task(Task::Boss, &[BOSS], BOSS, nct::tasks::ROUND),
+        ],
+        ..Purpose::MILLING
+    },
     lists: &[],
     settings: &[],
     results: &[

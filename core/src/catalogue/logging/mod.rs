@@ -21,6 +21,7 @@ pub const PURPOSE: Purpose = Purpose {
     probe: ProbeUse::Log,
     machine: MachineSort::Any,
     calibrates: NEVER,
+    tasks: &[],
 };
 
 /// Data of the machine that decide over the log: name and variant left out (B:11336), header of the user (B:11338).

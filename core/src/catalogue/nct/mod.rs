@@ -12,6 +12,7 @@ pub mod plane_axis;
 pub mod print;
 pub mod ring;
 pub mod surface;
+pub mod tasks;
 pub mod touch;
 pub mod walls;
 

@@ -53,6 +53,7 @@ pub static P9920: Cycle = Cycle {
         probe: ProbeUse::Tool,
         machine: MachineSort::Milling,
         calibrates: When::Variant(&[CALIBRATE]),
+        tasks: &[],
     },
     lists: &[],
     settings: &[],

@@ -1,0 +1,29 @@
+# The same task on the other control.
+twin-middle = With a tolerance the set value is the middle of its limits. A tool is corrected towards it.
+twin-no-zero = The zero offset that is corrected has no counterpart there: choose one.
+twin-at-once = On NCT the corrected zero offset counts at once; on SINUMERIK it counts when it is programmed again, with { "_KNUM" }=9999 at once.
+twin-names = The fifth and sixth zero offset are G58 and G59 on NCT, G505 and G506 on SINUMERIK.
+twin-register = The register of NCT is taken to have the number of the tool; where yours differ, correct it.
+twin-depth = The depth is a coordinate of the tool axis on NCT and a way down from the start on SINUMERIK ({ "_ID" }): enter it there.
+twin-corner = On SINUMERIK the corner becomes the zero and its edges may be turned; on NCT it gets the coordinates in the call, along the axes.
+twin-ball = On SINUMERIK trigger values of the probe are stored, on NCT the effective ball radii { "#500" } to { "#503" }.
+twin-length = On SINUMERIK the length of the tool in use is corrected, on NCT that of the register in T.
+twin-only = No counterpart there: { $names } of { $cycle }.
+twin-example = Needed there and not in this call, so taken from the worked measurement of { $cycle }: { $names }.
+task-bore = Bore
+task-boss = Boss
+task-pocket = Pocket or groove
+task-web = Web
+task-wall = Surface across an axis of the plane
+task-face = Surface across the tool axis
+task-inner-corner = Corner inside
+task-outer-corner = Corner outside
+task-ball = Calibrate the ball in a ring
+task-length = Calibrate the length
+meaning-nominal = Set value
+meaning-axis = Axis
+meaning-half = Half of the tolerance
+meaning-limit = No correction beyond
+meaning-reach = Way past the set place
+meaning-zero = Zero offset
+meaning-tool = Tool

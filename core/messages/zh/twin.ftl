@@ -1,0 +1,29 @@
+# 另一种控制系统上的同一任务。
+twin-middle = 给出公差时，给定值取极限的中间值。刀具向它修正。
+twin-no-zero = 被修正的零点偏移在那里没有对应：请选择一个。
+twin-at-once = 在 NCT 上修正后的零点偏移立即生效；在 SINUMERIK 上再次编程后生效，{ "_KNUM" }=9999 时立即生效。
+twin-names = 第五和第六个零点偏移在 NCT 上是 G58 和 G59，在 SINUMERIK 上是 G505 和 G506。
+twin-register = 假定 NCT 的寄存器号与刀具号相同；如不同请改正。
+twin-depth = 在 NCT 上深度是刀具轴坐标，在 SINUMERIK 上是从起点向下的行程（{ "_ID" }）：请在那里输入。
+twin-corner = 在 SINUMERIK 上角点成为零点，边可以有转角；在 NCT 上角点得到调用中的坐标，边与轴平行。
+twin-ball = SINUMERIK 存储测头的触发值，NCT 存储有效测球半径 { "#500" } 至 { "#503" }。
+twin-length = SINUMERIK 修正当前刀具的长度，NCT 修正 T 中寄存器的长度。
+twin-only = 那里没有对应：{ $cycle } 的 { $names }。
+twin-example = 那里需要而本调用没有，取自 { $cycle } 的示例：{ $names }。
+task-bore = 孔
+task-boss = 圆凸台
+task-pocket = 型腔或槽
+task-web = 凸台（键）
+task-wall = 垂直于平面轴的表面
+task-face = 垂直于刀具轴的表面
+task-inner-corner = 内角
+task-outer-corner = 外角
+task-ball = 在环规中标定测球
+task-length = 标定长度
+meaning-nominal = 给定值
+meaning-axis = 轴
+meaning-half = 公差的一半
+meaning-limit = 超过此值不修正
+meaning-reach = 超过给定位置的行程
+meaning-zero = 零点偏移
+meaning-tool = 刀具

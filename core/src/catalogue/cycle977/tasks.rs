@@ -1,0 +1,59 @@
+//! What of CYCLE977 the other control can do too.
+
+use crate::catalogue::When;
+use crate::catalogue::names;
+use crate::catalogue::task::{Meaning, Shared, Task};
+
+/// All of them, first those that correct a zero offset.
+pub const TASKS: &[Shared] = &[
+    zero(Task::Bore, 101, &[101, 1101], ROUND_ZERO),
+    zero(Task::Boss, 102, &[102, 1102], ROUND_ZERO),
+    zero(Task::Pocket, 103, &[103, 1103], STRAIGHT_ZERO),
+    zero(Task::Web, 104, &[104, 1104], STRAIGHT_ZERO),
+    tool(Task::Bore, 1, &[1, 1001], ROUND_TOOL),
+    tool(Task::Boss, 2, &[2, 1002], ROUND_TOOL),
+    tool(Task::Pocket, 3, &[3, 1003], STRAIGHT_TOOL),
+    tool(Task::Web, 4, &[4, 1004], STRAIGHT_TOOL),
+];
+
+const AXIS: (&str, Meaning) = (names::MA, Meaning::Axis);
+const SET: (&str, Meaning) = (names::SETVAL, Meaning::Nominal);
+const REACH: (&str, Meaning) = (names::FA, Meaning::Reach);
+const SAFE: (&str, Meaning) = (names::TSA, Meaning::Limit);
+const ZERO: (&str, Meaning) = (names::KNUM, Meaning::Zero);
+const UPPER: (&str, Meaning) = (names::TUL, Meaning::Upper);
+const LOWER: (&str, Meaning) = (names::TLL, Meaning::Lower);
+const MOST: (&str, Meaning) = (names::TDIF, Meaning::Limit);
+const TOOL: (&str, Meaning) = (names::TNUM, Meaning::Tool);
+
+const ROUND_ZERO: &[(&str, Meaning)] = &[SET, REACH, SAFE, ZERO];
+const STRAIGHT_ZERO: &[(&str, Meaning)] = &[SET, AXIS, REACH, SAFE, ZERO];
+const ROUND_TOOL: &[(&str, Meaning)] = &[SET, REACH, UPPER, LOWER, MOST, TOOL];
+const STRAIGHT_TOOL: &[(&str, Meaning)] = &[SET, AXIS, REACH, UPPER, LOWER, MOST, TOOL];
+
+const fn zero(
+    task: Task,
+    variant: i64,
+    all: &'static [i64],
+    values: &'static [(&'static str, Meaning)],
+) -> Shared {
+    Shared {
+        task,
+        when: When::Variant(all),
+        variant,
+        tool: Some(false),
+        values,
+    }
+}
+
+const fn tool(
+    task: Task,
+    variant: i64,
+    all: &'static [i64],
+    values: &'static [(&'static str, Meaning)],
+) -> Shared {
+    Shared {
+        tool: Some(true),
+        ..zero(task, variant, all, values)
+    }
+}

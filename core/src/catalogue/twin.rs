@@ -1,0 +1,338 @@
+//! The same measurement on the other control: what a call means is taken from its values and written with those of the
+//! entry that has the task there.
+
+use super::example::example;
+use super::task::{Meaning, Shared, Task};
+use super::{CYCLES, Cycle, Dialect, Level, Param, Variant};
+use crate::check::{self, Inputs, Typed, factor};
+use crate::control::variables::AXES;
+use crate::control::{Control, delivery_in};
+use crate::message::Message;
+
+/// What a measurement is, whatever a control calls it. Lengths in mm.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Measurement {
+    /// What is measured.
+    pub task: Task,
+    /// Whether a tool is corrected; else a zero offset, or nothing.
+    pub corrects_tool: bool,
+    /// Set value; with a tolerance the middle of its limits.
+    pub nominal: Option<f64>,
+    /// Part of the plane across which is measured: 0 abscissa, 1 ordinate, 2 applicate.
+    pub axis: Option<usize>,
+    /// Half of the tolerance.
+    pub half: Option<f64>,
+    /// Deviation from which nothing is corrected.
+    pub limit: Option<f64>,
+    /// Way past the set place.
+    pub reach: Option<f64>,
+    /// Zero offset that both controls have: 1 is G54.
+    pub zero: Option<i64>,
+    /// Tool that is corrected.
+    pub tool: Option<i64>,
+}
+
+/// A call of the other control.
+pub struct Twin {
+    /// Its cycle.
+    pub cycle: &'static Cycle,
+    /// Its values as typed.
+    pub values: Typed,
+    /// What both have in common.
+    pub measurement: Measurement,
+    /// What is different there.
+    pub differences: Vec<Message>,
+}
+
+/// Zero offsets that both controls have: G54 to G59, of which a SINUMERIK calls the last two G505 and G506.
+const ZEROS: std::ops::RangeInclusive<i64> = 1..=6;
+
+/// The control that a call is not of.
+pub fn other(dialect: Dialect) -> Dialect {
+    match dialect {
+        Dialect::Sinumerik => Dialect::Nct,
+        Dialect::Nct => Dialect::Sinumerik,
+    }
+}
+
+/// The same measurement on the other control, which is in the same plane and system of units; none where that control
+/// has no such task.
+pub fn twin(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Option<Twin> {
+    let inputs = check::read(cycle, typed, control, &mut Vec::new());
+    let (shared, measurement) = measured(&inputs)?;
+    let mut there = delivery_in(other(cycle.dialect), control.basic_units);
+    there.plane = control.plane;
+    there.active_units = control.active_units;
+    let (cycle_there, shared_there) = entry(there.dialect, &measurement)?;
+    let measurement = common(measurement, shared_there);
+    let values = written(cycle_there, shared_there, &measurement, &there);
+    let mut differences = told(&inputs, shared, &measurement);
+    differences.extend(one_sided(
+        &inputs,
+        [shared, shared_there],
+        cycle_there,
+        &values,
+    ));
+    Some(Twin {
+        cycle: cycle_there,
+        values: values.all,
+        measurement,
+        differences,
+    })
+}
+
+/// What a call measures.
+pub fn measured(inputs: &Inputs) -> Option<(&'static Shared, Measurement)> {
+    let mut tasks = inputs.cycle.purpose.tasks.iter();
+    let shared = tasks.find(|shared| shared.when.holds(inputs))?;
+    let given = |wanted: Meaning| {
+        let mut values = shared.values.iter();
+        let (name, _) = values.find(|(_, meaning)| *meaning == wanted)?;
+        inputs.given(name)
+    };
+    let (in_axis, nominal) = match in_axis(inputs, shared) {
+        Some((axis, value)) => (Some(axis), Some(value)),
+        None => (None, given(Meaning::Nominal)),
+    };
+    let limits = given(Meaning::Upper).zip(given(Meaning::Lower));
+    let middle = limits.map_or(0.0, |(upper, lower)| (upper + lower) / 2.0);
+    let number = |meaning| given(meaning).map(|number| number as i64);
+    let axis = number(Meaning::Axis).and_then(|axis| usize::try_from(axis - 1).ok());
+    let tool = number(Meaning::Tool);
+    let measurement = Measurement {
+        task: shared.task,
+        corrects_tool: shared.tool.unwrap_or(tool.is_some()),
+        nominal: nominal.map(|nominal| nominal + middle),
+        axis: in_axis.or(axis),
+        half: given(Meaning::Half).or(limits.map(|(upper, lower)| (upper - lower) / 2.0)),
+        limit: given(Meaning::Limit),
+        reach: given(Meaning::Reach),
+        zero: number(Meaning::Zero).filter(|number| ZEROS.contains(number)),
+        tool,
+    };
+    Some((shared, measurement))
+}
+
+/// The set value in the address of an axis: the part of the plane to which the axis belongs, and the value. The axis of
+/// the tool counts only where the surface lies across it; else its address is a depth.
+fn in_axis(inputs: &Inputs, shared: &Shared) -> Option<(usize, f64)> {
+    let mut named = shared.values.iter();
+    named.find_map(|(name, meaning)| {
+        let part = part_of(*meaning, name, inputs)?;
+        let counts = (part == 2) == along_tool(shared.task);
+        Some((part, inputs.given(name).filter(|_| counts)?))
+    })
+}
+
+fn part_of(meaning: Meaning, name: &str, inputs: &Inputs) -> Option<usize> {
+    let axis = AXES.iter().position(|axis| *axis == name)?;
+    let axes = inputs.plane.axes();
+    let part = axes.iter().position(|of_plane| *of_plane == axis);
+    part.filter(|_| meaning == Meaning::NominalInAxis)
+}
+
+/// Whether the surface of a task lies across the axis of the tool.
+fn along_tool(task: Task) -> bool {
+    matches!(task, Task::Face | Task::Length)
+}
+
+/// The cycle of a control that has the task.
+fn entry(dialect: Dialect, wanted: &Measurement) -> Option<(&'static Cycle, &'static Shared)> {
+    let cycles = CYCLES.iter().filter(|cycle| cycle.dialect == dialect);
+    let mut all = cycles.flat_map(|cycle| {
+        let tasks = cycle.purpose.tasks.iter();
+        tasks.map(move |shared| (*cycle, shared))
+    });
+    all.find(|(_, shared)| {
+        let tool = shared.tool.is_none_or(|tool| tool == wanted.corrects_tool);
+        shared.task == wanted.task && tool
+    })
+}
+
+/// Values of a call.
+struct Values {
+    all: Typed,
+    /// Those that the worked measurement gives, because the call needs them.
+    of_example: Vec<&'static str>,
+}
+
+/// The values that say the same there, and from the worked measurement what is needed beside them.
+fn written(
+    cycle: &'static Cycle,
+    shared: &Shared,
+    wanted: &Measurement,
+    control: &Control,
+) -> Values {
+    let mut inputs = Inputs::new(cycle, shared.variant);
+    inputs.plane = control.plane;
+    let mut all = choosing(cycle, shared.variant, &inputs);
+    for (name, meaning) in shared.values {
+        let Some(param) = cycle.param(name) else {
+            continue;
+        };
+        if let Some(value) = value_of(*meaning, name, wanted, &inputs) {
+            let value = value / factor(param.unit, control);
+            all.insert(param.name.to_owned(), plain(value));
+        }
+    }
+    let read = check::read(cycle, &all, control, &mut Vec::new());
+    let worked = cycle.variants.iter();
+    let worked = worked
+        .filter(|variant| variant.number == shared.variant)
+        .map(|variant: &Variant| example(cycle, variant))
+        .next()
+        .unwrap_or_default();
+    let mut of_example = Vec::new();
+    for param in cycle.params {
+        let missing = required(param, &read, control) && !all.contains_key(param.name);
+        if let Some(value) = worked.get(param.name).filter(|_| missing) {
+            all.insert(param.name.to_owned(), value.clone());
+            of_example.push(param.name);
+        }
+    }
+    Values { all, of_example }
+}
+
+fn required(param: &Param, read: &Inputs, control: &Control) -> bool {
+    let needed = param.need(read).map(|(level, _)| level);
+    needed == Some(Level::Required) && param.fallback(control).is_none()
+}
+
+/// The number of a variant, or the addresses whose presence makes it in this plane.
+fn choosing(cycle: &Cycle, variant: i64, inputs: &Inputs) -> Typed {
+    let mut typed = Typed::new();
+    if let Some(name) = cycle.variant_param() {
+        typed.insert(name.to_owned(), variant.to_string());
+    }
+    for param in cycle.params {
+        let mut choices = param.chooses.iter();
+        let chosen = choices.find(|one| one.variant == variant && one.when.holds(inputs));
+        if let Some(chosen) = chosen {
+            typed.insert(param.name.to_owned(), chosen.typed.to_owned());
+        }
+    }
+    typed
+}
+
+/// The value in mm that a parameter with this meaning gets.
+fn value_of(meaning: Meaning, name: &str, wanted: &Measurement, inputs: &Inputs) -> Option<f64> {
+    match meaning {
+        Meaning::Nominal => wanted.nominal,
+        Meaning::Axis => wanted.axis.map(|axis| axis as f64 + 1.0),
+        Meaning::NominalInAxis => {
+            let part = part_of(meaning, name, inputs)?;
+            let axis = if along_tool(wanted.task) {
+                2
+            } else {
+                wanted.axis?
+            };
+            wanted.nominal.filter(|_| part == axis)
+        }
+        Meaning::Upper | Meaning::Half => wanted.half,
+        Meaning::Lower => wanted.half.map(|half| -half),
+        Meaning::Limit => wanted.limit,
+        Meaning::Reach => wanted.reach,
+        Meaning::Zero => wanted.zero.map(|zero| zero as f64),
+        Meaning::Tool => wanted.tool.map(|tool| tool as f64),
+    }
+}
+
+/// A number without what the last digits of a sum lack.
+fn plain(value: f64) -> String {
+    let text = format!("{value:.9}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" {
+        "0".into()
+    } else {
+        text.into()
+    }
+}
+
+/// What the reader of both calls has to know about what they share.
+fn told(inputs: &Inputs, shared: &Shared, measurement: &Measurement) -> Vec<Message> {
+    let mut all = Vec::new();
+    let has = |meaning: Meaning| {
+        let mut named = shared.values.iter();
+        let (name, _) = named.find(|(_, other)| *other == meaning)?;
+        inputs.given(name)
+    };
+    let limits = has(Meaning::Upper).zip(has(Meaning::Lower));
+    if limits.is_some_and(|(upper, lower)| upper + lower != 0.0) {
+        all.push(Message::new("twin-middle"));
+    }
+    // 0 is no correction on SINUMERIK, and the common zero offset on NCT
+    let nct = inputs.cycle.dialect == Dialect::Nct;
+    let zero = has(Meaning::Zero).is_some_and(|zero| zero != 0.0 || nct);
+    if zero && measurement.zero.is_none() {
+        all.push(Message::new("twin-no-zero"));
+    }
+    if measurement.zero.is_some() {
+        all.push(Message::new("twin-at-once"));
+    }
+    if measurement.zero.is_some_and(|zero| zero > 4) {
+        all.push(Message::new("twin-names"));
+    }
+    if measurement.tool.is_some() {
+        all.push(Message::new("twin-register"));
+    }
+    let always = measurement.task.differences().iter();
+    all.extend(always.copied().map(Message::new));
+    all
+}
+
+/// What only one of the two calls says.
+fn one_sided(
+    inputs: &Inputs,
+    shared: [&Shared; 2],
+    there: &'static Cycle,
+    values: &Values,
+) -> Vec<Message> {
+    let listed = |key: &'static str, names: Vec<&str>, cycle: &Cycle| {
+        let message = Message::new(key).text("names", names.join(", "));
+        (!names.is_empty()).then(|| message.text("cycle", cycle.name))
+    };
+    let only = listed("twin-only", only_here(inputs, shared), inputs.cycle);
+    let example = listed("twin-example", values.of_example.clone(), there);
+    only.into_iter().chain(example).collect()
+}
+
+/// Parameters that count in this call and have no counterpart.
+fn only_here(inputs: &Inputs, [here, there]: [&Shared; 2]) -> Vec<&'static str> {
+    let means = |name: &str| {
+        let mut values = here.values.iter();
+        let found = values.find(|(known, _)| *known == name);
+        found.is_some_and(|(_, meaning)| has(there, *meaning))
+    };
+    let params = inputs.cycle.params.iter();
+    let counts = params.filter(|param| {
+        let variant = inputs.cycle.variant_param() == Some(param.name);
+        let used = inputs.uses(param.name) && inputs.given(param.name).is_some();
+        used && !variant && !means(param.name) && param.chooses.is_empty()
+    });
+    counts.map(|param| param.name).collect()
+}
+
+/// Whether a task has a place for a value with this meaning, in whichever form.
+fn has(shared: &Shared, meaning: Meaning) -> bool {
+    use Meaning::{Axis, Half, Lower, Nominal, NominalInAxis, Upper};
+    let same: &[Meaning] = match meaning {
+        Upper | Lower | Half => &[Upper, Half],
+        Nominal | NominalInAxis => &[Nominal, NominalInAxis],
+        Axis => &[Axis, NominalInAxis],
+        _ => &[meaning],
+    };
+    let mut values = shared.values.iter();
+    values.any(|(_, other)| same.contains(other))
+}
+
+/// A measurement without what the other call has no place for.
+fn common(all: Measurement, there: &Shared) -> Measurement {
+    Measurement {
+        half: all.half.filter(|_| has(there, Meaning::Half)),
+        limit: all.limit.filter(|_| has(there, Meaning::Limit)),
+        reach: all.reach.filter(|_| has(there, Meaning::Reach)),
+        zero: all.zero.filter(|_| has(there, Meaning::Zero)),
+        tool: all.tool.filter(|_| has(there, Meaning::Tool)),
+        ..all
+    }
+}
