@@ -30,6 +30,7 @@ export interface State {
   pending: readonly Pending[];                       // typed in the form, not yet in the program
   errors: ErrorSliders;
   comments: boolean;
+  twin: boolean;                                     // the same task on the other control is shown
   style: Style | "";                                 // way of writing of the snippet, where the cycle has it; empty: as the machine has it
   setup: Setup | null;                               // imported machine; null: the core's own
   own: Partial<Record<Dialect, OwnMachine>>;         // how the core's own begins, where that was chosen
@@ -78,7 +79,7 @@ export const AT_END = Number.MAX_SAFE_INTEGER;
 export function firstState(): State {
   return {
     control: "sinumerik", cycle: "", values: {}, remembered: {}, programs: {}, files: {}, sets: {}, open: null, pending: [],
-    errors: NO_ERRORS, comments: true, style: "", setup: null, own: {}, checked: false, touched: {}, source: "form",
+    errors: NO_ERRORS, comments: true, twin: false, style: "", setup: null, own: {}, checked: false, touched: {}, source: "form",
     panel: "form", left: "form", right: "results", tab: "outcome", theme: "system", language: "", unfolded: {}, outline: true,
     search: "", card: null, converting: null, converted: null, mended: null, focus: null, step: AT_END, playing: false, cursor: 0, cursorLine: 1, notice: "",
     reading: null, ran: null, sought: null, follow: null, stoppedReading: null, stoppedRun: null, refused: null, undo: null,

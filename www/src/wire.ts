@@ -30,6 +30,7 @@ export interface CycleInfo {
   alarms: string[];
   example: Record<string, string>;     // values of a worked measurement, as typed
   drawn: boolean;                      // false: there is no picture
+  twins: boolean;                      // the other control has some of its tasks too
   simulated: boolean;                  // false: form, checks and text only; a FormView has no outcome
   source: string;
 }
@@ -68,6 +69,7 @@ export interface FormRequest {
   comments?: Record<string, string>;   // words by parameter name: a comment line each in the snippet
   style?: Style;                       // way of writing of the snippet; absent: preset
   predict?: boolean;                   // also simulate
+  twin?: boolean;                      // also the same task on the other control
 }
 export interface ErrorSliders {
   part: { dx: number; dy: number; dz: number; size: number; tilt: number; taper: number; outOfRound: number };
@@ -81,8 +83,19 @@ export interface FormView {
   preset: Style;                       // way of writing that counts until another is chosen: the machine may say so
   complete: boolean;                   // no error
   picture?: Picture;                   // only from the full module, which comes after the first form
+  twin?: TwinView | null;              // when asked for, from the full module; null: the other control has no such task for these values
   outcome?: Outcome;                   // when predict and complete, of a cycle that is simulated
   setup?: Setup;                       // when predict: the machine, for an outcome with the proposed part, its errors and the start; exported, and what a program runs on
+}
+export interface TwinView {
+  control: Dialect;
+  cycle: string;
+  key: string;                         // messages KEY-title, …
+  task: Message;                       // what both measure
+  values: Record<string, string>;      // as typed there
+  snippet: string;
+  shared: { label: Message; value: number }[]; // what both say; lengths in the active unit
+  differences: Message[];
 }
 export interface Field {
   name: string;                        // "_SETVAL"

@@ -42,6 +42,7 @@ fn entry(cycle: &'static Cycle) -> Value {
             object(example.map(|(name, value)| (*name, (*value).into()))),
         ),
         ("drawn", cycle.picture.drawn.into()),
+        ("twins", (!cycle.purpose.tasks.is_empty()).into()),
         ("simulated", cycle.simulation.is_some().into()),
         ("source", cycle.source.into()),
     ])

@@ -501,3 +501,25 @@ fn help_is_asked_by_variant() {
     assert_eq!(ask("CYCLE116", 0)["sections"], json!([]));
     assert!(help(r#"{"control": "nct", "cycle": "CYCLE977", "mvar": 1}"#).is_err());
 }
+
+// oracle: hand: the same bore in the other language, with what both say in the active unit
+#[test]
+fn the_same_task_on_the_other_control_stands_beside_the_form() {
+    let mut request = json!({
+        "control": "nct", "cycle": "G110", "twin": true,
+        "values": { "D": "50", "S": "1", "Q": "3" },
+    });
+    let view = form(&request.to_string()).unwrap();
+    let twin = &view["twin"];
+    assert_eq!(twin["cycle"], "CYCLE977");
+    assert_eq!(twin["task"]["key"], "task-bore");
+    assert!(twin["snippet"].as_str().unwrap().contains("_SETVAL=50"));
+    let shared: Vec<_> = twin["shared"].as_array().unwrap().iter().collect();
+    assert_eq!(shared[0]["value"], 50.0);
+    request["cycle"] = "G101".into();
+    request["values"] = json!({ "X": "1" });
+    assert_eq!(form(&request.to_string()).unwrap()["twin"], Value::Null);
+    request["twin"] = false.into();
+    let view = form(&request.to_string()).unwrap();
+    assert!(view.get("twin").is_none());
+}

@@ -357,6 +357,12 @@ card-result-cycles = Left by
 card-alarm-cycles = Raised by
 card-close = Close
 
+twin-open = The same task on the other control
+twin-task = { $task }: there { $cycle }.
+twin-shared = What both say
+twin-differences = What is different there
+twin-none = The other control has no such task for these values.
+
 ways = Way of writing
 ways-findings = What this way of writing cannot say
 way-direct = direct

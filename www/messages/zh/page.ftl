@@ -353,6 +353,12 @@ card-result-cycles = 由以下循环给出
 card-alarm-cycles = 由以下循环引发
 card-close = 关闭
 
+twin-open = 另一种控制系统上的同一任务
+twin-task = { $task }：那里为 { $cycle }。
+twin-shared = 两者相同的内容
+twin-differences = 那里不同的内容
+twin-none = 对于这些值，另一种控制系统没有这样的任务。
+
 ways = 书写方式
 ways-findings = 这种书写方式无法表达的内容
 way-direct = 直接

@@ -10,6 +10,7 @@ import type { Diagnostic, Field } from "../wire";
 import { createExplain } from "./explain";
 import { createField, fieldId, problemItem, updateProblem, type FieldView } from "./field";
 import { createPicture } from "./picture";
+import { createTwin } from "./twin";
 import { createCallWays, createSnippetWays } from "./ways";
 
 /** Problems of a field are shown once it was typed into, or after "check". */
@@ -35,6 +36,7 @@ export function createForm(root: HTMLElement, store: Store, actions: Actions, sh
   const opened = el("div", { class: "opened", role: "status" }, el("span", { class: "opened-mark", "aria-hidden": "true" }, "◆"), where, detach);
   const callWays = createCallWays(actions);
   const ways = createSnippetWays(actions);
+  const twin = createTwin(store);
   const pictureBox = el("div", { class: "picture-box" });
   const fields = el("div", { class: "fields", role: "group", "aria-labelledby": "form-title" });
   const loose = el("ul", { class: "loose-problems", "aria-live": "polite" });
@@ -48,7 +50,7 @@ export function createForm(root: HTMLElement, store: Store, actions: Actions, sh
   const insert = el("button", { type: "button", class: "primary" }, t("form-insert"));
   const snippetBox = el("section", { class: "snippet-box", "aria-label": t("form-snippet") },
     el("div", { class: "snippet-head" }, el("h3", {}, t("form-snippet")), el("label", { class: "check", for: "comments" }, comments, t("form-comments"))),
-    el("div", { class: "ways" }, ways.choice), snippet, ways.said, el("div", { class: "actions" }, insert, copy));
+    el("div", { class: "ways" }, ways.choice), snippet, ways.said, el("div", { class: "actions" }, insert, copy), twin.root);
   const scroll = el("div", { class: "scroll" }, loose, fields, el("div", { class: "actions" }, check, example, sets), snippetBox);
   root.append(el("header", { class: "panel-head" }, title, count, help), opened, callWays.root, pictureBox, explain.root, scroll);
 
@@ -101,6 +103,7 @@ export function createForm(root: HTMLElement, store: Store, actions: Actions, sh
     setAttribute(snippet, "data-style", derived.style);
     show(snippet, view.snippet !== "");
     ways.draw(state, derived);
+    twin.draw(state, derived);
     callWays.draw(state, derived);
     setAttribute(root, "data-complete", String(view.complete));
   };
