@@ -1,9 +1,11 @@
 //! Three ways of writing a call: what is written is read back, and a change changes one value.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use probewright_core::catalogue::{Arg, CYCLES, Cycle, Dialect, Kind, Style, find};
-use probewright_core::check::Typed;
+use probewright_core::catalogue::example::example;
+use probewright_core::catalogue::{Arg, CYCLES, Cycle, Dialect, Kind, MachineSort, Style, find};
+use probewright_core::check::{Typed, check};
 use probewright_core::control::{Control, Plane, Units, delivery, delivery_in};
+use probewright_core::message;
 use probewright_core::program::calls::{CallSite, calls, calls_on};
 use probewright_core::program::change::{apply, change};
 use probewright_core::program::convert::convert;
@@ -13,6 +15,7 @@ use probewright_core::run::setup::Setup;
 use probewright_core::run::{self, Limits};
 use probewright_core::support;
 use proptest::prelude::*;
+use std::collections::BTreeSet;
 
 fn typed(pairs: &[(&str, &str)]) -> Typed {
     let owned = |(name, value): &(&str, &str)| ((*name).to_owned(), (*value).to_owned());
@@ -23,7 +26,7 @@ fn cycle(name: &str) -> &'static Cycle {
     find(Dialect::Sinumerik, name).unwrap()
 }
 
-fn example(name: &str) -> Typed {
+fn first_example(name: &str) -> Typed {
     typed(cycle(name).example)
 }
 
@@ -44,7 +47,7 @@ fn sites(text: &str) -> Vec<CallSite> {
 // oracle: manual B:11734-11753, B:11987-11996
 #[test]
 fn a_surface_as_a_parameterizing_call() {
-    let mut values = example("CYCLE978");
+    let mut values = first_example("CYCLE978");
     values.insert("_VMS".into(), "0".into());
     let text = written("CYCLE978", &values, Style::Indirect).text;
     let lines: Vec<&str> = text.lines().collect();
@@ -112,35 +115,102 @@ fn nothing_goes_through_cycle_para_as_zero() {
     assert_eq!(changed("_SETVAL", "-7.5"), text.replace("100,", "-7.5,"));
 }
 
+/// The machine with the proposed part of a call before its probe.
+fn before_the_part(cycle: &'static Cycle, values: &Typed) -> Setup {
+    let plane = match cycle.purpose.machine {
+        MachineSort::Turning => Plane::G18,
+        _ => Plane::G17,
+    };
+    let mut setup = Setup::for_cycle(cycle, plane);
+    let inputs = check(cycle, values, &setup.control).inputs.unwrap();
+    let proposal = (cycle.work().unwrap().propose)(&inputs, &setup.control);
+    setup.workpiece = proposal.workpiece;
+    setup.workpiece.solids.extend(proposal.fixture);
+    for solid in &mut setup.workpiece.solids {
+        solid.errors.size = 0.02;
+    }
+    setup.position = setup.control.to_machine(proposal.start);
+    for tool in proposal.tools {
+        let of = setup.control.tools.entry(tool.tool).or_default();
+        of.name = tool.name;
+        of.edges.entry(tool.edge).or_insert(tool.data);
+    }
+    setup
+}
+
+/// The values that a way of writing can say, and the text; none where it has no list for this variant, or cannot say
+/// what is needed.
+fn whole(cycle: &'static Cycle, values: &Typed, style: Style) -> Option<(Typed, Written)> {
+    let mut values = values.clone();
+    loop {
+        let written = written(cycle.name, &values, style);
+        if written.text.is_empty() {
+            return None;
+        }
+        let lost = written
+            .findings
+            .iter()
+            .filter(|one| one.message.key == "write-lost");
+        let names: Vec<_> = lost.map(|one| one.message.args[0].1.clone()).collect();
+        if names.is_empty() {
+            let control = Setup::for_cycle(cycle, Plane::G17).control;
+            let complete = check(cycle, &values, &control).inputs.is_some();
+            return complete.then_some((values, written));
+        }
+        for name in names {
+            let message::Arg::Text(name) = name else {
+                panic!("{name:?}");
+            };
+            values.remove(&name).unwrap();
+        }
+    }
+}
+
+/// Results, tools and frames behind a call that is written so.
+fn done(cycle: &'static Cycle, setup: &Setup, text: &str) -> (Vec<f64>, Control) {
+    let program = read(Dialect::Sinumerik, text.as_bytes());
+    let outcome = run::run(&program, setup, Limits::default());
+    assert_eq!(outcome.stop, None, "{text}\n{:?}", outcome.diagnostics);
+    let results = cycle.results.iter();
+    let numbers = results.map(|field| outcome.control.number(field.name));
+    (numbers.collect(), outcome.control)
+}
+
 // oracle: self (the same call, whichever way it is written)
 #[test]
 fn every_way_of_writing_does_the_same() {
-    for name in ["CYCLE977", "CYCLE978"] {
-        let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
-        let checked = probewright_core::check::check(cycle(name), &example(name), &setup.control);
-        let proposal =
-            (cycle(name).work().unwrap().propose)(&checked.inputs.unwrap(), &setup.control);
-        setup.workpiece = proposal.workpiece;
-        setup.position = setup.control.to_machine(proposal.start);
-        for tool in proposal.tools {
-            let of = setup.control.tools.entry(tool.tool).or_default();
-            of.name = tool.name;
-            of.edges.insert(tool.edge, tool.data);
+    let mut compared = BTreeSet::new();
+    for cycle in CYCLES.iter().filter(|cycle| cycle.work().is_some()) {
+        for variant in cycle.variants {
+            let values = example(cycle, variant);
+            for style in [Style::Indirect, Style::Operate] {
+                if !cycle.lists.iter().any(|list| list.style == style) {
+                    continue;
+                }
+                let Some((values, other)) = whole(cycle, &values, style) else {
+                    continue;
+                };
+                let setup = before_the_part(cycle, &values);
+                let direct = written(cycle.name, &values, Style::Direct);
+                let (numbers, control) = done(cycle, &setup, &direct.text);
+                let (others, other_control) = done(cycle, &setup, &other.text);
+                assert_eq!(numbers, others, "{}", other.text);
+                assert_eq!(control.tools, other_control.tools, "{}", other.text);
+                assert_eq!(control.frames, other_control.frames, "{}", other.text);
+                compared.insert((cycle.name, style == Style::Operate));
+            }
         }
-        setup.control.set("_CHBIT[4]", 1.0);
-        let result = |style| {
-            let text = written(name, &example(name), style).text;
-            let program = read(Dialect::Sinumerik, text.as_bytes());
-            let outcome = run::run(&program, &setup, Limits::default());
-            assert_eq!(outcome.stop, None, "{text}\n{:?}", outcome.diagnostics);
-            let results = ["_OVR[0]", "_OVR[4]", "_OVR[16]", "_OVI[0]", "_OVI[9]"];
-            (
-                results.map(|name| outcome.control.number(name)),
-                outcome.control.tools,
-            )
-        };
-        assert_eq!(result(Style::Direct), result(Style::Indirect), "{name}");
     }
+    let ways = CYCLES.iter().filter(|cycle| cycle.work().is_some());
+    let ways = ways.flat_map(|cycle| cycle.lists.iter().map(|list| (cycle.name, list.style)));
+    let ways = ways.filter(|(_, style)| *style != Style::Direct);
+    let ways: BTreeSet<_> = ways
+        .map(|(name, style)| (name, style == Style::Operate))
+        .collect();
+    assert_eq!(
+        compared, ways,
+        "each way of each cycle says something in full"
+    );
 }
 
 fn converted(text: &str, index: usize, style: Style) -> (String, Vec<String>) {
@@ -223,7 +293,7 @@ fn the_settings_of_forms_stay_where_nothing_takes_their_place() {
     control.set(support::FORMS, 1.0);
     let code = snippet(
         cycle("CYCLE977"),
-        &example("CYCLE977"),
+        &first_example("CYCLE977"),
         &control,
         Style::Direct,
         None,

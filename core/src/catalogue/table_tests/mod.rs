@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod alarms;
+mod allowed;
 mod cells;
 mod conditions;
 mod invalid;

@@ -4,7 +4,7 @@ use super::super::*;
 use super::cells::with_condition;
 use super::conditions::{level, met};
 use super::results::row_name;
-use super::{covers, of_the_call, refused, rows, tabled};
+use super::{allowed, covers, of_the_call, refused, rows, tabled};
 use crate::check::Inputs;
 use crate::diagnostic::Code;
 use std::collections::BTreeSet;
@@ -29,12 +29,35 @@ fn parameters_are_those_of_the_table() {
         }
         let ours: BTreeSet<&str> = of_the_call(cycle).map(|param| param.name).collect();
         assert_eq!(ours, used, "{}", cycle.name);
+        for param in of_the_call(cycle) {
+            unused_elsewhere(cycle, param, &rows);
+        }
         let ours: BTreeSet<&str> = cycle.settings.iter().copied().collect();
         let missing: Vec<_> = settings
             .iter()
             .filter(|one| !ours.contains(one.as_str()))
             .collect();
         assert!(missing.is_empty(), "{} {missing:?}", cycle.name);
+    }
+}
+
+/// A variant that no row names does not use the parameter.
+fn unused_elsewhere(cycle: &'static Cycle, param: &Param, rows: &[Vec<String>]) {
+    let names = |row: &&Vec<String>| {
+        row[0] == cycle.name && names_of(&row[1]).iter().any(|name| name == param.name)
+    };
+    let rows: Vec<&Vec<String>> = rows.iter().filter(names).collect();
+    for variant in cycle.variants {
+        let named = |row: &&Vec<String>| covers(with_condition(&row[2]).0, variant.number);
+        if !rows.iter().any(named) {
+            let need = param.need(&Inputs::new(cycle, variant.number));
+            // `2 outside`, `2 inside`: the start position decides, which a form does not know (B:11136).
+            let zone = [names::SZA, names::SZO].contains(&param.name);
+            let by_position = cycle.name == "CYCLE994" && variant.number == 2 && zone;
+            let expected = by_position.then_some(Level::Optional);
+            let what = format!("{} {} {}", cycle.name, param.name, variant.number);
+            assert_eq!(need.map(|(level, _)| level), expected, "{what}");
+        }
     }
 }
 
@@ -127,8 +150,10 @@ fn compare(cycle: &'static Cycle, name: &str, row: &[String], used: &mut BTreeSe
             let plain = need(&Inputs::new(cycle, variant.number));
             assert_ne!(plain, Some(Level::Required), "{what}");
         }
-        if condition.is_empty() && level.is_some() {
-            allowed(cycle, param, variant.number, &row[5]);
+        if level.is_some() {
+            for inputs in &ways {
+                compare_allowed(cycle, param, inputs, &row[5]);
+            }
         }
     }
 }
@@ -162,35 +187,62 @@ fn kind(cycle: &Cycle, param: &Param, cell: &str) {
     assert!(fits, "{} {} {cell}", cycle.name, param.name);
 }
 
-/// Values at the end of what is allowed, and the alarm for those beyond it where the table names one.
-fn allowed(cycle: &'static Cycle, param: &Param, variant: i64, cell: &str) {
-    let (right, wrong): (&[&str], &[&str]) = match cell.split([' ', ';', ',']).next() {
-        Some(">0") => (&[], &["0", "-1"]),
-        Some(">=0") => (&["0"], &["-1"]),
-        Some("any" | "signed") => (&["-1"], &[]),
-        _ => (&[], &[]),
+/// Values at the end of what is allowed and beside it, and the alarm for the latter where the table names one.
+fn compare_allowed(cycle: &'static Cycle, param: &Param, inputs: &Inputs, cell: &str) {
+    // How many probes there are the data of the machine say.
+    let Some(allowed) = allowed::allowed(cell).filter(|_| param.name != names::PRNUM) else {
+        return;
     };
-    let what = |value| format!("{} {} {variant} {value}", cycle.name, param.name);
-    for value in right {
-        assert_eq!(
-            refused(cycle, variant, &[(param.name, value)]),
-            [],
-            "{}",
-            what(value)
-        );
+    let others: Vec<(&str, String)> = inputs
+        .numbers
+        .iter()
+        .filter(|(name, _)| **name != param.name)
+        .map(|(name, value)| (*name, value.to_string()))
+        .collect();
+    let codes = |value: f64| {
+        let value = value.to_string();
+        let mut values: Vec<(&str, &str)> = others
+            .iter()
+            .map(|(name, value)| (*name, value.as_str()))
+            .collect();
+        values.push((param.name, &value));
+        refused(cycle, inputs.variant, &values)
+    };
+    let what = |value| {
+        format!(
+            "{} {} {} {value} {cell}",
+            cycle.name, param.name, inputs.variant
+        )
+    };
+    let right = allowed.right();
+    if narrowed(cycle, param, inputs.variant) {
+        let some = right.iter().any(|value| codes(*value).is_empty());
+        assert!(some, "{} {} {cell}", cycle.name, param.name);
+    } else {
+        for value in right {
+            assert_eq!(codes(value), [], "{}", what(value));
+        }
     }
     let alarm = cell
         .split(|c: char| !c.is_ascii_digit())
-        .find(|text| text.len() == 5);
-    for value in wrong {
-        let codes = refused(cycle, variant, &[(param.name, value)]);
+        .find(|text| text.len() == 5 && text.starts_with('6'));
+    for value in allowed.wrong() {
+        let codes = codes(value);
         assert!(!codes.is_empty(), "{}", what(value));
         if let Some(alarm) = alarm {
-            assert!(
-                codes.contains(&Code::Alarm(alarm.parse().unwrap())),
-                "{}",
-                what(value)
-            );
+            let alarm = Code::Alarm(alarm.parse().unwrap());
+            assert!(codes.contains(&alarm), "{} {codes:?}", what(value));
         }
+    }
+}
+
+/// Whether another place allows a part only of what a row does: the axis in which the radius lies (B:9279), measuring
+/// axes in the plane (B:7582).
+fn narrowed(cycle: &Cycle, param: &Param, variant: i64) -> bool {
+    let axis = param.name == names::MA;
+    match cycle.name {
+        "CYCLE982" => axis && matches!(variant / 1000 % 10, 1 | 2),
+        "CYCLE998" => axis && variant == 1105,
+        _ => false,
     }
 }
