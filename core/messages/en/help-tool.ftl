@@ -9,6 +9,8 @@ help-cycle971-measures-tool = Length L1 (_MA = 3, 103, 203) or radius (_MA = 1, 
 help-cycle971-before-still = The spindle stands, with the edge turned towards the probe; the cycle does not turn it.
 help-cycle971-before-rotating = Speed and feed stand in _CM[], with _CBIT[12]=1 in _MFS[]. A spindle that turns keeps its direction, one that stands takes that of _CM[5].
 help-cycle971-before-clear = The tool stands on the side that it is to touch, clear of the probe: above it for a length, beside it for a radius.
+help-cycle971-before-parallel = The tool axis is parallel to the centre line of the probe.
+help-cycle971-before-over = From where the tool stands it can go up or down to _FA above the top of the probe, and there across to its middle.
 help-cycle971-order-beside = Beside the probe: first to its middle in the other axis, then to the side, down by _TP[k,9] below the top, touch, back. It ends there, at depth.
 help-cycle971-order-on-top = On top (_MA = 3, 103, 203): over the middle, down, touch; a tool wider than the probe is set off by its radius less _ID, in the abscissa (3, 103) or ordinate (203). It ends above.
 help-cycle971-order-centre-first = With _MA = 102 or 201 the middle in the other axis is found by two touches before.
@@ -16,7 +18,7 @@ help-cycle971-order-widest = For a radius the tool goes lower by _ID, so that it
 help-cycle971-order-turning = It touches one to three times, each time slower (_CM[6], _CM[7]); the last touch counts.
 help-cycle971-order-all-sides = The top, then both sides of the abscissa in the middle of the ordinate, both sides of the ordinate, and the top once more over the middle found. It ends _FA above that.
 help-cycle971-wrong-depth = _TP[k,9] is 0: beside the probe the tool does not reach down to it, alarm 61349.
-help-cycle971-wrong-edge = The edge is not turned to the probe: the radius comes out too small, or the length of a tool with edges of different height.
+help-cycle971-wrong-edge = The edge is not turned to the probe: the radius comes out too small, and so does the length of a tool whose edges differ in height.
 help-cycle971-wrong-master = The calibration tool is not known exactly: its error goes into every tool that is measured later.
 help-cycle971-wrong-no-data = Length or radius of the tool is 0: alarm 61351.
 help-cycle971-wrong-direction = _CM[5] is neither 3 nor 4: alarm 61366.
@@ -29,7 +31,7 @@ help-cycle972-order-tip = The edge touches from the side to which it points, acc
 
 help-cycle982-measures-side = Where one side of the lathe's tool probe lies, with a calibration tool of cutting edge position 3 whose lengths and nose radius are known.
 help-cycle982-measures-one-length = One length of a turning tool, milling tool or drill: L2 with _MA=1, L1 with _MA=2.
-help-cycle982-measures-radius = The radius of a milling tool; the length along the same axis has to be known.
+help-cycle982-measures-radius = The radius of a milling tool; the length in the axis in which it lies has to be known.
 help-cycle982-measures-both = The radius of a milling tool and the length along the same axis.
 help-cycle982-measures-all = All that the tool in use has: both lengths of a turning tool (one with cutting edge position 5 to 8), both lengths and radius of a milling tool, the length of a drill.
 help-cycle982-measures-upper = Lengths and radius of a milling tool at its upper edge, towards the shank, as with a groove cutter.

@@ -9,6 +9,8 @@ help-cycle971-measures-tool = 铣刀或钻头的长度 L1（_MA = 3、103、203�
 help-cycle971-before-still = 主轴静止，刀刃已转向测量头；循环不转动主轴。
 help-cycle971-before-rotating = 转速和进给在 _CM[] 中，_CBIT[12]=1 时在 _MFS[] 中。已旋转的主轴保持方向，静止的主轴取 _CM[5] 的方向。
 help-cycle971-before-clear = 刀具在要触碰的一侧，离开测量头：测长度在其上方，测半径在其旁边。
+help-cycle971-before-parallel = 刀具轴平行于测量头中心线。
+help-cycle971-before-over = 刀具从所在处能先沿刀具轴移到测量头顶面上方 _FA 处，再横向移到其中间。
 help-cycle971-order-beside = 在侧面：先在另一轴移到测量头中间，再到该面旁，下降到顶面以下 _TP[k,9] 处，触碰，退回。最后停在该深度。
 help-cycle971-order-on-top = 在顶面（_MA = 3、103、203）：移到中间上方，下降，触碰；比测量头宽的刀具偏移其半径减 _ID，在横坐标（3、103）或纵坐标（203）。最后停在上方。
 help-cycle971-order-centre-first = _MA = 102 或 201 时，先在另一轴触碰两次求出中间。
@@ -29,7 +31,7 @@ help-cycle972-order-tip = 刀刃按其刀沿位置，从所指的一侧触碰。
 
 help-cycle982-measures-side = 用刀沿位置 3、长度和刀尖半径已知的校准刀具，测出车床刀具测量头一个面的位置。
 help-cycle982-measures-one-length = 车刀、铣刀或钻头的一个长度：_MA=1 为 L2，_MA=2 为 L1。
-help-cycle982-measures-radius = 铣刀的半径；同一轴上的长度必须已知。
+help-cycle982-measures-radius = 铣刀的半径；半径所在轴上的长度必须已知。
 help-cycle982-measures-both = 铣刀的半径以及同一轴上的长度。
 help-cycle982-measures-all = 当前刀具所具有的一切：车刀的两个长度（刀沿位置 5 到 8 只有一个）、铣刀的两个长度和半径、钻头的长度。
 help-cycle982-measures-upper = 铣刀在靠近刀柄的上刃处的长度和半径，例如切槽铣刀。

@@ -28,14 +28,12 @@ export function createHelp(root: HTMLElement, store: Store, actions: Actions, co
     actions.panel("form");
     document.getElementById(fieldId(name))?.focus();
   };
-  let fetching = "";
+  let asking = ""; // the language whose words are on their way
   let failed = false;
-  /** Asks once a language; draws again when the words are there, or say that they are not. */
   const fetchWords = (): void => {
-    if (fetching === language()) return;
-    fetching = language();
-    failed = false;
-    helpWords().catch((problem: unknown) => { console.error(problem); failed = true; fetching = ""; }).finally(() => store.update({}));
+    if (asking === language()) return;
+    asking = language();
+    helpWords().catch((problem: unknown) => { console.error(problem); failed = true; }).finally(() => { asking = ""; store.update({}); });
   };
 
   let drawn = "";
@@ -44,21 +42,20 @@ export function createHelp(root: HTMLElement, store: Store, actions: Actions, co
       failed = false; // opened again, it tries again
       return;
     }
+    if (!hasHelp() && !failed) fetchWords();
     const variant = variantOf(cycle, state.values);
-    const name = t(`${cycle.key}-title`);
-    setText(title, t("help-title", { cycle: cycle.cycle, name: variant ? t(variant.key) : name }));
-    const asked = core();
-    if (!failed && !hasHelp()) fetchWords();
-    const ready = asked && hasHelp();
-    const what = `${cycle.control}/${cycle.cycle}/${variant?.mvar}/${language()}`;
-    const view = ready && variant ? asked.help({ control: cycle.control, cycle: cycle.cycle, mvar: variant.mvar }) : null;
-    const missing = !ready ? t(failed ? "help-absent" : "help-coming") : !variant ? t("help-no-variant") : "";
-    setText(note, missing);
-    show(note, missing !== "");
-    show(page, !!view);
-    if (!view || what === drawn) return;
+    const from = hasHelp() ? core() : null;
+    setText(title, t("help-title", { cycle: cycle.cycle, name: t(variant?.key ?? `${cycle.key}-title`) }));
+    setText(note, failed ? t("help-absent") : !from ? t("help-coming") : variant ? "" : t("help-no-variant"));
+    show(note, !from || !variant);
+    show(page, !!from && !!variant);
+    if (!from || !variant) return;
+    const what = `${cycle.control}/${cycle.cycle}/${variant.mvar}`;
+    if (what === drawn) return;
     drawn = what;
-    page.replaceChildren(...(view.sections.length ? fill(view, goTo) : [el("p", {}, optional(`${cycle.key}-help`))]));
+    const view = from.help({ control: cycle.control, cycle: cycle.cycle, mvar: variant.mvar });
+    const only = view.sections.length ? [] : [el("p", {}, t(`${cycle.key}-help`))]; // it computes or logs
+    page.replaceChildren(...only, ...fill(view, goTo));
     page.parentElement?.scrollTo({ top: 0 });
   };
 }
@@ -79,7 +76,7 @@ function fill({ sections, required, alarms }: HelpView, goTo: (name: string) => 
   };
   const values = el("section", {}, el("h3", {}, t("help-values-title")), el("ul", { class: "help-values" }, ...required.map(name)));
   const list = el("section", {}, el("h3", {}, t("help-alarms-title", { count: alarms.length })), ...alarms.map(alarmEntry));
-  return [...parts.slice(0, 2), ...(required.length ? [values] : []), ...parts.slice(2), list];
+  return [...parts.slice(0, 2), ...(required.length ? [values] : []), ...parts.slice(2), ...(alarms.length ? [list] : [])];
 }
 
 function alarmEntry({ code, key }: AlarmInfo): HTMLElement {

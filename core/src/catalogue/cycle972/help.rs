@@ -6,8 +6,8 @@ use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong}
 
 /// Section by section, in the order in which they are read.
 pub const LINES: &[HelpLine] = &[
-    measures(CALIBRATE, "help-cycle972-measures-side", "B:8766-8771"),
-    measures(MEASURE, "help-cycle972-measures-length", "B:8830-8850"),
+    measures(CALIBRATE, "help-cycle972-measures-side", "B:8834-8850"),
+    measures(MEASURE, "help-cycle972-measures-length", "B:8954-8968"),
     before(
         When::Always,
         "help-tool-probe-known",
@@ -15,7 +15,7 @@ pub const LINES: &[HelpLine] = &[
     ),
     order(When::Always, "help-cycle972-order-travel", "B:8870;B:9441"),
     order(CALIBRATE, "help-cycle972-order-nose", "B:8870"),
-    order(MEASURE, "help-cycle972-order-tip", "B:8830-8870"),
+    order(MEASURE, "help-cycle972-order-tip", "B:9073"),
     order(When::Always, "help-tool-block", "B:1111-1121;B:2344-2356"),
     corrects(CALIBRATE, "help-tool-trigger", "B:4326"),
     corrects(MEASURE, "help-tool-data", "B:4324;B:4930-4937"),

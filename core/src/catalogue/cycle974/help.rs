@@ -15,17 +15,17 @@ pub const LINES: &[HelpLine] = &[
     before(
         When::Always,
         "help-cycle974-before-opposite",
-        "B:10500-10530",
+        "B:10507-10511",
     ),
-    before(REVERSAL, "help-cycle974-before-chuck", "B:10455-10459"),
-    order(When::Always, "help-cycle974-order-axis", "B:10500-10530"),
-    order(REVERSAL, "help-cycle974-order-reversal", "B:10455-10459"),
+    before(REVERSAL, "help-cycle974-before-chuck", "B:10784"),
+    order(When::Always, "help-cycle974-order-axis", "B:10511;B:10583"),
+    order(REVERSAL, "help-cycle974-order-reversal", "B:10784"),
     corrects(TOOL_OFFSET, "help-cycle974-corrects-half", "B:10742-10754"),
     corrects(ZERO_OFFSET, "help-cycle974-corrects-one-axis", "B:10525"),
-    wrong(When::Always, "help-cycle974-wrong-side", "B:10500-10530"),
+    wrong(When::Always, "help-cycle974-wrong-side", "B:10511"),
     wrong(
         When::Not(&REVERSAL),
         "help-cycle974-wrong-run-out",
-        "B:10455-10459",
+        "B:10776-10784",
     ),
 ];

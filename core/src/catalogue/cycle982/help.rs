@@ -25,7 +25,7 @@ pub const LINES: &[HelpLine] = &[
     measures(
         ONE_LENGTH,
         "help-cycle982-measures-one-length",
-        "B:9516-9521",
+        "B:9514-9522",
     ),
     measures(RADIUS, "help-cycle982-measures-radius", "B:9578-9655"),
     measures(BOTH, "help-cycle982-measures-both", "B:9578-9655"),
@@ -74,7 +74,7 @@ pub const LINES: &[HelpLine] = &[
     corrects(CALIBRATES_HERE, "help-tool-trigger-always", "B:4432;B:9840"),
     wrong(RADIUS_IN_AXIS, "help-cycle982-wrong-axis", "B:9279"),
     wrong(WITH_RADIUS, "help-cycle982-wrong-drill-radius", "B:9208"),
-    wrong(MEASURE, "help-cycle982-wrong-fast", "B:9578-9610"),
+    wrong(MEASURE, "help-cycle982-wrong-fast", "B:9604-9608"),
     wrong(POSITIONED, "help-cycle982-wrong-wrong-side", "A:15875"),
     wrong(CALIBRATE, "help-cycle982-wrong-nose", "B:9441;B:8943-8952"),
     wrong(POSITIONED, "help-tool-reach", "B:13999-14001"),

@@ -9,11 +9,7 @@ const EITHER: When = When::Variant(&[2]);
 
 /// Section by section, in the order in which they are read.
 pub const LINES: &[HelpLine] = &[
-    measures(
-        When::Always,
-        "help-cycle994-measures-diameter",
-        "B:10925-10935",
-    ),
+    measures(When::Always, "help-cycle994-measures-diameter", "B:10886"),
     before(
         When::Always,
         "help-cycle994-before-plus-side",
@@ -31,8 +27,8 @@ pub const LINES: &[HelpLine] = &[
         "help-cycle994-order-round-inside",
         "B:10932;B:11122-11142",
     ),
-    order(EITHER, "help-cycle994-order-round-outside", "B:11124-11142"),
+    order(EITHER, "help-cycle994-order-round-outside", "B:11122-11142"),
     corrects(When::Always, "help-cycle994-corrects-half", "B:11076-11090"),
     wrong(When::Always, "help-cycle994-wrong-zone", "B:10891"),
-    wrong(When::Always, "help-cycle994-wrong-ball", "B:10889-10893"),
+    wrong(When::Always, "help-cycle994-wrong-ball", "B:10903-10906"),
 ];

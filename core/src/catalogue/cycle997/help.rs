@@ -12,9 +12,13 @@ pub const LINES: &[HelpLine] = &[
     measures(ONE, "help-cycle997-measures-one", "B:8190-8200"),
     measures(THREE, "help-cycle997-measures-three", "B:8190-8200"),
     measures(DIAMETER, "help-cycle997-measures-diameter", "B:8371"),
-    before(When::Always, "help-cycle997-before-above", "B:8421"),
+    before(When::Always, "help-cycle997-before-above", "B:8349;B:8421"),
     before(ANGLE, "help-cycle997-before-ball", "B:8371;B:6873"),
-    before(When::Always, "help-cycle997-before-frame", "B:8361-8411"),
+    before(
+        When::Always,
+        "help-cycle997-before-frame",
+        "B:8228;B:8387;B:8407",
+    ),
     order(
         When::Not(&ANGLE),
         "help-cycle997-order-paraxial",
@@ -34,7 +38,7 @@ pub const LINES: &[HelpLine] = &[
     corrects(ONE, "help-cycle997-corrects-shift", "B:8385"),
     corrects(THREE, "help-cycle997-corrects-turn", "B:8385-8411"),
     corrects(When::Always, "help-cycle997-corrects-area", "B:8373-8379"),
-    wrong(When::Always, "help-cycle997-wrong-holder", "B:8421"),
+    wrong(When::Always, "help-cycle997-wrong-holder", "B:8349"),
     wrong(ANGLE, "help-cycle997-wrong-no-ball", "B:6873"),
     wrong(THREE, "help-cycle997-wrong-line", "A:15930"),
 ];

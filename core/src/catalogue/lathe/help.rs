@@ -5,6 +5,6 @@ use crate::catalogue::help::{HelpLine, before, wrong};
 
 /// What every cycle with the probe of a turning machine asks for.
 pub const PROBE: &[HelpLine] = &[
-    before(When::Always, "help-turning-probe", "B:8708-8709;A:15873"),
+    before(When::Always, "help-turning-probe", "B:8708;A:15849;A:15873"),
     wrong(When::Always, "help-turning-diameter", "B:10623;B:10975"),
 ];

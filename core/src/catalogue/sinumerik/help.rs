@@ -16,7 +16,7 @@ pub const PROBE: &[HelpLine] = &[before(
 /// What goes wrong in every measurement of a workpiece.
 pub const MEASURING: &[HelpLine] = &[
     wrong(TOOL_OFFSET, "help-wrong-tool", "B:1872-1928"),
-    wrong(TOOL_OFFSET, "help-wrong-chip", "B:1239-1310"),
+    wrong(TOOL_OFFSET, "help-wrong-chip", "B:1334-1340"),
     wrong(
         When::Always,
         "help-wrong-conditions",
