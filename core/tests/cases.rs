@@ -117,6 +117,9 @@ fn cases(folder: &Path, file: &Value, source: &str) -> usize {
 fn setup(file: &Value, case: &Value) -> Setup {
     let mut whole = file["setup"].clone();
     whole["workpiece"] = case["workpiece"].clone();
+    for (member, value) in members(&case["setup"]) {
+        whole[member] = value;
+    }
     let mut setup = probewright_core::json::setup_from_json(&whole.to_string()).unwrap();
     for (name, value) in members(&case["data"]) {
         setup.control.set(name.clone(), value.as_f64().unwrap());

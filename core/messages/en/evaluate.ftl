@@ -14,3 +14,8 @@ evaluate-activated = The corrected frame is active at once.
 evaluate-not-activated = The corrected frame becomes active when the program calls it again (G54, G500 …).
 evaluate-distortion = The measured triangle differs from the set one by { $distortion } mm; below { $limit } mm the frame is corrected.
 evaluate-handed-back = There is no result: { $name } becomes { $alarm }, and the program goes on.
+evaluate-tool-small = Difference { $difference } mm is no more than the zero offset area, { $limit } mm: nothing is corrected.
+evaluate-tool-geometry = Difference { $difference } mm is corrected: the geometry takes all of it, the wear is erased.
+evaluate-tool-wear = Difference { $difference } mm is corrected in the wear.
+evaluate-compensation-make = The table of this make of probe (_TP_CF = { $make }) is inside of the control and in no manual: nothing is taken off here. A table of your own in _MT_EC_R and _MT_EC_L, with _MT_COMP = 2, is.
+evaluate-compensation = The table { $table } takes { $amount } mm off the measured value.

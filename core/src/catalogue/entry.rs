@@ -6,6 +6,7 @@ use crate::control::{Control, Plane};
 use crate::diagnostic::Code;
 use crate::form::picture::Picture;
 use crate::run::{Machine, Stop};
+use crate::workpiece::tool_probe::ToolProbe;
 use crate::workpiece::{Solid, Workpiece};
 
 /// The language of the part program, and with it the control.
@@ -464,6 +465,8 @@ pub struct Proposal {
     pub start: [f64; 3],
     /// Tools that the call corrects, for a machine that has none yet.
     pub tools: Vec<ProposedTool>,
+    /// Tool probes, machine coordinates, for a machine that has none yet; errors are added by the caller.
+    pub tool_probes: Vec<ToolProbe>,
 }
 
 /// A tool with one edge.

@@ -21,6 +21,7 @@ fn measured(cycle: &'static Cycle, variant: &Variant) -> (Inputs, Control) {
     let proposal = (cycle.work().unwrap().propose)(&inputs, &setup.control);
     setup.workpiece = proposal.workpiece;
     setup.workpiece.solids.extend(proposal.fixture);
+    setup.tool_probes = proposal.tool_probes;
     setup.position = setup.control.to_machine(proposal.start);
     for proposed in proposal.tools {
         let tool = setup.control.tools.entry(proposed.tool).or_default();
@@ -37,6 +38,19 @@ fn measured(cycle: &'static Cycle, variant: &Variant) -> (Inputs, Control) {
 fn fields() -> impl Iterator<Item = String> {
     let numbers = (0..32).map(|index| format!("_OVR[{index}]"));
     numbers.chain((0..16).map(|index| format!("_OVI[{index}]")))
+}
+
+/// Of the sides of a tool probe in one axis, `_OVR[8..19]`, that one has results from which the tool came (B:4204-4215): the
+/// other pair may be missing.
+fn touched_twin(name: &str, written: &BTreeSet<String>) -> bool {
+    let index = name
+        .strip_prefix("_OVR[")
+        .and_then(|rest| rest.strip_suffix(']'));
+    let Some(index) = index.and_then(|index| index.parse::<usize>().ok()) else {
+        return false;
+    };
+    let twin = index ^ 2;
+    (8..20).contains(&index) && written.contains(&format!("_OVR[{twin}]"))
 }
 
 #[test]
@@ -58,7 +72,16 @@ fn results_are_those_of_the_entry() {
                 .map(|field| field.name.to_owned())
                 .filter(|name| name.starts_with("_OV"))
                 .collect();
-            assert_eq!(written, listed, "{} {}", cycle.name, variant.number);
+            let beyond: Vec<_> = written.difference(&listed).collect();
+            let missing = listed.difference(&written);
+            let missing: Vec<_> = missing
+                .filter(|name| !touched_twin(name, &written))
+                .collect();
+            let what = format!("{} {}", cycle.name, variant.number);
+            assert!(
+                beyond.is_empty() && missing.is_empty(),
+                "{what}: {beyond:?} {missing:?}"
+            );
         }
     }
 }

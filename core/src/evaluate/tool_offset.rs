@@ -173,6 +173,11 @@ fn by_name(control: &Control, name: &str) -> Result<i64, u32> {
 /// What a correction by `amount` (mm, sign included) writes. `_CHBIT[6]` and `_CHBIT[8]` choose the memories
 /// (B:2047-2060): wear and additive offset grow; or they are taken into geometry and setup offset and erased.
 pub fn writes(control: &Control, target: &Target, amount: f64) -> Vec<Write> {
+    writes_into(control, target, amount, control.bit("_CHBIT[6]"))
+}
+
+/// The same where the caller says whether the geometry takes all of it.
+pub fn writes_into(control: &Control, target: &Target, amount: f64, geometry: bool) -> Vec<Write> {
     let Target {
         tool, edge, part, ..
     } = *target;
@@ -194,7 +199,7 @@ pub fn writes(control: &Control, target: &Target, amount: f64) -> Vec<Write> {
             name: coarse,
             value: in_coarse + amount,
         }]
-    } else if control.bit("_CHBIT[6]") {
+    } else if geometry {
         vec![
             Write {
                 name: coarse,

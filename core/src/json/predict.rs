@@ -71,6 +71,14 @@ fn prepare(
     let part = part_errors(&errors.part);
     spoil(&mut setup.workpiece.solids, &part);
     setup.workpiece.solids.extend(proposal.fixture);
+    if setup.tool_probes.is_empty() {
+        setup.tool_probes = proposal.tool_probes;
+    }
+    for tool_probe in &mut setup.tool_probes {
+        spoil(std::slice::from_mut(&mut tool_probe.solid), &part);
+        tool_probe.pre_travel += errors.probe.pre_travel;
+        tool_probe.repeatability.0 += errors.probe.repeatability;
+    }
     probe_errors(&mut setup.probe, &errors.probe);
     setup.position = setup.control.to_machine(proposal.start);
     if described {

@@ -33,6 +33,21 @@ pub const PROBE_TOOL: i64 = 9;
 /// Length register of the probe in [`Setup::calibrated`] on NCT, as in the programs of the manual (C:1159).
 pub const PROBE_REGISTER: i64 = 98;
 
+/// T number of the mill that [`Setup::suit`] brings, as in the programs of the manual (B:4872).
+const MILL: i64 = 3;
+/// Place and size of the first tool probe, `_TP[0,i]`, as in B:4433-4446, mm; its lower side (5), which no tool touches,
+/// 22 mm lower, so that it is a cube in every plane.
+const TOOL_PROBE: [(usize, f64); 8] = [
+    (0, 50.0),
+    (1, 28.0),
+    (2, 42.0),
+    (3, 20.0),
+    (4, 80.0),
+    (5, 58.0),
+    (6, 20.0),
+    (9, 4.0),
+];
+
 /// The pair of reference grooves of the turning machine, `_KB[0,0]` to `[0,6]`, mm: the first as in B:10275-10285, the
 /// second turned by 90 degree.
 const REFERENCE_GROOVES: [f64; 7] = [60.123, 50.054, 15.021, 40.118, 30.047, 32.015, 20.015];
@@ -112,13 +127,41 @@ impl Setup {
         setup
     }
 
-    /// Makes a turning machine of it where the cycle is for one, with a probe in its turret where the cycle uses it. What
-    /// the machine says of itself counts more.
+    /// Makes a turning machine of it where the cycle is for one, with a probe in its turret where the cycle uses it; on a
+    /// milling machine with a tool probe there is a mill in use, and where the probe stands is known. What the machine says
+    /// of itself counts more.
     pub fn suit(&mut self, cycle: &Cycle) {
-        if cycle.purpose.machine == MachineSort::Turning {
+        let turning = cycle.purpose.machine == MachineSort::Turning;
+        if turning {
             self.make_turning();
-            if cycle.purpose.probe == ProbeUse::Workpiece {
-                self.mount_turning_probe();
+        }
+        match (turning, cycle.purpose.probe) {
+            (true, ProbeUse::Workpiece) => self.mount_turning_probe(),
+            (false, ProbeUse::Tool) => self.insert_mill(),
+            _ => {}
+        }
+    }
+
+    /// A mill in the spindle, and the data of the first tool probe.
+    fn insert_mill(&mut self) {
+        let edge = Edge {
+            kind: 120,
+            length: [70.0, 0.0, 0.0],
+            radius: 5.0,
+            ..Edge::default()
+        };
+        let control = &mut self.control;
+        let tool = control.tools.entry(MILL).or_default();
+        tool.edges.insert(1, edge);
+        (control.tool, control.edge) = (MILL, 1);
+        for array in ["_TP", "_TPW"] {
+            let name = |index: usize| format!("{array}[0,{index}]");
+            if (0..6).any(|index| control.number(&name(index)) != 0.0) {
+                continue;
+            }
+            for (index, value) in TOOL_PROBE {
+                let value = value / control.basic_factor();
+                control.set(name(index), value);
             }
         }
     }

@@ -22,10 +22,6 @@ const NOWHERE: &[(&str, &[u32])] = &[
         "internal error of the cycles",
         &[61319, 61340, 61403, 61404],
     ),
-    (
-        "the cycles at a tool probe are not simulated, and the start position is not known before",
-        &[61332],
-    ),
     ("the simulated machine has one spindle", &[61344]),
     (
         "logging is not simulated; a name that is missing the form asks for itself",

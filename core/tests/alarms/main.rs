@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod cycle961;
+mod cycle971;
 mod cycle973;
 mod cycle974;
 mod cycle976;
@@ -32,6 +33,7 @@ fn table(name: &str) -> Table {
         "CYCLE116" => helpers::cycle116(),
         "CYCLE119" => helpers::cycle119(),
         "CYCLE961" => cycle961::table(),
+        "CYCLE971" => cycle971::table(),
         "CYCLE973" => cycle973::table(),
         "CYCLE974" => cycle974::table(),
         "CYCLE976" => cycle976::table(),

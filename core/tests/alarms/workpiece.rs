@@ -120,13 +120,14 @@ pub fn common() -> Vec<Case> {
 pub fn everywhere() -> Vec<Case> {
     let mut cases = state();
     cases.extend(values());
+    cases.push(case(61301, "", |setup| setup.workpiece.solids.clear()));
     cases
 }
 
-fn state() -> Vec<Case> {
+/// The cases of a control in which no measuring cycle runs.
+pub fn state() -> Vec<Case> {
     vec![
         case(61016, "", |setup| setup.control.set("MD28082", 1.0)),
-        case(61301, "", |setup| setup.workpiece.solids.clear()),
         program(61310, "SCALE X2 Y2"),
         program(61311, "D0"),
         case(61336, "", |setup| setup.control.set("MD20050[1]", 0.0)),
@@ -147,7 +148,8 @@ fn in_spindle() -> Vec<Case> {
     ]
 }
 
-fn values() -> Vec<Case> {
+/// The cases of parameters that every cycle has.
+pub fn values() -> Vec<Case> {
     vec![
         program(61307, "_MVAR=7"),
         program(61308, "_FA=0"),

@@ -1,19 +1,32 @@
 //! CYCLE971: tool probe on milling machines: calibrating it, measuring length and radius of milling tools and drills
 //! (B:4157-5029).
 
+#[cfg(test)]
+mod bench;
+mod calibrate;
 mod checks;
 mod help;
 mod lists;
+mod measure;
+#[cfg(test)]
+mod motion_tests;
 pub mod params;
 mod picture;
+mod place;
+mod propose;
 mod results;
 mod rotating;
+mod simulate;
+#[cfg(test)]
+mod simulation_tests;
+mod spindle;
 #[cfg(test)]
 mod tests;
 
 use crate::catalogue::common::alarms;
 use crate::catalogue::{
-    Cycle, Dialect, Drawing, Help, MachineSort, ProbeUse, Purpose, Variant, tool_probe,
+    Cycle, Dialect, Drawing, Help, MachineSort, ProbeUse, Purpose, Simulation, Variant, Work,
+    tool_probe,
 };
 use crate::support;
 
@@ -133,6 +146,16 @@ pub static CYCLE971: Cycle = Cycle {
         ("_TZL", "0.04"),
         ("_TDIF", "1.6"),
     ],
-    simulation: None,
+    simulation: Some(Simulation::new(
+        Work {
+            propose: propose::propose,
+            simulate: simulate::simulate,
+        },
+        // a side, as every variant but the automatic one can touch it
+        &[
+            (params::CALIBRATE, &[("_MA", "1")]),
+            (params::INCREMENTAL, &[("_FA", "-3")]),
+        ],
+    )),
     source: "B:4157-5029",
 };

@@ -35,6 +35,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
         zones: protected.iter().map(|zone| zone.walls(control)).collect(),
         start: place::in_plane(control, [0.0, 0.0, start]),
         tools: place::corrected_tools(inputs),
+        ..Proposal::default()
     }
 }
 

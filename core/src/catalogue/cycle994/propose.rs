@@ -63,6 +63,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
         zones: vec![element.shown()],
         start,
         tools: place::corrected_tools(inputs),
+        ..Proposal::default()
     }
 }
 

@@ -80,7 +80,11 @@ pub fn store(
     if next == Next::Again {
         return Ok(next);
     }
-    renew(machine, inputs, found);
+    let fields = fields(found);
+    let named = fields
+        .into_iter()
+        .map(|(field, value)| (datum(inputs, field), value));
+    renew(machine, inputs, named.collect());
     let milling = inputs.cycle.purpose.machine == MachineSort::Milling;
     let into_tool = milling && machine.control().bit("_CBIT[15]");
     if let Some(ball) = found.ball.filter(|_| into_tool) {
@@ -120,14 +124,14 @@ fn report(machine: &mut dyn Machine, inputs: &Inputs, found: &Calibration) -> Ve
     differences
 }
 
-/// Stores what differs by more than `_TZL` from the old values, and tells what is kept (B:5134).
-fn renew(machine: &mut dyn Machine, inputs: &Inputs, found: &Calibration) {
+/// Stores lengths (mm) that differ by more than `_TZL` from the data of these names, and tells what is kept (B:5134,
+/// B:4324-4326).
+pub fn renew(machine: &mut dyn Machine, inputs: &Inputs, found: Vec<(String, f64)>) {
     let limit = inputs.number(names::TZL);
     let per = machine.control().basic_factor();
     let mut kept = Vec::new();
-    for (field, value) in fields(found) {
-        let difference = value - stored(machine.control(), inputs, field);
-        let name = datum(inputs, field);
+    for (name, value) in found {
+        let difference = value - machine.control().basic_length(&name);
         if exceeds(difference.abs(), limit) {
             results::set(machine, &name, value / per);
         } else {

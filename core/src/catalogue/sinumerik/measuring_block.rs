@@ -114,6 +114,21 @@ impl Block {
         }
     }
 
+    /// The same block with this measuring feed alone, mm/min, so many times.
+    pub fn at_feed(&self, feed: f64, repeats: u32) -> Block {
+        Block {
+            feed,
+            fast: None,
+            repeats,
+            ..self.clone()
+        }
+    }
+
+    /// How often a place is touched (`_NMSP`).
+    pub fn repeats(&self) -> u32 {
+        self.repeats
+    }
+
     /// Start of the measuring block in the measuring axis: the ball `path` before the set surface.
     pub fn start(&self, point: &Point) -> f64 {
         point.set + self.trigger(point.axis, point.direction) - point.direction * point.path

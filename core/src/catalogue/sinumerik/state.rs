@@ -9,30 +9,36 @@ const CYCLE_FRAME: u32 = 5;
 /// Arrays that must have as many fields as the control says (B:13345-13348).
 const FIELDS: [&str; 4] = ["_TP", "_WP", "_KB", "_TPW"];
 
-/// Number of the alarm with which the cycles of this sort of machine refuse a control in this state.
+/// Number of the alarm with which the workpiece cycles of this sort of machine refuse a control in this state.
 pub fn refusal(control: &Control, machine: MachineSort) -> Option<u32> {
-    if !control.machine_bit("MD28082", CYCLE_FRAME) {
-        return Some(61016);
-    }
-    if (0..3).any(|axis| control.number(&format!("MD20050[{axis}]")) == 0.0) {
-        return Some(61336); // a geometry axis has no channel axis, A:15878, B:14084
-    }
-    if software(control) < 3.0 {
-        return Some(61342); // A:15883, B:13682
-    }
-    if FIELDS.iter().any(|array| !fits(control, array)) {
-        return Some(61416); // A:15935
-    }
-    if control.chain().iter().any(Frame::scaled) {
-        return Some(61310); // B:744, A:15849
-    }
-    let Some(edge) = control.active_edge() else {
-        return Some(61311); // A:15850
+    let edge = match with_edge(control) {
+        Ok(edge) => edge,
+        Err(number) => return Some(number),
     };
     match machine {
         MachineSort::Turning => turning(control, edge),
         _ => (!edge.is_milling_probe()).then_some(61309), // B:4147-4152
     }
+}
+
+/// The edge in use of a control in which any measuring cycle may run; else the number of the alarm.
+pub fn with_edge(control: &Control) -> Result<&Edge, u32> {
+    if !control.machine_bit("MD28082", CYCLE_FRAME) {
+        return Err(61016);
+    }
+    if (0..3).any(|axis| control.number(&format!("MD20050[{axis}]")) == 0.0) {
+        return Err(61336); // a geometry axis has no channel axis, A:15878, B:14084
+    }
+    if software(control) < 3.0 {
+        return Err(61342); // A:15883, B:13682
+    }
+    if FIELDS.iter().any(|array| !fits(control, array)) {
+        return Err(61416); // A:15935
+    }
+    if control.chain().iter().any(Frame::scaled) {
+        return Err(61310); // B:744, A:15849
+    }
+    control.active_edge().ok_or(61311) // A:15850
 }
 
 /// The same of a turning machine: its probe, and no rotation (B:8708, A:15848, A:15856, A:15873).

@@ -104,7 +104,7 @@ pub fn decide(
     if decision.branch == Branch::SafeArea {
         return Err(alarm(machine, 61303));
     }
-    inform(machine, decision.branch);
+    inform(machine, decision.branch.alarm());
     if let Some(name) = memory {
         let value = decision.memory / machine.control().basic_factor();
         results::set(machine, &name, value);
@@ -176,7 +176,7 @@ pub fn report_empirical(machine: &mut dyn Machine, inputs: &Inputs) {
 
 /// Whether to measure again: `_CBIT[0]`, at most four times; with `_CBIT[1]` an alarm that informs and a programmed
 /// stop before (B:13572-13580).
-fn repeat(machine: &mut dyn Machine, number: u32, repetition: u32) -> bool {
+pub fn repeat(machine: &mut dyn Machine, number: u32, repetition: u32) -> bool {
     if !machine.control().bit("_CBIT[0]") || repetition >= REPETITIONS {
         return false;
     }
@@ -191,9 +191,9 @@ fn repeat(machine: &mut dyn Machine, number: u32, repetition: u32) -> bool {
     true
 }
 
-/// The alarm of a branch that lets the program go on; with `_CBIT[2]` a programmed stop (B:13584-13586).
-fn inform(machine: &mut dyn Machine, branch: Branch) {
-    if let Some(number) = branch.alarm() {
+/// The alarm that lets the program go on; with `_CBIT[2]` a programmed stop (B:13584-13586).
+pub fn inform(machine: &mut dyn Machine, alarm: Option<u32>) {
+    if let Some(number) = alarm {
         results::integer(machine, 9, i64::from(number));
         machine.record(Step::Alarm(Code::Alarm(number)));
         if machine.control().bit("_CBIT[2]") {

@@ -1,10 +1,13 @@
-//! What the SINUMERIK cycles at a tool probe share (CYCLE971, CYCLE972, CYCLE982): parameters, data of the probe, checks.
+//! What the SINUMERIK cycles at a tool probe share (CYCLE971, CYCLE972, CYCLE982): parameters, data of the probe, checks, what
+//! a calibration stores and a measurement corrects.
 
 pub mod checks;
+pub mod correct;
 mod data;
 pub mod figures;
 pub mod help;
 pub mod params;
+pub mod store;
 pub mod turning;
 
 pub use data::ProbeData;

@@ -17,6 +17,44 @@ impl Block {
         }
         Ok(block)
     }
+
+    /// The same for the tool in use before a tool probe: what is touched lies where the position of the tool says, and the
+    /// spindle is left alone. The path has no sign.
+    pub fn for_tool(machine: &mut dyn Machine, inputs: &Inputs) -> Result<Block, Stop> {
+        let control = machine.control();
+        let block = state::with_edge(control)
+            .map(|_| ())
+            .and_then(|()| common(control, inputs, inputs.number("_FA").abs()));
+        block.map_err(|number| alarm(machine, number))
+    }
+}
+
+/// What does not depend on what touches; error: number of the alarm.
+fn common(control: &Control, inputs: &Inputs, path: f64) -> Result<Block, u32> {
+    if path <= 0.0 {
+        return Err(61308);
+    }
+    let monitored = control.bit("_CHBIT[2]");
+    let (feed_plane, feed_depth) = speeds(control, monitored)?;
+    Ok(Block {
+        axes: control.plane.axes(),
+        radius: control.active_radius(),
+        path,
+        centre: 0.0,
+        triggers: [[0.0; 2]; 3],
+        skew: [0.0; 2],
+        ball: 0.0,
+        other: false,
+        feed: measuring_feed(inputs.number("_VMS"), path),
+        fast: (control.bit("_CHBIT[17]") && path > 1.0).then(|| control.basic_length("_SPEED[3]")),
+        attempts: if control.bit("_CHBIT[15]") { 1 } else { 5 },
+        repeats: u32::try_from(inputs.integer("_NMSP")).unwrap_or(1).max(1),
+        monitored,
+        feed_plane,
+        feed_depth,
+        rapid_retract: control.bit("_CHBIT[16]"),
+        spindle: Spindle::Stays,
+    })
 }
 
 /// Everything from parameters and data; error: number of the alarm.
@@ -25,14 +63,12 @@ fn read(control: &Control, inputs: &Inputs) -> Result<Block, u32> {
         return Err(number);
     }
     let (index, mono) = probe(control, inputs)?;
-    let path = inputs.number("_FA");
-    if path <= 0.0 {
-        return Err(61308);
-    }
+    let common = common(control, inputs, inputs.number("_FA"))?;
     let data = |i: usize| control.basic_length(&format!("_WP[{index},{i}]"));
-    let axes = control.plane.axes();
     // The data were found in machine directions: in a mirrored axis plus is their minus.
-    let sense = axes.map(|axis| if control.mirrored(axis) { -1.0 } else { 1.0 });
+    let sense = common
+        .axes
+        .map(|axis| if control.mirrored(axis) { -1.0 } else { 1.0 });
     let triggers = std::array::from_fn(|i| {
         let [minus, plus] = [data(2 * i + 1), data(2 * i + 2)];
         match sense[i] > 0.0 {
@@ -45,15 +81,9 @@ fn read(control: &Control, inputs: &Inputs) -> Result<Block, u32> {
         (true, false) => Spindle::Follows(0.0),
         (true, true) => Spindle::Follows(inputs.number("_CORA")),
     };
-    let monitored = control.bit("_CHBIT[2]");
-    let (feed_plane, feed_depth) = speeds(control, monitored)?;
-    let radius = control.active_radius();
     Ok(Block {
-        axes,
-        radius,
-        path,
         centre: if control.bit("_CBIT[14]") && !turning(inputs) {
-            radius
+            common.radius
         } else {
             0.0
         },
@@ -65,15 +95,8 @@ fn read(control: &Control, inputs: &Inputs) -> Result<Block, u32> {
         },
         ball: data(0) / 2.0,
         other: calibrated_as::differs(control, inputs),
-        feed: measuring_feed(inputs),
-        fast: (control.bit("_CHBIT[17]") && path > 1.0).then(|| control.basic_length("_SPEED[3]")),
-        attempts: if control.bit("_CHBIT[15]") { 1 } else { 5 },
-        repeats: u32::try_from(inputs.integer("_NMSP")).unwrap_or(1).max(1),
-        monitored,
-        feed_plane,
-        feed_depth,
-        rapid_retract: control.bit("_CHBIT[16]"),
         spindle,
+        ..common
     })
 }
 
@@ -97,10 +120,10 @@ fn turning(inputs: &Inputs) -> bool {
 }
 
 /// `_VMS`, or 150 mm/min up to `_FA` = 1 and 300 mm/min above (B:2164-2170).
-fn measuring_feed(inputs: &Inputs) -> f64 {
-    match inputs.number("_VMS") {
+fn measuring_feed(chosen: f64, path: f64) -> f64 {
+    match chosen {
         feed if feed > 0.0 => feed,
-        _ if inputs.number("_FA") > 1.0 => 300.0,
+        _ if path > 1.0 => 300.0,
         _ => 150.0,
     }
 }

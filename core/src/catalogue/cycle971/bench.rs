@@ -1,0 +1,64 @@
+//! A milling machine with a tool probe and calls for it, for the tests of CYCLE971.
+
+#![allow(clippy::unwrap_used)]
+
+use super::CYCLE971;
+use crate::catalogue::sinumerik::testing;
+use crate::check::Inputs;
+use crate::control::{Plane, Units};
+use crate::run::Setup;
+use crate::run::machine::Sim;
+use crate::workpiece::noise::Noise;
+use crate::workpiece::tool::{Cut, Cutter, Tool};
+
+pub const PLANES: [Plane; 3] = [Plane::G17, Plane::G18, Plane::G19];
+
+/// Delivered values, wide bands, and these.
+pub fn call(variant: i64, plane: Plane, values: &[(&'static str, f64)]) -> Inputs {
+    let mut all = vec![("_FA", 4.0), ("_TZL", 0.0), ("_TDIF", 1.9), ("_TSA", 2.0)];
+    all.extend(values);
+    let mut inputs = testing::call("CYCLE971", variant, &all);
+    inputs.plane = plane;
+    inputs
+}
+
+/// The machine with the probe that the call proposes and the mill before it.
+pub fn setup(inputs: &Inputs) -> Setup {
+    setup_in(inputs, Units::Metric)
+}
+
+/// The same on a machine with this basic system of units.
+pub fn setup_in(inputs: &Inputs, units: Units) -> Setup {
+    let mut setup = Setup::calibrated_in(crate::catalogue::Dialect::Sinumerik, inputs.plane, units);
+    setup.suit(&CYCLE971);
+    place(setup, inputs)
+}
+
+/// A machine as it is with the probe that the call proposes and the mill before it.
+pub fn place(mut setup: Setup, inputs: &Inputs) -> Setup {
+    let proposal = (CYCLE971.work().unwrap().propose)(inputs, &setup.control);
+    setup.tool_probes = proposal.tool_probes;
+    setup.position = setup.control.to_machine(proposal.start);
+    setup
+}
+
+/// What the mill really is.
+pub fn real(setup: &mut Setup, length: f64, cutter: Cutter) {
+    let tool = Tool {
+        length: [length, 0.0, 0.0],
+        cut: Cut::Cutter(cutter),
+    };
+    setup.real_tools.insert((3, 1), tool);
+}
+
+/// The call on a machine, which has to end well.
+pub fn measured(setup: &Setup, inputs: &Inputs) -> Sim {
+    let (sim, outcome) = testing::called(setup, inputs);
+    assert_eq!(outcome, Ok(()), "{:?}", inputs.numbers);
+    sim
+}
+
+/// Evenly spread between -0.5 and 0.5.
+pub fn random(noise: &mut Noise) -> f64 {
+    noise.uniform() - 0.5
+}

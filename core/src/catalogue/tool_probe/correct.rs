@@ -1,0 +1,138 @@
+//! What measuring a tool found: the results, the limits, the correction of the edge in use (B:4310-4326).
+
+use crate::catalogue::names;
+use crate::catalogue::sinumerik::{Next, alarm, correct, results, tolerance};
+use crate::check::Inputs;
+use crate::control::Control;
+use crate::evaluate::tolerance::{RESOLUTION, exceeds};
+use crate::evaluate::{mean, tool_offset};
+use crate::message::Message;
+use crate::run::trace::Step;
+use crate::run::{Machine, Stop};
+
+/// A length or the radius of the tool in use.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measured {
+    /// 0 to 2: L1 to L3; 3: radius.
+    pub part: usize,
+    /// Index of the field in `_OVR[]` that takes it; the difference follows in the next.
+    pub result: usize,
+    /// As measured, before the empirical value, mm.
+    pub value: f64,
+}
+
+/// What follows from a difference.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Verdict {
+    /// `_TSA` and more: 61303.
+    SafeArea,
+    /// `_TDIF` and more: 62306, nothing is corrected.
+    Difference,
+    /// No more than `_TZL`: nothing is corrected.
+    Small,
+    /// Corrected.
+    Correct,
+}
+
+/// Reports, decides, corrects; each value on its own.
+pub fn finish(
+    machine: &mut dyn Machine,
+    inputs: &Inputs,
+    found: &[Measured],
+    repetition: u32,
+) -> Result<Next, Stop> {
+    report_call(machine, inputs);
+    for one in found {
+        let used = one.value - tolerance::empirical(machine.control(), inputs);
+        let difference = used - active(machine.control(), one.part);
+        results::length(machine, one.result, used);
+        results::length(machine, one.result + 1, difference);
+        if decide(machine, inputs, one.part, difference, repetition)? == Next::Again {
+            return Ok(Next::Again);
+        }
+    }
+    Ok(Next::Done)
+}
+
+/// The length or radius that counts now, wear included, mm.
+pub fn active(control: &Control, part: usize) -> f64 {
+    match part {
+        tool_offset::RADIUS => control.active_radius(),
+        _ => control.active_edge().map_or(0.0, |edge| {
+            edge.total_length(part) + edge.location(control.location)[part]
+        }),
+    }
+}
+
+/// What all measurements of tools tell (B:4233-4240).
+fn report_call(machine: &mut dyn Machine, inputs: &Inputs) {
+    let (tool, edge) = (machine.control().tool, machine.control().edge);
+    results::length(machine, 29, inputs.number(names::TDIF));
+    tolerance::report_empirical(machine, inputs);
+    results::integer(machine, 0, edge);
+    let memories = mean::memories(inputs.integer(names::EVNUM));
+    results::integer(machine, 7, memories.empirical);
+    results::integer(machine, 8, tool);
+}
+
+fn verdict(inputs: &Inputs, difference: f64) -> Verdict {
+    let reaches = |limit: &str| difference.abs() >= inputs.number(limit) - RESOLUTION;
+    if reaches(names::TSA) {
+        Verdict::SafeArea
+    } else if reaches(names::TDIF) {
+        Verdict::Difference
+    } else if exceeds(difference.abs(), inputs.number(names::TZL)) {
+        Verdict::Correct
+    } else {
+        Verdict::Small
+    }
+}
+
+fn decide(
+    machine: &mut dyn Machine,
+    inputs: &Inputs,
+    part: usize,
+    difference: f64,
+    repetition: u32,
+) -> Result<Next, Stop> {
+    let verdict = verdict(inputs, difference);
+    let remeasured = machine.control().bit("_CHBIT[3]");
+    let key = match (verdict, remeasured) {
+        (Verdict::SafeArea, _) => "evaluate-safe-area",
+        (Verdict::Difference, _) => "evaluate-difference",
+        (Verdict::Small, _) => "evaluate-tool-small",
+        (Verdict::Correct, false) => "evaluate-tool-geometry",
+        (Verdict::Correct, true) => "evaluate-tool-wear",
+    };
+    let message = Message::new(key).number("difference", difference);
+    let message = message.number("limit", inputs.number(names::TZL));
+    machine.record(Step::Decision(message));
+    let announced = match verdict {
+        Verdict::SafeArea => Some(62303),
+        Verdict::Difference => Some(62306),
+        _ => None,
+    };
+    if announced.is_some_and(|number| tolerance::repeat(machine, number, repetition)) {
+        return Ok(Next::Again);
+    }
+    match verdict {
+        Verdict::SafeArea => return Err(alarm(machine, 61303)),
+        Verdict::Correct => write(machine, part, difference, !remeasured),
+        Verdict::Difference | Verdict::Small => tolerance::inform(machine, announced),
+    }
+    Ok(Next::Done)
+}
+
+/// First measurement: the geometry takes everything and the wear is erased; later ones change the wear (B:4314-4322).
+pub fn write(machine: &mut dyn Machine, part: usize, difference: f64, geometry: bool) {
+    let control = machine.control();
+    let target = tool_offset::Target {
+        tool: control.tool,
+        edge: control.edge,
+        part,
+        location: None,
+        inverted: false,
+    };
+    let writes = tool_offset::writes_into(control, &target, difference, geometry);
+    correct::write(machine, &writes);
+}

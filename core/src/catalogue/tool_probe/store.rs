@@ -1,0 +1,64 @@
+//! What calibrating a tool probe found: the results, the comparison with what is stored, the new data (B:4324-4326).
+
+use crate::catalogue::names;
+use crate::catalogue::sinumerik::{Next, calibration, results, tolerance};
+use crate::check::Inputs;
+use crate::run::{Machine, Stop};
+
+/// A trigger point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Trigger {
+    /// Its datum: `_TP[0,4]`.
+    pub name: String,
+    /// Index of the field in `_OVR[]` that takes it; the difference follows in the next.
+    pub result: usize,
+    /// As found, mm.
+    pub value: f64,
+}
+
+/// What every call tells about itself (B:4216-4221, B:4231-4241).
+pub fn begin(machine: &mut dyn Machine, inputs: &Inputs, cycle: i64) {
+    results::begin(machine, inputs, cycle);
+    results::integer(machine, 3, inputs.variant);
+    results::length(machine, 27, inputs.number(names::TZL));
+}
+
+/// Reports, compares with the safe area, and stores what differs by more than `_TZL`; `beside`: differences that count for
+/// the safe area and are not stored, mm.
+pub fn store(
+    machine: &mut dyn Machine,
+    inputs: &Inputs,
+    found: &[Trigger],
+    beside: &[f64],
+    repetition: u32,
+) -> Result<Next, Stop> {
+    let mut differences = beside.to_vec();
+    differences.extend(report(machine, found));
+    let next = tolerance::safe(machine, inputs, &differences, repetition)?;
+    if next == Next::Done {
+        let named = found.iter().map(|one| (one.name.clone(), one.value));
+        calibration::renew(machine, inputs, named.collect());
+    }
+    Ok(next)
+}
+
+/// Reports and stores without any comparison, as incremental calibration does (B:4432).
+pub fn store_always(machine: &mut dyn Machine, found: &[Trigger]) {
+    report(machine, found);
+    let per = machine.control().basic_factor();
+    for one in found {
+        results::set(machine, &one.name, one.value / per);
+    }
+}
+
+/// Results; the differences, mm.
+fn report(machine: &mut dyn Machine, found: &[Trigger]) -> Vec<f64> {
+    let mut differences = Vec::new();
+    for one in found {
+        let difference = one.value - machine.control().basic_length(&one.name);
+        results::length(machine, one.result, one.value);
+        results::length(machine, one.result + 1, difference);
+        differences.push(difference);
+    }
+    differences
+}
