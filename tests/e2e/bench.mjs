@@ -79,6 +79,67 @@ async function reading(page) {
   row("read a 10 MB program and list its calls, MB/s", [speed.toFixed(1), "> 20", verdict(speed, 20, true)]);
 }
 
+// Programs of 1,000 measuring calls of a cycle on its part, from the text to the answer as JSON, and how many steps that
+// is; and programs that never end, until they are given up.
+async function running(page) {
+  const measured = await page.evaluate((cycles) => {
+    const core = globalThis["bench-program"];
+    const run = (request) => {
+      const start = performance.now();
+      const under = new core.Run(JSON.stringify(request));
+      while (!under.advance(1000));
+      const view = under.view();
+      const seconds = (performance.now() - start) / 1000;
+      const { trace, finished } = JSON.parse(view);
+      return { seconds, steps: trace.entries.length, finished };
+    };
+    const all = JSON.parse(core.catalogue()).cycles;
+    const calls = cycles.map((name) => {
+      const { control, cycle, example } = all.find((one) => one.cycle === name);
+      const { setup, snippet } = JSON.parse(core.form(JSON.stringify({ control, cycle, values: example, predict: true })));
+      const [x, y, z] = setup.position;
+      const text = `SUPA G0 X${x} Y${y}\nSUPA G0 Z${z}\n${snippet}\n`.repeat(1000);
+      return { name: `1,000 calls of ${name}`, ...run({ control, text, setup }) };
+    });
+    const endless = ["LOOP\nR1=R1+1\nENDLOOP", "LOOP\nG0 X=IC(1)\nX=IC(-1)\nENDLOOP", "BACK: GOTOB BACK"];
+    const stopped = endless.map((text) => ({ name: `never ends: ${text.replaceAll("\n", " ")}`, ...run({ control: "sinumerik", text }) }));
+    return { calls, stopped };
+  }, ["CYCLE961", "CYCLE976", "CYCLE977", "CYCLE978", "CYCLE979", "CYCLE997", "CYCLE998"]);
+  for (const { name, seconds, steps, finished } of measured.calls) {
+    row(`${name}${finished ? "" : " (given up)"}, s`, [seconds.toFixed(2), `${steps} steps`, "< 2", verdict(seconds, 2)]);
+  }
+  for (const { name, seconds } of measured.stopped) row(`${name}, s`, [seconds.toFixed(2), "", "< 1", verdict(seconds, 1)]);
+}
+
+// A program of 1,000 measuring calls in the page: frames while it is played, milliseconds from one to the next.
+async function playing(page) {
+  const part = await page.evaluate(() => {
+    const core = globalThis["bench-program"];
+    const { control, cycle, example } = JSON.parse(core.catalogue()).cycles.find((one) => one.cycle === "CYCLE977");
+    const { setup, snippet } = JSON.parse(core.form(JSON.stringify({ control, cycle, values: example, predict: true })));
+    const [x, y, z] = setup.position;
+    return `SUPA G0 X${x} Y${y}\nSUPA G0 Z${z}\n${snippet}\n`;
+  });
+  const remove = await program(page, part.repeat(1000));
+  await listed(page, 1000);
+  await remove();
+  await page.locator(".panel-program button", { hasText: /^Run$/ }).click();
+  await page.waitForFunction(() => Number(document.querySelector(".timeline input[type=range]")?.max) > 1000, null, { timeout: 120_000 });
+  await page.locator(".timeline .transport").nth(2).click();
+  const times = await page.evaluate(() => new Promise((resolve) => {
+    const found = [];
+    let last = 0;
+    const tick = (now) => {
+      if (last) found.push(now - last);
+      last = now;
+      if (found.length < 180) requestAnimationFrame(tick);
+      else resolve(found.sort((a, b) => a - b));
+    };
+    requestAnimationFrame(tick);
+  }));
+  report("1,000 calls played, from frame to frame", times, 95, 50);
+}
+
 // Work of the page from the event of a keystroke to the layout of the frame that shows its outcome. Without a graphics
 // card the browser draws with the same cores, so the time on the clock holds the waiting for them; what the page itself
 // spends is told apart.
@@ -203,7 +264,9 @@ try {
   await cycles(page);
   await keystrokes(browser, page);
   await reading(page);
+  await running(page);
   await manyCalls(page);
+  await playing(page);
   await million(page);
   await context.close();
   await wire(browser);
