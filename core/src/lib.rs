@@ -16,6 +16,7 @@ pub mod message;
 pub mod program;
 pub mod report;
 pub mod run;
+pub mod scan;
 pub mod support;
 #[cfg(feature = "cli")]
 pub mod words;

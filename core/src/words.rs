@@ -26,6 +26,10 @@ pub const ENGLISH: &[(&str, &str)] = &[
     ("cycle997.ftl", include_str!("../messages/en/cycle997.ftl")),
     ("cycle998.ftl", include_str!("../messages/en/cycle998.ftl")),
     ("datum.ftl", include_str!("../messages/en/datum.ftl")),
+    (
+        "digitizing.ftl",
+        include_str!("../messages/en/digitizing.ftl"),
+    ),
     ("evaluate.ftl", include_str!("../messages/en/evaluate.ftl")),
     (
         "help-calibrate.ftl",
@@ -105,6 +109,7 @@ pub const LANGUAGES: &[Language] = &[
         "cycle997.ftl"
         "cycle998.ftl"
         "datum.ftl"
+        "digitizing.ftl"
         "evaluate.ftl"
         "help-calibrate.ftl"
         "help-nct.ftl"

@@ -9,11 +9,15 @@ mod form;
 mod panic;
 #[cfg(feature = "program")]
 mod program;
+#[cfg(feature = "program")]
+mod scan;
 
 pub use catalogue::catalogue;
 pub use form::form;
 #[cfg(feature = "program")]
 pub use program::{Run, alarms, change, convert, help, machine, read, setup};
+#[cfg(feature = "program")]
+pub use scan::Scan;
 
 use wasm_bindgen::prelude::wasm_bindgen;
 

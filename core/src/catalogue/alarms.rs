@@ -146,6 +146,8 @@ pub static ALARMS: &[Alarm] = &[
     message(p9920::DEPRESSED, Nowhere, "C:1204"),
     message(p9920::TOO_SMALL, Nowhere, "C:1224;C:1245"),
     message(p9920::INCORRECT, Nowhere, "C:1224;C:1245"),
+    message(nct::SCANNING_OBSTRUCTED, Run, "C:1338"),
+    message(nct::SCANNING_FAIL, Run, "C:1339"),
 ];
 
 const fn alarm(

@@ -84,6 +84,11 @@ impl Cycle {
         simulation.work.as_ref()
     }
 
+    /// How it scans a surface in pieces; none where it does not, or not in this build.
+    pub fn scan(&self) -> Option<Scan> {
+        self.simulation.as_ref()?.scan
+    }
+
     /// A parameter by its name.
     pub fn param(&self, name: &str) -> Option<&'static Param> {
         self.params.iter().find(|param| param.name == name)
@@ -165,9 +170,13 @@ pub const NEVER: When = When::Any(&[]);
 /// Values as typed where the condition holds, later ones win.
 pub type Examples = &'static [(When, &'static [(&'static str, &'static str)])];
 
+/// A scan before its first point.
+pub type Scan = fn(&mut dyn Machine, &Inputs) -> Result<Box<dyn crate::scan::Scanner>, Stop>;
+
 /// That a cycle is simulated.
 pub struct Simulation {
     work: Option<Work>,
+    scan: Option<Scan>,
     /// What a variant's worked measurement has beside [`Cycle::example`], or instead.
     pub examples: Examples,
 }
@@ -177,7 +186,20 @@ impl Simulation {
     /// nothing of it is linked.
     pub const fn new(work: Work, examples: Examples) -> Simulation {
         let work = if SIMULATES { Some(work) } else { None };
-        Simulation { work, examples }
+        Simulation {
+            work,
+            scan: None,
+            examples,
+        }
+    }
+
+    /// The same for a cycle that scans a surface, which can be done in pieces too.
+    pub const fn scanning(work: Work, examples: Examples, scan: Scan) -> Simulation {
+        let scan = if SIMULATES { Some(scan) } else { None };
+        Simulation {
+            scan,
+            ..Simulation::new(work, examples)
+        }
     }
 }
 

@@ -46,6 +46,7 @@ pub mod names;
 pub mod nct;
 pub mod operator_messages;
 pub mod p9920;
+pub mod p9969;
 pub mod place;
 pub mod shared_checks;
 pub mod sinumerik;
@@ -96,6 +97,7 @@ const ALL: &[&Cycle] = &[
     &g109::G109,
     &g110::G110,
     &p9920::P9920,
+    &p9969::P9969,
 ];
 
 /// The entry with this name on this control (`CYCLE977`, `G110`; case does not matter).

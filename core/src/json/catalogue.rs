@@ -8,6 +8,7 @@ use crate::catalogue::{
 };
 use crate::check;
 use crate::control::delivery;
+use crate::workpiece::free::EXAMPLES;
 use serde_json::Value;
 
 /// What the page asks for first: the cycles under a name.
@@ -44,8 +45,15 @@ fn entry(cycle: &'static Cycle) -> Value {
         ("drawn", cycle.picture.drawn.into()),
         ("twins", (!cycle.purpose.tasks.is_empty()).into()),
         ("simulated", cycle.simulation.is_some().into()),
+        ("surfaces", surfaces(cycle)),
         ("source", cycle.source.into()),
     ])
+}
+
+/// Names of our surfaces, for a cycle that scans one.
+fn surfaces(cycle: &'static Cycle) -> Value {
+    let names = EXAMPLES.iter().filter(|_| cycle.scan().is_some());
+    names.map(|(name, _)| Value::from(*name)).collect()
 }
 
 /// Where it belongs: sort of machine, probe, and whether calibrating is all that it does.

@@ -9,6 +9,7 @@ mod help;
 mod machine;
 mod predict;
 mod program;
+mod scan;
 mod setup;
 mod setup_limits;
 mod setup_surface;
@@ -26,6 +27,7 @@ pub use form::form;
 pub use help::help;
 pub use machine::machine;
 pub use program::{Run, calls, change, convert, read, read_told, run_outcome};
+pub use scan::Scan;
 pub use setup::from_json as setup_from_json;
 #[cfg(feature = "cli")]
 pub use setup::schema as setup_schema;

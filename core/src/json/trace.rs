@@ -9,6 +9,7 @@ use crate::control::{Control, Edge};
 use crate::diagnostic::Code;
 use crate::geometry::arc::Around;
 use crate::message::Message;
+use crate::run::Stop;
 use crate::run::outcome::Outcome;
 use crate::run::setup::Setup;
 use crate::run::trace::{Entry, MotionKind, Step};
@@ -49,14 +50,22 @@ fn results(inputs: &Inputs, outcome: &Outcome) -> Vec<Value> {
 /// Alarms raised, the one that stopped the run last, a fault of the simulation after them.
 pub(super) fn alarms(outcome: &Outcome) -> Vec<Value> {
     let mut list: Vec<Value> = outcome.alarms().into_iter().map(alarm).collect();
-    if let Some(crate::run::Stop::Fault(text)) = &outcome.stop {
-        list.push(object([
+    if let Some(stop @ Stop::Fault(_)) = &outcome.stop {
+        list.push(stopped(stop));
+    }
+    list
+}
+
+/// Why something did not go on.
+pub(super) fn stopped(stop: &Stop) -> Value {
+    match stop {
+        Stop::Alarm(code) => alarm(*code),
+        Stop::Fault(text) => object([
             ("code", "".into()),
             ("message", message(text)),
             ("stops", true.into()),
-        ]));
+        ]),
     }
-    list
 }
 
 /// An alarm that was raised.

@@ -185,6 +185,7 @@ impl Interpreter {
     fn new(program: Program, setup: &Setup, limits: Limits) -> Interpreter {
         let mut sim = Sim::new(setup);
         sim.trace_limit = limits.trace;
+        sim.point_limit = crate::scan::POINTS;
         let modal = Modal::start(program.dialect, sim.control.data_factor());
         let programs = programs::programs(&program);
         let main = programs.units.first().map(|unit| unit.blocks.clone());

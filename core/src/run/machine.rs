@@ -9,6 +9,7 @@ use crate::control::{Control, Edge};
 use crate::diagnostic::Code;
 use crate::geometry::arc::Around;
 use crate::message::Message;
+use crate::scan::FORM_POINTS;
 use crate::workpiece::contact::{Boundary, Contact};
 use crate::workpiece::noise::Noise;
 use crate::workpiece::probe::{ball_offset, touch};
@@ -33,6 +34,10 @@ pub struct Sim {
     pub line: Option<u32>,
     /// Entries after which the run is given up.
     pub trace_limit: usize,
+    /// Most points that a call may scan.
+    pub point_limit: usize,
+    /// Whether nothing is recorded.
+    quiet: bool,
     /// Whether a measuring cycle of workpieces is running: then the probe is in the spindle whatever the tool data say.
     pub measuring: bool,
     probe: Probe,
@@ -62,6 +67,8 @@ impl Sim {
             trace: Trace::default(),
             line: None,
             trace_limit: TRACE_LIMIT,
+            point_limit: FORM_POINTS,
+            quiet: false,
             measuring: false,
             probe: setup.probe,
             part: Boundary::of(&on_table(&setup.control, &setup.workpiece, 0.0)),
@@ -225,7 +232,7 @@ impl Sim {
 
     /// Adds a step to the trace, with the present line.
     pub fn note(&mut self, step: Step) {
-        if self.trace.entries.len() < self.trace_limit {
+        if !self.quiet && self.trace.entries.len() < self.trace_limit {
             self.trace.entries.push(Entry {
                 line: self.line,
                 step,
@@ -257,6 +264,11 @@ impl Sim {
         } else {
             self.control.spindle
         }
+    }
+
+    /// Distance of a point from the part, machine coordinates, negative inside.
+    pub fn distance(&self, point: [f64; 3]) -> f64 {
+        self.part.distance(point)
     }
 
     /// Whether the trace takes more.
@@ -378,6 +390,14 @@ impl Machine for Sim {
             self.stands();
         }
         self.note(Step::Orient(angle));
+    }
+
+    fn quiet(&mut self, on: bool) {
+        self.quiet = on;
+    }
+
+    fn point_limit(&self) -> usize {
+        self.point_limit
     }
 
     fn spin(&mut self, speed: f64) {

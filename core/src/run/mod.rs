@@ -111,6 +111,12 @@ pub trait Machine {
     fn orient(&mut self, angle: f64);
     /// Lets the spindle turn, 1/min: positive as M3, negative as M4; 0 stops it.
     fn spin(&mut self, speed: f64);
+    /// From now on nothing is recorded, or everything again.
+    fn quiet(&mut self, _on: bool) {}
+    /// Most points that a call may scan.
+    fn point_limit(&self) -> usize {
+        crate::scan::FORM_POINTS
+    }
     /// Records something that is no motion: a result, a correction, a decision, an alarm that informs.
     fn record(&mut self, step: Step);
 }

@@ -53,6 +53,7 @@ fn table(name: &str) -> Table {
         "G108" => nct::g108(),
         "G109" => nct::g109(),
         "G110" => nct::g110(),
+        "G65 P9969" => nct::p9969(),
         _ => panic!("{name} has no cases for its alarms"),
     }
 }

@@ -124,6 +124,54 @@ pub fn g110() -> Table {
     table
 }
 
+/// Over a block whose upper face lies 20 mm deep; the roof is a second one above the ball.
+pub fn p9969() -> Table {
+    const USUAL: &str = "G65 P9969 X30 Y4 Z-24 J2 R2 Q1";
+    let roof = |setup: &mut Setup| {
+        let roof = Solid {
+            at: [0.0; 3],
+            ..setup.workpiece.solids[0].clone()
+        };
+        setup.workpiece.solids.push(roof);
+        setup.position = [0.0, 0.0, -16.0];
+    };
+    Table {
+        program: PROGRAM,
+        usual: USUAL,
+        setup: || {
+            let mut setup = setup();
+            setup.workpiece.solids[0] = Solid {
+                shape: Shape::Block {
+                    size: [100.0, 100.0, 8.0],
+                },
+                at: [0.0, 0.0, -20.0],
+                rotation: [0.0; 3],
+                errors: PartErrors::default(),
+            };
+            setup
+        },
+        cases: vec![
+            case(nct::FORMAT_ERROR, "G65 P9969 X30 Y4 Z-24 J2 Q1", |_| ()),
+            case(nct::NO_TOOL_LENGTH, USUAL, |setup| setup.control.edge = 0),
+            case(nct::OUT_OF_POSITION, USUAL, |setup| {
+                setup.control.limits.plus[0] = Some(5.0);
+            }),
+            case(nct::STYLUS_IN_CONTACT, USUAL, |setup| {
+                setup.position = [0.0, 0.0, -21.0];
+            }),
+            case(
+                nct::SCANNING_OBSTRUCTED,
+                "G65 P9969 X30 Y4 Z-24 J2 R2 Q9",
+                roof,
+            ),
+            case(nct::SCANNING_FAIL, USUAL, |setup| {
+                setup.probe.pre_travel.0 = 30.0; // it comes too late: the ball is pressed into the block
+            }),
+        ],
+        unreached: Vec::new(),
+    }
+}
+
 /// A macro that begins inside of the bore.
 fn in_bore(usual: &'static str, incomplete: &'static str, still: &'static str) -> Table {
     Table {

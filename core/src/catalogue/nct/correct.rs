@@ -126,7 +126,8 @@ pub fn calibration(machine: &mut dyn Machine, values: &[(&str, f64)]) {
         .for_each(|(name, value)| datum(machine, name, value / per));
 }
 
-fn datum(machine: &mut dyn Machine, name: &str, after: f64) {
+/// Leaves one result as it is.
+pub fn datum(machine: &mut dyn Machine, name: &str, after: f64) {
     let before = machine.control().number(name);
     machine.control().set(name, after);
     machine.record(Step::Set {

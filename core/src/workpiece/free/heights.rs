@@ -62,7 +62,7 @@ impl Heights {
         FreeSurface::from_heights(self)
     }
 
-    fn rows(&self) -> usize {
+    pub(super) fn rows(&self) -> usize {
         self.values.len().checked_div(self.columns).unwrap_or(0)
     }
 

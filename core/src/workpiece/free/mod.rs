@@ -1,5 +1,6 @@
 //! Free surfaces: examples of ours, a grid of heights, or the triangles of a user's file.
 
+mod coarse;
 mod example;
 mod heights;
 mod stl;

@@ -130,6 +130,28 @@ fn examples_are_as_high_as_asked_for() {
     }
 }
 
+// oracle: hand: the border stays, nothing is outside of it
+#[test]
+fn a_coarser_surface_looks_the_same() {
+    let fine = Example::Waves.heights([60.0, 40.0], 8.0).surface().unwrap();
+    let triangles: Vec<_> = fine.triangles().collect();
+    let single = FreeSurface::from_triangles(&triangles).unwrap();
+    for surface in [fine, single] {
+        let count = surface.mesh.triangles().len();
+        assert!(surface.coarser(count).is_none());
+        let coarse = surface.coarser(1000).unwrap();
+        assert!(coarse.mesh.triangles().len() < 1500);
+        let [low, high] = coarse.bounds();
+        for axis in 0..2 {
+            assert!((low[axis] - surface.bounds()[0][axis]).abs() < 1.5);
+            assert!((high[axis] - surface.bounds()[1][axis]).abs() < 1.5);
+        }
+        for corner in coarse.mesh.corners() {
+            assert!(surface.mesh.nearest(corner, 1.0).is_some());
+        }
+    }
+}
+
 proptest! {
     // oracle: definition: any bytes are triangles or a refusal
     #[test]

@@ -1,0 +1,37 @@
+//! A surface scanned with a million points: the time of the scan, of the comparison with the true surface, and of the
+//! texts. Printed once; a mean of several would say no more.
+
+use probewright_core::catalogue::p9969::P9969;
+use probewright_core::json;
+use serde_json::{Value, json as object};
+use std::time::Instant;
+
+/// Goal for everything, s.
+const GOAL: f64 = 20.0;
+/// Points a piece, as the page asks for them.
+const PIECE: usize = 1000;
+
+fn main() {
+    let mut values: Value = P9969.example.iter().map(|(n, v)| (*n, *v)).collect();
+    values["Q"] = "1".into();
+    values["R"] = "0.06".into();
+    values["J"] = "0.04".into();
+    let form = object!({ "control": "nct", "cycle": P9969.name, "values": P9969.example.iter().copied().collect::<Value>(), "predict": true });
+    let Ok(view) = json::form(&form.to_string()) else {
+        return;
+    };
+    let request = object!({ "control": "nct", "cycle": P9969.name, "values": values, "setup": view["setup"] });
+    let begun = Instant::now();
+    let Ok(mut scan) = json::Scan::new(&request.to_string(), &[]) else {
+        return;
+    };
+    while !scan.advance(PIECE) {}
+    let scanned = begun.elapsed().as_secs_f64();
+    let points = scan.view()["points"].as_u64().unwrap_or(0) as usize;
+    let texts = ["program", "points", "surface"]
+        .map(|form| scan.text(form, 0, points).map_or(0, |text| text.len()));
+    let all = begun.elapsed().as_secs_f64();
+    println!(
+        "{points} points: scanned and compared in {scanned:.2} s; with three texts of {texts:?} bytes {all:.2} s; goal {GOAL} s"
+    );
+}

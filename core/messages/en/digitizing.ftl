@@ -1,0 +1,44 @@
+# Digitizing of a free surface: the macro G65 P9969 of the NCT controls.
+
+p9969-title = Digitizing a surface
+p9969-help = Scans a free surface over a rectangle, line by line, and sends the points as an NC program.
+p9969-words = digitizing digitize scan scanning free surface mold die copy points cloud height relief STL
+p9969-rectangle = Rectangular digitizing
+param-p9969-end = End of the rectangle
+param-p9969-end-help = Coordinate of the corner opposite to the one where the stylus stands at the call, in this axis of the plane.
+param-p9969-deepest = Deepest position
+param-p9969-deepest-help = Coordinate of the tool axis below which the surface is not looked for; there the stylus goes on along the line. It has to lie below the stylus.
+param-p9969-spacing = Line spacing
+param-p9969-spacing-help = Distance from line to line. I steps along X, J along Y, K along Z; the lines run along the other axis of the plane. Give exactly one.
+param-p9969-r = Raster distance
+param-p9969-r-help = Distance of the points along the surface. It must be less than half of the greatest deflection of the stylus.
+param-p9969-q = Retraction
+param-p9969-q-help = How far the stylus goes up before it looks for the next point. On a surface that rises more than this from line to line it is not free in time.
+param-p9969-f = Scanning feed
+param-p9969-f-help = Feed while searching. It decides over the accuracy: 12 mm/min 0.001 mm, 120 mm/min 0.01 mm, 1200 mm/min 0.1 mm. Without it 120 mm/min.
+param-p9969-s = Program number
+param-p9969-s-help = Number of the program under which the points are stored; without it the program gets none.
+need-p9969-spacing = Give exactly one line spacing of the plane.
+p9969-one-spacing = Exactly one of { $first } and { $second } has to be given.
+p9969-one-spacing-hint = Give the address of the axis from line to line, and leave the other one out.
+result-p9969-points = Points
+result-p9969-lines = Lines
+result-p9969-lowest = Lowest point
+result-p9969-highest = Highest point
+decision-p9969-told = Motions and blocks of the first { $told } of { $all } points are listed; a scan of the whole surface is on the page of its results.
+nct-scanning-obstructed = The stylus is stuck: something lies on its way back.
+    .cure = Retract it by hand, then take a larger line spacing, a smaller ball or another rectangle.
+nct-scanning-fail = No position was found in three attempts.
+    .cure = Check the probe; raise Q if the stylus is still deflected after its retraction.
+run-scan-limit = The scan has more than { $limit } points and was given up. Take a larger R or line spacing.
+
+help-p9969-measures = A free surface: points in parallel lines over a rectangle of the plane.
+help-p9969-before = The stylus stands over one corner of the rectangle, at a safe distance above the surface. Any corner may be the start.
+help-p9969-order-lines = A line along one axis to the end of the rectangle, a step by the line spacing, a line back, until the rectangle is covered; a last line lies at its end.
+help-p9969-order-point = From point to point: up by Q, on by R along the direction of the surface, down to it. A wall that is met on the way is followed upwards in steps of R.
+help-p9969-order-deepest = Nothing down to the deepest position: on along the line at this depth until a wall or the end of the line.
+help-p9969-corrects = Nothing. It sends an NC program with number S, which cuts the same surface with a cutter of the size of the ball.
+help-p9969-wrong-fast = The accuracy follows the feed: 0.1 mm at 1200 mm/min.
+help-p9969-wrong-step = The surface rises from line to line by more than Q: STYLUS IN CONTACT. Make Q greater or the spacing smaller.
+help-p9969-wrong-cavity = The stylus is stuck in a cavity: SCANNING OBSTRUCTED.
+help-p9969-wrong-ball = The points are those of the ball, not of the surface: with a cutter of another size they have to be converted.

@@ -1,0 +1,44 @@
+# 自由曲面的数字化：NCT 控制系统的宏 G65 P9969。
+
+p9969-title = 曲面数字化
+p9969-help = 在一个矩形上逐行扫描自由曲面，并把各点作为数控程序发送。
+p9969-words = 数字化 扫描 自由曲面 模具 仿形 点云 高度 浮雕 STL
+p9969-rectangle = 矩形数字化
+param-p9969-end = 矩形终点
+param-p9969-end-help = 在平面的这个轴上，与调用时测针所在角相对的那个角的坐标。
+param-p9969-deepest = 最深位置
+param-p9969-deepest-help = 刀具轴的坐标，低于它不再寻找表面；测针在那里沿行继续移动。它必须低于测针。
+param-p9969-spacing = 行距
+param-p9969-spacing-help = 行与行之间的距离。I 沿 X 步进，J 沿 Y，K 沿 Z；各行沿平面的另一个轴。只给出一个。
+param-p9969-r = 点距
+param-p9969-r-help = 沿表面各点之间的距离。必须小于测针最大偏转量的一半。
+param-p9969-q = 退回量
+param-p9969-q-help = 测针寻找下一点之前向上退回的距离。若表面在行与行之间升高超过此值，测针不能及时离开。
+param-p9969-f = 扫描进给率
+param-p9969-f-help = 寻找时的进给率。它决定精度：12 mm/min 为 0.001 mm，120 mm/min 为 0.01 mm，1200 mm/min 为 0.1 mm。不给则为 120 mm/min。
+param-p9969-s = 程序号
+param-p9969-s-help = 存储各点的程序的编号；不给则程序没有编号。
+need-p9969-spacing = 平面的行距只给出一个。
+p9969-one-spacing = { $first } 和 { $second } 必须且只能给出一个。
+p9969-one-spacing-hint = 给出行与行之间步进轴的地址，省略另一个。
+result-p9969-points = 点数
+result-p9969-lines = 行数
+result-p9969-lowest = 最低点
+result-p9969-highest = 最高点
+decision-p9969-told = 只列出 { $all } 点中前 { $told } 点的运动和程序段；整个曲面的扫描见结果页。
+nct-scanning-obstructed = 测针卡住：退回的路上有障碍。
+    .cure = 手动退回测针，然后采用更大的行距、更小的测球或另一个矩形。
+nct-scanning-fail = 三次尝试都没有找到位置。
+    .cure = 请检查测头；若退回后测针仍然偏转，请加大 Q。
+run-scan-limit = 扫描超过 { $limit } 点，已中止。请加大 R 或行距。
+
+help-p9969-measures = 自由曲面：平面矩形上平行各行的点。
+help-p9969-before = 测针在矩形的一个角上方，与表面保持安全距离。任何一个角都可以作为起点。
+help-p9969-order-lines = 沿一个轴走一行到矩形终点，按行距步进，再走一行返回，直到覆盖整个矩形；最后一行在矩形终点。
+help-p9969-order-point = 从一点到下一点：向上退回 Q，沿表面方向前进 R，再向下到表面。途中碰到的壁以 R 为步距向上跟随。
+help-p9969-order-deepest = 到最深位置仍没有碰到：在此深度沿行继续，直到壁或行的终点。
+help-p9969-corrects = 不作补偿。它发送编号为 S 的数控程序，用与测球同样大小的刀具加工出同样的曲面。
+help-p9969-wrong-fast = 精度取决于进给率：1200 mm/min 时为 0.1 mm。
+help-p9969-wrong-step = 表面在行与行之间升高超过 Q：STYLUS IN CONTACT。加大 Q 或减小行距。
+help-p9969-wrong-cavity = 测针卡在凹处：SCANNING OBSTRUCTED。
+help-p9969-wrong-ball = 这些点是测球的点，不是表面的点：用其他尺寸的刀具时必须换算。

@@ -1,0 +1,75 @@
+//! Digitizing: what a cycle that scans a surface hands over, and what is made of it. Lengths in mm, positions X Y Z of the
+//! active WCS.
+
+pub mod cloud;
+pub mod session;
+#[cfg(test)]
+mod tests;
+pub mod text;
+
+pub use cloud::Cloud;
+pub use session::Session;
+
+use crate::control::{Control, Plane};
+use crate::run::{Machine, Stop};
+
+/// Most points of a scan: they and what is reckoned of each must fit into the memory of a browser.
+pub const POINTS: usize = 2_000_000;
+/// Most points of a scan that a form carries out at every keystroke.
+pub const FORM_POINTS: usize = 20_000;
+/// Points of which a trace holds every motion, and a log the block; of the others only the result counts.
+pub const TOLD: usize = 500;
+
+/// A cycle that scans, on its way.
+pub trait Scanner {
+    /// Goes to the next point; none: the scan is complete.
+    fn next(&mut self, machine: &mut dyn Machine) -> Result<Option<Scanned>, Stop>;
+    /// Which part of the surface is done, 0 to 1.
+    fn share(&self) -> f64;
+    /// What does not change on the way.
+    fn layout(&self) -> &Layout;
+}
+
+/// A point as the control sends it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scanned {
+    /// Number of its line, from 0.
+    pub line: usize,
+    /// Ball centre in the plane; along the tool axis the end of the ball, to which the length of the stylus refers.
+    pub at: [f64; 3],
+}
+
+/// How a surface is scanned.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Layout {
+    /// Axis of the lines, axis from line to line, axis of the tool.
+    pub axes: [usize; 3],
+    /// Ball radius that the control reckons with.
+    pub radius: f64,
+    /// Where the tool axis stood at the call.
+    pub height: f64,
+    /// Feed while searching, mm/min.
+    pub rate: f64,
+    /// Number of the program that is sent.
+    pub number: Option<i64>,
+    /// Working plane.
+    pub plane: Plane,
+    /// Millimetres in one unit of what is sent.
+    pub per: f64,
+}
+
+impl Layout {
+    /// That of a control which scans along one axis of its plane and steps along another one.
+    pub fn of(control: &Control, along: usize, across: usize) -> Layout {
+        let [.., axial] = control.plane.axes();
+        Layout {
+            axes: [along, across, axial],
+            radius: 0.0,
+            height: 0.0,
+            rate: 0.0,
+            number: None,
+            plane: control.plane,
+            per: control.active_factor(),
+        }
+    }
+}

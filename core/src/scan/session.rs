@@ -1,0 +1,143 @@
+//! A scan in pieces, so that whoever waits for it can be told how far it is, and leave it; then the comparison of what
+//! was scanned with the true surface.
+
+use super::{Cloud, Layout, POINTS, Scanner};
+use crate::check::Inputs;
+use crate::message::Message;
+use crate::run::machine::Sim;
+use crate::run::{Machine, Setup, Stop};
+
+/// Part of the work that scanning is; the rest is the comparison.
+const SCANNING: f64 = 0.75;
+
+/// How far points are from the true surface, mm.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Deviation {
+    /// Greatest.
+    pub greatest: f64,
+    /// Root of the mean square.
+    pub mean: f64,
+}
+
+/// A scan on its way.
+pub struct Session {
+    sim: Sim,
+    scanner: Box<dyn Scanner>,
+    cloud: Cloud,
+    scanned: bool,
+    stop: Option<Stop>,
+    /// Of each point: as sent, and with the ball taken out; outside of the surface positive, mm.
+    deviations: Vec<[f32; 2]>,
+}
+
+impl Session {
+    /// Before the first point; none for a cycle that does not scan.
+    pub fn new(inputs: &Inputs, setup: &Setup) -> Option<Result<Session, Stop>> {
+        let scan = inputs.cycle.scan()?;
+        let mut sim = Sim::new(setup);
+        sim.measuring = true;
+        sim.quiet(true);
+        let scanner = scan(&mut sim, inputs);
+        Some(scanner.map(|scanner| Session {
+            sim,
+            scanner,
+            cloud: Cloud::default(),
+            scanned: false,
+            stop: None,
+            deviations: Vec::new(),
+        }))
+    }
+
+    /// Goes on by so many points; true: everything is done.
+    pub fn advance(&mut self, points: usize) -> bool {
+        for _ in 0..points {
+            if self.scanned {
+                if self.deviations.len() == self.cloud.points().len() {
+                    return true;
+                }
+                self.compare();
+            } else {
+                self.scan();
+            }
+        }
+        self.scanned && self.deviations.len() == self.cloud.points().len()
+    }
+
+    fn scan(&mut self) {
+        let next = if self.cloud.points().len() == POINTS {
+            Err(too_many(POINTS))
+        } else {
+            self.scanner.next(&mut self.sim)
+        };
+        match next {
+            Ok(Some(point)) => self.cloud.push(point),
+            Ok(None) => self.scanned = true,
+            Err(stop) => {
+                self.stop = Some(stop);
+                self.scanned = true;
+            }
+        }
+    }
+
+    fn compare(&mut self) {
+        let index = self.deviations.len();
+        let sent = self.cloud.points().get(index).copied().unwrap_or_default();
+        let surface = self.cloud.surface(self.scanner.layout(), index);
+        let away = |p: [f64; 3]| self.sim.distance(self.sim.control.to_machine(p)) as f32;
+        self.deviations.push([away(sent), away(surface.into())]);
+    }
+
+    /// How much is done, 0 to 1.
+    pub fn share(&self) -> f64 {
+        if !self.scanned {
+            return SCANNING * self.scanner.share();
+        }
+        let points = self.cloud.points().len().max(1);
+        SCANNING + (1.0 - SCANNING) * self.deviations.len() as f64 / points as f64
+    }
+
+    /// Why it ended before its end.
+    pub fn stop(&self) -> Option<&Stop> {
+        self.stop.as_ref()
+    }
+
+    /// What was scanned so far.
+    pub fn cloud(&self) -> &Cloud {
+        &self.cloud
+    }
+
+    /// How it is scanned.
+    pub fn layout(&self) -> &Layout {
+        self.scanner.layout()
+    }
+
+    /// Of each point compared so far: deviation as sent, and with the ball taken out, mm.
+    pub fn deviations(&self) -> &[[f32; 2]] {
+        &self.deviations
+    }
+
+    /// Deviation of the points as sent (0), or with the ball taken out (1).
+    pub fn deviation(&self, which: usize) -> Deviation {
+        let values = self.deviations.iter().filter_map(|both| both.get(which));
+        let (mut greatest, mut squares) = (0.0_f64, 0.0);
+        for value in values.map(|value| f64::from(*value)) {
+            greatest = greatest.max(value.abs());
+            squares += value * value;
+        }
+        let count = self.deviations.len().max(1) as f64;
+        Deviation {
+            greatest,
+            mean: (squares / count).sqrt(),
+        }
+    }
+
+    /// A point of the WCS in machine coordinates.
+    pub fn to_machine(&self, point: [f64; 3]) -> [f64; 3] {
+        self.sim.control.to_machine(point)
+    }
+}
+
+/// More points than can be held.
+pub fn too_many(limit: usize) -> Stop {
+    Stop::Fault(Message::new("run-scan-limit").number("limit", limit as f64))
+}
