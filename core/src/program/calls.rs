@@ -2,6 +2,7 @@
 
 use super::arguments;
 use super::block::BETWEEN;
+use super::flow::Way;
 use super::fold::{self, Known};
 pub use super::tools::ToolInUse;
 use super::tools::Tools;
@@ -45,6 +46,8 @@ pub struct CallSite {
     pub unit_function: u16,
     /// Tool in use, where program and machine tell its type.
     pub tool: Option<ToolInUse>,
+    /// The ways on which a program comes to it that differ in what is in force.
+    pub ways: Vec<Way>,
     /// Findings with their places.
     pub diagnostics: Vec<Diagnostic>,
 }
@@ -430,6 +433,7 @@ impl Walk<'_> {
             plane: self.control.plane,
             unit_function: self.control.unit_function(),
             tool: None,
+            ways: Vec::new(),
             diagnostics: Vec::new(),
         }
     }
@@ -444,7 +448,8 @@ impl Walk<'_> {
 
     fn finish(&mut self, mut site: CallSite) {
         if self.program.dialect == Dialect::Sinumerik {
-            site.tool = self.tools.use_at(&mut self.control, site.span.start);
+            site.ways = self.tools.ways(site.span.start);
+            site.tool = self.tools.use_at(&mut self.control, &site.ways);
             site.plane = self.control.plane;
         }
         site.diagnostics = check(site.cycle, &site.values, &self.control).diagnostics;

@@ -9,7 +9,7 @@ pub mod change;
 pub mod convert;
 mod expression;
 mod findings;
-mod flow;
+pub mod flow;
 mod fold;
 mod keyword;
 mod marked;

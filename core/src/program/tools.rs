@@ -1,6 +1,6 @@
 //! The tool in use at the calls of a program, and what the program itself says of it (`$TC_DP1[7,1]=120`).
 
-use super::flow::{Force, Tool, in_force};
+use super::flow::{Force, Tool, Way, agreed, in_force};
 use super::tree::Program;
 use crate::catalogue::Dialect;
 use crate::control::{Control, Plane};
@@ -56,10 +56,15 @@ impl Tools {
         }
     }
 
+    /// The ways to a call.
+    pub fn ways(&mut self, call: u32) -> Vec<Way> {
+        self.force.take(call)
+    }
+
     /// Puts plane and tool in force that the call finds, and says what the tool is. None is in use where the text does not
     /// tell.
-    pub fn use_at(&self, control: &mut Control, call: u32) -> Option<ToolInUse> {
-        let agreed = self.force.agreed(call).unwrap_or_default();
+    pub fn use_at(&self, control: &mut Control, ways: &[Way]) -> Option<ToolInUse> {
+        let agreed = agreed(ways);
         (control.tool, control.edge) = self.start;
         match agreed.plane.is() {
             Some(plane) => control.plane = *plane,

@@ -9,7 +9,7 @@ mod unsaid;
 
 use super::calls::CallSite;
 use super::change::{line_before, line_end};
-use super::flow::{State, in_force};
+use super::flow::{State, Way};
 use super::tree::Program;
 use crate::catalogue::Dialect;
 use crate::check::{self, Inputs};
@@ -36,16 +36,9 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
     }
     let mut found = Vec::new();
     let mut asked = at_call::Asked::of(program);
-    let force = in_force(program);
     let mut at_call = control.clone();
     let mut corrected = vec![None; sites.len()];
-    for (call, state) in force.visits() {
-        let Ok(index) = sites.binary_search_by_key(&call, |site| site.span.start) else {
-            continue;
-        };
-        let Some(site) = sites.get(index) else {
-            continue;
-        };
+    for (index, site, way) in in_order(sites) {
         at_call.plane = site.plane;
         at_call.choose_units(site.unit_function);
         let seen = Seen {
@@ -54,7 +47,7 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
             sites,
             index,
             site,
-            force: state,
+            force: &way.state,
             inputs: check::read(site.cycle, &site.values, &at_call, &mut Vec::new()),
         };
         at_call::look(&seen, &mut asked, &mut found);
@@ -66,6 +59,16 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
     behind::look(program, sites, &corrected, &mut found);
     levels::look(program, sites, &mut found);
     found
+}
+
+/// The calls as the run comes to them, each once a way.
+fn in_order(sites: &[CallSite]) -> Vec<(usize, &CallSite, &Way)> {
+    let mut all = Vec::new();
+    for (index, site) in sites.iter().enumerate() {
+        all.extend(site.ways.iter().map(|way| (index, site, way)));
+    }
+    all.sort_by_key(|(_, _, way)| way.order);
+    all
 }
 
 /// A finding at the call.

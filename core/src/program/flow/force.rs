@@ -7,31 +7,35 @@ use crate::program::fold::{self, Known};
 use crate::program::tree::{Expr, ExprId, Program, Word, WordKind};
 use std::collections::HashMap;
 
-/// States with which the calls of cycles are reached, by the first byte of the call.
+/// A way to a call.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Way {
+    /// Its place among all ways of the program, in the order of the run.
+    pub order: usize,
+    /// What is in force at the call.
+    pub state: State,
+}
+
+/// The ways to the calls of cycles that differ in their state, by the first byte of the call.
 #[derive(Debug, Default)]
 pub struct Force {
-    at: HashMap<u32, Vec<State>>,
-    /// Each call with the place of its state, in the order of the run.
-    order: Vec<(u32, usize)>,
+    at: HashMap<u32, Vec<Way>>,
+    ways: usize,
 }
 
 impl Force {
-    /// The different states with which a call is reached.
-    fn at(&self, call: u32) -> &[State] {
-        self.at.get(&call).map_or(&[], Vec::as_slice)
+    /// The ways to a call.
+    pub fn take(&mut self, call: u32) -> Vec<Way> {
+        self.at.remove(&call).unwrap_or_default()
     }
+}
 
-    /// The calls in the order of the run, each once a state: its first byte, what is in force there.
-    pub fn visits(&self) -> impl Iterator<Item = (u32, &State)> {
-        let visits = self.order.iter();
-        visits.filter_map(|(call, place)| Some((*call, self.at(*call).get(*place)?)))
-    }
-
-    /// What all of these states agree on.
-    pub fn agreed(&self, call: u32) -> Option<State> {
-        let states = self.at(call).iter();
-        states.cloned().reduce(|one, other| one.meet(&other))
-    }
+/// What is in force at the end of each of these ways.
+pub fn agreed(ways: &[Way]) -> State {
+    let states = ways.iter().map(|way| way.state.clone());
+    states
+        .reduce(|one, other| one.meet(&other))
+        .unwrap_or_default()
 }
 
 /// Finds what is in force at the calls of cycles.
@@ -73,10 +77,13 @@ impl Follow for Rules<'_> {
         if !start.is_some_and(|start| start.eq_ignore_ascii_case(b"CYCLE")) {
             return;
         }
-        let states = self.found.at.entry(word.span.start).or_default();
-        if !states.contains(state) {
-            self.found.order.push((word.span.start, states.len()));
-            states.push(state.clone());
+        let ways = self.found.at.entry(word.span.start).or_default();
+        if !ways.iter().any(|way| way.state == *state) {
+            ways.push(Way {
+                order: self.found.ways,
+                state: state.clone(),
+            });
+            self.found.ways += 1;
         }
     }
 
@@ -145,18 +152,18 @@ impl Rules<'_> {
     }
 
     fn address(&self, state: &mut State, name: &[u8], extension: bool, value: ExprId) {
-        match name.to_ascii_uppercase().as_slice() {
-            b"G" => {
+        match name {
+            b"G" | b"g" => {
                 let code = self.whole(value).and_then(|code| u16::try_from(code).ok());
                 code.into_iter().for_each(|code| state.function(code));
             }
-            b"D" => state.correct(self.whole(value).map_or(Mode::Open, Mode::Is)),
-            b"M" if !extension => {
+            b"D" | b"d" => state.correct(self.whole(value).map_or(Mode::Open, Mode::Is)),
+            b"M" | b"m" if !extension => {
                 self.whole(value)
                     .into_iter()
                     .for_each(|code| state.machine(code));
             }
-            b"SPOS" => state.turning = Mode::Is(false),
+            _ if name.eq_ignore_ascii_case(b"SPOS") => state.turning = Mode::Is(false),
             _ => {}
         }
     }

@@ -8,7 +8,7 @@ mod structure;
 
 pub use called::callers;
 use called::{Called, called};
-pub use force::{Force, in_force};
+pub use force::{Force, Way, agreed, in_force};
 pub use state::{Mode, State, Tool};
 
 use super::tree::{Block, Program, Word};
@@ -147,13 +147,14 @@ impl<F: Follow> Walk<'_, F> {
         let mut branches = Branches::new(state);
         for block in program.blocks.get(range).unwrap_or_default() {
             let words = program.words_of(block);
+            if !branches.concerned(program, block, words) {
+                self.block(&mut branches, words);
+                continue;
+            }
             let rules = &*self.rules;
             branches.arrive(program, block, words, |one, other| rules.meet(one, other));
             let before = block.skip.map(|_| branches.state.clone());
-            self.rules.block(&mut branches.state, words);
-            for at in 0..words.len() {
-                self.call(&mut branches, words, at);
-            }
+            self.block(&mut branches, words);
             if let Some(before) = before {
                 branches.state = self.rules.meet(&before, &branches.state);
             }
@@ -165,6 +166,13 @@ impl<F: Follow> Walk<'_, F> {
         }
         let rules = &*self.rules;
         branches.after(|one, other| rules.meet(one, other))
+    }
+
+    fn block(&mut self, branches: &mut Branches<F::State>, words: &[Word]) {
+        self.rules.block(&mut branches.state, words);
+        for at in 0..words.len() {
+            self.call(branches, words, at);
+        }
     }
 
     fn call(&mut self, branches: &mut Branches<F::State>, words: &[Word], at: usize) {

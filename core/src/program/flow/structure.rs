@@ -38,6 +38,16 @@ impl<S: Clone> Branches<S> {
         }
     }
 
+    /// Whether ways may meet or part at a block; most blocks only move.
+    pub fn concerned(&self, program: &Program, block: &Block, words: &[Word]) -> bool {
+        let parts = |word: &Word| match word.kind {
+            WordKind::Keyword { .. } | WordKind::Label(_) => true,
+            WordKind::Address { name, .. } => program.is(name, "M"),
+            _ => false,
+        };
+        block.skip.is_some() || !self.jumps.is_empty() || words.iter().any(parts)
+    }
+
     /// Before a block: jumps arrive, branches end or begin.
     pub fn arrive(
         &mut self,
