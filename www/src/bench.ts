@@ -64,7 +64,7 @@ export function createBench({ catalogue, store, actions, open, editor, stage, re
   panels.view.append(activities[1].root);
   const views = [
     createHeader(layout.header, store, actions, open.setup, core), createTasks(panels.tasks, store, actions, found), createForm(panels.form, store, actions, () => sets.dialog.showModal()),
-    createScene(panels.view, store, program.goToLine, stage), createResults(results, store, actions, program.goTo), createSliders(sliders, actions), createHelp(panels.help, store, actions, core), sets.draw, card.draw,
+    createScene(panels.view, store, program.goToLine, stage), createResults(results, store, actions, program.goTo), createSliders(sliders, store, actions), createHelp(panels.help, store, actions, core), sets.draw, card.draw,
     program.draw, // last: the editor asks for the selection, and that lays out the page
   ];
   return {

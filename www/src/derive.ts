@@ -57,9 +57,9 @@ function labels(view: FormView): Record<string, string> {
 export function createDerive(forms: () => FormCore, catalogue: Catalogue): (state: State) => Derived {
   const first = catalogue.cycles[0];
   if (!first) throw new Error("the catalogue is empty");
-  const form = memo((core: FormCore, cycle: CycleInfo, values: State["values"], errors: State["errors"], comments: string | null, style: Style | null, twin: boolean, setup: Setup | OwnMachine | undefined, plane?: Plane, units?: UnitFunction): FormView => {
+  const form = memo((core: FormCore, cycle: CycleInfo, values: State["values"], errors: State["errors"], comments: string | null, style: Style | null, twin: boolean, limits: boolean, setup: Setup | OwnMachine | undefined, plane?: Plane, units?: UnitFunction): FormView => {
     const request = { control: cycle.control, cycle: cycle.cycle, values, errors, ...(style ? { style } : {}), ...(setup ? { setup } : {}), ...(plane && units ? { plane, units } : {}) };
-    const view = core.form({ ...request, predict: true, ...(twin ? { twin } : {}) });
+    const view = core.form({ ...request, predict: true, ...(twin ? { twin } : {}), ...(limits ? { limits } : {}) });
     return comments !== null ? { ...view, snippet: core.form({ ...request, comments: labels(view) }).snippet } : view;
   });
   const problems = memo(gather);
@@ -71,7 +71,7 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
     const opened = reading.calls.find((call) => call.from === state.open) ?? null;
     const style = cycle.styles.find((one) => one === state.style) ?? null;
     const core = forms();
-    const view = form(core, cycle, state.values, state.errors, state.comments ? language() : null, style, state.twin && cycle.twins, machine(state).setup, opened?.plane, opened?.units);
+    const view = form(core, cycle, state.values, state.errors, state.comments ? language() : null, style, state.twin && cycle.twins, state.limits, machine(state).setup, opened?.plane, opened?.units);
     const all = problems(reading);
     const ran = state.source === "program" && state.ran?.control === cycle.control ? state.ran.view : null;
     const trace = (state.source === "program" ? ran?.trace : view.outcome?.trace) ?? null;

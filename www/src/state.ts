@@ -48,6 +48,7 @@ export interface State {
   outline: boolean;                                  // the list of calls stands beside the program
 
   search: string;                                    // from here on: not kept
+  limits: boolean;                                   // the largest errors that the call survives are looked for
   card: Card | null;
   converting: { at: number; style: Style } | null;   // the call that begins there is to be written in another way
   converted: ConvertedCall | null;
@@ -81,12 +82,12 @@ export function firstState(): State {
     control: "sinumerik", cycle: "", values: {}, remembered: {}, programs: {}, files: {}, sets: {}, open: null, pending: [],
     errors: NO_ERRORS, comments: true, twin: false, style: "", setup: null, own: {}, checked: false, touched: {}, source: "form",
     panel: "form", left: "form", right: "results", tab: "outcome", theme: "system", language: "", unfolded: {}, outline: true,
-    search: "", card: null, converting: null, converted: null, mended: null, focus: null, step: AT_END, playing: false, cursor: 0, cursorLine: 1, notice: "",
+    search: "", limits: false, card: null, converting: null, converted: null, mended: null, focus: null, step: AT_END, playing: false, cursor: 0, cursorLine: 1, notice: "",
     reading: null, ran: null, sought: null, follow: null, stoppedReading: null, stoppedRun: null, refused: null, undo: null,
   };
 }
 
-const NOT_KEPT = ["search", "card", "converting", "converted", "mended", "focus", "step", "playing", "cursor", "cursorLine", "notice", "reading", "ran", "sought", "follow", "stoppedReading", "stoppedRun", "refused", "undo"] as const satisfies (keyof State)[];
+const NOT_KEPT = ["search", "limits", "card", "converting", "converted", "mended", "focus", "step", "playing", "cursor", "cursorLine", "notice", "reading", "ran", "sought", "follow", "stoppedReading", "stoppedRun", "refused", "undo"] as const satisfies (keyof State)[];
 /** What a replacement of work can take away. */
 const WORK = ["control", "cycle", "values", "remembered", "programs", "files", "sets", "open", "pending", "errors", "setup", "own", "checked", "touched"] as const satisfies (keyof State)[];
 const IN_LINK = ["control", "cycle", "values", "programs", "open", "errors", "comments", "style", "setup", "own", "checked", "source"] as const satisfies (keyof State)[];

@@ -66,6 +66,7 @@ export interface FormRequest {
   plane?: Plane;                       // at the call, where it is not that of the setup
   units?: UnitFunction;                // likewise
   errors?: ErrorSliders;
+  limits?: boolean;                    // also look for the largest errors that the call survives: takes a hundred runs
   comments?: Record<string, string>;   // words by parameter name: a comment line each in the snippet
   style?: Style;                       // way of writing of the snippet; absent: preset
   predict?: boolean;                   // also simulate
@@ -129,6 +130,7 @@ export interface Outcome {
   changes: { name: string; label: Message; before: number; after: number; unit: string }[]; // tool wear, zero offset, …
   log: string[];
   trace: Trace;
+  limits?: { error: keyof ErrorSliders["part"]; low: number | null; high: number | null }[]; // up to which errors it comes to its end; null: any
 }
 export type Vec3 = [number, number, number];
 export type MotionKind = "rapid" | "positioning" | "measuring" | "retract";
@@ -149,8 +151,8 @@ export type Step =
   | { step: "log"; text: string }
   | { step: "call"; cycle: string; variant: number }
   | { step: "return" };
-// ball.axis: from the ball to the spindle. zones: walls of protection zones, as shaft, web or island; shown, not touched.
-export interface Trace { entries: (Step & { line?: number })[]; ball: { radius: number; length: number; axis?: Vec3 }; turning?: boolean; solids: Solid[]; zones?: Solid[]; frames: { name: string; at: Vec3; axes: [Vec3, Vec3, Vec3] }[] }
+// ball.axis: from the ball to the spindle. zones: walls of protection zones, as shaft, web or island; shown, not touched. limits: the part with the largest errors on both sides.
+export interface Trace { entries: (Step & { line?: number })[]; ball: { radius: number; length: number; axis?: Vec3 }; turning?: boolean; solids: Solid[]; zones?: Solid[]; limits?: Solid[]; frames: { name: string; at: Vec3; axes: [Vec3, Vec3, Vec3] }[] }
 export interface Solid {
   shape: "hole" | "shaft" | "groove" | "web" | "pocket" | "island" | "block" | "turned" | "sphere" | "outerCorner" | "innerCorner" | "surface";
   size: number[];                      // hole [diameter, depth]; shaft [diameter, height]; groove/web [width, depth, length]; pocket/island [x, y, depth]; block [x, y, z]; sphere [diameter]; outerCorner/innerCorner [degrees between the edges, edge along X, other edge, z]

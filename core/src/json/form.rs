@@ -40,6 +40,9 @@ struct Request {
     style: Option<String>,
     #[serde(default)]
     predict: bool,
+    /// Whether to look for the largest errors of the part that the call survives.
+    #[serde(default)]
+    limits: bool,
     /// Whether the same task on the other control is asked for.
     #[serde(default)]
     twin: bool,
@@ -91,7 +94,8 @@ pub fn form(request: &str) -> Result<Value, Error> {
     if request.predict && SIMULATES {
         let mut setup = match (cycle.work(), &checked.inputs) {
             (Some(work), Some(inputs)) => {
-                let (outcome, setup) = predict(work, inputs, start, request.errors)?;
+                let (outcome, setup) =
+                    predict(work, inputs, start, request.errors, request.limits)?;
                 put(&mut view, "outcome", outcome);
                 setup
             }

@@ -1,17 +1,18 @@
 //! What a call would do, on a part and with a probe that have the errors of the page's sliders.
 
 use super::start::Start;
-use super::{Error, put};
+use super::{Error, object, put};
 use crate::catalogue::Work;
 use crate::check::Inputs;
 use crate::geometry::{V3, rigid};
 use crate::run::setup::Setup;
+use crate::run::survives;
 use crate::workpiece::{PartErrors, Probe, Solid};
 use serde::Deserialize;
 use serde_json::Value;
 
 /// What is wrong with part and probe, as the sliders of the page set it.
-#[derive(Default, Deserialize)]
+#[derive(Clone, Copy, Default, Deserialize)]
 #[serde(default)]
 struct Errors {
     part: PartSliders,
@@ -46,15 +47,71 @@ pub(super) fn predict(
     inputs: &Inputs,
     start: Start,
     errors: Option<Value>,
+    limits: bool,
 ) -> Result<(Value, Setup), Error> {
     let errors = errors.map_or(Ok(Errors::default()), serde_json::from_value)?;
-    let mut setup = start.setup;
-    let zones = prepare(&mut setup, work, inputs, &errors, start.described);
+    let Start {
+        mut setup,
+        described,
+    } = start;
+    let limits = limits.then(|| survived(work, inputs, &setup, &errors, described));
+    let zones = prepare(&mut setup, work, inputs, &errors, described);
     let outcome = crate::run::predict(inputs.cycle, inputs, &setup);
     let mut outcome = super::outcome(inputs, &setup, &outcome);
     let zones = super::setup_write::solids(&zones);
     put(&mut outcome["trace"], "zones", zones);
+    if let Some((limits, solids)) = limits {
+        put(&mut outcome, "limits", limits);
+        let solids = super::setup_write::solids(&solids);
+        put(&mut outcome["trace"], "limits", solids);
+    }
     Ok((outcome, setup))
+}
+
+/// An error of the part by the name of its slider.
+type Slider = (&'static str, fn(&mut PartSliders) -> &mut f64);
+
+/// Those whose limits are looked for.
+const SLIDERS: [Slider; 4] = [
+    ("size", |part| &mut part.size),
+    ("dx", |part| &mut part.dx),
+    ("dy", |part| &mut part.dy),
+    ("dz", |part| &mut part.dz),
+];
+
+/// The largest errors that the call survives, the others being as they are, and the part with the first of them that is
+/// limited: as it is on both sides.
+fn survived(
+    work: &Work,
+    inputs: &Inputs,
+    setup: &Setup,
+    errors: &Errors,
+    described: bool,
+) -> (Value, Vec<Solid>) {
+    let with = |(_, slider): Slider, error: f64| {
+        let mut setup = setup.clone();
+        let mut errors = *errors;
+        *slider(&mut errors.part) = error;
+        prepare(&mut setup, work, inputs, &errors, described);
+        setup
+    };
+    let mut limits = Vec::new();
+    let mut solids = Vec::new();
+    for slider in SLIDERS {
+        let Some(found) = survives::survived(inputs, |error| with(slider, error)) else {
+            continue;
+        };
+        limits.push(object([
+            ("error", slider.0.into()),
+            ("low", found.low.into()),
+            ("high", found.high.into()),
+        ]));
+        if solids.is_empty() {
+            let sides = [found.low, found.high].into_iter().flatten();
+            solids.extend(sides.flat_map(|error| with(slider, error).workpiece.solids));
+        }
+    }
+    (limits.into(), solids)
 }
 
 /// Puts the proposed part with its errors and the probe with its own into the setup, and the probe before it.

@@ -272,6 +272,39 @@ fn what_stands_in_a_protection_zone_has_no_errors() {
     assert!(post["size"][0].as_f64() < Some(60.0), "{post}");
 }
 
+// oracle: self (the limits that are told: measured there it comes to its end, a little beyond it does not)
+#[test]
+fn the_largest_errors_are_those_that_still_come_to_an_end() {
+    let cycle = crate::catalogue::find(Dialect::Sinumerik, "CYCLE977").unwrap();
+    let mut asked: Value = serde_json::from_str(&request(cycle)).unwrap();
+    asked["limits"] = json!(true);
+    let view = form(&asked.to_string()).unwrap();
+    let limits = view["outcome"]["limits"].as_array().unwrap();
+    let names: Vec<&Value> = limits.iter().map(|limit| &limit["error"]).collect();
+    assert_eq!(names, ["size", "dx", "dy", "dz"]);
+    for limit in limits.iter().take(3) {
+        let name = limit["error"].as_str().unwrap();
+        for (side, out) in [("low", -0.01), ("high", 0.01)] {
+            let error = limit[side].as_f64().unwrap();
+            let stopped = |error: f64| {
+                let mut asked = asked.clone();
+                asked["limits"] = json!(false);
+                asked["errors"]["part"][name] = json!(error);
+                let view = form(&asked.to_string()).unwrap();
+                let alarms = view["outcome"]["alarms"].as_array().unwrap().clone();
+                alarms.iter().any(|alarm| alarm["stops"] == json!(true))
+            };
+            assert!(!stopped(error), "{name} {error}");
+            assert!(stopped(error + out), "{name} {error}");
+        }
+    }
+    let shown = view["outcome"]["trace"]["limits"].as_array().unwrap();
+    assert_eq!(
+        (&shown[0]["errors"]["size"], &shown[1]["errors"]["size"]),
+        (&limits[0]["low"], &limits[0]["high"])
+    );
+}
+
 /// An inch machine as the page would import it.
 fn inch_machine() -> Value {
     json!({

@@ -279,7 +279,9 @@ fn frames(before: &Control, after: &Control) -> Vec<Value> {
         ]));
     }
     list.push(drawn(format!("WCS {name}"), before));
-    if corrected.to_machine([0.0; 3]) != before.to_machine([0.0; 3]) {
+    let corner = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let moved = |point: &[f64; 3]| corrected.to_machine(*point) != before.to_machine(*point);
+    if corner.iter().any(moved) {
         list.push(drawn(format!("WCS {name}′"), &corrected));
     }
     list

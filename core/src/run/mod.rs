@@ -38,6 +38,7 @@ mod set_alarm;
 pub mod setup;
 pub mod statement;
 pub mod subprogram;
+pub mod survives;
 pub mod swivel;
 mod system;
 mod texts;

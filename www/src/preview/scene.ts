@@ -38,6 +38,7 @@ export function buildScene(trace: Trace, colours: Colours, exaggeration = 1, sol
   const solidBox = boxOf(all);
   const box = around(trace, solidBox);
   const size = Math.hypot(...sub(box.max, box.min));
+  const limits = (trace.limits ?? []).flatMap((solid) => part(solid, exaggeration, parse(colours.part), parse(colours.crash), pieces).edges);
   const zones = (trace.zones ?? []).map((solid) => zone(solid, parse(colours.zone), pieces));
   const moves = trace.entries.some((entry) => entry.step === "motion");
   const solidCorners = moves ? addStylus(all, trace.ball, { ball: parse(colours.ball), stylus: parse(colours.stylus) }, 0.3 * size) : all.corners.length;
@@ -47,6 +48,7 @@ export function buildScene(trace: Trace, colours: Colours, exaggeration = 1, sol
   const lines: Line[] = [
     ...gridLines(solidBox ?? box, colours.grid, trace.turning),
     ...[...parts, ...zones].flatMap(({ edges }) => edges),
+    ...limits.map((line): Line => ({ ...line, style: { ...line.style, dash: 6, through: 0.7 } })),
     ...frames.lines,
     ...pathLines(trace, colours, normal),
   ];

@@ -5,18 +5,19 @@ import type { Colours } from "../preview/view";
 import { t } from "../texts";
 import type { Trace } from "../wire";
 
-type Kind = "rapid" | "positioning" | "measuring" | "retract" | "touch" | "crash" | "zone";
-const KINDS: Kind[] = ["measuring", "touch", "positioning", "rapid", "retract", "zone", "crash"];
+type Kind = "rapid" | "positioning" | "measuring" | "retract" | "touch" | "crash" | "zone" | "limit";
+const KINDS: Kind[] = ["measuring", "touch", "positioning", "rapid", "retract", "zone", "limit", "crash"];
 
 function present(trace: Trace | null): Kind[] {
   const found = new Set<string>((trace?.entries ?? []).map((entry) => entry.step === "motion" ? entry.kind : entry.step));
   if (trace?.zones?.length) found.add("zone");
+  if (trace?.limits?.length) found.add("limit");
   return KINDS.filter((kind) => found.has(kind));
 }
 
 /** Drawn as the view draws it. */
 function sample(kind: Kind, colours: Colours): SVGElement {
-  const stroke = colours[kind];
+  const stroke = colours[kind === "limit" ? "crash" : kind];
   const line = (width: number, dash: string | null = null): SVGElement => svg("path", { d: "M1 4H25", stroke, "stroke-width": width, "stroke-dasharray": dash });
   const mark: Record<Kind, () => SVGElement[]> = {
     measuring: () => [line(3.5)],
@@ -25,6 +26,7 @@ function sample(kind: Kind, colours: Colours): SVGElement {
     retract: () => [line(1.5)],
     touch: () => [svg("path", { d: "M6 4H22", stroke, "stroke-width": 2 }), svg("circle", { cx: 6, cy: 4, r: 3.25, fill: stroke })],
     zone: () => [svg("rect", { x: 1, y: 0.5, width: 24, height: 7, fill: stroke, "fill-opacity": 0.25, stroke, "stroke-dasharray": "4 3" })],
+    limit: () => [line(1.25, "4 3")],
     crash: () => [svg("circle", { cx: 13, cy: 4, r: 4, fill: stroke })],
   };
   return svg("svg", { viewBox: "0 0 26 8", "aria-hidden": "true" }, ...mark[kind]());

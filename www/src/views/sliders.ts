@@ -2,11 +2,12 @@
 
 import type { Actions } from "../actions";
 import type { Derived } from "../derive";
-import { el, on, setText, show } from "../dom";
+import { el, on, setAttribute, setText, show } from "../dom";
 import { parseNumber, plain } from "../numbers";
 import type { State } from "../state";
+import type { Store } from "../store";
 import { t } from "../texts";
-import type { ErrorSliders, Purpose } from "../wire";
+import type { ErrorSliders, Outcome, Purpose } from "../wire";
 
 interface Scale { reach: number; step: number; low?: number; unit: "mm" | "deg" }
 const LENGTH: Scale = { reach: 2, step: 0.01, unit: "mm" };
@@ -21,43 +22,59 @@ const TOUCHING: Purpose["probe"][] = ["workpiece", "tool"];
 
 const slug = (name: string): string => name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
 
-function createSlider(label: string, id: string, scale: Scale, set: (value: number) => void): { root: HTMLElement; update(value: number): void } {
-  const range = el("input", { type: "range", id, min: scale.low ?? -scale.reach, max: scale.reach, step: scale.step });
+type Limit = NonNullable<Outcome["limits"]>[number];
+
+/** Up to which errors on both sides, as figures; nothing where they are not looked for. */
+function range(limit: Limit | undefined): string {
+  if (!limit) return "";
+  const side = (value: number | null): string => (value === null ? "∞" : plain(Math.abs(value), 2));
+  return t("slider-limits", { low: side(limit.low), high: side(limit.high) });
+}
+
+function createSlider(label: string, id: string, scale: Scale, set: (value: number) => void): { root: HTMLElement; update(value: number, limit: Limit | undefined): void } {
+  const slide = el("input", { type: "range", id, min: scale.low ?? -scale.reach, max: scale.reach, step: scale.step });
   const figure = el("input", { type: "text", inputmode: "decimal", class: "figure", autocomplete: "off", "aria-label": t("slider-figure", { name: label }) });
-  on(range, "input", () => set(Number(range.value)));
+  on(slide, "input", () => set(Number(slide.value)));
   on(figure, "input", () => {
     const value = parseNumber(figure.value);
     if (value !== null) set(value);
   });
-  const root = el("div", { class: "slider" }, el("label", { for: id }, label), range, figure, el("span", { class: "unit" }, t(`unit-${scale.unit}`)));
+  const survived = el("output", { class: "survived", for: id });
+  const root = el("div", { class: "slider" }, el("label", { for: id }, label), slide, figure, el("span", { class: "unit" }, t(`unit-${scale.unit}`)), survived);
   return {
     root,
-    update(value) {
-      if (Number(range.value) !== value) range.value = String(value);
+    update(value, limit) {
+      setText(survived, range(limit));
+      show(survived, !!limit);
+      if (Number(slide.value) !== value) slide.value = String(value);
       if (parseNumber(figure.value) !== value) figure.value = plain(value);
       root.classList.toggle("moved", value !== 0);
     },
   };
 }
 
-export function createSliders(root: HTMLElement, actions: Actions): (state: State, derived: Derived) => void {
+export function createSliders(root: HTMLElement, store: Store, actions: Actions): (state: State, derived: Derived) => void {
   const reset = el("button", { type: "button", class: "quiet" }, t("sliders-reset"));
   on(reset, "click", actions.noErrors);
+  const limits = el("button", { type: "button", class: "quiet", title: t("sliders-limits-help") }, t("sliders-limits"));
+  on(limits, "click", () => store.update({ limits: !store.state.limits }));
   const title = el("h3", {});
-  root.append(el("div", { class: "sliders-head" }, title, reset));
-  const updates: ((errors: ErrorSliders) => void)[] = [];
+  root.append(el("div", { class: "sliders-head" }, title, limits, reset));
+  const updates: ((errors: ErrorSliders, survived: Limit[]) => void)[] = [];
   for (const group of Object.keys(SCALES) as (keyof ErrorSliders)[]) {
     const box = el("div", { class: "slider-group", role: "group", "aria-label": t(`sliders-${group}`) }, el("h4", {}, t(`sliders-${group}`)));
     for (const [name, scale] of Object.entries(SCALES[group])) {
       const slider = createSlider(t(`error-${group}-${slug(name)}`), `error-${group}-${slug(name)}`, scale, (value) => actions.error(group, name as never, value));
       box.append(slider.root);
-      updates.push((errors) => slider.update((errors[group] as Record<string, number>)[name] ?? 0));
+      const limitOf = (survived: Limit[]): Limit | undefined => survived.find((limit) => group === "part" && limit.error === name);
+      updates.push((errors, survived) => slider.update((errors[group] as Record<string, number>)[name] ?? 0, limitOf(survived)));
     }
     root.append(box);
   }
-  return (state, { cycle }) => {
+  return (state, { cycle, view }) => {
     show(root, cycle.simulated && TOUCHING.includes(cycle.purpose.probe)); // elsewhere nothing would come of them
     setText(title, t("sliders-title"));
-    for (const update of updates) update(state.errors);
+    setAttribute(limits, "aria-pressed", String(state.limits));
+    for (const update of updates) update(state.errors, view.outcome?.limits ?? []);
   };
 }
