@@ -59,16 +59,16 @@ help-g108-order-walls = 越过角，触碰横在第一轴上的壁并返回；�
 help-g108-corrects-offset = 工件偏置 S（未给出 S 时为当前偏置），两个轴，按角的差值移动。
 help-g108-wrong-close = 起点离角太近：只碰到倒圆或倒角。
 
-help-g109-measures-pocket = 型腔在平面一个轴上的宽度和中线。
+help-g109-measures-pocket = 槽在平面一个轴上的宽度和中线。
 help-g109-measures-web = 凸台在平面一个轴上的宽度和中线。
-help-g109-before-inside = 测球在型腔的公称中线上、测量深度。
+help-g109-before-inside = 测球在槽的公称中线上、测量深度。
 help-g109-before-above = 测球在凸台公称中线的上方。
 help-g109-order-outwards = 向外触碰一壁，再触碰对面，各最多超过公称位置 Q。
 help-g109-order-inwards = 在每侧移到壁旁 R 处，下降，向内触碰，最多超过公称位置 Q。
 help-g109-corrects-half = S 接受中线的移动；T 为半径，接受宽度偏差的一半。
 help-g109-wrong-width = 没有宽度或为 0：FORMAT ERROR。
 
-help-g110-measures-bore = 镗孔的直径和中心。
+help-g110-measures-bore = 孔的中心和直径。
 help-g110-measures-boss = 圆凸台的直径和中心。
 help-g110-before-inside = 测球在孔的公称中心、测量深度。
 help-g110-before-above = 测球在圆凸台公称中心的上方。

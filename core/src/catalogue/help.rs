@@ -2,7 +2,7 @@
 //! is true, and what follows from the rest of the entry: values that have to be given, alarms that can come.
 
 use super::common::{TOOL_OFFSET, ZERO_OFFSET};
-use super::{CYCLES, Cycle, Kind, Level, Param, ProbeUse, When, names};
+use super::{CYCLES, Cycle, Kind, Level, Param, ProbeUse, ResultField, When, names};
 use crate::SIMULATES;
 use crate::check::Inputs;
 use crate::diagnostic::Code;
@@ -130,6 +130,8 @@ pub struct HelpPage {
     pub lines: Vec<&'static HelpLine>,
     /// Names of the parameters that every call of this variant has to give, that of the variant aside.
     pub required: Vec<&'static str>,
+    /// Results that a call can leave.
+    pub results: Vec<&'static ResultField>,
     /// Alarms that can come.
     pub alarms: Vec<Code>,
 }
@@ -145,11 +147,14 @@ impl HelpPage {
             .collect();
         lines.sort_by_key(|line| line.section);
         let required = cycle.params.iter().filter(|param| required(param, &inputs));
+        let results = cycle.results.iter();
+        let left = |field: &&ResultField| field.when.of_variant(&inputs) != Some(false);
         let mut alarms = cycle.alarms();
         alarms.retain(|alarm| can_come(*alarm, &inputs));
         HelpPage {
             lines,
             required: required.map(|param| param.name).collect(),
+            results: results.filter(left).collect(),
             alarms,
         }
     }

@@ -186,10 +186,114 @@ fn alarms_follow_from_what_a_variant_uses() {
     assert!(!raises("CYCLE971", 10_000, 61303) && raises("CYCLE971", 0, 61303));
 }
 
+// oracle: manual B:5675-5724 (a rectangle has two lengths), B:5700 (status of the zero offset)
+#[test]
+fn results_are_those_of_the_variant() {
+    let has = |variant: i64, key: &str| {
+        let results = page("CYCLE977", variant).results;
+        results.iter().any(|field| field.key == key)
+    };
+    assert!(has(1, "result-actual-size") && !has(5, "result-actual-size"));
+    assert!(has(5, "result-actual-length-ordinate") && !has(1, "result-actual-length-ordinate"));
+    assert!(has(101, "result-zero-status") && !has(1, "result-zero-status"));
+}
+
 // oracle: manual B:5989-6024
 #[test]
 fn values_that_every_call_gives_are_named() {
     assert_eq!(page("CYCLE977", 1).required, ["_SETVAL", "_KNUM"]);
     let web = page("CYCLE977", 1004).required;
     assert_eq!(web, ["_SETVAL", "_ID", "_SZA", "_MA", "_KNUM"]);
+}
+
+/// Lines that say how often it is touched: so many times, so many more, so many times over.
+const TOUCHES: &[(&str, usize)] = &[
+    ("help-cycle961-order-three", 3),
+    ("help-cycle961-order-four", 4),
+    ("help-cycle961-order-infeed", 4),
+    ("help-cycle973-order-surface", 1),
+    ("help-cycle973-order-one", 1),
+    ("help-cycle973-order-two", 2),
+    ("help-cycle974-measures-point", 1),
+    ("help-cycle976-order-one", 1),
+    ("help-cycle976-order-two", 2),
+    ("help-cycle976-order-four", 4),
+    ("help-cycle976-order-no-approach", 1),
+    ("help-cycle976-measures-surface", 1),
+    ("help-cycle977-order-two-axes", 4),
+    ("help-cycle977-order-one-axis", 2),
+    ("help-cycle978-measures-point", 1),
+    ("help-cycle979-order-circle", 3),
+    ("help-cycle979-order-across", 2),
+    ("help-cycle979-order-over", 2),
+    ("help-cycle994-order-plus-first", 2),
+    ("help-cycle997-order-paraxial", 5),
+    ("help-cycle997-order-three-points", 4),
+    ("help-cycle997-order-four-points", 5),
+    ("help-cycle998-order-one-angle", 2),
+    ("help-cycle998-order-one-paraxial", 2),
+    ("help-cycle998-order-two-angle", 3),
+    ("help-cycle998-order-two-paraxial", 3),
+];
+const MORE: &[&str] = &[
+    "help-turned-over",
+    "help-cycle974-order-reversal",
+    "help-cycle997-order-diameter",
+];
+const OVER: &[(&str, usize)] = &[
+    ("help-cycle976-order-twice", 2),
+    ("help-cycle997-order-repeat", 2),
+    ("help-cycle997-order-next", 3),
+];
+/// Lines that say that it ends where it began.
+const BACK: &[&str] = &["help-ends-at-start", "help-cycle976-order-end-centre"];
+
+/// How often a page says that it is touched; none: it does not say.
+fn touches(page: &HelpPage) -> Option<usize> {
+    let says = |key: &str| page.lines.iter().any(|line| line.key == key);
+    let once = TOUCHES.iter().filter(|(key, _)| says(key));
+    let once: Vec<usize> = once.map(|(_, count)| *count).collect();
+    let more = MORE.iter().filter(|key| says(key)).count();
+    let over = OVER.iter().filter(|(key, _)| says(key));
+    let over: usize = over.map(|(_, times)| *times).product();
+    assert!(once.len() < 2, "{once:?}");
+    Some((once.first()? + more) * over)
+}
+
+// oracle: the simulation, which does not know the words
+#[test]
+fn a_page_counts_the_touches_that_happen_and_says_where_they_end() {
+    let (mut counted, mut ended) = (0, 0);
+    for cycle in measuring().filter(|cycle| cycle.work().is_some()) {
+        for variant in cycle.variants {
+            let page = HelpPage::of(cycle, variant.number);
+            let values = super::example::example(cycle, variant);
+            let request = serde_json::json!({
+                "control": crate::json::dialect_name(cycle.dialect),
+                "cycle": cycle.name, "values": values, "predict": true,
+            });
+            let view = crate::json::form(&request.to_string()).unwrap();
+            let entries = view["outcome"]["trace"]["entries"].as_array().unwrap();
+            let of = |step: &str| {
+                let all = entries.iter().filter(|entry| entry["step"] == step);
+                all.collect::<Vec<_>>()
+            };
+            let at = format!("{} {}", cycle.name, variant.number);
+            if let Some(said) = touches(&page) {
+                assert_eq!(of("touch").len(), said, "{at}");
+                counted += 1;
+            }
+            if page.lines.iter().any(|line| BACK.contains(&line.key)) {
+                let motions = of("motion");
+                let begin = &motions.first().unwrap()["from"];
+                let end = &motions.last().unwrap()["to"];
+                for axis in 0..3 {
+                    let way = begin[axis].as_f64().unwrap() - end[axis].as_f64().unwrap();
+                    assert!(way.abs() < 1e-6, "{at}: {begin} {end}");
+                }
+                ended += 1;
+            }
+        }
+    }
+    assert!(counted > 90 && ended > 20, "{counted} {ended}");
 }

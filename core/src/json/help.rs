@@ -2,7 +2,7 @@
 
 use super::{Error, alarm, dialect, key, object};
 use crate::catalogue::help::{HelpLine, HelpPage, SECTIONS, Section};
-use crate::catalogue::{self, alarms};
+use crate::catalogue::{self, ResultField, alarms};
 use serde::Deserialize;
 use serde_json::Value;
 
@@ -39,8 +39,13 @@ pub fn help(request: &str) -> Result<Value, Error> {
     Ok(object([
         ("sections", sections.into()),
         ("required", page.required.into()),
+        ("results", page.results.into_iter().map(result).collect()),
         ("alarms", raised.map(alarm).collect()),
     ]))
+}
+
+fn result(field: &ResultField) -> Value {
+    object([("name", field.name.into()), ("key", field.key.into())])
 }
 
 fn line(line: &HelpLine) -> Value {

@@ -526,6 +526,8 @@ fn help_is_asked_by_variant() {
     assert_eq!(first["message"]["key"], "help-cycle977-measures-hole");
     assert_eq!(hole["required"], json!(["_SETVAL", "_KNUM"]));
     assert_eq!(hole["alarms"][0]["key"], "alarm-61016");
+    let diameter = json!({"name": "_OVR[4]", "key": "result-actual-size"});
+    assert!(hole["results"].as_array().unwrap().contains(&diameter));
     let tool = ask("CYCLE971", 1);
     assert_eq!(
         tool["sections"][1]["label"]["key"],

@@ -89,6 +89,7 @@ help-coming = The help page is on its way.
 help-absent = The help page could not be loaded. Close it and open it again to try once more.
 help-no-variant = The help page follows the measuring variant: choose one in the form.
 help-values-title = To be given
+help-results-title = Results that it leaves ({ $count })
 help-alarms-title = Alarms that can come ({ $count })
 
 form-detach = Detach

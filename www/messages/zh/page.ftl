@@ -89,6 +89,7 @@ help-coming = 帮助页正在加载。
 help-absent = 帮助页无法加载。请关闭后重新打开再试。
 help-no-variant = 帮助页随测量方式而变：请在表单中选择测量方式。
 help-values-title = 必须给出
+help-results-title = 留下的结果（{ $count }）
 help-alarms-title = 可能出现的报警（{ $count }）
 
 form-detach = 断开

@@ -65,8 +65,8 @@ function marked(text: string): (string | HTMLElement)[] {
   return text.split(/([_$][A-Z][A-Z0-9_]*(?:\[[^\]]*\])?)/).map((part, index) => index % 2 ? el("code", {}, part) : part);
 }
 
-/** Headings and lines; the values stand with where the probe is before the call, the alarms at the end. */
-function fill({ sections, required, alarms }: HelpView, goTo: (name: string) => void): HTMLElement[] {
+/** Headings and lines; the values stand with where the probe is before the call, the results with what is corrected, the alarms at the end. */
+function fill({ sections, required, results, alarms }: HelpView, goTo: (name: string) => void): HTMLElement[] {
   const parts = sections.map(({ label, lines }) => el("section", {}, el("h3", {}, say(label)),
     el("ul", {}, ...lines.map(({ message, source }) => el("li", {}, ...marked(say(message)), " ", el("small", {}, source))))));
   const name = (one: string): HTMLElement => {
@@ -75,11 +75,13 @@ function fill({ sections, required, alarms }: HelpView, goTo: (name: string) => 
     return el("li", {}, button);
   };
   const values = el("section", {}, el("h3", {}, t("help-values-title")), el("ul", { class: "help-values" }, ...required.map(name)));
+  const left = el("details", { class: "help-folded" }, el("summary", {}, t("help-results-title", { count: results.length })),
+    el("dl", {}, ...results.flatMap((one) => [el("dt", {}, el("code", {}, one.name)), el("dd", {}, t(one.key))])));
   const list = el("section", {}, el("h3", {}, t("help-alarms-title", { count: alarms.length })), ...alarms.map(alarmEntry));
-  return [...parts.slice(0, 2), ...(required.length ? [values] : []), ...parts.slice(2), ...(alarms.length ? [list] : [])];
+  return [...parts.slice(0, 2), ...(required.length ? [values] : []), ...parts.slice(2, 4), ...(results.length ? [left] : []), ...parts.slice(4), ...(alarms.length ? [list] : [])];
 }
 
 function alarmEntry({ code, key }: AlarmInfo): HTMLElement {
   const told = [`${key}.cause`, `${key}.cure`].map(optional).filter((text) => text !== "");
-  return el("details", { class: "help-alarm" }, el("summary", {}, el("code", {}, code), ` ${t(key)}`), ...told.map((text) => el("p", {}, text)));
+  return el("details", { class: "help-folded" }, el("summary", {}, el("code", {}, code), ` ${t(key)}`), ...told.map((text) => el("p", {}, text)));
 }
