@@ -163,6 +163,7 @@ fn what_depends_on_the_run_is_not_doubted() {
         "GOTOF OVER\nG40\nOVER: G41",
         "G41\nSTOPRE",
         "G41\nCYCLE81(10,0,2,-5)",
+        "G41\nCUT2D\nSETMS(1)\nTRAFOOF",
     ] {
         let text = format!("G17 T9 D1\n{way}\n{HOLE}M30\n");
         assert!(tells(&text, COMPENSATION), "{text}");

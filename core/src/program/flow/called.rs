@@ -1,5 +1,6 @@
 //! Which programs a block calls: `L5`, `L5 P3`, `NAME(1)`, `PCALL NAME(1)`, `MCALL NAME`, `CALL "NAME"`.
 
+use super::language::is_word;
 use crate::program::tree::{Expr, Program, Word, WordKind};
 use crate::run::programs::Programs;
 use crate::run::{action, statement};
@@ -33,7 +34,8 @@ pub fn called(program: &Program, programs: &Programs, words: &[Word], at: usize)
         return Some(Called::Here(unit));
     }
     let manner = MANNERS.contains(&name.as_str());
-    let unknown = certain || !(manner || action::is_of_control(&name));
+    let known = manner || action::is_of_control(&name) || is_word(&name);
+    let unknown = certain || !known;
     unknown.then_some(Called::Elsewhere)
 }
 

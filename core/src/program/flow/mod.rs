@@ -3,6 +3,7 @@
 
 mod called;
 mod force;
+mod language;
 mod state;
 mod structure;
 
