@@ -78,6 +78,24 @@ fn a_tool_that_is_only_prepared_is_not_in_use() {
     assert!(tells(&format!("{tools}T9 M6\nT7\n{HOLE}M30\n"), EDGE));
 }
 
+// oracle: manual A:15855, B:4147-4152
+#[test]
+fn each_tool_with_which_a_subprogram_is_called_counts() {
+    let tools = "$TC_DP1[1,1]=120 $TC_DP1[2,1]=500 $TC_DP1[9,1]=710\nG17 G40 G54\n";
+    for (call, good, bad, alarm) in [(LENGTH, 1, 2, 61314), (HOLE, 9, 2, 61309)] {
+        let main = |tools_in_turn: [i64; 2]| {
+            let [one, other] = tools_in_turn;
+            called(
+                &format!("{tools}T{one} D1 M6\nL5\nT{other} D1 M6\nL5"),
+                call,
+            )
+        };
+        assert!(!tells(&main([good, good]), Alarm(alarm)));
+        assert!(tells(&main([good, bad]), Alarm(alarm)));
+        assert!(tells(&main([bad, good]), Alarm(alarm)));
+    }
+}
+
 /// A main program and a subprogram `L5` with the call of the hole, or what is given.
 fn called(main: &str, sub: &str) -> String {
     format!("%_N_MAIN_MPF\n{main}\nM30\n%_N_L5_SPF\n{sub}\nM17\n")

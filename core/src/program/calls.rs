@@ -4,7 +4,6 @@ use super::arguments;
 use super::block::BETWEEN;
 use super::flow::Way;
 use super::fold::{self, Known};
-pub use super::tools::ToolInUse;
 use super::tools::Tools;
 use super::tree::{Block, Expr, ExprId, Program, Word, WordKind};
 use super::values::{self, Value};
@@ -44,8 +43,6 @@ pub struct CallSite {
     pub plane: Plane,
     /// Number of the G function of units in force at the call: 70, 71, 700, 710 (NCT 20, 21).
     pub unit_function: u16,
-    /// Tool in use, where program and machine tell its type.
-    pub tool: Option<ToolInUse>,
     /// The ways on which a program comes to it that differ in what is in force.
     pub ways: Vec<Way>,
     /// Findings with their places.
@@ -432,7 +429,6 @@ impl Walk<'_> {
             bits: self.bits(),
             plane: self.control.plane,
             unit_function: self.control.unit_function(),
-            tool: None,
             ways: Vec::new(),
             diagnostics: Vec::new(),
         }
@@ -447,14 +443,23 @@ impl Walk<'_> {
     }
 
     fn finish(&mut self, mut site: CallSite) {
-        if self.program.dialect == Dialect::Sinumerik {
-            site.ways = self.tools.ways(site.span.start);
-            site.tool = self.tools.use_at(&mut self.control, &site.ways);
+        site.ways = self.tools.ways(site.span.start);
+        for way in &mut site.ways {
+            way.tool = self.tools.use_at(&mut self.control, &way.state);
             site.plane = self.control.plane;
+            let found = check(site.cycle, &site.values, &self.control).diagnostics;
+            let found = found
+                .into_iter()
+                .filter(|one| self.tools.told(&self.control, one.code));
+            for one in found {
+                if !site.diagnostics.contains(&one) {
+                    site.diagnostics.push(one);
+                }
+            }
         }
-        site.diagnostics = check(site.cycle, &site.values, &self.control).diagnostics;
-        let told = |finding: &Diagnostic| self.tools.told(&self.control, finding.code);
-        site.diagnostics.retain(told);
+        if site.ways.is_empty() {
+            site.diagnostics = check(site.cycle, &site.values, &self.control).diagnostics;
+        }
         for finding in &mut site.diagnostics {
             let place = finding.param.and_then(|name| site.places.get(name));
             finding.span = Some(place.copied().unwrap_or(site.span));

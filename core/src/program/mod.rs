@@ -21,7 +21,7 @@ mod reader;
 mod single;
 mod sinumerik;
 mod sinumerik_expression;
-mod tools;
+pub mod tools;
 pub mod tree;
 mod values;
 

@@ -1,6 +1,6 @@
 //! The tool in use at the calls of a program, and what the program itself says of it (`$TC_DP1[7,1]=120`).
 
-use super::flow::{Force, Tool, Way, agreed, in_force};
+use super::flow::{Force, State, Tool, Way, in_force};
 use super::tree::Program;
 use crate::catalogue::Dialect;
 use crate::control::{Control, Plane};
@@ -61,26 +61,25 @@ impl Tools {
         self.force.take(call)
     }
 
-    /// Puts plane and tool in force that the call finds, and says what the tool is. None is in use where the text does not
+    /// Puts plane and tool in force that a call finds, and says what the tool is. None is in use where the text does not
     /// tell.
-    pub fn use_at(&self, control: &mut Control, ways: &[Way]) -> Option<ToolInUse> {
-        let agreed = agreed(ways);
+    pub fn use_at(&self, control: &mut Control, state: &State) -> Option<ToolInUse> {
         (control.tool, control.edge) = self.start;
-        match agreed.plane.is() {
+        match state.plane.is() {
             Some(plane) => control.plane = *plane,
-            None if agreed.plane.unset() => control.plane = self.plane,
+            None if state.plane.unset() => control.plane = self.plane,
             None => {}
         }
-        if !agreed.tool.unset() {
-            let number = match agreed.tool.is() {
+        if !state.tool.unset() {
+            let number = match state.tool.is() {
                 Some(Tool::Number(number)) => Some(*number),
                 Some(Tool::Name(name)) => named(control, name),
                 None => None,
             };
             control.tool = number.unwrap_or(0);
-            control.edge = number.map_or(0, |_| match agreed.edge.is() {
+            control.edge = number.map_or(0, |_| match state.edge.is() {
                 Some(edge) => *edge,
-                None if agreed.edge.unset() => 1,
+                None if state.edge.unset() => 1,
                 None => 0,
             });
         }

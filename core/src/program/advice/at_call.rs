@@ -77,7 +77,7 @@ fn edge(seen: &Seen) -> Option<Diagnostic> {
 fn tool(seen: &Seen) -> Option<Diagnostic> {
     let purpose = &seen.site.cycle.purpose;
     let probed = purpose.probe == ProbeUse::Workpiece && purpose.machine != MachineSort::Turning;
-    let tool = seen.site.tool.filter(|_| probed)?;
+    let tool = seen.tool.filter(|_| probed)?;
     if is_milling_probe(tool.kind) {
         return None;
     }

@@ -10,6 +10,7 @@ mod unsaid;
 use super::calls::CallSite;
 use super::change::{line_before, line_end};
 use super::flow::{State, Way};
+use super::tools::ToolInUse;
 use super::tree::Program;
 use crate::catalogue::Dialect;
 use crate::check::{self, Inputs};
@@ -26,6 +27,8 @@ struct Seen<'a> {
     site: &'a CallSite,
     /// What is in force on a way to the call.
     force: &'a State,
+    /// Tool in use on it.
+    tool: Option<ToolInUse>,
     inputs: Inputs,
 }
 
@@ -39,7 +42,7 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
     let mut at_call = control.clone();
     let mut corrected = vec![None; sites.len()];
     for (index, site, way) in in_order(sites) {
-        at_call.plane = site.plane;
+        at_call.plane = way.state.plane.is().copied().unwrap_or(site.plane);
         at_call.choose_units(site.unit_function);
         let seen = Seen {
             program,
@@ -48,6 +51,7 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
             index,
             site,
             force: &way.state,
+            tool: way.tool,
             inputs: check::read(site.cycle, &site.values, &at_call, &mut Vec::new()),
         };
         at_call::look(&seen, &mut asked, &mut found);

@@ -4,6 +4,7 @@ use super::state::{Mode, State, Tool};
 use super::{Follow, follow};
 use crate::control::Transverse;
 use crate::program::fold::{self, Known};
+use crate::program::tools::ToolInUse;
 use crate::program::tree::{Expr, ExprId, Program, Word, WordKind};
 use std::collections::HashMap;
 
@@ -14,6 +15,8 @@ pub struct Way {
     pub order: usize,
     /// What is in force at the call.
     pub state: State,
+    /// Tool in use, where program and machine tell its type.
+    pub tool: Option<ToolInUse>,
 }
 
 /// The ways to the calls of cycles that differ in their state, by the first byte of the call.
@@ -28,14 +31,6 @@ impl Force {
     pub fn take(&mut self, call: u32) -> Vec<Way> {
         self.at.remove(&call).unwrap_or_default()
     }
-}
-
-/// What is in force at the end of each of these ways.
-pub fn agreed(ways: &[Way]) -> State {
-    let states = ways.iter().map(|way| way.state.clone());
-    states
-        .reduce(|one, other| one.meet(&other))
-        .unwrap_or_default()
 }
 
 /// Finds what is in force at the calls of cycles.
@@ -82,6 +77,7 @@ impl Follow for Rules<'_> {
             ways.push(Way {
                 order: self.found.ways,
                 state: state.clone(),
+                tool: None,
             });
             self.found.ways += 1;
         }

@@ -9,7 +9,7 @@ mod structure;
 
 pub use called::callers;
 use called::{Called, called};
-pub use force::{Force, Way, agreed, in_force};
+pub use force::{Force, Way, in_force};
 pub use state::{Mode, State, Tool};
 
 use super::tree::{Block, Program, Word};
