@@ -9,8 +9,6 @@ import { say, t } from "../texts";
 import type { Message, TwinView } from "../wire";
 import { copyText } from "./form";
 
-interface Shared { label: Message; value: number }
-
 function column(): { root: HTMLElement; name: HTMLElement; code: HTMLElement } {
   const name = el("h4", {});
   const code = el("pre", { class: "snippet", tabindex: "0" });
@@ -41,7 +39,7 @@ export function createTwin(store: Store): { root: HTMLElement; draw(state: State
     setText(here.code, view.snippet);
     setText(there.name, `${t(`control-${twin.control}`)} · ${twin.cycle}`);
     setText(there.code, twin.snippet);
-    keyed(shared, twin.shared, (one: Shared) => one.label.key, () => el("div", {}, el("dt", {}), el("dd", {})), (node, one) => {
+    keyed(shared, twin.shared, (one) => one.label.key, () => el("div", {}, el("dt", {}), el("dd", {})), (node, one) => {
       setText(node.children[0]!, say(one.label));
       setText(node.children[1]!, plain(one.value));
     });
