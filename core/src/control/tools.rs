@@ -40,16 +40,20 @@ impl Control {
             .or_default()
     }
 
-    /// Edge in effect: T in the spindle with the active D (NCT: register H).
+    /// Where the data of the edge in effect stand: T in the spindle with the active D (NCT: 0 with the register H).
+    pub fn active_place(&self) -> (i64, i64) {
+        match self.dialect {
+            Dialect::Sinumerik => (self.tool, self.edge),
+            Dialect::Nct => (0, self.edge),
+        }
+    }
+
+    /// Edge in effect.
     pub fn active_edge(&self) -> Option<&Edge> {
-        let tool = match self.dialect {
-            Dialect::Sinumerik => self.tool,
-            Dialect::Nct => 0,
-        };
-        if self.edge == 0 {
-            None
-        } else {
-            self.edge_of(tool, self.edge)
+        let (tool, edge) = self.active_place();
+        match edge {
+            0 => None,
+            _ => self.edge_of(tool, edge),
         }
     }
 

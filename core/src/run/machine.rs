@@ -382,6 +382,10 @@ impl Machine for Sim {
         self.with_length(|control| control.set_variable(name, value));
     }
 
+    fn select(&mut self, edge: i64) {
+        self.with_length(|control| control.edge = edge);
+    }
+
     fn orient(&mut self, angle: f64) {
         self.control.spindle = angle;
         self.control.spindle_speed = 0.0;

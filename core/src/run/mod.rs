@@ -108,6 +108,8 @@ pub trait Machine {
     }
     /// Writes a datum of tools or frames, lengths in mm. Where it is the length in use, the spindle nose stays.
     fn correct(&mut self, name: &str, value: f64);
+    /// Applies the length of another edge of the tool in use (NCT: another register), 0 none; the spindle nose stays.
+    fn select(&mut self, edge: i64);
     /// Turns the spindle to this angle, degree, where it stands.
     fn orient(&mut self, angle: f64);
     /// Lets the spindle turn, 1/min: positive as M3, negative as M4; 0 stops it.

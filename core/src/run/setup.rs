@@ -48,6 +48,16 @@ const TOOL_PROBE: [(usize, f64); 8] = [
     (9, 4.0),
 ];
 
+/// Register of the reference tool that [`Setup::suit`] brings on NCT.
+const REFERENCE_REGISTER: i64 = 99;
+/// Where its tool probe stands, and the length of the reference tool, mm (C:1193-1200).
+const NCT_TOOL_PROBE: [(&str, f64); 4] = [
+    ("#506", 250.0),
+    ("#507", 300.0),
+    ("#508", 200.0),
+    ("#513", 100.0),
+];
+
 /// The pair of reference grooves of the turning machine, `_KB[0,0]` to `[0,6]`, mm: the first as in B:10275-10285, the
 /// second turned by 90 degree.
 const REFERENCE_GROOVES: [f64; 7] = [60.123, 50.054, 15.021, 40.118, 30.047, 32.015, 20.015];
@@ -131,6 +141,12 @@ impl Setup {
     /// milling machine with a tool probe there is a mill in use, and where the probe stands is known. What the machine says
     /// of itself counts more.
     pub fn suit(&mut self, cycle: &Cycle) {
+        if cycle.dialect == Dialect::Nct {
+            if cycle.purpose.probe == ProbeUse::Tool {
+                self.mount_reference_tool();
+            }
+            return;
+        }
         let turning = cycle.purpose.machine == MachineSort::Turning;
         if turning {
             self.make_turning();
@@ -162,6 +178,22 @@ impl Setup {
             for (index, value) in TOOL_PROBE {
                 let value = value / control.basic_factor();
                 control.set(name(index), value);
+            }
+        }
+    }
+
+    /// The reference tool of an NCT control in the spindle, and where the disk of its tool probe stands, unless the machine
+    /// says so itself.
+    fn mount_reference_tool(&mut self) {
+        let control = &mut self.control;
+        (control.tool, control.edge) = (REFERENCE_REGISTER, REFERENCE_REGISTER);
+        if NCT_TOOL_PROBE
+            .iter()
+            .all(|(name, _)| control.number(name) == 0.0)
+        {
+            for (name, value) in NCT_TOOL_PROBE {
+                let value = value / control.basic_factor();
+                control.set(name, value);
             }
         }
     }

@@ -17,6 +17,7 @@ mod found;
 mod helpers;
 mod lathe;
 mod nct;
+mod p9920;
 mod table;
 mod workpiece;
 
@@ -53,6 +54,7 @@ fn table(name: &str) -> Table {
         "G108" => nct::g108(),
         "G109" => nct::g109(),
         "G110" => nct::g110(),
+        "G65 P9920" => p9920::table(),
         "G65 P9969" => nct::p9969(),
         _ => panic!("{name} has no cases for its alarms"),
     }

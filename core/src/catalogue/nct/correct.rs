@@ -126,7 +126,7 @@ pub fn calibration(machine: &mut dyn Machine, values: &[(&str, f64)]) {
         .for_each(|(name, value)| datum(machine, name, value / per));
 }
 
-/// Leaves one result as it is.
+/// Writes a datum as it stands in the machine, and records it.
 pub fn datum(machine: &mut dyn Machine, name: &str, after: f64) {
     let before = machine.control().number(name);
     machine.control().set(name, after);

@@ -5,9 +5,16 @@ mod checks;
 mod help;
 mod params;
 mod picture;
+mod propose;
 mod results;
+mod simulate;
+#[cfg(test)]
+mod tests;
+mod touch;
 
-use super::{Cycle, Dialect, Drawing, Help, MachineSort, ProbeUse, Purpose, Variant, When};
+use super::{
+    Cycle, Dialect, Drawing, Help, MachineSort, ProbeUse, Purpose, Simulation, Variant, When, Work,
+};
 use crate::diagnostic::Code;
 
 /// A reference tool calibrates the probe: T0.
@@ -63,6 +70,12 @@ pub static P9920: Cycle = Cycle {
     help: Help::new(&[help::LINES]),
     picture: Drawing::new(picture::picture),
     example: &[("Z", "-8"), ("D", "12"), ("T", "1")],
-    simulation: None,
+    simulation: Some(Simulation::new(
+        Work {
+            propose: propose::propose,
+            simulate: simulate::simulate,
+        },
+        &[],
+    )),
     source: "C:1185-1258",
 };

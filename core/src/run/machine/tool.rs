@@ -35,7 +35,7 @@ impl Sim {
             return None;
         }
         let edge = self.control.active_edge()?.clone();
-        let key = (self.control.tool, self.control.edge);
+        let key = self.control.active_place();
         let reversed = self.control.bit(REVERSED);
         let tool = self.real_tools.entry(key);
         let tool = tool.or_insert_with(|| Tool::nominal(&edge, reversed));

@@ -1,0 +1,76 @@
+//! A disk where the control believes it to be, the tool above it.
+
+use super::CALIBRATE;
+use super::checks::diameter;
+use crate::catalogue::{Proposal, ProposedTool};
+use crate::check::Inputs;
+use crate::control::{Control, Edge};
+use crate::workpiece::tool_probe::ToolProbe;
+use crate::workpiece::{PartErrors, Shape, Solid};
+
+/// Height of the disk, mm.
+const DISK: f64 = 15.0;
+/// Length of a tool that the control does not know yet, mm.
+const LENGTH: f64 = 80.0;
+/// Type of a mill, as on the other control.
+const MILL: i64 = 120;
+
+/// Disk, tool and start.
+pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
+    let calibration = inputs.variant == CALIBRATE;
+    let register = if calibration {
+        control.edge
+    } else {
+        inputs.integer("T")
+    };
+    let wide = diameter(inputs, control);
+    let assumed = match inputs.given("H") {
+        Some(length) if calibration && length > 0.0 => length,
+        _ => LENGTH,
+    };
+    let known = control.edge_of(0, register);
+    let length = known.map_or(assumed, |edge| edge.total_length(0));
+    let [top, x, y] = place(control);
+    let above = inputs.number("Z").abs() / 2.0;
+    let mut point = [x, y, top + above];
+    if !calibration {
+        // at the call the length of another register may be in force
+        point[2] += length - control.active_length()[2];
+    }
+    Proposal {
+        start: control.to_workpiece(point),
+        tools: vec![ProposedTool {
+            tool: 0,
+            name: String::new(),
+            edge: register,
+            data: Edge {
+                kind: MILL,
+                length: [length, 0.0, 0.0],
+                radius: wide / 2.0,
+                ..Edge::default()
+            },
+        }],
+        tool_probes: vec![ToolProbe::ideal(disk(control, [x, y, top]))],
+        ..Proposal::default()
+    }
+}
+
+/// Upper side of the disk, then its centre in X and Y, machine coordinates, mm.
+fn place(control: &Control) -> [f64; 3] {
+    let [z, x, y] = ["#506", "#507", "#508"].map(|name| control.basic_length(name));
+    [z - control.basic_length("#513"), x, y]
+}
+
+fn disk(control: &Control, at: [f64; 3]) -> Solid {
+    let shape = Shape::Turned {
+        diameter: control.basic_length("#509").max(1.0),
+        length: DISK,
+        bore: [0.0; 2],
+    };
+    Solid {
+        shape,
+        at,
+        rotation: [0.0; 3],
+        errors: PartErrors::default(),
+    }
+}

@@ -1,0 +1,62 @@
+//! Cases of G65 P9920: a disk of 40 mm, the reference tool of 20 by 100 mm 4 mm above its centre.
+
+use super::table::{Case, Table};
+use probewright_core::catalogue::p9920::{
+    DEPRESSED, INCORRECT, MEASURING_DEVICE, P9920, TOO_SMALL,
+};
+use probewright_core::control::{Edge, Plane};
+use probewright_core::diagnostic::Code;
+use probewright_core::run::Setup;
+use probewright_core::workpiece::tool_probe::ToolProbe;
+use probewright_core::workpiece::{PartErrors, Shape, Solid};
+
+const CALIBRATE: &str = "G65 P9920 Z-8 D20 H100 T0";
+
+pub fn table() -> Table {
+    Table {
+        program: "G17 G90 G54\n{change}\nM30\n",
+        usual: CALIBRATE,
+        setup,
+        cases: vec![
+            case(MEASURING_DEVICE, CALIBRATE, |setup| {
+                setup.control.set("#1003", 0.0);
+            }),
+            case(DEPRESSED, CALIBRATE, |setup| {
+                setup.control.set("#1002", 1.0);
+            }),
+            case(TOO_SMALL, "G65 P9920 Z-8 D10 H100 T0", |_| ()),
+            case(INCORRECT, "G65 P9920 Z-3 D20 H100 T0", |_| ()),
+        ],
+        unreached: Vec::new(),
+    }
+}
+
+fn case(code: Code, change: &'static str, prepare: fn(&mut Setup)) -> Case {
+    Case {
+        code,
+        change,
+        prepare,
+    }
+}
+
+fn setup() -> Setup {
+    let mut setup = Setup::for_cycle(&P9920, Plane::G17);
+    let register = setup.control.edge;
+    *setup.control.register_mut(register) = Edge {
+        length: [100.0, 0.0, 0.0],
+        radius: 10.0,
+        ..Edge::default()
+    };
+    setup.tool_probes.push(ToolProbe::ideal(Solid {
+        shape: Shape::Turned {
+            diameter: 40.0,
+            length: 15.0,
+            bore: [0.0; 2],
+        },
+        at: [0.0; 3],
+        rotation: [0.0; 3],
+        errors: PartErrors::default(),
+    }));
+    setup.position = [0.0, 0.0, 4.0];
+    setup
+}
