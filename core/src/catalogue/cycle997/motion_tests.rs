@@ -16,7 +16,7 @@ const ARC_FEED: f64 = 900.0;
 /// `_FA` = 5 is above 1 (B:2164-2170).
 const MEASURING_FEED: f64 = 300.0;
 
-/// A motion: kind, end as abscissa, ordinate, applicate, feed. Chords of an arc count as one.
+/// A motion: kind, end as abscissa, ordinate, applicate, feed.
 type Motion = (MotionKind, [f64; 3], f64);
 
 /// Ways about the centre of a sphere of 50 with a ball of 3 and `_FA` = 5: it is touched at 28, a block begins at 33, and
@@ -101,7 +101,7 @@ fn expected(variant: i64) -> Vec<Motion> {
     motions
 }
 
-/// What moves, in abscissa, ordinate, applicate; chords of an arc as one motion, and they keep their distance.
+/// What moves, in abscissa, ordinate, applicate; arcs keep their distance.
 fn found(plane: Plane, variant: i64) -> Vec<Motion> {
     let mut setup = ready(plane, variant);
     setup.control.set("_SPEED[1]", PLANE_FEED);
@@ -110,18 +110,27 @@ fn found(plane: Plane, variant: i64) -> Vec<Motion> {
     assert_eq!(run(&mut sim, &inputs(variant)), Ok(()), "{variant}");
     let mut motions: Vec<Motion> = Vec::new();
     for entry in &sim.trace.entries {
-        let Step::Motion { kind, to, feed, .. } = entry.step else {
+        let Step::Motion {
+            kind,
+            from,
+            to,
+            around,
+            feed,
+        } = entry.step
+        else {
             continue;
         };
-        let to = plane.axes().map(|axis| to[axis]);
-        if feed == ARC_FEED {
-            let away = |[x, y, _]: &[f64; 3]| (to[0] - x).hypot(to[1] - y);
+        assert_eq!(around.is_some(), feed == ARC_FEED, "{variant}");
+        for place in around
+            .iter()
+            .flat_map(|arc| [0.4, 1.0].map(|part| arc.at(from, to, part)))
+        {
+            let [x, y, _] = plane.axes().map(|axis| place[axis]);
+            let away = |[a, b, _]: &[f64; 3]| (x - a).hypot(y - b);
             let radius = CENTRES.iter().map(away).fold(f64::INFINITY, f64::min);
-            assert!((radius - 33.0).abs() < 1e-9, "{variant}: {to:?}");
-            if motions.last().is_some_and(|last| last.2 == ARC_FEED) {
-                motions.pop();
-            }
+            assert!((radius - 33.0).abs() < 1e-9, "{variant}: {place:?}");
         }
+        let to = plane.axes().map(|axis| to[axis]);
         motions.push((kind, to, feed));
     }
     motions
