@@ -1,6 +1,7 @@
 //! The way of one motion, straight or round an axis, and what stops the probe on it. Machine coordinates, mm.
 
 use crate::geometry::arc::Around;
+use crate::geometry::roots;
 use crate::workpiece::contact::{Boundary, Contact};
 
 /// From where to where, and how.
@@ -93,14 +94,35 @@ impl Route {
             if free < piece * length
                 && let Some(met) = straight(part, radius, from, self.at(next), shift)
             {
-                return Some(Obstacle {
-                    part: done + met.part * (next - done),
-                    ..met
-                });
+                return Some(self.on_arc(part, radius, shift, [done, next], met));
             }
             done = next;
         }
         None
+    }
+}
+
+impl Route {
+    /// What was met on a straight piece between two parts of the way, as it is on the way itself, which the piece leaves
+    /// by less than its sagitta.
+    fn on_arc(
+        &self,
+        part: &Boundary,
+        radius: f64,
+        shift: [f64; 3],
+        [done, next]: [f64; 2],
+        met: Obstacle,
+    ) -> Obstacle {
+        let gap = |at: f64| part.distance(add(self.at(at), shift, 1.0)) - radius;
+        let straight = done + met.part * (next - done);
+        let at = roots::bracketed(gap, done, next).unwrap_or(straight);
+        let stop = self.at(at);
+        Obstacle {
+            part: at,
+            stop,
+            ball: add(stop, shift, 1.0),
+            ..met
+        }
     }
 }
 

@@ -5,12 +5,15 @@
 use super::VARIANTS;
 use super::simulation_tests::{CENTRE, HEIGHT, inputs, part, ready, round};
 use crate::catalogue::sinumerik::motion_testing::{DEPTH_FEED, MEASURING_FEED, PLANE_FEED};
-use crate::catalogue::sinumerik::testing::{Motion, at, motions, run, same};
+use crate::catalogue::sinumerik::testing::{Motion, at, motions, run, same, solid, stopped};
 use crate::control::Plane;
 use crate::geometry::rigid::sin_cos;
+use crate::message::Message;
+use crate::run::Stop;
 use crate::run::machine::Sim;
 use crate::run::trace::MotionKind::{Measuring, Positioning, Retract};
 use crate::run::trace::Step;
+use crate::workpiece::Shape;
 
 /// `_RF`.
 const CIRCLE_FEED: f64 = 900.0;
@@ -112,5 +115,45 @@ fn every_variant_moves_as_the_manual_says() {
                 assert_eq!(around(&sim, plane, origin), vec![step; ways], "{what}");
             }
         }
+    }
+}
+
+/// A post of 6 mm on the way from P1 to P2, 40 degree behind P1.
+fn obstructed(monitored: bool) -> (Sim, Result<(), Stop>) {
+    let plane = Plane::G17;
+    let mut setup = ready(plane, 1, ANGLE);
+    setup
+        .control
+        .set("_CHBIT[2]", f64::from(u8::from(monitored)));
+    let [x, y, _] = polar(22.0, ANGLE + 40.0, 0.0);
+    let post = Shape::Shaft {
+        diameter: 6.0,
+        height: 20.0,
+    };
+    let place = [CENTRE[0] + x, CENTRE[1] + y, HEIGHT + 5.0];
+    setup.workpiece.solids = vec![part(plane, 1, ANGLE), solid(plane, post, place, false)];
+    let mut sim = Sim::new(&setup);
+    let outcome = run(&mut sim, &inputs(1, ANGLE, 80.0, false));
+    (sim, outcome)
+}
+
+// oracle: manual B:13743-13766 (61302, or nothing that watches), hand: ball and post are 6 mm apart 2·asin(6/44) before it
+#[test]
+fn what_stands_on_the_circular_way_is_met_there() {
+    for monitored in [true, false] {
+        let (sim, outcome) = obstructed(monitored);
+        if monitored {
+            assert_eq!(stopped(outcome), 61302);
+        } else {
+            let crash = Message::new("run-crash");
+            assert_eq!(outcome, Err(Stop::Fault(crash)));
+        }
+        let origin = at(Plane::G17, [CENTRE[0], CENTRE[1], HEIGHT]);
+        let gone = around(&sim, Plane::G17, origin);
+        let free = 40.0 - 2.0 * (6.0_f64 / 44.0).asin().to_degrees();
+        assert!(
+            gone.len() == 1 && (gone[0] - free).abs() < 1e-6,
+            "{gone:?} {free}"
+        );
     }
 }

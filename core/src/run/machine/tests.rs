@@ -142,8 +142,8 @@ fn a_part_that_turns_may_meet_the_ball() {
     let crash = Err(Stop::Fault(Message::new("run-crash")));
     let (sim, outcome) = turned([0.0, -60.0, -10.0]);
     assert_eq!(outcome, crash);
-    assert!((sim.part.distance([0.0, -60.0, -10.0]) - 3.0).abs() < 0.05);
-    assert!((sim.control.rotary[2] - (53.0_f64 / 60.0).acos().to_degrees()).abs() < 0.1);
+    assert!((sim.part.distance([0.0, -60.0, -10.0]) - 3.0).abs() < 1e-6);
+    assert!((sim.control.rotary[2] - (53.0_f64 / 60.0).acos().to_degrees()).abs() < 1e-6);
     let [.., table, last] = &sim.trace.entries[..] else {
         panic!("{:?}", sim.trace);
     };
