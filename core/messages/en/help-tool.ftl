@@ -12,12 +12,13 @@ help-cycle971-before-clear = The tool stands on the side that it is to touch, cl
 help-cycle971-before-parallel = The tool axis is parallel to the centre line of the probe.
 help-cycle971-before-over = From where the tool stands it can go up or down to _FA above the top of the probe, and there across to its middle.
 help-cycle971-order-beside = Beside the probe: first to its middle in the other axis, then to the side, down by _TP[k,9] below the top, touch, back. It ends there, at depth.
-help-cycle971-order-on-top = On top (_MA = 3, 103, 203): over the middle, down, touch; a tool wider than the probe is set off by its radius less _ID, in the abscissa (3, 103) or ordinate (203). It ends above.
+help-cycle971-order-on-top = On top (_MA = 3, 103, 203): over the middle, down, touch; a tool wider than the probe stands off to the side of the start by its radius less _ID, in the abscissa (3, 103) or ordinate (203), a drill never. It ends _FA above.
 help-cycle971-order-centre-first = With _MA = 102 or 201 the middle in the other axis is found by two touches before.
 help-cycle971-order-widest = For a radius the tool goes lower by _ID, so that its widest place touches.
-help-cycle971-order-turning = It touches one to three times, each time slower (_CM[6], _CM[7]); the last touch counts.
-help-cycle971-order-all-sides = The top, then both sides of the abscissa in the middle of the ordinate, both sides of the ordinate, and the top once more over the middle found. It ends _FA above that.
+help-cycle971-order-turning = It touches one to three times, each time slower (_CM[6], _CM[7]); the last touch counts. A spindle that stood stops again.
+help-cycle971-order-all-sides = The top over the nominal middle, both sides of the ordinate to find its middle, there both sides of the abscissa, both sides of the ordinate through the middle found, and the top once more. It ends _FA above that.
 help-cycle971-wrong-depth = _TP[k,9] is 0: beside the probe the tool does not reach down to it, alarm 61349.
+help-cycle971-wrong-unclear = Where the tool stands does not tell which side it is to touch: alarm 61332.
 help-cycle971-wrong-edge = The edge is not turned to the probe: the radius comes out too small, and so does the length of a tool whose edges differ in height.
 help-cycle971-wrong-master = The calibration tool is not known exactly: its error goes into every tool that is measured later.
 help-cycle971-wrong-no-data = Length or radius of the tool is 0: alarm 61351.

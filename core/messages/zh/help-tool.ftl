@@ -12,12 +12,13 @@ help-cycle971-before-clear = 刀具在要触碰的一侧，离开测量头：测
 help-cycle971-before-parallel = 刀具轴平行于测量头中心线。
 help-cycle971-before-over = 刀具从所在处能先沿刀具轴移到测量头顶面上方 _FA 处，再横向移到其中间。
 help-cycle971-order-beside = 在侧面：先在另一轴移到测量头中间，再到该面旁，下降到顶面以下 _TP[k,9] 处，触碰，退回。最后停在该深度。
-help-cycle971-order-on-top = 在顶面（_MA = 3、103、203）：移到中间上方，下降，触碰；比测量头宽的刀具偏移其半径减 _ID，在横坐标（3、103）或纵坐标（203）。最后停在上方。
+help-cycle971-order-on-top = 在顶面（_MA = 3、103、203）：移到中间上方，下降，触碰；比测量头宽的刀具朝起点一侧偏移其半径减 _ID，在横坐标（3、103）或纵坐标（203），钻头不偏移。最后停在上方 _FA 处。
 help-cycle971-order-centre-first = _MA = 102 或 201 时，先在另一轴触碰两次求出中间。
 help-cycle971-order-widest = 测半径时刀具再下降 _ID，以最宽处触碰。
-help-cycle971-order-turning = 触碰一到三次，一次比一次慢（_CM[6]、_CM[7]）；以最后一次为准。
-help-cycle971-order-all-sides = 先顶面，再在纵坐标中间触碰横坐标两侧，然后纵坐标两侧，最后在求出的中间上方再触碰顶面。最后停在其上方 _FA 处。
+help-cycle971-order-turning = 触碰一到三次，一次比一次慢（_CM[6]、_CM[7]）；以最后一次为准。原来静止的主轴再停下。
+help-cycle971-order-all-sides = 先在标称中间触碰顶面，再触碰纵坐标两侧求出其中间，在此触碰横坐标两侧，经求出的中间触碰纵坐标两侧，最后再触碰顶面。最后停在其上方 _FA 处。
 help-cycle971-wrong-depth = _TP[k,9] 为 0：刀具在侧面够不到测量头，报警 61349。
+help-cycle971-wrong-unclear = 刀具所在处看不出要触碰哪一面：报警 61332。
 help-cycle971-wrong-edge = 刀刃没有转向测量头：半径测得偏小，刃口高度不同的刀具长度也偏小。
 help-cycle971-wrong-master = 校准刀具尺寸不准：其误差进入以后测量的每把刀具。
 help-cycle971-wrong-no-data = 刀具的长度或半径为 0：报警 61351。

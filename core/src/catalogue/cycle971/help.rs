@@ -43,6 +43,7 @@ pub const LINES: &[HelpLine] = &[
     corrects(MEASURE, "help-tool-data", "B:4324;B:4930-4937"),
     corrects(INCREMENTAL, "help-tool-trigger-always", "B:4432;B:9840"),
     wrong(TRAVELS, "help-cycle971-wrong-depth", "B:13369"),
+    wrong(ONE_SIDE, "help-cycle971-wrong-unclear", "B:4589;A:15875"),
     wrong(STILL, "help-cycle971-wrong-edge", "B:4189"),
     wrong(CALIBRATE, "help-cycle971-wrong-master", "B:4326"),
     wrong(MEASURE, "help-cycle971-wrong-no-data", "A:15893"),
