@@ -115,17 +115,27 @@ fn nothing_goes_through_cycle_para_as_zero() {
     assert_eq!(changed("_SETVAL", "-7.5"), text.replace("100,", "-7.5,"));
 }
 
+/// Number of the variant that these values choose.
+fn variant_of(values: &Typed) -> i64 {
+    let number = values.get("_MVAR").and_then(|text| text.parse().ok());
+    number.unwrap_or(0)
+}
+
 /// The machine with the proposed part of a call before its probe.
 fn before_the_part(cycle: &'static Cycle, values: &Typed) -> Setup {
     let plane = match cycle.purpose.machine {
         MachineSort::Turning => Plane::G18,
         _ => Plane::G17,
     };
-    let mut setup = Setup::for_cycle(cycle, plane);
+    let mut setup = Setup::for_variant(cycle, variant_of(values), plane);
     let inputs = check(cycle, values, &setup.control).inputs.unwrap();
     let proposal = (cycle.work().unwrap().propose)(&inputs, &setup.control);
     setup.workpiece = proposal.workpiece;
     setup.workpiece.solids.extend(proposal.fixture);
+    setup.tool_probes = proposal.tool_probes;
+    let in_use = (setup.control.tool, setup.control.edge);
+    let lies = proposal.real_tool.map(|tool| (in_use, tool));
+    setup.real_tools.extend(lies);
     for solid in &mut setup.workpiece.solids {
         solid.errors.size = 0.02;
     }
@@ -153,7 +163,7 @@ fn whole(cycle: &'static Cycle, values: &Typed, style: Style) -> Option<(Typed, 
             .filter(|one| one.message.key == "write-lost");
         let names: Vec<_> = lost.map(|one| one.message.args[0].1.clone()).collect();
         if names.is_empty() {
-            let control = Setup::for_cycle(cycle, Plane::G17).control;
+            let control = Setup::for_variant(cycle, variant_of(&values), Plane::G17).control;
             let complete = check(cycle, &values, &control).inputs.is_some();
             return complete.then_some((values, written));
         }

@@ -6,6 +6,7 @@ use crate::control::{Control, Plane};
 use crate::diagnostic::Code;
 use crate::form::picture::Picture;
 use crate::run::{Machine, Stop};
+use crate::workpiece::tool::Tool;
 use crate::workpiece::tool_probe::ToolProbe;
 use crate::workpiece::{Solid, Workpiece};
 
@@ -177,6 +178,7 @@ pub type Scan = fn(&mut dyn Machine, &Inputs) -> Result<Box<dyn crate::scan::Sca
 pub struct Simulation {
     work: Option<Work>,
     scan: Option<Scan>,
+    tool: Option<fn(i64) -> ProposedTool>,
     /// What a variant's worked measurement has beside [`Cycle::example`], or instead.
     pub examples: Examples,
 }
@@ -189,6 +191,7 @@ impl Simulation {
         Simulation {
             work,
             scan: None,
+            tool: None,
             examples,
         }
     }
@@ -200,6 +203,17 @@ impl Simulation {
             scan,
             ..Simulation::new(work, examples)
         }
+    }
+
+    /// The same of a cycle that needs another tool in use for each sort of variant.
+    pub const fn with_tool(self, tool: fn(i64) -> ProposedTool) -> Simulation {
+        let tool = if SIMULATES { Some(tool) } else { None };
+        Simulation { tool, ..self }
+    }
+
+    /// The tool that a variant needs in use, on a machine that has none yet; none where any will do.
+    pub fn tool(&self, variant: i64) -> Option<ProposedTool> {
+        Some(self.tool?(variant))
     }
 }
 
@@ -489,6 +503,8 @@ pub struct Proposal {
     pub tools: Vec<ProposedTool>,
     /// Tool probes, machine coordinates, for a machine that has none yet; errors are added by the caller.
     pub tool_probes: Vec<ToolProbe>,
+    /// How the tool in use lies, where its data do not tell it.
+    pub real_tool: Option<Tool>,
 }
 
 /// A tool with one edge.

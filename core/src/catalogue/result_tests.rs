@@ -13,7 +13,7 @@ const BEFORE: f64 = -9876.5;
 
 /// The worked example of a variant, carried out on its own part with some deviation.
 fn measured(cycle: &'static Cycle, variant: &Variant) -> (Inputs, Control) {
-    let mut setup = Setup::for_cycle(cycle, Plane::G17);
+    let mut setup = Setup::for_variant(cycle, variant.number, Plane::G17);
     let checked = check(cycle, &example(cycle, variant), &setup.control);
     let Some(inputs) = checked.inputs else {
         panic!("{} {:?}", cycle.name, checked.diagnostics);
@@ -22,6 +22,9 @@ fn measured(cycle: &'static Cycle, variant: &Variant) -> (Inputs, Control) {
     setup.workpiece = proposal.workpiece;
     setup.workpiece.solids.extend(proposal.fixture);
     setup.tool_probes = proposal.tool_probes;
+    let in_use = (setup.control.tool, setup.control.edge);
+    let lies = proposal.real_tool.map(|tool| (in_use, tool));
+    setup.real_tools.extend(lies);
     setup.position = setup.control.to_machine(proposal.start);
     for proposed in proposal.tools {
         let tool = setup.control.tools.entry(proposed.tool).or_default();

@@ -4,7 +4,7 @@ use super::predict::predict;
 use super::setup::{PlaneName, choose_units, plane};
 use super::{Error, diagnostic, dialect, message, object, put};
 use crate::SIMULATES;
-use crate::catalogue::{self, Cycle, MachineSort, Range, Style};
+use crate::catalogue::{self, Cycle, MachineSort, Range, Style, names};
 use crate::check::{self, Checked, Typed};
 use crate::control::{Control, Plane, Transverse, Units};
 use crate::diagnostic::Severity;
@@ -59,7 +59,9 @@ pub fn form(request: &str) -> Result<Value, Error> {
     })?;
     let mut start = super::start::start(cycle.dialect, request.setup)?;
     if !start.described {
-        start.setup.suit(cycle);
+        let variant = request.values.get(names::MVAR);
+        let variant = variant.and_then(|text| text.trim().parse().ok());
+        start.setup.suit(cycle, variant.unwrap_or(0));
     }
     let control = &mut start.setup.control;
     let at_start = modal(control);

@@ -131,6 +131,10 @@ fn prepare(
     if setup.tool_probes.is_empty() {
         setup.tool_probes = proposal.tool_probes;
     }
+    let in_use = (setup.control.tool, setup.control.edge);
+    if let Some(tool) = proposal.real_tool {
+        setup.real_tools.entry(in_use).or_insert(tool);
+    }
     for tool_probe in &mut setup.tool_probes {
         spoil(std::slice::from_mut(&mut tool_probe.solid), &part);
         tool_probe.pre_travel += errors.probe.pre_travel;

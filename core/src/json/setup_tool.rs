@@ -83,6 +83,9 @@ struct CutterFile {
     /// Axis of the plane along which it stands: 0 abscissa, 1 ordinate, 2 applicate.
     #[serde(default = "applicate")]
     axis: usize,
+    /// Width of a groove mill, whose length goes to its upper edge; 0: another cutter.
+    #[serde(default)]
+    disc: f64,
 }
 
 fn applicate() -> usize {
@@ -137,6 +140,7 @@ fn read(file: &RealFile) -> Tool {
             runout: cutter.runout,
             runout_angle: cutter.runout_angle,
             axis: cutter.axis,
+            disc: cutter.disc,
         }),
     };
     Tool {
@@ -194,6 +198,7 @@ fn check_tool(name: &str, tool: &Tool) -> Result<(), Error> {
             positive(cutter.corner)?;
             positive(inside)?;
             positive(above)?;
+            positive(cutter.disc)?;
             let teeth = cutter.teeth as usize;
             bound(name, teeth as f64, teeth <= MOST, "at most 100 teeth")?;
             bound(name, cutter.axis as f64, cutter.axis < 3, "axes 0 to 2")?;
@@ -256,6 +261,7 @@ fn cutter(cutter: &Cutter) -> Value {
         ("runout", cutter.runout.into()),
         ("runoutAngle", cutter.runout_angle.into()),
         ("axis", cutter.axis.into()),
+        ("disc", cutter.disc.into()),
     ])
 }
 
@@ -274,7 +280,7 @@ mod tests {
                     "type": 120, "length": [70.0, 0.0, 0.0], "radius": 18.0,
                     "real": { "length": [70.85, 0.0, 0.0], "cut": { "cutter": {
                         "radius": 18.6, "corner": 1.0, "chamfer": [0.5, 2.4], "teeth": 3, "angle": 15.0,
-                        "runout": [0.02, 0.01], "runoutAngle": 30.0, "axis": 1
+                        "runout": [0.02, 0.01], "runoutAngle": 30.0, "axis": 1, "disc": 5.0
                     } } }
                 },
                 "2": {

@@ -209,7 +209,7 @@ fn the_stylus_of_a_turning_machine_lies_as_its_cutting_edge_position_says() {
         (7, [0.0, 0.0, 1.0]),
         (8, [1.0, 0.0, 0.0]),
     ] {
-        let mut setup = Setup::for_cycle(cycle, Plane::G18);
+        let mut setup = Setup::for_variant(cycle, 0, Plane::G18);
         let edge = setup.control.edge_of_mut(9, 1).unwrap();
         edge.tip = tip;
         let mut asked: Value = serde_json::from_str(&request(cycle)).unwrap();

@@ -58,6 +58,9 @@ const NCT_TOOL_PROBE: [(&str, f64); 4] = [
     ("#513", 100.0),
 ];
 
+/// Place of the first tool probe of the turning machine, `_TP[0,i]`, as in B:9044-9047, mm.
+const TURNING_TOOL_PROBE: [(usize, f64); 4] = [(0, 220.0), (1, 200.0), (2, 400.0), (3, 380.0)];
+
 /// The pair of reference grooves of the turning machine, `_KB[0,0]` to `[0,6]`, mm: the first as in B:10275-10285, the
 /// second turned by 90 degree.
 const REFERENCE_GROOVES: [f64; 7] = [60.123, 50.054, 15.021, 40.118, 30.047, 32.015, 20.015];
@@ -130,17 +133,23 @@ impl Setup {
         setup
     }
 
-    /// The machine for a cycle, metric: see [`Setup::calibrated`] and [`Setup::turning`].
+    /// The machine for the first variant of a cycle.
     pub fn for_cycle(cycle: &Cycle, plane: Plane) -> Setup {
+        let first = cycle.variants.first();
+        Setup::for_variant(cycle, first.map_or(0, |variant| variant.number), plane)
+    }
+
+    /// The machine for a variant of a cycle, metric: see [`Setup::calibrated`] and [`Setup::turning`].
+    pub fn for_variant(cycle: &Cycle, variant: i64, plane: Plane) -> Setup {
         let mut setup = Setup::calibrated(cycle.dialect, plane);
-        setup.suit(cycle);
+        setup.suit(cycle, variant);
         setup
     }
 
-    /// Makes a turning machine of it where the cycle is for one, with a probe in its turret where the cycle uses it; on a
-    /// milling machine with a tool probe there is a mill in use, and where the probe stands is known. What the machine says
-    /// of itself counts more.
-    pub fn suit(&mut self, cycle: &Cycle) {
+    /// Makes a turning machine of it where the cycle is for one, with a probe in its turret where the cycle uses it; where
+    /// it uses a tool probe, the tool that the variant needs is in use, and where the probe stands is known. What the
+    /// machine says of itself counts more.
+    pub fn suit(&mut self, cycle: &Cycle, variant: i64) {
         if cycle.dialect == Dialect::Nct {
             if cycle.purpose.probe == ProbeUse::Tool {
                 self.mount_reference_tool();
@@ -153,8 +162,16 @@ impl Setup {
         }
         match (turning, cycle.purpose.probe) {
             (true, ProbeUse::Workpiece) => self.mount_turning_probe(),
+            (true, ProbeUse::Tool) => self.know_tool_probe(&TURNING_TOOL_PROBE),
             (false, ProbeUse::Tool) => self.insert_mill(),
             _ => {}
+        }
+        let simulation = cycle.simulation.as_ref();
+        if let Some(needed) = simulation.and_then(|simulation| simulation.tool(variant)) {
+            let tool = self.control.tools.entry(needed.tool).or_default();
+            tool.name = needed.name;
+            tool.edges.insert(needed.edge, needed.data);
+            (self.control.tool, self.control.edge) = (needed.tool, needed.edge);
         }
     }
 
@@ -170,14 +187,20 @@ impl Setup {
         let tool = control.tools.entry(MILL).or_default();
         tool.edges.insert(1, edge);
         (control.tool, control.edge) = (MILL, 1);
+        self.know_tool_probe(&TOOL_PROBE);
+    }
+
+    /// The data of the first tool probe, where nothing is known of it.
+    fn know_tool_probe(&mut self, data: &[(usize, f64)]) {
+        let control = &mut self.control;
         for array in ["_TP", "_TPW"] {
             let name = |index: usize| format!("{array}[0,{index}]");
             if (0..6).any(|index| control.number(&name(index)) != 0.0) {
                 continue;
             }
-            for (index, value) in TOOL_PROBE {
+            for (index, value) in data {
                 let value = value / control.basic_factor();
-                control.set(name(index), value);
+                control.set(name(*index), value);
             }
         }
     }
@@ -249,7 +272,7 @@ mod tests {
     fn a_turning_machine_keeps_what_it_says_of_itself() {
         let cycle = find(Dialect::Sinumerik, "CYCLE974").unwrap();
         let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G18);
-        setup.suit(cycle);
+        setup.suit(cycle, 0);
         // oracle: manual B:828 (2 in most cases), B:10275-10285
         assert_eq!(setup.control.number("SD42950"), 2.0);
         assert_eq!(setup.control.number("_KB[0,2]"), 15.021);
@@ -257,7 +280,7 @@ mod tests {
         let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G18);
         setup.control.set("SD42950", 0.0);
         setup.control.set("_KB[0,2]", 17.5);
-        setup.suit(cycle);
+        setup.suit(cycle, 0);
         assert_eq!(setup.control.number("SD42950"), 0.0);
         assert_eq!(setup.control.number("_KB[0,2]"), 17.5);
     }

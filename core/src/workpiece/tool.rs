@@ -49,6 +49,9 @@ pub struct Cutter {
     pub runout_angle: f64,
     /// Axis of the plane along which it stands, its end in minus direction: 0 abscissa, 1 ordinate, 2 applicate.
     pub axis: usize,
+    /// Width of a groove mill, mm, whose length goes to its upper edge, that at the shank; 0: another cutter, whose length
+    /// goes to the lowest edge. What holds a groove mill is out of the way.
+    pub disc: f64,
 }
 
 /// The nose of a turning tool. It lies in the plane.
@@ -141,6 +144,7 @@ impl Cutter {
             runout: [0.0; 2],
             runout_angle: 0.0,
             axis: 2,
+            disc: 0.0,
         }
     }
 
@@ -169,11 +173,16 @@ impl Cutter {
         let along = axes[self.axis.min(2)];
         let [first, second] = [(along + 1) % 3, (along + 2) % 3];
         let unit = |axis: usize| V3::from_fn(|row, _| if row == axis { 1.0 } else { 0.0 });
+        let body = if self.disc > 0.0 {
+            -unit(along)
+        } else {
+            unit(along)
+        };
         let piece = |[radius, direction, drop]: [f64; 3], round: bool| {
             let (sine, cosine) = sin_cos(direction);
             Piece::Turned(TurnedPiece {
                 end: point - unit(along) * drop,
-                up: unit(along),
+                up: body,
                 out: (!round).then(|| unit(first) * cosine + unit(second) * sine),
                 profile: self.profile(radius),
             })
@@ -197,7 +206,10 @@ impl Cutter {
     fn profile(&self, radius: f64) -> Profile {
         let [inside, above] = self.chamfer;
         let corner = self.corner.min(radius);
-        let top = HEIGHT.max(2.0 * (corner + above));
+        let top = match self.disc > 0.0 {
+            true => self.disc,
+            false => HEIGHT.max(2.0 * (corner + above)),
+        };
         Profile {
             corner,
             points: [

@@ -19,6 +19,7 @@ mod lathe;
 mod nct;
 mod p9920;
 mod table;
+mod turning_tool;
 mod workpiece;
 
 use probewright_core::catalogue::alarms::stops;
@@ -35,12 +36,14 @@ fn table(name: &str) -> Table {
         "CYCLE119" => helpers::cycle119(),
         "CYCLE961" => cycle961::table(),
         "CYCLE971" => cycle971::table(),
+        "CYCLE972" => turning_tool::cycle972(),
         "CYCLE973" => cycle973::table(),
         "CYCLE974" => cycle974::table(),
         "CYCLE976" => cycle976::table(),
         "CYCLE977" => cycle977::table(),
         "CYCLE978" => cycle978::table(),
         "CYCLE979" => cycle979::table(),
+        "CYCLE982" => turning_tool::cycle982(),
         "CYCLE994" => cycle994::table(),
         "CYCLE997" => cycle997::table(),
         "CYCLE998" => cycle998::table(),

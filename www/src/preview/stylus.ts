@@ -22,7 +22,8 @@ export function addStylus(into: Mesh, ball: Ball, colours: { ball: Rgba; stylus:
   turned(into, [[0.45 * r, 0.8 * r], [0.45 * r, reach]], place, { colour: colours.stylus, moves: true });
   const solid = into.corners.length;
   const [red, green, blue] = colours.stylus;
-  const profile: [number, number][] = [[0.45 * r, reach], [2.2 * r, reach + 1.2 * r], [2.2 * r, Math.max(body, reach + 3 * r)]];
+  const end = Math.max(body, reach + 3 * r);
+  const profile: [number, number][] = [[0.45 * r, reach], [2.2 * r, reach + 1.2 * r], [2.2 * r, end], [0, end]];
   turned(into, profile, place, { colour: [red, green, blue, 0.6], moves: true });
   return solid;
 }

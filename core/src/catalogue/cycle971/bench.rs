@@ -30,7 +30,7 @@ pub fn setup(inputs: &Inputs) -> Setup {
 /// The same on a machine with this basic system of units.
 pub fn setup_in(inputs: &Inputs, units: Units) -> Setup {
     let mut setup = Setup::calibrated_in(crate::catalogue::Dialect::Sinumerik, inputs.plane, units);
-    setup.suit(&CYCLE971);
+    setup.suit(&CYCLE971, 0);
     place(setup, inputs)
 }
 

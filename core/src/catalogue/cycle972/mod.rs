@@ -11,9 +11,14 @@ mod results;
 mod tests;
 
 use crate::catalogue::common::alarms;
+use crate::catalogue::cycle982::{propose, simulate as measuring};
+use crate::catalogue::sinumerik::alarm;
 use crate::catalogue::{
-    Cycle, Dialect, Drawing, Help, MachineSort, ProbeUse, Purpose, Variant, tool_probe,
+    Cycle, Dialect, Drawing, Help, MachineSort, ProbeUse, Purpose, Simulation, Variant, Work,
+    tool_probe,
 };
+use crate::check::Inputs;
+use crate::run::{Machine, Stop};
 
 /// Measuring variants (B:8766-8771).
 pub const VARIANTS: &[Variant] = &[
@@ -75,6 +80,23 @@ pub static CYCLE972: Cycle = Cycle {
         ("_TZL", "0.001"),
         ("_TDIF", "0.8"),
     ],
-    simulation: None,
+    simulation: Some(
+        Simulation::new(
+            Work {
+                propose: propose::propose,
+                simulate,
+            },
+            &[],
+        )
+        .with_tool(propose::tool),
+    ),
     source: "B:8736-9090",
 };
+
+/// What CYCLE982 does with these variants; where the coordinate system is turned it is 61330 (A:15873).
+fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
+    if machine.control().rotated() {
+        return Err(alarm(machine, 61330));
+    }
+    measuring::run(machine, inputs, 972)
+}

@@ -26,6 +26,9 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
         let data = ProbeData::of(inputs, control, workpiece);
         shared::place(&data, &[0, 1], found); // by axes of the plane, B:13370-13384
     }
+    if workpiece {
+        shared_checks::rotation(control, found);
+    }
     old_switch(workpiece, control, found);
     if let Some(edge) = shared::tool_in_use(control, found) {
         tool(inputs, control, edge, found);

@@ -2,18 +2,48 @@
 //! (B:9124-10126).
 
 mod checks;
+mod cutter;
 mod cutters;
+mod drill;
+mod edges;
 mod help;
+#[cfg(test)]
+mod motion_tests;
+mod nose;
 pub mod params;
 mod picture;
+pub mod propose;
 mod results;
+pub mod simulate;
+#[cfg(test)]
+mod simulation_tests;
+mod stand;
+#[cfg(test)]
+mod testing;
 #[cfg(test)]
 mod tests;
 mod variants;
 
 use crate::catalogue::common::alarms;
-use crate::catalogue::{Cycle, Dialect, Drawing, Help, MachineSort, ProbeUse, Purpose, tool_probe};
+use crate::catalogue::{
+    Cycle, Dialect, Drawing, Examples, Help, MachineSort, ProbeUse, Purpose, Simulation, When,
+    Work, tool_probe,
+};
 use crate::control::machine_data::TOOL_LENGTH_TYPE;
+
+/// What the worked measurement of a variant has beside the example.
+const EXAMPLES: Examples = &[
+    (params::REVERSAL, &[("_CORA", "0")]),
+    (params::INCREMENTAL, &[("_MD", "1")]),
+    (params::CALIBRATE, &[("_MA", "2")]),
+    (
+        When::All(&[
+            When::Any(&[params::RADIUS, params::BOTH]),
+            When::Not(&params::RADIAL),
+        ]),
+        &[("_MA", "2")],
+    ),
+];
 
 /// The entry. Example: the milling cutter T3 in radial position of B:9526-9580, length L2 and radius.
 pub static CYCLE982: Cycle = Cycle {
@@ -52,8 +82,9 @@ pub static CYCLE982: Cycle = Cycle {
         "_CHBIT[23]",
     ],
     results: results::RESULTS,
-    // A:15856; 61326 and 61351 are ours, for what the manual refuses without a number (B:9208, B:9838)
-    alarms: &[tool_probe::ALARMS, &alarms([61315, 61326, 61351])],
+    // A:15856; 61326, 61330 and 61351 are ours, for what the manual refuses without a number (B:9208, B:9838), and as in
+    // CYCLE972 (A:15873)
+    alarms: &[tool_probe::ALARMS, &alarms([61315, 61326, 61330, 61351])],
     checks: checks::checks,
     help: Help::new(&[help::LINES, tool_probe::help::ALL]),
     picture: Drawing::new(picture::picture),
@@ -70,6 +101,15 @@ pub static CYCLE982: Cycle = Cycle {
         ("_TZL", "0.001"),
         ("_TDIF", "2.5"),
     ],
-    simulation: None,
+    simulation: Some(
+        Simulation::new(
+            Work {
+                propose: propose::propose,
+                simulate: simulate::simulate,
+            },
+            EXAMPLES,
+        )
+        .with_tool(propose::tool),
+    ),
     source: "B:9124-10126",
 };

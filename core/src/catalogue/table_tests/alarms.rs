@@ -11,6 +11,7 @@ const ADDED: &[Code] = &[
     Code::Alarm(61316),
     Code::Alarm(61321),
     Code::Alarm(61326),
+    Code::Alarm(61330),
     Code::Alarm(61334),
     Code::Alarm(61341),
     Code::Alarm(61351),

@@ -54,6 +54,17 @@ pub fn finish(
     Ok(Next::Done)
 }
 
+/// Reports and corrects without limits and into the geometry, as an incremental measurement does (B:9935).
+pub fn finish_always(machine: &mut dyn Machine, inputs: &Inputs, found: &[Measured]) {
+    report_call(machine, inputs);
+    for one in found {
+        let difference = one.value - active(machine.control(), one.part);
+        results::length(machine, one.result, one.value);
+        results::length(machine, one.result + 1, difference);
+        write(machine, one.part, difference, true);
+    }
+}
+
 /// The length or radius that counts now, wear included, mm.
 pub fn active(control: &Control, part: usize) -> f64 {
     match part {

@@ -1,0 +1,75 @@
+//! Which edge of a milling tool or drill touches: how the milling spindle is turned (B:9194-9200, B:9596-9610).
+
+use super::params::{DRILL, REVERSAL, SPINDLE_AS_IT_IS};
+use super::stand::Stand;
+use crate::catalogue::names;
+use crate::catalogue::sinumerik::alarm;
+use crate::catalogue::sinumerik::measuring_block::turnable;
+use crate::check::Inputs;
+use crate::run::{Machine, Stop};
+
+/// Turn from one edge to the one opposite, degree.
+const OPPOSITE: f64 = 180.0;
+
+/// Angles at which the points are touched.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Edges {
+    /// Start angle, degree; none where the spindle is left as it is: it turns already, or `_CHBIT[20]` = 1 (B:10088).
+    start: Option<f64>,
+    /// With a second edge at every point, turned by 180 degree and this angle, degree (B:9600-9602).
+    second: Option<f64>,
+}
+
+impl Edges {
+    /// From parameters and the state of the spindle. With reversal it has to stand (61307), and to be turned it has to be
+    /// one that can be positioned (61372).
+    pub fn of(machine: &mut dyn Machine, inputs: &Inputs) -> Result<Edges, Stop> {
+        let control = machine.control();
+        // a drill may stand in a holder without a spindle
+        let held = DRILL.holds(inputs) && !control.spindle_positions;
+        let stays = held || SPINDLE_AS_IT_IS.holds(inputs) || control.spindle_speed != 0.0;
+        let second = REVERSAL.holds(inputs).then(|| inputs.number(names::CORA));
+        if stays && second.is_some() {
+            return Err(alarm(machine, 61307));
+        }
+        if !stays {
+            turnable(machine)?;
+        }
+        Ok(Edges {
+            start: (!stays).then(|| inputs.number(names::STA1)),
+            second,
+        })
+    }
+
+    /// Whether the same edge has to be turned to a point on the other side: without reversal, the spindle standing.
+    pub fn follow(&self) -> bool {
+        self.start.is_some() && self.second.is_none()
+    }
+
+    /// Touches a point, `turned`: with the spindle turned to the other side first; with reversal a second time with the
+    /// edge opposite. Mean position at switching, mm.
+    pub fn touch(
+        &self,
+        machine: &mut dyn Machine,
+        stand: &Stand,
+        turned: bool,
+        touch: impl Fn(&mut dyn Machine, &Stand) -> Result<f64, Stop>,
+    ) -> Result<f64, Stop> {
+        let Some(start) = self.start else {
+            return touch(machine, stand);
+        };
+        let first = start
+            + if turned && self.follow() {
+                OPPOSITE
+            } else {
+                0.0
+            };
+        machine.orient(first.rem_euclid(360.0));
+        let latched = touch(machine, stand)?;
+        let Some(offset) = self.second else {
+            return Ok(latched);
+        };
+        machine.orient((start + OPPOSITE + offset).rem_euclid(360.0));
+        Ok((latched + touch(machine, stand)?) / 2.0)
+    }
+}
