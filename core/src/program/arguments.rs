@@ -3,8 +3,8 @@
 use super::calls::CallSite;
 use super::change::Edit;
 use super::tree::{Program, WordKind};
-use super::values::opposite;
-use crate::catalogue::{Arg, ArgumentList, list};
+use super::values::{Value, opposite};
+use crate::catalogue::{Arg, ArgumentList, Cycle, Kind, Style, list};
 use crate::diagnostic::Span;
 
 /// Place of each argument of the call at `span`, blanks around it left out; an empty place where one is omitted.
@@ -142,4 +142,49 @@ fn written(program: &Program, place: Span) -> Option<i64> {
         return Some(0);
     }
     text.parse().ok()
+}
+
+/// Values of the parameters that the arguments give, the variant put together from its selections. An indirect call
+/// gives all of them: an omitted one is 0, or an empty text.
+pub(super) fn given(
+    cycle: &'static Cycle,
+    list: &ArgumentList,
+    span: Span,
+    arguments: &[Option<Value>],
+) -> Vec<(&'static str, Value)> {
+    let mut found = Vec::new();
+    let at = |index: usize| arguments.get(index).and_then(Option::as_ref);
+    for (index, arg) in list.args.iter().enumerate() {
+        let (Arg::Param(name) | Arg::Down(name)) = arg else {
+            continue;
+        };
+        let omitted = || {
+            let text = cycle
+                .param(name)
+                .is_some_and(|param| matches!(param.kind, Kind::Text(_)));
+            Value {
+                text: if text { String::new() } else { "0".to_owned() },
+                place: span,
+                number: (!text).then_some(0.0),
+                shared: false,
+            }
+        };
+        let value = at(index).cloned().map(|value| match arg {
+            Arg::Down(_) => value.opposite(),
+            _ => value,
+        });
+        let value = value.or_else(|| (list.style == Style::Indirect).then(omitted));
+        found.extend(value.map(|value| (*name, value)));
+    }
+    let number = |index| at(index).map_or(Some(0.0), |value| value.number);
+    if let Some((name, variant)) = list.composed(cycle, number) {
+        let value = Value {
+            text: variant.to_string(),
+            place: span,
+            number: Some(variant as f64),
+            shared: false,
+        };
+        found.push((name, value));
+    }
+    found
 }

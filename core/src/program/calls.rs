@@ -1,5 +1,7 @@
 //! The measuring calls of a program, each with the values that count at it.
 
+mod data;
+
 use super::arguments;
 use super::block::BETWEEN;
 use super::flow::Way;
@@ -7,15 +9,12 @@ use super::fold::{self, Known};
 use super::tools::Tools;
 use super::tree::{Block, Expr, ExprId, Program, Word, WordKind};
 use super::values::{self, Value};
-use crate::catalogue::{self, Arg, ArgumentList, Cycle, Dialect, Kind, Style, list, nct};
+use crate::catalogue::{self, Arg, ArgumentList, Cycle, Dialect, Style, list, nct};
 use crate::check::{Typed, check};
-use crate::control::{Control, Plane, arrays, delivery};
+use crate::control::{Control, Plane, delivery};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::support::BITS;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
-
-/// Most elements of an array that a program declares.
-const ELEMENTS: f64 = 10_000.0;
 
 /// A measuring call. Lines count from 0.
 pub struct CallSite {
@@ -65,7 +64,7 @@ pub fn calls_told(program: &Program, control: Control, told: &mut dyn FnMut(f64)
     let mut walk = Walk {
         program,
         known: Known::new(),
-        unsteady: unsteady(program),
+        unsteady: fold::unsteady(program),
         newest: HashMap::new(),
         arrays: HashMap::new(),
         own_from: 0,
@@ -97,27 +96,6 @@ struct Walk<'a> {
     tools: Tools,
     control: Control,
     found: Vec<CallSite>,
-}
-
-/// How often each variable is assigned, if the program can run a line twice; else nothing.
-fn unsteady(program: &Program) -> HashMap<String, u32> {
-    const BACK: [&str; 7] = ["FOR", "WHILE", "DO", "REPEAT", "LOOP", "GOTOB", "GOTO"];
-    let repeats = |word: &Word| match word.kind {
-        WordKind::Keyword { name, .. } => BACK.iter().any(|keyword| program.is(name, keyword)),
-        _ => false,
-    };
-    let mut counts = HashMap::new();
-    if program.words.iter().any(repeats) {
-        for word in &program.words {
-            if let WordKind::Assign { name, index, .. } = &word.kind
-                && let Some(name) = fold::name(program, *name, index, &Known::new())
-            {
-                *counts.entry(name).or_default() += 1;
-            }
-        }
-    }
-    counts.retain(|_, count| *count > 1);
-    counts
 }
 
 impl Walk<'_> {
@@ -218,7 +196,7 @@ impl Walk<'_> {
         span: Span,
         arguments: &[Option<Value>],
     ) {
-        let mut values = given(cycle, list, span, arguments);
+        let mut values = arguments::given(cycle, list, span, arguments);
         if list.style == Style::Indirect {
             // The called program puts every argument into the data, also those that are omitted.
             for (name, value) in values {
@@ -273,96 +251,6 @@ impl Walk<'_> {
 
     fn cycle(&self, name: &str) -> Option<&'static Cycle> {
         catalogue::find(self.program.dialect, name)
-    }
-
-    fn learn(&mut self, name: String, number: Option<f64>) {
-        self.tools.learn(&mut self.control, &name, number);
-        match number.filter(|_| !self.unsteady.contains_key(&name)) {
-            Some(number) => {
-                self.control.set(name.clone(), number);
-                self.known.insert(name, number);
-            }
-            None => drop(self.known.remove(&name)),
-        }
-    }
-
-    fn assign(&mut self, name: String, value: Value, line: u32) {
-        self.learn(name.clone(), value.number);
-        self.newest.insert(name, (value, line));
-    }
-
-    /// One value, or those of `SET(…)` or `REP(…)` spread over an array.
-    fn write(&mut self, name: String, value: ExprId, span: Span, line: u32) {
-        match spread(self.program, value) {
-            Spread::One => {
-                let value = values::value(self.program, value, span, &self.known);
-                self.assign(name, value, line);
-            }
-            Spread::Each(values) => {
-                let elements = self.elements(&name);
-                for (element, id) in elements.into_iter().zip(values) {
-                    self.assign_element(element, *id, line);
-                }
-            }
-            Spread::Same(id) => {
-                let place = values::place(self.program, id).unwrap_or(span);
-                let value = Value {
-                    shared: true,
-                    ..values::value(self.program, id, place, &self.known)
-                };
-                for element in self.repeated(&name) {
-                    self.assign(element, value.clone(), line);
-                }
-            }
-        }
-    }
-
-    /// `_SETV[0]=SET(1,,3)` writes `_SETV[0]` and `_SETV[2]`. A value whose place is not known is at least forgotten.
-    fn assign_element(&mut self, element: String, id: ExprId, line: u32) {
-        if matches!(self.program.expr(id), None | Some(Expr::Omitted(_))) {
-            return;
-        }
-        match values::place(self.program, id) {
-            Some(place) => {
-                let value = values::value(self.program, id, place, &self.known);
-                self.assign(element, value, line);
-            }
-            None => {
-                let number = fold::number(self.program, id, &self.known);
-                self.learn(element.clone(), number);
-                self.newest.remove(&element);
-            }
-        }
-    }
-
-    fn elements(&self, name: &str) -> Vec<String> {
-        let stem = name.split('[').next().unwrap_or_default();
-        let local = self.arrays.get(stem).map(Vec::as_slice);
-        let sizes = local.or_else(|| arrays::sizes(name));
-        sizes.map_or(Vec::new(), |sizes| arrays::elements_from(name, sizes))
-    }
-
-    fn repeated(&self, name: &str) -> Vec<String> {
-        arrays::repeated(&self.control, name).unwrap_or_else(|| self.elements(name))
-    }
-
-    /// `DEF REAL A=1, B[3]=SET(1,2)`.
-    fn declare(&mut self, name: Span, index: &[ExprId], value: Option<ExprId>, line: u32) {
-        let name = self.program.name(name);
-        if !index.is_empty() {
-            let size = |id: &ExprId| fold::number(self.program, *id, &self.known);
-            let sizes: Option<Vec<f64>> = index.iter().map(size).collect();
-            let sizes = sizes.unwrap_or_default();
-            if sizes.iter().product::<f64>() > ELEMENTS {
-                return;
-            }
-            let sizes = sizes.into_iter().map(|size| size as usize).collect();
-            self.arrays.insert(name.clone(), sizes);
-        }
-        if let Some(value) = value {
-            let place = values::place(self.program, value).unwrap_or_default();
-            self.write(name, value, place, line);
-        }
     }
 
     fn sinumerik(
@@ -465,72 +353,6 @@ impl Walk<'_> {
             finding.span = Some(place.copied().unwrap_or(site.span));
         }
         self.found.push(site);
-    }
-}
-
-/// Values of the parameters that the arguments give, the variant put together from its selections. An indirect call
-/// gives all of them: an omitted one is 0, or an empty text.
-fn given(
-    cycle: &'static Cycle,
-    list: &ArgumentList,
-    span: Span,
-    arguments: &[Option<Value>],
-) -> Vec<(&'static str, Value)> {
-    let mut found = Vec::new();
-    let at = |index: usize| arguments.get(index).and_then(Option::as_ref);
-    for (index, arg) in list.args.iter().enumerate() {
-        let (Arg::Param(name) | Arg::Down(name)) = arg else {
-            continue;
-        };
-        let omitted = || {
-            let text = cycle
-                .param(name)
-                .is_some_and(|param| matches!(param.kind, Kind::Text(_)));
-            Value {
-                text: if text { String::new() } else { "0".to_owned() },
-                place: span,
-                number: (!text).then_some(0.0),
-                shared: false,
-            }
-        };
-        let value = at(index).cloned().map(|value| match arg {
-            Arg::Down(_) => value.opposite(),
-            _ => value,
-        });
-        let value = value.or_else(|| (list.style == Style::Indirect).then(omitted));
-        found.extend(value.map(|value| (*name, value)));
-    }
-    let number = |index| at(index).map_or(Some(0.0), |value| value.number);
-    if let Some((name, variant)) = list.composed(cycle, number) {
-        let value = Value {
-            text: variant.to_string(),
-            place: span,
-            number: Some(variant as f64),
-            shared: false,
-        };
-        found.push((name, value));
-    }
-    found
-}
-
-/// How a right side fills an array.
-enum Spread<'a> {
-    /// It does not: one value.
-    One,
-    /// `SET(…)` or a list: an element each.
-    Each(&'a [ExprId]),
-    /// `REP(…)`: all elements.
-    Same(ExprId),
-}
-
-fn spread(program: &Program, value: ExprId) -> Spread<'_> {
-    match program.expr(value) {
-        Some(Expr::Call(name, values)) if program.is(*name, "SET") => Spread::Each(values),
-        Some(Expr::List(values)) => Spread::Each(values),
-        Some(Expr::Call(name, values)) if program.is(*name, "REP") && values.len() == 1 => {
-            values.first().map_or(Spread::One, |id| Spread::Same(*id))
-        }
-        _ => Spread::One,
     }
 }
 

@@ -126,3 +126,24 @@ pub(super) fn place(program: &Program, id: ExprId) -> Option<Span> {
         _ => None,
     }
 }
+
+/// How a right side fills an array.
+pub(super) enum Spread<'a> {
+    /// It does not: one value.
+    One,
+    /// `SET(…)` or a list: an element each.
+    Each(&'a [ExprId]),
+    /// `REP(…)`: all elements.
+    Same(ExprId),
+}
+
+pub(super) fn spread(program: &Program, value: ExprId) -> Spread<'_> {
+    match program.expr(value) {
+        Some(Expr::Call(name, values)) if program.is(*name, "SET") => Spread::Each(values),
+        Some(Expr::List(values)) => Spread::Each(values),
+        Some(Expr::Call(name, values)) if program.is(*name, "REP") && values.len() == 1 => {
+            values.first().map_or(Spread::One, |id| Spread::Same(*id))
+        }
+        _ => Spread::One,
+    }
+}
