@@ -228,6 +228,27 @@ async function million(page) {
   row("a million lines: longest standstill of the page, ms", [(await page.evaluate(() => globalThis.longest)).toFixed(0)]);
 }
 
+// A surface scanned with a million points, in the page's own module: scan and comparison, and the texts.
+async function scan(page) {
+  const [points, scanned, texts] = await page.evaluate(() => {
+    const core = globalThis["bench-program"];
+    const { control, cycle, example } = JSON.parse(core.catalogue()).cycles.find((one) => one.surfaces.length > 0);
+    const { setup } = JSON.parse(core.form(JSON.stringify({ control, cycle, values: example, predict: true })));
+    const values = { ...example, Q: "1", R: "0.06", J: "0.04" };
+    const start = performance.now();
+    const scan = new core.Scan(JSON.stringify({ control, cycle, values, setup }), new Uint8Array());
+    while (!scan.advance(1000));
+    const scanned = performance.now();
+    const { points } = JSON.parse(scan.view());
+    for (const form of ["program", "points", "surface"]) {
+      for (let from = 0; from < points; from += 50_000) scan.text(form, from, from + 50_000);
+    }
+    return [points, (scanned - start) / 1000, (performance.now() - scanned) / 1000];
+  });
+  row(`a surface of ${points} points: scanned and compared, s`, [scanned.toFixed(1), "< 20", verdict(scanned, 20)]);
+  row("its three texts, s", [texts.toFixed(1)]);
+}
+
 // What comes after the first form: by name of the part, its files. Everything else is needed for the form.
 const PARTS = [["editor", /\/editor-/], ["preview", /\/(preview|view)[-_]/], ["programs", /\/(program|worker|words-en-later)[-_]/]];
 
@@ -265,6 +286,7 @@ try {
   await keystrokes(browser, page);
   await reading(page);
   await running(page);
+  await scan(page);
   await manyCalls(page);
   await playing(page);
   await million(page);

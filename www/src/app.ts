@@ -15,6 +15,7 @@ import { openProgramFile, openSetupFile } from "./open";
 import { keepPlaces } from "./places";
 import type { ProgramCore } from "./program";
 import { firstState, machine, merge, NO_ERRORS, remember, type State } from "./state";
+import { createScanner } from "./scan/scanner";
 import { createStore, type Store } from "./store";
 import { language, laterWords } from "./texts";
 import { showBroken } from "./views/broken";
@@ -127,10 +128,11 @@ export async function startApp(core: Core, stored: Partial<State> | null): Promi
     setup: (file: File): void => void openSetupFile(file, full, store, actions).catch(absent),
   };
   acceptDrops(open.program, open.setup);
+  const scanner = createScanner(() => programCore?.module, store);
   const editor = createEditorPlace(() => store.update({}));
   const stage = createStage(store);
   const makeBench = (): Bench => createBench({
-    catalogue, store, actions, open, editor, stage, reader, runner, core: () => programCore, alarms: coming.then((part) => part.alarms()),
+    catalogue, store, actions, open, editor, stage, reader, runner, scanner, core: () => programCore, alarms: coming.then((part) => part.alarms()),
     goToField: createGoToField(catalogue, guard(() => store, shows), store, actions),
   });
   let bench = makeBench();

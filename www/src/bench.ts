@@ -8,6 +8,7 @@ import { el, setText, show } from "./dom";
 import type { EditorPlace } from "./editor/place";
 import { createLayout } from "./layout";
 import type { ProgramCore } from "./program";
+import type { Scanner } from "./scan/scanner";
 import { programOf, type State, type Stopped } from "./state";
 import type { Store } from "./store";
 import { language, t } from "./texts";
@@ -37,6 +38,7 @@ export interface Parts {
   stage: Stage;
   reader: Aside;
   runner: Aside;
+  scanner: Scanner;
   goToField(control: Dialect, name: string): void;
   /** As soon as it is there. */
   core(): ProgramCore | null;
@@ -45,7 +47,7 @@ export interface Parts {
 
 export interface Bench { readonly language: string; draw(state: State, derived: Derived): void; end(): void }
 
-export function createBench({ catalogue, store, actions, open, editor, stage, reader, runner, goToField, core, alarms }: Parts): Bench {
+export function createBench({ catalogue, store, actions, open, editor, stage, reader, runner, scanner, goToField, core, alarms }: Parts): Bench {
   const stop = new AbortController();
   const layout = createLayout(actions, stop.signal);
   const { panels } = layout;
@@ -64,7 +66,7 @@ export function createBench({ catalogue, store, actions, open, editor, stage, re
   panels.view.append(activities[1].root);
   const views = [
     createHeader(layout.header, store, actions, open.setup, core), createTasks(panels.tasks, store, actions, found), createForm(panels.form, store, actions, () => sets.dialog.showModal()),
-    createScene(panels.view, store, program.goToLine, stage), createResults(results, store, actions, program.goTo), createSliders(sliders, store, actions), createHelp(panels.help, store, actions, core), sets.draw, card.draw,
+    createScene(panels.view, store, program.goToLine, stage), createResults(results, store, actions, scanner, program.goTo), createSliders(sliders, store, actions), createHelp(panels.help, store, actions, core), sets.draw, card.draw,
     program.draw, // last: the editor asks for the selection, and that lays out the page
   ];
   return {

@@ -6,7 +6,7 @@ import { isRead } from "./desk";
 import { severities } from "./outline";
 import { machine, programOf, type State } from "./state";
 import { language, say } from "./texts";
-import type { CallView, Catalogue, CycleInfo, Diagnostic, FormView, OwnMachine, Plane, ReadView, RunView, Setup, Severity, Style, Trace, UnitFunction } from "./wire";
+import type { CallView, Catalogue, CycleInfo, Diagnostic, FormView, OwnMachine, Plane, ReadView, RunView, ScanView, Setup, Severity, Style, Trace, UnitFunction } from "./wire";
 
 export interface Derived {
   catalogue: Catalogue;
@@ -49,6 +49,11 @@ function gather(read: ReadView): Diagnostic[] {
 
 const NOTHING_READ: ReadView = { calls: [], diagnostics: [] };
 
+/** What a scan leaves to be looked at: nothing moves any more. */
+function stillOf({ solids, radius }: ScanView): Trace {
+  return { entries: [], ball: { radius, length: radius }, solids, frames: [] };
+}
+
 /** The names of the fields in the reader's language, for the comments of the snippet: asked again when that changes. */
 function labels(view: FormView): Record<string, string> {
   return Object.fromEntries(view.fields.map((field) => [field.name, say(field.label)]));
@@ -62,6 +67,7 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
     const view = core.form({ ...request, predict: true, ...(twin ? { twin } : {}), ...(limits ? { limits } : {}) });
     return comments !== null ? { ...view, snippet: core.form({ ...request, comments: labels(view) }).snippet } : view;
   });
+  const still = memo(stillOf);
   const problems = memo(gather);
   const states = memo(severities);
 
@@ -74,7 +80,8 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
     const view = form(core, cycle, state.values, state.errors, state.comments ? language() : null, style, state.twin && cycle.twins, state.limits, machine(state).setup, opened?.plane, opened?.units);
     const all = problems(reading);
     const ran = state.source === "program" && state.ran?.control === cycle.control ? state.ran.view : null;
-    const trace = (state.source === "program" ? ran?.trace : view.outcome?.trace) ?? null;
+    const scanned = state.source === "scan" && state.scan?.request.cycle === cycle.cycle ? state.scan : null;
+    const trace = (state.source === "program" ? ran?.trace : scanned ? still(scanned.view) : view.outcome?.trace) ?? null;
     return {
       catalogue, cycle, view, simulates: core.simulates, program: programOf(state), read: reading, fresh: isRead(state), opened, states: states(reading.calls, all), style: style ?? view.preset, run: ran,
       trace, step: Math.max(0, Math.min(state.step, (trace?.entries.length ?? 0) - 1)),

@@ -2,10 +2,11 @@
 // so views and computations compare by identity.
 
 import type { ProgramFile, Refusal } from "./files";
+import type { Scanned } from "./scan/scanner";
 import type { BasicSystem, CycleInfo, Diagnostic, Dialect, ErrorSliders, OwnMachine, Pending, Plane, ReadView, RunView, Setup, Style, UnitFunction } from "./wire";
 
 export type Panel = "tasks" | "form" | "program" | "view" | "results" | "help";
-export type ResultTab = "outcome" | "problems" | "motions" | "log";
+export type ResultTab = "outcome" | "problems" | "motions" | "log" | "scan";
 /** What the core said about a text. It is current while the program is still that text. */
 export interface Reading { control: Dialect; text: string; setup?: Setup | OwnMachine; view: ReadView }
 export interface Ran { control: Dialect; text: string; setup?: Setup | OwnMachine; view: RunView }
@@ -36,7 +37,7 @@ export interface State {
   own: Partial<Record<Dialect, OwnMachine>>;         // how the core's own begins, where that was chosen
   checked: boolean;                                  // problems are shown at every field
   touched: Record<string, true>;                     // fields whose problems are shown
-  source: "form" | "program";                        // whose motions the 3D view shows
+  source: "form" | "program" | "scan";               // whose motions the 3D view shows, or the points of the scan
 
   panel: Panel;
   left: Panel;
@@ -66,6 +67,8 @@ export interface State {
   stoppedReading: Stopped | null;
   stoppedRun: Stopped | null;
   refused: (Refusal & { place: "program" | "setup" }) | null; // a file that could not be opened
+  scan: Scanned | null;                              // the last one, while the page is open
+  scanProblem: string;                               // why the last one could not be made
   undo: Partial<State> | null;                       // what the last replacement of work has replaced
 }
 
@@ -83,11 +86,11 @@ export function firstState(): State {
     errors: NO_ERRORS, comments: true, twin: false, style: "", setup: null, own: {}, checked: false, touched: {}, source: "form",
     panel: "form", left: "form", right: "results", tab: "outcome", theme: "system", language: "", unfolded: {}, outline: true,
     search: "", limits: false, card: null, converting: null, converted: null, mended: null, focus: null, step: AT_END, playing: false, cursor: 0, cursorLine: 1, notice: "",
-    reading: null, ran: null, sought: null, follow: null, stoppedReading: null, stoppedRun: null, refused: null, undo: null,
+    reading: null, ran: null, sought: null, follow: null, stoppedReading: null, stoppedRun: null, refused: null, scan: null, scanProblem: "", undo: null,
   };
 }
 
-const NOT_KEPT = ["search", "limits", "card", "converting", "converted", "mended", "focus", "step", "playing", "cursor", "cursorLine", "notice", "reading", "ran", "sought", "follow", "stoppedReading", "stoppedRun", "refused", "undo"] as const satisfies (keyof State)[];
+const NOT_KEPT = ["search", "limits", "card", "converting", "converted", "mended", "focus", "step", "playing", "cursor", "cursorLine", "notice", "reading", "ran", "sought", "follow", "stoppedReading", "stoppedRun", "refused", "scan", "scanProblem", "undo"] as const satisfies (keyof State)[];
 /** What a replacement of work can take away. */
 const WORK = ["control", "cycle", "values", "remembered", "programs", "files", "sets", "open", "pending", "errors", "setup", "own", "checked", "touched"] as const satisfies (keyof State)[];
 const IN_LINK = ["control", "cycle", "values", "programs", "open", "errors", "comments", "style", "setup", "own", "checked", "source"] as const satisfies (keyof State)[];

@@ -31,6 +31,7 @@ export interface CycleInfo {
   example: Record<string, string>;     // values of a worked measurement, as typed
   drawn: boolean;                      // false: there is no picture
   twins: boolean;                      // the other control has some of its tasks too
+  surfaces: string[];                  // names of our surfaces, where it scans one, which a Scan answers in pieces; else none
   simulated: boolean;                  // false: form, checks and text only; a FormView has no outcome
   source: string;
 }
@@ -246,3 +247,15 @@ export interface Converted { edits: Edit[]; findings: Diagnostic[] }
 // run(RunRequest) -> RunView
 export interface RunRequest { control: Dialect; text: string; setup?: Setup | OwnMachine } // absent: the core's own machine as it is
 export interface RunView { trace: Trace; diagnostics: Diagnostic[]; results: { name: string; value: number }[]; changes: Outcome["changes"]; alarms: Outcome["alarms"]; log: string[]; finished: boolean }
+
+// Scan(ScanRequest, bytes): a surface scanned in pieces. setup: that of the FormView; its surface, or another one as large.
+export interface ScanRequest { control: Dialect; cycle: string; values: Record<string, string>; setup: Setup; plane?: Plane; units?: UnitFunction; surface?: SurfaceChoice }
+/** One of ours by name; a picture whose rows have so many grey values, or an STL file: of both the bytes go along. */
+export type SurfaceChoice = { example: string } | { picture: number } | "stl";
+export type ScanText = "program" | "points" | "surface";
+/** mm; of the points as sent, and with the ball taken out. origin: of the points, machine coordinates. */
+export interface ScanView {
+  points: number; lines: number; alarms: Outcome["alarms"];
+  sent: Deviation; surface: Deviation; solids: Solid[]; radius: number; origin: Vec3;
+}
+export interface Deviation { greatest: number; mean: number }

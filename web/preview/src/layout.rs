@@ -7,9 +7,12 @@ pub const VERTEX_FLOATS: usize = 11;
 /// Floats of one line instance: ends 6, RGBA 4, width px, dash period px (0: solid), place in the trace (−1: always
 /// there), 1 if unseen before its place (0: faint), opacity behind the part, part of an entry that it is travelled in.
 pub const LINE_FLOATS: usize = 16;
+/// Floats of one point of a cloud: position 3, deviation in mm.
+pub const POINT_FLOATS: usize = 4;
 /// Floats of the uniform block: matrix 16, right 4, up 4, towards the viewer 4, screen 4 (width px, height px, time,
-/// faintness of what is still to come), probe 4 (offset in mm, depth bias).
-pub const UNIFORM_FLOATS: usize = 36;
+/// faintness of what is still to come), probe 4 (offset in mm, depth bias), cloud 4 (size of a point in px, deviation of
+/// full colour in mm), colours of points that lie outside 4, on the surface 4 and inside 4.
+pub const UNIFORM_FLOATS: usize = 52;
 
 const FLOAT: u64 = 4;
 
@@ -36,6 +39,11 @@ const LINE: [VertexAttribute; 5] = [
     attribute(VertexFormat::Float32x2, 14, 4),
 ];
 
+const POINT: [VertexAttribute; 2] = [
+    attribute(VertexFormat::Float32x3, 0, 0),
+    attribute(VertexFormat::Float32, 3, 1),
+];
+
 /// Layout of a mesh vertex.
 pub fn vertex() -> VertexBufferLayout<'static> {
     VertexBufferLayout {
@@ -51,5 +59,14 @@ pub fn line() -> VertexBufferLayout<'static> {
         array_stride: LINE_FLOATS as u64 * FLOAT,
         step_mode: VertexStepMode::Instance,
         attributes: &LINE,
+    }
+}
+
+/// Layout of a point of a cloud: an instance of four corners.
+pub fn point() -> VertexBufferLayout<'static> {
+    VertexBufferLayout {
+        array_stride: POINT_FLOATS as u64 * FLOAT,
+        step_mode: VertexStepMode::Instance,
+        attributes: &POINT,
     }
 }

@@ -1,4 +1,4 @@
-//! The four ways of drawing: solid parts, clear parts, lines in sight, lines behind a part.
+//! The five ways of drawing: solid parts, clear parts, lines in sight, lines behind a part, clouds of points.
 
 use wgpu::{BindGroupLayout, CompareFunction, Device, RenderPipeline, TextureFormat};
 
@@ -15,6 +15,8 @@ pub struct Pipelines {
     pub line: RenderPipeline,
     /// Lines behind the parts, fainter.
     pub hidden: RenderPipeline,
+    /// Points of a cloud.
+    pub point: RenderPipeline,
 }
 
 struct Way<'a> {
@@ -48,11 +50,19 @@ pub fn build(device: &Device, format: TextureFormat, bind: &BindGroupLayout) -> 
         writes_depth: false,
         compare,
     };
+    let point = Way {
+        vertex: "point_vertex",
+        fragment: "point_fragment",
+        buffer: layout::point(),
+        writes_depth: true,
+        compare: CompareFunction::LessEqual,
+    };
     Pipelines {
         solid: make(&mesh(true)),
         clear: make(&mesh(false)),
         line: make(&line("line_fragment", CompareFunction::LessEqual)),
         hidden: make(&line("line_hidden_fragment", CompareFunction::Greater)),
+        point: make(&point),
     }
 }
 

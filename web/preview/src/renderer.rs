@@ -8,7 +8,7 @@ use wgpu::{BindGroup, BindGroupLayout, Buffer, CurrentSurfaceTexture, Device, Re
 use crate::gpu::{self, Gpu};
 use crate::layout::UNIFORM_FLOATS;
 use crate::pipelines::{self, Pipelines};
-use crate::scene::{self, Scene};
+use crate::scene::{self, Cloud, Scene};
 use crate::target::{self, Target};
 
 /// Draws on one canvas. Every failure is a text; after one the page takes the next way of drawing.
@@ -20,6 +20,7 @@ pub struct Renderer {
     uniforms: Buffer,
     bind: BindGroup,
     scene: Scene,
+    cloud: Option<Cloud>,
     background: wgpu::Color,
 }
 
@@ -41,6 +42,7 @@ impl Renderer {
             uniforms,
             bind,
             scene: Scene::default(),
+            cloud: None,
             background: wgpu::Color::BLACK,
             gpu,
         })
@@ -56,6 +58,12 @@ impl Renderer {
         lines: &[f32],
     ) -> Result<(), String> {
         self.scene = scene::upload(&self.gpu.device, vertices, corners, solid_corners, lines)?;
+        Ok(())
+    }
+
+    /// Replaces the cloud of points; it stays while the scene changes.
+    pub fn set_cloud(&mut self, points: &[f32]) -> Result<(), String> {
+        self.cloud = scene::upload_cloud(&self.gpu.device, points)?;
         Ok(())
     }
 
@@ -152,10 +160,15 @@ impl Renderer {
         }
     }
 
-    /// Solid parts, lines behind them, lines before them, clear parts.
+    /// Solid parts, the cloud, lines behind them, lines before them, clear parts.
     fn draw(&self, pass: &mut RenderPass<'_>) {
         let scene = &self.scene;
         self.draw_mesh(pass, &self.pipelines.solid, 0..scene.solid_corners);
+        if let Some(cloud) = &self.cloud {
+            pass.set_vertex_buffer(0, cloud.points.slice(..));
+            pass.set_pipeline(&self.pipelines.point);
+            pass.draw(0..6, 0..cloud.count);
+        }
         if let Some(lines) = &scene.lines {
             pass.set_vertex_buffer(0, lines.slice(..));
             pass.set_pipeline(&self.pipelines.hidden);

@@ -5,6 +5,8 @@ struct View {
     back: vec4<f32>,
     screen: vec4<f32>, // width px, height px, time, faintness of what is still to come
     probe: vec4<f32>,  // offset mm, depth bias
+    cloud: vec4<f32>,  // size of a point px, deviation of full colour mm
+    outside: vec4<f32>, level: vec4<f32>, inside: vec4<f32>, // colours of points by their deviation
 }
 @group(0) @binding(0) var<uniform> view: View;
 
@@ -97,4 +99,27 @@ fn line_fragment(in: Stroke) -> @location(0) vec4<f32> {
 @fragment
 fn line_hidden_fragment(in: Stroke) -> @location(0) vec4<f32> {
     return vec4<f32>(in.colour.rgb, coverage(in) * in.style.y);
+}
+
+// Points of a cloud: squares of constant size on the screen.
+
+struct Dot {
+    @builtin(position) clip: vec4<f32>,
+    @location(0) colour: vec4<f32>,
+}
+
+@vertex
+fn point_vertex(@builtin(vertex_index) corner: u32, @location(0) at: vec3<f32>, @location(1) deviation: f32) -> Dot {
+    let clip = view.matrix * vec4<f32>(at, 1.0);
+    let x = select(-1.0, 1.0, corner == 1u || corner == 2u || corner == 4u);
+    let y = select(-1.0, 1.0, corner == 2u || corner == 4u || corner == 5u);
+    let offset = vec2<f32>(x, y) * view.cloud.x / view.screen.xy * clip.w;
+    let share = clamp(deviation / view.cloud.y, -1.0, 1.0);
+    let colour = select(mix(view.level, view.inside, -share), mix(view.level, view.outside, share), share >= 0.0);
+    return Dot(vec4<f32>(clip.xy + offset, clip.z - view.probe.w * clip.w, clip.w), colour);
+}
+
+@fragment
+fn point_fragment(in: Dot) -> @location(0) vec4<f32> {
+    return in.colour;
 }

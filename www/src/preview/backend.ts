@@ -14,10 +14,14 @@ export interface Frame {
   probe: Vec3 | null;  // centre of the ball
 }
 
+/** Scanned points: four numbers each, X Y Z from the origin and the deviation, mm. `full`: deviation of full colour, mm. */
+export interface Cloud { points: Float32Array; origin: Vec3; full: number }
+
 export interface Backend {
   name: BackendName;
   element: HTMLElement | SVGElement;
   setScene(scene: Scene, ratio: number): void;
+  setCloud(cloud: Cloud | null): void;
   /** Throws when it cannot draw any more. */
   draw(frame: Frame): void;
   destroy(): void;

@@ -18,6 +18,9 @@ export interface Colours {
   touch: string;
   crash: string;
   zone: string;
+  outside: string;  // points of a scan that lie outside of the surface, on it, inside
+  level: string;
+  inside: string;
   axisX: string;
   axisY: string;
   axisZ: string;
@@ -27,12 +30,14 @@ export interface Colours {
 export const LIGHT: Colours = {
   background: "#f4f5f6", part: "#cfd4d9", edge: "#5c6670", grid: "#d9dde1", stylus: "#7c8791", ball: "#b3263c",
   rapid: "#1f6fb8", positioning: "#6b7680", measuring: "#d96b00", retract: "#e0a866", touch: "#1b2127", crash: "#c0007a", zone: "#b57900",
+  outside: "#c0460a", level: "#3a7d5f", inside: "#1f4fb8",
   axisX: "#a8452f", axisY: "#3d7d5a", axisZ: "#2f5fa8", text: "#2a323a",
 };
 
 export const DARK: Colours = {
   background: "#15191d", part: "#6f7982", edge: "#b4bec8", grid: "#2a3138", stylus: "#a9b4be", ball: "#d8425a",
   rapid: "#5fb0f5", positioning: "#9aa6b1", measuring: "#ff9d3c", retract: "#c98f4e", touch: "#f3f6f8", crash: "#ff5cc0", zone: "#f0c060",
+  outside: "#ff8a4a", level: "#86cfa8", inside: "#7fa8ff",
   axisX: "#e0846d", axisY: "#7bc79d", axisZ: "#84aef0", text: "#dbe2e8",
 };
 

@@ -1,16 +1,18 @@
 // WebGPU and WebGL2: the same drawing code in two builds, of which the browser loads the one that it can run.
 // An adapter alone proves nothing, the canvas may stay blank: a picture is drawn and its pixels are looked at first.
-import type { Backend, BackendName, Frame } from "./backend";
+import type { Backend, BackendName, Cloud, Frame } from "./backend";
 import { COMING } from "./backend";
 import { basis, matrix } from "./camera";
 import { parse } from "./colours";
 import { packLines, packVertices } from "./mesh";
 import type { Scene } from "./scene";
+import type { Vec3 } from "../wire";
 import { dot, sub } from "./vec";
 
 /** The exports of web/preview that are used here. */
 interface Renderer {
   set_scene(vertices: Float32Array, corners: Uint32Array, solidCorners: number, lines: Float32Array): void;
+  set_cloud(points: Float32Array): void;
   set_view(uniforms: Float32Array): void;
   set_background(r: number, g: number, b: number): void;
   resize(width: number, height: number): void;
@@ -27,6 +29,8 @@ type Lost = (reason?: string) => void;
 const LOST_EVENT = "probewright-preview-lost";
 const PROBE_SIZE = 64;
 const DEPTH_BIAS = 0.0015;
+const DOT = 2.4; // CSS pixels of a scanned point
+const NO_CLOUD = new Array<number>(16).fill(0);
 
 const load: Record<"webgpu" | "webgl2", () => Promise<Module>> = {
   webgpu: () => import("@pkg/preview-webgpu/preview.js") as Promise<Module>,
@@ -72,7 +76,7 @@ async function prove(renderer: Renderer, canvas: HTMLCanvasElement): Promise<voi
   const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -0.5, 0, 0, 0, 0.5, 1];
   const axes = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0];
   renderer.set_scene(vertices, Uint32Array.of(0, 1, 2, 0, 2, 3), 6, line);
-  renderer.set_view(Float32Array.from([...identity, ...axes, PROBE_SIZE, PROBE_SIZE, 0, 1, 0, 0, 0, 0]));
+  renderer.set_view(Float32Array.from([...identity, ...axes, PROBE_SIZE, PROBE_SIZE, 0, 1, 0, 0, 0, 0, ...NO_CLOUD]));
   renderer.set_background(0.2, 0.2, 0.6);
   renderer.render();
   look(canvas);
@@ -100,6 +104,8 @@ function look(canvas: HTMLCanvasElement): void {
 
 function backend(name: "webgpu" | "webgl2", canvas: HTMLCanvasElement, renderer: Renderer, lost: Lost): Backend {
   let scene: Scene | null = null;
+  let cloud: Cloud | null = null;
+  const place = (): void => renderer.set_cloud(cloud && scene ? placed(cloud, scene.origin) : new Float32Array());
   let size: [number, number] = [0, 0];
   const stop = new AbortController();
   canvas.addEventListener("webglcontextlost", () => lost("WebGL context lost"), { signal: stop.signal });
@@ -108,11 +114,17 @@ function backend(name: "webgpu" | "webgl2", canvas: HTMLCanvasElement, renderer:
     name,
     element: canvas,
     setScene(next, ratio) {
+      const moved = cloud && scene && sub(next.origin, scene.origin).some((way) => way !== 0);
       scene = next;
+      if (moved) place();
       const [r, g, b] = parse(next.colours.background);
       renderer.set_background(r, g, b);
       const corners = Uint32Array.from(next.mesh.corners);
       renderer.set_scene(packVertices(next.mesh, next.origin), corners, next.solidCorners, packLines(next.lines, next.origin, ratio));
+    },
+    setCloud(next) {
+      cloud = next;
+      place();
     },
     draw(frame) {
       if (!scene) return;
@@ -121,7 +133,7 @@ function backend(name: "webgpu" | "webgl2", canvas: HTMLCanvasElement, renderer:
         [canvas.width, canvas.height] = size = [width, height];
         renderer.resize(width, height);
       }
-      renderer.set_view(uniforms(scene, frame, width, height));
+      renderer.set_view(uniforms(scene, frame, width, height, cloud?.full ?? 1));
       renderer.render();
     },
     destroy() {
@@ -132,17 +144,32 @@ function backend(name: "webgpu" | "webgl2", canvas: HTMLCanvasElement, renderer:
   };
 }
 
-/** The uniform block of web/preview/src/layout.rs. */
-function uniforms(scene: Scene, frame: Frame, width: number, height: number): Float32Array {
+/** The points as they lie to the origin of the scene. */
+function placed({ points, origin }: Cloud, to: Vec3): Float32Array {
+  const [x, y, z] = sub(origin, to);
+  const moved = points.slice();
+  for (let i = 0; i < moved.length; i += 4) {
+    moved[i] = moved[i]! + x;
+    moved[i + 1] = moved[i + 1]! + y;
+    moved[i + 2] = moved[i + 2]! + z;
+  }
+  return moved;
+}
+
+/** The uniform block of web/preview/src/layout.rs. `full`: deviation of full colour, mm. */
+function uniforms(scene: Scene, frame: Frame, width: number, height: number, full: number): Float32Array {
   const camera = { ...frame.camera, target: sub(frame.camera.target, scene.origin) };
   const { right, up, back } = basis(camera);
   const reach = scene.radius + Math.abs(dot(camera.target, back)) + Math.hypot(...camera.target);
+  const { colours } = scene;
   const probe = frame.probe ? sub(frame.probe, scene.origin) : [0, 0, 0];
   return Float32Array.from([
     ...matrix(camera, frame.view, reach),
     ...right, 0, ...up, 0, ...back, 0,
     width, height, frame.time, COMING,
     ...probe, DEPTH_BIAS,
+    DOT * frame.ratio, full, 0, 0,
+    ...parse(colours.outside), ...parse(colours.level), ...parse(colours.inside),
   ]);
 }
 

@@ -3,9 +3,9 @@
 import { svg } from "../dom";
 import { drawInto, type Drawn } from "../draw";
 import type { Vec3 } from "../wire";
-import { COMING, type Backend, type Frame } from "./backend";
+import { COMING, type Backend, type Cloud, type Frame } from "./backend";
 import { basis, projector, type Projected } from "./camera";
-import { css, type Rgba } from "./colours";
+import { css, parse, type Rgba } from "./colours";
 import { cover, emptyDepth, hidden, type Depth } from "./depth";
 import { shader } from "./light";
 import { VERTEX_FLOATS, type Line, type Mesh } from "./mesh";
@@ -20,16 +20,18 @@ export function openSvg(host: HTMLElement): Backend {
   const element = svg("svg");
   host.prepend(element);
   let scene: Scene | null = null;
+  let cloud: Cloud | null = null;
   return {
     name: "svg",
     element,
     setScene(next) { scene = next; },
-    draw(frame) { if (scene) paint(element, scene, frame); },
+    setCloud(next) { cloud = next; },
+    draw(frame) { if (scene) paint(element, scene, cloud, frame); },
     destroy() { element.remove(); },
   };
 }
 
-function paint(element: SVGSVGElement, scene: Scene, frame: Frame): void {
+function paint(element: SVGSVGElement, scene: Scene, cloud: Cloud | null, frame: Frame): void {
   const { width, height } = frame.view;
   const depth = emptyDepth(frame.view);
   const solid = faces(scene, frame, 0, scene.solidCorners);
@@ -38,7 +40,27 @@ function paint(element: SVGSVGElement, scene: Scene, frame: Frame): void {
   const lines = scene.lines.flatMap((line) => strokes(line, scene, frame, depth));
   element.setAttribute("viewBox", `0 0 ${width} ${height}`);
   const ground: Drawn = { tag: "rect", attributes: { width, height, fill: scene.colours.background } };
-  drawInto(element, [ground, ...solid.map(polygon), ...lines, ...clear.map(polygon)]);
+  drawInto(element, [ground, ...solid.map(polygon), ...(cloud ? dots(cloud, scene, frame, depth) : []), ...lines, ...clear.map(polygon)]);
+}
+
+const DOTS = 4000; // scanned points that are drawn at most, evenly spread
+const DOT = 1.2;   // radius of one, CSS pixels
+
+/** Scanned points that no face hides, coloured by their deviation. */
+function dots({ points, origin, full }: Cloud, scene: Scene, frame: Frame, depth: Depth): Drawn[] {
+  const project = projector(frame.camera, frame.view);
+  const every = Math.max(1, Math.ceil(points.length / 4 / DOTS));
+  const [outside, level, inside] = [parse(scene.colours.outside), parse(scene.colours.level), parse(scene.colours.inside)];
+  const found: Drawn[] = [];
+  for (let i = 0; i < points.length; i += 4 * every) {
+    const at = project([origin[0] + points[i]!, origin[1] + points[i + 1]!, origin[2] + points[i + 2]!]);
+    if (hidden(depth, at, SLACK * scene.radius)) continue;
+    const share = Math.max(-1, Math.min(1, points[i + 3]! / full));
+    const end = share < 0 ? inside : outside;
+    const fill = css(level.map((value, part) => value + (end[part]! - value) * Math.abs(share)) as Rgba);
+    found.push({ tag: "circle", attributes: { cx: round(at.x), cy: round(at.y), r: DOT, fill } });
+  }
+  return found;
 }
 
 const round = (value: number) => Math.round(value * 100) / 100;

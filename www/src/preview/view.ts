@@ -1,6 +1,6 @@
 // The 3D view of a trace. Draws when something changed and never otherwise.
 import type { Trace } from "../wire";
-import type { Backend, BackendName, Frame } from "./backend";
+import type { Backend, BackendName, Cloud, Frame } from "./backend";
 import { fit, initial, turn, type ViewName, type Viewport } from "./camera";
 import { LIGHT, type Colours } from "./colours";
 import { openGpu } from "./gpu";
@@ -31,6 +31,8 @@ export interface Preview {
   setTrace(trace: Trace, colours?: Colours): void;
   /** Entry `index` of the trace is done to `fraction` (0 … 1). */
   setStep(index: number, fraction: number): void;
+  /** Scanned points, over whatever else is shown. */
+  setCloud(cloud: Cloud | null): void;
   setView(name: ViewName): void;
   fit(): void;
   /** What a screen reader says. */
@@ -53,6 +55,7 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
   let exaggeration = options.exaggeration ?? 1;
   let trace = EMPTY;
   let solids = trace.solids; // as they stand at this step
+  let cloud: Cloud | null = null;
   let camera = initial();
   let size = sizeOf(stage); // kept: to ask for it while drawing would lay out the page once more
   let step = { index: 0, fraction: 0 };
@@ -99,6 +102,7 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
   function adopt(): void {
     Object.assign(backend.element.style, { position: "absolute", inset: "0", width: "100%", height: "100%", display: "block" });
     backend.setScene(scene, devicePixelRatio);
+    backend.setCloud(cloud);
     stage.dataset["backend"] = backend.name;
     options.onBackend?.(backend.name, refused);
     redraw();
@@ -169,6 +173,12 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
       step = { index, fraction };
       if (standing(trace, index) === solids) redrawNow();
       else rebuild();
+    },
+    setCloud(next) {
+      if (next === cloud) return;
+      cloud = next;
+      backend.setCloud(cloud);
+      redrawNow();
     },
     setView,
     fit: fitAgain,

@@ -4,15 +4,17 @@ import type { Actions } from "../actions";
 import type { Derived } from "../derive";
 import { el, keyed, on, setAttribute, setText, show } from "../dom";
 import { fixed, signed } from "../numbers";
+import type { Scanner } from "../scan/scanner";
 import type { ResultTab, State } from "../state";
 import type { Store } from "../store";
 import { say, t } from "../texts";
 import type { Diagnostic, Outcome, Step, Trace } from "../wire";
 import { fieldId, problemItem, updateProblem } from "./field";
 import { shownProblems } from "./form";
+import { createScan } from "./scan";
 import { describe } from "./steps";
 
-const TABS: ResultTab[] = ["outcome", "problems", "motions", "log"];
+const TABS: ResultTab[] = ["outcome", "problems", "motions", "log", "scan"];
 type Draw = (state: State, derived: Derived) => void;
 
 function unitText(unit: string): string {
@@ -223,7 +225,7 @@ function createLog(root: HTMLElement): Draw {
   };
 }
 
-export function createResults(root: HTMLElement, store: Store, actions: Actions, goTo: (offset: number) => void): Draw {
+export function createResults(root: HTMLElement, store: Store, actions: Actions, scanner: Scanner, goTo: (offset: number) => void): Draw {
   const bar = el("div", { role: "tablist", class: "tabs", "aria-label": t("panel-results") });
   root.append(el("h2", { class: "visually-hidden" }, t("panel-results")), bar);
   const tabs = new Map<ResultTab, { button: HTMLButtonElement; page: HTMLElement }>();
@@ -238,16 +240,18 @@ export function createResults(root: HTMLElement, store: Store, actions: Actions,
   on(bar, "keydown", (event) => {
     const move = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
     if (!move) return;
-    const next = TABS[(TABS.indexOf(store.state.tab) + move + TABS.length) % TABS.length] ?? "outcome";
+    const there = TABS.filter((name) => !tabs.get(name)?.button.hidden);
+    const next = there[(there.indexOf(store.state.tab) + move + there.length) % there.length] ?? "outcome";
     store.update({ tab: next });
     tabs.get(next)?.button.focus();
   });
   const page = (name: ResultTab): HTMLElement => tabs.get(name)?.page ?? root;
-  const draws: Draw[] = [createOutcome(page("outcome")), createProblems(page("problems"), actions, goTo), createMotions(page("motions"), store), createLog(page("log"))];
+  const draws: Draw[] = [createOutcome(page("outcome")), createProblems(page("problems"), actions, goTo), createMotions(page("motions"), store), createLog(page("log")), createScan(page("scan"), store, scanner)];
   return (state, derived) => {
     const problems = located(state, derived, actions, goTo).length;
     for (const [name, { button, page: body }] of tabs) {
-      const chosen = name === state.tab;
+      const chosen = name === (state.tab === "scan" && !derived.cycle.surfaces.length ? "outcome" : state.tab);
+      show(button, name !== "scan" || derived.cycle.surfaces.length > 0);
       setText(button, name === "problems" && problems > 0 ? t("tab-problems-count", { count: problems }) : t(`tab-${name}`));
       setAttribute(button, "aria-selected", String(chosen));
       setAttribute(button, "tabindex", chosen ? 0 : -1);

@@ -3,6 +3,8 @@
 import type { Derived } from "../derive";
 import { el, on, setAttribute, setText, show } from "../dom";
 import type { Preview, ViewName } from "../preview/view";
+import type { Cloud } from "../preview/backend";
+import type { Scanned } from "../scan/scanner";
 import { AT_END, type State } from "../state";
 import type { Store } from "../store";
 import { t } from "../texts";
@@ -11,7 +13,8 @@ import { missing } from "./results";
 import { isDark, type Stage } from "./stage";
 import { createTimeline, PACE } from "./timeline";
 
-const SOURCES = ["form", "program"] as const;
+const SOURCES = ["form", "program", "scan"] as const;
+const FULL = 0.9; // of the greatest deviation: from there on a point has the full colour
 const VIEWS: ViewName[] = ["iso", "top", "front", "right"];
 const NOTHING = { entries: [], ball: { radius: 1, length: 1 }, solids: [], frames: [] };
 const still = matchMedia("(prefers-reduced-motion: reduce)");
@@ -44,7 +47,12 @@ export function createScene(root: HTMLElement, store: Store, goToLine: (line: nu
   };
 
   return (state, derived) => {
-    for (const { source, button } of buttons) setAttribute(button, "aria-pressed", String(source === state.source));
+    const scan = state.scan?.request.cycle === derived.cycle.cycle ? state.scan : null;
+    const source = state.source === "scan" && !scan ? "form" : state.source;
+    for (const one of buttons) {
+      setAttribute(one.button, "aria-pressed", String(one.source === source));
+      show(one.button, one.source !== "scan" || !!scan);
+    }
     drawTimeline(state, derived);
     const { preview, failed } = stage;
     if (failed) setText(note, t("view-failed", { problem: failed }));
@@ -53,7 +61,8 @@ export function createScene(root: HTMLElement, store: Store, goToLine: (line: nu
       return;
     }
     dress(preview);
-    setText(empty, derived.trace?.entries.length ? "" : state.source === "form" ? nothing(derived) : t("motions-none"));
+    const points = source === "scan" && scan?.cloud.length ? cloudOf(scan) : null;
+    setText(empty, derived.trace?.entries.length || source === "scan" ? "" : source === "form" ? nothing(derived) : t("motions-none"));
     show(empty, !!empty.textContent);
     const night = isDark(state);
     const colours = stage.colours(night);
@@ -63,8 +72,19 @@ export function createScene(root: HTMLElement, store: Store, goToLine: (line: nu
     if (fresh) preview.setTrace(derived.trace ?? NOTHING);
     const { step } = derived;
     if (fresh || step !== shown.step) move(preview, step, state.playing && derived.trace?.entries[step]?.step === "motion" && !still.matches);
+    preview.setCloud(points);
     shown = { trace: derived.trace, dark: night, step };
   };
+}
+
+const clouds = new WeakMap<Scanned, Cloud>();
+
+/** The points of a scan; the same object as long as it is the same scan, shown in the same way. */
+function cloudOf(scan: Scanned): Cloud {
+  const { view, cloud: points, shown } = scan;
+  const made = clouds.get(scan) ?? { points, origin: view.origin, full: Math.max(1e-4, FULL * view[shown].greatest) };
+  clouds.set(scan, made);
+  return made;
 }
 
 /** Why the call in the form shows no motions. */

@@ -14,7 +14,7 @@ const SHORT: f64 = 24.0;
 /// Drawn lines.
 const LINES: usize = 6;
 /// Height of the drawn surface in the section below the rectangle.
-const GROUND: f64 = -44.0;
+const GROUND: f64 = -52.0;
 /// Ball radius.
 const BALL: f64 = 3.0;
 
@@ -60,8 +60,8 @@ fn above(inputs: &Inputs) -> Vec<PictureShape> {
         polygon(ShapeKind::Edge, outline),
         line(ShapeKind::Path, way.collect()),
         circle(ShapeKind::Probe, [0.0; 2], BALL),
-        dimension(axis_name(first), [0.0, -7.0], [width, -7.0]),
-        dimension(axis_name(second), [-9.0, 0.0], [-9.0, height]),
+        dimension(axis_name(first), [0.0, -12.0], [width, -12.0]),
+        dimension(axis_name(second), [-20.0, 0.0], [-20.0, height]),
         dimension(
             letter(step_axis),
             swap([length + 8.0, 0.0]),

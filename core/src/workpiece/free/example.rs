@@ -18,8 +18,8 @@ pub enum Example {
 
 /// All of them, by name.
 pub const EXAMPLES: [(&str, Example); 4] = [
-    ("dome", Example::Dome),
     ("waves", Example::Waves),
+    ("dome", Example::Dome),
     ("saddle", Example::Saddle),
     ("step", Example::Step),
 ];
