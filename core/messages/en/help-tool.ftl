@@ -1,6 +1,7 @@
 # Help pages of the cycles at a tool probe.
 
 help-tool-in-use = The tool is in use and its D number is active; plane and G40 are programmed. Its lengths (for a calibration exactly, otherwise roughly) stand in the tool data.
+help-tool-not-turned = No rotation of the coordinate system is active; the sides of the probe lie along the axes.
 help-tool-chip = A chip or coolant on edge or probe makes the tool seem longer.
 
 help-cycle971-measures-side = Where one side of the tool probe lies, with a tool of known length and radius.
@@ -46,7 +47,7 @@ help-cycle982-order-reversal = Each point is touched twice, the second time with
 help-cycle982-order-length = In the other axis to the middle of the probe, then with the tip to the side, touch, back. It ends _FA before the side.
 help-cycle982-order-radius = The side of the cutter touches, in the axis in which the radius lies.
 help-cycle982-order-both = The side of the cutter touches the side of the probe where it starts; then it goes round the probe and touches the opposite one. Without reversal the standing spindle turns by 180° for that, so that the same edge touches.
-help-cycle982-order-all = First in the abscissa, then in the ordinate, round the probe at a distance of _FA; each side of a milling tool is touched with its edge turned there. It ends at the start.
+help-cycle982-order-all = First in the abscissa, then in the ordinate, round the probe; each side of a milling tool is touched with its edge turned there. It ends at the start.
 help-cycle982-order-upper-behind = It goes round the probe on the side turned away from the start, touches the length from there, then both sides. It ends at the start.
 help-cycle982-order-upper-across = It crosses the probe first, touches the length back towards the start, then both sides. It ends at the start.
 help-cycle982-corrects-geometry = The tool in use: the value goes into the geometry and the wear is set to 0, whatever it was before.

@@ -1,6 +1,7 @@
 # Help pages of the cycles at a tool probe.
 
 help-tool-in-use = 刀具已换上，其 D 号有效；已编程平面和 G40。其长度在刀具数据中（校准时精确，否则大致）。
+help-tool-not-turned = 没有坐标系旋转；测量头各面平行于轴。
 help-tool-chip = 刀刃或测量头上的切屑、冷却液使刀具显得偏长。
 
 help-cycle971-measures-side = 用长度和半径已知的刀具测出刀具测量头一个面的位置。
@@ -46,7 +47,7 @@ help-cycle982-order-reversal = 每点触碰两次，第二次主轴再转 180° 
 help-cycle982-order-length = 在另一轴移到测量头中间，再以刀尖移到该面，触碰，退回。最后停在该面前 _FA 处。
 help-cycle982-order-radius = 以铣刀侧刃触碰，在半径所在的轴上。
 help-cycle982-order-both = 铣刀侧刃先触碰起点一侧的面，再绕过测量头触碰对面。不反转时，静止的主轴为此转 180°，使同一刀刃触碰。
-help-cycle982-order-all = 先横坐标，后纵坐标，以 _FA 的距离绕测量头移动；铣刀的每一侧都以转到该处的刀刃触碰。最后停在起点。
+help-cycle982-order-all = 先横坐标，后纵坐标，绕测量头移动；铣刀的每一侧都以转到该处的刀刃触碰。最后停在起点。
 help-cycle982-order-upper-behind = 在背离起点的一侧绕过测量头，从那里测长度，再测两侧。最后停在起点。
 help-cycle982-order-upper-across = 先越过测量头，朝起点方向回头测长度，再测两侧。最后停在起点。
 help-cycle982-corrects-geometry = 当前刀具：值写入几何值，磨损置 0，不论原值如何。

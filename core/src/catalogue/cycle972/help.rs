@@ -8,6 +8,7 @@ use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong}
 pub const LINES: &[HelpLine] = &[
     measures(CALIBRATE, "help-cycle972-measures-side", "B:8834-8850"),
     measures(MEASURE, "help-cycle972-measures-length", "B:8954-8968"),
+    before(When::Always, "help-tool-not-turned", "A:15873;B:9819"),
     before(
         When::Always,
         "help-tool-probe-known",

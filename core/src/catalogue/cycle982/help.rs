@@ -31,6 +31,7 @@ pub const LINES: &[HelpLine] = &[
     measures(BOTH, "help-cycle982-measures-both", "B:9578-9655"),
     measures(EVERYTHING, "help-cycle982-measures-all", "B:9702-9752"),
     measures(UPPER, "help-cycle982-measures-upper", "B:9779-9793"),
+    before(When::Always, "help-tool-not-turned", "A:15873;B:9819"),
     before(POSITIONED, "help-cycle982-before-outside", "B:9642"),
     before(
         MEASURE,
