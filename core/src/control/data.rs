@@ -96,7 +96,10 @@ mod tests {
         assert_eq!(data.get("#509"), Some(&Value::Number(41.0)));
         assert!(!data.contains_key("#511"));
         let names: BTreeSet<_> = data.keys().map(String::as_str).collect();
-        assert_eq!(names, BTreeSet::from(["#500", "#509", "#512"]));
+        assert_eq!(
+            names,
+            BTreeSet::from(["#1002", "#1003", "#500", "#509", "#512", "P9143"])
+        );
         assert_ne!(data, delivered);
         data.insert("#509".to_owned(), Value::Number(40.0));
         data.insert("#511".to_owned(), Value::Number(1500.0));

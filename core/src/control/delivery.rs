@@ -1,10 +1,11 @@
 //! The control as delivered: GUD data that measuring cycles read, with their initial values.
-//! Which they are stands in `gud` and `machine_data`. Lengths and feeds stand in the basic system of the machine, as the manual says. Initial values of parameters (`_FA`, `_TSA`, …) are defaults of
+//! Which they are stands in `gud`, `machine_data` and `nct_data`. Lengths and feeds stand in the basic system of the machine, as the manual says. Initial values of parameters (`_FA`, `_TSA`, …) are defaults of
 //! the catalogue and not repeated here: an unset datum means "as delivered".
 
 use super::gud::{self, Element, Initial, System};
 use super::{
     BasicFrames, Control, Data, Frame, Limits, Plane, Transverse, Units, Value, machine_data,
+    nct_data,
 };
 use crate::catalogue::Dialect;
 use std::collections::BTreeMap;
@@ -15,11 +16,6 @@ const FOOT: f64 = 0.3048;
 
 /// Which system the machine was built for: 1 metric, 0 inch (B:13539, B:13883, MD10240 SCALING_SYSTEM_IS_METRIC).
 const IS_METRIC: [&str; 3] = ["_CBIT[3]", "_CHBIT[24]", "MD10240"];
-
-/// NCT variables that are not 0 as delivered: mm, 1/min, mm/min (C:1196-1198).
-const NCT_SPINDLE: (&str, f64) = ("#511", 1500.0);
-/// See [`NCT_SPINDLE`].
-const NCT_LENGTHS: &[(&str, f64)] = &[("#509", 40.0), ("#512", 750.0)];
 
 /// A metric control as it comes from the manufacturer: no tools, no offsets, G17.
 pub fn delivery(dialect: Dialect) -> Control {
@@ -81,16 +77,10 @@ fn bare(dialect: Dialect, units: Units) -> Control {
 }
 
 fn nct(control: &mut Control) {
-    let (name, value) = NCT_SPINDLE;
-    control.set(name, value);
-    lengths(control, NCT_LENGTHS);
-}
-
-/// Writes lengths (mm) and feeds (mm/min) in the basic system.
-fn lengths(control: &mut Control, list: &[(&str, f64)]) {
-    let per = control.basic_factor();
-    for (name, value) in list {
-        control.set(*name, value / per);
+    for datum in nct_data::all() {
+        if let Some(value) = datum.initial {
+            control.set(datum.name, value / factor(datum.unit, control.basic_units));
+        }
     }
 }
 
@@ -164,8 +154,8 @@ pub fn rebuilt(control: &Control, units: Units) -> Control {
 
 /// Metric units in one unit of the datum with this name.
 fn unit_of(name: &str, basic: Units) -> f64 {
-    if NCT_LENGTHS.iter().any(|(length, _)| *length == name) {
-        return basic.factor();
+    if let Some(datum) = nct_data::find(name) {
+        return factor(datum.unit, basic);
     }
     let element = gud::place(name).and_then(|(gud, at)| gud.element(&at));
     element.map_or(1.0, |element| factor(element.unit, basic))

@@ -8,6 +8,7 @@ pub mod frames;
 pub mod gud;
 pub mod limits;
 pub mod machine_data;
+pub mod nct_data;
 pub mod rotary;
 pub mod tools;
 pub mod units;

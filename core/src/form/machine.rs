@@ -4,6 +4,7 @@ use crate::catalogue::{Dialect, Range};
 use crate::check::{Parsed, parse};
 use crate::control::gud::{self, Element, Gud, System, Unit};
 use crate::control::machine_data::{self, MACHINE_DATA};
+use crate::control::nct_data::{self, NctDatum};
 use crate::control::{Control, Units, Value};
 use crate::message::Message;
 use crate::support;
@@ -50,10 +51,10 @@ pub struct Group {
     pub settings: Vec<Setting>,
 }
 
-/// Everything that can be set on this control. NCT macros keep their few variables in the program.
+/// Everything that can be set on this control.
 pub fn groups(control: &Control) -> Vec<Group> {
     if control.dialect == Dialect::Nct {
-        return Vec::new();
+        return nct(control.basic_units);
     }
     let subjects = gud::SUBJECTS.iter().map(|subject| Group {
         key: format!("machine-group-{}", subject.key),
@@ -66,6 +67,30 @@ pub fn groups(control: &Control) -> Vec<Group> {
     subjects
         .chain([machine])
         .filter(|group| !group.settings.is_empty())
+        .collect()
+}
+
+/// The groups of an NCT control.
+fn nct(basic: Units) -> Vec<Group> {
+    let subjects = nct_data::SUBJECTS.iter();
+    let setting = |datum: &NctDatum| Setting {
+        name: datum.name.to_owned(),
+        key: datum.key(),
+        field: None,
+        entry: match datum.choices {
+            [] if datum.unit == Unit::None => Entry::Integer,
+            [] => Entry::Real,
+            choices => Entry::Choice(choices),
+        },
+        unit: unit(datum.unit, basic),
+        range: datum.range,
+        source: datum.source,
+    };
+    subjects
+        .map(|subject| Group {
+            key: format!("machine-group-{}", subject.key),
+            settings: subject.data.iter().map(setting).collect(),
+        })
         .collect()
 }
 

@@ -225,6 +225,52 @@ mod tests {
         assert_eq!(view["data"], json!({}));
     }
 
+    // oracle: manual C:60, C:74, C:1193-1202
+    #[test]
+    fn the_variables_of_nct_are_its_machine() {
+        let ask = |data: &Value, values: &Value| {
+            let setup = json!({ "own": { "data": data } });
+            let request = json!({ "control": "nct", "setup": setup, "values": values });
+            machine(&request.to_string()).unwrap()
+        };
+        let typed = json!({ "#510": "19", "#509": "39.8", "P9143": "0", "#1003": "0" });
+        let view = ask(&json!({}), &typed);
+        let data = view["data"].clone();
+        for (name, value) in [
+            ("#509", 39.8),
+            ("#510", 19.0),
+            ("P9143", 0.0),
+            ("#1003", 0.0),
+        ] {
+            assert_eq!(data[name], value, "{name}");
+        }
+        assert_eq!(view["problems"], json!([]));
+        let written = view["assignments"].as_str().unwrap();
+        assert!(written.contains("#509=39.8\n") && written.contains("#510=19\n"));
+        assert!(!written.contains("P9143") && !written.contains("#1003"));
+        let again = ask(&data, &json!({}));
+        assert_eq!(again["data"], data);
+        let disk = field(&again, "#509").unwrap();
+        assert_eq!(
+            (&disk["fallback"], &disk["unit"]),
+            (&json!("40"), &json!("mm"))
+        );
+        let wrong = ask(
+            &json!({}),
+            &json!({ "#509": "-1", "#510": "1.5", "P9143": "3" }),
+        );
+        assert_eq!(wrong["problems"].as_array().unwrap().len(), 3);
+        let words = Words::english();
+        for group in again["groups"].as_array().unwrap() {
+            for field in group["fields"].as_array().unwrap() {
+                let key = field["key"].as_str().unwrap();
+                for key in [key.to_owned(), format!("{key}.help")] {
+                    assert!(words.find(&Message::new(key.clone())).is_some(), "{key}");
+                }
+            }
+        }
+    }
+
     // oracle: hand
     #[test]
     fn a_described_machine_keeps_its_other_data() {
@@ -324,12 +370,5 @@ mod tests {
                 }
             }
         }
-    }
-
-    // oracle: hand
-    #[test]
-    fn the_other_control_has_nothing_to_set() {
-        let view = machine(r#"{ "control": "nct" }"#).unwrap();
-        assert_eq!(view["groups"], json!([]));
     }
 }

@@ -2,6 +2,7 @@
 
 use super::Error;
 use crate::catalogue::Dialect;
+use crate::control::nct_data;
 use crate::control::{Control, Frame, Value, gud};
 use crate::geometry::rigid::sin_cos;
 use crate::run::setup::Setup;
@@ -93,7 +94,7 @@ fn datum(dialect: Dialect, name: &str, value: &Value) -> Result<(), Error> {
     };
     let text = matches!(value, Value::Text(_));
     let known = match dialect {
-        Dialect::Nct => numbered('#', 10_000) && !text,
+        Dialect::Nct => (numbered('#', 10_000) || nct_data::find(name).is_some()) && !text,
         Dialect::Sinumerik if name.starts_with('_') || name.starts_with("E_") => {
             gud::named(name).is_some_and(|gud| gud.text() == text)
         }

@@ -1,12 +1,18 @@
 //! The changed data of a machine as text: assignments for a part program, and lines of the definition file.
 
 use crate::control::gud::{self, Block, Gud, Kind};
+use crate::control::nct_data::{self, NctDatum};
 use crate::control::{Control, Value};
 use std::fmt::Write;
 
 /// Whether it is a datum of the machine.
 fn of_machine(name: &str) -> bool {
-    gud::named(name).is_some_and(Gud::of_machine)
+    gud::named(name).is_some_and(Gud::of_machine) || nct_data::find(name).is_some_and(assigned)
+}
+
+/// Whether a program can write an NCT datum: the variables that stay, no parameter and no input.
+fn assigned(datum: &NctDatum) -> bool {
+    datum.name.starts_with("#5")
 }
 
 /// Names of the user data that differ, in the order of the tables.
