@@ -153,7 +153,13 @@ export type Step =
   | { step: "call"; cycle: string; variant: number }
   | { step: "return" };
 // ball.axis: from the ball to the spindle. zones: walls of protection zones, as shaft, web or island; shown, not touched. limits: the part with the largest errors on both sides.
-export interface Trace { entries: (Step & { line?: number })[]; ball: { radius: number; length: number; axis?: Vec3 }; turning?: boolean; solids: Solid[]; zones?: Solid[]; limits?: Solid[]; frames: { name: string; at: Vec3; axes: [Vec3, Vec3, Vec3] }[] }
+export interface Trace { entries: (Step & { line?: number })[]; ball: { radius: number; length: number; axis?: Vec3 }; turning?: boolean; solids: Solid[]; toolProbes?: Solid[]; tool?: ToolOutline; zones?: Solid[]; limits?: Solid[]; frames: { name: string; at: Vec3; axes: [Vec3, Vec3, Vec3] }[] }
+/** The tool that touches a tool probe: half of its section from its end on, distance from the axis and height. */
+export interface ToolOutline {
+  outline: [number, number][];
+  axis: Vec3;                          // from the end to what holds it
+  at: Vec3;                            // from the position of the machine to the end
+}
 export interface Solid {
   shape: "hole" | "shaft" | "groove" | "web" | "pocket" | "island" | "block" | "turned" | "sphere" | "outerCorner" | "innerCorner" | "surface";
   size: number[];                      // hole [diameter, depth]; shaft [diameter, height]; groove/web [width, depth, length]; pocket/island [x, y, depth]; block [x, y, z]; sphere [diameter]; outerCorner/innerCorner [degrees between the edges, edge along X, other edge, z]

@@ -19,6 +19,7 @@ mod start;
 #[cfg(test)]
 mod tests;
 mod trace;
+mod trace_tool;
 mod twin;
 
 pub use alarms::{alarm, alarms, operator_message};

@@ -2,11 +2,12 @@
 
 use super::start::Start;
 use super::{Error, object, put};
-use crate::catalogue::Work;
+use crate::catalogue::{ProbeUse, Work};
 use crate::check::Inputs;
 use crate::geometry::{V3, rigid};
 use crate::run::setup::Setup;
 use crate::run::survives;
+use crate::workpiece::tool::{Cut, REVERSED, Tool};
 use crate::workpiece::{PartErrors, Probe, Solid};
 use serde::Deserialize;
 use serde_json::Value;
@@ -128,17 +129,13 @@ fn prepare(
     let part = part_errors(&errors.part);
     spoil(&mut setup.workpiece.solids, &part);
     setup.workpiece.solids.extend(proposal.fixture);
-    if setup.tool_probes.is_empty() {
-        setup.tool_probes = proposal.tool_probes;
-    }
     let in_use = (setup.control.tool, setup.control.edge);
     if let Some(tool) = proposal.real_tool {
         setup.real_tools.entry(in_use).or_insert(tool);
     }
-    for tool_probe in &mut setup.tool_probes {
-        spoil(std::slice::from_mut(&mut tool_probe.solid), &part);
-        tool_probe.pre_travel += errors.probe.pre_travel;
-        tool_probe.repeatability.0 += errors.probe.repeatability;
+    if setup.tool_probes.is_empty() {
+        setup.tool_probes = proposal.tool_probes;
+        tool_errors(setup, inputs, errors);
     }
     probe_errors(&mut setup.probe, &errors.probe);
     setup.position = setup.control.to_machine(proposal.start);
@@ -151,6 +148,28 @@ fn prepare(
         tool.edges.entry(proposed.edge).or_insert(proposed.data);
     }
     proposal.zones
+}
+
+/// Gives a tool probe the errors of part and probe, and the tool before it that of the ball: so much wider it is than the
+/// control believes.
+fn tool_errors(setup: &mut Setup, inputs: &Inputs, errors: &Errors) {
+    let part = part_errors(&errors.part);
+    for tool_probe in &mut setup.tool_probes {
+        spoil(std::slice::from_mut(&mut tool_probe.solid), &part);
+        tool_probe.pre_travel += errors.probe.pre_travel;
+        tool_probe.repeatability.0 += errors.probe.repeatability;
+    }
+    let control = &setup.control;
+    let edge = control.active_edge();
+    let Some(edge) = edge.filter(|_| inputs.cycle.purpose.probe == ProbeUse::Tool) else {
+        return;
+    };
+    let nominal = || Tool::nominal(edge, control.bit(REVERSED));
+    let key = (control.tool, control.edge);
+    match &mut setup.real_tools.entry(key).or_insert_with(nominal).cut {
+        Cut::Cutter(cutter) => cutter.radius += errors.probe.radius,
+        Cut::Nose(nose) => nose.radius += errors.probe.radius,
+    }
 }
 
 /// Gives the part its errors. One of several solids is tilted as a whole, about the origin of the first.

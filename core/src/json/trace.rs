@@ -2,7 +2,7 @@
 
 use super::setup::settable_name;
 use super::setup_write::solids;
-use super::{code, message, object, put};
+use super::{code, message, object, put, trace_tool};
 use crate::check::{Inputs, unit_name};
 use crate::control::rotary::ROTARY;
 use crate::control::{Control, Edge};
@@ -104,13 +104,18 @@ pub fn alarm_key(alarm: Code) -> String {
 
 /// Everything that happened, with what is needed to draw it.
 pub(super) fn trace(setup: &Setup, outcome: &Outcome) -> Value {
-    object([
+    let mut view = object([
         ("entries", outcome.trace.entries.iter().map(entry).collect()),
         ("ball", ball(setup, outcome)),
         ("turning", setup.control.turns().into()),
         ("solids", solids(&clamped(setup))),
+        ("toolProbes", trace_tool::probes(setup)),
         ("frames", frames(&outcome.before, &outcome.control).into()),
-    ])
+    ]);
+    if let Some(tool) = trace_tool::tool(setup, outcome) {
+        put(&mut view, "tool", tool);
+    }
+    view
 }
 
 /// The part as it stands at the start.

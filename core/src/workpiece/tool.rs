@@ -1,11 +1,13 @@
 //! A tool as it really is, not as the control believes, and what of it can touch: a milling cutter or drill about its
 //! axis, or the nose of a turning tool.
 
-use crate::control::{Edge, Plane};
+use crate::control::{Control, Edge, Plane};
 use crate::geometry::V3;
 use crate::geometry::convex::Convex;
 use crate::geometry::rigid::sin_cos;
 
+/// 1: cutting edge positions count the other way round in the ordinate (B:14051).
+pub const REVERSED: &str = "_CHBIT[23]";
 /// Height of a drill's point per mm of its radius: the usual point of 118 degree.
 const DRILL_POINT: f64 = 0.600_860_619;
 /// Least height of a cutter, mm.
@@ -122,6 +124,19 @@ impl Tool {
         }
     }
 
+    /// From the point to which the lengths of the control refer, with the edge in use, to the one to which its own refer:
+    /// X Y Z, mm.
+    pub fn error(&self, control: &Control) -> [f64; 3] {
+        let mut error = control.active_length();
+        if let Some(edge) = control.active_edge() {
+            let axes = control.plane.axes();
+            for (real, axis) in self.length.into_iter().zip(control.length_axes(edge)) {
+                error[axes[axis]] -= real;
+            }
+        }
+        error
+    }
+
     /// What of it can touch, the point to which its lengths refer standing at `point`, machine coordinates.
     pub fn pieces(&self, point: V3, plane: Plane, spindle: Spindle) -> Vec<Piece> {
         let axes = plane.axes();
@@ -167,6 +182,21 @@ impl Cutter {
             [x.hypot(y), direction, drop]
         };
         (0..self.teeth).map(tooth).collect()
+    }
+
+    /// Half of its section from the end in the axis outwards and up: distance from the axis, height above the end, mm.
+    pub fn outline(&self) -> Vec<[f64; 2]> {
+        let profile = self.profile(self.radius);
+        let [.., top] = profile.points;
+        let outside = (-6..=0).map(|step| {
+            let (sine, cosine) = sin_cos(15.0 * f64::from(step));
+            profile.farthest([cosine, sine])
+        });
+        let mut outline = vec![[0.0; 2]];
+        outline.extend(outside);
+        outline.push(top);
+        outline.dedup();
+        outline
     }
 
     fn pieces(&self, point: V3, axes: [usize; 3], spindle: Spindle) -> Vec<Piece> {

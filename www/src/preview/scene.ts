@@ -5,7 +5,7 @@ import { append, boxOf, mesh, type Line, type Mesh } from "./mesh";
 import { frameLines, gridLines, pathLines, type Label } from "./paths";
 import { part, zone } from "./solids";
 import { along, pieces } from "./route";
-import { addStylus } from "./stylus";
+import { addStylus, addTool } from "./stylus";
 import { boxCorners, centre, include, sub, type Box } from "./vec";
 
 export interface Scene {
@@ -32,7 +32,7 @@ export function standing(trace: Trace, index: number): Solid[] {
 /** `exaggeration`: how many times as large the errors of parts are drawn. `solids`: the part as it stands. `pieces`: of a
  *  long face, for a way of drawing that needs it. */
 export function buildScene(trace: Trace, colours: Colours, exaggeration = 1, solids = trace.solids, pieces = 1): Scene {
-  const parts = solids.map((solid) => part(solid, exaggeration, parse(colours.part), parse(colours.edge), pieces));
+  const parts = [...solids, ...(trace.toolProbes ?? [])].map((solid) => part(solid, exaggeration, parse(colours.part), parse(colours.edge), pieces));
   const all = mesh();
   for (const { mesh: own } of parts) append(all, own);
   const solidBox = boxOf(all);
@@ -41,7 +41,9 @@ export function buildScene(trace: Trace, colours: Colours, exaggeration = 1, sol
   const limits = (trace.limits ?? []).flatMap((solid) => part(solid, exaggeration, parse(colours.part), parse(colours.crash), pieces).edges);
   const zones = (trace.zones ?? []).map((solid) => zone(solid, parse(colours.zone), pieces));
   const moves = trace.entries.some((entry) => entry.step === "motion");
-  const solidCorners = moves ? addStylus(all, trace.ball, { ball: parse(colours.ball), stylus: parse(colours.stylus) }, 0.3 * size) : all.corners.length;
+  const touches = { ball: parse(colours.ball), stylus: parse(colours.stylus) };
+  const solidCorners = !moves ? all.corners.length
+    : trace.tool ? addTool(all, trace.tool, touches.stylus) : addStylus(all, trace.ball, touches, 0.3 * size);
   for (const { mesh: own } of zones) append(all, own);
   const frames = frameLines(trace.frames, colours, 0.14 * size);
   const normal = Math.max(2.5 * trace.ball.radius, 0.07 * size);

@@ -1,8 +1,9 @@
-// The probe: ball and stylus solid, the body above them seen through, the centre of the ball at 0 0 0.
-import type { Vec3 } from "../wire";
+// The probe: ball and stylus solid, the body above them seen through, the centre of the ball at 0 0 0. Or the tool that
+// touches a tool probe.
+import type { ToolOutline, Vec3 } from "../wire";
 import type { Rgba } from "./colours";
 import { band, type Mesh, type Paint } from "./mesh";
-import { apply, fromZ, unit } from "./vec";
+import { add, apply, fromZ, unit } from "./vec";
 
 const AROUND = 24;
 const BALL_LAYERS = 14;
@@ -28,6 +29,14 @@ export function addStylus(into: Mesh, ball: Ball, colours: { ball: Rgba; stylus:
   return solid;
 }
 
+/** Behind what is there: the tool, solid; gives the number of corners. */
+export function addTool(into: Mesh, { outline, axis, at }: ToolOutline, colour: Rgba): number {
+  const frame = fromZ(unit(axis));
+  const direction = (p: Vec3) => apply(frame, p);
+  turned(into, outline, (p) => add(at, direction(p)), { colour, moves: true }, direction);
+  return into.corners.length;
+}
+
 /** Half circle from the lower to the upper pole: distance from the axis, height. */
 function sphere(r: number): [number, number][] {
   return Array.from({ length: BALL_LAYERS + 1 }, (_, i): [number, number] => {
@@ -36,14 +45,15 @@ function sphere(r: number): [number, number][] {
   });
 }
 
-/** A profile turned about Z; on a sphere the normals are radial, elsewhere they belong to each piece. */
-function turned(into: Mesh, profile: [number, number][], place: (p: Vec3) => Vec3, paint: Paint): void {
+/** A profile turned about Z; on a sphere the normals are radial, elsewhere they belong to each piece. `direction`: as
+ *  `place`, of a direction. */
+function turned(into: Mesh, profile: [number, number][], place: (p: Vec3) => Vec3, paint: Paint, direction = place): void {
   const round = profile.length === BALL_LAYERS + 1;
-  const row = (r: number, z: number): Vec3[] => TURNS.map(([cosine, sine]) => place([r * cosine, r * sine, z]));
+  const row = (r: number, z: number, put = place): Vec3[] => TURNS.map(([cosine, sine]) => put([r * cosine, r * sine, z]));
   for (let layer = 0; layer + 1 < profile.length; layer++) {
     const [[r0, z0], [r1, z1]] = [profile[layer]!, profile[layer + 1]!];
     const [lower, upper] = [row(r0, z0), row(r1, z1)];
-    const slope = round ? [] : row(z1 - z0, r0 - r1).map(unit);
+    const slope = round ? [] : row(z1 - z0, r0 - r1, direction).map(unit);
     band(into, upper, lower, round ? { upper: upper.map(unit), lower: lower.map(unit) } : { upper: slope, lower: slope }, true, paint);
   }
 }

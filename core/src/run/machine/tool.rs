@@ -1,30 +1,16 @@
 //! The simulated machine with a tool that touches tool probes.
 
 use super::Sim;
-use crate::control::{Control, Edge};
 use crate::geometry::V3;
 use crate::run::route::{Obstacle, Route, add};
 use crate::run::trace::{MotionKind, Step};
 use crate::workpiece::noise::Noise;
-use crate::workpiece::tool::{Piece, Spindle, Tool};
+use crate::workpiece::tool::{Piece, REVERSED, Spindle, Tool};
 use crate::workpiece::tool_probe::{self, Contact, ToolProbe};
-
-/// `_CHBIT[23]` = 1: cutting edge positions count the other way round in the ordinate (B:14051).
-const REVERSED: &str = "_CHBIT[23]";
 
 /// The scatter of all tool probes comes from the sequence of the first.
 pub(super) fn noise(probes: &[ToolProbe]) -> Noise {
     Noise::new(probes.first().map_or(1, |probe| probe.repeatability.1))
-}
-
-/// From the point to which the lengths of the control refer to the one to which those of the real tool refer.
-fn error(control: &Control, edge: &Edge, tool: &Tool) -> [f64; 3] {
-    let axes = control.plane.axes();
-    let mut error = control.active_length();
-    for (real, axis) in tool.length.into_iter().zip(control.length_axes(edge)) {
-        error[axes[axis]] -= real;
-    }
-    error
 }
 
 impl Sim {
@@ -39,7 +25,7 @@ impl Sim {
         let reversed = self.control.bit(REVERSED);
         let tool = self.real_tools.entry(key);
         let tool = tool.or_insert_with(|| Tool::nominal(&edge, reversed));
-        let error = error(&self.control, &edge, tool);
+        let error = tool.error(&self.control);
         let point = V3::from(add(at, error, 1.0));
         let spindle = match self.control.spindle_speed {
             0.0 => Spindle::Stands(self.control.spindle),
@@ -115,7 +101,7 @@ mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
     use crate::catalogue::Dialect;
-    use crate::control::Plane;
+    use crate::control::{Edge, Plane};
     use crate::diagnostic::Code;
     use crate::run::{Machine, Setup, Stop};
     use crate::workpiece::tool::{Cut, Cutter};
