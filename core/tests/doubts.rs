@@ -344,6 +344,9 @@ fn what_nothing_in_the_text_says_is_asked_once() {
     assert_eq!(open.len(), 1);
     let said = probewright_core::words::Words::english().text(&open[0].message);
     assert!(said.contains("G40, G17, T, D"), "{said}");
+    let procedure = format!("PROC MEASURE(REAL SIZE)\n{HOLE}RET\n");
+    assert!(tells(&procedure, OPEN));
+    assert!(!tells(&main("G17 G40 G54 T=R5 D1", ""), OPEN));
     let prepared = format!("%_N_L5_SPF\nG17 G40 T9 D1\n{HOLE}M17\n");
     assert!(!tells(&prepared, OPEN));
     assert!(

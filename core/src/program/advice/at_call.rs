@@ -22,9 +22,15 @@ pub struct Asked {
 impl Asked {
     /// Nothing was said of this program yet.
     pub fn of(program: &Program) -> Asked {
-        let address = |word: &Word| matches!(word.kind, WordKind::Address { .. });
+        let whole = |word: &Word| {
+            let kind = &word.kind;
+            matches!(
+                kind,
+                WordKind::Address { .. } | WordKind::Header(_) | WordKind::Keyword { .. }
+            )
+        };
         Asked {
-            piece: !program.words.iter().any(address),
+            piece: !program.words.iter().any(whole),
             said: BTreeSet::new(),
             calibrated: BTreeSet::new(),
         }

@@ -38,7 +38,8 @@ fn open(seen: &Seen) -> Option<Diagnostic> {
     let left_open = [
         ("G40", force.compensation == Mode::Open),
         (usual_plane(seen), force.plane == Mode::Open),
-        ("T", force.tool == Mode::Open),
+        // A tool that a variable names is programmed, and its D number with it.
+        ("T", force.tool == Mode::Open && force.edge == Mode::Open),
         ("D", force.edge == Mode::Open),
     ];
     let words: Vec<&str> = left_open
