@@ -3,11 +3,18 @@
 //! A ball that touches a surface has its centre one radius beside it, along the normal. The centres lie on a surface of
 //! their own with the same normals; these are reckoned from neighbours. Of three points the circle through them gives
 //! the direction at one of them; two such directions, along the line and across it, span the tangential plane. On a
-//! plane and on a sphere that is exact, elsewhere the error falls with the square of the distances.
+//! plane and on a sphere that is exact, elsewhere the error falls with the square of the distances. What is nearer than
+//! the accuracy of the points times [`FAR`] says nothing about directions and is passed over.
 
 use super::{Layout, Scanned};
 use crate::geometry::V3;
 use std::ops::Range;
+
+/// Distance of a neighbour over the accuracy of the points, as long as that is less than the radius of the ball: a
+/// direction is then wrong by less than a hundredth.
+const FAR: f64 = 200.0;
+/// Points that are nearer than this are the same one, mm.
+const SAME: f64 = 1e-6;
 
 /// Points in the order in which they were scanned.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -60,7 +67,7 @@ impl Cloud {
         let mut beside = V3::zeros();
         beside[layout.axes[1]] = 1.0;
         let (line, range) = self.line_of(index);
-        let along = self.direction(index, &along_line(index, &range));
+        let along = self.direction(index, &self.along_line(layout, index, &range));
         let across = self.direction(index, &self.across_lines(layout, index, line));
         let mut ahead = V3::zeros();
         ahead[layout.axes[0]] = 1.0;
@@ -110,17 +117,75 @@ impl Cloud {
         }
     }
 
-    /// A point on each of the lines beside that of a point; at the border two on the same side.
+    /// Neighbours on the same line, before and behind; near its ends two on the same side, else whatever there is.
+    fn along_line(&self, layout: &Layout, index: usize, line: &Range<usize>) -> Vec<usize> {
+        let reach = reach(layout);
+        let here = self.at(index);
+        let far = |other: &usize, times: f64| {
+            (self.at(*other) - here).norm() >= (times * reach).max(SAME)
+        };
+        let before = |times| (line.start..index).rev().find(|other| far(other, times));
+        let behind = |times| (index + 1..line.end).find(|other| far(other, times));
+        let next = |one: usize| {
+            if one > index {
+                one + 1 < line.end
+            } else {
+                one > line.start
+            }
+        };
+        let beyond = |one: usize| if one > index { one + 1 } else { one - 1 };
+        match (before(1.0), behind(1.0)) {
+            (Some(one), Some(other)) => vec![one, other],
+            (Some(one), None) | (None, Some(one)) => {
+                let second = before(2.0).or(behind(2.0));
+                let second = second.filter(|two| *two != one);
+                let second = second.or_else(|| next(one).then(|| beyond(one)));
+                [Some(one), second].into_iter().flatten().collect()
+            }
+            (None, None) => self.farthest(index, line).into_iter().collect(),
+        }
+    }
+
+    /// The point of a line that is farthest from one of its points.
+    fn farthest(&self, index: usize, line: &Range<usize>) -> Option<usize> {
+        let here = self.at(index);
+        let away = |other: &usize| (self.at(*other) - here).norm_squared();
+        let farthest = line.clone().max_by(|a, b| away(a).total_cmp(&away(b)))?;
+        (away(&farthest) > SAME * SAME).then_some(farthest)
+    }
+
+    /// A point on each of two lines beside that of a point; near the border both on the same side.
     fn across_lines(&self, layout: &Layout, index: usize, line: usize) -> Vec<usize> {
         let here = self.at(index);
-        let on = |line: Option<usize>| self.nearest_on(layout, line?, &here);
-        let found = match (line.checked_sub(1), line + 1 < self.lines()) {
-            (Some(before), true) => [on(Some(before)), on(Some(line + 1))],
-            (None, true) => [on(Some(line + 1)), on(Some(line + 2))],
-            (Some(before), false) => [on(Some(before)), on(before.checked_sub(1))],
-            (None, false) => [None, None],
+        let last = self.lines().saturating_sub(1);
+        let apart = self.apart(layout, line);
+        let far = (reach(layout) / apart)
+            .ceil()
+            .clamp(1.0, (last / 2).max(1) as f64) as usize;
+        let (before, behind) = (line.checked_sub(far), line + far);
+        let lines = match before {
+            Some(before) if behind <= last => [before, behind],
+            None => [behind.min(last), (line + 2 * far).min(last)],
+            Some(before) => [before, line.saturating_sub(2 * far)],
         };
-        found.into_iter().flatten().collect()
+        let mut found: Vec<usize> = lines
+            .into_iter()
+            .filter(|other| *other != line)
+            .filter_map(|other| self.nearest_on(layout, other, &here))
+            .collect();
+        found.dedup();
+        found
+    }
+
+    /// Distance of a line from the next one, or from the one before.
+    fn apart(&self, layout: &Layout, line: usize) -> f64 {
+        let [_, across, _] = layout.axes;
+        let at = |line: usize| Some(self.points.get(*self.lines.get(line)?)?[across]);
+        let here = at(line).unwrap_or(0.0);
+        let other = at(line + 1).or_else(|| at(line.checked_sub(1)?));
+        other
+            .map_or(f64::INFINITY, |other| (other - here).abs())
+            .max(SAME)
     }
 
     /// The point of a line that is nearest to another point. Its points never go back along the axis of the lines.
@@ -140,16 +205,7 @@ impl Cloud {
     }
 }
 
-/// Neighbours on the same line: before and behind; at its ends the next two, in a line of two the other one.
-fn along_line(index: usize, line: &Range<usize>) -> Vec<usize> {
-    let before = line.contains(&index.wrapping_sub(1));
-    let behind = line.contains(&(index + 1));
-    match (before, behind) {
-        (true, true) => vec![index - 1, index + 1],
-        (false, true) if line.contains(&(index + 2)) => vec![index + 1, index + 2],
-        (true, false) if line.contains(&index.wrapping_sub(2)) => vec![index - 1, index - 2],
-        (false, true) => vec![index + 1],
-        (true, false) => vec![index - 1],
-        (false, false) => Vec::new(),
-    }
+/// How far away a neighbour has to be, mm.
+fn reach(layout: &Layout) -> f64 {
+    (FAR * layout.accuracy).min(layout.radius)
 }

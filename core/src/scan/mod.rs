@@ -50,6 +50,8 @@ pub struct Layout {
     pub height: f64,
     /// Feed while searching, mm/min.
     pub rate: f64,
+    /// How far a point may be from where it was touched, mm.
+    pub accuracy: f64,
     /// Number of the program that is sent.
     pub number: Option<i64>,
     /// Working plane.
@@ -67,6 +69,7 @@ impl Layout {
             radius: 0.0,
             height: 0.0,
             rate: 0.0,
+            accuracy: 0.0,
             number: None,
             plane: control.plane,
             per: control.active_factor(),

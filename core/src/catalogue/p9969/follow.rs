@@ -79,6 +79,7 @@ pub fn scanner(machine: &mut dyn Machine, inputs: &Inputs) -> Result<Box<dyn Sca
     }
     layout.height = start[axial];
     layout.rate = inputs.given("F").unwrap_or(RATE);
+    layout.accuracy = layout.rate * ACCURACY;
     layout.number = inputs.given("S").map(|number| number as i64);
     let calibrations = [0, 1].map(|index| Calibration::of(machine, index));
     layout.radius = calibrations
@@ -357,7 +358,7 @@ impl Follow {
     /// What the control reads: it looks at the signal in fixed times, so that the axis has gone on by a part of the way
     /// of one of them (C:1318-1321). With the ball where it is, not the spindle.
     fn sampled(&self, from: [f64; 3], at: [f64; 3], axis: usize) -> [f64; 3] {
-        let between = self.layout.rate * ACCURACY;
+        let between = self.layout.accuracy;
         let way = at[axis] - from[axis];
         let read = (way.abs() / between - 1e-6).ceil() * between;
         let mut point: [f64; 3] = std::array::from_fn(|one| at[one] + self.offset[one]);
