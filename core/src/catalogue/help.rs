@@ -2,7 +2,7 @@
 //! is true, and what follows from the rest of the entry: values that have to be given, alarms that can come.
 
 use super::common::{TOOL_OFFSET, ZERO_OFFSET};
-use super::{CYCLES, Cycle, Kind, Level, Param, ProbeUse, ResultField, When, names};
+use super::{CYCLES, Cycle, Kind, Level, Need, Param, ProbeUse, ResultField, When, names};
 use crate::SIMULATES;
 use crate::check::Inputs;
 use crate::diagnostic::Code;
@@ -168,19 +168,17 @@ impl HelpPage {
 
 /// Whether every call of the variant has to give this parameter, whatever else it gives.
 fn required(param: &Param, inputs: &Inputs) -> bool {
-    let open = |need: &&super::Need| need.when.of_variant(inputs) != Some(false);
-    param.needs.iter().find(open).is_some_and(|need| {
-        need.level == Level::Required && need.when.of_variant(inputs) == Some(true)
-    }) && !matches!(param.kind, Kind::Variant(_))
+    let open = |need: &&Need| need.when.of_variant(inputs) != Some(false);
+    let always =
+        |need: &Need| need.level == Level::Required && need.when.of_variant(inputs) == Some(true);
+    let chooses = matches!(param.kind, Kind::Variant(_));
+    !chooses && param.needs.iter().find(open).is_some_and(always)
 }
 
 /// Whether some call of the variant uses this parameter.
 fn used(param: &Param, inputs: &Inputs) -> bool {
-    let needs = param.needs.iter();
-    needs
-        .filter(|need| need.when.of_variant(inputs) != Some(false))
-        .count()
-        > 0
+    let mut needs = param.needs.iter();
+    needs.any(|need| need.when.of_variant(inputs) != Some(false))
 }
 
 /// Alarms about parameters beside those that stand with a parameter: about the safe area, the tolerances, the tool or
