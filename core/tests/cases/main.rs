@@ -5,6 +5,8 @@
 #![cfg(feature = "json")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+mod planes;
+
 use probewright_core::catalogue::{Dialect, alarms};
 use probewright_core::diagnostic::Code;
 use probewright_core::program;

@@ -1,0 +1,114 @@
+//! The programs of the manual for NCT in the other planes: program, machine, part and expectation are turned together,
+//! so that X becomes Z, Y becomes X, and Z becomes Y: from G17 to G18, from there to G19, from there to G17.
+
+use super::{dialect, expect, folders, read, setup};
+use nalgebra::Rotation3;
+use probewright_core::catalogue::Dialect;
+use probewright_core::control::Plane;
+use probewright_core::geometry::rigid;
+use probewright_core::program;
+use probewright_core::run::{Limits, Setup, run};
+use serde_json::{Map, Value};
+
+/// The letter of an axis, or the function of a plane, after a turn.
+fn letter(one: char) -> char {
+    match one {
+        'X' => 'Z',
+        'Y' => 'X',
+        'Z' => 'Y',
+        other => other,
+    }
+}
+
+/// What stood along X, Y, Z.
+fn along([x, y, z]: [f64; 3]) -> [f64; 3] {
+    [y, z, x]
+}
+
+/// A program without its comments.
+fn text(source: &str) -> String {
+    let mut depth = 0;
+    let bare = source.chars().filter(|one| {
+        depth += i32::from(*one == '(');
+        let outside = depth == 0;
+        depth -= i32::from(*one == ')');
+        outside
+    });
+    let turned: String = bare.map(letter).collect();
+    let planes = turned.replace("G19", "G.7").replace("G18", "G.9");
+    planes.replace("G17", "G18").replace("G.", "G1")
+}
+
+fn machine(setup: &Setup) -> Setup {
+    let mut turned = setup.clone();
+    let control = &mut turned.control;
+    control.plane = match control.plane {
+        Plane::G17 => Plane::G18,
+        Plane::G18 => Plane::G19,
+        Plane::G19 => Plane::G17,
+    };
+    for frame in control.frames.values_mut() {
+        frame.coarse = along(frame.coarse);
+        frame.fine = along(frame.fine);
+    }
+    let settable = control.settable;
+    control.activate(settable);
+    turned.position = along(turned.position);
+    let turn = nalgebra::Matrix3::new(0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0);
+    for solid in &mut turned.workpiece.solids {
+        solid.at = along(solid.at);
+        solid.errors.shift = along(solid.errors.shift);
+        let whole = turn * rigid::rotation(solid.rotation).matrix();
+        solid.rotation = rigid::angles(&Rotation3::from_matrix_unchecked(whole));
+    }
+    turned
+}
+
+/// An expectation: names of work offsets carry the letter of their axis.
+fn expected(value: &Value) -> Value {
+    let mut turned = value.clone();
+    if let Some(variables) = value["variables"].as_object() {
+        let name = |name: &String| match name.split_once(' ') {
+            Some((system, axis)) => {
+                let axis: String = axis.chars().map(letter).collect();
+                format!("{system} {axis}")
+            }
+            None => name.clone(),
+        };
+        let all = variables.iter();
+        let all: Map<String, Value> = all.map(|(key, one)| (name(key), one.clone())).collect();
+        turned["variables"] = all.into();
+    }
+    turned
+}
+
+// oracle: the cases themselves, which say where their truth comes from; the planes differ by their axes only (C:472)
+#[test]
+fn programs_of_nct_hold_in_all_planes() {
+    let mut count = 0;
+    for folder in folders() {
+        let file = read(&folder);
+        if dialect(&file) != Dialect::Nct {
+            continue;
+        }
+        let source = std::fs::read_to_string(folder.join("program.nc")).unwrap();
+        for case in file["cases"].as_array().unwrap() {
+            let mut source = source.clone();
+            for pair in case["replace"].as_array().into_iter().flatten() {
+                source = source.replace(pair[0].as_str().unwrap(), pair[1].as_str().unwrap());
+            }
+            let (mut machine_now, mut expectation) = (setup(&file, case), case["expect"].clone());
+            for turns in 1..=3 {
+                source = text(&source);
+                machine_now = machine(&machine_now);
+                expectation = expected(&expectation);
+                let program = program::read(Dialect::Nct, source.as_bytes());
+                let outcome = run(&program, &machine_now, Limits::default());
+                let name = format!("{} {} {turns}", folder.display(), case["id"]);
+                expect(&name, &expectation, &outcome);
+                count += 1;
+            }
+        }
+    }
+    assert!(count >= 54, "{count}");
+}
