@@ -76,6 +76,28 @@ describe("first visit", () => {
   });
 
   // oracle: hand
+  // oracle: hand: the limits that are told work, one tenth of a millimetre beyond they do not
+  test("the largest errors that still work are told when they are asked for", async () => {
+    const { context, page, problems } = await start(chrome);
+    const size = page.locator(".slider", { has: page.locator("#error-part-size") });
+    assert.equal(await size.locator(".survived").isVisible(), false);
+    await page.getByRole("button", { name: "Limits" }).click();
+    await size.locator(".survived").waitFor();
+    const [low, high] = (await size.locator(".survived").textContent()).match(/[0-9.]+/g).map(Number);
+    assert.ok(low > 0 && high > 0, `${low} ${high}`);
+    assert.equal(await page.locator(".legend").getByText("largest error").count(), 1);
+    await page.getByRole("button", { name: "Limits" }).click();
+    await size.locator(".survived").waitFor({ state: "hidden" });
+    for (const [error, stops] of [[high - 0.02, false], [high + 0.1, true], [-low + 0.02, false], [-low - 0.1, true]]) {
+      await size.locator(".figure").fill(error.toFixed(2));
+      await drawn(page);
+      const stopped = await page.locator(".panel-results").getByText(/6130[123]/).count() > 0;
+      assert.equal(stopped, stops, `${error}`);
+    }
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
   test("what is wrong with the part moves the result", async () => {
     const { context, page } = await start(chrome);
     const figure = page.locator(".slider .figure").first();

@@ -272,6 +272,24 @@ fn what_stands_in_a_protection_zone_has_no_errors() {
     assert!(post["size"][0].as_f64() < Some(60.0), "{post}");
 }
 
+// oracle: hand: G500 is in force and G54 is corrected, by a rotation alone: both are drawn, the second before and after
+#[test]
+fn a_corrected_frame_is_drawn_before_and_after() {
+    let cycle = crate::catalogue::find(Dialect::Sinumerik, "CYCLE998").unwrap();
+    let mut asked: Value = serde_json::from_str(&request(cycle)).unwrap();
+    asked["values"]["_RA"] = json!("0");
+    asked["errors"] = json!({ "part": { "tilt": 1.0 } });
+    let trace = form(&asked.to_string()).unwrap()["outcome"]["trace"].take();
+    let frames = trace["frames"].as_array().unwrap();
+    let names: Vec<&str> = frames
+        .iter()
+        .map(|frame| frame["name"].as_str().unwrap())
+        .collect();
+    assert_eq!(names, ["WCS G500", "WCS G54", "WCS G54′"]);
+    assert_eq!(frames[1]["at"], frames[2]["at"]);
+    assert_ne!(frames[1]["axes"], frames[2]["axes"]);
+}
+
 // oracle: self (the limits that are told: measured there it comes to its end, a little beyond it does not)
 #[test]
 fn the_largest_errors_are_those_that_still_come_to_an_end() {

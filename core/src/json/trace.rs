@@ -15,6 +15,7 @@ use crate::run::setup::Setup;
 use crate::run::trace::{Entry, MotionKind, Step};
 use crate::workpiece::Solid;
 use serde_json::Value;
+use std::collections::BTreeSet;
 
 /// What a call does: results, decisions, alarms, changes, log and trace.
 pub fn outcome(inputs: &Inputs, setup: &Setup, outcome: &Outcome) -> Value {
@@ -248,11 +249,9 @@ fn kind_name(kind: MotionKind) -> &'static str {
     }
 }
 
-/// The machine's coordinate system where it is another one, the active workpiece coordinate system before, and after
-/// where a correction moved it.
+/// The machine's coordinate system where it is another one, the active workpiece coordinate system, and what a correction
+/// moved: before and after.
 fn frames(before: &Control, after: &Control) -> Vec<Value> {
-    let mut corrected = after.clone();
-    corrected.activate(after.settable);
     let drawn = |name: String, control: &Control| {
         let at = control.to_machine([0.0; 3]);
         let axis = |direction: [f64; 3]| {
@@ -273,7 +272,6 @@ fn frames(before: &Control, after: &Control) -> Vec<Value> {
             ),
         ])
     };
-    let name = settable_name(before, before.settable);
     let mut list = Vec::new();
     if before.to_machine([0.0; 3]) != [0.0; 3] {
         let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
@@ -283,11 +281,33 @@ fn frames(before: &Control, after: &Control) -> Vec<Value> {
             ("axes", axes.into()),
         ]));
     }
-    list.push(drawn(format!("WCS {name}"), before));
     let corner = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-    let moved = |point: &[f64; 3]| corrected.to_machine(*point) != before.to_machine(*point);
-    if corner.iter().any(moved) {
-        list.push(drawn(format!("WCS {name}′"), &corrected));
+    for number in shown(before, after) {
+        let name = settable_name(before, number);
+        let (mut old, mut new) = (before.clone(), after.clone());
+        if number != before.settable {
+            old.activate(number);
+        }
+        new.activate(number);
+        let moves = |point: &[f64; 3]| new.to_machine(*point) != old.to_machine(*point);
+        let moved = corner.iter().any(moves);
+        if moved || [before.settable, after.settable].contains(&number) {
+            list.push(drawn(format!("WCS {name}"), &old));
+        }
+        if moved {
+            list.push(drawn(format!("WCS {name}′"), &new));
+        }
     }
     list
+}
+
+/// The zero offset in force before, then those that are in force after or were corrected.
+fn shown(before: &Control, after: &Control) -> Vec<usize> {
+    let corrected = after.frames.iter().filter(|(number, frame)| {
+        before.frames.get(number).copied().unwrap_or_default() != **frame
+    });
+    let mut others: BTreeSet<usize> = corrected.map(|(number, _)| *number).collect();
+    others.insert(after.settable);
+    others.remove(&before.settable);
+    std::iter::once(before.settable).chain(others).collect()
 }
