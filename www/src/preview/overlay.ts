@@ -5,6 +5,7 @@ import { basis, projector } from "./camera";
 import type { Frame } from "./backend";
 import type { Colours } from "./colours";
 import type { Scene } from "./scene";
+import { add } from "./vec";
 
 const CORNER = { x: 46, y: 76 }; // CSS pixels from the lower left corner, above the line of the step
 const ARM = 24;
@@ -24,11 +25,12 @@ export function drawOverlay(element: SVGSVGElement, scene: Scene, frame: Frame):
   drawInto(element, [...ring(scene, frame), ...names(scene, frame), ...triad(scene.colours, frame)]);
 }
 
-/** Tells where the ball is, behind a part too. */
+/** Tells where the ball or the end of a tool is, behind a part too. */
 function ring(scene: Scene, { camera, view, probe }: Frame): Drawn[] {
   if (!probe) return [];
-  const { x, y } = projector(camera, view)(probe);
-  const r = Math.max(SMALLEST, scene.trace.ball.radius * camera.scale + 1);
+  const { tool, ball } = scene.trace;
+  const { x, y } = projector(camera, view)(tool ? add(probe, tool.at) : probe);
+  const r = tool ? SMALLEST : Math.max(SMALLEST, ball.radius * camera.scale + 1);
   const circle = (stroke: string, width: number): Drawn => ({ tag: "circle", attributes: { cx: x, cy: y, r, fill: "none", stroke, "stroke-width": width } });
   return [circle(scene.colours.background, 3.5), circle(scene.colours.ball, 2)];
 }
