@@ -1,0 +1,35 @@
+// The same task on the other control, folded under the snippet.
+import assert from "node:assert/strict";
+import { after, before, describe, test } from "node:test";
+import { open, shared } from "./browser.mjs";
+
+const twin = (page) => page.locator("details.twin");
+const codes = (page) => twin(page).locator(".snippet").allTextContents();
+
+async function start(chrome, options) {
+  const opened = await open(chrome.browser, options);
+  await opened.page.locator(".tree:not([aria-busy])").waitFor({ state: "attached" }); // all cycles are known
+  return opened;
+}
+
+describe("twin", () => {
+  const chrome = shared("neither", { before, after });
+
+  // oracle: hand: a hole whose zero offset is corrected is G110 with its diameter, and follows the form
+  test("shows both calls side by side while it is unfolded", async () => {
+    const { context, page, problems } = await start(chrome);
+    await page.locator("#field-_MVAR").fill("101");
+    await page.locator("#field-_SETVAL").fill("40");
+    await page.locator("#field-_KNUM").first().waitFor();
+    await twin(page).locator("summary").focus();
+    await page.keyboard.press("Enter");
+    await twin(page).locator(".twin-call").first().waitFor();
+    await page.waitForFunction(() => /G110 D40\b/.test(document.querySelectorAll("details.twin .snippet")[1]?.textContent ?? ""));
+    assert.match((await codes(page))[0], /CYCLE977/);
+    await page.locator("#field-_SETVAL").fill("41");
+    await page.waitForFunction(() => /G110 D41\b/.test(document.querySelectorAll("details.twin .snippet")[1]?.textContent ?? ""));
+    assert.ok((await twin(page).locator(".twin-differences li").count()) > 0);
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+});
