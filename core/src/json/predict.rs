@@ -7,7 +7,7 @@ use crate::check::Inputs;
 use crate::geometry::{V3, rigid};
 use crate::run::setup::Setup;
 use crate::run::survives;
-use crate::workpiece::tool::{Cut, REVERSED, Tool};
+use crate::workpiece::tool::{Cut, Tool};
 use crate::workpiece::{PartErrors, Probe, Solid};
 use serde::Deserialize;
 use serde_json::Value;
@@ -164,7 +164,7 @@ fn tool_errors(setup: &mut Setup, inputs: &Inputs, errors: &Errors) {
     let Some(edge) = edge.filter(|_| inputs.cycle.purpose.probe == ProbeUse::Tool) else {
         return;
     };
-    let nominal = || Tool::nominal(edge, control.bit(REVERSED));
+    let nominal = || Tool::nominal(edge, control);
     let key = (control.tool, control.edge);
     match &mut setup.real_tools.entry(key).or_insert_with(nominal).cut {
         Cut::Cutter(cutter) => cutter.radius += errors.probe.radius,

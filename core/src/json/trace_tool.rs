@@ -8,7 +8,7 @@ use crate::geometry::V3;
 use crate::run::outcome::Outcome;
 use crate::run::setup::Setup;
 use crate::run::trace::Step;
-use crate::workpiece::tool::{Cut, Nose, REVERSED, Tool};
+use crate::workpiece::tool::{Cut, Nose, Tool};
 use serde_json::Value;
 
 /// How much of a turning tool behind its nose is drawn, in nose radii.
@@ -30,7 +30,7 @@ pub(super) fn tool(setup: &Setup, outcome: &Outcome) -> Option<Value> {
     let (number, edge) = in_use(outcome)?;
     let known = |control: &Control| control.edge_of(number, edge).cloned();
     let data = known(&outcome.before).or_else(|| known(&outcome.control))?;
-    let nominal = || Tool::nominal(&data, outcome.before.bit(REVERSED));
+    let nominal = || Tool::nominal(&data, &outcome.before);
     let tool = setup
         .real_tools
         .get(&(number, edge))
@@ -44,7 +44,9 @@ pub(super) fn tool(setup: &Setup, outcome: &Outcome) -> Option<Value> {
     let (outline, axis, end) = match &tool.cut {
         Cut::Cutter(cutter) => {
             let mut axis = V3::zeros();
-            axis[control.plane.axes()[cutter.axis.min(2)]] = 1.0;
+            // a groove mill reaches from its upper edge towards its end
+            axis[control.plane.axes()[cutter.axis.min(2)]] =
+                if cutter.disc > 0.0 { -1.0 } else { 1.0 };
             (cutter.outline(), axis, at)
         }
         Cut::Nose(nose) => {

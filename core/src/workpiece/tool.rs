@@ -7,7 +7,7 @@ use crate::geometry::convex::Convex;
 use crate::geometry::rigid::sin_cos;
 
 /// 1: cutting edge positions count the other way round in the ordinate (B:14051).
-pub const REVERSED: &str = "_CHBIT[23]";
+const REVERSED: &str = "_CHBIT[23]";
 /// Height of a drill's point per mm of its radius: the usual point of 118 degree.
 const DRILL_POINT: f64 = 0.600_860_619;
 /// Least height of a cutter, mm.
@@ -93,9 +93,12 @@ pub fn side(position: i64, reversed: bool) -> [f64; 2] {
 
 impl Tool {
     /// A tool that is as the control believes: turning tools by their cutting edge position, drills with a point, anything
-    /// else a smooth cutter with its corner radius (`$TC_DP7`).
-    pub fn nominal(edge: &Edge, reversed: bool) -> Tool {
+    /// else a smooth cutter with its corner radius (`$TC_DP7`). How a cutter lies no datum tells: along the applicate, and
+    /// where it is as long as a turning tool along the abscissa.
+    pub fn nominal(edge: &Edge, control: &Control) -> Tool {
         let radius = edge.total_radius();
+        let reversed = control.bit(REVERSED);
+        let [.., along_third] = control.length_axes(edge);
         let cut = if edge.is_turning() {
             Cut::Nose(Nose {
                 radius,
@@ -115,6 +118,7 @@ impl Tool {
                 } else {
                     corner.clamp(0.0, radius)
                 },
+                axis: if along_third == 2 { 0 } else { 2 },
                 ..Cutter::smooth(radius)
             })
         };

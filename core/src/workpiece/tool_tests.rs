@@ -5,7 +5,8 @@
 use super::tool::{Cut, Cutter, Nose, Piece, Spindle, Tool, side};
 use super::tool_probe::{Contact, ToolProbe, first, obstacle, touch};
 use super::{PartErrors, Shape, Solid, Workpiece};
-use crate::control::{Edge, Plane};
+use crate::catalogue::Dialect;
+use crate::control::{Control, Edge, Plane, delivery};
 use crate::geometry::convex::Convex;
 use crate::geometry::{V3, rigid};
 use crate::workpiece::contact::{Boundary, Contact as BallContact};
@@ -198,7 +199,8 @@ fn corner_radius_chamfer_and_point_touch_the_rim_later() {
         radius: 8.0,
         ..Edge::default()
     };
-    let Cut::Cutter(drill) = Tool::nominal(&drill, false).cut else {
+    let control = delivery(Dialect::Sinumerik);
+    let Cut::Cutter(drill) = Tool::nominal(&drill, &control).cut else {
         panic!("a drill is a cutter");
     };
     let found = way(drill).unwrap();
@@ -206,6 +208,24 @@ fn corner_radius_chamfer_and_point_touch_the_rim_later() {
         (found - (41.0 - 59.0_f64.to_radians().tan())).abs() < 1e-8,
         "{found}"
     );
+}
+
+#[test]
+fn a_cutter_lies_along_the_axis_in_which_its_length_counts() {
+    // oracle: manual B:762-817 (L1 along the applicate), B:9192 (as a turning tool: L2 along the abscissa, axial position)
+    let mill = Edge {
+        kind: 120,
+        radius: 8.0,
+        ..Edge::default()
+    };
+    let mut control = delivery(Dialect::Sinumerik);
+    let axis = |control: &Control| match Tool::nominal(&mill, control).cut {
+        Cut::Cutter(cutter) => cutter.axis,
+        Cut::Nose(_) => panic!("a mill is a cutter"),
+    };
+    assert_eq!(axis(&control), 2);
+    control.set("SD42950", 2.0);
+    assert_eq!(axis(&control), 0);
 }
 
 #[test]

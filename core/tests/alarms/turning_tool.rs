@@ -74,9 +74,8 @@ fn setup() -> Setup {
         radius: 2.0,
         ..Edge::default()
     };
-    setup
-        .real_tools
-        .insert((3, 1), tool::Tool::nominal(&edge, false));
+    let real = tool::Tool::nominal(&edge, control);
+    setup.real_tools.insert((3, 1), real);
     let tool = Tool {
         name: "TURNING".into(),
         edges: [(1, edge)].into(),

@@ -71,7 +71,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
 /// A cutter as the variant says that it lies.
 fn lying(inputs: &Inputs, control: &Control) -> Option<Tool> {
     let edge = control.active_edge().filter(|edge| !edge.is_turning())?;
-    let mut tool = Tool::nominal(edge, false);
+    let mut tool = Tool::nominal(edge, control);
     if let Cut::Cutter(cutter) = &mut tool.cut {
         cutter.axis = match DRILL_ALONG_APPLICATE.holds(inputs) {
             true => 2,

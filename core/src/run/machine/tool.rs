@@ -5,7 +5,7 @@ use crate::geometry::V3;
 use crate::run::route::{Obstacle, Route, add};
 use crate::run::trace::{MotionKind, Step};
 use crate::workpiece::noise::Noise;
-use crate::workpiece::tool::{Piece, REVERSED, Spindle, Tool};
+use crate::workpiece::tool::{Piece, Spindle, Tool};
 use crate::workpiece::tool_probe::{self, Contact, ToolProbe};
 
 /// The scatter of all tool probes comes from the sequence of the first.
@@ -22,9 +22,8 @@ impl Sim {
         }
         let edge = self.control.active_edge()?.clone();
         let key = self.control.active_place();
-        let reversed = self.control.bit(REVERSED);
         let tool = self.real_tools.entry(key);
-        let tool = tool.or_insert_with(|| Tool::nominal(&edge, reversed));
+        let tool = tool.or_insert_with(|| Tool::nominal(&edge, &self.control));
         let error = tool.error(&self.control);
         let point = V3::from(add(at, error, 1.0));
         let spindle = match self.control.spindle_speed {
