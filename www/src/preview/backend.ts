@@ -17,6 +17,13 @@ export interface Frame {
 /** Scanned points: four numbers each, X Y Z from the origin and the deviation, mm. `full`: deviation of full colour, mm. */
 export interface Cloud { points: Float32Array; origin: Vec3; full: number }
 
+const MANY = 20_000; // points that cover the surface anyway
+
+/** Size of a scanned point, CSS pixels. */
+export function dotSize({ points }: Cloud): number {
+  return points.length / 4 > MANY ? 2.4 : 5;
+}
+
 export interface Backend {
   name: BackendName;
   element: HTMLElement | SVGElement;

@@ -1,7 +1,7 @@
 // WebGPU and WebGL2: the same drawing code in two builds, of which the browser loads the one that it can run.
 // An adapter alone proves nothing, the canvas may stay blank: a picture is drawn and its pixels are looked at first.
 import type { Backend, BackendName, Cloud, Frame } from "./backend";
-import { COMING } from "./backend";
+import { COMING, dotSize } from "./backend";
 import { basis, matrix } from "./camera";
 import { parse } from "./colours";
 import { packLines, packVertices } from "./mesh";
@@ -29,7 +29,6 @@ type Lost = (reason?: string) => void;
 const LOST_EVENT = "probewright-preview-lost";
 const PROBE_SIZE = 64;
 const DEPTH_BIAS = 0.0015;
-const DOT = 2.4; // CSS pixels of a scanned point
 const NO_CLOUD = new Array<number>(16).fill(0);
 
 const load: Record<"webgpu" | "webgl2", () => Promise<Module>> = {
@@ -133,7 +132,7 @@ function backend(name: "webgpu" | "webgl2", canvas: HTMLCanvasElement, renderer:
         [canvas.width, canvas.height] = size = [width, height];
         renderer.resize(width, height);
       }
-      renderer.set_view(uniforms(scene, frame, width, height, cloud?.full ?? 1));
+      renderer.set_view(uniforms(scene, frame, width, height, cloud));
       renderer.render();
     },
     destroy() {
@@ -156,8 +155,8 @@ function placed({ points, origin }: Cloud, to: Vec3): Float32Array {
   return moved;
 }
 
-/** The uniform block of web/preview/src/layout.rs. `full`: deviation of full colour, mm. */
-function uniforms(scene: Scene, frame: Frame, width: number, height: number, full: number): Float32Array {
+/** The uniform block of web/preview/src/layout.rs. */
+function uniforms(scene: Scene, frame: Frame, width: number, height: number, cloud: Cloud | null): Float32Array {
   const camera = { ...frame.camera, target: sub(frame.camera.target, scene.origin) };
   const { right, up, back } = basis(camera);
   const reach = scene.radius + Math.abs(dot(camera.target, back)) + Math.hypot(...camera.target);
@@ -168,7 +167,7 @@ function uniforms(scene: Scene, frame: Frame, width: number, height: number, ful
     ...right, 0, ...up, 0, ...back, 0,
     width, height, frame.time, COMING,
     ...probe, DEPTH_BIAS,
-    DOT * frame.ratio, full, 0, 0,
+    (cloud ? dotSize(cloud) : 0) * frame.ratio, cloud?.full ?? 1, 0, 0,
     ...parse(colours.outside), ...parse(colours.level), ...parse(colours.inside),
   ]);
 }

@@ -3,7 +3,7 @@
 import { svg } from "../dom";
 import { drawInto, type Drawn } from "../draw";
 import type { Vec3 } from "../wire";
-import { COMING, type Backend, type Cloud, type Frame } from "./backend";
+import { COMING, dotSize, type Backend, type Cloud, type Frame } from "./backend";
 import { basis, projector, type Projected } from "./camera";
 import { css, parse, type Rgba } from "./colours";
 import { cover, emptyDepth, hidden, type Depth } from "./depth";
@@ -44,10 +44,11 @@ function paint(element: SVGSVGElement, scene: Scene, cloud: Cloud | null, frame:
 }
 
 const DOTS = 4000; // scanned points that are drawn at most, evenly spread
-const DOT = 1.2;   // radius of one, CSS pixels
 
 /** Scanned points that no face hides, coloured by their deviation. */
-function dots({ points, origin, full }: Cloud, scene: Scene, frame: Frame, depth: Depth): Drawn[] {
+function dots(cloud: Cloud, scene: Scene, frame: Frame, depth: Depth): Drawn[] {
+  const { points, origin, full } = cloud;
+  const r = dotSize(cloud) / 2;
   const project = projector(frame.camera, frame.view);
   const every = Math.max(1, Math.ceil(points.length / 4 / DOTS));
   const [outside, level, inside] = [parse(scene.colours.outside), parse(scene.colours.level), parse(scene.colours.inside)];
@@ -58,7 +59,7 @@ function dots({ points, origin, full }: Cloud, scene: Scene, frame: Frame, depth
     const share = Math.max(-1, Math.min(1, points[i + 3]! / full));
     const end = share < 0 ? inside : outside;
     const fill = css(level.map((value, part) => value + (end[part]! - value) * Math.abs(share)) as Rgba);
-    found.push({ tag: "circle", attributes: { cx: round(at.x), cy: round(at.y), r: DOT, fill } });
+    found.push({ tag: "circle", attributes: { cx: round(at.x), cy: round(at.y), r, fill } });
   }
   return found;
 }

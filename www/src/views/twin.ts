@@ -6,7 +6,7 @@ import { plain } from "../numbers";
 import type { State } from "../state";
 import type { Store } from "../store";
 import { say, t } from "../texts";
-import type { Message, TwinView } from "../wire";
+import type { TwinView } from "../wire";
 import { copyText } from "./form";
 
 function column(): { root: HTMLElement; name: HTMLElement; code: HTMLElement } {
