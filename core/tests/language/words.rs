@@ -51,6 +51,26 @@ fn the_spindle_is_turned() {
     );
 }
 
+// oracle: hand: M3 and M4 turn with the speed that S gives, another S while it turns counts at once, M5 and SPOS end it
+#[test]
+fn the_spindle_turns() {
+    let speeds = |text: &str| {
+        let outcome = clean(text);
+        let steps = outcome.trace.entries.iter();
+        let speeds = steps.filter_map(|entry| match entry.step {
+            Step::Spin(speed) => Some(speed),
+            _ => None,
+        });
+        (speeds.collect::<Vec<_>>(), outcome.control.spindle_speed)
+    };
+    assert_eq!(
+        speeds("S500 M3\nS300\nM4\nM5\nS200"),
+        (vec![500.0, 300.0, -300.0, 0.0], 0.0)
+    );
+    assert_eq!(speeds("M4 S500\nS300"), (vec![-500.0, -300.0], -300.0));
+    assert_eq!(speeds("M3 S500\nSPOS=90"), (vec![500.0], 0.0));
+}
+
 // oracle: manual (Job planning, alarms in the cycle area: 61000 and 65000 stop, 62000 and 67000 are shown)
 #[test]
 fn a_program_raises_alarms() {
