@@ -249,6 +249,7 @@ column-difference = Change
 problems-more = { $count } more. They are marked in the program, and come here when these are mended.
 problems-none = No problems found.
 problem-place = line { $line }, column { $column }
+log-save = Save as a file
 log-none = Nothing was logged.
 
 sliders-title = Errors

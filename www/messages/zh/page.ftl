@@ -245,6 +245,7 @@ column-difference = 变化
 problems-more = 还有 { $count } 个。它们已在程序中标出，改正这些之后会列在这里。
 problems-none = 没有发现问题。
 problem-place = 第 { $line } 行，第 { $column } 列
+log-save = 保存为文件
 log-none = 没有日志。
 
 sliders-title = 误差

@@ -3,6 +3,7 @@
 import type { Actions } from "../actions";
 import type { Derived } from "../derive";
 import { el, keyed, on, setAttribute, setText, show } from "../dom";
+import { saveFile } from "../files";
 import { fixed, signed } from "../numbers";
 import type { Scanner } from "../scan/scanner";
 import type { ResultTab, State } from "../state";
@@ -216,11 +217,15 @@ function stepLine(entry: Step & { line?: number }, index: number): string {
 function createLog(root: HTMLElement): Draw {
   const none = el("p", { class: "empty" }, t("log-none"));
   const text = el("pre", { class: "log", tabindex: "0", "aria-label": t("tab-log") });
-  root.append(none, text);
+  const save = el("button", { type: "button" }, t("log-save"));
+  const actions = el("div", { class: "actions" }, save);
+  root.append(none, text, actions);
+  on(save, "click", () => saveFile(`${text.textContent ?? ""}\n`, "print.txt"));
   return (state, derived) => {
     const log = shownOutcome(state, derived)?.log ?? [];
     show(none, log.length === 0);
     show(text, log.length > 0);
+    show(actions, log.length > 0);
     setText(text, log.join("\n"));
   };
 }
