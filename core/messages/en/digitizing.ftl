@@ -27,8 +27,10 @@ result-p9969-lowest = Lowest point
 result-p9969-highest = Highest point
 decision-p9969-told = Motions and blocks of the first { $told } of { $all } points are listed; a scan of the whole surface is on the page of its results.
 nct-scanning-obstructed = The stylus is stuck: something lies on its way back.
+    .cause = A cavity is too narrow or too steep for the stylus.
     .cure = Retract it by hand, then take a larger line spacing, a smaller ball or another rectangle.
 nct-scanning-fail = No position was found in three attempts.
+    .cause = Three times the signal was gone when the stylus stood still, or there before it moved.
     .cure = Check the probe; raise Q if the stylus is still deflected after its retraction.
 run-scan-limit = The scan has more than { $limit } points and was given up. Take a larger R or line spacing.
 

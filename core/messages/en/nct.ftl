@@ -160,26 +160,37 @@ result-nct-shift-2 = Centre from the start position, second axis
 decision-nct-no-update = The deviation is greater than U: neither tool nor work offset is changed.
 
 nct-format-error = A value is missing, out of range, or excludes another.
+    .cause = An address that the macro needs is left out, one is out of its range, or two are given that exclude each other.
     .cure = Complete the addresses of the block: S from 0 to 6, T and M from 1 to 99, S not with T.
 nct-no-tool-length = No length offset of the stylus is applied.
+    .cause = The stylus moves and measures at its tip; without G43 and H the control does not know how long it is.
     .cure = Apply the length of the stylus with G43 and its H register first.
 nct-path-obstructed = The stylus hit something on its way.
+    .cause = Part, clamping or a forgotten tool stands in the way, or the target of the positioning is wrong.
     .cure = Free the way, or go another way to the target.
 nct-stylus-in-contact = The stylus touches before the macro starts.
+    .cause = The stylus lies against something, a chip sticks to it, or the probe gives its signal without contact.
     .cure = Start where the stylus is free.
 nct-false-trigger = A signal came that was none.
+    .cause = Vibration, a speed that is too high for the stylus, or a loose or dirty connection of the probe.
     .cure = Check stylus and interface; approach more slowly.
 nct-out-of-position = The last protected positioning did not reach its target.
+    .cause = G101 was stopped before its target, and the program went on; a measurement from there would be a wrong one.
     .cure = Repeat the positioning with G101 until it reaches its target.
 nct-probe-fail = No wall was found within the overtravel.
+    .cause = The surface lies further away than Q reaches past its nominal place, or the probe is off or not connected.
     .cure = Check the nominal size and the start position, or raise Q.
 nct-no-movement = The values leave nothing to move.
+    .cause = The stylus already stands where the search would end.
     .cure = Check nominal value and overtravel against the start position and the ball of the stylus.
 nct-out-of-tolerance = The deviation is greater than the tolerance H.
+    .cause = The part is too large, too small or out of its place. The correction is made all the same, so that the next part is right.
     .cure = Check the part; START goes on.
 nct-upper-tol-exeeded = The deviation is greater than the limit U; nothing is corrected.
+    .cause = Such a deviation is more often a broken tool, a chip or a wrong nominal size than wear.
     .cure = Check tool and part; START goes on.
 nct-tool-dia-offs-too-large = With the corrected register the tool no longer fits between the walls.
+    .cause = The deviation makes the diameter in register T greater than the nominal size between the walls.
     .cure = Take a smaller tool; START goes on.
 
 # G65 P9920: the tool probe.

@@ -27,8 +27,10 @@ result-p9969-lowest = 最低点
 result-p9969-highest = 最高点
 decision-p9969-told = 只列出 { $all } 点中前 { $told } 点的运动和程序段；整个曲面的扫描见结果页。
 nct-scanning-obstructed = 测针卡住：退回的路上有障碍。
+    .cause = 凹处对测针来说太窄或太陡。
     .cure = 手动退回测针，然后采用更大的行距、更小的测球或另一个矩形。
 nct-scanning-fail = 三次尝试都没有找到位置。
+    .cause = 三次都是：测针停住时信号已消失，或在移动之前信号就已存在。
     .cure = 请检查测头；若退回后测针仍然偏转，请加大 Q。
 run-scan-limit = 扫描超过 { $limit } 点，已中止。请加大 R 或行距。
 

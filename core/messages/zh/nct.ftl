@@ -160,26 +160,37 @@ result-nct-shift-2 = 中心对起点的偏移，第二轴
 decision-nct-no-update = 偏差大于 U：刀具和工件偏置都不改变。
 
 nct-format-error = 缺少数值，数值超出范围，或与另一个冲突。
+    .cause = 缺少宏程序需要的地址，某个地址超出范围，或者给出了两个互相排斥的地址。
     .cure = 请补全程序段的地址：S 为 0 到 6，T 和 M 为 1 到 99，S 不能与 T 同用。
 nct-no-tool-length = 测针的长度补偿没有生效。
+    .cause = 测针按其测尖移动和测量；没有 G43 和 H，控制系统不知道它有多长。
     .cure = 请先用 G43 和 H 寄存器使测针长度生效。
 nct-path-obstructed = 测针在途中碰到东西。
+    .cause = 工件、夹具或遗忘的刀具挡在路上，或者定位目标有误。
     .cure = 请清除障碍，或走别的路径到目标。
 nct-stylus-in-contact = 宏程序开始前测针已接触。
+    .cause = 测针贴着某物，粘有切屑，或者测头没有接触就发出信号。
     .cure = 请从测针未接触处开始。
 nct-false-trigger = 来了一个不该有的信号。
+    .cause = 振动，速度对测针来说过高，或者测头连接松动、脏污。
     .cure = 请检查测针和接口；接近得慢一些。
 nct-out-of-position = 上一次受保护的定位没有到达目标。
+    .cause = G101 在到达目标之前停止，而程序继续运行；从那里测量会得到错误的结果。
     .cure = 请用 G101 重复定位，直到到达目标。
 nct-probe-fail = 在超程内没有找到壁。
+    .cause = 表面比 Q 越过名义位置所及之处更远，或者测头关闭或未连接。
     .cure = 请检查公称尺寸和起点，或加大 Q。
 nct-no-movement = 这些数值没有留下可移动的行程。
+    .cause = 测针已经位于搜索的终点。
     .cure = 请对照起点和测球检查公称值和超程。
 nct-out-of-tolerance = 偏差大于公差 H。
+    .cause = 工件过大、过小或位置不对。修正仍会执行，使下一个工件合格。
     .cure = 请检查工件；按 START 继续。
 nct-upper-tol-exeeded = 偏差大于上限 U；不作补偿。
+    .cause = 这样的偏差多半来自断刀、切屑或错误的名义尺寸，而不是磨损。
     .cure = 请检查刀具和工件；按 START 继续。
 nct-tool-dia-offs-too-large = 补偿后的寄存器使刀具放不进两壁之间。
+    .cause = 偏差使寄存器 T 中的直径大于两壁之间的名义尺寸。
     .cure = 请用较小的刀具；按 START 继续。
 
 # G65 P9920：对刀仪。

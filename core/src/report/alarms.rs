@@ -156,4 +156,16 @@ mod tests {
             assert_ne!(told.cause.as_ref(), Some(&told.meaning), "{key}");
         }
     }
+
+    // oracle: self
+    #[test]
+    fn every_message_of_the_macros_has_a_cause() {
+        for words in ["en", "zh"].map(|code| Words::of(code).unwrap()) {
+            for alarm in ALARMS {
+                let told = told(alarm, &words);
+                let macros = matches!(alarm.code, crate::diagnostic::Code::Nct(_));
+                assert!(!macros || told.cause.is_some(), "{}", told.code);
+            }
+        }
+    }
 }

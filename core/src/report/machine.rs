@@ -4,6 +4,7 @@ use super::markdown::{heading, line, row};
 use crate::catalogue::Range;
 use crate::control::gud::{self, Block, Element, Gud, Initial, Kind, Subject, System, Unit};
 use crate::control::machine_data::{MACHINE_DATA, MachineDatum};
+use crate::control::nct_data;
 use crate::message::Message;
 use crate::run::user_program;
 use crate::support;
@@ -15,13 +16,16 @@ pub fn page(words: &Words) -> String {
     line(&mut text, "# Data of the machine");
     line(
         &mut text,
-        "User data of the blocks GUD5, GUD6 and GUD7 and the machine data that measuring cycles depend on. Generated from the tables in `core/src/control`; do not edit.",
+        "SINUMERIK: user data of the blocks GUD5, GUD6 and GUD7 and the machine data that measuring cycles depend on. NCT, at the end: the variables and parameters of the probing macros. Generated from the tables in `core/src/control`; do not edit.",
     );
     for subject in gud::SUBJECTS {
         user_data(&mut text, subject, words);
     }
     machine_data(&mut text, words);
     user_programs(&mut text, words);
+    for subject in nct_data::SUBJECTS {
+        nct_subject(&mut text, subject, words);
+    }
     while text.ends_with("\n\n") {
         text.pop();
     }
@@ -212,6 +216,25 @@ fn user_programs(text: &mut String, words: &Words) {
             format!("`{}`", program.name),
             meaning(program.key, &[], words),
             program.source.to_owned(),
+        ];
+        row(text, &cells);
+    }
+    text.push('\n');
+}
+
+/// Variables and parameters of an NCT control.
+fn nct_subject(text: &mut String, subject: &nct_data::Subject, words: &Words) {
+    let group = words.key(format!("machine-group-{}", subject.key));
+    let columns = ["name", "meaning", "delivered", "unit", "allowed", "source"];
+    heading(text, &format!("NCT: {group}"), &columns);
+    for datum in subject.data {
+        let cells = [
+            format!("`{}`", datum.name),
+            meaning(&datum.key(), datum.choices, words),
+            datum.initial.unwrap_or(0.0).to_string(),
+            unit(datum.unit).to_owned(),
+            range(datum.range),
+            datum.source.to_owned(),
         ];
         row(text, &cells);
     }
