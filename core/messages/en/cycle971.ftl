@@ -88,6 +88,8 @@ check-cm-order = { $name } should be smaller than _CM[6]: each probing is slower
 check-cm-order-hint = Set a smaller feed factor 2, or 0 for two probings.
 check-compensation-make = No compensation takes place: _MT_COMP=1 needs the make of the probe in { $name }.
 check-compensation-make-hint = Set _TP_CF to 1 (TT130) or 2 (TS27R), or use a table of your own with _MT_COMP=2.
+check-compensation-inside = The control takes the table of this make of probe off the measured value. It is inside of the control and in no manual: the prediction takes nothing off.
+check-compensation-inside-hint = With _MT_COMP=2 a table of your own in { $name } counts, on the control and here.
 check-compensation-table = Radii or peripheral speeds in { $name } do not ascend; the wrong compensation may be taken.
 check-compensation-table-hint = Enter the radii in [0,1] to [0,4] and the speeds in [1,0] to [5,0] in ascending order, or set _MT_COMP=0.
 

@@ -2,7 +2,7 @@
 
 use super::params::IN_PLANE;
 use crate::catalogue::names;
-use crate::check::{Finding, Inputs, error, warning};
+use crate::check::{Finding, Inputs, error, note, warning};
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic, Severity};
 use crate::message::Message;
@@ -22,7 +22,8 @@ fn finding(severity: Severity, code: Code, key: &'static str, name: &str) -> Dia
     let message = Message::new(key).text("name", name);
     let finding = match severity {
         Severity::Error => error(code, message),
-        _ => warning(code, message),
+        Severity::Warning => warning(code, message),
+        Severity::Note => note(code, message),
     };
     finding
         .hint(Message::new(format!("{key}-hint")))
@@ -105,19 +106,23 @@ fn limits(control: &Control, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// `_MT_COMP`: 1 takes the tables of a make, 2 those of the user, whose radii and speeds ascend (B:4334-4383).
+/// `_MT_COMP`: 1 takes the tables of a make, which are in no manual, 2 those of the user, whose radii and speeds ascend
+/// (B:4334-4383).
 fn compensation(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     let table = if IN_PLANE.holds(inputs) {
         "_MT_EC_R"
     } else {
         "_MT_EC_L"
     };
-    let (own, key, name) = match control.number("_MT_COMP") as i64 {
-        1 if control.number("_TP_CF") == 0.0 => (70, "check-compensation-make", "_TP_CF"),
-        2 if !ascends(control, table) => (71, "check-compensation-table", table),
+    let (severity, own, key, name) = match control.number("_MT_COMP") as i64 {
+        1 if control.number("_TP_CF") == 0.0 => {
+            (Severity::Warning, 70, "check-compensation-make", "_TP_CF")
+        }
+        1 => (Severity::Note, 149, "check-compensation-inside", table),
+        2 if !ascends(control, table) => (Severity::Warning, 71, "check-compensation-table", table),
         _ => return,
     };
-    found.push(finding(Severity::Warning, Code::Own(own), key, name));
+    found.push(finding(severity, Code::Own(own), key, name));
 }
 
 /// Whether the radii `[0,1..4]` and the peripheral speeds `[1..5,0]` of a table rise.

@@ -5,6 +5,8 @@ mod checks;
 mod cutter;
 mod cutters;
 mod drill;
+#[cfg(test)]
+mod drill_tests;
 mod edges;
 mod help;
 #[cfg(test)]
