@@ -3,8 +3,10 @@
 
 use probewright_core::catalogue::Dialect;
 use probewright_core::control::Plane;
+use probewright_core::message::Message;
 use probewright_core::program::position::Positions;
 use probewright_core::program::read;
+use probewright_core::run::trace::Step;
 use probewright_core::run::{Limits, Outcome, Setup, Stop, run};
 
 fn go(text: &str) -> Outcome {
@@ -169,6 +171,10 @@ fn wrong_programs_stop_at_their_place() {
         ("#600=#[-1]", "run-unknown-variable", (1, 6)),
         ("#0=1", "run-read-only", (1, 1)),
         ("#1003=1", "run-read-only", (1, 1)),
+        ("#5001=1", "run-read-only", (1, 1)),
+        ("#600=#5004", "run-unknown-variable", (1, 6)),
+        ("#5341=1", "run-unknown-variable", (1, 1)),
+        ("G0 X1\n#3000=12(PART MISSING)", "run-set-alarm", (2, 1)),
         ("#600=1/#1", "run-division", (1, 8)),
         ("GOTO 5", "run-label", (1, 1)),
         ("M98 P20\nM30\nO20\nM99 P4", "run-label", (4, 1)),
@@ -222,4 +228,87 @@ fn unknown_words_and_programs_are_told() {
             .collect();
         assert_eq!(keys, [key], "{text}");
     }
+}
+
+// oracle: hand
+#[test]
+fn the_control_tells_what_is_in_force() {
+    for (text, expected) in [
+        ("G1 F100\n#600=#4001", 1.0),
+        ("G18\n#600=#4002", 18.0),
+        ("G91\n#600=#4003", 91.0),
+        ("#600=#4005", 94.0),
+        ("G20\n#600=#4006", 20.0),
+        ("#600=#4007", 40.0),
+        ("G49\n#600=#4008", 49.0),
+        ("G59\n#600=#4014", 59.0),
+        ("F250\n#600=#4109", 250.0),
+        ("S1200\n#600=#4119", 1200.0),
+    ] {
+        assert_eq!(number(text, "#600"), expected, "{text}");
+    }
+}
+
+// oracle: hand: the tip is where the program moved it, the spindle nose stands above it by the length in force
+#[test]
+fn the_control_tells_where_it_stands() {
+    let moved = "G90 G0 X12 Y34 Z56\n";
+    for (read, expected) in [("#5001", 12.0), ("#5002", 34.0), ("#5003", 56.0)] {
+        let found = number(&format!("{moved}#600={read}"), "#600");
+        assert!((found - expected).abs() < 1e-9, "{read}: {found}");
+    }
+    for closed in [
+        "#5043-#5003-#5083",
+        "#5041-#5001",
+        "#5023-#5043-#5203-#5223",
+    ] {
+        let found = number(&format!("{moved}#600={closed}"), "#600");
+        assert!(found.abs() < 1e-9, "{closed}: {found}");
+    }
+    let inch = number(&format!("{moved}G20\n#600=#5001*25.4"), "#600");
+    assert!((inch - 12.0).abs() < 1e-9);
+}
+
+// oracle: hand: a work offset that the program writes counts at once where it is in force
+#[test]
+fn a_program_writes_work_offsets() {
+    let text = "G54 G0 X10\n#1=#5021\n#5221=#5221+5\nX10\n#600=#5021-#1";
+    assert!((number(text, "#600") - 5.0).abs() < 1e-9);
+    let text = "G54 G0 X10\n#1=#5021\n#5201=#5201-2\nX10\n#600=#5021-#1";
+    assert!((number(text, "#600") + 2.0).abs() < 1e-9);
+    let text = "G54 G0 X10\n#1=#5021\n#5321=7\nX10\n#600=#5021-#1+#5321";
+    assert!((number(text, "#600") - 7.0).abs() < 1e-9);
+    let control = go("G20\n#5321=1").control;
+    assert_eq!(control.variable("G59 X"), Some(25.4));
+}
+
+// oracle: manual C:90 names the clock; hand: it goes on with the program and starts where it is set
+#[test]
+fn the_clock_goes_on() {
+    let text = "#3001=0\nWHILE[#3001 LT 50]DO1\n#600=#600+1\nEND1";
+    let rounds = number(text, "#600");
+    assert!((10.0..=50.0).contains(&rounds), "{rounds}");
+}
+
+// oracle: hand
+#[test]
+fn a_program_stops_with_its_own_text() {
+    let outcome = go("#3006=1 (CLEAN THE BALL)\nM30");
+    assert_eq!(outcome.stop, None);
+    let shown = Step::Message("CLEAN THE BALL".to_owned());
+    assert!(
+        outcome
+            .trace
+            .entries
+            .iter()
+            .any(|entry| entry.step == shown)
+    );
+    let outcome = go("#3000=12 (PART MISSING)\nM30");
+    let Some(Stop::Fault(message)) = outcome.stop else {
+        panic!("{:?}", outcome.stop);
+    };
+    let expected = Message::new("run-set-alarm")
+        .number("number", 12.0)
+        .text("text", "PART MISSING");
+    assert_eq!(message, expected);
 }

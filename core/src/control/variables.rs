@@ -237,7 +237,7 @@ impl Control {
 }
 
 /// Name of an NCT work offset as shown: `COMMON`, `G54`..`G59`.
-fn nct_offset(number: usize) -> String {
+pub fn nct_offset(number: usize) -> String {
     if number == 0 {
         "COMMON".into()
     } else {

@@ -69,6 +69,8 @@ pub struct Interpreter {
     pub work: usize,
     /// The block that comes next.
     pub at: usize,
+    /// Work at which the clock of the control (`#3001` of NCT) stood at 0.
+    pub clock: f64,
     /// Work after which the run is given up.
     pub limit: usize,
     seen: BTreeSet<(u32, String)>,
@@ -205,6 +207,7 @@ impl Interpreter {
             depth: limits.depth,
             skip: setup.skip.clone(),
             work: 0,
+            clock: 0.0,
             limit: limits.steps,
             seen: BTreeSet::new(),
             program: Rc::new(program),

@@ -4,6 +4,7 @@
 use super::datum::Datum;
 use super::interpret::Interpreter;
 use super::locals::{Local, Variable};
+use super::macro_system;
 use super::problem::Problem;
 use super::types::Type;
 use crate::diagnostic::Span;
@@ -19,6 +20,8 @@ enum Kind {
     Common,
     /// `#1002` and `#1003`: signals of the tool measuring device (C:1204).
     Input,
+    /// What the control tells, from `#3000`.
+    System(u32),
 }
 
 fn kind(number: u32) -> Option<Kind> {
@@ -27,6 +30,7 @@ fn kind(number: u32) -> Option<Kind> {
         1..=33 => Kind::Local,
         100..=199 | 500..=999 => Kind::Common,
         1002 | 1003 => Kind::Input,
+        number if macro_system::is(number) => Kind::System(number),
         _ => return None,
     })
 }
@@ -66,6 +70,7 @@ pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem>
                 _ => None,
             }
         }
+        Kind::System(number) => Some(macro_system::read(run, number)),
         Kind::Common | Kind::Input => run.sim.control.data.get(key).map(Datum::from),
     };
     Ok(value.unwrap_or(Datum::Vacant))
@@ -79,6 +84,7 @@ pub fn write(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Re
     let vacant = *value == Datum::Vacant;
     match known(key, place)? {
         Kind::Nothing | Kind::Input => Err(Problem::new("run-read-only", place, key)),
+        Kind::System(system) => macro_system::write(run, system, number, place),
         Kind::Local => {
             let locals = run.levels.last_mut().map(|level| &mut level.locals);
             if let Some(locals) = locals {

@@ -21,6 +21,7 @@ mod listed;
 pub mod locals;
 pub mod machine;
 mod macro_call;
+mod macro_system;
 mod macro_variables;
 mod manner;
 pub mod modal;

@@ -2,6 +2,8 @@
 
 use super::{OUT_OF_TOLERANCE, TOOL_TOO_LARGE, UPPER_TOLERANCE, axis_name};
 use crate::check::Inputs;
+use crate::control::Control;
+use crate::control::variables::nct_offset;
 use crate::evaluate::tolerance::exceeds;
 use crate::message::Message;
 use crate::run::Machine;
@@ -80,17 +82,17 @@ fn correct_tool(machine: &mut dyn Machine, register: i64, found: &Found) {
 /// in the examples, which never call it again (C:1159-1183). `shift`: measured minus nominal, WCS, mm.
 pub fn move_offset(machine: &mut dyn Machine, offset: usize, shift: [f64; 3]) {
     let shift = machine.control().direction_to_machine(shift);
-    let system = if offset == 0 {
-        "COMMON".into()
-    } else {
-        format!("G{}", 53 + offset)
-    };
+    let system = nct_offset(offset);
     for axis in (0..3).filter(|axis| shift[*axis] != 0.0) {
         let name = format!("{system} {}", axis_name(axis));
         let before = machine.control().variable(&name).unwrap_or(0.0);
         write(machine, name, before + shift[axis]);
     }
-    let control = machine.control();
+    count_at_once(machine.control(), offset);
+}
+
+/// A work offset that was written counts at once where it is in effect.
+pub fn count_at_once(control: &mut Control, offset: usize) {
     let active = control.settable;
     if offset == 0 || offset == active {
         control.activate(active);

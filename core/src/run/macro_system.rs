@@ -1,0 +1,152 @@
+//! What an NCT control tells its programs, and takes from them, by numbers from #3000. C names #3001 only (C:90); the
+//! other numbers are those that controls with this macro language share.
+
+use super::datum::Datum;
+use super::interpret::Interpreter;
+use super::modal::{Compensation, FeedType, Motion};
+use super::problem::Problem;
+use super::trace::Step;
+use crate::catalogue::nct::correct;
+use crate::control::variables::nct_offset;
+use crate::control::{Control, Plane, Units};
+use crate::diagnostic::Span;
+use crate::message::Message;
+
+/// Stops with an alarm of the program, whose text is the comment of the block.
+const ALARM: u32 = 3000;
+/// Internal clock, ms (C:90). A block takes one of them here.
+const CLOCK: u32 = 3001;
+/// Stops until START and shows the comment of the block.
+const STOP: u32 = 3006;
+/// First axis of the common work offset; those of G54 to G59 follow, 20 numbers apart.
+const OFFSETS: u32 = 5201;
+/// Numbers from one work offset to the next.
+const APART: u32 = 20;
+
+/// Whether a number belongs here.
+pub fn is(number: u32) -> bool {
+    matches!(
+        number,
+        ALARM | CLOCK | STOP | 4001..=4008 | 4014 | 4109 | 4111 | 4119 | 4120
+    ) || position(number).is_some()
+        || offset(number).is_some()
+}
+
+/// Its value: lengths in the unit in force, angles and codes as they are.
+pub fn read(run: &Interpreter, number: u32) -> Datum {
+    let control = &run.sim.control;
+    let value = match number {
+        CLOCK => Some(run.work as f64 - run.clock),
+        _ => modal(run, number)
+            .or_else(|| stands(run, number))
+            .or_else(|| {
+                let name = offset(number)?.1;
+                Some(control.variable(&name)? / control.active_factor())
+            }),
+    };
+    value.map_or(Datum::Vacant, Datum::Number)
+}
+
+/// Takes a value.
+pub fn write(run: &mut Interpreter, number: u32, value: f64, place: Span) -> Result<(), Problem> {
+    match (number, offset(number)) {
+        (ALARM, _) => Err(Problem {
+            span: place,
+            message: Message::new("run-set-alarm")
+                .number("number", value)
+                .text("text", comment(run)),
+        }),
+        (STOP, _) => {
+            let text = comment(run);
+            run.sim.note(Step::Message(text));
+            Ok(())
+        }
+        (CLOCK, _) => {
+            run.clock = run.work as f64 - value;
+            Ok(())
+        }
+        (_, Some((system, name))) => {
+            let after = value * run.sim.control.active_factor();
+            correct::write(&mut run.sim, name, after);
+            correct::count_at_once(&mut run.sim.control, system);
+            Ok(())
+        }
+        _ => Err(Problem::new("run-read-only", place, format!("#{number}"))),
+    }
+}
+
+/// The comment of the present block without its parentheses.
+fn comment(run: &Interpreter) -> String {
+    let block = run.program.blocks.get(run.at);
+    let span = block.and_then(|block| block.comment).unwrap_or_default();
+    let text = String::from_utf8_lossy(run.program.text(span)).into_owned();
+    text.trim_matches(['(', ')']).trim().to_owned()
+}
+
+/// G functions in force by group, and the last F, H, S and T.
+fn modal(run: &Interpreter, number: u32) -> Option<f64> {
+    let (control, modal) = (&run.sim.control, &run.modal);
+    Some(match number {
+        4001 => match modal.motion {
+            Motion::Rapid => 0.0,
+            Motion::Line => 1.0,
+            Motion::Clockwise => 2.0,
+            Motion::Counter => 3.0,
+            Motion::Through | Motion::Spline => return None,
+        },
+        4002 => match control.plane {
+            Plane::G17 => 17.0,
+            Plane::G18 => 18.0,
+            Plane::G19 => 19.0,
+        },
+        4003 => one_of(modal.absolute, 90.0, 91.0),
+        4005 => one_of(modal.feed_type == FeedType::Minute, 94.0, 95.0),
+        4006 => one_of(control.active_units == Units::Inch, 20.0, 21.0),
+        4007 => match modal.compensation {
+            Compensation::Off => 40.0,
+            Compensation::Left => 41.0,
+            Compensation::Right => 42.0,
+        },
+        4008 => one_of(control.active_edge().is_some(), 43.0, 49.0),
+        4014 => 53.0 + control.settable.max(1) as f64,
+        4109 => modal.feed,
+        4111 => control.edge as f64,
+        4119 => modal.speed,
+        4120 => modal.prepared.unwrap_or(control.tool) as f64,
+        _ => return None,
+    })
+}
+
+fn one_of(first: bool, yes: f64, no: f64) -> f64 {
+    if first { yes } else { no }
+}
+
+/// A group of positions and the axis in it.
+fn position(number: u32) -> Option<(u32, usize)> {
+    let axis = (number % APART).checked_sub(1)? as usize;
+    let group = number - number % APART;
+    (axis < 3 && matches!(group, 5000 | 5020 | 5040 | 5080)).then_some((group, axis))
+}
+
+/// #5001: tool tip in the work offset at the end of the last block; #5041: the spindle nose there; #5021: the spindle
+/// nose in machine coordinates; #5081: the length offset in force.
+fn stands(run: &Interpreter, number: u32) -> Option<f64> {
+    let (group, axis) = position(number)?;
+    let control: &Control = &run.sim.control;
+    let (at, length) = (run.sim.position, control.active_length());
+    let value = match group {
+        5000 => control.to_workpiece(at)[axis],
+        5020 => at[axis] + length[axis],
+        5040 => control.to_workpiece(at)[axis] + length[axis],
+        _ => length[axis],
+    };
+    Some(value / control.active_factor())
+}
+
+/// A work offset (0 common, 1 to 6) and the name of its component.
+fn offset(number: u32) -> Option<(usize, String)> {
+    let way = number.checked_sub(OFFSETS)?;
+    let (system, axis) = ((way / APART) as usize, (way % APART) as usize);
+    let axis = ["X", "Y", "Z"].get(axis)?;
+    (system <= 6).then(|| (system, format!("{} {axis}", nct_offset(system))))
+}
