@@ -51,9 +51,19 @@ function touchLines(step: Extract<Step, { step: "touch" }>, entry: number, colou
   ];
 }
 
-/** All paths; every line knows its entry. What matters more lies over what matters less, points over all. */
-export function pathLines(trace: Trace, colours: Colours, normal: number): Line[] {
-  const lines = trace.entries.flatMap((step, entry) => entryLines(step, entry, colours, normal));
+const BLOCK = 2000; // entries of a run
+
+/** Of a long run the block of entries in which `index` lies, with one before it and one behind: the paths of the rest would
+ *  hide them, and take seconds to draw where there is no graphics card. Of a short run all. */
+export function blockOf(index: number): number {
+  return Math.floor(index / BLOCK);
+}
+
+/** Paths around the entry `index`; every line knows its entry. What matters more lies over what matters less, points over all. */
+export function pathLines(trace: Trace, colours: Colours, normal: number, index = 0): Line[] {
+  const first = Math.max(0, blockOf(index) - 1) * BLOCK;
+  const shown = trace.entries.slice(first, first + 3 * BLOCK);
+  const lines = shown.flatMap((step, place) => entryLines(step, first + place, colours, normal));
   const rank = ({ from, to, style }: Line) => (from === to ? Infinity : style.width);
   return lines.sort((a, b) => (rank(a) === rank(b) ? 0 : rank(a) - rank(b)));
 }

@@ -30,8 +30,8 @@ export function standing(trace: Trace, index: number): Solid[] {
 }
 
 /** `exaggeration`: how many times as large the errors of parts are drawn. `solids`: the part as it stands. `pieces`: of a
- *  long face, for a way of drawing that needs it. */
-export function buildScene(trace: Trace, colours: Colours, exaggeration = 1, solids = trace.solids, pieces = 1): Scene {
+ *  long face, for a way of drawing that needs it. `index`: the entry around which paths are drawn. */
+export function buildScene(trace: Trace, colours: Colours, exaggeration = 1, solids = trace.solids, pieces = 1, index = 0): Scene {
   const parts = [...solids, ...(trace.toolProbes ?? [])].map((solid) => part(solid, exaggeration, parse(colours.part), parse(colours.edge), pieces));
   const all = mesh();
   for (const { mesh: own } of parts) append(all, own);
@@ -52,7 +52,7 @@ export function buildScene(trace: Trace, colours: Colours, exaggeration = 1, sol
     ...[...parts, ...zones].flatMap(({ edges }) => edges),
     ...limits.map((line): Line => ({ ...line, style: { ...line.style, dash: 6, through: 0.7 } })),
     ...frames.lines,
-    ...pathLines(trace, colours, normal),
+    ...pathLines(trace, colours, normal, index),
   ];
   return { trace, colours, mesh: all, solidCorners, lines, labels: frames.labels, box, origin: centre(box), radius: reach(box, lines, trace) };
 }

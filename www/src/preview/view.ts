@@ -6,7 +6,7 @@ import { LIGHT, type Colours } from "./colours";
 import { openGpu } from "./gpu";
 import { listen } from "./input";
 import { drawOverlay, overlay } from "./overlay";
-import { probeAt } from "./paths";
+import { blockOf, probeAt } from "./paths";
 import { pick } from "./pick";
 import { buildScene, standing, type Scene } from "./scene";
 import { SORTED_PIECES } from "./solids";
@@ -64,7 +64,7 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
   let ended = false;
   let picked: (entry: number) => void = () => undefined;
   let backend = await open(WAYS);
-  const built = (): Scene => buildScene(trace, colours, exaggeration, solids, backend.name === "svg" ? SORTED_PIECES : 1);
+  const built = (): Scene => buildScene(trace, colours, exaggeration, solids, backend.name === "svg" ? SORTED_PIECES : 1, step.index);
   let scene = built();
 
   async function open(ways: BackendName[]): Promise<Backend> {
@@ -170,8 +170,9 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
       if (first || untouched || other) refit();
     },
     setStep(index, fraction) {
+      const same = blockOf(index) === blockOf(step.index) && standing(trace, index) === solids;
       step = { index, fraction };
-      if (standing(trace, index) === solids) redrawNow();
+      if (same) redrawNow();
       else rebuild();
     },
     setCloud(next) {
