@@ -4,7 +4,7 @@ import { after, before, describe, test } from "node:test";
 import { open, shared } from "./browser.mjs";
 
 const twin = (page) => page.locator("details.twin");
-const codes = (page) => twin(page).locator(".snippet").allTextContents();
+const codes = (page) => twin(page).locator(".twin-code").allTextContents();
 
 async function start(chrome, options) {
   const opened = await open(chrome.browser, options);
@@ -24,10 +24,10 @@ describe("twin", () => {
     await twin(page).locator("summary").focus();
     await page.keyboard.press("Enter");
     await twin(page).locator(".twin-call").first().waitFor();
-    await page.waitForFunction(() => /G110 D40\b/.test(document.querySelectorAll("details.twin .snippet")[1]?.textContent ?? ""));
+    await page.waitForFunction(() => /G110 D40\b/.test(document.querySelectorAll("details.twin .twin-code")[1]?.textContent ?? ""));
     assert.match((await codes(page))[0], /CYCLE977/);
     await page.locator("#field-_SETVAL").fill("41");
-    await page.waitForFunction(() => /G110 D41\b/.test(document.querySelectorAll("details.twin .snippet")[1]?.textContent ?? ""));
+    await page.waitForFunction(() => /G110 D41\b/.test(document.querySelectorAll("details.twin .twin-code")[1]?.textContent ?? ""));
     assert.ok((await twin(page).locator(".twin-differences li").count()) > 0);
     assert.deepEqual(problems, []);
     await context.close();

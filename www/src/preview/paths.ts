@@ -51,7 +51,7 @@ function touchLines(step: Extract<Step, { step: "touch" }>, entry: number, colou
   ];
 }
 
-const BLOCK = 2000; // entries of a run
+const BLOCK = 300; // entries of a run
 
 /** Of a long run the block of entries in which `index` lies, with one before it and one behind: the paths of the rest would
  *  hide them, and take seconds to draw where there is no graphics card. Of a short run all. */

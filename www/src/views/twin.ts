@@ -11,7 +11,7 @@ import { copyText } from "./form";
 
 function column(): { root: HTMLElement; name: HTMLElement; code: HTMLElement } {
   const name = el("h4", {});
-  const code = el("pre", { class: "snippet", tabindex: "0" });
+  const code = el("pre", { class: "twin-code", tabindex: "0" });
   return { root: el("div", { class: "twin-call" }, name, code), name, code };
 }
 
