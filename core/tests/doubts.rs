@@ -2,9 +2,10 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use probewright_core::catalogue::Dialect;
+use probewright_core::control::delivery;
 use probewright_core::diagnostic::Code::{self, Alarm, Own};
 use probewright_core::diagnostic::Diagnostic;
-use probewright_core::program::{findings, read};
+use probewright_core::program::{findings, findings_on, read};
 
 /// A hole that is only measured, and its call.
 const HOLE: &str = "_MVAR=1 _SETVAL=132 _KNUM=0 _PRNUM=1 _FA=2 _TSA=2\nCYCLE977\n";
@@ -109,6 +110,7 @@ fn what_is_in_force_follows_the_calls() {
         "L5",
         "L5 P3",
         "PCALL L5",
+        "PCALL /_N_WKS_DIR/_N_PART_WPD/_N_L5_SPF",
         "CALL \"L5\"",
         "CALL \"_N_L5_SPF\"",
         "MCALL L5",
@@ -156,6 +158,24 @@ fn a_probe_that_a_subprogram_calibrates_is_calibrated() {
         &called(&format!("{begin}{HOLE}L5"), ring),
         CALIBRATION
     ));
+}
+
+// oracle: hand (trigger values that are no longer those of the delivery were determined by a calibration, B:5010-5060)
+#[test]
+fn a_probe_that_was_calibrated_on_the_machine_is_not_doubted() {
+    let text = format!("G17 G40 G54 T9 D1\n{HOLE}M30\n");
+    let doubted = |name: &str, value: f64| {
+        let mut control = delivery(Dialect::Sinumerik);
+        control.set(name, value);
+        let program = read(Dialect::Sinumerik, text.as_bytes());
+        let found = findings_on(&program, control);
+        found.iter().any(|finding| finding.code == CALIBRATION)
+    };
+    assert!(!doubted("_WP[0,1]", 2.98));
+    assert!(!doubted("_WP[0,4]", -2.98));
+    assert!(doubted("_WP[0,1]", 3.0), "as delivered");
+    assert!(doubted("_WP[0,7]", 0.01), "skew alone");
+    assert!(doubted("_WP[1,1]", 2.98), "another probe");
 }
 
 // oracle: hand (what the text does not tell is not doubted)
@@ -214,7 +234,16 @@ fn programs_without_an_end_are_followed_to_an_end() {
 // oracle: manual B:656 (not deeper than the fifth level)
 #[test]
 fn every_way_to_call_counts_as_a_level() {
-    for way in ["L#", "L# P2", "PCALL L#", "CALL \"L#\"", "MCALL L#"] {
+    for way in [
+        "L#",
+        "L# P2",
+        "PCALL L#",
+        "PCALL /_N_WKS_DIR/_N_PART_WPD/_N_L#_SPF",
+        "PCALL/_N_SPF_DIR/L#",
+        "CALL \"L#\"",
+        "CALL \"/_N_SPF_DIR/_N_L#_SPF\"",
+        "MCALL L#",
+    ] {
         let chain = |deepest: usize| {
             let name = |n: usize| way.replace('#', &n.to_string());
             let subs: String = (2..deepest)

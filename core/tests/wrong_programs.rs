@@ -1,11 +1,11 @@
 //! Wrong programs with the messages that they give: `tests/wrong/NAME.mpf` and what `probewright check` prints,
-//! `NAME.txt`; with `NAME.json` it is held against that machine. `PROBEWRIGHT_UPDATE=1` writes the texts anew; then they
-//! are read by a person.
+//! `NAME.txt`; with `NAME.json` it is held against that machine, else against `machine.json`, whose probe is calibrated.
+//! `PROBEWRIGHT_UPDATE=1` writes the texts anew; then they are read by a person.
 #![cfg(feature = "cli")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use probewright_core::catalogue::Dialect;
-use probewright_core::control::{Control, delivery};
+use probewright_core::control::Control;
 use probewright_core::diagnostic::Diagnostic;
 use probewright_core::json::setup_from_json;
 use probewright_core::program::change::apply;
@@ -37,10 +37,7 @@ fn wrong_programs_give_helpful_messages() {
         let mut command = Command::new(env!("CARGO_BIN_EXE_probewright"));
         command.env("LC_ALL", "C").current_dir(folder());
         command.arg("check").arg(name);
-        let machine = path.with_extension("json");
-        if machine.exists() {
-            command.arg("--setup").arg(machine);
-        }
+        command.arg("--setup").arg(machine_beside(&path));
         let output = command.output().unwrap();
         let printed = String::from_utf8(output.stdout).unwrap();
         let expected = path.with_extension("txt");
@@ -53,12 +50,16 @@ fn wrong_programs_give_helpful_messages() {
     }
 }
 
-/// The machine beside a program, else one as delivered.
+/// The machine of a program, else the one of all.
+fn machine_beside(path: &Path) -> PathBuf {
+    let own = path.with_extension("json");
+    let common = folder().join("machine.json");
+    if own.exists() { own } else { common }
+}
+
 fn machine(path: &Path) -> Control {
-    match std::fs::read_to_string(path.with_extension("json")) {
-        Ok(text) => setup_from_json(&text).unwrap().control,
-        Err(_) => delivery(Dialect::Sinumerik),
-    }
+    let text = std::fs::read_to_string(machine_beside(path)).unwrap();
+    setup_from_json(&text).unwrap().control
 }
 
 fn same(one: &Diagnostic, other: &Diagnostic) -> bool {

@@ -10,7 +10,8 @@ use crate::message::Message;
 /// Something in the program is not understood.
 pub const NOT_UNDERSTOOD: Code = Code::Own(100);
 
-/// Everything that reading and checking found, in the order of the text. The control is a metric one as delivered.
+/// Everything that reading and checking found, in the order of the text, the worst of a place first. The
+/// control is a metric one as delivered.
 pub fn findings(program: &Program) -> Vec<Diagnostic> {
     findings_on(program, delivery(program.dialect))
 }
@@ -29,7 +30,7 @@ pub fn findings_of(program: &Program, sites: &[CallSite], control: &Control) -> 
         .iter()
         .flat_map(|site| site.diagnostics.iter().cloned());
     let mut found: Vec<Diagnostic> = syntax.chain(calls).chain(advice).collect();
-    found.sort_by_key(start);
+    found.sort_by_key(|finding| (start(finding), finding.severity));
     once(found)
 }
 

@@ -298,7 +298,7 @@ fn spaced(reader: &mut Reader, start: usize, name: Span) -> Parsed<()> {
     Ok(())
 }
 
-/// `NAME`, `NAME(…)`.
+/// `NAME`, `NAME(…)`; behind `PCALL` a path may stand before the next name.
 fn call(reader: &mut Reader, start: usize, name: Span) -> Parsed<()> {
     let brackets = reader.take(b'(');
     let args = if brackets {
@@ -314,7 +314,28 @@ fn call(reader: &mut Reader, start: usize, name: Span) -> Parsed<()> {
             brackets,
         },
     );
+    if !brackets && reader.text(name).eq_ignore_ascii_case(BY_PATH) {
+        folders(reader);
+    }
     Ok(())
+}
+
+/// What calls a program by a path: `PCALL /_N_WKS_DIR/_N_PART_WPD/HOLE(1)`.
+const BY_PATH: &[u8] = b"PCALL";
+
+/// Steps over the folders of a path, up to the name of the program.
+fn folders(reader: &mut Reader) {
+    reader.blanks();
+    if reader.byte(0) != b'/' {
+        return;
+    }
+    let rest = reader.rest();
+    let path = rest
+        .iter()
+        .take_while(|byte| in_name(**byte) || **byte == b'/')
+        .count();
+    let name = rest.iter().take(path).rposition(|byte| *byte == b'/');
+    reader.at += name.map_or(0, |slash| slash + 1);
 }
 
 fn keyword_word(reader: &mut Reader, start: usize, name: Span, kind: Keyword) -> Parsed<()> {

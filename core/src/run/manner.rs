@@ -7,7 +7,7 @@ use super::{names, statement};
 
 /// `MCALL NAME(…)`: from now on after each block of this program that moves; alone: no longer.
 const MODAL: &str = "MCALL";
-/// `PCALL NAME`: as by its name, with a path that is not looked at.
+/// `PCALL NAME`: as by its name; reading steps over the folders of a path.
 const BY_PATH: &str = "PCALL";
 
 /// `EXTCALL("NAME")`: from another memory, where that text has it.

@@ -125,8 +125,9 @@ fn declared(program: &Program, block: &Block, keyword: &str) -> Option<String> {
         })
 }
 
-/// `_N_NAME_SPF` without what is no part of the name.
-fn bare(name: &str) -> &str {
+/// `/_N_WKS_DIR/_N_PART_WPD/_N_NAME_SPF` without what is no part of the name.
+fn bare(path: &str) -> &str {
+    let name = path.rsplit('/').next().unwrap_or(path);
     let name = name.trim_start_matches("_N_");
     name.strip_suffix("_SPF")
         .or_else(|| name.strip_suffix("_MPF"))
@@ -165,6 +166,8 @@ mod tests {
         let found = programs(&read(Sinumerik, text.as_bytes()));
         assert_eq!(found.named("NEAR").map(|unit| unit.blocks.start), Some(3));
         assert_eq!(found.named("_N_NEAR_SPF"), found.named("NEAR"));
+        let path = "/_N_WKS_DIR/_N_PART_WPD/_N_NEAR_SPF";
+        assert_eq!(found.named(path), found.named("NEAR"));
         assert_eq!(found.named("FAR"), None);
         assert!(found.external.contains("FAR"));
     }

@@ -68,6 +68,7 @@ fn a_modal_call_follows_each_motion() {
         ("MCALL DRILL(2)\nG0 X1\nR2=1\nY2\nG111 X5\nMCALL\nX9", 4.0),
         ("MCALL DRILL(2)\nG0 X1\nMCALL DRILL(5)\nY2\nMCALL\nX3", 7.0),
         ("G0 X1\nPCALL DRILL(3)\nX2", 3.0),
+        ("G0 X1\nPCALL /_N_WKS_DIR/_N_PART_WPD/DRILL(3)\nX2", 3.0),
     ] {
         near(number(&format!("{text}\nM30\n{drill}"), "R1"), sum, text);
     }

@@ -4,10 +4,12 @@ use super::{Seen, at, inherited, unsaid, with_line};
 use crate::catalogue::{MachineSort, ProbeUse, names};
 use crate::check::{Finding, error, note, warning};
 use crate::control::tools::is_milling_probe;
+use crate::control::{Control, delivery_in};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::message::Message;
 use crate::program::tree::{Program, Word, WordKind};
 use std::collections::BTreeSet;
+use std::ops::RangeInclusive;
 
 /// What was said already and is said once only.
 pub struct Asked {
@@ -108,6 +110,18 @@ fn spindle(seen: &Seen) -> Option<Diagnostic> {
 /// There is no probe of this number: nothing can be said about its calibration.
 const NO_PROBE: Code = Code::Alarm(61313);
 
+/// Trigger values of a workpiece probe (B:13443-13448).
+const TRIGGERS: RangeInclusive<usize> = 1..=6;
+
+/// Whether the machine has trigger values of this workpiece probe that are not those of the delivery: it was calibrated.
+/// Those of a tool probe say nothing, since approximate ones are entered before it is calibrated.
+fn on_machine(control: &Control, number: i64) -> bool {
+    let delivered = delivery_in(control.dialect, control.basic_units);
+    TRIGGERS
+        .map(|element| format!("_WP[{},{element}]", number - 1))
+        .any(|name| control.number(&name) != delivered.number(&name))
+}
+
 /// Trigger values that no call of this program determined come from before (B:5010-5060).
 fn calibration(seen: &Seen, asked: &mut Asked) -> Option<Diagnostic> {
     let purpose = &seen.site.cycle.purpose;
@@ -123,6 +137,9 @@ fn calibration(seen: &Seen, asked: &mut Asked) -> Option<Diagnostic> {
     let probe = (purpose.probe == ProbeUse::Tool, number);
     let known = !asked.calibrated.insert(probe);
     if known || purpose.calibrates.holds(&seen.inputs) {
+        return None;
+    }
+    if !probe.0 && on_machine(seen.control, number) {
         return None;
     }
     let array = if probe.0 { "_TP" } else { "_WP" };
