@@ -2,7 +2,7 @@
 //! units of the program are.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use probewright_core::catalogue::{Cycle, Dialect, MachineSort, Style, find};
+use probewright_core::catalogue::{Cycle, Dialect, MachineSort, ProbeUse, Style, find};
 use probewright_core::check::{Typed, check, factor, unit_name};
 use probewright_core::control::{Control, Edge, Frame, Plane, Tool, Units};
 use probewright_core::program;
@@ -82,6 +82,36 @@ fn turning_machine(basic: Units) -> Setup {
     setup
 }
 
+/// A machine with the tool that a variant measures before the tool probe, a memory in use and a zero offset; all lengths
+/// the same in mm.
+fn tool_probe_machine(cycle: &Cycle, variant: i64, basic: Units) -> Setup {
+    let plane = match cycle.purpose.machine {
+        MachineSort::Turning => Plane::G18,
+        _ => Plane::G17,
+    };
+    let mut setup = Setup::calibrated_in(cycle.dialect, plane, basic);
+    setup.suit(cycle, variant);
+    let control = &mut setup.control;
+    control.set("_EV[9]", 0.01 / control.basic_factor());
+    control
+        .frames
+        .insert(1, Frame::translation([30.0, 0.0, 60.0]));
+    control.activate(1);
+    setup
+}
+
+/// The machine on which a cycle measures.
+fn machine_for(cycle: &Cycle, values: &Physical, basic: Units) -> Setup {
+    match (cycle.purpose.probe, cycle.purpose.machine) {
+        (ProbeUse::Tool, _) => {
+            let variant = values.iter().find(|(name, _)| *name == "_MVAR");
+            tool_probe_machine(cycle, variant.unwrap().1 as i64, basic)
+        }
+        (_, MachineSort::Turning) => turning_machine(basic),
+        _ => machine(cycle.dialect, basic),
+    }
+}
+
 /// Physical values as a form takes them on this control.
 fn typed(cycle: &Cycle, values: &Physical, control: &Control) -> Typed {
     let as_typed = |(name, value): &(&'static str, f64)| {
@@ -100,10 +130,7 @@ fn measure(
     code: u16,
     errors: Errors,
 ) -> Outcome {
-    let mut setup = match cycle.purpose.machine {
-        MachineSort::Turning => turning_machine(basic),
-        _ => machine(cycle.dialect, basic),
-    };
+    let mut setup = machine_for(cycle, values, basic);
     let mut at_call = setup.control.clone();
     assert!(at_call.choose_units(code));
     let typed = typed(cycle, values, &at_call);
@@ -117,6 +144,14 @@ fn measure(
         (solid.errors.shift, solid.errors.size) = errors;
     }
     setup.workpiece.solids.extend(proposal.fixture);
+    setup.tool_probes = proposal.tool_probes;
+    for probe in &mut setup.tool_probes {
+        probe.solid.errors.shift = errors.0;
+    }
+    if let Some(tool) = proposal.real_tool {
+        let in_use = (setup.control.tool, setup.control.edge);
+        setup.real_tools.insert(in_use, tool);
+    }
     setup.position = setup.control.to_machine(proposal.start);
     let text = format!(
         "G{code}\n{}M30\n",
@@ -216,6 +251,30 @@ fn turned(variant: i64, axis: i64) -> Physical {
     values
 }
 
+/// Values for any variant of the cycles at a tool probe. The radius of a cutter lies across its axis (B:9279).
+fn before_a_tool_probe(variant: i64, axis: i64) -> Physical {
+    let digit = |place: u32| variant / 10_i64.pow(place - 1) % 10;
+    let axis = match (digit(4), digit(5)) {
+        (1 | 2, 0) => 2,
+        (1 | 2, _) => 1,
+        _ => axis,
+    };
+    vec![
+        ("_MVAR", variant as f64),
+        ("_MA", axis as f64),
+        ("_MD", 1.0),
+        ("_ID", 0.0),
+        ("_STA1", 20.0),
+        ("_CORA", 2.0),
+        ("_PRNUM", 1.0),
+        ("_EVNUM", 10.0),
+        ("_TSA", 1.5),
+        ("_TDIF", 1.4),
+        ("_TZL", 0.005),
+        ("_FA", 3.0),
+    ]
+}
+
 fn used(cycle: &Cycle, values: Physical) -> Physical {
     let has = |name: &str| cycle.params.iter().any(|param| param.name == name);
     values.into_iter().filter(|(name, _)| has(name)).collect()
@@ -272,6 +331,14 @@ proptest! {
         // the walls of the groove of position 7 lie in the ordinate, of its base there is one direction
         let axis = if variant % 100 == 13 { 2 } else { axis };
         all_units_agree(cycle, &used(cycle, turned(variant, axis)), &[71, 70, 700, 710], errors);
+    }
+
+    // oracle: self, as above, with tools before a tool probe
+    #[test]
+    fn tool_probes_in_all_units(name in prop::sample::select(vec!["CYCLE971", "CYCLE972", "CYCLE982"]), index in 0_usize..68, axis in 1_i64..=2, errors in errors()) {
+        let cycle = find(Dialect::Sinumerik, name).unwrap();
+        let variant = cycle.variants[index % cycle.variants.len()].number;
+        all_units_agree(cycle, &used(cycle, before_a_tool_probe(variant, axis)), &[71, 70, 700, 710], errors);
     }
 
     // oracle: self, as above, with the two units of the other control
