@@ -27,6 +27,7 @@ const OPEN: Code = Own(145);
 const COMPENSATION_LATER: Code = Own(146);
 const NO_TOOL: Code = Own(147);
 const RADIUS: Code = Own(148);
+const OVERWRITTEN: Code = Own(150);
 
 fn found(text: &str) -> Vec<Diagnostic> {
     findings(&read(Dialect::Sinumerik, text.as_bytes()))
@@ -494,5 +495,24 @@ fn a_call_that_is_written_in_full_inherits_nothing() {
             let program = format!("{first}\n{second}\n");
             assert_eq!(inherited(&program), [""; 0], "{program}");
         }
+    }
+}
+
+// oracle: hand (parameters are data of the channel: what a subprogram writes counts behind it)
+#[test]
+fn a_value_that_a_subprogram_writes_anew_is_doubted() {
+    let begin = "G17 G40 G54 T9 D1\n";
+    let values = "_MVAR=1 _SETVAL=132 _KNUM=0 _PRNUM=1 _FA=2 _TSA=2\n";
+    for (main, sub, doubted) in [
+        ("L5\nCYCLE977", "_SETVAL=4", true),
+        ("L5\nCYCLE977", "_SETVAL=R1", true),
+        ("L5\nCYCLE977", "_SETVAL=132 _FA=2", false),
+        ("L5\nCYCLE977", "R5=4", false),
+        ("L5\n_SETVAL=132\nCYCLE977", "_SETVAL=4", false),
+        ("CYCLE977\nL5", "_SETVAL=4", false),
+        ("L5\nCYCLE977", "L6\nM17\n%_N_L6_SPF\n_SETVAL=4", true),
+    ] {
+        let text = called(&format!("{begin}{values}{main}"), sub);
+        assert_eq!(tells(&text, OVERWRITTEN), doubted, "{text}");
     }
 }

@@ -34,6 +34,8 @@ advice-frame-other = { $frame } was corrected, but the program goes on in { $oth
 advice-frame-basic = The corrected basic frame is not in force: the program goes on with the old one.
 advice-frame-hint = Program { $frame } again behind the call.
 advice-frame-other-hint = Program { $frame } behind the call.
+advice-overwritten = { $name } may have another value at the call: the program called in line { $line } writes it too.
+advice-overwritten-hint = Write { $name } behind that call.
 advice-level = The call stands on program level { $level }; measuring cycles run on the first five.
 advice-level-hint = Call it from a program nearer to the main program.
 

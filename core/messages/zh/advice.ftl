@@ -34,6 +34,8 @@ advice-frame-other = 已补偿 { $frame }，但程序在 { $other } 中继续，
 advice-frame-basic = 补偿后的基本框架尚未生效：程序仍使用旧的框架。
 advice-frame-hint = 请在调用之后再次编程 { $frame }。
 advice-frame-other-hint = 请在调用之后编程 { $frame }。
+advice-overwritten = { $name } 在调用时可能已是另一个值：第 { $line } 行调用的程序也写入它。
+advice-overwritten-hint = 请在该调用之后写出 { $name }。
 advice-level = 调用位于第 { $level } 程序级；测量循环只能在前五级运行。
 advice-level-hint = 请在更接近主程序的程序中调用。
 

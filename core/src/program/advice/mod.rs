@@ -4,6 +4,7 @@ mod at_call;
 mod behind;
 mod inherited;
 mod levels;
+mod overwritten;
 mod read_back;
 mod unsaid;
 
@@ -62,6 +63,7 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
     }
     behind::look(program, sites, &corrected, &mut found);
     levels::look(program, sites, &mut found);
+    overwritten::look(program, sites, &mut found);
     found
 }
 

@@ -7,8 +7,7 @@ mod language;
 mod state;
 mod structure;
 
-pub use called::callers;
-use called::{Called, called};
+pub use called::{Called, called, callers};
 pub use force::{Force, Way, in_force};
 pub use state::{Mode, State, Tool};
 
