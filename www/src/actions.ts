@@ -1,14 +1,13 @@
 // Everything that can happen. Views call these; only these change what is kept.
 
-import { findCycle } from "./derive";
+import { findCycle, type Derived } from "./derive";
 import { isRead, mended, opened, SOUGHT, withEdits } from "./desk";
 import { lineBreak, type Splice } from "./eol";
 import type { ProgramFile } from "./files";
-import { parseNumber } from "./numbers";
 import { speak } from "./language";
-import { AT_END, beginning, firstState, memoryKey, NO_ERRORS, ownMachine, programOf, remember, setsOf, unitsIn, work, type Card, type Panel, type State } from "./state";
+import { AT_END, beginning, firstState, memoryKey, NO_ERRORS, ownMachine, planeOf, programOf, remember, setsOf, unitsIn, work, type Card, type Panel, type State } from "./state";
 import type { Store } from "./store";
-import type { Catalogue, CycleInfo, Edit, ErrorSliders, MachineView, OwnMachine, Setup, Style } from "./wire";
+import type { Catalogue, CycleInfo, Edit, ErrorSliders, MachineView, OwnMachine, Plane, Setup, Style } from "./wire";
 
 export type Variant = CycleInfo["variants"][number];
 
@@ -17,7 +16,7 @@ export interface Actions {
   edit(name: string, value: string): void;
   touch(name: string): void;
   check(): void;
-  example(): void;
+  example(variant: Variant | undefined): void;
   editProgram(edits: Splice[]): void;
   openProgram(text: string, file: ProgramFile): void;
   openSetup(setup: Setup | null): void;
@@ -52,18 +51,14 @@ export interface Actions {
 
 const LEFT: Panel[] = ["tasks", "form"];
 
-function matches(variant: Variant, values: Record<string, string>): boolean {
-  return Object.entries(variant.values).every(([name, value]) => {
-    const typed = values[name] ?? "";
-    const number = parseNumber(typed);
-    return typed.trim() === value || (number !== null && number === parseNumber(value));
-  });
+/** The variant that the typed values choose. */
+export function variantOf({ cycle, view }: Derived): Variant | undefined {
+  return cycle.variants.find((one) => one.mvar === view.mvar);
 }
 
-/** The variant that the typed values choose: of those that match the one that asks for most. */
-export function variantOf(cycle: CycleInfo, values: Record<string, string>): Variant | undefined {
-  const asks = (variant: Variant): number => Object.keys(variant.values).length;
-  return cycle.variants.filter((variant) => matches(variant, values)).sort((a, b) => asks(b) - asks(a))[0];
+/** A variant with the addresses that it has in this plane. */
+export function inPlane(variant: Variant, plane: Plane): Variant {
+  return { ...variant, ...variant.planes[plane] };
 }
 
 /** Whether the worked measurement of a variant is still as it was: then another variant brings its own. */
@@ -74,9 +69,8 @@ function planeFor(state: State, before: CycleInfo | undefined, cycle: CycleInfo)
   return { own: { ...state.own, [cycle.control]: { own: { ...ownMachine(state), plane } } } };
 }
 
-function isExample(cycle: CycleInfo, values: Record<string, string>): boolean {
-  const example = variantOf(cycle, values)?.example;
-  return !!example && Object.entries(example).every(([name, value]) => (values[name] ?? "") === value);
+function isExample(cycle: CycleInfo, values: Record<string, string>, plane: Plane): boolean {
+  return cycle.variants.some((variant) => Object.entries(inPlane(variant, plane).example).every(([name, value]) => (values[name] ?? "") === value));
 }
 
 export function createActions(store: Store, catalogue: Catalogue): Actions {
@@ -103,10 +97,12 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
     ({ sets: { ...now().sets, [memoryKey(now())]: sets } });
 
   return {
-    chooseCycle(cycle, variant) {
+    chooseCycle(cycle, chosen) {
       const state = now();
+      const plane = planeOf(state);
+      const variant = chosen && inPlane(chosen, plane);
       const same = cycle.control === state.control && cycle.cycle === state.cycle;
-      if (same && variant) return edits(Object.entries(isExample(cycle, state.values) ? variant.example : variant.values));
+      if (same && variant) return edits(Object.entries(isExample(cycle, state.values, plane) ? variant.example : variant.values));
       const values = same ? state.values : state.remembered[memoryKey(cycle)] ?? variant?.example ?? cycle.example;
       store.update({ ...remember(now()), ...planeFor(state, findCycle(catalogue, state.control, state.cycle), cycle), control: cycle.control, cycle: cycle.cycle, values: { ...values, ...variant?.values }, open: same ? state.open : null, sought: null, step: AT_END, source: "form", touched: {}, checked: false, undo: null });
     },
@@ -115,9 +111,9 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
       if (!now().touched[name]) store.update({ touched: { ...now().touched, [name]: true } });
     },
     check: () => store.update({ checked: true }),
-    example() {
+    example(variant) {
       const cycle = findCycle(catalogue, now().control, now().cycle);
-      if (cycle) replace("notice-example", { values: variantOf(cycle, now().values)?.example ?? cycle.example, open: null, sought: null, step: AT_END, touched: {}, checked: false });
+      if (cycle) replace("notice-example", { values: variant ? inPlane(variant, planeOf(now())).example : cycle.example, open: null, sought: null, step: AT_END, touched: {}, checked: false });
     },
     editProgram: (edits) => store.update((state) => ({ ...withEdits(state, edits), follow: "text", undo: null })),
     openProgram(text, file) {

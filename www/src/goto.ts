@@ -1,8 +1,8 @@
 // The way to a field from anywhere: the present form where it has the field, else the first cycle and variant that do.
 
-import type { Actions, Variant } from "./actions";
+import { inPlane, type Actions, type Variant } from "./actions";
 import { findCycle } from "./derive";
-import type { State } from "./state";
+import { planeOf, type State } from "./state";
 import type { Store } from "./store";
 import { fieldId } from "./views/field";
 import type { Catalogue, CycleInfo, Dialect } from "./wire";
@@ -19,7 +19,11 @@ function place(catalogue: Catalogue, shows: Shows, state: State, control: Dialec
   const having = catalogue.cycles.filter((cycle) => cycle.control === control && cycle.parameters.some((one) => one.name === name));
   for (const cycle of having.sort((a, b) => Number(b === here) - Number(a === here))) {
     const given = cycle === here ? state.values : {};
-    const variant = cycle.variants.find((one) => shows(cycle, { ...one.example, ...given, ...one.values }, name));
+    const plane = planeOf(state);
+    const variant = cycle.variants.find((one) => {
+      const { example, values } = inPlane(one, plane);
+      return shows(cycle, { ...example, ...given, ...values }, name);
+    });
     if (variant) return { cycle, variant };
   }
   return null;

@@ -172,6 +172,13 @@ export function beginning(state: State): OwnMachine["own"] {
   return { basic: setup.units, plane: setup.plane, units: setup.active?.units ?? unitsIn(control, own.units, setup.units) };
 }
 
+/** The working plane of the call in the form: that of the opened call, else the one in which the machine begins. */
+export function planeOf(state: State): Plane {
+  const { reading, control, open } = state;
+  const call = reading?.control === control ? reading.view.calls.find((one) => one.from === open) : undefined;
+  return call?.plane ?? beginning(state).plane;
+}
+
 /** The G function of this kind, feeds and data included or not, that counts in this system. */
 export function unitsIn(control: Dialect, units: UnitFunction, basic: BasicSystem): UnitFunction {
   if (INCH.includes(units) === (basic === "inch")) return units;

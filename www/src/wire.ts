@@ -24,7 +24,7 @@ export interface CycleInfo {
   key: string;                  // "cycle977": messages cycle977-title, cycle977-words, cycle977-help
   purpose: Purpose;
   styles: Style[];              // the ways of writing that its call has, direct first
-  variants: { mvar: number; key: string; source: string; values: Record<string, string>; example: Record<string, string> }[]; // values: as typed, they choose this variant
+  variants: { mvar: number; key: string; source: string; values: Record<string, string>; example: Record<string, string>; planes: Partial<Record<Plane, { values: Record<string, string>; example: Record<string, string> }>> }[]; // values: as typed, they choose this variant; planes: where other addresses name the axes
   parameters: { name: string; key: string; unit: string; default: number | null; source: string }[];
   results: { name: string; key: string; unit: string; source: string }[];
   alarms: string[];
@@ -84,6 +84,7 @@ export interface FormView {
   snippetFindings: Diagnostic[];       // what this way of writing cannot say
   preset: Style;                       // way of writing that counts until another is chosen: the machine may say so
   complete: boolean;                   // no error
+  mvar: number | null;                 // the variant that the values choose
   picture?: Picture;                   // only from the full module, which comes after the first form
   twin?: TwinView | null;              // when asked for, from the full module; null: the other control has no such task for these values
   outcome?: Outcome;                   // when predict and complete, of a cycle that is simulated

@@ -2,7 +2,7 @@
 
 use super::{Cycle, Variant};
 use crate::check::{self, Typed};
-use crate::control::delivery;
+use crate::control::{Plane, delivery};
 
 /// Values as typed: the cycle's example, what chooses the variant, and what the variant needs beside it.
 pub fn example(cycle: &'static Cycle, variant: &Variant) -> Typed {
@@ -39,6 +39,30 @@ pub fn choosing(cycle: &'static Cycle, number: i64) -> Typed {
         Some((param.name.to_owned(), typed.to_owned()))
     };
     one_by_one(cycle.params.iter().filter_map(value))
+}
+
+/// Values of G17 in another plane: an address that names an axis is that of the axis with the same part in the plane,
+/// where the cycle has all of these addresses.
+pub fn turned(cycle: &Cycle, values: &Typed, plane: Plane) -> Typed {
+    let axes = plane.axes();
+    let turn = |name: &str| {
+        let same = |names: [&str; 3]| {
+            let part = names.iter().position(|one| *one == name)?;
+            Some(names[axes[part]].to_owned())
+        };
+        same(["X", "Y", "Z"])
+            .or_else(|| same(["I", "J", "K"]))
+            .unwrap_or_else(|| name.to_owned())
+    };
+    let has = |name: &String| cycle.params.iter().any(|param| param.name == name);
+    if !values.keys().all(|name| has(&turn(name))) {
+        return values.clone();
+    }
+    one_by_one(
+        values
+            .iter()
+            .map(|(name, value)| (turn(name), value.clone())),
+    )
 }
 
 fn typed(pairs: &[(&str, &str)]) -> Typed {

@@ -8,7 +8,7 @@ mod tests;
 mod text;
 mod typed;
 mod units;
-mod variants;
+pub mod variants;
 
 pub use finding::{Finding, error, note, warning};
 pub use number::{Parsed, parse};

@@ -1,6 +1,8 @@
-//! What is said about a number that is no measuring variant.
+//! The measuring variant that values choose, and what is said about a number that is none.
 
+use super::{Parsed, Typed};
 use crate::catalogue::{Cycle, DigitGroup, Kind, Param};
+use crate::control::Control;
 use crate::message::Message;
 
 /// Why there is no such variant: two choices that are right alone and not together, where its digits show them.
@@ -18,6 +20,17 @@ pub fn cause(cycle: &Cycle, param: &Param, number: f64) -> Message {
         None => Message::new("check-variant"),
     };
     message.number("value", number).text("cycle", cycle.name)
+}
+
+/// Number of the variant that typed values choose on this machine; none where they choose none.
+pub fn chosen(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Option<i64> {
+    let number = super::read(cycle, typed, control, &mut Vec::new()).variant;
+    let name = cycle.variant_param();
+    let given = name.and_then(|name| typed.get(name));
+    let meant =
+        |text: &String| matches!(super::parse(text), Parsed::Number(one) if one == number as f64);
+    let known = cycle.variants.iter().any(|one| one.number == number);
+    (known && given.is_none_or(meant)).then_some(number)
 }
 
 /// What a group of digits says in a number.

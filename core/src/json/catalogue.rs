@@ -2,12 +2,12 @@
 
 use super::setup_write::plane_name;
 use super::{code, dialect_name, object, style_name, typed};
-use crate::catalogue::example::{choosing, example};
+use crate::catalogue::example::{choosing, example, turned};
 use crate::catalogue::{
     CYCLES, Cycle, MachineSort, Param, ProbeUse, ResultField, Style, Unit, Variant,
 };
 use crate::check;
-use crate::control::delivery;
+use crate::control::{Plane, delivery};
 use crate::workpiece::free::EXAMPLES;
 use serde_json::Value;
 
@@ -100,7 +100,20 @@ fn variant(cycle: &'static Cycle, variant: &Variant) -> Value {
         ("source", variant.source.into()),
         ("values", typed(&choosing(cycle, variant.number))),
         ("example", typed(&example(cycle, variant))),
+        ("planes", planes(cycle, variant)),
     ])
+}
+
+/// Values and example in the planes in which other addresses name the axes.
+fn planes(cycle: &'static Cycle, variant: &Variant) -> Value {
+    let usual = [choosing(cycle, variant.number), example(cycle, variant)];
+    let others = [Plane::G18, Plane::G19].into_iter().filter_map(|plane| {
+        let there = usual.each_ref().map(|values| turned(cycle, values, plane));
+        let [values, example] = there.each_ref().map(typed);
+        let said = object([("values", values), ("example", example)]);
+        (there != usual).then(|| (plane_name(plane), said))
+    });
+    object(others)
 }
 
 fn param(param: &Param) -> Value {

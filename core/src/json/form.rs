@@ -5,7 +5,7 @@ use super::setup::{PlaneName, choose_units, plane};
 use super::{Error, diagnostic, dialect, message, object, put};
 use crate::SIMULATES;
 use crate::catalogue::{self, Cycle, MachineSort, Range, Style, names};
-use crate::check::{self, Checked, Typed};
+use crate::check::{self, Checked, Typed, variants};
 use crate::control::{Control, Plane, Transverse, Units};
 use crate::diagnostic::Severity;
 use crate::form;
@@ -186,6 +186,7 @@ fn view(
             written.findings.iter().map(diagnostic).collect(),
         ),
         ("complete", (!errors).into()),
+        ("mvar", variants::chosen(cycle, typed, control).into()),
     ]);
     if let Some(drawn) = form::draw(cycle, typed, control) {
         put(&mut view, "picture", picture(&drawn));

@@ -5,7 +5,7 @@ use super::setup_write::plane_name;
 use super::start::start;
 use super::{Error, diagnostic, dialect, dialect_name, message, object, put, style_name, typed};
 use crate::catalogue::Style;
-use crate::check::{self, Parsed};
+use crate::check::variants;
 use crate::control::{Control, delivery};
 use crate::diagnostic::Diagnostic;
 use crate::program::calls::{CallSite, calls as find_calls, calls_told};
@@ -113,23 +113,9 @@ fn call(program: &Program, site: &CallSite, positions: &Positions) -> Value {
 
 /// Number of the measuring variant, where it is known.
 fn variant(site: &CallSite) -> Option<i64> {
-    let inputs = check::read(
-        site.cycle,
-        &site.values,
-        &delivery(site.cycle.dialect),
-        &mut Vec::new(),
-    );
-    let name = site.cycle.variant_param();
-    let typed = name.and_then(|name| site.values.get(name));
-    let is_meant = |typed: &String| matches!(check::parse(typed), Parsed::Number(number) if number == inputs.variant as f64);
-    if !typed.is_none_or(is_meant) {
-        return None;
-    }
-    site.cycle
-        .variants
-        .iter()
-        .map(|variant| variant.number)
-        .find(|number| *number == inputs.variant)
+    let mut control = delivery(site.cycle.dialect);
+    control.plane = site.plane;
+    variants::chosen(site.cycle, &site.values, &control)
 }
 
 /// Findings with their places.

@@ -576,3 +576,38 @@ fn the_same_task_on_the_other_control_stands_beside_the_form() {
     let view = form(&request.to_string()).unwrap();
     assert!(view.get("twin").is_none());
 }
+
+// oracle: self: in every plane the example that the catalogue has for it is complete and chooses its variant, and so does
+// any depth of a web
+#[test]
+fn examples_of_macros_fit_their_plane() {
+    let cycles = super::catalogue::cycles();
+    let cycles = cycles.as_array().unwrap().iter();
+    for cycle in
+        cycles.filter(|one| one["control"] == "nct" && one["purpose"]["probe"] == "workpiece")
+    {
+        for variant in cycle["variants"].as_array().unwrap() {
+            for plane in ["G17", "G18", "G19"] {
+                let there = &variant["planes"][plane];
+                let here = if there.is_null() { variant } else { there };
+                let asked = |values: &Value| {
+                    let request = json!({
+                        "control": "nct", "cycle": cycle["cycle"], "plane": plane, "values": values,
+                    });
+                    form(&request.to_string()).unwrap()
+                };
+                let view = asked(&here["example"]);
+                let what = format!("{} {plane} {}", cycle["cycle"], here["example"]);
+                assert_eq!(view["complete"], true, "{what}: {}", view["diagnostics"]);
+                assert_eq!(view["mvar"], variant["mvar"], "{what}");
+                let mut deeper = here["example"].clone();
+                for (name, typed) in here["values"].as_object().unwrap() {
+                    if typed == "0" {
+                        deeper[name] = "-7.5".into();
+                    }
+                }
+                assert_eq!(asked(&deeper)["mvar"], variant["mvar"], "{what}");
+            }
+        }
+    }
+}

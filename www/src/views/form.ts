@@ -1,6 +1,6 @@
 // The form of the chosen cycle: status line, picture, fields, what to do with the snippet.
 
-import type { Actions } from "../actions";
+import { variantOf, type Actions, type Variant } from "../actions";
 import type { Derived } from "../derive";
 import { el, keyed, on, setAttribute, setText, show } from "../dom";
 import type { State } from "../state";
@@ -59,13 +59,14 @@ export function createForm(root: HTMLElement, store: Store, actions: Actions, sh
   const focusField = (name: string): void => document.getElementById(fieldId(name))?.focus();
   const drawPicture = createPicture(pictureBox, focusField);
   let snippetText = "";
+  let chosen: Variant | undefined;
 
   on(detach, "click", () => actions.closeCall());
   on(help, "click", () => {
     actions.help();
     if (store.state.right === "help") document.getElementById("panel-help")?.focus();
   });
-  on(example, "click", () => actions.example());
+  on(example, "click", () => actions.example(chosen));
   on(sets, "click", showSets);
   on(comments, "change", () => store.update({ comments: comments.checked }));
   on(copy, "click", () => void copyText(snippetText, store, "notice-copied"));
@@ -84,6 +85,7 @@ export function createForm(root: HTMLElement, store: Store, actions: Actions, sh
 
   return (state, derived) => {
     const { view, cycle } = derived;
+    chosen = variantOf(derived);
     setText(title, t(`${cycle.key}-title`));
     setAttribute(help, "aria-expanded", String(state.right === "help"));
     explain.draw(optional(`${cycle.key}-help`), view.fields.find((field) => field.name === state.focus));

@@ -37,13 +37,14 @@ export function createHelp(root: HTMLElement, store: Store, actions: Actions, co
   };
 
   let drawn = "";
-  return (state, { cycle }) => {
+  return (state, derived) => {
+    const { cycle } = derived;
     if (state.right !== "help") {
       failed = false; // opened again, it tries again
       return;
     }
     if (!hasHelp() && !failed) fetchWords();
-    const variant = variantOf(cycle, state.values);
+    const variant = variantOf(derived);
     const from = hasHelp() ? core() : null;
     setText(title, t("help-title", { cycle: cycle.cycle, name: t(variant?.key ?? `${cycle.key}-title`) }));
     setText(note, failed ? t("help-absent") : !from ? t("help-coming") : variant ? "" : t("help-no-variant"));

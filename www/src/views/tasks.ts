@@ -128,7 +128,7 @@ export function createTasks(root: HTMLElement, store: Store, actions: Actions, c
 
   return (state, derived) => {
     if (cycles !== derived.catalogue.cycles) all = nodes(cycles = derived.catalogue.cycles);
-    const variant = variantOf(derived.cycle, state.values);
+    const variant = variantOf(derived);
     const chosen = all.find((node) => node.cycle === derived.cycle && node.variant && node.variant === variant);
     const parent = all.find((node) => !node.variant && node.cycle === derived.cycle);
     holding = new Set([parent?.id ?? "", parent?.parent ?? ""]);

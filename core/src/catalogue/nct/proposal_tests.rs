@@ -2,7 +2,7 @@
 //! The worked measurement of every macro runs on its own part, and finds what is wrong with it.
 
 use super::bench::{along, machine, near};
-use crate::catalogue::example::example;
+use crate::catalogue::example::{example, turned};
 use crate::catalogue::{CYCLES, Cycle, Dialect, ProbeUse, Variant};
 use crate::check::{Typed, check, read};
 use crate::control::{Control, Plane};
@@ -19,26 +19,10 @@ fn macros() -> impl Iterator<Item = (&'static Cycle, &'static Variant)> {
         .flat_map(|cycle| cycle.variants.iter().map(move |variant| (cycle, variant)))
 }
 
-/// The example in another plane: what stands at X, Y, Z stands at the axis with the same part in the plane.
-fn turned(typed: &Typed, plane: Plane) -> Typed {
-    let names = plane.axes().map(super::axis_name);
-    let turn = |name: &str| match ["X", "Y", "Z"].iter().position(|axis| *axis == name) {
-        Some(part) => names[part].to_owned(),
-        None => match ["I", "J", "K"].iter().position(|axis| *axis == name) {
-            Some(part) => ["I", "J", "K"][plane.axes()[part]].to_owned(),
-            None => name.to_owned(),
-        },
-    };
-    let values = typed.iter();
-    values
-        .map(|(name, value)| (turn(name), value.clone()))
-        .collect()
-}
-
 /// What a macro finds on its proposed part with errors.
 fn found(cycle: &'static Cycle, variant: &Variant, plane: Plane) -> Control {
     let mut setup = machine(plane, false);
-    let typed = turned(&example(cycle, variant), plane);
+    let typed = turned(cycle, &example(cycle, variant), plane);
     let checked = check(cycle, &typed, &setup.control);
     let inputs = checked
         .inputs
@@ -112,7 +96,7 @@ fn pictures_show_the_call_and_stay_on_the_paper() {
     for plane in [Plane::G17, Plane::G18, Plane::G19] {
         let control = machine(plane, false).control;
         for (cycle, variant) in macros() {
-            let typed = turned(&example(cycle, variant), plane);
+            let typed = turned(cycle, &example(cycle, variant), plane);
             let inputs = read(cycle, &typed, &control, &mut Vec::new());
             let picture = draw(cycle, &typed, &control).unwrap();
             let lengths = typed.iter().filter(|(name, value)| {
