@@ -1,6 +1,7 @@
 //! G101: protected positioning of the stylus (C:106-144).
 
 use super::common::{PARAM, optional};
+use super::nct::surface::{BALL, FACE};
 use super::nct::{self, part};
 use super::{
     Cycle, Dialect, Drawing, Help, Kind, Param, Proposal, Purpose, Range, Simulation, Unit,
@@ -11,8 +12,8 @@ use crate::check::Finding;
 use crate::check::Inputs;
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
-use crate::form::figures::dimension;
-use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
+use crate::form::figures::{circle, dimension, line, rectangle};
+use crate::form::picture::{Picture, ShapeKind, View};
 use crate::message::Message;
 use crate::run::trace::MotionKind;
 use crate::run::{Machine, Stop};
@@ -149,30 +150,41 @@ fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     }
 }
 
+/// From the side: an axis of the plane to the right, the tool axis up; the way goes over what lies below. An axis without
+/// an address keeps its position.
 fn picture(inputs: &Inputs) -> Picture {
     let axes = inputs.plane.axes();
-    let end = target(inputs, [0.0; 3], false);
-    let end = [end[axes[0]], end[axes[1]]];
-    let figure = |kind, points, field| PictureShape {
-        kind,
-        points,
-        circle: None,
-        closed: false,
-        text: None,
-        field,
-    };
-    let name = |index: usize| nct::axis_name(axes[index]);
+    let given = |axis: usize| inputs.numbers.contains_key(nct::axis_name(axis));
+    let [abscissa, ordinate, applicate] = axes;
+    let start = [-FACE, FACE / 2.0];
+    let across = given(abscissa) || given(ordinate);
+    let end = [
+        if across { FACE } else { start[0] },
+        if given(applicate) { FACE } else { start[1] },
+    ];
+    let zero = [-1.5 * FACE, -FACE];
+    let mut shapes = vec![
+        line(ShapeKind::Axis, vec![zero, [zero[0], FACE]]),
+        line(ShapeKind::Axis, vec![zero, [1.5 * FACE, zero[1]]]).text("0"),
+        rectangle(ShapeKind::Cut, [0.0, -FACE / 2.0], [FACE, FACE]),
+        line(ShapeKind::Path, vec![start, end]).of("F"),
+        circle(ShapeKind::Path, start, BALL),
+        circle(ShapeKind::Probe, end, BALL),
+    ];
+    let along = [abscissa, ordinate].into_iter().filter(|axis| given(*axis));
+    for (row, axis) in along.enumerate() {
+        let below = zero[1] - (row + 1) as f64 * BALL * 2.0;
+        let name = nct::axis_name(axis);
+        shapes.push(dimension(name, [zero[0], below], [end[0], below]));
+    }
+    if given(applicate) {
+        let beside = end[0] + 3.0 * BALL;
+        let name = nct::axis_name(applicate);
+        shapes.push(dimension(name, [beside, zero[1]], [beside, end[1]]));
+    }
     Picture {
-        view: View::Plane,
-        shapes: vec![
-            figure(ShapeKind::Path, vec![[0.0; 2], end], Some("F")),
-            dimension(name(0), [0.0; 2], [end[0], 0.0]),
-            dimension(name(1), [end[0], 0.0], end),
-            PictureShape {
-                circle: Some((end, 3.0)),
-                ..figure(ShapeKind::Probe, Vec::new(), None)
-            },
-        ],
+        view: View::Section,
+        shapes,
     }
 }
 

@@ -4,7 +4,7 @@
 use super::bench::{along, machine, near};
 use crate::catalogue::example::{example, turned};
 use crate::catalogue::{CYCLES, Cycle, Dialect, ProbeUse, Variant};
-use crate::check::{Typed, check, read};
+use crate::check::{check, read};
 use crate::control::{Control, Plane};
 use crate::form::draw;
 use crate::run::predict;
