@@ -18,6 +18,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let side = if axis != 2 && set < 0.0 { -1.0 } else { 1.0 };
     let (part, start) = place::touched(control, axis, set, side, away);
     Proposal {
+        fixture: place::chuck(&part).into_iter().collect(),
         workpiece: Workpiece { solids: vec![part] },
         start,
         tools: place::corrected_tools(inputs),

@@ -3,11 +3,12 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::CYCLE974;
-use crate::catalogue::lathe::testing::{call, found, lathe};
-use crate::control::{Control, Frame, Plane};
+use crate::catalogue::lathe::testing::{self, call, found, lathe};
+use crate::control::{Control, Frame, Plane, Transverse};
 use crate::diagnostic::{Code, Severity};
 use crate::form::picture::{Picture, ShapeKind};
 use crate::form::{draw, fields};
+use crate::workpiece::Shape;
 
 const ERROR: Severity = Severity::Error;
 const WARNING: Severity = Severity::Warning;
@@ -145,4 +146,24 @@ fn the_probe_is_drawn_as_its_cutting_edge_position_says() {
         seven[0] > eight[0] && eight[1] > seven[1],
         "{seven:?} {eight:?}"
     );
+}
+
+#[test]
+fn a_turned_part_is_held_by_a_chuck() {
+    // oracle: hand: the part of 60 mm reaches 5 mm into the chuck, which stands out by 10 mm around it
+    let setup = testing::setup(Plane::G18, Transverse::Diameter);
+    let inputs = testing::inputs(
+        "CYCLE974",
+        Plane::G18,
+        &[("_MVAR", 0.0), ("_MA", 2.0), ("_SETVAL", 45.0)],
+    );
+    let proposal = (CYCLE974.work().unwrap().propose)(&inputs, &setup.control);
+    let (part, chuck) = (&proposal.workpiece.solids[0], &proposal.fixture[0]);
+    assert!((chuck.at[2] - (part.at[2] - 55.0)).abs() < 1e-9);
+    let size = Shape::Turned {
+        diameter: 45.0 + 20.0,
+        length: 20.0,
+        bore: [0.0; 2],
+    };
+    assert_eq!(chuck.shape, size);
 }

@@ -57,9 +57,10 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     } else {
         element.outside()
     };
+    let pin = element.pin().filter(|_| inside);
     Proposal {
+        fixture: pin.into_iter().chain(place::chuck(&part)).collect(),
         workpiece: Workpiece { solids: vec![part] },
-        fixture: element.pin().filter(|_| inside).into_iter().collect(),
         zones: vec![element.shown()],
         start,
         tools: place::corrected_tools(inputs),

@@ -3,7 +3,8 @@
 use crate::catalogue::{ProposedTool, place};
 use crate::check::Inputs;
 use crate::control::{Control, Edge};
-use crate::workpiece::{Shape, Solid};
+use crate::geometry::{V3, rigid};
+use crate::workpiece::{PartErrors, Shape, Solid};
 
 /// Length of a proposed part, mm.
 pub const LENGTH: f64 = 60.0;
@@ -61,6 +62,31 @@ pub fn touched(
         standing(control, Shape::Block { size }, at, x, z)
     };
     (part, start)
+}
+
+/// How long a chuck is, how far it stands out around the part, and how deep the part is in it, mm.
+const CHUCK: [f64; 3] = [20.0, 10.0, 5.0];
+
+/// The chuck that holds a turned part, without errors of its own; other parts have none.
+pub fn chuck(part: &Solid) -> Option<Solid> {
+    let Shape::Turned {
+        diameter, length, ..
+    } = part.shape
+    else {
+        return None;
+    };
+    let [long, around, deep] = CHUCK;
+    let behind = rigid::rotation(part.rotation) * V3::from([0.0, 0.0, deep - length]);
+    Some(Solid {
+        shape: Shape::Turned {
+            diameter: diameter + 2.0 * around,
+            length: long,
+            bore: [0.0; 2],
+        },
+        at: (V3::from(part.at) + behind).into(),
+        rotation: part.rotation,
+        errors: PartErrors::default(),
+    })
 }
 
 /// The tool that the call corrects, as a turning tool.
