@@ -61,7 +61,6 @@ export function inPlane(variant: Variant, plane: Plane): Variant {
   return { ...variant, ...variant.planes[plane] };
 }
 
-/** Whether the worked measurement of a variant is still as it was: then another variant brings its own. */
 /** The core's own machine becomes one of the other sort with its usual plane, where the task is for another sort than the one before. */
 function planeFor(state: State, before: CycleInfo | undefined, cycle: CycleInfo): Partial<State> {
   const { plane } = cycle.purpose;
@@ -69,6 +68,13 @@ function planeFor(state: State, before: CycleInfo | undefined, cycle: CycleInfo)
   return { own: { ...state.own, [cycle.control]: { own: { ...ownMachine(state), plane } } } };
 }
 
+/** The worked measurement of the cycle, with the addresses of the plane. */
+function exampleOf(cycle: CycleInfo, plane: Plane): Record<string, string> {
+  const own = cycle.variants.find(({ example }) => Object.entries(cycle.example).every(([name, value]) => example[name] === value));
+  return own ? inPlane(own, plane).example : cycle.example;
+}
+
+/** Whether the worked measurement of a variant is still as it was: then another variant brings its own. */
 function isExample(cycle: CycleInfo, values: Record<string, string>, plane: Plane): boolean {
   return cycle.variants.some((variant) => Object.entries(inPlane(variant, plane).example).every(([name, value]) => (values[name] ?? "") === value));
 }
@@ -103,7 +109,7 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
       const variant = chosen && inPlane(chosen, plane);
       const same = cycle.control === state.control && cycle.cycle === state.cycle;
       if (same && variant) return edits(Object.entries(isExample(cycle, state.values, plane) ? variant.example : variant.values));
-      const values = same ? state.values : state.remembered[memoryKey(cycle)] ?? variant?.example ?? cycle.example;
+      const values = same ? state.values : state.remembered[memoryKey(cycle)] ?? variant?.example ?? exampleOf(cycle, plane);
       store.update({ ...remember(now()), ...planeFor(state, findCycle(catalogue, state.control, state.cycle), cycle), control: cycle.control, cycle: cycle.cycle, values: { ...values, ...variant?.values }, open: same ? state.open : null, sought: null, step: AT_END, source: "form", touched: {}, checked: false, undo: null });
     },
     edit: (name, value) => edits([[name, value]]),
@@ -113,7 +119,7 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
     check: () => store.update({ checked: true }),
     example(variant) {
       const cycle = findCycle(catalogue, now().control, now().cycle);
-      if (cycle) replace("notice-example", { values: variant ? inPlane(variant, planeOf(now())).example : cycle.example, open: null, sought: null, step: AT_END, touched: {}, checked: false });
+      if (cycle) replace("notice-example", { values: variant ? inPlane(variant, planeOf(now())).example : exampleOf(cycle, planeOf(now())), open: null, sought: null, step: AT_END, touched: {}, checked: false });
     },
     editProgram: (edits) => store.update((state) => ({ ...withEdits(state, edits), follow: "text", undo: null })),
     openProgram(text, file) {
