@@ -26,6 +26,8 @@ struct Seen<'a> {
     sites: &'a [CallSite],
     index: usize,
     site: &'a CallSite,
+    /// Somewhere the program switches tool radius compensation on.
+    compensated: bool,
     /// What is in force on a way to the call.
     force: &'a State,
     /// Tool in use on it.
@@ -40,6 +42,8 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
     }
     let mut found = Vec::new();
     let mut asked = at_call::Asked::of(program);
+    // Asked once: a long program has many calls and many words.
+    let compensated = !sites.is_empty() && unsaid::switches_on(program);
     let mut at_call = control.clone();
     let mut corrected = vec![None; sites.len()];
     for (index, site, way) in in_order(sites) {
@@ -51,6 +55,7 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
             sites,
             index,
             site,
+            compensated,
             force: &way.state,
             tool: way.tool,
             inputs: check::read(site.cycle, &site.values, &at_call, &mut Vec::new()),

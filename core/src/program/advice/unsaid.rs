@@ -9,7 +9,7 @@ use crate::diagnostic::{Code, Diagnostic};
 use crate::message::Message;
 use crate::program::flow::Mode;
 use crate::program::fold::{self, Known};
-use crate::program::tree::{Program, Word, WordKind};
+use crate::program::tree::{Program, WordKind};
 
 /// Every doubt of this sort at a call.
 pub fn doubts(seen: &Seen) -> impl Iterator<Item = Diagnostic> {
@@ -68,8 +68,7 @@ fn plane(seen: &Seen) -> Option<Diagnostic> {
 
 /// Compensation is off after a reset; a program that switches it on later may come back to this call with it.
 fn compensation(seen: &Seen) -> Option<Diagnostic> {
-    let switched = |word: &Word| switches_on(seen.program, word);
-    if !seen.force.compensation.unset() || !seen.program.words.iter().any(switched) {
+    if !seen.force.compensation.unset() || !seen.compensated {
         return None;
     }
     let finding = note(Code::Own(146), Message::new("advice-compensation-open"))
@@ -77,14 +76,16 @@ fn compensation(seen: &Seen) -> Option<Diagnostic> {
     Some(with_line(finding, seen, seen.site.first_line, "G40"))
 }
 
-fn switches_on(program: &Program, word: &Word) -> bool {
-    match &word.kind {
+/// Whether a G41 or G42 stands anywhere in the program.
+pub fn switches_on(program: &Program) -> bool {
+    let known = Known::new();
+    program.words.iter().any(|word| match &word.kind {
         WordKind::Address { name, value, .. } if program.is(*name, "G") => {
-            let code = fold::number(program, *value, &Known::new());
+            let code = fold::number(program, *value, &known);
             code.is_some_and(|code| code == 41.0 || code == 42.0)
         }
         _ => false,
-    }
+    })
 }
 
 /// Nothing says which tool is in use.
