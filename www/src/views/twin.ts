@@ -26,10 +26,15 @@ export function createTwin(store: Store): { root: HTMLElement; draw(state: State
   const found = el("div", {}, task, calls, el("div", { class: "actions" }, copy),
     el("h4", {}, t("twin-shared")), shared, el("h4", {}, t("twin-differences")), differences);
   const none = el("p", { class: "quiet-text" }, t("twin-none"));
-  const root = el("details", { class: "twin" }, el("summary", {}, t("twin-open")), found, none);
+  const head = el("summary", {}, t("twin-open"));
+  const root = el("details", { class: "twin" }, head, found, none);
   let text = "";
 
-  on(root, "toggle", () => { if (store.state.twin !== root.open) store.update({ twin: root.open }); });
+  // The browser tells an unfolding only later: what is drawn meanwhile would fold it again.
+  on(head, "click", (event) => {
+    event.preventDefault();
+    store.update((state) => ({ twin: !state.twin }));
+  });
   on(copy, "click", () => void copyText(text, store, "notice-copied"));
 
   const fill = (twin: TwinView, { cycle, view }: Derived): void => {
