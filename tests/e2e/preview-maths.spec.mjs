@@ -3,12 +3,12 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { modules } from "./sources.mjs";
 
-let sources, camera, scene, demo, colours, pick, paths, vec, outline, mesh;
+let sources, camera, scene, demo, colours, pick, paths, vec, outline, mesh, drawing;
 before(async () => {
   sources = await modules();
   const load = (name) => sources.load(`/src/preview/${name}.ts`);
-  [camera, scene, demo, colours, pick, paths, vec, outline, mesh] =
-    await Promise.all(["camera", "scene", "demo/trace", "colours", "pick", "paths", "vec", "outline", "mesh"].map(load));
+  [camera, scene, demo, colours, pick, paths, vec, outline, mesh, drawing] =
+    await Promise.all(["camera", "scene", "demo/trace", "colours", "pick", "paths", "vec", "outline", "mesh", "drawing"].map(load));
 });
 after(() => sources.close());
 
@@ -84,6 +84,7 @@ test("every part is closed, faces outwards and has its volume", () => {
     island: 34 * 24 * 12 + (34 + 16) * (24 + 16) * 3,
     block: 46 * 46 * 16,
     turned: (circle(20) * 50 - circle(10) * 30) / 2, // half section
+    chuck: circle(30) * 16 + 3 * (0.94 * 30 - 15) * (0.56 * 30) * 8, // body, and three jaws over the first third
     sphere: ball(15),
     // askew by the sine of the angle between the edges
     outerCorner: 30 * 24 * 16 * Math.sin(Math.PI / 3),
@@ -191,13 +192,58 @@ test("colours are read in the notations of CSS", () => {
 test("the stylus stands along the axis of the tool", () => {
   const motion = { step: "motion", kind: "positioning", from: [0, 0, 0], to: [1, 0, 0], feed: 100 };
   for (const [axis, along] of [[[0, 0, 1], 2], [[0, 1, 0], 1], [[1, 0, 0], 0]]) {
-    const trace = { entries: [motion], ball: { radius: 3, length: 50, axis }, solids: [], frames: [] };
+    const probe = { ball: axis, pieces: [], carrier: [], tip: [0, 0, 0] };
+    const trace = { entries: [motion], ball: { radius: 3, length: 50 }, tools: [probe], inUse: [[0, 0]], solids: [], frames: [] };
     const box = mesh.boxOf(scene.buildScene(trace, colours.LIGHT).mesh);
     for (const other of [0, 1, 2]) {
       assert.ok(Math.abs(box.min[other]) < 8, `${axis}: ${box.min}`);
       assert.equal(box.max[other] > 20, other === along, `${axis}: ${box.max}`);
     }
   }
+});
+
+const INSERT = { corners: [[0, 0, 0], [10, 0, 0], [10, 0, 10], [0, 0, 10]], thick: [0, -4, 0] };
+const MILL = { outline: [[0, 0], [5, 0], [5, 50], [0, 50]], axis: [0, 0, 1], at: [0, 0, 0] };
+const inUse = (pieces) => ({ pieces, carrier: [], tip: [0, 0, 0] });
+
+// oracle: hand (a plate of 10 × 10 × 4 mm, and a cylinder of 24 sides)
+test("an insert and a mill are closed and face outwards", () => {
+  const motion = { step: "motion", kind: "positioning", from: [0, 0, 0], to: [1, 0, 0], feed: 100 };
+  for (const [piece, volume] of [[INSERT, 400], [MILL, 12 * 25 * Math.sin(Math.PI / 12) * 50]]) {
+    const trace = { entries: [motion], ball: { radius: 3, length: 50 }, tools: [inUse([piece])], inUse: [[0, 0]], solids: [], frames: [] };
+    const found = measured(scene.buildScene(trace, colours.LIGHT).mesh);
+    near(found.area, [0, 0, 0], 1e-9);
+    near([found.volume], [volume], 1e-6 * volume);
+  }
+});
+
+// oracle: hand (the probe until T3 is called at entry 1, then the mill, then the probe again)
+test("what is in use follows the tool changes, and the fit has room for it", () => {
+  const motion = (from, to) => ({ step: "motion", kind: "positioning", from, to, feed: 100 });
+  const entries = [motion([0, 0, 0], [1, 0, 0]), { step: "tool", tool: 3, edge: 1 }, motion([1, 0, 0], [0, 0, 0]), { step: "tool", tool: 9, edge: 1 }];
+  const tools = [{ ...inUse([]), ball: [0, 0, 1] }, inUse([MILL])];
+  const trace = { entries, ball: { radius: 3, length: 50 }, tools, inUse: [[0, 0], [1, 1], [3, 0]], solids: [], frames: [] };
+  assert.deepEqual([0, 1, 2, 3].map((index) => tools.indexOf(scene.toolAt(trace, index))), [0, 1, 1, 0]);
+  assert.equal(scene.toolAt({ ...trace, tools: undefined, inUse: undefined }, 2), undefined);
+  const box = (inUse) => scene.buildScene({ ...trace, inUse }, colours.LIGHT).box;
+  near([box([[0, 1]]).max[2]], [50]);
+  near([box([[0, 1]]).max[0]], [5]);
+});
+
+// oracle: hand (a step of 40 mm that is 0.1 mm larger, its front at Z 10; X −20 from a zero at Z 4, as a diameter)
+test("a drawing has its diameters before the front, and the reading counts as on the control", () => {
+  const ends = [[-20.05, 0, 10], [20.05, 0, 10]];
+  const axes = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+  const reading = { at: [0, 0, 4], axes, diameter: true };
+  const touch = { step: "touch", latched: [23, 0, 0], ball: [23, 0, 0], point: [20, 0, 0], normal: [1, 0, 0] };
+  const made = { diameters: [{ ends, out: [0, 0, 1], set: 40, real: 40.1 }], touched: [{ entry: 0, diameter: 40 }, { entry: 1, diameter: 40.1 }], reading };
+  const { lines, labels } = drawing.dimensions({ entries: [touch, touch] }, made, colours.LIGHT, 100);
+  assert.deepEqual(labels.map(({ text }) => text), ["Ø40.000", "Ø40.100", "Ø40.100", "Ø40.000 +0.100"]);
+  assert.deepEqual(labels.map(({ during }) => during), [[0, 1], [1, Infinity], undefined, undefined]);
+  near(lines[2].from, [-20.05, 0, 24]);
+  near(lines[2].to, [20.05, 0, 24]);
+  assert.equal(drawing.readingText(reading, [-20, 0, 14]), "X Ø−40.000  Z 10.000");
+  assert.equal(drawing.readingText({ ...reading, diameter: false }, [-20, 0, 14]), "X −20.000  Z 10.000");
 });
 
 // oracle: hand (a zone is seen through and is not part of what hides lines)

@@ -39,6 +39,7 @@ export interface State {
   touched: Record<string, true>;                     // fields whose problems are shown
   source: "form" | "program" | "scan";               // whose motions the 3D view shows, or the points of the scan
 
+  diameters: boolean;                                // of a turned part, as on a drawing
   panel: Panel;
   left: Panel;
   right: Panel;
@@ -83,7 +84,7 @@ export const AT_END = Number.MAX_SAFE_INTEGER;
 export function firstState(): State {
   return {
     control: "sinumerik", cycle: "", values: {}, remembered: {}, programs: {}, files: {}, sets: {}, open: null, pending: [],
-    errors: NO_ERRORS, comments: true, twin: false, style: "", setup: null, own: {}, checked: false, touched: {}, source: "form",
+    errors: NO_ERRORS, comments: true, twin: false, style: "", setup: null, own: {}, checked: false, touched: {}, source: "form", diameters: false,
     panel: "form", left: "form", right: "results", tab: "outcome", theme: "system", language: "", unfolded: {}, outline: true,
     search: "", limits: false, card: null, converting: null, converted: null, mended: null, focus: null, step: AT_END, playing: false, cursor: 0, cursorLine: 1, notice: "",
     reading: null, ran: null, sought: null, follow: null, stoppedReading: null, stoppedRun: null, refused: null, scan: null, scanProblem: "", undo: null,

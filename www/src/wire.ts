@@ -153,17 +153,26 @@ export type Step =
   | { step: "log"; text: string }
   | { step: "call"; cycle: string; variant: number }
   | { step: "return" };
-// ball.axis: from the ball to the spindle. zones: walls of protection zones, as shaft, web or island; shown, not touched. limits: the part with the largest errors on both sides.
-export interface Trace { entries: (Step & { line?: number })[]; ball: { radius: number; length: number; axis?: Vec3 }; turning?: boolean; solids: Solid[]; toolProbes?: Solid[]; tool?: ToolOutline; zones?: Solid[]; limits?: Solid[]; frames: { name: string; at: Vec3; axes: [Vec3, Vec3, Vec3] }[] }
-/** The tool that touches a tool probe: half of its section from its end on, distance from the axis and height. */
-export interface ToolOutline {
-  outline: [number, number][];
-  axis: Vec3;                          // from the end to what holds it
-  at: Vec3;                            // from the position of the machine to the end
+// tools: whatever was in use; inUse: which of them from which entry on, absent: a ball that stands upright. zones: walls of protection zones, as shaft, web or island; shown, not touched. limits: the part with the largest errors on both sides.
+export interface Trace { entries: (Step & { line?: number })[]; ball: { radius: number; length: number }; tools?: ToolView[]; inUse?: [from: number, tool: number][]; turning?: boolean; drawing?: Drawing; solids: Solid[]; toolProbes?: Solid[]; zones?: Solid[]; limits?: Solid[]; frames: { name: string; at: Vec3; axes: [Vec3, Vec3, Vec3] }[] }
+/** What is in use, from the position of the machine on: the ball of the probe or the pieces of a tool. */
+export interface ToolView {
+  ball?: Vec3;                         // direction from the ball to what holds it; absent: no probe
+  pieces: ToolPiece[];
+  carrier: ToolPiece[];                // what holds it on a turning machine
+  tip: Vec3;                           // its end
+}
+/** Half of a section turned about an axis: distance from it and height; or a convex flat piece, with its thickness. */
+export type ToolPiece = { outline: [number, number][]; axis: Vec3; at: Vec3 } | { corners: Vec3[]; thick: Vec3 };
+/** A turned part as on a drawing. ends: of a diameter as it is; out: along the axis, away from the part; touched: diameters as the control reads them. */
+export interface Drawing {
+  diameters: { ends: [Vec3, Vec3]; out: Vec3; set: number; real: number }[];
+  touched: { entry: number; diameter: number }[];
+  reading: { at: Vec3; axes: [Vec3, Vec3, Vec3]; diameter: boolean }; // where positions count from, and whether X is a diameter
 }
 export interface Solid {
-  shape: "hole" | "shaft" | "groove" | "web" | "pocket" | "island" | "block" | "turned" | "sphere" | "outerCorner" | "innerCorner" | "surface";
-  size: number[];                      // hole [diameter, depth]; shaft [diameter, height]; groove/web [width, depth, length]; pocket/island [x, y, depth]; block [x, y, z]; sphere [diameter]; outerCorner/innerCorner [degrees between the edges, edge along X, other edge, z]
+  shape: "hole" | "shaft" | "groove" | "web" | "pocket" | "island" | "block" | "turned" | "chuck" | "sphere" | "outerCorner" | "innerCorner" | "surface";
+  size: number[];                      // hole [diameter, depth]; shaft [diameter, height]; groove/web [width, depth, length]; pocket/island [x, y, depth]; block [x, y, z]; turned [diameter, length, bore, its depth]; chuck [diameter, length, diameter gripped]; sphere [diameter]; outerCorner/innerCorner [degrees between the edges, edge along X, other edge, z]
   surface?: Surface;                   // of the shape "surface", which has no size
   at: Vec3; rotation: Vec3;            // mm; RPY degree
   errors: { shift: Vec3; size: number; tilt: Vec3; taper: number; outOfRound: [number, number] };

@@ -35,7 +35,7 @@ pub struct Meeting {
 /// A plane that parts two bodies: how wide the gap across it is, mm, what is nearest to it on the second body, and its
 /// normal towards the first. The gap is the distance, to the square of the distance; none where the bodies touch or overlap.
 fn parted(moving: &impl Convex, other: &impl Convex, moved: &V3) -> Option<(f64, V3, V3)> {
-    let mut corners: Vec<Corner> = Vec::with_capacity(4);
+    let mut simplex = Simplex::default();
     let mut nearest = Corner::of(moving, other, moved, &V3::x());
     let mut widest: Option<(f64, V3, V3)> = None;
     for _ in 0..STEPS {
@@ -43,18 +43,19 @@ fn parted(moving: &impl Convex, other: &impl Convex, moved: &V3) -> Option<(f64,
         if distance <= CONTACT {
             return None;
         }
-        let normal = across(&corners, nearest.gap / distance);
+        let normal = across(simplex.corners(), nearest.gap / distance);
         let next = Corner::of(moving, other, moved, &-normal);
         let gap = normal.dot(&next.gap);
         if widest.is_none_or(|(before, ..)| gap > before) {
             widest = Some((gap, nearest.point, normal));
         }
         let exact = distance - gap <= EXACT.max(1e-3 * distance * distance);
-        if exact || corners.iter().any(|corner| corner.gap == next.gap) {
+        let mut known = simplex.corners().iter();
+        if exact || known.any(|corner| corner.gap == next.gap) {
             break;
         }
-        corners.push(next);
-        (nearest, corners) = nearest_of(&corners)?;
+        simplex.push(next);
+        (nearest, simplex) = nearest_of(&simplex)?;
     }
     widest.filter(|(gap, ..)| *gap > 0.0)
 }
@@ -106,7 +107,7 @@ fn across(corners: &[Corner], rough: V3) -> V3 {
 }
 
 /// A point of the difference of both bodies.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 struct Corner {
     /// Point of the moving body minus point of the other.
     gap: V3,
@@ -125,60 +126,85 @@ impl Corner {
     }
 }
 
-/// The point of the body between the corners that is nearest to the origin, and the corners between which it lies; none
-/// where the origin lies inside of four.
-fn nearest_of(corners: &[Corner]) -> Option<(Corner, Vec<Corner>)> {
-    let mut found: Option<(Corner, Vec<Corner>)> = None;
-    for choice in 1..1_usize << corners.len() {
-        let chosen = corners.iter().enumerate();
-        let chosen: Vec<Corner> = chosen
-            .filter(|(index, _)| choice >> index & 1 == 1)
-            .map(|(_, corner)| *corner)
-            .collect();
-        let Some(weights) = weights(&chosen) else {
-            continue;
-        };
-        if chosen.len() == 4 {
-            return None;
-        }
-        let weighted = chosen.iter().zip(weights);
-        let (gap, point) = weighted
-            .fold((V3::zeros(), V3::zeros()), |(gap, point), (corner, w)| {
-                (gap + corner.gap * w, point + corner.point * w)
-            });
-        let nearer = |(best, _): &(Corner, Vec<Corner>)| gap.norm() < best.gap.norm();
-        if found.as_ref().is_none_or(nearer) {
-            found = Some((Corner { gap, point }, chosen));
+/// Up to four corners, kept where they are: a search makes hundreds of them.
+#[derive(Clone, Copy, Debug, Default)]
+struct Simplex {
+    all: [Corner; 4],
+    count: usize,
+}
+
+impl Simplex {
+    fn corners(&self) -> &[Corner] {
+        &self.all[..self.count]
+    }
+
+    /// One more; a fifth is left out.
+    fn push(&mut self, corner: Corner) {
+        if let Some(place) = self.all.get_mut(self.count) {
+            *place = corner;
+            self.count += 1;
         }
     }
-    found
+
+    /// Those whose bit is set.
+    fn chosen(&self, bits: usize) -> Simplex {
+        let mut chosen = Simplex::default();
+        for (index, corner) in self.corners().iter().enumerate() {
+            if bits >> index & 1 == 1 {
+                chosen.push(*corner);
+            }
+        }
+        chosen
+    }
+}
+
+/// The point of the body between the corners that is nearest to the origin, and the corners between which it lies; none
+/// where the origin lies inside of four.
+fn nearest_of(simplex: &Simplex) -> Option<(Corner, Simplex)> {
+    let mut found: Option<(f64, Corner, Simplex)> = None;
+    for bits in 1..1_usize << simplex.count {
+        let chosen = simplex.chosen(bits);
+        let Some(weights) = weights(chosen.corners()) else {
+            continue;
+        };
+        if chosen.count == 4 {
+            return None;
+        }
+        let mut nearest = Corner::default();
+        for (corner, weight) in chosen.corners().iter().zip(weights) {
+            nearest.gap += corner.gap * weight;
+            nearest.point += corner.point * weight;
+        }
+        let distance = nearest.gap.norm();
+        if found.is_none_or(|(least, ..)| distance < least) {
+            found = Some((distance, nearest, chosen));
+        }
+    }
+    found.map(|(_, nearest, chosen)| (nearest, chosen))
 }
 
 /// Weights of corners with which they give the foot of the origin on what they span; none where the foot lies beside
 /// them, or where they span less than they should.
-fn weights(corners: &[Corner]) -> Option<Vec<f64>> {
+fn weights(corners: &[Corner]) -> Option<[f64; 4]> {
     let (first, rest) = corners.split_first()?;
-    let sides: Vec<V3> = rest.iter().map(|corner| corner.gap - first.gap).collect();
-    let parts = match sides[..] {
-        [] => Vec::new(),
-        [a] => vec![-first.gap.dot(&a) / a.norm_squared()],
-        [a, b] => {
-            let normal = a.cross(&b);
-            let size = normal.norm_squared();
-            vec![
-                b.cross(&normal).dot(&first.gap) / -size,
-                normal.cross(&a).dot(&first.gap) / -size,
-            ]
-        }
-        [a, b, c] => {
+    let side = |index: usize| rest.get(index).map(|corner| corner.gap - first.gap);
+    let parts = match [side(0), side(1), side(2)] {
+        [Some(a), Some(b), Some(c)] => {
             let volume = a.cross(&b).dot(&c);
             let part = |p: V3, q: V3| -p.cross(&q).dot(&first.gap) / volume;
-            vec![part(b, c), part(c, a), part(a, b)]
+            [part(b, c), part(c, a), part(a, b)]
         }
-        _ => return None,
+        [Some(a), Some(b), None] => {
+            let normal = a.cross(&b);
+            let size = normal.norm_squared();
+            let part = |across: V3| across.dot(&first.gap) / -size;
+            [part(b.cross(&normal)), part(normal.cross(&a)), 0.0]
+        }
+        [Some(a), ..] => [-first.gap.dot(&a) / a.norm_squared(), 0.0, 0.0],
+        _ => [0.0; 3],
     };
-    let mut weights = vec![1.0 - parts.iter().sum::<f64>()];
-    weights.extend(parts);
+    let [a, b, c] = parts;
+    let weights = [1.0 - (a + b + c), a, b, c];
     let inside = weights
         .iter()
         .all(|weight| *weight >= 0.0 && weight.is_finite());

@@ -20,6 +20,7 @@ mod start;
 mod tests;
 mod trace;
 mod trace_tool;
+mod trace_turned;
 mod twin;
 
 pub use alarms::{alarm, alarms, operator_message};

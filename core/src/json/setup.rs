@@ -9,6 +9,7 @@ use crate::control::{
     delivery_in,
 };
 use crate::run::setup::Setup;
+use crate::workpiece::seen::Turret;
 use crate::workpiece::{PartErrors, Probe, Shape, Solid, Workpiece};
 use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet};
@@ -134,6 +135,26 @@ struct MachineFile {
     spindle_positions: bool,
     /// Point X Y Z on the lines about which the rotary axes turn the part. Which there are: MD20080 and MD30300 in `data`.
     rotary_centre: [f64; 3],
+    /// The turret of a turning machine.
+    turret: TurretFile,
+}
+
+/// The disc that carries the tools of a turning machine, its axis parallel to Z. It is shown, and nothing meets it.
+#[derive(Clone, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
+#[serde(deny_unknown_fields, default)]
+struct TurretFile {
+    /// Diameter; 0: it is not shown.
+    diameter: f64,
+    /// Width.
+    width: f64,
+}
+
+impl Default for TurretFile {
+    fn default() -> TurretFile {
+        let Turret { diameter, width } = Turret::default();
+        TurretFile { diameter, width }
+    }
 }
 
 impl Default for MachineFile {
@@ -144,6 +165,7 @@ impl Default for MachineFile {
             limits_plus: control.limits.plus,
             spindle_positions: control.spindle_positions,
             rotary_centre: control.rotary_centre,
+            turret: TurretFile::default(),
         }
     }
 }
@@ -286,7 +308,7 @@ pub(super) struct SolidFile {
     /// Element.
     shape: ShapeName,
     /// hole: diameter, depth; shaft: diameter, height; groove and web: width, depth, length; pocket and island:
-    /// X, Y, depth; block: X, Y, Z; turned: diameter, length, diameter and depth of the bore (0: none); sphere: diameter; outerCorner and innerCorner: angle between the edges in degree,
+    /// X, Y, depth; block: X, Y, Z; turned: diameter, length, diameter and depth of the bore (0: none); chuck: diameter, length, diameter that it grips; sphere: diameter; outerCorner and innerCorner: angle between the edges in degree,
     /// lengths of the edge along X and of the other one, depth; surface: none.
     #[serde(default)]
     size: Vec<f64>,
@@ -315,6 +337,7 @@ enum ShapeName {
     Island,
     Block,
     Turned,
+    Chuck,
     Sphere,
     OuterCorner,
     InnerCorner,
@@ -388,12 +411,14 @@ fn setup(mut file: SetupFile) -> Result<Setup, Error> {
     let tool_probes = tool_probes
         .map(super::setup_tool::tool_probe)
         .collect::<Result<_, _>>()?;
+    let TurretFile { diameter, width } = file.machine.turret;
     let setup = Setup {
         control,
         probe: read_probe(&file.probe),
         workpiece: Workpiece { solids },
         tool_probes,
         real_tools,
+        turret: Turret { diameter, width },
         position: file.position,
         skip: file.skip,
     };
@@ -651,6 +676,11 @@ fn sized(shape: ShapeName, size: &[f64]) -> Result<Shape, Error> {
             diameter,
             length,
             bore: [bore, depth],
+        },
+        (ShapeName::Chuck, &[diameter, length, grip]) => Shape::Chuck {
+            diameter,
+            length,
+            grip,
         },
         (ShapeName::Sphere, &[diameter]) => Shape::Sphere { diameter },
         (shape, size) => {

@@ -7,6 +7,7 @@ use crate::control::{Control, Frame, Value, gud};
 use crate::geometry::rigid::sin_cos;
 use crate::run::setup::Setup;
 use crate::support::FORMS;
+use crate::workpiece::seen::Turret;
 use crate::workpiece::{Probe, Shape, Solid};
 
 /// Largest length, angle or feed: contact is computed to 1e-9 mm, which f64 holds up to here.
@@ -22,6 +23,11 @@ pub(super) fn check(setup: &Setup) -> Result<(), Error> {
     probe(&setup.probe)?;
     small("position", &setup.position)?;
     super::setup_tool::check(setup)?;
+    let Turret { diameter, width } = setup.turret;
+    for size in [diameter, width] {
+        let holds = (0.0..=LIMIT).contains(&size);
+        bound("machine.turret", size, holds, "0 to 1000000 mm")?;
+    }
     let solids = &setup.workpiece.solids;
     bound(
         "workpiece",
@@ -246,6 +252,11 @@ fn sizes(shape: &Shape) -> (Vec<f64>, f64) {
             true => (vec![diameter], length),
             false => (vec![diameter, bore], length),
         },
+        Shape::Chuck {
+            diameter,
+            length,
+            grip,
+        } => (vec![diameter, grip], length),
         Shape::Sphere { diameter } => (vec![diameter], diameter),
         Shape::Free(_) => (Vec::new(), 0.0),
     }

@@ -4,6 +4,7 @@ use super::setup::{settable_name, units_name, units_of};
 use super::{dialect_name, object, put, setup_surface, setup_tool};
 use crate::control::{Control, Edge, Frame, Plane, Tool, Transverse, Value as Datum, delivery};
 use crate::run::setup::Setup;
+use crate::workpiece::seen::Turret;
 use crate::workpiece::{PartErrors, Probe, Shape, Solid};
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -41,7 +42,7 @@ pub fn to_json(setup: &Setup) -> Value {
     if !control.environments.is_empty() {
         put(&mut setup_file, "environments", environments(control));
     }
-    if let Some(machine) = machine(control) {
+    if let Some(machine) = machine(setup) {
         put(&mut setup_file, "machine", machine);
     }
     if !setup.skip.is_empty() {
@@ -65,11 +66,13 @@ fn environments(control: &Control) -> Value {
 }
 
 /// What the machine can do, where that differs from the delivery.
-fn machine(control: &Control) -> Option<Value> {
+fn machine(setup: &Setup) -> Option<Value> {
+    let control = &setup.control;
     let delivered = delivery(control.dialect);
     if control.limits == delivered.limits
         && control.spindle_positions == delivered.spindle_positions
         && control.rotary_centre == delivered.rotary_centre
+        && setup.turret == Turret::default()
     {
         return None;
     }
@@ -79,7 +82,12 @@ fn machine(control: &Control) -> Option<Value> {
         ("limitsPlus", limits(control.limits.plus)),
         ("spindlePositions", control.spindle_positions.into()),
         ("rotaryCentre", control.rotary_centre.into()),
+        ("turret", turret(setup.turret)),
     ]))
+}
+
+fn turret(Turret { diameter, width }: Turret) -> Value {
+    object([("diameter", diameter.into()), ("width", width.into())])
 }
 
 /// Name of a plane.
@@ -259,6 +267,11 @@ pub(super) fn solid(solid: &Solid) -> Value {
             length,
             bore: [bore, depth],
         } => ("turned", [diameter, length, bore, depth].into()),
+        Shape::Chuck {
+            diameter,
+            length,
+            grip,
+        } => ("chuck", [diameter, length, grip].into()),
         Shape::Sphere { diameter } => ("sphere", [diameter].into()),
         Shape::Free(_) => ("surface", Value::Array(Vec::new())),
     };

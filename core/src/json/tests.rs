@@ -193,8 +193,8 @@ fn the_stylus_stands_along_the_applicate() {
     ] {
         asked["setup"] = json!({ "own": { "plane": plane } });
         let view = form(&asked.to_string()).unwrap();
-        let ball = &view["outcome"]["trace"]["ball"];
-        assert_eq!(ball["axis"], json!(axis), "{plane}");
+        let probe = &view["outcome"]["trace"]["tools"][0];
+        assert_eq!(probe["ball"], json!(axis), "{plane}");
         assert_eq!(view["setup"]["plane"], json!(plane));
     }
 }
@@ -216,7 +216,7 @@ fn the_stylus_of_a_turning_machine_lies_as_its_cutting_edge_position_says() {
         asked["setup"] = setup_to_json(&setup);
         let view = form(&asked.to_string()).unwrap();
         assert_eq!(
-            view["outcome"]["trace"]["ball"]["axis"],
+            view["outcome"]["trace"]["tools"][0]["ball"],
             json!(axis),
             "{tip}"
         );

@@ -2,10 +2,10 @@
 
 use super::setup::settable_name;
 use super::setup_write::solids;
-use super::{code, message, object, put, trace_tool};
+use super::{code, message, object, put, trace_tool, trace_turned};
 use crate::check::{Inputs, unit_name};
+use crate::control::Control;
 use crate::control::rotary::ROTARY;
-use crate::control::{Control, Edge};
 use crate::diagnostic::Code;
 use crate::geometry::arc::Around;
 use crate::message::Message;
@@ -105,16 +105,19 @@ pub fn alarm_key(alarm: Code) -> String {
 
 /// Everything that happened, with what is needed to draw it.
 pub(super) fn trace(setup: &Setup, outcome: &Outcome) -> Value {
+    let (tools, in_use) = trace_tool::tools(setup, outcome);
     let mut view = object([
         ("entries", outcome.trace.entries.iter().map(entry).collect()),
-        ("ball", ball(setup, outcome)),
+        ("ball", ball(setup)),
+        ("tools", tools),
+        ("inUse", in_use),
         ("turning", setup.control.turns().into()),
         ("solids", solids(&clamped(setup))),
         ("toolProbes", trace_tool::probes(setup)),
         ("frames", frames(&outcome.before, &outcome.control).into()),
     ]);
-    if let Some(tool) = trace_tool::tool(setup, outcome) {
-        put(&mut view, "tool", tool);
+    if let Some(drawing) = trace_turned::drawing(setup, outcome) {
+        put(&mut view, "drawing", drawing);
     }
     view
 }
@@ -125,19 +128,11 @@ fn clamped(setup: &Setup) -> Vec<Solid> {
     solids.map(|solid| setup.control.on_table(solid)).collect()
 }
 
-/// Ball and stylus. The axis points from the ball to what holds it, in machine coordinates: along the applicate of the
-/// plane in which was measured, on a turning machine as the cutting edge position says.
-fn ball(setup: &Setup, outcome: &Outcome) -> Value {
-    let [abscissa, ordinate, applicate] = outcome.control.plane.axes();
-    let mut axis = [0.0; 3];
-    match setup.control.active_edge().and_then(Edge::body) {
-        Some([along, across]) => (axis[abscissa], axis[ordinate]) = (along, across),
-        None => axis[applicate] = 1.0,
-    }
+/// Ball and stylus.
+fn ball(setup: &Setup) -> Value {
     object([
         ("radius", setup.probe.radius.into()),
         ("length", setup.probe.length.into()),
-        ("axis", axis.into()),
     ])
 }
 

@@ -1,18 +1,18 @@
-//! The tool that touches a tool probe, and the probes, as the view draws them.
+//! The tools and the probe by the steps in which they are in use, and the tool probes, as the view draws them.
 
 use super::object;
 use super::setup_write::solids;
-use crate::catalogue::{ProbeUse, find};
-use crate::control::{Control, Plane};
+use crate::catalogue::{Dialect, ProbeUse, find};
+use crate::control::tools::LATHE_PROBE;
+use crate::control::{Control, Edge};
 use crate::geometry::V3;
 use crate::run::outcome::Outcome;
 use crate::run::setup::Setup;
 use crate::run::trace::Step;
-use crate::workpiece::tool::{Cut, Nose, Tool};
+use crate::workpiece::seen::{self, Drawn};
+use crate::workpiece::tool::Tool;
 use serde_json::Value;
-
-/// How much of a turning tool behind its nose is drawn, in nose radii.
-const SHANK: f64 = 12.0;
+use std::collections::BTreeSet;
 
 /// The caps of the tool probes.
 pub(super) fn probes(setup: &Setup) -> Value {
@@ -24,83 +24,140 @@ pub(super) fn probes(setup: &Setup) -> Value {
     solids(&caps)
 }
 
-/// The tool of the first call that touches a tool probe; none where there is no such call. Its outline is turned about the
-/// axis, which points from the end to what holds it; `at`: from the position of the machine to its end.
-pub(super) fn tool(setup: &Setup, outcome: &Outcome) -> Option<Value> {
-    let (number, edge) = in_use(outcome)?;
-    let known = |control: &Control| control.edge_of(number, edge).cloned();
-    let data = known(&outcome.before).or_else(|| known(&outcome.control))?;
-    let nominal = || Tool::nominal(&data, &outcome.before);
-    let tool = setup
-        .real_tools
-        .get(&(number, edge))
-        .cloned()
-        .unwrap_or_else(nominal);
-    let mut control = outcome.before.clone();
-    (control.tool, control.edge, control.plane) = (number, edge, outcome.control.plane);
-    let tools = control.tools.entry(number).or_default();
-    tools.edges.entry(edge).or_insert(data);
-    let at = V3::from(tool.error(&control));
-    let (outline, axis, end) = match &tool.cut {
-        Cut::Cutter(cutter) => {
-            let mut axis = V3::zeros();
-            // a groove mill reaches from its upper edge towards its end
-            axis[control.plane.axes()[cutter.axis.min(2)]] =
-                if cutter.disc > 0.0 { -1.0 } else { 1.0 };
-            (cutter.outline(), axis, at)
-        }
-        Cut::Nose(nose) => {
-            let side = directed(nose, control.plane);
-            let axis = (-side).try_normalize(0.0).unwrap_or_else(V3::z);
-            let end = at - side * nose.radius - axis * nose.radius;
-            (rounded(nose.radius), axis, end)
-        }
-    };
-    let outline: Value = outline.into_iter().map(Value::from).collect();
-    let vector = |vector: V3| Value::from(<[f64; 3]>::from(vector));
-    Some(object([
-        ("outline", outline),
-        ("axis", vector(axis)),
-        ("at", vector(end)),
-    ]))
+/// T and D number of a tool, or of an NCT control T 0 and the register.
+type Place = (i64, i64);
+
+/// Whatever was in use, each once, and from which entry on which of them.
+pub(super) fn tools(setup: &Setup, outcome: &Outcome) -> (Value, Value) {
+    let mut known: Vec<Place> = Vec::new();
+    let mut in_use = Vec::new();
+    for (entry, place) in changes(outcome) {
+        let index = known.iter().position(|one| *one == place);
+        let index = index.unwrap_or_else(|| {
+            known.push(place);
+            known.len() - 1
+        });
+        in_use.push(Value::from(vec![entry, index]));
+    }
+    let measured = measured(outcome);
+    let view = |place: &Place| tool(setup, outcome, *place, measured.contains(place));
+    (known.iter().map(view).collect(), in_use.into())
 }
 
-/// T and D number at the first call of a cycle at a tool probe.
-fn in_use(outcome: &Outcome) -> Option<(i64, i64)> {
-    let mut tool = (outcome.before.tool, outcome.before.edge);
-    for entry in &outcome.trace.entries {
-        match &entry.step {
-            Step::Tool(number, edge) => tool = (*number, *edge),
-            Step::CallBegin { cycle, .. } => {
-                let cycle = find(outcome.before.dialect, cycle)?;
-                if cycle.purpose.probe == ProbeUse::Tool {
-                    return Some(tool);
-                }
-            }
-            _ => {}
+/// What is in use, from which entry on.
+fn changes(outcome: &Outcome) -> Vec<(usize, Place)> {
+    let begin = outcome.before.active_place();
+    let entries = outcome.trace.entries.iter().enumerate();
+    let changed =
+        entries.filter_map(
+            |(index, entry)| match (&entry.step, outcome.before.dialect) {
+                (Step::Tool(tool, edge), Dialect::Sinumerik) => Some((index, (*tool, *edge))),
+                (Step::Tool(_, edge), Dialect::Nct) => Some((index, (0, *edge))),
+                _ => None,
+            },
+        );
+    std::iter::once((0, begin)).chain(changed).collect()
+}
+
+/// With what a part was measured, which then was the probe whatever its data say.
+fn measured(outcome: &Outcome) -> BTreeSet<Place> {
+    let mut changes = changes(outcome).into_iter().peekable();
+    let mut place = outcome.before.active_place();
+    let mut measured = BTreeSet::new();
+    for (index, entry) in outcome.trace.entries.iter().enumerate() {
+        while let Some((_, next)) = changes.next_if(|(from, _)| *from <= index) {
+            place = next;
+        }
+        let Step::CallBegin { cycle, .. } = entry.step else {
+            continue;
+        };
+        let cycle = find(outcome.before.dialect, cycle);
+        if cycle.is_some_and(|cycle| cycle.purpose.probe == ProbeUse::Workpiece) {
+            measured.insert(place);
         }
     }
-    None
+    measured
 }
 
-/// From the centre of a nose to its point P, X Y Z, in nose radii.
-fn directed(nose: &Nose, plane: Plane) -> V3 {
-    let [abscissa, ordinate, _] = plane.axes();
-    let mut side = V3::zeros();
-    (side[abscissa], side[ordinate]) = (nose.side[0], nose.side[1]);
-    side
+/// What is drawn: the ball, or the pieces of a tool; on a turning machine also what carries it. `tip`: from the position of
+/// the machine to the end of the tool.
+fn tool(setup: &Setup, outcome: &Outcome, (number, edge): Place, measured: bool) -> Value {
+    let mut control = outcome.before.clone();
+    control.plane = outcome.control.plane;
+    let later = || outcome.control.edge_of(number, edge).cloned();
+    let data = control.edge_of(number, edge).cloned().or_else(later);
+    if let Some(data) = &data {
+        let tools = control.tools.entry(number).or_default();
+        tools.edges.entry(edge).or_insert_with(|| data.clone());
+    }
+    (control.tool, control.edge) = (number, edge);
+    let carrier = V3::from(control.active_length());
+    let is_probe = |edge: &Edge| measured || [710, LATHE_PROBE].contains(&edge.kind);
+    let Some(data) = data.filter(|data| !is_probe(data)) else {
+        return ball(setup, &control, carrier);
+    };
+    let real = setup.real_tools.get(&(number, edge)).cloned();
+    let tool = real.unwrap_or_else(|| Tool::nominal(&data, &outcome.before));
+    let tip = V3::from(tool.error(&control));
+    let (pieces, along) = seen::tool(&tool, carrier - tip, control.plane);
+    let holder = held(setup, &control, carrier - tip, along);
+    object([
+        ("tip", vector(tip)),
+        ("pieces", drawn(&pieces, tip)),
+        ("carrier", drawn(&holder, tip)),
+    ])
 }
 
-/// A quarter circle and the shank behind it.
-fn rounded(radius: f64) -> Vec<[f64; 2]> {
-    let quarter = (0..=6).map(|step| {
-        let (sine, cosine) = (15.0 * f64::from(step)).to_radians().sin_cos();
-        [radius * sine, radius * (1.0 - cosine)]
-    });
-    let mut outline: Vec<_> = quarter.collect();
-    outline.push([radius, SHANK * radius]);
-    outline.push([0.0, SHANK * radius]);
-    outline
+/// Ball and stylus. The axis points from the ball to what holds it, in machine coordinates: along the applicate of the
+/// plane in which was measured, on a turning machine as the cutting edge position says.
+fn ball(setup: &Setup, control: &Control, carrier: V3) -> Value {
+    let [abscissa, ordinate, applicate] = control.plane.axes();
+    let mut axis = V3::zeros();
+    match control.active_edge().and_then(Edge::body) {
+        Some([along, across]) => (axis[abscissa], axis[ordinate]) = (along, across),
+        None => axis[applicate] = 1.0,
+    }
+    let holder = held(setup, control, carrier, axis);
+    object([
+        ("ball", vector(axis)),
+        ("tip", vector(V3::zeros())),
+        ("pieces", Value::Array(Vec::new())),
+        ("carrier", drawn(&holder, V3::zeros())),
+    ])
+}
+
+/// Holder and turret of a turning machine.
+fn held(setup: &Setup, control: &Control, carrier: V3, along: V3) -> Vec<Drawn> {
+    match control.turns() {
+        true => seen::turret(&setup.turret, carrier, along),
+        false => Vec::new(),
+    }
+}
+
+/// Pieces that begin at the end of a tool, from the position of the machine on.
+fn drawn(pieces: &[Drawn], tip: V3) -> Value {
+    let piece = |piece: &Drawn| match piece {
+        Drawn::Round { outline, axis, at } => object([
+            (
+                "outline",
+                outline.iter().copied().map(Value::from).collect(),
+            ),
+            ("axis", vector(*axis)),
+            ("at", vector(at + tip)),
+        ]),
+        Drawn::Plate { corners, thick } => object([
+            (
+                "corners",
+                corners.iter().map(|at| vector(at + tip)).collect(),
+            ),
+            ("thick", vector(*thick)),
+        ]),
+    };
+    pieces.iter().map(piece).collect()
+}
+
+fn vector(vector: V3) -> Value {
+    <[f64; 3]>::from(vector).into()
 }
 
 #[cfg(test)]
@@ -127,9 +184,11 @@ mod tests {
         let values = json!({ "_MVAR": "0", "_MA": "1", "_FA": "3", "_TSA": "1" });
         let view = drawn(values, json!({ "part": { "dx": 0.2 } }));
         let trace = &view["outcome"]["trace"];
-        assert_eq!(trace["tool"]["axis"], json!([0.0, 0.0, 1.0]));
-        assert_eq!(trace["tool"]["at"], json!([0.0, 0.0, 0.0]));
-        let outline = trace["tool"]["outline"].as_array().unwrap();
+        assert_eq!(trace["inUse"], json!([[0, 0]]));
+        let mill = &trace["tools"][0]["pieces"][0];
+        assert_eq!(mill["axis"], json!([0.0, 0.0, 1.0]));
+        assert_eq!(mill["at"], json!([0.0, 0.0, 0.0]));
+        let outline = mill["outline"].as_array().unwrap();
         assert!(outline.contains(&json!([5.0, 0.0])), "{outline:?}");
         assert_eq!(trace["toolProbes"][0]["errors"]["shift"][0], 0.2);
         let results = view["outcome"]["results"].as_array().unwrap();

@@ -4,6 +4,7 @@ use crate::catalogue::{Cycle, Dialect, MachineSort, ProbeUse};
 use crate::control::machine_data::TOOL_LENGTH_TYPE;
 use crate::control::tools::{AS_TURNING_TOOL, LATHE_PROBE};
 use crate::control::{Control, Edge, Plane, Transverse, Units, delivery_in};
+use crate::workpiece::seen::Turret;
 use crate::workpiece::tool::Tool;
 use crate::workpiece::tool_probe::ToolProbe;
 use crate::workpiece::{Probe, Workpiece};
@@ -22,6 +23,8 @@ pub struct Setup {
     pub tool_probes: Vec<ToolProbe>,
     /// Tools that are otherwise than their data say, by T and D number.
     pub real_tools: BTreeMap<(i64, i64), Tool>,
+    /// What carries the tools of a turning machine.
+    pub turret: Turret,
     /// Where the point to which the tool length refers stands, machine (basic) coordinates X Y Z, mm.
     pub position: [f64; 3],
     /// Skip levels 0 to 9 that are switched on at the panel: blocks with `/`, `/1` to `/9` are left out.
@@ -112,6 +115,7 @@ impl Setup {
             workpiece: Workpiece::default(),
             tool_probes: Vec::new(),
             real_tools: BTreeMap::new(),
+            turret: Turret::default(),
             position,
             skip: BTreeSet::new(),
         }

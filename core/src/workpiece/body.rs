@@ -103,6 +103,9 @@ impl Body {
                 length,
                 bore,
             } => body.turned(diameter, length, bore, errors),
+            Shape::Chuck {
+                diameter, length, ..
+            } => body.turned(diameter, length, [0.0; 2], errors),
             Shape::Sphere { diameter } => {
                 let radius = (diameter + errors.size) / 2.0;
                 body.features.push(Feature::Sphere(radius));

@@ -10,6 +10,7 @@ pub mod noise;
 pub mod probe;
 #[cfg(test)]
 mod probe_tests;
+pub mod seen;
 pub mod tool;
 pub mod tool_probe;
 #[cfg(test)]
@@ -100,6 +101,16 @@ pub enum Shape {
         length: f64,
         /// Diameter and depth of the bore, mm; diameter 0: none.
         bore: [f64; 2],
+    },
+    /// Chuck about Z that holds a turned part: its front at the top is that of the jaws, and what can be touched of it
+    /// is what they sweep when it turns.
+    Chuck {
+        /// Diameter, mm.
+        diameter: f64,
+        /// Length, mm.
+        length: f64,
+        /// Diameter that the jaws grip, mm.
+        grip: f64,
     },
     /// Sphere about the origin.
     Sphere {

@@ -4,6 +4,7 @@ import { svg } from "../dom";
 import { basis, projector } from "./camera";
 import type { Frame } from "./backend";
 import type { Colours } from "./colours";
+import { readingText } from "./drawing";
 import type { Scene } from "./scene";
 import { add } from "./vec";
 
@@ -12,6 +13,7 @@ const ARM = 24;
 const SMALLEST = 4; // radius of the ring around the ball
 const BELOW = 18;   // from an origin to its name
 const LINE = 14;    // from one name to the next
+const READING = 22; // from the end of the tool to where it stands
 const NEAR = 80;    // names that are closer than this side by side would touch
 
 export function overlay(host: HTMLElement): SVGSVGElement {
@@ -22,26 +24,34 @@ export function overlay(host: HTMLElement): SVGSVGElement {
 }
 
 export function drawOverlay(element: SVGSVGElement, scene: Scene, frame: Frame): void {
-  drawInto(element, [...ring(scene, frame), ...names(scene, frame), ...triad(scene.colours, frame)]);
+  drawInto(element, [...ring(scene, frame), ...names(scene, frame), ...reading(scene, frame), ...triad(scene.colours, frame)]);
 }
 
 /** Tells where the ball or the end of a tool is, behind a part too. */
 function ring(scene: Scene, { camera, view, probe }: Frame): Drawn[] {
   if (!probe) return [];
-  const { tool, ball } = scene.trace;
-  const { x, y } = projector(camera, view)(tool ? add(probe, tool.at) : probe);
-  const r = tool ? SMALLEST : Math.max(SMALLEST, ball.radius * camera.scale + 1);
+  const { tool, trace: { ball } } = scene;
+  const { x, y } = projector(camera, view)(tool ? add(probe, tool.tip) : probe);
+  const r = tool && !tool.ball ? SMALLEST : Math.max(SMALLEST, ball.radius * camera.scale + 1);
   const circle = (stroke: string, width: number): Drawn => ({ tag: "circle", attributes: { cx: x, cy: y, r, fill: "none", stroke, "stroke-width": width } });
   return [circle(scene.colours.background, 3.5), circle(scene.colours.ball, 2)];
 }
 
+/** Where the control says that it stands, X as it counts there. */
+function reading({ trace: { drawing }, colours, drawing: shown }: Scene, { camera, view, probe }: Frame): Drawn[] {
+  if (!shown || !drawing || !probe) return [];
+  const { x, y } = projector(camera, view)(probe);
+  return [text(x, y + READING, readingText(drawing.reading, probe), colours.text, colours)];
+}
+
 /** One below the other where several coordinate systems have their origins at one place. */
-function names(scene: Scene, { camera, view }: Frame): Drawn[] {
-  const project = projector(camera, view);
+function names(scene: Scene, frame: Frame): Drawn[] {
+  const project = projector(frame.camera, frame.view);
   const taken: { x: number; y: number }[] = [];
-  return scene.labels.map(({ at, text: words, colour, below }) => {
+  const there = scene.labels.filter(({ during }) => !during || (frame.time > during[0] && frame.time <= during[1]));
+  return there.map(({ at, text: words, colour, below, raised = 0 }) => {
     const place = project(at);
-    const spot = { x: place.x, y: place.y + (below ? BELOW : 0) };
+    const spot = { x: place.x, y: place.y + (below ? BELOW : -raised) };
     while (below && taken.some(({ x, y }) => Math.abs(x - spot.x) < NEAR && Math.abs(y - spot.y) < LINE)) spot.y += LINE;
     if (below) taken.push(spot);
     return text(spot.x, spot.y, words, colour, scene.colours);

@@ -1,12 +1,13 @@
 // What is to be seen, for all ways of drawing: triangles, lines and labels made from a trace.
-import type { Solid, Trace, Vec3 } from "../wire";
+import type { Solid, ToolView, Trace, Vec3 } from "../wire";
 import { parse, type Colours } from "./colours";
 import { append, boxOf, mesh, type Line, type Mesh } from "./mesh";
-import { frameLines, gridLines, pathLines, type Label } from "./paths";
+import { frameLines, gridLines, pathLines, probeAt, type Label } from "./paths";
 import { part, zone } from "./solids";
 import { along, pieces } from "./route";
-import { addStylus, addTool } from "./stylus";
-import { boxCorners, centre, include, sub, type Box } from "./vec";
+import { dimensions } from "./drawing";
+import { addInUse, type ToolColours } from "./stylus";
+import { add, boxCorners, centre, include, sub, type Box } from "./vec";
 
 export interface Scene {
   trace: Trace;
@@ -15,6 +16,8 @@ export interface Scene {
   solidCorners: number;
   lines: Line[];
   labels: Label[];
+  tool: ToolView | undefined;   // in use at this step
+  drawing: boolean;     // diameters are shown as on a drawing
   box: Box;             // what `fit` shows
   origin: Vec3;         // subtracted before anything becomes single precision
   radius: number;       // everything lies within it around the origin, mm
@@ -29,22 +32,30 @@ export function standing(trace: Trace, index: number): Solid[] {
   return trace.solids;
 }
 
+/** What is in use at entry `index`. */
+export function toolAt({ tools, inUse }: Trace, index: number): ToolView | undefined {
+  const found = (inUse ?? []).findLast(([from], place) => place === 0 || from <= index);
+  return found && tools?.[found[1]];
+}
+
 /** `exaggeration`: how many times as large the errors of parts are drawn. `solids`: the part as it stands. `pieces`: of a
- *  long face, for a way of drawing that needs it. `index`: the entry around which paths are drawn. */
-export function buildScene(trace: Trace, colours: Colours, exaggeration = 1, solids = trace.solids, pieces = 1, index = 0): Scene {
-  const parts = [...solids, ...(trace.toolProbes ?? [])].map((solid) => part(solid, exaggeration, parse(colours.part), parse(colours.edge), pieces));
+ *  long face, for a way of drawing that needs it. `index`: the entry around which paths are drawn. `drawing`: with the diameters of a turned part. */
+export function buildScene(trace: Trace, colours: Colours, exaggeration = 1, solids = trace.solids, pieces = 1, index = 0, drawing = false): Scene {
+  const parts = [...solids, ...(trace.toolProbes ?? [])].map((solid) => part(solid, exaggeration, parse(solid.shape === "chuck" ? colours.stylus : colours.part), parse(colours.edge), pieces));
   const all = mesh();
   for (const { mesh: own } of parts) append(all, own);
   const solidBox = boxOf(all);
-  const box = around(trace, solidBox);
-  const size = Math.hypot(...sub(box.max, box.min));
+  const ways = around(trace, solidBox);
+  const size = Math.hypot(...sub(ways.max, ways.min));
   const limits = (trace.limits ?? []).flatMap((solid) => part(solid, exaggeration, parse(colours.part), parse(colours.crash), pieces).edges);
   const zones = (trace.zones ?? []).map((solid) => zone(solid, parse(colours.zone), pieces));
   const moves = trace.entries.some((entry) => entry.step === "motion");
   const touches = { ball: parse(colours.ball), stylus: parse(colours.stylus) };
-  const solidCorners = !moves ? all.corners.length
-    : trace.tool ? addTool(all, trace.tool, touches.stylus) : addStylus(all, trace.ball, touches, 0.3 * size);
+  const tool = toolAt(trace, index);
+  const solidCorners = moves ? addInUse(all, trace.ball, tool, touches, 0.3 * size) : all.corners.length;
+  const box = moves ? withTool(ways, trace, touches, 0.3 * size) : ways;
   for (const { mesh: own } of zones) append(all, own);
+  const dimensioned = drawing && trace.drawing ? dimensions(trace, trace.drawing, colours, size) : { lines: [], labels: [] };
   const frames = frameLines(trace.frames, colours, 0.14 * size);
   const normal = Math.max(2.5 * trace.ball.radius, 0.07 * size);
   const lines: Line[] = [
@@ -52,9 +63,11 @@ export function buildScene(trace: Trace, colours: Colours, exaggeration = 1, sol
     ...[...parts, ...zones].flatMap(({ edges }) => edges),
     ...limits.map((line): Line => ({ ...line, style: { ...line.style, dash: 6, through: 0.7 } })),
     ...frames.lines,
+    ...dimensioned.lines,
     ...pathLines(trace, colours, normal, index),
   ];
-  return { trace, colours, mesh: all, solidCorners, lines, labels: frames.labels, box, origin: centre(box), radius: reach(box, lines, trace) };
+  const shown = dimensioned.lines.flatMap(({ from, to }) => [from, to]).reduce(include, box);
+  return { trace, colours, mesh: all, solidCorners, lines, labels: [...frames.labels, ...dimensioned.labels], tool, drawing, box: shown, origin: centre(shown), radius: reach(shown, lines, trace) };
 }
 
 const ALONE = 20; // room around coordinate systems where there is nothing else, mm
@@ -74,6 +87,17 @@ function around(trace: Trace, solids: Box | null): Box {
   for (const { at } of trace.frames) if (near(box, at)) box = include(box, at);
   return box;
 }
+
+/** With what is in use where it begins; what carries it may be cut off. */
+function withTool(box: Box, trace: Trace, colours: ToolColours, longest: number): Box {
+  const begin = probeAt(trace, 0, 0);
+  const own = mesh();
+  addInUse(own, trace.ball, bare(toolAt(trace, 0)), colours, longest);
+  const there = begin && boxOf(own);
+  return there ? boxCorners(there).map((corner) => add(corner, begin)).reduce(include, box) : box;
+}
+
+const bare = (tool: ToolView | undefined): ToolView | undefined => tool && { ...tool, carrier: [] };
 
 /** Not farther away than the box is large. */
 function near(box: Box, at: Vec3): boolean {

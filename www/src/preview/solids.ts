@@ -1,7 +1,7 @@
 // Parts of the trace as triangles and edges, errors included.
 import type { Solid, Vec3 } from "../wire";
 import type { Rgba } from "./colours";
-import { band, flat, mesh, quad, triangle, VERTEX_FLOATS, type Line, type Mesh, type Paint, type Style } from "./mesh";
+import { append, band, flat, mesh, quad, triangle, VERTEX_FLOATS, type Line, type Mesh, type Paint, type Style } from "./mesh";
 import { surface } from "./surface";
 import { border, circle, CIRCLE_POINTS, normals, rectangle, type Outline, type Vec2 } from "./outline";
 import { add, apply, radians, rpy, times, unit } from "./vec";
@@ -56,6 +56,7 @@ function build(shape: Solid["shape"], size: number[], errors: Solid["errors"], l
     case "outerCorner": return cornered(a, [b, c], errors, (x, y, own) => block([x + own.size, y + own.size], 0, -d, look));
     case "innerCorner": return cornered(a, [b, c], errors, (x, y, own) => sunk(rectangle(x, y, own), d, look));
     case "turned": return turned(circle(a, errors), b, c > 0 ? circle(c, errors) : undefined, d, look);
+    case "chuck": return chuck(circle(a, errors), b, c, look);
     case "sphere": return sphere((a + errors.size) / 2, look);
     case "surface": return { mesh: mesh(), edges: [] };
   }
@@ -135,6 +136,28 @@ function turned(outline: Outline, length: number, bore: Outline | undefined, dep
   walls(own.mesh, outline, 0, length, 1, look);
   disc(own.mesh, outline.at(length), -length, look, [0, 0, -1]);
   disc(own.mesh, outline.at(0), 0, look);
+  return own;
+}
+
+const JAWS = 3;
+const JAW_WIDTH = 0.28; // of the diameter of the chuck
+
+/** Jaws over the first third, the body behind them. */
+function chuck(outline: Outline, length: number, grip: number, look: Look): Part {
+  const high = length / 3;
+  const own: Part = { mesh: mesh(), edges: [...loop(outline.at(0), -high, look), ...loop(outline.at(length), -length, look)] };
+  walls(own.mesh, outline, high, length, 1, look);
+  disc(own.mesh, outline.at(length), -length, look, [0, 0, -1]);
+  disc(own.mesh, outline.at(high), -high, look);
+  const [radius] = outline.half;
+  const size: Vec2 = [0.94 * radius - grip / 2, 2 * JAW_WIDTH * radius];
+  for (let jaw = 0; jaw < JAWS && size[0] > 0; jaw++) {
+    const [sine, cosine] = [Math.sin((2 * Math.PI * jaw) / JAWS), Math.cos((2 * Math.PI * jaw) / JAWS)];
+    const turn = ([x, y, z]: Vec3): Vec3 => [cosine * x - sine * y, sine * x + cosine * y, z];
+    const one = placed(block(size, 0, -high, look), { direction: turn, point: ([x, y, z]) => turn([x + grip / 2 + size[0] / 2, y, z]) });
+    append(own.mesh, one.mesh);
+    own.edges.push(...one.edges);
+  }
   return own;
 }
 

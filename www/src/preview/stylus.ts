@@ -1,20 +1,40 @@
-// The probe: ball and stylus solid, the body above them seen through, the centre of the ball at 0 0 0. Or the tool that
-// touches a tool probe.
-import type { ToolOutline, Vec3 } from "../wire";
+// The probe: ball and stylus solid, the body above them seen through, the centre of the ball at 0 0 0. Or a tool, and on a
+// turning machine what carries it, seen through.
+import type { ToolPiece, ToolView, Vec3 } from "../wire";
 import type { Rgba } from "./colours";
-import { band, type Mesh, type Paint } from "./mesh";
-import { add, apply, fromZ, unit } from "./vec";
+import { band, flat, triangle, type Mesh, type Paint } from "./mesh";
+import { add, apply, cross, dot, fromZ, sub, times, unit } from "./vec";
 
 const AROUND = 24;
 const BALL_LAYERS = 14;
 const TURNS = Array.from({ length: AROUND }, (_, i) => (2 * Math.PI * i) / AROUND).map((angle): [number, number] => [Math.cos(angle), Math.sin(angle)]);
 
-/** `radius` of the ball and `length` from it to the spindle in mm; `axis` from the ball to the spindle. */
-export interface Ball { radius: number; length: number; axis?: Vec3 }
+const UPRIGHT: ToolView = { ball: [0, 0, 1], pieces: [], carrier: [], tip: [0, 0, 0] };
+const THROUGH = 0.6;
+const CARRIER_THROUGH = 0.35;
 
-/** Behind what is there: ball and stylus, then its body; gives the number of corners without the body. */
-export function addStylus(into: Mesh, ball: Ball, colours: { ball: Rgba; stylus: Rgba }, longest: number): number {
-  const frame = fromZ(unit(ball.axis ?? [0, 0, 1]));
+/** `radius` of the ball and `length` from it to the spindle in mm. */
+export interface Ball { radius: number; length: number }
+export interface ToolColours { ball: Rgba; stylus: Rgba }
+
+/** Behind what is there: probe or tool, then what is seen through; gives the number of corners without that. */
+export function addInUse(into: Mesh, ball: Ball, view: ToolView = UPRIGHT, colours: ToolColours, longest: number): number {
+  const [red, green, blue] = colours.stylus;
+  const carried = (): void => view.carrier.forEach((piece) => addPiece(into, piece, { colour: [red, green, blue, CARRIER_THROUGH], moves: true }));
+  if (view.ball) {
+    const solid = addStylus(into, ball, view.ball, colours, longest);
+    carried();
+    return solid;
+  }
+  for (const piece of view.pieces) addPiece(into, piece, { colour: colours.stylus, moves: true });
+  const solid = into.corners.length;
+  carried();
+  return solid;
+}
+
+/** Ball and stylus, then its body; gives the number of corners without the body. */
+function addStylus(into: Mesh, ball: Ball, axis: Vec3, colours: ToolColours, longest: number): number {
+  const frame = fromZ(unit(axis));
   const place = (p: Vec3) => apply(frame, p);
   const r = ball.radius;
   const reach = Math.min(ball.length, Math.max(10 * r, longest));
@@ -25,16 +45,32 @@ export function addStylus(into: Mesh, ball: Ball, colours: { ball: Rgba; stylus:
   const [red, green, blue] = colours.stylus;
   const end = Math.max(body, reach + 3 * r);
   const profile: [number, number][] = [[0.45 * r, reach], [2.2 * r, reach + 1.2 * r], [2.2 * r, end], [0, end]];
-  turned(into, profile, place, { colour: [red, green, blue, 0.6], moves: true });
+  turned(into, profile, place, { colour: [red, green, blue, THROUGH], moves: true });
   return solid;
 }
 
-/** Behind what is there: the tool, solid; gives the number of corners. */
-export function addTool(into: Mesh, { outline, axis, at }: ToolOutline, colour: Rgba): number {
-  const frame = fromZ(unit(axis));
+function addPiece(into: Mesh, piece: ToolPiece, paint: Paint): void {
+  if ("corners" in piece) return plate(into, piece.corners, piece.thick, paint);
+  const frame = fromZ(unit(piece.axis));
   const direction = (p: Vec3) => apply(frame, p);
-  turned(into, outline, (p) => add(at, direction(p)), { colour, moves: true }, direction);
-  return into.corners.length;
+  turned(into, piece.outline, (p) => add(piece.at, direction(p)), paint, direction);
+}
+
+/** Both faces of a flat piece, and its border. */
+function plate(into: Mesh, corners: Vec3[], thick: Vec3, paint: Paint): void {
+  const [first, ...rest] = corners as [Vec3, ...Vec3[]];
+  const middle = times(corners.reduce(add), 1 / corners.length);
+  const faces = [{ at: [0, 0, 0] as Vec3, normal: unit(times(thick, -1)) }, { at: thick, normal: unit(thick) }];
+  for (const { at, normal } of faces) {
+    rest.slice(1).forEach((corner, i) =>
+      triangle(into, [add(first, at), add(rest[i]!, at), add(corner, at)], [normal, normal, normal], paint));
+  }
+  corners.forEach((corner, i) => {
+    const next = corners[(i + 1) % corners.length]!;
+    const border = cross(sub(next, corner), thick);
+    const outside = times(border, Math.sign(dot(border, sub(corner, middle))) || 1);
+    if (dot(border, border) > 0) flat(into, [corner, next, add(next, thick), add(corner, thick)], outside, paint);
+  });
 }
 
 /** Half circle from the lower to the upper pole: distance from the axis, height. */

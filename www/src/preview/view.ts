@@ -8,7 +8,7 @@ import { listen } from "./input";
 import { drawOverlay, overlay } from "./overlay";
 import { blockOf, probeAt } from "./paths";
 import { pick } from "./pick";
-import { buildScene, standing, type Scene } from "./scene";
+import { buildScene, standing, toolAt, type Scene } from "./scene";
 import { SORTED_PIECES } from "./solids";
 import { openSvg } from "./svg";
 
@@ -41,6 +41,8 @@ export interface Preview {
   onPick(callback: (entry: number) => void): void;
   setColours(colours: Colours): void;
   setExaggeration(factor: number): void;
+  /** Diameters of a turned part as on a drawing. */
+  setDrawing(shown: boolean): void;
   destroy(): void;
 }
 
@@ -53,6 +55,7 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
   const refused: Refusal[] = [];
   let colours = options.colours ?? LIGHT;
   let exaggeration = options.exaggeration ?? 1;
+  let drawing = false;
   let trace = EMPTY;
   let solids = trace.solids; // as they stand at this step
   let cloud: Cloud | null = null;
@@ -64,7 +67,7 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
   let ended = false;
   let picked: (entry: number) => void = () => undefined;
   let backend = await open(WAYS);
-  const built = (): Scene => buildScene(trace, colours, exaggeration, solids, backend.name === "svg" ? SORTED_PIECES : 1, step.index);
+  const built = (): Scene => buildScene(trace, colours, exaggeration, solids, backend.name === "svg" ? SORTED_PIECES : 1, step.index, drawing);
   let scene = built();
 
   async function open(ways: BackendName[]): Promise<Backend> {
@@ -170,7 +173,7 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
       if (first || untouched || other) refit();
     },
     setStep(index, fraction) {
-      const same = blockOf(index) === blockOf(step.index) && standing(trace, index) === solids;
+      const same = blockOf(index) === blockOf(step.index) && standing(trace, index) === solids && toolAt(trace, index) === scene.tool;
       step = { index, fraction };
       if (same) redrawNow();
       else rebuild();
@@ -187,6 +190,12 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
     onPick(callback) { picked = callback; },
     setColours(palette) { colours = palette; rebuild(); },
     setExaggeration(factor) { exaggeration = factor; rebuild(); },
+    setDrawing(shown) {
+      if (shown === drawing) return;
+      drawing = shown;
+      rebuild();
+      if (untouched) refit();
+    },
     destroy() {
       ended = true;
       cancelAnimationFrame(asked);

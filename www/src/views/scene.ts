@@ -33,6 +33,12 @@ export function createScene(root: HTMLElement, store: Store, goToLine: (line: nu
   const legend = createLegend();
   const timeline = el("div", { class: "timeline", role: "group", "aria-label": t("timeline-scrub") });
   root.append(el("header", { class: "panel-head" }, el("h2", {}, t("view-title")), segments, tools), note, el("div", { class: "stage-box" }, stage.box, legend.root, empty), timeline);
+  const drawing = el("button", { type: "button", class: "quiet", title: t("view-diameters-help") }, t("view-diameters"));
+  on(drawing, "click", () => {
+    const diameters = !store.state.diameters;
+    store.update({ diameters });
+    if (diameters) stage.preview?.setView("front"); // as a drawing has it
+  });
   const drawTimeline = createTimeline(timeline, store, goToLine);
 
   let shown: Pick<Derived, "trace"> & { dark: boolean; step: number } = { trace: null, dark: false, step: -1 };
@@ -42,7 +48,7 @@ export function createScene(root: HTMLElement, store: Store, goToLine: (line: nu
     if (dressed) return;
     dressed = true;
     preview.setLabel(t("view-canvas"));
-    tools.append(...viewButtons(preview));
+    tools.append(drawing, ...viewButtons(preview));
     show(note, false);
   };
 
@@ -73,6 +79,9 @@ export function createScene(root: HTMLElement, store: Store, goToLine: (line: nu
     const { step } = derived;
     if (fresh || step !== shown.step) move(preview, step, state.playing && derived.trace?.entries[step]?.step === "motion" && !still.matches);
     preview.setCloud(points);
+    preview.setDrawing(state.diameters);
+    show(drawing, !!derived.trace?.drawing);
+    setAttribute(drawing, "aria-pressed", String(state.diameters));
     shown = { trace: derived.trace, dark: night, step };
   };
 }

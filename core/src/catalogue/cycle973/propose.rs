@@ -34,13 +34,15 @@ fn surface(inputs: &Inputs, control: &Control, away: f64) -> Proposal {
     };
     let (part, start) = place::touched(control, control.plane.axes()[index], set, side, away);
     Proposal {
+        fixture: place::chuck(&part).into_iter().collect(),
         workpiece: Workpiece { solids: vec![part] },
         start,
         ..Proposal::default()
     }
 }
 
-/// Above the groove of the probe in use, which belongs to the machine and has no errors. None where there is none.
+/// Above the groove of the probe in use, nominally where `_KB` says that it is: its errors are those of the data. None
+/// where there is none.
 fn groove(inputs: &Inputs, control: &Control, away: f64) -> Option<Proposal> {
     let groove = Groove::of(control.active_edge()?.tip)?;
     let found = groove.place(control, inputs.integer(names::CALNUM) - 1);
@@ -66,14 +68,11 @@ fn groove(inputs: &Inputs, control: &Control, away: f64) -> Option<Proposal> {
     let mut start = at;
     start[base] += away;
     let shape = found.shape(depth);
+    let groove = place::standing(&machine, shape, at, unit(walls), unit(base));
     Some(Proposal {
-        fixture: vec![place::standing(
-            &machine,
-            shape,
-            at,
-            unit(walls),
-            unit(base),
-        )],
+        workpiece: Workpiece {
+            solids: vec![groove],
+        },
         start: control.to_workpiece(start),
         ..Proposal::default()
     })

@@ -150,7 +150,7 @@ fn the_probe_is_drawn_as_its_cutting_edge_position_says() {
 
 #[test]
 fn a_turned_part_is_held_by_a_chuck() {
-    // oracle: hand: the part of 60 mm reaches 5 mm into the chuck, which stands out by 10 mm around it
+    // oracle: hand: the part of 60 mm reaches 8 mm into the chuck, which stands out by 20 mm around it
     let setup = testing::setup(Plane::G18, Transverse::Diameter);
     let inputs = testing::inputs(
         "CYCLE974",
@@ -159,11 +159,11 @@ fn a_turned_part_is_held_by_a_chuck() {
     );
     let proposal = (CYCLE974.work().unwrap().propose)(&inputs, &setup.control);
     let (part, chuck) = (&proposal.workpiece.solids[0], &proposal.fixture[0]);
-    assert!((chuck.at[2] - (part.at[2] - 55.0)).abs() < 1e-9);
-    let size = Shape::Turned {
-        diameter: 45.0 + 20.0,
-        length: 20.0,
-        bore: [0.0; 2],
+    assert!((chuck.at[2] - (part.at[2] - 52.0)).abs() < 1e-9);
+    let size = Shape::Chuck {
+        diameter: 45.0 + 40.0,
+        length: 30.0,
+        grip: 45.0,
     };
     assert_eq!(chuck.shape, size);
 }

@@ -65,7 +65,7 @@ pub fn touched(
 }
 
 /// How long a chuck is, how far it stands out around the part, and how deep the part is in it, mm.
-const CHUCK: [f64; 3] = [20.0, 10.0, 5.0];
+const CHUCK: [f64; 3] = [30.0, 20.0, 8.0];
 
 /// The chuck that holds a turned part, without errors of its own; other parts have none.
 pub fn chuck(part: &Solid) -> Option<Solid> {
@@ -78,10 +78,10 @@ pub fn chuck(part: &Solid) -> Option<Solid> {
     let [long, around, deep] = CHUCK;
     let behind = rigid::rotation(part.rotation) * V3::from([0.0, 0.0, deep - length]);
     Some(Solid {
-        shape: Shape::Turned {
+        shape: Shape::Chuck {
             diameter: diameter + 2.0 * around,
             length: long,
-            bore: [0.0; 2],
+            grip: diameter,
         },
         at: (V3::from(part.at) + behind).into(),
         rotation: part.rotation,

@@ -47,7 +47,8 @@ const place = (i: number): Vec3 => [(i % 4) * 75, Math.floor(i / 4) * -75, 0];
 const sizes: [Solid["shape"], number[]][] = [
   ["hole", [30, 18]], ["shaft", [30, 18]], ["groove", [20, 14, 46]], ["web", [16, 14, 46]],
   ["pocket", [34, 24, 12]], ["island", [34, 24, 12]], ["block", [46, 46, 16]], ["sphere", [30]],
-  ["outerCorner", [60, 30, 24, 16]], ["innerCorner", [110, 34, 24, 12]], ["turned", [40, 50, 20, 30]], ["shaft", [30, 18]],
+  ["outerCorner", [60, 30, 24, 16]], ["innerCorner", [110, 34, 24, 12]], ["turned", [40, 50, 20, 30]], ["chuck", [60, 24, 30]],
+  ["shaft", [30, 18]],
 ];
 
 /** Every shape; the last one with errors that are there to be seen. */

@@ -1,0 +1,326 @@
+//! What is drawn of a tool and of what carries it. Of a turning tool only the nose can touch, which is `tool::Nose`; the
+//! insert and the shank behind it, the holder and the turret follow from the tool data and are out of the way.
+
+use super::tool::{Cut, Nose, Tool};
+use crate::control::Plane;
+use crate::geometry::V3;
+use crate::geometry::rigid::sin_cos;
+
+/// Half of the angle of an insert at its nose, degree: one that cuts along both axes, and one that cuts to both sides.
+const HALF_ANGLE: [f64; 2] = [40.0, 17.5];
+/// How far the edges of an insert reach beyond its nose, and its thickness, mm.
+const INSERT: [f64; 2] = [11.0, 4.8];
+/// Width and thickness of a shank, mm.
+const SHANK: f64 = 20.0;
+/// How far the upper side of a shank lies below that of the insert, mm.
+const SEAT: f64 = 1.2;
+/// How far the nose stands out beyond the side of the shank, and the shank begins behind the nose, mm.
+const STANDS_OUT: f64 = 5.0;
+const BEHIND: f64 = 7.0;
+/// Least length of a shank, mm.
+const SHORTEST: f64 = 35.0;
+/// Half of the thickness of a holder, mm.
+const WALL: f64 = 16.0;
+
+/// A piece of what is drawn, machine axes, mm from the point to which the tool length refers.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Drawn {
+    /// Half of a section through an axis, turned about it.
+    Round {
+        /// Distance from the axis and height over `at`.
+        outline: Vec<[f64; 2]>,
+        /// Direction of the axis.
+        axis: V3,
+        /// Where it begins.
+        at: V3,
+    },
+    /// A flat piece.
+    Plate {
+        /// Its corners in turn; convex.
+        corners: Vec<V3>,
+        /// From there to the other face.
+        thick: V3,
+    },
+}
+
+/// The disc of a turret, its axis parallel to that of the spindle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Turret {
+    /// Diameter, mm; 0: none is drawn.
+    pub diameter: f64,
+    /// Width, mm.
+    pub width: f64,
+}
+
+impl Default for Turret {
+    fn default() -> Turret {
+        Turret {
+            diameter: 160.0,
+            width: 40.0,
+        }
+    }
+}
+
+/// A tool from its end on, and the direction in which it leads to where it is held. `carrier`: from its end to there.
+pub fn tool(tool: &Tool, carrier: V3, plane: Plane) -> (Vec<Drawn>, V3) {
+    match &tool.cut {
+        Cut::Nose(nose) => turning_tool(nose, carrier, plane),
+        Cut::Cutter(cutter) => {
+            let mut axis = V3::zeros();
+            // a groove mill reaches from its upper edge towards its end
+            axis[plane.axes()[cutter.axis.min(2)]] = if cutter.disc > 0.0 { -1.0 } else { 1.0 };
+            let body = Drawn::Round {
+                outline: cutter.outline(),
+                axis,
+                at: V3::zeros(),
+            };
+            (vec![body], axis)
+        }
+    }
+}
+
+/// A turning tool: its insert and the shank, from the point P on.
+fn turning_tool(nose: &Nose, carrier: V3, plane: Plane) -> (Vec<Drawn>, V3) {
+    let axes = plane.axes();
+    let carrier = [carrier[axes[0]], carrier[axes[1]]];
+    let plate = |corners: Vec<[f64; 2]>, above: f64, thick: f64| {
+        let place = |[abscissa, ordinate]: [f64; 2]| {
+            let mut point = V3::zeros();
+            point[axes[0]] = abscissa - nose.side[0] * nose.radius;
+            point[axes[1]] = ordinate - nose.side[1] * nose.radius;
+            point[axes[2]] = above;
+            point
+        };
+        let mut down = V3::zeros();
+        down[axes[2]] = -thick;
+        Drawn::Plate {
+            corners: corners.into_iter().map(place).collect(),
+            thick: down,
+        }
+    };
+    let lies = lies(nose, carrier);
+    let mut along = V3::zeros();
+    along[axes[lies.0]] = lies.1;
+    let pieces = vec![
+        plate(insert(nose), 0.0, INSERT[1]),
+        plate(shank(nose, carrier, lies), -SEAT, SHANK - SEAT),
+    ];
+    (pieces, along)
+}
+
+/// The insert about S: the round of the nose, and the other corners of a rhombus; a button where there is no corner.
+fn insert(nose: &Nose) -> Vec<[f64; 2]> {
+    let [abscissa, ordinate] = nose.side;
+    let round = |from: f64, to: f64, pieces: u32| {
+        let point = move |piece: u32| {
+            let (sine, cosine) = sin_cos(from + (to - from) * f64::from(piece) / f64::from(pieces));
+            [nose.radius * cosine, nose.radius * sine]
+        };
+        (0..=pieces).map(point)
+    };
+    if nose.side == [0.0; 2] {
+        return round(0.0, 345.0, 23).collect();
+    }
+    let half = HALF_ANGLE[usize::from(abscissa == 0.0 || ordinate == 0.0)];
+    let tip = ordinate.atan2(abscissa).to_degrees();
+    let (sine, cosine) = sin_cos(half);
+    let edge = INSERT[0] + nose.radius * cosine / sine;
+    let from_corner = |ways: &[f64]| {
+        let (sine_tip, cosine_tip) = sin_cos(tip);
+        let corner = nose.radius / sine;
+        ways.iter().fold(
+            [corner * cosine_tip, corner * sine_tip],
+            |[x, y], direction| {
+                let (sine, cosine) = sin_cos(*direction);
+                [x + edge * cosine, y + edge * sine]
+            },
+        )
+    };
+    let [left, right] = [tip + 180.0 - half, tip + 180.0 + half];
+    let mut corners: Vec<_> = round(tip - 90.0 + half, tip + 90.0 - half, 12).collect();
+    corners.extend([&[left][..], &[left, right], &[right]].map(from_corner));
+    corners
+}
+
+/// Axis of the plane along which the shank leads to where the tool is held, and its direction: away from the nose, along
+/// the longer way.
+fn lies(nose: &Nose, carrier: [f64; 2]) -> (usize, f64) {
+    let way = |axis: usize| match nose.side[axis] {
+        0.0 if nose.side[1 - axis] == 0.0 => (carrier[axis].abs(), 1.0_f64.copysign(carrier[axis])),
+        0.0 => (f64::NEG_INFINITY, 1.0),
+        side => (-side * carrier[axis], -side),
+    };
+    let [abscissa, ordinate] = [0, 1].map(way);
+    match abscissa.0 > ordinate.0 {
+        true => (0, abscissa.1),
+        false => (1, ordinate.1),
+    }
+}
+
+/// The shank about S.
+fn shank(nose: &Nose, carrier: [f64; 2], (axis, direction): (usize, f64)) -> Vec<[f64; 2]> {
+    let end = (direction * carrier[axis]).max(SHORTEST + nose.radius);
+    let side = nose.side[1 - axis];
+    // across and along the shank, both away from S
+    let outline = if side == 0.0 {
+        let narrow = (nose.radius * 0.6).max(3.0);
+        let begin = if nose.side == [0.0; 2] { 0.0 } else { BEHIND };
+        let wide = begin + SHANK;
+        let half = (SHANK / 2.0).max(narrow);
+        [
+            [-narrow, begin],
+            [narrow, begin],
+            [half, wide],
+            [half, end.max(wide)],
+            [-half, end.max(wide)],
+            [-half, wide],
+        ]
+        .to_vec()
+    } else {
+        let outside = side * (nose.radius - STANDS_OUT);
+        let across = |inwards: f64| outside - side * inwards;
+        vec![
+            [across(0.0), BEHIND],
+            [across(SHANK / 2.0), BEHIND],
+            [across(SHANK), BEHIND + SHANK / 2.0],
+            [across(SHANK), end],
+            [across(0.0), end],
+        ]
+    };
+    let place = |[across, along]: [f64; 2]| {
+        let mut point = [0.0; 2];
+        (point[axis], point[1 - axis]) = (direction * along, across);
+        point
+    };
+    outline.into_iter().map(place).collect()
+}
+
+/// The disc of a turret and the holder on it. `carrier`: from the point to which the tool length refers to where the tool is
+/// held, `along`: the direction in which the tool leads there. Nothing where the tool has no length.
+pub fn turret(turret: &Turret, carrier: V3, along: V3) -> Vec<Drawn> {
+    let (transverse, spindle) = (0, 2); // X and Z of the machine
+    if turret.diameter <= 0.0 || carrier.norm() <= WALL {
+        return Vec::new();
+    }
+    let held = along * carrier.dot(&along).max(0.0);
+    let away = |axis: usize| 1.0_f64.copysign(carrier[axis]);
+    let low = held.inf(&carrier) - V3::repeat(WALL);
+    let high = held.sup(&carrier) + V3::repeat(WALL);
+    let corner = |x: f64, z: f64| V3::new(x, -WALL, z);
+    let holder = Drawn::Plate {
+        corners: vec![
+            corner(low.x, low.z),
+            corner(high.x, low.z),
+            corner(high.x, high.z),
+            corner(low.x, high.z),
+        ],
+        thick: V3::y() * (2.0 * WALL),
+    };
+    let radius = turret.diameter / 2.0;
+    let mut at = carrier;
+    at[transverse] += away(transverse) * (radius - WALL);
+    at[spindle] += away(spindle) * WALL;
+    let mut axis = V3::zeros();
+    axis[spindle] = away(spindle);
+    let disc = Drawn::Round {
+        outline: vec![
+            [0.0, 0.0],
+            [radius, 0.0],
+            [radius, turret.width],
+            [0.0, turret.width],
+        ],
+        axis,
+        at,
+    };
+    vec![holder, disc]
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, clippy::panic)]
+    use super::*;
+    use crate::workpiece::tool::side;
+
+    /// Corners of the insert and of the shank in abscissa and ordinate from P, in G18.
+    fn plates(position: i64, carrier: V3) -> [Vec<[f64; 2]>; 2] {
+        let nose = Nose {
+            radius: 0.8,
+            side: side(position, false),
+        };
+        let (drawn, _) = turning_tool(&nose, carrier, Plane::G18);
+        [0, 1].map(|index| match &drawn[index] {
+            Drawn::Plate { corners, .. } => corners.iter().map(|p| [p.z, p.x]).collect(),
+            Drawn::Round { .. } => panic!("an insert is flat"),
+        })
+    }
+
+    #[test]
+    fn an_insert_ends_where_its_edge_touches() {
+        // oracle: manual B:9441, B:13474-13481: P lies at the end of the nose in the directions of its position
+        for position in 1..=8 {
+            let sides = side(position, false);
+            let [insert, shank] = plates(position, V3::new(60.0, 0.0, 40.0));
+            for axis in 0..2 {
+                if sides[axis] == 0.0 {
+                    continue;
+                }
+                let reach = |corners: &[[f64; 2]]| {
+                    let ends = corners.iter().map(|corner| corner[axis] * sides[axis]);
+                    ends.fold(f64::NEG_INFINITY, f64::max)
+                };
+                let ahead = reach(&insert);
+                assert!((-0.01..=1e-9).contains(&ahead), "{position} {axis} {ahead}");
+                assert!(
+                    reach(&shank) < -3.0,
+                    "{position} {axis}: the shank is clear"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn a_shank_leads_to_where_the_tool_is_held() {
+        // oracle: hand: a tool that is long in X stands across, one that is long in Z is a boring bar
+        for (position, carrier, axis) in [
+            (3, [60.0, 40.0], 1),
+            (3, [20.0, 120.0], 0),
+            (2, [20.0, 120.0], 0),
+            (2, [60.0, 40.0], 0), // its nose points towards +X, where no shank can lie
+            (8, [60.0, 140.0], 1),
+            (7, [60.0, 40.0], 0),
+        ] {
+            let [_, shank] = plates(position, V3::new(carrier[0], 0.0, carrier[1]));
+            let reach = shank.iter().map(|corner| corner[axis]).fold(0.0, f64::max);
+            let wanted = carrier[1 - axis];
+            assert!(
+                (reach - wanted).abs() < 1.0,
+                "{position} {carrier:?} {reach}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_holder_joins_tool_and_disc() {
+        // oracle: hand: the disc stands behind the place where the tool is held, seen from the part
+        let carrier = V3::new(60.0, 0.0, 40.0);
+        let drawn = turret(&Turret::default(), carrier, V3::x());
+        let [Drawn::Plate { corners, .. }, Drawn::Round { at, axis, .. }] = &drawn[..] else {
+            panic!("{drawn:?}");
+        };
+        let ends = |axis: usize| {
+            let along = corners.iter().map(|corner| corner[axis]);
+            (
+                along.clone().fold(f64::INFINITY, f64::min),
+                along.fold(f64::NEG_INFINITY, f64::max),
+            )
+        };
+        assert_eq!(ends(0), (44.0, 76.0));
+        assert_eq!(ends(2), (-16.0, 56.0));
+        assert_eq!((at.z, *axis), (56.0, V3::z()));
+        let none = Turret {
+            diameter: 0.0,
+            ..Turret::default()
+        };
+        assert_eq!(turret(&none, carrier, V3::x()), []);
+    }
+}
