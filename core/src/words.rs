@@ -35,6 +35,10 @@ pub const ENGLISH: &[(&str, &str)] = &[
         "help-calibrate.ftl",
         include_str!("../messages/en/help-calibrate.ftl"),
     ),
+    (
+        "help-helper.ftl",
+        include_str!("../messages/en/help-helper.ftl"),
+    ),
     ("help-nct.ftl", include_str!("../messages/en/help-nct.ftl")),
     (
         "help-tool.ftl",
@@ -112,6 +116,7 @@ pub const LANGUAGES: &[Language] = &[
         "digitizing.ftl"
         "evaluate.ftl"
         "help-calibrate.ftl"
+        "help-helper.ftl"
         "help-nct.ftl"
         "help-tool.ftl"
         "help-turning.ftl"

@@ -100,6 +100,53 @@ fn alarms_explains_one_and_lists_all() {
     assert!(err(&unknown).contains("4711"));
 }
 
+// oracle: manual B:5645-5651 (variants), B:7546 (alarm), A:15882; the words are our own
+#[test]
+fn explain_knows_cycles_variants_data_and_alarms() {
+    let explained = |arguments: &[&str]| {
+        let output = probewright(&[&["explain"], arguments].concat());
+        assert!(output.status.success(), "{}", err(&output));
+        out(&output)
+    };
+    let cycle = explained(&["cycle977"]);
+    assert!(
+        cycle.contains("     101  Hole: correct a zero offset\n"),
+        "{cycle}"
+    );
+    let variant = explained(&["CYCLE977", "101"]);
+    for part in [
+        "CYCLE977 101: Hole: correct a zero offset\n",
+        "\nWhere the probe stands before\n  ",
+        "To be given: _SETVAL, _KNUM.\n",
+        "(B:5773-5799)\n",
+    ] {
+        assert!(variant.contains(part), "{part}: {variant}");
+    }
+    let chinese = explained(&["CYCLE100", "--lang", "zh"]);
+    assert!(chinese.contains("\n执行顺序\n  "), "{chinese}");
+    let zone = explained(&["_sza"]);
+    assert!(
+        zone.starts_with("_SZA: ") && zone.contains("CYCLE977, "),
+        "{zone}"
+    );
+    let result = explained(&["_OVR[4]"]);
+    assert!(
+        result.contains("CYCLE977") && !result.contains("_OVR[5]"),
+        "{result}"
+    );
+    assert!(explained(&["_CBIT[12]"]).starts_with("_CBIT[12]: "));
+    assert!(explained(&["MD18102"]).contains("MM_TYPE_OF_CUTTING_EDGE"));
+    assert_eq!(
+        explained(&["61341"]),
+        out(&probewright(&["alarms", "61341"]))
+    );
+    for wrong in [["CYCLE977", "7"], ["_NONE", "1"]] {
+        let output = probewright(&["explain", wrong[0], wrong[1]]);
+        assert_eq!(output.status.code(), Some(2));
+        assert!(err(&output).contains(wrong[0]), "{}", err(&output));
+    }
+}
+
 // oracle: hand
 #[test]
 fn write_gives_assignments_and_the_call() {

@@ -207,7 +207,7 @@ export interface RealTool {
 // help(HelpRequest) -> HelpView: the help page of a variant
 export interface HelpRequest { control: Dialect; cycle: string; mvar: number }
 export interface HelpView {
-  sections: { label: Message; lines: { message: Message; source: string }[] }[]; // none: the cycle only computes or logs
+  sections: { label: Message; lines: { message: Message; source: string }[] }[];
   required: string[];                  // parameters that every call of the variant gives
   results: { name: string; key: string }[]; // that a call can leave
   alarms: AlarmInfo[];                 // that can come

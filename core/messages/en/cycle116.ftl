@@ -1,7 +1,7 @@
 # CYCLE116: circle through points.
 
 cycle116-title = Circle through points
-cycle116-help = Computes centre and radius of a circle from three or four points of the plane, for example from points that were measured one by one. Nothing moves. Declare both variables at the begin of the program: DEF REAL { "_DATE[13]" } and DEF INT { "_ALM" }. The points go into { "_DATE[1]" } to { "_DATE[8]" }, centre and radius come out in { "_DATE[9]" } to { "_DATE[11]" }. Nothing is corrected and the program does not stop: look at { "_ALM" } behind the call, 0 says that the circle was found.
+cycle116-help = Computes centre and radius of a circle from three or four points of the plane, for example from points that were measured one by one.
 cycle116-words = circle centre center radius three points four points compute calculate arc hole shaft helper
 cycle116-circle = Centre and radius from points
 cycle116-three = Three points

@@ -1,7 +1,7 @@
 # CYCLE119: position in space.
 
 cycle119-title = Position in space from three points
-cycle119-help = Computes how a part lies in space: three points that should be somewhere, the reference triangle, and the same three points as they were measured one by one, for example with CYCLE977 or CYCLE997. Nothing moves. Declare the variables at the begin of the program: DEF REAL { "_SETPOINT[3,3], _MEASPOINT[3,3], _RES" }, DEF INT { "_ALARM" } and DEF FRAME { "_REFRAME" }; { "_ALARM" } has to be 0 at the call. With { "_COR" }=0 only the frame between the triangles is computed; otherwise that frame is corrected by shift and rotation, provided that the triangles fit each other to { "_RESLIM" }. It must not mirror or scale. The program does not stop: look at { "_ALARM" } behind the call, 0 says that it worked. The corrected frame counts only when its G function (G54 …) is programmed again.
+cycle119-help = Computes how a part lies in space from three points that should be somewhere, the reference triangle, and the same points as measured; corrects a frame by shift and rotation, if it is told to.
 cycle119-words = position in space frame three points triangle align alignment plane rotation shift zero offset rigid best fit helper
 cycle119-position = Frame from three set and three measured points
 

@@ -1,10 +1,13 @@
 # Help pages: what all or most SINUMERIK cycles have in common, and the headings.
 
 help-section-measures = What it measures
+help-section-does = What it does
 help-section-before = Where the probe stands before
 help-section-before-tool = Where the tool stands before
+help-section-before-call = What must be so before
 help-section-order = What happens in order
 help-section-corrects = What it corrects
+help-section-leaves = What it leaves
 help-section-wrong = What goes wrong
 help-values = To be given: { $names }.
 help-alarms = Alarms that can come: { $names }.

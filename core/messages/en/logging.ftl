@@ -1,7 +1,7 @@
 # The log of measurements: CYCLE100, 101, 105, 106, 113, 118.
 
 cycle100-title = Log on
-cycle100-help = Switches the log of measurements on: a file of that name is deleted and made anew in the folder of the program that calls, and the header is printed into it. From then on every measuring cycle adds a block of values, until CYCLE101. Nothing moves. What is printed, and how, stands in user data that keep their values: write here only what differs. Say before each measuring call what its lines show ({ "_PROTVAL[2]" } and following), since other cycles have other results. The file is an MPF program of at most MD 11420 kilobytes; what does not fit goes into up to nine files with a number behind the name. Read it out only when the log is off.
+cycle100-help = Switches the log of measurements on. From then on every measuring cycle adds a block of values to the file, until CYCLE101.
 cycle100-words = log protocol record print file report header switch on start logging measurement results
 cycle100-on = Log on, header printed
 
@@ -11,15 +11,15 @@ cycle101-words = log protocol record switch off stop end logging
 cycle101-off = Log off
 
 cycle105-title = Print into the log
-cycle105-help = Prints the header or a block of values into the log by itself, without a measuring cycle, for example after a calculation of your own. The log has to be on (CYCLE100). During measurements the measuring cycles do this.
+cycle105-help = Prints the header or a block of values into the log, without a measuring cycle.
 cycle105-words = log protocol print header block of values contents logging
 
 cycle106-title = Keep the log
-cycle106-help = Prints the header or a block of values and keeps the file: it deletes old logs of the same name, opens the next file when one is full, and begins a new page where it is due. CYCLE100 calls it by itself; a program needs it only to log without measuring cycles.
+cycle106-help = Prints the header or a block of values into the log, and looks after its files and pages. CYCLE100 calls it by itself.
 cycle106-words = log protocol page follow-up file sequence control logging
 
 cycle113-title = Date and time as a text
-cycle113-help = Reads the date (yy/mm/dd) or the time (hh:mm:ss) of the control into a variable of the program. Declare it at the begin of the program: DEF STRING[10] PAR2, or put the name of your own variable into the call.
+cycle113-help = Reads the date (yy/mm/dd) or the time (hh:mm:ss) of the control into a variable of the program.
 cycle113-words = date time clock text string log
 cycle113-date = Date
 cycle113-time = Time
@@ -28,7 +28,7 @@ param-113-job-help = 1 reads the date, 2 the time.
 result-113-text = Date or time as a text
 
 cycle118-title = Number as a text
-cycle118-help = Makes a text of a real number, rounded to so many decimals, for a message or for the log. Declare the variable that takes it at the begin of the program: DEF STRING[12] PAR3, or put the name of your own variable into the call. Up to ten numbers go at once when they stand in R parameters that follow each other: their texts come out in { "_TXT[0]" } to { "_TXT[9]" }, and the last one in the variable too.
+cycle118-help = Makes a text of a real number, rounded to so many decimals, for a message or for the log; of up to ten R parameters at once.
 cycle118-words = format real number decimals text string digits round message log
 cycle118-format = Text of one number or of several
 param-118-number = Number

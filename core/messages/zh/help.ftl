@@ -1,10 +1,13 @@
 # Help pages: what all or most SINUMERIK cycles have in common, and the headings.
 
 help-section-measures = 测量什么
+help-section-does = 做什么
 help-section-before = 调用前测量头的位置
 help-section-before-tool = 调用前刀具的位置
+help-section-before-call = 调用前的条件
 help-section-order = 执行顺序
 help-section-corrects = 补偿什么
+help-section-leaves = 留下什么
 help-section-wrong = 容易出错之处
 help-values = 必须给出：{ $names }。
 help-alarms = 可能出现的报警：{ $names }。

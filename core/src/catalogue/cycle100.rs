@@ -2,6 +2,7 @@
 //! measuring cycle adds a block of values.
 
 use super::common::{optional, required};
+use super::help::{HelpLine, before, measures, order, wrong};
 use super::logging::params::{self, log_params};
 use super::logging::{self, CONTENT_ALARMS, FILE_ALARMS, log_example, names};
 use super::{Cycle, Dialect, Drawing, Help, Param, Variant, When};
@@ -23,7 +24,7 @@ pub static CYCLE100: Cycle = Cycle {
     results: &[],
     alarms: &[FILE_ALARMS, CONTENT_ALARMS],
     checks: logging::checks,
-    help: Help::NONE,
+    help: Help::new(&[LINES, logging::help::FORMAT, logging::help::FILE]),
     picture: Drawing::new(logging::picture),
     example: log_example!((names::FILE, "LOG_1")),
     simulation: None,
@@ -38,3 +39,13 @@ const PARAMS: &[Param] = log_params!(
     header When::Always;
     values When::Always
 );
+
+const LINES: &[HelpLine] = &[
+    measures(When::Always, "help-cycle100-does", "B:11211-11213;B:11227"),
+    before(When::Always, "help-cycle100-values", "B:11396-11402"),
+    order(When::Always, "help-cycle100-begin", "B:11229;B:11253"),
+    logging::help::header(When::Always),
+    order(When::Always, "help-cycle100-each", "B:11213"),
+    wrong(When::Always, "help-cycle100-lost", "B:11200;B:11229"),
+    wrong(When::Always, "help-cycle100-old", "B:11229"),
+];

@@ -1,6 +1,7 @@
 //! CYCLE101: the log is switched off (B:11231-11233).
 
-use super::{Cycle, Dialect, Drawing, Help, Variant, logging};
+use super::help::{HelpLine, before, corrects, measures, order, wrong};
+use super::{Cycle, Dialect, Drawing, Help, Variant, When, logging};
 
 /// The cycle.
 pub static CYCLE101: Cycle = Cycle {
@@ -19,9 +20,17 @@ pub static CYCLE101: Cycle = Cycle {
     results: &[],
     alarms: &[],
     checks: |_, _, _| {},
-    help: Help::NONE,
+    help: Help::new(&[LINES]),
     picture: Drawing::NONE,
     example: &[],
     simulation: None,
     source: "B:11231-11233",
 };
+
+const LINES: &[HelpLine] = &[
+    measures(When::Always, "help-cycle101-does", "B:11233"),
+    before(When::Always, "help-cycle101-last", "B:11213;B:11233"),
+    order(When::Always, "help-cycle101-flag", "B:11233"),
+    corrects(When::Always, "help-cycle101-files", "B:11209"),
+    wrong(When::Always, "help-cycle101-missing", "B:11209;B:11233"),
+];

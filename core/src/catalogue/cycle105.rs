@@ -2,6 +2,7 @@
 //! numbers the other way round (A:12553).
 
 use super::common::{ALWAYS_REQUIRED, PARAM, optional};
+use super::help::{HelpLine, before, corrects, measures, wrong};
 use super::logging::names::{self, JOB};
 use super::logging::params::{self, log_params};
 use super::logging::{self, CONTENT_ALARMS, log_example};
@@ -38,7 +39,7 @@ pub static CYCLE105: Cycle = Cycle {
     results: &[],
     alarms: &[CONTENT_ALARMS],
     checks: logging::checks,
-    help: Help::NONE,
+    help: Help::new(&[LINES, logging::help::FORMAT]),
     picture: Drawing::new(logging::picture),
     example: log_example!((JOB, "0")),
     simulation: None,
@@ -62,3 +63,19 @@ const PARAMS: &[Param] = log_params!(
     header HEADER;
     values VALUES
 );
+
+const LINES: &[HelpLine] = &[
+    measures(HEADER, "help-cycle105-header", "B:11237-11242"),
+    measures(VALUES, "help-cycle105-values", "B:11237-11242"),
+    before(When::Always, "help-cycle105-open", "B:11215-11217"),
+    logging::help::chosen(VALUES),
+    logging::help::header(HEADER),
+    logging::help::block(VALUES),
+    corrects(HEADER, "help-cycle105-left-header", "B:11237"),
+    corrects(VALUES, "help-cycle105-left-values", "B:11237"),
+    wrong(
+        When::Always,
+        "help-cycle105-number",
+        "B:11239-11251;A:12547-12555",
+    ),
+];

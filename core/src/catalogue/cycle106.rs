@@ -1,6 +1,7 @@
 //! CYCLE106(PAR1): keeps the log (B:11244-11253): old files, follow-up files, pages. CYCLE100 calls it by itself.
 
 use super::common::{ALWAYS_REQUIRED, PARAM, alarms, optional, required};
+use super::help::{HelpLine, before, measures, order, wrong};
 use super::logging::names::{self, JOB};
 use super::logging::params::{self, log_params};
 use super::logging::{self, CONTENT_ALARMS, FILE_ALARMS, log_example};
@@ -37,7 +38,7 @@ pub static CYCLE106: Cycle = Cycle {
     results: &[],
     alarms: &[CONTENT_ALARMS, FILE_ALARMS],
     checks: logging::checks,
-    help: Help::NONE,
+    help: Help::new(&[LINES, logging::help::FORMAT, logging::help::FILE]),
     picture: Drawing::new(logging::picture),
     example: log_example!((JOB, "2"), (names::FILE, "LOG_1")),
     simulation: None,
@@ -66,3 +67,18 @@ const PARAMS: &[Param] = log_params!(
     header HEADER;
     values VALUES
 );
+
+const LINES: &[HelpLine] = &[
+    measures(HEADER, "help-cycle106-header", "B:11246-11253"),
+    measures(VALUES, "help-cycle106-values", "B:11246-11253"),
+    before(When::Always, "help-cycle106-alone", "B:11213-11217;B:11253"),
+    logging::help::chosen(VALUES),
+    order(When::Always, "help-cycle106-keeps", "B:11253;B:11435"),
+    logging::help::header(HEADER),
+    logging::help::block(VALUES),
+    wrong(
+        When::Always,
+        "help-cycle106-number",
+        "B:11248-11251;A:15902",
+    ),
+];

@@ -1,6 +1,7 @@
 //! CYCLE113(PAR1,PAR2): reads date or time of the control as a text (B:11255-11260).
 
 use super::common::{ALWAYS_REQUIRED, PARAM, integer};
+use super::help::{HelpLine, before, corrects, measures, order, wrong};
 use super::logging::names::JOB;
 use super::{
     Arg, ArgumentList, Cycle, Dialect, Drawing, Help, Kind, Param, Style, Variant, When, logging,
@@ -44,9 +45,22 @@ pub static CYCLE113: Cycle = Cycle {
     results: &[integer("PAR2", "result-113-text", When::Always, "B:11260")],
     alarms: &[],
     checks: |_, _, _| {},
-    help: Help::NONE,
+    help: Help::new(&[LINES]),
     picture: Drawing::NONE,
     example: &[(JOB, "1")],
     simulation: None,
     source: "B:11255-11260",
 };
+
+const DATE: When = When::Variant(&[1]);
+const TIME: When = When::Variant(&[2]);
+
+const LINES: &[HelpLine] = &[
+    measures(DATE, "help-cycle113-date", "B:11258"),
+    measures(TIME, "help-cycle113-time", "B:11259"),
+    before(When::Always, "help-cycle113-variable", "B:11260"),
+    order(DATE, "help-cycle113-year", "B:11258;B:11483"),
+    order(TIME, "help-cycle113-hour", "B:11259;B:11483"),
+    corrects(When::Always, "help-cycle113-left", "B:11258-11260"),
+    wrong(When::Always, "help-cycle113-short", "B:11260"),
+];

@@ -2,6 +2,7 @@
 //! of up to ten that stand in consecutive R parameters.
 
 use super::common::{ALWAYS_REQUIRED, PARAM, alarms, integer, optional, required};
+use super::help::{HelpLine, before, corrects, measures, order, wrong};
 use super::{
     Arg, ArgumentList, Cycle, Dialect, Drawing, Help, Kind, Param, Range, Style, Variant, When,
     logging,
@@ -139,7 +140,7 @@ pub static CYCLE118: Cycle = Cycle {
     ],
     alarms: &[&alarms([61362])], // A:15904
     checks: |_, _, _| {},
-    help: Help::NONE,
+    help: Help::new(&[LINES]),
     picture: Drawing::NONE,
     // the example of the manual, B:11296-11308
     example: &[("PAR1", "31.830988618"), ("PAR2", "2")],
@@ -187,4 +188,15 @@ const PARAMS: &[Param] = &[
         source: "B:11292",
         ..PARAM
     },
+];
+
+const LINES: &[HelpLine] = &[
+    measures(When::Always, "help-cycle118-does", "B:11264-11266"),
+    before(When::Always, "help-cycle118-variable", "B:11270-11272"),
+    before(When::Always, "help-cycle118-registers", "B:11276-11278"),
+    order(When::Always, "help-cycle118-rounds", "B:11288-11290"),
+    order(When::Always, "help-cycle118-many", "B:11276-11280"),
+    corrects(When::Always, "help-cycle118-left", "B:11280;B:11320"),
+    wrong(When::Always, "help-cycle118-count", "A:15904"),
+    wrong(When::Always, "help-cycle118-length", "B:11272"),
 ];

@@ -10,26 +10,30 @@ use crate::diagnostic::Code;
 /// A section of a help page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Section {
-    /// What it measures.
+    /// What it measures or does.
     Measures,
-    /// Where the probe or the tool stands before.
+    /// Where the probe or the tool stands before, and what else must be so.
     Before,
     /// What happens, in order.
     Order,
-    /// What it corrects.
+    /// What it corrects or leaves.
     Corrects,
     /// What goes wrong.
     Wrong,
 }
 
 impl Section {
-    /// Key of its heading on a page of this cycle.
+    /// Key of its heading on a page of this cycle: one that touches nothing measures and corrects nothing by itself.
     pub fn key(self, cycle: &Cycle) -> &'static str {
+        let probe = cycle.purpose.probe;
         match self {
+            Section::Measures if !probe.measures() => "help-section-does",
             Section::Measures => "help-section-measures",
-            Section::Before if cycle.purpose.probe == ProbeUse::Tool => "help-section-before-tool",
+            Section::Before if !probe.measures() => "help-section-before-call",
+            Section::Before if probe == ProbeUse::Tool => "help-section-before-tool",
             Section::Before => "help-section-before",
             Section::Order => "help-section-order",
+            Section::Corrects if !probe.measures() => "help-section-leaves",
             Section::Corrects => "help-section-corrects",
             Section::Wrong => "help-section-wrong",
         }
@@ -106,15 +110,12 @@ pub struct Help {
 }
 
 impl Help {
-    /// No pages: a cycle that only computes or logs says everything in its `-help`.
-    pub const NONE: Help = Help { groups: &[] };
-
     /// The page's first module carries none of it: help comes behind the first form.
     pub const fn new(groups: &'static [&'static [HelpLine]]) -> Help {
         if SIMULATES {
             Help { groups }
         } else {
-            Help::NONE
+            Help { groups: &[] }
         }
     }
 
@@ -195,6 +196,7 @@ const ABOUT: &[(&str, When, &[u32])] = &[
         ],
     ),
     (names::KNUM, ZERO_OFFSET, &[61321, 61403, 61412]),
+    (names::COR, When::Always, &[61321, 61412]),
 ];
 
 /// Whether a call of the variant can raise an alarm of the entry: not one about a parameter that the variant does not use.

@@ -34,6 +34,8 @@ pub const MA: &str = "_MA";
 pub const MD: &str = "_MD";
 /// What is corrected.
 pub const KNUM: &str = "_KNUM";
+/// The same in CYCLE119.
+pub const COR: &str = "_COR";
 /// T number of the tool to be corrected.
 pub const TNUM: &str = "_TNUM";
 /// Name of the tool to be corrected.

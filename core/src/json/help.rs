@@ -13,7 +13,7 @@ struct Request {
     mvar: i64,
 }
 
-/// Answers a `HelpRequest` with a `HelpView`. A cycle that only computes or logs has no sections.
+/// Answers a `HelpRequest` with a `HelpView`.
 pub fn help(request: &str) -> Result<Value, Error> {
     let request: Request = super::request(request)?;
     let cycle = catalogue::find(dialect(&request.control)?, &request.cycle).ok_or_else(|| {

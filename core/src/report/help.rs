@@ -1,5 +1,5 @@
 //! The help of a cycle in `docs/cycles/`: first what is true of every variant, then what each says beside it; variants
-//! that say the same stand together.
+//! that say the same stand together. For the terminal the page of one variant, plain.
 
 use crate::catalogue::help::{HelpPage, SECTIONS, Section};
 use crate::catalogue::{Cycle, Variant};
@@ -29,7 +29,7 @@ impl Said {
     }
 }
 
-/// Appends the help of a cycle; nothing for a cycle that only computes or logs.
+/// Appends the help of a cycle.
 pub fn help(text: &mut String, cycle: &'static Cycle, words: &Words) {
     let pages: Vec<(&Variant, Vec<Said>)> = cycle
         .variants
@@ -41,9 +41,6 @@ pub fn help(text: &mut String, cycle: &'static Cycle, words: &Words) {
     };
     let of_all = |one: &Said| pages.iter().all(|(_, page)| page.contains(one));
     let every: Vec<Said> = first.iter().filter(|one| of_all(one)).cloned().collect();
-    if every.iter().all(|one| !matches!(one, Said::Line(..))) {
-        return;
-    }
     line(text, "## Help");
     if pages.len() > 1 {
         line(text, "### Every variant");
@@ -92,26 +89,44 @@ fn title(variants: &[&Variant], words: &Words) -> String {
     format!("### {}", names.join(" / "))
 }
 
+/// The help page of a variant: headings, each with its sentences.
+pub fn of_variant(
+    cycle: &'static Cycle,
+    variant: &Variant,
+    words: &Words,
+) -> Vec<(String, Vec<String>)> {
+    sections(cycle, &said(cycle, variant, words), "", words)
+}
+
 fn write(text: &mut String, cycle: &Cycle, page: &[Said], words: &Words) {
+    for (heading, items) in sections(cycle, page, "`", words) {
+        line(text, &format!("**{heading}**"));
+        line(text, &format!("- {}", items.join("\n- ")));
+    }
+}
+
+/// The sections that say something; names of values stand in marks.
+fn sections(cycle: &Cycle, page: &[Said], mark: &str, words: &Words) -> Vec<(String, Vec<String>)> {
+    let mut sections = Vec::new();
     for section in SECTIONS {
         let of_section: Vec<&Said> = page.iter().filter(|one| one.section() == section).collect();
         if of_section.is_empty() {
             continue;
         }
-        line(text, &format!("**{}**", words.key(section.key(cycle))));
         let mut items: Vec<String> = Vec::new();
         let (mut values, mut alarms) = (Vec::new(), Vec::new());
         for one in of_section {
             match one {
                 Said::Line(_, sentence) => items.push(sentence.clone()),
-                Said::Value(name) => values.push(format!("`{name}`")),
+                Said::Value(name) => values.push(format!("{mark}{name}{mark}")),
                 Said::Alarm(code) => alarms.push(code.clone()),
             }
         }
         items.extend(listed("help-values", &values, words));
         items.extend(listed("help-alarms", &alarms, words));
-        line(text, &format!("- {}", items.join("\n- ")));
+        sections.push((words.key(section.key(cycle)), items));
     }
+    sections
 }
 
 /// A sentence that lists names; none without names.

@@ -85,19 +85,61 @@ fn name(gud: &Gud, element: &Element) -> String {
     }
 }
 
-/// Name, help and the values of a choice.
+/// Name, help and the values of a choice, in a cell of a table.
 fn meaning(key: &str, choices: &[i64], words: &Words) -> String {
-    let mut text = words.key(key.to_owned());
-    if let Some(help) = words.find(&Message::new(format!("{key}.help"))) {
-        text = format!("{text}. {help}");
-    }
-    for value in choices {
-        text = format!(
-            "{text}<br>{value}: {}",
-            words.key(format!("{key}.v{value}"))
-        );
-    }
-    text
+    lines(key, choices, words).join("<br>")
+}
+
+/// Name and help in one line, each value of a choice in one of its own.
+fn lines(key: &str, choices: &[i64], words: &Words) -> Vec<String> {
+    let label = words.key(key.to_owned());
+    let first = match words.find(&Message::new(format!("{key}.help"))) {
+        Some(help) => format!("{label}. {help}"),
+        None => label,
+    };
+    let value = |value: &i64| format!("{value}: {}", words.key(format!("{key}.v{value}")));
+    [first]
+        .into_iter()
+        .chain(choices.iter().map(value))
+        .collect()
+}
+
+/// The data of the machine whose name is asked for: name, place in the manual, meaning. A machine datum is known by its
+/// number and by its identifier.
+pub fn told(
+    asked: impl Fn(&str) -> bool,
+    words: &Words,
+) -> Vec<(String, &'static str, Vec<String>)> {
+    let elements = gud::SUBJECTS
+        .iter()
+        .flat_map(|subject| subject.data)
+        .flat_map(|gud| gud.elements.iter().map(move |element| (gud, element)))
+        .map(|(gud, element)| {
+            let key = gud.key(element);
+            (name(gud, element), element.source, key, element.choices)
+        });
+    let machine = MACHINE_DATA
+        .iter()
+        .filter(|datum| asked(datum.number) || asked(datum.identifier))
+        .map(|datum| {
+            let name = format!("{} {}", datum.number, datum.identifier);
+            (name, datum.source, datum.key(), [].as_slice())
+        });
+    let nct = nct_data::SUBJECTS
+        .iter()
+        .flat_map(|subject| subject.data)
+        .map(|datum| {
+            (
+                datum.name.to_owned(),
+                datum.source,
+                datum.key(),
+                datum.choices,
+            )
+        });
+    let named = elements.chain(nct).filter(|(name, ..)| asked(name));
+    let told = named.chain(machine);
+    told.map(|(name, source, key, choices)| (name, source, lines(&key, choices, words)))
+        .collect()
 }
 
 fn block(gud: &Gud) -> &'static str {

@@ -3,6 +3,8 @@
 #[cfg(feature = "cli")]
 pub mod alarms;
 #[cfg(feature = "cli")]
+pub mod explain;
+#[cfg(feature = "cli")]
 mod help;
 #[cfg(feature = "cli")]
 pub mod machine;

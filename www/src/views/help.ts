@@ -55,8 +55,7 @@ export function createHelp(root: HTMLElement, store: Store, actions: Actions, co
     if (what === drawn) return;
     drawn = what;
     const view = from.help({ control: cycle.control, cycle: cycle.cycle, mvar: variant.mvar });
-    const only = view.sections.length ? [] : [el("p", {}, t(`${cycle.key}-help`))]; // it computes or logs
-    page.replaceChildren(...only, ...fill(view, goTo));
+    page.replaceChildren(...fill(view, goTo));
     page.parentElement?.scrollTo({ top: 0 });
   };
 }

@@ -3,6 +3,7 @@
 mod alarms;
 mod check;
 mod cycles;
+mod explain;
 mod file;
 mod read;
 mod run;
@@ -32,6 +33,13 @@ enum Command {
         /// As JSON, with variants, parameters and results
         #[arg(long)]
         json: bool,
+    },
+    /// Explain a cycle, an alarm, a parameter, a result or a datum of the machine, for example CYCLE977, 61303 or _SZA
+    Explain {
+        /// Its name or number
+        name: String,
+        /// Measuring variant of the cycle, for example 101: its help page
+        variant: Option<i64>,
     },
     /// Say what an alarm means and what to do about it; without a number list them all
     Alarms {
@@ -127,6 +135,7 @@ fn words(asked: Option<&str>) -> Result<Words, Problem> {
 fn run_command(command: Command, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
     match command {
         Command::Alarms { number, json } => alarms::alarms(number.as_deref(), json, words, out),
+        Command::Explain { name, variant } => explain::explain(&name, variant, words, out),
         Command::Cycles { json } => cycles::cycles(json, words, out),
         Command::Check {
             files,

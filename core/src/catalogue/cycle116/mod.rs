@@ -1,6 +1,7 @@
 //! CYCLE116: centre and radius of a circle through points that the program has (B:2408-2469). It measures nothing; a
 //! program calls it with variables of its own.
 
+mod help;
 mod params;
 mod simulate;
 #[cfg(test)]
@@ -57,7 +58,7 @@ pub static CYCLE116: Cycle = Cycle {
     ],
     alarms: &[&alarms([61316, 61317])], // B:2448
     checks,
-    help: Help::NONE,
+    help: Help::new(&[help::LINES]),
     picture: Drawing::new(picture),
     // the example of the manual, B:2456-2466
     example: &[

@@ -3,6 +3,7 @@
 //! with points of its own.
 
 mod checks;
+mod help;
 mod params;
 mod picture;
 mod simulate;
@@ -69,7 +70,7 @@ pub static CYCLE119: Cycle = Cycle {
     ],
     alarms: &[&alarms([61321, 61411, 61412, 61414])], // A:15862, A:15930-15933
     checks: checks::checks,
-    help: Help::NONE,
+    help: Help::new(&[help::LINES]),
     picture: Drawing::new(picture::picture),
     // the example of the manual, B:8600-8622; its active frame is G54, which a form without a program has to name
     example: &[

@@ -1,10 +1,10 @@
 //! The arrays that the program hands over, and what is to be done with the frame (B:8560-8576).
 
 use crate::catalogue::common::{ALWAYS_REQUIRED, KNUM, PARAM, required};
-use crate::catalogue::{Param, Range, Unit, When};
+use crate::catalogue::{Param, Range, Unit, When, names};
 
 /// Frame to be corrected, as `_KNUM` of a zero offset.
-pub const TARGET: &str = "_COR";
+pub const TARGET: &str = names::COR;
 /// Limit of the distortion.
 pub const LIMIT: &str = "_RESLIM";
 

@@ -2,6 +2,7 @@
 //! printed and how from user data that a program writes before the call.
 
 mod checks;
+pub mod help;
 mod line;
 pub mod names;
 pub mod params;

@@ -1,0 +1,81 @@
+# 不产生运动的循环的帮助页：测量记录（CYCLE100、101、105、106、113、118），圆和位置（CYCLE116、119）。
+
+help-log-data = 记录的内容和格式由机床的用户数据决定，这些数据在各程序之间保持其值：只需写出不同之处。
+help-log-title = 只写了一个标题行：第二行仍显示以前记录的标题。请在 _PROTVAL[1] 中写入带引号的空格。
+help-log-column = 数值比列宽：控制系统加宽该列并给出信息 62309；各列不再上下对齐。
+help-log-line = 列数乘以列宽超过 200 个字符：报警 61371。
+help-log-name = _PROTNAME[1] 指定文件名：字母、数字和下划线，以两个字母或一个字母加下划线开头。扩展名 MPF 会自动加上；目录是调用程序所在的目录。
+help-log-files = 记录文件。MD 11420 规定的千字节数容纳不下的内容写入最多九个后续文件，其名称以下划线和一个数字结尾。
+help-log-full = 第十个文件也写满：程序暂停，要求给出新的记录名称；重新启动后继续。
+help-log-refused = 文件没有名称（61354），文件正被其他程序使用（61356），或其目录不存在（61353）。
+help-log-header = 记录头：日期、时间和页码，程序 _PROTNAME[0]，自定义行 _HEADLINE[0] 等，标题行 _PROTVAL[0] 和 _PROTVAL[1]。_CBIT[11]=1 时只有自定义行。
+help-log-block = 一组数值：测量循环的名称及其 _MVAR（_CBIT[6]=1 时不写），然后是 _PROTFORM[4] 规定的数值行数。超出 _TSA、_TDIF、_TUL 或 _TLL 的实际值及其差值带有 _PROTSYM[1] 标记。
+help-log-chosen = _PROTVAL[2] 到 _PROTVAL[5] 指定各行的内容：_OVR 中的结果、R 参数、文本。另一个测量循环或方案有另外的结果。
+
+help-cycle100-does = 打开测量记录：从这里到 CYCLE101，每个测量循环都加入一组数值。不产生运动。
+help-cycle100-values = 每次测量调用之前，由 _PROTVAL[2] 到 _PROTVAL[5] 指定其各行的内容：另一个循环或方案有另外的结果。
+help-cycle100-begin = 删除同名文件并重新开始；CYCLE100 通过 CYCLE106 完成。
+help-cycle100-each = 此后每次测量调用都自行写入一组数值；程序不必调用其他记录循环。
+help-cycle100-lost = 上一个工件的记录没有读出：它会被删除。请给每个工件各自的名称。
+help-cycle100-old = 以前记录的后续文件保留，直到本次记录需要其名称：其内容不属于这个工件。
+
+help-cycle101-does = 关闭由 CYCLE100 打开的测量记录。不产生运动。
+help-cycle101-last = 应写入记录的最后一次测量调用已完成。
+help-cycle101-flag = 清除记录已打开的标志；此后的测量循环不再写入。
+help-cycle101-files = 记录文件，现在可以读出。
+help-cycle101-missing = 遗漏了它：以后的测量也写入记录，并且文件不能读出。
+
+help-cycle105-header = 不通过测量循环，单独把记录头写入记录。不产生运动。
+help-cycle105-values = 不通过测量循环，单独把最多四行的一组数值写入记录，例如在自己的计算之后。不产生运动。
+help-cycle105-open = 记录已打开：已调用 CYCLE100。测量循环自行写入，不需要 CYCLE105。
+help-cycle105-left-header = 记录文件中多一个记录头。
+help-cycle105-left-values = 记录文件中多一组数值。
+help-cycle105-number = CYCLE106 的任务编号不同：在那里 2 是数值组。手册的一个版本中这里的 0 和 1 顺序相反；请在控制系统上试一次。
+
+help-cycle106-header = 把记录头写入记录，并管理其文件和页。不产生运动。
+help-cycle106-values = 把一组数值写入记录，并管理其文件和页。不产生运动。
+help-cycle106-alone = 程序不用测量循环而要记录：使用测量循环时，CYCLE100 和测量调用已足够。
+help-cycle106-keeps = 需要时删除同名的旧文件，文件写满时打开下一个文件，达到 _PROTFORM[0] 行后另起一页。
+help-cycle106-number = PAR1 既不是 1 也不是 2：报警 61360。CYCLE105 的任务编号不同。
+
+help-cycle113-date = 把控制系统的日期读为文本。不产生运动。
+help-cycle113-time = 把控制系统的时间读为文本。不产生运动。
+help-cycle113-variable = 由一个变量接收文本：在程序开头声明 DEF STRING[10] PAR2，或在调用中写入自己的变量名。
+help-cycle113-year = 日期写为年、月、日，各两位数字，用斜线分开。
+help-cycle113-hour = 时间写为时、分、秒，各两位数字，用冒号分开。
+help-cycle113-left = 调用中变量里的文本，别无其他。
+help-cycle113-short = 声明的变量少于 10 个字符：容纳不下文本。
+
+help-cycle118-does = 把一个实数按给定的小数位数转换为文本；一次最多 10 个数值。不产生运动。
+help-cycle118-variable = 由一个变量接收文本：在程序开头声明 DEF STRING[12] PAR3，或在调用中写入自己的变量名。
+help-cycle118-registers = 多个数值位于连续的 R 参数中；PAR5 是第一个的编号，PAR4 是个数。
+help-cycle118-rounds = 一个数值：PAR1 四舍五入到 PAR2 位小数，写为文本。
+help-cycle118-many = 多个数值：各 R 参数依次四舍五入到 PAR2 位小数；不使用 PAR1。
+help-cycle118-left = 调用中变量里的文本。多个数值的文本在 _TXT[0] 到 _TXT[9] 中，最后一个也在该变量中。
+help-cycle118-count = PAR4 大于 10：报警 61362。
+help-cycle118-length = 数值连同小数超过 12 个字符：容纳不下文本。
+
+help-cycle116-does = 由三点或四点（例如逐个测得的点）计算圆心和半径。不产生运动。
+help-cycle116-variables = 两个变量在程序开头声明：DEF REAL _DATE[13] 和 DEF INT _ALM。
+help-cycle116-points = _DATE[0] 是点数；各点的横坐标和纵坐标成对写在 _DATE[1] 到 _DATE[8] 中。
+help-cycle116-circle = 三点确定一个圆；四点时全部参与计算。
+help-cycle116-left = 圆心在 _DATE[9] 和 _DATE[10] 中，半径在 _DATE[11] 中，状态在 _DATE[12] 中，报警号在 _ALM 中：求出圆时两者都为 0。不补偿刀具，也不补偿零点偏移。
+help-cycle116-line = 各点共线或重合：_ALM 为 61316。
+help-cycle116-count = _DATE[0] 既不是 3 也不是 4：_ALM 为 61317。
+help-cycle116-unseen = 调用之后没有查看 _ALM，程序就带着错误的圆继续运行：报警不会使它停止。
+
+help-cycle119-does = 由三个点应处的位置（基准三角形）和测得的位置，计算工件在空间中的位置。_COR 要求时，对一个框架作平移和旋转校正。不产生运动。
+help-cycle119-variables = 各变量在程序开头声明：DEF REAL _SETPOINT[3,3], _MEASPOINT[3,3], _RES、DEF INT _ALARM 和 DEF FRAME _REFRAME。
+help-cycle119-points = 各点已逐个测量，例如用 CYCLE977 或 CYCLE997；_SETPOINT 和 _MEASPOINT 按相同的顺序包含各点在有效框架中的 X、Y、Z。
+help-cycle119-alarm = _ALARM 为 0。
+help-cycle119-frame = 计算两个三角形之间的框架。两者形状的差别，即三个点的偏差之和，写入 _RES；小于 0 表示没有框架。
+help-cycle119-decides = _COR=0 时到此为止。否则在 _RES 小于 _RESLIM 时校正一个框架。
+help-cycle119-left = _RES；_REFRAME 中的框架，与有效框架相连后，把测得的各点带到其额定坐标；_ALARM 中为 0 或报警号。
+help-cycle119-frame-moved = _COR 指定的框架，其平移和旋转：1 到 99 为可设定框架，1000 为最后一个有效的通道基本框架，1011 到 1026 为通道基本框架，2000 为实际值设定的系统框架，9999 为有效框架。
+help-cycle119-again = 重新编程其 G 功能（G54 …）后，校正后的框架才生效，_COR=9999 时也是如此。
+help-cycle119-line = 三个点在一条直线上或重合：_ALARM 为 61411。
+help-cycle119-distorted = 两个三角形相差 _RESLIM 或更多：_ALARM 为 61414，不作校正。
+help-cycle119-order = 两次的点顺序不同：两个三角形互不相合。
+help-cycle119-mirrored = 框架含镜像或比例：_ALARM 为 61411。
+help-cycle119-absent = 没有该框架：_ALARM 为 61321。_COR=1000，或 G500 有效时 _COR=9999，而没有通道基本框架，则为 61412。
+help-cycle119-unseen = 调用之后没有查看 _ALARM，程序就带着未校正的框架继续运行：报警不会使它停止。
