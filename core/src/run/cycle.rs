@@ -3,7 +3,7 @@
 use super::interpret::Interpreter;
 use super::problem::Problem;
 use super::statement::Words;
-use super::{Stop, call, user_program};
+use super::{Stop, call, contour, user_program};
 use crate::catalogue::{Cycle, Kind, ProbeUse, nct};
 use crate::check::{self, Typed};
 use crate::control::Value;
@@ -96,6 +96,7 @@ pub fn checked(
         if left_out(run, cycle, span) {
             return Ok(());
         }
+        contour::leave(run)?;
         user_program::around(run, &user_program::BEFORE, cycle, span)?;
         call::perform(&mut run.sim, inputs).map_err(|stop| run.stopped(stop, span))?;
         return user_program::around(run, &user_program::BEHIND, cycle, span);

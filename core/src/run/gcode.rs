@@ -1,6 +1,7 @@
 //! G functions: motion, plane, frames, units, absolute and incremental.
 
 use super::Stop;
+use super::contour::Outside;
 use super::interpret::Interpreter;
 use super::modal::{Compensation, FeedType, Motion};
 use super::path::{Pole, Suppress};
@@ -84,7 +85,9 @@ fn sinumerik(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
         95 | 97 | 971 => run.modal.feed_type = FeedType::Revolution,
         96 | 962 => run.modal.feed_type = FeedType::Cutting,
         961 | 972 | 973 => run.modal.feed_type = FeedType::Minute,
-        62 | 140..=143 | 290 | 291 | 340 | 341 | 450..=453 | 460..=462 | 601..=603 => {}
+        450 => run.modal.outside = Outside::Circle,
+        451 => run.modal.outside = Outside::Meeting,
+        62 | 140..=143 | 290 | 291 | 340 | 341 | 452 | 453 | 460..=462 | 601..=603 => {}
         621 | 641..=645 => {}
         _ => return false,
     }

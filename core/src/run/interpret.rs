@@ -1,5 +1,6 @@
 //! Runs a program block by block. A program that never ends is stopped by limits.
 
+use super::contour::{self, Contour};
 use super::flow::{self, Link, Links};
 use super::level::Level;
 use super::locals::Locals;
@@ -53,6 +54,8 @@ pub struct Interpreter {
     /// Where the spindle nose stood at the end of the last motion of the program, machine coordinates, and the position
     /// in the WCS of that moment.
     pub programmed: Option<([f64; 3], [f64; 3])>,
+    /// What the tool follows with radius compensation.
+    pub contour: Option<Contour>,
     /// Findings so far, each place and kind once.
     pub diagnostics: Vec<Diagnostic>,
     /// Jump targets.
@@ -146,8 +149,17 @@ impl Session {
     }
 }
 
-/// Carries out the block that comes next; some: that was the end.
+/// Carries out the block that comes next; some: that was the end. Then, and before a stop, what waits is driven.
 pub fn one_block(run: &mut Interpreter) -> Result<Option<()>, Stop> {
+    let went = next_block(run);
+    if went == Ok(None) {
+        return went;
+    }
+    let done = contour::finish(run);
+    went.and_then(|end| done.map(|()| end))
+}
+
+fn next_block(run: &mut Interpreter) -> Result<Option<()>, Stop> {
     let limit = run.limit;
     let at = run.at;
     let span = run.program.blocks.get(at).map(|block| block.span);
@@ -200,6 +212,7 @@ impl Interpreter {
             shared: Locals::new(),
             measured: BTreeMap::new(),
             programmed: None,
+            contour: None,
             diagnostics: Vec::new(),
             targets: flow::targets(&program),
             links: flow::links(&program, &programs),

@@ -5,6 +5,7 @@ pub mod addresses;
 pub mod arcs;
 pub mod branch;
 pub mod call;
+pub mod contour;
 pub mod cycle;
 pub mod datum;
 pub mod declare;

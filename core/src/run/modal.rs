@@ -1,5 +1,6 @@
 //! What stays in force until it is programmed anew.
 
+use super::contour::Outside;
 use crate::catalogue::Dialect;
 
 /// Modal functions of a program.
@@ -27,6 +28,12 @@ pub struct Modal {
     pub waiting_edge: Option<i64>,
     /// G40, G41 or G42.
     pub compensation: Compensation,
+    /// G450 or G451: how compensation goes round the outside of a corner.
+    pub outside: Outside,
+    /// OFFN: what is left of the contour beside the radius, mm.
+    pub allowance: f64,
+    /// NCT: register of the tool radius (D).
+    pub radius: i64,
 }
 
 impl Modal {
@@ -47,6 +54,9 @@ impl Modal {
             prepared: None,
             waiting_edge: None,
             compensation: Compensation::Off,
+            outside: Outside::Circle,
+            allowance: 0.0,
+            radius: 0,
         }
     }
 }

@@ -5,8 +5,9 @@ use super::interpret::Interpreter;
 use super::modal::{Compensation, FeedType, Motion};
 use super::path::{Coordinate, Measure, Path, Suppress};
 use super::problem::Problem;
+use super::route::{Route, add};
 use super::trace::MotionKind;
-use super::{Machine, Stop, polar};
+use super::{Stop, contour, polar};
 use crate::control::variables::AXES;
 use crate::control::{Transverse, Units};
 use crate::diagnostic::Severity;
@@ -18,12 +19,6 @@ const STILL: f64 = 1e-9;
 
 /// Carries out the motion of a block.
 pub fn go(run: &mut Interpreter, path: &Path) -> Result<(), Stop> {
-    if run.modal.compensation != Compensation::Off {
-        run.tell(
-            Severity::Warning,
-            &Problem::new("run-radius-compensation", path.span, ""),
-        );
-    }
     let from = position(run, path.suppress);
     if let Some(kind) = path.pole {
         polar::set_pole(run, path, kind, from);
@@ -36,19 +31,63 @@ pub fn go(run: &mut Interpreter, path: &Path) -> Result<(), Stop> {
     if run.modal.motion != Motion::Rapid && feed <= 0.0 {
         run.tell(Severity::Error, &Problem::new("run-no-feed", path.span, ""));
     }
-    let outcome = match (path.measure, run.modal.motion) {
-        (Some(measure), _) => measured(run, path, measure, to, feed),
-        (None, Motion::Rapid) => straight(run, path.suppress, to, MotionKind::Rapid, 0.0),
-        (None, Motion::Line | Motion::Spline) => {
-            straight(run, path.suppress, to, MotionKind::Positioning, feed)
-        }
-        (None, Motion::Through) => around(run, path, through(run, path, from, to), feed),
-        (None, Motion::Clockwise | Motion::Counter) => {
-            around(run, path, in_plane(run, path, from, to), feed)
+    let outcome = match path.measure {
+        Some(measure) => uncompensated(run, path).and_then(|()| {
+            let measured = measured(run, path, measure, to, feed);
+            measured.map_err(|stop| run.stopped(stop, path.span))
+        }),
+        None => driven(run, path, [from, to], feed),
+    };
+    run.programmed = Some((
+        nose(run),
+        run.sim.control.to_workpiece(contour::stands(run)),
+    ));
+    outcome
+}
+
+/// Straight, or round an axis, with the tool on the path or beside it.
+fn driven(
+    run: &mut Interpreter,
+    path: &Path,
+    [from, to]: [[f64; 3]; 2],
+    feed: f64,
+) -> Result<(), Stop> {
+    let way = match run.modal.motion {
+        Motion::Rapid | Motion::Line | Motion::Spline => Ok(straight(run, path, [from, to])),
+        Motion::Through => around(run, path, from, through(run, path, from, to)),
+        Motion::Clockwise | Motion::Counter => {
+            around(run, path, from, in_plane(run, path, from, to))
         }
     };
-    run.programmed = Some((nose(run), run.sim.position()));
-    outcome.map_err(|stop| run.stopped(stop, path.span))
+    let way = way.map_err(|problem| run.fail(problem))?;
+    let (kind, feed) = match run.modal.motion {
+        Motion::Rapid => (MotionKind::Rapid, 0.0),
+        _ => (MotionKind::Positioning, feed),
+    };
+    if path.suppress == Suppress::Nothing && contour::concerns(run, &way) {
+        let span = path.span;
+        let motion = contour::Motion {
+            way,
+            kind,
+            feed,
+            span,
+        };
+        return contour::follow(run, &motion);
+    }
+    uncompensated(run, path)?;
+    let driven = run
+        .sim
+        .travel_machine(way.to, way.around, kind, feed, false);
+    driven.map_err(|stop| run.stopped(stop, path.span))
+}
+
+/// What comes now is driven as programmed, whatever compensation is on.
+fn uncompensated(run: &mut Interpreter, path: &Path) -> Result<(), Stop> {
+    if run.modal.compensation != Compensation::Off {
+        let problem = Problem::new("run-radius-compensation", path.span, "");
+        run.tell(Severity::Warning, &problem);
+    }
+    contour::leave(run)
 }
 
 /// Turns the rotary axes of a block, before the others move.
@@ -62,10 +101,9 @@ pub fn turn(run: &mut Interpreter, path: &Path) -> Result<(), Stop> {
     Ok(())
 }
 
-/// Where the spindle nose stands, machine coordinates: no new frame and no new tool moves it.
+/// Where the program has the spindle nose, machine coordinates: no new frame and no new tool moves it.
 fn nose(run: &Interpreter) -> [f64; 3] {
-    let length = run.sim.control.active_length();
-    std::array::from_fn(|i| run.sim.position[i] + length[i])
+    add(contour::stands(run), run.sim.control.active_length(), 1.0)
 }
 
 /// From where incremental positions count: the end of the last motion as it was programmed, also where a frame or a tool
@@ -130,7 +168,7 @@ fn target(
 fn position(run: &Interpreter, suppress: Suppress) -> [f64; 3] {
     let basic = run.sim.control.basic_chain();
     match suppress {
-        Suppress::Nothing => run.sim.position(),
+        Suppress::Nothing => run.sim.control.to_workpiece(contour::stands(run)),
         Suppress::Settable => basic
             .iter()
             .fold(run.sim.position, |point, frame| frame.inward(point)),
@@ -150,31 +188,28 @@ fn machine(run: &Interpreter, suppress: Suppress, point: [f64; 3]) -> [f64; 3] {
     }
 }
 
-fn straight(
-    run: &mut Interpreter,
-    suppress: Suppress,
-    to: [f64; 3],
-    kind: MotionKind,
-    feed: f64,
-) -> Result<(), Stop> {
-    let to = machine(run, suppress, to);
-    run.sim.travel_machine(to, None, kind, feed, false)
+/// The straight way between two places of the block.
+fn straight(run: &Interpreter, path: &Path, ends: [[f64; 3]; 2]) -> Route {
+    let [from, to] = ends.map(|end| machine(run, path.suppress, end));
+    Route::straight(from, to)
 }
 
-/// Goes round an axis to a target, both in the coordinates of the block; none: they make no arc.
+/// The way round an axis to a target, both in the coordinates of the block; none: they make no arc.
 fn around(
-    run: &mut Interpreter,
+    run: &Interpreter,
     path: &Path,
+    from: [f64; 3],
     arc: Option<([f64; 3], Around)>,
-    feed: f64,
-) -> Result<(), Stop> {
+) -> Result<Route, Problem> {
     let seen = |point| machine(run, path.suppress, point);
-    let arc = arc.and_then(|(to, around)| Some((seen(to), around.mapped(seen)?)));
-    let Some((to, around)) = arc else {
-        return Err(Stop::Fault(Problem::new("run-arc", path.span, "").message));
-    };
-    let kind = MotionKind::Positioning;
-    run.sim.travel_machine(to, Some(around), kind, feed, false)
+    let way = arc.and_then(|(to, around)| {
+        Some(Route {
+            from: seen(from),
+            to: seen(to),
+            around: Some(around.mapped(seen)?),
+        })
+    });
+    way.ok_or_else(|| Problem::new("run-arc", path.span, ""))
 }
 
 /// `MEAS=1 G1 X100`: stops at the signal; `$AC_MEA`, `$AA_MW`, `$AA_MM` tell where (B:12790-12856). Behind the signal of

@@ -45,6 +45,12 @@ pub const KEYS: &[&str] = &[
     "run-swivel",
     "run-alone",
     "run-no-program",
+    "run-contour-begin",
+    "run-contour-end",
+    "run-contour-plane",
+    "run-contour-tool",
+    "run-contour-narrow",
+    "run-contour-approach",
 ];
 
 /// Something wrong at a place.

@@ -40,6 +40,18 @@ impl Route {
         }
     }
 
+    /// The same way so far away.
+    pub fn moved(&self, by: [f64; 3]) -> Route {
+        Route {
+            from: add(self.from, by, 1.0),
+            to: add(self.to, by, 1.0),
+            around: self.around.map(|around| Around {
+                centre: add(around.centre, by, 1.0),
+                ..around
+            }),
+        }
+    }
+
     /// The place after a part of it, 0 to 1.
     pub fn at(&self, part: f64) -> [f64; 3] {
         match &self.around {

@@ -8,7 +8,7 @@ use super::interpret::{Interpreter, Next};
 use super::path::{Measure, Path};
 use super::problem::Problem;
 use super::trace::Step;
-use super::{Stop, action, branch, environment, locals, manner, names, repeat};
+use super::{Stop, action, branch, contour, environment, locals, manner, names, repeat};
 use crate::catalogue::Dialect;
 use crate::diagnostic::{Severity, Span};
 use crate::program::tree::{Expr, ExprId, Word, WordKind};
@@ -84,6 +84,9 @@ pub fn block(run: &mut Interpreter, at: usize) -> Result<Next, Stop> {
     if let Some((keyword, label)) = repetition(run, words) {
         return repeat::begin(run, at, keyword, label, words).map_err(|problem| run.fail(problem));
     }
+    if contour::waits(run) && asks_for_position(run, block.span) {
+        contour::finish(run)?;
+    }
     let mut found = Words {
         path: Path {
             span: block.span,
@@ -105,6 +108,18 @@ pub fn block(run: &mut Interpreter, at: usize) -> Result<Next, Stop> {
         Some(Link::Else(end)) if starts_with(run, words, "ELSE") => Next::Jump(end + 1),
         _ => Next::Block,
     })
+}
+
+/// Whether the block has a word that counts on the real position or writes data of tools: STOPRE, `$AA_IW[X]`,
+/// `$TC_DP6[1,1]`, NCT `#5041`.
+fn asks_for_position(run: &Interpreter, span: Span) -> bool {
+    let words: &[&[u8]] = match run.program.dialect {
+        Dialect::Sinumerik => &[b"STOPRE", b"$A", b"$TC_"],
+        Dialect::Nct => &[b"#5", b"#["],
+    };
+    let text = run.program.text(span).to_ascii_uppercase();
+    let holds = |word: &[u8]| text.windows(word.len()).any(|part| part == word);
+    words.iter().any(|word| holds(word))
 }
 
 /// `REPEAT LABEL` or `REPEATB LABEL` with the label.
@@ -275,6 +290,12 @@ fn assign(
         }
         "RPL" => found.turn = Some(number()?),
         "LIMS" => run.modal.speed_limit = Some(number()?),
+        "OFFN" => run.modal.allowance = number()? * run.sim.control.active_factor(),
+        "DISC" if number()? == 0.0 => {}
+        "DISC" => run.tell(
+            Severity::Warning,
+            &Problem::new("run-not-simulated", span, key),
+        ),
         _ => {
             names::write(run, key, &value, span)?;
             found.counter = value.number();

@@ -1,11 +1,11 @@
 //! CYCLE800 with offsets 0: the table turns the part until the working plane of the active frames lies across the tool,
 //! and the coordinate systems turn with it (B:7696-7786, B:7773-7782).
 
-use super::Stop;
 use super::datum::Datum;
 use super::interpret::Interpreter;
 use super::problem::Problem;
 use super::statement::Call;
+use super::{Stop, contour};
 use crate::control::Frame;
 use crate::geometry::V3;
 use crate::geometry::rigid::{angles, rotation};
@@ -19,6 +19,7 @@ const OFFSETS: std::ops::Range<usize> = 4..13;
 /// Turns the table; the machine axes stay where they are. Data set, mode and direction choose between ways that end in
 /// the same plane.
 pub fn call(run: &mut Interpreter, call: &Call) -> Result<(), Stop> {
+    contour::finish(run)?;
     let (turns, table) = planned(run, call).map_err(|problem| run.fail(problem))?;
     for (axis, to) in turns.into_iter().enumerate() {
         if run.sim.control.rotary[axis] != to {

@@ -4,8 +4,8 @@ use super::datum::Datum;
 use super::interpret::Interpreter;
 use super::locals::{indices, stem};
 use super::modal::{Compensation, Motion};
-use super::names;
 use super::problem::Problem;
+use super::{contour, names};
 use crate::control::frames::{CHANNEL_MASK, GLOBAL_MASK};
 use crate::control::machine_data;
 use crate::control::variables::{AXES, component};
@@ -60,7 +60,7 @@ fn tool(run: &Interpreter, key: &str) -> Option<f64> {
     })
 }
 
-/// Where an axis stands: `$AA_IW[X]` in the WCS, `$AA_IB` in the basic system, `$AA_IM` the spindle nose; rotary axes in
+/// Where an axis stands: `$AA_IW[X]` in the WCS, `$P_EP[X]` as programmed there, `$AA_IB` in the basic system, `$AA_IM` the spindle nose; rotary axes in
 /// degree.
 fn position(run: &Interpreter, key: &str) -> Option<f64> {
     let control = &run.sim.control;
@@ -82,7 +82,8 @@ fn position(run: &Interpreter, key: &str) -> Option<f64> {
         1.0
     };
     let value = match stem {
-        "$AA_IW" | "$P_EP" => control.to_workpiece(at)[axis] * shown,
+        "$AA_IW" => control.to_workpiece(at)[axis] * shown,
+        "$P_EP" => control.to_workpiece(contour::stands(run))[axis] * shown,
         "$AA_IB" => at[axis],
         "$AA_IM" => at[axis] + control.active_length()[axis],
         _ => return None,

@@ -5,12 +5,15 @@ use super::interpret::Interpreter;
 use super::problem::Problem;
 use super::statement::{Address, Words};
 use super::trace::Step;
-use super::{Stop, addresses};
+use super::{Stop, addresses, contour};
 use crate::catalogue::Dialect;
 use crate::control::Edge;
 
-/// Applies T, D, M6 (NCT: T, H) of a block.
+/// Applies T, D, M6 (NCT: T, H, D) of a block.
 pub fn apply(run: &mut Interpreter, found: &Words) -> Result<(), Stop> {
+    if changes(run, found) {
+        contour::finish(run)?;
+    }
     let before = (run.sim.control.tool, run.sim.control.edge);
     let outcome = match run.program.dialect {
         Dialect::Sinumerik => sinumerik(run, found),
@@ -22,6 +25,16 @@ pub fn apply(run: &mut Interpreter, found: &Words) -> Result<(), Stop> {
         run.sim.note(Step::Tool(after.0, after.1));
     }
     Ok(())
+}
+
+/// Whether the block may bring another tool: by M6, in a turret by T.
+fn changes(run: &Interpreter, found: &Words) -> bool {
+    let word = |address: &Address| match address.name.as_str() {
+        "M" => address.value == Datum::Number(6.0),
+        "T" => run.sim.control.turns(),
+        _ => false,
+    };
+    found.addresses.iter().any(word)
 }
 
 fn last<'a>(found: &'a Words, letter: &str) -> Option<&'a Address> {
@@ -135,6 +148,9 @@ fn nct(run: &mut Interpreter, found: &Words) -> Result<(), Problem> {
             .ok_or_else(|| Problem::new("run-not-a-number", address.span, "H"))?
             as i64;
         run.sim.with_length(|control| control.edge = edge);
+    }
+    if let Some(address) = last(found, "D") {
+        run.modal.radius = addresses::number(address)? as i64;
     }
     Ok(())
 }

@@ -11,7 +11,7 @@ use crate::diagnostic::Severity;
 
 /// Words that change nothing that is simulated: how the axes accelerate and look ahead, how a corner is approached, what
 /// the screen shows, what a subprogram may be interrupted by.
-const WITHOUT_EFFECT: [&str; 36] = [
+const WITHOUT_EFFECT: [&str; 37] = [
     "STOPRE",
     "BRISK",
     "SOFT",
@@ -25,9 +25,10 @@ const WITHOUT_EFFECT: [&str; 36] = [
     "CFIN",
     "CFTCP",
     "NORM",
-    "KONT",
-    "KONTT",
-    "KONTC",
+    "CUT2D",
+    "CUT2DF",
+    "CDON",
+    "CDOF",
     "SAVE",
     "DISPLOF",
     "DISPLON",
@@ -61,6 +62,8 @@ enum Setting {
     Transverse(Transverse),
     Motion(Motion),
     EndOfSpline,
+    /// How a contour is approached other than by NORM.
+    Approach,
 }
 
 fn setting(name: &str) -> Option<Setting> {
@@ -71,6 +74,7 @@ fn setting(name: &str) -> Option<Setting> {
         "DIAM90" => Setting::Transverse(Transverse::AbsoluteDiameter),
         "CIP" => Setting::Motion(Motion::Through),
         "ASPLINE" | "BSPLINE" | "CSPLINE" => Setting::Motion(Motion::Spline),
+        "KONT" | "KONTT" | "KONTC" => Setting::Approach,
         "BAUTO" | "BTAN" | "EAUTO" | "ETAN" => Setting::EndOfSpline,
         _ => return None,
     })
@@ -91,6 +95,10 @@ pub fn apply(run: &mut Interpreter, found: &mut Words) {
                     let problem = Problem::new("run-spline", call.span, &*call.name);
                     run.tell(Severity::Warning, &problem);
                 }
+            }
+            Some(Setting::Approach) => {
+                let problem = Problem::new("run-contour-approach", call.span, &*call.name);
+                run.tell(Severity::Note, &problem);
             }
             Some(Setting::EndOfSpline) | None => {}
         }

@@ -2,6 +2,8 @@
 //! of these controls ("Job planning", 03/2006), where a comment names it; everything else is reckoned by hand.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+mod contour;
+mod contour_properties;
 mod corpus;
 mod flow;
 mod frames;

@@ -1,0 +1,178 @@
+//! How the path of the tool centre goes from one piece of the contour to the next.
+
+use super::element::{Element, Point, add, cross, distance, dot, left, scaled, subtract};
+use std::f64::consts::PI;
+
+/// Changes of direction that are none, radian: at 10 mm of radius a step of 0.01 µm.
+const SMOOTH: f64 = 1e-6;
+/// Changes of direction from which on there is no meeting point outside, radian: the corner is then rounded, as a
+/// SINUMERIK does with MD 20210 as delivered.
+const POINTED: f64 = 100.0 / 180.0 * PI;
+/// By how much a point may lie beside the end of a piece and still be taken for it, mm or radian.
+const END: f64 = 1e-7;
+
+/// G450 or G451.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outside {
+    /// G450: round the corner of the contour.
+    Circle,
+    /// G451: on to the point where both paths meet.
+    Meeting,
+}
+
+/// A piece of the contour and the path of the tool centre beside it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Beside {
+    /// As programmed.
+    pub contour: Element,
+    /// Where the centre goes.
+    pub path: Element,
+    /// How far it is to the left of the contour at its start and at its end, mm.
+    pub by: [f64; 2],
+}
+
+impl Beside {
+    /// The path beside a piece of the contour; none: it has no room.
+    pub fn of(contour: Element, by: [f64; 2]) -> Option<Beside> {
+        let path = contour.beside(by)?;
+        Some(Beside { contour, path, by })
+    }
+}
+
+/// From one path to the next.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Corner {
+    /// They meet as they are.
+    Smooth,
+    /// Outside: round the end of the contour by so many radians, counter-clockwise positive.
+    Round(f64),
+    /// The point where both meet; so much of the end of the first and of the start of the second is left out, in the unit
+    /// of [`Element::extent`]; what is negative is added.
+    Meet {
+        /// The point.
+        at: Point,
+        /// Of the first and of the second.
+        cut: [f64; 2],
+    },
+}
+
+/// The corner between two pieces, of the first of which so much is left out at its start. None: the tool has no room.
+pub fn corner(first: &Beside, second: &Beside, begun: f64, outside: Outside) -> Option<Corner> {
+    let (arrives, departs) = (first.contour.arrives(), second.contour.departs());
+    let turn = cross(arrives, departs).atan2(dot(arrives, departs));
+    let by = second.by[0];
+    if by.abs() < 1e-9 || turn.abs() < SMOOTH {
+        return Some(Corner::Smooth);
+    }
+    if turn.abs() > PI - SMOOTH {
+        return Some(Corner::Round(-PI * by.signum()));
+    }
+    if turn * by > 0.0 {
+        return shortened(first, second, begun);
+    }
+    let found = match outside {
+        Outside::Meeting if turn.abs() <= POINTED => continued(first, second),
+        _ => None,
+    };
+    Some(found.unwrap_or(Corner::Round(turn)))
+}
+
+/// Inside: where both paths cross.
+fn shortened(first: &Beside, second: &Beside, begun: f64) -> Option<Corner> {
+    let room = [first.path.extent() - begun, second.path.extent()];
+    let cut = |at| [first.path.before_end(at), second.path.behind_start(at)];
+    meeting(first, second, cut, |cut, side| {
+        (-END..=room[side] + END).contains(&cut)
+    })
+}
+
+/// Outside: where both would cross if they went on; an arc at most by a half turn.
+fn continued(first: &Beside, second: &Beside) -> Option<Corner> {
+    let room = [first, second].map(|piece| piece.path.round.map_or(f64::INFINITY, |_| PI));
+    let cut = |at| [-first.path.behind_end(at), -second.path.before_start(at)];
+    meeting(first, second, cut, |cut, side| {
+        (-room[side]..=END).contains(&cut)
+    })
+}
+
+/// The crossing of the lines or circles of both paths that is nearest to the corner, of those where what is left out of
+/// the first (side 0) and of the second (side 1) is allowed.
+fn meeting(
+    first: &Beside,
+    second: &Beside,
+    cut: impl Fn(Point) -> [f64; 2],
+    allowed: impl Fn(f64, usize) -> bool,
+) -> Option<Corner> {
+    let corner = first.contour.end;
+    let points = crossings(
+        Curve::of(&first.path, first.path.end),
+        Curve::of(&second.path, second.path.start),
+    );
+    let allowed = |at: &Point| {
+        let [end, start] = cut(*at);
+        allowed(end, 0) && allowed(start, 1)
+    };
+    let found = points.into_iter().flatten().filter(allowed);
+    let away = |at: &Point| distance(*at, corner);
+    let at = found.min_by(|a, b| away(a).total_cmp(&away(b)))?;
+    Some(Corner::Meet { at, cut: cut(at) })
+}
+
+/// What a path is a piece of.
+#[derive(Clone, Copy, Debug)]
+enum Curve {
+    /// A point and a unit vector.
+    Line(Point, Point),
+    /// Centre and radius.
+    Circle(Point, f64),
+}
+
+impl Curve {
+    /// The circle is that at this end of the path: an arc beside which the distance changes is none.
+    fn of(path: &Element, at: Point) -> Curve {
+        match path.round {
+            Some(round) => Curve::Circle(round.centre, distance(round.centre, at)),
+            None => Curve::Line(path.start, path.departs()),
+        }
+    }
+}
+
+fn crossings(a: Curve, b: Curve) -> [Option<Point>; 2] {
+    match (a, b) {
+        (Curve::Line(p, u), Curve::Line(q, v)) => {
+            let sine = cross(u, v);
+            let along = cross(subtract(q, p), v) / sine;
+            [along.is_finite().then(|| add(p, u, along)), None]
+        }
+        (Curve::Line(point, along), Curve::Circle(centre, radius))
+        | (Curve::Circle(centre, radius), Curve::Line(point, along)) => {
+            let foot = add(point, along, dot(subtract(centre, point), along));
+            beside(
+                foot,
+                along,
+                radius * radius - dot(subtract(foot, centre), subtract(foot, centre)),
+            )
+        }
+        (Curve::Circle(centre, radius), Curve::Circle(other, size)) => {
+            let apart = distance(centre, other);
+            let towards = scaled(subtract(other, centre), 1.0 / apart);
+            let way = (radius * radius - size * size + apart * apart) / (2.0 * apart);
+            beside(
+                add(centre, towards, way),
+                left(towards),
+                radius * radius - way * way,
+            )
+        }
+    }
+}
+
+/// The points on both sides of a middle, whose distance from it has this square, mm².
+fn beside(middle: Point, along: Point, square: f64) -> [Option<Point>; 2] {
+    // what touches may miss by what f64 leaves
+    let half = if square.abs() < 1e-9 {
+        0.0
+    } else {
+        square.sqrt()
+    };
+    [half, -half].map(|half| half.is_finite().then(|| add(middle, along, half)))
+}

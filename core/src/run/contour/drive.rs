@@ -1,0 +1,175 @@
+//! Blocks that waited, driven by the machine as if they had been when they were programmed: with their own line, before
+//! what was recorded since, with the tool length of that moment.
+
+use super::Motion;
+use super::corner::Beside;
+use super::element::{Point, Round};
+use super::plane::Plane;
+use crate::diagnostic::Span;
+use crate::geometry::arc::Around;
+use crate::run::Stop;
+use crate::run::interpret::Interpreter;
+use crate::run::route::add;
+use crate::run::trace::MotionKind;
+use crate::workpiece::tool::side;
+
+/// A block that waits.
+#[derive(Clone, Copy, Debug)]
+pub struct Waiting {
+    /// What it does.
+    pub piece: Piece,
+    /// Its end along the applicate.
+    pub height: f64,
+    /// How it is driven.
+    pub manner: Manner,
+}
+
+/// What a block does.
+#[derive(Clone, Copy, Debug)]
+pub enum Piece {
+    /// Leads to the contour.
+    Approach(Beside),
+    /// Goes along it, after so much of its path has been left out.
+    Along {
+        /// Contour and path.
+        beside: Beside,
+        /// In the unit of [`super::element::Element::extent`].
+        begun: f64,
+    },
+    /// Moves along the applicate only.
+    Rise,
+}
+
+impl Waiting {
+    /// Its way once its end is known; so much of its path is left out there.
+    pub fn way(&self, at: Point, cut: f64) -> Way {
+        let (at, round) = match &self.piece {
+            Piece::Rise => (None, None),
+            Piece::Approach(_) => (Some(at), None),
+            Piece::Along { beside, begun } => {
+                let sweep = beside.path.sweep(*begun, cut);
+                let centre = beside.path.round.map(|round| round.centre);
+                let round = centre.zip(sweep);
+                (
+                    Some(at),
+                    round.map(|(centre, sweep)| Round { centre, sweep }),
+                )
+            }
+        };
+        Way {
+            at,
+            height: self.height,
+            round,
+            manner: self.manner,
+        }
+    }
+}
+
+/// Kind and feed of a motion, and when it was programmed.
+#[derive(Clone, Copy, Debug)]
+pub struct Manner {
+    kind: MotionKind,
+    feed: f64,
+    span: Span,
+    line: Option<u32>,
+    /// Entries of the trace before it.
+    behind: usize,
+    /// Tool length, machine axes.
+    length: [f64; 3],
+    /// From the centre of a turning tool's nose to the point to which its lengths refer.
+    pub tip: [f64; 3],
+}
+
+impl Manner {
+    /// As things are now.
+    pub fn now(run: &Interpreter, motion: &Motion) -> Manner {
+        Manner {
+            kind: motion.kind,
+            feed: motion.feed,
+            span: motion.span,
+            line: run.sim.line,
+            behind: run.sim.trace.entries.len(),
+            length: run.sim.control.active_length(),
+            tip: tip(run),
+        }
+    }
+}
+
+/// From the centre of a turning tool's nose to its point P, machine axes; no way for other tools.
+fn tip(run: &Interpreter) -> [f64; 3] {
+    let control = &run.sim.control;
+    let mut tip = [0.0; 3];
+    if let Some(edge) = control.active_edge().filter(|edge| edge.is_turning()) {
+        let [a, o, _] = control.plane.axes();
+        let radius = control.active_radius();
+        [tip[a], tip[o]] = side(edge.tip, false).map(|towards| towards * radius);
+    }
+    tip
+}
+
+/// A way of the tool centre.
+#[derive(Clone, Copy, Debug)]
+pub struct Way {
+    /// Its end in the plane; none: there it stays.
+    pub at: Option<Point>,
+    /// Its end along the applicate.
+    pub height: f64,
+    /// Round what; none: straight.
+    pub round: Option<Round>,
+    /// How.
+    pub manner: Manner,
+}
+
+/// Drives ways one after the other; what was recorded between them stays between them.
+pub fn all(run: &mut Interpreter, plane: &Plane, ways: &[Way]) -> Result<(), Stop> {
+    let entries = &mut run.sim.trace.entries;
+    let mut passed = ways.first().map_or(0, |way| way.manner.behind);
+    let mut later = entries.split_off(passed.min(entries.len())).into_iter();
+    let line = run.sim.line;
+    for way in ways {
+        let between = later.by_ref().take(way.manner.behind - passed);
+        run.sim.trace.entries.extend(between);
+        passed = way.manner.behind;
+        run.sim.line = way.manner.line;
+        one(run, plane, way).map_err(|stop| run.stopped(stop, way.manner.span))?;
+    }
+    run.sim.trace.entries.extend(later);
+    run.sim.trace.entries.truncate(run.sim.trace_limit);
+    run.sim.line = line;
+    Ok(())
+}
+
+fn one(run: &mut Interpreter, plane: &Plane, way: &Way) -> Result<(), Stop> {
+    let Manner {
+        kind,
+        feed,
+        length,
+        tip,
+        ..
+    } = way.manner;
+    // the position is told as the tool length of that time has it
+    let since = add(run.sim.control.active_length(), length, -1.0);
+    run.sim.position = add(run.sim.position, since, 1.0);
+    let to = match way.at {
+        Some(at) => add(add(plane.place(at, way.height), tip, 1.0), length, -1.0),
+        None => {
+            let (_, height) = plane.split(add(run.sim.position, length, 1.0));
+            add(run.sim.position, plane.up(), way.height - height)
+        }
+    };
+    let around = way.round.map(|round| Around {
+        centre: add(
+            add(plane.place(round.centre, way.height), tip, 1.0),
+            length,
+            -1.0,
+        ),
+        axis: plane.up(),
+        degrees: round.sweep.to_degrees(),
+    });
+    let still = around.is_none() && (0..3).all(|i| (to[i] - run.sim.position[i]).abs() < 1e-9);
+    if !still {
+        run.sim.travel_machine(to, around, kind, feed, false)?;
+    }
+    run.sim.position = add(run.sim.position, since, -1.0);
+    Ok(())
+}

@@ -1,0 +1,215 @@
+//! A straight line or an arc in the working plane, and the line or arc beside it.
+
+use std::f64::consts::TAU;
+
+/// Abscissa and ordinate, mm.
+pub type Point = [f64; 2];
+
+/// Shorter ways are none, and an arc with a smaller radius is a point, mm.
+const NOTHING: f64 = 1e-6;
+
+/// A piece of a contour.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Element {
+    /// Where it begins.
+    pub start: Point,
+    /// Where it ends.
+    pub end: Point,
+    /// Round what; none: straight.
+    pub round: Option<Round>,
+}
+
+/// How an arc goes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Round {
+    /// Centre.
+    pub centre: Point,
+    /// Radian from start to end, counter-clockwise positive; whole turns included.
+    pub sweep: f64,
+}
+
+impl Element {
+    /// Whether anything moves in the plane.
+    pub fn moves(&self) -> bool {
+        self.round.is_some() || distance(self.start, self.end) > 1e-9
+    }
+
+    /// Direction at the start, a unit vector.
+    pub fn departs(&self) -> Point {
+        self.along(self.start)
+    }
+
+    /// Direction at the end.
+    pub fn arrives(&self) -> Point {
+        self.along(self.end)
+    }
+
+    fn along(&self, at: Point) -> Point {
+        match self.round {
+            Some(round) => {
+                let out = direction(round.centre, at);
+                scaled(left(out), round.sweep.signum())
+            }
+            None => direction(self.start, self.end),
+        }
+    }
+
+    /// Length of a line, mm; angle of an arc, radian.
+    pub fn extent(&self) -> f64 {
+        match self.round {
+            Some(round) => round.sweep.abs(),
+            None => distance(self.start, self.end),
+        }
+    }
+
+    /// The line or arc beside this one, so far to the left of its start and of its end, mm; to the right where it is
+    /// negative. None: the arc has no room for it.
+    pub fn beside(&self, [begin, end]: [f64; 2]) -> Option<Element> {
+        let found = Element {
+            start: add(self.start, left(self.departs()), begin),
+            end: add(self.end, left(self.arrives()), end),
+            round: self.round,
+        };
+        let Some(round) = self.round else {
+            return Some(found);
+        };
+        let room = |at: Point, by: f64| distance(round.centre, at) - by * round.sweep.signum();
+        (room(self.start, begin) > -NOTHING && room(self.end, end) > -NOTHING).then_some(found)
+    }
+
+    /// Where a point of the line or circle lies behind the start, in the unit of [`Element::extent`]; of an arc from 0 to
+    /// a whole turn.
+    pub fn behind_start(&self, point: Point) -> f64 {
+        match self.round {
+            Some(round) => turned(round, self.start, point),
+            None => dot(subtract(point, self.start), self.departs()),
+        }
+    }
+
+    /// Where a point lies before the end.
+    pub fn before_end(&self, point: Point) -> f64 {
+        match self.round {
+            Some(round) => turned(round, point, self.end),
+            None => dot(subtract(self.end, point), self.arrives()),
+        }
+    }
+
+    /// How far a point lies behind the end, on the line or circle continued there.
+    pub fn behind_end(&self, point: Point) -> f64 {
+        match self.round {
+            Some(round) => turned(round, self.end, point),
+            None => dot(subtract(point, self.end), self.arrives()),
+        }
+    }
+
+    /// How far a point lies before the start, on the line or circle continued there.
+    pub fn before_start(&self, point: Point) -> f64 {
+        match self.round {
+            Some(round) => turned(round, point, self.start),
+            None => dot(subtract(self.start, point), self.departs()),
+        }
+    }
+
+    /// The way of this element that begins and ends so far inside of it: its angle, radian. None: a line, or an arc that
+    /// is a point.
+    pub fn sweep(&self, begun: f64, cut: f64) -> Option<f64> {
+        let round = self.round?;
+        let radius = distance(round.centre, self.end);
+        (radius > NOTHING).then(|| (round.sweep.abs() - begun - cut) * round.sweep.signum())
+    }
+}
+
+/// Angle from one point to another in the sense of the arc, 0 to a whole turn; just below a whole turn is none at all.
+fn turned(round: Round, from: Point, to: Point) -> f64 {
+    let angle = |point| {
+        let [x, y] = subtract(point, round.centre);
+        y.atan2(x)
+    };
+    let turned = ((angle(to) - angle(from)) * round.sweep.signum()).rem_euclid(TAU);
+    if TAU - turned < 1e-7 {
+        turned - TAU
+    } else {
+        turned
+    }
+}
+
+/// Distance of two points, mm.
+pub fn distance(a: Point, b: Point) -> f64 {
+    (a[0] - b[0]).hypot(a[1] - b[1])
+}
+
+/// A quarter turn counter-clockwise.
+pub fn left([x, y]: Point) -> Point {
+    [-y, x]
+}
+
+/// Scalar product.
+pub fn dot(a: Point, b: Point) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+/// Sine of the angle between two unit vectors, counter-clockwise positive.
+pub fn cross(a: Point, b: Point) -> f64 {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+/// A point and so many times a vector.
+pub fn add(a: Point, b: Point, factor: f64) -> Point {
+    [a[0] + factor * b[0], a[1] + factor * b[1]]
+}
+
+/// From the second to the first.
+pub fn subtract(a: Point, b: Point) -> Point {
+    add(a, b, -1.0)
+}
+
+/// So many times a vector.
+pub fn scaled(a: Point, factor: f64) -> Point {
+    [factor * a[0], factor * a[1]]
+}
+
+/// Unit vector from one point to another; where both are the same, along the abscissa.
+fn direction(from: Point, to: Point) -> Point {
+    let way = subtract(to, from);
+    let length = way[0].hypot(way[1]);
+    if length > 0.0 {
+        scaled(way, 1.0 / length)
+    } else {
+        [1.0, 0.0]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+
+    fn near(a: Point, b: Point) {
+        assert!(distance(a, b) < 1e-12, "{a:?} {b:?}");
+    }
+
+    // oracle: hand: a quarter of a circle of 10 about the origin, counter-clockwise from X10
+    #[test]
+    fn beside_an_arc_lies_an_arc_about_the_same_centre() {
+        let round = Round {
+            centre: [0.0; 2],
+            sweep: TAU / 4.0,
+        };
+        let arc = Element {
+            start: [10.0, 0.0],
+            end: [0.0, 10.0],
+            round: Some(round),
+        };
+        near(arc.departs(), [0.0, 1.0]);
+        near(arc.arrives(), [-1.0, 0.0]);
+        let inside = arc.beside([3.0, 3.0]).unwrap();
+        near(inside.start, [7.0, 0.0]);
+        near(inside.end, [0.0, 7.0]);
+        let outside = arc.beside([-3.0, -3.0]).unwrap();
+        near(outside.end, [0.0, 13.0]);
+        assert!(arc.beside([10.0, 10.0]).unwrap().sweep(0.0, 0.0).is_none());
+        assert_eq!(arc.beside([10.1, 10.1]), None);
+        assert!((arc.behind_start([5.0, 5.0]) - TAU / 8.0).abs() < 1e-12);
+        assert!((arc.before_end([5.0, 5.0]) - TAU / 8.0).abs() < 1e-12);
+    }
+}

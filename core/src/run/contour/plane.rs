@@ -1,0 +1,83 @@
+//! The plane in which the contour lies, as it stands in the machine.
+
+use super::element::{Element, Point, Round};
+use crate::control::Control;
+use crate::geometry::V3;
+use crate::run::route::Route;
+
+/// Unit vectors that differ by less are the same.
+const SAME: f64 = 1e-9;
+
+/// Directions of the working plane in machine coordinates: lengths are those of the machine whatever scales the frames
+/// have, as the tool is not scaled with the contour.
+#[derive(Clone, Copy, Debug)]
+pub struct Plane {
+    /// Along the abscissa, across it in the plane, along the applicate: right-handed.
+    axes: [V3; 3],
+    /// -1 where the frames mirror, so that what lies to the left in the program lies to the right here.
+    hand: f64,
+}
+
+impl Plane {
+    /// That of the active WCS.
+    pub fn of(control: &Control) -> Plane {
+        let zero = V3::from(control.to_machine([0.0; 3]));
+        let seen = control.plane.axes().map(|axis| {
+            let mut unit = [0.0; 3];
+            unit[axis] = 1.0;
+            (V3::from(control.to_machine(unit)) - zero).normalize()
+        });
+        let [abscissa, ordinate, up] = seen;
+        let across = up.cross(&abscissa);
+        Plane {
+            axes: [abscissa, across, up],
+            hand: across.dot(&ordinate).signum(),
+        }
+    }
+
+    /// What left of the contour in another state of the frames is here, 1 or -1; none: the plane is another one.
+    pub fn hand_of(&self, other: &Plane) -> Option<f64> {
+        let same = self.axes[2].dot(&other.axes[2]);
+        (same.abs() > 1.0 - SAME).then(|| same.signum() * other.hand)
+    }
+
+    /// A place as abscissa, ordinate and height.
+    pub fn split(&self, point: [f64; 3]) -> (Point, f64) {
+        let point = V3::from(point);
+        let [x, y, height] = self.axes.map(|axis| axis.dot(&point));
+        ([x, y], height)
+    }
+
+    /// The place of abscissa, ordinate and height.
+    pub fn place(&self, [x, y]: Point, height: f64) -> [f64; 3] {
+        let [abscissa, across, up] = self.axes;
+        (abscissa * x + across * y + up * height).into()
+    }
+
+    /// Direction of the tool in the machine, a unit vector.
+    pub fn up(&self) -> [f64; 3] {
+        self.axes[2].into()
+    }
+
+    /// A way as it is seen in the plane; none: it is an arc across it.
+    pub fn element(&self, way: &Route) -> Option<Element> {
+        let round = match way.around {
+            Some(around) => {
+                let sense = self.axes[2].dot(&V3::from(around.axis));
+                if sense.abs() < 1.0 - SAME {
+                    return None;
+                }
+                Some(Round {
+                    centre: self.split(around.centre).0,
+                    sweep: around.degrees.to_radians() * sense.signum(),
+                })
+            }
+            None => None,
+        };
+        Some(Element {
+            start: self.split(way.from).0,
+            end: self.split(way.to).0,
+            round,
+        })
+    }
+}
