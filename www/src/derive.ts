@@ -54,6 +54,11 @@ function stillOf({ solids, radius }: ScanView): Trace {
   return { entries: [], ball: { radius, length: radius }, solids, frames: [] };
 }
 
+function alike(a: Record<string, string>, b: Record<string, string>): boolean {
+  const keys = Object.keys(a);
+  return keys.length === Object.keys(b).length && keys.every((key) => a[key] === b[key]);
+}
+
 /** The names of the fields in the reader's language, for the comments of the snippet: asked again when that changes. */
 function labels(view: FormView): Record<string, string> {
   return Object.fromEntries(view.fields.map((field) => [field.name, say(field.label)]));
@@ -62,10 +67,13 @@ function labels(view: FormView): Record<string, string> {
 export function createDerive(forms: () => FormCore, catalogue: Catalogue): (state: State) => Derived {
   const first = catalogue.cycles[0];
   if (!first) throw new Error("the catalogue is empty");
+  let names: Record<string, string> = {}; // as the snippet's comments were asked for last
   const form = memo((core: FormCore, cycle: CycleInfo, values: State["values"], errors: State["errors"], comments: string | null, style: Style | null, twin: boolean, limits: boolean, setup: Setup | OwnMachine | undefined, plane?: Plane, units?: UnitFunction): FormView => {
     const request = { control: cycle.control, cycle: cycle.cycle, values, errors, ...(style ? { style } : {}), ...(setup ? { setup } : {}), ...(plane && units ? { plane, units } : {}) };
-    const view = core.form({ ...request, predict: true, ...(twin ? { twin } : {}), ...(limits ? { limits } : {}) });
-    return comments !== null ? { ...view, snippet: core.form({ ...request, comments: labels(view) }).snippet } : view;
+    const view = core.form({ ...request, predict: true, ...(twin ? { twin } : {}), ...(limits ? { limits } : {}), ...(comments !== null ? { comments: names } : {}) });
+    const before = names;
+    names = comments !== null ? labels(view) : names;
+    return alike(before, names) ? view : { ...view, snippet: core.form({ ...request, comments: names }).snippet };
   });
   const still = memo(stillOf);
   const problems = memo(gather);

@@ -18,9 +18,14 @@ export function drawInto(parent: Element, wanted: readonly Drawn[]): void {
   while (parent.children.length > wanted.length) parent.lastElementChild?.remove();
 }
 
+/** As an element was drawn last: asking the document instead costs more than drawing. */
+const before = new WeakMap<Element, Attributes>();
+
 function dress(node: Element, { attributes, text, children }: Drawn): void {
-  for (const name of node.getAttributeNames()) if (!(name in attributes)) node.removeAttribute(name);
-  for (const [name, value] of Object.entries(attributes)) setAttribute(node, name, value);
+  const old = before.get(node) ?? {};
+  for (const name in old) if (!(name in attributes)) node.removeAttribute(name);
+  for (const name in attributes) if (attributes[name] !== old[name]) setAttribute(node, name, attributes[name]);
+  before.set(node, attributes);
   if (children) drawInto(node, children);
   else setText(node, text ?? "");
 }

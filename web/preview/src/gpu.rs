@@ -45,6 +45,8 @@ pub struct Gpu {
     pub surface: Surface<'static>,
     /// Size and format of the surface.
     pub config: SurfaceConfiguration,
+    /// Samples a pixel.
+    pub samples: u32,
     /// Loss of the device.
     pub fault: Fault,
 }
@@ -73,8 +75,18 @@ pub async fn open(canvas: HtmlCanvasElement) -> Result<Gpu, String> {
         queue,
         surface,
         config,
+        samples: samples(&adapter),
         fault,
     })
+}
+
+/// Without a graphics card the same cores draw that the page runs on: four samples would take them from it. Lines are
+/// smooth all the same, their own shader sees to it.
+fn samples(adapter: &Adapter) -> u32 {
+    match adapter.get_info().device_type {
+        wgpu::DeviceType::Cpu => 1,
+        _ => 4,
+    }
 }
 
 async fn request_device(adapter: &Adapter) -> Result<(Device, Queue), String> {

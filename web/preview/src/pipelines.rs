@@ -1,9 +1,10 @@
 //! The five ways of drawing: solid parts, clear parts, lines in sight, lines behind a part, clouds of points.
 
-use wgpu::{BindGroupLayout, CompareFunction, Device, RenderPipeline, TextureFormat};
+use wgpu::{BindGroupLayout, CompareFunction, RenderPipeline};
 
+use crate::gpu::Gpu;
 use crate::layout;
-use crate::target::{DEPTH, SAMPLES};
+use crate::target::DEPTH;
 
 /// All pipelines; they share one bind group.
 pub struct Pipelines {
@@ -28,14 +29,15 @@ struct Way<'a> {
 }
 
 /// Compiles the pipelines.
-pub fn build(device: &Device, format: TextureFormat, bind: &BindGroupLayout) -> Pipelines {
+pub fn build(gpu: &Gpu, bind: &BindGroupLayout) -> Pipelines {
+    let device = &gpu.device;
     let module = device.create_shader_module(wgpu::include_wgsl!("shader.wgsl"));
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: None,
         bind_group_layouts: &[Some(bind)],
         immediate_size: 0,
     });
-    let make = |way: &Way<'_>| pipeline(device, &module, &layout, format, way);
+    let make = |way: &Way<'_>| pipeline(gpu, &module, &layout, way);
     let mesh = |writes_depth| Way {
         vertex: "mesh_vertex",
         fragment: "mesh_fragment",
@@ -67,13 +69,12 @@ pub fn build(device: &Device, format: TextureFormat, bind: &BindGroupLayout) -> 
 }
 
 fn pipeline(
-    device: &Device,
+    gpu: &Gpu,
     module: &wgpu::ShaderModule,
     layout: &wgpu::PipelineLayout,
-    format: TextureFormat,
     way: &Way<'_>,
 ) -> RenderPipeline {
-    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+    let descriptor = wgpu::RenderPipelineDescriptor {
         label: Some(way.fragment),
         layout: Some(layout),
         vertex: wgpu::VertexState {
@@ -85,7 +86,7 @@ fn pipeline(
         primitive: wgpu::PrimitiveState::default(),
         depth_stencil: Some(depth(way)),
         multisample: wgpu::MultisampleState {
-            count: SAMPLES,
+            count: gpu.samples,
             ..Default::default()
         },
         fragment: Some(wgpu::FragmentState {
@@ -93,14 +94,15 @@ fn pipeline(
             entry_point: Some(way.fragment),
             compilation_options: Default::default(),
             targets: &[Some(wgpu::ColorTargetState {
-                format,
+                format: gpu.config.format,
                 blend: Some(wgpu::BlendState::ALPHA_BLENDING),
                 write_mask: wgpu::ColorWrites::ALL,
             })],
         }),
         multiview_mask: None,
         cache: None,
-    })
+    };
+    gpu.device.create_render_pipeline(&descriptor)
 }
 
 fn depth(way: &Way<'_>) -> wgpu::DepthStencilState {

@@ -37,8 +37,8 @@ impl Renderer {
         let layout = bind_layout(&gpu.device);
         let bind = bind_group(&gpu.device, &layout, &uniforms);
         Ok(Renderer {
-            target: target::attach(&gpu.device, &gpu.config),
-            pipelines: pipelines::build(&gpu.device, gpu.config.format, &layout),
+            target: target::attach(&gpu),
+            pipelines: pipelines::build(&gpu, &layout),
             uniforms,
             bind,
             scene: Scene::default(),
@@ -89,7 +89,7 @@ impl Renderer {
         self.gpu.config.height = height.clamp(1, limit);
         let gpu = &self.gpu;
         gpu.surface.configure(&gpu.device, &gpu.config);
-        self.target = target::attach(&gpu.device, &gpu.config);
+        self.target = target::attach(gpu);
     }
 
     /// Draws one frame. Fails once the device is lost.
@@ -134,17 +134,22 @@ impl Renderer {
         }
     }
 
+    /// Several samples come together in the image of the canvas; a single one is drawn there at once.
     fn colour_attachment<'a>(
         &'a self,
         frame: &'a wgpu::TextureView,
     ) -> wgpu::RenderPassColorAttachment<'a> {
+        let (view, resolve_target, store) = match &self.target.colour {
+            Some(colour) => (colour, Some(frame), wgpu::StoreOp::Discard),
+            None => (frame, None, wgpu::StoreOp::Store),
+        };
         wgpu::RenderPassColorAttachment {
-            view: &self.target.colour,
+            view,
             depth_slice: None,
-            resolve_target: Some(frame),
+            resolve_target,
             ops: wgpu::Operations {
                 load: wgpu::LoadOp::Clear(self.background),
-                store: wgpu::StoreOp::Discard,
+                store,
             },
         }
     }

@@ -1,38 +1,38 @@
-//! What is drawn into: four samples a pixel and a depth buffer, as large as the canvas.
+//! What is drawn into beside the canvas, as large as that: a depth buffer, and several samples a pixel.
 
-use wgpu::{Device, SurfaceConfiguration, TextureFormat, TextureView};
+use wgpu::{TextureFormat, TextureView};
 
-/// Samples a pixel.
-pub const SAMPLES: u32 = 4;
+use crate::gpu::Gpu;
+
 /// Format of the depth buffer.
 pub const DEPTH: TextureFormat = TextureFormat::Depth24Plus;
 
 /// Attachments of one size.
 pub struct Target {
-    /// Colour, multisampled.
-    pub colour: TextureView,
-    /// Depth, multisampled.
+    /// Colour with several samples a pixel; none where one is enough, and the canvas takes it.
+    pub colour: Option<TextureView>,
+    /// Depth, with as many samples.
     pub depth: TextureView,
 }
 
 /// Makes the attachments for the surface as it is configured.
-pub fn attach(device: &Device, config: &SurfaceConfiguration) -> Target {
+pub fn attach(gpu: &Gpu) -> Target {
     Target {
-        colour: texture(device, config, config.format),
-        depth: texture(device, config, DEPTH),
+        colour: (gpu.samples > 1).then(|| texture(gpu, gpu.config.format)),
+        depth: texture(gpu, DEPTH),
     }
 }
 
-fn texture(device: &Device, config: &SurfaceConfiguration, format: TextureFormat) -> TextureView {
-    let texture = device.create_texture(&wgpu::TextureDescriptor {
+fn texture(gpu: &Gpu, format: TextureFormat) -> TextureView {
+    let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
         label: None,
         size: wgpu::Extent3d {
-            width: config.width,
-            height: config.height,
+            width: gpu.config.width,
+            height: gpu.config.height,
             depth_or_array_layers: 1,
         },
         mip_level_count: 1,
-        sample_count: SAMPLES,
+        sample_count: gpu.samples,
         dimension: wgpu::TextureDimension::D2,
         format,
         usage: wgpu::TextureUsages::RENDER_ATTACHMENT,

@@ -49,9 +49,15 @@ export function coloursFrom(element: Element, fallback: Colours): Colours {
   return Object.fromEntries(entries) as Colours;
 }
 
+const parsed = new Map<string, Rgba>(); // a page has a few dozen colours, and every line of a scene asks for one
+
 /** `#rgb`, `#rrggbb`, `#rrggbbaa`, `rgb()`, `rgba()`; anything else through the browser, and grey where there is none. */
 export function parse(css: string): Rgba {
-  return hex(css.trim()) ?? rgb(css.trim()) ?? byBrowser(css) ?? [0.5, 0.5, 0.5, 1];
+  const known = parsed.get(css);
+  if (known) return known;
+  const colour = hex(css.trim()) ?? rgb(css.trim()) ?? byBrowser(css) ?? [0.5, 0.5, 0.5, 1];
+  parsed.set(css, colour);
+  return colour;
 }
 
 function hex(css: string): Rgba | null {

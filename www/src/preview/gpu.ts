@@ -7,7 +7,7 @@ import { parse } from "./colours";
 import { packLines, packVertices } from "./mesh";
 import type { Scene } from "./scene";
 import type { Vec3 } from "../wire";
-import { dot, sub } from "./vec";
+import { dot, length, sub } from "./vec";
 
 /** The exports of web/preview that are used here. */
 interface Renderer {
@@ -127,7 +127,7 @@ function backend(name: "webgpu" | "webgl2", canvas: HTMLCanvasElement, renderer:
     },
     draw(frame) {
       if (!scene) return;
-      const [width, height] = [frame.view.width, frame.view.height].map((length) => Math.max(1, Math.round(length * frame.ratio))) as [number, number];
+      const [width, height] = [frame.view.width, frame.view.height].map((side) => Math.max(1, Math.round(side * frame.ratio))) as [number, number];
       if (size[0] !== width || size[1] !== height) {
         [canvas.width, canvas.height] = size = [width, height];
         renderer.resize(width, height);
@@ -159,7 +159,7 @@ function placed({ points, origin }: Cloud, to: Vec3): Float32Array {
 function uniforms(scene: Scene, frame: Frame, width: number, height: number, cloud: Cloud | null): Float32Array {
   const camera = { ...frame.camera, target: sub(frame.camera.target, scene.origin) };
   const { right, up, back } = basis(camera);
-  const reach = scene.radius + Math.abs(dot(camera.target, back)) + Math.hypot(...camera.target);
+  const reach = scene.radius + Math.abs(dot(camera.target, back)) + length(camera.target);
   const { colours } = scene;
   const probe = frame.probe ? sub(frame.probe, scene.origin) : [0, 0, 0];
   return Float32Array.from([

@@ -12,7 +12,7 @@ export interface Mesh {
   used: number;
   corners: number[];
 }
-export const mesh = (): Mesh => ({ vertices: new Float64Array(2048 * VERTEX_FLOATS), used: 0, corners: [] });
+export const mesh = (): Mesh => ({ vertices: new Float64Array(512 * VERTEX_FLOATS), used: 0, corners: [] });
 
 export interface Paint { colour: Rgba; moves?: boolean }
 
@@ -57,6 +57,16 @@ export function quad(into: Mesh, points: [Vec3, Vec3, Vec3, Vec3], normals: [Vec
   const [i, j, o, p] = [vertex(into, a, k, paint), vertex(into, b, l, paint), vertex(into, c, m, paint), vertex(into, d, n, paint)];
   face(into, [i, j, o], [a, b, c], [k, l, m]);
   face(into, [i, o, p], [a, c, d], [k, m, n]);
+}
+
+/** Flat triangles from a point to a row of points around it, all with one normal. */
+export function fan(into: Mesh, middle: Vec3, rim: Vec3[], normal: Vec3, closed: boolean, paint: Paint): void {
+  const centre = vertex(into, middle, normal, paint);
+  const ends = rim.map((point) => vertex(into, point, normal, paint));
+  for (let i = 0; i < rim.length - (closed ? 0 : 1); i++) {
+    const k = (i + 1) % rim.length;
+    face(into, [centre, ends[i]!, ends[k]!], [middle, rim[i]!, rim[k]!], [normal, normal, normal]);
+  }
 }
 
 /** A smooth band between two rows of as many points: a corner and its normal serve all faces around them. */

@@ -1,6 +1,6 @@
 // The way of a motion: straight, or round an axis (core/src/geometry/arc.rs says the same to the simulation).
 import type { Step, Vec3 } from "../wire";
-import { add, cross, dot, mix, radians, sub, times } from "./vec";
+import { add, cross, dot, length, mix, radians, sub, times } from "./vec";
 
 export type Motion = Extract<Step, { step: "motion" }>;
 
@@ -18,7 +18,7 @@ export function along({ from, to, around }: Motion, part: number): Vec3 {
   const [start, end] = [split(from), split(to)];
   const angle = radians(degrees * part);
   const turned = add(times(start.out, Math.cos(angle)), times(cross(axis, start.out), Math.sin(angle)));
-  const size = 1 + part * (Math.hypot(...end.out) / Math.hypot(...start.out) - 1);
+  const size = 1 + part * (length(end.out) / length(start.out) - 1);
   return add(add(centre, times(turned, size)), times(axis, start.height + part * (end.height - start.height)));
 }
 

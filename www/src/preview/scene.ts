@@ -7,7 +7,7 @@ import { part, zone } from "./solids";
 import { along, pieces } from "./route";
 import { dimensions } from "./drawing";
 import { addInUse, type ToolColours } from "./stylus";
-import { add, boxCorners, centre, include, sub, type Box } from "./vec";
+import { add, boxCorners, centre, include, length, sub, type Box } from "./vec";
 
 export interface Scene {
   trace: Trace;
@@ -46,7 +46,7 @@ export function buildScene(trace: Trace, colours: Colours, exaggeration = 1, sol
   for (const { mesh: own } of parts) append(all, own);
   const solidBox = boxOf(all);
   const ways = around(trace, solidBox);
-  const size = Math.hypot(...sub(ways.max, ways.min));
+  const size = length(sub(ways.max, ways.min));
   const limits = (trace.limits ?? []).flatMap((solid) => part(solid, exaggeration, parse(colours.part), parse(colours.crash), pieces).edges);
   const zones = (trace.zones ?? []).map((solid) => zone(solid, parse(colours.zone), pieces));
   const moves = trace.entries.some((entry) => entry.step === "motion");
@@ -101,12 +101,11 @@ const bare = (tool: ToolView | undefined): ToolView | undefined => tool && { ...
 
 /** Not farther away than the box is large. */
 function near(box: Box, at: Vec3): boolean {
-  return Math.hypot(...sub(at, centre(box))) < Math.hypot(...sub(box.max, box.min));
+  return length(sub(at, centre(box))) < length(sub(box.max, box.min));
 }
 
 function reach(box: Box, lines: Line[], trace: Trace): number {
   const origin = centre(box);
-  const ends = lines.flatMap(({ from, to }) => [from, to]);
-  const farthest = ends.reduce((most, p) => Math.max(most, Math.hypot(...sub(p, origin))), 0);
-  return Math.max(farthest, Math.hypot(...sub(box.max, origin))) + trace.ball.length + 20 * trace.ball.radius;
+  const farthest = lines.reduce((most, { from, to }) => Math.max(most, length(sub(from, origin)), length(sub(to, origin))), 0);
+  return Math.max(farthest, length(sub(box.max, origin))) + trace.ball.length + 20 * trace.ball.radius;
 }

@@ -1,10 +1,10 @@
 // Parts of the trace as triangles and edges, errors included.
 import type { Solid, Vec3 } from "../wire";
 import type { Rgba } from "./colours";
-import { append, band, flat, mesh, quad, triangle, VERTEX_FLOATS, type Line, type Mesh, type Paint, type Style } from "./mesh";
+import { append, band, fan, flat, mesh, quad, VERTEX_FLOATS, type Line, type Mesh, type Paint, type Style } from "./mesh";
 import { surface } from "./surface";
 import { border, circle, CIRCLE_POINTS, normals, rectangle, type Outline, type Vec2 } from "./outline";
-import { add, apply, radians, rpy, times, unit } from "./vec";
+import { add, apply, product, radians, rpy, times, unit } from "./vec";
 
 export interface Part { mesh: Mesh; edges: Line[] }
 /** `pieces`: into how many a long face is cut. */
@@ -66,8 +66,8 @@ function build(shape: Solid["shape"], size: number[], errors: Solid["errors"], l
 
 /** Shape origin into the machine: rotation and position, then the tilt about the origin and the shift, both in machine axes. */
 export function placement(solid: Solid, errors: Solid["errors"]): { point(p: Vec3): Vec3; direction(p: Vec3): Vec3 } {
-  const [tilt, rotation] = [rpy(errors.tilt), rpy(solid.rotation)];
-  const direction = (p: Vec3) => apply(tilt, apply(rotation, p));
+  const turn = product(rpy(errors.tilt), rpy(solid.rotation));
+  const direction = (p: Vec3) => apply(turn, p);
   const at = add(solid.at, errors.shift);
   return { direction, point: (p) => add(at, direction(p)) };
 }
@@ -111,7 +111,7 @@ function sunk(outline: Outline, depth: number, look: Look): Part {
   const bottom = -depth - Math.max(4, 0.25 * depth);
   const own = block(half.map((h) => 2 * h) as Vec2, 0, bottom, look, false);
   walls(own.mesh, outline, 0, depth, -1, look);
-  ring(own.mesh, outline.at(0), outline.around(half), 0, look);
+  strip(own.mesh, outline.at(0), outline.around(half), 0, true, look);
   disc(own.mesh, outline.at(depth), -depth, look);
   own.edges.push(...rims(outline, depth, look));
   return own;
@@ -123,7 +123,7 @@ function standing(outline: Outline, height: number, look: Look): Part {
   const own = block(half.map((h) => 2 * h) as Vec2, -height, -height - Math.max(3, 0.2 * height), look, false);
   walls(own.mesh, outline, 0, height, 1, look);
   disc(own.mesh, outline.at(0), 0, look);
-  ring(own.mesh, outline.at(height), outline.around(half), -height, look);
+  strip(own.mesh, outline.at(height), outline.around(half), -height, true, look);
   own.edges.push(...rims(outline, height, look));
   return own;
 }
@@ -166,9 +166,9 @@ function halfTurned(outline: Outline, length: number, bore: Outline, depth: numb
   walls(own.mesh, outline, 0, length, 1, look, true);
   walls(own.mesh, bore, 0, depth, -1, look, true);
   const halves = (contour: Outline, at: number): Vec2[] => half(contour.at(at));
-  fan(own.mesh, halves(outline, length), -length, look, [0, 0, -1]);
-  fan(own.mesh, halves(bore, depth), -depth, look);
-  strip(own.mesh, halves(bore, 0), halves(outline, 0), 0, look);
+  disc(own.mesh, halves(outline, length), -length, look, [0, 0, -1], false);
+  disc(own.mesh, halves(bore, depth), -depth, look, UP, false);
+  strip(own.mesh, halves(bore, 0), halves(outline, 0), 0, false, look);
   for (const end of [0, HALF_POINTS]) own.edges.push(...cutFace(own.mesh, outline, length, bore, depth, end, look));
   for (const [contour, at] of [[outline, 0], [outline, length], [bore, 0], [bore, depth]] as const) own.edges.push(...chain(halves(contour, at), -at, look));
   return own;
@@ -214,34 +214,21 @@ function walls(into: Mesh, outline: Outline, from: number, to: number, side: num
   }
 }
 
-/** Flat face inside half a contour, facing up or as told. */
-function fan(into: Mesh, points: Vec2[], z: number, { paint }: Look, up: Vec3 = [0, 0, 1]): void {
-  for (let i = 0; i + 1 < points.length; i++) triangle(into, [[0, 0, z], at(points[i]!, z), at(points[i + 1]!, z)], [up, up, up], paint);
-}
+const UP: Vec3 = [0, 0, 1];
 
-/** Flat face between two halves of contours, facing up. */
-function strip(into: Mesh, inner: Vec2[], outer: Vec2[], z: number, { paint }: Look): void {
-  for (let i = 0; i + 1 < inner.length; i++) flat(into, [at(inner[i]!, z), at(inner[i + 1]!, z), at(outer[i + 1]!, z), at(outer[i]!, z)], [0, 0, 1], paint);
+/** Flat face between two rows of as many points, facing up. */
+function strip(into: Mesh, inner: Vec2[], outer: Vec2[], z: number, closed: boolean, { paint }: Look): void {
+  const up = inner.map(() => UP);
+  band(into, inner.map((point) => at(point, z)), outer.map((point) => at(point, z)), { upper: up, lower: up }, closed, paint);
 }
 
 /** Edges from point to point. */
 const chain = (points: Vec2[], z: number, { edge }: Look): Line[] =>
   points.slice(1).map((to, i): Line => ({ from: at(points[i]!, z), to: at(to, z), style: edge }));
 
-/** Flat ring facing up between two contours of as many points. */
-function ring(into: Mesh, inner: Vec2[], outer: Vec2[], z: number, { paint }: Look): void {
-  inner.forEach((point, i) => {
-    const next = (i + 1) % inner.length;
-    flat(into, [at(point, z), at(inner[next]!, z), at(outer[next]!, z), at(outer[i]!, z)], [0, 0, 1], paint);
-  });
-}
-
-/** Flat face inside a contour, facing up or as told. */
-function disc(into: Mesh, points: Vec2[], z: number, { paint }: Look, up: Vec3 = [0, 0, 1]): void {
-  points.forEach((point, i) => {
-    const next = points[(i + 1) % points.length]!;
-    triangle(into, [[0, 0, z], at(point, z), at(next, z)], [up, up, up], paint);
-  });
+/** Flat face inside a contour, or half of one, facing up or as told. */
+function disc(into: Mesh, points: Vec2[], z: number, { paint }: Look, facing: Vec3 = UP, closed = true): void {
+  fan(into, [0, 0, z], points.map((point) => at(point, z)), facing, closed, paint);
 }
 
 /** A rectangular body between two heights, with or without its upper face. */
@@ -255,7 +242,7 @@ function block([x, y]: Vec2, top: number, bottom: number, look: Look, closed = t
   });
   const face = (z: number, outside: Vec3) => flat(into, corners.map((corner) => at(corner, z)) as [Vec3, Vec3, Vec3, Vec3], outside, look.paint);
   face(bottom, [0, 0, -1]);
-  if (closed) ring(into, border([x / 8, y / 8]), border([x / 2, y / 2]), top, look);
+  if (closed) strip(into, border([x / 8, y / 8]), border([x / 2, y / 2]), top, true, look);
   if (closed) disc(into, border([x / 8, y / 8]), top, look);
   const uprights = corners.map((corner): Line => ({ from: at(corner, top), to: at(corner, bottom), style: look.edge }));
   return { mesh: into, edges: [...loop(corners, top, look), ...loop(corners, bottom, look), ...uprights] };

@@ -2,7 +2,7 @@
 // turning machine what carries it, seen through.
 import type { ToolPiece, ToolView, Vec3 } from "../wire";
 import type { Rgba } from "./colours";
-import { band, flat, triangle, type Mesh, type Paint } from "./mesh";
+import { append, band, fan, flat, mesh, type Mesh, type Paint } from "./mesh";
 import { add, apply, cross, dot, fromZ, sub, times, unit } from "./vec";
 
 const AROUND = 24;
@@ -32,12 +32,24 @@ export function addInUse(into: Mesh, ball: Ball, view: ToolView = UPRIGHT, colou
   return solid;
 }
 
+interface Stylus { mesh: Mesh; solid: number }
+let last: { of: string; stylus: Stylus } | null = null; // mostly the same probe is in use after a keystroke
+
 /** Ball and stylus, then its body; gives the number of corners without the body. */
 function addStylus(into: Mesh, ball: Ball, axis: Vec3, colours: ToolColours, longest: number): number {
+  const reach = Math.min(ball.length, Math.max(10 * ball.radius, longest));
+  const of = JSON.stringify([ball, axis, colours, reach]);
+  if (last?.of !== of) last = { of, stylus: makeStylus(ball, axis, colours, reach) };
+  const before = into.corners.length;
+  append(into, last.stylus.mesh);
+  return before + last.stylus.solid;
+}
+
+function makeStylus(ball: Ball, axis: Vec3, colours: ToolColours, reach: number): Stylus {
+  const into = mesh();
   const frame = fromZ(unit(axis));
   const place = (p: Vec3) => apply(frame, p);
   const r = ball.radius;
-  const reach = Math.min(ball.length, Math.max(10 * r, longest));
   const body = Math.min(reach + 6 * r, Math.max(ball.length, 4 * r));
   turned(into, sphere(r), place, { colour: colours.ball, moves: true });
   turned(into, [[0.45 * r, 0.8 * r], [0.45 * r, reach]], place, { colour: colours.stylus, moves: true });
@@ -46,7 +58,7 @@ function addStylus(into: Mesh, ball: Ball, axis: Vec3, colours: ToolColours, lon
   const end = Math.max(body, reach + 3 * r);
   const profile: [number, number][] = [[0.45 * r, reach], [2.2 * r, reach + 1.2 * r], [2.2 * r, end], [0, end]];
   turned(into, profile, place, { colour: [red, green, blue, THROUGH], moves: true });
-  return solid;
+  return { mesh: into, solid };
 }
 
 function addPiece(into: Mesh, piece: ToolPiece, paint: Paint): void {
@@ -58,13 +70,9 @@ function addPiece(into: Mesh, piece: ToolPiece, paint: Paint): void {
 
 /** Both faces of a flat piece, and its border. */
 function plate(into: Mesh, corners: Vec3[], thick: Vec3, paint: Paint): void {
-  const [first, ...rest] = corners as [Vec3, ...Vec3[]];
   const middle = times(corners.reduce(add), 1 / corners.length);
   const faces = [{ at: [0, 0, 0] as Vec3, normal: unit(times(thick, -1)) }, { at: thick, normal: unit(thick) }];
-  for (const { at, normal } of faces) {
-    rest.slice(1).forEach((corner, i) =>
-      triangle(into, [add(first, at), add(rest[i]!, at), add(corner, at)], [normal, normal, normal], paint));
-  }
+  for (const { at, normal } of faces) fan(into, add(middle, at), corners.map((corner) => add(corner, at)), normal, true, paint);
   corners.forEach((corner, i) => {
     const next = corners[(i + 1) % corners.length]!;
     const border = cross(sub(next, corner), thick);

@@ -7,6 +7,8 @@ export const add = (a: Vec3, b: Vec3): Vec3 => [a[0] + b[0], a[1] + b[1], a[2] +
 export const sub = (a: Vec3, b: Vec3): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 export const times = (a: Vec3, s: number): Vec3 => [a[0] * s, a[1] * s, a[2] * s];
 export const dot = (a: Vec3, b: Vec3): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+/** A plain root: the library's own, safe against overflow, takes several times as long. */
+export const length = (a: Vec3): number => Math.sqrt(dot(a, a));
 export const mix = (a: Vec3, b: Vec3, t: number): Vec3 => add(a, times(sub(b, a), t));
 export const cross = (a: Vec3, b: Vec3): Vec3 => [
   a[1] * b[2] - a[2] * b[1],
@@ -15,8 +17,8 @@ export const cross = (a: Vec3, b: Vec3): Vec3 => [
 ];
 
 export function unit(a: Vec3): Vec3 {
-  const length = Math.hypot(...a);
-  return length > 0 ? times(a, 1 / length) : [0, 0, 1];
+  const long = length(a);
+  return long > 0 ? times(a, 1 / long) : [0, 0, 1];
 }
 
 export const radians = (degree: number): number => (degree * Math.PI) / 180;
@@ -34,6 +36,12 @@ export function rpy([x, y, z]: Vec3): Matrix3 {
 }
 
 export const apply = (m: Matrix3, p: Vec3): Vec3 => [dot(m[0], p), dot(m[1], p), dot(m[2], p)];
+
+/** The matrix that applies `b`, then `a`. */
+export function product(a: Matrix3, b: Matrix3): Matrix3 {
+  const row = (r: Vec3): Vec3 => add(add(times(b[0], r[0]), times(b[1], r[1])), times(b[2], r[2]));
+  return [row(a[0]), row(a[1]), row(a[2])];
+}
 
 /** The rotation that takes +Z to `axis`, a unit vector. */
 export function fromZ(axis: Vec3): Matrix3 {

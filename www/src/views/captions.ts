@@ -23,13 +23,12 @@ export function widthOf(text: string): number {
 
 /** Length of the part of a line that lies in a box. */
 function inside({ from, to }: Obstacle, box: Box): number {
+  if (Math.max(from[0], to[0]) <= box.left || Math.min(from[0], to[0]) >= box.right) return 0; // most lines are elsewhere
+  if (Math.max(from[1], to[1]) <= box.top || Math.min(from[1], to[1]) >= box.bottom) return 0;
   const way: Point = [to[0] - from[0], to[1] - from[1]];
   let [enter, leave] = [0, 1];
   for (const [axis, low, high] of [[0, box.left, box.right], [1, box.top, box.bottom]] as const) {
-    if (way[axis] === 0) {
-      if (from[axis] <= low || from[axis] >= high) return 0;
-      continue;
-    }
+    if (way[axis] === 0) continue; // within the box all along, as was seen above
     const [one, other] = [(low - from[axis]) / way[axis], (high - from[axis]) / way[axis]];
     enter = Math.max(enter, Math.min(one, other));
     leave = Math.min(leave, Math.max(one, other));
