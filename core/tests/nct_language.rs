@@ -312,3 +312,29 @@ fn a_program_stops_with_its_own_text() {
         .text("text", "PART MISSING");
     assert_eq!(message, expected);
 }
+
+// oracle: hand: the radius of register D1 beside the contour, that of D2 from the block in which it is called
+#[test]
+fn the_radius_is_that_of_the_register() {
+    let mut setup = Setup::calibrated(Dialect::Nct, Plane::G17);
+    setup.control.register_mut(1).radius = 5.0;
+    setup.control.register_mut(2).radius_wear = 4.0;
+    setup.position = [0.0; 3];
+    let text = "G17 G90 G41 D1 G1 X20. Y0 F100\nX40.\nX60. D2\nX80.\nG40 X100.\nM30";
+    let program = read(Dialect::Nct, text.as_bytes());
+    let outcome = run(&program, &setup, Limits::default());
+    assert_eq!((&outcome.stop, &outcome.diagnostics[..]), (&None, &[][..]));
+    let steps = outcome.trace.entries.iter();
+    let ends = steps.filter_map(|entry| match entry.step {
+        Step::Motion { to, .. } => Some((to[0], to[1])),
+        _ => None,
+    });
+    let expected = [
+        (20.0, 5.0),
+        (40.0, 5.0),
+        (60.0, 4.0),
+        (80.0, 4.0),
+        (100.0, 0.0),
+    ];
+    assert_eq!(ends.collect::<Vec<_>>(), expected);
+}

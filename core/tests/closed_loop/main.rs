@@ -4,6 +4,7 @@
 
 mod bench;
 mod calibration;
+mod milled;
 mod tool;
 mod turning;
 mod zero_offset;

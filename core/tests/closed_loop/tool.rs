@@ -102,7 +102,8 @@ fn jobs(weight: f64) -> Vec<Job> {
     jobs
 }
 
-fn machine() -> Setup {
+/// A machine with the mill T20, whose mean values are kept.
+pub fn machine() -> Setup {
     let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
     let edge = Edge {
         kind: 120,
