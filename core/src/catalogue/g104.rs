@@ -4,24 +4,14 @@
 //! right for both meanings of a length offset (C:355-379), the part of the tool outside the spindle and the axial
 //! coordinate of a work offset, because either is subtracted from where the spindle stands.
 
-use super::common::{ALWAYS_REQUIRED, PARAM};
+use super::common::ALWAYS_REQUIRED;
 use super::nct::walls::home;
-use super::nct::{self, FORMAT_ERROR, REGISTER, axis_name, correct, overtravel, params, surface};
+use super::nct::{self, REGISTER, axis_name, correct, overtravel, params, surface};
 use super::task::{Meaning, Task};
-use super::{Cycle, Dialect, Drawing, Help, Param, Purpose, Simulation, Unit, Variant, When, Work};
+use super::{Cycle, Dialect, Drawing, Help, Param, Purpose, Simulation, Variant, When, Work};
 use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
 use crate::check::Inputs;
-use crate::control::Plane;
 use crate::run::{Machine, Stop};
-
-/// Height of the surface.
-const SURFACE: Param = Param {
-    key: "g104-surface",
-    unit: Unit::ActiveLength,
-    alarm: Some(FORMAT_ERROR),
-    source: "C:391-393",
-    ..PARAM
-};
 
 /// Height of the surface in the tool axis; T is the register of the stylus itself.
 const LENGTH_VALUES: &[(&str, Meaning)] = &[
@@ -49,19 +39,19 @@ pub static G104: Cycle = Cycle {
     settings: &[],
     params: &[
         Param {
-            name: "X",
-            needs: &[surface::along_tool(Plane::G19)],
-            ..SURFACE
+            key: "g104-surface",
+            source: "C:391-393",
+            ..surface::X
         },
         Param {
-            name: "Y",
-            needs: &[surface::along_tool(Plane::G18)],
-            ..SURFACE
+            key: "g104-surface",
+            source: "C:391-393",
+            ..surface::Y
         },
         Param {
-            name: "Z",
-            needs: &[surface::along_tool(Plane::G17)],
-            ..SURFACE
+            key: "g104-surface",
+            source: "C:391-393",
+            ..surface::Z
         },
         Param {
             name: "T",

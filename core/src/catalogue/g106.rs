@@ -3,25 +3,14 @@
 //! Touched downwards. The text of T and M is that of G105 (radius), but the example corrects a length (C:676-694):
 //! here both are the length.
 
-use super::common::PARAM;
 use super::nct::correct::{self, Found, Part};
 use super::nct::walls::home;
-use super::nct::{self, FORMAT_ERROR, axis_name, checks, params, print, surface};
-use super::{Cycle, Dialect, Drawing, Help, Param, Purpose, Simulation, Unit, Variant, When, Work};
+use super::nct::{self, axis_name, checks, params, print, surface};
+use super::{Cycle, Dialect, Drawing, Help, Param, Purpose, Simulation, Variant, When, Work};
 use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
 use crate::catalogue::task::Task;
 use crate::check::Inputs;
-use crate::control::Plane;
 use crate::run::{Machine, Stop};
-
-/// Nominal height of the surface.
-const SURFACE: Param = Param {
-    key: "g106-surface",
-    unit: Unit::ActiveLength,
-    alarm: Some(FORMAT_ERROR),
-    source: "C:603",
-    ..PARAM
-};
 
 /// The macro.
 pub static G106: Cycle = Cycle {
@@ -41,19 +30,19 @@ pub static G106: Cycle = Cycle {
     settings: &[],
     params: &[
         Param {
-            name: "X",
-            needs: &[surface::along_tool(Plane::G19)],
-            ..SURFACE
+            key: "g106-surface",
+            source: "C:603",
+            ..surface::X
         },
         Param {
-            name: "Y",
-            needs: &[surface::along_tool(Plane::G18)],
-            ..SURFACE
+            key: "g106-surface",
+            source: "C:603",
+            ..surface::Y
         },
         Param {
-            name: "Z",
-            needs: &[surface::along_tool(Plane::G17)],
-            ..SURFACE
+            key: "g106-surface",
+            source: "C:603",
+            ..surface::Z
         },
         Param {
             source: "C:604",

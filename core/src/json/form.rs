@@ -4,7 +4,7 @@ use super::predict::predict;
 use super::setup::{PlaneName, choose_units, plane};
 use super::{Error, diagnostic, dialect, message, object, put};
 use crate::SIMULATES;
-use crate::catalogue::{self, Cycle, MachineSort, Range, Style, names};
+use crate::catalogue::{Cycle, MachineSort, Range, Style, names};
 use crate::check::{self, Checked, Typed, variants};
 use crate::control::{Control, Plane, Transverse, Units};
 use crate::diagnostic::Severity;
@@ -51,12 +51,7 @@ struct Request {
 /// Answers a `FormRequest` with a `FormView`.
 pub fn form(request: &str) -> Result<Value, Error> {
     let request: Request = super::request(request)?;
-    let cycle = catalogue::find(dialect(&request.control)?, &request.cycle).ok_or_else(|| {
-        Error::Unknown {
-            what: "cycle",
-            name: request.cycle.clone(),
-        }
-    })?;
+    let cycle = super::cycle(dialect(&request.control)?, &request.cycle)?;
     let mut start = super::start::start(cycle.dialect, request.setup)?;
     if !start.described {
         let variant = request.values.get(names::MVAR);

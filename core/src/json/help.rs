@@ -2,7 +2,7 @@
 
 use super::{Error, alarm, dialect, key, object};
 use crate::catalogue::help::{HelpLine, HelpPage, SECTIONS, Section};
-use crate::catalogue::{self, ResultField, alarms};
+use crate::catalogue::{ResultField, alarms};
 use serde::Deserialize;
 use serde_json::Value;
 
@@ -16,12 +16,7 @@ struct Request {
 /// Answers a `HelpRequest` with a `HelpView`.
 pub fn help(request: &str) -> Result<Value, Error> {
     let request: Request = super::request(request)?;
-    let cycle = catalogue::find(dialect(&request.control)?, &request.cycle).ok_or_else(|| {
-        Error::Unknown {
-            what: "cycle",
-            name: request.cycle.clone(),
-        }
-    })?;
+    let cycle = super::cycle(dialect(&request.control)?, &request.cycle)?;
     let page = HelpPage::of(cycle, request.mvar);
     let section = |section: Section| {
         let lines: Vec<Value> = page.section(section).map(line).collect();

@@ -36,7 +36,7 @@ pub use setup::schema as setup_schema;
 pub use setup_write::to_json as setup_to_json;
 pub use trace::{alarm_key, outcome};
 
-use crate::catalogue::{Dialect, Style};
+use crate::catalogue::{Cycle, Dialect, Style};
 use crate::check::Typed;
 use crate::diagnostic::{Code, Diagnostic, Severity};
 use crate::message::{Arg, Message};
@@ -98,6 +98,14 @@ pub fn dialect(name: &str) -> Result<Dialect, Error> {
             name: name.to_owned(),
         }),
     }
+}
+
+/// The cycle of a control with this name.
+fn cycle(dialect: Dialect, name: &str) -> Result<&'static Cycle, Error> {
+    crate::catalogue::find(dialect, name).ok_or_else(|| Error::Unknown {
+        what: "cycle",
+        name: name.to_owned(),
+    })
 }
 
 /// Ways of writing by their name on the wire.

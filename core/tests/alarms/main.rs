@@ -16,6 +16,8 @@ mod cycle998;
 mod found;
 mod helpers;
 mod lathe;
+#[path = "../running/mill.rs"]
+mod mill;
 mod nct;
 mod p9920;
 mod table;

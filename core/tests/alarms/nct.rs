@@ -1,9 +1,8 @@
 //! Cases of the NCT macros: a bore of 50 mm about the zero, the ball in it 10 mm deep.
 
-use super::table::{Case, Table};
+use super::table::{Case, Table, case_of};
 use probewright_core::catalogue::{Dialect, nct};
 use probewright_core::control::Plane;
-use probewright_core::diagnostic::Code;
 use probewright_core::run::Setup;
 use probewright_core::workpiece::{PartErrors, Shape, Solid};
 
@@ -15,13 +14,13 @@ pub fn g101() -> Table {
         usual: "G101 X10",
         setup,
         cases: vec![
-            case(nct::NO_TOOL_LENGTH, "G101 X10", |setup| {
+            case_of(nct::NO_TOOL_LENGTH, "G101 X10", |setup| {
                 setup.control.edge = 0;
             }),
-            case(nct::STYLUS_IN_CONTACT, "G101 X10", pressed),
-            case(nct::PATH_OBSTRUCTED, "G101 X40", |_| ()),
-            case(nct::FALSE_TRIGGER, "G101 X10", false_signal),
-            case(nct::OUT_OF_POSITION, "G101 X10", |setup| {
+            case_of(nct::STYLUS_IN_CONTACT, "G101 X10", pressed),
+            case_of(nct::PATH_OBSTRUCTED, "G101 X40", |_| ()),
+            case_of(nct::FALSE_TRIGGER, "G101 X10", false_signal),
+            case_of(nct::OUT_OF_POSITION, "G101 X10", |setup| {
                 setup.control.limits.plus[0] = Some(5.0);
             }),
         ],
@@ -51,9 +50,9 @@ pub fn g105() -> Table {
     let mut table = in_bore("G105 X25", "G105 S1", "G105 X1 Q1");
     table.cases.extend([
         // on the way to the clearance beside the wall the bore ends
-        case(nct::PATH_OBSTRUCTED, "G105 X-60 Z-20", |_| ()),
-        case(nct::OUT_OF_TOLERANCE, "G105 X25 H0.2", grown),
-        case(nct::UPPER_TOLERANCE, "G105 X25 S1 U0.2", grown),
+        case_of(nct::PATH_OBSTRUCTED, "G105 X-60 Z-20", |_| ()),
+        case_of(nct::OUT_OF_TOLERANCE, "G105 X25 H0.2", grown),
+        case_of(nct::UPPER_TOLERANCE, "G105 X25 S1 U0.2", grown),
     ]);
     table
 }
@@ -61,8 +60,8 @@ pub fn g105() -> Table {
 pub fn g106() -> Table {
     let mut cases = measuring("G106 Z0", "G106 S1", "G106 Z60", sunk);
     cases.extend([
-        case(nct::OUT_OF_TOLERANCE, "G106 Z0.6 H0.5", |_| ()),
-        case(nct::UPPER_TOLERANCE, "G106 Z0.6 S1 U0.5", |_| ()),
+        case_of(nct::OUT_OF_TOLERANCE, "G106 Z0.6 H0.5", |_| ()),
+        case_of(nct::UPPER_TOLERANCE, "G106 Z0.6 S1 U0.5", |_| ()),
     ]);
     Table {
         usual: "G106 Z0",
@@ -96,7 +95,7 @@ pub fn g108() -> Table {
     // the stylus starts before the second wall, not before the corner
     table
         .cases
-        .push(case(nct::PATH_OBSTRUCTED, "G108 X-20 Y-20", |setup| {
+        .push(case_of(nct::PATH_OBSTRUCTED, "G108 X-20 Y-20", |setup| {
             setup.position = [0.0, -40.0, -10.0];
         }));
     table
@@ -105,10 +104,10 @@ pub fn g108() -> Table {
 pub fn g109() -> Table {
     let mut table = in_bore("G109 X50", "G109 S1", "G109 X6");
     table.cases.extend([
-        case(nct::PATH_OBSTRUCTED, "G109 X50 Z-10", too_large_a_boss),
-        case(nct::OUT_OF_TOLERANCE, "G109 X50 H0.5", grown),
-        case(nct::UPPER_TOLERANCE, "G109 X50 S1 U0.5", grown),
-        case(nct::TOOL_TOO_LARGE, "G109 X50 T1", thick_tool),
+        case_of(nct::PATH_OBSTRUCTED, "G109 X50 Z-10", too_large_a_boss),
+        case_of(nct::OUT_OF_TOLERANCE, "G109 X50 H0.5", grown),
+        case_of(nct::UPPER_TOLERANCE, "G109 X50 S1 U0.5", grown),
+        case_of(nct::TOOL_TOO_LARGE, "G109 X50 T1", thick_tool),
     ]);
     table
 }
@@ -116,10 +115,10 @@ pub fn g109() -> Table {
 pub fn g110() -> Table {
     let mut table = in_bore("G110 D50", "G110 S1", "G110 D6");
     table.cases.extend([
-        case(nct::PATH_OBSTRUCTED, "G110 D50 Z-10", too_large_a_boss),
-        case(nct::OUT_OF_TOLERANCE, "G110 D50 H0.5", grown),
-        case(nct::UPPER_TOLERANCE, "G110 D50 S1 U0.5", grown),
-        case(nct::TOOL_TOO_LARGE, "G110 D50 T1", thick_tool),
+        case_of(nct::PATH_OBSTRUCTED, "G110 D50 Z-10", too_large_a_boss),
+        case_of(nct::OUT_OF_TOLERANCE, "G110 D50 H0.5", grown),
+        case_of(nct::UPPER_TOLERANCE, "G110 D50 S1 U0.5", grown),
+        case_of(nct::TOOL_TOO_LARGE, "G110 D50 T1", thick_tool),
     ]);
     table
 }
@@ -151,20 +150,20 @@ pub fn p9969() -> Table {
             setup
         },
         cases: vec![
-            case(nct::FORMAT_ERROR, "G65 P9969 X30 Y4 Z-24 J2 Q1", |_| ()),
-            case(nct::NO_TOOL_LENGTH, USUAL, |setup| setup.control.edge = 0),
-            case(nct::OUT_OF_POSITION, USUAL, |setup| {
+            case_of(nct::FORMAT_ERROR, "G65 P9969 X30 Y4 Z-24 J2 Q1", |_| ()),
+            case_of(nct::NO_TOOL_LENGTH, USUAL, |setup| setup.control.edge = 0),
+            case_of(nct::OUT_OF_POSITION, USUAL, |setup| {
                 setup.control.limits.plus[0] = Some(5.0);
             }),
-            case(nct::STYLUS_IN_CONTACT, USUAL, |setup| {
+            case_of(nct::STYLUS_IN_CONTACT, USUAL, |setup| {
                 setup.position = [0.0, 0.0, -21.0];
             }),
-            case(
+            case_of(
                 nct::SCANNING_OBSTRUCTED,
                 "G65 P9969 X30 Y4 Z-24 J2 R2 Q9",
                 roof,
             ),
-            case(nct::SCANNING_FAIL, USUAL, |setup| {
+            case_of(nct::SCANNING_FAIL, USUAL, |setup| {
                 setup.probe.pre_travel.0 = 30.0; // it comes too late: the ball is pressed into the block
             }),
         ],
@@ -192,26 +191,18 @@ fn measuring(
     touching: fn(&mut Setup),
 ) -> Vec<Case> {
     vec![
-        case(nct::FORMAT_ERROR, incomplete, |_| ()),
-        case(nct::NO_TOOL_LENGTH, usual, |setup| setup.control.edge = 0),
-        case(nct::STYLUS_IN_CONTACT, usual, touching),
-        case(nct::PROBE_FAIL, usual, |setup| {
+        case_of(nct::FORMAT_ERROR, incomplete, |_| ()),
+        case_of(nct::NO_TOOL_LENGTH, usual, |setup| setup.control.edge = 0),
+        case_of(nct::STYLUS_IN_CONTACT, usual, touching),
+        case_of(nct::PROBE_FAIL, usual, |setup| {
             setup.workpiece.solids.clear();
         }),
-        case(nct::NO_MOVEMENT, still, |_| ()),
-        case(nct::FALSE_TRIGGER, usual, false_signal),
-        case(nct::OUT_OF_POSITION, usual, |setup| {
+        case_of(nct::NO_MOVEMENT, still, |_| ()),
+        case_of(nct::FALSE_TRIGGER, usual, false_signal),
+        case_of(nct::OUT_OF_POSITION, usual, |setup| {
             setup.control.set(nct::POSITION_LOST, 1.0);
         }),
     ]
-}
-
-fn case(code: Code, change: &'static str, prepare: fn(&mut Setup)) -> Case {
-    Case {
-        code,
-        change,
-        prepare,
-    }
 }
 
 fn setup() -> Setup {

@@ -1,11 +1,10 @@
 //! Cases of G65 P9920: a disk of 40 mm, the reference tool of 20 by 100 mm 4 mm above its centre.
 
-use super::table::{Case, Table};
+use super::table::{Table, case_of};
 use probewright_core::catalogue::p9920::{
     DEPRESSED, INCORRECT, MEASURING_DEVICE, P9920, TOO_SMALL,
 };
 use probewright_core::control::{Edge, Plane};
-use probewright_core::diagnostic::Code;
 use probewright_core::run::Setup;
 use probewright_core::workpiece::tool_probe::ToolProbe;
 use probewright_core::workpiece::{PartErrors, Shape, Solid};
@@ -18,24 +17,16 @@ pub fn table() -> Table {
         usual: CALIBRATE,
         setup,
         cases: vec![
-            case(MEASURING_DEVICE, CALIBRATE, |setup| {
+            case_of(MEASURING_DEVICE, CALIBRATE, |setup| {
                 setup.control.set("#1003", 0.0);
             }),
-            case(DEPRESSED, CALIBRATE, |setup| {
+            case_of(DEPRESSED, CALIBRATE, |setup| {
                 setup.control.set("#1002", 1.0);
             }),
-            case(TOO_SMALL, "G65 P9920 Z-8 D10 H100 T0", |_| ()),
-            case(INCORRECT, "G65 P9920 Z-3 D20 H100 T0", |_| ()),
+            case_of(TOO_SMALL, "G65 P9920 Z-8 D10 H100 T0", |_| ()),
+            case_of(INCORRECT, "G65 P9920 Z-3 D20 H100 T0", |_| ()),
         ],
         unreached: Vec::new(),
-    }
-}
-
-fn case(code: Code, change: &'static str, prepare: fn(&mut Setup)) -> Case {
-    Case {
-        code,
-        change,
-        prepare,
     }
 }
 

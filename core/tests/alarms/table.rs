@@ -29,8 +29,13 @@ pub struct Case {
 
 /// A case of a SINUMERIK cycle.
 pub fn case(number: u32, change: &'static str, prepare: fn(&mut Setup)) -> Case {
+    case_of(Code::Alarm(number), change, prepare)
+}
+
+/// A case of any control.
+pub fn case_of(code: Code, change: &'static str, prepare: fn(&mut Setup)) -> Case {
     Case {
-        code: Code::Alarm(number),
+        code,
         change,
         prepare,
     }

@@ -2,7 +2,7 @@
 
 use super::table::{Case, case, program};
 use probewright_core::catalogue::Dialect;
-use probewright_core::control::{Edge, Plane, Tool};
+use probewright_core::control::Plane;
 use probewright_core::diagnostic::Code;
 use probewright_core::run::Setup;
 use probewright_core::workpiece::{PartErrors, Shape, Solid};
@@ -66,17 +66,7 @@ pub fn diameters() -> Vec<Case> {
 /// The probe in the spindle at this position, T20 to be corrected, one solid with its upper face at Z0.
 pub fn setup(shape: Shape, position: [f64; 3]) -> Setup {
     let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
-    let mill = Edge {
-        kind: 120,
-        length: [80.0, 0.0, 0.0],
-        radius: 10.0,
-        ..Edge::default()
-    };
-    let tool = Tool {
-        name: "MILL".into(),
-        edges: [(1, mill)].into(),
-    };
-    setup.control.tools.insert(20, tool);
+    setup.control.tools.insert(20, crate::mill::tool(&[1]));
     setup.position = position;
     setup.workpiece.solids = vec![Solid {
         shape,

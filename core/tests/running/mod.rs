@@ -1,7 +1,9 @@
 //! A machine for part programs, and runs on it, for the tests of the program language.
 
+mod mill;
+
 use probewright_core::catalogue::Dialect;
-use probewright_core::control::{Edge, Plane, Tool};
+use probewright_core::control::Plane;
 use probewright_core::program::read;
 use probewright_core::run::{Limits, Outcome, Setup, run};
 use probewright_core::workpiece::{PartErrors, Shape, Solid};
@@ -9,17 +11,7 @@ use probewright_core::workpiece::{PartErrors, Shape, Solid};
 /// T9 is the probe, T20 an end mill with radius 10 and length 80.
 pub fn machine() -> Setup {
     let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
-    let mill = Edge {
-        kind: 120,
-        length: [80.0, 0.0, 0.0],
-        radius: 10.0,
-        ..Edge::default()
-    };
-    let tool = Tool {
-        name: "MILL".into(),
-        edges: [(1, mill.clone()), (2, mill)].into(),
-    };
-    setup.control.tools.insert(20, tool);
+    setup.control.tools.insert(20, mill::tool(&[1, 2]));
     setup
 }
 

@@ -74,12 +74,7 @@ fn middle(
 pub fn incremental(machine: &mut dyn Machine, task: &Task) -> Result<Found, Stop> {
     let axis = (task.inputs.integer(names::MA).clamp(1, 3) - 1) as usize;
     let direction = task.inputs.number(names::FA).signum();
-    let point = Point {
-        axis,
-        direction,
-        set: 0.0,
-        path: task.block.path,
-    };
+    let point = task.block.point(axis, direction, 0.0);
     let touched = task.block.latch_from_here(machine, &point)?;
     let reach = if axis == 2 {
         0.0

@@ -180,7 +180,7 @@ impl Task<'_> {
 
     /// The measuring block towards a side of the probe: where the axis of the tool is when its radius touches.
     pub fn beside(&self, axis: usize, direction: f64) -> Point {
-        self.point(
+        self.block.point(
             axis,
             direction,
             self.place.trigger(axis, direction) - direction * self.radius,
@@ -189,16 +189,7 @@ impl Task<'_> {
 
     /// The measuring block towards the upper side.
     pub fn above(&self) -> Point {
-        self.point(2, -1.0, self.place.top())
-    }
-
-    fn point(&self, axis: usize, direction: f64, set: f64) -> Point {
-        Point {
-            axis,
-            direction,
-            set,
-            path: self.block.path,
-        }
+        self.block.point(2, -1.0, self.place.top())
     }
 
     /// Goes beside the probe and down: the other axis first, then the measuring axis, then the applicate (B:4573).

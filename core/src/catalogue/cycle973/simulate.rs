@@ -55,12 +55,11 @@ fn direction(machine: &mut dyn Machine, inputs: &Inputs) -> Result<f64, Stop> {
 
 /// One direction of one axis; only the measuring axis moves (B:10331-10405).
 fn surface(machine: &mut dyn Machine, inputs: &Inputs, block: &Block) -> Result<Calibration, Stop> {
-    let point = Point {
-        axis: measure::axis(machine, inputs)?,
-        direction: direction(machine, inputs)?,
-        set: inputs.number(names::SETVAL) / measure::per(machine.control(), inputs),
-        path: block.path,
-    };
+    let point = block.point(
+        measure::axis(machine, inputs)?,
+        direction(machine, inputs)?,
+        inputs.number(names::SETVAL) / measure::per(machine.control(), inputs),
+    );
     let trigger = touch(machine, block, &point)?;
     Ok(found(vec![trigger]))
 }
@@ -133,12 +132,7 @@ fn points(
         if directions != [-1.0] {
             return Err(alarm(machine, 61326));
         }
-        return Ok(vec![Point {
-            axis,
-            direction: -1.0,
-            set: place.base,
-            path: block.path,
-        }]);
+        return Ok(vec![block.point(axis, -1.0, place.base)]);
     }
     let wall = |direction: f64| Point {
         axis: walls,

@@ -28,12 +28,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     let set = inputs.number(names::SETVAL);
     let start = machine.position()[block.axes[axis]];
     let direction = if set / per < start { -1.0 } else { 1.0 };
-    let point = Point {
-        axis,
-        direction,
-        set: set / per,
-        path: block.path,
-    };
+    let point = block.point(axis, direction, set / per);
     for repetition in 0.. {
         let surface = match reversal {
             true => both_sides(machine, inputs, &block, &point)?,

@@ -1,7 +1,7 @@
 //! What CYCLE978 does: one point of a surface, plain or differential (B:6376-6418).
 
 use crate::catalogue::sinumerik::differential::twice;
-use crate::catalogue::sinumerik::measuring_block::{Block, Point, calibrated, turnable};
+use crate::catalogue::sinumerik::measuring_block::{Block, calibrated, turnable};
 use crate::catalogue::sinumerik::one_point::{self, OnePoint};
 use crate::catalogue::sinumerik::target::Target;
 use crate::catalogue::sinumerik::{Next, alarm, results};
@@ -31,12 +31,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     } else {
         1.0
     };
-    let point = Point {
-        axis,
-        direction,
-        set,
-        path: block.path,
-    };
+    let point = block.point(axis, direction, set);
     for repetition in 0.. {
         let actual = match differential {
             true => twice(machine, inputs, &block, &point)?.surface,

@@ -4,7 +4,7 @@
 use super::params::{AUTOMATIC, INCREMENTAL, REVERSAL, WITH_RADIUS, WORKPIECE};
 use super::stand::found;
 use crate::catalogue::sinumerik::alarm;
-use crate::catalogue::sinumerik::measuring_block::{Block, Point};
+use crate::catalogue::sinumerik::measuring_block::Block;
 use crate::catalogue::tool_probe::ProbeData;
 use crate::catalogue::tool_probe::correct::{Measured, active};
 use crate::check::Inputs;
@@ -40,12 +40,7 @@ pub fn measure(
         approach(machine, start, triggers)?
     };
     let trigger = triggers[usize::from(direction > 0.0)];
-    let point = Point {
-        axis: APPLICATE,
-        direction,
-        set: trigger,
-        path: block.path,
-    };
+    let point = block.point(APPLICATE, direction, trigger);
     let latched = if INCREMENTAL.holds(inputs) {
         block.latch_from_here(machine, &point)?
     } else {

@@ -4,7 +4,7 @@
 
 use super::params::WORKPIECE;
 use crate::catalogue::sinumerik::alarm;
-use crate::catalogue::sinumerik::measuring_block::{Block, Point};
+use crate::catalogue::sinumerik::measuring_block::Block;
 use crate::catalogue::tool_probe::ProbeData;
 use crate::catalogue::tool_probe::correct::{Measured, active};
 use crate::catalogue::tool_probe::store::Trigger;
@@ -98,7 +98,8 @@ impl Stand {
         direction: f64,
         set: f64,
     ) -> Result<f64, Stop> {
-        self.block.latch(machine, &self.point(axis, direction, set))
+        self.block
+            .latch(machine, &self.block.point(axis, direction, set))
     }
 
     /// The same from where the tool stands, over twice the measuring path (B:9820).
@@ -108,17 +109,8 @@ impl Stand {
         axis: usize,
         direction: f64,
     ) -> Result<f64, Stop> {
-        let point = self.point(axis, direction, 0.0);
+        let point = self.block.point(axis, direction, 0.0);
         self.block.latch_from_here(machine, &point)
-    }
-
-    fn point(&self, axis: usize, direction: f64, set: f64) -> Point {
-        Point {
-            axis,
-            direction,
-            set,
-            path: self.block.path,
-        }
     }
 
     /// The length in an axis that would put the tool's own point on the touched side, mm: what is known so far and by how

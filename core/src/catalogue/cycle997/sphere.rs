@@ -92,12 +92,11 @@ impl Plan<'_> {
         axis: usize,
         side: f64,
     ) -> Result<f64, Stop> {
-        let point = Point {
+        let point = self.block.point(
             axis,
-            direction: -side,
-            set: expected.centre[axis] + side * expected.diameter / 2.0,
-            path: self.block.path,
-        };
+            -side,
+            expected.centre[axis] + side * expected.diameter / 2.0,
+        );
         let mut to = machine.position();
         to[self.block.axes[axis]] = self.block.start(&point);
         self.block.travel(machine, to)?;
@@ -144,12 +143,8 @@ impl Plan<'_> {
 
     /// The point on top.
     fn top(&self, expected: &Sphere) -> Point {
-        Point {
-            axis: 2,
-            direction: -1.0,
-            set: expected.centre[2] + expected.diameter / 2.0,
-            path: self.block.path,
-        }
+        self.block
+            .point(2, -1.0, expected.centre[2] + expected.diameter / 2.0)
     }
 
     /// Height at which the ball crosses a sphere: `_FA` above it (B:8441).

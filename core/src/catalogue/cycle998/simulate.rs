@@ -128,12 +128,7 @@ fn first_start(
 }
 
 fn set_point(inputs: &Inputs, block: &Block, axis: usize, direction: f64) -> Point {
-    Point {
-        axis,
-        direction,
-        set: inputs.number(names::SETVAL),
-        path: block.path,
-    }
+    block.point(axis, direction, inputs.number(names::SETVAL))
 }
 
 /// Coordinate of the surface at the first point, and what the skew of an uncalibrated probe adds at the others, mm.

@@ -7,7 +7,7 @@
 use super::correct::{move_offset, results};
 use super::surface::{BALL, FACE, Wall, direction, touch_wall};
 use super::walls::{home, travel};
-use super::{FORMAT_ERROR, axis_name, part};
+use super::{FORMAT_ERROR, axis_name, part, ready_to_measure};
 use crate::catalogue::common::{PARAM, required};
 use crate::catalogue::{Need, Param, Proposal, ResultField, Unit, When};
 use crate::check::Inputs;
@@ -68,6 +68,7 @@ fn nominal(inputs: &Inputs) -> [f64; 2] {
 
 /// Touches both walls, goes back and moves the work offset.
 pub fn measure(machine: &mut dyn Machine, inputs: &Inputs, outside: bool) -> Result<(), Stop> {
+    ready_to_measure(machine)?;
     let start = machine.position();
     let nominal = nominal(inputs);
     let axes = machine.control().plane.axes();

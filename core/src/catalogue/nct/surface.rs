@@ -2,9 +2,9 @@
 
 use super::axis_name;
 use super::touch::{Calibration, touch};
-use super::{NO_MOVEMENT, part};
-use crate::catalogue::common::required;
-use crate::catalogue::{Need, Proposal, When};
+use super::{FORMAT_ERROR, NO_MOVEMENT, part};
+use crate::catalogue::common::{PARAM, required};
+use crate::catalogue::{Need, Param, Proposal, Unit, When};
 use crate::check::Inputs;
 use crate::control::{Control, Plane};
 use crate::form::figures::{circle, corners, dimension, line, polygon, rectangle};
@@ -12,8 +12,33 @@ use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
 use crate::run::{Machine, Stop};
 use crate::workpiece::{Shape, Workpiece};
 
-/// Need of X, Y or Z where the height of a surface across the tool axis is given: in the plane of which it is that axis.
-pub const fn along_tool(tool_axis_in: Plane) -> Need {
+/// Height of a surface across the tool axis: X, in the plane of which it is that axis. Key and place in the manual are
+/// those of the macro.
+pub const X: Param = Param {
+    name: "X",
+    needs: &[along_tool(Plane::G19)],
+    ..HEIGHT
+};
+/// The same for Y.
+pub const Y: Param = Param {
+    name: "Y",
+    needs: &[along_tool(Plane::G18)],
+    ..HEIGHT
+};
+/// The same for Z.
+pub const Z: Param = Param {
+    name: "Z",
+    needs: &[along_tool(Plane::G17)],
+    ..HEIGHT
+};
+
+const HEIGHT: Param = Param {
+    unit: Unit::ActiveLength,
+    alarm: Some(FORMAT_ERROR),
+    ..PARAM
+};
+
+const fn along_tool(tool_axis_in: Plane) -> Need {
     required(When::Plane(tool_axis_in), "need-nct-tool-axis")
 }
 

@@ -218,13 +218,7 @@ impl Follow {
         let way = level.max(self.raster * LEAST).min(rest);
         let position = machine.position();
         let above = position[axial] + self.retract + rise.max(0.0);
-        free(
-            machine,
-            axial,
-            above,
-            MotionKind::Retract,
-            SCANNING_OBSTRUCTED,
-        )?;
+        free(machine, axial, above, MotionKind::Retract)?;
         let to = position[along] + self.direction() * way;
         if let Some(at) = self.search(machine, along, to)? {
             return Ok(Some(self.found(at, State::Wall)));
@@ -243,21 +237,9 @@ impl Follow {
         let position = machine.position();
         let room = (position[along] - self.ends()[0]).abs();
         let back = position[along] - self.direction() * self.retract.min(room);
-        free(
-            machine,
-            along,
-            back,
-            MotionKind::Retract,
-            SCANNING_OBSTRUCTED,
-        )?;
+        free(machine, along, back, MotionKind::Retract)?;
         let above = position[axial] + self.raster;
-        free(
-            machine,
-            axial,
-            above,
-            MotionKind::Positioning,
-            SCANNING_OBSTRUCTED,
-        )?;
+        free(machine, axial, above, MotionKind::Positioning)?;
         let to = position[along] + self.direction() * self.raster.min(rest);
         if let Some(at) = self.search(machine, along, to)? {
             return Ok(Some(self.found(at, State::Wall)));
@@ -284,18 +266,12 @@ impl Follow {
     fn next_line(&mut self, machine: &mut dyn Machine) -> Result<(), Stop> {
         let [_, across, axial] = self.layout.axes;
         let above = machine.position()[axial] + self.retract;
-        free(
-            machine,
-            axial,
-            above,
-            MotionKind::Retract,
-            SCANNING_OBSTRUCTED,
-        )?;
+        free(machine, axial, above, MotionKind::Retract)?;
         self.line += 1;
         let way = self.end[across] - self.start[across];
         let done = (self.line as f64 * self.spacing).min(way.abs());
         let to = self.start[across] + done.copysign(way);
-        free(
+        go(
             machine,
             across,
             to,
@@ -312,13 +288,7 @@ impl Follow {
     fn leave(&self, machine: &mut dyn Machine) -> Result<(), Stop> {
         let [.., axial] = self.layout.axes;
         let to = self.layout.height.max(machine.position()[axial]);
-        free(
-            machine,
-            axial,
-            to,
-            MotionKind::Positioning,
-            SCANNING_OBSTRUCTED,
-        )
+        free(machine, axial, to, MotionKind::Positioning)
     }
 
     /// PROBE FOR SCANNING: along one axis to a position, with the feed that decides over the accuracy. A signal that is
@@ -341,13 +311,7 @@ impl Follow {
                 return Ok(Some(self.sampled(from, at, axis)));
             }
             let above = machine.position()[axial] + self.retract;
-            match free(
-                machine,
-                axial,
-                above,
-                MotionKind::Retract,
-                SCANNING_OBSTRUCTED,
-            ) {
+            match free(machine, axial, above, MotionKind::Retract) {
                 Err(Stop::Alarm(SCANNING_OBSTRUCTED)) => {} // it was pressed all the way: the next attempt tells
                 other => other?,
             }
@@ -386,8 +350,13 @@ impl Follow {
     }
 }
 
+/// Moves along one axis to get away from the surface: nothing else may be met.
+fn free(machine: &mut dyn Machine, axis: usize, to: f64, kind: MotionKind) -> Result<(), Stop> {
+    go(machine, axis, to, kind, SCANNING_OBSTRUCTED)
+}
+
 /// Moves along one axis where nothing may be met, `met` being said otherwise. A signal without contact is passed over.
-fn free(
+fn go(
     machine: &mut dyn Machine,
     axis: usize,
     to: f64,

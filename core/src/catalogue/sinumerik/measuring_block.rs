@@ -129,6 +129,16 @@ impl Block {
         self.repeats
     }
 
+    /// A surface to be touched along an axis with the path of this block; direction +1 or -1, set coordinate in mm.
+    pub fn point(&self, axis: usize, direction: f64, set: f64) -> Point {
+        Point {
+            axis,
+            direction,
+            set,
+            path: self.path,
+        }
+    }
+
     /// Start of the measuring block in the measuring axis: the ball `path` before the set surface.
     pub fn start(&self, point: &Point) -> f64 {
         point.set + self.trigger(point.axis, point.direction) - point.direction * point.path
