@@ -162,8 +162,8 @@ export interface ToolView {
   carrier: ToolPiece[];                // what holds it on a turning machine
   tip: Vec3;                           // its end
 }
-/** Half of a section turned about an axis: distance from it and height; or a convex flat piece, with its thickness. */
-export type ToolPiece = { outline: [number, number][]; axis: Vec3; at: Vec3 } | { corners: Vec3[]; thick: Vec3 };
+/** Half of a section turned about an axis: distance from it and height; or a convex flat piece, with its thickness. cuts: an insert. */
+export type ToolPiece = { cuts?: boolean } & ({ outline: [number, number][]; axis: Vec3; at: Vec3 } | { corners: Vec3[]; thick: Vec3 });
 /** A turned part as on a drawing. ends: of a diameter as it is; out: along the axis, away from the part; touched: diameters as the control reads them. */
 export interface Drawing {
   diameters: { ends: [Vec3, Vec3]; out: Vec3; set: number; real: number }[];
@@ -253,7 +253,6 @@ export interface CallView {
   values: Record<string, string>;      // as the form wants them
   plane: Plane; units: UnitFunction;   // in force at the call
   diagnostics: Diagnostic[];
-  arrivals: Diagnostic[];              // notes at the values that come from other programs of the text, or differ by the way to the call
 }
 // change({control, text, call: index, name, value}) -> Edit[]; the only bytes that change
 export interface Edit { from: number; to: number; insert: string }

@@ -4,6 +4,7 @@ use super::start::Start;
 use super::{Error, object, put};
 use crate::catalogue::{ProbeUse, Work};
 use crate::check::Inputs;
+use crate::control::Plane;
 use crate::geometry::{V3, rigid};
 use crate::run::setup::Setup;
 use crate::run::survives;
@@ -126,10 +127,10 @@ fn prepare(
 ) -> Vec<Solid> {
     let proposal = (work.propose)(inputs, &setup.control);
     setup.workpiece = proposal.workpiece;
-    let part = part_errors(&errors.part);
+    let part = part_errors(&errors.part, setup.control.plane);
     spoil(&mut setup.workpiece.solids, &part);
     setup.workpiece.solids.extend(proposal.fixture);
-    let in_use = (setup.control.tool, setup.control.edge);
+    let in_use = setup.control.active_place();
     if let Some(tool) = proposal.real_tool {
         setup.real_tools.entry(in_use).or_insert(tool);
     }
@@ -150,10 +151,10 @@ fn prepare(
     proposal.zones
 }
 
-/// Gives a tool probe the errors of part and probe, and the tool before it that of the ball: so much wider it is than the
-/// control believes.
+/// Gives a tool probe the errors of part and probe, and the tool before it those of ball and skew: so much wider and, in L1
+/// and L2, longer it is than the control believes.
 fn tool_errors(setup: &mut Setup, inputs: &Inputs, errors: &Errors) {
-    let part = part_errors(&errors.part);
+    let part = part_errors(&errors.part, setup.control.plane);
     for tool_probe in &mut setup.tool_probes {
         spoil(std::slice::from_mut(&mut tool_probe.solid), &part);
         tool_probe.pre_travel += errors.probe.pre_travel;
@@ -165,8 +166,11 @@ fn tool_errors(setup: &mut Setup, inputs: &Inputs, errors: &Errors) {
         return;
     };
     let nominal = || Tool::nominal(edge, control);
-    let key = (control.tool, control.edge);
-    match &mut setup.real_tools.entry(key).or_insert_with(nominal).cut {
+    let key = control.active_place();
+    let tool = setup.real_tools.entry(key).or_insert_with(nominal);
+    tool.length[0] += errors.probe.skew_x;
+    tool.length[1] += errors.probe.skew_y;
+    match &mut tool.cut {
         Cut::Cutter(cutter) => cutter.radius += errors.probe.radius,
         Cut::Nose(nose) => nose.radius += errors.probe.radius,
     }
@@ -202,11 +206,14 @@ fn probe_errors(probe: &mut Probe, sliders: &ProbeSliders) {
 /// Three lobes, as a three-jaw chuck leaves them.
 const LOBES: u32 = 3;
 
-fn part_errors(sliders: &PartSliders) -> PartErrors {
+/// The part is tilted about the applicate: about the axis of a hole, and askew in a chuck.
+fn part_errors(sliders: &PartSliders, plane: Plane) -> PartErrors {
+    let mut tilt = [0.0; 3];
+    tilt[plane.axes()[2]] = sliders.tilt;
     PartErrors {
         shift: [sliders.dx, sliders.dy, sliders.dz],
         size: sliders.size,
-        tilt: [0.0, 0.0, sliders.tilt],
+        tilt,
         taper: sliders.taper,
         out_of_round: (sliders.out_of_round, LOBES),
     }

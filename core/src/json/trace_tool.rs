@@ -145,12 +145,17 @@ fn drawn(pieces: &[Drawn], tip: V3) -> Value {
             ("axis", vector(*axis)),
             ("at", vector(at + tip)),
         ]),
-        Drawn::Plate { corners, thick } => object([
+        Drawn::Plate {
+            corners,
+            thick,
+            cuts,
+        } => object([
             (
                 "corners",
                 corners.iter().map(|at| vector(at + tip)).collect(),
             ),
             ("thick", vector(*thick)),
+            ("cuts", (*cuts).into()),
         ]),
     };
     pieces.iter().map(piece).collect()
@@ -204,5 +209,44 @@ mod tests {
         let results = view["outcome"]["results"].as_array().unwrap();
         let radius = results.iter().find(|result| result["name"] == "_OVR[10]");
         assert!((number(&radius.unwrap()["value"]) - 5.1).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_longer_tool_is_measured_as_long_as_the_slider_makes_it() {
+        // oracle: hand: 70 mm in the data, 0.15 mm more in truth
+        let values = json!({ "_MVAR": "1", "_MA": "3", "_ID": "0", "_FA": "3", "_TSA": "1", "_TDIF": "0.9", "_TZL": "0" });
+        let view = drawn(values, json!({ "probe": { "skewX": 0.15 } }));
+        let results = view["outcome"]["results"].as_array().unwrap();
+        let length = results.iter().find(|result| result["name"] == "_OVR[8]");
+        assert!((number(&length.unwrap()["value"]) - 70.15).abs() < 1e-9);
+    }
+
+    #[test]
+    fn each_edge_position_brings_its_insert() {
+        // oracle: hand: the nose of 2 mm of the tool that the call brings (B:9049) lies at its end in both axes
+        let asked = json!({
+            "control": "sinumerik", "cycle": "CYCLE972", "predict": true,
+            "values": { "_MVAR": "1", "_MA": "1", "_FA": "3", "_TSA": "1", "_TDIF": "0.9", "_TZL": "0" },
+            "setup": { "own": { "plane": "G18", "units": "G71" } },
+        });
+        let view = form(&asked.to_string()).unwrap();
+        let tool = &view["outcome"]["trace"]["tools"][0];
+        let pieces = tool["pieces"].as_array().unwrap();
+        assert_eq!(pieces.len(), 2, "insert and shank");
+        let lowest = |piece: &Value, axis: usize| {
+            let corners = piece["corners"].as_array().unwrap().iter();
+            corners
+                .map(|corner| number(&corner[axis]))
+                .fold(f64::INFINITY, f64::min)
+        };
+        for axis in [0, 2] {
+            assert!(lowest(&pieces[0], axis).abs() < 0.01, "{pieces:?}");
+            assert!(lowest(&pieces[1], axis) > 2.0, "{pieces:?}");
+        }
+        assert_eq!(
+            tool["carrier"].as_array().unwrap().len(),
+            2,
+            "holder and disc"
+        );
     }
 }

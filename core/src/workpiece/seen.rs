@@ -40,6 +40,8 @@ pub enum Drawn {
         corners: Vec<V3>,
         /// From there to the other face.
         thick: V3,
+        /// Whether it is an insert, which cuts.
+        cuts: bool,
     },
 }
 
@@ -83,7 +85,7 @@ pub fn tool(tool: &Tool, carrier: V3, plane: Plane) -> (Vec<Drawn>, V3) {
 fn turning_tool(nose: &Nose, carrier: V3, plane: Plane) -> (Vec<Drawn>, V3) {
     let axes = plane.axes();
     let carrier = [carrier[axes[0]], carrier[axes[1]]];
-    let plate = |corners: Vec<[f64; 2]>, above: f64, thick: f64| {
+    let plate = |corners: Vec<[f64; 2]>, above: f64, thick: f64, cuts: bool| {
         let place = |[abscissa, ordinate]: [f64; 2]| {
             let mut point = V3::zeros();
             point[axes[0]] = abscissa - nose.side[0] * nose.radius;
@@ -96,14 +98,15 @@ fn turning_tool(nose: &Nose, carrier: V3, plane: Plane) -> (Vec<Drawn>, V3) {
         Drawn::Plate {
             corners: corners.into_iter().map(place).collect(),
             thick: down,
+            cuts,
         }
     };
     let lies = lies(nose, carrier);
     let mut along = V3::zeros();
     along[axes[lies.0]] = lies.1;
     let pieces = vec![
-        plate(insert(nose), 0.0, INSERT[1]),
-        plate(shank(nose, carrier, lies), -SEAT, SHANK - SEAT),
+        plate(insert(nose), 0.0, INSERT[1], true),
+        plate(shank(nose, carrier, lies), -SEAT, SHANK - SEAT, false),
     ];
     (pieces, along)
 }
@@ -215,6 +218,7 @@ pub fn turret(turret: &Turret, carrier: V3, along: V3) -> Vec<Drawn> {
             corner(low.x, high.z),
         ],
         thick: V3::y() * (2.0 * WALL),
+        cuts: false,
     };
     let radius = turret.diameter / 2.0;
     let mut at = carrier;

@@ -10,7 +10,8 @@ const FIRST = 0.14;   // from the front to the first dimension line, from one to
 const NEXT = 0.12;
 const OVER = 0.02;    // what the lines at its ends stand out beyond it, and the length of an arrow
 const ARROW = 0.3;    // half of the width of an arrow, share of its length
-const RAISED = [24, 10] as const; // CSS pixels from the end of a dimension line to both lines of its text
+const RAISED = [10, -4] as const; // CSS pixels from the end of a dimension line up to both lines of its text
+const ABOVE = 14;     // from a touched point to its diameter
 const EXACT = 5e-4;   // mm; a smaller deviation is none
 
 const text = (diameter: number): string => `Ø${fixed(diameter, 3)}`;
@@ -24,10 +25,10 @@ export function dimensions(trace: Trace, { diameters, touched }: Drawing, colour
     const place = front + (FIRST + i * NEXT) * size;
     const [low, high] = ends.map((end) => add(end, times(out, place - dot(end, out)))) as [Vec3, Vec3];
     lines.push(...dimension(ends, [low, high], out, colours, OVER * size));
-    labels.push({ at: high, text: text(real), colour: colours.text, raised: RAISED[0] });
+    labels.push({ at: high, text: text(real), colour: colours.text, beside: true, raised: RAISED[0] });
     const deviation = real - set;
     const exact = Math.abs(deviation) < EXACT;
-    labels.push({ at: high, text: exact ? `= ${text(set)}` : `${text(set)} ${signed(deviation, 3)}`, colour: colours.text, raised: RAISED[1] });
+    labels.push({ at: high, text: exact ? `= ${text(set)}` : `${text(set)} ${signed(deviation, 3)}`, colour: colours.text, beside: true, raised: RAISED[1] });
   });
   return { lines, labels };
 }
@@ -55,7 +56,7 @@ function touchLabels({ entries }: Trace, touched: Drawing["touched"], colours: C
   return touched.flatMap(({ entry, diameter }, i): Label[] => {
     const at = place(entry);
     const again = touched.slice(i + 1).find((later) => near(at, place(later.entry)));
-    return at ? [{ at, text: text(diameter), colour: colours.touch, raised: RAISED[1] + 4, during: [entry, again?.entry ?? Infinity] }] : [];
+    return at ? [{ at, text: text(diameter), colour: colours.touch, raised: ABOVE, during: [entry, again?.entry ?? Infinity] }] : [];
   });
 }
 

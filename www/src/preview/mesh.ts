@@ -97,11 +97,11 @@ export function append(into: Mesh, other: Mesh): void {
   for (const corner of other.corners) into.corners.push(first + corner);
 }
 
-/** Smallest box around all corners; null: there are none. */
-export function boxOf({ vertices, used }: Mesh): Box | null {
-  if (used === 0) return null;
+/** Smallest box around all corners, or those in a part of the numbers; null: there are none. */
+export function boxOf({ vertices, used }: Mesh, from = 0, to = used): Box | null {
+  if (to <= from) return null;
   const box: Box = { min: [Infinity, Infinity, Infinity], max: [-Infinity, -Infinity, -Infinity] };
-  for (let i = 0; i < used; i += VERTEX_FLOATS) {
+  for (let i = from; i < to; i += VERTEX_FLOATS) {
     for (let axis = 0; axis < 3; axis++) {
       const value = vertices[i + axis]!;
       if (value < box.min[axis]!) box.min[axis] = value;

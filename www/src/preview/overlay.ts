@@ -13,6 +13,7 @@ const ARM = 24;
 const SMALLEST = 4; // radius of the ring around the ball
 const BELOW = 18;   // from an origin to its name
 const LINE = 14;    // from one name to the next
+const BESIDE = 6;   // from a place to the words that begin beside it
 const READING = 22; // from the end of the tool to where it stands
 const NEAR = 80;    // names that are closer than this side by side would touch
 
@@ -49,12 +50,12 @@ function names(scene: Scene, frame: Frame): Drawn[] {
   const project = projector(frame.camera, frame.view);
   const taken: { x: number; y: number }[] = [];
   const there = scene.labels.filter(({ during }) => !during || (frame.time > during[0] && frame.time <= during[1]));
-  return there.map(({ at, text: words, colour, below, raised = 0 }) => {
+  return there.map(({ at, text: words, colour, below, beside, raised = 0 }) => {
     const place = project(at);
-    const spot = { x: place.x, y: place.y + (below ? BELOW : -raised) };
+    const spot = { x: place.x + (beside ? BESIDE : 0), y: place.y + (below ? BELOW : -raised) };
     while (below && taken.some(({ x, y }) => Math.abs(x - spot.x) < NEAR && Math.abs(y - spot.y) < LINE)) spot.y += LINE;
     if (below) taken.push(spot);
-    return text(spot.x, spot.y, words, colour, scene.colours);
+    return text(spot.x, spot.y, words, colour, scene.colours, beside ? "start" : "middle");
   });
 }
 
@@ -69,10 +70,10 @@ function triad(colours: Colours, frame: Frame): Drawn[] {
   });
 }
 
-function text(x: number, y: number, words: string, colour: string, colours: Colours): Drawn {
+function text(x: number, y: number, words: string, colour: string, colours: Colours, anchor = "middle"): Drawn {
   const attributes = {
     x, y, fill: colour, stroke: colours.background, "stroke-width": 3, "paint-order": "stroke", "stroke-linejoin": "round",
-    "text-anchor": "middle", "dominant-baseline": "central", "font-size": 12, "font-weight": 600,
+    "text-anchor": anchor, "dominant-baseline": "central", "font-size": 12, "font-weight": 600,
   };
   return { tag: "text", attributes, text: words };
 }

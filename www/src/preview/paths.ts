@@ -5,9 +5,9 @@ import type { Line, Style } from "./mesh";
 import { along, pieces, type Motion } from "./route";
 import { add, times, type Box } from "./vec";
 
-/** `below`: under its point on the screen, clear of what stands there. `raised`: so many CSS pixels above. `during`: entries
- *  of the trace between which it is shown. */
-export interface Label { at: Vec3; text: string; colour: string; below?: boolean; raised?: number; during?: readonly [number, number] }
+/** `below`: under its point on the screen, clear of what stands there. `raised`: so many CSS pixels above. `beside`: it
+ *  begins there instead of standing over it. `during`: entries of the trace between which it is shown. */
+export interface Label { at: Vec3; text: string; colour: string; below?: boolean; raised?: number; beside?: boolean; during?: readonly [number, number] }
 
 const BEHIND = 0.42; // opacity of paths behind a part
 

@@ -6,7 +6,7 @@ import { frameLines, gridLines, pathLines, probeAt, type Label } from "./paths";
 import { part, zone } from "./solids";
 import { along, pieces } from "./route";
 import { dimensions } from "./drawing";
-import { addInUse, type ToolColours } from "./stylus";
+import { addInUse } from "./stylus";
 import { add, boxCorners, centre, include, length, sub, type Box } from "./vec";
 
 export interface Scene {
@@ -52,8 +52,9 @@ export function buildScene(trace: Trace, colours: Colours, exaggeration = 1, sol
   const moves = trace.entries.some((entry) => entry.step === "motion");
   const touches = { ball: parse(colours.ball), stylus: parse(colours.stylus) };
   const tool = toolAt(trace, index);
-  const solidCorners = moves ? addInUse(all, trace.ball, tool, touches, 0.3 * size) : all.corners.length;
-  const box = moves ? withTool(ways, trace, touches, 0.3 * size) : ways;
+  const first = all.used;
+  const { solid: solidCorners, own } = moves ? addInUse(all, trace.ball, tool, touches, 0.3 * size) : { solid: all.corners.length, own: first };
+  const box = withTool(ways, boxOf(all, first, own), probeAt(trace, 0, 0));
   for (const { mesh: own } of zones) append(all, own);
   const dimensioned = drawing && trace.drawing ? dimensions(trace, trace.drawing, colours, size) : { lines: [], labels: [] };
   const frames = frameLines(trace.frames, colours, 0.14 * size);
@@ -88,16 +89,10 @@ function around(trace: Trace, solids: Box | null): Box {
   return box;
 }
 
-/** With what is in use where it begins; what carries it may be cut off. */
-function withTool(box: Box, trace: Trace, colours: ToolColours, longest: number): Box {
-  const begin = probeAt(trace, 0, 0);
-  const own = mesh();
-  addInUse(own, trace.ball, bare(toolAt(trace, 0)), colours, longest);
-  const there = begin && boxOf(own);
-  return there ? boxCorners(there).map((corner) => add(corner, begin)).reduce(include, box) : box;
+/** With what is in use where the motions begin; what carries it may be cut off. */
+function withTool(box: Box, tool: Box | null, begin: Vec3 | null): Box {
+  return tool && begin ? boxCorners(tool).map((corner) => add(corner, begin)).reduce(include, box) : box;
 }
-
-const bare = (tool: ToolView | undefined): ToolView | undefined => tool && { ...tool, carrier: [] };
 
 /** Not farther away than the box is large. */
 function near(box: Box, at: Vec3): boolean {

@@ -17,19 +17,15 @@ const CARRIER_THROUGH = 0.35;
 export interface Ball { radius: number; length: number }
 export interface ToolColours { ball: Rgba; stylus: Rgba }
 
-/** Behind what is there: probe or tool, then what is seen through; gives the number of corners without that. */
-export function addInUse(into: Mesh, ball: Ball, view: ToolView = UPRIGHT, colours: ToolColours, longest: number): number {
+/** Behind what is there: probe or tool, then what is seen through; gives the number of corners without that, and how far
+ *  the numbers of the vertices go without what carries it. */
+export function addInUse(into: Mesh, ball: Ball, view: ToolView = UPRIGHT, colours: ToolColours, longest: number): { solid: number; own: number } {
   const [red, green, blue] = colours.stylus;
-  const carried = (): void => view.carrier.forEach((piece) => addPiece(into, piece, { colour: [red, green, blue, CARRIER_THROUGH], moves: true }));
-  if (view.ball) {
-    const solid = addStylus(into, ball, view.ball, colours, longest);
-    carried();
-    return solid;
-  }
-  for (const piece of view.pieces) addPiece(into, piece, { colour: colours.stylus, moves: true });
-  const solid = into.corners.length;
-  carried();
-  return solid;
+  for (const piece of view.pieces) addPiece(into, piece, { colour: piece.cuts ? colours.ball : colours.stylus, moves: true });
+  const solid = view.ball ? addStylus(into, ball, view.ball, colours, longest) : into.corners.length;
+  const own = into.used;
+  for (const piece of view.carrier) addPiece(into, piece, { colour: [red, green, blue, CARRIER_THROUGH], moves: true });
+  return { solid, own };
 }
 
 interface Stylus { mesh: Mesh; solid: number }

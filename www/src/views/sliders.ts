@@ -19,6 +19,11 @@ const SCALES: { [G in keyof ErrorSliders]: Record<keyof ErrorSliders[G], Scale> 
 };
 
 const TOUCHING: Purpose["probe"][] = ["workpiece", "tool"];
+/** What else is called otherwise, or is the tool's, where a tool touches its probe. */
+const OF_TOOL: string[] = ["part", "probe", "probe-skew-x", "probe-skew-y", "probe-radius"];
+
+/** Key of the words for a group or an error, given the probe that a cycle uses. */
+const wordsOf = (name: string, probe: Purpose["probe"]): string => (probe === "tool" && OF_TOOL.includes(name) ? `tool-${name}` : name);
 
 const slug = (name: string): string => name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
 
@@ -31,19 +36,22 @@ function range(limit: Limit | undefined): string {
   return t("slider-limits", { low: side(limit.low), high: side(limit.high) });
 }
 
-function createSlider(label: string, id: string, scale: Scale, set: (value: number) => void): { root: HTMLElement; update(value: number, limit: Limit | undefined): void } {
+function createSlider(id: string, scale: Scale, set: (value: number) => void): { root: HTMLElement; update(label: string, value: number, limit: Limit | undefined): void } {
   const slide = el("input", { type: "range", id, min: scale.low ?? -scale.reach, max: scale.reach, step: scale.step });
-  const figure = el("input", { type: "text", inputmode: "decimal", class: "figure", autocomplete: "off", "aria-label": t("slider-figure", { name: label }) });
+  const figure = el("input", { type: "text", inputmode: "decimal", class: "figure", autocomplete: "off" });
+  const name = el("label", { for: id });
   on(slide, "input", () => set(Number(slide.value)));
   on(figure, "input", () => {
     const value = parseNumber(figure.value);
     if (value !== null) set(value);
   });
   const survived = el("output", { class: "survived", for: id });
-  const root = el("div", { class: "slider" }, el("label", { for: id }, label), slide, figure, el("span", { class: "unit" }, t(`unit-${scale.unit}`)), survived);
+  const root = el("div", { class: "slider" }, name, slide, figure, el("span", { class: "unit" }, t(`unit-${scale.unit}`)), survived);
   return {
     root,
-    update(value, limit) {
+    update(label, value, limit) {
+      setText(name, label);
+      setAttribute(figure, "aria-label", t("slider-figure", { name: label }));
       setText(survived, range(limit));
       show(survived, !!limit);
       if (Number(slide.value) !== value) slide.value = String(value);
@@ -60,14 +68,21 @@ export function createSliders(root: HTMLElement, store: Store, actions: Actions)
   on(limits, "click", () => store.update({ limits: !store.state.limits }));
   const title = el("h3", {});
   root.append(el("div", { class: "sliders-head" }, title, limits, reset));
-  const updates: ((errors: ErrorSliders, survived: Limit[]) => void)[] = [];
+  const updates: ((errors: ErrorSliders, survived: Limit[], probe: Purpose["probe"]) => void)[] = [];
   for (const group of Object.keys(SCALES) as (keyof ErrorSliders)[]) {
-    const box = el("div", { class: "slider-group", role: "group", "aria-label": t(`sliders-${group}`) }, el("h4", {}, t(`sliders-${group}`)));
+    const head = el("h4", {});
+    const box = el("div", { class: "slider-group", role: "group" }, head);
+    updates.push((_, __, probe) => {
+      const words = t(`sliders-${wordsOf(group, probe)}`);
+      setText(head, words);
+      setAttribute(box, "aria-label", words);
+    });
     for (const [name, scale] of Object.entries(SCALES[group])) {
-      const slider = createSlider(t(`error-${group}-${slug(name)}`), `error-${group}-${slug(name)}`, scale, (value) => actions.error(group, name as never, value));
+      const id = `${group}-${slug(name)}`;
+      const slider = createSlider(`error-${id}`, scale, (value) => actions.error(group, name as never, value));
       box.append(slider.root);
       const limitOf = (survived: Limit[]): Limit | undefined => survived.find((limit) => group === "part" && limit.error === name);
-      updates.push((errors, survived) => slider.update((errors[group] as Record<string, number>)[name] ?? 0, limitOf(survived)));
+      updates.push((errors, survived, probe) => slider.update(t(`error-${wordsOf(id, probe)}`), (errors[group] as Record<string, number>)[name] ?? 0, limitOf(survived)));
     }
     root.append(box);
   }
@@ -75,6 +90,6 @@ export function createSliders(root: HTMLElement, store: Store, actions: Actions)
     show(root, cycle.simulated && TOUCHING.includes(cycle.purpose.probe)); // elsewhere nothing would come of them
     setText(title, t("sliders-title"));
     setAttribute(limits, "aria-pressed", String(state.limits));
-    for (const update of updates) update(state.errors, view.outcome?.limits ?? []);
+    for (const update of updates) update(state.errors, view.outcome?.limits ?? [], cycle.purpose.probe);
   };
 }

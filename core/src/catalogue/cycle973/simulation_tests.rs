@@ -193,6 +193,41 @@ fn the_way_leads_over_the_middle_into_the_groove() {
 }
 
 #[test]
+fn a_displaced_groove_shows_in_the_trigger_values() {
+    // oracle: hand: both walls stand 0.2 mm further in plus direction than `_KB` says, and 0.1 mm further apart
+    for plane in PLANES {
+        let call = call(plane, &[("_MVAR", 2013.0), ("_MA", 2.0)]);
+        let mut setup = ready(plane, 7, &call);
+        let groove = setup.workpiece.solids.first_mut().unwrap();
+        groove.errors.shift[plane.axes()[1]] = 0.2;
+        groove.errors.size = 0.1;
+        let mut sim = Sim::new(&setup);
+        assert_eq!(run(&mut sim, &call), Ok(()));
+        close(&sim, &trigger(1, 1), 3.0 + 0.2 - 0.05);
+        close(&sim, &trigger(1, 2), -3.0 + 0.2 + 0.05);
+    }
+}
+
+#[test]
+fn a_turned_surface_stands_in_its_chuck() {
+    // oracle: hand: the part of 60 mm is held; a face that no turned part has, and the groove of the machine, are not
+    let setup = setup(Plane::G18, Transverse::Diameter);
+    let held = |values: &[(&'static str, f64)]| {
+        let mut all = vec![("_MD", 1.0), ("_SETVAL", 60.0)];
+        all.extend(values);
+        let call = call(Plane::G18, &all);
+        (call.cycle.work().unwrap().propose)(&call, &setup.control)
+            .fixture
+            .len()
+    };
+    assert_eq!(held(&[("_MVAR", 0.0), ("_MA", 2.0)]), 1);
+    assert_eq!(held(&[("_MVAR", 0.0), ("_MA", 1.0)]), 1);
+    assert_eq!(held(&[("_MVAR", 0.0), ("_MA", 3.0)]), 1);
+    assert_eq!(held(&[("_MVAR", 0.0), ("_MA", 1.0), ("_MD", 0.0)]), 0);
+    assert_eq!(held(&[("_MVAR", 2013.0), ("_MA", 2.0)]), 0);
+}
+
+#[test]
 fn a_long_path_begins_in_the_middle() {
     // oracle: hand: with 5 mm the ball would stand in the other wall
     let plane = Plane::G18;
