@@ -1,6 +1,7 @@
 //! What is different after a run, with words for the names that a program would use.
 
-use super::setup::{settable_name, units_of};
+use super::setup_active::units_of;
+use super::setup_frame::settable_name;
 use super::{message, object};
 use crate::control::Control;
 use crate::control::rotary::is_angle;

@@ -1,7 +1,7 @@
 //! A form at every keystroke: fields, findings, snippet, picture; what the call would do is [`super::predict`].
 
 use super::predict::predict;
-use super::setup::{PlaneName, choose_units, plane};
+use super::setup_active::{PlaneName, choose_units, plane};
 use super::{Error, diagnostic, dialect, message, object, put};
 use crate::SIMULATES;
 use crate::catalogue::{Cycle, MachineSort, Range, Style, names};

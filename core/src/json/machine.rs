@@ -1,6 +1,6 @@
 //! The machine as a form: its data with what they mean, and what was typed written into them.
 
-use super::setup::{UnitsName, units, units_of};
+use super::setup_active::{UnitsName, units, units_of};
 use super::start::{Start, start};
 use super::{Error, dialect, message, object, put};
 use crate::check::Typed;

@@ -1,6 +1,6 @@
 //! Reading, changing and running program text. The page counts in UTF-16 units, the core in bytes.
 
-use super::setup::units_name;
+use super::setup_active::units_name;
 use super::setup_write::plane_name;
 use super::start::start;
 use super::{Error, diagnostic, dialect, dialect_name, message, object, put, style_name, typed};

@@ -1,6 +1,6 @@
 //! A scan of a surface in pieces: asked for once, answered with figures, points and texts.
 
-use super::setup::{PlaneName, choose_units, plane};
+use super::setup_active::{PlaneName, choose_units, plane};
 use super::{Error, dialect, object, setup_surface};
 use crate::catalogue;
 use crate::check::{self, Typed};

@@ -1,16 +1,15 @@
 //! The setup file: machine, probe and part. Its schema is `docs/setup.schema.json`.
 
 use super::Error;
-use super::setup_surface::{self, SurfaceFile};
+use super::setup_active::{ActiveFile, PlaneName, UnitsName, activate, plane, units};
+use super::setup_frame::{EnvironmentFile, FrameFile, environment, place_frame};
+use super::setup_solid::{SolidFile, solid};
 use super::setup_tool::{RealFile, ToolProbeFile};
 use crate::catalogue::Dialect;
-use crate::control::{
-    Control, Edge, Environment, Frame, Limits, Plane, Tool, Transverse, Units, Value, delivery,
-    delivery_in,
-};
+use crate::control::{Control, Edge, Limits, Tool, Value, delivery, delivery_in};
 use crate::run::setup::Setup;
 use crate::workpiece::seen::Turret;
-use crate::workpiece::{PartErrors, Probe, Shape, Solid, Workpiece};
+use crate::workpiece::{Probe, Workpiece};
 use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -68,58 +67,6 @@ struct SetupFile {
 enum ControlName {
     Sinumerik,
     Nct,
-}
-
-#[derive(Clone, Copy, Default, Deserialize)]
-#[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
-pub(super) enum UnitsName {
-    #[default]
-    #[serde(rename = "mm")]
-    Millimetre,
-    #[serde(rename = "inch")]
-    Inch,
-}
-
-/// Working plane.
-#[derive(Clone, Copy, Default, Deserialize)]
-#[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
-pub(super) enum PlaneName {
-    #[default]
-    G17,
-    G18,
-    G19,
-}
-
-/// What is in force at the start.
-#[derive(Clone, Default, Deserialize)]
-#[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
-#[serde(deny_unknown_fields, default)]
-struct ActiveFile {
-    /// T number in the spindle, 0 none.
-    tool: i64,
-    /// D number (NCT: H), 0 none.
-    edge: i64,
-    /// Settable frame, for example `G54`.
-    frame: String,
-    /// G function of units: `G70`, `G71`, `G700`, `G710` (NCT `G20`, `G21`); none: that of the basic system.
-    units: String,
-    /// How positions of X are given.
-    transverse: TransverseName,
-    /// Position of the spindle, degree.
-    spindle: f64,
-    /// Where the rotary axes A B C stand, machine, degree.
-    rotary: [f64; 3],
-}
-
-/// How positions of the transverse axis X of a lathe are given: radii, diameters, diameters where they are absolute.
-#[derive(Clone, Copy, Default, Deserialize)]
-#[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
-#[serde(rename_all = "UPPERCASE")]
-enum TransverseName {
-    #[default]
-    Diamof,
-    Diamon,
-    Diam90,
 }
 
 /// What the machine can do.
@@ -217,54 +164,6 @@ pub(super) struct EdgeFile {
     pub(super) real: Option<RealFile>,
 }
 
-/// A stored tool environment.
-#[derive(Deserialize)]
-#[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
-#[serde(deny_unknown_fields)]
-struct EnvironmentFile {
-    /// T number.
-    tool: i64,
-    /// D number.
-    edge: i64,
-    /// DL number, 0 none.
-    #[serde(default)]
-    location: i64,
-    /// Working plane.
-    #[serde(default)]
-    plane: PlaneName,
-}
-
-/// A frame.
-#[derive(Deserialize)]
-#[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
-#[serde(deny_unknown_fields, rename_all = "camelCase")]
-struct FrameFile {
-    /// Coarse translation X Y Z.
-    coarse: [f64; 3],
-    /// Fine translation X Y Z.
-    #[serde(default)]
-    fine: [f64; 3],
-    /// Rotation about X Y Z (RPY), degree.
-    #[serde(default)]
-    rotation: [f64; 3],
-    /// Coarse translation of the rotary axes A B C, degree.
-    #[serde(default)]
-    rotary: [f64; 3],
-    /// Fine translation of the rotary axes A B C, degree.
-    #[serde(default)]
-    rotary_fine: [f64; 3],
-    /// Scale factors along its own X Y Z; 1: none. Measuring does not work with any other.
-    #[serde(default = "no_scale")]
-    scale: [f64; 3],
-    /// Whether the direction of X Y Z is reversed.
-    #[serde(default)]
-    mirror: [bool; 3],
-}
-
-fn no_scale() -> [f64; 3] {
-    Frame::default().scale
-}
-
 #[derive(Deserialize)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 #[serde(untagged)]
@@ -298,67 +197,6 @@ struct ProbeFile {
     /// Way with the signal watched after which it comes once without contact.
     #[serde(default)]
     false_signal: Option<f64>,
-}
-
-/// A solid.
-#[derive(Deserialize)]
-#[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
-#[serde(deny_unknown_fields)]
-pub(super) struct SolidFile {
-    /// Element.
-    shape: ShapeName,
-    /// hole: diameter, depth; shaft: diameter, height; groove and web: width, depth, length; pocket and island:
-    /// X, Y, depth; block: X, Y, Z; turned: diameter, length, diameter and depth of the bore (0: none); chuck: diameter, length, diameter that it grips; sphere: diameter; outerCorner and innerCorner: angle between the edges in degree,
-    /// lengths of the edge along X and of the other one, depth; surface: none.
-    #[serde(default)]
-    size: Vec<f64>,
-    /// What a surface looks like, of this shape only.
-    #[serde(default)]
-    surface: Option<SurfaceFile>,
-    /// Centre of the element at its upper face, of a sphere its centre, of a corner the corner, machine coordinates X Y Z.
-    at: [f64; 3],
-    /// Orientation about X Y Z (RPY), degree.
-    #[serde(default)]
-    rotation: [f64; 3],
-    /// What is wrong with it.
-    #[serde(default)]
-    errors: ErrorsFile,
-}
-
-#[derive(Clone, Copy, Debug, Deserialize)]
-#[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
-#[serde(rename_all = "camelCase")]
-enum ShapeName {
-    Hole,
-    Shaft,
-    Groove,
-    Web,
-    Pocket,
-    Island,
-    Block,
-    Turned,
-    Chuck,
-    Sphere,
-    OuterCorner,
-    InnerCorner,
-    Surface,
-}
-
-/// Errors of a solid. All zero: none.
-#[derive(Default, Deserialize)]
-#[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
-#[serde(deny_unknown_fields, rename_all = "camelCase", default)]
-struct ErrorsFile {
-    /// Displacement X Y Z, machine axes.
-    shift: [f64; 3],
-    /// Added to every diameter, width and length.
-    size: f64,
-    /// Turned about X Y Z about the origin of the solid, degree.
-    tilt: [f64; 3],
-    /// Growth of the diameter per mm of depth.
-    taper: f64,
-    /// Amplitude of the radius, number of lobes.
-    out_of_round: (f64, u32),
 }
 
 /// JSON Schema of the setup file. `Serialize` writes the default values into it.
@@ -436,87 +274,6 @@ pub(super) fn read_data(control: &mut Control, data: BTreeMap<String, DatumFile>
     }
 }
 
-fn environment(file: &EnvironmentFile) -> Environment {
-    Environment {
-        tool: file.tool,
-        edge: file.edge,
-        location: file.location,
-        plane: plane(file.plane),
-    }
-}
-
-fn activate(control: &mut Control, file: &ActiveFile) -> Result<(), Error> {
-    control.tool = file.tool;
-    control.edge = file.edge;
-    control.transverse = transverse(file.transverse);
-    control.spindle = file.spindle;
-    control.rotary = file.rotary;
-    if !file.frame.is_empty() {
-        let unknown = || Error::Unknown {
-            what: "frame",
-            name: file.frame.clone(),
-        };
-        control.settable = settable(control, &file.frame).ok_or_else(unknown)?;
-    }
-    control.activate(control.settable);
-    if !file.units.is_empty() {
-        choose_units(control, &file.units)?;
-    }
-    Ok(())
-}
-
-/// Makes a G function of units the one in force, by its name: `G70`.
-pub(super) fn choose_units(control: &mut Control, name: &str) -> Result<(), Error> {
-    let number = name
-        .strip_prefix('G')
-        .and_then(|digits| digits.parse().ok());
-    if number.is_some_and(|number| control.choose_units(number)) {
-        return Ok(());
-    }
-    Err(Error::Unknown {
-        what: "G function of units",
-        name: name.to_owned(),
-    })
-}
-
-/// Name of a G function of units, see [`choose_units`].
-pub(super) fn units_name(number: u16) -> String {
-    format!("G{number}")
-}
-
-/// The basic system with this name.
-pub(super) fn units(name: UnitsName) -> Units {
-    match name {
-        UnitsName::Millimetre => Units::Metric,
-        UnitsName::Inch => Units::Inch,
-    }
-}
-
-/// Name of a basic system.
-pub(super) fn units_of(basic: Units) -> &'static str {
-    match basic {
-        Units::Metric => "mm",
-        Units::Inch => "inch",
-    }
-}
-
-/// The plane with this name.
-pub(super) fn plane(name: PlaneName) -> Plane {
-    match name {
-        PlaneName::G17 => Plane::G17,
-        PlaneName::G18 => Plane::G18,
-        PlaneName::G19 => Plane::G19,
-    }
-}
-
-fn transverse(name: TransverseName) -> Transverse {
-    match name {
-        TransverseName::Diamof => Transverse::Radius,
-        TransverseName::Diamon => Transverse::Diameter,
-        TransverseName::Diam90 => Transverse::AbsoluteDiameter,
-    }
-}
-
 fn read_tool(file: ToolFile) -> Tool {
     let mut tool = Tool {
         name: file.name,
@@ -552,142 +309,4 @@ fn read_probe(file: &ProbeFile) -> Probe {
         repeatability: file.repeatability,
         false_signal: file.false_signal,
     }
-}
-
-fn place_frame(control: &mut Control, name: &str, file: &FrameFile) -> Result<(), Error> {
-    let frame = Frame {
-        coarse: file.coarse,
-        fine: file.fine,
-        rotation: file.rotation,
-        rotary: file.rotary,
-        rotary_fine: file.rotary_fine,
-        scale: file.scale,
-        mirror: file.mirror,
-    };
-    let unknown = || Error::Unknown {
-        what: "frame",
-        name: name.to_owned(),
-    };
-    let index = |prefix: &str| -> Option<usize> {
-        name.strip_prefix(prefix)?.strip_suffix(']')?.parse().ok()
-    };
-    if name == "$P_SETFR" {
-        control.system = frame;
-    } else if let Some(number) = index("$P_CHBFR[") {
-        control.channel_basic.insert(number, frame);
-    } else if let Some(number) = index("$P_NCBFR[") {
-        control.global_basic.insert(number, frame);
-    } else {
-        control
-            .frames
-            .insert(settable(control, name).ok_or_else(unknown)?, frame);
-    }
-    Ok(())
-}
-
-/// Number of a settable frame by its name: G54..G57 1..4, G505..G599 5..99; NCT G54..G59 1..6 and `COMMON` 0.
-fn settable(control: &Control, name: &str) -> Option<usize> {
-    let number: usize = if name == "COMMON" {
-        0
-    } else {
-        name.strip_prefix('G')?.parse().ok()?
-    };
-    match (control.dialect, number) {
-        (_, 0) => Some(0),
-        (Dialect::Nct, 54..=59) | (_, 54..=57) => Some(number - 53),
-        (Dialect::Sinumerik, 500..=599) => Some(number - 500),
-        _ => None,
-    }
-}
-
-/// Name of a settable frame, see [`settable`].
-pub(super) fn settable_name(control: &Control, number: usize) -> String {
-    match (control.dialect, number) {
-        (Dialect::Nct, 0) => "COMMON".to_owned(),
-        (Dialect::Sinumerik, 0) => "G500".to_owned(),
-        (Dialect::Nct, _) | (_, 1..=4) => format!("G{}", number + 53),
-        _ => format!("G{}", number + 500),
-    }
-}
-
-pub(super) fn solid(file: SolidFile) -> Result<Solid, Error> {
-    let shape = match (file.shape, file.surface) {
-        (ShapeName::Surface, Some(surface)) if file.size.is_empty() => {
-            setup_surface::shape(surface)?
-        }
-        (ShapeName::Surface, _) | (_, Some(_)) => {
-            return Err(Error::Unknown {
-                what: "shape",
-                name: format!("{:?} with {} sizes", file.shape, file.size.len()),
-            });
-        }
-        (shape, None) => sized(shape, &file.size)?,
-    };
-    let errors = PartErrors {
-        shift: file.errors.shift,
-        size: file.errors.size,
-        tilt: file.errors.tilt,
-        taper: file.errors.taper,
-        out_of_round: file.errors.out_of_round,
-    };
-    Ok(Solid {
-        shape,
-        at: file.at,
-        rotation: file.rotation,
-        errors,
-    })
-}
-
-/// A shape that its sizes tell.
-fn sized(shape: ShapeName, size: &[f64]) -> Result<Shape, Error> {
-    Ok(match (shape, size) {
-        (ShapeName::Hole, &[diameter, depth]) => Shape::Hole { diameter, depth },
-        (ShapeName::Shaft, &[diameter, height]) => Shape::Shaft { diameter, height },
-        (ShapeName::Groove, &[width, depth, length]) => Shape::Groove {
-            width,
-            depth,
-            length,
-        },
-        (ShapeName::Web, &[width, height, length]) => Shape::Web {
-            width,
-            height,
-            length,
-        },
-        (ShapeName::Pocket, &[x, y, depth]) => Shape::Pocket {
-            length: [x, y],
-            depth,
-        },
-        (ShapeName::Island, &[x, y, height]) => Shape::Island {
-            length: [x, y],
-            height,
-        },
-        (ShapeName::Block, &[x, y, z]) => Shape::Block { size: [x, y, z] },
-        (ShapeName::OuterCorner, &[angle, x, y, height]) => Shape::OuterCorner {
-            angle,
-            length: [x, y],
-            height,
-        },
-        (ShapeName::InnerCorner, &[angle, x, y, depth]) => Shape::InnerCorner {
-            angle,
-            length: [x, y],
-            depth,
-        },
-        (ShapeName::Turned, &[diameter, length, bore, depth]) => Shape::Turned {
-            diameter,
-            length,
-            bore: [bore, depth],
-        },
-        (ShapeName::Chuck, &[diameter, length, grip]) => Shape::Chuck {
-            diameter,
-            length,
-            grip,
-        },
-        (ShapeName::Sphere, &[diameter]) => Shape::Sphere { diameter },
-        (shape, size) => {
-            return Err(Error::Unknown {
-                what: "shape",
-                name: format!("{shape:?} with {} sizes", size.len()),
-            });
-        }
-    })
 }

@@ -43,7 +43,7 @@ pub(super) fn check(setup: &Setup) -> Result<(), Error> {
 
 fn control(control: &Control) -> Result<(), Error> {
     for (number, frame) in &control.frames {
-        self::frame(&super::setup::settable_name(control, *number), frame)?;
+        self::frame(&super::setup_frame::settable_name(control, *number), frame)?;
     }
     for (store, frames) in [
         ("$P_CHBFR", &control.channel_basic),

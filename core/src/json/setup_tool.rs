@@ -1,7 +1,8 @@
 //! Tool probes and tools as they really are in the setup file, read and written.
 
-use super::setup::{SolidFile, ToolFile, solid};
+use super::setup::ToolFile;
 use super::setup_limits::{bound, small, solid as limits};
+use super::setup_solid::{SolidFile, solid};
 use super::{Error, object, setup_write};
 use crate::run::Setup;
 use crate::workpiece::Shape;

@@ -1,6 +1,7 @@
 //! Writes the setup file, member by member as `setup` reads it; a test holds that it reads back to the same setup.
 
-use super::setup::{settable_name, units_name, units_of};
+use super::setup_active::{units_name, units_of};
+use super::setup_frame::settable_name;
 use super::{dialect_name, object, put, setup_surface, setup_tool};
 use crate::control::{Control, Edge, Frame, Plane, Tool, Transverse, Value as Datum, delivery};
 use crate::run::setup::Setup;

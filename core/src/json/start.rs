@@ -1,9 +1,8 @@
 //! The machine of a request: the core's own, or one that the user described.
 
 use super::Error;
-use super::setup::{
-    DatumFile, PlaneName, UnitsName, choose_units, from_value, plane, read_data, units,
-};
+use super::setup::{DatumFile, from_value, read_data};
+use super::setup_active::{PlaneName, UnitsName, choose_units, plane, units};
 use crate::SIMULATES;
 use crate::catalogue::Dialect;
 use crate::run::setup::Setup;

@@ -1,6 +1,6 @@
 //! Outcome and trace as JSON.
 
-use super::setup::settable_name;
+use super::setup_frame::settable_name;
 use super::setup_write::solids;
 use super::{code, message, object, put, trace_tool, trace_turned};
 use crate::check::{Inputs, unit_name};
