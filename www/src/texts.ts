@@ -87,8 +87,16 @@ function pattern(bundle: FluentBundle, key: string) {
   return attribute ? message?.attributes[attribute] : message?.value;
 }
 
-function find(key: string, args: Record<string, number | string>, within: readonly string[] = order): string | null {
+type Args = Record<string, number | string>;
+const NONE: Args = {};
+/** Texts without arguments by language and key: what a bundle once says it says for good, and most of a page is that. */
+const fixed = new Map<string, string>();
+
+function find(key: string, args: Args, within: readonly string[] = order): string | null {
   for (const language of within) {
+    const place = `${language} ${key}`;
+    const known = args === NONE ? fixed.get(place) : undefined;
+    if (known !== undefined) return known;
     const bundle = bundles.get(language);
     const found = bundle && pattern(bundle, key);
     if (!bundle || !found) continue;
@@ -96,6 +104,7 @@ function find(key: string, args: Record<string, number | string>, within: readon
     const given = Object.fromEntries(Object.entries(args).map(([name, value]) => [name, argument(value)]));
     const text = bundle.formatPattern(found, given, problems);
     for (const problem of problems) note(`${key}: ${problem.message}`);
+    if (args === NONE && problems.length === 0) fixed.set(place, text);
     return text;
   }
   return null;
@@ -108,7 +117,7 @@ function note(what: string): void {
 }
 
 /** The text of a key; a key without text shows itself and is logged once. */
-export function t(key: string, args: Record<string, number | string> = {}): string {
+export function t(key: string, args: Args = NONE): string {
   const text = find(key, args);
   if (text !== null) return text;
   if (!complete) return ""; // still on its way; the page is drawn again when it has come
@@ -118,20 +127,22 @@ export function t(key: string, args: Record<string, number | string> = {}): stri
 
 /** The text of a key that may be left out. */
 export function optional(key: string): string {
-  return find(key, {}) ?? "";
+  return find(key, NONE) ?? "";
 }
 
 /** The English text of a key, for those who look something up by its English name. */
 export function inEnglish(key: string): string {
-  return find(key, {}, [FALLBACK]) ?? "";
+  return find(key, NONE, [FALLBACK]) ?? "";
 }
 
 /** What the core says. An argument that is itself a key is put into words first. */
 export function say(message: Message): string {
-  const args = Object.fromEntries(Object.entries(message.args ?? {}).map(([name, value]) => [name, typeof value === "string" ? spoken(value) : value]));
+  const given = Object.entries(message.args ?? {});
+  if (given.length === 0) return t(message.key);
+  const args = Object.fromEntries(given.map(([name, value]) => [name, typeof value === "string" ? spoken(value) : value]));
   return t(message.key, args);
 }
 
 function spoken(value: string): string {
-  return /^[a-z][a-z0-9]*(-[a-z0-9]+)+(\.[a-z]+)?$/.test(value) ? find(value, {}) ?? value : value;
+  return /^[a-z][a-z0-9]*(-[a-z0-9]+)+(\.[a-z]+)?$/.test(value) ? find(value, NONE) ?? value : value;
 }

@@ -15,9 +15,10 @@ function present(trace: Trace | null): Kind[] {
   return KINDS.filter((kind) => found.has(kind));
 }
 
+const strokeOf = (kind: Kind, colours: Colours): string => colours[kind === "limit" ? "crash" : kind];
+
 /** Drawn as the view draws it. */
-function sample(kind: Kind, colours: Colours): SVGElement {
-  const stroke = colours[kind === "limit" ? "crash" : kind];
+function sample(kind: Kind, stroke: string): SVGElement {
   const line = (width: number, dash: string | null = null): SVGElement => svg("path", { d: "M1 4H25", stroke, "stroke-width": width, "stroke-dasharray": dash });
   const mark: Record<Kind, () => SVGElement[]> = {
     measuring: () => [line(3.5)],
@@ -36,7 +37,7 @@ export function createLegend(): { root: HTMLElement; draw(trace: Trace | null, c
   const root = el("ul", { class: "legend", "aria-label": t("legend") });
   return {
     root,
-    draw: (trace, colours) => keyed(root, present(trace), (kind) => kind, () => el("li", {}, el("span", {})), (node, kind) =>
-      node.replaceChildren(sample(kind, colours), t(`legend-${kind}`))),
+    draw: (trace, colours) => keyed(root, present(trace), (kind) => `${kind} ${strokeOf(kind, colours)}`, (kind) =>
+      el("li", {}, sample(kind, strokeOf(kind, colours)), t(`legend-${kind}`)), () => undefined),
   };
 }
