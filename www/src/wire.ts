@@ -253,6 +253,7 @@ export interface CallView {
   values: Record<string, string>;      // as the form wants them
   plane: Plane; units: UnitFunction;   // in force at the call
   diagnostics: Diagnostic[];
+  arrivals: Diagnostic[];              // notes at the values that come from other programs of the text, or differ by the way to the call
 }
 // change({control, text, call: index, name, value}) -> Edit[]; the only bytes that change
 export interface Edit { from: number; to: number; insert: string }

@@ -2,11 +2,12 @@
 
 advice-insert = Insert { $text } before it
 advice-insert-behind = Insert { $text } behind it
+advice-insert-around = Insert { $before } before it and { $behind } behind it
 advice-write = Write { $name }={ $value } for this call
 
 advice-compensation = Tool radius compensation is on ({ $word }).
 advice-compensation-hint = The cycle has to be called with G40.
-advice-compensation-open = G40 is not programmed before this call, and elsewhere the program switches tool radius compensation on: run again from here, it may still be active.
+advice-compensation-open = G40 is not programmed before this call, and the program ends with tool radius compensation on: when it is run again, it may still be active.
 advice-plane = No working plane is programmed before this call: the machine's reset state decides in which axes is measured.
 advice-plane-hint = Program the plane, for example { $plane }.
 advice-diameter = Neither DIAMON nor DIAMOF is programmed before this call: the machine's reset state decides whether values of the transverse axis are diameters.
@@ -36,6 +37,13 @@ advice-frame-hint = Program { $frame } again behind the call.
 advice-frame-other-hint = Program { $frame } behind the call.
 advice-overwritten = { $name } may have another value at the call: the program called in line { $line } writes it too.
 advice-overwritten-hint = Write { $name } behind that call.
+advice-outside = Not in this text: { $names }. What they leave is not known.
+advice-outside-hint = Put them into one text with this program, and the calls behind them are judged too.
+arrives = Written in line { $lines }.
+arrives-hint = A change here changes it there.
+arrives-shared-hint = Other calls take it from there too: a change here is written for this call.
+arrives-differing = Differs by the way to this call: { $values }.
+arrives-differing-hint = A change here would count for all of them. Change it where it is written; the line stands in brackets.
 advice-level = The call stands on program level { $level }; measuring cycles run on the first five.
 advice-level-hint = Call it from a program nearer to the main program.
 

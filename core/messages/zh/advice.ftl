@@ -2,11 +2,12 @@
 
 advice-insert = 在前面插入 { $text }
 advice-insert-behind = 在后面插入 { $text }
+advice-insert-around = 在前面插入 { $before }，在后面插入 { $behind }
 advice-write = 为此调用写 { $name }={ $value }
 
 advice-compensation = 刀具半径补偿有效（{ $word }）。
 advice-compensation-hint = 调用循环时必须为 G40。
-advice-compensation-open = 此调用之前没有编程 G40，而程序在别处接通刀具半径补偿：从此处再次运行时补偿可能仍然有效。
+advice-compensation-open = 此调用之前没有编程 G40，而程序结束时刀具半径补偿仍接通：再次运行时补偿可能仍然有效。
 advice-plane = 此调用之前没有编程工作平面：在哪些轴上测量由机床的复位状态决定。
 advice-plane-hint = 请编程平面，例如 { $plane }。
 advice-diameter = 此调用之前没有编程 DIAMON 或 DIAMOF：横向轴的值是否为直径由机床的复位状态决定。
@@ -36,6 +37,13 @@ advice-frame-hint = 请在调用之后再次编程 { $frame }。
 advice-frame-other-hint = 请在调用之后编程 { $frame }。
 advice-overwritten = { $name } 在调用时可能已是另一个值：第 { $line } 行调用的程序也写入它。
 advice-overwritten-hint = 请在该调用之后写出 { $name }。
+advice-outside = 此文本中没有：{ $names }。它们留下的状态未知。
+advice-outside-hint = 请把它们与此程序放在同一文本中，这样也能检查其后的调用。
+arrives = 写在第 { $lines } 行。
+arrives-hint = 在此修改即修改那里的值。
+arrives-shared-hint = 其他调用也使用那里的值：在此修改只为此调用写入新值。
+arrives-differing = 随到达此调用的路径而不同：{ $values }。
+arrives-differing-hint = 在此修改会对所有路径有效。请在写出该值的地方修改；括号中为行号。
 advice-level = 调用位于第 { $level } 程序级；测量循环只能在前五级运行。
 advice-level-hint = 请在更接近主程序的程序中调用。
 

@@ -108,6 +108,10 @@ fn call(program: &Program, site: &CallSite, positions: &Positions) -> Value {
         ("plane", plane_name(site.plane).into()),
         ("units", units_name(site.unit_function).into()),
         ("diagnostics", findings(&site.diagnostics, positions).into()),
+        (
+            "arrivals",
+            findings(&program::arrivals(program, site), positions).into(),
+        ),
     ])
 }
 

@@ -162,12 +162,8 @@ pub(super) fn given(
             let text = cycle
                 .param(name)
                 .is_some_and(|param| matches!(param.kind, Kind::Text(_)));
-            Value {
-                text: if text { String::new() } else { "0".to_owned() },
-                place: span,
-                number: (!text).then_some(0.0),
-                shared: false,
-            }
+            let nothing = if text { "" } else { "0" };
+            Value::at(nothing.to_owned(), (!text).then_some(0.0), span)
         };
         let value = at(index).cloned().map(|value| match arg {
             Arg::Down(_) => value.opposite(),
@@ -178,12 +174,7 @@ pub(super) fn given(
     }
     let number = |index| at(index).map_or(Some(0.0), |value| value.number);
     if let Some((name, variant)) = list.composed(cycle, number) {
-        let value = Value {
-            text: variant.to_string(),
-            place: span,
-            number: Some(variant as f64),
-            shared: false,
-        };
+        let value = Value::at(variant.to_string(), Some(variant as f64), span);
         found.push((name, value));
     }
     found

@@ -1,20 +1,26 @@
-//! The measuring calls of a program, each with the values that count at it.
+//! The measuring calls of a program, each with the values that arrive there: along the calls of subprograms, past
+//! branches, through loops.
 
 mod data;
+mod listed;
+mod macros;
+mod site;
+mod subprograms;
 
-use super::arguments;
 use super::block::BETWEEN;
-use super::flow::Way;
-use super::fold::{self, Known};
-use super::tools::Tools;
-use super::tree::{Block, Expr, ExprId, Program, Word, WordKind};
-use super::values::{self, Value};
-use crate::catalogue::{self, Arg, ArgumentList, Cycle, Dialect, Style, list, nct};
-use crate::check::{Typed, check};
+use super::flow::{Entry, Follow, Forces, State, follow};
+use super::fold;
+use super::held::{ALTERNATIVES, Names, Numbers, Values};
+use super::tools::{ToolInUse, Tools};
+use super::tree::{Program, Word, WordKind};
+use crate::catalogue::{ArgumentList, Cycle, Dialect};
+use crate::check::Typed;
 use crate::control::{Control, Plane, delivery};
 use crate::diagnostic::{Diagnostic, Span};
-use crate::support::BITS;
+use crate::run::programs::programs;
+use site::Found;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
+use subprograms::Subprograms;
 
 /// A measuring call. Lines count from 0.
 pub struct CallSite {
@@ -26,26 +32,89 @@ pub struct CallSite {
     pub first_line: u32,
     /// The call itself.
     pub span: Span,
-    /// Values as a form takes them; a value that is known at run time only is its expression.
+    /// Values as a form takes them; a value that is known at run time only is its expression, and one that differs by
+    /// the way to the call the name of the parameter.
     pub values: Typed,
-    /// Place of each value, its newest assignment. Values of earlier calls count until they are overwritten.
+    /// Place of each value, its newest assignment. Values of earlier calls count until they are overwritten. None where
+    /// several assignments come here.
     pub places: BTreeMap<&'static str, Span>,
+    /// Where the values were written that come from other programs of the text, or on more ways than one.
+    pub origins: BTreeMap<&'static str, Vec<Origin>>,
     /// Parameters whose place gives a value to others too (`REP`), so that it cannot be changed for one of them.
     pub shared: BTreeSet<&'static str>,
     /// The argument list that was called; none: the bare name, or a block of addresses.
     pub list: Option<&'static ArgumentList>,
     /// Places before this byte belong to an earlier call as well.
     pub own_from: u32,
+    /// End of the last call of a program of the text before this one; it may write values anew.
+    pub behind: u32,
     /// Bits that the control's own support writes with a call, as the program has set them: name, value as text, place.
     pub bits: Vec<(&'static str, String, Span)>,
     /// Working plane at the call.
     pub plane: Plane,
     /// Number of the G function of units in force at the call: 70, 71, 700, 710 (NCT 20, 21).
     pub unit_function: u16,
-    /// The ways on which a program comes to it that differ in what is in force.
+    /// The ways on which a program comes to it that differ in what is in force, or in values.
     pub ways: Vec<Way>,
+    /// Assignments for this call that do not reach it, since a called program writes the same: name, place, that call.
+    pub overwritten: Vec<(&'static str, Span, Span)>,
     /// Findings with their places.
     pub diagnostics: Vec<Diagnostic>,
+}
+
+impl CallSite {
+    /// The place of a value that is written for this call, and for nothing else with it.
+    pub fn own_place(&self, name: &str) -> Option<Span> {
+        let shared = self.shared.contains(name);
+        self.place_of_its_own(name).filter(|_| !shared)
+    }
+
+    /// The place of a value that is written for this call, in the same program.
+    pub fn place_of_its_own(&self, name: &str) -> Option<Span> {
+        let place = *self.places.get(name)?;
+        let own = place.start >= self.own_from;
+        (own && !self.is_foreign(name, place)).then_some(place)
+    }
+
+    /// Whether a value is written in another program of the text.
+    fn is_foreign(&self, name: &str, place: Span) -> bool {
+        let origins = self.origins.get(name).into_iter().flatten();
+        origins.into_iter().any(|origin| origin.place == place)
+    }
+
+    /// Whether a value depends on the way to the call, or comes from more places than are known.
+    pub fn differs(&self, name: &str) -> bool {
+        let Some((first, rest)) = self.origins.get(name).and_then(|all| all.split_first()) else {
+            return false;
+        };
+        rest.len() + 1 >= ALTERNATIVES || rest.iter().any(|other| other.text != first.text)
+    }
+}
+
+/// A value that comes to a call from somewhere else.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Origin {
+    /// As a form takes it.
+    pub text: String,
+    /// Where it is written.
+    pub place: Span,
+    /// It is the argument of a call.
+    pub argument: bool,
+    /// No other measuring call takes it before.
+    pub own: bool,
+}
+
+/// A way to a call.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Way {
+    /// Its place among all ways of the program, in the order of the run.
+    pub order: usize,
+    /// What is in force at the call.
+    pub state: State,
+    /// Tool in use, where program and machine tell its type.
+    pub tool: Option<ToolInUse>,
+    /// The values on this way.
+    pub values: Typed,
 }
 
 /// Every measuring call, in the order of the text; also those that are skipped or jumped over. The control is a
@@ -61,308 +130,109 @@ pub fn calls_on(program: &Program, control: Control) -> Vec<CallSite> {
 
 /// The same, telling from time to time which share of the program is looked through.
 pub fn calls_told(program: &Program, control: Control, told: &mut dyn FnMut(f64)) -> Vec<CallSite> {
+    let programs = programs(program);
     let mut walk = Walk {
         program,
-        known: Known::new(),
+        forces: Forces::of(program),
+        around: Subprograms::of(program, &programs),
+        names: Names::default(),
         unsteady: fold::unsteady(program),
-        newest: HashMap::new(),
         arrays: HashMap::new(),
-        own_from: 0,
-        tools: Tools::of(program, &control),
+        tools: Tools::of(&control),
         control,
-        found: Vec::new(),
+        found: Found::default(),
+        passed: 0,
+        told,
     };
-    for (line, block) in program.blocks.iter().enumerate() {
-        for word in program.words_of(block) {
-            walk.word(line as u32, block, word);
-        }
-        if line % BETWEEN == BETWEEN - 1 {
-            told(line as f64 / program.blocks.len() as f64);
-        }
+    let mut begin = Place::default();
+    match program.dialect {
+        Dialect::Sinumerik => follow(program, &programs, &mut walk, &begin),
+        Dialect::Nct => walk.macros(&mut begin),
     }
-    walk.found
+    walk.finished()
+}
+
+/// What holds at a place of the program.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct Place {
+    force: State,
+    values: Values,
 }
 
 struct Walk<'a> {
     program: &'a Program,
-    known: Known,
+    forces: Forces<'a>,
+    around: Subprograms<'a>,
+    names: Names,
     /// Variables whose number depends on the way through the program.
     unsteady: HashMap<String, u32>,
-    /// Newest value of every variable with its line.
-    newest: HashMap<String, (Value, u32)>,
     /// Arrays that the program declares, with their sizes.
     arrays: HashMap<String, Vec<usize>>,
-    own_from: u32,
     tools: Tools,
     control: Control,
-    found: Vec<CallSite>,
+    found: Found,
+    /// Blocks that were passed.
+    passed: usize,
+    told: &'a mut dyn FnMut(f64),
+}
+
+impl Follow for Walk<'_> {
+    type State = Place;
+
+    fn block(&mut self, place: &mut Place, words: &[Word]) {
+        self.pass();
+        self.data(place, words);
+        let numbers = Numbers {
+            names: &self.names,
+            values: &place.values,
+        };
+        self.forces.block(&mut place.force, words, &numbers);
+    }
+
+    fn call(&mut self, place: &mut Place, word: &Word) {
+        if let WordKind::Call { name, args, .. } = &word.kind {
+            let start = self.program.text(*name).get(..5);
+            if start.is_some_and(|start| start.eq_ignore_ascii_case(b"CYCLE")) {
+                self.cycle(place, word.span, *name, args);
+            }
+        }
+    }
+
+    fn elsewhere(&self, place: &mut Place) {
+        place.force = State::elsewhere();
+    }
+
+    fn meet(&self, one: &Place, other: &Place) -> Place {
+        Place {
+            force: one.force.meet(&other.force),
+            values: one.values.meet(&other.values),
+        }
+    }
+
+    fn enter(&mut self, place: &Place, entry: &Entry) -> Place {
+        self.entered(place, entry)
+    }
+
+    fn leave(
+        &mut self,
+        caller: &Place,
+        way: (&Place, &Place),
+        entry: &Entry,
+        saves: bool,
+    ) -> Place {
+        self.left(caller, way, entry, saves)
+    }
+
+    fn end(&mut self, _: &Place) {}
 }
 
 impl Walk<'_> {
-    fn word(&mut self, line: u32, block: &Block, word: &Word) {
-        match &word.kind {
-            WordKind::Assign {
-                name,
-                index,
-                value_span,
-                value,
-            } => {
-                if let Some(name) = fold::name(self.program, *name, index, &self.known) {
-                    self.write(name, *value, *value_span, line);
-                }
-            }
-            WordKind::Declare { name, index, value } => self.declare(*name, index, *value, line),
-            WordKind::Call { name, args, .. } => {
-                let start = self.program.text(*name).get(..5);
-                if start.is_some_and(|start| start.eq_ignore_ascii_case(b"CYCLE")) {
-                    self.call(line, word.span, *name, args);
-                }
-            }
-            WordKind::Address { name, value, .. } if self.program.is(*name, "G") => {
-                if let Some(Expr::Number(number, _)) = self.program.expr(*value) {
-                    modal(&mut self.control, *number);
-                    if let Some((cycle, span)) = self.macro_call(*number, block, word.span) {
-                        self.nct(cycle, line, block, span);
-                    }
-                }
-            }
-            _ => {}
+    /// Tells from time to time how far it is; what is passed again is not counted anew.
+    fn pass(&mut self) {
+        self.passed += 1;
+        let all = self.program.blocks.len();
+        if self.passed.is_multiple_of(BETWEEN) && self.passed < all {
+            (self.told)(self.passed as f64 / all as f64);
         }
-    }
-
-    /// The NCT macro that a G function calls: by its own number, or G65 by the program number at P (C:58). With the
-    /// place of the words that name it.
-    fn macro_call(&self, code: f64, block: &Block, span: Span) -> Option<(&'static Cycle, Span)> {
-        if self.program.dialect != Dialect::Nct {
-            return None;
-        }
-        if code != 65.0 {
-            return Some((self.cycle(&format!("G{code}"))?, span));
-        }
-        let words = self.program.words_of(block).iter();
-        let (place, number) = words.into_iter().find_map(|word| match &word.kind {
-            WordKind::Address { name, value, .. } if self.program.is(*name, "P") => {
-                Some((word.span, fold::number(self.program, *value, &self.known)?))
-            }
-            _ => None,
-        })?;
-        let named = Span {
-            start: span.start.min(place.start),
-            end: span.end.max(place.end),
-        };
-        Some((nct::by_program(number)?, named))
-    }
-
-    /// A call of any cycle. Each may read the same data, so what stands before it is not the next call's own.
-    fn call(&mut self, line: u32, span: Span, name: Span, args: &[Option<ExprId>]) {
-        let name = self.program.name(name);
-        let arguments: Vec<Option<Value>> = arguments::places(self.program, span)
-            .into_iter()
-            .enumerate()
-            .map(|(index, place)| {
-                let id = args.get(index).copied().flatten()?;
-                Some(values::value(self.program, id, place, &self.known))
-            })
-            .collect();
-        if name == list::AUXILIARY {
-            return self.auxiliary(line, arguments);
-        }
-        let number = |index: usize| arguments.get(index)?.as_ref()?.number;
-        let listed = (!arguments.is_empty())
-            .then(|| list::called(self.program.dialect, &name, number))
-            .flatten();
-        if let Some((cycle, list)) = listed {
-            self.listed(cycle, list, line, span, &arguments);
-        } else if let Some(cycle) = self.cycle(&name) {
-            self.sinumerik(cycle, line, span, None);
-        }
-        self.own_from = span.end;
-    }
-
-    /// `CYCLE_PARA`: what is not 0 goes into the data (B:11734).
-    fn auxiliary(&mut self, line: u32, arguments: Vec<Option<Value>>) {
-        for (name, value) in list::AUXILIARY_ARGS.iter().zip(arguments) {
-            if let Some(value) = value.filter(|value| value.number != Some(0.0)) {
-                self.assign((*name).to_owned(), value, line);
-            }
-        }
-    }
-
-    fn listed(
-        &mut self,
-        cycle: &'static Cycle,
-        list: &'static ArgumentList,
-        line: u32,
-        span: Span,
-        arguments: &[Option<Value>],
-    ) {
-        let mut values = arguments::given(cycle, list, span, arguments);
-        if list.style == Style::Indirect {
-            // The called program puts every argument into the data, also those that are omitted.
-            for (name, value) in values {
-                self.assign(name.to_owned(), value, line);
-            }
-            return self.sinumerik(cycle, line, span, Some(list));
-        }
-        for (arg, value) in list.args.iter().zip(arguments) {
-            if let (Arg::Variable(array), Some(value)) = (arg, value) {
-                self.elements_of(cycle, array, &value.text.to_ascii_uppercase(), &mut values);
-            }
-        }
-        if list.style == Style::Direct {
-            let beside = cycle.params.iter().filter(|param| !list.gives(param.name));
-            let assigned =
-                beside.filter_map(|param| Some((param.name, self.newest.get(param.name)?)));
-            values.extend(assigned.map(|(name, (value, _))| (name, value.clone())));
-        }
-        let mut site = self.site(cycle, line, span);
-        site.list = Some(list);
-        for (name, value) in values
-            .into_iter()
-            .filter(|(_, value)| !value.text.is_empty())
-        {
-            if value.place.start >= self.own_from {
-                let assigned = self.program.line_of(value.place.start);
-                site.first_line = site.first_line.min(assigned);
-            }
-            site.values.insert(name.into(), value.text);
-            site.places.insert(name, value.place);
-        }
-        self.finish(site);
-    }
-
-    /// The parameters that are elements of a variable of the program.
-    fn elements_of(
-        &self,
-        cycle: &'static Cycle,
-        array: &str,
-        variable: &str,
-        found: &mut Vec<(&'static str, Value)>,
-    ) {
-        for param in cycle.params {
-            let element = param
-                .name
-                .strip_prefix(array)
-                .filter(|rest| rest.starts_with('['));
-            let value = element.and_then(|rest| self.newest.get(&format!("{variable}{rest}")));
-            found.extend(value.map(|(value, _)| (param.name, value.clone())));
-        }
-    }
-
-    fn cycle(&self, name: &str) -> Option<&'static Cycle> {
-        catalogue::find(self.program.dialect, name)
-    }
-
-    fn sinumerik(
-        &mut self,
-        cycle: &'static Cycle,
-        line: u32,
-        span: Span,
-        list: Option<&'static ArgumentList>,
-    ) {
-        let mut site = self.site(cycle, line, span);
-        site.list = list;
-        for param in cycle.params {
-            if let Some((value, assigned)) = self.newest.get(param.name) {
-                site.values.insert(param.name.into(), value.text.clone());
-                site.places.insert(param.name, value.place);
-                if value.shared {
-                    site.shared.insert(param.name);
-                }
-                if value.place.start >= self.own_from {
-                    site.first_line = site.first_line.min(*assigned);
-                }
-            }
-        }
-        self.finish(site);
-    }
-
-    /// The addresses of the block are the values.
-    fn nct(&mut self, cycle: &'static Cycle, line: u32, block: &Block, span: Span) {
-        let mut site = self.site(cycle, line, span);
-        site.own_from = block.span.start;
-        for word in self.program.words_of(block) {
-            let WordKind::Address { name, value, .. } = &word.kind else {
-                continue;
-            };
-            let Some(param) = cycle
-                .params
-                .iter()
-                .find(|param| self.program.is(*name, param.name))
-            else {
-                continue;
-            };
-            let place = Span {
-                start: name.end,
-                end: word.span.end,
-            };
-            let value = values::value(self.program, *value, place, &self.known);
-            site.values.insert(param.name.into(), value.text);
-            site.places.insert(param.name, value.place);
-        }
-        self.finish(site);
-    }
-
-    fn site(&self, cycle: &'static Cycle, line: u32, span: Span) -> CallSite {
-        CallSite {
-            cycle,
-            line,
-            first_line: line,
-            span,
-            values: Typed::new(),
-            places: BTreeMap::new(),
-            shared: BTreeSet::new(),
-            list: None,
-            own_from: self.own_from,
-            bits: self.bits(),
-            plane: self.control.plane,
-            unit_function: self.control.unit_function(),
-            ways: Vec::new(),
-            diagnostics: Vec::new(),
-        }
-    }
-
-    fn bits(&self) -> Vec<(&'static str, String, Span)> {
-        let set = |name: &'static str| {
-            let (value, _) = self.newest.get(name)?;
-            Some((name, value.text.clone(), value.place))
-        };
-        BITS.into_iter().filter_map(set).collect()
-    }
-
-    fn finish(&mut self, mut site: CallSite) {
-        site.ways = self.tools.ways(site.span.start);
-        for way in &mut site.ways {
-            way.tool = self.tools.use_at(&mut self.control, &way.state);
-            site.plane = self.control.plane;
-            let found = check(site.cycle, &site.values, &self.control).diagnostics;
-            let found = found
-                .into_iter()
-                .filter(|one| self.tools.told(&self.control, one.code));
-            for one in found {
-                if !site.diagnostics.contains(&one) {
-                    site.diagnostics.push(one);
-                }
-            }
-        }
-        if site.ways.is_empty() {
-            site.diagnostics = check(site.cycle, &site.values, &self.control).diagnostics;
-        }
-        for finding in &mut site.diagnostics {
-            let place = finding.param.and_then(|name| site.places.get(name));
-            finding.span = Some(place.copied().unwrap_or(site.span));
-        }
-        self.found.push(site);
-    }
-}
-
-/// Plane and units by the G functions before the call.
-fn modal(control: &mut Control, number: f64) {
-    if number.fract() != 0.0 || !(0.0..1000.0).contains(&number) {
-        return;
-    }
-    match Plane::of(number as u16) {
-        Some(plane) => control.plane = plane,
-        None => drop(control.choose_units(number as u16)),
     }
 }

@@ -28,12 +28,10 @@ pub fn change(program: &Program, site: &CallSite, name: &str, value: &str) -> Ve
     if site.list.is_some_and(|list| list.style == Style::Operate) {
         return Vec::new();
     }
-    let own = site
-        .places
-        .get(param.name)
-        .copied()
-        .filter(|place| place.start >= site.own_from && !site.shared.contains(param.name));
-    match own {
+    if let Some(edits) = elsewhere(program, site, param.name, &value) {
+        return edits;
+    }
+    match site.own_place(param.name) {
         Some(place) if program.text(around(program, place)) == value.as_bytes() => Vec::new(),
         Some(place) if arguments::is_auxiliary(program, place) && nothing(&value) => {
             let mut edits = vec![Edit {
@@ -50,6 +48,40 @@ pub fn change(program: &Program, site: &CallSite, name: &str, value: &str) -> Ve
             vec![add(program, site, param.name, &value)]
         }
     }
+}
+
+/// Edits of a value that is written in other programs of the text, or on more ways than one: of each place where all
+/// give the same, of none where they differ. None: they belong to other calls too, and this one gets its own.
+fn elsewhere(program: &Program, site: &CallSite, name: &str, value: &str) -> Option<Vec<Edit>> {
+    let origins = site.origins.get(name)?;
+    if site.differs(name) {
+        return Some(Vec::new());
+    }
+    if !origins.iter().all(|origin| origin.own) {
+        return None;
+    }
+    let whole = |place: Span| {
+        program
+            .word_at(place)
+            .is_some_and(|word| word.span == place)
+    };
+    let mut arguments = origins.iter().filter(|origin| origin.argument);
+    if arguments.any(|origin| value.is_empty() || whole(origin.place)) {
+        return Some(Vec::new()); // an argument is not taken away, and none is added
+    }
+    let mut edits: Vec<Edit> = Vec::new();
+    for origin in origins {
+        let same = program.text(around(program, origin.place)) == value.as_bytes();
+        let edit = if value.is_empty() {
+            remove(program, origin.place)
+        } else {
+            replace(program, origin.place, value.to_owned())
+        };
+        if !same && !edits.contains(&edit) {
+            edits.push(edit);
+        }
+    }
+    Some(edits)
 }
 
 /// The place of a value with the quotes around it.
@@ -190,12 +222,17 @@ fn add(program: &Program, site: &CallSite, name: &str, value: &str) -> Edit {
     };
     let skipped =
         |place: &Span| line_at(program, place.start).is_some_and(|block| block.skip.is_some());
-    let own = site.places.values().filter(|place| {
-        place.start >= site.own_from && !skipped(place) && !arguments::is_argument(program, **place)
+    let own = site
+        .places
+        .keys()
+        .filter_map(|name| site.place_of_its_own(name));
+    let own = own.filter(|place| {
+        let before = site.behind <= place.start && program.line_of(place.start) <= site.line;
+        before && !skipped(place) && !arguments::is_argument(program, *place)
     });
     let last = own.max_by_key(|place| place.start).map(|place| {
         program
-            .word_at(*place)
+            .word_at(place)
             .map_or(place.end, |word| word.span.end)
     });
     match last {

@@ -94,13 +94,13 @@ fn own_words<'a>(
     bits: bool,
 ) -> BTreeMap<u32, Vec<&'a Word>> {
     let mut found: BTreeMap<u32, Vec<&Word>> = BTreeMap::new();
-    let of_values = site.places.iter();
-    let of_values = of_values.filter(|(name, _)| !site.shared.contains(*name));
+    let of_values = site.places.keys();
+    let of_values = of_values.filter_map(|name| site.own_place(name));
     let of_bits = site.bits.iter().filter(|_| bits);
-    let places = of_values
-        .map(|(_, place)| *place)
-        .chain(of_bits.map(|(_, _, place)| *place))
-        .filter(|place| place.start >= site.own_from && *place != site.span);
+    let of_bits = of_bits.map(|(_, _, place)| *place);
+    let of_bits =
+        of_bits.filter(|place| site.own_from <= place.start && place.end <= site.span.end);
+    let places = of_values.chain(of_bits).filter(|place| *place != site.span);
     for place in places {
         let Some(word) = program.word_at(place) else {
             continue;

@@ -5,14 +5,26 @@ use crate::diagnostic::Span;
 use std::collections::HashMap;
 
 /// Numbers that variables hold, by name in upper case with index: `_SETVAL`, `R10`, `_SETV[0]`, `#100`.
-pub(super) type Known = HashMap<String, f64>;
+pub trait Known {
+    /// The number of a variable, where it is known.
+    fn number(&self, name: &str) -> Option<f64>;
+}
+
+/// No variable is known: what does not depend on the place in the program.
+pub(super) struct Nothing;
+
+impl Known for Nothing {
+    fn number(&self, _: &str) -> Option<f64> {
+        None
+    }
+}
 
 /// A variable's name with its index in digits: `_SETV[R1]` is `_SETV[2]` while R1 is 2. None: the index is not known.
 pub(super) fn name(
     program: &Program,
     name: Span,
     index: &[ExprId],
-    known: &Known,
+    known: &impl Known,
 ) -> Option<String> {
     let mut text = program.name(name);
     if index.is_empty() {
@@ -38,16 +50,16 @@ pub(super) fn name(
     Some(text)
 }
 
-fn whole(program: &Program, id: ExprId, known: &Known) -> Option<i64> {
+fn whole(program: &Program, id: ExprId, known: &impl Known) -> Option<i64> {
     let value = number(program, id, known)?;
     (value.fract() == 0.0 && value.abs() < 1e9).then_some(value as i64)
 }
 
 /// Value of an expression made of numbers, known variables and arithmetic.
-pub(super) fn number(program: &Program, id: ExprId, known: &Known) -> Option<f64> {
+pub(super) fn number(program: &Program, id: ExprId, known: &impl Known) -> Option<f64> {
     let value = match program.expr(id)? {
         Expr::Number(value, _) => *value,
-        Expr::Name { name: place, index } => *known.get(&name(program, *place, index, known)?)?,
+        Expr::Name { name: place, index } => known.number(&name(program, *place, index, known)?)?,
         Expr::Unary(Operator::Minus, inner) => -number(program, *inner, known)?,
         Expr::Unary(Operator::Plus, inner) => number(program, *inner, known)?,
         Expr::Binary(left, operator, right) => binary(
@@ -85,7 +97,7 @@ pub(super) fn unsteady(program: &Program) -> HashMap<String, u32> {
             if let WordKind::Assign {
                 name: place, index, ..
             } = &word.kind
-                && let Some(name) = name(program, *place, index, &Known::new())
+                && let Some(name) = name(program, *place, index, &Nothing)
             {
                 *counts.entry(name).or_default() += 1;
             }

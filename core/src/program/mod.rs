@@ -2,6 +2,7 @@
 
 mod advice;
 mod arguments;
+mod arrivals;
 mod block;
 mod bytes;
 pub mod calls;
@@ -11,6 +12,7 @@ mod expression;
 mod findings;
 pub mod flow;
 mod fold;
+mod held;
 mod keyword;
 mod marked;
 mod nct;
@@ -25,6 +27,7 @@ pub mod tools;
 pub mod tree;
 mod values;
 
+pub use arrivals::arrivals;
 pub use block::{read, read_told};
 pub use findings::{findings, findings_of, findings_on};
 pub use single::is_value;

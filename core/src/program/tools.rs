@@ -1,8 +1,6 @@
 //! The tool in use at the calls of a program, and what the program itself says of it (`$TC_DP1[7,1]=120`).
 
-use super::flow::{Force, State, Tool, Way, in_force};
-use super::tree::Program;
-use crate::catalogue::Dialect;
+use super::flow::{State, Tool};
 use crate::control::{Control, Plane};
 use crate::diagnostic::Code;
 use std::collections::BTreeSet;
@@ -23,28 +21,25 @@ pub struct ToolInUse {
 
 /// What is known of the tools while a program is read.
 pub struct Tools {
-    force: Force,
     /// T and D with which the program starts.
     start: (i64, i64),
     /// Plane with which it starts.
     plane: Plane,
+    /// Number of the G function of units with which it starts.
+    units: u16,
     /// Edges that the control had before.
     known: BTreeSet<(i64, i64)>,
 }
 
 impl Tools {
     /// Those of a program that starts on a control in this state.
-    pub fn of(program: &Program, control: &Control) -> Tools {
-        let force = match program.dialect {
-            Dialect::Sinumerik => in_force(program),
-            Dialect::Nct => Force::default(),
-        };
+    pub fn of(control: &Control) -> Tools {
         let edges = control.tools.iter();
         let edges = edges.flat_map(|(tool, data)| data.edges.keys().map(|edge| (*tool, *edge)));
         Tools {
-            force,
             start: (control.tool, control.edge),
             plane: control.plane,
+            units: control.unit_function(),
             known: edges.collect(),
         }
     }
@@ -56,12 +51,7 @@ impl Tools {
         }
     }
 
-    /// The ways to a call.
-    pub fn ways(&mut self, call: u32) -> Vec<Way> {
-        self.force.take(call)
-    }
-
-    /// Puts plane and tool in force that a call finds, and says what the tool is. None is in use where the text does not
+    /// Puts plane, units and tool in force that a call finds, and says what the tool is. None is in use where the text does not
     /// tell.
     pub fn use_at(&self, control: &mut Control, state: &State) -> Option<ToolInUse> {
         (control.tool, control.edge) = self.start;
@@ -70,6 +60,7 @@ impl Tools {
             None if state.plane.unset() => control.plane = self.plane,
             None => {}
         }
+        control.choose_units(state.units.is().copied().unwrap_or(self.units));
         if !state.tool.unset() {
             let number = match state.tool.is() {
                 Some(Tool::Number(number)) => Some(*number),

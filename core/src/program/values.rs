@@ -15,9 +15,42 @@ pub(super) struct Value {
     pub number: Option<f64>,
     /// Whether others take their value from the same place (`REP`).
     pub shared: bool,
+    /// Where the value is written, when `place` only names the variable of another program that holds it.
+    pub given: Option<Span>,
+    /// It is written as the argument of a call.
+    pub argument: bool,
+    /// The assignment of the caller that this value of a called program took the place of, and that call.
+    pub instead: Option<(Span, Span)>,
 }
 
 impl Value {
+    /// A value of its own.
+    pub fn at(text: String, number: Option<f64>, place: Span) -> Value {
+        Value {
+            text,
+            place,
+            number,
+            shared: false,
+            given: None,
+            argument: false,
+            instead: None,
+        }
+    }
+
+    /// Where it is written.
+    pub fn source(&self) -> Span {
+        self.given.unwrap_or(self.place)
+    }
+
+    /// Where somebody looks for it who finds it wrong.
+    pub fn written_at(&self) -> Span {
+        if self.argument {
+            self.source()
+        } else {
+            self.place
+        }
+    }
+
     /// The same with the other sign.
     pub fn opposite(self) -> Value {
         Value {
@@ -46,7 +79,7 @@ pub fn opposite(text: &str) -> String {
 }
 
 /// The value of an expression that stands at `place`.
-pub(super) fn value(program: &Program, id: ExprId, place: Span, known: &Known) -> Value {
+pub(super) fn value(program: &Program, id: ExprId, place: Span, known: &impl Known) -> Value {
     let number = fold::number(program, id, known);
     let written = || {
         String::from_utf8_lossy(program.text(place))
@@ -54,31 +87,19 @@ pub(super) fn value(program: &Program, id: ExprId, place: Span, known: &Known) -
             .to_owned()
     };
     match (program.expr(id), number) {
-        (Some(Expr::Text(inside)), _) => Value {
-            text: typed_text(&String::from_utf8_lossy(program.text(*inside))),
-            place: *inside,
-            number,
-            shared: false,
-        },
+        (Some(Expr::Text(inside)), _) => {
+            let text = typed_text(&String::from_utf8_lossy(program.text(*inside)));
+            Value::at(text, number, *inside)
+        }
         (Some(expr), Some(worth)) => {
             let text = if literal(program, expr) {
                 written().replace(' ', "")
             } else {
                 worth.to_string()
             };
-            Value {
-                text,
-                place,
-                number,
-                shared: false,
-            }
+            Value::at(text, number, place)
         }
-        _ => Value {
-            text: written(),
-            place,
-            number,
-            shared: false,
-        },
+        _ => Value::at(written(), number, place),
     }
 }
 

@@ -125,12 +125,16 @@ fn declared(program: &Program, block: &Block, keyword: &str) -> Option<String> {
         })
 }
 
-/// `/_N_WKS_DIR/_N_PART_WPD/_N_NAME_SPF` without what is no part of the name.
-fn bare(path: &str) -> &str {
-    let name = path.rsplit('/').next().unwrap_or(path);
+/// What may stand behind the name of a program, in upper case: as the control names its files, and as a PC does.
+const ENDINGS: [&str; 4] = ["_SPF", "_MPF", ".SPF", ".MPF"];
+
+/// `/_N_WKS_DIR/_N_PART_WPD/_N_NAME_SPF`, `C:\PART\NAME.SPF` without what is no part of the name.
+pub fn bare(path: &str) -> &str {
+    let name = path.trim().rsplit(['/', '\\', ':']).next().unwrap_or(path);
     let name = name.trim_start_matches("_N_");
-    name.strip_suffix("_SPF")
-        .or_else(|| name.strip_suffix("_MPF"))
+    let mut endings = ENDINGS.iter();
+    endings
+        .find_map(|ending| name.strip_suffix(ending))
         .unwrap_or(name)
 }
 
@@ -168,6 +172,15 @@ mod tests {
         assert_eq!(found.named("_N_NEAR_SPF"), found.named("NEAR"));
         let path = "/_N_WKS_DIR/_N_PART_WPD/_N_NEAR_SPF";
         assert_eq!(found.named(path), found.named("NEAR"));
+        for way in [
+            "NEAR.SPF",
+            "NEAR_SPF",
+            "_N_NEAR_MPF",
+            "C:\\PART\\NEAR.MPF",
+            "LOCAL_DRIVE:NEAR.SPF",
+        ] {
+            assert_eq!(found.named(way), found.named("NEAR"), "{way}");
+        }
         assert_eq!(found.named("FAR"), None);
         assert!(found.external.contains("FAR"));
     }

@@ -91,8 +91,9 @@ export function createForm(root: HTMLElement, store: Store, actions: Actions, sh
     explain.draw(optional(`${cycle.key}-help`), view.fields.find((field) => field.name === state.focus));
     show(opened, !!derived.opened);
     if (derived.opened) setText(where, t("form-opened", { cycle: cycle.cycle, from: derived.opened.line, to: derived.opened.lastLine }));
-    const problems = shownProblems(state, view.diagnostics);
     const names = new Set(view.fields.map((field) => field.name));
+    const arrivals = derived.opened?.arrivals.filter((one) => names.has(one.param ?? "")) ?? [];
+    const problems = [...shownProblems(state, view.diagnostics), ...arrivals];
     keyed(fields, view.fields, (field) => `${cycle.control}/${cycle.cycle}/${field.name}/${field.kind}`, make, (node, field) =>
       views.get(node)?.update(field, state.values[field.name] ?? "", problems.filter((one) => one.param === field.name)));
     keyed(loose, problems.filter((one) => one.param === undefined || !names.has(one.param)), (one) => `${one.code}/${one.message.key}`, problemItem, updateProblem);

@@ -5,7 +5,7 @@ use crate::catalogue::{MachineSort, ProbeUse, names};
 use crate::check::{Finding, error, note, warning};
 use crate::control::tools::is_milling_probe;
 use crate::control::{Control, delivery_in};
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::{Code, Diagnostic, Severity};
 use crate::message::Message;
 use crate::program::tree::{Program, Word, WordKind};
 use std::collections::BTreeSet;
@@ -107,8 +107,8 @@ fn spindle(seen: &Seen) -> Option<Diagnostic> {
     Some(with_line(finding, seen, seen.site.first_line, "M5"))
 }
 
-/// There is no probe of this number: nothing can be said about its calibration.
-const NO_PROBE: Code = Code::Alarm(61313);
+/// The control does not know where the tool probe stands, which is told instead.
+const PLACE_UNKNOWN: Code = Code::Own(61);
 
 /// Trigger values of a workpiece probe (B:13443-13448).
 const TRIGGERS: RangeInclusive<usize> = 1..=6;
@@ -125,13 +125,11 @@ fn on_machine(control: &Control, number: i64) -> bool {
 /// Trigger values that no call of this program determined come from before (B:5010-5060).
 fn calibration(seen: &Seen, asked: &mut Asked) -> Option<Diagnostic> {
     let purpose = &seen.site.cycle.purpose;
-    if seen
-        .site
-        .diagnostics
-        .iter()
-        .any(|found| found.code == NO_PROBE)
-    {
-        return None;
+    let told = seen.site.diagnostics.iter();
+    let mut instead =
+        told.filter(|one| one.severity == Severity::Error || one.code == PLACE_UNKNOWN);
+    if instead.next().is_some() {
+        return None; // the call does not measure like this; the next one is asked
     }
     let number = seen.inputs.given(names::PRNUM)? as i64 % 100;
     let probe = (purpose.probe == ProbeUse::Tool, number);

@@ -7,10 +7,11 @@ use crate::diagnostic::{Code, Diagnostic};
 use crate::evaluate::knum::{self, ZeroCode};
 use crate::message::Message;
 use crate::program::calls::CallSite;
-use crate::program::flow::{self, Follow, Mode};
-use crate::program::fold::{self, Known};
+use crate::program::flow::{self, Entry, Follow, Mode};
+use crate::program::fold::{self, Nothing};
 use crate::program::tree::{Program, Word, WordKind};
 use crate::run::frame::is_frame;
+use crate::run::programs::Programs;
 use crate::run::swivel;
 use std::collections::BTreeMap;
 
@@ -73,6 +74,7 @@ fn function(number: u16) -> u16 {
 /// be meant: they measure one axis each.
 pub fn look(
     program: &Program,
+    programs: &Programs,
     sites: &[CallSite],
     corrected: &[Option<Corrected>],
     found: &mut Vec<Diagnostic>,
@@ -86,7 +88,7 @@ pub fn look(
         corrected,
         forgotten: BTreeMap::new(),
     };
-    flow::follow(program, &mut rules, &Pending::new());
+    flow::follow(program, programs, &mut rules, &Pending::new());
     for (index, waiting) in rules.forgotten {
         if let Some((site, corrected)) = sites.get(index).zip(corrected.get(index)) {
             let finding = corrected
@@ -232,7 +234,15 @@ impl Follow for Rules<'_> {
         both.collect()
     }
 
-    fn restore(&self, _: &Pending, _: &mut Pending) {}
+    fn leave(
+        &mut self,
+        _: &Pending,
+        (_, after): (&Pending, &Pending),
+        _: &Entry,
+        _: bool,
+    ) -> Pending {
+        after.clone()
+    }
 
     fn end(&mut self, pending: &Pending) {
         let moved = pending.iter().filter(|(_, waiting)| waiting.moved);
@@ -264,7 +274,7 @@ fn moves(program: &Program, words: &[Word]) -> bool {
 fn number(program: &Program, word: &Word, letter: &str) -> Option<f64> {
     match &word.kind {
         WordKind::Address { name, value, .. } if program.is(*name, letter) => {
-            fold::number(program, *value, &Known::new())
+            fold::number(program, *value, &Nothing)
         }
         _ => None,
     }

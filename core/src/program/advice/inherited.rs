@@ -104,7 +104,7 @@ fn doubt(
         Meaning::of(written, there),
         Meaning::of(param, &seen.inputs),
     );
-    let value = seen.site.values.get(param.name)?.as_str();
+    let value = seen.values.get(param.name)?.as_str();
     if before == now || !counts(seen, param, site, (&before, &now)) {
         return None;
     }

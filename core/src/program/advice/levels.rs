@@ -7,18 +7,22 @@ use crate::message::Message;
 use crate::program::calls::CallSite;
 use crate::program::flow::{LEVELS, callers};
 use crate::program::tree::Program;
-use crate::run::programs::programs;
+use crate::run::programs::Programs;
 
 /// Deepest level of a call.
 const DEEPEST: usize = 5;
 
 /// Calls in subprograms of the same text that are reached on too deep a level.
-pub fn look(program: &Program, sites: &[CallSite], found: &mut Vec<Diagnostic>) {
-    let programs = programs(program);
+pub fn look(
+    program: &Program,
+    programs: &Programs,
+    sites: &[CallSite],
+    found: &mut Vec<Diagnostic>,
+) {
     if programs.units.len() < 2 || sites.is_empty() {
         return;
     }
-    let levels = levels(&callers(program, &programs));
+    let levels = levels(&callers(program, programs));
     for site in sites {
         let line = site.line as usize;
         let units = programs
@@ -36,9 +40,12 @@ pub fn look(program: &Program, sites: &[CallSite], found: &mut Vec<Diagnostic>) 
 
 /// Deepest level on which each unit runs. What nothing calls may be the main program.
 fn levels(calls: &[Vec<usize>]) -> Vec<usize> {
-    let mut levels = vec![0; calls.len()];
-    for (unit, level) in levels.iter_mut().enumerate() {
-        *level = usize::from(!calls.iter().any(|called| called.contains(&unit)));
+    let mut levels = vec![1; calls.len()];
+    for called in calls.iter().flatten() {
+        levels
+            .get_mut(*called)
+            .into_iter()
+            .for_each(|level| *level = 0);
     }
     // Each round goes one level deeper, so that a program that calls itself comes to an end too.
     for _ in 0..LEVELS {

@@ -3,21 +3,24 @@
 mod at_call;
 mod behind;
 mod inherited;
+mod left_on;
 mod levels;
+mod outside;
 mod overwritten;
 mod read_back;
 mod unsaid;
 
-use super::calls::CallSite;
+use super::calls::{CallSite, Way};
 use super::change::{line_before, line_end};
-use super::flow::{State, Way};
+use super::flow::{State, changes};
 use super::tools::ToolInUse;
 use super::tree::Program;
 use crate::catalogue::Dialect;
-use crate::check::{self, Inputs};
+use crate::check::{self, Inputs, Typed};
 use crate::control::Control;
 use crate::diagnostic::{Cure, Diagnostic, Edit, Span};
 use crate::message::Message;
+use crate::run::programs::programs;
 
 /// What the rules look at: a call, what is in force there, what it means.
 struct Seen<'a> {
@@ -26,12 +29,16 @@ struct Seen<'a> {
     sites: &'a [CallSite],
     index: usize,
     site: &'a CallSite,
-    /// Somewhere the program switches tool radius compensation on.
-    compensated: bool,
+    /// The program may end with tool radius compensation on.
+    left_on: bool,
+    /// It changes tools with M6.
+    changes_tools: bool,
     /// What is in force on a way to the call.
     force: &'a State,
     /// Tool in use on it.
     tool: Option<ToolInUse>,
+    /// Values on it.
+    values: &'a Typed,
     inputs: Inputs,
 }
 
@@ -41,9 +48,14 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
         return Vec::new();
     }
     let mut found = Vec::new();
+    if sites.is_empty() {
+        return found;
+    }
+    let programs = programs(program);
     let mut asked = at_call::Asked::of(program);
     // Asked once: a long program has many calls and many words.
-    let compensated = !sites.is_empty() && unsaid::switches_on(program);
+    let left_on = left_on::left_on(program, &programs);
+    let changes_tools = program.words.iter().any(|word| changes(program, word));
     let mut at_call = control.clone();
     let mut corrected = vec![None; sites.len()];
     for (index, site, way) in in_order(sites) {
@@ -55,10 +67,12 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
             sites,
             index,
             site,
-            compensated,
+            left_on,
+            changes_tools,
             force: &way.state,
             tool: way.tool,
-            inputs: check::read(site.cycle, &site.values, &at_call, &mut Vec::new()),
+            values: &way.values,
+            inputs: check::read(site.cycle, &way.values, &at_call, &mut Vec::new()),
         };
         at_call::look(&seen, &mut asked, &mut found);
         read_back::look(&seen, &at_call, &mut found);
@@ -66,9 +80,10 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
             *corrected = behind::corrected(&seen);
         }
     }
-    behind::look(program, sites, &corrected, &mut found);
-    levels::look(program, sites, &mut found);
+    behind::look(program, &programs, sites, &corrected, &mut found);
+    levels::look(program, &programs, sites, &mut found);
     overwritten::look(program, sites, &mut found);
+    outside::look(program, &programs, &mut found);
     found
 }
 
@@ -97,6 +112,18 @@ fn with_line(mut finding: Diagnostic, seen: &Seen, line: u32, text: &str) -> Dia
     finding
 }
 
+/// Offers a line before the first line of the call and one behind it.
+fn between(mut finding: Diagnostic, seen: &Seen, before: &str, behind: &str) -> Diagnostic {
+    let first = line_before(seen.program, seen.site.first_line, before);
+    finding.cure = first.map(|edit| Cure {
+        label: Message::new("advice-insert-around")
+            .text("before", before)
+            .text("behind", behind),
+        edits: vec![edit, line_behind(seen.program, seen.site, behind)],
+    });
+    finding
+}
+
 /// Offers a line behind the call.
 fn behind_call(
     mut finding: Diagnostic,
@@ -104,25 +131,25 @@ fn behind_call(
     site: &CallSite,
     text: &str,
 ) -> Diagnostic {
-    let label = Message::new("advice-insert-behind").text("text", text);
-    let edit = match line_before(program, site.line + 1, text) {
-        Some(edit) => edit,
-        None => {
-            let end = program.source.len() as u32;
-            let eol = line_end(program, site.line);
-            let ended = program.source.ends_with(b"\n");
-            let insert = if ended {
-                format!("{text}{eol}")
-            } else {
-                format!("{eol}{text}")
-            };
-            let span = Span { start: end, end };
-            Edit { span, insert }
-        }
-    };
     finding.cure = Some(Cure {
-        label,
-        edits: vec![edit],
+        label: Message::new("advice-insert-behind").text("text", text),
+        edits: vec![line_behind(program, site, text)],
     });
     finding
+}
+
+fn line_behind(program: &Program, site: &CallSite, text: &str) -> Edit {
+    if let Some(edit) = line_before(program, site.line + 1, text) {
+        return edit;
+    }
+    let end = program.source.len() as u32;
+    let eol = line_end(program, site.line);
+    let ended = program.source.ends_with(b"\n");
+    let insert = if ended {
+        format!("{text}{eol}")
+    } else {
+        format!("{eol}{text}")
+    };
+    let span = Span { start: end, end };
+    Edit { span, insert }
 }

@@ -173,7 +173,8 @@ fn different(name: &'static str, before: String, after: &str) -> Option<Change> 
 /// The bit in the place where the call sets it, else on a line of its own before the call.
 fn set(program: &Program, site: &CallSite, change: &Change) -> Option<Edit> {
     let own = |(name, _, place): &&(&str, String, Span)| {
-        *name == change.name && place.start >= site.own_from
+        let own = site.own_from <= place.start && place.end <= site.span.end;
+        own && *name == change.name
     };
     match site.bits.iter().find(own) {
         Some((.., place)) => Some(replaced(*place, &change.after)),

@@ -1,15 +1,14 @@
 //! What the text does not say before a call, so that the state of the machine or another program decides. Each is asked
 //! once a program.
 
-use super::{Seen, with_line};
-use crate::catalogue::{MachineSort, lathe, names};
+use super::{Seen, between, with_line};
+use crate::catalogue::{MachineSort, ProbeUse, lathe, names};
 use crate::check::{Finding, note, warning};
 use crate::control::Transverse;
+use crate::control::tools::is_milling_probe;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::message::Message;
 use crate::program::flow::Mode;
-use crate::program::fold::{self, Known};
-use crate::program::tree::{Program, WordKind};
 
 /// Every doubt of this sort at a call.
 pub fn doubts(seen: &Seen) -> impl Iterator<Item = Diagnostic> {
@@ -50,7 +49,18 @@ fn open(seen: &Seen) -> Option<Diagnostic> {
         return None;
     }
     let message = Message::new("advice-open").text("words", words.join(", "));
-    Some(note(Code::Own(145), message).hint(Message::new("advice-open-hint")))
+    let finding = note(Code::Own(145), message).hint(Message::new("advice-open-hint"));
+    let functions = words.into_iter().filter(|word| word.starts_with('G'));
+    let functions: Vec<&str> = functions.collect();
+    if functions.is_empty() {
+        return Some(finding);
+    }
+    Some(with_line(
+        finding,
+        seen,
+        seen.site.first_line,
+        &functions.join(" "),
+    ))
 }
 
 /// The cycles measure in the axes of the plane; without one the reset state of the machine decides. That of a lathe is
@@ -66,26 +76,14 @@ fn plane(seen: &Seen) -> Option<Diagnostic> {
     Some(with_line(finding, seen, seen.site.first_line, usual))
 }
 
-/// Compensation is off after a reset; a program that switches it on later may come back to this call with it.
+/// Compensation is off after a reset; a program that ends with it may be run again without one.
 fn compensation(seen: &Seen) -> Option<Diagnostic> {
-    if !seen.force.compensation.unset() || !seen.compensated {
+    if !seen.force.compensation.unset() || !seen.left_on {
         return None;
     }
     let finding = note(Code::Own(146), Message::new("advice-compensation-open"))
         .hint(Message::new("advice-compensation-hint"));
     Some(with_line(finding, seen, seen.site.first_line, "G40"))
-}
-
-/// Whether a G41 or G42 stands anywhere in the program.
-pub fn switches_on(program: &Program) -> bool {
-    let known = Known::new();
-    program.words.iter().any(|word| match &word.kind {
-        WordKind::Address { name, value, .. } if program.is(*name, "G") => {
-            let code = fold::number(program, *value, &known);
-            code.is_some_and(|code| code == 41.0 || code == 42.0)
-        }
-        _ => false,
-    })
 }
 
 /// Nothing says which tool is in use.
@@ -94,7 +92,31 @@ fn tool(seen: &Seen) -> Option<Diagnostic> {
         return None;
     }
     let finding = note(Code::Own(147), Message::new("advice-tool-none"));
-    Some(finding.hint(Message::new("advice-tool-none-hint")))
+    let finding = finding.hint(Message::new("advice-tool-none-hint"));
+    Some(match the_probe(seen) {
+        Some(change) => with_line(finding, seen, seen.site.first_line, &change),
+        None => finding,
+    })
+}
+
+/// How the program changes to the one workpiece probe that the tool table has.
+fn the_probe(seen: &Seen) -> Option<String> {
+    let purpose = &seen.site.cycle.purpose;
+    if purpose.probe != ProbeUse::Workpiece || on_a_lathe(seen) {
+        return None;
+    }
+    let tools = seen.control.tools.iter();
+    let mut edges =
+        tools.flat_map(|(number, tool)| tool.edges.iter().map(move |edge| (number, edge)));
+    let mut probes = edges
+        .by_ref()
+        .filter(|(_, (_, edge))| is_milling_probe(edge.kind));
+    let (number, (edge, _)) = probes.next()?;
+    if probes.next().is_some() {
+        return None;
+    }
+    let change = if seen.changes_tools { " M6" } else { "" };
+    Some(format!("T{number} D{edge}{change}"))
 }
 
 /// On a lathe the setpoint in the transverse axis is a diameter with DIAMON, else a radius (B:10975).
@@ -115,10 +137,11 @@ fn radius(seen: &Seen) -> Option<Diagnostic> {
     }
     let param = seen.site.cycle.param(names::SETVAL)?;
     param.need(&seen.inputs)?;
-    let set: f64 = seen.site.values.get(names::SETVAL)?.trim().parse().ok()?;
+    let set: f64 = seen.values.get(names::SETVAL)?.trim().parse().ok()?;
     let message = Message::new("advice-radius")
         .number("value", set)
         .number("diameter", 2.0 * set);
     let finding = note(Code::Own(148), message).hint(Message::new("advice-radius-hint"));
-    Some(finding.at(names::SETVAL))
+    let finding = finding.at(names::SETVAL);
+    Some(between(finding, seen, "DIAMON", "DIAMOF"))
 }

@@ -1,72 +1,143 @@
 //! What assignments and declarations leave: the newest value of every variable, and its number where it is known.
 
-use super::Walk;
+use super::{Place, Walk};
 use crate::control::arrays;
 use crate::diagnostic::Span;
 use crate::program::fold;
-use crate::program::tree::{Expr, ExprId};
+use crate::program::held::{Held, Numbers};
+use crate::program::tree::{Expr, ExprId, Word, WordKind};
 use crate::program::values::{self, Spread, Value, spread};
+use std::rc::Rc;
 
 /// Most elements of an array that a program declares.
 const ELEMENTS: f64 = 10_000.0;
 
 impl Walk<'_> {
-    fn learn(&mut self, name: String, number: Option<f64>) {
-        self.tools.learn(&mut self.control, &name, number);
-        match number.filter(|_| !self.unsteady.contains_key(&name)) {
-            Some(number) => {
-                self.control.set(name.clone(), number);
-                self.known.insert(name, number);
+    /// Takes in the assignments and declarations of a block.
+    pub(super) fn data(&mut self, place: &mut Place, words: &[Word]) {
+        let says = |keyword| {
+            words.iter().any(|word| match word.kind {
+                WordKind::Keyword { name, .. } => self.program.is(name, keyword),
+                _ => false,
+            })
+        };
+        if says("PROC") || says("EXTERN") {
+            return;
+        }
+        let counts = says("FOR");
+        for word in words {
+            match &word.kind {
+                WordKind::Assign {
+                    name,
+                    index,
+                    value_span,
+                    value,
+                } => {
+                    let numbers = self.numbers(place);
+                    let Some(name) = fold::name(self.program, *name, index, &numbers) else {
+                        continue;
+                    };
+                    if counts {
+                        let count = Value::at(name.clone(), None, *value_span);
+                        self.assign(place, &name, count);
+                    } else {
+                        self.write(place, &name, *value, *value_span);
+                    }
+                }
+                WordKind::Declare { name, index, value } => {
+                    self.declare(place, *name, index, *value);
+                }
+                _ => {}
             }
-            None => drop(self.known.remove(&name)),
         }
     }
 
-    pub(super) fn assign(&mut self, name: String, value: Value, line: u32) {
-        self.learn(name.clone(), value.number);
-        self.newest.insert(name, (value, line));
+    /// The numbers that variables hold at a place.
+    pub(super) fn numbers<'a>(&'a self, place: &'a Place) -> Numbers<'a> {
+        Numbers {
+            names: &self.names,
+            values: &place.values,
+        }
+    }
+
+    /// The value of an expression. Of a variable that another program wrote it is known where.
+    pub(super) fn value(&self, place: &Place, id: ExprId, at: Span) -> Value {
+        let value = values::value(self.program, id, at, &self.numbers(place));
+        match self.held(place, id) {
+            Some(held) if value.number.is_some() && self.around.is_elsewhere(at, held.source()) => {
+                Value {
+                    given: Some(held.source()),
+                    argument: held.argument,
+                    ..value
+                }
+            }
+            _ => value,
+        }
+    }
+
+    /// What the variable holds that an expression is.
+    fn held<'a>(&self, place: &'a Place, id: ExprId) -> Option<&'a Value> {
+        let id = self.variable(place, id).filter(|_| self.around.several())?;
+        match place.values.get(id)? {
+            Held::One(value) => Some(value),
+            Held::Several(_) => None,
+        }
+    }
+
+    fn learn(&mut self, name: &str, number: Option<f64>) {
+        self.tools.learn(&mut self.control, name, number);
+        if let Some(number) = number.filter(|_| !self.unsteady.contains_key(name)) {
+            self.control.set(name, number);
+        }
+    }
+
+    pub(super) fn assign(&mut self, place: &mut Place, name: &str, value: Value) {
+        self.learn(name, value.number);
+        let id = self.names.number(name, &self.unsteady);
+        place.values.set(id, Some(Held::One(Rc::new(value))));
     }
 
     /// One value, or those of `SET(…)` or `REP(…)` spread over an array.
-    pub(super) fn write(&mut self, name: String, value: ExprId, span: Span, line: u32) {
+    fn write(&mut self, place: &mut Place, name: &str, value: ExprId, span: Span) {
         match spread(self.program, value) {
             Spread::One => {
-                let value = values::value(self.program, value, span, &self.known);
-                self.assign(name, value, line);
+                let value = self.value(place, value, span);
+                self.assign(place, name, value);
             }
             Spread::Each(values) => {
-                let elements = self.elements(&name);
+                let elements = self.elements(name);
                 for (element, id) in elements.into_iter().zip(values) {
-                    self.assign_element(element, *id, line);
+                    self.assign_element(place, &element, *id);
                 }
             }
             Spread::Same(id) => {
-                let place = values::place(self.program, id).unwrap_or(span);
+                let at = values::place(self.program, id).unwrap_or(span);
                 let value = Value {
                     shared: true,
-                    ..values::value(self.program, id, place, &self.known)
+                    ..self.value(place, id, at)
                 };
-                for element in self.repeated(&name) {
-                    self.assign(element, value.clone(), line);
+                for element in self.repeated(name) {
+                    self.assign(place, &element, value.clone());
                 }
             }
         }
     }
 
     /// `_SETV[0]=SET(1,,3)` writes `_SETV[0]` and `_SETV[2]`. A value whose place is not known is at least forgotten.
-    fn assign_element(&mut self, element: String, id: ExprId, line: u32) {
+    fn assign_element(&mut self, place: &mut Place, element: &str, id: ExprId) {
         if matches!(self.program.expr(id), None | Some(Expr::Omitted(_))) {
             return;
         }
         match values::place(self.program, id) {
-            Some(place) => {
-                let value = values::value(self.program, id, place, &self.known);
-                self.assign(element, value, line);
+            Some(at) => {
+                let value = self.value(place, id, at);
+                self.assign(place, element, value);
             }
             None => {
-                let number = fold::number(self.program, id, &self.known);
-                self.learn(element.clone(), number);
-                self.newest.remove(&element);
+                let number = fold::number(self.program, id, &self.numbers(place));
+                self.learn(element, number);
+                let id = self.names.number(element, &self.unsteady);
+                place.values.set(id, None);
             }
         }
     }
@@ -83,16 +154,11 @@ impl Walk<'_> {
     }
 
     /// `DEF REAL A=1, B[3]=SET(1,2)`.
-    pub(super) fn declare(
-        &mut self,
-        name: Span,
-        index: &[ExprId],
-        value: Option<ExprId>,
-        line: u32,
-    ) {
+    fn declare(&mut self, place: &mut Place, name: Span, index: &[ExprId], value: Option<ExprId>) {
         let name = self.program.name(name);
         if !index.is_empty() {
-            let size = |id: &ExprId| fold::number(self.program, *id, &self.known);
+            let numbers = self.numbers(place);
+            let size = |id: &ExprId| fold::number(self.program, *id, &numbers);
             let sizes: Option<Vec<f64>> = index.iter().map(size).collect();
             let sizes = sizes.unwrap_or_default();
             if sizes.iter().product::<f64>() > ELEMENTS {
@@ -102,8 +168,8 @@ impl Walk<'_> {
             self.arrays.insert(name.clone(), sizes);
         }
         if let Some(value) = value {
-            let place = values::place(self.program, value).unwrap_or_default();
-            self.write(name, value, place, line);
+            let at = values::place(self.program, value).unwrap_or_default();
+            self.write(place, &name, value, at);
         }
     }
 }

@@ -1,12 +1,17 @@
-//! Which programs a block calls: `L5`, `L5 P3`, `NAME(1)`, `PCALL NAME(1)`, `MCALL NAME`, `CALL "NAME"`.
+//! Which programs a block calls: `L5`, `L5 P3`, `NAME(1)`, `PCALL NAME(1)`, `MCALL NAME`, `CALL "NAME"`,
+//! `EXTCALL("NAME")`.
 
 use super::language::is_word;
-use crate::program::tree::{Expr, Program, Word, WordKind};
+use crate::diagnostic::Span;
+use crate::program::tree::{Expr, ExprId, Program, Word, WordKind};
 use crate::run::programs::Programs;
 use crate::run::{action, statement};
 
 /// Words before the name of a program that say how it is called.
-const MANNERS: [&str; 4] = [statement::CALL, "PCALL", "MCALL", "EXTCALL"];
+const MANNERS: [&str; 4] = [statement::CALL, "PCALL", "MCALL", FROM_OUTSIDE];
+
+/// What calls a program of another memory.
+const FROM_OUTSIDE: &str = "EXTCALL";
 
 /// What a word calls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,7 +26,10 @@ pub enum Called {
 pub fn called(program: &Program, programs: &Programs, words: &[Word], at: usize) -> Option<Called> {
     let before = at.checked_sub(1).and_then(|before| words.get(before));
     let (name, certain) = match &words.get(at)?.kind {
-        WordKind::Call { name, .. } => (program.name(*name), false),
+        WordKind::Call { name, args, .. } => match from_outside(program, *name, args) {
+            Some(place) => (program.name(place), true),
+            None => (program.name(*name), false),
+        },
         WordKind::Constant(id) if before.is_some_and(|word| is_manner(program, word)) => {
             match program.expr(*id)? {
                 Expr::Text(place) => (program.name(*place), true),
@@ -37,6 +45,31 @@ pub fn called(program: &Program, programs: &Programs, words: &[Word], at: usize)
     let known = manner || action::is_of_control(&name) || is_word(&name);
     let unknown = certain || !known;
     unknown.then_some(Called::Elsewhere)
+}
+
+/// The text in `EXTCALL("NAME")`.
+fn from_outside(program: &Program, name: Span, args: &[Option<ExprId>]) -> Option<Span> {
+    let text = args.first().filter(|_| program.is(name, FROM_OUTSIDE))?;
+    match program.expr((*text)?)? {
+        Expr::Text(place) => Some(*place),
+        _ => None,
+    }
+}
+
+/// The name behind an `EXTCALL` of this block, in either way to write it.
+pub fn named_outside(program: &Program, words: &[Word], at: usize) -> Option<Span> {
+    match &words.get(at)?.kind {
+        WordKind::Call { name, args, .. } => from_outside(program, *name, args),
+        WordKind::Constant(id) => {
+            let before = words.get(at.checked_sub(1)?)?;
+            let outside = matches!(&before.kind, WordKind::Call { name, .. } if program.is(*name, FROM_OUTSIDE));
+            match program.expr(*id)? {
+                Expr::Text(place) if outside => Some(*place),
+                _ => None,
+            }
+        }
+        _ => None,
+    }
 }
 
 /// Which program of a text calls which, by their places in [`Programs::units`].

@@ -1,26 +1,43 @@
 //! A program followed as it runs, without running it: its blocks in order, into the programs of the same text that it
-//! calls, and past its branches. What only a run can know (which branch is taken) is left open.
+//! calls, past its branches and through its loops until nothing new comes back to their beginning. What only a run can
+//! know (which branch is taken) is left open.
 
 mod called;
 mod force;
 mod language;
+mod passes;
 mod state;
 mod structure;
 
-pub use called::{Called, called, callers};
-pub use force::{Force, Way, in_force};
+pub use called::{Called, called, callers, named_outside};
+pub use force::{Forces, changes};
 pub use state::{Mode, State, Tool};
 
 use super::tree::{Block, Program, Word};
-use crate::run::programs::{Programs, programs};
+use crate::run::programs::Programs;
+use passes::Passes;
 use std::collections::HashMap;
+use std::ops::Range;
 use structure::Branches;
 
 /// Levels that a control has; what is deeper is not followed.
 pub const LEVELS: usize = 12;
 
-/// States with which a program is followed anew; a call in yet another one is taken to end as the last did.
+/// States with which a program is followed anew; a call in yet another one is followed with all that they have in common.
 const ENTRIES: usize = 8;
+
+/// Blocks that are followed again in loops, as a multiple of those that the program has.
+const AGAIN: usize = 8;
+
+/// A call of a program of the text.
+pub struct Entry<'a> {
+    /// Its place in [`Programs::units`].
+    pub unit: usize,
+    /// Words of the block that calls it.
+    pub words: &'a [Word],
+    /// Which of them does.
+    pub at: usize,
+}
 
 /// What is kept while a program is followed.
 pub trait Follow {
@@ -34,32 +51,43 @@ pub trait Follow {
     fn elsewhere(&self, state: &mut Self::State);
     /// What holds where two ways meet.
     fn meet(&self, one: &Self::State, other: &Self::State) -> Self::State;
-    /// A program that saves its functions (`SAVE`) has ended.
-    fn restore(&self, before: &Self::State, after: &mut Self::State);
+    /// What a called program begins with, of what holds at its call.
+    fn enter(&mut self, state: &Self::State, _: &Entry) -> Self::State {
+        state.clone()
+    }
+    /// What holds behind a call, when the called program began and ended with this. `saves`: it puts back the functions
+    /// of its caller (`SAVE`).
+    fn leave(
+        &mut self,
+        caller: &Self::State,
+        way: (&Self::State, &Self::State),
+        entry: &Entry,
+        saves: bool,
+    ) -> Self::State;
     /// The whole program ends.
     fn end(&mut self, state: &Self::State);
 }
 
 /// Follows every program of the text: those that nothing here calls from a state of their own, the others from where
 /// they are called.
-pub fn follow<F: Follow>(program: &Program, rules: &mut F, begin: &F::State) {
-    let programs = programs(program);
-    let roots = roots(program, &programs);
+pub fn follow<F: Follow>(program: &Program, programs: &Programs, rules: &mut F, begin: &F::State) {
     let mut walk = Walk {
         program,
         programs,
+        passes: Passes::of(program),
+        budget: program.blocks.len().saturating_mul(AGAIN),
         rules,
         open: Vec::new(),
         seen: HashMap::new(),
     };
-    for unit in roots {
+    for unit in roots(program, programs) {
         let main = walk.is_main(unit);
         let mut state = begin.clone();
         if !main {
             walk.rules.elsewhere(&mut state);
         }
         let after = walk.unit(unit, state);
-        if main && let Some(state) = after {
+        if main && let Some((_, state)) = after {
             walk.rules.end(&state);
         }
     }
@@ -95,12 +123,16 @@ fn roots(program: &Program, programs: &Programs) -> Vec<usize> {
 
 struct Walk<'a, F: Follow> {
     program: &'a Program,
-    programs: Programs,
+    programs: &'a Programs,
     rules: &'a mut F,
     /// Programs in which the present one was called.
     open: Vec<usize>,
     /// How each program was followed.
     seen: HashMap<usize, Vec<Passed<F::State>>>,
+    /// How the bodies of its loops were followed.
+    passes: Passes<F::State>,
+    /// Blocks that may still be followed again.
+    budget: usize,
 }
 
 /// State before and after a program; none: it does not come back.
@@ -118,41 +150,56 @@ impl<F: Follow> Walk<'_, F> {
         unit.signature.is_none() && !blocks.unwrap_or_default().iter().any(returns)
     }
 
-    /// Follows one program; none: it does not come back.
-    fn unit(&mut self, unit: usize, before: F::State) -> Option<F::State> {
+    /// Follows one program: the state with which it was taken to begin and the one behind it; none: it does not come
+    /// back.
+    fn unit(&mut self, unit: usize, before: F::State) -> Option<(F::State, F::State)> {
         if self.open.contains(&unit) || self.open.len() >= LEVELS {
-            return Some(before);
+            return Some((before.clone(), before));
         }
-        let known = self.seen.entry(unit).or_default();
-        if let Some((_, after)) = known.iter().find(|(entry, _)| *entry == before) {
-            return after.clone();
-        }
-        if known.len() >= ENTRIES {
-            return known.last().and_then(|(_, after)| after.clone());
-        }
+        let before = match self.known(unit, before) {
+            Ok((before, after)) => return after.map(|after| (before, after)),
+            Err(before) => before,
+        };
         self.open.push(unit);
-        let mut after = self.blocks(unit, before.clone());
+        let after = self.blocks(unit, before.clone());
         self.open.pop();
-        if let Some(after) = after.as_mut().filter(|_| self.saves(unit)) {
-            self.rules.restore(&before, after);
-        }
         let known = self.seen.entry(unit).or_default();
-        known.push((before, after.clone()));
-        after
+        known.push((before.clone(), after.clone()));
+        after.map(|after| (before, after))
+    }
+
+    /// How a program that begins like this was followed already; else with what it is to be followed.
+    fn known(&mut self, unit: usize, before: F::State) -> Result<Passed<F::State>, F::State> {
+        let known = self.seen.entry(unit).or_default();
+        let same = |state: &F::State| known.iter().find(|(entry, _)| entry == state).cloned();
+        if let Some(found) = same(&before) {
+            return Ok(found);
+        }
+        let Some((last, after)) = known.last().filter(|_| known.len() >= ENTRIES) else {
+            return Err(before);
+        };
+        let common = self.rules.meet(last, &before);
+        if common == *last || known.len() >= 2 * ENTRIES {
+            return Ok((common, after.clone()));
+        }
+        same(&common).map_or(Err(common), Ok)
     }
 
     fn blocks(&mut self, unit: usize, state: F::State) -> Option<F::State> {
         let range = self.programs.units.get(unit)?.blocks.clone();
         let program = self.program;
         let mut branches = Branches::new(state);
-        for block in program.blocks.get(range).unwrap_or_default() {
+        let mut at = range.start;
+        while let Some(block) = program.blocks.get(at).filter(|_| at < range.end) {
             let words = program.words_of(block);
             if !branches.concerned(program, block, words) {
                 self.block(&mut branches, words);
+                at += 1;
                 continue;
             }
             let rules = &*self.rules;
             branches.arrive(program, block, words, |one, other| rules.meet(one, other));
+            self.passes.begin(&branches, at);
             let before = block.skip.map(|_| branches.state.clone());
             self.block(&mut branches, words);
             if let Some(before) = before {
@@ -162,10 +209,33 @@ impl<F: Follow> Walk<'_, F> {
             if structure::ends(program, words) && branches.alive(block) {
                 rules.end(&branches.state);
             }
-            branches.leave(program, block, words, |one, other| rules.meet(one, other));
+            at = self.onward(&mut branches, at, &range);
         }
         let rules = &*self.rules;
         branches.after(|one, other| rules.meet(one, other))
+    }
+
+    /// The block that is followed next: the one behind, or the beginning of a loop with what comes back to it.
+    fn onward(
+        &mut self,
+        branches: &mut Branches<F::State>,
+        at: usize,
+        range: &Range<usize>,
+    ) -> usize {
+        let rules = &*self.rules;
+        let meet = |one: &F::State, other: &F::State| rules.meet(one, other);
+        let back = self.passes.back(self.program, branches, at, range);
+        if let Some(back) = back {
+            let length = at + 1 - back.head();
+            if self.passes.returns(branches, back, meet) && self.budget >= length {
+                self.budget -= length;
+                self.passes.again(branches, back);
+                return back.head();
+            }
+            self.passes.done(branches, back, meet);
+        }
+        branches.leave(self.program, at, back.is_some(), meet);
+        at + 1
     }
 
     fn block(&mut self, branches: &mut Branches<F::State>, words: &[Word]) {
@@ -176,11 +246,19 @@ impl<F: Follow> Walk<'_, F> {
     }
 
     fn call(&mut self, branches: &mut Branches<F::State>, words: &[Word], at: usize) {
-        match called(self.program, &self.programs, words, at) {
-            Some(Called::Here(unit)) => match self.unit(unit, branches.state.clone()) {
-                Some(after) => branches.state = after,
-                None => branches.dead = true,
-            },
+        match called(self.program, self.programs, words, at) {
+            Some(Called::Here(unit)) => {
+                let entry = Entry { unit, words, at };
+                let begin = self.rules.enter(&branches.state, &entry);
+                match self.unit(unit, begin) {
+                    Some((begin, after)) => {
+                        let saves = self.saves(unit);
+                        let way = (&begin, &after);
+                        branches.state = self.rules.leave(&branches.state, way, &entry, saves);
+                    }
+                    None => branches.dead = true,
+                }
+            }
             Some(Called::Elsewhere) => self.rules.elsewhere(&mut branches.state),
             None => {}
         }

@@ -57,6 +57,8 @@ pub struct State {
     pub frame: Mode<u16>,
     /// DIAMON, DIAMOF, DIAM90.
     pub transverse: Mode<Transverse>,
+    /// G70, G71, G700 or G710.
+    pub units: Mode<u16>,
     /// M3 or M4 (true), or a stop or positioning since.
     pub turning: Mode<bool>,
     /// Tool in use.
@@ -77,6 +79,7 @@ impl State {
             compensation: Mode::Open,
             frame: Mode::Open,
             transverse: Mode::Open,
+            units: Mode::Open,
             turning: Mode::Open,
             tool: Mode::Open,
             edge: Mode::Open,
@@ -92,6 +95,7 @@ impl State {
             compensation: self.compensation.meet(&other.compensation),
             frame: self.frame.meet(&other.frame),
             transverse: self.transverse.meet(&other.transverse),
+            units: self.units.meet(&other.units),
             turning: self.turning.meet(&other.turning),
             tool: self.tool.meet(&other.tool),
             edge: self.edge.meet(&other.edge),
@@ -101,6 +105,15 @@ impl State {
             },
             waiting: self.waiting.meet(&other.waiting),
         }
+    }
+
+    /// The functions of the caller again (`SAVE`).
+    pub fn restore(&mut self, caller: &State) {
+        self.plane.clone_from(&caller.plane);
+        self.compensation.clone_from(&caller.compensation);
+        self.frame.clone_from(&caller.frame);
+        self.transverse.clone_from(&caller.transverse);
+        self.units.clone_from(&caller.units);
     }
 
     /// T: the tool is in use at once, or M6 brings it.
@@ -139,6 +152,7 @@ impl State {
         match code {
             17..=19 => self.plane = Plane::of(code).map_or(Mode::Open, Mode::Is),
             40..=42 => self.compensation = Mode::Is(code),
+            70 | 71 | 700 | 710 => self.units = Mode::Is(code),
             54..=57 | 500 | 505..=599 => self.frame = Mode::Is(code),
             _ => {}
         }

@@ -1,6 +1,6 @@
 //! Ways through one program: `IF` to `ENDIF`, loops that may not run, jumps forward, ends.
 
-use crate::program::fold::{self, Known};
+use crate::program::fold::{self, Nothing};
 use crate::program::tree::{Block, Expr, Program, Word, WordKind};
 use crate::run::flow::{canonical, structural};
 use std::collections::HashMap;
@@ -11,7 +11,8 @@ pub struct Branches<S> {
     pub state: S,
     /// Nothing comes here in the order of the text.
     pub dead: bool,
-    open: Vec<Open<S>>,
+    /// Structures whose end has not come yet.
+    pub open: Vec<Open<S>>,
     /// States with which a label or block number is jumped to.
     jumps: HashMap<String, S>,
     /// State of those who went back before the end.
@@ -19,10 +20,17 @@ pub struct Branches<S> {
 }
 
 /// A structure whose end has not come yet.
-struct Open<S> {
-    before: S,
-    dead: bool,
-    /// End of the part before `ELSE`; none inside where it does not come to its end.
+pub enum Open<S> {
+    /// `IF`.
+    If(Choice<S>),
+    /// A loop that begins in this block.
+    Loop(usize),
+}
+
+/// The ways past an `IF`. No state: nothing comes there.
+pub struct Choice<S> {
+    before: Option<S>,
+    /// Behind the part before `ELSE`, where there was one.
     first: Option<Option<S>>,
 }
 
@@ -59,51 +67,78 @@ impl<S: Clone> Branches<S> {
         self.labels(program, block, words, &meet);
         match structural(program, words) {
             Some("ELSE") => {
-                if let Some(open) = self.open.last_mut() {
-                    open.first = Some((!self.dead).then(|| self.state.clone()));
-                    self.state = open.before.clone();
-                    self.dead = open.dead;
+                if let Some(Open::If(choice)) = self.open.last_mut() {
+                    choice.first = Some((!self.dead).then(|| self.state.clone()));
+                    self.dead = choice.before.is_none();
+                    self.state = choice.before.clone().unwrap_or_else(|| self.state.clone());
                 }
             }
-            Some("ENDIF" | "ENDWHILE" | "ENDFOR") => {
-                if let Some(open) = self.open.pop() {
-                    let other = (!open.dead).then_some(open.before);
-                    self.join(open.first.unwrap_or(other), meet);
+            Some("ENDIF") => {
+                let choice = self.open.pop_if(|open| matches!(open, Open::If(_)));
+                if let Some(Open::If(choice)) = choice {
+                    self.join(choice.first.unwrap_or(choice.before), meet);
                 }
             }
             _ => {}
         }
     }
 
-    /// Behind a block: a branch begins, or a jump or the end goes away.
-    pub fn leave(
-        &mut self,
-        program: &Program,
-        block: &Block,
-        words: &[Word],
-        meet: impl Fn(&S, &S) -> S,
-    ) {
-        if let Some("IF" | "WHILE" | "FOR") = structural(program, words) {
-            self.open.push(Open {
-                before: self.state.clone(),
-                dead: self.dead,
-                first: None,
-            });
+    /// The block in which the innermost structure begins, where that is a loop.
+    pub fn loop_begin(&self) -> Option<usize> {
+        match self.open.last() {
+            Some(Open::Loop(head)) => Some(*head),
+            _ => None,
+        }
+    }
+
+    /// What was open on other ways to the same place.
+    pub fn also(&mut self, ways: Vec<Vec<Open<S>>>, meet: impl Fn(&S, &S) -> S) {
+        for way in ways {
+            let Some(from) = self.open.len().checked_sub(way.len()) else {
+                continue;
+            };
+            for (open, other) in self.open.iter_mut().skip(from).zip(way) {
+                if let (Open::If(choice), Open::If(other)) = (open, other) {
+                    choice.before = both(choice.before.take(), other.before, &meet);
+                    choice.first = match (choice.first.take(), other.first) {
+                        (Some(one), Some(other)) => Some(both(one, other, &meet)),
+                        (one, _) => one,
+                    };
+                }
+            }
+        }
+    }
+
+    /// Behind a block: a branch begins, or a jump or the end goes away. `back`: what goes back was followed already.
+    pub fn leave(&mut self, program: &Program, at: usize, back: bool, meet: impl Fn(&S, &S) -> S) {
+        let Some(block) = program.blocks.get(at) else {
+            return;
+        };
+        let words = program.words_of(block);
+        match structural(program, words) {
+            Some("IF") => {
+                let before = (!self.dead).then(|| self.state.clone());
+                let first = None;
+                self.open.push(Open::If(Choice { before, first }));
+            }
+            Some("WHILE" | "FOR" | "LOOP" | "REPEAT") => self.open.push(Open::Loop(at)),
+            Some("ENDWHILE" | "ENDFOR" | "ENDLOOP" | "UNTIL") => {
+                self.open.pop_if(|open| matches!(open, Open::Loop(_)));
+            }
+            _ => {}
         }
         let mut goes = ends(program, words);
         if returns(program, words) && !self.dead {
-            let left = self.left.take();
-            self.left =
-                Some(left.map_or_else(|| self.state.clone(), |left| meet(&left, &self.state)));
+            self.left = both(self.left.take(), Some(self.state.clone()), &meet);
             goes = true;
         }
         for target in words.iter().filter_map(|word| target(program, word)) {
             goes = true;
-            if let Some(name) = target.filter(|_| !self.dead) {
+            if let Some(name) = target.filter(|_| !self.dead && !back) {
                 let known = self.jumps.remove(&name);
-                let state =
-                    known.map_or_else(|| self.state.clone(), |known| meet(&known, &self.state));
-                self.jumps.insert(name, state);
+                if let Some(state) = both(known, Some(self.state.clone()), &meet) {
+                    self.jumps.insert(name, state);
+                }
             }
         }
         if goes && block.skip.is_none() && !conditional(program, words) {
@@ -163,8 +198,16 @@ impl<S: Clone> Branches<S> {
     }
 }
 
+/// What holds where two ways meet, of which one may not come there.
+fn both<S>(one: Option<S>, other: Option<S>, meet: impl Fn(&S, &S) -> S) -> Option<S> {
+    match (one, other) {
+        (Some(one), Some(other)) => Some(meet(&one, &other)),
+        (one, other) => one.or(other),
+    }
+}
+
 /// Where a word jumps to; none inside: the text does not tell.
-fn target(program: &Program, word: &Word) -> Option<Option<String>> {
+pub fn target(program: &Program, word: &Word) -> Option<Option<String>> {
     let WordKind::Keyword { name, value } = &word.kind else {
         return None;
     };
@@ -227,6 +270,5 @@ fn function(program: &Program, word: &Word, numbers: &[f64]) -> bool {
         return false;
     };
     program.is(*name, "M")
-        && fold::number(program, *value, &Known::new())
-            .is_some_and(|number| numbers.contains(&number))
+        && fold::number(program, *value, &Nothing).is_some_and(|number| numbers.contains(&number))
 }

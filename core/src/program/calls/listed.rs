@@ -1,0 +1,121 @@
+//! Calls of SINUMERIK cycles: by their name alone, or with arguments.
+
+use super::{Place, Walk};
+use crate::catalogue::{self, Arg, ArgumentList, Cycle, Style, list};
+use crate::diagnostic::Span;
+use crate::program::arguments;
+use crate::program::held::Held;
+use crate::program::tree::ExprId;
+use crate::program::values::Value;
+use std::rc::Rc;
+
+/// Values of a call by the names of its parameters.
+pub(super) type Given = Vec<(&'static str, Held)>;
+
+impl Walk<'_> {
+    /// A call of any cycle.
+    pub(super) fn cycle(
+        &mut self,
+        place: &mut Place,
+        span: Span,
+        name: Span,
+        args: &[Option<ExprId>],
+    ) {
+        let name = self.program.name(name);
+        let arguments: Vec<Option<Value>> = arguments::places(self.program, span)
+            .into_iter()
+            .enumerate()
+            .map(|(index, at)| {
+                let id = args.get(index).copied().flatten()?;
+                Some(self.value(place, id, at))
+            })
+            .collect();
+        if name == list::AUXILIARY {
+            return self.auxiliary(place, arguments);
+        }
+        let number = |index: usize| arguments.get(index)?.as_ref()?.number;
+        let listed = (!arguments.is_empty())
+            .then(|| list::called(self.program.dialect, &name, number))
+            .flatten();
+        if let Some((cycle, list)) = listed {
+            self.listed(place, cycle, list, span, &arguments);
+        } else if let Some(cycle) = catalogue::find(self.program.dialect, &name) {
+            self.meet_call(place, cycle, span, None, self.assigned(place, cycle));
+        }
+    }
+
+    /// `CYCLE_PARA`: what is not 0 goes into the data (B:11734).
+    fn auxiliary(&mut self, place: &mut Place, arguments: Vec<Option<Value>>) {
+        for (name, value) in list::AUXILIARY_ARGS.iter().zip(arguments) {
+            if let Some(value) = value.filter(|value| value.number != Some(0.0)) {
+                self.assign(place, name, value);
+            }
+        }
+    }
+
+    fn listed(
+        &mut self,
+        place: &mut Place,
+        cycle: &'static Cycle,
+        list: &'static ArgumentList,
+        span: Span,
+        arguments: &[Option<Value>],
+    ) {
+        let values = arguments::given(cycle, list, span, arguments);
+        if list.style == Style::Indirect {
+            // The called program puts every argument into the data, also those that are omitted.
+            for (name, value) in values {
+                self.assign(place, name, value);
+            }
+            let assigned = self.assigned(place, cycle);
+            return self.meet_call(place, cycle, span, Some(list), assigned);
+        }
+        let values = values.into_iter();
+        let values = values.filter(|(_, value)| !value.text.is_empty());
+        let mut given: Given = values
+            .map(|(name, value)| (name, Held::One(Rc::new(value))))
+            .collect();
+        for (arg, value) in list.args.iter().zip(arguments) {
+            if let (Arg::Variable(array), Some(value)) = (arg, value) {
+                let variable = value.text.to_ascii_uppercase();
+                self.elements_of(place, cycle, array, &variable, &mut given);
+            }
+        }
+        if list.style == Style::Direct {
+            let beside = self.assigned(place, cycle).into_iter();
+            given.extend(beside.filter(|(name, _)| !list.gives(name)));
+        }
+        self.meet_call(place, cycle, span, Some(list), given);
+    }
+
+    /// The parameters that are elements of a variable of the program.
+    fn elements_of(
+        &self,
+        place: &Place,
+        cycle: &'static Cycle,
+        array: &str,
+        variable: &str,
+        found: &mut Given,
+    ) {
+        for param in cycle.params {
+            let element = param
+                .name
+                .strip_prefix(array)
+                .filter(|rest| rest.starts_with('['));
+            let held = element.and_then(|rest| self.newest(place, &format!("{variable}{rest}")));
+            found.extend(held.map(|held| (param.name, held)));
+        }
+    }
+
+    /// The values that the data of a cycle hold.
+    fn assigned(&self, place: &Place, cycle: &'static Cycle) -> Given {
+        let params = cycle.params.iter();
+        params
+            .filter_map(|param| Some((param.name, self.newest(place, param.name)?)))
+            .collect()
+    }
+
+    pub(super) fn newest(&self, place: &Place, name: &str) -> Option<Held> {
+        place.values.get(self.names.find(name)?).cloned()
+    }
+}

@@ -1,0 +1,97 @@
+//! Calls of NCT macros: the addresses of the block are the values.
+
+use super::{Place, Walk};
+use crate::catalogue::{self, Cycle, nct};
+use crate::control::{Control, Plane};
+use crate::diagnostic::Span;
+use crate::program::fold;
+use crate::program::held::Held;
+use crate::program::tree::{Block, Expr, WordKind};
+use crate::program::values;
+use std::rc::Rc;
+
+impl Walk<'_> {
+    /// Looks through a program block by block.
+    pub(super) fn macros(&mut self, place: &mut Place) {
+        let program = self.program;
+        for block in &program.blocks {
+            self.pass();
+            let words = program.words_of(block);
+            self.data(place, words);
+            for word in words {
+                let WordKind::Address { name, value, .. } = &word.kind else {
+                    continue;
+                };
+                let Some(Expr::Number(number, _)) = program.expr(*value) else {
+                    continue;
+                };
+                if program.is(*name, "G") {
+                    modal(&mut self.control, *number);
+                    if let Some((cycle, span)) = self.macro_call(place, *number, block, word.span) {
+                        self.addressed(place, cycle, block, span);
+                    }
+                }
+            }
+        }
+    }
+
+    /// The macro that a G function calls: by its own number, or G65 by the program number at P (C:58). With the place of
+    /// the words that name it.
+    fn macro_call(
+        &self,
+        place: &Place,
+        code: f64,
+        block: &Block,
+        span: Span,
+    ) -> Option<(&'static Cycle, Span)> {
+        if code != 65.0 {
+            return Some((
+                catalogue::find(self.program.dialect, &format!("G{code}"))?,
+                span,
+            ));
+        }
+        let words = self.program.words_of(block).iter();
+        let (named, number) = words.into_iter().find_map(|word| match &word.kind {
+            WordKind::Address { name, value, .. } if self.program.is(*name, "P") => {
+                let number = fold::number(self.program, *value, &self.numbers(place))?;
+                Some((word.span, number))
+            }
+            _ => None,
+        })?;
+        let whole = Span {
+            start: span.start.min(named.start),
+            end: span.end.max(named.end),
+        };
+        Some((nct::by_program(number)?, whole))
+    }
+
+    fn addressed(&mut self, place: &Place, cycle: &'static Cycle, block: &Block, span: Span) {
+        let mut given = Vec::new();
+        for word in self.program.words_of(block) {
+            let WordKind::Address { name, value, .. } = &word.kind else {
+                continue;
+            };
+            let mut params = cycle.params.iter();
+            if let Some(param) = params.find(|param| self.program.is(*name, param.name)) {
+                let at = Span {
+                    start: name.end,
+                    end: word.span.end,
+                };
+                let value = values::value(self.program, *value, at, &self.numbers(place));
+                given.push((param.name, Held::One(Rc::new(value))));
+            }
+        }
+        self.meet_call(place, cycle, span, None, given);
+    }
+}
+
+/// Plane and units by the G functions before the call.
+fn modal(control: &mut Control, number: f64) {
+    if number.fract() != 0.0 || !(0.0..1000.0).contains(&number) {
+        return;
+    }
+    match Plane::of(number as u16) {
+        Some(plane) => control.plane = plane,
+        None => drop(control.choose_units(number as u16)),
+    }
+}

@@ -1,0 +1,310 @@
+//! What is known of a call after each way to it, and after all of them.
+
+use super::listed::Given;
+use super::{CallSite, Origin, Place, Walk, Way};
+use crate::catalogue::{ArgumentList, Cycle, Dialect};
+use crate::check::{EXPRESSION, Typed, check};
+use crate::control::Control;
+use crate::diagnostic::{Diagnostic, Span};
+use crate::program::tree::Program;
+use crate::program::values::Value;
+use crate::support::BITS;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::rc::Rc;
+
+/// The calls that were met.
+#[derive(Default)]
+pub(super) struct Found {
+    sites: Vec<CallSite>,
+    /// What arrives at each of them.
+    given: Vec<Given>,
+    /// Their places in `sites`, by their first byte.
+    at: HashMap<u32, usize>,
+    /// The call that first takes a value, by its first byte, by that of the value.
+    takers: HashMap<u32, u32>,
+    ways: usize,
+}
+
+impl Walk<'_> {
+    /// A way comes to a measuring call with these values.
+    pub(super) fn meet_call(
+        &mut self,
+        place: &Place,
+        cycle: &'static Cycle,
+        span: Span,
+        list: Option<&'static ArgumentList>,
+        given: Given,
+    ) {
+        let values = given.iter();
+        let values: Typed = values
+            .map(|(name, held)| ((*name).to_owned(), shown(self.program, name, held.all())))
+            .collect();
+        if self.around.several() {
+            let all = given.iter().flat_map(|(_, held)| held.all());
+            for value in all {
+                let taker = self.found.takers.entry(value.source().start);
+                taker.or_insert(span.start);
+            }
+        }
+        let known = self.found.at.get(&span.start).copied();
+        let index =
+            known.unwrap_or_else(|| self.first(place, cycle, span, list, (&given, &values)));
+        self.way(index, place, values, &given);
+        match known {
+            Some(index) => self.also(index, given),
+            None => self.found.given.push(given),
+        }
+    }
+
+    /// The first way to a call.
+    fn first(
+        &mut self,
+        place: &Place,
+        cycle: &'static Cycle,
+        span: Span,
+        list: Option<&'static ArgumentList>,
+        (given, values): (&Given, &Typed),
+    ) -> usize {
+        let line = self.program.line_of(span.start);
+        let mut site = CallSite {
+            cycle,
+            line,
+            first_line: line,
+            span,
+            values: values.clone(),
+            places: BTreeMap::new(),
+            origins: BTreeMap::new(),
+            shared: BTreeSet::new(),
+            list,
+            own_from: self.own_from(span, line),
+            behind: self.around.behind(span),
+            bits: self.bits(place),
+            plane: self.control.plane,
+            unit_function: self.control.unit_function(),
+            ways: Vec::new(),
+            overwritten: Vec::new(),
+            diagnostics: Vec::new(),
+        };
+        let unit = self.around.unit(span);
+        for (name, held) in given {
+            if let Some(at) = one_place(held.all()) {
+                site.places.insert(name, at);
+                if at.start >= site.own_from && at.start < unit.end {
+                    site.first_line = site.first_line.min(self.program.line_of(at.start));
+                }
+            }
+            if held.all().iter().any(|value| value.shared) {
+                site.shared.insert(name);
+            }
+        }
+        overwritten(&mut site, given, unit);
+        let index = self.found.sites.len();
+        self.found.sites.push(site);
+        self.found.at.insert(span.start, index);
+        index
+    }
+
+    /// On NCT the block alone gives the values.
+    fn own_from(&self, span: Span, line: u32) -> u32 {
+        match self.program.dialect {
+            Dialect::Sinumerik => self.around.own_from(span),
+            Dialect::Nct => {
+                let block = self.program.blocks.get(line as usize);
+                block.map_or(span.start, |block| block.span.start)
+            }
+        }
+    }
+
+    /// Another way to a call: what the first one does not give, no form shows.
+    fn also(&mut self, index: usize, given: Given) {
+        let Some(known) = self.found.given.get_mut(index) else {
+            return;
+        };
+        if let Some(site) = self.found.sites.get_mut(index) {
+            overwritten(site, &given, self.around.unit(site.span));
+        }
+        for (name, held) in known {
+            if let Some((_, other)) = given.iter().find(|(other, _)| other == name) {
+                *held = held.meet(other);
+            }
+        }
+    }
+
+    /// Checks the values of a way with what is in force on it.
+    fn way(&mut self, index: usize, place: &Place, values: Typed, given: &Given) {
+        let same = |way: &Way| way.state == place.force && way.values == values;
+        let ways = self.found.sites.get(index).map(|site| &site.ways);
+        let known = ways.is_some_and(|ways| ways.iter().any(same));
+        // The same values may be written somewhere else.
+        let mut held = given.iter().flat_map(|(_, held)| held.all());
+        if known && !held.any(|value| value.argument) {
+            return;
+        }
+        let sinumerik = self.program.dialect == Dialect::Sinumerik;
+        let mut tool = None;
+        if sinumerik {
+            tool = self.tools.use_at(&mut self.control, &place.force);
+        }
+        let Some(site) = self.found.sites.get_mut(index) else {
+            return;
+        };
+        site.plane = self.control.plane;
+        site.unit_function = self.control.unit_function();
+        for mut one in checked(site.cycle, &values, given, &self.control) {
+            if !self.tools.told(&self.control, one.code) {
+                continue;
+            }
+            one.span = one.span.or(Some(site.span));
+            if !site.diagnostics.contains(&one) {
+                site.diagnostics.push(one);
+            }
+        }
+        if sinumerik && !known {
+            site.ways.push(Way {
+                order: self.found.ways,
+                state: place.force.clone(),
+                tool,
+                values,
+            });
+            self.found.ways += 1;
+        }
+    }
+
+    fn bits(&self, place: &Place) -> Vec<(&'static str, String, Span)> {
+        let set = |name: &'static str| {
+            let held = self.newest(place, name)?;
+            let value = held.all().first()?;
+            Some((name, value.text.clone(), value.place))
+        };
+        BITS.into_iter().filter_map(set).collect()
+    }
+
+    /// All calls in the order of the text, once every way was followed.
+    pub(super) fn finished(self) -> Vec<CallSite> {
+        let Found {
+            sites,
+            given,
+            takers,
+            ..
+        } = self.found;
+        let mut finished: Vec<CallSite> = Vec::with_capacity(sites.len());
+        let mut told = BTreeSet::new();
+        for (mut site, given) in sites.into_iter().zip(given) {
+            // What a call took was of use, and what the first call behind misses is told there.
+            let mut missed = |start| !takers.contains_key(&start) && told.insert(start);
+            site.overwritten
+                .retain(|(_, before, _)| missed(before.start));
+            let unit = self.around.unit(site.span);
+            for (name, held) in &given {
+                let all = held.all();
+                let elsewhere = |value: &Rc<Value>| !inside(unit, value.source());
+                if all.len() < 2 && !all.iter().any(elsewhere) {
+                    continue;
+                }
+                if all.len() > 1 {
+                    let text = shown(self.program, name, all);
+                    site.values.insert((*name).to_owned(), text);
+                    if one_place(all).is_none() {
+                        site.places.remove(name);
+                    }
+                }
+                let several = self.around.several();
+                let own = |value: &Value| {
+                    let source = value.source().start;
+                    let taker = takers.get(&source) == Some(&site.span.start);
+                    taker || !several && source >= site.own_from
+                };
+                let mut origins: Vec<Origin> = all
+                    .iter()
+                    .map(|value| Origin {
+                        text: value.text.clone(),
+                        place: value.source(),
+                        argument: value.argument,
+                        own: own(value),
+                    })
+                    .collect();
+                origins.sort_by_key(|origin| origin.place.start);
+                site.origins.insert(name, origins);
+            }
+            finished.push(site);
+        }
+        finished.sort_by_key(|site| site.span.start);
+        finished
+    }
+}
+
+fn inside(unit: Span, place: Span) -> bool {
+    unit.start <= place.start && place.start < unit.end
+}
+
+/// What a form shows where one of these arrives.
+fn shown(program: &Program, name: &str, values: &[Rc<Value>]) -> String {
+    let Some((first, rest)) = values.split_first() else {
+        return String::new();
+    };
+    if rest.iter().all(|other| other.text == first.text) {
+        return first.text.clone();
+    }
+    match one_place(values) {
+        Some(place) => String::from_utf8_lossy(program.text(place))
+            .trim()
+            .to_owned(),
+        None => name.to_owned(),
+    }
+}
+
+/// The assignment of all values, where it is the same.
+fn one_place(values: &[Rc<Value>]) -> Option<Span> {
+    let (first, rest) = values.split_first()?;
+    let same = rest.iter().all(|other| other.place == first.place);
+    same.then_some(first.place)
+}
+
+/// Findings about the values of a way, each at its value. Of several that may arrive each is checked by itself.
+fn checked(
+    cycle: &'static Cycle,
+    values: &Typed,
+    given: &Given,
+    control: &Control,
+) -> Vec<Diagnostic> {
+    let mut found = check(cycle, values, control).diagnostics;
+    for one in &mut found {
+        let held = one
+            .param
+            .and_then(|name| given.iter().find(|(other, _)| *other == name));
+        let value = held.and_then(|(_, held)| held.all().last());
+        one.span = value.map(|value| value.written_at());
+    }
+    for (name, held) in given.iter().filter(|(_, held)| held.all().len() > 1) {
+        let all = held.all();
+        if all.iter().all(|value| value.number.is_some()) {
+            found.retain(|one| one.code != EXPRESSION || one.param != Some(name));
+        }
+        for value in all {
+            let mut values = values.clone();
+            values.insert((*name).to_owned(), value.text.clone());
+            let alone = check(cycle, &values, control).diagnostics.into_iter();
+            let alone = alone.filter(|one| one.param == Some(name) && one.code != EXPRESSION);
+            found.extend(alone.map(|one| Diagnostic {
+                span: Some(value.written_at()),
+                ..one
+            }));
+        }
+    }
+    found
+}
+
+/// The assignments of this program that a called one took the place of.
+fn overwritten(site: &mut CallSite, given: &Given, unit: Span) {
+    for (name, held) in given {
+        for value in held.all() {
+            let Some((before, call)) = value.instead else {
+                continue;
+            };
+            let known = site.overwritten.iter().any(|(other, ..)| other == name);
+            if inside(unit, before) && before.end <= site.span.start && !known {
+                site.overwritten.push((name, before, call));
+            }
+        }
+    }
+}

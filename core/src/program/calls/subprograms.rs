@@ -1,0 +1,423 @@
+//! Where a place of the text stands among its programs, and what a called program takes from its caller and leaves it.
+
+use super::{Place, Walk};
+use crate::catalogue::{self, list};
+use crate::diagnostic::Span;
+use crate::program::arguments;
+use crate::program::flow::{Called, Entry, LEVELS, called, callers};
+use crate::program::fold;
+use crate::program::held::{Held, Values, stem};
+use crate::program::tree::{Block, Expr, ExprId, Program, Word, WordKind};
+use crate::program::values::{self, Value};
+use crate::run::programs::{Programs, Unit};
+use std::collections::{BTreeSet, HashMap};
+use std::rc::Rc;
+
+/// The programs of a text, as far as values go through them.
+pub(super) struct Subprograms<'a> {
+    programs: &'a Programs,
+    /// First byte of each program.
+    starts: Vec<u32>,
+    /// Ends of the calls that measure, or call a program that does.
+    measured: Vec<u32>,
+    /// Ends of the calls of programs of the text.
+    called: Vec<u32>,
+    /// What each program names; found when it is called.
+    own: HashMap<usize, Rc<Uses>>,
+    /// Variables that it and the programs that it calls name.
+    all: HashMap<usize, Rc<BTreeSet<String>>>,
+}
+
+/// The variables of one program, by their names without index.
+#[derive(Debug, Default)]
+struct Uses {
+    /// Those that it names, and all parameters of the cycles that it calls.
+    names: BTreeSet<String>,
+    /// Those that it declares.
+    declared: BTreeSet<String>,
+    /// Its parameters.
+    formal: Vec<Formal>,
+    /// The programs that it calls.
+    calls: BTreeSet<usize>,
+}
+
+/// A parameter of a program.
+#[derive(Clone, Debug)]
+struct Formal {
+    name: String,
+    /// What it changes, its caller sees (`VAR`).
+    by_reference: bool,
+    default: Option<ExprId>,
+}
+
+impl<'a> Subprograms<'a> {
+    /// Those of this program.
+    pub fn of(program: &Program, programs: &'a Programs) -> Self {
+        let first = |unit: &Unit| {
+            program
+                .blocks
+                .get(unit.blocks.start)
+                .map(|block| block.span.start)
+        };
+        let starts = programs.units.iter().map(first);
+        let mut found = Self {
+            programs,
+            starts: starts.map(|start| start.unwrap_or(u32::MAX)).collect(),
+            measured: Vec::new(),
+            called: Vec::new(),
+            own: HashMap::new(),
+            all: HashMap::new(),
+        };
+        let measures = measuring(program, programs);
+        for block in &program.blocks {
+            let words = program.words_of(block);
+            for (at, word) in words.iter().enumerate() {
+                if is_cycle(program, word) {
+                    found.measured.push(word.span.end);
+                } else if programs.units.len() > 1
+                    && let Some(Called::Here(unit)) = called(program, programs, words, at)
+                {
+                    found.called.push(word.span.end);
+                    if measures.contains(&unit) {
+                        found.measured.push(word.span.end);
+                    }
+                }
+            }
+        }
+        found
+    }
+
+    /// First byte behind the last call that measures before this one, in the same program.
+    pub fn own_from(&self, call: Span) -> u32 {
+        last_before(&self.measured, call).max(self.unit(call).start)
+    }
+
+    /// End of the last call of a program before this one, in the same program; 0: there is none.
+    pub fn behind(&self, call: Span) -> u32 {
+        let last = last_before(&self.called, call);
+        if last > self.unit(call).start {
+            last
+        } else {
+            0
+        }
+    }
+
+    /// The bytes of the program in which a place stands.
+    pub fn unit(&self, place: Span) -> Span {
+        let behind = self.starts.partition_point(|start| *start <= place.start);
+        let start = behind.checked_sub(1).and_then(|unit| self.starts.get(unit));
+        Span {
+            start: start.copied().unwrap_or(0),
+            end: self.starts.get(behind).copied().unwrap_or(u32::MAX),
+        }
+    }
+
+    /// Whether the text holds more than one program.
+    pub fn several(&self) -> bool {
+        self.starts.len() > 1
+    }
+
+    /// Whether a place stands in another program of the text.
+    pub fn is_elsewhere(&self, from: Span, place: Span) -> bool {
+        let unit = self.unit(from);
+        place.start < unit.start || place.start >= unit.end
+    }
+
+    fn own(&mut self, program: &Program, unit: usize) -> Rc<Uses> {
+        let programs = self.programs;
+        let found = self.own.entry(unit);
+        Rc::clone(found.or_insert_with(|| Rc::new(uses(program, programs, unit))))
+    }
+
+    /// The variables that a program and those that it calls name.
+    fn all(&mut self, program: &Program, unit: usize) -> Rc<BTreeSet<String>> {
+        if let Some(known) = self.all.get(&unit) {
+            return Rc::clone(known);
+        }
+        let mut names = BTreeSet::new();
+        let (mut reached, mut level) = (BTreeSet::from([unit]), vec![unit]);
+        for _ in 0..LEVELS {
+            let mut deeper = Vec::new();
+            for unit in level {
+                let own = self.own(program, unit);
+                names.extend(own.names.iter().cloned());
+                deeper.extend(own.calls.iter().filter(|unit| reached.insert(**unit)));
+            }
+            level = deeper;
+        }
+        let names = Rc::new(names);
+        self.all.insert(unit, Rc::clone(&names));
+        names
+    }
+}
+
+fn last_before(ends: &[u32], call: Span) -> u32 {
+    let behind = ends.partition_point(|end| *end <= call.start);
+    behind
+        .checked_sub(1)
+        .and_then(|last| ends.get(last))
+        .copied()
+        .unwrap_or(0)
+}
+
+fn is_cycle(program: &Program, word: &Word) -> bool {
+    let WordKind::Call { name, .. } = &word.kind else {
+        return false;
+    };
+    let text = program.text(*name);
+    let cycle = text
+        .get(..5)
+        .is_some_and(|start| start.eq_ignore_ascii_case(b"CYCLE"));
+    cycle && !program.is(*name, list::AUXILIARY)
+}
+
+/// The programs that measure, or call one that does.
+fn measuring(program: &Program, programs: &Programs) -> BTreeSet<usize> {
+    if programs.units.len() < 2 {
+        return BTreeSet::new();
+    }
+    let mut called_by: Vec<Vec<usize>> = vec![Vec::new(); programs.units.len()];
+    for (from, called) in callers(program, programs).into_iter().enumerate() {
+        for to in called {
+            called_by
+                .get_mut(to)
+                .into_iter()
+                .for_each(|callers| callers.push(from));
+        }
+    }
+    let units = programs.units.iter().enumerate();
+    let themselves = units.filter(|(_, unit)| {
+        let blocks = program.blocks.get(unit.blocks.clone()).unwrap_or_default();
+        let mut words = blocks.iter().flat_map(|block| program.words_of(block));
+        words.any(|word| is_cycle(program, word))
+    });
+    let mut open: Vec<usize> = themselves.map(|(at, _)| at).collect();
+    let mut found = BTreeSet::new();
+    while let Some(unit) = open.pop() {
+        if found.insert(unit) {
+            open.extend(called_by.get(unit).into_iter().flatten());
+        }
+    }
+    found
+}
+
+fn uses(program: &Program, programs: &Programs, unit: usize) -> Uses {
+    let mut found = Uses::default();
+    let Some(unit) = programs.units.get(unit) else {
+        return found;
+    };
+    let signature = unit.signature.and_then(|block| program.blocks.get(block));
+    found.formal = signature.map_or(Vec::new(), |block| formal(program, block));
+    for block in program.blocks.get(unit.blocks.clone()).unwrap_or_default() {
+        let words = program.words_of(block);
+        for (at, word) in words.iter().enumerate() {
+            found.word(program, word);
+            if let Some(Called::Here(other)) = called(program, programs, words, at) {
+                found.calls.insert(other);
+            }
+        }
+    }
+    found
+}
+
+impl Uses {
+    fn word(&mut self, program: &Program, word: &Word) {
+        match &word.kind {
+            WordKind::Assign {
+                name, index, value, ..
+            } => {
+                self.names.insert(program.name(*name));
+                index
+                    .iter()
+                    .chain([value])
+                    .for_each(|id| self.expression(program, *id));
+            }
+            WordKind::Declare { name, value, .. } => {
+                self.names.insert(program.name(*name));
+                self.declared.insert(program.name(*name));
+                value.iter().for_each(|id| self.expression(program, *id));
+            }
+            WordKind::Address { value, .. } => self.expression(program, *value),
+            WordKind::Call { name, args, .. } => {
+                let args = args.iter().flatten();
+                args.for_each(|id| self.expression(program, *id));
+                let cycle = catalogue::find(program.dialect, &program.name(*name));
+                let params = cycle.map_or(&[][..], |cycle| cycle.params).iter();
+                self.names
+                    .extend(params.map(|param| stem(param.name).to_owned()));
+            }
+            _ => {}
+        }
+    }
+
+    fn expression(&mut self, program: &Program, id: ExprId) {
+        match program.expr(id) {
+            Some(Expr::Name { name, index }) => {
+                self.names.insert(program.name(*name));
+                index.iter().for_each(|id| self.expression(program, *id));
+            }
+            Some(Expr::Unary(_, inner)) => self.expression(program, *inner),
+            Some(Expr::Binary(left, _, right)) => {
+                self.expression(program, *left);
+                self.expression(program, *right);
+            }
+            Some(Expr::Call(_, list) | Expr::List(list)) => {
+                list.iter().for_each(|id| self.expression(program, *id));
+            }
+            _ => {}
+        }
+    }
+}
+
+/// The parameters that a `PROC` declares; the first name is that of the program.
+fn formal(program: &Program, block: &Block) -> Vec<Formal> {
+    let (mut found, mut by_reference, mut named) = (Vec::new(), false, false);
+    for word in program.words_of(block) {
+        match &word.kind {
+            WordKind::Keyword { name, .. } => by_reference |= program.is(*name, "VAR"),
+            WordKind::Declare { .. } if !named => named = true,
+            WordKind::Declare { name, value, .. } => found.push(Formal {
+                name: program.name(*name),
+                by_reference: std::mem::take(&mut by_reference),
+                default: *value,
+            }),
+            _ => {}
+        }
+    }
+    found
+}
+
+impl Walk<'_> {
+    /// What a called program begins with: of the values those that it or a deeper one names, and its parameters.
+    pub(super) fn entered(&mut self, caller: &Place, entry: &Entry) -> Place {
+        let mut values = Values::default();
+        for name in self.around.all(self.program, entry.unit).iter() {
+            for id in self.names.of_variable(name) {
+                if let Some(held) = caller.values.get(*id) {
+                    values.set(*id, Some(held.clone()));
+                }
+            }
+        }
+        let own = self.around.own(self.program, entry.unit);
+        let arguments = arguments_of(self.program, entry);
+        for (at, formal) in own.formal.iter().enumerate() {
+            let held = match arguments.get(at).copied().flatten() {
+                Some((id, place)) => self.argument(caller, id, place),
+                None => match formal.default {
+                    Some(id) => self.default(caller, id),
+                    None => omitted(entry),
+                },
+            };
+            let id = self.names.number(&formal.name, &self.unsteady);
+            values.set(id, Some(Held::One(Rc::new(held))));
+        }
+        Place {
+            force: caller.force.clone(),
+            values,
+        }
+    }
+
+    fn argument(&self, caller: &Place, id: ExprId, place: Span) -> Value {
+        Value {
+            argument: true,
+            ..self.value(caller, id, place)
+        }
+    }
+
+    fn default(&self, caller: &Place, id: ExprId) -> Value {
+        let place = values::place(self.program, id).unwrap_or_default();
+        self.value(caller, id, place)
+    }
+
+    /// What holds behind a call: the caller's own values, but for those that the called program wrote.
+    pub(super) fn left(
+        &mut self,
+        caller: &Place,
+        (begin, after): (&Place, &Place),
+        entry: &Entry,
+        saves: bool,
+    ) -> Place {
+        let mut place = Place {
+            force: after.force.clone(),
+            values: caller.values.clone(),
+        };
+        if saves {
+            place.force.restore(&caller.force);
+        }
+        let own = self.around.own(self.program, entry.unit);
+        let call = entry
+            .words
+            .get(entry.at)
+            .map_or_else(Span::default, |word| word.span);
+        for id in begin.values.changed(&after.values) {
+            if !own.declared.contains(stem(self.names.text(id))) {
+                let held = after.values.get(id);
+                let held = held.map(|held| self.written(caller, id, held, call));
+                place.values.set(id, held);
+            }
+        }
+        let arguments = arguments_of(self.program, entry);
+        for (formal, argument) in own.formal.iter().zip(arguments) {
+            let variable = argument.filter(|_| formal.by_reference);
+            let variable = variable.and_then(|(id, _)| self.variable(caller, id));
+            let formal = self.names.find(&formal.name);
+            if let Some((variable, formal)) = variable.zip(formal) {
+                place
+                    .values
+                    .set(variable, after.values.get(formal).cloned());
+            }
+        }
+        place
+    }
+
+    /// A value that a called program wrote, with the assignment of the caller whose place it took.
+    fn written(&self, caller: &Place, id: usize, held: &Held, call: Span) -> Held {
+        let Some(Held::One(before)) = caller.values.get(id) else {
+            return held.clone();
+        };
+        let after = held.all().iter().map(|value| {
+            let same = value.number.is_some() && value.number == before.number;
+            if same || value == before {
+                return Rc::clone(value);
+            }
+            Rc::new(Value {
+                instead: Some((before.place, call)),
+                ..Value::clone(value)
+            })
+        });
+        Held::of(after.collect())
+    }
+
+    /// The variable that an expression is.
+    pub(super) fn variable(&self, place: &Place, id: ExprId) -> Option<usize> {
+        let Some(Expr::Name { name, index }) = self.program.expr(id) else {
+            return None;
+        };
+        let numbers = self.numbers(place);
+        self.names
+            .find(&fold::name(self.program, *name, index, &numbers)?)
+    }
+}
+
+/// What a parameter without argument and without default holds.
+fn omitted(entry: &Entry) -> Value {
+    let call = entry.words.get(entry.at);
+    let place = call.map_or_else(Span::default, |word| word.span);
+    Value {
+        argument: true,
+        ..Value::at("0".to_owned(), Some(0.0), place)
+    }
+}
+
+/// The arguments of a call of a program, each with its place; none: omitted.
+fn arguments_of(program: &Program, entry: &Entry) -> Vec<Option<(ExprId, Span)>> {
+    let Some(word) = entry.words.get(entry.at) else {
+        return Vec::new();
+    };
+    let WordKind::Call { args, .. } = &word.kind else {
+        return Vec::new();
+    };
+    let places = arguments::places(program, word.span);
+    let given = args.iter().zip(places);
+    given.map(|(id, place)| id.map(|id| (id, place))).collect()
+}

@@ -1,0 +1,234 @@
+//! What variables hold at a place of a program: a map that is copied in one step and shares what did not change, since
+//! each branch and each call of a program goes on with a copy of its own.
+
+use super::fold::Known;
+use super::values::Value;
+use std::collections::HashMap;
+use std::rc::Rc;
+
+/// Values of one variable that are told apart; what comes to a place on more ways is not listed.
+pub(super) const ALTERNATIVES: usize = 8;
+
+/// Variables that are copied together.
+const CHUNK: usize = 16;
+
+/// Numbers for names, so that a name is looked up once.
+#[derive(Debug, Default)]
+pub(super) struct Names {
+    ids: HashMap<Rc<str>, usize>,
+    texts: Vec<Rc<str>>,
+    /// The names of one variable, by its name without index: `_SETV[0]`, `_SETV[1]`.
+    elements: HashMap<String, Vec<usize>>,
+    /// Variables whose number depends on how often the program passes.
+    unsteady: Vec<bool>,
+}
+
+impl Names {
+    /// The number of a name, which may be new.
+    pub fn number(&mut self, name: &str, unsteady: &HashMap<String, u32>) -> usize {
+        if let Some(id) = self.ids.get(name) {
+            return *id;
+        }
+        let id = self.ids.len();
+        let text: Rc<str> = name.into();
+        self.ids.insert(Rc::clone(&text), id);
+        self.texts.push(text);
+        self.unsteady.push(unsteady.contains_key(name));
+        let of_variable = self.elements.entry(stem(name).to_owned());
+        of_variable.or_default().push(id);
+        id
+    }
+
+    /// The number of a name that was met.
+    pub fn find(&self, name: &str) -> Option<usize> {
+        self.ids.get(name).copied()
+    }
+
+    /// The name with this number.
+    pub fn text(&self, id: usize) -> &str {
+        self.texts.get(id).map_or("", |text| text)
+    }
+
+    /// The numbers of a variable and of its elements.
+    pub fn of_variable(&self, stem: &str) -> &[usize] {
+        self.elements.get(stem).map_or(&[], Vec::as_slice)
+    }
+}
+
+/// A name without its index.
+pub(super) fn stem(name: &str) -> &str {
+    name.split('[').next().unwrap_or(name)
+}
+
+/// What one variable may hold.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Held {
+    /// This.
+    One(Rc<Value>),
+    /// One of these: the way through the program decides.
+    Several(Rc<[Rc<Value>]>),
+}
+
+impl Held {
+    /// One of these.
+    pub fn of(mut values: Vec<Rc<Value>>) -> Held {
+        match (values.len(), values.pop()) {
+            (1, Some(value)) => Held::One(value),
+            (_, last) => Held::Several(values.into_iter().chain(last).collect()),
+        }
+    }
+
+    /// All that it may be.
+    pub fn all(&self) -> &[Rc<Value>] {
+        match self {
+            Held::One(value) => std::slice::from_ref(value),
+            Held::Several(values) => values,
+        }
+    }
+
+    /// The number, where every way gives the same.
+    fn number(&self) -> Option<f64> {
+        let (first, rest) = self.all().split_first()?;
+        let number = first.number?;
+        let same = rest.iter().all(|other| other.number == Some(number));
+        same.then_some(number)
+    }
+
+    /// What holds where two ways meet.
+    pub fn meet(&self, other: &Held) -> Held {
+        let new: Vec<&Rc<Value>> = other.all().iter().filter(|one| !self.has(one)).collect();
+        if new.is_empty() {
+            return self.clone();
+        }
+        let all = self.all().iter().chain(new).take(ALTERNATIVES);
+        Held::Several(all.cloned().collect())
+    }
+
+    fn has(&self, value: &Rc<Value>) -> bool {
+        let same = |one: &Rc<Value>| Rc::ptr_eq(one, value) || one == value;
+        self.all().iter().any(same)
+    }
+}
+
+type Chunk = [Option<Held>; CHUNK];
+
+/// What each variable holds, by the numbers of [`Names`].
+#[derive(Clone, Debug, Default)]
+pub(super) struct Values {
+    chunks: Rc<Vec<Rc<Chunk>>>,
+}
+
+impl PartialEq for Values {
+    fn eq(&self, other: &Self) -> bool {
+        self.changed(other).is_empty()
+    }
+}
+
+impl Values {
+    /// What a variable holds; none: nothing wrote it.
+    pub fn get(&self, id: usize) -> Option<&Held> {
+        self.chunks.get(id / CHUNK)?.get(id % CHUNK)?.as_ref()
+    }
+
+    /// Writes a variable.
+    pub fn set(&mut self, id: usize, held: Option<Held>) {
+        let chunks = Rc::make_mut(&mut self.chunks);
+        if chunks.len() <= id / CHUNK {
+            chunks.resize_with(id / CHUNK + 1, Rc::default);
+        }
+        let chunk = chunks.get_mut(id / CHUNK).map(Rc::make_mut);
+        if let Some(place) = chunk.and_then(|chunk| chunk.get_mut(id % CHUNK)) {
+            *place = held;
+        }
+    }
+
+    /// The variables that are another in the other map, in order.
+    pub fn changed(&self, other: &Values) -> Vec<usize> {
+        let mut found = Vec::new();
+        if Rc::ptr_eq(&self.chunks, &other.chunks) {
+            return found;
+        }
+        let chunks = self.chunks.len().max(other.chunks.len());
+        for at in 0..chunks {
+            let (one, two) = (self.chunks.get(at), other.chunks.get(at));
+            if matches!((one, two), (Some(one), Some(two)) if Rc::ptr_eq(one, two)) {
+                continue;
+            }
+            let ids = at * CHUNK..(at + 1) * CHUNK;
+            found.extend(ids.filter(|id| self.get(*id) != other.get(*id)));
+        }
+        found
+    }
+
+    /// What holds where two ways meet. What one of them does not write is what the other left.
+    pub fn meet(&self, other: &Values) -> Values {
+        let mut met = self.clone();
+        for id in self.changed(other) {
+            let held = match (self.get(id), other.get(id)) {
+                (Some(one), Some(two)) => Some(one.meet(two)),
+                (one, two) => one.or(two).cloned(),
+            };
+            met.set(id, held);
+        }
+        met
+    }
+}
+
+/// Numbers of variables at a place.
+pub(super) struct Numbers<'a> {
+    /// Names of the program.
+    pub names: &'a Names,
+    /// What they hold.
+    pub values: &'a Values,
+}
+
+impl Known for Numbers<'_> {
+    fn number(&self, name: &str) -> Option<f64> {
+        let id = self.names.find(name)?;
+        let unsteady = self.names.unsteady.get(id).copied().unwrap_or(false);
+        let held = self.values.get(id).filter(|_| !unsteady)?;
+        held.number()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use crate::diagnostic::Span;
+
+    fn value(number: f64) -> Rc<Value> {
+        Rc::new(Value::at(number.to_string(), Some(number), Span::default()))
+    }
+
+    // oracle: hand
+    #[test]
+    fn a_copy_goes_its_own_way_and_meets_again() {
+        let mut one = Values::default();
+        for id in 0..50 {
+            one.set(id, Some(Held::One(value(id as f64))));
+        }
+        let mut other = one.clone();
+        assert!(one == other);
+        other.set(3, Some(Held::One(value(77.0))));
+        other.set(60, Some(Held::One(value(60.0))));
+        assert_eq!(one.changed(&other), [3, 60]);
+        assert_eq!(one.get(3).unwrap().number(), Some(3.0));
+        let met = one.meet(&other);
+        assert_eq!(met.get(3).unwrap().all().len(), 2);
+        assert_eq!(met.get(3).unwrap().number(), None);
+        assert_eq!(met.get(60).unwrap().number(), Some(60.0));
+        assert!(met.meet(&other) == met, "nothing new");
+    }
+
+    // oracle: hand (what is told apart has an end, so that loops come to one)
+    #[test]
+    fn alternatives_have_an_end() {
+        let mut all = Held::One(value(0.0));
+        for number in 1..30 {
+            all = all.meet(&Held::One(value(f64::from(number))));
+        }
+        assert_eq!(all.all().len(), ALTERNATIVES);
+        assert_eq!(all.meet(&Held::One(value(99.0))), all);
+    }
+}
