@@ -8,6 +8,7 @@ use probewright_core::program::position::Positions;
 use probewright_core::program::read;
 use probewright_core::run::trace::Step;
 use probewright_core::run::{Limits, Outcome, Setup, Stop, run};
+use probewright_core::workpiece::{PartErrors, Shape, Solid};
 
 fn go(text: &str) -> Outcome {
     let program = read(Dialect::Nct, text.as_bytes());
@@ -166,7 +167,7 @@ fn the_main_program_may_begin_anew() {
 fn wrong_programs_stop_at_their_place() {
     for (text, key, place) in [
         ("G0 X1\n#400=1", "run-unknown-variable", (2, 1)),
-        ("#600=#12345", "run-unknown-variable", (1, 6)),
+        ("#600=#9345", "run-unknown-variable", (1, 6)),
         ("#600=#[1000000000000]", "run-unknown-variable", (1, 6)),
         ("#600=#[-1]", "run-unknown-variable", (1, 6)),
         ("#0=1", "run-read-only", (1, 1)),
@@ -174,6 +175,10 @@ fn wrong_programs_stop_at_their_place() {
         ("#5001=1", "run-read-only", (1, 1)),
         ("#600=#5004", "run-unknown-variable", (1, 6)),
         ("#5341=1", "run-unknown-variable", (1, 1)),
+        ("#600=#4004", "run-unknown-variable", (1, 6)),
+        ("#5061=1", "run-read-only", (1, 1)),
+        ("#600=#2001", "run-offset-variable", (1, 6)),
+        ("#13005=1", "run-offset-variable", (1, 1)),
         ("G0 X1\n#3000=12(PART MISSING)", "run-set-alarm", (2, 1)),
         ("#600=1/#1", "run-division", (1, 8)),
         ("GOTO 5", "run-label", (1, 1)),
@@ -242,6 +247,7 @@ fn the_control_tells_what_is_in_force() {
         ("#600=#4007", 40.0),
         ("G49\n#600=#4008", 49.0),
         ("G59\n#600=#4014", 59.0),
+        ("D7\n#600=#4107", 7.0),
         ("F250\n#600=#4109", 250.0),
         ("S1200\n#600=#4119", 1200.0),
     ] {
@@ -267,6 +273,57 @@ fn the_control_tells_where_it_stands() {
     }
     let inch = number(&format!("{moved}G20\n#600=#5001*25.4"), "#600");
     assert!((inch - 12.0).abs() < 1e-9);
+}
+
+/// A block whose upper face lies at 0, 20 mm below the ball.
+fn over_a_block() -> Setup {
+    let mut setup = Setup::calibrated(Dialect::Nct, Plane::G17);
+    let size = [60.0, 60.0, 20.0];
+    setup.workpiece.solids.push(Solid {
+        shape: Shape::Block { size },
+        at: setup.control.to_machine([0.0; 3]),
+        rotation: [0.0; 3],
+        errors: PartErrors::default(),
+    });
+    setup.position = setup.control.to_machine([0.0, 0.0, 20.0]);
+    setup
+}
+
+// oracle: programmer's manual N 183: the tip in the work offset at the signal, with the length taken into account; the
+// end of the motion where none came
+#[test]
+fn the_control_tells_where_the_signal_came() {
+    for (text, expected) in [
+        ("G31 Z-5 F100\n#600=#5063", 0.0),
+        ("G31 Z-5 F100\n#600=#5003-#5063", 0.0),
+        ("G31 Z5 F100\n#600=#5063", 5.0),
+        ("G31 Z-5 F100\nG0 Z30\n#600=#5063", 0.0),
+        ("G31 Z-5 F100\nG0 X7 Z30\n#600=#5061", 0.0),
+        ("G20 G31 Z.5 F4\n#600=#5063", 0.5),
+        ("#600=[#5063 EQ #0]", 1.0),
+    ] {
+        let program = read(Dialect::Nct, text.as_bytes());
+        let outcome = run(&program, &over_a_block(), Limits::default());
+        assert_eq!(
+            (outcome.stop, outcome.diagnostics),
+            (None, vec![]),
+            "{text}"
+        );
+        let found = outcome.control.number("#600");
+        assert!((found - expected).abs() < 1e-9, "{text}: {found}");
+    }
+    let key = go("G31 Z-5").diagnostics[0].message.key.clone();
+    assert_eq!(key, "run-no-feed");
+}
+
+// oracle: hand: what an operator would do changes nothing here, and is read as it was written
+#[test]
+fn single_blocks_and_overrides_are_taken_and_read() {
+    assert_eq!(
+        number("#3003=1\n#3004=6\n#600=#3003*10+#3004", "#600"),
+        16.0
+    );
+    assert_eq!(number("#3002=2\n#600=FIX[#3002]", "#600"), 2.0);
 }
 
 // oracle: hand: a work offset that the program writes counts at once where it is in force

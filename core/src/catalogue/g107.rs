@@ -2,7 +2,7 @@
 
 use super::help::{HelpLine, before, corrects, measures, order, wrong};
 use super::nct::{self, corner, params};
-use super::task::{Meaning, Task};
+use super::task::Task;
 use super::{Cycle, Dialect, Drawing, Help, Param, Purpose, Simulation, Variant, When, Work};
 
 /// The macro.
@@ -20,7 +20,7 @@ pub static G107: Cycle = Cycle {
             Task::InnerCorner,
             &[0],
             0,
-            &[("S", Meaning::Zero)],
+            nct::tasks::CORNER,
         )],
         ..Purpose::MILLING
     },

@@ -53,6 +53,7 @@ pub mod sinumerik;
 pub mod task;
 pub mod tool_probe;
 pub mod twin;
+mod twin_place;
 mod when;
 pub use entry::*;
 pub use help::Help;

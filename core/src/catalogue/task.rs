@@ -45,11 +45,10 @@ impl Task {
     /// Keys of what the controls do differently in it, whatever the values are.
     pub fn differences(self) -> &'static [&'static str] {
         match self {
-            Task::Boss | Task::Web => &["twin-depth"],
             Task::InnerCorner | Task::OuterCorner => &["twin-corner"],
             Task::Ball => &["twin-ball"],
             Task::Length => &["twin-length"],
-            Task::Bore | Task::Pocket | Task::Wall | Task::Face => &[],
+            Task::Bore | Task::Boss | Task::Pocket | Task::Web | Task::Wall | Task::Face => &[],
         }
     }
 }
@@ -61,8 +60,21 @@ pub enum Meaning {
     Nominal,
     /// Number of the axis of the plane across which is measured: 1, 2, or 3 for that of the tool.
     Axis,
-    /// The set value, in an address that says the axis: X, Y or Z.
+    /// The set value, in an address that says the axis: X, Y or Z. Where a boss or web is measured, that of the axis of
+    /// the tool is the depth.
     NominalInAxis,
+    /// Way from the start down to the depth, negative.
+    Infeed,
+    /// Coordinate of a corner, in an address that says the axis.
+    CornerInAxis,
+    /// Where the zero lies from a corner: 1 there, 2 beside it along the abscissa, 3 along both axes, 4 along the ordinate.
+    ZeroAtCorner,
+    /// Angle between the abscissa and the first edge of a corner, degree.
+    EdgeAngle,
+    /// How far the zero lies from the corner along the abscissa.
+    ZeroAbscissa,
+    /// The same along the ordinate.
+    ZeroOrdinate,
     /// Upper limit of the deviation.
     Upper,
     /// Lower limit of the deviation.

@@ -3,6 +3,7 @@
 
 use super::example::example;
 use super::task::{Meaning, Shared, Task};
+use super::twin_place::{self, has_depth};
 use super::{CYCLES, Cycle, Dialect, Level, Param, Variant};
 use crate::check::{self, Inputs, Typed, factor};
 use crate::control::variables::AXES;
@@ -20,6 +21,10 @@ pub struct Measurement {
     pub nominal: Option<f64>,
     /// Part of the plane across which is measured: 0 abscissa, 1 ordinate, 2 applicate.
     pub axis: Option<usize>,
+    /// Coordinate of the tool axis at which a boss or web is touched.
+    pub depth: Option<f64>,
+    /// Coordinates that a corner gets in the plane.
+    pub corner: Option<[f64; 2]>,
     /// Half of the tolerance.
     pub half: Option<f64>,
     /// Deviation from which nothing is corrected.
@@ -59,14 +64,14 @@ pub fn other(dialect: Dialect) -> Dialect {
 /// has no such task.
 pub fn twin(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Option<Twin> {
     let inputs = check::read(cycle, typed, control, &mut Vec::new());
-    let (shared, measurement) = measured(&inputs)?;
+    let (shared, measurement) = measured(&inputs, control)?;
     let mut there = delivery_in(other(cycle.dialect), control.basic_units);
     there.plane = control.plane;
     there.active_units = control.active_units;
     let (cycle_there, shared_there) = entry(there.dialect, &measurement)?;
     let measurement = common(measurement, shared_there);
     let values = written(cycle_there, shared_there, &measurement, &there);
-    let mut differences = told(&inputs, shared, &measurement);
+    let mut differences = told(&inputs, shared, &measurement, &there);
     differences.extend(one_sided(
         &inputs,
         [shared, shared_there],
@@ -82,7 +87,7 @@ pub fn twin(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Option<T
 }
 
 /// What a call measures.
-pub fn measured(inputs: &Inputs) -> Option<(&'static Shared, Measurement)> {
+pub fn measured(inputs: &Inputs, control: &Control) -> Option<(&'static Shared, Measurement)> {
     let mut tasks = inputs.cycle.purpose.tasks.iter();
     let shared = tasks.find(|shared| shared.when.holds(inputs))?;
     let given = |wanted: Meaning| {
@@ -104,6 +109,8 @@ pub fn measured(inputs: &Inputs) -> Option<(&'static Shared, Measurement)> {
         corrects_tool: shared.tool.unwrap_or(tool.is_some()),
         nominal: nominal.map(|nominal| nominal + middle),
         axis: in_axis.or(axis),
+        depth: twin_place::depth(inputs, shared, control),
+        corner: twin_place::corner(inputs, shared),
         half: given(Meaning::Half).or(limits.map(|(upper, lower)| (upper - lower) / 2.0)),
         limit: given(Meaning::Limit),
         reach: given(Meaning::Reach),
@@ -118,17 +125,19 @@ pub fn measured(inputs: &Inputs) -> Option<(&'static Shared, Measurement)> {
 fn in_axis(inputs: &Inputs, shared: &Shared) -> Option<(usize, f64)> {
     let mut named = shared.values.iter();
     named.find_map(|(name, meaning)| {
-        let part = part_of(*meaning, name, inputs)?;
+        let part =
+            part_of(*meaning, name, inputs).filter(|_| *meaning == Meaning::NominalInAxis)?;
         let counts = (part == 2) == along_tool(shared.task);
         Some((part, inputs.given(name).filter(|_| counts)?))
     })
 }
 
-fn part_of(meaning: Meaning, name: &str, inputs: &Inputs) -> Option<usize> {
+/// Part of the plane to which the axis belongs that an address names.
+pub fn part_of(meaning: Meaning, name: &str, inputs: &Inputs) -> Option<usize> {
     let axis = AXES.iter().position(|axis| *axis == name)?;
     let axes = inputs.plane.axes();
     let part = axes.iter().position(|of_plane| *of_plane == axis);
-    part.filter(|_| meaning == Meaning::NominalInAxis)
+    part.filter(|_| matches!(meaning, Meaning::NominalInAxis | Meaning::CornerInAxis))
 }
 
 /// Whether the surface of a task lies across the axis of the tool.
@@ -170,8 +179,11 @@ fn written(
         let Some(param) = cycle.param(name) else {
             continue;
         };
-        if let Some(value) = value_of(*meaning, name, wanted, &inputs) {
-            let value = value / factor(param.unit, control);
+        if let Some(value) = value_of(*meaning, name, wanted, &inputs, control) {
+            let value = match meaning {
+                Meaning::ZeroAtCorner => value, // a choice, though its parameter is a length elsewhere
+                _ => value / factor(param.unit, control),
+            };
             all.insert(param.name.to_owned(), plain(value));
         }
     }
@@ -215,8 +227,26 @@ fn choosing(cycle: &Cycle, variant: i64, inputs: &Inputs) -> Typed {
 }
 
 /// The value in mm that a parameter with this meaning gets.
-fn value_of(meaning: Meaning, name: &str, wanted: &Measurement, inputs: &Inputs) -> Option<f64> {
+fn value_of(
+    meaning: Meaning,
+    name: &str,
+    wanted: &Measurement,
+    inputs: &Inputs,
+    control: &Control,
+) -> Option<f64> {
     match meaning {
+        Meaning::NominalInAxis
+            if has_depth(wanted.task) && part_of(meaning, name, inputs) == Some(2) =>
+        {
+            wanted.depth
+        }
+        // the walls of NCT lie along the axes
+        Meaning::EdgeAngle => wanted.corner.map(|_| 0.0),
+        Meaning::Infeed => twin_place::infeed(wanted.depth?, control.active_units),
+        Meaning::CornerInAxis
+        | Meaning::ZeroAtCorner
+        | Meaning::ZeroAbscissa
+        | Meaning::ZeroOrdinate => twin_place::of_corner(meaning, name, wanted.corner?, inputs),
         Meaning::Nominal => wanted.nominal,
         Meaning::Axis => wanted.axis.map(|axis| axis as f64 + 1.0),
         Meaning::NominalInAxis => {
@@ -249,7 +279,12 @@ fn plain(value: f64) -> String {
 }
 
 /// What the reader of both calls has to know about what they share.
-fn told(inputs: &Inputs, shared: &Shared, measurement: &Measurement) -> Vec<Message> {
+fn told(
+    inputs: &Inputs,
+    shared: &Shared,
+    measurement: &Measurement,
+    control: &Control,
+) -> Vec<Message> {
     let mut all = Vec::new();
     let has = |meaning: Meaning| {
         let mut named = shared.values.iter();
@@ -274,6 +309,12 @@ fn told(inputs: &Inputs, shared: &Shared, measurement: &Measurement) -> Vec<Mess
     }
     if measurement.tool.is_some() {
         all.push(Message::new("twin-register"));
+    }
+    if has_depth(measurement.task) {
+        let [.., axis] = control.plane.axes();
+        let height = twin_place::start(control.active_units) / control.active_factor();
+        let depth = Message::new("twin-depth");
+        all.push(depth.text("axis", AXES[axis]).number("height", height));
     }
     let always = measurement.task.differences().iter();
     all.extend(always.copied().map(Message::new));
@@ -314,8 +355,11 @@ fn only_here(inputs: &Inputs, [here, there]: [&Shared; 2]) -> Vec<&'static str> 
 
 /// Whether a task has a place for a value with this meaning, in whichever form.
 fn has(shared: &Shared, meaning: Meaning) -> bool {
-    use Meaning::{Axis, Half, Lower, Nominal, NominalInAxis, Upper};
+    use Meaning::{Axis, Half, Infeed, Lower, Nominal, NominalInAxis, Upper};
+    use Meaning::{CornerInAxis, ZeroAbscissa, ZeroAtCorner, ZeroOrdinate};
     let same: &[Meaning] = match meaning {
+        Infeed => &[Infeed, NominalInAxis],
+        CornerInAxis | ZeroAtCorner | ZeroAbscissa | ZeroOrdinate => &[CornerInAxis, ZeroAtCorner],
         Upper | Lower | Half => &[Upper, Half],
         Nominal | NominalInAxis => &[Nominal, NominalInAxis],
         Axis => &[Axis, NominalInAxis],
@@ -328,6 +372,8 @@ fn has(shared: &Shared, meaning: Meaning) -> bool {
 /// A measurement without what the other call has no place for.
 fn common(all: Measurement, there: &Shared) -> Measurement {
     Measurement {
+        depth: all.depth.filter(|_| has(there, Meaning::Infeed)),
+        corner: all.corner.filter(|_| has(there, Meaning::CornerInAxis)),
         half: all.half.filter(|_| has(there, Meaning::Half)),
         limit: all.limit.filter(|_| has(there, Meaning::Limit)),
         reach: all.reach.filter(|_| has(there, Meaning::Reach)),

@@ -8,6 +8,7 @@ use super::{CYCLES, Cycle, Dialect, find};
 use crate::check::{self, Typed};
 use crate::control::{Control, Plane, Units, delivery_in};
 use crate::diagnostic::Severity;
+use crate::message::Arg;
 use proptest::prelude::*;
 use std::collections::BTreeSet;
 
@@ -31,7 +32,7 @@ fn cycle(dialect: Dialect, name: &str) -> &'static Cycle {
 /// What a call means.
 fn meaning(cycle: &'static Cycle, values: &Typed, control: &Control) -> Measurement {
     let inputs = check::read(cycle, values, control, &mut Vec::new());
-    measured(&inputs).unwrap().1
+    measured(&inputs, control).unwrap().1
 }
 
 /// The call on the other control.
@@ -52,6 +53,9 @@ fn says(whole: &Measurement, part: &Measurement) -> bool {
         && whole.corrects_tool == part.corrects_tool
         && (part.axis.is_none() || whole.axis == part.axis)
         && near(whole.nominal, part.nominal)
+        && near(whole.depth, part.depth)
+        && near(whole.corner.map(|at| at[0]), part.corner.map(|at| at[0]))
+        && near(whole.corner.map(|at| at[1]), part.corner.map(|at| at[1]))
         && near(whole.half, part.half)
         && near(whole.limit, part.limit)
         && near(whole.reach, part.reach)
@@ -67,7 +71,8 @@ fn all() -> impl Iterator<Item = (&'static Cycle, Typed)> {
     });
     examples.filter(|(cycle, values)| {
         let here = control(cycle.dialect, Plane::G17, Units::Metric);
-        measured(&check::read(cycle, values, &here, &mut Vec::new())).is_some()
+        let inputs = check::read(cycle, values, &here, &mut Vec::new());
+        measured(&inputs, &here).is_some()
     })
 }
 
@@ -182,6 +187,89 @@ fn measure_a_bore_and_set_the_zero_offset() {
     for (name, value) in expected {
         assert_eq!(there.values[name], value, "{name}");
     }
+}
+
+// oracle: manual B:7929-7935 (the zero lies so far from the corner), C:723 (coordinates that the corner gets)
+#[test]
+fn a_corner_gets_the_same_coordinates() {
+    let corner = cycle(Dialect::Sinumerik, "CYCLE961");
+    for (beside, x, y) in [
+        (&[("_SETV[4]", "1")][..], "0", "0"),
+        (&[("_SETV[4]", "2"), ("_SETV[2]", "-8")], "8", "0"),
+        (
+            &[("_SETV[4]", "3"), ("_SETV[2]", "-8"), ("_SETV[3]", "5")],
+            "8",
+            "-5",
+        ),
+        (&[("_SETV[4]", "4"), ("_SETV[3]", "5")], "0", "-5"),
+    ] {
+        let mut values = typed(&[("_MVAR", "106"), ("_STA1", "0"), ("_KNUM", "1")]);
+        values.extend(typed(beside));
+        for (plane, axes) in [(Plane::G17, ["X", "Y"]), (Plane::G19, ["Y", "Z"])] {
+            let there = over(corner, &values, plane, Units::Metric);
+            assert_eq!(there.cycle.name, "G108");
+            let found = axes.map(|axis| there.values[axis].as_str());
+            assert_eq!(found, [x, y], "{beside:?}");
+        }
+    }
+    let inside = typed(&[("X", "100"), ("Y", "-80"), ("S", "1")]);
+    let there = over(
+        cycle(Dialect::Nct, "G107"),
+        &inside,
+        Plane::G17,
+        Units::Metric,
+    );
+    for (name, value) in [
+        ("_STA1", "0"),
+        ("_SETV[4]", "3"),
+        ("_SETV[2]", "-100"),
+        ("_SETV[3]", "80"),
+    ] {
+        assert_eq!(there.values[name], value, "{name}");
+    }
+}
+
+// oracle: hand: from the height that is told down to the coordinate
+#[test]
+fn a_depth_is_reckoned_from_the_start() {
+    let boss = typed(&[("D", "40"), ("Z", "-12"), ("S", "1")]);
+    let there = over(
+        cycle(Dialect::Nct, "G110"),
+        &boss,
+        Plane::G17,
+        Units::Metric,
+    );
+    assert_eq!(there.values["_ID"], "-32");
+    let told = there.differences.iter().find(|one| one.key == "twin-depth");
+    assert_eq!(told.unwrap().args[1].1, Arg::Number(20.0));
+    let inch = over(cycle(Dialect::Nct, "G110"), &boss, Plane::G17, Units::Inch);
+    assert_eq!(inch.values["_ID"], "-12.8");
+    let web = typed(&[
+        ("_MVAR", "104"),
+        ("_SETVAL", "30"),
+        ("_MA", "2"),
+        ("_ID", "-25"),
+        ("_KNUM", "1"),
+    ]);
+    let there = over(
+        cycle(Dialect::Sinumerik, "CYCLE977"),
+        &web,
+        Plane::G17,
+        Units::Metric,
+    );
+    assert_eq!((&*there.values["Y"], &*there.values["Z"]), ("30", "-5"));
+    let above = typed(&[("D", "40"), ("Z", "25")]);
+    let there = over(
+        cycle(Dialect::Nct, "G110"),
+        &above,
+        Plane::G17,
+        Units::Metric,
+    );
+    let example = there
+        .differences
+        .iter()
+        .find(|one| one.key == "twin-example");
+    assert!(example.is_some(), "{:?}", there.differences);
 }
 
 // oracle: definition of the planes: the first axis of the plane is the abscissa of `_MA`

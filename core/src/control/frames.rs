@@ -138,6 +138,10 @@ impl Control {
     /// Frames in effect between machine and the settable frame, outermost first: table, system, global basic, channel
     /// basic.
     pub fn basic_chain(&self) -> Vec<Frame> {
+        self.basic_links().copied().collect()
+    }
+
+    fn basic_links(&self) -> impl DoubleEndedIterator<Item = &Frame> {
         let global = self.basic.global.iter();
         let global = global.filter(|(index, _)| self.included(GLOBAL_MASK, **index));
         let channel = self.basic.channel.iter();
@@ -145,8 +149,6 @@ impl Control {
         [&self.part_frame, &self.basic.system]
             .into_iter()
             .chain(global.chain(channel).map(|(_, frame)| frame))
-            .copied()
-            .collect()
     }
 
     /// Whether the bit of a basic frame is set in its mask. Without a mask all count.
@@ -159,10 +161,12 @@ impl Control {
 
     /// All frames from the machine to the WCS, outermost first.
     pub fn chain(&self) -> Vec<Frame> {
-        let mut chain = self.basic_chain();
-        chain.push(self.active);
-        chain.push(self.program_frame);
-        chain
+        self.links().copied().collect()
+    }
+
+    fn links(&self) -> impl DoubleEndedIterator<Item = &Frame> {
+        self.basic_links()
+            .chain([&self.active, &self.program_frame])
     }
 
     /// Takes all frames out of effect, so that the WCS is that of the machine; see [`Control::put_frames`].
@@ -185,7 +189,7 @@ impl Control {
 
     /// Whether a frame between machine and WCS turns.
     pub fn rotated(&self) -> bool {
-        self.chain().iter().any(|frame| frame.rotation != [0.0; 3])
+        self.links().any(|frame| frame.rotation != [0.0; 3])
     }
 
     /// All frames as one, `$P_ACTFRAME`; none: a scale and a rotation in them would shear.
@@ -198,43 +202,33 @@ impl Control {
 
     /// A point of the WCS in machine coordinates.
     pub fn to_machine(&self, point: [f64; 3]) -> [f64; 3] {
-        self.chain()
-            .iter()
+        self.links()
             .rev()
             .fold(point, |point, frame| frame.outward(point))
     }
 
     /// A point in machine coordinates in the WCS.
     pub fn to_workpiece(&self, point: [f64; 3]) -> [f64; 3] {
-        self.chain()
-            .iter()
-            .fold(point, |point, frame| frame.inward(point))
+        self.links().fold(point, |point, frame| frame.inward(point))
     }
 
     /// A direction of the WCS in machine coordinates.
     pub fn direction_to_machine(&self, direction: [f64; 3]) -> [f64; 3] {
-        self.chain()
-            .iter()
+        self.links()
             .rev()
             .fold(direction, |direction, frame| frame.turn(direction))
     }
 
     /// A direction in machine coordinates in the WCS.
     pub fn direction_to_workpiece(&self, direction: [f64; 3]) -> [f64; 3] {
-        self.chain()
-            .iter()
+        self.links()
             .fold(direction, |direction, frame| frame.turn_back(direction))
     }
 
     /// Whether an axis X Y Z of the WCS runs against that of the machine: an odd number of frames mirrors it.
     pub fn mirrored(&self, axis: usize) -> bool {
-        let frames = self.chain();
-        frames
-            .iter()
-            .filter(|frame| frame.mirror[axis.min(2)])
-            .count()
-            % 2
-            == 1
+        let mirrored = |frame: &&Frame| frame.mirror[axis.min(2)];
+        self.links().filter(mirrored).count() % 2 == 1
     }
 
     /// What G54.., G500 do: the stored settable frame becomes the active one, and so do the stored basic and system

@@ -32,7 +32,7 @@ pub use form::form;
 pub use help::help;
 pub use machine::machine;
 pub use program::{Run, calls, change, convert, read, read_told, run_outcome};
-pub use scan::Scan;
+pub use scan::{Scan, SurfaceName, put_surface};
 pub use setup::from_json as setup_from_json;
 #[cfg(feature = "cli")]
 pub use setup::schema as setup_schema;

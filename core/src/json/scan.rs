@@ -36,7 +36,7 @@ struct Request {
 /// What stands in the place of the surface of the setup, as large as that.
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
-enum SurfaceName {
+pub enum SurfaceName {
     /// One of ours.
     Example(String),
     /// The file is one of grey values, row by row from above, with so many in a row.
@@ -69,7 +69,7 @@ impl Scan {
             setup.control.plane = plane(name);
         }
         if let Some(name) = &request.surface {
-            replace(&mut setup, name, file)?;
+            put_surface(&mut setup, name, file)?;
         }
         let checked = check::check(cycle, &request.values, &setup.control);
         let inputs = checked.inputs.ok_or(Error::Unknown {
@@ -183,15 +183,18 @@ fn deviation(found: Deviation) -> Value {
     ])
 }
 
-/// Puts another surface in the place of that of the part.
-fn replace(setup: &mut Setup, name: &SurfaceName, file: &[u8]) -> Result<(), Error> {
+/// Puts another surface in the place of that of the part; false: the part has none. `file`: the bytes of which the name
+/// speaks.
+pub fn put_surface(setup: &mut Setup, name: &SurfaceName, file: &[u8]) -> Result<bool, Error> {
+    let mut put = false;
     for solid in &mut setup.workpiece.solids {
         if let Shape::Free(before) = &solid.shape {
             let surface = instead(before, name, file)?;
             solid.shape = Shape::Free(Arc::new(surface));
+            put = true;
         }
     }
-    Ok(())
+    Ok(put)
 }
 
 fn instead(before: &FreeSurface, name: &SurfaceName, file: &[u8]) -> Result<FreeSurface, Error> {

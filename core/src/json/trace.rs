@@ -225,7 +225,9 @@ fn step(step: &Step) -> Value {
             value
         }
         Step::Message(text) => object([("step", "message".into()), ("text", text.as_str().into())]),
-        Step::Log(text) => object([("step", "log".into()), ("text", text.as_str().into())]),
+        Step::Log(text) | Step::Sent(text) => {
+            object([("step", "log".into()), ("text", text.as_str().into())])
+        }
         Step::CallBegin { cycle, variant } => object([
             ("step", "call".into()),
             ("cycle", (*cycle).into()),

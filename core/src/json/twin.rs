@@ -64,6 +64,15 @@ fn shared(measurement: &Measurement, control: &Control) -> Value {
     let all = [
         ("meaning-nominal", length(measurement.nominal)),
         ("meaning-axis", axis),
+        ("meaning-depth", length(measurement.depth)),
+        (
+            "meaning-corner-1",
+            length(measurement.corner.map(|at| at[0])),
+        ),
+        (
+            "meaning-corner-2",
+            length(measurement.corner.map(|at| at[1])),
+        ),
         ("meaning-half", length(measurement.half)),
         ("meaning-limit", length(measurement.limit)),
         ("meaning-reach", length(measurement.reach)),

@@ -4,7 +4,7 @@ use super::Stop;
 use super::contour::Outside;
 use super::interpret::Interpreter;
 use super::modal::{Compensation, FeedType, Motion};
-use super::path::{Pole, Suppress};
+use super::path::{Measure, Pole, Suppress};
 use super::problem::Problem;
 use super::statement::Words;
 use crate::catalogue::Dialect;
@@ -69,7 +69,7 @@ fn one(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
         94 => run.modal.feed_type = FeedType::Minute,
         _ if run.sim.control.choose_units(code) => {}
         _ if dialect == Dialect::Sinumerik => return sinumerik(run, code, found),
-        _ => return nct(run, code),
+        _ => return nct(run, code, found),
     }
     true
 }
@@ -94,8 +94,14 @@ fn sinumerik(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
     true
 }
 
-fn nct(run: &mut Interpreter, code: u16) -> bool {
+fn nct(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
     match code {
+        31 => {
+            found.path.measure = Some(Measure {
+                input: 1,
+                goes_on: false,
+            });
+        }
         43 => {}
         49 => run.sim.with_length(|control| control.edge = 0),
         58 | 59 => run.sim.control.activate(usize::from(code) - 53),

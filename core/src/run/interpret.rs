@@ -72,8 +72,8 @@ pub struct Interpreter {
     pub work: usize,
     /// The block that comes next.
     pub at: usize,
-    /// Work at which the clock of the control (`#3001` of NCT) stood at 0.
-    pub clock: f64,
+    /// Work at which the clocks of the control (`#3001` and `#3002` of NCT) stood at 0.
+    pub clocks: [f64; 2],
     /// Work after which the run is given up.
     pub limit: usize,
     seen: BTreeSet<(u32, String)>,
@@ -144,6 +144,7 @@ impl Session {
         outcome.control = self.run.sim.control;
         outcome.position = self.run.sim.position;
         outcome.trace = self.run.sim.trace;
+        outcome.scans = self.run.sim.scans;
         outcome.diagnostics = self.run.diagnostics;
         outcome
     }
@@ -220,7 +221,7 @@ impl Interpreter {
             depth: limits.depth,
             skip: setup.skip.clone(),
             work: 0,
-            clock: 0.0,
+            clocks: [0.0; 2],
             limit: limits.steps,
             seen: BTreeSet::new(),
             program: Rc::new(program),

@@ -9,7 +9,7 @@ use crate::control::{Control, Edge};
 use crate::diagnostic::Code;
 use crate::geometry::arc::Around;
 use crate::message::Message;
-use crate::scan::FORM_POINTS;
+use crate::scan::{FORM_POINTS, Sent};
 use crate::workpiece::contact::{Boundary, Contact};
 use crate::workpiece::noise::Noise;
 use crate::workpiece::probe::{ball_offset, touch};
@@ -30,6 +30,8 @@ pub struct Sim {
     pub position: [f64; 3],
     /// What happened so far.
     pub trace: Trace,
+    /// What was scanned so far.
+    pub scans: Vec<Sent>,
     /// Line of the program that is being carried out.
     pub line: Option<u32>,
     /// Entries after which the run is given up.
@@ -52,6 +54,8 @@ pub struct Sim {
     /// Tools as they are, by T and D number: those that were told, and others as they were when they were first moved.
     real_tools: BTreeMap<(i64, i64), Tool>,
     tool_noise: Noise,
+    /// Where the last measuring motion ended, at its signal or without one; WCS of that moment, mm.
+    pub skipped: Option<[f64; 3]>,
     /// Way so far with the signal of the probe watched, mm.
     watched: f64,
     /// Whether the last signal came from a contact.
@@ -65,6 +69,7 @@ impl Sim {
             control: setup.control.clone(),
             position: setup.position,
             trace: Trace::default(),
+            scans: Vec::new(),
             line: None,
             trace_limit: TRACE_LIMIT,
             point_limit: FORM_POINTS,
@@ -78,6 +83,7 @@ impl Sim {
             tool_noise: self::tool::noise(&setup.tool_probes),
             tool_probes: setup.tool_probes.clone(),
             real_tools: setup.real_tools.clone(),
+            skipped: None,
             watched: 0.0,
             touching: true,
         }
@@ -135,6 +141,12 @@ impl Sim {
 
     /// Straight measuring motion to a machine position; see [`Machine::probe`].
     pub fn probe_machine(&mut self, to: [f64; 3], feed: f64) -> Result<Option<[f64; 3]>, Stop> {
+        let latched = self.seek(to, feed)?;
+        self.skipped = Some(self.control.to_workpiece(latched.unwrap_or(to)));
+        Ok(latched)
+    }
+
+    fn seek(&mut self, to: [f64; 3], feed: f64) -> Result<Option<[f64; 3]>, Stop> {
         let from = self.position;
         self.admit(&Route::straight(from, to))?;
         if !self.has_probe() {
@@ -402,6 +414,10 @@ impl Machine for Sim {
 
     fn point_limit(&self) -> usize {
         self.point_limit
+    }
+
+    fn send(&mut self, scan: Sent) {
+        self.scans.push(scan);
     }
 
     fn spin(&mut self, speed: f64) {

@@ -1,8 +1,10 @@
-//! What an NCT control tells its programs, and takes from them, by numbers from #3000. C names #3001 only (C:90); the
-//! other numbers are those that controls with this macro language share.
+//! What an NCT control tells its programs, and takes from them, by numbers from #3000. C names #3001 only (C:90), N the
+//! signal positions and the length offset (N 183); the other numbers are those that controls with this macro language
+//! share.
 
 use super::datum::Datum;
 use super::interpret::Interpreter;
+use super::macro_variables::local;
 use super::modal::{Compensation, FeedType, Motion};
 use super::problem::Problem;
 use super::trace::Step;
@@ -16,6 +18,13 @@ use crate::message::Message;
 const ALARM: u32 = 3000;
 /// Internal clock, ms (C:90). A block takes one of them here.
 const CLOCK: u32 = 3001;
+/// Hours for which programs have run.
+const HOURS: u32 = 3002;
+/// Whether single blocks halt, and whether feed hold, override and exact stop count: what an operator does, so that
+/// nothing here follows from them.
+const OPERATING: std::ops::RangeInclusive<u32> = 3003..=3004;
+/// Milliseconds of an hour.
+const HOUR: f64 = 3_600_000.0;
 /// Stops until START and shows the comment of the block.
 const STOP: u32 = 3006;
 /// First axis of the common work offset; those of G54 to G59 follow, 20 numbers apart.
@@ -27,8 +36,10 @@ const APART: u32 = 20;
 pub fn is(number: u32) -> bool {
     matches!(
         number,
-        ALARM | CLOCK | STOP | 4001..=4008 | 4014 | 4109 | 4111 | 4119 | 4120
-    ) || position(number).is_some()
+        ALARM | CLOCK | HOURS | STOP | 4001..=4003 | 4005..=4008 | 4014
+            | 4107 | 4109 | 4111 | 4119 | 4120
+    ) || OPERATING.contains(&number)
+        || position(number).is_some()
         || offset(number).is_some()
 }
 
@@ -36,7 +47,9 @@ pub fn is(number: u32) -> bool {
 pub fn read(run: &Interpreter, number: u32) -> Datum {
     let control = &run.sim.control;
     let value = match number {
-        CLOCK => Some(run.work as f64 - run.clock),
+        CLOCK => Some(run.work as f64 - run.clocks[0]),
+        HOURS => Some((run.work as f64 - run.clocks[1]) / HOUR),
+        _ if OPERATING.contains(&number) => Some(control.number(&local(number))),
         _ => modal(run, number)
             .or_else(|| stands(run, number))
             .or_else(|| {
@@ -62,7 +75,15 @@ pub fn write(run: &mut Interpreter, number: u32, value: f64, place: Span) -> Res
             Ok(())
         }
         (CLOCK, _) => {
-            run.clock = run.work as f64 - value;
+            run.clocks[0] = run.work as f64 - value;
+            Ok(())
+        }
+        (HOURS, _) => {
+            run.clocks[1] = run.work as f64 - value * HOUR;
+            Ok(())
+        }
+        _ if OPERATING.contains(&number) => {
+            run.sim.control.set(local(number), value);
             Ok(())
         }
         (_, Some((system, name))) => {
@@ -83,7 +104,7 @@ fn comment(run: &Interpreter) -> String {
     text.trim_matches(['(', ')']).trim().to_owned()
 }
 
-/// G functions in force by group, and the last F, H, S and T.
+/// G functions in force by group, and the last D, F, H, S and T.
 fn modal(run: &Interpreter, number: u32) -> Option<f64> {
     let (control, modal) = (&run.sim.control, &run.modal);
     Some(match number {
@@ -109,6 +130,7 @@ fn modal(run: &Interpreter, number: u32) -> Option<f64> {
         },
         4008 => one_of(control.active_edge().is_some(), 43.0, 49.0),
         4014 => 53.0 + control.settable.max(1) as f64,
+        4107 => modal.radius as f64,
         4109 => modal.feed,
         4111 => control.edge as f64,
         4119 => modal.speed,
@@ -125,11 +147,12 @@ fn one_of(first: bool, yes: f64, no: f64) -> f64 {
 fn position(number: u32) -> Option<(u32, usize)> {
     let axis = (number % APART).checked_sub(1)? as usize;
     let group = number - number % APART;
-    (axis < 3 && matches!(group, 5000 | 5020 | 5040 | 5080)).then_some((group, axis))
+    (axis < 3 && matches!(group, 5000 | 5020 | 5040 | 5060 | 5080)).then_some((group, axis))
 }
 
 /// #5001: tool tip in the work offset at the end of the last block; #5041: the spindle nose there; #5021: the spindle
-/// nose in machine coordinates; #5081: the length offset in force.
+/// nose in machine coordinates; #5061: tool tip at the last signal, or where a measuring motion without one ended
+/// (N 183); #5081: the length offset in force.
 fn stands(run: &Interpreter, number: u32) -> Option<f64> {
     let (group, axis) = position(number)?;
     let control: &Control = &run.sim.control;
@@ -137,6 +160,7 @@ fn stands(run: &Interpreter, number: u32) -> Option<f64> {
     let value = match group {
         5000 => control.to_workpiece(at)[axis],
         5020 => at[axis] + length[axis],
+        5060 => run.sim.skipped?[axis],
         5040 => control.to_workpiece(at)[axis] + length[axis],
         _ => length[axis],
     };

@@ -55,7 +55,11 @@ pub fn local(number: u32) -> String {
 
 fn known(key: &str, place: Span) -> Result<Kind, Problem> {
     let number = key.get(1..).and_then(|digits| digits.parse().ok());
-    let unknown = || Problem::new("run-unknown-variable", place, key);
+    let why = match number {
+        Some(2001..=2999 | 10_001..=13_999) => "run-offset-variable",
+        _ => "run-unknown-variable",
+    };
+    let unknown = || Problem::new(why, place, key);
     number.and_then(kind).ok_or_else(unknown)
 }
 

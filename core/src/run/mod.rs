@@ -60,6 +60,7 @@ use crate::control::Control;
 use crate::diagnostic::Code;
 use crate::geometry::arc::Around;
 use crate::message::Message;
+use crate::scan::Sent;
 use trace::{MotionKind, Step};
 
 /// Why a program does not go on.
@@ -122,6 +123,8 @@ pub trait Machine {
     fn point_limit(&self) -> usize {
         crate::scan::FORM_POINTS
     }
+    /// Takes what a scan sent to a computer, whole.
+    fn send(&mut self, _scan: Sent) {}
     /// Records something that is no motion: a result, a correction, a decision, an alarm that informs.
     fn record(&mut self, step: Step);
 }

@@ -28,7 +28,8 @@ pub fn go(run: &mut Interpreter, path: &Path) -> Result<(), Stop> {
     let to = std::array::from_fn(|i| target(run, from[i], base[i], path.axes[i], i));
     let to = polar::target(run, path, from, to);
     let feed = feed(run, to);
-    if run.modal.motion != Motion::Rapid && feed <= 0.0 {
+    let with_feed = run.modal.motion != Motion::Rapid || path.measure.is_some();
+    if with_feed && feed <= 0.0 {
         run.tell(Severity::Error, &Problem::new("run-no-feed", path.span, ""));
     }
     let outcome = match path.measure {
@@ -212,8 +213,8 @@ fn around(
     way.ok_or_else(|| Problem::new("run-arc", path.span, ""))
 }
 
-/// `MEAS=1 G1 X100`: stops at the signal; `$AC_MEA`, `$AA_MW`, `$AA_MM` tell where (B:12790-12856). Behind the signal of
-/// `MEAW` the stylus is deflected until the end.
+/// `MEAS=1 G1 X100`, on NCT `G31 X100`: stops at the signal; `$AC_MEA`, `$AA_MW`, `$AA_MM` tell where (B:12790-12856), on
+/// NCT #5061 (N 183). Behind the signal of `MEAW` the stylus is deflected until the end.
 fn measured(
     run: &mut Interpreter,
     path: &Path,
@@ -227,6 +228,8 @@ fn measured(
     } else {
         run.sim
             .travel_machine(to, None, MotionKind::Measuring, feed, false)?;
+        let end = run.sim.position;
+        run.sim.skipped = Some(run.sim.control.to_workpiece(end));
         None
     };
     let input = measure.input.abs();

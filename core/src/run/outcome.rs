@@ -8,6 +8,7 @@ use crate::control::{Control, Value, gud};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::geometry::TOLERANCE;
 use crate::message::Message;
+use crate::scan::Sent;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// After a run.
@@ -21,6 +22,8 @@ pub struct Outcome {
     pub position: [f64; 3],
     /// What happened.
     pub trace: Trace,
+    /// What was scanned, whole: of a long scan the trace holds the beginning only.
+    pub scans: Vec<Sent>,
     /// Why it ended early; none: to its end.
     pub stop: Option<Stop>,
     /// Problems found in the program while running; empty for a single call.
@@ -103,8 +106,18 @@ impl Outcome {
             .collect()
     }
 
-    /// Lines of the measuring log or print-out.
+    /// Lines of the measuring log or print-out, and blocks that were sent, in order.
     pub fn log(&self) -> Vec<&str> {
+        self.steps()
+            .filter_map(|step| match step {
+                Step::Log(line) | Step::Sent(line) => Some(line.as_str()),
+                _ => None,
+            })
+            .collect()
+    }
+
+    /// Lines of the measuring log or print-out alone.
+    pub fn printed(&self) -> Vec<&str> {
         self.steps()
             .filter_map(|step| match step {
                 Step::Log(line) => Some(line.as_str()),
@@ -137,6 +150,7 @@ impl Outcome {
             control: setup.control.clone(),
             position: setup.position,
             trace: Trace::default(),
+            scans: Vec::new(),
             stop: None,
             diagnostics: Vec::new(),
         }

@@ -17,5 +17,6 @@ pub fn predict(cycle: &'static Cycle, inputs: &Inputs, setup: &Setup) -> Outcome
     outcome.control = sim.control;
     outcome.position = sim.position;
     outcome.trace = sim.trace;
+    outcome.scans = sim.scans;
     outcome
 }

@@ -51,6 +51,7 @@ pub const KEYS: &[&str] = &[
     "run-contour-tool",
     "run-contour-narrow",
     "run-contour-approach",
+    "run-offset-variable",
 ];
 
 /// Something wrong at a place.

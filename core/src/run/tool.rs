@@ -142,11 +142,7 @@ fn nct(run: &mut Interpreter, found: &Words) -> Result<(), Problem> {
         run.sim.control.tool = number(run, address)?;
     }
     if let Some(address) = last(found, "H") {
-        let edge = address
-            .value
-            .number()
-            .ok_or_else(|| Problem::new("run-not-a-number", address.span, "H"))?
-            as i64;
+        let edge = addresses::number(address)? as i64;
         run.sim.with_length(|control| control.edge = edge);
     }
     if let Some(address) = last(found, "D") {

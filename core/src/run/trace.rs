@@ -84,6 +84,8 @@ pub enum Step {
     Message(String),
     /// A line of the measuring log or print-out.
     Log(String),
+    /// A block that was sent to a computer (digitizing).
+    Sent(String),
     /// Begin of a measuring cycle.
     CallBegin {
         /// Name.

@@ -39,6 +39,15 @@ pub struct Scanned {
     pub at: [f64; 3],
 }
 
+/// A scan as it was sent, as far as it came.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sent {
+    /// Its points.
+    pub cloud: Cloud,
+    /// How they were scanned.
+    pub layout: Layout,
+}
+
 /// How a surface is scanned.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Layout {

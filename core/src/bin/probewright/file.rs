@@ -4,7 +4,7 @@ use clap::ValueEnum;
 use probewright_core::catalogue::Dialect;
 use probewright_core::json;
 use probewright_core::run::setup::Setup;
-use std::io::{Read, Write};
+use std::io::{BufWriter, Read, Write};
 use std::path::Path;
 
 /// Control as named on the command line.
@@ -32,6 +32,18 @@ pub fn bytes(path: &Path) -> Result<Vec<u8>, Problem> {
         return Err(format!("{}: larger than {} MB", path.display(), LARGEST >> 20).into());
     }
     Ok(source)
+}
+
+/// Writes texts one behind the other into a file; the error names it.
+pub fn write(path: &Path, texts: impl Iterator<Item = String>) -> Result<(), Problem> {
+    let written = std::fs::File::create(path).and_then(|file| {
+        let mut file = BufWriter::new(file);
+        for text in texts {
+            file.write_all(text.as_bytes())?;
+        }
+        file.flush()
+    });
+    Ok(written.map_err(|error| format!("{}: {error}", path.display()))?)
 }
 
 /// A line on standard error; where that is closed, nobody can be told.

@@ -7,6 +7,7 @@ mod explain;
 mod file;
 mod read;
 mod run;
+mod scan;
 mod write;
 
 use clap::{Parser, Subcommand};
@@ -87,16 +88,7 @@ enum Command {
         control: Option<file::Control>,
     },
     /// Run a part program on a control against a part; exit status 1 when it has an error or does not reach its end
-    Run {
-        /// Part program
-        file: PathBuf,
-        /// Setup file, see docs/setup.schema.json
-        #[arg(long)]
-        setup: PathBuf,
-        /// As JSON
-        #[arg(long)]
-        json: bool,
-    },
+    Run(run::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -153,7 +145,7 @@ fn run_command(command: Command, words: &Words, out: &mut dyn Write) -> Result<E
             json,
             control,
         } => read::read(&file, json, control, out),
-        Command::Run { file, setup, json } => run::run(&file, &setup, json, words, out),
+        Command::Run(arguments) => run::run(&arguments, words, out),
     }
 }
 

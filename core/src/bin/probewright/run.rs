@@ -2,7 +2,8 @@
 
 use crate::check::print_all;
 use crate::file::{self, Problem};
-use probewright_core::diagnostic::{Code, Severity};
+use crate::scan;
+use probewright_core::diagnostic::{Code, Diagnostic, Severity};
 use probewright_core::json;
 use probewright_core::message::{Message, printable};
 use probewright_core::program;
@@ -10,30 +11,48 @@ use probewright_core::run::outcome::Outcome;
 use probewright_core::run::{self, Limits};
 use probewright_core::words::{Words, rounded};
 use std::io::Write;
-use std::path::Path;
+use std::path::PathBuf;
 use std::process::ExitCode;
 
+/// What is run, and where what comes out goes.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Part program
+    file: PathBuf,
+    /// Setup file, see docs/setup.schema.json
+    #[arg(long)]
+    setup: PathBuf,
+    /// As JSON
+    #[arg(long)]
+    json: bool,
+    /// Write the print-out to a file: what addresses V and W of NCT macros print
+    #[arg(long, value_name = "FILE")]
+    print: Option<PathBuf>,
+    #[command(flatten)]
+    scan: scan::Files,
+}
+
 /// Runs a program; 1 when it has an error or did not reach its end.
-pub fn run(
-    path: &Path,
-    setup: &Path,
-    as_json: bool,
-    words: &Words,
-    out: &mut dyn Write,
-) -> Result<ExitCode, Problem> {
+pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
+    let path = &arguments.file;
     let source = file::bytes(path)?;
-    let setup = file::setup(setup)?;
+    let mut setup = file::setup(&arguments.setup)?;
+    arguments.scan.put_surface(&mut setup)?;
     let program = program::read(setup.control.dialect, &source);
     let outcome = run::run(&program, &setup, Limits::default());
-    if as_json {
+    if arguments.json {
         let view = json::run_outcome(&setup, &outcome, &source);
         writeln!(out, "{}", serde_json::to_string_pretty(&view)?)?;
     } else {
         print_all(path, &source, &outcome.diagnostics, words, out)?;
         print_outcome(&outcome, words, out)?;
     }
-    let wrong =
-        |found: &probewright_core::diagnostic::Diagnostic| found.severity == Severity::Error;
+    if let Some(print) = &arguments.print {
+        let lines = outcome.printed().into_iter();
+        file::write(print, lines.map(|line| format!("{line}\n")))?;
+    }
+    arguments.scan.write(&outcome.scans)?;
+    let wrong = |found: &Diagnostic| found.severity == Severity::Error;
     Ok(
         if outcome.finished() && !outcome.diagnostics.iter().any(wrong) {
             ExitCode::SUCCESS

@@ -4,18 +4,35 @@ use crate::catalogue::When;
 use crate::catalogue::names;
 use crate::catalogue::task::{Meaning, Shared, Task};
 
-/// All of them.
+/// All of them, first those whose corner is one of a rectangle: there the zero may lie beside it.
 pub const TASKS: &[Shared] = &[
-    corner(Task::InnerCorner, 105, &[105, 107, 117]),
-    corner(Task::OuterCorner, 106, &[106, 108, 118]),
+    corner(Task::InnerCorner, 105, &[105], BESIDE),
+    corner(Task::OuterCorner, 106, &[106], BESIDE),
+    corner(Task::InnerCorner, 107, &[107, 117], ITSELF),
+    corner(Task::OuterCorner, 108, &[108, 118], ITSELF),
 ];
 
-const fn corner(task: Task, variant: i64, all: &'static [i64]) -> Shared {
+const ZERO: (&str, Meaning) = (names::KNUM, Meaning::Zero);
+const ITSELF: &[(&str, Meaning)] = &[ZERO];
+const BESIDE: &[(&str, Meaning)] = &[
+    (names::STA1, Meaning::EdgeAngle),
+    (names::SETV4, Meaning::ZeroAtCorner),
+    (names::SETV2, Meaning::ZeroAbscissa),
+    (names::SETV3, Meaning::ZeroOrdinate),
+    ZERO,
+];
+
+const fn corner(
+    task: Task,
+    variant: i64,
+    all: &'static [i64],
+    values: &'static [(&'static str, Meaning)],
+) -> Shared {
     Shared {
         task,
         when: When::Variant(all),
         variant,
         tool: Some(false),
-        values: &[(names::KNUM, Meaning::Zero)],
+        values,
     }
 }

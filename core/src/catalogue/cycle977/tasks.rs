@@ -7,17 +7,18 @@ use crate::catalogue::task::{Meaning, Shared, Task};
 /// All of them, first those that correct a zero offset.
 pub const TASKS: &[Shared] = &[
     zero(Task::Bore, 101, &[101, 1101], ROUND_ZERO),
-    zero(Task::Boss, 102, &[102, 1102], ROUND_ZERO),
+    zero(Task::Boss, 102, &[102, 1102], BOSS_ZERO),
     zero(Task::Pocket, 103, &[103, 1103], STRAIGHT_ZERO),
-    zero(Task::Web, 104, &[104, 1104], STRAIGHT_ZERO),
+    zero(Task::Web, 104, &[104, 1104], WEB_ZERO),
     tool(Task::Bore, 1, &[1, 1001], ROUND_TOOL),
-    tool(Task::Boss, 2, &[2, 1002], ROUND_TOOL),
+    tool(Task::Boss, 2, &[2, 1002], BOSS_TOOL),
     tool(Task::Pocket, 3, &[3, 1003], STRAIGHT_TOOL),
-    tool(Task::Web, 4, &[4, 1004], STRAIGHT_TOOL),
+    tool(Task::Web, 4, &[4, 1004], WEB_TOOL),
 ];
 
 const AXIS: (&str, Meaning) = (names::MA, Meaning::Axis);
 const SET: (&str, Meaning) = (names::SETVAL, Meaning::Nominal);
+const DOWN: (&str, Meaning) = (names::ID, Meaning::Infeed);
 const REACH: (&str, Meaning) = (names::FA, Meaning::Reach);
 const SAFE: (&str, Meaning) = (names::TSA, Meaning::Limit);
 const ZERO: (&str, Meaning) = (names::KNUM, Meaning::Zero);
@@ -30,6 +31,11 @@ const ROUND_ZERO: &[(&str, Meaning)] = &[SET, REACH, SAFE, ZERO];
 const STRAIGHT_ZERO: &[(&str, Meaning)] = &[SET, AXIS, REACH, SAFE, ZERO];
 const ROUND_TOOL: &[(&str, Meaning)] = &[SET, REACH, UPPER, LOWER, MOST, TOOL];
 const STRAIGHT_TOOL: &[(&str, Meaning)] = &[SET, AXIS, REACH, UPPER, LOWER, MOST, TOOL];
+
+const BOSS_ZERO: &[(&str, Meaning)] = &[SET, DOWN, REACH, SAFE, ZERO];
+const WEB_ZERO: &[(&str, Meaning)] = &[SET, AXIS, DOWN, REACH, SAFE, ZERO];
+const BOSS_TOOL: &[(&str, Meaning)] = &[SET, DOWN, REACH, UPPER, LOWER, MOST, TOOL];
+const WEB_TOOL: &[(&str, Meaning)] = &[SET, AXIS, DOWN, REACH, UPPER, LOWER, MOST, TOOL];
 
 const fn zero(
     task: Task,

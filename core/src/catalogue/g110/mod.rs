@@ -43,7 +43,7 @@ pub static G110: Cycle = Cycle {
     purpose: Purpose {
         tasks: &[
             nct::tasks::task(Task::Bore, &[BORE], BORE, nct::tasks::ROUND),
-            nct::tasks::task(Task::Boss, &[BOSS], BOSS, nct::tasks::ROUND),
+            nct::tasks::task(Task::Boss, &[BOSS], BOSS, nct::tasks::OUTSIDE),
         ],
         ..Purpose::MILLING
     },

@@ -26,6 +26,20 @@ const fn with_limits<const N: usize, const M: usize>(
 
 /// A diameter.
 pub const ROUND: &[(&str, Meaning)] = &with_limits::<1, 6>([("D", Meaning::Nominal)]);
+/// A diameter from outside, with the depth in the address of the tool axis.
+pub const OUTSIDE: &[(&str, Meaning)] = &with_limits::<4, 9>([
+    ("D", Meaning::Nominal),
+    ("X", Meaning::NominalInAxis),
+    ("Y", Meaning::NominalInAxis),
+    ("Z", Meaning::NominalInAxis),
+]);
+/// A corner, with the work offset that it moves.
+pub const CORNER: &[(&str, Meaning)] = &[
+    ("X", Meaning::CornerInAxis),
+    ("Y", Meaning::CornerInAxis),
+    ("Z", Meaning::CornerInAxis),
+    ("S", Meaning::Zero),
+];
 /// A width or a coordinate, by the address of its axis.
 pub const IN_AXIS: &[(&str, Meaning)] = &with_limits::<3, 8>([
     ("X", Meaning::NominalInAxis),

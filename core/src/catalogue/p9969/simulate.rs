@@ -8,7 +8,7 @@ use crate::run::trace::Step;
 use crate::run::{Machine, Stop};
 use crate::scan::session::too_many;
 use crate::scan::text::{Form, piece};
-use crate::scan::{Cloud, Layout, Scanner, TOLD};
+use crate::scan::{Cloud, Layout, Scanner, Sent, TOLD};
 
 /// What the control does. Of a long scan every motion of the first points is recorded, and their blocks.
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
@@ -16,10 +16,10 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     let mut cloud = Cloud::default();
     let outcome = scan(machine, scanner.as_mut(), &mut cloud);
     machine.quiet(false);
-    let (all, layout) = (cloud.points().len(), scanner.layout());
-    let text = piece(&cloud, layout, Form::Program, 0..all.min(TOLD));
+    let (all, layout) = (cloud.points().len(), scanner.layout().clone());
+    let text = piece(&cloud, &layout, Form::Program, 0..all.min(TOLD));
     for line in text.lines() {
-        machine.record(Step::Log(line.into()));
+        machine.record(Step::Sent(line.into()));
     }
     if all > TOLD {
         let message = Message::new("decision-p9969-told");
@@ -28,9 +28,11 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
             .number("all", all as f64);
         machine.record(Step::Decision(message));
     }
-    outcome?;
-    results(machine, &cloud, layout);
-    Ok(())
+    if outcome.is_ok() {
+        results(machine, &cloud, &layout);
+    }
+    machine.send(Sent { cloud, layout });
+    outcome
 }
 
 fn scan(

@@ -2,73 +2,123 @@
 
 use crate::geometry::{Path, V3};
 
-/// Unit normal, on the side from which the corners run counter-clockwise; none where they lie on one line.
-pub(super) fn normal([a, b, c]: &[V3; 3]) -> Option<V3> {
-    (b - a).cross(&(c - a)).try_normalize(1e-18)
+/// A triangle with an area.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Face {
+    corners: [V3; 3],
+    /// Unit normal, on the side from which the corners run counter-clockwise.
+    pub normal: V3,
 }
 
-/// Nearest point of the triangle.
-pub(super) fn foot(corners: &[V3; 3], p: &V3) -> V3 {
-    if let Some(normal) = normal(corners) {
-        let below = p - normal * (p - corners[0]).dot(&normal);
-        if covers(corners, &below, &normal) {
-            return below;
-        }
+impl Face {
+    /// None where the corners lie on one line.
+    pub fn new(corners: [V3; 3]) -> Option<Face> {
+        let [a, b, c] = &corners;
+        let normal = (b - a).cross(&(c - a)).try_normalize(1e-18)?;
+        Some(Face { corners, normal })
     }
-    let mut nearest = (corners[0], f64::INFINITY);
-    for (a, b) in edges(corners) {
-        let foot = on_edge(&a, &b, p);
-        let distance = (p - foot).norm_squared();
-        if distance < nearest.1 {
-            nearest = (foot, distance);
+
+    /// Nearest point of the triangle, if within `limit` mm.
+    pub fn foot(&self, p: &V3, limit: f64) -> Option<V3> {
+        let above = (p - self.corners[0]).dot(&self.normal);
+        let below = p - self.normal * above;
+        let outside = self.outside(&below);
+        if outside <= 0.0 {
+            return (above.abs() <= limit).then_some(below);
         }
-    }
-    nearest.0
-}
-
-/// Height of the triangle straight above or below a point.
-pub(super) fn height_at(corners: &[V3; 3], p: &V3) -> Option<f64> {
-    let normal = normal(corners).filter(|normal| normal.z.abs() > 1e-12)?;
-    let height = corners[0].z - (p - corners[0]).xy().dot(&normal.xy()) / normal.z;
-    covers(corners, &V3::new(p.x, p.y, height), &normal).then_some(height)
-}
-
-/// Length after which a ball of this radius that was free begins to touch the triangle. Its face counts before its
-/// edges: where the ball meets the face it cannot have met the border before.
-pub(super) fn first(corners: &[V3; 3], path: &Path, radius: f64) -> Option<f64> {
-    let outside = normal(corners)?;
-    let above = (path.from - corners[0]).dot(&outside);
-    let (normal, above) = if above < 0.0 {
-        (-outside, -above)
-    } else {
-        (outside, above)
-    };
-    let closing = -path.direction.dot(&normal);
-    let gap = above - radius;
-    if gap > 0.0 {
-        if closing <= 1e-14 || gap > closing * path.length {
+        let limit = limit * limit;
+        if above * above + outside > limit + SLACK {
             return None;
         }
-        let reached = gap / closing;
-        if covers(corners, &(path.at(reached) - normal * radius), &normal) {
+        let feet = self.edges().map(|(a, b)| on_edge(&a, &b, p));
+        let away = |foot: &V3| (p - foot).norm_squared();
+        let nearest = feet
+            .into_iter()
+            .min_by(|a, b| away(a).total_cmp(&away(b)))?;
+        (away(&nearest) <= limit).then_some(nearest)
+    }
+
+    /// Height of the triangle straight above or below a point.
+    pub fn height_at(&self, p: &V3) -> Option<f64> {
+        if self.normal.z.abs() <= 1e-12 {
+            return None;
+        }
+        let corner = self.corners[0];
+        let height = corner.z - (p - corner).xy().dot(&self.normal.xy()) / self.normal.z;
+        self.covers(&V3::new(p.x, p.y, height)).then_some(height)
+    }
+
+    /// Length, at most `limit`, after which a ball of this radius that was free begins to touch the triangle. Its face
+    /// counts before its edges: where the ball meets the face it cannot have met the border before. Nothing of the
+    /// triangle is met before its plane, and nothing that does not lie ahead of the ball's centre.
+    pub fn first(&self, path: &Path, radius: f64, limit: f64) -> Option<f64> {
+        let [a, b, c] = self
+            .corners
+            .map(|corner| (corner - path.from).dot(&path.direction));
+        if a.max(b).max(c) <= 0.0 || a.min(b).min(c) - radius > limit {
+            return None;
+        }
+        let above = (path.from - self.corners[0]).dot(&self.normal);
+        let side = if above < 0.0 { -1.0 } else { 1.0 };
+        let closing = -side * path.direction.dot(&self.normal);
+        let gap = above.abs() - radius;
+        let reached = if gap > 0.0 { gap / closing } else { 0.0 };
+        if gap > 0.0 && (closing <= 1e-14 || reached > limit) {
+            return None;
+        }
+        let distance = above.abs() - closing * reached;
+        let below = path.at(reached) - self.normal * (side * distance);
+        let outside = self.outside(&below);
+        if gap > 0.0 && outside <= 0.0 {
             return Some(reached);
         }
+        if outside > widest(distance, closing, limit - reached, radius) {
+            return None;
+        }
+        let edges = self.edges().map(|edge| at_edge(edge, path, radius, limit));
+        let corners = self
+            .corners
+            .map(|corner| entering(&(path.from - corner), &path.direction, radius, limit));
+        let met = edges.into_iter().chain(corners).flatten();
+        met.min_by(f64::total_cmp)
     }
-    edges(corners)
-        .into_iter()
-        .filter_map(|(a, b)| at_edge(&a, &b, path, radius))
-        .min_by(f64::total_cmp)
+
+    fn edges(&self) -> [(V3, V3); 3] {
+        let [a, b, c] = self.corners;
+        [(a, b), (b, c), (c, a)]
+    }
+
+    /// Whether a point of the plane lies in the triangle.
+    fn covers(&self, p: &V3) -> bool {
+        self.outside(p) <= 0.0
+    }
+
+    /// Square of how far a point of the plane lies outside of the line of that edge of which it lies farthest outside, so
+    /// at most that of its distance from the triangle; 0 inside.
+    fn outside(&self, p: &V3) -> f64 {
+        let past = |(a, b): (V3, V3)| {
+            let edge = b - a;
+            let inside = edge.cross(&(p - a)).dot(&self.normal);
+            match inside < 0.0 {
+                true => inside * inside / edge.norm_squared(),
+                false => 0.0,
+            }
+        };
+        let [a, b, c] = self.edges().map(past);
+        a.max(b).max(c)
+    }
 }
 
-fn edges([a, b, c]: &[V3; 3]) -> [(V3, V3); 3] {
-    [(*a, *b), (*b, *c), (*c, *a)]
-}
+/// What rounding may add to the square of a distance, mm².
+const SLACK: f64 = 1e-12;
 
-/// Whether a point of the plane lies in the triangle; the normal may be that of either side.
-fn covers([a, b, c]: &[V3; 3], p: &V3, normal: &V3) -> bool {
-    let side = |a: &V3, b: &V3| (b - a).cross(&(p - a)).dot(normal);
-    let sides = [side(a, b), side(b, c), side(c, a)];
-    sides.iter().all(|side| *side >= 0.0) || sides.iter().all(|side| *side <= 0.0)
+/// Square of the distance from its foot on a plane within which a ball touches the plane on the next `way` mm. It stands
+/// at this distance from the plane and comes nearer by `closing` a mm; as the foot moves along, so does what it touches.
+fn widest(distance: f64, closing: f64, way: f64, radius: f64) -> f64 {
+    let nearest = (distance - closing.max(0.0) * way).max(0.0);
+    let circle = (radius * radius - nearest * nearest).max(0.0).sqrt();
+    let drift = way * (1.0 - closing * closing).max(0.0).sqrt();
+    (circle + drift) * (circle + drift) + SLACK
 }
 
 fn on_edge(a: &V3, b: &V3, p: &V3) -> V3 {
@@ -77,37 +127,33 @@ fn on_edge(a: &V3, b: &V3, p: &V3) -> V3 {
     a + edge * part.clamp(0.0, 1.0)
 }
 
-/// First contact with an edge and its two ends.
-fn at_edge(a: &V3, b: &V3, path: &Path, radius: f64) -> Option<f64> {
+/// First contact with an edge without its ends.
+fn at_edge((a, b): (V3, V3), path: &Path, radius: f64, limit: f64) -> Option<f64> {
     let edge = b - a;
     let size = edge.norm_squared();
     let along = path.direction.dot(&edge) / size;
     let away = path.from - a;
     let start = away.dot(&edge) / size;
     let way = path.direction - edge * along;
-    let from = away - edge * start;
-    if let Some(length) = entering(&from, &way, radius, path.length) {
-        let part = start + along * length;
-        if (0.0..=1.0).contains(&part) {
-            return Some(length);
-        }
-    }
-    let ends = [a, b].map(|end| entering(&(path.from - end), &path.direction, radius, path.length));
-    ends.into_iter().flatten().min_by(f64::total_cmp)
+    let length = entering(&(away - edge * start), &way, radius, limit)?;
+    (0.0..=1.0)
+        .contains(&(start + along * length))
+        .then_some(length)
 }
 
-/// When a point at `from` that moves by `way` a mm comes within `radius` of the origin.
-fn entering(from: &V3, way: &V3, radius: f64, length: f64) -> Option<f64> {
+/// When a point at `from` that moves by `way` a mm comes within `radius` of the origin, if within `limit` mm.
+fn entering(from: &V3, way: &V3, radius: f64, limit: f64) -> Option<f64> {
+    let ahead = -from.dot(way);
     let speed = way.norm_squared();
-    if speed < 1e-24 {
+    if ahead <= 0.0 || speed < 1e-24 {
         return None;
     }
-    let closest = -from.dot(way) / speed;
+    let closest = ahead / speed;
     let gap = (from + way * closest).norm_squared();
     let half = (radius * radius - gap) / speed;
     if half < 0.0 {
         return None;
     }
     let entering = closest - half.sqrt();
-    (entering > 0.0 && entering <= length).then_some(entering)
+    (entering > 0.0 && entering <= limit).then_some(entering)
 }

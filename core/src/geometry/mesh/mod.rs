@@ -6,6 +6,7 @@ mod face;
 mod tree;
 
 use super::{Path, TOLERANCE, V3};
+use face::Face;
 use tree::Tree;
 
 /// Cosine between way and normal up to which a ball passes by: it would press in by less than 2e-9 of its radius.
@@ -17,6 +18,8 @@ pub struct Mesh {
     corners: Vec<V3>,
     /// Indices of corners, in the order of the tree.
     triangles: Vec<[u32; 3]>,
+    /// The same triangles, ready to be held against a ball.
+    faces: Vec<Face>,
     tree: Tree,
 }
 
@@ -35,15 +38,16 @@ impl Mesh {
     /// A surface of these triangles, counter-clockwise seen from outside; those without area and those that name no
     /// corner are left out.
     pub fn new(corners: Vec<V3>, mut triangles: Vec<[u32; 3]>) -> Mesh {
-        triangles.retain(|triangle| {
-            corners_of(&corners, triangle).is_some_and(|corners| face::normal(&corners).is_some())
-        });
+        let face = |triangle: &[u32; 3]| Face::new(corners_of(&corners, triangle)?);
+        triangles.retain(|triangle| face(triangle).is_some());
         let tree = Tree::build(&mut triangles, |triangle| {
             corners_of(&corners, triangle).unwrap_or_default()
         });
+        let faces = triangles.iter().filter_map(face).collect();
         Mesh {
             corners,
             triangles,
+            faces,
             tree,
         }
     }
@@ -61,14 +65,13 @@ impl Mesh {
     /// Nearest point of the surface and its distance, where that is at most `within` mm.
     pub fn nearest(&self, p: &V3, within: f64) -> Option<(V3, f64)> {
         let mut found: Option<(V3, f64)> = None;
-        self.tree.near(p, within, |index, limit| {
-            let foot = face::foot(&self.at(index), p);
+        self.near(p, within, |face, limit| {
+            let Some(foot) = face.foot(p, limit) else {
+                return limit;
+            };
             let distance = (p - foot).norm();
-            if distance <= limit && found.is_none_or(|(_, least)| distance < least) {
-                found = Some((foot, distance));
-                return distance;
-            }
-            limit
+            found = Some((foot, distance));
+            distance
         });
         found
     }
@@ -76,84 +79,86 @@ impl Mesh {
     /// Whether a point lies under the surface: of what is straight above it, the lowest triangle faces up.
     pub fn covers(&self, p: &V3) -> bool {
         let mut lowest: Option<(f64, bool)> = None;
-        self.tree.above(p, |index| {
-            let corners = self.at(index);
-            let Some(height) = face::height_at(&corners, p) else {
-                return;
-            };
-            if height > p.z && lowest.is_none_or(|(least, _)| height < least) {
-                let up = face::normal(&corners).is_some_and(|normal| normal.z > 0.0);
-                lowest = Some((height, up));
+        self.tree.above(p, |indices, top| {
+            for face in self.faces.get(indices).unwrap_or_default() {
+                let height = face.height_at(p).filter(|height| *height > p.z);
+                if let Some(height) = height
+                    && lowest.is_none_or(|(least, _)| height < least)
+                {
+                    lowest = Some((height, face.normal.z > 0.0));
+                }
             }
+            lowest.map_or(top, |(height, _)| height)
         });
         lowest.is_some_and(|(_, up)| up)
     }
 
     /// How a ball of this radius stands that is about to move along the path.
     pub fn stand(&self, path: &Path, radius: f64) -> Stand {
-        let Some((point, distance)) = self.nearest(&path.from, radius + TOLERANCE) else {
-            return Stand::Free;
-        };
+        let mut nearest: Option<(V3, f64)> = None;
+        let mut pressed = Stand::Free;
         let out = |point: V3| {
             let away = (path.from - point).try_normalize(0.0);
             away.unwrap_or_else(V3::z)
         };
-        if distance < radius - TOLERANCE {
-            return Stand::Inside(point, out(point), radius - distance);
+        self.near(&path.from, radius + TOLERANCE, |face, limit| {
+            let Some(point) = face.foot(&path.from, limit) else {
+                return limit;
+            };
+            let distance = (path.from - point).norm();
+            if nearest.is_none_or(|(_, least)| distance < least) {
+                nearest = Some((point, distance));
+            }
+            let normal = out(point);
+            if normal.dot(&path.direction) < GRAZING {
+                pressed = Stand::Pressed(point, normal);
+            }
+            limit
+        });
+        match nearest {
+            Some((point, distance)) if distance < radius - TOLERANCE => {
+                Stand::Inside(point, out(point), radius - distance)
+            }
+            _ => pressed,
         }
-        let mut pressed = Stand::Free;
-        self.tree
-            .near(&path.from, radius + TOLERANCE, |index, limit| {
-                let point = face::foot(&self.at(index), &path.from);
-                let normal = out(point);
-                let touched = (path.from - point).norm() <= radius + TOLERANCE;
-                if touched && normal.dot(&path.direction) < GRAZING {
-                    pressed = Stand::Pressed(point, normal);
-                }
-                limit
-            });
-        pressed
     }
 
     /// Length after which a ball of this radius that was free begins to touch the surface, and the point touched.
     pub fn first(&self, path: &Path, radius: f64) -> Option<(f64, V3)> {
         let mut found: Option<(f64, V3)> = None;
-        let (low, high) = swept(path, radius);
+        let room = radius + TOLERANCE;
         // a ball that goes s mm touches nothing that is farther away than that and its radius
         let reach = radius + path.length;
         self.tree
-            .near_in(&path.from, reach, &low, &high, |index, limit| {
-                let corners = self.at(index);
-                let Some(length) = face::first(&corners, path, radius) else {
-                    return limit;
-                };
-                if found.is_some_and(|(before, _)| length >= before) {
-                    return limit;
+            .near_ahead(path, room, reach, |indices, mut limit| {
+                for face in self.faces.get(indices).unwrap_or_default() {
+                    let before = found.map_or(path.length, |(length, _)| length);
+                    let met = face.first(path, radius, before);
+                    let sooner = |length: &f64| found.is_none() || *length < before;
+                    let Some(length) = met.filter(sooner) else {
+                        continue;
+                    };
+                    let ball = path.at(length);
+                    let Some(point) = face.foot(&ball, f64::INFINITY) else {
+                        continue;
+                    };
+                    if (ball - point).dot(&path.direction) < GRAZING * radius {
+                        found = Some((length, point));
+                        limit = radius + length;
+                    }
                 }
-                let ball = path.at(length);
-                let point = face::foot(&corners, &ball);
-                if (ball - point).dot(&path.direction) >= GRAZING * radius {
-                    return limit;
-                }
-                found = Some((length, point));
-                radius + length
+                limit
             });
         found
     }
 
-    fn at(&self, index: usize) -> [V3; 3] {
-        let triangle = self.triangles.get(index);
-        triangle
-            .and_then(|triangle| corners_of(&self.corners, triangle))
-            .unwrap_or_default()
+    /// Tells the triangles that may lie within `limit` of a point, near ones first. What is answered is the new limit.
+    fn near(&self, p: &V3, limit: f64, mut tell: impl FnMut(&Face, f64) -> f64) {
+        self.tree.near(p, limit, |indices, limit| {
+            let faces = self.faces.get(indices).unwrap_or_default();
+            faces.iter().fold(limit, |limit, face| tell(face, limit))
+        });
     }
-}
-
-/// Box around all that a ball reaches on a path.
-fn swept(path: &Path, radius: f64) -> (V3, V3) {
-    let end = path.at(path.length);
-    let room = V3::repeat(radius + TOLERANCE);
-    (path.from.inf(&end) - room, path.from.sup(&end) + room)
 }
 
 fn corners_of(corners: &[V3], triangle: &[u32; 3]) -> Option<[V3; 3]> {

@@ -97,7 +97,7 @@ proptest! {
         let triangles = (0..20).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
         let mesh = Mesh::new(corners, triangles);
         let slow = |p: &V3| (0..mesh.triangles.len())
-            .map(|index| (p - face::foot(&mesh.at(index), p)).norm())
+            .map(|index| (p - mesh.faces[index].foot(p, f64::INFINITY).unwrap()).norm())
             .fold(f64::INFINITY, f64::min);
         let path = way(from, to);
         let (_, near) = mesh.nearest(&path.from, f64::INFINITY).unwrap();

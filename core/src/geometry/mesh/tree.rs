@@ -1,9 +1,12 @@
 //! Boxes around triangles, halved again and again.
 
-use crate::geometry::V3;
+use crate::geometry::{Path, V3};
+use std::ops::Range;
 
 /// Triangles of a box that is not halved any more.
 const LEAF: usize = 4;
+/// Most boxes that wait while one is looked into: one a level, and no tree of numbers of 32 bits has more levels.
+const LEVELS: usize = 33;
 
 /// The boxes, each before those within it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -29,6 +32,25 @@ impl Node {
 
     fn meets(&self, low: &V3, high: &V3) -> bool {
         (0..3).all(|axis| self.low[axis] <= high[axis] && self.high[axis] >= low[axis])
+    }
+
+    /// Whether a part of it lies before the start of a path, in its direction.
+    fn ahead(&self, path: &Path) -> bool {
+        let part = |axis: usize| {
+            let direction = path.direction[axis];
+            let end = if direction > 0.0 { self.high } else { self.low };
+            direction * (end[axis] - path.from[axis])
+        };
+        part(0) + part(1) + part(2) > 0.0
+    }
+
+    /// Whether it lies above or below a point.
+    fn spans(&self, p: &V3) -> bool {
+        (0..2).all(|axis| self.low[axis] <= p[axis] && self.high[axis] >= p[axis])
+    }
+
+    fn triangles(&self) -> Range<usize> {
+        self.next as usize..(self.next + self.count) as usize
     }
 }
 
@@ -73,61 +95,98 @@ impl Tree {
         self.split(other, first + middle, corners);
     }
 
-    /// Tells the triangles whose boxes lie within `limit` of a point, near ones first. What is answered is the new limit.
-    pub fn near(&self, p: &V3, limit: f64, tell: impl FnMut(usize, f64) -> f64) {
-        let (low, high) = (V3::repeat(f64::NEG_INFINITY), V3::repeat(f64::INFINITY));
-        self.near_in(p, limit, &low, &high, tell);
+    /// Tells the leaves whose boxes lie within `limit` of a point, near ones first. What is answered is the new limit.
+    pub fn near(&self, p: &V3, limit: f64, tell: impl FnMut(Range<usize>, f64) -> f64) {
+        self.walk(limit, |node| node.distance_squared(p).sqrt(), tell);
     }
 
-    /// The same of boxes that meet a box.
-    pub fn near_in(
+    /// The same from the start of a path, of boxes that are nearer than `room` to it, each axis alone, and do not lie
+    /// behind its start.
+    pub fn near_ahead(
         &self,
-        p: &V3,
-        mut limit: f64,
-        low: &V3,
-        high: &V3,
-        mut tell: impl FnMut(usize, f64) -> f64,
+        path: &Path,
+        room: f64,
+        limit: f64,
+        tell: impl FnMut(Range<usize>, f64) -> f64,
     ) {
-        let mut waiting: Vec<(u32, f64)> = Vec::with_capacity(48);
-        self.wait(&mut waiting, 0, p, low, high);
-        while let Some((place, distance)) = waiting.pop() {
-            let Some(node) = self.nodes.get(place as usize) else {
+        let (end, room) = (path.at(path.length), V3::repeat(room));
+        let (low, high) = (path.from.inf(&end) - room, path.from.sup(&end) + room);
+        let away = |node: &Node| match node.meets(&low, &high) && node.ahead(path) {
+            true => node.distance_squared(&path.from).sqrt(),
+            false => f64::INFINITY,
+        };
+        self.walk(limit, away, tell);
+    }
+
+    /// Tells the leaves whose boxes a line from a point straight up meets, low ones first, up to the height that is
+    /// answered.
+    pub fn above(&self, p: &V3, tell: impl FnMut(Range<usize>, f64) -> f64) {
+        let height = |node: &Node| match node.spans(p) && node.high.z >= p.z {
+            true => node.low.z,
+            false => f64::INFINITY,
+        };
+        self.walk(f64::MAX, height, tell);
+    }
+
+    /// Tells the leaves in the order of a measure that no box within another one has smaller, up to a limit of it. What is
+    /// answered is the new limit.
+    fn walk(
+        &self,
+        mut limit: f64,
+        measure: impl Fn(&Node) -> f64,
+        mut tell: impl FnMut(Range<usize>, f64) -> f64,
+    ) {
+        let mut waiting = Waiting::default();
+        let mut next = self.nodes.first().map(|root| (0, measure(root)));
+        while let Some((place, at)) = next.take().or_else(|| waiting.pop()) {
+            let Some(node) = self.nodes.get(place as usize).filter(|_| at <= limit) else {
                 continue;
             };
-            if distance > limit * limit {
-                continue;
-            }
             if node.count > 0 {
-                for index in node.next..node.next + node.count {
-                    limit = tell(index as usize, limit);
-                }
+                limit = tell(node.triangles(), limit);
                 continue;
             }
-            let before = waiting.len();
-            self.wait(&mut waiting, place + 1, p, low, high);
-            self.wait(&mut waiting, node.next, p, low, high);
-            if let [first, second] = &mut waiting[before..]
-                && first.1 < second.1
-            {
-                std::mem::swap(first, second);
+            let inside = [place + 1, node.next].map(|place| {
+                let measured = self.nodes.get(place as usize).map(&measure);
+                (place, measured.unwrap_or(f64::INFINITY))
+            });
+            let [near, far] = match inside {
+                [one, other] if other.1 < one.1 => [other, one],
+                both => both,
+            };
+            if far.1 <= limit {
+                waiting.push(far);
             }
+            next = Some(near);
+        }
+    }
+}
+
+/// Boxes that wait, with their measure.
+struct Waiting {
+    boxes: [(u32, f64); LEVELS],
+    count: usize,
+}
+
+impl Default for Waiting {
+    fn default() -> Waiting {
+        Waiting {
+            boxes: [(0, 0.0); LEVELS],
+            count: 0,
+        }
+    }
+}
+
+impl Waiting {
+    fn push(&mut self, one: (u32, f64)) {
+        if let Some(free) = self.boxes.get_mut(self.count) {
+            *free = one;
+            self.count += 1;
         }
     }
 
-    fn wait(&self, waiting: &mut Vec<(u32, f64)>, place: u32, p: &V3, low: &V3, high: &V3) {
-        if let Some(node) = self.nodes.get(place as usize)
-            && node.meets(low, high)
-        {
-            waiting.push((place, node.distance_squared(p)));
-        }
-    }
-
-    /// Tells the triangles whose boxes a line from a point straight up meets.
-    pub fn above(&self, p: &V3, mut tell: impl FnMut(usize)) {
-        let top = V3::new(p.x, p.y, f64::INFINITY);
-        self.near_in(p, f64::INFINITY, p, &top, |index, limit| {
-            tell(index);
-            limit
-        });
+    fn pop(&mut self) -> Option<(u32, f64)> {
+        self.count = self.count.checked_sub(1)?;
+        self.boxes.get(self.count).copied()
     }
 }

@@ -1,0 +1,109 @@
+//! Digitizing in a run: the surface that is scanned, and the files for what is sent.
+
+use crate::file::{self, Problem};
+use probewright_core::json::{self, SurfaceName};
+use probewright_core::run::setup::Setup;
+use probewright_core::scan::Sent;
+use probewright_core::scan::text::{Form, piece};
+use probewright_core::workpiece::free::EXAMPLES;
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+
+/// Points of a scan whose text is held in memory at once.
+const PIECE: usize = 50_000;
+/// Shares of red, green and blue in the brightness of a colour.
+const BRIGHTNESS: [f64; 3] = [0.299, 0.587, 0.114];
+
+/// Surface and files of a scan.
+#[derive(clap::Args)]
+pub struct Files {
+    /// Surface in place of that in the setup file, as large as that one: a PNG picture (white is highest), one of ours
+    /// (dome, waves, saddle, step), or an STL file, which keeps its size
+    #[arg(long, value_name = "FILE")]
+    surface: Option<PathBuf>,
+    /// Write what digitizing sends to a file: the NC program
+    #[arg(long, value_name = "FILE")]
+    scan_nc: Option<PathBuf>,
+    /// The same as lines X Y Z in mm
+    #[arg(long, value_name = "FILE")]
+    scan_xyz: Option<PathBuf>,
+    /// Lines X Y Z in mm of the surface under the ball: its radius is taken out
+    #[arg(long, value_name = "FILE")]
+    scan_surface: Option<PathBuf>,
+}
+
+impl Files {
+    /// Puts the surface that is named into the setup.
+    pub fn put_surface(&self, setup: &mut Setup) -> Result<(), Problem> {
+        let Some(path) = &self.surface else {
+            return Ok(());
+        };
+        let refused = |why: &dyn std::fmt::Display| format!("{}: {why}", path.display());
+        let (name, bytes) = surface(path)?;
+        match json::put_surface(setup, &name, &bytes).map_err(|error| refused(&error))? {
+            true => Ok(()),
+            false => Err(refused(&"the setup has no free surface that it could replace").into()),
+        }
+    }
+
+    /// Writes the files that are named; several scans stand one behind the other.
+    pub fn write(&self, scans: &[Sent]) -> Result<(), Problem> {
+        let files = [
+            (&self.scan_nc, Form::Program),
+            (&self.scan_xyz, Form::Points),
+            (&self.scan_surface, Form::Surface),
+        ];
+        for (path, form) in files {
+            if let Some(path) = path {
+                file::write(path, scans.iter().flat_map(|scan| text(scan, form)))?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The text of a scan in pieces.
+fn text(Sent { cloud, layout }: &Sent, form: Form) -> impl Iterator<Item = String> {
+    let pieces = (0..cloud.points().len()).step_by(PIECE);
+    pieces.map(move |from| piece(cloud, layout, form, from..from + PIECE))
+}
+
+/// What is named: one of ours, an STL file, else a picture.
+fn surface(path: &Path) -> Result<(SurfaceName, Vec<u8>), Problem> {
+    let known = EXAMPLES.iter().find(|(name, _)| path == Path::new(name));
+    if let Some((name, _)) = known {
+        return Ok((SurfaceName::Example((*name).to_owned()), Vec::new()));
+    }
+    let bytes = file::bytes(path)?;
+    let ending = path.extension().and_then(OsStr::to_str).unwrap_or_default();
+    if ending.eq_ignore_ascii_case("stl") {
+        return Ok((SurfaceName::Stl, bytes));
+    }
+    let (columns, greys) = greys(&bytes).map_err(|error| format!("{}: {error}", path.display()))?;
+    Ok((SurfaceName::Picture(columns), greys))
+}
+
+/// Pixels a row and grey values of a PNG picture; what is clear lies on white.
+fn greys(file: &[u8]) -> Result<(usize, Vec<u8>), png::DecodingError> {
+    let mut decoder = png::Decoder::new(std::io::Cursor::new(file));
+    decoder.set_transformations(png::Transformations::normalize_to_color8());
+    let mut reader = decoder.read_info()?;
+    let mut pixels = vec![0; reader.output_buffer_size().unwrap_or(0)];
+    let frame = reader.next_frame(&mut pixels)?;
+    let grey = |pixel: &[u8]| {
+        let (colour, alpha) = match pixel {
+            [grey] => ([*grey; 3], u8::MAX),
+            [grey, alpha] => ([*grey; 3], *alpha),
+            [red, green, blue] => ([*red, *green, *blue], u8::MAX),
+            [red, green, blue, alpha, ..] => ([*red, *green, *blue], *alpha),
+            [] => ([0; 3], 0),
+        };
+        let bright = colour.iter().zip(BRIGHTNESS);
+        let bright: f64 = bright.map(|(value, share)| f64::from(*value) * share).sum();
+        let cover = f64::from(alpha) / 255.0;
+        (bright * cover + 255.0 * (1.0 - cover)).round() as u8
+    };
+    let rows = pixels.chunks_exact(frame.color_type.samples());
+    let count = frame.width as usize * frame.height as usize;
+    Ok((frame.width as usize, rows.take(count).map(grey).collect()))
+}
