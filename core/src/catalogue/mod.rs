@@ -47,6 +47,7 @@ pub mod nct;
 pub mod operator_messages;
 pub mod p9920;
 pub mod p9969;
+mod param;
 pub mod place;
 pub mod shared_checks;
 pub mod sinumerik;
@@ -55,9 +56,13 @@ pub mod tool_probe;
 pub mod twin;
 mod twin_place;
 mod when;
+mod work;
 pub use entry::*;
 pub use help::Help;
 pub use list::{Arg, ArgumentList, Style};
+pub use param::*;
+pub use when::*;
+pub use work::*;
 
 /// Every cycle that Probewright knows, in the order in which they are offered. The page's first module knows that of
 /// the first visit: what a first visit waits for does not grow with the catalogue.

@@ -1,8 +1,61 @@
-//! Whether a condition holds for the values of a call.
+//! A condition on the values of a call, and whether it holds.
 
-use super::{Kind, Level, Param, Unit, When};
+use super::{Kind, Level, Param, Unit};
 use crate::check::{Inputs, delivered_factor};
 use crate::control::{Control, Units, gud};
+
+/// A condition on the values of a call. Data, so that docs can print it.
+pub enum When {
+    /// Always.
+    Always,
+    /// The measuring variant is one of these.
+    Variant(&'static [i64]),
+    /// The number of this parameter, divided by `place` (whole), modulo 10, is one of these.
+    Digit {
+        /// Parameter.
+        param: &'static str,
+        /// 1, 10, 100, …
+        place: i64,
+        /// Accepted digits.
+        is: &'static [i64],
+    },
+    /// The parameter is given and not zero (a text: not empty).
+    Given(&'static str),
+    /// The number of this parameter is one of these.
+    Number {
+        /// Parameter.
+        param: &'static str,
+        /// Accepted numbers.
+        is: &'static [f64],
+    },
+    /// The number of this parameter is larger.
+    Above {
+        /// Parameter.
+        param: &'static str,
+        /// Than this.
+        than: f64,
+    },
+    /// A datum of the machine, one of [`Cycle::settings`], has one of these values; unset data are 0.
+    Setting {
+        /// Datum.
+        name: &'static str,
+        /// Accepted numbers.
+        is: &'static [f64],
+    },
+    /// The type of the tool in use (`$TC_DP1`) lies between these numbers, both included.
+    ToolType(i64, i64),
+    /// The working plane is this one.
+    Plane(crate::control::Plane),
+    /// All of these.
+    All(&'static [When]),
+    /// One of these.
+    Any(&'static [When]),
+    /// Not this.
+    Not(&'static When),
+}
+
+/// A condition that does not hold.
+pub const NEVER: When = When::Any(&[]);
 
 impl When {
     /// Whether it holds. A number that is not given counts as 0.

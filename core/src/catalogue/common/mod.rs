@@ -1,0 +1,185 @@
+//! Parameters that the SINUMERIK cycles share. A cycle takes one and fills in when it needs it:
+//! `Param { needs: &[…], ..common::FA }`.
+
+mod limits;
+mod place;
+mod results;
+mod target;
+
+pub use limits::{EVNUM, K, MEMORY_DIGITS, TDIF, TLL, TMV, TSA, TUL, TZL};
+pub use place::{CORA, CPA, CPO, ID, INCA, MA, MD, RF, SETV0, SETV1, SETVAL, STA1, SZA, SZO};
+pub use results::{angle, integer, length};
+pub use target::{
+    DLNUM, KNUM, KNUM_KIND, OFFSET_DLNUM, OFFSET_TENV, OFFSET_TNAME, OFFSET_TNUM, SHORT_TARGET,
+    TENV, TNAME, TNUM,
+};
+
+use super::names;
+use super::{DigitGroup, Kind, Need, Param, Range, Unit, When};
+use crate::diagnostic::Code;
+
+/// What every parameter starts from: a real number without a unit that nobody needs.
+pub const PARAM: Param = Param {
+    name: "",
+    key: "",
+    kind: Kind::Real,
+    unit: Unit::None,
+    default: None,
+    default_inch: None,
+    range: Range::ANY,
+    usual: Range::ANY,
+    alarm: None,
+    needs: &[],
+    chooses: &[],
+    labels: &[],
+    source: "",
+};
+
+/// Needed under this condition, for this reason.
+pub const fn required(when: When, reason: &'static str) -> Need {
+    Need {
+        when,
+        level: super::Level::Required,
+        reason,
+    }
+}
+
+/// Allowed under this condition, for this reason.
+pub const fn optional(when: When, reason: &'static str) -> Need {
+    Need {
+        when,
+        level: super::Level::Optional,
+        reason,
+    }
+}
+
+/// Third digit of `_PRNUM`.
+pub const PROBE_TYPE: DigitGroup = DigitGroup {
+    key: "prnum-type",
+    place: 100,
+    digits: 1,
+    choices: &[(0, "prnum-multi"), (1, "prnum-mono")],
+};
+
+/// First and second digit of `_PRNUM`.
+pub const PROBE_NUMBER: DigitGroup = DigitGroup {
+    key: "prnum-number",
+    place: 1,
+    digits: 2,
+    choices: &[],
+};
+
+/// Digits of `_PRNUM` (B:5632, A:1966: 102 is mono probe number 2).
+pub const PROBE_DIGITS: &[DigitGroup] = &[PROBE_TYPE, PROBE_NUMBER];
+
+/// Required in every variant.
+pub const ALWAYS_REQUIRED: &[Need] = &[required(When::Always, "need-always")];
+/// Optional in every variant: its delivered value counts.
+pub const ALWAYS_OPTIONAL: &[Need] = &[optional(When::Always, "need-default")];
+/// A mono probe is named.
+pub const MONO: When = When::Digit {
+    param: names::PRNUM,
+    place: 100,
+    is: &[1],
+};
+
+/// With tool offset, where the third digit of `_MVAR` decides (B:5641, B:6323, B:6764).
+pub const TOOL_OFFSET: When = When::Digit {
+    param: names::MVAR,
+    place: 100,
+    is: &[0],
+};
+
+/// With ZO correction, where the third digit of `_MVAR` decides.
+pub const ZERO_OFFSET: When = When::Digit {
+    param: names::MVAR,
+    place: 100,
+    is: &[1],
+};
+
+/// `_MVAR`; a cycle adds the digit groups.
+pub const MVAR: Param = Param {
+    name: names::MVAR,
+    key: "mvar",
+    kind: Kind::Variant(&[]),
+    alarm: Some(Code::Alarm(61307)),
+    needs: ALWAYS_REQUIRED,
+    source: "B:1854",
+    ..PARAM
+};
+
+/// `_PRNUM`.
+pub const PRNUM: Param = Param {
+    name: names::PRNUM,
+    key: "prnum",
+    kind: Kind::Digits(PROBE_DIGITS),
+    default: Some(1.0),
+    range: Range::closed(1.0, 199.0),
+    alarm: Some(Code::Alarm(61313)),
+    needs: ALWAYS_OPTIONAL,
+    source: "B:5632-5633",
+    ..PARAM
+};
+
+/// `_FA`: always mm, also on an inch machine (B:1790).
+pub const FA: Param = Param {
+    name: names::FA,
+    key: "fa",
+    unit: Unit::Millimetre,
+    default: Some(2.0),
+    range: Range::POSITIVE,
+    usual: Range::closed(1.0, 100.0),
+    alarm: Some(Code::Alarm(61308)),
+    needs: ALWAYS_OPTIONAL,
+    source: "B:15635",
+    ..PARAM
+};
+
+/// `_VMS`: 0 lets the cycle choose by `_FA`.
+pub const VMS: Param = Param {
+    name: names::VMS,
+    key: "vms",
+    unit: Unit::BasicFeed,
+    default: Some(0.0),
+    range: Range::NOT_NEGATIVE,
+    usual: Range::closed(0.0, 2000.0),
+    needs: ALWAYS_OPTIONAL,
+    source: "B:15668",
+    ..PARAM
+};
+
+/// `_NMSP`.
+pub const NMSP: Param = Param {
+    name: names::NMSP,
+    key: "nmsp",
+    kind: Kind::Integer,
+    default: Some(1.0),
+    range: Range::POSITIVE,
+    usual: Range::closed(1.0, 20.0),
+    needs: ALWAYS_OPTIONAL,
+    source: "B:15650",
+    ..PARAM
+};
+
+/// Alarms that the manual names for every SINUMERIK measuring cycle (A:15840-15940).
+pub const EVERY_CYCLE: &[Code] = &alarms([
+    61016, 61301, 61302, 61303, 61307, 61308, 61309, 61310, 61311, 61312, 61313, 61320, 61328,
+    61336, 61338, 61339, 61340, 61342, 61343, 61344, 61345, 61372, 61373, 61403, 61404, 61405,
+    61406, 61407, 61408, 61409, 61410, 61416, 62303,
+]);
+
+/// Alarms of the cycles that correct tools and zero offsets by `_KNUM` (A:15859-15865).
+pub const CORRECTION: &[Code] = &alarms([61318, 61319, 61321, 61322, 61323, 61324]);
+/// Alarms of the tolerance chain (A:15845, A:15941-15943).
+pub const TOLERANCE: &[Code] = &alarms([61306, 62304, 62305, 62306]);
+
+/// Alarm numbers as codes.
+pub const fn alarms<const N: usize>(numbers: [u32; N]) -> [Code; N] {
+    let mut codes = [Code::Alarm(0); N];
+    let mut index = 0;
+    while index < N {
+        codes[index] = Code::Alarm(numbers[index]);
+        index += 1;
+    }
+    codes
+}

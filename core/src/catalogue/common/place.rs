@@ -1,0 +1,138 @@
+//! Set values, axes and places that are touched.
+
+use super::{MONO, PARAM, required};
+use crate::catalogue::{Kind, Param, Range, Unit, names};
+use crate::diagnostic::Code;
+
+/// `_SETVAL`; a cycle adds range and label.
+pub const SETVAL: Param = Param {
+    name: names::SETVAL,
+    key: "setval",
+    unit: Unit::ActiveLength,
+    source: "B:1744",
+    ..PARAM
+};
+
+/// `_SETV[0]`.
+pub const SETV0: Param = Param {
+    name: names::SETV0,
+    key: "setv0",
+    ..SETVAL
+};
+
+/// `_SETV[1]`.
+pub const SETV1: Param = Param {
+    name: names::SETV1,
+    key: "setv1",
+    ..SETVAL
+};
+
+/// `_ID`.
+pub const ID: Param = Param {
+    name: names::ID,
+    key: "id",
+    unit: Unit::ActiveLength,
+    source: "B:15636",
+    ..PARAM
+};
+
+/// `_SZA`.
+pub const SZA: Param = Param {
+    name: names::SZA,
+    key: "sza",
+    unit: Unit::ActiveLength,
+    range: Range::POSITIVE,
+    alarm: Some(Code::Alarm(61334)),
+    source: "B:15657",
+    ..PARAM
+};
+
+/// `_SZO`.
+pub const SZO: Param = Param {
+    name: names::SZO,
+    key: "szo",
+    source: "B:15658",
+    ..SZA
+};
+
+/// `_MA`; a cycle adds the choices.
+pub const MA: Param = Param {
+    name: names::MA,
+    key: "ma",
+    kind: Kind::Choice(&[(1, "ma-abscissa"), (2, "ma-ordinate")]),
+    range: Range::closed(1.0, 2.0),
+    alarm: Some(Code::Alarm(61325)),
+    source: "B:15646",
+    ..PARAM
+};
+
+/// `_MD`.
+pub const MD: Param = Param {
+    name: names::MD,
+    key: "md",
+    kind: Kind::Choice(&[(0, "md-plus"), (1, "md-minus")]),
+    range: Range::closed(0.0, 1.0),
+    alarm: Some(Code::Alarm(61326)),
+    source: "B:1854;A:15867",
+    ..PARAM
+};
+
+/// `_STA1`.
+pub const STA1: Param = Param {
+    name: names::STA1,
+    key: "sta1",
+    unit: Unit::Degree,
+    usual: Range::closed(-360.0, 360.0),
+    source: "B:15607",
+    ..PARAM
+};
+
+/// `_INCA`.
+pub const INCA: Param = Param {
+    name: names::INCA,
+    key: "inca",
+    unit: Unit::Degree,
+    source: "B:15749",
+    ..PARAM
+};
+
+/// `_CPA`.
+pub const CPA: Param = Param {
+    name: names::CPA,
+    key: "cpa",
+    unit: Unit::ActiveLength,
+    source: "B:1747",
+    ..PARAM
+};
+
+/// `_CPO`.
+pub const CPO: Param = Param {
+    name: names::CPO,
+    key: "cpo",
+    unit: Unit::ActiveLength,
+    source: "B:1748",
+    ..PARAM
+};
+
+/// `_RF`: the delivered 0 is refused (B:6994, A:15909), so that it has to be given.
+pub const RF: Param = Param {
+    name: names::RF,
+    key: "rf",
+    unit: Unit::BasicFeed,
+    range: Range::POSITIVE,
+    alarm: Some(Code::Alarm(61365)),
+    source: "B:6994",
+    ..PARAM
+};
+
+/// `_CORA`: up to 359.5 (B:15629); 360 stands for 0 where a swivel head turns the sense (A:2300-2311).
+pub const CORA: Param = Param {
+    name: names::CORA,
+    key: "cora",
+    unit: Unit::Degree,
+    default: Some(0.0),
+    range: Range::closed(0.0, 360.0),
+    needs: &[required(MONO, "need-mono")],
+    source: "B:15629;A:2300-2311",
+    ..PARAM
+};

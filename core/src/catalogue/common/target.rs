@@ -1,0 +1,133 @@
+//! What is corrected: `_KNUM` and the tool that it means.
+
+use super::{ALWAYS_REQUIRED, PARAM, TOOL_OFFSET, optional, required};
+use crate::catalogue::{Kind, Param, Range, When, names};
+use crate::diagnostic::Code;
+
+/// The digit of `_KNUM` that tells length/radius from setup/additive offsets and `_TENV` (7th, or 9th with 5-digit D).
+pub const KNUM_KIND: i64 = 1_000_000;
+
+/// `_KNUM` has at most four digits: what it says then is the same on newer controls.
+pub const SHORT_TARGET: When = When::All(&[
+    knum_digit(10_000),
+    knum_digit(100_000),
+    knum_digit(KNUM_KIND),
+]);
+
+const fn knum_digit(place: i64) -> When {
+    When::Digit {
+        param: names::KNUM,
+        place,
+        is: &[0],
+    }
+}
+
+/// A tool is corrected.
+const TOOL_CORRECTED: When = When::All(&[TOOL_OFFSET, When::Given(names::KNUM)]);
+
+/// `_KNUM` (B:1894-2029).
+pub const KNUM: Param = Param {
+    name: names::KNUM,
+    key: "knum",
+    kind: Kind::Knum,
+    range: Range::closed(0.0, 399_999_999.0),
+    needs: ALWAYS_REQUIRED,
+    source: "B:1894-2029",
+    ..PARAM
+};
+
+/// `_TNUM`.
+pub const TNUM: Param = Param {
+    name: names::TNUM,
+    key: "tnum",
+    kind: Kind::Integer,
+    range: Range::NOT_NEGATIVE,
+    alarm: Some(Code::Alarm(61320)),
+    source: "B:1872-1892",
+    ..PARAM
+};
+
+/// `_TNAME`.
+pub const TNAME: Param = Param {
+    name: names::TNAME,
+    key: "tname",
+    kind: Kind::Text(32),
+    alarm: Some(Code::Alarm(61343)),
+    source: "B:15661",
+    ..PARAM
+};
+
+/// `_DLNUM`.
+pub const DLNUM: Param = Param {
+    name: names::DLNUM,
+    key: "dlnum",
+    kind: Kind::Integer,
+    range: Range::closed(0.0, 6.0),
+    alarm: Some(Code::Alarm(61406)),
+    source: "B:2031-2043",
+    ..PARAM
+};
+
+/// `_TENV`.
+pub const TENV: Param = Param {
+    name: names::TENV,
+    key: "tenv",
+    kind: Kind::Text(32),
+    alarm: Some(Code::Alarm(61405)),
+    source: "B:2062-2102",
+    ..PARAM
+};
+
+/// `_TNUM` of the cycles with [`TOOL_OFFSET`].
+pub const OFFSET_TNUM: Param = Param {
+    needs: &[
+        required(
+            When::All(&[
+                TOOL_CORRECTED,
+                When::Not(&When::Given(names::TNAME)),
+                When::Not(&When::Given(names::TENV)),
+            ]),
+            "need-tool",
+        ),
+        optional(TOOL_CORRECTED, "need-tool-otherwise"),
+    ],
+    ..TNUM
+};
+
+/// `_TNAME` of the cycles with [`TOOL_OFFSET`].
+pub const OFFSET_TNAME: Param = Param {
+    needs: &[optional(TOOL_CORRECTED, "need-tool-name")],
+    ..TNAME
+};
+
+/// `_DLNUM` of the cycles with [`TOOL_OFFSET`].
+pub const OFFSET_DLNUM: Param = Param {
+    needs: &[required(
+        When::All(&[
+            TOOL_OFFSET,
+            When::Digit {
+                param: names::KNUM,
+                place: KNUM_KIND,
+                is: &[1, 3],
+            },
+        ]),
+        "need-additive",
+    )],
+    ..DLNUM
+};
+
+/// `_TENV` of the cycles with [`TOOL_OFFSET`].
+pub const OFFSET_TENV: Param = Param {
+    needs: &[required(
+        When::All(&[
+            TOOL_OFFSET,
+            When::Digit {
+                param: names::KNUM,
+                place: KNUM_KIND,
+                is: &[2, 3],
+            },
+        ]),
+        "need-environment",
+    )],
+    ..TENV
+};

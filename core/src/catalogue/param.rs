@@ -1,0 +1,165 @@
+//! A parameter of an entry: what can be entered, in which unit and range, when it is needed.
+
+use super::When;
+
+/// A parameter of a cycle.
+pub struct Param {
+    /// As the manual writes it: `_SETVAL`, `_SETV[0]`, `D`.
+    pub name: &'static str,
+    /// Stem of its message keys: `setval` → `param-setval` and `param-setval-help`; see [`Param::labels`].
+    pub key: &'static str,
+    /// What can be entered.
+    pub kind: Kind,
+    /// Unit and in which unit system it counts.
+    pub unit: Unit,
+    /// Value when it is not written; `None`: it has to be.
+    pub default: Option<f64>,
+    /// The same in inch, where the manual gives a round value of its own (NCT: 5 mm or 0.2 inch, C:94).
+    pub default_inch: Option<f64>,
+    /// Outside of this the control alarms (or the call makes no sense).
+    pub range: Range,
+    /// Outside of this a colleague would ask.
+    pub usual: Range,
+    /// Alarm (or message) for a value outside `range` or missing.
+    pub alarm: Option<crate::diagnostic::Code>,
+    /// First rule that holds decides; none: not used.
+    pub needs: &'static [Need],
+    /// Variants that are chosen by giving it (even 0), in a cycle that has no parameter for the variant (NCT: the address
+    /// of the tool axis makes a boss out of a bore). The first that holds counts.
+    pub chooses: &'static [Chooses],
+    /// Wording that differs by variant: stem of the first that holds, else [`Param::key`].
+    pub labels: &'static [(When, &'static str)],
+    /// Place in the manual.
+    pub source: &'static str,
+}
+
+/// A variant that an address chooses.
+pub struct Chooses {
+    /// Where it does so.
+    pub when: When,
+    /// Number of the variant.
+    pub variant: i64,
+    /// A value as typed that does it.
+    pub typed: &'static str,
+}
+
+/// What can be entered.
+pub enum Kind {
+    /// Real number.
+    Real,
+    /// Whole number.
+    Integer,
+    /// One of these numbers, each with the key of its name.
+    Choice(&'static [(i64, &'static str)]),
+    /// The same where other values decide what can be chosen: the first list whose condition holds.
+    ChoiceBy(&'static [(When, &'static [(i64, &'static str)])]),
+    /// One of these numbers, without a unit, in the variants for which the condition holds; else a real number.
+    ChoiceIf(When, &'static [(i64, &'static str)]),
+    /// The measuring variant: choices are the cycle's variants; where its digits are choices of their own, the groups.
+    Variant(&'static [DigitGroup]),
+    /// A number whose digits are choices of their own.
+    Digits(&'static [DigitGroup]),
+    /// Correction target `_KNUM`: a tool offset code or a zero offset code, decided by the variant.
+    Knum,
+    /// Text of at most this many characters.
+    Text(usize),
+}
+
+/// A group of digits of a coded number.
+pub struct DigitGroup {
+    /// Key of its name.
+    pub key: &'static str,
+    /// Value of its lowest digit: 1, 10, 100, …
+    pub place: i64,
+    /// How many digits.
+    pub digits: u32,
+    /// Named values; empty: any number of that many digits.
+    pub choices: &'static [(i64, &'static str)],
+}
+
+/// Unit of a parameter and the system it counts in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unit {
+    /// No unit.
+    None,
+    /// mm or inch by the active G70/G71/G700/G710 (NCT: G20/G21).
+    ActiveLength,
+    /// mm or inch by the basic system of the machine.
+    BasicLength,
+    /// Always mm, also on an inch machine (`_FA`).
+    Millimetre,
+    /// Degree.
+    Degree,
+    /// mm/min or inch/min by the basic system (NCT: active system).
+    BasicFeed,
+}
+
+/// Range of a number. `f64::NEG_INFINITY`/`INFINITY` for an open end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Range {
+    /// Lower end.
+    pub min: f64,
+    /// Whether `min` itself is allowed.
+    pub min_included: bool,
+    /// Upper end.
+    pub max: f64,
+    /// Whether `max` itself is allowed.
+    pub max_included: bool,
+}
+
+impl Range {
+    /// Any finite number.
+    pub const ANY: Range = Range {
+        min: f64::NEG_INFINITY,
+        min_included: false,
+        max: f64::INFINITY,
+        max_included: false,
+    };
+    /// Greater than 0.
+    pub const POSITIVE: Range = Range {
+        min: 0.0,
+        ..Range::ANY
+    };
+    /// 0 or greater.
+    pub const NOT_NEGATIVE: Range = Range {
+        min: 0.0,
+        min_included: true,
+        ..Range::ANY
+    };
+
+    /// From `min` to `max`, both allowed.
+    pub const fn closed(min: f64, max: f64) -> Range {
+        Range {
+            min,
+            min_included: true,
+            max,
+            max_included: true,
+        }
+    }
+
+    /// Whether the number lies inside; NaN never does.
+    pub fn contains(&self, value: f64) -> bool {
+        let low = value > self.min || (self.min_included && value == self.min);
+        let high = value < self.max || (self.max_included && value == self.max);
+        low && high
+    }
+}
+
+/// Whether a parameter is needed, under a condition.
+pub struct Need {
+    /// Condition.
+    pub when: When,
+    /// Consequence.
+    pub level: Level,
+    /// Key of the reason, shown at the field (`need-tool-offset`).
+    pub reason: &'static str,
+}
+
+/// How much a parameter is needed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Level {
+    /// Has to be given.
+    Required,
+    /// May be given.
+    Optional,
+}

@@ -1,0 +1,127 @@
+//! What an entry has for a build that simulates: the cycle at work, its picture, the part that it proposes.
+
+use super::When;
+use crate::SIMULATES;
+use crate::check::Inputs;
+use crate::control::Control;
+use crate::form::picture::Picture;
+use crate::run::{Machine, Stop};
+use crate::workpiece::tool::Tool;
+use crate::workpiece::tool_probe::ToolProbe;
+use crate::workpiece::{Solid, Workpiece};
+
+/// That a cycle is simulated.
+pub struct Simulation {
+    pub(super) work: Option<Work>,
+    pub(super) scan: Option<Scan>,
+    tool: Option<fn(i64) -> ProposedTool>,
+    /// What a variant's worked measurement has beside [`Cycle::example`], or instead.
+    pub examples: Examples,
+}
+
+impl Simulation {
+    /// The only way to make one: no entry can forget that a build which does not simulate holds no [`Work`], so that
+    /// nothing of it is linked.
+    pub const fn new(work: Work, examples: Examples) -> Simulation {
+        let work = if SIMULATES { Some(work) } else { None };
+        Simulation {
+            work,
+            scan: None,
+            tool: None,
+            examples,
+        }
+    }
+
+    /// The same for a cycle that scans a surface, which can be done in pieces too.
+    pub const fn scanning(work: Work, examples: Examples, scan: Scan) -> Simulation {
+        let scan = if SIMULATES { Some(scan) } else { None };
+        Simulation {
+            scan,
+            ..Simulation::new(work, examples)
+        }
+    }
+
+    /// The same of a cycle that needs another tool in use for each sort of variant.
+    pub const fn with_tool(self, tool: fn(i64) -> ProposedTool) -> Simulation {
+        let tool = if SIMULATES { Some(tool) } else { None };
+        Simulation { tool, ..self }
+    }
+
+    /// The tool that a variant needs in use, on a machine that has none yet; none where any will do.
+    pub fn tool(&self, variant: i64) -> Option<ProposedTool> {
+        Some(self.tool?(variant))
+    }
+}
+
+/// A cycle at work.
+pub struct Work {
+    /// A nominal part and a safe start position for the values of a form, for a control in this state (plane, frames).
+    pub propose: fn(&Inputs, &Control) -> Proposal,
+    /// What the control does.
+    pub simulate: fn(&mut dyn Machine, &Inputs) -> Result<(), Stop>,
+}
+
+/// A scan before its first point.
+pub type Scan = fn(&mut dyn Machine, &Inputs) -> Result<Box<dyn crate::scan::Scanner>, Stop>;
+
+/// Values as typed where the condition holds, later ones win.
+pub type Examples = &'static [(When, &'static [(&'static str, &'static str)])];
+
+/// How a cycle is drawn.
+pub struct Drawing {
+    draw: Option<fn(&Inputs) -> Picture>,
+    /// Whether there is anything to draw; also in a build that does not draw.
+    pub drawn: bool,
+}
+
+impl Drawing {
+    /// There is nothing to draw.
+    pub const NONE: Drawing = Drawing {
+        draw: None,
+        drawn: false,
+    };
+
+    /// A build that does not simulate links no drawing either: the page's first module is the form alone.
+    pub const fn new(draw: fn(&Inputs) -> Picture) -> Drawing {
+        let draw = if SIMULATES { Some(draw) } else { None };
+        Drawing { draw, drawn: true }
+    }
+
+    /// The picture for these values; none in a build that does not draw.
+    pub fn draw(&self, inputs: &Inputs) -> Option<Picture> {
+        Some(self.draw?(inputs))
+    }
+}
+
+/// A nominal part with a start position from which the cycle may be called.
+#[derive(Clone, Debug, Default)]
+pub struct Proposal {
+    /// Nominal part in machine coordinates; errors are added by the caller.
+    pub workpiece: Workpiece,
+    /// What stands beside it and can be touched too, machine coordinates; it has no errors.
+    pub fixture: Vec<Solid>,
+    /// Protection zones, machine coordinates, to be shown and not touched: a shaft, a web or an island whose walls
+    /// part where the probe may go from where it may not.
+    pub zones: Vec<Solid>,
+    /// Position of the ball centre in the active WCS at the call, X Y Z, mm.
+    pub start: [f64; 3],
+    /// Tools that the call corrects, for a machine that has none yet.
+    pub tools: Vec<ProposedTool>,
+    /// Tool probes, machine coordinates, for a machine that has none yet; errors are added by the caller.
+    pub tool_probes: Vec<ToolProbe>,
+    /// How the tool in use lies, where its data do not tell it.
+    pub real_tool: Option<Tool>,
+}
+
+/// A tool with one edge.
+#[derive(Clone, Debug)]
+pub struct ProposedTool {
+    /// T number.
+    pub tool: i64,
+    /// Name under tool management.
+    pub name: String,
+    /// D number.
+    pub edge: i64,
+    /// Its data.
+    pub data: crate::control::Edge,
+}
