@@ -95,6 +95,7 @@ fn uncompensated(run: &mut Interpreter, path: &Path) -> Result<(), Stop> {
 pub fn turn(run: &mut Interpreter, path: &Path) -> Result<(), Stop> {
     for (axis, position) in path.rotary.into_iter().enumerate() {
         if let Some(position) = position {
+            contour::finish(run)?;
             let turned = run.sim.turn_table(axis, position);
             turned.map_err(|stop| run.stopped(stop, path.span))?;
         }

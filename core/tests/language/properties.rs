@@ -184,7 +184,7 @@ fn looped(count: u32, part: &Structure, name: u32) -> Structure {
 }
 
 /// Words of which random programs are made: every sort of control structure and of state.
-const WORDS: [&str; 44] = [
+const WORDS: [&str; 51] = [
     "IF R1>2",
     "ELSE",
     "ENDIF",
@@ -228,6 +228,13 @@ const WORDS: [&str; 44] = [
     "G2 X1 Y1 CR=R1",
     "CIP X1 I1=2",
     "G41 G1 X5 F100",
+    "G42 G1 X30 Y40 F100",
+    "G3 X60 Y40 CR=20",
+    "G1 X90 Z5",
+    "G40 Y0",
+    "G451 OFFN=R1",
+    "T20 M6 D1",
+    "R2=$AA_IW[X]",
     "R1=R1+1",
 ];
 

@@ -58,14 +58,10 @@ pub enum Corner {
 
 /// The corner between two pieces, of the first of which so much is left out at its start. None: the tool has no room.
 pub fn corner(first: &Beside, second: &Beside, begun: f64, outside: Outside) -> Option<Corner> {
-    let (arrives, departs) = (first.contour.arrives(), second.contour.departs());
-    let turn = cross(arrives, departs).atan2(dot(arrives, departs));
     let by = second.by[0];
+    let turn = turn(&first.contour, &second.contour, by);
     if by.abs() < 1e-9 || turn.abs() < SMOOTH {
         return Some(Corner::Smooth);
-    }
-    if turn.abs() > PI - SMOOTH {
-        return Some(Corner::Round(-PI * by.signum()));
     }
     if turn * by > 0.0 {
         return shortened(first, second, begun);
@@ -75,6 +71,19 @@ pub fn corner(first: &Beside, second: &Beside, begun: f64, outside: Outside) -> 
         _ => None,
     };
     Some(found.unwrap_or(Corner::Round(turn)))
+}
+
+/// Change of direction, radian, counter-clockwise positive. Straight back is a turn to the side to which both bend away
+/// from each other; where they do not bend, that on which the tool goes round.
+fn turn(first: &Element, second: &Element, by: f64) -> f64 {
+    let (arrives, departs) = (first.arrives(), second.departs());
+    let turn = cross(arrives, departs).atan2(dot(arrives, departs));
+    let bend = first.curvature() + second.curvature();
+    match turn.abs() > PI - SMOOTH {
+        true if bend != 0.0 => -PI * bend.signum(),
+        true => -PI * by.signum(),
+        false => turn,
+    }
 }
 
 /// Inside: where both paths cross.
@@ -175,4 +184,90 @@ fn beside(middle: Point, along: Point, square: f64) -> [Option<Point>; 2] {
         square.sqrt()
     };
     [half, -half].map(|half| half.is_finite().then(|| add(middle, along, half)))
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, clippy::panic)]
+    use super::super::element::Round;
+    use super::*;
+
+    /// A line from the zero along the abscissa, and one of the same length from its end in a direction, degree.
+    fn lines(degrees: f64, by: f64) -> [Beside; 2] {
+        let (sine, cosine) = degrees.to_radians().sin_cos();
+        let corner = [50.0, 0.0];
+        let line = |start, end| Element {
+            start,
+            end,
+            round: None,
+        };
+        let second = line(corner, [50.0 + 50.0 * cosine, 50.0 * sine]);
+        [line([0.0; 2], corner), second].map(|line| Beside::of(line, [by; 2]).unwrap())
+    }
+
+    fn between([first, second]: &[Beside; 2], outside: Outside) -> Option<Corner> {
+        corner(first, second, 0.0, outside)
+    }
+
+    fn meets(corner: Option<Corner>, [x, y]: Point) {
+        let Some(Corner::Meet { at, .. }) = corner else {
+            panic!("{corner:?}");
+        };
+        assert!(distance(at, [x, y]) < 1e-12, "{at:?}");
+    }
+
+    // oracle: hand
+    #[test]
+    fn the_side_decides_whether_a_corner_is_outside() {
+        for outside in [Outside::Circle, Outside::Meeting] {
+            meets(between(&lines(90.0, 5.0), outside), [45.0, 5.0]);
+            meets(between(&lines(-90.0, -5.0), outside), [45.0, -5.0]);
+            assert_eq!(between(&lines(0.0, 5.0), outside), Some(Corner::Smooth));
+            assert_eq!(between(&lines(90.0, 0.0), outside), Some(Corner::Smooth));
+            // back on the same line: round the end, whatever side
+            assert_eq!(
+                between(&lines(180.0, 5.0), outside),
+                Some(Corner::Round(-PI))
+            );
+            assert_eq!(
+                between(&lines(180.0, -5.0), outside),
+                Some(Corner::Round(PI))
+            );
+        }
+        let round = between(&lines(-90.0, 5.0), Outside::Circle);
+        assert_eq!(round, Some(Corner::Round(-PI / 2.0)));
+        meets(between(&lines(-90.0, 5.0), Outside::Meeting), [55.0, 5.0]);
+        // more pointed than 100 degree
+        let pointed = between(&lines(-101.0, 5.0), Outside::Meeting);
+        assert!(matches!(pointed, Some(Corner::Round(_))), "{pointed:?}");
+    }
+
+    // oracle: hand: the lines cross 48.3 mm before the corner of 12 degree, and the tool of 10 mm has 95.1 mm before it
+    #[test]
+    fn a_corner_that_is_too_pointed_has_no_room() {
+        assert!(between(&lines(168.0, 5.0), Outside::Circle).is_some());
+        assert_eq!(between(&lines(168.0, 10.0), Outside::Circle), None);
+    }
+
+    // oracle: hand: half circles of 10 beside each other on the abscissa; circles of 15 about 10 and 30 meet over 20
+    #[test]
+    fn arcs_go_on_until_they_meet() {
+        let arc = |centre: f64| Element {
+            start: [centre - 10.0, 0.0],
+            end: [centre + 10.0, 0.0],
+            round: Some(Round {
+                centre: [centre, 0.0],
+                sweep: -PI,
+            }),
+        };
+        let pair = |by| [10.0, 30.0].map(|centre| Beside::of(arc(centre), [by; 2]).unwrap());
+        // over both the point between them is inside
+        meets(
+            between(&pair(5.0), Outside::Circle),
+            [20.0, 125.0_f64.sqrt()],
+        );
+        // below them, inside of the arcs, it is outside
+        let below = between(&pair(-5.0), Outside::Meeting);
+        assert!(matches!(below, Some(Corner::Round(_))), "{below:?}");
+    }
 }

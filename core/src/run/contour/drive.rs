@@ -127,7 +127,9 @@ pub fn all(run: &mut Interpreter, plane: &Plane, ways: &[Way]) -> Result<(), Sto
     let mut later = entries.split_off(passed.min(entries.len())).into_iter();
     let line = run.sim.line;
     for way in ways {
-        let between = later.by_ref().take(way.manner.behind - passed);
+        let between = later
+            .by_ref()
+            .take(way.manner.behind.saturating_sub(passed));
         run.sim.trace.entries.extend(between);
         passed = way.manner.behind;
         run.sim.line = way.manner.line;

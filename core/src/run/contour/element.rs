@@ -62,6 +62,13 @@ impl Element {
         }
     }
 
+    /// 1 by the radius, positive counter-clockwise; 0 of a line, 1/mm.
+    pub fn curvature(&self) -> f64 {
+        self.round.map_or(0.0, |round| {
+            round.sweep.signum() / distance(round.centre, self.start)
+        })
+    }
+
     /// The line or arc beside this one, so far to the left of its start and of its end, mm; to the right where it is
     /// negative. None: the arc has no room for it.
     pub fn beside(&self, [begin, end]: [f64; 2]) -> Option<Element> {
