@@ -138,10 +138,12 @@ export type Vec3 = [number, number, number];
 export type MotionKind = "rapid" | "positioning" | "measuring" | "retract";
 /** A way round an axis, right-handed; absent: straight. Between different heights it climbs evenly. */
 export interface Around { centre: Vec3; axis: Vec3; degrees: number }
+/** What of the probe touches; where it is left out, the ball. */
+export type Touching = "ball" | "stylus" | "body";
 export type Step =
   | { step: "motion"; kind: MotionKind; from: Vec3; to: Vec3; feed: number; around?: Around }
-  | { step: "touch"; latched: Vec3; ball: Vec3; point: Vec3; normal: Vec3 }
-  | { step: "crash"; point: Vec3 }
+  | { step: "touch"; latched: Vec3; ball: Vec3; point: Vec3; normal: Vec3; by?: Touching }
+  | { step: "crash"; point: Vec3; normal: Vec3; by?: Touching }
   | { step: "orient"; angle: number }
   | { step: "spin"; speed: number }    // 1/min, negative as M4; 0: it stops
   | { step: "table"; axis: string; from: number; to: number; solids: Solid[] } // the part as it stands then
@@ -153,8 +155,9 @@ export type Step =
   | { step: "log"; text: string }
   | { step: "call"; cycle: string; variant: number }
   | { step: "return" };
-// tools: whatever was in use; inUse: which of them from which entry on, absent: a ball that stands upright. zones: walls of protection zones, as shaft, web or island; shown, not touched. limits: the part with the largest errors on both sides.
-export interface Trace { entries: (Step & { line?: number })[]; ball: { radius: number; length: number }; tools?: ToolView[]; inUse?: [from: number, tool: number][]; turning?: boolean; drawing?: Drawing; solids: Solid[]; toolProbes?: Solid[]; zones?: Solid[]; limits?: Solid[]; frames: { name: string; at: Vec3; axes: [Vec3, Vec3, Vec3] }[] }
+// ball.stylus: radius above the ball; body: what holds it, where that is known, and the distance of its lower face. tools: whatever was in use; inUse: which of them from which entry on, absent: a ball that stands upright. zones: walls of protection zones, as shaft, web or island; shown, not touched. limits: the part with the largest errors on both sides.
+export interface Trace { entries: (Step & { line?: number })[]; ball: Ball; tools?: ToolView[]; inUse?: [from: number, tool: number][]; turning?: boolean; drawing?: Drawing; solids: Solid[]; toolProbes?: Solid[]; zones?: Solid[]; limits?: Solid[]; frames: { name: string; at: Vec3; axes: [Vec3, Vec3, Vec3] }[] }
+export interface Ball { radius: number; length: number; stylus?: number; body?: { radius: number; distance: number } }
 /** What is in use, from the position of the machine on: the ball of the probe or the pieces of a tool. */
 export interface ToolView {
   ball?: Vec3;                         // direction from the ball to what holds it; absent: no probe
@@ -190,7 +193,7 @@ export interface Setup {
   frames: Record<string, { coarse: Vec3; fine?: Vec3; rotation?: Vec3; scale?: Vec3 }>; // "G54"
   environments?: Record<string, { tool: number; edge: number; location?: number; plane?: Plane }>; // of TOOLENV("NAME")
   data: Record<string, number | string>;   // "_WP[0,1]", "_CHBIT[4]", "MD18600", "R10", "#500"
-  probe: { radius: number; length: number; skew?: [number, number]; preTravel?: [number, number]; delay?: number; repeatability?: [number, number]; falseSignal?: number };
+  probe: { radius: number; length: number; skew?: [number, number]; preTravel?: [number, number]; delay?: number; repeatability?: [number, number]; falseSignal?: number; stylus?: number; body?: { radius: number; distance: number } };
   toolProbes?: { solid: Solid; preTravel?: number; delay?: number; repeatability?: [number, number] }[]; // block or turned
   workpiece: Solid[];
   position?: Vec3;                     // at the start, machine coordinates

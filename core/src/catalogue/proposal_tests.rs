@@ -74,6 +74,9 @@ fn measured_in(
     plane: Plane,
 ) -> crate::control::Control {
     let mut setup = Setup::calibrated(Dialect::Sinumerik, plane);
+    if frame.rotation != [0.0; 3] {
+        setup.probe.stylus = Some(0.0); // the part is turned in space, and the tool stays upright
+    }
     setup.control.frames.insert(1, frame);
     setup.control.settable = 1;
     setup.control.activate(1);

@@ -1,10 +1,11 @@
-//! A moving ball against surfaces, edges and corners; rigid motions. Knows no cycle and no part.
+//! A moving ball, or a rod, against surfaces, edges and corners; rigid motions. Knows no cycle and no part.
 //!
 //! Lengths in mm, parameters along a path in mm from its start. One file a kind of surface.
 
 pub mod arc;
 pub mod circle;
 pub mod convex;
+pub mod extent;
 pub mod feature;
 pub mod fit;
 pub mod lobed;
@@ -13,6 +14,7 @@ pub mod path;
 pub mod point;
 pub mod quad;
 pub mod rigid;
+pub mod rod;
 pub mod roots;
 pub mod segment;
 pub mod triangle;

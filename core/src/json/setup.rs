@@ -9,7 +9,7 @@ use crate::catalogue::Dialect;
 use crate::control::{Control, Edge, Limits, Tool, Value, delivery, delivery_in};
 use crate::run::setup::Setup;
 use crate::workpiece::seen::Turret;
-use crate::workpiece::{Probe, Workpiece};
+use crate::workpiece::{Probe, ProbeBody, Workpiece};
 use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -197,6 +197,24 @@ struct ProbeFile {
     /// Way with the signal watched after which it comes once without contact.
     #[serde(default)]
     false_signal: Option<f64>,
+    /// Radius of the straight stylus between ball and body; left out: 0.45 of that of the ball; 0: not looked at, for a
+    /// stylus of another shape. In a turret it is looked at where `body` tells how long it is.
+    #[serde(default)]
+    stylus: Option<f64>,
+    /// The body that holds the stylus; left out: the stylus goes as far as the spindle.
+    #[serde(default)]
+    body: Option<BodyFile>,
+}
+
+/// The body of the probe, a cylinder as far as the spindle.
+#[derive(Clone, Copy, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
+#[serde(deny_unknown_fields)]
+struct BodyFile {
+    /// Radius.
+    radius: f64,
+    /// From the centre of the ball to its lower face.
+    distance: f64,
 }
 
 /// JSON Schema of the setup file. `Serialize` writes the default values into it.
@@ -308,5 +326,10 @@ fn read_probe(file: &ProbeFile) -> Probe {
         delay: file.delay,
         repeatability: file.repeatability,
         false_signal: file.false_signal,
+        stylus: file.stylus,
+        body: file.body.map(|body| ProbeBody {
+            radius: body.radius,
+            distance: body.distance,
+        }),
     }
 }

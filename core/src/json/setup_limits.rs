@@ -141,6 +141,18 @@ fn probe(probe: &Probe) -> Result<(), Error> {
         (0.0..=1.0).contains(&scatter),
         "0 to 1 mm",
     )?;
+    let positive = |name: &str, length: f64| {
+        let holds = length > 0.0 && length <= LIMIT;
+        bound(name, length, holds, "more than 0")
+    };
+    if let Some(radius) = probe.stylus {
+        let holds = (0.0..=LIMIT).contains(&radius);
+        bound("probe.stylus", radius, holds, "0 or more")?;
+    }
+    if let Some(body) = &probe.body {
+        positive("probe.body.radius", body.radius)?;
+        positive("probe.body.distance", body.distance)?;
+    }
     small("probe.length", &[probe.length])?;
     small("probe.skew", &probe.skew)?;
     small("probe.preTravel", &[probe.pre_travel.0, probe.pre_travel.1])?;

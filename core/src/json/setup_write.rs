@@ -193,6 +193,16 @@ fn probe(probe: &Probe) -> Value {
     if let Some(way) = probe.false_signal {
         put(&mut view, "falseSignal", way);
     }
+    if let Some(radius) = probe.stylus {
+        put(&mut view, "stylus", radius);
+    }
+    if let Some(body) = &probe.body {
+        let body = object([
+            ("radius", body.radius.into()),
+            ("distance", body.distance.into()),
+        ]);
+        put(&mut view, "body", body);
+    }
     view
 }
 

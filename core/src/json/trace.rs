@@ -14,6 +14,7 @@ use crate::run::outcome::Outcome;
 use crate::run::setup::Setup;
 use crate::run::trace::{Entry, MotionKind, Step};
 use crate::workpiece::Solid;
+use crate::workpiece::feeler::Touching;
 use serde_json::Value;
 use std::collections::BTreeSet;
 
@@ -128,12 +129,22 @@ fn clamped(setup: &Setup) -> Vec<Solid> {
     solids.map(|solid| setup.control.on_table(solid)).collect()
 }
 
-/// Ball and stylus.
+/// Ball, stylus and body.
 fn ball(setup: &Setup) -> Value {
-    object([
-        ("radius", setup.probe.radius.into()),
-        ("length", setup.probe.length.into()),
-    ])
+    let probe = &setup.probe;
+    let mut view = object([
+        ("radius", probe.radius.into()),
+        ("length", probe.length.into()),
+        ("stylus", probe.stylus_radius().into()),
+    ]);
+    if let Some(body) = &probe.body {
+        let body = object([
+            ("radius", body.radius.into()),
+            ("distance", body.distance.into()),
+        ]);
+        put(&mut view, "body", body);
+    }
+    view
 }
 
 fn arc(around: &Around) -> Value {
@@ -178,14 +189,25 @@ fn step(step: &Step) -> Value {
             ball,
             point,
             normal,
-        } => object([
-            ("step", "touch".into()),
-            ("latched", (*latched).into()),
-            ("ball", (*ball).into()),
-            ("point", (*point).into()),
-            ("normal", (*normal).into()),
-        ]),
-        Step::Crash { point } => object([("step", "crash".into()), ("point", (*point).into())]),
+            by,
+        } => {
+            let view = object([
+                ("step", "touch".into()),
+                ("latched", (*latched).into()),
+                ("ball", (*ball).into()),
+                ("point", (*point).into()),
+                ("normal", (*normal).into()),
+            ]);
+            touched_by(view, *by)
+        }
+        Step::Crash { point, normal, by } => {
+            let view = object([
+                ("step", "crash".into()),
+                ("point", (*point).into()),
+                ("normal", (*normal).into()),
+            ]);
+            touched_by(view, *by)
+        }
         Step::Table {
             axis,
             from,
@@ -235,6 +257,16 @@ fn step(step: &Step) -> Value {
         ]),
         Step::CallEnd => object([("step", "return".into())]),
     }
+}
+
+/// What of the probe touched, where it is not the ball.
+fn touched_by(mut view: Value, by: Touching) -> Value {
+    match by {
+        Touching::Ball => {}
+        Touching::Stylus => put(&mut view, "by", "stylus"),
+        Touching::Body => put(&mut view, "by", "body"),
+    }
+    view
 }
 
 fn kind_name(kind: MotionKind) -> &'static str {

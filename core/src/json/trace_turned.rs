@@ -7,6 +7,7 @@ use crate::geometry::{V3, rigid};
 use crate::run::outcome::Outcome;
 use crate::run::setup::Setup;
 use crate::run::trace::{Step, Trace};
+use crate::workpiece::feeler::Touching;
 use crate::workpiece::{Shape, Solid};
 use serde_json::Value;
 
@@ -114,6 +115,7 @@ fn touched(control: &Control, trace: &Trace) -> Vec<Value> {
                 ball,
                 point,
                 normal,
+                by: Touching::Ball,
             } if !of_tool && normal[TRANSVERSE].abs() > ALONG => {
                 let seen = V3::from(*latched) + V3::from(*point) - V3::from(*ball);
                 let diameter = 2.0 * control.to_workpiece(seen.into())[TRANSVERSE].abs();

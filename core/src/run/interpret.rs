@@ -178,7 +178,11 @@ fn next_block(run: &mut Interpreter) -> Result<Option<()>, Stop> {
     };
     run.sim.line = Some(at as u32);
     run.work += 1 + ((span.end - span.start) / BLOCK) as usize;
-    let next = statement::block(run, at)?;
+    let next = statement::block(run, at);
+    if run.sim.stylus_touched() {
+        run.tell(Severity::Warning, &Problem::new("run-stylus", span, ""));
+    }
+    let next = next?;
     if let Next::Jump(to) = next {
         repeat::jumped(run, to);
     }

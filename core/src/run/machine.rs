@@ -11,8 +11,9 @@ use crate::geometry::arc::Around;
 use crate::message::Message;
 use crate::scan::{FORM_POINTS, Sent};
 use crate::workpiece::contact::{Boundary, Contact};
+use crate::workpiece::feeler::{Feeler, Touching};
 use crate::workpiece::noise::Noise;
-use crate::workpiece::probe::{ball_offset, touch};
+use crate::workpiece::probe::{Stand, ball_offset, touch};
 use crate::workpiece::tool::Tool;
 use crate::workpiece::tool_probe::ToolProbe;
 use crate::workpiece::{Probe, Workpiece, chuck};
@@ -60,6 +61,8 @@ pub struct Sim {
     watched: f64,
     /// Whether the last signal came from a contact.
     touching: bool,
+    /// Whether the stylus touched instead of the ball since this was last asked for.
+    stylus_touched: bool,
 }
 
 impl Sim {
@@ -86,6 +89,7 @@ impl Sim {
             skipped: None,
             watched: 0.0,
             touching: true,
+            stylus_touched: false,
         }
     }
 
@@ -115,28 +119,14 @@ impl Sim {
             return Err(Stop::Alarm(self.collision()));
         }
         self.go(&free, kind, feed);
-        let Some(Obstacle {
-            stop,
-            ball,
-            point,
-            normal,
-            ..
-        }) = hit
-        else {
+        let Some(hit) = hit else {
             return Ok(());
         };
-        if monitored {
-            self.touching = true;
-            self.note(Step::Touch {
-                latched: stop,
-                ball,
-                point,
-                normal,
-            });
-            return Err(Stop::Alarm(self.collision()));
+        if !monitored || hit.by == Touching::Body {
+            return Err(self.crash(&hit));
         }
-        self.note(Step::Crash { point });
-        Err(Stop::Fault(Message::new("run-crash")))
+        self.switched(&hit);
+        Err(Stop::Alarm(self.collision()))
     }
 
     /// Straight measuring motion to a machine position; see [`Machine::probe`].
@@ -156,8 +146,7 @@ impl Sim {
         let signal = touch(
             &self.part,
             &self.probe,
-            self.probe_angle(),
-            self.tool_axis(),
+            &self.stand(),
             add(from, height, 1.0),
             add(to, height, 1.0),
             feed,
@@ -171,16 +160,57 @@ impl Sim {
             return Ok(Some(stop));
         }
         self.go(&way, MotionKind::Measuring, feed);
-        if let Some(touch) = signal {
-            self.touching = true;
-            self.note(Step::Touch {
-                latched: end,
-                ball: touch.ball,
-                point: touch.point,
-                normal: touch.normal,
-            });
+        let Some(touch) = signal else {
+            return Ok(None);
+        };
+        let met = Obstacle {
+            part: 1.0,
+            stop: end,
+            ball: touch.ball,
+            point: touch.point,
+            normal: touch.normal,
+            by: touch.by,
+        };
+        if met.by == Touching::Body {
+            return Err(self.crash(&met));
         }
-        Ok(signal.map(|_| end))
+        self.switched(&met);
+        Ok(Some(end))
+    }
+
+    /// The probe switches. That its stylus was deflected and not its ball is told: what is measured is wrong.
+    fn switched(&mut self, met: &Obstacle) {
+        self.touching = true;
+        self.note(Step::Touch {
+            latched: met.stop,
+            ball: met.ball,
+            point: met.point,
+            normal: met.normal,
+            by: met.by,
+        });
+        if met.by == Touching::Stylus {
+            self.stylus_touched = true;
+            self.note(Step::Decision(Message::new("run-stylus")));
+        }
+    }
+
+    /// The probe hits something where nobody watches, or with what gives no signal.
+    fn crash(&mut self, met: &Obstacle) -> Stop {
+        self.note(Step::Crash {
+            point: met.point,
+            normal: met.normal,
+            by: met.by,
+        });
+        Stop::Fault(Message::new(match met.by {
+            Touching::Ball => "run-crash",
+            Touching::Stylus => "run-crash-stylus",
+            Touching::Body => "run-crash-body",
+        }))
+    }
+
+    /// Whether the stylus touched instead of the ball since the last question.
+    pub fn stylus_touched(&mut self) -> bool {
+        std::mem::take(&mut self.stylus_touched)
     }
 
     /// Goes on behind a signal to the end of the motion: the stylus gives way (`MEAW`).
@@ -323,7 +353,29 @@ impl Sim {
 
     /// Where a motion is stopped by the part.
     fn obstacle(&self, way: &Route) -> Option<Obstacle> {
-        way.obstacle(&self.part, self.probe.radius, self.ball())
+        way.obstacle(&self.part, &self.feeler(), self.ball())
+    }
+
+    /// What of the probe can touch, as it stands.
+    fn feeler(&self) -> Feeler {
+        let [abscissa, ordinate, applicate] = self.control.plane.axes();
+        let mut up = [0.0; 3];
+        match self.control.active_edge().filter(|edge| edge.is_turning()) {
+            None => up[applicate] = 1.0,
+            Some(edge) => match edge.body().filter(|_| self.probe.body.is_some()) {
+                Some([along, across]) => (up[abscissa], up[ordinate]) = (along, across),
+                None => return Feeler::ball(self.probe.radius), // how long the stylus is in a turret no datum tells
+            },
+        }
+        Feeler::new(&self.probe, up)
+    }
+
+    fn stand(&self) -> Stand {
+        Stand {
+            spindle: self.probe_angle(),
+            axis: self.tool_axis(),
+            feeler: self.feeler(),
+        }
     }
 
     /// From the point to which the tool length refers to the real centre of the ball.

@@ -52,6 +52,9 @@ pub const KEYS: &[&str] = &[
     "run-contour-narrow",
     "run-contour-approach",
     "run-offset-variable",
+    "run-crash-stylus",
+    "run-crash-body",
+    "run-stylus",
 ];
 
 /// Something wrong at a place.

@@ -1,8 +1,9 @@
 //! The way of one motion, straight or round an axis, and what stops the probe on it. Machine coordinates, mm.
 
 use crate::geometry::arc::Around;
-use crate::geometry::roots;
+use crate::geometry::{TOLERANCE, roots};
 use crate::workpiece::contact::{Boundary, Contact};
+use crate::workpiece::feeler::{Feeler, Touching};
 
 /// From where to where, and how.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,6 +29,8 @@ pub struct Obstacle {
     pub point: [f64; 3],
     /// Outward unit normal there.
     pub normal: [f64; 3],
+    /// What of the probe touches; of a tool always what stands for its ball.
+    pub by: Touching,
 }
 
 impl Route {
@@ -90,10 +93,26 @@ impl Route {
         }
     }
 
-    /// Where a ball of this radius meets the part, whose centre is `shift` away from the positions of the way.
+    /// Where the probe meets the part, whose ball has its centre `shift` away from the positions of the way.
+    pub fn obstacle(&self, part: &Boundary, probe: &Feeler, shift: [f64; 3]) -> Option<Obstacle> {
+        let ball = self.stops_ball(part, probe.radius, shift);
+        let free = ball.map_or(*self, |met| self.until(met.part, met.stop));
+        let Some(ball) = ball else {
+            return free.catches(part, probe, shift);
+        };
+        let caught = free.catches(part, probe, shift);
+        let before = caught.filter(|met| (1.0 - met.part) * free.length() > TOLERANCE);
+        let before = before.map(|met| Obstacle {
+            part: met.part * ball.part,
+            ..met
+        });
+        before.or(Some(ball))
+    }
+
+    /// Where the ball meets the part.
     ///
     /// An arc is looked at piece by piece; what lies farther away than the ball can come is passed at once.
-    pub fn obstacle(&self, part: &Boundary, radius: f64, shift: [f64; 3]) -> Option<Obstacle> {
+    fn stops_ball(&self, part: &Boundary, radius: f64, shift: [f64; 3]) -> Option<Obstacle> {
         let Some(around) = &self.around else {
             return straight(part, radius, self.from, self.to, shift);
         };
@@ -109,6 +128,28 @@ impl Route {
                 return Some(self.on_arc(part, radius, shift, [done, next], met));
             }
             done = next;
+        }
+        None
+    }
+
+    /// Where stylus or body of the probe meet the part on a way that is free for the ball; on an arc to its pieces.
+    fn catches(&self, part: &Boundary, probe: &Feeler, shift: [f64; 3]) -> Option<Obstacle> {
+        let mut from = self.from;
+        let count = self.ends().count() as f64;
+        for (piece, to) in self.ends().enumerate() {
+            let ball = add(from, shift, 1.0);
+            if let Some(met) = probe.caught(part, ball, add(to, shift, 1.0)) {
+                let stop = add(from, add(to, from, -1.0), met.part);
+                return Some(Obstacle {
+                    part: (piece as f64 + met.part) / count,
+                    stop,
+                    ball: add(stop, shift, 1.0),
+                    point: met.point,
+                    normal: met.normal,
+                    by: met.by,
+                });
+            }
+            from = to;
         }
         None
     }
@@ -164,6 +205,7 @@ fn straight(
                     ball,
                     point,
                     normal,
+                    by: Touching::Ball,
                 });
             }
             Contact::Already {
@@ -182,6 +224,7 @@ fn straight(
                         ball: start,
                         point,
                         normal,
+                        by: Touching::Ball,
                     });
                 }
             },

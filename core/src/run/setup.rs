@@ -263,6 +263,8 @@ pub fn ideal_probe() -> Probe {
         delay: 0.0,
         repeatability: (0.0, 1),
         false_signal: None,
+        stylus: None,
+        body: None,
     }
 }
 

@@ -4,6 +4,7 @@ use crate::diagnostic::Code;
 use crate::geometry::arc::Around;
 use crate::message::Message;
 use crate::workpiece::Solid;
+use crate::workpiece::feeler::Touching;
 
 /// Kind of a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,11 +45,17 @@ pub enum Step {
         point: [f64; 3],
         /// Outward unit normal of the part there.
         normal: [f64; 3],
+        /// What of the probe touched.
+        by: Touching,
     },
-    /// Contact where none is allowed and nobody watched.
+    /// Contact where none is allowed and nobody watched, or that gives no signal.
     Crash {
         /// Point touched on the part.
         point: [f64; 3],
+        /// Outward unit normal of the part there.
+        normal: [f64; 3],
+        /// What of the probe touched.
+        by: Touching,
     },
     /// Spindle orientation, degree.
     Orient(f64),

@@ -6,6 +6,7 @@ use self::frustum::{Frustum, quad, reversed};
 use super::free::FreeSurface;
 use super::{PartErrors, Shape, Solid};
 use crate::geometry::circle::Circle;
+use crate::geometry::extent::Extent;
 use crate::geometry::feature::Bound;
 use crate::geometry::lobed::{LobedWall, Lobes};
 use crate::geometry::quad::{Quad, Trim};
@@ -31,6 +32,10 @@ pub(super) struct Body {
     pub free: Option<Arc<FreeSurface>>,
     /// Where each of them is.
     pub bounds: Vec<Bound>,
+    /// The same as boxes.
+    pub extents: Vec<Extent>,
+    /// Where all of them are.
+    pub extent: Extent,
     material: Vec<Piece>,
     cavity: Option<Piece>,
 }
@@ -53,6 +58,8 @@ impl Body {
             features: Vec::new(),
             free: None,
             bounds: Vec::new(),
+            extents: Vec::new(),
+            extent: Extent::empty(),
             material: Vec::new(),
             cavity: None,
         };
@@ -113,6 +120,14 @@ impl Body {
             }
         }
         body.bounds = body.features.iter().map(Bound::around).collect();
+        body.extents = body.features.iter().map(Extent::around).collect();
+        body.extent = match &body.free {
+            Some(free) => Extent::of(free.bounds().map(V3::from)),
+            None => {
+                let extents = body.extents.iter();
+                extents.fold(Extent::empty(), |all, one| all.with(one))
+            }
+        };
         body
     }
 

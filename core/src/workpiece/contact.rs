@@ -37,7 +37,7 @@ pub enum Contact {
 /// A part taken apart into what a ball can touch: made once, asked for every motion.
 #[derive(Clone, Debug)]
 pub struct Boundary {
-    bodies: Vec<Body>,
+    pub(super) bodies: Vec<Body>,
 }
 
 impl Boundary {

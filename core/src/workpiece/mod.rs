@@ -5,6 +5,9 @@ pub mod chuck;
 pub mod contact;
 #[cfg(test)]
 mod contact_tests;
+pub mod feeler;
+#[cfg(test)]
+mod feeler_tests;
 pub mod free;
 pub mod noise;
 pub mod probe;
@@ -174,4 +177,32 @@ pub struct Probe {
     pub repeatability: (f64, u64),
     /// Way with the signal watched after which it comes once without contact, mm; none: never.
     pub false_signal: Option<f64>,
+    /// Radius of the stylus above the ball, mm; none: a usual part of that of the ball; 0: the stylus is out of the way.
+    pub stylus: Option<f64>,
+    /// The body that holds the stylus; none: the stylus goes as far as the spindle.
+    pub body: Option<ProbeBody>,
+}
+
+/// The body of a probe: a cylinder as far as the spindle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ProbeBody {
+    /// Radius, mm.
+    pub radius: f64,
+    /// From the centre of the ball to its lower face, mm: how long the stylus is.
+    pub distance: f64,
+}
+
+/// Radius of a stylus in radii of its ball, where nothing else is known.
+const STYLUS: f64 = 0.45;
+
+impl Probe {
+    /// Radius of the stylus above the ball, mm.
+    pub fn stylus_radius(&self) -> f64 {
+        self.stylus.unwrap_or(STYLUS * self.radius)
+    }
+
+    /// From the centre of the ball to where the stylus is held, mm.
+    pub fn held(&self) -> f64 {
+        self.body.map_or(self.length, |body| body.distance)
+    }
 }

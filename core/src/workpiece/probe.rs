@@ -2,9 +2,10 @@
 
 use super::Probe;
 use super::contact::{Boundary, Contact};
+use super::feeler::{Caught, Feeler, Touching};
 use super::noise::Noise;
 use crate::geometry::rigid::sin_cos;
-use crate::geometry::{Path, V3};
+use crate::geometry::{Path, TOLERANCE, V3};
 
 /// A signal of the probe. Machine coordinates, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,6 +18,8 @@ pub struct Touch {
     pub point: [f64; 3],
     /// Outward unit normal of the part there.
     pub normal: [f64; 3],
+    /// What of the probe touches; the body gives no signal, so that nothing is latched: it stands where it touches.
+    pub by: Touching,
 }
 
 /// Ball centre minus spindle axis with the spindle turned to `spindle` degree (positive from abscissa to ordinate).
@@ -30,47 +33,95 @@ pub fn ball_offset(probe: &Probe, spindle: f64, axis: usize) -> [f64; 3] {
     offset
 }
 
+/// How the probe stands.
+#[derive(Clone, Copy, Debug)]
+pub struct Stand {
+    /// How far it is turned, degree.
+    pub spindle: f64,
+    /// Index of the tool axis (the applicate of the plane).
+    pub axis: usize,
+    /// What of it can touch.
+    pub feeler: Feeler,
+}
+
 /// Moves the probe until it switches. `from` and `to`: spindle axis at the height of the ball centre; feed in mm/min.
 /// None where no signal comes before `to`, even if the ball already touches. A probe that reaches into the part at the
-/// start gives its signal at once.
-#[allow(clippy::too_many_arguments)]
+/// start gives its signal at once. A stylus that is deflected gives it as the ball does, its body none.
 pub fn touch(
     part: &Boundary,
     probe: &Probe,
-    spindle: f64,
-    axis: usize,
+    stand: &Stand,
     from: [f64; 3],
     to: [f64; 3],
     feed: f64,
     noise: &mut Noise,
 ) -> Option<Touch> {
-    let offset = V3::from(ball_offset(probe, spindle, axis));
+    let Stand {
+        spindle,
+        axis,
+        feeler,
+    } = stand;
+    let offset = V3::from(ball_offset(probe, *spindle, *axis));
     let (from, to) = (V3::from(from), V3::from(to));
     let way = Path::new(from, to);
-    match part.first(probe.radius, (from + offset).into(), (to + offset).into()) {
-        Contact::None => None,
-        Contact::Already { point, normal, .. } => Some(Touch {
+    let ball = |gone: f64| -> [f64; 3] { (way.at(gone) + offset).into() };
+    let contact = part.first(feeler.radius, ball(0.0), (to + offset).into());
+    if let Contact::Already { point, normal, .. } = contact {
+        return Some(Touch {
             latched: from.into(),
-            ball: (from + offset).into(),
+            ball: ball(0.0),
             point,
             normal,
-        }),
-        Contact::Hit {
-            t,
-            ball,
-            point,
-            normal,
-        } => {
-            let late = lateness(probe, spindle, axis, &way.direction, feed, noise);
-            let signal = (t * way.length + late).max(0.0);
-            (signal <= way.length).then(|| Touch {
-                latched: way.at(signal).into(),
-                ball,
-                point,
-                normal,
-            })
-        }
+            by: Touching::Ball,
+        });
     }
+    let met = first_met(part, feeler, &contact, [ball(0.0), (to + offset).into()])?;
+    let gone = met.part * way.length;
+    let signal = match met.by {
+        Touching::Body => gone,
+        Touching::Ball | Touching::Stylus => {
+            let late = lateness(probe, *spindle, *axis, &way.direction, feed, noise);
+            (gone + late).max(0.0)
+        }
+    };
+    (signal <= way.length).then(|| Touch {
+        latched: way.at(signal).into(),
+        ball: ball(gone),
+        point: met.point,
+        normal: met.normal,
+        by: met.by,
+    })
+}
+
+/// What of the probe touches first, where the ball meets this.
+fn first_met(
+    part: &Boundary,
+    feeler: &Feeler,
+    ball: &Contact,
+    [from, to]: [[f64; 3]; 2],
+) -> Option<Caught> {
+    let Contact::Hit {
+        t,
+        ball,
+        point,
+        normal,
+    } = *ball
+    else {
+        return feeler.caught(part, from, to);
+    };
+    let length = (V3::from(ball) - V3::from(from)).norm();
+    let caught = feeler.caught(part, from, ball);
+    let before = caught.filter(|met| (1.0 - met.part) * length > TOLERANCE);
+    let before = before.map(|met| Caught {
+        part: met.part * t,
+        ..met
+    });
+    before.or(Some(Caught {
+        part: t,
+        by: Touching::Ball,
+        point,
+        normal,
+    }))
 }
 
 /// Travel from contact to signal, mm: pre-travel (its lobes count with the part of the motion across the tool axis and

@@ -2,8 +2,9 @@
 //! The probe with and without errors of its own.
 
 use super::contact::Boundary;
+use super::feeler::Feeler;
 use super::noise::Noise;
-use super::probe::{Touch, ball_offset, touch};
+use super::probe::{Stand, Touch, ball_offset, touch};
 use super::{PartErrors, Probe, Shape, Solid, Workpiece};
 use crate::run::setup::ideal_probe;
 use proptest::prelude::*;
@@ -41,6 +42,15 @@ fn block() -> Workpiece {
     }
 }
 
+/// A probe in G17.
+fn upright(probe: &Probe, spindle: f64) -> Stand {
+    Stand {
+        spindle,
+        axis: 2,
+        feeler: Feeler::new(probe, [0.0, 0.0, 1.0]),
+    }
+}
+
 /// In the G17 plane, at the ball height −5.
 fn go(
     part: &Workpiece,
@@ -53,8 +63,7 @@ fn go(
     touch(
         &Boundary::of(part),
         probe,
-        spindle,
-        2,
+        &upright(probe, spindle),
         point(from),
         point(to),
         300.0,
@@ -147,8 +156,7 @@ fn scatter_repeats() {
             touch(
                 &Boundary::of(&block()),
                 &probe,
-                0.0,
-                2,
+                &upright(&probe, 0.0),
                 from,
                 to,
                 300.0,

@@ -128,7 +128,7 @@ pub fn p9969() -> Table {
     const USUAL: &str = "G65 P9969 X30 Y4 Z-24 J2 R2 Q1";
     let roof = |setup: &mut Setup| {
         let roof = Solid {
-            at: [0.0; 3],
+            at: [0.0, -52.0, 0.0], // beside the stylus, above the ball
             ..setup.workpiece.solids[0].clone()
         };
         setup.workpiece.solids.push(roof);

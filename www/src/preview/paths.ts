@@ -27,7 +27,9 @@ function entryLines(step: Step, entry: number, colours: Colours, normal: number)
   if (step.step === "motion") return motionLines(step, { ...motionStyle(step.kind, colours), entry });
   if (step.step === "touch") return touchLines(step, entry, colours, normal);
   if (step.step === "crash") {
-    return [point(step.point, { colour: parse(colours.crash), width: 14, entry, unseenBefore: true, through: 1 })];
+    const later = { colour: parse(colours.crash), entry, unseenBefore: true, through: 1 };
+    const tip = add(step.point, times(step.normal, normal));
+    return [{ from: step.point, to: tip, style: { ...later, width: 3 } }, point(step.point, { ...later, width: 14 })];
   }
   return [];
 }
@@ -43,7 +45,7 @@ function motionLines(motion: Motion, style: Style): Line[] {
 
 function touchLines(step: Extract<Step, { step: "touch" }>, entry: number, colours: Colours, normal: number): Line[] {
   const later = { entry, unseenBefore: true };
-  const colour = parse(colours.touch);
+  const colour = parse(step.by ? colours.crash : colours.touch);
   const tip = add(step.point, times(step.normal, normal));
   return [
     { from: step.point, to: tip, style: { colour, width: 2, through: 0.6, ...later } },

@@ -1,6 +1,6 @@
 // The probe: ball and stylus solid, the body above them seen through, the centre of the ball at 0 0 0. Or a tool, and on a
 // turning machine what carries it, seen through.
-import type { ToolPiece, ToolView, Vec3 } from "../wire";
+import type { Ball, ToolPiece, ToolView, Vec3 } from "../wire";
 import type { Rgba } from "./colours";
 import { append, band, fan, flat, mesh, type Mesh, type Paint } from "./mesh";
 import { add, apply, cross, dot, fromZ, sub, times, unit } from "./vec";
@@ -11,10 +11,9 @@ const TURNS = Array.from({ length: AROUND }, (_, i) => (2 * Math.PI * i) / AROUN
 
 const UPRIGHT: ToolView = { ball: [0, 0, 1], pieces: [], carrier: [], tip: [0, 0, 0] };
 const THROUGH = 0.6;
+const USUAL = 0.45; // radius of a stylus in radii of its ball
 const CARRIER_THROUGH = 0.35;
 
-/** `radius` of the ball and `length` from it to the spindle in mm. */
-export interface Ball { radius: number; length: number }
 export interface ToolColours { ball: Rgba; stylus: Rgba }
 
 /** Behind what is there: probe or tool, then what is seen through; gives the number of corners without that, and how far
@@ -31,7 +30,8 @@ export function addInUse(into: Mesh, ball: Ball, view: ToolView = UPRIGHT, colou
 interface Stylus { mesh: Mesh; solid: number }
 let last: { of: string; stylus: Stylus } | null = null; // mostly the same probe is in use after a keystroke
 
-/** Ball and stylus, then its body; gives the number of corners without the body. */
+/** Ball and stylus, then its body; gives the number of corners of what is solid. A body of which nothing is known is seen
+ *  through, and nothing touches it. */
 function addStylus(into: Mesh, ball: Ball, axis: Vec3, colours: ToolColours, longest: number): number {
   const reach = Math.min(ball.length, Math.max(10 * ball.radius, longest));
   const of = JSON.stringify([ball, axis, colours, reach]);
@@ -46,13 +46,21 @@ function makeStylus(ball: Ball, axis: Vec3, colours: ToolColours, reach: number)
   const frame = fromZ(unit(axis));
   const place = (p: Vec3) => apply(frame, p);
   const r = ball.radius;
-  const body = Math.min(reach + 6 * r, Math.max(ball.length, 4 * r));
+  const thin = ball.stylus || USUAL * r;
   turned(into, sphere(r), place, { colour: colours.ball, moves: true });
-  turned(into, [[0.45 * r, 0.8 * r], [0.45 * r, reach]], place, { colour: colours.stylus, moves: true });
+  if (ball.body) {
+    const { radius, distance } = ball.body;
+    const end = Math.max(ball.length, distance + radius);
+    const profile: [number, number][] = [[thin, Math.min(0.8 * r, distance)], [thin, distance], [radius, distance], [radius, end], [0, end]];
+    turned(into, profile, place, { colour: colours.stylus, moves: true });
+    return { mesh: into, solid: into.corners.length };
+  }
+  const body = Math.min(reach + 6 * r, Math.max(ball.length, 4 * r));
+  turned(into, [[thin, 0.8 * r], [thin, reach]], place, { colour: colours.stylus, moves: true });
   const solid = into.corners.length;
   const [red, green, blue] = colours.stylus;
   const end = Math.max(body, reach + 3 * r);
-  const profile: [number, number][] = [[0.45 * r, reach], [2.2 * r, reach + 1.2 * r], [2.2 * r, end], [0, end]];
+  const profile: [number, number][] = [[thin, reach], [2.2 * r, reach + 1.2 * r], [2.2 * r, end], [0, end]];
   turned(into, profile, place, { colour: [red, green, blue, THROUGH], moves: true });
   return { mesh: into, solid };
 }

@@ -2,6 +2,7 @@
 import type { Trace } from "../wire";
 import type { Backend, BackendName, Cloud, Frame } from "./backend";
 import { fit, initial, turn, type ViewName, type Viewport } from "./camera";
+import { collisionLabels, type Collision } from "./collisions";
 import { LIGHT, type Colours } from "./colours";
 import { openGpu } from "./gpu";
 import { listen } from "./input";
@@ -13,12 +14,14 @@ import { SORTED_PIECES } from "./solids";
 import { openSvg } from "./svg";
 
 export { coloursFrom, DARK, LIGHT, type Colours } from "./colours";
+export type { Collision } from "./collisions";
 export type { ViewName } from "./camera";
 export type { BackendName } from "./backend";
 
 export interface Options {
   label: string;                            // what a screen reader says
   colours?: Colours;
+  collision?(found: Collision): string;     // words beside what must not touch and did
   exaggeration?: number;                    // errors of parts are drawn that many times as large; 1: as they are
   onBackend?(name: BackendName, refused: Refusal[]): void; // at the start, and again after a loss
 }
@@ -67,7 +70,10 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
   let ended = false;
   let picked: (entry: number) => void = () => undefined;
   let backend = await open(WAYS);
-  const built = (): Scene => buildScene(trace, colours, exaggeration, solids, backend.name === "svg" ? SORTED_PIECES : 1, step.index, drawing);
+  const built = (): Scene => {
+    const scene = buildScene(trace, colours, exaggeration, solids, backend.name === "svg" ? SORTED_PIECES : 1, step.index, drawing);
+    return { ...scene, labels: [...scene.labels, ...collisionLabels(trace, colours, options.collision ?? (() => ""))] };
+  };
   let scene = built();
 
   async function open(ways: BackendName[]): Promise<Backend> {

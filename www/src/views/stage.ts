@@ -1,7 +1,7 @@
 // The 3D view outlives the panel around it: when the language changes, it moves into the new panel with its camera.
 
 import { el } from "../dom";
-import type { Preview } from "../preview/view";
+import type { Collision, Preview } from "../preview/view";
 import type { State } from "../state";
 import type { Store } from "../store";
 import { t } from "../texts";
@@ -24,6 +24,13 @@ export function isDark(state: State): boolean {
   return state.theme === "dark" || (state.theme === "system" && dark.matches);
 }
 
+/** What must not touch and did, in a few words. */
+function collision({ by, crash, alarm }: Collision): string {
+  const what = t(`collision-${by}`);
+  if (crash) return t("collision-crash", { what });
+  return alarm ? t("collision-alarm", { code: alarm, what }) : t("collision-first", { what });
+}
+
 export function createStage(store: Store): Stage {
   const box = el("div", { class: "stage" });
   let preview: Preview | null = null;
@@ -41,7 +48,7 @@ export function createStage(store: Store): Stage {
         return found;
       };
       colours = of;
-      preview = await createPreview(box, { label: t("view-canvas"), colours: of(isDark(store.state)) });
+      preview = await createPreview(box, { label: t("view-canvas"), colours: of(isDark(store.state)), collision });
       preview.onPick((entry) => store.update({ step: entry, playing: false }));
     } catch (problem) {
       failed = problem instanceof Error ? problem.message : String(problem);

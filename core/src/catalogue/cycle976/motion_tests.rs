@@ -18,6 +18,7 @@ type Moved = (Vec<Motion>, Vec<f64>);
 
 fn moved(plane: Plane, inputs: &Inputs) -> Moved {
     let mut setup = ready(plane, inputs);
+    setup.probe.stylus = Some(0.0); // a straight one stands in the way of the applicate in plus direction
     setup.control.set("_SPEED[1]", PLANE_FEED);
     setup.control.set("_SPEED[2]", DEPTH_FEED);
     setup.control.spindle = 30.0;

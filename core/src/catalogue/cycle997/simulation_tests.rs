@@ -67,6 +67,7 @@ fn spheres(mut setup: Setup, plane: Plane, variant: i64) -> Setup {
         sphere.at = setup.control.to_machine(sphere.at);
         setup.workpiece.solids.push(sphere);
     }
+    setup.probe.stylus = Some(0.0); // frames are turned in space here, and the tool stays upright
     start(&mut setup, plane);
     setup
 }

@@ -5,7 +5,8 @@ use crate::geometry::{Path, V3};
 /// A triangle with an area.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Face {
-    corners: [V3; 3],
+    /// Its corners.
+    pub corners: [V3; 3],
     /// Unit normal, on the side from which the corners run counter-clockwise.
     pub normal: V3,
 }

@@ -5,6 +5,8 @@
 mod face;
 mod tree;
 
+use super::extent::Extent;
+use super::rod::{self, Met, Rod};
 use super::{Path, TOLERANCE, V3};
 use face::Face;
 use tree::Tree;
@@ -158,6 +160,18 @@ impl Mesh {
             let faces = self.faces.get(indices).unwrap_or_default();
             faces.iter().fold(limit, |limit, face| tell(face, limit))
         });
+    }
+
+    /// First contact of the side of a rod, which may come from either side of the surface.
+    pub fn first_of_rod(&self, rod: &Rod, path: &Path) -> Option<Met> {
+        let mut found: Option<Met> = None;
+        let Extent { low, high } = rod.swept(path);
+        self.tree.within(&low, &high, |indices| {
+            let faces = self.faces.get(indices).unwrap_or_default().iter();
+            let met = faces.filter_map(|face| rod::first_on_triangle(&face.corners, rod, path));
+            found = rod::earliest(met.chain(found));
+        });
+        found
     }
 }
 

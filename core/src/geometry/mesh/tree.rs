@@ -118,6 +118,18 @@ impl Tree {
         self.walk(limit, away, tell);
     }
 
+    /// Tells the leaves whose boxes meet a box.
+    pub fn within(&self, low: &V3, high: &V3, mut tell: impl FnMut(Range<usize>)) {
+        let away = |node: &Node| match node.meets(low, high) {
+            true => 0.0,
+            false => f64::INFINITY,
+        };
+        self.walk(0.0, away, |leaf, limit| {
+            tell(leaf);
+            limit
+        });
+    }
+
     /// Tells the leaves whose boxes a line from a point straight up meets, low ones first, up to the height that is
     /// answered.
     pub fn above(&self, p: &V3, tell: impl FnMut(Range<usize>, f64) -> f64) {

@@ -1,15 +1,14 @@
-//! A rotary axis turns the part, and what it meets on its way: the ball of the probe and its stylus.
+//! A rotary axis turns the part, and what it meets on its way: the ball of the probe, its stylus and its body.
 
 use super::Sim;
+use crate::geometry::V3;
 use crate::geometry::arc::Around;
-use crate::message::Message;
+use crate::geometry::rod::Rod;
 use crate::run::Stop;
 use crate::run::route::{Obstacle, Route, add};
 use crate::run::trace::Step;
 use crate::workpiece::Workpiece;
-
-/// Radius of the stylus in radii of its ball, as it is drawn.
-const STYLUS: f64 = 0.45;
+use crate::workpiece::feeler::{Feeler, Touching};
 
 impl Sim {
     /// Turns a rotary axis (index A B C) to a position of the machine, degree; the part turns with it. Where it meets the
@@ -40,9 +39,13 @@ impl Sim {
             degrees: -met.part * turn.degrees,
             ..turn
         };
-        let point = back.end(met.point, 0.0);
-        self.note(Step::Crash { point });
-        Err(Stop::Fault(Message::new("run-crash")))
+        let [point, tip] = [met.point, add(met.point, met.normal, 1.0)];
+        let [point, tip] = [point, tip].map(|place| back.end(place, 0.0));
+        Err(self.crash(&Obstacle {
+            point,
+            normal: add(tip, point, -1.0),
+            ..met
+        }))
     }
 
     /// What of the probe a part meets first that turns against `turn`: seen from the part the probe goes round it.
@@ -51,32 +54,31 @@ impl Sim {
             return None;
         }
         let ball = add(self.position, self.ball(), 1.0);
-        let pieces = std::iter::once((ball, self.probe.radius)).chain(self.stylus(ball));
-        let met = pieces.filter_map(|(place, radius)| {
+        let feeler = self.feeler();
+        let stylus = feeler.rods().flat_map(|(by, rod)| balls(rod, by, ball));
+        let pieces = std::iter::once((ball, feeler.radius, Touching::Ball)).chain(stylus);
+        let met = pieces.filter_map(|(place, radius, by)| {
             let way = Route {
                 from: place,
                 to: turn.end(place, 0.0),
                 around: Some(*turn),
             };
-            way.obstacle(&self.part, radius, [0.0; 3])
+            let met = way.obstacle(&self.part, &Feeler::ball(radius), [0.0; 3])?;
+            Some(Obstacle { by, ..met })
         });
         met.min_by(|a, b| a.part.total_cmp(&b.part))
     }
+}
 
-    /// Balls so close together that they make the stylus above the ball, as far as the spindle; in a turret the stylus
-    /// has no length that is known.
-    fn stylus(&self, ball: [f64; 3]) -> impl Iterator<Item = ([f64; 3], f64)> {
-        let (axis, radius) = (self.tool_axis(), STYLUS * self.probe.radius);
-        let length = if self.in_turret() {
-            0.0
-        } else {
-            self.probe.length
-        };
-        let count = (length / radius) as usize;
-        (1..=count).map(move |step| {
-            let mut place = ball;
-            place[axis] += step as f64 * radius;
-            (place, radius)
-        })
-    }
+/// Balls so close together that they make stylus or body, as far as the spindle.
+fn balls(
+    rod: Rod,
+    by: Touching,
+    ball: [f64; 3],
+) -> impl Iterator<Item = ([f64; 3], f64, Touching)> {
+    let count = (rod.length / rod.radius) as usize;
+    (1..=count).map(move |step| {
+        let place = V3::from(ball) + rod.foot + rod.up * (step as f64 * rod.radius);
+        (place.into(), rod.radius, by)
+    })
 }

@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 use super::*;
 use crate::control::{Frame, Plane};
-use crate::workpiece::{PartErrors, Shape, Solid};
+use crate::workpiece::{PartErrors, ProbeBody, Shape, Solid};
 
 /// A cube of 100 mm whose upper face is Z = 0 of the machine.
 fn sim() -> Sim {
@@ -100,7 +100,7 @@ fn an_unwatched_motion_crashes() {
     let stop = sim.travel([0.0, 0.0, -1.0], MotionKind::Rapid, 0.0, false);
     assert!(matches!(stop, Err(Stop::Fault(message)) if message.key == "run-crash"));
     let last = sim.trace.entries.last().unwrap();
-    let Step::Crash { point } = last.step else {
+    let Step::Crash { point, .. } = last.step else {
         panic!("{last:?}")
     };
     assert!(point[2].abs() < 1e-9);
@@ -148,7 +148,7 @@ fn a_part_that_turns_may_meet_the_ball() {
         panic!("{:?}", sim.trace);
     };
     assert!(matches!(table.step, Step::Table { to, .. } if to == sim.control.rotary[2]));
-    let Step::Crash { point } = last.step else {
+    let Step::Crash { point, .. } = last.step else {
         panic!("{last:?}");
     };
     assert!(sim.part.distance(point).abs() < 0.05, "{point:?}");
@@ -162,10 +162,118 @@ fn a_part_that_turns_may_meet_the_ball() {
 #[test]
 fn a_part_that_turns_may_meet_the_stylus() {
     let (sim, outcome) = turned([0.0, -60.0, -120.0]);
-    assert_eq!(outcome, Err(Stop::Fault(Message::new("run-crash"))));
+    let crash = Message::new("run-crash-stylus");
+    assert_eq!(outcome, Err(Stop::Fault(crash)));
     let [.., last] = &sim.trace.entries[..] else {
         panic!("{:?}", sim.trace);
     };
-    assert!(matches!(last.step, Step::Crash { point: [.., z] } if (-100.0..=-70.0).contains(&z)));
+    assert!(
+        matches!(last.step, Step::Crash { point: [.., z], .. } if (-100.0..=-70.0).contains(&z))
+    );
     assert_eq!(turned([0.0, -60.0, -160.0]).1, Ok(())); // the spindle nose is below too
+}
+
+/// A plate that ends at X = 20, 10 mm thick, over the probe, which hangs beside it with its ball 20 mm lower.
+fn under_a_plate(body: Option<ProbeBody>) -> Sim {
+    let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+    setup.workpiece.solids.push(Solid {
+        shape: Shape::Block {
+            size: [100.0, 100.0, 10.0],
+        },
+        at: [70.0, 0.0, 0.0],
+        rotation: [0.0; 3],
+        errors: PartErrors::default(),
+    });
+    setup.probe.body = body;
+    setup.position = [0.0, 0.0, -20.0];
+    Sim::new(&setup)
+}
+
+// oracle: hand: the plate is met when the axis of the stylus, radius 1.35 mm, is that far from it; the control believes
+// that the ball, radius 3 mm, touched
+#[test]
+fn a_stylus_that_touches_switches_the_probe() {
+    let mut sim = under_a_plate(None);
+    let latched = sim.probe([60.0, 0.0, -20.0], 150.0).unwrap().unwrap();
+    assert!((latched[0] - 18.65).abs() < 1e-9, "{latched:?}");
+    let [.., touch, told] = &sim.trace.entries[..] else {
+        panic!("{:?}", sim.trace);
+    };
+    let Step::Touch {
+        by, normal, point, ..
+    } = touch.step
+    else {
+        panic!("{touch:?}");
+    };
+    assert_eq!((by, normal), (Touching::Stylus, [-1.0, 0.0, 0.0]));
+    assert!((point[0] - 20.0).abs() < 1e-9);
+    assert_eq!(told.step, Step::Decision(Message::new("run-stylus")));
+    assert!(sim.stylus_touched() && !sim.stylus_touched());
+    let back = sim.travel([0.0, 0.0, -20.0], MotionKind::Retract, 1000.0, true);
+    assert_eq!(back, Ok(()));
+}
+
+// oracle: manual B:13743-13763 (any signal stops a watched motion), B:13766; hand: where
+#[test]
+fn a_stylus_on_its_way_is_an_alarm_or_a_crash() {
+    let to = [60.0, 0.0, -20.0];
+    let mut watched = under_a_plate(None);
+    let stop = watched.travel(to, MotionKind::Positioning, 1000.0, true);
+    assert_eq!(stop, Err(Stop::Alarm(Code::Alarm(61302))));
+    assert!((watched.position[0] - 18.65).abs() < 1e-9);
+    let mut unwatched = under_a_plate(None);
+    let stop = unwatched.travel(to, MotionKind::Rapid, 0.0, false);
+    let crash = Message::new("run-crash-stylus");
+    assert_eq!(stop, Err(Stop::Fault(crash)));
+    // a quarter of a circle about [-30, 0]: the stylus meets the edge where X is 18.65
+    let mut round = under_a_plate(None);
+    round.position = [-30.0, -50.0, -20.0];
+    let around = Around {
+        centre: [-30.0, 0.0, -20.0],
+        axis: [0.0, 0.0, 1.0],
+        degrees: 90.0,
+    };
+    let end = [20.0, 0.0, -20.0];
+    let stop = round.travel_around(end, &around, MotionKind::Positioning, 1000.0, true);
+    assert_eq!(stop, Err(Stop::Alarm(Code::Alarm(61302))));
+    assert!(
+        (round.position[0] - 18.65).abs() < 0.02,
+        "{:?}",
+        round.position
+    ); // pieces of 3 degree
+}
+
+// oracle: hand: a body of 20 mm, whose lower face is 15 mm above the ball, has its side 20 mm from the axis; nothing of
+// it is deflected, so that no signal comes
+#[test]
+fn a_body_gives_no_signal() {
+    let body = ProbeBody {
+        radius: 19.0,
+        distance: 15.0,
+    };
+    let crash = || Err(Stop::Fault(Message::new("run-crash-body")));
+    let to = [60.0, 0.0, -20.0];
+    let mut watched = under_a_plate(Some(body));
+    assert_eq!(
+        watched.travel(to, MotionKind::Positioning, 1000.0, true),
+        crash()
+    );
+    assert!(
+        (watched.position[0] - 1.0).abs() < 1e-6,
+        "{:?}",
+        watched.position
+    );
+    let mut measuring = under_a_plate(Some(body));
+    assert_eq!(measuring.probe(to, 150.0).map(|_| ()), crash());
+    assert!((measuring.position[0] - 1.0).abs() < 1e-6);
+    let [.., last] = &measuring.trace.entries[..] else {
+        panic!("{:?}", measuring.trace);
+    };
+    assert!(matches!(
+        last.step,
+        Step::Crash {
+            by: Touching::Body,
+            ..
+        }
+    ));
 }

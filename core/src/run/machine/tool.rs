@@ -4,6 +4,7 @@ use super::Sim;
 use crate::geometry::V3;
 use crate::run::route::{Obstacle, Route, add};
 use crate::run::trace::{MotionKind, Step};
+use crate::workpiece::feeler::Touching;
 use crate::workpiece::noise::Noise;
 use crate::workpiece::tool::{Piece, Spindle, Tool};
 use crate::workpiece::tool_probe::{self, Contact, ToolProbe};
@@ -69,6 +70,7 @@ impl Sim {
             ball: met.ball,
             point: met.point,
             normal: met.normal,
+            by: met.by,
         });
         Some(end)
     }
@@ -84,6 +86,7 @@ fn seen(contact: &Contact, way: &Route, error: [f64; 3]) -> Obstacle {
         ball: add(stop, error, 1.0),
         point: meeting.point.into(),
         normal: meeting.normal.into(),
+        by: Touching::Ball,
     }
 }
 

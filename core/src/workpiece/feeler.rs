@@ -1,0 +1,265 @@
+//! What of the probe can touch: its ball, the stylus above it, and the body that holds the stylus.
+
+use super::Probe;
+use super::body::Body;
+use super::contact::{Boundary, Contact};
+use crate::geometry::rod::{self, Met, Rod, around, earliest};
+use crate::geometry::{Path, V3};
+
+/// Rounding of the lower edge of a body, mm.
+const ROUNDED: f64 = 0.5;
+
+/// What of the probe touches.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Touching {
+    /// The ball.
+    #[default]
+    Ball,
+    /// The stylus between ball and body: it is deflected like the ball, and the probe switches.
+    Stylus,
+    /// The body: nothing is deflected.
+    Body,
+}
+
+/// The probe as it stands: stylus and body seen from the centre of the ball, machine axes, mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Feeler {
+    /// Radius of the ball.
+    pub radius: f64,
+    stylus: Option<Rod>,
+    body: Option<Rod>,
+}
+
+/// What stylus or body meet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Caught {
+    /// Part of the way, 0 to 1.
+    pub part: f64,
+    /// What touches.
+    pub by: Touching,
+    /// Point touched.
+    pub point: [f64; 3],
+    /// Outward unit normal of the part there.
+    pub normal: [f64; 3],
+}
+
+impl Feeler {
+    /// A ball alone.
+    pub fn ball(radius: f64) -> Feeler {
+        Feeler {
+            radius,
+            stylus: None,
+            body: None,
+        }
+    }
+
+    /// Ball, stylus and body of a probe; `up`: unit vector from the ball to what holds it.
+    pub fn new(probe: &Probe, up: [f64; 3]) -> Feeler {
+        let up = V3::from(up);
+        let rod = |from: f64, to: f64, radius: f64| {
+            (to > from && radius > 0.0).then(|| Rod {
+                foot: up * from,
+                up,
+                length: to - from,
+                radius,
+            })
+        };
+        let (held, thick) = (probe.held(), probe.stylus_radius());
+        // one that is thicker than the ball ends round at the height of its centre
+        let lowest = if thick > probe.radius { thick } else { 0.0 };
+        let body = probe.body.and_then(|body| {
+            let end = probe.length.max(held + body.radius);
+            rod(held, end, body.radius)
+        });
+        Feeler {
+            radius: probe.radius,
+            stylus: rod(lowest, held, thick),
+            body,
+        }
+    }
+
+    /// Stylus and body, if there are any.
+    pub fn rods(&self) -> impl Iterator<Item = (Touching, Rod)> {
+        let rods = [(Touching::Stylus, self.stylus), (Touching::Body, self.body)];
+        rods.into_iter()
+            .filter_map(|(by, rod)| rod.map(|rod| (by, rod)))
+    }
+
+    /// What stylus and body meet first, the ball going straight from one place to another. What goes through their axis
+    /// at the start is met at once, unless the ball is pressed into the part, so that the stylus leans.
+    pub fn caught(&self, part: &Boundary, from: [f64; 3], to: [f64; 3]) -> Option<Caught> {
+        let path = Path::new(from.into(), to.into());
+        let met = self.rods().filter_map(|(by, rod)| {
+            let placed = Rod {
+                foot: path.from + rod.foot,
+                ..rod
+            };
+            let end = self.end(by);
+            if !part.near_rod(&placed, &path) {
+                return None;
+            }
+            let pierced = part.pierced(&placed).filter(|_| !self.pressed(part, from));
+            let met = pierced.or_else(|| part.first_of_rod(&placed, &path, end))?;
+            Some((by, met))
+        });
+        let (by, met) = met.min_by(|(_, a), (_, b)| a.way.total_cmp(&b.way))?;
+        Some(Caught {
+            part: if path.length > 0.0 {
+                met.way / path.length
+            } else {
+                0.0
+            },
+            by,
+            point: met.point.into(),
+            normal: met.normal.into(),
+        })
+    }
+
+    fn pressed(&self, part: &Boundary, ball: [f64; 3]) -> bool {
+        matches!(part.first(self.radius, ball, ball), Contact::Already { .. })
+    }
+
+    /// How the lower end of stylus or body looks.
+    fn end(&self, by: Touching) -> End {
+        match self.stylus {
+            _ if by == Touching::Body => End::Flat,
+            Some(stylus) if stylus.radius > self.radius => End::Round,
+            _ => End::Covered,
+        }
+    }
+}
+
+/// How the lower end of a rod looks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum End {
+    /// Within a ball that is thicker.
+    Covered,
+    /// Half a ball.
+    Round,
+    /// Flat, with an edge that is a little rounded.
+    Flat,
+}
+
+impl Boundary {
+    /// Whether a rod comes anywhere near a solid on a way.
+    fn near_rod(&self, rod: &Rod, path: &Path) -> bool {
+        self.bodies.iter().any(|body| {
+            let (rod, path) = own(body, rod, path);
+            rod.swept(&path).meets(&body.extent)
+        })
+    }
+
+    /// First contact of a rod with the part; of the path direction and length count.
+    fn first_of_rod(&self, rod: &Rod, path: &Path, end: End) -> Option<Met> {
+        let sides = self.bodies.iter().filter_map(|body| {
+            let (rod, path) = own(body, rod, path);
+            let met = side(body, &rod, &path, end)?;
+            Some(Met {
+                point: body.place.transform_point(&met.point.into()).coords,
+                normal: body.place.rotation * met.normal,
+                ..met
+            })
+        });
+        let ends = [
+            self.end(rod.top(), rod.radius, path),
+            match end {
+                End::Covered => None,
+                End::Round => self.end(rod.foot, rod.radius, path),
+                End::Flat => self.edge(rod, path),
+            },
+        ];
+        earliest(sides.chain(ends.into_iter().flatten()))
+    }
+
+    /// What goes through the axis of a rod.
+    fn pierced(&self, rod: &Rod) -> Option<Met> {
+        let (point, normal) = match self.first(0.0, rod.top().into(), rod.foot.into()) {
+            Contact::None => return None,
+            Contact::Already { point, normal, .. } | Contact::Hit { point, normal, .. } => {
+                (point, normal)
+            }
+        };
+        Some(Met {
+            way: 0.0,
+            point: point.into(),
+            normal: normal.into(),
+        })
+    }
+
+    /// A round end, which may leave what it reaches into.
+    fn end(&self, from: V3, radius: f64, path: &Path) -> Option<Met> {
+        let to = from + path.direction * path.length;
+        let (way, point, normal) = match self.first(radius, from.into(), to.into()) {
+            Contact::None => return None,
+            Contact::Already { point, normal, .. } => {
+                let leaves = path.direction.dot(&V3::from(normal)) > 0.0;
+                if leaves {
+                    return None;
+                }
+                (0.0, point, normal)
+            }
+            Contact::Hit {
+                t, point, normal, ..
+            } => (t * path.length, point, normal),
+        };
+        Some(Met {
+            way,
+            point: point.into(),
+            normal: normal.into(),
+        })
+    }
+
+    /// The edge of a flat end.
+    fn edge(&self, rod: &Rod, path: &Path) -> Option<Met> {
+        let rounded = ROUNDED.min(rod.radius);
+        let first = rod
+            .up
+            .cross(&if rod.up.x.abs() < 0.9 {
+                V3::x()
+            } else {
+                V3::y()
+            })
+            .normalize();
+        let second = rod.up.cross(&first);
+        let middle = rod.foot + rod.up * rounded;
+        around(|angle| {
+            let out = first * angle.cos() + second * angle.sin();
+            self.end(middle + out * (rod.radius - rounded), rounded, path)
+        })
+    }
+}
+
+/// A rod and its way in the frame of a solid.
+fn own(body: &Body, rod: &Rod, path: &Path) -> (Rod, Path) {
+    let into = body.place.rotation.inverse();
+    let foot = body.place.inverse_transform_point(&rod.foot.into()).coords;
+    let rod = Rod {
+        foot,
+        up: into * rod.up,
+        ..*rod
+    };
+    let path = Path {
+        from: foot,
+        direction: into * path.direction,
+        length: path.length,
+    };
+    (rod, path)
+}
+
+/// First contact of the side of a rod, and of a flat end with what stands out below it.
+fn side(body: &Body, rod: &Rod, path: &Path, end: End) -> Option<Met> {
+    if let Some(free) = &body.free {
+        return free.mesh.first_of_rod(rod, path);
+    }
+    let reach = rod.swept(path);
+    let near = body.features.iter().zip(&body.extents);
+    let near = near.filter(|(_, extent)| extent.meets(&reach));
+    earliest(near.filter_map(|(feature, _)| {
+        let side = rod::first(feature, rod, path);
+        let below = match end {
+            End::Flat => rod::first_below(feature, rod, path),
+            _ => None,
+        };
+        earliest([side, below].into_iter().flatten())
+    }))
+}

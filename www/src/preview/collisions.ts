@@ -1,0 +1,25 @@
+// What must not touch and did: crashes, touches of the stylus, and the touch that an alarm follows.
+import type { Touching, Trace, Vec3 } from "../wire";
+import type { Colours } from "./colours";
+import type { Label } from "./paths";
+
+/** `alarm`: its code, where the probe was watched; `crash`: nobody watched, or no signal came. Else a measurement went on. */
+export interface Collision { entry: number; at: Vec3; by: Touching; crash: boolean; alarm?: string }
+
+const BEHIND = 2; // entries from a touch to the alarm that it raises
+
+export function collisions({ entries }: Trace): Collision[] {
+  return entries.flatMap((step, entry): Collision[] => {
+    if (step.step === "crash") return [{ entry, at: step.point, by: step.by ?? "ball", crash: true }];
+    if (step.step !== "touch") return [];
+    const followed = entries.slice(entry + 1, entry + 1 + BEHIND).find((next) => next.step === "alarm");
+    const alarm = followed?.step === "alarm" ? followed.code : undefined;
+    if (!step.by && !alarm) return [];
+    return [{ entry, at: step.point, by: step.by ?? "ball", crash: false, ...(alarm ? { alarm } : {}) }];
+  });
+}
+
+/** Words beside the places, from the entry on in which it happens. */
+export function collisionLabels(trace: Trace, colours: Colours, words: (collision: Collision) => string): Label[] {
+  return collisions(trace).map((found): Label => ({ at: found.at, text: words(found), colour: colours.crash, below: true, during: [found.entry, Infinity] }));
+}
