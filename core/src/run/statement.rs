@@ -11,7 +11,7 @@ use super::trace::Step;
 use super::{Stop, action, branch, contour, environment, locals, manner, names, repeat};
 use crate::catalogue::Dialect;
 use crate::diagnostic::{Severity, Span};
-use crate::program::tree::{Expr, ExprId, Word, WordKind};
+use crate::program::tree::{Block, Expr, ExprId, Word, WordKind};
 use std::rc::Rc;
 
 /// A call in a block.
@@ -84,7 +84,7 @@ pub fn block(run: &mut Interpreter, at: usize) -> Result<Next, Stop> {
     if let Some((keyword, label)) = repetition(run, words) {
         return repeat::begin(run, at, keyword, label, words).map_err(|problem| run.fail(problem));
     }
-    if contour::waits(run) && asks_for_position(run, block.span) {
+    if contour::waits(run) && asks_for_position(run, block) {
         contour::finish(run)?;
     }
     let mut found = Words {
@@ -112,10 +112,16 @@ pub fn block(run: &mut Interpreter, at: usize) -> Result<Next, Stop> {
 
 /// Whether the block has a word that counts on the real position or writes data of tools: STOPRE, `$AA_IW[X]`,
 /// `$TC_DP6[1,1]`, NCT `#5041`.
-fn asks_for_position(run: &Interpreter, span: Span) -> bool {
+fn asks_for_position(run: &Interpreter, block: &Block) -> bool {
     let words: &[&[u8]] = match run.program.dialect {
         Dialect::Sinumerik => &[b"STOPRE", b"$A", b"$TC_"],
         Dialect::Nct => &[b"#5", b"#["],
+    };
+    let span = Span {
+        end: block
+            .comment
+            .map_or(block.span.end, |comment| comment.start),
+        ..block.span
     };
     let text = run.program.text(span).to_ascii_uppercase();
     let holds = |word: &[u8]| text.windows(word.len()).any(|part| part == word);

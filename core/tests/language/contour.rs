@@ -185,6 +185,17 @@ fn the_real_position_is_there_for_who_asks() {
             ],
         );
     }
+    let remark = format!("{begin}R1=1 ; no STOPRE\nX60 Y60\nG40 X100\nM30");
+    let inside = [60.0 - R, R];
+    goes(
+        &remark,
+        &[
+            (1, [20.0, R]),
+            (2, inside),
+            (4, [60.0 - R, 60.0]),
+            (5, [100.0, 60.0]),
+        ],
+    );
     let text = format!("{BEGIN}{begin}R1=$AA_IW[X] R2=$AA_IW[Y] R3=$P_EP[Y]\nM30");
     let control = clean_on(&setup(), &text).control;
     near(control.number("R1"), 60.0, &text);
