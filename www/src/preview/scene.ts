@@ -54,7 +54,7 @@ export function buildScene(trace: Trace, colours: Colours, exaggeration = 1, sol
   const tool = toolAt(trace, index);
   const first = all.used;
   const { solid: solidCorners, own } = moves ? addInUse(all, trace.ball, tool, touches, 0.3 * size) : { solid: all.corners.length, own: first };
-  const box = withTool(ways, boxOf(all, first, own), probeAt(trace, 0, 0));
+  const box = withTool(ways, tool && !tool.ball ? boxOf(all, first, own) : null, probeAt(trace, 0, 0));
   for (const { mesh: own } of zones) append(all, own);
   const dimensioned = drawing && trace.drawing ? dimensions(trace, trace.drawing, colours, size) : { lines: [], labels: [] };
   const frames = frameLines(trace.frames, colours, 0.14 * size);
@@ -89,7 +89,7 @@ function around(trace: Trace, solids: Box | null): Box {
   return box;
 }
 
-/** With what is in use where the motions begin; what carries it may be cut off. */
+/** With a tool where the motions begin. What carries it may be cut off, and so may a stylus: the part is looked at. */
 function withTool(box: Box, tool: Box | null, begin: Vec3 | null): Box {
   return tool && begin ? boxCorners(tool).map((corner) => add(corner, begin)).reduce(include, box) : box;
 }
