@@ -10,7 +10,8 @@ const FIRST = 0.14;   // from the front to the first dimension line, from one to
 const NEXT = 0.12;
 const OVER = 0.02;    // what the lines at its ends stand out beyond it, and the length of an arrow
 const ARROW = 0.3;    // half of the width of an arrow, share of its length
-const RAISED = [10, -4] as const; // CSS pixels from the end of a dimension line up to both lines of its text
+const UP = [10, -4] as const; // CSS pixels from the upper end of a dimension line up to both lines of its text
+const DOWN = [4, -10] as const; // and from the lower end
 const ABOVE = 14;     // from a touched point to its diameter
 const EXACT = 5e-4;   // mm; a smaller deviation is none
 
@@ -25,10 +26,12 @@ export function dimensions(trace: Trace, { diameters, touched }: Drawing, colour
     const place = front + (FIRST + i * NEXT) * size;
     const [low, high] = ends.map((end) => add(end, times(out, place - dot(end, out)))) as [Vec3, Vec3];
     lines.push(...dimension(ends, [low, high], out, colours, OVER * size));
-    labels.push({ at: high, text: text(real), colour: colours.text, beside: true, raised: RAISED[0] });
+    const up = i % 2 === 0; // neighbours have their words at different ends
+    const words = { at: up ? high : low, colour: colours.text, beside: true };
+    labels.push({ ...words, text: text(real), raised: up ? UP[0] : DOWN[0] });
     const deviation = real - set;
     const exact = Math.abs(deviation) < EXACT;
-    labels.push({ at: high, text: exact ? `= ${text(set)}` : `${text(set)} ${signed(deviation, 3)}`, colour: colours.text, beside: true, raised: RAISED[1] });
+    labels.push({ ...words, text: exact ? `= ${text(set)}` : `${text(set)} ${signed(deviation, 3)}`, raised: up ? UP[1] : DOWN[1] });
   });
   return { lines, labels };
 }

@@ -7,7 +7,7 @@ import { parseNumber, plain } from "../numbers";
 import type { State } from "../state";
 import type { Store } from "../store";
 import { t } from "../texts";
-import type { ErrorSliders, Outcome, Purpose } from "../wire";
+import type { ErrorSliders, Outcome, Purpose, Solid } from "../wire";
 
 interface Scale { reach: number; step: number; low?: number; unit: "mm" | "deg" }
 const LENGTH: Scale = { reach: 2, step: 0.01, unit: "mm" };
@@ -24,6 +24,23 @@ const OF_TOOL: string[] = ["part", "probe", "probe-skew-x", "probe-skew-y", "pro
 
 /** Key of the words for a group or an error, given the probe that a cycle uses. */
 const wordsOf = (name: string, probe: Purpose["probe"]): string => (probe === "tool" && OF_TOOL.includes(name) ? `tool-${name}` : name);
+
+/** Shapes of a part on which an error shows; an error that is not here shows on each. */
+const SHOWS_ON: Partial<Record<keyof ErrorSliders["part"], (shape: Solid["shape"]) => boolean>> = {
+  outOfRound: (shape) => ["hole", "shaft", "turned"].includes(shape),
+  taper: (shape) => !["sphere", "surface"].includes(shape),
+  tilt: (shape) => shape !== "sphere",
+  size: (shape) => shape !== "surface",
+};
+
+/** Whether an error can show: on something of the part, or on the cap of a tool probe, which has no lobes. */
+function acts(group: keyof ErrorSliders, name: string, solids: Solid[], probe: Purpose["probe"]): boolean {
+  if (group !== "part") return true;
+  if (probe === "tool") return name !== "outOfRound";
+  const shows = SHOWS_ON[name as keyof ErrorSliders["part"]];
+  const touched = solids.filter(({ shape }) => shape !== "chuck");
+  return !shows || touched.length === 0 || touched.some(({ shape }) => shows(shape));
+}
 
 const slug = (name: string): string => name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
 
@@ -68,7 +85,7 @@ export function createSliders(root: HTMLElement, store: Store, actions: Actions)
   on(limits, "click", () => store.update({ limits: !store.state.limits }));
   const title = el("h3", {});
   root.append(el("div", { class: "sliders-head" }, title, limits, reset));
-  const updates: ((errors: ErrorSliders, survived: Limit[], probe: Purpose["probe"]) => void)[] = [];
+  const updates: ((errors: ErrorSliders, survived: Limit[], probe: Purpose["probe"], solids: Solid[]) => void)[] = [];
   for (const group of Object.keys(SCALES) as (keyof ErrorSliders)[]) {
     const head = el("h4", {});
     const box = el("div", { class: "slider-group", role: "group" }, head);
@@ -82,7 +99,10 @@ export function createSliders(root: HTMLElement, store: Store, actions: Actions)
       const slider = createSlider(`error-${id}`, scale, (value) => actions.error(group, name as never, value));
       box.append(slider.root);
       const limitOf = (survived: Limit[]): Limit | undefined => survived.find((limit) => group === "part" && limit.error === name);
-      updates.push((errors, survived, probe) => slider.update(t(`error-${wordsOf(id, probe)}`), (errors[group] as Record<string, number>)[name] ?? 0, limitOf(survived)));
+      updates.push((errors, survived, probe, solids) => {
+        show(slider.root, acts(group, name, solids, probe));
+        slider.update(t(`error-${wordsOf(id, probe)}`), (errors[group] as Record<string, number>)[name] ?? 0, limitOf(survived));
+      });
     }
     root.append(box);
   }
@@ -90,6 +110,6 @@ export function createSliders(root: HTMLElement, store: Store, actions: Actions)
     show(root, cycle.simulated && TOUCHING.includes(cycle.purpose.probe)); // elsewhere nothing would come of them
     setText(title, t("sliders-title"));
     setAttribute(limits, "aria-pressed", String(state.limits));
-    for (const update of updates) update(state.errors, view.outcome?.limits ?? [], cycle.purpose.probe);
+    for (const update of updates) update(state.errors, view.outcome?.limits ?? [], cycle.purpose.probe, view.outcome?.trace.solids ?? []);
   };
 }
