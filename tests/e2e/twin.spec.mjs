@@ -32,4 +32,23 @@ describe("twin", () => {
     assert.deepEqual(problems, []);
     await context.close();
   });
+
+  // oracle: manual B:7929-7935, C:723 (coordinates of a corner); hand: from the start at 20 down to -10
+  test("tells the corner and the depth on both sides", async () => {
+    const { context, page, problems } = await start(chrome);
+    const there = (text) => page.waitForFunction((wanted) => document.querySelectorAll("details.twin .twin-code")[1]?.textContent.includes(wanted), text);
+    const choose = async (name) => {
+      await page.locator("#task-search").fill(name);
+      await page.locator(`.hits[data-search="${name}"] .hit`).first().click();
+    };
+    await choose("G107");
+    await page.locator("#field-X").fill("100");
+    await twin(page).locator("summary").click();
+    await there("_SETV[2]=-100");
+    await choose("G110");
+    await page.locator("#field-Z").fill("-10");
+    await there("_ID=-30");
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
 });

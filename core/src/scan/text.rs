@@ -39,7 +39,10 @@ pub fn piece(cloud: &Cloud, layout: &Layout, form: Form, points: Range<usize>) -
 fn lines(points: impl Iterator<Item = [f64; 3]>) -> String {
     let mut text = String::new();
     for [x, y, z] in points {
-        let _ = writeln!(text, "{x:.4} {y:.4} {z:.4}");
+        for (value, behind) in [(x, ' '), (y, ' '), (z, '\n')] {
+            fixed(steps(value, 4), 4, &mut text);
+            text.push(behind);
+        }
     }
     text
 }
@@ -89,11 +92,14 @@ fn block(cloud: &Cloud, layout: &Layout, index: usize, text: &mut String) {
     let (Some(before), Some(point)) = (before, points.get(index)) else {
         return;
     };
+    let decimals = decimals(layout);
     let mut blank = "";
     for axis in layout.axes {
-        let word = number(point[axis], layout);
-        if word != number(before[axis], layout) {
-            let _ = write!(text, "{blank}{}{word}", NAMES[axis]);
+        let [here, there] = [point, before].map(|at| steps(at[axis] / layout.per, decimals));
+        if here != there {
+            text.push_str(blank);
+            text.push_str(NAMES[axis]);
+            fixed(here, decimals, text);
             blank = " ";
         }
     }
@@ -102,8 +108,54 @@ fn block(cloud: &Cloud, layout: &Layout, index: usize, text: &mut String) {
     }
 }
 
-/// In the unit of the program with its usual resolution: 0.001 mm, 0.0001 inch.
+/// In the unit of the program.
 fn number(value: f64, layout: &Layout) -> String {
-    let decimals = if layout.per == 1.0 { 3 } else { 4 };
-    format!("{:.decimals$}", value / layout.per + 0.0)
+    let (decimals, mut text) = (decimals(layout), String::new());
+    fixed(steps(value / layout.per, decimals), decimals, &mut text);
+    text
+}
+
+/// Its usual resolution: 0.001 mm, 0.0001 inch.
+fn decimals(layout: &Layout) -> u32 {
+    if layout.per == 1.0 { 3 } else { 4 }
+}
+
+/// A number in steps of its last decimal.
+fn steps(value: f64, decimals: u32) -> i64 {
+    (value * 10_f64.powi(decimals as i32)).round() as i64
+}
+
+/// Writes a number of steps with so many decimals. A million points have three million of them; the formatting of the
+/// standard library takes twice as long.
+fn fixed(steps: i64, decimals: u32, text: &mut String) {
+    let sign = if steps < 0 { "-" } else { "" };
+    let (unit, steps) = (10_u64.pow(decimals), steps.unsigned_abs());
+    let (whole, part) = (steps / unit, steps % unit);
+    let _ = write!(
+        text,
+        "{sign}{whole}.{part:0width$}",
+        width = decimals as usize
+    );
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    // oracle: hand
+    #[test]
+    fn numbers_have_their_decimals() {
+        for (value, decimals, written) in [
+            (0.0, 3, "0.000"),
+            (-0.0004, 3, "0.000"),
+            (-0.0006, 3, "-0.001"),
+            (12.3456, 3, "12.346"),
+            (-1.5, 4, "-1.5000"),
+            (1_000_000.25, 4, "1000000.2500"),
+        ] {
+            let mut text = String::new();
+            fixed(steps(value, decimals), decimals, &mut text);
+            assert_eq!(text, written);
+        }
+    }
 }

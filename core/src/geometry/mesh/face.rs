@@ -1,6 +1,6 @@
 //! A ball against one triangle: its face, its edges, its corners.
 
-use crate::geometry::{Path, V3};
+use crate::geometry::{Path, TOLERANCE, V3};
 
 /// A triangle with an area.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -9,6 +9,8 @@ pub(super) struct Face {
     pub corners: [V3; 3],
     /// Unit normal, on the side from which the corners run counter-clockwise.
     pub normal: V3,
+    /// Unit directions in the plane out of the triangle, across the edge behind each corner.
+    across: [V3; 3],
 }
 
 impl Face {
@@ -16,7 +18,12 @@ impl Face {
     pub fn new(corners: [V3; 3]) -> Option<Face> {
         let [a, b, c] = &corners;
         let normal = (b - a).cross(&(c - a)).try_normalize(1e-18)?;
-        Some(Face { corners, normal })
+        let across = [b - a, c - b, a - c].map(|edge| edge.cross(&normal).normalize());
+        Some(Face {
+            corners,
+            normal,
+            across,
+        })
     }
 
     /// Nearest point of the triangle, if within `limit` mm.
@@ -24,11 +31,11 @@ impl Face {
         let above = (p - self.corners[0]).dot(&self.normal);
         let below = p - self.normal * above;
         let outside = self.outside(&below);
-        if outside <= 0.0 {
+        if outside <= BORDER {
             return (above.abs() <= limit).then_some(below);
         }
         let limit = limit * limit;
-        if above * above + outside > limit + SLACK {
+        if above * above + outside * outside > limit + SLACK {
             return None;
         }
         let feet = self.edges().map(|(a, b)| on_edge(&a, &b, p));
@@ -70,7 +77,7 @@ impl Face {
         let distance = above.abs() - closing * reached;
         let below = path.at(reached) - self.normal * (side * distance);
         let outside = self.outside(&below);
-        if gap > 0.0 && outside <= 0.0 {
+        if gap > 0.0 && outside <= BORDER {
             return Some(reached);
         }
         if outside > widest(distance, closing, limit - reached, radius) {
@@ -91,35 +98,29 @@ impl Face {
 
     /// Whether a point of the plane lies in the triangle.
     fn covers(&self, p: &V3) -> bool {
-        self.outside(p) <= 0.0
+        self.outside(p) <= BORDER
     }
 
-    /// Square of how far a point of the plane lies outside of the line of that edge of which it lies farthest outside, so
-    /// at most that of its distance from the triangle; 0 inside.
+    /// How far a point of the plane lies outside of the line of that edge of which it lies farthest outside, mm: at most its
+    /// distance from the triangle, and inside less than 0.
     fn outside(&self, p: &V3) -> f64 {
-        let past = |(a, b): (V3, V3)| {
-            let edge = b - a;
-            let inside = edge.cross(&(p - a)).dot(&self.normal);
-            match inside < 0.0 {
-                true => inside * inside / edge.norm_squared(),
-                false => 0.0,
-            }
-        };
-        let [a, b, c] = self.edges().map(past);
-        a.max(b).max(c)
+        let past = |place: usize| (p - self.corners[place]).dot(&self.across[place]);
+        past(0).max(past(1)).max(past(2))
     }
 }
 
+/// Points that lie outside of an edge by less lie on it, mm: rounding leaves no gap between neighbours.
+const BORDER: f64 = 1e-12;
 /// What rounding may add to the square of a distance, mm².
 const SLACK: f64 = 1e-12;
 
-/// Square of the distance from its foot on a plane within which a ball touches the plane on the next `way` mm. It stands
-/// at this distance from the plane and comes nearer by `closing` a mm; as the foot moves along, so does what it touches.
+/// Distance from its foot on a plane within which a ball touches the plane on the next `way` mm. It stands at this distance
+/// from the plane and comes nearer by `closing` a mm; as the foot moves along, so does what it touches.
 fn widest(distance: f64, closing: f64, way: f64, radius: f64) -> f64 {
     let nearest = (distance - closing.max(0.0) * way).max(0.0);
     let circle = (radius * radius - nearest * nearest).max(0.0).sqrt();
     let drift = way * (1.0 - closing * closing).max(0.0).sqrt();
-    (circle + drift) * (circle + drift) + SLACK
+    circle + drift + TOLERANCE
 }
 
 fn on_edge(a: &V3, b: &V3, p: &V3) -> V3 {
