@@ -182,7 +182,7 @@ impl<F: Follow> Walk<'_, F> {
         if common == *last || known.len() >= 2 * ENTRIES {
             return Ok((common, after.clone()));
         }
-        same(&common).map_or(Err(common), Ok)
+        same(&common).ok_or(common)
     }
 
     fn blocks(&mut self, unit: usize, state: F::State) -> Option<F::State> {
