@@ -1,0 +1,134 @@
+//! Calls of a program, the catalogue, the help of a variant.
+
+use super::inch_machine;
+use crate::json::*;
+use serde_json::json;
+
+// oracle: hand
+#[test]
+fn a_call_says_in_which_units_and_plane_it_stands() {
+    let text = "G18 G700\n_SETVAL=2 _MVAR=0\nCYCLE978\nG17 G71\nCYCLE978\n";
+    let request = json!({ "control": "sinumerik", "text": text, "setup": inch_machine() });
+    let view = read(&request.to_string()).unwrap();
+    let state = |index: usize| {
+        let call = &view["calls"][index];
+        (call["plane"].clone(), call["units"].clone())
+    };
+    assert_eq!(state(0), (json!("G18"), json!("G700")));
+    assert_eq!(state(1), (json!("G17"), json!("G71")));
+    let unknown = json!({ "control": "sinumerik", "cycle": "CYCLE978", "units": "G20" });
+    assert!(
+        form(&unknown.to_string())
+            .unwrap_err()
+            .to_string()
+            .contains("G20")
+    );
+}
+
+// oracle: hand
+#[test]
+fn a_call_is_converted_with_places_of_the_page() {
+    let text = "; Ø\n_MVAR=0 _SETVAL=5 _MA=1 _KNUM=0\nCYCLE978\n";
+    let request = json!({ "control": "sinumerik", "text": text, "call": 0, "style": "indirect" });
+    let answer = convert(&request.to_string()).unwrap();
+    let mut now: Vec<u16> = text.encode_utf16().collect();
+    for edit in answer["edits"].as_array().unwrap().iter().rev() {
+        let place = |name: &str| edit[name].as_u64().unwrap() as usize;
+        let insert = edit["insert"].as_str().unwrap().encode_utf16();
+        now.splice(place("from")..place("to"), insert);
+    }
+    let after = String::from_utf16(&now).unwrap();
+    assert_eq!(after, "; Ø\nCYCLE_978(0,5,1,,,0)\n");
+    let read = read(&json!({ "control": "sinumerik", "text": after }).to_string()).unwrap();
+    assert_eq!(read["calls"][0]["style"], "indirect");
+    let wrong = json!({ "control": "sinumerik", "text": text, "call": 0, "style": "spoken" });
+    assert!(convert(&wrong.to_string()).is_err());
+}
+
+// oracle: manual B:12414-12423 (the comment with the settings), B:13594-13596 (an inch machine counts in inches)
+#[test]
+fn a_call_is_converted_on_the_machine_of_the_request() {
+    let ask = |own: Value| {
+        let request = json!({
+            "control": "sinumerik", "text": "_MVAR=0 _SETVAL=5 _MA=1 _KNUM=0\nCYCLE978\n", "call": 0,
+            "style": "indirect", "setup": { "own": own },
+        });
+        let edits = convert(&request.to_string()).unwrap()["edits"].to_string();
+        (edits.contains("; _MZ_MASK="), edits)
+    };
+    let (marked, plain) = ask(json!({}));
+    assert!(!marked, "{plain}");
+    let forms = json!({ "PW-FORMS": 1 });
+    let (marked, metric) = ask(json!({ "data": forms }));
+    assert!(marked, "{metric}");
+    let (marked, inch) = ask(json!({ "basic": "inch", "data": forms }));
+    assert!(marked && inch != metric, "{inch}");
+}
+
+// oracle: manual B:654 (the cycles measure workpieces), B:12497 (direct), B:11640-12133 (parameterizing calls); C has neither
+#[test]
+fn the_catalogue_says_where_a_cycle_belongs_and_how_it_is_written() {
+    let catalogue = catalogue();
+    let cycle = |name: &str| {
+        let all = catalogue["cycles"].as_array().unwrap();
+        all.iter().find(|one| one["cycle"] == name).unwrap().clone()
+    };
+    let purpose = |machine: &str, probe: &str, calibrates: bool| {
+        let plane = match machine {
+            "turning" => "G18",
+            _ => "G17",
+        };
+        json!({ "machine": machine, "plane": plane, "probe": probe, "calibrates": calibrates })
+    };
+    for (name, wanted) in [
+        ("CYCLE977", purpose("milling", "workpiece", false)),
+        ("CYCLE976", purpose("milling", "workpiece", true)),
+        ("CYCLE971", purpose("milling", "tool", false)),
+        ("CYCLE974", purpose("turning", "workpiece", false)),
+        ("G110", purpose("milling", "workpiece", false)),
+    ] {
+        assert_eq!(cycle(name)["purpose"], wanted, "{name}");
+    }
+    assert_eq!(
+        cycle("CYCLE977")["styles"],
+        json!(["direct", "indirect", "operate"])
+    );
+    assert_eq!(cycle("G110")["styles"], json!(["direct"]));
+}
+
+// oracle: hand
+#[test]
+fn a_call_whose_variant_does_not_exist_has_no_variant() {
+    let text = "_MVAR=77777\nCYCLE977\n_MVAR=2\nCYCLE977\n";
+    let request = json!({ "control": "sinumerik", "text": text }).to_string();
+    let calls = read(&request).unwrap()["calls"].clone();
+    assert_eq!(calls[0]["mvar"], Value::Null);
+    assert_eq!(calls[1]["mvar"], 2);
+}
+
+// oracle: self: the page of a variant as the browser shows it
+#[test]
+fn help_is_asked_by_variant() {
+    let ask = |cycle: &str, mvar: i64| {
+        help(&json!({"control": "sinumerik", "cycle": cycle, "mvar": mvar}).to_string()).unwrap()
+    };
+    let hole = ask("CYCLE977", 1);
+    let headings = |page: &Value, names: [&str; 5]| {
+        let sections = page["sections"].as_array().unwrap().iter();
+        let label = |section: &Value| section["label"]["key"].as_str().unwrap().to_owned();
+        let labels: Vec<String> = sections.map(label).collect();
+        assert_eq!(labels, names.map(|name| format!("help-section-{name}")));
+    };
+    headings(&hole, ["measures", "before", "order", "corrects", "wrong"]);
+    let first = &hole["sections"][0]["lines"][0];
+    assert_eq!(first["message"]["key"], "help-cycle977-measures-hole");
+    assert_eq!(hole["required"], json!(["_SETVAL", "_KNUM"]));
+    assert_eq!(hole["alarms"][0]["key"], "alarm-61016");
+    let diameter = json!({"name": "_OVR[4]", "key": "result-actual-size"});
+    assert!(hole["results"].as_array().unwrap().contains(&diameter));
+    let tool = ["measures", "before-tool", "order", "corrects", "wrong"];
+    headings(&ask("CYCLE971", 1), tool);
+    let computing = ["does", "before-call", "order", "leaves", "wrong"];
+    headings(&ask("CYCLE116", 0), computing);
+    assert!(help(r#"{"control": "nct", "cycle": "CYCLE977", "mvar": 1}"#).is_err());
+}

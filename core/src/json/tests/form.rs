@@ -1,0 +1,128 @@
+//! A form: fields, picture, units, the control's own support, the other control.
+
+use super::request;
+use crate::json::*;
+use serde_json::json;
+
+// oracle: hand
+#[test]
+fn a_form_without_values_has_fields_and_a_picture() {
+    for cycle in crate::catalogue::CYCLES {
+        let request =
+            json!({ "control": dialect_name(cycle.dialect), "cycle": cycle.name }).to_string();
+        let view = form(&request).unwrap();
+        let blank = view["fields"].as_array().unwrap().is_empty();
+        assert_eq!(blank, cycle.params.is_empty(), "{}", cycle.name);
+        assert_eq!(view["outcome"], Value::Null);
+    }
+}
+
+// oracle: manual B:1787-1795 (set values count in the active system, _FA always in mm)
+#[test]
+fn the_chosen_units_decide_what_a_value_means() {
+    let cycle = crate::catalogue::find(Dialect::Sinumerik, "CYCLE977").unwrap();
+    let mut asked: Value = serde_json::from_str(&request(cycle)).unwrap();
+    asked["setup"] = json!({ "own": { "units": "G70" } });
+    asked["values"]["_SETVAL"] = json!("2");
+    let view = form(&asked.to_string()).unwrap();
+    let unit = |name: &str| {
+        let fields = view["fields"].as_array().unwrap();
+        let field = fields.iter().find(|field| field["name"] == name).unwrap();
+        field["unit"].clone()
+    };
+    assert_eq!((unit("_SETVAL"), unit("_FA")), (json!("inch"), json!("mm")));
+    assert_eq!(
+        view["outcome"]["trace"]["solids"][0]["size"][0],
+        json!(50.8)
+    );
+    assert_eq!(view["setup"]["active"]["units"], "G70");
+    let text = view["snippet"].as_str().unwrap();
+    let read = |machine: Value| json!({ "control": "sinumerik", "text": text, "setup": machine });
+    let calls = super::read(&read(json!({ "own": { "units": "G70" } })).to_string()).unwrap();
+    assert_eq!(calls["calls"][0]["units"], "G70");
+}
+
+// oracle: manual B:12501-12506, B:12518-12532; hand (what the call writes is not the machine's own)
+#[test]
+fn a_form_as_on_the_control_has_its_fields_and_code() {
+    let ask = |data: &Value| {
+        let request = json!({
+            "control": "sinumerik", "cycle": "CYCLE977", "setup": {"own": {"data": data}}, "predict": true,
+            "values": {"_MVAR": "1", "_SETVAL": "100", "_KNUM": "2001", "_TNUM": "1", "_VMS": "200", "_EVNUM": "3", "_TUL": "0.06", "_TLL": "-0.06"},
+        });
+        form(&request.to_string()).unwrap()
+    };
+    let has = |view: &Value, name: &str| {
+        let fields = view["fields"].as_array().unwrap().iter();
+        fields.into_iter().any(|field| field["name"] == name)
+    };
+    let all = ask(&json!({ "_MZ_MASK[0]": 0 }));
+    assert!(has(&all, "_VMS") && all["preset"] == "direct");
+    let view = ask(&json!({ "PW-FORMS": 1, "_MZ_MASK[0]": 0, "_CHBIT[4]": 1 }));
+    assert!(!has(&view, "_VMS") && !has(&view, "_EVNUM") && has(&view, "_TUL"));
+    assert_eq!(view["preset"], "indirect");
+    let text = view["snippet"].as_str().unwrap();
+    assert!(
+        text.contains("_CHBIT[4]=0") && text.contains("CYCLE_977_979A(977"),
+        "{text}"
+    );
+    assert_eq!(view["setup"]["data"]["_CHBIT[4]"], 1.0);
+    assert_eq!(view["setup"]["data"]["PW-FORMS"], 1.0);
+}
+
+// oracle: hand: the same bore in the other language, with what both say in the active unit
+#[test]
+fn the_same_task_on_the_other_control_stands_beside_the_form() {
+    let mut request = json!({
+        "control": "nct", "cycle": "G110", "twin": true,
+        "values": { "D": "50", "S": "1", "Q": "3" },
+    });
+    let view = form(&request.to_string()).unwrap();
+    let twin = &view["twin"];
+    assert_eq!(twin["cycle"], "CYCLE977");
+    assert_eq!(twin["task"]["key"], "task-bore");
+    assert!(twin["snippet"].as_str().unwrap().contains("_SETVAL=50"));
+    let shared: Vec<_> = twin["shared"].as_array().unwrap().iter().collect();
+    assert_eq!(shared[0]["value"], 50.0);
+    request["cycle"] = "G101".into();
+    request["values"] = json!({ "X": "1" });
+    assert_eq!(form(&request.to_string()).unwrap()["twin"], Value::Null);
+    request["twin"] = false.into();
+    let view = form(&request.to_string()).unwrap();
+    assert!(view.get("twin").is_none());
+}
+
+// oracle: self: in every plane the example that the catalogue has for it is complete and chooses its variant, and so does
+// any depth of a web
+#[test]
+fn examples_of_macros_fit_their_plane() {
+    let cycles = super::catalogue::cycles();
+    let cycles = cycles.as_array().unwrap().iter();
+    for cycle in
+        cycles.filter(|one| one["control"] == "nct" && one["purpose"]["probe"] == "workpiece")
+    {
+        for variant in cycle["variants"].as_array().unwrap() {
+            for plane in ["G17", "G18", "G19"] {
+                let there = &variant["planes"][plane];
+                let here = if there.is_null() { variant } else { there };
+                let asked = |values: &Value| {
+                    let request = json!({
+                        "control": "nct", "cycle": cycle["cycle"], "plane": plane, "values": values,
+                    });
+                    form(&request.to_string()).unwrap()
+                };
+                let view = asked(&here["example"]);
+                let what = format!("{} {plane} {}", cycle["cycle"], here["example"]);
+                assert_eq!(view["complete"], true, "{what}: {}", view["diagnostics"]);
+                assert_eq!(view["mvar"], variant["mvar"], "{what}");
+                let mut deeper = here["example"].clone();
+                for (name, typed) in here["values"].as_object().unwrap() {
+                    if typed == "0" {
+                        deeper[name] = "-7.5".into();
+                    }
+                }
+                assert_eq!(asked(&deeper)["mvar"], variant["mvar"], "{what}");
+            }
+        }
+    }
+}

@@ -1,0 +1,45 @@
+//! What the page asks and gets.
+#![allow(clippy::unwrap_used)]
+
+mod calls;
+mod form;
+mod machine;
+mod outcome;
+mod setup;
+
+use crate::check::Typed;
+use crate::json::*;
+use serde_json::json;
+
+fn request(cycle: &crate::catalogue::Cycle) -> String {
+    let values = cycle.example.iter();
+    asked(
+        cycle,
+        &values
+            .map(|(name, value)| ((*name).to_owned(), (*value).to_owned()))
+            .collect(),
+    )
+}
+
+fn asked(cycle: &crate::catalogue::Cycle, values: &Typed) -> String {
+    json!({
+        "control": dialect_name(cycle.dialect),
+        "cycle": cycle.name,
+        "values": values,
+        "predict": true,
+        "errors": { "part": { "size": 0.03 } },
+    })
+    .to_string()
+}
+
+/// An inch machine as the page would import it.
+fn inch_machine() -> Value {
+    json!({
+        "control": "sinumerik",
+        "units": "inch",
+        "active": { "tool": 9, "edge": 1 },
+        "environments": { "ROUGH": { "tool": 20, "edge": 1, "plane": "G18" } },
+        "tools": { "9": { "edges": { "1": { "type": 710, "length": [50, 0, 0], "radius": 3 } } } },
+        "probe": { "radius": 3, "length": 50 },
+    })
+}

@@ -1,0 +1,183 @@
+//! What a form foretells: the run, the scene, the largest errors.
+
+use super::{asked, request};
+use crate::catalogue::ProbeUse;
+use crate::control::Plane;
+use crate::json::*;
+use crate::run::setup::Setup;
+use serde_json::json;
+
+// oracle: hand: three spheres turned together by 0.1 degree about Z, and nothing else, about the first one
+#[test]
+fn solids_of_one_part_are_tilted_together() {
+    let cycle = crate::catalogue::find(Dialect::Sinumerik, "CYCLE997").unwrap();
+    let mut document: Value = serde_json::from_str(&request(cycle)).unwrap();
+    document["errors"] = json!({ "part": { "tilt": 0.1 } });
+    let view = form(&document.to_string()).unwrap();
+    let changes = view["outcome"]["changes"].as_array().unwrap();
+    let turned = changes
+        .iter()
+        .filter(|change| change["unit"] == "deg")
+        .collect::<Vec<_>>();
+    assert_eq!(turned.len(), 1, "{changes:?}");
+    assert_eq!(turned[0]["name"], "$P_UIFR[1,Z,RT]");
+    assert!((turned[0]["after"].as_f64().unwrap() - 0.1).abs() < 1e-9);
+}
+
+// oracle: hand
+#[test]
+fn every_worked_example_is_complete_and_reaches_its_end() {
+    for cycle in crate::catalogue::CYCLES {
+        let view = form(&request(cycle)).unwrap();
+        assert_eq!(
+            view["complete"], true,
+            "{}: {}",
+            cycle.name, view["diagnostics"]
+        );
+        if cycle.simulation.is_none() {
+            assert_eq!(view["outcome"], Value::Null, "{}", cycle.name);
+            continue;
+        }
+        for variant in cycle.variants {
+            reaches_its_end(cycle, variant);
+        }
+    }
+}
+
+fn reaches_its_end(cycle: &'static crate::catalogue::Cycle, variant: &crate::catalogue::Variant) {
+    let what = format!("{} {}", cycle.name, variant.number);
+    let values = crate::catalogue::example::example(cycle, variant);
+    let view = form(&asked(cycle, &values)).unwrap();
+    assert_eq!(view["complete"], true, "{what}: {}", view["diagnostics"]);
+    let alarms = view["outcome"]["alarms"].as_array().unwrap();
+    assert!(
+        alarms.iter().all(|alarm| alarm["stops"] == false),
+        "{what}: {alarms:?}"
+    );
+    let entries = view["outcome"]["trace"]["entries"].as_array().unwrap();
+    let moves = entries.iter().any(|entry| entry["step"] == "motion");
+    assert_eq!(moves, cycle.purpose.probe != ProbeUse::None, "{what}");
+    assert!(
+        setup_from_json(&view["setup"].to_string()).is_ok(),
+        "{what}"
+    );
+    let shapes = view["picture"]["shapes"].as_array().unwrap();
+    assert!(!shapes.is_empty(), "{what}");
+}
+
+// oracle: manual B:762-817 (the applicate of G18 is Y, of G19 X; the tool stands along it)
+#[test]
+fn the_stylus_stands_along_the_applicate() {
+    let cycle = crate::catalogue::find(Dialect::Sinumerik, "CYCLE977").unwrap();
+    let mut asked: Value = serde_json::from_str(&request(cycle)).unwrap();
+    for (plane, axis) in [
+        ("G17", [0.0, 0.0, 1.0]),
+        ("G18", [0.0, 1.0, 0.0]),
+        ("G19", [1.0, 0.0, 0.0]),
+    ] {
+        asked["setup"] = json!({ "own": { "plane": plane } });
+        let view = form(&asked.to_string()).unwrap();
+        let probe = &view["outcome"]["trace"]["tools"][0];
+        assert_eq!(probe["ball"], json!(axis), "{plane}");
+        assert_eq!(view["setup"]["plane"], json!(plane));
+    }
+}
+
+// oracle: manual B:4152, B:13474-13481 (in G18 position 7 lies along Z and points in minus direction, 8 along X)
+#[test]
+fn the_stylus_of_a_turning_machine_lies_as_its_cutting_edge_position_says() {
+    let cycle = crate::catalogue::find(Dialect::Sinumerik, "CYCLE974").unwrap();
+    for (tip, axis) in [
+        (5, [0.0, 0.0, -1.0]),
+        (6, [-1.0, 0.0, 0.0]),
+        (7, [0.0, 0.0, 1.0]),
+        (8, [1.0, 0.0, 0.0]),
+    ] {
+        let mut setup = Setup::for_variant(cycle, 0, Plane::G18);
+        let edge = setup.control.edge_of_mut(9, 1).unwrap();
+        edge.tip = tip;
+        let mut asked: Value = serde_json::from_str(&request(cycle)).unwrap();
+        asked["setup"] = setup_to_json(&setup);
+        let view = form(&asked.to_string()).unwrap();
+        assert_eq!(
+            view["outcome"]["trace"]["tools"][0]["ball"],
+            json!(axis),
+            "{tip}"
+        );
+    }
+}
+
+// oracle: hand (errors belong to the part; a post stands in the zone, which is drawn)
+#[test]
+fn what_stands_in_a_protection_zone_has_no_errors() {
+    let cycle = crate::catalogue::find(Dialect::Sinumerik, "CYCLE977").unwrap();
+    let mut asked: Value = serde_json::from_str(&request(cycle)).unwrap();
+    for (name, value) in [("_MVAR", "1001"), ("_SZA", "60"), ("_ID", "-20")] {
+        asked["values"][name] = json!(value);
+    }
+    let trace = form(&asked.to_string()).unwrap()["outcome"]["trace"].take();
+    let [part, post] = trace["solids"].as_array().unwrap().as_slice() else {
+        unreachable!("{}", trace["solids"]);
+    };
+    assert_eq!(
+        (&part["shape"], &post["shape"]),
+        (&json!("hole"), &json!("shaft"))
+    );
+    assert_eq!(
+        (&part["errors"]["size"], &post["errors"]["size"]),
+        (&json!(0.03), &json!(0.0))
+    );
+    assert_eq!(trace["zones"][0]["size"][0], json!(60.0));
+    assert!(post["size"][0].as_f64() < Some(60.0), "{post}");
+}
+
+// oracle: hand: G500 is in force and G54 is corrected, by a rotation alone: both are drawn, the second before and after
+#[test]
+fn a_corrected_frame_is_drawn_before_and_after() {
+    let cycle = crate::catalogue::find(Dialect::Sinumerik, "CYCLE998").unwrap();
+    let mut asked: Value = serde_json::from_str(&request(cycle)).unwrap();
+    asked["values"]["_RA"] = json!("0");
+    asked["errors"] = json!({ "part": { "tilt": 1.0 } });
+    let trace = form(&asked.to_string()).unwrap()["outcome"]["trace"].take();
+    let frames = trace["frames"].as_array().unwrap();
+    let names: Vec<&str> = frames
+        .iter()
+        .map(|frame| frame["name"].as_str().unwrap())
+        .collect();
+    assert_eq!(names, ["WCS G500", "WCS G54", "WCS G54′"]);
+    assert_eq!(frames[1]["at"], frames[2]["at"]);
+    assert_ne!(frames[1]["axes"], frames[2]["axes"]);
+}
+
+// oracle: self (the limits that are told: measured there it comes to its end, a little beyond it does not)
+#[test]
+fn the_largest_errors_are_those_that_still_come_to_an_end() {
+    let cycle = crate::catalogue::find(Dialect::Sinumerik, "CYCLE977").unwrap();
+    let mut asked: Value = serde_json::from_str(&request(cycle)).unwrap();
+    asked["limits"] = json!(true);
+    let view = form(&asked.to_string()).unwrap();
+    let limits = view["outcome"]["limits"].as_array().unwrap();
+    let names: Vec<&Value> = limits.iter().map(|limit| &limit["error"]).collect();
+    assert_eq!(names, ["size", "dx", "dy", "dz"]);
+    for limit in limits.iter().take(3) {
+        let name = limit["error"].as_str().unwrap();
+        for (side, out) in [("low", -0.01), ("high", 0.01)] {
+            let error = limit[side].as_f64().unwrap();
+            let stopped = |error: f64| {
+                let mut asked = asked.clone();
+                asked["limits"] = json!(false);
+                asked["errors"]["part"][name] = json!(error);
+                let view = form(&asked.to_string()).unwrap();
+                let alarms = view["outcome"]["alarms"].as_array().unwrap().clone();
+                alarms.iter().any(|alarm| alarm["stops"] == json!(true))
+            };
+            assert!(!stopped(error), "{name} {error}");
+            assert!(stopped(error + out), "{name} {error}");
+        }
+    }
+    let shown = view["outcome"]["trace"]["limits"].as_array().unwrap();
+    assert_eq!(
+        (&shown[0]["errors"]["size"], &shown[1]["errors"]["size"]),
+        (&limits[0]["low"], &limits[0]["high"])
+    );
+}

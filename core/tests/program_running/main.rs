@@ -1,0 +1,39 @@
+//! Running part programs: end positions, frames, tools, flow, measuring calls; and no text makes the run panic or hang.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+mod flow;
+mod frames;
+mod measuring;
+mod motion;
+mod nct;
+mod random;
+#[path = "../running/mod.rs"]
+mod running;
+mod values;
+
+use probewright_core::run::{Outcome, Setup};
+use running::{block, clean_on, go_on, machine};
+
+fn go(text: &str) -> Outcome {
+    go_on(&machine(), text)
+}
+
+fn clean(text: &str) -> Outcome {
+    clean_on(&machine(), text)
+}
+
+fn near(a: [f64; 3], b: [f64; 3]) {
+    for i in 0..3 {
+        assert!((a[i] - b[i]).abs() < 1e-9, "{a:?} is not {b:?}");
+    }
+}
+
+fn number(text: &str, name: &str) -> f64 {
+    clean(text).control.number(name)
+}
+
+fn block_setup() -> Setup {
+    let mut setup = machine();
+    setup.workpiece.solids.push(block());
+    setup
+}
