@@ -60,23 +60,23 @@ fn what_never_ends_or_grows_is_stopped() {
     let text = "x".repeat(50_000);
     for (program, key) in [
         ("A: R1=R1+1\nGOTOB A".to_owned(), "run-steps"),
-        ("WHILE 1\nENDWHILE".to_owned(), "run-steps"),
-        ("LOOP\nENDLOOP".to_owned(), "run-steps"),
-        ("REPEAT\nUNTIL 0".to_owned(), "run-steps"),
+        ("WHILE 1\nENDWHILE".to_owned(), "run-endless"),
+        ("LOOP\nENDLOOP".to_owned(), "run-endless"),
+        ("REPEAT\nUNTIL 0".to_owned(), "run-endless"),
         ("FOR R1=0 TO 1EX300\nENDFOR".to_owned(), "run-steps"),
-        (format!("A: R1={many}1\nGOTOB A"), "run-steps"),
-        ("A: _EV[0]=REP(2)\nGOTOB A".to_owned(), "run-steps"),
+        (format!("A: R1={many}1\nGOTOB A"), "run-endless"),
+        ("A: _EV[0]=REP(2)\nGOTOB A".to_owned(), "run-endless"),
         (
             "DEF REAL Q[1000]\nA: Q[0]=REP(3)\nGOTOB A".to_owned(),
-            "run-steps",
+            "run-endless",
         ),
         (arrays, "run-steps"),
         (
             format!("{frames}A: R1=R1+1\n$P_UIFR[1]=CTRANS(X,R1)\nGOTOB A"),
             "run-steps",
         ),
-        (format!("A: MSG(\"{text}\")\nGOTOB A"), "run-steps"),
-        (format!("A: ({text}\nGOTOB A"), "run-steps"),
+        (format!("A: MSG(\"{text}\")\nGOTOB A"), "run-endless"),
+        (format!("A: ({text}\nGOTOB A"), "run-endless"),
         (
             "%_N_MAIN_MPF\nDEEP\nM30\n%_N_DEEP_SPF\nDEEP\nM17".to_owned(),
             "run-depth",
@@ -87,7 +87,7 @@ fn what_never_ends_or_grows_is_stopped() {
         ),
         (
             "G1 F100 X0 Y0 Z20\nA: G2 X0 Y0 I10 J0\nGOTOB A".to_owned(),
-            "run-steps",
+            "run-endless",
         ),
         (
             "_NMSP=1EX9 _MVAR=100 _KNUM=0 _MA=3 _SETVAL=0 _FA=20 _TSA=19\nCYCLE978".to_owned(),

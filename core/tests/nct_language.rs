@@ -185,9 +185,9 @@ fn wrong_programs_stop_at_their_place() {
         ("M98 P20\nM30\nO20\nM99 P4", "run-label", (4, 1)),
         ("WHILE[1]DO1\nEND2", "run-unmatched", (1, 1)),
         ("END1", "run-unmatched", (1, 1)),
-        ("N1 GOTO 1", "run-steps", (1, 1)),
-        ("DO1\nEND1", "run-steps", (1, 1)),
-        ("#600=1\nM99", "run-steps", (1, 1)),
+        ("N1 GOTO 1", "run-endless", (1, 1)),
+        ("DO1\nEND1", "run-endless", (2, 1)),
+        ("#600=1\nM99", "run-endless", (2, 1)),
         ("M98", "run-no-program", (1, 1)),
         ("G65 A1", "run-no-program", (1, 1)),
         ("M98 P20 L-1", "run-range", (1, 9)),
@@ -201,9 +201,7 @@ fn wrong_programs_stop_at_their_place() {
         }
         let (found, at) = fault(text);
         assert_eq!(found, key, "{text}");
-        if key != "run-steps" {
-            assert_eq!(at, place, "{text}");
-        }
+        assert_eq!(at, place, "{text}");
     }
     let groups = "I1".repeat(11);
     let text = format!("G65 P20 {groups}\nM30\nO20\nM99");

@@ -30,6 +30,7 @@ pub fn run(bytes: &[u8]) {
         steps: 500,
         depth: 4,
         trace: 500,
+        ..Limits::default()
     };
     for dialect in DIALECTS {
         let mut setup = Setup::calibrated(dialect, Plane::G17);

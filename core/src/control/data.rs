@@ -50,6 +50,11 @@ impl Data {
         before
     }
 
+    /// Whether the same was written to both: then they are equal, which takes no look at what was delivered.
+    pub fn written_alike(&self, other: &Data) -> bool {
+        self.written == other.written
+    }
+
     /// All data, in no order.
     pub fn iter(&self) -> impl Iterator<Item = (&String, &Value)> {
         let delivered = self.delivered.into_iter().flatten();

@@ -8,6 +8,7 @@ use crate::catalogue::{Cycle, Kind, ProbeUse, nct};
 use crate::check::{self, Typed};
 use crate::control::Value;
 use crate::diagnostic::{Code, Severity, Span};
+use crate::message::Message;
 
 /// SINUMERIK: the parameters are user data and keep their values from call to call (B:1696).
 pub fn data(run: &mut Interpreter, cycle: &'static Cycle, span: Span) -> Result<(), Stop> {
@@ -65,6 +66,18 @@ pub fn left_out(run: &mut Interpreter, cycle: &'static Cycle, span: Span) -> boo
     log
 }
 
+/// Counts how often a call is carried out where it is written; a program that does so again and again may never end.
+fn count(run: &mut Interpreter, span: Span) -> Result<(), Stop> {
+    let called = run.levels.last().map_or(0, |level| level.call);
+    let count = run.calls.entry((called, run.at)).or_default();
+    *count += 1;
+    if *count <= run.most_calls {
+        return Ok(());
+    }
+    let message = Message::new("run-repeated").number("limit", run.most_calls as f64);
+    Err(run.fail(Problem { span, message }))
+}
+
 /// The alarm of the first error stops the program, as on the control; other errors are a fault.
 pub fn checked(
     run: &mut Interpreter,
@@ -97,6 +110,7 @@ pub fn checked(
             return Ok(());
         }
         contour::leave(run)?;
+        count(run, span)?;
         user_program::around(run, &user_program::BEFORE, cycle, span)?;
         call::perform(&mut run.sim, inputs).map_err(|stop| run.stopped(stop, span))?;
         return user_program::around(run, &user_program::BEHIND, cycle, span);

@@ -1,6 +1,7 @@
 //! Runs a program block by block. A program that never ends is stopped by limits.
 
 use super::contour::{self, Contour};
+use super::endless::{self, Watch};
 use super::flow::{self, Link, Links};
 use super::level::Level;
 use super::locals::Locals;
@@ -13,6 +14,7 @@ use super::{Outcome, Setup, Stop, repeat, statement, subprogram};
 use crate::diagnostic::{Diagnostic, Severity, Span};
 use crate::message::Message;
 use crate::program::tree::Program;
+use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
@@ -25,6 +27,8 @@ pub struct Limits {
     pub depth: usize,
     /// Entries of the trace.
     pub trace: usize,
+    /// How often one measuring call may be carried out where it is written.
+    pub calls: usize,
 }
 
 impl Default for Limits {
@@ -33,6 +37,7 @@ impl Default for Limits {
             steps: 100_000,
             depth: 11,
             trace: super::machine::TRACE_LIMIT,
+            calls: 2_000,
         }
     }
 }
@@ -74,6 +79,14 @@ pub struct Interpreter {
     pub at: usize,
     /// Work at which the clocks of the control (`#3001` and `#3002` of NCT) stood at 0.
     pub clocks: [f64; 2],
+    /// Whether one of them was read: then the program may end when it is late enough.
+    pub clock_asked: Cell<bool>,
+    /// What shows that the program never ends.
+    pub endless: Watch,
+    /// How often the measuring calls were carried out, by the blocks of the call of their program and of their own.
+    pub calls: BTreeMap<(usize, usize), usize>,
+    /// How often one of them may be.
+    pub most_calls: usize,
     /// Work after which the run is given up.
     pub limit: usize,
     seen: BTreeSet<(u32, String)>,
@@ -178,6 +191,7 @@ fn next_block(run: &mut Interpreter) -> Result<Option<()>, Stop> {
     };
     run.sim.line = Some(at as u32);
     run.work += 1 + ((span.end - span.start) / BLOCK) as usize;
+    let depth = run.levels.len();
     let next = statement::block(run, at);
     if run.sim.stylus_touched() {
         run.tell(Severity::Warning, &Problem::new("run-stylus", span, ""));
@@ -187,7 +201,13 @@ fn next_block(run: &mut Interpreter) -> Result<Option<()>, Stop> {
         repeat::jumped(run, to);
     }
     run.recordable(span)?;
-    Ok(go_on(run, |_| next))
+    let end = go_on(run, |_| next);
+    let back = run.at <= at && run.levels.len() == depth;
+    if end.is_none() && back && endless::again(run) {
+        let message = Message::new("run-endless").number("line", (run.at + 1) as f64);
+        return Err(run.fail(Problem { span, message }));
+    }
+    Ok(end)
 }
 
 /// Takes the next block; some: there is none.
@@ -226,6 +246,10 @@ impl Interpreter {
             skip: setup.skip.clone(),
             work: 0,
             clocks: [0.0; 2],
+            clock_asked: Cell::new(false),
+            endless: Watch::default(),
+            calls: BTreeMap::new(),
+            most_calls: limits.calls,
             limit: limits.steps,
             seen: BTreeSet::new(),
             program: Rc::new(program),

@@ -12,7 +12,7 @@ use crate::message::Message;
 use std::ops::Range;
 
 /// A program that is being carried out.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Level {
     /// Its variables and parameters.
     pub locals: Locals,
@@ -33,7 +33,7 @@ pub struct Level {
 }
 
 /// Where the variables of a program come from.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Variables {
     /// They are its own.
     Own,
@@ -44,7 +44,7 @@ pub enum Variables {
 }
 
 /// Modal functions and programmed frame at the time of a call.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Saved {
     modal: Modal,
     plane: Plane,

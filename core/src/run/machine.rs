@@ -484,6 +484,7 @@ impl Machine for Sim {
     }
 }
 
+pub mod state;
 mod table;
 mod tool;
 

@@ -46,6 +46,9 @@ pub fn is(number: u32) -> bool {
 /// Its value: lengths in the unit in force, angles and codes as they are.
 pub fn read(run: &Interpreter, number: u32) -> Datum {
     let control = &run.sim.control;
+    if [CLOCK, HOURS].contains(&number) {
+        run.clock_asked.set(true);
+    }
     let value = match number {
         CLOCK => Some(run.work as f64 - run.clocks[0]),
         HOURS => Some((run.work as f64 - run.clocks[1]) / HOUR),

@@ -9,6 +9,7 @@ pub mod contour;
 pub mod cycle;
 pub mod datum;
 pub mod declare;
+mod endless;
 pub mod environment;
 pub mod expression;
 pub mod flow;

@@ -55,6 +55,8 @@ pub const KEYS: &[&str] = &[
     "run-crash-stylus",
     "run-crash-body",
     "run-stylus",
+    "run-endless",
+    "run-repeated",
 ];
 
 /// Something wrong at a place.

@@ -15,7 +15,7 @@ use crate::program::tree::{Block, Expr, ExprId, Word, WordKind};
 use std::rc::Rc;
 
 /// A call in a block.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Call {
     /// Name in upper case.
     pub name: String,

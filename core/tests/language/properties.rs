@@ -278,7 +278,7 @@ proptest! {
     ) {
         let text: Vec<String> = lines.iter().map(|words| words.join(" ")).collect();
         let program = read(Dialect::Sinumerik, text.join("\n").as_bytes());
-        let limits = Limits { steps: 300, depth: 4, trace: 500 };
+        let limits = Limits { steps: 300, depth: 4, trace: 500, ..Limits::default() };
         let whole = run(&program, &setup(), limits);
         prop_assert!(whole.trace.entries.len() <= limits.trace);
         prop_assert!(whole.position.iter().all(|value| value.is_finite()));

@@ -56,15 +56,18 @@ fn flow_goes_its_way() {
 #[test]
 fn endless_programs_are_stopped() {
     let cases = [
-        ("A: GOTOB A", "run-steps"),
-        ("LOOP\nENDLOOP", "run-steps"),
+        ("A: GOTOB A", "run-endless"),
+        ("LOOP\nENDLOOP", "run-endless"),
+        ("DEF INT Q\nA: Q=Q+1\nGOTOB A", "run-steps"),
         ("%_N_MAIN_MPF\nSUB\n%_N_SUB_SPF\nSUB", "run-depth"),
-        ("A: G0 X1\nG0 X2\nGOTOB A", "run-trace-limit"),
+        ("A: G0 X1\nG0 X2\nGOTOB A", "run-endless"),
+        ("A: G0 X=IC(1)\nGOTOB A", "run-trace-limit"),
     ];
     let limits = Limits {
         steps: 5_000,
         depth: 11,
         trace: 1_000,
+        ..Limits::default()
     };
     for (text, key) in cases {
         let outcome = run(

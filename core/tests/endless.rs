@@ -1,0 +1,162 @@
+//! Programs that never end: those that come back to what was before are told at once, where they jump back; others by
+//! limits that leave room for long programs.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+mod running;
+
+use probewright_core::catalogue::Dialect;
+use probewright_core::control::Plane;
+use probewright_core::program::read;
+use probewright_core::run::trace::Step;
+use probewright_core::run::{Limits, Outcome, Session, Setup, Stop, run};
+use running::{clean_on, go_on, machine};
+
+const CALL: &str = "_MVAR=100 _KNUM=0 _MA=3 _SETVAL=0 _FA=5 _TSA=4 _TUL=3 _TLL=-3\n";
+
+/// A block with its face at 0, the probe 5 mm above it.
+fn measuring() -> Setup {
+    let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+    setup.workpiece.solids.push(running::block());
+    setup.position = [0.0, 0.0, 5.0];
+    setup
+}
+
+fn ran(setup: &Setup, dialect: Dialect, text: &str, limits: Limits) -> Outcome {
+    run(&read(dialect, text.as_bytes()), setup, limits)
+}
+
+fn key(outcome: &Outcome) -> &str {
+    match &outcome.stop {
+        Some(Stop::Fault(message)) => &message.key,
+        other => panic!("{other:?}"),
+    }
+}
+
+/// Text of the block at which a program that never ends is told, and how many steps it recorded.
+fn proved(setup: &Setup, dialect: Dialect, text: &str) -> (String, usize) {
+    let outcome = ran(setup, dialect, text, Limits::default());
+    assert_eq!(key(&outcome), "run-endless", "{text}");
+    let found = outcome.diagnostics.last().unwrap();
+    let span = found.span.unwrap();
+    let place = text[span.start as usize..span.end as usize]
+        .trim()
+        .to_owned();
+    (place, outcome.trace.entries.len())
+}
+
+fn calls(outcome: &Outcome) -> usize {
+    let entries = outcome.trace.entries.iter();
+    entries
+        .filter(|entry| matches!(entry.step, Step::CallBegin { .. }))
+        .count()
+}
+
+// oracle: hand: nothing changes from one pass to the next, or it swings
+#[test]
+fn what_comes_back_is_told_where_it_jumps_back() {
+    for (text, place) in [
+        ("R1=1\nA: R2=R1\nGOTOB A\nM30", "GOTOB A"),
+        ("LOOP\nG0 X1\nG0 X2\nENDLOOP", "ENDLOOP"),
+        ("R1=5\nWHILE R1>0\nG0 Z=R1\nENDWHILE\nM30", "ENDWHILE"),
+        ("REPEAT\nR1=1-R1\nUNTIL R1>2", "UNTIL R1>2"),
+        ("A:\nIF R1==3\nR1=0\nENDIF\nR1=R1+1\nGOTOB A", "GOTOB A"),
+        (
+            "%_N_MAIN_MPF\nA: UP(R1)\nGOTOB A\nM30\n%_N_UP_SPF\nPROC UP(REAL Q)\nG0 X=Q\nM17",
+            "GOTOB A",
+        ),
+    ] {
+        let (found, recorded) = proved(&machine(), Dialect::Sinumerik, text);
+        assert_eq!(found, place, "{text}");
+        assert!(recorded < 100, "{recorded}");
+    }
+    for (text, place) in [
+        ("N1 #600=1\nGOTO 1", "GOTO 1"),
+        ("WHILE [1 EQ 1] DO1\n#600=1-#600\nEND1", "END1"),
+    ] {
+        let setup = Setup::calibrated(Dialect::Nct, Plane::G17);
+        assert_eq!(proved(&setup, Dialect::Nct, text).0, place);
+    }
+}
+
+// oracle: hand: the same face gives the same results; a corrected zero offset comes to rest
+#[test]
+fn measuring_again_and_again_is_told_soon() {
+    for text in [
+        format!("{CALL}A: CYCLE978\nGOTOB A"),
+        format!("G54\n{CALL}_KNUM=1\nA: CYCLE978\nG54\nG0 Z5\nGOTOB A"),
+    ] {
+        let outcome = go_on(&measuring(), &text);
+        assert_eq!(
+            key(&outcome),
+            "run-endless",
+            "{text}: {:?}",
+            outcome.diagnostics
+        );
+        assert!(calls(&outcome) < 60, "{}", calls(&outcome));
+    }
+}
+
+// oracle: hand: the scatter never comes back, the counter goes on
+#[test]
+fn what_changes_for_ever_is_stopped_by_the_number_of_its_calls() {
+    let mut scattering = measuring();
+    scattering.probe.repeatability.0 = 0.001;
+    for (setup, text) in [
+        (&scattering, format!("{CALL}A: CYCLE978\nGOTOB A")),
+        (&measuring(), format!("{CALL}A: CYCLE978\nR1=R1+1\nGOTOB A")),
+    ] {
+        let limits = Limits {
+            calls: 300,
+            ..Limits::default()
+        };
+        let outcome = ran(setup, Dialect::Sinumerik, &text, limits);
+        assert_eq!(key(&outcome), "run-repeated");
+        assert_eq!(calls(&outcome), 300);
+        let found = outcome.diagnostics.last().unwrap();
+        let span = found.span.unwrap();
+        assert!(
+            text[span.start as usize..].starts_with("CYCLE978"),
+            "{span:?}"
+        );
+    }
+}
+
+// oracle: hand: a thousand points, counted, from one place of the program and from two
+#[test]
+fn a_thousand_points_are_measured() {
+    let text = format!(
+        "{CALL}WHILE R1<1000\nCYCLE978\nR1=R1+1\nENDWHILE\nFOR R2=1 TO 1000\nCYCLE978\nENDFOR\nM30"
+    );
+    let outcome = go_on(&measuring(), &text);
+    assert_eq!((outcome.stop.as_ref(), calls(&outcome)), (None, 2000));
+}
+
+// oracle: hand: programs that end, however often they stand where they stood
+#[test]
+fn what_ends_is_not_called_endless() {
+    for text in [
+        "A: G0 X1\nG0 X2\nR1=R1+1\nIF R1<50 GOTOB A\nM30",
+        "A: R1=1\nR2=R2+0.1\nIF R2<3 GOTOB A\nM30",
+        "A: G0 X1\nG0 X2\nREPEAT A P=90\nM30",
+        "%_N_MAIN_MPF\nUP P50\nUP P50\nM30\n%_N_UP_SPF\nA: G0 X1\nG0 X2\nREPEAT A P=3\nM17",
+        "FOR R1=1 TO 3\nFOR R2=1 TO 40\nG0 X0\nENDFOR\nENDFOR\nM30",
+    ] {
+        clean_on(&machine(), text);
+    }
+    // a program that waits for the clock ends when it is late enough
+    let setup = Setup::calibrated(Dialect::Nct, Plane::G17);
+    let waiting = "#3001=0\nWHILE [#3001 LT 200] DO1\nEND1\nM30";
+    let outcome = ran(&setup, Dialect::Nct, waiting, Limits::default());
+    assert_eq!(outcome.stop, None);
+}
+
+// oracle: definition: a run in pieces is the run
+#[test]
+fn a_run_in_pieces_tells_the_same() {
+    let text = format!("{CALL}A: CYCLE978\nGOTOB A");
+    let program = read(Dialect::Sinumerik, text.as_bytes());
+    let mut session = Session::new(program, &measuring(), Limits::default());
+    while !session.advance(1) {}
+    let outcome = session.outcome();
+    assert_eq!(key(&outcome), "run-endless");
+}
