@@ -2,9 +2,10 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use probewright_core::catalogue::Dialect;
-use probewright_core::control::delivery;
+use probewright_core::control::{Control, Edge, delivery};
 use probewright_core::diagnostic::Code::{self, Alarm, Own};
 use probewright_core::diagnostic::Diagnostic;
+use probewright_core::program::change::apply;
 use probewright_core::program::{findings, findings_on, read};
 
 /// A hole that is only measured, and its call.
@@ -28,6 +29,7 @@ const COMPENSATION_LATER: Code = Own(146);
 const NO_TOOL: Code = Own(147);
 const RADIUS: Code = Own(148);
 const OVERWRITTEN: Code = Own(150);
+const OUTSIDE: Code = Own(152);
 
 fn found(text: &str) -> Vec<Diagnostic> {
     findings(&read(Dialect::Sinumerik, text.as_bytes()))
@@ -211,6 +213,172 @@ fn what_depends_on_the_run_is_not_doubted() {
     assert!(!tells(&text, COMPENSATION));
 }
 
+// oracle: hand (what the end of a pass leaves, the next one finds)
+#[test]
+fn a_loop_is_followed_with_what_its_end_leaves() {
+    let loops = [
+        ("LOOP", "ENDLOOP"),
+        ("WHILE R1<5", "ENDWHILE"),
+        ("FOR R1=1 TO 5", "ENDFOR"),
+        ("REPEAT", "UNTIL R1>5"),
+        ("AGAIN:", "IF R1<5 GOTOB AGAIN"),
+        ("N100 G0 X0", "GOTOB N100"),
+    ];
+    for (begin, end) in loops {
+        let program = |body: &str| format!("G17 G40 G54 T9 D1\n{begin}\n{body}{end}\nM30\n");
+        let milled = "G41 G1 X10\n";
+        assert!(
+            tells(&program(&format!("{HOLE}{milled}")), COMPENSATION),
+            "{begin}"
+        );
+        assert!(
+            tells(&program(&format!("{HOLE}S500 M3\n")), SPINDLE),
+            "{begin}"
+        );
+        assert!(
+            tells(&program(&format!("{HOLE}D0\n")), Alarm(61311)),
+            "{begin}"
+        );
+        // Each of these comes back as it was, or leaves it to the run.
+        for right in [
+            format!("{HOLE}{milled}G40 X0\n"),
+            format!("G40\n{HOLE}{milled}"),
+            format!("{HOLE}IF R2>1\n{milled}ENDIF\n"),
+            format!("{HOLE}{milled}L77\n"),
+            format!("{HOLE}{milled}M30\n"),
+        ] {
+            assert!(!tells(&program(&right), COMPENSATION), "{begin} {right}");
+        }
+        // In a subprogram, and around one.
+        let inside = called(
+            "G17 G40 T9 D1\nL5",
+            &format!("{begin}\n{HOLE}{milled}{end}"),
+        );
+        assert!(tells(&inside, COMPENSATION), "{begin}");
+        let around = called(
+            &format!("G17 G40 T9 D1\n{begin}\nL5\n{end}"),
+            &format!("{HOLE}{milled}"),
+        );
+        assert!(tells(&around, COMPENSATION), "{begin}");
+    }
+}
+
+// oracle: hand (a loop that may not run at all, and one that surely does)
+#[test]
+fn what_holds_behind_a_loop() {
+    let behind = |begin: &str, end: &str| {
+        let text = format!("G17 G40 G54 T9 D1\n{begin}\nG41 G1 X10\n{end}\n{HOLE}M30\n");
+        tells(&text, COMPENSATION)
+    };
+    assert!(behind("FOR R1=1 TO 3", "ENDFOR"));
+    assert!(behind("REPEAT", "UNTIL R1>5"));
+    assert!(behind("AGAIN:", "IF R1<5 GOTOB AGAIN"));
+    assert!(!behind("FOR R1=1 TO R2", "ENDFOR"));
+    assert!(!behind("FOR R1=1 TO 0", "ENDFOR"));
+    assert!(!behind("WHILE R1<5", "ENDWHILE"));
+    // Out of the first pass or out of the second one.
+    let text = "AGAIN:\nIF R1>3\nG41 G1 X5\nGOTOB AGAIN\nENDIF\n";
+    assert!(!tells(
+        &format!("G17 G40 T9 D1\n{text}{HOLE}M30\n"),
+        COMPENSATION
+    ));
+}
+
+// oracle: self (each body a few times, however deep it stands)
+#[test]
+fn loops_in_loops_come_to_an_end() {
+    let depth = 200;
+    let begin: String = (0..depth)
+        .map(|n| format!("WHILE R{n}<5\nG{}\n", 17 + n % 3))
+        .collect();
+    let end: String = (0..depth)
+        .map(|n| format!("G{}\nENDWHILE\n", 40 + n % 3))
+        .collect();
+    assert!(!found(&format!("T9 D1\n{begin}{HOLE}{end}M30\n")).is_empty());
+    let labels: String = (0..400)
+        .map(|n| format!("A{n}: G{}\n", 17 + n % 3))
+        .collect();
+    let jumps: String = (0..400)
+        .map(|n| format!("IF R1<{n} GOTOB A{n}\n"))
+        .collect();
+    assert!(!found(&format!("D1\n{labels}{HOLE}{jumps}M30\n")).is_empty());
+}
+
+// oracle: hand (what another memory holds, no text tells)
+#[test]
+fn programs_of_another_memory_are_told_once() {
+    let told = |calls: &str| {
+        let text = called(&format!("G17 G40 T9 D1\n{calls}\n{HOLE}"), "G0 X1");
+        let all = found(&text);
+        let all = all.iter().filter(|one| one.code == OUTSIDE);
+        let words = probewright_core::words::Words::english();
+        all.map(|one| words.text(&one.message)).collect::<Vec<_>>()
+    };
+    for here in [
+        "EXTCALL \"L5\"",
+        "EXTCALL(\"L5\")",
+        "EXTCALL \"/_N_WKS_DIR/_N_PART_WPD/_N_L5_SPF\"",
+        "EXTCALL \"L5.SPF\"",
+        "EXTCALL(\"l5_spf\")",
+        "EXTCALL \"C:\\PART\\L5.MPF\"",
+    ] {
+        assert!(told(here).is_empty(), "{here}");
+    }
+    let far = told("EXTCALL \"FAR.SPF\"\nEXTCALL(\"_N_FAR_SPF\")\nEXTCALL \"NEXT\"");
+    assert_eq!(
+        far,
+        ["Not in this text: FAR, NEXT. What they leave is not known."]
+    );
+}
+
+/// The program mended by the cure of the first finding with this code.
+fn mended(text: &str, control: &Control, code: Code) -> String {
+    let program = read(Dialect::Sinumerik, text.as_bytes());
+    let all = findings_on(&program, control.clone());
+    let one = all.iter().find(|one| one.code == code).unwrap();
+    let edits = &one.cure.as_ref().unwrap().edits;
+    String::from_utf8(apply(text.as_bytes(), edits)).unwrap()
+}
+
+// oracle: hand
+#[test]
+fn what_is_not_said_is_inserted_where_it_can_be_known() {
+    let mut control = delivery(Dialect::Sinumerik);
+    let text = format!("%_N_L5_SPF\n{HOLE}M17\n");
+    assert_eq!(
+        mended(&text, &control, OPEN),
+        text.replace("_MVAR", "G40 G17\n_MVAR")
+    );
+    let text = "G18 DIAMOF T8 D1\nG0 X60\n_MVAR=100 _SETVAL=55 _KNUM=0 _PRNUM=1 _FA=2 _TSA=2 _MA=2\nCYCLE974\nM30\n";
+    let around = text
+        .replace("_MVAR", "DIAMON\n_MVAR")
+        .replace("\nM30", "\nDIAMOF\nM30");
+    assert_eq!(mended(text, &control, RADIUS), around);
+    // The tool table has one probe.
+    for (number, kind) in [(3, 120), (9, 710)] {
+        let edge = Edge {
+            kind,
+            ..Edge::default()
+        };
+        control
+            .tools
+            .entry(number)
+            .or_default()
+            .edges
+            .insert(1, edge);
+    }
+    let text = format!("G17 G40 G54\nG0 X0\n{HOLE}M30\n");
+    assert_eq!(
+        mended(&text, &control, NO_TOOL),
+        text.replace("_MVAR", "T9 D1\n_MVAR")
+    );
+    let changes = text.replace("M30", "T3 D1 M6\nM30");
+    assert_eq!(
+        mended(&changes, &control, NO_TOOL),
+        changes.replace("_MVAR", "T9 D1 M6\n_MVAR")
+    );
+}
+
 // oracle: hand
 #[test]
 fn programs_without_an_end_are_followed_to_an_end() {
@@ -366,6 +534,10 @@ fn what_nothing_in_the_text_says_is_asked_once() {
     assert!(tells(&later, COMPENSATION_LATER));
     assert!(!tells(
         &main("G17 G40 T9 D1", "G41 G1 X10"),
+        COMPENSATION_LATER
+    ));
+    assert!(!tells(
+        &main("G17 G54 T9 D1", "G41 G1 X10\nG40 X0"),
         COMPENSATION_LATER
     ));
     let sub = format!("%_N_L5_SPF\n{HOLE}{HOLE}M17\n");

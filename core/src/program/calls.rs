@@ -6,6 +6,7 @@ mod listed;
 mod macros;
 mod site;
 mod subprograms;
+mod uses;
 
 use super::block::BETWEEN;
 use super::flow::{Entry, Follow, Forces, State, follow};
@@ -76,6 +77,11 @@ impl CallSite {
         (own && !self.is_foreign(name, place)).then_some(place)
     }
 
+    /// The values on one of its ways.
+    pub fn values_on<'a>(&'a self, way: &'a Way) -> &'a Typed {
+        way.values.as_ref().unwrap_or(&self.values)
+    }
+
     /// Whether a value is written in another program of the text.
     fn is_foreign(&self, name: &str, place: Span) -> bool {
         let origins = self.origins.get(name).into_iter().flatten();
@@ -113,8 +119,8 @@ pub struct Way {
     pub state: State,
     /// Tool in use, where program and machine tell its type.
     pub tool: Option<ToolInUse>,
-    /// The values on this way.
-    pub values: Typed,
+    /// The values on this way, where they are not those of the call.
+    pub values: Option<Typed>,
 }
 
 /// Every measuring call, in the order of the text; also those that are skipped or jumped over. The control is a

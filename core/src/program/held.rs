@@ -49,6 +49,11 @@ impl Names {
         self.texts.get(id).map_or("", |text| text)
     }
 
+    /// How many names were met.
+    pub fn count(&self) -> usize {
+        self.texts.len()
+    }
+
     /// The numbers of a variable and of its elements.
     pub fn of_variable(&self, stem: &str) -> &[usize] {
         self.elements.get(stem).map_or(&[], Vec::as_slice)
@@ -120,7 +125,9 @@ pub(super) struct Values {
 
 impl PartialEq for Values {
     fn eq(&self, other: &Self) -> bool {
-        self.changed(other).is_empty()
+        let same = |at| self.chunk(at) == other.chunk(at);
+        let chunks = self.chunks.len().max(other.chunks.len());
+        Rc::ptr_eq(&self.chunks, &other.chunks) || (0..chunks).all(same)
     }
 }
 
@@ -128,6 +135,13 @@ impl Values {
     /// What a variable holds; none: nothing wrote it.
     pub fn get(&self, id: usize) -> Option<&Held> {
         self.chunks.get(id / CHUNK)?.get(id % CHUNK)?.as_ref()
+    }
+
+    /// Variables that are copied together; one without any is as good as none.
+    fn chunk(&self, at: usize) -> Option<&Chunk> {
+        let chunk = self.chunks.get(at)?;
+        let empty = chunk.iter().all(Option::is_none);
+        (!empty).then_some(&**chunk)
     }
 
     /// Writes a variable.

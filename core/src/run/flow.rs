@@ -32,7 +32,11 @@ pub fn links(program: &Program, programs: &Programs) -> Links {
     let mut open: Vec<Open> = Vec::new();
     for (i, block) in program.blocks.iter().enumerate() {
         let words = program.words_of(block);
-        if programs.units.iter().any(|unit| unit.blocks.start == i) {
+        let units = &programs.units;
+        if units
+            .binary_search_by_key(&i, |unit| unit.blocks.start)
+            .is_ok()
+        {
             open.clear();
         }
         let Some(name) = structural(program, words) else {

@@ -61,6 +61,7 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
     for (index, site, way) in in_order(sites) {
         at_call.plane = way.state.plane.is().copied().unwrap_or(site.plane);
         at_call.choose_units(site.unit_function);
+        let values = site.values_on(way);
         let seen = Seen {
             program,
             control,
@@ -71,8 +72,8 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
             changes_tools,
             force: &way.state,
             tool: way.tool,
-            values: &way.values,
-            inputs: check::read(site.cycle, &way.values, &at_call, &mut Vec::new()),
+            values,
+            inputs: check::read(site.cycle, values, &at_call, &mut Vec::new()),
         };
         at_call::look(&seen, &mut asked, &mut found);
         read_back::look(&seen, &at_call, &mut found);

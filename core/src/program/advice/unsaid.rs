@@ -5,7 +5,6 @@ use super::{Seen, between, with_line};
 use crate::catalogue::{MachineSort, ProbeUse, lathe, names};
 use crate::check::{Finding, note, warning};
 use crate::control::Transverse;
-use crate::control::tools::is_milling_probe;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::message::Message;
 use crate::program::flow::Mode;
@@ -99,6 +98,9 @@ fn tool(seen: &Seen) -> Option<Diagnostic> {
     })
 }
 
+/// Type of a tool that is a probe and nothing else (B:4147-4152); a mill may be of the type of a probe as well.
+const PROBE: i64 = 710;
+
 /// How the program changes to the one workpiece probe that the tool table has.
 fn the_probe(seen: &Seen) -> Option<String> {
     let purpose = &seen.site.cycle.purpose;
@@ -108,9 +110,7 @@ fn the_probe(seen: &Seen) -> Option<String> {
     let tools = seen.control.tools.iter();
     let mut edges =
         tools.flat_map(|(number, tool)| tool.edges.iter().map(move |edge| (number, edge)));
-    let mut probes = edges
-        .by_ref()
-        .filter(|(_, (_, edge))| is_milling_probe(edge.kind));
+    let mut probes = edges.by_ref().filter(|(_, (_, edge))| edge.kind == PROBE);
     let (number, (edge, _)) = probes.next()?;
     if probes.next().is_some() {
         return None;

@@ -132,9 +132,10 @@ impl Walk<'_> {
 
     /// Checks the values of a way with what is in force on it.
     fn way(&mut self, index: usize, place: &Place, values: Typed, given: &Given) {
-        let same = |way: &Way| way.state == place.force && way.values == values;
-        let ways = self.found.sites.get(index).map(|site| &site.ways);
-        let known = ways.is_some_and(|ways| ways.iter().any(same));
+        let known = self.found.sites.get(index).is_some_and(|site| {
+            let same = |way: &Way| way.state == place.force && *site.values_on(way) == values;
+            site.ways.iter().any(same)
+        });
         // The same values may be written somewhere else.
         let mut held = given.iter().flat_map(|(_, held)| held.all());
         if known && !held.any(|value| value.argument) {
@@ -164,7 +165,7 @@ impl Walk<'_> {
                 order: self.found.ways,
                 state: place.force.clone(),
                 tool,
-                values,
+                values: (values != site.values).then_some(values),
             });
             self.found.ways += 1;
         }
@@ -203,7 +204,10 @@ impl Walk<'_> {
                 }
                 if all.len() > 1 {
                     let text = shown(self.program, name, all);
-                    site.values.insert((*name).to_owned(), text);
+                    if site.values.get(*name) != Some(&text) {
+                        keep(&mut site);
+                        site.values.insert((*name).to_owned(), text);
+                    }
                     if one_place(all).is_none() {
                         site.places.remove(name);
                     }
@@ -230,6 +234,13 @@ impl Walk<'_> {
         }
         finished.sort_by_key(|site| site.span.start);
         finished
+    }
+}
+
+/// The ways keep the values that they have before those of the call change.
+fn keep(site: &mut CallSite) {
+    for way in site.ways.iter_mut().filter(|way| way.values.is_none()) {
+        way.values = Some(site.values.clone());
     }
 }
 

@@ -1,13 +1,13 @@
 //! Where a place of the text stands among its programs, and what a called program takes from its caller and leaves it.
 
+use super::uses::{Uses, is_cycle, measuring, uses};
 use super::{Place, Walk};
-use crate::catalogue::{self, list};
 use crate::diagnostic::Span;
 use crate::program::arguments;
-use crate::program::flow::{Called, Entry, LEVELS, called, callers};
+use crate::program::flow::{Called, Entry, LEVELS, called};
 use crate::program::fold;
-use crate::program::held::{Held, Values, stem};
-use crate::program::tree::{Block, Expr, ExprId, Program, Word, WordKind};
+use crate::program::held::{Held, Names, Values, stem};
+use crate::program::tree::{Expr, ExprId, Program, WordKind};
 use crate::program::values::{self, Value};
 use crate::run::programs::{Programs, Unit};
 use std::collections::{BTreeSet, HashMap};
@@ -26,28 +26,8 @@ pub(super) struct Subprograms<'a> {
     own: HashMap<usize, Rc<Uses>>,
     /// Variables that it and the programs that it calls name.
     all: HashMap<usize, Rc<BTreeSet<String>>>,
-}
-
-/// The variables of one program, by their names without index.
-#[derive(Debug, Default)]
-struct Uses {
-    /// Those that it names, and all parameters of the cycles that it calls.
-    names: BTreeSet<String>,
-    /// Those that it declares.
-    declared: BTreeSet<String>,
-    /// Its parameters.
-    formal: Vec<Formal>,
-    /// The programs that it calls.
-    calls: BTreeSet<usize>,
-}
-
-/// A parameter of a program.
-#[derive(Clone, Debug)]
-struct Formal {
-    name: String,
-    /// What it changes, its caller sees (`VAR`).
-    by_reference: bool,
-    default: Option<ExprId>,
+    /// Their numbers, of as many names as had been met.
+    taken: HashMap<usize, (usize, Rc<[usize]>)>,
 }
 
 impl<'a> Subprograms<'a> {
@@ -67,6 +47,7 @@ impl<'a> Subprograms<'a> {
             called: Vec::new(),
             own: HashMap::new(),
             all: HashMap::new(),
+            taken: HashMap::new(),
         };
         let measures = measuring(program, programs);
         for block in &program.blocks {
@@ -129,6 +110,20 @@ impl<'a> Subprograms<'a> {
         Rc::clone(found.or_insert_with(|| Rc::new(uses(program, programs, unit))))
     }
 
+    /// The numbers of those variables.
+    fn taken(&mut self, program: &Program, names: &Names, unit: usize) -> Rc<[usize]> {
+        if let Some((count, ids)) = self.taken.get(&unit)
+            && *count == names.count()
+        {
+            return Rc::clone(ids);
+        }
+        let all = self.all(program, unit);
+        let ids = all.iter().flat_map(|name| names.of_variable(name));
+        let ids: Rc<[usize]> = ids.copied().collect();
+        self.taken.insert(unit, (names.count(), Rc::clone(&ids)));
+        ids
+    }
+
     /// The variables that a program and those that it calls name.
     fn all(&mut self, program: &Program, unit: usize) -> Rc<BTreeSet<String>> {
         if let Some(known) = self.all.get(&unit) {
@@ -160,142 +155,17 @@ fn last_before(ends: &[u32], call: Span) -> u32 {
         .unwrap_or(0)
 }
 
-fn is_cycle(program: &Program, word: &Word) -> bool {
-    let WordKind::Call { name, .. } = &word.kind else {
-        return false;
-    };
-    let text = program.text(*name);
-    let cycle = text
-        .get(..5)
-        .is_some_and(|start| start.eq_ignore_ascii_case(b"CYCLE"));
-    cycle && !program.is(*name, list::AUXILIARY)
-}
-
-/// The programs that measure, or call one that does.
-fn measuring(program: &Program, programs: &Programs) -> BTreeSet<usize> {
-    if programs.units.len() < 2 {
-        return BTreeSet::new();
-    }
-    let mut called_by: Vec<Vec<usize>> = vec![Vec::new(); programs.units.len()];
-    for (from, called) in callers(program, programs).into_iter().enumerate() {
-        for to in called {
-            called_by
-                .get_mut(to)
-                .into_iter()
-                .for_each(|callers| callers.push(from));
-        }
-    }
-    let units = programs.units.iter().enumerate();
-    let themselves = units.filter(|(_, unit)| {
-        let blocks = program.blocks.get(unit.blocks.clone()).unwrap_or_default();
-        let mut words = blocks.iter().flat_map(|block| program.words_of(block));
-        words.any(|word| is_cycle(program, word))
-    });
-    let mut open: Vec<usize> = themselves.map(|(at, _)| at).collect();
-    let mut found = BTreeSet::new();
-    while let Some(unit) = open.pop() {
-        if found.insert(unit) {
-            open.extend(called_by.get(unit).into_iter().flatten());
-        }
-    }
-    found
-}
-
-fn uses(program: &Program, programs: &Programs, unit: usize) -> Uses {
-    let mut found = Uses::default();
-    let Some(unit) = programs.units.get(unit) else {
-        return found;
-    };
-    let signature = unit.signature.and_then(|block| program.blocks.get(block));
-    found.formal = signature.map_or(Vec::new(), |block| formal(program, block));
-    for block in program.blocks.get(unit.blocks.clone()).unwrap_or_default() {
-        let words = program.words_of(block);
-        for (at, word) in words.iter().enumerate() {
-            found.word(program, word);
-            if let Some(Called::Here(other)) = called(program, programs, words, at) {
-                found.calls.insert(other);
-            }
-        }
-    }
-    found
-}
-
-impl Uses {
-    fn word(&mut self, program: &Program, word: &Word) {
-        match &word.kind {
-            WordKind::Assign {
-                name, index, value, ..
-            } => {
-                self.names.insert(program.name(*name));
-                index
-                    .iter()
-                    .chain([value])
-                    .for_each(|id| self.expression(program, *id));
-            }
-            WordKind::Declare { name, value, .. } => {
-                self.names.insert(program.name(*name));
-                self.declared.insert(program.name(*name));
-                value.iter().for_each(|id| self.expression(program, *id));
-            }
-            WordKind::Address { value, .. } => self.expression(program, *value),
-            WordKind::Call { name, args, .. } => {
-                let args = args.iter().flatten();
-                args.for_each(|id| self.expression(program, *id));
-                let cycle = catalogue::find(program.dialect, &program.name(*name));
-                let params = cycle.map_or(&[][..], |cycle| cycle.params).iter();
-                self.names
-                    .extend(params.map(|param| stem(param.name).to_owned()));
-            }
-            _ => {}
-        }
-    }
-
-    fn expression(&mut self, program: &Program, id: ExprId) {
-        match program.expr(id) {
-            Some(Expr::Name { name, index }) => {
-                self.names.insert(program.name(*name));
-                index.iter().for_each(|id| self.expression(program, *id));
-            }
-            Some(Expr::Unary(_, inner)) => self.expression(program, *inner),
-            Some(Expr::Binary(left, _, right)) => {
-                self.expression(program, *left);
-                self.expression(program, *right);
-            }
-            Some(Expr::Call(_, list) | Expr::List(list)) => {
-                list.iter().for_each(|id| self.expression(program, *id));
-            }
-            _ => {}
-        }
-    }
-}
-
-/// The parameters that a `PROC` declares; the first name is that of the program.
-fn formal(program: &Program, block: &Block) -> Vec<Formal> {
-    let (mut found, mut by_reference, mut named) = (Vec::new(), false, false);
-    for word in program.words_of(block) {
-        match &word.kind {
-            WordKind::Keyword { name, .. } => by_reference |= program.is(*name, "VAR"),
-            WordKind::Declare { .. } if !named => named = true,
-            WordKind::Declare { name, value, .. } => found.push(Formal {
-                name: program.name(*name),
-                by_reference: std::mem::take(&mut by_reference),
-                default: *value,
-            }),
-            _ => {}
-        }
-    }
-    found
-}
-
 impl Walk<'_> {
     /// What a called program begins with: of the values those that it or a deeper one names, and its parameters.
     pub(super) fn entered(&mut self, caller: &Place, entry: &Entry) -> Place {
         let mut values = Values::default();
-        for name in self.around.all(self.program, entry.unit).iter() {
-            for id in self.names.of_variable(name) {
-                if let Some(held) = caller.values.get(*id) {
-                    values.set(*id, Some(held.clone()));
-                }
+        for id in self
+            .around
+            .taken(self.program, &self.names, entry.unit)
+            .iter()
+        {
+            if let Some(held) = caller.values.get(*id) {
+                values.set(*id, Some(held.clone()));
             }
         }
         let own = self.around.own(self.program, entry.unit);
@@ -355,6 +225,9 @@ impl Walk<'_> {
                 let held = held.map(|held| self.written(caller, id, held, call));
                 place.values.set(id, held);
             }
+        }
+        if !own.formal.iter().any(|formal| formal.by_reference) {
+            return place;
         }
         let arguments = arguments_of(self.program, entry);
         for (formal, argument) in own.formal.iter().zip(arguments) {

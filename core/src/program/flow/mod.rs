@@ -171,7 +171,7 @@ impl<F: Follow> Walk<'_, F> {
     /// How a program that begins like this was followed already; else with what it is to be followed.
     fn known(&mut self, unit: usize, before: F::State) -> Result<Passed<F::State>, F::State> {
         let known = self.seen.entry(unit).or_default();
-        let same = |state: &F::State| known.iter().find(|(entry, _)| entry == state).cloned();
+        let same = |state: &F::State| known.iter().rfind(|(entry, _)| entry == state).cloned();
         if let Some(found) = same(&before) {
             return Ok(found);
         }
@@ -192,7 +192,7 @@ impl<F: Follow> Walk<'_, F> {
         let mut at = range.start;
         while let Some(block) = program.blocks.get(at).filter(|_| at < range.end) {
             let words = program.words_of(block);
-            if !branches.concerned(program, block, words) {
+            if !self.passes.begins(at) && !branches.concerned(program, block, words) {
                 self.block(&mut branches, words);
                 at += 1;
                 continue;

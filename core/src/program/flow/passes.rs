@@ -130,6 +130,11 @@ impl<S: Clone + PartialEq> Passes<S> {
         }
     }
 
+    /// Whether a loop begins in this block, or a jump goes back to it.
+    pub fn begins(&self, at: usize) -> bool {
+        self.heads.contains_key(&at)
+    }
+
     /// The present way comes to a block, before its words count.
     pub fn begin(&mut self, branches: &Branches<S>, at: usize) {
         let Some(head) = self.heads.get_mut(&at) else {

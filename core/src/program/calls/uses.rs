@@ -1,0 +1,159 @@
+//! What one program of a text names, declares and calls.
+
+use crate::catalogue::{self, list};
+use crate::program::flow::{Called, called, callers};
+use crate::program::held::stem;
+use crate::program::tree::{Block, Expr, ExprId, Program, Word, WordKind};
+use crate::run::programs::Programs;
+use std::collections::BTreeSet;
+
+/// The variables of one program, by their names without index.
+#[derive(Debug, Default)]
+pub(super) struct Uses {
+    /// Those that it names, and all parameters of the cycles that it calls.
+    pub names: BTreeSet<String>,
+    /// Those that it declares.
+    pub declared: BTreeSet<String>,
+    /// Its parameters.
+    pub formal: Vec<Formal>,
+    /// The programs that it calls.
+    pub calls: BTreeSet<usize>,
+}
+
+/// A parameter of a program.
+#[derive(Clone, Debug)]
+pub(super) struct Formal {
+    pub name: String,
+    /// What it changes, its caller sees (`VAR`).
+    pub by_reference: bool,
+    pub default: Option<ExprId>,
+}
+
+/// Whether a word calls a cycle of the control.
+pub(super) fn is_cycle(program: &Program, word: &Word) -> bool {
+    let WordKind::Call { name, .. } = &word.kind else {
+        return false;
+    };
+    let text = program.text(*name);
+    let cycle = text
+        .get(..5)
+        .is_some_and(|start| start.eq_ignore_ascii_case(b"CYCLE"));
+    cycle && !program.is(*name, list::AUXILIARY)
+}
+
+/// The programs that measure, or call one that does.
+pub(super) fn measuring(program: &Program, programs: &Programs) -> BTreeSet<usize> {
+    if programs.units.len() < 2 {
+        return BTreeSet::new();
+    }
+    let mut called_by: Vec<Vec<usize>> = vec![Vec::new(); programs.units.len()];
+    for (from, called) in callers(program, programs).into_iter().enumerate() {
+        for to in called {
+            called_by
+                .get_mut(to)
+                .into_iter()
+                .for_each(|callers| callers.push(from));
+        }
+    }
+    let units = programs.units.iter().enumerate();
+    let themselves = units.filter(|(_, unit)| {
+        let blocks = program.blocks.get(unit.blocks.clone()).unwrap_or_default();
+        let mut words = blocks.iter().flat_map(|block| program.words_of(block));
+        words.any(|word| is_cycle(program, word))
+    });
+    let mut open: Vec<usize> = themselves.map(|(at, _)| at).collect();
+    let mut found = BTreeSet::new();
+    while let Some(unit) = open.pop() {
+        if found.insert(unit) {
+            open.extend(called_by.get(unit).into_iter().flatten());
+        }
+    }
+    found
+}
+
+/// Looks through one program.
+pub(super) fn uses(program: &Program, programs: &Programs, unit: usize) -> Uses {
+    let mut found = Uses::default();
+    let Some(unit) = programs.units.get(unit) else {
+        return found;
+    };
+    let signature = unit.signature.and_then(|block| program.blocks.get(block));
+    found.formal = signature.map_or(Vec::new(), |block| formal(program, block));
+    for block in program.blocks.get(unit.blocks.clone()).unwrap_or_default() {
+        let words = program.words_of(block);
+        for (at, word) in words.iter().enumerate() {
+            found.word(program, word);
+            if let Some(Called::Here(other)) = called(program, programs, words, at) {
+                found.calls.insert(other);
+            }
+        }
+    }
+    found
+}
+
+impl Uses {
+    fn word(&mut self, program: &Program, word: &Word) {
+        match &word.kind {
+            WordKind::Assign {
+                name, index, value, ..
+            } => {
+                self.names.insert(program.name(*name));
+                index
+                    .iter()
+                    .chain([value])
+                    .for_each(|id| self.expression(program, *id));
+            }
+            WordKind::Declare { name, value, .. } => {
+                self.names.insert(program.name(*name));
+                self.declared.insert(program.name(*name));
+                value.iter().for_each(|id| self.expression(program, *id));
+            }
+            WordKind::Address { value, .. } => self.expression(program, *value),
+            WordKind::Call { name, args, .. } => {
+                let args = args.iter().flatten();
+                args.for_each(|id| self.expression(program, *id));
+                let cycle = catalogue::find(program.dialect, &program.name(*name));
+                let params = cycle.map_or(&[][..], |cycle| cycle.params).iter();
+                self.names
+                    .extend(params.map(|param| stem(param.name).to_owned()));
+            }
+            _ => {}
+        }
+    }
+
+    fn expression(&mut self, program: &Program, id: ExprId) {
+        match program.expr(id) {
+            Some(Expr::Name { name, index }) => {
+                self.names.insert(program.name(*name));
+                index.iter().for_each(|id| self.expression(program, *id));
+            }
+            Some(Expr::Unary(_, inner)) => self.expression(program, *inner),
+            Some(Expr::Binary(left, _, right)) => {
+                self.expression(program, *left);
+                self.expression(program, *right);
+            }
+            Some(Expr::Call(_, list) | Expr::List(list)) => {
+                list.iter().for_each(|id| self.expression(program, *id));
+            }
+            _ => {}
+        }
+    }
+}
+
+/// The parameters that a `PROC` declares; the first name is that of the program.
+fn formal(program: &Program, block: &Block) -> Vec<Formal> {
+    let (mut found, mut by_reference, mut named) = (Vec::new(), false, false);
+    for word in program.words_of(block) {
+        match &word.kind {
+            WordKind::Keyword { name, .. } => by_reference |= program.is(*name, "VAR"),
+            WordKind::Declare { .. } if !named => named = true,
+            WordKind::Declare { name, value, .. } => found.push(Formal {
+                name: program.name(*name),
+                by_reference: std::mem::take(&mut by_reference),
+                default: *value,
+            }),
+            _ => {}
+        }
+    }
+    found
+}
