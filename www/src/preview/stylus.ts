@@ -10,7 +10,8 @@ const BALL_LAYERS = 14;
 const TURNS = Array.from({ length: AROUND }, (_, i) => (2 * Math.PI * i) / AROUND).map((angle): [number, number] => [Math.cos(angle), Math.sin(angle)]);
 
 const UPRIGHT: ToolView = { ball: [0, 0, 1], pieces: [], carrier: [], tip: [0, 0, 0] };
-const THROUGH = 0.6;
+const THROUGH = 0.4;
+const BODY = 5; // radius of the body of a probe, where nothing is told of it, in radii of its ball
 const USUAL = 0.45; // radius of a stylus in radii of its ball
 const CARRIER_THROUGH = 0.35;
 
@@ -59,8 +60,8 @@ function makeStylus(ball: Ball, axis: Vec3, colours: ToolColours, reach: number)
   turned(into, [[thin, 0.8 * r], [thin, reach]], place, { colour: colours.stylus, moves: true });
   const solid = into.corners.length;
   const [red, green, blue] = colours.stylus;
-  const end = Math.max(body, reach + 3 * r);
-  const profile: [number, number][] = [[thin, reach], [2.2 * r, reach + 1.2 * r], [2.2 * r, end], [0, end]];
+  const end = Math.max(body, reach + 9 * r);
+  const profile: [number, number][] = [[thin, reach], [BODY * r, reach + 3 * r], [BODY * r, end], [0, end]];
   turned(into, profile, place, { colour: [red, green, blue, THROUGH], moves: true });
   return { mesh: into, solid };
 }
