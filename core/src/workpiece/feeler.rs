@@ -86,7 +86,8 @@ impl Feeler {
     }
 
     /// What stylus and body meet first, the ball going straight from one place to another. What goes through their axis
-    /// at the start is met at once, unless the ball is pressed into the part, so that the stylus leans.
+    /// at the start is met at once, unless the ball is pressed into the part: then the stylus leans, and where it goes
+    /// until the ball is free is not known.
     pub fn caught(&self, part: &Boundary, from: [f64; 3], to: [f64; 3]) -> Option<Caught> {
         let path = Path::new(from.into(), to.into());
         let met = self.rods().filter_map(|(by, rod)| {
@@ -98,9 +99,12 @@ impl Feeler {
             if !part.near_rod(&placed, &path) {
                 return None;
             }
-            let pierced = part.pierced(&placed).filter(|_| !self.pressed(part, from));
-            let met = pierced.or_else(|| part.first_of_rod(&placed, &path, end))?;
-            Some((by, met))
+            let met = match part.pierced(&placed) {
+                Some(_) if self.pressed(part, from) => None,
+                Some(met) => Some(met),
+                None => part.first_of_rod(&placed, &path, end),
+            };
+            Some((by, met?))
         });
         let (by, met) = met.min_by(|(_, a), (_, b)| a.way.total_cmp(&b.way))?;
         Some(Caught {
