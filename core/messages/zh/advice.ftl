@@ -32,7 +32,7 @@ advice-inherited-meaning = { $name }={ $value } 是第 { $line } 行为 { $cycle
 advice-inherited-hint = 请为此调用写出 { $name }。
 advice-frame = 补偿后的 { $frame } 尚未生效：程序仍在原坐标框架中继续。
 advice-frame-other = 已补偿 { $frame }，但程序在 { $other } 中继续，始终没有激活它。
-advice-frame-basic = 补偿后的基本框架尚未生效：程序仍使用旧的框架。
+advice-frame-basic = 补偿后的基本坐标框架尚未生效：程序仍使用旧的坐标框架。
 advice-frame-hint = 请在调用之后再次编程 { $frame }。
 advice-frame-other-hint = 请在调用之后编程 { $frame }。
 advice-overwritten = { $name } 在调用时可能已是另一个值：第 { $line } 行调用的程序也写入它。

@@ -27,7 +27,7 @@ check-variant-hint = 请从列表中选择测量方式。
 check-variant-near-hint = 相近的测量方式：{ $near }。并非每种数位组合都有效。
 
 check-knum-zero = { $code } 不是零点偏移的代码。
-check-knum-zero-hint = 1 到 99 为 G54 及其后各个，1000、1011 到 1026 和 1051 到 1066 为基本坐标框架，2000 为系统框架，9999 为有效框架，0 不作补偿。
+check-knum-zero-hint = 1 到 99 为 G54 及其后各个，1000、1011 到 1026 和 1051 到 1066 为基本坐标框架，2000 为系统坐标框架，9999 为有效坐标框架，0 不作补偿。
 check-knum-is-tool-hint = 这是刀具补偿的代码。请选择带刀具补偿的测量方式，或给出坐标框架。
 check-knum-is-zero-hint = 这是零点偏移的代码。请选择带零点偏移的测量方式，或给出 D 号。
 check-knum-digit-4 = { $code } 的第 4 位（D 号为五位时第 6 位）不存在。
@@ -85,12 +85,12 @@ check-differential-spindle-hint = 请用校准过的测量头，选不带差分�
 check-knum-no-additive = 此机床没有附加补偿。
 check-knum-no-additive-hint = 请改为补偿长度或半径，或请机床厂设置 MD 18080 第 8 位。
 check-target-not-offered = { $param } = { $value } 不在此机床的表格所提供的补偿对象之中。
-check-target-not-offered-hint = 请选择可设定的零点偏移或最后一个基本框架，或把机床数据中的 { $entry } 设为 1。
+check-target-not-offered-hint = 请选择可设定的零点偏移或最后一个基本坐标框架，或把机床数据中的 { $entry } 设为 1。
 check-knum-no-setup = 此机床没有设定补偿。
 check-knum-no-setup-hint = 请改为补偿长度或半径，或请机床厂设置 MD 18112 第 4 位。
 
 check-knum-rotation = 全局基本坐标框架 { $code } 不能有旋转。
-check-knum-rotation-hint = 请选择可设定框架或通道基本框架。
+check-knum-rotation-hint = 请选择可设定坐标框架或通道基本坐标框架。
 check-lathe-length = 测量头按车刀输入，其长度算到测球的圆周（_CBIT[14]=1）。
 check-lathe-length-hint = 请设 _CBIT[14]=0，使长度算到测球中心。
 check-multi-probe = 此测量需要多向测量头；单向测量头只在一个方向触发。

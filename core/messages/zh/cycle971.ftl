@@ -88,7 +88,7 @@ check-cm-order = { $name } 应小于 _CM[6]：每次触碰都比前一次慢。
 check-cm-order-hint = 请设较小的进给系数 2，或设 0 只触碰两次。
 check-compensation-make = 不会补偿：_MT_COMP=1 需要 { $name } 中测量头的型号。
 check-compensation-make-hint = 请把 _TP_CF 设为 1（TT130）或 2（TS27R），或用自己的表并设 _MT_COMP=2。
-check-compensation-inside = 控制系统会按该型号测头的补偿表修正测量值。该表在控制系统内部，手册中没有：预测不作扣除。
+check-compensation-inside = 控制系统会按该型号测量头的补偿表修正测量值。该表在控制系统内部，手册中没有：预测不作扣除。
 check-compensation-inside-hint = 设 _MT_COMP=2 时，控制系统和此处都使用 { $name } 中的用户自定义表。
 check-compensation-table = { $name } 中的半径或圆周速度没有递增；可能取到错误的补偿。
 check-compensation-table-hint = 请在 [0,1] 到 [0,4] 输入递增的半径，在 [1,0] 到 [5,0] 输入递增的速度，或设 _MT_COMP=0。

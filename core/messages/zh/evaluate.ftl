@@ -18,5 +18,5 @@ evaluate-handed-back = 没有结果：{ $name } 变为 { $alarm }，程序继续
 evaluate-tool-small = 偏差 { $difference } mm 不大于零补偿区 { $limit } mm：不作补偿。
 evaluate-tool-geometry = 补偿偏差 { $difference } mm：全部写入几何值，磨损值清零。
 evaluate-tool-wear = 偏差 { $difference } mm 补偿到磨损值中。
-evaluate-compensation-make = 该型号测头（_TP_CF = { $make }）的补偿表在控制系统内部，手册中没有：这里不作扣除。_MT_COMP = 2 时使用 _MT_EC_R 和 _MT_EC_L 中的用户自定义表。
+evaluate-compensation-make = 该型号测量头（_TP_CF = { $make }）的补偿表在控制系统内部，手册中没有：这里不作扣除。_MT_COMP = 2 时使用 _MT_EC_R 和 _MT_EC_L 中的用户自定义表。
 evaluate-compensation = 表 { $table } 从测量值中扣除 { $amount } mm。

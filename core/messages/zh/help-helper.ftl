@@ -64,18 +64,18 @@ help-cycle116-line = 各点共线或重合：_ALM 为 61316。
 help-cycle116-count = _DATE[0] 既不是 3 也不是 4：_ALM 为 61317。
 help-cycle116-unseen = 调用之后没有查看 _ALM，程序就带着错误的圆继续运行：报警不会使它停止。
 
-help-cycle119-does = 由三个点应处的位置（基准三角形）和测得的位置，计算工件在空间中的位置。_COR 要求时，对一个框架作平移和旋转校正。不产生运动。
+help-cycle119-does = 由三个点应处的位置（基准三角形）和测得的位置，计算工件在空间中的位置。_COR 要求时，对一个坐标框架作平移和旋转校正。不产生运动。
 help-cycle119-variables = 各变量在程序开头声明：DEF REAL _SETPOINT[3,3], _MEASPOINT[3,3], _RES、DEF INT _ALARM 和 DEF FRAME _REFRAME。
-help-cycle119-points = 各点已逐个测量，例如用 CYCLE977 或 CYCLE997；_SETPOINT 和 _MEASPOINT 按相同的顺序包含各点在有效框架中的 X、Y、Z。
+help-cycle119-points = 各点已逐个测量，例如用 CYCLE977 或 CYCLE997；_SETPOINT 和 _MEASPOINT 按相同的顺序包含各点在有效坐标框架中的 X、Y、Z。
 help-cycle119-alarm = _ALARM 为 0。
-help-cycle119-frame = 计算两个三角形之间的框架。两者形状的差别，即三个点的偏差之和，写入 _RES；小于 0 表示没有框架。
-help-cycle119-decides = _COR=0 时到此为止。否则在 _RES 小于 _RESLIM 时校正一个框架。
-help-cycle119-left = _RES；_REFRAME 中的框架，与有效框架相连后，把测得的各点带到其额定坐标；_ALARM 中为 0 或报警号。
-help-cycle119-frame-moved = _COR 指定的框架，其平移和旋转：1 到 99 为可设定框架，1000 为最后一个有效的通道基本框架，1011 到 1026 为通道基本框架，2000 为实际值设定的系统框架，9999 为有效框架。
-help-cycle119-again = 重新编程其 G 功能（G54 …）后，校正后的框架才生效，_COR=9999 时也是如此。
+help-cycle119-frame = 计算两个三角形之间的坐标框架。两者形状的差别，即三个点的偏差之和，写入 _RES；小于 0 表示没有坐标框架。
+help-cycle119-decides = _COR=0 时到此为止。否则在 _RES 小于 _RESLIM 时校正一个坐标框架。
+help-cycle119-left = _RES；_REFRAME 中的坐标框架，与有效坐标框架相连后，把测得的各点带到其设定坐标；_ALARM 中为 0 或报警号。
+help-cycle119-frame-moved = _COR 指定的坐标框架，其平移和旋转：1 到 99 为可设定坐标框架，1000 为最后一个有效的通道基本坐标框架，1011 到 1026 为通道基本坐标框架，2000 为实际值设定的系统坐标框架，9999 为有效坐标框架。
+help-cycle119-again = 重新编程其 G 功能（G54 …）后，校正后的坐标框架才生效，_COR=9999 时也是如此。
 help-cycle119-line = 三个点在一条直线上或重合：_ALARM 为 61411。
 help-cycle119-distorted = 两个三角形相差 _RESLIM 或更多：_ALARM 为 61414，不作校正。
 help-cycle119-order = 两次的点顺序不同：两个三角形互不相合。
-help-cycle119-mirrored = 框架含镜像或比例：_ALARM 为 61411。
-help-cycle119-absent = 没有该框架：_ALARM 为 61321。_COR=1000，或 G500 有效时 _COR=9999，而没有通道基本框架，则为 61412。
-help-cycle119-unseen = 调用之后没有查看 _ALARM，程序就带着未校正的框架继续运行：报警不会使它停止。
+help-cycle119-mirrored = 坐标框架含镜像或比例：_ALARM 为 61411。
+help-cycle119-absent = 没有该坐标框架：_ALARM 为 61321。_COR=1000，或 G500 有效时 _COR=9999，而没有通道基本坐标框架，则为 61412。
+help-cycle119-unseen = 调用之后没有查看 _ALARM，程序就带着未校正的坐标框架继续运行：报警不会使它停止。

@@ -92,12 +92,12 @@ knum-mode-location = 设定补偿或附加补偿
 knum-mode-environment = 长度或半径，刀具取自 _TENV
 knum-mode-both = 设定补偿或附加补偿，刀具取自 _TENV
 knum-zero-none = 无：只测量
-knum-zero-active = 有效框架，立即生效
+knum-zero-active = 有效坐标框架，立即生效
 knum-zero-settable = { $name }
-knum-zero-last = 最后一个有效的通道基本框架
-knum-zero-channel = 通道基本框架 { $name }
-knum-zero-global = 全局基本框架 { $name }，无旋转
-knum-zero-system = 系统框架 $P_SETFR
+knum-zero-last = 最后一个有效的通道基本坐标框架
+knum-zero-channel = 通道基本坐标框架 { $name }
+knum-zero-global = 全局基本坐标框架 { $name }，无旋转
+knum-zero-system = 系统坐标框架 $P_SETFR
 
 param-tnum = T 号
 param-tnum-help = 要补偿的刀具。这里的号优先于名称。
