@@ -79,6 +79,14 @@ function isExample(cycle: CycleInfo, values: Record<string, string>, plane: Plan
   return cycle.variants.some((variant) => Object.entries(inPlane(variant, plane).example).every(([name, value]) => (values[name] ?? "") === value));
 }
 
+/** The worked measurement with the addresses of another plane, where the form holds one as it is. */
+function turned(cycle: CycleInfo | undefined, state: State, plane: Plane): Partial<State> {
+  const { values, open, sought } = state;
+  const filled = (all: Record<string, string>): string => JSON.stringify(Object.entries(all).filter(([, value]) => value).sort());
+  const held = cycle?.variants.find((one) => filled(inPlane(one, planeOf(state)).example) === filled(values));
+  return held && open === null && sought === null ? { values: inPlane(held, plane).example } : {};
+}
+
 export function createActions(store: Store, catalogue: Catalogue): Actions {
   const now = (): State => store.state;
 
@@ -197,7 +205,7 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
     begin(own) {
       const { control, setup } = now();
       const described = setup?.control === control ? { setup: { ...setup, plane: own.plane, active: { ...setup.active, units: own.units } } } : { own: { ...now().own, [control]: { own: { ...ownMachine(now()), ...own } } } };
-      store.update({ ...described, step: AT_END });
+      store.update({ ...described, ...turned(findCycle(catalogue, control, now().cycle), now(), own.plane), step: AT_END });
     },
     data({ basic, data }) {
       const { control, setup, own } = now();
