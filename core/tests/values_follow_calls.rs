@@ -171,6 +171,16 @@ fn of_many_calls_none_is_changed_alone() {
     let main: String = (0..40).map(|n| format!("MEASURE({n})\n")).collect();
     let text = whole(&main, &[("MEASURE", MEASURE)]);
     assert_eq!(setpoint(&sites(&text).1[0]), "_D");
+    // The last of them alone gives another probe.
+    let probe = MEASURE
+        .replace("REAL _D", "REAL _D,INT _P")
+        .replace("_PRNUM=1", "_PRNUM=_P");
+    let main: String = (10..50).map(|n| format!("MEASURE({n},1)\n")).collect();
+    let program = |last: &str| whole(&format!("{main}{last}"), &[("MEASURE", &probe)]);
+    let shown = |text: &str| sites(text).1[0].values["_PRNUM"].clone();
+    assert_eq!(shown(&program("")), "1");
+    assert_eq!(shown(&program("MEASURE(50,2)\n")), "_P");
+    assert_eq!(changed(&program(""), 0, "_PRNUM", "3"), program(""));
 }
 
 // oracle: hand

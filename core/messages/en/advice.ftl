@@ -42,6 +42,7 @@ advice-outside-hint = Put them into one text with this program, and the calls be
 arrives = Written in line { $lines }.
 arrives-hint = A change here changes it there.
 arrives-shared-hint = Other calls take it from there too: a change here is written for this call.
+arrives-many-hint = Many calls give it: change it where it is written.
 arrives-differing = Differs by the way to this call: { $values }.
 arrives-differing-hint = A change here would count for all of them. Change it where it is written; the line stands in brackets.
 advice-level = The call stands on program level { $level }; measuring cycles run on the first five.

@@ -42,6 +42,7 @@ advice-outside-hint = 请把它们与此程序放在同一文本中，这样也�
 arrives = 写在第 { $lines } 行。
 arrives-hint = 在此修改即修改那里的值。
 arrives-shared-hint = 其他调用也使用那里的值：在此修改只为此调用写入新值。
+arrives-many-hint = 许多调用给出此值：请在写出该值的地方修改。
 arrives-differing = 随到达此调用的路径而不同：{ $values }。
 arrives-differing-hint = 在此修改会对所有路径有效。请在写出该值的地方修改；括号中为行号。
 advice-level = 调用位于第 { $level } 程序级；测量循环只能在前五级运行。

@@ -14,17 +14,22 @@ pub fn arrivals(program: &Program, site: &CallSite) -> Vec<Diagnostic> {
         let (message, hint) = if site.differs(name) {
             let each = origins.iter();
             let values = each.map(|origin| format!("{} ({})", origin.text, line(origin)));
-            let message = Message::new("arrives-differing").text("values", listed(values));
+            let values = listed(values, site.is_of_many(name));
+            let message = Message::new("arrives-differing").text("values", values);
             (message, "arrives-differing-hint")
         } else {
             let lines = origins.iter().map(|origin| line(origin).to_string());
             let own = origins.iter().all(|origin| origin.own);
-            let hint = if own {
-                "arrives-hint"
-            } else {
-                "arrives-shared-hint"
+            let many = site.is_of_many(name);
+            let hint = match (many, own) {
+                (true, _) => "arrives-many-hint",
+                (_, true) => "arrives-hint",
+                _ => "arrives-shared-hint",
             };
-            (Message::new("arrives").text("lines", listed(lines)), hint)
+            (
+                Message::new("arrives").text("lines", listed(lines, many)),
+                hint,
+            )
         };
         let finding = note(Code::Own(151), message).hint(Message::new(hint));
         notes.push(finding.at(name));
@@ -32,13 +37,14 @@ pub fn arrivals(program: &Program, site: &CallSite) -> Vec<Diagnostic> {
     notes
 }
 
-/// Each once, in the order of the text.
-fn listed(texts: impl Iterator<Item = String>) -> String {
+/// Each once, in the order of the text. `more`: there may be others.
+fn listed(texts: impl Iterator<Item = String>, more: bool) -> String {
     let mut all: Vec<String> = Vec::new();
     for text in texts {
         if !all.contains(&text) {
             all.push(text);
         }
     }
+    all.extend(more.then(|| "…".to_owned()));
     all.join(", ")
 }

@@ -88,12 +88,16 @@ impl CallSite {
         origins.into_iter().any(|origin| origin.place == place)
     }
 
-    /// Whether a value depends on the way to the call, or comes from more places than are known.
+    /// Whether a value depends on the way to the call.
     pub fn differs(&self, name: &str) -> bool {
-        let Some((first, rest)) = self.origins.get(name).and_then(|all| all.split_first()) else {
-            return false;
-        };
-        rest.len() + 1 >= ALTERNATIVES || rest.iter().any(|other| other.text != first.text)
+        let origins = self.origins.get(name).and_then(|all| all.split_first());
+        origins.is_some_and(|(first, rest)| rest.iter().any(|other| other.text != first.text))
+    }
+
+    /// Whether more places may give a value than are known.
+    pub fn is_of_many(&self, name: &str) -> bool {
+        let origins = self.origins.get(name);
+        origins.is_some_and(|origins| origins.len() >= ALTERNATIVES)
     }
 }
 

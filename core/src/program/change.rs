@@ -54,7 +54,7 @@ pub fn change(program: &Program, site: &CallSite, name: &str, value: &str) -> Ve
 /// give the same, of none where they differ. None: they belong to other calls too, and this one gets its own.
 fn elsewhere(program: &Program, site: &CallSite, name: &str, value: &str) -> Option<Vec<Edit>> {
     let origins = site.origins.get(name)?;
-    if site.differs(name) {
+    if site.differs(name) || site.is_of_many(name) {
         return Some(Vec::new());
     }
     if !origins.iter().all(|origin| origin.own) {

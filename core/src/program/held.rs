@@ -101,17 +101,28 @@ impl Held {
 
     /// What holds where two ways meet.
     pub fn meet(&self, other: &Held) -> Held {
-        let new: Vec<&Rc<Value>> = other.all().iter().filter(|one| !self.has(one)).collect();
-        if new.is_empty() {
-            return self.clone();
+        let mut all = self.all().to_vec();
+        for value in other.all() {
+            if all.len() < ALTERNATIVES {
+                let known = all.iter().any(|one| Rc::ptr_eq(one, value) || one == value);
+                all.extend((!known).then(|| Rc::clone(value)));
+            } else if !all.iter().any(|one| one.text == value.text) {
+                replace_double(&mut all, value);
+            }
         }
-        let all = self.all().iter().chain(new).take(ALTERNATIVES);
-        Held::Several(all.cloned().collect())
+        Held::of(all)
     }
+}
 
-    fn has(&self, value: &Rc<Value>) -> bool {
-        let same = |one: &Rc<Value>| Rc::ptr_eq(one, value) || one == value;
-        self.all().iter().any(same)
+/// Where no more are told apart, what is new takes the place of a value that is there twice.
+fn replace_double(all: &mut [Rc<Value>], value: &Rc<Value>) {
+    let double = (1..all.len()).rev().find(|at| {
+        let (before, rest) = all.split_at(*at);
+        let text = rest.first().map(|one| &one.text);
+        before.iter().any(|one| Some(&one.text) == text)
+    });
+    if let Some(place) = double.and_then(|at| all.get_mut(at)) {
+        *place = Rc::clone(value);
     }
 }
 
@@ -244,5 +255,18 @@ mod tests {
         }
         assert_eq!(all.all().len(), ALTERNATIVES);
         assert_eq!(all.meet(&Held::One(value(99.0))), all);
+        // The same number from many places leaves room for another one.
+        let mut same = Held::One(value(1.0));
+        for start in 1..30 {
+            let place = Span { start, end: start };
+            same = same.meet(&Held::One(Rc::new(Value::at(
+                "1".to_owned(),
+                Some(1.0),
+                place,
+            ))));
+        }
+        assert_eq!(same.number(), Some(1.0));
+        let other = same.meet(&Held::One(value(2.0)));
+        assert_eq!((other.all().len(), other.number()), (ALTERNATIVES, None));
     }
 }

@@ -23,8 +23,14 @@ use structure::Branches;
 /// Levels that a control has; what is deeper is not followed.
 pub const LEVELS: usize = 12;
 
-/// States with which a program is followed anew; a call in yet another one is followed with all that they have in common.
+/// States with which a program is followed anew; calls in yet other ones are followed with all that they have in common.
 const ENTRIES: usize = 8;
+
+/// Programs of a text from which on each is followed in fewer states.
+const MANY: usize = 20_000;
+
+/// Most times that a program is followed.
+const TIMES: usize = 64;
 
 /// Blocks that are followed again in loops, as a multiple of those that the program has.
 const AGAIN: usize = 8;
@@ -79,6 +85,7 @@ pub fn follow<F: Follow>(program: &Program, programs: &Programs, rules: &mut F, 
         rules,
         open: Vec::new(),
         seen: HashMap::new(),
+        entries: (ENTRIES * MANY / programs.units.len().max(1)).clamp(1, ENTRIES),
     };
     for unit in roots(program, programs) {
         let main = walk.is_main(unit);
@@ -128,7 +135,9 @@ struct Walk<'a, F: Follow> {
     /// Programs in which the present one was called.
     open: Vec<usize>,
     /// How each program was followed.
-    seen: HashMap<usize, Vec<Passed<F::State>>>,
+    seen: HashMap<usize, Seen<F::State>>,
+    /// States with which each is followed by itself.
+    entries: usize,
     /// How the bodies of its loops were followed.
     passes: Passes<F::State>,
     /// Blocks that may still be followed again.
@@ -137,6 +146,25 @@ struct Walk<'a, F: Follow> {
 
 /// State before and after a program; none: it does not come back.
 type Passed<S> = (S, Option<S>);
+
+/// How a program was followed.
+struct Seen<S> {
+    /// In states of its own.
+    each: Vec<Passed<S>>,
+    /// With what the further ones have in common.
+    common: Option<Passed<S>>,
+    times: usize,
+}
+
+impl<S> Default for Seen<S> {
+    fn default() -> Self {
+        Self {
+            each: Vec::new(),
+            common: None,
+            times: 0,
+        }
+    }
+}
 
 impl<F: Follow> Walk<'_, F> {
     /// Whether it begins from a reset: it is no subprogram by its first block and by how it ends.
@@ -163,26 +191,32 @@ impl<F: Follow> Walk<'_, F> {
         self.open.push(unit);
         let after = self.blocks(unit, before.clone());
         self.open.pop();
-        let known = self.seen.entry(unit).or_default();
-        known.push((before.clone(), after.clone()));
+        let seen = self.seen.entry(unit).or_default();
+        seen.times += 1;
+        let passed = (before.clone(), after.clone());
+        if seen.each.len() < self.entries {
+            seen.each.push(passed);
+        } else {
+            seen.common = Some(passed);
+        }
         after.map(|after| (before, after))
     }
 
     /// How a program that begins like this was followed already; else with what it is to be followed.
     fn known(&mut self, unit: usize, before: F::State) -> Result<Passed<F::State>, F::State> {
-        let known = self.seen.entry(unit).or_default();
-        let same = |state: &F::State| known.iter().rfind(|(entry, _)| entry == state).cloned();
-        if let Some(found) = same(&before) {
-            return Ok(found);
+        let seen = self.seen.entry(unit).or_default();
+        if let Some(found) = seen.each.iter().rfind(|(entry, _)| *entry == before) {
+            return Ok(found.clone());
         }
-        let Some((last, after)) = known.last().filter(|_| known.len() >= ENTRIES) else {
+        let last = seen.common.as_ref().or(seen.each.last());
+        let Some((last, after)) = last.filter(|_| seen.each.len() >= self.entries) else {
             return Err(before);
         };
         let common = self.rules.meet(last, &before);
-        if common == *last || known.len() >= 2 * ENTRIES {
+        if common == *last || seen.times >= TIMES {
             return Ok((common, after.clone()));
         }
-        same(&common).ok_or(common)
+        Err(common)
     }
 
     fn blocks(&mut self, unit: usize, state: F::State) -> Option<F::State> {
