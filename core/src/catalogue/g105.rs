@@ -207,7 +207,7 @@ fn picture(inputs: &Inputs) -> Picture {
         rectangle(ShapeKind::Cut, [FACE / 2.0, -FACE / 2.0], [FACE, FACE]),
         rectangle(ShapeKind::Zone, [past / 2.0, -FACE / 2.0], [past, FACE]).of("Q"),
         line(ShapeKind::Edge, vec![[0.0, -FACE], [0.0, 0.0]]).of(name),
-        line(ShapeKind::Axis, vec![[zero, -FACE], [zero, FACE]]).text("0"),
+        line(ShapeKind::Axis, vec![[zero, -FACE * 1.2], [zero, FACE]]).text("0"),
         circle(ShapeKind::Touch, [0.0, -FACE / 2.0], BALL * 0.3),
         dimension(name, [zero, -FACE * 0.9], [0.0, -FACE * 0.9]),
         dimension("Q", [0.0, -FACE * 0.25], [past, -FACE * 0.25]),

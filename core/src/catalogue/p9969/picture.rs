@@ -61,7 +61,7 @@ fn above(inputs: &Inputs) -> Vec<PictureShape> {
         line(ShapeKind::Path, way.collect()),
         circle(ShapeKind::Probe, [0.0; 2], BALL),
         dimension(axis_name(first), [0.0, -12.0], [width, -12.0]),
-        dimension(axis_name(second), [-20.0, 0.0], [-20.0, height]),
+        dimension(axis_name(second), [-28.0, 0.0], [-28.0, height]),
         dimension(
             letter(step_axis),
             swap([length + 8.0, 0.0]),
