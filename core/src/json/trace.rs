@@ -107,18 +107,20 @@ pub fn alarm_key(alarm: Code) -> String {
 /// Everything that happened, with what is needed to draw it.
 pub(super) fn trace(setup: &Setup, outcome: &Outcome) -> Value {
     let (tools, in_use) = trace_tool::tools(setup, outcome);
+    // a program may begin without a tool that tells
+    let turning = outcome.before.turns() || outcome.control.turns();
     let mut view = object([
         ("entries", outcome.trace.entries.iter().map(entry).collect()),
         ("ball", ball(setup)),
         ("tools", tools),
         ("inUse", in_use),
-        ("turning", setup.control.turns().into()),
+        ("turning", turning.into()),
         ("solids", solids(&clamped(setup))),
         ("toolProbes", trace_tool::probes(setup)),
         ("frames", frames(&outcome.before, &outcome.control).into()),
     ]);
-    if let Some(drawing) = trace_turned::drawing(setup, outcome) {
-        put(&mut view, "drawing", drawing);
+    if turning {
+        put(&mut view, "drawing", trace_turned::drawing(setup, outcome));
     }
     view
 }

@@ -118,10 +118,12 @@ fn ball(setup: &Setup, control: &Control, carrier: V3) -> Value {
         None => axis[applicate] = 1.0,
     }
     let holder = held(setup, control, carrier, axis);
+    let turret = control.turns().then_some(setup.probe.length);
+    let adapter = turret.and_then(|length| seen::adapter(length, carrier, axis));
     object([
         ("ball", vector(axis)),
         ("tip", vector(V3::zeros())),
-        ("pieces", Value::Array(Vec::new())),
+        ("pieces", drawn(adapter.as_slice(), V3::zeros())),
         ("carrier", drawn(&holder, V3::zeros())),
     ])
 }
@@ -219,6 +221,43 @@ mod tests {
         let results = view["outcome"]["results"].as_array().unwrap();
         let length = results.iter().find(|result| result["name"] == "_OVR[8]");
         assert!((number(&length.unwrap()["value"]) - 70.15).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_program_shows_what_it_takes_into_the_turret() {
+        // oracle: hand: nothing is in use until T8, a probe (B:974-985); then T1, a turning tool; X counts as a diameter
+        let edge = |kind: i64, tip: i64| json!({ "1": { "type": kind, "tip": tip, "length": [60.0, 40.0, 0.0], "radius": 0.8 } });
+        let asked = json!({
+            "control": "sinumerik", "text": "G18 DIAMON\nT8 D1\nG0 X100 Z50\nT1 D1\nG0 X120 Z60\nM30\n",
+            "setup": {
+                "control": "sinumerik", "plane": "G18", "probe": { "radius": 3.0, "length": 50.0 },
+                "tools": { "8": { "edges": edge(580, 7) }, "1": { "edges": edge(500, 3) } },
+                "workpiece": [{ "shape": "turned", "size": [40.0, 60.0, 0.0, 0.0], "at": [0.0, 0.0, 0.0] }],
+                "position": [100.0, 0.0, 100.0],
+            },
+        });
+        let mut run = crate::json::Run::new(&asked.to_string()).unwrap();
+        while !run.advance(100) {}
+        let run = run.view();
+        let trace = &run["trace"];
+        assert_eq!(trace["turning"], true);
+        assert_eq!(trace["drawing"]["reading"]["diameter"], true);
+        let shown: Vec<bool> = trace["tools"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|tool| tool["ball"].is_array())
+            .collect();
+        assert_eq!(shown, [true, true, false]);
+        let entries = trace["entries"].as_array().unwrap();
+        let in_use = trace["inUse"].as_array().unwrap();
+        for (change, tool) in in_use[1..].iter().zip([8, 1]) {
+            let entry = &entries[change[0].as_u64().unwrap() as usize];
+            assert_eq!(
+                (&entry["step"], &entry["tool"]),
+                (&json!("tool"), &json!(tool))
+            );
+        }
     }
 
     #[test]

@@ -18,21 +18,19 @@ const SPINDLE: usize = 2;
 /// Least part of a direction that counts as along an axis.
 const ALONG: f64 = 0.7;
 
-/// What a drawing of the part shows; none where the machine does not turn one.
-pub(super) fn drawing(setup: &Setup, outcome: &Outcome) -> Option<Value> {
-    if !setup.control.turns() {
-        return None;
-    }
+/// What a drawing of the part of a turning machine shows. A program says itself how it counts, so that what is in force at
+/// its end tells.
+pub(super) fn drawing(setup: &Setup, outcome: &Outcome) -> Value {
     let diameters: Vec<Value> = setup.workpiece.solids.iter().flat_map(diameters).collect();
     let touched = match diameters.is_empty() {
         true => Vec::new(),
-        false => touched(&outcome.before, &outcome.trace),
+        false => touched(&outcome.control, &outcome.trace),
     };
-    Some(object([
+    object([
         ("diameters", diameters.into()),
         ("touched", touched.into()),
-        ("reading", reading(&outcome.before)),
-    ]))
+        ("reading", reading(&outcome.control)),
+    ])
 }
 
 /// Where positions count from, and whether those of X are diameters.

@@ -19,6 +19,8 @@ const STANDS_OUT: f64 = 5.0;
 const BEHIND: f64 = 7.0;
 /// Least length of a shank, mm.
 const SHORTEST: f64 = 35.0;
+/// Radius of what joins a probe with its holder, mm.
+const ADAPTER: f64 = 8.0;
 /// Half of the thickness of a holder, mm.
 const WALL: f64 = 16.0;
 
@@ -198,6 +200,16 @@ fn shank(nose: &Nose, carrier: [f64; 2], (axis, direction): (usize, f64)) -> Vec
     outline.into_iter().map(place).collect()
 }
 
+/// What joins a probe, from the ball on in this direction and so long, with where it is held. None where it is long enough.
+pub fn adapter(length: f64, carrier: V3, along: V3) -> Option<Drawn> {
+    let (begin, end) = (0.9 * length, carrier.dot(&along));
+    (end > length).then(|| Drawn::Round {
+        outline: vec![[0.0, begin], [ADAPTER, begin], [ADAPTER, end], [0.0, end]],
+        axis: along,
+        at: V3::zeros(),
+    })
+}
+
 /// The disc of a turret and the holder on it. `carrier`: from the point to which the tool length refers to where the tool is
 /// held, `along`: the direction in which the tool leads there. Nothing where the tool has no length.
 pub fn turret(turret: &Turret, carrier: V3, along: V3) -> Vec<Drawn> {
@@ -321,6 +333,12 @@ mod tests {
         assert_eq!(ends(0), (44.0, 76.0));
         assert_eq!(ends(2), (-16.0, 56.0));
         assert_eq!((at.z, *axis), (56.0, V3::z()));
+        let [short, long] = [100.0, 30.0].map(|length| adapter(length, carrier, V3::z()));
+        assert_eq!(short, None, "the probe itself reaches to its holder");
+        let Some(Drawn::Round { outline, .. }) = long else {
+            panic!("40 mm to the holder, and a probe of 30 mm");
+        };
+        assert_eq!((outline[0], outline[3]), ([0.0, 27.0], [0.0, 40.0]));
         let none = Turret {
             diameter: 0.0,
             ..Turret::default()
