@@ -1,0 +1,87 @@
+//! Machine data (and one setting datum) that measuring cycles depend on (B:12920-14151, B:1899-2086).
+
+mod table;
+
+pub use table::MACHINE_DATA;
+
+/// A machine datum.
+pub struct MachineDatum {
+    /// `MD28082`, or `SD42950` of a setting datum.
+    pub number: &'static str,
+    /// Name; empty where the manual prints none.
+    pub identifier: &'static str,
+    /// Standard value with system software up to 59 and from 63 on, as printed.
+    pub standard: [&'static str; 2],
+    /// What the measuring cycles want, as printed.
+    pub cycles: &'static str,
+    /// What measuring in JOG wants, as printed.
+    pub jog: &'static str,
+    /// Smallest and largest value, as printed.
+    pub bounds: [&'static str; 2],
+    /// After what a change counts.
+    pub effective: &'static str,
+    /// Unit, as printed.
+    pub unit: &'static str,
+    /// Number of elements; 0: a single value.
+    pub elements: usize,
+    /// Whether it holds names.
+    pub text: bool,
+    /// Values with which the core begins: what a machine must have so that the cycles work (see DESIGN.md).
+    pub initial: &'static [f64],
+    /// The same of names.
+    pub initial_names: &'static [&'static str],
+    /// Place in the manual.
+    pub source: &'static str,
+}
+
+/// Channel axes that can be named: three linear and three rotary ones.
+pub const CHANNEL_AXES: usize = 6;
+
+/// Setting datum that decides along which axes the lengths of drills and mills count (B:828).
+pub const TOOL_LENGTH_TYPE: &str = "SD42950";
+
+/// The setting datum that a program calls by its identifier: `$SC_TOOL_LENGTH_TYPE` is [`TOOL_LENGTH_TYPE`].
+pub fn setting(name: &str) -> Option<&'static str> {
+    let identifier = name.strip_prefix("$SC_")?;
+    let mut settings = MACHINE_DATA
+        .iter()
+        .filter(|datum| datum.number.starts_with("SD"));
+    let found = settings.find(|datum| datum.identifier == identifier)?;
+    Some(found.number)
+}
+
+impl MachineDatum {
+    /// Names of its elements as the setup has them: `MD20050[0]`, or the plain number.
+    pub fn names(&self) -> Vec<String> {
+        match self.elements {
+            0 => vec![self.number.to_owned()],
+            count => (0..count)
+                .map(|i| format!("{}[{i}]", self.number))
+                .collect(),
+        }
+    }
+
+    /// Key of its words.
+    pub fn key(&self) -> String {
+        format!("datum-{}", self.number.to_lowercase())
+    }
+}
+
+/// The machine datum with this name, index included.
+pub fn find(name: &str) -> Option<&'static MachineDatum> {
+    MACHINE_DATA
+        .iter()
+        .find(|datum| datum.names().iter().any(|known| known == name))
+}
+
+/// Reads a number as the manual prints it: decimal, or hexadecimal with `H` behind it (`21H`), or `TRUE` and `FALSE`.
+pub fn number(text: &str) -> Option<f64> {
+    match text.trim() {
+        "TRUE" => Some(1.0),
+        "FALSE" => Some(0.0),
+        text => match text.strip_suffix(['H', 'h']) {
+            Some(digits) => u32::from_str_radix(digits, 16).ok().map(f64::from),
+            None => text.parse().ok().filter(|value: &f64| value.is_finite()),
+        },
+    }
+}
