@@ -8,7 +8,15 @@ export interface Collision { entry: number; at: Vec3; by: Touching; crash: boole
 
 const BEHIND = 2; // entries from a touch to the alarm that it raises
 
-export function collisions({ entries }: Trace): Collision[] {
+const known = new WeakMap<Trace, Collision[]>();
+
+export function collisions(trace: Trace): Collision[] {
+  const found = known.get(trace) ?? look(trace);
+  known.set(trace, found);
+  return found;
+}
+
+function look({ entries }: Trace): Collision[] {
   return entries.flatMap((step, entry): Collision[] => {
     if (step.step === "crash") return [{ entry, at: step.point, by: step.by ?? "ball", crash: true }];
     if (step.step !== "touch") return [];

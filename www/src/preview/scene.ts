@@ -23,13 +23,19 @@ export interface Scene {
   radius: number;       // everything lies within it around the origin, mm
 }
 
+interface Turned { entry: number; solids: Solid[] }
+const turns = new WeakMap<Trace, Turned[]>();
+
+/** Where rotary axes turn the part: looked for once, as the part is asked for in each frame. */
+function turnsOf(trace: Trace): Turned[] {
+  const known = turns.get(trace) ?? trace.entries.flatMap((step, entry) => step.step === "table" ? [{ entry, solids: step.solids }] : []);
+  turns.set(trace, known);
+  return known;
+}
+
 /** The part as it stands when entry `index` is done: a rotary axis turns it. */
 export function standing(trace: Trace, index: number): Solid[] {
-  for (let i = Math.min(index, trace.entries.length - 1); i >= 0; i--) {
-    const entry = trace.entries[i]!;
-    if (entry.step === "table") return entry.solids;
-  }
-  return trace.solids;
+  return turnsOf(trace).findLast(({ entry }) => entry <= index)?.solids ?? trace.solids;
 }
 
 /** What is in use at entry `index`. */

@@ -52,10 +52,14 @@ function createOutcome(root: HTMLElement): Draw {
   const none = el("p", { class: "empty" });
   const same = el("p", { class: "empty" }, t("outcome-no-changes"));
   root.append(none, alarms, el("div", { class: "outcome" }, changeTable, same, decisionBox, resultTable));
+  const shownNow = keptOutcome();
+  let drawn: Shown | null | undefined;
   return (state, derived) => {
-    const outcome = shownOutcome(state, derived);
+    const outcome = shownNow(state, derived);
     show(none, !outcome);
     setText(none, outcome ? "" : missing(derived));
+    if (outcome === drawn) return; // each step that is played comes by here, and a long run has a thousand lines
+    drawn = outcome;
     show(resultTable, (outcome?.results.length ?? 0) > 0);
     show(changeTable, !!outcome && outcome.changes.length > 0);
     show(same, !!outcome && outcome.changes.length === 0);
@@ -91,6 +95,16 @@ export function missing(derived: Derived): string {
 }
 
 interface Shown { results: { name: string; label: string; value: number; unit: string }[]; changes: Outcome["changes"]; alarms: Outcome["alarms"]; decisions: Outcome["decisions"]; log: string[] }
+
+/** What is shown; the same object as long as it is made of the same. */
+function keptOutcome(): (state: State, derived: Derived) => Shown | null {
+  let made: { of: unknown[]; shown: Shown | null } | null = null;
+  return (state, derived) => {
+    const of = [state.source === "program" ? derived.run : null, derived.cycle, derived.view.outcome];
+    if (!made?.of.every((one, index) => one === of[index])) made = { of, shown: shownOutcome(state, derived) };
+    return made.shown;
+  };
+}
 
 /** Of the form's call, or of the whole program while that is shown. */
 function shownOutcome(state: State, derived: Derived): Shown | null {
