@@ -25,6 +25,35 @@ fn a_call_says_in_which_units_and_plane_it_stands() {
     );
 }
 
+// oracle: hand (a note at the field of each value that comes from another program, and none of them among the findings)
+#[test]
+fn a_call_says_which_values_come_from_elsewhere() {
+    let sub = "%_N_HOLE_SPF\nPROC HOLE(REAL _D)\n_SETVAL=_D _MVAR=1 _KNUM=0 _PRNUM=1 _FA=2 _TSA=2\nCYCLE977\nM17\n";
+    let ask = |main: &str| {
+        let text = format!("%_N_MAIN_MPF\nG17 G40 T9 D1\n{main}M30\n{sub}");
+        let view = read(&json!({ "control": "sinumerik", "text": text }).to_string()).unwrap();
+        let found = view["diagnostics"].as_array().unwrap();
+        assert!(found.iter().all(|one| one["code"] != "PW151"));
+        view["calls"][0].clone()
+    };
+    let same = ask("HOLE(40)\n");
+    assert_eq!(same["values"]["_SETVAL"], "40");
+    let notes = same["arrivals"].as_array().unwrap();
+    assert_eq!(notes.len(), 1);
+    let note = &notes[0];
+    assert_eq!(
+        (&note["param"], &note["severity"]),
+        (&json!("_SETVAL"), &json!("note"))
+    );
+    assert_eq!(note["message"]["args"]["lines"], "3");
+    let differs = ask("HOLE(40)\nHOLE(50)\n");
+    assert_eq!(differs["values"]["_SETVAL"], "_D");
+    assert_eq!(
+        differs["arrivals"][0]["message"]["args"]["values"],
+        "40 (3), 50 (4)"
+    );
+}
+
 // oracle: hand
 #[test]
 fn a_call_is_converted_with_places_of_the_page() {
