@@ -257,3 +257,20 @@ test("a protection zone is drawn through", () => {
   near(box.min, [-20, -20, -20], 1e-9);
   near(box.max, [20, 20, 0], 1e-9);
 });
+
+// oracle: hand: a touch of the ball in a measurement is none; a crash, a touch of the stylus and one that ends in an alarm are
+test("what must not touch and did has its words from then on", async () => {
+  const { collisions, collisionLabels } = await sources.load("/src/preview/collisions.ts");
+  const touch = { step: "touch", latched: [0, 0, 0], ball: [0, 0, 0], point: [1, 2, 3], normal: [0, 0, 1] };
+  const move = { step: "motion", kind: "retract", from: [0, 0, 0], to: [0, 0, 1], feed: 0 };
+  const told = { step: "decision", message: { key: "run-stylus" } };
+  const alarm = { step: "alarm", code: "61302", message: { key: "alarm-61302" }, stops: true };
+  const trace = { entries: [touch, move, { ...touch, by: "stylus" }, told, move, touch, told, alarm, { step: "crash", point: [4, 5, 6], normal: [1, 0, 0], by: "body" }] };
+  assert.deepEqual(collisions(trace), [
+    { entry: 2, at: [1, 2, 3], by: "stylus", crash: false },
+    { entry: 5, at: [1, 2, 3], by: "ball", crash: false, alarm: "61302" },
+    { entry: 8, at: [4, 5, 6], by: "body", crash: true },
+  ]);
+  const labels = collisionLabels(trace, colours.LIGHT, ({ by }) => by);
+  assert.deepEqual(labels.map(({ text, during }) => [text, during[0]]), [["stylus", 2], ["ball", 5], ["body", 8]]);
+});

@@ -6,8 +6,6 @@ import type { Label } from "./paths";
 /** `alarm`: its code, where the probe was watched; `crash`: nobody watched, or no signal came. Else a measurement went on. */
 export interface Collision { entry: number; at: Vec3; by: Touching; crash: boolean; alarm?: string }
 
-const BEHIND = 2; // entries from a touch to the alarm that it raises
-
 const known = new WeakMap<Trace, Collision[]>();
 
 export function collisions(trace: Trace): Collision[] {
@@ -20,11 +18,20 @@ function look({ entries }: Trace): Collision[] {
   return entries.flatMap((step, entry): Collision[] => {
     if (step.step === "crash") return [{ entry, at: step.point, by: step.by ?? "ball", crash: true }];
     if (step.step !== "touch") return [];
-    const followed = entries.slice(entry + 1, entry + 1 + BEHIND).find((next) => next.step === "alarm");
-    const alarm = followed?.step === "alarm" ? followed.code : undefined;
+    const alarm = raised(entries, entry);
     if (!step.by && !alarm) return [];
     return [{ entry, at: step.point, by: step.by ?? "ball", crash: false, ...(alarm ? { alarm } : {}) }];
   });
+}
+
+/** Code of the alarm that follows before anything moves again. */
+function raised(entries: Trace["entries"], touch: number): string | undefined {
+  for (let i = touch + 1; i < entries.length; i++) {
+    const next = entries[i]!;
+    if (next.step === "alarm") return next.code;
+    if (next.step === "motion" || next.step === "call") return undefined;
+  }
+  return undefined;
 }
 
 /** Words beside the places, from the entry on in which it happens. */
