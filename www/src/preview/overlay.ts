@@ -14,7 +14,7 @@ const SMALLEST = 4; // radius of the ring around the ball
 const BELOW = 18;   // from an origin to its name
 const LINE = 14;    // from one name to the next
 const BESIDE = 6;   // from a place to the words that begin beside it
-const READING = 22; // from the end of the tool to where it stands
+const READING = 26; // from the ring up to the reading, clear of a touched diameter
 const NEAR = 80;    // names that are closer than this side by side would touch
 
 export function overlay(host: HTMLElement): SVGSVGElement {
@@ -31,18 +31,22 @@ export function drawOverlay(element: SVGSVGElement, scene: Scene, frame: Frame):
 /** Tells where the ball or the end of a tool is, behind a part too. */
 function ring(scene: Scene, { camera, view, probe }: Frame): Drawn[] {
   if (!probe) return [];
-  const { tool, trace: { ball } } = scene;
+  const { tool } = scene;
   const { x, y } = projector(camera, view)(tool ? add(probe, tool.tip) : probe);
-  const r = tool && !tool.ball ? SMALLEST : Math.max(SMALLEST, ball.radius * camera.scale + 1);
+  const r = ringRadius(scene, camera.scale);
   const circle = (stroke: string, width: number): Drawn => ({ tag: "circle", attributes: { cx: x, cy: y, r, fill: "none", stroke, "stroke-width": width } });
   return [circle(scene.colours.background, 3.5), circle(scene.colours.ball, 2)];
 }
 
-/** Where the control says that it stands, X as it counts there. */
-function reading({ trace: { drawing }, colours, drawing: shown }: Scene, { camera, view, probe }: Frame): Drawn[] {
+const ringRadius = ({ tool, trace: { ball } }: Scene, scale: number): number =>
+  (tool && !tool.ball ? SMALLEST : Math.max(SMALLEST, ball.radius * scale + 1));
+
+/** Where the control says that it stands, X as it counts there: above it, clear of what is touched below. */
+function reading(scene: Scene, { camera, view, probe }: Frame): Drawn[] {
+  const { trace: { drawing }, colours, drawing: shown } = scene;
   if (!shown || !drawing || !probe) return [];
   const { x, y } = projector(camera, view)(probe);
-  return [text(x, y + READING, readingText(drawing.reading, probe), colours.text, colours)];
+  return [text(x, y - ringRadius(scene, camera.scale) - READING, readingText(drawing.reading, probe), colours.text, colours)];
 }
 
 /** One below the other where several coordinate systems have their origins at one place. */
