@@ -168,15 +168,17 @@ impl<S: Clone + PartialEq> Passes<S> {
         range: &Range<usize>,
     ) -> Option<Back> {
         let words = program.words_of(program.blocks.get(at)?);
+        // a jump back into a structure may bring one along that begins only behind this block
+        let begin = branches.loop_begin().filter(|head| *head <= at);
         match structural(program, words) {
-            Some("ENDWHILE" | "ENDFOR") => branches.loop_begin().map(|head| {
+            Some("ENDWHILE" | "ENDFOR") => begin.map(|head| {
                 if runs_at_least_once(program, head) {
                     Back::Here(head)
                 } else {
                     Back::Tested(head)
                 }
             }),
-            Some("ENDLOOP" | "UNTIL") => branches.loop_begin().map(Back::Here),
+            Some("ENDLOOP" | "UNTIL") => begin.map(Back::Here),
             _ => {
                 let name = words.iter().find_map(|word| back_to(program, word))?;
                 let blocks = self.labels.get(&name)?;
