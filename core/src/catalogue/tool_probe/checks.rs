@@ -7,6 +7,9 @@ use crate::control::{Control, Edge};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::message::Message;
 
+/// No trigger value of the tool probe is stored: the control does not know where it stands.
+pub const PLACE_UNKNOWN: Code = Code::Own(61);
+
 /// Type of a 3D probe, `$TC_DP1` (B:4147).
 const WORKPIECE_PROBE: i64 = 710;
 
@@ -111,7 +114,7 @@ pub fn place(data: &ProbeData, axes: &[usize], found: &mut Vec<Diagnostic>) {
             .collect();
         let message = Message::new("check-tool-probe-empty").text("names", names.join(", "));
         let hint = Message::new("check-tool-probe-empty-hint");
-        found.push(warning(Code::Own(61), message).hint(hint).at(names::PRNUM));
+        found.push(warning(PLACE_UNKNOWN, message).hint(hint).at(names::PRNUM));
         return;
     }
     for (axis, _) in triggers().filter(|(_, [minus, plus])| minus <= plus) {

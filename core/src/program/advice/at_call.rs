@@ -1,6 +1,7 @@
 //! What has to be in force at a call.
 
 use super::{Seen, at, inherited, unsaid, with_line};
+use crate::catalogue::tool_probe::checks::PLACE_UNKNOWN;
 use crate::catalogue::{MachineSort, ProbeUse, names};
 use crate::check::{Finding, error, note, warning};
 use crate::control::tools::is_milling_probe;
@@ -106,9 +107,6 @@ fn spindle(seen: &Seen) -> Option<Diagnostic> {
         .hint(Message::new("advice-spindle-hint"));
     Some(with_line(finding, seen, seen.site.first_line, "M5"))
 }
-
-/// The control does not know where the tool probe stands, which is told instead.
-const PLACE_UNKNOWN: Code = Code::Own(61);
 
 /// Trigger values of a workpiece probe (B:13443-13448).
 const TRIGGERS: RangeInclusive<usize> = 1..=6;
