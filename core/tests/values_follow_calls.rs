@@ -315,12 +315,12 @@ fn what_does_not_reach_its_call_is_told_with_a_cure() {
 }
 
 // oracle: hand (a jump from a later structure back into a loop that has ended: its end then belongs to no loop that began
-// before it; the pass of setpoint 10 and what comes behind are followed all the same)
+// before it; the value of the later structure arrives all the same)
 #[test]
 fn a_jump_back_into_a_loop_that_has_ended_is_followed() {
-    let text = "G17\nFOR R1=1 TO 2\nIF R2==1\nINSIDE: _MVAR=1 _SETVAL=10\nENDIF\nENDFOR\nREPEAT\n_SETVAL=10\n\
-        IF R9<11 GOTOB INSIDE\nUNTIL R3==1\nCYCLE977\nM30\n";
+    let text = "G17\n_MVAR=1 _SETVAL=10\nFOR R1=1 TO 2\nIF R2==1\nINSIDE: G0 X1\nENDIF\nENDFOR\nG0 X2\nREPEAT\n\
+        _SETVAL=20\nIF R9<11 GOTOB INSIDE\nUNTIL R3==1\nCYCLE977\nM30\n";
     let (_, sites) = sites(text);
     assert_eq!(sites.len(), 1);
-    assert_eq!(setpoint(&sites[0]), "10");
+    assert_eq!(setpoint(&sites[0]), "20");
 }
