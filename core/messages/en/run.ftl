@@ -2,6 +2,7 @@
 
 run-unknown-word = “{ $word }” is not known here.
 run-unknown-variable = There is no variable “{ $word }”.
+run-not-measured = “{ $word }” holds nothing yet: no measuring block before has touched anything.
 run-offset-variable = “{ $word }” is a tool offset. Which part of which register it means differs from control to control, so it is not simulated.
 run-no-simulation = “{ $word }” is known with its form, checks and text, but what it does is not simulated. The simulation ends here.
 run-not-simulated = “{ $word }” is understood, but not simulated.

@@ -2,6 +2,7 @@
 
 run-unknown-word = 这里不认识“{ $word }”。
 run-unknown-variable = 没有变量“{ $word }”。
+run-not-measured = “{ $word }”中还没有值：此前没有测量程序段触发过。
 run-offset-variable = “{ $word }”是刀具补偿值。它代表哪个寄存器的哪一部分因控制系统而异，因此不进行模拟。
 run-no-simulation = “{ $word }”的表单、检查和程序文本已有，但其动作没有模拟。模拟到此结束。
 run-not-simulated = “{ $word }”看得懂，但没有模拟。

@@ -57,6 +57,7 @@ pub const KEYS: &[&str] = &[
     "run-stylus",
     "run-endless",
     "run-repeated",
+    "run-not-measured",
 ];
 
 /// Something wrong at a place.

@@ -15,6 +15,9 @@ use crate::diagnostic::Span;
 /// All frames in effect as one.
 const TOTAL: &str = "$P_ACTFRAME";
 
+/// Positions that `MEAS` latched (B:12790-12856).
+const LATCHED: [&str; 3] = ["$AA_MW[", "$AA_MB[", "$AA_MM["];
+
 /// Masks of basic frames. They count at once, unlike the frames.
 pub const MASKS: [&str; 2] = [CHANNEL_MASK, GLOBAL_MASK];
 
@@ -35,9 +38,14 @@ pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem>
         .or_else(|| position(run, key))
         .or_else(|| state(run, key))
         .or_else(|| total(run, key));
+    let unknown = if LATCHED.iter().any(|stem| key.starts_with(stem)) {
+        "run-not-measured"
+    } else {
+        "run-unknown-variable"
+    };
     value
         .map(Datum::Number)
-        .ok_or_else(|| Problem::new("run-unknown-variable", place, key))
+        .ok_or_else(|| Problem::new(unknown, place, key))
 }
 
 /// The active tool.

@@ -68,6 +68,7 @@ fn expressions_are_worked_out() {
         ("R1=SQRT(-1)", "run-function"),
         ("R1=\"A\"+1", "run-not-a-number"),
         ("R1=_NOBODY", "run-unknown-variable"),
+        ("R1=$AA_MW[X]", "run-not-measured"),
         ("_NOBODY=1", "run-unknown-variable"),
         ("_OVR[32]=1", "run-index"),
         ("$P_TOOLR=1", "run-read-only"),
