@@ -196,14 +196,19 @@ fn probe(probe: &Probe) -> Value {
     if let Some(radius) = probe.stylus {
         put(&mut view, "stylus", radius);
     }
+    put_body(&mut view, probe);
+    view
+}
+
+/// The body of the probe, where it is told.
+pub(super) fn put_body(view: &mut Value, probe: &Probe) {
     if let Some(body) = &probe.body {
         let body = object([
             ("radius", body.radius.into()),
             ("distance", body.distance.into()),
         ]);
-        put(&mut view, "body", body);
+        put(view, "body", body);
     }
-    view
 }
 
 fn frames(control: &Control) -> Value {

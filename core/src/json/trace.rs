@@ -1,7 +1,7 @@
 //! Outcome and trace as JSON.
 
 use super::setup_frame::settable_name;
-use super::setup_write::solids;
+use super::setup_write::{put_body, solids};
 use super::{code, message, object, put, trace_tool, trace_turned};
 use crate::check::{Inputs, unit_name};
 use crate::control::Control;
@@ -139,13 +139,7 @@ fn ball(setup: &Setup) -> Value {
         ("length", probe.length.into()),
         ("stylus", probe.stylus_radius().into()),
     ]);
-    if let Some(body) = &probe.body {
-        let body = object([
-            ("radius", body.radius.into()),
-            ("distance", body.distance.into()),
-        ]);
-        put(&mut view, "body", body);
-    }
+    put_body(&mut view, probe);
     view
 }
 
