@@ -137,12 +137,20 @@ describe("a long program", () => {
       new MutationObserver(() => { if (bar.hasAttribute("value")) globalThis.shares.push(bar.value); }).observe(bar, { attributeFilter: ["value"] });
     });
     await openFile(page, BLOCK.repeat(400_000) + CALL);
-    await page.waitForFunction(() => globalThis.shares.some((share) => share > 0));
-    assert.match(await activity.textContent(), /\d %/);
-    const field = page.locator('.field[data-field="_SETVAL"] .entry-line > .figure');
-    await field.fill("133.5");
-    assert.equal(await field.inputValue(), "133.5");
-    await activity.getByRole("button", { name: "Stop" }).click();
+    // within the page: from outside, the reading may be over before a button that has just come is taken as still
+    const [said, typed] = await page.evaluate(async () => {
+      while (!globalThis.shares.some((share) => share > 0)) await new Promise(requestAnimationFrame);
+      const box = document.querySelector(".panel-program .activity");
+      const text = box.textContent;
+      const field = document.querySelector('.field[data-field="_SETVAL"] .entry-line > .figure');
+      Object.getOwnPropertyDescriptor(HTMLInputElement.prototype, "value").set.call(field, "133.5");
+      field.dispatchEvent(new Event("input", { bubbles: true }));
+      for (let frames = 0; frames < 2; frames++) await new Promise(requestAnimationFrame);
+      [...box.querySelectorAll("button")].find((button) => button.textContent === "Stop").click();
+      return [text, field.value];
+    });
+    assert.match(said, /\d %/);
+    assert.equal(typed, "133.5");
     await activity.locator('text="The reading was stopped. The calls of this program are not known."').waitFor();
     const shares = await page.evaluate(() => globalThis.shares);
     assert.deepEqual(shares, [...shares].sort((a, b) => a - b), "it only goes up");
