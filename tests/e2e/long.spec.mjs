@@ -50,6 +50,99 @@ async function hold(page) {
   return release;
 }
 
+/** Lets no byte of a file arrive until it is called. */
+async function holdFiles(page) {
+  await page.evaluate(() => {
+    const read = Blob.prototype.arrayBuffer;
+    const held = new Promise((resolve) => { globalThis.releaseFiles = resolve; });
+    Blob.prototype.arrayBuffer = async function () { await held; return read.call(this); };
+  });
+  return () => page.evaluate(() => globalThis.releaseFiles());
+}
+
+describe("a long file", () => {
+  const chrome = shared("neither", { before, after });
+
+  // oracle: hand (the program before)
+  test("that is stopped while it is opened leaves the program as it was", async () => {
+    const { context, page, problems } = await start(chrome);
+    const earlier = await saved(page);
+    const release = await holdFiles(page);
+    await openFile(page, LONG);
+    const activity = page.locator(".activity[data-work=opening]");
+    await activity.locator('text="Opening the program (0.3 MB). The one before stays until then."').waitFor();
+    await activity.getByRole("button", { name: "Stop" }).click();
+    await activity.waitFor({ state: "hidden" });
+    await release();
+    await page.waitForTimeout(300);
+    assert.equal(await saved(page), earlier);
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: hand
+  test("loses nothing that is typed while it is opened: Undo brings it back", async () => {
+    const { context, page, problems } = await start(chrome);
+    const earlier = await saved(page);
+    const release = await holdFiles(page);
+    await openFile(page, LONG);
+    await page.locator(".activity[data-work=opening]").waitFor();
+    await page.locator(".cm-line").first().click();
+    await page.keyboard.press("Control+Home");
+    await page.keyboard.insertText("G110 H1\n");
+    await release();
+    await count(page, 3);
+    assert.equal(await saved(page), LONG);
+    await page.locator(".cm-line").first().click();
+    await page.keyboard.press("Control+z"); // in the editor: what was before is another program
+    assert.equal(await saved(page), LONG);
+    await page.locator(".notice").getByRole("button", { name: "Undo" }).click();
+    await page.locator('.cm-line:has-text("G110 H1")').waitFor();
+    assert.equal(await saved(page), `G110 H1\n${earlier}`);
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: hand (the bytes)
+  for (const [name, text] of [
+    ["of one line of ten million characters", `${"X12.3456 ".repeat(1_111_111)}\r\n${CALL}`],
+    ["of a million empty lines", `${"\n".repeat(1_000_000)}${CALL}`],
+  ]) test(`${name} is opened, and its call found`, async () => {
+    const { context, page, problems } = await start(chrome);
+    await openFile(page, text);
+    await page.locator('.notice:has-text("Program opened.")').waitFor();
+    await count(page, 1);
+    assert.equal(await saved(page), text);
+    await page.locator(".call-row").click();
+    await page.locator('.cm-line:has-text("_SETVAL=132")').waitFor();
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: hand (the bytes)
+  test("that is kept is put into the editor again beside the page", async () => {
+    const { context, page, problems } = await start(chrome);
+    await page.evaluate(() => {
+      const put = IDBObjectStore.prototype.put;
+      IDBObjectStore.prototype.put = function (...args) {
+        this.transaction.addEventListener("complete", () => { globalThis.kept = true; });
+        return put.apply(this, args);
+      };
+    });
+    await openFile(page, LONG);
+    await count(page, 3);
+    await page.waitForFunction(() => globalThis.kept);
+    await page.reload();
+    await page.locator('.cm-line:has-text("N10 G1")').first().waitFor();
+    await count(page, 3);
+    assert.equal(await saved(page), LONG);
+    await rows(page).nth(1).click();
+    await page.locator('.cm-line:has-text("_SETVAL=132")').first().waitFor();
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+});
+
 describe("a long program", () => {
   const chrome = shared("neither", { before, after });
 
@@ -78,11 +171,11 @@ describe("a long program", () => {
     await page.locator(".cm-line").first().click();
     await page.keyboard.press("Control+Home");
     await page.keyboard.insertText("G110 H1\nCYCLE978\n");
-    await page.locator(".panel-program .activity progress").waitFor();
+    await page.locator(".activity[data-work=reading] progress").waitFor();
     assert.equal(await page.locator(".cm-line").first().textContent(), "G110 H1");
     release();
     await count(page, 4);
-    await page.locator(".panel-program .activity").waitFor({ state: "hidden" });
+    await page.locator(".activity[data-work=reading]").waitFor({ state: "hidden" });
     await page.locator('.call-row:has-text("CYCLE978"):has-text("line 2")').waitFor();
     assert.equal(await saved(page), `G110 H1\r\nCYCLE978\r\n${LONG}`);
     assert.deepEqual(problems, []);
@@ -130,17 +223,17 @@ describe("a long program", () => {
   // oracle: hand
   test("tells how far the reading is, takes keys meanwhile, and can be stopped on the way", async () => {
     const { context, page, problems } = await start(chrome);
-    const activity = page.locator(".panel-program .activity");
+    const activity = page.locator(".activity[data-work=reading]");
     await page.evaluate(() => {
       globalThis.shares = [];
-      const bar = document.querySelector(".panel-program .activity progress");
+      const bar = document.querySelector(".activity[data-work=reading] progress");
       new MutationObserver(() => { if (bar.hasAttribute("value")) globalThis.shares.push(bar.value); }).observe(bar, { attributeFilter: ["value"] });
     });
     await openFile(page, BLOCK.repeat(400_000) + CALL);
     // within the page: from outside, the reading may be over before a button that has just come is taken as still
     const [said, typed] = await page.evaluate(async () => {
       while (!globalThis.shares.some((share) => share > 0)) await new Promise(requestAnimationFrame);
-      const box = document.querySelector(".panel-program .activity");
+      const box = document.querySelector(".activity[data-work=reading]");
       const text = box.textContent;
       const field = document.querySelector('.field[data-field="_SETVAL"] .entry-line > .figure');
       Object.getOwnPropertyDescriptor(HTMLInputElement.prototype, "value").set.call(field, "133.5");
@@ -167,7 +260,7 @@ describe("a long program", () => {
     const { context, page } = await start(chrome);
     const release = await hold(page);
     await openFile(page, LONG);
-    const activity = page.locator(".panel-program .activity");
+    const activity = page.locator(".activity[data-work=reading]");
     await activity.getByRole("button", { name: "Stop" }).click();
     await activity.locator('text="The reading was stopped. The calls of this program are not known."').waitFor();
     assert.equal(await rows(page).count(), 0);

@@ -3,10 +3,12 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { modules } from "./sources.mjs";
 
-let sources, eol;
+let sources, eol, difference, documents;
 before(async () => {
   sources = await modules();
   eol = await sources.load("/src/eol.ts");
+  ({ difference } = await sources.load("/src/difference.ts"));
+  documents = await sources.load("/src/editor/document.ts");
 });
 after(() => sources?.close());
 
@@ -22,6 +24,14 @@ function random(seed) {
 }
 
 const some = (next, count) => Array.from({ length: count }, () => PIECES[next(PIECES.length)]).join("");
+
+/** Never rests; tells the shares that it was told. */
+function unhurried() {
+  const shares = [];
+  return { shares, turn: async (share) => { shares.push(share); } };
+}
+
+const lines = (text) => text.split(/\r\n|\r|\n/);
 
 /** What an editor that takes CR LF, CR and LF as one character each makes of an offset. */
 const shown = (text, offset) => text.slice(0, offset).replaceAll("\r\n", "\n").length;
@@ -49,4 +59,57 @@ test("offsets in program and editor stay right over any edits", () => {
 test("a place moves along with the edits before it", () => {
   const edits = [{ from: 2, to: 4, insert: "abcde" }, { from: 10, to: 10, insert: "x" }];
   assert.deepEqual([0, 2, 3, 4, 9, 10, 11].map((at) => eol.carried(at, edits)), [0, 2, 2, 7, 12, 14, 15]);
+});
+
+// oracle: self (the definition: the text after it is the other text; in the editor as in the program)
+test("the difference of two programs makes one the other, and parts no CR LF", () => {
+  for (let seed = 1; seed <= 2000; seed++) {
+    const next = random(seed);
+    const before = some(next, 10);
+    const at = next(before.length + 1);
+    const after = next(4) ? before.slice(0, at) + some(next, 2) + before.slice(at + next(4)) : some(next, 10);
+    const edit = difference(before, after);
+    if (before === after) {
+      assert.equal(edit, null);
+      continue;
+    }
+    assert.equal(eol.splice(before, [edit]), after);
+    const [from, to] = [shown(before, edit.from), shown(before, edit.to)];
+    const [inEditor, wanted] = [lines(before).join("\n"), lines(after).join("\n")];
+    assert.equal(inEditor.slice(0, from) + lines(edit.insert).join("\n") + inEditor.slice(to), wanted, JSON.stringify({ before, after, edit }));
+  }
+});
+
+// oracle: hand (one character changed, far from both ends and across the strides in which texts are compared)
+test("the difference of two long programs is the place that was changed", () => {
+  const before = "N10 G1 X1.5 Y2\r\n".repeat(20_000);
+  for (const at of [0, 1, 16_383, 16_384, 16_385, 160_000, before.length - 16_384, before.length - 3]) {
+    const after = `${before.slice(0, at)}%${before.slice(at + 1)}`;
+    const edit = difference(before, after);
+    assert.equal(eol.splice(before, [edit]), after);
+    assert.ok(edit.to - edit.from <= 3 && edit.from <= at && at < edit.to, JSON.stringify({ at, edit }));
+  }
+});
+
+// oracle: self (the same text split at once)
+test("a long program that is put together in pieces has the lines that it has", async () => {
+  for (let seed = 1; seed <= 40; seed++) {
+    const next = random(seed);
+    const text = Array.from({ length: 3 + next(4) }, () => some(next, 20).repeat(1 + next(3000))).join("");
+    const pace = unhurried();
+    await documents.putTogether(text, pace);
+    assert.deepEqual(documents.linesOf(text).toJSON(), lines(text));
+    assert.deepEqual(pace.shares, [...pace.shares].sort((a, b) => a - b), "it only goes up");
+    assert.ok(pace.shares.every((share) => share <= 1));
+  }
+});
+
+// oracle: self (the definition, without pieces)
+test("the line breaks of a long program that are found in pieces are all there", async () => {
+  for (const filler of ["G1 X1\r\n", "\r\r\n", "\r\n\n"]) {
+    const text = `${filler.repeat(700_000)}M30`;
+    await eol.learn(text, unhurried());
+    for (const at of [0, 1_000_000, 1_000_001, 2_000_000, text.length - 4, text.length].filter((at) => text.slice(at - 1, at + 1) !== "\r\n"))
+      assert.equal(eol.toEditor(text, at), shown(text, at), JSON.stringify({ filler, at }));
+  }
 });

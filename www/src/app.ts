@@ -12,6 +12,7 @@ import { unpack } from "./link";
 import { Broken } from "./module";
 import { createGoToField, type Shows } from "./goto";
 import { openProgramFile, openSetupFile } from "./open";
+import { createJob } from "./pace";
 import { keepPlaces } from "./places";
 import type { ProgramCore } from "./program";
 import { firstState, machine, merge, NO_ERRORS, remember, type State } from "./state";
@@ -123,16 +124,17 @@ export async function startApp(core: Core, stored: Partial<State> | null): Promi
   };
   const shows: Shows = (cycle, values, name) =>
     forms.form({ control: cycle.control, cycle: cycle.cycle, values, ...machine({ ...store.state, control: cycle.control }) }).fields.some((field) => field.name === name);
+  const [opening, laying] = [createJob(() => store.update({})), createJob(() => store.update({}))];
+  const editor = createEditorPlace(laying, () => store.update({}));
   const open = {
-    program: (file: File): void => void openProgramFile(file, store, actions),
+    program: (file: File): void => void openProgramFile(file, store, actions, opening, editor),
     setup: (file: File): void => void openSetupFile(file, full, store, actions).catch(absent),
   };
   acceptDrops(open.program, open.setup);
   const scanner = createScanner(() => programCore?.module, store);
-  const editor = createEditorPlace(() => store.update({}));
   const stage = createStage(store);
   const makeBench = (): Bench => createBench({
-    catalogue, store, actions, open, editor, stage, reader, runner, scanner, core: () => programCore, alarms: coming.then((part) => part.alarms()),
+    catalogue, store, actions, open, opening, laying, editor, stage, reader, runner, scanner, core: () => programCore, alarms: coming.then((part) => part.alarms()),
     goToField: createGoToField(catalogue, guard(() => store, shows), store, actions),
   });
   let bench = makeBench();

@@ -7,6 +7,7 @@ import { isCurrent } from "./desk";
 import { el, setText, show } from "./dom";
 import type { EditorPlace } from "./editor/place";
 import { createLayout } from "./layout";
+import type { Job } from "./pace";
 import type { ProgramCore } from "./program";
 import type { Scanner } from "./scan/scanner";
 import { programOf, type State, type Stopped } from "./state";
@@ -34,6 +35,9 @@ export interface Parts {
   store: Store;
   actions: Actions;
   open: { program(file: File): void; setup(file: File): void };
+  /** A file being opened; a program that the page has, being made ready for the editor. */
+  opening: Job;
+  laying: Job;
   editor: EditorPlace;
   stage: Stage;
   reader: Aside;
@@ -47,7 +51,7 @@ export interface Parts {
 
 export interface Bench { readonly language: string; draw(state: State, derived: Derived): void; end(): void }
 
-export function createBench({ catalogue, store, actions, open, editor, stage, reader, runner, scanner, goToField, core, alarms }: Parts): Bench {
+export function createBench({ catalogue, store, actions, open, opening, laying, editor, stage, reader, runner, scanner, goToField, core, alarms }: Parts): Bench {
   const stop = new AbortController();
   const layout = createLayout(actions, stop.signal);
   const { panels } = layout;
@@ -55,15 +59,16 @@ export function createBench({ catalogue, store, actions, open, editor, stage, re
   const sliders = el("aside", { class: "sliders", "aria-label": t("sliders-title") });
   panels.results.append(results, sliders);
   const program = createProgram(panels.program, store, actions, open.program, editor);
-  const activities = [reading(store, reader), running(store, runner)] as const;
+  const activities = [fetching(store, opening), showing(store, laying), reading(store, reader), running(store, runner)] as const;
   const refusals = [createRefusal(store, "program"), createRefusal(store, "setup")] as const;
   const sets = createSets(actions);
   const card = createCard(actions);
   document.body.append(sets.dialog, card.dialog);
   const found = (back: () => void) => createFound(catalogue, alarms, store, actions, goToField, back);
-  program.head.after(refusals[0].root, activities[0].root);
+  const [file, text, calls, motions] = activities;
+  program.head.after(refusals[0].root, file.root, text.root, calls.root);
   layout.header.after(refusals[1].root);
-  panels.view.append(activities[1].root);
+  panels.view.append(motions.root);
   const views = [
     createHeader(layout.header, store, actions, open.setup, core), createTasks(panels.tasks, store, actions, found), createForm(panels.form, store, actions, () => sets.dialog.showModal()),
     createScene(panels.view, store, program.goToLine, stage), createResults(results, store, actions, scanner, program.goTo), createSliders(sliders, store, actions), createHelp(panels.help, store, actions, core), sets.draw, card.draw,
@@ -86,6 +91,21 @@ export function createBench({ catalogue, store, actions, open, editor, stage, re
 }
 
 const stopped = (state: State): Stopped => ({ control: state.control, text: programOf(state), why: "" });
+
+/** A file that is stopped on the way was never there. */
+function fetching(store: Store, opening: Job) {
+  const stop = (): void => { opening.stop(); store.update({}); };
+  return createActivity("opening", { busy: opening.busy, stopped: () => null, stop, again: stop });
+}
+
+function showing(store: Store, laying: Job) {
+  return createActivity("laying", {
+    busy: laying.busy,
+    stopped: (state) => isCurrent(state.stoppedLaying, state) ? state.stoppedLaying : null,
+    stop: () => { laying.stop(); store.update((state) => ({ stoppedLaying: stopped(state) })); },
+    again: () => store.update({ stoppedLaying: null }),
+  });
+}
 
 function reading(store: Store, reader: Aside) {
   return createActivity("reading", {

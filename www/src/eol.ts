@@ -1,40 +1,63 @@
 // The editor counts a line break as one character, the program keeps its CR LF. These translate offsets between the two.
 
-let lastText = "";
-let lastPairs = new Int32Array();
+import type { Pace } from "./pace";
+
+const KEPT = 2; // texts whose pairs are remembered: a program, and the one that it has replaced
+const PIECE = 1_000_000; // characters between two looks at the clock
+
+let lately: readonly { text: string; pairs: Int32Array }[] = [];
 
 /** Offsets of the CR of every CR LF. */
 function pairs(text: string): Int32Array {
-  if (text !== lastText) remember(text, Int32Array.from(found(text, 0, text.length)));
-  return lastPairs;
+  return lately.find((one) => one.text === text)?.pairs ?? remember(text, found(text, 0, text.length));
 }
 
-function remember(text: string, all: Int32Array<ArrayBuffer>): void {
-  lastText = text;
-  lastPairs = all;
+/** `instead`: the text whose place it takes. */
+function remember(text: string, pairs: Int32Array, instead?: string): Int32Array {
+  lately = [{ text, pairs }, ...lately.filter((one) => one.text !== instead)].slice(0, KEPT);
+  return pairs;
+}
+
+/** Finds the line breaks of a long text ahead of all questions, in slices. */
+export async function learn(text: string, pace: Pace): Promise<void> {
+  const parts: Int32Array[] = [];
+  for (let from = 0; from < text.length; from += PIECE) {
+    parts.push(found(text, from, from + PIECE));
+    await pace.turn(from / text.length);
+  }
+  remember(text, joined(parts));
 }
 
 /** Offsets of every CR of a CR LF, the CR from `from` on and before `to`. */
-function found(text: string, from: number, to: number): number[] {
-  const list: number[] = [];
-  for (let at = text.indexOf("\r\n", from); at >= 0 && at < to; at = text.indexOf("\r\n", at + 2)) list.push(at);
-  return list;
+function found(text: string, from: number, to: number): Int32Array {
+  const part = text.slice(from, to + 1);
+  let list = new Int32Array(64);
+  let count = 0;
+  for (let at = part.indexOf("\r\n"); at >= 0; at = part.indexOf("\r\n", at + 2)) {
+    if (count === list.length) list = joined([list, new Int32Array(count)]);
+    list[count++] = from + at;
+  }
+  return list.slice(0, count);
+}
+
+function joined(parts: readonly Int32Array[]): Int32Array<ArrayBuffer> {
+  const all = new Int32Array(parts.reduce((sum, part) => sum + part.length, 0));
+  let at = 0;
+  for (const part of parts) {
+    all.set(part, at);
+    at += part.length;
+  }
+  return all;
 }
 
 /** The pairs after one edit: only around it is the text looked at again, so that a keystroke in a long program stays cheap. */
-function pairsAfter(before: Int32Array, edit: Splice, text: string): Int32Array<ArrayBuffer> {
+function pairsAfter(before: Int32Array, edit: Splice, text: string): Int32Array {
   const from = Math.max(0, edit.from - 1); // the CR before the edit can lose or find its LF
   const end = edit.from + edit.insert.length;
-  const around = found(text.slice(from, end + 1), 0, end - from).map((at) => at + from);
   const head = before.subarray(0, countBelow(before, (pair) => pair < from));
   const tail = before.subarray(countBelow(before, (pair) => pair < edit.to));
-  const all = new Int32Array(head.length + around.length + tail.length);
-  all.set(head);
-  all.set(around, head.length);
   const shift = end - edit.to;
-  const start = head.length + around.length;
-  for (let index = 0; index < tail.length; index++) all[start + index] = (tail[index] as number) + shift;
-  return all;
+  return joined([head, found(text, from, end), shift ? tail.map((pair) => pair + shift) : tail]);
 }
 
 function countBelow(sorted: Int32Array, limit: (pair: number, index: number) => boolean): number {
@@ -69,7 +92,8 @@ export function splice(text: string, edits: readonly Splice[]): string {
   for (const edit of [...edits].sort((a, b) => b.from - a.from || b.to - a.to))
     result = result.slice(0, edit.from) + edit.insert + result.slice(edit.to);
   const [only] = edits;
-  if (only && edits.length === 1 && text === lastText) remember(result, pairsAfter(lastPairs, only, result));
+  const known = lately.find((one) => one.text === text);
+  if (only && edits.length === 1 && known) remember(result, pairsAfter(known.pairs, only, result), text);
   return result;
 }
 

@@ -1,6 +1,7 @@
 // Files in and out. A program's bytes are kept: what is no UTF-8 is taken byte by byte and saved in the same way.
 
 import { el } from "./dom";
+import type { Pace } from "./pace";
 
 export type Encoding = "utf-8" | "latin-1";
 export interface ProgramFile { name: string; encoding: Encoding }
@@ -10,16 +11,35 @@ export interface Refusal { key: string; args: Record<string, string | number> }
 const MEGABYTE = 1e6;
 const LARGEST_PROGRAM = 64 * MEGABYTE;
 const LARGEST_SETUP = 4 * MEGABYTE;
-const CHUNK = 8192;
+const PIECE = 2 ** 20; // bytes between two looks at the clock
+const CHUNK = 8192; // bytes that one call makes characters of
 
-/** UTF-8 where it is that, a mark at its begin included; else every byte is the character of that number. */
-export function decode(bytes: Uint8Array): { text: string; encoding: Encoding } {
+/** The text of a file, a piece after the other. */
+async function inPieces(file: File, pace: Pace, text: (bytes: Uint8Array, last: boolean) => string): Promise<string> {
+  const parts: string[] = [];
+  for (let at = 0; at < file.size; at += PIECE) {
+    const bytes = await file.slice(at, at + PIECE).arrayBuffer();
+    parts.push(text(new Uint8Array(bytes), at + PIECE >= file.size));
+    await pace.turn(at / file.size);
+  }
+  return parts.join("");
+}
+
+/** Every byte the character of that number. */
+function byBytes(bytes: Uint8Array): string {
+  let text = "";
+  for (let at = 0; at < bytes.length; at += CHUNK) text += String.fromCharCode(...bytes.subarray(at, at + CHUNK));
+  return text;
+}
+
+/** UTF-8 where it is that, a mark at its begin included; else byte by byte. */
+async function decoded(file: File, pace: Pace): Promise<{ text: string; encoding: Encoding }> {
+  const decoder = new TextDecoder("utf-8", { fatal: true, ignoreBOM: true });
   try {
-    return { text: new TextDecoder("utf-8", { fatal: true, ignoreBOM: true }).decode(bytes), encoding: "utf-8" };
-  } catch {
-    let text = "";
-    for (let at = 0; at < bytes.length; at += CHUNK) text += String.fromCharCode(...bytes.subarray(at, at + CHUNK));
-    return { text, encoding: "latin-1" };
+    return { text: await inPieces(file, pace, (bytes, last) => decoder.decode(bytes, { stream: !last })), encoding: "utf-8" };
+  } catch (problem) {
+    if (!(problem instanceof TypeError)) throw problem;
+    return { text: await inPieces(file, pace, byBytes), encoding: "latin-1" };
   }
 }
 
@@ -39,12 +59,13 @@ function tooLarge(key: string, file: File, most: number): Refusal {
   return { key, args: { name: file.name, size: Math.ceil(file.size / MEGABYTE), most: most / MEGABYTE } };
 }
 
-export async function readProgram(file: File): Promise<{ text: string; file: ProgramFile } | Refusal> {
+export async function readProgram(file: File, pace: Pace): Promise<{ text: string; file: ProgramFile } | Refusal> {
   if (file.size > LARGEST_PROGRAM) return tooLarge("refused-program-size", file, LARGEST_PROGRAM);
   try {
-    const { text, encoding } = decode(new Uint8Array(await file.arrayBuffer()));
+    const { text, encoding } = await decoded(file, pace);
     return { text, file: { name: file.name, encoding } };
-  } catch {
+  } catch (problem) {
+    if (!(problem instanceof DOMException)) throw problem;
     return { key: "refused-unreadable", args: { name: file.name } };
   }
 }

@@ -65,6 +65,7 @@ export interface State {
   ran: Ran | null;
   sought: Sought | null;
   follow: "cursor" | "text" | "edits" | null;        // the form follows the cursor, what was typed in the program, or edits of its call
+  stoppedLaying: Stopped | null;                      // the program is not put into the editor
   stoppedReading: Stopped | null;
   stoppedRun: Stopped | null;
   refused: (Refusal & { place: "program" | "setup" }) | null; // a file that could not be opened
@@ -87,11 +88,11 @@ export function firstState(): State {
     errors: NO_ERRORS, comments: true, twin: false, style: "", setup: null, own: {}, checked: false, touched: {}, source: "form", diameters: false,
     panel: "form", left: "form", right: "results", tab: "outcome", theme: "system", language: "", unfolded: {}, outline: true,
     search: "", limits: false, card: null, converting: null, converted: null, mended: null, focus: null, step: AT_END, playing: false, cursor: 0, cursorLine: 1, notice: "",
-    reading: null, ran: null, sought: null, follow: null, stoppedReading: null, stoppedRun: null, refused: null, scan: null, scanProblem: "", undo: null,
+    reading: null, ran: null, sought: null, follow: null, stoppedLaying: null, stoppedReading: null, stoppedRun: null, refused: null, scan: null, scanProblem: "", undo: null,
   };
 }
 
-const NOT_KEPT = ["search", "limits", "card", "converting", "converted", "mended", "focus", "step", "playing", "cursor", "cursorLine", "notice", "reading", "ran", "sought", "follow", "stoppedReading", "stoppedRun", "refused", "scan", "scanProblem", "undo"] as const satisfies (keyof State)[];
+const NOT_KEPT = ["search", "limits", "card", "converting", "converted", "mended", "focus", "step", "playing", "cursor", "cursorLine", "notice", "reading", "ran", "sought", "follow", "stoppedLaying", "stoppedReading", "stoppedRun", "refused", "scan", "scanProblem", "undo"] as const satisfies (keyof State)[];
 /** What a replacement of work can take away. */
 const WORK = ["control", "cycle", "values", "remembered", "programs", "files", "sets", "open", "pending", "errors", "setup", "own", "checked", "touched"] as const satisfies (keyof State)[];
 const IN_LINK = ["control", "cycle", "values", "programs", "open", "errors", "comments", "style", "setup", "own", "checked", "source"] as const satisfies (keyof State)[];

@@ -4,31 +4,40 @@
 import { defaultKeymap, history, historyKeymap, isolateHistory } from "@codemirror/commands";
 import { closeLintPanel, lintGutter, lintKeymap, setDiagnostics, type Diagnostic as Mark } from "@codemirror/lint";
 import { closeSearchPanel, highlightSelectionMatches, search, searchKeymap } from "@codemirror/search";
-import { Compartment, EditorSelection, EditorState, RangeSetBuilder, StateEffect, StateField, Transaction, type Extension } from "@codemirror/state";
+import { Compartment, EditorSelection, EditorState, RangeSetBuilder, StateEffect, StateField, Transaction, type Extension, type Text } from "@codemirror/state";
 import { Decoration, drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, highlightSpecialChars, keymap, lineNumbers, type DecorationSet } from "@codemirror/view";
+import { difference } from "../difference";
+import { toEditor, type Splice } from "../eol";
 import type { Dialect } from "../wire";
+import { keepLines, linesOf, LONG } from "./document";
 import { nct } from "./nct";
 import { sinumerik } from "./sinumerik";
 import { theme } from "./theme";
 
 /** Lines from 1. */
 export interface LineMarks { calls: { from: number; to: number; open: boolean }[]; step: number | null }
-export interface EditorHost { typed(changes: { from: number; to: number; insert: string }[]): void; moved(offset: number, line: number): void }
+/** `typed` gives back the program as it is then. */
+export interface EditorHost { typed(changes: { from: number; to: number; insert: string }[]): string; moved(offset: number, line: number): void }
 /** Its name, and what it says by itself: the editor's own English words with those to be shown. */
 export interface EditorWords { label: string; phrases: Record<string, string> }
-/** `apart`: a step of its own to undo, however soon it follows. Places are those in the text as it is then. */
-export interface Shown { text?: string; apart?: boolean; marks?: LineMarks; problems?: Mark[] }
+/** `origin`: where the program comes from; of another one nothing can be undone that was before. `apart`: a step of its own to undo,
+ *  however soon it follows. Places are those in the text as it is then. */
+export interface Shown { text: string; origin: unknown; apart?: boolean; marks?: LineMarks; problems?: Mark[] }
 export interface Editor {
   view: EditorView;
   setWords(words: EditorWords): void;
   /** Remembers what is in sight, and brings it there again. */
   keepPlace(): () => void;
   setDialect(dialect: Dialect): void;
+  /** false: the program is so long, and so much of it new, that its lines have to be put together first (document.ts). */
+  takes(text: string): boolean;
   /** What is told and differs, in one step: each by itself lays out the page once more. */
   set(next: Shown): void;
   select(offset: number): void;
   selectLine(line: number): void;
 }
+
+interface Change { from: number; to: number; insert: string | Text }
 
 const LANGUAGES: Record<Dialect, Extension> = { sinumerik, nct };
 const marksEffect = StateEffect.define<LineMarks>();
@@ -55,17 +64,6 @@ const marksField = StateField.define<DecorationSet>({
   provide: (field) => EditorView.decorations.from(field),
 });
 
-/** The smallest replacement that turns `before` into `after`. */
-export function difference(before: string, after: string): { from: number; to: number; insert: string } | null {
-  if (before === after) return null;
-  let start = 0;
-  const shorter = Math.min(before.length, after.length);
-  while (start < shorter && before.charCodeAt(start) === after.charCodeAt(start)) start++;
-  let end = 0;
-  while (end < shorter - start && before.charCodeAt(before.length - 1 - end) === after.charCodeAt(after.length - 1 - end)) end++;
-  return { from: start, to: before.length - end, insert: after.slice(start, after.length - end) };
-}
-
 function speaking({ label, phrases }: EditorWords): Extension {
   return [EditorState.phrases.of(phrases), EditorView.contentAttributes.of({ "aria-label": label })];
 }
@@ -74,6 +72,10 @@ export function createEditor(box: HTMLElement, words: EditorWords, host: EditorH
   const root = box.attachShadow({ mode: "open" });
   const language = new Compartment();
   const spoken = new Compartment();
+  const past = new Compartment();
+  let held = ""; // the program that is shown, with its own line breaks
+  let looked: { held: string; text: string; edit: Splice | null } | null = null; // the last two that were compared
+  let cameFrom: unknown;
   let ours = false; // a change made by the page, not by the user
   let dialect: Dialect = "sinumerik";
 
@@ -82,7 +84,7 @@ export function createEditor(box: HTMLElement, words: EditorWords, host: EditorH
     if (update.docChanged) {
       const changes: { from: number; to: number; insert: string }[] = [];
       update.changes.iterChanges((from, to, _a, _b, inserted) => changes.push({ from, to, insert: inserted.toString() }));
-      host.typed(changes);
+      held = host.typed(changes);
     }
     const { head } = update.state.selection.main;
     if (update.selectionSet || update.docChanged) host.moved(head, update.state.doc.lineAt(head).number);
@@ -91,13 +93,26 @@ export function createEditor(box: HTMLElement, words: EditorWords, host: EditorH
     parent: root, root,
     state: EditorState.create({
       extensions: [
-        lineNumbers(), lintGutter(), history(), drawSelection(), highlightSpecialChars(), highlightActiveLine(), highlightActiveLineGutter(),
+        lineNumbers(), lintGutter(), past.of(history()), drawSelection(), highlightSpecialChars(), highlightActiveLine(), highlightActiveLineGutter(),
         search({ top: true }), highlightSelectionMatches(), marksField, language.of(LANGUAGES[dialect]), theme, listen,
         keymap.of([...searchKeymap, ...lintKeymap, ...historyKeymap, ...defaultKeymap]),
         spoken.of(speaking(words)), EditorView.contentAttributes.of({ tabindex: "0", autocapitalize: "characters", spellcheck: "false" }),
       ],
     }),
   });
+  /** What makes the shown program this one; null: it is that; undefined: its lines are not put together yet. */
+  const changeTo = (text: string): Change | null | undefined => {
+    if (looked?.held !== held || looked.text !== text) looked = { held, text, edit: difference(held, text) };
+    const { edit } = looked;
+    if (!edit) return null;
+    const { doc } = view.state;
+    if (edit.insert.length > LONG) {
+      const lines = linesOf(text);
+      return lines && { from: 0, to: doc.length, insert: lines };
+    }
+    const after = toEditor(text, text.length) - toEditor(text, edit.from + edit.insert.length);
+    return { from: toEditor(text, edit.from), to: doc.length - after, insert: edit.insert };
+  };
   const apply = (run: () => void): void => { ours = true; try { run(); } finally { ours = false; } };
   const select = (offset: number): void => {
     const at = Math.min(offset, view.state.doc.length);
@@ -115,12 +130,18 @@ export function createEditor(box: HTMLElement, words: EditorWords, host: EditorH
       const place = view.scrollSnapshot();
       return () => apply(() => view.dispatch({ effects: place }));
     },
-    set({ text, apart, marks, problems }) {
-      const change = text === undefined ? null : difference(view.state.doc.toString(), text.replace(/\r\n?/g, "\n"));
+    takes: (text) => changeTo(text) !== undefined,
+    set({ text, origin, apart, marks, problems }) {
+      const change = changeTo(text);
+      if (change && change.to - change.from > LONG) keepLines(held, view.state.doc);
+      held = text;
+      const other = origin !== cameFrom;
+      cameFrom = origin;
       const told = problems ? [setDiagnostics(view.state, problems).effects ?? []].flat() : [];
-      const effects = [...marks ? [marksEffect.of(marks)] : [], ...told];
+      const effects = [...marks ? [marksEffect.of(marks)] : [], ...told, ...other ? [past.reconfigure([])] : []];
       const step = change ? { changes: change, annotations: [Transaction.addToHistory.of(true), ...(apart ? [isolateHistory.of("full")] : [])] } : {};
       if (change || effects.length) apply(() => view.dispatch({ ...step, effects }));
+      if (other) apply(() => view.dispatch({ effects: past.reconfigure(history()) }));
     },
     setDialect(next) {
       if (next === dialect) return;

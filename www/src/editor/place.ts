@@ -1,30 +1,47 @@
 // The editor outlives the view around it: when the language changes, its box moves into the new view with text, undo and cursor.
 
 import { el } from "../dom";
+import { learn } from "../eol";
+import { within, type Job, type Pace } from "../pace";
 import type { Editor, EditorHost } from "./editor";
 import { editorWords } from "./words";
 
 export interface EditorPlace {
   readonly box: HTMLElement;
   readonly editor: Editor | null;
-  /** Fetches the editor unless it is there or on its way; it reports to the host of the view that stands now. */
+  /** It reports to the host of the view that stands now. */
   serve(host: EditorHost): void;
+  /** Fetches the editor unless it is there or on its way. */
   fetch(): void;
+  /** Whether the editor is there and can show this program at once. */
+  takes(text: string): boolean;
+  /** Makes everything ready for this program to be shown at once. */
+  prepare(text: string, pace: Pace): Promise<void>;
+  /** The same beside the page, unless it is under way. */
+  lay(text: string): void;
 }
 
-export function createEditorPlace(ready: () => void): EditorPlace {
+/** `laying`: the work on a program that the page already has; `ready` is called when the editor is there. */
+export function createEditorPlace(laying: Job, ready: () => void): EditorPlace {
   const box = el("div", { class: "editor" });
   let editor: Editor | null = null;
   let fetching = false;
   let host: EditorHost | null = null;
-  const through: EditorHost = { typed: (changes) => host?.typed(changes), moved: (offset, line) => host?.moved(offset, line) };
+  let laid: string | null = null; // what is or was last made ready
+  const through: EditorHost = { typed: (changes) => host?.typed(changes) ?? "", moved: (offset, line) => host?.moved(offset, line) };
   const start = async (): Promise<void> => {
     const { createEditor } = await import("./editor");
     editor = createEditor(box, editorWords(), through);
     ready();
   };
+  const prepare = async (text: string, pace: Pace): Promise<void> => {
+    const { LONG, putTogether } = await import("./document");
+    if (text.length <= LONG) return;
+    await learn(text, within(pace, 0, 0.2));
+    await putTogether(text, within(pace, 0.2, 1));
+  };
   return {
-    box,
+    box, prepare,
     get editor() { return editor; },
     serve(next) {
       host = next;
@@ -34,6 +51,12 @@ export function createEditorPlace(ready: () => void): EditorPlace {
       if (fetching) return;
       fetching = true;
       void start();
+    },
+    takes: (text) => editor?.takes(text) ?? false,
+    lay(text) {
+      if (laying.busy() && laid === text) return;
+      laid = text;
+      void laying.start(text.length, (pace) => prepare(text, pace));
     },
   };
 }

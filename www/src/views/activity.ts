@@ -8,8 +8,8 @@ import { t } from "../texts";
 const QUIET = 300; // ms of work that are not worth a word
 const TICK = 250; // ms
 
-/** `halt` where the work can wait. */
-export interface Activity { busy(): { since: number; share?: number; halted?: number } | null; stopped(state: State): Stopped | null; stop(): void; again(): void; halt?(on: boolean): void }
+/** `size`: characters or bytes that it is about, those of the program unless told; `halt` where the work can wait. */
+export interface Activity { busy(): { since: number; share?: number; halted?: number; size?: number } | null; stopped(state: State): Stopped | null; stop(): void; again(): void; halt?(on: boolean): void }
 
 /** `name` is the first part of the keys of its texts. */
 export function createActivity(name: string, work: Activity): { root: HTMLElement; draw(state: State): void } {
@@ -19,7 +19,7 @@ export function createActivity(name: string, work: Activity): { root: HTMLElemen
   const halt = el("button", { type: "button", class: "quiet" });
   const stop = el("button", { type: "button", class: "quiet" }, t("activity-stop"));
   const again = el("button", { type: "button", class: "quiet" }, t("activity-again"));
-  const root = el("div", { class: "activity", hidden: true }, bar, what, seconds, el("div", { class: "activity-buttons" }, halt, stop, again));
+  const root = el("div", { class: "activity", "data-work": name, hidden: true }, bar, what, seconds, el("div", { class: "activity-buttons" }, halt, stop, again));
   let timer = 0;
   on(halt, "click", () => work.halt?.(work.busy()?.halted === undefined));
   on(stop, "click", work.stop);
@@ -36,7 +36,7 @@ export function createActivity(name: string, work: Activity): { root: HTMLElemen
     show(halt, working && !!work.halt);
     show(again, !working);
     setText(halt, t(halted ? "activity-go-on" : "activity-halt"));
-    const size = plain(programOf(state).length / 1e6, 1);
+    const size = plain((busy?.size ?? programOf(state).length) / 1e6, 1);
     if (working) setText(what, t(`${name}-${halted ? "halted" : "working-on"}`, { size }));
     else setText(what, stopped ? t(stopped.why ? `${name}-failed` : `${name}-stopped`, { why: stopped.why }) : "");
     setAttribute(bar, "value", busy?.share);

@@ -10,6 +10,7 @@ import { lineBreak, toEditor, toProgram } from "../eol";
 import { programOf, type State } from "../state";
 import type { Store } from "../store";
 import { say, t } from "../texts";
+import { isCurrent } from "../desk";
 import { copyText } from "./form";
 import { createOutline } from "./outline";
 
@@ -33,8 +34,8 @@ export function createProgram(root: HTMLElement, store: Store, actions: Actions,
 
   let text = "";
   let last: Derived | null = null;
-  let target: { offset: number } | { line: number } | null = null; // to be shown as soon as the editor is there
-  let inEditor: string | null = null; // the text that the editor holds
+  let target: { offset: number } | { line: number } | null = null; // to be shown as soon as the editor shows the program
+  let laid = false; // the editor shows `text`
   let lines = "";
   let told: Derived["problems"] | null = null;
 
@@ -49,13 +50,14 @@ export function createProgram(root: HTMLElement, store: Store, actions: Actions,
       const eol = lineBreak(text);
       const edits = changes.map((one) => ({ from: toProgram(text, one.from), to: toProgram(text, one.to), insert: one.insert.replaceAll("\n", eol) }));
       actions.editProgram(edits);
-      text = inEditor = programOf(store.state);
+      return text = programOf(store.state);
     },
     moved: (offset, line) => actions.cursor(toProgram(text, offset), line),
   };
   place.serve(host);
   const select = (wanted: { offset: number } | { line: number }): void => {
-    target = null;
+    target = laid ? null : wanted;
+    if (!laid) return;
     if ("line" in wanted) place.editor?.selectLine(wanted.line);
     else place.editor?.select(toEditor(text, wanted.offset));
   };
@@ -85,23 +87,24 @@ export function createProgram(root: HTMLElement, store: Store, actions: Actions,
     return { ...lines !== before && { marks: next }, ...told !== known && { problems: marks(derived, actions.cure) } };
   };
 
+  const edit = (state: State, derived: Derived): void => {
+    place.editor?.setDialect(state.control);
+    place.editor?.set({ text, origin: state.files[state.control] ?? state.control, apart: text === state.mended, ...marked(state, derived) });
+  };
+
   return {
     head,
     draw(state, derived) {
       text = derived.program;
-      const { editor } = place;
-      show(waiting, !editor);
-      if (!editor) {
-        place.fetch();
-        last = derived;
-        return drawCalls(state, derived);
-      }
-      editor.setDialect(state.control);
-      editor.set({ ...text !== inEditor && { text, apart: text === state.mended }, ...marked(state, derived) });
-      inEditor = text;
-      if (target !== null) select(target);
-      drawCalls(state, derived);
       last = derived;
+      laid = place.takes(text);
+      if (laid) edit(state, derived);
+      else if (!place.editor) place.fetch();
+      else if (!isCurrent(state.stoppedLaying, state)) place.lay(text);
+      show(waiting, !place.editor);
+      show(place.box, laid || !place.editor);
+      if (laid && target !== null) select(target);
+      drawCalls(state, derived);
     },
     goTo: (offset) => goTo({ offset }),
     goToLine: (line) => goTo({ line }),
