@@ -192,7 +192,7 @@ test("colours are read in the notations of CSS", () => {
 test("the stylus stands along the axis of the tool", () => {
   const motion = { step: "motion", kind: "positioning", from: [0, 0, 0], to: [1, 0, 0], feed: 100 };
   for (const [axis, along] of [[[0, 0, 1], 2], [[0, 1, 0], 1], [[1, 0, 0], 0]]) {
-    const probe = { ball: axis, pieces: [], carrier: [], tip: [0, 0, 0] };
+    const probe = { length: [0, 0, 0], ball: axis, pieces: [], carrier: [], tip: [0, 0, 0] };
     const trace = { entries: [motion], ball: { radius: 3, length: 50 }, tools: [probe], inUse: [[0, 0]], solids: [], frames: [] };
     const box = mesh.boxOf(scene.buildScene(trace, colours.LIGHT).mesh);
     for (const other of [0, 1, 2]) {
@@ -204,7 +204,7 @@ test("the stylus stands along the axis of the tool", () => {
 
 const INSERT = { corners: [[0, 0, 0], [10, 0, 0], [10, 0, 10], [0, 0, 10]], thick: [0, -4, 0] };
 const MILL = { outline: [[0, 0], [5, 0], [5, 50], [0, 50]], axis: [0, 0, 1], at: [0, 0, 0] };
-const inUse = (pieces) => ({ pieces, carrier: [], tip: [0, 0, 0] });
+const inUse = (pieces) => ({ length: [0, 0, 0], pieces, carrier: [], tip: [0, 0, 0] });
 
 // oracle: hand (a plate of 10 × 10 × 4 mm, and a cylinder of 24 sides)
 test("an insert and a mill are closed and face outwards", () => {
@@ -223,11 +223,21 @@ test("what is in use follows the tool changes, and the fit has room for it", () 
   const entries = [motion([0, 0, 0], [1, 0, 0]), { step: "tool", tool: 3, edge: 1 }, motion([1, 0, 0], [0, 0, 0]), { step: "tool", tool: 9, edge: 1 }];
   const tools = [{ ...inUse([]), ball: [0, 0, 1] }, inUse([MILL])];
   const trace = { entries, ball: { radius: 3, length: 50 }, tools, inUse: [[0, 0], [1, 1], [3, 0]], solids: [], frames: [] };
-  assert.deepEqual([0, 1, 2, 3].map((index) => tools.indexOf(scene.toolAt(trace, index))), [0, 1, 1, 0]);
-  assert.equal(scene.toolAt({ ...trace, tools: undefined, inUse: undefined }, 2), undefined);
+  assert.deepEqual([0, 1, 2, 3].map((index) => tools.indexOf(paths.toolAt(trace, index))), [0, 1, 1, 0]);
+  assert.equal(paths.toolAt({ ...trace, tools: undefined, inUse: undefined }, 2), undefined);
   const box = (inUse) => scene.buildScene({ ...trace, inUse }, colours.LIGHT).box;
   near([box([[0, 1]]).max[2]], [50]);
   near([box([[0, 1]]).max[0]], [5]);
+});
+
+// oracle: hand (the axes stand still: a tool that is 10 mm longer in Z ends 10 mm lower, where the last motion led)
+test("another length in effect is another position", () => {
+  const entries = [{ step: "motion", kind: "positioning", from: [0, 0, 0], to: [1, 0, 50], feed: 100 }, { step: "tool", tool: 3, edge: 1 }, { step: "return" }];
+  const tools = [inUse([]), { ...inUse([]), length: [0, 0, 10] }];
+  const trace = { entries, tools, inUse: [[0, 0], [1, 1]] };
+  near(paths.probeAt(trace, 0, 1), [1, 0, 50]);
+  near(paths.probeAt(trace, 1, 0), [1, 0, 40]);
+  near(paths.probeAt(trace, 2, 1), [1, 0, 40]);
 });
 
 // oracle: hand (a step of 40 mm that is 0.1 mm larger, its front at Z 10; X −20 from a zero at Z 4, as a diameter)

@@ -160,6 +160,7 @@ export interface Trace { entries: (Step & { line?: number })[]; ball: Ball; tool
 export interface Ball { radius: number; length: number; stylus?: number; body?: { radius: number; distance: number } }
 /** What is in use, from the position of the machine on: the ball of the probe or the pieces of a tool. */
 export interface ToolView {
+  length: Vec3;                        // in effect, along X Y Z: where it changes, the axes stand still
   ball?: Vec3;                         // direction from the ball to what holds it; absent: no probe
   pieces: ToolPiece[];
   carrier: ToolPiece[];                // what holds it on a turning machine

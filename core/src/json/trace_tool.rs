@@ -2,15 +2,15 @@
 
 use super::object;
 use super::setup_write::solids;
-use crate::catalogue::{Dialect, ProbeUse, find};
+use crate::catalogue::{ProbeUse, find};
+use crate::control::Edge;
 use crate::control::tools::LATHE_PROBE;
-use crate::control::{Control, Edge};
 use crate::geometry::V3;
+use crate::run::in_use::InUse;
 use crate::run::outcome::Outcome;
 use crate::run::setup::Setup;
-use crate::run::trace::Step;
+use crate::run::trace::{Entry, Step};
 use crate::workpiece::seen::{self, Drawn};
-use crate::workpiece::tool::Tool;
 use serde_json::Value;
 use std::collections::BTreeSet;
 
@@ -24,84 +24,50 @@ pub(super) fn probes(setup: &Setup) -> Value {
     solids(&caps)
 }
 
-/// T and D number of a tool, or of an NCT control T 0 and the register.
-type Place = (i64, i64);
-
 /// Whatever was in use, each once, and from which entry on which of them.
 pub(super) fn tools(setup: &Setup, outcome: &Outcome) -> (Value, Value) {
-    let mut known: Vec<Place> = Vec::new();
-    let mut in_use = Vec::new();
-    for (entry, place) in changes(outcome) {
-        let index = known.iter().position(|one| *one == place);
-        let index = index.unwrap_or_else(|| {
-            known.push(place);
-            known.len() - 1
-        });
-        in_use.push(Value::from(vec![entry, index]));
-    }
     let measured = measured(outcome);
-    let view = |place: &Place| tool(setup, outcome, *place, measured.contains(place));
-    (known.iter().map(view).collect(), in_use.into())
-}
-
-/// What is in use, from which entry on.
-fn changes(outcome: &Outcome) -> Vec<(usize, Place)> {
-    let begin = outcome.before.active_place();
-    let entries = outcome.trace.entries.iter().enumerate();
-    let changed =
-        entries.filter_map(
-            |(index, entry)| match (&entry.step, outcome.before.dialect) {
-                (Step::Tool(tool, edge), Dialect::Sinumerik) => Some((index, (*tool, *edge))),
-                (Step::Tool(_, edge), Dialect::Nct) => Some((index, (0, *edge))),
-                _ => None,
-            },
-        );
-    std::iter::once((0, begin)).chain(changed).collect()
-}
-
-/// With what a part was measured, which then was the probe whatever its data say.
-fn measured(outcome: &Outcome) -> BTreeSet<Place> {
-    let mut changes = changes(outcome).into_iter().peekable();
-    let mut place = outcome.before.active_place();
-    let mut measured = BTreeSet::new();
-    for (index, entry) in outcome.trace.entries.iter().enumerate() {
-        while let Some((_, next)) = changes.next_if(|(from, _)| *from <= index) {
-            place = next;
-        }
-        let Step::CallBegin { cycle, .. } = entry.step else {
-            continue;
-        };
-        let cycle = find(outcome.before.dialect, cycle);
-        if cycle.is_some_and(|cycle| cycle.purpose.probe == ProbeUse::Workpiece) {
-            measured.insert(place);
+    let view = |used: &InUse| tool(setup, used, measured.contains(&used.place));
+    let trace = &outcome.trace;
+    let mut from: Vec<[usize; 2]> = Vec::new();
+    for (index, entry) in trace.entries.iter().enumerate() {
+        if from.last().is_none_or(|[_, last]| *last != entry.in_use) {
+            from.push([index, entry.in_use]);
         }
     }
-    measured
+    let in_use = from
+        .into_iter()
+        .map(|[at, used]| Value::from(vec![at, used]));
+    (trace.in_use.iter().map(view).collect(), in_use.collect())
+}
+
+/// With what a part was measured, by T and D number: it was the probe then, whatever its data say.
+fn measured(outcome: &Outcome) -> BTreeSet<(i64, i64)> {
+    let trace = &outcome.trace;
+    let of_probe = |entry: &&Entry| match entry.step {
+        Step::CallBegin { cycle, .. } => find(outcome.before.dialect, cycle)
+            .is_some_and(|cycle| cycle.purpose.probe == ProbeUse::Workpiece),
+        _ => false,
+    };
+    let calls = trace.entries.iter().filter(of_probe);
+    let used = calls.filter_map(|entry| trace.in_use.get(entry.in_use));
+    used.map(|used| used.place).collect()
 }
 
 /// What is drawn: the ball, or the pieces of a tool; on a turning machine also what carries it. `tip`: from the position of
 /// the machine to the end of the tool.
-fn tool(setup: &Setup, outcome: &Outcome, (number, edge): Place, measured: bool) -> Value {
-    let mut control = outcome.before.clone();
-    control.plane = outcome.control.plane;
-    let later = || outcome.control.edge_of(number, edge).cloned();
-    let data = control.edge_of(number, edge).cloned().or_else(later);
-    if let Some(data) = &data {
-        let tools = control.tools.entry(number).or_default();
-        tools.edges.entry(edge).or_insert_with(|| data.clone());
-    }
-    (control.tool, control.edge) = (number, edge);
-    let carrier = V3::from(control.active_length());
+fn tool(setup: &Setup, used: &InUse, measured: bool) -> Value {
     let is_probe = |edge: &Edge| measured || [710, LATHE_PROBE].contains(&edge.kind);
-    let Some(data) = data.filter(|data| !is_probe(data)) else {
-        return ball(setup, &control, carrier);
+    let probe = used.edge.as_ref().is_none_or(is_probe);
+    let Some(tool) = used.tool.as_ref().filter(|_| !probe) else {
+        return ball(setup, used);
     };
-    let real = setup.real_tools.get(&(number, edge)).cloned();
-    let tool = real.unwrap_or_else(|| Tool::nominal(&data, &outcome.before));
-    let tip = V3::from(tool.error(&control));
-    let (pieces, along) = seen::tool(&tool, carrier - tip, control.plane);
-    let holder = held(setup, &control, carrier - tip, along);
+    let tip = V3::from(used.tip);
+    let carrier = V3::from(used.length) - tip;
+    let (pieces, along) = seen::tool(tool, carrier, used.plane, used.spindle);
+    let holder = held(setup, used, carrier, along);
     object([
+        ("length", used.length.into()),
         ("tip", vector(tip)),
         ("pieces", drawn(&pieces, tip)),
         ("carrier", drawn(&holder, tip)),
@@ -110,17 +76,19 @@ fn tool(setup: &Setup, outcome: &Outcome, (number, edge): Place, measured: bool)
 
 /// Ball and stylus. The axis points from the ball to what holds it, in machine coordinates: along the applicate of the
 /// plane in which was measured, on a turning machine as the cutting edge position says.
-fn ball(setup: &Setup, control: &Control, carrier: V3) -> Value {
-    let [abscissa, ordinate, applicate] = control.plane.axes();
+fn ball(setup: &Setup, used: &InUse) -> Value {
+    let carrier = V3::from(used.length);
+    let [abscissa, ordinate, applicate] = used.plane.axes();
     let mut axis = V3::zeros();
-    match control.active_edge().and_then(Edge::body) {
+    match used.edge.as_ref().and_then(Edge::body) {
         Some([along, across]) => (axis[abscissa], axis[ordinate]) = (along, across),
         None => axis[applicate] = 1.0,
     }
-    let holder = held(setup, control, carrier, axis);
-    let turret = control.turns().then_some(setup.probe.length);
+    let holder = held(setup, used, carrier, axis);
+    let turret = used.turns.then_some(setup.probe.length);
     let adapter = turret.and_then(|length| seen::adapter(length, carrier, axis));
     object([
+        ("length", used.length.into()),
         ("ball", vector(axis)),
         ("tip", vector(V3::zeros())),
         ("pieces", drawn(adapter.as_slice(), V3::zeros())),
@@ -129,8 +97,8 @@ fn ball(setup: &Setup, control: &Control, carrier: V3) -> Value {
 }
 
 /// Holder and turret of a turning machine.
-fn held(setup: &Setup, control: &Control, carrier: V3, along: V3) -> Vec<Drawn> {
-    match control.turns() {
+fn held(setup: &Setup, used: &InUse, carrier: V3, along: V3) -> Vec<Drawn> {
+    match used.turns {
         true => seen::turret(&setup.turret, carrier, along),
         false => Vec::new(),
     }
@@ -185,6 +153,90 @@ mod tests {
         value.as_f64().unwrap()
     }
 
+    /// The trace of a program on this machine.
+    fn run(text: &str, setup: Value) -> Value {
+        let asked = json!({ "control": "sinumerik", "text": text, "setup": setup });
+        let mut run = crate::json::Run::new(&asked.to_string()).unwrap();
+        while !run.advance(100) {}
+        run.view()["trace"].clone()
+    }
+
+    /// What is drawn at each motion of a trace.
+    fn at_motions(trace: &Value) -> Vec<&Value> {
+        let in_use = trace["inUse"].as_array().unwrap();
+        let entries = trace["entries"].as_array().unwrap().iter().enumerate();
+        let motions = entries.filter(|(_, entry)| entry["step"] == "motion");
+        let last = |index: usize| {
+            let until = |one: &&Value| number(&one[0]) <= index as f64;
+            in_use.iter().rfind(until).unwrap()[1].as_u64().unwrap()
+        };
+        motions
+            .map(|(index, _)| &trace["tools"][last(index) as usize])
+            .collect()
+    }
+
+    /// A milling machine with this cutter as T1, 70 mm long, above a tool probe.
+    fn milling(cutter: Value) -> Value {
+        let real = json!({ "length": [70.5, 0.0, 0.0], "cut": { "cutter": cutter } });
+        json!({
+            "control": "sinumerik", "plane": "G17", "probe": { "radius": 3.0, "length": 50.0 },
+            "tools": { "1": { "edges": { "1": { "type": 120, "length": [70.0, 0.0, 0.0], "radius": 8.0, "real": real } } } },
+            "toolProbes": [{ "solid": { "shape": "block", "size": [20.0, 20.0, 20.0], "at": [0.0, 0.0, -100.0] } }],
+            "workpiece": [], "position": [0.0, 0.0, 100.0],
+        })
+    }
+
+    #[test]
+    fn each_motion_has_the_plane_in_which_it_was_made() {
+        // oracle: hand: the tool stands along Z in G17, along Y in G18
+        let text = "G17 T1 D1 M6\nG0 Z60\nG18\nG0 Y60\nG17\nG0 Z80\nM30\n";
+        let trace = run(text, milling(json!({ "radius": 8.0 })));
+        let axes: Vec<&Value> = at_motions(&trace)
+            .iter()
+            .map(|tool| &tool["pieces"][0]["axis"])
+            .collect();
+        let [along_y, along_z] = [json!([0.0, 1.0, 0.0]), json!([0.0, 0.0, 1.0])];
+        assert_eq!(axes, [&along_z, &along_y, &along_z]);
+    }
+
+    #[test]
+    fn a_length_that_is_corrected_leaves_the_tool_where_it_stands() {
+        // oracle: hand: the tool is 0.5 mm longer than its data, which then are put right
+        let text = "G17 T1 D1 M6\nG0 Z60\n$TC_DP3[1,1]=70.5\nG0 X5\nM30\n";
+        let trace = run(text, milling(json!({ "radius": 8.0 })));
+        let motions = at_motions(&trace);
+        let end = |tool: &Value| number(&tool["length"][2]) - number(&tool["tip"][2]);
+        assert_eq!(number(&motions[0]["tip"][2]), -0.5);
+        assert_eq!(number(&motions[1]["tip"][2]), 0.0);
+        assert_eq!(end(motions[0]), end(motions[1]));
+    }
+
+    #[test]
+    fn a_cutter_shows_its_teeth_where_they_stand_and_sweeps_when_it_turns() {
+        // oracle: hand: four teeth at 0, 90, 180 and 270 degree, turned by 30; the one at 90 lies 0.02 mm further out
+        let text = "G17 T1 D1 M6\nSPOS=30\nG0 Z60\nM3 S500\nG0 Z70\nM30\n";
+        let cutter =
+            json!({ "radius": 8.0, "teeth": 4, "runout": [0.02, 0.0], "runoutAngle": 90.0 });
+        let trace = run(text, milling(cutter));
+        let motions = at_motions(&trace);
+        let [standing, turning] = [&motions[0]["pieces"], &motions[1]["pieces"]];
+        let reach = |piece: &Value| {
+            let corners = piece["corners"].as_array().unwrap().iter();
+            let far = corners.map(|at| (number(&at[0]), number(&at[1])));
+            far.max_by(|a, b| a.0.hypot(a.1).total_cmp(&b.0.hypot(b.1)))
+                .unwrap()
+        };
+        let (x, y) = reach(&standing[2]);
+        let angle = y.atan2(x).to_degrees();
+        assert!((angle - 120.0).abs() < 1e-9 && (x.hypot(y) - 8.02).abs() < 1e-9);
+        assert_eq!(standing.as_array().unwrap().len(), 5, "core and teeth");
+        let widest = turning.as_array().unwrap().iter().map(|piece| {
+            let outline = piece["outline"].as_array().unwrap().iter();
+            outline.map(|at| number(&at[0])).fold(0.0, f64::max)
+        });
+        assert!((widest.fold(0.0, f64::max) - 8.02).abs() < 1e-9);
+    }
+
     #[test]
     fn tool_and_probe_are_drawn_where_they_are() {
         // oracle: hand: a cylinder of 5 mm with its end at the position; the probe stands 0.2 mm beside its data
@@ -225,21 +277,17 @@ mod tests {
 
     #[test]
     fn a_program_shows_what_it_takes_into_the_turret() {
-        // oracle: hand: nothing is in use until T8, a probe (B:974-985); then T1, a turning tool; X counts as a diameter
+        // oracle: hand: T8, a probe (B:974-985), then T1, a turning tool; X counts as a diameter
         let edge = |kind: i64, tip: i64| json!({ "1": { "type": kind, "tip": tip, "length": [60.0, 40.0, 0.0], "radius": 0.8 } });
-        let asked = json!({
-            "control": "sinumerik", "text": "G18 DIAMON\nT8 D1\nG0 X100 Z50\nT1 D1\nG0 X120 Z60\nM30\n",
-            "setup": {
+        let trace = run(
+            "G18 DIAMON\nT8 D1\nG0 X100 Z50\nT1 D1\nG0 X120 Z60\nM30\n",
+            json!({
                 "control": "sinumerik", "plane": "G18", "probe": { "radius": 3.0, "length": 50.0 },
                 "tools": { "8": { "edges": edge(580, 7) }, "1": { "edges": edge(500, 3) } },
                 "workpiece": [{ "shape": "turned", "size": [40.0, 60.0, 0.0, 0.0], "at": [0.0, 0.0, 0.0] }],
                 "position": [100.0, 0.0, 100.0],
-            },
-        });
-        let mut run = crate::json::Run::new(&asked.to_string()).unwrap();
-        while !run.advance(100) {}
-        let run = run.view();
-        let trace = &run["trace"];
+            }),
+        );
         assert_eq!(trace["turning"], true);
         assert_eq!(trace["drawing"]["reading"]["diameter"], true);
         let shown: Vec<bool> = trace["tools"]
@@ -248,10 +296,10 @@ mod tests {
             .iter()
             .map(|tool| tool["ball"].is_array())
             .collect();
-        assert_eq!(shown, [true, true, false]);
+        assert_eq!(shown, [true, false]);
         let entries = trace["entries"].as_array().unwrap();
         let in_use = trace["inUse"].as_array().unwrap();
-        for (change, tool) in in_use[1..].iter().zip([8, 1]) {
+        for (change, tool) in in_use.iter().zip([8, 1]) {
             let entry = &entries[change[0].as_u64().unwrap() as usize];
             assert_eq!(
                 (&entry["step"], &entry["tool"]),

@@ -1,5 +1,6 @@
 //! The simulated machine: moves the probe among the solids and records what happens.
 
+use super::in_use::InUse;
 use super::route::{Obstacle, Route, add};
 use super::trace::{Entry, MotionKind, Step, Trace};
 use super::{Machine, Setup, Stop};
@@ -275,11 +276,22 @@ impl Sim {
     /// Adds a step to the trace, with the present line.
     pub fn note(&mut self, step: Step) {
         if !self.quiet && self.trace.entries.len() < self.trace_limit {
+            let in_use = self.in_use();
             self.trace.entries.push(Entry {
                 line: self.line,
                 step,
+                in_use,
             });
         }
+    }
+
+    /// Where in the trace stands what is in use now.
+    fn in_use(&mut self) -> usize {
+        let known = self.trace.in_use.iter().rposition(|one| one.lasts(self));
+        known.unwrap_or_else(|| {
+            self.trace.in_use.push(InUse::of(self));
+            self.trace.in_use.len() - 1
+        })
     }
 
     /// Index of the axis along which the tool stands: the applicate.

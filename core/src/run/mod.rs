@@ -17,6 +17,7 @@ pub mod frame;
 pub mod function;
 pub mod gcode;
 mod helper;
+pub mod in_use;
 pub mod interpret;
 pub mod level;
 mod listed;

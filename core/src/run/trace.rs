@@ -1,5 +1,6 @@
 //! What happened, in order, each with the program line that caused it. 3D view, timeline, tables and tests read this.
 
+use super::in_use::InUse;
 use crate::diagnostic::Code;
 use crate::geometry::arc::Around;
 use crate::message::Message;
@@ -111,6 +112,8 @@ pub struct Entry {
     pub line: Option<u32>,
     /// What happened.
     pub step: Step,
+    /// Index in [`Trace::in_use`] of the tool that was in use then.
+    pub in_use: usize,
 }
 
 /// Everything that happened.
@@ -118,4 +121,6 @@ pub struct Entry {
 pub struct Trace {
     /// In order.
     pub entries: Vec<Entry>,
+    /// Whatever was in use, each once for each way in which it was.
+    pub in_use: Vec<InUse>,
 }

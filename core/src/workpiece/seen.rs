@@ -1,7 +1,9 @@
 //! What is drawn of a tool and of what carries it. Of a turning tool only the nose can touch, which is `tool::Nose`; the
 //! insert and the shank behind it, the holder and the turret follow from the tool data and are out of the way.
 
-use super::tool::{Cut, Nose, Tool};
+mod milling;
+
+use super::tool::{Cut, Nose, Spindle, Tool};
 use crate::control::Plane;
 use crate::geometry::V3;
 use crate::geometry::rigid::sin_cos;
@@ -65,21 +67,12 @@ impl Default for Turret {
     }
 }
 
-/// A tool from its end on, and the direction in which it leads to where it is held. `carrier`: from its end to there.
-pub fn tool(tool: &Tool, carrier: V3, plane: Plane) -> (Vec<Drawn>, V3) {
+/// A tool from its end on, and the direction in which it leads to where it is held. `carrier`: from its end to there;
+/// `spindle`: how the teeth of a cutter stand.
+pub fn tool(tool: &Tool, carrier: V3, plane: Plane, spindle: Option<Spindle>) -> (Vec<Drawn>, V3) {
     match &tool.cut {
         Cut::Nose(nose) => turning_tool(nose, carrier, plane),
-        Cut::Cutter(cutter) => {
-            let mut axis = V3::zeros();
-            // a groove mill reaches from its upper edge towards its end
-            axis[plane.axes()[cutter.axis.min(2)]] = if cutter.disc > 0.0 { -1.0 } else { 1.0 };
-            let body = Drawn::Round {
-                outline: cutter.outline(),
-                axis,
-                at: V3::zeros(),
-            };
-            (vec![body], axis)
-        }
+        Cut::Cutter(cutter) => milling::tool(cutter, carrier, plane, spindle),
     }
 }
 
@@ -252,97 +245,4 @@ pub fn turret(turret: &Turret, carrier: V3, along: V3) -> Vec<Drawn> {
 }
 
 #[cfg(test)]
-mod tests {
-    #![allow(clippy::unwrap_used, clippy::panic)]
-    use super::*;
-    use crate::workpiece::tool::side;
-
-    /// Corners of the insert and of the shank in abscissa and ordinate from P, in G18.
-    fn plates(position: i64, carrier: V3) -> [Vec<[f64; 2]>; 2] {
-        let nose = Nose {
-            radius: 0.8,
-            side: side(position, false),
-        };
-        let (drawn, _) = turning_tool(&nose, carrier, Plane::G18);
-        [0, 1].map(|index| match &drawn[index] {
-            Drawn::Plate { corners, .. } => corners.iter().map(|p| [p.z, p.x]).collect(),
-            Drawn::Round { .. } => panic!("an insert is flat"),
-        })
-    }
-
-    #[test]
-    fn an_insert_ends_where_its_edge_touches() {
-        // oracle: manual B:9441, B:13474-13481: P lies at the end of the nose in the directions of its position
-        for position in 1..=8 {
-            let sides = side(position, false);
-            let [insert, shank] = plates(position, V3::new(60.0, 0.0, 40.0));
-            for axis in 0..2 {
-                if sides[axis] == 0.0 {
-                    continue;
-                }
-                let reach = |corners: &[[f64; 2]]| {
-                    let ends = corners.iter().map(|corner| corner[axis] * sides[axis]);
-                    ends.fold(f64::NEG_INFINITY, f64::max)
-                };
-                let ahead = reach(&insert);
-                assert!((-0.01..=1e-9).contains(&ahead), "{position} {axis} {ahead}");
-                assert!(
-                    reach(&shank) < -3.0,
-                    "{position} {axis}: the shank is clear"
-                );
-            }
-        }
-    }
-
-    #[test]
-    fn a_shank_leads_to_where_the_tool_is_held() {
-        // oracle: hand: a tool that is long in X stands across, one that is long in Z is a boring bar
-        for (position, carrier, axis) in [
-            (3, [60.0, 40.0], 1),
-            (3, [20.0, 120.0], 0),
-            (2, [20.0, 120.0], 0),
-            (2, [60.0, 40.0], 0), // its nose points towards +X, where no shank can lie
-            (8, [60.0, 140.0], 1),
-            (7, [60.0, 40.0], 0),
-        ] {
-            let [_, shank] = plates(position, V3::new(carrier[0], 0.0, carrier[1]));
-            let reach = shank.iter().map(|corner| corner[axis]).fold(0.0, f64::max);
-            let wanted = carrier[1 - axis];
-            assert!(
-                (reach - wanted).abs() < 1.0,
-                "{position} {carrier:?} {reach}"
-            );
-        }
-    }
-
-    #[test]
-    fn a_holder_joins_tool_and_disc() {
-        // oracle: hand: the disc stands behind the place where the tool is held, seen from the part
-        let carrier = V3::new(60.0, 0.0, 40.0);
-        let drawn = turret(&Turret::default(), carrier, V3::x());
-        let [Drawn::Plate { corners, .. }, Drawn::Round { at, axis, .. }] = &drawn[..] else {
-            panic!("{drawn:?}");
-        };
-        let ends = |axis: usize| {
-            let along = corners.iter().map(|corner| corner[axis]);
-            (
-                along.clone().fold(f64::INFINITY, f64::min),
-                along.fold(f64::NEG_INFINITY, f64::max),
-            )
-        };
-        assert_eq!(ends(0), (44.0, 76.0));
-        assert_eq!(ends(2), (-16.0, 56.0));
-        assert_eq!((at.z, *axis), (56.0, V3::z()));
-        let [short, long] = [100.0, 30.0].map(|length| adapter(length, carrier, V3::z()));
-        assert_eq!(short, None, "the probe itself reaches to its holder");
-        let Some(Drawn::Round { outline, .. }) = long else {
-            panic!("40 mm to the holder, and a probe of 30 mm");
-        };
-        assert_eq!((outline[0], outline[3]), ([0.0, 27.0], [0.0, 40.0]));
-        let none = Turret {
-            diameter: 0.0,
-            ..Turret::default()
-        };
-        assert_eq!(turret(&none, carrier, V3::x()), []);
-    }
-}
+mod tests;

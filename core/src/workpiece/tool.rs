@@ -91,6 +91,17 @@ pub fn side(position: i64, reversed: bool) -> [f64; 2] {
     [abscissa, if reversed { -ordinate } else { ordinate }]
 }
 
+/// Unit vector along an axis of the machine.
+pub fn unit(axis: usize) -> V3 {
+    V3::from_fn(|row, _| if row == axis { 1.0 } else { 0.0 })
+}
+
+/// Direction across an axis of the machine: 0 is the next axis of X, Y, Z, 90 degree the one behind it.
+pub fn across(axis: usize, degrees: f64) -> V3 {
+    let (sine, cosine) = sin_cos(degrees);
+    unit((axis + 1) % 3) * cosine + unit((axis + 2) % 3) * sine
+}
+
 impl Tool {
     /// A tool that is as the control believes: turning tools by their cutting edge position, drills with a point, anything
     /// else a smooth cutter with its corner radius (`$TC_DP7`). How a cutter lies no datum tells: along the applicate, and
@@ -189,8 +200,9 @@ impl Cutter {
     }
 
     /// Half of its section from the end in the axis outwards and up: distance from the axis, height above the end, mm.
-    pub fn outline(&self) -> Vec<[f64; 2]> {
-        let profile = self.profile(self.radius);
+    /// `radius`: of the tooth.
+    pub fn outline(&self, radius: f64) -> Vec<[f64; 2]> {
+        let profile = self.profile(radius);
         let [.., top] = profile.points;
         let outside = (-6..=0).map(|step| {
             let (sine, cosine) = sin_cos(15.0 * f64::from(step));
@@ -203,21 +215,21 @@ impl Cutter {
         outline
     }
 
-    fn pieces(&self, point: V3, axes: [usize; 3], spindle: Spindle) -> Vec<Piece> {
+    /// Index of the axis of the machine along which it stands, and the direction from its end to the rest of it. `axes`: of
+    /// the plane.
+    pub fn stands(&self, axes: [usize; 3]) -> (usize, V3) {
         let along = axes[self.axis.min(2)];
-        let [first, second] = [(along + 1) % 3, (along + 2) % 3];
-        let unit = |axis: usize| V3::from_fn(|row, _| if row == axis { 1.0 } else { 0.0 });
-        let body = if self.disc > 0.0 {
-            -unit(along)
-        } else {
-            unit(along)
-        };
+        let up = unit(along);
+        (along, if self.disc > 0.0 { -up } else { up })
+    }
+
+    fn pieces(&self, point: V3, axes: [usize; 3], spindle: Spindle) -> Vec<Piece> {
+        let (along, body) = self.stands(axes);
         let piece = |[radius, direction, drop]: [f64; 3], round: bool| {
-            let (sine, cosine) = sin_cos(direction);
             Piece::Turned(TurnedPiece {
                 end: point - unit(along) * drop,
                 up: body,
-                out: (!round).then(|| unit(first) * cosine + unit(second) * sine),
+                out: (!round).then(|| across(along, direction)),
                 profile: self.profile(radius),
             })
         };

@@ -1,9 +1,9 @@
 // Motions, touches, coordinate systems and the grid as lines.
-import type { Step, Trace, Vec3 } from "../wire";
+import type { Step, ToolView, Trace, Vec3 } from "../wire";
 import { parse, type Colours } from "./colours";
 import type { Line, Style } from "./mesh";
 import { along, pieces, type Motion } from "./route";
-import { add, times, type Box } from "./vec";
+import { add, sub, times, type Box } from "./vec";
 
 /** `below`: under its point on the screen, clear of what stands there. `raised`: so many CSS pixels above. `beside`: it
  *  begins there instead of standing over it. `during`: entries of the trace between which it is shown. */
@@ -71,15 +71,24 @@ export function pathLines(trace: Trace, colours: Colours, normal: number, index 
   return lines.sort((a, b) => (rank(a) === rank(b) ? 0 : rank(a) - rank(b)));
 }
 
-/** Where the centre of the ball is while entry `index` is done to `fraction`; null: no motion at all. */
+/** What is in use at entry `index`. */
+export function toolAt({ tools, inUse }: Trace, index: number): ToolView | undefined {
+  const found = (inUse ?? []).findLast(([from], place) => place === 0 || from <= index);
+  return found && tools?.[found[1]];
+}
+
+/** Where the centre of the ball is while entry `index` is done to `fraction`; null: no motion at all. Another length in
+ *  effect since the last motion is another position, as the axes stand still. */
 export function probeAt(trace: Trace, index: number, fraction: number): Vec3 | null {
-  const current = trace.entries[index];
+  const { entries } = trace;
+  const current = entries[index];
   if (current?.step === "motion") return along(current, Math.min(1, Math.max(0, fraction)));
-  for (let i = Math.min(index, trace.entries.length) - 1; i >= 0; i--) {
-    const entry = trace.entries[i]!;
-    if (entry.step === "motion") return entry.to;
-  }
-  return trace.entries.find((entry) => entry.step === "motion")?.from ?? null;
+  const before = entries.findLastIndex((entry, i) => i < index && entry.step === "motion");
+  const nearest = before < 0 ? entries.findIndex((entry) => entry.step === "motion") : before;
+  const motion = entries[nearest];
+  if (motion?.step !== "motion") return null;
+  const lengths = [toolAt(trace, nearest), toolAt(trace, index)].map((tool) => tool?.length ?? [0, 0, 0] as Vec3) as [Vec3, Vec3];
+  return add(before < 0 ? motion.from : motion.to, sub(...lengths));
 }
 
 /** Axes of the coordinate systems, `length` mm long. */

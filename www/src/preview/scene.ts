@@ -2,7 +2,7 @@
 import type { Solid, ToolView, Trace, Vec3 } from "../wire";
 import { parse, type Colours } from "./colours";
 import { append, boxOf, mesh, type Line, type Mesh } from "./mesh";
-import { frameLines, gridLines, pathLines, probeAt, type Label } from "./paths";
+import { frameLines, gridLines, pathLines, probeAt, toolAt, type Label } from "./paths";
 import { part, zone } from "./solids";
 import { along, pieces } from "./route";
 import { dimensions } from "./drawing";
@@ -36,12 +36,6 @@ function turnsOf(trace: Trace): Turned[] {
 /** The part as it stands when entry `index` is done: a rotary axis turns it. */
 export function standing(trace: Trace, index: number): Solid[] {
   return turnsOf(trace).findLast(({ entry }) => entry <= index)?.solids ?? trace.solids;
-}
-
-/** What is in use at entry `index`. */
-export function toolAt({ tools, inUse }: Trace, index: number): ToolView | undefined {
-  const found = (inUse ?? []).findLast(([from], place) => place === 0 || from <= index);
-  return found && tools?.[found[1]];
 }
 
 /** `exaggeration`: how many times as large the errors of parts are drawn. `solids`: the part as it stands. `pieces`: of a

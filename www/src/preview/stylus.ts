@@ -9,7 +9,7 @@ const AROUND = 24;
 const BALL_LAYERS = 14;
 const TURNS = Array.from({ length: AROUND }, (_, i) => (2 * Math.PI * i) / AROUND).map((angle): [number, number] => [Math.cos(angle), Math.sin(angle)]);
 
-const UPRIGHT: ToolView = { ball: [0, 0, 1], pieces: [], carrier: [], tip: [0, 0, 0] };
+const UPRIGHT: ToolView = { length: [0, 0, 0], ball: [0, 0, 1], pieces: [], carrier: [], tip: [0, 0, 0] };
 const THROUGH = 0.4;
 const BODY = 5; // radius of the body of a probe, where nothing is told of it, in radii of its ball
 const USUAL = 0.45; // radius of a stylus in radii of its ball

@@ -7,9 +7,9 @@ import { LIGHT, type Colours } from "./colours";
 import { openGpu } from "./gpu";
 import { listen } from "./input";
 import { drawOverlay, overlay } from "./overlay";
-import { blockOf, probeAt } from "./paths";
+import { blockOf, probeAt, toolAt } from "./paths";
 import { pick } from "./pick";
-import { buildScene, standing, toolAt, type Scene } from "./scene";
+import { buildScene, standing, type Scene } from "./scene";
 import { SORTED_PIECES } from "./solids";
 import { openSvg } from "./svg";
 

@@ -2,11 +2,12 @@
 
 use super::Sim;
 use crate::geometry::V3;
+use crate::run::in_use;
 use crate::run::route::{Obstacle, Route, add};
 use crate::run::trace::{MotionKind, Step};
 use crate::workpiece::feeler::Touching;
 use crate::workpiece::noise::Noise;
-use crate::workpiece::tool::{Piece, Spindle, Tool};
+use crate::workpiece::tool::{Piece, Tool};
 use crate::workpiece::tool_probe::{self, Contact, ToolProbe};
 
 /// The scatter of all tool probes comes from the sequence of the first.
@@ -27,11 +28,13 @@ impl Sim {
         let tool = tool.or_insert_with(|| Tool::nominal(&edge, &self.control));
         let error = tool.error(&self.control);
         let point = V3::from(add(at, error, 1.0));
-        let spindle = match self.control.spindle_speed {
-            0.0 => Spindle::Stands(self.control.spindle),
-            _ => Spindle::Turns,
-        };
+        let spindle = in_use::stands(&self.control);
         Some((tool.pieces(point, self.control.plane, spindle), error))
+    }
+
+    /// The tool in use as it is, where it was told or has moved.
+    pub(in crate::run) fn real_tool(&self) -> Option<&Tool> {
+        self.real_tools.get(&self.control.active_place())
     }
 
     /// Where the tool in use is stopped by a tool probe.
