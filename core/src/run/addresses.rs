@@ -33,7 +33,7 @@ pub fn take(run: &mut Interpreter, address: &Address, path: &mut Path) -> Result
         "CR" => path.radius = Some(number(address)? * factor),
         "R" if nct => path.radius = Some(number(address)? * factor),
         "AR" => path.angle = Some(number(address)?),
-        "TURN" => path.turns = number(address)?.trunc(),
+        "TURN" => path.turns = turns(address)?,
         "F" if !path.dwell => {
             run.modal.feed = number(address)?;
             run.modal.feed_factor = run.sim.control.data_factor();
@@ -60,6 +60,15 @@ fn put(list: &mut [Option<Coordinate>; 3], axis: Option<usize>, coordinate: Coor
     if let Some(place) = axis.and_then(|axis| list.get_mut(axis)) {
         *place = Some(coordinate);
     }
+}
+
+/// Most full circles before the end of an arc (`TURN`), as SINUMERIK takes them.
+const MOST_TURNS: f64 = 999.0;
+
+/// How many full circles an arc goes before its end.
+fn turns(address: &Address) -> Result<f64, Problem> {
+    let turns = Some(number(address)?.trunc()).filter(|turns| (0.0..=MOST_TURNS).contains(turns));
+    turns.ok_or_else(|| Problem::new("run-range", address.span, &*address.name))
 }
 
 /// The value of an address as a number.

@@ -17,13 +17,14 @@ impl Sim {
         let Some(from) = self.control.rotary.get(axis).copied() else {
             return Ok(());
         };
+        // after a whole circle everything has passed by
         let turn = Around {
             centre: self.control.rotary_centre,
             axis: self.control.rotary_direction(axis),
-            degrees: to - from,
+            degrees: (to - from).clamp(-360.0, 360.0),
         };
         let met = self.met_by(&turn);
-        let stop = met.map_or(to, |met| from + met.part * (to - from));
+        let stop = met.map_or(to, |met| from + met.part * turn.degrees);
         self.control.rotary[axis] = stop;
         let Workpiece { solids } = self.stands();
         self.note(Step::Table {
