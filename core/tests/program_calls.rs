@@ -342,3 +342,48 @@ fn what_is_no_value_changes_nothing() {
         assert_eq!(changed(PROGRAM, 0, "_TNAME", name), PROGRAM, "{name}");
     }
 }
+
+// oracle: hand: on each way that the program can come to the call, the new value counts
+#[test]
+fn a_new_value_counts_on_every_way_to_the_call() {
+    let values = "_MVAR=1 _SETVAL=30 _KNUM=0\n";
+    for (between, written) in [
+        ("G0 X5\n", ""),
+        (
+            "FOR R1=1 TO 4\nG0 X=R1\n",
+            "FOR R1=1 TO 4\nG0 X=R1\n_FA=7\n",
+        ),
+        ("/ _PRNUM=1\n", "/ _PRNUM=1\n_FA=7\n"),
+        (
+            "IF R1==1\n_PRNUM=1\nENDIF\n",
+            "IF R1==1\n_PRNUM=1\nENDIF\n_FA=7\n",
+        ),
+        (
+            "IF R1==1 GOTOF A\nG0 X5\nN40 A: ",
+            "IF R1==1 GOTOF A\nG0 X5\nN40 A: _FA=7\n",
+        ),
+    ] {
+        let text = format!("{values}{between}CYCLE977\nM30\n");
+        let after = changed(&text, 0, "_FA", "7");
+        let expected = match written {
+            "" => text.replace("_KNUM=0", "_KNUM=0 _FA=7"),
+            written => format!("{values}{written}CYCLE977\nM30\n"),
+        };
+        assert_eq!(after, expected);
+        assert_eq!(value(&sinumerik(&after).1[0], "_FA"), "7", "{after}");
+    }
+}
+
+// oracle: hand: an element can be written only of an array that the call names
+#[test]
+fn what_is_no_array_gets_no_elements() {
+    for argument in ["R1", "5", "_X+1"] {
+        let text = format!("CYCLE116({argument},_ALM)\nM30\n");
+        assert_eq!(changed(&text, 0, "_DATE[0]", "3"), text);
+    }
+    let text = "CYCLE116(_POINTS,_ALM)\nM30\n";
+    assert_eq!(
+        changed(text, 0, "_DATE[0]", "3"),
+        format!("_POINTS[0]=3\n{text}")
+    );
+}

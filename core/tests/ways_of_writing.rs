@@ -423,3 +423,39 @@ fn data_of_the_machine_that_a_call_sets_are_kept() {
     assert_eq!(site.values["_MFS[0]"], "800", "{back}");
     assert_eq!(site.values["_MFS[1]"], "20", "{back}");
 }
+
+// oracle: hand: a jump to the label comes past what stands behind it
+#[test]
+fn what_belongs_to_a_call_stays_behind_its_label() {
+    let text = "GOTOF A\nA: _MVAR=0 _SETVAL=100 _MA=1 _KNUM=0 _FA=3 CYCLE978 ; side\nM30\n";
+    let (indirect, _) = converted(text, 0, Style::Indirect);
+    assert_eq!(
+        indirect,
+        "GOTOF A\nA: CYCLE_PARA(3)\nCYCLE_978(0,100,1,,,0) ; side\nM30\n"
+    );
+    assert_eq!(sites(&indirect)[0].values["_FA"], "3");
+}
+
+// oracle: manual B:11640-12133 (the selections are numbers in the call)
+#[test]
+fn selections_are_written_for_a_variant_that_is_known() {
+    let text = "_MVAR=R5 _MA=1 _FA=3 _PRNUM=1\nCYCLE976\n";
+    let (same, findings) = converted(text, 0, Style::Indirect);
+    assert_eq!(same, text);
+    assert_eq!(findings, ["write-variant-open"]);
+}
+
+// oracle: manual B:11734 (an argument that is left out is 0)
+#[test]
+fn a_call_may_leave_out_all_its_arguments() {
+    for text in ["CYCLE_978()\n", "CYCLE_978\n"] {
+        let found = sites(text);
+        assert_eq!(found.len(), 1, "{text}");
+        assert_eq!(found[0].list.map(|list| list.name), Some("CYCLE_978"));
+        assert_eq!(found[0].values["_SETVAL"], "0");
+    }
+    assert!(
+        sites("CYCLE978()\n")[0].list.is_none(),
+        "the bare name takes the data"
+    );
+}

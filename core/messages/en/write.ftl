@@ -2,6 +2,7 @@
 
 write-no-list = There is no call of this kind for { $cycle }.
 write-no-list-variant = This variant or target of { $cycle } cannot be written as such a call.
+write-variant-open = The arguments choose the measuring variant, and { $value } is known at run time only.
 write-no-list-hint = Write it as assignments and the call.
 write-zero = { $name }={ $value } stands as an assignment of its own: a 0 in CYCLE_PARA keeps the value of before.
 write-beside = { $name }={ $value } stands as an assignment of its own: the call has no argument for it.

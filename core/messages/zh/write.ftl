@@ -2,6 +2,7 @@
 
 write-no-list = { $cycle } 没有这种调用。
 write-no-list-variant = { $cycle } 的这种测量方式或补偿对象不能写成这种调用。
+write-variant-open = 这种调用用参数选择测量方式，而 { $value } 在运行时才知道。
 write-no-list-hint = 请写成赋值和调用。
 write-zero = { $name }={ $value } 单独写成赋值：CYCLE_PARA 中的 0 保留原来的值。
 write-beside = { $name }={ $value } 单独写成赋值：该调用没有对应的参数。

@@ -120,10 +120,12 @@ impl ArgumentList {
     }
 }
 
-/// The cycle and the list that a call with arguments means; `number` tells what stands at an argument, where it is known.
+/// The cycle and the list that a call with so many arguments means; `number` tells what stands at an argument, where it is
+/// known. The name of a cycle without arguments is no such call: it takes the data as they are.
 pub fn called(
     dialect: Dialect,
     name: &str,
+    arguments: usize,
     number: impl Fn(usize) -> Option<f64>,
 ) -> Option<(&'static Cycle, &'static ArgumentList)> {
     let told = |(index, arg): (usize, &Arg)| match arg {
@@ -133,7 +135,10 @@ pub fn called(
     let meant = |list: &&ArgumentList| {
         list.name.eq_ignore_ascii_case(name) && list.args.iter().enumerate().all(told)
     };
-    let of_control = CYCLES.iter().filter(|cycle| cycle.dialect == dialect);
+    let bare = |cycle: &&Cycle| arguments == 0 && cycle.name.eq_ignore_ascii_case(name);
+    let of_control = CYCLES
+        .iter()
+        .filter(|cycle| cycle.dialect == dialect && !bare(cycle));
     of_control
         .copied()
         .find_map(|cycle| Some((cycle, cycle.lists.iter().find(meant)?)))

@@ -2,7 +2,7 @@
 
 use super::arguments;
 use super::calls::CallSite;
-use super::tree::{Block, Program};
+use super::tree::{Block, Program, Word, WordKind};
 use super::write;
 use crate::catalogue::{Arg, Dialect, Kind, Style};
 use crate::check::{Text, parse_text};
@@ -38,15 +38,14 @@ pub fn change(program: &Program, site: &CallSite, name: &str, value: &str) -> Ve
                 span: place,
                 insert: String::new(),
             }];
-            edits.extend((!value.is_empty()).then(|| add(program, site, param.name, &value)));
+            let anew = add(program, site, param.name, &value);
+            edits.extend(anew.filter(|_| !value.is_empty()));
             edits
         }
         Some(place) if value.is_empty() => vec![remove(program, place)],
         Some(place) => vec![replace(program, place, value)],
         None if value.is_empty() => Vec::new(),
-        None => {
-            vec![add(program, site, param.name, &value)]
-        }
+        None => add(program, site, param.name, &value).into_iter().collect(),
     }
 }
 
@@ -142,18 +141,29 @@ fn nothing(value: &str) -> bool {
     value.is_empty() || value.parse() == Ok(0.0)
 }
 
-/// The name under which the program writes a parameter: an element of the variable that it hands to the call.
-fn written_name(program: &Program, site: &CallSite, name: &str) -> String {
+/// The name under which the program writes a parameter: an element of the array that it hands to the call. None: it hands
+/// something else there.
+fn written_name(program: &Program, site: &CallSite, name: &str) -> Option<String> {
     let places = arguments::places(program, site.span);
     let args = site.list.map_or(&[][..], |list| list.args);
     let own = args.iter().zip(places).find_map(|(arg, place)| match arg {
         Arg::Variable(array) => {
             let element = name.strip_prefix(array)?;
-            Some(format!("{}{element}", program.name(place)))
+            let variable = program.name(place);
+            Some(is_array(&variable).then(|| format!("{variable}{element}")))
         }
         _ => None,
     });
-    own.unwrap_or_else(|| name.to_owned())
+    own.unwrap_or_else(|| Some(name.to_owned()))
+}
+
+/// Whether this is a name in upper case, and not that of a single arithmetic parameter.
+fn is_array(name: &str) -> bool {
+    let letters = name
+        .bytes()
+        .all(|byte| byte.is_ascii_alphanumeric() || byte == b'_');
+    let number = name.strip_prefix('R').unwrap_or(name);
+    letters && number.bytes().any(|byte| !byte.is_ascii_digit())
 }
 
 /// A typed number with its decimal comma as a point.
@@ -213,33 +223,51 @@ fn word_around(program: &Program, place: Span) -> Span {
     if element || first { place } else { word.span }
 }
 
-/// Writes a new value for this call: behind its last one, else on a line of its own before the call.
-fn add(program: &Program, site: &CallSite, name: &str, value: &str) -> Edit {
+/// Writes a new value for this call: behind its last one if the program goes straight on from there, else on a line of its
+/// own before the call.
+fn add(program: &Program, site: &CallSite, name: &str, value: &str) -> Option<Edit> {
     let written = if program.dialect == Dialect::Nct {
         format!("{name}{value}")
     } else {
-        format!("{}={value}", written_name(program, site, name))
+        format!("{}={value}", written_name(program, site, name)?)
     };
-    let skipped =
-        |place: &Span| line_at(program, place.start).is_some_and(|block| block.skip.is_some());
     let own = site
         .places
         .keys()
         .filter_map(|name| site.place_of_its_own(name));
     let own = own.filter(|place| {
         let before = site.behind <= place.start && program.line_of(place.start) <= site.line;
-        before && !skipped(place) && !arguments::is_argument(program, *place)
+        before && !arguments::is_argument(program, *place)
     });
     let last = own.max_by_key(|place| place.start).map(|place| {
         program
             .word_at(place)
             .map_or(place.end, |word| word.span.end)
     });
-    match last {
+    let last = last.filter(|end| goes_straight(program, *end, site.span.start));
+    Some(match last {
         Some(end) => inserted(end, format!(" {written}")),
         None if program.dialect == Dialect::Nct => inserted(site.span.end, format!(" {written}")),
         None => new_line(program, site, &written),
-    }
+    })
+}
+
+/// Whether the program comes from the line of one place to another on no way but past every line between.
+fn goes_straight(program: &Program, from: u32, to: u32) -> bool {
+    let line = |place: u32| program.line_of(place) as usize;
+    let lines = program.blocks.get(line(from)..line(to));
+    let skips = lines
+        .into_iter()
+        .flatten()
+        .any(|block| block.skip.is_some());
+    let first = program.words.partition_point(|word| word.span.end < from);
+    let words = program.words.get(first..).unwrap_or_default();
+    let turns = |word: &Word| matches!(word.kind, WordKind::Keyword { .. } | WordKind::Label(_));
+    !skips
+        && !words
+            .iter()
+            .take_while(|word| word.span.start < to)
+            .any(turns)
 }
 
 fn inserted(at: u32, insert: String) -> Edit {
@@ -249,13 +277,26 @@ fn inserted(at: u32, insert: String) -> Edit {
     }
 }
 
-fn line_at(program: &Program, offset: u32) -> Option<&Block> {
-    program.blocks.get(program.line_of(offset) as usize)
+fn new_line(program: &Program, site: &CallSite, written: &str) -> Edit {
+    line_at_begin(program, site.line, written)
+        .unwrap_or_else(|| inserted(site.span.start, format!("{written} ")))
 }
 
-fn new_line(program: &Program, site: &CallSite, written: &str) -> Edit {
-    line_before(program, site.line, written)
-        .unwrap_or_else(|| inserted(site.span.start, format!("{written} ")))
+/// Writes a line of its own before this line; where a jump may come to the line, behind its label.
+pub(super) fn line_at_begin(program: &Program, line: u32, written: &str) -> Option<Edit> {
+    let begin = behind_label(program, line);
+    let behind = |at| inserted(at, format!("{written}{}", line_end(program, line)));
+    begin
+        .map(behind)
+        .or_else(|| line_before(program, line, written))
+}
+
+/// Where a line goes on behind its label; none: it has no label, or nothing behind it.
+pub(super) fn behind_label(program: &Program, line: u32) -> Option<u32> {
+    let words = program.words_of(program.blocks.get(line as usize)?);
+    let label = |word: &&Word| matches!(word.kind, WordKind::Label(_));
+    let mut from_label = words.iter().skip_while(|word| !label(word));
+    Some(from_label.find(|word| !label(word))?.span.start)
 }
 
 /// Writes a line of its own before this line, indented and numbered like it.

@@ -2,7 +2,7 @@
 
 use super::arguments;
 use super::calls::{CallSite, calls_on};
-use super::change::{Edit, apply, line_end};
+use super::change::{Edit, apply, behind_label, line_end};
 use super::marked::mark_before;
 use super::read;
 use super::tree::{Program, Word, WordKind};
@@ -73,12 +73,9 @@ fn rewritten(program: &Program, site: &CallSite, text: &str) -> Vec<Edit> {
     });
     if let (Some(block), false) = (program.blocks.get(site.line as usize), lines.is_empty()) {
         let end = line_end(program, site.line);
-        let start = Span {
-            start: block.span.start,
-            end: block.span.start,
-        };
+        let at = behind_label(program, site.line).unwrap_or(block.span.start);
         edits.push(Edit {
-            span: start,
+            span: Span { start: at, end: at },
             insert: lines.iter().map(|line| format!("{line}{end}")).collect(),
         });
     }

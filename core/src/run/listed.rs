@@ -10,15 +10,13 @@ use crate::control::Value;
 
 /// Carries out a call with arguments; false: it is none of these.
 pub fn call(run: &mut Interpreter, call: &Call) -> Result<bool, Stop> {
-    if call.args.is_empty() {
-        return Ok(false);
-    }
     if call.name == list::AUXILIARY {
         auxiliary(run, call);
         return Ok(true);
     }
     let number = |index: usize| call.args.get(index)?.as_ref()?.number();
-    let Some((cycle, list)) = list::called(Dialect::Sinumerik, &call.name, number) else {
+    let listed = list::called(Dialect::Sinumerik, &call.name, call.args.len(), number);
+    let Some((cycle, list)) = listed else {
         return Ok(false);
     };
     if helper::takes_variables(list) {

@@ -2,6 +2,7 @@
 
 use super::{COMPENSATION, EDGE, HOLE, LEVEL, OUTSIDE, PLANE, SPINDLE, called, found, tells};
 use probewright_core::diagnostic::Code::Alarm;
+use probewright_core::program::change::apply;
 
 // oracle: manual B:654-656, hand (a call takes the state of the caller along)
 #[test]
@@ -149,5 +150,33 @@ fn every_way_to_call_counts_as_a_level() {
         };
         assert!(!tells(&chain(5), LEVEL), "{way}");
         assert!(tells(&chain(6), LEVEL), "{way}");
+    }
+}
+
+// oracle: hand: what takes the state away stands between the values and the call, so the cure stands behind it
+#[test]
+fn a_cure_stands_where_it_counts_at_the_call() {
+    let begin = "G17 G40 G54 T9 D1 M6\n_MVAR=1 _SETVAL=132 _KNUM=0 _PRNUM=1 _FA=2 _TSA=2\n";
+    for (between, code, cure) in [
+        ("D0\n_TSA=1\n", Alarm(61311), "D0\nD1\n_TSA=1\n"),
+        ("G41 G0 X5\n", COMPENSATION, "G41 G0 X5\nG40\n"),
+        (
+            "IF R1==1\n_TSA=1\nD0\nENDIF\nS500 M3\n",
+            SPINDLE,
+            "IF R1==1\n_TSA=1\nD0\nENDIF\nS500 M3\nM5\n",
+        ),
+        (
+            "D0\nIF R1==1\nGOTOF A\nENDIF\nA: ",
+            Alarm(61311),
+            "D0\nIF R1==1\nGOTOF A\nENDIF\nA: D1\n",
+        ),
+    ] {
+        let text = format!("{begin}{between}CYCLE977\nM30\n");
+        let found = found(&text);
+        let finding = found.iter().find(|finding| finding.code == code).unwrap();
+        let edits = &finding.cure.as_ref().unwrap().edits;
+        let cured = String::from_utf8(apply(text.as_bytes(), edits)).unwrap();
+        assert_eq!(cured, format!("{begin}{cure}CYCLE977\nM30\n"));
+        assert!(!tells(&cured, code), "{cured}");
     }
 }

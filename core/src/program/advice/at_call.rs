@@ -66,7 +66,7 @@ fn compensation(seen: &Seen) -> Option<Diagnostic> {
     let code = seen.force.compensation.is().filter(|code| **code != 40)?;
     let message = Message::new("advice-compensation").text("word", format!("G{code}"));
     let finding = error(Code::Own(130), message).hint(Message::new("advice-compensation-hint"));
-    Some(with_line(finding, seen, seen.site.first_line, "G40"))
+    Some(with_line(finding, seen, "G40"))
 }
 
 /// Without a D number alarm 61311 comes.
@@ -79,7 +79,7 @@ fn edge(seen: &Seen) -> Option<Diagnostic> {
         return None;
     };
     let finding = finding.hint(Message::new("advice-edge-hint"));
-    Some(with_line(finding, seen, seen.site.first_line, "D1"))
+    Some(with_line(finding, seen, "D1"))
 }
 
 /// The tool in use of a milling machine is no probe (B:4147-4152). What lathes and tool probes take, their own checks say.
@@ -105,7 +105,7 @@ fn spindle(seen: &Seen) -> Option<Diagnostic> {
     }
     let finding = warning(Code::Own(134), Message::new("advice-spindle"))
         .hint(Message::new("advice-spindle-hint"));
-    Some(with_line(finding, seen, seen.site.first_line, "M5"))
+    Some(with_line(finding, seen, "M5"))
 }
 
 /// Trigger values of a workpiece probe (B:13443-13448).

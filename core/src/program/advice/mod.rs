@@ -11,10 +11,10 @@ mod read_back;
 mod unsaid;
 
 use super::calls::{CallSite, Way};
-use super::change::{line_before, line_end};
+use super::change::{line_at_begin, line_before, line_end};
 use super::flow::{State, changes};
 use super::tools::ToolInUse;
-use super::tree::Program;
+use super::tree::{Program, Word, WordKind};
 use crate::catalogue::Dialect;
 use crate::check::{self, Inputs, Typed};
 use crate::control::Control;
@@ -104,18 +104,31 @@ fn at(mut finding: Diagnostic, span: Span) -> Diagnostic {
     finding
 }
 
-/// Offers a line before the first line of the call.
-fn with_line(mut finding: Diagnostic, seen: &Seen, line: u32, text: &str) -> Diagnostic {
-    finding.cure = line_before(seen.program, line, text).map(|edit| Cure {
+/// The first of the lines directly before a call that hold nothing but assignments for it: what is inserted there is in
+/// force at the call, whatever stands between values that were written earlier and the call.
+fn begin(program: &Program, site: &CallSite) -> u32 {
+    let assigns = |word: &Word| matches!(word.kind, WordKind::Assign { .. });
+    let only = |line: &u32| {
+        let block = program.blocks.get(*line as usize);
+        block.is_some_and(|block| program.words_of(block).iter().all(assigns))
+    };
+    let before = (site.first_line..site.line).rev().take_while(only);
+    before.last().unwrap_or(site.line)
+}
+
+/// Offers a line before the call and its assignments.
+fn with_line(mut finding: Diagnostic, seen: &Seen, text: &str) -> Diagnostic {
+    let line = begin(seen.program, seen.site);
+    finding.cure = line_at_begin(seen.program, line, text).map(|edit| Cure {
         label: Message::new("advice-insert").text("text", text),
         edits: vec![edit],
     });
     finding
 }
 
-/// Offers a line before the first line of the call and one behind it.
+/// Offers a line before the call and its assignments, and one behind it.
 fn between(mut finding: Diagnostic, seen: &Seen, before: &str, behind: &str) -> Diagnostic {
-    let first = line_before(seen.program, seen.site.first_line, before);
+    let first = line_at_begin(seen.program, begin(seen.program, seen.site), before);
     finding.cure = first.map(|edit| Cure {
         label: Message::new("advice-insert-around")
             .text("before", before)

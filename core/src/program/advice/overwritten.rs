@@ -6,7 +6,7 @@ use crate::check::{Finding, warning};
 use crate::diagnostic::{Code, Cure, Diagnostic};
 use crate::message::Message;
 use crate::program::calls::CallSite;
-use crate::program::change::line_before;
+use crate::program::change::line_at_begin;
 use crate::program::tree::Program;
 
 /// Each assignment that does not reach its call.
@@ -20,7 +20,7 @@ pub fn look(program: &Program, sites: &[CallSite], found: &mut Vec<Diagnostic>) 
             let hint = Message::new("advice-overwritten-hint").text("name", *name);
             let mut finding = warning(Code::Own(150), message).hint(hint);
             let value = String::from_utf8_lossy(program.text(*place));
-            let edit = line_before(program, site.line, &format!("{name}={value}"));
+            let edit = line_at_begin(program, site.line, &format!("{name}={value}"));
             finding.cure = edit.map(|edit| Cure {
                 label: Message::new("advice-write")
                     .text("name", *name)

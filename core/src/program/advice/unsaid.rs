@@ -54,12 +54,7 @@ fn open(seen: &Seen) -> Option<Diagnostic> {
     if functions.is_empty() {
         return Some(finding);
     }
-    Some(with_line(
-        finding,
-        seen,
-        seen.site.first_line,
-        &functions.join(" "),
-    ))
+    Some(with_line(finding, seen, &functions.join(" ")))
 }
 
 /// The cycles measure in the axes of the plane; without one the reset state of the machine decides. That of a lathe is
@@ -72,7 +67,7 @@ fn plane(seen: &Seen) -> Option<Diagnostic> {
     let say = if on_a_lathe(seen) { note } else { warning };
     let hint = Message::new("advice-plane-hint").text("plane", usual);
     let finding = say(Code::Own(131), Message::new("advice-plane")).hint(hint);
-    Some(with_line(finding, seen, seen.site.first_line, usual))
+    Some(with_line(finding, seen, usual))
 }
 
 /// Compensation is off after a reset; a program that ends with it may be run again without one.
@@ -82,7 +77,7 @@ fn compensation(seen: &Seen) -> Option<Diagnostic> {
     }
     let finding = note(Code::Own(146), Message::new("advice-compensation-open"))
         .hint(Message::new("advice-compensation-hint"));
-    Some(with_line(finding, seen, seen.site.first_line, "G40"))
+    Some(with_line(finding, seen, "G40"))
 }
 
 /// Nothing says which tool is in use.
@@ -93,7 +88,7 @@ fn tool(seen: &Seen) -> Option<Diagnostic> {
     let finding = note(Code::Own(147), Message::new("advice-tool-none"));
     let finding = finding.hint(Message::new("advice-tool-none-hint"));
     Some(match the_probe(seen) {
-        Some(change) => with_line(finding, seen, seen.site.first_line, &change),
+        Some(change) => with_line(finding, seen, &change),
         None => finding,
     })
 }
@@ -126,7 +121,7 @@ fn diameter(seen: &Seen) -> Option<Diagnostic> {
     }
     let finding = warning(Code::Own(132), Message::new("advice-diameter"))
         .hint(Message::new("advice-diameter-hint"));
-    Some(with_line(finding, seen, seen.site.first_line, "DIAMON"))
+    Some(with_line(finding, seen, "DIAMON"))
 }
 
 /// The setpoint of the transverse axis is taken for a radius; drawings of turned parts give diameters.

@@ -34,9 +34,7 @@ impl Walk<'_> {
             return self.auxiliary(place, arguments);
         }
         let number = |index: usize| arguments.get(index)?.as_ref()?.number;
-        let listed = (!arguments.is_empty())
-            .then(|| list::called(self.program.dialect, &name, number))
-            .flatten();
+        let listed = list::called(self.program.dialect, &name, arguments.len(), number);
         if let Some((cycle, list)) = listed {
             self.listed(place, cycle, list, span, &arguments);
         } else if let Some(cycle) = catalogue::find(self.program.dialect, &name) {

@@ -13,13 +13,22 @@ const NO_LIST: Code = Code::Own(120);
 const BESIDE: Code = Code::Own(121);
 /// A value that this way of writing cannot give.
 const LOST: Code = Code::Own(122);
+/// Selections make the variant, and its number is not known before the run.
+const VARIANT_OPEN: Code = Code::Own(153);
 
 /// The call in this way of writing.
 pub(super) fn write(source: &Source, style: Style) -> Written {
     let of_style = |list: &&ArgumentList| list.style == style;
     let mut lists = source.cycle.lists.iter().filter(of_style).peekable();
     let none = lists.peek().is_none();
-    match lists.find(|list| list.fits(&source.inputs)) {
+    let list = lists.find(|list| list.fits(&source.inputs));
+    if let (Some(value), Some(list)) = (open_variant(source), list)
+        && !list.has_variant(source.cycle)
+    {
+        let message = Message::new("write-variant-open").text("value", value);
+        return nothing(error(VARIANT_OPEN, message).hint(Message::new("write-no-list-hint")));
+    }
+    match list {
         Some(list) => listed(source, list),
         None if style == Style::Direct && none => Written {
             text: format!("{}{}\n", all(source), source.cycle.name),
@@ -32,12 +41,24 @@ pub(super) fn write(source: &Source, style: Style) -> Written {
                 "write-no-list-variant"
             };
             let message = Message::new(key).text("cycle", source.cycle.name);
-            Written {
-                text: String::new(),
-                findings: vec![error(NO_LIST, message).hint(Message::new("write-no-list-hint"))],
-            }
+            nothing(error(NO_LIST, message).hint(Message::new("write-no-list-hint")))
         }
     }
+}
+
+/// No text, and why.
+fn nothing(finding: Diagnostic) -> Written {
+    Written {
+        text: String::new(),
+        findings: vec![finding],
+    }
+}
+
+/// The variant where it is known at run time only, as written: selections cannot say it.
+fn open_variant<'a>(source: &'a Source) -> Option<&'a str> {
+    let name = source.cycle.variant_param()?;
+    let (_, text) = source.values.iter().find(|(param, _)| param.name == name)?;
+    (parse(text) == Parsed::Expression).then_some(text)
 }
 
 fn all(source: &Source) -> String {
