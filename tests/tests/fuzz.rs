@@ -25,12 +25,17 @@ fn files(folder: &Path) -> Vec<PathBuf> {
 /// The programs that fuzzing starts from.
 fn seeds() -> Vec<Vec<u8>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    ["tests/cases", "core/tests/programs"]
-        .iter()
-        .flat_map(|folder| files(&root.join(folder)))
-        .filter(|path| path.extension().is_none_or(|ending| ending != "json"))
-        .map(|path| std::fs::read(path).unwrap())
-        .collect()
+    [
+        "tests/cases",
+        "tests/right",
+        "tests/wrong",
+        "core/tests/programs",
+    ]
+    .iter()
+    .flat_map(|folder| files(&root.join(folder)))
+    .filter(|path| path.extension().is_none_or(|ending| ending != "json"))
+    .map(|path| std::fs::read(path).unwrap())
+    .collect()
 }
 
 /// Puts bytes over a stretch of a program.

@@ -41,7 +41,12 @@ const LONGEST: u32 = 5;
 const LARGEST: u32 = 512;
 
 /// Programs to start from.
-const SEEDS: [&str; 2] = ["tests/cases", "core/tests/programs"];
+const SEEDS: [&str; 4] = [
+    "tests/cases",
+    "tests/right",
+    "tests/wrong",
+    "core/tests/programs",
+];
 
 /// Looks for a program that breaks the target; fails when it finds one and keeps it in `fuzz/artifacts/`.
 pub fn fuzz(options: &Options) -> Result<()> {
