@@ -46,6 +46,9 @@ pub struct Inputs {
     /// Where the body of a turning machine's probe lies from its ball, abscissa and ordinate; none of another tool, and
     /// where no tool is in use. See [`crate::control::Edge::body`].
     pub body: Option<[f64; 2]>,
+    /// From the centre of the nose of the turning tool in use to its tip, abscissa and ordinate, in nose radii; none of
+    /// another tool, of a button, and where no tool is in use. See [`crate::control::Control::nose`].
+    pub nose: Option<[f64; 2]>,
 }
 
 impl Inputs {
@@ -61,6 +64,7 @@ impl Inputs {
             settings: BTreeMap::new(),
             tool_type: 0,
             body: None,
+            nose: None,
         }
     }
 

@@ -95,7 +95,11 @@ pub fn read(
     inputs.five_digit_edges = knum::five_digit_edges(control);
     inputs.plane = control.plane;
     inputs.tool_type = control.active_edge().map_or(0, |edge| edge.kind);
-    inputs.body = control.active_edge().and_then(Edge::body);
+    let edge = control.active_edge();
+    inputs.body = edge.and_then(Edge::body);
+    let turning = edge.filter(|edge| edge.is_turning());
+    let nose = turning.map(|edge| control.nose(edge));
+    inputs.nose = nose.filter(|sides| *sides != [0.0; 2]);
     for name in cycle.settings {
         inputs.settings.insert(name, control.number(name));
     }

@@ -6,8 +6,6 @@ use crate::geometry::V3;
 use crate::geometry::convex::Convex;
 use crate::geometry::rigid::sin_cos;
 
-/// 1: cutting edge positions count the other way round in the ordinate (B:14051).
-const REVERSED: &str = "_CHBIT[23]";
 /// Height of a drill's point per mm of its radius: the usual point of 118 degree.
 const DRILL_POINT: f64 = 0.600_860_619;
 /// Least height of a cutter, mm.
@@ -74,23 +72,6 @@ pub enum Spindle {
     Turns,
 }
 
-/// From S to P in abscissa and ordinate by cutting edge position 1 to 9, in nose radii (B:9441, B:13474-13481); with 9, and
-/// where there is none, P is S. `reversed`: the ordinate is the other way round (`_CHBIT[23]`, B:14051).
-pub fn side(position: i64, reversed: bool) -> [f64; 2] {
-    let [abscissa, ordinate] = match position {
-        1 => [1.0, 1.0],
-        2 => [-1.0, 1.0],
-        3 => [-1.0, -1.0],
-        4 => [1.0, -1.0],
-        5 => [1.0, 0.0],
-        6 => [0.0, 1.0],
-        7 => [-1.0, 0.0],
-        8 => [0.0, -1.0],
-        _ => [0.0, 0.0],
-    };
-    [abscissa, if reversed { -ordinate } else { ordinate }]
-}
-
 /// Unit vector along an axis of the machine.
 pub fn unit(axis: usize) -> V3 {
     V3::from_fn(|row, _| if row == axis { 1.0 } else { 0.0 })
@@ -108,12 +89,11 @@ impl Tool {
     /// where it is as long as a turning tool along the abscissa.
     pub fn nominal(edge: &Edge, control: &Control) -> Tool {
         let radius = edge.total_radius();
-        let reversed = control.bit(REVERSED);
         let [.., along_third] = control.length_axes(edge);
         let cut = if edge.is_turning() {
             Cut::Nose(Nose {
                 radius,
-                side: side(edge.tip, reversed),
+                side: control.nose(edge),
             })
         } else {
             let drill = (200..300).contains(&edge.kind);

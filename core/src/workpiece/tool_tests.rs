@@ -2,10 +2,11 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use super::tool::{Cut, Cutter, Nose, Piece, Spindle, Tool, side};
+use super::tool::{Cut, Cutter, Nose, Piece, Spindle, Tool};
 use super::tool_probe::{Contact, ToolProbe, first, obstacle, touch};
 use super::{PartErrors, Shape, Solid, Workpiece};
 use crate::catalogue::Dialect;
+use crate::control::tools::side;
 use crate::control::{Control, Edge, Plane, delivery};
 use crate::geometry::convex::Convex;
 use crate::geometry::{V3, rigid};

@@ -52,7 +52,7 @@ fn tool(inputs: &Inputs, control: &Control, edge: &Edge, found: &mut Vec<Diagnos
     if calibrate || TURNING.holds(inputs) {
         turning::tool(inputs, edge, calibrate, found);
         idle_digits(inputs, found);
-        direction(inputs, control, edge.tip, found);
+        direction(inputs, edge.tip, found);
     } else if MILLING.holds(inputs) || DRILL.holds(inputs) {
         cutters::checks(inputs, control, edge, found);
     } else {
@@ -77,36 +77,16 @@ fn idle_digits(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     found.push(warning(Code::Own(73), message).hint(hint).at(names::MVAR));
 }
 
-/// Sides of the nose, abscissa and ordinate, on which the tip of cutting edge positions 1 to 8 lies (B:4152, B:9441).
-const TIPS: [[i64; 2]; 8] = [
-    [1, 1],
-    [-1, 1],
-    [-1, -1],
-    [1, -1],
-    [1, 0],
-    [0, 1],
-    [-1, 0],
-    [0, -1],
-];
-
-/// An incremental measurement that travels away from the tip: the back of the tool would meet the probe. `_CHBIT[23]`
-/// mirrors the positions about the abscissa (B:14049-14051).
-fn direction(inputs: &Inputs, control: &Control, tip: i64, found: &mut Vec<Diagnostic>) {
+/// An incremental measurement that travels away from the tip: the back of the tool would meet the probe.
+fn direction(inputs: &Inputs, tip: i64, found: &mut Vec<Diagnostic>) {
     let Some(towards) = inputs.given(names::MD) else {
         return;
     };
-    let index = usize::try_from(tip - 1).ok();
-    let Some([abscissa, ordinate]) = index.and_then(|index| TIPS.get(index)) else {
+    let Some(nose) = inputs.nose else {
         return;
     };
-    let side = if ABSCISSA.holds(inputs) {
-        *abscissa
-    } else if control.bit("_CHBIT[23]") {
-        -ordinate
-    } else {
-        *ordinate
-    };
-    let sense = if towards == 0.0 { 1 } else { -1 };
+    let side = nose[usize::from(!ABSCISSA.holds(inputs))];
+    let sense = if towards == 0.0 { 1.0 } else { -1.0 };
     // a calibration tool may be bent so that its ball also touches from the other side (B:9907)
     if INCREMENTAL.holds(inputs) && MEASURE.holds(inputs) && side == -sense {
         let message = Message::new("check-tip-direction").number("tip", tip as f64);

@@ -14,6 +14,8 @@ mod motion_tests;
 mod nose;
 pub mod params;
 mod picture;
+#[cfg(test)]
+mod picture_tests;
 pub mod propose;
 mod results;
 pub mod simulate;

@@ -8,7 +8,6 @@ use crate::catalogue::tool_probe::correct::Measured;
 use crate::catalogue::tool_probe::store::Trigger;
 use crate::check::Inputs;
 use crate::run::{Machine, Stop};
-use crate::workpiece::tool::side;
 
 /// Cutting edge position of the calibration tool (B:8839).
 const CALIBRATION: i64 = 3;
@@ -19,9 +18,9 @@ const MEASURED: std::ops::RangeInclusive<i64> = 1..=8;
 /// position that the task does not allow (A:15855-15856).
 pub fn nose(machine: &mut dyn Machine, inputs: &Inputs) -> Result<[f64; 2], Stop> {
     let control = machine.control();
-    let reversed = control.bit("_CHBIT[23]");
     let edge = control.active_edge();
     let (turning, tip) = edge.map_or((false, 0), |edge| (edge.is_turning(), edge.tip));
+    let sides = edge.map_or([0.0; 2], |edge| control.nose(edge));
     let allowed = match CALIBRATE.holds(inputs) {
         true => tip == CALIBRATION,
         false => MEASURED.contains(&tip),
@@ -29,7 +28,7 @@ pub fn nose(machine: &mut dyn Machine, inputs: &Inputs) -> Result<[f64; 2], Stop
     match (turning, allowed) {
         (false, _) => Err(alarm(machine, 61314)),
         (true, false) => Err(alarm(machine, 61315)),
-        (true, true) => Ok(side(tip, reversed)),
+        (true, true) => Ok(sides),
     }
 }
 

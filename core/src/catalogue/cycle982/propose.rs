@@ -9,7 +9,7 @@ use crate::catalogue::{Proposal, ProposedTool, names, place};
 use crate::check::Inputs;
 use crate::control::{Control, Edge, Plane};
 use crate::workpiece::Shape;
-use crate::workpiece::tool::{Cut, Tool, side};
+use crate::workpiece::tool::{Cut, Tool};
 use crate::workpiece::tool_probe::ToolProbe;
 
 /// How far before the probe the tool starts beside the measuring path, mm.
@@ -187,8 +187,8 @@ impl<'a> Field<'a> {
 
     /// The tip before the sides that it touches; the calibration tool before the plus sides.
     fn nose(&self) -> [f64; 2] {
-        let tip = self.control.active_edge().map_or(3, |edge| edge.tip);
-        let sides = side(tip, self.control.bit("_CHBIT[23]"));
+        let edge = self.control.active_edge();
+        let sides = edge.map_or([-1.0; 2], |edge| self.control.nose(edge));
         let axis = self.measured(0);
         if !INCREMENTAL.holds(self.inputs) {
             return [0, 1].map(|axis| match sides[axis] {

@@ -7,10 +7,10 @@ use super::testing::{PROBE, Real, SHIFT, digit, inputs, machine, mount, place};
 use crate::catalogue::sinumerik::testing::random_parts;
 use crate::check::Inputs;
 use crate::control::Units;
+use crate::control::tools::side;
 use crate::evaluate::tool_offset::RADIUS;
 use crate::run::machine::Sim;
 use crate::run::{Setup, Stop};
-use crate::workpiece::tool::side;
 use proptest::prelude::*;
 
 /// How far before the probe a start lies, mm.

@@ -5,13 +5,13 @@ use super::Motion;
 use super::corner::Beside;
 use super::element::{Point, Round};
 use super::plane::Plane;
+use crate::control::tools::side;
 use crate::diagnostic::Span;
 use crate::geometry::arc::Around;
 use crate::run::Stop;
 use crate::run::interpret::Interpreter;
 use crate::run::route::add;
 use crate::run::trace::MotionKind;
-use crate::workpiece::tool::side;
 
 /// A block that waits.
 #[derive(Clone, Copy, Debug)]

@@ -2,7 +2,8 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 use super::*;
-use crate::workpiece::tool::{Cutter, side};
+use crate::control::tools::side;
+use crate::workpiece::tool::Cutter;
 
 /// Corners of the insert and of the shank in abscissa and ordinate from P, in G18.
 fn plates(position: i64, carrier: V3) -> [Vec<[f64; 2]>; 2] {

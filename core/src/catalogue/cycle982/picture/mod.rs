@@ -1,7 +1,8 @@
 //! CYCLE982 drawn: the probe between the axes of the plane, abscissa to the right, with the sides that are touched in
 //! their order and the tool before the first of them; beside it the milling spindle, seen along its axis. Probe and tool
-//! stand for any size; short distances are drawn longer than they are. The ways round the probe are ours, as the
-//! figures of the manual are lost.
+//! stand for any size; short distances are drawn longer than they are. A turning tool is drawn with the cutting edge
+//! position of the one in use, where none is, with position 3. The ways round the probe are ours, as the figures of the
+//! manual are lost.
 
 mod tools;
 mod ways;
@@ -11,7 +12,7 @@ use super::params::{
     MILLING, OPPOSITE, RADIAL, RADIUS, REVERSAL, UPPER, WITH_RADIUS, WORKPIECE,
 };
 use crate::catalogue::names;
-use crate::catalogue::tool_probe::figures::bands;
+use crate::catalogue::tool_probe::figures::{self, bands};
 use crate::check::Inputs;
 use crate::control::Plane;
 use crate::form::figures::{arrow, circle, dimension, line, rectangle};
@@ -32,6 +33,9 @@ struct Scene {
     /// Touches in their order, never empty.
     touches: Vec<Touch>,
     path: f64,
+    /// 1 in an axis in which the tool touches the plus side, else -1; see [`figures::sides`]. All else is given as if it
+    /// were the plus side.
+    sides: [f64; 2],
 }
 
 /// What touches the probe.
@@ -60,7 +64,6 @@ struct Touch {
 pub fn picture(inputs: &Inputs) -> Picture {
     let scene = scene(inputs);
     let mut shapes = vec![rectangle(ShapeKind::Material, [0.0; 2], [2.0 * PROBE; 2])];
-    reference(inputs, &mut shapes);
     for touch in &scene.touches {
         touched(inputs, &scene, touch, &mut shapes);
     }
@@ -68,8 +71,10 @@ pub fn picture(inputs: &Inputs) -> Picture {
         shapes.extend(ways::between(inputs, &scene));
     }
     if let Some(first) = scene.touches.first() {
-        shapes.extend(tools::shapes(&scene, first));
+        shapes.extend(tools::shapes(inputs, &scene, first));
     }
+    figures::mirror(&mut shapes, scene.sides);
+    reference(inputs, &scene, &mut shapes);
     spindle(inputs, &mut shapes);
     measured(inputs, &scene, &mut shapes);
     Picture {
@@ -82,11 +87,16 @@ fn scene(inputs: &Inputs) -> Scene {
     let tool = tool(inputs);
     let along = along(inputs);
     let path = inputs.given(names::FA).filter(|path| *path > 0.0);
+    let sides = match tool {
+        Tool::Ball | Tool::Insert => figures::sides(inputs),
+        _ => [1.0; 2],
+    };
     Scene {
         tool,
         along,
-        touches: touches(inputs, tool, along),
+        touches: touches(inputs, tool, along, sides),
         path: path.unwrap_or(2.0).clamp(5.0, 12.0),
+        sides,
     }
 }
 
@@ -117,7 +127,7 @@ fn along(inputs: &Inputs) -> usize {
 }
 
 /// The touches: one, two opposite ones, or all that the tool allows, the abscissa first (B:9738-9758).
-fn touches(inputs: &Inputs, tool: Tool, along: usize) -> Vec<Touch> {
+fn touches(inputs: &Inputs, tool: Tool, along: usize, sides: [f64; 2]) -> Vec<Touch> {
     let touch = |axis, side, order| Touch { axis, side, order };
     if !AUTOMATIC.holds(inputs) {
         let axis = if DRILL_ALONG_APPLICATE.holds(inputs) {
@@ -126,7 +136,11 @@ fn touches(inputs: &Inputs, tool: Tool, along: usize) -> Vec<Touch> {
             usize::from(!ABSCISSA.holds(inputs))
         };
         let plus = INCREMENTAL.holds(inputs) && inputs.given(names::MD) == Some(0.0);
-        let side = if plus { -1.0 } else { 1.0 };
+        let told = if plus { -1.0 } else { 1.0 };
+        let side = match INCREMENTAL.holds(inputs) {
+            true => told * sides[axis],
+            false => 1.0,
+        };
         if BOTH.holds(inputs) {
             return vec![touch(axis, 1.0, "1"), touch(axis, -1.0, "2")];
         }
@@ -135,7 +149,11 @@ fn touches(inputs: &Inputs, tool: Tool, along: usize) -> Vec<Touch> {
     let upper = if tool == Tool::Disc { -1.0 } else { 1.0 };
     match (tool, along) {
         (Tool::Drill, _) => vec![touch(along, 1.0, "")],
-        (Tool::Insert, _) => vec![touch(0, 1.0, "1"), touch(1, 1.0, "2")],
+        (Tool::Insert, _) => match inputs.nose {
+            Some([_, 0.0]) => vec![touch(0, 1.0, "")],
+            Some([0.0, _]) => vec![touch(1, 1.0, "")],
+            _ => vec![touch(0, 1.0, "1"), touch(1, 1.0, "2")],
+        },
         (_, 0) => vec![
             touch(0, upper, "1, 2"),
             touch(1, 1.0, "3"),
@@ -158,10 +176,11 @@ fn at(touch: &Touch, out: f64, beside: f64) -> [f64; 2] {
 
 /// The data of the probe, and the axes of the system they belong to: square to the probe as the machine's, or a
 /// workpiece system with its own zero.
-fn reference(inputs: &Inputs, shapes: &mut Vec<PictureShape>) {
+fn reference(inputs: &Inputs, scene: &Scene, shapes: &mut Vec<PictureShape>) {
     let workpiece = WORKPIECE.holds(inputs);
-    let corner = [-34.0, -34.0];
-    let axes = vec![[-20.0, -34.0], corner, [-34.0, -20.0]];
+    let [x, y] = [-34.0 * clear(scene), -34.0];
+    let corner = [x, y];
+    let axes = vec![[x + 14.0, y], corner, [x, y + 14.0]];
     shapes.push(line(ShapeKind::Axis, axes).of(names::MVAR));
     if workpiece {
         shapes.push(circle(ShapeKind::Axis, corner, 2.5).of(names::MVAR));
@@ -174,6 +193,11 @@ fn reference(inputs: &Inputs, shapes: &mut Vec<PictureShape>) {
             .text(format!("{array}[{number},0…3]"))
             .of(names::PRNUM),
     );
+}
+
+/// On which side of the probe there is room below for words: 1 on that of minus, -1 where the tool lies there.
+fn clear(scene: &Scene) -> f64 {
+    if scene.sides == [-1.0; 2] { -1.0 } else { 1.0 }
 }
 
 /// One side: its limits, the measuring motion, the point that is touched.
@@ -252,13 +276,16 @@ fn measured(inputs: &Inputs, scene: &Scene, shapes: &mut Vec<PictureShape>) {
     };
     let text = match scene.tool {
         Tool::Cutter | Tool::Disc if AUTOMATIC.holds(inputs) => "L1 L2 R".to_owned(),
-        Tool::Insert if AUTOMATIC.holds(inputs) => "L1 L2".to_owned(),
+        Tool::Insert if scene.touches.len() > 1 => "L1 L2".to_owned(),
         _ if RADIUS.holds(inputs) => "R".to_owned(),
         _ if BOTH.holds(inputs) => format!("{} R", length(first.axis)),
         _ if DRILL_ALONG_APPLICATE.holds(inputs) => "L1".to_owned(),
         _ => length(first.axis).to_owned(),
     };
-    let label = line(ShapeKind::Label, vec![[SPINDLE[0], -PROBE - 20.0]]);
+    let label = line(
+        ShapeKind::Label,
+        vec![[SPINDLE[0] * clear(scene), -PROBE - 20.0]],
+    );
     shapes.push(label.text(text).of(names::MVAR));
     let against = scene.touches.iter().find(|touch| touch.axis == scene.along);
     if let Some(touch) = against.filter(|_| OPPOSITE.holds(inputs)) {

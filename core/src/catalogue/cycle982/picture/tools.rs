@@ -2,13 +2,11 @@
 
 use super::{PROBE, Scene, Tool, Touch, at};
 use crate::catalogue::names;
-use crate::form::figures::{circle, dimension, polygon};
+use crate::catalogue::tool_probe::figures::{self, LENGTH, nose_radius};
+use crate::check::Inputs;
+use crate::form::figures::{dimension, polygon};
 use crate::form::picture::{PictureShape, ShapeKind};
 
-/// Radius of the calibration tool, mm.
-const BALL: f64 = 5.0;
-/// Radius of the nose of a turning tool, mm.
-const NOSE: f64 = 1.5;
 /// Radius of milling tool and drill, mm.
 const CUTTER: f64 = 6.0;
 /// Radius of a disc and of its shank, mm: the shank passes the probe while the disc touches its middle (B:9779).
@@ -16,16 +14,14 @@ const DISC: f64 = 16.0;
 const SHANK: f64 = 3.0;
 /// Width of a disc, mm.
 const WIDTH: f64 = 5.0;
-/// From the tip to the tool carrier, mm.
-const LENGTH: f64 = 30.0;
 
 /// The tool, its measuring point one measuring path before the side.
-pub fn shapes(scene: &Scene, touch: &Touch) -> Vec<PictureShape> {
+pub fn shapes(inputs: &Inputs, scene: &Scene, touch: &Touch) -> Vec<PictureShape> {
     let out = PROBE + scene.path;
     let along_axis = touch.axis == scene.along;
     match scene.tool {
-        Tool::Ball => nosed(touch, out, BALL, BALL_SHANK),
-        Tool::Insert => nosed(touch, out, NOSE, INSERT),
+        Tool::Ball => nosed(inputs, touch, out, true),
+        Tool::Insert => nosed(inputs, touch, out, false),
         Tool::Drill if along_axis => vec![body(touch, out, DRILL_TIP)],
         Tool::Cutter if along_axis => tip_first(touch, out),
         Tool::Cutter | Tool::Drill => from_the_side(touch, out),
@@ -37,22 +33,6 @@ pub fn shapes(scene: &Scene, touch: &Touch) -> Vec<PictureShape> {
 /// Outlines, mm: outwards from the measuring point, and across.
 type Outline = &'static [[f64; 2]];
 
-const BALL_SHANK: Outline = &[
-    [1.5, 4.0],
-    [4.0, 1.5],
-    [LENGTH, 16.0],
-    [LENGTH, LENGTH],
-    [16.0, LENGTH],
-];
-const INSERT: Outline = &[
-    [-1.5, 0.3],
-    [0.3, -1.5],
-    [12.0, 2.0],
-    [LENGTH, 14.0],
-    [LENGTH, LENGTH],
-    [14.0, LENGTH],
-    [2.0, 12.0],
-];
 const DRILL_TIP: Outline = &[
     [0.0, 0.0],
     [4.0, -CUTTER],
@@ -66,13 +46,12 @@ fn body(touch: &Touch, out: f64, outline: &[[f64; 2]]) -> PictureShape {
     polygon(ShapeKind::Probe, outline.iter().map(place).collect()).of(names::MVAR)
 }
 
-/// A tool that ends in a nose: the outline starts from its centre.
-fn nosed(touch: &Touch, out: f64, radius: f64, outline: Outline) -> Vec<PictureShape> {
-    let centre = at(touch, out + radius, 0.0);
-    vec![
-        body(touch, out + radius, outline),
-        circle(ShapeKind::Probe, centre, radius).of(names::MVAR),
-    ]
+/// A tool that ends in a nose, whose centre stands over the middle of the probe.
+fn nosed(inputs: &Inputs, touch: &Touch, out: f64, calibrates: bool) -> Vec<PictureShape> {
+    let centre = at(touch, out + nose_radius(calibrates), 0.0);
+    let mut away = [1.0; 2];
+    away[touch.axis] = touch.side;
+    figures::nosed(inputs, calibrates, centre, away).to_vec()
 }
 
 /// A milling tool with its end to the probe: the edge stands before the middle of the probe, the axis beside it.

@@ -1,7 +1,7 @@
 //! The way of the measuring point to the first side, and from side to side round the probe.
 
 use super::super::params::{OPPOSITE, UPPER};
-use super::{PROBE, Scene, Touch, at};
+use super::{PROBE, Scene, Tool, Touch, at};
 use crate::catalogue::names;
 use crate::check::Inputs;
 use crate::form::figures::{circle, line};
@@ -21,6 +21,10 @@ pub fn between(inputs: &Inputs, scene: &Scene) -> Vec<PictureShape> {
     };
     let mut start = [FAR; 2];
     start[scene.along] = start_side * FAR;
+    let pointed = inputs.nose.filter(|_| scene.tool == Tool::Insert);
+    if let Some(across) = pointed.and_then(|nose| nose.iter().position(|side| *side == 0.0)) {
+        start[across] = 0.0;
+    }
     let mut way = vec![start];
     way.extend(approach(first, start));
     way.push(at(first, PROBE + scene.path, 0.0));
