@@ -17,6 +17,7 @@ export interface Derived {
   read: ReadView;                // of `program`, or while `fresh` is false of what it was a little earlier
   fresh: boolean;
   opened: CallView | null;
+  assumed: CallView["first"];    // values of the opened call that differ by the way, and count for the outcome as they arrive first
   states: (Severity | null)[];   // the worst that is said about each call
   style: Style;                  // of the snippet
   run: RunView | null;           // only while the program's motions are shown
@@ -49,6 +50,14 @@ function gather(read: ReadView): Diagnostic[] {
 
 const NOTHING_READ: ReadView = { calls: [], diagnostics: [] };
 
+const NOTHING_ASSUMED: CallView["first"] = {};
+
+/** What arrives first at the opened call, of the values that nobody has typed over. */
+function assumptions(opened: CallView | null, values: State["values"]): CallView["first"] {
+  const open = Object.entries(opened?.first ?? {}).filter(([name]) => values[name] === opened?.values[name]);
+  return open.length ? Object.fromEntries(open) : NOTHING_ASSUMED;
+}
+
 /** What a scan leaves to be looked at: nothing moves any more. */
 function stillOf({ solids, radius }: ScanView): Trace {
   return { entries: [], ball: { radius, length: radius }, solids, frames: [] };
@@ -68,13 +77,15 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
   const first = catalogue.cycles[0];
   if (!first) throw new Error("the catalogue is empty");
   let names: Record<string, string> = {}; // as the snippet's comments were asked for last
-  const form = memo((core: FormCore, cycle: CycleInfo, values: State["values"], errors: State["errors"], comments: string | null, style: Style | null, twin: boolean, limits: boolean, setup: Setup | OwnMachine | undefined, plane?: Plane, units?: UnitFunction): FormView => {
+  const form = memo((core: FormCore, cycle: CycleInfo, values: State["values"], errors: State["errors"], comments: string | null, style: Style | null, twin: boolean, limits: boolean, assumed: CallView["first"], setup: Setup | OwnMachine | undefined, plane?: Plane, units?: UnitFunction): FormView => {
     const request = { control: cycle.control, cycle: cycle.cycle, values, errors, ...(style ? { style } : {}), ...(setup ? { setup } : {}), ...(plane && units ? { plane, units } : {}) };
-    const view = core.form({ ...request, predict: true, ...(twin ? { twin } : {}), ...(limits ? { limits } : {}), ...(comments !== null ? { comments: names } : {}) });
+    const first = Object.fromEntries(Object.entries(assumed).map(([name, { value }]) => [name, value]));
+    const view = core.form({ ...request, predict: true, ...(assumed !== NOTHING_ASSUMED ? { assumed: first } : {}), ...(twin ? { twin } : {}), ...(limits ? { limits } : {}), ...(comments !== null ? { comments: names } : {}) });
     const before = names;
     names = comments !== null ? labels(view) : names;
     return alike(before, names) ? view : { ...view, snippet: core.form({ ...request, comments: names }).snippet };
   });
+  const assume = memo(assumptions);
   const still = memo(stillOf);
   const problems = memo(gather);
   const states = memo(severities);
@@ -85,13 +96,14 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
     const opened = reading.calls.find((call) => call.from === state.open) ?? null;
     const style = cycle.styles.find((one) => one === state.style) ?? null;
     const core = forms();
-    const view = form(core, cycle, state.values, state.errors, state.comments ? language() : null, style, state.twin && cycle.twins, state.limits, machine(state).setup, opened?.plane, opened?.units);
+    const assumed = assume(opened, state.values);
+    const view = form(core, cycle, state.values, state.errors, state.comments ? language() : null, style, state.twin && cycle.twins, state.limits, assumed, machine(state).setup, opened?.plane, opened?.units);
     const all = problems(reading);
     const ran = state.source === "program" && state.ran?.control === cycle.control ? state.ran.view : null;
     const scanned = state.source === "scan" && state.scan?.request.cycle === cycle.cycle ? state.scan : null;
     const trace = (state.source === "program" ? ran?.trace : scanned ? still(scanned.view) : view.outcome?.trace) ?? null;
     return {
-      catalogue, cycle, view, simulates: core.simulates, program: programOf(state), read: reading, fresh: isRead(state), opened, states: states(reading.calls, all), style: style ?? view.preset, run: ran,
+      catalogue, cycle, view, assumed, simulates: core.simulates, program: programOf(state), read: reading, fresh: isRead(state), opened, states: states(reading.calls, all), style: style ?? view.preset, run: ran,
       trace, step: Math.max(0, Math.min(state.step, (trace?.entries.length ?? 0) - 1)),
       problems: all,
     };

@@ -63,6 +63,7 @@ export interface FormRequest {
   control: Dialect;
   cycle: string;
   values: Record<string, string>;      // as typed, per parameter name; absent: never typed
+  assumed?: Record<string, string>;    // an outcome counts with these instead
   setup?: Setup | OwnMachine;          // absent: the core's own machine as it is
   plane?: Plane;                       // at the call, where it is not that of the setup
   units?: UnitFunction;                // likewise
@@ -87,6 +88,7 @@ export interface FormView {
   mvar: number | null;                 // the variant that the values choose
   picture?: Picture;                   // only from the full module, which comes after the first form
   twin?: TwinView | null;              // when asked for, from the full module; null: the other control has no such task for these values
+  unknown?: string[];                  // when predict and there is no outcome: parameters whose values only a run tells
   outcome?: Outcome;                   // when predict and complete, of a cycle that is simulated
   setup?: Setup;                       // when predict: the machine, for an outcome with the proposed part, its errors and the start; exported, and what a program runs on
 }
@@ -255,6 +257,7 @@ export interface CallView {
   style: Style;
   from: number; to: number;            // UTF-16 offsets of the call itself
   values: Record<string, string>;      // as the form wants them
+  first: Record<string, { value: string; line: number }>; // of the values that differ by the way or from pass to pass, those that arrive first; line from 1
   plane: Plane; units: UnitFunction;   // in force at the call
   diagnostics: Diagnostic[];
   arrivals: Diagnostic[];              // notes at the values that come from other programs of the text, or differ by the way to the call

@@ -5,7 +5,7 @@ use super::setup_active::{PlaneName, choose_units, plane};
 use super::{Error, diagnostic, dialect, message, object, put};
 use crate::SIMULATES;
 use crate::catalogue::{Cycle, MachineSort, Range, Style, names};
-use crate::check::{self, Checked, Typed, variants};
+use crate::check::{self, Checked, Inputs, Typed, variants};
 use crate::control::{Control, Plane, Transverse, Units};
 use crate::diagnostic::Severity;
 use crate::form;
@@ -22,6 +22,9 @@ struct Request {
     cycle: String,
     #[serde(default)]
     values: Typed,
+    /// Values that an outcome counts with instead of those of the form, which depend on the way to the call.
+    #[serde(default)]
+    assumed: Typed,
     #[serde(default)]
     setup: Option<Value>,
     /// G function of units in force at the call (`G70`), where it is not that of the setup.
@@ -54,7 +57,8 @@ pub fn form(request: &str) -> Result<Value, Error> {
     let cycle = super::cycle(dialect(&request.control)?, &request.cycle)?;
     let mut start = super::start::start(cycle.dialect, request.setup)?;
     if !start.described {
-        let variant = request.values.get(names::MVAR);
+        let assumed = request.assumed.get(names::MVAR);
+        let variant = assumed.or_else(|| request.values.get(names::MVAR));
         let variant = variant.and_then(|text| text.trim().parse().ok());
         start.setup.suit(cycle, variant.unwrap_or(0));
     }
@@ -89,6 +93,12 @@ pub fn form(request: &str) -> Result<Value, Error> {
         put(&mut view, "twin", there);
     }
     if request.predict && SIMULATES {
+        if !request.assumed.is_empty() {
+            checked.inputs = assumed(cycle, values, request.assumed, &start.setup.control);
+        }
+        if checked.inputs.is_none() {
+            put(&mut view, "unknown", unknown(&checked));
+        }
         let mut setup = match (cycle.work(), &checked.inputs) {
             (Some(work), Some(inputs)) => {
                 let (outcome, setup) =
@@ -103,6 +113,24 @@ pub fn form(request: &str) -> Result<Value, Error> {
         put(&mut view, "setup", super::setup_to_json(&setup));
     }
     Ok(view)
+}
+
+/// What the cycle gets where some values are others than in the form.
+fn assumed(
+    cycle: &'static Cycle,
+    mut values: Typed,
+    assumed: Typed,
+    control: &Control,
+) -> Option<Inputs> {
+    values.extend(assumed);
+    check::check(cycle, &values, control).inputs
+}
+
+/// The parameters whose values are known at run time only.
+fn unknown(checked: &Checked) -> Value {
+    let found = checked.diagnostics.iter();
+    let found = found.filter(|one| one.code == check::EXPRESSION);
+    found.filter_map(|one| one.param).collect()
 }
 
 /// The values of the form, those included that the settings of the machine give; the control gets what they write into

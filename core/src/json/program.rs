@@ -105,6 +105,7 @@ fn call(program: &Program, site: &CallSite, positions: &Positions) -> Value {
         ("to", positions.utf16(site.span.end).into()),
         ("style", style_name(style).into()),
         ("values", typed(&site.values)),
+        ("first", first(program, site)),
         ("plane", plane_name(site.plane).into()),
         ("units", units_name(site.unit_function).into()),
         ("diagnostics", findings(&site.diagnostics, positions).into()),
@@ -113,6 +114,19 @@ fn call(program: &Program, site: &CallSite, positions: &Positions) -> Value {
             findings(&program::arrivals(program, site), positions).into(),
         ),
     ])
+}
+
+/// Of the values that differ by the way, those that arrive first, with their lines.
+fn first(program: &Program, site: &CallSite) -> Value {
+    let members = site.first.iter().map(|(name, origin)| {
+        let line = program.line_of(origin.place.start) + 1;
+        let value = [
+            ("value", origin.text.as_str().into()),
+            ("line", line.into()),
+        ];
+        (*name, object(value))
+    });
+    object(members)
 }
 
 /// Number of the measuring variant, where it is known.

@@ -41,6 +41,8 @@ pub struct CallSite {
     pub places: BTreeMap<&'static str, Span>,
     /// Where the values were written that come from other programs of the text, or on more ways than one.
     pub origins: BTreeMap<&'static str, Vec<Origin>>,
+    /// Of the values that differ by the way or from pass to pass, those that arrive first.
+    pub first: BTreeMap<&'static str, Origin>,
     /// Parameters whose place gives a value to others too (`REP`), so that it cannot be changed for one of them.
     pub shared: BTreeSet<&'static str>,
     /// The argument list that was called; none: the bare name, or a block of addresses.
@@ -151,6 +153,7 @@ pub fn calls_told(program: &Program, control: Control, told: &mut dyn FnMut(f64)
         tools: Tools::of(&control),
         control,
         found: Found::default(),
+        first_numbers: HashMap::new(),
         passed: 0,
         told,
     };
@@ -181,6 +184,8 @@ struct Walk<'a> {
     tools: Tools,
     control: Control,
     found: Found,
+    /// What right sides are worth when they are passed first and a later pass may bring another number, by their first byte.
+    first_numbers: HashMap<u32, Option<f64>>,
     /// Blocks that were passed.
     passed: usize,
     told: &'a mut dyn FnMut(f64),

@@ -216,6 +216,23 @@ impl Known for Numbers<'_> {
     }
 }
 
+/// Numbers of variables as the first pass brings them.
+pub(super) struct FirstNumbers<'a> {
+    /// What they hold.
+    pub numbers: Numbers<'a>,
+    /// What right sides are worth on their first pass, by their first byte.
+    pub first: &'a HashMap<u32, Option<f64>>,
+}
+
+impl Known for FirstNumbers<'_> {
+    fn number(&self, name: &str) -> Option<f64> {
+        let id = self.numbers.names.find(name)?;
+        let value = self.numbers.values.get(id)?.all().first()?;
+        let first = || self.first.get(&value.place.start).copied().flatten();
+        value.number.or_else(first)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]

@@ -51,13 +51,17 @@ function createOutcome(root: HTMLElement): Draw {
   changeTable.className = "changes";
   const none = el("p", { class: "empty" });
   const same = el("p", { class: "empty" }, t("outcome-no-changes"));
-  root.append(none, alarms, el("div", { class: "outcome" }, changeTable, same, decisionBox, resultTable));
+  const assumed = el("p", { class: "assumed", role: "note" });
+  root.append(none, assumed, alarms, el("div", { class: "outcome" }, changeTable, same, decisionBox, resultTable));
   const shownNow = keptOutcome();
   let drawn: Shown | null | undefined;
   return (state, derived) => {
     const outcome = shownNow(state, derived);
     show(none, !outcome);
     setText(none, outcome ? "" : missing(derived));
+    const counted = outcome && !derived.run ? assumptions(derived) : "";
+    show(assumed, counted !== "");
+    setText(assumed, counted);
     if (outcome === drawn) return; // each step that is played comes by here, and a long run has a thousand lines
     drawn = outcome;
     show(resultTable, (outcome?.results.length ?? 0) > 0);
@@ -85,13 +89,21 @@ function createOutcome(root: HTMLElement): Draw {
   };
 }
 
+/** With which of the values that differ by the way the outcome was worked out. */
+function assumptions({ assumed }: Derived): string {
+  const values = Object.entries(assumed).map(([name, { value, line }]) => t("outcome-assumed-value", { name, value, line }));
+  return values.length ? t("outcome-assumed", { values: values.join(", ") }) : "";
+}
+
 /** Why there is no outcome yet: by name, what the form still lacks. */
 export function missing(derived: Derived): string {
   if (!derived.cycle.simulated) return t("outcome-not-simulated", { cycle: derived.cycle.cycle });
   if (derived.simulates === "no") return t("outcome-absent");
   if (derived.simulates === "coming" && derived.view.complete) return t("outcome-coming");
   const names = [...new Set(derived.view.diagnostics.filter((one) => one.severity === "error" && one.param).map((one) => one.param))];
-  return names.length ? t("outcome-missing", { names: names.join(", ") }) : t("outcome-incomplete");
+  if (names.length) return t("outcome-missing", { names: names.join(", ") });
+  const { unknown = [] } = derived.view;
+  return unknown.length ? t("outcome-unknown", { names: unknown.join(", ") }) : t("outcome-incomplete");
 }
 
 interface Shown { results: { name: string; label: string; value: number; unit: string }[]; changes: Outcome["changes"]; alarms: Outcome["alarms"]; decisions: Outcome["decisions"]; log: string[] }

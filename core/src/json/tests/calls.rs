@@ -52,6 +52,27 @@ fn a_call_says_which_values_come_from_elsewhere() {
         differs["arrivals"][0]["message"]["args"]["values"],
         "40 (3), 50 (4)"
     );
+    assert_eq!(same["first"], json!({}));
+    assert_eq!(
+        differs["first"],
+        json!({ "_SETVAL": { "value": "40", "line": 3 } })
+    );
+}
+
+// oracle: hand (what the first pass finds in R1, and in the counter)
+#[test]
+fn a_call_in_a_loop_says_what_arrives_first() {
+    let first = |begin: &str, end: &str| {
+        let rest = "_MVAR=1 _KNUM=0 _PRNUM=1 _FA=2 _TSA=2";
+        let text = format!("G17 G40 T9 D1\n{begin}\n{rest} _SETVAL=R1*2\nCYCLE977\n{end}\n");
+        let view = read(&json!({ "control": "sinumerik", "text": text }).to_string()).unwrap();
+        view["calls"][0]["first"].clone()
+    };
+    let at = |value: &str, line: u32| json!({ "_SETVAL": { "value": value, "line": line } });
+    assert_eq!(first("R1=60\nLOOP", "R1=R1-5\nENDLOOP"), at("120", 4));
+    assert_eq!(first("FOR R1=20 TO 30", "ENDFOR"), at("40", 3));
+    assert_eq!(first("R1=$AA_IW[X]\nLOOP", "R1=2\nENDLOOP"), json!({}));
+    assert_eq!(first("R1=60", "R1=50"), json!({}), "no pass but one");
 }
 
 // oracle: hand

@@ -17,6 +17,29 @@ fn a_form_without_values_has_fields_and_a_picture() {
     }
 }
 
+// oracle: self (the outcome of the form in which the value stands)
+#[test]
+fn an_outcome_counts_with_what_is_assumed_where_the_form_knows_no_value() {
+    let cycle = crate::catalogue::find(Dialect::Sinumerik, "CYCLE977").unwrap();
+    let mut asked: Value = serde_json::from_str(&request(cycle)).unwrap();
+    let known = form(&asked.to_string()).unwrap();
+    assert_eq!(known["unknown"], Value::Null);
+    let value = asked["values"]["_SETVAL"].take();
+    asked["values"]["_SETVAL"] = json!("_DIA");
+    let open = form(&asked.to_string()).unwrap();
+    assert_eq!(
+        (&open["outcome"], &open["unknown"]),
+        (&Value::Null, &json!(["_SETVAL"]))
+    );
+    asked["assumed"] = json!({ "_SETVAL": value });
+    let assumed = form(&asked.to_string()).unwrap();
+    assert_eq!(assumed["outcome"], known["outcome"]);
+    assert_eq!(
+        assumed["snippet"], open["snippet"],
+        "the program keeps its own"
+    );
+}
+
 // oracle: manual B:1787-1795 (set values count in the active system, _FA always in mm)
 #[test]
 fn the_chosen_units_decide_what_a_value_means() {

@@ -4,7 +4,7 @@ use super::{Place, Walk};
 use crate::control::arrays;
 use crate::diagnostic::Span;
 use crate::program::fold;
-use crate::program::held::{Held, Numbers};
+use crate::program::held::{FirstNumbers, Held, Numbers};
 use crate::program::tree::{Expr, ExprId, Word, WordKind};
 use crate::program::values::{self, Spread, Value, spread};
 use std::rc::Rc;
@@ -38,6 +38,7 @@ impl Walk<'_> {
                         continue;
                     };
                     if counts {
+                        self.keep_first(place, *value, *value_span);
                         let count = Value::at(name.clone(), None, *value_span);
                         self.assign(place, &name, count);
                     } else {
@@ -84,6 +85,19 @@ impl Walk<'_> {
         }
     }
 
+    /// Remembers what a right side is worth on its first pass that is not always worth the same.
+    fn keep_first(&mut self, place: &Place, id: ExprId, at: Span) {
+        if self.first_numbers.contains_key(&at.start) {
+            return;
+        }
+        let known = FirstNumbers {
+            numbers: self.numbers(place),
+            first: &self.first_numbers,
+        };
+        let number = fold::number(self.program, id, &known);
+        self.first_numbers.insert(at.start, number);
+    }
+
     fn learn(&mut self, name: &str, number: Option<f64>) {
         self.tools.learn(&mut self.control, name, number);
         if let Some(number) = number.filter(|_| !self.unsteady.contains_key(name)) {
@@ -101,8 +115,11 @@ impl Walk<'_> {
     fn write(&mut self, place: &mut Place, name: &str, value: ExprId, span: Span) {
         match spread(self.program, value) {
             Spread::One => {
-                let value = self.value(place, value, span);
-                self.assign(place, name, value);
+                let right = self.value(place, value, span);
+                if right.number.is_none() {
+                    self.keep_first(place, value, span);
+                }
+                self.assign(place, name, right);
             }
             Spread::Each(values) => {
                 let elements = self.elements(name);

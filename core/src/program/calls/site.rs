@@ -74,6 +74,7 @@ impl Walk<'_> {
             values: values.clone(),
             places: BTreeMap::new(),
             origins: BTreeMap::new(),
+            first: BTreeMap::new(),
             shared: BTreeSet::new(),
             list,
             own_from: self.own_from(span, line),
@@ -198,6 +199,21 @@ impl Walk<'_> {
             let unit = self.around.unit(site.span);
             for (name, held) in &given {
                 let all = held.all();
+                let several = self.around.several();
+                let own = |value: &Value| {
+                    let source = value.source().start;
+                    let taker = takers.get(&source) == Some(&site.span.start);
+                    taker || !several && source >= site.own_from
+                };
+                let origin = |value: &Rc<Value>| Origin {
+                    text: value.text.clone(),
+                    place: value.source(),
+                    argument: value.argument,
+                    own: own(value),
+                };
+                let first = arrives_first(all, &self.first_numbers, origin);
+                let mut origins: Vec<Origin> = all.iter().map(origin).collect();
+                site.first.extend(first.map(|first| (*name, first)));
                 let elsewhere = |value: &Rc<Value>| !inside(unit, value.source());
                 if all.len() < 2 && !all.iter().any(elsewhere) {
                     continue;
@@ -212,21 +228,6 @@ impl Walk<'_> {
                         site.places.remove(name);
                     }
                 }
-                let several = self.around.several();
-                let own = |value: &Value| {
-                    let source = value.source().start;
-                    let taker = takers.get(&source) == Some(&site.span.start);
-                    taker || !several && source >= site.own_from
-                };
-                let mut origins: Vec<Origin> = all
-                    .iter()
-                    .map(|value| Origin {
-                        text: value.text.clone(),
-                        place: value.source(),
-                        argument: value.argument,
-                        own: own(value),
-                    })
-                    .collect();
                 origins.sort_by_key(|origin| origin.place.start);
                 site.origins.insert(name, origins);
             }
@@ -234,6 +235,26 @@ impl Walk<'_> {
         }
         finished.sort_by_key(|site| site.span.start);
         finished
+    }
+}
+
+/// Of values that differ by the way or the pass, the one that arrives first; `numbers` are those of the first pass.
+fn arrives_first(
+    values: &[Rc<Value>],
+    numbers: &HashMap<u32, Option<f64>>,
+    origin: impl Fn(&Rc<Value>) -> Origin,
+) -> Option<Origin> {
+    let (first, rest) = values.split_first()?;
+    let number = numbers.get(&first.place.start).copied().flatten();
+    match number.filter(|_| first.number.is_none()) {
+        Some(number) => Some(Origin {
+            text: number.to_string(),
+            ..origin(first)
+        }),
+        None => {
+            let differs = rest.iter().any(|other| other.text != first.text);
+            differs.then(|| origin(first))
+        }
     }
 }
 
