@@ -263,13 +263,49 @@ async function million(page) {
   await still("brought back", async () => { await page.locator(".notice").getByRole("button", { name: "Undo" }).click(); await setpoint(133).waitFor({ state: "detached" }); });
 }
 
+// A surface scanned with a million points in the page: how long it stands still from the click until the points are drawn,
+// and while the view is turned then. A visit of its own, so that nothing else is drawn.
+async function scanInPage(browser) {
+  const { page, context } = await open(browser, { serviceWorkers: "block" });
+  await page.locator(".tree:not([aria-busy])").waitFor();
+  await page.locator("#task-search").fill("G65 P9969");
+  await page.locator('.hits[data-search="G65 P9969"] .hit').first().click();
+  for (const [name, value] of Object.entries(MILLION)) await page.locator(`.field[data-field="${name}"] input`).first().fill(value);
+  await page.locator("#tab-scan").click();
+  await page.locator(".stage [data-backend]").waitFor();
+  await page.waitForTimeout(1000); // the form has drawn its own small scan
+  const still = async (name, doing) => {
+    const longest = await standstill(page, doing);
+    row(`a million points, ${name}: standstill, ms`, [longest.toFixed(0), "", "", `< ${STANDSTILL}`, verdict(longest, STANDSTILL)]);
+  };
+  const start = performance.now();
+  await still("scanned and drawn", async () => {
+    await page.locator("#page-scan button.primary").click();
+    await page.locator(".scan-result").waitFor({ timeout: 120_000 });
+    row("a million points in the page: scanned and compared, s", [((performance.now() - start) / 1000).toFixed(1)]);
+    await page.locator("[role=application][data-drawn]").waitFor();
+  });
+  await still("turned", async () => {
+    const stage = await page.locator(".stage").boundingBox();
+    const [x, y] = [stage.x + stage.width / 2, stage.y + stage.height / 2];
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    for (let n = 1; n <= 60; n++) await page.mouse.move(x + 3 * n, y + n);
+    await page.mouse.up();
+  });
+  await context.close();
+}
+
+/** Values of the digitizing cycle beside those of its example: they make a scan of a million points. */
+const MILLION = { Q: "1", R: "0.06", J: "0.04" };
+
 // A surface scanned with a million points, in the page's own module: scan and comparison, and the texts.
 async function scan(page) {
-  const [points, scanned, texts] = await page.evaluate(() => {
+  const [points, scanned, texts] = await page.evaluate((million) => {
     const core = globalThis["bench-program"];
     const { control, cycle, example } = JSON.parse(core.catalogue()).cycles.find((one) => one.surfaces.length > 0);
     const { setup } = JSON.parse(core.form(JSON.stringify({ control, cycle, values: example, predict: true })));
-    const values = { ...example, Q: "1", R: "0.06", J: "0.04" };
+    const values = { ...example, ...million };
     const start = performance.now();
     const scan = new core.Scan(JSON.stringify({ control, cycle, values, setup }), new Uint8Array());
     while (!scan.advance(1000));
@@ -279,7 +315,7 @@ async function scan(page) {
       for (let from = 0; from < points; from += 50_000) scan.text(form, from, from + 50_000);
     }
     return [points, (scanned - start) / 1000, (performance.now() - scanned) / 1000];
-  });
+  }, MILLION);
   row(`a surface of ${points} points: scanned and compared, s`, [scanned.toFixed(1), "< 20", verdict(scanned, 20)]);
   row("its three texts, s", [texts.toFixed(1)]);
 }
@@ -326,6 +362,7 @@ try {
   await playing(page);
   await million(page);
   await context.close();
+  await scanInPage(browser);
   await wire(browser);
 } finally {
   await browser.close();

@@ -3,12 +3,12 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { modules } from "./sources.mjs";
 
-let sources, camera, scene, demo, colours, pick, paths, vec, outline, mesh, drawing;
+let sources, camera, scene, demo, colours, pick, paths, vec, outline, mesh, drawing, points;
 before(async () => {
   sources = await modules();
   const load = (name) => sources.load(`/src/preview/${name}.ts`);
-  [camera, scene, demo, colours, pick, paths, vec, outline, mesh, drawing] =
-    await Promise.all(["camera", "scene", "demo/trace", "colours", "pick", "paths", "vec", "outline", "mesh", "drawing"].map(load));
+  [camera, scene, demo, colours, pick, paths, vec, outline, mesh, drawing, points] =
+    await Promise.all(["camera", "scene", "demo/trace", "colours", "pick", "paths", "vec", "outline", "mesh", "drawing", "points"].map(load));
 });
 after(() => sources.close());
 
@@ -283,4 +283,26 @@ test("what must not touch and did has its words from then on", async () => {
   ]);
   const labels = collisionLabels(trace, colours.LIGHT, ({ by }) => by);
   assert.deepEqual(labels.map(({ text, during }) => [text, during[0]]), [["stylus", 2], ["ball", 5], ["body", 8]]);
+});
+
+// oracle: hand (devices that need so long for a frame and for each point; none may hold the page for more than 0.3 s)
+test("of a cloud as many points are drawn as the device bears", () => {
+  const settled = (all, frame, point) => {
+    const took = (drawn) => frame + drawn * point;
+    let drawn = Math.min(all, 4096);
+    for (let frames = 0; frames < 40; frames++) {
+      const next = points.howMany(drawn, all, took(drawn));
+      if (next === drawn) return drawn;
+      assert.ok(took(next) < Math.max(300, took(4096)), `${next} points in ${took(next)} ms`);
+      drawn = next;
+    }
+    throw new Error("never settles");
+  };
+  assert.equal(settled(2_000_000, 16, 1e-5), 2_000_000); // a graphics card
+  assert.equal(settled(1000, 400, 1), 1000);             // few, however slow
+  assert.equal(settled(2_000_000, 400, 1), 4096);
+  for (const point of [1e-4, 5e-4, 1e-3, 5e-3]) {
+    const drawn = settled(2_000_000, 20, point);
+    assert.ok(drawn * point > 15 && drawn < 2_000_000, `${drawn} points at ${point} ms each`);
+  }
 });

@@ -71,6 +71,31 @@ for (const [setup, backend] of Object.entries(expected)) {
       assert.equal(await page.evaluate(() => window.frames_asked), frames);
       await page.close();
     });
+
+    // oracle: hand (10,000 points above the part, those of the first columns outside of the surface, the others inside;
+    // as SVG no more than 4096 are drawn, on a device as many as it bears, at least as many as that)
+    test("points of a scan have the colours of their deviations", async () => {
+      const page = await show(browser);
+      await page.evaluate(() => {
+        const points = Float32Array.from({ length: 10_000 }, (_, i) => (i * 37) % 10_000) // from all over, wherever it is cut off
+          .reduce((all, place, i) => {
+            const [column, row] = [place % 100, Math.floor(place / 100)];
+            all.set([0.4 * column, 0.4 * row, 0, column < 50 ? 0.2 : -0.2], 4 * i);
+            return all;
+          }, new Float32Array(40_000));
+        window.preview.setCloud({ points, origin: [100, 60, -30], full: 0.1 });
+      });
+      await page.waitForFunction((fewest) => Number(document.querySelector("[role=application]").dataset.drawn) >= fewest, 4096);
+      const picture = await shot(page);
+      atLeast(picture, theme.outside, 2_000, "outside");
+      atLeast(picture, theme.inside, 2_000, "inside");
+      const idle = await page.evaluate(() => window.frames_asked);
+      await page.waitForTimeout(400);
+      assert.equal(await page.evaluate(() => window.frames_asked), idle, "a cloud that is drawn is left alone");
+      await page.evaluate(() => window.preview.setCloud(null));
+      assert.equal(count(await shot(page), theme.outside), 0);
+      await page.close();
+    });
   });
 }
 

@@ -7,7 +7,7 @@ use crate::check::{self, Typed};
 use crate::run::{Setup, Stop};
 use crate::scan::session::Deviation;
 use crate::scan::text::{FORMS, piece};
-use crate::scan::{Layout, Session};
+use crate::scan::{Layout, Session, turns};
 use crate::workpiece::free::{FreeSurface, Heights, stl_triangles};
 use crate::workpiece::{Shape, Solid};
 use serde::Deserialize;
@@ -130,23 +130,31 @@ impl Scan {
     }
 
     /// Four numbers a point: X Y Z from the origin in machine coordinates, and its deviation from the true surface, mm.
-    /// `surface`: of the points of the surface under the ball, else of those that are sent.
+    /// `surface`: of the points of the surface under the ball, else of those that are sent. Not in the order of the scan: the
+    /// first ones are spread evenly over all, so that they show it where not all are drawn.
     pub fn cloud(&self, surface: bool) -> Vec<f32> {
         let Ok(session) = &self.session else {
             return Vec::new();
         };
         let origin = self.origin();
         let (cloud, layout) = (session.cloud(), session.layout());
-        let mut numbers = Vec::with_capacity(4 * cloud.points().len());
-        for (index, deviations) in session.deviations().iter().enumerate() {
+        let deviations = session.deviations();
+        let mut numbers = vec![0.0; 4 * deviations.len()];
+        // reckoned in the order of the scan, as each point asks for its neighbours
+        for (index, turn) in turns(deviations.len()).into_iter().enumerate() {
             let point = if surface {
                 cloud.surface(layout, index).into()
             } else {
                 cloud.points().get(index).copied().unwrap_or_default()
             };
-            let at = session.to_machine(point);
-            numbers.extend((0..3).map(|axis| (at[axis] - origin[axis]) as f32));
-            numbers.push(deviations[usize::from(surface)]);
+            let [x, y, z] = session.to_machine(point);
+            let away = deviations[index][usize::from(surface)];
+            numbers[4 * turn..][..4].copy_from_slice(&[
+                (x - origin[0]) as f32,
+                (y - origin[1]) as f32,
+                (z - origin[2]) as f32,
+                away,
+            ]);
         }
         numbers
     }

@@ -3,12 +3,14 @@
 
 pub mod cloud;
 pub mod session;
+mod spread;
 #[cfg(test)]
 mod tests;
 pub mod text;
 
 pub use cloud::Cloud;
 pub use session::Session;
+pub use spread::turns;
 
 use crate::control::{Control, Plane};
 use crate::run::{Machine, Stop};

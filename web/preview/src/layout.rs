@@ -9,10 +9,14 @@ pub const VERTEX_FLOATS: usize = 11;
 pub const LINE_FLOATS: usize = 16;
 /// Floats of one point of a cloud: position 3, deviation in mm.
 pub const POINT_FLOATS: usize = 4;
+/// Points in a row of the texture that holds a cloud (`shader.wgsl` says the same): every device has textures of that
+/// width.
+pub const CLOUD_ROW: u32 = 2048;
 /// Floats of the uniform block: matrix 16, right 4, up 4, towards the viewer 4, screen 4 (width px, height px, time,
-/// faintness of what is still to come), probe 4 (offset in mm, depth bias), cloud 4 (size of a point in px, deviation of
-/// full colour in mm), colours of points that lie outside 4, on the surface 4 and inside 4.
-pub const UNIFORM_FLOATS: usize = 52;
+/// faintness of what is still to come), probe 4 (offset in mm, depth bias), cloud 4 (its place in mm, size of a point in
+/// px), colours 4 and 4 and 4 of points that lie outside, on the surface and inside, deviation of full colour 4 (mm, the
+/// rest unused).
+pub const UNIFORM_FLOATS: usize = 56;
 
 const FLOAT: u64 = 4;
 
@@ -39,11 +43,6 @@ const LINE: [VertexAttribute; 5] = [
     attribute(VertexFormat::Float32x2, 14, 4),
 ];
 
-const POINT: [VertexAttribute; 2] = [
-    attribute(VertexFormat::Float32x3, 0, 0),
-    attribute(VertexFormat::Float32, 3, 1),
-];
-
 /// Layout of a mesh vertex.
 pub fn vertex() -> VertexBufferLayout<'static> {
     VertexBufferLayout {
@@ -59,14 +58,5 @@ pub fn line() -> VertexBufferLayout<'static> {
         array_stride: LINE_FLOATS as u64 * FLOAT,
         step_mode: VertexStepMode::Instance,
         attributes: &LINE,
-    }
-}
-
-/// Layout of a point of a cloud: an instance of four corners.
-pub fn point() -> VertexBufferLayout<'static> {
-    VertexBufferLayout {
-        array_stride: POINT_FLOATS as u64 * FLOAT,
-        step_mode: VertexStepMode::Instance,
-        attributes: &POINT,
     }
 }

@@ -4,6 +4,7 @@
 //! caller subtracts first (single precision), screen lengths are device pixels, colours are sRGB with straight alpha.
 #![cfg(target_arch = "wasm32")]
 
+mod cloud;
 mod gpu;
 mod layout;
 mod pipelines;

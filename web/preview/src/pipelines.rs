@@ -20,42 +20,59 @@ pub struct Pipelines {
     pub point: RenderPipeline,
 }
 
+/// What the shaders find beside their vertices: the uniform block, and for a cloud its texture too.
+pub struct Bindings {
+    /// The uniform block.
+    pub view: BindGroupLayout,
+    /// The texture that holds the points of a cloud.
+    pub cloud: BindGroupLayout,
+}
+
 struct Way<'a> {
     vertex: &'a str,
     fragment: &'a str,
-    buffer: wgpu::VertexBufferLayout<'static>,
+    /// What a vertex is made of; none where the shader fetches it by its number.
+    buffer: Option<wgpu::VertexBufferLayout<'static>>,
+    layout: &'a wgpu::PipelineLayout,
     writes_depth: bool,
     compare: CompareFunction,
 }
 
 /// Compiles the pipelines.
-pub fn build(gpu: &Gpu, bind: &BindGroupLayout) -> Pipelines {
+pub fn build(gpu: &Gpu, bindings: &Bindings) -> Pipelines {
     let device = &gpu.device;
     let module = device.create_shader_module(wgpu::include_wgsl!("shader.wgsl"));
-    let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-        label: None,
-        bind_group_layouts: &[Some(bind)],
-        immediate_size: 0,
-    });
-    let make = |way: &Way<'_>| pipeline(gpu, &module, &layout, way);
+    let layout = |bound: &[Option<&BindGroupLayout>]| {
+        device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label: None,
+            bind_group_layouts: bound,
+            immediate_size: 0,
+        })
+    };
+    let plain = layout(&[Some(&bindings.view)]);
+    let with_cloud = layout(&[Some(&bindings.view), Some(&bindings.cloud)]);
+    let make = |way: &Way<'_>| pipeline(gpu, &module, way);
     let mesh = |writes_depth| Way {
         vertex: "mesh_vertex",
         fragment: "mesh_fragment",
-        buffer: layout::vertex(),
+        buffer: Some(layout::vertex()),
+        layout: &plain,
         writes_depth,
         compare: CompareFunction::LessEqual,
     };
     let line = |fragment, compare| Way {
         vertex: "line_vertex",
         fragment,
-        buffer: layout::line(),
+        buffer: Some(layout::line()),
+        layout: &plain,
         writes_depth: false,
         compare,
     };
     let point = Way {
         vertex: "point_vertex",
         fragment: "point_fragment",
-        buffer: layout::point(),
+        buffer: None,
+        layout: &with_cloud,
         writes_depth: true,
         compare: CompareFunction::LessEqual,
     };
@@ -68,20 +85,16 @@ pub fn build(gpu: &Gpu, bind: &BindGroupLayout) -> Pipelines {
     }
 }
 
-fn pipeline(
-    gpu: &Gpu,
-    module: &wgpu::ShaderModule,
-    layout: &wgpu::PipelineLayout,
-    way: &Way<'_>,
-) -> RenderPipeline {
+fn pipeline(gpu: &Gpu, module: &wgpu::ShaderModule, way: &Way<'_>) -> RenderPipeline {
+    let buffers: Vec<_> = way.buffer.iter().cloned().map(Some).collect();
     let descriptor = wgpu::RenderPipelineDescriptor {
         label: Some(way.fragment),
-        layout: Some(layout),
+        layout: Some(way.layout),
         vertex: wgpu::VertexState {
             module,
             entry_point: Some(way.vertex),
             compilation_options: Default::default(),
-            buffers: &[Some(way.buffer.clone())],
+            buffers: &buffers,
         },
         primitive: wgpu::PrimitiveState::default(),
         depth_stencil: Some(depth(way)),

@@ -1,14 +1,18 @@
 //! The one class that the page sees.
 
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use wasm_bindgen::prelude::wasm_bindgen;
 use web_sys::HtmlCanvasElement;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{BindGroup, BindGroupLayout, Buffer, CurrentSurfaceTexture, Device, RenderPass};
 
+use crate::cloud::{self, Cloud};
 use crate::gpu::{self, Gpu};
 use crate::layout::UNIFORM_FLOATS;
-use crate::pipelines::{self, Pipelines};
-use crate::scene::{self, Cloud, Scene};
+use crate::pipelines::{self, Bindings, Pipelines};
+use crate::scene::{self, Scene};
 use crate::target::{self, Target};
 
 /// Draws on one canvas. Every failure is a text; after one the page takes the next way of drawing.
@@ -16,11 +20,13 @@ use crate::target::{self, Target};
 pub struct Renderer {
     gpu: Gpu,
     target: Target,
+    bindings: Bindings,
     pipelines: Pipelines,
     uniforms: Buffer,
     bind: BindGroup,
     scene: Scene,
     cloud: Option<Cloud>,
+    drawn: Arc<AtomicBool>,
     background: wgpu::Color,
 }
 
@@ -34,15 +40,20 @@ impl Renderer {
             contents: bytemuck::cast_slice(&[0.0_f32; UNIFORM_FLOATS]),
             usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
         });
-        let layout = bind_layout(&gpu.device);
-        let bind = bind_group(&gpu.device, &layout, &uniforms);
+        let bindings = Bindings {
+            view: bind_layout(&gpu.device),
+            cloud: cloud::bind_layout(&gpu.device),
+        };
+        let bind = bind_group(&gpu.device, &bindings.view, &uniforms);
         Ok(Renderer {
             target: target::attach(&gpu),
-            pipelines: pipelines::build(&gpu, &layout),
+            pipelines: pipelines::build(&gpu, &bindings),
+            bindings,
             uniforms,
             bind,
             scene: Scene::default(),
             cloud: None,
+            drawn: Arc::default(),
             background: wgpu::Color::BLACK,
             gpu,
         })
@@ -61,10 +72,18 @@ impl Renderer {
         Ok(())
     }
 
-    /// Replaces the cloud of points; it stays while the scene changes.
-    pub fn set_cloud(&mut self, points: &[f32]) -> Result<(), String> {
-        self.cloud = scene::upload_cloud(&self.gpu.device, points)?;
+    /// Replaces the cloud by room for so many points, 0 by none; it stays while the scene changes.
+    pub fn reserve_cloud(&mut self, points: u32) -> Result<(), String> {
+        self.cloud = cloud::reserve(&self.gpu.device, &self.bindings.cloud, points)?;
         Ok(())
+    }
+
+    /// Further points of the cloud, in the order in which they are drawn. Only the last ones may be no whole rows.
+    pub fn add_points(&mut self, points: &[f32]) -> Result<(), String> {
+        match &mut self.cloud {
+            Some(cloud) => cloud.add(&self.gpu.queue, points),
+            None => Err("cloud: no room".into()),
+        }
     }
 
     /// Camera, time and probe position as the uniform block of `layout.rs`.
@@ -92,8 +111,8 @@ impl Renderer {
         self.target = target::attach(gpu);
     }
 
-    /// Draws one frame. Fails once the device is lost.
-    pub fn render(&self) -> Result<(), String> {
+    /// Draws one frame with the first `points` of the cloud. Fails once the device is lost.
+    pub fn render(&self, points: u32) -> Result<(), String> {
         if let Some(reason) = self.gpu.fault.reason() {
             return Err(reason);
         }
@@ -109,11 +128,26 @@ impl Renderer {
                 ..Default::default()
             });
             pass.set_bind_group(0, &self.bind, &[]);
-            self.draw(&mut pass);
+            self.draw(&mut pass, points);
         }
         self.gpu.queue.submit([encoder.finish()]);
         self.gpu.queue.present(frame);
         self.gpu.fault.reason().map_or(Ok(()), Err)
+    }
+
+    /// From now on [`Renderer::is_drawn`] speaks of all that was asked for up to here.
+    pub fn watch(&mut self) {
+        let drawn = Arc::new(AtomicBool::new(false));
+        self.drawn = Arc::clone(&drawn);
+        let done = move || drawn.store(true, Ordering::Relaxed);
+        self.gpu.queue.on_submitted_work_done(done);
+    }
+
+    /// Whether the device has drawn what is watched. To be asked between two frames.
+    pub fn is_drawn(&self) -> bool {
+        // A device that cannot be asked is lost, which the next frame tells.
+        let _ = self.gpu.device.poll(wgpu::PollType::Poll);
+        self.drawn.load(Ordering::Relaxed)
     }
 }
 
@@ -166,13 +200,13 @@ impl Renderer {
     }
 
     /// Solid parts, the cloud, lines behind them, lines before them, clear parts.
-    fn draw(&self, pass: &mut RenderPass<'_>) {
+    fn draw(&self, pass: &mut RenderPass<'_>, points: u32) {
         let scene = &self.scene;
         self.draw_mesh(pass, &self.pipelines.solid, 0..scene.solid_corners);
         if let Some(cloud) = &self.cloud {
-            pass.set_vertex_buffer(0, cloud.points.slice(..));
+            pass.set_bind_group(1, &cloud.bind, &[]);
             pass.set_pipeline(&self.pipelines.point);
-            pass.draw(0..6, 0..cloud.count);
+            pass.draw(0..3 * points.min(cloud.there), 0..1);
         }
         if let Some(lines) = &scene.lines {
             pass.set_vertex_buffer(0, lines.slice(..));

@@ -3,7 +3,7 @@
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{Buffer, BufferUsages, Device};
 
-use crate::layout::{LINE_FLOATS, POINT_FLOATS, VERTEX_FLOATS};
+use crate::layout::{LINE_FLOATS, VERTEX_FLOATS};
 
 /// Buffers of one scene; an absent buffer means that there is nothing of its kind.
 #[derive(Default)]
@@ -18,30 +18,6 @@ pub struct Scene {
     pub lines: Option<Buffer>,
     /// Number of them.
     pub line_count: u32,
-}
-
-/// Points of a cloud.
-pub struct Cloud {
-    /// Point instances.
-    pub points: Buffer,
-    /// Number of them.
-    pub count: u32,
-}
-
-/// Uploads a cloud; none where it has no points.
-pub fn upload_cloud(device: &Device, points: &[f32]) -> Result<Option<Cloud>, String> {
-    if !points.len().is_multiple_of(POINT_FLOATS) {
-        return Err("points: incomplete point".into());
-    }
-    let size = size_of_val(points) as u64;
-    if size > device.limits().max_buffer_size {
-        return Err(format!("points: {size} bytes"));
-    }
-    let count = count(points.len() / POINT_FLOATS)?;
-    Ok((count > 0).then(|| Cloud {
-        points: buffer(device, bytemuck::cast_slice(points), BufferUsages::VERTEX),
-        count,
-    }))
 }
 
 /// Uploads a scene; says what is wrong if the arrays do not fit together.

@@ -5,8 +5,9 @@ struct View {
     back: vec4<f32>,
     screen: vec4<f32>, // width px, height px, time, faintness of what is still to come
     probe: vec4<f32>,  // offset mm, depth bias
-    cloud: vec4<f32>,  // size of a point px, deviation of full colour mm
+    cloud: vec4<f32>,  // place mm, size of a point px
     outside: vec4<f32>, level: vec4<f32>, inside: vec4<f32>, // colours of points by their deviation
+    full: vec4<f32>,   // deviation of full colour mm
 }
 @group(0) @binding(0) var<uniform> view: View;
 
@@ -101,25 +102,31 @@ fn line_hidden_fragment(in: Stroke) -> @location(0) vec4<f32> {
     return vec4<f32>(in.colour.rgb, coverage(in) * in.style.y);
 }
 
-// Points of a cloud: squares of constant size on the screen.
+// Points of a cloud: round, of constant size on the screen, cut out of a triangle around each.
 
 struct Dot {
     @builtin(position) clip: vec4<f32>,
     @location(0) colour: vec4<f32>,
+    @location(1) away: vec2<f32>, // from the middle, 1 at the rim
 }
+@group(1) @binding(0) var points: texture_2d<f32>; // X Y Z and the deviation, mm
+const CLOUD_ROW: u32 = 2048u; // points in a row of it
 
 @vertex
-fn point_vertex(@builtin(vertex_index) corner: u32, @location(0) at: vec3<f32>, @location(1) deviation: f32) -> Dot {
-    let clip = view.matrix * vec4<f32>(at, 1.0);
-    let x = select(-1.0, 1.0, corner == 1u || corner == 2u || corner == 4u);
-    let y = select(-1.0, 1.0, corner == 2u || corner == 4u || corner == 5u);
-    let offset = vec2<f32>(x, y) * view.cloud.x / view.screen.xy * clip.w;
-    let share = clamp(deviation / view.cloud.y, -1.0, 1.0);
+fn point_vertex(@builtin(vertex_index) corner: u32) -> Dot {
+    let index = corner / 3u;
+    let point = textureLoad(points, vec2<u32>(index % CLOUD_ROW, index / CLOUD_ROW), 0);
+    let clip = view.matrix * vec4<f32>(point.xyz + view.cloud.xyz, 1.0);
+    let way = f32(corner % 3u) - 1.0; // equilateral, its inner circle of radius 1
+    let away = vec2<f32>(1.7320508 * way, select(-1.0, 2.0, way == 0.0));
+    let offset = away * view.cloud.w / view.screen.xy * clip.w;
+    let share = clamp(point.w / view.full.x, -1.0, 1.0);
     let colour = select(mix(view.level, view.inside, -share), mix(view.level, view.outside, share), share >= 0.0);
-    return Dot(vec4<f32>(clip.xy + offset, clip.z - view.probe.w * clip.w, clip.w), colour);
+    return Dot(vec4<f32>(clip.xy + offset, clip.z - view.probe.w * clip.w, clip.w), colour, away);
 }
 
 @fragment
 fn point_fragment(in: Dot) -> @location(0) vec4<f32> {
+    if (dot(in.away, in.away) > 1.0) { discard; }
     return in.colour;
 }

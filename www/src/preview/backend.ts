@@ -14,14 +14,27 @@ export interface Frame {
   probe: Vec3 | null;  // centre of the ball
 }
 
-/** Scanned points: four numbers each, X Y Z from the origin and the deviation, mm. `full`: deviation of full colour, mm. */
+/** Scanned points: four numbers each, X Y Z from the origin and the deviation, mm; the first ones are spread evenly over all.
+ *  `full`: deviation of full colour, mm. */
 export interface Cloud { points: Float32Array; origin: Vec3; full: number }
 
+/** Points that every device draws, and as SVG no more than these. */
+export const FEWEST = 4096;
 const MANY = 20_000; // points that cover the surface anyway
 
-/** Size of a scanned point, CSS pixels. */
-export function dotSize({ points }: Cloud): number {
-  return points.length / 4 > MANY ? 2.4 : 5;
+/** Size of a scanned point where so many are drawn, CSS pixels. */
+export function dotSize(drawn: number): number {
+  return drawn > MANY ? 2.4 : 5;
+}
+
+/** What a way of drawing tells whoever shows it. */
+export interface Hooks {
+  /** The device is gone: with the reason when surely so, without when drawing again will tell. */
+  lost(reason?: string): void;
+  /** There is more to draw than in the last frame. */
+  again(): void;
+  /** So many points of the cloud are drawn. */
+  thinned(drawn: number): void;
 }
 
 export interface Backend {

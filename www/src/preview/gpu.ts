@@ -1,22 +1,21 @@
 // WebGPU and WebGL2: the same drawing code in two builds, of which the browser loads the one that it can run.
 // An adapter alone proves nothing, the canvas may stay blank: a picture is drawn and its pixels are looked at first.
-import type { Backend, BackendName, Cloud, Frame } from "./backend";
+import type { Backend, BackendName, Cloud, Frame, Hooks } from "./backend";
 import { COMING, dotSize } from "./backend";
 import { basis, matrix } from "./camera";
+import { createPoints, type PointRenderer } from "./points";
 import { parse } from "./colours";
 import { packLines, packVertices } from "./mesh";
 import type { Scene } from "./scene";
-import type { Vec3 } from "../wire";
 import { dot, length, sub } from "./vec";
 
 /** The exports of web/preview that are used here. */
-interface Renderer {
+interface Renderer extends PointRenderer {
   set_scene(vertices: Float32Array, corners: Uint32Array, solidCorners: number, lines: Float32Array): void;
-  set_cloud(points: Float32Array): void;
   set_view(uniforms: Float32Array): void;
   set_background(r: number, g: number, b: number): void;
   resize(width: number, height: number): void;
-  render(): void;
+  render(points: number): void;
   free(): void;
 }
 interface Module {
@@ -24,21 +23,18 @@ interface Module {
   Renderer: { create(canvas: HTMLCanvasElement): Promise<Renderer> };
 }
 
-type Lost = (reason?: string) => void;
-
 const LOST_EVENT = "probewright-preview-lost";
 const PROBE_SIZE = 64;
 const DEPTH_BIAS = 0.0015;
-const NO_CLOUD = new Array<number>(16).fill(0);
+const NO_CLOUD = new Array<number>(20).fill(0);
 
 const load: Record<"webgpu" | "webgl2", () => Promise<Module>> = {
   webgpu: () => import("@pkg/preview-webgpu/preview.js") as Promise<Module>,
   webgl2: () => import("@pkg/preview-webgl/preview.js") as Promise<Module>,
 };
 
-/** Rejects with the reason when this browser cannot draw this way. `lost` is called when a device goes later: with the reason
- *  when this drawing is surely gone, without when drawing again will tell. */
-export async function openGpu(name: "webgpu" | "webgl2", host: HTMLElement, lost: Lost): Promise<Backend> {
+/** Rejects with the reason when this browser cannot draw this way. */
+export async function openGpu(name: "webgpu" | "webgl2", host: HTMLElement, hooks: Hooks): Promise<Backend> {
   await available(name);
   const module = await load[name]();
   await module.default();
@@ -48,7 +44,7 @@ export async function openGpu(name: "webgpu" | "webgl2", host: HTMLElement, lost
   try {
     const renderer = await module.Renderer.create(canvas);
     await prove(renderer, canvas);
-    return backend(name, canvas, renderer, lost);
+    return backend(name, canvas, renderer, hooks);
   } catch (reason) {
     canvas.remove();
     throw reason;
@@ -77,10 +73,10 @@ async function prove(renderer: Renderer, canvas: HTMLCanvasElement): Promise<voi
   renderer.set_scene(vertices, Uint32Array.of(0, 1, 2, 0, 2, 3), 6, line);
   renderer.set_view(Float32Array.from([...identity, ...axes, PROBE_SIZE, PROBE_SIZE, 0, 1, 0, 0, 0, 0, ...NO_CLOUD]));
   renderer.set_background(0.2, 0.2, 0.6);
-  renderer.render();
+  renderer.render(0);
   look(canvas);
   await shown();
-  renderer.render();
+  renderer.render(0);
   look(canvas);
 }
 
@@ -101,30 +97,24 @@ function look(canvas: HTMLCanvasElement): void {
   if (!green || !blue || !orange) throw new Error(`wrong pixels: ${part} | ${behind} | ${line}`);
 }
 
-function backend(name: "webgpu" | "webgl2", canvas: HTMLCanvasElement, renderer: Renderer, lost: Lost): Backend {
+function backend(name: "webgpu" | "webgl2", canvas: HTMLCanvasElement, renderer: Renderer, hooks: Hooks): Backend {
   let scene: Scene | null = null;
-  let cloud: Cloud | null = null;
-  const place = (): void => renderer.set_cloud(cloud && scene ? placed(cloud, scene.origin) : new Float32Array());
+  const points = createPoints(renderer, hooks);
   let size: [number, number] = [0, 0];
   const stop = new AbortController();
-  canvas.addEventListener("webglcontextlost", () => lost("WebGL context lost"), { signal: stop.signal });
-  window.addEventListener(LOST_EVENT, () => lost(), { signal: stop.signal });
+  canvas.addEventListener("webglcontextlost", () => hooks.lost("WebGL context lost"), { signal: stop.signal });
+  window.addEventListener(LOST_EVENT, () => hooks.lost(), { signal: stop.signal });
   return {
     name,
     element: canvas,
     setScene(next, ratio) {
-      const moved = cloud && scene && sub(next.origin, scene.origin).some((way) => way !== 0);
       scene = next;
-      if (moved) place();
       const [r, g, b] = parse(next.colours.background);
       renderer.set_background(r, g, b);
       const corners = Uint32Array.from(next.mesh.corners);
       renderer.set_scene(packVertices(next.mesh, next.origin), corners, next.solidCorners, packLines(next.lines, next.origin, ratio));
     },
-    setCloud(next) {
-      cloud = next;
-      place();
-    },
+    setCloud: (cloud) => points.set(cloud),
     draw(frame) {
       if (!scene) return;
       const [width, height] = [frame.view.width, frame.view.height].map((side) => Math.max(1, Math.round(side * frame.ratio))) as [number, number];
@@ -132,31 +122,22 @@ function backend(name: "webgpu" | "webgl2", canvas: HTMLCanvasElement, renderer:
         [canvas.width, canvas.height] = size = [width, height];
         renderer.resize(width, height);
       }
-      renderer.set_view(uniforms(scene, frame, width, height, cloud));
-      renderer.render();
+      const count = points.bring();
+      renderer.set_view(uniforms(scene, frame, width, height, points.cloud, count));
+      renderer.render(count);
+      points.follow();
     },
     destroy() {
       stop.abort();
+      points.end();
       canvas.remove();
       renderer.free();
     },
   };
 }
 
-/** The points as they lie to the origin of the scene. */
-function placed({ points, origin }: Cloud, to: Vec3): Float32Array {
-  const [x, y, z] = sub(origin, to);
-  const moved = points.slice();
-  for (let i = 0; i < moved.length; i += 4) {
-    moved[i] = moved[i]! + x;
-    moved[i + 1] = moved[i + 1]! + y;
-    moved[i + 2] = moved[i + 2]! + z;
-  }
-  return moved;
-}
-
 /** The uniform block of web/preview/src/layout.rs. */
-function uniforms(scene: Scene, frame: Frame, width: number, height: number, cloud: Cloud | null): Float32Array {
+function uniforms(scene: Scene, frame: Frame, width: number, height: number, cloud: Cloud | null, count: number): Float32Array {
   const camera = { ...frame.camera, target: sub(frame.camera.target, scene.origin) };
   const { right, up, back } = basis(camera);
   const reach = scene.radius + Math.abs(dot(camera.target, back)) + length(camera.target);
@@ -167,8 +148,9 @@ function uniforms(scene: Scene, frame: Frame, width: number, height: number, clo
     ...right, 0, ...up, 0, ...back, 0,
     width, height, frame.time, COMING,
     ...probe, DEPTH_BIAS,
-    (cloud ? dotSize(cloud) : 0) * frame.ratio, cloud?.full ?? 1, 0, 0,
+    ...(cloud ? sub(cloud.origin, scene.origin) : [0, 0, 0]), dotSize(count) * frame.ratio,
     ...parse(colours.outside), ...parse(colours.level), ...parse(colours.inside),
+    cloud?.full ?? 1, 0, 0, 0,
   ]);
 }
 

@@ -3,7 +3,7 @@
 import { svg } from "../dom";
 import { drawInto, type Drawn } from "../draw";
 import type { Vec3 } from "../wire";
-import { COMING, dotSize, type Backend, type Cloud, type Frame } from "./backend";
+import { COMING, dotSize, FEWEST, type Backend, type Cloud, type Frame, type Hooks } from "./backend";
 import { basis, projector, type Projected } from "./camera";
 import { css, parse, type Rgba } from "./colours";
 import { cover, emptyDepth, hidden, type Depth } from "./depth";
@@ -16,7 +16,7 @@ const PIECE = 5;       // CSS pixels between two looks at whether a line is hidd
 const PIECES = 400;    // at most so many looks a line
 const SLACK = 0.004;   // a line on a face is before it; share of the radius of the scene
 
-export function openSvg(host: HTMLElement): Backend {
+export function openSvg(host: HTMLElement, { thinned }: Pick<Hooks, "thinned">): Backend {
   const element = svg("svg");
   host.prepend(element);
   let scene: Scene | null = null;
@@ -25,7 +25,10 @@ export function openSvg(host: HTMLElement): Backend {
     name: "svg",
     element,
     setScene(next) { scene = next; },
-    setCloud(next) { cloud = next; },
+    setCloud(next) {
+      cloud = next;
+      if (next) thinned(drawnOf(next));
+    },
     draw(frame) { if (scene) paint(element, scene, cloud, frame); },
     destroy() { element.remove(); },
   };
@@ -43,17 +46,18 @@ function paint(element: SVGSVGElement, scene: Scene, cloud: Cloud | null, frame:
   drawInto(element, [ground, ...solid.map(polygon), ...(cloud ? dots(cloud, scene, frame, depth) : []), ...lines, ...clear.map(polygon)]);
 }
 
-const DOTS = 4000; // scanned points that are drawn at most, evenly spread
+/** How many points of a cloud are drawn: its first ones. */
+const drawnOf = ({ points }: Cloud): number => Math.min(FEWEST, points.length / 4);
 
 /** Scanned points that no face hides, coloured by their deviation. */
 function dots(cloud: Cloud, scene: Scene, frame: Frame, depth: Depth): Drawn[] {
   const { points, origin, full } = cloud;
-  const r = dotSize(cloud) / 2;
+  const count = drawnOf(cloud);
+  const r = dotSize(count) / 2;
   const project = projector(frame.camera, frame.view);
-  const every = Math.max(1, Math.ceil(points.length / 4 / DOTS));
   const [outside, level, inside] = [parse(scene.colours.outside), parse(scene.colours.level), parse(scene.colours.inside)];
   const found: Drawn[] = [];
-  for (let i = 0; i < points.length; i += 4 * every) {
+  for (let i = 0; i < 4 * count; i += 4) {
     const at = project([origin[0] + points[i]!, origin[1] + points[i + 1]!, origin[2] + points[i + 2]!]);
     if (hidden(depth, at, SLACK * scene.radius)) continue;
     const share = Math.max(-1, Math.min(1, points[i + 3]! / full));

@@ -1,6 +1,6 @@
 // The 3D view of a trace. Draws when something changed and never otherwise.
 import type { Trace } from "../wire";
-import type { Backend, BackendName, Cloud, Frame } from "./backend";
+import type { Backend, BackendName, Cloud, Frame, Hooks } from "./backend";
 import { fit, initial, turn, type ViewName, type Viewport } from "./camera";
 import { collisionLabels, type Collision } from "./collisions";
 import { LIGHT, type Colours } from "./colours";
@@ -24,6 +24,7 @@ export interface Options {
   collision?(found: Collision): string;     // words beside what must not touch and did
   exaggeration?: number;                    // errors of parts are drawn that many times as large; 1: as they are
   onBackend?(name: BackendName, refused: Refusal[]): void; // at the start, and again after a loss
+  onThinned?(drawn: number): void;          // so many points of the cloud are drawn
 }
 /** A way of drawing that this browser has not, and why. */
 export interface Refusal { backend: BackendName; reason: string }
@@ -69,6 +70,14 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
   let asked = 0;             // animation frame under way
   let ended = false;
   let picked: (entry: number) => void = () => undefined;
+  const hooks: Hooks = {
+    lost: (reason) => { if (reason) void replace(reason); else redraw(); },
+    again: () => redraw(),
+    thinned(drawn) {
+      stage.dataset["drawn"] = String(drawn);
+      options.onThinned?.(drawn);
+    },
+  };
   let backend = await open(WAYS);
   const built = (): Scene => {
     const scene = buildScene(trace, colours, exaggeration, solids, backend.name === "svg" ? SORTED_PIECES : 1, step.index, drawing);
@@ -80,12 +89,12 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
     for (const name of ways) {
       if (name === "svg") break;
       try {
-        return await openGpu(name, stage, lost);
+        return await openGpu(name, stage, hooks);
       } catch (reason) {
         refused.push({ backend: name, reason: reason instanceof Error ? reason.message : String(reason) });
       }
     }
-    return openSvg(stage);
+    return openSvg(stage, hooks);
   }
 
   /** The device is gone: go on with the next way of drawing. */
@@ -102,10 +111,6 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
     if (ended) return backend.destroy();
     scene = built();
     adopt();
-  }
-  function lost(reason?: string): void {
-    if (reason) void replace(reason);
-    else redraw();
   }
 
   function adopt(): void {
@@ -187,6 +192,7 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
     setCloud(next) {
       if (next === cloud) return;
       cloud = next;
+      delete stage.dataset["drawn"];
       backend.setCloud(cloud);
       redrawNow();
     },

@@ -8,7 +8,8 @@ import type { ScanAsk, ScanReply } from "./worker";
 
 /** Which points are shown: those that are sent, or those of the surface under the ball. */
 export type Shown = "sent" | "surface";
-export interface Scanned { request: ScanRequest; view: ScanView; cloud: Float32Array; shown: Shown }
+/** `shown`: which are chosen; `cloud` are those of `of`, the others until they come. */
+export interface Scanned { request: ScanRequest; view: ScanView; cloud: Float32Array; of: Shown; shown: Shown }
 
 export interface Scanner {
   /** How much is done, 0 to 1; null: nothing is scanned. */
@@ -42,9 +43,9 @@ export function createScanner(module: () => WebAssembly.Module | undefined, stor
     else if ("view" in reply) {
       const view = JSON.parse(reply.view) as ScanView;
       share = null;
-      store.update({ scan: { request, view, cloud: new Float32Array(), shown: "sent" }, source: "scan", step: 0, playing: false });
+      store.update({ scan: { request, view, cloud: new Float32Array(), of: "sent", shown: "sent" }, source: "scan", step: 0, playing: false });
       return tell({ cloud: "sent" });
-    } else if ("cloud" in reply) store.update(({ scan }: State) => scan ? { scan: { ...scan, cloud: reply.cloud, shown: reply.of } } : {});
+    } else if ("cloud" in reply) store.update(({ scan }: State) => scan?.shown === reply.of ? { scan: { ...scan, cloud: reply.cloud, of: reply.of } } : {});
     else texts.get(reply.of)?.(reply.text);
     store.update({});
   };
@@ -67,7 +68,10 @@ export function createScanner(module: () => WebAssembly.Module | undefined, stor
       drop();
       store.update({ scan: null });
     },
-    show: (shown) => tell({ cloud: shown }),
+    show(shown) {
+      tell({ cloud: shown });
+      store.update(({ scan }: State) => scan ? { scan: { ...scan, shown } } : {});
+    },
     text: (form) => new Promise((resolve) => {
       texts.set(form, resolve);
       tell({ text: form, points: store.state.scan?.view.points ?? 0 });

@@ -1,4 +1,5 @@
-// What the colours and dashes of the 3D view mean: only what the shown motions have.
+// What the colours and dashes of the 3D view mean: only what the shown motions have. And how many points of a scan it leaves
+// out.
 
 import { el, keyed, svg } from "../dom";
 import type { Colours } from "../preview/view";
@@ -33,11 +34,20 @@ function sample(kind: Kind, stroke: string): SVGElement {
   return svg("svg", { viewBox: "0 0 26 8", "aria-hidden": "true" }, ...mark[kind]());
 }
 
-export function createLegend(): { root: HTMLElement; draw(trace: Trace | null, colours: Colours): void } {
+/** How many of so many points of a scan are drawn. */
+export interface Thinned { drawn: number; points: number }
+
+export function createLegend(): { root: HTMLElement; draw(trace: Trace | null, colours: Colours, thinned: Thinned | null): void } {
   const root = el("ul", { class: "legend", "aria-label": t("legend") });
+  const item = (kind: Kind, colours: Colours): Item => ({ key: `${kind} ${strokeOf(kind, colours)}`, sample: [sample(kind, strokeOf(kind, colours))], text: t(`legend-${kind}`) });
+  const left = ({ drawn, points }: Thinned): Item => ({ key: `${drawn} ${points}`, sample: [], text: t("legend-thinned", { drawn, points }) });
   return {
     root,
-    draw: (trace, colours) => keyed(root, present(trace), (kind) => `${kind} ${strokeOf(kind, colours)}`, (kind) =>
-      el("li", {}, sample(kind, strokeOf(kind, colours)), t(`legend-${kind}`)), () => undefined),
+    draw(trace, colours, thinned) {
+      const items = [...present(trace).map((kind) => item(kind, colours)), ...(thinned ? [left(thinned)] : [])];
+      keyed(root, items, ({ key }) => key, ({ sample, text }) => el("li", {}, ...sample, text), () => undefined);
+    },
   };
 }
+
+interface Item { key: string; sample: SVGElement[]; text: string }

@@ -8,7 +8,7 @@ import type { Scanned } from "../scan/scanner";
 import { AT_END, type State } from "../state";
 import type { Store } from "../store";
 import { t } from "../texts";
-import { createLegend } from "./legend";
+import { createLegend, type Thinned } from "./legend";
 import { missing } from "./results";
 import { isDark, type Stage } from "./stage";
 import { createTimeline, PACE } from "./timeline";
@@ -41,7 +41,7 @@ export function createScene(root: HTMLElement, store: Store, goToLine: (line: nu
   });
   const drawTimeline = createTimeline(timeline, store, goToLine);
 
-  let shown: Pick<Derived, "trace"> & { dark: boolean; step: number } = { trace: null, dark: false, step: -1 };
+  let shown: Pick<Derived, "trace"> & { dark: boolean; step: number; drawn: number } = { trace: null, dark: false, step: -1, drawn: 0 };
   let dressed = false; // the preview has its buttons and its name
 
   const dress = (preview: Preview): void => {
@@ -74,7 +74,8 @@ export function createScene(root: HTMLElement, store: Store, goToLine: (line: nu
     const colours = stage.colours(night);
     if (colours && night !== shown.dark) preview.setColours(colours);
     const fresh = derived.trace !== shown.trace;
-    if (colours && (fresh || night !== shown.dark)) legend.draw(derived.trace, colours);
+    const drawn = points ? stage.drawn : 0;
+    if (colours && (fresh || night !== shown.dark || drawn !== shown.drawn)) legend.draw(derived.trace, colours, thinned(drawn, scan));
     if (fresh) preview.setTrace(derived.trace ?? NOTHING);
     const { step } = derived;
     if (fresh || step !== shown.step) move(preview, step, state.playing && derived.trace?.entries[step]?.step === "motion" && !still.matches);
@@ -82,18 +83,23 @@ export function createScene(root: HTMLElement, store: Store, goToLine: (line: nu
     preview.setDrawing(state.diameters);
     show(drawing, !!derived.trace?.drawing);
     setAttribute(drawing, "aria-pressed", String(state.diameters));
-    shown = { trace: derived.trace, dark: night, step };
+    shown = { trace: derived.trace, dark: night, step, drawn };
   };
 }
 
-const clouds = new WeakMap<Scanned, Cloud>();
+const clouds = new WeakMap<Float32Array, Cloud>();
 
-/** The points of a scan; the same object as long as it is the same scan, shown in the same way. */
-function cloudOf(scan: Scanned): Cloud {
-  const { view, cloud: points, shown } = scan;
-  const made = clouds.get(scan) ?? { points, origin: view.origin, full: Math.max(1e-4, FULL * view[shown].greatest) };
-  clouds.set(scan, made);
+/** The points of a scan; the same object for as long as they are the same. */
+function cloudOf({ view, cloud: points, of }: Scanned): Cloud {
+  const made = clouds.get(points) ?? { points, origin: view.origin, full: Math.max(1e-4, FULL * view[of].greatest) };
+  clouds.set(points, made);
   return made;
+}
+
+/** What is not to be seen of a scan, once something of it is drawn. */
+function thinned(drawn: number, scan: Scanned | null): Thinned | null {
+  const points = scan?.view.points ?? 0;
+  return drawn > 0 && drawn < points ? { drawn, points } : null;
 }
 
 /** Why the call in the form shows no motions. */

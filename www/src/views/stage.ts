@@ -12,6 +12,8 @@ export interface Stage {
   readonly preview: Preview | null;
   /** Why there is none. */
   readonly failed: string;
+  /** So many points of the shown cloud are drawn. */
+  readonly drawn: number;
   /** Fetches the drawing unless it is there or on its way. */
   fetch(): void;
   colours(night: boolean): Colours | null;
@@ -35,9 +37,15 @@ export function createStage(store: Store): Stage {
   const box = el("div", { class: "stage" });
   let preview: Preview | null = null;
   let failed = "";
+  let drawn = 0;
   let fetching = false;
   let colours = (_: boolean): Colours | null => null;
 
+  const onThinned = (points: number): void => {
+    if (points === drawn) return;
+    drawn = points;
+    store.update({});
+  };
   const start = async (): Promise<void> => {
     try {
       const { createPreview, coloursFrom, LIGHT, DARK } = await import("../preview/view");
@@ -48,7 +56,7 @@ export function createStage(store: Store): Stage {
         return found;
       };
       colours = of;
-      preview = await createPreview(box, { label: t("view-canvas"), colours: of(isDark(store.state)), collision });
+      preview = await createPreview(box, { label: t("view-canvas"), colours: of(isDark(store.state)), collision, onThinned });
       preview.onPick((entry) => store.update({ step: entry, playing: false }));
     } catch (problem) {
       failed = problem instanceof Error ? problem.message : String(problem);
@@ -60,6 +68,7 @@ export function createStage(store: Store): Stage {
     box,
     get preview() { return preview; },
     get failed() { return failed; },
+    get drawn() { return drawn; },
     fetch() {
       if (fetching) return;
       fetching = true;
