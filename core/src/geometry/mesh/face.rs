@@ -13,11 +13,16 @@ pub(super) struct Face {
     across: [V3; 3],
 }
 
+/// Unit normal of a triangle; none where its corners lie on one line.
+pub(super) fn normal([a, b, c]: &[V3; 3]) -> Option<V3> {
+    (b - a).cross(&(c - a)).try_normalize(1e-18)
+}
+
 impl Face {
     /// None where the corners lie on one line.
     pub fn new(corners: [V3; 3]) -> Option<Face> {
+        let normal = normal(&corners)?;
         let [a, b, c] = &corners;
-        let normal = (b - a).cross(&(c - a)).try_normalize(1e-18)?;
         let across = [b - a, c - b, a - c].map(|edge| edge.cross(&normal).normalize());
         Some(Face {
             corners,

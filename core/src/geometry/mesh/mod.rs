@@ -40,11 +40,12 @@ impl Mesh {
     /// A surface of these triangles, counter-clockwise seen from outside; those without area and those that name no
     /// corner are left out.
     pub fn new(corners: Vec<V3>, mut triangles: Vec<[u32; 3]>) -> Mesh {
-        let face = |triangle: &[u32; 3]| Face::new(corners_of(&corners, triangle)?);
-        triangles.retain(|triangle| face(triangle).is_some());
+        let area = |triangle: &[u32; 3]| face::normal(&corners_of(&corners, triangle)?);
+        triangles.retain(|triangle| area(triangle).is_some());
         let tree = Tree::build(&mut triangles, |triangle| {
             corners_of(&corners, triangle).unwrap_or_default()
         });
+        let face = |triangle: &[u32; 3]| Face::new(corners_of(&corners, triangle)?);
         let faces = triangles.iter().filter_map(face).collect();
         Mesh {
             corners,

@@ -14,7 +14,7 @@ pub(super) struct Tree {
     nodes: Vec<Node>,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Node {
     low: V3,
     high: V3,
@@ -54,45 +54,68 @@ impl Node {
     }
 }
 
+/// A triangle with its middle, times three: that decides into which half it comes.
+struct Part {
+    triangle: [u32; 3],
+    middle: V3,
+}
+
 impl Tree {
     /// Puts the triangles into the order of the tree.
     pub fn build(triangles: &mut [[u32; 3]], corners: impl Fn(&[u32; 3]) -> [V3; 3]) -> Tree {
-        let mut tree = Tree::default();
-        if !triangles.is_empty() {
-            tree.split(triangles, 0, &corners);
+        let mut tree = Tree {
+            nodes: Vec::with_capacity(triangles.len()),
+        };
+        let part = |triangle: &[u32; 3]| Part {
+            triangle: *triangle,
+            middle: corners(triangle).iter().sum(),
+        };
+        let mut parts: Vec<Part> = triangles.iter().map(part).collect();
+        if !parts.is_empty() {
+            tree.split(&mut parts, 0, &corners);
+        }
+        for (place, part) in triangles.iter_mut().zip(parts) {
+            *place = part.triangle;
         }
         tree
     }
 
+    /// Puts a box around the parts, after those within it; the corners of the box.
     fn split(
         &mut self,
-        triangles: &mut [[u32; 3]],
+        parts: &mut [Part],
         first: usize,
         corners: &impl Fn(&[u32; 3]) -> [V3; 3],
-    ) {
-        let (mut low, mut high) = (V3::repeat(f64::INFINITY), V3::repeat(f64::NEG_INFINITY));
-        for corner in triangles.iter().flat_map(corners) {
-            (low, high) = (low.inf(&corner), high.sup(&corner));
-        }
+    ) -> [V3; 2] {
         let place = self.nodes.len();
-        let leaf = triangles.len() <= LEAF;
-        self.nodes.push(Node {
+        if parts.len() <= LEAF {
+            let [low, high] = around(parts.iter().flat_map(|part| corners(&part.triangle)));
+            self.nodes.push(Node {
+                low,
+                high,
+                next: first as u32,
+                count: parts.len() as u32,
+            });
+            return [low, high];
+        }
+        self.nodes.push(Node::default());
+        let [low, high] = around(parts.iter().map(|part| part.middle));
+        let axis = (high - low).imax();
+        let half = parts.len() / 2;
+        let by_middle = |a: &Part, b: &Part| a.middle[axis].total_cmp(&b.middle[axis]);
+        parts.select_nth_unstable_by(half, by_middle);
+        let (one, other) = parts.split_at_mut(half);
+        let [low, high] = self.split(one, first, corners);
+        let next = self.nodes.len() as u32;
+        let [others_low, others_high] = self.split(other, first + half, corners);
+        let [low, high] = [low.inf(&others_low), high.sup(&others_high)];
+        self.nodes[place] = Node {
             low,
             high,
-            next: first as u32,
-            count: if leaf { triangles.len() as u32 } else { 0 },
-        });
-        if leaf {
-            return;
-        }
-        let axis = (high - low).imax();
-        let middle = triangles.len() / 2;
-        let along = |triangle: &[u32; 3]| corners(triangle).iter().map(|c| c[axis]).sum::<f64>();
-        triangles.select_nth_unstable_by(middle, |a, b| along(a).total_cmp(&along(b)));
-        let (one, other) = triangles.split_at_mut(middle);
-        self.split(one, first, corners);
-        self.nodes[place].next = self.nodes.len() as u32;
-        self.split(other, first + middle, corners);
+            next,
+            count: 0,
+        };
+        [low, high]
     }
 
     /// Tells the leaves whose boxes lie within `limit` of a point, near ones first. What is answered is the new limit.
@@ -172,6 +195,14 @@ impl Tree {
             next = Some(near);
         }
     }
+}
+
+/// Lowest and highest coordinates of points.
+fn around(points: impl Iterator<Item = V3>) -> [V3; 2] {
+    let nothing = [V3::repeat(f64::INFINITY), V3::repeat(f64::NEG_INFINITY)];
+    points.fold(nothing, |[low, high], point| {
+        [low.inf(&point), high.sup(&point)]
+    })
 }
 
 /// Boxes that wait, with their measure.
