@@ -62,9 +62,8 @@ fn absurd_values_of_every_variant_give_a_form() {
                 let answer = json::form(&question.to_string());
                 let view = answer.unwrap_or_else(|error| panic!("{} {value}: {error}", cycle.name));
                 let view: Value = serde_json::from_str(&view.to_string()).unwrap();
-                let drawn = view["picture"]["shapes"].is_array();
                 assert!(view["fields"].is_array(), "{}", cycle.name);
-                assert_eq!(drawn, cycle.picture.drawn, "{}", cycle.name);
+                assert!(view["picture"]["shapes"].is_array(), "{}", cycle.name);
             }
         }
     }

@@ -69,13 +69,13 @@ fn causes_and_cures_name_values_with_units() {
             &[("_PRNUM", "101"), ("_CORA", "400")],
             "_CORA",
             &metric,
-            "_CORA cannot be 400 deg. Enter a value from 0 to 360 deg.",
+            "_CORA cannot be 400°. Enter a value from 0 to 360°.",
         ),
         (
             &[("_PRNUM", "101")],
             "_CORA",
             &metric,
-            "_CORA is not given; the delivered value 0 deg counts.",
+            "_CORA is not given; the delivered value 0° counts.",
         ),
         (
             &[("_TUL", "-1"), ("_TLL", "0,5")],

@@ -29,7 +29,6 @@ export interface CycleInfo {
   results: { name: string; key: string; unit: string; source: string }[];
   alarms: string[];
   example: Record<string, string>;     // values of a worked measurement, as typed
-  drawn: boolean;                      // false: there is no picture
   twins: boolean;                      // the other control has some of its tasks too
   surfaces: string[];                  // names of our surfaces, where it scans one, which a Scan answers in pieces; else none
   simulated: boolean;                  // false: form, checks and text only; a FormView has no outcome
@@ -126,6 +125,7 @@ export interface PictureShape {
   closed?: boolean;
   text?: string;                       // name of a parameter or a number
   field?: string;                      // parameter it explains
+  also?: string[];                     // parameters without a figure of their own that are shown here too
 }
 export interface Outcome {
   results: { name: string; label: Message; value: number; unit: string }[];

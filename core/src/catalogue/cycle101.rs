@@ -21,7 +21,7 @@ pub static CYCLE101: Cycle = Cycle {
     alarms: &[],
     checks: |_, _, _| {},
     help: Help::new(&[LINES]),
-    picture: Drawing::NONE,
+    picture: Drawing::new(logging::closed),
     example: &[],
     simulation: None,
     source: "B:11231-11233",

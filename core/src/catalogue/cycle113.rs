@@ -2,10 +2,13 @@
 
 use super::common::{ALWAYS_REQUIRED, PARAM, integer};
 use super::help::{HelpLine, before, corrects, measures, order, wrong};
+use super::logging::cells::cells;
 use super::logging::names::JOB;
 use super::{
     Arg, ArgumentList, Cycle, Dialect, Drawing, Help, Kind, Param, Style, Variant, When, logging,
 };
+use crate::check::Inputs;
+use crate::form::picture::{Picture, View};
 
 /// The cycle.
 pub static CYCLE113: Cycle = Cycle {
@@ -46,7 +49,7 @@ pub static CYCLE113: Cycle = Cycle {
     alarms: &[],
     checks: |_, _, _| {},
     help: Help::new(&[LINES]),
-    picture: Drawing::NONE,
+    picture: Drawing::new(picture),
     example: &[(JOB, "1")],
     simulation: None,
     source: "B:11255-11260",
@@ -54,6 +57,22 @@ pub static CYCLE113: Cycle = Cycle {
 
 const DATE: When = When::Variant(&[1]);
 const TIME: When = When::Variant(&[2]);
+
+/// Characters of the variable (B:11260).
+const LENGTH: usize = 10;
+
+/// The variable with a text as the control would write it.
+fn picture(inputs: &Inputs) -> Picture {
+    let text = if TIME.holds(inputs) {
+        "23:59:00"
+    } else {
+        "06/12/31"
+    };
+    Picture {
+        view: View::Plane,
+        shapes: cells(text, LENGTH, 0.0, JOB),
+    }
+}
 
 const LINES: &[HelpLine] = &[
     measures(DATE, "help-cycle113-date", "B:11258"),

@@ -3,13 +3,23 @@
 
 use super::common::{ALWAYS_REQUIRED, PARAM, alarms, integer, optional, required};
 use super::help::{HelpLine, before, corrects, measures, order, wrong};
+use super::logging::cells::{CELL, ROW, cells, left};
 use super::{
     Arg, ArgumentList, Cycle, Dialect, Drawing, Help, Kind, Param, Range, Style, Variant, When,
     logging,
 };
+use crate::check::Inputs;
+use crate::form::figures::{dimension, line};
+use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
 
+/// The number.
+const NUMBER: &str = "PAR1";
+/// Digits behind the point.
+const DECIMALS: &str = "PAR2";
 /// How many numbers.
 const COUNT: &str = "PAR4";
+/// The first of several R parameters.
+const REGISTER: &str = "PAR5";
 /// More than one number.
 const MANY: When = When::Above {
     param: COUNT,
@@ -35,11 +45,11 @@ pub static CYCLE118: Cycle = Cycle {
         when: When::Always,
         base: 0,
         args: &[
-            Arg::Param("PAR1"),
-            Arg::Param("PAR2"),
+            Arg::Param(NUMBER),
+            Arg::Param(DECIMALS),
             Arg::Output("PAR3"),
             Arg::Param(COUNT),
-            Arg::Param("PAR5"),
+            Arg::Param(REGISTER),
         ],
         source: "B:11262",
     }],
@@ -141,16 +151,16 @@ pub static CYCLE118: Cycle = Cycle {
     alarms: &[&alarms([61362])], // A:15904
     checks: |_, _, _| {},
     help: Help::new(&[LINES]),
-    picture: Drawing::NONE,
+    picture: Drawing::new(picture),
     // the example of the manual, B:11296-11308
-    example: &[("PAR1", "31.830988618"), ("PAR2", "2")],
+    example: &[(NUMBER, "31.830988618"), (DECIMALS, "2")],
     simulation: None,
     source: "B:11262-11320",
 };
 
 const PARAMS: &[Param] = &[
     Param {
-        name: "PAR1",
+        name: NUMBER,
         key: "118-number",
         needs: &[
             optional(MANY, "need-118-registers"),
@@ -160,7 +170,7 @@ const PARAMS: &[Param] = &[
         ..PARAM
     },
     Param {
-        name: "PAR2",
+        name: DECIMALS,
         key: "118-decimals",
         kind: Kind::Integer,
         range: Range::NOT_NEGATIVE,
@@ -180,7 +190,7 @@ const PARAMS: &[Param] = &[
         ..PARAM
     },
     Param {
-        name: "PAR5",
+        name: REGISTER,
         key: "118-register",
         kind: Kind::Integer,
         range: Range::NOT_NEGATIVE,
@@ -189,6 +199,77 @@ const PARAMS: &[Param] = &[
         ..PARAM
     },
 ];
+
+/// Characters of the variable (B:11272).
+const LENGTH: usize = 12;
+/// Most decimals for which the picture has room.
+const ROOM: f64 = 8.0;
+
+/// The text in its variable below the number, or the R parameters beside the fields that take their texts.
+fn picture(inputs: &Inputs) -> Picture {
+    let decimals = inputs.number(DECIMALS).clamp(0.0, ROOM) as usize;
+    let mut shapes = if MANY.holds(inputs) {
+        registers(inputs, decimals)
+    } else {
+        one(inputs.number(NUMBER), decimals)
+    };
+    shapes.sort_by_key(|shape| shape.kind == ShapeKind::Dimension);
+    Picture {
+        view: View::Plane,
+        shapes,
+    }
+}
+
+/// The number above its text.
+fn one(number: f64, decimals: usize) -> Vec<PictureShape> {
+    let text = format!("{number:.decimals$}");
+    let middle = left(LENGTH) / 2.0;
+    let mut shapes = cells(&text, LENGTH, 0.0, NUMBER);
+    shapes.push(
+        line(ShapeKind::Label, vec![[middle, ROW]])
+            .text(number.to_string())
+            .of(NUMBER),
+    );
+    if decimals > 0 {
+        let point = text.find('.').unwrap_or_default();
+        shapes.push(digits(point + 1, decimals, 0.0));
+    }
+    shapes
+}
+
+/// The decimals of a text whose first one stands in this cell.
+fn digits(first: usize, decimals: usize, y: f64) -> PictureShape {
+    let below = y - CELL * 1.2;
+    let ends = [first, first + decimals].map(|cell| [left(cell), below]);
+    dimension(DECIMALS, ends[0], ends[1])
+}
+
+/// A row for each of the R parameters. What they hold is not known here.
+fn registers(inputs: &Inputs, decimals: usize) -> Vec<PictureShape> {
+    let count = inputs.number(COUNT).clamp(1.0, MOST) as usize;
+    let first = inputs.number(REGISTER).clamp(0.0, 1e4) as usize;
+    let text = format!("{:.decimals$}", 0.0);
+    let mut shapes = Vec::new();
+    for row in 0..count {
+        let y = -ROW * row as f64;
+        let beside = |x: f64, text: String, field| {
+            line(ShapeKind::Label, vec![[x, y - CELL * 0.2]])
+                .text(text)
+                .of(field)
+        };
+        shapes.push(beside(-CELL * 2.0, format!("R{}", first + row), REGISTER));
+        shapes.extend(cells(&text, LENGTH, y, COUNT));
+        shapes.push(beside(
+            left(LENGTH) + CELL * 2.0,
+            format!("_TXT[{row}]"),
+            COUNT,
+        ));
+    }
+    if decimals > 0 {
+        shapes.push(digits(2, decimals, -ROW * (count - 1) as f64));
+    }
+    shapes
+}
 
 const LINES: &[HelpLine] = &[
     measures(When::Always, "help-cycle118-does", "B:11264-11266"),

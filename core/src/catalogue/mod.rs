@@ -50,6 +50,7 @@ pub mod p9969;
 mod param;
 pub mod place;
 pub mod shared_checks;
+pub mod shown_with;
 pub mod sinumerik;
 pub mod task;
 pub mod tool_probe;

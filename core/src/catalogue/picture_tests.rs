@@ -4,8 +4,8 @@
 use super::*;
 use crate::check::{Typed, check, read};
 use crate::control::delivery;
-use crate::form::draw;
 use crate::form::picture::Picture;
+use crate::form::{draw, fields};
 
 /// The worked example in this variant, with every other value that it asks for.
 fn typed(cycle: &'static Cycle, variant: &Variant, number: &str) -> Typed {
@@ -30,11 +30,9 @@ fn typed(cycle: &'static Cycle, variant: &Variant, number: &str) -> Typed {
     typed
 }
 
-/// Those that are drawn; which are not is tested beside the cycles of the log.
 fn drawn() -> impl Iterator<Item = &'static Cycle> {
     let all = CYCLES.iter().copied();
     all.filter(|cycle| cycle.dialect == Dialect::Sinumerik)
-        .filter(|cycle| cycle.picture.drawn)
 }
 
 /// Whether a picture can show the parameter: places, sizes, angles, directions; not areas of a deviation.
@@ -58,11 +56,27 @@ fn pictures_show_what_the_form_asks_for() {
             let picture = draw(cycle, &typed, &control).unwrap();
             let needed = cycle.params.iter().filter(|param| geometric(param));
             for param in needed.filter(|param| param.need(&inputs).is_some()) {
-                let shown = picture
-                    .shapes
-                    .iter()
-                    .any(|shape| shape.field == Some(param.name));
+                let shown = picture.explains(param.name);
                 assert!(shown, "{} {} {}", cycle.name, variant.number, param.name);
+            }
+        }
+    }
+}
+
+/// Every field has a place in the picture that stands out while it has the focus.
+#[test]
+fn pictures_follow_every_field() {
+    // oracle: self (the fields of the form)
+    for cycle in CYCLES {
+        for variant in cycle.variants {
+            let control = delivery(cycle.dialect);
+            let typed = typed(cycle, variant, "7");
+            let picture = draw(cycle, &typed, &control).unwrap();
+            for field in fields(cycle, &typed, &control) {
+                let also = picture.shapes.iter().flat_map(|shape| &shape.also);
+                let shown =
+                    picture.explains(field.name) || also.into_iter().any(|one| *one == field.name);
+                assert!(shown, "{} {} {}", cycle.name, variant.number, field.name);
             }
         }
     }
@@ -80,10 +94,12 @@ fn each_variant_has_its_own_picture() {
             .variants
             .iter()
             .map(|one| {
-                (
-                    one.number,
-                    draw(cycle, &typed(cycle, one, "7"), &control).unwrap(),
-                )
+                let mut picture = draw(cycle, &typed(cycle, one, "7"), &control).unwrap();
+                picture
+                    .shapes
+                    .iter_mut()
+                    .for_each(|shape| shape.also.clear());
+                (one.number, picture)
             })
             .collect();
         for (index, (number, picture)) in pictures.iter().enumerate() {

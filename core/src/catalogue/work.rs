@@ -70,21 +70,13 @@ pub type Examples = &'static [(When, &'static [(&'static str, &'static str)])];
 /// How a cycle is drawn.
 pub struct Drawing {
     draw: Option<fn(&Inputs) -> Picture>,
-    /// Whether there is anything to draw; also in a build that does not draw.
-    pub drawn: bool,
 }
 
 impl Drawing {
-    /// There is nothing to draw.
-    pub const NONE: Drawing = Drawing {
-        draw: None,
-        drawn: false,
-    };
-
     /// A build that does not simulate links no drawing either: the page's first module is the form alone.
     pub const fn new(draw: fn(&Inputs) -> Picture) -> Drawing {
         let draw = if SIMULATES { Some(draw) } else { None };
-        Drawing { draw, drawn: true }
+        Drawing { draw }
     }
 
     /// The picture for these values; none in a build that does not draw.

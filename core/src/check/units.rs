@@ -50,6 +50,7 @@ pub fn unit_name(unit: Unit, control: &Control) -> &'static str {
 pub fn unit_behind(unit: Unit, control: &Control) -> String {
     match unit_name(unit, control) {
         "" => String::new(),
+        "deg" => "°".to_owned(),
         name => format!(" {name}"),
     }
 }

@@ -1,6 +1,7 @@
 //! The drawing of a form, also while it is incomplete.
 
 use super::picture::Picture;
+use crate::catalogue::shown_with::shown_with;
 use crate::catalogue::{Cycle, Kind};
 use crate::check::{self, Parsed, Typed, parse};
 use crate::control::Control;
@@ -25,7 +26,30 @@ pub fn draw(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Option<P
             values.insert((*name).to_owned(), (*example).to_owned());
         }
     }
-    cycle
-        .picture
-        .draw(&check::read(cycle, &values, control, &mut Vec::new()))
+    let inputs = check::read(cycle, &values, control, &mut Vec::new());
+    let mut picture = cycle.picture.draw(&inputs)?;
+    let used = cycle
+        .params
+        .iter()
+        .filter(|param| param.need(&inputs).is_some());
+    for param in used {
+        place(param.name, &mut picture);
+    }
+    Some(picture)
+}
+
+/// A parameter without a figure is shown in those of others, as the catalogue says.
+fn place(name: &'static str, picture: &mut Picture) {
+    if picture.explains(name) {
+        return;
+    }
+    let mut groups = shown_with(name).iter();
+    let Some(group) = groups.find(|group| group.iter().any(|one| picture.explains(one))) else {
+        return;
+    };
+    for shape in &mut picture.shapes {
+        if shape.field.is_some_and(|field| group.contains(&field)) {
+            shape.also.push(name);
+        }
+    }
 }

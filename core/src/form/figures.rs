@@ -14,6 +14,7 @@ pub fn line(kind: ShapeKind, points: Vec<[f64; 2]>) -> PictureShape {
         closed: false,
         text: None,
         field: None,
+        also: Vec::new(),
     }
 }
 

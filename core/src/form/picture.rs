@@ -52,6 +52,8 @@ pub struct PictureShape {
     pub text: Option<String>,
     /// Parameter that it explains.
     pub field: Option<&'static str>,
+    /// Parameters without a figure of their own that are shown here too.
+    pub also: Vec<&'static str>,
 }
 
 /// A drawing.
@@ -61,4 +63,11 @@ pub struct Picture {
     pub view: View,
     /// Figures, those in front last.
     pub shapes: Vec<PictureShape>,
+}
+
+impl Picture {
+    /// Whether any figure explains the parameter.
+    pub fn explains(&self, name: &str) -> bool {
+        self.shapes.iter().any(|shape| shape.field == Some(name))
+    }
 }

@@ -42,7 +42,6 @@ fn entry(cycle: &'static Cycle) -> Value {
             "example",
             object(example.map(|(name, value)| (*name, (*value).into()))),
         ),
-        ("drawn", cycle.picture.drawn.into()),
         ("twins", (!cycle.purpose.tasks.is_empty()).into()),
         ("simulated", cycle.simulation.is_some().into()),
         ("surfaces", surfaces(cycle)),

@@ -263,6 +263,9 @@ fn shape(shape: &PictureShape, parts: f64) -> Value {
     if let Some(field) = shape.field {
         put(&mut view, "field", field);
     }
+    if !shape.also.is_empty() {
+        put(&mut view, "also", shape.also.as_slice());
+    }
     view
 }
 

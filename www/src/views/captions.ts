@@ -5,8 +5,8 @@ export type Point = [number, number];
 export interface Size { width: number; height: number }
 /** A line that a caption had better not lie upon, and how much it weighs against a pixel of distance. */
 export interface Obstacle { from: Point; to: Point; weight: number }
-/** A text that begins or has its middle at a point on its base line. */
-export interface Caption { text: string; at: Point; anchor: "start" | "middle" }
+/** A text that begins or has its middle at a point on its base line, or as well at the other one. */
+export interface Caption { text: string; at: Point; other?: Point; anchor: "start" | "middle" }
 interface Box { left: number; right: number; top: number; bottom: number }
 
 const CHARACTER = 6.6; // width of a character of a caption
@@ -63,20 +63,23 @@ function cost(box: Box, taken: readonly Box[], obstacles: readonly Obstacle[], m
 export function spread(captions: readonly Caption[], obstacles: readonly Obstacle[], { width, height }: Size): void {
   const taken: Box[] = [];
   for (const caption of captions) {
+    const { at, other } = caption;
     const long = widthOf(caption.text);
-    const [x, y] = caption.at;
-    const left = x - (caption.anchor === "middle" ? long / 2 : 0);
-    const at = ([dx, dy]: Point): Box => ({ left: left + dx, right: left + dx + long, top: y + dy - ABOVE, bottom: y + dy + BELOW });
-    let best = { move: [0, 0] as Point, cost: Infinity };
+    const before = caption.anchor === "middle" ? long / 2 : 0;
+    const box = ([x, y]: Point): Box => ({ left: x - before, right: x - before + long, top: y - ABOVE, bottom: y + BELOW });
+    let best = { at, cost: Infinity };
     for (const move of MOVES) {
       const moved = farness(move);
       if (moved >= best.cost) break; // the others are further still
-      const box = at(move);
-      if (move !== MOVES[0] && (box.left < 0 || box.right > width || box.top < 0 || box.bottom > height)) continue;
-      const found = cost(box, taken, obstacles, moved, best.cost);
-      if (found < best.cost) best = { move, cost: found };
+      for (const base of other ? [at, other] : [at]) {
+        const place: Point = [base[0] + move[0], base[1] + move[1]];
+        const { left, right, top, bottom } = box(place);
+        if ((left < 0 || right > width || top < 0 || bottom > height) && best.cost < Infinity) continue;
+        const found = cost(box(place), taken, obstacles, moved, best.cost);
+        if (found < best.cost) best = { at: place, cost: found };
+      }
     }
-    caption.at = [x + best.move[0], y + best.move[1]];
-    taken.push(at(best.move));
+    caption.at = best.at;
+    taken.push(box(best.at));
   }
 }

@@ -97,7 +97,6 @@ export function createForm(root: HTMLElement, store: Store, actions: Actions, sh
     keyed(fields, view.fields, (field) => `${cycle.control}/${cycle.cycle}/${field.name}/${field.kind}`, make, (node, field) =>
       views.get(node)?.update(field, state.values[field.name] ?? "", problems.filter((one) => one.param === field.name)));
     keyed(loose, problems.filter((one) => one.param === undefined || !names.has(one.param)), (one) => `${one.code}/${one.message.key}`, problemItem, updateProblem);
-    show(pictureBox, cycle.drawn);
     if (view.picture) drawPicture(view.picture, state.focus, state.values);
     renderCount(count, state, view.diagnostics, view.complete);
     if (comments.checked !== state.comments) comments.checked = state.comments;

@@ -50,7 +50,7 @@ function rings(points: Point[]): Point[][] {
 }
 
 /** How much a caption upon a line of each kind takes from the reader; what is filled only is none. */
-const WEIGHTS: Partial<Record<PictureShape["kind"], number>> = { edge: 1.2, cut: 1.2, probe: 0.8, dimension: 0.8, zone: 0.6, axis: 0.3, path: 0.3, touch: 4 };
+const WEIGHTS: Partial<Record<PictureShape["kind"], number>> = { edge: 2, cut: 2, probe: 1.2, dimension: 1.6, zone: 1, axis: 0.8, path: 0.8, touch: 4 };
 const CORNERS = 16; // of a circle, for captions that go around it
 
 /** The lines of a shape that captions keep away from. */
@@ -100,8 +100,14 @@ function dimension(a: Point, b: Point, text: string | undefined, size: Size): Fi
   const upright = Math.abs(along[1]) > 0.7;
   const share = upright && !short ? 0.72 : 0.5; // upright ones clear of what is written at the middle
   const at: Point = [a[0] + (b[0] - a[0]) * share, a[1] + (b[1] - a[1]) * share];
-  const captions = text ? [caption(text, [at[0] + (upright ? 6 : 0), at[1] + (upright ? 4 : -7)], upright ? "start" : "middle", size)] : [];
-  return { lines, captions };
+  return { lines, captions: text ? [beside(text, at, upright, size)] : [] };
+}
+
+/** A caption to the right or left of an upright dimension, above or below another one. */
+function beside(text: string, [x, y]: Point, upright: boolean, size: Size): Caption {
+  const anchor = upright ? "start" : "middle";
+  const [at, other]: [Point, Point] = upright ? [[x + 6, y + 4], [x - 6 - widthOf(text), y + 4]] : [[x, y - 7], [x, y + 13]];
+  return { ...caption(text, at, anchor, size), other };
 }
 
 /** What is drawn for one shape; `value`: what was typed for the parameter that a dimension shows. */
@@ -149,14 +155,15 @@ export function createPicture(root: HTMLElement, pick: (field: string) => void):
     });
     spread(figures.flatMap(({ captions }) => captions), sorted.flatMap((shape) => obstacles(shape, place, scale)), size);
     drawInto(shapes, figures.map(({ lines, captions }, index): Drawn => {
-      const { kind, field } = sorted[index]!;
-      return { tag: "g", attributes: { class: `shape ${kind}${field === lit ? " lit" : ""}`, "data-field": field }, children: [...lines, ...captions.map(written)] };
+      const { kind, field, also } = sorted[index]!;
+      return { tag: "g", attributes: { class: `shape ${kind}`, "data-field": field, "data-also": also?.join(" ") }, children: [...lines, ...captions.map(written)] };
     }));
   };
   const light = (): void => {
     let any = false;
-    for (const shape of shapes.children) {
-      const match = lit !== null && shape.getAttribute("data-field") === lit;
+    for (const shape of shapes.children as HTMLCollectionOf<SVGElement>) {
+      const { field, also } = shape.dataset;
+      const match = lit !== null && (field === lit || also?.split(" ").includes(lit) === true);
       shape.classList.toggle("lit", match);
       any ||= match;
     }

@@ -1,6 +1,6 @@
 //! Both triangles, seen from above at a slant: X to the right, Y upwards, Z half as long to the upper right.
 
-use super::params::{MEASURED, Names, SET};
+use super::params::{LIMIT, MEASURED, Names, SET, TARGET};
 use crate::check::Inputs;
 use crate::form::figures::{circle, line, polygon};
 use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
@@ -14,8 +14,8 @@ pub fn picture(inputs: &Inputs) -> Picture {
     let all = set.iter().chain(&measured).flatten();
     let size = all.fold(1.0_f64, |most, value| most.max(value.abs()));
     let mut shapes = vec![
-        polygon(ShapeKind::Material, set.map(seen).to_vec()),
-        polygon(ShapeKind::Path, measured.map(seen).to_vec()),
+        polygon(ShapeKind::Material, set.map(seen).to_vec()).of(TARGET),
+        polygon(ShapeKind::Path, measured.map(seen).to_vec()).of(LIMIT),
         circle(ShapeKind::Axis, [0.0; 2], size / 50.0),
     ];
     for (names, corners, kind) in [

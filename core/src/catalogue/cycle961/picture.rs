@@ -1,4 +1,4 @@
-//! CYCLE961 drawn from above: the corner with its points and the way between them, and beside it, where the height
+//! CYCLE961 drawn from above: the corner with its points and the way between them, and to the right, where the height
 //! matters, the way in the applicate. Short distances are drawn longer than they are.
 
 use super::lines::{Point, across, along, away, unit};
@@ -215,22 +215,23 @@ fn zero_point(scene: &Scene, inputs: &Inputs, shapes: &mut Vec<PictureShape>) {
     }
 }
 
-/// The way in the applicate, drawn below: down to the points, or over the corner.
+/// The way in the applicate, drawn to the right: down to the points, or over the corner.
 fn height(scene: &Scene, inputs: &Inputs, shapes: &mut Vec<PictureShape>) {
-    let lowest = shapes
-        .iter()
-        .flat_map(|shape| &shape.points)
-        .map(|point| point[1])
-        .fold(f64::INFINITY, f64::min);
+    let all = shapes.iter().flat_map(|shape| &shape.points);
+    let (right, low, high) = all.fold(
+        (0.0_f64, f64::INFINITY, f64::NEG_INFINITY),
+        |(right, low, high), [x, y]| (right.max(*x), low.min(*y), high.max(*y)),
+    );
     let (width, depth) = (scene.size * 0.5, scene.size * 0.25);
-    let middle = [0.0, lowest - scene.size * 0.5];
+    let middle = [right + scene.size * 0.7, (low + high) / 2.0];
     shapes.push(polygon(ShapeKind::Cut, corners(middle, [width, depth])));
     let (out, low) = (width / 2.0 + scene.ball * 3.0, middle[1]);
+    let [left, out] = [-out, out].map(|side| middle[0] + side);
     let high = low + depth / 2.0 + scene.ball * 3.0;
     let path = if POINTS.holds(inputs) {
         vec![[out, high], [out, low]]
     } else {
-        vec![[-out, low], [-out, high], [out, high], [out, low]]
+        vec![[left, low], [left, high], [out, high], [out, low]]
     };
     let ends = path.first().into_iter().chain(path.last());
     shapes.extend(ends.map(|end| circle(ShapeKind::Probe, *end, scene.ball).of(names::ID)));

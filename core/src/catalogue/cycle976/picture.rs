@@ -6,6 +6,7 @@ use super::directions::{Direction, angle, directions};
 use super::params::{ANGLE, BALL, FOUR, HOLE, LENGTH, ONE, SKEW, UNKNOWN};
 use crate::catalogue::names;
 use crate::check::Inputs;
+use crate::control::variables::AXES;
 use crate::form::figures::{arc, arrow, circle, corners, dimension, frame, line, polygon, round};
 use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
 
@@ -83,8 +84,9 @@ fn part(hole: &Hole) -> Vec<PictureShape> {
 /// The axes of the plane, and those of calibration where they are turned.
 fn axes(hole: &Hole, inputs: &Inputs, shapes: &mut Vec<PictureShape>) {
     let reach = hole.size * 0.75;
-    shapes.push(line(ShapeKind::Axis, vec![[-reach, 0.0], [reach, 0.0]]).text("1"));
-    shapes.push(line(ShapeKind::Axis, vec![[0.0, -reach], [0.0, reach]]).text("2"));
+    let [abscissa, ordinate] = [0, 1].map(|index| AXES[inputs.plane.axes()[index]]);
+    shapes.push(line(ShapeKind::Axis, vec![[reach, 0.0], [-reach, 0.0]]).text(abscissa));
+    shapes.push(line(ShapeKind::Axis, vec![[0.0, reach], [0.0, -reach]]).text(ordinate));
     if ANGLE.holds(inputs) {
         for direction in [0.0, 90.0] {
             let ends = vec![hole.at(direction + 180.0, reach), hole.at(direction, reach)];

@@ -5,14 +5,12 @@
 use super::params::{OUTSIDE, RECTANGLE, TOOL, WIDTH, ZONE};
 use crate::catalogue::names;
 use crate::check::Inputs;
+use crate::control::variables::AXES;
 use crate::form::figures::{circle, corners, dimension, frame, line, polygon, rectangle, round};
 use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
 
 /// How wide a forbidden area around an element is drawn, as a share of the whole.
 const WALL: f64 = 0.08;
-
-/// Letters of the geometry axes.
-const AXES: [&str; 3] = ["X", "Y", "Z"];
 
 /// What is drawn, mm.
 struct Scene {

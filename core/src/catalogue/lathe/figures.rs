@@ -3,6 +3,7 @@
 
 use crate::catalogue::names;
 use crate::check::Inputs;
+use crate::control::variables::AXES;
 use crate::form::figures::{circle, dimension, line, polygon, rectangle};
 use crate::form::picture::{PictureShape, ShapeKind};
 
@@ -12,9 +13,6 @@ pub const RADIUS: f64 = 22.0;
 pub const ENDS: [f64; 2] = [-50.0, 10.0];
 /// Radius of the drawn ball, mm.
 pub const BALL: f64 = 3.0;
-/// Letters of the geometry axes.
-const AXES: [&str; 3] = ["X", "Y", "Z"];
-
 /// A point that is touched.
 pub struct Touch {
     /// The point, mm.

@@ -1,6 +1,7 @@
 //! The log of measurements (chapter 7.1: B:11172-11638): what CYCLE100, CYCLE105 and CYCLE106 share. They take what is
 //! printed and how from user data that a program writes before the call.
 
+pub mod cells;
 mod checks;
 pub mod help;
 mod line;
@@ -11,7 +12,7 @@ mod picture;
 mod tests;
 
 pub use checks::checks;
-pub use picture::picture;
+pub use picture::{closed, picture};
 
 use super::common::alarms;
 use super::{MachineSort, NEVER, ProbeUse, Purpose};

@@ -2,7 +2,7 @@
 //! far as the call prints them (B:11456-11500).
 
 use super::line::widths;
-use super::names::{COLUMN, HEADLINES, LINE, PROGRAM, SEPARATOR, TITLES, VALUES};
+use super::names::{COLUMN, FILE, HEADLINES, LINE, PROGRAM, SEPARATOR, TITLES, VALUES};
 use super::params::LONGEST_LINE;
 use crate::check::Inputs;
 use crate::form::figures::{dimension, line, rectangle};
@@ -12,6 +12,11 @@ use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
 const HEIGHT: f64 = 4.0;
 /// Shortest and widest line that is drawn, characters.
 const WIDTHS: (f64, f64) = (40.0, LONGEST_LINE);
+
+/// Width of the tab with the name of the file.
+const TAB: f64 = 20.0;
+/// Lines of a log that has ended.
+const CLOSED: f64 = 6.0;
 
 /// A page that fills from top to bottom.
 struct Page {
@@ -98,13 +103,47 @@ pub fn picture(inputs: &Inputs) -> Picture {
     let top = HEIGHT / 2.0;
     let middle = [width / 2.0, top - height / 2.0];
     let sheet = rectangle(ShapeKind::Material, middle, [width, height]);
-    let above = top + HEIGHT;
+    let above = top + 2.0 * HEIGHT;
     let mut shapes = vec![sheet, dimension(LINE, [0.0, above], [width, above])];
     if let Some(first) = page.columns.first() {
         let below = top - height - HEIGHT;
         shapes.push(dimension(COLUMN, [0.0, below], [*first, below]));
     }
+    if inputs.uses(FILE) {
+        shapes.extend(tab(top));
+    }
     shapes.extend(page.shapes);
+    Picture {
+        view: View::Plane,
+        shapes,
+    }
+}
+
+/// The file that holds the page: a tab at its upper left corner.
+fn tab(top: f64) -> [PictureShape; 2] {
+    let middle = [TAB / 2.0, top + HEIGHT / 2.0];
+    let name = line(
+        ShapeKind::Label,
+        vec![[middle[0], middle[1] - HEIGHT * 0.2]],
+    );
+    [
+        rectangle(ShapeKind::Zone, middle, [TAB, HEIGHT]).of(FILE),
+        name.text(FILE).of(FILE),
+    ]
+}
+
+/// A log that is switched off: blocks of values, and the end of the page below them.
+pub fn closed(_: &Inputs) -> Picture {
+    let width = WIDTHS.0;
+    let end = -HEIGHT * CLOSED;
+    let sheet = rectangle(ShapeKind::Material, [width / 2.0, end / 2.0], [width, -end]);
+    let lines = (1..CLOSED as u32).map(|row| {
+        let y = -HEIGHT * f64::from(row);
+        line(ShapeKind::Path, vec![[HEIGHT, y], [width - HEIGHT, y]])
+    });
+    let mut shapes = vec![sheet];
+    shapes.extend(lines);
+    shapes.push(line(ShapeKind::Edge, vec![[0.0, end], [width, end]]));
     Picture {
         view: View::Plane,
         shapes,
