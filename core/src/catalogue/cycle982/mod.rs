@@ -10,6 +10,8 @@ mod drill_tests;
 mod edges;
 mod help;
 #[cfg(test)]
+mod loop_tests;
+#[cfg(test)]
 mod motion_tests;
 mod nose;
 pub mod params;

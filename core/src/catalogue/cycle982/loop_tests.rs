@@ -1,0 +1,156 @@
+//! A tool probe that stands elsewhere, is larger and switches late: calibrated on all four sides, it finds every tool, and
+//! what was corrected measures as right.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use super::testing::{PROBE, Real, digit, inputs, machine, mount, place};
+use crate::catalogue::sinumerik::testing::random_parts;
+use crate::control::Units;
+use crate::control::tools::side;
+use crate::evaluate::tool_offset::RADIUS;
+use crate::run::Setup;
+use crate::run::machine::Sim;
+use proptest::prelude::*;
+
+/// How far before the probe a start lies, mm.
+const AWAY: f64 = 30.0;
+/// The calibration tool.
+const CALIBRATION: Real = Real {
+    length: [60.0, 40.0],
+    radius: 3.0,
+};
+
+fn middle(axis: usize) -> f64 {
+    (PROBE[axis][0] + PROBE[axis][1]) / 2.0
+}
+
+/// A start before the side that is touched in this direction.
+fn before(axis: usize, direction: f64) -> f64 {
+    PROBE[axis][usize::from(direction > 0.0)] - direction * AWAY
+}
+
+/// Carries out a call from there; what the control has then goes on.
+fn call(setup: &mut Setup, start: [f64; 2], variant: i64, values: &[(&'static str, f64)]) {
+    place(setup, start);
+    let call = inputs(setup, variant, values);
+    let mut sim = Sim::new(setup);
+    let outcome = super::simulate::simulate(&mut sim, &call);
+    assert_eq!(outcome, Ok(()), "{variant} {values:?} {start:?}");
+    setup.control = sim.control;
+}
+
+/// All four sides, in the system of the machine or of the workpiece.
+fn calibrate(setup: &mut Setup, workpiece: bool) {
+    let mut edge = CALIBRATION.believed(500, 3, [0.0; 3]);
+    (edge.length_wear, edge.length) = ([0.0; 3], [60.0, 40.0, 0.0]);
+    (edge.radius, edge.radius_wear) = (CALIBRATION.radius, 0.0);
+    mount(setup, edge, CALIBRATION.nose(3));
+    for axis in 0..2 {
+        for direction in [-1.0, 1.0] {
+            let mut start = [0, 1].map(|axis| before(axis, -1.0));
+            start[axis] = before(axis, direction) - (1.0 + direction) * CALIBRATION.radius;
+            let variant = if workpiece { 10 } else { 0 };
+            call(setup, start, variant, &[("_MA", axis as f64 + 1.0)]);
+        }
+    }
+}
+
+/// Measures twice: the first time the tool is found, the second time there is nothing to correct.
+fn measured(
+    setup: &mut Setup,
+    start: [f64; 2],
+    (variant, axis): (i64, usize),
+    (real, found): (Real, &[usize]),
+) {
+    let values = [("_MA", axis as f64 + 1.0), ("_STA1", 15.0), ("_CORA", 3.0)];
+    call(setup, start, variant, &values);
+    let edge = setup.control.active_edge().unwrap();
+    for part in found {
+        let error = match *part {
+            RADIUS => edge.total_radius() - real.radius,
+            length => edge.total_length(length) - real.length[length],
+        };
+        assert!(error.abs() < 1e-9, "{variant} {start:?}: {part} {error}");
+    }
+    call(setup, start, variant, &values);
+    for part in found {
+        let result = if *part == RADIUS { 13 } else { 9 + 2 * part };
+        let left = setup.control.number(&format!("_OVR[{result}]"));
+        assert!(left.abs() < 1e-9, "{variant} {start:?}: {part} {left}");
+    }
+}
+
+/// Milling variants with the length and radius that they find: one, two and four points, with and without reversal, upper
+/// edges, in axial position; in radial position 10000 more.
+const CUTTERS: [(i64, bool); 8] = [
+    (1, false),
+    (101, false),
+    (2001, true),
+    (2101, true),
+    (2, true),
+    (102, true),
+    (3002, true),
+    (4102, true),
+];
+
+proptest! {
+    #![proptest_config(random_parts(200))]
+
+    // oracle: hand: the trigger values take in where the probe stands, how large it is and how late it switches
+    #[test]
+    fn a_calibrated_probe_finds_every_tool_and_then_nothing(
+        shift in prop::array::uniform2(-1.0..1.0_f64),
+        size in -0.5..0.5_f64,
+        late in 0.0..0.1_f64,
+        length in prop::array::uniform2(40.0..120.0_f64),
+        radius in 12.0..16.0_f64,
+        wrong in prop::array::uniform3(-0.6..0.6_f64),
+        workpiece in any::<bool>(),
+        inch in any::<bool>(),
+    ) {
+        let mut calibrated = machine(if inch { Units::Inch } else { Units::Metric });
+        let probe = &mut calibrated.tool_probes[0];
+        probe.pre_travel = late;
+        probe.solid.errors.size = size;
+        probe.solid.errors.shift = [shift[1], 0.0, shift[0]];
+        calibrate(&mut calibrated, workpiece);
+        let system = if workpiece { 10 } else { 0 };
+        for position in 1..=8 {
+            let real = Real { length, radius: 0.8 };
+            let sides = side(position, false);
+            let mut setup = calibrated.clone();
+            let mut edge = real.believed(500, position, [wrong[0], wrong[1], 0.0]);
+            (edge.radius, edge.radius_wear) = (0.8, 0.0);
+            mount(&mut setup, edge, real.nose(position));
+            let start = [0, 1].map(|axis| match sides[axis] {
+                0.0 => middle(axis),
+                towards => before(axis, towards),
+            });
+            let found: Vec<usize> = [0, 1].into_iter().filter(|axis| sides[*axis] != 0.0).map(|axis| 1 - axis).collect();
+            measured(&mut setup, start, (2 + system, 0), (real, &found));
+        }
+        for (variant, whole) in CUTTERS {
+            for radial in [false, true] {
+                let real = Real { length, radius };
+                let along = usize::from(radial);
+                let automatic = digit(variant, 1) == 2;
+                let axis = if whole { 1 - along } else { along };
+                let found = match (automatic, whole) {
+                    (true, _) => vec![0, 1, RADIUS],
+                    (_, true) => vec![1 - axis, RADIUS],
+                    _ => vec![1 - axis],
+                };
+                let upper = matches!(digit(variant, 4), 3 | 4);
+                let mut setup = calibrated.clone();
+                let wrong = if whole { wrong } else { [wrong[0], wrong[1], 0.0] };
+                let edge = real.believed(120, 0, wrong);
+                mount(&mut setup, edge, real.cutter(along, if upper { 4.0 } else { 0.0 }));
+                let mut start = [0.0; 2];
+                start[along] = before(along, if digit(variant, 4) == 3 { 1.0 } else { -1.0 });
+                start[1 - along] = before(1 - along, -1.0) + 16.0;
+                let variant = variant + system + if radial { 10_000 } else { 0 };
+                measured(&mut setup, start, (variant, axis), (real, &found));
+            }
+        }
+    }
+}
