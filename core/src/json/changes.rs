@@ -3,8 +3,8 @@
 use super::setup_active::units_of;
 use super::setup_frame::settable_name;
 use super::{message, object};
-use crate::control::Control;
 use crate::control::rotary::is_angle;
+use crate::control::{Control, gud, nct_data};
 use crate::message::Message;
 use crate::run::outcome::{Change, Outcome};
 use serde_json::Value;
@@ -54,7 +54,17 @@ fn label(control: &Control, name: &str) -> Message {
             .map(|text| text.text("tool", *tool).text("edge", *edge)),
         _ => register(name),
     };
-    known.unwrap_or_else(|| Message::new("change-other").text("name", name))
+    let words = known.or_else(|| datum(name));
+    words.unwrap_or_else(|| Message::new("change-other").text("name", name))
+}
+
+/// A datum of the machine by the words of its table.
+fn datum(name: &str) -> Option<Message> {
+    if let Some(datum) = nct_data::find(name) {
+        return Some(Message::new(datum.key()));
+    }
+    let (gud, at) = gud::place(name)?;
+    Some(Message::new(gud.key(gud.element(&at)?)))
 }
 
 /// Memories are counted from 1 on the control's screens, from 0 in the program.
@@ -176,6 +186,11 @@ mod tests {
                 Dialect::Sinumerik,
                 "_WP[2,4]",
                 "Probe 3, trigger value ordinate plus",
+            ),
+            (
+                Dialect::Sinumerik,
+                "_TPW[0,3]",
+                "Trigger point, second axis plus",
             ),
             (Dialect::Nct, "G54 X", "G54, X"),
             (Dialect::Nct, "DW12", "Register 12, radius wear"),

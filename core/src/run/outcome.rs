@@ -4,7 +4,7 @@ use super::Stop;
 use super::setup::Setup;
 use super::trace::{Entry, Step, Trace};
 use crate::catalogue::{Cycle, ResultField};
-use crate::control::{Control, Value, gud};
+use crate::control::{Control, Value, gud, nct_data};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::geometry::TOLERANCE;
 use crate::message::Message;
@@ -56,7 +56,7 @@ impl Outcome {
             .collect()
     }
 
-    /// Tools, frames, mean values and data of probes that are different now, in the order of the names. Less than the
+    /// Tools, frames, mean values and calibrated values of probes that are different now, in the order of the names. Less than the
     /// resolution of contact is no difference.
     pub fn changes(&self) -> Vec<Change> {
         let before = addressable(&self.before);
@@ -179,11 +179,15 @@ fn addressable(control: &Control) -> BTreeMap<String, f64> {
 }
 
 /// User data in which later measurements find what this one left: empirical and mean values, and how a workpiece probe
-/// was calibrated.
-const MEMORIES: [&str; 3] = ["_EV[", "_MV[", "_WP["];
+/// and a tool probe were calibrated.
+const MEMORIES: [&str; 5] = ["_EV[", "_MV[", "_WP[", "_TP[", "_TPW["];
 
-/// Whether a datum is one of these, and a length: the code of the calibration status tells nobody anything.
+/// Whether a datum is one of these, or a calibrated value of NCT, and a length: the code of the calibration status tells
+/// nobody anything.
 fn remembered(name: &str) -> bool {
+    if let Some(datum) = nct_data::find(name) {
+        return datum.unit == gud::Unit::Length(gud::System::Basic);
+    }
     let length = |(gud, at): (&gud::Gud, Vec<usize>)| {
         gud.element(&at)
             .is_some_and(|element| element.unit == gud::Unit::Length(gud::System::Basic))
@@ -208,6 +212,26 @@ mod tests {
             after: 1.5,
         };
         assert_eq!(outcome.changes(), [change]);
+    }
+
+    // oracle: manual B:13357 (a trigger point), B:13366 (the shape of the probe is none), C:92-94 (#500 of NCT)
+    #[test]
+    fn what_a_calibration_found_is_a_change() {
+        for (dialect, name, other) in [
+            (Dialect::Sinumerik, "_TP[0,0]", "_TP[0,8]"),
+            (Dialect::Sinumerik, "_TPW[2,3]", "_TPW[2,8]"),
+            (Dialect::Nct, "#500", "#150"),
+        ] {
+            let mut outcome = Outcome::new(&Setup::calibrated(dialect, Plane::G17));
+            let before = outcome.before.number(name);
+            outcome.control.set(name, before + 0.25);
+            outcome.control.set(other, 101.0);
+            let changes = outcome.changes();
+            let [change] = &changes[..] else {
+                unreachable!("{changes:?}");
+            };
+            assert_eq!((&*change.name, change.after - change.before), (name, 0.25));
+        }
     }
 
     // oracle: hand
