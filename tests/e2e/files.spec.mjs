@@ -75,6 +75,20 @@ describe("a program file", () => {
     await context.close();
   });
 
+  // oracle: hand (the bytes opened, with what was typed behind the mark)
+  test("keeps the mark at its begin when its first line is changed", async () => {
+    const { context, page } = await start(chrome);
+    await programInput(page).setInputFiles(file("a.mpf", files["a mark at the begin"]));
+    await page.locator(".call-row").waitFor();
+    await page.locator(".cm-content").focus();
+    await page.keyboard.press("Control+Home");
+    await page.keyboard.type("N1 ");
+    await page.locator('.cm-line:has-text("N1 ;")').waitFor();
+    const { bytes } = await saved(page, ".panel-program", "Save");
+    assert.equal(bytes.toString(), `\ufeffN1 ; \u6d4b\u91cf\n${CALL}`);
+    await context.close();
+  });
+
   // oracle: hand
   test("dropped onto the editor replaces the program, and Undo brings it back", async () => {
     const { context, page } = await start(chrome);

@@ -132,7 +132,7 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
     editProgram: (edits) => store.update((state) => ({ ...withEdits(state, edits), follow: "text", undo: null })),
     openProgram(text, file) {
       const { control, programs, files, pending } = now();
-      replace(file.encoding === "utf-8" ? "notice-opened" : "notice-opened-bytes", {
+      replace(file.encoding === "latin-1" ? "notice-opened-bytes" : "notice-opened", {
         programs: { ...programs, [control]: text }, files: { ...files, [control]: file }, pending: pending.filter((one) => one.control !== control),
         open: null, sought: null, reading: null, ran: null, cursor: 0, cursorLine: 1, refused: null,
       });

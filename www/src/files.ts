@@ -3,7 +3,9 @@
 import { el } from "./dom";
 import type { Pace } from "./pace";
 
-export type Encoding = "utf-8" | "latin-1";
+/** `utf-8-marked`: with a mark at its begin, which is no part of the text: an editor drops that character. */
+export const ENCODINGS = ["utf-8", "utf-8-marked", "latin-1"] as const;
+export type Encoding = typeof ENCODINGS[number];
 export interface ProgramFile { name: string; encoding: Encoding }
 /** A file that is not taken: why, as a key with arguments. Nothing else changes. */
 export interface Refusal { key: string; args: Record<string, string | number> }
@@ -13,6 +15,7 @@ const LARGEST_PROGRAM = 64 * MEGABYTE;
 const LARGEST_SETUP = 4 * MEGABYTE;
 const PIECE = 2 ** 20; // bytes between two looks at the clock
 const CHUNK = 8192; // bytes that one call makes characters of
+const MARK = "\ufeff"; // at the begin of some files in UTF-8
 
 /** The text of a file, a piece after the other. */
 async function inPieces(file: File, pace: Pace, text: (bytes: Uint8Array, last: boolean) => string): Promise<string> {
@@ -32,11 +35,12 @@ function byBytes(bytes: Uint8Array): string {
   return text;
 }
 
-/** UTF-8 where it is that, a mark at its begin included; else byte by byte. */
+/** UTF-8 where it is that; else byte by byte. */
 async function decoded(file: File, pace: Pace): Promise<{ text: string; encoding: Encoding }> {
   const decoder = new TextDecoder("utf-8", { fatal: true, ignoreBOM: true });
   try {
-    return { text: await inPieces(file, pace, (bytes, last) => decoder.decode(bytes, { stream: !last })), encoding: "utf-8" };
+    const text = await inPieces(file, pace, (bytes, last) => decoder.decode(bytes, { stream: !last }));
+    return text.startsWith(MARK) ? { text: text.slice(MARK.length), encoding: "utf-8-marked" } : { text, encoding: "utf-8" };
   } catch (problem) {
     if (!(problem instanceof TypeError)) throw problem;
     return { text: await inPieces(file, pace, byBytes), encoding: "latin-1" };
@@ -45,7 +49,7 @@ async function decoded(file: File, pace: Pace): Promise<{ text: string; encoding
 
 /** null: a character that the encoding lacks was typed in. */
 export function encode(text: string, encoding: Encoding): Uint8Array<ArrayBuffer> | null {
-  if (encoding === "utf-8") return new TextEncoder().encode(text);
+  if (encoding !== "latin-1") return new TextEncoder().encode(encoding === "utf-8-marked" ? MARK + text : text);
   const bytes = new Uint8Array(text.length);
   for (let at = 0; at < text.length; at++) {
     const code = text.charCodeAt(at);

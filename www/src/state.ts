@@ -1,7 +1,7 @@
 // The one state of the page. Values in it are never changed in place: a part that changed is a new object,
 // so views and computations compare by identity.
 
-import type { ProgramFile, Refusal } from "./files";
+import { ENCODINGS, type ProgramFile, type Refusal } from "./files";
 import type { Scanned } from "./scan/scanner";
 import type { BasicSystem, CycleInfo, Diagnostic, Dialect, ErrorSliders, OwnMachine, Pending, Plane, ReadView, RunView, Setup, Style, UnitFunction } from "./wire";
 
@@ -153,7 +153,7 @@ function numbers<T extends Record<string, number>>(value: unknown, shape: T): T 
 }
 
 const isFile = (value: unknown): value is ProgramFile =>
-  plainObject(value) && typeof value.name === "string" && (value.encoding === "utf-8" || value.encoding === "latin-1");
+  plainObject(value) && typeof value.name === "string" && ENCODINGS.some((one) => one === value.encoding);
 const isPending = (value: unknown): value is Pending =>
   plainObject(value) && ["control", "name", "value"].every((name) => typeof value[name] === "string") && Number.isInteger(value.at);
 
