@@ -214,6 +214,36 @@ describe("a kept setup", () => {
   });
 });
 
+describe("the page in two tabs", () => {
+  const chrome = shared("neither", { before, after });
+  const programs = (page) => page.evaluate(() => Object.values(JSON.parse(sessionStorage.getItem("probewright-1") ?? "{}").programs ?? {}).join());
+
+  // oracle: hand
+  test("comes back in each to its own work, and in a new one to the newest", async () => {
+    const { context, page, problems } = await start(chrome);
+    const other = await context.newPage();
+    await other.goto(page.url());
+    for (const [tab, text] of [[page, "; first tab"], [other, "; second tab"]]) {
+      await tab.bringToFront();
+      await tab.locator(".cm-content").click();
+      await tab.keyboard.type(text);
+      await tab.waitForFunction((text) => sessionStorage.getItem("probewright-1")?.includes(text), text);
+    }
+    await page.reload();
+    await page.locator('.cm-line:has-text("; first tab")').waitFor();
+    assert.doesNotMatch(await programs(page), /second tab/);
+    const third = await context.newPage();
+    await third.goto(page.url());
+    await third.locator(".cm-content").waitFor();
+    await third.waitForFunction(() => sessionStorage.getItem("probewright-1"));
+    assert.match(await programs(third), /; (first|second) tab/);
+    await other.reload();
+    await other.locator('.cm-line:has-text("; second tab")').waitFor();
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+});
+
 describe("work that is replaced", () => {
   const chrome = shared("neither", { before, after });
 

@@ -1,5 +1,6 @@
 // The work is kept in the browser. Local storage is written even while the page is left, but holds little; a long program
-// lies in a database beside it.
+// lies in a database beside it. Where the page is open twice, the newest work of all is what a new tab begins with, and
+// each tab comes back to its own, which session storage holds; of long programs there is only the newest.
 
 import { kept, type State } from "./state";
 import type { Dialect } from "./wire";
@@ -8,7 +9,10 @@ const STORE = "probewright-1";
 const PROGRAMS = "programs";
 const LONG = 200_000; // characters of a program that no longer goes into local storage
 
-interface Stored extends Partial<State> { apart?: Dialect[] }
+/** `by`: which visit of the page wrote it. */
+interface Stored extends Partial<State> { apart?: Dialect[]; by?: string }
+
+const visit = Math.random().toString(36).slice(2);
 
 function database(): Promise<IDBDatabase> {
   return new Promise((resolve, reject) => {
@@ -41,9 +45,17 @@ async function put(control: Dialect, text: string): Promise<void> {
   lying[control] = text;
 }
 
+const read = (storage: Storage): Stored | null => JSON.parse(storage.getItem(STORE) ?? "null") as Stored | null;
+
+/** What the last visit left; what this tab left, where another one wrote since. */
+function newest(): Stored | null {
+  const [own, last] = [read(sessionStorage), read(localStorage)];
+  return own && last?.by !== own.by ? own : last;
+}
+
 export async function load(): Promise<Partial<State> | null> {
   try {
-    const stored = JSON.parse(localStorage.getItem(STORE) ?? "null") as Stored | null;
+    const stored = newest();
     for (const control of stored?.apart ?? []) {
       const text: unknown = await inPrograms("readonly", (programs) => programs.get(control));
       if (stored && typeof text === "string") stored.programs = { ...stored.programs, [control]: lying[control] = text };
@@ -61,7 +73,8 @@ export async function save(state: State): Promise<boolean> {
   const apart = programs.filter(([, text]) => text.length > LONG);
   const short = Object.fromEntries(programs.filter(([, text]) => text.length <= LONG));
   try {
-    localStorage.setItem(STORE, JSON.stringify({ ...kept(state), programs: short, apart: apart.map(([control]) => control) }));
+    const stored: Stored = { ...kept(state), programs: short, apart: apart.map(([control]) => control), by: visit };
+    for (const storage of [localStorage, sessionStorage]) storage.setItem(STORE, JSON.stringify(stored));
     for (const [control, text] of apart) await put(control, text);
     return true;
   } catch (problem) {
