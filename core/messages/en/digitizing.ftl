@@ -26,6 +26,7 @@ result-p9969-lines = Lines
 result-p9969-lowest = Lowest point
 result-p9969-highest = Highest point
 decision-p9969-told = Motions and blocks of the first { $told } of { $all } points are listed; a scan of the whole surface is on the page of its results.
+decision-p9969-form = The form follows the first { $followed } points; the whole surface, up to { $most } points, is scanned under “Scan” or by a run of the program.
 nct-scanning-obstructed = The stylus is stuck: something lies on its way back.
     .cause = A cavity is too narrow or too steep for the stylus.
     .cure = Retract it by hand, then take a larger line spacing, a smaller ball or another rectangle.

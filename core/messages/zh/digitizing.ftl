@@ -26,6 +26,7 @@ result-p9969-lines = 行数
 result-p9969-lowest = 最低点
 result-p9969-highest = 最高点
 decision-p9969-told = 只列出 { $all } 点中前 { $told } 点的运动和程序段；整个曲面的扫描见结果页。
+decision-p9969-form = 表单只跟随前 { $followed } 点；整个曲面（最多 { $most } 点）在“扫描”中或运行程序时扫描。
 nct-scanning-obstructed = 测针卡住：退回的路上有障碍。
     .cause = 凹处对测针来说太窄或太陡。
     .cure = 手动退回测针，然后采用更大的行距、更小的测球或另一个矩形。

@@ -121,7 +121,7 @@ pub trait Machine {
     fn spin(&mut self, speed: f64);
     /// From now on nothing is recorded, or everything again.
     fn quiet(&mut self, _on: bool) {}
-    /// Most points that a call may scan.
+    /// Points up to which a scan of a call is followed.
     fn point_limit(&self) -> usize {
         crate::scan::FORM_POINTS
     }

@@ -17,8 +17,8 @@ use crate::run::{Machine, Stop};
 
 /// Most points of a scan: they and what is reckoned of each must fit into the memory of a browser.
 pub const POINTS: usize = 2_000_000;
-/// Most points of a scan that a form carries out at every keystroke.
-pub const FORM_POINTS: usize = 20_000;
+/// Points up to which a form follows a scan at every keystroke.
+pub const FORM_POINTS: usize = 2000;
 /// Points of which a trace holds every motion, and a log the block; of the others only the result counts.
 pub const TOLD: usize = 500;
 

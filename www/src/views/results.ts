@@ -4,7 +4,7 @@ import type { Actions } from "../actions";
 import type { Derived } from "../derive";
 import { el, keyed, on, setAttribute, setText, show } from "../dom";
 import { saveFile } from "../files";
-import { fixed, signed } from "../numbers";
+import { fixed, plain, signed } from "../numbers";
 import type { Scanner } from "../scan/scanner";
 import type { ResultTab, State } from "../state";
 import type { Store } from "../store";
@@ -20,6 +20,11 @@ type Draw = (state: State, derived: Derived) => void;
 
 function unitText(unit: string): string {
   return unit ? t(`unit-${unit.replace("/", "-per-")}`) : "";
+}
+
+/** What has no unit is a number of something: as many decimals as it needs. */
+function figure(value: number, unit: string): string {
+  return unit ? fixed(value) : plain(value);
 }
 
 function table(caption: string, heads: string[], body: HTMLElement): HTMLTableElement {
@@ -71,12 +76,12 @@ function createOutcome(root: HTMLElement): Draw {
       updateProblem(node, { ...one, severity: one.stops ? "error" : "note" }));
     show(alarms, (outcome?.alarms.length ?? 0) > 0);
     keyed(results, outcome?.results ?? [], (one) => one.name, row(3), (node, one) =>
-      fill(node, [one.name, one.label, fixed(one.value), unitText(one.unit)]));
+      fill(node, [one.name, one.label, figure(one.value, one.unit), unitText(one.unit)]));
     keyed(changes, outcome?.changes ?? [], (one) => one.name, changeRow, (node, one) => {
       const [name] = node.children;
       if (name?.firstElementChild) setText(name.firstElementChild, say(one.label));
       if (name?.lastElementChild) setText(name.lastElementChild, one.name);
-      [fixed(one.before), fixed(one.after), signed(one.after - one.before), unitText(one.unit)].forEach((text, index) => {
+      [figure(one.before, one.unit), figure(one.after, one.unit), signed(one.after - one.before), unitText(one.unit)].forEach((text, index) => {
         const cell = node.children[index + 1];
         if (cell) setText(cell, text);
       });

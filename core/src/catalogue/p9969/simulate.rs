@@ -8,9 +8,10 @@ use crate::run::trace::Step;
 use crate::run::{Machine, Stop};
 use crate::scan::session::too_many;
 use crate::scan::text::{Form, piece};
-use crate::scan::{Cloud, Layout, Scanner, Sent, TOLD};
+use crate::scan::{Cloud, Layout, POINTS, Scanner, Sent, TOLD};
 
-/// What the control does. Of a long scan every motion of the first points is recorded, and their blocks.
+/// What the control does. Of a long scan every motion of the first points is recorded, and their blocks. A form follows only
+/// so many points as a keystroke bears, which is told and no error of the call.
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     let mut scanner = follow::scanner(machine, inputs)?;
     let mut cloud = Cloud::default();
@@ -21,33 +22,50 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     for line in text.lines() {
         machine.record(Step::Sent(line.into()));
     }
-    if all > TOLD {
-        let message = Message::new("decision-p9969-told");
-        let message = message
-            .number("told", TOLD as f64)
-            .number("all", all as f64);
+    if let Some(message) = told(all, outcome.as_ref()) {
         machine.record(Step::Decision(message));
     }
-    if outcome.is_ok() {
+    if outcome == Ok(Reached::End) {
         results(machine, &cloud, &layout);
     }
     machine.send(Sent { cloud, layout });
-    outcome
+    outcome.map(|_| ())
+}
+
+/// How far a scan came.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Reached {
+    End,
+    /// As many points as a form follows.
+    FormLimit,
+}
+
+/// What is not recorded of so many points.
+fn told(all: usize, outcome: Result<&Reached, &Stop>) -> Option<Message> {
+    if outcome == Ok(&Reached::FormLimit) {
+        let message = Message::new("decision-p9969-form");
+        let message = message.number("followed", all as f64);
+        return Some(message.number("most", POINTS as f64));
+    }
+    let message = Message::new("decision-p9969-told").number("told", TOLD as f64);
+    (all > TOLD).then(|| message.number("all", all as f64))
 }
 
 fn scan(
     machine: &mut dyn Machine,
     scanner: &mut dyn Scanner,
     cloud: &mut Cloud,
-) -> Result<(), Stop> {
+) -> Result<Reached, Stop> {
+    let limit = machine.point_limit();
     while let Some(point) = scanner.next(machine)? {
         cloud.push(point);
         machine.quiet(cloud.points().len() >= TOLD);
-        if cloud.points().len() == machine.point_limit() {
-            return Err(too_many(machine.point_limit()));
+        if cloud.points().len() == limit {
+            let form = limit < POINTS;
+            return form.then_some(Reached::FormLimit).ok_or(too_many(limit));
         }
     }
-    Ok(())
+    Ok(Reached::End)
 }
 
 fn results(machine: &mut dyn Machine, cloud: &Cloud, layout: &Layout) {
