@@ -134,13 +134,22 @@ fn explain_knows_cycles_variants_data_and_alarms() {
         result.contains("CYCLE977") && !result.contains("_OVR[5]"),
         "{result}"
     );
+    let finding = explained(&["pw135"]);
+    assert!(
+        finding.starts_with("PW135: No call of this program calibrates probe …: ")
+            && finding.contains("\n  Check that the probe was calibrated"),
+        "{finding}"
+    );
+    let both = explained(&["PW137"]);
+    assert_eq!(both.matches("PW137: ").count(), 3, "{both}");
+    assert!(explained(&["PW317", "--lang", "zh"]).starts_with("PW317: "));
     assert!(explained(&["_CBIT[12]"]).starts_with("_CBIT[12]: "));
     assert!(explained(&["MD18102"]).contains("MM_TYPE_OF_CUTTING_EDGE"));
     assert_eq!(
         explained(&["61341"]),
         out(&probewright(&["alarms", "61341"]))
     );
-    for wrong in [["CYCLE977", "7"], ["_NONE", "1"]] {
+    for wrong in [["CYCLE977", "7"], ["_NONE", "1"], ["PW399", "1"]] {
         let output = probewright(&["explain", wrong[0], wrong[1]]);
         assert_eq!(output.status.code(), Some(2));
         assert!(err(&output).contains(wrong[0]), "{}", err(&output));

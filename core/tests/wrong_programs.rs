@@ -7,10 +7,12 @@
 
 use probewright_core::catalogue::Dialect;
 use probewright_core::control::Control;
-use probewright_core::diagnostic::Diagnostic;
+use probewright_core::diagnostic::{Code, Diagnostic};
 use probewright_core::json::setup_from_json;
 use probewright_core::program::change::apply;
 use probewright_core::program::{findings_on, read};
+use probewright_core::report::findings::finding;
+use probewright_core::words::Words;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -102,6 +104,39 @@ fn every_cure_mends_its_finding() {
         }
     }
     assert!(cured >= 12, "{cured}");
+}
+
+// oracle: self (the sentence that the finding says, with what it found left open)
+#[test]
+fn every_finding_is_one_that_its_number_explains() {
+    let words = Words::english();
+    let mut told = 0;
+    for path in programs() {
+        let program = read(Dialect::Sinumerik, &std::fs::read(&path).unwrap());
+        for one in findings_on(&program, machine(&path)) {
+            let Code::Own(number) = one.code else {
+                continue;
+            };
+            let explained = finding(&format!("PW{number}"), &words);
+            let said = words.text(&one.message);
+            let fits = |line: &str| {
+                let parts = line
+                    .split_once(": ")
+                    .map_or("", |(_, text)| text)
+                    .split('…');
+                let mut rest = Some(said.as_str());
+                for part in parts {
+                    rest = rest
+                        .and_then(|rest| rest.split_once(part))
+                        .map(|(_, rest)| rest);
+                }
+                rest.is_some()
+            };
+            assert!(explained.lines().any(fits), "{said}\n{explained}");
+            told += 1;
+        }
+    }
+    assert!(told > 40, "{told}");
 }
 
 // oracle: hand (`tests/right`: programs as they are meant, of which a colleague has nothing to say)

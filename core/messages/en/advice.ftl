@@ -5,7 +5,8 @@ advice-insert-behind = Insert { $text } behind it
 advice-insert-around = Insert { $before } before it and { $behind } behind it
 advice-write = Write { $name }={ $value } for this call
 
-advice-compensation = Tool radius compensation is on ({ $word }).
+advice-compensation = Tool radius compensation is on: { $word } in line { $line }.
+advice-compensation-pass = Tool radius compensation is on from the pass before: { $word } in line { $line }.
 advice-compensation-hint = The cycle has to be called with G40.
 advice-compensation-open = G40 is not programmed before this call, and the program ends with tool radius compensation on: when it is run again, it may still be active.
 advice-plane = No working plane is programmed before this call: the machine's reset state decides in which axes is measured.

@@ -13,3 +13,7 @@ syntax-depth = Brackets and operators are nested too deeply.
 syntax-comment = A comment is not closed.
 syntax-too-large = The program is too large; the rest was not read.
 syntax-exponent = The control writes an exponent as EX, for example 1.5EX-3.
+block-twice = { $word } is programmed twice in this block: the control stops there.
+block-twice-hint = Write one of them, or give each a block of its own.
+block-axis-name = { $word } is an axis: a variable cannot have its name.
+block-axis-name-hint = Choose a name that begins with two letters or an underscore.

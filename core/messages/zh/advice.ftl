@@ -5,7 +5,8 @@ advice-insert-behind = 在后面插入 { $text }
 advice-insert-around = 在前面插入 { $before }，在后面插入 { $behind }
 advice-write = 为此调用写 { $name }={ $value }
 
-advice-compensation = 刀具半径补偿有效（{ $word }）。
+advice-compensation = 刀具半径补偿有效：第 { $line } 行的 { $word }。
+advice-compensation-pass = 刀具半径补偿自上一次循环起有效：第 { $line } 行的 { $word }。
 advice-compensation-hint = 调用循环时必须为 G40。
 advice-compensation-open = 此调用之前没有编程 G40，而程序结束时刀具半径补偿仍接通：再次运行时补偿可能仍然有效。
 advice-plane = 此调用之前没有编程工作平面：在哪些轴上测量由机床的复位状态决定。

@@ -14,3 +14,7 @@ syntax-depth = 括号和运算符嵌套太深。
 syntax-comment = 注释没有闭合。
 syntax-too-large = 程序太大，其余部分没有读取。
 syntax-exponent = 控制系统的指数写作 EX，例如 1.5EX-3。
+block-twice = 此程序段中 { $word } 编程了两次：控制系统会在此处停止。
+block-twice-hint = 只写一个，或分别写入各自的程序段。
+block-axis-name = { $word } 是轴：变量不能使用此名称。
+block-axis-name-hint = 请使用以两个字母或下划线开头的名称。

@@ -1,8 +1,10 @@
 //! What is wrong in a program, without running it.
 
 use super::advice::advice;
+use super::block_rules::block_rules;
 use super::calls::{CallSite, calls_on};
 use super::tree::{Program, SyntaxError};
+use crate::catalogue::Dialect;
 use crate::control::{Control, delivery};
 use crate::diagnostic::{Code, Diagnostic, Severity};
 use crate::message::Message;
@@ -25,11 +27,15 @@ pub fn findings_on(program: &Program, control: Control) -> Vec<Diagnostic> {
 /// The same where the calls of the program on this control are known already.
 pub fn findings_of(program: &Program, sites: &[CallSite], control: &Control) -> Vec<Diagnostic> {
     let syntax = program.errors.iter().map(not_understood);
+    let blocks = match program.dialect {
+        Dialect::Sinumerik => block_rules(program),
+        Dialect::Nct => Vec::new(),
+    };
     let advice = advice(program, sites, control);
     let calls = sites
         .iter()
         .flat_map(|site| site.diagnostics.iter().cloned());
-    let mut found: Vec<Diagnostic> = syntax.chain(calls).chain(advice).collect();
+    let mut found: Vec<Diagnostic> = syntax.chain(blocks).chain(calls).chain(advice).collect();
     found.sort_by_key(|finding| (start(finding), finding.severity));
     once(found)
 }

@@ -4,6 +4,7 @@ mod advice;
 mod arguments;
 mod arrivals;
 mod block;
+mod block_rules;
 mod bytes;
 pub mod calls;
 pub mod change;

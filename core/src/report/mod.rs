@@ -5,6 +5,8 @@ pub mod alarms;
 #[cfg(feature = "cli")]
 pub mod explain;
 #[cfg(feature = "cli")]
+pub mod findings;
+#[cfg(feature = "cli")]
 mod help;
 #[cfg(feature = "cli")]
 pub mod machine;

@@ -35,7 +35,8 @@ enum Command {
         #[arg(long)]
         json: bool,
     },
-    /// Explain a cycle, an alarm, a parameter, a result or a datum of the machine, for example CYCLE977, 61303 or _SZA
+    /// Explain a cycle, an alarm, a finding, a parameter, a result or a datum of the machine, for example CYCLE977, 61303,
+    /// PW135 or _SZA
     Explain {
         /// Its name or number
         name: String,

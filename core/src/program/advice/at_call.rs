@@ -63,8 +63,15 @@ pub fn look(seen: &Seen, asked: &mut Asked, found: &mut Vec<Diagnostic>) {
 
 /// Tool radius compensation has to be off (B:654).
 fn compensation(seen: &Seen) -> Option<Diagnostic> {
-    let code = seen.force.compensation.is().filter(|code| **code != 40)?;
-    let message = Message::new("advice-compensation").text("word", format!("G{code}"));
+    let on = seen.force.compensation.is().filter(|on| on.code != 40)?;
+    let key = if seen.comes_back(on.at) {
+        "advice-compensation-pass"
+    } else {
+        "advice-compensation"
+    };
+    let message = Message::new(key)
+        .text("word", format!("G{}", on.code))
+        .number("line", f64::from(seen.program.line_of(on.at.start) + 1));
     let finding = error(Code::Own(130), message).hint(Message::new("advice-compensation-hint"));
     Some(with_line(finding, seen, "G40"))
 }

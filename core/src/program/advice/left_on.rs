@@ -63,8 +63,8 @@ impl Follow for Rules<'_> {
     }
 
     fn end(&mut self, state: &State) {
-        self.left_on |= match state.compensation {
-            Mode::Is(code) => code != 40,
+        self.left_on |= match &state.compensation {
+            Mode::Is(compensation) => compensation.code != 40,
             Mode::Open => true,
             Mode::Unset => false,
         };

@@ -20,7 +20,7 @@ use crate::check::{self, Inputs, Typed};
 use crate::control::Control;
 use crate::diagnostic::{Cure, Diagnostic, Edit, Span};
 use crate::message::Message;
-use crate::run::programs::programs;
+use crate::run::programs::{Programs, programs};
 
 /// What the rules look at: a call, what is in force there, what it means.
 struct Seen<'a> {
@@ -40,6 +40,18 @@ struct Seen<'a> {
     /// Values on it.
     values: &'a Typed,
     inputs: Inputs,
+    programs: &'a Programs,
+}
+
+impl Seen<'_> {
+    /// Whether a place lies behind the call in the same program: what it puts in force comes back with the next pass.
+    fn comes_back(&self, place: Span) -> bool {
+        let block = |at: Span| self.program.line_of(at.start) as usize;
+        let (place, call) = (block(place), block(self.site.span));
+        let mut units = self.programs.units.iter();
+        place > call
+            && units.any(|unit| unit.blocks.contains(&place) && unit.blocks.contains(&call))
+    }
 }
 
 /// Findings about the measuring calls of a program that starts on a control in this state.
@@ -74,6 +86,7 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
             tool: way.tool,
             values,
             inputs: check::read(site.cycle, values, &at_call, &mut Vec::new()),
+            programs: &programs,
         };
         at_call::look(&seen, &mut asked, &mut found);
         read_back::look(&seen, &at_call, &mut found);

@@ -2,6 +2,7 @@
 
 use super::state::{Mode, State, Tool};
 use crate::control::Transverse;
+use crate::diagnostic::Span;
 use crate::program::fold::{self, Known, Nothing};
 use crate::program::tree::{Expr, ExprId, Program, Word, WordKind};
 
@@ -66,7 +67,7 @@ impl<'a> Forces<'a> {
                 let number = |value| self.whole(value, known);
                 match self.program.text(*name) {
                     b"D" | b"d" => state.correct(number(*value).map_or(Mode::Open, Mode::Is)),
-                    b"G" | b"g" => function(state, number(*value)),
+                    b"G" | b"g" => function(state, number(*value), word.span),
                     b"M" | b"m" if extension.is_none() => {
                         number(*value)
                             .into_iter()
@@ -94,9 +95,9 @@ impl<'a> Forces<'a> {
     }
 }
 
-fn function(state: &mut State, code: Option<i64>) {
+fn function(state: &mut State, code: Option<i64>, at: Span) {
     if let Some(code) = code.and_then(|code| u16::try_from(code).ok()) {
-        state.function(code);
+        state.function(code, at);
     }
 }
 

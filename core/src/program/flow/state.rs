@@ -1,6 +1,7 @@
 //! What is in force at a place of a program, as far as its text tells.
 
 use crate::control::{Plane, Transverse};
+use crate::diagnostic::Span;
 
 /// One thing that is in force.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -46,13 +47,28 @@ pub enum Tool {
     Name(String),
 }
 
+/// A function of tool radius compensation, and where it is programmed: two places of the same function leave the same state.
+#[derive(Clone, Copy, Debug)]
+pub struct Compensation {
+    /// 40, 41 or 42.
+    pub code: u16,
+    /// Its word.
+    pub at: Span,
+}
+
+impl PartialEq for Compensation {
+    fn eq(&self, other: &Self) -> bool {
+        self.code == other.code
+    }
+}
+
 /// State at a place of the program.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct State {
     /// G17, G18 or G19.
     pub plane: Mode<Plane>,
     /// G40, G41 or G42.
-    pub compensation: Mode<u16>,
+    pub compensation: Mode<Compensation>,
     /// G500, G54 to G57, G505 to G599.
     pub frame: Mode<u16>,
     /// DIAMON, DIAMOF, DIAM90.
@@ -147,11 +163,11 @@ impl State {
         }
     }
 
-    /// A G function.
-    pub fn function(&mut self, code: u16) {
+    /// A G function, and its place.
+    pub fn function(&mut self, code: u16, at: Span) {
         match code {
             17..=19 => self.plane = Plane::of(code).map_or(Mode::Open, Mode::Is),
-            40..=42 => self.compensation = Mode::Is(code),
+            40..=42 => self.compensation = Mode::Is(Compensation { code, at }),
             70 | 71 | 700 | 710 => self.units = Mode::Is(code),
             54..=57 | 500 | 505..=599 => self.frame = Mode::Is(code),
             _ => {}

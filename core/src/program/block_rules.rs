@@ -1,0 +1,107 @@
+//! What a block of SINUMERIK may not say although each of its words is understood.
+
+use super::tree::{Program, Word, WordKind};
+use crate::check::{Finding, error};
+use crate::diagnostic::{Code, Diagnostic, Span};
+use crate::message::Message;
+
+/// Addresses that a block takes once, so that it says one thing: all that are no function, no block number, no parameter
+/// and no repetition. With an extension (`S1=500`) they are others.
+const ONCE: &[u8] = b"ABCDFIJKSTUVWXYZ";
+
+/// Axes that every machine has: no variable takes their names.
+const AXES: [&str; 3] = ["X", "Y", "Z"];
+
+/// An address is programmed twice in a block.
+const TWICE: Code = Code::Own(101);
+/// A variable has the name of an axis.
+const AXIS_NAME: Code = Code::Own(102);
+
+/// Findings about all blocks.
+pub(super) fn block_rules(program: &Program) -> Vec<Diagnostic> {
+    let mut found = Vec::new();
+    for block in &program.blocks {
+        let mut seen = 0_u32;
+        for word in program.words_of(block) {
+            if let Some((place, span)) = once(program, word) {
+                if seen & (1 << place) != 0 {
+                    found.push(at(TWICE, "block-twice", program, span, word.span));
+                }
+                seen |= 1 << place;
+            } else if let WordKind::Declare { name, .. } = word.kind
+                && AXES.iter().any(|axis| program.is(name, axis))
+            {
+                found.push(at(AXIS_NAME, "block-axis-name", program, name, name));
+            }
+        }
+    }
+    found
+}
+
+/// The place in `ONCE` of an address, and its letter.
+fn once(program: &Program, word: &Word) -> Option<(usize, Span)> {
+    let WordKind::Address {
+        name,
+        extension: None,
+        ..
+    } = word.kind
+    else {
+        return None;
+    };
+    let [letter] = program.text(name) else {
+        return None;
+    };
+    let place = ONCE.iter().position(|one| letter.eq_ignore_ascii_case(one));
+    place.map(|place| (place, name))
+}
+
+fn at(code: Code, key: &'static str, program: &Program, name: Span, span: Span) -> Diagnostic {
+    let message = Message::new(key).text("word", program.name(name));
+    let finding = error(code, message).hint(Message::new(format!("{key}-hint")));
+    Diagnostic {
+        span: Some(span),
+        ..finding
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalogue::Dialect;
+    use crate::program::read;
+
+    // oracle: hand (the control takes an address once a block, functions and extended addresses as often as they say
+    // something else; a variable has no name of an axis)
+    #[test]
+    fn what_a_block_may_not_say_is_told_at_its_place() {
+        let told = |text: &str| {
+            let program = read(Dialect::Sinumerik, text.as_bytes());
+            let found = block_rules(&program).into_iter();
+            let place = |one: Diagnostic| {
+                let span = one.span.unwrap_or_default();
+                let text = String::from_utf8_lossy(program.text(span)).into_owned();
+                (one.code, text)
+            };
+            found.map(place).collect::<Vec<_>>()
+        };
+        for (text, code, word) in [
+            ("G0 X1 Y2 X3", TWICE, "X3"),
+            ("N10 G1 X=R1 x=IC(5)", TWICE, "x=IC(5)"),
+            ("T1 D1 T2", TWICE, "T2"),
+            ("DEF REAL X", AXIS_NAME, "X"),
+            ("DEF INT _A, y=3", AXIS_NAME, "y"),
+        ] {
+            assert_eq!(told(text), [(code, word.to_owned())], "{text}");
+        }
+        for text in [
+            "G0 G90 M3 M8 X1 Y2",
+            "S1=500 S2=300 S700",
+            "R1=1 R1=2",
+            "X1\nX2",
+            "POS[X]=1 POS[Y]=2",
+            "DEF REAL XY, _X, I",
+        ] {
+            assert_eq!(told(text), [], "{text}");
+        }
+    }
+}
