@@ -9,6 +9,7 @@ use probewright_core::control::Plane;
 use probewright_core::program::read;
 use probewright_core::run::trace::Step;
 use probewright_core::run::{Limits, Outcome, Session, Setup, Stop, run};
+use probewright_core::workpiece::Shape;
 use running::{clean_on, go_on, machine};
 
 const CALL: &str = "_MVAR=100 _KNUM=0 _MA=3 _SETVAL=0 _FA=5 _TSA=4 _TUL=3 _TLL=-3\n";
@@ -148,6 +149,37 @@ fn what_ends_is_not_called_endless() {
     let waiting = "#3001=0\nWHILE [#3001 LT 200] DO1\nEND1\nM30";
     let outcome = ran(&setup, Dialect::Nct, waiting, Limits::default());
     assert_eq!(outcome.stop, None);
+}
+
+/// A hole of 40 mm that leans by 0.1 degree, the ball 0.1 mm from its wall: no bound tells a whole circle free there.
+fn leaning() -> Setup {
+    let mut setup = measuring();
+    let mut hole = running::block();
+    hole.shape = Shape::Hole {
+        diameter: 40.0,
+        depth: 30.0,
+    };
+    hole.errors.tilt = [0.1, 0.0, 0.0];
+    setup.workpiece.solids = vec![hole];
+    setup.position = [16.9, 0.0, -10.0];
+    setup
+}
+
+// oracle: hand: three blocks a pass, and the circle counts as more; without a loop as many as before may be driven twice
+#[test]
+fn circles_close_to_a_wall_count_as_several_blocks_in_a_loop() {
+    let circle = "G2 X=IC(0) Y=IC(0) I-16.9 J0 F1000\n";
+    let limits = Limits {
+        steps: 1_000,
+        ..Limits::default()
+    };
+    let again = |text: &str| ran(&leaning(), Dialect::Sinumerik, text, limits);
+    let outcome = again(&format!("A: R1=R1+1\n{circle}GOTOB A"));
+    assert_eq!(key(&outcome), "run-steps");
+    let circles = outcome.trace.entries.len() / 2;
+    assert!((20..170).contains(&circles), "{circles}");
+    let once = again(&format!("{}M30", circle.repeat(2 * circles)));
+    assert_eq!(once.stop, None);
 }
 
 // oracle: definition: a run in pieces is the run

@@ -1,11 +1,8 @@
 //! A way round an axis: an arc, or with a climb along the axis a helix.
 
 use super::V3;
+use super::stretch::Stretch;
 use nalgebra::{Rotation3, Unit};
-
-/// Degrees of a piece of an arc that is short enough to be taken for a straight line: on a radius of 100 mm they are
-/// 0.04 mm apart.
-const PIECE: f64 = 3.0;
 
 /// How a way between two points goes round an axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,9 +52,27 @@ impl Around {
         (start.norm() * self.degrees.to_radians()).hypot(top - height)
     }
 
-    /// How many pieces are short enough to be taken for straight lines.
-    pub fn pieces(&self) -> usize {
-        (self.degrees.abs() / PIECE).ceil().max(1.0) as usize
+    /// The way between two parts of it, 0 to 1.
+    pub fn stretch(&self, from: [f64; 3], to: [f64; 3], [begin, end]: [f64; 2]) -> Stretch {
+        let axis = V3::from(self.axis);
+        let [(start, height), (last, top)] = [from, to].map(|point| self.split(point));
+        let angle = self.degrees.to_radians();
+        let (sine, cosine) = (angle * begin).sin_cos();
+        let between = |a: f64, b: f64| [begin, end].map(|part| a + part * (b - a));
+        Stretch::round(
+            V3::from(self.centre),
+            axis,
+            start * cosine + axis.cross(&start) * sine,
+            angle * (end - begin),
+            between(start.norm(), last.norm()),
+            between(height, top),
+        )
+    }
+
+    /// Distance from the axis, where that is greatest, mm.
+    pub fn radius(&self, from: [f64; 3], to: [f64; 3]) -> f64 {
+        let [start, end] = [from, to].map(|point| self.split(point).0.norm());
+        start.max(end)
     }
 
     /// The same way in coordinates to which `map` takes a point; none where it is no circle there: the axes have
@@ -131,7 +146,6 @@ mod tests {
         ] {
             let arc = Around { degrees, ..ABOUT };
             near(arc.end(from, 0.0), end);
-            assert_eq!(arc.pieces(), (degrees.abs() / 3.0) as usize);
             for part in [0.0, 0.1, 0.5, 0.9, 1.0] {
                 let [x, y, z] = arc.at(from, end, part);
                 assert!(((x - 5.0_f64).hypot(y - 2.0) - 10.0).abs() < 1e-9);
@@ -158,6 +172,22 @@ mod tests {
         near(ABOUT.at(from, beside, 1.0), beside);
         let [x, y, _] = ABOUT.at(from, beside, 0.5);
         assert!(((x - 5.0_f64).hypot(y - 2.0) - 10.005).abs() < 1e-9);
+    }
+
+    // oracle: self: a stretch is where the way is
+    #[test]
+    fn a_stretch_lies_on_its_way() {
+        for degrees in [90.0, -200.0, 800.0] {
+            let arc = Around { degrees, ..ABOUT };
+            let from = [15.0, 2.0, 7.0];
+            let [x, y, _] = arc.end(from, 0.0);
+            let to = [5.0 + 1.001 * (x - 5.0), 2.0 + 1.001 * (y - 2.0), 9.0];
+            let stretch = arc.stretch(from, to, [0.25, 0.75]);
+            for part in [0.0, 0.3, 1.0] {
+                let place = arc.at(from, to, 0.25 + part / 2.0);
+                near(stretch.at(part).into(), place);
+            }
+        }
     }
 
     // oracle: hand: what is mirrored goes round the other way; an ellipse is no circle

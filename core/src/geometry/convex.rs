@@ -60,6 +60,12 @@ fn parted(moving: &impl Convex, other: &impl Convex, moved: &V3) -> Option<(f64,
     widest.filter(|(gap, ..)| *gap > 0.0)
 }
 
+/// The direction across the gap between two bodies, of which the first is moved so far: a unit vector towards it; none
+/// where they touch or overlap.
+pub fn normal(moving: &impl Convex, other: &impl Convex, moved: &V3) -> Option<V3> {
+    parted(moving, other, moved).map(|(.., normal)| normal)
+}
+
 /// First contact of a body that moves along the path, from where it stands; the path tells direction and length only.
 pub fn first(moving: &impl Convex, other: &impl Convex, path: &Path) -> Option<Meeting> {
     let mut way = 0.0;

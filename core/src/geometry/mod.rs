@@ -17,6 +17,8 @@ pub mod rigid;
 pub mod rod;
 pub mod roots;
 pub mod segment;
+pub mod stretch;
+pub mod swept;
 pub mod triangle;
 pub mod wall;
 

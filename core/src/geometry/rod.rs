@@ -191,7 +191,8 @@ fn at_wall(wall: &Wall, rod: &Rod, path: &Path) -> Option<Met> {
 fn at_circle(circle: &Circle, rod: &Rod, path: &Path) -> Option<Met> {
     let on = |angle: f64| circle_at(circle, angle);
     if rod.up.xy().norm() >= PARALLEL {
-        return around(|angle| at_point(&on(angle), 0.0, rod, path));
+        let first = |angle: f64, path: &Path| at_point(&on(angle), 0.0, rod, path);
+        return around(path, circle.radius, first);
     }
     let from = rod.foot.xy();
     if from.norm() > circle.radius {
@@ -228,7 +229,7 @@ fn circle_at(circle: &Circle, angle: f64) -> V3 {
 
 /// With a wall that is out of round: its lines from rim to rim, and the ends of those.
 fn at_lobes(LobedWall { lobes, depth }: &LobedWall, rod: &Rod, path: &Path) -> Option<Met> {
-    around(|angle| {
+    around(path, lobes.radius, |angle, path| {
         let [top, bottom] = line(lobes, *depth, angle);
         let edge = at_edge(&top, &bottom, rod, path);
         let ends = [top, bottom].into_iter();
@@ -246,9 +247,16 @@ fn line(lobes: &Lobes, depth: f64, angle: f64) -> [V3; 2] {
     })
 }
 
-/// The earliest contact with what stands in all directions about an axis, by its angle in radians.
-pub fn around(first: impl Fn(f64) -> Option<Met>) -> Option<Met> {
+/// The earliest contact with what stands in all directions about an axis, `radius` mm from it, by its angle in radians.
+/// Between two directions it comes sooner than in them: these are followed so far beyond the end of the path as they are
+/// apart.
+pub fn around(path: &Path, radius: f64, first: impl Fn(f64, &Path) -> Option<Met>) -> Option<Met> {
     let pitch = TAU / AROUND as f64;
+    let beyond = Path {
+        length: path.length + pitch * radius,
+        ..*path
+    };
+    let first = |angle: f64| first(angle, &beyond);
     let looked = (0..AROUND).map(|step| step as f64 * pitch);
     let found = looked.filter_map(|angle| first(angle).map(|met| (angle, met)));
     let (angle, mut best) = found.min_by(|(_, a), (_, b)| a.way.total_cmp(&b.way))?;
@@ -264,7 +272,7 @@ pub fn around(first: impl Fn(f64) -> Option<Met>) -> Option<Met> {
         }
         best = earliest([Some(best), left, right].into_iter().flatten())?;
     }
-    Some(best)
+    (best.way <= path.length).then_some(best)
 }
 
 /// First contact of the foot, which is flat, with what stands out from a boundary below it.
@@ -273,7 +281,7 @@ pub fn first_below(feature: &Feature, rod: &Rod, path: &Path) -> Option<Met> {
     if closing <= CLOSING {
         return None;
     }
-    let below = |point: V3| {
+    let below = |point: V3, path: &Path| {
         let gap = (rod.foot - point).dot(&rod.up);
         let reached = gap / closing;
         let axis = rod.foot + path.direction * reached;
@@ -284,18 +292,21 @@ pub fn first_below(feature: &Feature, rod: &Rod, path: &Path) -> Option<Met> {
             normal: rod.up,
         })
     };
-    let turned = |on: &dyn Fn(f64) -> V3| around(|angle| below(on(angle)));
+    let turned = |radius: f64, on: &dyn Fn(f64) -> V3| {
+        around(path, radius, |angle, path| below(on(angle), path))
+    };
     match feature {
         Feature::Quad(_) | Feature::Wall(_) => None,
-        Feature::Point(corner) => below(*corner),
+        Feature::Point(corner) => below(*corner, path),
         Feature::Segment(Segment { a, b }) => {
             let parts = (0..=AROUND).map(|step| step as f64 / AROUND as f64);
-            earliest(parts.filter_map(|part| below(a + (b - a) * part)))
+            earliest(parts.filter_map(|part| below(a + (b - a) * part, path)))
         }
-        Feature::Sphere(radius) => below(rod.up * *radius),
-        Feature::Circle(circle) => turned(&|angle| circle_at(circle, angle)),
+        Feature::Sphere(radius) => below(rod.up * *radius, path),
+        Feature::Circle(circle) => turned(circle.radius, &|angle| circle_at(circle, angle)),
         Feature::Lobed(LobedWall { lobes, depth }) => {
-            let rims = [0, 1].map(|rim| turned(&|angle| line(lobes, *depth, angle)[rim]));
+            let on = |angle: f64| line(lobes, *depth, angle);
+            let rims = [0, 1].map(|rim| turned(lobes.radius, &|angle| on(angle)[rim]));
             earliest(rims.into_iter().flatten())
         }
     }

@@ -21,7 +21,8 @@ use std::rc::Rc;
 /// When a run is given up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
-    /// Work: blocks carried out; a long block and a block that writes many elements count as several.
+    /// Work: blocks carried out; a long block, a block that writes many elements and, in a loop, one that moves close to
+    /// the part count as several.
     pub steps: usize,
     /// Levels of subprograms (a SINUMERIK has 12 with the main program).
     pub depth: usize,
@@ -83,6 +84,8 @@ pub struct Interpreter {
     pub clock_asked: Cell<bool>,
     /// What shows that the program never ends.
     pub endless: Watch,
+    /// Blocks whose motions took long, by the block of the call of their program and their own.
+    pub heavy: BTreeSet<(usize, usize)>,
     /// How often the measuring calls were carried out, by the blocks of the call of their program and of their own.
     pub calls: BTreeMap<(usize, usize), usize>,
     /// How often one of them may be.
@@ -94,6 +97,9 @@ pub struct Interpreter {
 
 /// Characters of a block that count as one block's work.
 const BLOCK: u32 = 100;
+
+/// How much of what is looked at takes as long as a block; see [`Route::search`](super::route::Route::search).
+const EFFORT: usize = 20;
 
 /// Where a run goes on after a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -192,7 +198,9 @@ fn next_block(run: &mut Interpreter) -> Result<Option<()>, Stop> {
     run.sim.line = Some(at as u32);
     run.work += 1 + ((span.end - span.start) / BLOCK) as usize;
     let depth = run.levels.len();
+    let place = (run.levels.last().map_or(0, |level| level.call), at);
     let next = statement::block(run, at);
+    weigh(run, place);
     if run.sim.stylus_touched() {
         run.tell(Severity::Warning, &Problem::new("run-stylus", span, ""));
     }
@@ -208,6 +216,15 @@ fn next_block(run: &mut Interpreter) -> Result<Option<()>, Stop> {
         return Err(run.fail(Problem { span, message }));
     }
     Ok(end)
+}
+
+/// Arcs close to the part take long, and so does any motion among many solids. In a loop they count as more blocks, so that
+/// one without end is found soon; a long program drives each of them once.
+fn weigh(run: &mut Interpreter, place: (usize, usize)) {
+    let effort = run.sim.effort() / EFFORT;
+    if effort > 0 && !run.heavy.insert(place) {
+        run.work += effort;
+    }
 }
 
 /// Takes the next block; some: there is none.
@@ -248,6 +265,7 @@ impl Interpreter {
             clocks: [0.0; 2],
             clock_asked: Cell::new(false),
             endless: Watch::default(),
+            heavy: BTreeSet::new(),
             calls: BTreeMap::new(),
             most_calls: limits.calls,
             limit: limits.steps,

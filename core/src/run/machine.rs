@@ -1,7 +1,7 @@
 //! The simulated machine: moves the probe among the solids and records what happens.
 
 use super::in_use::InUse;
-use super::route::{Obstacle, Route, add};
+use super::route::{LOOK, Obstacle, Route, add};
 use super::trace::{Entry, MotionKind, Step, Trace};
 use super::{Machine, Setup, Stop};
 use crate::catalogue::{Dialect, nct};
@@ -64,6 +64,9 @@ pub struct Sim {
     touching: bool,
     /// Whether the stylus touched instead of the ball since this was last asked for.
     stylus_touched: bool,
+    /// What was looked at on arcs, and in each motion of a part of several solids, since this was last asked for; see
+    /// [`Route::search`].
+    effort: usize,
 }
 
 impl Sim {
@@ -91,6 +94,7 @@ impl Sim {
             watched: 0.0,
             touching: true,
             stylus_touched: false,
+            effort: 0,
         }
     }
 
@@ -212,6 +216,11 @@ impl Sim {
     /// Whether the stylus touched instead of the ball since the last question.
     pub fn stylus_touched(&mut self) -> bool {
         std::mem::take(&mut self.stylus_touched)
+    }
+
+    /// How much was looked at since the last question, beyond what any motion takes.
+    pub fn effort(&mut self) -> usize {
+        std::mem::take(&mut self.effort)
     }
 
     /// Goes on behind a signal to the end of the motion: the stylus gives way (`MEAW`).
@@ -336,13 +345,12 @@ impl Sim {
     }
 
     /// Whether a motion may begin: the trace has room, the axes may take all its positions.
-    fn admit(&self, way: &Route) -> Result<(), Stop> {
+    fn admit(&mut self, way: &Route) -> Result<(), Stop> {
         self.room()?;
+        self.effort += LOOK * self.part.solids().saturating_sub(1);
         let problem = if !way.to.iter().all(|value| value.is_finite()) {
             Message::new("run-not-finite")
-        } else if self.control.limits.any()
-            && !way.ends().all(|end| self.control.within_limits(end))
-        {
+        } else if !way.within_limits(&self.control) {
             Message::new("run-limit")
         } else {
             return Ok(());
@@ -364,8 +372,9 @@ impl Sim {
     }
 
     /// Where a motion is stopped by the part.
-    fn obstacle(&self, way: &Route) -> Option<Obstacle> {
-        way.obstacle(&self.part, &self.feeler(), self.ball())
+    fn obstacle(&mut self, way: &Route) -> Option<Obstacle> {
+        let (feeler, ball) = (self.feeler(), self.ball());
+        way.obstacle(&self.part, &feeler, ball, &mut self.effort)
     }
 
     /// What of the probe can touch, as it stands.

@@ -38,6 +38,8 @@ pub mod problem;
 pub mod programs;
 pub mod repeat;
 pub mod route;
+#[cfg(test)]
+mod route_tests;
 mod set_alarm;
 pub mod setup;
 pub mod statement;

@@ -1,9 +1,22 @@
 //! The way of one motion, straight or round an axis, and what stops the probe on it. Machine coordinates, mm.
 
+use crate::control::Control;
 use crate::geometry::arc::Around;
-use crate::geometry::{TOLERANCE, roots};
+use crate::geometry::stretch::Stretch;
+use crate::geometry::{TOLERANCE, V3, roots};
 use crate::workpiece::contact::{Boundary, Contact};
 use crate::workpiece::feeler::{Feeler, Touching};
+
+/// How far a stretch of an arc that counts as straight may be from its chord, mm.
+const FLAT: f64 = 1e-5;
+/// Radian that such a stretch has at most.
+const ROUND: f64 = 0.5;
+/// Looks after which longer stretches will do, so that a way that grazes the part all along comes to an end.
+const LOOKS: usize = 4096;
+/// Radian of these: 3 degree.
+const COARSE: f64 = 3.0 / 180.0 * std::f64::consts::PI;
+/// How many stretches that are only held against boxes cost as much as one that is looked at.
+pub const LOOK: usize = 4;
 
 /// From where to where, and how.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -74,10 +87,30 @@ impl Route {
         }
     }
 
-    /// Ends of pieces that are straight, or short enough to be taken for it.
-    pub fn ends(&self) -> impl Iterator<Item = [f64; 3]> {
-        let count = self.around.map_or(1, |around| around.pieces());
-        (1..=count).map(move |piece| self.at(piece as f64 / count as f64))
+    /// What lies between two parts of it, 0 to 1, seen so far away.
+    fn stretch(&self, parts: [f64; 2], shift: [f64; 3]) -> Stretch {
+        let stretch = match &self.around {
+            Some(around) => around.stretch(self.from, self.to, parts),
+            None => {
+                let [from, to] = parts.map(|part| V3::from(self.at(part)));
+                Stretch::straight(from, to)
+            }
+        };
+        stretch.moved(&shift.into())
+    }
+
+    /// Whether all its places are within the software limit switches; of a straight way its end, as it may lead back.
+    pub fn within_limits(&self, control: &Control) -> bool {
+        if !control.limits.any() {
+            return true;
+        }
+        if self.around.is_none() {
+            return control.within_limits(self.to);
+        }
+        let stretch = self.stretch([0.0, 1.0], [0.0; 3]);
+        let bounds = [V3::x(), V3::y(), V3::z()].map(|axis| stretch.along(&axis));
+        let corner = |side: usize| bounds.map(|bounds| bounds[side]);
+        control.within_limits(corner(0)) && control.within_limits(corner(1))
     }
 
     /// The first part of it, as far as this place.
@@ -93,14 +126,23 @@ impl Route {
         }
     }
 
-    /// Where the probe meets the part, whose ball has its centre `shift` away from the positions of the way.
-    pub fn obstacle(&self, part: &Boundary, probe: &Feeler, shift: [f64; 3]) -> Option<Obstacle> {
-        let ball = self.stops_ball(part, probe.radius, shift);
+    /// Where the probe meets the part, whose ball has its centre `shift` away from the positions of the way. How much had
+    /// to be looked at for that is added to `effort`: see [`Route::search`].
+    pub fn obstacle(
+        &self,
+        part: &Boundary,
+        probe: &Feeler,
+        shift: [f64; 3],
+        effort: &mut usize,
+    ) -> Option<Obstacle> {
+        let mut looked = 0;
+        let ball = self.stops_ball(part, probe, shift, &mut looked);
         let free = ball.map_or(*self, |met| self.until(met.part, met.stop));
+        let caught = free.catches(part, probe, shift, &mut looked);
+        *effort += looked * part.solids();
         let Some(ball) = ball else {
-            return free.catches(part, probe, shift);
+            return caught;
         };
-        let caught = free.catches(part, probe, shift);
         let before = caught.filter(|met| (1.0 - met.part) * free.length() > TOLERANCE);
         let before = before.map(|met| Obstacle {
             part: met.part * ball.part,
@@ -109,53 +151,93 @@ impl Route {
         before.or(Some(ball))
     }
 
-    /// Where the ball meets the part.
-    ///
-    /// An arc is looked at piece by piece; what lies farther away than the ball can come is passed at once.
-    fn stops_ball(&self, part: &Boundary, radius: f64, shift: [f64; 3]) -> Option<Obstacle> {
+    /// What is met first. An arc is halved again and again: a stretch is left out where `near` is sure that nothing can be
+    /// met on it, and `look` sees the others between two parts of the way, in their order, when they are as good as
+    /// straight. Each stretch counts as one in `effort`, and one that is looked at as `LOOK`.
+    pub fn search<T>(
+        &self,
+        shift: [f64; 3],
+        effort: &mut usize,
+        near: impl Fn(&Stretch) -> bool,
+        mut look: impl FnMut([f64; 2]) -> Option<T>,
+    ) -> Option<T> {
         let Some(around) = &self.around else {
-            return straight(part, radius, self.from, self.to, shift);
+            return look([0.0, 1.0]);
         };
-        let (piece, length) = (1.0 / around.pieces() as f64, self.length());
-        let mut done = 0.0;
-        while done < 1.0 {
-            let from = self.at(done);
-            let free = part.distance(add(from, shift, 1.0)) - radius;
-            let next = (done + (free / length).max(piece)).min(1.0);
-            if free < piece * length
-                && let Some(met) = straight(part, radius, from, self.at(next), shift)
-            {
-                return Some(self.on_arc(part, radius, shift, [done, next], met));
+        let radius = around.radius(self.from, self.to);
+        let mut waiting = vec![[0.0, 1.0]];
+        let mut looks = 0;
+        while let Some([begin, end]) = waiting.pop() {
+            *effort += 1;
+            if !near(&self.stretch([begin, end], shift)) {
+                continue;
             }
-            done = next;
+            let angle = (around.degrees * (end - begin)).to_radians().abs();
+            let flat = radius * angle * angle / 8.0 <= FLAT && angle <= ROUND;
+            if flat || (looks >= LOOKS && angle <= COARSE) {
+                (looks, *effort) = (looks + 1, *effort + LOOK);
+                if let Some(met) = look([begin, end]) {
+                    return Some(met);
+                }
+                continue;
+            }
+            let middle = (begin + end) / 2.0;
+            waiting.extend([[middle, end], [begin, middle]]);
         }
         None
     }
 
-    /// Where stylus or body of the probe meet the part on a way that is free for the ball; on an arc to its pieces.
-    fn catches(&self, part: &Boundary, probe: &Feeler, shift: [f64; 3]) -> Option<Obstacle> {
-        let mut from = self.from;
-        let count = self.ends().count() as f64;
-        for (piece, to) in self.ends().enumerate() {
-            let ball = add(from, shift, 1.0);
-            if let Some(met) = probe.caught(part, ball, add(to, shift, 1.0)) {
-                let stop = add(from, add(to, from, -1.0), met.part);
-                return Some(Obstacle {
-                    part: (piece as f64 + met.part) / count,
-                    stop,
-                    ball: add(stop, shift, 1.0),
-                    point: met.point,
-                    normal: met.normal,
-                    by: met.by,
-                });
+    /// Where the ball meets the part. One that reaches into the part at the start may leave it.
+    fn stops_ball(
+        &self,
+        part: &Boundary,
+        probe: &Feeler,
+        shift: [f64; 3],
+        effort: &mut usize,
+    ) -> Option<Obstacle> {
+        let mut leaving: Option<(f64, Obstacle)> = None;
+        let near = |stretch: &Stretch| probe.ball_may_meet(part, stretch);
+        let met = self.search(shift, effort, near, |[begin, end]| {
+            let [from, to] = [begin, end].map(|part| self.at(part));
+            let before = leaving.take().filter(|(left, _)| *left == begin);
+            match straight(part, probe.radius, from, to, shift) {
+                Ahead::Free => None,
+                Ahead::Met(met) => Some(self.on_arc(part, probe.radius, shift, [begin, end], met)),
+                Ahead::Leaving(met) => {
+                    let pressed = Obstacle { part: begin, ..met };
+                    leaving = Some((end, before.map_or(pressed, |(_, first)| first)));
+                    None
+                }
             }
-            from = to;
-        }
-        None
+        });
+        let pressed = leaving.filter(|(left, _)| *left == 1.0);
+        met.or(pressed.map(|(_, met)| met))
     }
-}
 
-impl Route {
+    /// Where stylus or body of the probe meet the part on a way that is free for the ball.
+    fn catches(
+        &self,
+        part: &Boundary,
+        probe: &Feeler,
+        shift: [f64; 3],
+        effort: &mut usize,
+    ) -> Option<Obstacle> {
+        let near = |stretch: &Stretch| probe.rods_may_meet(part, stretch);
+        self.search(shift, effort, near, |[begin, end]| {
+            let [from, to] = [begin, end].map(|part| self.at(part));
+            let met = probe.caught(part, add(from, shift, 1.0), add(to, shift, 1.0))?;
+            let stop = add(from, add(to, from, -1.0), met.part);
+            Some(Obstacle {
+                part: begin + met.part * (end - begin),
+                stop,
+                ball: add(stop, shift, 1.0),
+                point: met.point,
+                normal: met.normal,
+                by: met.by,
+            })
+        })
+    }
+
     /// What was met on a straight piece between two parts of the way, as it is on the way itself, which the piece leaves
     /// by less than its sagitta.
     fn on_arc(
@@ -163,12 +245,15 @@ impl Route {
         part: &Boundary,
         radius: f64,
         shift: [f64; 3],
-        [done, next]: [f64; 2],
+        [begin, end]: [f64; 2],
         met: Obstacle,
     ) -> Obstacle {
+        if self.around.is_none() {
+            return met;
+        }
         let gap = |at: f64| part.distance(add(self.at(at), shift, 1.0)) - radius;
-        let straight = done + met.part * (next - done);
-        let at = roots::bracketed(gap, done, next).unwrap_or(straight);
+        let straight = begin + met.part * (end - begin);
+        let at = roots::bracketed(gap, begin, end).unwrap_or(straight);
         let stop = self.at(at);
         Obstacle {
             part: at,
@@ -179,27 +264,31 @@ impl Route {
     }
 }
 
-/// The same on a straight way. A ball that reaches into the part at the start and leaves it goes on.
-fn straight(
-    part: &Boundary,
-    radius: f64,
-    from: [f64; 3],
-    to: [f64; 3],
-    shift: [f64; 3],
-) -> Option<Obstacle> {
+/// What a ball meets on a straight way.
+enum Ahead {
+    /// Nothing.
+    Free,
+    /// This.
+    Met(Obstacle),
+    /// It reaches into the part at the start, goes out of it and has not left it at the end.
+    Leaving(Obstacle),
+}
+
+/// What a ball meets on a straight way. One that reaches into the part at the start and leaves it goes on.
+fn straight(part: &Boundary, radius: f64, from: [f64; 3], to: [f64; 3], shift: [f64; 3]) -> Ahead {
     let end = add(to, shift, 1.0);
     let mut start = add(from, shift, 1.0);
     let mut gone = 0.0;
     for _ in 0..4 {
         match part.first(radius, start, end) {
-            Contact::None => return None,
+            Contact::None => return Ahead::Free,
             Contact::Hit {
                 t,
                 ball,
                 point,
                 normal,
             } => {
-                return Some(Obstacle {
+                return Ahead::Met(Obstacle {
                     part: gone + t * (1.0 - gone),
                     stop: add(ball, shift, -1.0),
                     ball,
@@ -212,34 +301,36 @@ fn straight(
                 point,
                 normal,
                 depth,
-            } => match released(start, end, normal, depth) {
-                Some(share) => {
-                    start = add(start, add(end, start, -1.0), share);
-                    gone += share * (1.0 - gone);
+            } => {
+                let pressed = Obstacle {
+                    part: gone,
+                    stop: add(start, shift, -1.0),
+                    ball: start,
+                    point,
+                    normal,
+                    by: Touching::Ball,
+                };
+                match released(start, end, normal, depth) {
+                    None => return Ahead::Met(pressed),
+                    Some(share) if share >= 1.0 => return Ahead::Leaving(pressed),
+                    Some(share) => {
+                        start = add(start, add(end, start, -1.0), share);
+                        gone += share * (1.0 - gone);
+                    }
                 }
-                None => {
-                    return Some(Obstacle {
-                        part: gone,
-                        stop: add(start, shift, -1.0),
-                        ball: start,
-                        point,
-                        normal,
-                        by: Touching::Ball,
-                    });
-                }
-            },
+            }
         }
     }
-    None
+    Ahead::Free
 }
 
-/// After which part of its way a ball that reaches into the part by `depth` is free again; none when it does not leave.
-/// A stylus that is deflected by pre-travel or delay leaves the part on its way back.
+/// After which part of its way a ball that reaches into the part by `depth` is free again, more than 1 where the way is too
+/// short for that; none when it does not leave. A stylus that is deflected by pre-travel or delay leaves the part on its
+/// way back.
 fn released(from: [f64; 3], to: [f64; 3], normal: [f64; 3], depth: f64) -> Option<f64> {
     let way = add(to, from, -1.0);
     let outward: f64 = (0..3).map(|i| way[i] * normal[i]).sum();
-    let part = depth * (1.0 + 1e-9) / outward + 1e-12;
-    (outward > 0.0 && part < 1.0).then_some(part)
+    (outward > 0.0).then(|| depth * (1.0 + 1e-9) / outward + 1e-12)
 }
 
 /// A point and so many times a vector.

@@ -4,6 +4,8 @@ use super::Probe;
 use super::body::Body;
 use super::contact::{Boundary, Contact};
 use crate::geometry::rod::{self, Met, Rod, around, earliest};
+use crate::geometry::stretch::Stretch;
+use crate::geometry::swept::Swept;
 use crate::geometry::{Path, V3};
 
 /// Rounding of the lower edge of a body, mm.
@@ -90,13 +92,14 @@ impl Feeler {
     /// until the ball is free is not known.
     pub fn caught(&self, part: &Boundary, from: [f64; 3], to: [f64; 3]) -> Option<Caught> {
         let path = Path::new(from.into(), to.into());
+        let way = Stretch::straight(from.into(), to.into());
         let met = self.rods().filter_map(|(by, rod)| {
             let placed = Rod {
                 foot: path.from + rod.foot,
                 ..rod
             };
             let end = self.end(by);
-            if !part.near_rod(&placed, &path) {
+            if !part.may_meet(&self.swept(&rod, by, &way)) {
                 return None;
             }
             let met = match part.pierced(&placed) {
@@ -117,6 +120,32 @@ impl Feeler {
             point: met.point.into(),
             normal: met.normal.into(),
         })
+    }
+
+    /// Whether the ball may meet the part on a stretch of its way.
+    pub fn ball_may_meet(&self, part: &Boundary, way: &Stretch) -> bool {
+        part.may_meet(&Swept {
+            way: *way,
+            rise: V3::zeros(),
+            radius: self.radius,
+            flat: false,
+        })
+    }
+
+    /// Whether stylus or body may, the ball being on that stretch.
+    pub fn rods_may_meet(&self, part: &Boundary, way: &Stretch) -> bool {
+        let mut rods = self.rods();
+        rods.any(|(by, rod)| part.may_meet(&self.swept(&rod, by, way)))
+    }
+
+    /// Stylus or body while the ball is on a stretch of its way.
+    fn swept(&self, rod: &Rod, by: Touching, ball: &Stretch) -> Swept {
+        Swept {
+            way: ball.moved(&rod.foot),
+            rise: rod.up * rod.length,
+            radius: rod.radius,
+            flat: self.end(by) == End::Flat,
+        }
     }
 
     fn pressed(&self, part: &Boundary, ball: [f64; 3]) -> bool {
@@ -145,14 +174,6 @@ pub enum End {
 }
 
 impl Boundary {
-    /// Whether a rod comes anywhere near a solid on a way.
-    fn near_rod(&self, rod: &Rod, path: &Path) -> bool {
-        self.bodies.iter().any(|body| {
-            let (rod, path) = own(body, rod, path);
-            rod.swept(&path).meets(&body.extent)
-        })
-    }
-
     /// First contact of a rod with the part; of the path direction and length count.
     fn first_of_rod(&self, rod: &Rod, path: &Path, end: End) -> Option<Met> {
         let sides = self.bodies.iter().filter_map(|body| {
@@ -226,7 +247,7 @@ impl Boundary {
             .normalize();
         let second = rod.up.cross(&first);
         let middle = rod.foot + rod.up * rounded;
-        around(|angle| {
+        around(path, rod.radius, |angle, path| {
             let out = first * angle.cos() + second * angle.sin();
             self.end(middle + out * (rod.radius - rounded), rounded, path)
         })

@@ -19,7 +19,7 @@ fn solid(shape: Shape, at: [f64; 3]) -> Solid {
     }
 }
 
-fn boundary(solids: Vec<Solid>) -> Boundary {
+pub(crate) fn boundary(solids: Vec<Solid>) -> Boundary {
     Boundary::of(&Workpiece { solids })
 }
 
@@ -221,7 +221,7 @@ fn a_stylus_that_is_thicker_than_its_ball_touches_before_it() {
 }
 
 /// A solid with errors, small enough that a probe may stand beside it.
-fn any_solid() -> impl Strategy<Value = Solid> {
+pub(crate) fn any_solid() -> impl Strategy<Value = Solid> {
     let shape = prop_oneof![
         Just(Shape::Hole {
             diameter: 30.0,
@@ -279,7 +279,7 @@ fn any_solid() -> impl Strategy<Value = Solid> {
 }
 
 /// Least distance of the part from the axis of the stylus, by places close together.
-fn least(part: &Boundary, ball: V3) -> f64 {
+pub(crate) fn least(part: &Boundary, ball: V3) -> f64 {
     let places = (0..=250).map(|step| ball + V3::z() * f64::from(step) * 0.2);
     places
         .map(|place| part.distance(place.into()))

@@ -7,12 +7,13 @@ pub mod contact;
 mod contact_tests;
 pub mod feeler;
 #[cfg(test)]
-mod feeler_tests;
+pub(crate) mod feeler_tests;
 pub mod free;
 pub mod noise;
 pub mod probe;
 #[cfg(test)]
 mod probe_tests;
+mod reach;
 pub mod seen;
 pub mod tool;
 pub mod tool_probe;

@@ -5,6 +5,7 @@ use super::noise::Noise;
 use super::tool::Piece;
 use super::{Shape, Solid};
 use crate::geometry::convex::{self, Convex, Meeting};
+use crate::geometry::stretch::Stretch;
 use crate::geometry::{Path, V3, rigid};
 use nalgebra::IsometryMatrix3;
 
@@ -64,11 +65,13 @@ impl ToolProbe {
 }
 
 /// The cap in its place.
+#[derive(Clone, Debug)]
 struct Cap {
     form: Form,
     place: IsometryMatrix3<f64>,
 }
 
+#[derive(Clone, Debug)]
 enum Form {
     /// Corners above and below.
     Cube([[V3; 4]; 2]),
@@ -118,6 +121,27 @@ pub fn first<T: Convex>(
 ) -> Option<Contact> {
     let path = Path::new(from.into(), to.into());
     least(probes, tool, &|piece, cap| convex::first(piece, cap, &path))
+}
+
+/// Whether a tool that stands at `from` may meet one of the probes on a stretch of its way: false is sure.
+pub fn may_meet(probes: &[ToolProbe], tool: &[Piece], from: [f64; 3], way: &Stretch) -> bool {
+    let way = way.moved(&-V3::from(from));
+    let caps = probes.iter().filter_map(ToolProbe::cap);
+    let mut pairs = caps.flat_map(|cap| tool.iter().map(move |piece| (piece, cap.clone())));
+    pairs.any(|(piece, cap)| !passes(piece, &cap, &way))
+}
+
+/// Whether a plane parts a piece from a cap wherever it is moved: across an axis, or across their gap in the middle.
+fn passes(piece: &Piece, cap: &Cap, moved: &Stretch) -> bool {
+    let parts = |direction: &V3| {
+        let [low, high] = moved.along(direction);
+        let reach = |towards: V3| piece.farthest(&towards) - cap.farthest(&-towards);
+        low + reach(-*direction).dot(direction) >= 0.0
+            || high + reach(*direction).dot(direction) <= 0.0
+    };
+    let between = || convex::normal(piece, cap, &moved.at(0.5));
+    let mut axes = [V3::x(), V3::y(), V3::z()].into_iter();
+    axes.any(|axis| parts(&axis)) || between().is_some_and(|normal| parts(&normal))
 }
 
 /// What stops a tool that moves without measuring: as [`first`], but a tool that stands in contact may leave the probe

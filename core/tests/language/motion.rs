@@ -6,7 +6,7 @@ use probewright_core::run::Stop;
 use probewright_core::run::route::Route;
 use probewright_core::run::trace::{MotionKind, Step};
 
-/// Places that a clean run passes: ends of straight motions, every few degrees of an arc.
+/// Places that a clean run passes: a hundred on each motion, its end the last.
 fn points(text: &str) -> Vec<[f64; 3]> {
     let steps = clean(text).trace.entries.into_iter();
     steps
@@ -16,7 +16,7 @@ fn points(text: &str) -> Vec<[f64; 3]> {
             } => Some(Route { from, to, around }),
             _ => None,
         })
-        .flat_map(|route| route.ends().collect::<Vec<_>>())
+        .flat_map(|route| (1..=100).map(move |part| route.at(f64::from(part) / 100.0)))
         .collect()
 }
 
@@ -44,6 +44,7 @@ fn arcs_keep_to_their_circle() {
         assert_eq!(lower > 0, text.contains("TURN"), "{text}");
     }
     at("G2 AR=90 I10 J0 F100", [10.0, 10.0, 0.0]);
+    assert_eq!(fault("G2 X20 Y0 I10 J0 TURN=1000 F100"), "run-range");
 }
 
 // oracle: hand
@@ -52,7 +53,7 @@ fn arcs_stand_in_the_working_plane() {
     // G18: Z is the abscissa, X the ordinate
     at("G18\nG0 X0 Y0 Z0\nG3 Z0 X20 I10 K0 F100", [20.0, 0.0, 0.0]);
     let text = "G19\nG0 X0 Y0 Z0\nG2 Y20 Z0 X6 J10 K0 F100";
-    for [x, y, z] in points(text).into_iter().skip(1) {
+    for [x, y, z] in points(text).into_iter().skip(100) {
         near((y - 10.0).hypot(z), 10.0, text);
         assert!((0.0..=6.0).contains(&x));
     }

@@ -183,17 +183,19 @@ impl Block {
         around.centre[abscissa] = centre[0] - self.skew[0];
         around.centre[ordinate] = centre[1] - self.skew[1];
         around.axis[applicate] = 1.0;
-        let way = Route {
-            from,
-            to: around.end(from, 0.0),
-            around: Some(around),
+        let to = around.end(from, 0.0);
+        let control = machine.control();
+        let on_machine = Route {
+            from: control.to_machine(from),
+            to: control.to_machine(to),
+            around: around.mapped(|point| control.to_machine(point)),
         };
-        for end in way.ends() {
-            reachable(machine, end)?;
+        if !on_machine.within_limits(control) {
+            return Err(alarm(machine, 61401)); // A:15920
         }
         let kind = MotionKind::Positioning;
         told(machine, |machine| {
-            machine.travel_around(way.to, &around, kind, feed, self.monitored)
+            machine.travel_around(to, &around, kind, feed, self.monitored)
         })
     }
 

@@ -163,6 +163,13 @@ impl Mesh {
         });
     }
 
+    /// Whether triangles may lie within a box.
+    pub fn reaches_into(&self, extent: &Extent) -> bool {
+        let mut any = false;
+        self.tree.within(&extent.low, &extent.high, |_| any = true);
+        any
+    }
+
     /// First contact of the side of a rod, which may come from either side of the surface.
     pub fn first_of_rod(&self, rod: &Rod, path: &Path) -> Option<Met> {
         let mut found: Option<Met> = None;

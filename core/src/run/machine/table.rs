@@ -50,7 +50,7 @@ impl Sim {
     }
 
     /// What of the probe a part meets first that turns against `turn`: seen from the part the probe goes round it.
-    fn met_by(&self, turn: &Around) -> Option<Obstacle> {
+    fn met_by(&mut self, turn: &Around) -> Option<Obstacle> {
         if !self.has_probe() || turn.degrees == 0.0 {
             return None;
         }
@@ -64,7 +64,8 @@ impl Sim {
                 to: turn.end(place, 0.0),
                 around: Some(*turn),
             };
-            let met = way.obstacle(&self.part, &Feeler::ball(radius), [0.0; 3])?;
+            let ball = Feeler::ball(radius);
+            let met = way.obstacle(&self.part, &ball, [0.0; 3], &mut self.effort)?;
             Some(Obstacle { by, ..met })
         });
         met.min_by(|a, b| a.part.total_cmp(&b.part))

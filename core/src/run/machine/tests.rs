@@ -237,10 +237,10 @@ fn a_stylus_on_its_way_is_an_alarm_or_a_crash() {
     let stop = round.travel_around(end, &around, MotionKind::Positioning, 1000.0, true);
     assert_eq!(stop, Err(Stop::Alarm(Code::Alarm(61302))));
     assert!(
-        (round.position[0] - 18.65).abs() < 0.02,
+        (round.position[0] - 18.65).abs() < 1e-5,
         "{:?}",
         round.position
-    ); // pieces of 3 degree
+    );
 }
 
 // oracle: hand: a body of 20 mm, whose lower face is 15 mm above the ball, has its side 20 mm from the axis; nothing of

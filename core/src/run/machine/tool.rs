@@ -2,6 +2,7 @@
 
 use super::Sim;
 use crate::geometry::V3;
+use crate::geometry::stretch::Stretch;
 use crate::run::in_use;
 use crate::run::route::{Obstacle, Route, add};
 use crate::run::trace::{MotionKind, Step};
@@ -16,16 +17,23 @@ pub(super) fn noise(probes: &[ToolProbe]) -> Noise {
 }
 
 impl Sim {
-    /// What can touch of the tool in use, as it is, where the machine stands at `at`, and the way from there to the point
-    /// to which its lengths refer. None without a tool, and where there is nothing that it could touch.
-    fn tool_at(&mut self, at: [f64; 3]) -> Option<(Vec<Piece>, [f64; 3])> {
+    /// Makes sure that the tool in use has a real one: as it is when it is first moved. None without a tool, and where there
+    /// is nothing that it could touch.
+    fn take_up(&mut self) -> Option<()> {
         if self.tool_probes.is_empty() {
             return None;
         }
-        let edge = self.control.active_edge()?.clone();
+        let edge = self.control.active_edge()?;
+        let nominal = || Tool::nominal(edge, &self.control);
         let key = self.control.active_place();
-        let tool = self.real_tools.entry(key);
-        let tool = tool.or_insert_with(|| Tool::nominal(&edge, &self.control));
+        self.real_tools.entry(key).or_insert_with(nominal);
+        Some(())
+    }
+
+    /// What can touch of the tool in use, as it is, where the machine stands at `at`, and the way from there to the point
+    /// to which its lengths refer.
+    fn tool_at(&self, at: [f64; 3]) -> Option<(Vec<Piece>, [f64; 3])> {
+        let tool = self.real_tool()?;
         let error = tool.error(&self.control);
         let point = V3::from(add(at, error, 1.0));
         let spindle = in_use::stands(&self.control);
@@ -39,24 +47,28 @@ impl Sim {
 
     /// Where the tool in use is stopped by a tool probe.
     pub(super) fn tool_obstacle(&mut self, way: &Route) -> Option<Obstacle> {
-        let pieces = way.ends().count() as f64;
-        let mut from = way.from;
-        for (piece, to) in way.ends().enumerate() {
-            let (tool, error) = self.tool_at(from)?;
-            if let Some(contact) = tool_probe::obstacle(&self.tool_probes, &tool, from, to) {
-                let met = seen(&contact, &Route::straight(from, to), error);
-                let part = (piece as f64 + met.part) / pieces;
-                return Some(Obstacle { part, ..met });
-            }
-            from = to;
-        }
-        None
+        self.take_up()?;
+        let (tool, error) = self.tool_at(way.from)?;
+        let near =
+            |stretch: &Stretch| tool_probe::may_meet(&self.tool_probes, &tool, way.from, stretch);
+        let mut effort = 0;
+        let met = way.search([0.0; 3], &mut effort, near, |[begin, end]| {
+            let [from, to] = [begin, end].map(|part| way.at(part));
+            let (tool, _) = self.tool_at(from)?;
+            let contact = tool_probe::obstacle(&self.tool_probes, &tool, from, to)?;
+            let met = seen(&contact, &Route::straight(from, to), error);
+            let part = begin + met.part * (end - begin);
+            Some(Obstacle { part, ..met })
+        });
+        self.effort += effort;
+        met
     }
 
     /// Moves the tool in use until a tool probe switches; the position then.
     pub(super) fn probe_with_tool(&mut self, to: [f64; 3], feed: f64) -> Option<[f64; 3]> {
         let way = Route::straight(self.position, to);
-        let touched = self.tool_at(way.from).and_then(|(tool, error)| {
+        let tool = self.take_up().and_then(|()| self.tool_at(way.from));
+        let touched = tool.and_then(|(tool, error)| {
             let noise = &mut self.tool_noise;
             let touched = tool_probe::touch(&self.tool_probes, &tool, way.from, to, feed, noise);
             touched.map(|(contact, signal)| (seen(&contact, &way, error), signal))
@@ -108,6 +120,7 @@ mod tests {
     use crate::catalogue::Dialect;
     use crate::control::{Edge, Plane};
     use crate::diagnostic::Code;
+    use crate::geometry::arc::Around;
     use crate::run::{Machine, Setup, Stop};
     use crate::workpiece::tool::{Cut, Cutter};
     use crate::workpiece::{PartErrors, Shape, Solid};
@@ -177,5 +190,36 @@ mod tests {
         assert!((sim.position[2] - 0.5).abs() < 1e-9);
         let away = sim.travel([0.0, 0.0, 20.0], MotionKind::Retract, 1000.0, true);
         assert!(away.is_ok());
+    }
+
+    #[test]
+    fn a_tool_meets_the_probe_on_an_arc() {
+        // oracle: hand: from below the upright edge at [10, -10] round [30, -20]: the axis of the tool stops 5.2 mm from it,
+        // 12.58 degree before the direction to the edge as it turns
+        let mut sim = sim();
+        sim.spin(500.0);
+        sim.position = [30.0, -40.0, -5.0];
+        let around = Around {
+            centre: [30.0, -20.0, -5.0],
+            axis: [0.0, 0.0, 1.0],
+            degrees: -180.0,
+        };
+        let to = [30.0, 0.0, -5.0];
+        let stop = sim.travel_around(to, &around, MotionKind::Positioning, 1000.0, true);
+        assert_eq!(stop, Err(Stop::Alarm(Code::Alarm(61302))));
+        let [x, y, _] = sim.position;
+        assert!(((x - 10.0).hypot(y + 10.0) - 5.2).abs() < 1e-4, "{x} {y}");
+        let angle = (y + 20.0).atan2(x - 30.0).to_degrees();
+        assert!((angle - 153.435 - 12.58).abs() < 0.01, "{angle}");
+        let mut sim = self::sim();
+        sim.spin(500.0);
+        sim.position = [30.0, -45.0, -5.0];
+        let beside = Around {
+            centre: [35.0, -25.0, -5.0],
+            ..around
+        };
+        let to = beside.end(sim.position, 0.0);
+        let free = sim.travel_around(to, &beside, MotionKind::Positioning, 1000.0, true);
+        assert_eq!(free, Ok(()));
     }
 }
