@@ -56,6 +56,9 @@ struct RunRequest {
 /// Of reading: until the text is read, and until its calls are found. What is left are doubts about the whole.
 const SHARES: [f64; 2] = [0.6, 0.9];
 
+/// Findings that travel: with more of them it is another sort of file, not a program with mistakes.
+const MOST_FINDINGS: usize = 10_000;
+
 /// Answers a `ReadRequest` with a `ReadView`: every measuring call, and what is wrong.
 pub fn read(request: &str) -> Result<Value, Error> {
     read_told(request, &mut |_| {})
@@ -85,7 +88,8 @@ fn view(program: &Program, control: Control, told: &mut dyn FnMut(f64)) -> Value
         .iter()
         .map(|site| call(program, site, &positions))
         .collect();
-    let found = program::findings_of(program, &sites, &control);
+    let mut found = program::findings_of(program, &sites, &control);
+    found.truncate(MOST_FINDINGS);
     object([
         ("calls", calls.into()),
         ("diagnostics", findings(&found, &positions).into()),

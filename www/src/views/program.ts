@@ -120,10 +120,12 @@ function save(store: Store, text: string): void {
   saveFile(bytes ?? text, name);
 }
 
+const MARKED = 2000; // problems that the editor marks, the first ones: with each change it goes through them all
+
 function marks(derived: Derived, cure: Actions["cure"]) {
   const text = derived.program;
   const length = toEditor(text, text.length);
-  return derived.problems.filter((one) => one.from !== undefined).map((one) => {
+  return derived.problems.filter((one) => one.from !== undefined).slice(0, MARKED).map((one) => {
     const from = Math.min(toEditor(text, one.from ?? 0), length);
     const to = Math.min(Math.max(from, toEditor(text, one.to ?? one.from ?? 0)), length);
     const severity = one.severity === "note" ? "info" as const : one.severity;

@@ -77,6 +77,15 @@ fn a_call_in_a_loop_says_what_arrives_first() {
 
 // oracle: hand
 #[test]
+fn of_a_file_that_is_no_program_only_so_much_is_told() {
+    let text = format!("{}G17 G40 T9 D1\nCYCLE977\n", "!\n".repeat(10_500));
+    let view = read(&json!({ "control": "sinumerik", "text": text }).to_string()).unwrap();
+    assert_eq!(view["diagnostics"].as_array().unwrap().len(), 10_000);
+    assert_eq!(view["calls"].as_array().unwrap().len(), 1);
+}
+
+// oracle: hand
+#[test]
 fn a_call_is_converted_with_places_of_the_page() {
     let text = "; Ø\n_MVAR=0 _SETVAL=5 _MA=1 _KNUM=0\nCYCLE978\n";
     let request = json!({ "control": "sinumerik", "text": text, "call": 0, "style": "indirect" });
