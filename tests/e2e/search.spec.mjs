@@ -61,7 +61,9 @@ describe("search", () => {
     const { context, page } = await start(chrome);
     await search(page, "bore");
     const measurements = page.locator('.hit[data-kind="measurement"]');
-    assert.match(await measurements.first().textContent(), /hole|bore/i);
+    assert.match(await measurements.first().textContent(), /CYCLE977.*Hole/, "of the control in use");
+    await search(page, "boss G110");
+    assert.match(await measurements.first().textContent(), /G110/, "the other control by its names");
     await search(page, "gear web too wide");
     assert.equal(await best(page).getAttribute("data-kind"), "measurement");
     assert.match(await measurements.first().textContent(), /web/i);

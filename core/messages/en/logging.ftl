@@ -29,7 +29,7 @@ result-113-text = Date or time as a text
 
 cycle118-title = Number as a text
 cycle118-help = Makes a text of a real number, rounded to so many decimals, for a message or for the log; of up to ten R parameters at once.
-cycle118-words = format real number decimals text string digits round message log
+cycle118-words = format real number decimals text string digits rounded message log
 cycle118-format = Text of one number or of several
 param-118-number = Number
 param-118-number-help = The number that becomes a text. Not looked at where several R parameters are taken.

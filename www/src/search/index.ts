@@ -13,7 +13,7 @@ export interface Group { kind: Kind; hits: Hit[] }
 export type Search = (text: string, control: Dialect) => Group[];
 
 const PREFIX_FROM = 4; // letters: shorter words stand for themselves, but the last, which is still being typed
-const OWN_CONTROL = 1.5; // times as much as another
+const OWN_CONTROL = 8; // times as much as another
 const SLIP_FROM = 5; // letters: shorter words are too near to each other
 
 export function createSearch(catalogue: Catalogue, alarms: readonly AlarmInfo[]): Search {

@@ -50,7 +50,7 @@ function rings(points: Point[]): Point[][] {
 }
 
 /** How much a caption upon a line of each kind takes from the reader; what is filled only is none. */
-const WEIGHTS: Partial<Record<PictureShape["kind"], number>> = { edge: 2, cut: 2, probe: 1.2, dimension: 1.6, zone: 1, axis: 0.8, path: 0.8, touch: 4 };
+const WEIGHTS: Partial<Record<PictureShape["kind"], number>> = { edge: 2, cut: 2, probe: 1.2, dimension: 1.6, zone: 1, axis: 0.8, path: 0.4, touch: 4 };
 const CORNERS = 16; // of a circle, for captions that go around it
 
 /** The lines of a shape that captions keep away from. */

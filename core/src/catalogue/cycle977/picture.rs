@@ -33,7 +33,7 @@ struct Scene {
 pub fn picture(inputs: &Inputs) -> Picture {
     let scene = scene(inputs);
     let mut shapes = part(&scene);
-    axes(&scene, &mut shapes);
+    axes(&scene, TOOL.holds(inputs), &mut shapes);
     zone(&scene, &mut shapes);
     for axis in scene.axes {
         measure(&scene, *axis, &mut shapes);
@@ -129,7 +129,8 @@ fn part(scene: &Scene) -> Vec<PictureShape> {
     ]
 }
 
-fn axes(scene: &Scene, shapes: &mut Vec<PictureShape>) {
+/// The axes through the centre; a zero offset moves them there.
+fn axes(scene: &Scene, tool: bool, shapes: &mut Vec<PictureShape>) {
     for axis in 0..2 {
         let reach = reach(scene, axis);
         let mut shape = line(
@@ -139,6 +140,8 @@ fn axes(scene: &Scene, shapes: &mut Vec<PictureShape>) {
         .text(scene.names[axis]);
         if scene.axes == [axis] {
             shape = shape.of(names::MA);
+        } else if !tool {
+            shape = shape.of(names::KNUM);
         }
         shapes.push(shape);
     }

@@ -43,6 +43,7 @@ pub fn picture(inputs: &Inputs) -> Picture {
 /// The face at 0, touched along the first drawing axis.
 fn lying(path: f64, tool: bool, material: ShapeKind) -> Vec<PictureShape> {
     let start = -BALL - path;
+    let zero = line(ShapeKind::Axis, vec![[ZERO, -FACE], [ZERO, FACE]]).text("0");
     let mut shapes = vec![
         polygon(
             material,
@@ -50,7 +51,7 @@ fn lying(path: f64, tool: bool, material: ShapeKind) -> Vec<PictureShape> {
         ),
         line(ShapeKind::Edge, vec![[0.0, -FACE], [0.0, FACE]]).of(names::SETVAL),
         line(ShapeKind::Axis, vec![[ZERO, 0.0], [BEHIND * 1.3, 0.0]]).of(names::MA),
-        line(ShapeKind::Axis, vec![[ZERO, -FACE], [ZERO, FACE]]).text("0"),
+        if tool { zero } else { zero.of(names::KNUM) },
         line(ShapeKind::Path, vec![[start, 0.0], [-BALL, 0.0]]).of(names::FA),
         circle(ShapeKind::Probe, [start, 0.0], BALL).of(names::PRNUM),
         circle(ShapeKind::Touch, [0.0, 0.0], BALL * 0.3)

@@ -52,7 +52,7 @@ pub fn picture(inputs: &Inputs) -> Picture {
     let scene = scene(inputs);
     let mut shapes = part(&scene);
     bands(&scene, TOOL.holds(inputs), &mut shapes);
-    centre(&scene, &mut shapes);
+    centre(&scene, TOOL.holds(inputs), &mut shapes);
     start_angle(&scene, &mut shapes);
     set_size(&scene, &mut shapes);
     if scene.round {
@@ -124,12 +124,15 @@ fn bands(scene: &Scene, tool: bool, shapes: &mut Vec<PictureShape>) {
     }
 }
 
-/// The set centre, measured from the workpiece zero.
-fn centre(scene: &Scene, shapes: &mut Vec<PictureShape>) {
+/// The set centre, measured from the workpiece zero, which is moved unless a tool is corrected.
+fn centre(scene: &Scene, tool: bool, shapes: &mut Vec<PictureShape>) {
     let zero = -scene.size * 0.95;
     let reach = scene.size * 0.95;
-    shapes.push(line(ShapeKind::Axis, vec![[zero, zero], [reach, zero]]).text("0"));
-    shapes.push(line(ShapeKind::Axis, vec![[zero, zero], [zero, reach]]));
+    let axes = [
+        line(ShapeKind::Axis, vec![[zero, zero], [reach, zero]]).text("0"),
+        line(ShapeKind::Axis, vec![[zero, zero], [zero, reach]]),
+    ];
+    shapes.extend(axes.map(|axis| if tool { axis } else { axis.of(names::KNUM) }));
     shapes.push(line(ShapeKind::Axis, vec![[0.0, zero], [0.0, reach]]).of(names::CPA));
     shapes.push(line(ShapeKind::Axis, vec![[zero, 0.0], [reach, 0.0]]).of(names::CPO));
     let (low, left) = (zero * 0.9, zero * 0.93);

@@ -103,8 +103,12 @@ fn sphere(scene: &Scene) -> Vec<PictureShape> {
 fn centre(scene: &Scene, shapes: &mut Vec<PictureShape>) {
     let zero = -scene.way().1 - scene.size * 0.35;
     let reach = -zero;
-    shapes.push(line(ShapeKind::Axis, vec![[zero, zero], [reach, zero]]).text("0"));
-    shapes.push(line(ShapeKind::Axis, vec![[zero, zero], [zero, reach]]));
+    shapes.push(
+        line(ShapeKind::Axis, vec![[zero, zero], [reach, zero]])
+            .text("0")
+            .of(names::KNUM),
+    );
+    shapes.push(line(ShapeKind::Axis, vec![[zero, zero], [zero, reach]]).of(names::KNUM));
     shapes.push(line(ShapeKind::Axis, vec![[0.0, zero], [0.0, reach]]).of(names::SETV0));
     shapes.push(line(ShapeKind::Axis, vec![[zero, 0.0], [reach, 0.0]]).of(names::SETV1));
     let (low, left) = (zero * 0.93, zero * 0.95);
@@ -174,7 +178,7 @@ fn section(scene: &Scene, shapes: &mut Vec<PictureShape>) {
     if !scene.three {
         let ground = vec![[left - size * 0.2, low], [right, low]];
         let beside = left - size * 0.1;
-        shapes.push(line(ShapeKind::Axis, ground).text("0"));
+        shapes.push(line(ShapeKind::Axis, ground).text("0").of(names::KNUM));
         shapes.push(dimension(names::SETV2, [beside, low], [beside, 0.0]));
     }
     let mut way = vec![[middle, safe], [right, safe], [right, 0.0]];
@@ -222,8 +226,12 @@ fn triangle(scene: &Scene, inputs: &Inputs, shapes: &mut Vec<PictureShape>) {
         shapes.push(arrow(ShapeKind::Path, pair[0], pair[1], scene.ball * 1.6).of(names::MVAR));
     }
     let (right, top) = (zero[0] + size * 3.4, zero[1] + size * 1.7);
-    shapes.push(line(ShapeKind::Axis, vec![zero, [right, zero[1]]]).text("0"));
-    shapes.push(line(ShapeKind::Axis, vec![zero, [zero[0], top]]));
+    shapes.push(
+        line(ShapeKind::Axis, vec![zero, [right, zero[1]]])
+            .text("0")
+            .of(names::KNUM),
+    );
+    shapes.push(line(ShapeKind::Axis, vec![zero, [zero[0], top]]).of(names::KNUM));
     for (index, ([u, v], [x, y, z])) in places.into_iter().zip(fields).enumerate() {
         let under = zero[1] - size * 0.22 * (index + 1) as f64;
         shapes.push(dimension(x, [zero[0], under], [u, under]));

@@ -10,6 +10,8 @@ use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
 
 /// Height of a line beside the width of a character.
 const HEIGHT: f64 = 4.0;
+/// How far the base line of a text lies below the middle of its line.
+const BASE: f64 = HEIGHT * 0.2;
 /// Shortest and widest line that is drawn, characters.
 const WIDTHS: (f64, f64) = (40.0, LONGEST_LINE);
 
@@ -35,7 +37,7 @@ impl Page {
 
     /// A text over the whole line.
     fn text(&mut self, name: &'static str) {
-        let at = [self.width / 2.0, self.y()];
+        let at = [self.width / 2.0, self.y() - BASE];
         self.shapes
             .push(line(ShapeKind::Label, vec![at]).text(name).of(name));
         self.lines += 1;
@@ -57,7 +59,7 @@ impl Page {
             if left + width > self.width {
                 break;
             }
-            let middle = [left + width / 2.0, y];
+            let middle = [left + width / 2.0, y - BASE];
             self.shapes.push(
                 line(ShapeKind::Label, vec![middle])
                     .text(field.trim())
@@ -122,10 +124,7 @@ pub fn picture(inputs: &Inputs) -> Picture {
 /// The file that holds the page: a tab at its upper left corner.
 fn tab(top: f64) -> [PictureShape; 2] {
     let middle = [TAB / 2.0, top + HEIGHT / 2.0];
-    let name = line(
-        ShapeKind::Label,
-        vec![[middle[0], middle[1] - HEIGHT * 0.2]],
-    );
+    let name = line(ShapeKind::Label, vec![[middle[0], middle[1] - BASE]]);
     [
         rectangle(ShapeKind::Zone, middle, [TAB, HEIGHT]).of(FILE),
         name.text(FILE).of(FILE),
