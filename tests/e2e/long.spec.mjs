@@ -119,6 +119,22 @@ describe("a long file", () => {
     await context.close();
   });
 
+  // oracle: hand (a screen shows some dozen lines; without care all of them are laid out, and the page stands still)
+  test("is laid out as far as it is seen, also where the editor is out of sight", async () => {
+    const { context, page, problems } = await start(chrome);
+    await page.setViewportSize({ width: 500, height: 300 });
+    await page.locator(".panel-program").waitFor({ state: "hidden" });
+    await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+    await openFile(page, LONG);
+    await page.locator(".cm-line").nth(3).waitFor({ state: "attached" });
+    assert.ok(await page.locator(".cm-line").count() < 500);
+    await page.setViewportSize({ width: 1280, height: 800 });
+    await count(page, 3);
+    assert.equal(await saved(page), LONG);
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
   // oracle: hand (the bytes)
   test("that is kept is put into the editor again beside the page", async () => {
     const { context, page, problems } = await start(chrome);

@@ -40,6 +40,7 @@ export interface Editor {
 interface Change { from: number; to: number; insert: string | Text }
 
 const LANGUAGES: Record<Dialect, Extension> = { sinumerik, nct };
+const MUCH = 20_000; // characters, some hundred lines
 const marksEffect = StateEffect.define<LineMarks>();
 
 function decorate(state: EditorState, marks: LineMarks): DecorationSet {
@@ -114,6 +115,12 @@ export function createEditor(box: HTMLElement, words: EditorWords, host: EditorH
     return { from: toEditor(text, edit.from), to: doc.length - after, insert: edit.insert };
   };
   const apply = (run: () => void): void => { ours = true; try { run(); } finally { ours = false; } };
+  /** A view that is hidden or out of sight takes all that is new for what is seen, and would lay out every line: of a state
+   *  that is set it lays out a piece only. */
+  const show = (step: Transaction, change: Change | null | undefined): void => {
+    if (change && change.insert.length > MUCH) view.setState(step.state);
+    else view.dispatch(step);
+  };
   const select = (offset: number): void => {
     const at = Math.min(offset, view.state.doc.length);
     apply(() => view.dispatch({ selection: EditorSelection.cursor(at), scrollIntoView: true }));
@@ -140,7 +147,7 @@ export function createEditor(box: HTMLElement, words: EditorWords, host: EditorH
       const told = problems ? [setDiagnostics(view.state, problems).effects ?? []].flat() : [];
       const effects = [...marks ? [marksEffect.of(marks)] : [], ...told, ...other ? [past.reconfigure([])] : []];
       const step = change ? { changes: change, annotations: [Transaction.addToHistory.of(true), ...(apart ? [isolateHistory.of("full")] : [])] } : {};
-      if (change || effects.length) apply(() => view.dispatch({ ...step, effects }));
+      if (change || effects.length) apply(() => show(view.state.update({ ...step, effects }), change));
       if (other) apply(() => view.dispatch({ effects: past.reconfigure(history()) }));
     },
     setDialect(next) {
