@@ -127,6 +127,37 @@ describe("a finding that can be mended", () => {
   });
 });
 
+describe("a call whose values differ by the way", () => {
+  const chrome = shared("neither", { before, after });
+  const outcome = (page) => page.locator(".results-main");
+  const sub = "%_N_HOLE_SPF\nPROC HOLE(REAL _D)\n_MVAR=1 _SETVAL=_D _KNUM=0 _PRNUM=1 _FA=3 _TSA=2\nCYCLE977\nM17\n";
+
+  // oracle: hand (the first call of the subprogram gives 40, part 0.03 mm too big)
+  test("is worked out with what arrives first, and says so until another value is typed", async () => {
+    const { context, page, problems } = await start(chrome);
+    await openProgram(page, `%_N_MAIN_MPF\nG17 G40 G54 T9 D1\nHOLE(40)\nHOLE(25)\nM30\n${sub}`);
+    await rows(page).first().click();
+    const assumed = outcome(page).locator(".assumed");
+    await assumed.filter({ hasText: "_SETVAL = 40 (line 3)" }).waitFor();
+    await outcome(page).locator('tr:has-text("_OVR[4]"):has-text("40.0300")').waitFor();
+    await page.getByRole("button", { name: "Detach" }).click();
+    await page.locator('.field[data-field="_SETVAL"] .entry-line > .figure').fill("30");
+    await outcome(page).locator('tr:has-text("_OVR[4]"):has-text("30.0300")').waitFor();
+    assert.equal(await assumed.isVisible(), false);
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: hand (where the axis stands only the machine knows)
+  test("names what only a run tells", async () => {
+    const { context, page } = await start(chrome);
+    await openProgram(page, "G17 G40 G54 T9 D1\nR1=$AA_IW[X]\n_MVAR=1 _SETVAL=R1 _KNUM=0 _PRNUM=1 _FA=3 _TSA=2\nCYCLE977\nM30\n");
+    await rows(page).first().click();
+    await outcome(page).locator('text="Only a run of the program tells _SETVAL. Let the whole program run in the 3D view, or type a number."').waitFor();
+    await context.close();
+  });
+});
+
 describe("ways of writing", () => {
   const chrome = shared("neither", { before, after });
   const snippet = (page) => page.locator(".snippet");
