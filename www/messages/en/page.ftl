@@ -206,6 +206,7 @@ legend-touch = touch, with normal
 legend-crash = crash
 legend-zone = protection zone
 legend-limit = largest error that works
+legend-carrier = holder and turret: drawn, not watched
 legend-thinned = { $drawn } of { $points } points are drawn, evenly chosen; figures and files have all of them
 timeline-first = First step
 timeline-back = Step back

@@ -202,6 +202,7 @@ legend-touch = 触碰点及法线
 legend-crash = 碰撞
 legend-zone = 保护区
 legend-limit = 可测的最大误差
+legend-carrier = 刀座与刀塔：仅显示，不监控碰撞
 legend-thinned = 共 { $points } 点，均匀选取其中 { $drawn } 点绘制；数值与文件含全部点
 timeline-first = 第一步
 timeline-back = 上一步

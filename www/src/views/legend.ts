@@ -1,22 +1,23 @@
-// What the colours and dashes of the 3D view mean: only what the shown motions have. And how many points of a scan it leaves
-// out.
+// What the colours and dashes of the 3D view mean: only what the shown motions have. What is drawn and meets nothing, and
+// how many points of a scan are left out.
 
 import { el, keyed, svg } from "../dom";
 import type { Colours } from "../preview/view";
 import { t } from "../texts";
 import type { Trace } from "../wire";
 
-type Kind = "rapid" | "positioning" | "measuring" | "retract" | "touch" | "crash" | "zone" | "limit";
-const KINDS: Kind[] = ["measuring", "touch", "positioning", "rapid", "retract", "zone", "limit", "crash"];
+type Kind = "rapid" | "positioning" | "measuring" | "retract" | "touch" | "crash" | "zone" | "limit" | "carrier";
+const KINDS: Kind[] = ["measuring", "touch", "positioning", "rapid", "retract", "zone", "limit", "carrier", "crash"];
 
 function present(trace: Trace | null): Kind[] {
   const found = new Set<string>((trace?.entries ?? []).map((entry) => entry.step === "motion" ? entry.kind : entry.step));
   if (trace?.zones?.length) found.add("zone");
   if (trace?.limits?.length) found.add("limit");
+  if (trace?.tools?.some(({ carrier }) => carrier.length)) found.add("carrier");
   return KINDS.filter((kind) => found.has(kind));
 }
 
-const strokeOf = (kind: Kind, colours: Colours): string => colours[kind === "limit" ? "crash" : kind];
+const strokeOf = (kind: Kind, colours: Colours): string => colours[kind === "limit" ? "crash" : kind === "carrier" ? "stylus" : kind];
 
 /** Drawn as the view draws it. */
 function sample(kind: Kind, stroke: string): SVGElement {
@@ -28,6 +29,7 @@ function sample(kind: Kind, stroke: string): SVGElement {
     retract: () => [line(1.5)],
     touch: () => [svg("path", { d: "M6 4H22", stroke, "stroke-width": 2 }), svg("circle", { cx: 6, cy: 4, r: 3.25, fill: stroke })],
     zone: () => [svg("rect", { x: 1, y: 0.5, width: 24, height: 7, fill: stroke, "fill-opacity": 0.25, stroke, "stroke-dasharray": "4 3" })],
+    carrier: () => [svg("rect", { x: 1, y: 0.5, width: 24, height: 7, fill: stroke, "fill-opacity": 0.35 })],
     limit: () => [line(1.25, "4 3")],
     crash: () => [svg("circle", { cx: 13, cy: 4, r: 4, fill: stroke })],
   };
