@@ -13,9 +13,11 @@ import { createPicture } from "./picture";
 import { createTwin } from "./twin";
 import { createCallWays, createSnippetWays } from "./ways";
 
-/** Problems of a field are shown once it was typed into, or after "check". */
+/** Problems of a field are shown once it was typed into, or after "check"; doubts about a call in which nothing is wrong or
+ *  missing at once, as data of the machine may be behind them. */
 export function shownProblems(state: State, all: Diagnostic[]): Diagnostic[] {
-  return all.filter((one) => state.checked || one.severity === "note" || (one.param !== undefined && state.touched[one.param]));
+  const whole = all.every((one) => one.severity !== "error");
+  return all.filter((one) => whole || state.checked || one.severity === "note" || (one.param !== undefined && state.touched[one.param]));
 }
 
 export async function copyText(text: string, store: Store, notice: string): Promise<void> {

@@ -13,7 +13,8 @@ function present(trace: Trace | null): Kind[] {
   const found = new Set<string>((trace?.entries ?? []).map((entry) => entry.step === "motion" ? entry.kind : entry.step));
   if (trace?.zones?.length) found.add("zone");
   if (trace?.limits?.length) found.add("limit");
-  if (trace?.tools?.some(({ carrier }) => carrier.length)) found.add("carrier");
+  const moves = trace?.entries.some(({ step }) => step === "motion"); // else no tool is drawn
+  if (moves && trace?.tools?.some(({ carrier }) => carrier.length)) found.add("carrier");
   return KINDS.filter((kind) => found.has(kind));
 }
 
