@@ -2,6 +2,9 @@
 //! units of the program are.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+#[path = "running/turning.rs"]
+mod turning;
+
 use probewright_core::catalogue::{Cycle, Dialect, MachineSort, ProbeUse, Style, find};
 use probewright_core::check::{Typed, check, factor, unit_name};
 use probewright_core::control::{Control, Edge, Frame, Plane, Tool, Units};
@@ -59,18 +62,7 @@ fn machine(dialect: Dialect, basic: Units) -> Setup {
 fn turning_machine(basic: Units) -> Setup {
     let mut setup = Setup::turning_in(Plane::G18, basic);
     let control = &mut setup.control;
-    let edge = Edge {
-        kind: 500,
-        tip: 3,
-        length: [60.0, 40.0, 0.0],
-        radius: 0.8,
-        ..Edge::default()
-    };
-    let tool = Tool {
-        name: "TURNING".into(),
-        edges: [(1, edge)].into(),
-    };
-    control.tools.insert(20, tool);
+    control.tools.insert(20, turning::tool(0.8));
     control.set("_EV[9]", 0.01 / control.basic_factor());
     control.set("_MV[9]", 0.02 / control.basic_factor());
     control.set("_CHBIT[4]", 1.0);

@@ -1,8 +1,8 @@
 //! Cases that the workpiece cycles of a turning machine share: its probe, the coordinate system, the measuring axis.
 
 use super::table::{Case, program};
-use super::workpiece;
-use probewright_core::control::{Edge, Plane, Tool};
+use super::{turning, workpiece};
+use probewright_core::control::Plane;
 use probewright_core::run::Setup;
 use probewright_core::workpiece::{PartErrors, Shape, Solid};
 
@@ -17,17 +17,7 @@ pub const NOT_TURNED: (u32, &str) = (61372, "the cycle turns neither part nor pr
 /// A turned part of 60 mm with its face at Z20, the probe at this position; T20 is to be corrected.
 pub fn setup(position: [f64; 3]) -> Setup {
     let mut setup = Setup::turning(Plane::G18);
-    let turning = Edge {
-        kind: 500,
-        tip: 3,
-        length: [60.0, 40.0, 0.0],
-        ..Edge::default()
-    };
-    let tool = Tool {
-        name: "TURNING".into(),
-        edges: [(1, turning)].into(),
-    };
-    setup.control.tools.insert(20, tool);
+    setup.control.tools.insert(20, turning::tool(0.0));
     setup.position = position;
     setup.workpiece.solids = vec![Solid {
         shape: Shape::Turned {

@@ -21,6 +21,8 @@ mod mill;
 mod nct;
 mod p9920;
 mod table;
+#[path = "../running/turning.rs"]
+mod turning;
 mod turning_tool;
 mod workpiece;
 

@@ -1,8 +1,8 @@
 //! A turning tool before the tool probe of a turning machine, above it and to its right.
 
 use super::table::{Case, Table, case, program};
-use super::workpiece;
-use probewright_core::control::{Edge, Plane, Tool, Transverse};
+use super::{turning, workpiece};
+use probewright_core::control::{Plane, Transverse};
 use probewright_core::run::Setup;
 use probewright_core::workpiece::tool;
 use probewright_core::workpiece::tool_probe::ToolProbe;
@@ -67,20 +67,10 @@ fn setup() -> Setup {
     for (index, value) in [220.0, 200.0, 400.0, 380.0].into_iter().enumerate() {
         control.set(format!("_TP[0,{index}]"), value);
     }
-    let edge = Edge {
-        kind: 500,
-        tip: 3,
-        length: [60.0, 40.0, 0.0],
-        radius: 2.0,
-        ..Edge::default()
-    };
-    let real = tool::Tool::nominal(&edge, control);
+    let turning = turning::tool(2.0);
+    let real = tool::Tool::nominal(&turning.edges[&1], control);
     setup.real_tools.insert((3, 1), real);
-    let tool = Tool {
-        name: "TURNING".into(),
-        edges: [(1, edge)].into(),
-    };
-    setup.control.tools.insert(3, tool);
+    setup.control.tools.insert(3, turning);
     (setup.control.tool, setup.control.edge) = (3, 1);
     setup.tool_probes = vec![ToolProbe::ideal(Solid {
         shape: Shape::Block { size: [20.0; 3] },

@@ -1,7 +1,7 @@
 //! Tool radius compensation: G41 and G42, corners, the blocks between, where it begins and ends.
 
 use super::running::{clean_on, go_on};
-use super::{fault, findings, near, setup};
+use super::{fault, findings, near, setup, turning};
 use probewright_core::run::route::Route;
 use probewright_core::run::trace::Step;
 use probewright_core::run::{Outcome, Setup};
@@ -334,18 +334,9 @@ fn what_is_driven_without_compensation_is_told() {
 // contour, and its point P is nearer to the axis and to the chuck by the radius
 #[test]
 fn the_nose_of_a_turning_tool_keeps_its_radius() {
-    use probewright_core::control::{Edge, Plane, Tool, Units};
+    use probewright_core::control::{Plane, Units};
     let mut setup = Setup::turning_in(Plane::G18, Units::Metric);
-    let edge = Edge {
-        kind: 500,
-        tip: 3,
-        length: [60.0, 40.0, 0.0],
-        radius: 0.8,
-        ..Edge::default()
-    };
-    let edges = [(1, edge)].into();
-    let name = "TURNING".into();
-    setup.control.tools.insert(7, Tool { name, edges });
+    setup.control.tools.insert(7, turning::tool(0.8));
     let text = "G18 G90 DIAMOF T7 D1\nG0 X20 Z10\nG42 G1 X10 Z0 F100\nZ-20\nX15 Z-25\nG40 X25\nM30";
     let outcome = clean_on(&setup, text);
     let found = routes(&outcome);

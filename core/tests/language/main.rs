@@ -13,6 +13,8 @@ mod properties;
 #[path = "../running/mod.rs"]
 mod running;
 mod subprograms;
+#[path = "../running/turning.rs"]
+mod turning;
 mod values;
 mod words;
 
