@@ -1,0 +1,166 @@
+//! What a run takes from files and writes into them: surfaces, scans, print-outs.
+
+use super::{HOLE, err, example_setup, file, out, probewright};
+use std::process::Output;
+
+/// A milling machine with an NCT control, its stylus 10 mm above the middle of a level surface of 60 × 40.
+const OVER_A_SURFACE: &str = r##"{
+    "control": "nct", "plane": "G17",
+    "active": { "tool": 98, "edge": 98, "frame": "G54" },
+    "tools": { "0": { "edges": { "98": { "type": 710, "length": [53, 0, 0], "radius": 3 } } } },
+    "data": { "#500": 3, "#501": 3, "#502": 3, "#503": 3 },
+    "probe": { "radius": 3, "length": 50 },
+    "workpiece": [ { "shape": "surface", "at": [0, 0, 0], "surface": { "heights": {
+        "columns": 2, "step": [60, 40], "values": [0, 0, 0, 0] } } } ],
+    "position": [-10, -10, 10]
+}"##;
+
+/// The same machine with nothing on its table.
+fn json_without_part(setup: &str) -> String {
+    let mut setup: serde_json::Value = serde_json::from_str(setup).unwrap();
+    setup["workpiece"] = serde_json::json!([]);
+    setup.to_string()
+}
+
+/// 21 points a line, 1 mm apart, on 5 lines.
+const SCAN: &str = "O1\nG65 P9969 X10 Y10 Z-15 J5 R1 Q2 F12 S1000\nM30\n";
+
+fn scan(name: &str, more: &[&str]) -> Output {
+    let setup = file(&format!("{name}.json"), OVER_A_SURFACE.as_bytes());
+    let program = file(&format!("{name}.nc"), SCAN.as_bytes());
+    let mut arguments = vec!["run", &program, "--setup", &setup];
+    arguments.extend(more);
+    probewright(&arguments)
+}
+
+/// The coordinates of a file of lines X Y Z.
+fn points(path: &str) -> Vec<[f64; 3]> {
+    let text = std::fs::read_to_string(path).unwrap();
+    let numbers = |line: &str| {
+        let found: Vec<f64> = line.split(' ').map(|word| word.parse().unwrap()).collect();
+        <[f64; 3]>::try_from(found).unwrap()
+    };
+    text.lines().map(numbers).collect()
+}
+
+// oracle: hand: 5 lines of 21 points on the level 0; what is sent is a program that ends, and runs on the control again
+#[test]
+fn a_run_scans_a_surface_into_files() {
+    let [program, sent, surface] =
+        ["sent.nc", "sent.xyz", "surface.xyz"].map(|name| file(name, b""));
+    let files = [
+        "--scan-nc",
+        &program,
+        "--scan-xyz",
+        &sent,
+        "--scan-surface",
+        &surface,
+    ];
+    let output = scan("scan", &files);
+    assert!(output.status.success(), "{}{}", out(&output), err(&output));
+    assert!(out(&output).contains("POINTS: 0 -> 105") || out(&output).contains("105"));
+    for path in [&sent, &surface] {
+        let points = points(path);
+        assert_eq!(points.len(), 105);
+        assert!(
+            points
+                .iter()
+                .all(|[x, y, z]| x.abs() <= 10.0 && y.abs() <= 10.0 && z.abs() < 0.002)
+        );
+    }
+    let text = std::fs::read_to_string(&program).unwrap();
+    assert!(
+        text.starts_with("%\nO1000\n") && text.ends_with("M30\n%\n"),
+        "{text}"
+    );
+    let air = json_without_part(OVER_A_SURFACE);
+    let setup = file("again.json", air.as_bytes());
+    let again = probewright(&["run", &program, "--setup", &setup]);
+    assert!(again.status.success(), "{}{}", out(&again), err(&again));
+}
+
+/// A picture of 2 × 2 pixels as PNG: black on the left, white on the right.
+fn picture() -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, 2, 2);
+    encoder.set_color(png::ColorType::Grayscale);
+    let mut writer = encoder.write_header().unwrap();
+    writer.write_image_data(&[0, 255, 0, 255]).unwrap();
+    writer.finish().unwrap();
+    bytes
+}
+
+// oracle: hand: an STL keeps its size, its upper side lies where that of the setup does; white lies at 0; the dome is 0 at
+// its top
+#[test]
+fn a_run_takes_surfaces_of_the_user() {
+    let triangle = "solid s\nvertex -90 -90 7\nvertex 90 -90 7\nvertex 0 120 7\nendsolid";
+    let stl = file("flat.stl", triangle.as_bytes());
+    let png = file("slope.png", &picture());
+    for (surface, level) in [(stl.as_str(), true), (&png, false), ("dome", false)] {
+        let xyz = file("taken.xyz", b"");
+        let output = scan("taken", &["--surface", surface, "--scan-xyz", &xyz]);
+        assert!(
+            output.status.success(),
+            "{surface}: {}{}",
+            out(&output),
+            err(&output)
+        );
+        let heights: Vec<f64> = points(&xyz).iter().map(|point| point[2]).collect();
+        let same = heights
+            .iter()
+            .all(|height| (height - heights[0]).abs() < 1e-9);
+        assert_eq!(same, level, "{surface}: {heights:?}");
+    }
+    for surface in [
+        "/no/such/file.stl",
+        "moon",
+        &file("text.png", b"no picture"),
+    ] {
+        let output = scan("refused", &["--surface", surface]);
+        assert_eq!(output.status.code(), Some(2), "{surface}");
+        assert_eq!(err(&output).lines().count(), 1, "{}", err(&output));
+    }
+    let hole = file("hole.mpf", HOLE.as_bytes());
+    let without = probewright(&[
+        "run",
+        &hole,
+        "--setup",
+        &example_setup(),
+        "--surface",
+        "dome",
+    ]);
+    assert!(
+        err(&without).contains("no free surface"),
+        "{}",
+        err(&without)
+    );
+}
+
+// oracle: manual C:1103-1116: header and data line of the printed dimension
+#[test]
+fn a_run_writes_what_is_printed_into_a_file() {
+    let text = OVER_A_SURFACE.replace(
+        r#""shape": "surface", "at": [0, 0, 0], "surface": { "heights": {
+        "columns": 2, "step": [60, 40], "values": [0, 0, 0, 0] } }"#,
+        r#""shape": "hole", "size": [50, 40], "at": [0, 0, 0], "errors": { "size": 0.02 }"#,
+    );
+    let setup = file(
+        "print.json",
+        text.replace("[-10, -10, 10]", "[0, 0, -10]").as_bytes(),
+    );
+    let program = file("print.nc", b"O1\nG110 D50. T4 H.1 V2\nM30\n");
+    let print = file("print.txt", b"");
+    let output = probewright(&["run", &program, "--setup", &setup, "--print", &print]);
+    assert!(output.status.success(), "{}{}", out(&output), err(&output));
+    let printed = std::fs::read_to_string(&print).unwrap();
+    let lines: Vec<&str> = printed.lines().collect();
+    assert_eq!(
+        lines,
+        [
+            "TOOL       NOMINAL    TOLERANCE  DEVIATION",
+            "OFFSET NO  DIMENSION             FROM NOMINAL",
+            "D 4        50.0000    .1000      .0200",
+        ]
+    );
+}

@@ -1,0 +1,110 @@
+//! Calls written, programs checked, read and run.
+
+use super::{HOLE, err, example_setup, file, out, probewright};
+
+// oracle: hand
+#[test]
+fn write_gives_assignments_and_the_call() {
+    let output = probewright(&[
+        "write",
+        "CYCLE977",
+        "_MVAR=1",
+        "_SETVAL=132,5",
+        "_KNUM=2001",
+        "_TNUM=20",
+    ]);
+    assert!(output.status.success(), "{}", err(&output));
+    assert_eq!(
+        out(&output),
+        "_MVAR=1 _SETVAL=132.5 _KNUM=2001 _TNUM=20\nCYCLE977\n"
+    );
+}
+
+// oracle: manual A:15840-15948 (numbers)
+#[test]
+fn write_tells_every_problem_and_fails() {
+    let output = probewright(&["write", "CYCLE977", "_MVAR=1", "_KNUM=2000", "_FA=0"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(err(&output).contains("_SETVAL"), "{}", err(&output));
+    assert!(err(&output).contains("61308"), "{}", err(&output));
+    assert!(err(&output).contains("61328"), "{}", err(&output));
+    assert_eq!(out(&output), "");
+}
+
+// oracle: issue text
+#[test]
+fn check_names_file_line_and_column() {
+    let path = file(
+        "wrong.mpf",
+        b"G54 G17\r\n_MVAR=7 _SETVAL=10 _KNUM=0\r\nCYCLE977\r\n",
+    );
+    let output = probewright(&["check", &path]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(
+        out(&output).contains(&format!("{path}:2:7: error[61307]:")),
+        "{}",
+        out(&output)
+    );
+    let path = file("right.mpf", HOLE.as_bytes());
+    let output = probewright(&["check", &path]);
+    assert_eq!(output.status.code(), Some(0), "{}", out(&output));
+}
+
+// oracle: manual B:4147-4152 (a probe is of type 710 or 1x0, not a drill)
+#[test]
+fn check_holds_a_program_against_the_machine_it_is_for() {
+    let path = file("mill.mpf", HOLE.replace("T9", "T20").as_bytes());
+    let machine = include_str!("../../../docs/setup.example.json");
+    let with_drill = machine.replace("\"type\": 120", "\"type\": 200");
+    let machine = file("drill.json", with_drill.as_bytes());
+    let output = probewright(&["check", &path, "--setup", &machine]);
+    assert!(out(&output).contains("error[61309]"), "{}", out(&output));
+    assert_eq!(output.status.code(), Some(1));
+    let output = probewright(&["check", &path, "--setup", &path]);
+    assert!(!output.status.success());
+    assert!(err(&output).contains("mill.mpf"), "{}", err(&output));
+}
+
+// oracle: hand
+#[test]
+fn read_finds_the_call_with_its_values() {
+    let path = file("read.mpf", HOLE.as_bytes());
+    let view: serde_json::Value =
+        serde_json::from_str(&out(&probewright(&["read", &path, "--json"]))).unwrap();
+    let call = &view["calls"][0];
+    assert_eq!(call["cycle"], "CYCLE977");
+    assert_eq!(call["lastLine"], 8);
+    assert_eq!(call["values"]["_SETVAL"], "132");
+    assert_eq!(call["values"]["_TSA"], "1");
+}
+
+// oracle: hand. 0.03 mm too big lies between _TMV and _TUL: corrected by all of it, half of it in the radius.
+#[test]
+fn run_measures_the_hole_and_corrects_the_radius() {
+    let path = file("run.mpf", HOLE.as_bytes());
+    let output = probewright(&["run", &path, "--setup", &example_setup(), "--json"]);
+    assert!(output.status.success(), "{}{}", out(&output), err(&output));
+    let view: serde_json::Value = serde_json::from_str(&out(&output)).unwrap();
+    let changes = view["changes"].as_array().unwrap();
+    let radius = changes
+        .iter()
+        .find(|change| change["name"] == "$TC_DP15[20,1]")
+        .unwrap();
+    assert!(
+        (radius["after"].as_f64().unwrap() - 0.015).abs() < 1e-9,
+        "{radius}"
+    );
+}
+
+// oracle: hand. The run goes to its end, but a word of it was not carried out.
+#[test]
+fn a_run_with_an_unknown_word_fails() {
+    let path = file("unknown.mpf", b"G0 X1\nWHATEVER(1)\nM2\n");
+    let output = probewright(&["run", &path, "--setup", &example_setup()]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(
+        out(&output).contains(":2:1: error[PW300]"),
+        "{}",
+        out(&output)
+    );
+}

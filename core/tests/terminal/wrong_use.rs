@@ -1,0 +1,92 @@
+//! What is no program, no option, or nobody reads any more.
+
+use super::{err, example_setup, file, out, probewright};
+use std::process::Command;
+
+// oracle: hand
+#[test]
+fn wrong_use_is_told_in_a_line() {
+    for arguments in [
+        &["write", "CYCLE1234"][..],
+        &["write", "CYCLE977", "_NOTHING=1"],
+        &["write", "CYCLE977", "_MVAR"],
+        &["write", "CYCLE977", "_MVAR=1", "_mvar=2"],
+        &["read", "/no/such/file"],
+        &["run", "/no/such/file", "--setup", "/no/such/setup"],
+    ] {
+        let output = probewright(arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        assert_eq!(
+            err(&output).trim_end().lines().count(),
+            1,
+            "{}",
+            err(&output)
+        );
+    }
+}
+
+// oracle: hand. Each unreadable thing is named, the other files are checked all the same.
+#[test]
+fn what_is_no_program_is_told_and_the_rest_is_checked() {
+    let wrong = file("wrong2.mpf", b"\n  _MVAR=7\nCYCLE977\n");
+    let folder = std::env::temp_dir().to_str().unwrap().to_owned();
+    let output = probewright(&["check", &folder, "/no/such/file", &wrong]);
+    assert_eq!(output.status.code(), Some(2));
+    assert_eq!(err(&output).lines().count(), 2, "{}", err(&output));
+    assert!(err(&output).contains(&folder) && err(&output).contains("/no/such/file"));
+    assert!(
+        out(&output).contains(":2:9: error[61307]: _MVAR"),
+        "{}",
+        out(&output)
+    );
+    let endless = probewright(&["read", "/dev/zero"]);
+    assert_eq!(endless.status.code(), Some(2));
+    assert!(
+        err(&endless).contains("/dev/zero: larger than"),
+        "{}",
+        err(&endless)
+    );
+}
+
+// oracle: hand
+#[test]
+fn binary_and_huge_lines_give_short_clean_messages() {
+    let path = file(
+        "binary.mpf",
+        &[b"R1=(\x00\x1b[2J\xff\xfe", &b"x"[..], &vec![b'('; 200_000]].concat(),
+    );
+    for arguments in [
+        &["check", &path][..],
+        &["run", &path, "--setup", &example_setup()],
+    ] {
+        let output = probewright(arguments);
+        assert_eq!(output.status.code(), Some(1), "{}", out(&output));
+        assert!(out(&output).lines().all(|line| line.chars().count() < 400));
+        assert!(!out(&output).chars().any(|c| c.is_control() && c != '\n'));
+    }
+    let noise: Vec<u8> = (0..100_000u32)
+        .map(|i| (i.wrapping_mul(2_654_435_761) >> 13) as u8)
+        .collect();
+    let path = file("noise.mpf", &noise);
+    let output = probewright(&["check", &path]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(out(&output).lines().count() <= 201 && out(&output).contains("more findings"));
+}
+
+// oracle: hand
+#[test]
+fn a_closed_pipe_ends_the_output_quietly() {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_probewright"))
+        .env("LC_ALL", "C")
+        .args(["cycles", "--json"])
+        .stdout(std::process::Stdio::piped())
+        .stderr(std::process::Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(child.stdout.take());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(
+        (output.status.code(), err(&output)),
+        (Some(0), String::new())
+    );
+}
