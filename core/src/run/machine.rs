@@ -64,8 +64,8 @@ pub struct Sim {
     touching: bool,
     /// Whether the stylus touched instead of the ball since this was last asked for.
     stylus_touched: bool,
-    /// What was looked at on arcs, and in each motion of a part of several solids, since this was last asked for; see
-    /// [`Route::search`].
+    /// What was looked at on arcs, and of a heavy part in each motion that is none of a measuring cycle, since this was
+    /// last asked for; see [`Route::search`].
     effort: usize,
 }
 
@@ -347,7 +347,9 @@ impl Sim {
     /// Whether a motion may begin: the trace has room, the axes may take all its positions.
     fn admit(&mut self, way: &Route) -> Result<(), Stop> {
         self.room()?;
-        self.effort += LOOK * self.part.solids().saturating_sub(1);
+        if !self.measuring {
+            self.effort += LOOK * self.part.weight().saturating_sub(1);
+        }
         let problem = if !way.to.iter().all(|value| value.is_finite()) {
             Message::new("run-not-finite")
         } else if !way.within_limits(&self.control) {

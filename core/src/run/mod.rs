@@ -18,6 +18,7 @@ pub mod function;
 pub mod gcode;
 mod helper;
 pub mod in_use;
+mod indexed;
 pub mod interpret;
 pub mod level;
 mod listed;

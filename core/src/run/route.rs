@@ -139,7 +139,7 @@ impl Route {
         let ball = self.stops_ball(part, probe, shift, &mut looked);
         let free = ball.map_or(*self, |met| self.until(met.part, met.stop));
         let caught = free.catches(part, probe, shift, &mut looked);
-        *effort += looked * part.solids();
+        *effort += looked * part.weight();
         let Some(ball) = ball else {
             return caught;
         };

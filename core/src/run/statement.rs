@@ -8,7 +8,7 @@ use super::interpret::{Interpreter, Next};
 use super::path::{Measure, Path};
 use super::problem::Problem;
 use super::trace::Step;
-use super::{Stop, action, branch, contour, environment, locals, manner, names, repeat};
+use super::{Stop, action, branch, contour, environment, indexed, locals, manner, names, repeat};
 use crate::catalogue::Dialect;
 use crate::diagnostic::{Severity, Span};
 use crate::program::tree::{Block, Expr, ExprId, Word, WordKind};
@@ -207,6 +207,17 @@ fn word_of(
         WordKind::Assign {
             name, index, value, ..
         } => {
+            let letters = run.program.name(*name);
+            if indexed::take(
+                run,
+                &letters,
+                index,
+                *value,
+                word.span,
+                &mut found.addresses,
+            )? {
+                return Ok(true);
+            }
             let key = names::key(run, *name, index)?;
             let value = match environment::assigned(run, *value)? {
                 Some(status) => status,
@@ -298,6 +309,9 @@ fn assign(
         "LIMS" => run.modal.speed_limit = Some(number()?),
         "OFFN" => run.modal.allowance = number()? * run.sim.control.active_factor(),
         "DISC" if number()? == 0.0 => {}
+        "DISC" if !(0.0..=100.0).contains(&number()?) => {
+            return Err(Problem::new("run-range", span, key));
+        }
         "DISC" => run.tell(
             Severity::Warning,
             &Problem::new("run-not-simulated", span, key),

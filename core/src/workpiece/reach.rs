@@ -2,8 +2,11 @@
 
 use super::body::Body;
 use super::contact::Boundary;
-use crate::geometry::V3;
 use crate::geometry::swept::Swept;
+use crate::geometry::{Feature, V3};
+
+/// A wall out of round is searched all round for its nearest place.
+const LOBED: usize = 50;
 
 impl Boundary {
     /// Whether a ball or rod may touch the part on its stretch, or is within it: false is sure.
@@ -11,9 +14,14 @@ impl Boundary {
         self.bodies.iter().any(|body| may_meet(body, swept))
     }
 
-    /// How many solids there are.
-    pub fn solids(&self) -> usize {
-        self.bodies.len()
+    /// How long something is held against the part, in solids that are quick to look at; one out of round is not.
+    pub fn weight(&self) -> usize {
+        let lobed = |feature: &Feature| matches!(feature, Feature::Lobed(_));
+        let weight = |body: &Body| match body.features.iter().any(lobed) {
+            true => LOBED,
+            false => 1,
+        };
+        self.bodies.iter().map(weight).sum()
     }
 }
 

@@ -1,6 +1,6 @@
 //! Tools, spindle, alarms, operator texts, ends, and what is not understood.
 
-use super::{clean, fault, findings, go, messages, near, number, setup};
+use super::{at, clean, fault, findings, go, messages, near, number, setup};
 use probewright_core::catalogue::Dialect;
 use probewright_core::program::read;
 use probewright_core::run::trace::Step;
@@ -49,6 +49,26 @@ fn the_spindle_is_turned() {
         angles("SPOS=90\nSPOS=IC(45)\nSPOSA=DC(10)\nM19"),
         [90.0, 135.0, 10.0, 0.0]
     );
+}
+
+// oracle: hand: the first spindle, an axis by its name in a variable; what the machine does not have is told
+#[test]
+fn addresses_may_be_written_with_an_index() {
+    let outcome = clean("S[1]=500 M[1]=3\nSPOS[1]=AC(90)\nSPOSA[1]=IC(-30)");
+    assert_eq!(outcome.control.spindle, 60.0);
+    at(
+        "DEF AXIS WAY=(Y)\nG0 AX[WAY]=7\nAX[X]=IC(2)",
+        [2.0, 7.0, 0.0],
+    );
+    for told in ["SPOS[2]=45", "FA[X]=100", "DISC=50"] {
+        assert!(
+            findings(told).iter().all(|key| key == "run-not-simulated"),
+            "{told}"
+        );
+        assert!(!findings(told).is_empty(), "{told}");
+    }
+    assert_eq!(fault("POS[X]=IC(5) FA[X]=100"), "run-not-simulated");
+    assert_eq!(fault("DISC=101"), "run-range");
 }
 
 // oracle: hand: M3 and M4 turn with the speed that S gives, another S while it turns counts at once, M5 and SPOS end it
@@ -136,7 +156,7 @@ fn what_is_not_simulated_is_told() {
         ("M77", "run-m-function"),
         ("L77", "run-subprogram"),
         ("X=DC(5)", "run-function"),
-        ("POS[X]=5", "run-unknown-variable"),
+        ("POS[X]=5", "run-not-simulated"),
         ("R1=$AN_NOBODY", "run-unknown-variable"),
     ] {
         let found = go(&format!("G0 Y1\n{text}"));
