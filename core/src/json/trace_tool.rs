@@ -9,7 +9,7 @@ use crate::geometry::V3;
 use crate::run::in_use::InUse;
 use crate::run::outcome::Outcome;
 use crate::run::setup::Setup;
-use crate::run::trace::{Entry, Step};
+use crate::run::trace::Step;
 use crate::workpiece::seen::{self, Drawn};
 use serde_json::Value;
 use std::collections::BTreeSet;
@@ -26,9 +26,16 @@ pub(super) fn probes(setup: &Setup) -> Value {
 
 /// Whatever was in use, each once, and from which entry on which of them.
 pub(super) fn tools(setup: &Setup, outcome: &Outcome) -> (Value, Value) {
-    let measured = measured(outcome);
-    let view = |used: &InUse| tool(setup, used, measured.contains(&used.place));
+    let measuring = called(outcome, ProbeUse::Workpiece);
+    let measured = called(outcome, ProbeUse::Tool);
     let trace = &outcome.trace;
+    let view = |used: &InUse| {
+        let measures = |tool: &InUse| measured.iter().any(|(number, _)| *number == tool.place.0);
+        let lent = uncorrected(used, &trace.in_use)
+            .filter(|tool| measures(tool) && !measuring.contains(&used.place));
+        let used = lent.as_ref().unwrap_or(used);
+        tool(setup, used, measuring.contains(&used.place))
+    };
     let mut from: Vec<[usize; 2]> = Vec::new();
     for (index, entry) in trace.entries.iter().enumerate() {
         if from.last().is_none_or(|[_, last]| *last != entry.in_use) {
@@ -41,17 +48,31 @@ pub(super) fn tools(setup: &Setup, outcome: &Outcome) -> (Value, Value) {
     (trace.in_use.iter().map(view).collect(), in_use.collect())
 }
 
-/// With what a part was measured, by T and D number: it was the probe then, whatever its data say.
-fn measured(outcome: &Outcome) -> BTreeSet<(i64, i64)> {
+/// What was in use at the calls of cycles that work with this probe, by T and D number. With what a part was measured was
+/// the probe, whatever its data say.
+fn called(outcome: &Outcome, probe: ProbeUse) -> BTreeSet<(i64, i64)> {
     let trace = &outcome.trace;
-    let of_probe = |entry: &&Entry| match entry.step {
-        Step::CallBegin { cycle, .. } => find(outcome.before.dialect, cycle)
-            .is_some_and(|cycle| cycle.purpose.probe == ProbeUse::Workpiece),
+    let calls = trace.entries.iter().filter(|entry| match entry.step {
+        Step::CallBegin { cycle, .. } => {
+            find(outcome.before.dialect, cycle).is_some_and(|cycle| cycle.purpose.probe == probe)
+        }
         _ => false,
-    };
-    let calls = trace.entries.iter().filter(of_probe);
+    });
     let used = calls.filter_map(|entry| trace.in_use.get(entry.in_use));
     used.map(|used| used.place).collect()
+}
+
+/// A tool whose correction is not in effect, before and after a macro of NCT that measures it: it hangs from the spindle nose
+/// as while its register counted. None where a correction is in effect, or nothing tells of the tool.
+fn uncorrected(used: &InUse, all: &[InUse]) -> Option<InUse> {
+    let same = |one: &&InUse| one.place.0 == used.place.0 && one.tool.is_some();
+    let known = all.iter().find(same).filter(|_| used.edge.is_none())?;
+    let place = V3::from(known.tip) - V3::from(known.length) + V3::from(used.length);
+    Some(InUse {
+        length: used.length,
+        tip: place.into(),
+        ..known.clone()
+    })
 }
 
 /// What is drawn: the ball, or the pieces of a tool; on a turning machine also what carries it. `tip`: from the position of
@@ -305,6 +326,22 @@ mod tests {
                 (&entry["step"], &entry["tool"]),
                 (&json!("tool"), &json!(tool))
             );
+        }
+    }
+
+    #[test]
+    fn a_tool_that_is_measured_hangs_there_before_its_register_counts() {
+        // oracle: hand: the tool of the register ends 80 mm below the spindle nose (C:1258: the macro works in G49)
+        let asked = json!({
+            "control": "nct", "cycle": "G65 P9920", "predict": true,
+            "values": { "Z": "-8", "D": "12", "T": "1" },
+        });
+        let view = form(&asked.to_string()).unwrap();
+        let tools = view["outcome"]["trace"]["tools"].as_array().unwrap();
+        assert!(tools.len() > 1, "the register is selected on the way");
+        for tool in tools {
+            assert_eq!(tool["pieces"][0]["outline"][1], json!([6.0, 0.0]));
+            assert_eq!(number(&tool["tip"][2]), -80.0 + number(&tool["length"][2]));
         }
     }
 

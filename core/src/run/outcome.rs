@@ -3,7 +3,7 @@
 use super::Stop;
 use super::setup::Setup;
 use super::trace::{Entry, Step, Trace};
-use crate::catalogue::{Cycle, ResultField};
+use crate::catalogue::{Cycle, Dialect, ResultField};
 use crate::control::{Control, Value, gud, nct_data};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::geometry::TOLERANCE;
@@ -47,11 +47,16 @@ impl Outcome {
         self.stop.is_none()
     }
 
-    /// The results of a cycle with the values they have now.
+    /// The results of a cycle with the values they have now. Those of a macro of NCT have names of ours, and are none before it
+    /// has written them; user data of the other control are there before.
     pub fn results(&self, cycle: &'static Cycle) -> Vec<(&'static ResultField, f64)> {
+        let there = |field: &&ResultField| {
+            cycle.dialect == Dialect::Sinumerik || self.control.data.get(field.name).is_some()
+        };
         cycle
             .results
             .iter()
+            .filter(there)
             .map(|field| (field, self.control.number(field.name)))
             .collect()
     }

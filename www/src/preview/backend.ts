@@ -18,8 +18,6 @@ export interface Frame {
  *  `full`: deviation of full colour, mm. */
 export interface Cloud { points: Float32Array; origin: Vec3; full: number }
 
-/** Points that every device draws, and as SVG no more than these. */
-export const FEWEST = 4096;
 const MANY = 20_000; // points that cover the surface anyway
 
 /** Size of a scanned point where so many are drawn, CSS pixels. */

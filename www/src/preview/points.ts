@@ -1,7 +1,7 @@
 // The points of a cloud on a device: as many as it draws in a moment. A graphics card draws all of them; where the processor
 // draws, a million would hold the page for seconds, at each turn of the view. The first frame has few, each further one twice
 // as many for as long as they come quickly, and half as many where they do not. So they also reach the device in pieces.
-import { FEWEST, type Cloud, type Hooks } from "./backend";
+import type { Cloud, Hooks } from "./backend";
 
 /** The exports of web/preview that are used here. */
 export interface PointRenderer {
@@ -21,6 +21,7 @@ export interface Points {
   end(): void;
 }
 
+const FEWEST = 16_384; // points that every device draws in a moment
 const QUICK = 60;  // ms until the page hears of it, two frames included; with twice as many points still no standstill
 const SLOW = 150;
 const FLOATS = 4;  // a point

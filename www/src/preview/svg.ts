@@ -3,7 +3,7 @@
 import { svg } from "../dom";
 import { drawInto, type Drawn } from "../draw";
 import type { Vec3 } from "../wire";
-import { COMING, dotSize, FEWEST, type Backend, type Cloud, type Frame, type Hooks } from "./backend";
+import { COMING, dotSize, type Backend, type Cloud, type Frame, type Hooks } from "./backend";
 import { basis, projector, type Projected } from "./camera";
 import { css, parse, type Rgba } from "./colours";
 import { cover, emptyDepth, hidden, type Depth } from "./depth";
@@ -46,8 +46,10 @@ function paint(element: SVGSVGElement, scene: Scene, cloud: Cloud | null, frame:
   drawInto(element, [ground, ...solid.map(polygon), ...(cloud ? dots(cloud, scene, frame, depth) : []), ...lines, ...clear.map(polygon)]);
 }
 
+const DOTS = 4096; // scanned points that are drawn at most
+
 /** How many points of a cloud are drawn: its first ones. */
-const drawnOf = ({ points }: Cloud): number => Math.min(FEWEST, points.length / 4);
+const drawnOf = ({ points }: Cloud): number => Math.min(DOTS, points.length / 4);
 
 /** Scanned points that no face hides, coloured by their deviation. */
 function dots(cloud: Cloud, scene: Scene, frame: Frame, depth: Depth): Drawn[] {
