@@ -1,4 +1,4 @@
-// The drawing of every variant of every cycle: its captions can be read.
+// The drawing of every variant of every cycle: its captions can be read, and each field stands out in it.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { open, shared } from "./browser.mjs";
@@ -30,16 +30,37 @@ async function unreadable() {
   return { found, count: variants.length };
 }
 
+/** In the page: the first variant of each cycle; gives the fields for which nothing in the drawing stands out. */
+async function unfollowed() {
+  const drawn = () => new Promise((resolve) => { requestAnimationFrame(() => requestAnimationFrame(resolve)); });
+  const found = [];
+  let fields = 0;
+  for (const variant of document.querySelectorAll(".tree-item.level-2 + .tree-item.level-3")) {
+    variant.click();
+    await drawn();
+    for (const field of document.querySelectorAll(".panel-form .fields .field")) {
+      fields++;
+      field.querySelector("input").focus();
+      await drawn();
+      if (!document.querySelector(".picture .shape.lit")) found.push(`${document.querySelector("#form-title").textContent}: ${field.dataset.field}`);
+    }
+  }
+  return { found, fields };
+}
+
 describe("the drawings", () => {
   const chrome = shared("neither", { before, after });
 
   // oracle: hand
-  test("have captions that can be read", async () => {
+  test("have captions that can be read, and follow the focus", async () => {
     const { context, page, problems } = await open(chrome.browser, { serviceWorkers: "block" });
     await page.locator(".picture .caption").first().waitFor();
     const { found, count } = await page.evaluate(unreadable);
     assert.ok(count > 100, `${count} variants`);
     assert.deepEqual(found, []);
+    const followed = await page.evaluate(unfollowed);
+    assert.ok(followed.fields > 200, `${followed.fields} fields`);
+    assert.deepEqual(followed.found, []);
     assert.deepEqual(problems, []);
     await context.close();
   });

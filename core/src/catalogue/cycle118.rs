@@ -224,7 +224,7 @@ fn picture(inputs: &Inputs) -> Picture {
 fn one(number: f64, decimals: usize) -> Vec<PictureShape> {
     let text = format!("{number:.decimals$}");
     let middle = left(LENGTH) / 2.0;
-    let mut shapes = cells(&text, LENGTH, 0.0, NUMBER);
+    let mut shapes = cells(&text, LENGTH, 0.0, COUNT);
     shapes.push(
         line(ShapeKind::Label, vec![[middle, ROW]])
             .text(number.to_string())

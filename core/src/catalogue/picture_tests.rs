@@ -70,13 +70,17 @@ fn pictures_follow_every_field() {
     for cycle in CYCLES {
         for variant in cycle.variants {
             let control = delivery(cycle.dialect);
-            let typed = typed(cycle, variant, "7");
-            let picture = draw(cycle, &typed, &control).unwrap();
-            for field in fields(cycle, &typed, &control) {
-                let also = picture.shapes.iter().flat_map(|shape| &shape.also);
-                let shown =
-                    picture.explains(field.name) || also.into_iter().any(|one| *one == field.name);
-                assert!(shown, "{} {} {}", cycle.name, variant.number, field.name);
+            for typed in [typed(cycle, variant, "7"), example::example(cycle, variant)] {
+                let picture = draw(cycle, &typed, &control).unwrap();
+                let also: Vec<&str> = picture
+                    .shapes
+                    .iter()
+                    .flat_map(|one| one.also.clone())
+                    .collect();
+                for field in fields(cycle, &typed, &control) {
+                    let shown = picture.explains(field.name) || also.contains(&field.name);
+                    assert!(shown, "{} {} {}", cycle.name, variant.number, field.name);
+                }
             }
         }
     }
