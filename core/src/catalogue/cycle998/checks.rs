@@ -77,9 +77,14 @@ fn along_the_angle(inputs: &Inputs, leg: &Leg) -> Option<Diagnostic> {
     }
     let away = leg.rise(area) - leg.rise(0.0);
     let worst = leg.rise(area) - leg.rise(-area);
-    let needed = |path: f64| Message::new("check-angle-reach-hint").number("needed", path);
+    // µm are enough for a reader, and what is advised must be enough as well
+    let needed = |path: f64| {
+        let advised = (path * 1e3).ceil() / 1e3;
+        Message::new("check-angle-reach-hint").number("needed", advised)
+    };
     if away > path {
-        let message = Message::new("check-angle-reach").number("away", path + away);
+        let ahead = ((path + away) * 1e3).round() / 1e3;
+        let message = Message::new("check-angle-reach").number("away", ahead);
         return Some(
             warning(Code::Own(81), message.number("path", 2.0 * path))
                 .hint(needed(worst))
