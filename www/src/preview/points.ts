@@ -22,8 +22,8 @@ export interface Points {
 }
 
 const FEWEST = 16_384; // points that every device draws in a moment
-const QUICK = 60;  // ms until the page hears of it, two frames included; with twice as many points still no standstill
-const SLOW = 150;
+const QUICK = 50;  // ms until the page hears of it, two frames included; with twice as many points still no standstill
+const SLOW = 120;
 const FLOATS = 4;  // a point
 const ROW = 2048;  // only the last piece that is brought may be no multiple (web/preview/src/layout.rs)
 
