@@ -7,6 +7,7 @@ import { t } from "../texts";
 
 const QUIET = 300; // ms of work that are not worth a word
 const TICK = 250; // ms
+const SHORT = 0.05; // million characters or MB that would be told as none
 
 /** `size`: characters or bytes that it is about, those of the program unless told; `halt` where the work can wait. */
 export interface Activity { busy(): { since: number; share?: number; halted?: number; size?: number } | null; stopped(state: State): Stopped | null; stop(): void; again(): void; halt?(on: boolean): void }
@@ -36,8 +37,9 @@ export function createActivity(name: string, work: Activity): { root: HTMLElemen
     show(halt, working && !!work.halt);
     show(again, !working);
     setText(halt, t(halted ? "activity-go-on" : "activity-halt"));
-    const size = plain((busy?.size ?? programOf(state).length) / 1e6, 1);
-    if (working) setText(what, t(`${name}-${halted ? "halted" : "working-on"}`, { size }));
+    const size = (busy?.size ?? programOf(state).length) / 1e6;
+    const long = size < SHORT ? "working" : "working-on";
+    if (working) setText(what, t(`${name}-${halted ? "halted" : long}`, { size: plain(size, 1) }));
     else setText(what, stopped ? t(stopped.why ? `${name}-failed` : `${name}-stopped`, { why: stopped.why }) : "");
     setAttribute(bar, "value", busy?.share);
     const parts = [t("activity-seconds", { seconds: (passed / 1000).toFixed(1) })];
