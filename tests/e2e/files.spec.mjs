@@ -1,6 +1,8 @@
 // What is opened and saved: programs as bytes, setups, named values; nothing is lost by a wrong file or a wrong click.
 import assert from "node:assert/strict";
-import { readFile } from "node:fs/promises";
+import { mkdtemp, readFile, rmdir } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
 import { open, shared } from "./browser.mjs";
 
@@ -32,6 +34,14 @@ async function drop(page, selector, name, text) {
     return transfer;
   }, [name, text]);
   for (const type of ["dragover", "drop"]) await page.dispatchEvent(selector, type, { dataTransfer: data });
+}
+
+/** Drops what lies at a path, as the system does: only so does the browser know a folder. */
+async function dropPath(context, page, path) {
+  const session = await context.newCDPSession(page);
+  const { x, y } = await page.locator(".cm-content").boundingBox();
+  const data = { items: [], files: [path], dragOperationsMask: 1 };
+  for (const type of ["dragEnter", "dragOver", "drop"]) await session.send("Input.dispatchDragEvent", { type, x: x + 5, y: y + 5, data });
 }
 
 const CALL = "_MVAR=1 _SETVAL=132 _TNUM=20 _KNUM=2001\r\nCYCLE977\r\n";
@@ -87,6 +97,18 @@ describe("a program file", () => {
     const { bytes } = await saved(page, ".panel-program", "Save");
     assert.equal(bytes.toString(), `\ufeffN1 ; \u6d4b\u91cf\n${CALL}`);
     await context.close();
+  });
+
+  // oracle: hand
+  test("that is a folder is told, and the program stays", async () => {
+    const { context, page } = await start(chrome);
+    const earlier = await saved(page, ".panel-program", "Save");
+    const folder = await mkdtemp(join(tmpdir(), "folder-"));
+    await dropPath(context, page, folder);
+    await page.getByText("it is a folder", { exact: false }).waitFor();
+    assert.deepEqual(await saved(page, ".panel-program", "Save"), earlier);
+    await context.close();
+    await rmdir(folder);
   });
 
   // oracle: hand

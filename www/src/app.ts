@@ -11,7 +11,7 @@ import { save } from "./keep";
 import { unpack } from "./link";
 import { Broken } from "./module";
 import { createGoToField, type Shows } from "./goto";
-import { openProgramFile, openSetupFile } from "./open";
+import { openProgramFile, openSetupFile, refuseFolder } from "./open";
 import { createJob } from "./pace";
 import { keepPlaces } from "./places";
 import type { ProgramCore } from "./program";
@@ -130,7 +130,7 @@ export async function startApp(core: Core, stored: Partial<State> | null): Promi
     program: (file: File): void => void openProgramFile(file, store, actions, opening, editor),
     setup: (file: File): void => void openSetupFile(file, full, store, actions).catch(absent),
   };
-  acceptDrops(open.program, open.setup);
+  acceptDrops(open.program, open.setup, (name) => refuseFolder(name, store));
   const scanner = createScanner(() => programCore?.module, store);
   const stage = createStage(store);
   const makeBench = (): Bench => createBench({

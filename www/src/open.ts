@@ -11,6 +11,10 @@ function refuse(store: Store, place: "program" | "setup", why: Refusal): void {
   store.update({ refused: { ...why, place } });
 }
 
+export function refuseFolder(name: string, store: Store): void {
+  refuse(store, "program", { key: "refused-folder", args: { name } });
+}
+
 /** Until all of it is ready to be shown the program before stays, and can go on being changed. */
 export async function openProgramFile(file: File, store: Store, actions: Actions, opening: Job, editor: EditorPlace): Promise<void> {
   await opening.start(file.size, async (pace) => {

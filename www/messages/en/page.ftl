@@ -324,6 +324,7 @@ undo = Undo
 refused-program-size = { $name } was not opened: it has { $size } MB, programs may have { $most } MB. Your program is unchanged.
 refused-setup-size = { $name } was not opened: it has { $size } MB, a setup has at most { $most } MB. Your setup is unchanged.
 refused-unreadable = { $name } was not opened: the browser cannot read it. It may have been moved or changed meanwhile.
+refused-folder = { $name } was not opened: it is a folder. Drop the file itself.
 refused-setup = { $name } was not opened, it is no setup: { $why }. “Save setup” writes one to compare. Your setup is unchanged.
 refused-close = Close
 

@@ -2,7 +2,10 @@
 
 const isSetup = (file: File): boolean => file.type === "application/json" || /\.json$/i.test(file.name);
 
-export function acceptDrops(openProgram: (file: File) => void, openSetup: (file: File) => void): void {
+/** Where the system tells a folder's size as 0, its entry is all that tells it from an empty file. */
+const isFolder = (event: DragEvent, at: number): boolean => !!event.dataTransfer?.items[at]?.webkitGetAsEntry()?.isDirectory;
+
+export function acceptDrops(openProgram: (file: File) => void, openSetup: (file: File) => void, refuseFolder: (name: string) => void): void {
   const mark = (on: boolean): void => { document.body.toggleAttribute("data-dropping", on); };
   const carriesFiles = (event: DragEvent): boolean => !!event.dataTransfer?.types.includes("Files");
   addEventListener("dragover", (event) => {
@@ -16,6 +19,9 @@ export function acceptDrops(openProgram: (file: File) => void, openSetup: (file:
     event.preventDefault();
     event.stopPropagation();
     mark(false);
-    for (const file of event.dataTransfer?.files ?? []) (isSetup(file) ? openSetup : openProgram)(file);
+    for (const [at, file] of [...event.dataTransfer?.files ?? []].entries()) {
+      if (isFolder(event, at)) refuseFolder(file.name);
+      else (isSetup(file) ? openSetup : openProgram)(file);
+    }
   }, true);
 }
