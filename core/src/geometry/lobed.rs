@@ -2,7 +2,7 @@
 
 use super::circle::radial;
 use super::{Path, TOLERANCE, V3, roots};
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 /// A closed curve about the Z axis, growing with depth: `r = radius + slope·depth + amplitude·cos(count·angle)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,29 +41,41 @@ impl LobedWall {
     /// Nearest point of the wall. Its lines at one angle are straight, so that only the angle is searched.
     pub fn foot(&self, p: &V3) -> V3 {
         let samples = (16 * self.lobes.count as usize).max(96);
-        let angle = |i: usize| TAU * i as f64 / samples as f64;
-        let distance = |i: usize| (p - self.nearest_at(p, angle(i % samples))).norm_squared();
-        let values: Vec<f64> = (0..samples).map(distance).collect();
+        let pitch = TAU / samples as f64;
+        let (from, to) = self.searched(p, pitch);
+        let angle = |i: i64| i as f64 * pitch;
+        let distance = |i: i64| (p - self.nearest_at(p, angle(i))).norm_squared();
+        let values: Vec<f64> = (from - 1..=to + 1).map(distance).collect();
         let best = values.iter().copied().fold(f64::INFINITY, f64::min);
-        let pitch = self.lobes.radius * TAU / samples as f64;
-        let near = best.sqrt() + pitch;
+        let near = (best.sqrt() + self.lobes.radius * pitch).powi(2);
         let mut nearest = radial(p) * self.lobes.radius;
         let mut least = f64::INFINITY;
-        for i in 0..samples {
-            let (before, after) = (
-                values[(i + samples - 1) % samples],
-                values[(i + 1) % samples],
-            );
-            if values[i] > before || values[i] > after || values[i] > near * near {
+        for (i, around) in (from..=to).zip(values.windows(3)) {
+            if around[1] > around[0] || around[1] > around[2] || around[1] > near {
                 continue;
             }
-            let candidate = self.refine(p, angle(i), TAU / samples as f64);
+            let candidate = self.refine(p, angle(i), pitch);
             let distance = (p - candidate).norm_squared();
             if distance < least {
                 (nearest, least) = (candidate, distance);
             }
         }
         nearest
+    }
+
+    /// The angles, in steps of `pitch`, at which the wall can be nearest. A place of it is known, straight out; and what
+    /// lies at another angle is no nearer than its ray from the axis.
+    fn searched(&self, p: &V3, pitch: f64) -> (i64, i64) {
+        let own = p.y.atan2(p.x);
+        let known = (p - self.nearest_at(p, own)).norm();
+        let out = p.xy().norm();
+        let half = if known < out {
+            (known / out).asin()
+        } else {
+            PI
+        };
+        let step = |angle: f64| (angle / pitch) as i64;
+        (step(own - half) - 1, step(own + half) + 1)
     }
 
     /// Length after which a ball of this radius begins to touch the wall. The distance to the wall is a way that
@@ -120,5 +132,36 @@ impl LobedWall {
         };
         let at = roots::bracketed(change, angle - pitch, angle + pitch).unwrap_or(angle);
         self.nearest_at(p, at)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// Nearest of the places at 20,000 angles.
+    fn sampled(wall: &LobedWall, p: &V3) -> f64 {
+        let at = |i: u32| (p - wall.nearest_at(p, f64::from(i) * TAU / 20_000.0)).norm();
+        (0..20_000).map(at).fold(f64::INFINITY, f64::min)
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(200))]
+
+        // oracle: self, by looking everywhere
+        #[test]
+        fn no_place_of_the_wall_is_nearer_than_its_foot(
+            (radius, amplitude, count, slope) in (2.0..80.0, 0.0..0.3, 1..12u32, -0.2..0.2),
+            (out, angle, z) in (0.0..2.0, 0.0..TAU, -40.0..10.0),
+        ) {
+            let lobes = Lobes { radius, slope, amplitude, count };
+            let wall = LobedWall { lobes, depth: 8.0 };
+            let p = V3::new(out * radius * angle.cos(), out * radius * angle.sin(), z);
+            let distance = (p - wall.foot(&p)).norm();
+            let seen = sampled(&wall, &p);
+            prop_assert!(distance < seen + 1e-9, "{distance} {seen}");
+            prop_assert!(distance > seen - 0.01 * radius / 20.0, "{distance} {seen}");
+        }
     }
 }
