@@ -16,7 +16,11 @@ async function start(chrome, options) {
 /** After the redraw that follows what was done last. */
 const drawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 
-const stored = (page) => page.evaluate((name) => JSON.parse(localStorage.getItem(name) ?? "{}"), STORE);
+/** What is kept of the work, without the visit that wrote it. */
+const stored = async (page) => {
+  const { by, ...work } = await page.evaluate((name) => JSON.parse(localStorage.getItem(name) ?? "{}"), STORE);
+  return work;
+};
 
 /** What is kept, once it holds what is waited for. */
 async function keptWhen(page, wanted) {
