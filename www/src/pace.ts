@@ -1,6 +1,8 @@
 // Long work on the page's own thread, in slices: between two of them the page draws and hears keys and clicks. One job at
 // a time; it tells how far it is, and can be stopped.
 
+/** Characters that are taken at once, without a rest for the page. */
+export const LONG = 200_000;
 const SLICE = 12; // ms
 
 export interface Pace {

@@ -3,8 +3,6 @@
 import { Text } from "@codemirror/state";
 import type { Pace } from "../pace";
 
-/** Characters that the editor takes at once, without a rest for the page. */
-export const LONG = 200_000;
 const KEPT = 2; // the next one, and the one that it replaces: it may come back
 const PIECE = 32_768; // characters between two looks at the clock
 const BREAK = /\r\n?|\n/;

@@ -8,8 +8,9 @@ import { Compartment, EditorSelection, EditorState, RangeSetBuilder, StateEffect
 import { Decoration, drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, highlightSpecialChars, keymap, lineNumbers, type DecorationSet } from "@codemirror/view";
 import { difference } from "../difference";
 import { toEditor, type Splice } from "../eol";
+import { LONG } from "../pace";
 import type { Dialect } from "../wire";
-import { keepLines, linesOf, LONG } from "./document";
+import { keepLines, linesOf } from "./document";
 import { nct } from "./nct";
 import { sinumerik } from "./sinumerik";
 import { theme } from "./theme";

@@ -2,7 +2,7 @@
 
 import { el } from "../dom";
 import { learn } from "../eol";
-import { within, type Job, type Pace } from "../pace";
+import { LONG, within, type Job, type Pace } from "../pace";
 import type { Editor, EditorHost } from "./editor";
 import { editorWords } from "./words";
 
@@ -35,8 +35,8 @@ export function createEditorPlace(laying: Job, ready: () => void): EditorPlace {
     ready();
   };
   const prepare = async (text: string, pace: Pace): Promise<void> => {
-    const { LONG, putTogether } = await import("./document");
     if (text.length <= LONG) return;
+    const { putTogether } = await import("./document");
     await learn(text, within(pace, 0, 0.2));
     await putTogether(text, within(pace, 0.2, 1));
   };
