@@ -208,14 +208,16 @@ fn word_of(
             name, index, value, ..
         } => {
             let letters = run.program.name(*name);
-            if indexed::take(
-                run,
-                &letters,
-                index,
-                *value,
-                word.span,
-                &mut found.addresses,
-            )? {
+            if !hidden(run, &letters)
+                && indexed::take(
+                    run,
+                    &letters,
+                    index,
+                    *value,
+                    word.span,
+                    &mut found.addresses,
+                )?
+            {
                 return Ok(true);
             }
             let key = names::key(run, *name, index)?;

@@ -67,6 +67,9 @@ fn machine(plane: Plane, units: Units, settable: usize) -> Setup {
         .insert(1, frame([0.0, 8.0, 1.0], [0.0, 7.0, 0.0]));
     control
         .frames
+        .insert(0, frame([7.0, -9.0, 4.0], [0.0, 0.0, 6.0])); // of G500
+    control
+        .frames
         .insert(1, frame([40.0, 30.0, 20.0], [0.0, 5.0, -15.0]));
     control
         .frames

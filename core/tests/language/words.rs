@@ -68,6 +68,9 @@ fn addresses_may_be_written_with_an_index() {
         assert!(!findings(told).is_empty(), "{told}");
     }
     assert_eq!(fault("POS[X]=IC(5) FA[X]=100"), "run-not-simulated");
+    // an array of the program comes before an address of the same letter
+    let outcome = clean("DEF REAL S[3]\nS[0]=2.5 S[1]=4\nR1=S[0]+S[1]");
+    assert_eq!(outcome.control.number("R1"), 6.5);
     assert_eq!(fault("DISC=101"), "run-range");
 }
 

@@ -35,7 +35,7 @@ pub enum Store {
 pub struct Target {
     /// Where it is stored.
     pub store: Store,
-    /// Reckoned as if no settable frame were active (`_KNUM` = 1000, B:1938).
+    /// Reckoned as if G500 were active, whose frame is `$P_UIFR[0]` (`_KNUM` = 1000, B:1938).
     pub without_settable: bool,
     /// The cycle makes it active itself (`_KNUM` = 9999, B:1965).
     pub activate: bool,
@@ -163,7 +163,9 @@ fn around(control: &Control, target: &Target) -> (Vec<Frame>, Frame, Vec<Frame>)
     let mut after = Vec::new();
     let settable = match target.store {
         Store::Settable(_) => None,
-        _ if target.without_settable => None,
+        _ if target.without_settable => {
+            Some((Store::Settable(0), stored(control, Store::Settable(0))))
+        }
         _ => Some((Store::Settable(control.settable), control.active)),
     };
     let others = in_effect(control).into_iter().chain(settable);

@@ -129,8 +129,14 @@ fn another_settable_frame_keeps_its_rotation() {
 
 #[test]
 fn the_last_basic_frame_is_reckoned_without_a_settable_one() {
-    // oracle: self (B:1938)
+    // oracle: self (B:1938: right as soon as G500 is activated, which has a frame of its own)
     let mut control = chained();
+    let own = Frame {
+        fine: [0.02, -0.01, 0.0],
+        rotation: [0.0, 0.0, 8.0],
+        ..Frame::translation([6.0, -7.0, 8.0])
+    };
+    control.frames.insert(0, own);
     let measured = Measured {
         actual: [31.0, 42.0, 5.0],
         set: [1.0, 2.0, 3.0],
@@ -142,7 +148,6 @@ fn the_last_basic_frame_is_reckoned_without_a_settable_one() {
         names.iter().all(|name| name.starts_with("$P_CHBFR[1,")),
         "{names:?}"
     );
-    control.frames.insert(0, Frame::default());
     control.activate(0);
     let seen = control.to_workpiece(machine);
     assert!(
@@ -151,6 +156,28 @@ fn the_last_basic_frame_is_reckoned_without_a_settable_one() {
             .all(|(a, b)| (a - b).abs() < 1e-9),
         "{seen:?}"
     );
+}
+
+#[test]
+fn a_table_stands_right_in_the_corrected_basic_frame_with_g500() {
+    // oracle: hand: of the 3 + 0.5 degree in G54 only the 2 degree of G500 are left, so that the basic frame takes the
+    // rest, and the angle of 0.25
+    let mut control = control();
+    let about_z = |rotary: f64, rotary_fine: f64| Frame {
+        rotary: [0.0, 0.0, rotary],
+        rotary_fine: [0.0, 0.0, rotary_fine],
+        ..Frame::default()
+    };
+    control.frames.insert(0, about_z(2.0, 0.0));
+    control.frames.insert(1, about_z(3.0, 0.5));
+    control.channel_basic.insert(0, about_z(10.0, 0.0));
+    control.activate(1);
+    let stood = control.rotary_to_machine(2, 5.0);
+    let target = target(&control, 1000).unwrap().unwrap();
+    let writes = rotary(&control, &target, 2, 0.25);
+    write_all(&mut control, &writes);
+    control.activate(0);
+    assert!((control.rotary_to_machine(2, 5.0) - stood - 0.25).abs() < 1e-12);
 }
 
 #[test]

@@ -75,6 +75,7 @@ pub fn rotary(control: &Control, target: &Target, axis: usize, angle: f64) -> Ve
         values
     };
     let (coarse, fine) = (effective.rotary[axis], effective.rotary_fine[axis]);
+    let angle = angle + given_up(control, target, axis);
     if target.store != Store::System && control.number("MD18600") != 0.0 {
         let changed = with(stored.rotary_fine, fine + angle);
         return part(target, &ROTARY, "FI", changed, stored.rotary_fine);
@@ -84,6 +85,16 @@ pub fn rotary(control: &Control, target: &Target, axis: usize, angle: f64) -> Ve
     let erased = with(stored.rotary_fine, 0.0);
     writes.extend(part(target, &ROTARY, "FI", erased, stored.rotary_fine));
     writes
+}
+
+/// By how much less a rotary axis is moved (degree) once the frame counts that is reckoned with: `_KNUM` = 1000 replaces the
+/// settable frame by that of G500.
+fn given_up(control: &Control, target: &Target, axis: usize) -> f64 {
+    if !target.without_settable {
+        return 0.0;
+    }
+    let moved = |frame: &Frame| frame.rotary[axis] + frame.rotary_fine[axis];
+    moved(&control.active) - moved(&super::stored(control, Store::Settable(0)))
 }
 
 /// What turns and moves a frame so that what lies where `motion` takes it from its set position has the set coordinates
