@@ -1,5 +1,6 @@
 //! Checks over several parameters that the SINUMERIK workpiece cycles share.
 
+use super::common::MONO;
 use super::{When, names};
 use crate::check::{Finding, Inputs, error, note, warning};
 use crate::control::Control;
@@ -245,7 +246,7 @@ pub fn differential(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnost
                 .at(names::MVAR),
         );
     }
-    if inputs.integer(names::PRNUM) / 100 == 1 {
+    if MONO.holds(inputs) {
         let message = Message::new("check-differential-mono");
         found.push(
             error(Code::Alarm(61313), message)
@@ -257,7 +258,7 @@ pub fn differential(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnost
 
 /// Only a multi probe switches in all directions that are needed (B:7846-7848, B:8199-8201). The alarm is ours.
 pub fn multi_probe(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
-    if inputs.integer(names::PRNUM) / 100 == 1 {
+    if MONO.holds(inputs) {
         found.push(
             error(Code::Alarm(61313), Message::new("check-multi-probe"))
                 .hint(Message::new("check-multi-probe-hint"))

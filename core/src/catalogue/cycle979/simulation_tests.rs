@@ -247,19 +247,34 @@ fn a_measurement_is_repeated_from_its_first_point() {
 
 #[test]
 fn a_mono_probe_looks_at_the_wall() {
-    // oracle: manual B:864-871, B:13624-13626: inside along the angle of the point, outside against it
-    let turned = |variant: i64| {
+    // oracle: manual B:864-871, B:13624-13626: inside along the angle of the point, outside against it, and B:6744-6752
+    let turned = |variant: i64, probe: f64| {
         let (sim, outcome) = changed(variant, |setup, inputs| {
             setup.control.set("_CBIT[8]", 1.0);
-            inputs.numbers.extend([("_PRNUM", 101.0), ("_CORA", 5.0)]);
+            inputs.numbers.extend([("_PRNUM", probe), ("_CORA", 5.0)]);
         });
         assert_eq!(outcome, Ok(()));
         turns(&sim)
     };
-    assert_eq!(turned(1), [35.0, 115.0, 195.0]);
-    assert_eq!(turned(2), [215.0, 295.0, 15.0]);
-    assert_eq!(turned(3), [35.0, 215.0]);
-    assert_eq!(turned(4), [215.0, 35.0]);
+    assert_eq!(turned(1, 101.0), [35.0, 115.0, 195.0]);
+    assert_eq!(turned(1, 1101.0), [35.0, 115.0, 195.0, 275.0]);
+    assert_eq!(turned(2, 101.0), [215.0, 295.0, 15.0]);
+    assert_eq!(turned(2, 1101.0), [215.0, 295.0, 15.0, 95.0]);
+    assert_eq!(turned(3, 101.0), [35.0, 215.0]);
+    assert_eq!(turned(4, 101.0), [215.0, 35.0]);
+}
+
+#[test]
+fn a_multi_probe_turns_with_the_coordinates_however_many_points() {
+    // oracle: manual B:13973-13987 (90 degree of the coordinates are 270 of the spindle), B:6744-6752
+    for probe in [1.0, 1001.0] {
+        let (sim, _) = changed(1, |setup, inputs| {
+            setup.control.active.rotation = [0.0, 0.0, 90.0];
+            setup.control.set("_CHBIT[13]", 1.0);
+            inputs.numbers.insert("_PRNUM", probe);
+        });
+        assert_eq!(turns(&sim), [270.0], "{probe}");
+    }
 }
 
 #[test]

@@ -3,6 +3,7 @@
 //! plane, 100 more for a mono probe; 1 where L1 ends at the centre of the ball, 2 at its circumference; 0 unknown.
 
 use super::results;
+use crate::catalogue::common::MONO;
 use crate::catalogue::names;
 use crate::check::Inputs;
 use crate::control::{Control, Plane};
@@ -40,9 +41,11 @@ fn codes(control: &Control, inputs: &Inputs) -> [f64; 2] {
         Plane::G18 => 18.0,
         Plane::G19 => 19.0,
     };
-    let mono = inputs.integer(names::PRNUM) / 100 % 10 == 1;
     let reference = if control.bit("_CBIT[14]") { 2.0 } else { 1.0 };
-    [plane + if mono { 100.0 } else { 0.0 }, reference]
+    [
+        plane + if MONO.holds(inputs) { 100.0 } else { 0.0 },
+        reference,
+    ]
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use super::{Block, Spindle, turnable};
 use crate::catalogue::MachineSort;
+use crate::catalogue::common::MONO;
 use crate::catalogue::sinumerik::{alarm, calibrated_as, state};
 use crate::check::Inputs;
 use crate::control::Control;
@@ -104,7 +105,7 @@ fn read(control: &Control, inputs: &Inputs) -> Result<Block, u32> {
 fn probe(control: &Control, inputs: &Inputs) -> Result<(i64, bool), u32> {
     let number = inputs.integer("_PRNUM");
     // In a turret a mono probe is used as a multi probe (B:2277).
-    let (mono, field) = (number / 100 == 1 && !turning(inputs), number % 100);
+    let (mono, field) = (MONO.holds(inputs) && !turning(inputs), number % 100);
     if field < 1 || field as f64 > control.number("_CVAL[1]") {
         return Err(61313);
     }
@@ -146,7 +147,7 @@ fn speeds(control: &Control, monitored: bool) -> Result<(f64, f64), u32> {
 /// With `_CHBIT[13]` a multi probe turns with the coordinate system: 90 degree of rotation about the applicate, and only
 /// about it, give 270 degree (with `_CHBIT[14]` 90) of the spindle (B:13973-13987).
 fn follow_rotation(control: &Control, inputs: &Inputs) -> Option<f64> {
-    if turning(inputs) || !control.bit("_CHBIT[13]") || inputs.integer("_PRNUM") / 100 != 0 {
+    if turning(inputs) || !control.bit("_CHBIT[13]") || MONO.holds(inputs) {
         return None;
     }
     let [abscissa, ordinate, applicate] = control.plane.axes();
