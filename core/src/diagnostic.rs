@@ -52,6 +52,63 @@ pub struct Diagnostic {
     pub cure: Option<Cure>,
 }
 
+impl Diagnostic {
+    /// A finding without hint and place.
+    pub fn new(severity: Severity, code: Code, message: Message) -> Self {
+        Self {
+            severity,
+            code,
+            message,
+            hint: None,
+            param: None,
+            span: None,
+            cure: None,
+        }
+    }
+
+    /// With what helps.
+    pub fn hint(mut self, hint: Message) -> Self {
+        self.hint = Some(hint);
+        self
+    }
+
+    /// At this parameter.
+    pub fn at(mut self, param: &'static str) -> Self {
+        self.param = Some(param);
+        self
+    }
+
+    /// Under this number instead, where the control has one of its own.
+    pub fn under(mut self, code: Code) -> Self {
+        self.code = code;
+        self
+    }
+
+    /// The cause with a number.
+    pub fn number(mut self, name: &'static str, value: f64) -> Self {
+        self.message = self.message.number(name, value);
+        self
+    }
+
+    /// The cause with a text.
+    pub fn text(mut self, name: &'static str, value: impl Into<String>) -> Self {
+        self.message = self.message.text(name, value);
+        self
+    }
+
+    /// The hint with a number.
+    pub fn hint_number(mut self, name: &'static str, value: f64) -> Self {
+        self.hint = self.hint.map(|hint| hint.number(name, value));
+        self
+    }
+
+    /// The hint with a text.
+    pub fn hint_text(mut self, name: &'static str, value: impl Into<String>) -> Self {
+        self.hint = self.hint.map(|hint| hint.text(name, value));
+        self
+    }
+}
+
 /// Edits that mend a finding.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cure {

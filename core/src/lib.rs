@@ -13,6 +13,7 @@ pub mod geometry;
 #[cfg(feature = "json")]
 pub mod json;
 pub mod message;
+pub mod own;
 pub mod program;
 pub mod report;
 pub mod run;

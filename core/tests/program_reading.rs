@@ -201,7 +201,7 @@ fn deep_and_long_expressions_end_as_a_syntax_error() {
     let signs = format!("X={}1", "-".repeat(100_000));
     for text in [&deep, &long, &signs] {
         let program = read(Dialect::Sinumerik, text.as_bytes());
-        assert_eq!(program.errors[0].key, "syntax-depth");
+        assert_eq!(program.errors[0].sentence.cause, "syntax-depth");
         check_places(&program);
     }
     for text in [
@@ -209,7 +209,7 @@ fn deep_and_long_expressions_end_as_a_syntax_error() {
         format!("#1={}1", "#".repeat(100_000)),
     ] {
         assert_eq!(
-            read(Dialect::Nct, text.as_bytes()).errors[0].key,
+            read(Dialect::Nct, text.as_bytes()).errors[0].sentence.cause,
             "syntax-depth"
         );
     }
@@ -230,7 +230,7 @@ fn unknown(dialect: Dialect, path: &Path) -> Vec<String> {
     program
         .errors
         .iter()
-        .map(|error| show(error.span, error.key))
+        .map(|error| show(error.span, error.sentence.cause))
         .collect()
 }
 

@@ -267,7 +267,7 @@ fn every_mistake_is_named_with_words_and_the_rest_of_the_line_is_read() {
             program
                 .errors
                 .iter()
-                .map(|error| error.key)
+                .map(|error| error.sentence.cause)
                 .collect::<Vec<_>>(),
             [key],
             "{line}"
@@ -276,7 +276,7 @@ fn every_mistake_is_named_with_words_and_the_rest_of_the_line_is_read() {
         assert!(messages.contains(&format!("\n{key} = ")), "{key} has words");
     }
     let comment = read(Dialect::Nct, b"G1 (open");
-    assert_eq!(comment.errors[0].key, "syntax-comment");
+    assert_eq!(comment.errors[0].sentence.cause, "syntax-comment");
     // oracle: hand (what an editor puts before the text is no word)
     let marked = read(Dialect::Sinumerik, "\u{feff}%_N_A_MPF\nX1".as_bytes());
     assert_eq!(marked.errors, []);

@@ -1,10 +1,11 @@
 //! Checks that the cycles which calibrate a workpiece probe share (CYCLE973, CYCLE976).
 
 use super::{names, place};
-use crate::check::{Finding, Inputs, error};
+use crate::check::{Inputs, error};
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::message::Message;
+use crate::own;
 
 /// Ball radius that a calibration positions with: that of the active tool (B:5405, B:5486), not the stored one, which it
 /// may be about to find.
@@ -23,12 +24,7 @@ pub fn band(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     if let (Some(low), Some(high)) = (given(names::TZL), given(names::TSA))
         && low >= high
     {
-        let message = Message::new("check-calibration-band");
-        found.push(
-            error(Code::Own(40), message)
-                .hint(Message::new("check-calibration-band-hint"))
-                .at(names::TZL),
-        );
+        found.push(own::CALIBRATION_BAND.finding().at(names::TZL));
     }
 }
 
@@ -36,9 +32,7 @@ pub fn band(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
 /// alarm.
 pub fn unmirrored(control: &Control, found: &mut Vec<Diagnostic>) {
     if (0..3).any(|axis| control.mirrored(axis)) {
-        let message = Message::new("check-calibration-mirror");
-        let hint = Message::new("check-calibration-mirror-hint");
-        found.push(error(Code::Own(144), message).hint(hint));
+        found.push(own::CALIBRATION_MIRROR.finding());
     }
 }
 

@@ -1,10 +1,11 @@
 //! Points that lie on a circle, and checks for them, at a starting angle and steps of an indexing angle: CYCLE979, CYCLE997.
 
 use super::names;
-use crate::check::{Finding, Inputs, error, warning};
+use crate::check::{Inputs, error};
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::message::Message;
+use crate::own;
 
 /// The probe must have been calibrated with its ball diameter (B:6873, B:8221).
 pub fn ball_known(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
@@ -14,11 +15,7 @@ pub fn ball_known(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic
     };
     let index = code as i64 % 100 - 1;
     if control.number(&format!("_WP[{index},0]")) == 0.0 {
-        found.push(
-            warning(Code::Own(51), Message::new("check-ball-unknown"))
-                .hint(Message::new("check-ball-unknown-hint"))
-                .at(names::PRNUM),
-        );
+        found.push(own::BALL_UNKNOWN.finding().at(names::PRNUM));
     }
 }
 
@@ -42,18 +39,13 @@ pub fn angles(inputs: &Inputs, four: bool, found: &mut Vec<Diagnostic>) {
         error(Code::Alarm(61316), Message::new("check-angles-same"))
             .hint(Message::new("check-angles-same-hint"))
     } else if sum > 360.0 {
-        error(
-            Code::Own(52),
-            Message::new("check-angles-sum").number("sum", sum),
-        )
-        .hint(Message::new("check-angles-sum-hint"))
+        own::ANGLES_SUM.finding().number("sum", sum)
     } else if step.abs() > useful {
-        let with = |key| {
-            Message::new(key)
-                .number("points", f64::from(points))
-                .number("useful", useful)
-        };
-        warning(Code::Own(53), with("check-angles-wide")).hint(with("check-angles-wide-hint"))
+        let finding = own::ANGLES_WIDE.finding();
+        let finding = finding.number("points", f64::from(points));
+        let finding = finding.number("useful", useful);
+        let finding = finding.hint_number("points", f64::from(points));
+        finding.hint_number("useful", useful)
     } else {
         return;
     };

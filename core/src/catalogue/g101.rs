@@ -8,13 +8,12 @@ use super::{
     Variant, When, Work,
 };
 use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
-use crate::check::Finding;
 use crate::check::Inputs;
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
 use crate::form::figures::{circle, dimension, line, rectangle};
 use crate::form::picture::{Picture, ShapeKind, View};
-use crate::message::Message;
+use crate::own;
 use crate::run::trace::MotionKind;
 use crate::run::{Machine, Stop};
 use crate::workpiece::{Shape, Workpiece};
@@ -120,9 +119,7 @@ fn checks(inputs: &Inputs, _: &Control, findings: &mut Vec<Diagnostic>) {
         .iter()
         .any(|name| inputs.numbers.contains_key(name))
     {
-        let code = crate::diagnostic::Code::Own(110);
-        let found = crate::check::warning(code, Message::new("g101-no-target"));
-        findings.push(found.hint(Message::new("g101-no-target-hint")));
+        findings.push(own::G101_NO_TARGET.finding());
     }
 }
 

@@ -12,7 +12,7 @@ use super::{
 };
 use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
 use crate::catalogue::task::Task;
-use crate::check::{Finding, Inputs, error};
+use crate::check::{Inputs, error};
 use crate::control::{Control, Plane};
 use crate::diagnostic::Diagnostic;
 use crate::form::figures::{circle, corners, dimension, line, rectangle};

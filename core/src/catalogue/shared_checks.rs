@@ -2,11 +2,12 @@
 
 use super::common::MONO;
 use super::{When, names};
-use crate::check::{Finding, Inputs, error, note, warning};
+use crate::check::{Inputs, error};
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::evaluate::knum::{self, ZeroCode};
 use crate::message::Message;
+use crate::own::{self, Own};
 
 /// Probe number beyond the data fields `_WP[]` (`_CVAL[1]`, B:13346) or a type other than multi and mono.
 pub fn probe(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
@@ -45,12 +46,7 @@ pub fn probe(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     }
     let offset = inputs.given(names::CORA).unwrap_or(0.0);
     if kind == 1 && offset != 0.0 && !control.bit("_CBIT[8]") {
-        let message = Message::new("check-cora-off");
-        found.push(
-            warning(Code::Own(20), message)
-                .hint(Message::new("check-cora-off-hint"))
-                .at(names::CORA),
-        );
+        found.push(own::CORA_OFF.finding().at(names::CORA));
     }
 }
 
@@ -65,17 +61,15 @@ pub fn memories(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>)
     } else {
         (code, code)
     };
-    for (number, array, key) in [
-        (empirical, "_EVMVNUM[0]", "check-empirical-memory"),
-        (mean, "_EVMVNUM[1]", "check-mean-memory"),
+    for (number, array, sentence) in [
+        (empirical, "_EVMVNUM[0]", own::EMPIRICAL_MEMORY),
+        (mean, "_EVMVNUM[1]", own::MEAN_MEMORY),
     ] {
         let size = control.number(array);
         if number as f64 > size {
-            let message = Message::new(key)
-                .number("number", number as f64)
-                .number("size", size);
-            let hint = Message::new("check-memory-hint").text("array", array);
-            found.push(error(Code::Own(21), message).hint(hint).at(names::EVNUM));
+            let finding = sentence.finding().number("number", number as f64);
+            let finding = finding.number("size", size).hint_text("array", array);
+            found.push(finding.at(names::EVNUM));
             return;
         }
     }
@@ -86,12 +80,11 @@ pub fn memories(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>)
 pub fn tolerances(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     if let (Some(upper), Some(lower)) = (inputs.given(names::TUL), inputs.given(names::TLL)) {
         if upper < lower {
-            let message = Message::new("check-tolerance-order")
-                .number("upper", upper)
-                .number("lower", lower);
             found.push(
-                error(Code::Own(22), message)
-                    .hint(Message::new("check-tolerance-order-hint"))
+                own::TOLERANCE_ORDER
+                    .finding()
+                    .number("upper", upper)
+                    .number("lower", lower)
                     .at(names::TUL),
             );
             return;
@@ -100,29 +93,20 @@ pub fn tolerances(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
         order(
             half,
             inputs.given(names::TDIF),
-            Code::Own(23),
-            "check-band-difference",
+            own::BAND_DIFFERENCE,
             names::TDIF,
             found,
         );
     }
     let given = |name| inputs.given(name);
     if let Some(low) = given(names::TZL) {
-        order(
-            low,
-            given(names::TMV),
-            Code::Own(24),
-            "check-zero-mean",
-            names::TMV,
-            found,
-        );
+        order(low, given(names::TMV), own::ZERO_MEAN, names::TMV, found);
     }
     if let Some(difference) = given(names::TDIF) {
         order(
             difference,
             given(names::TSA),
-            Code::Own(25),
-            "check-difference-safe",
+            own::DIFFERENCE_SAFE,
             names::TSA,
             found,
         );
@@ -133,20 +117,13 @@ pub fn tolerances(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
 fn order(
     small: f64,
     large: Option<f64>,
-    code: Code,
-    key: &'static str,
+    sentence: Own,
     at: &'static str,
     found: &mut Vec<Diagnostic>,
 ) {
     if let Some(large) = large.filter(|large| *large < small) {
-        let message = Message::new(key)
-            .number("small", small)
-            .number("large", large);
-        found.push(
-            warning(code, message)
-                .hint(Message::new("check-bands-hint"))
-                .at(at),
-        );
+        let finding = sentence.finding().number("small", small);
+        found.push(finding.number("large", large).at(at));
     }
 }
 
@@ -157,12 +134,11 @@ pub fn reach(inputs: &Inputs, share: f64, found: &mut Vec<Diagnostic>) {
         return;
     };
     if path < area * share {
-        let message = Message::new("check-reach")
-            .number("path", path)
-            .number("area", area);
         found.push(
-            warning(Code::Own(26), message)
-                .hint(Message::new("check-reach-hint"))
+            own::REACH
+                .finding()
+                .number("path", path)
+                .number("area", area)
                 .at(names::FA),
         );
     }
@@ -172,11 +148,13 @@ pub fn reach(inputs: &Inputs, share: f64, found: &mut Vec<Diagnostic>) {
 pub fn fits(name: &'static str, size: f64, ball: f64, found: &mut Vec<Diagnostic>) -> bool {
     let room = size > 2.0 * ball;
     if !room {
-        let message = Message::new("check-ball")
-            .text("param", name)
-            .number("ball", 2.0 * ball);
-        let hint = Message::new("check-ball-hint");
-        found.push(error(Code::Own(30), message).hint(hint).at(name));
+        found.push(
+            own::BALL
+                .finding()
+                .text("param", name)
+                .number("ball", 2.0 * ball)
+                .at(name),
+        );
     }
     room
 }
@@ -202,12 +180,7 @@ pub fn across(
 /// An infeed that does not lead down to the measuring height (B:5833: minus is down).
 pub fn infeed(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     if let Some(infeed) = inputs.given(names::ID).filter(|infeed| *infeed >= 0.0) {
-        let message = Message::new("check-infeed").number("infeed", infeed);
-        found.push(
-            warning(Code::Own(27), message)
-                .hint(Message::new("check-infeed-hint"))
-                .at(names::ID),
-        );
+        found.push(own::INFEED.finding().number("infeed", infeed).at(names::ID));
     }
 }
 
@@ -216,12 +189,7 @@ pub fn weighting(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>
     let weight = inputs.given(names::K).unwrap_or(1.0);
     let memory = inputs.given(names::EVNUM).unwrap_or(0.0);
     if weight > 1.0 && memory > 0.0 && !control.bit("_CHBIT[4]") {
-        let message = Message::new("check-mean-off");
-        found.push(
-            note(Code::Own(28), message)
-                .hint(Message::new("check-mean-off-hint"))
-                .at(names::K),
-        );
+        found.push(own::MEAN_OFF.finding().at(names::K));
     }
 }
 
@@ -288,12 +256,7 @@ pub fn takes_rotation(name: &'static str, inputs: &Inputs, found: &mut Vec<Diagn
 /// On a lathe the length of the probe has to end at the centre of its ball (B:7526-7527, B:7834).
 pub fn lathe_length(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     if TURNING_TOOL.holds(inputs) && control.bit("_CBIT[14]") {
-        let message = Message::new("check-lathe-length");
-        found.push(
-            warning(Code::Own(85), message)
-                .hint(Message::new("check-lathe-length-hint"))
-                .at(names::PRNUM),
-        );
+        found.push(own::LATHE_LENGTH.finding().at(names::PRNUM));
     }
 }
 

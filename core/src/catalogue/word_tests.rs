@@ -88,15 +88,14 @@ fn alarms_have_words_and_stand_once() {
     }
 }
 
-/// Rust files below a folder, each with its path.
-fn sources(folder: &Path, found: &mut Vec<(PathBuf, String)>) {
+/// The Rust files below a folder.
+fn sources(folder: &Path, found: &mut Vec<String>) {
     for entry in std::fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
         if path.is_dir() {
             sources(&path, found);
         } else if path.extension().is_some_and(|extension| extension == "rs") {
-            let text = std::fs::read_to_string(&path).unwrap();
-            found.push((path, text));
+            found.push(std::fs::read_to_string(&path).unwrap());
         }
     }
 }
@@ -109,7 +108,7 @@ fn every_finding_has_words() {
         sources(&root().join("core/src").join(folder), &mut files);
     }
     let mut seen = 0;
-    for key in files.iter().flat_map(|(_, text)| text.split('"')) {
+    for key in files.iter().flat_map(|text| text.split('"')) {
         let plain = !key.ends_with('-')
             && key
                 .chars()
@@ -124,26 +123,4 @@ fn every_finding_has_words() {
         }
     }
     assert!(seen > 100, "{seen}");
-}
-
-#[test]
-fn a_number_of_ours_belongs_to_one_file() {
-    // oracle: self: one number with two meanings cannot be looked up
-    let mut files = Vec::new();
-    sources(&root().join("core/src"), &mut files);
-    let mut homes: BTreeMap<u32, PathBuf> = BTreeMap::new();
-    for (path, text) in files {
-        let inside = path.strip_prefix(root()).unwrap();
-        if inside.to_string_lossy().contains("test") {
-            continue;
-        }
-        for behind in text.split("Code::Own(").skip(1) {
-            let Some(number) = behind.split(')').next().and_then(|text| text.parse().ok()) else {
-                continue; // a name, not a number
-            };
-            let home = homes.entry(number).or_insert_with(|| path.clone());
-            assert_eq!(*home, path, "PW{number:03}");
-        }
-    }
-    assert!(homes.len() > 60, "{}", homes.len());
 }

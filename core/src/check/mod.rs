@@ -10,11 +10,11 @@ mod typed;
 mod units;
 pub mod variants;
 
-pub use finding::{Finding, error, note, warning};
+pub use finding::{error, warning};
 pub use number::{Parsed, parse};
 pub use targets::{Target, target};
 pub use text::{Text, parse as parse_text, typed as typed_text};
-pub use typed::{Checked, EXPRESSION, MISSING, OUT_OF_RANGE, check, read};
+pub use typed::{Checked, check, read};
 pub use units::{delivered_factor, factor, unit_behind, unit_name};
 
 use crate::catalogue::Cycle;

@@ -1,6 +1,6 @@
 //! `_KNUM` against the variant and the control: what it means, and which alarm a wrong one raises (B:1894-2029).
 
-use super::{Finding, Inputs, error};
+use super::{Inputs, error};
 use crate::catalogue::{Param, When};
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};

@@ -1,32 +1,13 @@
 //! From typed values to inputs, parameter by parameter.
 
 use super::text::{self, Text};
-use super::{
-    Finding, Inputs, Parsed, Typed, error, factor, note, parse, targets, unit_behind, variants,
-    warning,
-};
+use super::{Inputs, Parsed, Typed, error, factor, parse, targets, unit_behind, variants};
 use crate::catalogue::{Cycle, Kind, Level, Param, Range, Unit};
 use crate::control::{Control, Edge};
 use crate::diagnostic::{Code, Diagnostic, Severity};
 use crate::evaluate::knum;
 use crate::message::Message;
-
-/// Missing value.
-pub const MISSING: Code = Code::Own(1);
-/// Not a number.
-pub const NOT_A_NUMBER: Code = Code::Own(2);
-/// An expression, known at run time only.
-pub const EXPRESSION: Code = Code::Own(3);
-/// Not a whole number.
-pub const NOT_WHOLE: Code = Code::Own(4);
-/// Outside of what the control takes.
-pub const OUT_OF_RANGE: Code = Code::Own(5);
-/// Text too long or with characters that cannot be written.
-pub const BAD_TEXT: Code = Code::Own(6);
-/// Outside of what is usual.
-pub const UNUSUAL: Code = Code::Own(7);
-/// The delivered value counts where a value was expected.
-pub const DELIVERED: Code = Code::Own(8);
+use crate::own::{self, Own};
 
 /// Beyond this no length, angle or feed of a machine makes sense, and contact could not be computed to 1e-9 mm.
 const LIMIT: f64 = 1e6;
@@ -73,7 +54,9 @@ pub fn check(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Checked
         }
     }
     (cycle.checks)(&inputs, control, &mut diagnostics);
-    let stops = |other: &Diagnostic| other.severity == Severity::Error || other.code == EXPRESSION;
+    let stops = |other: &Diagnostic| {
+        other.severity == Severity::Error || other.code == own::EXPRESSION.code()
+    };
     let complete = !diagnostics.iter().any(stops);
     Checked {
         diagnostics,
@@ -151,10 +134,7 @@ fn value(
         Parsed::Number(number) => number,
         Parsed::Expression => return Err(Box::new(expression(text))),
         Parsed::Wrong => {
-            let message = Message::new("check-not-a-number").text("value", text);
-            return Err(Box::new(
-                error(NOT_A_NUMBER, message).hint(Message::new("check-not-a-number-hint")),
-            ));
+            return Err(Box::new(own::NOT_A_NUMBER.finding().text("value", text)));
         }
     };
     let limit = if whole(&param.kind) {
@@ -163,16 +143,10 @@ fn value(
         LIMIT
     };
     if number.abs() > limit {
-        let message = Message::new("check-too-large").text("value", text);
-        return Err(Box::new(
-            error(OUT_OF_RANGE, message).hint(Message::new("check-too-large-hint")),
-        ));
+        return Err(Box::new(own::TOO_LARGE.finding().text("value", text)));
     }
     if whole(&param.kind) && number.fract() != 0.0 {
-        let message = Message::new("check-not-whole").text("value", text);
-        return Err(Box::new(
-            error(NOT_WHOLE, message).hint(Message::new("check-not-whole-hint")),
-        ));
+        return Err(Box::new(own::NOT_WHOLE.finding().text("value", text)));
     }
     Ok(Some(number * factor(unit, control)))
 }
@@ -189,26 +163,18 @@ fn written_text(text: &str, most: usize) -> Result<&str, Box<Diagnostic>> {
         Text::Expression => return Err(Box::new(expression(text))),
     };
     if inner.chars().count() > most {
-        let message = Message::new("check-text-long").number("most", most as f64);
-        return Err(Box::new(
-            error(BAD_TEXT, message).hint(Message::new("check-text-long-hint")),
-        ));
+        let finding = own::TEXT_LONG.finding();
+        return Err(Box::new(finding.number("most", most as f64)));
     }
     if inner.chars().any(|c| c == '"' || c.is_control()) {
-        let message = Message::new("check-text-characters");
-        return Err(Box::new(
-            error(BAD_TEXT, message).hint(Message::new("check-text-characters-hint")),
-        ));
+        return Err(Box::new(own::TEXT_CHARACTERS.finding()));
     }
     Ok(inner)
 }
 
 /// What is known at run time only.
 fn expression(text: &str) -> Diagnostic {
-    note(
-        EXPRESSION,
-        Message::new("check-expression").text("value", text),
-    )
+    own::EXPRESSION.finding().text("value", text)
 }
 
 /// The variant, or the only finding that counts without it.
@@ -228,11 +194,9 @@ fn variant(
         return Err(Box::new(finding.clone()));
     }
     let Some(number) = inputs.given(param.name) else {
-        let message = Message::new("check-missing").text("param", param.name);
+        let finding = missing(param, "need-always");
         return Err(Box::new(
-            error(param.alarm.unwrap_or(MISSING), message)
-                .hint(Message::new("need-always"))
-                .at(param.name),
+            finding.under(param.alarm.unwrap_or(own::MISSING.code())),
         ));
     };
     if cycle
@@ -244,7 +208,7 @@ fn variant(
     }
     Err(Box::new(
         error(
-            param.alarm.unwrap_or(OUT_OF_RANGE),
+            param.alarm.unwrap_or(own::RANGE.code()),
             variants::cause(cycle, param, number),
         )
         .hint(variants::hint(cycle, number))
@@ -269,6 +233,12 @@ fn empty(typed: &Typed, param: &Param) -> bool {
         .is_none_or(|text| text.trim().is_empty())
 }
 
+/// The value is missing; `reason` says when it is needed.
+fn missing(param: &Param, reason: &'static str) -> Diagnostic {
+    let finding = own::MISSING.finding().text("param", param.name);
+    finding.hint(Message::new(reason)).at(param.name)
+}
+
 /// Nothing was typed.
 fn absent(
     param: &Param,
@@ -280,27 +250,18 @@ fn absent(
     match (level, param.fallback(control)) {
         (Level::Optional, _) => {}
         (Level::Required, Some(number)) => {
-            let message = Message::new("check-delivered")
-                .text("param", param.name)
-                .number("value", number)
-                .text("unit", unit_behind(param.unit, control));
-            diagnostics.push(
-                warning(DELIVERED, message)
-                    .hint(Message::new(reason))
-                    .at(param.name),
-            );
+            let finding = own::DELIVERED.finding().text("param", param.name);
+            let finding = finding.number("value", number);
+            let finding = finding.text("unit", unit_behind(param.unit, control));
+            diagnostics.push(finding.hint(Message::new(reason)).at(param.name));
         }
         (Level::Required, None) => {
-            let message = Message::new("check-missing").text("param", param.name);
-            let code = match param.alarm {
-                Some(code @ Code::Nct(_)) => code, // the macro itself refuses a missing address
-                _ => MISSING,
-            };
-            diagnostics.push(
-                error(code, message)
-                    .hint(Message::new(reason))
-                    .at(param.name),
-            );
+            let finding = missing(param, reason);
+            diagnostics.push(match param.alarm {
+                // the macro itself refuses a missing address
+                Some(code @ Code::Nct(_)) => finding.under(code),
+                _ => finding,
+            });
         }
     }
 }
@@ -310,20 +271,18 @@ fn judge(param: &Param, inputs: &Inputs, control: &Control) -> Option<Diagnostic
     let number = inputs.given(param.name)?;
     let unit = param.unit_with(inputs);
     let shown = number / factor(unit, control);
-    let code = param.alarm.unwrap_or(OUT_OF_RANGE);
+    let code = param.alarm.unwrap_or(own::RANGE.code());
     let choices = param.kind.choices(inputs);
     let allowed = match choices {
         Some(choices) => choices.iter().any(|(value, _)| *value as f64 == number),
         None => param.range.contains(number),
     };
     if !allowed {
+        let finding = outside(own::RANGE, param.name, (shown, unit), control);
         return Some(
-            error(
-                code,
-                outside("check-range", param.name, (shown, unit), control),
-            )
-            .hint(range_hint(param, choices, control))
-            .at(param.name),
+            finding
+                .under(code)
+                .hint(range_hint(param, choices, control)),
         );
     }
     if matches!(param.kind, Kind::Knum) {
@@ -331,28 +290,20 @@ fn judge(param: &Param, inputs: &Inputs, control: &Control) -> Option<Diagnostic
     }
     let usual = param.usual.contains(number);
     (!usual).then(|| {
-        let message = outside("check-unusual", param.name, (shown, unit), control);
-        warning(UNUSUAL, message)
-            .hint(bounds(
-                "check-unusual-hint",
-                param.usual,
-                param.unit,
-                control,
-            ))
-            .at(param.name)
+        let finding = outside(own::UNUSUAL, param.name, (shown, unit), control);
+        finding.hint(bounds(own::UNUSUAL.hint, param.usual, param.unit, control))
     })
 }
 
 fn outside(
-    key: &'static str,
+    sentence: Own,
     param: &'static str,
     (shown, unit): (f64, Unit),
     control: &Control,
-) -> Message {
-    Message::new(key)
-        .text("param", param)
-        .number("value", shown)
-        .text("unit", unit_behind(unit, control))
+) -> Diagnostic {
+    let finding = sentence.finding().text("param", param);
+    let finding = finding.number("value", shown);
+    finding.text("unit", unit_behind(unit, control)).at(param)
 }
 
 /// What is allowed, in words that fit the kind and the ends of the range.
@@ -367,7 +318,7 @@ fn range_hint(param: &Param, choices: Option<&[(i64, &str)]>, control: &Control)
         range.max.is_finite(),
         range.min_included,
     ) {
-        (true, true, _) => bounds("check-range-both-hint", range, param.unit, control),
+        (true, true, _) => bounds(own::RANGE.hint, range, param.unit, control),
         (true, false, true) => bounds("check-range-from-hint", range, param.unit, control),
         (true, false, false) => bounds("check-range-above-hint", range, param.unit, control),
         _ => bounds("check-range-below-hint", range, param.unit, control),

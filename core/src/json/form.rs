@@ -10,6 +10,7 @@ use crate::control::{Control, Plane, Transverse, Units};
 use crate::diagnostic::Severity;
 use crate::form;
 use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
+use crate::own;
 use crate::program::write::snippet;
 use crate::run::setup::Setup;
 use crate::support::{self, Before, Support};
@@ -129,7 +130,7 @@ fn assumed(
 /// The parameters whose values are known at run time only.
 fn unknown(checked: &Checked) -> Value {
     let found = checked.diagnostics.iter();
-    let found = found.filter(|one| one.code == check::EXPRESSION);
+    let found = found.filter(|one| one.code == own::EXPRESSION.code());
     found.filter_map(|one| one.param).collect()
 }
 

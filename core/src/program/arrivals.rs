@@ -2,36 +2,31 @@
 
 use super::calls::{CallSite, Origin};
 use super::tree::Program;
-use crate::check::{Finding, note};
-use crate::diagnostic::{Code, Diagnostic};
-use crate::message::Message;
+use crate::diagnostic::Diagnostic;
+use crate::own;
 
 /// Notes at the fields of a call. They say how the program works, and nothing against it.
 pub fn arrivals(program: &Program, site: &CallSite) -> Vec<Diagnostic> {
     let line = |origin: &Origin| program.line_of(origin.place.start) + 1;
     let mut notes = Vec::new();
     for (name, origins) in &site.origins {
-        let (message, hint) = if site.differs(name) {
+        let finding = if site.differs(name) {
             let each = origins.iter();
             let values = each.map(|origin| format!("{} ({})", origin.text, line(origin)));
             let values = listed(values, site.is_of_many(name));
-            let message = Message::new("arrives-differing").text("values", values);
-            (message, "arrives-differing-hint")
+            own::ARRIVES_DIFFERING.finding().text("values", values)
         } else {
             let lines = origins.iter().map(|origin| line(origin).to_string());
-            let own = origins.iter().all(|origin| origin.own);
             let many = site.is_of_many(name);
-            let hint = match (many, own) {
-                (true, _) => "arrives-many-hint",
-                (_, true) => "arrives-hint",
-                _ => "arrives-shared-hint",
+            let sentence = if many {
+                own::ARRIVES_MANY
+            } else if origins.iter().all(|origin| origin.own) {
+                own::ARRIVES
+            } else {
+                own::ARRIVES_SHARED
             };
-            (
-                Message::new("arrives").text("lines", listed(lines, many)),
-                hint,
-            )
+            sentence.finding().text("lines", listed(lines, many))
         };
-        let finding = note(Code::Own(151), message).hint(Message::new(hint));
         notes.push(finding.at(name));
     }
     notes

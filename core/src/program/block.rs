@@ -6,6 +6,7 @@ use super::tree::{Block, Program, SyntaxError};
 use super::{nct, sinumerik};
 use crate::catalogue::Dialect;
 use crate::diagnostic::Span;
+use crate::own;
 
 /// What some editors write before the text of a file.
 pub(super) const BYTE_ORDER_MARK: &[u8] = "\u{feff}".as_bytes();
@@ -46,7 +47,7 @@ pub fn read_told(dialect: Dialect, source: &[u8], told: &mut dyn FnMut(f64)) -> 
                 start: u32::MAX - 1,
                 end: u32::MAX,
             },
-            key: "syntax-too-large",
+            sentence: &own::SYNTAX_TOO_LARGE,
         });
     }
     reader.finish(dialect, source)
@@ -156,7 +157,7 @@ fn take_comment(reader: &mut Reader, dialect: Dialect) -> Option<Span> {
                 let span = reader.from(start);
                 reader.errors.push(SyntaxError {
                     span,
-                    key: "syntax-comment",
+                    sentence: &own::SYNTAX_COMMENT,
                 });
             }
         }

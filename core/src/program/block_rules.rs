@@ -1,9 +1,8 @@
 //! What a block of SINUMERIK may not say although each of its words is understood.
 
 use super::tree::{Program, Word, WordKind};
-use crate::check::{Finding, error};
-use crate::diagnostic::{Code, Diagnostic, Span};
-use crate::message::Message;
+use crate::diagnostic::{Diagnostic, Span};
+use crate::own::{self, Own};
 
 /// Addresses that a block takes once, so that it says one thing: all that are no function, no block number, no parameter
 /// and no repetition. With an extension (`S1=500`) they are others.
@@ -11,11 +10,6 @@ const ONCE: &[u8] = b"ABCDFIJKSTUVWXYZ";
 
 /// Axes that every machine has: no variable takes their names.
 const AXES: [&str; 3] = ["X", "Y", "Z"];
-
-/// An address is programmed twice in a block.
-const TWICE: Code = Code::Own(101);
-/// A variable has the name of an axis.
-const AXIS_NAME: Code = Code::Own(102);
 
 /// Findings about all blocks.
 pub(super) fn block_rules(program: &Program) -> Vec<Diagnostic> {
@@ -25,13 +19,13 @@ pub(super) fn block_rules(program: &Program) -> Vec<Diagnostic> {
         for word in program.words_of(block) {
             if let Some((place, span)) = once(program, word) {
                 if seen & (1 << place) != 0 {
-                    found.push(at(TWICE, "block-twice", program, span, word.span));
+                    found.push(at(&own::BLOCK_TWICE, program, span, word.span));
                 }
                 seen |= 1 << place;
             } else if let WordKind::Declare { name, .. } = word.kind
                 && AXES.iter().any(|axis| program.is(name, axis))
             {
-                found.push(at(AXIS_NAME, "block-axis-name", program, name, name));
+                found.push(at(&own::BLOCK_AXIS_NAME, program, name, name));
             }
         }
     }
@@ -55,12 +49,10 @@ fn once(program: &Program, word: &Word) -> Option<(usize, Span)> {
     place.map(|place| (place, name))
 }
 
-fn at(code: Code, key: &'static str, program: &Program, name: Span, span: Span) -> Diagnostic {
-    let message = Message::new(key).text("word", program.name(name));
-    let finding = error(code, message).hint(Message::new(format!("{key}-hint")));
+fn at(sentence: &Own, program: &Program, name: Span, span: Span) -> Diagnostic {
     Diagnostic {
         span: Some(span),
-        ..finding
+        ..sentence.finding().text("word", program.name(name))
     }
 }
 
@@ -84,14 +76,14 @@ mod tests {
             };
             found.map(place).collect::<Vec<_>>()
         };
-        for (text, code, word) in [
-            ("G0 X1 Y2 X3", TWICE, "X3"),
-            ("N10 G1 X=R1 x=IC(5)", TWICE, "x=IC(5)"),
-            ("T1 D1 T2", TWICE, "T2"),
-            ("DEF REAL X", AXIS_NAME, "X"),
-            ("DEF INT _A, y=3", AXIS_NAME, "y"),
+        for (text, sentence, word) in [
+            ("G0 X1 Y2 X3", own::BLOCK_TWICE, "X3"),
+            ("N10 G1 X=R1 x=IC(5)", own::BLOCK_TWICE, "x=IC(5)"),
+            ("T1 D1 T2", own::BLOCK_TWICE, "T2"),
+            ("DEF REAL X", own::BLOCK_AXIS_NAME, "X"),
+            ("DEF INT _A, y=3", own::BLOCK_AXIS_NAME, "y"),
         ] {
-            assert_eq!(told(text), [(code, word.to_owned())], "{text}");
+            assert_eq!(told(text), [(sentence.code(), word.to_owned())], "{text}");
         }
         for text in [
             "G0 G90 M3 M8 X1 Y2",

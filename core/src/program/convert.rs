@@ -8,17 +8,12 @@ use super::read;
 use super::tree::{Program, Word, WordKind};
 use super::write::snippet;
 use crate::catalogue::{Param, Style, list};
-use crate::check::{self, note, warning};
+use crate::check;
 use crate::control::Control;
-use crate::diagnostic::{Code, Diagnostic, Span};
-use crate::message::Message;
+use crate::diagnostic::{Diagnostic, Span};
+use crate::own;
 use crate::support::Mark;
 use std::collections::BTreeMap;
-
-/// A call behind this one would get other values.
-const OTHERS: Code = Code::Own(123);
-/// The call is written like that already.
-const SAME: Code = Code::Own(124);
 
 /// Edits that turn a call into another way of writing, and what has to be said about it.
 pub struct Converted {
@@ -40,7 +35,7 @@ pub fn convert(program: &Program, index: usize, style: Style, control: &Control)
     if site.list.map_or(Style::Direct, |list| list.style) == style {
         return Converted {
             edits: Vec::new(),
-            findings: vec![note(SAME, Message::new("convert-same"))],
+            findings: vec![own::CONVERT_SAME.finding()],
         };
     }
     let mut at_call = control.clone();
@@ -223,13 +218,13 @@ fn others(
     let mut findings = Vec::new();
     for (place, (before, after)) in sites.iter().zip(&after).enumerate() {
         if place != index && !means_the_same(before, after, control) {
-            let message = Message::new("convert-others")
-                .text("cycle", before.cycle.name)
-                .number("line", f64::from(before.line + 1));
-            let mut finding = warning(OTHERS, message);
-            finding.hint = Some(Message::new("convert-others-hint"));
-            finding.span = Some(before.span);
-            findings.push(finding);
+            let finding = own::CONVERT_OTHERS.finding();
+            findings.push(Diagnostic {
+                span: Some(before.span),
+                ..finding
+                    .text("cycle", before.cycle.name)
+                    .number("line", f64::from(before.line + 1))
+            });
         }
     }
     findings

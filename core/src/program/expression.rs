@@ -4,6 +4,7 @@ use super::reader::{DEPTH, Node, Parsed, Reader};
 use super::tree::{Expr, Operator};
 use super::{nct_expression, sinumerik_expression};
 use crate::catalogue::Dialect;
+use crate::own;
 
 /// How tightly an operator binds; higher binds tighter.
 pub(super) type Strength = u8;
@@ -12,7 +13,7 @@ pub(super) type Strength = u8;
 /// Ends directly behind its last byte.
 pub(super) fn expression(reader: &mut Reader, dialect: Dialect, least: Strength) -> Parsed<Node> {
     if reader.depth >= DEPTH {
-        return Err("syntax-depth");
+        return Err(&own::SYNTAX_DEPTH);
     }
     reader.depth += 1;
     let outcome = chain(reader, dialect, least);

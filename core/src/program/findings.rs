@@ -6,11 +6,7 @@ use super::calls::{CallSite, calls_on};
 use super::tree::{Program, SyntaxError};
 use crate::catalogue::Dialect;
 use crate::control::{Control, delivery};
-use crate::diagnostic::{Code, Diagnostic, Severity};
-use crate::message::Message;
-
-/// Something in the program is not understood.
-pub const NOT_UNDERSTOOD: Code = Code::Own(100);
+use crate::diagnostic::Diagnostic;
 
 /// Everything that reading and checking found, in the order of the text, the worst of a place first. The
 /// control is a metric one as delivered.
@@ -59,12 +55,7 @@ fn once(found: Vec<Diagnostic>) -> Vec<Diagnostic> {
 
 fn not_understood(error: &SyntaxError) -> Diagnostic {
     Diagnostic {
-        severity: Severity::Error,
-        code: NOT_UNDERSTOOD,
-        message: Message::new(error.key),
-        hint: None,
-        param: None,
         span: Some(error.span),
-        cure: None,
+        ..error.sentence.finding()
     }
 }

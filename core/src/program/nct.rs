@@ -8,6 +8,7 @@ use super::reader::{Parsed, Reader};
 use super::tree::{Expr, ExprId, WordKind};
 use crate::catalogue::Dialect::Nct;
 use crate::diagnostic::Span;
+use crate::own;
 
 /// Reads one word.
 pub(super) fn word(reader: &mut Reader) -> Parsed<()> {
@@ -19,7 +20,7 @@ pub(super) fn word(reader: &mut Reader) -> Parsed<()> {
     match first {
         b'#' => assignment(reader),
         b',' if reader.byte(1).is_ascii_alphabetic() => address(reader, 2),
-        _ if !first.is_ascii_alphabetic() => Err("syntax-unknown"),
+        _ if !first.is_ascii_alphabetic() => Err(&own::SYNTAX_UNKNOWN),
         _ if reader.byte(1).is_ascii_alphabetic() => keyword(reader),
         _ => address(reader, 1),
     }
@@ -47,15 +48,15 @@ fn assignment(reader: &mut Reader) -> Parsed<()> {
     let target = variable(reader)?;
     let (name, index) = match reader.exprs.get(target.id as usize) {
         Some(Expr::Name { name, index }) => (*name, index.clone()),
-        _ => return Err("syntax-operand"),
+        _ => return Err(&own::SYNTAX_OPERAND),
     };
     if !reader.take(b'=') {
-        return Err("syntax-equals");
+        return Err(&own::SYNTAX_EQUALS);
     }
     reader.blanks();
     let value_start = reader.at;
     if reader.done() {
-        return Err("syntax-value");
+        return Err(&own::SYNTAX_VALUE);
     }
     let value = expression(reader, Nct, 0)?.id;
     let value_span = reader.from(value_start);
@@ -98,7 +99,7 @@ fn plain(reader: &mut Reader) -> Parsed<ExprId> {
     let first = reader.byte(sign);
     if is_digit(first) || first == b'.' {
         reader.at += sign;
-        let (value, length) = number::decimal(reader.rest()).ok_or("syntax-number")?;
+        let (value, length) = number::decimal(reader.rest()).ok_or(&own::SYNTAX_NUMBER)?;
         reader.at += length;
         let span: Span = reader.from(start);
         return Ok(reader
@@ -108,7 +109,7 @@ fn plain(reader: &mut Reader) -> Parsed<ExprId> {
     if sign == 1 || matches!(first, b'#' | b'[') {
         return Ok(expression(reader, Nct, 12)?.id);
     }
-    Err("syntax-value")
+    Err(&own::SYNTAX_VALUE)
 }
 
 /// `IF[…]`, `WHILE[…]`, `DO1`, `END1`, `GOTO 100`, `THEN`.
@@ -127,7 +128,7 @@ fn keyword(reader: &mut Reader) -> Parsed<()> {
         rest.get(..word.len())
             .is_some_and(|text| text.eq_ignore_ascii_case(word))
     });
-    let (word, valued) = found.ok_or("syntax-unknown")?;
+    let (word, valued) = found.ok_or(&own::SYNTAX_UNKNOWN)?;
     reader.at += word.len();
     let name = reader.from(start);
     reader.blanks();

@@ -6,6 +6,7 @@ use super::number;
 use super::reader::{Node, Parsed, Reader};
 use super::tree::{Expr, Operator};
 use crate::catalogue::Dialect::Nct;
+use crate::own;
 
 const UNARY: Strength = 12;
 
@@ -48,13 +49,13 @@ pub(super) fn operand(reader: &mut Reader) -> Parsed<Node> {
         b'[' => bracket(reader),
         b'#' => variable(reader),
         byte if is_digit(byte) || byte == b'.' => {
-            let (value, length) = number::decimal(reader.rest()).ok_or("syntax-number")?;
+            let (value, length) = number::decimal(reader.rest()).ok_or(&own::SYNTAX_NUMBER)?;
             reader.at += length;
             let span = reader.from(start);
             reader.push(Expr::Number(value, span), 1)
         }
         byte if byte.is_ascii_alphabetic() => function(reader),
-        _ => Err("syntax-operand"),
+        _ => Err(&own::SYNTAX_OPERAND),
     }
 }
 
@@ -65,7 +66,7 @@ pub(super) fn bracket(reader: &mut Reader) -> Parsed<Node> {
     if reader.take(b']') {
         Ok(inner)
     } else {
-        Err("syntax-bracket")
+        Err(&own::SYNTAX_BRACKET)
     }
 }
 
@@ -93,7 +94,7 @@ pub(super) fn variable(reader: &mut Reader) -> Parsed<Node> {
     let index = match reader.byte(0) {
         b'[' => bracket(reader)?,
         b'#' => expression(reader, Nct, UNARY)?,
-        _ => return Err("syntax-operand"),
+        _ => return Err(&own::SYNTAX_OPERAND),
     };
     reader.push(
         Expr::Name {
@@ -123,7 +124,7 @@ fn function(reader: &mut Reader) -> Parsed<Node> {
         .iter()
         .any(|known| reader.text(name).eq_ignore_ascii_case(known))
     {
-        return Err("syntax-operand");
+        return Err(&own::SYNTAX_OPERAND);
     }
     let inner = expression(reader, Nct, UNARY)?;
     if reader.text(name).eq_ignore_ascii_case(b"ATAN") && reader.take(b'/') {

@@ -4,12 +4,13 @@ use super::bytes::{in_name, is_blank};
 use super::tree::{Block, Expr, ExprId, Program, SyntaxError, Word, WordKind};
 use crate::catalogue::Dialect;
 use crate::diagnostic::Span;
+use crate::own::{self, Own};
 
 /// Deepest nesting of brackets, and tallest expression; bounds every recursion over a tree.
 pub(super) const DEPTH: u16 = 100;
 
-/// A value, or the key of what is wrong at the present place.
-pub(super) type Parsed<T> = Result<T, &'static str>;
+/// A value, or what is wrong at the present place.
+pub(super) type Parsed<T> = Result<T, &'static Own>;
 
 /// An expression with the height of its tree.
 #[derive(Clone, Copy)]
@@ -143,7 +144,7 @@ impl<'a> Reader<'a> {
 
     pub fn push(&mut self, expr: Expr, height: u16) -> Parsed<Node> {
         if height > DEPTH {
-            return Err("syntax-depth");
+            return Err(&own::SYNTAX_DEPTH);
         }
         let id = self.exprs.len() as ExprId;
         self.exprs.push(expr);
@@ -164,7 +165,7 @@ impl<'a> Reader<'a> {
 
     /// Marks what was not understood, from `start` to the next blank; touching ones become one. `place` is where the
     /// reading failed.
-    pub fn unknown(&mut self, start: usize, place: usize, key: &'static str, stop: u8) {
+    pub fn unknown(&mut self, start: usize, place: usize, sentence: &'static Own, stop: u8) {
         self.at = start + 1;
         while !self.done() && !is_blank(self.byte(0)) && self.byte(0) != stop {
             let quoted = self.byte(0) == b'"';
@@ -197,7 +198,7 @@ impl<'a> Reader<'a> {
             let last = span.end.saturating_sub(1).max(span.start);
             let start = (place as u32).clamp(span.start, last);
             let span = Span { start, ..span };
-            self.errors.push(SyntaxError { span, key });
+            self.errors.push(SyntaxError { span, sentence });
         }
     }
 }

@@ -9,6 +9,7 @@ use super::sinumerik_expression::{arguments, index, text};
 use super::tree::{Expr, ExprId, WordKind};
 use crate::catalogue::Dialect::Sinumerik;
 use crate::diagnostic::Span;
+use crate::own;
 
 /// Reads one word, or steps over a separator of a declaration.
 pub(super) fn word(reader: &mut Reader) -> Parsed<()> {
@@ -52,9 +53,9 @@ fn other(reader: &mut Reader) -> Parsed<()> {
         reader.word(start, WordKind::Constant(constant.id));
     } else {
         return Err(if first == b',' {
-            "syntax-comma"
+            &own::SYNTAX_COMMA
         } else {
-            "syntax-unknown"
+            &own::SYNTAX_UNKNOWN
         });
     }
     Ok(())
@@ -67,7 +68,7 @@ fn short(reader: &mut Reader) -> Parsed<()> {
     let signed = matches!(reader.byte(1), b'+' | b'-');
     reader.at += 1 + usize::from(signed);
     let number_start = start + 1;
-    let (value, length) = number::with_exponent(reader.rest()).ok_or("syntax-number")?;
+    let (value, length) = number::with_exponent(reader.rest()).ok_or(&own::SYNTAX_NUMBER)?;
     reader.at += length;
     let name = Span {
         start: start as u32,
@@ -174,7 +175,7 @@ fn named(reader: &mut Reader) -> Parsed<()> {
         return assign(reader, start, name, index);
     }
     if !index.is_empty() {
-        return Err("syntax-equals");
+        return Err(&own::SYNTAX_EQUALS);
     }
     if text.len() == 1 && text != b"_" {
         return spaced(reader, start, name);
@@ -223,7 +224,7 @@ fn assign(reader: &mut Reader, start: usize, name: Span, index: Box<[ExprId]>) -
 fn value(reader: &mut Reader) -> Parsed<(ExprId, Span)> {
     let start = reader.at;
     if reader.done() {
-        return Err("syntax-value");
+        return Err(&own::SYNTAX_VALUE);
     }
     let value = expression(reader, Sinumerik, 0)?;
     foreign_number(reader)?;
@@ -239,8 +240,12 @@ fn foreign_number(reader: &Reader) -> Parsed<()> {
             .get(reader.at - 1)
             .is_some_and(u8::is_ascii_digit);
     match reader.byte(0) {
-        b',' if reader.expect == Expect::Words && is_digit(reader.byte(1)) => Err("syntax-comma"),
-        b'e' | b'E' if behind_digit && is_digit(reader.byte(1 + signed)) => Err("syntax-exponent"),
+        b',' if reader.expect == Expect::Words && is_digit(reader.byte(1)) => {
+            Err(&own::SYNTAX_COMMA)
+        }
+        b'e' | b'E' if behind_digit && is_digit(reader.byte(1 + signed)) => {
+            Err(&own::SYNTAX_EXPONENT)
+        }
         _ => Ok(()),
     }
 }
@@ -259,7 +264,7 @@ fn address(reader: &mut Reader, start: usize, name: Span, extension: Option<u32>
     }
     let (value, _) = value(reader)?;
     if mode.is_some() && !reader.take(b')') {
-        return Err("syntax-bracket");
+        return Err(&own::SYNTAX_BRACKET);
     }
     reader.word(
         start,
@@ -280,7 +285,7 @@ fn spaced(reader: &mut Reader, start: usize, name: Span) -> Parsed<()> {
     let value_start = reader.at;
     let minus = reader.byte(0) == b'-';
     reader.at += usize::from(signed);
-    let (value, length) = number::with_exponent(reader.rest()).ok_or("syntax-value")?;
+    let (value, length) = number::with_exponent(reader.rest()).ok_or(&own::SYNTAX_VALUE)?;
     reader.at += length;
     let span = reader.from(value_start);
     let value = reader
@@ -346,7 +351,7 @@ fn keyword_word(reader: &mut Reader, start: usize, name: Span, kind: Keyword) ->
     let value = match kind {
         Keyword::Value | Keyword::Target => Some(expression(reader, Sinumerik, 0)?.id),
         Keyword::Repeat if more => Some(expression(reader, Sinumerik, 0)?.id),
-        Keyword::Operator => return Err("syntax-operator"),
+        Keyword::Operator => return Err(&own::SYNTAX_OPERATOR),
         _ => None,
     };
     reader.expect = match kind {

@@ -10,6 +10,7 @@ use super::number;
 use super::reader::{Node, Parsed, Reader};
 use super::tree::{Expr, ExprId, Operator};
 use crate::catalogue::Dialect::Sinumerik;
+use crate::own;
 
 const COMPARISON: Strength = 1;
 const JOIN: Strength = 2;
@@ -82,12 +83,12 @@ pub(super) fn operand(reader: &mut Reader) -> Parsed<Node> {
             let read = number::quoted(reader.rest());
             constant(reader, read)
         }
-        _ => Err("syntax-operand"),
+        _ => Err(&own::SYNTAX_OPERAND),
     }
 }
 
 fn constant(reader: &mut Reader, read: Option<(f64, usize)>) -> Parsed<Node> {
-    let (value, length) = read.ok_or("syntax-number")?;
+    let (value, length) = read.ok_or(&own::SYNTAX_NUMBER)?;
     let start = reader.at;
     reader.at += length;
     let span = reader.from(start);
@@ -101,7 +102,7 @@ pub(super) fn text(reader: &mut Reader) -> Parsed<Node> {
         .iter()
         .skip(1)
         .position(|byte| *byte == b'"')
-        .ok_or("syntax-text")?;
+        .ok_or(&own::SYNTAX_TEXT)?;
     reader.at += 1;
     let start = reader.at;
     reader.at += length;
@@ -130,12 +131,12 @@ fn named(reader: &mut Reader) -> Parsed<Node> {
             let operator = match reader.text(name).len() {
                 3 if reader.text(name).eq_ignore_ascii_case(b"NOT") => Operator::Not,
                 5 if reader.text(name).eq_ignore_ascii_case(b"B_NOT") => Operator::BitNot,
-                _ => return Err("syntax-operand"),
+                _ => return Err(&own::SYNTAX_OPERAND),
             };
             reader.at = start;
             return unary(reader, Sinumerik, operator, length, UNARY);
         }
-        Some(_) => return Err("syntax-operand"),
+        Some(_) => return Err(&own::SYNTAX_OPERAND),
         None => {}
     }
     if reader.take(b'(') {
@@ -154,7 +155,7 @@ pub(super) fn index(reader: &mut Reader) -> Parsed<(Box<[ExprId]>, u16)> {
     reader.at += 1;
     let (index, height) = list(reader, b']')?;
     if index.is_empty() || index.len() > 3 {
-        Err("syntax-index")
+        Err(&own::SYNTAX_INDEX)
     } else {
         Ok((index, height))
     }
@@ -171,7 +172,7 @@ fn brackets(reader: &mut Reader) -> Parsed<Node> {
         }
         reader.list.push(Some(inner.id));
         if !reader.take(b',') {
-            return Err("syntax-bracket");
+            return Err(&own::SYNTAX_BRACKET);
         }
         let base = reader.list.len() - 1;
         let (elements, height) = filled(reader, base, b')', inner.height)?;
@@ -238,7 +239,7 @@ fn elements(reader: &mut Reader, close: u8, least: u16) -> Parsed<u16> {
             return Ok(height);
         }
         if !reader.take(b',') {
-            return Err("syntax-bracket");
+            return Err(&own::SYNTAX_BRACKET);
         }
     }
 }

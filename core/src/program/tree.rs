@@ -2,6 +2,7 @@
 
 use crate::catalogue::Dialect;
 use crate::diagnostic::Span;
+use crate::own::Own;
 use std::ops::Range;
 
 /// Index into [`Program::exprs`].
@@ -237,6 +238,6 @@ pub enum Operator {
 pub struct SyntaxError {
     /// Place.
     pub span: Span,
-    /// Key of the message: `syntax-…`.
-    pub key: &'static str,
+    /// What is wrong, one of the sentences of PW100.
+    pub sentence: &'static Own,
 }

@@ -3,7 +3,10 @@
 use crate::diagnostic::{Code, Diagnostic, Severity, Span};
 use crate::message::Message;
 
-/// Keys of all problems; the position gives the number `PW3nn`.
+/// Number of the first problem.
+pub const FIRST: u16 = 300;
+
+/// Keys of all problems; the position gives the number, counted from [`FIRST`].
 pub const KEYS: &[&str] = &[
     "run-unknown-word",
     "run-unknown-variable",
@@ -80,14 +83,10 @@ impl Problem {
 
     /// As a finding.
     pub fn diagnostic(&self, severity: Severity) -> Diagnostic {
+        let code = code(&self.message.key);
         Diagnostic {
-            severity,
-            code: code(&self.message.key),
-            message: self.message.clone(),
-            hint: None,
-            param: None,
             span: Some(self.span),
-            cure: None,
+            ..Diagnostic::new(severity, code, self.message.clone())
         }
     }
 }
@@ -95,7 +94,7 @@ impl Problem {
 /// Number of a problem of this module.
 pub fn code(key: &str) -> Code {
     let position = KEYS.iter().position(|known| *known == key).unwrap_or(99);
-    Code::Own(300 + position as u16)
+    Code::Own(FIRST + position as u16)
 }
 
 #[cfg(test)]

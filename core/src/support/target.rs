@@ -2,13 +2,10 @@
 
 use super::{Support, TARGETS, name};
 use crate::catalogue::{Kind, MachineSort, Param};
-use crate::check::{Finding, Inputs, Target, target, warning};
-use crate::diagnostic::{Code, Diagnostic};
+use crate::check::{Inputs, Target, target};
+use crate::diagnostic::Diagnostic;
 use crate::evaluate::knum::{self, Quantity, ToolCode, ZeroCode};
-use crate::message::Message;
-
-/// A target that the forms do not offer.
-const NOT_OFFERED: Code = Code::Own(143);
+use crate::own;
 
 /// What the settings make of a correction target.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,9 +74,8 @@ pub fn finding(support: Support, param: &'static Param, inputs: &Inputs) -> Opti
     if offer(support, param, inputs) != Offer::None {
         return None;
     }
-    let message = Message::new("check-target-not-offered")
-        .text("param", param.name)
-        .number("value", inputs.number(param.name));
-    let hint = Message::new("check-target-not-offered-hint").text("entry", name(TARGETS));
-    Some(warning(NOT_OFFERED, message).hint(hint).at(param.name))
+    let finding = own::TARGET_NOT_OFFERED.finding().text("param", param.name);
+    let finding = finding.number("value", inputs.number(param.name));
+    let finding = finding.hint_text("entry", name(TARGETS));
+    Some(finding.at(param.name))
 }

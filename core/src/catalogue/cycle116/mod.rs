@@ -14,7 +14,7 @@ use super::{
     Arg, ArgumentList, Cycle, Dialect, Drawing, Help, MachineSort, NEVER, ProbeUse, Purpose,
     ResultField, Simulation, Style, Unit, Variant, When, Work,
 };
-use crate::check::{Finding, Inputs, error};
+use crate::check::{Inputs, error};
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::form::figures::{circle, dimension};

@@ -4,11 +4,12 @@
 
 use super::*;
 use crate::catalogue::example::example;
-use crate::check::{MISSING, Typed, check};
+use crate::check::{Typed, check};
 use crate::control::delivery;
 use crate::diagnostic::Code;
 use crate::form::draw;
 use crate::form::picture::ShapeKind;
+use crate::own;
 use crate::program::calls::calls;
 use crate::program::read;
 use crate::program::write::snippet;
@@ -48,7 +49,10 @@ fn what_gives_no_frame_is_refused() {
         found(&[("_COR", "500")]),
         [(Code::Alarm(61321), Some("_COR"))]
     );
-    assert_eq!(found(&[("_RESLIM", "")]), [(MISSING, Some("_RESLIM"))]);
+    assert_eq!(
+        found(&[("_RESLIM", "")]),
+        [(own::MISSING.code(), Some("_RESLIM"))]
+    );
     assert_eq!(
         found(&[("_RESLIM", ""), ("_COR", "0")]),
         [],

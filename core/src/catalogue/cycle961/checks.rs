@@ -3,10 +3,11 @@
 use super::lines::{Point, away, shares};
 use super::params::{DISTANCES, PASSES, PLACES, POINTS, RECTANGLE};
 use crate::catalogue::{names, shared_checks};
-use crate::check::{Finding, Inputs, error, note, warning};
+use crate::check::{Inputs, error};
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::message::Message;
+use crate::own;
 
 /// How exactly the angles have to be known, degree (B:7923-7924).
 const TOLERANCE: f64 = 10.0;
@@ -61,10 +62,10 @@ fn directions(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
                 .at(names::INCA),
         );
     } else if RECTANGLE.holds(inputs) && (angle.abs() - 90.0).abs() > TOLERANCE {
-        let message = Message::new("check-corner-rectangle").number("angle", angle);
         found.push(
-            warning(Code::Own(90), message)
-                .hint(Message::new("check-corner-rectangle-hint"))
+            own::CORNER_RECTANGLE
+                .finding()
+                .number("angle", angle)
                 .at(names::INCA),
         );
     }
@@ -73,10 +74,10 @@ fn directions(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
 /// Over the corner the probe rises; 0 leads around it (B:8006-8012).
 fn passing(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     if let Some(lift) = inputs.given(names::ID).filter(|lift| *lift < 0.0) {
-        let message = Message::new("check-corner-lift").number("lift", lift);
         found.push(
-            error(Code::Own(91), message)
-                .hint(Message::new("check-corner-lift-hint"))
+            own::CORNER_LIFT
+                .finding()
+                .number("lift", lift)
                 .at(names::ID),
         );
     }
@@ -130,10 +131,6 @@ fn points(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
         }
     }
     if p2[0] < p1[0] {
-        found.push(
-            note(Code::Own(92), Message::new("check-corner-turned"))
-                .hint(Message::new("check-corner-turned-hint"))
-                .at(names::SETV2),
-        );
+        found.push(own::CORNER_TURNED.finding().at(names::SETV2));
     }
 }

@@ -6,10 +6,11 @@ use super::params::{
 use super::rotating;
 use crate::catalogue::tool_probe::{self, ProbeData};
 use crate::catalogue::{When, names, shared_checks};
-use crate::check::{Finding, Inputs, MISSING, error, note, warning};
+use crate::check::{Inputs, error};
 use crate::control::{Control, Edge, Plane};
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::{Code, Diagnostic, Severity};
 use crate::message::Message;
+use crate::own;
 
 /// The radius is measured.
 const RADIUS: When = When::All(&[MEASURE, IN_PLANE]);
@@ -97,17 +98,13 @@ fn depth(inputs: &Inputs, data: &ProbeData, found: &mut Vec<Diagnostic>) {
     if !beside || data.length(DEPTH) != 0.0 {
         return;
     }
-    let message = Message::new("check-tool-probe-depth").text("name", data.name(DEPTH));
-    let finding = if RADIUS.holds(inputs) {
-        error(Code::Alarm(61349), message)
-    } else {
-        warning(Code::Own(63), message)
-    };
-    found.push(
-        finding
-            .hint(Message::new("check-tool-probe-depth-hint"))
-            .at(names::MA),
-    );
+    let mut finding = own::TOOL_PROBE_DEPTH.finding();
+    if RADIUS.holds(inputs) {
+        finding.severity = Severity::Error;
+        finding.code = Code::Alarm(61349);
+    }
+    let finding = finding.text("name", data.name(DEPTH));
+    found.push(finding.at(names::MA));
 }
 
 /// Digits of `_TP[k,7]`: 0 not, 1 minus, 2 plus, 3 both; the applicate has to allow minus (B:4720-4741). No alarm is
@@ -179,21 +176,16 @@ fn offset(inputs: &Inputs, data: &ProbeData, radius: f64, found: &mut Vec<Diagno
     let given = inputs.given(names::ID);
     let finding = match given {
         None if wide && edge > 0.0 && CALIBRATE.holds(inputs) => {
-            let message = Message::new("check-offset-missing")
-                .number("tool", 2.0 * radius)
-                .number("edge", edge);
-            error(MISSING, message).hint(Message::new("check-offset-missing-hint"))
+            let finding = own::OFFSET_MISSING.finding();
+            finding.number("tool", 2.0 * radius).number("edge", edge)
         }
         Some(inward) if wide && inward > radius => {
-            let message = Message::new("check-offset-large").number("radius", radius);
-            warning(Code::Own(64), message).hint(Message::new("check-offset-large-hint"))
+            own::OFFSET_LARGE.finding().number("radius", radius)
         }
-        Some(_) if wide && inputs.integer(names::MA) == 3 => {
-            let message = Message::new("check-offset-abscissa")
-                .number("tool", 2.0 * radius)
-                .number("edge", edge);
-            note(Code::Own(65), message).hint(Message::new("check-offset-abscissa-hint"))
-        }
+        Some(_) if wide && inputs.integer(names::MA) == 3 => own::OFFSET_ABSCISSA
+            .finding()
+            .number("tool", 2.0 * radius)
+            .number("edge", edge),
         _ => return,
     };
     found.push(finding.at(names::ID));

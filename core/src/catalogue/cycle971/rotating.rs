@@ -2,10 +2,11 @@
 
 use super::params::IN_PLANE;
 use crate::catalogue::names;
-use crate::check::{Finding, Inputs, error, note, warning};
+use crate::check::{Inputs, error};
 use crate::control::Control;
-use crate::diagnostic::{Code, Diagnostic, Severity};
+use crate::diagnostic::{Code, Diagnostic};
 use crate::message::Message;
+use crate::own::{self, Own};
 
 /// All checks about it.
 pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
@@ -17,17 +18,17 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     compensation(inputs, control, found);
 }
 
-/// A finding at the variant, with `{name}` in its cause.
-fn finding(severity: Severity, code: Code, key: &'static str, name: &str) -> Diagnostic {
-    let message = Message::new(key).text("name", name);
-    let finding = match severity {
-        Severity::Error => error(code, message),
-        Severity::Warning => warning(code, message),
-        Severity::Note => note(code, message),
-    };
-    finding
+/// An alarm at the variant, with `{name}` in its cause.
+fn alarm(number: u32, key: &'static str, name: &str) -> Diagnostic {
+    error(Code::Alarm(number), Message::new(key))
         .hint(Message::new(format!("{key}-hint")))
+        .text("name", name)
         .at(names::MVAR)
+}
+
+/// A finding of ours at the variant, with `{name}` in its cause.
+fn finding(sentence: Own, name: &str) -> Diagnostic {
+    sentence.finding().text("name", name).at(names::MVAR)
 }
 
 /// `_MFS[0..5]`: speed and feed of up to three probings; a speed of 0 ends them (B:4779-4787, A:15892).
@@ -41,22 +42,10 @@ fn own_speeds(control: &Control, found: &mut Vec<Diagnostic>) {
         .filter(|(needed, index)| *needed && value(*index) <= 0.0)
     {
         let name = format!("_MFS[{index}]");
-        let missing = finding(
-            Severity::Error,
-            Code::Alarm(61350),
-            "check-mfs-missing",
-            &name,
-        );
-        found.push(missing);
+        found.push(alarm(61350, "check-mfs-missing", &name));
     }
     if !second && value(4) > 0.0 {
-        let lost = finding(
-            Severity::Warning,
-            Code::Own(66),
-            "check-mfs-third",
-            "_MFS[2]",
-        );
-        found.push(lost);
+        found.push(finding(own::MFS_THIRD, "_MFS[2]"));
     }
 }
 
@@ -64,24 +53,14 @@ fn own_speeds(control: &Control, found: &mut Vec<Diagnostic>) {
 fn limits(control: &Control, found: &mut Vec<Diagnostic>) {
     let value = |index: usize| control.number(&format!("_CM[{index}]"));
     if ![3.0, 4.0].contains(&value(5)) {
-        found.push(finding(
-            Severity::Error,
-            Code::Alarm(61366),
-            "check-cm-direction",
-            "_CM[5]",
-        ));
+        found.push(alarm(61366, "check-cm-direction", "_CM[5]"));
     }
     for index in [0, 1, 3, 4]
         .into_iter()
         .filter(|index| value(*index) <= 0.0)
     {
         let name = format!("_CM[{index}]");
-        found.push(finding(
-            Severity::Error,
-            Code::Own(67),
-            "check-cm-zero",
-            &name,
-        ));
+        found.push(finding(own::CM_ZERO, &name));
     }
     let (first, second) = (value(6), value(7));
     let factor = |factor: f64| factor == 0.0 || factor >= 1.0;
@@ -89,20 +68,10 @@ fn limits(control: &Control, found: &mut Vec<Diagnostic>) {
         .into_iter()
         .filter(|(_, value)| !factor(*value))
     {
-        found.push(finding(
-            Severity::Warning,
-            Code::Own(68),
-            "check-cm-factor",
-            name,
-        ));
+        found.push(finding(own::CM_FACTOR, name));
     }
     if second >= 1.0 && second >= first {
-        found.push(finding(
-            Severity::Warning,
-            Code::Own(69),
-            "check-cm-order",
-            "_CM[7]",
-        ));
+        found.push(finding(own::CM_ORDER, "_CM[7]"));
     }
 }
 
@@ -114,15 +83,12 @@ fn compensation(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>)
     } else {
         "_MT_EC_L"
     };
-    let (severity, own, key, name) = match control.number("_MT_COMP") as i64 {
-        1 if control.number("_TP_CF") == 0.0 => {
-            (Severity::Warning, 70, "check-compensation-make", "_TP_CF")
-        }
-        1 => (Severity::Note, 149, "check-compensation-inside", table),
-        2 if !ascends(control, table) => (Severity::Warning, 71, "check-compensation-table", table),
+    found.push(match control.number("_MT_COMP") as i64 {
+        1 if control.number("_TP_CF") == 0.0 => finding(own::COMPENSATION_MAKE, "_TP_CF"),
+        1 => finding(own::COMPENSATION_INSIDE, table),
+        2 if !ascends(control, table) => finding(own::COMPENSATION_TABLE, table),
         _ => return,
-    };
-    found.push(finding(severity, Code::Own(own), key, name));
+    });
 }
 
 /// Whether the radii `[0,1..4]` and the peripheral speeds `[1..5,0]` of a table rise.

@@ -215,7 +215,7 @@ fn the_tool_in_use_is_looked_at() {
 fn a_wide_tool_is_offset() {
     // oracle: manual B:4593-4599 (a tool of 36 mm on a probe of 20 mm)
     let calibrate = |axis| [("_MVAR", "0"), ("_MA", axis), ("_ID", "-")];
-    let missing = vec![(Severity::Error, crate::check::MISSING)];
+    let missing = vec![(Severity::Error, crate::own::MISSING.code())];
     assert_eq!(found(&calibrate("3"), |_| ()), missing);
     assert_eq!(found(&calibrate("203"), |_| ()), missing);
     assert_eq!(found(&calibrate("1"), |_| ()), []);

@@ -3,10 +3,11 @@
 use super::groove::Groove;
 use super::params::{GROOVE, TWO};
 use crate::catalogue::{calibration, lathe, names, shared_checks};
-use crate::check::{Finding, Inputs, error, warning};
+use crate::check::{Inputs, error};
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::message::Message;
+use crate::own;
 
 /// All of them.
 pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
@@ -91,17 +92,22 @@ fn data(
     let [upper, lower, depth] = [&plus, &minus, &base].map(|name| control.basic_length(name));
     if [upper, lower, depth] == [0.0; 3] {
         let names = [plus, minus, base].join(", ");
-        let message = Message::new("check-groove-empty").text("names", names);
-        let hint = Message::new("check-groove-empty-hint");
-        found.push(warning(Code::Own(43), message).hint(hint).at(names::CALNUM));
+        found.push(
+            own::GROOVE_EMPTY
+                .finding()
+                .text("names", names)
+                .at(names::CALNUM),
+        );
         return;
     }
     if upper <= lower {
-        let message = Message::new("check-groove-edges")
-            .text("plus", plus)
-            .text("minus", minus);
-        let hint = Message::new("check-groove-edges-hint");
-        found.push(error(Code::Own(44), message).hint(hint).at(names::CALNUM));
+        found.push(
+            own::GROOVE_EDGES
+                .finding()
+                .text("plus", plus)
+                .text("minus", minus)
+                .at(names::CALNUM),
+        );
         return;
     }
     let width = upper - lower;
@@ -123,11 +129,6 @@ fn shank(inputs: &Inputs, tip: i64, found: &mut Vec<Diagnostic>) {
         (5, 1, Some(1)) | (7, 1, Some(0)) | (6, 2, Some(1)) | (8, 2, Some(0))
     );
     if backwards {
-        let message = Message::new("check-shank").number("tip", tip as f64);
-        found.push(
-            warning(Code::Own(45), message)
-                .hint(Message::new("check-shank-hint"))
-                .at(names::MD),
-        );
+        found.push(own::SHANK.finding().number("tip", tip as f64).at(names::MD));
     }
 }

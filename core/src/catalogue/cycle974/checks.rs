@@ -2,7 +2,7 @@
 
 use super::params::REVERSAL;
 use crate::catalogue::{lathe, names};
-use crate::check::{Finding, Inputs, error};
+use crate::check::{Inputs, error};
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::message::Message;

@@ -2,10 +2,11 @@
 
 use super::params::{HOLE, LENGTH, SKEW, SURFACE, UNKNOWN};
 use crate::catalogue::{Unit, calibration, names, shared_checks};
-use crate::check::{Finding, Inputs, error, factor, note, warning};
+use crate::check::{Inputs, error, factor, unit_behind};
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::message::Message;
+use crate::own;
 
 /// All of them.
 pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
@@ -38,18 +39,11 @@ fn hole(inputs: &Inputs, control: &Control, ball: f64, found: &mut Vec<Diagnosti
     };
     if size <= 0.0 {
         let shown = size / factor(Unit::ActiveLength, control);
-        let message = Message::new("check-range")
-            .text("param", names::SETVAL)
-            .number("value", shown)
-            .text(
-                "unit",
-                crate::check::unit_behind(Unit::ActiveLength, control),
-            );
-        found.push(
-            error(crate::check::OUT_OF_RANGE, message)
-                .hint(Message::new("check-positive-hint"))
-                .at(names::SETVAL),
-        );
+        let finding = own::RANGE.finding().text("param", names::SETVAL);
+        let finding = finding.number("value", shown);
+        let finding = finding.text("unit", unit_behind(Unit::ActiveLength, control));
+        let hint = Message::new("check-positive-hint");
+        found.push(finding.hint(hint).at(names::SETVAL));
     } else if shared_checks::fits(names::SETVAL, size, ball, found) {
         shared_checks::across(inputs, names::SETVAL, size, ball, found);
     }
@@ -66,12 +60,7 @@ fn reversal(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
         );
     }
     if !SKEW.holds(inputs) {
-        let message = Message::new("check-skew-lost");
-        found.push(
-            note(Code::Own(41), message)
-                .hint(Message::new("check-skew-lost-hint"))
-                .at(names::MVAR),
-        );
+        found.push(own::SKEW_LOST.finding().at(names::MVAR));
     }
 }
 
@@ -81,11 +70,6 @@ fn upwards(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     let applicate = LENGTH.holds(inputs) || SURFACE.holds(inputs);
     let axis = inputs.given(names::MA) == Some(3.0);
     if applicate && axis && inputs.given(names::MD) == Some(0.0) {
-        let message = Message::new("check-applicate-plus");
-        found.push(
-            warning(Code::Own(42), message)
-                .hint(Message::new("check-applicate-plus-hint"))
-                .at(names::MD),
-        );
+        found.push(own::APPLICATE_PLUS.finding().at(names::MD));
     }
 }

@@ -2,10 +2,11 @@
 
 use super::params::{OUTSIDE, RECTANGLE, TOOL, ZONE};
 use crate::catalogue::{names, place, shared_checks};
-use crate::check::{Finding, Inputs, error, warning};
+use crate::check::{Inputs, error};
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::message::Message;
+use crate::own;
 
 /// All of them.
 pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
@@ -91,12 +92,10 @@ fn beside_zone(
         (true, _, true) => alarm("check-zone-narrow", "check-zone-narrow-hint"),
         (_, true, false) => alarm("check-zone-ball", "check-zone-wide-hint"),
         (_, true, true) => alarm("check-zone-ball", "check-zone-narrow-hint"),
-        _ if inputs.given(names::FA).is_some_and(|path| path > free) => {
-            let message = Message::new("check-zone-shortens").number("free", free);
-            warning(Code::Own(31), message)
-                .hint(Message::new("check-zone-shortens-hint"))
-                .at(names::FA)
-        }
+        _ if inputs.given(names::FA).is_some_and(|path| path > free) => own::ZONE_SHORTENS
+            .finding()
+            .number("free", free)
+            .at(names::FA),
         _ => return,
     };
     found.push(finding);

@@ -2,7 +2,7 @@
 
 use super::params::DIFFERENTIAL;
 use crate::catalogue::{names, shared_checks};
-use crate::check::{Finding, Inputs, error};
+use crate::check::{Inputs, error};
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::message::Message;

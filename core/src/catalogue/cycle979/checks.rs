@@ -2,10 +2,10 @@
 
 use super::params::{FOUR_POINTS, OUTSIDE, ROUND, TOOL, WEB};
 use crate::catalogue::{circle, names, place, shared_checks};
-use crate::check::{Finding, Inputs, warning};
+use crate::check::Inputs;
 use crate::control::Control;
-use crate::diagnostic::{Code, Diagnostic};
-use crate::message::Message;
+use crate::diagnostic::Diagnostic;
+use crate::own;
 
 /// All of them.
 pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
@@ -20,13 +20,7 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     if ROUND.holds(inputs) {
         circle::angles(inputs, FOUR_POINTS.holds(inputs), found);
     } else if FOUR_POINTS.holds(inputs) {
-        let message = Message::new("check-points-unused");
-        found.push(doubt(
-            Code::Own(50),
-            message,
-            "check-points-unused-hint",
-            names::PRNUM,
-        ));
+        found.push(own::POINTS_UNUSED.finding().at(names::PRNUM));
     }
     if !OUTSIDE.holds(inputs) {
         inside(inputs, ball, found);
@@ -34,10 +28,6 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     if WEB.holds(inputs) {
         lift(inputs, control, ball, found);
     }
-}
-
-fn doubt(code: Code, message: Message, hint: &'static str, at: &'static str) -> Diagnostic {
-    warning(code, message).hint(Message::new(hint)).at(at)
 }
 
 /// In a hole or groove the ball has to fit and to have its way; in a hole it goes round between centre and wall.
@@ -51,9 +41,12 @@ fn inside(inputs: &Inputs, ball: f64, found: &mut Vec<Diagnostic>) {
     let (free, path) = (size / 2.0 - ball, inputs.given(names::FA));
     let beyond = |path: f64| (free..2.0 * free).contains(&path);
     if ROUND.holds(inputs) && path.is_some_and(beyond) {
-        let message = Message::new("check-path-centre");
-        let hint = Message::new("check-path-centre-hint").number("free", free);
-        found.push(warning(Code::Own(54), message).hint(hint).at(names::FA));
+        found.push(
+            own::PATH_CENTRE
+                .finding()
+                .hint_number("free", free)
+                .at(names::FA),
+        );
     }
     shared_checks::across(inputs, names::SETVAL, size, ball, found);
 }
@@ -64,15 +57,9 @@ fn lift(inputs: &Inputs, control: &Control, ball: f64, found: &mut Vec<Diagnosti
         return;
     };
     if lift <= 0.0 {
-        let message = Message::new("check-lift");
-        found.push(doubt(Code::Own(55), message, "check-lift-hint", names::ID));
+        found.push(own::LIFT.finding().at(names::ID));
     } else if lift <= ball && !control.bit("_CBIT[14]") {
-        let message = Message::new("check-lift-ball").number("ball", ball);
-        found.push(doubt(
-            Code::Own(56),
-            message,
-            "check-lift-ball-hint",
-            names::ID,
-        ));
+        let finding = own::LIFT_BALL.finding().number("ball", ball);
+        found.push(finding.at(names::ID));
     }
 }

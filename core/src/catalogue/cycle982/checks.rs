@@ -6,10 +6,11 @@ use super::params::{
 };
 use crate::catalogue::tool_probe::{ProbeData, checks as shared, turning};
 use crate::catalogue::{names, shared_checks};
-use crate::check::{Finding, Inputs, error, note, warning};
+use crate::check::{Inputs, error};
 use crate::control::{Control, Edge};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::message::Message;
+use crate::own;
 
 /// Digits 3 to 5 of `_MVAR`, which count for milling tools and drills only (B:9224-9260).
 const CUTTER_DIGITS: std::ops::RangeInclusive<i64> = 1..=999;
@@ -38,11 +39,7 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
 /// `_CBIT[5]`, from before the second digit of `_MVAR`, takes `_TP` for the workpiece system (B:13602-13608).
 fn old_switch(workpiece: bool, control: &Control, found: &mut Vec<Diagnostic>) {
     if !workpiece && control.bit("_CBIT[5]") {
-        found.push(
-            note(Code::Own(72), Message::new("check-tool-reference"))
-                .hint(Message::new("check-tool-reference-hint"))
-                .at(names::MVAR),
-        );
+        found.push(own::TOOL_REFERENCE.finding().at(names::MVAR));
     }
 }
 
@@ -72,9 +69,13 @@ fn idle_digits(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
         return;
     }
     let plain = inputs.variant / 100_000 * 100_000 + inputs.variant % 100;
-    let message = Message::new("check-turning-digits").number("value", inputs.variant as f64);
-    let hint = Message::new("check-turning-digits-hint").number("plain", plain as f64);
-    found.push(warning(Code::Own(73), message).hint(hint).at(names::MVAR));
+    found.push(
+        own::TURNING_DIGITS
+            .finding()
+            .number("value", inputs.variant as f64)
+            .hint_number("plain", plain as f64)
+            .at(names::MVAR),
+    );
 }
 
 /// An incremental measurement that travels away from the tip: the back of the tool would meet the probe.
@@ -89,8 +90,11 @@ fn direction(inputs: &Inputs, tip: i64, found: &mut Vec<Diagnostic>) {
     let sense = if towards == 0.0 { 1.0 } else { -1.0 };
     // a calibration tool may be bent so that its ball also touches from the other side (B:9907)
     if INCREMENTAL.holds(inputs) && MEASURE.holds(inputs) && side == -sense {
-        let message = Message::new("check-tip-direction").number("tip", tip as f64);
-        let hint = Message::new("check-tip-direction-hint");
-        found.push(warning(Code::Own(74), message).hint(hint).at(names::MD));
+        found.push(
+            own::TIP_DIRECTION
+                .finding()
+                .number("tip", tip as f64)
+                .at(names::MD),
+        );
     }
 }

@@ -5,12 +5,13 @@ use super::params::{
     REVERSAL, SPINDLE_AS_IT_IS, UPPER, WITH_RADIUS,
 };
 use crate::catalogue::{When, names};
-use crate::check::{Finding, Inputs, error, warning};
+use crate::check::{Inputs, error};
 use crate::control::machine_data::TOOL_LENGTH_TYPE;
 use crate::control::tools::AS_TURNING_TOOL;
 use crate::control::{Control, Edge, Plane};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::message::Message;
+use crate::own;
 
 /// Touched from the side, so that the radius takes part in the length (B:9637).
 const FROM_THE_SIDE: When = When::All(&[
@@ -68,9 +69,12 @@ fn along_applicate(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
 fn assignment(control: &Control, found: &mut Vec<Diagnostic>) {
     let value = control.number(TOOL_LENGTH_TYPE);
     if value != AS_TURNING_TOOL {
-        let message = Message::new("check-length-assignment").number("value", value);
-        let hint = Message::new("check-length-assignment-hint");
-        found.push(error(Code::Own(75), message).hint(hint).at(names::MVAR));
+        found.push(
+            own::LENGTH_ASSIGNMENT
+                .finding()
+                .number("value", value)
+                .at(names::MVAR),
+        );
     }
 }
 
@@ -104,8 +108,11 @@ fn sizes(inputs: &Inputs, edge: &Edge, found: &mut Vec<Diagnostic>) {
     }
     let along = usize::from(RADIAL.holds(inputs)); // L1 of an axial tool lies in the radius's axis, else L2
     if RADIUS.holds(inputs) && edge.total_length(along) == 0.0 {
-        let message = Message::new("check-radius-length").text("length", ["L1", "L2"][along]);
-        let hint = Message::new("check-radius-length-hint");
-        found.push(warning(Code::Own(76), message).hint(hint).at(names::MVAR));
+        found.push(
+            own::RADIUS_LENGTH
+                .finding()
+                .text("length", ["L1", "L2"][along])
+                .at(names::MVAR),
+        );
     }
 }

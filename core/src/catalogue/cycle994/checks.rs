@@ -4,10 +4,11 @@ use super::ZONE;
 use super::params::INSIDE_ZONE;
 use crate::catalogue::lathe::params::TRANSVERSE;
 use crate::catalogue::{lathe, names, place, shared_checks};
-use crate::check::{Finding, Inputs, error, note, warning};
+use crate::check::{Inputs, error, warning};
 use crate::control::Control;
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::Diagnostic;
 use crate::message::Message;
+use crate::own;
 
 /// All of them.
 pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
@@ -17,10 +18,10 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
         return;
     };
     if set <= 0.0 {
-        let message = Message::new("check-two-setpoint").number("set", set);
         found.push(
-            warning(Code::Own(46), message)
-                .hint(Message::new("check-two-setpoint-hint"))
+            own::TWO_SETPOINT
+                .finding()
+                .number("set", set)
                 .at(names::SETVAL),
         );
         return;
@@ -37,9 +38,13 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
 fn ball_diameter(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     let name = format!("_WP[{},0]", inputs.integer(names::PRNUM) % 100 - 1);
     if control.bit("_CHBIT[7]") && control.number(&name) <= 0.0 {
-        let message = Message::new("check-two-ball").text("name", &name);
-        let hint = Message::new("check-two-ball-hint").text("name", name);
-        found.push(error(Code::Own(47), message).hint(hint).at(names::PRNUM));
+        found.push(
+            own::TWO_BALL
+                .finding()
+                .text("name", &name)
+                .hint_text("name", name)
+                .at(names::PRNUM),
+        );
     }
 }
 
@@ -83,14 +88,16 @@ fn either(inputs: &Inputs, set: f64, ball: f64, found: &mut Vec<Diagnostic>) {
     match (given(names::SZA), given(names::SZO)) {
         (true, true) => {}
         (false, false) => {
-            let message = Message::new("check-two-no-zone");
-            found.push(note(Code::Own(48), message).hint(Message::new("check-two-no-zone-hint")));
+            found.push(own::TWO_NO_ZONE.finding());
         }
         (abscissa, _) => {
             let missing = if abscissa { names::SZO } else { names::SZA };
-            let message = Message::new("check-two-half-zone").text("name", missing);
-            let hint = Message::new("check-two-half-zone-hint");
-            found.push(warning(Code::Own(49), message).hint(hint).at(missing));
+            found.push(
+                own::TWO_HALF_ZONE
+                    .finding()
+                    .text("name", missing)
+                    .at(missing),
+            );
         }
     }
     let (name, Some(zone)) = across(inputs) else {

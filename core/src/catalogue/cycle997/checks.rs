@@ -3,12 +3,13 @@
 use super::params::{ANGLE, FOUR_POINTS, THREE, TURNED};
 use super::points::{centres, sides};
 use crate::catalogue::{circle, names, place, shared_checks};
-use crate::check::{Finding, Inputs, error, warning};
+use crate::check::{Inputs, error};
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::geometry::fit;
 use crate::geometry::rigid::sin_cos;
 use crate::message::Message;
+use crate::own;
 use nalgebra::Vector3;
 
 /// All of them.
@@ -36,12 +37,11 @@ fn small(inputs: &Inputs, ball: f64, found: &mut Vec<Diagnostic>) {
         return;
     };
     if size < 4.0 * ball {
-        let message = Message::new("check-sphere-small")
-            .number("size", size)
-            .number("ball", 2.0 * ball);
         found.push(
-            warning(Code::Own(93), message)
-                .hint(Message::new("check-sphere-small-hint"))
+            own::SPHERE_SMALL
+                .finding()
+                .number("size", size)
+                .number("ball", 2.0 * ball)
                 .at(names::SETVAL),
         );
     }
@@ -76,12 +76,15 @@ fn triangle(inputs: &Inputs, ball: f64, found: &mut Vec<Diagnostic>) {
     for (one, other) in [(first, second), (first, third), (second, third)] {
         let distance = (other.centre - one.centre).norm();
         if distance < size {
-            let message = Message::new("check-spheres-overlap")
-                .number("one", one.number)
-                .number("other", other.number)
-                .number("distance", distance);
-            let hint = Message::new("check-spheres-overlap-hint").number("size", size);
-            found.push(error(Code::Own(94), message).hint(hint).at(other.field));
+            found.push(
+                own::SPHERES_OVERLAP
+                    .finding()
+                    .number("one", one.number)
+                    .number("other", other.number)
+                    .number("distance", distance)
+                    .hint_number("size", size)
+                    .at(other.field),
+            );
             return;
         }
     }
@@ -119,12 +122,11 @@ fn beside(
                 && starts(one).any(|start| (start - other.centre).norm() < radius + ball)
         };
         if let Some(other) = spheres.iter().find(hits) {
-            let message = Message::new("check-spheres-close")
-                .number("one", one.number)
-                .number("other", other.number);
             found.push(
-                warning(Code::Own(95), message)
-                    .hint(Message::new("check-spheres-close-hint"))
+                own::SPHERES_CLOSE
+                    .finding()
+                    .number("one", one.number)
+                    .number("other", other.number)
                     .at(names::FA),
             );
             return;

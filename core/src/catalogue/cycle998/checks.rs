@@ -2,10 +2,11 @@
 
 use super::params::{AT_ANGLE, DIFFERENTIAL, ONE};
 use crate::catalogue::{names, shared_checks};
-use crate::check::{Finding, Inputs, error, note, warning};
+use crate::check::{Inputs, error};
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::message::Message;
+use crate::own;
 
 /// All of them.
 pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
@@ -69,35 +70,30 @@ fn legs(inputs: &Inputs) -> Vec<Leg> {
 fn along_the_angle(inputs: &Inputs, leg: &Leg) -> Option<Diagnostic> {
     let (area, path) = (inputs.given(names::TSA)?, inputs.given(names::FA)?);
     if leg.angle + area >= 90.0 {
-        let message = Message::new("check-angle-steep")
-            .text("param", leg.name)
-            .number("sum", leg.angle + area);
-        let hint = Message::new("check-angle-steep-hint").number("limit", 90.0 - leg.angle);
-        return Some(error(Code::Own(80), message).hint(hint).at(names::TSA));
+        return Some(
+            own::ANGLE_STEEP
+                .finding()
+                .text("param", leg.name)
+                .number("sum", leg.angle + area)
+                .hint_number("limit", 90.0 - leg.angle)
+                .at(names::TSA),
+        );
     }
     let away = leg.rise(area) - leg.rise(0.0);
     let worst = leg.rise(area) - leg.rise(-area);
     // µm are enough for a reader, and what is advised must be enough as well
-    let needed = |path: f64| {
-        let advised = (path * 1e3).ceil() / 1e3;
-        Message::new("check-angle-reach-hint").number("needed", advised)
-    };
+    let needed = |path: f64| (path * 1e3).ceil() / 1e3;
     if away > path {
         let ahead = ((path + away) * 1e3).round() / 1e3;
-        let message = Message::new("check-angle-reach").number("away", ahead);
-        return Some(
-            warning(Code::Own(81), message.number("path", 2.0 * path))
-                .hint(needed(worst))
-                .at(names::FA),
-        );
+        let finding = own::ANGLE_REACH.finding();
+        let finding = finding.number("away", ahead).number("path", 2.0 * path);
+        let finding = finding.hint_number("needed", needed(worst));
+        return Some(finding.at(names::FA));
     }
     if worst > path {
-        let message = Message::new("check-angle-reach-worst").number("area", area);
-        return Some(
-            note(Code::Own(82), message)
-                .hint(needed(worst))
-                .at(names::FA),
-        );
+        let finding = own::ANGLE_REACH_WORST.finding().number("area", area);
+        let finding = finding.hint_number("needed", needed(worst));
+        return Some(finding.at(names::FA));
     }
     None
 }
@@ -107,11 +103,12 @@ fn along_the_axis(inputs: &Inputs, leg: &Leg) -> Option<Diagnostic> {
     let path = inputs.given(names::FA)?;
     let rise = leg.rise(0.0);
     (rise > 2.0 * path).then(|| {
-        let message = Message::new("check-angle-paraxial")
+        own::ANGLE_PARAXIAL
+            .finding()
             .number("rise", rise)
-            .number("path", 2.0 * path);
-        let hint = Message::new("check-angle-paraxial-hint").number("needed", rise / 2.0);
-        warning(Code::Own(83), message).hint(hint).at(names::FA)
+            .number("path", 2.0 * path)
+            .hint_number("needed", rise / 2.0)
+            .at(names::FA)
     })
 }
 

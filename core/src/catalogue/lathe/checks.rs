@@ -3,7 +3,7 @@
 use super::TIPS;
 use super::params::TRANSVERSE;
 use crate::catalogue::{names, shared_checks};
-use crate::check::{Finding, Inputs, error, warning};
+use crate::check::{Inputs, error, warning};
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::message::Message;

@@ -3,10 +3,11 @@
 use super::line::{Field, fields, widths};
 use super::names::{COLUMN, FILE, LINE, TITLES, VALUES};
 use super::params::LONGEST_LINE;
-use crate::check::{Finding, Inputs, error, warning};
+use crate::check::{Inputs, error, warning};
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::message::Message;
+use crate::own;
 
 /// Width of a column where the titles give none, characters (A:15945).
 const FIXED: usize = 12;
@@ -40,11 +41,7 @@ fn file(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     };
     let right = starts && name.chars().all(known);
     if !name.is_empty() && !right {
-        found.push(
-            error(Code::Own(115), Message::new("check-log-file"))
-                .hint(Message::new("check-log-file-hint"))
-                .at(FILE),
-        );
+        found.push(own::LOG_FILE.finding().at(FILE));
     }
 }
 

@@ -10,9 +10,10 @@ use crate::catalogue::cycle113::CYCLE113;
 use crate::catalogue::cycle118::CYCLE118;
 use crate::catalogue::example::example;
 use crate::catalogue::{Cycle, Dialect, Style};
-use crate::check::{MISSING, OUT_OF_RANGE, Typed, check};
+use crate::check::{Typed, check};
 use crate::control::{Plane, delivery};
 use crate::diagnostic::Code;
+use crate::own;
 use crate::program::calls::calls;
 use crate::program::change::{apply, change};
 use crate::program::read;
@@ -37,7 +38,10 @@ fn found(cycle: &'static Cycle, changes: &[(&str, &str)]) -> Vec<(Code, Option<&
 fn what_a_log_cannot_be_is_told() {
     let alarm = Code::Alarm;
     assert_eq!(found(&CYCLE100, &[]), []);
-    assert_eq!(found(&CYCLE100, &[(FILE, "")]), [(MISSING, Some(FILE))]);
+    assert_eq!(
+        found(&CYCLE100, &[(FILE, "")]),
+        [(own::MISSING.code(), Some(FILE))]
+    );
     for name in ["1LOG", "L", "L1", "MY-LOG", "LOG.MPF"] {
         assert_eq!(
             found(&CYCLE100, &[(FILE, name)]),
@@ -76,7 +80,10 @@ fn what_a_log_cannot_be_is_told() {
 #[test]
 fn header_and_values_have_their_numbers() {
     assert_eq!(found(&CYCLE105, &[(JOB, "1")]), []);
-    assert_eq!(found(&CYCLE105, &[(JOB, "2")]), [(OUT_OF_RANGE, Some(JOB))]);
+    assert_eq!(
+        found(&CYCLE105, &[(JOB, "2")]),
+        [(own::RANGE.code(), Some(JOB))]
+    );
     assert_eq!(found(&CYCLE106, &[(JOB, "2")]), []);
     assert_eq!(
         found(&CYCLE106, &[(JOB, "0")]),
@@ -88,7 +95,7 @@ fn header_and_values_have_their_numbers() {
     );
     assert_eq!(
         found(&CYCLE118, &[("PAR4", "3")]),
-        [(MISSING, Some("PAR5"))]
+        [(own::MISSING.code(), Some("PAR5"))]
     );
 }
 

@@ -1,15 +1,11 @@
 //! Checks over several addresses that macros share.
 
 use super::{FORMAT_ERROR, NO_MOVEMENT};
-use crate::check::{Finding, Inputs, error, warning};
+use crate::check::{Inputs, error};
 use crate::control::Control;
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::Diagnostic;
 use crate::message::Message;
-
-/// H not below U: the message about the tolerance never comes alone.
-const LIMITS: Code = Code::Own(112);
-/// The result goes into the register that T corrects.
-const SAME_REGISTER: Code = Code::Own(113);
+use crate::own;
 
 /// S with T (C:1089), limits that make no sense together, M and T the same register.
 pub fn corrections(inputs: &Inputs, findings: &mut Vec<Diagnostic>) {
@@ -24,20 +20,11 @@ pub fn corrections(inputs: &Inputs, findings: &mut Vec<Diagnostic>) {
     if let (Some(tolerance), Some(limit)) = (inputs.given("H"), inputs.given("U"))
         && limit <= tolerance
     {
-        let message = Message::new("nct-limits");
-        findings.push(
-            warning(LIMITS, message)
-                .hint(Message::new("nct-limits-hint"))
-                .at("U"),
-        );
+        // the message about the tolerance would never come alone
+        findings.push(own::NCT_LIMITS.finding().at("U"));
     }
     if inputs.given("M").is_some() && inputs.given("M") == inputs.given("T") {
-        let message = Message::new("nct-same-register");
-        findings.push(
-            warning(SAME_REGISTER, message)
-                .hint(Message::new("nct-same-register-hint"))
-                .at("M"),
-        );
+        findings.push(own::NCT_SAME_REGISTER.finding().at("M"));
     }
 }
 

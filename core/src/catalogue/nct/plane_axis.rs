@@ -3,7 +3,7 @@
 use super::{FORMAT_ERROR, axis_name};
 use crate::catalogue::common::optional;
 use crate::catalogue::{Need, When};
-use crate::check::{Finding, Inputs, error};
+use crate::check::{Inputs, error};
 use crate::control::{Control, Plane};
 use crate::diagnostic::Diagnostic;
 use crate::message::Message;

@@ -2,7 +2,7 @@
 
 use super::addresses::{letter, spacing};
 use crate::catalogue::nct::FORMAT_ERROR;
-use crate::check::{Finding, Inputs, error};
+use crate::check::{Inputs, error};
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
 use crate::message::Message;

@@ -2,13 +2,11 @@
 
 use super::ProbeData;
 use crate::catalogue::names;
-use crate::check::{Finding, Inputs, error, warning};
+use crate::check::{Inputs, error, warning};
 use crate::control::{Control, Edge};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::message::Message;
-
-/// No trigger value of the tool probe is stored: the control does not know where it stands.
-pub const PLACE_UNKNOWN: Code = Code::Own(61);
+use crate::own;
 
 /// Type of a 3D probe, `$TC_DP1` (B:4147).
 const WORKPIECE_PROBE: i64 = 710;
@@ -38,11 +36,14 @@ pub fn memory(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     let number = (inputs.integer(names::EVNUM) % 10_000) as f64;
     let size = control.number("_EVMVNUM[0]");
     if number > size {
-        let message = Message::new("check-empirical-memory")
-            .number("number", number)
-            .number("size", size);
-        let hint = Message::new("check-memory-hint").text("array", "_EVMVNUM[0]");
-        found.push(error(Code::Own(59), message).hint(hint).at(names::EVNUM));
+        found.push(
+            own::TOOL_MEMORY
+                .finding()
+                .number("number", number)
+                .number("size", size)
+                .hint_text("array", "_EVMVNUM[0]")
+                .at(names::EVNUM),
+        );
     }
 }
 
@@ -58,14 +59,13 @@ pub fn limits(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
             continue;
         };
         if low >= high {
-            let message = Message::new("check-tool-limits")
-                .text("small", *small)
-                .number("low", *low)
-                .text("large", *large)
-                .number("high", *high);
             found.push(
-                warning(Code::Own(60), message)
-                    .hint(Message::new("check-tool-limits-hint"))
+                own::TOOL_LIMITS
+                    .finding()
+                    .text("small", *small)
+                    .number("low", *low)
+                    .text("large", *large)
+                    .number("high", *high)
                     .at(large),
             );
         }
@@ -112,16 +112,18 @@ pub fn place(data: &ProbeData, axes: &[usize], found: &mut Vec<Diagnostic>) {
             .iter()
             .flat_map(|axis| [data.name(2 * axis), data.name(2 * axis + 1)])
             .collect();
-        let message = Message::new("check-tool-probe-empty").text("names", names.join(", "));
-        let hint = Message::new("check-tool-probe-empty-hint");
-        found.push(warning(PLACE_UNKNOWN, message).hint(hint).at(names::PRNUM));
+        // the control does not know where it stands
+        let finding = own::TOOL_PROBE_EMPTY.finding();
+        found.push(finding.text("names", names.join(", ")).at(names::PRNUM));
         return;
     }
     for (axis, _) in triggers().filter(|(_, [minus, plus])| minus <= plus) {
-        let message = Message::new("check-tool-probe-sides")
-            .text("minus", data.name(2 * axis))
-            .text("plus", data.name(2 * axis + 1));
-        let hint = Message::new("check-tool-probe-sides-hint");
-        found.push(warning(Code::Own(62), message).hint(hint).at(names::PRNUM));
+        found.push(
+            own::TOOL_PROBE_SIDES
+                .finding()
+                .text("minus", data.name(2 * axis))
+                .text("plus", data.name(2 * axis + 1))
+                .at(names::PRNUM),
+        );
     }
 }

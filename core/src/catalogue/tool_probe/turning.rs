@@ -1,7 +1,7 @@
 //! Checks about the turning tool with which a tool probe is calibrated, or that is measured there.
 
 use crate::catalogue::names;
-use crate::check::{Finding, Inputs, error};
+use crate::check::{Inputs, error};
 use crate::control::Edge;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::message::Message;

@@ -1,13 +1,13 @@
 //! What has to be in force at a call.
 
 use super::{Seen, at, inherited, unsaid, with_line};
-use crate::catalogue::tool_probe::checks::PLACE_UNKNOWN;
 use crate::catalogue::{MachineSort, ProbeUse, names};
-use crate::check::{Finding, error, note, warning};
+use crate::check::error;
 use crate::control::tools::is_milling_probe;
 use crate::control::{Control, delivery_in};
 use crate::diagnostic::{Code, Diagnostic, Severity};
 use crate::message::Message;
+use crate::own;
 use crate::program::tree::{Program, Word, WordKind};
 use std::collections::BTreeSet;
 use std::ops::RangeInclusive;
@@ -64,15 +64,15 @@ pub fn look(seen: &Seen, asked: &mut Asked, found: &mut Vec<Diagnostic>) {
 /// Tool radius compensation has to be off (B:654).
 fn compensation(seen: &Seen) -> Option<Diagnostic> {
     let on = seen.force.compensation.is().filter(|on| on.code != 40)?;
-    let key = if seen.comes_back(on.at) {
-        "advice-compensation-pass"
+    let sentence = if seen.comes_back(on.at) {
+        own::ADVICE_COMPENSATION_PASS
     } else {
-        "advice-compensation"
+        own::ADVICE_COMPENSATION
     };
-    let message = Message::new(key)
+    let finding = sentence
+        .finding()
         .text("word", format!("G{}", on.code))
         .number("line", f64::from(seen.program.line_of(on.at.start) + 1));
-    let finding = error(Code::Own(130), message).hint(Message::new("advice-compensation-hint"));
     Some(with_line(finding, seen, "G40"))
 }
 
@@ -80,12 +80,12 @@ fn compensation(seen: &Seen) -> Option<Diagnostic> {
 fn edge(seen: &Seen) -> Option<Diagnostic> {
     let finding = if seen.force.edge.is() == Some(&0) {
         error(Code::Alarm(61311), Message::new("advice-edge-none"))
+            .hint(Message::new("advice-edge-hint"))
     } else if seen.force.edge.unset() && !seen.force.tool.unset() {
-        warning(Code::Own(133), Message::new("advice-edge-open"))
+        own::ADVICE_EDGE_OPEN.finding()
     } else {
         return None;
     };
-    let finding = finding.hint(Message::new("advice-edge-hint"));
     Some(with_line(finding, seen, "D1"))
 }
 
@@ -110,8 +110,7 @@ fn spindle(seen: &Seen) -> Option<Diagnostic> {
     if !(workpiece && milling && seen.force.turning.is() == Some(&true)) {
         return None;
     }
-    let finding = warning(Code::Own(134), Message::new("advice-spindle"))
-        .hint(Message::new("advice-spindle-hint"));
+    let finding = own::ADVICE_SPINDLE.finding();
     Some(with_line(finding, seen, "M5"))
 }
 
@@ -131,8 +130,8 @@ fn on_machine(control: &Control, number: i64) -> bool {
 fn calibration(seen: &Seen, asked: &mut Asked) -> Option<Diagnostic> {
     let purpose = &seen.site.cycle.purpose;
     let told = seen.site.diagnostics.iter();
-    let mut instead =
-        told.filter(|one| one.severity == Severity::Error || one.code == PLACE_UNKNOWN);
+    let mut instead = told
+        .filter(|one| one.severity == Severity::Error || one.code == own::TOOL_PROBE_EMPTY.code());
     if instead.next().is_some() {
         return None; // the call does not measure like this; the next one is asked
     }
@@ -146,8 +145,10 @@ fn calibration(seen: &Seen, asked: &mut Asked) -> Option<Diagnostic> {
         return None;
     }
     let array = if probe.0 { "_TP" } else { "_WP" };
-    let message = Message::new("advice-calibration")
-        .number("number", number as f64)
-        .text("data", format!("{array}[{},x]", number - 1));
-    Some(note(Code::Own(135), message).hint(Message::new("advice-calibration-hint")))
+    Some(
+        own::ADVICE_CALIBRATION
+            .finding()
+            .number("number", number as f64)
+            .text("data", format!("{array}[{},x]", number - 1)),
+    )
 }

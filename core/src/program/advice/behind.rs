@@ -2,10 +2,10 @@
 
 use super::{Seen, at, behind_call};
 use crate::catalogue::{Kind, ProbeUse, names};
-use crate::check::{Finding, Target, target, warning};
-use crate::diagnostic::{Code, Diagnostic};
+use crate::check::{Target, target};
+use crate::diagnostic::Diagnostic;
 use crate::evaluate::knum::{self, ZeroCode};
-use crate::message::Message;
+use crate::own;
 use crate::program::calls::CallSite;
 use crate::program::flow::{self, Entry, Follow, Mode};
 use crate::program::fold::{self, Nothing};
@@ -102,17 +102,16 @@ pub fn look(
 fn finding(program: &Program, site: &CallSite, frame: &Corrected, waiting: &Waiting) -> Diagnostic {
     let known = frame.cure.map(|code| format!("G{code}"));
     let word = known.clone().unwrap_or("G500, G54 …".to_owned());
-    let (message, hint) = match (frame.function, waiting.other) {
-        (None, _) => (Message::new("advice-frame-basic"), "advice-frame-hint"),
+    let finding = match (frame.function, waiting.other) {
+        (None, _) => own::ADVICE_FRAME_BASIC.finding(),
         (_, Some(other)) => {
-            let message = Message::new("advice-frame-other").text("other", format!("G{other}"));
-            (message, "advice-frame-other-hint")
+            let finding = own::ADVICE_FRAME_OTHER.finding();
+            finding.text("other", format!("G{other}"))
         }
-        _ => (Message::new("advice-frame"), "advice-frame-hint"),
+        _ => own::ADVICE_FRAME.finding(),
     };
-    let finding = warning(Code::Own(137), message.text("frame", word.as_str()))
-        .hint(Message::new(hint).text("frame", word.as_str()));
-    let finding = at(finding, site.span);
+    let finding = finding.text("frame", word.as_str());
+    let finding = at(finding.hint_text("frame", word.as_str()), site.span);
     match known {
         Some(word) => behind_call(finding, program, site, &word),
         None => finding,

@@ -3,9 +3,10 @@
 
 use super::Seen;
 use crate::catalogue::{Kind, Level, Param, Unit};
-use crate::check::{self, Finding, Inputs, note, warning};
-use crate::diagnostic::{Code, Cure, Diagnostic};
+use crate::check::{self, Inputs};
+use crate::diagnostic::{Cure, Diagnostic};
 use crate::message::Message;
+use crate::own;
 use crate::program::calls::CallSite;
 use crate::program::change::change;
 
@@ -108,25 +109,22 @@ fn doubt(
     if before == now || !counts(seen, param, site, (&before, &now)) {
         return None;
     }
-    let key = if before.unit == now.unit {
-        "advice-inherited-meaning"
+    let sentence = if before.unit != now.unit {
+        own::ADVICE_INHERITED
+    } else if level == Level::Required {
+        own::ADVICE_INHERITED_MEANING
     } else {
-        "advice-inherited"
+        own::ADVICE_INHERITED_MEANING.as_note()
     };
-    let message = Message::new(key)
+    let mut finding = sentence
+        .finding()
         .text("name", param.name)
         .text("value", value)
         .text("cycle", site.cycle.name)
         .number("line", f64::from(site.line + 1))
         .text("before", before.words(&now))
-        .text("now", now.words(&before));
-    let say = if level == Level::Required || before.unit != now.unit {
-        warning
-    } else {
-        note
-    };
-    let mut finding = say(Code::Own(136), message)
-        .hint(Message::new("advice-inherited-hint").text("name", param.name))
+        .text("now", now.words(&before))
+        .hint_text("name", param.name)
         .at(param.name);
     finding.span = Some(seen.site.span);
     finding.cure = param.fallback(seen.control).map(|value| Cure {

@@ -1,9 +1,8 @@
 //! Program levels: a measuring cycle is called no deeper than on the fifth (B:656). The main program is the first.
 
 use super::at;
-use crate::check::{Finding, error};
-use crate::diagnostic::{Code, Diagnostic};
-use crate::message::Message;
+use crate::diagnostic::Diagnostic;
+use crate::own;
 use crate::program::calls::CallSite;
 use crate::program::flow::{LEVELS, callers};
 use crate::program::tree::Program;
@@ -31,8 +30,7 @@ pub fn look(
         let level = units.checked_sub(1).and_then(|unit| levels.get(unit));
         let level = level.copied().unwrap_or(1);
         if level > DEEPEST && site.cycle.purpose.probe.measures() {
-            let message = Message::new("advice-level").number("level", level as f64);
-            let finding = error(Code::Own(138), message).hint(Message::new("advice-level-hint"));
+            let finding = own::ADVICE_LEVEL.finding().number("level", level as f64);
             found.push(at(finding, site.span));
         }
     }

@@ -1,9 +1,8 @@
 //! Programs of another memory that this text does not hold (`EXTCALL`): what they leave is not known. Told once.
 
 use super::at;
-use crate::check::{Finding, note};
-use crate::diagnostic::{Code, Diagnostic};
-use crate::message::Message;
+use crate::diagnostic::Diagnostic;
+use crate::own;
 use crate::program::flow::{Called, called, named_outside};
 use crate::program::tree::Program;
 use crate::run::programs::{Programs, bare};
@@ -36,7 +35,8 @@ pub fn look(program: &Program, programs: &Programs, found: &mut Vec<Diagnostic>)
         names.truncate(NAMES);
         names.push("…".to_owned());
     }
-    let message = Message::new("advice-outside").text("names", names.join(", "));
-    let finding = note(Code::Own(152), message).hint(Message::new("advice-outside-hint"));
+    let finding = own::ADVICE_OUTSIDE
+        .finding()
+        .text("names", names.join(", "));
     found.push(at(finding, span));
 }

@@ -2,9 +2,9 @@
 //! assignment is not what counts at the call. Parameters are data of the channel: all programs share them.
 
 use super::at;
-use crate::check::{Finding, warning};
-use crate::diagnostic::{Code, Cure, Diagnostic};
+use crate::diagnostic::{Cure, Diagnostic};
 use crate::message::Message;
+use crate::own;
 use crate::program::calls::CallSite;
 use crate::program::change::line_at_begin;
 use crate::program::tree::Program;
@@ -14,11 +14,11 @@ pub fn look(program: &Program, sites: &[CallSite], found: &mut Vec<Diagnostic>) 
     for site in sites {
         for (name, place, call) in &site.overwritten {
             let line = f64::from(program.line_of(call.start) + 1);
-            let message = Message::new("advice-overwritten")
+            let mut finding = own::ADVICE_OVERWRITTEN
+                .finding()
                 .text("name", *name)
-                .number("line", line);
-            let hint = Message::new("advice-overwritten-hint").text("name", *name);
-            let mut finding = warning(Code::Own(150), message).hint(hint);
+                .number("line", line)
+                .hint_text("name", *name);
             let value = String::from_utf8_lossy(program.text(*place));
             let edit = line_at_begin(program, site.line, &format!("{name}={value}"));
             finding.cure = edit.map(|edit| Cure {

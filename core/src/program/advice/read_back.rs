@@ -3,22 +3,16 @@
 
 use super::{Seen, at};
 use crate::catalogue::{Param, Style, names};
-use crate::check::{self, Finding, Parsed, parse, warning};
+use crate::check::{self, Parsed, parse};
 use crate::control::Control;
-use crate::diagnostic::{Code, Cure, Diagnostic, Edit, Span};
+use crate::diagnostic::{Cure, Diagnostic, Edit, Span};
 use crate::message::Message;
+use crate::own;
 use crate::program::calls::CallSite;
 use crate::program::change::{change, line_before};
 use crate::program::marked::mark_before;
 use crate::program::tree::Program;
 use crate::support::{self, Changed, Mark, Support};
-
-/// Values would be others.
-const TAKEN_OVER: Code = Code::Own(140);
-/// The call was written with another mask.
-const MASK: Code = Code::Own(141);
-/// The call was written with another kind of tool programming.
-const TOOLS: Code = Code::Own(142);
 
 /// Numbers that differ by less are the same one, rounded.
 const ROUNDED: f64 = 0.001;
@@ -78,8 +72,7 @@ fn marked(seen: &Seen) -> Option<Marked> {
 /// The mask is another one than when the call was written.
 fn mask(marked: &Marked) -> Option<Diagnostic> {
     let changes = listed(&marked.then.mask_changed(&marked.now))?;
-    let message = Message::new("advice-mask").text("changes", changes);
-    let finding = warning(MASK, message).hint(Message::new("advice-mask-hint"));
+    let finding = own::ADVICE_MASK.finding().text("changes", changes);
     let label = Message::new("advice-mask-cure");
     Some(cured(finding, label, vec![marked.renewed()]))
 }
@@ -87,8 +80,8 @@ fn mask(marked: &Marked) -> Option<Diagnostic> {
 /// The control does not read its calls back once this changed.
 fn tools(marked: &Marked) -> Option<Diagnostic> {
     let changes = listed(&marked.then.tools_changed(&marked.now))?;
-    let message = Message::new("advice-tool-programming").text("changes", changes);
-    Some(warning(TOOLS, message).hint(Message::new("advice-tool-programming-hint")))
+    let finding = own::ADVICE_TOOL_PROGRAMMING.finding();
+    Some(finding.text("changes", changes))
 }
 
 /// `_MZ_MASK[4]: 1 → 0`; none for no change.
@@ -133,8 +126,8 @@ fn taken_over(
     let of_bits = bits.iter().filter_map(|one| set(seen.program, site, one));
     let of_mark = marked.map(Marked::renewed);
     let edits: Vec<Edit> = of_values.chain(of_bits).chain(of_mark).collect();
-    let message = Message::new("advice-read-back").text("changes", all.join(", "));
-    let finding = warning(TAKEN_OVER, message).hint(Message::new("advice-read-back-hint"));
+    let finding = own::ADVICE_READ_BACK.finding();
+    let finding = finding.text("changes", all.join(", "));
     let label = Message::new("advice-read-back-cure");
     Some(cured(finding, label, edits))
 }

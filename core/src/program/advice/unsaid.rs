@@ -3,10 +3,9 @@
 
 use super::{Seen, between, with_line};
 use crate::catalogue::{MachineSort, ProbeUse, lathe, names};
-use crate::check::{Finding, note, warning};
 use crate::control::Transverse;
-use crate::diagnostic::{Code, Diagnostic};
-use crate::message::Message;
+use crate::diagnostic::Diagnostic;
+use crate::own;
 use crate::program::flow::Mode;
 
 /// Every doubt of this sort at a call.
@@ -47,8 +46,7 @@ fn open(seen: &Seen) -> Option<Diagnostic> {
     if words.is_empty() {
         return None;
     }
-    let message = Message::new("advice-open").text("words", words.join(", "));
-    let finding = note(Code::Own(145), message).hint(Message::new("advice-open-hint"));
+    let finding = own::ADVICE_OPEN.finding().text("words", words.join(", "));
     let functions = words.into_iter().filter(|word| word.starts_with('G'));
     let functions: Vec<&str> = functions.collect();
     if functions.is_empty() {
@@ -64,9 +62,12 @@ fn plane(seen: &Seen) -> Option<Diagnostic> {
         return None;
     }
     let usual = usual_plane(seen);
-    let say = if on_a_lathe(seen) { note } else { warning };
-    let hint = Message::new("advice-plane-hint").text("plane", usual);
-    let finding = say(Code::Own(131), Message::new("advice-plane")).hint(hint);
+    let sentence = if on_a_lathe(seen) {
+        own::ADVICE_PLANE.as_note()
+    } else {
+        own::ADVICE_PLANE
+    };
+    let finding = sentence.finding().hint_text("plane", usual);
     Some(with_line(finding, seen, usual))
 }
 
@@ -75,8 +76,7 @@ fn compensation(seen: &Seen) -> Option<Diagnostic> {
     if !seen.force.compensation.unset() || !seen.left_on {
         return None;
     }
-    let finding = note(Code::Own(146), Message::new("advice-compensation-open"))
-        .hint(Message::new("advice-compensation-hint"));
+    let finding = own::ADVICE_COMPENSATION_OPEN.finding();
     Some(with_line(finding, seen, "G40"))
 }
 
@@ -85,8 +85,7 @@ fn tool(seen: &Seen) -> Option<Diagnostic> {
     if !seen.force.tool.unset() {
         return None;
     }
-    let finding = note(Code::Own(147), Message::new("advice-tool-none"));
-    let finding = finding.hint(Message::new("advice-tool-none-hint"));
+    let finding = own::ADVICE_TOOL_NONE.finding();
     Some(match the_probe(seen) {
         Some(change) => with_line(finding, seen, &change),
         None => finding,
@@ -119,8 +118,7 @@ fn diameter(seen: &Seen) -> Option<Diagnostic> {
     if !on_a_lathe(seen) || !seen.force.transverse.unset() {
         return None;
     }
-    let finding = warning(Code::Own(132), Message::new("advice-diameter"))
-        .hint(Message::new("advice-diameter-hint"));
+    let finding = own::ADVICE_DIAMETER.finding();
     Some(with_line(finding, seen, "DIAMON"))
 }
 
@@ -133,10 +131,10 @@ fn radius(seen: &Seen) -> Option<Diagnostic> {
     let param = seen.site.cycle.param(names::SETVAL)?;
     param.need(&seen.inputs)?;
     let set: f64 = seen.values.get(names::SETVAL)?.trim().parse().ok()?;
-    let message = Message::new("advice-radius")
+    let finding = own::ADVICE_RADIUS
+        .finding()
         .number("value", set)
         .number("diameter", 2.0 * set);
-    let finding = note(Code::Own(148), message).hint(Message::new("advice-radius-hint"));
     let finding = finding.at(names::SETVAL);
     Some(between(finding, seen, "DIAMON", "DIAMOF"))
 }

@@ -3,9 +3,10 @@
 use super::listed::Given;
 use super::{CallSite, Origin, Place, Walk, Way};
 use crate::catalogue::{ArgumentList, Cycle, Dialect};
-use crate::check::{EXPRESSION, Typed, check};
+use crate::check::{Typed, check};
 use crate::control::Control;
 use crate::diagnostic::{Diagnostic, Span};
+use crate::own;
 use crate::program::tree::Program;
 use crate::program::values::Value;
 use crate::support::BITS;
@@ -310,13 +311,14 @@ fn checked(
     for (name, held) in given.iter().filter(|(_, held)| held.all().len() > 1) {
         let all = held.all();
         if all.iter().all(|value| value.number.is_some()) {
-            found.retain(|one| one.code != EXPRESSION || one.param != Some(name));
+            found.retain(|one| one.code != own::EXPRESSION.code() || one.param != Some(name));
         }
         for value in all {
             let mut values = values.clone();
             values.insert((*name).to_owned(), value.text.clone());
             let alone = check(cycle, &values, control).diagnostics.into_iter();
-            let alone = alone.filter(|one| one.param == Some(name) && one.code != EXPRESSION);
+            let alone =
+                alone.filter(|one| one.param == Some(name) && one.code != own::EXPRESSION.code());
             found.extend(alone.map(|one| Diagnostic {
                 span: Some(value.written_at()),
                 ..one

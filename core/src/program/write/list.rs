@@ -2,19 +2,10 @@
 
 use super::{Source, Written, assignments, word};
 use crate::catalogue::{Arg, ArgumentList, Param, Style, list};
-use crate::check::{Finding, Parsed, error, note, parse, warning};
-use crate::diagnostic::{Code, Diagnostic};
-use crate::message::Message;
+use crate::check::{Parsed, parse};
+use crate::diagnostic::Diagnostic;
+use crate::own;
 use crate::program::values::opposite;
-
-/// There is no call of this kind for the cycle or the variant.
-const NO_LIST: Code = Code::Own(120);
-/// A value that no argument takes stands as an assignment before the call.
-const BESIDE: Code = Code::Own(121);
-/// A value that this way of writing cannot give.
-const LOST: Code = Code::Own(122);
-/// Selections make the variant, and its number is not known before the run.
-const VARIANT_OPEN: Code = Code::Own(153);
 
 /// The call in this way of writing.
 pub(super) fn write(source: &Source, style: Style) -> Written {
@@ -25,8 +16,8 @@ pub(super) fn write(source: &Source, style: Style) -> Written {
     if let (Some(value), Some(list)) = (open_variant(source), list)
         && !list.has_variant(source.cycle)
     {
-        let message = Message::new("write-variant-open").text("value", value);
-        return nothing(error(VARIANT_OPEN, message).hint(Message::new("write-no-list-hint")));
+        // selections make the variant, and its number is not known before the run
+        return nothing(own::WRITE_VARIANT_OPEN.finding().text("value", value));
     }
     match list {
         Some(list) => listed(source, list),
@@ -35,13 +26,12 @@ pub(super) fn write(source: &Source, style: Style) -> Written {
             findings: Vec::new(),
         },
         None => {
-            let key = if none {
-                "write-no-list"
+            let sentence = if none {
+                own::WRITE_NO_LIST
             } else {
-                "write-no-list-variant"
+                own::WRITE_NO_LIST_VARIANT
             };
-            let message = Message::new(key).text("cycle", source.cycle.name);
-            nothing(error(NO_LIST, message).hint(Message::new("write-no-list-hint")))
+            nothing(sentence.finding().text("cycle", source.cycle.name))
         }
     }
 }
@@ -120,20 +110,17 @@ fn is_default(source: &Source, param: &Param, text: &str) -> bool {
 }
 
 fn beside(param: &Param, text: &str) -> Diagnostic {
-    let key = if list::AUXILIARY_ARGS.contains(&param.name) {
-        "write-zero"
+    let sentence = if list::AUXILIARY_ARGS.contains(&param.name) {
+        own::WRITE_ZERO
     } else {
-        "write-beside"
+        own::WRITE_BESIDE
     };
-    let message = Message::new(key)
-        .text("name", param.name)
-        .text("value", text);
-    note(BESIDE, message)
+    let finding = sentence.finding().text("name", param.name);
+    finding.text("value", text)
 }
 
 fn lost(param: &Param) -> Diagnostic {
-    let message = Message::new("write-lost").text("name", param.name);
-    warning(LOST, message).hint(Message::new("write-lost-hint"))
+    own::WRITE_LOST.finding().text("name", param.name)
 }
 
 /// The arguments in order. What is used and was not typed counts as delivered, because an omitted argument is 0; so do

@@ -1,0 +1,214 @@
+//! Findings of ours, shown as `PW012`. Each sentence is declared here, once: its number, how bad it is, what it says and what
+//! helps. Checks raise it by its name, `probewright explain` tells every sentence of a number.
+//!
+//! Those of a run have their table in `run::problem`.
+#![cfg_attr(not(feature = "simulation"), allow(dead_code))] // the cycle of the first visit raises few of them
+
+use crate::diagnostic::{Code, Diagnostic, Severity};
+use crate::message::Message;
+
+/// One sentence of ours.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Own {
+    /// Its number. Sentences that share one say the same in other words.
+    pub number: u16,
+    /// How bad it is, unless the one who raises it says otherwise.
+    pub severity: Severity,
+    /// Key of what is wrong.
+    pub cause: &'static str,
+    /// Key of what helps; empty where the cause says it, or the one who raises it gives another.
+    pub hint: &'static str,
+}
+
+impl Own {
+    /// Its number as a code.
+    pub const fn code(&self) -> Code {
+        Code::Own(self.number)
+    }
+
+    /// The same as a note.
+    pub fn as_note(self) -> Own {
+        Own {
+            severity: Severity::Note,
+            ..self
+        }
+    }
+
+    /// As a finding, without arguments and place.
+    pub fn finding(&self) -> Diagnostic {
+        let found = Diagnostic::new(self.severity, self.code(), Message::new(self.cause));
+        match self.hint {
+            "" => found,
+            key => found.hint(Message::new(key)),
+        }
+    }
+}
+
+/// The sentences as constants, and a list of all.
+macro_rules! sentences {
+    ($($name:ident $number:literal $severity:ident $cause:literal $hint:literal;)*) => {
+        $(
+            #[doc = concat!("PW", $number, ": `", $cause, "`.")]
+            pub(crate) const $name: Own = Own {
+                number: $number,
+                severity: Severity::$severity,
+                cause: $cause,
+                hint: $hint,
+            };
+        )*
+
+        /// Every sentence, in the order of the numbers.
+        #[cfg(feature = "cli")]
+        pub const ALL: &[Own] = &[$($name),*];
+    };
+}
+
+sentences! {
+    MISSING 1 Error "check-missing" "";
+    OFFSET_MISSING 1 Error "check-offset-missing" "check-offset-missing-hint";
+    NOT_A_NUMBER 2 Error "check-not-a-number" "check-not-a-number-hint";
+    EXPRESSION 3 Note "check-expression" "";
+    NOT_WHOLE 4 Error "check-not-whole" "check-not-whole-hint";
+    RANGE 5 Error "check-range" "check-range-both-hint";
+    TOO_LARGE 5 Error "check-too-large" "check-too-large-hint";
+    TEXT_LONG 6 Error "check-text-long" "check-text-long-hint";
+    TEXT_CHARACTERS 6 Error "check-text-characters" "check-text-characters-hint";
+    UNUSUAL 7 Warning "check-unusual" "check-unusual-hint";
+    DELIVERED 8 Warning "check-delivered" "";
+    CORA_OFF 20 Warning "check-cora-off" "check-cora-off-hint";
+    EMPIRICAL_MEMORY 21 Error "check-empirical-memory" "check-memory-hint";
+    MEAN_MEMORY 21 Error "check-mean-memory" "check-memory-hint";
+    TOLERANCE_ORDER 22 Error "check-tolerance-order" "check-tolerance-order-hint";
+    BAND_DIFFERENCE 23 Warning "check-band-difference" "check-bands-hint";
+    ZERO_MEAN 24 Warning "check-zero-mean" "check-bands-hint";
+    DIFFERENCE_SAFE 25 Warning "check-difference-safe" "check-bands-hint";
+    REACH 26 Warning "check-reach" "check-reach-hint";
+    INFEED 27 Warning "check-infeed" "check-infeed-hint";
+    MEAN_OFF 28 Note "check-mean-off" "check-mean-off-hint";
+    BALL 30 Error "check-ball" "check-ball-hint";
+    ZONE_SHORTENS 31 Warning "check-zone-shortens" "check-zone-shortens-hint";
+    CALIBRATION_BAND 40 Error "check-calibration-band" "check-calibration-band-hint";
+    SKEW_LOST 41 Note "check-skew-lost" "check-skew-lost-hint";
+    APPLICATE_PLUS 42 Warning "check-applicate-plus" "check-applicate-plus-hint";
+    GROOVE_EMPTY 43 Warning "check-groove-empty" "check-groove-empty-hint";
+    GROOVE_EDGES 44 Error "check-groove-edges" "check-groove-edges-hint";
+    SHANK 45 Warning "check-shank" "check-shank-hint";
+    TWO_SETPOINT 46 Warning "check-two-setpoint" "check-two-setpoint-hint";
+    TWO_BALL 47 Error "check-two-ball" "check-two-ball-hint";
+    TWO_NO_ZONE 48 Note "check-two-no-zone" "check-two-no-zone-hint";
+    TWO_HALF_ZONE 49 Warning "check-two-half-zone" "check-two-half-zone-hint";
+    POINTS_UNUSED 50 Warning "check-points-unused" "check-points-unused-hint";
+    BALL_UNKNOWN 51 Warning "check-ball-unknown" "check-ball-unknown-hint";
+    ANGLES_SUM 52 Error "check-angles-sum" "check-angles-sum-hint";
+    ANGLES_WIDE 53 Warning "check-angles-wide" "check-angles-wide-hint";
+    PATH_CENTRE 54 Warning "check-path-centre" "check-path-centre-hint";
+    LIFT 55 Warning "check-lift" "check-lift-hint";
+    LIFT_BALL 56 Warning "check-lift-ball" "check-lift-ball-hint";
+    TOOL_MEMORY 59 Error "check-empirical-memory" "check-memory-hint";
+    TOOL_LIMITS 60 Warning "check-tool-limits" "check-tool-limits-hint";
+    TOOL_PROBE_EMPTY 61 Warning "check-tool-probe-empty" "check-tool-probe-empty-hint";
+    TOOL_PROBE_SIDES 62 Warning "check-tool-probe-sides" "check-tool-probe-sides-hint";
+    TOOL_PROBE_DEPTH 63 Warning "check-tool-probe-depth" "check-tool-probe-depth-hint";
+    OFFSET_LARGE 64 Warning "check-offset-large" "check-offset-large-hint";
+    OFFSET_ABSCISSA 65 Note "check-offset-abscissa" "check-offset-abscissa-hint";
+    MFS_THIRD 66 Warning "check-mfs-third" "check-mfs-third-hint";
+    CM_ZERO 67 Error "check-cm-zero" "check-cm-zero-hint";
+    CM_FACTOR 68 Warning "check-cm-factor" "check-cm-factor-hint";
+    CM_ORDER 69 Warning "check-cm-order" "check-cm-order-hint";
+    COMPENSATION_MAKE 70 Warning "check-compensation-make" "check-compensation-make-hint";
+    COMPENSATION_TABLE 71 Warning "check-compensation-table" "check-compensation-table-hint";
+    TOOL_REFERENCE 72 Note "check-tool-reference" "check-tool-reference-hint";
+    TURNING_DIGITS 73 Warning "check-turning-digits" "check-turning-digits-hint";
+    TIP_DIRECTION 74 Warning "check-tip-direction" "check-tip-direction-hint";
+    LENGTH_ASSIGNMENT 75 Error "check-length-assignment" "check-length-assignment-hint";
+    RADIUS_LENGTH 76 Warning "check-radius-length" "check-radius-length-hint";
+    ANGLE_STEEP 80 Error "check-angle-steep" "check-angle-steep-hint";
+    ANGLE_REACH 81 Warning "check-angle-reach" "check-angle-reach-hint";
+    ANGLE_REACH_WORST 82 Note "check-angle-reach-worst" "check-angle-reach-hint";
+    ANGLE_PARAXIAL 83 Warning "check-angle-paraxial" "check-angle-paraxial-hint";
+    LATHE_LENGTH 85 Warning "check-lathe-length" "check-lathe-length-hint";
+    CORNER_RECTANGLE 90 Warning "check-corner-rectangle" "check-corner-rectangle-hint";
+    CORNER_LIFT 91 Error "check-corner-lift" "check-corner-lift-hint";
+    CORNER_TURNED 92 Note "check-corner-turned" "check-corner-turned-hint";
+    SPHERE_SMALL 93 Warning "check-sphere-small" "check-sphere-small-hint";
+    SPHERES_OVERLAP 94 Error "check-spheres-overlap" "check-spheres-overlap-hint";
+    SPHERES_CLOSE 95 Warning "check-spheres-close" "check-spheres-close-hint";
+    SYNTAX_UNKNOWN 100 Error "syntax-unknown" "";
+    SYNTAX_VALUE 100 Error "syntax-value" "";
+    SYNTAX_OPERAND 100 Error "syntax-operand" "";
+    SYNTAX_OPERATOR 100 Error "syntax-operator" "";
+    SYNTAX_EQUALS 100 Error "syntax-equals" "";
+    SYNTAX_BRACKET 100 Error "syntax-bracket" "";
+    SYNTAX_INDEX 100 Error "syntax-index" "";
+    SYNTAX_TEXT 100 Error "syntax-text" "";
+    SYNTAX_NUMBER 100 Error "syntax-number" "";
+    SYNTAX_COMMA 100 Error "syntax-comma" "";
+    SYNTAX_DEPTH 100 Error "syntax-depth" "";
+    SYNTAX_COMMENT 100 Error "syntax-comment" "";
+    SYNTAX_TOO_LARGE 100 Error "syntax-too-large" "";
+    SYNTAX_EXPONENT 100 Error "syntax-exponent" "";
+    BLOCK_TWICE 101 Error "block-twice" "block-twice-hint";
+    BLOCK_AXIS_NAME 102 Error "block-axis-name" "block-axis-name-hint";
+    G101_NO_TARGET 110 Warning "g101-no-target" "g101-no-target-hint";
+    NCT_LIMITS 112 Warning "nct-limits" "nct-limits-hint";
+    NCT_SAME_REGISTER 113 Warning "nct-same-register" "nct-same-register-hint";
+    LOG_FILE 115 Error "check-log-file" "check-log-file-hint";
+    P9920_NO_DIAMETER 116 Error "p9920-no-diameter" "p9920-no-diameter-hint";
+    P9920_TURNING_LENGTH 117 Warning "p9920-turning-length" "p9920-turning-length-hint";
+    P9920_NO_CLEARANCE 118 Warning "p9920-no-clearance" "p9920-no-clearance-hint";
+    WRITE_NO_LIST 120 Error "write-no-list" "write-no-list-hint";
+    WRITE_NO_LIST_VARIANT 120 Error "write-no-list-variant" "write-no-list-hint";
+    WRITE_ZERO 121 Note "write-zero" "";
+    WRITE_BESIDE 121 Note "write-beside" "";
+    WRITE_LOST 122 Warning "write-lost" "write-lost-hint";
+    CONVERT_OTHERS 123 Warning "convert-others" "convert-others-hint";
+    CONVERT_SAME 124 Note "convert-same" "";
+    ADVICE_COMPENSATION 130 Error "advice-compensation" "advice-compensation-hint";
+    ADVICE_COMPENSATION_PASS 130 Error "advice-compensation-pass" "advice-compensation-hint";
+    ADVICE_PLANE 131 Warning "advice-plane" "advice-plane-hint";
+    ADVICE_DIAMETER 132 Warning "advice-diameter" "advice-diameter-hint";
+    ADVICE_EDGE_OPEN 133 Warning "advice-edge-open" "advice-edge-hint";
+    ADVICE_SPINDLE 134 Warning "advice-spindle" "advice-spindle-hint";
+    ADVICE_CALIBRATION 135 Note "advice-calibration" "advice-calibration-hint";
+    ADVICE_INHERITED 136 Warning "advice-inherited" "advice-inherited-hint";
+    ADVICE_INHERITED_MEANING 136 Warning "advice-inherited-meaning" "advice-inherited-hint";
+    ADVICE_FRAME 137 Warning "advice-frame" "advice-frame-hint";
+    ADVICE_FRAME_OTHER 137 Warning "advice-frame-other" "advice-frame-other-hint";
+    ADVICE_FRAME_BASIC 137 Warning "advice-frame-basic" "advice-frame-hint";
+    ADVICE_LEVEL 138 Error "advice-level" "advice-level-hint";
+    ADVICE_READ_BACK 140 Warning "advice-read-back" "advice-read-back-hint";
+    ADVICE_MASK 141 Warning "advice-mask" "advice-mask-hint";
+    ADVICE_TOOL_PROGRAMMING 142 Warning "advice-tool-programming" "advice-tool-programming-hint";
+    TARGET_NOT_OFFERED 143 Warning "check-target-not-offered" "check-target-not-offered-hint";
+    CALIBRATION_MIRROR 144 Error "check-calibration-mirror" "check-calibration-mirror-hint";
+    ADVICE_OPEN 145 Note "advice-open" "advice-open-hint";
+    ADVICE_COMPENSATION_OPEN 146 Note "advice-compensation-open" "advice-compensation-hint";
+    ADVICE_TOOL_NONE 147 Note "advice-tool-none" "advice-tool-none-hint";
+    ADVICE_RADIUS 148 Note "advice-radius" "advice-radius-hint";
+    COMPENSATION_INSIDE 149 Note "check-compensation-inside" "check-compensation-inside-hint";
+    ADVICE_OVERWRITTEN 150 Warning "advice-overwritten" "advice-overwritten-hint";
+    ARRIVES 151 Note "arrives" "arrives-hint";
+    ARRIVES_SHARED 151 Note "arrives" "arrives-shared-hint";
+    ARRIVES_MANY 151 Note "arrives" "arrives-many-hint";
+    ARRIVES_DIFFERING 151 Note "arrives-differing" "arrives-differing-hint";
+    ADVICE_OUTSIDE 152 Note "advice-outside" "advice-outside-hint";
+    WRITE_VARIANT_OPEN 153 Error "write-variant-open" "write-no-list-hint";
+}
+
+#[cfg(all(test, feature = "cli"))]
+mod tests {
+    use super::*;
+
+    // oracle: self (a number is looked up in the table from above)
+    #[test]
+    fn sentences_stand_in_the_order_of_their_numbers() {
+        assert!(ALL.is_sorted_by_key(|one| one.number));
+    }
+
+    // oracle: self (those of a run begin behind)
+    #[test]
+    fn no_number_is_one_of_a_run() {
+        let first = crate::run::problem::FIRST;
+        assert!(ALL.iter().all(|one| one.number < first));
+    }
+}
