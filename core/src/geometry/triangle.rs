@@ -6,9 +6,9 @@ use nalgebra::{IsometryMatrix3, Matrix3, Rotation3};
 /// The motion that brings the corners of one triangle nearest to those of another (least squares); none where corners of
 /// either lie on one line.
 ///
-/// It takes centroid onto centroid. Three points and their centroid lie in one plane, so that the motion takes plane onto
-/// plane; corners in the same order run the same way round about the normals, so that it never turns the plane over. What
-/// is left is an angle in the plane, whose cosine and sine are as the sums of the scalar and of the cross products.
+/// It takes centroid onto centroid and the plane of the corners onto that of the others, never turned over, as corners in
+/// the same order run the same way round about the normals (DESIGN.md derives it). What is left is an angle in the plane,
+/// whose cosine and sine are as the sums of the scalar and of the cross products.
 pub fn laid(corners: &[V3; 3], onto: &[V3; 3]) -> Option<IsometryMatrix3<f64>> {
     let (from, to) = (basis(corners)?, basis(onto)?);
     let [start, end] = [centroid(corners), centroid(onto)];
