@@ -26,6 +26,14 @@ pub enum Feature {
     Sphere(f64),
 }
 
+impl Feature {
+    /// Whether it is surely farther from a point than `limit`, mm, where that is told sooner than the place of it that is
+    /// nearest.
+    pub fn is_beyond(&self, p: &V3, limit: f64) -> bool {
+        matches!(self, Feature::Lobed(wall) if wall.at_least(p) > limit)
+    }
+}
+
 /// A ball of space that holds a whole feature, so that what is far away need not be looked at.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bound {

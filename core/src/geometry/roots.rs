@@ -45,6 +45,23 @@ pub fn polynomial(coefficients: &[f64], low: f64, high: f64) -> Vec<f64> {
     found
 }
 
+/// Root of a function near `start`, given as value and slope, by Newton's method; none where it does not close in.
+pub fn newton(f: impl Fn(f64) -> (f64, f64), start: f64) -> Option<f64> {
+    let mut x = start;
+    for _ in 0..10 {
+        let (value, slope) = f(x);
+        let step = value / slope;
+        if !step.is_finite() {
+            return None;
+        }
+        x -= step;
+        if step.abs() <= 1e-13 * (1.0 + x.abs()) {
+            return Some(x);
+        }
+    }
+    None
+}
+
 /// Root of a function that changes sign between `low` and `high`: secant steps (Illinois), halved where they stall.
 pub fn bracketed(f: impl Fn(f64) -> f64, low: f64, high: f64) -> Option<f64> {
     let (mut a, mut b) = (low, high);
@@ -124,5 +141,17 @@ mod tests {
             "{root:?}"
         );
         assert_eq!(bracketed(|x| x * x + 1.0, -1.0, 1.0), None);
+    }
+
+    // oracle: hand: x³ = 2
+    #[test]
+    fn root_by_its_slope() {
+        let root = newton(|x| (x * x * x - 2.0, 3.0 * x * x), 1.0);
+        assert!(
+            root.is_some_and(|root| (root - 2f64.cbrt()).abs() < 1e-14),
+            "{root:?}"
+        );
+        assert_eq!(newton(|x| (x * x + 1.0, 2.0 * x), 0.0), None);
+        assert_eq!(newton(|x| (x * x + 1.0, 2.0 * x), 0.7), None);
     }
 }

@@ -180,7 +180,7 @@ fn surface(body: &Body, p: &V3, reach: f64) -> Option<(V3, f64)> {
     let mut nearest = None;
     let mut limit = reach;
     for (feature, bound) in body.features.iter().zip(&body.bounds) {
-        if bound.distance(place) > limit {
+        if bound.distance(place) > limit || feature.is_beyond(p, limit) {
             continue;
         }
         let Some(point) = foot(feature, p) else {
