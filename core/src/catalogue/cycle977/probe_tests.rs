@@ -51,8 +51,30 @@ fn a_multi_probe_may_turn_with_the_coordinates() {
             turned(setup, 30.0);
         });
         assert_eq!(outcome, Ok(()));
-        assert_eq!(sim.control.spindle, angle);
+        assert!(
+            (sim.control.spindle - angle).abs() < 1e-9,
+            "{}",
+            sim.control.spindle
+        );
         close(&sim, "_OVR[4]", 60.0);
+    }
+}
+
+#[test]
+fn coordinates_that_turn_within_mirrored_ones_turn_the_probe_the_other_way() {
+    // oracle: hand: a rotation by 40 degree in a frame that mirrors X is one by -40 on the machine. Only there the ball
+    // is touched where it was calibrated, and the hole is found where it is.
+    let (sim, outcome) = hole(|setup, _| {
+        skewed(setup);
+        setup.control.program_frame.rotation = [0.0, 0.0, 40.0];
+        mirrored(setup, [true, false, false]);
+        setup.control.set("_CHBIT[13]", 1.0);
+        setup.control.set("_CHBIT[14]", 1.0);
+    });
+    assert_eq!(outcome, Ok(()));
+    assert!((sim.control.spindle - 320.0).abs() < 1e-9);
+    for (name, value) in [("_OVR[4]", 60.0), ("_OVR[17]", 0.0), ("_OVR[18]", 0.0)] {
+        close(&sim, name, value);
     }
 }
 

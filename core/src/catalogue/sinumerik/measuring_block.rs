@@ -359,21 +359,21 @@ impl Block {
     /// Turns a probe that follows into the direction of probing, degree from the abscissa of the WCS.
     fn orient(&self, machine: &mut dyn Machine, angle: f64) {
         if let Spindle::Follows(offset) = self.spindle {
-            let seen = self.on_machine(machine.control(), angle);
+            let seen = on_machine(machine.control(), angle);
             machine.orient((seen + offset).rem_euclid(360.0));
         }
     }
+}
 
-    /// A direction of the WCS as the spindle sees it, degree: frames may be turned.
-    fn on_machine(&self, control: &Control, angle: f64) -> f64 {
-        let [abscissa, ordinate, _] = self.axes;
-        let mut direction = [0.0; 3];
-        (direction[ordinate], direction[abscissa]) = sin_cos(angle);
-        let seen = control.direction_to_machine(direction);
-        match seen == direction {
-            true => angle,
-            false => seen[ordinate].atan2(seen[abscissa]).to_degrees(),
-        }
+/// A direction of the WCS as the spindle sees it, degree: frames may be turned and mirrored.
+fn on_machine(control: &Control, angle: f64) -> f64 {
+    let [abscissa, ordinate, _] = control.plane.axes();
+    let mut direction = [0.0; 3];
+    (direction[ordinate], direction[abscissa]) = sin_cos(angle);
+    let seen = control.direction_to_machine(direction);
+    match seen == direction {
+        true => angle,
+        false => seen[ordinate].atan2(seen[abscissa]).to_degrees(),
     }
 }
 

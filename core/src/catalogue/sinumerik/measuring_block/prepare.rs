@@ -1,11 +1,12 @@
 //! What a measuring block takes from parameters and data, and what must be true before the first motion.
 
-use super::{Block, Spindle, turnable};
+use super::{Block, Spindle, on_machine, turnable};
 use crate::catalogue::MachineSort;
 use crate::catalogue::common::MONO;
 use crate::catalogue::sinumerik::{alarm, calibrated_as, state};
 use crate::check::Inputs;
-use crate::control::Control;
+use crate::control::{Control, Frame};
+use crate::geometry::TOLERANCE;
 use crate::run::{Machine, Stop};
 
 impl Block {
@@ -145,23 +146,24 @@ fn speeds(control: &Control, monitored: bool) -> Result<(f64, f64), u32> {
 }
 
 /// With `_CHBIT[13]` a multi probe turns with the coordinate system: 90 degree of rotation about the applicate, and only
-/// about it, give 270 degree (with `_CHBIT[14]` 90) of the spindle (B:13973-13987).
+/// about it, give 270 degree (with `_CHBIT[14]` 90) of the spindle (B:13973-13987). What frames mirror is not turned: the
+/// data of the probe take the other direction there.
 fn follow_rotation(control: &Control, inputs: &Inputs) -> Option<f64> {
     if turning(inputs) || !control.bit("_CHBIT[13]") || MONO.holds(inputs) {
         return None;
     }
-    let [abscissa, ordinate, applicate] = control.plane.axes();
-    let sum = |axis: usize| {
-        control
-            .chain()
-            .iter()
-            .map(|frame| frame.rotation[axis])
-            .sum::<f64>()
+    let [abscissa, ordinate, _] = control.plane.axes();
+    let tilted = |frame: &Frame| {
+        let about = [frame.rotation[abscissa], frame.rotation[ordinate]];
+        about.iter().any(|angle| angle.abs() > TOLERANCE)
     };
-    if sum(abscissa) != 0.0 || sum(ordinate) != 0.0 {
+    if control.chain().iter().any(tilted) {
         return None;
     }
-    let rotation = sum(applicate);
+    let rotation = match control.mirrored(abscissa) {
+        true => on_machine(control, 180.0),
+        false => on_machine(control, 0.0),
+    };
     let angle = if control.bit("_CHBIT[14]") {
         rotation
     } else {
