@@ -4,6 +4,7 @@ pub mod arrays;
 pub mod data;
 pub mod delivery;
 pub mod environments;
+mod frame;
 pub mod frames;
 pub mod gud;
 pub mod limits;
@@ -17,6 +18,7 @@ pub mod variables;
 pub use data::Data;
 pub use delivery::{delivery, delivery_in, rebuilt};
 pub use environments::Environment;
+pub use frame::Frame;
 pub use limits::Limits;
 
 use crate::catalogue::Dialect;
@@ -82,25 +84,6 @@ pub enum Units {
     Metric,
     /// inch.
     Inch,
-}
-
-/// A frame: position and rotation of a coordinate system in the one before it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Frame {
-    /// Coarse translation X Y Z, mm.
-    pub coarse: [f64; 3],
-    /// Fine translation X Y Z, mm.
-    pub fine: [f64; 3],
-    /// Rotation about X Y Z (RPY), degree.
-    pub rotation: [f64; 3],
-    /// Coarse translation of the rotary axes A B C, degree.
-    pub rotary: [f64; 3],
-    /// Fine translation of the rotary axes A B C, degree.
-    pub rotary_fine: [f64; 3],
-    /// Scale factors along its own X Y Z; 1: none. Measuring does not work with any other (61310, B:744).
-    pub scale: [f64; 3],
-    /// Whether the direction of X Y Z is reversed; counts before scale and rotation.
-    pub mirror: [bool; 3],
 }
 
 /// The frames between machine and settable frame.

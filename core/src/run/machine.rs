@@ -1,20 +1,16 @@
 //! The simulated machine: moves the probe among the solids and records what happens.
 
 use super::in_use::InUse;
-use super::route::{LOOK, Obstacle, Route, add};
+use super::route::{LOOK, Route, add};
 use super::trace::{Entry, MotionKind, Step, Trace};
 use super::{Machine, Setup, Stop};
-use crate::catalogue::{Dialect, nct};
-use crate::control::tools::LATHE_PROBE;
-use crate::control::{Control, Edge};
-use crate::diagnostic::Code;
+use crate::control::Control;
 use crate::geometry::arc::Around;
 use crate::message::Message;
 use crate::scan::{FORM_POINTS, Sent};
 use crate::workpiece::contact::{Boundary, Contact};
-use crate::workpiece::feeler::{Feeler, Touching};
+use crate::workpiece::feeler::Touching;
 use crate::workpiece::noise::Noise;
-use crate::workpiece::probe::{Stand, ball_offset, touch};
 use crate::workpiece::tool::Tool;
 use crate::workpiece::tool_probe::ToolProbe;
 use crate::workpiece::{Probe, Workpiece, chuck};
@@ -141,83 +137,6 @@ impl Sim {
         Ok(latched)
     }
 
-    fn seek(&mut self, to: [f64; 3], feed: f64) -> Result<Option<[f64; 3]>, Stop> {
-        let from = self.position;
-        self.admit(&Route::straight(from, to))?;
-        if !self.has_probe() {
-            return Ok(self.probe_with_tool(to, feed));
-        }
-        let height = self.ball_height();
-        let signal = touch(
-            &self.part,
-            &self.probe,
-            &self.stand(),
-            add(from, height, 1.0),
-            add(to, height, 1.0),
-            feed,
-            &mut self.noise,
-        );
-        let end = signal.map_or(to, |touch| add(touch.latched, height, -1.0));
-        let way = Route::straight(from, end);
-        if let Some((part, stop)) = self.false_signal(&way) {
-            self.go(&way.until(part, stop), MotionKind::Measuring, feed);
-            self.note(Step::Decision(Message::new("run-false-signal")));
-            return Ok(Some(stop));
-        }
-        self.go(&way, MotionKind::Measuring, feed);
-        let Some(touch) = signal else {
-            return Ok(None);
-        };
-        let met = Obstacle {
-            part: 1.0,
-            stop: end,
-            ball: touch.ball,
-            point: touch.point,
-            normal: touch.normal,
-            by: touch.by,
-        };
-        if met.by == Touching::Body {
-            return Err(self.crash(&met));
-        }
-        self.switched(&met);
-        Ok(Some(end))
-    }
-
-    /// The probe switches. That its stylus was deflected and not its ball is told: what is measured is wrong.
-    fn switched(&mut self, met: &Obstacle) {
-        self.touching = true;
-        self.note(Step::Touch {
-            latched: met.stop,
-            ball: met.ball,
-            point: met.point,
-            normal: met.normal,
-            by: met.by,
-        });
-        if met.by == Touching::Stylus {
-            self.stylus_touched = true;
-            self.note(Step::Decision(Message::new("run-stylus")));
-        }
-    }
-
-    /// The probe hits something where nobody watches, or with what gives no signal.
-    fn crash(&mut self, met: &Obstacle) -> Stop {
-        self.note(Step::Crash {
-            point: met.point,
-            normal: met.normal,
-            by: met.by,
-        });
-        Stop::Fault(Message::new(match met.by {
-            Touching::Ball => "run-crash",
-            Touching::Stylus => "run-crash-stylus",
-            Touching::Body => "run-crash-body",
-        }))
-    }
-
-    /// Whether the stylus touched instead of the ball since the last question.
-    pub fn stylus_touched(&mut self) -> bool {
-        std::mem::take(&mut self.stylus_touched)
-    }
-
     /// How much was looked at since the last question, beyond what any motion takes.
     pub fn effort(&mut self) -> usize {
         std::mem::take(&mut self.effort)
@@ -249,28 +168,6 @@ impl Sim {
             around: way.around,
             feed,
         });
-    }
-
-    /// Where on a watched way a signal comes that is none, and after which part of it. The ways are counted.
-    fn false_signal(&mut self, way: &Route) -> Option<(f64, [f64; 3])> {
-        let (before, length) = (self.watched, way.length());
-        self.watched += length;
-        let after = self.probe.false_signal? - before;
-        if !(0.0..length).contains(&after) {
-            return None;
-        }
-        self.touching = false;
-        let part = after / length;
-        Some((part, way.at(part)))
-    }
-
-    /// The alarm of a signal where none may come.
-    fn collision(&self) -> Code {
-        match (self.control.dialect, self.touching) {
-            (Dialect::Sinumerik, _) => Code::Alarm(61302), // B:13743-13763
-            (Dialect::Nct, true) => nct::PATH_OBSTRUCTED,
-            (Dialect::Nct, false) => nct::FALSE_TRIGGER,
-        }
     }
 
     /// Changes what decides over the tool length; the spindle nose stays where it is.
@@ -308,27 +205,6 @@ impl Sim {
         self.control.plane.axes()[2]
     }
 
-    /// Whether the simulated probe is in use: type 710 or 580, or a measuring cycle of workpieces is running. Any other
-    /// tool touches the tool probes only; that it cuts is not simulated.
-    pub fn has_probe(&self) -> bool {
-        let probe = |edge: &Edge| [710, LATHE_PROBE].contains(&edge.kind);
-        self.measuring || self.control.active_edge().is_some_and(probe)
-    }
-
-    /// Whether the tool stands in a turret and the spindle holds the part.
-    fn in_turret(&self) -> bool {
-        self.control.active_edge().is_some_and(Edge::is_turning)
-    }
-
-    /// How far the probe is turned, degree: with the spindle, or not at all in a turret.
-    fn probe_angle(&self) -> f64 {
-        if self.in_turret() {
-            0.0
-        } else {
-            self.control.spindle
-        }
-    }
-
     /// Distance of a point from the part, machine coordinates, negative inside.
     pub fn distance(&self, point: [f64; 3]) -> f64 {
         self.part.distance(point)
@@ -358,53 +234,6 @@ impl Sim {
             return Ok(());
         };
         Err(Stop::Fault(problem))
-    }
-
-    /// From the point to which the tool length refers to the spindle axis at the height of the real ball centre:
-    /// differs from zero when the probe is not as long as the control believes. In a turret the skew alone tells how
-    /// far the ball is from there.
-    fn ball_height(&self) -> [f64; 3] {
-        let axis = self.tool_axis();
-        let mut height = [0.0; 3];
-        if self.in_turret() {
-            return height;
-        }
-        height[axis] = self.control.active_length()[axis] - self.probe.length;
-        height
-    }
-
-    /// Where a motion is stopped by the part.
-    fn obstacle(&mut self, way: &Route) -> Option<Obstacle> {
-        let (feeler, ball) = (self.feeler(), self.ball());
-        way.obstacle(&self.part, &feeler, ball, &mut self.effort)
-    }
-
-    /// What of the probe can touch, as it stands.
-    fn feeler(&self) -> Feeler {
-        let [abscissa, ordinate, applicate] = self.control.plane.axes();
-        let mut up = [0.0; 3];
-        match self.control.active_edge().filter(|edge| edge.is_turning()) {
-            None => up[applicate] = 1.0,
-            Some(edge) => match edge.body().filter(|_| self.probe.body.is_some()) {
-                Some([along, across]) => (up[abscissa], up[ordinate]) = (along, across),
-                None => return Feeler::ball(self.probe.radius), // how long the stylus is in a turret no datum tells
-            },
-        }
-        Feeler::new(&self.probe, up)
-    }
-
-    fn stand(&self) -> Stand {
-        Stand {
-            spindle: self.probe_angle(),
-            axis: self.tool_axis(),
-            feeler: self.feeler(),
-        }
-    }
-
-    /// From the point to which the tool length refers to the real centre of the ball.
-    fn ball(&self) -> [f64; 3] {
-        let skew = ball_offset(&self.probe, self.probe_angle(), self.tool_axis());
-        add(self.ball_height(), skew, 1.0)
     }
 }
 
@@ -507,6 +336,7 @@ impl Machine for Sim {
     }
 }
 
+mod probe;
 pub mod state;
 mod table;
 mod tool;

@@ -1,5 +1,7 @@
 //! CYCLE961: inside and outside corner, with the direction of an edge (B:7816-8170).
 
+#[cfg(test)]
+mod bench;
 mod checks;
 mod corner;
 mod help;

@@ -2,8 +2,8 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+use super::bench::{PLANES, close_angle, done};
 use super::params::POINTS;
-use super::simulation_tests::{PLANES, close_angle, done};
 use super::{CYCLE961, VARIANTS};
 use crate::catalogue::example::example;
 use crate::catalogue::names;

@@ -62,3 +62,27 @@ pub fn measured(setup: &Setup, inputs: &Inputs) -> Sim {
 pub fn random(noise: &mut Noise) -> f64 {
     noise.uniform() - 0.5
 }
+
+/// Moves the real probe by errors in X, Y, Z, and makes it wider in abscissa and ordinate.
+pub fn displace(setup: &mut Setup, shift: [f64; 3], size: f64) {
+    let errors = &mut setup.tool_probes[0].solid.errors;
+    (errors.shift, errors.size) = (shift, size);
+}
+
+/// Data of the probe by axis (X Y Z) and direction.
+pub fn name(array: &str, axis: usize, plus: bool) -> String {
+    format!("{array}[0,{}]", 2 * axis + usize::from(plus))
+}
+
+/// Where a side of the displaced probe is.
+pub fn side(
+    before: &Setup,
+    array: &str,
+    axis: usize,
+    plus: bool,
+    shift: [f64; 3],
+    size: f64,
+) -> f64 {
+    let grown = if plus { -size / 2.0 } else { size / 2.0 };
+    before.control.number(&name(array, axis, plus)) + shift[axis] + grown
+}

@@ -4,6 +4,8 @@
 #[cfg(test)]
 mod bench;
 mod calibrate;
+#[cfg(test)]
+mod calibration_tests;
 mod checks;
 mod help;
 mod lists;

@@ -2,6 +2,7 @@
 //!
 //! Axes count 0 abscissa, 1 ordinate, 2 applicate. Directions are +1 and -1 along the axis.
 
+mod positioning;
 mod prepare;
 mod ray;
 
@@ -9,21 +10,12 @@ pub use ray::Ray;
 
 use super::alarm;
 use crate::control::Control;
-use crate::diagnostic::Code;
-use crate::geometry::TOLERANCE;
-use crate::geometry::arc::Around;
 use crate::geometry::rigid::sin_cos;
-use crate::run::route::Route;
 use crate::run::trace::MotionKind;
 use crate::run::{Machine, Stop};
 
 /// Pulled back between the fast and the slow touch, mm (B:13772).
 const PULL_BACK: f64 = 2.0;
-
-/// Whether two coordinates are more than the last bits of a sum apart: what is shorter is no motion.
-fn apart(one: f64, other: f64) -> bool {
-    (one - other).abs() > TOLERANCE
-}
 
 /// How the spindle stands while probing.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -149,85 +141,6 @@ impl Block {
         point.set + self.trigger(point.axis, point.direction) + point.direction * point.path
     }
 
-    /// Intermediate positioning to X Y Z of the WCS, mm. A target beyond a software limit switch is alarm 61401: what
-    /// the setpoint asks for cannot be reached (A:15920).
-    pub fn travel(&self, machine: &mut dyn Machine, to: [f64; 3]) -> Result<(), Stop> {
-        reachable(machine, to)?;
-        self.go(machine, to)
-    }
-
-    /// Intermediate positioning that ends at a software limit switch; whether it did (A:15921).
-    pub fn travel_as_far(&self, machine: &mut dyn Machine, to: [f64; 3]) -> Result<bool, Stop> {
-        let from = machine.position();
-        let limited = machine.control().limited(from, to);
-        self.go(machine, limited.unwrap_or(to))?;
-        Ok(limited.is_some())
-    }
-
-    /// Intermediate positioning of the ball on an arc about a point of the plane (abscissa, ordinate, mm), degree
-    /// positive from abscissa to ordinate, at its own feed in mm/min (B:6911-6913). Limits as in [`Block::travel`].
-    pub fn travel_around(
-        &self,
-        machine: &mut dyn Machine,
-        centre: [f64; 2],
-        degrees: f64,
-        feed: f64,
-    ) -> Result<(), Stop> {
-        let [abscissa, ordinate, applicate] = self.axes;
-        let from = machine.position();
-        let mut around = Around {
-            centre: from,
-            axis: [0.0; 3],
-            degrees,
-        };
-        around.centre[abscissa] = centre[0] - self.skew[0];
-        around.centre[ordinate] = centre[1] - self.skew[1];
-        around.axis[applicate] = 1.0;
-        let to = around.end(from, 0.0);
-        let control = machine.control();
-        let on_machine = Route {
-            from: control.to_machine(from),
-            to: control.to_machine(to),
-            around: around.mapped(|point| control.to_machine(point)),
-        };
-        if !on_machine.within_limits(control) {
-            return Err(alarm(machine, 61401)); // A:15920
-        }
-        let kind = MotionKind::Positioning;
-        told(machine, |machine| {
-            machine.travel_around(to, &around, kind, feed, self.monitored)
-        })
-    }
-
-    /// Monitored: `_SPEED[1]` in the plane, `_SPEED[2]` in the applicate; else rapid traverse (B:13743-13763).
-    fn go(&self, machine: &mut dyn Machine, to: [f64; 3]) -> Result<(), Stop> {
-        let from = machine.position();
-        if (0..3).all(|axis| !apart(from[axis], to[axis])) {
-            return Ok(());
-        }
-        if !self.monitored {
-            return machine.travel(to, MotionKind::Rapid, 0.0, false);
-        }
-        self.position(machine, to, self.positioning_feed(from, to))
-    }
-
-    /// Positioning at a feed, watched if positioning is.
-    fn position(&self, machine: &mut dyn Machine, to: [f64; 3], feed: f64) -> Result<(), Stop> {
-        told(machine, |machine| {
-            machine.travel(to, MotionKind::Positioning, feed, self.monitored)
-        })
-    }
-
-    fn positioning_feed(&self, from: [f64; 3], to: [f64; 3]) -> f64 {
-        let [abscissa, ordinate, _] = self.axes;
-        let moves = |axis: usize| apart(from[axis], to[axis]);
-        if moves(abscissa) || moves(ordinate) {
-            self.feed_plane
-        } else {
-            self.feed_depth
-        }
-    }
-
     /// Touches a surface `_NMSP` times from where the probe stands beside it, and returns to the start of the block.
     /// Coordinate of the surface, mm.
     pub fn measure(&self, machine: &mut dyn Machine, point: &Point) -> Result<f64, Stop> {
@@ -261,6 +174,14 @@ impl Block {
         Ok(self.towards(machine, axis, direction, end)? - self.trigger(axis, direction))
     }
 
+    /// Touches a surface whose place is not known `_NMSP` times from where the probe stands, on a way of twice the path,
+    /// and returns there. Mean position at switching, mm.
+    pub fn latch_from_here(&self, machine: &mut dyn Machine, point: &Point) -> Result<f64, Stop> {
+        let here = machine.position()[self.axes[point.axis.min(2)]];
+        let end = here + point.direction * 2.0 * point.path;
+        self.towards(machine, point.axis, point.direction, end)
+    }
+
     /// From here along an axis as far as this coordinate; mean position at switching, mm.
     fn towards(
         &self,
@@ -277,21 +198,6 @@ impl Block {
             direction: [0.0; 3],
         };
         (way.end[axis], way.direction[axis]) = (end, sign);
-        Ok(self.mean(machine, &way)?[axis])
-    }
-
-    /// The same for a surface whose place is not known: from where the probe stands, on a way of twice the path.
-    pub fn latch_from_here(&self, machine: &mut dyn Machine, point: &Point) -> Result<f64, Stop> {
-        let axis = self.axes[point.axis.min(2)];
-        let start = machine.position();
-        let (mut end, mut direction) = (start, [0.0; 3]);
-        end[axis] += point.direction * 2.0 * point.path;
-        direction[axis] = point.direction;
-        let way = Way {
-            start,
-            end,
-            direction,
-        };
         Ok(self.mean(machine, &way)?[axis])
     }
 
@@ -385,26 +291,6 @@ fn heading(axis: usize, direction: f64) -> Option<f64> {
         (0, false) => Some(180.0),
         (1, false) => Some(270.0),
         _ => None,
-    }
-}
-
-/// A motion whose alarm is a result of the cycle too.
-fn told(
-    machine: &mut dyn Machine,
-    travel: impl FnOnce(&mut dyn Machine) -> Result<(), Stop>,
-) -> Result<(), Stop> {
-    match travel(machine) {
-        Err(Stop::Alarm(Code::Alarm(number))) => Err(alarm(machine, number)),
-        outcome => outcome,
-    }
-}
-
-/// Refuses a target beyond a software limit switch (A:15920).
-fn reachable(machine: &mut dyn Machine, to: [f64; 3]) -> Result<(), Stop> {
-    let from = machine.position();
-    match machine.control().limited(from, to) {
-        Some(_) => Err(alarm(machine, 61401)),
-        None => Ok(()),
     }
 }
 
