@@ -26,7 +26,9 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     let found = computed(inputs);
     match &found {
         Ok(position) => {
-            results::named_length(machine, "_RES", position.distortion);
+            // as its limit counts, whatever the program's units (B:8573, B:8583)
+            let factor = machine.control().basic_factor();
+            results::set(machine, "_RES", position.distortion / factor);
             frame(machine, position);
         }
         Err(_) => results::set(machine, "_RES", NONE),

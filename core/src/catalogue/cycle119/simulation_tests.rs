@@ -138,13 +138,22 @@ proptest! {
 #[test]
 fn a_distortion_is_the_sum_of_what_is_left() {
     // oracle: hand. Isosceles, the tip 3 mm too high: the best motion moves by 1 mm, so that the tip is 2 mm off and the
-    // ends of the base 1 mm each
-    let set = [[-50.0, 0.0, 0.0], [50.0, 0.0, 0.0], [0.0, 80.0, 0.0]];
-    let mut measured = set;
-    measured[2][1] += 3.0;
-    for (limit, alarm) in [("4.1", 0.0), ("3.9", 61414.0)] {
+    // ends of the base 1 mm each. In mm in a program in inches too, as its limit (B:8573, B:8583)
+    let inches = |triangle: &Triangle| triangle.map(|point| point.map(|value| value / 25.4));
+    let mm = [[-50.0, 0.0, 0.0], [50.0, 0.0, 0.0], [0.0, 80.0, 0.0]];
+    let mut high = mm;
+    high[2][1] += 3.0;
+    let limits = [("4.1", 0.0), ("3.9", 61414.0)];
+    for (units, (limit, alarm)) in ["", "G70", "G700"]
+        .into_iter()
+        .flat_map(|units| limits.map(|limit| (units, limit)))
+    {
+        let (set, measured) = match units {
+            "" => (mm, high),
+            _ => (inches(&mm), inches(&high)),
+        };
         let before = setup();
-        let outcome = called(&before, "", &set, &measured, &format!("1,{limit}"), "");
+        let outcome = called(&before, units, &set, &measured, &format!("1,{limit}"), "");
         assert_eq!(outcome.control.number("R1"), alarm);
         assert!((outcome.control.number("R2") - 4.0).abs() < 1e-9);
         assert_eq!(

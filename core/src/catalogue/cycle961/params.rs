@@ -72,26 +72,6 @@ pub const PARAMS: &[Param] = &[
         ..common::SETV1
     },
     Param {
-        kind: Kind::ChoiceIf(
-            RECTANGLE,
-            &[
-                (1, "corner-itself"),
-                (2, "corner-abscissa"),
-                (3, "corner-both"),
-                (4, "corner-ordinate"),
-            ],
-        ),
-        name: names::SETV4,
-        key: "p3-abscissa",
-        needs: &[
-            required(RECTANGLE, "need-corner-selection"),
-            required(POINTS, "need-corner-points"),
-        ],
-        labels: &[(RECTANGLE, "setv4-selection")],
-        source: "B:7931-7935;B:8063;B:15357",
-        ..common::SETVAL
-    },
-    Param {
         name: names::SETV2,
         key: "p2-abscissa",
         needs: &[
@@ -111,6 +91,26 @@ pub const PARAMS: &[Param] = &[
         ],
         labels: &[(RECTANGLE, "setv3-offset")],
         source: "B:7930;B:8062;B:15356",
+        ..common::SETVAL
+    },
+    Param {
+        kind: Kind::ChoiceIf(
+            RECTANGLE,
+            &[
+                (1, "corner-itself"),
+                (2, "corner-abscissa"),
+                (3, "corner-both"),
+                (4, "corner-ordinate"),
+            ],
+        ),
+        name: names::SETV4,
+        key: "p3-abscissa",
+        needs: &[
+            required(RECTANGLE, "need-corner-selection"),
+            required(POINTS, "need-corner-points"),
+        ],
+        labels: &[(RECTANGLE, "setv4-selection")],
+        source: "B:7931-7935;B:8063;B:15357",
         ..common::SETVAL
     },
     Param {

@@ -41,12 +41,11 @@ pub fn picture(inputs: &Inputs) -> Picture {
 /// The part, seen from above, as far as the edges are touched.
 fn part(scene: &Scene) -> Vec<PictureShape> {
     let [first, second] = scene.edges;
-    let length = scene.size * if scene.outside { 1.1 } else { 1.7 };
     let ends = [
-        along(scene.corner, first, length),
-        along(scene.corner, second, length),
+        along(scene.corner, first, scene.reach[0]),
+        along(scene.corner, second, scene.reach[1]),
     ];
-    let far = along(ends[0], second, length);
+    let far = along(ends[0], second, scene.reach[1]);
     let wedge = vec![scene.corner, ends[0], far, ends[1]];
     let material = if scene.outside {
         wedge
@@ -109,30 +108,73 @@ fn directions(scene: &Scene, inputs: &Inputs, shapes: &mut Vec<PictureShape>) {
     shapes.push(circle(ShapeKind::Probe, [0.0; 2], scene.ball).of(names::PRNUM));
 }
 
-/// The coordinates of the points from the workpiece zero, each on a line of its own.
+/// The coordinates of the points from the workpiece zero. Along its line a pair has them one beside the other, outside of
+/// the part, across it each at its point, so that no two stand in one place.
 fn places(scene: &Scene, shapes: &mut Vec<PictureShape>) {
-    let low = |axis: usize| {
-        scene
-            .starts
-            .iter()
-            .map(|point| point[axis])
-            .fold(0.0, f64::min)
-    };
-    let (left, below) = (low(0) - scene.size * 0.2, low(1) - scene.size * 0.2);
-    let step = scene.size * 0.09;
-    shapes.push(line(ShapeKind::Axis, vec![[left, 0.0], [scene.size, 0.0]]).text("0"));
-    shapes.push(line(ShapeKind::Axis, vec![[0.0, below], [0.0, scene.size]]).text("0"));
-    for (index, ([x, y], [abscissa, ordinate])) in scene.starts.into_iter().zip(PLACES).enumerate()
-    {
-        let aside = step * index as f64;
-        let (row, column) = (below - aside, left - aside);
-        shapes.push(dimension(abscissa, [0.0, row], [x, row]));
-        shapes.push(dimension(ordinate, [column, 0.0], [column, y]));
-        shapes.push(line(ShapeKind::Axis, vec![[x, row], [x, y]]).of(abscissa));
-        shapes.push(line(ShapeKind::Axis, vec![[column, y], [x, y]]).of(ordinate));
+    let [x, y] = scene.zero;
+    let size = scene.size;
+    for axis in [
+        [[x - size * 0.1, y], [x + size, y]],
+        [[x, y - size * 0.1], [x, y + size * 0.8]],
+    ] {
+        shapes.push(line(ShapeKind::Axis, axis.to_vec()).text("0"));
+    }
+    for (pair, other) in [([0, 1], [2, 3]), ([2, 3], [0, 1])] {
+        stacked(scene, pair, other, shapes);
+        for index in pair {
+            beside(scene, pair, index, shapes);
+        }
     }
     let [p1, p2, p3, p4] = scene.starts;
     shapes.push(line(ShapeKind::Path, vec![p2, p1, p3, p4]).of(names::MVAR));
+}
+
+/// The axis along which a pair of places lies.
+fn lies_along(scene: &Scene, [one, other]: [usize; 2]) -> usize {
+    let [x, y] = away(scene.starts[one], scene.starts[other]);
+    usize::from(y.abs() > x.abs())
+}
+
+/// The coordinates of a pair along its line, on the side that is turned away from the other pair: rows, or columns, of
+/// which a short one stands outside of a long one, so that the text of the long one has its place above it.
+fn stacked(scene: &Scene, pair: [usize; 2], other: [usize; 2], shapes: &mut Vec<PictureShape>) {
+    let axis = lies_along(scene, pair);
+    let across = 1 - axis;
+    let sum = |[one, two]: [usize; 2]| scene.starts[one][across] + scene.starts[two][across];
+    let side = if sum(pair) > sum(other) { 1.0 } else { -1.0 };
+    let values = scene.starts.iter().map(|point| point[across] * side);
+    let border = values.fold(scene.zero[across] * side, f64::max);
+    let length = |index: usize| (scene.starts[index][axis] - scene.zero[axis]).abs();
+    let [mut near, mut far] = pair;
+    if (length(near) > length(far)) == (axis == 0) {
+        (near, far) = (far, near);
+    }
+    // the line of 0 from which they are counted, with room for the texts beside columns
+    let mut end = scene.zero;
+    end[across] = side * (border + scene.size * [0.36, 0.7][axis]);
+    shapes.push(line(ShapeKind::Axis, vec![scene.zero, end]));
+    for (index, away) in [(near, 0.16), (far, 0.32)] {
+        let mut to = scene.starts[index];
+        to[across] = side * (border + scene.size * away);
+        let mut from = to;
+        from[axis] = scene.zero[axis];
+        let field = PLACES[index][axis];
+        shapes.push(dimension(field, from, to));
+        shapes.push(line(ShapeKind::Axis, vec![to, scene.starts[index]]).of(field));
+    }
+}
+
+/// The coordinate of a place across the line of its pair, at the place.
+fn beside(scene: &Scene, pair: [usize; 2], index: usize, shapes: &mut Vec<PictureShape>) {
+    let axis = lies_along(scene, pair);
+    let across = 1 - axis;
+    let mut to = scene.starts[index];
+    to[axis] += scene.ball * 2.5;
+    let mut from = to;
+    from[across] = scene.zero[across];
+    let field = PLACES[index][across];
+    shapes.push(dimension(field, from, to));
+    shapes.push(line(ShapeKind::Axis, vec![to, scene.starts[index]]).of(field));
 }
 
 /// One touch along an axis, towards the edge.
@@ -222,8 +264,8 @@ fn height(scene: &Scene, inputs: &Inputs, shapes: &mut Vec<PictureShape>) {
         (0.0_f64, f64::INFINITY, f64::NEG_INFINITY),
         |(right, low, high), [x, y]| (right.max(*x), low.min(*y), high.max(*y)),
     );
-    let (width, depth) = (scene.size * 0.5, scene.size * 0.25);
-    let middle = [right + scene.size * 0.7, (low + high) / 2.0];
+    let (width, depth) = (scene.size * 0.25, scene.size * 0.2);
+    let middle = [right + scene.size * 0.35, (low + high) / 2.0];
     shapes.push(polygon(ShapeKind::Cut, corners(middle, [width, depth])));
     let (out, low) = (width / 2.0 + scene.ball * 3.0, middle[1]);
     let [left, out] = [-out, out].map(|side| middle[0] + side);

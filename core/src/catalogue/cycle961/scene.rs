@@ -17,6 +17,10 @@ pub struct Scene {
     pub starts: [Point; 4],
     /// How many of them are touched.
     pub touched: usize,
+    /// Where the workpiece zero is drawn from which places are counted: no further away than the drawing has room.
+    pub zero: Point,
+    /// How far the part is drawn along each edge.
+    pub reach: [f64; 2],
     /// Size of the drawing.
     pub size: f64,
     /// Ball radius.
@@ -53,6 +57,8 @@ pub fn from_distances(inputs: &Inputs) -> Scene {
         outside,
         corner: along([0.0; 2], middle, gap),
         edges,
+        zero: [0.0; 2],
+        reach: [size * if outside { 1.1 } else { 1.7 }; 2],
         starts: [
             at(edges[0], first / 2.0),
             at(edges[0], first),
@@ -67,6 +73,16 @@ pub fn from_distances(inputs: &Inputs) -> Scene {
 
 /// Places of the manual's example, where none is given (B:8090-8096).
 const EXAMPLE: [Point; 4] = [[50.0, 20.0], [150.0, 20.0], [15.0, 40.0], [15.0, 80.0]];
+
+/// How far beside the places the workpiece zero is drawn at most, as a share of the size of the drawing.
+const ZERO: f64 = 0.2;
+
+/// The coordinate 0, or the one nearest to it that is not further from all of these than `most`.
+fn near(values: [f64; 4], most: f64) -> f64 {
+    let low = values.into_iter().fold(f64::INFINITY, f64::min);
+    let high = values.into_iter().fold(f64::NEG_INFINITY, f64::max);
+    0.0_f64.clamp(low - most, high + most)
+}
 
 /// The edges run beside the lines through the given points (B:8138-8154).
 pub fn from_points(inputs: &Inputs) -> Scene {
@@ -102,6 +118,9 @@ pub fn from_points(inputs: &Inputs) -> Scene {
         outside,
         corner: along(along(meeting, edges[0], gap), edges[1], gap),
         edges,
+        zero: [0, 1].map(|axis| near(starts.map(|point| point[axis]), size * ZERO)),
+        reach: [reach(p2).max(reach(p1)), reach(p4).max(reach(p3))]
+            .map(|far| far + size * if outside { 0.1 } else { 0.35 }),
         starts,
         touched: 4,
         size,

@@ -8,6 +8,7 @@ use crate::catalogue::{Dialect, Style, Variant};
 use crate::check::{Typed, check};
 use crate::control::{Control, Units, delivery};
 use crate::diagnostic::{Code, Severity};
+use crate::form::picture::ShapeKind;
 use crate::form::{Entry, fields};
 use crate::program::calls::calls;
 use crate::program::convert::convert;
@@ -175,6 +176,83 @@ fn a_selection_has_no_unit_but_a_coordinate_has() {
         4.0
     );
     assert_eq!(value(&with(POINTS, &[("_ID", "-2")])), 15.0 * 25.4);
+}
+
+#[test]
+fn places_are_asked_for_in_their_order() {
+    // oracle: manual B:8059-8066, B:7929-7935
+    for changes in [POINTS, RECTANGLE] {
+        let fields = fields(&CYCLE961, &typed(changes), &delivery(CYCLE961.dialect));
+        let names: Vec<&str> = fields.iter().map(|field| field.name).collect();
+        let setpoints: Vec<&str> = names
+            .into_iter()
+            .filter(|name| name.starts_with("_SETV["))
+            .collect();
+        let mut sorted = setpoints.clone();
+        sorted.sort_unstable();
+        assert_eq!(setpoints, sorted);
+    }
+}
+
+/// Where the dimension line of each coordinate of a place is drawn, from and to.
+fn drawn(places: [[f64; 2]; 4]) -> Vec<[[f64; 2]; 2]> {
+    let mut values = typed(POINTS);
+    for (names, place) in super::params::PLACES.into_iter().zip(places) {
+        for (name, value) in names.into_iter().zip(place) {
+            values.insert(name.to_owned(), value.to_string());
+        }
+    }
+    let inputs = check(&CYCLE961, &values, &delivery(CYCLE961.dialect)).inputs;
+    let shapes = super::picture::picture(&inputs.unwrap()).shapes;
+    let places = |field: Option<&str>| field.is_some_and(|field| field.starts_with("_SETV["));
+    shapes
+        .into_iter()
+        .filter(|shape| shape.kind == ShapeKind::Dimension && places(shape.field))
+        .map(|shape| [shape.points[0], shape.points[1]])
+        .collect()
+}
+
+#[test]
+fn no_two_coordinates_of_the_places_are_drawn_upon_each_other() {
+    // oracle: hand (two lines along one axis lie apart, or beside each other)
+    for places in [
+        [[50.0, 20.0], [150.0, 20.0], [15.0, 40.0], [15.0, 80.0]],
+        [
+            [-50.0, -20.0],
+            [-150.0, -20.0],
+            [-15.0, -40.0],
+            [-15.0, -80.0],
+        ],
+        [[-30.0, 40.0], [-30.0, 140.0], [20.0, -25.0], [100.0, -25.0]],
+        [
+            [500.0, 300.0],
+            [620.0, 302.0],
+            [470.0, 340.0],
+            [472.0, 420.0],
+        ],
+    ] {
+        let lines = drawn(places);
+        assert_eq!(lines.len(), 8);
+        let all = lines.concat();
+        let wide = |axis: usize| {
+            let values = all.iter().map(|point| point[axis]);
+            values.clone().fold(f64::NEG_INFINITY, f64::max) - values.fold(f64::INFINITY, f64::min)
+        };
+        let near = wide(0).max(wide(1)) / 20.0;
+        for (index, one) in lines.iter().enumerate() {
+            for other in &lines[..index] {
+                let along = |line: &[[f64; 2]; 2]| usize::from(line[0][0] == line[1][0]);
+                let axis = along(one);
+                let ends = |line: &[[f64; 2]; 2]| {
+                    let [a, b] = line.map(|point| point[axis]);
+                    (a.min(b), a.max(b))
+                };
+                let apart = (one[0][1 - axis] - other[0][1 - axis]).abs() > near;
+                let beside = ends(one).1 <= ends(other).0 || ends(other).1 <= ends(one).0;
+                assert!(axis != along(other) || apart || beside, "{one:?} {other:?}");
+            }
+        }
+    }
 }
 
 #[test]

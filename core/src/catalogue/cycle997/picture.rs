@@ -31,9 +31,14 @@ impl Scene {
         (switching, switching + self.path)
     }
 
-    /// Abscissa of the section.
-    fn section(&self) -> f64 {
-        self.size * 0.9 + 2.0 * self.way().1
+    /// Centre of the section: beside the view from above, below it where the triangle of three spheres stands beside both.
+    fn section(&self) -> [f64; 2] {
+        let apart = 2.0 * self.way().1 + self.size * if self.three { 0.75 } else { 0.9 };
+        if self.three {
+            [0.0, -apart]
+        } else {
+            [apart, 0.0]
+        }
     }
 }
 
@@ -163,46 +168,50 @@ fn diameter(scene: &Scene, shapes: &mut Vec<PictureShape>) {
 
 /// Section through the sphere: its holder below, the height of the set centre, the way over it, the last point.
 fn section(scene: &Scene, shapes: &mut Vec<PictureShape>) {
-    let (size, middle) = (scene.size, scene.section());
+    let size = scene.size;
+    let [middle, equator] = scene.section();
     let (switching, start) = scene.way();
-    let low = -start - size * 0.35;
+    let low = equator - start - size * if scene.three { 0.1 } else { 0.35 };
     let holder = corners(
-        [middle, (low - size * 0.45) / 2.0],
-        [size * 0.16, -low - size * 0.45],
+        [middle, (low + equator - size * 0.45) / 2.0],
+        [size * 0.16, equator - low - size * 0.45],
     );
     shapes.push(polygon(ShapeKind::Material, holder));
-    shapes.push(polygon(ShapeKind::Cut, round([middle, 0.0], size / 2.0)).of(names::SETVAL));
-    let (left, right, safe) = (middle - start, middle + start, start + size * 0.4);
-    let equator = vec![[left - size * 0.2, 0.0], [right + size * 0.1, 0.0]];
-    shapes.push(line(ShapeKind::Axis, equator).of(names::SETV2));
+    let cut = round([middle, equator], size / 2.0);
+    shapes.push(polygon(ShapeKind::Cut, cut).of(names::SETVAL));
+    let (left, right) = (middle - start, middle + start);
+    let (over, safe) = (equator + start, equator + start + size * 0.4);
+    let axis = vec![[left - size * 0.2, equator], [right + size * 0.1, equator]];
+    shapes.push(line(ShapeKind::Axis, axis).of(names::SETV2));
     if !scene.three {
         let ground = vec![[left - size * 0.2, low], [right, low]];
         let beside = left - size * 0.1;
         shapes.push(line(ShapeKind::Axis, ground).text("0").of(names::KNUM));
-        shapes.push(dimension(names::SETV2, [beside, low], [beside, 0.0]));
+        shapes.push(dimension(names::SETV2, [beside, low], [beside, equator]));
     }
-    let mut way = vec![[middle, safe], [right, safe], [right, 0.0]];
+    let mut way = vec![[middle, safe], [right, safe], [right, equator]];
     if !scene.angle {
         // up and across between the points, then to the last one
-        way.extend([[right, start], [left, start], [left, 0.0]]);
+        way.extend([[right, over], [left, over], [left, equator]]);
     }
     shapes.push(line(ShapeKind::Path, way).of(names::MVAR));
-    for at in [[middle, safe], [right, 0.0]] {
+    for at in [[middle, safe], [right, equator]] {
         shapes.push(circle(ShapeKind::Probe, at, scene.ball).of(names::PRNUM));
     }
-    let down = vec![[middle, start], [middle, switching]];
+    let down = vec![[middle, over], [middle, equator + switching]];
     shapes.push(line(ShapeKind::Path, down).of(names::FA));
-    shapes.push(circle(ShapeKind::Probe, [middle, start], scene.ball).of(names::PRNUM));
-    let top = [middle, size / 2.0];
-    shapes.push(circle(ShapeKind::Touch, top, scene.ball * 0.3).of(names::NMSP));
+    shapes.push(circle(ShapeKind::Probe, [middle, over], scene.ball).of(names::PRNUM));
+    let top = equator + size / 2.0;
+    shapes.push(circle(ShapeKind::Touch, [middle, top], scene.ball * 0.3).of(names::NMSP));
     let last = format!("P{}", scene.points.len() + 1);
-    let label = line(
-        ShapeKind::Label,
-        vec![[middle, size / 2.0 - 1.6 * scene.ball]],
-    );
+    let label = line(ShapeKind::Label, vec![[middle, top - 1.6 * scene.ball]]);
     shapes.push(label.text(last).of(names::NMSP));
     let beside = middle + 2.2 * scene.ball;
-    shapes.push(dimension(names::FA, [beside, start], [beside, switching]));
+    shapes.push(dimension(
+        names::FA,
+        [beside, over],
+        [beside, equator + switching],
+    ));
 }
 
 /// Set centres where they are missing: those of the manual's example (B:8482).
@@ -217,15 +226,15 @@ fn triangle(scene: &Scene, inputs: &Inputs, shapes: &mut Vec<PictureShape>) {
         .zip(EXAMPLE)
         .map(|([x, y, _], [u, v])| [inputs.given(x).unwrap_or(u), inputs.given(y).unwrap_or(v)])
         .collect();
-    let zero = [scene.section() + scene.way().1 + size * 0.5, -size * 0.5];
-    let corner = zero.map(|value| value + size * 0.45);
-    let places = fitted(&set, corner, [size * 2.6, size * 1.4]);
+    let zero = [scene.way().1 + size * 1.1, -size * 1.5];
+    let corner = zero.map(|value| value + size * 0.8);
+    let places = fitted(&set, corner, [size * 3.0, size * 1.6]);
     shapes.push(polygon(ShapeKind::Axis, places.clone()).of(names::TNVL));
     for pair in places.windows(2) {
         shapes.push(line(ShapeKind::Path, pair.to_vec()).of(names::MVAR));
         shapes.push(arrow(ShapeKind::Path, pair[0], pair[1], scene.ball * 1.6).of(names::MVAR));
     }
-    let (right, top) = (zero[0] + size * 3.4, zero[1] + size * 1.7);
+    let (right, top) = (zero[0] + size * 4.2, zero[1] + size * 2.5);
     shapes.push(
         line(ShapeKind::Axis, vec![zero, [right, zero[1]]])
             .text("0")
@@ -233,12 +242,13 @@ fn triangle(scene: &Scene, inputs: &Inputs, shapes: &mut Vec<PictureShape>) {
     );
     shapes.push(line(ShapeKind::Axis, vec![zero, [zero[0], top]]).of(names::KNUM));
     for (index, ([u, v], [x, y, z])) in places.into_iter().zip(fields).enumerate() {
-        let under = zero[1] - size * 0.22 * (index + 1) as f64;
+        let under = zero[1] - size * (0.05 + 0.42 * (index + 1) as f64);
         shapes.push(dimension(x, [zero[0], under], [u, under]));
+        shapes.push(line(ShapeKind::Axis, vec![[u, under], [u, zero[1]]]).of(x));
         shapes.push(dimension(y, [u, zero[1]], [u, v]));
-        let ball = circle(ShapeKind::Edge, [u, v], size * 0.09);
+        let ball = circle(ShapeKind::Edge, [u, v], size * 0.12);
         shapes.push(ball.text((index + 1).to_string()).of(x));
-        let label = line(ShapeKind::Label, vec![[u, v + size * 0.2]]);
+        let label = line(ShapeKind::Label, vec![[u, v + size * 0.3]]);
         shapes.push(label.text(*z).of(z));
     }
 }
