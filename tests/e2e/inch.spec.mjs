@@ -54,7 +54,7 @@ describe("a machine built for inches", () => {
     await page.locator(".slider:has(#error-part-size) .figure").fill("0.635");
     await page.locator('.changes tbody td:text-is("inch")').first().waitFor();
     assert.match(await page.locator(".snippet").textContent(), /_SETVAL=5\.2\b/);
-    assert.deepEqual((await changes(page)).slice(1), ["0.0125", "+0.0125", "inch"]);
+    assert.deepEqual((await changes(page)).slice(1), ["0.01250", "+0.01250", "inch"]);
     const setup = await saved(page);
     assert.deepEqual([setup.units, setup.active.units], ["inch", "G70"]);
     assert.ok(Math.abs(setup.workpiece[0].size[0] - 5.2 * 25.4) < 1e-9, "the part is as large as the call says");

@@ -26,6 +26,15 @@ test("standard views look along the axes of the machine", () => {
   near([...seen("right").right, ...seen("right").up], [0, 1, 0, 0, 0, 1]);
 });
 
+// oracle: hand (a view from the side from which the probe comes: the viewer is where its holder is)
+test("an oblique view never looks at the back of the plane", () => {
+  for (const held of [[0, 0, 1], [0, 1, 0], [1, 0, 0]]) {
+    const { back, up } = camera.basis(camera.turn(camera.initial(), "iso", held));
+    assert.ok(vec.dot(back, held) > 0.3, `${held}: ${back}`);
+    assert.ok(up[2] > 0.5, "Z stays upright");
+  }
+});
+
 // oracle: hand (a turning machine: Z to the right and X up seen from the front, right-handed, so Y towards the viewer)
 test("a turning machine stands as it does in the shop", () => {
   const { right, up, back } = camera.basis({ ...camera.turn(camera.initial(), "front"), turning: true });

@@ -67,6 +67,7 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
   let size = sizeOf(stage); // kept: to ask for it while drawing would lay out the page once more
   let step = { index: 0, fraction: 0 };
   let untouched = true;      // fitted again on a new size until somebody moved the camera
+  let chosen: ViewName | null = "iso"; // until somebody moved the camera
   let asked = 0;             // animation frame under way
   let ended = false;
   let picked: (entry: number) => void = () => undefined;
@@ -152,8 +153,9 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
     redrawNow();
   }
   const refit = () => { camera = fit(camera, viewport(), scene.box); redraw(); };
-  const move = (next: typeof camera) => { camera = next; untouched = false; redraw(); };
-  const setView = (name: ViewName) => { camera = turn(camera, name); untouched = true; refit(); };
+  const move = (next: typeof camera) => { camera = next; untouched = false; chosen = null; redraw(); };
+  const look = () => { if (chosen) camera = turn(camera, chosen, toolAt(trace, step.index)?.ball); };
+  const setView = (name: ViewName) => { chosen = name; untouched = true; look(); refit(); };
   const fitAgain = () => { untouched = true; refit(); };
 
   const silence = listen(stage, {
@@ -180,6 +182,7 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
       camera = { ...camera, turning: next.turning ?? false };
       colours = palette ?? colours;
       step = { index: Math.max(0, next.entries.length - 1), fraction: 1 };
+      look();
       rebuild();
       if (first || untouched || other) refit();
     },

@@ -22,9 +22,12 @@ function unitText(unit: string): string {
   return unit ? t(`unit-${unit.replace("/", "-per-")}`) : "";
 }
 
+/** An inch is long: one decimal more. */
+const decimals = (unit: string): number => (unit === "inch" ? 5 : 4);
+
 /** What has no unit is a number of something: as many decimals as it needs. */
 function figure(value: number, unit: string): string {
-  return unit ? fixed(value) : plain(value);
+  return unit ? fixed(value, decimals(unit)) : plain(value);
 }
 
 function table(caption: string, heads: string[], body: HTMLElement): HTMLTableElement {
@@ -81,7 +84,7 @@ function createOutcome(root: HTMLElement): Draw {
       const [name] = node.children;
       if (name?.firstElementChild) setText(name.firstElementChild, say(one.label));
       if (name?.lastElementChild) setText(name.lastElementChild, one.name);
-      [figure(one.before, one.unit), figure(one.after, one.unit), signed(one.after - one.before), unitText(one.unit)].forEach((text, index) => {
+      [figure(one.before, one.unit), figure(one.after, one.unit), signed(one.after - one.before, decimals(one.unit)), unitText(one.unit)].forEach((text, index) => {
         const cell = node.children[index + 1];
         if (cell) setText(cell, text);
       });
