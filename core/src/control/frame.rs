@@ -112,6 +112,25 @@ impl Frame {
         std::array::from_fn(|i| all * self.sign(i) * rotation[i])
     }
 
+    /// The frame that takes this one back, chained before or behind it; none: a scale that differs by axis and a rotation
+    /// in it would shear.
+    pub fn inverse(&self) -> Option<Frame> {
+        if !self.chains_with(self) {
+            return None;
+        }
+        let back = angles(&rotation(self.rotation).inverse());
+        let negative = |list: [f64; 3]| list.map(|value| -value);
+        Some(Frame {
+            coarse: self.inward([0.0; 3]),
+            fine: [0.0; 3],
+            rotation: self.angles_outside(back),
+            rotary: negative(add(self.rotary, self.rotary_fine)),
+            rotary_fine: [0.0; 3],
+            scale: self.scale.map(|scale| 1.0 / scale),
+            mirror: self.mirror,
+        })
+    }
+
     /// This frame followed by another inside it (`:` of frames), where [`Frame::chains_with`] holds; the result has no
     /// fine part.
     pub fn then(&self, inner: &Frame) -> Frame {
@@ -215,6 +234,30 @@ pub(super) mod tests {
         };
         near(frame.then(&inner).rotation, [0.0, 0.0, 60.0]);
         assert_eq!(frame.then(&frame).mirror, [false; 3]);
+    }
+
+    #[test]
+    fn an_inverse_takes_a_frame_back() {
+        let frame = Frame {
+            coarse: [1.0, -20.0, 3.0],
+            fine: [0.1, 0.0, 0.0],
+            rotation: [10.0, -30.0, 120.0],
+            rotary: [0.0, 0.0, 15.0],
+            scale: [2.0; 3],
+            mirror: [false, true, true],
+            ..Frame::default()
+        };
+        let inverse = frame.inverse().unwrap_or_default();
+        // oracle: hand (either way round nothing is left)
+        for both in [frame.then(&inverse), inverse.then(&frame)] {
+            near(both.outward([7.0, 8.0, 9.0]), [7.0, 8.0, 9.0]);
+            assert_eq!(both.rotary, [0.0; 3]);
+        }
+        let sheared = Frame {
+            scale: [2.0, 1.0, 1.0],
+            ..frame
+        };
+        assert_eq!(sheared.inverse(), None);
     }
 
     #[test]

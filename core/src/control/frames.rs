@@ -78,10 +78,7 @@ impl Control {
 
     /// All frames as one, `$P_ACTFRAME`; none: a scale and a rotation in them would shear.
     pub fn total_frame(&self) -> Option<Frame> {
-        let chain = self.chain();
-        chain.iter().try_fold(Frame::default(), |all, frame| {
-            all.chains_with(frame).then(|| all.then(frame))
-        })
+        joined(&self.chain())
     }
 
     /// A point of the WCS in machine coordinates.
@@ -130,6 +127,13 @@ impl Control {
             self.active = common.then(&self.active);
         }
     }
+}
+
+/// Frames one in the other as one; none: a scale and a rotation in them would shear.
+pub fn joined(chain: &[Frame]) -> Option<Frame> {
+    chain.iter().try_fold(Frame::default(), |all, frame| {
+        all.chains_with(frame).then(|| all.then(frame))
+    })
 }
 
 #[cfg(test)]

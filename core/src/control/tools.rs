@@ -34,6 +34,13 @@ pub fn side(position: i64, reversed: bool) -> [f64; 2] {
 }
 
 impl Control {
+    /// Number of the tool with this name, in upper or lower case.
+    pub fn tool_named(&self, name: &str) -> Option<i64> {
+        let mut tools = self.tools.iter();
+        let found = tools.find(|(_, tool)| tool.name.eq_ignore_ascii_case(name));
+        found.map(|(number, _)| *number)
+    }
+
     /// Edge D of tool T, as stored.
     pub fn edge_of(&self, tool: i64, edge: i64) -> Option<&Edge> {
         self.tools.get(&tool)?.edges.get(&edge)

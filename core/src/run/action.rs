@@ -10,6 +10,7 @@ use super::{
 };
 use crate::catalogue::{self, Dialect};
 use crate::diagnostic::Severity;
+use crate::program::flow::is_word;
 
 /// Carries out a block whose words were collected.
 pub fn perform(run: &mut Interpreter, at: usize, mut found: Words) -> Result<Next, Stop> {
@@ -44,7 +45,11 @@ pub fn perform(run: &mut Interpreter, at: usize, mut found: Words) -> Result<Nex
     if moves {
         motion::go(run, &found.path)?;
     }
-    if let Some(next) = end(run, &found).map_err(|problem| run.fail(problem))? {
+    for address in &found.positioning {
+        motion::position_axis(run, address)?;
+    }
+    let end = end(run, &found).map_err(|problem| run.fail(problem))?;
+    if let Some(End::Jump(next)) = end {
         return Ok(next);
     }
     if subprogram {
@@ -58,10 +63,28 @@ pub fn perform(run: &mut Interpreter, at: usize, mut found: Words) -> Result<Nex
     }
     for call in &calls {
         if let Some(next) = carry_out(run, at, call, passes)? {
-            return Ok(next);
+            return match end {
+                None => Ok(next),
+                Some(_) => Err(run.fail(Problem::new("run-alone", call.span, &*call.name))),
+            };
         }
     }
-    Ok(Next::Block)
+    Ok(match end {
+        Some(End::Jump(next)) => next,
+        Some(End::Program) => Next::End,
+        Some(End::Level) => subprogram::leave(run),
+        None => Next::Block,
+    })
+}
+
+/// How a block ends its program.
+enum End {
+    /// By going there (NCT M99).
+    Jump(Next),
+    /// With the whole run: M2, M30.
+    Program,
+    /// By going back to the call: M17, RET.
+    Level,
 }
 
 /// How often the block calls its program: `L10 P3`.
@@ -103,32 +126,43 @@ fn measuring_macro(run: &Interpreter, found: &Words) -> Option<&'static catalogu
         .find_map(|code| catalogue::find(Dialect::Nct, &format!("G{code}")))
 }
 
-/// M functions that stop, end or turn; the others belong to the machine.
-fn end(run: &mut Interpreter, found: &Words) -> Result<Option<Next>, Problem> {
+/// M functions that stop, end or turn; the others, and those of another spindle, belong to the machine.
+fn end(run: &mut Interpreter, found: &Words) -> Result<Option<End>, Problem> {
     let nct = run.program.dialect == Dialect::Nct;
-    let mut next = None;
-    let mut leaves = found.leaves;
+    let mut end = found.leaves.then_some(End::Level);
     for address in found.addresses.iter().filter(|address| address.name == "M") {
         let number = address.value.number().unwrap_or(-1.0);
+        if let Some(spindle) = address.extension.filter(|spindle| *spindle > 1) {
+            let word = format!("M{spindle}={number}");
+            run.tell(
+                Severity::Note,
+                &Problem::new("run-machine-function", address.span, word),
+            );
+            continue;
+        }
         match number as i64 {
             0 | 1 => run.sim.note(Step::Message(format!("M{number}"))),
-            2 | 30 => next = Some(Next::End),
-            17 => leaves = true,
+            2 | 30 => end = Some(End::Program),
+            17 if end.is_none() => end = Some(End::Level),
+            17 => {}
             98 if nct => {}
-            99 if nct => return macro_call::back(run, found, address.span).map(Some),
+            99 if nct => {
+                let back = macro_call::back(run, found, address.span)?;
+                return Ok(Some(End::Jump(back)));
+            }
             19 => run.sim.orient(0.0),
-            3 => run.sim.spin(run.modal.speed),
-            4 => run.sim.spin(-run.modal.speed),
+            3 => run.sim.spin(motion::spindle_speed(run)),
+            4 => run.sim.spin(-motion::spindle_speed(run)),
             5 => run.sim.spin(0.0),
             6..=9 => {}
             55 | 59 if nct => {}
             _ => run.tell(
                 Severity::Note,
-                &Problem::new("run-m-function", address.span, format!("M{number}")),
+                &Problem::new("run-machine-function", address.span, format!("M{number}")),
             ),
         }
     }
-    Ok(next.or_else(|| leaves.then(|| subprogram::leave(run))))
+    Ok(end)
 }
 
 /// Calls: operator texts, measuring cycles, subprograms of the same text.
@@ -157,12 +191,21 @@ fn carry_out(
         return entered.map(Some).map_err(|problem| run.fail(problem));
     } else if user_program::delivered(name) {
         // empty as delivered
-    } else if is_subprogram(name) || run.programs.external.contains(name) {
+    } else if !words::known(name) && (is_subprogram(name) || run.programs.external.contains(name)) {
         run.tell(
             Severity::Warning,
             &Problem::new("run-subprogram", call.span, name),
         );
-    } else if !words::known(name) && !frame::is_frame(name) {
+    } else if words::beyond(name) {
+        return Err(run.fail(Problem::new("run-not-simulated", call.span, name)));
+    } else if words::known(name) || frame::is_frame(name) {
+        // done, or nothing to do
+    } else if is_word(name) {
+        run.tell(
+            Severity::Warning,
+            &Problem::new("run-not-simulated", call.span, name),
+        );
+    } else {
         run.tell(
             Severity::Error,
             &Problem::new("run-unknown-word", call.span, name),
@@ -177,6 +220,7 @@ pub fn is_of_control(name: &str) -> bool {
         || ["MSG", environment::NAME, set_alarm::NAME].contains(&name)
         || user_program::delivered(name)
         || words::known(name)
+        || words::beyond(name)
         || frame::is_frame(name)
 }
 

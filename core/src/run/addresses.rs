@@ -1,10 +1,11 @@
 //! Addresses of a block: axes, arcs, feed, speed, spindle angle.
 
-use super::Machine;
+use super::datum::Datum;
 use super::interpret::Interpreter;
 use super::path::{Coordinate, Path};
 use super::problem::Problem;
 use super::statement::Address;
+use super::{Machine, motion};
 use crate::catalogue::Dialect;
 use crate::control::variables::AXES;
 use crate::diagnostic::Severity;
@@ -38,11 +39,13 @@ pub fn take(run: &mut Interpreter, address: &Address, path: &mut Path) -> Result
             run.modal.feed = number(address)?;
             run.modal.feed_factor = run.sim.control.data_factor();
         }
+        "FB" => path.feed = Some(number(address)?),
         "S" if !path.dwell && matches!(address.extension, None | Some(1)) => {
             run.modal.speed = number(address)?;
             let turns = run.sim.control.spindle_speed;
             if turns != 0.0 {
-                run.sim.spin(run.modal.speed.copysign(turns));
+                let speed = motion::spindle_speed(run);
+                run.sim.spin(speed.copysign(turns));
             }
         }
         "SPOS" | "SPOSA" => spindle(run, address)?,
@@ -50,7 +53,13 @@ pub fn take(run: &mut Interpreter, address: &Address, path: &mut Path) -> Result
         "G" | "M" | "F" | "S" | "D" | "DL" => drop(number(address)?),
         "H" | "P" | "O" | "N" if nct => drop(number(address)?),
         // what tunes a path or a spline: only the programmed points are passed
-        "SF" | "PW" | "SD" | "PL" => drop(number(address)?),
+        "SF" | "PW" | "SD" | "PL" | "FRC" | "FRCM" => drop(number(address)?),
+        "H" => {
+            let word = format!("H{}", Datum::Number(number(address)?).shown());
+            let problem = Problem::new("run-machine-function", address.span, word);
+            run.tell(Severity::Note, &problem);
+        }
+        _ if path.stays => {}
         _ => return other(run, address, path),
     }
     Ok(())

@@ -11,6 +11,11 @@ use crate::diagnostic::Span;
 use crate::program::tree::{Expr, ExprId, WordKind};
 use std::rc::Rc;
 
+/// The last word that belongs to a control structure in a block that is left by a jump behind it.
+const ENDS_OF_STRUCTURE: [&str; 8] = [
+    "ELSE", "ENDIF", "ENDWHILE", "ENDFOR", "ENDLOOP", "TO", "END", "DO",
+];
+
 /// `IF` with a jump (or NCT `THEN`) decides over the rest of the block, else over the blocks up to `ELSE` or `ENDIF`.
 pub fn condition(
     run: &mut Interpreter,
@@ -22,7 +27,7 @@ pub fn condition(
     let holds = truth(run, place, value)?;
     match run.link(at) {
         Some(Link::If(other)) if !holds => {
-            found.next = Some(Next::Jump(other + 1));
+            found.next = Some(behind(run, other)?);
             Ok(false)
         }
         // an IF with ELSE is linked to the ELSE block, which is passed over from above
@@ -52,7 +57,7 @@ pub fn structure(
     }
     match (name, link) {
         ("WHILE", Some(Link::Begin(end))) if !truth(run, place, value)? => {
-            found.next = Some(Next::Jump(end + 1));
+            found.next = Some(behind(run, end)?);
             return Ok(false);
         }
         ("TO", Some(Link::Begin(end))) => {
@@ -64,10 +69,11 @@ pub fn structure(
                 .zip(last)
                 .is_some_and(|(counter, last)| counter > last)
             {
-                found.next = Some(Next::Jump(end + 1));
+                found.next = Some(behind(run, end)?);
                 return Ok(false);
             }
         }
+        ("ELSE", Some(Link::Else(_))) => drop(behind(run, at)?),
         ("ENDWHILE" | "ENDLOOP" | "END", Some(Link::End(begin))) => {
             found.next = Some(Next::Jump(begin))
         }
@@ -107,7 +113,30 @@ fn again(run: &mut Interpreter, begin: usize) -> Result<Option<Next>, Problem> {
     let inside = counter
         .zip(last)
         .is_some_and(|(counter, last)| counter <= last);
-    Ok(inside.then_some(Next::Jump(begin + 1)))
+    match inside {
+        true => behind(run, begin).map(Some),
+        false => Ok(None),
+    }
+}
+
+/// The block behind one of a control structure, of which the words behind the structure's own would be passed over: they
+/// need a block of their own.
+pub fn behind(run: &Interpreter, block: usize) -> Result<Next, Problem> {
+    let words = run.program.blocks.get(block);
+    let words = words.map_or(&[][..], |block| run.program.words_of(block));
+    let last = words.iter().rposition(|word| match &word.kind {
+        WordKind::Keyword { name, .. } => ENDS_OF_STRUCTURE
+            .iter()
+            .any(|known| run.program.is(*name, known)),
+        _ => false,
+    });
+    match last.and_then(|last| words.get(last + 1)) {
+        None => Ok(Next::Jump(block + 1)),
+        Some(word) => {
+            let text = String::from_utf8_lossy(run.program.text(word.span));
+            Err(Problem::new("run-alone", word.span, text))
+        }
+    }
 }
 
 /// Block of a jump target; none for GOTOC without target.

@@ -73,7 +73,15 @@ impl Datum {
 }
 
 fn shown(value: f64) -> String {
-    let text = format!("{value:.10}");
+    let exact = value.to_string();
+    let decimals = exact
+        .split_once('.')
+        .map_or(0, |(_, decimals)| decimals.len());
+    let text = match decimals {
+        0 => exact + ".",
+        1..=10 => exact,
+        _ => format!("{value:.10}"),
+    };
     match text.trim_end_matches('0').trim_end_matches('.') {
         "-0" => "0".to_owned(),
         short => short.to_owned(),

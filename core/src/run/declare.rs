@@ -6,6 +6,8 @@ use super::locals::{Local, Variable};
 use super::names;
 use super::problem::Problem;
 use super::types::Type;
+use crate::catalogue::Dialect;
+use crate::control::variables::AXES;
 use crate::diagnostic::{Severity, Span};
 use crate::program::tree::ExprId;
 
@@ -42,6 +44,11 @@ pub fn attribute(
     Ok(kind.is_some())
 }
 
+/// Whether every machine has an axis of this name, which no variable takes.
+pub fn is_axis(run: &Interpreter, name: &str) -> bool {
+    run.program.dialect == Dialect::Sinumerik && AXES.contains(&name)
+}
+
 /// Declares a name, with its first value.
 pub fn declare(
     run: &mut Interpreter,
@@ -51,6 +58,9 @@ pub fn declare(
     declaring: Declaring,
 ) -> Result<(), Problem> {
     let key = run.program.name(name);
+    if is_axis(run, &key) {
+        return Err(Problem::new("run-axis-name", name, &*key));
+    }
     let kind = declaring
         .kind
         .ok_or_else(|| Problem::new("run-type", name, &*key))?;

@@ -27,7 +27,7 @@ struct Kept {
     levels: Vec<Level>,
     shared: Locals,
     measured: BTreeMap<String, f64>,
-    programmed: Option<([f64; 3], [f64; 3])>,
+    programmed: ([f64; 3], [f64; 3]),
     machine: State,
 }
 

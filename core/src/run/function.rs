@@ -26,6 +26,9 @@ pub fn call(run: &Interpreter, place: Span, args: &[ExprId]) -> Result<Datum, Pr
     if name == "REP" {
         return repeated(values).ok_or_else(refused);
     }
+    if let Some(value) = tool_number(run, &name, &values) {
+        return Ok(value);
+    }
     if let Some(frame) = frame(run, &name, &values) {
         return frame
             .map(|frame| Datum::Frame(Box::new(frame)))
@@ -89,7 +92,16 @@ fn arithmetic(name: &str, values: &[f64], dialect: Dialect) -> Option<f64> {
     Some(value)
 }
 
-/// `CTRANS(X,10,Y,20)`, `CFINE(…)`, `CROT(Z,30)`, `CSCALE(X,2)`, `CMIRROR(X,Y)`; the outer option: whether it is a
+/// `GETT("NAME",1)`: number of the tool with this name, -1 where there is none.
+fn tool_number(run: &Interpreter, name: &str, values: &[Datum]) -> Option<Datum> {
+    let [Datum::Text(wanted), ..] = values else {
+        return None;
+    };
+    let number = run.sim.control.tool_named(wanted).unwrap_or(-1);
+    (name == "GETT" && values.len() <= 2).then_some(Datum::Number(number as f64))
+}
+
+/// `CTRANS(X,10,Y,20)`, `CFINE(…)`, `CROT(Z,30)`, `CSCALE(X,2)`, `CMIRROR(X,Y)`, `CRPL(0,30)`, `INVFRAME(…)`; the outer option: whether it is a
 /// function of frames.
 fn frame(run: &Interpreter, name: &str, values: &[Datum]) -> Option<Option<Frame>> {
     let (part, factor) = match name {
@@ -98,6 +110,13 @@ fn frame(run: &Interpreter, name: &str, values: &[Datum]) -> Option<Option<Frame
         "CROT" => ("RT", 1.0),
         "CSCALE" => ("SC", 1.0),
         "CMIRROR" => return Some(mirrored(values)),
+        "CRPL" => return Some(turned_in_plane(run, values)),
+        "INVFRAME" => {
+            return Some(match values {
+                [Datum::Frame(frame)] => frame.inverse(),
+                _ => None,
+            });
+        }
         _ => return None,
     };
     let mut frame = Frame::default();
@@ -112,6 +131,22 @@ fn frame(run: &Interpreter, name: &str, values: &[Datum]) -> Option<Option<Frame
         }
     }
     Some(Some(frame))
+}
+
+/// `CRPL(plane,angle)`: 0 turns in the working plane, 1 to 3 about Z, Y, X (function manual K2, constant rotation plane).
+fn turned_in_plane(run: &Interpreter, values: &[Datum]) -> Option<Frame> {
+    let [plane, angle] = values else {
+        return None;
+    };
+    let plane = plane.number()?;
+    let axis = match plane {
+        0.0 => run.sim.tool_axis(),
+        1.0 | 2.0 | 3.0 => 3 - plane as usize,
+        _ => return None,
+    };
+    let mut frame = Frame::default();
+    *frame.rotation.get_mut(axis)? = angle.number()?;
+    Some(frame)
 }
 
 fn mirrored(values: &[Datum]) -> Option<Frame> {

@@ -1,12 +1,12 @@
 //! G functions: motion, plane, frames, units, absolute and incremental.
 
-use super::Stop;
 use super::contour::Outside;
 use super::interpret::Interpreter;
 use super::modal::{Compensation, FeedType, Motion};
 use super::path::{Measure, Pole, Suppress};
 use super::problem::Problem;
 use super::statement::Words;
+use super::{Stop, motion};
 use crate::catalogue::Dialect;
 use crate::control::Plane;
 use crate::diagnostic::Severity;
@@ -34,6 +34,18 @@ fn some(
         .filter(|(number, _)| counts(*number))
         .collect();
     for (number, span) in codes {
+        if run.program.dialect == Dialect::Sinumerik
+            && let Some(instead) = instead(number)
+        {
+            let problem = Problem::new("run-not-simulated", span, format!("G{number}"));
+            match instead {
+                Instead::Stays => found.path.stays = true,
+                Instead::GoesOn => {}
+                Instead::Stops => return Err(run.fail(problem)),
+            }
+            run.tell(Severity::Warning, &problem);
+            continue;
+        }
         let known = number.fract() == 0.0
             && (0.0..1000.0).contains(&number)
             && one(run, number as u16, found);
@@ -45,6 +57,30 @@ fn some(
         }
     }
     Ok(())
+}
+
+/// What is done instead of a G function that is not simulated.
+enum Instead {
+    /// The axes stay where they are: limits, fixed points, a thread that goes in and comes out again.
+    Stays,
+    /// The block moves as without it: a smooth approach.
+    GoesOn,
+    /// Nobody knows in which coordinates the axes move then.
+    Stops,
+}
+
+/// SINUMERIK: G25 and G26 limits, G33 to G35, G63, G331, G332 threads, G74 and G75 reference and fixed points, G147 to
+/// G348 smooth approach and retraction, G58 and G59 parts of the programmed frame.
+fn instead(number: f64) -> Option<Instead> {
+    if number.fract() != 0.0 {
+        return None;
+    }
+    match number as i64 {
+        25 | 26 | 33..=35 | 63 | 74 | 75 | 331 | 332 => Some(Instead::Stays),
+        147 | 148 | 247 | 248 | 347 | 348 => Some(Instead::GoesOn),
+        58 | 59 => Some(Instead::Stops),
+        _ => None,
+    }
 }
 
 fn one(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
@@ -82,7 +118,11 @@ fn sinumerik(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
         153 => found.path.suppress = Suppress::All,
         500 => run.sim.control.activate(0),
         505..=599 => run.sim.control.activate(usize::from(code) - 500),
-        95 | 97 | 971 => run.modal.feed_type = FeedType::Revolution,
+        95 => run.modal.feed_type = FeedType::Revolution,
+        97 | 971 => {
+            run.modal.speed = motion::spindle_speed(run); // the spindle goes on turning as fast
+            run.modal.feed_type = FeedType::Revolution;
+        }
         96 | 962 => run.modal.feed_type = FeedType::Cutting,
         961 | 972 | 973 => run.modal.feed_type = FeedType::Minute,
         450 => run.modal.outside = Outside::Circle,

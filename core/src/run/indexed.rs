@@ -3,35 +3,41 @@
 use super::datum::Datum;
 use super::expression::evaluate;
 use super::interpret::Interpreter;
+use super::locals;
 use super::problem::Problem;
-use super::statement::Address;
+use super::statement::{Address, Words};
+use crate::control::variables::AXES;
 use crate::diagnostic::{Severity, Span};
 use crate::program::tree::{Expr, ExprId};
 
 /// How a position may be meant.
 const MODES: [&str; 7] = ["AC", "IC", "DC", "ACP", "ACN", "CAC", "CIC"];
 
-/// Takes such an address; false: it is none of these. Another spindle than the first is told and left out; a positioning axis
-/// stops the run, as nobody knows then where it stands.
+/// Axes that move by themselves; `POSA` does not wait for their end.
+const POSITIONING: [&str; 2] = ["POS", "POSA"];
+
+/// Takes such an address; false: it is none of these. Another spindle than the first, and an axis that the machine does not
+/// have, are told and left out.
 pub fn take(
     run: &mut Interpreter,
     name: &str,
     index: &[ExprId],
     value: ExprId,
     span: Span,
-    addresses: &mut Vec<Address>,
+    found: &mut Words,
 ) -> Result<bool, Problem> {
     let [index] = index else {
         return Ok(false);
     };
+    if POSITIONING.contains(&name) {
+        return positioning(run, *index, value, span, found).map(|()| true);
+    }
     let (name, simulated) = match name {
-        "POS" | "POSA" | "POSP" => return Err(Problem::new("run-not-simulated", span, name)),
         "SPOS" | "SPOSA" | "S" | "M" => (
             name.to_owned(),
             evaluate(run, *index)?.number() == Some(1.0),
         ),
         "AX" => (evaluate(run, *index)?.shown(), true),
-        "FA" => (name.to_owned(), false),
         _ => return Ok(false),
     };
     if !simulated {
@@ -42,7 +48,7 @@ pub fn take(
         return Ok(true);
     }
     let (mode, value) = meant(run, value)?;
-    addresses.push(Address {
+    found.addresses.push(Address {
         name,
         extension: None,
         mode,
@@ -50,6 +56,53 @@ pub fn take(
         span,
     });
     Ok(true)
+}
+
+/// `POS[X]=10`, `POSA[C]=90`: X, Y, Z get there by a rapid motion of their own behind that of the block, rotary axes of the
+/// machine turn.
+fn positioning(
+    run: &mut Interpreter,
+    index: ExprId,
+    value: ExprId,
+    span: Span,
+    found: &mut Words,
+) -> Result<(), Problem> {
+    let name = axis_name(run, index)?;
+    let linear = AXES.contains(&name.as_str());
+    if !linear && run.sim.control.rotary_axis(&name).is_none() {
+        let problem = Problem::new("run-not-simulated", span, name);
+        run.tell(Severity::Warning, &problem);
+        return Ok(());
+    }
+    let (mode, value) = meant(run, value)?;
+    let address = Address {
+        name,
+        extension: None,
+        mode,
+        value,
+        span,
+    };
+    match linear {
+        true => {
+            let problem = Problem::new("run-positioning", span, &*address.name);
+            run.tell(Severity::Note, &problem);
+            found.positioning.push(address);
+        }
+        false => found.addresses.push(address),
+    }
+    Ok(())
+}
+
+/// The axis between the brackets; a name that is no variable is itself one, as `U` on a machine without it.
+fn axis_name(run: &Interpreter, index: ExprId) -> Result<String, Problem> {
+    match run.program.expr(index) {
+        Some(Expr::Name { name, index })
+            if index.is_empty() && !locals::declared(run, &run.program.name(*name)) =>
+        {
+            Ok(run.program.name(*name))
+        }
+        _ => evaluate(run, index).map(|value| value.shown()),
+    }
 }
 
 /// `AC(90)` as the mode and its value.

@@ -10,7 +10,7 @@ use super::modal::Modal;
 use super::problem::{self, Problem};
 use super::programs::{self, Programs};
 use super::trace::Step;
-use super::{Outcome, Setup, Stop, repeat, statement, subprogram};
+use super::{Outcome, Setup, Stop, motion, repeat, statement, subprogram};
 use crate::diagnostic::{Diagnostic, Severity, Span};
 use crate::message::Message;
 use crate::program::tree::Program;
@@ -59,7 +59,7 @@ pub struct Interpreter {
     pub measured: BTreeMap<String, f64>,
     /// Where the spindle nose stood at the end of the last motion of the program, machine coordinates, and the position
     /// in the WCS of that moment.
-    pub programmed: Option<([f64; 3], [f64; 3])>,
+    pub programmed: ([f64; 3], [f64; 3]),
     /// What the tool follows with radius compensation.
     pub contour: Option<Contour>,
     /// Findings so far, each place and kind once.
@@ -247,13 +247,13 @@ impl Interpreter {
         let main = programs.units.first().map(|unit| unit.blocks.clone());
         let main = main.unwrap_or_default();
         Interpreter {
+            programmed: motion::standing(&sim),
             sim,
             modal,
             at: main.start,
             levels: vec![Level::main(main)],
             shared: Locals::new(),
             measured: BTreeMap::new(),
-            programmed: None,
             contour: None,
             diagnostics: Vec::new(),
             targets: flow::targets(&program),

@@ -2,12 +2,14 @@
 
 use super::arcs::Arc;
 use super::interpret::Interpreter;
+use super::machine::Sim;
 use super::modal::{Compensation, FeedType, Motion};
 use super::path::{Coordinate, Measure, Path, Suppress};
 use super::problem::Problem;
 use super::route::{Route, add};
+use super::statement::Address;
 use super::trace::MotionKind;
-use super::{Stop, contour, polar};
+use super::{Stop, addresses, contour, polar};
 use crate::control::variables::AXES;
 use crate::control::{Transverse, Units};
 use crate::diagnostic::Severity;
@@ -27,7 +29,7 @@ pub fn go(run: &mut Interpreter, path: &Path) -> Result<(), Stop> {
     let base = incremental_base(run, path.suppress, from);
     let to = std::array::from_fn(|i| target(run, from[i], base[i], path.axes[i], i));
     let to = polar::target(run, path, from, to);
-    let feed = feed(run, to);
+    let feed = feed(run, path, to);
     let with_feed = run.modal.motion != Motion::Rapid || path.measure.is_some();
     if with_feed && feed <= 0.0 {
         run.tell(Severity::Error, &Problem::new("run-no-feed", path.span, ""));
@@ -39,11 +41,28 @@ pub fn go(run: &mut Interpreter, path: &Path) -> Result<(), Stop> {
         }),
         None => driven(run, path, [from, to], feed),
     };
-    run.programmed = Some((
+    run.programmed = (
         nose(run),
         run.sim.control.to_workpiece(contour::stands(run)),
-    ));
+    );
     outcome
+}
+
+/// `POS[X]=5`: the axis moves by itself, fast and straight. Where frames turn it is refused, as on the control.
+pub fn position_axis(run: &mut Interpreter, address: &Address) -> Result<(), Stop> {
+    let span = address.span;
+    if run.sim.control.rotated() {
+        return Err(run.fail(Problem::new("run-not-simulated", span, "POS")));
+    }
+    let mut path = Path {
+        span,
+        ..Path::default()
+    };
+    addresses::take(run, address, &mut path).map_err(|problem| run.fail(problem))?;
+    let motion = std::mem::replace(&mut run.modal.motion, Motion::Rapid);
+    let gone = contour::leave(run).and_then(|()| go(run, &path));
+    run.modal.motion = motion;
+    gone
 }
 
 /// Straight, or round an axis, with the tool on the path or beside it.
@@ -108,24 +127,42 @@ fn nose(run: &Interpreter) -> [f64; 3] {
     add(contour::stands(run), run.sim.control.active_length(), 1.0)
 }
 
+/// Where a machine stands before its first motion: the spindle nose, and the position in the WCS.
+pub fn standing(sim: &Sim) -> ([f64; 3], [f64; 3]) {
+    let nose = add(sim.position, sim.control.active_length(), 1.0);
+    (nose, sim.control.to_workpiece(sim.position))
+}
+
 /// From where incremental positions count: the end of the last motion as it was programmed, also where a frame or a tool
 /// has changed since (SD 42440 and SD 42442 as delivered); where something else has moved the axes, their position.
 fn incremental_base(run: &Interpreter, suppress: Suppress, from: [f64; 3]) -> [f64; 3] {
     let now = nose(run);
     let stays = |stood: [f64; 3]| (0..3).all(|i| (stood[i] - now[i]).abs() < STILL);
-    match run.programmed {
-        Some((stood, end)) if suppress == Suppress::Nothing && stays(stood) => end,
-        _ => from,
+    let (stood, end) = run.programmed;
+    match suppress == Suppress::Nothing && stays(stood) {
+        true => end,
+        false => from,
     }
 }
 
 /// mm/min, 0 where there is none; with a constant cutting speed that at the target.
-fn feed(run: &Interpreter, to: [f64; 3]) -> f64 {
-    let feed = run.modal.feed * run.modal.feed_factor;
+fn feed(run: &Interpreter, path: &Path, to: [f64; 3]) -> f64 {
+    let feed = match path.feed {
+        Some(own) => own * run.sim.control.data_factor(),
+        None => run.modal.feed * run.modal.feed_factor,
+    };
     match run.modal.feed_type {
         FeedType::Minute => feed,
         FeedType::Revolution => feed * run.modal.speed.abs(),
         FeedType::Cutting => feed * turns(run, to[0].abs()),
+    }
+}
+
+/// Revolutions a minute of the main spindle where the tool stands.
+pub fn spindle_speed(run: &Interpreter) -> f64 {
+    match run.modal.feed_type {
+        FeedType::Minute | FeedType::Revolution => run.modal.speed,
+        FeedType::Cutting => turns(run, position(run, Suppress::Nothing)[0].abs()),
     }
 }
 
@@ -157,14 +194,18 @@ fn target(
         return from;
     };
     let absolute = absolute.unwrap_or(run.modal.absolute);
-    let half = axis == 0
-        && match run.sim.control.transverse {
-            Transverse::Radius => false,
-            Transverse::Diameter => true,
-            Transverse::AbsoluteDiameter => absolute,
-        };
-    let value = if half { value / 2.0 } else { value };
+    let value = value * radius_of(run, axis, absolute);
     if absolute { value } else { base + value }
+}
+
+/// What a written coordinate of an axis is multiplied with: one half for a diameter.
+fn radius_of(run: &Interpreter, axis: usize, absolute: bool) -> f64 {
+    let diameter = match run.sim.control.transverse {
+        Transverse::Radius => false,
+        Transverse::Diameter => true,
+        Transverse::AbsoluteDiameter => absolute,
+    };
+    if axis == 0 && diameter { 0.5 } else { 1.0 }
 }
 
 fn position(run: &Interpreter, suppress: Suppress) -> [f64; 3] {
@@ -312,12 +353,14 @@ fn arc(run: &Interpreter, path: &Path, from: [f64; 3], to: [f64; 3]) -> Option<A
         Some(Coordinate {
             value,
             absolute: Some(true),
-        }) => value,
+        }) => value * radius_of(run, i, true),
         Some(Coordinate { value, .. }) => from[i] + value,
         None => from[i],
     });
+    let ends = path.axes[a].is_some() || path.axes[o].is_some();
     let arc = match (path.radius, path.angle) {
         (Some(radius), _) => Arc::with_radius(radius, start, end, counter),
+        (None, Some(_)) if centred && ends => None,
         (None, Some(angle)) if centred => Arc::turned(centre, start, angle, counter),
         (None, Some(angle)) => Arc::with_angle(angle, start, end, counter),
         (None, None) => Arc::about(centre, start, end, counter),

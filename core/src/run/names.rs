@@ -9,12 +9,15 @@ use super::{macro_variables, system};
 use crate::catalogue::{CYCLES, Dialect};
 use crate::control::rotary::is_angle;
 use crate::control::{Frame, arrays, gud, machine_data};
-use crate::diagnostic::Span;
+use crate::diagnostic::{Severity, Span};
 use crate::program::tree::ExprId;
 use std::collections::BTreeMap;
 
 /// Words that stand for themselves: axes, and the parts of a frame.
 const WORDS: [&str; 11] = ["X", "Y", "Z", "A", "B", "C", "TR", "FI", "RT", "SC", "MI"];
+
+/// Outputs of the control to the machine.
+const OUTPUTS: [&str; 6] = ["$A_OUT", "$A_OUTA", "$A_DBB", "$A_DBW", "$A_DBD", "$A_DBR"];
 
 /// Functions of frames that without arguments are a frame that changes nothing.
 const NO_FRAME: [&str; 5] = ["CTRANS", "CROT", "CFINE", "CSCALE", "CMIRROR"];
@@ -152,7 +155,7 @@ fn write_one(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Re
         problem.message = problem.message.number("limit", TEXT as f64);
         return Err(problem);
     }
-    if key.starts_with('$') && !system::MASKS.contains(&key) {
+    if key.starts_with('$') && !system::MASKS.contains(&key) && !system::FREE.contains(&stem(key)) {
         return write_variable(run, key, value, place);
     }
     let before = read(run, key, place)?.number().unwrap_or(0.0);
@@ -170,6 +173,13 @@ fn write_variable(
     value: &Datum,
     place: Span,
 ) -> Result<(), Problem> {
+    if OUTPUTS.contains(&stem(key)) {
+        run.tell(
+            Severity::Note,
+            &Problem::new("run-machine-function", place, key),
+        );
+        return Ok(());
+    }
     let number = value
         .number()
         .ok_or_else(|| Problem::new("run-not-a-number", place, key))?;
@@ -217,6 +227,9 @@ fn constant(run: &Interpreter, key: &str) -> Option<Datum> {
     match key {
         "TRUE" => Some(Datum::Number(1.0)),
         "FALSE" => Some(Datum::Number(0.0)),
+        "$P_AXN1" => Some(Datum::Word("X".to_owned())),
+        "$P_AXN2" => Some(Datum::Word("Y".to_owned())),
+        "$P_AXN3" => Some(Datum::Word("Z".to_owned())),
         "$PI" => Some(Datum::Number(std::f64::consts::PI)),
         _ if NO_FRAME.contains(&key) => Some(Datum::Frame(Box::default())),
         _ => WORDS.contains(&key).then(|| Datum::Word(key.to_owned())),

@@ -86,6 +86,10 @@ pub struct Path {
     pub measure: Option<Measure>,
     /// Whether F is a time (G4).
     pub dwell: bool,
+    /// FB: feed of this block alone, as F is written.
+    pub feed: Option<f64>,
+    /// Whether the axis words are no target of a motion.
+    pub stays: bool,
     /// Place of the block.
     pub span: Span,
 }
@@ -96,6 +100,7 @@ impl Path {
         let written = |list: &[Option<Coordinate>; 3]| list.iter().any(Option::is_some);
         let arc = self.radius.is_some() || self.angle.is_some();
         let polar = self.polar.is_written() || self.pole.is_some();
-        written(&self.axes) || written(&self.centre) || written(&self.middle) || arc || polar
+        let asked = written(&self.axes) || written(&self.centre) || written(&self.middle);
+        !self.stays && (asked || arc || polar)
     }
 }

@@ -28,7 +28,7 @@ pub const KEYS: &[&str] = &[
     "run-crash",
     "run-not-finite",
     "run-alarm",
-    "run-m-function",
+    "run-machine-function",
     "run-radius-compensation",
     "run-call",
     "run-no-simulation",
@@ -61,6 +61,10 @@ pub const KEYS: &[&str] = &[
     "run-endless",
     "run-repeated",
     "run-not-measured",
+    "run-axis-name",
+    "run-system-variable",
+    "run-positioning",
+    "run-axis-variable",
 ];
 
 /// Something wrong at a place.

@@ -8,7 +8,9 @@ use super::interpret::{Interpreter, Next};
 use super::path::{Measure, Path};
 use super::problem::Problem;
 use super::trace::Step;
-use super::{Stop, action, branch, contour, environment, indexed, locals, manner, names, repeat};
+use super::{
+    Stop, action, branch, contour, environment, indexed, locals, manner, names, repeat, words,
+};
 use crate::catalogue::Dialect;
 use crate::diagnostic::{Severity, Span};
 use crate::program::tree::{Block, Expr, ExprId, Word, WordKind};
@@ -47,6 +49,8 @@ pub struct Address {
 pub struct Words {
     /// Addresses.
     pub addresses: Vec<Address>,
+    /// Axes that move by themselves: `POS[X]=5`.
+    pub positioning: Vec<Address>,
     /// Calls and words without value.
     pub calls: Vec<Call>,
     /// Motion.
@@ -105,7 +109,9 @@ pub fn block(run: &mut Interpreter, at: usize) -> Result<Next, Stop> {
         return Ok(next);
     }
     Ok(match run.link(at) {
-        Some(Link::Else(end)) if starts_with(run, words, "ELSE") => Next::Jump(end + 1),
+        Some(Link::Else(end)) if starts_with(run, words, "ELSE") => {
+            branch::behind(run, end).map_err(|problem| run.fail(problem))?
+        }
         _ => Next::Block,
     })
 }
@@ -114,7 +120,7 @@ pub fn block(run: &mut Interpreter, at: usize) -> Result<Next, Stop> {
 /// `$TC_DP6[1,1]`, NCT `#5041`.
 fn asks_for_position(run: &Interpreter, block: &Block) -> bool {
     let words: &[&[u8]] = match run.program.dialect {
-        Dialect::Sinumerik => &[b"STOPRE", b"$A", b"$TC_"],
+        Dialect::Sinumerik => &[b"STOPRE", b"$A", b"$VA_", b"$TC_"],
         Dialect::Nct => &[b"#5", b"#["],
     };
     let span = Span {
@@ -144,23 +150,24 @@ fn repetition(run: &Interpreter, words: &[Word]) -> Option<(Span, ExprId)> {
     })
 }
 
-/// Blocks of which nothing is carried out: declarations of subprograms, synchronised actions.
+/// Blocks of which nothing is carried out: declarations of subprograms, and what is told, synchronised actions and
+/// interrupts.
 fn left_out(run: &mut Interpreter, words: &[Word]) -> bool {
+    let sinumerik = run.program.dialect == Dialect::Sinumerik;
     for word in words {
-        if let WordKind::Keyword { name, .. } = &word.kind {
-            let text = run.program.name(*name);
-            match text.as_str() {
-                "PROC" | "EXTERN" | "ENDPROC" => return true,
-                "WHEN" | "WHENEVER" | "EVERY" | "FROM" | "REDEF" => {
-                    run.tell(
-                        Severity::Warning,
-                        &Problem::new("run-not-simulated", word.span, text),
-                    );
-                    return true;
-                }
-                _ => {}
-            }
+        let (WordKind::Keyword { name, .. } | WordKind::Call { name, .. }) = &word.kind else {
+            continue;
+        };
+        let text = run.program.name(*name);
+        match text.as_str() {
+            "PROC" | "EXTERN" | "ENDPROC" => return true,
+            "WHEN" | "WHENEVER" | "EVERY" | "FROM" | "REDEF" => {}
+            "DO" | "SETINT" if sinumerik => {}
+            _ => continue,
         }
+        let problem = Problem::new("run-not-simulated", word.span, text);
+        run.tell(Severity::Warning, &problem);
+        return true;
     }
     false
 }
@@ -187,9 +194,10 @@ fn word_of(
             value,
         } => {
             let letters = run.program.name(*name);
-            if extension.is_none() && mode.is_none() && hidden(run, &letters) {
+            let variable = extension.map_or(letters.clone(), |number| format!("{letters}{number}"));
+            if mode.is_none() && hidden(run, &variable, word.span) {
                 let value = evaluate(run, *value)?;
-                names::write(run, &letters, &value, word.span)?;
+                names::write(run, &variable, &value, word.span)?;
                 found.counter = value.number();
                 return Ok(true);
             }
@@ -208,15 +216,11 @@ fn word_of(
             name, index, value, ..
         } => {
             let letters = run.program.name(*name);
-            if !hidden(run, &letters)
-                && indexed::take(
-                    run,
-                    &letters,
-                    index,
-                    *value,
-                    word.span,
-                    &mut found.addresses,
-                )?
+            if left_alone(run, &letters, word.span) {
+                return Ok(true);
+            }
+            if !locals::declared(run, &letters)
+                && indexed::take(run, &letters, index, *value, word.span, found)?
             {
                 return Ok(true);
             }
@@ -241,6 +245,12 @@ fn word_of(
             }
         }
         WordKind::Call { name, args, .. } => {
+            let word_name = run.program.name(*name);
+            let own = run.programs.named(&word_name).is_some();
+            let args = match !own && words::ignores_arguments(&word_name) {
+                true => &[],
+                false => &args[..],
+            };
             let call = call(run, *name, args, word.span)?;
             found.calls.push(call);
         }
@@ -257,10 +267,28 @@ fn word_of(
     Ok(true)
 }
 
-/// Whether a variable of the program has the name of an address. Axes stay axes: `X=…` moves, whatever is declared.
-fn hidden(run: &Interpreter, letters: &str) -> bool {
-    !matches!(letters, "X" | "Y" | "Z" | "A" | "B" | "C" | "U" | "V" | "W")
-        && locals::declared(run, letters)
+/// Whether a name with a value is one that the run goes on without; where it does something, that is told.
+fn left_alone(run: &mut Interpreter, name: &str, span: Span) -> bool {
+    if run.program.dialect == Dialect::Nct || locals::declared(run, name) {
+        return false;
+    }
+    let value = words::value(name);
+    if value == Some(words::Value::Told) {
+        let problem = Problem::new("run-not-simulated", span, name);
+        run.tell(Severity::Warning, &problem);
+    }
+    value.is_some()
+}
+
+/// Whether a variable of the program has the name of an address. X, Y and Z stay axes, whatever is declared; where the
+/// machine has a rotary axis of that name, it is told that the program means its variable.
+fn hidden(run: &mut Interpreter, name: &str, span: Span) -> bool {
+    let variable = locals::declared(run, name) && !declare::is_axis(run, name);
+    if variable && run.sim.control.rotary_axis(name).is_some() {
+        let problem = Problem::new("run-axis-variable", span, name);
+        run.tell(Severity::Warning, &problem);
+    }
+    variable
 }
 
 /// A call with the values of its arguments.

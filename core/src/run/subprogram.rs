@@ -41,7 +41,11 @@ pub fn enter(
     let mut bound = Locals::new();
     for (i, parameter) in parameters.iter().enumerate() {
         let local = bind(run, parameter, call, i)?;
-        bound.insert(run.program.name(parameter.name), local);
+        let name = run.program.name(parameter.name);
+        if declare::is_axis(run, &name) {
+            return Err(Problem::new("run-axis-name", parameter.name, name));
+        }
+        bound.insert(name, local);
     }
     run.levels.push(Level {
         locals: bound,

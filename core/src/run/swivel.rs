@@ -13,6 +13,10 @@ use crate::geometry::rigid::{angles, rotation};
 /// Name of the cycle.
 pub const NAME: &str = "CYCLE800";
 
+/// Argument with the name of the swivel data set, and the name by which none is meant.
+const DATA_SET: usize = 1;
+const NO_DATA_SET: &str = "0";
+
 /// Arguments that shift or turn the plane: X0 Y0 Z0, three angles, X1 Y1 Z1.
 const OFFSETS: std::ops::Range<usize> = 4..13;
 
@@ -20,6 +24,10 @@ const OFFSETS: std::ops::Range<usize> = 4..13;
 /// the same plane.
 pub fn call(run: &mut Interpreter, call: &Call) -> Result<(), Stop> {
     contour::finish(run)?;
+    if given_up(call) {
+        run.sim.control.part_frame = Frame::default();
+        return Ok(());
+    }
     let (turns, table) = planned(run, call).map_err(|problem| run.fail(problem))?;
     for (axis, to) in turns.into_iter().enumerate() {
         if run.sim.control.rotary[axis] != to {
@@ -29,6 +37,13 @@ pub fn call(run: &mut Interpreter, call: &Call) -> Result<(), Stop> {
     }
     run.sim.control.part_frame = table;
     Ok(())
+}
+
+/// Whether the call gives the plane up: without values, or with the data set "0". The table stays where it is.
+fn given_up(call: &Call) -> bool {
+    let data_set = call.args.get(DATA_SET).and_then(Option::as_ref);
+    let nothing = call.args.iter().all(Option::is_none);
+    nothing || data_set == Some(&Datum::Text(NO_DATA_SET.into()))
 }
 
 /// Where the rotary axes go, degree, and the frame that turns with the table.

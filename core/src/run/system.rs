@@ -5,15 +5,21 @@ use super::interpret::Interpreter;
 use super::locals::{indices, stem};
 use super::modal::{Compensation, Motion};
 use super::problem::Problem;
-use super::{contour, names};
+use super::{Machine, contour, names};
+use crate::control::frames::joined;
 use crate::control::frames::{CHANNEL_MASK, GLOBAL_MASK};
 use crate::control::machine_data;
 use crate::control::variables::{AXES, component};
-use crate::control::{Plane, Transverse, Units, Value};
+use crate::control::{Frame, Plane, Tool, Transverse, Units, Value};
 use crate::diagnostic::Span;
 
 /// All frames in effect as one.
 const TOTAL: &str = "$P_ACTFRAME";
+/// The basic frames in effect as one.
+const BASIC: &str = "$P_ACTBFRAME";
+
+/// What a program may keep numbers in beside R parameters; nothing else looks at it.
+pub const FREE: [&str; 2] = ["$AC_MARKER", "$AC_PARAM"];
 
 /// Positions that `MEAS` latched (B:12790-12856).
 const LATCHED: [&str; 3] = ["$AA_MW[", "$AA_MB[", "$AA_MM["];
@@ -24,11 +30,16 @@ pub const MASKS: [&str; 2] = [CHANNEL_MASK, GLOBAL_MASK];
 /// `$…`: tool and frame data, and what the control tells about itself.
 pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem> {
     let control = &run.sim.control;
+    if let Some(other) = another_name(run, key) {
+        return read(run, &other, place);
+    }
     if let Some(value) = control.variable(key) {
         return Ok(Datum::Number(value / names::variable_factor(run, key)));
     }
-    let whole = || control.total_frame().filter(|_| key == TOTAL);
-    if let Some(frame) = control.frame(key).or_else(whole) {
+    if let Some(name) = tool_name(run, key) {
+        return Ok(Datum::Text(name.to_owned()));
+    }
+    if let Some(frame) = control.frame(key).or_else(|| together(run, key)) {
         return Ok(Datum::Frame(Box::new(frame)));
     }
     if let Some(value) = run.measured.get(key) {
@@ -41,14 +52,42 @@ pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem>
     let unknown = if LATCHED.iter().any(|stem| key.starts_with(stem)) {
         "run-not-measured"
     } else {
-        "run-unknown-variable"
+        "run-system-variable"
     };
     value
         .map(Datum::Number)
         .ok_or_else(|| Problem::new(unknown, place, key))
 }
 
-/// The active tool.
+/// What the control has under another name too: `$P_AD[6]` for a datum of the active edge, `$VA_IM[X]` measured at the
+/// axis, which here is where it was told to go.
+fn another_name(run: &Interpreter, key: &str) -> Option<String> {
+    if let Some(axis) = key.strip_prefix("$VA_IM[") {
+        return Some(format!("$AA_IM[{axis}"));
+    }
+    let number = key.strip_prefix("$P_AD[")?.strip_suffix(']')?;
+    let control = &run.sim.control;
+    Some(format!("$TC_DP{number}[{},{}]", control.tool, control.edge))
+}
+
+/// `$TC_TP2[20]`: name of a tool.
+fn tool_name<'a>(run: &'a Interpreter, key: &str) -> Option<&'a str> {
+    let number = key.strip_prefix("$TC_TP2[")?.strip_suffix(']')?;
+    let tool = run.sim.control.tools.get(&number.parse().ok()?)?;
+    Some(&tool.name)
+}
+
+/// Frames in effect as one: all, or the basic ones.
+fn together(run: &Interpreter, name: &str) -> Option<Frame> {
+    let control = &run.sim.control;
+    match name {
+        TOTAL => control.total_frame(),
+        BASIC => joined(&control.basic_chain()),
+        _ => None,
+    }
+}
+
+/// The active tool, and what is known of the others.
 fn tool(run: &Interpreter, key: &str) -> Option<f64> {
     let control = &run.sim.control;
     let factor = control.data_factor();
@@ -57,6 +96,8 @@ fn tool(run: &Interpreter, key: &str) -> Option<f64> {
         "$P_TOOLP" => run.modal.prepared.unwrap_or(control.tool) as f64,
         "$P_TOOL" => control.edge as f64,
         "$P_DLNO" => control.location as f64,
+        "$P_TOOLEXIST" => f64::from(u8::from(tool_of(run, key)?.is_some())),
+        "$P_TOOLND" => tool_of(run, key)?.map_or(0, |tool| tool.edges.len()) as f64,
         "$P_TOOLR" => control.active_radius() / factor,
         "$P_TOOLL" => {
             let number: usize = indices(key).first()?.parse().ok()?;
@@ -66,6 +107,12 @@ fn tool(run: &Interpreter, key: &str) -> Option<f64> {
         }
         _ => return None,
     })
+}
+
+/// The tool whose number is the index; the outer option: whether that is a number.
+fn tool_of<'a>(run: &'a Interpreter, key: &str) -> Option<Option<&'a Tool>> {
+    let number: i64 = indices(key).first()?.parse().ok()?;
+    Some(run.sim.control.tools.get(&number))
 }
 
 /// Where an axis stands: `$AA_IW[X]` in the WCS, `$P_EP[X]` as programmed there, `$AA_IB` in the basic system, `$AA_IM` the spindle nose; rotary axes in
@@ -106,6 +153,15 @@ fn state(run: &Interpreter, key: &str) -> Option<f64> {
         "$P_UIFRNUM" => control.settable as f64,
         "$P_DRYRUN" | "$P_ISTEST" | "$P_SEARCH" | "$P_SIM" | "$A_PROTO" => 0.0,
         "$AC_MEA" => 0.0,
+        "$A_PROBE" if run.sim.has_probe() => f64::from(u8::from(run.sim.in_contact())),
+        "$P_MSNUM" => 1.0,
+        "$P_SDIR" if key == "$P_SDIR[1]" => match control.spindle_speed {
+            0.0 => 5.0,
+            speed if speed > 0.0 => 3.0,
+            _ => 4.0,
+        },
+        "$AA_S" if key == "$AA_S[1]" => control.spindle_speed.abs(),
+        stem if FREE.contains(&stem) => control.number(key),
         "$P_F" => run.modal.feed,
         "$P_S" => run.modal.speed,
         "$P_GG" => group(run, key)?,
@@ -115,11 +171,11 @@ fn state(run: &Interpreter, key: &str) -> Option<f64> {
     })
 }
 
-/// A component of `$P_ACTFRAME`.
+/// A component of `$P_ACTFRAME` or `$P_ACTBFRAME`.
 fn total(run: &Interpreter, key: &str) -> Option<f64> {
     let (stem, index) = (stem(key), indices(key));
     let [axis, part] = index[..] else { return None };
-    let frame = run.sim.control.total_frame().filter(|_| stem == TOTAL)?;
+    let frame = together(run, stem)?;
     Some(component(&frame, axis, part)? / names::variable_factor(run, key))
 }
 
@@ -131,14 +187,15 @@ fn mask(run: &Interpreter, key: &str) -> f64 {
     } else {
         &control.global_basic
     };
-    let all: f64 = frames.keys().map(|index| 2.0_f64.powi(*index as i32)).sum();
+    let bits = frames.keys().map(|index| 2.0_f64.powi(*index as i32));
+    let all = bits.fold(0.0, |all, bit| all + bit);
     match control.data.get(key) {
         Some(Value::Number(bits)) => *bits,
         _ => all,
     }
 }
 
-/// Active G function of a group: 1 motion, 6 plane (G17 is 1), 7 compensation, 13 units (G70, G71, G700, G710), 14
+/// Active G function of a group: 1 motion, 6 plane (G17 is 1), 7 compensation, 8 zero offset (G500 is 1, G54 2), 13 units (G70, G71, G700, G710), 14
 /// absolute or incremental, 29 diameters.
 fn group(run: &Interpreter, key: &str) -> Option<f64> {
     let control = &run.sim.control;
@@ -156,6 +213,7 @@ fn group(run: &Interpreter, key: &str) -> Option<f64> {
             Compensation::Left => 2.0,
             Compensation::Right => 3.0,
         },
+        "8" => control.settable as f64 + 1.0,
         "29" => match control.transverse {
             Transverse::Radius => 1.0,
             Transverse::Diameter => 2.0,

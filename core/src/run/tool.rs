@@ -109,10 +109,7 @@ fn number(run: &Interpreter, address: &Address) -> Result<i64, Problem> {
         Datum::Number(number) => Ok(*number as i64),
         other => {
             let name = other.shown();
-            let mut tools = run.sim.control.tools.iter();
-            let found = tools
-                .find(|(_, tool)| tool.name.eq_ignore_ascii_case(&name))
-                .map(|(number, _)| *number);
+            let found = run.sim.control.tool_named(&name);
             found.ok_or_else(|| Problem::new("run-no-tool", address.span, name))
         }
     }

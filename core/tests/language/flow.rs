@@ -1,6 +1,6 @@
 //! Repeated program parts, labels and jumps.
 
-use super::{fault, number};
+use super::{fault, go, number};
 
 // oracle: manual (Job planning: label, label and end label, single block, ENDLABEL)
 #[test]
@@ -84,6 +84,47 @@ fn a_case_may_compare_texts_and_fall_through() {
     for (value, expected) in [("\"A\"", 1.0), ("\"B\"", 2.0), ("\"C\"", 3.0)] {
         assert_eq!(number(&case(value), "R1"), expected, "{value}");
     }
+}
+
+// oracle: hand: behind the word of a structure that is left by a jump nothing may stand, as it would be passed over
+#[test]
+fn what_shares_a_block_with_a_structure_is_never_passed_over() {
+    for (text, word) in [
+        ("IF R1==1\nR2=1\nELSE R2=2\nENDIF", "R2=2"),
+        ("IF R1==0\nR2=1\nELSE R2=2\nENDIF", "R2=2"),
+        ("IF R1==1\nR2=1\nENDIF R2=2", "R2=2"),
+        ("WHILE R1<2\nR1=R1+1\nENDWHILE R2=2", "R2=2"),
+        ("FOR R1=2 TO 1\nENDFOR R2=2", "R2=2"),
+        ("FOR R1=1 TO 3 R2=R2+1\nENDFOR", "R2=R2+1"),
+    ] {
+        let outcome = go(text);
+        let found = &outcome.diagnostics[0];
+        assert_eq!(found.message.key, "run-alone", "{text}");
+        let place = found.span.unwrap();
+        assert_eq!(
+            &text[place.start as usize..place.end as usize],
+            word,
+            "{text}"
+        );
+    }
+    for text in [
+        "IF R1==0 R1=3\nENDIF",
+        "WHILE R1<3 R1=R1+1\nENDWHILE",
+        "LOOP R1=R1+1\nIF R1==3 GOTOF OUT\nENDLOOP\nOUT:",
+        "N10 FOR R2=1 TO 3 ; three\nR1=R1+1\nN30 ENDFOR",
+        "REPEAT\nR1=R1+1\nUNTIL R1==3",
+    ] {
+        assert_eq!(number(text, "R1"), 3.0, "{text}");
+    }
+}
+
+// oracle: hand: what a block calls comes before its M30 or M17
+#[test]
+fn a_block_calls_before_it_ends() {
+    assert_eq!(super::messages("MSG(\"A\") M30\nMSG(\"B\")"), ["A"]);
+    let back = "SUB\nM30\n%_N_SUB_SPF\nMSG(\"A\") M17\nMSG(\"B\")";
+    assert_eq!(super::messages(back), ["A"]);
+    assert_eq!(fault("SUB M30\n%_N_SUB_SPF\nM17"), "run-alone");
 }
 
 // oracle: hand

@@ -1,6 +1,6 @@
 //! Programmed frames, frame variables, the swivel cycle.
 
-use super::{at, clean, fault, near, number, setup};
+use super::{at, clean, fault, go, near, number, setup};
 use probewright_core::catalogue::Dialect;
 use probewright_core::diagnostic::Severity;
 use probewright_core::geometry::rigid::rotation;
@@ -107,7 +107,7 @@ fn the_swivel_cycle_turns_the_part_level() {
     near(turned[0].1, 30.0, "table");
     near(turned[0].2, 0.0, "the face lies level");
     near(turned[1].2, 30.0, "and back");
-    for text in ["CYCLE800(1,\"\",0,57,0,0,0,30,0,0,0,0,0,-1)", "CYCLE800"] {
+    for text in ["CYCLE800(1,\"\",0,57,0,0,0,30,0,0,0,0,0,-1)", "CYCLE800(1)"] {
         assert_eq!(fault(text), "run-swivel", "{text}");
     }
 }
@@ -116,6 +116,7 @@ fn the_swivel_cycle_turns_the_part_level() {
 #[test]
 fn increments_count_from_the_programmed_position() {
     at("G0 X1\nTRANS X100\nX=IC(1)", [102.0, 0.0, 0.0]);
+    at("TRANS X100\nG0 X=IC(1)", [101.0, 0.0, 0.0]);
     at("G0 X1 Y2\nTRANS X100 Y7\nG91 X1", [102.0, 2.0, 0.0]);
     at("G0 X1\nG0 SUPA X5\nG91 X1", [6.0, 0.0, 0.0]);
     near(
@@ -137,6 +138,53 @@ fn units_reach_frames_and_feeds_as_they_should() {
     at("G700\n$P_UIFR[1,X,TR]=1\nG54\nG0 X0", [25.4, 0.0, 0.0]);
     at("G70\nROT Z90\nG0 X1 Y0", [0.0, 25.4, 0.0]);
     assert!(clean("G710 G0 X1").position[0] == 1.0);
+}
+
+// oracle: hand: the table stands where it stood, the coordinates are those of the machine again
+#[test]
+fn the_swivel_cycle_gives_the_plane_up() {
+    for up in ["CYCLE800()", "CYCLE800", "CYCLE800(1,\"0\",0,57)"] {
+        let text = format!(
+            "$P_UIFR[1]=CTRANS(X,5):CROT(Z,90)\nG54\nCYCLE800(1,\"\",0,57)\nR1=$P_PARTFRAME[Z,RT]\nG500\n{up}\nG0 X7 Y3\nR2=$P_PARTFRAME[Z,RT]"
+        );
+        let outcome = clean(&text);
+        assert_eq!(outcome.position, [7.0, 3.0, 0.0], "{up}");
+        assert_eq!(outcome.control.rotary, [0.0, 0.0, 90.0], "{up}");
+        near(outcome.control.number("R1"), -90.0, up);
+        near(outcome.control.number("R2"), 0.0, up);
+    }
+}
+
+// oracle: manual (function manual K2: CRPL 0 turns in the working plane, 1 to 3 about Z, Y, X; INVFRAME takes a frame back)
+#[test]
+fn frames_are_made_by_functions() {
+    at("$P_PFRAME=CRPL(0,90)\nG0 X10 Y0", [0.0, 10.0, 0.0]);
+    at("$P_PFRAME=crpl(1,90)\nG0 X10 Y0", [0.0, 10.0, 0.0]);
+    at(
+        "G19\n$P_PFRAME=CRPL(0,90)\nR1=$P_PFRAME[X,RT]\n$P_PFRAME=CTRANS()\nG17\nG0 X0 Y0 Z=R1",
+        [0.0, 0.0, 90.0],
+    );
+    for (plane, axis) in [(1, "Z"), (2, "Y"), (3, "X")] {
+        let text = format!("$P_UIFR[1]=CTRANS(X,1):CRPL({plane},30)\nR1=$P_UIFR[1,{axis},RT]");
+        near(number(&text, "R1"), 30.0, &text);
+    }
+    let back = "DEF FRAME F=CTRANS(X,5,Y,7):CROT(Z,30,X,20):CMIRROR(Y)\n$P_UIFR[1]=F:INVFRAME(F)\nG54\nG0 X1 Y2 Z3";
+    at(back, [1.0, 2.0, 3.0]);
+    for wrong in [
+        "R1=CRPL(4,30)",
+        "R1=INVFRAME(5)",
+        "$P_PFRAME=INVFRAME(CSCALE(X,2):CROT(Z,90))",
+    ] {
+        assert!(go(wrong).stop.is_some(), "{wrong}");
+    }
+    near(
+        number(
+            "$P_CHBFR[0]=CTRANS(X,5)\n$P_UIFR[1]=CTRANS(X,1)\nG54\nR1=10*$P_ACTBFRAME[X,TR]+$P_ACTFRAME[X,TR]",
+            "R1",
+        ),
+        56.0,
+        "basic frames and all",
+    );
 }
 
 /// A block that is clamped askew, its front left upper corner in the machine's zero; G56 stands there, parallel to the axes.

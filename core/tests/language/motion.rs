@@ -74,6 +74,7 @@ fn what_is_no_arc_is_told() {
         "CIP X20 I1=10 F100",
         "G2 X20 AR=360 F100",
         "SCALE X2\nG2 X20 Y0 I10 J0 F100",
+        "G2 X20 Y0 I10 J0 AR=90 F100",
     ] {
         assert_eq!(fault(text), "run-arc", "{text}");
     }
@@ -87,6 +88,8 @@ fn feeds_count_a_minute_or_a_revolution() {
     assert_eq!(feed("G95 F0.2 S1=500\nG94 F80 G1 X1"), 80.0);
     assert_eq!(findings("G95 F0.2 G1 X1"), ["run-no-feed"]);
     assert_eq!(findings("G1 X1"), ["run-no-feed"]);
+    assert_eq!(feed("F100\nG1 X1 FB=30"), 30.0);
+    assert_eq!(feed("F100\nG1 X1 FB=30\nX2"), 100.0);
 }
 
 // oracle: hand: the transverse axis by diameter (DIAMON), by diameter where it is absolute (DIAM90)
@@ -95,6 +98,8 @@ fn diameters_are_halved() {
     at("DIAMON\nG0 X20 Z5\nX=IC(4)", [12.0, 0.0, 5.0]);
     at("DIAM90\nG0 X20\nX=IC(4)", [14.0, 0.0, 0.0]);
     at("DIAMON\nDIAMOF\nG0 X20", [20.0, 0.0, 0.0]);
+    let arc = "G18 DIAMON\nG0 X20 Z0\nG2 X20 Z20 I=AC(20) K=AC(10) F100\nG0 X0 Z-50";
+    assert_eq!(go(arc).stop, None, "an absolute centre is a diameter too");
     assert_eq!(number("DIAMON\nG0 X20\nR1=$AA_IW[X]", "R1"), 20.0);
 }
 

@@ -57,6 +57,14 @@ fn a_cutting_speed_makes_the_spindle_faster_inside() {
     near(feed(text), 0.2 * 2000.0, text);
     let text = "G96 S100 F0.2 G1 X50\nG97 S500 X10";
     near(feed(text), 0.2 * 500.0, text);
+    let text = "G96 S100 F0.2 G1 X50\nG97 X10";
+    near(
+        feed(text),
+        0.2 * turns(50.0),
+        "G97 keeps the speed of the spindle",
+    );
+    let text = "G0 X50\nG96 S100 M3";
+    near(clean(text).control.spindle_speed, turns(50.0), text);
     assert_eq!(findings("G96 S100 F0.2 G1 X50\nX0"), ["run-no-feed"]);
 }
 

@@ -1,6 +1,6 @@
 //! Variables of all types, conversions, operators and functions.
 
-use super::{clean, fault, findings, messages, near, number};
+use super::{clean, fault, findings, go, messages, near, number};
 
 // oracle: manual (Job planning 03/2006, 1.9: conversions at an assignment)
 #[test]
@@ -153,6 +153,71 @@ fn texts_are_joined_and_searched() {
     }
     let text = "DEF STRING[9] T=\"ABC\"\nDEF CHAR C='!'\nT[1]='X'\nMSG(\"<\"<<T<<\">\"<<T[0]<<C<<1.50<<\" \"<<0.1+0.2<<\" \"<<AXNAME(\"Y\"))";
     assert_eq!(messages(text), ["<AXC>A!1.5 0.3 Y"]);
+}
+
+// oracle: hand: a name that looks like an address is a variable once it is declared, but never that of an axis
+#[test]
+fn a_variable_may_look_like_an_address() {
+    for (text, expected) in [
+        ("DEF INT A1=5\nA1=A1+1\nR1=A1", 6.0),
+        ("DEF REAL S1=5\nS1=7\nR1=S1", 7.0),
+        ("DEF CHAR E1\nE1=\"B\"\nR1=E1", 66.0),
+        ("DEF REAL A,U\nA=3 U=4\nR1=A*U", 12.0),
+        ("TAKE(R1)\nM30\nPROC TAKE(VAR REAL A)\nA=42\nRET", 42.0),
+    ] {
+        assert_eq!(number(text, "R1"), expected, "{text}");
+    }
+    for text in [
+        "DEF REAL X",
+        "G0 X1\nDEF INT _A,Z=3",
+        "PUT(1)\nM30\nPROC PUT(REAL Y)\nRET",
+    ] {
+        assert_eq!(fault(text), "run-axis-name", "{text}");
+    }
+    // the machine has an axis C, which stays where it is
+    let outcome = go("DEF REAL C\nC=42\nR1=C");
+    assert_eq!(outcome.diagnostics[0].message.key, "run-axis-variable");
+    assert_eq!(
+        (outcome.control.number("R1"), outcome.control.rotary[2]),
+        (42.0, 0.0)
+    );
+}
+
+// oracle: hand: what the control tells about tools, spindle and probe, and what it lets a program keep
+#[test]
+fn the_control_tells_about_itself() {
+    for (expression, expected) in [
+        ("GETT(\"mill\",1)", 20.0),
+        ("GETT(\"NOBODY\")", -1.0),
+        ("$P_TOOLEXIST[20]+10*$P_TOOLEXIST[77]", 1.0),
+        ("$P_TOOLND[20]", 2.0),
+        ("$TC_TP2[20]==\"MILL\"", 1.0),
+        ("$P_AD[3]", 50.0),
+        ("$P_MSNUM", 1.0),
+        ("$A_PROBE[1]", 0.0),
+        ("$P_CHBFRMASK", 0.0),
+        ("$P_AXN2==Y", 1.0),
+        ("$VA_IM[Z]", 50.0),
+    ] {
+        assert_eq!(
+            number(&format!("R1={expression}"), "R1"),
+            expected,
+            "{expression}"
+        );
+    }
+    assert_eq!(number("S500 M4\nR1=$AA_S[1]*10+$P_SDIR[1]", "R1"), 5004.0);
+    assert_eq!(number("G55\nR1=$P_GG[8]", "R1"), 3.0);
+    assert_eq!(
+        number(
+            "$AC_MARKER[1]=3\n$AC_PARAM[0]=$AC_MARKER[1]+0.5\nR1=$AC_PARAM[0]",
+            "R1"
+        ),
+        3.5
+    );
+    assert_eq!(
+        messages("MSG(123456789.123<<\" \"<<1/3<<\" \"<<-0.0<<\" \"<<20)"),
+        ["123456789.123 0.3333333333 0 20"]
+    );
 }
 
 // oracle: hand

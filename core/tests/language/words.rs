@@ -60,16 +60,19 @@ fn addresses_may_be_written_with_an_index() {
         "DEF AXIS WAY=(Y)\nG0 AX[WAY]=7\nAX[X]=IC(2)",
         [2.0, 7.0, 0.0],
     );
-    for told in ["SPOS[2]=45", "FA[X]=100", "DISC=50"] {
+    for told in ["SPOS[2]=45", "POS[U]=100", "DISC=50"] {
         assert!(
             findings(told).iter().all(|key| key == "run-not-simulated"),
             "{told}"
         );
         assert!(!findings(told).is_empty(), "{told}");
     }
-    assert_eq!(fault("POS[X]=IC(5) FA[X]=100"), "run-not-simulated");
     // an array of the program comes before an address of the same letter
-    let outcome = clean("DEF REAL S[3]\nS[0]=2.5 S[1]=4\nR1=S[0]+S[1]");
+    let outcome = clean(
+        "DEF REAL S[3]
+S[0]=2.5 S[1]=4
+R1=S[0]+S[1]",
+    );
     assert_eq!(outcome.control.number("R1"), 6.5);
     assert_eq!(fault("DISC=101"), "run-range");
 }
@@ -152,15 +155,17 @@ fn what_is_not_simulated_is_told() {
         ("FROBNICATE", "run-unknown-word"),
         ("FROBNICATE(1,2)", "run-unknown-word"),
         ("G777", "run-unknown-word"),
-        ("G331 Z-5 K1", "run-unknown-word"),
+        ("G5 X5", "run-unknown-word"),
+        ("G331 Z-5 K1", "run-not-simulated"),
         ("WHEN $AA_IW[Z]>10 DO M8", "run-not-simulated"),
         ("U5", "run-not-simulated"),
         ("A90", "run-not-simulated"),
-        ("M77", "run-m-function"),
+        ("M77", "run-machine-function"),
         ("L77", "run-subprogram"),
         ("X=DC(5)", "run-function"),
-        ("POS[X]=5", "run-not-simulated"),
-        ("R1=$AN_NOBODY", "run-unknown-variable"),
+        ("POS[X]=5", "run-positioning"),
+        ("POSA[U1]=5", "run-not-simulated"),
+        ("R1=$AN_NOBODY", "run-system-variable"),
     ] {
         let found = go(&format!("G0 Y1\n{text}"));
         let finding = &found.diagnostics[0];
@@ -168,5 +173,90 @@ fn what_is_not_simulated_is_told() {
         let start = finding.span.unwrap().start as usize;
         assert!((6..6 + text.len()).contains(&start), "{text}: {start}");
     }
-    assert_eq!(findings("BRISK FFWON SOFT\nG64 G602\nSTOPRE"), [""; 0]);
+}
+
+// oracle: hand: how the axes accelerate, blend and are shared between channels changes nothing that is measured
+#[test]
+fn what_changes_nothing_runs_through() {
+    for text in [
+        "BRISK FFWON SOFT\nG64 G602\nSTOPRE",
+        "G641 ADIS=0.5\nG642 ADISPOS=1",
+        "ACC[X]=50 ACC[U]=20\nVELOLIM[X]=50\nJERKLIM[C]=75\nOVR=80",
+        "FGROUP(X,Y,C)\nFGREF[A]=10\nFL[X]=3000",
+        "WAITP(U)\nWAITS(1)\nGET(B)\nRELEASE(X,B)\nGETD(Q1)",
+        "ORIWKS ORIAXES\nTRAFOOF\nTOROTOF PAROTOF",
+        "COMPCAD\nCOMPOF\nCYCLE832(0.05,3,1)\nDYNFINISH",
+        "CORROF\nCORROF(X,\"DRF\")\nDRFOF\nRTLIOF\nSTOPFIFO\nDELDTG",
+        "SPCON(1)\nSPCOF\nFRC=20",
+    ] {
+        at(&format!("{text}\nG0 X3"), [3.0, 0.0, 0.0]);
+    }
+}
+
+// oracle: hand: the axes that are here go on, what is left out is told where it stands
+#[test]
+fn what_is_left_out_leaves_the_axes_where_they_belong() {
+    for (text, told, x) in [
+        ("G75 X0", "run-not-simulated", 5.0),
+        ("G75 FP=1 X1=0", "run-not-simulated", 5.0),
+        ("G74 X1=0 C1=0", "run-not-simulated", 5.0),
+        ("G25 X1\nG26 S3000", "run-not-simulated", 5.0),
+        ("G331 Z-10 K1 S500\nG332 Z5 K1", "run-not-simulated", 5.0),
+        ("POS[U]=20 X7", "run-not-simulated", 7.0),
+        ("POS[X]=20", "run-positioning", 20.0),
+        (
+            "TRANS X1\nPOSA[X]=IC(20) F100\nWAITP(X)",
+            "run-positioning",
+            26.0,
+        ),
+        ("G1 F100 X6 POS[X]=8 FA[X]=500", "run-positioning", 8.0),
+        (
+            "G247 G41 DISR=5 X6 Y0 F100\nG40 G1 X7",
+            "run-not-simulated",
+            7.0,
+        ),
+        ("TRAORI\nX7", "run-not-simulated", 7.0),
+        (
+            "WRITE(_ERR,\"FILE\",\"text\")\nX7",
+            "run-not-simulated",
+            7.0,
+        ),
+        ("WAITM(1,1,2)\nX7", "run-not-simulated", 7.0),
+        (
+            "IDS=1 DO $AC_MARKER[1]=5\nID=2 EVERY $A_IN[1]==1 DO M8\nX7",
+            "run-not-simulated",
+            7.0,
+        ),
+        ("SETINT(1) PRIO=1 LIFTFAST\nX7", "run-not-simulated", 7.0),
+        ("TCARR=1\nTCOABS\nX7", "run-not-simulated", 7.0),
+        ("H5 X7", "run-machine-function", 7.0),
+        (
+            "M2=3 M2=30\nM70\n$A_OUT[3]=1\nX7",
+            "run-machine-function",
+            7.0,
+        ),
+    ] {
+        let outcome = go(&format!("G0 X5\n{text}"));
+        assert_eq!(outcome.stop, None, "{text}");
+        let mut keys = outcome.diagnostics.iter().map(|found| &*found.message.key);
+        assert!(
+            keys.clone().count() > 0 && keys.all(|key| key == told),
+            "{text}"
+        );
+        near(outcome.position[0], x, text);
+        assert_eq!(outcome.control.spindle_speed, 0.0, "{text}");
+    }
+    for text in [
+        "TRANSMIT\nX7",
+        "PRESETON(X,5)\nX7",
+        "ROTS X10 Y10",
+        "G58 X5",
+        "ROT Z30\nPOS[X]=7",
+    ] {
+        assert_eq!(
+            fault(&format!("G0 X5\n{text}")),
+            "run-not-simulated",
+            "{text}"
+        );
+    }
 }

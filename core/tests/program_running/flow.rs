@@ -98,7 +98,7 @@ fn unknown_words_are_told() {
             "run-unknown-word",
             "run-unknown-word",
             "run-not-simulated",
-            "run-m-function"
+            "run-machine-function"
         ]
     );
     near(outcome.end(), [1.0, 2.0, 500.0]);

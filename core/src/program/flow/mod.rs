@@ -11,6 +11,7 @@ mod structure;
 
 pub use called::{Called, called, callers, named_outside};
 pub use force::{Forces, changes};
+pub use language::is_word;
 pub use state::{Mode, State, Tool};
 
 use super::tree::{Block, Program, Word};
