@@ -193,6 +193,7 @@ sentences! {
     ARRIVES_DIFFERING 151 Note "arrives-differing" "arrives-differing-hint";
     ADVICE_OUTSIDE 152 Note "advice-outside" "advice-outside-hint";
     WRITE_VARIANT_OPEN 153 Error "write-variant-open" "write-no-list-hint";
+    MIRROR_DATUM 154 Warning "check-mirror-datum" "check-mirror-datum-hint";
 }
 
 #[cfg(all(test, feature = "cli"))]

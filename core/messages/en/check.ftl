@@ -93,6 +93,8 @@ check-knum-rotation = The global basic frame { $code } cannot take a rotation.
 check-knum-rotation-hint = Choose a settable frame or a channel basic frame.
 check-lathe-length = The probe is entered as a turning tool, and its length ends at the circumference of the ball (_CBIT[14]=1).
 check-lathe-length-hint = Set _CBIT[14]=0 and let the length end at the centre of the ball.
+check-mirror-datum = An axis is mirrored, and MD10610 is not 0: the measuring cycles are made for mirroring with MD10610=0 only.
+check-mirror-datum-hint = Measure without mirroring, or set MD10610=0.
 check-multi-probe = This measurement needs a multi probe; a mono probe switches in one direction only.
 check-multi-probe-hint = Take a multi probe: { "_PRNUM" } of two digits.
 check-angles-sum = Starting angle and all steps together make { $sum }°, more than 360°.

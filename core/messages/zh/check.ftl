@@ -93,6 +93,8 @@ check-knum-rotation = 全局基本坐标框架 { $code } 不能有旋转。
 check-knum-rotation-hint = 请选择可设定坐标框架或通道基本坐标框架。
 check-lathe-length = 测量头按车刀输入，其长度算到测球的圆周（_CBIT[14]=1）。
 check-lathe-length-hint = 请设 _CBIT[14]=0，使长度算到测球中心。
+check-mirror-datum = 有轴被镜像，而 MD10610 不为 0：测量循环只允许在 MD10610=0 时镜像。
+check-mirror-datum-hint = 请不带镜像测量，或设 MD10610=0。
 check-multi-probe = 此测量需要多向测量头；单向测量头只在一个方向触发。
 check-multi-probe-hint = 请使用多向测量头：{ "_PRNUM" } 为两位数。
 check-angles-sum = 起始角与各步之和为 { $sum }°，大于 360°。

@@ -193,6 +193,13 @@ pub fn weighting(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>
     }
 }
 
+/// Mirrored axes, which these cycles bear only with MD10610 = 0 (B:4154, B:8709). The manual names no alarm.
+pub fn mirror(control: &Control, found: &mut Vec<Diagnostic>) {
+    if control.number("MD10610") != 0.0 && (0..3).any(|axis| control.mirrored(axis)) {
+        found.push(own::MIRROR_DATUM.finding());
+    }
+}
+
 /// A coordinate system that is turned (A:15873).
 pub fn rotation(control: &Control, found: &mut Vec<Diagnostic>) {
     if control.rotated() {

@@ -18,6 +18,7 @@ const PARALLEL: f64 = 1e-12;
 /// All of them.
 pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     shared_checks::probe(inputs, control, found);
+    shared_checks::mirror(control, found);
     shared_checks::multi_probe(inputs, found);
     shared_checks::rotation_target(inputs, found);
     shared_checks::lathe_length(inputs, control, found);

@@ -11,6 +11,7 @@ use crate::own;
 /// All of them.
 pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     shared_checks::probe(inputs, control, found);
+    shared_checks::mirror(control, found);
     shared_checks::memories(inputs, control, found);
     shared_checks::rotation_target(inputs, found);
     shared_checks::lathe_length(inputs, control, found);

@@ -43,6 +43,20 @@ const PLANE: &[(&str, &str)] = &[
 ];
 
 #[test]
+fn mirrored_axes_are_doubted_where_the_machine_mirrors_otherwise() {
+    // oracle: manual B:4154, B:8709
+    let doubted = |datum: f64, mirrored: bool| {
+        let mut control = delivery(CYCLE998.dialect);
+        control.set("MD10610", datum);
+        control.program_frame.mirror[0] = mirrored;
+        let found = check(&CYCLE998, &values(&[]), &control).diagnostics;
+        found.iter().any(|one| one.code == Code::Own(154))
+    };
+    assert!(doubted(1.0, true));
+    assert!(!doubted(0.0, true) && !doubted(1.0, false));
+}
+
+#[test]
 fn mistakes_are_told() {
     // oracle: manual B:7297-7308, B:7403-7412, B:7582, A:15866-15874, A:15908 for the alarms, hand for the rest
     let (error, warning) = (Severity::Error, Severity::Warning);

@@ -289,7 +289,8 @@ pub const MACHINE_DATA: &[MachineDatum] = &[
     },
     MachineDatum {
         number: "MD10610",
-        source: "B:4154",
+        identifier: "MIRROR_REF_AX",
+        source: "B:4154;B:8709",
         ..PLAIN
     },
     MachineDatum {
