@@ -4,20 +4,13 @@ import { mkdtemp, readFile, rmdir } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
-import { open, shared } from "./browser.mjs";
-
-async function start(chrome) {
-  const opened = await open(chrome.browser, { serviceWorkers: "block" });
-  await opened.page.locator(".cm-content").waitFor();
-  await opened.page.locator(".field").first().waitFor();
-  return opened;
-}
+import { shared } from "./browser.mjs";
+import { lengthField, startWithEditor as start } from "./start.mjs";
 
 const programInput = (page) => page.locator(".panel-program input[type=file]");
 const setupInput = (page) => page.locator(".top input[type=file]");
 const file = (name, content, mimeType = "application/octet-stream") => ({ name, mimeType, buffer: Buffer.from(content) });
 const refusal = (page) => page.locator(".refusal:visible .problem");
-const lengthField = (page) => page.locator('.field:has(.unit:text-is("mm")):has([aria-required="true"]) .entry-line > .figure').first();
 
 async function saved(page, panel, name) {
   const download = page.waitForEvent("download");

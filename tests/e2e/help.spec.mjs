@@ -1,17 +1,12 @@
 // The help page of the variant in the form: opened beside it, by mouse and keys, in the language of the page.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { open, packages, shared } from "./browser.mjs";
+import { packages, shared } from "./browser.mjs";
+import { startWithCycles as start } from "./start.mjs";
 
 const panel = (page) => page.locator("#panel-help");
 const headings = (page) => panel(page).locator(".help-page h3").allTextContents();
 const first = (page) => panel(page).locator(".help-page li").first().textContent();
-
-async function start(chrome, options) {
-  const opened = await open(chrome.browser, options);
-  await opened.page.locator(".tree:not([aria-busy])").waitFor({ state: "attached" }); // all cycles are known
-  return opened;
-}
 
 async function openHelp(page) {
   await page.locator(".help-open").focus();

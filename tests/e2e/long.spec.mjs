@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, before, describe, test } from "node:test";
 import { open, shared } from "./browser.mjs";
+import { startWithEditor as start } from "./start.mjs";
 
 const CALL = "_MVAR=1 _SETVAL=132 _TNUM=20 _KNUM=2001\r\nCYCLE977\r\n";
 const BLOCK = "N10 G1 F1200 X12.345 Y-6.789\r\n";
@@ -12,13 +13,6 @@ const LONG = `${BLOCK.repeat(5000)}${CALL}${BLOCK.repeat(5000)}${CALL}${CALL}M30
 
 const rows = (page) => page.locator(".call-row");
 const chosen = (text) => ({ name: "part.mpf", mimeType: "text/plain", buffer: Buffer.from(text) });
-
-async function start(chrome) {
-  const opened = await open(chrome.browser, { serviceWorkers: "block" });
-  await opened.page.locator(".cm-content").waitFor();
-  await opened.page.locator(".field").first().waitFor();
-  return opened;
-}
 
 async function openFile(page, text) {
   await page.locator(".panel-program input[type=file]").setInputFiles(chosen(text));

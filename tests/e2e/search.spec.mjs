@@ -2,12 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { open, shared } from "./browser.mjs";
-
-async function start(chrome, options) {
-  const opened = await open(chrome.browser, options);
-  await opened.page.locator(".tree:not([aria-busy])").waitFor(); // all cycles are known
-  return opened;
-}
+import { startWithCycles as start } from "./start.mjs";
 
 async function search(page, text) {
   await page.locator("#task-search").fill(text);

@@ -1,16 +1,11 @@
 // The same task on the other control, folded under the snippet.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { open, shared } from "./browser.mjs";
+import { shared } from "./browser.mjs";
+import { startWithCycles as start } from "./start.mjs";
 
 const twin = (page) => page.locator("details.twin");
 const codes = (page) => twin(page).locator(".twin-code").allTextContents();
-
-async function start(chrome, options) {
-  const opened = await open(chrome.browser, options);
-  await opened.page.locator(".tree:not([aria-busy])").waitFor({ state: "attached" }); // all cycles are known
-  return opened;
-}
 
 describe("twin", () => {
   const chrome = shared("neither", { before, after });

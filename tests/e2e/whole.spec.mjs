@@ -1,14 +1,8 @@
 // Whole programs: the outline of their calls, doubts with their cures, and ways of writing.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { open, shared } from "./browser.mjs";
-
-async function start(chrome, options) {
-  const opened = await open(chrome.browser, { serviceWorkers: "block", ...options });
-  await opened.page.locator(".cm-content").waitFor();
-  await opened.page.locator(".field").first().waitFor();
-  return opened;
-}
+import { shared } from "./browser.mjs";
+import { keptWhen, startWithEditor as start } from "./start.mjs";
 
 async function openProgram(page, text) {
   await page.locator(".panel-program input[type=file]").setInputFiles({ name: "part.mpf", mimeType: "text/plain", buffer: Buffer.from(text) });
@@ -16,16 +10,10 @@ async function openProgram(page, text) {
   await page.locator(".call-row").first().waitFor();
 }
 
-const kept = (page) => page.evaluate(() => JSON.parse(localStorage.getItem("probewright-1") ?? "{}"));
 /** The program, once it is kept and is what is waited for. */
 async function programWhen(page, wanted) {
-  for (let tries = 0; tries < 100; tries++) {
-    const { control, programs } = await kept(page);
-    const text = programs?.[control] ?? "";
-    if (wanted(text)) return text;
-    await page.waitForTimeout(50);
-  }
-  return assert.fail(`never kept: ${wanted}`);
+  const program = ({ control, programs }) => programs?.[control] ?? "";
+  return program(await keptWhen(page, (state) => wanted(program(state))));
 }
 
 const VALUES = "_MVAR=1 _SETVAL=132 _TUL=0.03 _TLL=-0.03 _TNUM=20 _KNUM=2001 _EVNUM=0 _TZL=0.01 _TSA=1 _PRNUM=1 _VMS=0 _NMSP=1 _FA=2";

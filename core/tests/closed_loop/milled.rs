@@ -1,8 +1,8 @@
 //! Parts that a program mills: their size is what the path of the mill leaves of them, and follows the tool that the
 //! measurement corrects.
 
-use super::bench::{Values, call, near, result};
-use super::tool::machine;
+use super::bench::{call, near, result, with};
+use super::tool::{MEASURED, machine};
 use probewright_core::catalogue::Dialect;
 use probewright_core::program::read;
 use probewright_core::run::route::Route;
@@ -92,23 +92,17 @@ fn the_next_part_follows_the_corrected_mill() {
     for (variant, text, sizes) in JOBS {
         for frame in ["", "MIRROR Y0\n", "AROT Z180\n"] {
             let mut setup = machine();
-            let values: Values = vec![
+            let judged = [
                 ("_MVAR", variant),
                 ("_MA", 1.0),
                 ("_ID", -25.0),
-                ("_SETVAL", 60.0),
-                ("_SETV[0]", 60.0),
-                ("_SETV[1]", 44.0),
-                ("_FA", 4.0),
-                ("_TSA", 2.0),
-                ("_KNUM", 2001.0),
-                ("_TNUM", 20.0),
                 ("_TZL", 0.001),
                 ("_TMV", 0.01),
                 ("_TUL", 0.5),
                 ("_TLL", -0.5),
                 ("_TDIF", 0.5),
             ];
+            let values = with(&MEASURED, &judged);
             let what = format!("{variant} {frame}");
             let mut wrong = Vec::new();
             for _ in 0..2 {

@@ -18,6 +18,17 @@ const DIFFERENCE: f64 = 0.3;
 /// Radius and length of the mill in the tool memory.
 const MILL: [f64; 2] = [10.0, 80.0];
 
+/// Set sizes of the elements, the ways of the probe, and the mill as what is corrected.
+pub const MEASURED: [(&str, f64); 7] = [
+    ("_SETVAL", 60.0),
+    ("_SETV[0]", 60.0),
+    ("_SETV[1]", 44.0),
+    ("_FA", 4.0),
+    ("_TSA", 2.0),
+    ("_KNUM", 2001.0),
+    ("_TNUM", 20.0),
+];
+
 /// A measurement that corrects the mill.
 #[derive(Clone, Debug)]
 struct Job {
@@ -50,14 +61,7 @@ impl Job {
 
 /// Holes, shafts, grooves, webs, rectangles along the axes and at an angle; faces in each axis, the upper one by L1.
 fn jobs(weight: f64) -> Vec<Job> {
-    let values = vec![
-        ("_SETVAL", 60.0),
-        ("_SETV[0]", 60.0),
-        ("_SETV[1]", 44.0),
-        ("_FA", 4.0),
-        ("_TSA", 2.0),
-        ("_KNUM", 2001.0),
-        ("_TNUM", 20.0),
+    let judged = [
         ("_EVNUM", 10.0),
         ("_K", weight),
         ("_TZL", ZERO),
@@ -66,6 +70,7 @@ fn jobs(weight: f64) -> Vec<Job> {
         ("_TLL", -TOLERANCE),
         ("_TDIF", DIFFERENCE),
     ];
+    let values = with(&MEASURED, &judged);
     let radius = "$TC_DP15[20,1]";
     let element = |cycle, variant: i32, more: &[(&'static str, f64)]| Job {
         cycle,

@@ -1,0 +1,47 @@
+// What several tests begin with: the page as far as they need it, and what is kept of its work.
+import assert from "node:assert/strict";
+import { open } from "./browser.mjs";
+
+/** Where the work of the browser is kept. */
+export const STORE = "probewright-1";
+
+/** The page with its first form drawn. */
+export async function start(chrome, options) {
+  const opened = await open(chrome.browser, options);
+  await opened.page.locator(".field").first().waitFor();
+  return opened;
+}
+
+/** The page with its editor and its first form drawn; no service worker comes between. */
+export async function startWithEditor(chrome, options) {
+  const opened = await open(chrome.browser, { serviceWorkers: "block", ...options });
+  await opened.page.locator(".cm-content").waitFor();
+  await opened.page.locator(".field").first().waitFor();
+  return opened;
+}
+
+/** The page with all cycles known. */
+export async function startWithCycles(chrome, options) {
+  const opened = await open(chrome.browser, options);
+  await opened.page.locator(".tree:not([aria-busy])").waitFor({ state: "attached" });
+  return opened;
+}
+
+/** After the redraw that follows what was done last. */
+export const drawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+
+/** The work as it is kept now. */
+export const stored = (page) => page.evaluate((name) => JSON.parse(localStorage.getItem(name) ?? "{}"), STORE);
+
+/** What is kept, once it holds what is waited for. */
+export async function keptWhen(page, wanted) {
+  for (let tries = 0; tries < 100; tries++) {
+    const state = await stored(page);
+    if (wanted(state)) return state;
+    await page.waitForTimeout(50);
+  }
+  assert.fail(`never kept: ${wanted}`);
+}
+
+/** The first field that has to be filled and counts in mm. */
+export const lengthField = (page) => page.locator('.field:has(.unit:text-is("mm")):has([aria-required="true"]) .entry-line > .figure').first();
