@@ -193,6 +193,27 @@ pub fn raised_by(alarm: &Alarm) -> Vec<&'static str> {
         .collect()
 }
 
+/// Key of an alarm's words: `alarm-61303`, `nct-format-error`, `pw012`.
+pub fn key(alarm: Code) -> String {
+    match alarm {
+        Code::Alarm(number) => format!("alarm-{number}"),
+        Code::Nct(text) => {
+            let words: String = text
+                .chars()
+                .map(|c| {
+                    if c.is_ascii_alphanumeric() {
+                        c.to_ascii_lowercase()
+                    } else {
+                        '-'
+                    }
+                })
+                .collect();
+            format!("nct-{}", words.trim_end_matches('-'))
+        }
+        Code::Own(number) => format!("pw{number:03}"),
+    }
+}
+
 /// Whether the program cannot go on. A 61xxx stops it until NC RESET, a 62xxx is a message that the clear key takes
 /// away (A:15840-15948); the operator messages of the NCT macros go on with START (C:1139-1145).
 pub fn stops(code: Code) -> bool {

@@ -108,6 +108,35 @@ mod tests {
         }
     }
 
+    // oracle: another method: the singular value decomposition of the sum of products, reckoned with 40 digits
+    #[test]
+    fn the_best_motion_is_that_of_the_singular_values() {
+        let onto = [
+            [103.25, 99.5, 101.75],
+            [599.0, 130.5, 64.25],
+            [468.5, 721.75, 131.0],
+        ];
+        let turn = Matrix3::new(
+            0.997_648_908_315_996_7,
+            -0.057_740_463_711_372_95,
+            0.036_914_693_365_863_12,
+            0.058_517_593_136_133_05,
+            0.998_079_362_192_288_9,
+            -0.020_329_241_485_794_217,
+            -0.035_669_973_779_834_345,
+            0.022_441_604_582_323_558,
+            0.999_111_619_066_817_1,
+        );
+        let way = V3::new(
+            4.698_057_472_540_695,
+            -3.480_157_625_274_493_6,
+            3.293_974_166_998_907_7,
+        );
+        let found = laid(&TRIANGLE.map(V3::from), &onto.map(V3::from)).unwrap();
+        assert!((found.rotation.matrix() - turn).amax() < 1e-14);
+        assert!((found.translation.vector - way).amax() < 1e-11);
+    }
+
     // oracle: hand
     #[test]
     fn what_is_no_triangle_gives_none() {

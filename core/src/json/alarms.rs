@@ -1,7 +1,7 @@
 //! The tables of alarms and of texts for the operator as JSON: for search, and for a card that explains one.
 
-use super::{alarm_key, code, object};
-use crate::catalogue::alarms::{ALARMS, Alarm, Found, raised_by, stops};
+use super::{code, object};
+use crate::catalogue::alarms::{ALARMS, Alarm, Found, key, raised_by, stops};
 use crate::catalogue::operator_messages::{MESSAGES, OperatorMessage, shown_by};
 use serde_json::Value;
 
@@ -30,7 +30,7 @@ pub fn operator_message(message: &OperatorMessage) -> Value {
 pub fn alarm(alarm: &Alarm) -> Value {
     object([
         ("code", code(alarm.code).into()),
-        ("key", alarm_key(alarm.code).into()),
+        ("key", key(alarm.code).into()),
         ("stops", stops(alarm.code).into()),
         ("cycles", raised_by(alarm).into()),
         ("found", found(alarm.found).into()),

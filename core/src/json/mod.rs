@@ -37,7 +37,7 @@ pub use setup::from_json as setup_from_json;
 #[cfg(feature = "cli")]
 pub use setup::schema as setup_schema;
 pub use setup_write::to_json as setup_to_json;
-pub use trace::{alarm_key, outcome};
+pub use trace::outcome;
 
 use crate::catalogue::{Cycle, Dialect, Style};
 use crate::check::Typed;

@@ -5,14 +5,14 @@ use super::setup_write::plane_name;
 use super::start::start;
 use super::{Error, diagnostic, dialect, dialect_name, message, object, put, style_name, typed};
 use crate::catalogue::Style;
-use crate::check::variants;
+use crate::check::{unit_name, variants};
 use crate::control::{Control, delivery};
 use crate::diagnostic::Diagnostic;
 use crate::program::calls::{CallSite, calls as find_calls, calls_told};
 use crate::program::change::{Edit, change as edits};
 use crate::program::position::Positions;
 use crate::program::{self, tree::Program};
-use crate::run::outcome::Outcome;
+use crate::run::outcome::{Meaning, Outcome};
 use crate::run::setup::Setup;
 use crate::run::{Limits, Session};
 use serde::Deserialize;
@@ -240,12 +240,21 @@ impl Run {
     }
 }
 
+/// What a program wrote; with what it means where a call left it.
+fn result(outcome: &Outcome, name: &str, value: f64) -> Value {
+    let mut result = object([("name", name.into()), ("value", value.into())]);
+    if let Some(Meaning { key, unit }) = outcome.meanings.get(name) {
+        put(&mut result, "label", super::key(key));
+        put(&mut result, "unit", unit_name(*unit, &outcome.control));
+    }
+    result
+}
+
 /// What a program did, as a `RunView`.
 pub fn run_outcome(setup: &Setup, outcome: &Outcome, source: &[u8]) -> Value {
-    let results: Vec<Value> = outcome
-        .written()
-        .into_iter()
-        .map(|(name, value)| object([("name", name.into()), ("value", value.into())]))
+    let written = outcome.written().into_iter();
+    let results: Vec<Value> = written
+        .map(|(name, value)| result(outcome, name, value))
         .collect();
     object([
         ("trace", super::trace::trace(setup, outcome)),

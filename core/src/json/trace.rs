@@ -3,6 +3,7 @@
 use super::setup_frame::settable_name;
 use super::setup_write::{put_body, solids};
 use super::{code, message, object, put, trace_tool, trace_turned};
+use crate::catalogue;
 use crate::check::{Inputs, unit_name};
 use crate::control::Control;
 use crate::control::rotary::ROTARY;
@@ -72,8 +73,8 @@ pub(super) fn stopped(stop: &Stop) -> Value {
 
 /// An alarm that was raised.
 fn alarm(alarm: Code) -> Value {
-    let stops = crate::catalogue::alarms::stops(alarm);
-    let key = alarm_key(alarm);
+    let stops = catalogue::alarms::stops(alarm);
+    let key = catalogue::alarms::key(alarm);
     let hint = message(&Message::new(format!("{key}.cure")));
     object([
         ("code", code(alarm).into()),
@@ -81,27 +82,6 @@ fn alarm(alarm: Code) -> Value {
         ("hint", hint),
         ("stops", stops.into()),
     ])
-}
-
-/// Key of an alarm's words: `alarm-61303`, `nct-format-error`, `pw012`.
-pub fn alarm_key(alarm: Code) -> String {
-    match alarm {
-        Code::Alarm(number) => format!("alarm-{number}"),
-        Code::Nct(text) => {
-            let words: String = text
-                .chars()
-                .map(|c| {
-                    if c.is_ascii_alphanumeric() {
-                        c.to_ascii_lowercase()
-                    } else {
-                        '-'
-                    }
-                })
-                .collect();
-            format!("nct-{}", words.trim_end_matches('-'))
-        }
-        Code::Own(number) => format!("pw{number:03}"),
-    }
 }
 
 /// Everything that happened, with what is needed to draw it.

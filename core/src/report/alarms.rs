@@ -1,9 +1,9 @@
 //! An alarm as a person reads it, for the terminal and for `docs/alarms.md`.
 
-use crate::catalogue::alarms::{ALARMS, Alarm, Found, raised_by, stops};
+use crate::catalogue::alarms::{ALARMS, Alarm, Found, key, raised_by, stops};
 use crate::catalogue::operator_messages::{MESSAGES, OperatorMessage, Sender, shown_by};
 use crate::catalogue::{CYCLES, Dialect};
-use crate::json::{alarm_key, code};
+use crate::json::code;
 use crate::message::Message;
 use crate::report::markdown::line;
 use crate::words::Words;
@@ -28,7 +28,7 @@ pub struct Told {
 
 /// An alarm in words.
 pub fn told(alarm: &Alarm, words: &Words) -> Told {
-    let key = alarm_key(alarm.code);
+    let key = key(alarm.code);
     Told {
         code: code(alarm.code),
         meaning: words.key(key.clone()),

@@ -1,8 +1,9 @@
 //! The cycle reference in `docs/cycles/`: one page a cycle, written from the catalogue and the message files.
 
+use crate::catalogue::alarms;
 use crate::catalogue::{Cycle, Kind, Level, Param, ProbeUse, Range, Unit, When};
 use crate::diagnostic::Code;
-use crate::json::{alarm_key, code};
+use crate::json::code;
 use crate::message::Message;
 use crate::report::help::help;
 use crate::report::markdown::{heading, line, row};
@@ -233,7 +234,7 @@ fn alarms(text: &mut String, cycle: &Cycle, words: &Words) {
 }
 
 fn alarm_cells(alarm: Code, words: &Words) -> [String; 3] {
-    let key = alarm_key(alarm);
+    let key = alarms::key(alarm);
     let cure = words
         .find(&Message::new(format!("{key}.cure")))
         .unwrap_or_default();

@@ -7,10 +7,12 @@ use super::level::Level;
 use super::locals::Locals;
 use super::machine::Sim;
 use super::modal::Modal;
+use super::outcome::Meaning;
 use super::problem::{self, Problem};
 use super::programs::{self, Programs};
 use super::trace::Step;
 use super::{Outcome, Setup, Stop, motion, repeat, statement, subprogram};
+use crate::catalogue::alarms;
 use crate::diagnostic::{Diagnostic, Severity, Span};
 use crate::message::Message;
 use crate::program::tree::Program;
@@ -88,6 +90,8 @@ pub struct Interpreter {
     pub heavy: BTreeSet<(usize, usize)>,
     /// How often the measuring calls were carried out, by the blocks of the call of their program and of their own.
     pub calls: BTreeMap<(usize, usize), usize>,
+    /// What the results mean that the calls left.
+    pub meanings: BTreeMap<&'static str, Meaning>,
     /// How often one of them may be.
     pub most_calls: usize,
     /// Work after which the run is given up.
@@ -165,6 +169,7 @@ impl Session {
         outcome.trace = self.run.sim.trace;
         outcome.scans = self.run.sim.scans;
         outcome.diagnostics = self.run.diagnostics;
+        outcome.meanings = self.run.meanings;
         outcome
     }
 }
@@ -267,6 +272,7 @@ impl Interpreter {
             endless: Watch::default(),
             heavy: BTreeSet::new(),
             calls: BTreeMap::new(),
+            meanings: BTreeMap::new(),
             most_calls: limits.calls,
             limit: limits.steps,
             seen: BTreeSet::new(),
@@ -305,13 +311,17 @@ impl Interpreter {
 
     /// A stop of the machine, with a finding at the place that caused it.
     pub fn stopped(&mut self, stop: Stop, span: Span) -> Stop {
-        let (message, code) = match &stop {
-            Stop::Fault(message) => (message.clone(), problem::code(&message.key)),
-            Stop::Alarm(code) => (Message::new("run-alarm"), *code),
+        let (message, code, hint) = match &stop {
+            Stop::Fault(message) => (message.clone(), problem::code(&message.key), None),
+            Stop::Alarm(code) => {
+                let cure = Message::new(format!("{}.cure", alarms::key(*code)));
+                (Message::new("run-alarm"), *code, Some(cure))
+            }
         };
         let key = message.key.to_string();
         let diagnostic = Diagnostic {
             code,
+            hint,
             ..Problem { span, message }.diagnostic(Severity::Error)
         };
         if self.seen.insert((span.start, key)) {

@@ -130,10 +130,8 @@ function keptOutcome(): (state: State, derived: Derived) => Shown | null {
 function shownOutcome(state: State, derived: Derived): Shown | null {
   const run = derived.run;
   if (state.source === "program" && run) {
-    const keys = new Map(derived.cycle.results.map((one) => [one.name, one.key]));
-    const units = new Map(derived.view.outcome?.results.map((one) => [one.name, one.unit]));
     const decisions = run.trace.entries.flatMap((entry) => entry.step === "decision" ? [entry.message] : []);
-    return { ...run, decisions, results: run.results.map((one) => ({ ...one, label: keys.has(one.name) ? t(keys.get(one.name) ?? one.name) : "", unit: units.get(one.name) ?? "" })) };
+    return { ...run, decisions, results: run.results.map((one) => ({ ...one, label: one.label ? say(one.label) : "", unit: one.unit ?? "" })) };
   }
   const outcome = derived.view.outcome;
   return outcome ? { ...outcome, results: outcome.results.map((one) => ({ ...one, label: say(one.label) })) } : null;

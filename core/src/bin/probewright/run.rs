@@ -3,6 +3,7 @@
 use crate::check::print_all;
 use crate::file::{self, Problem};
 use crate::scan;
+use probewright_core::catalogue::alarms;
 use probewright_core::diagnostic::{Code, Diagnostic, Severity};
 use probewright_core::json;
 use probewright_core::message::{Message, printable};
@@ -81,7 +82,7 @@ fn print_outcome(outcome: &Outcome, words: &Words, out: &mut dyn Write) -> std::
 }
 
 fn alarm_line(alarm: Code, words: &Words) -> String {
-    let key = json::alarm_key(alarm);
+    let key = alarms::key(alarm);
     format!(
         "alarm {}: {}",
         json::code(alarm),

@@ -181,3 +181,58 @@ fn the_largest_errors_are_those_that_still_come_to_an_end() {
         (&limits[0]["low"], &limits[0]["high"])
     );
 }
+
+/// A program carried out to its end.
+fn done(request: &Value) -> Value {
+    let mut run = Run::new(&request.to_string()).unwrap();
+    while !run.advance(usize::MAX) {}
+    run.view()
+}
+
+/// A ring that is calibrated in, and a hole that is measured, on one machine.
+fn two_calls() -> Value {
+    let hole =
+        |diameter: f64, x: f64| json!({ "shape": "hole", "size": [diameter, 40], "at": [x, 0, 0] });
+    let edge = json!({ "type": 710, "length": [50, 0, 0], "radius": 3 });
+    json!({
+        "control": "sinumerik",
+        "active": { "tool": 9, "edge": 1, "frame": "G54" },
+        "tools": { "9": { "edges": { "1": edge } } },
+        "probe": { "radius": 3, "length": 50 },
+        "workpiece": [hole(80.0, 0.0), hole(60.0, 200.0)],
+        "position": [0, 0, -10],
+    })
+}
+
+// oracle: manual B:5675, B:15997-16010 (of a hole _OVR[0] is the diameter, of a calibration _OVR[12] a trigger value)
+#[test]
+fn results_of_a_program_mean_what_the_last_call_left_that_wrote_them() {
+    let text = "G17 G54 G90 T9 D1\nM6\n_PRNUM=1 _FA=4 _TSA=2 _TZL=0 _NMSP=1 _VMS=0\n\
+        _MVAR=10101 _SETVAL=80\nCYCLE976\nG0 Z50\nX200\nZ-10\n_MVAR=101 _SETVAL=60 _KNUM=0\nCYCLE977\nM30\n";
+    let request = json!({ "control": "sinumerik", "text": text, "setup": two_calls() });
+    let view = done(&request);
+    assert_eq!(view["diagnostics"], json!([]));
+    let meaning = |name: &str| {
+        let results = view["results"].as_array().unwrap();
+        let found = results.iter().find(|one| one["name"] == name).unwrap();
+        (found["label"]["key"].clone(), found["unit"].clone())
+    };
+    assert_eq!(meaning("_OVR[0]"), (json!("result-set-size"), json!("mm")));
+    assert_eq!(
+        meaning("_OVR[12]"),
+        (json!("result-trigger-minus-ordinate"), json!("mm"))
+    );
+    assert_eq!(meaning("_SETVAL"), (Value::Null, Value::Null));
+}
+
+// oracle: self (the place of the call, and the cure of the alarm as `probewright alarms` tells it)
+#[test]
+fn an_alarm_of_a_program_is_told_at_its_call_with_what_to_do() {
+    let text = "G17 G54 G90 T9 D1\nM6\n_MVAR=101 _SETVAL=90 _KNUM=0 _PRNUM=1 _FA=4 _TSA=2\n  CYCLE977\nM30\n";
+    let request = json!({ "control": "sinumerik", "text": text, "setup": two_calls() });
+    let view = done(&request);
+    let told = view["diagnostics"].as_array().unwrap();
+    let alarm = told.iter().find(|one| one["code"] == "61302").unwrap();
+    assert_eq!((&alarm["line"], &alarm["column"]), (&json!(4), &json!(3)));
+    assert_eq!(alarm["hint"]["key"], "alarm-61302.cure");
+}
