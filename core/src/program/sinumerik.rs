@@ -80,7 +80,10 @@ fn short(reader: &mut Reader) -> Parsed<()> {
             .iter()
             .all(|byte| is_digit(*byte));
     if whole
-        && matches!(reader.byte(0), b'=' | b' ' | b'\t' | b':' | b'(' | b'_')
+        && matches!(
+            reader.byte(0),
+            b'=' | b' ' | b'\t' | b':' | b'(' | b'[' | b'_'
+        )
         && let Some(done) = extended(reader, start, name, value)
     {
         return done;
@@ -117,7 +120,8 @@ fn short(reader: &mut Reader) -> Parsed<()> {
     Ok(())
 }
 
-/// A letter with a whole number that is a name or an extension: `S1=500`, `R10=`, `L10(…)`, `A1:`. None: it is a value.
+/// A letter with a whole number that is a name or an extension: `S1=500`, `R10=`, `L10(…)`, `A1:`, `A1[2]=`. None: it is a
+/// value.
 fn extended(reader: &mut Reader, start: usize, letter: Span, number: f64) -> Option<Parsed<()>> {
     let behind = reader.at;
     let label =
@@ -126,7 +130,7 @@ fn extended(reader: &mut Reader, start: usize, letter: Span, number: f64) -> Opt
     if label {
         return Some(finish_label(reader, start, name));
     }
-    if in_name(reader.byte(0)) {
+    if in_name(reader.byte(0)) || reader.byte(0) == b'[' {
         reader.at = start;
         return Some(named(reader));
     }

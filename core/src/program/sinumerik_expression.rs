@@ -7,7 +7,7 @@ use super::bytes::{is_digit, starts_name};
 use super::expression::{Strength, expression, unary};
 use super::keyword::{self, Keyword};
 use super::number;
-use super::reader::{Node, Parsed, Reader};
+use super::reader::{Expect, Node, Parsed, Reader};
 use super::tree::{Expr, ExprId, Operator};
 use crate::catalogue::Dialect::Sinumerik;
 use crate::own;
@@ -147,12 +147,18 @@ fn named(reader: &mut Reader) -> Parsed<Node> {
     reader.push(Expr::Name { name, index }, height + 1)
 }
 
-/// `[1,X,TR]`, if there is one, with the height of its tallest element.
+/// `[1,X,TR]`, if there is one, with the height of its tallest element. A parameter may leave its size open: `REAL F[]`.
 pub(super) fn index(reader: &mut Reader) -> Parsed<(Box<[ExprId]>, u16)> {
     if reader.byte(0) != b'[' {
         return Ok((Box::default(), 0));
     }
     reader.at += 1;
+    let open = reader.expect == Expect::Parameters && reader.take(b']');
+    if open {
+        let span = reader.from(reader.at);
+        let one = reader.push(Expr::Omitted(span), 1)?;
+        return Ok(([one.id].into(), one.height));
+    }
     let (index, height) = list(reader, b']')?;
     if index.is_empty() || index.len() > 3 {
         Err(&own::SYNTAX_INDEX)

@@ -8,7 +8,7 @@ use super::problem::Problem;
 use super::{macro_variables, system};
 use crate::catalogue::{CYCLES, Dialect};
 use crate::control::rotary::is_angle;
-use crate::control::{Frame, arrays, gud, machine_data};
+use crate::control::{Frame, Value, arrays, gud, machine_data};
 use crate::diagnostic::{Severity, Span};
 use crate::program::tree::ExprId;
 use std::collections::BTreeMap;
@@ -159,6 +159,10 @@ fn write_one(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Re
         return write_variable(run, key, value, place);
     }
     let before = read(run, key, place)?.number().unwrap_or(0.0);
+    let holds_text = gud::find(stem(key)).is_some_and(gud::Gud::text);
+    if holds_text != matches!(stored, Value::Text(_)) {
+        return Err(Problem::new("run-type", place, key));
+    }
     run.sim.control.data.insert(key.to_owned(), stored);
     if let Some(after) = value.number() {
         run.note_set(key, before, after);

@@ -33,6 +33,8 @@ fn a_variable_keeps_its_type() {
         ("DEF STRING[3] T\nT=\"ABCD\"", "run-text-long"),
         ("DEF STRING[3] T\nT=1", "run-type"),
         ("DEF FRAME F\nF=1", "run-type"),
+        ("R1=\"5\"", "run-type"),
+        ("_SETV[0]=1<<\"\"", "run-type"),
         ("DEF REAL A[2]\nA[2]=1", "run-index"),
         ("R1=1EX300*1EX300", "run-range"),
     ] {
@@ -161,6 +163,8 @@ fn a_variable_may_look_like_an_address() {
     for (text, expected) in [
         ("DEF INT A1=5\nA1=A1+1\nR1=A1", 6.0),
         ("DEF REAL S1=5\nS1=7\nR1=S1", 7.0),
+        ("DEF REAL T1[3]\nT1[2]=7\nR1=T1[2]", 7.0),
+        ("DEF FRAME F1=CTRANS(X,1)\nF1[X,TR]=2\nR1=F1[X,TR]", 2.0),
         ("DEF CHAR E1\nE1=\"B\"\nR1=E1", 66.0),
         ("DEF REAL A,U\nA=3 U=4\nR1=A*U", 12.0),
         ("TAKE(R1)\nM30\nPROC TAKE(VAR REAL A)\nA=42\nRET", 42.0),
