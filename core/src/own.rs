@@ -194,6 +194,7 @@ sentences! {
     ADVICE_OUTSIDE 152 Note "advice-outside" "advice-outside-hint";
     WRITE_VARIANT_OPEN 153 Error "write-variant-open" "write-no-list-hint";
     MIRROR_DATUM 154 Warning "check-mirror-datum" "check-mirror-datum-hint";
+    ROTARY_ACROSS 155 Warning "check-rotary-across" "check-rotary-across-hint";
 }
 
 #[cfg(all(test, feature = "cli"))]

@@ -66,4 +66,6 @@ check-angle-reach-worst = An angle that differs by the whole safe area, { $area 
 check-angle-paraxial = From point to point the set surface rises by { $rise } mm, more than the whole measuring path of { $path } mm.
 check-angle-paraxial-hint = Choose _FA above { $needed } mm, or a variant that travels along the angle.
 check-rotary-axis = The channel axis { $axis } has no name or is no rotary axis.
+check-rotary-across = This rotary axis does not turn about the direction about which the angle is measured, so that it cannot take the angle back.
+check-rotary-across-hint = Name the rotary axis that turns in the plane of both axes of _MA, or 0 to turn the coordinate system.
 check-rotary-axis-hint = Enter the number of the rotary axis in the channel, or 0 to turn the coordinate system. Which axes there are stands in MD 20080 and MD 30300.

@@ -66,4 +66,6 @@ check-angle-reach-worst = 相差整个安全区 { $area }° 的角度在下一�
 check-angle-paraxial = 点与点之间设定表面升高 { $rise } mm，大于整个测量行程 { $path } mm。
 check-angle-paraxial-hint = 请把 _FA 选得大于 { $needed } mm，或选沿角度移动的测量方式。
 check-rotary-axis = 通道轴 { $axis } 没有名称，或不是回转轴。
+check-rotary-across = 此回转轴不是绕所测角度的方向旋转，因此无法补偿该角度。
+check-rotary-across-hint = 请给出在 _MA 两轴所在平面内旋转的回转轴，或输入 0 旋转坐标系。
 check-rotary-axis-hint = 请输入回转轴在通道中的号，或输入 0 旋转坐标系。有哪些轴由 MD 20080 和 MD 30300 给出。

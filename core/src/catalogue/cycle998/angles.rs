@@ -5,6 +5,7 @@
 use super::params::ONE;
 use crate::catalogue::names;
 use crate::check::Inputs;
+use crate::control::Control;
 use nalgebra::{Rotation3, Vector3};
 
 /// A way from the first point to another one.
@@ -76,10 +77,18 @@ impl Surface {
     pub fn third(&self) -> usize {
         3 - self.measuring - self.legs.first().map_or(0, |leg| leg.axis)
     }
+
+    /// Cosine between the direction about which a single angle turns and that of a rotary axis as the table stands: 1
+    /// where they turn alike, -1 against each other, as where the WCS is mirrored or upside down.
+    pub fn alike(&self, control: &Control, rotary: usize) -> f64 {
+        let (axes, third) = (control.plane.axes(), self.third());
+        let about = control.turn_axis(axes[(third + 1) % 3], axes[(third + 2) % 3]);
+        Vector3::from(about).dot(&Vector3::from(control.rotary_direction(rotary)))
+    }
 }
 
 fn one_of(digit: i64) -> Option<usize> {
-    (1..=3).contains(&digit).then_some(digit as usize - 1)
+    (1..=3).contains(&digit).then(|| digit as usize - 1)
 }
 
 /// Normal of a plane that is turned about abscissa and ordinate by these angles, as both are seen along the axes:

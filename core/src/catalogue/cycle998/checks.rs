@@ -1,5 +1,6 @@
 //! What several values of CYCLE998 say together.
 
+use super::angles::Surface;
 use super::params::{AT_ANGLE, DIFFERENTIAL, ONE};
 use crate::catalogue::{names, shared_checks};
 use crate::check::{Inputs, error};
@@ -7,6 +8,9 @@ use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::message::Message;
 use crate::own;
+
+/// Cosine of 1 degree: a rotary axis that is no nearer to the direction about which the angle turns cannot take it.
+const ALIKE: f64 = 0.9998;
 
 /// All of them.
 pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
@@ -118,9 +122,14 @@ fn rotary_axis(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) 
     let Some(axis) = inputs.given(names::RA).filter(|axis| *axis > 0.0) else {
         return;
     };
-    if control.rotary_channel_axis(axis as i64).is_none() {
+    let Some(rotary) = control.rotary_channel_axis(axis as i64) else {
         let message = Message::new("check-rotary-axis").number("axis", axis);
         let hint = Message::new("check-rotary-axis-hint");
         found.push(error(Code::Alarm(61329), message).hint(hint).at(names::RA));
+        return;
+    };
+    let alike = |surface: Surface| surface.alike(control, rotary).abs() > ALIKE;
+    if ONE.holds(inputs) && !Surface::of(inputs).is_none_or(alike) {
+        found.push(own::ROTARY_ACROSS.finding().at(names::RA));
     }
 }

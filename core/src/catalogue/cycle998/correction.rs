@@ -52,7 +52,7 @@ impl Correction {
         let control = machine.control();
         let amount = match (&self.target, self.rotary) {
             (Some(target), None) => seen_wrong(control, target, surface, wrong),
-            (_, Some(axis)) => wrong * sense(control, surface, axis),
+            (_, Some(axis)) => wrong * 1.0_f64.copysign(surface.alike(control, axis)),
             _ => wrong,
         };
         results::angle(machine, 20, amount);
@@ -112,15 +112,6 @@ fn seen_wrong(control: &Control, target: &Target, surface: &Surface, wrong: f64)
     let angle = leg.sense * up.atan2(along).to_degrees() - leg.set;
     // an edge has no beginning: turned by 180 degree it is the same
     angle - 180.0 * (angle / 180.0).round()
-}
-
-/// Whether a positive angle of the WCS is one of the rotary axis too, or a negative one, where the WCS is mirrored or
-/// upside down.
-fn sense(control: &Control, surface: &Surface, rotary: usize) -> f64 {
-    let axes = control.plane.axes();
-    let third = surface.third();
-    let about = control.turn_axis(axes[(third + 1) % 3], axes[(third + 2) % 3]);
-    if about[rotary] < 0.0 { -1.0 } else { 1.0 }
 }
 
 /// A rotation about an axis of the plane, degree.

@@ -9,7 +9,7 @@ use crate::catalogue::sinumerik::testing::{
 use crate::check::Inputs;
 use crate::control::{Control, Frame, Plane};
 use crate::geometry::V3;
-use crate::geometry::rigid::angles;
+use crate::geometry::rigid::{angles, rotation};
 use crate::run::machine::Sim;
 use crate::run::{Setup, Stop};
 use crate::workpiece::{PartErrors, Shape, Solid};
@@ -250,6 +250,30 @@ proptest! {
         mirrors[0] = mirror == 1;
         let mut setup = mirrored(mirrors, Plane::G17, &inputs, turned, &[wrong]);
         setup.control.rotary_centre = setup.workpiece.solids[0].at;
+        let mut sim = Sim::new(&setup);
+        prop_assert_eq!(run(&mut sim, &inputs), Ok(()));
+        close(&sim, "_OVR[16]", wrong);
+        sim.control.activate(1);
+        let there = sim.control.rotary_to_machine(2, 0.0);
+        table_at(&mut sim, there);
+        sim.position = setup.position;
+        prop_assert_eq!(run(&mut sim, &inputs), Ok(()));
+        close(&sim, "_OVR[16]", 0.0);
+    }
+
+    /// So it does on a table that another one carries upside down.
+    #[test]
+    fn a_carried_table_turns_right(wrong in -9.0..9.0_f64, upside in any::<bool>()) {
+        let mut inputs = inputs(105, 102, [0.0; 2]);
+        inputs.numbers.insert("_RA", 4.0);
+        let mut setup = ready(Plane::G17, &inputs, [0.0; 3], &[wrong]);
+        setup.control.rotary_centre = setup.workpiece.solids[0].at;
+        let under = if upside { 180.0 } else { 0.0 };
+        setup.control.rotary[0] = under;
+        // as it is clamped, before the carrying table turned
+        let part = &mut setup.workpiece.solids[0];
+        let clamped = rotation([under, 0.0, 0.0]) * rotation(part.rotation);
+        part.rotation = angles(&clamped);
         let mut sim = Sim::new(&setup);
         prop_assert_eq!(run(&mut sim, &inputs), Ok(()));
         close(&sim, "_OVR[16]", wrong);

@@ -43,6 +43,32 @@ const PLANE: &[(&str, &str)] = &[
 ];
 
 #[test]
+fn a_rotary_axis_that_turns_otherwise_is_doubted() {
+    // oracle: hand (a table C turns about Z, so it takes angles between X and Y only; carried by a table A at 90 degree it
+    // turns about Y, and those between X and Z)
+    use crate::control::Plane::{G17, G18, G19};
+    let doubted = |plane, axes: &str, tilted: f64| {
+        let mut control = delivery(CYCLE998.dialect);
+        control.plane = plane;
+        control.rotary[0] = tilted;
+        let found = check(&CYCLE998, &values(&[("_MA", axes), ("_RA", "4")]), &control);
+        found
+            .diagnostics
+            .iter()
+            .any(|one| one.code == Code::Own(155))
+    };
+    let across = [(G17, "103"), (G17, "203"), (G18, "102"), (G19, "201")];
+    let alike = [(G17, "102"), (G17, "201"), (G18, "203"), (G19, "103")];
+    assert!(
+        across
+            .iter()
+            .all(|(plane, axes)| doubted(*plane, axes, 0.0))
+    );
+    assert!(!alike.iter().any(|(plane, axes)| doubted(*plane, axes, 0.0)));
+    assert!(doubted(G17, "102", 90.0) && !doubted(G17, "103", 90.0));
+}
+
+#[test]
 fn mirrored_axes_are_doubted_where_the_machine_mirrors_otherwise() {
     // oracle: manual B:4154, B:8709
     let doubted = |datum: f64, mirrored: bool| {
@@ -73,7 +99,7 @@ fn mistakes_are_told() {
         (&[("_ID", "2")], Some((warning, own(7), "_ID"))),
         (&[("_MA", "2")], Some((error, alarm(61325), "_MA"))),
         (&[("_MA", "101")], Some((error, alarm(61325), "_MA"))),
-        (&[("_MA", "203")], None),
+        (&[("_MA", "203"), ("_RA", "0")], None),
         (&[("_KNUM", "1051")], Some((error, alarm(61321), "_KNUM"))),
         (&[("_SETVAL", "")], Some((error, own(1), "_SETVAL"))),
         (
@@ -82,7 +108,7 @@ fn mistakes_are_told() {
         ),
         (&[("_MVAR", "1105")], None),
         (
-            &[("_MVAR", "1105"), ("_MA", "203")],
+            &[("_MVAR", "1105"), ("_MA", "203"), ("_RA", "0")],
             Some((error, alarm(61325), "_MA")),
         ),
         (
