@@ -62,16 +62,16 @@ test("zooming keeps what is under the pointer, panning follows the pointer", () 
   near([panned.x - before.x, panned.y - before.y], [40, -25]);
 });
 
-// oracle: hand (the tighter direction fills its room exactly)
-test("fitting shows the whole box, centred and as large as it may be", () => {
+// oracle: hand (the tighter direction fills its room exactly; what is covered at the left is no room)
+for (const covered of [0, 150]) test(`fitting shows the whole box, as large as it may be in the middle of what is right of ${covered}`, () => {
   const box = { min: [100, -20, 5], max: [180, 40, 25] };
-  const fitted = camera.fit(camera.turn(camera.initial(), "iso"), view, box, 0.1);
+  const fitted = camera.fit(camera.turn(camera.initial(), "iso"), view, box, covered);
   const corners = vec.boxCorners(box).map(camera.projector(fitted, view));
   const span = (values) => [Math.min(...values), Math.max(...values)];
   const [left, right] = span(corners.map(({ x }) => x));
   const [top, bottom] = span(corners.map(({ y }) => y));
-  near([left + right, top + bottom], [view.width, view.height], 1e-6);
-  near([Math.max((right - left) / view.width, (bottom - top) / view.height)], [0.8], 1e-9);
+  near([left + right, top + bottom], [view.width + covered, view.height], 1e-6);
+  near([Math.max((right - left) / (view.width - covered), (bottom - top) / view.height)], [0.8], 1e-9);
 });
 
 // oracle: hand (a closed surface has no net area in any direction; the divergence theorem gives its volume)

@@ -19,7 +19,7 @@ async function start(chrome, options) {
   return opened;
 }
 
-const status = (page) => page.locator("#page-scan [role=status]");
+const status = (page) => page.locator("#page-scan > p[role=status]");
 
 async function scan(page) {
   await page.locator("#page-scan button.primary").click();
@@ -55,7 +55,7 @@ describe("scanning a surface", () => {
     assert.match(program, /^%\nO1000\n/);
     assert.match(program, /G1 Z-?\d+\.\d{3} F120\.000\n/);
     await set(page, "Q", "5");
-    await page.waitForFunction(() => /changed/.test(document.querySelector("#page-scan [role=status]").textContent));
+    await page.waitForFunction(() => /changed/.test(document.querySelector("#page-scan > p[role=status]").textContent));
     assert.deepEqual(problems, []);
     await context.close();
   });
@@ -75,7 +75,7 @@ describe("scanning a surface", () => {
       assert.ok(sent <= 0.0101, `${name}: ${sent}`); // F120: 0.01 mm (C:1320)
     }
     await page.locator("#page-scan input[type=file]").setInputFiles({ name: "text.png", mimeType: "image/png", buffer: Buffer.from("no picture") });
-    await page.waitForFunction(() => /neither/.test(document.querySelector("#page-scan [role=status]").textContent));
+    await page.waitForFunction(() => /neither/.test(document.querySelector("#page-scan > p[role=status]").textContent));
     assert.deepEqual(problems, []);
     await context.close();
   });
@@ -86,12 +86,42 @@ describe("scanning a surface", () => {
     await set(page, "J", "0.05");
     await set(page, "R", "0.05");
     await page.locator("#page-scan button.primary").click();
-    await page.waitForFunction(() => Number(document.querySelector("#page-scan progress").value) > 0.001, undefined, { timeout: 60_000 });
+    await page.waitForFunction(() => Number(document.querySelector("#page-scan [data-work=scan-scanning] progress").value) > 0.001, undefined, { timeout: 60_000 });
     await set(page, "R", "2");
     await page.waitForFunction(() => /R2/.test(document.querySelector(".snippet").textContent));
     await page.locator("#page-scan").getByRole("button", { name: "Stop" }).click();
-    await page.locator("#page-scan progress").waitFor({ state: "hidden" });
+    await page.locator("#page-scan [data-work=scan-scanning] progress").waitFor({ state: "hidden" });
     assert.equal(await page.locator(".scan-result").isHidden(), true);
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: hand: what was stopped leaves the points as they were; what was made once is there at once
+  test("taking the ball out tells that it works and can be stopped", async () => {
+    const { context, page, problems } = await start(chrome);
+    await page.evaluate(() => { // a worker that takes long: it hears the question when it is told to
+      const send = Worker.prototype.postMessage;
+      Worker.prototype.postMessage = function post(data, ...more) {
+        if (data?.cloud === "surface") globalThis.goOn = () => send.call(this, data, ...more);
+        else send.call(this, data, ...more);
+      };
+    });
+    await scan(page);
+    const work = page.locator('.activity[data-work="scan-taking"]');
+    const [sent, surface] = ["sent", "surface"].map((name) => page.locator(`#scan-shown-${name}`));
+    await surface.check();
+    await work.getByRole("button", { name: "Stop" }).click();
+    await work.waitFor({ state: "hidden" });
+    assert.ok(await sent.isChecked());
+    await surface.check();
+    await work.waitFor();
+    await page.evaluate(() => globalThis.goOn());
+    await work.waitFor({ state: "hidden" });
+    assert.ok(await surface.isChecked());
+    await page.evaluate(() => { globalThis.goOn = null; });
+    await sent.check();
+    await surface.check();
+    assert.equal(await page.evaluate(() => globalThis.goOn), null, "nothing is asked again");
     assert.deepEqual(problems, []);
     await context.close();
   });

@@ -36,10 +36,17 @@ impl Scan {
         json::text(&self.0.view())
     }
 
-    /// Four numbers a point: X Y Z from the origin of the view, and the deviation from the true surface, mm.
+    /// Of the points `from` to `to` (excluded), four numbers each: X Y Z from the origin of the view, and the deviation from
+    /// the true surface, mm.
     #[must_use]
-    pub fn cloud(&self, surface: bool) -> Vec<f32> {
-        self.0.cloud(surface)
+    pub fn cloud(&self, surface: bool, from: u32, to: u32) -> Vec<f32> {
+        self.0.cloud(surface, from as usize..to as usize)
+    }
+
+    /// The turn of each point when they are drawn.
+    #[must_use]
+    pub fn turns(&self) -> Vec<u32> {
+        self.0.turns()
     }
 
     /// Text of the points `from` to `to` (excluded): `program`, `points` or `surface`.

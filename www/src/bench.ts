@@ -13,7 +13,7 @@ import type { Scanner } from "./scan/scanner";
 import { programOf, type State, type Stopped } from "./state";
 import type { Store } from "./store";
 import { language, t } from "./texts";
-import { createActivity } from "./views/activity";
+import { createActivity, type Activity } from "./views/activity";
 import { createCard } from "./views/card";
 import { createForm } from "./views/form";
 import { createFound } from "./views/found";
@@ -59,7 +59,11 @@ export function createBench({ catalogue, store, actions, open, opening, laying, 
   const sliders = el("aside", { class: "sliders", "aria-label": t("sliders-title") });
   panels.results.append(results, sliders);
   const program = createProgram(panels.program, store, actions, open.program, editor);
-  const activities = [fetching(store, opening), showing(store, laying), reading(store, reader), running(store, runner)] as const;
+  const activities = [
+    fetching(store, opening), ofProgram(store, "laying", "stoppedLaying", laying),
+    ofProgram(store, "reading", "stoppedReading", { busy: reader.busy, stop: reader.stop }), // only a run can wait
+    ofProgram(store, "running", "stoppedRun", runner, (state) => state.source === "program"),
+  ] as const;
   const refusals = [createRefusal(store, "program"), createRefusal(store, "setup")] as const;
   const sets = createSets(actions);
   const card = createCard(actions);
@@ -98,30 +102,12 @@ function fetching(store: Store, opening: Job) {
   return createActivity("opening", { busy: opening.busy, stopped: () => null, stop, again: stop });
 }
 
-function showing(store: Store, laying: Job) {
-  return createActivity("laying", {
-    busy: laying.busy,
-    stopped: (state) => isCurrent(state.stoppedLaying, state) ? state.stoppedLaying : null,
-    stop: () => { laying.stop(); store.update((state) => ({ stoppedLaying: stopped(state) })); },
-    again: () => store.update({ stoppedLaying: null }),
-  });
-}
-
-function reading(store: Store, reader: Aside) {
-  return createActivity("reading", {
-    busy: reader.busy,
-    stopped: (state) => isCurrent(state.stoppedReading, state) ? state.stoppedReading : null,
-    stop: () => { reader.stop(); store.update((state) => ({ stoppedReading: stopped(state) })); },
-    again: () => store.update({ stoppedReading: null }),
-  });
-}
-
-function running(store: Store, runner: Aside) {
-  return createActivity("running", {
-    busy: runner.busy,
-    halt: runner.halt,
-    stopped: (state) => state.source === "program" && isCurrent(state.stoppedRun, state) ? state.stoppedRun : null,
-    stop: () => { runner.stop(); store.update((state) => ({ stoppedRun: stopped(state) })); },
-    again: () => store.update({ stoppedRun: null }),
+/** Work on the text of the program. Once it is stopped nothing is asked about that text any more. */
+function ofProgram(store: Store, name: string, kept: "stoppedLaying" | "stoppedReading" | "stoppedRun", work: Pick<Activity, "busy" | "stop" | "halt">, counts = (_: State): boolean => true) {
+  return createActivity(name, {
+    ...work,
+    stopped: (state) => counts(state) && isCurrent(state[kept], state) ? state[kept] : null,
+    stop: () => { work.stop(); store.update((state) => ({ [kept]: stopped(state) })); },
+    again: () => store.update({ [kept]: null }),
   });
 }

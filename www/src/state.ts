@@ -58,6 +58,7 @@ export interface State {
   focus: string | null;
   step: number;
   playing: boolean;
+  speed: number;                                     // of playing
   cursor: number;                                    // in the program
   cursorLine: number;                                // from 1
   notice: string;                                    // key of a short confirmation
@@ -82,17 +83,20 @@ export const NO_ERRORS: ErrorSliders = {
 /** Step of a trace that stands for its last: everything done, all touches to be seen. */
 export const AT_END = Number.MAX_SAFE_INTEGER;
 
+/** How fast motions are played; at the highest a run of a thousand calls takes two minutes. */
+export const SPEEDS = [0.5, 1, 2, 5, 20, 100];
+
 export function firstState(): State {
   return {
     control: "sinumerik", cycle: "", values: {}, remembered: {}, programs: {}, files: {}, sets: {}, open: null, pending: [],
     errors: NO_ERRORS, comments: true, twin: false, style: "", setup: null, own: {}, checked: false, touched: {}, source: "form", diameters: false,
     panel: "form", left: "form", right: "results", tab: "outcome", theme: "system", language: "", unfolded: {}, outline: true,
-    search: "", limits: false, card: null, converting: null, converted: null, mended: null, focus: null, step: AT_END, playing: false, cursor: 0, cursorLine: 1, notice: "",
+    search: "", limits: false, card: null, converting: null, converted: null, mended: null, focus: null, step: AT_END, playing: false, speed: 1, cursor: 0, cursorLine: 1, notice: "",
     reading: null, ran: null, sought: null, follow: null, stoppedLaying: null, stoppedReading: null, stoppedRun: null, refused: null, scan: null, scanProblem: "", undo: null,
   };
 }
 
-const NOT_KEPT = ["search", "limits", "card", "converting", "converted", "mended", "focus", "step", "playing", "cursor", "cursorLine", "notice", "reading", "ran", "sought", "follow", "stoppedLaying", "stoppedReading", "stoppedRun", "refused", "scan", "scanProblem", "undo"] as const satisfies (keyof State)[];
+const NOT_KEPT = ["search", "limits", "card", "converting", "converted", "mended", "focus", "step", "playing", "speed", "cursor", "cursorLine", "notice", "reading", "ran", "sought", "follow", "stoppedLaying", "stoppedReading", "stoppedRun", "refused", "scan", "scanProblem", "undo"] as const satisfies (keyof State)[];
 /** What a replacement of work can take away. */
 const WORK = ["control", "cycle", "values", "remembered", "programs", "files", "sets", "open", "pending", "errors", "setup", "own", "checked", "touched"] as const satisfies (keyof State)[];
 const IN_LINK = ["control", "cycle", "values", "programs", "open", "errors", "comments", "style", "setup", "own", "checked", "source"] as const satisfies (keyof State)[];

@@ -158,7 +158,9 @@ export type Step =
   | { step: "call"; cycle: string; variant: number }
   | { step: "return" };
 // ball.stylus: radius above the ball; body: what holds it, where that is known, and the distance of its lower face. tools: whatever was in use; inUse: which of them from which entry on, absent: a ball that stands upright. zones: walls of protection zones, as shaft, web or island; shown, not touched. limits: the part with the largest errors on both sides.
-export interface Trace { entries: (Step & { line?: number })[]; ball: Ball; tools?: ToolView[]; inUse?: [from: number, tool: number][]; turning?: boolean; drawing?: Drawing; solids: Solid[]; toolProbes?: Solid[]; zones?: Solid[]; limits?: Solid[]; frames: { name: string; at: Vec3; axes: [Vec3, Vec3, Vec3] }[] }
+/** A coordinate system, by the name of its zero offset; `moved`: by a correction. */
+export interface FrameView { name: string; at: Vec3; axes: [Vec3, Vec3, Vec3]; moved?: "before" | "after" }
+export interface Trace { entries: (Step & { line?: number })[]; ball: Ball; tools?: ToolView[]; inUse?: [from: number, tool: number][]; turning?: boolean; drawing?: Drawing; solids: Solid[]; toolProbes?: Solid[]; zones?: Solid[]; limits?: Solid[]; frames: FrameView[] }
 export interface Ball { radius: number; length: number; stylus?: number; body?: { radius: number; distance: number } }
 /** What is in use, from the position of the machine on: the ball of the probe or the pieces of a tool. */
 export interface ToolView {

@@ -12,6 +12,7 @@ use crate::workpiece::free::{FreeSurface, Heights, stl_triangles};
 use crate::workpiece::{Shape, Solid};
 use serde::Deserialize;
 use serde_json::Value;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Most triangles of a surface that is only looked at.
@@ -129,34 +130,39 @@ impl Scan {
         ])
     }
 
-    /// Four numbers a point: X Y Z from the origin in machine coordinates, and its deviation from the true surface, mm.
-    /// `surface`: of the points of the surface under the ball, else of those that are sent. Not in the order of the scan: the
-    /// first ones are spread evenly over all, so that they show it where not all are drawn.
-    pub fn cloud(&self, surface: bool) -> Vec<f32> {
+    /// Of these points, in the order of the scan, four numbers each: X Y Z from the origin in machine coordinates, and the
+    /// deviation from the true surface, mm. `surface`: of the points of the surface under the ball, else of those that are sent.
+    pub fn cloud(&self, surface: bool, points: Range<usize>) -> Vec<f32> {
         let Ok(session) = &self.session else {
             return Vec::new();
         };
         let origin = self.origin();
         let (cloud, layout) = (session.cloud(), session.layout());
         let deviations = session.deviations();
-        let mut numbers = vec![0.0; 4 * deviations.len()];
-        // reckoned in the order of the scan, as each point asks for its neighbours
-        for (index, turn) in turns(deviations.len()).into_iter().enumerate() {
+        let numbers = |index: usize| {
             let point = if surface {
                 cloud.surface(layout, index).into()
             } else {
                 cloud.points().get(index).copied().unwrap_or_default()
             };
             let [x, y, z] = session.to_machine(point);
-            let away = deviations[index][usize::from(surface)];
-            numbers[4 * turn..][..4].copy_from_slice(&[
+            [
                 (x - origin[0]) as f32,
                 (y - origin[1]) as f32,
                 (z - origin[2]) as f32,
-                away,
-            ]);
-        }
-        numbers
+                deviations[index][usize::from(surface)],
+            ]
+        };
+        let end = points.end.min(deviations.len());
+        (points.start..end).flat_map(numbers).collect()
+    }
+
+    /// The turn of each point when they are drawn: the first ones are spread evenly over all, so that they show the surface
+    /// where not all are drawn.
+    pub fn turns(&self) -> Vec<u32> {
+        let count = self.session.as_ref();
+        let count = count.map_or(0, |session| session.deviations().len());
+        turns(count).into_iter().map(|turn| turn as u32).collect()
     }
 
     /// The text of these points in the form of this name; pieces one behind the other are the whole text.
@@ -290,9 +296,14 @@ mod tests {
             assert_eq!(view["lines"], 6, "{surface}");
             let points = view["points"].as_u64().unwrap() as usize;
             assert!(points >= 6 * 21, "{surface}");
-            assert_eq!(scan.cloud(false).len(), 4 * points);
-            assert_eq!(scan.cloud(false)[..3], [0.0; 3]);
-            assert_eq!(scan.cloud(true).len(), 4 * points);
+            for taken_out in [false, true] {
+                let whole = scan.cloud(taken_out, 0..points);
+                assert_eq!(whole.len(), 4 * points);
+                let [first, rest] = [0..50, 50..points + 9].map(|part| scan.cloud(taken_out, part));
+                assert_eq!([first, rest].concat(), whole);
+            }
+            assert_eq!(scan.cloud(false, 0..1)[..3], [0.0; 3]);
+            assert_eq!(scan.turns().len(), points);
             let (sent, taken) = (
                 view["sent"]["mean"].as_f64().unwrap(),
                 view["surface"]["mean"].as_f64().unwrap(),

@@ -254,28 +254,25 @@ fn kind_name(kind: MotionKind) -> &'static str {
     }
 }
 
-/// The machine's coordinate system where it is another one, the active workpiece coordinate system, and what a correction
-/// moved: before and after.
+/// The machine's coordinate system where it is another one, the active workpiece coordinate system by the name of its zero
+/// offset, and what a correction moved: `before` and `after`.
 fn frames(before: &Control, after: &Control) -> Vec<Value> {
-    let drawn = |name: String, control: &Control| {
+    let drawn = |name: &str, control: &Control, moved: Option<&str>| {
         let at = control.to_machine([0.0; 3]);
         let axis = |direction: [f64; 3]| {
             let end = control.to_machine(direction);
             [end[0] - at[0], end[1] - at[1], end[2] - at[2]]
         };
-        object([
+        let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(axis);
+        let mut view = object([
             ("name", name.into()),
             ("at", at.into()),
-            (
-                "axes",
-                [
-                    axis([1.0, 0.0, 0.0]),
-                    axis([0.0, 1.0, 0.0]),
-                    axis([0.0, 0.0, 1.0]),
-                ]
-                .into(),
-            ),
-        ])
+            ("axes", axes.into()),
+        ]);
+        if let Some(when) = moved {
+            put(&mut view, "moved", when);
+        }
+        view
     };
     let mut list = Vec::new();
     if before.to_machine([0.0; 3]) != [0.0; 3] {
@@ -297,10 +294,10 @@ fn frames(before: &Control, after: &Control) -> Vec<Value> {
         let moves = |point: &[f64; 3]| new.to_machine(*point) != old.to_machine(*point);
         let moved = corner.iter().any(moves);
         if moved || [before.settable, after.settable].contains(&number) {
-            list.push(drawn(format!("WCS {name}"), &old));
+            list.push(drawn(&name, &old, moved.then_some("before")));
         }
         if moved {
-            list.push(drawn(format!("WCS {name}′"), &new));
+            list.push(drawn(&name, &new, Some("after")));
         }
     }
     list

@@ -20,6 +20,7 @@ const VIEWS: Record<ViewName, [yaw: number, pitch: number]> = {
   right: [QUARTER, 0],
   iso: [radians(33), radians(36)],
 };
+const MARGIN = 0.1; // around what is fitted, share of the viewport
 const MIN_SCALE = 1e-3;
 const MAX_SCALE = 1e6;
 
@@ -89,8 +90,8 @@ export function turn(camera: Camera, name: ViewName, held?: Vec3): Camera {
   return { ...camera, yaw: behind ? Math.PI - yaw : yaw, pitch };
 }
 
-/** The whole box, centred, with `margin` (share of the viewport) around it. */
-export function fit(camera: Camera, view: Viewport, box: Box, margin = 0.1): Camera {
+/** The whole box, in the middle of what is right of `covered` (CSS pixels), with a margin around it. */
+export function fit(camera: Camera, view: Viewport, box: Box, covered = 0): Camera {
   const { right, up } = basis(camera);
   const corners = boxCorners(box);
   const span = (axis: Vec3) => {
@@ -98,12 +99,13 @@ export function fit(camera: Camera, view: Viewport, box: Box, margin = 0.1): Cam
     return { low: Math.min(...along), high: Math.max(...along) };
   };
   const [h, v] = [span(right), span(up)];
-  const room = 1 - 2 * margin;
-  const scale = Math.min((view.width * room) / Math.max(h.high - h.low, 1e-6), (view.height * room) / Math.max(v.high - v.low, 1e-6));
+  const room = 1 - 2 * MARGIN;
+  const scale = Math.min(((view.width - covered) * room) / Math.max(h.high - h.low, 1e-6), (view.height * room) / Math.max(v.high - v.low, 1e-6));
   const middle = times(add(box.min, box.max), 0.5);
   const offset = add(
     times(right, (h.low + h.high) / 2 - dot(middle, right)),
     times(up, (v.low + v.high) / 2 - dot(middle, up)),
   );
-  return { ...camera, target: add(middle, offset), scale: Math.min(MAX_SCALE, Math.max(MIN_SCALE, scale)) };
+  const fitted = { ...camera, target: add(middle, offset), scale: Math.min(MAX_SCALE, Math.max(MIN_SCALE, scale)) };
+  return pan(fitted, covered / 2, 0);
 }

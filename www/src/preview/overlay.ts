@@ -6,14 +6,15 @@ import type { Frame } from "./backend";
 import type { Colours } from "./colours";
 import { readingText } from "./drawing";
 import type { Scene } from "./scene";
+import { swept } from "./sweep";
 import { add } from "./vec";
 
-const CORNER = { x: 46, y: 76 }; // CSS pixels from the lower left corner, above the line of the step
+const CORNER = { x: 46, y: 44 }; // CSS pixels from the lower left corner
 const ARM = 24;
 const SMALLEST = 4; // radius of the ring around the ball
 const BELOW = 18;   // from an origin to its name
 const LINE = 14;    // from one name to the next
-const BESIDE = 6;   // from a place to the words that begin beside it
+const BESIDE = 6;   // from a place to the words that begin or end beside it
 const READING = 26; // from the ring up to the reading, clear of a touched diameter
 const NEAR = 80;    // names that are closer than this side by side would touch
 
@@ -25,7 +26,7 @@ export function overlay(host: HTMLElement): SVGSVGElement {
 }
 
 export function drawOverlay(element: SVGSVGElement, scene: Scene, frame: Frame): void {
-  drawInto(element, [...ring(scene, frame), ...names(scene, frame), ...reading(scene, frame), ...triad(scene.colours, frame)]);
+  drawInto(element, [...swept(scene, frame), ...ring(scene, frame), ...names(scene, frame), ...reading(scene, frame), ...triad(scene.colours, frame)]);
 }
 
 /** Tells where the ball or the end of a tool is, behind a part too. */
@@ -54,12 +55,12 @@ function names(scene: Scene, frame: Frame): Drawn[] {
   const project = projector(frame.camera, frame.view);
   const taken: { x: number; y: number }[] = [];
   const there = scene.labels.filter(({ during }) => !during || (frame.time > during[0] && frame.time <= during[1]));
-  return there.map(({ at, text: words, colour, below, beside, raised = 0 }) => {
+  return there.map(({ at, text: words, colour, below, aside, beside, raised = 0 }) => {
     const place = project(at);
-    const spot = { x: place.x + (beside ? BESIDE : 0), y: place.y + (below ? BELOW : -raised) };
+    const spot = { x: place.x + (beside ? BESIDE : aside ? -BESIDE : 0), y: place.y + (below ? BELOW : -raised) };
     while (below && taken.some(({ x, y }) => Math.abs(x - spot.x) < NEAR && Math.abs(y - spot.y) < LINE)) spot.y += LINE;
     if (below) taken.push(spot);
-    return text(spot.x, spot.y, words, colour, scene.colours, beside ? "start" : "middle");
+    return text(spot.x, spot.y, words, colour, scene.colours, beside ? "start" : aside ? "end" : "middle");
   });
 }
 

@@ -1,13 +1,16 @@
 // Motions, touches, coordinate systems and the grid as lines.
-import type { Step, ToolView, Trace, Vec3 } from "../wire";
+import type { FrameView, Step, ToolView, Trace, Vec3 } from "../wire";
 import { parse, type Colours } from "./colours";
 import type { Line, Style } from "./mesh";
 import { along, pieces, type Motion } from "./route";
 import { add, sub, times, type Box } from "./vec";
 
-/** `below`: under its point on the screen, clear of what stands there. `raised`: so many CSS pixels above. `beside`: it
+/** `below`: under its point on the screen, `aside`: to the left of it as well; both clear of others. `raised`: so many CSS pixels above. `beside`: it
  *  begins there instead of standing over it. `during`: entries of the trace between which it is shown. */
-export interface Label { at: Vec3; text: string; colour: string; below?: boolean; raised?: number; beside?: boolean; during?: readonly [number, number] }
+export interface Label { at: Vec3; text: string; colour: string; below?: boolean; aside?: boolean; raised?: number; beside?: boolean; during?: readonly [number, number] }
+
+/** The name of a coordinate system in words. */
+export type FrameWords = (frame: FrameView) => string;
 
 const BEHIND = 0.42; // opacity of paths behind a part
 
@@ -91,16 +94,24 @@ export function probeAt(trace: Trace, index: number, fraction: number): Vec3 | n
   return add(before < 0 ? motion.from : motion.to, sub(...lengths));
 }
 
-/** Axes of the coordinate systems, `length` mm long. */
-export function frameLines(frames: Trace["frames"], colours: Colours, length: number): { lines: Line[]; labels: Label[] } {
+/** Axes of the coordinate systems, `length` mm long, dashed where a correction has moved them since. Those at one place share
+ *  a name. */
+export function frameLines(frames: Trace["frames"], colours: Colours, length: number, words: FrameWords): { lines: Line[]; labels: Label[] } {
   const axes = [["X", colours.axisX], ["Y", colours.axisY], ["Z", colours.axisZ]] as const;
-  const lines = frames.flatMap(({ at, axes: directions }) =>
-    axes.map(([, colour], i): Line => ({ from: at, to: add(at, times(directions[i]!, length)), style: { colour: parse(colour), width: 2.25, through: 0.45 } })));
-  const labels = frames.flatMap(({ name, at, axes: directions }): Label[] => [
-    ...axes.map(([text, colour], i) => ({ at: add(at, times(directions[i]!, 1.14 * length)), text, colour })),
-    { at, text: name, colour: colours.text, below: true },
-  ]);
-  return { lines, labels };
+  const lines = frames.flatMap(({ at, axes: directions, moved }) => {
+    const style = moved === "before" ? { width: 1.75, dash: 5, through: 0.45 } : { width: 2.5, through: 0.45 };
+    return axes.map(([, colour], i): Line => ({ from: at, to: add(at, times(directions[i]!, length)), style: { colour: parse(colour), ...style } }));
+  });
+  const now = frames.filter(({ moved }) => moved !== "before");
+  const letters = now.flatMap(({ at, axes: directions }) =>
+    axes.map(([text, colour], i): Label => ({ at: add(at, times(directions[i]!, 1.14 * length)), text, colour })));
+  const names = new Map<string, Label>();
+  for (const frame of frames) {
+    const place = JSON.stringify([frame.at, frame.axes]);
+    const text = [names.get(place)?.text, words(frame)].filter(Boolean).join(", ");
+    names.set(place, { at: frame.at, text, colour: colours.text, below: true, aside: true });
+  }
+  return { lines, labels: [...letters, ...names.values()] };
 }
 
 /** Spacing of a grid for a length: 1, 2 or 5 times a power of ten. */

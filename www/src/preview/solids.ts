@@ -15,21 +15,11 @@ export const SORTED_PIECES = 6;
 const BALL_ROWS = 24; // from pole to pole; even, so that one is the equator
 const ZONE_OPACITY = 0.22;
 
-/** Errors drawn `factor` times as large as they are. */
-export function exaggerated(errors: Solid["errors"], factor: number): Solid["errors"] {
-  const { shift, size, tilt, taper, outOfRound } = errors;
-  return {
-    shift: times(shift, factor), size: size * factor, tilt: times(tilt, factor), taper: taper * factor,
-    outOfRound: [outOfRound[0] * factor, outOfRound[1]],
-  };
-}
-
 /** A part in machine coordinates. */
-export function part(solid: Solid, factor: number, colour: Rgba, edge: Rgba, pieces: number): Part {
-  const errors = exaggerated(solid.errors, factor);
+export function part(solid: Solid, colour: Rgba, edge: Rgba, pieces: number): Part {
   const look: Look = { paint: { colour }, edge: { colour: edge, width: 1.25, through: 0.16 }, pieces };
-  const own = solid.surface ? surface(solid.surface, look) : build(solid.shape, solid.size, errors, look);
-  return placed(own, placement(solid, errors));
+  const own = solid.surface ? surface(solid.surface, look) : build(solid.shape, solid.size, solid.errors, look);
+  return placed(own, placement(solid));
 }
 
 /** The walls of a protection zone, seen through, with their rims. */
@@ -40,7 +30,7 @@ export function zone(solid: Solid, colour: Rgba, pieces: number): Part {
   const look: Look = { paint: { colour: [colour[0], colour[1], colour[2], ZONE_OPACITY] }, edge: { colour, width: 1.5, dash: 7, through: 0.5 }, pieces };
   const own: Part = { mesh: mesh(), edges: rims(outline, height, look) };
   walls(own.mesh, outline, 0, height, 1, look);
-  return placed(own, placement(solid, solid.errors));
+  return placed(own, placement(solid));
 }
 
 function build(shape: Solid["shape"], size: number[], errors: Solid["errors"], look: Look): Part {
@@ -65,11 +55,11 @@ function build(shape: Solid["shape"], size: number[], errors: Solid["errors"], l
 // Placing
 
 /** Shape origin into the machine: rotation and position, then the tilt about the origin and the shift, both in machine axes. */
-export function placement(solid: Solid, errors: Solid["errors"]): { point(p: Vec3): Vec3; direction(p: Vec3): Vec3 } {
-  const turn = product(rpy(errors.tilt), rpy(solid.rotation));
+export function placement({ errors, rotation, at }: Solid): { point(p: Vec3): Vec3; direction(p: Vec3): Vec3 } {
+  const turn = product(rpy(errors.tilt), rpy(rotation));
   const direction = (p: Vec3) => apply(turn, p);
-  const at = add(solid.at, errors.shift);
-  return { direction, point: (p) => add(at, direction(p)) };
+  const origin = add(at, errors.shift);
+  return { direction, point: (p) => add(origin, direction(p)) };
 }
 
 /** A rectangular body pushed askew, so that its first corner stands at the origin with this angle: the second edge leans

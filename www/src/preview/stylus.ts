@@ -15,14 +15,27 @@ const BODY = 5; // radius of the body of a probe, where nothing is told of it, i
 const USUAL = 0.45; // radius of a stylus in radii of its ball
 const CARRIER_THROUGH = 0.35;
 
+/** Of the stylus as it is drawn, mm. */
+export const stylusRadius = (ball: Ball): number => ball.stylus || USUAL * ball.radius;
+
+/** From the centre of the ball to where the stylus is drawn to end, mm. `longest`: where nothing is told of the body. */
+export function stylusReach(ball: Ball, longest: number): number {
+  return ball.body ? ball.body.distance : Math.min(ball.length, Math.max(10 * ball.radius, longest));
+}
+
+/** Direction from the ball to what holds it; null: no probe is in use. */
+export function stylusAxis(view: ToolView = UPRIGHT): Vec3 | null {
+  return view.ball ? unit(view.ball) : null;
+}
+
 export interface ToolColours { ball: Rgba; stylus: Rgba }
 
 /** Behind what is there: probe or tool, then what is seen through; gives the number of corners without that, and how far
  *  the numbers of the vertices go without what carries it. */
-export function addInUse(into: Mesh, ball: Ball, view: ToolView = UPRIGHT, colours: ToolColours, longest: number): { solid: number; own: number } {
+export function addInUse(into: Mesh, ball: Ball, view: ToolView = UPRIGHT, colours: ToolColours, reach: number): { solid: number; own: number } {
   const [red, green, blue] = colours.stylus;
   for (const piece of view.pieces) addPiece(into, piece, { colour: piece.cuts ? colours.ball : colours.stylus, moves: true });
-  const solid = view.ball ? addStylus(into, ball, view.ball, colours, longest) : into.corners.length;
+  const solid = view.ball ? addStylus(into, ball, view.ball, colours, reach) : into.corners.length;
   const own = into.used;
   for (const piece of view.carrier) addPiece(into, piece, { colour: [red, green, blue, CARRIER_THROUGH], moves: true });
   return { solid, own };
@@ -33,8 +46,7 @@ let last: { of: string; stylus: Stylus } | null = null; // mostly the same probe
 
 /** Ball and stylus, then its body; gives the number of corners of what is solid. A body of which nothing is known is seen
  *  through, and nothing touches it. */
-function addStylus(into: Mesh, ball: Ball, axis: Vec3, colours: ToolColours, longest: number): number {
-  const reach = Math.min(ball.length, Math.max(10 * ball.radius, longest));
+function addStylus(into: Mesh, ball: Ball, axis: Vec3, colours: ToolColours, reach: number): number {
   const of = JSON.stringify([ball, axis, colours, reach]);
   if (last?.of !== of) last = { of, stylus: makeStylus(ball, axis, colours, reach) };
   const before = into.corners.length;
@@ -47,7 +59,7 @@ function makeStylus(ball: Ball, axis: Vec3, colours: ToolColours, reach: number)
   const frame = fromZ(unit(axis));
   const place = (p: Vec3) => apply(frame, p);
   const r = ball.radius;
-  const thin = ball.stylus || USUAL * r;
+  const thin = stylusRadius(ball);
   turned(into, sphere(r), place, { colour: colours.ball, moves: true });
   if (ball.body) {
     const { radius, distance } = ball.body;

@@ -7,7 +7,7 @@ import { LIGHT, type Colours } from "./colours";
 import { openGpu } from "./gpu";
 import { listen } from "./input";
 import { drawOverlay, overlay } from "./overlay";
-import { blockOf, probeAt, toolAt } from "./paths";
+import { blockOf, probeAt, toolAt, type FrameWords } from "./paths";
 import { pick } from "./pick";
 import { buildScene, standing, type Scene } from "./scene";
 import { SORTED_PIECES } from "./solids";
@@ -22,7 +22,7 @@ export interface Options {
   label: string;                            // what a screen reader says
   colours?: Colours;
   collision?(found: Collision): string;     // words beside what must not touch and did
-  exaggeration?: number;                    // errors of parts are drawn that many times as large; 1: as they are
+  frame?: FrameWords;                       // words beside a coordinate system
   onBackend?(name: BackendName, refused: Refusal[]): void; // at the start, and again after a loss
   onThinned?(drawn: number): void;          // so many points of the cloud are drawn
 }
@@ -44,13 +44,15 @@ export interface Preview {
   /** A click on a motion or touch. */
   onPick(callback: (entry: number) => void): void;
   setColours(colours: Colours): void;
-  setExaggeration(factor: number): void;
+  /** So many CSS pixels at the left are covered: what is fitted stands beside them where there is room. */
+  setCovered(width: number): void;
   /** Diameters of a turned part as on a drawing. */
   setDrawing(shown: boolean): void;
   destroy(): void;
 }
 
 const EMPTY: Trace = { entries: [], ball: { radius: 3, length: 100 }, solids: [], frames: [] };
+const WIDE = 1.5; // width of a view over its height from which on there is room at its side
 const WAYS: BackendName[] = ["webgpu", "webgl2", "svg"];
 
 export async function createPreview(host: HTMLElement, options: Options): Promise<Preview> {
@@ -58,7 +60,6 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
   const letters = overlay(stage);
   const refused: Refusal[] = [];
   let colours = options.colours ?? LIGHT;
-  let exaggeration = options.exaggeration ?? 1;
   let drawing = false;
   let trace = EMPTY;
   let solids = trace.solids; // as they stand at this step
@@ -81,7 +82,7 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
   };
   let backend = await open(WAYS);
   const built = (): Scene => {
-    const scene = buildScene(trace, colours, exaggeration, solids, backend.name === "svg" ? SORTED_PIECES : 1, step.index, drawing);
+    const scene = buildScene(trace, colours, { solids, pieces: backend.name === "svg" ? SORTED_PIECES : 1, index: step.index, drawing, ...(options.frame && { words: options.frame }) });
     return { ...scene, labels: [...scene.labels, ...collisionLabels(trace, colours, options.collision ?? (() => ""))] };
   };
   let scene = built();
@@ -152,7 +153,8 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
     backend.setScene(scene, devicePixelRatio);
     redrawNow();
   }
-  const refit = () => { camera = fit(camera, viewport(), scene.box); redraw(); };
+  let covered = 0;
+  const refit = () => { camera = fit(camera, viewport(), scene.box, size.width > WIDE * size.height ? covered : 0); redraw(); };
   const move = (next: typeof camera) => { camera = next; untouched = false; chosen = null; redraw(); };
   const look = () => { if (chosen) camera = turn(camera, chosen, toolAt(trace, step.index)?.ball); };
   const setView = (name: ViewName) => { chosen = name; untouched = true; look(); refit(); };
@@ -201,10 +203,14 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
     },
     setView,
     fit: fitAgain,
+    setCovered(width) {
+      if (width === covered) return;
+      covered = width;
+      if (untouched) refit();
+    },
     setLabel(label) { stage.setAttribute("aria-label", label); },
     onPick(callback) { picked = callback; },
     setColours(palette) { colours = palette; rebuild(); },
-    setExaggeration(factor) { exaggeration = factor; rebuild(); },
     setDrawing(shown) {
       if (shown === drawing) return;
       drawing = shown;

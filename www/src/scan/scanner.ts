@@ -4,77 +4,103 @@
 import type { State } from "../state";
 import type { Store } from "../store";
 import type { ScanRequest, ScanText, ScanView } from "../wire";
-import type { ScanAsk, ScanReply } from "./worker";
+import type { ScanAsk, ScanReply, Shown } from "./worker";
 
-/** Which points are shown: those that are sent, or those of the surface under the ball. */
-export type Shown = "sent" | "surface";
-/** `shown`: which are chosen; `cloud` are those of `of`, the others until they come. */
-export interface Scanned { request: ScanRequest; view: ScanView; cloud: Float32Array; of: Shown; shown: Shown }
+export type { Shown } from "./worker";
+/** `shown`: which points are chosen; drawn are those of `of`, as soon as they are there. */
+export interface Scanned { request: ScanRequest; view: ScanView; clouds: Partial<Record<Shown, Float32Array>>; of: Shown; shown: Shown }
+
+/** `taking`: points are made ready to be drawn; `writing`: a file. */
+export type Work = "scanning" | "taking" | "writing";
+/** `since`: ms, as performance.now; `share`: how much is done, 0 to 1; `size`: points that it is about. */
+export interface Doing { work: Work; since: number; share: number; size: number }
 
 export interface Scanner {
-  /** How much is done, 0 to 1; null: nothing is scanned. */
-  busy(): number | null;
+  /** What is being done. */
+  busy(): Doing | null;
   start(request: ScanRequest, file: Uint8Array): void;
+  /** Ends what is being done: with it a scan on its way is gone, one that is there stays as it is shown. */
   stop(): void;
   show(shown: Shown): void;
-  /** The whole text, once it is made. */
-  text(form: ScanText): Promise<Blob>;
+  /** `then` hears the whole text, once it is made. */
+  text(form: ScanText, then: (text: Blob) => void): void;
 }
 
 /** None before the module is there. */
 export function createScanner(module: () => WebAssembly.Module | undefined, store: Store): Scanner {
   let worker: Worker | null = null;
-  let share: number | null = null;
-  const texts = new Map<ScanText, (text: Blob) => void>();
+  let doing: Doing | null = null;
+  let written: { form: ScanText; then: (text: Blob) => void } | null = null;
 
-  const tell = (ask: ScanAsk): void => worker?.postMessage(ask);
+  const change = (to: (scan: Scanned) => Scanned): void => store.update(({ scan }: State) => scan ? { scan: to(scan) } : {});
+  const begin = (work: Work, ask: ScanAsk): void => {
+    doing = { work, since: performance.now(), share: 0, size: store.state.scan?.view.points ?? 0 };
+    worker?.postMessage(ask);
+    store.update({});
+  };
+  /** What is newly asked ends what was asked before. */
+  const rest = (): void => {
+    doing = written = null;
+    worker?.postMessage("nothing" satisfies ScanAsk);
+    change((scan) => ({ ...scan, shown: scan.of }));
+  };
   const drop = (): void => {
     worker?.terminate();
-    worker = null;
-    share = null;
+    worker = doing = written = null;
   };
   const fail = (why: string): void => {
     drop();
     store.update({ scan: null, scanProblem: why });
   };
-  const hear = (request: ScanRequest, reply: ScanReply): void => {
-    if ("problem" in reply) return fail(reply.problem);
-    if ("share" in reply) share = reply.share;
-    else if ("view" in reply) {
-      const view = JSON.parse(reply.view) as ScanView;
-      share = null;
-      store.update({ scan: { request, view, cloud: new Float32Array(), of: "sent", shown: "sent" }, source: "scan", step: 0, playing: false });
-      return tell({ cloud: "sent" });
-    } else if ("cloud" in reply) store.update(({ scan }: State) => scan?.shown === reply.of ? { scan: { ...scan, cloud: reply.cloud, of: reply.of } } : {});
-    else texts.get(reply.of)?.(reply.text);
+  const scanned = (request: ScanRequest, view: ScanView): void => {
+    store.update({ scan: { request, view, clouds: {}, of: "sent", shown: "sent" }, source: "scan", step: 0, playing: false });
+    begin("taking", { cloud: "sent" });
+  };
+  const taken = (of: Shown, cloud: Float32Array): void => {
+    if (doing?.work === "taking" && store.state.scan?.shown === of) doing = null;
+    change((scan) => ({ ...scan, clouds: { ...scan.clouds, [of]: cloud }, of: scan.shown === of ? of : scan.of }));
+  };
+  const wrote = (form: ScanText, text: Blob): void => {
+    if (written?.form !== form) return; // another one was asked for meanwhile
+    written.then(text);
+    doing = written = null;
     store.update({});
+  };
+  const hear = (request: ScanRequest, reply: ScanReply): void => {
+    if ("problem" in reply) fail(reply.problem);
+    else if ("share" in reply) doing = doing && { ...doing, share: reply.share };
+    else if ("view" in reply) scanned(request, JSON.parse(reply.view) as ScanView);
+    else if ("cloud" in reply) taken(reply.of, reply.cloud);
+    else wrote(reply.of, reply.text);
   };
 
   return {
-    busy: () => share,
+    busy: () => doing,
     start(request, file) {
       const compiled = module();
       if (!compiled) return;
       drop();
-      share = 0;
-      worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
-      worker.onmessage = ({ data }: MessageEvent<ScanReply>) => hear(request, data);
-      worker.onerror = (event) => fail(event.message);
-      worker.postMessage(compiled);
-      tell({ begin: JSON.stringify(request), file });
       store.update({ scan: null, scanProblem: "" });
+      const made = worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
+      made.onmessage = ({ data }: MessageEvent<ScanReply>) => hear(request, data);
+      made.onerror = (event) => fail(event.message);
+      made.postMessage(compiled);
+      begin("scanning", { begin: JSON.stringify(request), file });
     },
     stop() {
+      if (doing?.work !== "scanning") return rest();
       drop();
       store.update({ scan: null });
     },
     show(shown) {
-      tell({ cloud: shown });
-      store.update(({ scan }: State) => scan ? { scan: { ...scan, shown } } : {});
+      rest();
+      change((scan) => ({ ...scan, shown, of: scan.clouds[shown] ? shown : scan.of }));
+      if (!store.state.scan?.clouds[shown]) begin("taking", { cloud: shown });
     },
-    text: (form) => new Promise((resolve) => {
-      texts.set(form, resolve);
-      tell({ text: form, points: store.state.scan?.view.points ?? 0 });
-    }),
+    text(form, then) {
+      rest();
+      written = { form, then };
+      begin("writing", { text: form });
+    },
   };
 }

@@ -1,49 +1,75 @@
 // A scan on a thread of its own. First comes the compiled module, then what is to be scanned; the scan stays here, and
-// points and texts are asked for when somebody wants them.
+// points and texts are asked for when somebody wants them. Only what was asked last is gone on with.
 
 import { initSync, Scan } from "@pkg/program/program.js";
 import type { ScanText } from "../wire";
 
-export type ScanAsk =
-  | { begin: string; file: Uint8Array }
-  | { cloud: "sent" | "surface" }
-  | { text: ScanText; points: number };
+/** Which points: those that are sent, or those of the surface under the ball. */
+export type Shown = "sent" | "surface";
+export type ScanAsk = { begin: string; file: Uint8Array } | { cloud: Shown } | { text: ScanText } | "nothing";
 export type ScanReply =
   | { share: number }
   | { view: string }
   | { problem: string }
-  | { cloud: Float32Array<ArrayBuffer>; of: "sent" | "surface" }
+  | { cloud: Float32Array<ArrayBuffer>; of: Shown }
   | { text: Blob; of: ScanText };
 
-const PIECE = 200;    // points between two looks at the clock
-const SLICE = 100;    // ms between two words about how far it is
-const LINES = 50_000; // points a piece of text
+const PIECE = 200;   // points that are scanned between two looks at the clock
+const POINTS = 5000; // points of a piece of what is made of them
+const SLICE = 100;   // ms between two words about how far it is
+const NUMBERS = 4;   // a point
 
 const tell = (reply: ScanReply, transfer: Transferable[] = []): void => postMessage(reply, { transfer });
 let scan: Scan | null = null;
+let turns: Uint32Array = new Uint32Array(); // of each point, when they are drawn
+let newest = 0;                // number of what was asked last
 
 function scanAll(begin: string, file: Uint8Array): void {
-  scan = new Scan(begin, file);
+  const made = scan = new Scan(begin, file);
   for (let over = false; !over;) {
     const until = performance.now() + SLICE;
-    while (!over && performance.now() < until) over = scan.advance(PIECE);
-    tell({ share: scan.share() });
+    while (!over && performance.now() < until) over = made.advance(PIECE);
+    tell({ share: made.share() });
   }
-  tell({ view: scan.view() });
+  turns = made.turns();
+  tell({ view: made.view() });
 }
 
-function write(form: ScanText, points: number): Blob {
+/** Goes through all points, and lets messages in meanwhile; false: something else was asked. */
+async function inPieces(asked: number, piece: (scan: Scan, from: number, to: number) => void): Promise<boolean> {
+  let until = performance.now() + SLICE;
+  for (let from = 0; scan && from < turns.length; from += POINTS) {
+    piece(scan, from, Math.min(from + POINTS, turns.length));
+    if (performance.now() < until) continue;
+    tell({ share: from / turns.length });
+    await new Promise((resolve) => setTimeout(resolve));
+    if (asked !== newest) return false;
+    until = performance.now() + SLICE;
+  }
+  return true;
+}
+
+async function cloud(asked: number, of: Shown): Promise<void> {
+  const numbers = new Float32Array(NUMBERS * turns.length);
+  const done = await inPieces(asked, (scan, from, to) => {
+    const piece = scan.cloud(of === "surface", from, to);
+    turns.subarray(from, to).forEach((turn, i) => numbers.set(piece.subarray(NUMBERS * i, NUMBERS * (i + 1)), NUMBERS * turn));
+  });
+  if (done) tell({ cloud: numbers, of }, [numbers.buffer]);
+}
+
+async function write(asked: number, form: ScanText): Promise<void> {
   const parts: string[] = [];
-  for (let from = 0; scan && from < points; from += LINES) parts.push(scan.text(form, from, from + LINES));
-  return new Blob(parts, { type: "text/plain" });
+  const done = await inPieces(asked, (scan, from, to) => parts.push(scan.text(form, from, to)));
+  if (done) tell({ text: new Blob(parts, { type: "text/plain" }), of: form });
 }
 
-function answer(ask: ScanAsk): void {
+async function answer(ask: ScanAsk): Promise<void> {
+  const asked = ++newest;
+  if (ask === "nothing") return;
   if ("begin" in ask) scanAll(ask.begin, ask.file);
-  else if ("cloud" in ask) {
-    const cloud = (scan?.cloud(ask.cloud === "surface") ?? new Float32Array()) as Float32Array<ArrayBuffer>;
-    tell({ cloud, of: ask.cloud }, [cloud.buffer]);
-  } else tell({ text: write(ask.text, ask.points), of: ask.text });
+  else if ("cloud" in ask) await cloud(asked, ask.cloud);
+  else await write(asked, ask.text);
 }
 
 addEventListener("message", ({ data }: MessageEvent<WebAssembly.Module | ScanAsk>) => {
@@ -51,9 +77,5 @@ addEventListener("message", ({ data }: MessageEvent<WebAssembly.Module | ScanAsk
     initSync({ module: data });
     return;
   }
-  try {
-    answer(data);
-  } catch (problem) {
-    tell({ problem: problem instanceof Error ? problem.message : String(problem) });
-  }
+  answer(data).catch((problem: unknown) => tell({ problem: problem instanceof Error ? problem.message : String(problem) }));
 });

@@ -6,8 +6,8 @@ import type { Colours } from "../preview/view";
 import { t } from "../texts";
 import type { Trace } from "../wire";
 
-type Kind = "rapid" | "positioning" | "measuring" | "retract" | "touch" | "crash" | "zone" | "limit" | "carrier";
-const KINDS: Kind[] = ["measuring", "touch", "positioning", "rapid", "retract", "zone", "limit", "carrier", "crash"];
+type Kind = "rapid" | "positioning" | "measuring" | "retract" | "touch" | "crash" | "zone" | "limit" | "carrier" | "swept";
+const KINDS: Kind[] = ["measuring", "touch", "positioning", "rapid", "retract", "swept", "zone", "limit", "carrier", "crash"];
 
 function present(trace: Trace | null): Kind[] {
   const found = new Set<string>((trace?.entries ?? []).map((entry) => entry.step === "motion" ? entry.kind : entry.step));
@@ -15,10 +15,11 @@ function present(trace: Trace | null): Kind[] {
   if (trace?.limits?.length) found.add("limit");
   const moves = trace?.entries.some(({ step }) => step === "motion"); // else no tool is drawn
   if (moves && trace?.tools?.some(({ carrier }) => carrier.length)) found.add("carrier");
+  if (moves && (!trace?.tools || trace.tools.some(({ ball }) => ball))) found.add("swept");
   return KINDS.filter((kind) => found.has(kind));
 }
 
-const strokeOf = (kind: Kind, colours: Colours): string => colours[kind === "limit" ? "crash" : kind === "carrier" ? "stylus" : kind];
+const strokeOf = (kind: Kind, colours: Colours): string => colours[kind === "limit" ? "crash" : kind === "carrier" || kind === "swept" ? "stylus" : kind];
 
 /** Drawn as the view draws it. */
 function sample(kind: Kind, stroke: string): SVGElement {
@@ -31,6 +32,7 @@ function sample(kind: Kind, stroke: string): SVGElement {
     touch: () => [svg("path", { d: "M6 4H22", stroke, "stroke-width": 2 }), svg("circle", { cx: 6, cy: 4, r: 3.25, fill: stroke })],
     zone: () => [svg("rect", { x: 1, y: 0.5, width: 24, height: 7, fill: stroke, "fill-opacity": 0.25, stroke, "stroke-dasharray": "4 3" })],
     carrier: () => [svg("rect", { x: 1, y: 0.5, width: 24, height: 7, fill: stroke, "fill-opacity": 0.35 })],
+    swept: () => [svg("rect", { x: 1, y: 0.5, width: 24, height: 7, rx: 3.5, fill: stroke, "fill-opacity": 0.45 })],
     limit: () => [line(1.25, "4 3")],
     crash: () => [svg("circle", { cx: 13, cy: 4, r: 4, fill: stroke })],
   };

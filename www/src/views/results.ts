@@ -66,7 +66,7 @@ function createOutcome(root: HTMLElement): Draw {
   return (state, derived) => {
     const outcome = shownNow(state, derived);
     show(none, !outcome);
-    setText(none, outcome ? "" : missing(derived));
+    setText(none, outcome ? "" : state.source === "program" && derived.simulates === "yes" ? t("outcome-running") : missing(derived));
     const counted = outcome && !derived.run ? assumptions(derived) : "";
     show(assumed, counted !== "");
     setText(assumed, counted);
@@ -120,7 +120,7 @@ interface Shown { results: { name: string; label: string; value: number; unit: s
 function keptOutcome(): (state: State, derived: Derived) => Shown | null {
   let made: { of: unknown[]; shown: Shown | null } | null = null;
   return (state, derived) => {
-    const of = [state.source === "program" ? derived.run : null, derived.cycle, derived.view.outcome];
+    const of = [state.source === "program", derived.run, derived.cycle, derived.view.outcome];
     if (!made?.of.every((one, index) => one === of[index])) made = { of, shown: shownOutcome(state, derived) };
     return made.shown;
   };
@@ -129,7 +129,8 @@ function keptOutcome(): (state: State, derived: Derived) => Shown | null {
 /** Of the form's call, or of the whole program while that is shown. */
 function shownOutcome(state: State, derived: Derived): Shown | null {
   const run = derived.run;
-  if (state.source === "program" && run) {
+  if (state.source === "program") {
+    if (!run) return null;
     const decisions = run.trace.entries.flatMap((entry) => entry.step === "decision" ? [entry.message] : []);
     return { ...run, decisions, results: run.results.map((one) => ({ ...one, label: one.label ? say(one.label) : "", unit: one.unit ?? "" })) };
   }

@@ -5,15 +5,17 @@ import { el, keyed, on, setAttribute, setText, show } from "../dom";
 import { saveFile } from "../files";
 import { fixed } from "../numbers";
 import { NotTaken, readSurface, type SurfaceFile } from "../scan/surface";
-import type { Scanned, Scanner, Shown } from "../scan/scanner";
+import type { Scanned, Scanner, Shown, Work } from "../scan/scanner";
 import type { State } from "../state";
 import type { Store } from "../store";
 import { t } from "../texts";
 import type { ScanRequest, ScanText, Setup } from "../wire";
+import { createActivity } from "./activity";
 import { problemItem, updateProblem } from "./field";
 
 const OWN = "own"; // value of the choice that stands for the user's file
 const SHOWN: Shown[] = ["sent", "surface"];
+const WORK: Work[] = ["scanning", "taking", "writing"];
 const TEXTS: [ScanText, string][] = [["program", "nc"], ["points", "xyz"], ["surface", "xyz"]];
 
 /** Whether what the form says now is what was scanned. */
@@ -30,8 +32,6 @@ export function createScan(root: HTMLElement, store: Store, scanner: Scanner): (
   const file = el("input", { type: "file", accept: ".stl,image/png,image/*", hidden: true, "aria-label": t("scan-open") });
   const openButton = el("button", { type: "button", class: "quiet" }, t("scan-open"));
   const begin = el("button", { type: "button", class: "primary" }, t("scan-begin"));
-  const stop = el("button", { type: "button" }, t("scan-stop"));
-  const progress = el("progress", { max: 1, "aria-label": t("scan-progress") });
   const status = el("p", { class: "empty", role: "status" });
   const alarms = el("ul", { class: "alarms" });
 
@@ -58,33 +58,37 @@ export function createScan(root: HTMLElement, store: Store, scanner: Scanner): (
     const taken = choice.value === OWN ? own : null;
     scanner.start(request(now.state, now.derived, setup, taken ? taken.choice : { example: choice.value }), taken?.bytes ?? new Uint8Array());
   });
-  on(stop, "click", () => scanner.stop());
 
+  const working = WORK.map((work) => createActivity(`scan-${work}`, { busy: () => doing(scanner, work), stopped: () => null, stop: scanner.stop, again: scanner.stop }));
   const result = createFigures(scanner);
   root.append(
-    el("div", { class: "scan-ask" }, el("label", { for: "scan-surface" }, t("scan-surface")), choice, file, openButton, begin, stop, progress),
-    status, alarms, result.root);
+    el("div", { class: "scan-ask" }, el("label", { for: "scan-surface" }, t("scan-surface")), choice, file, openButton, begin),
+    ...working.map((one) => one.root), status, alarms, result.root);
 
   return (state, derived) => {
     if (!derived.cycle.surfaces.length) return;
     keyed(examples, derived.cycle.surfaces, (name) => name, (name) => el("option", { value: name }, t(`scan-example-${name}`)), () => undefined);
     if (!own && choice.value === OWN) choice.selectedIndex = 0; // the examples came after it
     now = { state, derived };
-    const share = scanner.busy();
+    const scanning = !!doing(scanner, "scanning");
     const scan = state.scan?.request.cycle === derived.cycle.cycle ? state.scan : null;
-    setAttribute(begin, "disabled", share !== null || !derived.view.complete || !derived.view.setup);
-    show(stop, share !== null);
-    show(progress, share !== null);
-    if (share !== null) progress.value = share;
-    setText(status, said(state, derived, share, scan));
+    setAttribute(begin, "disabled", scanning || !derived.view.complete || !derived.view.setup);
+    for (const one of working) one.draw(state);
+    setText(status, scanning ? "" : said(state, derived, scan));
+    show(status, !scanning);
     keyed(alarms, scan?.view.alarms ?? [], (one, index) => `${index}/${one.code}`, problemItem, (node, one) => updateProblem(node, { ...one, severity: "error" }));
     show(alarms, !!scan?.view.alarms.length);
     result.draw(scan);
   };
 }
 
-function said(state: State, derived: Derived, share: number | null, scan: Scanned | null): string {
-  if (share !== null) return t("scan-busy", { percent: Math.floor(100 * share) });
+/** Of the scanner, unless it does something else. */
+function doing(scanner: Scanner, work: Work): ReturnType<Scanner["busy"]> {
+  const busy = scanner.busy();
+  return busy?.work === work ? busy : null;
+}
+
+function said(state: State, derived: Derived, scan: Scanned | null): string {
   if (state.scanProblem) return t("scan-failed", { problem: state.scanProblem });
   if (!derived.view.complete) return t("scan-incomplete");
   if (!scan) return t("scan-none");
@@ -110,7 +114,7 @@ function createFigures(scanner: Scanner): { root: HTMLElement; draw(scan: Scanne
   const key = el("p", { class: "scan-key" }, ...(["outside", "level", "inside"] as const).flatMap((sort) => [el("span", { class: `scan-dot scan-${sort}` }), t(`scan-${sort}`)]));
   const saves = TEXTS.map(([form, ending]) => {
     const button = el("button", { type: "button" }, t(`scan-save-${form}`));
-    on(button, "click", () => void scanner.text(form).then((text) => saveFile(text, `scan-${form}.${ending}`)));
+    on(button, "click", () => scanner.text(form, (text) => saveFile(text, `scan-${form}.${ending}`)));
     return button;
   });
   const root = el("section", { class: "scan-result", hidden: true }, table, key, el("div", { class: "scan-files" }, ...saves));
@@ -119,7 +123,7 @@ function createFigures(scanner: Scanner): { root: HTMLElement; draw(scan: Scanne
     draw(scan) {
       show(root, !!scan && scan.view.points > 0);
       for (const { shown, radio, greatest, mean } of scan ? rows : []) {
-        radio.checked = scan?.shown === shown;
+        radio.checked = scan?.shown === shown && (!!scan.clouds[shown] || !!doing(scanner, "taking"));
         const deviation = scan?.view[shown];
         setText(greatest, fixed(deviation?.greatest ?? 0));
         setText(mean, fixed(deviation?.mean ?? 0));

@@ -11,7 +11,7 @@ import { t } from "../texts";
 import { createLegend, type Thinned } from "./legend";
 import { missing } from "./results";
 import { isDark, type Stage } from "./stage";
-import { createTimeline, PACE } from "./timeline";
+import { createTimeline, paceAt } from "./timeline";
 
 const SOURCES = ["form", "program", "scan"] as const;
 const FULL = 0.9; // of the greatest deviation: from there on a point has the full colour
@@ -67,18 +67,21 @@ export function createScene(root: HTMLElement, store: Store, goToLine: (line: nu
       return;
     }
     dress(preview);
-    const points = source === "scan" && scan?.cloud.length ? cloudOf(scan) : null;
-    setText(empty, derived.trace?.entries.length || source === "scan" ? "" : source === "form" ? nothing(derived) : t("motions-none"));
+    const points = source === "scan" && scan ? cloudOf(scan) : null;
+    setText(empty, derived.trace?.entries.length || source === "scan" ? "" : source === "form" ? nothing(derived) : t(derived.run ? "motions-none" : "motions-running"));
     show(empty, !!empty.textContent);
     const night = isDark(state);
     const colours = stage.colours(night);
     if (colours && night !== shown.dark) preview.setColours(colours);
     const fresh = derived.trace !== shown.trace;
     const drawn = points ? stage.drawn : 0;
-    if (colours && (fresh || night !== shown.dark || drawn !== shown.drawn)) legend.draw(derived.trace, colours, thinned(drawn, scan));
+    if (colours && (fresh || night !== shown.dark || drawn !== shown.drawn)) {
+      legend.draw(derived.trace, colours, thinned(drawn, scan));
+      preview.setCovered(legend.root.offsetWidth + legend.root.offsetLeft);
+    }
     if (fresh) preview.setTrace(derived.trace ?? NOTHING);
     const { step } = derived;
-    if (fresh || step !== shown.step) move(preview, step, state.playing && derived.trace?.entries[step]?.step === "motion" && !still.matches);
+    if (fresh || step !== shown.step) move(preview, step, state.playing && derived.trace?.entries[step]?.step === "motion" && !still.matches ? paceAt(state.speed) : 0);
     preview.setCloud(points);
     preview.setDrawing(state.diameters);
     show(drawing, !!derived.trace?.drawing);
@@ -87,12 +90,14 @@ export function createScene(root: HTMLElement, store: Store, goToLine: (line: nu
   };
 }
 
-const clouds = new WeakMap<Float32Array, Cloud>();
+const drawable = new WeakMap<Float32Array, Cloud>();
 
 /** The points of a scan; the same object for as long as they are the same. */
-function cloudOf({ view, cloud: points, of }: Scanned): Cloud {
-  const made = clouds.get(points) ?? { points, origin: view.origin, full: Math.max(1e-4, FULL * view[of].greatest) };
-  clouds.set(points, made);
+function cloudOf({ view, clouds, of }: Scanned): Cloud | null {
+  const points = clouds[of];
+  if (!points?.length) return null;
+  const made = drawable.get(points) ?? { points, origin: view.origin, full: Math.max(1e-4, FULL * view[of].greatest) };
+  drawable.set(points, made);
   return made;
 }
 
@@ -109,12 +114,12 @@ function nothing(derived: Derived): string {
 
 let moving = 0;
 
-/** The probe stands at the end of a step, or runs along it while playing. */
-function move(preview: Preview, step: number, run: boolean): void {
+/** The probe stands at the end of a step, or runs along it for so many ms. */
+function move(preview: Preview, step: number, pace: number): void {
   cancelAnimationFrame(moving);
   const begin = performance.now();
   const frame = (now: number): void => {
-    const fraction = run ? Math.min(1, Math.max(0, now - begin) / PACE) : 1;
+    const fraction = pace ? Math.min(1, Math.max(0, now - begin) / pace) : 1;
     preview.setStep(step, fraction);
     if (fraction < 1) moving = requestAnimationFrame(frame);
   };

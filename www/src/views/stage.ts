@@ -5,6 +5,7 @@ import type { Collision, Preview } from "../preview/view";
 import type { State } from "../state";
 import type { Store } from "../store";
 import { t } from "../texts";
+import type { FrameView } from "../wire";
 
 type Colours = Parameters<Preview["setColours"]>[0];
 export interface Stage {
@@ -33,6 +34,9 @@ function collision({ by, crash, alarm }: Collision): string {
   return alarm ? t("collision-alarm", { code: alarm, what }) : t("collision-first", { what });
 }
 
+/** A coordinate system by its name, and whether it stands before or after a correction. */
+const frame = ({ name, moved }: FrameView): string => (moved ? t(`frame-${moved}`, { name }) : name);
+
 export function createStage(store: Store): Stage {
   const box = el("div", { class: "stage" });
   let preview: Preview | null = null;
@@ -56,7 +60,7 @@ export function createStage(store: Store): Stage {
         return found;
       };
       colours = of;
-      preview = await createPreview(box, { label: t("view-canvas"), colours: of(isDark(store.state)), collision, onThinned });
+      preview = await createPreview(box, { label: t("view-canvas"), colours: of(isDark(store.state)), collision, frame, onThinned });
       preview.onPick((entry) => store.update({ step: entry, playing: false }));
     } catch (problem) {
       failed = problem instanceof Error ? problem.message : String(problem);

@@ -1,15 +1,37 @@
-// Stepping through the motions: first, back, play, on, last, and a scrubber.
+// Stepping through the motions: first, back, play, on, last, a scrubber, and how fast it plays.
 
 import { el, on, setAttribute, setText } from "../dom";
 import type { Derived } from "../derive";
-import type { State } from "../state";
+import { SPEEDS, type State } from "../state";
+import { plain } from "../numbers";
 import type { Store } from "../store";
 import { t } from "../texts";
+import type { Trace } from "../wire";
 import { describe } from "./steps";
 
-/** Milliseconds that a step takes while playing. */
-export const PACE = 450;
-const PACE_STILL = 130; // of a step in which nothing moves
+const PACE = 450; // ms that a motion takes while playing
+const PACE_STILL = 130; // and a step in which nothing moves
+const FRAME = 16; // ms; more often nothing is drawn
+const LATE = 1000; // ms; what comes later, as after a pause of the whole machine, is not made up for
+
+type Entries = Trace["entries"];
+const paceOf = (entries: Entries, step: number): number => (entries[step]?.step === "motion" ? PACE : PACE_STILL);
+
+/** Milliseconds that a motion takes at this speed; 0 where several of them pass between two frames. */
+export function paceAt(speed: number): number {
+  return PACE / speed < FRAME ? 0 : PACE / speed;
+}
+
+/** The step that is played after so many ms, the next one at least: at high speed several pass from frame to frame. */
+function reached(entries: Entries, step: number, ms: number, speed: number): number {
+  let left = ms * speed;
+  let next = step;
+  do {
+    left -= paceOf(entries, next);
+    next += 1;
+  } while (next < entries.length - 1 && left >= paceOf(entries, next));
+  return next;
+}
 
 export function createTimeline(root: HTMLElement, store: Store, goToLine: (line: number) => void): (state: State, derived: Derived) => void {
   let count = 0;
@@ -32,15 +54,15 @@ export function createTimeline(root: HTMLElement, store: Store, goToLine: (line:
   const place = el("button", { type: "button", class: "quiet place" });
   on(scrub, "input", () => go(Number(scrub.value)));
   on(place, "click", () => { if (line !== null) goToLine(line); });
+  const speed = el("select", { class: "speed", "aria-label": t("timeline-speed"), title: t("timeline-speed") },
+    ...SPEEDS.map((times) => el("option", { value: times }, t("timeline-times", { times: plain(times) }))));
+  on(speed, "change", () => store.update({ speed: Number(speed.value) }));
   root.append(
     el("div", { class: "transport-row" },
       button("|◀◀", t("timeline-first"), () => go(0)), button("|◀", t("timeline-back"), () => go(current - 1)), play,
-      button("▶|", t("timeline-on"), () => go(current + 1)), button("▶▶|", t("timeline-last"), () => go(count - 1)), scrub, where),
+      button("▶|", t("timeline-on"), () => go(current + 1)), button("▶▶|", t("timeline-last"), () => go(count - 1)), scrub, where, speed),
     el("div", { class: "step-row" }, what, place),
   );
-  const tick = (): void => {
-    if (store.state.playing) go(current + 1, current + 1 < count - 1);
-  };
   return (state, derived) => {
     const entries = derived.trace?.entries ?? [];
     count = entries.length;
@@ -55,8 +77,16 @@ export function createTimeline(root: HTMLElement, store: Store, goToLine: (line:
     setText(place, line === null ? "" : t("motions-line", { line }));
     place.hidden = line === null;
     setText(play, state.playing ? "❚❚" : "▶");
-    setAttribute(play, "aria-label", t(state.playing ? "timeline-pause" : "timeline-play"));
+    for (const name of ["aria-label", "title"]) setAttribute(play, name, t(state.playing ? "timeline-pause" : "timeline-play"));
+    speed.value = String(state.speed);
     clearTimeout(timer);
-    if (state.playing) timer = window.setTimeout(tick, entry?.step === "motion" ? PACE : PACE_STILL);
+    if (!state.playing) return;
+    const began = performance.now();
+    const tick = (): void => {
+      if (!store.state.playing) return;
+      const next = reached(entries, step, Math.min(LATE, performance.now() - began), state.speed);
+      go(next, next < count - 1);
+    };
+    timer = window.setTimeout(tick, Math.max(FRAME, paceOf(entries, step) / state.speed));
   };
 }
