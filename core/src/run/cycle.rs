@@ -5,6 +5,7 @@ use super::outcome::Meaning;
 use super::problem::Problem;
 use super::statement::Words;
 use super::{Stop, call, contour, user_program};
+use crate::catalogue::sinumerik::results;
 use crate::catalogue::{Cycle, Kind, ProbeUse, ResultField, nct};
 use crate::check::{self, Inputs, Typed};
 use crate::control::Value;
@@ -128,7 +129,21 @@ pub fn checked(
         return user_program::around(run, &user_program::BEHIND, cycle, span);
     }
     match code {
-        Some(code) => call::alarm(&mut run.sim, code).map_err(|stop| run.stopped(stop, span)),
+        Some(code) => {
+            leave_number(run, cycle, code);
+            call::alarm(&mut run.sim, code).map_err(|stop| run.stopped(stop, span))
+        }
         None => Err(run.fail(Problem::new("run-call", span, cycle.name))),
+    }
+}
+
+/// The number of the alarm is a result of the cycle also where it refuses what it was given (B:5699).
+fn leave_number(run: &mut Interpreter, cycle: &'static Cycle, code: Code) {
+    let is_result = cycle
+        .results
+        .iter()
+        .any(|field| field.name == results::ALARM);
+    if let (true, Code::Alarm(number)) = (is_result, code) {
+        results::set(&mut run.sim, results::ALARM, f64::from(number));
     }
 }

@@ -117,6 +117,22 @@ fn every_case_raises_its_alarm() {
 }
 
 #[test]
+fn the_number_of_the_alarm_is_a_result() {
+    // oracle: manual B:5699, B:7355, B:7888, B:8302
+    let named = |cycle: &&Cycle| cycle.results.iter().any(|field| field.name == "_OVI[9]");
+    for cycle in simulated().filter(named) {
+        let table = table(cycle.name);
+        for case in &table.cases {
+            let outcome = outcome(cycle, &table, case.change, case.prepare);
+            if let Some(Stop::Alarm(Code::Alarm(number))) = outcome.stop {
+                let left = outcome.control.number("_OVI[9]");
+                assert_eq!(left, f64::from(number), "{} {}", cycle.name, case.change);
+            }
+        }
+    }
+}
+
+#[test]
 fn every_listed_alarm_is_reached_or_excused() {
     // oracle: self (the catalogue)
     for cycle in simulated() {

@@ -31,6 +31,6 @@ pub enum Next {
 
 /// Ends the cycle with an alarm, which also stays in `_OVI[9]` (B:5699).
 pub fn alarm(machine: &mut dyn Machine, number: u32) -> Stop {
-    results::set(machine, "_OVI[9]", f64::from(number));
+    results::set(machine, results::ALARM, f64::from(number));
     Stop::Alarm(Code::Alarm(number))
 }

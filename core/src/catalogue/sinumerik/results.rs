@@ -5,6 +5,9 @@ use crate::check::Inputs;
 use crate::message::Message;
 use crate::run::{Machine, trace::Step};
 
+/// The number of the alarm that the last call raised (B:5699).
+pub const ALARM: &str = "_OVI[9]";
+
 /// Writes a datum and records it.
 pub fn set(machine: &mut dyn Machine, name: &str, value: f64) {
     let control = machine.control();
