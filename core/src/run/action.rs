@@ -81,9 +81,10 @@ pub fn perform(run: &mut Interpreter, at: usize, mut found: Words) -> Result<Nex
 enum End {
     /// By going there (NCT M99).
     Jump(Next),
-    /// With the whole run: M2, M30.
+    /// With the whole run: M2, M30 of NCT.
     Program,
-    /// By going back to the call: M17, RET.
+    /// By going back to the call, from the main program with the whole run: M17, RET, and M2 and M30, which end a
+    /// subprogram in the same way.
     Level,
 }
 
@@ -142,9 +143,8 @@ fn end(run: &mut Interpreter, found: &Words) -> Result<Option<End>, Problem> {
         }
         match number as i64 {
             0 | 1 => run.sim.note(Step::Message(format!("M{number}"))),
-            2 | 30 => end = Some(End::Program),
-            17 if end.is_none() => end = Some(End::Level),
-            17 => {}
+            2 | 30 if nct => end = Some(End::Program),
+            2 | 30 | 17 => end = Some(End::Level),
             98 if nct => {}
             99 if nct => {
                 let back = macro_call::back(run, found, address.span)?;

@@ -34,6 +34,7 @@ pub fn take(run: &mut Interpreter, address: &Address, path: &mut Path) -> Result
         "CR" => path.radius = Some(number(address)? * factor),
         "R" if nct => path.radius = Some(number(address)? * factor),
         "AR" => path.angle = Some(number(address)?),
+        "ANG" if !nct => path.slope = Some(number(address)?),
         "TURN" => path.turns = turns(address)?,
         "F" if !path.dwell => {
             run.modal.feed = number(address)?;

@@ -29,6 +29,9 @@ pub fn go(run: &mut Interpreter, path: &Path) -> Result<(), Stop> {
     let base = incremental_base(run, path.suppress, from);
     let to = std::array::from_fn(|i| target(run, from[i], base[i], path.axes[i], i));
     let to = polar::target(run, path, from, to);
+    let Some(to) = polar::along(run, path, from, to) else {
+        return Err(run.fail(Problem::new("run-not-simulated", path.span, "ANG")));
+    };
     let feed = feed(run, path, to);
     let with_feed = run.modal.motion != Motion::Rapid || path.measure.is_some();
     if with_feed && feed <= 0.0 {

@@ -78,6 +78,8 @@ pub struct Path {
     pub radius: Option<f64>,
     /// AR: opening angle, degree.
     pub angle: Option<f64>,
+    /// ANG: angle of a line from the abscissa, degree.
+    pub slope: Option<f64>,
     /// TURN: whole turns before the end.
     pub turns: f64,
     /// Frames left out in this block.

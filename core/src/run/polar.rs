@@ -1,4 +1,4 @@
-//! Polar coordinates: a pole in the working plane, an angle and a distance from it (G110 to G112, AP, RP).
+//! Targets by an angle: from a pole in the working plane with a distance (G110 to G112, AP, RP), or of a line (ANG).
 
 use super::interpret::Interpreter;
 use super::path::{Coordinate, Path, Polar, Pole};
@@ -33,6 +33,24 @@ pub fn target(run: &Interpreter, path: &Path, from: [f64; 3], to: [f64; 3]) -> [
     let mut to = to;
     (to[a], to[o]) = (x + dx, y + dy);
     to
+}
+
+/// ANG: where a line at this angle from the abscissa comes to the one coordinate of the plane that the block writes; none:
+/// there is no such place.
+pub fn along(run: &Interpreter, path: &Path, from: [f64; 3], to: [f64; 3]) -> Option<[f64; 3]> {
+    let Some(angle) = path.slope else {
+        return Some(to);
+    };
+    let [a, o, _] = run.sim.control.plane.axes();
+    let (sine, cosine) = crate::geometry::rigid::sin_cos(angle);
+    let (written, other, ratio) = match (path.axes[a], path.axes[o]) {
+        (Some(_), None) => (a, o, sine / cosine),
+        (None, Some(_)) => (o, a, cosine / sine),
+        _ => return None,
+    };
+    let mut end = to;
+    end[other] = from[other] + (to[written] - from[written]) * ratio;
+    end[other].is_finite().then_some(end)
 }
 
 /// From the pole to the place; what is not written, and what increments count from, is as the axes stand.

@@ -65,9 +65,7 @@ pub fn around(
     subprogram::enter(run, back, &call, &unit, 1).map_err(|problem| run.fail(problem))?;
     run.at = start(run, &unit, cycle);
     while run.levels.len() > depth {
-        if interpret::one_block(run)?.is_some() {
-            subprogram::leave(run); // M30 ends it like M17
-        }
+        interpret::one_block(run)?;
     }
     run.at = back;
     run.sim.line = Some(back as u32);

@@ -23,6 +23,23 @@ fn a_point_is_told_by_pole_angle_and_distance() {
     at("G18\nG0 Y0 AP=90 RP=5", [5.0, 0.0, 0.0]);
 }
 
+// oracle: hand: a line at 45 degrees, one at 135 degrees, and in G18 from Z
+#[test]
+fn a_line_is_told_by_its_angle() {
+    at("G0 X1 Y2\nG1 X11 ANG=45 F100", [11.0, 12.0, 0.0]);
+    at("G1 Y10 ANG=135 F100", [-10.0, 10.0, 0.0]);
+    at("G1 Y10 ANG=90 F100", [0.0, 10.0, 0.0]);
+    at("G0 X5\nG91 G1 Y=IC(3) ANG=45 F100", [8.0, 3.0, 0.0]);
+    at("G18\nG0 X0 Y0 Z0\nG1 Z10 ANG=45 F100", [10.0, 0.0, 10.0]);
+    for text in [
+        "G1 X5 Y5 ANG=45 F100",
+        "G1 Z5 ANG=45 F100",
+        "G1 Y5 ANG=0 F100",
+    ] {
+        assert_eq!(fault(text), "run-not-simulated", "{text}");
+    }
+}
+
 // oracle: hand: a quarter round the pole passes 45 degree
 #[test]
 fn an_arc_goes_round_the_pole() {

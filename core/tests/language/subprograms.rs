@@ -91,6 +91,15 @@ fn save_restores_the_modal_functions() {
     assert_eq!((called("SAVE"), called("DISPLOF")), (5.0, 15.0));
 }
 
+// oracle: manual (MD20800: M2 and M30 are ends of a subprogram like M17)
+#[test]
+fn each_end_of_a_subprogram_goes_back() {
+    for end in ["M17", "RET", "M2", "M30", "M02", ""] {
+        let text = format!("SUB P2\nR1=R1+10\nM30\n%_N_SUB_SPF\nR1=R1+1\n{end}");
+        assert_eq!(number(&text, "R1"), 12.0, "{end}");
+    }
+}
+
 // oracle: hand
 #[test]
 fn jumps_stay_in_their_program() {

@@ -15,6 +15,7 @@ pub use language::is_word;
 pub use state::{Mode, State, Tool};
 
 use super::tree::{Block, Program, Word};
+use crate::catalogue::Dialect;
 use crate::run::programs::Programs;
 use passes::Passes;
 use std::collections::HashMap;
@@ -223,7 +224,8 @@ impl<F: Follow> Walk<'_, F> {
     fn blocks(&mut self, unit: usize, state: F::State) -> Option<F::State> {
         let range = self.programs.units.get(unit)?.blocks.clone();
         let program = self.program;
-        let mut branches = Branches::new(state);
+        let called = self.open.len() > 1 && program.dialect == Dialect::Sinumerik;
+        let mut branches = Branches::new(state, called);
         let mut at = range.start;
         while let Some(block) = program.blocks.get(at).filter(|_| at < range.end) {
             let words = program.words_of(block);
@@ -241,7 +243,7 @@ impl<F: Follow> Walk<'_, F> {
                 branches.state = self.rules.meet(&before, &branches.state);
             }
             let rules = &mut *self.rules;
-            if structure::ends(program, words) && branches.alive(block) {
+            if structure::ends(program, words) && !called && branches.alive(block) {
                 rules.end(&branches.state);
             }
             at = self.onward(&mut branches, at, &range);

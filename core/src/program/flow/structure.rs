@@ -17,6 +17,8 @@ pub struct Branches<S> {
     jumps: HashMap<String, S>,
     /// State of those who went back before the end.
     left: Option<S>,
+    /// M2 and M30 go back to the caller.
+    called: bool,
 }
 
 /// A structure whose end has not come yet.
@@ -35,9 +37,10 @@ pub struct Choice<S> {
 }
 
 impl<S: Clone> Branches<S> {
-    /// The one way at the beginning.
-    pub fn new(state: S) -> Self {
+    /// The one way at the beginning; `called`: of a subprogram, which M2 and M30 end like M17.
+    pub fn new(state: S, called: bool) -> Self {
         Self {
+            called,
             state,
             dead: false,
             open: Vec::new(),
@@ -128,7 +131,7 @@ impl<S: Clone> Branches<S> {
             _ => {}
         }
         let mut goes = ends(program, words);
-        if returns(program, words) && !self.dead {
+        if (returns(program, words) || (goes && self.called)) && !self.dead {
             self.left = both(self.left.take(), Some(self.state.clone()), &meet);
             goes = true;
         }
@@ -236,7 +239,7 @@ fn conditional(program: &Program, words: &[Word]) -> bool {
     })
 }
 
-/// Whether the block ends the whole program: M2, M30.
+/// Whether the block ends its program: M2, M30; the main program of NCT from everywhere.
 pub fn ends(program: &Program, words: &[Word]) -> bool {
     words
         .iter()
