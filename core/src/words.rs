@@ -5,7 +5,7 @@ use fluent_bundle::concurrent::FluentBundle;
 use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
 
 /// The English message files; a test holds this list against the folder.
-pub const ENGLISH: &[(&str, &str)] = &[
+const ENGLISH: &[(&str, &str)] = &[
     ("advice.ftl", include_str!("../messages/en/advice.ftl")),
     ("alarms.ftl", include_str!("../messages/en/alarms.ftl")),
     ("changes.ftl", include_str!("../messages/en/changes.ftl")),

@@ -20,7 +20,7 @@ impl Limits {
     }
 
     /// Whether the axes may stand there; the last bit of a sum does not take one over its limit.
-    pub fn contain(&self, axes: [f64; 3]) -> bool {
+    fn contain(&self, axes: [f64; 3]) -> bool {
         (0..3).all(|i| {
             self.minus[i].is_none_or(|low| axes[i] >= low - TOLERANCE)
                 && self.plus[i].is_none_or(|high| axes[i] <= high + TOLERANCE)

@@ -44,7 +44,7 @@ impl Control {
 
 /// A choice of the unit system by a G function: which system, and whether feeds and data follow it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct UnitCode {
+struct UnitCode {
     /// System of lengths in the program.
     pub units: Units,
     /// See [`Control::data_follow`].
@@ -52,7 +52,7 @@ pub struct UnitCode {
 }
 
 /// What the G function with this number chooses; none: it is another function.
-pub fn unit_code(dialect: Dialect, number: u16) -> Option<UnitCode> {
+fn unit_code(dialect: Dialect, number: u16) -> Option<UnitCode> {
     let (units, data_follow) = match (dialect, number) {
         (Dialect::Sinumerik, 70) => (Units::Inch, false),
         (Dialect::Sinumerik, 71) => (Units::Metric, false),

@@ -153,19 +153,6 @@ pub fn zero(code: i64) -> Result<Option<ZeroCode>, u32> {
     }))
 }
 
-/// The code of a zero offset.
-pub fn zero_code(code: ZeroCode) -> i64 {
-    let plus = |from: i64, index: usize| from + i64::try_from(index).unwrap_or(0);
-    match code {
-        ZeroCode::Settable(number) => plus(0, number),
-        ZeroCode::LastBasic => 1000,
-        ZeroCode::ChannelBasic(index) => plus(1011, index),
-        ZeroCode::GlobalBasic(index) => plus(1051, index),
-        ZeroCode::System => 2000,
-        ZeroCode::Active => 9999,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]
@@ -283,9 +270,6 @@ mod tests {
                     assert_eq!(tool(tool_code(&read, five), five), Ok(Some(read)));
                 }
             }
-        }
-        for code in [1, 4, 5, 99, 1000, 1011, 1026, 1051, 1066, 2000, 9999] {
-            assert_eq!(zero_code(zero(code).unwrap().unwrap()), code);
         }
     }
 

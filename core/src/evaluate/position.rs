@@ -8,9 +8,9 @@ use nalgebra::IsometryMatrix3;
 /// Set points cannot be brought onto measured ones (A:15930).
 pub const NO_FRAME: u32 = 61411;
 /// The frame takes no rotation (B:1971, B:8415).
-pub const NO_ROTATION: u32 = 61321;
+const NO_ROTATION: u32 = 61321;
 /// The measured triangle is not the set one (A:15933).
-pub const DISTORTED: u32 = 61414;
+const DISTORTED: u32 = 61414;
 
 /// How three points lie in space, seen from where they should lie.
 #[derive(Clone, Copy, Debug, PartialEq)]

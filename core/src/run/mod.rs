@@ -60,7 +60,6 @@ pub use outcome::{Change, Outcome};
 pub use predict::predict;
 pub use setup::Setup;
 
-use crate::check::Inputs;
 use crate::control::Control;
 use crate::diagnostic::Code;
 use crate::geometry::arc::Around;
@@ -133,6 +132,3 @@ pub trait Machine {
     /// Records something that is no motion: a result, a correction, a decision, an alarm that informs.
     fn record(&mut self, step: Step);
 }
-
-/// Values of a form run on a control without a program: see `predict`.
-pub type Simulate = fn(&mut dyn Machine, &Inputs) -> Result<(), Stop>;

@@ -63,62 +63,7 @@ impl Body {
             material: Vec::new(),
             cavity: None,
         };
-        match solid.shape {
-            Shape::Free(ref surface) => body.free = Some(Arc::clone(surface)),
-            Shape::Hole { diameter, depth } => body.hole(diameter, depth, errors),
-            Shape::Shaft { diameter, height } => body.shaft(diameter, height, errors),
-            Shape::Groove {
-                width,
-                depth,
-                length,
-            } => body.groove([width, length], depth, errors),
-            Shape::Pocket { length, depth } => {
-                let length = length.map(|l| l + errors.size);
-                body.pocket(Frustum::tapered(length, depth, errors.taper));
-            }
-            Shape::Web {
-                width,
-                height,
-                length,
-            } => {
-                body.island(Frustum::tapered(
-                    [width + errors.size, length],
-                    height,
-                    errors.taper,
-                ));
-            }
-            Shape::Island { length, height } => {
-                let length = length.map(|l| l + errors.size);
-                body.island(Frustum::tapered(length, height, errors.taper));
-            }
-            Shape::Block { size: [x, y, z] } => {
-                let length = [x + errors.size, y + errors.size];
-                body.block(Frustum::tapered(length, z, errors.taper));
-            }
-            Shape::OuterCorner {
-                angle,
-                length,
-                height,
-            } => body.block(Frustum::corner(angle, length, height, errors)),
-            Shape::InnerCorner {
-                angle,
-                length,
-                depth,
-            } => body.pocket(Frustum::corner(angle, length, depth, errors)),
-            Shape::Turned {
-                diameter,
-                length,
-                bore,
-            } => body.turned(diameter, length, bore, errors),
-            Shape::Chuck {
-                diameter, length, ..
-            } => body.turned(diameter, length, [0.0; 2], errors),
-            Shape::Sphere { diameter } => {
-                let radius = (diameter + errors.size) / 2.0;
-                body.features.push(Feature::Sphere(radius));
-                body.material.push(Piece::Ball { radius });
-            }
-        }
+        body.make(&solid.shape, errors);
         body.bounds = body.features.iter().map(Bound::around).collect();
         body.extents = body.features.iter().map(Extent::around).collect();
         body.extent = match &body.free {
@@ -129,6 +74,66 @@ impl Body {
             }
         };
         body
+    }
+
+    /// Boundary and inside of a shape with these errors.
+    fn make(&mut self, shape: &Shape, errors: &PartErrors) {
+        match *shape {
+            Shape::Free(ref surface) => self.free = Some(Arc::clone(surface)),
+            Shape::Hole { diameter, depth } => self.hole(diameter, depth, errors),
+            Shape::Shaft { diameter, height } => self.shaft(diameter, height, errors),
+            Shape::Groove {
+                width,
+                depth,
+                length,
+            } => self.groove([width, length], depth, errors),
+            Shape::Pocket { length, depth } => {
+                let length = length.map(|l| l + errors.size);
+                self.pocket(Frustum::tapered(length, depth, errors.taper));
+            }
+            Shape::Web {
+                width,
+                height,
+                length,
+            } => {
+                self.island(Frustum::tapered(
+                    [width + errors.size, length],
+                    height,
+                    errors.taper,
+                ));
+            }
+            Shape::Island { length, height } => {
+                let length = length.map(|l| l + errors.size);
+                self.island(Frustum::tapered(length, height, errors.taper));
+            }
+            Shape::Block { size: [x, y, z] } => {
+                let length = [x + errors.size, y + errors.size];
+                self.block(Frustum::tapered(length, z, errors.taper));
+            }
+            Shape::OuterCorner {
+                angle,
+                length,
+                height,
+            } => self.block(Frustum::corner(angle, length, height, errors)),
+            Shape::InnerCorner {
+                angle,
+                length,
+                depth,
+            } => self.pocket(Frustum::corner(angle, length, depth, errors)),
+            Shape::Turned {
+                diameter,
+                length,
+                bore,
+            } => self.turned(diameter, length, bore, errors),
+            Shape::Chuck {
+                diameter, length, ..
+            } => self.turned(diameter, length, [0.0; 2], errors),
+            Shape::Sphere { diameter } => {
+                let radius = (diameter + errors.size) / 2.0;
+                self.features.push(Feature::Sphere(radius));
+                self.material.push(Piece::Ball { radius });
+            }
+        }
     }
 
     /// Whether a point lies in the material.

@@ -70,7 +70,7 @@ pub const PROBE_NUMBER: DigitGroup = DigitGroup {
 };
 
 /// Digits of `_PRNUM` (B:5632, A:1966: 102 is mono probe number 2).
-pub const PROBE_DIGITS: &[DigitGroup] = &[PROBE_TYPE, PROBE_NUMBER];
+const PROBE_DIGITS: &[DigitGroup] = &[PROBE_TYPE, PROBE_NUMBER];
 
 /// Required in every variant.
 pub const ALWAYS_REQUIRED: &[Need] = &[required(When::Always, "need-always")];

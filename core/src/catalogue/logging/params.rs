@@ -8,7 +8,7 @@ use crate::catalogue::{Kind, Need, Param, Range, When};
 /// Longest line of a log, characters (A:15947).
 pub const LONGEST_LINE: f64 = 200.0;
 /// Most lines of a block of values (B:11359, A:15907).
-pub const MOST_LINES: f64 = 4.0;
+const MOST_LINES: f64 = 4.0;
 
 /// The header is the one that the cycles print by themselves (B:11456).
 pub const STANDARD_HEADER: When = When::Setting {

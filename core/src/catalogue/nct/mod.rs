@@ -26,7 +26,7 @@ mod proposal_tests;
 use super::common::{PARAM, optional};
 use super::{Cycle, Dialect, Kind, Need, Param, Range, Unit, When};
 use crate::catalogue;
-use crate::control::{Control, Plane, Units};
+use crate::control::{Control, Units};
 use crate::diagnostic::Code;
 use crate::run::{Machine, Stop};
 
@@ -116,8 +116,12 @@ pub fn overtravel(control: &Control) -> f64 {
     OVERTRAVEL[usize::from(inch)]
 }
 
-/// The axis address of the tool in its plane.
-pub const TOOL_AXIS: [(Plane, &str); 3] = [(Plane::G17, "Z"), (Plane::G18, "Y"), (Plane::G19, "X")];
+/// The axis address of the tool in its plane, for tests.
+#[cfg(test)]
+pub const TOOL_AXIS: [(crate::control::Plane, &str); 3] = {
+    use crate::control::Plane;
+    [(Plane::G17, "Z"), (Plane::G18, "Y"), (Plane::G19, "X")]
+};
 
 /// Name of an axis.
 pub const fn axis_name(axis: usize) -> &'static str {

@@ -17,13 +17,13 @@ pub fn number(value: f64) -> String {
 }
 
 /// Header of the print-out of dimensions.
-pub const DIMENSION_HEADER: [&str; 2] = [
+const DIMENSION_HEADER: [&str; 2] = [
     "TOOL       NOMINAL    TOLERANCE  DEVIATION",
     "OFFSET NO  DIMENSION             FROM NOMINAL",
 ];
 
 /// Header of the print-out of positions.
-pub const POSITION_HEADER: [&str; 2] = [
+const POSITION_HEADER: [&str; 2] = [
     "WORK       NOMINAL    DEVIATION",
     "OFFSET NO  POSITION   FROM NOMINAL",
 ];

@@ -7,7 +7,7 @@ use crate::run::trace::MotionKind;
 use crate::run::{Machine, Stop};
 
 /// First approach, mm/min.
-pub const FAST: f64 = 600.0;
+const FAST: f64 = 600.0;
 /// Back off the surface, mm/min.
 pub const MEDIUM: f64 = 200.0;
 /// Measuring, mm/min.

@@ -3,7 +3,7 @@
 use super::{LIMIT, bound, small};
 use crate::geometry::rigid::sin_cos;
 use crate::json::Error;
-use crate::workpiece::{Shape, Solid};
+use crate::workpiece::{PartErrors, Shape, Solid};
 
 /// Most lobes of a round wall.
 const LOBES: u32 = 100;
@@ -15,7 +15,16 @@ pub(in crate::json) fn solid(name: &str, solid: &Solid) -> Result<(), Error> {
     small(&format!("{name}.rotation"), &solid.rotation)?;
     small(&format!("{name}.errors.shift"), &errors.shift)?;
     small(&format!("{name}.errors.tilt"), &errors.tilt)?;
-    if let Some(angle) = opening(&solid.shape) {
+    if let Shape::Free(_) = solid.shape {
+        return Ok(()); // looked at where it was made; no error changes its size
+    }
+    nominal(name, &solid.shape)?;
+    with_errors(name, &solid.shape, errors)
+}
+
+/// Sizes as on the drawing.
+fn nominal(name: &str, shape: &Shape) -> Result<(), Error> {
+    if let Some(angle) = opening(shape) {
         let holds = (1.0..=179.0).contains(&angle);
         bound(
             &format!("{name}.size"),
@@ -24,10 +33,7 @@ pub(in crate::json) fn solid(name: &str, solid: &Solid) -> Result<(), Error> {
             "an angle of 1 to 179 degrees",
         )?;
     }
-    if let Shape::Free(_) = solid.shape {
-        return Ok(()); // looked at where it was made; no error changes its size
-    }
-    let (across, deep) = sizes(&solid.shape);
+    let (across, deep) = sizes(shape);
     for size in across.iter().chain([&deep]) {
         bound(
             &format!("{name}.size"),
@@ -40,12 +46,18 @@ pub(in crate::json) fn solid(name: &str, solid: &Solid) -> Result<(), Error> {
         diameter,
         length,
         bore: [bore, depth],
-    } = solid.shape
+    } = *shape
     {
         let holds = bore == 0.0 || bore < diameter && depth > 0.0 && depth < length;
         let what = format!("{name}.size: bore");
         bound(&what, bore, holds, "0, or less than the part")?;
     }
+    Ok(())
+}
+
+/// What the errors leave of the sizes.
+fn with_errors(name: &str, shape: &Shape, errors: &PartErrors) -> Result<(), Error> {
+    let (across, deep) = sizes(shape);
     let (amplitude, lobes) = errors.out_of_round;
     bound(
         &format!("{name}.errors.outOfRound"),

@@ -28,13 +28,6 @@ impl Ray {
 }
 
 impl Block {
-    /// Position at switching minus surface, both along the ray, mm: what [`Block::trigger`] is along an axis, of which
-    /// minus directions turn the sign.
-    pub fn trigger_along(&self, ray: &Ray) -> f64 {
-        let [abscissa, ordinate] = ray.direction();
-        -self.ball - self.skew[0] * abscissa - self.skew[1] * ordinate
-    }
-
     /// Start of the measuring block, abscissa and ordinate of the spindle axis: the ball `path` before the set surface.
     pub fn start_along(&self, ray: &Ray) -> [f64; 2] {
         self.on(ray, -ray.path)
@@ -47,16 +40,9 @@ impl Block {
         std::array::from_fn(|i| ray.set[i] + direction[i] * way - self.skew[i])
     }
 
-    /// Moves straight to the start of the block, touches the surface `_NMSP` times and returns to the start. Coordinate
-    /// of the surface along the ray, mm.
-    pub fn measure_along(&self, machine: &mut dyn Machine, ray: &Ray) -> Result<f64, Stop> {
-        let [abscissa, ordinate] = ray.direction();
-        let [x, y] = self.latch_along(machine, ray)?;
-        Ok(x * abscissa + y * ordinate - self.trigger_along(ray))
-    }
-
-    /// The same, but where the ball centre stood at switching, mm: its distance from a round surface is the radius of
-    /// the active ball, wherever it met it.
+    /// Moves straight to the start of the block, touches the surface `_NMSP` times and returns to the start. Where the
+    /// ball centre stood at switching, abscissa and ordinate, mm: its distance from the surface is the radius of the
+    /// active ball, wherever it met it.
     pub fn ball_along(&self, machine: &mut dyn Machine, ray: &Ray) -> Result<[f64; 2], Stop> {
         let [x, y] = self.latch_along(machine, ray)?;
         Ok([x + self.skew[0], y + self.skew[1]])
@@ -100,6 +86,13 @@ mod tests {
     const WIDTH: f64 = 40.0;
     /// Where its middle stands.
     const MIDDLE: [f64; 2] = [12.0, -7.0];
+
+    /// Coordinate of the touched surface along the ray, mm.
+    fn surface(block: &Block, sim: &mut Sim, ray: &Ray) -> Result<f64, Stop> {
+        let [abscissa, ordinate] = ray.direction();
+        let [x, y] = block.ball_along(sim, ray)?;
+        Ok(x * abscissa + y * ordinate + block.ball)
+    }
 
     /// A web turned by `angle`, its wall moved outwards by half of `grown`, and a probe beside it.
     fn web(plane: Plane, angle: f64, grown: f64) -> Setup {
@@ -159,7 +152,7 @@ mod tests {
             let block = block(&mut sim, &[("_FA", 4.0), ("_NMSP", 2.0)]);
             let ray = ray(angle);
             let [x, y] = ray.direction();
-            let found = block.measure_along(&mut sim, &ray).unwrap();
+            let found = surface(&block, &mut sim, &ray).unwrap();
             let wall = ray.set[0] * x + ray.set[1] * y - grown / 2.0;
             prop_assert!((found - wall).abs() < 1e-9, "{found} {wall}");
             let start = block.start_along(&ray);
@@ -182,9 +175,9 @@ mod tests {
             let mut sim = Sim::new(&setup);
             let block = block(&mut sim, &[]);
             for (angle, axis, direction) in [(0.0, 0, 1.0), (90.0, 1, 1.0), (180.0, 0, -1.0), (-90.0, 1, -1.0)] {
-                let ray = Ray { angle, set: [0.0; 2], path: 1.0 };
-                let along = direction * block.trigger_along(&ray);
-                prop_assert!((along - block.trigger(axis, direction)).abs() < 1e-12, "{angle}");
+                let ray = Ray { angle, set: [0.0; 2], path: block.path };
+                let start = block.start(&block.point(axis, direction, 0.0));
+                prop_assert!((block.start_along(&ray)[axis] - start).abs() < 1e-12, "{angle}");
             }
         }
     }
@@ -196,7 +189,7 @@ mod tests {
         setup.control.set("_CHBIT[17]", 1.0);
         let mut sim = Sim::new(&setup);
         let block = block(&mut sim, &[("_FA", 4.0)]);
-        block.measure_along(&mut sim, &ray(30.0)).unwrap();
+        surface(&block, &mut sim, &ray(30.0)).unwrap();
         let away = |to: [f64; 3]| {
             let (sine, cosine) = sin_cos(30.0);
             let (x, y) = (to[0] - MIDDLE[0], to[1] - MIDDLE[1]);
@@ -231,7 +224,7 @@ mod tests {
         let mut sim = Sim::new(&web(Plane::G17, 30.0, 0.0));
         sim.control.set("_CBIT[8]", 1.0);
         let block = block(&mut sim, &[("_PRNUM", 101.0), ("_CORA", 5.0), ("_FA", 4.0)]);
-        block.measure_along(&mut sim, &ray(30.0)).unwrap();
+        surface(&block, &mut sim, &ray(30.0)).unwrap();
         assert_eq!(sim.control.spindle, 215.0);
     }
 
@@ -242,7 +235,7 @@ mod tests {
             let mut sim = Sim::new(&web(Plane::G17, 30.0, size));
             sim.control.limits.minus[0] = limit;
             let block = block(&mut sim, &[("_FA", 4.0)]);
-            block.measure_along(&mut sim, &ray(30.0)).map(|_| ())
+            surface(&block, &mut sim, &ray(30.0)).map(|_| ())
         };
         assert_eq!(outcome(0.0, None), Ok(()));
         assert_eq!(outcome(0.0, Some(31.9)), Ok(()));
