@@ -15,6 +15,7 @@ pub mod json;
 pub mod message;
 pub mod own;
 pub mod program;
+#[cfg(feature = "cli")]
 pub mod report;
 pub mod run;
 pub mod scan;

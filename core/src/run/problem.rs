@@ -65,6 +65,8 @@ pub const KEYS: &[&str] = &[
     "run-system-variable",
     "run-positioning",
     "run-axis-variable",
+    "run-log",
+    "run-scan-limit",
 ];
 
 /// Something wrong at a place.
@@ -103,13 +105,51 @@ pub fn code(key: &str) -> Code {
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::unwrap_used)]
     use super::*;
+    use std::path::Path;
 
+    // oracle: self (the table against the words)
     #[test]
     fn every_problem_has_words() {
-        let words = include_str!("../../messages/en/run.ftl");
+        let words = [
+            include_str!("../../messages/en/run.ftl"),
+            include_str!("../../messages/en/digitizing.ftl"),
+        ];
         for key in KEYS {
-            assert!(words.contains(&format!("\n{key} = ")), "{key}");
+            let line = format!("\n{key} = ");
+            assert!(words.iter().any(|file| file.contains(&line)), "{key}");
+        }
+    }
+
+    /// Keys of the problems that the Rust files of a folder raise.
+    fn raised(folder: &Path, keys: &mut Vec<String>) {
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                raised(&path, keys);
+                continue;
+            }
+            let text = std::fs::read_to_string(&path).unwrap();
+            for begin in ["Problem::new(", "Stop::Fault(Message::new("] {
+                let calls = text.split(begin).skip(1);
+                let literals = calls.filter_map(|call| call.trim_start().strip_prefix('"'));
+                keys.extend(literals.filter_map(|rest| Some(rest.split_once('"')?.0.to_owned())));
+            }
+        }
+    }
+
+    // oracle: self (the sources: what is raised has a number)
+    #[test]
+    fn every_problem_that_is_raised_stands_in_the_table() {
+        let mut keys = Vec::new();
+        raised(
+            &Path::new(env!("CARGO_MANIFEST_DIR")).join("src"),
+            &mut keys,
+        );
+        assert!(keys.len() > 100, "{}", keys.len());
+        for key in keys.iter().filter(|key| key.starts_with("run-")) {
+            assert!(KEYS.contains(&key.as_str()), "{key} has no number");
         }
     }
 }
