@@ -20,6 +20,7 @@ mod helper;
 pub mod in_use;
 mod indexed;
 pub mod interpret;
+pub mod left;
 pub mod level;
 mod listed;
 pub mod locals;

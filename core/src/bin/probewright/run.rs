@@ -3,7 +3,9 @@
 use crate::check::print_all;
 use crate::file::{self, Problem};
 use crate::scan;
+use probewright_core::catalogue::Unit;
 use probewright_core::catalogue::alarms;
+use probewright_core::check::unit_behind;
 use probewright_core::diagnostic::{Code, Diagnostic, Severity};
 use probewright_core::json;
 use probewright_core::message::{Message, printable};
@@ -12,7 +14,7 @@ use probewright_core::run::outcome::Outcome;
 use probewright_core::run::{self, Limits};
 use probewright_core::words::{Words, rounded};
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// What is run, and where what comes out goes.
@@ -46,7 +48,7 @@ pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
         writeln!(out, "{}", serde_json::to_string_pretty(&view)?)?;
     } else {
         print_all(path, &source, &outcome.diagnostics, words, out)?;
-        print_outcome(&outcome, words, out)?;
+        print_outcome(path, &outcome, words, out)?;
     }
     if let Some(print) = &arguments.print {
         let lines = outcome.printed().into_iter();
@@ -64,10 +66,16 @@ pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
 }
 
 /// What came out; why a run ended early is among the findings.
-fn print_outcome(outcome: &Outcome, words: &Words, out: &mut dyn Write) -> std::io::Result<()> {
+fn print_outcome(
+    path: &Path,
+    outcome: &Outcome,
+    words: &Words,
+    out: &mut dyn Write,
+) -> std::io::Result<()> {
     for decision in outcome.decisions() {
         writeln!(out, "{}", words.text(decision))?;
     }
+    print_results(path, outcome, words, out)?;
     for line in outcome.log() {
         writeln!(out, "log: {}", printable(line))?;
     }
@@ -77,6 +85,32 @@ fn print_outcome(outcome: &Outcome, words: &Words, out: &mut dyn Write) -> std::
     }
     for alarm in outcome.alarms() {
         writeln!(out, "{}", alarm_line(alarm, words))?;
+    }
+    Ok(())
+}
+
+/// What each call measured: its results that have a unit.
+fn print_results(
+    path: &Path,
+    outcome: &Outcome,
+    words: &Words,
+    out: &mut dyn Write,
+) -> std::io::Result<()> {
+    for left in outcome.left() {
+        let measured = left
+            .results
+            .iter()
+            .filter(|(field, _)| field.unit != Unit::None);
+        let lines = measured.map(|(field, value)| {
+            let unit = unit_behind(field.unit, &outcome.control);
+            let meaning = words.text(&Message::new(field.key));
+            format!("  {} = {}{unit}  {meaning}", field.name, rounded(*value))
+        });
+        let lines: Vec<String> = lines.collect();
+        if !lines.is_empty() {
+            writeln!(out, "{}:{}: {}", path.display(), left.line + 1, left.cycle)?;
+            writeln!(out, "{}", lines.join("\n"))?;
+        }
     }
     Ok(())
 }

@@ -1,0 +1,100 @@
+//! What the measuring calls of a program left in their result data.
+
+use super::outcome::Outcome;
+use super::trace::{Entry, Step};
+use crate::catalogue::{self, Cycle, ResultField};
+use crate::check::Inputs;
+use crate::control::Control;
+use std::collections::BTreeMap;
+
+/// What one call left.
+#[derive(Clone)]
+pub struct Left {
+    /// Line of the call in the program, from 0.
+    pub line: u32,
+    /// Name of what was called.
+    pub cycle: &'static str,
+    /// Its results with their values, in the order of the entry.
+    pub results: Vec<(&'static ResultField, f64)>,
+}
+
+impl Outcome {
+    /// What the calls left, in the order of their lines; of a call that was carried out several times, what it left last.
+    pub fn left(&self) -> Vec<Left> {
+        let mut calls = BTreeMap::new();
+        let mut entries = self.trace.entries.iter();
+        while let Some(entry) = entries.next() {
+            if let Some((line, called)) = called(entry, &self.control) {
+                let left = one(line, &called, entries.as_slice());
+                calls.insert(line, left);
+            }
+        }
+        calls.into_values().collect()
+    }
+}
+
+/// The call that begins with this entry, with its variant only.
+fn called(entry: &Entry, control: &Control) -> Option<(u32, Inputs)> {
+    let Step::CallBegin { cycle, variant } = entry.step else {
+        return None;
+    };
+    let cycle = catalogue::find(control.dialect, cycle)?;
+    Some((entry.line?, Inputs::new(cycle, variant)))
+}
+
+/// What was written before the next call began.
+fn one(line: u32, called: &Inputs, behind: &[Entry]) -> Left {
+    let cycle: &'static Cycle = called.cycle;
+    let mut written = BTreeMap::new();
+    for Entry { step, .. } in behind {
+        match step {
+            Step::CallBegin { .. } | Step::CallEnd => break,
+            Step::Set { name, after, .. } => drop(written.insert(name.as_str(), *after)),
+            _ => {}
+        }
+    }
+    let fields = cycle.results.iter();
+    let results = fields
+        .filter(|field| field.when.holds(called))
+        .filter_map(|field| Some((field, *written.get(field.name)?)))
+        .collect();
+    Left {
+        line,
+        cycle: cycle.name,
+        results,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+    use crate::catalogue::Dialect;
+    use crate::control::Plane;
+    use crate::program::read;
+    use crate::run::{Limits, Setup, run};
+
+    #[test]
+    fn what_each_call_left_last_is_told_with_its_meaning() {
+        // oracle: hand (circles of radius 1 to 3 by the same call, then a 4th point that makes no circle with the others)
+        let text = "DEF INT FAULT\nDEF REAL P[13]\nFOR R1=1 TO 3\nP[0]=SET(3,R1,0,0,R1,-R1,0)\nCYCLE116(P,FAULT)\nENDFOR\n\
+            P[0]=SET(3,0,0,1,0,2,0)\nCYCLE116(P,FAULT)\nM30\n";
+        let setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+        let program = read(Dialect::Sinumerik, text.as_bytes());
+        let outcome = run(&program, &setup, Limits::default());
+        assert_eq!(outcome.stop, None, "{:?}", outcome.diagnostics);
+        let left = outcome.left();
+        let value = |call: usize, name: &str| {
+            let found = left[call]
+                .results
+                .iter()
+                .find(|(field, _)| field.name == name);
+            found.map(|(field, value)| (field.key, *value))
+        };
+        assert_eq!([left[0].line, left[1].line], [4, 7]);
+        let (key, radius) = value(0, "_DATE[11]").unwrap();
+        assert!(key == "result-116-radius" && (radius - 3.0).abs() < 1e-9);
+        assert_eq!(value(1, "_DATE[11]"), None);
+        assert_eq!(value(1, "_ALM"), Some(("result-116-alarm", 61316.0)));
+    }
+}
