@@ -3,6 +3,7 @@
 //! Lengths in mm, angles in degree.
 
 use super::{BasicFrames, Control, Frame, Value};
+use std::collections::BTreeSet;
 
 /// Which channel basic frames are in the chain: bit 0 is `$P_CHBFR[0]`.
 pub const CHANNEL_MASK: &str = "$P_CHBFRMASK";
@@ -41,6 +42,14 @@ impl Control {
             Some(Value::Number(bits)) => *bits as u32 >> index.min(31) & 1 == 1,
             _ => true,
         }
+    }
+
+    /// Numbers of the channel basic frames that exist: as many as MD28081 says (B:1938), and those that hold something.
+    pub fn channel_basic_numbers(&self) -> BTreeSet<usize> {
+        let told = self.number("MD28081").clamp(0.0, 16.0) as usize;
+        (0..told)
+            .chain(self.channel_basic.keys().copied())
+            .collect()
     }
 
     /// All frames from the machine to the WCS, outermost first.

@@ -182,12 +182,12 @@ fn total(run: &Interpreter, key: &str) -> Option<f64> {
 /// Bits of the basic frames in the chain; where the mask was never set, of all that exist.
 fn mask(run: &Interpreter, key: &str) -> f64 {
     let control = &run.sim.control;
-    let frames = if key == CHANNEL_MASK {
-        &control.channel_basic
+    let numbers = if key == CHANNEL_MASK {
+        control.channel_basic_numbers()
     } else {
-        &control.global_basic
+        control.global_basic.keys().copied().collect()
     };
-    let bits = frames.keys().map(|index| 2.0_f64.powi(*index as i32));
+    let bits = numbers.into_iter().map(|index| 2.0_f64.powi(index as i32));
     let all = bits.fold(0.0, |all, bit| all + bit);
     match control.data.get(key) {
         Some(Value::Number(bits)) => *bits,

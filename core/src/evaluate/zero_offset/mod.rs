@@ -1,5 +1,5 @@
 //! What correcting a zero offset writes (B:1930-2003, B:6153): afterwards the measured point has the set
-//! coordinates, as soon as the corrected frame is active. The rotation is kept.
+//! coordinates, as soon as the corrected frame is active. The rotation is kept. DESIGN.md derives the formulas.
 
 #[cfg(test)]
 mod tests;
@@ -82,7 +82,7 @@ pub fn system_frame(control: &Control) -> bool {
 fn last_basic(control: &Control) -> Result<Store, u32> {
     let index = match control.data.get(CHANNEL_MASK) {
         Some(Value::Number(bits)) => (*bits as u32).checked_ilog2().map(|bit| bit as usize),
-        _ => control.channel_basic.keys().next_back().copied(),
+        _ => control.channel_basic_numbers().last().copied(),
     };
     index.map(Store::ChannelBasic).ok_or(61412)
 }

@@ -181,6 +181,18 @@ fn a_table_stands_right_in_the_corrected_basic_frame_with_g500() {
 }
 
 #[test]
+fn the_last_basic_frame_is_that_of_the_machine_data() {
+    // oracle: manual B:1938 (MD28081 says how many there are), A:15931 (the cure of 61412)
+    let last = |control: &Control| target(control, 1000).map(|found| found.unwrap().store);
+    let mut control = control();
+    assert_eq!(last(&control), Err(61412));
+    control.set("MD28081", 3.0);
+    assert_eq!(last(&control), Ok(Store::ChannelBasic(2)));
+    control.set("$P_CHBFRMASK", 2.0);
+    assert_eq!(last(&control), Ok(Store::ChannelBasic(1)));
+}
+
+#[test]
 fn what_does_not_exist_alarms() {
     // oracle: manual A:15862, A:15931
     let mut control = control();

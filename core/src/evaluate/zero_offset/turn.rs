@@ -1,4 +1,5 @@
 //! Rotations of a corrected frame: the part is turned, and afterwards it is not any more (B:7371, B:7844, B:8411).
+//! DESIGN.md derives the formulas.
 
 use super::{Measured, SAME, Store, Target, around, coarse, in_effect, missing, part};
 use crate::control::rotary::ROTARY;
