@@ -49,6 +49,10 @@ pub fn take(run: &mut Interpreter, address: &Address, path: &mut Path) -> Result
                 run.sim.spin(speed.copysign(turns));
             }
         }
+        "S" | "T" if address.extension.is_some_and(|spindle| spindle > 1) => {
+            let problem = Problem::new("run-not-simulated", address.span, name);
+            run.tell(Severity::Warning, &problem);
+        }
         "SPOS" | "SPOSA" => spindle(run, address)?,
         "T" => {} // number or name, see `tool`
         "G" | "M" | "F" | "S" | "D" | "DL" => drop(number(address)?),

@@ -60,6 +60,23 @@ pub fn begin(
     Ok(Next::Jump(first))
 }
 
+/// Whether a block with an instruction to repeat says nothing else: beside its labels and `P` nothing is carried out.
+pub fn alone(run: &Interpreter, words: &[Word]) -> Result<(), Problem> {
+    let other = |word: &&Word| match &word.kind {
+        WordKind::Keyword { .. } | WordKind::Label(_) => false,
+        WordKind::Call { args, .. } => !args.is_empty(),
+        WordKind::Address { name, .. } => !run.program.is(*name, "P"),
+        _ => true,
+    };
+    match words.iter().find(other) {
+        None => Ok(()),
+        Some(word) => {
+            let text = String::from_utf8_lossy(run.program.text(word.span));
+            Err(Problem::new("run-alone", word.span, text))
+        }
+    }
+}
+
 /// Block behind a block that was carried out to its end.
 pub fn after(run: &mut Interpreter, mut at: usize) -> usize {
     let Some(level) = run.levels.last_mut() else {

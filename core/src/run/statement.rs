@@ -86,6 +86,7 @@ pub fn block(run: &mut Interpreter, at: usize) -> Result<Next, Stop> {
         return Ok(Next::Block);
     }
     if let Some((keyword, label)) = repetition(run, words) {
+        repeat::alone(run, words).map_err(|problem| run.fail(problem))?;
         return repeat::begin(run, at, keyword, label, words).map_err(|problem| run.fail(problem));
     }
     if contour::waits(run) && asks_for_position(run, block) {

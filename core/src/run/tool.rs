@@ -42,7 +42,12 @@ fn last<'a>(found: &'a Words, letter: &str) -> Option<&'a Address> {
         .addresses
         .iter()
         .rev()
-        .find(|address| address.name == letter)
+        .find(|address| address.name == letter && of_main_spindle(address))
+}
+
+/// Whether an address is for the main spindle: `T5`, `T1=5`.
+fn of_main_spindle(address: &Address) -> bool {
+    address.extension.is_none_or(|spindle| spindle <= 1)
 }
 
 fn sinumerik(run: &mut Interpreter, found: &Words) -> Result<(), Problem> {

@@ -45,6 +45,11 @@ fn what_is_in_force_follows_the_calls() {
     let saved =
         format!("%_N_MAIN_MPF\nG17 G40 T9 D1\nL5\n{HOLE}M30\n%_N_L5_SPF\nPROC L5 SAVE\nG41\nM17\n");
     assert!(!tells(&saved, COMPENSATION));
+    let ended = format!("%_N_MAIN_MPF\nG17 G40 T9 D1\nL5\n{HOLE}M30\n%_N_L5_SPF\nG41\nM30\n");
+    assert!(
+        tells(&ended, COMPENSATION),
+        "M30 ends a subprogram like M17"
+    );
 }
 
 // oracle: hand (what the text does not tell is not doubted)

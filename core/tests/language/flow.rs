@@ -96,6 +96,8 @@ fn what_shares_a_block_with_a_structure_is_never_passed_over() {
         ("WHILE R1<2\nR1=R1+1\nENDWHILE R2=2", "R2=2"),
         ("FOR R1=2 TO 1\nENDFOR R2=2", "R2=2"),
         ("FOR R1=1 TO 3 R2=R2+1\nENDFOR", "R2=R2+1"),
+        ("PART: R1=R1+1\nR2=2 REPEAT PART P=2", "R2=2"),
+        ("PART: R1=R1+1\nX5 REPEATB PART", "X5"),
     ] {
         let outcome = go(text);
         let found = &outcome.diagnostics[0];

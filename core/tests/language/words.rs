@@ -229,6 +229,7 @@ fn what_is_left_out_leaves_the_axes_where_they_belong() {
         ),
         ("SETINT(1) PRIO=1 LIFTFAST\nX7", "run-not-simulated", 7.0),
         ("TCARR=1\nTCOABS\nX7", "run-not-simulated", 7.0),
+        ("S2=500 T2=20 X7\nM6", "run-not-simulated", 7.0),
         ("H5 X7", "run-machine-function", 7.0),
         (
             "M2=3 M2=30\nM70\n$A_OUT[3]=1\nX7",
