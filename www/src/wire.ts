@@ -113,7 +113,7 @@ export interface Field {
   reason: Message;                     // why it is required or optional
   range?: { min?: number; minIncluded: boolean; max?: number; maxIncluded: boolean };
   choices?: { value: number; label: Message }[];
-  digits?: { label: Message; place: number; digits: number; value: number; choices: { value: number; label: Message }[] }[];
+  digits?: { label: Message; place: number; digits: number; value: number; choices: { value: number; label: Message }[]; leads?: number[] }[]; // leads: the whole number of each choice, where it is more than this digit
   source: string;                      // place in the manual
 }
 // Drawn as SVG, millimetres of the working plane; `field` is highlighted while that field has the focus.

@@ -44,6 +44,7 @@ fn read(group: &DigitGroup, place: i64, number: i64) -> Group {
         digits: group.digits,
         value: number / place % 10_i64.pow(group.digits),
         choices: choices(group.choices),
+        leads: Vec::new(),
     }
 }
 

@@ -1,6 +1,6 @@
 //! The fields of a form, in the order in which they are shown.
 
-use super::{codes, masks};
+use super::{codes, masks, variant};
 use crate::catalogue::{Cycle, Kind, Level, Param, Range};
 use crate::check::{self, Inputs, Typed, factor, unit_name};
 use crate::control::Control;
@@ -71,6 +71,8 @@ pub struct Group {
     pub value: i64,
     /// Named values; empty: any number of that many digits.
     pub choices: Vec<Choice>,
+    /// The whole number to which each choice leads; empty: the digits alone change.
+    pub leads: Vec<i64>,
 }
 
 /// The fields that these values ask for; those that they do not use are left out, and those that the settings of the
@@ -129,7 +131,8 @@ fn entry(param: &Param, inputs: &Inputs, control: &Control) -> Entry {
             choices.map_or(Entry::Real, |list| Entry::Choice(codes::choices(list)))
         }
         Kind::Variant([]) => Entry::Choice(codes::variants(inputs.cycle)),
-        Kind::Variant(groups) | Kind::Digits(groups) => {
+        Kind::Variant(groups) => Entry::Digits(variant::groups(inputs.cycle, groups, number)),
+        Kind::Digits(groups) => {
             let groups = codes::groups(groups, number);
             Entry::Digits(masks::groups(support, groups))
         }

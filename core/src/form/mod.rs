@@ -7,6 +7,7 @@ pub mod figures;
 pub mod machine;
 mod masks;
 pub mod picture;
+mod variant;
 
 pub use draw::draw;
 pub use fields::{Choice, Entry, Field, Group, fields};

@@ -353,11 +353,15 @@ fn choice(choice: &form::Choice) -> Value {
 }
 
 fn group(group: &form::Group) -> Value {
-    object([
+    let mut view = object([
         ("label", message(&group.label)),
         ("place", group.place.into()),
         ("digits", group.digits.into()),
         ("value", group.value.into()),
         ("choices", choices(&group.choices)),
-    ])
+    ]);
+    if !group.leads.is_empty() {
+        put(&mut view, "leads", group.leads.clone());
+    }
+    view
 }

@@ -86,7 +86,8 @@ export function createField(first: Field, actions: Actions, focused: (name: stri
 
   const editGroup = (group: DigitGroup, value: number): void => {
     const base = parseNumber(input.value) ?? field.fallback ?? 0;
-    actions.edit(name, String(withDigits(base, group, value)));
+    const lead = group.leads?.[group.choices.findIndex((one) => one.value === value)];
+    actions.edit(name, String(lead ?? withDigits(base, group, value)));
     actions.touch(name);
   };
 
