@@ -232,7 +232,7 @@ function errorsOf(setup: Setup): ErrorSliders {
 }
 
 /** Whole lines before the line of the cursor, or after the last line when the cursor stands at its end. */
-export function insertion(text: string, cursor: number, snippet: string): Splice {
+function insertion(text: string, cursor: number, snippet: string): Splice {
   const eol = lineBreak(text);
   const body = snippet.replace(/\n+$/, "").replaceAll("\n", eol);
   const atEnd = cursor >= text.length && text.length > 0 && !text.endsWith("\n");

@@ -71,7 +71,7 @@ function followed(state: State, calls: CallView[]): State {
 }
 
 /** The state once the program is read. */
-export function arrived(state: State, reading: Reading): State {
+function arrived(state: State, reading: Reading): State {
   const { calls } = reading.view;
   const near = calls.find((call) => state.open !== null && call.from <= state.open && state.open <= call.to);
   const anchored = { ...state, reading, open: near?.from ?? null };

@@ -161,7 +161,7 @@ const isFile = (value: unknown): value is ProgramFile =>
 const isPending = (value: unknown): value is Pending =>
   plainObject(value) && ["control", "name", "value"].every((name) => typeof value[name] === "string") && Number.isInteger(value.at);
 
-export const STYLES: Style[] = ["direct", "indirect", "operate"];
+const STYLES: Style[] = ["direct", "indirect", "operate"];
 
 /** How the core's own machine begins now. */
 export function ownMachine({ control, own }: State): OwnMachine["own"] {

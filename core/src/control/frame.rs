@@ -50,13 +50,13 @@ impl Frame {
         std::array::from_fn(|i| self.coarse[i] + self.fine[i])
     }
 
-    /// A point of this system in the one before it.
+    /// A point of this system in the one before it, mm.
     pub fn outward(&self, point: [f64; 3]) -> [f64; 3] {
         let scaled = std::array::from_fn(|i| point[i] * self.scale[i]);
         add(self.origin(), self.turn(scaled))
     }
 
-    /// A point of the system before it in this one.
+    /// A point of the system before it in this one, mm.
     pub fn inward(&self, point: [f64; 3]) -> [f64; 3] {
         let scaled = self.turn_back(subtract(point, self.origin()));
         std::array::from_fn(|i| scaled[i] / self.scale[i])

@@ -30,7 +30,7 @@ impl Around {
         (V3::from(self.centre) + turn * start * size + axis.scale(climbed)).into()
     }
 
-    /// Where an arc from here ends that climbs by so much.
+    /// Where an arc from here ends that climbs by so much, mm.
     pub fn end(&self, from: [f64; 3], climb: f64) -> [f64; 3] {
         let axis = Unit::new_unchecked(V3::from(self.axis));
         let (start, height) = self.split(from);

@@ -161,7 +161,7 @@ fn feed(run: &Interpreter, path: &Path, to: [f64; 3]) -> f64 {
     }
 }
 
-/// Revolutions a minute of the main spindle where the tool stands.
+/// Speed of the main spindle where the tool stands, revolutions a minute.
 pub fn spindle_speed(run: &Interpreter) -> f64 {
     match run.modal.feed_type {
         FeedType::Minute | FeedType::Revolution => run.modal.speed,

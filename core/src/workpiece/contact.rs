@@ -91,7 +91,7 @@ impl Boundary {
         })
     }
 
-    /// Distance of a point from the surface of the nearest solid, negative inside; infinite where there is none.
+    /// Distance of a point from the surface of the nearest solid, mm, negative inside; infinite where there is none.
     pub fn distance(&self, p: [f64; 3]) -> f64 {
         self.bodies.iter().fold(f64::INFINITY, |least, body| {
             let own = body

@@ -4,7 +4,7 @@ import type { Rgba } from "./colours";
 import { cross, dot, sub, unit, type Box } from "./vec";
 
 export const VERTEX_FLOATS = 11;
-export const LINE_FLOATS = 16;
+const LINE_FLOATS = 16;
 
 /** Triangles; both windings are allowed when adding, kept is the one whose outside is where the normals point. */
 export interface Mesh {

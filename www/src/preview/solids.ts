@@ -55,7 +55,7 @@ function build(shape: Solid["shape"], size: number[], errors: Solid["errors"], l
 // Placing
 
 /** Shape origin into the machine: rotation and position, then the tilt about the origin and the shift, both in machine axes. */
-export function placement({ errors, rotation, at }: Solid): { point(p: Vec3): Vec3; direction(p: Vec3): Vec3 } {
+function placement({ errors, rotation, at }: Solid): { point(p: Vec3): Vec3; direction(p: Vec3): Vec3 } {
   const turn = product(rpy(errors.tilt), rpy(rotation));
   const direction = (p: Vec3) => apply(turn, p);
   const origin = add(at, errors.shift);

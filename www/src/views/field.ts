@@ -42,7 +42,7 @@ export function needText(field: Field): string {
 }
 
 /** The number with one of its digit groups replaced. */
-export function withDigits(number: number, group: Pick<DigitGroup, "place" | "digits">, value: number): number {
+function withDigits(number: number, group: Pick<DigitGroup, "place" | "digits">, value: number): number {
   const size = 10 ** group.digits;
   const size_ = Math.trunc(Math.abs(number) / group.place) % size;
   return Math.abs(number) + (Math.trunc(value) - size_) * group.place;

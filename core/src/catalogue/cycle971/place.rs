@@ -173,7 +173,7 @@ impl Task<'_> {
         self.block.travel(machine, to)
     }
 
-    /// Coordinate of an axis.
+    /// Coordinate of an axis, WCS, mm.
     pub fn at(&self, machine: &mut dyn Machine, axis: usize) -> f64 {
         machine.position()[self.block.axes[axis.min(2)]]
     }

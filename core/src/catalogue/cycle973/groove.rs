@@ -71,12 +71,12 @@ impl Groove {
 }
 
 impl Place {
-    /// Middle between the walls.
+    /// Middle between the walls, machine coordinates, mm.
     pub fn centre(&self) -> f64 {
         (self.walls[0] + self.walls[1]) / 2.0
     }
 
-    /// Distance of the walls.
+    /// Distance of the walls, mm.
     pub fn width(&self) -> f64 {
         self.walls[0] - self.walls[1]
     }

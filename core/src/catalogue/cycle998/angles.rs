@@ -27,7 +27,7 @@ impl Leg {
         self.distance * (self.sense * angle).to_radians().tan()
     }
 
-    /// Angle of a surface that rises by this much along the way.
+    /// Angle of a surface that rises by this much along the way, degree.
     pub fn angle(&self, rise: f64) -> f64 {
         self.sense * rise.atan2(self.distance).to_degrees()
     }

@@ -24,13 +24,13 @@ pub struct Touch {
 }
 
 impl Touch {
-    /// A place so far before the point.
+    /// A place so far before the point, mm.
     pub fn before(&self, distance: f64) -> [f64; 2] {
         let [x, y] = self.at;
         [x + self.out[0] * distance, y + self.out[1] * distance]
     }
 
-    /// Centre of the ball at the start of the measuring block.
+    /// Centre of the ball at the start of the measuring block, mm.
     pub fn start(&self, path: f64) -> [f64; 2] {
         self.before(BALL + path)
     }

@@ -86,7 +86,7 @@ pub fn touch_wall(
     })
 }
 
-/// Coordinate of the spindle when the ball, moving this way, touches a wall.
+/// Coordinate of the spindle when the ball, moving this way, touches a wall, mm.
 pub fn spindle_at(machine: &mut dyn Machine, index: usize, wall: f64, direction: f64) -> f64 {
     let calibration = Calibration::of(machine, index);
     wall - direction * calibration.radius(direction) - calibration.offset

@@ -46,7 +46,7 @@ impl Feeds {
     }
 }
 
-/// Where the spindle nose stands.
+/// Where the spindle nose stands, machine coordinates, mm.
 pub fn nose(machine: &mut dyn Machine) -> [f64; 3] {
     let here = machine.position();
     let control = machine.control();

@@ -131,12 +131,12 @@ impl Block {
         }
     }
 
-    /// Start of the measuring block in the measuring axis: the ball `path` before the set surface.
+    /// Start of the measuring block in the measuring axis: the ball `path` before the set surface, WCS, mm.
     pub fn start(&self, point: &Point) -> f64 {
         point.set + self.trigger(point.axis, point.direction) - point.direction * point.path
     }
 
-    /// End of the measuring block in the measuring axis.
+    /// End of the measuring block in the measuring axis, WCS, mm.
     pub fn end(&self, point: &Point) -> f64 {
         point.set + self.trigger(point.axis, point.direction) + point.direction * point.path
     }

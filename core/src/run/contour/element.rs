@@ -93,7 +93,7 @@ impl Element {
         }
     }
 
-    /// Where a point lies before the end.
+    /// How far a point lies before the end, in the unit of [`Element::extent`].
     pub fn before_end(&self, point: Point) -> f64 {
         match self.round {
             Some(round) => turned(round, point, self.end),
@@ -101,7 +101,7 @@ impl Element {
         }
     }
 
-    /// How far a point lies behind the end, on the line or circle continued there.
+    /// How far a point lies behind the end, on the line or circle continued there, in the unit of [`Element::extent`].
     pub fn behind_end(&self, point: Point) -> f64 {
         match self.round {
             Some(round) => turned(round, self.end, point),
@@ -109,7 +109,8 @@ impl Element {
         }
     }
 
-    /// How far a point lies before the start, on the line or circle continued there.
+    /// How far a point lies before the start, on the line or circle continued there, in the unit of
+    /// [`Element::extent`].
     pub fn before_start(&self, point: Point) -> f64 {
         match self.round {
             Some(round) => turned(round, point, self.start),

@@ -28,7 +28,8 @@ impl Ray {
 }
 
 impl Block {
-    /// Start of the measuring block, abscissa and ordinate of the spindle axis: the ball `path` before the set surface.
+    /// Start of the measuring block, abscissa and ordinate of the spindle axis, mm: the ball `path` before the set
+    /// surface.
     pub fn start_along(&self, ray: &Ray) -> [f64; 2] {
         self.on(ray, -ray.path)
     }
