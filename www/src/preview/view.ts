@@ -53,6 +53,7 @@ export interface Preview {
 
 const EMPTY: Trace = { entries: [], ball: { radius: 3, length: 100 }, solids: [], frames: [] };
 const WIDE = 1.5; // width of a view over its height from which on there is room at its side
+const MOST_COVERED = 0.35; // of its width that is left free; what is broader covers the view anyway
 const WAYS: BackendName[] = ["webgpu", "webgl2", "svg"];
 
 export async function createPreview(host: HTMLElement, options: Options): Promise<Preview> {
@@ -154,7 +155,8 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
     redrawNow();
   }
   let covered = 0;
-  const refit = () => { camera = fit(camera, viewport(), scene.box, size.width > WIDE * size.height ? covered : 0); redraw(); };
+  const beside = () => (size.width > WIDE * size.height && covered < MOST_COVERED * size.width ? covered : 0);
+  const refit = () => { camera = fit(camera, viewport(), scene.box, beside()); redraw(); };
   const move = (next: typeof camera) => { camera = next; untouched = false; chosen = null; redraw(); };
   const look = () => { if (chosen) camera = turn(camera, chosen, toolAt(trace, step.index)?.ball); };
   const setView = (name: ViewName) => { chosen = name; untouched = true; look(); refit(); };

@@ -132,7 +132,8 @@ function shownOutcome(state: State, derived: Derived): Shown | null {
   if (state.source === "program") {
     if (!run) return null;
     const decisions = run.trace.entries.flatMap((entry) => entry.step === "decision" ? [entry.message] : []);
-    return { ...run, decisions, results: run.results.map((one) => ({ ...one, label: one.label ? say(one.label) : "", unit: one.unit ?? "" })) };
+    const results = run.results.map((one) => ({ ...one, label: one.label ? say(one.label) : "", unit: one.unit ?? "" }));
+    return { ...run, decisions, results: results.sort((a, b) => Number(!a.label) - Number(!b.label)) }; // what only the program set comes last
   }
   const outcome = derived.view.outcome;
   return outcome ? { ...outcome, results: outcome.results.map((one) => ({ ...one, label: say(one.label) })) } : null;

@@ -122,10 +122,14 @@ impl Sim {
             return Err(self.crash(&met));
         }
         self.switched(&met);
+        if met.by == Touching::Stylus {
+            self.stylus_touched = true;
+            self.note(Step::Decision(Message::new("run-stylus")));
+        }
         Ok(Some(end))
     }
 
-    /// The probe switches. That its stylus was deflected and not its ball is told: what is measured is wrong.
+    /// The probe switches. That its stylus was deflected and not its ball spoils a measurement, and is told there.
     pub(super) fn switched(&mut self, met: &Obstacle) {
         self.touching = true;
         self.note(Step::Touch {
@@ -135,10 +139,6 @@ impl Sim {
             normal: met.normal,
             by: met.by,
         });
-        if met.by == Touching::Stylus {
-            self.stylus_touched = true;
-            self.note(Step::Decision(Message::new("run-stylus")));
-        }
     }
 
     /// The probe hits something where nobody watches, or with what gives no signal.
@@ -155,7 +155,7 @@ impl Sim {
         }))
     }
 
-    /// Whether the stylus touched instead of the ball since the last question.
+    /// Whether a measurement was spoilt by the stylus since the last question.
     pub fn stylus_touched(&mut self) -> bool {
         std::mem::take(&mut self.stylus_touched)
     }

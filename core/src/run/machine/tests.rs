@@ -223,6 +223,7 @@ fn a_stylus_on_its_way_is_an_alarm_or_a_crash() {
     let stop = watched.travel(to, MotionKind::Positioning, 1000.0, true);
     assert_eq!(stop, Err(Stop::Alarm(Code::Alarm(61302))));
     assert!((watched.position[0] - 18.65).abs() < 1e-9);
+    assert!(!watched.stylus_touched(), "no measurement is spoilt");
     let mut unwatched = under_a_plate(None);
     let stop = unwatched.travel(to, MotionKind::Rapid, 0.0, false);
     let crash = Message::new("run-crash-stylus");
