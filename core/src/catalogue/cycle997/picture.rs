@@ -85,7 +85,14 @@ fn scene(inputs: &Inputs) -> Scene {
 
 /// The sphere from above, with the safe area of its centre, wider than it is.
 fn sphere(scene: &Scene) -> Vec<PictureShape> {
-    let (half, low) = (scene.size / 2.0, -scene.size * 0.28);
+    let half = scene.size / 2.0;
+    // where the section stands below, its text would lie upon the last point
+    let [x, y] = if scene.three {
+        scene.section()
+    } else {
+        [0.0; 2]
+    };
+    let low = y - scene.size * 0.28;
     let outline = round([0.0; 2], half);
     let area = corners([0.0; 2], [scene.size * 0.14; 2]);
     let mut shapes = vec![
@@ -93,7 +100,7 @@ fn sphere(scene: &Scene) -> Vec<PictureShape> {
         polygon(ShapeKind::Edge, outline).of(names::SETVAL),
         polygon(ShapeKind::Tolerance, area).of(names::TSA),
         line(ShapeKind::Touch, vec![[0.0; 2]]).of(names::SETV0),
-        dimension(names::SETVAL, [-half, low], [half, low]),
+        dimension(names::SETVAL, [x - half, low], [x + half, low]),
     ];
     if scene.repeated {
         let found = scene.size * 0.05;
