@@ -49,6 +49,9 @@ fn apply(run: &mut Interpreter, call: &Call, found: &Words) -> Result<(), Proble
             ..Frame::default()
         },
     };
+    if own.scale.contains(&0.0) {
+        return Err(Problem::new("run-range", call.span, &*call.name));
+    }
     let adds = call.name.starts_with('A');
     if adds && !before.chains_with(&own) {
         return Err(Problem::new("run-shear", call.span, &*call.name));

@@ -101,8 +101,8 @@ fn tool_number(run: &Interpreter, name: &str, values: &[Datum]) -> Option<Datum>
     (name == "GETT" && values.len() <= 2).then_some(Datum::Number(number as f64))
 }
 
-/// `CTRANS(X,10,Y,20)`, `CFINE(…)`, `CROT(Z,30)`, `CSCALE(X,2)`, `CMIRROR(X,Y)`, `CRPL(0,30)`, `INVFRAME(…)`; the outer option: whether it is a
-/// function of frames.
+/// `CTRANS(X,10,Y,20)`, `CFINE(…)`, `CROT(Z,30)`, `CSCALE(X,2)`, `CMIRROR(X,Y)`, `CRPL(0,30)`, `INVFRAME(…)`; the outer
+/// option: whether it is a function of frames.
 fn frame(run: &Interpreter, name: &str, values: &[Datum]) -> Option<Option<Frame>> {
     let (part, factor) = match name {
         "CTRANS" => ("TR", run.sim.control.active_factor()),
@@ -126,7 +126,8 @@ fn frame(run: &Interpreter, name: &str, values: &[Datum]) -> Option<Option<Frame
         };
         let rotary = ROTARY.contains(&axis.as_str());
         let value = if rotary { *value } else { value * factor };
-        if !set_component(&mut frame, axis, part, value) {
+        let shrinks = part == "SC" && value == 0.0; // to nothing
+        if shrinks || !set_component(&mut frame, axis, part, value) {
             return Some(None);
         }
     }

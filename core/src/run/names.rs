@@ -193,6 +193,9 @@ fn write_variable(
         run.note_set(setting, before, number);
         return Ok(());
     }
+    if number == 0.0 && key.ends_with(",SC]") {
+        return Err(Problem::new("run-range", place, key));
+    }
     let after = number * variable_factor(run, key);
     let before = run.sim.control.variable(key).unwrap_or(0.0);
     if !run

@@ -50,6 +50,13 @@ fn frames_are_variables_with_components() {
         near(number(text, "R1"), expected, text);
     }
     assert_eq!(fault("$P_ACTFRAME=CTRANS(X,1)"), "run-read-only");
+    for (text, key) in [
+        ("SCALE X0", "run-range"),
+        ("$P_UIFR[1,X,SC]=0", "run-range"),
+        ("$P_UIFR[1]=CSCALE(X,0)", "run-function"),
+    ] {
+        assert_eq!(fault(text), key, "{text}");
+    }
     assert_eq!(fault("R1=$P_UIFR[1,X,QQ]"), "run-unknown-variable");
     assert_eq!(fault("TRANS X1 ROT Z10"), "run-alone");
 }
