@@ -4,7 +4,7 @@ use super::setup_active::units_name;
 use super::setup_write::plane_name;
 use super::start::start;
 use super::{Error, diagnostic, dialect, dialect_name, message, object, put, style_name, typed};
-use crate::catalogue::Style;
+use crate::catalogue::{ResultField, Style};
 use crate::check::{unit_name, variants};
 use crate::control::{Control, delivery};
 use crate::diagnostic::Diagnostic;
@@ -12,7 +12,7 @@ use crate::program::calls::{CallSite, calls as find_calls, calls_told};
 use crate::program::change::{Edit, change as edits};
 use crate::program::position::Positions;
 use crate::program::{self, tree::Program};
-use crate::run::outcome::{Meaning, Outcome};
+use crate::run::outcome::Outcome;
 use crate::run::setup::Setup;
 use crate::run::{Limits, Session};
 use serde::Deserialize;
@@ -241,20 +241,21 @@ impl Run {
 }
 
 /// What a program wrote; with what it means where a call left it.
-fn result(outcome: &Outcome, name: &str, value: f64) -> Value {
+fn result(name: &str, value: f64, meaning: Option<&&ResultField>, control: &Control) -> Value {
     let mut result = object([("name", name.into()), ("value", value.into())]);
-    if let Some(Meaning { key, unit }) = outcome.meanings.get(name) {
-        put(&mut result, "label", super::key(key));
-        put(&mut result, "unit", unit_name(*unit, &outcome.control));
+    if let Some(field) = meaning {
+        put(&mut result, "label", super::key(field.key));
+        put(&mut result, "unit", unit_name(field.unit, control));
     }
     result
 }
 
 /// What a program did, as a `RunView`.
 pub fn run_outcome(setup: &Setup, outcome: &Outcome, source: &[u8]) -> Value {
+    let meanings = outcome.meanings();
     let written = outcome.written().into_iter();
     let results: Vec<Value> = written
-        .map(|(name, value)| result(outcome, name, value))
+        .map(|(name, value)| result(name, value, meanings.get(name), &outcome.control))
         .collect();
     object([
         ("trace", super::trace::trace(setup, outcome)),

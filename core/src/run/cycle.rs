@@ -1,13 +1,12 @@
 //! A measuring call of a program: values as written in data or addresses, checked like typed ones, then carried out.
 
 use super::interpret::Interpreter;
-use super::outcome::Meaning;
 use super::problem::Problem;
 use super::statement::Words;
 use super::{Stop, call, contour, user_program};
 use crate::catalogue::sinumerik::results;
-use crate::catalogue::{Cycle, Kind, ProbeUse, ResultField, nct};
-use crate::check::{self, Inputs, Typed};
+use crate::catalogue::{Cycle, Kind, ProbeUse, nct};
+use crate::check::{self, Typed};
 use crate::control::Value;
 use crate::diagnostic::{Code, Severity, Span};
 use crate::message::Message;
@@ -80,16 +79,6 @@ fn count(run: &mut Interpreter, span: Span) -> Result<(), Stop> {
     Err(run.fail(Problem { span, message }))
 }
 
-/// What this call leaves means from now on what its variant says.
-fn name_results(run: &mut Interpreter, inputs: &Inputs) {
-    let fields = inputs.cycle.results.iter();
-    let left = fields.filter(|field| field.when.holds(inputs));
-    run.meanings.extend(left.map(|field| {
-        let &ResultField { key, unit, .. } = field;
-        (field.name, Meaning { key, unit })
-    }));
-}
-
 /// The alarm of the first error stops the program, as on the control; other errors are a fault.
 pub fn checked(
     run: &mut Interpreter,
@@ -124,7 +113,6 @@ pub fn checked(
         contour::leave(run)?;
         count(run, span)?;
         user_program::around(run, &user_program::BEFORE, cycle, span)?;
-        name_results(run, inputs);
         call::perform(&mut run.sim, inputs).map_err(|stop| run.stopped(stop, span))?;
         return user_program::around(run, &user_program::BEHIND, cycle, span);
     }

@@ -7,7 +7,6 @@ use super::level::Level;
 use super::locals::Locals;
 use super::machine::Sim;
 use super::modal::Modal;
-use super::outcome::Meaning;
 use super::problem::{self, Problem};
 use super::programs::{self, Programs};
 use super::trace::Step;
@@ -90,8 +89,6 @@ pub struct Interpreter {
     pub heavy: BTreeSet<(usize, usize)>,
     /// How often the measuring calls were carried out, by the blocks of the call of their program and of their own.
     pub calls: BTreeMap<(usize, usize), usize>,
-    /// What the results mean that the calls left.
-    pub meanings: BTreeMap<&'static str, Meaning>,
     /// How often one of them may be.
     pub most_calls: usize,
     /// Work after which the run is given up.
@@ -169,7 +166,6 @@ impl Session {
         outcome.trace = self.run.sim.trace;
         outcome.scans = self.run.sim.scans;
         outcome.diagnostics = self.run.diagnostics;
-        outcome.meanings = self.run.meanings;
         outcome
     }
 }
@@ -272,7 +268,6 @@ impl Interpreter {
             endless: Watch::default(),
             heavy: BTreeSet::new(),
             calls: BTreeMap::new(),
-            meanings: BTreeMap::new(),
             most_calls: limits.calls,
             limit: limits.steps,
             seen: BTreeSet::new(),

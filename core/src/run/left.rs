@@ -31,6 +31,17 @@ impl Outcome {
         }
         calls.into_values().collect()
     }
+
+    /// What the results of a program mean by name: as the variant of the last call says that leaves them.
+    pub fn meanings(&self) -> BTreeMap<&'static str, &'static ResultField> {
+        let entries = self.trace.entries.iter();
+        let calls = entries.filter_map(|entry| called(entry, &self.control));
+        let fields = calls.flat_map(|(_, call)| {
+            let fields = call.cycle.results.iter();
+            fields.filter(move |field| field.when.holds(&call))
+        });
+        fields.map(|field| (field.name, field)).collect()
+    }
 }
 
 /// The call that begins with this entry, with its variant only.

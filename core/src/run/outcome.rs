@@ -3,7 +3,7 @@
 use super::Stop;
 use super::setup::Setup;
 use super::trace::{Entry, Step, Trace};
-use crate::catalogue::{Cycle, Dialect, ResultField, Unit};
+use crate::catalogue::{Cycle, Dialect, ResultField};
 use crate::control::{Control, Value, gud, nct_data};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::geometry::TOLERANCE;
@@ -28,18 +28,6 @@ pub struct Outcome {
     pub stop: Option<Stop>,
     /// Problems found in the program while running; empty for a single call.
     pub diagnostics: Vec<Diagnostic>,
-    /// What the results of a program mean by name: as the variant of the last call says that leaves them. Empty for a
-    /// single call, whose results are [`Outcome::results`].
-    pub meanings: BTreeMap<&'static str, Meaning>,
-}
-
-/// What a result means.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Meaning {
-    /// Key of its words.
-    pub key: &'static str,
-    /// Unit.
-    pub unit: Unit,
 }
 
 /// Something that is different after a run. Lengths in mm, also of memories that an inch machine keeps in inch.
@@ -170,7 +158,6 @@ impl Outcome {
             scans: Vec::new(),
             stop: None,
             diagnostics: Vec::new(),
-            meanings: BTreeMap::new(),
         }
     }
 
