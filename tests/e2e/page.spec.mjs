@@ -49,7 +49,27 @@ describe("first visit", () => {
     await context.close();
   });
 
-  // oracle: hand
+  // oracle: hand: paper does not scroll, and has nothing to press
+  test("on paper everything stands at its whole length", async () => {
+    const { context, page, problems } = await start(chrome, { colorScheme: "dark" });
+    await page.locator(".results tbody tr").first().waitFor();
+    await page.emulateMedia({ media: "print" });
+    const found = await page.evaluate(() => {
+      const box = (selector) => document.querySelector(selector).getBoundingClientRect();
+      const cut = ["#page-outcome", ".panel-form .scroll"].filter((selector) => {
+        const node = document.querySelector(selector);
+        return node.scrollHeight > node.clientHeight + 1;
+      });
+      return { cut, below: box(".panel-results").top - box(".panel-form").bottom, ground: getComputedStyle(document.documentElement).colorScheme };
+    });
+    assert.deepEqual(found.cut, []);
+    assert.ok(found.below >= 0, "one below the other");
+    assert.equal(found.ground, "light");
+    assert.equal(await page.locator(".timeline, .panel-form .primary, .sliders").filter({ visible: true }).count(), 0);
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
   // oracle: hand: the limits that are told work, one tenth of a millimetre beyond they do not
   test("the largest errors that still work are told when they are asked for", async () => {
     const { context, page, problems } = await start(chrome);
