@@ -49,6 +49,23 @@ describe("first visit", () => {
     await context.close();
   });
 
+  // oracle: hand: forty steps take more than five seconds at the usual speed, less than half of one at a hundred times that
+  test("motions are played as fast as is chosen", async () => {
+    const { context, page, problems } = await start(chrome);
+    const transport = (name) => page.locator(".timeline").getByRole("button", { name, exact: true });
+    await page.locator(".results tbody tr").first().waitFor();
+    await page.getByLabel("Speed").selectOption("100");
+    await transport("First step").click();
+    await transport("Play").click();
+    await page.waitForFunction(() => {
+      const scrub = document.querySelector(".timeline input[type=range]");
+      return Number(scrub.max) > 30 && scrub.value === scrub.max;
+    }, undefined, { timeout: 4000 });
+    await transport("Play").waitFor(); // it has stopped by itself
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
   // oracle: hand: paper does not scroll, and has nothing to press
   test("on paper everything stands at its whole length", async () => {
     const { context, page, problems } = await start(chrome, { colorScheme: "dark" });
