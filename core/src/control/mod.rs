@@ -187,7 +187,7 @@ pub struct Control {
     /// User data: GUD arrays and scalars (`_WP[0,1]`, `_CHBIT[4]`, `_OVR[4]`, `_EV[9]`, `_KNUM`), R parameters (`R10`),
     /// machine data (`MD18600`), NCT variables (`#500`); indices written without blanks.
     pub data: Data,
-    /// Position of the spindle, degree.
+    /// Position of the spindle, degree, positive as M3 turns it.
     pub spindle: f64,
     /// Speed of the spindle, 1/min: positive with M3, negative with M4; 0: it stands.
     pub spindle_speed: f64,
@@ -202,6 +202,13 @@ pub struct Control {
 }
 
 impl Control {
+    /// How far what the spindle holds is turned from the abscissa to the ordinate, degree. M3 turns a tool clockwise as seen
+    /// from the spindle, so from the ordinate to the abscissa; the delivered sense of `_CHBIT[14]` is that one, 270 degree of
+    /// the spindle for 90 of the coordinates (B:13985).
+    pub fn turned(&self) -> f64 {
+        0.0 - self.spindle
+    }
+
     /// A datum as number; 0 where it was never set.
     pub fn number(&self, name: &str) -> f64 {
         match self.data.get(name) {

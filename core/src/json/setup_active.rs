@@ -40,7 +40,7 @@ pub(super) struct ActiveFile {
     units: String,
     /// How positions of X are given.
     transverse: TransverseName,
-    /// Position of the spindle, degree.
+    /// Position of the spindle, degree, positive as M3 turns it.
     spindle: f64,
     /// Where the rotary axes A B C stand, machine, degree.
     rotary: [f64; 3],

@@ -234,7 +234,8 @@ mod tests {
 
     #[test]
     fn a_cutter_shows_its_teeth_where_they_stand_and_sweeps_when_it_turns() {
-        // oracle: hand: four teeth at 0, 90, 180 and 270 degree, turned by 30; the one at 90 lies 0.02 mm further out
+        // oracle: hand: four teeth at 0, 90, 180 and 270 degree, turned by 30 as M3 turns, clockwise from above; the one at
+        // 90 lies 0.02 mm further out
         let text = "G17 T1 D1 M6\nSPOS=30\nG0 Z60\nM3 S500\nG0 Z70\nM30\n";
         let cutter =
             json!({ "radius": 8.0, "teeth": 4, "runout": [0.02, 0.0], "runoutAngle": 90.0 });
@@ -249,7 +250,7 @@ mod tests {
         };
         let (x, y) = reach(&standing[2]);
         let angle = y.atan2(x).to_degrees();
-        assert!((angle - 120.0).abs() < 1e-9 && (x.hypot(y) - 8.02).abs() < 1e-9);
+        assert!((angle - 60.0).abs() < 1e-9 && (x.hypot(y) - 8.02).abs() < 1e-9);
         assert_eq!(standing.as_array().unwrap().len(), 5, "core and teeth");
         let widest = turning.as_array().unwrap().iter().map(|piece| {
             let outline = piece["outline"].as_array().unwrap().iter();

@@ -60,7 +60,7 @@ impl InUse {
 /// How the spindle of a control stands.
 pub(super) fn stands(control: &Control) -> Spindle {
     match control.spindle_speed {
-        0.0 => Spindle::Stands(control.spindle),
+        0.0 => Spindle::Stands(control.turned()),
         _ => Spindle::Turns,
     }
 }

@@ -22,10 +22,10 @@ pub struct Touch {
     pub by: Touching,
 }
 
-/// Ball centre minus spindle axis with the spindle turned to `spindle` degree (positive from abscissa to ordinate).
+/// Ball centre minus spindle axis with the probe turned by `turned` degree from the abscissa to the ordinate.
 /// `axis`: index of the tool axis (the applicate of the plane).
-pub fn ball_offset(probe: &Probe, spindle: f64, axis: usize) -> [f64; 3] {
-    let (sine, cosine) = sin_cos(spindle);
+pub fn ball_offset(probe: &Probe, turned: f64, axis: usize) -> [f64; 3] {
+    let (sine, cosine) = sin_cos(turned);
     let [x, y] = probe.skew;
     let mut offset = [0.0; 3];
     offset[(axis + 1) % 3] = cosine * x - sine * y;
@@ -36,8 +36,8 @@ pub fn ball_offset(probe: &Probe, spindle: f64, axis: usize) -> [f64; 3] {
 /// How the probe stands.
 #[derive(Clone, Copy, Debug)]
 pub struct Stand {
-    /// How far it is turned, degree.
-    pub spindle: f64,
+    /// How far it is turned from the abscissa to the ordinate, degree.
+    pub turned: f64,
     /// Index of the tool axis (the applicate of the plane).
     pub axis: usize,
     /// What of it can touch.
@@ -57,11 +57,11 @@ pub fn touch(
     noise: &mut Noise,
 ) -> Option<Touch> {
     let Stand {
-        spindle,
+        turned,
         axis,
         feeler,
     } = stand;
-    let offset = V3::from(ball_offset(probe, *spindle, *axis));
+    let offset = V3::from(ball_offset(probe, *turned, *axis));
     let (from, to) = (V3::from(from), V3::from(to));
     let way = Path::new(from, to);
     let ball = |gone: f64| -> [f64; 3] { (way.at(gone) + offset).into() };
@@ -80,7 +80,7 @@ pub fn touch(
     let signal = match met.by {
         Touching::Body => gone,
         Touching::Ball | Touching::Stylus => {
-            let late = lateness(probe, *spindle, *axis, &way.direction, feed, noise);
+            let late = lateness(probe, *turned, *axis, &way.direction, feed, noise);
             (gone + late).max(0.0)
         }
     };
@@ -125,10 +125,10 @@ fn first_met(
 }
 
 /// Travel from contact to signal, mm: pre-travel (its lobes count with the part of the motion across the tool axis and
-/// turn with the spindle), delay and scatter.
+/// turn with the probe), delay and scatter.
 fn lateness(
     probe: &Probe,
-    spindle: f64,
+    turned: f64,
     axis: usize,
     way: &V3,
     feed: f64,
@@ -137,10 +137,10 @@ fn lateness(
     let (constant, lobes) = probe.pre_travel;
     let (abscissa, ordinate) = (way[(axis + 1) % 3], way[(axis + 2) % 3]);
     let across = abscissa.hypot(ordinate);
-    let turned = ordinate.atan2(abscissa) - spindle.to_radians();
+    let seen = ordinate.atan2(abscissa) - turned.to_radians();
     let (deviation, _) = probe.repeatability;
     constant
-        + lobes * across * (3.0 * turned).cos()
+        + lobes * across * (3.0 * seen).cos()
         + probe.delay * feed / 60.0
         + noise.scatter(deviation)
 }

@@ -43,27 +43,21 @@ fn block() -> Workpiece {
 }
 
 /// A probe in G17.
-fn upright(probe: &Probe, spindle: f64) -> Stand {
+fn upright(probe: &Probe, turned: f64) -> Stand {
     Stand {
-        spindle,
+        turned,
         axis: 2,
         feeler: Feeler::new(probe, [0.0, 0.0, 1.0]),
     }
 }
 
 /// In the G17 plane, at the ball height −5.
-fn go(
-    part: &Workpiece,
-    probe: &Probe,
-    spindle: f64,
-    from: [f64; 2],
-    to: [f64; 2],
-) -> Option<Touch> {
+fn go(part: &Workpiece, probe: &Probe, turned: f64, from: [f64; 2], to: [f64; 2]) -> Option<Touch> {
     let point = |p: [f64; 2]| [p[0], p[1], -5.0];
     touch(
         &Boundary::of(part),
         probe,
-        &upright(probe, spindle),
+        &upright(probe, turned),
         point(from),
         point(to),
         300.0,
@@ -98,16 +92,16 @@ fn signal_comes_late() {
     assert!((latched(&skew) - 22.5).abs() < 1e-12);
 }
 
-// oracle: hand: lobes repeat every 120 degree and turn with the spindle
+// oracle: hand: lobes repeat every 120 degree and turn with the probe
 #[test]
-fn lobes_turn_with_the_spindle() {
+fn lobes_turn_with_the_probe() {
     let probe = Probe {
         pre_travel: (0.01, 0.004),
         ..ideal_probe()
     };
     let part = hole(50.0, PartErrors::default());
-    let late = |spindle: f64| {
-        go(&part, &probe, spindle, [0.0, 0.0], [40.0, 0.0])
+    let late = |turned: f64| {
+        go(&part, &probe, turned, [0.0, 0.0], [40.0, 0.0])
             .unwrap()
             .latched[0]
             - 22.0
@@ -119,7 +113,7 @@ fn lobes_turn_with_the_spindle() {
 
 // oracle: definition: the offset turns from abscissa to ordinate of the plane
 #[test]
-fn skew_turns_with_the_spindle() {
+fn skew_turns_with_it() {
     let probe = Probe {
         skew: [0.3, 0.0],
         ..ideal_probe()

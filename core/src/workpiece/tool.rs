@@ -66,7 +66,7 @@ pub struct Nose {
 /// How the spindle stands in which a cutter is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Spindle {
-    /// It stands at this angle, degree, positive from abscissa to ordinate of the cutter's own plane.
+    /// It stands turned by this angle, degree, positive from abscissa to ordinate of the cutter's own plane.
     Stands(f64),
     /// It turns: the highest edge comes by everywhere.
     Turns,

@@ -104,7 +104,7 @@ fn feeds_and_system_data_follow_g700_only() {
         (Units::Inch, 710, 1.0),
     ] {
         let text = format!(
-            "G500\nG{code}\nR1=$TC_DP6[20,1]\n$TC_DP15[20,1]=0.5\nR2=$TC_DP15[20,1]\n$P_UIFR[2,X,TR]=1\n\
+            "G500 G0 X0\nG{code}\nR1=$TC_DP6[20,1]\n$TC_DP15[20,1]=0.5\nR2=$TC_DP15[20,1]\n$P_UIFR[2,X,TR]=1\n\
              G1 G91 X1 F10\nR3=$AA_IW[X]\nR4=$P_GG[13]\nM30\n"
         );
         let outcome = go(&text, basic);
@@ -136,6 +136,7 @@ fn feeds_and_system_data_follow_g700_only() {
             .trace
             .entries
             .iter()
+            .rev()
             .find_map(|entry| match &entry.step {
                 Step::Motion { feed, .. } => Some(*feed),
                 _ => None,

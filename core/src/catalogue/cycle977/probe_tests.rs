@@ -33,12 +33,12 @@ fn skewed(setup: &mut Setup) {
 
 #[test]
 fn a_mono_probe_is_turned_before_each_touch() {
-    // oracle: manual B:864-871, B:13624-13626
+    // oracle: manual B:864-871, B:13624-13626; the ordinate is 270 degree of the spindle (B:13985)
     let (sim, outcome) = hole(|_, inputs| {
         inputs.numbers.extend([("_PRNUM", 101.0), ("_CORA", 0.5)]);
     });
     assert_eq!(outcome, Ok(()));
-    assert_eq!(turns(&sim), [0.5, 180.5, 90.5, 270.5]);
+    assert_eq!(turns(&sim), [0.5, 180.5, 270.5, 90.5]);
 }
 
 #[test]
@@ -69,10 +69,9 @@ fn coordinates_that_turn_within_mirrored_ones_turn_the_probe_the_other_way() {
         setup.control.program_frame.rotation = [0.0, 0.0, 40.0];
         mirrored(setup, [true, false, false]);
         setup.control.set("_CHBIT[13]", 1.0);
-        setup.control.set("_CHBIT[14]", 1.0);
     });
     assert_eq!(outcome, Ok(()));
-    assert!((sim.control.spindle - 320.0).abs() < 1e-9);
+    assert!((sim.control.spindle - 40.0).abs() < 1e-9);
     for (name, value) in [("_OVR[4]", 60.0), ("_OVR[17]", 0.0), ("_OVR[18]", 0.0)] {
         close(&sim, name, value);
     }
@@ -119,7 +118,7 @@ fn a_mono_probe_looks_along_turned_coordinates() {
         inputs.numbers.insert("_PRNUM", 101.0);
     });
     assert_eq!(outcome, Ok(()));
-    for (found, wanted) in turns(&sim).iter().zip([30.0, 210.0, 120.0, 300.0]) {
+    for (found, wanted) in turns(&sim).iter().zip([330.0, 150.0, 240.0, 60.0]) {
         assert!((found - wanted).abs() < 1e-9, "{:?}", turns(&sim));
     }
     close(&sim, "_OVR[4]", 60.0);
@@ -127,14 +126,13 @@ fn a_mono_probe_looks_along_turned_coordinates() {
 
 #[test]
 fn a_skewed_multi_probe_has_to_turn_with_the_coordinates() {
-    // oracle: hand. The spindle here counts from abscissa to ordinate, so that _CHBIT[14] = 1 is the sense that fits.
-    // Without coupling the cycle takes the skew as that of the WCS, where it is turned back by the angle.
+    // oracle: manual B:13973-13987 (the same places of the ball are touched as in calibration, as delivered), and hand:
+    // without coupling the cycle takes the skew as that of the WCS, where it is turned back by the angle.
     let case = |coupled: f64| {
         let (sim, outcome) = hole(|setup, _| {
             skewed(setup);
             turned(setup, 40.0);
             setup.control.set("_CHBIT[13]", coupled);
-            setup.control.set("_CHBIT[14]", 1.0);
         });
         assert_eq!(outcome, Ok(()));
         sim
@@ -297,5 +295,5 @@ fn a_mono_probe_looks_where_a_mirrored_axis_goes() {
         inputs.numbers.insert("_PRNUM", 101.0);
     });
     assert_eq!(outcome, Ok(()));
-    assert_eq!(turns(&sim), [180.0, 0.0, 90.0, 270.0]);
+    assert_eq!(turns(&sim), [180.0, 0.0, 270.0, 90.0]);
 }

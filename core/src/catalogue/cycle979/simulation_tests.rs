@@ -247,7 +247,8 @@ fn a_measurement_is_repeated_from_its_first_point() {
 
 #[test]
 fn a_mono_probe_looks_at_the_wall() {
-    // oracle: manual B:864-871, B:13624-13626: inside along the angle of the point, outside against it, and B:6744-6752
+    // oracle: manual B:864-871, B:13624-13626: inside along the angle of the point, outside against it, and B:6744-6752; the
+    // spindle counts from the ordinate to the abscissa (B:13985)
     let turned = |variant: i64, probe: f64| {
         let (sim, outcome) = changed(variant, |setup, inputs| {
             setup.control.set("_CBIT[8]", 1.0);
@@ -256,12 +257,12 @@ fn a_mono_probe_looks_at_the_wall() {
         assert_eq!(outcome, Ok(()));
         turns(&sim)
     };
-    assert_eq!(turned(1, 101.0), [35.0, 115.0, 195.0]);
-    assert_eq!(turned(1, 1101.0), [35.0, 115.0, 195.0, 275.0]);
-    assert_eq!(turned(2, 101.0), [215.0, 295.0, 15.0]);
-    assert_eq!(turned(2, 1101.0), [215.0, 295.0, 15.0, 95.0]);
-    assert_eq!(turned(3, 101.0), [35.0, 215.0]);
-    assert_eq!(turned(4, 101.0), [215.0, 35.0]);
+    assert_eq!(turned(1, 101.0), [335.0, 255.0, 175.0]);
+    assert_eq!(turned(1, 1101.0), [335.0, 255.0, 175.0, 95.0]);
+    assert_eq!(turned(2, 101.0), [155.0, 75.0, 355.0]);
+    assert_eq!(turned(2, 1101.0), [155.0, 75.0, 355.0, 275.0]);
+    assert_eq!(turned(3, 101.0), [335.0, 155.0]);
+    assert_eq!(turned(4, 101.0), [155.0, 335.0]);
 }
 
 #[test]

@@ -212,7 +212,7 @@ fn measurements_at_the_same_place_are_repeated_at_each_point() {
 
 #[test]
 fn a_mono_probe_is_turned_and_a_differential_one_turns_back() {
-    // oracle: manual B:864-871, B:7570-7576
+    // oracle: manual B:864-871, B:7570-7576, B:13985 (the ordinate is 270 degree of the spindle)
     let turned = |inputs: &Inputs| {
         let mut sim = machine(Plane::G17, [20.0, -20.0, -10.0]);
         sim.control.spindle = 30.0;
@@ -221,6 +221,6 @@ fn a_mono_probe_is_turned_and_a_differential_one_turns_back() {
     };
     let mut mono = inputs(105, 102, [0.0; 2]);
     mono.numbers.insert("_PRNUM", 101.0);
-    assert_eq!(turned(&mono), [90.0, 90.0]);
+    assert_eq!(turned(&mono), [270.0, 270.0]);
     assert_eq!(turned(&inputs(1105, 102, [0.0; 2])), [210.0, 30.0]);
 }

@@ -266,7 +266,7 @@ impl Block {
     fn orient(&self, machine: &mut dyn Machine, angle: f64) {
         if let Spindle::Follows(offset) = self.spindle {
             let seen = on_machine(machine.control(), angle);
-            machine.orient((seen + offset).rem_euclid(360.0));
+            machine.orient((offset - seen).rem_euclid(360.0));
         }
     }
 }

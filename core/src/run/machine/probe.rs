@@ -25,12 +25,12 @@ impl Sim {
         self.control.active_edge().is_some_and(Edge::is_turning)
     }
 
-    /// How far the probe is turned, degree: with the spindle, or not at all in a turret.
+    /// How far the probe is turned from the abscissa to the ordinate, degree: with the spindle, or not at all in a turret.
     fn probe_angle(&self) -> f64 {
         if self.in_turret() {
             0.0
         } else {
-            self.control.spindle
+            self.control.turned()
         }
     }
 
@@ -70,7 +70,7 @@ impl Sim {
     /// How it stands.
     fn stand(&self) -> Stand {
         Stand {
-            spindle: self.probe_angle(),
+            turned: self.probe_angle(),
             axis: self.tool_axis(),
             feeler: self.feeler(),
         }

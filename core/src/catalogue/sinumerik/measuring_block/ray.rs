@@ -226,7 +226,7 @@ mod tests {
         sim.control.set("_CBIT[8]", 1.0);
         let block = block(&mut sim, &[("_PRNUM", 101.0), ("_CORA", 5.0), ("_FA", 4.0)]);
         surface(&block, &mut sim, &ray(30.0)).unwrap();
-        assert_eq!(sim.control.spindle, 215.0);
+        assert_eq!(sim.control.spindle, 155.0);
     }
 
     #[test]
