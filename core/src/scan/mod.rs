@@ -18,7 +18,7 @@ use crate::run::{Machine, Stop};
 /// Most points of a scan: they and what is reckoned of each must fit into the memory of a browser.
 pub const POINTS: usize = 2_000_000;
 /// Points up to which a form follows a scan at every keystroke.
-pub const FORM_POINTS: usize = 2000;
+pub const FORM_POINTS: usize = 1500;
 /// Points of which a trace holds every motion, and a log the block; of the others only the result counts.
 pub const TOLD: usize = 500;
 
