@@ -330,7 +330,7 @@ async function scan(page) {
 }
 
 // What comes after the first form: by name of the part, its files. Everything else is needed for the form.
-const PARTS = [["editor", /\/editor-/], ["preview", /\/(preview|view)[-_]/], ["programs", /\/(program|worker|words-en-later)[-_]/]];
+const PARTS = [["editor", /\/(editor|document)-/], ["preview", /\/(preview|view)[-_]/], ["programs", /\/(program|worker|words-en-later)[-_]/]];
 
 // Everything that the page fetches on its first visit, gzipped.
 async function wire(browser) {

@@ -15,7 +15,9 @@ function wayOf({ entries }: Trace, time: number): { motion: Motion; part: number
   const index = Math.max(0, Math.ceil(time) - 1);
   const kind = entries[index]?.step;
   if (kind !== "motion" && kind !== "touch" && kind !== "crash") return null;
-  const motion = entries.slice(0, index + 1).findLast((entry) => entry.step === "motion");
+  let last = index;
+  while (last > 0 && entries[last]?.step !== "motion") last--;
+  const motion = entries[last];
   return motion?.step === "motion" ? { motion, part: kind === "motion" ? time - index : 1 } : null;
 }
 
