@@ -39,7 +39,7 @@ impl Default for Limits {
             steps: 100_000,
             depth: 11,
             trace: super::machine::TRACE_LIMIT,
-            calls: 2_000,
+            calls: 1_500,
         }
     }
 }
