@@ -129,6 +129,16 @@ pub(super) fn done(setup: &Setup, inputs: &Inputs) -> Sim {
     sim
 }
 
+/// The corrected frame is made active, the table goes to this angle in it, and what is measured again is right.
+fn is_right_when_corrected(sim: &mut Sim, setup: &Setup, inputs: &Inputs, table: f64) {
+    sim.control.activate(1);
+    let there = sim.control.rotary_to_machine(2, table);
+    table_at(sim, there);
+    sim.position = setup.position;
+    assert_eq!(run(sim, inputs), Ok(()));
+    close(sim, "_OVR[16]", 0.0);
+}
+
 proptest! {
     #![proptest_config(random_parts(ONE.len()))]
 
@@ -232,12 +242,7 @@ proptest! {
         prop_assert!((frame.rotary[2] + frame.rotary_fine[2] - 3.0 - wrong).abs() < 1e-9);
         prop_assert_eq!(frame.rotary_fine[2] == 0.0, fine == 0);
         prop_assert_eq!(frame.rotation, [0.0; 3]);
-        sim.control.activate(1);
-        let there = sim.control.rotary_to_machine(2, -3.0);
-        table_at(&mut sim, there);
-        sim.position = setup.position;
-        prop_assert_eq!(run(&mut sim, &inputs), Ok(()));
-        close(&sim, "_OVR[16]", 0.0);
+        is_right_when_corrected(&mut sim, &setup, &inputs, -3.0);
     }
 
     /// So it does where the WCS is mirrored or turned upside down.
@@ -253,12 +258,7 @@ proptest! {
         let mut sim = Sim::new(&setup);
         prop_assert_eq!(run(&mut sim, &inputs), Ok(()));
         close(&sim, "_OVR[16]", wrong);
-        sim.control.activate(1);
-        let there = sim.control.rotary_to_machine(2, 0.0);
-        table_at(&mut sim, there);
-        sim.position = setup.position;
-        prop_assert_eq!(run(&mut sim, &inputs), Ok(()));
-        close(&sim, "_OVR[16]", 0.0);
+        is_right_when_corrected(&mut sim, &setup, &inputs, 0.0);
     }
 
     /// So it does on a table that another one carries upside down.
@@ -277,12 +277,7 @@ proptest! {
         let mut sim = Sim::new(&setup);
         prop_assert_eq!(run(&mut sim, &inputs), Ok(()));
         close(&sim, "_OVR[16]", wrong);
-        sim.control.activate(1);
-        let there = sim.control.rotary_to_machine(2, 0.0);
-        table_at(&mut sim, there);
-        sim.position = setup.position;
-        prop_assert_eq!(run(&mut sim, &inputs), Ok(()));
-        close(&sim, "_OVR[16]", 0.0);
+        is_right_when_corrected(&mut sim, &setup, &inputs, 0.0);
     }
 
     /// An uncalibrated, skewed probe measures the angle by turning the spindle, and its skew is known afterwards.

@@ -271,7 +271,7 @@ impl Block {
     }
 }
 
-/// A direction of the WCS as the spindle sees it, degree: frames may be turned and mirrored.
+/// A direction of the WCS on the machine, degree from the abscissa to the ordinate: frames may be turned and mirrored.
 fn on_machine(control: &Control, angle: f64) -> f64 {
     let [abscissa, ordinate, _] = control.plane.axes();
     let mut direction = [0.0; 3];
