@@ -29,9 +29,9 @@ impl Message {
         }
     }
 
-    /// The same with a number.
+    /// The same with a number; a 0 has no sign.
     pub fn number(mut self, name: &'static str, value: f64) -> Self {
-        self.args.push((name, Arg::Number(value)));
+        self.args.push((name, Arg::Number(value + 0.0)));
         self
     }
 

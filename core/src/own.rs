@@ -195,6 +195,8 @@ sentences! {
     WRITE_VARIANT_OPEN 153 Error "write-variant-open" "write-no-list-hint";
     MIRROR_DATUM 154 Warning "check-mirror-datum" "check-mirror-datum-hint";
     ROTARY_ACROSS 155 Warning "check-rotary-across" "check-rotary-across-hint";
+    ERASES 160 Warning "check-erases" "check-erases-hint";
+    CONVERTS 161 Warning "check-converts" "check-converts-hint";
 }
 
 #[cfg(all(test, feature = "cli"))]

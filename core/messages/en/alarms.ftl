@@ -248,7 +248,7 @@ message-new-log = The log did not fit into its file; another one with a number b
 message-log-name = The log and its nine further files are full.
     .cure = Read the files out, give another name in { "_PROTNAME[1]" }, and go on.
 message-result-screen = The measuring result is shown and waits to be read.
-    .cure = Look at the result and press NC START. With { "_CHBIT[11]" }=0 or { "_CHBIT[18]" }=1 the program goes on by itself.
+    .cure = Look at the result and press NC START. With { "_CHBIT[11]" }=0 the program goes on by itself.
 message-inactive-offset = A zero offset was corrected that was not active while measuring.
     .cure = Decide whether it is to be activated now; until then positions count in the old one.
 message-activate-offset = Asks whether the corrected zero offset is to count from now on.

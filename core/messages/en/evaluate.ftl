@@ -19,3 +19,19 @@ evaluate-tool-geometry = Difference { $difference } mm is corrected: the geometr
 evaluate-tool-wear = Difference { $difference } mm is corrected in the wear.
 evaluate-compensation-make = The table of this make of probe (_TP_CF = { $make }) is inside of the control and in no manual: nothing is taken off here. A table of your own in _MT_EC_R and _MT_EC_L, with _MT_COMP = 2, is.
 evaluate-compensation = The table { $table } takes { $amount } mm off the measured value.
+evaluate-screen = The control shows the measuring result screen until the cycle ends.
+evaluate-screen-stays = The control shows the measuring result screen until the next measuring cycle is called; the program goes on.
+evaluate-screen-halt = The control shows the measuring result screen. Programmed stop (M0): the operator continues with NC START.
+# What a call does with data of the machine before it measures.
+check-erases = _CBIT[13]=1: this call first sets _TP[], _TPW[], _WP[], _KB[], _EV[], _MV[] and the bit itself to 0.
+check-erases-hint = Set _CBIT[13] to 0 before the call, or calibrate every probe again.
+check-converts = { $bit } does not agree with the basic system of the machine (MD10240): this call first converts { $data } { $value ->
+        [1] from inch to mm
+       *[other] from mm to inch
+    }.
+check-converts-hint = Where the data are right as they are, set { $bit } to { $value } before the call.
+evaluate-erased = _CBIT[13]=1: _TP[], _TPW[], _WP[], _KB[], _EV[], _MV[] and the bit itself are now 0.
+evaluate-converted = { $bit } did not agree with the basic system of the machine: { $data } are converted { $value ->
+        [1] from inch to mm
+       *[other] from mm to inch
+    }, and the bit is { $value } now.

@@ -245,7 +245,7 @@ message-new-log = 记录在其文件中放不下；继续写入一个在名称�
 message-log-name = 记录及其九个后续文件都已写满。
     .cure = 请读出文件，在 { "_PROTNAME[1]" } 中给出另一个名称，然后继续。
 message-result-screen = 显示测量结果，等待确认。
-    .cure = 请查看结果并按 NC 启动。{ "_CHBIT[11]" }=0 或 { "_CHBIT[18]" }=1 时程序自动继续。
+    .cure = 请查看结果并按 NC 启动。{ "_CHBIT[11]" }=0 时程序自动继续。
 message-inactive-offset = 校正了测量时没有激活的零点偏移。
     .cure = 请决定现在是否激活它；在此之前位置按原来的零点偏移计算。
 message-activate-offset = 询问校正后的零点偏移是否从现在起生效。

@@ -20,3 +20,19 @@ evaluate-tool-geometry = 补偿偏差 { $difference } mm：全部写入几何值
 evaluate-tool-wear = 偏差 { $difference } mm 补偿到磨损值中。
 evaluate-compensation-make = 该型号测量头（_TP_CF = { $make }）的补偿表在控制系统内部，手册中没有：这里不作扣除。_MT_COMP = 2 时使用 _MT_EC_R 和 _MT_EC_L 中的用户自定义表。
 evaluate-compensation = 表 { $table } 从测量值中扣除 { $amount } mm。
+evaluate-screen = 控制系统显示测量结果画面，循环结束时自动取消。
+evaluate-screen-stays = 控制系统显示测量结果画面，直到调用下一个测量循环；程序继续。
+evaluate-screen-halt = 控制系统显示测量结果画面。编程停止（M0）：操作者按 NC START 继续。
+# 调用在测量之前对机床数据所做的处理。
+check-erases = _CBIT[13]=1：此调用先将 _TP[]、_TPW[]、_WP[]、_KB[]、_EV[]、_MV[] 和该位本身清零。
+check-erases-hint = 请在调用前将 _CBIT[13] 设为 0，或重新校准所有测量头。
+check-converts = { $bit } 与机床的基本尺寸系统（MD10240）不一致：此调用先将 { $data } { $value ->
+        [1] 从英寸换算为毫米
+       *[other] 从毫米换算为英寸
+    }。
+check-converts-hint = 如果这些数据本来就正确，请在调用前将 { $bit } 设为 { $value }。
+evaluate-erased = _CBIT[13]=1：_TP[]、_TPW[]、_WP[]、_KB[]、_EV[]、_MV[] 和该位本身已清零。
+evaluate-converted = { $bit } 与机床的基本尺寸系统不一致：{ $data } 已{ $value ->
+        [1] 从英寸换算为毫米
+       *[other] 从毫米换算为英寸
+    }，该位现为 { $value }。

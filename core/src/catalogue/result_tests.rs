@@ -5,7 +5,9 @@ use super::example::example;
 use super::*;
 use crate::check::{Inputs, check};
 use crate::control::{Control, Plane};
-use crate::run::{Setup, predict};
+use crate::message::Arg;
+use crate::run::trace::Step;
+use crate::run::{Outcome, Setup, predict};
 use std::collections::BTreeSet;
 
 /// What stands in every field before the call, and what no call leaves there.
@@ -13,6 +15,16 @@ const BEFORE: f64 = -9876.5;
 
 /// The worked example of a variant, carried out on its own part with some deviation.
 fn measured(cycle: &'static Cycle, variant: &Variant) -> (Inputs, Control) {
+    let (inputs, outcome) = carried_out(cycle, variant, |_| ());
+    (inputs, outcome.control)
+}
+
+/// The same on a machine that is changed before.
+fn carried_out(
+    cycle: &'static Cycle,
+    variant: &Variant,
+    change: impl Fn(&mut Control),
+) -> (Inputs, Outcome) {
     let mut setup = Setup::for_variant(cycle, variant.number, Plane::G17);
     let checked = check(cycle, &example(cycle, variant), &setup.control);
     let Some(inputs) = checked.inputs else {
@@ -33,9 +45,10 @@ fn measured(cycle: &'static Cycle, variant: &Variant) -> (Inputs, Control) {
     for name in fields() {
         setup.control.set(name, BEFORE);
     }
+    change(&mut setup.control);
     let outcome = predict(cycle, &inputs, &setup);
     assert_eq!(outcome.stop, None, "{} {}", cycle.name, variant.number);
-    (inputs, outcome.control)
+    (inputs, outcome)
 }
 
 fn fields() -> impl Iterator<Item = String> {
@@ -85,6 +98,74 @@ fn results_are_those_of_the_entry() {
                 beyond.is_empty() && missing.is_empty(),
                 "{what}: {beyond:?} {missing:?}"
             );
+        }
+    }
+}
+
+/// Every cycle that is simulated on this control, with its variants.
+fn simulated(dialect: Dialect) -> impl Iterator<Item = (&'static Cycle, &'static Variant)> {
+    let cycles = CYCLES.iter().copied();
+    let cycles = cycles.filter(move |cycle| cycle.dialect == dialect && cycle.work().is_some());
+    cycles.flat_map(|cycle| cycle.variants.iter().map(move |variant| (cycle, variant)))
+}
+
+// oracle: hand: 0 has no sign on a control; an empirical value of 0 that is added is subtracted with the other sign
+#[test]
+fn no_figure_that_leaves_a_call_is_a_negative_zero() {
+    let negative = |number: f64| number == 0.0 && number.is_sign_negative();
+    for (cycle, variant) in simulated(Dialect::Sinumerik).chain(simulated(Dialect::Nct)) {
+        let what = format!("{} {}", cycle.name, variant.number);
+        let added = |control: &mut Control| control.set("_CHBIT[5]", 1.0);
+        let (_, outcome) = carried_out(cycle, variant, added);
+        for (field, value) in outcome.results(cycle) {
+            assert!(!negative(value), "{what}: {}", field.name);
+        }
+        for change in outcome.changes() {
+            let both = [change.before, change.after];
+            assert!(!both.into_iter().any(negative), "{what}: {}", change.name);
+        }
+        for entry in &outcome.trace.entries {
+            match &entry.step {
+                Step::Set { name, after, .. } => assert!(!negative(*after), "{what}: {name}"),
+                Step::Decision(message) => assert!(
+                    !message
+                        .args
+                        .iter()
+                        .any(|(_, arg)| matches!(arg, Arg::Number(number) if negative(*number))),
+                    "{what}: {message:?}"
+                ),
+                _ => {}
+            }
+        }
+    }
+}
+
+// oracle: manual B:12564-12578, B:13953-13971: shown at the end of whatever measures or calibrates; M0 with _CHBIT[11]
+#[test]
+fn every_measuring_cycle_shows_its_result_screen_on_demand() {
+    let screens = |cycle, variant, bits: [f64; 3]| {
+        let set = |control: &mut Control| {
+            for (bit, value) in ["_CHBIT[10]", "_CHBIT[11]", "_CHBIT[18]"].iter().zip(bits) {
+                control.set(*bit, value);
+            }
+        };
+        let (_, outcome) = carried_out(cycle, variant, set);
+        let shown = outcome.decisions().into_iter().map(|one| one.key.clone());
+        let shown: Vec<_> = shown
+            .filter(|key| key.starts_with("evaluate-screen"))
+            .collect();
+        shown
+    };
+    for (cycle, variant) in simulated(Dialect::Sinumerik) {
+        for (bits, key) in [
+            ([0.0, 1.0, 0.0], ""),
+            ([1.0, 0.0, 0.0], "evaluate-screen"),
+            ([1.0, 0.0, 1.0], "evaluate-screen-stays"),
+            ([1.0, 1.0, 0.0], "evaluate-screen-halt"),
+        ] {
+            let measures = cycle.purpose.probe.measures() && !key.is_empty();
+            let expected = if measures { vec![key] } else { vec![] };
+            assert_eq!(screens(cycle, variant, bits), expected, "{}", cycle.name);
         }
     }
 }

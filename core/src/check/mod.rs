@@ -19,6 +19,7 @@ pub use units::{delivered_factor, factor, unit_behind, unit_name};
 
 use crate::catalogue::Cycle;
 use crate::control::Plane;
+use crate::control::tools::REVERSED;
 use std::collections::BTreeMap;
 
 /// What was typed, per parameter name, nothing decided. Decimal comma allowed.
@@ -47,7 +48,7 @@ pub struct Inputs {
     /// where no tool is in use. See [`crate::control::Edge::body`].
     pub body: Option<[f64; 2]>,
     /// From the centre of the nose of the turning tool in use to its tip, abscissa and ordinate, in nose radii; none of
-    /// another tool, of a button, and where no tool is in use. See [`crate::control::Control::nose`].
+    /// another tool, of a button, and where no tool is in use. See [`crate::control::tools::side`].
     pub nose: Option<[f64; 2]>,
 }
 
@@ -88,6 +89,12 @@ impl Inputs {
     pub fn positive(&self, name: &str, otherwise: f64) -> f64 {
         let given = self.given(name).filter(|value| *value > 0.0);
         given.unwrap_or(otherwise)
+    }
+
+    /// Whether the cycle takes cutting edge positions the other way round in the ordinate: only the one whose entry names
+    /// the switch does (B:13882).
+    pub fn recodes(&self) -> bool {
+        self.settings.get(REVERSED) == Some(&1.0)
     }
 
     /// Number of an integer parameter.

@@ -2,7 +2,9 @@
 
 use super::text::{self, Text};
 use super::{Inputs, Parsed, Typed, error, factor, parse, targets, unit_behind, variants};
+use crate::catalogue::sinumerik::upkeep;
 use crate::catalogue::{Cycle, Kind, Level, Param, Range, Unit};
+use crate::control::tools::side;
 use crate::control::{Control, Edge};
 use crate::diagnostic::{Code, Diagnostic, Severity};
 use crate::evaluate::knum;
@@ -22,8 +24,22 @@ pub struct Checked {
     pub inputs: Option<Inputs>,
 }
 
-/// Checks typed values of a call on a control in this state.
+/// Checks typed values of a call on a control in this state; what the call does with its data first counts as done.
 pub fn check(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Checked {
+    let due = match crate::SIMULATES {
+        true => upkeep::due(cycle, control),
+        false => Vec::new(),
+    };
+    if due.is_empty() {
+        return checked(cycle, typed, control);
+    }
+    let mut checked = checked(cycle, typed, &upkeep::done(control, &due));
+    let doubts = due.into_iter().map(|one| one.finding);
+    checked.diagnostics.extend(doubts);
+    checked
+}
+
+fn checked(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Checked {
     let mut diagnostics = Vec::new();
     let mut inputs = read(cycle, typed, control, &mut diagnostics);
     match variant(cycle, &inputs, &diagnostics) {
@@ -78,14 +94,14 @@ pub fn read(
     inputs.five_digit_edges = knum::five_digit_edges(control);
     inputs.plane = control.plane;
     inputs.tool_type = control.active_edge().map_or(0, |edge| edge.kind);
-    let edge = control.active_edge();
-    inputs.body = edge.and_then(Edge::body);
-    let turning = edge.filter(|edge| edge.is_turning());
-    let nose = turning.map(|edge| control.nose(edge));
-    inputs.nose = nose.filter(|sides| *sides != [0.0; 2]);
     for name in cycle.settings {
         inputs.settings.insert(name, control.number(name));
     }
+    let edge = control.active_edge();
+    inputs.body = edge.and_then(Edge::body);
+    let turning = edge.filter(|edge| edge.is_turning());
+    let nose = turning.map(|edge| side(edge.tip, inputs.recodes()));
+    inputs.nose = nose.filter(|sides| *sides != [0.0; 2]);
     for param in cycle.params {
         let text = typed.get(param.name).map_or("", |text| text.trim());
         if let Kind::Text(most) = param.kind {

@@ -161,8 +161,8 @@ fn unit_of(name: &str, basic: Units) -> f64 {
     element.map_or(1.0, |element| factor(element.unit, basic))
 }
 
-/// Without what the last digits of a product lack, so that there and back gives the same number.
-fn scaled(value: &Value, ratio: f64) -> Value {
+/// A number times a ratio, without what the last digits of a product lack, so that there and back gives the same number.
+pub fn scaled(value: &Value, ratio: f64) -> Value {
     match value {
         Value::Number(number) if ratio != 1.0 => {
             let product = number * ratio;

@@ -225,9 +225,9 @@ impl Control {
         }
     }
 
-    /// Writes a number.
+    /// Writes a number. A 0 has no sign: what is reckoned with it later, and what is shown, has none either.
     pub fn set(&mut self, name: impl Into<String>, value: f64) {
-        self.data.insert(name.into(), Value::Number(value));
+        self.data.insert(name.into(), Value::Number(value + 0.0));
     }
 
     /// Whether a bit of a machine datum (`MD28082`, bit 5) is 1.

@@ -13,11 +13,12 @@ pub const LATHE_PROBE: i64 = 580;
 /// Value of SD 42950 with which every tool is as long as a turning tool (B:828).
 pub const AS_TURNING_TOOL: f64 = 2.0;
 
-/// 1: cutting edge positions count the other way round in the ordinate (B:14051).
-const REVERSED: &str = "_CHBIT[23]";
+/// 1: cutting edge positions count the other way round in the ordinate, in the cycle whose entry names it (B:13882,
+/// B:14051).
+pub const REVERSED: &str = "_CHBIT[23]";
 
 /// From S to P in abscissa and ordinate by cutting edge position 1 to 9, in nose radii (B:9441, B:13474-13481); with 9, and
-/// where there is none, P is S. S is the centre of the nose, P the point to which the lengths refer. `reversed`: the ordinate is the other way round (`_CHBIT[23]`, B:14051).
+/// where there is none, P is S. S is the centre of the nose, P the point to which the lengths refer. `reversed`: the ordinate is the other way round ([`REVERSED`]).
 pub fn side(position: i64, reversed: bool) -> [f64; 2] {
     let [abscissa, ordinate] = match position {
         1 => [1.0, 1.0],
@@ -88,11 +89,6 @@ impl Control {
     pub fn turns(&self) -> bool {
         self.active_edge().is_some_and(Edge::is_turning)
             || self.number(TOOL_LENGTH_TYPE) == AS_TURNING_TOOL
-    }
-
-    /// From S to P of a turning tool, by its cutting edge position as this control counts it; see [`side`].
-    pub fn nose(&self, edge: &Edge) -> [f64; 2] {
-        side(edge.tip, self.bit(REVERSED))
     }
 
     /// Along which axis (0 abscissa, 1 ordinate, 2 applicate) L1, L2 and L3 of an edge count: from the applicate on

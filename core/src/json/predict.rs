@@ -165,7 +165,7 @@ fn tool_errors(setup: &mut Setup, inputs: &Inputs, errors: &Errors) {
     let Some(edge) = edge.filter(|_| inputs.cycle.purpose.probe == ProbeUse::Tool) else {
         return;
     };
-    let nominal = || Tool::nominal(edge, control);
+    let nominal = || Tool::nominal(edge, control).recoded(inputs.recodes());
     let key = control.active_place();
     let tool = setup.real_tools.entry(key).or_insert_with(nominal);
     tool.length[0] += errors.probe.skew_x;

@@ -4,16 +4,19 @@ use super::Stop;
 use super::machine::Sim;
 use super::trace::Step;
 use crate::catalogue::ProbeUse;
+use crate::catalogue::sinumerik::{results, upkeep};
 use crate::check::Inputs;
 use crate::diagnostic::Code;
 use crate::message::Message;
 
 /// Carries out a checked call; its begin, its end and the alarm that stops it are recorded.
 pub fn perform(sim: &mut Sim, inputs: &Inputs) -> Result<(), Stop> {
+    sim.recode(inputs.recodes());
     sim.note(Step::CallBegin {
         cycle: inputs.cycle.name,
         variant: inputs.variant,
     });
+    upkeep::perform(sim, inputs.cycle);
     let Some(work) = inputs.cycle.work() else {
         let message = Message::new("run-no-simulation").text("word", inputs.cycle.name);
         return Err(Stop::Fault(message));
@@ -21,10 +24,12 @@ pub fn perform(sim: &mut Sim, inputs: &Inputs) -> Result<(), Stop> {
     sim.measuring = inputs.cycle.purpose.probe == ProbeUse::Workpiece;
     let outcome = (work.simulate)(sim, inputs);
     sim.measuring = false;
+    sim.recode(false);
     if let Err(Stop::Alarm(code)) = outcome {
         return alarm(sim, code);
     }
     if outcome.is_ok() {
+        results::screen(sim, inputs.cycle);
         sim.note(Step::CallEnd);
     }
     outcome

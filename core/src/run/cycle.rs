@@ -4,7 +4,7 @@ use super::interpret::Interpreter;
 use super::problem::Problem;
 use super::statement::Words;
 use super::{Stop, call, contour, user_program};
-use crate::catalogue::sinumerik::results;
+use crate::catalogue::sinumerik::{results, upkeep};
 use crate::catalogue::{Cycle, Kind, ProbeUse, nct};
 use crate::check::{self, Typed};
 use crate::control::Value;
@@ -118,6 +118,7 @@ pub fn checked(
     }
     match code {
         Some(code) => {
+            upkeep::perform(&mut run.sim, cycle);
             leave_number(run, cycle, code);
             call::alarm(&mut run.sim, code).map_err(|stop| run.stopped(stop, span))
         }

@@ -23,6 +23,8 @@ pub struct InUse {
     pub spindle: Option<Spindle>,
     /// Whether it is a turning machine, as far as its tools tell.
     pub turns: bool,
+    /// Whether a turning tool lies mirrored, as the cycle in progress takes it.
+    pub recoded: bool,
 }
 
 impl InUse {
@@ -30,7 +32,10 @@ impl InUse {
     pub(super) fn of(sim: &Sim) -> InUse {
         let control = &sim.control;
         let edge = control.active_edge().cloned();
-        let nominal = || edge.as_ref().map(|edge| Tool::nominal(edge, control));
+        let nominal = || {
+            edge.as_ref()
+                .map(|edge| Tool::nominal(edge, control).recoded(sim.recoded()))
+        };
         let tool = sim.real_tool().cloned().or_else(nominal);
         let tip = tool.as_ref().map_or([0.0; 3], |tool| tool.error(control));
         InUse {
@@ -42,6 +47,7 @@ impl InUse {
             tip,
             spindle: spindle(sim),
             turns: control.turns(),
+            recoded: sim.recoded(),
         }
     }
 
@@ -54,6 +60,7 @@ impl InUse {
             && self.edge.as_ref() == control.active_edge()
             && self.spindle == spindle(sim)
             && self.turns == control.turns()
+            && self.recoded == sim.recoded()
     }
 }
 

@@ -14,7 +14,7 @@ use crate::workpiece::noise::Noise;
 use crate::workpiece::tool::Tool;
 use crate::workpiece::tool_probe::ToolProbe;
 use crate::workpiece::{Probe, Workpiece, chuck};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Entries of a trace after which a run is given up: a thousand calls make up to 150,000.
 pub const TRACE_LIMIT: usize = 200_000;
@@ -51,6 +51,10 @@ pub struct Sim {
     tool_probes: Vec<ToolProbe>,
     /// Tools as they are, by T and D number: those that were told, and others as they were when they were first moved.
     real_tools: BTreeMap<(i64, i64), Tool>,
+    /// Those that were told.
+    told_tools: BTreeSet<(i64, i64)>,
+    /// Whether a turning tool that was not told lies mirrored in the ordinate now; see [`Sim::recode`].
+    recoded: bool,
     tool_noise: Noise,
     /// Where the last measuring motion ended, at its signal or without one; WCS of that moment, mm.
     pub skipped: Option<[f64; 3]>,
@@ -86,6 +90,8 @@ impl Sim {
             tool_noise: self::tool::noise(&setup.tool_probes),
             tool_probes: setup.tool_probes.clone(),
             real_tools: setup.real_tools.clone(),
+            told_tools: setup.real_tools.keys().copied().collect(),
+            recoded: false,
             skipped: None,
             watched: 0.0,
             touching: true,

@@ -71,7 +71,8 @@ impl Outcome {
         // what does not exist on one side counts there as a control reads it: a frame has scale factors of 1
         let value = |side: &BTreeMap<String, f64>, control: &Control, name: &String| {
             let known = side.get(name).copied();
-            known.or_else(|| control.variable(name)).unwrap_or(0.0)
+            let value = known.or_else(|| control.variable(name)).unwrap_or(0.0);
+            value + 0.0 // a 0 has no sign
         };
         names
             .into_iter()
@@ -183,9 +184,9 @@ fn addressable(control: &Control) -> BTreeMap<String, f64> {
     all
 }
 
-/// User data in which later measurements find what this one left: empirical and mean values, and how a workpiece probe
-/// and a tool probe were calibrated.
-const MEMORIES: [&str; 5] = ["_EV[", "_MV[", "_WP[", "_TP[", "_TPW["];
+/// User data in which later measurements find what this one left: empirical and mean values, how a workpiece probe and a
+/// tool probe were calibrated, and where.
+const MEMORIES: [&str; 6] = ["_EV[", "_MV[", "_WP[", "_TP[", "_TPW[", "_KB["];
 
 /// Whether a datum is one of these, or a calibrated value of NCT, and a length: the code of the calibration status tells
 /// nobody anything.

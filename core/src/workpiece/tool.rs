@@ -1,6 +1,7 @@
 //! A tool as it really is, not as the control believes, and what of it can touch: a milling cutter or drill about its
 //! axis, or the nose of a turning tool.
 
+use crate::control::tools::side;
 use crate::control::{Control, Edge, Plane};
 use crate::geometry::V3;
 use crate::geometry::convex::Convex;
@@ -84,7 +85,7 @@ pub fn across(axis: usize, degrees: f64) -> V3 {
 }
 
 impl Tool {
-    /// A tool that is as the control believes: turning tools by their cutting edge position, drills with a point, anything
+    /// A tool that is as the control believes: turning tools by their cutting edge position as it is, drills with a point, anything
     /// else a smooth cutter with its corner radius (`$TC_DP7`). How a cutter lies no datum tells: along the applicate, and
     /// where it is as long as a turning tool along the abscissa.
     pub fn nominal(edge: &Edge, control: &Control) -> Tool {
@@ -93,7 +94,7 @@ impl Tool {
         let cut = if edge.is_turning() {
             Cut::Nose(Nose {
                 radius,
-                side: control.nose(edge),
+                side: side(edge.tip, false),
             })
         } else {
             let drill = (200..300).contains(&edge.kind);
@@ -117,6 +118,16 @@ impl Tool {
             length: [0, 1, 2].map(|i| edge.total_length(i)),
             cut,
         }
+    }
+
+    /// The same; `mirrored`: the nose of a turning tool on the other side in the ordinate.
+    pub fn recoded(mut self, mirrored: bool) -> Tool {
+        if let Cut::Nose(nose) = &mut self.cut
+            && mirrored
+        {
+            nose.side[1] = 0.0 - nose.side[1];
+        }
+        self
     }
 
     /// From the point to which the lengths of the control refer, with the edge in use, to the one to which its own refer:

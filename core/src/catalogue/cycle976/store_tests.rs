@@ -132,3 +132,19 @@ fn a_calibration_says_how_it_was_made() {
     assert_eq!(stopped(outcome), 61303);
     assert_eq!(sim.control.number("_WP[0,9]"), 0.0, "nothing was stored");
 }
+
+#[test]
+fn the_tool_keeps_its_radius_where_the_diameter_is_kept() {
+    // oracle: manual B:13656 (what goes into the tool is _WP[k,0]), B:5134 (which is stored beyond _TZL); hand (2 * 0.03 mm)
+    for (zone, radius) in [(0.05, 2.97), (0.07, 3.0)] {
+        let (sim, outcome) = ring(101, |setup, inputs| {
+            setup.control.set("_CBIT[15]", 1.0);
+            setup.probe.radius = 2.97;
+            inputs.numbers.insert("_TZL", zone);
+        });
+        assert_eq!(outcome, Ok(()));
+        close(mm(&sim.control, 0), 2.0 * radius, "diameter");
+        let entered = sim.control.variable("$TC_DP6[9,1]").unwrap();
+        close(entered, radius, "radius of the tool");
+    }
+}

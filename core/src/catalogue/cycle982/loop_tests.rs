@@ -5,11 +5,13 @@
 
 use super::testing::{PROBE, Real, digit, inputs, machine, mount, place};
 use crate::catalogue::sinumerik::testing::random_parts;
+use crate::catalogue::{Dialect, find};
 use crate::control::Units;
 use crate::control::tools::side;
 use crate::evaluate::tool_offset::RADIUS;
-use crate::run::Setup;
 use crate::run::machine::Sim;
+use crate::run::trace::Step;
+use crate::run::{Outcome, Setup, predict};
 use proptest::prelude::*;
 
 /// How far before the probe a start lies, mm.
@@ -153,4 +155,49 @@ proptest! {
             }
         }
     }
+}
+
+/// One length in the ordinate with a tool of this position that nobody told otherwise; the switch for mirrored positions.
+fn in_ordinate(cycle: &str, position: i64, mirrored: f64) -> Outcome {
+    let mut setup = machine(Units::Metric);
+    setup.control.set("_CHBIT[23]", mirrored);
+    let real = Real {
+        length: [60.0, 40.0],
+        radius: 0.8,
+    };
+    mount(
+        &mut setup,
+        real.believed(500, position, [0.0; 3]),
+        real.nose(position),
+    );
+    setup.real_tools.clear();
+    place(&mut setup, [middle(0), before(1, -1.0)]);
+    let mut inputs = inputs(&setup, 1, &[("_MA", 2.0)]);
+    inputs.cycle = find(Dialect::Sinumerik, cycle).unwrap();
+    let named = inputs.cycle.settings;
+    inputs.settings.retain(|name, _| named.contains(name));
+    predict(inputs.cycle, &inputs, &setup)
+}
+
+// oracle: manual B:13882 (only active for CYCLE982), B:14051 (mirrored about X: positions 2 and 3 change places)
+#[test]
+fn mirrored_positions_count_in_this_cycle_alone() {
+    let plain = in_ordinate("CYCLE982", 3, 0.0);
+    assert!(plain.finished(), "{:?}", plain.alarms());
+    let mirrored = in_ordinate("CYCLE982", 2, 1.0);
+    let moved = |outcome: &Outcome| -> Vec<Step> {
+        let steps = outcome.trace.entries.iter().map(|entry| &entry.step);
+        let moved = |step: &&Step| matches!(step, Step::Motion { .. } | Step::Touch { .. });
+        steps.filter(moved).cloned().collect()
+    };
+    assert_eq!(moved(&plain), moved(&mirrored));
+    assert_eq!(plain.changes(), mirrored.changes());
+    assert!(
+        !in_ordinate("CYCLE982", 3, 1.0).finished(),
+        "touched from the wrong side"
+    );
+    let [off, on] = [0.0, 1.0].map(|bit| in_ordinate("CYCLE972", 3, bit));
+    assert!(off.finished());
+    assert_eq!(moved(&off), moved(&on));
+    assert_eq!(off.changes(), on.changes());
 }

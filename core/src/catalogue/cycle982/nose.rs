@@ -7,6 +7,7 @@ use crate::catalogue::sinumerik::alarm;
 use crate::catalogue::tool_probe::correct::Measured;
 use crate::catalogue::tool_probe::store::Trigger;
 use crate::check::Inputs;
+use crate::control::tools::side;
 use crate::run::{Machine, Stop};
 
 /// Cutting edge position of the calibration tool (B:8839).
@@ -20,7 +21,7 @@ pub fn nose(machine: &mut dyn Machine, inputs: &Inputs) -> Result<[f64; 2], Stop
     let control = machine.control();
     let edge = control.active_edge();
     let (turning, tip) = edge.map_or((false, 0), |edge| (edge.is_turning(), edge.tip));
-    let sides = edge.map_or([0.0; 2], |edge| control.nose(edge));
+    let sides = side(tip, inputs.recodes());
     let allowed = match CALIBRATE.holds(inputs) {
         true => tip == CALIBRATION,
         false => MEASURED.contains(&tip),

@@ -69,7 +69,7 @@ fn tool(shapes: &[PictureShape]) -> [f64; 2] {
     [0, 1].map(|axis| middle(axis) / corners.len() as f64)
 }
 
-/// The calls that touch in one axis, in the direction of the tip.
+/// The calls that touch in one axis, in the direction of the tip; the first one knows no mirrored positions.
 fn calls(tip: f64) -> [(&'static Cycle, &'static str, &'static str); 3] {
     let towards = if tip > 0.0 { "0" } else { "1" };
     [
@@ -81,15 +81,19 @@ fn calls(tip: f64) -> [(&'static Cycle, &'static str, &'static str); 3] {
 
 #[test]
 fn the_side_that_faces_the_tip_is_touched_and_the_tool_stands_behind_it() {
-    // oracle: manual B:9441 (position 3 comes from plus), B:4152, B:14049-14051 (mirrored: 1-4, 2-3, 6-8)
+    // oracle: manual B:9441 (position 3 comes from plus), B:4152, B:14049-14051 (mirrored: 1-4, 2-3, 6-8), B:13882 (CYCLE982)
     for (position, mirrored) in (1..=8).flat_map(|position| [(position, false), (position, true)]) {
         let [abscissa, ordinate] = TIPS[usize::try_from(position - 1).unwrap()];
-        let tip = [abscissa, if mirrored { -ordinate } else { ordinate }];
+        let turned = [abscissa, if mirrored { -ordinate } else { ordinate }];
         for axis in 0..2 {
-            if tip[axis] == 0.0 {
+            if turned[axis] == 0.0 {
                 continue;
             }
-            for (cycle, variant, towards) in calls(tip[axis]) {
+            for (cycle, variant, towards) in calls(turned[axis]) {
+                let tip = match cycle.name {
+                    "CYCLE972" => [abscissa, ordinate],
+                    _ => turned,
+                };
                 let ma = (axis + 1).to_string();
                 let mut values = vec![(names::MVAR, variant), (names::MA, &*ma)];
                 if variant == "100001" {

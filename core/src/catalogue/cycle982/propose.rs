@@ -7,6 +7,7 @@ use super::params::{
 use crate::catalogue::tool_probe::ProbeData;
 use crate::catalogue::{Proposal, ProposedTool, names, place};
 use crate::check::Inputs;
+use crate::control::tools::side;
 use crate::control::{Control, Edge, Plane};
 use crate::workpiece::Shape;
 use crate::workpiece::tool::{Cut, Tool};
@@ -188,7 +189,7 @@ impl<'a> Field<'a> {
     /// The tip before the sides that it touches; the calibration tool before the plus sides.
     fn nose(&self) -> [f64; 2] {
         let edge = self.control.active_edge();
-        let sides = edge.map_or([-1.0; 2], |edge| self.control.nose(edge));
+        let sides = edge.map_or([-1.0; 2], |edge| side(edge.tip, self.inputs.recodes()));
         let axis = self.measured(0);
         if !INCREMENTAL.holds(self.inputs) {
             return [0, 1].map(|axis| match sides[axis] {

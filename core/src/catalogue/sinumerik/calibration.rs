@@ -80,6 +80,14 @@ pub fn store(
     if next == Next::Again {
         return Ok(next);
     }
+    // what goes into the tool is the diameter as stored (B:13656): where that stays, the radius does
+    let diameter = datum(inputs, BALL);
+    let limit = inputs.number(names::TZL);
+    let renewed = |machine: &mut dyn Machine, ball: f64| {
+        let before = machine.control().basic_length(&diameter);
+        exceeds((ball - before).abs(), limit)
+    };
+    let ball = found.ball.filter(|ball| renewed(machine, *ball));
     let fields = fields(found);
     let named = fields
         .into_iter()
@@ -87,8 +95,8 @@ pub fn store(
     renew(machine, inputs, named.collect());
     let milling = inputs.cycle.purpose.machine == MachineSort::Milling;
     let into_tool = milling && machine.control().bit("_CBIT[15]");
-    if let Some(ball) = found.ball.filter(|_| into_tool) {
-        set_tool(machine, RADIUS, |_| ball / 2.0); // B:13656, in CYCLE976
+    if let Some(ball) = ball.filter(|_| into_tool) {
+        set_tool(machine, RADIUS, |_| ball / 2.0); // in CYCLE976
     }
     calibrated_as::note(machine, inputs);
     if let Some(length) = found.length {

@@ -16,6 +16,7 @@ pub mod target;
 #[cfg(test)]
 pub mod testing;
 pub mod tolerance;
+pub mod upkeep;
 
 use crate::diagnostic::Code;
 use crate::run::{Machine, Stop};

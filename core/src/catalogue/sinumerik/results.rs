@@ -1,6 +1,6 @@
 //! Result data `_OVR[]` and `_OVI[]`: written to the control and recorded.
 
-use crate::catalogue::{Unit, names};
+use crate::catalogue::{Cycle, Dialect, Unit, names};
 use crate::check::Inputs;
 use crate::message::Message;
 use crate::run::{Machine, trace::Step};
@@ -8,8 +8,9 @@ use crate::run::{Machine, trace::Step};
 /// The number of the alarm that the last call raised (B:5699).
 pub const ALARM: &str = "_OVI[9]";
 
-/// Writes a datum and records it.
+/// Writes a datum and records it. A 0 has no sign.
 pub fn set(machine: &mut dyn Machine, name: &str, value: f64) {
+    let value = value + 0.0;
     let control = machine.control();
     let before = control.number(name);
     control.set(name, value);
@@ -50,6 +51,22 @@ pub fn angle(machine: &mut dyn Machine, index: usize, degrees: f64) {
 /// Writes `_OVI[index]`.
 pub fn integer(machine: &mut dyn Machine, index: usize, value: i64) {
     set(machine, &format!("_OVI[{index}]"), value as f64);
+}
+
+/// The measuring result screen at the end of a call: how long it stays, and whether the cycle waits for NC START
+/// (B:12564-12578, B:13953-13971).
+pub fn screen(machine: &mut dyn Machine, cycle: &Cycle) {
+    let control = machine.control();
+    let measured = cycle.dialect == Dialect::Sinumerik && cycle.purpose.probe.measures();
+    if !measured || !control.bit("_CHBIT[10]") {
+        return;
+    }
+    let key = match (control.bit("_CHBIT[11]"), control.bit("_CHBIT[18]")) {
+        (true, _) => "evaluate-screen-halt",
+        (false, true) => "evaluate-screen-stays",
+        (false, false) => "evaluate-screen",
+    };
+    machine.record(Step::Decision(Message::new(key)));
 }
 
 /// What every measurement tells about itself: cycle, probe, no alarm yet, safe area (B:5688-5699).

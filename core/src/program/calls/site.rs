@@ -2,6 +2,7 @@
 
 use super::listed::Given;
 use super::{CallSite, Origin, Place, Walk, Way};
+use crate::catalogue::sinumerik::upkeep;
 use crate::catalogue::{ArgumentList, Cycle, Dialect};
 use crate::check::{Typed, check};
 use crate::control::Control;
@@ -162,6 +163,7 @@ impl Walk<'_> {
                 site.diagnostics.push(one);
             }
         }
+        upkeep::settle(&mut self.control, site.cycle);
         if sinumerik && !known {
             site.ways.push(Way {
                 order: self.found.ways,

@@ -30,6 +30,26 @@ impl Sim {
         Some(())
     }
 
+    /// Lets a turning tool that nobody told otherwise lie as the cycle that begins takes its position: `on`, mirrored in the
+    /// ordinate (`_CHBIT[23]`, B:14051); and back behind the cycle.
+    pub(in crate::run) fn recode(&mut self, on: bool) {
+        let place = self.control.active_place();
+        if on == self.recoded || self.told_tools.contains(&place) {
+            return;
+        }
+        self.recoded = on;
+        if self.take_up().is_some()
+            && let Some(tool) = self.real_tools.remove(&place)
+        {
+            self.real_tools.insert(place, tool.recoded(true));
+        }
+    }
+
+    /// Whether it lies so now.
+    pub(in crate::run) fn recoded(&self) -> bool {
+        self.recoded
+    }
+
     /// What can touch of the tool in use, as it is, where the machine stands at `at`, and the way from there to the point
     /// to which its lengths refer.
     fn tool_at(&self, at: [f64; 3]) -> Option<(Vec<Piece>, [f64; 3])> {
