@@ -197,6 +197,8 @@ sentences! {
     ROTARY_ACROSS 155 Warning "check-rotary-across" "check-rotary-across-hint";
     ERASES 160 Warning "check-erases" "check-erases-hint";
     CONVERTS 161 Warning "check-converts" "check-converts-hint";
+    ENLARGED 162 Warning "check-enlarged" "check-enlarged-hint";
+    CORNER_SHARP 163 Warning "check-corner-sharp" "check-corner-sharp-hint";
 }
 
 #[cfg(all(test, feature = "cli"))]

@@ -103,5 +103,7 @@ check-angles-same = With this indexing angle points fall upon each other; no cir
 check-angles-same-hint = Choose 120° or less for three points, 90° or less for four.
 check-angles-wide = With { $points } points an indexing angle above { $useful }° is of no use.
 check-angles-wide-hint = Choose { $useful }° or less.
+check-enlarged = An error at one point appears up to { $factor } times as large in the result: the points lie close together, or nearly on one line.
+check-enlarged-hint = Choose points that lie further apart.
 check-ball-unknown = The ball diameter of this probe is not known; every size would be wrong by it.
 check-ball-unknown-hint = Calibrate the probe in a hole with determination of the ball diameter.

@@ -103,5 +103,7 @@ check-angles-same = 用此步进角各点会重合，求不出圆。
 check-angles-same-hint = 三点请选 120° 以下，四点请选 90° 以下。
 check-angles-wide = { $points } 点时步进角大于 { $useful }° 没有意义。
 check-angles-wide-hint = 请选 { $useful }° 以下。
+check-enlarged = 一个点的误差在结果中最多放大 { $factor } 倍：各点相距太近，或几乎在一条直线上。
+check-enlarged-hint = 请选取相距更远的点。
 check-ball-unknown = 此测量头的测球直径未知；每个尺寸都会因此出错。
 check-ball-unknown-hint = 请在孔中校准测量头，并求出测球直径。

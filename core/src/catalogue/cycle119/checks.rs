@@ -15,12 +15,17 @@ pub fn checks(inputs: &Inputs, _: &Control, found: &mut Vec<Diagnostic>) {
         (SET, "check-119-set-line"),
         (MEASURED, "check-119-measured-line"),
     ] {
-        if points(inputs, names).is_some_and(fit::in_line) {
+        let Some(points) = points(inputs, names) else {
+            continue;
+        };
+        if fit::in_line(points) {
             found.push(
                 error(Code::Alarm(61411), Message::new(key))
                     .hint(Message::new("check-119-line-hint"))
                     .at(names[2][0]),
             );
+        } else {
+            found.extend(shared_checks::low_triangle(points, names[2][0]));
         }
     }
 }

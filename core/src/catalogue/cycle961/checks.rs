@@ -1,6 +1,7 @@
 //! What several values of CYCLE961 say together.
 
-use super::lines::{Point, away, shares};
+use super::corner::PARALLEL;
+use super::lines::{Point, across, away, direction, shares};
 use super::params::{DISTANCES, PASSES, PLACES, POINTS, RECTANGLE};
 use crate::catalogue::{names, shared_checks};
 use crate::check::{Inputs, error};
@@ -11,9 +12,6 @@ use crate::own;
 
 /// How exactly the angles have to be known, degree (B:7923-7924).
 const TOLERANCE: f64 = 10.0;
-
-/// Sine of an angle that a position of 1e-9 mm cannot tell from 0 on a metre.
-const PARALLEL: f64 = 1e-12;
 
 /// All of them.
 pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
@@ -69,7 +67,17 @@ fn directions(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
                 .number("angle", angle)
                 .at(names::INCA),
         );
+    } else {
+        found.extend(sharp(angle, names::INCA));
     }
+}
+
+/// Edges that are nearly parallel: how far an error across one of them moves the corner.
+fn sharp(angle: f64, at: &'static str) -> Option<Diagnostic> {
+    let sharp = angle.abs().min(180.0 - angle.abs());
+    let factor = 1.0 / (sharp / 2.0).to_radians().sin();
+    let found = shared_checks::enlarged(own::CORNER_SHARP, factor, at)?;
+    Some(found.number("angle", sharp))
 }
 
 /// Over the corner the probe rises; 0 leads around it (B:8006-8012).
@@ -128,6 +136,10 @@ fn points(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
                     "check-corner-between-hint",
                     at,
                 ));
+            } else {
+                let [u, v] = [direction(p1, p2), direction(p3, p4)];
+                let angle = across(u, v).atan2(u[0] * v[0] + u[1] * v[1]);
+                found.extend(sharp(angle.to_degrees(), names::SETV6));
             }
         }
     }

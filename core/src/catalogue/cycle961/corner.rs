@@ -6,8 +6,8 @@
 use super::lines::{Point, across, along, away, direction, shares};
 use super::touches::Touch;
 
-/// Sine of an angle between lines that do not meet: a position of 1e-9 mm cannot tell it from 0 on a metre.
-const PARALLEL: f64 = 1e-12;
+/// Sine of an angle between lines that do not meet: a position of 1e-9 mm at a line moves the corner by 0.001 mm.
+pub const PARALLEL: f64 = 1e-6;
 
 /// What was measured: abscissa and ordinate of the WCS, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]

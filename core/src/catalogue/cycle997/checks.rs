@@ -89,12 +89,15 @@ fn triangle(inputs: &Inputs, ball: f64, found: &mut Vec<Diagnostic>) {
             return;
         }
     }
-    if TURNED.holds(inputs) && fit::in_line([first.centre, second.centre, third.centre]) {
+    let all = [first, second, third].map(|sphere| sphere.centre);
+    if TURNED.holds(inputs) && fit::in_line(all) {
         found.push(
             error(Code::Alarm(61411), Message::new("check-spheres-line"))
                 .hint(Message::new("check-spheres-line-hint"))
                 .at(third.field),
         );
+    } else if TURNED.holds(inputs) {
+        found.extend(shared_checks::low_triangle(all, third.field));
     }
     beside(inputs, &spheres, size / 2.0, ball, found);
 }

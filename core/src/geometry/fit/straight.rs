@@ -17,6 +17,7 @@ pub fn line(points: &[V3]) -> Option<(V3, V3)> {
         middle,
         sizes,
         directions,
+        ..
     } = extent(points)?;
     let [longest, across, _] = sizes;
     (longest - across > ALIKE * longest).then_some((middle, directions[0]))
@@ -29,6 +30,7 @@ pub fn plane(points: &[V3]) -> Option<(V3, V3)> {
         middle,
         sizes,
         directions,
+        ..
     } = extent(points)?;
     let [longest, across, thickness] = sizes;
     let normal = directions[0].cross(&directions[1]);
@@ -36,15 +38,17 @@ pub fn plane(points: &[V3]) -> Option<(V3, V3)> {
 }
 
 /// How far points lie from their mean.
-struct Extent {
-    middle: V3,
-    /// Along the directions, the longest first; of no unit.
-    sizes: [f64; 3],
+pub(super) struct Extent {
+    pub(super) middle: V3,
+    /// Distance of the farthest one, mm.
+    pub(super) farthest: f64,
+    /// Roots of the sums of squares along the directions, the longest first, in parts of `farthest`.
+    pub(super) sizes: [f64; 3],
     /// Upright on each other.
     directions: [V3; 2],
 }
 
-fn extent(points: &[V3]) -> Option<Extent> {
+pub(super) fn extent(points: &[V3]) -> Option<Extent> {
     let middle = points.iter().sum::<V3>() / points.len() as f64;
     let away: Vec<V3> = points.iter().map(|point| point - middle).collect();
     let farthest = away.iter().map(V3::norm).fold(0.0, f64::max);
@@ -61,6 +65,7 @@ fn extent(points: &[V3]) -> Option<Extent> {
     let directions = found.u?;
     Some(Extent {
         middle,
+        farthest,
         sizes: [0, 1, 2].map(|i| found.singular_values[i]),
         directions: [0, 1].map(|i| directions.column(i).into_owned()),
     })
