@@ -4,7 +4,7 @@ use super::setup_active::units_name;
 use super::setup_write::plane_name;
 use super::start::start;
 use super::{Error, diagnostic, dialect, dialect_name, message, object, put, style_name, typed};
-use crate::catalogue::{ResultField, Style};
+use crate::catalogue::Style;
 use crate::check::{unit_name, variants};
 use crate::control::{Control, delivery};
 use crate::diagnostic::Diagnostic;
@@ -12,6 +12,7 @@ use crate::program::calls::{CallSite, calls as find_calls, calls_told};
 use crate::program::change::{Edit, change as edits};
 use crate::program::position::Positions;
 use crate::program::{self, tree::Program};
+use crate::run::left::Figure;
 use crate::run::outcome::Outcome;
 use crate::run::setup::Setup;
 use crate::run::{Limits, Session};
@@ -240,22 +241,24 @@ impl Run {
     }
 }
 
-/// What a program wrote; with what it means where a call left it.
-fn result(name: &str, value: f64, meaning: Option<&&ResultField>, control: &Control) -> Value {
-    let mut result = object([("name", name.into()), ("value", value.into())]);
-    if let Some(field) = meaning {
+/// What a program wrote; with what it means where a call left it, and the line of the call where that was not the last.
+fn result((name, figure): (&str, Figure), control: &Control) -> Value {
+    let mut result = object([("name", name.into()), ("value", figure.value.into())]);
+    if let Some(field) = figure.meaning {
         put(&mut result, "label", super::key(field.key));
         put(&mut result, "unit", unit_name(field.unit, control));
+    }
+    if let Some(line) = figure.earlier {
+        put(&mut result, "earlier", line + 1);
     }
     result
 }
 
 /// What a program did, as a `RunView`.
 pub fn run_outcome(setup: &Setup, outcome: &Outcome, source: &[u8]) -> Value {
-    let meanings = outcome.meanings();
-    let written = outcome.written().into_iter();
-    let results: Vec<Value> = written
-        .map(|(name, value)| result(name, value, meanings.get(name), &outcome.control))
+    let figures = outcome.figures().into_iter();
+    let results: Vec<Value> = figures
+        .map(|figure| result(figure, &outcome.control))
         .collect();
     object([
         ("trace", super::trace::trace(setup, outcome)),

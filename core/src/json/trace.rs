@@ -34,18 +34,24 @@ pub fn outcome(inputs: &Inputs, setup: &Setup, outcome: &Outcome) -> Value {
     ])
 }
 
+/// What the call wrote, and what it would have written but left as it was, which is marked.
 fn results(inputs: &Inputs, outcome: &Outcome) -> Vec<Value> {
+    let unwritten = outcome.unwritten(inputs.cycle);
     outcome
         .results(inputs.cycle)
         .into_iter()
         .filter(|(field, _)| field.when.holds(inputs))
         .map(|(field, value)| {
-            object([
+            let mut result = object([
                 ("name", field.name.into()),
                 ("label", super::key(field.key)),
                 ("value", value.into()),
                 ("unit", unit_name(field.unit, &outcome.control).into()),
-            ])
+            ]);
+            if unwritten.contains(field.name) {
+                put(&mut result, "earlier", 0);
+            }
+            result
         })
         .collect()
 }

@@ -5,7 +5,7 @@ use super::trace::{Entry, Step};
 use crate::catalogue::{self, Cycle, ResultField};
 use crate::check::Inputs;
 use crate::control::Control;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What one call left.
 #[derive(Clone)]
@@ -18,7 +18,59 @@ pub struct Left {
     pub results: Vec<(&'static ResultField, f64)>,
 }
 
+/// A datum that a program or a call wrote, with its last value.
+pub struct Figure {
+    /// In its own unit.
+    pub value: f64,
+    /// What it means: to the call that wrote it, else to the last one that leaves such a datum.
+    pub meaning: Option<&'static ResultField>,
+    /// Line of the call that left it, from 0, where another call came behind that one: it is no result of that.
+    pub earlier: Option<u32>,
+}
+
 impl Outcome {
+    /// What was written, by name. A call leaves what it does not write as it was (B:1696).
+    pub fn figures(&self) -> BTreeMap<&str, Figure> {
+        let meanings = self.meanings();
+        let (mut calls, mut current) = (0, None);
+        let mut last = BTreeMap::new();
+        for entry in &self.trace.entries {
+            match &entry.step {
+                Step::CallBegin { .. } => {
+                    calls += 1;
+                    current = called(entry, &self.control);
+                }
+                Step::CallEnd => current = None,
+                Step::Set { name, after, .. } if !name.starts_with('$') => {
+                    let by = current
+                        .as_ref()
+                        .and_then(|(line, call)| Some((calls, *line, one_of(call, name)?)));
+                    last.insert(name.as_str(), (*after, by));
+                }
+                _ => {}
+            }
+        }
+        let figure = |(name, (value, by)): (_, (f64, Option<(usize, u32, _)>))| {
+            let meaning = by.map(|(.., field)| field);
+            let figure = Figure {
+                value,
+                meaning: meaning.or_else(|| meanings.get(name).copied()),
+                earlier: by
+                    .filter(|(call, ..)| *call < calls)
+                    .map(|(_, line, _)| line),
+            };
+            (name, figure)
+        };
+        last.into_iter().map(figure).collect()
+    }
+
+    /// Names of the results of a cycle that nothing wrote: they stand there from before.
+    pub fn unwritten(&self, cycle: &'static Cycle) -> BTreeSet<&'static str> {
+        let written = self.written();
+        let names = cycle.results.iter().map(|field| field.name);
+        names.filter(|name| !written.contains_key(name)).collect()
+    }
+
     /// What the calls left, in the order of their lines; of a call that was carried out several times, what it left last.
     pub fn left(&self) -> Vec<Left> {
         let mut calls = BTreeMap::new();
@@ -33,7 +85,7 @@ impl Outcome {
     }
 
     /// What the results of a program mean by name: as the variant of the last call says that leaves them.
-    pub fn meanings(&self) -> BTreeMap<&'static str, &'static ResultField> {
+    fn meanings(&self) -> BTreeMap<&'static str, &'static ResultField> {
         let entries = self.trace.entries.iter();
         let calls = entries.filter_map(|entry| called(entry, &self.control));
         let fields = calls.flat_map(|(_, call)| {
@@ -51,6 +103,12 @@ fn called(entry: &Entry, control: &Control) -> Option<(u32, Inputs)> {
     };
     let cycle = catalogue::find(control.dialect, cycle)?;
     Some((entry.line?, Inputs::new(cycle, variant)))
+}
+
+/// A result of a call by its name.
+fn one_of(called: &Inputs, name: &str) -> Option<&'static ResultField> {
+    let mut fields = called.cycle.results.iter();
+    fields.find(|field| field.name == name && field.when.holds(called))
 }
 
 /// What was written before the next call began.

@@ -263,6 +263,8 @@ outcome-coming = The result is being worked out.
 outcome-absent = What works out results and reads programs could not be loaded. The form of this cycle, its checks and its program text work; reload the page to try again.
 outcome-incomplete = Complete the form and the result stands here.
 outcome-missing = The result stands here as soon as these are right: { $names }
+outcome-earlier = not written by this call
+outcome-earlier-line = from line { $line }
 outcome-assumed = Other ways or passes bring other values here. Worked out with what arrives first: { $values }
 outcome-assumed-value = { $name } = { $value } (line { $line })
 outcome-unknown = Only a run of the program tells { $names }. Let the whole program run in the 3D view, or type a number.

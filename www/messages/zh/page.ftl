@@ -259,6 +259,8 @@ outcome-coming = 正在计算结果。
 outcome-absent = 无法加载计算结果和读取程序的部分。此循环的表单、检查和程序文本仍可使用；请重新加载页面再试。
 outcome-incomplete = 填完表单后，结果显示在这里。
 outcome-missing = 以下各项正确后，结果显示在这里：{ $names }
+outcome-earlier = 此调用未写入
+outcome-earlier-line = 来自第 { $line } 行
 outcome-assumed = 其他路径或循环会带来不同的值。此结果按最先到达的值计算：{ $values }
 outcome-assumed-value = { $name } = { $value }（第 { $line } 行）
 outcome-unknown = { $names } 只有在程序运行时才能确定。请在三维视图中运行整个程序，或输入数值。

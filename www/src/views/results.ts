@@ -78,8 +78,11 @@ function createOutcome(root: HTMLElement): Draw {
     keyed(alarms, outcome?.alarms ?? [], (one, index) => `${index}/${one.code}`, problemItem, (node, one) =>
       updateProblem(node, { ...one, severity: one.stops ? "error" : "note" }));
     show(alarms, (outcome?.alarms.length ?? 0) > 0);
-    keyed(results, outcome?.results ?? [], (one) => one.name, row(3), (node, one) =>
-      fill(node, [one.name, one.label, figure(one.value, one.unit), unitText(one.unit)]));
+    keyed(results, outcome?.results ?? [], (one) => one.name, row(3), (node, one) => {
+      const label = one.earlier === undefined ? one.label : `${one.label} · ${earlier(one.earlier)}`;
+      fill(node, [one.name, label, figure(one.value, one.unit), unitText(one.unit)]);
+      node.classList.toggle("earlier", one.earlier !== undefined);
+    });
     keyed(changes, outcome?.changes ?? [], (one) => one.name, changeRow, (node, one) => {
       const [name] = node.children;
       if (name?.firstElementChild) setText(name.firstElementChild, say(one.label));
@@ -96,6 +99,9 @@ function createOutcome(root: HTMLElement): Draw {
     });
   };
 }
+
+/** Which call left what the last one did not write; 0: none in this program. */
+const earlier = (line: number): string => line ? t("outcome-earlier-line", { line }) : t("outcome-earlier");
 
 /** With which of the values that differ by the way the outcome was worked out. */
 function assumptions({ assumed }: Derived): string {
@@ -114,7 +120,7 @@ export function missing(derived: Derived): string {
   return unknown.length ? t("outcome-unknown", { names: unknown.join(", ") }) : t("outcome-incomplete");
 }
 
-interface Shown { results: { name: string; label: string; value: number; unit: string }[]; changes: Outcome["changes"]; alarms: Outcome["alarms"]; decisions: Outcome["decisions"]; log: string[] }
+interface Shown { results: { name: string; label: string; value: number; unit: string; earlier?: number }[]; changes: Outcome["changes"]; alarms: Outcome["alarms"]; decisions: Outcome["decisions"]; log: string[] }
 
 /** What is shown; the same object as long as it is made of the same. */
 function keptOutcome(): (state: State, derived: Derived) => Shown | null {

@@ -224,6 +224,44 @@ fn results_of_a_program_mean_what_the_last_call_left_that_wrote_them() {
     assert_eq!(meaning("_SETVAL"), (Value::Null, Value::Null));
 }
 
+// oracle: manual B:5675-5701 (_OVR[20] with tool offset only), B:1696 (data keep their values); hand (lines as written)
+#[test]
+fn what_an_earlier_call_left_is_marked_with_its_line() {
+    let text = "G17 G54 G90 T9 D1\nM6\n_PRNUM=1 _FA=4 _TSA=2 _TZL=0 _NMSP=1 _VMS=0 _SETVAL=79.98 _TNUM=20\n\
+        _MVAR=1 _TUL=0.01 _TLL=-0.01 _TDIF=1 _K=1 _EVNUM=0 _TMV=0.5 _KNUM=2001 CYCLE977\n_MVAR=101 _KNUM=1\nCYCLE977\nM30\n";
+    let mut setup = two_calls();
+    setup["tools"]["20"] =
+        json!({ "edges": { "1": { "type": 120, "length": [60, 0, 0], "radius": 8 } } });
+    let view = done(&json!({ "control": "sinumerik", "text": text, "setup": setup }));
+    assert_eq!(view["finished"], true, "{}", view["diagnostics"]);
+    let result = |name: &str| {
+        let results = view["results"].as_array().unwrap();
+        results
+            .iter()
+            .find(|one| one["name"] == name)
+            .unwrap()
+            .clone()
+    };
+    let amount = result("_OVR[20]");
+    assert_ne!(amount["value"], 0.0);
+    assert_eq!(
+        (&amount["earlier"], &amount["label"]["key"]),
+        (&json!(4), &json!("result-compensation"))
+    );
+    for name in ["_OVR[4]", "_OVI[11]", "_KNUM"] {
+        assert_eq!(result(name)["earlier"], Value::Null, "{name}");
+    }
+    // in a form: the probe meets nothing, so that no size was written
+    let cycle = crate::catalogue::find(Dialect::Sinumerik, "CYCLE977").unwrap();
+    let mut asked: Value = serde_json::from_str(&request(cycle)).unwrap();
+    asked["errors"] = json!({ "part": { "dx": 45.0 } });
+    let outcome = form(&asked.to_string()).unwrap()["outcome"].take();
+    let results = outcome["results"].as_array().unwrap();
+    let named = |name: &str| results.iter().find(|one| one["name"] == name).unwrap();
+    assert_eq!(named("_OVR[4]")["earlier"], 0, "{outcome}");
+    assert_eq!(named("_OVI[2]")["earlier"], Value::Null);
+}
+
 // oracle: self (the place of the call, and the cure of the alarm as `probewright alarms` tells it)
 #[test]
 fn an_alarm_of_a_program_is_told_at_its_call_with_what_to_do() {
