@@ -2,7 +2,8 @@
 
 use super::cutters;
 use super::params::{
-    ABSCISSA, CALIBRATE, DRILL, INCREMENTAL, MEASURE, MILLING, POSITIONED, TURNING, WORKPIECE,
+    ABSCISSA, CALIBRATE, DRILL, IN_WORKPIECE, INCREMENTAL, MEASURE, MILLING, POSITIONED, TURNING,
+    WORKPIECE,
 };
 use crate::catalogue::tool_probe::{ProbeData, checks as shared, turning};
 use crate::catalogue::{names, shared_checks};
@@ -27,7 +28,7 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
         let data = ProbeData::of(inputs, control, workpiece);
         shared::place(&data, &[0, 1], found); // by axes of the plane, B:13370-13384
     }
-    if workpiece {
+    if IN_WORKPIECE.holds(inputs) {
         shared_checks::rotation(control, found);
     }
     old_switch(workpiece, control, found);

@@ -201,3 +201,47 @@ fn mirrored_positions_count_in_this_cycle_alone() {
     assert_eq!(moved(&off), moved(&on));
     assert_eq!(off.changes(), on.changes());
 }
+
+// oracle: manual B:13602-13608 (calibrated and measured in the workpiece system, with _TP); self (the way of digit 2)
+#[test]
+fn the_old_switch_measures_in_the_workpiece_system() {
+    for (variant, axis) in [(0, 2.0), (1, 2.0), (2, 1.0), (100_000, 2.0), (100_001, 2.0)] {
+        let run = |digit: i64, switch: f64, same: bool| {
+            let mut setup = machine(Units::Metric);
+            setup.control.set("_CBIT[5]", switch);
+            for index in 0..4 {
+                let value = setup.control.number(&format!("_TPW[0,{index}]"));
+                if same {
+                    setup.control.set(format!("_TP[0,{index}]"), value);
+                }
+            }
+            mount(
+                &mut setup,
+                CALIBRATION.believed(500, 3, [0.1, 0.1, 0.0]),
+                CALIBRATION.nose(3),
+            );
+            let start = [0, 1].map(|axis| before(axis, -1.0));
+            place(
+                &mut setup,
+                if variant < 100_000 {
+                    start
+                } else {
+                    [middle(0), start[1]]
+                },
+            );
+            let values = [("_MA", axis), ("_MD", 1.0), ("_FA", 40.0)];
+            let inputs = inputs(&setup, variant + digit, &values);
+            let outcome = predict(inputs.cycle, &inputs, &setup);
+            let steps = outcome.trace.entries.iter().map(|entry| entry.step.clone());
+            let moved = |step: &Step| matches!(step, Step::Motion { .. });
+            let moved: Vec<Step> = steps.filter(moved).collect();
+            (moved, outcome.control.active_edge().cloned(), outcome.stop)
+        };
+        let wanted = run(10, 0.0, false);
+        assert_eq!(wanted.2, None, "{variant}");
+        assert_eq!(run(0, 1.0, true), wanted, "{variant}");
+        // on the machine the way of the cycle is another one; an incremental one has none of its own
+        let positioned = variant < 100_000;
+        assert_eq!(run(0, 0.0, true).0 != wanted.0, positioned, "{variant}");
+    }
+}

@@ -26,8 +26,17 @@ pub const CALIBRATE: When = digit(1, &[0]);
 pub const MEASURE: When = When::Not(&CALIBRATE);
 /// All that the tool allows is measured one after the other.
 pub const AUTOMATIC: When = digit(1, &[2]);
-/// In the active workpiece system, with the data `_TPW`.
+/// The data are those of `_TPW`, which count in the active workpiece system.
 pub const WORKPIECE: When = digit(10, &[1]);
+/// In the active workpiece system: as digit 2 says, or with `_CBIT[5]`, from before that digit, with the data `_TP`
+/// (B:13602-13610).
+pub const IN_WORKPIECE: When = When::Any(&[
+    WORKPIECE,
+    When::Setting {
+        name: "_CBIT[5]",
+        is: &[1.0],
+    },
+]);
 /// Each point is touched twice, the spindle turned in between.
 pub const REVERSAL: When = digit(100, &[1]);
 /// Only the radius is measured.

@@ -1,8 +1,8 @@
 //! A nominal tool probe for CYCLE982 and CYCLE972, where the control believes it to be, and the tool before it.
 
 use super::params::{
-    ABSCISSA, AUTOMATIC, BOTH, CALIBRATE, DRILL_ALONG_APPLICATE, INCREMENTAL, OPPOSITE, RADIAL,
-    RADIUS, TURNING, UPPER, WORKPIECE,
+    ABSCISSA, AUTOMATIC, BOTH, CALIBRATE, DRILL_ALONG_APPLICATE, IN_WORKPIECE, INCREMENTAL,
+    OPPOSITE, RADIAL, RADIUS, TURNING, UPPER, WORKPIECE,
 };
 use crate::catalogue::tool_probe::ProbeData;
 use crate::catalogue::{Proposal, ProposedTool, names, place};
@@ -48,7 +48,7 @@ pub fn tool(variant: i64) -> ProposedTool {
 /// Probe and start.
 pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let mut own = control.clone();
-    if !WORKPIECE.holds(inputs) {
+    if !IN_WORKPIECE.holds(inputs) {
         own.take_frames();
     }
     let along_applicate = DRILL_ALONG_APPLICATE.holds(inputs);

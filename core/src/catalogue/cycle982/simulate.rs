@@ -1,8 +1,8 @@
 //! What CYCLE982 does, and CYCLE972 with its two variants (B:8736-9090, B:9124-10126).
 
 use super::params::{
-    AUTOMATIC, BOTH, CALIBRATE, DRILL, DRILL_ALONG_APPLICATE, INCREMENTAL, MILLING, REVERSAL,
-    SPINDLE_AS_IT_IS, TURNING, UPPER, WITH_RADIUS, WORKPIECE,
+    AUTOMATIC, BOTH, CALIBRATE, DRILL, DRILL_ALONG_APPLICATE, IN_WORKPIECE, INCREMENTAL, MILLING,
+    REVERSAL, SPINDLE_AS_IT_IS, TURNING, UPPER, WITH_RADIUS, WORKPIECE,
 };
 use super::stand::Stand;
 use super::{cutter, drill, nose};
@@ -25,7 +25,7 @@ pub fn run(machine: &mut dyn Machine, inputs: &Inputs, number: i64) -> Result<()
     results::integer(machine, 12, 0);
     let block = Block::for_tool(machine, inputs)?;
     admitted(machine, inputs)?;
-    if WORKPIECE.holds(inputs) {
+    if IN_WORKPIECE.holds(inputs) {
         return task(machine, inputs, &block);
     }
     // what stands in `_TP` are machine coordinates
@@ -88,7 +88,7 @@ fn admitted(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
         return Err(alarm(machine, 61313));
     }
     // lengths lie along the axes of the machine, so that a turned system would take them for others
-    if WORKPIECE.holds(inputs) && machine.control().rotated() {
+    if IN_WORKPIECE.holds(inputs) && machine.control().rotated() {
         return Err(alarm(machine, 61330));
     }
     if CALIBRATE.holds(inputs) || TURNING.holds(inputs) {
