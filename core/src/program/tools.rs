@@ -1,7 +1,7 @@
 //! The tool in use at the calls of a program, and what the program itself says of it (`$TC_DP1[7,1]=120`).
 
 use super::flow::{State, Tool};
-use crate::control::{Control, Plane};
+use crate::control::{Control, Plane, Transverse};
 use crate::diagnostic::Code;
 use std::collections::BTreeSet;
 
@@ -51,7 +51,7 @@ impl Tools {
         }
     }
 
-    /// Puts plane, units and tool in force that a call finds, and says what the tool is. None is in use where the text does not
+    /// Puts plane, units, diameters and tool in force that a call finds, and says what the tool is. None is in use where the text does not
     /// tell.
     pub fn use_at(&self, control: &mut Control, state: &State) -> Option<ToolInUse> {
         (control.tool, control.edge) = self.start;
@@ -61,6 +61,9 @@ impl Tools {
             None => {}
         }
         control.choose_units(state.units.is().copied().unwrap_or(self.units));
+        // where the text does not tell, diameters, as in a form
+        let transverse = state.transverse.is().copied();
+        control.transverse = transverse.unwrap_or(Transverse::Diameter);
         if !state.tool.unset() {
             let number = match state.tool.is() {
                 Some(Tool::Number(number)) => Some(*number),

@@ -25,7 +25,8 @@ pub fn write(
 ) -> Result<ExitCode, Problem> {
     let cycle = find(name)?;
     let typed = typed(cycle, values)?;
-    let control = Setup::calibrated(cycle.dialect, Plane::G17).control;
+    let plane = cycle.purpose.machine.plane().unwrap_or(Plane::G17);
+    let control = Setup::for_cycle(cycle, plane).control;
     let checked = check::check(cycle, &typed, &control);
     let label = |_: &str, key: &str| words.key(key.to_owned());
     let comments = comments.then_some(&label as &dyn Fn(&str, &str) -> String);

@@ -2,8 +2,8 @@
 
 use super::ZONE;
 use super::params::INSIDE_ZONE;
-use crate::catalogue::lathe::params::TRANSVERSE;
-use crate::catalogue::{lathe, names, place, shared_checks};
+use crate::catalogue::lathe::{self, measure};
+use crate::catalogue::{names, place, shared_checks};
 use crate::check::{Inputs, error, warning};
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
@@ -27,10 +27,13 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
         return;
     }
     let ball = place::ball_radius(inputs, control);
+    let per = measure::per(control, inputs);
     if INSIDE_ZONE.holds(inputs) {
-        inside(inputs, set, ball, found);
+        if shared_checks::fits(names::SETVAL, 2.0 * set / per, ball, found) {
+            inside(inputs, set, per * ball, found);
+        }
     } else {
-        either(inputs, set, ball, found);
+        either(inputs, set, per * ball, found);
     }
 }
 
@@ -48,11 +51,6 @@ fn ball_diameter(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>
     }
 }
 
-/// Parts of a dimension of the measuring axis that a radius makes up: two of a diameter.
-fn radii(inputs: &Inputs) -> f64 {
-    if TRANSVERSE.holds(inputs) { 2.0 } else { 1.0 }
-}
-
 /// The zone in the direction of the measuring axis: `_SZA` in the abscissa, else `_SZO` (B:10986-11001).
 fn across(inputs: &Inputs) -> (&'static str, Option<f64>) {
     let name = if inputs.integer(names::MA) == 1 {
@@ -63,16 +61,13 @@ fn across(inputs: &Inputs) -> (&'static str, Option<f64>) {
     (name, inputs.given(name))
 }
 
-/// The ball's centre passes on the border of the zone (B:10891), inside the measured element.
+/// The ball's centre passes on the border of the zone (B:10891), inside the measured element; `ball` is its radius as
+/// the setpoint counts.
 fn inside(inputs: &Inputs, set: f64, ball: f64, found: &mut Vec<Diagnostic>) {
-    let radii = radii(inputs);
-    if !shared_checks::fits(names::SETVAL, 2.0 * set / radii, ball, found) {
-        return;
-    }
     let (name, Some(zone)) = across(inputs) else {
         return;
     };
-    let limit = set - radii * ball;
+    let limit = set - ball;
     if zone.abs() > limit {
         let message = Message::new("check-two-zone-inside")
             .number("zone", zone)
@@ -103,7 +98,7 @@ fn either(inputs: &Inputs, set: f64, ball: f64, found: &mut Vec<Diagnostic>) {
     let (name, Some(zone)) = across(inputs) else {
         return;
     };
-    let limit = set + radii(inputs) * ball;
+    let limit = set + ball;
     if zone.abs() < limit {
         let message = Message::new("check-two-zone-outside")
             .number("zone", zone)

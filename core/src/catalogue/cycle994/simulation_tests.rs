@@ -277,3 +277,46 @@ fn what_leaves_no_way_is_refused() {
         assert_eq!(stopped(run(&mut Sim::new(&setup), &call)), 61334);
     }
 }
+
+#[test]
+fn y_is_measured_with_the_call_of_x() {
+    // oracle: manual B:11001, B:14023-14027: with _CHBIT[19] setpoint and zone of Y are those of X; the zone is left in Z,
+    // which is no transverse axis
+    for transverse in [
+        Transverse::Radius,
+        Transverse::Diameter,
+        Transverse::AbsoluteDiameter,
+    ] {
+        for inside in [false, true] {
+            let x = Case {
+                transverse,
+                inside,
+                ..DIAMETER
+            };
+            let like_x = |axis: usize| {
+                let mut call = x.call(if inside { 1.0 } else { 2.0 });
+                call.numbers.insert("_MA", axis as f64 + 1.0);
+                call.settings.insert("_CHBIT[19]", 1.0);
+                let mut setup = setup(x.plane, transverse);
+                setup.control.set("_CHBIT[19]", 1.0);
+                let mut setup = placed(setup, &call);
+                setup.workpiece.solids[0].errors.size = 0.3;
+                let mut sim = Sim::new(&setup);
+                assert_eq!(run(&mut sim, &call), Ok(()), "{x:?} {axis}");
+                sim
+            };
+            let [x, y] = [1, 2].map(like_x);
+            for name in ["_OVR[0]", "_OVR[4]", "_OVR[8]", "_OVR[16]", "_OVR[20]"] {
+                close(&y, name, x.control.number(name));
+            }
+            let [x, y] = [(x, [0, 1, 2]), (y, [0, 2, 1])].map(|(sim, order)| {
+                let all = motions(&sim, Plane::G18, [0.0, 0.0, 250.0]);
+                let turned = all
+                    .into_iter()
+                    .map(|(kind, to, feed)| (kind, order.map(|axis| to[axis]), feed));
+                turned.collect::<Vec<_>>()
+            });
+            same(&y, &x, &format!("{transverse:?} {inside}"));
+        }
+    }
+}

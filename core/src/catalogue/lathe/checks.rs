@@ -1,7 +1,6 @@
 //! Checks about the probe in use and the coordinate system.
 
-use super::TIPS;
-use super::params::TRANSVERSE;
+use super::{TIPS, measure};
 use crate::catalogue::{names, shared_checks};
 use crate::check::{Inputs, error, warning};
 use crate::control::Control;
@@ -16,8 +15,7 @@ pub fn measuring(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>
     shared_checks::weighting(inputs, control, found);
     shared_checks::tolerances(inputs, found);
     // a deviation of a diameter shows half at the point
-    let share = if TRANSVERSE.holds(inputs) { 0.5 } else { 1.0 };
-    shared_checks::reach(inputs, share, found);
+    shared_checks::reach(inputs, 1.0 / measure::per(control, inputs), found);
     tip(control, found);
     shared_checks::rotation(control, found);
 }

@@ -22,15 +22,15 @@ pub fn axis(machine: &mut dyn Machine, inputs: &Inputs) -> Result<usize, Stop> {
     }
 }
 
-/// Axis in which tool and zero offset are corrected: the measuring axis, or with `_CHBIT[19]` = 1 in G18 X, the
-/// ordinate, for Y (B:14023-14027).
+/// Axis in which tool and zero offset are corrected where this one is measured: itself, or with `_CHBIT[19]` = 1 in G18
+/// X, the ordinate, for Y (B:14023-14027).
 pub fn corrected(inputs: &Inputs, axis: usize) -> usize {
-    let like_x = APPLICATE.holds(inputs) && TRANSVERSE.holds(inputs);
-    if like_x && inputs.plane == Plane::G18 {
-        1
-    } else {
-        axis
-    }
+    if axis == 2 && like_x(inputs) { 1 } else { axis }
+}
+
+/// Whether Y, the applicate of G18, is measured and counts like X (B:11001, B:14023-14027).
+fn like_x(inputs: &Inputs) -> bool {
+    inputs.plane == Plane::G18 && APPLICATE.holds(inputs) && TRANSVERSE.holds(inputs)
 }
 
 /// Dimension per length in the measuring axis: 2 where dimensions are diameters (B:10623, B:10975), else 1.
@@ -42,9 +42,9 @@ pub fn per(control: &Control, inputs: &Inputs) -> f64 {
     }
 }
 
-/// The same of an axis of the plane, measured or not: of X, and of Y where it counts like X.
+/// The same of an axis, measured or not: of X, and of Y where it counts like X.
 pub fn per_axis(control: &Control, inputs: &Inputs, axis: usize) -> f64 {
-    if control.plane.axes()[axis.min(2)] == 0 || corrected(inputs, axis) != axis {
+    if control.plane.axes()[axis.min(2)] == 0 || axis == 2 && like_x(inputs) {
         control.transverse.shown()
     } else {
         1.0

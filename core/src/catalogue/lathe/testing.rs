@@ -15,6 +15,7 @@ use crate::run::Setup;
 pub fn lathe() -> Control {
     let mut control = delivery(Dialect::Sinumerik);
     control.plane = Plane::G18;
+    control.transverse = Transverse::Diameter;
     control.set("_CHBIT[4]", 1.0);
     let edge = Edge {
         kind: 580,
