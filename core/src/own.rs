@@ -199,6 +199,8 @@ sentences! {
     CONVERTS 161 Warning "check-converts" "check-converts-hint";
     ENLARGED 162 Warning "check-enlarged" "check-enlarged-hint";
     CORNER_SHARP 163 Warning "check-corner-sharp" "check-corner-sharp-hint";
+    ADVICE_MILLED_DIAMETER 165 Note "advice-milled-diameter" "advice-milled-diameter-hint";
+    ADVICE_LENGTH 166 Warning "advice-length" "advice-length-hint";
 }
 
 #[cfg(all(test, feature = "cli"))]

@@ -36,7 +36,7 @@ alarm-61307 = This measuring variant does not exist.
 alarm-61308 = The measuring path must be greater than 0.
     .cure = Enter { "_FA" } in mm, also on a machine that works in inch.
 alarm-61309 = The probe is not of a permitted type.
-    .cure = Workpiece: load the probe; its tool type has to be 710 (3D probe) or 1x0, on a lathe 5xy. Tool probe: { "_TP[k,8]" } is 0, 101, 201 or 301.
+    .cure = Workpiece: load the probe; its tool type has to be 710 (3D probe) or 1x0, on a lathe 5xy with cutting edge position 5 to 8. Milling cycles take that one with SD42950 = 2, with 5 and 7 in G17, with 6 and 8 in G19. Tool probe: { "_TP[k,8]" } is 0, 101, 201 or 301.
 alarm-61310 = A scale factor is active.
     .cause = Measured lengths would be scaled as well.
     .cure = Cancel the scaling before measuring.

@@ -114,7 +114,7 @@ check-calibration-band-hint = Choose _TZL smaller than _TSA; 0 stores every new 
 check-skew-lost = The skew is found on the way but not stored.
 check-skew-lost-hint = Choose “determine” for the skew if later measurements should know it.
 check-applicate-plus = The probe would have to touch against the direction from which the tool axis comes.
-check-applicate-plus-hint = Choose direction 1 (minus) unless the stylus can touch from below.
+check-applicate-plus-hint = Choose the other direction (1, minus, if the tool axis points up) unless the stylus can touch from below.
 
 result-ball-diameter = Active ball diameter
 result-ball-difference = Difference of the ball diameter, new less stored

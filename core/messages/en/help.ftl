@@ -13,6 +13,7 @@ help-values = To be given: { $names }.
 help-alarms = Alarms that can come: { $names }.
 
 help-probe-loaded = The probe is in the spindle (tool type 710 or 1x0), its D number is active; G40 is programmed, no scale factor is.
+help-probe-turning = On a turning machine with a third linear axis its type is 5xy and its length ends at the centre of the ball; SD42950 is 2. Cutting edge position 5 or 7 measures in G17, 6 or 8 in G19. Positions in X are radii, with DIAMON too.
 help-wrong-tool = _TNUM or the D number in _KNUM is not that of the tool which cut this surface: a good tool is spoiled.
 help-wrong-chip = A chip or burr on the surface falsifies the size: clean it, and set _TDIF so that such a value is not corrected.
 help-wrong-conditions = The probe was calibrated with another feed, plane or spindle position, so every result is off by the same amount.

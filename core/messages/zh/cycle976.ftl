@@ -114,7 +114,7 @@ check-calibration-band-hint = 请使 _TZL 小于 _TSA；0 存储每个新值。
 check-skew-lost = 偏斜会顺便求出，但不存储。
 check-skew-lost-hint = 若以后的测量要用偏斜，请选“求出”。
 check-applicate-plus = 测量头须朝刀具轴来的相反方向触碰。
-check-applicate-plus-hint = 除非测针能从下方触碰，否则请选方向 1（负）。
+check-applicate-plus-hint = 除非测针能从下方触碰，否则请选另一个方向（刀具轴向上时为 1，即负）。
 
 result-ball-diameter = 有效测球直径
 result-ball-difference = 测球直径的偏差，新值减存储值

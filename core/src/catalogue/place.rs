@@ -32,6 +32,17 @@ pub fn in_plane(control: &Control, point: [f64; 3]) -> [f64; 3] {
     xyz
 }
 
+/// On which side of a part the probe stands: +1 on the plus side of the applicate, -1 where its body lies on the minus
+/// side, as that of a turning machine's probe with cutting edge position 5 or 6.
+pub fn side(control: &Control) -> f64 {
+    let Some(stands) = control.active_edge().and_then(Edge::stands) else {
+        return 1.0;
+    };
+    let up = control.direction_to_machine(in_plane(control, [0.0, 0.0, 1.0]));
+    let along: f64 = up.iter().zip(stands).map(|(a, b)| a * b).sum();
+    if along < 0.0 { -1.0 } else { 1.0 }
+}
+
 /// A nominal solid: its origin and the directions of its X and Z axes, given as abscissa, ordinate, applicate of the WCS.
 pub fn solid(control: &Control, shape: Shape, at: [f64; 3], x: [f64; 3], z: [f64; 3]) -> Solid {
     let direction =
@@ -81,13 +92,18 @@ const FACE: [f64; 3] = [60.0, 60.0, 40.0];
 /// How far below the upper edge of the block a side face is touched, mm.
 const FACE_DEPTH: f64 = 10.0;
 
+/// Out of a part whose face the probe stands on: abscissa, ordinate, applicate.
+pub fn outward(control: &Control) -> [f64; 3] {
+    [0.0, 0.0, side(control)]
+}
+
 /// A block with a face at `set` of an axis (0 abscissa, 1 ordinate, 2 applicate), and the position opposite that face,
 /// `away` from it; `side` +1: outside is the plus side of the axis.
 pub fn face(control: &Control, axis: usize, set: f64, side: f64, away: f64) -> (Solid, [f64; 3]) {
     let (mut at, mut start, mut normal) = ([0.0; 3], [0.0; 3], [0.0; 3]);
     (at[axis], start[axis], normal[axis]) = (set, set + side * away, side);
     if axis != 2 {
-        at[2] = FACE_DEPTH - FACE[0] / 2.0;
+        at[2] = self::side(control) * (FACE_DEPTH - FACE[0] / 2.0);
     }
     let x = if axis == 2 {
         [1.0, 0.0, 0.0]

@@ -1,7 +1,7 @@
 //! Checks over several parameters that the SINUMERIK workpiece cycles share.
 
 use super::common::MONO;
-use super::{When, names};
+use super::{When, names, place};
 use crate::check::{Inputs, error};
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
@@ -178,9 +178,10 @@ pub fn across(
     }
 }
 
-/// An infeed that does not lead down to the measuring height (B:5833: minus is down).
-pub fn infeed(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
-    if let Some(infeed) = inputs.given(names::ID).filter(|infeed| *infeed >= 0.0) {
+/// An infeed that does not lead down to the measuring height (B:5833: minus is down, for a probe on the plus side).
+pub fn infeed(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
+    let up = |infeed: &f64| infeed * place::side(control) >= 0.0;
+    if let Some(infeed) = inputs.given(names::ID).filter(up) {
         found.push(own::INFEED.finding().number("infeed", infeed).at(names::ID));
     }
 }
@@ -261,7 +262,8 @@ pub fn takes_rotation(name: &'static str, inputs: &Inputs, found: &mut Vec<Diagn
     }
 }
 
-/// On a lathe the length of the probe has to end at the centre of its ball (B:7526-7527, B:7834).
+/// On a lathe the length of the probe has to end at the centre of its ball (B:5358, B:5480, B:5818, B:6400, B:6871, B:7528,
+/// B:7836).
 pub fn lathe_length(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     if TURNING_TOOL.holds(inputs) && control.bit("_CBIT[14]") {
         found.push(own::LATHE_LENGTH.finding().at(names::PRNUM));

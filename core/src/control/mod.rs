@@ -10,6 +10,7 @@ pub mod gud;
 pub mod limits;
 pub mod machine_data;
 pub mod nct_data;
+pub mod probe;
 pub mod rotary;
 pub mod tools;
 pub mod units;

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
 /// Types of turning tools, the probe of a turning machine among them (B:974-985, B:8708).
-const TURNING: RangeInclusive<i64> = 500..=599;
+pub const TURNING: RangeInclusive<i64> = 500..=599;
 /// Type of the probe of a turning machine (B:974-985).
 pub const LATHE_PROBE: i64 = 580;
 /// Value of SD 42950 with which every tool is as long as a turning tool (B:828).
@@ -102,6 +102,12 @@ impl Control {
         }
     }
 
+    /// Which of L1, L2 and L3 of an edge counts along the applicate: 0, 1 or 2.
+    pub fn length_along_applicate(&self, edge: &Edge) -> usize {
+        let axes = self.length_axes(edge);
+        axes.into_iter().position(|axis| axis == 2).unwrap_or(0)
+    }
+
     /// Length in effect along X Y Z, see [`Control::length_axes`]. 0 without a correction.
     pub fn active_length(&self) -> [f64; 3] {
         let mut length = [0.0; 3];
@@ -146,30 +152,6 @@ impl Edge {
     pub fn is_turning(&self) -> bool {
         TURNING.contains(&self.kind)
     }
-
-    /// Direction from the ball of a turning machine's probe to its body, abscissa and ordinate: with cutting edge
-    /// position 5 and 7 it lies along the abscissa, with 6 and 8 along the ordinate, and 7 and 8 point in minus direction
-    /// (B:4152, B:13474-13481).
-    pub fn body(&self) -> Option<[f64; 2]> {
-        match self.tip {
-            _ if !self.is_turning() => None,
-            5 => Some([-1.0, 0.0]),
-            6 => Some([0.0, -1.0]),
-            7 => Some([1.0, 0.0]),
-            8 => Some([0.0, 1.0]),
-            _ => None,
-        }
-    }
-
-    /// Whether a workpiece probe in milling may be called with it: type 1x0 or 710 (B:4147-4152).
-    pub fn is_milling_probe(&self) -> bool {
-        is_milling_probe(self.kind)
-    }
-}
-
-/// The same of a type alone.
-pub fn is_milling_probe(kind: i64) -> bool {
-    kind == 710 || (100..200).contains(&kind) && kind % 10 == 0
 }
 
 #[cfg(test)]
@@ -256,21 +238,6 @@ mod tests {
         control.location = 2;
         assert!((control.active_length()[2] - 55.12).abs() < 1e-12);
         assert!((control.active_radius() - 3.01).abs() < 1e-12);
-    }
-
-    #[test]
-    fn types_of_a_probe() {
-        let edge = |kind| Edge {
-            kind,
-            ..Edge::default()
-        };
-        // oracle: manual B:4147-4152
-        assert!(edge(710).is_milling_probe() && edge(120).is_milling_probe());
-        assert!(
-            !edge(500).is_milling_probe()
-                && !edge(0).is_milling_probe()
-                && !edge(145).is_milling_probe()
-        );
     }
 
     #[test]

@@ -4,6 +4,7 @@ use super::object;
 use super::setup_write::solids;
 use crate::catalogue::{ProbeUse, find};
 use crate::control::Edge;
+use crate::control::probe::upright;
 use crate::control::tools::LATHE_PROBE;
 use crate::geometry::V3;
 use crate::run::in_use::InUse;
@@ -99,12 +100,8 @@ fn tool(setup: &Setup, used: &InUse, measured: bool) -> Value {
 /// plane in which was measured, on a turning machine as the cutting edge position says.
 fn ball(setup: &Setup, used: &InUse) -> Value {
     let carrier = V3::from(used.length);
-    let [abscissa, ordinate, applicate] = used.plane.axes();
-    let mut axis = V3::zeros();
-    match used.edge.as_ref().and_then(Edge::body) {
-        Some([along, across]) => (axis[abscissa], axis[ordinate]) = (along, across),
-        None => axis[applicate] = 1.0,
-    }
+    let turning = used.edge.as_ref().and_then(Edge::stands);
+    let axis = V3::from(turning.unwrap_or_else(|| upright(used.plane)));
     let holder = held(setup, used, carrier, axis);
     let turret = used.turns.then_some(setup.probe.length);
     let adapter = turret.and_then(|length| seen::adapter(length, carrier, axis));

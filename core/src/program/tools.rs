@@ -1,7 +1,9 @@
 //! The tool in use at the calls of a program, and what the program itself says of it (`$TC_DP1[7,1]=120`).
 
 use super::flow::{State, Tool};
-use crate::control::{Control, Plane, Transverse};
+use crate::control::machine_data::setting;
+use crate::control::probe::Unfit;
+use crate::control::{Control, Edge, Plane, Transverse};
 use crate::diagnostic::Code;
 use std::collections::BTreeSet;
 
@@ -17,6 +19,12 @@ pub struct ToolInUse {
     pub number: i64,
     /// `$TC_DP1`.
     pub kind: i64,
+    /// Cutting edge position, `$TC_DP2`; 0: none, or not known.
+    pub tip: i64,
+    /// Why the milling cycles do not take it here.
+    pub unfit: Option<Unfit>,
+    /// Whether it has lengths, but on this turning machine none along the applicate.
+    pub unassigned: bool,
 }
 
 /// What is known of the tools while a program is read.
@@ -48,6 +56,8 @@ impl Tools {
     pub fn learn(&self, control: &mut Control, name: &str, number: Option<f64>) {
         if name.starts_with("$TC_") {
             control.set_variable(name, number.unwrap_or(0.0));
+        } else if let (Some(datum), Some(number)) = (setting(name), number) {
+            control.set(datum, number);
         }
     }
 
@@ -78,9 +88,16 @@ impl Tools {
             });
         }
         let edge = control.active_edge().filter(|edge| edge.kind != 0)?;
+        let known = self.known.contains(&(control.tool, control.edge));
         Some(ToolInUse {
             number: control.tool,
             kind: edge.kind,
+            tip: edge.tip,
+            // a position that the program does not enter the machine may know
+            unfit: control
+                .unfit(edge)
+                .filter(|unfit| *unfit != Unfit::Tip || edge.tip != 0 || known),
+            unassigned: control.turns() && lengthless(control, edge),
         })
     }
 
@@ -90,6 +107,13 @@ impl Tools {
         let left_open = code == SIZE || code == TIP && no_tip();
         !left_open || self.known.contains(&(control.tool, control.edge))
     }
+}
+
+/// Whether a tool has lengths, but none along the applicate.
+fn lengthless(control: &Control, edge: &Edge) -> bool {
+    let along = control.length_along_applicate(edge);
+    let long = |index: usize| edge.total_length(index) != 0.0;
+    !long(along) && (0..3).any(long)
 }
 
 fn named(control: &Control, name: &str) -> Option<i64> {

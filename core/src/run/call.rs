@@ -21,9 +21,10 @@ pub fn perform(sim: &mut Sim, inputs: &Inputs) -> Result<(), Stop> {
         let message = Message::new("run-no-simulation").text("word", inputs.cycle.name);
         return Err(Stop::Fault(message));
     };
-    sim.measuring = inputs.cycle.purpose.probe == ProbeUse::Workpiece;
+    let purpose = &inputs.cycle.purpose;
+    sim.measuring = (purpose.probe == ProbeUse::Workpiece).then_some(purpose.machine);
     let outcome = (work.simulate)(sim, inputs);
-    sim.measuring = false;
+    sim.measuring = None;
     sim.recode(false);
     if let Err(Stop::Alarm(code)) = outcome {
         return alarm(sim, code);

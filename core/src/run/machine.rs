@@ -4,6 +4,7 @@ use super::in_use::InUse;
 use super::route::{LOOK, Route, add};
 use super::trace::{Entry, MotionKind, Step, Trace};
 use super::{Machine, Setup, Stop};
+use crate::catalogue::MachineSort;
 use crate::control::Control;
 use crate::geometry::arc::Around;
 use crate::message::Message;
@@ -38,8 +39,9 @@ pub struct Sim {
     pub point_limit: usize,
     /// Whether nothing is recorded.
     quiet: bool,
-    /// Whether a measuring cycle of workpieces is running: then the probe is in the spindle whatever the tool data say.
-    pub measuring: bool,
+    /// For which machines the measuring cycle of workpieces is that is running: then the probe is in use whatever the tool
+    /// data say.
+    pub measuring: Option<MachineSort>,
     probe: Probe,
     /// The part where it stands now.
     part: Boundary,
@@ -47,6 +49,8 @@ pub struct Sim {
     clamped: Workpiece,
     /// How far the spindle of a turning machine has turned the part, degree.
     turned: f64,
+    /// How the spindle that holds a turning machine's probe stands, degree: milling cycles alone turn it.
+    held_at: f64,
     noise: Noise,
     tool_probes: Vec<ToolProbe>,
     /// Tools as they are, by T and D number: those that were told, and others as they were when they were first moved.
@@ -81,11 +85,12 @@ impl Sim {
             trace_limit: TRACE_LIMIT,
             point_limit: FORM_POINTS,
             quiet: false,
-            measuring: false,
+            measuring: None,
             probe: setup.probe,
             part: Boundary::of(&on_table(&setup.control, &setup.workpiece, 0.0)),
             clamped: setup.workpiece.clone(),
             turned: 0.0,
+            held_at: 0.0,
             noise: Noise::new(setup.probe.repeatability.1),
             tool_noise: self::tool::noise(&setup.tool_probes),
             tool_probes: setup.tool_probes.clone(),
@@ -229,7 +234,8 @@ impl Sim {
     /// Whether a motion may begin: the trace has room, the axes may take all its positions.
     fn admit(&mut self, way: &Route) -> Result<(), Stop> {
         self.room()?;
-        if !self.measuring {
+        self.hold();
+        if self.measuring.is_none() {
             self.effort += LOOK * self.part.weight().saturating_sub(1);
         }
         let problem = if !way.to.iter().all(|value| value.is_finite()) {
@@ -311,9 +317,13 @@ impl Machine for Sim {
     fn orient(&mut self, angle: f64) {
         self.control.spindle = angle;
         self.control.spindle_speed = 0.0;
-        if self.in_turret() {
-            self.turned = angle;
-            self.stands();
+        match (self.in_turret(), self.measuring) {
+            (false, _) => {}
+            (true, Some(MachineSort::Milling)) => self.held_at = angle,
+            (true, _) => {
+                self.turned = angle;
+                self.stands();
+            }
         }
         self.note(Step::Orient(angle));
     }

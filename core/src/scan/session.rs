@@ -35,7 +35,7 @@ impl Session {
     pub fn new(inputs: &Inputs, setup: &Setup) -> Option<Result<Session, Stop>> {
         let scan = inputs.cycle.scan()?;
         let mut sim = Sim::new(setup);
-        sim.measuring = true;
+        sim.measuring = Some(inputs.cycle.purpose.machine);
         sim.quiet(true);
         let scanner = scan(&mut sim, inputs);
         Some(scanner.map(|scanner| Session {

@@ -4,6 +4,7 @@
 
 mod bench;
 mod calibration;
+mod lathe_probe;
 mod milled;
 mod tool;
 mod turning;

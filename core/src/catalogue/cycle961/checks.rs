@@ -3,7 +3,7 @@
 use super::corner::PARALLEL;
 use super::lines::{Point, across, away, direction, shares};
 use super::params::{DISTANCES, PASSES, PLACES, POINTS, RECTANGLE};
-use crate::catalogue::{names, shared_checks};
+use crate::catalogue::{names, place, shared_checks};
 use crate::check::{Inputs, error};
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
@@ -25,10 +25,10 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
         directions(inputs, found);
     }
     if PASSES.holds(inputs) {
-        passing(inputs, found);
+        passing(inputs, control, found);
     }
     if POINTS.holds(inputs) {
-        shared_checks::infeed(inputs, found);
+        shared_checks::infeed(inputs, control, found);
         points(inputs, found);
     }
 }
@@ -81,8 +81,9 @@ fn sharp(angle: f64, at: &'static str) -> Option<Diagnostic> {
 }
 
 /// Over the corner the probe rises; 0 leads around it (B:8006-8012).
-fn passing(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
-    if let Some(lift) = inputs.given(names::ID).filter(|lift| *lift < 0.0) {
+fn passing(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
+    let down = |lift: &f64| lift * place::side(control) < 0.0;
+    if let Some(lift) = inputs.given(names::ID).filter(down) {
         found.push(
             own::CORNER_LIFT
                 .finding()

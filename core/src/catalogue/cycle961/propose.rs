@@ -30,7 +30,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
         let (height, depth) = place::above(inputs.number(names::ID).abs(), ball);
         (by_points(&touches, ball), touches[1].at, height, depth)
     } else {
-        let depth = depth(inputs, ball);
+        let depth = depth(inputs, control, ball);
         (by_distances(inputs, control, ball), start, -depth, depth)
     };
     let part = solid(
@@ -42,14 +42,17 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     );
     Proposal {
         workpiece: Workpiece { solids: vec![part] },
-        start: place::in_plane(control, [start[0], start[1], height]),
+        start: place::in_plane(control, [start[0], start[1], height * place::side(control)]),
         ..Proposal::default()
     }
 }
 
 /// Below the face; so deep that the ball passes over the corner clear of it by a third of what is left of `_ID`.
-fn depth(inputs: &Inputs, ball: f64) -> f64 {
-    match inputs.given(names::ID).filter(|lift| *lift > 0.0) {
+fn depth(inputs: &Inputs, control: &Control, ball: f64) -> f64 {
+    let lift = inputs
+        .given(names::ID)
+        .map(|lift| lift * place::side(control));
+    match lift.filter(|lift| *lift > 0.0) {
         Some(lift) if PASSES.holds(inputs) => ((lift - ball) * 2.0 / 3.0).clamp(0.5, DEPTH),
         _ => DEPTH,
     }
@@ -116,10 +119,10 @@ fn by_points(touches: &[Touch], ball: f64) -> Nominal {
     }
 }
 
-/// -1 where the WCS is mirrored: then counter-clockwise in it is clockwise in the machine.
+/// -1 where the WCS is mirrored, or seen from its minus side: then counter-clockwise in it is clockwise for the part.
 fn handed(control: &Control) -> f64 {
     let [abscissa, ordinate, _] = control.plane.axes();
-    let up = control.direction_to_machine(place::in_plane(control, [0.0, 0.0, 1.0]));
+    let up = control.direction_to_machine(place::in_plane(control, place::outward(control)));
     let about = control.turn_axis(abscissa, ordinate);
     (0..3).map(|i| up[i] * about[i]).sum::<f64>().signum()
 }
@@ -185,6 +188,6 @@ fn solid(
         shape,
         [x, y, 0.0],
         [one[0], one[1], 0.0],
-        [0.0, 0.0, 1.0],
+        place::outward(control),
     )
 }

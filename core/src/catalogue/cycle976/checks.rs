@@ -1,7 +1,7 @@
 //! What several values of CYCLE976 say together.
 
 use super::params::{HOLE, LENGTH, SKEW, SURFACE, UNKNOWN};
-use crate::catalogue::{Unit, calibration, names, shared_checks};
+use crate::catalogue::{Unit, calibration, names, place, shared_checks};
 use crate::check::{Inputs, error, factor, unit_behind};
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
@@ -21,7 +21,8 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     if UNKNOWN.holds(inputs) {
         reversal(inputs, control, found);
     }
-    upwards(inputs, found);
+    against(inputs, control, found);
+    shared_checks::lathe_length(inputs, control, found);
 }
 
 /// With `_CBIT[14]` = 1 the trigger value of the applicate is 0 itself (B:5583).
@@ -65,11 +66,12 @@ fn reversal(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
 }
 
 /// In the applicate a probe in the spindle touches in minus direction only; the manual names no field for the other one
-/// but `_WP[k,6]` (B:5352).
-fn upwards(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
+/// but `_WP[k,6]` (B:5352). One whose body lies on the minus side touches in plus direction.
+fn against(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     let applicate = LENGTH.holds(inputs) || SURFACE.holds(inputs);
     let axis = inputs.given(names::MA) == Some(3.0);
-    if applicate && axis && inputs.given(names::MD) == Some(0.0) {
+    let pulls = if place::side(control) > 0.0 { 0.0 } else { 1.0 };
+    if applicate && axis && inputs.given(names::MD) == Some(pulls) {
         found.push(own::APPLICATE_PLUS.finding().at(names::MD));
     }
 }

@@ -19,8 +19,12 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
             diameter: inputs.number(names::SETVAL),
             depth: DEPTH + 2.0 * ball + 10.0,
         };
-        let part = place::solid(control, ring, [0.0; 3], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]);
-        (part, place::in_plane(control, [0.0, 0.0, -DEPTH]))
+        let out = place::outward(control);
+        let part = place::solid(control, ring, [0.0; 3], [1.0, 0.0, 0.0], out);
+        (
+            part,
+            place::in_plane(control, out.map(|part| -DEPTH * part)),
+        )
     } else {
         let axis = (inputs.integer(names::MA).clamp(1, 3) - 1) as usize;
         let side = if inputs.integer(names::MD) == 1 {

@@ -12,10 +12,11 @@ use crate::own;
 pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     shared_checks::probe(inputs, control, found);
     shared_checks::mirror(control, found);
+    shared_checks::lathe_length(inputs, control, found);
     shared_checks::memories(inputs, control, found);
     shared_checks::weighting(inputs, control, found);
     shared_checks::tolerances(inputs, found);
-    shared_checks::infeed(inputs, found);
+    shared_checks::infeed(inputs, control, found);
     // a deviation of a diameter or width shows half at each side
     shared_checks::reach(inputs, if TOOL.holds(inputs) { 0.5 } else { 1.0 }, found);
     let ball = place::ball_radius(inputs, control);

@@ -39,7 +39,7 @@ pub static CYCLE977: Cycle = Cycle {
         ..Purpose::MILLING
     },
     lists: lists::LISTS,
-    settings: &[],
+    settings: &["_CBIT[14]"], // B:5818: on a lathe the length ends at the centre of the ball
     results: RESULTS,
     alarms: &[
         common::EVERY_CYCLE,

@@ -24,7 +24,8 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     } else {
         [1.0, 0.0, 0.0]
     };
-    let part = place::solid(control, shape(inputs, height), [0.0; 3], x, [0.0, 0.0, 1.0]);
+    let out = place::outward(control);
+    let part = place::solid(control, shape(inputs, height), [0.0; 3], x, out);
     let protected = Protected::of(inputs, height, x);
     Proposal {
         workpiece: Workpiece { solids: vec![part] },
@@ -33,7 +34,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
             .flat_map(|zone| zone.obstacles(control))
             .collect(),
         zones: protected.iter().map(|zone| zone.walls(control)).collect(),
-        start: place::in_plane(control, [0.0, 0.0, start]),
+        start: place::in_plane(control, out.map(|part| part * start)),
         tools: place::corrected_tools(inputs),
         ..Proposal::default()
     }

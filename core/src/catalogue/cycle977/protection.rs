@@ -119,6 +119,6 @@ impl Protected {
         let [x, y, _] = self.x;
         // across: the first axis turned by a quarter about the applicate
         let at = [first * x - across * y, first * y + across * x, 0.0];
-        place::solid(control, shape, at, self.x, [0.0, 0.0, 1.0])
+        place::solid(control, shape, at, self.x, place::outward(control))
     }
 }

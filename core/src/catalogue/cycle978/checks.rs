@@ -11,6 +11,7 @@ use crate::message::Message;
 pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     shared_checks::probe(inputs, control, found);
     shared_checks::mirror(control, found);
+    shared_checks::lathe_length(inputs, control, found);
     shared_checks::memories(inputs, control, found);
     shared_checks::weighting(inputs, control, found);
     shared_checks::tolerances(inputs, found);

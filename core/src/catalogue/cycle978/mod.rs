@@ -53,7 +53,7 @@ pub static CYCLE978: Cycle = Cycle {
         ..Purpose::MILLING
     },
     lists: lists::LISTS,
-    settings: &[],
+    settings: &["_CBIT[14]"], // B:6400: on a lathe the length ends at the centre of the ball
     results: RESULTS,
     alarms: &[
         common::EVERY_CYCLE,

@@ -11,6 +11,7 @@ use crate::own;
 pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     shared_checks::probe(inputs, control, found);
     shared_checks::mirror(control, found);
+    shared_checks::lathe_length(inputs, control, found);
     shared_checks::memories(inputs, control, found);
     shared_checks::weighting(inputs, control, found);
     shared_checks::tolerances(inputs, found);
@@ -57,6 +58,7 @@ fn lift(inputs: &Inputs, control: &Control, ball: f64, found: &mut Vec<Diagnosti
     let Some(lift) = inputs.given(names::ID) else {
         return;
     };
+    let lift = lift * place::side(control);
     if lift <= 0.0 {
         found.push(own::LIFT.finding().at(names::ID));
     } else if lift <= ball && !control.bit("_CBIT[14]") {

@@ -18,19 +18,20 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let size = inputs.number(names::SETVAL);
     let centre = [inputs.number(names::CPA), inputs.number(names::CPO)];
     let (sine, cosine) = sin_cos(inputs.number(names::STA1));
-    let depth = depth(inputs, ball);
+    let depth = depth(inputs, control, ball);
     let out = match OUTSIDE.holds(inputs) {
         true => size / 2.0 + ball + inputs.number(names::FA) + AWAY,
         false => 0.0,
     };
-    let start = [centre[0] + out * cosine, centre[1] + out * sine, -depth];
+    let below = -depth * place::side(control);
+    let start = [centre[0] + out * cosine, centre[1] + out * sine, below];
     let shape = place::element(inputs.variant % 10, size, depth + 2.0 * ball + 10.0);
     let x = match ROUND.holds(inputs) {
         true => [1.0, 0.0, 0.0],
         false => [cosine, sine, 0.0],
     };
     let at = [centre[0], centre[1], 0.0];
-    let part = place::solid(control, shape, at, x, [0.0, 0.0, 1.0]);
+    let part = place::solid(control, shape, at, x, place::outward(control));
     Proposal {
         workpiece: Workpiece { solids: vec![part] },
         start: place::in_plane(control, start),
@@ -40,9 +41,10 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
 }
 
 /// Below the face: so deep that a web is crossed clear of it by a third of what the ball leaves of `_ID`, at most 10 mm.
-fn depth(inputs: &Inputs, ball: f64) -> f64 {
+fn depth(inputs: &Inputs, control: &Control, ball: f64) -> f64 {
     match inputs.given(names::ID) {
         Some(lift) => {
+            let lift = lift * place::side(control);
             let clear = ((lift - ball) / 3.0).clamp(0.5, 10.0);
             (lift - ball - clear).max(0.0)
         }

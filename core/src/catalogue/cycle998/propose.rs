@@ -26,7 +26,8 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
         return Proposal::default();
     };
     let axis = surface.measuring;
-    let towards = towards(inputs, axis);
+    let side = place::side(control);
+    let towards = towards(inputs, axis, side);
     let (first, start) = heights(inputs, control, &surface, towards);
     let mut at = [0.0; 3];
     at[axis] = first;
@@ -34,7 +35,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     from[axis] = start;
     let (outward, along) = directions(&surface, towards);
     let size = size(&surface);
-    let middle = V3::from(at) + to_middle(&surface, &outward);
+    let middle = V3::from(at) + to_middle(&surface, &outward, side);
     let part = place::solid(
         control,
         Shape::Block { size },
@@ -49,10 +50,10 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     }
 }
 
-/// Direction of the probe: as `_MD` says, else from the minus side in the plane and from above along the applicate.
-fn towards(inputs: &Inputs, axis: usize) -> f64 {
+/// Direction of the probe: as `_MD` says, else from the minus side in the plane and from its side along the applicate.
+fn towards(inputs: &Inputs, axis: usize, side: f64) -> f64 {
     let minus = match AT_ANGLE.holds(inputs) {
-        true => axis == 2,
+        true => axis == 2 && side > 0.0,
         false => inputs.integer(names::MD) == 1,
     };
     if minus { -1.0 } else { 1.0 }
@@ -96,7 +97,7 @@ fn directions(surface: &Surface, towards: f64) -> (V3, V3) {
 }
 
 /// From the first point to the middle of the face.
-fn to_middle(surface: &Surface, outward: &V3) -> V3 {
+fn to_middle(surface: &Surface, outward: &V3, side: f64) -> V3 {
     let mut way = V3::zeros();
     for leg in &surface.legs {
         way[leg.axis] += leg.distance / 2.0;
@@ -105,7 +106,7 @@ fn to_middle(surface: &Surface, outward: &V3) -> V3 {
     way[surface.measuring] = -way.dot(outward) / outward[surface.measuring];
     let single = surface.legs.len() == 1;
     if single && surface.third() == 2 {
-        way[2] += DEPTH - WIDTH / 2.0;
+        way[2] += side * (DEPTH - WIDTH / 2.0);
     }
     way
 }

@@ -4,6 +4,7 @@ use super::{TIPS, measure};
 use crate::catalogue::{names, shared_checks};
 use crate::check::{Inputs, error, warning};
 use crate::control::Control;
+use crate::control::probe::Unfit;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::message::Message;
 
@@ -27,10 +28,10 @@ pub fn tip(control: &Control, found: &mut Vec<Diagnostic>) -> Option<i64> {
     if !edge.is_turning() {
         let message = Message::new("check-lathe-probe").number("type", edge.kind as f64);
         let code = Code::Alarm(61309);
-        let finding = if edge.is_milling_probe() {
-            warning(code, message)
-        } else {
+        let finding = if control.unfit(edge) == Some(Unfit::Type) {
             error(code, message)
+        } else {
+            warning(code, message)
         };
         let hint = Message::new("check-lathe-probe-hint");
         found.push(finding.hint(hint).at(names::PRNUM));

@@ -32,7 +32,8 @@ pub struct Calibration {
     pub skew: [Option<f64>; 2],
     /// Centre of the hole in the WCS, abscissa and ordinate.
     pub centre: Option<[f64; 2]>,
-    /// What L1 of the probe has to be longer by.
+    /// What the length of the probe along the applicate has to be longer by: L1, where the lengths are assigned as on a
+    /// turning machine L3.
     pub length: Option<f64>,
 }
 
@@ -100,7 +101,10 @@ pub fn store(
     }
     calibrated_as::note(machine, inputs);
     if let Some(length) = found.length {
-        let length = set_tool(machine, LENGTH, |before| before + length);
+        let control = machine.control();
+        let along = control.active_edge();
+        let along = along.map_or(0, |edge| control.length_along_applicate(edge));
+        let length = set_tool(machine, LENGTHS[along], |before| before + length);
         results::length(machine, 22, length);
     }
     Ok(next)
@@ -162,8 +166,8 @@ fn fields(found: &Calibration) -> Vec<(usize, f64)> {
     fields
 }
 
-/// Geometry of L1 and of the radius in the tool memory.
-const LENGTH: &str = "$TC_DP3";
+/// Geometry of L1, L2 and L3 and of the radius in the tool memory.
+const LENGTHS: [&str; 3] = ["$TC_DP3", "$TC_DP4", "$TC_DP5"];
 const RADIUS: &str = "$TC_DP6";
 
 /// Writes a geometry value of the probe in use; the new one, mm.

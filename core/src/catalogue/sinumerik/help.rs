@@ -7,11 +7,10 @@ use crate::catalogue::help::{HelpLine, before, corrects, mvar, order, wrong};
 const TURNED_OVER: When = mvar(1000, &[1]);
 
 /// What every SINUMERIK cycle with the probe in the milling spindle asks for.
-pub const PROBE: &[HelpLine] = &[before(
-    When::Always,
-    "help-probe-loaded",
-    "B:744;B:4147-4152",
-)];
+pub const PROBE: &[HelpLine] = &[
+    before(When::Always, "help-probe-loaded", "B:744;B:4147-4152"),
+    before(When::Always, "help-probe-turning", "B:4148-4152;B:5358"),
+];
 
 /// What goes wrong in every measurement of a workpiece.
 pub const MEASURING: &[HelpLine] = &[

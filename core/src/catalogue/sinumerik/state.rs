@@ -17,7 +17,10 @@ pub fn refusal(control: &Control, machine: MachineSort) -> Option<u32> {
     };
     match machine {
         MachineSort::Turning => turning(control, edge),
-        _ => (!edge.is_milling_probe()).then_some(61309), // B:4147-4152
+        _ => control
+            .unfit(edge)
+            .filter(|unfit| unfit.refuses())
+            .map(|_| 61309), // B:4147-4152, A:15848
     }
 }
 

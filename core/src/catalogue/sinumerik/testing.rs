@@ -111,7 +111,8 @@ pub fn call(name: &str, variant: i64, values: &[(&'static str, f64)]) -> Inputs 
 
 /// Runs a call on a machine as it is.
 pub fn run(sim: &mut Sim, inputs: &Inputs) -> Result<(), Stop> {
-    sim.measuring = inputs.cycle.purpose.probe == ProbeUse::Workpiece;
+    let purpose = &inputs.cycle.purpose;
+    sim.measuring = (purpose.probe == ProbeUse::Workpiece).then_some(purpose.machine);
     (inputs.cycle.work().unwrap().simulate)(sim, inputs)
 }
 

@@ -2,12 +2,15 @@
 
 use super::{Seen, at, inherited, unsaid, with_line};
 use crate::catalogue::{MachineSort, ProbeUse, names};
-use crate::check::error;
-use crate::control::tools::is_milling_probe;
+use crate::check::{error, warning};
+use crate::control::machine_data::TOOL_LENGTH_TYPE;
+use crate::control::probe::Unfit;
+use crate::control::tools::TURNING;
 use crate::control::{Control, delivery_in};
 use crate::diagnostic::{Code, Diagnostic, Severity};
 use crate::message::Message;
 use crate::own;
+use crate::program::tools::ToolInUse;
 use crate::program::tree::{Program, Word, WordKind};
 use std::collections::BTreeSet;
 use std::ops::RangeInclusive;
@@ -57,6 +60,7 @@ pub fn look(seen: &Seen, asked: &mut Asked, found: &mut Vec<Diagnostic>) {
     }
     edge(seen).map(&mut say);
     tool(seen).map(&mut say);
+    length(seen).map(&mut say);
     spindle(seen).map(&mut say);
     inherited::look(seen, found);
 }
@@ -89,18 +93,68 @@ fn edge(seen: &Seen) -> Option<Diagnostic> {
     Some(with_line(finding, seen, "D1"))
 }
 
-/// The tool in use of a milling machine is no probe (B:4147-4152). What lathes and tool probes take, their own checks say.
+/// The tool in use is none with which a milling cycle may be called (B:4147-4152). What turning cycles and tool probes
+/// take, their own checks say.
 fn tool(seen: &Seen) -> Option<Diagnostic> {
+    let tool = milling_probe(seen)?;
+    let (unfit, code) = (tool.unfit?, Code::Alarm(61309));
+    let told = |key: &'static str, hint: &'static str| {
+        let message = Message::new(key)
+            .number("tool", tool.number as f64)
+            .number("type", tool.kind as f64)
+            .number("position", tool.tip as f64);
+        (message, Message::new(hint))
+    };
+    let plane = plane_of(&tool);
+    let (message, hint) = match unfit {
+        Unfit::Type => told("advice-tool", "advice-tool-hint"),
+        Unfit::Digit => told("advice-tool-digit", "advice-tool-digit-hint"),
+        Unfit::Assignment => told("advice-tool-assignment", "advice-tool-assignment-hint"),
+        Unfit::Tip => told("advice-tool-position", "advice-tool-position-hint"),
+        Unfit::Plane => {
+            let (message, hint) = told("advice-tool-plane", "advice-tool-plane-hint");
+            (message, hint.text("plane", plane))
+        }
+    };
+    // what the text does not tell the machine may have
+    let open = match unfit {
+        Unfit::Digit => true,
+        Unfit::Assignment => !seen.control.data.contains_key(TOOL_LENGTH_TYPE),
+        Unfit::Plane => seen.force.plane.is().is_none(),
+        Unfit::Type | Unfit::Tip => false,
+    };
+    let finding = match open {
+        true => warning(code, message),
+        false => error(code, message),
+    };
+    let finding = finding.hint(hint);
+    Some(match unfit {
+        Unfit::Plane => with_line(finding, seen, plane),
+        _ => finding,
+    })
+}
+
+/// The tool in use where a milling cycle measures a workpiece.
+pub fn milling_probe(seen: &Seen) -> Option<ToolInUse> {
     let purpose = &seen.site.cycle.purpose;
     let probed = purpose.probe == ProbeUse::Workpiece && purpose.machine != MachineSort::Turning;
-    let tool = seen.tool.filter(|_| probed)?;
-    if is_milling_probe(tool.kind) {
-        return None;
+    seen.tool.filter(|_| probed)
+}
+
+/// The plane on which a probe stands: that of a turning machine G17 or G19 by its position (B:4152).
+pub fn plane_of(tool: &ToolInUse) -> &'static str {
+    match (TURNING.contains(&tool.kind), tool.tip) {
+        (true, 6 | 8) => "G19",
+        _ => "G17",
     }
-    let message = Message::new("advice-tool")
-        .number("tool", tool.number as f64)
-        .number("type", tool.kind as f64);
-    Some(error(Code::Alarm(61309), message).hint(Message::new("advice-tool-hint")))
+}
+
+/// The length of a turning machine's probe does not lie where it stands: L1 counts along the ordinate and L2 along the
+/// abscissa of each plane, L3 along the applicate (B:828, B:974-985).
+fn length(seen: &Seen) -> Option<Diagnostic> {
+    let tool = milling_probe(seen).filter(|tool| tool.unassigned)?;
+    let finding = own::ADVICE_LENGTH.finding();
+    Some(finding.number("tool", tool.number as f64))
 }
 
 /// A probe must not turn.

@@ -1,9 +1,10 @@
 //! What the text does not say before a call, so that the state of the machine or another program decides. Each is asked
 //! once a program.
 
-use super::{Seen, between, with_line};
+use super::{Seen, at_call, between, with_line};
 use crate::catalogue::{MachineSort, ProbeUse, lathe, names};
 use crate::control::Transverse;
+use crate::control::tools::TURNING;
 use crate::diagnostic::Diagnostic;
 use crate::own;
 use crate::program::flow::Mode;
@@ -17,6 +18,7 @@ pub fn doubts(seen: &Seen) -> impl Iterator<Item = Diagnostic> {
         tool(seen),
         diameter(seen),
         radius(seen),
+        milled_diameter(seen),
     ];
     doubts.into_iter().flatten()
 }
@@ -26,7 +28,11 @@ fn on_a_lathe(seen: &Seen) -> bool {
 }
 
 fn usual_plane(seen: &Seen) -> &'static str {
-    if on_a_lathe(seen) { "G18" } else { "G17" }
+    match (on_a_lathe(seen), at_call::milling_probe(seen)) {
+        (true, _) => "G18",
+        (false, Some(tool)) => at_call::plane_of(&tool),
+        (false, None) => "G17",
+    }
 }
 
 /// Another program, or the way through this one, decides what is in force.
@@ -137,4 +143,16 @@ fn radius(seen: &Seen) -> Option<Diagnostic> {
         .number("diameter", 2.0 * set);
     let finding = finding.at(names::SETVAL);
     Some(between(finding, seen, "DIAMON", "DIAMOF"))
+}
+
+/// The milling cycles know no diameters in the transverse axis: chapter 5 names none, other than chapter 6 (B:10623,
+/// B:10975).
+fn milled_diameter(seen: &Seen) -> Option<Diagnostic> {
+    at_call::milling_probe(seen).filter(|tool| TURNING.contains(&tool.kind))?;
+    let transverse = seen.force.transverse.is()?;
+    if *transverse == Transverse::Radius {
+        return None;
+    }
+    let finding = own::ADVICE_MILLED_DIAMETER.finding();
+    Some(between(finding, seen, "DIAMOF", "DIAMON"))
 }

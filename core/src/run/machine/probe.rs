@@ -11,37 +11,51 @@ use crate::run::route::{Obstacle, Route, add};
 use crate::run::trace::{MotionKind, Step};
 use crate::workpiece::feeler::{Feeler, Touching};
 use crate::workpiece::probe::{Stand, ball_offset, touch};
+use crate::workpiece::tool::Tool;
 
 impl Sim {
     /// Whether the simulated probe is in use: type 710 or 580, or a measuring cycle of workpieces is running. Any other
     /// tool touches the tool probes only; that it cuts is not simulated.
     pub fn has_probe(&self) -> bool {
         let probe = |edge: &Edge| [710, LATHE_PROBE].contains(&edge.kind);
-        self.measuring || self.control.active_edge().is_some_and(probe)
+        self.measuring.is_some() || self.control.active_edge().is_some_and(probe)
     }
 
-    /// Whether the tool stands in a turret and the spindle holds the part.
+    /// Whether it is the probe of a turning machine: the spindle of a program holds the part there, and only in a milling
+    /// cycle the probe.
     pub(super) fn in_turret(&self) -> bool {
         self.control.active_edge().is_some_and(Edge::is_turning)
     }
 
-    /// How far the probe is turned from the abscissa to the ordinate, degree: with the spindle, or not at all in a turret.
+    /// How far the probe is turned from the abscissa to the ordinate, degree: with the spindle that holds it.
     fn probe_angle(&self) -> f64 {
         if self.in_turret() {
-            0.0
+            0.0 - self.held_at
         } else {
             self.control.turned()
         }
     }
 
+    /// The probe of a turning machine is as long as its data say when it is first moved, unless the setup tells otherwise.
+    pub(super) fn hold(&mut self) {
+        if let Some(edge) = self.control.active_edge().filter(|edge| edge.is_turning())
+            && self.has_probe()
+        {
+            let nominal = || Tool::nominal(edge, &self.control);
+            let key = self.control.active_place();
+            self.real_tools.entry(key).or_insert_with(nominal);
+        }
+    }
+
     /// From the point to which the tool length refers to the spindle axis at the height of the real ball centre:
-    /// differs from zero when the probe is not as long as the control believes. In a turret the skew alone tells how
-    /// far the ball is from there.
+    /// differs from zero when the probe is not as long as the control believes.
     fn ball_height(&self) -> [f64; 3] {
         let axis = self.tool_axis();
         let mut height = [0.0; 3];
         if self.in_turret() {
-            return height;
+            return self
+                .real_tool()
+                .map_or(height, |tool| tool.error(&self.control));
         }
         height[axis] = self.control.active_length()[axis] - self.probe.length;
         height
@@ -55,16 +69,11 @@ impl Sim {
 
     /// What of the probe can touch, as it stands.
     pub(super) fn feeler(&self) -> Feeler {
-        let [abscissa, ordinate, applicate] = self.control.plane.axes();
-        let mut up = [0.0; 3];
-        match self.control.active_edge().filter(|edge| edge.is_turning()) {
-            None => up[applicate] = 1.0,
-            Some(edge) => match edge.body().filter(|_| self.probe.body.is_some()) {
-                Some([along, across]) => (up[abscissa], up[ordinate]) = (along, across),
-                None => return Feeler::ball(self.probe.radius), // how long the stylus is in a turret no datum tells
-            },
+        let edge = self.control.active_edge().filter(|edge| edge.is_turning());
+        if edge.is_some_and(|edge| edge.stands().is_none() || self.probe.body.is_none()) {
+            return Feeler::ball(self.probe.radius); // how long the stylus is in a turret no datum tells
         }
-        Feeler::new(&self.probe, up)
+        Feeler::new(&self.probe, self.control.stands())
     }
 
     /// How it stands.

@@ -74,6 +74,7 @@ mod tests {
     #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
     use super::*;
+    use crate::catalogue::MachineSort;
     use crate::catalogue::sinumerik::testing::{at, call, setup, solid, stopped};
     use crate::control::Plane;
     use crate::run::Setup;
@@ -130,7 +131,7 @@ mod tests {
     }
 
     fn block(sim: &mut Sim, values: &[(&'static str, f64)]) -> Block {
-        sim.measuring = true;
+        sim.measuring = Some(MachineSort::Milling);
         Block::prepare(sim, &call("CYCLE979", 1, values)).unwrap()
     }
 

@@ -1,0 +1,141 @@
+//! The workpiece probe by its tool data: whether the milling cycles may be called with it, and where its body lies.
+
+use super::machine_data::TOOL_LENGTH_TYPE;
+use super::tools::AS_TURNING_TOOL;
+use super::{Control, Edge, Plane};
+
+/// Type of a 3D probe.
+const PROBE: i64 = 710;
+
+/// Why a tool is none with which a milling cycle may be called.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unfit {
+    /// Its type is none of 1x0, 710 and 5xy (B:4147-4150).
+    Type,
+    /// Its type is 1xy with another last digit than 0: a probe by B:906-910, none by B:4147.
+    Digit,
+    /// It is a turning tool, and the lengths are not assigned as on a turning machine: SD 42950 is not 2 (B:4151).
+    Assignment,
+    /// It is a turning tool with another cutting edge position than 5 to 8 (B:4150).
+    Tip,
+    /// Its body does not stand on this plane: 5 and 7 measure in G17, 6 and 8 in G19 (B:4152).
+    Plane,
+}
+
+impl Unfit {
+    /// Whether the call is refused. That the manual says two things about a type is a doubt.
+    pub fn refuses(self) -> bool {
+        self != Unfit::Digit
+    }
+}
+
+impl Control {
+    /// Whether a milling cycle may be called with this tool now, in the order of B:4147-4152.
+    pub fn unfit(&self, edge: &Edge) -> Option<Unfit> {
+        match edge.kind {
+            PROBE => None,
+            100..=199 if edge.kind % 10 == 0 => None,
+            100..=199 => Some(Unfit::Digit),
+            _ if !edge.is_turning() => Some(Unfit::Type),
+            _ if edge.tip != 0 && edge.body().is_none() => Some(Unfit::Tip),
+            _ if self.number(TOOL_LENGTH_TYPE) != AS_TURNING_TOOL => Some(Unfit::Assignment),
+            _ => match (edge.tip, self.plane) {
+                (5 | 7, Plane::G17) | (6 | 8, Plane::G19) => None,
+                (5..=8, _) => Some(Unfit::Plane),
+                _ => Some(Unfit::Tip),
+            },
+        }
+    }
+
+    /// Direction from the ball to the body of the probe in use, X Y Z of the machine: along the applicate, of a turning
+    /// machine's probe as [`Edge::stands`].
+    pub fn stands(&self) -> [f64; 3] {
+        let turning = self.active_edge().and_then(Edge::stands);
+        turning.unwrap_or_else(|| upright(self.plane))
+    }
+}
+
+/// Along the applicate of a plane.
+pub fn upright(plane: Plane) -> [f64; 3] {
+    let [_, _, applicate] = plane.axes();
+    std::array::from_fn(|axis| f64::from(u8::from(axis == applicate)))
+}
+
+impl Edge {
+    /// Direction from the ball of a turning machine's probe to its body, as abscissa and ordinate of the plane in which
+    /// its cutting edge position counts: with 5 and 7 it lies along the abscissa, with 6 and 8 along the ordinate, and 7
+    /// and 8 point in minus direction (B:974-1022, B:13474-13481).
+    pub fn body(&self) -> Option<[f64; 2]> {
+        match self.tip {
+            _ if !self.is_turning() => None,
+            5 => Some([-1.0, 0.0]),
+            6 => Some([0.0, -1.0]),
+            7 => Some([1.0, 0.0]),
+            8 => Some([0.0, 1.0]),
+            _ => None,
+        }
+    }
+
+    /// The same on the machine, X Y Z: the cutting edge position is that of G18, and no plane turns the probe. So it stands
+    /// on G17 with 5 and 7, on G19 with 6 and 8 (B:4152).
+    pub fn stands(&self) -> Option<[f64; 3]> {
+        self.body().map(|[z, x]| [x, 0.0, z])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalogue::Dialect;
+    use crate::control::delivery;
+
+    fn edge(kind: i64, tip: i64) -> Edge {
+        Edge {
+            kind,
+            tip,
+            ..Edge::default()
+        }
+    }
+
+    #[test]
+    fn types_of_a_probe() {
+        let control = delivery(Dialect::Sinumerik);
+        // oracle: manual B:4147, B:766, B:906-910 (1x0 and 710 always; 1xy in one place only)
+        for (kind, unfit) in [
+            (710, None),
+            (100, None),
+            (120, None),
+            (145, Some(Unfit::Digit)),
+            (0, Some(Unfit::Type)),
+            (220, Some(Unfit::Type)),
+            (711, Some(Unfit::Type)),
+            (500, Some(Unfit::Assignment)),
+        ] {
+            assert_eq!(control.unfit(&edge(kind, 0)), unfit, "{kind}");
+        }
+    }
+
+    #[test]
+    fn the_probe_of_a_turning_machine_measures_where_it_stands_on_the_plane() {
+        let mut control = delivery(Dialect::Sinumerik);
+        control.set(TOOL_LENGTH_TYPE, 2.0);
+        // oracle: manual B:4149-4152
+        for plane in [Plane::G17, Plane::G18, Plane::G19] {
+            control.plane = plane;
+            for tip in 0..10 {
+                let unfit = match (tip, plane) {
+                    (5 | 7, Plane::G17) | (6 | 8, Plane::G19) => None,
+                    (5..=8, _) => Some(Unfit::Plane),
+                    _ => Some(Unfit::Tip),
+                };
+                for kind in [500, 580] {
+                    let edge = edge(kind, tip);
+                    assert_eq!(control.unfit(&edge), unfit, "{plane:?} {tip}");
+                    let stands = edge.stands();
+                    let along = stands.map(|to| to.map(f64::abs) == upright(plane));
+                    assert_eq!(along == Some(true), unfit.is_none(), "{plane:?} {tip}");
+                }
+            }
+        }
+    }
+}

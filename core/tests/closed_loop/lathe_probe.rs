@@ -1,0 +1,264 @@
+//! A milling cycle on a turning machine: the same measurement of the same part gives the same results, corrections and
+//! motions with a probe of type 710 in the spindle of a milling machine and with one of type 5xy that stands on the plane
+//! of a turning machine, in every variant, after the same calibration with CYCLE976.
+// oracle: manual B:4148-4152, B:5358, B:5480, B:5818, B:6400, B:6871, B:7528, B:7836: the cycles are used there as they are
+
+use super::bench::at;
+use probewright_core::catalogue::example::example;
+use probewright_core::catalogue::{Cycle, Dialect, Variant, find};
+use probewright_core::check::{Inputs, Typed, check};
+use probewright_core::control::{Edge, Frame, Plane, Transverse};
+use probewright_core::run::trace::Step;
+use probewright_core::run::{Outcome, Setup, predict};
+use probewright_core::workpiece::tool::{Cut, Nose, Tool};
+use probewright_core::workpiece::{PartErrors, Probe, ProbeBody};
+
+const CYCLES: [&str; 6] = [
+    "CYCLE976", "CYCLE977", "CYCLE978", "CYCLE979", "CYCLE998", "CYCLE961",
+];
+/// What the probe is really long, mm; it is entered as 50.
+const LENGTH: f64 = 50.04;
+/// Lengths of the turning machine's probe across its body, mm: some, as they do not matter.
+const ACROSS: [f64; 2] = [12.3, -4.5];
+
+/// Plane and cutting edge position of a probe that stands on it from the plus side (B:4152).
+const STANDS: [(Plane, i64); 2] = [(Plane::G17, 7), (Plane::G19, 8)];
+
+fn spindle(plane: Plane) -> Setup {
+    let mut setup = Setup::calibrated(Dialect::Sinumerik, plane);
+    setup.probe = Probe {
+        radius: 2.96,
+        skew: [0.05, -0.03],
+        pre_travel: (0.02, 0.0),
+        length: LENGTH,
+        stylus: Some(1.0),
+        body: Some(ProbeBody {
+            radius: 15.0,
+            distance: 45.0,
+        }),
+        ..setup.probe
+    };
+    setup.control.set("_CHBIT[4]", 1.0);
+    setup
+        .control
+        .frames
+        .insert(1, Frame::translation([30.0, 40.0, 50.0]));
+    setup.control.settable = 1;
+    setup.control.activate(1);
+    setup
+}
+
+/// The same machine with the probe of a turning machine, as long along the applicate.
+fn turret(plane: Plane, tip: i64) -> Setup {
+    let mut setup = spindle(plane);
+    let [one, other] = ACROSS;
+    let edge = Edge {
+        kind: 580,
+        tip,
+        length: [one, other, 50.0],
+        radius: 3.0,
+        ..Edge::default()
+    };
+    let control = &mut setup.control;
+    control.set("SD42950", 2.0);
+    control.transverse = Transverse::Diameter;
+    let place = (control.tool, control.edge);
+    let probe = control.tools.get_mut(&place.0).unwrap();
+    probe.edges.insert(place.1, edge);
+    let cut = Cut::Nose(Nose {
+        radius: 3.0,
+        side: [0.0; 2],
+    });
+    let length = [one, other, LENGTH];
+    setup.real_tools.insert(place, Tool { length, cut });
+    setup
+}
+
+/// The worked measurement of a variant, each correction that it offers chosen; none where the cycle refuses it.
+fn inputs(
+    setup: &Setup,
+    cycle: &'static Cycle,
+    variant: &Variant,
+    more: &[(&str, &str)],
+) -> Option<Inputs> {
+    let mut typed: Typed = example(cycle, variant);
+    let more = more.iter();
+    typed.extend(more.map(|(name, value)| ((*name).to_owned(), (*value).to_owned())));
+    check(cycle, &typed, &setup.control).inputs
+}
+
+/// Carries a call out on the part that it proposes, made wrong; what it wrote stays.
+fn measure(setup: &mut Setup, inputs: &Inputs) -> Outcome {
+    let proposal = (inputs.cycle.work().unwrap().propose)(inputs, &setup.control);
+    setup.workpiece = proposal.workpiece;
+    let plane = setup.control.plane;
+    let shift = setup
+        .control
+        .direction_to_machine(at(plane, [0.11, -0.07, 0.13]));
+    for solid in &mut setup.workpiece.solids {
+        solid.errors = PartErrors {
+            shift,
+            size: 0.05,
+            tilt: at(plane, [0.0, 0.0, 0.1]),
+            ..PartErrors::default()
+        };
+    }
+    setup.workpiece.solids.extend(proposal.fixture);
+    for proposed in proposal.tools {
+        let tool = setup.control.tools.entry(proposed.tool).or_default();
+        tool.edges.entry(proposed.edge).or_insert(proposed.data);
+    }
+    setup.position = setup.control.to_machine(proposal.start);
+    let outcome = predict(inputs.cycle, inputs, setup);
+    setup.control = outcome.control.clone();
+    outcome
+}
+
+/// What the probe did and where.
+fn steps(outcome: &Outcome) -> Vec<(String, [f64; 3])> {
+    let entries = outcome.trace.entries.iter();
+    let told = entries.filter_map(|entry| match &entry.step {
+        Step::Motion { kind, to, .. } => Some((format!("{kind:?}"), *to)),
+        Step::Touch { latched, by, .. } => Some((format!("{by:?}"), *latched)),
+        Step::Orient(angle) => Some(("turn".to_owned(), [*angle, 0.0, 0.0])),
+        Step::Crash { point, by, .. } => Some((format!("crash {by:?}"), *point)),
+        _ => None,
+    });
+    told.collect()
+}
+
+/// Results, data of the probe, frame and tools, the lengths of each tool by the axis along which they count.
+fn left(setup: &Setup) -> Vec<(String, f64)> {
+    let control = &setup.control;
+    let names = (0..32).map(|index| format!("_OVR[{index}]"));
+    let names = names.chain((0..14).map(|index| format!("_OVI[{index}]")));
+    let names = names.chain((0..10).map(|index| format!("_WP[0,{index}]")));
+    let mut left: Vec<(String, f64)> = names
+        .map(|name| (name.clone(), control.number(&name)))
+        .collect();
+    for (number, tool) in &control.tools {
+        for (edge, data) in &tool.edges {
+            for (i, axis) in control.length_axes(data).into_iter().enumerate() {
+                let across = *number == control.tool && axis != 2;
+                let begin = if *number == control.tool {
+                    data.length[i]
+                } else {
+                    0.0
+                };
+                let length = if across {
+                    0.0
+                } else {
+                    begin + data.length_wear[i]
+                };
+                left.push((format!("T{number} D{edge} {axis}"), length));
+            }
+            left.push((
+                format!("T{number} D{edge} radius"),
+                data.radius + data.radius_wear,
+            ));
+        }
+    }
+    left.sort_by(|one, other| one.0.cmp(&other.0));
+    for frame in control.frames.values() {
+        let values = frame
+            .coarse
+            .into_iter()
+            .chain(frame.fine)
+            .chain(frame.rotation);
+        left.extend(values.map(|value| ("frame".to_owned(), value)));
+    }
+    left
+}
+
+fn same(one: &[(String, f64)], other: &[(String, f64)], what: &str) {
+    assert_eq!(one.len(), other.len(), "{what}");
+    for (a, b) in one.iter().zip(other) {
+        assert!(
+            a.0 == b.0 && (a.1 - b.1).abs() < 1e-9,
+            "{what}: {a:?} {b:?}"
+        );
+    }
+}
+
+/// Measures on both machines and holds one against the other; whether the cycle came to its end.
+fn both(
+    machines: &mut [Setup; 2],
+    cycle: &'static Cycle,
+    variant: &Variant,
+    more: &[(&str, &str)],
+) -> bool {
+    let what = format!(
+        "{} {} {more:?} {:?}",
+        cycle.name, variant.number, machines[0].control.plane
+    );
+    let [here, there] = machines
+        .each_ref()
+        .map(|setup| inputs(setup, cycle, variant, more));
+    assert_eq!(here.is_some(), there.is_some(), "{what}");
+    let (Some(here), Some(there)) = (here, there) else {
+        return false;
+    };
+    let [milled, turned] = machines;
+    let (one, other) = (measure(milled, &here), measure(turned, &there));
+    assert_eq!(one.stop, other.stop, "{what}");
+    let (steps, others) = (steps(&one), steps(&other));
+    assert_eq!(steps.len(), others.len(), "{what}");
+    for (a, b) in steps.iter().zip(&others) {
+        let apart = (0..3)
+            .map(|axis| (a.1[axis] - b.1[axis]).abs())
+            .fold(0.0, f64::max);
+        assert!(a.0 == b.0 && apart < 1e-9, "{what}: {a:?} {b:?}");
+    }
+    same(&left(milled), &left(turned), &what);
+    one.stop.is_none()
+}
+
+fn cycle(name: &str) -> &'static Cycle {
+    find(Dialect::Sinumerik, name).unwrap()
+}
+
+/// Both machines, their probe calibrated with all that CYCLE976 can find.
+fn calibrated(plane: Plane, tip: i64) -> [Setup; 2] {
+    let mut machines = [spindle(plane), turret(plane, tip)];
+    let cycle = cycle("CYCLE976");
+    let variant = |number| {
+        cycle
+            .variants
+            .iter()
+            .find(|one| one.number == number)
+            .unwrap()
+    };
+    assert!(both(
+        &mut machines,
+        cycle,
+        variant(10_101),
+        &[("_TSA", "3.5")]
+    ));
+    let length = [
+        ("_SETVAL", "20"),
+        ("_MA", "3"),
+        ("_MD", "1"),
+        ("_FA", "12"),
+        ("_TSA", "25"),
+    ];
+    assert!(both(&mut machines, cycle, variant(10_000), &length));
+    machines
+}
+
+#[test]
+fn the_probe_of_a_turning_machine_measures_as_the_one_in_a_spindle() {
+    for (plane, tip) in STANDS {
+        let ready = calibrated(plane, tip);
+        for name in CYCLES {
+            let cycle = cycle(name);
+            let mut ended = 0;
+            for variant in cycle.variants {
+                for axis in ["1", "2", "3"] {
+                    let more = [("_MA", axis), ("_TSA", "2"), ("_TDIF", "2")];
+                    ended += usize::from(both(&mut ready.clone(), cycle, variant, &more));
+                }
+            }
+            assert!(ended >= cycle.variants.len(), "{name} {plane:?}: {ended}");
+        }
+    }
+}
