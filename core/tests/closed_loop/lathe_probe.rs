@@ -8,8 +8,9 @@ use probewright_core::catalogue::example::example;
 use probewright_core::catalogue::{Cycle, Dialect, Variant, find};
 use probewright_core::check::{Inputs, Typed, check};
 use probewright_core::control::{Edge, Frame, Plane, Transverse};
+use probewright_core::diagnostic::Code;
 use probewright_core::run::trace::Step;
-use probewright_core::run::{Outcome, Setup, predict};
+use probewright_core::run::{Outcome, Setup, Stop, predict};
 use probewright_core::workpiece::tool::{Cut, Nose, Tool};
 use probewright_core::workpiece::{PartErrors, Probe, ProbeBody};
 
@@ -33,8 +34,8 @@ fn spindle(plane: Plane) -> Setup {
         length: LENGTH,
         stylus: Some(1.0),
         body: Some(ProbeBody {
-            radius: 15.0,
-            distance: 45.0,
+            radius: 6.0,
+            distance: 49.0,
         }),
         ..setup.probe
     };
@@ -253,12 +254,137 @@ fn the_probe_of_a_turning_machine_measures_as_the_one_in_a_spindle() {
             let cycle = cycle(name);
             let mut ended = 0;
             for variant in cycle.variants {
-                for axis in ["1", "2", "3"] {
-                    let more = [("_MA", axis), ("_TSA", "2"), ("_TDIF", "2")];
+                for (axis, probe) in [
+                    ("1", "1"),
+                    ("2", "1"),
+                    ("3", "1"),
+                    ("1", "101"),
+                    ("2", "101"),
+                ] {
+                    let wide = [("_TSA", "2"), ("_TDIF", "2")];
+                    let more = [[("_MA", axis), ("_PRNUM", probe)], wide].concat();
                     ended += usize::from(both(&mut ready.clone(), cycle, variant, &more));
                 }
             }
             assert!(ended >= cycle.variants.len(), "{name} {plane:?}: {ended}");
+        }
+    }
+}
+
+/// The call for a probe that comes from the minus side of the applicate: it goes down and up the other way.
+fn from_below(
+    variant: &Variant,
+    cycle: &'static Cycle,
+    more: &[(&'static str, String)],
+) -> Vec<(&'static str, String)> {
+    let mut values = more.to_vec();
+    let typed = example(cycle, variant);
+    if let Some(infeed) = typed.get("_ID").filter(|_| cycle.name != "CYCLE998") {
+        let infeed: f64 = infeed.parse().unwrap();
+        values.push(("_ID", (-infeed).to_string()));
+    }
+    values
+}
+
+// oracle: manual B:4150-4152 (positions 5 and 6 are permitted as well), hand: what is measured in the plane does not depend
+// on the side from which the probe comes, and its body is in the way from no other side
+#[test]
+fn a_probe_from_the_minus_side_measures_the_same_in_the_plane() {
+    for (plane, [above, below]) in [(Plane::G17, [7, 5]), (Plane::G19, [8, 6])] {
+        for name in CYCLES {
+            let cycle = cycle(name);
+            let mut ended = 0;
+            // two angles at once are measured along the applicate
+            let plane_angle = |one: &&Variant| name != "CYCLE998" || one.number < 100_000;
+            for variant in cycle.variants.iter().filter(plane_angle) {
+                for axis in ["1", "2"] {
+                    let what = format!("{name} {} {axis} {plane:?}", variant.number);
+                    let wide = [("_MA", axis), ("_TSA", "2"), ("_TDIF", "2")];
+                    let wide = wide.map(|(name, value)| (name, value.to_owned()));
+                    let mut other = wide.to_vec();
+                    let found = [above, below].map(|tip| {
+                        let mut setup = turret(plane, tip);
+                        setup.control.set("_WP[0,0]", 5.88);
+                        if tip == below {
+                            other = from_below(variant, cycle, &wide);
+                        }
+                        let values: Vec<(&str, &str)> = other
+                            .iter()
+                            .map(|(name, value)| (*name, value.as_str()))
+                            .collect();
+                        let inputs = inputs(&setup, cycle, variant, &values)?;
+                        let outcome = measure(&mut setup, &inputs);
+                        assert_eq!(outcome.stop, None, "{what} {tip}");
+                        let told = left(&setup).into_iter();
+                        Some(
+                            told.filter(|(name, _)| name.starts_with("_OVR"))
+                                .collect::<Vec<_>>(),
+                        )
+                    });
+                    assert_eq!(found[0].is_some(), found[1].is_some(), "{what}");
+                    if let [Some(one), Some(other)] = found {
+                        same(&one, &other, &what);
+                        ended += 1;
+                    }
+                }
+            }
+            assert!(
+                ended >= cycle.variants.len() / 2,
+                "{name} {plane:?}: {ended}"
+            );
+        }
+    }
+}
+
+// oracle: hand: the face stands 0.13 mm further in plus direction, from whichever side it is touched
+#[test]
+fn along_the_applicate_the_probe_touches_in_the_direction_in_which_it_points() {
+    for (plane, tip) in [
+        (Plane::G17, 7),
+        (Plane::G17, 5),
+        (Plane::G19, 8),
+        (Plane::G19, 6),
+    ] {
+        let mut setup = turret(plane, tip);
+        setup.real_tools.clear(); // as long as its data say
+        setup.probe.pre_travel.0 = 0.0;
+        setup.probe.radius = 3.0;
+        let cycle = cycle("CYCLE978");
+        let variant = &cycle.variants[0];
+        let inputs = inputs(
+            &setup,
+            cycle,
+            variant,
+            &[("_MA", "3"), ("_TSA", "2"), ("_TDIF", "2")],
+        )
+        .unwrap();
+        let outcome = measure(&mut setup, &inputs);
+        assert_eq!(outcome.stop, None, "{plane:?} {tip}");
+        let difference = setup.control.number("_OVR[19]");
+        assert!(
+            (difference - 0.13).abs() < 1e-9,
+            "{plane:?} {tip}: {difference}"
+        );
+    }
+}
+
+// oracle: manual B:4148-4152, A:15848
+#[test]
+fn what_does_not_stand_on_the_plane_is_refused() {
+    for plane in [Plane::G17, Plane::G18, Plane::G19] {
+        for tip in 0..10 {
+            for assignment in [0.0, 2.0] {
+                let mut setup = turret(plane, tip);
+                setup.control.set("SD42950", assignment);
+                let taken = matches!((plane, tip), (Plane::G17, 5 | 7) | (Plane::G19, 6 | 8));
+                let taken = taken && assignment == 2.0;
+                let cycle = cycle("CYCLE978");
+                let more = [("_MA", "1"), ("_TSA", "2"), ("_TDIF", "2")];
+                let inputs = inputs(&setup, cycle, &cycle.variants[0], &more).unwrap();
+                let stop = measure(&mut setup, &inputs).stop;
+                let expected = (!taken).then_some(Stop::Alarm(Code::Alarm(61309)));
+                assert_eq!(stop, expected, "{plane:?} {tip} {assignment}");
+            }
         }
     }
 }

@@ -1,9 +1,10 @@
 //! The tool in use, and whether its probe is calibrated.
 
-use super::{CALIBRATION, EDGE, HOLE, LENGTH, TURNED, called, found, tells};
+use super::{CALIBRATION, EDGE, HOLE, LENGTH, PLANE, TURNED, called, found, tells};
 use probewright_core::catalogue::Dialect;
 use probewright_core::control::delivery;
 use probewright_core::diagnostic::Code::{self, Alarm};
+use probewright_core::diagnostic::{Diagnostic, Severity};
 use probewright_core::program::{findings_on, read};
 
 // oracle: manual A:15848, A:15855, B:4147-4152 (types of probes and of tools)
@@ -34,6 +35,88 @@ fn the_type_that_the_program_enters_is_the_type_of_its_tool() {
             .collect();
         assert_eq!(told, Vec::from_iter(wrong), "{text}");
     }
+}
+
+/// A milling cycle with a tool of this type and cutting edge position, on a machine with this assignment of lengths.
+fn milled(kind: i64, tip: i64, assignment: Option<f64>, g: &str) -> Vec<Diagnostic> {
+    let mut control = delivery(Dialect::Sinumerik);
+    assignment.map(|value| control.set("SD42950", value));
+    let data = format!("$TC_DP1[7,1]={kind} $TC_DP2[7,1]={tip} $TC_DP5[7,1]=50");
+    let text = format!("{data}\n{g} G40 G54\nT7 D1\n{HOLE}M30\n");
+    findings_on(&read(Dialect::Sinumerik, text.as_bytes()), control)
+}
+
+// oracle: manual B:4147-4152, A:15848: each of the conditions; what the text does not tell is a doubt, and so is 1xy, which
+// B:906-910 takes for a probe
+#[test]
+fn the_probe_of_a_turning_machine_is_held_against_the_conditions_of_the_call() {
+    let (error, warning) = (Severity::Error, Severity::Warning);
+    let lathe = Some(2.0);
+    for (kind, tip, assignment, g, expected) in [
+        (580, 7, lathe, "G17", None),
+        (500, 5, lathe, "G17", None),
+        (580, 8, lathe, "G19", None),
+        (580, 6, lathe, "G19", None),
+        (580, 8, lathe, "G17", Some((error, "advice-tool-plane"))),
+        (580, 7, lathe, "G19", Some((error, "advice-tool-plane"))),
+        (580, 7, lathe, "G18", Some((error, "advice-tool-plane"))),
+        (580, 7, lathe, "", None),
+        (580, 8, lathe, "", Some((warning, "advice-tool-plane"))),
+        (580, 3, lathe, "G17", Some((error, "advice-tool-position"))),
+        (580, 0, lathe, "G17", None),
+        (
+            580,
+            7,
+            Some(0.0),
+            "G17",
+            Some((error, "advice-tool-assignment")),
+        ),
+        (
+            580,
+            7,
+            None,
+            "G17",
+            Some((warning, "advice-tool-assignment")),
+        ),
+        (580, 7, None, "$SC_TOOL_LENGTH_TYPE=2\nG17", None),
+        (145, 0, None, "G17", Some((warning, "advice-tool-digit"))),
+        (140, 0, None, "G17", None),
+        (220, 0, None, "G17", Some((error, "advice-tool"))),
+    ] {
+        let found = milled(kind, tip, assignment, g);
+        let told = found.iter().find(|one| one.code == Alarm(61309));
+        let told = told.map(|one| (one.severity, one.message.key.as_ref()));
+        assert_eq!(told, expected, "{kind} {tip} {assignment:?} {g}");
+    }
+}
+
+// oracle: manual B:4152 (8 measures in G19), B:10623 against B:5358-5363 (no diameters in chapter 5), B:974-985 (L1 in X and L2
+// in Z with G18: none along the applicate of another plane)
+#[test]
+fn plane_diameters_and_lengths_of_such_a_probe_are_asked_for() {
+    let program = |data: &str, g: &str| {
+        let text = format!(
+            "$SC_TOOL_LENGTH_TYPE=2\n$TC_DP1[7,1]=580 {data}\n{g} G40 G54 T7 D1\n{HOLE}M30\n"
+        );
+        found(&text)
+    };
+    let plane = program("$TC_DP2[7,1]=8", "");
+    let plane = plane.iter().find(|one| one.code == PLANE).unwrap();
+    assert_eq!(plane.cure.as_ref().unwrap().edits[0].insert.trim(), "G19");
+    let asks = |data: &str, g: &str, code: u16| {
+        program(data, g)
+            .iter()
+            .any(|one| one.code == Code::Own(code))
+    };
+    let probe = "$TC_DP2[7,1]=7";
+    assert!(asks(probe, "G17 DIAMON", 165));
+    assert!(asks(probe, "G17 DIAM90", 165));
+    assert!(!asks(probe, "G17 DIAMOF", 165));
+    assert!(!asks("$TC_DP1[7,1]=710", "G17 DIAMON", 165));
+    let across = format!("{probe} $TC_DP3[7,1]=40 $TC_DP4[7,1]=100");
+    assert!(asks(&across, "G17", 166));
+    assert!(!asks(&format!("{across} $TC_DP5[7,1]=50"), "G17", 166));
+    assert!(!asks(probe, "G17", 166), "the machine may know its lengths");
 }
 
 // oracle: hand (T prepares where M6 changes)

@@ -76,3 +76,26 @@ fn a_cycle_without_probe_is_refused() {
         Some(Stop::Alarm(Code::Alarm(61309)))
     );
 }
+
+#[test]
+fn a_face_is_milled_and_measured_on_a_turning_machine() {
+    // oracle: manual B:4148-4152; hand: the face lies 0.5 mm further in X than the call says, which names no diameters, and
+    // the spindle that turns the part before leaves the probe as it is
+    let mut setup = block_setup();
+    setup.workpiece.solids[0].at = [0.5, 0.0, 0.0];
+    setup.control.set("SD42950", 2.0);
+    setup.probe.skew = [0.0, 0.3];
+    for (name, value) in [
+        ("$TC_DP1[9,1]", 580.0),
+        ("$TC_DP2[9,1]", 7.0),
+        ("$TC_DP3[9,1]", 0.0),
+        ("$TC_DP5[9,1]", 50.0),
+    ] {
+        assert!(setup.control.set_variable(name, value));
+    }
+    let text = "N10 G500 G17 G90 DIAMON T9 D1\nN20 SPOS=90\nN30 G0 X-140 Y0\nN40 Z-10\nN50 _TSA=6 _FA=4 _MVAR=0 _SETVAL=-50 _MA=1 _KNUM=0 _EVNUM=0 _PRNUM=1 _VMS=0 _NMSP=1\nN60 CYCLE978\nM30";
+    let program = read(Dialect::Sinumerik, text.as_bytes());
+    let outcome = run(&program, &setup, Limits::default());
+    assert_eq!(outcome.stop, None, "{:?}", outcome.diagnostics);
+    assert!((outcome.control.number("_OVR[16]") - 0.5).abs() < 1e-9);
+}

@@ -316,3 +316,27 @@ fn what_cannot_be_is_an_alarm() {
     let ended = ring(1001, |setup, _| setup.control.limits.plus[0] = Some(26.0));
     assert_eq!(stopped(ended.1), 61401);
 }
+
+#[test]
+fn the_length_of_a_lathe_probe_goes_where_it_counts() {
+    // oracle: manual B:5469-5476 (the length of the tool axis), B:828, B:4151 (L1 in the ordinate, L2 in the abscissa); hand:
+    // a surface 0.2 mm higher makes the probe so much longer, and is found where it was taken for from then on
+    for (plane, tip) in [(Plane::G17, 7), (Plane::G19, 8)] {
+        let call = inputs(10_000, 3.0, 1.0);
+        let mut setup = ready(plane, &call);
+        setup.control.set("SD42950", 2.0);
+        let place = (setup.control.tool, setup.control.edge);
+        let edge = setup.control.edge_of_mut(place.0, place.1).unwrap();
+        (edge.kind, edge.tip, edge.length) = (580, tip, [12.3, -4.5, 50.0]);
+        setup.workpiece.solids[0].errors.shift = at(plane, [0.0, 0.0, 0.2]);
+        let mut sim = Sim::new(&setup);
+        for _ in 0..2 {
+            assert_eq!(run(&mut sim, &call), Ok(()));
+            let edge = sim.control.active_edge().unwrap();
+            for (found, expected) in edge.length.into_iter().zip([12.3, -4.5, 50.2]) {
+                close(found, expected, "length");
+            }
+            close(sim.control.number("_OVR[22]"), 50.2, "_OVR[22]");
+        }
+    }
+}
