@@ -101,7 +101,7 @@ pub struct BasicFrames {
 /// Cutting edge data of a tool.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Edge {
-    /// `$TC_DP1` tool type: 710 3D probe, 120 end mill.
+    /// `$TC_DP1` tool type: 710 3D probe, 120 end mill, 580 probe of a turning machine.
     pub kind: i64,
     /// `$TC_DP2` cutting edge position of a turning tool or lathe probe, 1 to 9; 0 of tools that have none.
     pub tip: i64,

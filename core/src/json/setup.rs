@@ -134,7 +134,7 @@ pub(super) struct ToolFile {
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 #[serde(deny_unknown_fields, rename_all = "camelCase")]
 pub(super) struct EdgeFile {
-    /// `$TC_DP1`: 710 3D probe, 120 end mill.
+    /// `$TC_DP1`: 710 3D probe, 120 end mill, 580 probe of a turning machine.
     #[serde(rename = "type")]
     kind: i64,
     /// `$TC_DP2`: cutting edge position of a turning tool or lathe probe, 1 to 9.

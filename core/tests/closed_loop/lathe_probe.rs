@@ -250,7 +250,7 @@ fn calibrated(plane: Plane, tip: i64) -> [Setup; 2] {
 fn the_probe_of_a_turning_machine_measures_as_the_one_in_a_spindle() {
     for (plane, tip) in STANDS {
         let ready = calibrated(plane, tip);
-        for name in CYCLES {
+        for name in CYCLES.into_iter().chain(["CYCLE997"]) {
             let cycle = cycle(name);
             let mut ended = 0;
             for variant in cycle.variants {

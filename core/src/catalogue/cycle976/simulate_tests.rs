@@ -319,7 +319,7 @@ fn what_cannot_be_is_an_alarm() {
 
 #[test]
 fn the_length_of_a_lathe_probe_goes_where_it_counts() {
-    // oracle: manual B:5469-5476 (the length of the tool axis), B:828, B:4151 (L1 in the ordinate, L2 in the abscissa); hand:
+    // oracle: manual B:5468-5471 (the length of the tool axis), B:828, B:4151 (L1 in the ordinate, L2 in the abscissa); hand:
     // a surface 0.2 mm higher makes the probe so much longer, and is found where it was taken for from then on
     for (plane, tip) in [(Plane::G17, 7), (Plane::G19, 8)] {
         let call = inputs(10_000, 3.0, 1.0);

@@ -60,7 +60,6 @@ pub fn look(seen: &Seen, asked: &mut Asked, found: &mut Vec<Diagnostic>) {
     }
     edge(seen).map(&mut say);
     tool(seen).map(&mut say);
-    length(seen).map(&mut say);
     spindle(seen).map(&mut say);
     inherited::look(seen, found);
 }
@@ -147,14 +146,6 @@ pub fn plane_of(tool: &ToolInUse) -> &'static str {
         (true, 6 | 8) => "G19",
         _ => "G17",
     }
-}
-
-/// The length of a turning machine's probe does not lie where it stands: L1 counts along the ordinate and L2 along the
-/// abscissa of each plane, L3 along the applicate (B:828, B:974-985).
-fn length(seen: &Seen) -> Option<Diagnostic> {
-    let tool = milling_probe(seen).filter(|tool| tool.unassigned)?;
-    let finding = own::ADVICE_LENGTH.finding();
-    Some(finding.number("tool", tool.number as f64))
 }
 
 /// A probe must not turn.

@@ -19,6 +19,7 @@ pub fn doubts(seen: &Seen) -> impl Iterator<Item = Diagnostic> {
         diameter(seen),
         radius(seen),
         milled_diameter(seen),
+        length(seen),
     ];
     doubts.into_iter().flatten()
 }
@@ -153,6 +154,13 @@ fn milled_diameter(seen: &Seen) -> Option<Diagnostic> {
     if *transverse == Transverse::Radius {
         return None;
     }
-    let finding = own::ADVICE_MILLED_DIAMETER.finding();
-    Some(between(finding, seen, "DIAMOF", "DIAMON"))
+    Some(own::ADVICE_MILLED_DIAMETER.finding())
+}
+
+/// The length of a turning machine's probe does not lie where it stands: L1 counts along the ordinate and L2 along the
+/// abscissa of each plane, L3 along the applicate (B:828, B:974-985).
+fn length(seen: &Seen) -> Option<Diagnostic> {
+    let tool = at_call::milling_probe(seen).filter(|tool| tool.unassigned)?;
+    let finding = own::ADVICE_LENGTH.finding();
+    Some(finding.number("tool", tool.number as f64))
 }
