@@ -295,6 +295,29 @@ mod tests {
     }
 
     #[test]
+    fn the_probe_of_a_turret_lies_where_its_position_says_in_every_plane() {
+        // oracle: manual B:4152, B:974-1022 (5 and 7 stand on G17, 6 and 8 on G19; 7 and 8 point in minus direction)
+        for (tip, axis) in [
+            (5, [0.0, 0.0, -1.0]),
+            (6, [-1.0, 0.0, 0.0]),
+            (7, [0.0, 0.0, 1.0]),
+            (8, [1.0, 0.0, 0.0]),
+        ] {
+            let edge = json!({ "1": { "type": 580, "tip": tip, "length": [60.0, 40.0, 50.0], "radius": 3.0 } });
+            let setup = json!({
+                "control": "sinumerik", "plane": "G18", "probe": { "radius": 3.0, "length": 50.0 },
+                "tools": { "8": { "edges": edge } }, "workpiece": [], "position": [100.0, 0.0, 100.0],
+            });
+            let trace = run("T8 D1\nG0 X100\nG17\nG0 X110\nG19\nG0 X120\nM30\n", setup);
+            let motions = at_motions(&trace);
+            assert_eq!(motions.len(), 3);
+            for motion in motions {
+                assert_eq!(motion["ball"], json!(axis), "{tip}");
+            }
+        }
+    }
+
+    #[test]
     fn a_program_shows_what_it_takes_into_the_turret() {
         // oracle: hand: T8, a probe (B:974-985), then T1, a turning tool; X counts as a diameter
         let edge = |kind: i64, tip: i64| json!({ "1": { "type": kind, "tip": tip, "length": [60.0, 40.0, 0.0], "radius": 0.8 } });
