@@ -49,6 +49,8 @@ export interface AlarmInfo {
 export interface Purpose { machine: "milling" | "turning" | "any"; plane: Plane | null; probe: "workpiece" | "tool" | "none" | "log"; calibrates: boolean }
 
 export type Plane = "G17" | "G18" | "G19";
+/** How positions of the transverse axis X are given: radii, diameters, diameters where they are absolute. */
+export type Transverse = "DIAMOF" | "DIAMON" | "DIAM90";
 export type UnitFunction = "G70" | "G71" | "G700" | "G710" | "G20" | "G21";
 
 /** What a machine is built for: its data and, with some G functions, its feeds and lengths count in it. */
@@ -65,6 +67,7 @@ export interface FormRequest {
   assumed?: Record<string, string>;    // an outcome counts with these instead
   setup?: Setup | OwnMachine;          // absent: the core's own machine as it is
   plane?: Plane;                       // at the call, where it is not that of the setup
+  transverse?: Transverse;             // at the call; absent: diameters in a turning cycle
   units?: UnitFunction;                // likewise
   errors?: ErrorSliders;
   limits?: boolean;                    // also look for the largest errors that the call survives: takes a hundred runs
@@ -192,7 +195,7 @@ export type Surface = { heights: { columns: number; step: [number, number]; valu
 // Setup: docs/setup.schema.json is its schema; also what the terminal reads and the page exports.
 export interface Setup {
   control: Dialect; units: BasicSystem; plane: Plane;
-  active?: { tool?: number; edge?: number; frame?: string; units?: UnitFunction; transverse?: "DIAMOF" | "DIAMON" | "DIAM90"; spindle?: number }; // in force at the start
+  active?: { tool?: number; edge?: number; frame?: string; units?: UnitFunction; transverse?: Transverse; spindle?: number }; // in force at the start
   machine?: { limitsMinus?: (number | null)[]; limitsPlus?: (number | null)[]; spindlePositions?: boolean };
   tools: Record<string, { name?: string; edges: Record<string, { type: number; length: Vec3; radius: number; lengthWear?: Vec3; radiusWear?: number; additive?: Record<string, number[]>; setup?: Record<string, number[]>; real?: RealTool }> }>;
   frames: Record<string, { coarse: Vec3; fine?: Vec3; rotation?: Vec3; scale?: Vec3 }>; // "G54"
@@ -260,7 +263,7 @@ export interface CallView {
   from: number; to: number;            // UTF-16 offsets of the call itself
   values: Record<string, string>;      // as the form wants them
   first: Record<string, { value: string; line: number }>; // of the values that differ by the way or from pass to pass, those that arrive first; line from 1
-  plane: Plane; units: UnitFunction;   // in force at the call
+  plane: Plane; units: UnitFunction; transverse: Transverse; // in force at the call
   diagnostics: Diagnostic[];
   arrivals: Diagnostic[];              // notes at the values that come from other programs of the text, or differ by the way to the call
 }

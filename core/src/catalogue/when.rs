@@ -46,6 +46,8 @@ pub enum When {
     ToolType(i64, i64),
     /// The working plane is this one.
     Plane(crate::control::Plane),
+    /// Positions of X are diameters at the call (DIAMON, DIAM90).
+    Diameters,
     /// All of these.
     All(&'static [When]),
     /// One of these.
@@ -72,6 +74,7 @@ impl When {
             }
             When::ToolType(from, to) => (*from..=*to).contains(&inputs.tool_type),
             When::Plane(plane) => inputs.plane == *plane,
+            When::Diameters => inputs.diameters,
             When::All(conditions) => conditions.iter().all(|when| when.holds(inputs)),
             When::Any(conditions) => conditions.iter().any(|when| when.holds(inputs)),
             When::Not(when) => !when.holds(inputs),

@@ -40,6 +40,8 @@ pub struct Inputs {
     pub five_digit_edges: bool,
     /// Working plane of the control at the call.
     pub plane: Plane,
+    /// Whether positions of X are diameters at the call.
+    pub diameters: bool,
     /// Data of the machine that the cycle's entry names, as the control has them.
     pub settings: BTreeMap<&'static str, f64>,
     /// Type of the tool in use (`$TC_DP1`); 0 without one.
@@ -62,6 +64,7 @@ impl Inputs {
             texts: BTreeMap::new(),
             five_digit_edges: false,
             plane: Plane::G17,
+            diameters: false,
             settings: BTreeMap::new(),
             tool_type: 0,
             body: None,

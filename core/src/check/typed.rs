@@ -5,7 +5,7 @@ use super::{Inputs, Parsed, Typed, error, factor, parse, targets, unit_behind, v
 use crate::catalogue::sinumerik::upkeep;
 use crate::catalogue::{Cycle, Kind, Level, Param, Range, Unit};
 use crate::control::tools::side;
-use crate::control::{Control, Edge};
+use crate::control::{Control, Edge, Transverse};
 use crate::diagnostic::{Code, Diagnostic, Severity};
 use crate::evaluate::knum;
 use crate::message::Message;
@@ -93,6 +93,7 @@ pub fn read(
     );
     inputs.five_digit_edges = knum::five_digit_edges(control);
     inputs.plane = control.plane;
+    inputs.diameters = control.transverse != Transverse::Radius;
     inputs.tool_type = control.active_edge().map_or(0, |edge| edge.kind);
     for name in cycle.settings {
         inputs.settings.insert(name, control.number(name));

@@ -1,7 +1,7 @@
 //! A form at every keystroke: fields, findings, snippet, picture; what the call would do is [`super::predict`].
 
 use super::predict::predict;
-use super::setup_active::{PlaneName, choose_units, plane};
+use super::setup_active::{PlaneName, TransverseName, choose_units, plane, transverse};
 use super::{Error, diagnostic, dialect, message, object, put};
 use crate::SIMULATES;
 use crate::catalogue::{Cycle, MachineSort, Range, Style, names};
@@ -34,6 +34,9 @@ struct Request {
     /// Working plane at the call, where it is not that of the setup.
     #[serde(default)]
     plane: Option<PlaneName>,
+    /// How X is given at the call; absent: as diameters in a turning cycle.
+    #[serde(default)]
+    transverse: Option<TransverseName>,
     #[serde(default)]
     errors: Option<Value>,
     /// Words by parameter name for a comment line each; the core has no words of its own.
@@ -67,7 +70,7 @@ pub fn form(request: &str) -> Result<Value, Error> {
     let at_start = modal(control);
     // a form has no DIAMON before its call; it asks for diameters (B:10623)
     if cycle.purpose.machine == MachineSort::Turning {
-        control.transverse = Transverse::Diameter;
+        control.transverse = request.transverse.map_or(Transverse::Diameter, transverse);
     }
     if let Some(name) = &request.units {
         choose_units(control, name)?;

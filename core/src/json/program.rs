@@ -1,7 +1,7 @@
 //! Reading, changing and running program text. The page counts in UTF-16 units, the core in bytes.
 
 use super::setup_active::units_name;
-use super::setup_write::plane_name;
+use super::setup_write::{plane_name, transverse_name};
 use super::start::start;
 use super::{Error, diagnostic, dialect, dialect_name, message, object, put, style_name, typed};
 use crate::catalogue::Style;
@@ -112,6 +112,7 @@ fn call(program: &Program, site: &CallSite, positions: &Positions) -> Value {
         ("values", typed(&site.values)),
         ("first", first(program, site)),
         ("plane", plane_name(site.plane).into()),
+        ("transverse", transverse_name(site.transverse).into()),
         ("units", units_name(site.unit_function).into()),
         ("diagnostics", findings(&site.diagnostics, positions).into()),
         (

@@ -50,7 +50,7 @@ pub(super) struct ActiveFile {
 #[derive(Clone, Copy, Default, Deserialize)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 #[serde(rename_all = "UPPERCASE")]
-enum TransverseName {
+pub(super) enum TransverseName {
     #[default]
     Diamof,
     Diamon,
@@ -121,7 +121,8 @@ pub(super) fn plane(name: PlaneName) -> Plane {
     }
 }
 
-fn transverse(name: TransverseName) -> Transverse {
+/// What this function says of the transverse axis.
+pub(super) fn transverse(name: TransverseName) -> Transverse {
     match name {
         TransverseName::Diamof => Transverse::Radius,
         TransverseName::Diamon => Transverse::Diameter,

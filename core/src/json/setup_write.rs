@@ -100,7 +100,8 @@ pub(super) fn plane_name(plane: Plane) -> &'static str {
     }
 }
 
-fn transverse_name(transverse: Transverse) -> &'static str {
+/// G function of the transverse axis.
+pub(super) fn transverse_name(transverse: Transverse) -> &'static str {
     match transverse {
         Transverse::Radius => "DIAMOF",
         Transverse::Diameter => "DIAMON",

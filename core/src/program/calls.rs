@@ -16,7 +16,7 @@ use super::tools::{ToolInUse, Tools};
 use super::tree::{Program, Word, WordKind};
 use crate::catalogue::{ArgumentList, Cycle, Dialect};
 use crate::check::Typed;
-use crate::control::{Control, Plane, delivery};
+use crate::control::{Control, Plane, Transverse, delivery};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::run::programs::programs;
 use site::Found;
@@ -55,6 +55,8 @@ pub struct CallSite {
     pub bits: Vec<(&'static str, String, Span)>,
     /// Working plane at the call.
     pub plane: Plane,
+    /// How X is given at the call; diameters where the text does not tell.
+    pub transverse: Transverse,
     /// Number of the G function of units in force at the call: 70, 71, 700, 710 (NCT 20, 21).
     pub unit_function: u16,
     /// The ways on which a program comes to it that differ in what is in force, or in values.

@@ -137,6 +137,7 @@ fn when(condition: &When) -> String {
         When::Setting { name, is } => format!("`{name}` ∈ {is:?}"),
         When::ToolType(from, to) => format!("tool type {from}..{to}"),
         When::Plane(plane) => format!("{plane:?}"),
+        When::Diameters => "DIAMON".to_owned(),
         When::All(conditions) => list(conditions, " and "),
         When::Any(conditions) => format!("({})", list(conditions, " or ")),
         When::Not(condition) => format!("not ({})", when(condition)),

@@ -72,7 +72,7 @@ pub const PARAMS: &[Param] = &[
     Param {
         needs: &[required(SURFACE, "need-surface-position")],
         labels: &[
-            (lathe::TRANSVERSE, "setval-surface-diameter"),
+            (lathe::DIAMETER, "setval-surface-diameter"),
             (When::Always, "setval-surface"),
         ],
         source: "B:10350;A:16313",

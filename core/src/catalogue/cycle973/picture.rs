@@ -4,7 +4,7 @@
 
 use super::params::{BALL as DIAMETER, SKEW, SURFACE, TWO};
 use crate::catalogue::lathe::figures::{self, BALL, Bands, Touch};
-use crate::catalogue::lathe::params::TRANSVERSE;
+use crate::catalogue::lathe::params::DIAMETER as ACROSS;
 use crate::catalogue::names;
 use crate::check::Inputs;
 use crate::form::figures::{arrow, circle, dimension, line, polygon, rectangle};
@@ -103,7 +103,7 @@ fn set_position(inputs: &Inputs, place: impl Fn(f64, f64) -> [f64; 2]) -> [Pictu
         -1.0
     };
     let zero = side * 40.0;
-    let from = if TRANSVERSE.holds(inputs) {
+    let from = if ACROSS.holds(inputs) {
         2.0 * zero
     } else {
         zero

@@ -36,7 +36,7 @@ pub const PARAMS: &[Param] = &[
     Param {
         needs: common::ALWAYS_REQUIRED,
         labels: &[
-            (lathe::TRANSVERSE, "setval-turned-diameter"),
+            (lathe::DIAMETER, "setval-turned-diameter"),
             (When::Always, "setval-turned-position"),
         ],
         source: "B:10540;B:10622-10623;B:10795-10796",

@@ -3,7 +3,7 @@
 
 use super::params::REVERSAL;
 use crate::catalogue::lathe::figures::{self, BALL, ENDS, MEASURED, RADIUS, Touch};
-use crate::catalogue::lathe::params::{TRANSVERSE, ZERO};
+use crate::catalogue::lathe::params::{DIAMETER, ZERO};
 use crate::catalogue::names;
 use crate::check::Inputs;
 use crate::form::figures::{arc, arrow, circle, dimension, line};
@@ -77,11 +77,7 @@ fn side(inputs: &Inputs) -> f64 {
 
 /// Ends of the dimension of a diameter or radius beside the axis of rotation.
 fn across(inputs: &Inputs, side: f64, x: f64) -> [[f64; 2]; 2] {
-    let from = if TRANSVERSE.holds(inputs) {
-        -RADIUS
-    } else {
-        0.0
-    };
+    let from = if DIAMETER.holds(inputs) { -RADIUS } else { 0.0 };
     [[x, side * from], [x, side * RADIUS]]
 }
 

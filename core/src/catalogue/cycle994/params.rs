@@ -22,7 +22,7 @@ pub const PARAMS: &[Param] = &[
     Param {
         needs: common::ALWAYS_REQUIRED,
         labels: &[
-            (lathe::TRANSVERSE, "setval-two-diameter"),
+            (lathe::DIAMETER, "setval-two-diameter"),
             (When::Always, "setval-two-radius"),
         ],
         source: "B:10983-10984",

@@ -3,7 +3,7 @@
 
 use super::params::INSIDE_ZONE;
 use crate::catalogue::lathe::figures::{self, ENDS, MEASURED, RADIUS, Touch};
-use crate::catalogue::lathe::params::TRANSVERSE;
+use crate::catalogue::lathe::params::DIAMETER;
 use crate::catalogue::names;
 use crate::check::Inputs;
 use crate::form::figures::{arrow, dimension, line, rectangle};
@@ -88,11 +88,7 @@ fn drawing(inputs: &Inputs, task: Task, axis: i64) -> Vec<PictureShape> {
         shapes.extend(figures::touch(touch, path));
     }
     shapes.push(figures::path_dimension(first, path));
-    let from = if TRANSVERSE.holds(inputs) {
-        -RADIUS
-    } else {
-        0.0
-    };
+    let from = if DIAMETER.holds(inputs) { -RADIUS } else { 0.0 };
     shapes.push(dimension(names::SETVAL, [-32.0, from], [-32.0, RADIUS]));
     shapes
 }
@@ -153,7 +149,7 @@ fn zone(inputs: &Inputs, half: f64, axis: i64) -> [PictureShape; 3] {
     let [across, along] = fields(axis);
     let left = ENDS[0];
     let centre = [(left + BEYOND) / 2.0, 0.0];
-    let from = if TRANSVERSE.holds(inputs) { -half } else { 0.0 };
+    let from = if DIAMETER.holds(inputs) { -half } else { 0.0 };
     [
         rectangle(ShapeKind::Zone, centre, [BEYOND - left, 2.0 * half]).of(across),
         dimension(across, [BEYOND + 8.0, from], [BEYOND + 8.0, half]),

@@ -34,6 +34,9 @@ pub const TRANSVERSE: When = When::Any(&[
     ]),
 ]);
 
+/// The setpoint is a diameter.
+pub const DIAMETER: When = When::All(&[TRANSVERSE, When::Diameters]);
+
 /// With tool offset.
 pub const TOOL: When = When::Digit {
     param: names::MVAR,

@@ -25,6 +25,53 @@ fn a_call_says_in_which_units_and_plane_it_stands() {
     );
 }
 
+// oracle: manual B:10975, B:10983-10984 (DIAMOF: a radius dimension); hand: the part proposed for a radius of 22.5 mm is as
+// wide as that for a diameter of 45 mm
+#[test]
+fn a_call_says_whether_its_setpoint_is_a_diameter() {
+    let with = |function: &str, set: &str| {
+        let text = format!(
+            "G18 {function}\n_MVAR=1 _MA=2 _SETVAL={set} _SZA=60 _SZO={set}/2 _KNUM=0 _FA=2 _TSA=1 _PRNUM=1\nCYCLE994\nM30\n"
+        );
+        let text = text.replace(&format!("{set}/2"), if set == "45" { "30" } else { "15" });
+        let read = json!({ "control": "sinumerik", "text": text });
+        let call = read_view(&read)["calls"][0].clone();
+        let asked = json!({
+            "control": "sinumerik", "cycle": "CYCLE994", "values": call["values"], "plane": call["plane"],
+            "units": call["units"], "transverse": call["transverse"], "predict": true,
+        });
+        let view = form(&asked.to_string()).unwrap();
+        let fields = view["fields"].as_array().unwrap();
+        let set = fields.iter().find(|field| field["name"] == "_SETVAL");
+        let results = view["outcome"]["results"].as_array().unwrap();
+        let actual = results.iter().find(|one| one["name"] == "_OVR[4]").unwrap();
+        (
+            call["transverse"].clone(),
+            set.unwrap()["label"]["key"].clone(),
+            actual["value"].clone(),
+            view["setup"]["workpiece"][0]["size"][0].clone(),
+        )
+    };
+    let diameter = "param-setval-two-diameter";
+    let radius = "param-setval-two-radius";
+    for (function, set, told, label) in [
+        ("DIAMON", "45", "DIAMON", diameter),
+        ("DIAM90", "45", "DIAM90", diameter),
+        ("", "45", "DIAMON", diameter),
+        ("DIAMOF", "22.5", "DIAMOF", radius),
+    ] {
+        let (transverse, key, actual, size) = with(function, set);
+        assert_eq!((transverse, key), (json!(told), json!(label)), "{function}");
+        let actual = actual.as_f64().unwrap() - set.parse::<f64>().unwrap();
+        assert!(actual.abs() < 1e-9, "{function}: {actual}");
+        assert_eq!(size, with("DIAMON", "45").3, "{function}");
+    }
+}
+
+fn read_view(request: &serde_json::Value) -> serde_json::Value {
+    read(&request.to_string()).unwrap()
+}
+
 // oracle: hand (a note at the field of each value that comes from another program, and none of them among the findings)
 #[test]
 fn a_call_says_which_values_come_from_elsewhere() {

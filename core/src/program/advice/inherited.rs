@@ -4,6 +4,7 @@
 use super::Seen;
 use crate::catalogue::{Kind, Level, Param, Unit};
 use crate::check::{self, Inputs};
+use crate::control::Transverse;
 use crate::diagnostic::{Cure, Diagnostic};
 use crate::message::Message;
 use crate::own;
@@ -83,7 +84,11 @@ pub fn look(seen: &Seen, found: &mut Vec<Diagnostic>) {
             continue;
         };
         if writer.as_ref().is_none_or(|(known, _)| *known != index) {
-            let inputs = check::read(site.cycle, &site.values, seen.control, &mut Vec::new());
+            let inputs = Inputs {
+                plane: site.plane,
+                diameters: site.transverse != Transverse::Radius,
+                ..check::read(site.cycle, &site.values, seen.control, &mut Vec::new())
+            };
             writer = Some((index, inputs));
         }
         if let Some((_, there)) = &writer {

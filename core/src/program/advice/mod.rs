@@ -72,6 +72,12 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
     let mut corrected = vec![None; sites.len()];
     for (index, site, way) in in_order(sites) {
         at_call.plane = way.state.plane.is().copied().unwrap_or(site.plane);
+        at_call.transverse = way
+            .state
+            .transverse
+            .is()
+            .copied()
+            .unwrap_or(site.transverse);
         at_call.choose_units(site.unit_function);
         let values = site.values_on(way);
         let seen = Seen {

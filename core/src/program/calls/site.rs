@@ -83,6 +83,7 @@ impl Walk<'_> {
             behind: self.around.behind(span),
             bits: self.bits(place),
             plane: self.control.plane,
+            transverse: self.control.transverse,
             unit_function: self.control.unit_function(),
             ways: Vec::new(),
             overwritten: Vec::new(),
@@ -153,6 +154,7 @@ impl Walk<'_> {
             return;
         };
         site.plane = self.control.plane;
+        site.transverse = self.control.transverse;
         site.unit_function = self.control.unit_function();
         for mut one in checked(site.cycle, &values, given, &self.control) {
             if !self.tools.told(&self.control, one.code) {
