@@ -64,7 +64,11 @@ pub fn form(request: &str) -> Result<Value, Error> {
         let assumed = request.assumed.get(names::MVAR);
         let variant = assumed.or_else(|| request.values.get(names::MVAR));
         let variant = variant.and_then(|text| text.trim().parse().ok());
+        // which probe a machine brings may depend on the plane at the call
+        let own = start.setup.control.plane;
+        start.setup.control.plane = request.plane.map_or(own, plane);
         start.setup.suit(cycle, variant.unwrap_or(0));
+        start.setup.control.plane = own;
     }
     let control = &mut start.setup.control;
     let at_start = modal(control);

@@ -150,7 +150,8 @@ impl Setup {
         setup
     }
 
-    /// Makes a turning machine of it where the cycle is for one, with a probe in its turret where the cycle uses it; where
+    /// Makes a turning machine of it where the cycle is for one, with a probe in its turret where the cycle uses it, and
+    /// brings such a probe for a milling cycle where the machine says that it is one; where
     /// it uses a tool probe, the tool that the variant needs is in use, and where the probe stands is known. What the
     /// machine says of itself counts more.
     pub fn suit(&mut self, cycle: &Cycle, variant: i64) {
@@ -168,6 +169,7 @@ impl Setup {
             (true, ProbeUse::Workpiece) => self.mount_turning_probe(),
             (true, ProbeUse::Tool) => self.know_tool_probe(&TURNING_TOOL_PROBE),
             (false, ProbeUse::Tool) => self.insert_mill(),
+            (false, ProbeUse::Workpiece) => self.stand_turning_probe(),
             _ => {}
         }
         let simulation = cycle.simulation.as_ref();
@@ -233,6 +235,27 @@ impl Setup {
         }
     }
 
+    /// Where every tool is as long as a turning tool, the probe of a turning machine that stands on the plane, as long
+    /// as the one of a spindle (B:4148-4152).
+    fn stand_turning_probe(&mut self) {
+        if self.control.number(TOOL_LENGTH_TYPE) != AS_TURNING_TOOL {
+            return;
+        }
+        let edge = Edge {
+            kind: LATHE_PROBE,
+            tip: if self.control.plane == Plane::G19 {
+                8
+            } else {
+                7
+            },
+            length: [0.0, 0.0, self.probe.length],
+            radius: self.probe.radius,
+            ..Edge::default()
+        };
+        let tool = self.control.tools.entry(PROBE_TOOL).or_default();
+        tool.edges.insert(1, edge);
+    }
+
     /// The probe in the turret, and the grooves in which it is calibrated.
     fn mount_turning_probe(&mut self) {
         let edge = Edge {
@@ -289,6 +312,24 @@ mod tests {
         setup.suit(cycle, 0);
         assert_eq!(setup.control.number("SD42950"), 0.0);
         assert_eq!(setup.control.number("_KB[0,2]"), 17.5);
+    }
+
+    #[test]
+    fn a_machine_that_says_it_turns_gets_a_probe_that_stands_on_the_plane() {
+        let cycle = find(Dialect::Sinumerik, "CYCLE977").unwrap();
+        for (plane, tip, applicate) in [(Plane::G17, 7, 2), (Plane::G19, 8, 0)] {
+            let mut setup = Setup::calibrated(Dialect::Sinumerik, plane);
+            setup.control.set("SD42950", 2.0);
+            setup.suit(cycle, 1);
+            let edge = setup.control.active_edge().unwrap();
+            // oracle: manual B:4148-4152 (type 5xy, 7 in G17, 8 in G19)
+            assert_eq!((edge.kind, edge.tip), (580, tip));
+            assert_eq!(setup.control.unfit(edge), None);
+            assert_eq!(setup.control.active_length()[applicate], 50.0);
+        }
+        let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+        setup.suit(cycle, 1);
+        assert_eq!(setup.control.active_edge().unwrap().kind, 710);
     }
 
     #[test]

@@ -83,6 +83,29 @@ fn the_stylus_stands_along_the_applicate() {
     }
 }
 
+// oracle: manual B:4148-4152 (with SD 42950 = 2 the probe stands on G17 and on G19; nothing stands on G18, 61309)
+#[test]
+fn a_turning_machine_measures_with_a_probe_that_stands_on_the_plane_of_the_call() {
+    let cycle = crate::catalogue::find(Dialect::Sinumerik, "CYCLE977").unwrap();
+    let mut asked: Value = serde_json::from_str(&request(cycle)).unwrap();
+    asked["setup"] = json!({ "own": { "plane": "G17", "data": { "SD42950": 2.0 } } });
+    for (plane, axis, alarms) in [
+        ("G17", [0.0, 0.0, 1.0], 0),
+        ("G19", [1.0, 0.0, 0.0], 0),
+        ("G18", [0.0, 0.0, 1.0], 1),
+    ] {
+        asked["plane"] = json!(plane);
+        let view = form(&asked.to_string()).unwrap();
+        let outcome = &view["outcome"];
+        assert_eq!(outcome["trace"]["tools"][0]["ball"], json!(axis), "{plane}");
+        assert_eq!(
+            outcome["alarms"].as_array().unwrap().len(),
+            alarms,
+            "{plane} {outcome}"
+        );
+    }
+}
+
 // oracle: manual B:4152, B:13474-13481 (in G18 position 7 lies along Z and points in minus direction, 8 along X)
 #[test]
 fn the_stylus_of_a_turning_machine_lies_as_its_cutting_edge_position_says() {
