@@ -40,7 +40,9 @@ fn the_type_that_the_program_enters_is_the_type_of_its_tool() {
 /// A milling cycle with a tool of this type and cutting edge position, on a machine with this assignment of lengths.
 fn milled(kind: i64, tip: i64, assignment: Option<f64>, g: &str) -> Vec<Diagnostic> {
     let mut control = delivery(Dialect::Sinumerik);
-    assignment.map(|value| control.set("SD42950", value));
+    if let Some(value) = assignment {
+        control.set("SD42950", value);
+    }
     let data = format!("$TC_DP1[7,1]={kind} $TC_DP2[7,1]={tip} $TC_DP5[7,1]=50");
     let text = format!("{data}\n{g} G40 G54\nT7 D1\n{HOLE}M30\n");
     findings_on(&read(Dialect::Sinumerik, text.as_bytes()), control)
