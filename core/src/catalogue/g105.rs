@@ -157,8 +157,8 @@ fn finish(machine: &mut dyn Machine, inputs: &Inputs, axis: usize, wall: &Wall) 
         machine,
         &[("POSITION", wall.position), ("DEVIATION", deviation)],
     );
-    let mut shift = [0.0; 3];
-    shift[axis] = deviation;
+    let mut shift = [None; 3];
+    shift[axis] = Some(deviation);
     let found = Found {
         deviation,
         excess,

@@ -105,8 +105,8 @@ fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     home(machine, start)?;
     let deviation = position - nominal;
     correct::results(machine, &[("POSITION", position), ("DEVIATION", deviation)]);
-    let mut shift = [0.0; 3];
-    shift[applicate] = deviation;
+    let mut shift = [None; 3];
+    shift[applicate] = Some(deviation);
     let found = Found {
         deviation,
         excess: deviation,

@@ -192,8 +192,8 @@ fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
         ],
     );
     let excess = walls.material() * deviation; // metal on is positive (C:927-931)
-    let mut shift = [0.0; 3];
-    shift[axis] = along;
+    let mut shift = [None; 3];
+    shift[axis] = Some(along);
     let found = Found {
         deviation,
         excess,

@@ -79,9 +79,9 @@ fn evaluate(machine: &mut dyn Machine, walls: &Walls, first: &Chord, second: &Ch
 
 fn found(walls: &Walls, measured: &Measured) -> Found {
     let excess = walls.material() * measured.deviation; // metal on is positive (C:1092-1095)
-    let mut shift = [0.0; 3];
+    let mut shift = [None; 3];
     for (i, value) in measured.shift.into_iter().enumerate() {
-        shift[walls.axes[i]] = value;
+        shift[walls.axes[i]] = Some(value);
     }
     Found {
         deviation: measured.deviation,

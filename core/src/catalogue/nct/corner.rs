@@ -87,22 +87,21 @@ pub fn measure(machine: &mut dyn Machine, inputs: &Inputs, outside: bool) -> Res
         travel(machine, other, start[other])?;
     }
     home(machine, start)?;
-    let mut shift = [0.0; 3];
-    for index in [0, 1] {
-        shift[axes[index]] = corner[index] - nominal[index];
-    }
+    let shift = [0, 1].map(|index| corner[index] - nominal[index]);
+    let mut moved = [None; 3];
+    (moved[axes[0]], moved[axes[1]]) = (Some(shift[0]), Some(shift[1]));
     results(
         machine,
         &[
             ("CORNER_1", corner[0]),
             ("CORNER_2", corner[1]),
-            ("SHIFT_1", shift[axes[0]]),
-            ("SHIFT_2", shift[axes[1]]),
+            ("SHIFT_1", shift[0]),
+            ("SHIFT_2", shift[1]),
         ],
     );
     let active = machine.control().settable;
     let offset = inputs.given("S").map_or(active, |number| number as usize);
-    move_offset(machine, offset, shift);
+    move_offset(machine, offset, moved);
     Ok(())
 }
 

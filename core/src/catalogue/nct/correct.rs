@@ -26,8 +26,8 @@ pub struct Found {
     pub excess: f64,
     /// The same at one surface; T takes it out of its register.
     pub at_surface: f64,
-    /// Measured place minus nominal place, WCS; S moves by it.
-    pub shift: [f64; 3],
+    /// Measured place minus nominal place in the axes X Y Z of the WCS that were measured; S moves by it.
+    pub shift: [Option<f64>; 3],
     /// Part of the registers.
     pub part: Part,
     /// Width into which the tool of T has to fit (C:984, C:1144).
@@ -78,17 +78,29 @@ fn correct_tool(machine: &mut dyn Machine, register: i64, found: &Found) {
     }
 }
 
-/// The work offset moves so that what was measured gets its nominal coordinates; the one in effect counts at once, as
-/// in the examples, which never call it again (C:1159-1183). `shift`: measured minus nominal, WCS, mm.
-pub fn move_offset(machine: &mut dyn Machine, offset: usize, shift: [f64; 3]) {
-    let shift = machine.control().direction_to_machine(shift);
-    let system = nct_offset(offset);
-    for axis in (0..3).filter(|axis| shift[*axis] != 0.0) {
-        let name = format!("{system} {}", axis_name(axis));
-        let before = machine.control().variable(&name).unwrap_or(0.0);
-        write(machine, name, before + shift[axis]);
+/// The work offset moves so that what was measured gets its nominal coordinates in it (C:776: "to coordinate X100 Y80 in
+/// coordinate system G56"); the one in effect counts at once, as in the examples, which never call it again (C:1159-1183).
+/// `shift`: measured minus nominal in the axes of the WCS that were measured, mm.
+pub fn move_offset(machine: &mut dyn Machine, offset: usize, shift: [Option<f64>; 3]) {
+    let active = machine.control().settable;
+    // Another offset than the one in use is reckoned from that: there the deviation was found.
+    let from = if offset == 0 { 0 } else { active };
+    let control = machine.control();
+    let by = control.direction_to_machine(shift.map(|shift| shift.unwrap_or(0.0)));
+    for axis in (0..3).filter(|axis| shift[*axis].is_some() || by[*axis] != 0.0) {
+        let control = machine.control();
+        let [before, from] =
+            [offset, from].map(|number| control.variable(&offset_of(number, axis)).unwrap_or(0.0));
+        if from + by[axis] != before {
+            write(machine, offset_of(offset, axis), from + by[axis]);
+        }
     }
     count_at_once(machine.control(), offset);
+}
+
+/// An axis of a work offset, `G54 X`; 0 is the common one.
+fn offset_of(number: usize, axis: usize) -> String {
+    format!("{} {}", nct_offset(number), axis_name(axis))
 }
 
 /// A work offset that was written counts at once where it is in effect.

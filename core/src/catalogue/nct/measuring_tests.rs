@@ -15,7 +15,7 @@ use crate::catalogue::g108::G108;
 use crate::catalogue::g109::{G109, POCKET, WEB};
 use crate::catalogue::nct;
 use crate::check::check;
-use crate::control::{Control, Plane};
+use crate::control::{Control, Frame, Plane};
 use crate::run::{Outcome, Setup};
 use crate::workpiece::Shape;
 use proptest::prelude::*;
@@ -189,6 +189,43 @@ proptest! {
         prop_assert_eq!(outcome.position, setup.position);
         let (_, closed) = go(&again(&corrected, start), &G109, &values, &[]);
         near(result(&closed.control, "SHIFT"), 0.0);
+    }
+}
+
+// oracle: manual C:776 ("moving zero position of corner to coordinate X100 Y80 in coordinate system G56"), C:481-489: what is
+// measured coincides with its nominal place in the system that S names, whichever is in use; hand: G54 stands at 11, 22, 33
+#[test]
+fn another_work_offset_than_the_one_in_use_takes_the_nominal_place() {
+    for plane in PLANES {
+        for (index, shift) in [(0, 0.5), (1, -0.25), (0, 0.0)] {
+            let setup = calibrated(plane, false, [0.1, -0.1]);
+            let (mut setup, name, at) = wall(&setup, index, shift);
+            let other = Frame::translation([100.0, 200.0, 300.0]);
+            setup.control.frames.insert(2, other);
+            let depth = axis_name(plane.axes()[2]);
+            let lengths = [(name, 50.0), (depth, -10.0)];
+            let (mut corrected, outcome) = go(&setup, &G105, &lengths, &[("S", "2")]);
+            for axis in 0..3 {
+                let at = |system: &str| {
+                    let name = format!("{system} {}", axis_name(axis));
+                    outcome.control.variable(&name).unwrap()
+                };
+                let measured = axis == plane.axes()[index];
+                near(at("G54"), [11.0, 22.0, 33.0][axis]);
+                near(
+                    at("G55"),
+                    if measured {
+                        at("G54") + shift
+                    } else {
+                        other.coarse[axis]
+                    },
+                );
+            }
+            corrected.control.activate(2);
+            let part = corrected.control.to_workpiece(setup.position);
+            corrected.position = setup.position;
+            near(part[plane.axes()[index]], at[index] - shift);
+        }
     }
 }
 
