@@ -6,6 +6,7 @@ mod bench;
 mod calibration;
 mod lathe_probe;
 mod milled;
+mod tilted;
 mod tool;
 mod turning;
 mod zero_offset;

@@ -34,11 +34,21 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     let centres = measure(machine, inputs, &block, &touches, start)?;
     let found = corner(&touches, &centres, radius(&block));
     let corner = found.map_err(|number| alarm(machine, number))?;
-    report(machine, &corner, start);
+    let height = height(inputs, &block, start);
+    report(machine, &corner, height);
     if let Some(target) = target {
-        write(machine, inputs, &target, &corner, start);
+        write(machine, inputs, &target, &corner, height);
     }
     Ok(())
+}
+
+/// A place at the height of the ball's centre while it touched: with places that of the start and the infeed below it.
+fn height(inputs: &Inputs, block: &Block, start: [f64; 3]) -> [f64; 3] {
+    let ball = block.ball_at(start);
+    match POINTS.holds(inputs) {
+        true => raised(block, ball, inputs.number(names::ID)),
+        false => ball,
+    }
 }
 
 /// Radius of the active ball, mm; where it was never determined that of the tool.
@@ -134,11 +144,11 @@ fn ball(machine: &mut dyn Machine, block: &Block, touch: &Touch) -> Result<Point
 }
 
 /// Edge and corner in the WCS, then in the machine (B:16033-16057).
-fn report(machine: &mut dyn Machine, corner: &Corner, start: [f64; 3]) {
+fn report(machine: &mut dyn Machine, corner: &Corner, height: [f64; 3]) {
     let control = machine.control();
     let axes = control.plane.axes();
     let edge = vector(control, corner.edge);
-    let point = point(control, corner.point, start);
+    let point = point(control, corner.point, height);
     let machine_edge = control.direction_to_machine(edge);
     let machine_point = control.to_machine(point);
     for (first, edge, point) in [(4, edge, point), (20, machine_edge, machine_point)] {
@@ -155,7 +165,7 @@ fn write(
     inputs: &Inputs,
     target: &Target,
     corner: &Corner,
-    start: [f64; 3],
+    height: [f64; 3],
 ) {
     let control = machine.control();
     let [abscissa, ordinate, applicate] = control.plane.axes();
@@ -165,8 +175,8 @@ fn write(
     let rotation = zero_offset::rotation(control, target, &rigid::rotation(turn));
     let [x, y] = beside(inputs);
     let mut measured = Measured {
-        actual: point(control, corner.point, start),
-        set: start,
+        actual: point(control, corner.point, height),
+        set: height,
         axes: [true; 3],
     };
     (measured.set[abscissa], measured.set[ordinate]) = (-x, -y);

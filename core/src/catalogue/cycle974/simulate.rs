@@ -19,15 +19,15 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     if reversal {
         turnable(machine)?;
     }
+    let per = measure::per(machine.control(), inputs);
+    let set = inputs.number(names::SETVAL);
+    let start = machine.position()[block.axes[axis]];
+    let direction = if set / per < start { -1.0 } else { 1.0 };
     if !calibrated(&block, axis) {
         return Err(alarm(machine, 61341));
     }
     let corrected = measure::corrected(inputs, axis);
     let target = Target::of(machine, inputs, Some(corrected))?;
-    let per = measure::per(machine.control(), inputs);
-    let set = inputs.number(names::SETVAL);
-    let start = machine.position()[block.axes[axis]];
-    let direction = if set / per < start { -1.0 } else { 1.0 };
     let point = block.point(axis, direction, set / per);
     for repetition in 0.. {
         let surface = match reversal {
@@ -38,6 +38,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
             axis,
             corrected,
             direction,
+            ball: block.ball_at(machine.position()),
             set,
             actual: surface * per,
             per,

@@ -64,9 +64,11 @@ fn measure(
         actual: actual[axis],
     };
     let sizes = element.sizes().iter();
+    let applicate = block.axes[2];
     Ok(Found {
         sizes: sizes.map(|axis| pair(*axis, element.size, size)).collect(),
         centre: [0, 1].map(|axis| pair(axis, set, centre)),
+        height: block.ball_at(start)[applicate] + element.infeed,
         axes: element.axes(),
         inside: element.inside,
     })

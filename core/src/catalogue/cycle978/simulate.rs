@@ -20,10 +20,6 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     if differential {
         turnable(machine)?;
     }
-    if !differential && !calibrated(&block, axis) {
-        return Err(alarm(machine, 61341));
-    }
-    let target = Target::of(machine, inputs, Some(axis))?;
     let start = machine.position();
     let set = inputs.number("_SETVAL");
     let direction = if set < start[block.axes[axis]] {
@@ -31,16 +27,24 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     } else {
         1.0
     };
+    if !differential && !calibrated(&block, axis) {
+        return Err(alarm(machine, 61341));
+    }
+    let target = Target::of(machine, inputs, Some(axis))?;
     let point = block.point(axis, direction, set);
     for repetition in 0.. {
-        let actual = match differential {
-            true => twice(machine, inputs, &block, &point)?.surface,
-            false => block.measure(machine, &point)?,
+        let (actual, reckoned) = match differential {
+            true => {
+                let found = twice(machine, inputs, &block, &point)?;
+                (found.surface, block.uncalibrated()) // turned over, the ball stood evenly about the spindle axis
+            }
+            false => (block.measure(machine, &point)?, block.clone()),
         };
         let found = OnePoint {
             axis,
             corrected: axis,
             direction,
+            ball: reckoned.ball_at(machine.position()),
             set,
             actual,
             per: 1.0,

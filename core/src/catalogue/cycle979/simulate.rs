@@ -58,8 +58,8 @@ impl Element {
         }
     }
 
-    /// Size and centre from where the ball stood at each point; none where no circle goes through them.
-    fn evaluate(&self, balls: &[[f64; 2]], ball: f64) -> Option<Found> {
+    /// Size and centre from where the ball stood at each point, all at one height; none where no circle goes through them.
+    fn evaluate(&self, balls: &[[f64; 2]], ball: f64, height: f64) -> Option<Found> {
         let (centre, between) = match (self.round, balls) {
             (true, _) => fit::circle(balls).map(|(centre, radius)| (centre, 2.0 * radius))?,
             (false, [one, other]) => {
@@ -78,6 +78,7 @@ impl Element {
                 set: self.centre[axis],
                 actual: centre[axis],
             }),
+            height,
             axes: &[0, 1],
             inside: self.inside,
         })
@@ -101,7 +102,8 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
             back(machine, &block, &element)?;
         }
         let balls = measure(machine, &block, &element)?;
-        let Some(found) = element.evaluate(&balls, block.ball) else {
+        let height = block.ball_at(machine.position())[block.axes[2]];
+        let Some(found) = element.evaluate(&balls, block.ball, height) else {
             return Err(alarm(machine, 61316));
         };
         if centred::finish(machine, inputs, &found, &target, repetition)? == Next::Done {

@@ -72,6 +72,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
             axis,
             corrected,
             direction: point(1.0).direction,
+            ball: block.ball_at(machine.position()),
             set,
             actual: (plus - minus) / 2.0 * per,
             per,

@@ -27,12 +27,11 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     if let Some(target) = target.filter(|_| THREE.holds(inputs)) {
         correctable(machine.control(), &target).map_err(|number| failed(machine, number))?;
     }
-    let refers_to_tip = machine.control().bit("_CBIT[14]");
     let plan = Plan {
         block: &block,
         inputs,
         safety: machine.position()[block.axes[2]],
-        tip: if refers_to_tip { block.radius } else { 0.0 },
+        tip: block.centre,
     };
     let mut spheres = Vec::new();
     for (index, names) in centres(inputs).iter().enumerate() {

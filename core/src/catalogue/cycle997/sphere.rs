@@ -27,7 +27,7 @@ pub struct Plan<'a> {
     pub inputs: &'a Inputs,
     /// Safety height: applicate at the begin of the cycle, mm.
     pub safety: f64,
-    /// From the point to which L1 refers up to the ball centre, mm (`_CBIT[14]`, B:8204-8208).
+    /// From the point to which L1 refers to the ball centre along the applicate, mm (`_CBIT[14]`, B:8204-8208).
     pub tip: f64,
 }
 

@@ -23,6 +23,8 @@ pub struct Found {
     pub sizes: Vec<Pair>,
     /// Centre in abscissa and ordinate. Where an axis is not measured, both values are the same.
     pub centre: [Pair; 2],
+    /// Applicate of the ball's centre while measuring, mm: at this height lies the centre that was found.
+    pub height: f64,
     /// Axes in which the centre was measured: 0 abscissa, 1 ordinate.
     pub axes: &'static [usize],
     /// Hole, groove or inside rectangle.
@@ -88,7 +90,12 @@ fn by_zero(
     report(machine, &found.sizes, &found.centre);
     results::begin_zero(machine, inputs);
     let axes = machine.control().plane.axes();
-    let mut measured = zero_offset::Measured::at(machine.position());
+    let mut place = [0.0; 3];
+    let [abscissa, ordinate] = found.centre.map(|pair| pair.actual);
+    for (axis, value) in axes.into_iter().zip([abscissa, ordinate, found.height]) {
+        place[axis] = value;
+    }
+    let mut measured = zero_offset::Measured::at(place);
     let mut differences = Vec::new();
     for axis in found.axes.iter().copied() {
         let Pair { set, actual } = found.centre[axis];

@@ -35,8 +35,9 @@ pub struct Block {
     pub radius: f64,
     /// `_FA`, mm.
     pub path: f64,
-    /// Height of the ball centre above the point to which L1 refers, mm: 0, or with `_CBIT[14]` the radius (B:13652).
-    centre: f64,
+    /// How far the ball centre is from the point to which L1 refers, along the applicate of the WCS, mm: 0, or with `_CBIT[14]`
+    /// the radius (B:13652), minus it where a frame mirrors the applicate.
+    pub centre: f64,
     /// Trigger values by axis: probing in minus and plus direction, mm; position at switching minus surface.
     triggers: [[f64; 2]; 3],
     /// Ball centre minus spindle axis in abscissa and ordinate, mm (`_WP[k,7]`, `_WP[k,8]`).
@@ -114,6 +115,16 @@ impl Block {
             repeats,
             ..self.clone()
         }
+    }
+
+    /// Where the centre of the ball is when the probe stands here, X Y Z of the WCS, mm, as far as the control knows.
+    pub fn ball_at(&self, position: [f64; 3]) -> [f64; 3] {
+        let [abscissa, ordinate, applicate] = self.axes;
+        let mut ball = position;
+        ball[abscissa] += self.skew[0];
+        ball[ordinate] += self.skew[1];
+        ball[applicate] += self.centre;
+        ball
     }
 
     /// How often a place is touched (`_NMSP`).

@@ -17,6 +17,8 @@ pub struct OnePoint {
     pub corrected: usize,
     /// Direction of probing, +1 or -1.
     pub direction: f64,
+    /// Where the centre of the ball stood in the axes that were not measured, X Y Z of the WCS, mm.
+    pub ball: [f64; 3],
     /// As given, mm.
     pub set: f64,
     /// As measured, mm.
@@ -83,9 +85,12 @@ fn by_zero(
     let counted = found.actual - tolerance::empirical(machine.control(), inputs);
     let next = tolerance::safe(machine, inputs, &[counted - found.set], repetition)?;
     if let (Next::Done, Some(target)) = (next, target) {
-        let geometry = machine.control().plane.axes()[found.corrected.min(2)];
-        let mut measured = zero_offset::Measured::at(machine.position());
-        measured.put(geometry, found.set / found.per, counted / found.per);
+        let axes = machine.control().plane.axes();
+        let [own, corrected] = [found.axis, found.corrected].map(|axis| axes[axis.min(2)]);
+        let mut place = found.ball;
+        place.swap(own, corrected); // as if it had been measured in the axis that is corrected
+        let mut measured = zero_offset::Measured::at(place);
+        measured.put(corrected, found.set / found.per, counted / found.per);
         correct::zero(machine, target, &measured);
     }
     Ok(next)

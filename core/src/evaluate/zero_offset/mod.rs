@@ -106,7 +106,8 @@ pub struct Measured {
 }
 
 impl Measured {
-    /// Nothing was measured yet; the probe stands here.
+    /// Nothing was measured yet; where it will be in the axes that are not. In a frame that is tilted against the present
+    /// one these count too.
     pub fn at(here: [f64; 3]) -> Measured {
         Measured {
             actual: here,

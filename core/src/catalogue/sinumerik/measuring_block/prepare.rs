@@ -85,7 +85,7 @@ fn read(control: &Control, inputs: &Inputs) -> Result<Block, u32> {
     };
     Ok(Block {
         centre: if control.bit("_CBIT[14]") && !turning(inputs) {
-            common.radius
+            common.radius * sense[2]
         } else {
             0.0
         },
