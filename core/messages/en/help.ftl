@@ -33,5 +33,5 @@ help-wrong-later = Feed, plane, spindle position or _CBIT[14] are not those of t
 help-calibrated = The probe is calibrated in this plane and in the directions of this measurement, at the same feed.
 help-uncalibrated = The probe need not be calibrated; it switches all round, the spindle can be positioned, and _MA lies in the plane.
 help-turned-over = The first point is touched with the spindle turned by 180°, then as it stood. The mean counts, so the skew cancels.
-help-turned-over-stored = The trigger value of this direction and the skew are stored in _WP, too.
+help-turned-over-stored = The skew, and the trigger value of this direction with the skew in it, are stored in _WP, too. They hold for the spindle as it stands.
 help-no-spindle = The spindle cannot be positioned: alarm 61372.

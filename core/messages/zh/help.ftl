@@ -33,5 +33,5 @@ help-wrong-later = 进给、平面、主轴位置或 _CBIT[14] 与以后测量�
 help-calibrated = 测量头已在此平面、此测量的各方向、以相同的进给校准。
 help-uncalibrated = 测量头不必校准；它各方向都能触发，主轴可以定位，_MA 在平面内。
 help-turned-over = 第一点先以主轴转过 180° 触碰，再以原位置触碰。取平均值，因此偏斜抵消。
-help-turned-over-stored = 此方向的触发值和偏斜也存入 _WP。
+help-turned-over-stored = 偏斜和此方向的触发值（其中含偏斜）也存入 _WP，只对主轴当前的角度有效。
 help-no-spindle = 主轴不能定位：报警 61372。

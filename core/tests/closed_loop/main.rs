@@ -4,6 +4,7 @@
 
 mod bench;
 mod calibration;
+mod differential;
 mod lathe_probe;
 mod milled;
 mod tilted;

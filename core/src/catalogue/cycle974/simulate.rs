@@ -23,7 +23,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     let set = inputs.number(names::SETVAL);
     let start = machine.position()[block.axes[axis]];
     let direction = if set / per < start { -1.0 } else { 1.0 };
-    if !calibrated(&block, axis) {
+    if !calibrated(&block, axis, direction) {
         return Err(alarm(machine, 61341));
     }
     let corrected = measure::corrected(inputs, axis);

@@ -18,7 +18,12 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     let paths = element
         .paths(&block)
         .map_err(|number| alarm(machine, number))?;
-    if element.axes().iter().any(|axis| !calibrated(&block, *axis)) {
+    let known = |axis: &usize| {
+        [1.0, -1.0]
+            .iter()
+            .all(|side| calibrated(&block, *axis, *side))
+    };
+    if !element.axes().iter().all(known) {
         return Err(alarm(machine, 61341));
     }
     let axis = (!element.round && !element.rectangle).then_some(element.axes()[0]);

@@ -27,7 +27,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     } else {
         1.0
     };
-    if !differential && !calibrated(&block, axis) {
+    if !differential && !calibrated(&block, axis, direction) {
         return Err(alarm(machine, 61341));
     }
     let target = Target::of(machine, inputs, Some(axis))?;

@@ -290,7 +290,7 @@ proptest! {
         let sim = done(&setup, &inputs);
         close(&sim, "_OVR[4]", wrong);
         close(&sim, "_WP[0,8]", skew);
-        close(&sim, "_WP[0,4]", -3.0);
+        close(&sim, "_WP[0,4]", -3.0 - skew);
     }
 }
 

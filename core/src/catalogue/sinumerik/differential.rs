@@ -15,8 +15,9 @@ pub struct Twice {
     pub skew: f64,
 }
 
-/// Touches twice; the probe counts with plus or minus its radius. Its skew is found on the way and stored with the
-/// trigger value (A:7281-7291). Another axis than those of the plane is refused (61325).
+/// Touches twice; the probe counts with plus or minus its radius. Its skew is found on the way and stored, alone and in the
+/// trigger value of this direction (A:7281-7291), so that the next measurement with the spindle as it stands finds the same
+/// surface. Another axis than those of the plane is refused (61325).
 pub fn twice(
     machine: &mut dyn Machine,
     inputs: &Inputs,
@@ -41,21 +42,21 @@ pub fn twice(
     } else {
         1.0
     };
-    store(machine, inputs, point, sense, value, skew);
+    store(machine, inputs, point, sense, [value - skew, skew]);
     Ok(Twice {
         surface: (turned + straight) / 2.0 - value,
         skew,
     })
 }
 
-/// Stores trigger value and skew in the directions of the machine: `sense` is -1 where a frame mirrors the axis.
+/// Stores trigger value, with the skew in it as after a calibration, and skew in the directions of the machine: `sense` is
+/// -1 where a frame mirrors the axis.
 fn store(
     machine: &mut dyn Machine,
     inputs: &Inputs,
     point: &Point,
     sense: f64,
-    value: f64,
-    skew: f64,
+    [value, skew]: [f64; 2],
 ) {
     let probe = inputs.integer("_PRNUM") % 100 - 1;
     let factor = machine.control().basic_factor();
