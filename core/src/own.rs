@@ -197,10 +197,13 @@ sentences! {
     ROTARY_ACROSS 155 Warning "check-rotary-across" "check-rotary-across-hint";
     ERASES 160 Warning "check-erases" "check-erases-hint";
     CONVERTS 161 Warning "check-converts" "check-converts-hint";
-    ENLARGED 162 Warning "check-enlarged" "check-enlarged-hint";
-    CORNER_SHARP 163 Warning "check-corner-sharp" "check-corner-sharp-hint";
     ADVICE_MILLED_DIAMETER 165 Note "advice-milled-diameter" "advice-milled-diameter-hint";
     ADVICE_LENGTH 166 Warning "advice-length" "advice-length-hint";
+    SPREAD_CIRCLE 170 Warning "check-spread-circle" "check-spread-circle-hint";
+    SPREAD_CENTRE 170 Warning "check-spread-centre" "check-spread-circle-hint";
+    SPREAD_CORNER 171 Warning "check-spread-corner" "check-spread-corner-hint";
+    SPREAD_ANGLE 172 Warning "check-spread-angle" "check-spread-angle-hint";
+    SPREAD_TRIANGLE 173 Warning "check-spread-triangle" "check-spread-triangle-hint";
 }
 
 #[cfg(all(test, feature = "cli"))]

@@ -152,3 +152,21 @@ fn right_programs_give_no_finding() {
         assert!(found.is_empty(), "{path:?} {found:?}");
     }
 }
+
+// oracle: manual: its own programs (`tests/cases`) take their points far enough apart
+#[test]
+fn the_points_of_the_manual_are_not_doubted() {
+    let setup = std::fs::read_to_string(folder().join("machine.json")).unwrap();
+    let control = setup_from_json(&setup).unwrap().control;
+    let entries = std::fs::read_dir(folder().join("../cases")).unwrap();
+    let programs = entries.map(|entry| entry.unwrap().path().join("program.mpf"));
+    let mut count = 0;
+    for path in programs.filter(|path| path.exists()) {
+        let program = read(Dialect::Sinumerik, &std::fs::read(&path).unwrap());
+        let found = findings_on(&program, control.clone());
+        let doubt = |one: &&Diagnostic| matches!(one.code, Code::Own(170..=173));
+        assert_eq!(found.iter().find(doubt), None, "{path:?}");
+        count += 1;
+    }
+    assert!(count >= 20, "{count}");
+}

@@ -1,9 +1,10 @@
 //! Points that lie on a circle, and checks for them, at a starting angle and steps of an indexing angle: CYCLE979, CYCLE997.
 
-use super::{names, shared_checks};
+use super::names;
 use crate::check::{Inputs, error};
 use crate::control::Control;
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::{Code, Diagnostic, Severity};
+use crate::evaluate::spread::{Circle, circle};
 use crate::message::Message;
 use crate::own;
 
@@ -27,6 +28,16 @@ pub fn points(start: f64, step: f64, four: bool) -> Vec<f64> {
         .collect()
 }
 
+/// How uncertain the circle through them is; none where their place is not known or told to be wrong.
+pub fn spread(inputs: &Inputs, four: bool, found: &[Diagnostic]) -> Option<Circle> {
+    let (start, step) = (inputs.given(names::STA1)?, inputs.given(names::INCA)?);
+    let wrong =
+        |one: &Diagnostic| one.param == Some(names::INCA) && one.severity == Severity::Error;
+    (!found.iter().any(wrong))
+        .then(|| circle(&points(start, step, four)))
+        .flatten()
+}
+
 /// Where three or four points lie: not upon each other, and within one turn (B:6850, B:6986, B:8471).
 pub fn angles(inputs: &Inputs, four: bool, found: &mut Vec<Diagnostic>) {
     let (Some(start), Some(step)) = (inputs.given(names::STA1), inputs.given(names::INCA)) else {
@@ -47,62 +58,7 @@ pub fn angles(inputs: &Inputs, four: bool, found: &mut Vec<Diagnostic>) {
         let finding = finding.hint_number("points", f64::from(points));
         finding.hint_number("useful", useful)
     } else {
-        found.extend(narrow(step, four));
         return;
     };
     found.push(finding.at(names::INCA));
-}
-
-/// Points close together: how far an error of one of them moves the centre along the middle of the arc.
-fn narrow(step: f64, four: bool) -> Option<Diagnostic> {
-    let cosine = |part: f64| (part * step).to_radians().cos();
-    let between = match four {
-        true => cosine(0.5) - cosine(1.5),
-        false => 1.0 - cosine(1.0),
-    };
-    shared_checks::enlarged(own::ENLARGED, 2.0 / between.abs(), names::INCA)
-}
-
-#[cfg(test)]
-mod tests {
-    #![allow(clippy::unwrap_used)]
-    use super::*;
-    use crate::geometry::fit;
-    use crate::message::Arg;
-
-    /// How far the centre of a circle of radius 20 moves, in parts of what its points are off: those in the middle of the
-    /// arc outwards, those at its ends inwards.
-    fn moved(step: f64, four: bool) -> f64 {
-        let directions = points(30.0, step, four);
-        let off = 1e-7;
-        let ends = [0, directions.len() - 1];
-        let measured: Vec<[f64; 2]> = directions
-            .iter()
-            .enumerate()
-            .map(|(index, angle)| (if ends.contains(&index) { -off } else { off }, angle))
-            .map(|(off, angle)| (20.0 + off, angle.to_radians().sin_cos()))
-            .map(|(radius, (sine, cosine))| [radius * cosine, radius * sine])
-            .collect();
-        let ([x, y], _) = fit::circle(&measured).unwrap();
-        x.hypot(y) / off
-    }
-
-    // oracle: peer (the fit itself, of points that are off), hand (16.26 and 11.49 degree: the cosines of DESIGN.md)
-    #[test]
-    fn points_close_together_are_doubted_with_what_they_do() {
-        for (four, limit) in [(false, 16.26), (true, 11.49)] {
-            for step in [2.0, -7.5, 10.0, 14.0, 20.0, 60.0] {
-                let found = narrow(step, four);
-                assert_eq!(found.is_some(), f64::abs(step) < limit, "{step}");
-                let Some(found) = found else { continue };
-                let [(_, Arg::Number(told))] = found.message.args[..] else {
-                    unreachable!()
-                };
-                assert!(
-                    (told / moved(step, four) - 1.0).abs() < 0.01,
-                    "{step} {told}"
-                );
-            }
-        }
-    }
 }

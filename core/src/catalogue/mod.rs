@@ -52,6 +52,7 @@ pub mod place;
 pub mod shared_checks;
 pub mod shown_with;
 pub mod sinumerik;
+pub mod spread;
 pub mod task;
 pub mod tool_probe;
 pub mod twin;

@@ -6,7 +6,6 @@ use crate::check::{Inputs, error};
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::evaluate::knum::{self, ZeroCode};
-use crate::geometry::{V3, fit};
 use crate::message::Message;
 use crate::own::{self, Own};
 
@@ -272,17 +271,3 @@ pub fn lathe_length(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnost
 
 /// A probe that is entered as a turning tool.
 const TURNING_TOOL: When = When::ToolType(500, 599);
-
-/// How often as large an error of a measured point may appear in what is reckoned from it.
-const ENLARGED: f64 = 50.0;
-
-/// A doubt where the result changes by more than [`ENLARGED`] times what a point is off; `factor` as derived in DESIGN.md.
-pub fn enlarged(sentence: Own, factor: f64, at: &'static str) -> Option<Diagnostic> {
-    let finding = sentence.finding().number("factor", factor.round());
-    (factor.is_finite() && factor > ENLARGED).then(|| finding.at(at))
-}
-
-/// A low triangle tells badly how far a part is turned about its longest side.
-pub fn low_triangle(points: [V3; 3], at: &'static str) -> Option<Diagnostic> {
-    enlarged(own::ENLARGED, 1.0 / fit::height(points)?, at)
-}

@@ -3,6 +3,7 @@
 pub mod knum;
 pub mod mean;
 pub mod position;
+pub mod spread;
 pub mod symmetry;
 pub mod tolerance;
 pub mod tool_offset;

@@ -198,7 +198,7 @@ fn after_an_angle_a_surface_is_found_too() {
     }
 }
 
-// oracle: manual A:7286 (the trigger value of the direction that was touched), A:15882 (61341: not calibrated): of the other
+// oracle: manual A:7283-7284 (the trigger value of the direction that was touched), A:15882 (61341: not calibrated): of the other
 // direction nothing is known
 #[test]
 fn the_other_direction_is_still_to_be_calibrated() {

@@ -7,6 +7,7 @@ mod calibration;
 mod differential;
 mod lathe_probe;
 mod milled;
+mod spread;
 mod tilted;
 mod tool;
 mod turning;

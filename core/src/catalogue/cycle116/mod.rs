@@ -12,11 +12,12 @@ mod tests;
 use super::common::{alarms, integer};
 use super::{
     Arg, ArgumentList, Cycle, Dialect, Drawing, Help, MachineSort, NEVER, ProbeUse, Purpose,
-    ResultField, Simulation, Style, Unit, Variant, When, Work,
+    ResultField, Simulation, Style, Unit, Variant, When, Work, spread,
 };
 use crate::check::{Inputs, error};
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
+use crate::evaluate;
 use crate::form::figures::{circle, dimension};
 use crate::form::picture::{Picture, ShapeKind, View};
 use crate::geometry::fit;
@@ -100,17 +101,25 @@ fn points(inputs: &Inputs) -> Vec<([&'static str; 2], [f64; 2])> {
     POINTS[..count].iter().filter_map(given).collect()
 }
 
-/// Points in line or upon each other: the cycle gives 61316 back (B:2447-2448).
+/// Points in line or upon each other: the cycle gives 61316 back (B:2447-2448). Close together they determine it badly.
 fn checks(inputs: &Inputs, _: &Control, found: &mut Vec<Diagnostic>) {
     let points = points(inputs);
     let complete = inputs.given(COUNT) == Some(points.len() as f64);
     let places: Vec<[f64; 2]> = points.iter().map(|(_, place)| *place).collect();
-    if complete && fit::circle(&places).is_none() {
-        found.push(
+    let at = POINTS[0][0];
+    match fit::circle(&places) {
+        _ if !complete => {}
+        None => found.push(
             error(Code::Alarm(61316), Message::new("cycle116-no-circle"))
                 .hint(Message::new("cycle116-no-circle-hint"))
-                .at(POINTS[0][0]),
-        );
+                .at(at),
+        ),
+        Some(([x, y], _)) => {
+            let seen = |[a, b]: &[f64; 2]| (b - y).atan2(a - x).to_degrees();
+            let directions: Vec<f64> = places.iter().map(seen).collect();
+            let uncertain = evaluate::spread::circle(&directions);
+            found.extend(uncertain.and_then(|circle| spread::circle(circle, at)));
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! What the points and the target say together.
 
 use super::params::{MEASURED, Names, SET, TARGET};
-use crate::catalogue::shared_checks;
+use crate::catalogue::{shared_checks, spread};
 use crate::check::{Inputs, error};
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
@@ -24,8 +24,8 @@ pub fn checks(inputs: &Inputs, _: &Control, found: &mut Vec<Diagnostic>) {
                     .hint(Message::new("check-119-line-hint"))
                     .at(names[2][0]),
             );
-        } else {
-            found.extend(shared_checks::low_triangle(points, names[2][0]));
+        } else if names == SET {
+            found.extend(spread::triangle(points, names[2][0]));
         }
     }
 }

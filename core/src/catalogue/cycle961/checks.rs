@@ -1,12 +1,13 @@
 //! What several values of CYCLE961 say together.
 
 use super::corner::PARALLEL;
-use super::lines::{Point, across, away, direction, shares};
+use super::lines::{Point, away, shares};
 use super::params::{DISTANCES, PASSES, PLACES, POINTS, RECTANGLE};
-use crate::catalogue::{names, place, shared_checks};
+use super::propose::touched;
+use crate::catalogue::{names, place, shared_checks, spread};
 use crate::check::{Inputs, error};
 use crate::control::Control;
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::{Code, Diagnostic, Severity};
 use crate::message::Message;
 use crate::own;
 
@@ -31,6 +32,27 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
         shared_checks::infeed(inputs, control, found);
         points(inputs, found);
     }
+    spreads(inputs, control, found);
+}
+
+/// Edges that are touched in places too near to each other, or too far from the corner, for what follows from them.
+fn spreads(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
+    let (needed, second): (&[&str], _) = match DISTANCES.holds(inputs) {
+        true => (
+            &[names::STA1, names::INCA, names::SETV0, names::SETV1],
+            names::SETV0,
+        ),
+        false => (PLACES.as_flattened(), names::SETV2),
+    };
+    let wrong = found.iter().any(|one| one.severity == Severity::Error);
+    if wrong || needed.iter().any(|name| inputs.given(name).is_none()) {
+        return;
+    }
+    let touched = touched(inputs, control);
+    if let Some(reference) = touched.first_chunk::<2>() {
+        found.extend(spread::angle(*reference, second));
+    }
+    found.extend(spread::corner(&touched, second));
 }
 
 /// The points lie in the directions of the edges, so that distances have no sign (A:15889).
@@ -67,17 +89,7 @@ fn directions(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
                 .number("angle", angle)
                 .at(names::INCA),
         );
-    } else {
-        found.extend(sharp(angle, names::INCA));
     }
-}
-
-/// Edges that are nearly parallel: how far an error across one of them moves the corner.
-fn sharp(angle: f64, at: &'static str) -> Option<Diagnostic> {
-    let sharp = angle.abs().min(180.0 - angle.abs());
-    let factor = 1.0 / (sharp / 2.0).to_radians().sin();
-    let found = shared_checks::enlarged(own::CORNER_SHARP, factor, at)?;
-    Some(found.number("angle", sharp))
 }
 
 /// Over the corner the probe rises; 0 leads around it (B:8006-8012).
@@ -137,10 +149,6 @@ fn points(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
                     "check-corner-between-hint",
                     at,
                 ));
-            } else {
-                let [u, v] = [direction(p1, p2), direction(p3, p4)];
-                let angle = across(u, v).atan2(u[0] * v[0] + u[1] * v[1]);
-                found.extend(sharp(angle.to_degrees(), names::SETV6));
             }
         }
     }

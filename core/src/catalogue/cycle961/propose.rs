@@ -6,6 +6,7 @@ use super::touches::{TOLERANCE, Touch, edges, touches};
 use crate::catalogue::{Proposal, names, place};
 use crate::check::Inputs;
 use crate::control::Control;
+use crate::evaluate::spread::Touched;
 use crate::workpiece::{Shape, Workpiece};
 
 /// Measuring depth of the ball centre below the face where `_ID` does not decide it, mm.
@@ -24,14 +25,14 @@ struct Nominal {
 /// Part and start: opposite the corner at measuring depth, or above P2 at positioning height (B:7980-7988, B:8158-8166).
 pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let ball = place::ball_radius(inputs, control);
-    let start = [0.0; 2];
-    let touches = touches(inputs, control, start);
-    let (nominal, start, height, depth) = if POINTS.holds(inputs) {
+    let touches = touches(inputs, control, [0.0; 2]);
+    let nominal = nominal(inputs, control, &touches, ball);
+    let (start, height, depth) = if POINTS.holds(inputs) {
         let (height, depth) = place::above(inputs.number(names::ID).abs(), ball);
-        (by_points(&touches, ball), touches[1].at, height, depth)
+        (touches[1].at, height, depth)
     } else {
         let depth = depth(inputs, control, ball);
-        (by_distances(inputs, control, ball), start, -depth, depth)
+        ([0.0; 2], -depth, depth)
     };
     let part = solid(
         inputs,
@@ -45,6 +46,39 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
         start: place::in_plane(control, [start[0], start[1], height * place::side(control)]),
         ..Proposal::default()
     }
+}
+
+fn nominal(inputs: &Inputs, control: &Control, touches: &[Touch], ball: f64) -> Nominal {
+    match POINTS.holds(inputs) {
+        true => by_points(touches, ball),
+        false => by_distances(inputs, control, ball),
+    }
+}
+
+/// Where the nominal part is touched, P1 first.
+pub fn touched(inputs: &Inputs, control: &Control) -> Vec<Touched> {
+    let touches = touches(inputs, control, [0.0; 2]);
+    let nominal = nominal(
+        inputs,
+        control,
+        &touches,
+        place::ball_radius(inputs, control),
+    );
+    let all = touches.iter().enumerate();
+    all.filter_map(|(index, touch)| {
+        Some(Touched {
+            at: met(&nominal, index, touch)?,
+            towards: touch.towards(),
+        })
+    })
+    .collect()
+}
+
+/// Where a touch meets its edge.
+fn met(nominal: &Nominal, index: usize, touch: &Touch) -> Option<Point> {
+    let edge = nominal.edges[index / 2];
+    let [way, _] = shares([touch.at, nominal.corner], [touch.towards(), edge], 0.0)?;
+    Some(along(touch.at, touch.towards(), way))
 }
 
 /// Below the face; so deep that the ball passes over the corner clear of it by a third of what is left of `_ID`.
@@ -131,11 +165,8 @@ fn handed(control: &Control) -> f64 {
 fn visited(nominal: &Nominal, touches: &[Touch]) -> Vec<Point> {
     let mut visited = Vec::new();
     for (index, touch) in touches.iter().enumerate() {
-        let edge = nominal.edges[index / 2];
         visited.push(touch.at);
-        if let Some([way, _]) = shares([touch.at, nominal.corner], [touch.towards(), edge], 0.0) {
-            visited.push(along(touch.at, touch.towards(), way));
-        }
+        visited.extend(met(nominal, index, touch));
     }
     visited
 }

@@ -1,7 +1,7 @@
 //! What several values of CYCLE979 say together.
 
 use super::params::{FOUR_POINTS, OUTSIDE, ROUND, TOOL, WEB};
-use crate::catalogue::{circle, names, place, shared_checks};
+use crate::catalogue::{circle, names, place, shared_checks, spread};
 use crate::check::Inputs;
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
@@ -20,7 +20,10 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     circle::ball_known(inputs, control, found);
     let ball = place::ball_radius(inputs, control);
     if ROUND.holds(inputs) {
-        circle::angles(inputs, FOUR_POINTS.holds(inputs), found);
+        let four = FOUR_POINTS.holds(inputs);
+        circle::angles(inputs, four, found);
+        let spread = circle::spread(inputs, four, found);
+        found.extend(spread.and_then(|circle| spread::circle(circle, names::INCA)));
     } else if FOUR_POINTS.holds(inputs) {
         found.push(own::POINTS_UNUSED.finding().at(names::PRNUM));
     }

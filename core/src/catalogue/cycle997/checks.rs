@@ -1,11 +1,12 @@
 //! What several values of CYCLE997 say together.
 
-use super::params::{ANGLE, FOUR_POINTS, THREE, TURNED};
+use super::params::{ANGLE, DIAMETER, FOUR_POINTS, THREE, TURNED};
 use super::points::{centres, sides};
-use crate::catalogue::{circle, names, place, shared_checks};
+use crate::catalogue::{circle, names, place, shared_checks, spread};
 use crate::check::{Inputs, error};
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
+use crate::evaluate::spread::Circle;
 use crate::geometry::fit;
 use crate::geometry::rigid::sin_cos;
 use crate::message::Message;
@@ -23,6 +24,7 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     if ANGLE.holds(inputs) {
         circle::ball_known(inputs, control, found);
         circle::angles(inputs, FOUR_POINTS.holds(inputs), found);
+        around(inputs, found);
     }
     if TURNED.holds(inputs) {
         shared_checks::rotation_target(inputs, found);
@@ -46,6 +48,20 @@ fn small(inputs: &Inputs, ball: f64, found: &mut Vec<Diagnostic>) {
                 .at(names::SETVAL),
         );
     }
+}
+
+/// The circle of points at an angle; the diameter follows from its centre and one more point in the abscissa (B:8371).
+fn around(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
+    let Some(circle) = circle::spread(inputs, FOUR_POINTS.holds(inputs), found) else {
+        return;
+    };
+    let finding = if DIAMETER.holds(inputs) {
+        let diameter = 2.0 * circle.centre[0].hypot(1.0);
+        spread::circle(Circle { diameter, ..circle }, names::INCA)
+    } else {
+        spread::centre(circle, names::INCA)
+    };
+    found.extend(finding);
 }
 
 /// A sphere with its number, and the parameter at which something is said about it.
@@ -89,15 +105,15 @@ fn triangle(inputs: &Inputs, ball: f64, found: &mut Vec<Diagnostic>) {
             return;
         }
     }
-    let all = [first, second, third].map(|sphere| sphere.centre);
-    if TURNED.holds(inputs) && fit::in_line(all) {
+    let centres = [first.centre, second.centre, third.centre];
+    if TURNED.holds(inputs) && fit::in_line(centres) {
         found.push(
             error(Code::Alarm(61411), Message::new("check-spheres-line"))
                 .hint(Message::new("check-spheres-line-hint"))
                 .at(third.field),
         );
     } else if TURNED.holds(inputs) {
-        found.extend(shared_checks::low_triangle(all, third.field));
+        found.extend(spread::triangle(centres, third.field));
     }
     beside(inputs, &spheres, size / 2.0, ball, found);
 }

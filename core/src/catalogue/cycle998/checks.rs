@@ -2,10 +2,11 @@
 
 use super::angles::Surface;
 use super::params::{AT_ANGLE, DIFFERENTIAL, ONE};
-use crate::catalogue::{names, shared_checks};
+use crate::catalogue::{names, shared_checks, spread};
 use crate::check::{Inputs, error};
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
+use crate::evaluate::spread::Touched;
 use crate::message::Message;
 use crate::own;
 
@@ -23,6 +24,7 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
         shared_checks::differential(inputs, control, found);
     }
     rotary_axis(inputs, control, found);
+    found.extend(bases(inputs));
     for leg in legs(inputs) {
         let said = if AT_ANGLE.holds(inputs) {
             along_the_angle(inputs, &leg)
@@ -38,8 +40,9 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
 
 /// A way from the first point to another one.
 struct Leg {
-    /// Name of the angle that the surface should have along it.
+    /// Names of the angle that the surface should have along it, and of the distance.
     name: &'static str,
+    by: &'static str,
     /// That angle without its sign, degree.
     angle: f64,
     /// Distance of the points, mm.
@@ -63,11 +66,30 @@ fn legs(inputs: &Inputs) -> Vec<Leg> {
     let leg = |(name, distance): &(&'static str, &'static str)| {
         Some(Leg {
             name,
+            by: distance,
             angle: inputs.given(name)?.abs(),
             distance: inputs.given(distance)?,
         })
     };
     pairs.iter().filter_map(leg).collect()
+}
+
+/// The shortest of the ways, where it is too short for an angle. The surface is touched along the measuring axis.
+fn bases(inputs: &Inputs) -> Option<Diagnostic> {
+    let touched = |leg: &Leg, at: [f64; 2]| {
+        (leg.distance > 0.0).then_some(Touched {
+            at,
+            towards: [0.0, 1.0],
+        })
+    };
+    let doubt = |leg: &Leg| {
+        let ends = [[0.0, 0.0], [leg.distance, leg.rise(0.0)]];
+        let [one, two] = ends.map(|at| touched(leg, at));
+        spread::angle([one?, two?], leg.by)
+    };
+    let mut legs = legs(inputs);
+    legs.sort_by(|one, other| one.distance.total_cmp(&other.distance));
+    legs.iter().find_map(doubt)
 }
 
 /// Between the points the probe keeps away from the set surface by `_TSA`; the measuring path has to bridge that

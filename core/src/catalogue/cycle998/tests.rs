@@ -96,7 +96,6 @@ fn mistakes_are_told() {
         (&[("_RA", "")], Some((error, own(1), "_RA"))),
         (&[("_STA1", "45.5")], Some((error, alarm(61331), "_STA1"))),
         (&[("_ID", "0")], Some((error, alarm(61364), "_ID"))),
-        (&[("_ID", "2")], Some((warning, own(7), "_ID"))),
         (&[("_MA", "2")], Some((error, alarm(61325), "_MA"))),
         (&[("_MA", "101")], Some((error, alarm(61325), "_MA"))),
         (&[("_MA", "203"), ("_RA", "0")], None),
@@ -133,6 +132,17 @@ fn mistakes_are_told() {
         let found = found(changes, |_| ());
         assert_eq!(found, Vec::from_iter(wanted), "{changes:?}");
     }
+}
+
+#[test]
+fn points_are_far_enough_apart_for_an_angle() {
+    // oracle: hand. Over 100 mm sqrt(2)·100/15 = 9.4 times one point, sqrt(2)·100/14 = 10.1 times; at 40 degree 0.59 of it
+    let doubted = (Severity::Warning, Code::Own(172), "_ID");
+    let unusual = (Severity::Warning, Code::Own(7), "_ID");
+    assert_eq!(found(&[("_ID", "15")], |_| ()), []);
+    assert_eq!(found(&[("_ID", "14")], |_| ()), [doubted]);
+    assert_eq!(found(&[("_ID", "14"), ("_STA1", "40")], |_| ()), []);
+    assert_eq!(found(&[("_ID", "2")], |_| ()), [unusual, doubted]);
 }
 
 #[test]
