@@ -4,9 +4,10 @@
 
 use super::lines::{Point, across, along, away, direction, unit};
 use super::params::{OUTSIDE, PLACES, POINTS, RECTANGLE};
-use crate::catalogue::names;
+use crate::catalogue::{names, place};
 use crate::check::Inputs;
 use crate::control::Control;
+use crate::geometry::V3;
 
 /// How exactly the angles are known: the way leads so much away from the edges, degree (B:7996).
 pub const TOLERANCE: f64 = 10.0;
@@ -50,17 +51,29 @@ pub fn touches(inputs: &Inputs, control: &Control, start: Point) -> Vec<Touch> {
     all
 }
 
-/// Directions of both edges in the WCS, the reference edge first, degree from the abscissa. The angles count in the machine
-/// (B:7992).
+/// Directions of both edges in the WCS, the reference edge first, degree from the abscissa. That of the reference edge counts
+/// in the machine (B:7992); the angle between both is one of the part, so it counts in its plane, which may lean.
 pub fn edges(inputs: &Inputs, control: &Control) -> [f64; 2] {
     let [abscissa, ordinate, _] = control.plane.axes();
-    let first = inputs.number(names::STA1);
-    [first, first + inputs.number(names::INCA)].map(|angle| {
-        let mut direction = [0.0; 3];
-        [direction[abscissa], direction[ordinate]] = unit(angle);
-        let seen = control.direction_to_workpiece(direction);
-        seen[ordinate].atan2(seen[abscissa]).to_degrees()
-    })
+    let mut direction = [0.0; 3];
+    [direction[abscissa], direction[ordinate]] = unit(inputs.number(names::STA1));
+    let seen = control.direction_to_workpiece(direction);
+    let first = seen[ordinate].atan2(seen[abscissa]).to_degrees();
+    [first, first + sense(control) * inputs.number(names::INCA)]
+}
+
+/// 1 where angles of the WCS turn like those of the machine, from its abscissa to its ordinate; -1 where they turn against
+/// them.
+fn sense(control: &Control) -> f64 {
+    let [abscissa, ordinate, _] = control.plane.axes();
+    let seen = |place: Point| {
+        V3::from(control.direction_to_machine(place::in_plane(control, [place[0], place[1], 0.0])))
+    };
+    let about = V3::from(control.turn_axis(abscissa, ordinate));
+    seen([1.0, 0.0])
+        .cross(&seen([0.0, 1.0]))
+        .dot(&about)
+        .signum()
 }
 
 /// In the directions of the edges, turned away from them, at the distances and at half of them (B:7984-7998).

@@ -103,5 +103,10 @@ pub fn normal(about_abscissa: f64, about_ordinate: f64) -> Vector3<f64> {
 
 /// The rotation that takes one direction to another and does not turn about it.
 pub fn between(from: &Vector3<f64>, to: &Vector3<f64>) -> Rotation3<f64> {
-    Rotation3::rotation_between(from, to).unwrap_or_else(Rotation3::identity)
+    let about = from.cross(to);
+    // as a cosine alone, an angle of nearly 0 would have lost half of its digits
+    let angle = about.norm().atan2(from.dot(to));
+    about
+        .try_normalize(0.0)
+        .map_or_else(Rotation3::identity, |axis| Rotation3::new(axis * angle))
 }

@@ -6,7 +6,7 @@ use crate::catalogue::common::MONO;
 use crate::catalogue::sinumerik::{alarm, calibrated_as, state};
 use crate::check::Inputs;
 use crate::control::{Control, Frame};
-use crate::geometry::TOLERANCE;
+use crate::geometry::{TOLERANCE, V3, rigid};
 use crate::run::{Machine, Stop};
 
 impl Block {
@@ -152,10 +152,13 @@ fn follow_rotation(control: &Control, inputs: &Inputs) -> Option<f64> {
     if turning(inputs) || !control.bit("_CHBIT[13]") || MONO.holds(inputs) {
         return None;
     }
-    let [abscissa, ordinate, _] = control.plane.axes();
+    let [abscissa, _, applicate] = control.plane.axes();
+    let mut along = [0.0; 3];
+    along[applicate] = 1.0;
+    // a rotation about Y alone may be stored with 180 degree about X and Z, so that the angles do not tell
     let tilted = |frame: &Frame| {
-        let about = [frame.rotation[abscissa], frame.rotation[ordinate]];
-        about.iter().any(|angle| angle.abs() > TOLERANCE)
+        let stands = rigid::rotation(frame.rotation) * V3::from(along);
+        (stands - V3::from(along)).norm() > TOLERANCE
     };
     if control.chain().iter().any(tilted) {
         return None;
