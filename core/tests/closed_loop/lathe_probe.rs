@@ -214,6 +214,14 @@ fn both(
     one.stop.is_none()
 }
 
+/// Measuring axes: of CYCLE998 with the one across in front, two of the plane and one with the applicate.
+fn axes(name: &str) -> [&'static str; 3] {
+    match name {
+        "CYCLE998" => ["102", "201", "301"],
+        _ => ["1", "2", "3"],
+    }
+}
+
 fn cycle(name: &str) -> &'static Cycle {
     find(Dialect::Sinumerik, name).unwrap()
 }
@@ -254,13 +262,13 @@ fn the_probe_of_a_turning_machine_measures_as_the_one_in_a_spindle() {
             let cycle = cycle(name);
             let mut ended = 0;
             for variant in cycle.variants {
-                for (axis, probe) in [
-                    ("1", "1"),
-                    ("2", "1"),
-                    ("3", "1"),
-                    ("1", "101"),
-                    ("2", "101"),
-                ] {
+                let of_one_axis = inputs(&ready[0], cycle, variant, &[]);
+                let of_one_axis = of_one_axis.is_none_or(|inputs| inputs.uses("_MA"));
+                let [first, second, third] = axes(name);
+                for (axis, probe) in [(first, "1"), (first, "101"), (second, "1"), (third, "1")] {
+                    if axis != first && !of_one_axis {
+                        continue;
+                    }
                     let wide = [("_TSA", "2"), ("_TDIF", "2")];
                     let more = [[("_MA", axis), ("_PRNUM", probe)], wide].concat();
                     ended += usize::from(both(&mut ready.clone(), cycle, variant, &more));
@@ -297,7 +305,13 @@ fn a_probe_from_the_minus_side_measures_the_same_in_the_plane() {
             // two angles at once are measured along the applicate
             let plane_angle = |one: &&Variant| name != "CYCLE998" || one.number < 100_000;
             for variant in cycle.variants.iter().filter(plane_angle) {
-                for axis in ["1", "2"] {
+                let measured = inputs(&turret(plane, above), cycle, variant, &[]);
+                let [first, second, _] = axes(name);
+                for axis in [first, second] {
+                    if axis != first && measured.as_ref().is_some_and(|inputs| !inputs.uses("_MA"))
+                    {
+                        continue;
+                    }
                     let what = format!("{name} {} {axis} {plane:?}", variant.number);
                     let wide = [("_MA", axis), ("_TSA", "2"), ("_TDIF", "2")];
                     let wide = wide.map(|(name, value)| (name, value.to_owned()));
