@@ -259,6 +259,63 @@ fn measured_again_in_the_tilted_frame_nothing_is_wrong() {
     }
 }
 
+// oracle: hand, as above; in the turret the ball stands beside the place to which the tool lengths lead, too. A diameter is
+// twice the coordinate X
+#[test]
+fn on_a_lathe_the_place_of_the_ball_counts_as_well() {
+    for (axis, set) in [(1.0, -10.0), (2.0, 40.0)] {
+        let mut setup = Setup::turning(Plane::G18);
+        let skew = [0.3, -0.2];
+        setup.probe.skew = skew;
+        for (index, value) in [
+            (1, 3.0 - skew[0]),
+            (2, -3.0 - skew[0]),
+            (3, 3.0 - skew[1]),
+            (4, -3.0 - skew[1]),
+            (7, skew[0]),
+            (8, skew[1]),
+        ] {
+            setup.control.set(format!("_WP[0,{index}]"), value);
+        }
+        let frame = |origin, rotation| Frame {
+            rotation,
+            ..Frame::translation(origin)
+        };
+        let frames = &mut setup.control.frames;
+        frames.insert(1, frame([0.0, 0.0, 20.0], [0.0; 3]));
+        frames.insert(2, frame([1.0, 0.0, -5.0], [0.0, 3.0, 0.0]));
+        setup.control.activate(1);
+        let values = vec![
+            ("_MVAR", 100.0),
+            ("_MA", axis),
+            ("_SETVAL", set),
+            ("_FA", 5.0),
+            ("_TSA", 3.0),
+        ];
+        let call = Call {
+            name: "CYCLE974",
+            values,
+            measured: Vec::new(),
+            even: false,
+        };
+        let control = setup.control.clone();
+        let outcome = corrected(&mut setup, &call, 2.0);
+        let geometry = Plane::G18.axes()[axis as usize - 1];
+        let per = if geometry == 0 { 2.0 } else { 1.0 };
+        let mut point = control.to_workpiece(balls(&outcome));
+        point[geometry] = result(&setup, 4) / per;
+        assert!(result(&setup, 16).abs() > 0.1, "nothing was wrong");
+        let point = control.to_machine(point);
+        setup.control.activate(2);
+        near(
+            setup.control.to_workpiece(point)[geometry],
+            set / per,
+            1e-9,
+            "lathe",
+        );
+    }
+}
+
 // oracle: hand: measured 10 mm below the zero of G54. Seen from G55, which is turned by 10 degree about Y, that point lies at
 // X 10·sin 10° = 1.736; to be at 0, G55 goes there along its own X, whose share of the X of G54 is cos 10°
 #[test]
