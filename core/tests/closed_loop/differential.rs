@@ -1,7 +1,7 @@
 //! After differential measurement the probe is as good as calibrated in this direction: the next measurement with the spindle
 //! as it stands finds the same surface (A:7281-7291: the values found are stored in `_WP[]`).
 
-use super::bench::{PLANES, Values, at, inputs, near, place, result, run};
+use super::bench::{PLANES, Values, at, inputs, near, place, result, run, with};
 use probewright_core::catalogue::Dialect;
 use probewright_core::control::{Frame, Plane};
 use probewright_core::diagnostic::Code;
@@ -182,11 +182,7 @@ fn after_an_angle_a_surface_is_found_too() {
             ("_STA1", 0.0),
             ("_RA", 0.0),
         ];
-        let inputs = inputs(
-            &setup,
-            "CYCLE998",
-            &super::bench::with(&rig.values(0), &more),
-        );
+        let inputs = inputs(&setup, "CYCLE998", &with(&rig.values(0), &more));
         run(&mut setup, &inputs);
         near(result(&setup, 16), 0.0, 1e-9, "angle");
         near(
@@ -225,6 +221,58 @@ fn the_other_direction_is_still_to_be_calibrated() {
                 .entries
                 .iter()
                 .any(|entry| touched(&entry.step))
+        );
+    }
+}
+
+// oracle: as above: the table names 61341 for CYCLE977 and CYCLE978; the others reckon with the same values
+#[test]
+fn no_cycle_reckons_with_a_value_that_was_never_found() {
+    let sphere = [
+        ("_SETV[0]", 0.0),
+        ("_SETV[1]", 0.0),
+        ("_SETV[2]", -30.0),
+        ("_STA1", 0.0),
+        ("_INCA", 90.0),
+        ("_RF", 900.0),
+        ("_SETVAL", 60.0),
+        ("_TSA", 3.0),
+        ("_FA", 5.0),
+    ];
+    let corner = [
+        ("_MVAR", 107.0),
+        ("_STA1", 0.0),
+        ("_INCA", 90.0),
+        ("_SETV[0]", 80.0),
+        ("_SETV[1]", 80.0),
+        ("_FA", 20.0),
+    ];
+    let of = |variant: f64| with(&sphere, &[("_MVAR", variant)]);
+    for (name, values, field) in [
+        ("CYCLE977", of(101.0), 2),
+        ("CYCLE977", of(102.0), 3),
+        ("CYCLE997", of(109.0), 1),
+        ("CYCLE997", of(109.0), 5),
+        ("CYCLE997", of(1109.0), 0),
+        ("CYCLE997", of(1_001_109.0), 2),
+        ("CYCLE961", corner.to_vec(), 1),
+        ("CYCLE961", corner.to_vec(), 3),
+    ] {
+        let what = format!("{name} {values:?} _WP[0,{field}]");
+        let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+        let inputs = inputs(
+            &setup,
+            name,
+            &with(&values, &[("_KNUM", 0.0), ("_ID", -20.0)]),
+        );
+        place(&mut setup, &inputs, PartErrors::default());
+        let stop = |setup: &Setup| predict(inputs.cycle, &inputs, setup).stop;
+        assert_eq!(stop(&setup), None, "{what}");
+        setup.control.set(format!("_WP[0,{field}]"), 0.0);
+        assert_eq!(
+            stop(&setup),
+            Some(Stop::Alarm(Code::Alarm(61341))),
+            "{what}"
         );
     }
 }

@@ -6,7 +6,7 @@ use super::lines::Point;
 use super::params::{OUTSIDE, POINTS, RECTANGLE};
 use super::touches::{Touch, touches};
 use crate::catalogue::names;
-use crate::catalogue::sinumerik::measuring_block::{Block, same_calibration};
+use crate::catalogue::sinumerik::measuring_block::{Block, all_calibrated};
 use crate::catalogue::sinumerik::{alarm, correct, results};
 use crate::check::Inputs;
 use crate::control::Control;
@@ -22,15 +22,13 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     results::begin(machine, inputs, 961);
     results::integer(machine, 3, inputs.variant);
     let block = Block::prepare(machine, inputs)?;
-    same_calibration(machine, &block)?;
-    let target = correct::zero_target(machine, inputs)?;
     let start = machine.position();
     let [abscissa, ordinate, _] = block.axes;
-    let touches = touches(
-        inputs,
-        machine.control(),
-        [start[abscissa], start[ordinate]],
-    );
+    let here = [start[abscissa], start[ordinate]];
+    let touches = touches(inputs, machine.control(), here);
+    let sides = touches.iter().map(|touch| (touch.axis, touch.direction));
+    all_calibrated(machine, &block, &sides.collect::<Vec<_>>())?;
+    let target = correct::zero_target(machine, inputs)?;
     let centres = measure(machine, inputs, &block, &touches, start)?;
     let found = corner(&touches, &centres, radius(&block));
     let corner = found.map_err(|number| alarm(machine, number))?;

@@ -3,10 +3,10 @@
 use super::params::REVERSAL;
 use crate::catalogue::lathe::measure;
 use crate::catalogue::names;
-use crate::catalogue::sinumerik::measuring_block::{Block, Point, calibrated, turnable};
+use crate::catalogue::sinumerik::Next;
+use crate::catalogue::sinumerik::measuring_block::{Block, Point, all_calibrated, turnable};
 use crate::catalogue::sinumerik::one_point::{self, OnePoint};
 use crate::catalogue::sinumerik::target::Target;
-use crate::catalogue::sinumerik::{Next, alarm};
 use crate::check::Inputs;
 use crate::run::{Machine, Stop};
 
@@ -23,9 +23,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     let set = inputs.number(names::SETVAL);
     let start = machine.position()[block.axes[axis]];
     let direction = if set / per < start { -1.0 } else { 1.0 };
-    if !calibrated(&block, axis, direction) {
-        return Err(alarm(machine, 61341));
-    }
+    all_calibrated(machine, &block, &[(axis, direction)])?;
     let corrected = measure::corrected(inputs, axis);
     let target = Target::of(machine, inputs, Some(corrected))?;
     let point = block.point(axis, direction, set / per);

@@ -2,7 +2,7 @@
 
 use super::element::Element;
 use crate::catalogue::sinumerik::centred::{self, Found, Pair};
-use crate::catalogue::sinumerik::measuring_block::{Block, Point, calibrated};
+use crate::catalogue::sinumerik::measuring_block::{Block, Point, all_calibrated};
 use crate::catalogue::sinumerik::target::Target;
 use crate::catalogue::sinumerik::{Next, alarm, results};
 use crate::check::Inputs;
@@ -18,14 +18,11 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     let paths = element
         .paths(&block)
         .map_err(|number| alarm(machine, number))?;
-    let known = |axis: &usize| {
-        [1.0, -1.0]
-            .iter()
-            .all(|side| calibrated(&block, *axis, *side))
-    };
-    if !element.axes().iter().all(known) {
-        return Err(alarm(machine, 61341));
-    }
+    let sides = element.axes().iter();
+    let sides: Vec<_> = sides
+        .flat_map(|axis| [(*axis, 1.0), (*axis, -1.0)])
+        .collect();
+    all_calibrated(machine, &block, &sides)?;
     let axis = (!element.round && !element.rectangle).then_some(element.axes()[0]);
     let target = Target::of(machine, inputs, axis)?;
     let start = machine.position();

@@ -1,7 +1,7 @@
 //! What CYCLE978 does: one point of a surface, plain or differential (B:6376-6418).
 
 use crate::catalogue::sinumerik::differential::twice;
-use crate::catalogue::sinumerik::measuring_block::{Block, calibrated, turnable};
+use crate::catalogue::sinumerik::measuring_block::{Block, all_calibrated, turnable};
 use crate::catalogue::sinumerik::one_point::{self, OnePoint};
 use crate::catalogue::sinumerik::target::Target;
 use crate::catalogue::sinumerik::{Next, alarm, results};
@@ -27,8 +27,8 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     } else {
         1.0
     };
-    if !differential && !calibrated(&block, axis, direction) {
-        return Err(alarm(machine, 61341));
+    if !differential {
+        all_calibrated(machine, &block, &[(axis, direction)])?;
     }
     let target = Target::of(machine, inputs, Some(axis))?;
     let point = block.point(axis, direction, set);

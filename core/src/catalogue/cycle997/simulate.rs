@@ -1,11 +1,11 @@
 //! What CYCLE997 does: sphere by sphere, then the frame (B:8341-8417).
 
-use super::params::THREE;
+use super::params::{ANGLE, DIAMETER, THREE};
 use super::points::centres;
 use super::sphere::{Plan, Sphere};
 use crate::catalogue::names;
 use crate::catalogue::place::in_plane;
-use crate::catalogue::sinumerik::measuring_block::{Block, same_calibration};
+use crate::catalogue::sinumerik::measuring_block::{Block, all_calibrated, ball_known};
 use crate::catalogue::sinumerik::{Next, alarm, correct, results, tolerance};
 use crate::check::Inputs;
 use crate::evaluate::position::{correctable, position};
@@ -22,7 +22,10 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     results::integer(machine, 11, 0);
     results::integer(machine, 12, 0);
     let block = Block::prepare(machine, inputs)?;
-    same_calibration(machine, &block)?;
+    all_calibrated(machine, &block, sides(inputs))?;
+    if ANGLE.holds(inputs) && !ball_known(&block) {
+        return Err(alarm(machine, 61341));
+    }
     let target = correct::zero_target(machine, inputs)?;
     if let Some(target) = target.filter(|_| THREE.holds(inputs)) {
         correctable(machine.control(), &target).map_err(|number| failed(machine, number))?;
@@ -50,6 +53,17 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
         _ => {}
     }
     Ok(())
+}
+
+/// Axes and directions in which trigger values count: paraxially all around and on top; at an angle the ball counts, and with the
+/// diameter one point more (B:8371).
+fn sides(inputs: &Inputs) -> &'static [(usize, f64)] {
+    const ALL: &[(usize, f64)] = &[(2, -1.0), (0, 1.0), (0, -1.0), (1, 1.0), (1, -1.0)];
+    match (ANGLE.holds(inputs), DIAMETER.holds(inputs)) {
+        (false, _) => ALL,
+        (true, true) => &ALL[..2],
+        (true, false) => &ALL[..1],
+    }
 }
 
 /// Measures a sphere until its differences are within the safe area, as often as `_CBIT[0]` allows (B:8373-8379).

@@ -324,12 +324,25 @@ pub fn same_calibration(machine: &mut dyn Machine, block: &Block) -> Result<(), 
 /// Whether the trigger of this axis and direction is there: it is not the one of the other direction, nor 0, as
 /// deleted data are (B:13642) while only the other direction was found anew, and comes from a calibration as the probe is
 /// used now (61341 otherwise, B:13565-13667).
-pub fn calibrated(block: &Block, axis: usize, direction: f64) -> bool {
+fn calibrated(block: &Block, axis: usize, direction: f64) -> bool {
     let [minus, plus] = block.triggers[axis.min(2)];
     // a length that ends at the circumference of the ball is touched with no trigger at all (B:5581-5583)
     let none = axis == 2 && direction * block.centre < 0.0;
     let found = none || block.trigger(axis, direction) != 0.0;
     minus != plus && found && !block.other
+}
+
+/// Refuses a probe of which one of these triggers, axis and direction, was never found (61341).
+pub fn all_calibrated(
+    machine: &mut dyn Machine,
+    block: &Block,
+    sides: &[(usize, f64)],
+) -> Result<(), Stop> {
+    let known = |(axis, direction): &(usize, f64)| calibrated(block, *axis, *direction);
+    if sides.iter().all(known) {
+        return Ok(());
+    }
+    Err(alarm(machine, 61341))
 }
 
 /// Whether the active ball is there, without which nothing can be measured at an angle (B:6873); as [`calibrated`].
