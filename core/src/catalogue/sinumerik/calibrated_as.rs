@@ -4,7 +4,7 @@
 
 use super::results;
 use crate::catalogue::common::MONO;
-use crate::catalogue::names;
+use crate::catalogue::{MachineSort, names};
 use crate::check::Inputs;
 use crate::control::{Control, Plane};
 use crate::run::Machine;
@@ -41,7 +41,13 @@ fn codes(control: &Control, inputs: &Inputs) -> [f64; 2] {
         Plane::G18 => 18.0,
         Plane::G19 => 19.0,
     };
-    let reference = if control.bit("_CBIT[14]") { 2.0 } else { 1.0 };
+    // the switch is of the milling cycles (B:13561, B:13650)
+    let milling = inputs.cycle.purpose.machine != MachineSort::Turning;
+    let reference = if milling && control.bit("_CBIT[14]") {
+        2.0
+    } else {
+        1.0
+    };
     [
         plane + if MONO.holds(inputs) { 100.0 } else { 0.0 },
         reference,
@@ -75,5 +81,15 @@ mod tests {
         assert!(!with(Plane::G18, 101.0, [1.0, 0.0]));
         // nothing was noted about the second probe
         assert!(!with(Plane::G18, 2.0, [0.0, 1.0]));
+    }
+
+    #[test]
+    fn a_turning_machine_does_not_look_at_the_reference_of_milling() {
+        // oracle: manual B:13561 (in milling measuring cycles)
+        let inputs = call("CYCLE974", 0, &[("_PRNUM", 1.0)]);
+        let mut sim = Sim::new(&setup(Plane::G18));
+        note(&mut sim, &inputs);
+        sim.control.set("_CBIT[14]", 1.0);
+        assert!(!differs(&sim.control, &inputs));
     }
 }
