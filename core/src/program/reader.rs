@@ -163,10 +163,21 @@ impl<'a> Reader<'a> {
         elements
     }
 
+    /// Where a block ends inside of a bracket, blanks left out; 0 where it does not.
+    fn left_open(&self, place: usize, sentence: &Own, stop: u8) -> usize {
+        let behind = self.source.get(place..self.end).unwrap_or_default();
+        let first = behind.trim_ascii_start().first();
+        if *sentence != own::SYNTAX_BRACKET || first.is_some_and(|byte| *byte != stop) {
+            return 0;
+        }
+        let before = self.source.get(..place).unwrap_or_default();
+        before.trim_ascii_end().len()
+    }
+
     /// Marks what was not understood, from `start` to the next blank; touching ones become one. `place` is where the
-    /// reading failed.
+    /// reading failed. What stands in a bracket that the block leaves open belongs to it, up to the end.
     pub fn unknown(&mut self, start: usize, place: usize, sentence: &'static Own, stop: u8) {
-        self.at = start + 1;
+        self.at = (start + 1).max(self.left_open(place, sentence, stop));
         while !self.done() && !is_blank(self.byte(0)) && self.byte(0) != stop {
             let quoted = self.byte(0) == b'"';
             let close = if quoted {

@@ -234,6 +234,9 @@ fn elements(reader: &mut Reader, close: u8, least: u16) -> Parsed<u16> {
     let mut height = least;
     loop {
         reader.blanks();
+        if reader.done() || reader.byte(0) == b';' {
+            return Err(&own::SYNTAX_BRACKET); // the block ends behind a comma or the opening bracket
+        }
         if reader.byte(0) == b',' || reader.byte(0) == close {
             reader.list.push(None);
         } else {
