@@ -161,6 +161,7 @@ sentences! {
     WRITE_ZERO 121 Note "write-zero" "";
     WRITE_BESIDE 121 Note "write-beside" "";
     WRITE_LOST 122 Warning "write-lost" "write-lost-hint";
+    CONVERT_LOST 122 Warning "convert-lost" "convert-lost-hint";
     CONVERT_OTHERS 123 Warning "convert-others" "convert-others-hint";
     CONVERT_SAME 124 Note "convert-same" "";
     ADVICE_COMPENSATION 130 Error "advice-compensation" "advice-compensation-hint";
@@ -204,6 +205,16 @@ sentences! {
     SPREAD_CORNER 171 Warning "check-spread-corner" "check-spread-corner-hint";
     SPREAD_ANGLE 172 Warning "check-spread-angle" "check-spread-angle-hint";
     SPREAD_TRIANGLE 173 Warning "check-spread-triangle" "check-spread-triangle-hint";
+    TEXT_WANTED 185 Error "list-text-wanted" "list-text-wanted-hint";
+    NUMBER_WANTED 185 Error "list-number-wanted" "list-number-wanted-hint";
+    TEXT_UNQUOTED 185 Warning "list-text-unquoted" "list-text-unquoted-hint";
+    ARGUMENTS_MANY 186 Error "list-arguments-many" "list-arguments-many-hint";
+    SELECTION 187 Error "list-selection" "list-selection-hint";
+    NEWER_OPEN 188 Note "newer-open" "";
+    CONVERT_NEWER 188 Error "convert-newer" "convert-newer-hint";
+    NEWER_TARGET 189 Warning "newer-target" "newer-target-hint";
+    WRITE_NEWER_TOOL 189 Error "write-newer-tool" "write-no-list-hint";
+    WRITE_NEWER_ZERO 189 Error "write-newer-zero" "write-no-list-hint";
 }
 
 #[cfg(all(test, feature = "cli"))]

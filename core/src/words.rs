@@ -54,6 +54,7 @@ const ENGLISH: &[(&str, &str)] = &[
     ),
     ("help.ftl", include_str!("../messages/en/help.ftl")),
     ("lathe.ftl", include_str!("../messages/en/lathe.ftl")),
+    ("lists.ftl", include_str!("../messages/en/lists.ftl")),
     ("logging.ftl", include_str!("../messages/en/logging.ftl")),
     ("nct.ftl", include_str!("../messages/en/nct.ftl")),
     ("params.ftl", include_str!("../messages/en/params.ftl")),
@@ -123,6 +124,7 @@ pub const LANGUAGES: &[Language] = &[
         "help-workpiece.ftl"
         "help.ftl"
         "lathe.ftl"
+        "lists.ftl"
         "logging.ftl"
         "nct.ftl"
         "params.ftl"

@@ -77,8 +77,8 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
   const first = catalogue.cycles[0];
   if (!first) throw new Error("the catalogue is empty");
   let names: Record<string, string> = {}; // as the snippet's comments were asked for last
-  const form = memo((core: FormCore, cycle: CycleInfo, values: State["values"], errors: State["errors"], comments: string | null, style: Style | null, twin: boolean, limits: boolean, assumed: CallView["first"], setup: Setup | OwnMachine | undefined, plane?: Plane, units?: UnitFunction, transverse?: Transverse): FormView => {
-    const request = { control: cycle.control, cycle: cycle.cycle, values, errors, ...(style ? { style } : {}), ...(setup ? { setup } : {}), ...(plane && units && transverse ? { plane, units, transverse } : {}) };
+  const form = memo((core: FormCore, cycle: CycleInfo, values: State["values"], errors: State["errors"], comments: string | null, style: Style | null, twin: boolean, limits: boolean, assumed: CallView["first"], setup: Setup | OwnMachine | undefined, plane?: Plane, units?: UnitFunction, transverse?: Transverse, written?: Style): FormView => {
+    const request = { control: cycle.control, cycle: cycle.cycle, values, errors, ...(style ? { style } : {}), ...(setup ? { setup } : {}), ...(plane && units && transverse ? { plane, units, transverse } : {}), ...(written ? { written } : {}) };
     const first = Object.fromEntries(Object.entries(assumed).map(([name, { value }]) => [name, value]));
     const view = core.form({ ...request, predict: true, ...(assumed !== NOTHING_ASSUMED ? { assumed: first } : {}), ...(twin ? { twin } : {}), ...(limits ? { limits } : {}), ...(comments !== null ? { comments: names } : {}) });
     const before = names;
@@ -97,7 +97,7 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
     const style = cycle.styles.find((one) => one === state.style) ?? null;
     const core = forms();
     const assumed = assume(opened, state.values);
-    const view = form(core, cycle, state.values, state.errors, state.comments ? language() : null, style, state.twin && cycle.twins, state.limits, assumed, machine(state).setup, opened?.plane, opened?.units, opened?.transverse);
+    const view = form(core, cycle, state.values, state.errors, state.comments ? language() : null, style, state.twin && cycle.twins, state.limits, assumed, machine(state).setup, opened?.plane, opened?.units, opened?.transverse, opened?.style);
     const all = problems(reading);
     const ran = state.source === "program" && state.ran?.control === cycle.control ? state.ran.view : null;
     const scanned = state.source === "scan" && state.scan?.request.cycle === cycle.cycle ? state.scan : null;

@@ -73,6 +73,7 @@ export interface FormRequest {
   limits?: boolean;                    // also look for the largest errors that the call survives: takes a hundred runs
   comments?: Record<string, string>;   // words by parameter name: a comment line each in the snippet
   style?: Style;                       // way of writing of the snippet; absent: preset
+  written?: Style;                     // of the call of the program that the form shows: a list of newer controls has rules of its own
   predict?: boolean;                   // also simulate
   twin?: boolean;                      // also the same task on the other control
 }

@@ -10,5 +10,7 @@ write-lost = { $name } is left out: the list of newer controls has no argument f
 write-lost-hint = Write the call as assignments if the value matters, or set the datum at the control.
 
 convert-same = The call is written like that already.
+convert-lost = Left out of the list: { $names }. The older control has no parameter for that.
+convert-lost-hint = Check that the call does without it.
 convert-others = { $cycle } in line { $line } relies on values of this call and would get others.
 convert-others-hint = Convert that call as well, or write its values before it.

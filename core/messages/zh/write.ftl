@@ -10,5 +10,7 @@ write-lost = 略去 { $name }：新控制系统的参数表中没有它。
 write-lost-hint = 若此值重要，请写成赋值和调用，或在控制系统上设置该数据。
 
 convert-same = 调用已经是这种写法。
+convert-lost = 参数表中的 { $names } 略去：旧型控制系统没有对应的参数。
+convert-lost-hint = 请检查此调用是否可以没有它。
 convert-others = 第 { $line } 行的 { $cycle } 依赖此调用的值，转换后会得到别的值。
 convert-others-hint = 请一并转换那个调用，或在它前面写出这些值。

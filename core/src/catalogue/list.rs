@@ -10,7 +10,7 @@ pub enum Style {
     Direct,
     /// `CYCLE_PARA(…)` and a parameterizing call (up to SW 5.4, B:11640-12133).
     Indirect,
-    /// Parameter list of newer 840D sl controls (SINUMERIK Operate). Known from practice, not from our manuals.
+    /// Parameter list of newer 840D sl controls (SINUMERIK Operate); see [`super::newer`].
     Operate,
 }
 
@@ -20,7 +20,7 @@ pub struct ArgumentList {
     pub style: Style,
     /// Name as called.
     pub name: &'static str,
-    /// Calls that it can express.
+    /// Calls that it can express; of a list that is only read none ([`super::NEVER`]).
     pub when: When,
     /// Number of the variant to which the arguments [`Arg::Select`] add; counts where the list has no `_MVAR`.
     pub base: i64,
@@ -46,6 +46,8 @@ pub enum Arg {
     Output(&'static str),
     /// Has no counterpart among our parameters, or its meaning is not known.
     Open,
+    /// The same in the list of a newer control, by its name there.
+    Newer(&'static str),
 }
 
 /// `CYCLE_PARA`: parameters that count for all cycles; 0 leaves the datum as it is (B:11734-11753).
@@ -57,6 +59,11 @@ pub const AUXILIARY_ARGS: &[&str] = &[
 ];
 
 impl ArgumentList {
+    /// Whether calls are written with it, or only read.
+    pub fn is_written(&self) -> bool {
+        !matches!(self.when, When::Any([]))
+    }
+
     /// Whether the variant is an argument of its own.
     pub fn has_variant(&self, cycle: &Cycle) -> bool {
         let variant = cycle.variant_param();
@@ -113,6 +120,22 @@ impl ArgumentList {
         Some(variant)
     }
 
+    /// The first selection that tells no variant: a number that is none of its choices, or one that is not known.
+    pub fn unselected(
+        &self,
+        number: impl Fn(usize) -> Option<f64>,
+    ) -> Option<(usize, &'static [(i64, i64)])> {
+        let mut all = self.args.iter().enumerate();
+        all.find_map(|(index, arg)| match arg {
+            Arg::Select(choices) => {
+                let written = number(index);
+                let chosen = choices.iter().any(|one| Some(one.0 as f64) == written);
+                (!chosen).then_some((index, *choices))
+            }
+            _ => None,
+        })
+    }
+
     /// Whether it can express a call with these values.
     pub fn fits(&self, inputs: &Inputs) -> bool {
         self.when.holds(inputs)
@@ -142,6 +165,21 @@ pub fn called(
     of_control
         .copied()
         .find_map(|cycle| Some((cycle, cycle.lists.iter().find(meant)?)))
+}
+
+/// For which argument of a parameterizing call a cycle is chosen, and the numbers that can stand there.
+pub fn told_by(name: &str) -> Option<(usize, Vec<i64>)> {
+    let lists = CYCLES.iter().flat_map(|cycle| cycle.lists);
+    let of_name = lists.filter(|list| list.name.eq_ignore_ascii_case(name));
+    let told = of_name.flat_map(|list| list.args.iter().enumerate());
+    let told: Vec<(usize, i64)> = told
+        .filter_map(|(index, arg)| match arg {
+            Arg::Is(number) => Some((index, *number)),
+            _ => None,
+        })
+        .collect();
+    let (index, _) = told.first()?;
+    Some((*index, told.iter().map(|(_, number)| *number).collect()))
 }
 
 /// One number of each list of choices so that what they add is `rest`.

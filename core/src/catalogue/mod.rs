@@ -44,6 +44,7 @@ pub mod list;
 pub mod logging;
 pub mod names;
 pub mod nct;
+pub mod newer;
 pub mod operator_messages;
 pub mod p9920;
 pub mod p9969;

@@ -1,6 +1,8 @@
 //! Typed values → checked inputs and findings. The only way to [`Inputs`].
 
 mod finding;
+pub mod listed;
+pub mod newer;
 mod number;
 mod targets;
 #[cfg(test)]
@@ -11,6 +13,7 @@ mod units;
 pub mod variants;
 
 pub use finding::{error, warning};
+pub use listed::Sort;
 pub use number::{Parsed, parse};
 pub use targets::{Target, target};
 pub use text::{Text, parse as parse_text, typed as typed_text};

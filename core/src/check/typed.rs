@@ -284,7 +284,7 @@ fn absent(
 }
 
 /// A value against its own parameter: range, choices, code, usual range.
-fn judge(param: &Param, inputs: &Inputs, control: &Control) -> Option<Diagnostic> {
+pub(super) fn judge(param: &Param, inputs: &Inputs, control: &Control) -> Option<Diagnostic> {
     let number = inputs.given(param.name)?;
     let unit = param.unit_with(inputs);
     let shown = number / factor(unit, control);

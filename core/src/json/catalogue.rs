@@ -86,7 +86,11 @@ fn purpose(cycle: &'static Cycle) -> Value {
 /// The ways of writing that its call has, direct first.
 fn styles(cycle: &Cycle) -> Value {
     let has = |style: &Style| {
-        *style == Style::Direct || cycle.lists.iter().any(|list| list.style == *style)
+        *style == Style::Direct
+            || cycle
+                .lists
+                .iter()
+                .any(|list| list.style == *style && list.is_written())
     };
     let all = [Style::Direct, Style::Indirect, Style::Operate];
     all.into_iter().filter(has).map(style_name).collect()

@@ -4,8 +4,8 @@ use super::predict::predict;
 use super::setup_active::{PlaneName, TransverseName, choose_units, plane, transverse};
 use super::{Error, diagnostic, dialect, message, object, put};
 use crate::SIMULATES;
-use crate::catalogue::{Cycle, MachineSort, Range, Style, names};
-use crate::check::{self, Checked, Inputs, Typed, variants};
+use crate::catalogue::{ArgumentList, Cycle, MachineSort, Range, Style, names};
+use crate::check::{self, Checked, Typed, newer, variants};
 use crate::control::{Control, Plane, Transverse, Units};
 use crate::diagnostic::Severity;
 use crate::form;
@@ -42,6 +42,9 @@ struct Request {
     /// Words by parameter name for a comment line each; the core has no words of its own.
     #[serde(default)]
     comments: Option<Typed>,
+    /// Way of writing of the call of a program that the form shows; absent: none, or one whose rules are those of the form.
+    #[serde(default)]
+    written: Option<String>,
     /// Way of writing; absent: as the machine's forms have it, else direct.
     #[serde(default)]
     style: Option<String>,
@@ -86,8 +89,14 @@ pub fn form(request: &str) -> Result<Value, Error> {
     let preset = support.map_or(Style::Direct, |support| support.style(cycle));
     let style = request.style.as_deref();
     let style = style.map_or(Ok(preset), super::style)?;
+    let newer = newer_list(cycle, request.written.as_deref())?;
+    let support = support.filter(|_| newer.is_none());
     let (values, before) = entered(support, cycle, request.values, control);
-    let mut checked = check::check(cycle, &values, control);
+    let judge = |values: &Typed, control: &Control| match newer {
+        Some(list) => newer::check_listed(cycle, list, values, control),
+        None => check::check(cycle, values, control),
+    };
+    let mut checked = judge(&values, control);
     if let (Some(support), Some(inputs)) = (support, &checked.inputs) {
         let params = cycle.params.iter();
         let found = params.filter_map(|param| support::finding(support, param, inputs));
@@ -102,7 +111,9 @@ pub fn form(request: &str) -> Result<Value, Error> {
     }
     if request.predict && SIMULATES {
         if !request.assumed.is_empty() {
-            checked.inputs = assumed(cycle, values, request.assumed, &start.setup.control);
+            let mut values = values;
+            values.extend(request.assumed);
+            checked.inputs = judge(&values, &start.setup.control).inputs;
         }
         if checked.inputs.is_none() {
             put(&mut view, "unknown", unknown(&checked));
@@ -123,15 +134,16 @@ pub fn form(request: &str) -> Result<Value, Error> {
     Ok(view)
 }
 
-/// What the cycle gets where some values are others than in the form.
-fn assumed(
-    cycle: &'static Cycle,
-    mut values: Typed,
-    assumed: Typed,
-    control: &Control,
-) -> Option<Inputs> {
-    values.extend(assumed);
-    check::check(cycle, &values, control).inputs
+/// The list of a newer control, where the call that the form shows is written in it.
+fn newer_list(
+    cycle: &Cycle,
+    written: Option<&str>,
+) -> Result<Option<&'static ArgumentList>, Error> {
+    let style = written.map(super::style).transpose()?;
+    let mut lists = cycle.lists.iter();
+    let of_newer = |list: &&ArgumentList| list.style == Style::Operate;
+    let asked = style == Some(Style::Operate);
+    Ok(lists.find(of_newer).filter(|_| asked))
 }
 
 /// The parameters whose values are known at run time only.

@@ -64,6 +64,28 @@ pub(super) fn is_auxiliary(program: &Program, place: Span) -> bool {
     })
 }
 
+/// Arguments of the list of a newer control that have no counterpart here and say something, by their names there.
+pub(crate) fn only_newer(
+    program: &Program,
+    list: &ArgumentList,
+    call: Span,
+) -> Vec<(&'static str, String)> {
+    let places = places(program, call);
+    let said = list.args.iter().zip(places).filter_map(|(arg, place)| {
+        let Arg::Newer(name) = arg else {
+            return None;
+        };
+        let text = String::from_utf8_lossy(program.text(place)).into_owned();
+        let usual = USUAL.contains(&(*name, text.as_str()));
+        let nothing = text.is_empty() || text == "\"\"" || text.parse() == Ok(0.0);
+        (!usual && !nothing).then_some((*name, text))
+    });
+    said.collect()
+}
+
+/// What programs of newer controls write in every call: it says nothing about the measurement.
+const USUAL: [(&str, &str); 2] = [("_DMODE", "1"), ("_AMODE", "1")];
+
 /// Edits that give an argument of the call's own list this text (empty: omitted). None: the list has no such argument.
 pub(super) fn change(
     program: &Program,
@@ -144,6 +166,19 @@ fn written(program: &Program, place: Span) -> Option<i64> {
     text.parse().ok()
 }
 
+/// The first selection that only the run tells, as what the variant depends on.
+pub(super) fn open_variant<'a>(
+    cycle: &'static Cycle,
+    list: &ArgumentList,
+    arguments: &'a [Option<Value>],
+) -> Option<(&'static str, &'a Value)> {
+    let at = |index: usize| arguments.get(index).and_then(Option::as_ref);
+    let number = |index| at(index).map_or(Some(0.0), |value| value.number);
+    let (index, _) = list.unselected(number)?;
+    let value = at(index).filter(|value| value.number.is_none())?;
+    Some((cycle.variant_param()?, value))
+}
+
 /// Values of the parameters that the arguments give, the variant put together from its selections. An indirect call
 /// gives all of them: an omitted one is 0, or an empty text.
 pub(super) fn given(
@@ -176,6 +211,8 @@ pub(super) fn given(
     if let Some((name, variant)) = list.composed(cycle, number) {
         let value = Value::at(variant.to_string(), Some(variant as f64), span);
         found.push((name, value));
+    } else if let Some((name, value)) = open_variant(cycle, list, arguments) {
+        found.push((name, value.clone()));
     }
     found
 }

@@ -1,6 +1,8 @@
 //! What a block of SINUMERIK may not say although each of its words is understood.
 
+use super::fold::{self, Nothing};
 use super::tree::{Program, Word, WordKind};
+use crate::check::listed::unmatched;
 use crate::diagnostic::{Diagnostic, Span};
 use crate::own::{self, Own};
 
@@ -26,6 +28,16 @@ pub(super) fn block_rules(program: &Program) -> Vec<Diagnostic> {
                 && AXES.iter().any(|axis| program.is(name, axis))
             {
                 found.push(at(&own::BLOCK_AXIS_NAME, program, name, name));
+            } else if let WordKind::Call { name, ref args, .. } = word.kind {
+                let number = |index: usize| {
+                    let id = args.get(index).copied().flatten();
+                    id.map_or(Some(0.0), |id| fold::number(program, id, &Nothing))
+                };
+                let finding = unmatched(&program.name(name), args.len(), number);
+                found.extend(finding.map(|finding| Diagnostic {
+                    span: Some(word.span),
+                    ..finding
+                }));
             }
         }
     }

@@ -4,8 +4,9 @@ use super::arguments;
 use super::calls::CallSite;
 use super::tree::{Block, Program, Word, WordKind};
 use super::write;
-use crate::catalogue::{Arg, Dialect, Kind, Style};
-use crate::check::{Text, parse_text};
+use crate::catalogue::{Arg, Dialect, Kind, Style, names};
+use crate::check::{Text, newer, parse_text};
+use crate::control::delivery;
 pub use crate::diagnostic::Edit;
 use crate::diagnostic::Span;
 
@@ -22,6 +23,9 @@ pub fn change(program: &Program, site: &CallSite, name: &str, value: &str) -> Ve
         return Vec::new();
     }
     let value = if text { written } else { plain(value) };
+    if param.name == names::KNUM && takes_no_tool(program, site, &value) {
+        return Vec::new();
+    }
     if let Some(edits) = arguments::change(program, site, param.name, &value) {
         return edits;
     }
@@ -47,6 +51,16 @@ pub fn change(program: &Program, site: &CallSite, name: &str, value: &str) -> Ve
         None if value.is_empty() => Vec::new(),
         None => add(program, site, param.name, &value).into_iter().collect(),
     }
+}
+
+/// Whether a new `_KNUM` would be a tool target in the list of a newer control, where it has an argument of its own.
+fn takes_no_tool(program: &Program, site: &CallSite, value: &str) -> bool {
+    if site.list.is_none_or(|list| list.style != Style::Operate) {
+        return false;
+    }
+    let mut values = site.values.clone();
+    values.insert(names::KNUM.to_owned(), value.to_owned());
+    newer::has_tool_target(site.cycle, &values, &delivery(program.dialect))
 }
 
 /// Edits of a value that is written in other programs of the text, or on more ways than one: of each place where all

@@ -7,8 +7,8 @@ use super::marked::mark_before;
 use super::read;
 use super::tree::{Program, Word, WordKind};
 use super::write::snippet;
-use crate::catalogue::{Param, Style, list};
-use crate::check;
+use crate::catalogue::{ArgumentList, Param, Style, list};
+use crate::check::{self, Parsed, Typed, newer, parse};
 use crate::control::Control;
 use crate::diagnostic::{Diagnostic, Span};
 use crate::own;
@@ -41,8 +41,16 @@ pub fn convert(program: &Program, index: usize, style: Style, control: &Control)
     let mut at_call = control.clone();
     at_call.plane = site.plane;
     at_call.choose_units(site.unit_function);
-    let written = snippet(site.cycle, &site.values, &at_call, style, None);
+    if let Some(finding) = refused(program, site, &at_call) {
+        return Converted {
+            edits: Vec::new(),
+            findings: vec![finding],
+        };
+    }
+    let values = explicit(site, &at_call);
+    let written = snippet(site.cycle, &values, &at_call, style, None);
     let mut findings = written.findings;
+    findings.extend(left_out(program, site));
     let edits = if written.text.is_empty() {
         Vec::new()
     } else {
@@ -50,6 +58,64 @@ pub fn convert(program: &Program, index: usize, style: Style, control: &Control)
     };
     findings.extend(others(program, &sites, index, &edits, control));
     Converted { edits, findings }
+}
+
+/// The list of a newer control in which the call is written.
+fn of_newer(site: &CallSite) -> Option<&'static ArgumentList> {
+    site.list.filter(|list| list.style == Style::Operate)
+}
+
+/// Why no other way of writing says the same.
+fn refused(program: &Program, site: &CallSite, control: &Control) -> Option<Diagnostic> {
+    let list = site.list?;
+    let value = |name: &str| site.values.get(name).map_or("", String::as_str);
+    let variant = site.cycle.variant_param()?;
+    if !list.has_variant(site.cycle) && parse(value(variant)) == Parsed::Expression {
+        let finding = own::WRITE_VARIANT_OPEN.finding();
+        return Some(finding.text("value", value(variant)));
+    }
+    let list = of_newer(site)?;
+    let said = |name: &str, value: &str| {
+        let finding = own::CONVERT_NEWER.finding().text("param", name);
+        finding.text("value", value)
+    };
+    let target = arguments::only_newer(program, list, site.span);
+    if let Some((name, text)) = target.iter().find(|(name, _)| *name == TOOL_TARGET) {
+        return Some(said(name, text));
+    }
+    let name = newer::foreign(site.cycle, list, &site.values, control)?;
+    Some(said(name, value(name)).at(name))
+}
+
+/// The argument of newer controls for the tool that is corrected.
+const TOOL_TARGET: &str = "S_KNUM1";
+
+/// The values of a call, those included that an omitted argument of a newer list stands for: other ways of writing take
+/// what an earlier call left.
+fn explicit(site: &CallSite, control: &Control) -> Typed {
+    if of_newer(site).is_none() {
+        return site.values.clone();
+    }
+    let mut values = newer::with_omitted(site.cycle, &site.values);
+    let inputs = check::read(site.cycle, &values, control, &mut Vec::new());
+    for param in site.cycle.params {
+        let counts = param.need(&inputs).is_some() && !values.contains_key(param.name);
+        if let Some(number) = param.fallback(control).filter(|_| counts) {
+            values.insert(param.name.to_owned(), number.to_string());
+        }
+    }
+    values
+}
+
+/// What only the list of the newer control says.
+fn left_out(program: &Program, site: &CallSite) -> Option<Diagnostic> {
+    let lost = arguments::only_newer(program, of_newer(site)?, site.span);
+    let names: Vec<String> = lost
+        .iter()
+        .map(|(name, text)| format!("{name} = {text}"))
+        .collect();
+    let finding = own::CONVERT_LOST.finding().text("names", names.join(", "));
+    (!names.is_empty()).then_some(finding)
 }
 
 fn rewritten(program: &Program, site: &CallSite, text: &str) -> Vec<Edit> {

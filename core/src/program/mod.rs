@@ -1,7 +1,7 @@
 //! One syntax tree for reading and writing part programs; lossless; a dialect a control.
 
 mod advice;
-mod arguments;
+pub(crate) mod arguments;
 mod arrivals;
 mod block;
 mod block_rules;

@@ -3,7 +3,7 @@
 
 use super::fold::{self, Known};
 use super::tree::{Expr, ExprId, Operator, Program};
-use crate::check::{Parsed, parse, typed_text};
+use crate::check::{Parsed, Sort, parse, typed_text};
 use crate::diagnostic::Span;
 
 /// A value as text, and its place; inside the quotes for a text.
@@ -13,6 +13,8 @@ pub(super) struct Value {
     pub place: Span,
     /// What it is worth, where that is known.
     pub number: Option<f64>,
+    /// Whether it is written as a text.
+    pub quoted: bool,
     /// Whether others take their value from the same place (`REP`).
     pub shared: bool,
     /// Where the value is written, when `place` only names the variable of another program that holds it.
@@ -30,10 +32,20 @@ impl Value {
             text,
             place,
             number,
+            quoted: false,
             shared: false,
             given: None,
             argument: false,
             instead: None,
+        }
+    }
+
+    /// What sort of value it is.
+    pub fn sort(&self) -> Sort {
+        match (self.quoted, self.number) {
+            (true, _) => Sort::Text,
+            (_, Some(_)) => Sort::Number,
+            _ => Sort::Open,
         }
     }
 
@@ -89,7 +101,10 @@ pub(super) fn value(program: &Program, id: ExprId, place: Span, known: &impl Kno
     match (program.expr(id), number) {
         (Some(Expr::Text(inside)), _) => {
             let text = typed_text(&String::from_utf8_lossy(program.text(*inside)));
-            Value::at(text, number, *inside)
+            Value {
+                quoted: true,
+                ..Value::at(text, number, *inside)
+            }
         }
         (Some(expr), Some(worth)) => {
             let text = if literal(program, expr) {

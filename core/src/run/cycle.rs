@@ -6,7 +6,7 @@ use super::statement::Words;
 use super::{Stop, call, contour, user_program};
 use crate::catalogue::sinumerik::{results, upkeep};
 use crate::catalogue::{Cycle, Kind, ProbeUse, nct};
-use crate::check::{self, Typed};
+use crate::check::{self, Checked, Typed};
 use crate::control::Value;
 use crate::diagnostic::{Code, Severity, Span};
 use crate::message::Message;
@@ -87,6 +87,16 @@ pub fn checked(
     span: Span,
 ) -> Result<(), Stop> {
     let checked = check::check(cycle, typed, &run.sim.control);
+    carry_out(run, cycle, checked, span)
+}
+
+/// What a check left of a call.
+pub fn carry_out(
+    run: &mut Interpreter,
+    cycle: &'static Cycle,
+    checked: Checked,
+    span: Span,
+) -> Result<(), Stop> {
     let errors: Vec<_> = checked
         .diagnostics
         .iter()
@@ -121,6 +131,10 @@ pub fn checked(
             upkeep::perform(&mut run.sim, cycle);
             leave_number(run, cycle, code);
             call::alarm(&mut run.sim, code).map_err(|stop| run.stopped(stop, span))
+        }
+        None if errors.is_empty() => {
+            // a list of a newer control of which not everything is known
+            Err(run.fail(Problem::new("run-no-simulation", span, cycle.name)))
         }
         None => Err(run.fail(Problem::new("run-call", span, cycle.name))),
     }

@@ -2,23 +2,28 @@
 
 use super::datum::Datum;
 use super::interpret::Interpreter;
+use super::problem::Problem;
 use super::statement::Call;
 use super::{Stop, cycle, helper};
-use crate::catalogue::{Arg, ArgumentList, Cycle, Dialect, Kind, Style, list};
-use crate::check::Typed;
+use crate::catalogue::{self, Arg, ArgumentList, CYCLES, Cycle, Dialect, Kind, Param, Style, list};
+use crate::check::{Sort, Typed, listed, newer};
 use crate::control::Value;
+use crate::diagnostic::{Diagnostic, Severity, Span};
+use crate::program::arguments;
 
 /// Carries out a call with arguments; false: it is none of these.
 pub fn call(run: &mut Interpreter, call: &Call) -> Result<bool, Stop> {
     if call.name == list::AUXILIARY {
-        auxiliary(run, call);
-        return Ok(true);
+        return auxiliary(run, call);
     }
     let number = |index: usize| call.args.get(index)?.as_ref()?.number();
     let listed = list::called(Dialect::Sinumerik, &call.name, call.args.len(), number);
     let Some((cycle, list)) = listed else {
-        return Ok(false);
+        return without(run, call);
     };
+    if let Some(finding) = refused(cycle, Some(list), call) {
+        return Err(stopped(run, call, cycle.name, finding));
+    }
     if helper::takes_variables(list) {
         helper::call(run, cycle, list, call)?;
         return Ok(true);
@@ -31,7 +36,7 @@ pub fn call(run: &mut Interpreter, call: &Call) -> Result<bool, Stop> {
                 Some(((*name).to_owned(), Datum::from(value.as_ref()?).exact()))
             })
             .collect();
-        cycle::checked(run, cycle, &typed, call.span)?;
+        newer_list(run, cycle, list, &typed, call.span)?;
         return Ok(true);
     }
     let data = &mut run.sim.control.data;
@@ -48,14 +53,96 @@ pub fn call(run: &mut Interpreter, call: &Call) -> Result<bool, Stop> {
     Ok(true)
 }
 
+/// A call whose arguments are of no list.
+fn without(run: &mut Interpreter, call: &Call) -> Result<bool, Stop> {
+    let number = |index: usize| at(call, index).map_or(Some(0.0), Datum::number);
+    let cycle = catalogue::find(Dialect::Sinumerik, &call.name);
+    let many = cycle.and_then(|cycle| refused(cycle, None, call));
+    let finding = many.or_else(|| listed::unmatched(&call.name, call.args.len(), number));
+    match finding {
+        Some(finding) => Err(stopped(run, call, &call.name, finding)),
+        None => Ok(false),
+    }
+}
+
+fn at(call: &Call, index: usize) -> Option<&Datum> {
+    call.args.get(index).and_then(Option::as_ref)
+}
+
+/// Why the control refuses the arguments.
+fn refused(
+    cycle: &'static Cycle,
+    list: Option<&'static ArgumentList>,
+    call: &Call,
+) -> Option<Diagnostic> {
+    let number = |index: usize| at(call, index).map_or(Some(0.0), Datum::number);
+    let found = listed::refused(cycle, list, call.args.len(), number);
+    found.or_else(|| of_wrong_sort(cycle, list?, call))
+}
+
+/// An argument that is a text where a number belongs, or the reverse.
+fn of_wrong_sort(cycle: &'static Cycle, list: &ArgumentList, call: &Call) -> Option<Diagnostic> {
+    list.args.iter().enumerate().find_map(|(index, arg)| {
+        let (Arg::Param(name) | Arg::Down(name)) = arg else {
+            return None;
+        };
+        wrong(cycle.param(name)?, at(call, index)?)
+    })
+}
+
+fn wrong(param: &Param, value: &Datum) -> Option<Diagnostic> {
+    let sort = match value {
+        Datum::Text(_) => Sort::Text,
+        Datum::Number(_) => Sort::Number,
+        _ => Sort::Open,
+    };
+    listed::sort(param, &value.shown(), sort)
+}
+
+/// The run ends with what is wrong.
+fn stopped(run: &mut Interpreter, call: &Call, name: &str, mut finding: Diagnostic) -> Stop {
+    finding.span = Some(call.span);
+    run.diagnostics.push(finding);
+    run.fail(Problem::new("run-call", call.span, name))
+}
+
+/// The list of a newer control, as far as the older one does the same. What only the newer one has is told.
+fn newer_list(
+    run: &mut Interpreter,
+    cycle: &'static Cycle,
+    list: &ArgumentList,
+    typed: &Typed,
+    span: Span,
+) -> Result<(), Stop> {
+    let checked = newer::check_listed(cycle, list, typed, &run.sim.control);
+    if checked.inputs.is_some() {
+        for (name, _) in arguments::only_newer(&run.program, list, span) {
+            let problem = Problem::new("run-not-simulated", span, name);
+            run.tell(Severity::Warning, &problem);
+        }
+    }
+    cycle::carry_out(run, cycle, checked, span)
+}
+
 /// What is not 0 goes into the data (B:11734).
-fn auxiliary(run: &mut Interpreter, call: &Call) {
+fn auxiliary(run: &mut Interpreter, call: &Call) -> Result<bool, Stop> {
+    let cycles = CYCLES.iter();
+    let param = |name: &str| cycles.clone().find_map(|cycle| cycle.param(name));
+    let names = list::AUXILIARY_ARGS.iter().enumerate();
+    let wrong = names
+        .clone()
+        .find_map(|(index, name)| wrong(param(name)?, at(call, index)?));
+    let many = listed::unmatched(&call.name, call.args.len(), |_| None);
+    if let Some(finding) = many.or(wrong) {
+        return Err(stopped(run, call, &call.name, finding));
+    }
     for (name, value) in list::AUXILIARY_ARGS.iter().zip(&call.args) {
         let number = value.as_ref().and_then(Datum::number);
         if let Some(number) = number.filter(|number| *number != 0.0) {
             run.sim.control.set(*name, number);
         }
     }
+    Ok(true)
 }
 
 /// The parameters of the list with what stands there, the variant put together from its selections.

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod convert;
+mod newer;
 mod round_trip;
 mod same_meaning;
 
@@ -60,13 +61,13 @@ fn a_surface_as_a_parameterizing_call() {
 fn a_hole_in_the_list_of_newer_controls() {
     let values = typed(&[
         ("_MVAR", "1"),
-        ("_KNUM", "2001"),
+        ("_KNUM", "0"),
         ("_PRNUM", "1"),
         ("_SETVAL", "132"),
+        ("_VMS", "300"),
         ("_FA", "2"),
         ("_TSA", "1"),
         ("_NMSP", "1"),
-        ("_TNAME", "DRILL"),
         ("_TDIF", "0.06"),
         ("_TUL", "0.03"),
         ("_TLL", "-0.03"),
@@ -77,14 +78,14 @@ fn a_hole_in_the_list_of_newer_controls() {
     let written = written("CYCLE977", &values, Style::Operate);
     assert_eq!(
         written.text,
-        "CYCLE977(1,2001,,1,132,,,2,1,,,,,,1,\"DRILL\",,,0.06,0.03,-0.03,0.02,3)\n"
+        "CYCLE977(1,0,,1,132,,,2,1,,,,,,1,,,0.01,0.06,0.03,-0.03,0.02,3)\n"
     );
     let lost: Vec<&str> = written
         .findings
         .iter()
         .map(|found| &*found.message.key)
         .collect();
-    assert_eq!(lost, ["write-lost"], "_TZL has no place there");
+    assert_eq!(lost, ["write-lost"], "_VMS has no place there");
 }
 
 // oracle: manual B:11734

@@ -262,6 +262,7 @@ outcome-running = The result of the whole program stands here once the run is ov
 outcome-coming = The result is being worked out.
 outcome-absent = What works out results and reads programs could not be loaded. The form of this cycle, its checks and its program text work; reload the page to try again.
 outcome-incomplete = Complete the form and the result stands here.
+outcome-newer = What this list of a newer control does is not known here in full, so it is not simulated.
 outcome-missing = The result stands here as soon as these are right: { $names }
 outcome-earlier = not written by this call
 outcome-earlier-line = from line { $line }

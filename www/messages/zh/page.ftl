@@ -258,6 +258,7 @@ outcome-running = 运行结束后，整个程序的结果显示在这里。
 outcome-coming = 正在计算结果。
 outcome-absent = 无法加载计算结果和读取程序的部分。此循环的表单、检查和程序文本仍可使用；请重新加载页面再试。
 outcome-incomplete = 填完表单后，结果显示在这里。
+outcome-newer = 这个新型控制系统的参数表，其作用这里不完全清楚，因此不仿真。
 outcome-missing = 以下各项正确后，结果显示在这里：{ $names }
 outcome-earlier = 此调用未写入
 outcome-earlier-line = 来自第 { $line } 行

@@ -10,8 +10,7 @@ pub use limits::{EVNUM, K, MEMORY_DIGITS, TDIF, TLL, TMV, TSA, TUL, TZL};
 pub use place::{CORA, CPA, CPO, ID, INCA, MA, MD, RF, SETV0, SETV1, SETVAL, STA1, SZA, SZO};
 pub use results::{angle, integer, length};
 pub use target::{
-    DLNUM, KNUM, KNUM_KIND, OFFSET_DLNUM, OFFSET_TENV, OFFSET_TNAME, OFFSET_TNUM, SHORT_TARGET,
-    TENV, TNAME, TNUM,
+    DLNUM, KNUM, KNUM_KIND, OFFSET_DLNUM, OFFSET_TENV, OFFSET_TNAME, OFFSET_TNUM, TENV, TNAME, TNUM,
 };
 
 use super::names;

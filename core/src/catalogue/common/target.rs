@@ -7,21 +7,6 @@ use crate::diagnostic::Code;
 /// The digit of `_KNUM` that tells length/radius from setup/additive offsets and `_TENV` (7th, or 9th with 5-digit D).
 pub const KNUM_KIND: i64 = 1_000_000;
 
-/// `_KNUM` has at most four digits: what it says then is the same on newer controls.
-pub const SHORT_TARGET: When = When::All(&[
-    knum_digit(10_000),
-    knum_digit(100_000),
-    knum_digit(KNUM_KIND),
-]);
-
-const fn knum_digit(place: i64) -> When {
-    When::Digit {
-        param: names::KNUM,
-        place,
-        is: &[0],
-    }
-}
-
 /// A tool is corrected.
 const TOOL_CORRECTED: When = When::All(&[TOOL_OFFSET, When::Given(names::KNUM)]);
 

@@ -1,10 +1,10 @@
 //! CYCLE961 as a call with arguments.
 
 use super::params::{DISTANCES, POINTS};
-use crate::catalogue::{Arg, ArgumentList, Style, names};
+use crate::catalogue::{Arg, ArgumentList, Style, names, newer};
 
 /// The parameterizing calls: one for distances and angles, one for points (B:12027-12078). The infeed of the second has
-/// no sign there. In the list of newer controls CYCLE961 is not known to us.
+/// no sign there. And the list of newer controls.
 pub const LISTS: &[ArgumentList] = &[
     ArgumentList {
         style: Style::Indirect,
@@ -48,4 +48,5 @@ pub const LISTS: &[ArgumentList] = &[
         ],
         source: "B:12066-12078;A:13400-13411",
     },
+    newer::CYCLE961,
 ];

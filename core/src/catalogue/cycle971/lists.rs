@@ -1,10 +1,11 @@
 //! CYCLE971 as a call with arguments.
 
 use super::params::MEASURE;
-use crate::catalogue::{Arg, ArgumentList, Style, When, names};
+use crate::catalogue::{Arg, ArgumentList, Style, When, names, newer};
 
 /// The parameterizing calls (B:11755-11772, B:11856-11879): calibration in the machine, and measuring. The speeds and
-/// feeds `_MFS[]` are printed the other way round than the data are defined (B:13515-13520), which count. In the list of newer controls CYCLE971 is not known to us.
+/// feeds `_MFS[]` are printed the other way round than the data are defined (B:13515-13520),
+/// which count. And the list of newer controls.
 pub const LISTS: &[ArgumentList] = &[
     ArgumentList {
         style: Style::Indirect,
@@ -39,4 +40,5 @@ pub const LISTS: &[ArgumentList] = &[
         ],
         source: "B:11870-11879;A:13210-13219",
     },
+    newer::CYCLE971,
 ];

@@ -1,10 +1,10 @@
 //! CYCLE973 as a call with arguments.
 
 use super::params::{GROOVE, SURFACE};
-use crate::catalogue::{Arg, ArgumentList, Style, names};
+use crate::catalogue::{Arg, ArgumentList, Style, names, newer};
 
 /// The parameterizing calls: surfaces share one with CYCLE976, the groove is put together from selections, of which the
-/// number of directions is always written (B:11784-11821). Newer controls have no list for turning that is known to us.
+/// number of directions is always written (B:11784-11821). And the list of newer controls.
 pub const LISTS: &[ArgumentList] = &[
     ArgumentList {
         style: Style::Indirect,
@@ -38,4 +38,5 @@ pub const LISTS: &[ArgumentList] = &[
         ],
         source: "B:11811-11821;A:13158-13165",
     },
+    newer::CYCLE973,
 ];

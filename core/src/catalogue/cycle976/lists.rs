@@ -1,10 +1,10 @@
 //! CYCLE976 as a call with arguments.
 
 use super::params::{HOLE, LENGTH, SURFACE};
-use crate::catalogue::{Arg, ArgumentList, Style, When, names};
+use crate::catalogue::{Arg, ArgumentList, Style, When, names, newer};
 
-/// The parameterizing calls: holes are put together from selections, surfaces name their variant (B:11784-11854). In
-/// the list of newer controls CYCLE976 is not known to us.
+/// The parameterizing calls: holes are put together from selections, surfaces name their variant (B:11784-11854).
+/// And the list of newer controls.
 pub const LISTS: &[ArgumentList] = &[
     ArgumentList {
         style: Style::Indirect,
@@ -41,4 +41,5 @@ pub const LISTS: &[ArgumentList] = &[
         ],
         source: "B:11784-11797;A:13134-13139",
     },
+    newer::CYCLE976,
 ];

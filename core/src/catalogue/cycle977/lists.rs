@@ -1,6 +1,6 @@
 //! CYCLE977 as a call with arguments.
 
-use crate::catalogue::{Arg, ArgumentList, Style, When, common, names};
+use crate::catalogue::{Arg, ArgumentList, Style, When, names, newer};
 
 const fn elements(is: &'static [i64]) -> When {
     When::Digit {
@@ -74,40 +74,5 @@ pub const LISTS: &[ArgumentList] = &[
         ],
         source: "B:11953-11985",
     },
-    ArgumentList {
-        style: Style::Operate,
-        name: "CYCLE977",
-        when: common::SHORT_TARGET,
-        base: 0,
-        args: &[
-            Arg::Param(names::MVAR),
-            Arg::Param(names::KNUM),
-            Arg::Open,
-            Arg::Param(names::PRNUM),
-            Arg::Param(names::SETVAL),
-            Arg::Param(names::SETV0),
-            Arg::Param(names::SETV1),
-            Arg::Param(names::FA),
-            Arg::Param(names::TSA),
-            Arg::Open,
-            Arg::Param(names::ID),
-            Arg::Param(names::SZA),
-            Arg::Param(names::SZO),
-            Arg::Param(names::MA),
-            Arg::Param(names::NMSP),
-            Arg::Param(names::TNAME),
-            Arg::Open,
-            Arg::Open,
-            Arg::Param(names::TDIF),
-            Arg::Param(names::TUL),
-            Arg::Param(names::TLL),
-            Arg::Param(names::TMV),
-            Arg::Param(names::K),
-            Arg::Open,
-            Arg::Open,
-            Arg::Open,
-            Arg::Open,
-        ],
-        source: "practice: generated programs of newer controls",
-    },
+    newer::CYCLE977,
 ];

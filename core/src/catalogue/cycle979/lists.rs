@@ -1,10 +1,9 @@
 //! CYCLE979 as a call with arguments.
 
 use super::params::{ROUND, WIDTH};
-use crate::catalogue::{Arg, ArgumentList, Style, names};
+use crate::catalogue::{Arg, ArgumentList, Style, names, newer};
 
-/// The parameterizing calls that it shares with CYCLE977 (B:11894-11951). In the list of newer controls CYCLE979 is not
-/// known to us.
+/// The parameterizing calls that it shares with CYCLE977 (B:11894-11951), and the list of newer controls.
 pub const LISTS: &[ArgumentList] = &[
     ArgumentList {
         style: Style::Indirect,
@@ -50,4 +49,5 @@ pub const LISTS: &[ArgumentList] = &[
         ],
         source: "B:11937-11951;A:13276-13289",
     },
+    newer::CYCLE979,
 ];

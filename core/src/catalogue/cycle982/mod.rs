@@ -33,7 +33,7 @@ mod variants;
 use crate::catalogue::common::alarms;
 use crate::catalogue::{
     Cycle, Dialect, Drawing, Examples, Help, MachineSort, ProbeUse, Purpose, Simulation, When,
-    Work, tool_probe,
+    Work, newer, tool_probe,
 };
 use crate::control::machine_data::TOOL_LENGTH_TYPE;
 
@@ -66,7 +66,7 @@ pub static CYCLE982: Cycle = Cycle {
     },
     // The call for calibrating tool probes knows CYCLE971 and CYCLE972 only (B:11768, although B:11708 names CYCLE982
     // beside it), and the list of newer controls is not known to us.
-    lists: &[],
+    lists: &[newer::CYCLE982],
     settings: &[
         "_TP",
         "_TPW",

@@ -24,7 +24,7 @@ pub use variants::VARIANTS;
 
 use crate::catalogue::common;
 use crate::catalogue::sinumerik;
-use crate::catalogue::{Cycle, Dialect, Drawing, Help, Purpose, Simulation, Work};
+use crate::catalogue::{Cycle, Dialect, Drawing, Help, Purpose, Simulation, Work, newer};
 
 /// The entry. Example: the three spheres of B:8480-8529. Its program writes `_KNUM` = 99999, which does not exist; meant
 /// is the active frame, there G54, which a form without a program has to name.
@@ -36,7 +36,7 @@ pub static CYCLE997: Cycle = Cycle {
     params: params::PARAMS,
     purpose: Purpose::MILLING,
     // no parameterizing call (B:11640-12133); the list of newer controls is not known to us
-    lists: &[],
+    lists: &[newer::CYCLE997],
     settings: &[],
     results: RESULTS,
     alarms: &[

@@ -234,7 +234,7 @@ fn lists_are_written() {
     );
     assert_eq!(
         written(&[], Style::Operate),
-        "CYCLE998(105,1,4,1,-18,0,,8,5,102,,40,,,,,1)\n"
+        "CYCLE998(105,1,4,1,-18,0,,8,5,102,,40,,,,,1,0)\n"
     );
     assert_eq!(written(PLANE, Style::Operate), "");
 }

@@ -1,7 +1,7 @@
 //! What has to be in force at a call.
 
 use super::{Seen, at, inherited, unsaid, with_line};
-use crate::catalogue::{MachineSort, ProbeUse, names};
+use crate::catalogue::{MachineSort, ProbeUse, Style, names};
 use crate::check::{error, warning};
 use crate::control::machine_data::TOOL_LENGTH_TYPE;
 use crate::control::probe::Unfit;
@@ -137,7 +137,12 @@ fn tool(seen: &Seen) -> Option<Diagnostic> {
 pub fn milling_probe(seen: &Seen) -> Option<ToolInUse> {
     let purpose = &seen.site.cycle.purpose;
     let probed = purpose.probe == ProbeUse::Workpiece && purpose.machine != MachineSort::Turning;
-    seen.tool.filter(|_| probed)
+    let newer = seen
+        .site
+        .list
+        .is_some_and(|list| list.style == Style::Operate);
+    let known = |tool: &ToolInUse| newer && NEWER_PROBES.contains(&tool.kind);
+    seen.tool.filter(|tool| probed && !known(tool))
 }
 
 /// The plane on which a probe stands: that of a turning machine G17 or G19 by its position (B:4152).
@@ -147,6 +152,9 @@ pub fn plane_of(tool: &ToolInUse) -> &'static str {
         _ => "G17",
     }
 }
+
+/// Types of probes that newer controls know beside these.
+const NEWER_PROBES: RangeInclusive<i64> = 712..=714;
 
 /// A probe must not turn.
 fn spindle(seen: &Seen) -> Option<Diagnostic> {

@@ -15,11 +15,12 @@ use super::change::{line_at_begin, line_before, line_end};
 use super::flow::{State, changes};
 use super::tools::ToolInUse;
 use super::tree::{Program, Word, WordKind};
-use crate::catalogue::Dialect;
-use crate::check::{self, Inputs, Typed};
+use crate::catalogue::{Dialect, Style};
+use crate::check::{self, Inputs, Typed, newer};
 use crate::control::Control;
-use crate::diagnostic::{Cure, Diagnostic, Edit, Span};
+use crate::diagnostic::{Code, Cure, Diagnostic, Edit, Severity, Span};
 use crate::message::Message;
+use crate::own;
 use crate::run::programs::{Programs, programs};
 
 /// What the rules look at: a call, what is in force there, what it means.
@@ -80,6 +81,11 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
             .unwrap_or(site.transverse);
         at_call.choose_units(site.unit_function);
         let values = site.values_on(way);
+        if let Some(list) = site.list.filter(|list| list.style == Style::Operate)
+            && newer::is_open(site.cycle, list, values, &at_call)
+        {
+            continue;
+        }
         let seen = Seen {
             program,
             control,
@@ -104,7 +110,21 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
     levels::look(program, &programs, sites, &mut found);
     overwritten::look(program, sites, &mut found);
     outside::look(program, &programs, &mut found);
+    for one in &mut found {
+        lower(one, sites);
+    }
     found
+}
+
+/// What these rules say comes from the manuals of the older control; about a list of a newer one it is a note, but that
+/// the tool is no probe, or that it turns.
+fn lower(one: &mut Diagnostic, sites: &[CallSite]) {
+    let newer = |site: &CallSite| site.list.is_some_and(|list| list.style == Style::Operate);
+    let of_call = sites.iter().find(|site| Some(site.span) == one.span);
+    let certain = [Code::Alarm(61309), own::ADVICE_SPINDLE.code()].contains(&one.code);
+    if of_call.is_some_and(newer) && !certain {
+        one.severity = Severity::Note;
+    }
 }
 
 /// The calls as the run comes to them, each once a way.

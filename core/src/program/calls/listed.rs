@@ -1,7 +1,9 @@
 //! Calls of SINUMERIK cycles: by their name alone, or with arguments.
 
+use super::site::Called;
 use super::{Place, Walk};
 use crate::catalogue::{self, Arg, ArgumentList, Cycle, Style, list};
+use crate::check::listed::refused;
 use crate::diagnostic::Span;
 use crate::program::arguments;
 use crate::program::held::Held;
@@ -35,10 +37,25 @@ impl Walk<'_> {
         }
         let number = |index: usize| arguments.get(index)?.as_ref()?.number;
         let listed = list::called(self.program.dialect, &name, arguments.len(), number);
-        if let Some((cycle, list)) = listed {
-            self.listed(place, cycle, list, span, &arguments);
-        } else if let Some(cycle) = catalogue::find(self.program.dialect, &name) {
-            self.meet_call(place, cycle, span, None, self.assigned(place, cycle));
+        let cycle = match listed {
+            Some((cycle, _)) => Some(cycle),
+            None => catalogue::find(self.program.dialect, &name),
+        };
+        let Some(cycle) = cycle else {
+            return;
+        };
+        let list = listed.map(|(_, list)| list);
+        let written = |index: usize| {
+            let value = arguments.get(index).and_then(Option::as_ref);
+            value.map_or(Some(0.0), |value| value.number)
+        };
+        let called = Called {
+            list,
+            refused: refused(cycle, list, arguments.len(), written),
+        };
+        match list {
+            Some(list) => self.listed(place, cycle, (list, &called), span, &arguments),
+            None => self.meet_call(place, cycle, span, &called, self.assigned(place, cycle)),
         }
     }
 
@@ -55,7 +72,7 @@ impl Walk<'_> {
         &mut self,
         place: &mut Place,
         cycle: &'static Cycle,
-        list: &'static ArgumentList,
+        (list, called): (&'static ArgumentList, &Called),
         span: Span,
         arguments: &[Option<Value>],
     ) {
@@ -66,7 +83,7 @@ impl Walk<'_> {
                 self.assign(place, name, value);
             }
             let assigned = self.assigned(place, cycle);
-            return self.meet_call(place, cycle, span, Some(list), assigned);
+            return self.meet_call(place, cycle, span, called, assigned);
         }
         let values = values.into_iter();
         let values = values.filter(|(_, value)| !value.text.is_empty());
@@ -83,7 +100,7 @@ impl Walk<'_> {
             let beside = self.assigned(place, cycle).into_iter();
             given.extend(beside.filter(|(name, _)| !list.gives(name)));
         }
-        self.meet_call(place, cycle, span, Some(list), given);
+        self.meet_call(place, cycle, span, called, given);
     }
 
     /// The parameters that are elements of a variable of the program.

@@ -1,5 +1,6 @@
 //! Calls of NCT macros: the addresses of the block are the values.
 
+use super::site::Called;
 use super::{Place, Walk};
 use crate::catalogue::{self, Cycle, nct};
 use crate::control::{Control, Plane};
@@ -81,7 +82,7 @@ impl Walk<'_> {
                 given.push((param.name, Held::One(Rc::new(value))));
             }
         }
-        self.meet_call(place, cycle, span, None, given);
+        self.meet_call(place, cycle, span, &Called::default(), given);
     }
 }
 

@@ -3,16 +3,26 @@
 use super::listed::Given;
 use super::{CallSite, Origin, Place, Walk, Way};
 use crate::catalogue::sinumerik::upkeep;
-use crate::catalogue::{ArgumentList, Cycle, Dialect};
-use crate::check::{Typed, check};
+use crate::catalogue::{ArgumentList, Cycle, Dialect, Kind, Style};
+use crate::check::listed::sort;
+use crate::check::{Sort, Typed, check, newer};
 use crate::control::Control;
 use crate::diagnostic::{Diagnostic, Span};
 use crate::own;
-use crate::program::tree::Program;
+use crate::program::tree::{Program, Word, WordKind};
 use crate::program::values::Value;
 use crate::support::BITS;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::rc::Rc;
+
+/// How a cycle is called.
+#[derive(Default)]
+pub(super) struct Called {
+    /// The list; none: the bare name, or a block of addresses.
+    pub list: Option<&'static ArgumentList>,
+    /// Why the control refuses the arguments.
+    pub refused: Option<Diagnostic>,
+}
 
 /// The calls that were met.
 #[derive(Default)]
@@ -34,7 +44,7 @@ impl Walk<'_> {
         place: &Place,
         cycle: &'static Cycle,
         span: Span,
-        list: Option<&'static ArgumentList>,
+        called: &Called,
         given: Given,
     ) {
         let values = given.iter();
@@ -50,8 +60,8 @@ impl Walk<'_> {
         }
         let known = self.found.at.get(&span.start).copied();
         let index =
-            known.unwrap_or_else(|| self.first(place, cycle, span, list, (&given, &values)));
-        self.way(index, place, values, &given);
+            known.unwrap_or_else(|| self.first(place, cycle, span, called.list, (&given, &values)));
+        self.way(index, place, values, &given, called.refused.as_ref());
         match known {
             Some(index) => self.also(index, given),
             None => self.found.given.push(given),
@@ -135,7 +145,14 @@ impl Walk<'_> {
     }
 
     /// Checks the values of a way with what is in force on it.
-    fn way(&mut self, index: usize, place: &Place, values: Typed, given: &Given) {
+    fn way(
+        &mut self,
+        index: usize,
+        place: &Place,
+        values: Typed,
+        given: &Given,
+        refused: Option<&Diagnostic>,
+    ) {
         let known = self.found.sites.get(index).is_some_and(|site| {
             let same = |way: &Way| way.state == place.force && *site.values_on(way) == values;
             site.ways.iter().any(same)
@@ -156,7 +173,15 @@ impl Walk<'_> {
         site.plane = self.control.plane;
         site.transverse = self.control.transverse;
         site.unit_function = self.control.unit_function();
-        for mut one in checked(site.cycle, &values, given, &self.control) {
+        let found = match refused {
+            Some(finding) => vec![finding.clone()],
+            None => {
+                let mut found = checked((site.cycle, site.list), &values, given, &self.control);
+                found.extend(of_wrong_sort(self.program, site.cycle, given));
+                found
+            }
+        };
+        for mut one in found {
             if !self.tools.told(&self.control, one.code) {
                 continue;
             }
@@ -299,12 +324,17 @@ fn one_place(values: &[Rc<Value>]) -> Option<Span> {
 
 /// Findings about the values of a way, each at its value. Of several that may arrive each is checked by itself.
 fn checked(
-    cycle: &'static Cycle,
+    (cycle, list): (&'static Cycle, Option<&'static ArgumentList>),
     values: &Typed,
     given: &Given,
     control: &Control,
 ) -> Vec<Diagnostic> {
-    let mut found = check(cycle, values, control).diagnostics;
+    let of_newer = list.filter(|list| list.style == Style::Operate);
+    let findings = |values: &Typed| match of_newer {
+        Some(list) => newer::check_listed(cycle, list, values, control).diagnostics,
+        None => check(cycle, values, control).diagnostics,
+    };
+    let mut found = findings(values);
     for one in &mut found {
         let held = one
             .param
@@ -320,7 +350,7 @@ fn checked(
         for value in all {
             let mut values = values.clone();
             values.insert((*name).to_owned(), value.text.clone());
-            let alone = check(cycle, &values, control).diagnostics.into_iter();
+            let alone = findings(&values).into_iter();
             let alone =
                 alone.filter(|one| one.param == Some(name) && one.code != own::EXPRESSION.code());
             found.extend(alone.map(|one| Diagnostic {
@@ -330,6 +360,47 @@ fn checked(
         }
     }
     found
+}
+
+/// Texts where numbers belong, and the reverse; names of variables that are none.
+fn of_wrong_sort(program: &Program, cycle: &'static Cycle, given: &Given) -> Vec<Diagnostic> {
+    let wrong = |name: &str, value: &Value| {
+        let param = cycle.param(name)?;
+        let sort_of = match value.sort() {
+            Sort::Open if matches!(param.kind, Kind::Text(_)) && is_undeclared(program, value) => {
+                Sort::Undeclared
+            }
+            known => known,
+        };
+        let finding = sort(param, &value.text, sort_of)?;
+        Some(Diagnostic {
+            span: Some(value.written_at()),
+            ..finding
+        })
+    };
+    let all = given.iter();
+    let all = all.flat_map(|(name, held)| held.all().iter().map(move |value| (name, value)));
+    all.filter_map(|(name, value)| wrong(name, value)).collect()
+}
+
+/// Whether a value is a bare name that this program neither declares nor writes. One with an underscore before it may be
+/// of the machine.
+fn is_undeclared(program: &Program, value: &Value) -> bool {
+    let text = value.text.as_bytes();
+    let parameter = text.split_first().is_some_and(|(first, rest)| {
+        first.eq_ignore_ascii_case(&b'R') && rest.iter().all(u8::is_ascii_digit)
+    });
+    let name = text.first().is_some_and(u8::is_ascii_alphabetic)
+        && text
+            .iter()
+            .all(|byte| byte.is_ascii_alphanumeric() || *byte == b'_');
+    let declares = |word: &Word| match &word.kind {
+        WordKind::Declare { name, .. } | WordKind::Assign { name, .. } => {
+            program.text(*name).eq_ignore_ascii_case(text)
+        }
+        _ => false,
+    };
+    name && !parameter && !program.words.iter().any(declares)
 }
 
 /// The assignments of this program that a called one took the place of.

@@ -1,8 +1,8 @@
 //! SINUMERIK: assignments and the call, with the arguments that its way of writing takes.
 
 use super::{Source, Written, assignments, word};
-use crate::catalogue::{Arg, ArgumentList, Param, Style, list};
-use crate::check::{Parsed, parse};
+use crate::catalogue::{Arg, ArgumentList, Param, Style, list, names};
+use crate::check::{Parsed, Target, newer, parse, target};
 use crate::diagnostic::Diagnostic;
 use crate::own;
 use crate::program::values::opposite;
@@ -10,14 +10,17 @@ use crate::program::values::opposite;
 /// The call in this way of writing.
 pub(super) fn write(source: &Source, style: Style) -> Written {
     let of_style = |list: &&ArgumentList| list.style == style;
-    let mut lists = source.cycle.lists.iter().filter(of_style).peekable();
-    let none = lists.peek().is_none();
+    let mut lists = source.cycle.lists.iter().filter(of_style);
+    let none = !lists.clone().any(ArgumentList::is_written);
     let list = lists.find(|list| list.fits(&source.inputs));
     if let (Some(value), Some(list)) = (open_variant(source), list)
-        && !list.has_variant(source.cycle)
+        && (style == Style::Operate || !list.has_variant(source.cycle))
     {
-        // selections make the variant, and its number is not known before the run
+        // selections make the variant, and its number is not known before the run; nor is what its target means
         return nothing(own::WRITE_VARIANT_OPEN.finding().text("value", value));
+    }
+    if let (Style::Operate, Some(_), Some(finding)) = (style, list, target_elsewhere(source)) {
+        return nothing(finding);
     }
     match list {
         Some(list) => listed(source, list),
@@ -49,6 +52,21 @@ fn open_variant<'a>(source: &'a Source) -> Option<&'a str> {
     let name = source.cycle.variant_param()?;
     let (_, text) = source.values.iter().find(|(param, _)| param.name == name)?;
     (parse(text) == Parsed::Expression).then_some(text)
+}
+
+/// A target that the list of newer controls takes in another argument, or under a number that is not known.
+fn target_elsewhere(source: &Source) -> Option<Diagnostic> {
+    let mut values = source.values.iter();
+    let (param, text) = values.find(|(param, _)| param.name == names::KNUM)?;
+    match target(param, &source.inputs) {
+        Target::Tool if parse(text) == Parsed::Number(0.0) => None,
+        Target::Tool => Some(own::WRITE_NEWER_TOOL.finding()),
+        Target::Zero => {
+            let code = source.inputs.given(names::KNUM);
+            code.filter(|code| !newer::is_same_zero(*code))?;
+            Some(own::WRITE_NEWER_ZERO.finding().text("value", text))
+        }
+    }
 }
 
 fn all(source: &Source) -> String {
@@ -138,7 +156,7 @@ fn arguments(source: &Source, list: &ArgumentList) -> Vec<String> {
             .map_or(String::new(), |number| number.to_string()),
         Arg::Is(number) => number.to_string(),
         Arg::Variable(name) | Arg::Output(name) => (*name).to_owned(),
-        Arg::Open => String::new(),
+        Arg::Open | Arg::Newer(_) => String::new(),
     };
     list.args.iter().map(written).collect()
 }

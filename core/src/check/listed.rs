@@ -1,0 +1,89 @@
+//! Arguments of a call as such: of the wrong sort, too many, a selection that tells no variant.
+
+use crate::catalogue::{ArgumentList, Cycle, Kind, Param, Style, list};
+use crate::diagnostic::Diagnostic;
+use crate::own;
+
+/// What sort of value a program writes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sort {
+    /// A text in quotation marks.
+    Text,
+    /// A number, or what is worth one.
+    Number,
+    /// A name that the program does not declare.
+    Undeclared,
+    /// Only the run tells.
+    Open,
+}
+
+/// A text where a number belongs, or the reverse: the control converts neither.
+pub fn sort(param: &Param, value: &str, sort: Sort) -> Option<Diagnostic> {
+    let sentence = match (&param.kind, sort) {
+        (Kind::Text(_), Sort::Number) => own::TEXT_WANTED,
+        (Kind::Text(_), Sort::Undeclared) => own::TEXT_UNQUOTED,
+        (Kind::Text(_), _) => return None,
+        (_, Sort::Text) => own::NUMBER_WANTED,
+        _ => return None,
+    };
+    let finding = sentence.finding().text("param", param.name);
+    Some(finding.text("value", value).at(param.name))
+}
+
+/// More arguments than the called program has parameters. How many those of newer controls have differs by their version.
+pub fn too_many(name: &str, most: usize, count: usize) -> Option<Diagnostic> {
+    (count > most).then(|| {
+        let finding = own::ARGUMENTS_MANY.finding().text("name", name);
+        let finding = finding.number("most", most as f64);
+        finding.number("count", count as f64)
+    })
+}
+
+/// What is wrong with a call of a cycle that has so many arguments; `number` tells what stands at one, where it is known.
+pub fn refused(
+    cycle: &Cycle,
+    list: Option<&'static ArgumentList>,
+    count: usize,
+    number: impl Fn(usize) -> Option<f64>,
+) -> Option<Diagnostic> {
+    let Some(list) = list else {
+        return too_many(cycle.name, 0, count);
+    };
+    if list.style == Style::Operate {
+        return None;
+    }
+    if let Some(found) = too_many(list.name, list.args.len(), count) {
+        return Some(found);
+    }
+    let (index, choices) = list.unselected(&number)?;
+    Some(selection(list.name, index, number(index)?, choices.iter()))
+}
+
+/// What is wrong with arguments that no cycle is found for: those of `CYCLE_PARA`, and of a parameterizing call for two
+/// cycles whose first argument names neither (B:11767, B:11784, B:11908).
+pub fn unmatched(
+    name: &str,
+    count: usize,
+    number: impl Fn(usize) -> Option<f64>,
+) -> Option<Diagnostic> {
+    if name == list::AUXILIARY {
+        return too_many(name, list::AUXILIARY_ARGS.len(), count);
+    }
+    let (index, numbers) = list::told_by(name)?;
+    let written = number(index)?;
+    let known: Vec<(i64, i64)> = numbers.into_iter().map(|one| (one, 0)).collect();
+    let wrong = known.iter().all(|one| one.0 as f64 != written);
+    wrong.then(|| selection(name, index, written, known.iter()))
+}
+
+fn selection<'a>(
+    name: &str,
+    index: usize,
+    value: f64,
+    choices: impl Iterator<Item = &'a (i64, i64)>,
+) -> Diagnostic {
+    let choices: Vec<String> = choices.map(|(written, _)| written.to_string()).collect();
+    let finding = own::SELECTION.finding().number("place", index as f64 + 1.0);
+    let finding = finding.text("name", name).number("value", value);
+    finding.hint_text("choices", choices.join(", "))
+}
