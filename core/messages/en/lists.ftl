@@ -12,8 +12,8 @@ list-selection = Argument { $place } of { $name } cannot be { $value }.
 list-selection-hint = Choose one of { $choices }.
 
 newer-open = { $param } = { $value }: what this means in the list of a newer control is not known here. It is kept as written, not checked and not simulated.
-newer-target = { $value } in argument 2 is no tool target: on newer controls the number of a zero offset stands there, and this variant corrects none.
-newer-target-hint = Leave argument 2 empty. The tool target belongs in argument 3 (S_KNUM1); with one in argument 2 the control stops with alarm 61328.
+newer-target = { $value } stands in argument 2, where newer controls have the number of a zero offset, and this variant corrects none.
+newer-target-hint = For a zero offset the third digit of argument 1 is 1. A tool target belongs in argument 3 (S_KNUM1): in argument 2 the control stops with alarm 61328. Else leave argument 2 empty.
 write-newer-tool = The list of newer controls has the tool target in argument 3 (S_KNUM1), and its code there is not known here. In argument 2 the control would stop with alarm 61328.
 write-newer-zero = Which zero offset { $value } is in the list of newer controls is not known here; only 1 to 99 and 9999 are.
 convert-newer = { $param } = { $value }: what this means in the list of newer controls the older one cannot say, or it is not known here.

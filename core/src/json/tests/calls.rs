@@ -238,3 +238,44 @@ fn help_is_asked_by_variant() {
     headings(&ask("CYCLE116", 0), computing);
     assert!(help(r#"{"control": "nct", "cycle": "CYCLE977", "mvar": 1}"#).is_err());
 }
+
+// oracle: peer (calls of published programs for newer controls; 61328 on such a control: argument 2 takes no tool target)
+#[test]
+fn a_list_of_a_newer_control_keeps_its_rules_on_the_page() {
+    let calls = [
+        "CYCLE977(1101,10001,,1,32,,,7,5,11,16,5,,,1)",
+        "CYCLE978(0,,,1,-55,15,5,1,2,1)",
+    ];
+    for call in calls {
+        let text = format!("{call}\nM30\n");
+        let asked = json!({ "control": "sinumerik", "text": text });
+        let read = read(&asked.to_string()).unwrap();
+        let opened = &read["calls"][0];
+        let mut asked = json!({ "control": "sinumerik", "cycle": opened["cycle"], "predict": true,
+            "values": opened["values"] });
+        let complete = |asked: &Value| form(&asked.to_string()).unwrap()["complete"].clone();
+        assert_eq!(
+            complete(&asked),
+            json!(false),
+            "as the older control takes it: {call}"
+        );
+        asked["written"] = opened["style"].clone();
+        assert_eq!(complete(&asked), json!(true), "{call}");
+    }
+    let asked = json!({ "control": "sinumerik", "call": 0, "style": "operate",
+        "text": "_MVAR=1 _SETVAL=132 _KNUM=2001 _TNUM=20\nCYCLE977\n" });
+    let answer = convert(&asked.to_string()).unwrap();
+    assert_eq!(answer["edits"], json!([]));
+    assert_eq!(answer["findings"][0]["message"]["key"], "write-newer-tool");
+    let styles = |name: &str| {
+        let view: Value = serde_json::from_str(&catalogue().to_string()).unwrap();
+        let cycles = view["cycles"].as_array().unwrap();
+        cycles.iter().find(|one| one["cycle"] == name).unwrap()["styles"].clone()
+    };
+    assert_eq!(styles("CYCLE977"), json!(["direct", "indirect", "operate"]));
+    assert_eq!(
+        styles("CYCLE979"),
+        json!(["direct", "indirect"]),
+        "its list is only read"
+    );
+}

@@ -137,11 +137,7 @@ fn tool(seen: &Seen) -> Option<Diagnostic> {
 pub fn milling_probe(seen: &Seen) -> Option<ToolInUse> {
     let purpose = &seen.site.cycle.purpose;
     let probed = purpose.probe == ProbeUse::Workpiece && purpose.machine != MachineSort::Turning;
-    let newer = seen
-        .site
-        .list
-        .is_some_and(|list| list.style == Style::Operate);
-    let known = |tool: &ToolInUse| newer && NEWER_PROBES.contains(&tool.kind);
+    let known = |tool: &ToolInUse| of_newer(seen) && NEWER_PROBES.contains(&tool.kind);
     seen.tool.filter(|tool| probed && !known(tool))
 }
 
@@ -151,6 +147,12 @@ pub fn plane_of(tool: &ToolInUse) -> &'static str {
         (true, 6 | 8) => "G19",
         _ => "G17",
     }
+}
+
+/// Whether the call is written in the list of a newer control.
+fn of_newer(seen: &Seen) -> bool {
+    let list = seen.site.list;
+    list.is_some_and(|list| list.style == Style::Operate)
 }
 
 /// Types of probes that newer controls know beside these.
@@ -182,6 +184,9 @@ fn on_machine(control: &Control, number: i64) -> bool {
 /// Trigger values that no call of this program determined come from before (B:5010-5060).
 fn calibration(seen: &Seen, asked: &mut Asked) -> Option<Diagnostic> {
     let purpose = &seen.site.cycle.purpose;
+    if of_newer(seen) {
+        return None; // its probes are calibrated in data that are not here
+    }
     let told = seen.site.diagnostics.iter();
     let mut instead = told
         .filter(|one| one.severity == Severity::Error || one.code == own::TOOL_PROBE_EMPTY.code());
