@@ -212,6 +212,7 @@ sentences! {
     SELECTION 187 Error "list-selection" "list-selection-hint";
     NEWER_OPEN 188 Note "newer-open" "";
     CONVERT_NEWER 188 Error "convert-newer" "convert-newer-hint";
+    WRITE_NEWER 188 Error "write-newer" "write-no-list-hint";
     NEWER_TARGET 189 Warning "newer-target" "newer-target-hint";
     WRITE_NEWER_TOOL 189 Error "write-newer-tool" "write-no-list-hint";
     WRITE_NEWER_ZERO 189 Error "write-newer-zero" "write-no-list-hint";

@@ -16,5 +16,6 @@ newer-target = { $value } stands in argument 2, where newer controls have the nu
 newer-target-hint = For a zero offset the third digit of argument 1 is 1. A tool target belongs in argument 3 (S_KNUM1): in argument 2 the control stops with alarm 61328. Else leave argument 2 empty.
 write-newer-tool = The list of newer controls has the tool target in argument 3 (S_KNUM1), and its code there is not known here. In argument 2 the control would stop with alarm 61328.
 write-newer-zero = Which zero offset { $value } is in the list of newer controls is not known here; only 1 to 99 and 9999 are.
+write-newer = { $param } = { $value } means something else in the list of newer controls, or what it means there is not known here.
 convert-newer = { $param } = { $value }: what this means in the list of newer controls the older one cannot say, or it is not known here.
 convert-newer-hint = Write the call anew as assignments.

@@ -30,6 +30,12 @@ pub fn sort(param: &Param, value: &str, sort: Sort) -> Option<Diagnostic> {
     Some(finding.text("value", value).at(param.name))
 }
 
+/// How many arguments a call has; omitted ones at its end say nothing.
+pub fn count<T>(arguments: &[Option<T>]) -> usize {
+    let last = arguments.iter().rposition(Option::is_some);
+    last.map_or(0, |index| index + 1)
+}
+
 /// More arguments than the called program has parameters. How many those of newer controls have differs by their version.
 pub fn too_many(name: &str, most: usize, count: usize) -> Option<Diagnostic> {
     (count > most).then(|| {

@@ -68,6 +68,17 @@ pub fn foreign(
         .copied()
 }
 
+/// The same of the values that are to be written.
+pub fn foreign_of(
+    cycle: &'static Cycle,
+    list: &ArgumentList,
+    typed: &Typed,
+    control: &Control,
+) -> Option<&'static str> {
+    let foreign = judged(cycle, list, &with_omitted(cycle, typed), control).foreign;
+    foreign.into_iter().find(|name| typed.contains_key(*name))
+}
+
 /// Whether nothing is known of the variant.
 pub fn is_open(
     cycle: &'static Cycle,
@@ -135,7 +146,7 @@ fn judged(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed, control: &C
             keep(one, typed, &mut judged);
         }
     }
-    probe(cycle, typed, &mut judged.found);
+    probe(cycle, typed, &mut judged);
     judged
 }
 
@@ -235,7 +246,7 @@ fn keep(one: Diagnostic, typed: &Typed, judged: &mut Judged) {
 }
 
 /// The number of a workpiece probe.
-fn probe(cycle: &Cycle, typed: &Typed, found: &mut Vec<Diagnostic>) {
+fn probe(cycle: &Cycle, typed: &Typed, judged: &mut Judged) {
     let number = typed.get(names::PRNUM).map(|text| parse(text));
     let Some(Parsed::Number(number)) = number else {
         return;
@@ -245,7 +256,8 @@ fn probe(cycle: &Cycle, typed: &Typed, found: &mut Vec<Diagnostic>) {
         let message = Message::new("check-probe-number").number("number", number);
         let hint = Message::new("check-probe-number-hint").number("fields", PROBES);
         let finding = error(Code::Alarm(61313), message).hint(hint);
-        found.push(finding.at(names::PRNUM));
+        judged.found.push(finding.at(names::PRNUM));
+        judged.foreign.push(names::PRNUM);
     }
 }
 

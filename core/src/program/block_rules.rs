@@ -2,7 +2,7 @@
 
 use super::fold::{self, Nothing};
 use super::tree::{Program, Word, WordKind};
-use crate::check::listed::unmatched;
+use crate::check::listed::{count, unmatched};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::own::{self, Own};
 
@@ -33,7 +33,7 @@ pub(super) fn block_rules(program: &Program) -> Vec<Diagnostic> {
                     let id = args.get(index).copied().flatten();
                     id.map_or(Some(0.0), |id| fold::number(program, id, &Nothing))
                 };
-                let finding = unmatched(&program.name(name), args.len(), number);
+                let finding = unmatched(&program.name(name), count(args), number);
                 found.extend(finding.map(|finding| Diagnostic {
                     span: Some(word.span),
                     ..finding

@@ -58,7 +58,8 @@ fn without(run: &mut Interpreter, call: &Call) -> Result<bool, Stop> {
     let number = |index: usize| at(call, index).map_or(Some(0.0), Datum::number);
     let cycle = catalogue::find(Dialect::Sinumerik, &call.name);
     let many = cycle.and_then(|cycle| refused(cycle, None, call));
-    let finding = many.or_else(|| listed::unmatched(&call.name, call.args.len(), number));
+    let count = listed::count(&call.args);
+    let finding = many.or_else(|| listed::unmatched(&call.name, count, number));
     match finding {
         Some(finding) => Err(stopped(run, call, &call.name, finding)),
         None => Ok(false),
@@ -76,7 +77,7 @@ fn refused(
     call: &Call,
 ) -> Option<Diagnostic> {
     let number = |index: usize| at(call, index).map_or(Some(0.0), Datum::number);
-    let found = listed::refused(cycle, list, call.args.len(), number);
+    let found = listed::refused(cycle, list, listed::count(&call.args), number);
     found.or_else(|| of_wrong_sort(cycle, list?, call))
 }
 
@@ -132,7 +133,7 @@ fn auxiliary(run: &mut Interpreter, call: &Call) -> Result<bool, Stop> {
     let wrong = names
         .clone()
         .find_map(|(index, name)| wrong(param(name)?, at(call, index)?));
-    let many = listed::unmatched(&call.name, call.args.len(), |_| None);
+    let many = listed::unmatched(&call.name, listed::count(&call.args), |_| None);
     if let Some(finding) = many.or(wrong) {
         return Err(stopped(run, call, &call.name, finding));
     }

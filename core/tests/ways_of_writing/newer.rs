@@ -173,6 +173,36 @@ fn a_zero_offset_is_written_where_its_number_means_the_same() {
     );
 }
 
+// oracle: peer (published programs: which sign of the infeed leads down differs; 61313 on newer controls asks for a probe
+// from 1 to 12)
+#[test]
+fn what_means_something_else_there_is_not_written() {
+    let mut values = typed(cycle("CYCLE977").example);
+    for (name, value) in [("_MVAR", "102"), ("_KNUM", "1"), ("_ID", "-20")] {
+        values.insert(name.into(), value.into());
+    }
+    assert_ne!(written("CYCLE977", &values, Style::Operate).text, "");
+    for (name, value) in [("_ID", "20"), ("_PRNUM", "101")] {
+        let mut other = values.clone();
+        other.insert(name.into(), value.into());
+        let refused = written("CYCLE977", &other, Style::Operate);
+        assert_eq!(refused.text, "", "{name}");
+        assert_eq!(keys(&refused), ["write-newer"], "{name}");
+    }
+}
+
+// oracle: peer (a trailing comma runs on newer controls), hand (an omitted argument says nothing)
+#[test]
+fn commas_at_the_end_are_no_arguments() {
+    for call in [
+        "CYCLE_978(0,100,1,,,0,)",
+        "CYCLE_PARA(2,,,,,,,,,,,,,,,)",
+        "CYCLE978(0,,,1,5,2,1,1,2,1,)",
+    ] {
+        assert_eq!(of_calls(&format!("{call}\nM30\n")), [], "{call}");
+    }
+}
+
 // oracle: hand (an omitted argument is 0, whatever an earlier call left in the data; what the older control has no
 // parameter for is told)
 #[test]

@@ -3,7 +3,7 @@
 use super::site::Called;
 use super::{Place, Walk};
 use crate::catalogue::{self, Arg, ArgumentList, Cycle, Style, list};
-use crate::check::listed::refused;
+use crate::check::listed::{count, refused};
 use crate::diagnostic::Span;
 use crate::program::arguments;
 use crate::program::held::Held;
@@ -51,7 +51,7 @@ impl Walk<'_> {
         };
         let called = Called {
             list,
-            refused: refused(cycle, list, arguments.len(), written),
+            refused: refused(cycle, list, count(&arguments), written),
         };
         match list {
             Some(list) => self.listed(place, cycle, (list, &called), span, &arguments),

@@ -2,7 +2,7 @@
 
 use super::{Source, Written, assignments, word};
 use crate::catalogue::{Arg, ArgumentList, Param, Style, list, names};
-use crate::check::{Parsed, Target, newer, parse, target};
+use crate::check::{Parsed, Target, Typed, newer, parse, target};
 use crate::diagnostic::Diagnostic;
 use crate::own;
 use crate::program::values::opposite;
@@ -19,7 +19,9 @@ pub(super) fn write(source: &Source, style: Style) -> Written {
         // selections make the variant, and its number is not known before the run; nor is what its target means
         return nothing(own::WRITE_VARIANT_OPEN.finding().text("value", value));
     }
-    if let (Style::Operate, Some(_), Some(finding)) = (style, list, target_elsewhere(source)) {
+    if let (Style::Operate, Some(list)) = (style, list)
+        && let Some(finding) = target_elsewhere(source).or_else(|| foreign(source, list))
+    {
         return nothing(finding);
     }
     match list {
@@ -52,6 +54,17 @@ fn open_variant<'a>(source: &'a Source) -> Option<&'a str> {
     let name = source.cycle.variant_param()?;
     let (_, text) = source.values.iter().find(|(param, _)| param.name == name)?;
     (parse(text) == Parsed::Expression).then_some(text)
+}
+
+/// A value that means something else in the list of newer controls.
+fn foreign(source: &Source, list: &ArgumentList) -> Option<Diagnostic> {
+    let values = source.values.iter();
+    let values: Typed = values
+        .map(|(param, text)| (param.name.to_owned(), text.clone()))
+        .collect();
+    let name = newer::foreign_of(source.cycle, list, &values, source.control)?;
+    let finding = own::WRITE_NEWER.finding().text("param", name);
+    Some(finding.text("value", values.get(name)?.as_str()).at(name))
 }
 
 /// A target that the list of newer controls takes in another argument, or under a number that is not known.
