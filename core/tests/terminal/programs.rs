@@ -31,6 +31,18 @@ fn write_tells_every_problem_and_fails() {
     assert_eq!(out(&output), "");
 }
 
+// oracle: peer (61328 on a newer control: argument 2 of a list takes no tool target)
+#[test]
+fn write_refuses_a_tool_target_in_the_list_of_newer_controls() {
+    let values = ["_MVAR=1", "_SETVAL=132", "_KNUM=2001", "_TNUM=20"];
+    let asked = ["write", "--style", "operate", "CYCLE977"].into_iter();
+    let output = probewright(&asked.chain(values).collect::<Vec<_>>());
+    assert_eq!(output.status.code(), Some(1));
+    assert!(err(&output).contains("PW189"), "{}", err(&output));
+    assert!(err(&output).contains("S_KNUM1"), "{}", err(&output));
+    assert_eq!(out(&output), "");
+}
+
 // oracle: issue text
 #[test]
 fn check_names_file_line_and_column() {
