@@ -8,7 +8,7 @@ use probewright_core::check::{self, Typed};
 use probewright_core::control::{Plane, delivery};
 use probewright_core::diagnostic::{Code, Severity};
 use probewright_core::program::calls::calls;
-use probewright_core::program::change::{apply, change};
+use probewright_core::program::change::change;
 use probewright_core::program::{findings, read};
 use probewright_core::run::setup::Setup;
 use probewright_core::run::{self, Limits};

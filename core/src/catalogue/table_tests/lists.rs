@@ -45,11 +45,14 @@ fn parameterizing_calls_are_those_of_the_table() {
     }
 }
 
+/// Name of a list, number of its arguments, what stands at some places, counted from 1.
+type Published = (&'static str, usize, &'static [(usize, &'static str)]);
+
 // oracle: peer (number of arguments and places in the published lists of the calls; CYCLE977, CYCLE978 and CYCLE998 agree
 // with programs that run on newer controls, argument by argument)
 #[test]
 fn lists_of_newer_controls_have_the_published_arguments() {
-    let published: [(&str, usize, &[(usize, &str)]); 12] = [
+    let published: [Published; 12] = [
         (
             "CYCLE961",
             22,
