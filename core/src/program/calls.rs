@@ -5,6 +5,7 @@ mod data;
 mod listed;
 mod macros;
 mod site;
+mod sorts;
 mod subprograms;
 mod uses;
 

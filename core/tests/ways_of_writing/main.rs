@@ -5,6 +5,7 @@ mod convert;
 mod newer;
 mod round_trip;
 mod same_meaning;
+mod wrong_arguments;
 
 use probewright_core::catalogue::{Cycle, Dialect, Style, find};
 use probewright_core::check::Typed;

@@ -1,15 +1,15 @@
 //! What is known of a call after each way to it, and after all of them.
 
 use super::listed::Given;
+use super::sorts::of_wrong_sort;
 use super::{CallSite, Origin, Place, Walk, Way};
 use crate::catalogue::sinumerik::upkeep;
-use crate::catalogue::{ArgumentList, Cycle, Dialect, Kind, Style};
-use crate::check::listed::sort;
-use crate::check::{Sort, Typed, check, newer};
+use crate::catalogue::{ArgumentList, Cycle, Dialect, Style};
+use crate::check::{Typed, check, newer};
 use crate::control::Control;
 use crate::diagnostic::{Diagnostic, Span};
 use crate::own;
-use crate::program::tree::{Program, Word, WordKind};
+use crate::program::tree::Program;
 use crate::program::values::Value;
 use crate::support::BITS;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -360,47 +360,6 @@ fn checked(
         }
     }
     found
-}
-
-/// Texts where numbers belong, and the reverse; names of variables that are none.
-fn of_wrong_sort(program: &Program, cycle: &'static Cycle, given: &Given) -> Vec<Diagnostic> {
-    let wrong = |name: &str, value: &Value| {
-        let param = cycle.param(name)?;
-        let sort_of = match value.sort() {
-            Sort::Open if matches!(param.kind, Kind::Text(_)) && is_undeclared(program, value) => {
-                Sort::Undeclared
-            }
-            known => known,
-        };
-        let finding = sort(param, &value.text, sort_of)?;
-        Some(Diagnostic {
-            span: Some(value.written_at()),
-            ..finding
-        })
-    };
-    let all = given.iter();
-    let all = all.flat_map(|(name, held)| held.all().iter().map(move |value| (name, value)));
-    all.filter_map(|(name, value)| wrong(name, value)).collect()
-}
-
-/// Whether a value is a bare name that this program neither declares nor writes. One with an underscore before it may be
-/// of the machine.
-fn is_undeclared(program: &Program, value: &Value) -> bool {
-    let text = value.text.as_bytes();
-    let parameter = text.split_first().is_some_and(|(first, rest)| {
-        first.eq_ignore_ascii_case(&b'R') && rest.iter().all(u8::is_ascii_digit)
-    });
-    let name = text.first().is_some_and(u8::is_ascii_alphabetic)
-        && text
-            .iter()
-            .all(|byte| byte.is_ascii_alphanumeric() || *byte == b'_');
-    let declares = |word: &Word| match &word.kind {
-        WordKind::Declare { name, .. } | WordKind::Assign { name, .. } => {
-            program.text(*name).eq_ignore_ascii_case(text)
-        }
-        _ => false,
-    };
-    name && !parameter && !program.words.iter().any(declares)
 }
 
 /// The assignments of this program that a called one took the place of.
