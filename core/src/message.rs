@@ -41,6 +41,14 @@ impl Message {
         self.args.push((name, Arg::Text(printable(&value.into()))));
         self
     }
+
+    /// A text among the arguments.
+    pub fn word(&self, name: &str) -> Option<&str> {
+        self.args.iter().find_map(|(known, arg)| match arg {
+            Arg::Text(text) if *known == name => Some(text.as_str()),
+            _ => None,
+        })
+    }
 }
 
 /// Most characters of a text in a message.

@@ -82,7 +82,6 @@ sentences! {
     BAND_DIFFERENCE 23 Warning "check-band-difference" "check-bands-hint";
     ZERO_MEAN 24 Warning "check-zero-mean" "check-bands-hint";
     DIFFERENCE_SAFE 25 Warning "check-difference-safe" "check-bands-hint";
-    REACH 26 Warning "check-reach" "check-reach-hint";
     INFEED 27 Warning "check-infeed" "check-infeed-hint";
     MEAN_OFF 28 Note "check-mean-off" "check-mean-off-hint";
     BALL 30 Error "check-ball" "check-ball-hint";
@@ -168,7 +167,7 @@ sentences! {
     ADVICE_COMPENSATION_PASS 130 Error "advice-compensation-pass" "advice-compensation-hint";
     ADVICE_PLANE 131 Warning "advice-plane" "advice-plane-hint";
     ADVICE_DIAMETER 132 Warning "advice-diameter" "advice-diameter-hint";
-    ADVICE_EDGE_OPEN 133 Warning "advice-edge-open" "advice-edge-hint";
+    ADVICE_EDGE_OPEN 133 Note "advice-edge-open" "advice-edge-hint";
     ADVICE_SPINDLE 134 Warning "advice-spindle" "advice-spindle-hint";
     ADVICE_CALIBRATION 135 Note "advice-calibration" "advice-calibration-hint";
     ADVICE_INHERITED 136 Warning "advice-inherited" "advice-inherited-hint";
@@ -192,7 +191,6 @@ sentences! {
     ARRIVES_SHARED 151 Note "arrives" "arrives-shared-hint";
     ARRIVES_MANY 151 Note "arrives" "arrives-many-hint";
     ARRIVES_DIFFERING 151 Note "arrives-differing" "arrives-differing-hint";
-    ADVICE_OUTSIDE 152 Note "advice-outside" "advice-outside-hint";
     WRITE_VARIANT_OPEN 153 Error "write-variant-open" "write-no-list-hint";
     MIRROR_DATUM 154 Warning "check-mirror-datum" "check-mirror-datum-hint";
     ROTARY_ACROSS 155 Warning "check-rotary-across" "check-rotary-across-hint";
@@ -205,6 +203,9 @@ sentences! {
     SPREAD_CORNER 171 Warning "check-spread-corner" "check-spread-corner-hint";
     SPREAD_ANGLE 172 Warning "check-spread-angle" "check-spread-angle-hint";
     SPREAD_TRIANGLE 173 Warning "check-spread-triangle" "check-spread-triangle-hint";
+    TEXT_BEHIND_END 180 Note "syntax-behind-end" "syntax-behind-end-hint";
+    PROGRAM_NAMES 181 Note "program-names" "program-names-hint";
+    NCT_FOREIGN 182 Note "nct-foreign" "nct-foreign-hint";
     TEXT_WANTED 185 Error "list-text-wanted" "list-text-wanted-hint";
     NUMBER_WANTED 185 Error "list-number-wanted" "list-number-wanted-hint";
     TEXT_UNQUOTED 185 Warning "list-text-unquoted" "list-text-unquoted-hint";

@@ -219,8 +219,8 @@ fn unknown_words_and_programs_are_told() {
         ("M77", "run-machine-function"),
         ("Q5", "run-not-simulated"),
         ("O1\nG65 P2 ,C1\nM30\nO2\nM99", "run-unknown-word"),
-        ("HALLO", "run-unknown-word"),
-        ("X1,5", "run-unknown-word"),
+        ("HALLO", "syntax-unknown"),
+        ("X1,5", "syntax-unknown"),
     ] {
         let outcome = go(text);
         assert_eq!(outcome.stop, None, "{text}");

@@ -56,9 +56,10 @@ fn check_places(program: &Program) {
         start: behind,
         end: whole.end,
     });
+    let mut read = rest.iter().take_while(|byte| **byte != 0x1A);
     assert!(
-        rest.iter().all(|byte| matches!(byte, b'\r' | b'\n')),
-        "nothing behind the last line but its end"
+        read.all(|byte| matches!(byte, b'\r' | b'\n')),
+        "nothing behind the last line but its end, and the end of the file"
     );
     let unknown: Vec<Span> = program
         .words

@@ -20,6 +20,8 @@ pub struct Param {
     pub range: Range,
     /// Outside of this a colleague would ask.
     pub usual: Range,
+    /// It only watches a deviation: what is larger than any machine switches that off.
+    pub watches: bool,
     /// Alarm (or message) for a value outside `range` or missing.
     pub alarm: Option<crate::diagnostic::Code>,
     /// First rule that holds decides; none: not used.

@@ -23,7 +23,7 @@ pub use units::{delivered_factor, factor, unit_behind, unit_name};
 use crate::catalogue::Cycle;
 use crate::control::Plane;
 use crate::control::tools::REVERSED;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What was typed, per parameter name, nothing decided. Decimal comma allowed.
 pub type Typed = BTreeMap<String, String>;
@@ -37,6 +37,8 @@ pub struct Inputs {
     pub variant: i64,
     /// Numbers by parameter name, defaults filled in.
     pub numbers: BTreeMap<&'static str, f64>,
+    /// Parameters that the program or the form gives; the others have their defaults.
+    pub written: BTreeSet<&'static str>,
     /// Texts by parameter name.
     pub texts: BTreeMap<&'static str, String>,
     /// Whether D numbers take five digits, so that all other digits of `_KNUM` move up by two (B:2009-2029).
@@ -64,6 +66,7 @@ impl Inputs {
             cycle,
             variant,
             numbers: BTreeMap::new(),
+            written: BTreeSet::new(),
             texts: BTreeMap::new(),
             five_digit_edges: false,
             plane: Plane::G17,

@@ -27,12 +27,11 @@ const SAME: [Own; 6] = [
 const SAME_ALARMS: [u32; 2] = [61308, 61334];
 
 /// Doubts about two values that hold where both are written: what counts for an omitted one is another datum there.
-const ORDERS: [(Own, &[&str]); 5] = [
+const ORDERS: [(Own, &[&str]); 4] = [
     (own::TOLERANCE_ORDER, &[names::TUL, names::TLL]),
     (own::BAND_DIFFERENCE, &[names::TUL, names::TLL, names::TDIF]),
     (own::ZERO_MEAN, &[names::TZL, names::TMV]),
     (own::DIFFERENCE_SAFE, &[names::TDIF, names::TSA]),
-    (own::REACH, &[names::FA, names::TSA]),
 ];
 
 /// What says what is measured: each published program gives it.

@@ -117,6 +117,9 @@ pub fn read(
             }
             continue;
         }
+        if !text.is_empty() {
+            inputs.written.insert(param.name);
+        }
         let unit = param.unit_with(&inputs);
         match value(param, unit, text, control) {
             Ok(Some(number)) => drop(inputs.numbers.insert(param.name, number)),
@@ -159,7 +162,7 @@ fn value(
     } else {
         LIMIT
     };
-    if number.abs() > limit {
+    if number.abs() > limit && !param.watches {
         return Err(Box::new(own::TOO_LARGE.finding().text("value", text)));
     }
     if whole(&param.kind) && number.fract() != 0.0 {

@@ -13,7 +13,7 @@ use crate::program::change::{Edit, change as edits};
 use crate::program::position::Positions;
 use crate::program::{self, tree::Program};
 use crate::run::left::Figure;
-use crate::run::outcome::Outcome;
+use crate::run::outcome::{Outcome, PassedOver};
 use crate::run::setup::Setup;
 use crate::run::{Limits, Session};
 use serde::Deserialize;
@@ -255,6 +255,14 @@ fn result((name, figure): (&str, Figure), control: &Control) -> Value {
     result
 }
 
+/// A word that the run went on without, and its line.
+fn passed_over(one: &PassedOver) -> Value {
+    object([
+        ("word", one.word.as_str().into()),
+        ("line", one.line.into()),
+    ])
+}
+
 /// What a program did, as a `RunView`.
 pub fn run_outcome(setup: &Setup, outcome: &Outcome, source: &[u8]) -> Value {
     let figures = outcome.figures().into_iter();
@@ -272,5 +280,10 @@ pub fn run_outcome(setup: &Setup, outcome: &Outcome, source: &[u8]) -> Value {
         ("alarms", super::trace::alarms(outcome).into()),
         ("log", outcome.log().into()),
         ("finished", outcome.finished().into()),
+        (
+            "passedOver",
+            outcome.passed_over.iter().map(passed_over).collect(),
+        ),
+        ("ending", message(&outcome.ending())),
     ])
 }

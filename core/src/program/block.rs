@@ -11,6 +11,9 @@ use crate::own;
 /// What some editors write before the text of a file.
 pub(super) const BYTE_ORDER_MARK: &[u8] = "\u{feff}".as_bytes();
 
+/// Ends a text in files of old editors and of transfers (Ctrl-Z).
+const END_OF_FILE: u8 = 0x1A;
+
 /// Lines between two tellings of how far the work is.
 pub(super) const BETWEEN: usize = 8192;
 
@@ -22,7 +25,9 @@ pub fn read(dialect: Dialect, source: &[u8]) -> Program {
 /// The same, telling from time to time which share of the text is read.
 pub fn read_told(dialect: Dialect, source: &[u8], told: &mut dyn FnMut(f64)) -> Program {
     // Places are u32; what lies beyond 4 GiB is kept but not read.
-    let readable = source.get(..u32::MAX as usize).unwrap_or(source);
+    let whole = source.get(..u32::MAX as usize).unwrap_or(source);
+    let end = whole.iter().position(|byte| *byte == END_OF_FILE);
+    let readable = end.map_or(whole, |end| &whole[..end]);
     let mut reader = Reader::new(readable);
     while reader.at < readable.len() || reader.blocks.is_empty() {
         let start = reader.at;
@@ -41,7 +46,7 @@ pub fn read_told(dialect: Dialect, source: &[u8], told: &mut dyn FnMut(f64)) -> 
             told(reader.at as f64 / readable.len() as f64);
         }
     }
-    if readable.len() < source.len() {
+    if whole.len() < source.len() && end.is_none() {
         reader.errors.push(SyntaxError {
             span: Span {
                 start: u32::MAX - 1,
@@ -50,7 +55,23 @@ pub fn read_told(dialect: Dialect, source: &[u8], told: &mut dyn FnMut(f64)) -> 
             sentence: &own::SYNTAX_TOO_LARGE,
         });
     }
+    reader.errors.extend(behind_end(whole, readable.len()));
     reader.finish(dialect, source)
+}
+
+/// What stands behind the end of file, where it is more than blanks and further ends.
+fn behind_end(whole: &[u8], end: usize) -> Option<SyntaxError> {
+    let filler = |byte: &u8| byte.is_ascii_whitespace() || matches!(*byte, END_OF_FILE | 0);
+    let behind = whole.get(end..).unwrap_or_default();
+    let first = behind.iter().position(|byte| !filler(byte))?;
+    let span = Span {
+        start: (end + first) as u32,
+        end: whole.len() as u32,
+    };
+    Some(SyntaxError {
+        span,
+        sentence: &own::TEXT_BEHIND_END,
+    })
 }
 
 fn line(reader: &mut Reader, dialect: Dialect) {

@@ -3,7 +3,7 @@
 
 mod data;
 mod listed;
-mod macros;
+pub(super) mod macros;
 mod site;
 mod sorts;
 mod subprograms;

@@ -357,7 +357,7 @@ fn number_between(program: &Program, line: u32, block: &Block) -> Option<u64> {
 pub(super) fn line_end(program: &Program, line: u32) -> &'static str {
     let ends = |line: usize| {
         let end = program.blocks.get(line)?.span.end as usize;
-        let rest = program.source.get(end..)?;
+        let rest = program.source.get(end..program.end as usize)?;
         (!rest.is_empty()).then_some(if rest.starts_with(b"\r\n") {
             "\r\n"
         } else {

@@ -228,10 +228,7 @@ fn removed(start: u32, end: u32) -> Edit {
 /// A line from a byte on, with its end.
 fn without_line(program: &Program, line: u32, from: u32) -> Edit {
     let behind = program.blocks.get(line as usize + 1);
-    removed(
-        from,
-        behind.map_or(program.source.len() as u32, |next| next.span.start),
-    )
+    removed(from, behind.map_or(program.end, |next| next.span.start))
 }
 
 /// A comment; a line without anything else goes with its end.

@@ -2,11 +2,14 @@
 
 use super::advice::advice;
 use super::block_rules::block_rules;
+use super::calls::macros::of_another_control;
 use super::calls::{CallSite, calls_on};
 use super::tree::{Program, SyntaxError};
 use crate::catalogue::Dialect;
 use crate::control::{Control, delivery};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Cure, Diagnostic, Edit, Span};
+use crate::message::Message;
+use crate::own;
 
 /// Everything that reading and checking found, in the order of the text, the worst of a place first. The
 /// control is a metric one as delivered.
@@ -22,10 +25,11 @@ pub fn findings_on(program: &Program, control: Control) -> Vec<Diagnostic> {
 
 /// The same where the calls of the program on this control are known already.
 pub fn findings_of(program: &Program, sites: &[CallSite], control: &Control) -> Vec<Diagnostic> {
-    let syntax = program.errors.iter().map(not_understood);
+    let syntax = program.errors.iter();
+    let syntax = syntax.map(|error| not_understood(program, error));
     let blocks = match program.dialect {
         Dialect::Sinumerik => block_rules(program),
-        Dialect::Nct => Vec::new(),
+        Dialect::Nct => of_another_control(program),
     };
     let advice = advice(program, sites, control);
     let calls = sites
@@ -53,9 +57,52 @@ fn once(found: Vec<Diagnostic>) -> Vec<Diagnostic> {
     kept
 }
 
-fn not_understood(error: &SyntaxError) -> Diagnostic {
-    Diagnostic {
+/// What reading did not understand, with what to write instead where it is a number of another language.
+pub fn not_understood(program: &Program, error: &SyntaxError) -> Diagnostic {
+    let found = Diagnostic {
         span: Some(error.span),
         ..error.sentence.finding()
+    };
+    let instead = match error.sentence.cause {
+        cause if cause == own::SYNTAX_EXPONENT.cause => "EX",
+        cause if cause == own::SYNTAX_COMMA.cause => ".",
+        _ => return found,
+    };
+    let Some((number, edit)) = rewritten(program, error.span, instead) else {
+        return found;
+    };
+    let write = Message::new("syntax-write").text("value", number);
+    let cure = Cure {
+        label: write.clone(),
+        edits: vec![edit],
+    };
+    Diagnostic {
+        cure: Some(cure),
+        ..found.hint(write)
     }
+}
+
+/// The number around the byte at which reading failed, with something else in its place; none: no number stands there.
+fn rewritten(program: &Program, at: Span, instead: &str) -> Option<(String, Edit)> {
+    let (before, behind) = program.source.split_at_checked(at.start as usize)?;
+    let of_number = |byte: &&u8| byte.is_ascii_digit() || **byte == b'.';
+    let digits = before.iter().rev().take_while(of_number).count();
+    let (wrong, behind) = behind.split_first()?;
+    let sign = behind
+        .iter()
+        .take_while(|byte| b"+-".contains(byte))
+        .count();
+    let sign = if *wrong == b',' { 0 } else { sign.min(1) };
+    let power = behind.get(sign..)?.iter().take_while(of_number).count();
+    if digits == 0 || power == 0 {
+        return None;
+    }
+    let mantissa = String::from_utf8_lossy(before.get(before.len() - digits..)?);
+    let power = String::from_utf8_lossy(behind.get(..sign + power)?);
+    let span = Span {
+        start: at.start,
+        end: at.start + 1,
+    };
+    let insert = instead.to_owned();
+    Some((format!("{mantissa}{instead}{power}"), Edit { span, insert }))
 }

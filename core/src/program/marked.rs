@@ -19,11 +19,13 @@ fn sets_bits(program: &Program, block: &Block) -> bool {
     let words = program.words_of(block);
     let is_bit = |word: &Word| match &word.kind {
         WordKind::Assign { value_span, .. } => {
-            let name = Span {
-                start: word.span.start,
-                end: value_span.start.saturating_sub(1),
+            let target = Span {
+                end: value_span.start,
+                ..word.span
             };
-            BITS.iter().any(|bit| program.is(name, bit))
+            let text = program.name(target);
+            let text: String = text.chars().filter(|one| !one.is_whitespace()).collect();
+            BITS.iter().any(|bit| text.strip_suffix('=') == Some(bit))
         }
         _ => false,
     };

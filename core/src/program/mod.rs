@@ -30,7 +30,7 @@ mod values;
 
 pub use arrivals::arrivals;
 pub use block::{read, read_told};
-pub use findings::{findings, findings_of, findings_on};
+pub use findings::{findings, findings_of, findings_on, not_understood};
 pub use single::is_value;
 pub use tree::Program;
 pub mod write;

@@ -75,6 +75,7 @@ impl<'a> Reader<'a> {
         Program {
             dialect,
             source: source.to_vec(),
+            end: self.source.len() as u32,
             blocks: self.blocks,
             words: self.words,
             exprs: self.exprs,
@@ -174,10 +175,11 @@ impl<'a> Reader<'a> {
         before.trim_ascii_end().len()
     }
 
-    /// Marks what was not understood, from `start` to the next blank; touching ones become one. `place` is where the
-    /// reading failed. What stands in a bracket that the block leaves open belongs to it, up to the end.
+    /// Marks what was not understood, from `start` to the next blank behind `place`, where the reading failed; touching ones
+    /// become one. What stands in a bracket that the block leaves open belongs to it, up to the end.
     pub fn unknown(&mut self, start: usize, place: usize, sentence: &'static Own, stop: u8) {
-        self.at = (start + 1).max(self.left_open(place, sentence, stop));
+        let open = self.left_open(place, sentence, stop);
+        self.at = place.max(start + 1).max(open);
         while !self.done() && !is_blank(self.byte(0)) && self.byte(0) != stop {
             let quoted = self.byte(0) == b'"';
             let close = if quoted {
@@ -194,7 +196,9 @@ impl<'a> Reader<'a> {
                 .and_then(<[Word]>::last_mut),
             self.errors.last_mut(),
         ) {
-            (Some(word), Some(error)) if word.kind == WordKind::Unknown => {
+            (Some(word), Some(error))
+                if word.kind == WordKind::Unknown && word.span.end == span.start =>
+            {
                 word.span.end = span.end;
                 error.span.end = span.end;
                 true

@@ -5,7 +5,7 @@ use super::expression::expression;
 use super::keyword::{self, Keyword};
 use super::number;
 use super::reader::{Expect, Parsed, Reader};
-use super::sinumerik_expression::{arguments, index, text};
+use super::sinumerik_expression::{arguments, foreign_exponent, index, text};
 use super::tree::{Expr, ExprId, WordKind};
 use crate::catalogue::Dialect::Sinumerik;
 use crate::diagnostic::Span;
@@ -130,7 +130,7 @@ fn extended(reader: &mut Reader, start: usize, letter: Span, number: f64) -> Opt
     if label {
         return Some(finish_label(reader, start, name));
     }
-    if in_name(reader.byte(0)) || reader.byte(0) == b'[' {
+    if in_name(reader.byte(0)) || reader.take(b'[') {
         reader.at = start;
         return Some(named(reader));
     }
@@ -235,22 +235,18 @@ fn value(reader: &mut Reader) -> Parsed<(ExprId, Span)> {
     Ok((value.id, reader.from(start)))
 }
 
-/// Numbers as other languages write them: `12,5` and `1e-3`. The second would be read as 1 and an address E.
+/// Numbers as other languages write them: `12,5` and `1e-3`.
 fn foreign_number(reader: &Reader) -> Parsed<()> {
-    let signed = usize::from(matches!(reader.byte(1), b'+' | b'-'));
-    let behind_digit = reader.at > 0
-        && reader
-            .source
-            .get(reader.at - 1)
-            .is_some_and(u8::is_ascii_digit);
-    match reader.byte(0) {
-        b',' if reader.expect == Expect::Words && is_digit(reader.byte(1)) => {
-            Err(&own::SYNTAX_COMMA)
-        }
-        b'e' | b'E' if behind_digit && is_digit(reader.byte(1 + signed)) => {
-            Err(&own::SYNTAX_EXPONENT)
-        }
-        _ => Ok(()),
+    if reader.byte(0) == b',' && reader.expect == Expect::Words && is_digit(reader.byte(1)) {
+        return Err(&own::SYNTAX_COMMA);
+    }
+    let last = reader
+        .at
+        .checked_sub(1)
+        .and_then(|at| reader.source.get(at));
+    match last.is_some_and(u8::is_ascii_digit) {
+        true => foreign_exponent(reader),
+        false => Ok(()),
     }
 }
 

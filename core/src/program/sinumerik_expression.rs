@@ -67,7 +67,8 @@ pub(super) fn operand(reader: &mut Reader) -> Parsed<Node> {
     let first = reader.byte(0);
     if is_digit(first) || first == b'.' {
         let read = number::with_exponent(reader.rest());
-        return constant(reader, read);
+        let number = constant(reader, read)?;
+        return foreign_exponent(reader).map(|()| number);
     }
     if starts_name(first) {
         return named(reader);
@@ -93,6 +94,17 @@ fn constant(reader: &mut Reader, read: Option<(f64, usize)>) -> Parsed<Node> {
     reader.at += length;
     let span = reader.from(start);
     reader.push(Expr::Number(value, span), 1)
+}
+
+/// An exponent as other languages write it, `1e-3`, behind a number: it would be read as 1 and an address E.
+pub(super) fn foreign_exponent(reader: &Reader) -> Parsed<()> {
+    let signed = usize::from(matches!(reader.byte(1), b'+' | b'-'));
+    let exponent = reader.byte(0).eq_ignore_ascii_case(&b'e') && is_digit(reader.byte(1 + signed));
+    if exponent {
+        Err(&own::SYNTAX_EXPONENT)
+    } else {
+        Ok(())
+    }
 }
 
 /// `"…"`.
@@ -147,12 +159,12 @@ fn named(reader: &mut Reader) -> Parsed<Node> {
     reader.push(Expr::Name { name, index }, height + 1)
 }
 
-/// `[1,X,TR]`, if there is one, with the height of its tallest element. A parameter may leave its size open: `REAL F[]`.
+/// `[1,X,TR]`, if there is one, with the height of its tallest element; blanks may stand before it. A parameter may leave
+/// its size open: `REAL F[]`.
 pub(super) fn index(reader: &mut Reader) -> Parsed<(Box<[ExprId]>, u16)> {
-    if reader.byte(0) != b'[' {
+    if !reader.take(b'[') {
         return Ok((Box::default(), 0));
     }
-    reader.at += 1;
     let open = reader.expect == Expect::Parameters && reader.take(b']');
     if open {
         let span = reader.from(reader.at);

@@ -34,7 +34,8 @@ fn said(number: u16) -> Vec<(&'static str, &'static str)> {
     let ours = ours.map(|one| (one.cause, one.hint));
     let of_run = number.checked_sub(problem::FIRST);
     let of_run = of_run.and_then(|at| problem::KEYS.get(usize::from(at)));
-    ours.chain(of_run.map(|key| (*key, ""))).collect()
+    let of_run = of_run.map(|key| (*key, problem::cure(key).unwrap_or_default()));
+    ours.chain(of_run).collect()
 }
 
 /// A sentence with `…` where it names what it found.

@@ -6,15 +6,28 @@ use super::statement::{self, Call, Words};
 use super::trace::Step;
 use super::{
     Machine, Stop, addresses, cycle, environment, frame, gcode, listed, macro_call, manner, motion,
-    repeat, set_alarm, subprogram, swivel, tool, user_program, words,
+    programs, repeat, set_alarm, subprogram, swivel, tool, unread, user_program, words,
 };
-use crate::catalogue::{self, Dialect};
+use crate::catalogue::{self, Dialect, nct};
 use crate::diagnostic::Severity;
 use crate::program::flow::is_word;
+use std::rc::Rc;
 
 /// Carries out a block whose words were collected.
 pub fn perform(run: &mut Interpreter, at: usize, mut found: Words) -> Result<Next, Stop> {
+    let program = Rc::clone(&run.program);
+    let block = program.blocks.get(at).filter(|_| found.unread);
+    let words = block
+        .map(|block| program.words_of(block))
+        .unwrap_or_default();
     if let Some(cycle) = measuring_macro(run, &found) {
+        if is_foreign(cycle, &found) {
+            unread::of_another_control(run, cycle, &found);
+            return Ok(Next::Block);
+        }
+        if let Some(problem) = unread::own(run, words, found.path.span) {
+            return Err(run.fail(problem));
+        }
         gcode::apply_beside_macro(run, &mut found)?;
         cycle::addresses(run, cycle, &found)?;
         return Ok(Next::Block);
@@ -27,6 +40,7 @@ pub fn perform(run: &mut Interpreter, at: usize, mut found: Words) -> Result<Nex
     }
     let subprogram = nct && macro_call::function(&found, "M", 98.0).is_some();
     gcode::apply(run, &mut found)?;
+    unread::placed(run, &found.addresses);
     words::apply(run, &mut found);
     tool::apply(run, &found)?;
     let calls = !found.calls.is_empty();
@@ -127,6 +141,12 @@ fn measuring_macro(run: &Interpreter, found: &Words) -> Option<&'static catalogu
         .find_map(|code| catalogue::find(Dialect::Nct, &format!("G{code}")))
 }
 
+/// Whether the G function of a macro stands there for something else, that of another control.
+fn is_foreign(cycle: &'static catalogue::Cycle, found: &Words) -> bool {
+    let names = found.addresses.iter().map(|address| address.name.as_str());
+    macro_call::function(found, "G", 65.0).is_none() && nct::foreign(cycle, names)
+}
+
 /// M functions that stop, end or turn; the others, and those of another spindle, belong to the machine.
 fn end(run: &mut Interpreter, found: &Words) -> Result<Option<End>, Problem> {
     let nct = run.program.dialect == Dialect::Nct;
@@ -191,32 +211,28 @@ fn carry_out(
         return entered.map(Some).map_err(|problem| run.fail(problem));
     } else if user_program::delivered(name) {
         // empty as delivered
-    } else if !words::known(name) && (is_subprogram(name) || run.programs.external.contains(name)) {
-        run.tell(
-            Severity::Warning,
-            &Problem::new("run-subprogram", call.span, name),
-        );
+    } else if run.programs.external.contains(name) {
+        programs::not_here(run, name, call.span);
     } else if words::beyond(name) {
         return Err(run.fail(Problem::new("run-not-simulated", call.span, name)));
     } else if words::known(name) || frame::is_frame(name) {
         // done, or nothing to do
-    } else if is_word(name) {
+    } else if is_word(name) || machines(name) {
         run.tell(
             Severity::Warning,
             &Problem::new("run-not-simulated", call.span, name),
         );
     } else {
-        run.tell(
-            Severity::Error,
-            &Problem::new("run-unknown-word", call.span, name),
-        );
+        programs::not_here(run, name, call.span);
     }
     Ok(None)
 }
 
 /// Whether a word without value belongs to the control: its language and its cycles, not a program of the user.
 pub fn is_of_control(name: &str) -> bool {
-    name.starts_with("CYCLE")
+    machines(name)
+        || name.starts_with("CYCLE_") // the parameterizing calls
+        || catalogue::find(Dialect::Sinumerik, name).is_some()
         || ["MSG", environment::NAME, set_alarm::NAME].contains(&name)
         || user_program::delivered(name)
         || words::known(name)
@@ -224,12 +240,14 @@ pub fn is_of_control(name: &str) -> bool {
         || frame::is_frame(name)
 }
 
-/// Names by which subprograms are called: `L10`, `CYCLE…`.
-fn is_subprogram(name: &str) -> bool {
-    let digits = name
-        .strip_prefix('L')
-        .or_else(|| name.strip_prefix("CYCLE"));
-    digits.is_some_and(|digits| {
-        !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit())
-    })
+/// Numbers of cycles that drill, mill, turn and swivel, and those that belong to the measuring cycles themselves (B:2384-2393).
+const OF_CONTROL: [std::ops::RangeInclusive<u32>; 4] =
+    [60..=199, 800..=899, 930..=959, 4071..=4079];
+
+/// Whether a name is that of a cycle of the control that does something which is not simulated: `CYCLE83`.
+fn machines(name: &str) -> bool {
+    let number = name
+        .strip_prefix("CYCLE")
+        .and_then(|digits| digits.parse().ok());
+    number.is_some_and(|number| OF_CONTROL.iter().any(|numbers| numbers.contains(&number)))
 }

@@ -3,7 +3,7 @@
 use super::interpret::Interpreter;
 use super::problem::Problem;
 use super::statement::Words;
-use super::{Stop, call, contour, user_program};
+use super::{Stop, call, contour, unread, user_program};
 use crate::catalogue::sinumerik::{results, upkeep};
 use crate::catalogue::{Cycle, Kind, ProbeUse, nct};
 use crate::check::{self, Checked, Typed};
@@ -24,6 +24,7 @@ pub fn data(run: &mut Interpreter, cycle: &'static Cycle, span: Span) -> Result<
         };
         typed.insert(param.name.to_owned(), text);
     }
+    unread::takes(run, cycle, &typed, span).map_err(|problem| run.fail(problem))?;
     checked(run, cycle, &typed, span)
 }
 
@@ -97,6 +98,7 @@ pub fn carry_out(
     checked: Checked,
     span: Span,
 ) -> Result<(), Stop> {
+    unread::measures(run, cycle, span).map_err(|problem| run.fail(problem))?;
     let errors: Vec<_> = checked
         .diagnostics
         .iter()

@@ -69,6 +69,7 @@ pub fn declare(
         Some(level) if !declaring.shared => &mut level.locals,
         _ => &mut run.shared,
     };
+    run.unread.remove(&key);
     let before = locals.insert(key.clone(), Local::Own(variable));
     if matches!(before, Some(Local::Own(old)) if old.place != name) {
         run.tell(

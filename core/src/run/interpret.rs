@@ -7,9 +7,11 @@ use super::level::Level;
 use super::locals::Locals;
 use super::machine::Sim;
 use super::modal::Modal;
+use super::outcome::PassedOver;
 use super::problem::{self, Problem};
 use super::programs::{self, Programs};
 use super::trace::Step;
+use super::unread::Unread;
 use super::{Outcome, Setup, Stop, motion, repeat, statement, subprogram};
 use crate::catalogue::alarms;
 use crate::diagnostic::{Diagnostic, Severity, Span};
@@ -93,8 +95,14 @@ pub struct Interpreter {
     pub most_calls: usize,
     /// Work after which the run is given up.
     pub limit: usize,
+    /// What words that could not be read would have written.
+    pub unread: Unread,
     seen: BTreeSet<(u32, String)>,
+    passed: Vec<PassedOver>,
 }
+
+/// Words passed over that are kept.
+const MOST_PASSED: usize = 1000;
 
 /// Characters of a block that count as one block's work.
 const BLOCK: u32 = 100;
@@ -166,6 +174,8 @@ impl Session {
         outcome.trace = self.run.sim.trace;
         outcome.scans = self.run.sim.scans;
         outcome.diagnostics = self.run.diagnostics;
+        outcome.passed_over = self.run.passed;
+        outcome.line = self.run.sim.line.map(|line| line + 1);
         outcome
     }
 }
@@ -270,7 +280,9 @@ impl Interpreter {
             calls: BTreeMap::new(),
             most_calls: limits.calls,
             limit: limits.steps,
+            unread: Unread::new(),
             seen: BTreeSet::new(),
+            passed: Vec::new(),
             program: Rc::new(program),
         }
     }
@@ -283,19 +295,42 @@ impl Interpreter {
         (at.saturating_sub(main.start) as f64 / main.len().max(1) as f64).min(1.0)
     }
 
-    /// A finding that does not stop the run; the same one is told once.
+    /// A finding that does not stop the run; the same one is told once. What the run passes over is named at its end too.
     pub fn tell(&mut self, severity: Severity, problem: &Problem) {
-        if self
-            .seen
-            .insert((problem.span.start, problem.message.key.to_string()))
-        {
-            self.diagnostics.push(problem.diagnostic(severity));
+        let told = self.tell_once(problem.diagnostic(severity));
+        if let (true, Some(word)) = (told, problem.passed_over()) {
+            self.passed_over(PassedOver {
+                word: word.to_owned(),
+                line: self.program.line_of(problem.span.start) + 1,
+            });
         }
+    }
+
+    /// Keeps a finding; false: it was told before.
+    pub fn tell_once(&mut self, found: Diagnostic) -> bool {
+        let place = found.span.unwrap_or_default().start;
+        let new = self.seen.insert((place, found.message.key.to_string()));
+        if new {
+            self.diagnostics.push(found);
+        }
+        new
+    }
+
+    /// Something of the program that is not carried out, each once.
+    pub fn passed_over(&mut self, passed: PassedOver) {
+        if self.passed.len() < MOST_PASSED && !self.passed.contains(&passed) {
+            self.passed.push(passed);
+        }
+    }
+
+    /// Whether a word was passed over before.
+    pub fn passes_over(&self, word: &str) -> bool {
+        self.passed.iter().any(|passed| passed.word == word)
     }
 
     /// A finding that stops the run.
     pub fn fail(&mut self, problem: Problem) -> Stop {
-        self.tell(Severity::Error, &problem);
+        self.tell_once(problem.diagnostic(Severity::Error));
         Stop::Fault(problem.message)
     }
 

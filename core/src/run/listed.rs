@@ -4,7 +4,7 @@ use super::datum::Datum;
 use super::interpret::Interpreter;
 use super::problem::Problem;
 use super::statement::Call;
-use super::{Stop, cycle, helper};
+use super::{Stop, cycle, helper, unread};
 use crate::catalogue::{self, Arg, ArgumentList, CYCLES, Cycle, Dialect, Kind, Param, Style, list};
 use crate::check::{Sort, Typed, listed, newer};
 use crate::control::Value;
@@ -39,8 +39,9 @@ pub fn call(run: &mut Interpreter, call: &Call) -> Result<bool, Stop> {
         newer_list(run, cycle, list, &typed, call.span)?;
         return Ok(true);
     }
-    let data = &mut run.sim.control.data;
     for (name, value) in values {
+        unread::written(run, name);
+        let data = &mut run.sim.control.data;
         match value {
             None if list.style == Style::Direct => drop(data.remove(name)),
             value => {
@@ -140,6 +141,7 @@ fn auxiliary(run: &mut Interpreter, call: &Call) -> Result<bool, Stop> {
     for (name, value) in list::AUXILIARY_ARGS.iter().zip(&call.args) {
         let number = value.as_ref().and_then(Datum::number);
         if let Some(number) = number.filter(|number| *number != 0.0) {
+            unread::written(run, name);
             run.sim.control.set(*name, number);
         }
     }

@@ -83,8 +83,7 @@ fn call(run: &mut Interpreter, at: usize, found: &Words) -> Result<Next, Problem
     let unit = name.as_ref().and_then(|name| run.programs.named(name));
     let Some(unit) = unit.cloned() else {
         let name = name.unwrap_or_else(|| format!("P{}", address.value.shown()));
-        let problem = Problem::new("run-subprogram", address.span, name);
-        run.tell(Severity::Warning, &problem);
+        programs::not_here(run, &name, address.span);
         return Ok(Next::Block);
     };
     let call = Call {

@@ -28,7 +28,7 @@ pub mod machine;
 mod macro_call;
 mod macro_system;
 mod macro_variables;
-mod manner;
+pub mod manner;
 pub mod modal;
 pub mod motion;
 pub mod names;
@@ -53,6 +53,7 @@ mod texts;
 pub mod tool;
 pub mod trace;
 pub mod types;
+pub mod unread;
 pub mod user_program;
 mod words;
 

@@ -5,12 +5,12 @@ use super::expression::evaluate;
 use super::interpret::Interpreter;
 use super::locals::{self, Home, indices, stem};
 use super::problem::Problem;
-use super::{macro_variables, system};
+use super::{macro_variables, system, unread};
 use crate::catalogue::{CYCLES, Dialect};
 use crate::control::rotary::is_angle;
 use crate::control::{Frame, Value, arrays, gud, machine_data};
 use crate::diagnostic::{Severity, Span};
-use crate::program::tree::ExprId;
+use crate::program::tree::{ExprId, WordKind};
 use std::collections::BTreeMap;
 
 /// Words that stand for themselves: axes, and the parts of a frame.
@@ -48,6 +48,7 @@ pub fn key(run: &Interpreter, place: Span, index: &[ExprId]) -> Result<String, P
 
 /// Value of a variable.
 pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem> {
+    unread::known(run, key, place)?;
     if macro_variables::is(key) {
         return macro_variables::read(run, key, place);
     }
@@ -65,12 +66,41 @@ pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem>
     if let Some(value) = run.sim.control.data.get(key) {
         return Ok(Datum::from(value));
     }
-    known(key, place)?;
+    if let Err(problem) = known(key, place) {
+        return parameter(run, key, place).unwrap_or(Err(problem));
+    }
     let stem = stem(key);
     if gud::find(stem).is_some_and(gud::Gud::text) {
         return Ok(Datum::Text(String::new()));
     }
     Ok(Datum::Number(delivered(run, key)))
+}
+
+/// A parameter of the program itself that is run as main program: its default, as nothing calls it with a value.
+fn parameter(run: &Interpreter, key: &str, place: Span) -> Option<Result<Datum, Problem>> {
+    let main = run
+        .programs
+        .units
+        .first()
+        .filter(|_| run.levels.len() == 1)?;
+    let words = run
+        .program
+        .words_of(run.program.blocks.get(main.signature?)?);
+    let mut declared = words.iter().filter_map(|word| match &word.kind {
+        WordKind::Declare { name, value, .. } => Some((*name, *value)),
+        _ => None,
+    });
+    let (program, _) = declared.next()?;
+    let (_, default) = declared.find(|(name, _)| run.program.is(*name, stem(key)))?;
+    Some(match default {
+        Some(default) => evaluate(run, default),
+        None => {
+            let mut problem = Problem::new("run-parameter", place, key);
+            let program = run.program.name(program);
+            problem.message = problem.message.text("program", program);
+            Err(problem)
+        }
+    })
 }
 
 /// Name of a variable of the control: of a `VAR` parameter what the call named.
@@ -139,6 +169,7 @@ const TEXT: usize = 400;
 
 fn write_one(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Result<(), Problem> {
     run.work += 1;
+    unread::written(run, key);
     if macro_variables::is(key) {
         return macro_variables::write(run, key, value, place);
     }

@@ -7,7 +7,7 @@ use crate::catalogue::{Cycle, Dialect, ResultField};
 use crate::control::{Control, Value, gud, nct_data};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::geometry::TOLERANCE;
-use crate::message::Message;
+use crate::message::{Arg, Message};
 use crate::scan::Sent;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -28,6 +28,22 @@ pub struct Outcome {
     pub stop: Option<Stop>,
     /// Problems found in the program while running; empty for a single call.
     pub diagnostics: Vec<Diagnostic>,
+    /// What the run went on without, in its order.
+    pub passed_over: Vec<PassedOver>,
+    /// Line of the last block, from 1; none for a single call.
+    pub line: Option<u32>,
+}
+
+/// Most words that the end of a run names.
+const NAMED: usize = 20;
+
+/// A word or call that the run went on without.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PassedOver {
+    /// As it stands in the program.
+    pub word: String,
+    /// Its line, from 1.
+    pub line: u32,
 }
 
 /// Something that is different after a run. Lengths in mm, also of memories that an inch machine keeps in inch.
@@ -45,6 +61,27 @@ impl Outcome {
     /// Whether the run reached its end.
     pub fn finished(&self) -> bool {
         self.stop.is_none()
+    }
+
+    /// How the run ended: at its end or before, and what it went on without.
+    pub fn ending(&self) -> Message {
+        let named = self.passed_over.iter().take(NAMED);
+        let named = named.map(|one| format!("{} ({})", one.word, one.line));
+        let mut words: Vec<String> = named.collect();
+        if self.passed_over.len() > NAMED {
+            words.push("…".to_owned());
+        }
+        let key = match (self.finished(), words.is_empty()) {
+            (true, true) => "run-ended",
+            (true, false) => "run-ended-without",
+            (false, true) => "run-ended-early",
+            (false, false) => "run-ended-early-without",
+        };
+        let line = f64::from(self.line.unwrap_or(0));
+        let mut message = Message::new(key).number("line", line);
+        // each of them is short already, and each is to be named
+        message.args.push(("words", Arg::Text(words.join(", "))));
+        message
     }
 
     /// The results of a cycle with the values they have now. Those of a macro of NCT have names of ours, and are none before it
@@ -159,6 +196,8 @@ impl Outcome {
             scans: Vec::new(),
             stop: None,
             diagnostics: Vec::new(),
+            passed_over: Vec::new(),
+            line: None,
         }
     }
 

@@ -67,6 +67,27 @@ pub const KEYS: &[&str] = &[
     "run-axis-variable",
     "run-log",
     "run-scan-limit",
+    "run-unread-value",
+    "run-unread-way",
+    "run-parameter",
+    "run-no-edge",
+];
+
+/// Keys of what a run goes on without: named at its end.
+const PASSED_OVER: &[&str] = &[
+    "run-unknown-word",
+    "run-not-simulated",
+    "run-subprogram",
+    "run-machine-function",
+    "run-log",
+];
+
+/// What helps, for the problems that do not say it.
+const CURES: &[(&str, &str)] = &[
+    ("run-subprogram", "run-subprogram-hint"),
+    ("run-no-tool", "run-no-tool-hint"),
+    ("run-no-edge", "run-no-edge-hint"),
+    ("run-parameter", "run-parameter-hint"),
 ];
 
 /// Something wrong at a place.
@@ -89,12 +110,25 @@ impl Problem {
 
     /// As a finding.
     pub fn diagnostic(&self, severity: Severity) -> Diagnostic {
-        let code = code(&self.message.key);
+        let key = &*self.message.key;
         Diagnostic {
             span: Some(self.span),
-            ..Diagnostic::new(severity, code, self.message.clone())
+            hint: cure(key).map(Message::new),
+            ..Diagnostic::new(severity, code(key), self.message.clone())
         }
     }
+
+    /// The word that a run goes on without.
+    pub fn passed_over(&self) -> Option<&str> {
+        let named = PASSED_OVER.contains(&&*self.message.key);
+        named.then(|| self.message.word("word")).flatten()
+    }
+}
+
+/// Key of what helps.
+pub fn cure(key: &str) -> Option<&'static str> {
+    let (_, cure) = CURES.iter().find(|(problem, _)| *problem == key)?;
+    Some(cure)
 }
 
 /// Number of a problem of this module.

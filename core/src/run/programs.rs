@@ -1,7 +1,10 @@
 //! The programs of a text: `%_N_NAME_SPF` begins one, and so does a `PROC` behind another program's blocks; on NCT
 //! `O0110`, while a `%` alone is the begin or end of the tape.
 
+use super::interpret::Interpreter;
+use super::problem::Problem;
 use crate::catalogue::Dialect;
+use crate::diagnostic::{Severity, Span};
 use crate::program::tree::{Block, Program, WordKind};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
@@ -13,6 +16,8 @@ pub struct Unit {
     pub blocks: Range<usize>,
     /// The block of its `PROC`.
     pub signature: Option<usize>,
+    /// Name of its file, as the header tells it.
+    pub file: Option<String>,
 }
 
 /// All programs of a text.
@@ -20,7 +25,7 @@ pub struct Unit {
 pub struct Programs {
     /// In the order of the text.
     pub units: Vec<Unit>,
-    /// By name in upper case: of the header (`NAME` of `%_N_NAME_SPF`, `L10`; NCT `O110`) or of the `PROC`.
+    /// By name in upper case: of the header (`NAME` of `%_N_NAME_SPF`, `L10`; NCT `O110`), where there is none of the `PROC`.
     pub names: BTreeMap<String, usize>,
     /// Names that an `EXTERN` declares.
     pub external: BTreeSet<String>,
@@ -44,6 +49,7 @@ pub fn programs(program: &Program) -> Programs {
     let mut current = Unit {
         blocks: 0..0,
         signature: None,
+        file: None,
     };
     let mut empty = true;
     for (at, block) in program.blocks.iter().enumerate() {
@@ -56,13 +62,14 @@ pub fn programs(program: &Program) -> Programs {
             current = Unit {
                 blocks: first..first,
                 signature: None,
+                file: header.as_deref().map(|name| bare(name).to_owned()),
             };
         }
-        for name in header.iter().chain(&procedure) {
-            found
-                .names
-                .entry(bare(name).to_owned())
-                .or_insert(found.units.len());
+        // a call finds a program by its file; only where the text does not tell that, by its PROC
+        let of_procedure = procedure.as_ref().filter(|_| current.file.is_none());
+        if let Some(name) = header.as_ref().or(of_procedure) {
+            let names = found.names.entry(bare(name).to_owned());
+            names.or_insert(found.units.len());
         }
         if procedure.is_some() {
             current.signature = Some(at);
@@ -123,6 +130,32 @@ fn declared(program: &Program, block: &Block, keyword: &str) -> Option<String> {
             WordKind::Declare { name, .. } => Some(program.name(*name)),
             _ => None,
         })
+}
+
+/// A program is called that is not in the text: the run goes on without it, which is told at the first call.
+pub fn not_here(run: &mut Interpreter, name: &str, span: Span) {
+    let name = bare(name);
+    if !run.passes_over(name) {
+        run.tell(Severity::Note, &Problem::new("run-subprogram", span, name));
+    }
+}
+
+/// Programs whose `PROC` has another name than their file, by which a call finds them: both names, and the place of the
+/// second.
+pub fn misnamed(program: &Program, programs: &Programs) -> Vec<(String, String, Span)> {
+    let units = programs.units.iter();
+    let named = units.filter_map(|unit| {
+        let file = unit.file.clone()?;
+        let block = program.blocks.get(unit.signature?)?;
+        let mut words = program.words_of(block).iter();
+        let name = words.find_map(|word| match &word.kind {
+            WordKind::Declare { name, .. } => Some(*name),
+            _ => None,
+        })?;
+        let said = program.name(name);
+        (said != file).then_some((file, said, name))
+    });
+    named.collect()
 }
 
 /// What may stand behind the name of a program, in upper case: as the control names its files, and as a PC does.

@@ -9,7 +9,8 @@ use super::path::{Measure, Path};
 use super::problem::Problem;
 use super::trace::Step;
 use super::{
-    Stop, action, branch, contour, environment, indexed, locals, manner, names, repeat, words,
+    Stop, action, branch, contour, environment, indexed, locals, manner, names, repeat, unread,
+    words,
 };
 use crate::catalogue::Dialect;
 use crate::diagnostic::{Severity, Span};
@@ -69,6 +70,8 @@ pub struct Words {
     pub counter: Option<f64>,
     /// RET ends the program.
     pub leaves: bool,
+    /// A word of the block could not be read.
+    pub unread: bool,
 }
 
 /// `CALL "NAME"`: calls the program that a text names.
@@ -162,6 +165,7 @@ fn left_out(run: &mut Interpreter, words: &[Word]) -> bool {
         let text = run.program.name(*name);
         match text.as_str() {
             "PROC" | "EXTERN" | "ENDPROC" => return true,
+            "DEFINE" if sinumerik => {}
             "WHEN" | "WHENEVER" | "EVERY" | "FROM" | "REDEF" => {}
             "DO" | "SETINT" if sinumerik => {}
             _ => continue,
@@ -258,11 +262,9 @@ fn word_of(
         WordKind::Label(_) | WordKind::Header(_) => {}
         WordKind::Keyword { name, value } => return keyword(run, at, *name, *value, found),
         WordKind::Unknown => {
-            let text = String::from_utf8_lossy(run.program.text(word.span)).into_owned();
-            run.tell(
-                Severity::Error,
-                &Problem::new("run-unknown-word", word.span, text),
-            );
+            let program = Rc::clone(&run.program);
+            let words = program.blocks.get(at).map(|block| program.words_of(block));
+            unread::pass(run, word, words.unwrap_or_default(), found)?;
         }
     }
     Ok(true)

@@ -5,7 +5,7 @@ use super::interpret::Interpreter;
 use super::locals::{indices, stem};
 use super::modal::{Compensation, Motion};
 use super::problem::Problem;
-use super::{Machine, contour, names};
+use super::{Machine, contour, names, tool as tools};
 use crate::control::frames::joined;
 use crate::control::frames::{CHANNEL_MASK, GLOBAL_MASK};
 use crate::control::machine_data;
@@ -49,6 +49,9 @@ pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem>
         .or_else(|| position(run, key))
         .or_else(|| state(run, key))
         .or_else(|| total(run, key));
+    if let (None, Some(problem)) = (value, absent(run, key, place)) {
+        return Err(problem);
+    }
     let unknown = if LATCHED.iter().any(|stem| key.starts_with(stem)) {
         "run-not-measured"
     } else {
@@ -57,6 +60,25 @@ pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem>
     value
         .map(Datum::Number)
         .ok_or_else(|| Problem::new(unknown, place, key))
+}
+
+/// Data of a tool, or of an edge, that is not there: `$TC_DP6[5,1]`, `$TC_TP2[5]`.
+fn absent(run: &Interpreter, key: &str, place: Span) -> Option<Problem> {
+    let of_edge =
+        key.starts_with("$TC_DP") || key.starts_with("$TC_SCP") || key.starts_with("$TC_ECP");
+    if !of_edge && !key.starts_with("$TC_TP") {
+        return None;
+    }
+    let index: Vec<i64> = indices(key)
+        .iter()
+        .filter_map(|one| one.parse().ok())
+        .collect();
+    let (number, edge) = (*index.first()?, index.get(1).filter(|_| of_edge));
+    let Some(tool) = run.sim.control.tools.get(&number) else {
+        return Some(Problem::new("run-no-tool", place, number.to_string()));
+    };
+    let edge = edge.filter(|edge| !tool.edges.contains_key(edge))?;
+    Some(tools::no_edge(number, *edge, place))
 }
 
 /// What the control has under another name too: `$P_AD[6]` for a datum of the active edge, `$VA_IM[X]` measured at the

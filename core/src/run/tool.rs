@@ -8,6 +8,7 @@ use super::trace::Step;
 use super::{Stop, addresses, contour};
 use crate::catalogue::Dialect;
 use crate::control::Edge;
+use crate::diagnostic::Span;
 
 /// Applies T, D, M6 (NCT: T, H, D) of a block.
 pub fn apply(run: &mut Interpreter, found: &Words) -> Result<(), Stop> {
@@ -120,18 +121,26 @@ fn number(run: &Interpreter, address: &Address) -> Result<i64, Problem> {
     }
 }
 
+/// A tool has no such cutting edge.
+pub fn no_edge(tool: i64, edge: i64, place: Span) -> Problem {
+    let problem = Problem::new("run-no-edge", place, tool.to_string());
+    Problem {
+        message: problem.message.number("edge", edge as f64),
+        ..problem
+    }
+}
+
 fn select(run: &mut Interpreter, tool: i64, edge: i64, address: &Address) -> Result<(), Problem> {
     let there = match edge {
         0 => tool == 0 || run.sim.control.tools.contains_key(&tool),
         _ if tool == 0 => true,
         _ => run.sim.control.edge_of(tool, edge).is_some(),
     };
+    if !run.sim.control.tools.contains_key(&tool) && !there {
+        return Err(Problem::new("run-no-tool", address.span, tool.to_string()));
+    }
     if !there {
-        return Err(Problem::new(
-            "run-no-tool",
-            address.span,
-            format!("T{tool} D{edge}"),
-        ));
+        return Err(no_edge(tool, edge, address.span));
     }
     let edge = if tool == 0 { 0 } else { edge };
     run.sim

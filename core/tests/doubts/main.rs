@@ -34,7 +34,7 @@ const COMPENSATION_LATER: Code = Own(146);
 const NO_TOOL: Code = Own(147);
 const RADIUS: Code = Own(148);
 const OVERWRITTEN: Code = Own(150);
-const OUTSIDE: Code = Own(152);
+const OUTSIDE: Code = Own(310);
 
 fn found(text: &str) -> Vec<Diagnostic> {
     findings(&read(Dialect::Sinumerik, text.as_bytes()))

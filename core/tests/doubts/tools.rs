@@ -180,7 +180,11 @@ fn a_probe_that_was_calibrated_on_the_machine_is_not_doubted() {
     };
     assert!(!doubted("_WP[0,1]", 2.98));
     assert!(!doubted("_WP[0,4]", -2.98));
-    assert!(doubted("_WP[0,1]", 3.0), "as delivered");
-    assert!(doubted("_WP[0,7]", 0.01), "skew alone");
-    assert!(doubted("_WP[1,1]", 2.98), "another probe");
+    assert!(
+        doubted("_WP[1,1]", 2.98),
+        "another probe is, this one is not"
+    );
+    // Of a machine that nothing is known of nothing is said: every right program would be doubted.
+    assert!(!doubted("_WP[0,1]", 3.0), "as delivered");
+    assert!(!doubted("_WP[0,7]", 0.01), "skew alone");
 }

@@ -107,7 +107,7 @@ fn programs_of_another_memory_are_told_once() {
     let far = told("EXTCALL \"FAR.SPF\"\nEXTCALL(\"_N_FAR_SPF\")\nEXTCALL \"NEXT\"");
     assert_eq!(
         far,
-        ["Not in this text: FAR, NEXT. What they leave is not known."]
+        ["Not in this text: FAR, NEXT. What is done there is not known; a run goes on without it."]
     );
 }
 

@@ -152,8 +152,8 @@ fn skip_levels_leave_out_what_is_switched_on() {
 #[test]
 fn what_is_not_simulated_is_told() {
     for (text, key) in [
-        ("FROBNICATE", "run-unknown-word"),
-        ("FROBNICATE(1,2)", "run-unknown-word"),
+        ("FROBNICATE", "run-subprogram"),
+        ("FROBNICATE(1,2)", "run-subprogram"),
         ("G777", "run-unknown-word"),
         ("G5 X5", "run-unknown-word"),
         ("G331 Z-5 K1", "run-not-simulated"),

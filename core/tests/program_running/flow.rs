@@ -95,7 +95,7 @@ fn unknown_words_are_told() {
     assert_eq!(
         keys,
         [
-            "run-unknown-word",
+            "run-subprogram",
             "run-unknown-word",
             "run-not-simulated",
             "run-machine-function"

@@ -119,7 +119,7 @@ fn run_measures_the_hole_and_corrects_the_radius() {
 // oracle: hand. The run goes to its end, but a word of it was not carried out.
 #[test]
 fn a_run_with_an_unknown_word_fails() {
-    let path = file("unknown.mpf", b"G0 X1\nWHATEVER(1)\nM2\n");
+    let path = file("unknown.mpf", b"G0 X1\nG987\nM2\n");
     let output = probewright(&["run", &path, "--setup", &example_setup()]);
     assert_eq!(output.status.code(), Some(1));
     assert!(

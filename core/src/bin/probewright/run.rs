@@ -65,7 +65,7 @@ pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
     )
 }
 
-/// What came out; why a run ended early is among the findings.
+/// What came out, how the run ended last; why it ended early is among the findings.
 fn print_outcome(
     path: &Path,
     outcome: &Outcome,
@@ -86,6 +86,7 @@ fn print_outcome(
     for alarm in outcome.alarms() {
         writeln!(out, "{}", alarm_line(alarm, words))?;
     }
+    writeln!(out, "{}", words.text(&outcome.ending()))?;
     Ok(())
 }
 

@@ -27,6 +27,7 @@ pub const TSA: Param = Param {
     unit: Unit::BasicLength,
     default: Some(2.0),
     range: Range::POSITIVE,
+    watches: true,
     needs: ALWAYS_OPTIONAL,
     source: "B:15666",
     ..PARAM
@@ -105,6 +106,7 @@ pub const TDIF: Param = Param {
     unit: Unit::BasicLength,
     default: Some(1.2),
     range: Range::POSITIVE,
+    watches: true,
     source: "B:15659",
     ..PARAM
 };

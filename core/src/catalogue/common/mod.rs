@@ -27,6 +27,7 @@ pub const PARAM: Param = Param {
     default_inch: None,
     range: Range::ANY,
     usual: Range::ANY,
+    watches: false,
     alarm: None,
     needs: &[],
     chooses: &[],

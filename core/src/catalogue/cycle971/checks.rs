@@ -5,7 +5,7 @@ use super::params::{
 };
 use super::rotating;
 use crate::catalogue::tool_probe::{self, ProbeData};
-use crate::catalogue::{When, names, shared_checks};
+use crate::catalogue::{When, names};
 use crate::check::{Inputs, error};
 use crate::control::{Control, Edge, Plane};
 use crate::diagnostic::{Code, Diagnostic, Severity};
@@ -62,7 +62,6 @@ fn path(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
         return;
     }
     if path > 0.0 {
-        shared_checks::reach(inputs, 1.0, found);
         return;
     }
     let hint = if incremental {

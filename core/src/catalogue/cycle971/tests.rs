@@ -291,7 +291,6 @@ fn limits_memories_and_positioning() {
     // oracle: manual B:4324-4326, B:13717, B:13726-13733, A:15879-15880
     assert_eq!(found(&[("_TDIF", "2")], |_| ()), doubt(60));
     assert_eq!(found(&[("_TZL", "1.7")], |_| ()), doubt(60));
-    assert_eq!(found(&[("_FA", "1")], |_| ()), doubt(26));
     assert_eq!(
         found(&[("_EVNUM", "21")], |_| ()),
         vec![(Severity::Error, Code::Own(59))]

@@ -1,6 +1,6 @@
 //! What several values of CYCLE977 say together.
 
-use super::params::{OUTSIDE, RECTANGLE, TOOL, ZONE};
+use super::params::{OUTSIDE, RECTANGLE, ZONE};
 use crate::catalogue::{names, place, shared_checks};
 use crate::check::{Inputs, error};
 use crate::control::Control;
@@ -17,8 +17,6 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     shared_checks::weighting(inputs, control, found);
     shared_checks::tolerances(inputs, found);
     shared_checks::infeed(inputs, control, found);
-    // a deviation of a diameter or width shows half at each side
-    shared_checks::reach(inputs, if TOOL.holds(inputs) { 0.5 } else { 1.0 }, found);
     let ball = place::ball_radius(inputs, control);
     for size in sizes(inputs) {
         room(inputs, &size, ball, found);

@@ -15,7 +15,6 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     shared_checks::memories(inputs, control, found);
     shared_checks::weighting(inputs, control, found);
     shared_checks::tolerances(inputs, found);
-    shared_checks::reach(inputs, 1.0, found);
     if DIFFERENTIAL.holds(inputs) {
         differential(inputs, control, found);
     }

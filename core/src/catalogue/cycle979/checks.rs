@@ -1,6 +1,6 @@
 //! What several values of CYCLE979 say together.
 
-use super::params::{FOUR_POINTS, OUTSIDE, ROUND, TOOL, WEB};
+use super::params::{FOUR_POINTS, OUTSIDE, ROUND, WEB};
 use crate::catalogue::{circle, names, place, shared_checks, spread};
 use crate::check::Inputs;
 use crate::control::Control;
@@ -15,8 +15,6 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     shared_checks::memories(inputs, control, found);
     shared_checks::weighting(inputs, control, found);
     shared_checks::tolerances(inputs, found);
-    // a deviation of a diameter or width shows half at each side
-    shared_checks::reach(inputs, if TOOL.holds(inputs) { 0.5 } else { 1.0 }, found);
     circle::ball_known(inputs, control, found);
     let ball = place::ball_radius(inputs, control);
     if ROUND.holds(inputs) {

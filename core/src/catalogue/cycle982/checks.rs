@@ -23,7 +23,6 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     shared::memory(inputs, control, found);
     shared::limits(inputs, found);
     if POSITIONED.holds(inputs) {
-        shared_checks::reach(inputs, 1.0, found);
         shared::speeds(control, found);
         let data = ProbeData::of(inputs, control, workpiece);
         shared::place(&data, &[0, 1], found); // by axes of the plane, B:13370-13384

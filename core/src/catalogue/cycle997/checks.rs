@@ -18,7 +18,6 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     shared_checks::probe(inputs, control, found);
     shared_checks::mirror(control, found);
     shared_checks::multi_probe(inputs, found);
-    shared_checks::reach(inputs, 1.0, found);
     let ball = place::ball_radius(inputs, control);
     small(inputs, ball, found);
     if ANGLE.holds(inputs) {

@@ -64,7 +64,7 @@ fn mistakes_are_told() {
         (&[("_SETVAL", "0")], Some((error, alarm(61413), "_SETVAL"))),
         (&[("_SETVAL", "11")], Some((warning, own(93), "_SETVAL"))),
         (&[("_PRNUM", "101")], Some((error, alarm(61313), "_PRNUM"))),
-        (&[("_FA", "1")], Some((warning, own(26), "_FA"))),
+        (&[("_FA", "1")], None),
         (&[("_KNUM", "1051")], Some((error, alarm(61321), "_KNUM"))),
         (&[("_KNUM", "1051"), ("_MVAR", "109")], None),
         (&[("_KNUM", "99999")], Some((error, alarm(61321), "_KNUM"))),

@@ -164,6 +164,7 @@ pub const PARAMS: &[Param] = &[
         usual: Range::closed(0.0, 30.0),
         labels: &[(When::Always, "tsa-angle")],
         source: "B:7422;B:7546;B:7620",
+        watches: false, // an angle, and with intermediate positioning part of the way (B:7620)
         ..common::TSA
     },
     Param {

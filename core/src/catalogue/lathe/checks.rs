@@ -1,6 +1,6 @@
 //! Checks about the probe in use and the coordinate system.
 
-use super::{TIPS, measure};
+use super::TIPS;
 use crate::catalogue::{names, shared_checks};
 use crate::check::{Inputs, error, warning};
 use crate::control::Control;
@@ -15,8 +15,6 @@ pub fn measuring(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>
     shared_checks::memories(inputs, control, found);
     shared_checks::weighting(inputs, control, found);
     shared_checks::tolerances(inputs, found);
-    // a deviation of a diameter shows half at the point
-    shared_checks::reach(inputs, 1.0 / measure::per(control, inputs), found);
     tip(control, found);
     shared_checks::rotation(control, found);
 }

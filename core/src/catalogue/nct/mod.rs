@@ -27,7 +27,8 @@ use super::common::{PARAM, optional};
 use super::{Cycle, Dialect, Kind, Need, Param, Range, Unit, When};
 use crate::catalogue;
 use crate::control::{Control, Units};
-use crate::diagnostic::Code;
+use crate::diagnostic::{Code, Diagnostic};
+use crate::own;
 use crate::run::{Machine, Stop};
 
 /// A value is missing, out of range, or excludes another (C:1123-1137).
@@ -134,6 +135,22 @@ pub fn by_program(number: f64) -> Option<&'static Cycle> {
     const FIRST: (f64, f64) = (9010.0, 101.0);
     catalogue::find(Dialect::Nct, &format!("G{}", number - FIRST.0 + FIRST.1))
         .or_else(|| catalogue::find(Dialect::Nct, &format!("G65 P{number}")))
+}
+
+/// Whether a block that names the G function of a macro is no call of it: it has addresses, and none that the macro knows.
+/// Controls with other macros have other functions of these numbers (`G103 P1`).
+pub fn foreign<'a>(cycle: &'static Cycle, addresses: impl IntoIterator<Item = &'a str>) -> bool {
+    let others = addresses.into_iter();
+    let mut others = others
+        .filter(|name| !["G", "M", "N", "O"].contains(name))
+        .peekable();
+    others.peek().is_some() && !others.any(|name| cycle.param(name).is_some())
+}
+
+/// What is said of such a block.
+pub fn foreign_finding(cycle: &Cycle) -> Diagnostic {
+    let finding = own::NCT_FOREIGN.finding().text("word", cycle.name);
+    finding.hint_text("cycle", cycle.name)
 }
 
 /// What every macro looks at first: a length is applied and the stylus is free (C:118-121).

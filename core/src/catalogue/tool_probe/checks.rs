@@ -50,8 +50,12 @@ pub fn memory(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
 /// Order of the limits: a difference is corrected between `_TZL` and `_TDIF` (measuring) or `_TSA` (calibrating), and
 /// `_TSA` lies beyond both (B:4324-4326).
 pub fn limits(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
+    // that delivered with the control is nobody's wish: only one that was written is doubted where it is too large
+    let written = inputs.written.contains(names::TDIF)
+        || inputs.given(names::TSA) > inputs.given(names::TDIF);
     let given = [names::TZL, names::TDIF, names::TSA]
         .into_iter()
+        .filter(|name| *name != names::TDIF || written)
         .filter_map(|name| Some((name, inputs.given(name)?)));
     let given: Vec<_> = given.collect();
     for pair in given.windows(2) {

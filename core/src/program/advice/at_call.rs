@@ -2,7 +2,7 @@
 
 use super::{Seen, at, inherited, unsaid, with_line};
 use crate::catalogue::{MachineSort, ProbeUse, Style, names};
-use crate::check::{error, warning};
+use crate::check::{self, error, warning};
 use crate::control::machine_data::TOOL_LENGTH_TYPE;
 use crate::control::probe::Unfit;
 use crate::control::tools::TURNING;
@@ -58,7 +58,7 @@ pub fn look(seen: &Seen, asked: &mut Asked, found: &mut Vec<Diagnostic>) {
         }
         calibration(seen, asked).map(&mut say);
     }
-    edge(seen).map(&mut say);
+    edge(seen, asked).map(&mut say);
     tool(seen).map(&mut say);
     spindle(seen).map(&mut say);
     inherited::look(seen, found);
@@ -79,12 +79,15 @@ fn compensation(seen: &Seen) -> Option<Diagnostic> {
     Some(with_line(finding, seen, "G40"))
 }
 
-/// Without a D number alarm 61311 comes.
-fn edge(seen: &Seen) -> Option<Diagnostic> {
+/// Without a D number alarm 61311 comes. Behind a tool change D1 counts unless the machine is set otherwise: asked once.
+fn edge(seen: &Seen, asked: &mut Asked) -> Option<Diagnostic> {
     let finding = if seen.force.edge.is() == Some(&0) {
         error(Code::Alarm(61311), Message::new("advice-edge-none"))
             .hint(Message::new("advice-edge-hint"))
-    } else if seen.force.edge.unset() && !seen.force.tool.unset() {
+    } else if seen.force.edge.unset()
+        && !seen.force.tool.unset()
+        && asked.said.insert(own::ADVICE_EDGE_OPEN.code())
+    {
         own::ADVICE_EDGE_OPEN.finding()
     } else {
         return None;
@@ -172,8 +175,8 @@ fn spindle(seen: &Seen) -> Option<Diagnostic> {
 /// Trigger values of a workpiece probe (B:13443-13448).
 const TRIGGERS: RangeInclusive<usize> = 1..=6;
 
-/// Whether the machine has trigger values of this workpiece probe that are not those of the delivery: it was calibrated.
-/// Those of a tool probe say nothing, since approximate ones are entered before it is calibrated.
+/// Workpiece probes of which the machine has trigger values that are not those of the delivery: they were calibrated. Those
+/// of a tool probe say nothing, since approximate ones are entered before it is calibrated.
 fn on_machine(control: &Control, number: i64) -> bool {
     let delivered = delivery_in(control.dialect, control.basic_units);
     TRIGGERS
@@ -181,7 +184,25 @@ fn on_machine(control: &Control, number: i64) -> bool {
         .any(|name| control.number(&name) != delivered.number(&name))
 }
 
-/// Trigger values that no call of this program determined come from before (B:5010-5060).
+/// Whether some workpiece probe of the machine is calibrated: then its data are known, and another one is not.
+fn known_machine(control: &Control) -> bool {
+    let fields = control.number("_CVAL[1]").clamp(0.0, 99.0) as i64;
+    (1..=fields).any(|number| on_machine(control, number))
+}
+
+/// Whether the program calibrates this probe anywhere.
+fn calibrates(seen: &Seen, (tool, number): (bool, i64)) -> bool {
+    let sites = seen.sites.iter();
+    let mut same = sites.filter(|site| (site.cycle.purpose.probe == ProbeUse::Tool) == tool);
+    same.any(|site| {
+        let inputs = check::read(site.cycle, &site.values, seen.control, &mut Vec::new());
+        let own = inputs.given(names::PRNUM).map(|digits| digits as i64 % 100);
+        own == Some(number) && site.cycle.purpose.calibrates.holds(&inputs)
+    })
+}
+
+/// Trigger values that no call of this program determined come from before (B:5010-5060). Nothing speaks against them unless
+/// the program calibrates this probe later, or the machine has other probes calibrated and not this one.
 fn calibration(seen: &Seen, asked: &mut Asked) -> Option<Diagnostic> {
     let purpose = &seen.site.cycle.purpose;
     if of_newer(seen) {
@@ -199,7 +220,9 @@ fn calibration(seen: &Seen, asked: &mut Asked) -> Option<Diagnostic> {
     if known || purpose.calibrates.holds(&seen.inputs) {
         return None;
     }
-    if !probe.0 && on_machine(seen.control, number) {
+    let machine = seen.control;
+    let missing = !probe.0 && known_machine(machine) && !on_machine(machine, number);
+    if !missing && (!calibrates(seen, probe) || !probe.0 && on_machine(machine, number)) {
         return None;
     }
     let array = if probe.0 { "_TP" } else { "_WP" };

@@ -1,10 +1,11 @@
-//! Doubts about a program as a whole: what a colleague who reads it from top to bottom would ask. SINUMERIK.
+//! Doubts about a program as a whole: what a colleague who reads it from top to bottom would ask.
 
 mod at_call;
 mod behind;
 mod inherited;
 mod left_on;
 mod levels;
+mod names;
 mod outside;
 mod overwritten;
 mod read_back;
@@ -57,14 +58,13 @@ impl Seen<'_> {
 
 /// Findings about the measuring calls of a program that starts on a control in this state.
 pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<Diagnostic> {
-    if program.dialect != Dialect::Sinumerik {
-        return Vec::new();
-    }
     let mut found = Vec::new();
-    if sites.is_empty() {
+    let programs = programs(program);
+    outside::look(program, &programs, &mut found);
+    names::look(program, &programs, &mut found);
+    if program.dialect != Dialect::Sinumerik || sites.is_empty() {
         return found;
     }
-    let programs = programs(program);
     let mut asked = at_call::Asked::of(program);
     // Asked once: a long program has many calls and many words.
     let left_on = left_on::left_on(program, &programs);
@@ -109,7 +109,6 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
     behind::look(program, &programs, sites, &corrected, &mut found);
     levels::look(program, &programs, sites, &mut found);
     overwritten::look(program, sites, &mut found);
-    outside::look(program, &programs, &mut found);
     for one in &mut found {
         lower(one, sites);
     }
@@ -195,9 +194,9 @@ fn line_behind(program: &Program, site: &CallSite, text: &str) -> Edit {
     if let Some(edit) = line_before(program, site.line + 1, text) {
         return edit;
     }
-    let end = program.source.len() as u32;
+    let end = program.end;
     let eol = line_end(program, site.line);
-    let ended = program.source.ends_with(b"\n");
+    let ended = program.text(Span { start: 0, end }).ends_with(b"\n");
     let insert = if ended {
         format!("{text}{eol}")
     } else {

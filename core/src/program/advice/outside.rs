@@ -1,11 +1,12 @@
-//! Programs of another memory that this text does not hold (`EXTCALL`): what they leave is not known. Told once.
+//! Programs that this text calls and does not hold: what they leave is not known. Told once, by the sentence with which a
+//! run goes on without them.
 
-use super::at;
-use crate::diagnostic::Diagnostic;
-use crate::own;
-use crate::program::flow::{Called, called, named_outside};
-use crate::program::tree::Program;
-use crate::run::programs::{Programs, bare};
+use crate::catalogue::{Dialect, nct};
+use crate::diagnostic::{Diagnostic, Severity, Span};
+use crate::program::flow::named_outside;
+use crate::program::tree::{Block, Expr, Program, WordKind};
+use crate::run::problem::Problem;
+use crate::run::programs::{Programs, bare, numbered};
 
 /// Most names that are told.
 const NAMES: usize = 8;
@@ -14,17 +15,10 @@ const NAMES: usize = 8;
 pub fn look(program: &Program, programs: &Programs, found: &mut Vec<Diagnostic>) {
     let (mut first, mut names) = (None, Vec::new());
     for block in &program.blocks {
-        let words = program.words_of(block);
-        for (index, word) in words.iter().enumerate() {
-            let Some(name) = named_outside(program, words, index) else {
-                continue;
-            };
-            if called(program, programs, words, index) == Some(Called::Elsewhere) {
-                first = first.or(Some(word.span));
-                let name = bare(&program.name(name)).to_owned();
-                if !names.contains(&name) && names.len() <= NAMES {
-                    names.push(name);
-                }
+        for (span, name) in missing(program, programs, block) {
+            first = first.or(Some(span));
+            if !names.contains(&name) && names.len() <= NAMES {
+                names.push(name);
             }
         }
     }
@@ -35,8 +29,53 @@ pub fn look(program: &Program, programs: &Programs, found: &mut Vec<Diagnostic>)
         names.truncate(NAMES);
         names.push("…".to_owned());
     }
-    let finding = own::ADVICE_OUTSIDE
-        .finding()
-        .text("names", names.join(", "));
-    found.push(at(finding, span));
+    let problem = Problem::new("run-subprogram", span, names.join(", "));
+    found.push(problem.diagnostic(Severity::Note));
+}
+
+/// What a block calls that is not here, with the place of the word.
+fn missing(program: &Program, programs: &Programs, block: &Block) -> Vec<(Span, String)> {
+    let words = program.words_of(block);
+    if program.dialect == Dialect::Nct {
+        return numbered_outside(program, programs, block)
+            .into_iter()
+            .collect();
+    }
+    let named = words.iter().enumerate().filter_map(|(at, word)| {
+        let name = named_outside(program, programs, words, at)?;
+        // a text is called at the word before it
+        let manner = at.checked_sub(1).and_then(|before| words.get(before));
+        let manner = manner.filter(|_| matches!(word.kind, WordKind::Constant(_)));
+        let place = manner.unwrap_or(word).span;
+        Some((place, bare(&program.name(name)).to_owned()))
+    });
+    named.collect()
+}
+
+/// NCT: the program at P that `M98` or `G65` calls, where a number stands there and no macro has it.
+fn numbered_outside(
+    program: &Program,
+    programs: &Programs,
+    block: &Block,
+) -> Option<(Span, String)> {
+    let number = |letter: &str| {
+        let mut words = program.words_of(block).iter();
+        words.find_map(|word| match &word.kind {
+            WordKind::Address { name, value, .. } if program.is(*name, letter) => {
+                match program.expr(*value)? {
+                    Expr::Number(number, _) => Some((word.span, *number)),
+                    _ => None,
+                }
+            }
+            _ => None,
+        })
+    };
+    let by_macro = number("G").is_some_and(|(_, code)| code == 65.0);
+    if !by_macro && number("M").is_none_or(|(_, code)| code != 98.0) {
+        return None;
+    }
+    let (span, called) = number("P")?;
+    let name = numbered(called)?;
+    let known = by_macro && nct::by_program(called).is_some();
+    (!known && programs.place(&name).is_none()).then_some((span, name))
 }

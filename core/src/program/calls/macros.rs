@@ -4,10 +4,10 @@ use super::site::Called;
 use super::{Place, Walk};
 use crate::catalogue::{self, Cycle, nct};
 use crate::control::{Control, Plane};
-use crate::diagnostic::Span;
+use crate::diagnostic::{Diagnostic, Span};
 use crate::program::fold;
 use crate::program::held::Held;
-use crate::program::tree::{Block, Expr, WordKind};
+use crate::program::tree::{Block, Expr, Program, WordKind};
 use crate::program::values;
 use std::rc::Rc;
 
@@ -46,10 +46,8 @@ impl Walk<'_> {
         span: Span,
     ) -> Option<(&'static Cycle, Span)> {
         if code != 65.0 {
-            return Some((
-                catalogue::find(self.program.dialect, &format!("G{code}"))?,
-                span,
-            ));
+            let cycle = catalogue::find(self.program.dialect, &format!("G{code}"))?;
+            return (!foreign(self.program, cycle, block)).then_some((cycle, span));
         }
         let words = self.program.words_of(block).iter();
         let (named, number) = words.into_iter().find_map(|word| match &word.kind {
@@ -84,6 +82,46 @@ impl Walk<'_> {
         }
         self.meet_call(place, cycle, span, &Called::default(), given);
     }
+}
+
+/// Whether a block that names the G function of a macro is no call of it.
+fn foreign(program: &Program, cycle: &'static Cycle, block: &Block) -> bool {
+    let names = program
+        .words_of(block)
+        .iter()
+        .filter_map(|word| match &word.kind {
+            WordKind::Address { name, .. } => Some(program.name(*name)),
+            _ => None,
+        });
+    let names: Vec<String> = names.collect();
+    nct::foreign(cycle, names.iter().map(String::as_str))
+}
+
+/// What the text says of G functions of macros that are none: at each of them.
+pub fn of_another_control(program: &Program) -> Vec<Diagnostic> {
+    let mut found = Vec::new();
+    for block in &program.blocks {
+        let words = program.words_of(block).iter();
+        let codes = words.filter_map(|word| match &word.kind {
+            WordKind::Address { name, value, .. } if program.is(*name, "G") => {
+                match program.expr(*value)? {
+                    Expr::Number(number, _) => Some((word.span, *number)),
+                    _ => None,
+                }
+            }
+            _ => None,
+        });
+        for (span, code) in codes {
+            let cycle = catalogue::find(program.dialect, &format!("G{code}"));
+            if let Some(cycle) = cycle.filter(|cycle| foreign(program, cycle, block)) {
+                found.push(Diagnostic {
+                    span: Some(span),
+                    ..nct::foreign_finding(cycle)
+                });
+            }
+        }
+    }
+    found
 }
 
 /// Plane and units by the G functions before the call.

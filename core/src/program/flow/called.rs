@@ -5,7 +5,7 @@ use super::language::is_word;
 use crate::diagnostic::Span;
 use crate::program::tree::{Expr, ExprId, Program, Word, WordKind};
 use crate::run::programs::Programs;
-use crate::run::{action, statement};
+use crate::run::{action, manner, statement};
 
 /// Words before the name of a program that say how it is called.
 const MANNERS: [&str; 4] = [statement::CALL, "PCALL", "MCALL", FROM_OUTSIDE];
@@ -24,6 +24,9 @@ pub enum Called {
 
 /// The program that the word at this place of a block calls; none: it calls nothing, or a cycle.
 pub fn called(program: &Program, programs: &Programs, words: &[Word], at: usize) -> Option<Called> {
+    if words.first().is_some_and(|word| declares(program, word)) {
+        return None;
+    }
     let before = at.checked_sub(1).and_then(|before| words.get(before));
     let (name, certain) = match &words.get(at)?.kind {
         WordKind::Call { name, args, .. } => match from_outside(program, *name, args) {
@@ -56,19 +59,45 @@ fn from_outside(program: &Program, name: Span, args: &[Option<ExprId>]) -> Optio
     }
 }
 
-/// The name behind an `EXTCALL` of this block, in either way to write it.
-pub fn named_outside(program: &Program, words: &[Word], at: usize) -> Option<Span> {
+/// Whether a block that begins with this word declares something, so that no other word of it is called.
+fn declares(program: &Program, word: &Word) -> bool {
+    match &word.kind {
+        WordKind::Keyword { name, .. } => program.is(*name, "PROC") || program.is(*name, "EXTERN"),
+        WordKind::Call { name, .. } => program.is(*name, "DEFINE"),
+        _ => false,
+    }
+}
+
+/// The name of a program that is called here and is not in the text; a variable that holds it is none.
+pub fn named_outside(
+    program: &Program,
+    programs: &Programs,
+    words: &[Word],
+    at: usize,
+) -> Option<Span> {
+    if called(program, programs, words, at) != Some(Called::Elsewhere) {
+        return None;
+    }
     match &words.get(at)?.kind {
-        WordKind::Call { name, args, .. } => from_outside(program, *name, args),
-        WordKind::Constant(id) => {
-            let before = words.get(at.checked_sub(1)?)?;
-            let outside = matches!(&before.kind, WordKind::Call { name, .. } if program.is(*name, FROM_OUTSIDE));
-            match program.expr(*id)? {
-                Expr::Text(place) if outside => Some(*place),
-                _ => None,
-            }
+        WordKind::Call { name, args, .. } => {
+            let before = at.checked_sub(1).and_then(|before| words.get(before));
+            let variable = before.is_some_and(|word| takes_text(program, word));
+            let name = from_outside(program, *name, args).unwrap_or(*name);
+            (!variable).then_some(name)
         }
+        WordKind::Constant(id) => match program.expr(*id)? {
+            Expr::Text(place) => Some(*place),
+            _ => None,
+        },
         _ => None,
+    }
+}
+
+/// Whether a text, or a variable that holds one, says behind this word what is called.
+fn takes_text(program: &Program, word: &Word) -> bool {
+    match &word.kind {
+        WordKind::Call { name, .. } => manner::BY_TEXT.iter().any(|one| program.is(*name, one)),
+        _ => false,
     }
 }
 

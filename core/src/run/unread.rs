@@ -1,0 +1,213 @@
+//! Words of a program that could not be read: told as reading tells them and named at the end. What they would have
+//! written is not known from then on, so that nothing is reckoned or measured with an older value.
+
+use super::interpret::Interpreter;
+use super::outcome::PassedOver;
+use super::problem::Problem;
+use super::statement::{Address, Words};
+use crate::catalogue::{Cycle, Dialect, nct};
+use crate::check::{self, Typed};
+use crate::diagnostic::{Diagnostic, Span};
+use crate::message::printable;
+use crate::program::not_understood;
+use crate::program::tree::{Word, WordKind};
+use std::collections::BTreeMap;
+
+/// What is not known, as a program names it (`_FA`, `_SETV[0]`, `R5`, `X`), with the word that would have written it.
+pub type Unread = BTreeMap<String, Span>;
+
+/// Addresses that decide where and with what is measured. H is the length register of NCT.
+const PLACES: [&str; 9] = ["X", "Y", "Z", "A", "B", "C", "T", "D", "H"];
+
+/// Words that decide where a program goes on.
+const WAYS: [&str; 14] = [
+    "IF", "ELSE", "ENDIF", "WHILE", "ENDWHILE", "FOR", "ENDFOR", "LOOP", "UNTIL", "CASE", "GOTO",
+    "GOTOF", "GOTOB", "REPEAT",
+];
+
+/// Passes over a word of a block that could not be read; where the way of the program depends on it, the run stops.
+pub fn pass(
+    run: &mut Interpreter,
+    word: &Word,
+    block: &[Word],
+    found: &mut Words,
+) -> Result<(), Problem> {
+    tell(run, word.span);
+    found.unread = true;
+    let text = run.program.name(word.span);
+    let begins = |way: &str| {
+        let rest = text.strip_prefix(way);
+        rest.is_some_and(|rest| {
+            !rest.starts_with(|next: char| next.is_ascii_alphanumeric() || next == '_')
+        })
+    };
+    let branches = block.iter().any(|other| match &other.kind {
+        WordKind::Keyword { name, .. } => WAYS.iter().any(|way| run.program.is(*name, way)),
+        _ => false,
+    });
+    if branches || WAYS.iter().any(|way| begins(way)) {
+        return Err(Problem::new("run-unread-way", word.span, printable(&text)));
+    }
+    if let Some(target) = target(run.program.dialect, &text) {
+        run.unread.insert(target, word.span);
+    }
+    Ok(())
+}
+
+/// Passes over a block whose G function is that of a macro here and of something else on another control. Where the axes
+/// that it names would stand is not known.
+pub fn of_another_control(run: &mut Interpreter, cycle: &'static Cycle, found: &Words) {
+    let program = std::rc::Rc::clone(&run.program);
+    let span = found.path.span;
+    let of_macro = |address: &&Address| {
+        let number = address.value.number();
+        address.name == "G" && number.is_some_and(|number| cycle.name == format!("G{number}"))
+    };
+    let at = found
+        .addresses
+        .iter()
+        .find(of_macro)
+        .map_or(span, |word| word.span);
+    run.tell_once(Diagnostic {
+        span: Some(at),
+        ..nct::foreign_finding(cycle)
+    });
+    run.passed_over(PassedOver {
+        word: cycle.name.to_owned(),
+        line: program.line_of(span.start) + 1,
+    });
+    let axes = found
+        .addresses
+        .iter()
+        .filter(|address| ["X", "Y", "Z"].contains(&&*address.name));
+    for axis in axes {
+        run.unread.insert(axis.name.clone(), axis.span);
+    }
+}
+
+/// The findings of reading about a word, and its name for the end of the run.
+fn tell(run: &mut Interpreter, span: Span) {
+    let program = std::rc::Rc::clone(&run.program);
+    let errors = program.errors.iter();
+    let inside =
+        errors.filter(|error| span.start <= error.span.start && error.span.start < span.end);
+    for error in inside {
+        run.tell_once(not_understood(&program, error));
+    }
+    let text = String::from_utf8_lossy(program.text(span)).into_owned();
+    run.passed_over(PassedOver {
+        word: printable(&text),
+        line: program.line_of(span.start) + 1,
+    });
+}
+
+/// What a word would have written: a variable, or one of the addresses that count for a measurement.
+fn target(dialect: Dialect, text: &str) -> Option<String> {
+    let in_name = |one: char| one.is_ascii_alphanumeric() || "_$#".contains(one);
+    let (name, rest) = text.split_at(text.find(|one| !in_name(one)).unwrap_or(text.len()));
+    let rest = rest.trim_start();
+    let (index, rest) = match rest
+        .strip_prefix('[')
+        .and_then(|inside| inside.split_once(']'))
+    {
+        Some((index, rest)) => (Some(index), rest.trim_start()),
+        None => (None, rest),
+    };
+    let address = name.get(..1).filter(|letter| PLACES.contains(letter));
+    if let Some(letter) =
+        address.filter(|_| name.len() == 1 || index.is_none() && !rest.starts_with('='))
+    {
+        let number = name.len() == 1 || name[1..].starts_with(|one: char| one.is_ascii_digit());
+        return number.then(|| letter.to_owned());
+    }
+    let assigns = rest.starts_with('=') || dialect == Dialect::Nct && name.starts_with('#');
+    if !assigns || name.is_empty() {
+        return None;
+    }
+    let Some(index) = index else {
+        return Some(name.to_owned());
+    };
+    let index: String = index.chars().filter(|one| !one.is_whitespace()).collect();
+    let number = index.chars().all(|one| one.is_ascii_digit() || one == ',');
+    Some(match (name, number) {
+        ("R" | "#", true) => format!("{name}{index}"),
+        (_, true) => format!("{name}[{index}]"),
+        _ => name.to_owned(),
+    })
+}
+
+/// A variable is written: what was not known of it no longer counts.
+pub fn written(run: &mut Interpreter, key: &str) {
+    if !run.unread.is_empty() {
+        run.unread.remove(key);
+    }
+}
+
+/// The addresses of a block say anew where the axes stand and which tool is in use.
+pub fn placed(run: &mut Interpreter, addresses: &[Address]) {
+    if run.unread.is_empty() {
+        return;
+    }
+    for address in addresses {
+        let absolute = match address.mode.as_deref() {
+            Some(mode) => !mode.contains("IC"),
+            None => run.modal.absolute || ["T", "D", "H"].contains(&address.name.as_str()),
+        };
+        if absolute {
+            run.unread.remove(&address.name);
+        }
+    }
+}
+
+/// A variable is read whose value may be unknown.
+pub fn known(run: &Interpreter, key: &str, place: Span) -> Result<(), Problem> {
+    if run.unread.is_empty() {
+        return Ok(());
+    }
+    let stem = key.split('[').next().unwrap_or(key);
+    let unread = [key, stem]
+        .into_iter()
+        .find_map(|name| run.unread.get(name));
+    unread.map_or(Ok(()), |word| Err(unknown(run, key, *word, place)))
+}
+
+/// A call measures where the machine stands, with the tool in use and the data of the machine.
+pub fn measures(run: &Interpreter, cycle: &Cycle, place: Span) -> Result<(), Problem> {
+    let rotary = |name: &str| {
+        !["A", "B", "C"].contains(&name) || run.sim.control.rotary_axis(name).is_some()
+    };
+    let mut names = PLACES
+        .iter()
+        .filter(|name| rotary(name))
+        .chain(cycle.settings);
+    names.try_for_each(|name| known(run, name, place))
+}
+
+/// A call takes these parameters from the data of the control.
+pub fn takes(
+    run: &Interpreter,
+    cycle: &'static Cycle,
+    typed: &Typed,
+    place: Span,
+) -> Result<(), Problem> {
+    if run.unread.is_empty() {
+        return Ok(());
+    }
+    let inputs = check::read(cycle, typed, &run.sim.control, &mut Vec::new());
+    let mut used = cycle.params.iter().filter(|param| inputs.uses(param.name));
+    used.try_for_each(|param| known(run, param.name, place))
+}
+
+/// An address of the block itself that calls a macro could not be read.
+pub fn own(run: &Interpreter, block: &[Word], place: Span) -> Option<Problem> {
+    let word = block.iter().find(|word| word.kind == WordKind::Unknown)?;
+    let text = run.program.name(word.span);
+    Some(unknown(run, &printable(&text), word.span, place))
+}
+
+fn unknown(run: &Interpreter, name: &str, word: Span, place: Span) -> Problem {
+    let mut problem = Problem::new("run-unread-value", place, name);
+    let line = f64::from(run.program.line_of(word.start) + 1);
+    problem.message = problem.message.number("line", line);
+    problem
+}
