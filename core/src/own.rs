@@ -146,6 +146,7 @@ sentences! {
     SYNTAX_COMMENT 100 Error "syntax-comment" "";
     SYNTAX_TOO_LARGE 100 Error "syntax-too-large" "";
     SYNTAX_EXPONENT 100 Error "syntax-exponent" "";
+    SYNTAX_NO_EXPONENT 100 Error "syntax-no-exponent" "syntax-no-exponent-hint";
     BLOCK_TWICE 101 Error "block-twice" "block-twice-hint";
     BLOCK_AXIS_NAME 102 Error "block-axis-name" "block-axis-name-hint";
     G101_NO_TARGET 110 Warning "g101-no-target" "g101-no-target-hint";

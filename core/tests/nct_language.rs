@@ -3,7 +3,9 @@
 
 use probewright_core::catalogue::Dialect;
 use probewright_core::control::Plane;
+use probewright_core::diagnostic::Severity;
 use probewright_core::message::Message;
+use probewright_core::program::calls::calls;
 use probewright_core::program::position::Positions;
 use probewright_core::program::read;
 use probewright_core::run::trace::Step;
@@ -208,6 +210,47 @@ fn wrong_programs_stop_at_their_place() {
     assert_eq!(fault(&text).0, "run-arguments");
 }
 
+// oracle: hand (G103 limits the look-ahead on controls with other macros; an address that the macro knows makes it a call)
+#[test]
+fn a_function_of_another_control_is_no_call_of_a_macro() {
+    for text in ["G103 P1\nM30", "G103\nM30", "G0 X1\nG103 P0\nG0 X2\nM30"] {
+        let program = read(Dialect::Nct, text.as_bytes());
+        let foreign = text.contains('P');
+        let found = probewright_core::program::findings(&program);
+        let note = |one: &probewright_core::diagnostic::Diagnostic| {
+            one.severity == Severity::Note && one.message.key == "nct-foreign"
+        };
+        assert_eq!(found.iter().any(note), foreign, "{text}: {found:?}");
+        assert_eq!(calls(&program).is_empty(), foreign, "{text}");
+        if foreign {
+            let outcome = go(text);
+            assert!(
+                outcome.finished() && outcome.diagnostics.iter().all(note),
+                "{text}"
+            );
+            assert_eq!(outcome.passed_over[0].word, "G103");
+        }
+    }
+    let mistaken = read(Dialect::Nct, b"G110 D50 E3");
+    assert_eq!(calls(&mistaken).len(), 1);
+}
+
+// oracle: hand (an argument that cannot be read is no argument)
+#[test]
+fn a_macro_with_an_address_that_cannot_be_read_does_not_measure() {
+    for text in [
+        "G110 D50,5 Q1",
+        "G110 D50 Q[1",
+        "#1=5,5\nG110 D#1",
+        "#500=[1\n#1=#500",
+    ] {
+        assert_eq!(fault(text).0, "run-unread-value", "{text}");
+    }
+    let outcome = go("#1=5,5\n#1=6\nM30");
+    assert!(outcome.finished());
+    assert_eq!(outcome.passed_over.len(), 1);
+}
+
 // oracle: hand: a run goes on behind what it does not know, and says so
 #[test]
 fn unknown_words_and_programs_are_told() {
@@ -220,7 +263,8 @@ fn unknown_words_and_programs_are_told() {
         ("Q5", "run-not-simulated"),
         ("O1\nG65 P2 ,C1\nM30\nO2\nM99", "run-unknown-word"),
         ("HALLO", "syntax-unknown"),
-        ("X1,5", "syntax-unknown"),
+        ("X1,5", "syntax-comma"),
+        ("#1=1E-3", "syntax-no-exponent"),
     ] {
         let outcome = go(text);
         assert_eq!(outcome.stop, None, "{text}");

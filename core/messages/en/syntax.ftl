@@ -24,3 +24,5 @@ program-names = A call finds this program as { $file }, the name of its file; it
 program-names-hint = Give both the same name.
 nct-foreign = { $word } calls no measuring macro here: no address of it is one that the macro takes. The block is passed over.
 nct-foreign-hint = On this control { $cycle } measures. Take it out if the program was written for another control.
+syntax-no-exponent = Numbers have no exponent on this control.
+syntax-no-exponent-hint = Write all digits, for example 0.001.

@@ -25,3 +25,5 @@ program-names = 调用按文件名 { $file } 找到本程序；其 PROC 写的�
 program-names-hint = 请使两者同名。
 nct-foreign = { $word } 在此不是测量宏的调用：没有一个地址是该宏使用的。此程序段被跳过。
 nct-foreign-hint = 在本控制系统上 { $cycle } 用于测量。如果程序是为其他控制系统编写的，请将其删除。
+syntax-no-exponent = 此控制系统的数字没有指数。
+syntax-no-exponent-hint = 请写出全部数位，例如 0.001。

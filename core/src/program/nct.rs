@@ -2,7 +2,7 @@
 
 use super::bytes::is_digit;
 use super::expression::expression;
-use super::nct_expression::{bracket, variable};
+use super::nct_expression::{bracket, decimal_comma, variable};
 use super::number;
 use super::reader::{Parsed, Reader};
 use super::tree::{Expr, ExprId, WordKind};
@@ -101,6 +101,7 @@ fn plain(reader: &mut Reader) -> Parsed<ExprId> {
         reader.at += sign;
         let (value, length) = number::decimal(reader.rest()).ok_or(&own::SYNTAX_NUMBER)?;
         reader.at += length;
+        decimal_comma(reader)?;
         let span: Span = reader.from(start);
         return Ok(reader
             .push(Expr::Number(if minus { -value } else { value }, span), 1)?

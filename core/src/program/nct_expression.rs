@@ -51,11 +51,30 @@ pub(super) fn operand(reader: &mut Reader) -> Parsed<Node> {
         byte if is_digit(byte) || byte == b'.' => {
             let (value, length) = number::decimal(reader.rest()).ok_or(&own::SYNTAX_NUMBER)?;
             reader.at += length;
+            decimal_comma(reader)?;
+            exponent(reader)?;
             let span = reader.from(start);
             reader.push(Expr::Number(value, span), 1)
         }
         byte if byte.is_ascii_alphabetic() => function(reader),
         _ => Err(&own::SYNTAX_OPERAND),
+    }
+}
+
+/// A decimal comma, as other languages write it; `,C1` behind a number is an address.
+pub(super) fn decimal_comma(reader: &Reader) -> Parsed<()> {
+    match (reader.byte(0), is_digit(reader.byte(1))) {
+        (b',', true) => Err(&own::SYNTAX_COMMA),
+        _ => Ok(()),
+    }
+}
+
+/// An exponent, which numbers of this control do not have: in an expression no address can stand.
+fn exponent(reader: &Reader) -> Parsed<()> {
+    let signed = usize::from(matches!(reader.byte(1), b'+' | b'-'));
+    match reader.byte(0) {
+        b'E' | b'e' if is_digit(reader.byte(1 + signed)) => Err(&own::SYNTAX_NO_EXPONENT),
+        _ => Ok(()),
     }
 }
 

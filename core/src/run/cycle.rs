@@ -98,7 +98,7 @@ pub fn carry_out(
     checked: Checked,
     span: Span,
 ) -> Result<(), Stop> {
-    unread::measures(run, cycle, span).map_err(|problem| run.fail(problem))?;
+    unread::measures(run, span).map_err(|problem| run.fail(problem))?;
     let errors: Vec<_> = checked
         .diagnostics
         .iter()

@@ -2,11 +2,13 @@
 //! written is not known from then on, so that nothing is reckoned or measured with an older value.
 
 use super::interpret::Interpreter;
+use super::locals::stem;
 use super::outcome::PassedOver;
 use super::problem::Problem;
 use super::statement::{Address, Words};
-use crate::catalogue::{Cycle, Dialect, nct};
+use crate::catalogue::{CYCLES, Cycle, Dialect, nct};
 use crate::check::{self, Typed};
+use crate::control::{gud, nct_data};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::message::printable;
 use crate::program::not_understood;
@@ -164,23 +166,34 @@ pub fn known(run: &Interpreter, key: &str, place: Span) -> Result<(), Problem> {
     if run.unread.is_empty() {
         return Ok(());
     }
-    let stem = key.split('[').next().unwrap_or(key);
-    let unread = [key, stem]
+    let unread = [key, stem(key)]
         .into_iter()
         .find_map(|name| run.unread.get(name));
     unread.map_or(Ok(()), |word| Err(unknown(run, key, *word, place)))
 }
 
 /// A call measures where the machine stands, with the tool in use and the data of the machine.
-pub fn measures(run: &Interpreter, cycle: &Cycle, place: Span) -> Result<(), Problem> {
-    let rotary = |name: &str| {
-        !["A", "B", "C"].contains(&name) || run.sim.control.rotary_axis(name).is_some()
+pub fn measures(run: &Interpreter, place: Span) -> Result<(), Problem> {
+    let mut names = run.unread.keys();
+    names
+        .find(|name| of_machine(run, name))
+        .map_or(Ok(()), |name| known(run, name, place))
+}
+
+/// Whether a name decides over every measurement: a place, the tool, data of the control that no call hands over or leaves.
+fn of_machine(run: &Interpreter, name: &str) -> bool {
+    if PLACES.contains(&name) {
+        let rotary = ["A", "B", "C"].contains(&name);
+        return !rotary || run.sim.control.rotary_axis(name).is_some();
+    }
+    let stem = stem(name);
+    let own = |cycle: &&Cycle| {
+        let params = cycle.params.iter().map(|param| param.name);
+        let results = cycle.results.iter().map(|result| result.name);
+        params.chain(results).any(|known| self::stem(known) == stem)
     };
-    let mut names = PLACES
-        .iter()
-        .filter(|name| rotary(name))
-        .chain(cycle.settings);
-    names.try_for_each(|name| known(run, name, place))
+    let datum = gud::find(stem).is_some() && !CYCLES.iter().any(|cycle| own(cycle));
+    datum || name.starts_with('$') || nct_data::find(name).is_some()
 }
 
 /// A call takes these parameters from the data of the control.

@@ -6,6 +6,7 @@ mod frames;
 mod measuring;
 mod motion;
 mod nct;
+mod passed_over;
 mod random;
 #[path = "../running/mod.rs"]
 mod running;
