@@ -140,6 +140,7 @@ sentences! {
     SYNTAX_BRACKET 100 Error "syntax-bracket" "";
     SYNTAX_INDEX 100 Error "syntax-index" "";
     SYNTAX_TEXT 100 Error "syntax-text" "";
+    SYNTAX_CHARACTER 100 Error "syntax-character" "";
     SYNTAX_NUMBER 100 Error "syntax-number" "";
     SYNTAX_COMMA 100 Error "syntax-comma" "";
     SYNTAX_DEPTH 100 Error "syntax-depth" "";
@@ -207,6 +208,7 @@ sentences! {
     TEXT_BEHIND_END 180 Note "syntax-behind-end" "syntax-behind-end-hint";
     PROGRAM_NAMES 181 Note "program-names" "program-names-hint";
     NCT_FOREIGN 182 Note "nct-foreign" "nct-foreign-hint";
+    LONE_RETURN 183 Warning "syntax-lone-return" "syntax-lone-return-hint";
     TEXT_WANTED 185 Error "list-text-wanted" "list-text-wanted-hint";
     NUMBER_WANTED 185 Error "list-number-wanted" "list-number-wanted-hint";
     TEXT_UNQUOTED 185 Warning "list-text-unquoted" "list-text-unquoted-hint";

@@ -259,6 +259,7 @@ fn unknown_words_and_programs_are_told() {
         ("G65 P999 A1", "run-subprogram"),
         ("G65 P1.5", "run-subprogram"),
         ("G777", "run-unknown-word"),
+        ("(A\nG0 X0", "syntax-comment"),
         ("M77", "run-machine-function"),
         ("Q5", "run-not-simulated"),
         ("O1\nG65 P2 ,C1\nM30\nO2\nM99", "run-unknown-word"),

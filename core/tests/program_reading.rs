@@ -52,14 +52,17 @@ fn check_places(program: &Program) {
         }
     }
     assert_eq!(next_word as usize, program.words.len());
-    let rest = program.text(Span {
-        start: behind,
-        end: whole.end,
-    });
-    let mut read = rest.iter().take_while(|byte| **byte != 0x1A);
+    let text = |start, end| program.text(Span { start, end });
     assert!(
-        read.all(|byte| matches!(byte, b'\r' | b'\n')),
-        "nothing behind the last line but its end, and the end of the file"
+        text(behind, program.end)
+            .iter()
+            .all(|byte| matches!(byte, b'\r' | b'\n')),
+        "nothing behind the last line but its end"
+    );
+    let unread = text(program.end, whole.end);
+    assert!(
+        unread.first().is_none_or(|byte| *byte == 0x1A) || unread.iter().all(|byte| *byte == 0),
+        "nothing is left unread but what stands behind the end of the file"
     );
     let unknown: Vec<Span> = program
         .words

@@ -276,7 +276,7 @@ export interface Pending { control: Dialect; at: number; name: string; value: st
 export interface Converted { edits: Edit[]; findings: Diagnostic[] }
 // run(RunRequest) -> RunView
 export interface RunRequest { control: Dialect; text: string; setup?: Setup | OwnMachine } // absent: the core's own machine as it is
-export interface RunView { trace: Trace; diagnostics: Diagnostic[]; results: { name: string; label?: Message; value: number; unit?: string; earlier?: number }[]; /* earlier: line, from 1, of the call that left it, where that was not the last */ changes: Outcome["changes"]; alarms: Outcome["alarms"]; log: string[]; finished: boolean }
+export interface RunView { trace: Trace; diagnostics: Diagnostic[]; results: { name: string; label?: Message; value: number; unit?: string; earlier?: number }[]; /* earlier: line, from 1, of the call that left it, where that was not the last */ changes: Outcome["changes"]; alarms: Outcome["alarms"]; log: string[]; finished: boolean; passedOver: { word: string; line: number }[]; ending: Message }
 
 // Scan(ScanRequest, bytes): a surface scanned in pieces. setup: that of the FormView; its surface, or another one as large.
 export interface ScanRequest { control: Dialect; cycle: string; values: Record<string, string>; setup: Setup; plane?: Plane; units?: UnitFunction; surface?: SurfaceChoice }

@@ -26,3 +26,7 @@ nct-foreign = { $word } calls no measuring macro here: no address of it is one t
 nct-foreign-hint = On this control { $cycle } measures. Take it out if the program was written for another control.
 syntax-no-exponent = Numbers have no exponent on this control.
 syntax-no-exponent-hint = Write all digits, for example 0.001.
+syntax-character = The control does not know this character ({ $number }).
+syntax-character-blank = Write a plain blank.
+syntax-lone-return = A carriage return without a line feed ends no block: what follows belongs to this line.
+syntax-lone-return-hint = Save the file with line feeds.

@@ -27,3 +27,7 @@ nct-foreign = { $word } 在此不是测量宏的调用：没有一个地址是�
 nct-foreign-hint = 在本控制系统上 { $cycle } 用于测量。如果程序是为其他控制系统编写的，请将其删除。
 syntax-no-exponent = 此控制系统的数字没有指数。
 syntax-no-exponent-hint = 请写出全部数位，例如 0.001。
+syntax-character = 控制系统不认识此字符（{ $number }）。
+syntax-character-blank = 请写普通空格。
+syntax-lone-return = 没有换行符的回车不结束程序段：其后的内容属于本行。
+syntax-lone-return-hint = 请用换行符保存文件。

@@ -27,7 +27,8 @@ pub fn read_told(dialect: Dialect, source: &[u8], told: &mut dyn FnMut(f64)) -> 
     // Places are u32; what lies beyond 4 GiB is kept but not read.
     let whole = source.get(..u32::MAX as usize).unwrap_or(source);
     let end = whole.iter().position(|byte| *byte == END_OF_FILE);
-    let readable = end.map_or(whole, |end| &whole[..end]);
+    let end = end.or_else(|| filled(whole));
+    let readable = end.and_then(|end| whole.get(..end)).unwrap_or(whole);
     let mut reader = Reader::new(readable);
     while reader.at < readable.len() || reader.blocks.is_empty() {
         let start = reader.at;
@@ -40,6 +41,12 @@ pub fn read_told(dialect: Dialect, source: &[u8], told: &mut dyn FnMut(f64)) -> 
         let stop = length.map_or(readable.len(), |length| start + length);
         let carriage = stop > start && readable.get(stop - 1) == Some(&b'\r');
         reader.end = stop - usize::from(carriage);
+        let rest = reader.rest();
+        let alone = rest.iter().position(|byte| *byte == b'\r');
+        let ends = |at: &usize| rest.iter().skip(*at).all(u8::is_ascii_whitespace);
+        if let Some(alone) = alone.filter(|at| !ends(at)) {
+            lone_return(&mut reader, start + alone);
+        }
         line(&mut reader, dialect);
         reader.at = stop + 1;
         if reader.blocks.len().is_multiple_of(BETWEEN) {
@@ -59,6 +66,12 @@ pub fn read_told(dialect: Dialect, source: &[u8], told: &mut dyn FnMut(f64)) -> 
     reader.finish(dialect, source)
 }
 
+/// Where zeros begin with which a file is filled up to its end.
+fn filled(whole: &[u8]) -> Option<usize> {
+    let last = whole.iter().rposition(|byte| *byte != 0)?;
+    (last + 1 < whole.len()).then_some(last + 1)
+}
+
 /// What stands behind the end of file, where it is more than blanks and further ends.
 fn behind_end(whole: &[u8], end: usize) -> Option<SyntaxError> {
     let filler = |byte: &u8| byte.is_ascii_whitespace() || matches!(*byte, END_OF_FILE | 0);
@@ -72,6 +85,18 @@ fn behind_end(whole: &[u8], end: usize) -> Option<SyntaxError> {
         span,
         sentence: &own::TEXT_BEHIND_END,
     })
+}
+
+/// The control ends a block with a line feed only.
+fn lone_return(reader: &mut Reader, at: usize) {
+    let span = Span {
+        start: at as u32,
+        end: at as u32 + 1,
+    };
+    reader.errors.push(SyntaxError {
+        span,
+        sentence: &own::LONE_RETURN,
+    });
 }
 
 fn line(reader: &mut Reader, dialect: Dialect) {

@@ -7,7 +7,7 @@ use super::calls::{CallSite, calls_on};
 use super::tree::{Program, SyntaxError};
 use crate::catalogue::Dialect;
 use crate::control::{Control, delivery};
-use crate::diagnostic::{Cure, Diagnostic, Edit, Span};
+use crate::diagnostic::{Cure, Diagnostic, Edit, Severity, Span};
 use crate::message::Message;
 use crate::own;
 
@@ -59,6 +59,9 @@ fn once(found: Vec<Diagnostic>) -> Vec<Diagnostic> {
 
 /// What reading did not understand, with what to write instead where it is a number of another language.
 pub fn not_understood(program: &Program, error: &SyntaxError) -> Diagnostic {
+    if let Some(found) = foreign_character(program, error) {
+        return found;
+    }
     let found = Diagnostic {
         span: Some(error.span),
         ..error.sentence.finding()
@@ -80,6 +83,60 @@ pub fn not_understood(program: &Program, error: &SyntaxError) -> Diagnostic {
         cure: Some(cure),
         ..found.hint(write)
     }
+}
+
+/// A character that the language does not have where reading failed: from a text processor, or one that nobody sees.
+fn foreign_character(program: &Program, error: &SyntaxError) -> Option<Diagnostic> {
+    if error.sentence.severity != Severity::Error {
+        return None;
+    }
+    let rest = program.source.get(error.span.start as usize..)?;
+    let text = rest.get(..rest.len().min(4))?;
+    let known = match std::str::from_utf8(text) {
+        Ok(text) => text.chars().next(),
+        Err(wrong) => std::str::from_utf8(text.get(..wrong.valid_up_to())?)
+            .ok()?
+            .chars()
+            .next(),
+    };
+    let character = known.unwrap_or(char::from(*rest.first()?)); // of an older code page
+    if character.is_ascii_graphic() || matches!(character, ' ' | '\t' | '\r' | '\n') {
+        return None;
+    }
+    let length = known.map_or(1, char::len_utf8) as u32;
+    let number = format!("U+{:04X}", u32::from(character));
+    let found = own::SYNTAX_CHARACTER.finding().text("number", number);
+    let instead = match character {
+        '\u{2010}'..='\u{2015}' | '\u{2212}' => "-",
+        '\u{201C}'..='\u{201F}' | '\u{AB}' | '\u{BB}' => "\"",
+        _ if character.is_alphanumeric() => {
+            return Some(Diagnostic {
+                span: Some(error.span),
+                ..found
+            });
+        }
+        _ => " ",
+    };
+    let span = Span {
+        start: error.span.start,
+        end: error.span.start + length,
+    };
+    let edit = Edit {
+        span,
+        insert: instead.to_owned(),
+    };
+    let label = match instead {
+        " " => Message::new("syntax-character-blank"),
+        written => Message::new("syntax-write").text("value", written),
+    };
+    Some(Diagnostic {
+        span: Some(error.span),
+        cure: Some(Cure {
+            label: label.clone(),
+            edits: vec![edit],
+        }),
+        ..found.hint(label)
+    })
 }
 
 /// The number around the byte at which reading failed, with something else in its place; none: no number stands there.

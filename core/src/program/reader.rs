@@ -175,8 +175,22 @@ impl<'a> Reader<'a> {
         before.trim_ascii_end().len()
     }
 
+    /// Takes back a word of the present line that ends at this place; where it begins.
+    fn touched(&mut self, start: usize) -> usize {
+        let value =
+            |kind: &WordKind| matches!(kind, WordKind::Address { .. } | WordKind::Assign { .. });
+        let own = self.words.get(self.first..).and_then(<[Word]>::last);
+        let touches = own.filter(|word| word.span.end as usize == start && value(&word.kind));
+        let Some(begin) = touches.map(|word| word.span.start as usize) else {
+            return start;
+        };
+        self.words.pop();
+        begin
+    }
+
     /// Marks what was not understood, from `start` to the next blank behind `place`, where the reading failed; touching ones
-    /// become one. What stands in a bracket that the block leaves open belongs to it, up to the end.
+    /// become one, and a word that it touches is not understood either: of `X10+5` and `_FA=2%` nobody knows what they mean. What
+    /// stands in a bracket that the block leaves open belongs to it, up to the end.
     pub fn unknown(&mut self, start: usize, place: usize, sentence: &'static Own, stop: u8) {
         let open = self.left_open(place, sentence, stop);
         self.at = place.max(start + 1).max(open);
@@ -189,6 +203,7 @@ impl<'a> Reader<'a> {
             };
             self.at += close.map_or(1, |length| length + 2);
         }
+        let start = self.touched(start);
         let span = self.from(start);
         let joined = match (
             self.words

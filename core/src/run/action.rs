@@ -40,7 +40,9 @@ pub fn perform(run: &mut Interpreter, at: usize, mut found: Words) -> Result<Nex
     }
     let subprogram = nct && macro_call::function(&found, "M", 98.0).is_some();
     gcode::apply(run, &mut found)?;
-    unread::placed(run, &found.addresses);
+    if !found.path.stays {
+        unread::placed(run, &found.addresses);
+    }
     words::apply(run, &mut found);
     tool::apply(run, &found)?;
     let calls = !found.calls.is_empty();
@@ -217,7 +219,7 @@ fn carry_out(
         return Err(run.fail(Problem::new("run-not-simulated", call.span, name)));
     } else if words::known(name) || frame::is_frame(name) {
         // done, or nothing to do
-    } else if is_word(name) || machines(name) {
+    } else if is_word(name) || machines(name) || run.programs.macros.contains(name) {
         run.tell(
             Severity::Warning,
             &Problem::new("run-not-simulated", call.span, name),

@@ -6,7 +6,7 @@ use super::modal::{Compensation, FeedType, Motion};
 use super::path::{Measure, Pole, Suppress};
 use super::problem::Problem;
 use super::statement::Words;
-use super::{Stop, motion};
+use super::{Stop, motion, unread};
 use crate::catalogue::Dialect;
 use crate::control::Plane;
 use crate::diagnostic::Severity;
@@ -50,6 +50,8 @@ fn some(
             && (0.0..1000.0).contains(&number)
             && one(run, number as u16, found);
         if !known {
+            found.path.stays = true;
+            unread::leave_axes(run, found);
             run.tell(
                 Severity::Error,
                 &Problem::new("run-unknown-word", span, format!("G{number}")),

@@ -11,7 +11,7 @@ use super::outcome::PassedOver;
 use super::problem::{self, Problem};
 use super::programs::{self, Programs};
 use super::trace::Step;
-use super::unread::Unread;
+use super::unread::{self, Unread};
 use super::{Outcome, Setup, Stop, motion, repeat, statement, subprogram};
 use crate::catalogue::alarms;
 use crate::diagnostic::{Diagnostic, Severity, Span};
@@ -97,6 +97,8 @@ pub struct Interpreter {
     pub limit: usize,
     /// What words that could not be read would have written.
     pub unread: Unread,
+    /// What reading found in the blocks.
+    pub errors: unread::Errors,
     seen: BTreeSet<(u32, String)>,
     passed: Vec<PassedOver>,
 }
@@ -281,6 +283,7 @@ impl Interpreter {
             most_calls: limits.calls,
             limit: limits.steps,
             unread: Unread::new(),
+            errors: unread::errors(&program),
             seen: BTreeSet::new(),
             passed: Vec::new(),
             program: Rc::new(program),

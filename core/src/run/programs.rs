@@ -29,6 +29,8 @@ pub struct Programs {
     pub names: BTreeMap<String, usize>,
     /// Names that an `EXTERN` declares.
     pub external: BTreeSet<String>,
+    /// Names that a `DEFINE` gives to a piece of text.
+    pub macros: BTreeSet<String>,
 }
 
 impl Programs {
@@ -74,6 +76,7 @@ pub fn programs(program: &Program) -> Programs {
         if procedure.is_some() {
             current.signature = Some(at);
         }
+        found.macros.extend(defined(program, block));
         found.external.extend(declared(program, block, "EXTERN"));
         empty = header.is_some() || ((empty || begins) && says_nothing(program, block));
     }
@@ -130,6 +133,16 @@ fn declared(program: &Program, block: &Block, keyword: &str) -> Option<String> {
             WordKind::Declare { name, .. } => Some(program.name(*name)),
             _ => None,
         })
+}
+
+/// The name behind `DEFINE`.
+fn defined(program: &Program, block: &Block) -> Option<String> {
+    let mut calls = program.words_of(block).iter().map(|word| match &word.kind {
+        WordKind::Call { name, .. } => Some(*name),
+        _ => None,
+    });
+    calls.next()?.filter(|name| program.is(*name, "DEFINE"))?;
+    calls.next()?.map(|name| program.name(name))
 }
 
 /// A program is called that is not in the text: the run goes on without it, which is told at the first call.

@@ -88,6 +88,7 @@ pub fn block(run: &mut Interpreter, at: usize) -> Result<Next, Stop> {
     if skipped || left_out(run, words) {
         return Ok(Next::Block);
     }
+    unread::tell(run, at);
     if let Some((keyword, label)) = repetition(run, words) {
         repeat::alone(run, words).map_err(|problem| run.fail(problem))?;
         return repeat::begin(run, at, keyword, label, words).map_err(|problem| run.fail(problem));

@@ -12,8 +12,9 @@ use crate::control::{gud, nct_data};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::message::printable;
 use crate::program::not_understood;
-use crate::program::tree::{Word, WordKind};
+use crate::program::tree::{Program, Word, WordKind};
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 /// What is not known, as a program names it (`_FA`, `_SETV[0]`, `R5`, `X`), with the word that would have written it.
 pub type Unread = BTreeMap<String, Span>;
@@ -34,8 +35,12 @@ pub fn pass(
     block: &[Word],
     found: &mut Words,
 ) -> Result<(), Problem> {
-    tell(run, word.span);
     found.unread = true;
+    let written = String::from_utf8_lossy(run.program.text(word.span)).into_owned();
+    run.passed_over(PassedOver {
+        word: printable(&written),
+        line: run.program.line_of(word.span.start) + 1,
+    });
     let text = run.program.name(word.span);
     let begins = |way: &str| {
         let rest = text.strip_prefix(way);
@@ -59,7 +64,7 @@ pub fn pass(
 /// Passes over a block whose G function is that of a macro here and of something else on another control. Where the axes
 /// that it names would stand is not known.
 pub fn of_another_control(run: &mut Interpreter, cycle: &'static Cycle, found: &Words) {
-    let program = std::rc::Rc::clone(&run.program);
+    let program = Rc::clone(&run.program);
     let span = found.path.span;
     let of_macro = |address: &&Address| {
         let number = address.value.number();
@@ -78,29 +83,41 @@ pub fn of_another_control(run: &mut Interpreter, cycle: &'static Cycle, found: &
         word: cycle.name.to_owned(),
         line: program.line_of(span.start) + 1,
     });
-    let axes = found
-        .addresses
-        .iter()
-        .filter(|address| ["X", "Y", "Z"].contains(&&*address.name));
-    for axis in axes {
+    leave_axes(run, found);
+}
+
+/// Nobody knows where the axes of a block stand behind it.
+pub fn leave_axes(run: &mut Interpreter, found: &Words) {
+    let axes = found.addresses.iter();
+    for axis in axes.filter(|address| ["X", "Y", "Z"].contains(&&*address.name)) {
         run.unread.insert(axis.name.clone(), axis.span);
     }
 }
 
-/// The findings of reading about a word, and its name for the end of the run.
-fn tell(run: &mut Interpreter, span: Span) {
-    let program = std::rc::Rc::clone(&run.program);
-    let errors = program.errors.iter();
-    let inside =
-        errors.filter(|error| span.start <= error.span.start && error.span.start < span.end);
-    for error in inside {
-        run.tell_once(not_understood(&program, error));
+/// Findings of reading by their blocks.
+pub type Errors = BTreeMap<usize, Vec<usize>>;
+
+/// Where reading found what.
+pub fn errors(program: &Program) -> Errors {
+    let mut found = Errors::new();
+    for (at, error) in program.errors.iter().enumerate() {
+        let block = program.line_of(error.span.start) as usize;
+        found.entry(block).or_default().push(at);
     }
-    let text = String::from_utf8_lossy(program.text(span)).into_owned();
-    run.passed_over(PassedOver {
-        word: printable(&text),
-        line: program.line_of(span.start) + 1,
-    });
+    found
+}
+
+/// Tells what reading found in a block.
+pub fn tell(run: &mut Interpreter, at: usize) {
+    let program = Rc::clone(&run.program);
+    let errors = run.errors.get(&at).into_iter().flatten();
+    let errors = errors.filter_map(|error| program.errors.get(*error));
+    let found: Vec<_> = errors
+        .map(|error| not_understood(&program, error))
+        .collect();
+    for one in found {
+        run.tell_once(one);
+    }
 }
 
 /// What a word would have written: a variable, or one of the addresses that count for a measurement.
@@ -115,6 +132,9 @@ fn target(dialect: Dialect, text: &str) -> Option<String> {
         Some((index, rest)) => (Some(index), rest.trim_start()),
         None => (None, rest),
     };
+    if let Some(code) = name.strip_prefix('G').and_then(leading) {
+        return group(code).map(|_| format!("G{code}"));
+    }
     let address = name.get(..1).filter(|letter| PLACES.contains(letter));
     if let Some(letter) =
         address.filter(|_| name.len() == 1 || index.is_none() && !rest.starts_with('='))
@@ -138,6 +158,26 @@ fn target(dialect: Dialect, text: &str) -> Option<String> {
     })
 }
 
+/// The number with which a text begins.
+fn leading(text: &str) -> Option<u32> {
+    let end = text
+        .find(|one: char| !one.is_ascii_digit())
+        .unwrap_or(text.len());
+    text.get(..end)?.parse().ok()
+}
+
+/// Groups of G functions that decide over a measurement: plane, compensation, zero offset, units, absolute or incremental.
+fn group(code: u32) -> Option<u32> {
+    Some(match code {
+        17..=19 => 17,
+        40..=42 => 40,
+        54..=59 | 500 | 505..=599 => 54,
+        20 | 21 | 70 | 71 | 700 | 710 => 70,
+        90 | 91 => 90,
+        _ => return None,
+    })
+}
+
 /// A variable is written: what was not known of it no longer counts.
 pub fn written(run: &mut Interpreter, key: &str) {
     if !run.unread.is_empty() {
@@ -151,6 +191,12 @@ pub fn placed(run: &mut Interpreter, addresses: &[Address]) {
         return;
     }
     for address in addresses {
+        if let ("G", Some(code)) = (&*address.name, address.value.number()) {
+            let new = group(code as u32);
+            let said = |name: &str| name.strip_prefix('G').and_then(leading).and_then(group);
+            run.unread
+                .retain(|name, _| new.is_none() || said(name) != new);
+        }
         let absolute = match address.mode.as_deref() {
             Some(mode) => !mode.contains("IC"),
             None => run.modal.absolute || ["T", "D", "H"].contains(&address.name.as_str()),
@@ -182,6 +228,9 @@ pub fn measures(run: &Interpreter, place: Span) -> Result<(), Problem> {
 
 /// Whether a name decides over every measurement: a place, the tool, data of the control that no call hands over or leaves.
 fn of_machine(run: &Interpreter, name: &str) -> bool {
+    if name.strip_prefix('G').and_then(leading).is_some() {
+        return true;
+    }
     if PLACES.contains(&name) {
         let rotary = ["A", "B", "C"].contains(&name);
         return !rotary || run.sim.control.rotary_axis(name).is_some();

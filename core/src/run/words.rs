@@ -105,6 +105,7 @@ const BEYOND: &[&str] = &[
     "POLY",
     "SPLINEPATH",
     "EXECSTRING",
+    "GOTOS",
 ];
 
 /// Names with a value, perhaps of an axis (`ACC[X]=50`), that change nothing that is simulated: acceleration, blending,

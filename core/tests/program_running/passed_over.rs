@@ -23,6 +23,15 @@ fn stop(outcome: &Outcome) -> Option<&str> {
     }
 }
 
+// oracle: hand (where an unknown function leaves the axes nobody knows)
+#[test]
+fn the_axes_of_an_unknown_function_stay() {
+    let outcome = go("G0 X5 Y5 Z40\nG987 X1 Y2 Z3\nM30");
+    super::near(outcome.end(), [5.0, 5.0, 40.0]);
+    assert_eq!(stop(&measured("G987 X0")), Some("run-unread-value"));
+    assert_eq!(measured("G987 X0\nG0 X0").stop, None);
+}
+
 /// Measures the upper face of a block behind these lines.
 fn measured(lines: &str) -> Outcome {
     let text = format!("{BEFORE}{lines}\nCYCLE978\nM30");
@@ -45,6 +54,11 @@ fn no_call_measures_with_a_value_that_could_not_be_read() {
         "X1e1",
         "G1 F100 Z1,5",
         "D1,5",
+        "X0+5",
+        "_FA=20%",
+        "G54\u{a0}G18",
+        "G91.5.5",
+        "_MA=3\u{2212}1",
     ] {
         let outcome = measured(lines);
         assert_eq!(stop(&outcome), Some("run-unread-value"), "{lines}");
@@ -63,6 +77,8 @@ fn no_call_measures_with_a_value_that_could_not_be_read() {
         "X1e1\nX0 D1",
         "R1=1e1\nR[1]=2\n_FA=R1",
         "F1e3",
+        "G17,5\nG17",
+        "G54\u{200b}\nG54",
     ] {
         let outcome = measured(lines);
         assert_eq!(outcome.stop, None, "{lines} {:?}", outcome.diagnostics);
@@ -222,7 +238,7 @@ fn blanks_before_an_index_and_the_end_of_a_file() {
     assert_eq!(number("_SETV [2]=7\nM30", "_SETV[2]"), 7.0);
     assert_eq!(number("R1=2\nM30\n\u{1a}\u{1a}\r\n", "R1"), 2.0);
     let text = "R1=2\n\u{1a}R1=3";
-    assert_eq!(number(text, "R1"), 2.0);
+    assert_eq!(go(text).control.number("R1"), 2.0);
     let found = findings(&read(Sinumerik, text.as_bytes()));
     assert!(matches!(&found[..], [one] if one.severity == Severity::Note));
 }

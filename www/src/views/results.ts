@@ -60,7 +60,8 @@ function createOutcome(root: HTMLElement): Draw {
   const none = el("p", { class: "empty" });
   const same = el("p", { class: "empty" }, t("outcome-no-changes"));
   const assumed = el("p", { class: "assumed", role: "note" });
-  root.append(none, assumed, alarms, el("div", { class: "outcome" }, changeTable, same, decisionBox, resultTable));
+  const ended = el("p", { class: "assumed", role: "note" });
+  root.append(none, assumed, alarms, el("div", { class: "outcome" }, changeTable, same, decisionBox, resultTable), ended);
   const shownNow = keptOutcome();
   let drawn: Shown | null | undefined;
   return (state, derived) => {
@@ -70,6 +71,9 @@ function createOutcome(root: HTMLElement): Draw {
     const counted = outcome && !derived.run ? assumptions(derived) : "";
     show(assumed, counted !== "");
     setText(assumed, counted);
+    const ending = outcome && derived.run ? say(derived.run.ending) : "";
+    show(ended, ending !== "");
+    setText(ended, ending);
     if (outcome === drawn) return; // each step that is played comes by here, and a long run has a thousand lines
     drawn = outcome;
     show(resultTable, (outcome?.results.length ?? 0) > 0);
@@ -205,7 +209,7 @@ function located(state: State, derived: Derived, actions: Actions, goTo: (offset
       go: () => { actions.panel("form"); document.getElementById(fieldId(problem.param ?? ""))?.focus(); },
     })),
     ...derived.problems.filter((one) => !inForm.has(same(one)) || !ofOpened(one)).map((problem) => ({ ...place(problem), ...cured(problem) })),
-    ...(derived.run?.diagnostics ?? []).map(place),
+    ...(derived.run?.diagnostics ?? []).filter((one) => !derived.problems.some((known) => known.code === one.code && known.from === one.from)).map(place),
   ];
 }
 

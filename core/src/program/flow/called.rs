@@ -4,7 +4,7 @@
 use super::language::is_word;
 use crate::diagnostic::Span;
 use crate::program::tree::{Expr, ExprId, Program, Word, WordKind};
-use crate::run::programs::Programs;
+use crate::run::programs::{Programs, bare};
 use crate::run::{action, manner, statement};
 
 /// Words before the name of a program that say how it is called.
@@ -45,9 +45,9 @@ pub fn called(program: &Program, programs: &Programs, words: &[Word], at: usize)
         return Some(Called::Here(unit));
     }
     let manner = MANNERS.contains(&name.as_str());
-    let known = manner || action::is_of_control(&name) || is_word(&name);
-    let unknown = certain || !known;
-    unknown.then_some(Called::Elsewhere)
+    let known = !certain && (manner || is_word(&name));
+    let of_control = action::is_of_control(bare(&name));
+    (!known && !of_control).then_some(Called::Elsewhere)
 }
 
 /// The text in `EXTCALL("NAME")`.
@@ -81,7 +81,8 @@ pub fn named_outside(
     match &words.get(at)?.kind {
         WordKind::Call { name, args, .. } => {
             let before = at.checked_sub(1).and_then(|before| words.get(before));
-            let variable = before.is_some_and(|word| takes_text(program, word));
+            let variable = before.is_some_and(|word| takes_text(program, word))
+                || programs.macros.contains(&program.name(*name));
             let name = from_outside(program, *name, args).unwrap_or(*name);
             (!variable).then_some(name)
         }
