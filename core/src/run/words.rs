@@ -11,8 +11,8 @@ use crate::diagnostic::Severity;
 use crate::program::flow::is_word;
 
 /// Words that change nothing that is simulated: how the axes accelerate, blend and look ahead, how a corner is approached,
-/// how an orientation is interpolated, which channel has an axis, what the screen shows, what a subprogram may be
-/// interrupted by.
+/// how an orientation is interpolated, which channel has an axis, what the screen shows and how the editor groups blocks, what a
+/// subprogram may be interrupted by.
 const WITHOUT_EFFECT: &[&str] = &[
     "STOPRE",
     "BRISK",
@@ -85,6 +85,9 @@ const WITHOUT_EFFECT: &[&str] = &[
     "GETD",
     "RELEASE",
     "AXTOCHAN",
+    "GROUP_BEGIN",
+    "GROUP_END",
+    "WORKPIECE",
 ];
 
 /// Words behind which nobody knows where the axes stand or in which coordinates they move: they stop the run.

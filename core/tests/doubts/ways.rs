@@ -1,6 +1,6 @@
 //! What is in force along calls, branches and levels.
 
-use super::{COMPENSATION, EDGE, HOLE, LEVEL, OUTSIDE, PLANE, SPINDLE, called, found, tells};
+use super::{COMPENSATION, EDGE, HOLE, LEVEL, OPEN, OUTSIDE, PLANE, SPINDLE, called, found, tells};
 use probewright_core::diagnostic::Code::Alarm;
 use probewright_core::program::change::apply;
 
@@ -184,4 +184,43 @@ fn a_cure_stands_where_it_counts_at_the_call() {
         assert_eq!(cured, format!("{begin}{cure}CYCLE977\nM30\n"));
         assert!(!tells(&cured, code), "{cured}");
     }
+}
+
+// oracle: hand (behind REPEAT stand labels, behind CALL a variable or a cycle may stand, PROC and DEFINE declare)
+#[test]
+fn labels_variables_and_declarations_are_no_programs() {
+    for lines in [
+        "BEG: G0 X1\nLAST:\nREPEAT BEG LAST P=2",
+        "BEG: G0 X1\nREPEATB BEG P=2",
+        "DEF STRING[9] NEXT=\"L5\"\nCALL NEXT",
+        "CALL \"CYCLE977\"",
+        "DEFINE RAPID AS G0",
+        "EXTERN FAR(INT, REAL)",
+        "CYCLE83(1,2,3)",
+        "GROUP_BEGIN(0,\"A\",0,0)",
+    ] {
+        let text = called(&format!("G17 G40 T9 D1\n{lines}\n{HOLE}"), "G0 X1");
+        assert!(!tells(&text, OUTSIDE), "{lines}");
+    }
+    assert!(tells(
+        &called(&format!("G17 G40 T9 D1\nFAR\n{HOLE}"), ""),
+        OUTSIDE
+    ));
+    assert!(
+        tells("G0 X1\nCYCLE987\nM30", OUTSIDE),
+        "no cycle of the control"
+    );
+}
+
+// oracle: hand (a cycle that only drills leaves what is in force; one that nobody knows may change it)
+#[test]
+fn behind_an_unknown_cycle_nothing_is_known() {
+    let open = |cycle: &str| {
+        tells(
+            &format!("%_N_A_MPF\nG17 G40 G54 T9 D1\n{cycle}\n{HOLE}M30"),
+            OPEN,
+        )
+    };
+    assert!(!open("CYCLE83(1,2,3)"));
+    assert!(open("CYCLE987"));
 }

@@ -27,6 +27,9 @@ pub fn called(program: &Program, programs: &Programs, words: &[Word], at: usize)
     if words.first().is_some_and(|word| declares(program, word)) {
         return None;
     }
+    if words.iter().take(at).any(|word| repeats(program, word)) {
+        return None; // labels
+    }
     let before = at.checked_sub(1).and_then(|before| words.get(before));
     let (name, certain) = match &words.get(at)?.kind {
         WordKind::Call { name, args, .. } => match from_outside(program, *name, args) {
@@ -56,6 +59,16 @@ fn from_outside(program: &Program, name: Span, args: &[Option<ExprId>]) -> Optio
     match program.expr((*text)?)? {
         Expr::Text(place) => Some(*place),
         _ => None,
+    }
+}
+
+/// Whether the names behind this word are labels.
+fn repeats(program: &Program, word: &Word) -> bool {
+    match &word.kind {
+        WordKind::Keyword { name, .. } => {
+            program.is(*name, "REPEAT") || program.is(*name, "REPEATB")
+        }
+        _ => false,
     }
 }
 
