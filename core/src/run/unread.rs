@@ -236,12 +236,12 @@ fn of_machine(run: &Interpreter, name: &str) -> bool {
         return !rotary || run.sim.control.rotary_axis(name).is_some();
     }
     let stem = stem(name);
-    let own = |cycle: &&Cycle| {
+    let own = |cycle: &&'static Cycle| {
         let params = cycle.params.iter().map(|param| param.name);
         let results = cycle.results.iter().map(|result| result.name);
         params.chain(results).any(|known| self::stem(known) == stem)
     };
-    let datum = gud::find(stem).is_some() && !CYCLES.iter().any(|cycle| own(cycle));
+    let datum = gud::find(stem).is_some() && !CYCLES.iter().any(own);
     datum || name.starts_with('$') || nct_data::find(name).is_some()
 }
 
