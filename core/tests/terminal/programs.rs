@@ -128,3 +128,36 @@ fn a_run_with_an_unknown_word_fails() {
         out(&output)
     );
 }
+
+// oracle: hand (the end of a run is its last line; what was not carried out stands in it)
+#[test]
+fn the_last_line_of_a_run_names_what_it_passed_over() {
+    for (text, last, finished, passed) in [
+        ("G0 X1\nM2\n", "The program ran to its end.", true, 0),
+        (
+            "G0 X1\nL105\nM2\n",
+            "The program ran to its end, but without: L105 (2). The line stands in brackets.",
+            true,
+            1,
+        ),
+        (
+            "_FA=1e-09\nR1=_FA\nM2\n",
+            "The program stopped in line 2; passed over before: _FA=1e-09 (1). The line stands in brackets.",
+            false,
+            1,
+        ),
+    ] {
+        let path = file("ending.mpf", text.as_bytes());
+        let run = ["run", &path, "--setup", &example_setup()];
+        assert_eq!(out(&probewright(&run)).lines().last(), Some(last), "{text}");
+        let json = probewright(&[&run[..], &["--json"]].concat());
+        let view: serde_json::Value = serde_json::from_slice(&json.stdout).unwrap();
+        assert_eq!(view["finished"], finished, "{text}");
+        assert_eq!(
+            view["passedOver"].as_array().unwrap().len(),
+            passed,
+            "{text}"
+        );
+        assert!(view["ending"]["key"].is_string(), "{text}");
+    }
+}
