@@ -7,6 +7,7 @@ pub mod catalogue;
 pub mod check;
 pub mod control;
 pub mod diagnostic;
+pub mod encoding;
 pub mod evaluate;
 pub mod form;
 pub mod geometry;

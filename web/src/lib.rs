@@ -15,7 +15,7 @@ mod scan;
 pub use catalogue::catalogue;
 pub use form::form;
 #[cfg(feature = "program")]
-pub use program::{Run, alarms, change, convert, help, machine, read, setup};
+pub use program::{Recogniser, Run, alarms, change, convert, help, machine, read, setup};
 #[cfg(feature = "program")]
 pub use scan::Scan;
 

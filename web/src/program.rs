@@ -1,5 +1,6 @@
 //! What programs need.
 
+use probewright_core::encoding;
 use probewright_core::json;
 use wasm_bindgen::JsError;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -108,4 +109,30 @@ pub fn setup(text: &str) -> Result<String, JsError> {
 #[wasm_bindgen]
 pub fn machine(request: &str) -> Result<String, JsError> {
     Ok(json::text(&json::machine(request)?))
+}
+
+/// Tells by its bytes, which come in pieces, whether a file is a part program and how it is encoded.
+#[wasm_bindgen]
+#[derive(Default)]
+pub struct Recogniser(encoding::Recogniser);
+
+#[wasm_bindgen]
+impl Recogniser {
+    /// Before the first byte.
+    #[wasm_bindgen(constructor)]
+    #[must_use]
+    pub fn new() -> Recogniser {
+        Recogniser::default()
+    }
+
+    /// The next bytes of the file.
+    pub fn take(&mut self, bytes: &[u8]) {
+        self.0.take(bytes);
+    }
+
+    /// What all of them are, as a `Recognised`.
+    #[must_use]
+    pub fn finish(self) -> String {
+        json::text(&json::recognised(self.0.finish()))
+    }
 }

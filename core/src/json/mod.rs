@@ -4,6 +4,7 @@
 mod alarms;
 mod catalogue;
 mod changes;
+mod encoding;
 mod form;
 mod help;
 mod machine;
@@ -28,6 +29,7 @@ mod twin;
 
 pub use alarms::{alarm, alarms, operator_message};
 pub use catalogue::{catalogue, cycles};
+pub use encoding::recognised;
 pub use form::form;
 pub use help::help;
 pub use machine::machine;

@@ -161,3 +161,38 @@ fn the_last_line_of_a_run_names_what_it_passed_over() {
         assert!(view["ending"]["key"].is_string(), "{text}");
     }
 }
+
+/// A program in another encoding, with words beside its comments, and the same in UTF-8.
+fn twice(language: &str, encoding: &str) -> [String; 2] {
+    let folder = format!(
+        "{}/../tests/encodings/{language}",
+        env!("CARGO_MANIFEST_DIR")
+    );
+    [encoding, "utf-8"].map(|encoding| format!("{folder}.{encoding}.mpf"))
+}
+
+// oracle: peer (the files were written by the codecs of Python, which their names tell)
+#[test]
+fn a_program_says_the_same_in_every_encoding() {
+    for (language, encoding) in [
+        ("zh", "gb18030"),
+        ("zh", "utf-16le"),
+        ("zh", "utf-16be-marked"),
+        ("zh", "utf-8-marked"),
+        ("ja", "shift_jis"),
+        ("de", "windows-1252"),
+    ] {
+        let [one, other] = twice(language, encoding);
+        for command in ["check", "read"] {
+            let [told, wanted] = [&one, &other].map(|path| out(&probewright(&[command, path])));
+            assert_eq!(told.replace(&one, &other), wanted, "{encoding}");
+        }
+        assert!(out(&probewright(&["read", &one])).contains("CYCLE977"));
+    }
+    // 测量 in GBK, where a word of the program should stand
+    let path = file("gbk.mpf", b"N10 G0 \xb2\xe2\xc1\xbf=1\r\nM30\r\n");
+    let same = file("utf8.mpf", "N10 G0 测量=1\r\nM30\r\n".as_bytes());
+    let [told, wanted] = [&path, &same].map(|path| out(&probewright(&["check", path])));
+    assert_eq!(told.replace("gbk.mpf", "utf8.mpf"), wanted);
+    assert!(wanted.contains("utf8.mpf:1:"));
+}

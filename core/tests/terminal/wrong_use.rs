@@ -65,13 +65,37 @@ fn binary_and_huge_lines_give_short_clean_messages() {
         assert!(!out(&output).chars().any(|c| c.is_control() && c != '\n'));
     }
     let noise: Vec<u8> = (0..100_000u32)
-        .map(|i| (i.wrapping_mul(2_654_435_761) >> 13) as u8)
-        .filter(|byte| *byte != 0x1A) // ends a file
+        .map(|i| b' ' + ((i.wrapping_mul(2_654_435_761) >> 13) % 95) as u8)
+        .flat_map(|byte| if byte == b';' { *b"\n" } else { [byte] })
         .collect();
     let path = file("noise.mpf", &noise);
     let output = probewright(&["check", &path]);
     assert_eq!(output.status.code(), Some(1));
     assert!(out(&output).lines().count() <= 201 && out(&output).contains("more findings"));
+}
+
+// oracle: hand (the beginnings that the formats prescribe)
+#[test]
+fn what_is_no_program_is_refused() {
+    let picture = file("part.png", b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR");
+    let noise: Vec<u8> = (0..100_000u32)
+        .map(|i| (i.wrapping_mul(2_654_435_761) >> 13) as u8)
+        .collect();
+    let noise = file("noise.bin", &noise);
+    for (path, why) in [(&picture, "it is a picture"), (&noise, "it holds no text")] {
+        for arguments in [
+            &["check", path][..],
+            &["read", path],
+            &["run", path, "--setup", &example_setup()],
+        ] {
+            let output = probewright(arguments);
+            assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+            assert!(err(&output).contains(why), "{}", err(&output));
+            assert_eq!(out(&output), "");
+        }
+    }
+    let chinese = probewright(&["--lang", "zh", "check", &picture]);
+    assert!(err(&chinese).contains("它是图片"), "{}", err(&chinese));
 }
 
 // oracle: hand

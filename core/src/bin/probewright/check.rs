@@ -22,7 +22,7 @@ pub fn check(
     let machine = setup.map(file::setup).transpose()?;
     let (mut errors, mut unread) = (0, false);
     for path in files {
-        let source = match file::bytes(path) {
+        let source = match file::program(path, words) {
             Ok(source) => source,
             Err(problem) => {
                 file::complain(&format!("error: {problem}"));

@@ -1,9 +1,11 @@
-//! Reading files, and which control a program is for.
+//! Reading files, the encoding of a program, and which control it is for.
 
 use clap::ValueEnum;
 use probewright_core::catalogue::Dialect;
+use probewright_core::encoding::{Encoding, recognise};
 use probewright_core::json;
 use probewright_core::run::setup::Setup;
+use probewright_core::words::Words;
 use std::io::{BufWriter, Read, Write};
 use std::path::Path;
 
@@ -32,6 +34,30 @@ pub fn bytes(path: &Path) -> Result<Vec<u8>, Problem> {
         return Err(format!("{}: larger than {} MB", path.display(), LARGEST >> 20).into());
     }
     Ok(source)
+}
+
+/// A part program in UTF-8, whatever it is written in; the error names the file and says what it is instead. A byte that
+/// stands for no character becomes the sign for that, except in UTF-8, where it stays.
+pub fn program(path: &Path, words: &Words) -> Result<Vec<u8>, Problem> {
+    let source = bytes(path)?;
+    let encoding = recognise(&source)
+        .map_err(|what| format!("{}: {}", path.display(), words.text(&what.message())))?;
+    Ok(match table(encoding) {
+        None => source,
+        Some(table) => table.decode(&source).0.into_owned().into_bytes(),
+    })
+}
+
+/// What has to be put into UTF-8, and by which table.
+fn table(encoding: Encoding) -> Option<&'static encoding_rs::Encoding> {
+    Some(match encoding {
+        Encoding::Utf8 | Encoding::Utf8Marked => return None,
+        Encoding::Utf16Le | Encoding::Utf16LeMarked => encoding_rs::UTF_16LE,
+        Encoding::Utf16Be | Encoding::Utf16BeMarked => encoding_rs::UTF_16BE,
+        Encoding::Gb18030 => encoding_rs::GB18030,
+        Encoding::ShiftJis => encoding_rs::SHIFT_JIS,
+        Encoding::Windows1252 => encoding_rs::WINDOWS_1252,
+    })
 }
 
 /// Writes texts one behind the other into a file; the error names it.

@@ -145,7 +145,7 @@ fn run_command(command: Command, words: &Words, out: &mut dyn Write) -> Result<E
             file,
             json,
             control,
-        } => read::read(&file, json, control, out),
+        } => read::read(&file, json, control, words, out),
         Command::Run(arguments) => run::run(&arguments, words, out),
     }
 }

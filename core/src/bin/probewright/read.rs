@@ -5,6 +5,7 @@ use probewright_core::json;
 use probewright_core::message::printable;
 use probewright_core::program;
 use probewright_core::program::calls::calls;
+use probewright_core::words::Words;
 use std::io::Write;
 use std::path::Path;
 use std::process::ExitCode;
@@ -14,9 +15,10 @@ pub fn read(
     path: &Path,
     as_json: bool,
     control: Option<Control>,
+    words: &Words,
     out: &mut dyn Write,
 ) -> Result<ExitCode, Problem> {
-    let source = file::bytes(path)?;
+    let source = file::program(path, words)?;
     let program = program::read(file::dialect(control, &source), &source);
     if as_json {
         let text = serde_json::to_string_pretty(&json::calls(&program))?;

@@ -38,7 +38,7 @@ pub struct Arguments {
 /// Runs a program; 1 when it has an error or did not reach its end.
 pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
     let path = &arguments.file;
-    let source = file::bytes(path)?;
+    let source = file::program(path, words)?;
     let mut setup = file::setup(&arguments.setup)?;
     arguments.scan.put_surface(&mut setup)?;
     let program = program::read(setup.control.dialect, &source);

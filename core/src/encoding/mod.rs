@@ -1,0 +1,215 @@
+//! In which encoding a part program is written, told by its bytes alone, and what is no program at all. Nothing is decoded
+//! here: who shows the text, a browser or the terminal, has the tables.
+
+mod double;
+#[cfg(test)]
+mod tests;
+mod units;
+
+use crate::message::Message;
+use double::{Gb18030, ShiftJis, Utf8};
+use units::Units;
+
+/// What is recognised. Whoever shows the text may know more, to be chosen by hand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Encoding {
+    /// Also what is ASCII alone.
+    Utf8,
+    /// With a byte order mark before the text.
+    Utf8Marked,
+    /// The low byte of each unit first.
+    Utf16Le,
+    /// The same with a byte order mark.
+    Utf16LeMarked,
+    /// The high byte of each unit first.
+    Utf16Be,
+    /// The same with a byte order mark.
+    Utf16BeMarked,
+    /// Simplified Chinese; GBK and GB 2312 are part of it.
+    Gb18030,
+    /// Japanese.
+    ShiftJis,
+    /// Western European: what is nothing else.
+    Windows1252,
+}
+
+impl Encoding {
+    /// As the page calls it: the label of the WHATWG encoding standard, `-marked` with a byte order mark.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Encoding::Utf8 => "utf-8",
+            Encoding::Utf8Marked => "utf-8-marked",
+            Encoding::Utf16Le => "utf-16le",
+            Encoding::Utf16LeMarked => "utf-16le-marked",
+            Encoding::Utf16Be => "utf-16be",
+            Encoding::Utf16BeMarked => "utf-16be-marked",
+            Encoding::Gb18030 => "gb18030",
+            Encoding::ShiftJis => "shift_jis",
+            Encoding::Windows1252 => "windows-1252",
+        }
+    }
+}
+
+/// What a file is that is no part program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoProgram {
+    /// PNG, JPEG, GIF, TIFF, WebP.
+    Picture,
+    /// ZIP and its like; office documents of today are such too.
+    Archive,
+    /// Portable document format.
+    Pdf,
+    /// Of a word processor or a table calculation.
+    Document,
+    /// Anything else that holds no text.
+    Binary,
+}
+
+impl NoProgram {
+    /// What it is, as a sentence.
+    #[must_use]
+    pub fn message(self) -> Message {
+        Message::new(match self {
+            NoProgram::Picture => "file-picture",
+            NoProgram::Archive => "file-archive",
+            NoProgram::Pdf => "file-pdf",
+            NoProgram::Document => "file-document",
+            NoProgram::Binary => "file-binary",
+        })
+    }
+}
+
+/// What files of other sorts begin with.
+const BEGINNINGS: [(&[u8], NoProgram); 17] = [
+    (b"\x89PNG\r\n\x1a\n", NoProgram::Picture),
+    (b"\xff\xd8\xff", NoProgram::Picture),
+    (b"GIF87a", NoProgram::Picture),
+    (b"GIF89a", NoProgram::Picture),
+    (b"II*\0", NoProgram::Picture),
+    (b"MM\0*", NoProgram::Picture),
+    (b"PK\x03\x04", NoProgram::Archive),
+    (b"PK\x05\x06", NoProgram::Archive),
+    (b"\x1f\x8b\x08", NoProgram::Archive),
+    (b"7z\xbc\xaf\x27\x1c", NoProgram::Archive),
+    (b"Rar!\x1a\x07", NoProgram::Archive),
+    (b"\xfd7zXZ\0", NoProgram::Archive),
+    (b"\x28\xb5\x2f\xfd", NoProgram::Archive),
+    (b"%PDF-", NoProgram::Pdf),
+    (b"{\\rtf", NoProgram::Document),
+    (b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", NoProgram::Document),
+    (b"\x7fELF", NoProgram::Binary),
+];
+
+/// Bytes at the begin that are kept to be compared.
+const HEAD: usize = 8;
+
+/// Tells the encoding of a whole file, whose bytes may come in pieces.
+#[derive(Default)]
+pub struct Recogniser {
+    head: Vec<u8>,
+    /// NULs since the last other byte: a tape begins and ends with them.
+    waiting: usize,
+    nulls: usize,
+    controls: usize,
+    printable: usize,
+    beyond: usize,
+    units: Units,
+    utf8: Utf8,
+    gb18030: Gb18030,
+    shift_jis: ShiftJis,
+}
+
+impl Recogniser {
+    /// The next bytes.
+    pub fn take(&mut self, bytes: &[u8]) {
+        let missing = HEAD.saturating_sub(self.head.len());
+        self.head.extend(bytes.iter().take(missing));
+        for byte in bytes {
+            self.count(*byte);
+            self.units.take(*byte);
+            self.utf8.take(*byte);
+            self.gb18030.take(*byte);
+            self.shift_jis.take(*byte);
+        }
+    }
+
+    fn count(&mut self, byte: u8) {
+        if byte == 0 {
+            self.waiting += 1;
+            self.nulls += 1;
+            return;
+        }
+        if self.printable + self.beyond + self.controls > 0 {
+            self.controls += self.waiting;
+        }
+        self.waiting = 0;
+        match byte {
+            b'\t'..=b'\r' | b' '..=b'~' => self.printable += 1,
+            0x80.. => self.beyond += 1,
+            _ => self.controls += 1,
+        }
+    }
+
+    /// # Errors
+    /// It is no part program: what it is instead.
+    pub fn finish(mut self) -> Result<Encoding, NoProgram> {
+        let begins = |(beginning, _): &&(&[u8], NoProgram)| self.head.starts_with(beginning);
+        if let Some((_, what)) = BEGINNINGS.iter().find(begins) {
+            return Err(*what);
+        }
+        match self.head[..] {
+            [0xFF, 0xFE, ..] if self.units.marked(0) => return Ok(Encoding::Utf16LeMarked),
+            [0xFE, 0xFF, ..] if self.units.marked(1) => return Ok(Encoding::Utf16BeMarked),
+            _ => {}
+        }
+        if self.nulls > 0 {
+            match self.units.unmarked() {
+                Some(0) => return Ok(Encoding::Utf16Le),
+                Some(_) => return Ok(Encoding::Utf16Be),
+                None => {}
+            }
+        }
+        if self.holds_no_text() {
+            return Err(NoProgram::Binary);
+        }
+        Ok(self.bytewise())
+    }
+
+    /// A few control characters are left behind by a transfer line; what is packed or compiled has more than one for
+    /// five printable ones.
+    fn holds_no_text(&self) -> bool {
+        self.controls * 5 > self.printable || self.nulls > 0 && self.printable + self.beyond == 0
+    }
+
+    /// The one whose characters are those of a text, and which has next to no byte that it cannot have. What is western
+    /// text has no such pairs.
+    fn bytewise(&mut self) -> Encoding {
+        let marked = self.head.starts_with(b"\xef\xbb\xbf");
+        let utf8 = self.utf8.0.done();
+        if utf8.wrong == 0 || utf8.usual >= 4 * utf8.wrong {
+            return if marked {
+                Encoding::Utf8Marked
+            } else {
+                Encoding::Utf8
+            };
+        }
+        if self.gb18030.pairs.done().likely() {
+            Encoding::Gb18030
+        } else if self.shift_jis.pairs.done().likely() {
+            Encoding::ShiftJis
+        } else {
+            Encoding::Windows1252
+        }
+    }
+}
+
+/// The encoding of a whole file.
+///
+/// # Errors
+/// It is no part program: what it is instead.
+pub fn recognise(bytes: &[u8]) -> Result<Encoding, NoProgram> {
+    let mut recogniser = Recogniser::default();
+    recogniser.take(bytes);
+    recogniser.finish()
+}
