@@ -3,7 +3,8 @@
 import { findCycle, type Derived } from "./derive";
 import { isRead, mended, opened, SOUGHT, withEdits } from "./desk";
 import { lineBreak, type Splice } from "./eol";
-import type { ProgramFile } from "./files";
+import type { Encoding } from "./encoding";
+import { fileOf, type ProgramFile } from "./files";
 import { speak } from "./language";
 import { AT_END, beginning, firstState, memoryKey, NO_ERRORS, ownMachine, planeOf, programOf, remember, setsOf, unitsIn, work, type Card, type Panel, type State } from "./state";
 import type { Store } from "./store";
@@ -19,6 +20,8 @@ export interface Actions {
   example(variant: Variant | undefined): void;
   editProgram(edits: Splice[]): void;
   openProgram(text: string, file: ProgramFile): void;
+  /** The program is saved in another encoding from now on. */
+  encoding(encoding: Encoding): void;
   openSetup(setup: Setup | null): void;
   cursor(offset: number, line: number): void;
   openCall(index: number): void;
@@ -132,11 +135,12 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
     editProgram: (edits) => store.update((state) => ({ ...withEdits(state, edits), follow: "text", undo: null })),
     openProgram(text, file) {
       const { control, programs, files, pending } = now();
-      replace(file.encoding === "latin-1" ? "notice-opened-bytes" : "notice-opened", {
+      replace("notice-opened", {
         programs: { ...programs, [control]: text }, files: { ...files, [control]: file }, pending: pending.filter((one) => one.control !== control),
         open: null, sought: null, reading: null, ran: null, cursor: 0, cursorLine: 1, refused: null,
       });
     },
+    encoding: (encoding) => store.update((state) => ({ files: { ...state.files, [state.control]: { ...fileOf(state), encoding } }, undo: null })),
     openSetup(setup) {
       const { control, remembered } = now();
       const cycle = catalogue.cycles.find((one) => one.control === setup?.control);

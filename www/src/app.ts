@@ -6,12 +6,13 @@ import { createBench, type Bench } from "./bench";
 import type { Core, FormCore } from "./core";
 import { createDerive, findCycle, type Derived } from "./derive";
 import { createDesk, isCurrent } from "./desk";
+import type { Encoding } from "./encoding";
 import { createEditorPlace } from "./editor/place";
 import { save } from "./keep";
 import { unpack } from "./link";
 import { Broken } from "./module";
 import { createGoToField, type Shows } from "./goto";
-import { openProgramFile, openSetupFile, refuseFolder } from "./open";
+import { openProgramFile, openSetupFile, readAgain, refuseFolder } from "./open";
 import { createJob } from "./pace";
 import { keepPlaces } from "./places";
 import type { ProgramCore } from "./program";
@@ -127,7 +128,8 @@ export async function startApp(core: Core, stored: Partial<State> | null): Promi
   const [opening, laying] = [createJob(() => store.update({})), createJob(() => store.update({}))];
   const editor = createEditorPlace(laying, () => store.update({}));
   const open = {
-    program: (file: File): void => void openProgramFile(file, store, actions, opening, editor),
+    program: (file: File): void => void openProgramFile(file, full, store, actions, opening, editor).catch(absent),
+    again: (encoding: Encoding): void => void readAgain(encoding, store, actions, opening, editor),
     setup: (file: File): void => void openSetupFile(file, full, store, actions).catch(absent),
   };
   acceptDrops(open.program, open.setup, (name) => refuseFolder(name, store));

@@ -5,6 +5,7 @@ import type { Aside } from "./aside";
 import type { Derived } from "./derive";
 import { isCurrent } from "./desk";
 import { el, setText, show } from "./dom";
+import type { Encoding } from "./encoding";
 import type { EditorPlace } from "./editor/place";
 import { createLayout } from "./layout";
 import type { Job } from "./pace";
@@ -24,6 +25,7 @@ import { createRefusal } from "./views/refusal";
 import { createResults } from "./views/results";
 import { createScene } from "./views/scene";
 import { createSets } from "./views/sets";
+import { createSheet } from "./views/sheet";
 import { createSliders } from "./views/sliders";
 import type { Stage } from "./views/stage";
 import { createTasks } from "./views/tasks";
@@ -34,7 +36,7 @@ export interface Parts {
   catalogue: Catalogue;
   store: Store;
   actions: Actions;
-  open: { program(file: File): void; setup(file: File): void };
+  open: { program(file: File): void; again(encoding: Encoding): void; setup(file: File): void };
   /** A file being opened; a program that the page has, being made ready for the editor. */
   opening: Job;
   laying: Job;
@@ -58,7 +60,7 @@ export function createBench({ catalogue, store, actions, open, opening, laying, 
   const results = el("div", { class: "results-main" });
   const sliders = el("aside", { class: "sliders", "aria-label": t("sliders-title") });
   panels.results.append(results, sliders);
-  const program = createProgram(panels.program, store, actions, open.program, editor);
+  const program = createProgram(panels.program, store, actions, open, editor);
   const activities = [
     fetching(store, opening), ofProgram(store, "laying", "stoppedLaying", laying),
     ofProgram(store, "reading", "stoppedReading", { busy: reader.busy, stop: reader.stop }), // only a run can wait
@@ -78,9 +80,12 @@ export function createBench({ catalogue, store, actions, open, opening, laying, 
     createScene(panels.view, store, program.goToLine, stage), createResults(results, store, actions, scanner, program.goTo), createSliders(sliders, store, actions), createHelp(panels.help, store, actions, core), sets.draw, card.draw,
     program.draw, // last: the editor asks for the selection, and that lays out the page
   ];
+  let shown: { state: State; derived: Derived } | null = null;
+  createSheet(stage, () => shown, stop.signal);
   return {
     language: language(),
     draw(state, derived) {
+      shown = { state, derived };
       layout.draw(state);
       for (const view of views) view(state, derived);
       for (const part of [...activities, ...refusals]) part.draw(state);

@@ -1,12 +1,20 @@
-// Files in and out. A program's bytes are kept: what is no UTF-8 is taken byte by byte and saved in the same way.
+// Files in and out. What a file is the core tells by its bytes.
 
 import { el } from "./dom";
-import type { Pace } from "./pace";
+import { decode, type Encoding } from "./encoding";
+import { within, type Pace } from "./pace";
+import type { ProgramCore } from "./program";
+import type { State } from "./state";
+import { say, t } from "./texts";
 
-/** `utf-8-marked`: with a mark at its begin, which is no part of the text: an editor drops that character. */
-export const ENCODINGS = ["utf-8", "utf-8-marked", "latin-1"] as const;
-export type Encoding = typeof ENCODINGS[number];
-export interface ProgramFile { name: string; encoding: Encoding }
+/** `opened`: when, ms; what is not opened from a file has none. */
+export interface ProgramFile { name: string; encoding: Encoding; opened?: number }
+
+/** Where the program that is shown comes from; what comes from nowhere is saved under the usual name. */
+export function fileOf({ control, files }: Pick<State, "control" | "files">): ProgramFile {
+  return files[control] ?? { name: t(`program-file-${control}`), encoding: "utf-8" };
+}
+
 /** A file that is not taken: why, as a key with arguments. Nothing else changes. */
 export interface Refusal { key: string; args: Record<string, string | number> }
 
@@ -14,63 +22,33 @@ const MEGABYTE = 1e6;
 const LARGEST_PROGRAM = 64 * MEGABYTE;
 const LARGEST_SETUP = 4 * MEGABYTE;
 const PIECE = 2 ** 20; // bytes between two looks at the clock
-const CHUNK = 8192; // bytes that one call makes characters of
-const MARK = "\ufeff"; // at the begin of some files in UTF-8
-
-/** The text of a file, a piece after the other. */
-async function inPieces(file: File, pace: Pace, text: (bytes: Uint8Array, last: boolean) => string): Promise<string> {
-  const parts: string[] = [];
-  for (let at = 0; at < file.size; at += PIECE) {
-    const bytes = await file.slice(at, at + PIECE).arrayBuffer();
-    parts.push(text(new Uint8Array(bytes), at + PIECE >= file.size));
-    await pace.turn(at / file.size);
-  }
-  return parts.join("");
-}
-
-/** Every byte the character of that number. */
-function byBytes(bytes: Uint8Array): string {
-  let text = "";
-  for (let at = 0; at < bytes.length; at += CHUNK) text += String.fromCharCode(...bytes.subarray(at, at + CHUNK));
-  return text;
-}
-
-/** UTF-8 where it is that; else byte by byte. */
-async function decoded(file: File, pace: Pace): Promise<{ text: string; encoding: Encoding }> {
-  const decoder = new TextDecoder("utf-8", { fatal: true, ignoreBOM: true });
-  try {
-    const text = await inPieces(file, pace, (bytes, last) => decoder.decode(bytes, { stream: !last }));
-    return text.startsWith(MARK) ? { text: text.slice(MARK.length), encoding: "utf-8-marked" } : { text, encoding: "utf-8" };
-  } catch (problem) {
-    if (!(problem instanceof TypeError)) throw problem;
-    return { text: await inPieces(file, pace, byBytes), encoding: "latin-1" };
-  }
-}
-
-/** null: a character that the encoding lacks was typed in. */
-export function encode(text: string, encoding: Encoding): Uint8Array<ArrayBuffer> | null {
-  if (encoding !== "latin-1") return new TextEncoder().encode(encoding === "utf-8-marked" ? MARK + text : text);
-  const bytes = new Uint8Array(text.length);
-  for (let at = 0; at < text.length; at++) {
-    const code = text.charCodeAt(at);
-    if (code > 0xff) return null;
-    bytes[at] = code;
-  }
-  return bytes;
-}
 
 function tooLarge(key: string, file: File, most: number): Refusal {
   return { key, args: { name: file.name, size: Math.ceil(file.size / MEGABYTE), most: most / MEGABYTE } };
 }
 
-export async function readProgram(file: File, pace: Pace): Promise<{ text: string; file: ProgramFile } | Refusal> {
+/** How a program is encoded, or why the file is none. */
+async function recognised(bytes: Uint8Array, core: ProgramCore, pace: Pace): Promise<Encoding | { why: string }> {
+  const recogniser = core.recogniser();
+  for (let at = 0; at < bytes.length; at += PIECE) {
+    recogniser.take(bytes.subarray(at, at + PIECE));
+    await pace.turn(at / bytes.length);
+  }
+  const found = recogniser.finish();
+  return "why" in found ? { why: say(found.why) } : found.encoding;
+}
+
+export async function readProgram(file: File, core: ProgramCore, pace: Pace): Promise<{ text: string; file: ProgramFile } | Refusal> {
   if (file.size > LARGEST_PROGRAM) return tooLarge("refused-program-size", file, LARGEST_PROGRAM);
+  const { name } = file;
   try {
-    const { text, encoding } = await decoded(file, pace);
-    return { text, file: { name: file.name, encoding } };
+    const bytes = new Uint8Array(await file.arrayBuffer());
+    const encoding = await recognised(bytes, core, within(pace, 0, 0.5));
+    if (typeof encoding !== "string") return { key: "refused-no-program", args: { name, ...encoding } };
+    return { text: await decode(bytes, encoding, within(pace, 0.5, 1)), file: { name, encoding, opened: Date.now() } };
   } catch (problem) {
     if (!(problem instanceof DOMException)) throw problem;
-    return { key: "refused-unreadable", args: { name: file.name } };
+    return { key: "refused-unreadable", args: { name } };
   }
 }
 

@@ -56,9 +56,12 @@ export function createLayout(actions: Actions, end: AbortSignal): Layout {
     actions.undo();
   }, { signal: end });
 
+  let last: Panel | null = null;
   return {
     header, panels, notice, undo,
     draw(state) {
+      if (last !== null && last !== state.panel && scrollY > bar.offsetTop) scrollTo({ top: bar.offsetTop, behavior: "instant" }); // where the page scrolls as a whole
+      last = state.panel;
       for (const name of COVERED) setAttribute(panels[name], "inert", state.right === "help");
       for (const [name, button] of buttons) {
         setAttribute(button, "aria-current", name === state.panel ? "true" : null);

@@ -6,7 +6,7 @@ import address from "@pkg/program/program_bg.wasm?url";
 import type { FormCore } from "./core";
 import { splice } from "./eol";
 import { call, compile } from "./module";
-import type { AlarmInfo, Catalogue, Converted, Edit, FormView, HelpRequest, HelpView, MachineRequest, MachineView, Pending, ReadRequest, ReadView, RunRequest, Setup, Style } from "./wire";
+import type { AlarmInfo, Catalogue, Converted, Edit, FormView, HelpRequest, HelpView, MachineRequest, MachineView, Pending, ReadRequest, ReadView, Recognised, RunRequest, Setup, Style } from "./wire";
 
 /** All values of one call that were changed in the form: `pending` of `control` at `at`, the call being number `call`. */
 export interface ChangeRequest extends ReadRequest { call: number; at: number; pending: readonly Pending[] }
@@ -26,6 +26,8 @@ export interface ProgramCore extends FormCore {
   alarms(): AlarmInfo[];
   help(request: HelpRequest): HelpView;
   machine(request: MachineRequest): MachineView;
+  /** Takes the bytes of a file in pieces. */
+  recogniser(): { take(bytes: Uint8Array): void; finish(): Recognised };
   /** The setup of a file, with its defaults; or why it is none. */
   setup(text: string): Setup | { why: string };
 }
@@ -72,11 +74,16 @@ function setupOf(text: string): Setup | { why: string } {
   }
 }
 
+function recogniser(): ReturnType<ProgramCore["recogniser"]> {
+  const its = new wasm.Recogniser();
+  return { take: (bytes) => its.take(bytes), finish: () => JSON.parse(its.finish()) as Recognised };
+}
+
 export async function loadProgramCore(): Promise<ProgramCore> {
   const module = await compile(address);
   await init({ module_or_path: module });
   return {
-    module, simulates: "yes", setup: setupOf, change: changes,
+    module, simulates: "yes", setup: setupOf, change: changes, recogniser,
     form: (request) => JSON.parse(call("form", () => wasm.form(JSON.stringify(request)))) as FormView,
     read: (request) => JSON.parse(answer({ ask: "read", ...request })) as ReadView,
     convert: (request) => JSON.parse(answer({ ask: "convert", ...request })) as Converted,

@@ -1,7 +1,8 @@
 // The one state of the page. Values in it are never changed in place: a part that changed is a new object,
 // so views and computations compare by identity.
 
-import { ENCODINGS, type ProgramFile, type Refusal } from "./files";
+import { ENCODINGS } from "./encoding";
+import type { ProgramFile, Refusal } from "./files";
 import type { Scanned } from "./scan/scanner";
 import type { BasicSystem, CycleInfo, Diagnostic, Dialect, ErrorSliders, OwnMachine, Pending, Plane, ReadView, RunView, Setup, Style, UnitFunction } from "./wire";
 
@@ -99,7 +100,7 @@ export function firstState(): State {
 const NOT_KEPT = ["search", "limits", "card", "converting", "converted", "mended", "focus", "step", "playing", "speed", "cursor", "cursorLine", "notice", "reading", "ran", "sought", "follow", "stoppedLaying", "stoppedReading", "stoppedRun", "refused", "scan", "scanProblem", "undo"] as const satisfies (keyof State)[];
 /** What a replacement of work can take away. */
 const WORK = ["control", "cycle", "values", "remembered", "programs", "files", "sets", "open", "pending", "errors", "setup", "own", "checked", "touched"] as const satisfies (keyof State)[];
-const IN_LINK = ["control", "cycle", "values", "programs", "open", "errors", "comments", "style", "setup", "own", "checked", "source"] as const satisfies (keyof State)[];
+const IN_LINK = ["control", "cycle", "values", "programs", "files", "open", "errors", "comments", "style", "setup", "own", "checked", "source"] as const satisfies (keyof State)[];
 
 /** Under what the values and value sets of a cycle are kept. */
 export function memoryKey({ control, cycle }: Pick<State, "control" | "cycle">): string {

@@ -1,6 +1,8 @@
 // What the core says to the page and back: the JSON of probewright-web (core/src/json). Numbers in mm, degree, mm/min.
 // Texts never travel: a Message is a key of core/messages/<language>/*.ftl with arguments.
 
+import type { Encoding } from "./encoding";
+
 export type Dialect = "sinumerik" | "nct";
 export interface Message { key: string; args: Record<string, number | string> }
 export type Style = "direct" | "indirect" | "operate";
@@ -15,6 +17,9 @@ export interface Diagnostic {
   line?: number; column?: number; // from 1
   cure?: { label: Message; edits: Edit[] }; // one click mends it
 }
+
+/** What a file is, by its bytes: a program, or why it is none. */
+export type Recognised = { encoding: Encoding } | { why: Message };
 
 // catalogue() -> Catalogue
 export interface Catalogue { cycles: CycleInfo[] }

@@ -64,6 +64,8 @@ impl Utf8 {
 #[derive(Default)]
 pub struct Gb18030 {
     pub pairs: Counts,
+    /// Characters of four bytes, which GBK does not have.
+    pub four: usize,
     lead: u8,
 }
 
@@ -87,6 +89,7 @@ impl Gb18030 {
             self.begin(byte);
         } else if counts.open == 3 {
             counts.rare += 1;
+            self.four += 1;
             counts.open = 0;
         } else {
             counts.open += 1;

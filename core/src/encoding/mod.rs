@@ -25,7 +25,9 @@ pub enum Encoding {
     Utf16Be,
     /// The same with a byte order mark.
     Utf16BeMarked,
-    /// Simplified Chinese; GBK and GB 2312 are part of it.
+    /// Simplified Chinese, in pairs of bytes; GB 2312 is part of it.
+    Gbk,
+    /// The same, with sequences of four bytes for everything else.
     Gb18030,
     /// Japanese.
     ShiftJis,
@@ -44,6 +46,7 @@ impl Encoding {
             Encoding::Utf16LeMarked => "utf-16le-marked",
             Encoding::Utf16Be => "utf-16be",
             Encoding::Utf16BeMarked => "utf-16be-marked",
+            Encoding::Gbk => "gbk",
             Encoding::Gb18030 => "gb18030",
             Encoding::ShiftJis => "shift_jis",
             Encoding::Windows1252 => "windows-1252",
@@ -195,7 +198,11 @@ impl Recogniser {
             };
         }
         if self.gb18030.pairs.done().likely() {
-            Encoding::Gb18030
+            if self.gb18030.four > 0 {
+                Encoding::Gb18030
+            } else {
+                Encoding::Gbk
+            }
         } else if self.shift_jis.pairs.done().likely() {
             Encoding::ShiftJis
         } else {

@@ -27,7 +27,7 @@ fn of(language: &str, encoding: &str) -> Vec<u8> {
 #[test]
 fn each_encoding_is_recognised() {
     let files = files();
-    assert!(files.len() >= 18);
+    assert!(files.len() >= 20);
     for (language, encoding, bytes) in files {
         let found = recognise(&bytes).map(Encoding::name);
         assert_eq!(found, Ok(encoding.as_str()), "{language}");
@@ -48,7 +48,7 @@ fn pieces_are_told_as_the_whole() {
 // oracle: hand (one byte of a file is destroyed, or the file is cut in a character: the rest is as before)
 #[test]
 fn one_wrong_byte_changes_nothing_else() {
-    for (language, encoding) in [("zh", "utf-8"), ("zh", "gb18030"), ("ja", "shift_jis")] {
+    for (language, encoding) in [("zh", "utf-8"), ("zh", "gbk"), ("ja", "shift_jis")] {
         let bytes = of(language, encoding);
         let middle = bytes.iter().rposition(|byte| *byte >= 0x80).unwrap();
         let broken = [&bytes[..middle], b"\xff", &bytes[middle..]].concat();

@@ -7,6 +7,8 @@ import { closeSearchPanel, highlightSelectionMatches, search, searchKeymap } fro
 import { Compartment, EditorSelection, EditorState, RangeSetBuilder, StateEffect, StateField, Transaction, type Extension, type Text } from "@codemirror/state";
 import { Decoration, drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, highlightSpecialChars, keymap, lineNumbers, type DecorationSet } from "@codemirror/view";
 import { difference } from "../difference";
+import { el } from "../dom";
+import { HELD_BYTE, heldByte } from "../encoding";
 import { toEditor, type Splice } from "../eol";
 import { LONG } from "../pace";
 import type { Dialect } from "../wire";
@@ -42,6 +44,7 @@ interface Change { from: number; to: number; insert: string | Text }
 
 const LANGUAGES: Record<Dialect, Extension> = { sinumerik, nct };
 const MUCH = 20_000; // characters, some hundred lines
+const small = matchMedia("(max-width: 560px), (max-width: 1199px) and (max-height: 500px)"); // as in small.css: long lines are wrapped
 const marksEffect = StateEffect.define<LineMarks>();
 
 function decorate(state: EditorState, marks: LineMarks): DecorationSet {
@@ -70,11 +73,20 @@ function speaking({ label, phrases }: EditorWords): Extension {
   return [EditorState.phrases.of(phrases), EditorView.contentAttributes.of({ "aria-label": label })];
 }
 
+/** A character without a picture of its own; of a held byte its figures. */
+function special(code: number, description: string | null, placeholder: string): HTMLElement {
+  const byte = heldByte(code);
+  const name = byte ?? description ?? "";
+  return el("span", { class: byte ? "cm-specialChar cm-held" : "cm-specialChar", title: name, "aria-label": name }, byte ?? placeholder);
+}
+
 export function createEditor(box: HTMLElement, words: EditorWords, host: EditorHost): Editor {
   const root = box.attachShadow({ mode: "open" });
   const language = new Compartment();
   const spoken = new Compartment();
   const past = new Compartment();
+  const wrapping = new Compartment();
+  const wrapped = (): Extension => small.matches ? EditorView.lineWrapping : [];
   let held = ""; // the program that is shown, with its own line breaks
   let looked: { held: string; text: string; edit: Splice | null } | null = null; // the last two that were compared
   let cameFrom: unknown;
@@ -95,7 +107,7 @@ export function createEditor(box: HTMLElement, words: EditorWords, host: EditorH
     parent: root, root,
     state: EditorState.create({
       extensions: [
-        lineNumbers(), lintGutter(), past.of(history()), drawSelection(), highlightSpecialChars(), highlightActiveLine(), highlightActiveLineGutter(),
+        lineNumbers(), lintGutter(), past.of(history()), wrapping.of(wrapped()), drawSelection(), highlightSpecialChars({ addSpecialChars: HELD_BYTE, render: special }), highlightActiveLine(), highlightActiveLineGutter(),
         search({ top: true }), highlightSelectionMatches(), marksField, language.of(LANGUAGES[dialect]), theme, listen,
         keymap.of([...searchKeymap, ...lintKeymap, ...historyKeymap, ...defaultKeymap]),
         spoken.of(speaking(words)), EditorView.contentAttributes.of({ tabindex: "0", autocapitalize: "characters", spellcheck: "false" }),
@@ -115,6 +127,7 @@ export function createEditor(box: HTMLElement, words: EditorWords, host: EditorH
     const after = toEditor(text, text.length) - toEditor(text, edit.from + edit.insert.length);
     return { from: toEditor(text, edit.from), to: doc.length - after, insert: edit.insert };
   };
+  small.addEventListener("change", () => view.dispatch({ effects: wrapping.reconfigure(wrapped()) }));
   const apply = (run: () => void): void => { ours = true; try { run(); } finally { ours = false; } };
   /** A view that is hidden or out of sight takes all that is new for what is seen, and would lay out every line: of a state
    *  that is set it lays out a piece only. */

@@ -18,8 +18,13 @@ const look = EditorView.theme({
   ".cm-call": { boxShadow: `inset 3px 0 0 ${v("rule-strong")}` },
   ".cm-call-open": { boxShadow: `inset 3px 0 0 ${v("accent")}`, backgroundColor: v("accent-soft") },
   ".cm-step": { backgroundColor: v("step-line") },
+  ".cm-held": { color: v("warning"), border: `1px solid ${v("rule-strong")}`, borderRadius: "2px", fontSize: "0.8em", paddingInline: "1px" },
   ".cm-tooltip": { backgroundColor: v("surface-raised"), color: v("ink"), border: `1px solid ${v("rule-strong")}` },
   ".cm-diagnostic": { fontFamily: v("sans"), fontSize: v("text-small") },
+  "@media (forced-colors: active)": {
+    ".cm-call-open": { borderLeft: "3px solid Highlight" },
+    ".cm-step": { outline: "2px solid Highlight", outlineOffset: "-2px" },
+  },
   ".cm-panels": { backgroundColor: v("ground"), color: v("ink") },
   ".cm-textfield, .cm-button": { backgroundColor: v("surface"), backgroundImage: "none", color: v("ink"), border: `1px solid ${v("rule-strong")}` },
 });

@@ -1,7 +1,7 @@
 // The 3D view of a trace. Draws when something changed and never otherwise.
 import type { Trace } from "../wire";
 import type { Backend, BackendName, Cloud, Frame, Hooks } from "./backend";
-import { fit, initial, turn, type ViewName, type Viewport } from "./camera";
+import { fit, initial, turn, type Camera, type ViewName, type Viewport } from "./camera";
 import { collisionLabels, type Collision } from "./collisions";
 import { LIGHT, type Colours } from "./colours";
 import { openGpu } from "./gpu";
@@ -32,6 +32,8 @@ export interface Refusal { backend: BackendName; reason: string }
 export interface Preview {
   readonly backend: BackendName;
   readonly refused: Refusal[];
+  /** From where it is seen. */
+  readonly camera: Camera;
   setTrace(trace: Trace, colours?: Colours): void;
   /** Entry `index` of the trace is done to `fraction` (0 … 1). */
   setStep(index: number, fraction: number): void;
@@ -179,6 +181,7 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
   return {
     get backend() { return backend.name; },
     get refused() { return [...refused]; },
+    get camera() { return camera; },
     setTrace(next, palette) {
       const first = trace === EMPTY;
       trace = next;

@@ -21,7 +21,7 @@ const MM_PER_INCH = 25.4;
 const THEMES: State["theme"][] = ["system", "light", "dark"];
 
 /** Control, tool and probe as they count now. */
-function facts(control: string, setup: Setup | undefined): { name: string; text: string }[] {
+export function facts(control: string, setup: Setup | undefined): { name: string; text: string }[] {
   const name = t(`control-${control}`);
   const inch = setup?.units === "inch";
   const list = [{ name: t("fact-control"), text: inch ? t("fact-built", { control: name, unit: t("unit-inch") }) : name }];
@@ -59,6 +59,31 @@ function languageChoice(actions: Actions): HTMLSelectElement {
   return choice;
 }
 
+/** Where there is no room for the page's actions side by side, this opens and closes them. */
+function menuFor(list: HTMLElement): HTMLButtonElement {
+  const open = el("button", { type: "button", class: "quiet menu-open", "aria-controls": list.id, "aria-expanded": "false" }, t("menu"));
+  const elsewhere = (event: PointerEvent): void => { if (leaves(event.target)) set(false); };
+  const set = (shown: boolean): void => {
+    setAttribute(open, "aria-expanded", String(shown));
+    setAttribute(list, "data-open", shown);
+    if (shown) addEventListener("pointerdown", elsewhere);
+    else removeEventListener("pointerdown", elsewhere);
+  };
+  const isOpen = (): boolean => list.hasAttribute("data-open");
+  const leaves = (to: EventTarget | null): boolean => !(to instanceof Node && (list.contains(to) || open.contains(to)));
+  on(open, "click", () => set(!isOpen()));
+  on(list, "click", (event) => { if (event.target instanceof HTMLButtonElement && event.target.id !== "theme") set(false); });
+  for (const part of [open, list]) {
+    on(part, "focusout", (event) => { if (event.relatedTarget && leaves(event.relatedTarget)) set(false); });
+    on(part, "keydown", (event) => {
+      if (event.key !== "Escape" || !isOpen()) return;
+      set(false);
+      open.focus();
+    });
+  }
+  return open;
+}
+
 export function createHeader(root: HTMLElement, store: Store, actions: Actions, openSetup: (file: File) => void, core: () => ProgramCore | null): (state: State, derived: Derived) => void {
   const about = createAbout();
   const machine = createMachine(actions);
@@ -83,13 +108,14 @@ export function createHeader(root: HTMLElement, store: Store, actions: Actions, 
     if (saved) saveFile(JSON.stringify(saved, null, 2), "setup.json", "application/json");
     else store.update({ notice: "notice-nothing-to-save" });
   };
+  const actionsBox = el("div", { class: "head-actions", id: "page-actions" }, machineData.open,
+    quiet("setup-import", () => file.click()), file,
+    quiet("setup-export", save), own,
+    quiet("link-copy", () => void copyLink(store)), theme, languageChoice(actions),
+    quiet("about-open", () => about.showModal()));
   root.append(
     el("div", { class: "brand" }, el("span", { class: "brand-mark", "aria-hidden": "true" }), el("h1", {}, t("app-name"))), machine.root, list,
-    el("div", { class: "head-actions" }, machineData.open,
-      quiet("setup-import", () => file.click()), file,
-      quiet("setup-export", save), own,
-      quiet("link-copy", () => void copyLink(store)), theme, languageChoice(actions),
-      quiet("about-open", () => about.showModal())));
+    menuFor(actionsBox), actionsBox);
   document.body.append(about);
   return (state, derived) => {
     machine.draw(state, derived);

@@ -5,18 +5,22 @@ import type { Derived } from "../derive";
 import { el, on, setAttribute, setText, show } from "../dom";
 import type { EditorHost, LineMarks, Shown } from "../editor/editor";
 import type { EditorPlace } from "../editor/place";
-import { encode, saveFile } from "../files";
+import { encode, type Encoding } from "../encoding";
+import { fileOf, saveFile } from "../files";
 import { lineBreak, toEditor, toProgram } from "../eol";
 import { programOf, type State } from "../state";
 import type { Store } from "../store";
 import { say, t } from "../texts";
 import { isCurrent } from "../desk";
 import { copyText } from "./form";
+import { createOrigin } from "./origin";
 import { createOutline } from "./outline";
 
+/** A file from outside, and the bytes of the program in another encoding. */
+export interface Opening { program(file: File): void; again(encoding: Encoding): void }
 export interface ProgramView { head: HTMLElement; draw(state: State, derived: Derived): void; goTo(offset: number): void; goToLine(line: number): void }
 
-export function createProgram(root: HTMLElement, store: Store, actions: Actions, openFile: (file: File) => void, place: EditorPlace): ProgramView {
+export function createProgram(root: HTMLElement, store: Store, actions: Actions, opening: Opening, place: EditorPlace): ProgramView {
   const name = el("span", { class: "count" });
   const copy = el("button", { type: "button", class: "quiet" }, t("program-copy"));
   const open = el("button", { type: "button", class: "quiet" }, t("program-open"));
@@ -24,13 +28,20 @@ export function createProgram(root: HTMLElement, store: Store, actions: Actions,
   const download = el("button", { type: "button", class: "quiet" }, t("program-save"));
   const calls = el("button", { type: "button", class: "quiet", "aria-controls": "outline" });
   const waiting = el("p", { class: "empty" }, t("program-loading"));
-  const head = el("header", { class: "panel-head" }, el("h2", { id: "program-title" }, t("program-title")), name, calls, el("div", { class: "head-actions" }, open, file, download, copy));
+  const save = (): void => {
+    const { name, encoding } = fileOf(store.state);
+    const bytes = encode(text, encoding);
+    if (bytes) saveFile(bytes, name);
+    else origin.refuse();
+  };
+  const origin = createOrigin(actions, opening.again, (offset) => select({ offset }), save);
+  const head = el("header", { class: "panel-head" }, el("h2", { id: "program-title" }, t("program-title")), origin.root, name, calls, el("div", { class: "head-actions" }, open, file, download, copy));
   const outline = createOutline((index) => {
     actions.openCall(index);
     const call = last?.read.calls[index];
     if (call) select({ offset: call.from });
   });
-  root.append(head, el("div", { class: "program-body" }, outline.root, waiting, place.box));
+  root.append(head, origin.told, el("div", { class: "program-body" }, outline.root, waiting, place.box));
 
   let text = "";
   let last: Derived | null = null;
@@ -42,8 +53,8 @@ export function createProgram(root: HTMLElement, store: Store, actions: Actions,
   on(copy, "click", () => void copyText(text, store, "notice-copied"));
   on(open, "click", () => file.click());
   on(calls, "click", () => store.update((state) => ({ outline: !state.outline })));
-  on(file, "change", () => { const chosen = file.files?.[0]; if (chosen) openFile(chosen); file.value = ""; });
-  on(download, "click", () => save(store, text));
+  on(file, "change", () => { const chosen = file.files?.[0]; if (chosen) opening.program(chosen); file.value = ""; });
+  on(download, "click", save);
 
   const host: EditorHost = {
     typed(changes) {
@@ -89,7 +100,7 @@ export function createProgram(root: HTMLElement, store: Store, actions: Actions,
 
   const edit = (state: State, derived: Derived): void => {
     place.editor?.setDialect(state.control);
-    place.editor?.set({ text, origin: state.files[state.control] ?? state.control, apart: text === state.mended, ...marked(state, derived) });
+    place.editor?.set({ text, origin: `${state.control} ${state.files[state.control]?.opened ?? ""}`, apart: text === state.mended, ...marked(state, derived) });
   };
 
   return {
@@ -105,19 +116,11 @@ export function createProgram(root: HTMLElement, store: Store, actions: Actions,
       show(place.box, laid || !place.editor);
       if (laid && target !== null) select(target);
       drawCalls(state, derived);
+      origin.draw(fileOf(state), text);
     },
     goTo: (offset) => goTo({ offset }),
     goToLine: (line) => goTo({ line }),
   };
-}
-
-/** The bytes that were opened, but for what was changed. */
-function save(store: Store, text: string): void {
-  const { control, files } = store.state;
-  const { name, encoding } = files[control] ?? { name: t(`program-file-${control}`), encoding: "utf-8" };
-  const bytes = encode(text, encoding);
-  if (!bytes) store.update({ notice: "notice-other-encoding" });
-  saveFile(bytes ?? text, name);
 }
 
 const MARKED = 2000; // problems that the editor marks, the first ones: with each change it goes through them all

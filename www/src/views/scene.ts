@@ -93,7 +93,7 @@ export function createScene(root: HTMLElement, store: Store, goToLine: (line: nu
 const drawable = new WeakMap<Float32Array, Cloud>();
 
 /** The points of a scan; the same object for as long as they are the same. */
-function cloudOf({ view, clouds, of }: Scanned): Cloud | null {
+export function cloudOf({ view, clouds, of }: Scanned): Cloud | null {
   const points = clouds[of];
   if (!points?.length) return null;
   const made = drawable.get(points) ?? { points, origin: view.origin, full: Math.max(1e-4, FULL * view[of].greatest) };
@@ -102,7 +102,7 @@ function cloudOf({ view, clouds, of }: Scanned): Cloud | null {
 }
 
 /** What is not to be seen of a scan, once something of it is drawn. */
-function thinned(drawn: number, scan: Scanned | null): Thinned | null {
+export function thinned(drawn: number, scan: Scanned | null): Thinned | null {
   const points = scan?.view.points ?? 0;
   return drawn > 0 && drawn < points ? { drawn, points } : null;
 }

@@ -20,6 +20,9 @@ export interface Stage {
   colours(night: boolean): Colours | null;
 }
 
+/** What stands beside what is drawn. */
+export const WORDS = { collision, frame };
+
 const dark = matchMedia("(prefers-color-scheme: dark)");
 
 /** The stage takes its colours from the tokens that count now. */
@@ -35,7 +38,9 @@ function collision({ by, crash, alarm }: Collision): string {
 }
 
 /** A coordinate system by its name, and whether it stands before or after a correction. */
-const frame = ({ name, moved }: FrameView): string => (moved ? t(`frame-${moved}`, { name }) : name);
+function frame({ name, moved }: FrameView): string {
+  return moved ? t(`frame-${moved}`, { name }) : name;
+}
 
 export function createStage(store: Store): Stage {
   const box = el("div", { class: "stage" });
@@ -60,7 +65,7 @@ export function createStage(store: Store): Stage {
         return found;
       };
       colours = of;
-      preview = await createPreview(box, { label: t("view-canvas"), colours: of(isDark(store.state)), collision, frame, onThinned });
+      preview = await createPreview(box, { label: t("view-canvas"), colours: of(isDark(store.state)), ...WORDS, onThinned });
       preview.onPick((entry) => store.update({ step: entry, playing: false }));
     } catch (problem) {
       failed = problem instanceof Error ? problem.message : String(problem);

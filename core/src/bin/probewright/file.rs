@@ -54,6 +54,7 @@ fn table(encoding: Encoding) -> Option<&'static encoding_rs::Encoding> {
         Encoding::Utf8 | Encoding::Utf8Marked => return None,
         Encoding::Utf16Le | Encoding::Utf16LeMarked => encoding_rs::UTF_16LE,
         Encoding::Utf16Be | Encoding::Utf16BeMarked => encoding_rs::UTF_16BE,
+        Encoding::Gbk => encoding_rs::GBK,
         Encoding::Gb18030 => encoding_rs::GB18030,
         Encoding::ShiftJis => encoding_rs::SHIFT_JIS,
         Encoding::Windows1252 => encoding_rs::WINDOWS_1252,

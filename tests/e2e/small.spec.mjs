@@ -1,0 +1,142 @@
+// The page where there is little room: phones, tablets, and a window that is enlarged to 200 and 400 % (1280 × 800 is then
+// 640 × 400 and 320 × 200 CSS pixels). Everything can be reached, nothing is cut, nothing scrolls in two directions (WCAG 1.4.10).
+import assert from "node:assert/strict";
+import { after, before, describe, test } from "node:test";
+import { shared } from "./browser.mjs";
+import { drawn, lengthField, start } from "./start.mjs";
+
+const SIZES = [[320, 640], [360, 640], [390, 844], [768, 1024], [1024, 768], [1280, 800], [1366, 500], [1024, 420], [640, 400], [320, 200]];
+const PANELS = ["tasks", "form", "program", "view", "results", "help"];
+
+/** What is wrong with what can be seen now, as short texts. */
+const faults = (page) => page.evaluate(() => {
+  const width = document.documentElement.clientWidth;
+  const found = [];
+  const say = (what, node) => found.push(`${what}: ${node.outerHTML.slice(0, 100)}`);
+  if (document.documentElement.scrollWidth > width) found.push(`the page is ${document.documentElement.scrollWidth} wide`);
+  const shown = [...document.body.querySelectorAll("*")].filter((node) => node.checkVisibility({ visibilityProperty: true }) && !node.closest(".skip, .visually-hidden, svg"));
+  for (const node of shown) {
+    const style = getComputedStyle(node);
+    const wide = node.scrollWidth > node.clientWidth + 1 && node.clientWidth > 0;
+    if (wide && ["auto", "scroll"].includes(style.overflowX)) say("scrolls sideways", node);
+    if (wide && ["hidden", "clip"].includes(style.overflowX) && style.textOverflow !== "ellipsis" && style.clipPath === "none") say("is cut", node);
+    if (!node.matches("button, select, input, [role=tab], [role=treeitem], a")) continue;
+    const { left, right } = node.getBoundingClientRect();
+    if (left < -0.5 || right > width + 0.5) say("sticks out", node);
+    if (node.matches("button") && node.scrollWidth > node.clientWidth + 1) say("is cut", node);
+  }
+  return found;
+});
+
+/** Whether the middle of an element, once it is scrolled to, is in the window and lies under nothing else. */
+const reachable = (node) => node.evaluate((element) => {
+  element.scrollIntoView({ block: "center", behavior: "instant" });
+  const { left, top, width, height } = element.getBoundingClientRect();
+  const hit = document.elementFromPoint(left + width / 2, top + height / 2);
+  return element.contains(hit) || hit?.contains(element) === true && hit.matches("label, button");
+});
+
+async function choosePanel(page, name) {
+  const tab = page.locator(`.panel-bar [aria-controls="panel-${name}"]`);
+  if (!await tab.isVisible()) return;
+  assert.ok(await reachable(tab), `the tab of ${name}`);
+  await tab.click();
+  await page.locator(`#panel-${name}`).waitFor();
+  await drawn(page);
+}
+
+describe("little room", () => {
+  const chrome = shared("neither", { before, after });
+
+  for (const locale of ["en-GB", "zh-CN"]) {
+    for (const [width, height] of SIZES) {
+      // oracle: hand (WCAG 1.4.10)
+      test(`all panels and buttons are there, ${width} × ${height}, ${locale}`, async () => {
+        const { context, page, problems } = await start(chrome, { viewport: { width, height }, locale, hasTouch: width < 800 });
+        await page.locator(".results tbody tr").first().waitFor({ state: "attached" });
+        for (const name of PANELS) {
+          await choosePanel(page, name);
+          assert.deepEqual(await faults(page), [], name);
+          for (const button of await page.locator(`#panel-${name} button:visible, #panel-${name} select:visible`).all()) assert.ok(await reachable(button), `${name}: ${await button.evaluate((node) => node.outerHTML.slice(0, 100))}`);
+        }
+        assert.deepEqual(problems, []);
+        await context.close();
+      });
+
+      // oracle: hand
+      test(`the page's own actions are there, ${width} × ${height}, ${locale}`, async () => {
+        const { context, page } = await start(chrome, { viewport: { width, height }, locale });
+        const menu = page.locator(".menu-open");
+        if (width < 1200) await menu.click();
+        const actions = page.locator("#page-actions").locator("button:visible, select:visible");
+        assert.equal(await actions.count(), 7);
+        for (const one of await actions.all()) assert.ok(await reachable(one), await one.textContent());
+        await page.locator("#page-actions button").last().click();
+        const dialog = page.locator("dialog[open]");
+        await dialog.waitFor();
+        assert.deepEqual(await faults(page), []);
+        assert.ok(await reachable(dialog.locator("button").last()));
+        await context.close();
+      });
+
+      // oracle: hand
+      test(`a value is typed and seen, ${width} × ${height}, ${locale}`, async () => {
+        const { context, page } = await start(chrome, { viewport: { width, height }, locale });
+        await page.locator(".opened").waitFor({ state: "attached" });
+        await choosePanel(page, "form");
+        const field = lengthField(page);
+        await field.focus();
+        await page.keyboard.press("Control+a");
+        await page.keyboard.type("31.25");
+        await drawn(page);
+        const place = await field.evaluate((node) => {
+          const { left, top, right, bottom } = node.getBoundingClientRect();
+          return { inside: left >= 0 && top >= 0 && right <= innerWidth && bottom <= innerHeight, seen: document.elementFromPoint((left + right) / 2, (top + bottom) / 2) === node };
+        });
+        assert.deepEqual(place, { inside: true, seen: true });
+        await page.locator('.snippet:has-text("31.25")').waitFor({ state: "attached" });
+        await context.close();
+      });
+    }
+  }
+
+  // oracle: hand
+  test("the menu closes with Escape, with a click elsewhere, and when something is chosen", async () => {
+    const { context, page } = await start(chrome, { viewport: { width: 390, height: 844 } });
+    const menu = page.locator(".menu-open");
+    const list = page.locator("#page-actions");
+    const opens = async () => { await menu.click(); await list.waitFor(); };
+    await opens();
+    await page.keyboard.press("Escape");
+    await list.waitFor({ state: "hidden" });
+    assert.equal(await page.evaluate(() => document.activeElement?.className), "quiet menu-open");
+    await opens();
+    await page.locator(".panel-form h2").click();
+    await list.waitFor({ state: "hidden" });
+    await opens();
+    await list.getByRole("button", { name: "About" }).click();
+    await page.locator("dialog[open]").waitFor();
+    assert.ok(await list.isHidden());
+    await context.close();
+  });
+
+  // oracle: hand (one of each list is chosen)
+  test("forced colours mark what is chosen and nothing else", async () => {
+    const { context, page } = await start(chrome, { forcedColors: "active" });
+    await page.locator(".call-row").waitFor();
+    const marked = await page.evaluate(() => {
+      const colourOf = (name) => {
+        const node = document.body.appendChild(document.createElement("i"));
+        node.style.cssText = `forced-color-adjust: none; color: ${name}`;
+        const { color } = getComputedStyle(node);
+        node.remove();
+        return color;
+      };
+      const canvas = colourOf("Canvas");
+      const count = (selector, side) => [...document.querySelectorAll(selector)].filter((node) => node.checkVisibility() && getComputedStyle(node)[side] !== canvas).map((node) => node.getAttribute("aria-selected") ?? "no choice");
+      return { tasks: count(".level-3", "borderLeftColor"), calls: count(".call-row", "borderLeftColor"), tabs: count(".tabs [role=tab]", "borderBottomColor"), fields: count(".field:not(.wrong, .doubtful)", "borderLeftColor") };
+    });
+    assert.deepEqual(marked, { tasks: ["true"], calls: ["true"], tabs: ["true"], fields: [] });
+    await context.close();
+  });
+});

@@ -1,0 +1,77 @@
+// The file that the program comes from: its name, its encoding to be chosen, and what stands in the way of saving it so.
+
+import type { Actions } from "../actions";
+import { difference } from "../difference";
+import { el, on, setAttribute, setText, show } from "../dom";
+import { ENCODINGS, hasAll, lacking, type Encoding } from "../encoding";
+import type { ProgramFile } from "../files";
+import { t } from "../texts";
+
+export interface Origin {
+  root: HTMLElement;
+  /** A character that the encoding lacks. */
+  told: HTMLElement;
+  draw(file: ProgramFile, text: string): void;
+  /** The program was to be saved and cannot be. */
+  refuse(): void;
+}
+
+const isMarked = (encoding: Encoding): boolean => encoding.endsWith("-marked");
+const nameOf = (encoding: Encoding): string => t(`encoding-${encoding}`);
+
+/** Where the first character stands that the encoding lacks. While there is none only what is new is looked at. */
+function createSearch(): (text: string, encoding: Encoding) => number {
+  let known = { text: "", encoding: "utf-8" as Encoding, at: -1 };
+  const found = (text: string, encoding: Encoding): number => {
+    if (hasAll(encoding)) return -1;
+    if (known.encoding !== encoding || known.at >= 0) return lacking(text, encoding);
+    const edit = difference(known.text, text);
+    return edit ? lacking(text, encoding, edit.from, edit.from + edit.insert.length) : -1;
+  };
+  return (text, encoding) => {
+    if (known.text !== text || known.encoding !== encoding) known = { text, encoding, at: found(text, encoding) };
+    return known.at;
+  };
+}
+
+/** `again`: the bytes are read in another encoding. */
+export function createOrigin(actions: Actions, again: (encoding: Encoding) => void, goTo: (offset: number) => void, save: () => void): Origin {
+  const name = el("span", { class: "file-name" });
+  const option = (how: string) => (encoding: Encoding): HTMLOptionElement => el("option", { value: `${how} ${encoding}` }, nameOf(encoding));
+  const read = ENCODINGS.map(option("read"));
+  const choice = el("select", { class: "encoding", "aria-label": t("encoding") },
+    el("optgroup", { label: t("encoding-read") }, ...read), el("optgroup", { label: t("encoding-save") }, ...ENCODINGS.map(option("save"))));
+  const text = el("p", { class: "problem", "data-severity": "warning", role: "status" });
+  const asUtf8 = el("button", { type: "button" }, t("encoding-save-utf-8"));
+  const where = el("button", { type: "button", class: "quiet" }, t("encoding-show"));
+  const told = el("div", { class: "refusal", hidden: true }, text, asUtf8, where);
+  const search = createSearch();
+  let at = -1;
+  let now: Encoding = "utf-8";
+
+  on(choice, "change", () => {
+    const [how, wanted] = choice.value.split(" ") as [string, Encoding];
+    choice.value = `read ${now}`;
+    if (how === "save") actions.encoding(wanted);
+    else again(wanted);
+  });
+  on(asUtf8, "click", () => { actions.encoding("utf-8"); save(); });
+  on(where, "click", () => goTo(at));
+
+  return {
+    root: el("div", { class: "origin" }, name, choice), told,
+    refuse: () => asUtf8.focus(),
+    draw(file, program) {
+      now = file.encoding;
+      at = search(program, now);
+      setText(name, file.name);
+      setAttribute(name, "title", file.name);
+      ENCODINGS.forEach((one, index) => { const node = read[index]; if (node) show(node, one === now || !isMarked(one)); }); // the bytes tell whether there is a mark
+      choice.value = `read ${now}`;
+      show(told, at >= 0);
+      if (at < 0) return;
+      const line = program.slice(0, at).split(/\r\n?|\n/).length;
+      setText(text, t("encoding-lacking", { line, character: String.fromCodePoint(program.codePointAt(at) ?? 0), encoding: nameOf(now) }));
+    },
+  };
+}
