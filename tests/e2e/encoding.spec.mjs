@@ -68,7 +68,7 @@ describe("a program in its own encoding", () => {
     const { context, page } = await start(chrome);
     await opened(page, "a.mpf", GBK);
     await type(page, "; Ma\u00df\n");
-    const told = page.locator(".refusal:visible .problem");
+    const told = page.locator(".lacking:visible .problem");
     await told.waitFor();
     assert.match(await told.textContent(), /Line 1: .*\u00df.*GBK/);
     let downloads = 0;
@@ -88,7 +88,7 @@ describe("a program in its own encoding", () => {
     const { context, page } = await start(chrome);
     await opened(page, "a.mpf", GBK);
     await type(page, "\u00df");
-    const told = page.locator(".refusal:visible");
+    const told = page.locator(".lacking:visible");
     await told.waitFor();
     await page.keyboard.press("Backspace");
     await told.waitFor({ state: "hidden" });

@@ -17,10 +17,15 @@ const DOTS = 4096; // scanned points on paper
 
 type Draw = typeof import("../preview/still");
 
+/** With the customs of the reader's country where it is one of the language. */
+function now(): string {
+  const customs = navigator.language.startsWith(language()) ? navigator.language : language();
+  return new Date().toLocaleString(customs, { dateStyle: "long", timeStyle: "short" });
+}
+
 function heading(state: State, derived: Derived): HTMLElement {
-  const when = new Date().toLocaleString(language(), { dateStyle: "long", timeStyle: "short" });
   const machine = facts(derived.cycle.control, derived.view.setup).map(({ text }) => text).join(" · ");
-  return el("header", { class: "sheet sheet-head" }, el("strong", {}, fileOf(state).name), el("span", {}, machine), el("span", {}, `${t("app-name")} · ${when}`));
+  return el("header", { class: "sheet sheet-head" }, el("strong", {}, fileOf(state).name), el("span", {}, machine), el("span", {}, `${t("app-name")} · ${now()}`));
 }
 
 function view(stage: Stage, state: State, derived: Derived, { drawStill }: Draw): HTMLElement | null {
@@ -55,9 +60,9 @@ export function createSheet(stage: Stage, shown: () => { state: State; derived: 
   idle(() => void import("../preview/still").then((module) => { draw = module; }, console.warn));
   addEventListener("beforeprint", () => {
     clear();
-    const now = shown();
-    if (!now) return;
-    const { state, derived } = now;
+    const here = shown();
+    if (!here) return;
+    const { state, derived } = here;
     const head = heading(state, derived);
     const picture = draw && view(stage, state, derived, draw);
     const text = program(derived.program);
