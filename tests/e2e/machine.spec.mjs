@@ -7,8 +7,11 @@ const axe = packages.resolve("axe-core/axe.min.js");
 
 const PROGRAM = "G17 G54 G40 D1\nT1 D1\nM5\n_MVAR=1 _SETVAL=132 _TUL=0.03 _TLL=-0.03 _TNUM=20 _KNUM=2001 _TSA=1 _PRNUM=1 _VMS=200 _FA=2\nCYCLE977\n";
 
-/** The dialog, opened from the header. */
+/** The dialog, opened from the header; where that is narrow, from its menu. */
 async function dialog(page) {
+  const menu = page.locator(".menu-open");
+  await menu.waitFor({ state: "attached" });
+  if (await menu.isVisible()) await menu.click();
   const button = page.getByRole("button", { name: "Machine", exact: true });
   await page.locator(".head-actions button:not([disabled])", { hasText: /^Machine$/ }).waitFor();
   await button.click();
