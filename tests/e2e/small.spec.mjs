@@ -100,6 +100,24 @@ describe("little room", () => {
     }
   }
 
+  for (const [width, height] of [[320, 200], [390, 844]]) {
+    // oracle: hand
+    test(`the data of the machine can be changed, ${width} × ${height}`, async () => {
+      const { context, page } = await start(chrome, { viewport: { width, height } });
+      await page.locator("#page-actions button:not([disabled])", { hasText: /^Machine$/ }).waitFor({ state: "attached" });
+      await page.locator(".menu-open").click();
+      await page.locator("#page-actions button", { hasText: /^Machine$/ }).click();
+      const dialog = page.locator("dialog[open]");
+      await dialog.locator("summary").nth(1).click();
+      const entry = dialog.locator(".datum input:visible, .datum select:visible").first();
+      await entry.waitFor();
+      assert.ok(await reachable(entry));
+      assert.deepEqual(await faults(page), []);
+      for (const button of await dialog.locator(".actions button:visible").all()) assert.ok(await reachable(button), await button.textContent());
+      await context.close();
+    });
+  }
+
   // oracle: hand
   test("the menu closes with Escape, with a click elsewhere, and when something is chosen", async () => {
     const { context, page } = await start(chrome, { viewport: { width: 390, height: 844 } });
