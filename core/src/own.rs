@@ -220,6 +220,10 @@ sentences! {
     NEWER_TARGET 189 Warning "newer-target" "newer-target-hint";
     WRITE_NEWER_TOOL 189 Error "write-newer-tool" "write-no-list-hint";
     WRITE_NEWER_ZERO 189 Error "write-newer-zero" "write-no-list-hint";
+    WRITE_EXPRESSION_LOST 190 Error "write-expression-lost" "write-no-list-hint";
+    CONVERT_ARGUMENT 190 Error "convert-argument" "";
+    WRITE_EXPRESSION 191 Note "write-expression" "";
+    CONVERT_EXPRESSION 192 Error "convert-expression" "convert-expression-hint";
 }
 
 #[cfg(all(test, feature = "cli"))]

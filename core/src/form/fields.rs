@@ -20,6 +20,10 @@ pub struct Field {
     pub entry: Entry,
     /// As typed.
     pub value: String,
+    /// It chooses the variant, on which the other fields depend.
+    pub chooses: bool,
+    /// What the number is a code of, where its digits mean something else in other variants.
+    pub code: Option<&'static str>,
     /// Value that counts while nothing is typed.
     pub fallback: Option<f64>,
     /// `mm`, `inch`, `deg`, `mm/min`, `inch/min` or nothing.
@@ -101,6 +105,8 @@ fn field(
         help: Message::new(format!("param-{stem}-help")),
         entry: entry(param, inputs, control),
         value: typed.get(param.name).cloned().unwrap_or_default(),
+        chooses: matches!(param.kind, Kind::Variant(_)),
+        code: matches!(param.kind, Kind::Knum).then_some(stem),
         fallback: param.fallback(control),
         unit: unit_name(unit, control),
         required: level == Level::Required && param.default.is_none(),

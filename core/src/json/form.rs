@@ -11,7 +11,7 @@ use crate::diagnostic::Severity;
 use crate::form;
 use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
 use crate::own;
-use crate::program::write::snippet;
+use crate::program::write::{Values, snippet_of};
 use crate::run::setup::Setup;
 use crate::support::{self, Before, Support};
 use serde::Deserialize;
@@ -23,6 +23,9 @@ struct Request {
     cycle: String,
     #[serde(default)]
     values: Typed,
+    /// Values that are the worth of an expression of the program, as that is written: the snippet carries them.
+    #[serde(default)]
+    expressions: Typed,
     /// Values that an outcome counts with instead of those of the form, which depend on the way to the call.
     #[serde(default)]
     assumed: Typed,
@@ -103,7 +106,11 @@ pub fn form(request: &str) -> Result<Value, Error> {
         checked.diagnostics.extend(found);
     }
     let comments = request.comments.as_ref();
-    let mut view = view(cycle, &values, &start.setup, &checked, style, comments);
+    let values_of = Values {
+        typed: &values,
+        expressions: &request.expressions,
+    };
+    let mut view = view(cycle, &values_of, &start.setup, &checked, style, comments);
     put(&mut view, "preset", super::style_name(preset));
     if request.twin && SIMULATES {
         let there = super::twin::view(cycle, &values, &start.setup.control);
@@ -192,7 +199,7 @@ fn set_modal(control: &mut Control, (plane, transverse, units, data_follow): Mod
 
 fn view(
     cycle: &'static Cycle,
-    typed: &Typed,
+    values: &Values,
     setup: &Setup,
     checked: &Checked,
     style: Style,
@@ -210,13 +217,15 @@ fn view(
         .iter()
         .any(|found| found.severity == Severity::Error);
     let words = comments.map(|_| &word as &dyn Fn(&str, &str) -> String);
-    let written = snippet(cycle, typed, control, style, words);
+    let written = snippet_of(cycle, values, control, style, words);
+    let typed = values.typed;
+    let expression = |name: &str| values.expressions.get(name).map(String::as_str);
     let mut view = object([
         (
             "fields",
             form::fields(cycle, typed, control)
                 .iter()
-                .map(field)
+                .map(|one| field(one, expression(one.name)))
                 .collect(),
         ),
         (
@@ -305,7 +314,7 @@ fn shape_kind(kind: ShapeKind) -> &'static str {
     }
 }
 
-fn field(field: &form::Field) -> Value {
+fn field(field: &form::Field, expression: Option<&str>) -> Value {
     let mut view = object([
         ("name", field.name.into()),
         ("label", message(&field.label)),
@@ -317,6 +326,15 @@ fn field(field: &form::Field) -> Value {
         ("source", field.source.into()),
         ("kind", kind(&field.entry).into()),
     ]);
+    if let Some(expression) = expression {
+        put(&mut view, "expression", expression);
+    }
+    if field.chooses {
+        put(&mut view, "chooses", true);
+    }
+    if let Some(code) = field.code {
+        put(&mut view, "code", code);
+    }
     if let Some(fallback) = field.fallback {
         put(&mut view, "fallback", fallback);
     }

@@ -8,9 +8,11 @@ use crate::catalogue::Style;
 use crate::check::{unit_name, variants};
 use crate::control::{Control, delivery};
 use crate::diagnostic::Diagnostic;
-use crate::program::calls::{CallSite, calls as find_calls, calls_told};
-use crate::program::change::{Edit, change as edits};
+use crate::program::calls::{CallSite, calls_told};
+use crate::program::change::{Edit, apply};
 use crate::program::position::Positions;
+use crate::program::revise::revise;
+use crate::program::touched::{Line, cured_elsewhere};
 use crate::program::{self, tree::Program};
 use crate::run::left::Figure;
 use crate::run::outcome::{Outcome, PassedOver};
@@ -34,6 +36,8 @@ struct ChangeRequest {
     call: usize,
     name: String,
     value: String,
+    #[serde(default)]
+    setup: Option<Value>,
 }
 
 #[derive(Deserialize)]
@@ -91,10 +95,15 @@ fn view(program: &Program, control: Control, told: &mut dyn FnMut(f64)) -> Value
         .collect();
     let mut found = program::findings_of(program, &sites, &control);
     found.truncate(MOST_FINDINGS);
-    object([
-        ("calls", calls.into()),
-        ("diagnostics", findings(&found, &positions).into()),
-    ])
+    let found = found.iter().map(|one| {
+        let mut view = placed(one, &positions);
+        let lines = cured_elsewhere(program, &sites, one);
+        if !lines.is_empty() {
+            put(&mut view, "elsewhere", touched(&lines));
+        }
+        view
+    });
+    object([("calls", calls.into()), ("diagnostics", found.collect())])
 }
 
 fn call(program: &Program, site: &CallSite, positions: &Positions) -> Value {
@@ -110,6 +119,7 @@ fn call(program: &Program, site: &CallSite, positions: &Positions) -> Value {
         ("to", positions.utf16(site.span.end).into()),
         ("style", style_name(style).into()),
         ("values", typed(&site.values)),
+        ("expressions", typed(&site.expressions)),
         ("first", first(program, site)),
         ("plane", plane_name(site.plane).into()),
         ("transverse", transverse_name(site.transverse).into()),
@@ -164,21 +174,44 @@ fn placed(found: &Diagnostic, positions: &Positions) -> Value {
     value
 }
 
-/// Answers a `ChangeRequest` with edits: the only places of the text that change.
+/// Answers a `ChangeRequest` with a `Changed`: edits, the only places of the text that change, and the lines of others.
 pub fn change(request: &str) -> Result<Value, Error> {
     let request: ChangeRequest = super::request(request)?;
-    let program = program::read(dialect(&request.control)?, request.text.as_bytes());
-    let sites = find_calls(&program);
-    let site = sites.get(request.call).ok_or_else(|| Error::Unknown {
-        what: "call",
-        name: request.call.to_string(),
-    })?;
-    let positions = Positions::new(&program.source);
-    let edits = edits(&program, site, &request.name, &request.value);
-    Ok(edits
-        .iter()
-        .map(|edit| placed_edit(edit, &positions))
-        .collect())
+    let dialect = dialect(&request.control)?;
+    let mut program = program::read(dialect, request.text.as_bytes());
+    let control = start(dialect, request.setup)?.setup.control;
+    let done = revise(
+        &program,
+        request.call,
+        &request.name,
+        &request.value,
+        &control,
+    );
+    let mut steps: Vec<Value> = Vec::new();
+    for edits in &done.steps {
+        let positions = Positions::new(&program.source);
+        let placed = edits.iter().map(|edit| placed_edit(edit, &positions));
+        steps.push(placed.collect());
+        program = program::read(dialect, &apply(&program.source, edits));
+    }
+    Ok(object([
+        ("steps", steps.into()),
+        ("elsewhere", touched(&done.elsewhere)),
+        ("taken", done.taken.into()),
+        ("kept", done.kept.into()),
+    ]))
+}
+
+/// Lines that would change, counted from 1.
+fn touched(lines: &[Line]) -> Value {
+    let line = |one: &Line| {
+        object([
+            ("line", (one.line + 1).into()),
+            ("before", one.before.as_str().into()),
+            ("after", one.after.as_str().into()),
+        ])
+    };
+    lines.iter().map(line).collect()
 }
 
 fn placed_edit(edit: &Edit, positions: &Positions) -> Value {

@@ -132,24 +132,28 @@ fn put(program: &Program, call: Span, index: usize, text: &str) -> Option<Edit> 
     })
 }
 
-/// The variant as selections; only those that say something else change.
+/// The variant as selections; only those that say something else change, of an expression what it is worth.
 fn select(
     program: &Program,
     site: &CallSite,
     list: &ArgumentList,
     text: &str,
 ) -> Option<Vec<Edit>> {
-    let mut wanted = list.selections(text.trim().parse().ok()?)?.into_iter();
+    let selections = |text: &str| list.selections(text.trim().parse().ok()?);
+    let mut wanted = selections(text)?.into_iter();
+    let now = site.cycle.variant_param();
+    let now = now.and_then(|name| selections(site.values.get(name)?));
+    let mut now = now.unwrap_or_default().into_iter();
     let places = places(program, site.span);
     let mut edits = Vec::new();
     for (index, arg) in list.args.iter().enumerate() {
         if !matches!(arg, Arg::Select(_)) {
             continue;
         }
-        let number = wanted.next()?;
+        let (number, now) = (wanted.next()?, now.next());
         let written = places
             .get(index)
-            .map_or(Some(0), |place| written(program, *place));
+            .map_or(Some(0), |place| written(program, *place).or(now));
         if written != Some(number) {
             edits.extend(put(program, site.span, index, &number.to_string()));
         }

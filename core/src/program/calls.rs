@@ -15,6 +15,7 @@ use super::fold;
 use super::held::{ALTERNATIVES, Names, Numbers, Values};
 use super::tools::{ToolInUse, Tools};
 use super::tree::{Program, Word, WordKind};
+use super::write::is_expression;
 use crate::catalogue::{ArgumentList, Cycle, Dialect};
 use crate::check::Typed;
 use crate::control::{Control, Plane, Transverse, delivery};
@@ -37,6 +38,8 @@ pub struct CallSite {
     /// Values as a form takes them; a value that is known at run time only is its expression, and one that differs by
     /// the way to the call the name of the parameter.
     pub values: Typed,
+    /// As they are written, those of the values that are the worth of an expression: `R2` of 50.02.
+    pub expressions: Typed,
     /// Place of each value, its newest assignment. Values of earlier calls count until they are overwritten. None where
     /// several assignments come here.
     pub places: BTreeMap<&'static str, Span>,
@@ -80,6 +83,17 @@ impl CallSite {
         let place = *self.places.get(name)?;
         let own = place.start >= self.own_from;
         (own && !self.is_foreign(name, place)).then_some(place)
+    }
+
+    /// A value as the program has it, where that is no plain number or text.
+    pub fn expression(&self, name: &str) -> Option<&str> {
+        let open = || {
+            let param = self.cycle.param(name)?;
+            self.values
+                .get(name)
+                .filter(|text| is_expression(param, text))
+        };
+        self.expressions.get(name).or_else(open).map(String::as_str)
     }
 
     /// The values on one of its ways.

@@ -1,19 +1,18 @@
 //! One call from one way of writing to another, in place: its own assignments go, its new text comes where the call is.
 
-use super::arguments;
 use super::calls::{CallSite, calls_on};
 use super::change::{Edit, apply, behind_label, line_end};
 use super::marked::mark_before;
-use super::read;
-use super::tree::{Program, Word, WordKind};
-use super::write::snippet;
+use super::own_words::{Lines, emptied, own_words, without_comment};
+use super::tree::{Program, WordKind};
+use super::write::{Values, Written, snippet_of};
+use super::{arguments, carried, read};
 use crate::catalogue::{ArgumentList, Param, Style, list};
 use crate::check::{self, Parsed, Typed, newer, parse};
 use crate::control::Control;
 use crate::diagnostic::{Diagnostic, Span};
 use crate::own;
 use crate::support::Mark;
-use std::collections::BTreeMap;
 
 /// Edits that turn a call into another way of writing, and what has to be said about it.
 pub struct Converted {
@@ -41,22 +40,32 @@ pub fn convert(program: &Program, index: usize, style: Style, control: &Control)
     let mut at_call = control.clone();
     at_call.plane = site.plane;
     at_call.choose_units(site.unit_function);
-    if let Some(finding) = refused(program, site, &at_call) {
-        return Converted {
-            edits: Vec::new(),
-            findings: vec![finding],
-        };
+    if let Some(finding) = foreign(program, site, &at_call) {
+        return refused(vec![finding]);
     }
-    let values = explicit(site, &at_call);
-    let written = snippet(site.cycle, &values, &at_call, style, None);
+    let values = Values {
+        typed: &explicit(site, &at_call),
+        expressions: &site.expressions,
+    };
+    let written = snippet_of(site.cycle, &values, &at_call, style, None);
+    if written.text.is_empty() {
+        return refused(written.findings);
+    }
+    let stuck = carried::stuck(program, site);
+    if let Some(finding) = stuck.or_else(|| carried::moves(program, site, &written.said)) {
+        return refused(vec![finding]);
+    }
+    let edits = rewritten(program, site, &written);
+    let after = read(program.dialect, &apply(&program.source, &edits));
+    let after = calls_on(&after, control.clone());
+    let there = after.get(index);
+    let differs = there.and_then(|after| carried::differs(site, after, &written.said));
+    if let Some(name) = differs {
+        return refused(vec![carried::changing(site, name)]);
+    }
     let mut findings = written.findings;
     findings.extend(left_out(program, site));
-    let edits = if written.text.is_empty() {
-        Vec::new()
-    } else {
-        rewritten(program, site, &written.text)
-    };
-    findings.extend(others(program, &sites, index, &edits, control));
+    findings.extend(others(&sites, &after, index, control));
     Converted { edits, findings }
 }
 
@@ -66,7 +75,7 @@ fn of_newer(site: &CallSite) -> Option<&'static ArgumentList> {
 }
 
 /// Why no other way of writing says the same.
-fn refused(program: &Program, site: &CallSite, control: &Control) -> Option<Diagnostic> {
+fn foreign(program: &Program, site: &CallSite, control: &Control) -> Option<Diagnostic> {
     let list = site.list?;
     let value = |name: &str| site.values.get(name).map_or("", String::as_str);
     let variant = site.cycle.variant_param()?;
@@ -118,10 +127,24 @@ fn left_out(program: &Program, site: &CallSite) -> Option<Diagnostic> {
     (!names.is_empty()).then_some(finding)
 }
 
-fn rewritten(program: &Program, site: &CallSite, text: &str) -> Vec<Edit> {
+/// Nothing is done, and why.
+fn refused(findings: Vec<Diagnostic>) -> Converted {
+    Converted {
+        edits: Vec::new(),
+        findings,
+    }
+}
+
+fn rewritten(program: &Program, site: &CallSite, written: &Written) -> Vec<Edit> {
+    let text = &written.text;
     let marks = text.lines().next().and_then(Mark::read).is_some();
-    let own = own_words(program, site, marks);
-    let mut lines: Vec<String> = kept(program, site, &own);
+    // an expression that the new text does not need stays where it is
+    let goes = |name: &str| {
+        let said = written.said.contains(&name);
+        said || site.expression(name).is_none() || is_auxiliary(program, site, name)
+    };
+    let own = own_words(program, site, marks, goes);
+    let mut lines: Vec<String> = kept(program, site, &own, &written.said);
     lines.extend(text.lines().map(str::to_owned));
     let call = lines.pop().unwrap_or_default();
     let mut edits: Vec<Edit> = emptied(program, &own, site.line);
@@ -144,44 +167,15 @@ fn rewritten(program: &Program, site: &CallSite, text: &str) -> Vec<Edit> {
     edits
 }
 
-/// The words that give values to this call only, as far as they stand outside of it, by their line. `bits`: those that
-/// set bits for it too.
-fn own_words<'a>(
-    program: &'a Program,
-    site: &CallSite,
-    bits: bool,
-) -> BTreeMap<u32, Vec<&'a Word>> {
-    let mut found: BTreeMap<u32, Vec<&Word>> = BTreeMap::new();
-    let of_values = site.places.keys();
-    let of_values = of_values.filter_map(|name| site.own_place(name));
-    let of_bits = site.bits.iter().filter(|_| bits);
-    let of_bits = of_bits.map(|(_, _, place)| *place);
-    let of_bits =
-        of_bits.filter(|place| site.own_from <= place.start && place.end <= site.span.end);
-    let places = of_values.chain(of_bits).filter(|place| *place != site.span);
-    for place in places {
-        let Some(word) = program.word_at(place) else {
-            continue;
-        };
-        let single = match &word.kind {
-            WordKind::Assign { .. } => !program.text(word.span).contains(&b','),
-            WordKind::Call { name, .. } => program.is(*name, list::AUXILIARY),
-            _ => false,
-        };
-        let line = found.entry(program.line_of(word.span.start)).or_default();
-        if single && !line.iter().any(|other| other.span == word.span) {
-            line.push(word);
-        }
-    }
-    found.retain(|_, words| !words.is_empty());
-    for words in found.values_mut() {
-        words.sort_by_key(|word| word.span.start);
-    }
-    found
+/// Whether a value stands in a `CYCLE_PARA`, which goes as a whole.
+fn is_auxiliary(program: &Program, site: &CallSite, name: &str) -> bool {
+    let place = site.own_place(name);
+    place.is_some_and(|place| arguments::is_auxiliary(program, place))
 }
 
-/// Data that a `CYCLE_PARA` of this call sets for others: they stay as assignments.
-fn kept(program: &Program, site: &CallSite, own: &BTreeMap<u32, Vec<&Word>>) -> Vec<String> {
+/// What goes with the words of the call and is no value of its own text, but counts for others or is an expression: it
+/// stays as assignments.
+fn kept(program: &Program, site: &CallSite, own: &Lines, said: &[&'static str]) -> Vec<String> {
     let mut lines = Vec::new();
     for word in own.values().flatten() {
         if !matches!(word.kind, WordKind::Call { .. }) {
@@ -196,62 +190,18 @@ fn kept(program: &Program, site: &CallSite, own: &BTreeMap<u32, Vec<&Word>>) -> 
             }
         }
     }
+    let spare = site.places.iter().filter(|(name, place)| {
+        let gone = program.word_at(**place).is_some_and(|word| {
+            let mut own = own.values().flatten();
+            word.span == site.span || own.any(|other| other.span == word.span)
+        });
+        gone && !said.contains(name)
+    });
+    lines.extend(spare.filter_map(|(name, _)| {
+        let text = site.expression(name).filter(|text| text != name)?;
+        Some(format!("{name}={text}"))
+    }));
     lines
-}
-
-/// Takes words out of their lines; a line without anything else goes with its end.
-fn emptied(program: &Program, own: &BTreeMap<u32, Vec<&Word>>, call_line: u32) -> Vec<Edit> {
-    let mut edits = Vec::new();
-    for (line, words) in own {
-        let Some(block) = program.blocks.get(*line as usize) else {
-            continue;
-        };
-        let alone = program.words_of(block).len() == words.len()
-            && block.comment.is_none()
-            && *line != call_line;
-        if alone {
-            edits.push(without_line(program, *line, block.span.start));
-            continue;
-        }
-        edits.extend(words.iter().map(|word| without_blanks(program, word.span)));
-    }
-    edits
-}
-
-fn removed(start: u32, end: u32) -> Edit {
-    Edit {
-        span: Span { start, end },
-        insert: String::new(),
-    }
-}
-
-/// A line from a byte on, with its end.
-fn without_line(program: &Program, line: u32, from: u32) -> Edit {
-    let behind = program.blocks.get(line as usize + 1);
-    removed(from, behind.map_or(program.end, |next| next.span.start))
-}
-
-/// A comment; a line without anything else goes with its end.
-fn without_comment(program: &Program, comment: Span) -> Edit {
-    let line = program.line_of(comment.start);
-    match program.blocks.get(line as usize) {
-        Some(block) if program.words_of(block).is_empty() => {
-            without_line(program, line, block.span.start)
-        }
-        _ => removed(comment.start, comment.end),
-    }
-}
-
-/// A word with the blanks behind it.
-fn without_blanks(program: &Program, word: Span) -> Edit {
-    let behind = program
-        .source
-        .get(word.end as usize..)
-        .unwrap_or_default()
-        .iter()
-        .take_while(|byte| matches!(byte, b' ' | b'\t'))
-        .count();
-    removed(word.start, word.end + behind as u32)
 }
 
 /// Whether two calls have the same values; a datum that was never written holds its delivered value, or 0.
@@ -267,19 +217,13 @@ fn means_the_same(one: &CallSite, other: &CallSite, control: &Control) -> bool {
 
 /// Calls that would have other values afterwards.
 fn others(
-    program: &Program,
     sites: &[CallSite],
+    after: &[CallSite],
     index: usize,
-    edits: &[Edit],
     control: &Control,
 ) -> Vec<Diagnostic> {
-    if edits.is_empty() {
-        return Vec::new();
-    }
-    let after = read(program.dialect, &apply(&program.source, edits));
-    let after = calls_on(&after, control.clone());
     let mut findings = Vec::new();
-    for (place, (before, after)) in sites.iter().zip(&after).enumerate() {
+    for (place, (before, after)) in sites.iter().zip(after).enumerate() {
         if place != index && !means_the_same(before, after, control) {
             let finding = own::CONVERT_OTHERS.finding();
             findings.push(Diagnostic {

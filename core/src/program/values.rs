@@ -15,6 +15,8 @@ pub(super) struct Value {
     pub number: Option<f64>,
     /// Whether it is written as a text.
     pub quoted: bool,
+    /// As it is written, where `text` is what that is worth.
+    pub expression: Option<String>,
     /// Whether others take their value from the same place (`REP`).
     pub shared: bool,
     /// Where the value is written, when `place` only names the variable of another program that holds it.
@@ -33,6 +35,7 @@ impl Value {
             place,
             number,
             quoted: false,
+            expression: None,
             shared: false,
             given: None,
             argument: false,
@@ -68,6 +71,7 @@ impl Value {
         Value {
             text: opposite(&self.text),
             number: self.number.map(|number| -number),
+            expression: self.expression.as_deref().map(opposite),
             ..self
         }
     }
@@ -78,7 +82,7 @@ pub fn opposite(text: &str) -> String {
     let inner = text
         .strip_prefix("-(")
         .and_then(|rest| rest.strip_suffix(')'))
-        .filter(|inner| !inner.contains([')', '(']));
+        .filter(|inner| closes_itself(inner));
     match parse(text) {
         Parsed::Empty => String::new(),
         Parsed::Number(0.0) => text.to_owned(),
@@ -88,6 +92,20 @@ pub fn opposite(text: &str) -> String {
         },
         _ => inner.map_or_else(|| format!("-({text})"), str::to_owned),
     }
+}
+
+/// Whether no bracket of a text closes one that stands before it.
+fn closes_itself(text: &str) -> bool {
+    let mut depth = 0_i64;
+    let bracket = |byte| match byte {
+        b'(' => 1,
+        b')' => -1,
+        _ => 0,
+    };
+    text.bytes().all(|byte| {
+        depth += bracket(byte);
+        depth >= 0
+    })
 }
 
 /// The value of an expression that stands at `place`.
@@ -106,14 +124,13 @@ pub(super) fn value(program: &Program, id: ExprId, place: Span, known: &impl Kno
                 ..Value::at(text, number, *inside)
             }
         }
-        (Some(expr), Some(worth)) => {
-            let text = if literal(program, expr) {
-                written().replace(' ', "")
-            } else {
-                worth.to_string()
-            };
-            Value::at(text, number, place)
+        (Some(expr), Some(_)) if literal(program, expr) => {
+            Value::at(written().replace(' ', ""), number, place)
         }
+        (Some(_), Some(worth)) => Value {
+            expression: Some(written()),
+            ..Value::at(worth.to_string(), number, place)
+        },
         _ => Value::at(written(), number, place),
     }
 }

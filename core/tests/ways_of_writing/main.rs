@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod convert;
+mod expressions;
 mod newer;
 mod round_trip;
 mod same_meaning;

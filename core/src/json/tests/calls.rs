@@ -122,6 +122,47 @@ fn a_call_in_a_loop_says_what_arrives_first() {
     assert_eq!(first("R1=60", "R1=50"), json!({}), "no pass but one");
 }
 
+// oracle: hand (the expression beside what it is worth; the form's text keeps it, and a line of another program is told)
+#[test]
+fn an_expression_travels_with_its_worth() {
+    let text = "R2=50.02\n_MVAR=1 _SETVAL=R2 _PRNUM=1 _FA=2\nCYCLE977\n";
+    let view = read(&json!({ "control": "sinumerik", "text": text }).to_string()).unwrap();
+    let call = &view["calls"][0];
+    assert_eq!(call["values"]["_SETVAL"], "50.02");
+    assert_eq!(call["expressions"], json!({ "_SETVAL": "R2" }));
+    let form = form(&json!({ "control": "sinumerik", "cycle": "CYCLE977", "values": call["values"], "expressions": call["expressions"] }).to_string()).unwrap();
+    let fields = form["fields"].as_array().unwrap();
+    let field = fields.iter().find(|one| one["name"] == "_SETVAL").unwrap();
+    assert_eq!(
+        (&field["value"], &field["expression"]),
+        (&json!("50.02"), &json!("R2"))
+    );
+    assert!(form["snippet"].as_str().unwrap().contains("_SETVAL=R2"));
+}
+
+// oracle: hand
+#[test]
+fn a_change_tells_what_it_does_elsewhere_and_what_leaves_the_call() {
+    let ask = |text: &str, name: &str, value: &str| {
+        let request = json!({ "control": "sinumerik", "text": text, "call": 0, "name": name, "value": value });
+        change(&request.to_string()).unwrap()
+    };
+    let sub = "%_N_HOLE_SPF\nPROC HOLE(REAL _D)\n_SETVAL=_D _MVAR=1\nCYCLE977\nM17\n";
+    let text = format!("%_N_MAIN_MPF\nHOLE(40)\nM30\n{sub}");
+    let changed = ask(&text, "_SETVAL", "41");
+    let line = json!([{ "line": 2, "before": "HOLE(40)", "after": "HOLE(41)" }]);
+    assert_eq!(changed["elsewhere"], line);
+    assert_eq!(changed["steps"].as_array().unwrap().len(), 1);
+    let own = ask(
+        "_MVAR=1 _KNUM=1 _SETVAL=40 _TZL=0.1\nCYCLE977\n",
+        "_MVAR",
+        "101",
+    );
+    assert_eq!(own["elsewhere"], json!([]));
+    assert_eq!(own["taken"], json!(["_TZL"]));
+    assert_eq!(own["steps"].as_array().unwrap().len(), 2);
+}
+
 // oracle: hand
 #[test]
 fn of_a_file_that_is_no_program_only_so_much_is_told() {

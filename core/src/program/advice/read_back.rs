@@ -115,8 +115,12 @@ fn taken_over(
         .filter_map(|(name, on)| bit(site, name, *on, control))
         .collect();
     let all = values.iter().chain(&bits);
+    let written = |one: &Change| {
+        let expression = site.expression(one.name);
+        expression.map_or_else(|| one.before.clone(), str::to_owned)
+    };
     let all: Vec<String> = all
-        .map(|one| format!("{}={} → {}", one.name, one.before, one.after))
+        .map(|one| format!("{}={} → {}", one.name, written(one), one.after))
         .collect();
     if all.is_empty() {
         return None;
@@ -128,6 +132,9 @@ fn taken_over(
     let edits: Vec<Edit> = of_values.chain(of_bits).chain(of_mark).collect();
     let finding = own::ADVICE_READ_BACK.finding();
     let finding = finding.text("changes", all.join(", "));
+    if values.iter().any(|one| site.expression(one.name).is_some()) {
+        return Some(finding); // an expression is no click's to take away
+    }
     let label = Message::new("advice-read-back-cure");
     Some(cured(finding, label, edits))
 }

@@ -3,10 +3,10 @@
 use super::{Place, Walk};
 use crate::control::arrays;
 use crate::diagnostic::Span;
-use crate::program::fold;
 use crate::program::held::{FirstNumbers, Held, Numbers};
 use crate::program::tree::{Expr, ExprId, Word, WordKind};
 use crate::program::values::{self, Spread, Value, spread};
+use crate::program::{arguments, fold};
 use std::rc::Rc;
 
 /// Most elements of an array that a program declares.
@@ -123,8 +123,12 @@ impl Walk<'_> {
             }
             Spread::Each(values) => {
                 let elements = self.elements(name);
-                for (element, id) in elements.into_iter().zip(values) {
-                    self.assign_element(place, &element, *id);
+                let written = arguments::places(self.program, span);
+                let written = Some(written).filter(|all| all.len() == values.len());
+                for (index, (element, id)) in elements.into_iter().zip(values).enumerate() {
+                    let at = written.as_ref().and_then(|all| all.get(index)).copied();
+                    let at = at.or_else(|| values::place(self.program, *id));
+                    self.assign_element(place, &element, *id, at);
                 }
             }
             Spread::Same(id) => {
@@ -141,11 +145,11 @@ impl Walk<'_> {
     }
 
     /// `_SETV[0]=SET(1,,3)` writes `_SETV[0]` and `_SETV[2]`. A value whose place is not known is at least forgotten.
-    fn assign_element(&mut self, place: &mut Place, element: &str, id: ExprId) {
+    fn assign_element(&mut self, place: &mut Place, element: &str, id: ExprId, at: Option<Span>) {
         if matches!(self.program.expr(id), None | Some(Expr::Omitted(_))) {
             return;
         }
-        match values::place(self.program, id) {
+        match at {
             Some(at) => {
                 let value = self.value(place, id, at);
                 self.assign(place, element, value);

@@ -84,6 +84,7 @@ impl Walk<'_> {
             first_line: line,
             span,
             values: values.clone(),
+            expressions: Typed::new(),
             places: BTreeMap::new(),
             origins: BTreeMap::new(),
             first: BTreeMap::new(),
@@ -244,6 +245,8 @@ impl Walk<'_> {
                 let first = arrives_first(all, &self.first_numbers, origin);
                 let mut origins: Vec<Origin> = all.iter().map(origin).collect();
                 site.first.extend(first.map(|first| (*name, first)));
+                let written = expression(all).map(|text| ((*name).to_owned(), text));
+                site.expressions.extend(written);
                 let elsewhere = |value: &Rc<Value>| !inside(unit, value.source());
                 if all.len() < 2 && !all.iter().any(elsewhere) {
                     continue;
@@ -313,6 +316,14 @@ fn shown(program: &Program, name: &str, values: &[Rc<Value>]) -> String {
             .to_owned(),
         None => name.to_owned(),
     }
+}
+
+/// The expression whose worth these are, where they are written in one place and worth the same.
+fn expression(values: &[Rc<Value>]) -> Option<String> {
+    let (first, rest) = values.split_first()?;
+    let same = rest.iter().all(|other| other.text == first.text);
+    one_place(values).filter(|_| same)?;
+    first.expression.clone()
 }
 
 /// The assignment of all values, where it is the same.

@@ -1,6 +1,6 @@
 //! SINUMERIK: assignments and the call, with the arguments that its way of writing takes.
 
-use super::{Source, Written, assignments, word};
+use super::{Source, Written, assignments, is_expression, word};
 use crate::catalogue::{Arg, ArgumentList, Param, Style, list, names};
 use crate::check::{Parsed, Target, Typed, newer, parse, target};
 use crate::diagnostic::Diagnostic;
@@ -28,6 +28,7 @@ pub(super) fn write(source: &Source, style: Style) -> Written {
         Some(list) => listed(source, list),
         None if style == Style::Direct && none => Written {
             text: format!("{}{}\n", all(source), source.cycle.name),
+            said: source.values.iter().map(|(param, _)| param.name).collect(),
             findings: Vec::new(),
         },
         None => {
@@ -45,6 +46,7 @@ pub(super) fn write(source: &Source, style: Style) -> Written {
 fn nothing(finding: Diagnostic) -> Written {
     Written {
         text: String::new(),
+        said: Vec::new(),
         findings: vec![finding],
     }
 }
@@ -84,6 +86,7 @@ fn target_elsewhere(source: &Source) -> Option<Diagnostic> {
 
 fn all(source: &Source) -> String {
     let words = source.values.iter();
+    let words = words.filter(|(param, value)| value != param.name);
     let words: Vec<String> = words
         .map(|(param, value)| word(param.name, value))
         .collect();
@@ -92,6 +95,7 @@ fn all(source: &Source) -> String {
 
 fn listed(source: &Source, list: &ArgumentList) -> Written {
     let (mut before, mut auxiliary, mut findings) = (Vec::new(), Vec::new(), Vec::new());
+    let mut said: Vec<&str> = source.values.iter().map(|(param, _)| param.name).collect();
     for value in source
         .values
         .iter()
@@ -99,14 +103,20 @@ fn listed(source: &Source, list: &ArgumentList) -> Written {
     {
         let (param, text) = value;
         match list.style {
+            // the datum holds it already, on whichever way it came there
+            Style::Direct | Style::Indirect if text == param.name => {}
             Style::Direct => before.push(word(param.name, text)),
             Style::Indirect if is_auxiliary(param, text) => auxiliary.push(value),
             Style::Indirect => {
                 findings.push(beside(param, text));
                 before.push(word(param.name, text));
             }
-            Style::Operate if is_default(source, param, text) => {}
-            Style::Operate => findings.push(lost(param)),
+            // what it is worth at the call only the run tells
+            Style::Operate if is_expression(param, text) => return nothing(no_place(param, text)),
+            Style::Operate => {
+                said.retain(|name| *name != param.name);
+                findings.extend((!is_default(source, param, text)).then(|| lost(param)));
+            }
         }
     }
     let mut text = assignments(&before);
@@ -119,7 +129,11 @@ fn listed(source: &Source, list: &ArgumentList) -> Written {
         text.push_str(&call(list::AUXILIARY, arguments));
     }
     text.push_str(&call(list.name, arguments(source, list)));
-    Written { text, findings }
+    Written {
+        text,
+        said,
+        findings,
+    }
 }
 
 /// Whether the list says the value: as an argument, or the variant as selections.
@@ -128,9 +142,10 @@ fn takes(source: &Source, list: &ArgumentList, param: &Param) -> bool {
         || source.cycle.variant_param() == Some(param.name) && list.style != Style::Direct
 }
 
-/// Whether `CYCLE_PARA` can give it; a 0 there would keep the value of before (B:11734).
+/// Whether `CYCLE_PARA` can give it; a 0 there would keep the value of before (B:11734), and an expression may come to one.
 fn is_auxiliary(param: &Param, text: &str) -> bool {
-    list::AUXILIARY_ARGS.contains(&param.name) && parse(text) != Parsed::Number(0.0)
+    let may_be_zero = parse(text) == Parsed::Number(0.0) || is_expression(param, text);
+    list::AUXILIARY_ARGS.contains(&param.name) && !may_be_zero
 }
 
 fn is_default(source: &Source, param: &Param, text: &str) -> bool {
@@ -141,13 +156,19 @@ fn is_default(source: &Source, param: &Param, text: &str) -> bool {
 }
 
 fn beside(param: &Param, text: &str) -> Diagnostic {
-    let sentence = if list::AUXILIARY_ARGS.contains(&param.name) {
-        own::WRITE_ZERO
-    } else {
-        own::WRITE_BESIDE
+    let auxiliary = list::AUXILIARY_ARGS.contains(&param.name);
+    let sentence = match (auxiliary, is_expression(param, text)) {
+        (true, true) => own::WRITE_EXPRESSION,
+        (true, false) => own::WRITE_ZERO,
+        (false, _) => own::WRITE_BESIDE,
     };
     let finding = sentence.finding().text("name", param.name);
     finding.text("value", text)
+}
+
+fn no_place(param: &Param, text: &str) -> Diagnostic {
+    let finding = own::WRITE_EXPRESSION_LOST.finding();
+    finding.text("name", param.name).text("value", text)
 }
 
 fn lost(param: &Param) -> Diagnostic {

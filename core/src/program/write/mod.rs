@@ -20,6 +20,8 @@ pub type Words<'a> = &'a dyn Fn(&str, &str) -> String;
 pub struct Written {
     /// Lines ended by LF; empty where the call cannot be written in this way.
     pub text: String,
+    /// The parameters whose values stand in it.
+    pub said: Vec<&'static str>,
     /// What this way of writing cannot say.
     pub findings: Vec<Diagnostic>,
 }
@@ -45,13 +47,37 @@ pub fn snippet(
     style: Style,
     words: Option<Words>,
 ) -> Written {
-    let source = match Support::of(cycle, control) {
-        Some(support) => support::source(support, cycle, typed, control, style),
-        None => source(cycle, typed, control),
+    let values = Values {
+        typed,
+        expressions: &Typed::new(),
     };
+    snippet_of(cycle, &values, control, style, words)
+}
+
+/// Values of a call: what they are worth, and of some how a program writes them.
+pub struct Values<'a> {
+    /// As typed.
+    pub typed: &'a Typed,
+    /// Expressions of the program whose worth was typed: they are written, and never what they are worth today.
+    pub expressions: &'a Typed,
+}
+
+/// The same with values that a program writes as expressions.
+pub fn snippet_of(
+    cycle: &'static Cycle,
+    values: &Values,
+    control: &Control,
+    style: Style,
+    words: Option<Words>,
+) -> Written {
+    let mut source = match Support::of(cycle, control) {
+        Some(support) => support::source(support, cycle, values.typed, control, style),
+        None => source(cycle, values.typed, control),
+    };
+    source.write(values.expressions);
     let mut written = match style {
-        Style::Direct if source.form => whole(support::blocks(&source)),
-        Style::Direct if cycle.dialect == Dialect::Nct => whole(addresses(&source)),
+        Style::Direct if source.form => whole(&source, support::blocks(&source)),
+        Style::Direct if cycle.dialect == Dialect::Nct => whole(&source, addresses(&source)),
         _ => list::write(&source, style),
     };
     if written.text.is_empty() {
@@ -67,10 +93,30 @@ pub fn snippet(
 }
 
 /// A text that says everything.
-fn whole(text: String) -> Written {
+fn whole(source: &Source, text: String) -> Written {
     Written {
         text,
+        said: source.values.iter().map(|(param, _)| param.name).collect(),
         findings: Vec::new(),
+    }
+}
+
+impl Source<'_> {
+    /// Writes values as these expressions, also where the settings of the machine would give another value.
+    fn write(&mut self, expressions: &Typed) {
+        for (param, text) in &mut self.values {
+            if let Some(expression) = expressions.get(param.name) {
+                expression.trim().clone_into(text);
+            }
+        }
+    }
+}
+
+/// Whether a value, as written, is known at run time only.
+pub(super) fn is_expression(param: &Param, text: &str) -> bool {
+    match param.kind {
+        Kind::Text(_) => parse_text(text) == Text::Expression,
+        _ => parse(text) == Parsed::Expression,
     }
 }
 

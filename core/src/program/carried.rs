@@ -1,0 +1,196 @@
+//! Expressions of a call that is written in another way: they go along as text, or the call stays as it is and the reason
+//! is told. What an expression is worth today is never written in its place.
+
+use super::arguments;
+use super::calls::CallSite;
+use super::tree::{Program, Word, WordKind};
+use crate::catalogue::{Arg, list};
+use crate::check::parse;
+use crate::diagnostic::{Diagnostic, Span};
+use crate::own;
+use crate::run::programs::{Programs, programs};
+use std::collections::BTreeSet;
+
+/// Why the call cannot be written in another way without losing an expression among its own arguments; none: it can.
+pub(super) fn stuck(program: &Program, site: &CallSite) -> Option<Diagnostic> {
+    let list = site.list?;
+    let places = arguments::places(program, site.span);
+    list.args.iter().zip(places).find_map(|(arg, place)| {
+        let text = String::from_utf8_lossy(program.text(place)).into_owned();
+        let said = !text.is_empty() && !is_literal(&text);
+        let lost = said && matches!(arg, Arg::Select(_) | Arg::Open | Arg::Is(_));
+        lost.then(|| own::CONVERT_ARGUMENT.finding().text("value", text))
+    })
+}
+
+/// A number or a text in quotes.
+fn is_literal(text: &str) -> bool {
+    let quoted = text.len() > 1 && text.starts_with('"') && text.ends_with('"');
+    quoted || text.parse::<f64>().is_ok()
+}
+
+/// The first of these values that is an expression and may be worth something else directly before the call than where it
+/// is written. What is known of its worth is compared afterwards, see [`differs`].
+pub(super) fn moves(
+    program: &Program,
+    site: &CallSite,
+    said: &[&'static str],
+) -> Option<Diagnostic> {
+    let name = said.iter().copied().find(|name| {
+        let expression = site.expression(name);
+        expression.is_some_and(|text| text != *name && !stays(program, site, name, text))
+    })?;
+    Some(changing(site, name))
+}
+
+/// The expression of a value is not worth the same at the call.
+pub(super) fn changing(site: &CallSite, name: &'static str) -> Diagnostic {
+    let value = site.expression(name).unwrap_or_default();
+    let finding = own::CONVERT_EXPRESSION.finding().text("name", name);
+    let finding = finding.text("value", value).hint_text("name", name);
+    finding.hint_text("value", value)
+}
+
+/// Whether an expression means directly before the call what it means where it is written.
+fn stays(program: &Program, site: &CallSite, name: &str, text: &str) -> bool {
+    let Some(place) = site.places.get(name).copied() else {
+        return false; // several assignments come here
+    };
+    if place.start >= site.span.start && place.end <= site.span.end {
+        return true;
+    }
+    let reads = Reads::of(program, text);
+    let programs = programs(program);
+    let unit = |place| unit_of(program, &programs, place);
+    if unit(place) != unit(site.span) {
+        // names of another program may mean nothing here
+        return reads.parameters && site.expressions.contains_key(name);
+    }
+    site.expressions.contains_key(name) || straight(program, place, site, &reads)
+}
+
+/// The program of the text in which a place stands.
+fn unit_of(program: &Program, programs: &Programs, place: Span) -> Option<usize> {
+    let line = program.line_of(place.start) as usize;
+    let mut units = programs.units.iter();
+    units.position(|unit| unit.blocks.contains(&line))
+}
+
+/// The variables that an expression reads.
+struct Reads {
+    names: BTreeSet<String>,
+    /// They are arithmetic parameters, `R1`.
+    parameters: bool,
+    /// They are arithmetic parameters or variables that the text declares: nothing but an assignment changes them.
+    plain: bool,
+}
+
+impl Reads {
+    fn of(program: &Program, text: &str) -> Reads {
+        let names = names(text);
+        let declared = |name: &String| {
+            let mut words = program.words.iter();
+            words.any(|word| match word.kind {
+                WordKind::Declare { name: place, .. } => program.name(place) == *name,
+                _ => false,
+            })
+        };
+        Reads {
+            parameters: names.iter().all(|name| is_parameter(name)),
+            plain: names
+                .iter()
+                .all(|name| is_parameter(name) || declared(name)),
+            names,
+        }
+    }
+}
+
+fn is_parameter(name: &str) -> bool {
+    let number = name.strip_prefix('R').unwrap_or_default();
+    !number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit())
+}
+
+/// Operators that are words.
+const OPERATORS: [&str; 10] = [
+    "DIV", "MOD", "AND", "OR", "XOR", "NOT", "B_AND", "B_OR", "B_XOR", "B_NOT",
+];
+
+/// The names in an expression, without functions, in upper case.
+fn names(text: &str) -> BTreeSet<String> {
+    let outside = text.split('"').step_by(2);
+    let part = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '$';
+    let mut found = BTreeSet::new();
+    for outside in outside {
+        let mut rest = outside;
+        while let Some(begin) = rest.find(part) {
+            let from = rest.get(begin..).unwrap_or_default();
+            let end = from.find(|c| !part(c)).unwrap_or(from.len());
+            let (word, behind) = from.split_at_checked(end).unwrap_or((from, ""));
+            let function = behind.trim_start().starts_with('(');
+            let word = word.to_ascii_uppercase();
+            let number = word.starts_with(|c: char| c.is_ascii_digit());
+            if !function && !number && !OPERATORS.contains(&word.as_str()) {
+                found.insert(word);
+            }
+            rest = behind;
+        }
+    }
+    found
+}
+
+/// Whether the program goes on no way from a value to the call but past words that leave what the value reads.
+fn straight(program: &Program, place: Span, site: &CallSite, reads: &Reads) -> bool {
+    if place.start < site.own_from || place.end > site.span.start {
+        return false;
+    }
+    let line = |at: u32| program.line_of(at) as usize;
+    let lines = program.blocks.get(line(place.end)..=line(site.span.start));
+    if lines
+        .into_iter()
+        .flatten()
+        .any(|block| block.skip.is_some())
+    {
+        return false;
+    }
+    let first = program
+        .words
+        .partition_point(|word| word.span.end <= place.end);
+    let words = program.words.get(first..).unwrap_or_default().iter();
+    let mut between = words.take_while(|word| word.span.start < site.span.start);
+    between.all(|word| leaves(program, word, site, reads))
+}
+
+fn leaves(program: &Program, word: &Word, site: &CallSite, reads: &Reads) -> bool {
+    match &word.kind {
+        WordKind::Assign { name, .. } => {
+            let name = program.name(*name);
+            let of_call = |param: &str| param.split('[').next() == Some(&name);
+            let for_call = site.cycle.params.iter().any(|param| of_call(param.name));
+            !reads.names.contains(&name) && (reads.plain || for_call)
+        }
+        WordKind::Address { .. } => reads.plain,
+        WordKind::Call { name, .. } => program.is(*name, list::AUXILIARY),
+        _ => false,
+    }
+}
+
+/// The first of these values that is another expression, or worth something else, at the call as it is written now.
+pub(super) fn differs(
+    site: &CallSite,
+    after: &CallSite,
+    said: &[&'static str],
+) -> Option<&'static str> {
+    said.iter().copied().find(|name| {
+        let Some(text) = site.expression(name) else {
+            return false;
+        };
+        let now = after.expression(name);
+        let known = |site: &CallSite| site.values.get(*name).map(|text| parse(text));
+        now.is_none_or(|now| plain(now) != plain(text)) || known(site) != known(after)
+    })
+}
+
+/// An expression without blanks.
+fn plain(text: &str) -> String {
+    text.split_whitespace().collect()
+}

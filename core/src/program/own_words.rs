@@ -1,0 +1,131 @@
+//! The words that give values to one call only, outside of the call itself, and edits that take them away.
+
+use super::calls::CallSite;
+use super::change::Edit;
+use super::tree::{Program, Word, WordKind};
+use super::values::{Spread, spread};
+use crate::catalogue::list;
+use crate::diagnostic::Span;
+use std::collections::BTreeMap;
+
+/// Words of a program by their line.
+pub(super) type Lines<'a> = BTreeMap<u32, Vec<&'a Word>>;
+
+/// The words that give these values to this call only, as far as they stand outside of it. `bits`: those that set bits for
+/// it too.
+pub(super) fn own_words<'a>(
+    program: &'a Program,
+    site: &CallSite,
+    bits: bool,
+    wanted: impl Fn(&str) -> bool,
+) -> Lines<'a> {
+    let mut found = Lines::new();
+    let of_values = site.places.keys().filter(|name| wanted(name));
+    let of_values = of_values.filter_map(|name| site.own_place(name));
+    let of_bits = site.bits.iter().filter(|_| bits);
+    let of_bits = of_bits.map(|(_, _, place)| *place);
+    let of_bits =
+        of_bits.filter(|place| site.own_from <= place.start && place.end <= site.span.end);
+    let places = of_values.chain(of_bits).filter(|place| *place != site.span);
+    for place in places {
+        let Some(word) = program.word_at(place) else {
+            continue;
+        };
+        let single = match &word.kind {
+            WordKind::Assign { value, .. } => matches!(spread(program, *value), Spread::One),
+            WordKind::Call { name, .. } => program.is(*name, list::AUXILIARY),
+            _ => false,
+        };
+        let line = found.entry(program.line_of(word.span.start)).or_default();
+        if single && !line.iter().any(|other| other.span == word.span) {
+            line.push(word);
+        }
+    }
+    found.retain(|_, words| !words.is_empty());
+    for words in found.values_mut() {
+        words.sort_by_key(|word| word.span.start);
+    }
+    found
+}
+
+/// Takes words out of their lines; a line without anything else goes with its end.
+pub(super) fn emptied(program: &Program, own: &Lines, call_line: u32) -> Vec<Edit> {
+    let mut edits = Vec::new();
+    for (line, words) in own {
+        let Some(block) = program.blocks.get(*line as usize) else {
+            continue;
+        };
+        let alone = program.words_of(block).len() == words.len()
+            && block.comment.is_none()
+            && *line != call_line;
+        if alone {
+            edits.push(without_line(program, *line, block.span.start));
+            continue;
+        }
+        edits.extend(without_words(program, words, block.span));
+    }
+    edits
+}
+
+/// Words of a line with the blanks behind them; behind the last word of all, with those before.
+fn without_words(program: &Program, words: &[&Word], line: Span) -> Vec<Edit> {
+    let mut gaps: Vec<Span> = Vec::new();
+    for word in words {
+        let behind = program.text(Span {
+            start: word.span.end,
+            end: line.end,
+        });
+        let blanks = behind.iter().take_while(|byte| is_blank(byte)).count();
+        let end = word.span.end + blanks as u32;
+        match gaps.last_mut().filter(|gap| gap.end == word.span.start) {
+            Some(gap) => gap.end = end,
+            None => gaps.push(Span { end, ..word.span }),
+        }
+    }
+    if let Some(last) = gaps.last_mut().filter(|gap| gap.end == line.end) {
+        let before = program.text(Span {
+            start: line.start,
+            end: last.start,
+        });
+        let blanks = before
+            .iter()
+            .rev()
+            .take_while(|byte| is_blank(byte))
+            .count();
+        last.start -= blanks as u32;
+    }
+    gaps.into_iter()
+        .map(|gap| removed(gap.start, gap.end))
+        .collect()
+}
+
+fn is_blank(byte: &u8) -> bool {
+    matches!(byte, b' ' | b'\t')
+}
+
+fn removed(start: u32, end: u32) -> Edit {
+    Edit {
+        span: Span { start, end },
+        insert: String::new(),
+    }
+}
+
+/// A line from a byte on, with its end.
+fn without_line(program: &Program, line: u32, from: u32) -> Edit {
+    let behind = program.blocks.get(line as usize + 1);
+    removed(
+        from,
+        behind.map_or(program.source.len() as u32, |next| next.span.start),
+    )
+}
+
+/// A comment; a line without anything else goes with its end.
+pub(super) fn without_comment(program: &Program, comment: Span) -> Edit {
+    let line = program.line_of(comment.start);
+    match program.blocks.get(line as usize) {
+        Some(block) if program.words_of(block).is_empty() => {
+            without_line(program, line, block.span.start)
+        }
+        _ => removed(comment.start, comment.end),
+    }
+}

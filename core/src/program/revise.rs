@@ -1,0 +1,111 @@
+//! A value changed in a form: edits of the program, and what else they concern.
+
+use super::calls::{CallSite, calls_on};
+use super::change::{Edit, apply, change};
+use super::own_words::{emptied, own_words};
+use super::touched::{Line, elsewhere};
+use super::tree::{Program, WordKind};
+use super::{arguments, read};
+use crate::catalogue::Param;
+use crate::check::{self, Typed, variants};
+use crate::control::Control;
+
+/// What a new value of a call does to the program.
+#[derive(Debug, Default)]
+pub struct Revision {
+    /// Lists of edits, each for the text after the ones before it.
+    pub steps: Vec<Vec<Edit>>,
+    /// The lines outside of the call's own that they change.
+    pub elsewhere: Vec<Line>,
+    /// Parameters that another variant does not know: their values are taken out of the call.
+    pub taken: Vec<&'static str>,
+    /// Those among them whose values are expressions, which stay.
+    pub kept: Vec<&'static str>,
+}
+
+/// Gives a parameter of the call at `index` this value, as [`change`] does. Of a call that becomes another variant nothing
+/// stays that this variant does not know. The program starts on a control in this state.
+pub fn revise(
+    program: &Program,
+    index: usize,
+    name: &str,
+    value: &str,
+    control: &Control,
+) -> Revision {
+    let sites = calls_on(program, control.clone());
+    let Some(site) = sites.get(index) else {
+        return Revision::default();
+    };
+    let edits = change(program, site, name, value);
+    if edits.is_empty() {
+        return Revision::default();
+    }
+    let mut revision = Revision {
+        elsewhere: elsewhere(program, site, &edits),
+        ..Revision::default()
+    };
+    let idle = idle(site, name, value, control);
+    let after = read(program.dialect, &apply(&program.source, &edits));
+    revision.steps.push(edits);
+    if idle.is_empty() {
+        return revision;
+    }
+    if let Some(site) = calls_on(&after, control.clone()).get(index) {
+        let own = idle
+            .into_iter()
+            .filter(|name| site.own_place(name).is_some());
+        (revision.kept, revision.taken) = own.partition(|name| site.expression(name).is_some());
+        revision
+            .steps
+            .extend(without(&after, site, &revision.taken));
+    }
+    revision
+}
+
+/// The parameters that the call uses now, and does not know any more as the variant that this value chooses.
+fn idle(site: &CallSite, name: &str, value: &str, control: &Control) -> Vec<&'static str> {
+    let cycle = site.cycle;
+    if cycle.variant_param() != Some(name) {
+        return Vec::new();
+    }
+    let mut control = control.clone();
+    control.plane = site.plane;
+    control.choose_units(site.unit_function);
+    let mut values: Typed = site.values.clone();
+    values.insert(name.to_owned(), value.to_owned());
+    let chosen = |values| variants::chosen(cycle, values, &control);
+    let known = |number: &i64| cycle.variants.iter().any(|one| one.number == *number);
+    let (before, now) = (chosen(&site.values), chosen(&values));
+    if before.is_none() || now.filter(known).is_none() || before == now {
+        return Vec::new();
+    }
+    let inputs = |values| check::read(cycle, values, &control, &mut Vec::new());
+    let (before, now) = (inputs(&site.values), inputs(&values));
+    let idle = |param: &&Param| param.need(&before).is_some() && param.need(&now).is_none();
+    let idle = cycle.params.iter().filter(idle);
+    idle.map(|param| param.name).collect()
+}
+
+/// Edits that take these values out of the words and arguments that are the call's own.
+fn without(program: &Program, site: &CallSite, names: &[&'static str]) -> Option<Vec<Edit>> {
+    let is_word = |name: &str| {
+        let place = site.own_place(name).filter(|place| *place != site.span);
+        let word = place.and_then(|place| program.word_at(place));
+        word.is_some_and(|word| matches!(word.kind, WordKind::Assign { .. }))
+    };
+    let words = own_words(program, site, false, |name| {
+        names.contains(&name) && is_word(name)
+    });
+    let mut edits = emptied(program, &words, site.line);
+    for name in names.iter().filter(|name| !is_word(name)) {
+        let place = site.own_place(name);
+        let argument = place.filter(|place| arguments::is_argument(program, *place));
+        edits.extend(argument.map(|span| Edit {
+            span,
+            insert: String::new(),
+        }));
+    }
+    edits.retain(|edit| edit.span.start < edit.span.end && edit.span != site.span);
+    edits.sort_by_key(|edit| edit.span.start);
+    (!edits.is_empty()).then_some(edits)
+}

@@ -1,0 +1,87 @@
+//! Which lines of a program edits change.
+
+use super::calls::CallSite;
+use super::change::{Edit, apply};
+use super::tree::Program;
+use crate::diagnostic::{Diagnostic, Span};
+
+/// A line that is another one after edits.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Line {
+    /// Its number, from 0.
+    pub line: u32,
+    /// As it is, without its end.
+    pub before: String,
+    /// As it would be; empty where it goes.
+    pub after: String,
+}
+
+/// The lines that edits change, in the order of the text. One before or behind which others are written stays as it is.
+pub fn touched(program: &Program, edits: &[Edit]) -> Vec<Line> {
+    let mut lines: Vec<u32> = Vec::new();
+    for edit in edits {
+        let first = program.line_of(edit.span.start);
+        let last = program.line_of(edit.span.end.max(edit.span.start + 1) - 1);
+        lines.extend(first..=last.max(first));
+    }
+    lines.sort_unstable();
+    lines.dedup();
+    let changed = lines
+        .into_iter()
+        .filter_map(|line| one(program, edits, line));
+    changed.filter(|line| !stays(line)).collect()
+}
+
+fn one(program: &Program, edits: &[Edit], line: u32) -> Option<Line> {
+    let span = program.blocks.get(line as usize)?.span;
+    let within = |at: u32| at.clamp(span.start, span.end) - span.start;
+    let here = edits.iter().filter(|edit| {
+        let begins = span.start <= edit.span.start && edit.span.start <= span.end;
+        begins || edit.span.start < span.start && edit.span.end > span.start
+    });
+    let edits: Vec<Edit> = here
+        .map(|edit| Edit {
+            span: Span {
+                start: within(edit.span.start),
+                end: within(edit.span.end),
+            },
+            insert: match edit.span.start >= span.start {
+                true => edit.insert.clone(),
+                false => String::new(),
+            },
+        })
+        .collect();
+    let before = program.text(span);
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).trim_end().to_owned();
+    Some(Line {
+        line,
+        before: text(before),
+        after: text(&apply(before, &edits)),
+    })
+}
+
+/// Whether the line is still there as a whole.
+fn stays(line: &Line) -> bool {
+    line.after == line.before || line.after.lines().any(|one| one.trim_end() == line.before)
+}
+
+/// The lines that edits for a call change outside of its own, which are those from its first assignment to itself.
+pub fn elsewhere(program: &Program, site: &CallSite, edits: &[Edit]) -> Vec<Line> {
+    let own = site.first_line..=site.line;
+    let lines = touched(program, edits).into_iter();
+    lines.filter(|line| !own.contains(&line.line)).collect()
+}
+
+/// The lines that the cure of a finding changes elsewhere than where it is told: not in its line, and not in those of a
+/// call to which that belongs.
+pub fn cured_elsewhere(program: &Program, sites: &[CallSite], found: &Diagnostic) -> Vec<Line> {
+    let Some((cure, span)) = found.cure.as_ref().zip(found.span) else {
+        return Vec::new();
+    };
+    let told = program.line_of(span.start);
+    let calls = sites.iter().map(|site| site.first_line..=site.line);
+    let near: Vec<_> = calls.filter(|lines| lines.contains(&told)).collect();
+    let lines = touched(program, &cure.edits).into_iter();
+    let other = |line: &Line| line.line != told && !near.iter().any(|one| one.contains(&line.line));
+    lines.filter(other).collect()
+}
