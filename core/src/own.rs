@@ -224,6 +224,8 @@ sentences! {
     CONVERT_ARGUMENT 190 Error "convert-argument" "";
     WRITE_EXPRESSION 191 Note "write-expression" "";
     CONVERT_EXPRESSION 192 Error "convert-expression" "convert-expression-hint";
+    REVISE_TAKEN 193 Note "revise-taken" "";
+    REVISE_KEPT 193 Note "revise-kept" "";
 }
 
 #[cfg(all(test, feature = "cli"))]

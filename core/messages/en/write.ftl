@@ -19,3 +19,6 @@ convert-others-hint = Convert that call as well, or write its values before it.
 convert-argument = The argument { $value } of this call would be lost: nothing takes it in another way of writing.
 convert-expression = The call stays as it is: { $value }, written to { $name }, may be worth something else where the new text would stand.
 convert-expression-hint = Write { $name }={ $value } directly before the call, with nothing between that changes it.
+
+revise-taken = The new variant does not know { $names }: taken out of the call.
+revise-kept = { $name }={ $value } stays in the program although the new variant does not use it: it is an expression.

@@ -19,3 +19,6 @@ convert-others-hint = 请一并转换那个调用，或在它前面写出这些�
 convert-argument = 此调用的参数 { $value } 会丢失：换一种写法没有对应的位置。
 convert-expression = 调用保持不变：写给 { $name } 的 { $value } 在新文本所在处的值可能不同。
 convert-expression-hint = 请把 { $name }={ $value } 直接写在调用前面，其间不要改变它。
+
+revise-taken = 新的测量方式没有 { $names }：已从调用中删去。
+revise-kept = 新的测量方式不使用 { $name }，但 { $name }={ $value } 是表达式，仍留在程序中。

@@ -4,22 +4,25 @@ use super::setup_active::units_name;
 use super::setup_write::{plane_name, transverse_name};
 use super::start::start;
 use super::{Error, diagnostic, dialect, dialect_name, message, object, put, style_name, typed};
-use crate::catalogue::Style;
+use crate::catalogue::{ResultField, Style};
 use crate::check::{unit_name, variants};
 use crate::control::{Control, delivery};
 use crate::diagnostic::Diagnostic;
+use crate::message::Message;
 use crate::program::calls::{CallSite, calls_told};
 use crate::program::change::{Edit, apply};
 use crate::program::position::Positions;
 use crate::program::revise::revise;
 use crate::program::touched::{Line, cured_elsewhere};
 use crate::program::{self, tree::Program};
-use crate::run::left::Figure;
+use crate::run::left::{CallAt, Left};
 use crate::run::outcome::{Outcome, PassedOver};
 use crate::run::setup::Setup;
+use crate::run::trace::Step;
 use crate::run::{Limits, Session};
 use serde::Deserialize;
 use serde_json::Value;
+use std::collections::BTreeSet;
 
 #[derive(Deserialize)]
 struct ReadRequest {
@@ -198,7 +201,10 @@ pub fn change(request: &str) -> Result<Value, Error> {
         ("steps", steps.into()),
         ("elsewhere", touched(&done.elsewhere)),
         ("taken", done.taken.into()),
-        ("kept", done.kept.into()),
+        (
+            "findings",
+            findings(&done.findings, &Positions::new(b"")).into(),
+        ),
     ]))
 }
 
@@ -275,15 +281,13 @@ impl Run {
     }
 }
 
-/// What a program wrote; with what it means where a call left it, and the line of the call where that was not the last.
-fn result((name, figure): (&str, Figure), control: &Control) -> Value {
-    let mut result = object([("name", name.into()), ("value", figure.value.into())]);
-    if let Some(field) = figure.meaning {
+/// A result of the run: what it means, where a call left it, and which one.
+fn result(name: &str, value: f64, meaning: Option<(&ResultField, CallAt)>, of: &Control) -> Value {
+    let mut result = object([("name", name.into()), ("value", value.into())]);
+    if let Some((field, call)) = meaning {
         put(&mut result, "label", super::key(field.key));
-        put(&mut result, "unit", unit_name(field.unit, control));
-    }
-    if let Some(line) = figure.earlier {
-        put(&mut result, "earlier", line + 1);
+        put(&mut result, "unit", unit_name(field.unit, of));
+        put_call(&mut result, Some(call));
     }
     result
 }
@@ -296,21 +300,75 @@ fn passed_over(one: &PassedOver) -> Value {
     ])
 }
 
+/// The call to which something belongs, its line counted from 1.
+fn put_call(view: &mut Value, call: Option<CallAt>) {
+    if let Some(CallAt { line, cycle }) = call {
+        put(view, "line", line + 1);
+        put(view, "cycle", cycle);
+    }
+}
+
+/// The results of each call; behind them what the program wrote beside them.
+fn results(outcome: &Outcome) -> Vec<Value> {
+    let control = &outcome.control;
+    let mut all = Vec::new();
+    let mut told = BTreeSet::new();
+    for Left {
+        line,
+        cycle,
+        results,
+    } in outcome.left()
+    {
+        let call = CallAt { line, cycle };
+        for (field, value) in results {
+            told.insert(field.name);
+            all.push(result(field.name, value, Some((field, call)), control));
+        }
+    }
+    let written = outcome.written().into_iter();
+    let rest = written.filter(|(name, _)| !told.contains(name));
+    all.extend(rest.map(|(name, value)| result(name, value, None, control)));
+    all
+}
+
+/// What the cycles decided, in order, each with its call.
+fn decisions(outcome: &Outcome) -> Vec<Value> {
+    let steps = outcome.by_call().filter_map(|(call, step)| match step {
+        Step::Decision(text) => Some((call, text)),
+        _ => None,
+    });
+    let view = |(call, text): (Option<CallAt>, &Message)| {
+        let mut view = object([("message", message(text))]);
+        put_call(&mut view, call);
+        view
+    };
+    steps.map(view).collect()
+}
+
+/// The alarms in order, each with the call that raised it.
+fn alarms(outcome: &Outcome) -> Vec<Value> {
+    let steps = outcome.by_call();
+    let calls = steps.filter_map(|(call, step)| matches!(step, Step::Alarm(_)).then_some(call));
+    let last = outcome.by_call().last().and_then(|(call, _)| call);
+    let mut alarms = super::trace::alarms(outcome);
+    for (alarm, call) in alarms.iter_mut().zip(calls.chain(std::iter::repeat(last))) {
+        put_call(alarm, call);
+    }
+    alarms
+}
+
 /// What a program did, as a `RunView`.
 pub fn run_outcome(setup: &Setup, outcome: &Outcome, source: &[u8]) -> Value {
-    let figures = outcome.figures().into_iter();
-    let results: Vec<Value> = figures
-        .map(|figure| result(figure, &outcome.control))
-        .collect();
     object([
         ("trace", super::trace::trace(setup, outcome)),
         (
             "diagnostics",
             findings(&outcome.diagnostics, &Positions::new(source)).into(),
         ),
-        ("results", results.into()),
+        ("results", results(outcome).into()),
+        ("decisions", decisions(outcome).into()),
         ("changes", super::changes::changes(outcome).into()),
-        ("alarms", super::trace::alarms(outcome).into()),
+        ("alarms", alarms(outcome).into()),
         ("log", outcome.log().into()),
         ("finished", outcome.finished().into()),
         (

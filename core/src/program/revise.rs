@@ -9,6 +9,8 @@ use super::{arguments, read};
 use crate::catalogue::Param;
 use crate::check::{self, Typed, variants};
 use crate::control::Control;
+use crate::diagnostic::Diagnostic;
+use crate::own;
 
 /// What a new value of a call does to the program.
 #[derive(Debug, Default)]
@@ -19,8 +21,8 @@ pub struct Revision {
     pub elsewhere: Vec<Line>,
     /// Parameters that another variant does not know: their values are taken out of the call.
     pub taken: Vec<&'static str>,
-    /// Those among them whose values are expressions, which stay.
-    pub kept: Vec<&'static str>,
+    /// What that means: which of them went, and which stay since their values are expressions.
+    pub findings: Vec<Diagnostic>,
 }
 
 /// Gives a parameter of the call at `index` this value, as [`change`] does. Of a call that becomes another variant nothing
@@ -54,10 +56,19 @@ pub fn revise(
         let own = idle
             .into_iter()
             .filter(|name| site.own_place(name).is_some());
-        (revision.kept, revision.taken) = own.partition(|name| site.expression(name).is_some());
-        revision
-            .steps
-            .extend(without(&after, site, &revision.taken));
+        let (kept, taken): (Vec<_>, Vec<_>) = own.partition(|name| site.expression(name).is_some());
+        revision.steps.extend(without(&after, site, &taken));
+        let went = (!taken.is_empty()).then(|| {
+            let finding = own::REVISE_TAKEN.finding();
+            finding.text("names", taken.join(", "))
+        });
+        let stay = kept.iter().map(|name| {
+            let value = site.expression(name).unwrap_or_default();
+            let finding = own::REVISE_KEPT.finding();
+            finding.text("name", *name).text("value", value)
+        });
+        revision.findings = went.into_iter().chain(stay).collect();
+        revision.taken = taken;
     }
     revision
 }

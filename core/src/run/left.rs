@@ -18,50 +18,32 @@ pub struct Left {
     pub results: Vec<(&'static ResultField, f64)>,
 }
 
-/// A datum that a program or a call wrote, with its last value.
-pub struct Figure {
-    /// In its own unit.
-    pub value: f64,
-    /// What it means: to the call that wrote it, else to the last one that leaves such a datum.
-    pub meaning: Option<&'static ResultField>,
-    /// Line of the call that left it, from 0, where another call came behind that one: it is no result of that.
-    pub earlier: Option<u32>,
+/// A call of a program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct CallAt {
+    /// Its line, from 0.
+    pub line: u32,
+    /// Name of what was called.
+    pub cycle: &'static str,
 }
 
 impl Outcome {
-    /// What was written, by name. A call leaves what it does not write as it was (B:1696).
-    pub fn figures(&self) -> BTreeMap<&str, Figure> {
-        let meanings = self.meanings();
-        let (mut calls, mut current) = (0, None);
-        let mut last = BTreeMap::new();
-        for entry in &self.trace.entries {
-            match &entry.step {
-                Step::CallBegin { .. } => {
-                    calls += 1;
-                    current = called(entry, &self.control);
+    /// Each step with the call of the program in which it happened; what a cycle calls belongs to the cycle.
+    pub fn by_call(&self) -> impl Iterator<Item = (Option<CallAt>, &Step)> {
+        let mut open: Vec<Option<CallAt>> = Vec::new();
+        self.trace
+            .entries
+            .iter()
+            .map(move |Entry { line, step, .. }| {
+                if let Step::CallBegin { cycle, .. } = step {
+                    open.push(line.map(|line| CallAt { line, cycle }));
                 }
-                Step::CallEnd => current = None,
-                Step::Set { name, after, .. } if !name.starts_with('$') => {
-                    let by = current
-                        .as_ref()
-                        .and_then(|(line, call)| Some((calls, *line, one_of(call, name)?)));
-                    last.insert(name.as_str(), (*after, by));
+                let within = open.first().copied().flatten();
+                if *step == Step::CallEnd {
+                    open.pop();
                 }
-                _ => {}
-            }
-        }
-        let figure = |(name, (value, by)): (_, (f64, Option<(usize, u32, _)>))| {
-            let meaning = by.map(|(.., field)| field);
-            let figure = Figure {
-                value,
-                meaning: meaning.or_else(|| meanings.get(name).copied()),
-                earlier: by
-                    .filter(|(call, ..)| *call < calls)
-                    .map(|(_, line, _)| line),
-            };
-            (name, figure)
-        };
-        last.into_iter().map(figure).collect()
+                (within, step)
+            })
     }
 
     /// Names of the results of a cycle that nothing wrote: they stand there from before.
@@ -83,17 +65,6 @@ impl Outcome {
         }
         calls.into_values().collect()
     }
-
-    /// What the results of a program mean by name: as the variant of the last call says that leaves them.
-    fn meanings(&self) -> BTreeMap<&'static str, &'static ResultField> {
-        let entries = self.trace.entries.iter();
-        let calls = entries.filter_map(|entry| called(entry, &self.control));
-        let fields = calls.flat_map(|(_, call)| {
-            let fields = call.cycle.results.iter();
-            fields.filter(move |field| field.when.holds(&call))
-        });
-        fields.map(|field| (field.name, field)).collect()
-    }
 }
 
 /// The call that begins with this entry, with its variant only.
@@ -103,12 +74,6 @@ fn called(entry: &Entry, control: &Control) -> Option<(u32, Inputs)> {
     };
     let cycle = catalogue::find(control.dialect, cycle)?;
     Some((entry.line?, Inputs::new(cycle, variant)))
-}
-
-/// A result of a call by its name.
-fn one_of(called: &Inputs, name: &str) -> Option<&'static ResultField> {
-    let mut fields = called.cycle.results.iter();
-    fields.find(|field| field.name == name && field.when.holds(called))
 }
 
 /// What was written before the next call began.
@@ -138,10 +103,28 @@ fn one(line: u32, called: &Inputs, behind: &[Entry]) -> Left {
 mod tests {
     #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+    use super::Step;
     use crate::catalogue::Dialect;
     use crate::control::Plane;
     use crate::program::read;
     use crate::run::{Limits, Setup, run};
+
+    // oracle: hand
+    #[test]
+    fn a_step_belongs_to_the_call_in_which_it_happened() {
+        let text = "_SETV[0]=SET(3,0,0,1,0,2,0)\nMSG(\"A\")\nDEF REAL P[13]\nDEF INT FAULT\nCYCLE116(P,FAULT)\nMSG(\"B\")\nM30\n";
+        let setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+        let program = read(Dialect::Sinumerik, text.as_bytes());
+        let outcome = run(&program, &setup, Limits::default());
+        let of = |wanted: fn(&Step) -> bool| {
+            let found: Vec<_> = outcome.by_call().filter(|(_, step)| wanted(step)).collect();
+            let calls = found.iter().map(|(call, _)| call.map(|call| call.line));
+            calls.collect::<Vec<_>>()
+        };
+        assert_eq!(of(|step| matches!(step, Step::Message(_))), [None, None]);
+        let inside = of(|step| matches!(step, Step::CallBegin { .. } | Step::CallEnd));
+        assert_eq!(inside, [Some(4), Some(4)]);
+    }
 
     #[test]
     fn what_each_call_left_last_is_told_with_its_meaning() {

@@ -10,7 +10,9 @@ use probewright_core::diagnostic::{Code, Diagnostic, Severity};
 use probewright_core::json;
 use probewright_core::message::{Message, printable};
 use probewright_core::program;
+use probewright_core::run::left::CallAt;
 use probewright_core::run::outcome::Outcome;
+use probewright_core::run::trace::Step;
 use probewright_core::run::{self, Limits};
 use probewright_core::words::{Words, rounded};
 use std::io::Write;
@@ -72,8 +74,10 @@ fn print_outcome(
     words: &Words,
     out: &mut dyn Write,
 ) -> std::io::Result<()> {
-    for decision in outcome.decisions() {
-        writeln!(out, "{}", words.text(decision))?;
+    for (call, step) in outcome.by_call() {
+        if let Step::Decision(decision) = step {
+            writeln!(out, "{}{}", place(path, call), words.text(decision))?;
+        }
     }
     print_results(path, outcome, words, out)?;
     for line in outcome.log() {
@@ -83,11 +87,23 @@ fn print_outcome(
         let (before, after) = (rounded(change.before), rounded(change.after));
         writeln!(out, "{}: {before} -> {after}", change.name)?;
     }
+    let steps = outcome.by_call();
+    let calls = steps.filter_map(|(call, step)| matches!(step, Step::Alarm(_)).then_some(call));
+    let last = outcome.by_call().last().and_then(|(call, _)| call);
+    let mut calls = calls.chain(std::iter::repeat(last));
     for alarm in outcome.alarms() {
-        writeln!(out, "{}", alarm_line(alarm, words))?;
+        let call = calls.next().flatten();
+        writeln!(out, "{}{}", place(path, call), alarm_line(alarm, words))?;
     }
     writeln!(out, "{}", words.text(&outcome.ending()))?;
     Ok(())
+}
+
+/// `part.mpf:12: CYCLE977: `, what was said there behind it.
+fn place(path: &Path, call: Option<CallAt>) -> String {
+    call.map_or(String::new(), |CallAt { line, cycle }| {
+        format!("{}:{}: {cycle}: ", path.display(), line + 1)
+    })
 }
 
 /// What each call measured: its results that have a unit.

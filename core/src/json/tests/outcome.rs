@@ -228,28 +228,43 @@ fn two_calls() -> Value {
 
 // oracle: manual B:5675, B:15997-16010 (of a hole _OVR[0] is the diameter, of a calibration _OVR[12] a trigger value)
 #[test]
-fn results_of_a_program_mean_what_the_last_call_left_that_wrote_them() {
+fn results_of_a_program_name_the_call_that_left_them() {
     let text = "G17 G54 G90 T9 D1\nM6\n_PRNUM=1 _FA=4 _TSA=2 _TZL=0 _NMSP=1 _VMS=0\n\
-        _MVAR=10101 _SETVAL=80\nCYCLE976\nG0 Z50\nX200\nZ-10\n_MVAR=101 _SETVAL=60 _KNUM=0\nCYCLE977\nM30\n";
+        _MVAR=10101 _SETVAL=80\nCYCLE976\nG0 Z50\nX200\nZ-10\n_MVAR=101 _SETVAL=60 _KNUM=0\nCYCLE977\n\
+        Z50\nX0\nZ-10\n_SETVAL=80\nCYCLE977\nM30\n";
     let request = json!({ "control": "sinumerik", "text": text, "setup": two_calls() });
     let view = done(&request);
     assert_eq!(view["diagnostics"], json!([]));
-    let meaning = |name: &str| {
-        let results = view["results"].as_array().unwrap();
-        let found = results.iter().find(|one| one["name"] == name).unwrap();
-        (found["label"]["key"].clone(), found["unit"].clone())
+    let results = view["results"].as_array().unwrap();
+    let found = |name: &str, line: Value| {
+        let mut found = results.iter();
+        let one = found.find(|one| one["name"] == name && one["line"] == line);
+        one.cloned().unwrap_or_default()
     };
-    assert_eq!(meaning("_OVR[0]"), (json!("result-set-size"), json!("mm")));
-    assert_eq!(
-        meaning("_OVR[12]"),
-        (json!("result-trigger-minus-ordinate"), json!("mm"))
+    let trigger = found("_OVR[12]", json!(5));
+    assert_eq!(trigger["label"]["key"], "result-trigger-minus-ordinate");
+    assert_eq!(trigger["cycle"], "CYCLE976");
+    for (line, set) in [(10, 60.0), (15, 80.0)] {
+        let size = found("_OVR[0]", json!(line));
+        assert_eq!(size["label"]["key"], "result-set-size");
+        assert_eq!(
+            (&size["cycle"], &size["unit"]),
+            (&json!("CYCLE977"), &json!("mm"))
+        );
+        assert_eq!(size["value"], json!(set), "each call its own");
+    }
+    let own = found("_SETVAL", Value::Null);
+    assert_eq!(own["label"], Value::Null, "the program set it");
+    let decided = view["decisions"].as_array().unwrap();
+    assert!(
+        decided.iter().all(|one| one["cycle"].is_string()),
+        "{decided:?}"
     );
-    assert_eq!(meaning("_SETVAL"), (Value::Null, Value::Null));
 }
 
 // oracle: manual B:5675-5701 (_OVR[20] with tool offset only), B:1696 (data keep their values); hand (lines as written)
 #[test]
-fn what_an_earlier_call_left_is_marked_with_its_line() {
+fn what_an_earlier_call_left_is_told_as_that_of_its_line() {
     let text = "G17 G54 G90 T9 D1\nM6\n_PRNUM=1 _FA=4 _TSA=2 _TZL=0 _NMSP=1 _VMS=0 _SETVAL=79.98 _TNUM=20\n\
         _MVAR=1 _TUL=0.01 _TLL=-0.01 _TDIF=1 _K=1 _EVNUM=0 _TMV=0.5 _KNUM=2001 CYCLE977\n_MVAR=101 _KNUM=1\nCYCLE977\nM30\n";
     let mut setup = two_calls();
@@ -257,23 +272,18 @@ fn what_an_earlier_call_left_is_marked_with_its_line() {
         json!({ "edges": { "1": { "type": 120, "length": [60, 0, 0], "radius": 8 } } });
     let view = done(&json!({ "control": "sinumerik", "text": text, "setup": setup }));
     assert_eq!(view["finished"], true, "{}", view["diagnostics"]);
-    let result = |name: &str| {
-        let results = view["results"].as_array().unwrap();
-        results
-            .iter()
-            .find(|one| one["name"] == name)
-            .unwrap()
-            .clone()
+    let all = view["results"].as_array().unwrap();
+    let lines = |name: &str| -> Vec<&Value> {
+        let own = all.iter().filter(|one| one["name"] == name);
+        own.map(|one| &one["line"]).collect()
     };
-    let amount = result("_OVR[20]");
+    // the second call leaves no amount of a tool, so that this one is the first call's alone
+    assert_eq!(lines("_OVR[20]"), [&json!(4)], "{all:?}");
+    assert_eq!(lines("_OVR[4]"), [&json!(4), &json!(6)]);
+    assert_eq!(lines("_OVI[11]"), [&json!(6)]);
+    let amount = all.iter().find(|one| one["name"] == "_OVR[20]").unwrap();
     assert_ne!(amount["value"], 0.0);
-    assert_eq!(
-        (&amount["earlier"], &amount["label"]["key"]),
-        (&json!(4), &json!("result-compensation"))
-    );
-    for name in ["_OVR[4]", "_OVI[11]", "_KNUM"] {
-        assert_eq!(result(name)["earlier"], Value::Null, "{name}");
-    }
+    assert_eq!(amount["label"]["key"], "result-compensation");
     // in a form: the probe meets nothing, so that no size was written
     let cycle = crate::catalogue::find(Dialect::Sinumerik, "CYCLE977").unwrap();
     let mut asked: Value = serde_json::from_str(&request(cycle)).unwrap();
@@ -295,4 +305,9 @@ fn an_alarm_of_a_program_is_told_at_its_call_with_what_to_do() {
     let alarm = told.iter().find(|one| one["code"] == "61302").unwrap();
     assert_eq!((&alarm["line"], &alarm["column"]), (&json!(4), &json!(3)));
     assert_eq!(alarm["hint"]["key"], "alarm-61302.cure");
+    let raised = &view["alarms"][0];
+    assert_eq!(
+        (&raised["code"], &raised["line"], &raised["cycle"]),
+        (&json!("61302"), &json!(4), &json!("CYCLE977"))
+    );
 }
