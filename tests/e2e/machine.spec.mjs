@@ -89,6 +89,7 @@ describe("machine data", () => {
     await problem("_VMS=200 → 0").waitFor();
     await problem("_VMS=200 → 0").locator(".cure").click();
     await problem("_VMS=200 → 0").waitFor({ state: "detached" });
+    await page.getByRole("button", { name: "Detach" }).click();
     await page.getByRole("button", { name: "Insert at cursor" }).click();
     await page.locator(".call-row").nth(1).waitFor();
     await set("_MZ_MASK[4]", "1");

@@ -295,7 +295,13 @@ describe("program", () => {
     const calls = page.locator(".call-row");
     await calls.first().waitFor();
     const count = await calls.count();
-    await page.getByRole("button", { name: "Insert at cursor" }).click();
+    const insert = page.getByRole("button", { name: "Insert at cursor" });
+    assert.equal(await insert.isVisible(), false, "the form's call stands in the program already");
+    await page.locator('.placed:has-text("In the program, line")').waitFor();
+    await page.getByRole("button", { name: "Detach" }).click();
+    await page.locator(".placed").waitFor({ state: "hidden" });
+    await insert.click();
+    await insert.waitFor({ state: "hidden" });
     await page.waitForFunction((wanted) => document.querySelectorAll(".call-row").length === wanted, count + 1);
     await page.locator('.call-row[aria-selected="true"]').waitFor(); // strict: exactly one
     await context.close();

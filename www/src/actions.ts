@@ -1,14 +1,14 @@
 // Everything that can happen. Views call these; only these change what is kept.
 
 import { findCycle, type Derived } from "./derive";
-import { isRead, mended, opened, SOUGHT, withEdits } from "./desk";
+import { isCurrent, isRead, mended, opened, typedIn, withEdits } from "./desk";
 import { lineBreak, type Splice } from "./eol";
 import type { Encoding } from "./encoding";
 import { fileOf, type ProgramFile } from "./files";
 import { speak } from "./language";
-import { AT_END, beginning, firstState, memoryKey, NO_ERRORS, ownMachine, planeOf, programOf, remember, setsOf, unitsIn, work, type Card, type Panel, type State } from "./state";
+import { asWritten, AT_END, beginning, firstState, memoryKey, NO_ERRORS, openCall, ownMachine, PLANES, planeOf, programOf, remember, setsOf, unitsIn, work, type Card, type Panel, type State } from "./state";
 import type { Store } from "./store";
-import type { Catalogue, CycleInfo, Edit, ErrorSliders, MachineView, OwnMachine, Plane, Setup, Style } from "./wire";
+import type { Catalogue, CycleInfo, Edit, ErrorSliders, MachineView, OwnMachine, Plane, Setup, Style, TouchedLine } from "./wire";
 
 export type Variant = CycleInfo["variants"][number];
 
@@ -31,7 +31,11 @@ export interface Actions {
   /** The call in the form, in the program, in another way of writing. */
   convert(style: Style): void;
   /** The edits that a finding of the present program proposes. */
-  cure(edits: Edit[]): void;
+  cure(edits: Edit[], elsewhere?: TouchedLine[]): void;
+  /** What waits for a word since it changes lines elsewhere is done. */
+  agree(): void;
+  /** It is not, and the form shows again what the program holds. */
+  refuse(): void;
   card(card: Card | null): void;
   insert(snippet: string): void;
   error<G extends keyof ErrorSliders>(group: G, name: keyof ErrorSliders[G], value: number): void;
@@ -64,11 +68,12 @@ export function inPlane(variant: Variant, plane: Plane): Variant {
   return { ...variant, ...variant.planes[plane] };
 }
 
-/** The core's own machine becomes one of the other sort with its usual plane, where the task is for another sort than the one before. */
-function planeFor(state: State, before: CycleInfo | undefined, cycle: CycleInfo): Partial<State> {
-  const { plane } = cycle.purpose;
-  if (!plane || before?.control !== cycle.control || before.purpose.plane === null || before.purpose.plane === plane) return {};
-  return { own: { ...state.own, [cycle.control]: { own: { ...ownMachine(state), plane } } } };
+/** The core's own machine becomes one of the other sort with its usual plane, where the task is for another sort than the last one on its control. */
+function planeFor(state: State, { control, purpose: { plane } }: CycleInfo): Partial<State> {
+  const [usual] = PLANES;
+  if (!plane || (state.suits[control] ?? usual) === plane) return {};
+  const own = ownMachine({ ...state, control });
+  return { suits: { ...state.suits, [control]: plane }, own: { ...state.own, [control]: { own: { ...own, plane } } } };
 }
 
 /** The worked measurement of the cycle, with the addresses of the plane. */
@@ -78,7 +83,7 @@ function exampleOf(cycle: CycleInfo, plane: Plane): Record<string, string> {
 }
 
 /** Whether the worked measurement of a variant is still as it was: then another variant brings its own. */
-function isExample(cycle: CycleInfo, values: Record<string, string>, plane: Plane): boolean {
+export function isExample(cycle: CycleInfo, values: Record<string, string>, plane: Plane): boolean {
   return cycle.variants.some((variant) => Object.entries(inPlane(variant, plane).example).every(([name, value]) => (values[name] ?? "") === value));
 }
 
@@ -99,16 +104,7 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
     store.flush(); // editor and form have to hold it before the next key
   };
 
-  const edited = (pairs: [string, string][]): Partial<State> => {
-    const state = now();
-    const { control } = state;
-    const at = state.sought ? SOUGHT : state.open;
-    const names = new Set(pairs.map(([name]) => name));
-    const others = state.pending.filter((one) => one.control !== control || one.at !== at || !names.has(one.name));
-    const pending = at === null ? state.pending : [...others, ...pairs.map(([name, value]) => ({ control, at, name, value }))];
-    return { values: { ...state.values, ...Object.fromEntries(pairs) }, step: AT_END, pending };
-  };
-  const edits = (pairs: [string, string][]): void => store.update({ ...edited(pairs), undo: null });
+  const edits = (pairs: [string, string][]): void => store.update((state) => ({ ...typedIn(state, pairs), undo: null }));
 
   const withSets = (sets: Record<string, Record<string, string>>): Partial<State> =>
     ({ sets: { ...now().sets, [memoryKey(now())]: sets } });
@@ -116,12 +112,13 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
   return {
     chooseCycle(cycle, chosen) {
       const state = now();
-      const plane = planeOf(state);
-      const variant = chosen && inPlane(chosen, plane);
       const same = cycle.control === state.control && cycle.cycle === state.cycle;
+      const suited = planeFor(state, cycle);
+      const plane = planeOf(same ? state : { ...state, ...suited, control: cycle.control, open: null });
+      const variant = chosen && inPlane(chosen, plane);
       if (same && variant) return edits(Object.entries(isExample(cycle, state.values, plane) ? variant.example : variant.values));
       const values = same ? state.values : state.remembered[memoryKey(cycle)] ?? variant?.example ?? exampleOf(cycle, plane);
-      store.update({ ...remember(now()), ...planeFor(state, findCycle(catalogue, state.control, state.cycle), cycle), control: cycle.control, cycle: cycle.cycle, values: { ...values, ...variant?.values }, open: same ? state.open : null, sought: null, step: AT_END, source: "form", touched: {}, checked: false, undo: null });
+      store.update({ ...remember(now()), ...suited, resets: {}, control: cycle.control, cycle: cycle.cycle, values: { ...values, ...variant?.values }, open: same ? state.open : null, sought: null, step: AT_END, source: "form", touched: {}, checked: false, undo: null });
     },
     edit: (name, value) => edits([[name, value]]),
     touch(name) {
@@ -130,7 +127,7 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
     check: () => store.update({ checked: true }),
     example(variant) {
       const cycle = findCycle(catalogue, now().control, now().cycle);
-      if (cycle) replace("notice-example", { values: variant ? inPlane(variant, planeOf(now())).example : exampleOf(cycle, planeOf(now())), open: null, sought: null, step: AT_END, touched: {}, checked: false });
+      if (cycle) replace("notice-example", { values: variant ? inPlane(variant, planeOf(now())).example : exampleOf(cycle, planeOf(now())), open: null, sought: null, resets: {}, step: AT_END, touched: {}, checked: false });
     },
     editProgram: (edits) => store.update((state) => ({ ...withEdits(state, edits), follow: "text", undo: null })),
     openProgram(text, file) {
@@ -154,10 +151,33 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
       const call = isRead(state) ? state.reading?.view.calls[index] : undefined;
       store.update(call ? opened(state, call) : { sought: { call: index } });
     },
-    closeCall: () => store.update({ open: null, sought: null }),
+    closeCall: () => store.update((state) => {
+      const cycle = findCycle(catalogue, state.control, state.cycle);
+      const pending = state.pending.filter((one) => !one.asks);
+      return { ...(cycle ? planeFor(state, cycle) : {}), values: asWritten(state), open: null, sought: null, pending };
+    }),
     style: (style) => store.update({ style }),
     convert: (style) => store.update((state) => state.open === null ? {} : { converting: { at: state.open, style } }),
-    cure: (edits) => store.update((state) => isRead(state) ? mended(state, edits, "notice-mended") : {}),
+    cure(edits, elsewhere = []) {
+      const state = now();
+      if (!isRead(state)) return;
+      const { control } = state;
+      if (!elsewhere.length) return store.update(mended(state, edits, "notice-mended"));
+      store.update({ curing: { control, text: programOf(state), edits, lines: elsewhere }, panel: "form", left: "form" });
+    },
+    agree: () => store.update((state) => {
+      const { curing } = state;
+      const pending = state.pending.map(({ asks, ...one }) => asks ? { ...one, agreed: true } : one);
+      const next = { ...state, pending, curing: null };
+      return curing && isCurrent(curing, state) ? mended(next, curing.edits, "notice-applied") : next;
+    }),
+    refuse: () => store.update((state) => {
+      const call = openCall(state);
+      const gone = state.pending.filter((one) => one.asks);
+      const names = gone.filter((one) => one.control === state.control && one.at === call?.from).map((one) => one.name);
+      const back = Object.fromEntries(names.map((name) => [name, call?.values[name] ?? ""]));
+      return { pending: state.pending.filter((one) => !one.asks), values: { ...state.values, ...back }, curing: null };
+    }),
     card: (card) => store.update({ card }),
     insert(snippet) {
       const state = now();
@@ -178,16 +198,16 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
     },
     saveSet(name) {
       const sets = setsOf(now());
-      const next = withSets({ ...sets, [name]: now().values });
+      const next = withSets({ ...sets, [name]: asWritten(now()) });
       if (sets[name]) replace("notice-set-replaced", next);
       else store.update({ ...next, notice: "notice-set-saved" });
     },
     loadSet(name) {
-      const { values } = now();
+      const values = asWritten(now());
       const set = setsOf(now())[name] ?? {};
       const names = [...new Set([...Object.keys(values), ...Object.keys(set)])];
       const changes = names.filter((one) => (values[one] ?? "") !== (set[one] ?? "")).map((one): [string, string] => [one, set[one] ?? ""]);
-      replace("notice-set-loaded", { ...edited(changes), touched: {}, checked: false });
+      replace("notice-set-loaded", { ...typedIn(now(), changes), touched: {}, checked: false });
     },
     renameSet(name, next) {
       const sets = setsOf(now());

@@ -10,6 +10,7 @@ import type { Encoding } from "./encoding";
 import { createEditorPlace } from "./editor/place";
 import { save } from "./keep";
 import { unpack } from "./link";
+import { meant, type Seen } from "./meaning";
 import { Broken } from "./module";
 import { createGoToField, type Shows } from "./goto";
 import { openProgramFile, openSetupFile, readAgain, refuseFolder } from "./open";
@@ -147,6 +148,7 @@ export async function startApp(core: Core, stored: Partial<State> | null): Promi
     bench = makeBench();
     return () => { places(); place?.(); };
   };
+  let seen: Seen | null = null; // as it was drawn last
   let noticed = "";
   let hiding = 0;
   let saving = 0;
@@ -157,10 +159,16 @@ export async function startApp(core: Core, stored: Partial<State> | null): Promi
     store.update({ notice: "notice-not-kept" });
   };
   draw = () => {
-    const state = store.settle(withRun(runner.take(), settle(store.state)));
+    let state = store.settle(withRun(runner.take(), settle(store.state)));
     clearTimeout(saving);
     saving = window.setTimeout(() => void keep(), SAVE_AFTER); // sooner when the page goes or the core breaks
-    const derived = derive(state);
+    let derived = derive(state);
+    const next = meant(seen, { state, derived });
+    if (next !== state) {
+      state = store.settle(settle(next));
+      derived = derive(state);
+    }
+    seen = { state, derived };
     run(runner, state, derived);
     const back = bench.language === language() ? null : remade();
     bench.draw(state, derived);

@@ -63,6 +63,16 @@ function stillOf({ solids, radius }: ScanView): Trace {
   return { entries: [], ball: { radius, length: radius }, solids, frames: [] };
 }
 
+/** The values of the opened call that are the worth of an expression and stand there as they were read, or as written;
+ *  and all values with what these are worth. */
+function worth(opened: CallView | null, values: State["values"]): { values: State["values"]; expressions: Record<string, string> } {
+  const still = Object.entries(opened?.expressions ?? {}).filter(([name, text]) => values[name] === opened?.values[name] || values[name]?.trim() === text);
+  if (!still.length) return { values, expressions: NO_EXPRESSIONS };
+  return { values: { ...values, ...Object.fromEntries(still.map(([name]) => [name, opened?.values[name] ?? ""])) }, expressions: Object.fromEntries(still) };
+}
+
+const NO_EXPRESSIONS: Record<string, string> = {};
+
 function alike(a: Record<string, string>, b: Record<string, string>): boolean {
   const keys = Object.keys(a);
   return keys.length === Object.keys(b).length && keys.every((key) => a[key] === b[key]);
@@ -77,8 +87,8 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
   const first = catalogue.cycles[0];
   if (!first) throw new Error("the catalogue is empty");
   let names: Record<string, string> = {}; // as the snippet's comments were asked for last
-  const form = memo((core: FormCore, cycle: CycleInfo, values: State["values"], errors: State["errors"], comments: string | null, style: Style | null, twin: boolean, limits: boolean, assumed: CallView["first"], setup: Setup | OwnMachine | undefined, plane?: Plane, units?: UnitFunction, transverse?: Transverse, written?: Style): FormView => {
-    const request = { control: cycle.control, cycle: cycle.cycle, values, errors, ...(style ? { style } : {}), ...(setup ? { setup } : {}), ...(plane && units && transverse ? { plane, units, transverse } : {}), ...(written ? { written } : {}) };
+  const form = memo((core: FormCore, cycle: CycleInfo, values: State["values"], expressions: Record<string, string>, errors: State["errors"], comments: string | null, style: Style | null, twin: boolean, limits: boolean, assumed: CallView["first"], setup: Setup | OwnMachine | undefined, plane?: Plane, units?: UnitFunction, transverse?: Transverse, written?: Style): FormView => {
+    const request = { control: cycle.control, cycle: cycle.cycle, values, errors, ...(expressions !== NO_EXPRESSIONS ? { expressions } : {}), ...(style ? { style } : {}), ...(setup ? { setup } : {}), ...(plane && units && transverse ? { plane, units, transverse } : {}), ...(written ? { written } : {}) };
     const first = Object.fromEntries(Object.entries(assumed).map(([name, { value }]) => [name, value]));
     const view = core.form({ ...request, predict: true, ...(assumed !== NOTHING_ASSUMED ? { assumed: first } : {}), ...(twin ? { twin } : {}), ...(limits ? { limits } : {}), ...(comments !== null ? { comments: names } : {}) });
     const before = names;
@@ -86,6 +96,7 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
     return alike(before, names) ? view : { ...view, snippet: core.form({ ...request, comments: names }).snippet };
   });
   const assume = memo(assumptions);
+  const known = memo(worth);
   const still = memo(stillOf);
   const problems = memo(gather);
   const states = memo(severities);
@@ -97,7 +108,8 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
     const style = cycle.styles.find((one) => one === state.style) ?? null;
     const core = forms();
     const assumed = assume(opened, state.values);
-    const view = form(core, cycle, state.values, state.errors, state.comments ? language() : null, style, state.twin && cycle.twins, state.limits, assumed, machine(state).setup, opened?.plane, opened?.units, opened?.transverse, opened?.style);
+    const { values, expressions } = known(opened, state.values);
+    const view = form(core, cycle, values, expressions, state.errors, state.comments ? language() : null, style, state.twin && cycle.twins, state.limits, assumed, machine(state).setup, opened?.plane, opened?.units, opened?.transverse, opened?.style);
     const all = problems(reading);
     const ran = state.source === "program" && state.ran?.control === cycle.control ? state.ran.view : null;
     const scanned = state.source === "scan" && state.scan?.request.cycle === cycle.cycle ? state.scan : null;

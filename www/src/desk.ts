@@ -3,9 +3,10 @@
 
 import type { Aside, Answered } from "./aside";
 import { carried, splice, type Splice } from "./eol";
+import { asked, hasToAsk, isWaiting } from "./pending";
 import type { ChangeRequest, ConvertRequest, ProgramCore } from "./program";
 import { AT_END, machine, programOf, remember, work, type Reading, type State } from "./state";
-import type { CallView, Converted, Edit, ReadView } from "./wire";
+import type { CallView, Changed, Converted, Diagnostic, Edit, Pending, ReadView } from "./wire";
 
 /** Of a program that is read between two keystrokes, in characters. */
 const SHORT = 8_000;
@@ -37,7 +38,8 @@ export function withEdits(state: State, edits: readonly Splice[]): State {
 function filled(state: State, call: CallView): State {
   const typed = state.pending.filter((one) => one.control === state.control && one.at === call.from);
   const values = { ...call.values, ...Object.fromEntries(typed.map((one) => [one.name, one.value])) };
-  return { ...state, open: call.from, cycle: call.cycle, values, checked: true, touched: {}, step: AT_END };
+  const resets = state.open === call.from ? state.resets : {};
+  return { ...state, open: call.from, cycle: call.cycle, values, resets, checked: true, touched: {}, step: AT_END };
 }
 
 /** Another call comes into the form; the values of the cycle that leaves it are kept. */
@@ -84,16 +86,50 @@ function arrived(state: State, reading: Reading): State {
 /** What the form typed, for the first call that waits for it. */
 function wanted(state: State): ChangeRequest | null {
   const { control, pending, reading } = state;
-  const first = pending.find((one) => one.control === control);
+  const text = programOf(state);
+  const first = pending.find((one) => one.control === control && !isWaiting(one, text));
   const call = reading?.view.calls.findIndex((one) => one.from === first?.at) ?? -1;
-  return first && call >= 0 ? { control, text: programOf(state), call, at: first.at, pending } : null;
+  return first && call >= 0 ? { control, text, call, at: first.at, pending, ...machine(state) } : null;
 }
 
-/** The program with what the form typed, unless something else was typed meanwhile: then that is asked anew. */
-function changed(state: State, request: ChangeRequest, edits: Edit[][]): State {
+/** The program with what the form typed, unless something else was typed meanwhile: then that is asked anew. What would
+ *  change lines outside of the call waits for a word. */
+function changed(state: State, request: ChangeRequest, answers: Changed[]): State {
   if (state.pending !== request.pending) return state;
-  const left = state.pending.filter((one) => one.control !== request.control || one.at !== request.at);
-  return edits.reduce(withEdits, { ...state, pending: left });
+  const { text } = request;
+  const mine = asked(request.pending, request);
+  const waits = mine.flatMap((one, index): Pending[] => {
+    const answer = answers[index];
+    return answer && hasToAsk(one, answer) ? [{ ...one, asks: { text, lines: answer.elsewhere } }] : [];
+  });
+  const done = answers.filter((answer, index) => !hasToAsk(mine[index] as Pending, answer));
+  const left = [...state.pending.filter((one) => !mine.includes(one)), ...waits];
+  const next = done.flatMap(({ steps }) => steps).reduce(withEdits, { ...state, pending: left });
+  return told(state, next, request, mine.some((one) => one.agreed), done);
+}
+
+/** What a change did beside the value: it is said, and can be taken back. */
+function told(before: State, after: State, { at, call: index, pending }: ChangeRequest, agreed: boolean, done: Changed[]): State {
+  const taken = done.flatMap((one) => one.taken);
+  const findings: Diagnostic[] = done.flatMap((one) => one.findings);
+  if (!agreed && !findings.length) return after;
+  const call = before.reading?.view.calls[index];
+  const inForm = before.open === at;
+  const undo = work({ ...before, pending: before.pending.filter((one) => !pending.includes(one)), ...(call && inForm ? { values: call.values } : {}) });
+  const values = inForm ? Object.fromEntries(Object.entries(after.values).filter(([name]) => !taken.includes(name))) : after.values;
+  const text = programOf(after);
+  return { ...after, values, undo, notice: agreed ? "notice-applied" : "notice-revised", ...(agreed ? { mended: text } : {}), ...(findings.length ? { converted: { control: after.control, text, findings } } : {}) };
+}
+
+/** The form with these values typed; where it edits a call of the program, they are on their way there. */
+export function typedIn(state: State, pairs: [string, string][]): State {
+  const { control } = state;
+  const at = state.sought ? SOUGHT : state.open;
+  const names = new Set(pairs.map(([name]) => name));
+  const others = state.pending.filter((one) => one.control !== control || one.at !== at || !names.has(one.name));
+  const pending = at === null ? state.pending : [...others, ...pairs.map(([name, value]) => ({ control, at, name, value }))];
+  const resets = Object.fromEntries(Object.entries(state.resets).filter(([name]) => !names.has(name)));
+  return { ...state, values: { ...state.values, ...Object.fromEntries(pairs) }, resets, step: AT_END, pending };
 }
 
 /** Edits that the core proposes, made at once: one step in the editor, and undone as one. */
@@ -121,7 +157,7 @@ function answered(state: State, { question, json, problem }: Answered): State {
   if (json === undefined) return { ...state, converting: null, pending: question.ask === "change" ? [] : state.pending, stoppedReading: { control, text, why: problem ?? "" } };
   if (question.ask === "read") return arrived(state, { control, text, ...(setup ? { setup } : {}), view: JSON.parse(json) as ReadView });
   if (question.ask === "convert") return state.converting ? converted(state, JSON.parse(json) as Converted) : state;
-  return changed(state, question, JSON.parse(json) as Edit[][]);
+  return changed(state, question, JSON.parse(json) as Changed[]);
 }
 
 /** Until the part of the core that reads is there, nothing is settled. */

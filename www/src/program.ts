@@ -6,7 +6,8 @@ import address from "@pkg/program/program_bg.wasm?url";
 import type { FormCore } from "./core";
 import { splice } from "./eol";
 import { call, compile } from "./module";
-import type { AlarmInfo, Catalogue, Converted, Edit, FormView, HelpRequest, HelpView, MachineRequest, MachineView, Pending, ReadRequest, ReadView, Recognised, RunRequest, Setup, Style } from "./wire";
+import { asked, hasToAsk } from "./pending";
+import type { AlarmInfo, Catalogue, Changed, Converted, FormView, HelpRequest, HelpView, MachineRequest, MachineView, Pending, ReadRequest, ReadView, Recognised, RunRequest, Setup, Style } from "./wire";
 
 /** All values of one call that were changed in the form: `pending` of `control` at `at`, the call being number `call`. */
 export interface ChangeRequest extends ReadRequest { call: number; at: number; pending: readonly Pending[] }
@@ -20,7 +21,7 @@ export type Question = { ask: "read" } & ReadRequest | { ask: "change" } & Chang
 export interface ProgramCore extends FormCore {
   module: WebAssembly.Module; // for the workers
   read(request: ReadRequest): ReadView;
-  change(request: ChangeRequest): Edit[][];
+  change(request: ChangeRequest): Changed[];
   convert(request: ConvertRequest): Converted;
   catalogue(): Catalogue; // of all cycles
   alarms(): AlarmInfo[];
@@ -32,13 +33,14 @@ export interface ProgramCore extends FormCore {
   setup(text: string): Setup | { why: string };
 }
 
-/** One list of edits a value, each for the text after the edits before it. */
-function changes({ control, text, call: index, at, pending }: ChangeRequest): Edit[][] {
+/** One answer a value, each for the text after the ones before it. What has to be asked first is not done in it. */
+function changes({ control, text, setup, call: index, at, pending }: ChangeRequest): Changed[] {
   let now = text;
-  return pending.filter((one) => one.control === control && one.at === at).map(({ name, value }) => {
-    const edits = JSON.parse(call("change", () => wasm.change(JSON.stringify({ control, text: now, call: index, name, value })))) as Edit[];
-    now = splice(now, edits);
-    return edits;
+  return asked(pending, { control, text, at }).map((one) => {
+    const { name, value } = one;
+    const changed = JSON.parse(call("change", () => wasm.change(JSON.stringify({ control, text: now, call: index, name, value, ...(setup ? { setup } : {}) })))) as Changed;
+    if (!hasToAsk(one, changed)) now = changed.steps.reduce(splice, now);
+    return changed;
   });
 }
 

@@ -4,7 +4,7 @@
 import { ENCODINGS } from "./encoding";
 import type { ProgramFile, Refusal } from "./files";
 import type { Scanned } from "./scan/scanner";
-import type { BasicSystem, CycleInfo, Diagnostic, Dialect, ErrorSliders, OwnMachine, Pending, Plane, ReadView, RunView, Setup, Style, UnitFunction } from "./wire";
+import type { BasicSystem, CycleInfo, CallView, Diagnostic, Dialect, Edit, ErrorSliders, OwnMachine, Pending, Plane, ReadView, RunView, Setup, Style, TouchedLine, UnitFunction } from "./wire";
 
 export type Panel = "tasks" | "form" | "program" | "view" | "results" | "help";
 export type ResultTab = "outcome" | "problems" | "motions" | "log" | "scan";
@@ -17,6 +17,10 @@ export type Sought = { call: number } | { from: number; to: number };
 export interface ConvertedCall { control: Dialect; text: string; findings: Diagnostic[] }
 /** What a card tells about: a result or an alarm as written on the control, the stem of its messages, who has it. */
 export interface Card { kind: "result" | "alarm"; code: string; key: string; cycles: CycleInfo[]; others: string[] }
+/** A value, and the key of what it was a code of. */
+export interface Reset { value: string; before: string }
+/** A cure that would change lines elsewhere waits for a word. It counts while the program is still that text. */
+export interface Curing { control: Dialect; text: string; edits: Edit[]; lines: TouchedLine[] }
 /** Nothing is asked about this text any more: the user stopped it, or it failed for a reason. */
 export interface Stopped { control: Dialect; text: string; why: string }
 
@@ -36,6 +40,7 @@ export interface State {
   style: Style | "";                                 // way of writing of the snippet, where the cycle has it; empty: as the machine has it
   setup: Setup | null;                               // imported machine; null: the core's own
   own: Partial<Record<Dialect, OwnMachine>>;         // how the core's own begins, where that was chosen
+  suits: Partial<Record<Dialect, Plane>>;            // the usual plane of the sort of machine that the core's own last was for a form
   checked: boolean;                                  // problems are shown at every field
   touched: Record<string, true>;                     // fields whose problems are shown
   source: "form" | "program" | "scan";               // whose motions the 3D view shows, or the points of the scan
@@ -55,6 +60,8 @@ export interface State {
   card: Card | null;
   converting: { at: number; style: Style } | null;   // the call that begins there is to be written in another way
   converted: ConvertedCall | null;
+  curing: Curing | null;
+  resets: Record<string, Reset>;                     // values that were taken away since they were codes of something else, by parameter
   mended: string | null;                             // the program as a cure or a conversion has left it: one step of the editor
   focus: string | null;
   step: number;
@@ -90,26 +97,39 @@ export const SPEEDS = [0.5, 1, 2, 5, 20, 100];
 export function firstState(): State {
   return {
     control: "sinumerik", cycle: "", values: {}, remembered: {}, programs: {}, files: {}, sets: {}, open: null, pending: [],
-    errors: NO_ERRORS, comments: true, twin: false, style: "", setup: null, own: {}, checked: false, touched: {}, source: "form", diameters: false,
+    errors: NO_ERRORS, comments: true, twin: false, style: "", setup: null, own: {}, suits: {}, checked: false, touched: {}, source: "form", diameters: false,
     panel: "form", left: "form", right: "results", tab: "outcome", theme: "system", language: "", unfolded: {}, outline: true,
-    search: "", limits: false, card: null, converting: null, converted: null, mended: null, focus: null, step: AT_END, playing: false, speed: 1, cursor: 0, cursorLine: 1, notice: "",
+    search: "", limits: false, card: null, converting: null, converted: null, curing: null, resets: {}, mended: null, focus: null, step: AT_END, playing: false, speed: 1, cursor: 0, cursorLine: 1, notice: "",
     reading: null, ran: null, sought: null, follow: null, stoppedLaying: null, stoppedReading: null, stoppedRun: null, refused: null, scan: null, scanProblem: "", undo: null,
   };
 }
 
-const NOT_KEPT = ["search", "limits", "card", "converting", "converted", "mended", "focus", "step", "playing", "speed", "cursor", "cursorLine", "notice", "reading", "ran", "sought", "follow", "stoppedLaying", "stoppedReading", "stoppedRun", "refused", "scan", "scanProblem", "undo"] as const satisfies (keyof State)[];
+const NOT_KEPT = ["search", "limits", "card", "converting", "converted", "curing", "resets", "mended", "focus", "step", "playing", "speed", "cursor", "cursorLine", "notice", "reading", "ran", "sought", "follow", "stoppedLaying", "stoppedReading", "stoppedRun", "refused", "scan", "scanProblem", "undo"] as const satisfies (keyof State)[];
 /** What a replacement of work can take away. */
-const WORK = ["control", "cycle", "values", "remembered", "programs", "files", "sets", "open", "pending", "errors", "setup", "own", "checked", "touched"] as const satisfies (keyof State)[];
-const IN_LINK = ["control", "cycle", "values", "programs", "files", "open", "errors", "comments", "style", "setup", "own", "checked", "source"] as const satisfies (keyof State)[];
+const WORK = ["control", "cycle", "values", "remembered", "programs", "files", "sets", "open", "pending", "errors", "setup", "own", "suits", "checked", "touched"] as const satisfies (keyof State)[];
+const IN_LINK = ["control", "cycle", "values", "programs", "files", "open", "errors", "comments", "style", "setup", "own", "suits", "checked", "source"] as const satisfies (keyof State)[];
 
 /** Under what the values and value sets of a cycle are kept. */
 export function memoryKey({ control, cycle }: Pick<State, "control" | "cycle">): string {
   return `${control}/${cycle}`;
 }
 
+/** The call of the program that the form edits, as it was read last. */
+export function openCall({ reading, control, open }: State): CallView | undefined {
+  return reading?.control === control ? reading.view.calls.find((one) => one.from === open) : undefined;
+}
+
+/** The values in the form as the program has them: an expression, and not what it is worth today. */
+export function asWritten(state: State): Record<string, string> {
+  const call = openCall(state);
+  if (!call) return state.values;
+  const one = (name: string, value: string): string => value === call.values[name] ? call.expressions[name] ?? value : value;
+  return Object.fromEntries(Object.entries(state.values).map(([name, value]) => [name, one(name, value)]));
+}
+
 /** The values in the form among those that are kept. */
 export function remember(state: State): Pick<State, "remembered"> {
-  return { remembered: { ...state.remembered, [memoryKey(state)]: state.values } };
+  return { remembered: { ...state.remembered, [memoryKey(state)]: asWritten(state) } };
 }
 
 /** The program of the control that the form is for. */
@@ -181,9 +201,7 @@ export function beginning(state: State): OwnMachine["own"] {
 
 /** The working plane of the call in the form: that of the opened call, else the one in which the machine begins. */
 export function planeOf(state: State): Plane {
-  const { reading, control, open } = state;
-  const call = reading?.control === control ? reading.view.calls.find((one) => one.from === open) : undefined;
-  return call?.plane ?? beginning(state).plane;
+  return openCall(state)?.plane ?? beginning(state).plane;
 }
 
 /** The G function of this kind, feeds and data included or not, that counts in this system. */
@@ -233,8 +251,10 @@ export function merge(state: State, data: unknown): State {
   if (data.open === null) next.open = null;
   if (next.style && !STYLES.includes(next.style)) next.style = state.style;
   next.unfolded = Object.fromEntries(Object.entries(next.unfolded).filter(([, open]) => typeof open === "boolean"));
-  next.pending = Array.isArray(data.pending) ? data.pending.filter(isPending) : [];
+  next.pending = Array.isArray(data.pending) ? data.pending.filter(isPending).map(({ control, at, name, value }) => ({ control, at, name, value })) : [];
   if (data.own !== undefined) next.own = ownMachines(data.own);
+  const planes = plainObject(data.suits) ? data.suits : Object.fromEntries(Object.entries(next.own).map(([control, { own }]) => [control, own.plane]));
+  next.suits = Object.fromEntries(Object.entries(planes).filter(([, plane]) => PLANES.includes(plane as Plane))) as State["suits"];
   if (plainObject(data.setup)) next.setup = data.setup as unknown as Setup;
   return next;
 }

@@ -16,6 +16,7 @@ export interface Diagnostic {
   from?: number; to?: number;   // UTF-16 offsets into the program text
   line?: number; column?: number; // from 1
   cure?: { label: Message; edits: Edit[] }; // one click mends it
+  elsewhere?: TouchedLine[];    // lines that the cure changes elsewhere than where it is told
 }
 
 /** What a file is, by its bytes: a program, or why it is none. */
@@ -69,6 +70,7 @@ export interface FormRequest {
   control: Dialect;
   cycle: string;
   values: Record<string, string>;      // as typed, per parameter name; absent: never typed
+  expressions?: Record<string, string>; // of the values that are the worth of one: as the program has it, and the snippet carries it
   assumed?: Record<string, string>;    // an outcome counts with these instead
   setup?: Setup | OwnMachine;          // absent: the core's own machine as it is
   plane?: Plane;                       // at the call, where it is not that of the setup
@@ -116,6 +118,9 @@ export interface Field {
   help: Message;
   kind: "real" | "integer" | "choice" | "digits" | "text";
   value: string;                       // as typed, else ""
+  expression?: string;                 // of the program, of which the value is the worth
+  chooses?: boolean;                   // it chooses the variant, on which the other fields depend
+  code?: string;                       // what the number is a code of, where that is not the same in all variants
   fallback?: number;                   // default that counts when empty
   unit: "" | "mm" | "inch" | "deg" | "mm/min" | "inch/min";
   required: boolean;
@@ -268,20 +273,27 @@ export interface CallView {
   style: Style;
   from: number; to: number;            // UTF-16 offsets of the call itself
   values: Record<string, string>;      // as the form wants them
+  expressions: Record<string, string>; // of the values that are the worth of one: as it is written
   first: Record<string, { value: string; line: number }>; // of the values that differ by the way or from pass to pass, those that arrive first; line from 1
   plane: Plane; units: UnitFunction; transverse: Transverse; // in force at the call
   diagnostics: Diagnostic[];
   arrivals: Diagnostic[];              // notes at the values that come from other programs of the text, or differ by the way to the call
 }
-// change({control, text, call: index, name, value}) -> Edit[]; the only bytes that change
+// change({control, text, setup?, call: index, name, value}) -> Changed; the only bytes that change
 export interface Edit { from: number; to: number; insert: string }
-// A value changed in the form and not yet in the program: of the call that begins at UTF-16 offset `at` there.
-export interface Pending { control: Dialect; at: number; name: string; value: string }
+/** A line that would be another one; from 1. */
+export interface TouchedLine { line: number; before: string; after: string }
+// steps: lists of edits, each for the text after the ones before it. elsewhere: lines outside of the call's own. taken: parameters that the new variant does not know, taken out of the call.
+export interface Changed { steps: Edit[][]; elsewhere: TouchedLine[]; taken: string[]; findings: Diagnostic[] }
+// A value changed in the form and not yet in the program: of the call that begins at UTF-16 offset `at` there. asks: it would change these lines of that text outside of its call, and waits for a word; agreed: that was given.
+export interface Pending { control: Dialect; at: number; name: string; value: string; asks?: { text: string; lines: TouchedLine[] }; agreed?: boolean }
 // convert({control, text, setup?, call: index, style}) -> Converted: the call in another way of writing; no edits: not possible, see findings
 export interface Converted { edits: Edit[]; findings: Diagnostic[] }
 // run(RunRequest) -> RunView
+/** The call of a program to which something belongs; absent: none. Line from 1. */
+export interface OfCall { line?: number; cycle?: string }
 export interface RunRequest { control: Dialect; text: string; setup?: Setup | OwnMachine } // absent: the core's own machine as it is
-export interface RunView { trace: Trace; diagnostics: Diagnostic[]; results: { name: string; label?: Message; value: number; unit?: string; earlier?: number }[]; /* earlier: line, from 1, of the call that left it, where that was not the last */ changes: Outcome["changes"]; alarms: Outcome["alarms"]; log: string[]; finished: boolean; passedOver: { word: string; line: number }[]; ending: Message }
+export interface RunView { trace: Trace; diagnostics: Diagnostic[]; results: ({ name: string; label?: Message; value: number; unit?: string } & OfCall)[]; decisions: ({ message: Message } & OfCall)[]; changes: Outcome["changes"]; alarms: (Outcome["alarms"][number] & OfCall)[]; log: string[]; finished: boolean; passedOver: { word: string; line: number }[]; ending: Message }
 
 // Scan(ScanRequest, bytes): a surface scanned in pieces. setup: that of the FormView; its surface, or another one as large.
 export interface ScanRequest { control: Dialect; cycle: string; values: Record<string, string>; setup: Setup; plane?: Plane; units?: UnitFunction; surface?: SurfaceChoice }

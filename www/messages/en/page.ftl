@@ -288,7 +288,6 @@ outcome-incomplete = Complete the form and the result stands here.
 outcome-newer = What this list of a newer control does is not known here in full, so it is not simulated.
 outcome-missing = The result stands here as soon as these are right: { $names }
 outcome-earlier = not written by this call
-outcome-earlier-line = from line { $line }
 outcome-assumed = Other ways or passes bring other values here. Worked out with what arrives first: { $values }
 outcome-assumed-value = { $name } = { $value } (line { $line })
 outcome-unknown = Only a run of the program tells { $names }. Let the whole program run in the 3D view, or type a number.
@@ -480,3 +479,21 @@ scan-inside = inside
 scan-save-program = Save NC program
 scan-save-points = Save XYZ as sent
 scan-save-surface = Save XYZ of the surface
+
+form-placed = In the program, line { $line }
+field-reset = { $value } is cleared: it was entered as “{ $before }”.
+
+asks-title = { $count ->
+    [one] This changes a line outside of the call
+   *[other] This changes { $count } lines outside of the call
+}
+asks-line = Line { $line }
+asks-before = now
+asks-after = then
+asks-apply = Apply
+asks-cancel = Cancel
+notice-applied = Applied.
+notice-revised = The call is another variant now.
+of-call = { $cycle }, line { $line }
+of-program = Set by the program
+results-more = { $count } more results are not listed here.

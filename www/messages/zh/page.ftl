@@ -284,7 +284,6 @@ outcome-incomplete = 填完表单后，结果显示在这里。
 outcome-newer = 这个新型控制系统的参数表，其作用这里不完全清楚，因此不仿真。
 outcome-missing = 以下各项正确后，结果显示在这里：{ $names }
 outcome-earlier = 此调用未写入
-outcome-earlier-line = 来自第 { $line } 行
 outcome-assumed = 其他路径或循环会带来不同的值。此结果按最先到达的值计算：{ $values }
 outcome-assumed-value = { $name } = { $value }（第 { $line } 行）
 outcome-unknown = { $names } 只有在程序运行时才能确定。请在三维视图中运行整个程序，或输入数值。
@@ -476,3 +475,18 @@ scan-inside = 内侧
 scan-save-program = 保存数控程序
 scan-save-points = 保存发送的 XYZ
 scan-save-surface = 保存曲面的 XYZ
+
+form-placed = 在程序第 { $line } 行
+field-reset = 已清除 { $value }：它是作为“{ $before }”输入的。
+
+asks-title = 这会更改此调用以外的 { $count } 行
+asks-line = 第 { $line } 行
+asks-before = 现在
+asks-after = 更改后
+asks-apply = 应用
+asks-cancel = 取消
+notice-applied = 已应用。
+notice-revised = 此调用现在是另一种测量方式。
+of-call = { $cycle }，第 { $line } 行
+of-program = 由程序设置
+results-more = 还有 { $count } 个结果未在此列出。

@@ -53,6 +53,7 @@ export function createField(first: Field, actions: Actions, focused: (name: stri
   const id = fieldId(name);
   let field = first;
   let timer = 0;
+  let typing: string | null = null; // and not taken yet
   let drawn = "";
 
   const label = el("label", { for: id, class: "field-label" });
@@ -60,8 +61,9 @@ export function createField(first: Field, actions: Actions, focused: (name: stri
   const code = el("code", { class: "field-name" }, name);
   const input = el("input", {
     id, class: "figure", type: "text", autocomplete: "off", spellcheck: "false", "data-kind": first.kind,
-    inputmode: first.kind === "text" ? "text" : "decimal", "aria-describedby": `${id}-meta ${id}-problems`,
+    inputmode: first.kind === "text" ? "text" : "decimal", "aria-describedby": `${id}-worth ${id}-meta ${id}-problems`,
   });
+  const worth = el("span", { class: "worth", id: `${id}-worth` }); // of an expression
   const unit = el("span", { class: "unit" });
   const select = el("select", { class: "choice" });
   const groups = el("div", { class: "digits" });
@@ -71,21 +73,28 @@ export function createField(first: Field, actions: Actions, focused: (name: stri
   const list = el("ul", { class: "field-problems", id: `${id}-problems`, "aria-live": "polite" });
   const root = el("div", { class: `field kind-${first.kind}`, "data-field": name },
     el("div", { class: "field-head" }, el("span", { class: "field-title" }, label, required), code),
-    el("div", { class: "entry-line" }, input, unit, first.kind === "choice" ? select : null, meta),
+    el("div", { class: "entry-line" }, input, worth, unit, first.kind === "choice" ? select : null, meta),
     first.kind === "digits" ? groups : null, list,
   );
 
-  on(input, "input", () => {
-    actions.edit(name, input.value);
+  const take = (): void => {
     clearTimeout(timer);
-    timer = window.setTimeout(() => actions.touch(name), PAUSE);
+    if (typing !== null) actions.edit(name, typing);
+    typing = null;
+    actions.touch(name);
+  };
+  on(input, "input", () => {
+    if (field.chooses) typing = input.value; // half a number may be another variant, which would not know the values of this one
+    else actions.edit(name, input.value);
+    clearTimeout(timer);
+    timer = window.setTimeout(take, PAUSE);
   });
-  on(input, "change", () => { clearTimeout(timer); actions.touch(name); });
+  on(input, "change", take);
   on(select, "change", () => { actions.edit(name, select.value); actions.touch(name); });
   root.addEventListener("focusin", () => focused(name));
 
   const editGroup = (group: DigitGroup, value: number): void => {
-    const base = parseNumber(input.value) ?? field.fallback ?? 0;
+    const base = parseNumber(field.expression === undefined ? input.value : field.value) ?? field.fallback ?? 0;
     const lead = group.leads?.[group.choices.findIndex((one) => one.value === value)];
     actions.edit(name, String(lead ?? withDigits(base, group, value)));
     actions.touch(name);
@@ -95,7 +104,8 @@ export function createField(first: Field, actions: Actions, focused: (name: stri
     root,
     update(next, typed, problems) {
       field = next;
-      const text = document.activeElement === input ? typed : next.value; // settings of the machine may give part of it
+      const written = next.expression ?? next.value; // settings of the machine may give part of it
+      const text = typing ?? (document.activeElement === input && typed !== next.value ? typed : written);
       if (input.value !== text) input.value = text;
       // Most fields say the same after a keystroke. Entries are put right all the same: what was typed may be gone again
       // before it was ever drawn.
@@ -104,10 +114,12 @@ export function createField(first: Field, actions: Actions, focused: (name: stri
       drawn = now;
       setText(label, say(field.label));
       show(required, field.required);
+      setText(worth, field.expression === undefined ? "" : `= ${field.value}`);
+      root.classList.toggle("reckoned", field.expression !== undefined);
       setText(unit, field.unit ? t(`unit-${field.unit.replace("/", "-per-")}`) : "");
       setAttribute(input, "placeholder", field.fallback === undefined ? null : plain(field.fallback));
       setAttribute(input, "aria-required", String(field.required));
-      if (field.kind === "choice") updateChoice(select, field, typed);
+      if (field.kind === "choice") updateChoice(select, field, field.expression === undefined ? typed : field.value);
       if (field.kind === "digits") keyed(groups, field.digits ?? [], (group) => `${group.label.key}/${group.place}/${group.choices.map((one) => one.value).join(",")}`, (group) => createGroup(() => field, group.place, editGroup), (node, group, index) => updateGroup(node, group, `${id}-digit-${index}`));
       root.classList.toggle("needed", field.required);
       setText(limits, limitsText(field));

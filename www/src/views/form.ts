@@ -7,17 +7,29 @@ import type { State } from "../state";
 import type { Store } from "../store";
 import { optional, t } from "../texts";
 import type { Diagnostic, Field } from "../wire";
+import { createAsks } from "./asks";
 import { createExplain } from "./explain";
 import { createField, fieldId, problemItem, updateProblem, type FieldView } from "./field";
 import { createPicture } from "./picture";
 import { createTwin } from "./twin";
 import { createCallWays, createSnippetWays } from "./ways";
 
-/** Problems of a field are shown once it was typed into, or after "check"; doubts about a call in which nothing is wrong or
+/** Problems of a field are shown once it was typed into, or after "check"; a value that came there otherwise is marked at once; doubts about a call in which nothing is wrong or
  *  missing at once, as data of the machine may be behind them. */
 export function shownProblems(state: State, all: Diagnostic[]): Diagnostic[] {
   const whole = all.every((one) => one.severity !== "error");
-  return all.filter((one) => whole || state.checked || one.severity === "note" || (one.param !== undefined && state.touched[one.param]));
+  return all.filter((one) => whole || state.checked || one.severity === "note" || (one.param !== undefined && (state.touched[one.param] || isCarried(state, one.param))));
+}
+
+/** Whether a field holds a value, and nobody is typing into it. */
+function isCarried({ values, focus }: State, name: string): boolean {
+  return focus !== name && (values[name] ?? "").trim() !== "";
+}
+
+/** What is said at a field whose value was taken away with the variant. */
+function resetNotes({ resets, values }: State): Diagnostic[] {
+  const gone = Object.entries(resets).filter(([name]) => !values[name]);
+  return gone.map(([param, { value, before }]) => ({ severity: "note", code: "", param, message: { key: "field-reset", args: { value, before } } }));
 }
 
 export async function copyText(text: string, store: Store, notice: string): Promise<void> {
@@ -37,6 +49,7 @@ export function createForm(root: HTMLElement, store: Store, actions: Actions, sh
   const detach = el("button", { type: "button", class: "quiet" }, t("form-detach"));
   const opened = el("div", { class: "opened", role: "status" }, el("span", { class: "opened-mark", "aria-hidden": "true" }, "◆"), where, detach);
   const callWays = createCallWays(actions);
+  const asks = createAsks(actions);
   const ways = createSnippetWays(actions);
   const twin = createTwin(store);
   const pictureBox = el("div", { class: "picture-box" });
@@ -50,11 +63,12 @@ export function createForm(root: HTMLElement, store: Store, actions: Actions, sh
   const comments = el("input", { type: "checkbox", id: "comments" });
   const copy = el("button", { type: "button" }, t("form-copy"));
   const insert = el("button", { type: "button", class: "primary" }, t("form-insert"));
+  const placed = el("span", { class: "placed" });
   const snippetBox = el("section", { class: "snippet-box", "aria-label": t("form-snippet") },
     el("div", { class: "snippet-head" }, el("h3", {}, t("form-snippet")), el("label", { class: "check", for: "comments" }, comments, t("form-comments"))),
-    el("div", { class: "ways" }, ways.choice), snippet, ways.said, el("div", { class: "actions" }, insert, copy), twin.root);
+    el("div", { class: "ways" }, ways.choice), snippet, ways.said, el("div", { class: "actions" }, insert, placed, copy), twin.root);
   const scroll = el("div", { class: "scroll" }, loose, fields, el("div", { class: "actions" }, check, example, sets), snippetBox);
-  root.append(el("header", { class: "panel-head" }, title, count, help), opened, callWays.root, pictureBox, explain.root, scroll);
+  root.append(el("header", { class: "panel-head" }, title, count, help), opened, callWays.root, pictureBox, explain.root, scroll, asks.root, asks.said);
 
   const views = new WeakMap<Element, FieldView>();
   const focused = (name: string | null): void => { if (store.state.focus !== name) store.update({ focus: name }); };
@@ -63,6 +77,13 @@ export function createForm(root: HTMLElement, store: Store, actions: Actions, sh
   let snippetText = "";
   let chosen: Variant | undefined;
 
+  on(fields, "keydown", (event) => {
+    if (!asks.waits() || event.target instanceof HTMLSelectElement) return;
+    if (event.key === "Enter") asks.focus();
+    else if (event.key === "Escape") actions.refuse();
+    else return;
+    event.preventDefault();
+  });
   on(detach, "click", () => actions.closeCall());
   on(help, "click", () => {
     actions.help();
@@ -95,7 +116,7 @@ export function createForm(root: HTMLElement, store: Store, actions: Actions, sh
     if (derived.opened) setText(where, t("form-opened", { cycle: cycle.cycle, from: derived.opened.line, to: derived.opened.lastLine }));
     const names = new Set(view.fields.map((field) => field.name));
     const arrivals = derived.opened?.arrivals.filter((one) => names.has(one.param ?? "")) ?? [];
-    const problems = [...shownProblems(state, view.diagnostics), ...arrivals];
+    const problems = [...shownProblems(state, view.diagnostics), ...arrivals, ...resetNotes(state)];
     keyed(fields, view.fields, (field) => `${cycle.control}/${cycle.cycle}/${field.name}/${field.kind}`, make, (node, field) =>
       views.get(node)?.update(field, state.values[field.name] ?? "", problems.filter((one) => one.param === field.name)));
     keyed(loose, problems.filter((one) => one.param === undefined || !names.has(one.param)), (one) => `${one.code}/${one.message.key}`, problemItem, updateProblem);
@@ -106,6 +127,11 @@ export function createForm(root: HTMLElement, store: Store, actions: Actions, sh
     setText(snippet, view.snippet);
     setAttribute(snippet, "data-style", derived.style);
     show(snippet, view.snippet !== "");
+    const inProgram = state.open !== null || state.sought !== null;
+    show(insert, !inProgram);
+    show(placed, inProgram);
+    if (derived.opened) setText(placed, t("form-placed", { line: derived.opened.lastLine }));
+    asks.draw(state);
     ways.draw(state, derived);
     twin.draw(state, derived);
     callWays.draw(state, derived);

@@ -132,7 +132,7 @@ function marks(derived: Derived, cure: Actions["cure"]) {
     const from = Math.min(toEditor(text, one.from ?? 0), length);
     const to = Math.min(Math.max(from, toEditor(text, one.to ?? one.from ?? 0)), length);
     const severity = one.severity === "note" ? "info" as const : one.severity;
-    const actions = one.cure ? [{ name: say(one.cure.label), apply: () => cure(one.cure?.edits ?? []) }] : [];
+    const actions = one.cure ? [{ name: say(one.cure.label), apply: () => cure(one.cure?.edits ?? [], one.elsewhere) }] : [];
     return { from, to, severity, actions, message: `${one.code}  ${say(one.message)}${one.hint ? `\n${say(one.hint)}` : ""}` };
   });
 }

@@ -9,7 +9,7 @@ import type { Scanner } from "../scan/scanner";
 import type { ResultTab, State } from "../state";
 import type { Store } from "../store";
 import { say, t } from "../texts";
-import type { Diagnostic, Outcome, Step, Trace } from "../wire";
+import type { Diagnostic, OfCall, Outcome, Step, Trace } from "../wire";
 import { fieldId, problemItem, updateProblem } from "./field";
 import { shownProblems } from "./form";
 import { createScan } from "./scan";
@@ -58,10 +58,11 @@ function createOutcome(root: HTMLElement): Draw {
   resultTable.className = "results";
   changeTable.className = "changes";
   const none = el("p", { class: "empty" });
+  const more = el("p", { class: "empty" });
   const same = el("p", { class: "empty" }, t("outcome-no-changes"));
   const assumed = el("p", { class: "assumed", role: "note" });
   const ended = el("p", { class: "assumed", role: "note" });
-  root.append(none, assumed, alarms, el("div", { class: "outcome" }, changeTable, same, decisionBox, resultTable), ended);
+  root.append(none, assumed, alarms, el("div", { class: "outcome" }, changeTable, same, decisionBox, resultTable, more), ended);
   const shownNow = keptOutcome();
   let drawn: Shown | null | undefined;
   return (state, derived) => {
@@ -79,14 +80,21 @@ function createOutcome(root: HTMLElement): Draw {
     show(resultTable, (outcome?.results.length ?? 0) > 0);
     show(changeTable, !!outcome && outcome.changes.length > 0);
     show(same, !!outcome && outcome.changes.length === 0);
-    keyed(alarms, outcome?.alarms ?? [], (one, index) => `${index}/${one.code}`, problemItem, (node, one) =>
-      updateProblem(node, { ...one, severity: one.stops ? "error" : "note" }));
-    show(alarms, (outcome?.alarms.length ?? 0) > 0);
-    keyed(results, outcome?.results ?? [], (one) => one.name, row(3), (node, one) => {
-      const label = one.earlier === undefined ? one.label : `${one.label} · ${earlier(one.earlier)}`;
-      fill(node, [one.name, label, figure(one.value, one.unit), unitText(one.unit)]);
-      node.classList.toggle("earlier", one.earlier !== undefined);
+    keyed(alarms, outcome?.alarms ?? [], (one, index) => `${index}/${one.code}`, alarmItem, (node, one) => {
+      updateProblem(node, { ...one, severity: one.stops ? "error" : "note" });
+      if (node.lastElementChild) setText(node.lastElementChild, callText(one));
     });
+    show(alarms, (outcome?.alarms.length ?? 0) > 0);
+    const rows = byCall(outcome?.results ?? []);
+    keyed(results, rows.slice(0, ROWS), (one) => "group" in one ? `/${one.key}` : `${one.line ?? ""}/${one.name}`, (one) => "group" in one ? groupRow() : row(3)(), (node, one) => {
+      if ("group" in one) fill(node, [one.group]);
+      else {
+        fill(node, [one.name, one.earlier === undefined ? one.label : `${one.label} · ${t("outcome-earlier")}`, figure(one.value, one.unit), unitText(one.unit)]);
+        node.classList.toggle("earlier", one.earlier !== undefined);
+      }
+    });
+    show(more, rows.length > ROWS);
+    setText(more, t("results-more", { count: rows.slice(ROWS).filter((one) => !("group" in one)).length }));
     keyed(changes, outcome?.changes ?? [], (one) => one.name, changeRow, (node, one) => {
       const [name] = node.children;
       if (name?.firstElementChild) setText(name.firstElementChild, say(one.label));
@@ -98,14 +106,13 @@ function createOutcome(root: HTMLElement): Draw {
     });
     show(decisionBox, (outcome?.decisions.length ?? 0) > 0);
     keyed(decisions, outcome?.decisions ?? [], (_, index) => String(index), () => el("li", {}), (node, one, index) => {
-      setText(node, say(one));
+      setText(node, [callText(one), say(one.message)].filter(Boolean).join(": "));
       node.classList.toggle("taken", index === (outcome?.decisions.length ?? 0) - 1);
     });
   };
 }
 
 /** Which call left what the last one did not write; 0: none in this program. */
-const earlier = (line: number): string => line ? t("outcome-earlier-line", { line }) : t("outcome-earlier");
 
 /** With which of the values that differ by the way the outcome was worked out. */
 function assumptions({ assumed }: Derived): string {
@@ -125,7 +132,34 @@ export function missing(derived: Derived): string {
   return unknown.length ? t("outcome-unknown", { names: unknown.join(", ") }) : t("outcome-incomplete");
 }
 
-interface Shown { results: { name: string; label: string; value: number; unit: string; earlier?: number }[]; changes: Outcome["changes"]; alarms: Outcome["alarms"]; decisions: Outcome["decisions"]; log: string[] }
+type ShownResult = { name: string; label: string; value: number; unit: string; earlier?: number } & OfCall; // earlier: not written by this call
+interface Shown { results: ShownResult[]; changes: Outcome["changes"]; alarms: (Outcome["alarms"][number] & OfCall)[]; decisions: ({ message: Outcome["decisions"][number] } & OfCall)[]; log: string[] }
+
+const ROWS = 1000; // of results; a program may have a thousand calls
+
+/** "CYCLE977, line 12"; empty for what belongs to no call of a program. */
+function callText({ cycle, line }: OfCall): string {
+  return cycle !== undefined && line !== undefined ? t("of-call", { cycle, line }) : "";
+}
+
+/** The results of a program under the calls that left them; those of the form's call by themselves. */
+function byCall(results: ShownResult[]): (ShownResult | { group: string; key: string })[] {
+  const some = results.some((one) => one.line !== undefined);
+  return results.flatMap((one, index) => {
+    const first = some && (index === 0 || results[index - 1]?.line !== one.line);
+    return first ? [{ group: callText(one) || t("of-program"), key: String(one.line ?? "") }, one] : [one];
+  });
+}
+
+function groupRow(): HTMLTableRowElement {
+  return el("tr", { class: "of-call" }, el("th", { scope: "colgroup", colspan: 4 }));
+}
+
+function alarmItem(): HTMLLIElement {
+  const item = problemItem();
+  item.append(el("span", { class: "of-call" }));
+  return item;
+}
 
 /** What is shown; the same object as long as it is made of the same. */
 function keptOutcome(): (state: State, derived: Derived) => Shown | null {
@@ -142,12 +176,11 @@ function shownOutcome(state: State, derived: Derived): Shown | null {
   const run = derived.run;
   if (state.source === "program") {
     if (!run) return null;
-    const decisions = run.trace.entries.flatMap((entry) => entry.step === "decision" ? [entry.message] : []);
     const results = run.results.map((one) => ({ ...one, label: one.label ? say(one.label) : "", unit: one.unit ?? "" }));
-    return { ...run, decisions, results: results.sort((a, b) => Number(!a.label) - Number(!b.label)) }; // what only the program set comes last
+    return { ...run, results };
   }
   const outcome = derived.view.outcome;
-  return outcome ? { ...outcome, results: outcome.results.map((one) => ({ ...one, label: say(one.label) })) } : null;
+  return outcome ? { ...outcome, decisions: outcome.decisions.map((message) => ({ message })), results: outcome.results.map((one) => ({ ...one, label: say(one.label) })) } : null;
 }
 
 const LISTED = 200; // problems; the others stand in the editor, and come here when these are mended
@@ -199,7 +232,7 @@ function located(state: State, derived: Derived, actions: Actions, goTo: (offset
   const told = new Set(derived.problems.filter((one) => one.cure && ofOpened(one)).map(same));
   const form = shownProblems(state, derived.view.diagnostics).filter((one) => !told.has(same(one)));
   const inForm = new Set(opened ? form.map(same) : []);
-  const cured = (problem: Diagnostic): Partial<Located> => problem.cure && derived.fresh ? { cure: () => actions.cure(problem.cure?.edits ?? []) } : {};
+  const cured = (problem: Diagnostic): Partial<Located> => problem.cure && derived.fresh ? { cure: () => actions.cure(problem.cure?.edits ?? [], problem.elsewhere) } : {};
   const place = (problem: Diagnostic): Located => ({
     problem, place: t("problem-place", { line: problem.line ?? 0, column: problem.column ?? 1 }), go: () => goTo(problem.from ?? 0),
   });

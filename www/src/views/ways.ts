@@ -50,13 +50,15 @@ export function createCallWays(actions: Actions): View {
   return {
     root,
     draw(state, { cycle, opened }) {
-      show(root, !!opened && cycle.styles.length > 1);
+      const { converted } = state;
+      const current = converted?.control === state.control && converted.text === programOf(state);
+      const all = current && converted ? converted.findings : [];
+      show(line, cycle.styles.length > 1);
+      show(root, !!opened && (cycle.styles.length > 1 || all.length > 0));
       if (!opened) return;
       setText(now, t("way-now", { way: t(`way-${opened.style}`) }));
       buttons(others, cycle.styles.filter((one) => one !== opened.style), (one) => t(`way-${one}`), null, actions.convert);
-      const { converted } = state;
-      const current = converted?.control === state.control && converted.text === programOf(state);
-      findings(said, current && converted ? converted.findings : []);
+      findings(said, all);
     },
   };
 }
