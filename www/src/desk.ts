@@ -105,7 +105,13 @@ function changed(state: State, request: ChangeRequest, answers: Changed[]): Stat
   const done = answers.filter((answer, index) => !hasToAsk(mine[index] as Pending, answer));
   const left = [...state.pending.filter((one) => !mine.includes(one)), ...waits];
   const next = done.flatMap(({ steps }) => steps).reduce(withEdits, { ...state, pending: left });
-  return told(state, next, request, mine.some((one) => one.agreed), done);
+  const after = mine.every((one) => one.value === "" && state.resets[one.name]) ? stillTold(state, next) : next;
+  return told(state, after, request, mine.some((one) => one.agreed), done);
+}
+
+/** What was said of a new variant is said on while the values go that were codes of something else before. */
+function stillTold(before: State, after: State): State {
+  return before.converted && isCurrent(before.converted, before) ? { ...after, converted: { ...before.converted, text: programOf(after) } } : after;
 }
 
 /** What a change did beside the value: it is said, and can be taken back. */

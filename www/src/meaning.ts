@@ -9,9 +9,14 @@ import { planeOf, type State } from "./state";
 
 export interface Seen { state: State; derived: Derived }
 
+/** The number of the call that the form edits; where it begins moves with each change. */
+function callOf({ derived: { read, opened } }: Seen): number {
+  return opened ? read.calls.indexOf(opened) : -1;
+}
+
 /** The state without the values that were codes of something else in the variant before. */
 export function meant(before: Seen | null, { state, derived }: Seen): State {
-  if (!before || before.derived.cycle !== derived.cycle || before.state.open !== state.open) return state;
+  if (!before || before.derived.cycle !== derived.cycle || callOf(before) !== callOf({ state, derived })) return state;
   const [was, is] = [before.derived.view, derived.view];
   if (was.mvar === null || is.mvar === null || was.mvar === is.mvar || isExample(derived.cycle, state.values, planeOf(state))) return state;
   const stale = is.fields.flatMap(({ name, code, expression }) => {
