@@ -149,6 +149,22 @@ describe("another variant", () => {
     await context.close();
   });
 
+  // oracle: manual B:5641-5667
+  test("brings its own worked measurement into the call, and leaves nothing of the one before", async () => {
+    const { context, page, problems } = await start(chrome);
+    await page.locator(".opened").waitFor();
+    const first = await programWhen(page, (now) => /_TNUM=/.test(now));
+    await page.locator('[role="treeitem"]', { hasText: /^101/ }).first().click();
+    const zero = await programWhen(page, (now) => /_MVAR=101\b/.test(now) && /_KNUM=1\b/.test(now));
+    for (const name of ["_TNUM", "_TZL", "_TMV", "_TDIF"]) assert.doesNotMatch(zero, new RegExp(`${name}=`), zero);
+    await page.locator('[role="treeitem"]', { hasText: /^1/ }).first().click();
+    const again = await programWhen(page, (now) => /_MVAR=1\b/.test(now) && /_KNUM=2001/.test(now));
+    const words = (text) => text.split(/\s+/).filter(Boolean).sort();
+    assert.deepEqual(words(again), words(first));
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
   // oracle: hand
   test("marks a wrong value at its field though nobody typed it", async () => {
     const { context, page, problems } = await start(chrome);

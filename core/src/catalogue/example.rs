@@ -4,7 +4,7 @@ use super::{Cycle, Variant};
 use crate::check::{self, Typed};
 use crate::control::{Plane, delivery};
 
-/// Values as typed: the cycle's example, what chooses the variant, and what the variant needs beside it.
+/// Values as typed: of the cycle's example what the variant knows, what chooses the variant, and what it needs beside that.
 pub fn example(cycle: &'static Cycle, variant: &Variant) -> Typed {
     let mut values = typed(cycle.example);
     values.extend(choosing(cycle, variant.number));
@@ -16,7 +16,26 @@ pub fn example(cycle: &'static Cycle, variant: &Variant) -> Typed {
     for (_, more) in more.iter().filter(|(when, _)| when.holds(&inputs)) {
         values.extend(typed(more));
     }
+    known(cycle, &mut values);
     values
+}
+
+/// Leaves out what the variant does not know: of another one it came along. Where addresses choose the variant, each says
+/// something by standing there.
+fn known(cycle: &'static Cycle, values: &mut Typed) {
+    if cycle.variant_param().is_none() {
+        return;
+    }
+    let mut control = delivery(cycle.dialect);
+    let inputs = [Plane::G17, Plane::G18, Plane::G19].map(|plane| {
+        control.plane = plane;
+        check::read(cycle, values, &control, &mut Vec::new())
+    });
+    let needs = |name: &str| {
+        let param = cycle.param(name);
+        param.is_none_or(|param| inputs.iter().any(|inputs| param.need(inputs).is_some()))
+    };
+    values.retain(|name, _| needs(name));
 }
 
 /// Values, as typed, that choose a variant: its number, or the address whose presence makes it.
@@ -75,4 +94,34 @@ fn one_by_one(pairs: impl Iterator<Item = (String, String)>) -> Typed {
     let mut values = Typed::new();
     values.extend(pairs);
     values
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use crate::catalogue::{CYCLES, Dialect, find};
+
+    // oracle: manual B:5641-5667 (a zero offset knows no tool and no tolerance band)
+    #[test]
+    fn the_example_of_a_variant_holds_nothing_of_another_one() {
+        let cycle = find(Dialect::Sinumerik, "CYCLE977").unwrap();
+        let of = |number: i64| {
+            let mut variants = cycle.variants.iter();
+            example(cycle, variants.find(|one| one.number == number).unwrap())
+        };
+        assert_eq!(of(1)["_TNUM"], "20");
+        for name in ["_TNUM", "_TZL", "_TMV", "_TDIF"] {
+            assert_eq!(of(101).get(name), None, "{name}");
+        }
+        // It stays complete: what is left out, the check does not ask for.
+        for cycle in CYCLES {
+            for variant in cycle.variants {
+                let values = example(cycle, variant);
+                let control = delivery(cycle.dialect);
+                let inputs = check::read(cycle, &values, &control, &mut Vec::new());
+                assert_eq!(inputs.variant, variant.number, "{} {values:?}", cycle.name);
+            }
+        }
+    }
 }

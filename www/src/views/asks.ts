@@ -40,7 +40,9 @@ export function createAsks(actions: Actions): Asks {
     focus: () => apply.focus(),
     draw(state) {
       const all = lines(state);
+      const came = root.hidden && all.length > 0;
       show(root, all.length > 0);
+      if (came) document.activeElement?.closest(".field")?.scrollIntoView({ block: "nearest" }); // it takes room from the fields
       const text = all.length ? t("asks-title", { count: all.length }) : "";
       setText(title, text);
       setText(said, text);
