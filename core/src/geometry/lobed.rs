@@ -1,11 +1,10 @@
 //! Ball against a round wall that is not round: radius over the angle with lobes, with or without taper.
 
-use super::circle::radial;
-use super::{Path, TOLERANCE, V3, roots};
-use std::f64::consts::{PI, TAU};
+mod first;
 
-/// From where on the place of the wall that is nearest is sought, mm off it.
-const NEAR: f64 = 0.01;
+use super::circle::radial;
+use super::{V3, roots};
+use std::f64::consts::{PI, TAU};
 
 /// A closed curve about the Z axis, growing with depth: `r = radius + slope·depth + amplitude·cos(count·angle)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,10 +42,15 @@ pub struct LobedWall {
 impl LobedWall {
     /// Nearest point of the wall. Its lines at one angle are straight, so that only the angle is searched.
     pub fn foot(&self, p: &V3) -> V3 {
+        self.foot_between(p, [0.0, self.depth])
+    }
+
+    /// The same of the wall between other depths, which goes on beyond its rims.
+    fn foot_between(&self, p: &V3, rims: [f64; 2]) -> V3 {
         let samples = (16 * self.lobes.count as usize).max(96);
         let pitch = TAU / samples as f64;
-        let (from, to) = self.searched(p, pitch);
-        let values = self.looked(p, pitch, from - 1, to + 1);
+        let (from, to) = self.searched(p, pitch, rims);
+        let values = self.looked(p, pitch, [from - 1, to + 1], rims);
         let best = values.iter().copied().fold(f64::INFINITY, f64::min);
         let near = (best.sqrt() + self.lobes.radius * pitch).powi(2);
         let mut nearest = radial(p) * self.lobes.radius;
@@ -55,7 +59,7 @@ impl LobedWall {
             if around[1] > around[0] || around[1] > around[2] || around[1] > near {
                 continue;
             }
-            let candidate = self.refine(p, i as f64 * pitch, pitch);
+            let candidate = self.refine(p, i as f64 * pitch, pitch, rims);
             let distance = (p - candidate).norm_squared();
             if distance < least {
                 (nearest, least) = (candidate, distance);
@@ -66,13 +70,13 @@ impl LobedWall {
 
     /// Squared distance of the wall at each angle, in steps of `pitch`. From angle to angle the direction is turned, which
     /// is many times quicker than a sine of each.
-    fn looked(&self, p: &V3, pitch: f64, from: i64, to: i64) -> Vec<f64> {
+    fn looked(&self, p: &V3, pitch: f64, [from, to]: [i64; 2], rims: [f64; 2]) -> Vec<f64> {
         let first = from as f64 * pitch;
         let n = f64::from(self.lobes.count);
         let [step, wave_step] = [pitch, n * pitch].map(Turn::by);
         let [mut out, mut wave] = [first, n * first].map(Turn::by);
         let distance = |_| {
-            let nearest = self.nearest(p, &out, wave.cosine);
+            let nearest = self.nearest(p, &out, wave.cosine, rims);
             out = out.and(&step);
             wave = wave.and(&wave_step);
             (p - nearest).norm_squared()
@@ -82,9 +86,9 @@ impl LobedWall {
 
     /// The angles, in steps of `pitch`, at which the wall can be nearest. A place of it is known, straight out; and what
     /// lies at another angle is no nearer than its ray from the axis.
-    fn searched(&self, p: &V3, pitch: f64) -> (i64, i64) {
+    fn searched(&self, p: &V3, pitch: f64, rims: [f64; 2]) -> (i64, i64) {
         let own = p.y.atan2(p.x);
-        let known = (p - self.nearest_at(p, own)).norm();
+        let known = (p - self.nearest_at(p, own, rims)).norm();
         let out = p.xy().norm();
         let half = if known < out {
             (known / out).asin()
@@ -95,61 +99,27 @@ impl LobedWall {
         (step(own - half) - 1, step(own + half) + 1)
     }
 
-    /// Length after which a ball of this radius begins to touch the wall. The distance to the wall is a way that
-    /// is surely free, and far away a bound of it does; once inside the last micron the root is closed in with the exact
-    /// slope of the distance.
-    pub fn first(&self, path: &Path, radius: f64) -> Option<f64> {
-        let gap = |s: f64| {
-            let p = path.at(s);
-            let away = p - self.foot(&p);
-            let distance = away.norm();
-            (distance - radius, away.dot(&path.direction) / distance)
-        };
-        let mut s = 0.0;
-        for _ in 0..5000 {
-            let surely_free = self.at_least(&path.at(s)) - radius;
-            let (free, slope) = match surely_free > NEAR {
-                true => (surely_free, 0.0),
-                false => gap(s),
-            };
-            if free < 1e-3
-                && slope < -1e-3
-                && let Some(root) = roots::newton(gap, s)
-            {
-                return (root > 0.0 && root <= path.length).then_some(root);
-            }
-            if free < 0.1 * TOLERANCE && slope < 0.0 {
-                return (s > 0.0).then_some(s);
-            }
-            s += free.max(0.1 * TOLERANCE);
-            if s > path.length {
-                return None;
-            }
-        }
-        None
-    }
-
     /// A distance that the wall is surely not below, mm: that of the cone through its middle, less the amplitude.
     pub fn at_least(&self, p: &V3) -> f64 {
-        let Lobes {
-            radius,
-            slope,
-            amplitude,
-            ..
-        } = self.lobes;
-        let out = p.xy().norm();
-        let down = ((out - radius) * slope - p.z) / (1.0 + slope * slope);
-        let down = down.clamp(0.0, self.depth);
-        (out - radius - slope * down).hypot(p.z + down) - amplitude.abs()
+        self.from_mean(p, [0.0, self.depth]) - self.lobes.amplitude.abs()
     }
 
-    fn nearest_at(&self, p: &V3, angle: f64) -> V3 {
+    /// Distance from the cone through its middle, between these depths, mm.
+    fn from_mean(&self, p: &V3, [low, high]: [f64; 2]) -> f64 {
+        let Lobes { radius, slope, .. } = self.lobes;
+        let out = p.xy().norm();
+        let down = ((out - radius) * slope - p.z) / (1.0 + slope * slope);
+        let down = down.max(low).min(high);
+        (out - radius - slope * down).hypot(p.z + down)
+    }
+
+    fn nearest_at(&self, p: &V3, angle: f64, rims: [f64; 2]) -> V3 {
         let wave = f64::from(self.lobes.count) * angle;
-        self.nearest(p, &Turn::by(angle), wave.cos())
+        self.nearest(p, &Turn::by(angle), wave.cos(), rims)
     }
 
     /// Nearest point of the line at one angle; `wave` is the cosine of the lobes there.
-    fn nearest(&self, p: &V3, at: &Turn, wave: f64) -> V3 {
+    fn nearest(&self, p: &V3, at: &Turn, wave: f64, [low, high]: [f64; 2]) -> V3 {
         let Lobes {
             radius,
             slope,
@@ -158,23 +128,28 @@ impl LobedWall {
         } = self.lobes;
         let top = radius + amplitude * wave;
         let out = p.x * at.cosine + p.y * at.sine - top;
-        let depth = ((out * slope - p.z) / (1.0 + slope * slope)).clamp(0.0, self.depth);
+        let depth = (out * slope - p.z) / (1.0 + slope * slope);
+        let depth = depth.max(low).min(high);
         let r = top + slope * depth;
         V3::new(r * at.cosine, r * at.sine, -depth)
     }
 
     /// Where the distance no longer changes with the angle.
-    fn refine(&self, p: &V3, angle: f64, pitch: f64) -> V3 {
+    fn refine(&self, p: &V3, angle: f64, pitch: f64, rims: [f64; 2]) -> V3 {
         let n = f64::from(self.lobes.count);
         let change = |a: f64| {
             let [turn, wave] = [a, n * a].map(Turn::by);
-            let at = self.nearest(p, &turn, wave.cosine);
+            let at = self.nearest(p, &turn, wave.cosine, rims);
             let growth = -self.lobes.amplitude * n * wave.sine;
             let tangent = V3::new(growth * turn.cosine - at.y, growth * turn.sine + at.x, 0.0);
             (at - p).dot(&tangent)
         };
-        let at = roots::bracketed(change, angle - pitch, angle + pitch).unwrap_or(angle);
-        self.nearest_at(p, at)
+        let near = |at: f64| (at - angle).abs() <= pitch;
+        let at = roots::secant(change, [angle, angle + 0.1 * pitch])
+            .filter(|at| near(*at) && change(at + 0.1 * pitch) > change(at - 0.1 * pitch))
+            .or_else(|| roots::bracketed(change, angle - pitch, angle + pitch))
+            .unwrap_or(angle);
+        self.nearest_at(p, at, rims)
     }
 }
 
@@ -206,7 +181,8 @@ mod tests {
 
     /// Nearest of the places at 20,000 angles.
     fn sampled(wall: &LobedWall, p: &V3) -> f64 {
-        let at = |i: u32| (p - wall.nearest_at(p, f64::from(i) * TAU / 20_000.0)).norm();
+        let rims = [0.0, wall.depth];
+        let at = |i: u32| (p - wall.nearest_at(p, f64::from(i) * TAU / 20_000.0, rims)).norm();
         (0..20_000).map(at).fold(f64::INFINITY, f64::min)
     }
 

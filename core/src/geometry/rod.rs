@@ -20,8 +20,12 @@ const CLOSING: f64 = 1e-9;
 /// Directions in which a round edge is looked at that stands askew to the rod; between them the first is closed in. An
 /// edge that is grazed by less than the sagitta, 0.00015 of its radius, may be missed.
 const AROUND: usize = 180;
+/// How many of them lie between one and the next, so that an early contact is soon found, which shortens the others' way.
+const APART: usize = 77;
 /// Steps of closing in: 0.618^40 of two directions.
 const STEPS: usize = 40;
+/// Difference of two ways, mm, that three times one behind the other is none.
+const LEVEL: f64 = 1e-12;
 const GOLDEN: f64 = 0.618_033_988_749_895;
 
 /// A straight round rod.
@@ -248,31 +252,69 @@ fn line(lobes: &Lobes, depth: f64, angle: f64) -> [V3; 2] {
 }
 
 /// The earliest contact with what stands in all directions about an axis, `radius` mm from it, by its angle in radians.
-/// Between two directions it comes sooner than in them: these are followed so far beyond the end of the path as they are
-/// apart.
+/// Between two directions it comes sooner than in them: these are followed so far beyond the end of the path, and beyond
+/// the earliest contact so far, as they are apart.
 pub fn around(path: &Path, radius: f64, first: impl Fn(f64, &Path) -> Option<Met>) -> Option<Met> {
     let pitch = TAU / AROUND as f64;
-    let beyond = Path {
-        length: path.length + pitch * radius,
+    let within = |length: f64| Path {
+        length: length.min(path.length) + pitch * radius,
         ..*path
     };
-    let first = |angle: f64| first(angle, &beyond);
-    let looked = (0..AROUND).map(|step| step as f64 * pitch);
-    let found = looked.filter_map(|angle| first(angle).map(|met| (angle, met)));
-    let (angle, mut best) = found.min_by(|(_, a), (_, b)| a.way.total_cmp(&b.way))?;
-    let way = |met: &Option<Met>| met.map_or(f64::INFINITY, |met| met.way);
-    let (mut low, mut high) = (angle - pitch, angle + pitch);
-    for _ in 0..STEPS {
-        let step = GOLDEN * (high - low);
-        let (left, right) = (first(high - step), first(low + step));
-        if way(&left) < way(&right) {
-            high = low + step;
-        } else {
-            low = high - step;
+    let mut beyond = within(f64::INFINITY);
+    let mut found: Option<(f64, Met)> = None;
+    let spread = (0..AROUND).map(|step| (step * APART) % AROUND);
+    for angle in spread.map(|step| step as f64 * pitch) {
+        let Some(met) = first(angle, &beyond) else {
+            continue;
+        };
+        if found.is_none_or(|(_, before)| met.way < before.way) {
+            found = Some((angle, met));
+            beyond = within(met.way);
         }
-        best = earliest([Some(best), left, right].into_iter().flatten())?;
     }
-    (best.way <= path.length).then_some(best)
+    let (angle, best) = found?;
+    let met = closed_in(best, [angle - pitch, angle + pitch], |angle| {
+        first(angle, &beyond)
+    });
+    (met.way <= path.length).then_some(met)
+}
+
+/// The earliest contact between two directions, by golden section.
+fn closed_in(
+    mut best: Met,
+    [mut low, mut high]: [f64; 2],
+    first: impl Fn(f64) -> Option<Met>,
+) -> Met {
+    let mut look = |angle: f64| {
+        let met = first(angle);
+        let way = met.map_or(f64::INFINITY, |met| met.way);
+        best = met.filter(|met| met.way < best.way).unwrap_or(best);
+        way
+    };
+    let step = GOLDEN * (high - low);
+    let [mut left, mut right] = [high - step, low + step];
+    let [mut at_left, mut at_right] = [look(left), look(right)];
+    let mut level = 0;
+    for _ in 0..STEPS {
+        level = if (at_left - at_right).abs() < LEVEL {
+            level + 1
+        } else {
+            0
+        };
+        if level == 3 {
+            break;
+        }
+        if at_left < at_right {
+            (high, right, at_right) = (right, left, at_left);
+            left = high - GOLDEN * (high - low);
+            at_left = look(left);
+        } else {
+            (low, left, at_left) = (left, right, at_right);
+            right = low + GOLDEN * (high - low);
+            at_right = look(right);
+        }
+    }
+    best
 }
 
 /// First contact of the foot, which is flat, with what stands out from a boundary below it.

@@ -62,6 +62,26 @@ pub fn newton(f: impl Fn(f64) -> (f64, f64), start: f64) -> Option<f64> {
     None
 }
 
+/// Root of a function near two places, by the line through the last two; none where it does not close in.
+pub fn secant(f: impl Fn(f64) -> f64, [mut a, mut b]: [f64; 2]) -> Option<f64> {
+    let [mut at_a, mut at_b] = [f(a), f(b)];
+    for _ in 0..12 {
+        let last = (b - a).abs();
+        let step = at_b * (b - a) / (at_b - at_a);
+        let exact = at_b == 0.0 || step.abs() <= 1e-15 * (1.0 + b.abs());
+        if exact || last < 1e-12 && step.abs() >= last {
+            return Some(b); // nearer than that is noise
+        }
+        if !step.is_finite() {
+            return None;
+        }
+        (a, at_a) = (b, at_b);
+        b -= step;
+        at_b = f(b);
+    }
+    None
+}
+
 /// Root of a function that changes sign between `low` and `high`: secant steps (Illinois), halved where they stall.
 pub fn bracketed(f: impl Fn(f64) -> f64, low: f64, high: f64) -> Option<f64> {
     let (mut a, mut b) = (low, high);
@@ -141,6 +161,18 @@ mod tests {
             "{root:?}"
         );
         assert_eq!(bracketed(|x| x * x + 1.0, -1.0, 1.0), None);
+    }
+
+    // oracle: hand: x³ = 2; x² + 1 has none
+    #[test]
+    fn root_by_secants() {
+        let root = secant(|x| x * x * x - 2.0, [1.2, 1.3]);
+        assert!(
+            root.is_some_and(|root| (root - 2f64.cbrt()).abs() < 1e-14),
+            "{root:?}"
+        );
+        assert_eq!(secant(|x| x * x + 1.0, [0.3, 0.7]), None);
+        assert_eq!(secant(|_| 1.0, [0.3, 0.7]), None);
     }
 
     // oracle: hand: x³ = 2

@@ -249,7 +249,15 @@ impl Boundary {
         let middle = rod.foot + rod.up * rounded;
         around(path, rod.radius, |angle, path| {
             let out = first * angle.cos() + second * angle.sin();
-            self.end(middle + out * (rod.radius - rounded), rounded, path)
+            let from = middle + out * (rod.radius - rounded);
+            let ball = Swept {
+                way: Stretch::straight(from, from + path.direction * path.length),
+                rise: V3::zeros(),
+                radius: rounded,
+                flat: false,
+            };
+            self.may_meet(&ball)
+                .then(|| self.end(from, rounded, path))?
         })
     }
 }
