@@ -205,6 +205,7 @@ sentences! {
     SPREAD_CORNER 171 Warning "check-spread-corner" "check-spread-corner-hint";
     SPREAD_ANGLE 172 Warning "check-spread-angle" "check-spread-angle-hint";
     SPREAD_TRIANGLE 173 Warning "check-spread-triangle" "check-spread-triangle-hint";
+    TOOL_RADIUS 175 Warning "check-tool-radius-negative" "check-tool-radius-negative-hint";
     TEXT_BEHIND_END 180 Note "syntax-behind-end" "syntax-behind-end-hint";
     PROGRAM_NAMES 181 Note "program-names" "program-names-hint";
     NCT_FOREIGN 182 Note "nct-foreign" "nct-foreign-hint";

@@ -135,3 +135,21 @@ fn lists_go_on_through_arithmetic_parameters() {
     assert_eq!(outcome.control.data.get("R4"), None);
     assert_eq!(outcome.control.data.get("R5"), Some(&Value::Number(7.0)));
 }
+
+// oracle: hand: no tool is narrower than 0; a way to the end of all numbers is no way; what is no size makes no array
+#[test]
+fn numbers_out_of_all_proportion_are_told() {
+    let tool = "$TC_DP1[20,1]=120 $TC_DP3[20,1]=80\n$TC_DP6[20,1]=0 $TC_DP15[20,1]=-0.01\nT20 D1 M6\nG0 X0\nM30";
+    assert_eq!(go(tool).stop, None);
+    for (program, key) in [
+        ("G0 X=1EX300", "run-far"),
+        ("G1 F100 X0 Y0 Z20\nG2 X10 Y0 I=1EX9 J0", "run-arc"),
+        ("TRANS X=1EX200\nG0 X0", "run-far"),
+        ("$TC_DP3[9,1]=1EX300\nG0 X0", "run-far"),
+        ("DEF REAL A[1EX19,2,1EX-19]\nA=SET(1)", "run-array-size"),
+    ] {
+        assert_eq!(stopped(&go(program)), key, "{program}");
+        let parsed = read(Dialect::Sinumerik, program.as_bytes());
+        probewright_core::program::calls::calls(&parsed);
+    }
+}

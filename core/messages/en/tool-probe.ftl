@@ -69,3 +69,5 @@ check-tip-calibration-hint = The probe is calibrated with a tool of cutting edge
 check-tip-hint = Tools with cutting edge positions 1 to 8 are measured; check $TC_DP2.
 check-tip-axis = A tool with cutting edge position { $tip } has no edge across this axis.
 check-tip-axis-hint = Positions 5 and 7 are measured in the abscissa only, 6 and 8 in the ordinate only.
+check-tool-radius-negative = Radius and wear of the tool in use add up to { $radius } mm. No tool is that narrow: it is simulated with the radius 0.
+check-tool-radius-negative-hint = Look at the wear of the radius in the tool data.

@@ -69,3 +69,5 @@ check-tip-calibration-hint = 测量头用刀沿位置 3 的刀具校准；请检
 check-tip-hint = 可测量刀沿位置 1 到 8 的刀具；请检查 $TC_DP2。
 check-tip-axis = 刀沿位置 { $tip } 的刀具在此轴方向上没有切削刃。
 check-tip-axis-hint = 位置 5 和 7 只能在横坐标测量，6 和 8 只能在纵坐标测量。
+check-tool-radius-negative = 当前刀具的半径与磨损之和为 { $radius } mm。不存在这样的刀具：模拟时半径取 0。
+check-tool-radius-negative-hint = 请检查刀具数据中的半径磨损。

@@ -28,5 +28,9 @@ pub use path::Path;
 /// A point or direction X Y Z.
 pub type V3 = nalgebra::Vector3<f64>;
 
+/// Farthest from the zero of the machine that anything stands or is long, mm: contact is computed to 1e-9 mm, which f64
+/// holds up to here.
+pub const FARTHEST: f64 = 1e6;
+
 /// Two lengths closer than this, mm, are the same contact.
 pub const TOLERANCE: f64 = 1e-9;

@@ -1,13 +1,15 @@
 //! What a call would do, on a part and with a probe that have the errors of the page's sliders.
 
+use super::setup_limits::{exists, solid};
 use super::start::Start;
 use super::{Error, object, put};
 use crate::catalogue::{ProbeUse, Work};
 use crate::check::Inputs;
 use crate::control::Plane;
 use crate::geometry::{V3, rigid};
+use crate::message::Message;
 use crate::run::setup::Setup;
-use crate::run::survives;
+use crate::run::{Outcome, Stop, survives};
 use crate::workpiece::tool::{Cut, Tool};
 use crate::workpiece::{PartErrors, Probe, Solid};
 use serde::Deserialize;
@@ -58,7 +60,7 @@ pub(super) fn predict(
     } = start;
     let limits = limits.then(|| survived(work, inputs, &setup, &errors, described));
     let zones = prepare(&mut setup, work, inputs, &errors, described);
-    let outcome = crate::run::predict(inputs.cycle, inputs, &setup);
+    let outcome = carried_out(inputs, &mut setup);
     let mut outcome = super::outcome(inputs, &setup, &outcome);
     let zones = super::setup_write::solids(&zones);
     put(&mut outcome["trace"], "zones", zones);
@@ -68,6 +70,21 @@ pub(super) fn predict(
         put(&mut outcome["trace"], "limits", solids);
     }
     Ok((outcome, setup))
+}
+
+/// What the call does. With errors as large as what they change nothing is simulated, and drawn is what can exist.
+fn carried_out(inputs: &Inputs, setup: &mut Setup) -> Outcome {
+    if exists(setup).is_ok() {
+        return crate::run::predict(inputs.cycle, inputs, setup);
+    }
+    setup.workpiece.solids.retain(|one| solid("", one).is_ok());
+    setup
+        .tool_probes
+        .retain(|one| solid("", &one.solid).is_ok());
+    Outcome {
+        stop: Some(Stop::Fault(Message::new("run-errors"))),
+        ..Outcome::new(setup)
+    }
 }
 
 /// An error of the part by the name of its slider.
@@ -100,7 +117,8 @@ fn survived(
     let mut limits = Vec::new();
     let mut solids = Vec::new();
     for slider in SLIDERS {
-        let Some(found) = survives::survived(inputs, |error| with(slider, error)) else {
+        let possible = |error| Some(with(slider, error)).filter(|setup| exists(setup).is_ok());
+        let Some(found) = survives::survived(inputs, possible) else {
             continue;
         };
         limits.push(object([

@@ -8,27 +8,35 @@ use super::Error;
 use crate::catalogue::Dialect;
 use crate::control::nct_data;
 use crate::control::{Control, Frame, Value, gud};
+use crate::geometry::FARTHEST;
 use crate::run::setup::Setup;
 use crate::support::FORMS;
 use crate::workpiece::Probe;
 use crate::workpiece::seen::Turret;
 
-/// Largest length, angle or feed: contact is computed to 1e-9 mm, which f64 holds up to here.
-const LIMIT: f64 = 1e6;
+/// Largest length, angle or feed.
+const LIMIT: f64 = FARTHEST;
+/// Largest number of a datum: that of the control's own numbers, which units can still be applied to.
+const LARGEST: f64 = 1e300;
 /// Most solids of a part; every motion is held against each.
 const SOLIDS: usize = 50;
 
 /// Refuses what cannot be; the first thing found is named with its value.
 pub(super) fn check(setup: &Setup) -> Result<(), Error> {
     control(&setup.control)?;
-    probe(&setup.probe)?;
     small("position", &setup.position)?;
-    super::setup_tool::check(setup)?;
     let Turret { diameter, width } = setup.turret;
     for size in [diameter, width] {
         let holds = (0.0..=LIMIT).contains(&size);
         bound("machine.turret", size, holds, "0 to 1000000 mm")?;
     }
+    exists(setup)
+}
+
+/// Refuses a probe, tools, tool probes and a part that cannot exist.
+pub(super) fn exists(setup: &Setup) -> Result<(), Error> {
+    probe(&setup.probe)?;
+    super::setup_tool::check(setup)?;
     let solids = &setup.workpiece.solids;
     bound(
         "workpiece",
@@ -93,6 +101,10 @@ fn in_spindle(control: &Control) -> Result<(), Error> {
 
 /// User data, R parameters and # variables must exist, and hold what they are given.
 fn datum(dialect: Dialect, name: &str, value: &Value) -> Result<(), Error> {
+    if let Value::Number(number) = value {
+        let holds = number.abs() <= LARGEST;
+        bound(name, *number, holds, "-1E300 to 1E300")?;
+    }
     let numbered = |letter: char, most: usize| {
         let number = name
             .strip_prefix(letter)

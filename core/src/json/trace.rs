@@ -264,12 +264,7 @@ fn kind_name(kind: MotionKind) -> &'static str {
 /// offset, and what a correction moved: `before` and `after`.
 fn frames(before: &Control, after: &Control) -> Vec<Value> {
     let drawn = |name: &str, control: &Control, moved: Option<&str>| {
-        let at = control.to_machine([0.0; 3]);
-        let axis = |direction: [f64; 3]| {
-            let end = control.to_machine(direction);
-            [end[0] - at[0], end[1] - at[1], end[2] - at[2]]
-        };
-        let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(axis);
+        let (at, axes) = system(control)?;
         let mut view = object([
             ("name", name.into()),
             ("at", at.into()),
@@ -278,15 +273,14 @@ fn frames(before: &Control, after: &Control) -> Vec<Value> {
         if let Some(when) = moved {
             put(&mut view, "moved", when);
         }
-        view
+        Some(view)
     };
     let mut list = Vec::new();
     if before.to_machine([0.0; 3]) != [0.0; 3] {
-        let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         list.push(object([
             ("name", "MCS".into()),
             ("at", [0.0; 3].into()),
-            ("axes", axes.into()),
+            ("axes", UNITS.into()),
         ]));
     }
     let corner = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
@@ -300,13 +294,27 @@ fn frames(before: &Control, after: &Control) -> Vec<Value> {
         let moves = |point: &[f64; 3]| new.to_machine(*point) != old.to_machine(*point);
         let moved = corner.iter().any(moves);
         if moved || [before.settable, after.settable].contains(&number) {
-            list.push(drawn(&name, &old, moved.then_some("before")));
+            list.extend(drawn(&name, &old, moved.then_some("before")));
         }
         if moved {
-            list.push(drawn(&name, &new, Some("after")));
+            list.extend(drawn(&name, &new, Some("after")));
         }
     }
     list
+}
+
+/// The directions of the machine.
+pub(super) const UNITS: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+/// Zero and directions of the active WCS, machine coordinates; none where its frames are beyond all numbers.
+pub(super) fn system(control: &Control) -> Option<([f64; 3], [[f64; 3]; 3])> {
+    let at = control.to_machine([0.0; 3]);
+    let axes = UNITS.map(|direction| {
+        let end = control.to_machine(direction);
+        [0, 1, 2].map(|i| end[i] - at[i])
+    });
+    let mut values = axes.iter().flatten().chain(&at);
+    values.all(|value| value.is_finite()).then_some((at, axes))
 }
 
 /// The zero offset in force before, then those that are in force after or were corrected.

@@ -1,6 +1,7 @@
 //! A turned part as a drawing has it: its diameters as they are and as they should be, and those where it was touched.
 
 use super::object;
+use super::trace::{UNITS, system};
 use crate::catalogue::{ProbeUse, find};
 use crate::control::{Control, Transverse};
 use crate::geometry::{V3, rigid};
@@ -33,17 +34,13 @@ pub(super) fn drawing(setup: &Setup, outcome: &Outcome) -> Value {
     ])
 }
 
-/// Where positions count from, and whether those of X are diameters.
+/// Where positions count from, and whether those of X are diameters; from the zero of the machine where frames are beyond
+/// all numbers.
 fn reading(control: &Control) -> Value {
-    let at = V3::from(control.to_machine([0.0; 3]));
-    let axis = |index: usize| {
-        let mut unit = [0.0; 3];
-        unit[index] = 1.0;
-        vector(V3::from(control.to_machine(unit)) - at)
-    };
+    let (at, axes) = system(control).unwrap_or(([0.0; 3], UNITS));
     object([
-        ("at", vector(at)),
-        ("axes", [0, 1, 2].into_iter().map(axis).collect()),
+        ("at", at.into()),
+        ("axes", axes.into()),
         (
             "diameter",
             (control.transverse != Transverse::Radius).into(),

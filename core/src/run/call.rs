@@ -26,6 +26,7 @@ pub fn perform(sim: &mut Sim, inputs: &Inputs) -> Result<(), Stop> {
     let outcome = (work.simulate)(sim, inputs);
     sim.measuring = None;
     sim.recode(false);
+    let outcome = outcome.and_then(|()| numbers(sim));
     if let Err(Stop::Alarm(code)) = outcome {
         return alarm(sim, code);
     }
@@ -34,6 +35,16 @@ pub fn perform(sim: &mut Sim, inputs: &Inputs) -> Result<(), Stop> {
         sim.note(Step::CallEnd);
     }
     outcome
+}
+
+/// Whether the call has left numbers only.
+fn numbers(sim: &Sim) -> Result<(), Stop> {
+    let steps = sim.trace.entries.iter().rev().map(|entry| &entry.step);
+    let mut own = steps.take_while(|step| !matches!(step, Step::CallBegin { .. }));
+    match own.any(|step| matches!(step, Step::Set { after, .. } if !after.is_finite())) {
+        true => Err(Stop::Fault(Message::new("run-no-value"))),
+        false => Ok(()),
+    }
 }
 
 /// Stops with an alarm; it is recorded unless it was the last thing that was.

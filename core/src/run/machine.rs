@@ -6,6 +6,7 @@ use super::trace::{Entry, MotionKind, Step, Trace};
 use super::{Machine, Setup, Stop};
 use crate::catalogue::MachineSort;
 use crate::control::Control;
+use crate::geometry::FARTHEST;
 use crate::geometry::arc::Around;
 use crate::message::Message;
 use crate::scan::{FORM_POINTS, Sent};
@@ -238,8 +239,11 @@ impl Sim {
         if self.measuring.is_none() {
             self.effort += LOOK * self.part.weight().saturating_sub(1);
         }
+        let length = self.control.active_length();
         let problem = if !way.to.iter().all(|value| value.is_finite()) {
             Message::new("run-not-finite")
+        } else if !way.is_near() || length.iter().any(|length| length.abs() > FARTHEST) {
+            Message::new("run-far").number("limit", FARTHEST)
         } else if !way.within_limits(&self.control) {
             Message::new("run-limit")
         } else {

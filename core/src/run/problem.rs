@@ -71,6 +71,9 @@ pub const KEYS: &[&str] = &[
     "run-unread-way",
     "run-parameter",
     "run-no-edge",
+    "run-far",
+    "run-no-value",
+    "run-errors",
 ];
 
 /// Keys of what a run goes on without: named at its end.

@@ -3,7 +3,7 @@
 use crate::control::Control;
 use crate::geometry::arc::Around;
 use crate::geometry::stretch::Stretch;
-use crate::geometry::{TOLERANCE, V3, roots};
+use crate::geometry::{FARTHEST, TOLERANCE, V3, roots};
 use crate::workpiece::contact::{Boundary, Contact};
 use crate::workpiece::feeler::{Feeler, Touching};
 
@@ -97,6 +97,13 @@ impl Route {
             }
         };
         stretch.moved(&shift.into())
+    }
+
+    /// Whether it lies where contact can be computed: both ends, and of an arc its axis.
+    pub fn is_near(&self) -> bool {
+        let centre = self.around.map_or([0.0; 3], |around| around.centre);
+        let mut values = [self.from, self.to, centre].into_iter().flatten();
+        values.all(|value| value.abs() <= FARTHEST)
     }
 
     /// Whether all its places are within the software limit switches; of a straight way its end, as it may lead back.

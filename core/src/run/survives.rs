@@ -19,14 +19,16 @@ pub struct Survived {
     pub high: Option<f64>,
 }
 
-/// The limits of one error, of which `with` makes the machine and the part. None: the call does not even come to its end
-/// without it.
+/// The limits of one error, of which `with` makes the machine and the part; where that cannot exist, it is not survived.
+/// None: the call does not even come to its end without it.
 ///
 /// The limit is found by running the call: what `_FA`, `_TSA` and `_SZA` leave depends on ball, angles and order of
 /// touches, and running them is exact whatever decides. Larger errors are tried until one is not survived; between it and
 /// the last one that was, the limit is enclosed.
-pub fn survived(inputs: &Inputs, with: impl Fn(f64) -> Setup) -> Option<Survived> {
-    let ends = |error: f64| predict(inputs.cycle, inputs, &with(error)).finished();
+pub fn survived(inputs: &Inputs, with: impl Fn(f64) -> Option<Setup>) -> Option<Survived> {
+    let ends = |error: f64| {
+        with(error).is_some_and(|setup| predict(inputs.cycle, inputs, &setup).finished())
+    };
     ends(0.0).then(|| Survived {
         low: limit(|size| ends(-size)).map(|size| -size),
         high: limit(ends),
@@ -81,7 +83,7 @@ mod tests {
             let mut part = solid(Plane::G17, shape, [0.0; 3], false);
             part.errors.size = size;
             machine.workpiece.solids.push(part);
-            machine
+            Some(machine)
         };
         survived(&inputs, with).unwrap()
     }

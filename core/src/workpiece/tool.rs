@@ -89,7 +89,7 @@ impl Tool {
     /// else a smooth cutter with its corner radius (`$TC_DP7`). How a cutter lies no datum tells: along the applicate, and
     /// where it is as long as a turning tool along the abscissa.
     pub fn nominal(edge: &Edge, control: &Control) -> Tool {
-        let radius = edge.total_radius();
+        let radius = edge.total_radius().max(0.0);
         let [.., along_third] = control.length_axes(edge);
         let cut = if edge.is_turning() {
             Cut::Nose(Nose {
@@ -108,7 +108,7 @@ impl Tool {
                 corner: if drill {
                     0.0
                 } else {
-                    corner.clamp(0.0, radius)
+                    corner.max(0.0).min(radius)
                 },
                 axis: if along_third == 2 { 0 } else { 2 },
                 ..Cutter::smooth(radius)

@@ -212,6 +212,34 @@ fn corner_radius_chamfer_and_point_touch_the_rim_later() {
 }
 
 #[test]
+fn a_tool_whose_radius_is_below_nothing_has_none() {
+    // oracle: hand: no tool is narrower than 0, whatever wear and corner radius say
+    for kind in [120, 200, 500] {
+        for (radius, wear, corner) in [
+            (0.0, -0.01, 0.0),
+            (-5.0, 0.0, 1.0),
+            (1.0, -1e300, f64::NAN),
+            (f64::NAN, 0.0, -1.0),
+        ] {
+            let edge = Edge {
+                kind,
+                radius,
+                radius_wear: wear,
+                further: [(7, corner)].into(),
+                ..Edge::default()
+            };
+            for dialect in [Dialect::Sinumerik, Dialect::Nct] {
+                let found = match Tool::nominal(&edge, &delivery(dialect)).cut {
+                    Cut::Cutter(cutter) => [cutter.radius, cutter.corner],
+                    Cut::Nose(nose) => [nose.radius, 0.0],
+                };
+                assert_eq!(found, [0.0; 2], "{edge:?}");
+            }
+        }
+    }
+}
+
+#[test]
 fn a_cutter_lies_along_the_axis_in_which_its_length_counts() {
     // oracle: manual B:762-817 (L1 along the applicate), B:9192 (as a turning tool: L2 along the abscissa, axial position)
     let mill = Edge {

@@ -209,6 +209,9 @@ fn the_tool_in_use_is_looked_at() {
     let thin = |control: &mut Control| edge(control).radius = 0.0;
     assert_eq!(found(RADIUS, thin), alarm(61351));
     assert_eq!(found(&[], |control| control.tool = 0), []);
+    // oracle: hand: less than no radius cannot be simulated
+    let worn = |control: &mut Control| edge(control).radius_wear = -18.01;
+    assert!(found(&[], worn).contains(&(Severity::Warning, Code::Own(175))));
 }
 
 #[test]

@@ -6,7 +6,7 @@ use super::params::ONE;
 use crate::catalogue::names;
 use crate::check::Inputs;
 use crate::control::Control;
-use nalgebra::{Rotation3, Unit, Vector3};
+use nalgebra::Vector3;
 
 /// A way from the first point to another one.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -101,20 +101,10 @@ pub fn normal(about_abscissa: f64, about_ordinate: f64) -> Vector3<f64> {
     Vector3::new(fall, -rise, 1.0)
 }
 
-/// The rotation that takes one direction to another and does not turn about it. The angle is that of sine and cosine: a
-/// cosine alone may be larger than 1 by its last bit, and has no angle then; near 1 it loses half of its digits.
-pub fn between(from: &Vector3<f64>, to: &Vector3<f64>) -> Rotation3<f64> {
-    let across = from.cross(to);
-    let angle = across.norm().atan2(from.dot(to));
-    let axis = Unit::try_new(across, 0.0);
-    axis.map_or_else(Rotation3::identity, |axis| {
-        Rotation3::from_axis_angle(&axis, angle)
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::rigid::between;
     use proptest::prelude::*;
 
     proptest! {

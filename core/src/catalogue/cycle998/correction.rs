@@ -1,7 +1,7 @@
 //! What CYCLE998 corrects: the rotation of a frame, or the translation of the rotary axis on which the part is clamped
 //! (B:7262-7278, B:7371-7391).
 
-use super::angles::{Surface, between, normal};
+use super::angles::{Surface, normal};
 use super::params::ONE;
 use crate::catalogue::names;
 use crate::catalogue::sinumerik::{alarm, correct, results};
@@ -84,7 +84,7 @@ impl Correction {
             Some(target) => zero_offset::seen(control, target, actual.into()).into(),
             None => actual,
         };
-        let turn = between(&wanted, &seen);
+        let turn = rigid::between(&wanted, &seen);
         let angles = rigid::angles(&turn);
         for (index, axis) in control.plane.axes().into_iter().enumerate() {
             results::angle(machine, 21 + index, angles[axis]);

@@ -1,6 +1,7 @@
 //! What is contradictory or dangerous over several addresses of G65 P9920.
 
 use super::{CALIBRATE, DIAMETER};
+use crate::catalogue::tool_probe::checks::radius;
 use crate::check::Inputs;
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
@@ -16,6 +17,7 @@ pub fn checks(inputs: &Inputs, control: &Control, findings: &mut Vec<Diagnostic>
         // it comes down on the disk
         findings.push(own::P9920_TURNING_LENGTH.finding().at("M"));
     }
+    radius(control, findings);
     let beside = matches!(inputs.variant, CALIBRATE | DIAMETER);
     if beside && inputs.given("E") == Some(0.0) {
         // the tool sinks along the wall of the disk

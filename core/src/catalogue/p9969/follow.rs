@@ -123,7 +123,7 @@ pub fn scanner(machine: &mut dyn Machine, inputs: &Inputs) -> Result<Box<dyn Sca
 fn lines(distance: f64, spacing: f64) -> usize {
     let whole = (distance / spacing + 1e-9).floor();
     let rest = distance - whole * spacing > NOTHING;
-    whole as usize + 1 + usize::from(rest)
+    (whole as usize).saturating_add(1 + usize::from(rest))
 }
 
 impl Scanner for Follow {

@@ -79,6 +79,7 @@ pub fn limits(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
 /// The tool in use, to be looked at further; none where it is not known. While a workpiece probe is in use, the tool that
 /// is meant is still to come: a doubt here, 61314 on the machine (A:15855).
 pub fn tool_in_use<'a>(control: &'a Control, found: &mut Vec<Diagnostic>) -> Option<&'a Edge> {
+    radius(control, found);
     let edge = control.active_edge().filter(|edge| edge.kind != 0)?;
     if edge.kind != WORKPIECE_PROBE {
         return Some(edge);
@@ -89,6 +90,14 @@ pub fn tool_in_use<'a>(control: &'a Control, found: &mut Vec<Diagnostic>) -> Opt
             .at(names::MVAR),
     );
     None
+}
+
+/// Radius and wear of the tool in use that add up below 0: what touches the probe has the radius 0 then.
+pub fn radius(control: &Control, found: &mut Vec<Diagnostic>) {
+    let radius = control.active_edge().map_or(0.0, Edge::total_radius);
+    if radius < 0.0 {
+        found.push(own::TOOL_RADIUS.finding().number("radius", radius));
+    }
 }
 
 /// Speeds with which the cycle positions (B:13726-13733, A:15879-15880).

@@ -24,6 +24,38 @@ fn solids_of_one_part_are_tilted_together() {
     assert!((turned[0]["after"].as_f64().unwrap() - 0.1).abs() < 1e-9);
 }
 
+// oracle: hand: a hole that is smaller than its error has no wall, a ball of 3 mm less 5 no surface
+#[test]
+fn errors_that_leave_nothing_are_told() {
+    let cycle = crate::catalogue::find(Dialect::Sinumerik, "CYCLE977").unwrap();
+    for errors in [
+        json!({ "part": { "size": -500 } }),
+        json!({ "part": { "dx": -6e114 } }),
+        json!({ "part": { "taper": 1e308 } }),
+        json!({ "part": { "outOfRound": 90 } }),
+        json!({ "probe": { "radius": -5 } }),
+    ] {
+        let mut document: Value = serde_json::from_str(&request(cycle)).unwrap();
+        document["errors"] = errors.clone();
+        let view = form(&document.to_string()).unwrap();
+        let alarms = &view["outcome"]["alarms"];
+        assert_eq!(alarms[0]["message"]["key"], "run-errors", "{errors}");
+    }
+}
+
+// oracle: hand: nobody measures a thousand times at a keystroke
+#[test]
+fn a_call_that_measures_without_end_is_given_up() {
+    let cycle = crate::catalogue::find(Dialect::Sinumerik, "CYCLE978").unwrap();
+    let mut document: Value = serde_json::from_str(&request(cycle)).unwrap();
+    document["values"]["_NMSP"] = "999999".into();
+    let view = form(&document.to_string()).unwrap();
+    let alarms = &view["outcome"]["alarms"];
+    assert_eq!(alarms[0]["message"]["key"], "run-trace-limit");
+    let entries = view["outcome"]["trace"]["entries"].as_array().unwrap();
+    assert!(entries.len() <= 5000);
+}
+
 // oracle: hand
 #[test]
 fn every_worked_example_is_complete_and_reaches_its_end() {

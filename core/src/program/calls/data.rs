@@ -182,7 +182,8 @@ impl Walk<'_> {
             let size = |id: &ExprId| fold::number(self.program, *id, &numbers);
             let sizes: Option<Vec<f64>> = index.iter().map(size).collect();
             let sizes = sizes.unwrap_or_default();
-            if sizes.iter().product::<f64>() > ELEMENTS {
+            let whole = sizes.iter().all(|size| *size >= 1.0);
+            if !whole || sizes.iter().product::<f64>() > ELEMENTS {
                 return;
             }
             let sizes = sizes.into_iter().map(|size| size as usize).collect();

@@ -4,6 +4,7 @@ use super::Sim;
 use crate::geometry::V3;
 use crate::geometry::arc::Around;
 use crate::geometry::rod::Rod;
+use crate::message::Message;
 use crate::run::Stop;
 use crate::run::route::{Obstacle, Route, add};
 use crate::run::trace::Step;
@@ -17,6 +18,9 @@ impl Sim {
         let Some(from) = self.control.rotary.get(axis).copied() else {
             return Ok(());
         };
+        if !to.is_finite() {
+            return Err(Stop::Fault(Message::new("run-not-finite")));
+        }
         // after a whole circle everything has passed by
         let turn = Around {
             centre: self.control.rotary_centre,
@@ -58,19 +62,29 @@ impl Sim {
         let feeler = self.feeler();
         let stylus = feeler.rods().flat_map(|(by, rod)| balls(rod, by, ball));
         let pieces = std::iter::once((ball, feeler.radius, Touching::Ball)).chain(stylus);
-        let met = pieces.filter_map(|(place, radius, by)| {
+        let mut first: Option<Obstacle> = None;
+        for (place, radius, by) in pieces {
+            let part = first.map_or(1.0, |met| met.part);
             let way = Route {
                 from: place,
-                to: turn.end(place, 0.0),
-                around: Some(*turn),
+                to: turn.at(place, turn.end(place, 0.0), part),
+                around: Some(Around {
+                    degrees: turn.degrees * part,
+                    ..*turn
+                }),
             };
             let ball = Feeler::ball(radius);
-            let met = way.obstacle(&self.part, &ball, [0.0; 3], &mut self.effort)?;
-            Some(Obstacle { by, ..met })
-        });
-        met.min_by(|a, b| a.part.total_cmp(&b.part))
+            if let Some(met) = way.obstacle(&self.part, &ball, [0.0; 3], &mut self.effort) {
+                let part = met.part * part;
+                first = Some(Obstacle { by, part, ..met });
+            }
+        }
+        first
     }
 }
+
+/// Most balls that stand for a stylus or a body.
+const BALLS: f64 = 1000.0;
 
 /// Balls so close together that they make stylus or body, as far as the spindle.
 fn balls(
@@ -78,9 +92,10 @@ fn balls(
     by: Touching,
     ball: [f64; 3],
 ) -> impl Iterator<Item = ([f64; 3], f64, Touching)> {
-    let count = (rod.length / rod.radius) as usize;
+    let apart = rod.radius.max(rod.length / BALLS);
+    let count = (rod.length / apart) as usize;
     (1..=count).map(move |step| {
-        let place = V3::from(ball) + rod.foot + rod.up * (step as f64 * rod.radius);
+        let place = V3::from(ball) + rod.foot + rod.up * (step as f64 * apart);
         (place.into(), rod.radius, by)
     })
 }

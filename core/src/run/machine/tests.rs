@@ -280,3 +280,29 @@ fn a_body_gives_no_signal() {
         }
     ));
 }
+
+// oracle: hand: a stylus of a billionth of a mm is a line; the balls that stand for it are a thousand at most
+#[test]
+fn a_stylus_like_a_hair_is_looked_at_in_a_thousand_places() {
+    let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+    setup.probe.stylus = Some(1e-9);
+    let mut sim = Sim::new(&setup);
+    assert_eq!(sim.turn_table(2, 90.0), Ok(()));
+    assert!(sim.effort() < 10_000);
+    let stop = sim.turn_table(2, f64::INFINITY);
+    assert_eq!(stop, Err(Stop::Fault(Message::new("run-not-finite"))));
+}
+
+// oracle: hand: a position of a kilometre is the last that is computed to 1e-9 mm
+#[test]
+fn nothing_is_driven_beyond_what_can_be_computed() {
+    for to in [[0.0, 0.0, 1.1e6], [1e300, 0.0, 20.0]] {
+        let far = Err(Stop::Fault(Message::new("run-far").number("limit", 1e6)));
+        assert_eq!(sim().travel(to, MotionKind::Rapid, 0.0, false), far);
+        assert_eq!(sim().probe(to, 150.0).map(|_| ()), far);
+    }
+    let mut long = sim();
+    long.correct("$TC_DP3[9,1]", 1e300);
+    let stop = long.travel([0.0; 3], MotionKind::Rapid, 0.0, false);
+    assert!(matches!(stop, Err(Stop::Fault(message)) if message.key == "run-far"));
+}
