@@ -20,7 +20,10 @@ const GOAL: f64 = 50.0;
 
 fn main() {
     let mut all: Vec<(f64, u64)> = (0..CASES)
-        .map(|number| (time(&Case::heavy(number)), number))
+        .map(|number| {
+            let case = Case::heavy(number);
+            (time(&case).min(time(&case)), number)
+        })
         .collect();
     all.sort_by(|a, b| b.0.total_cmp(&a.0));
     let again = all.iter().take(4 * SLOWEST).map(|(first, number)| {

@@ -101,11 +101,11 @@ impl LobedWall {
 
     /// A distance that the wall is surely not below, mm: that of the cone through its middle, less the amplitude.
     pub fn at_least(&self, p: &V3) -> f64 {
-        self.from_mean(p, [0.0, self.depth]) - self.lobes.amplitude.abs()
+        self.off_mean(p, [0.0, self.depth]) - self.lobes.amplitude.abs()
     }
 
     /// Distance from the cone through its middle, between these depths, mm.
-    fn from_mean(&self, p: &V3, [low, high]: [f64; 2]) -> f64 {
+    fn off_mean(&self, p: &V3, [low, high]: [f64; 2]) -> f64 {
         let Lobes { radius, slope, .. } = self.lobes;
         let out = p.xy().norm();
         let down = ((out - radius) * slope - p.z) / (1.0 + slope * slope);

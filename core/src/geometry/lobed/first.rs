@@ -121,7 +121,7 @@ impl Search<'_> {
         let ways = [here.way, there.way];
         let rims = [0.0, self.wall.depth];
         let reach = self.radius + self.wall.lobes.amplitude.abs();
-        let mean = |rims| ways.map(|way| self.wall.from_mean(&self.path.at(way), rims));
+        let mean = |rims| ways.map(|way| self.wall.off_mean(&self.path.at(way), rims));
         if stays_beyond(mean(rims), half, 1.0, reach) {
             return true;
         }
