@@ -72,17 +72,24 @@ pub(super) fn predict(
     Ok((outcome, setup))
 }
 
-/// What the call does. With errors as large as what they change nothing is simulated, and drawn is what can exist.
+/// What the call does. With errors as large as what they change, and from a place that is beyond all numbers, nothing is
+/// simulated, and drawn is what can exist.
 fn carried_out(inputs: &Inputs, setup: &mut Setup) -> Outcome {
-    if exists(setup).is_ok() {
-        return crate::run::predict(inputs.cycle, inputs, setup);
+    let somewhere = setup.position.iter().all(|value| value.is_finite());
+    let problem = match exists(setup).is_ok() {
+        true if somewhere => return crate::run::predict(inputs.cycle, inputs, setup),
+        true => "run-not-finite",
+        false => "run-errors",
+    };
+    if !somewhere {
+        setup.position = [0.0; 3];
     }
     setup.workpiece.solids.retain(|one| solid("", one).is_ok());
     setup
         .tool_probes
         .retain(|one| solid("", &one.solid).is_ok());
     Outcome {
-        stop: Some(Stop::Fault(Message::new("run-errors"))),
+        stop: Some(Stop::Fault(Message::new(problem))),
         ..Outcome::new(setup)
     }
 }
