@@ -190,6 +190,10 @@ pub fn change(request: &str) -> Result<Value, Error> {
         &request.value,
         &control,
     );
+    let done = done.ok_or_else(|| Error::Unknown {
+        what: "call",
+        name: request.call.to_string(),
+    })?;
     let mut steps: Vec<Value> = Vec::new();
     for edits in &done.steps {
         let positions = Positions::new(&program.source);

@@ -192,8 +192,11 @@ impl<'a> Reader<'a> {
     /// become one, and a word that it touches is not understood either: of `X10+5` and `_FA=2%` nobody knows what they mean. What
     /// stands in a bracket that the block leaves open belongs to it, up to the end.
     pub fn unknown(&mut self, start: usize, place: usize, sentence: &'static Own, stop: u8) {
-        let open = self.left_open(place, sentence, stop);
-        self.at = place.max(start + 1).max(open);
+        let failed = match self.left_open(place, sentence, stop) {
+            0 => place,
+            end => end,
+        };
+        self.at = failed.max(start + 1);
         while !self.done() && !is_blank(self.byte(0)) && self.byte(0) != stop {
             let quoted = self.byte(0) == b'"';
             let close = if quoted {

@@ -26,21 +26,19 @@ pub struct Revision {
 }
 
 /// Gives a parameter of the call at `index` this value, as [`change`] does. Of a call that becomes another variant nothing
-/// stays that this variant does not know. The program starts on a control in this state.
+/// stays that this variant does not know. The program starts on a control in this state. None: there is no such call.
 pub fn revise(
     program: &Program,
     index: usize,
     name: &str,
     value: &str,
     control: &Control,
-) -> Revision {
+) -> Option<Revision> {
     let sites = calls_on(program, control.clone());
-    let Some(site) = sites.get(index) else {
-        return Revision::default();
-    };
+    let site = sites.get(index)?;
     let edits = change(program, site, name, value);
     if edits.is_empty() {
-        return Revision::default();
+        return Some(Revision::default());
     }
     let mut revision = Revision {
         elsewhere: elsewhere(program, site, &edits),
@@ -50,7 +48,7 @@ pub fn revise(
     let after = read(program.dialect, &apply(&program.source, &edits));
     revision.steps.push(edits);
     if idle.is_empty() {
-        return revision;
+        return Some(revision);
     }
     if let Some(site) = calls_on(&after, control.clone()).get(index) {
         let own = idle
@@ -70,7 +68,7 @@ pub fn revise(
         revision.findings = went.into_iter().chain(stay).collect();
         revision.taken = taken;
     }
-    revision
+    Some(revision)
 }
 
 /// The parameters that the call uses now, and does not know any more as the variant that this value chooses.

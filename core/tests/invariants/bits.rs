@@ -51,11 +51,14 @@ const ROWS: &[Row] = &[
     row("_CHBIT[6]", "CYCLE977", 1, &[]),                              // B:13845
     row("_CHBIT[7]", "CYCLE994", 1, &[("_WP[0,0]", 6.2)]),                              // B:13850
     row("_CHBIT[8]", "CYCLE977", 1, &[]),                              // B:13852
+    row("_CHBIT[10]", "CYCLE977", 1, &[]),                             // B:13855
+    row("_CHBIT[11]", "CYCLE977", 1, &[("_CHBIT[10]", 1.0)]),          // B:13864
     row("_CHBIT[13]", "CYCLE977", 101, &[]),                           // B:13867
     row("_CHBIT[14]", "CYCLE977", 101, &[("_CHBIT[13]", 1.0)]),        // B:13869
     row("_CHBIT[15]", "CYCLE977", 101, &[]),                           // B:13870
     row("_CHBIT[16]", "CYCLE977", 101, &[]),                           // B:13871
     row("_CHBIT[17]", "CYCLE977", 101, &[]),                           // B:13872
+    row("_CHBIT[18]", "CYCLE977", 1, &[("_CHBIT[10]", 1.0)]),          // B:13873
     row("_CHBIT[19]", "CYCLE974", 0, &[]),                             // B:13874
     row("_CHBIT[20]", "CYCLE982", 1101, &[]),                          // B:13875
     row("_CHBIT[21]", "CYCLE977", 101, &[]),                           // B:13876
@@ -74,15 +77,9 @@ const SILENT: &[(&str, &str)] = &[
     ),
     ("_CHBIT[1]", "the same of the tool probe"),
     (
-        "_CHBIT[10]",
-        "the result screen of the control, which is not drawn",
-    ),
-    ("_CHBIT[11]", "how the result screen goes away"),
-    (
         "_CHBIT[22]",
         "by how much the last touch of a turning tool is slower, no manual tells",
     ),
-    ("_CHBIT[18]", "how long the result screen stays"),
 ];
 
 /// Whether a call, its findings or what it leaves differ with the switch.

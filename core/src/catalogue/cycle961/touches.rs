@@ -4,10 +4,9 @@
 
 use super::lines::{Point, across, along, away, direction, unit};
 use super::params::{OUTSIDE, PLACES, POINTS, RECTANGLE};
-use crate::catalogue::{names, place};
+use crate::catalogue::names;
 use crate::check::Inputs;
 use crate::control::Control;
-use crate::geometry::V3;
 
 /// How exactly the angles are known: the way leads so much away from the edges, degree (B:7996).
 pub const TOLERANCE: f64 = 10.0;
@@ -65,15 +64,8 @@ pub fn edges(inputs: &Inputs, control: &Control) -> [f64; 2] {
 /// 1 where angles of the WCS turn like those of the machine, from its abscissa to its ordinate; -1 where they turn against
 /// them.
 fn sense(control: &Control) -> f64 {
-    let [abscissa, ordinate, _] = control.plane.axes();
-    let seen = |place: Point| {
-        V3::from(control.direction_to_machine(place::in_plane(control, [place[0], place[1], 0.0])))
-    };
-    let about = V3::from(control.turn_axis(abscissa, ordinate));
-    seen([1.0, 0.0])
-        .cross(&seen([0.0, 1.0]))
-        .dot(&about)
-        .signum()
+    let [abscissa, ordinate, applicate] = control.plane.axes();
+    control.turn_axis(abscissa, ordinate)[applicate].signum()
 }
 
 /// In the directions of the edges, turned away from them, at the distances and at half of them (B:7984-7998).

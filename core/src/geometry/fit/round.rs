@@ -13,6 +13,8 @@ const LOW: f64 = 1e-6;
 const STEPS: usize = 50;
 /// Halvings of a step that does not come nearer.
 const HALVINGS: usize = 30;
+/// Steps shorter than this part of the extent are close to the end.
+const CLOSE: f64 = 1e-6;
 /// A step that is shorter than this part of the extent changes nothing any more.
 const STILL: f64 = 1e-15;
 /// Nothing comes nearer by any way where the gradient is this part of what is left.
@@ -79,20 +81,26 @@ impl Fit<'_> {
         radius.is_finite().then_some(round)
     }
 
-    /// Steps of Gauss and Newton, each halved until it comes nearer, up to where nothing does.
+    /// Steps of Gauss and Newton, each halved until it comes nearer. Close to the end rounding hides what a step gains; then
+    /// it is taken as it is, for as long as steps become shorter.
     fn search(&self, mut round: Round) -> Option<Round> {
+        let mut last = CLOSE;
         for _ in 0..STEPS {
             let Some(step) = self.solved(|p| self.row(p, &round)) else {
                 break;
             };
+            let length = step.centre.norm().max(step.radius.abs());
             let left = self.left(&round);
             let halves = (0..HALVINGS).map(|halving| 0.5_f64.powi(halving as i32));
             let mut shorter = halves.map(|part| round.moved(&step, part));
-            let Some(next) = shorter.find(|next| self.left(next) < left) else {
+            let whole = (length < last).then(|| round.moved(&step, 1.0));
+            let nearer = || shorter.find(|next| self.left(next) < left);
+            let Some(next) = whole.or_else(nearer) else {
                 break;
             };
+            last = last.min(length);
             round = next;
-            if step.centre.norm().max(step.radius.abs()) < STILL {
+            if length < STILL {
                 break;
             }
         }
