@@ -97,7 +97,10 @@ fn a_sign_that_is_turned_round_twice_is_gone_again() {
         let (newer, _) = converted(&text, 0, Style::Operate);
         let (back, _) = converted(&newer, 0, Style::Direct);
         let (again, _) = converted(&back, 0, Style::Operate);
-        let id = |text: &str| sites(text)[0].expressions["_ID"].clone();
+        let id = |text: &str| {
+            let site = &sites(text)[0];
+            (site.values["_ID"].clone(), site.expressions.clone())
+        };
         assert_eq!(id(&again), id(&newer), "from {text} by {back}");
         let (back, _) = converted(&again, 0, Style::Direct);
         assert_eq!(converted(&back, 0, Style::Operate).0, again, "by {back}");
