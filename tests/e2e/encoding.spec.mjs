@@ -20,7 +20,10 @@ async function opened(page, name, content) {
   await page.locator(`.file-name:text-is("${name}")`).waitFor();
 }
 
+let saves = 0;
+
 async function saved(page, button = "Save") {
+  if (++saves % 8 === 0) await page.waitForTimeout(1500); // Chromium drops what is more than ten downloads at a time
   const download = page.waitForEvent("download");
   await page.locator(".panel-program").getByRole("button", { name: button, exact: true }).click();
   return readFile(await (await download).path());

@@ -35,7 +35,8 @@ pub fn pass(
     block: &[Word],
     found: &mut Words,
 ) -> Result<(), Problem> {
-    found.unread = true;
+    // every word of a block has the same block about it: the first one asks
+    let first = !std::mem::replace(&mut found.unread, true);
     let written = String::from_utf8_lossy(run.program.text(word.span)).into_owned();
     run.passed_over(PassedOver {
         word: printable(&written),
@@ -48,10 +49,11 @@ pub fn pass(
             !rest.starts_with(|next: char| next.is_ascii_alphanumeric() || next == '_')
         })
     };
-    let branches = block.iter().any(|other| match &other.kind {
+    let keyword = |other: &Word| match &other.kind {
         WordKind::Keyword { name, .. } => WAYS.iter().any(|way| run.program.is(*name, way)),
         _ => false,
-    });
+    };
+    let branches = first && block.iter().any(keyword);
     if branches || WAYS.iter().any(|way| begins(way)) {
         return Err(Problem::new("run-unread-way", word.span, printable(&text)));
     }

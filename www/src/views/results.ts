@@ -61,7 +61,7 @@ function createOutcome(root: HTMLElement): Draw {
   const more = el("p", { class: "empty" });
   const same = el("p", { class: "empty" }, t("outcome-no-changes"));
   const assumed = el("p", { class: "assumed", role: "note" });
-  const ended = el("p", { class: "assumed", role: "note" });
+  const ended = el("p", { class: "ended", role: "note" });
   root.append(none, assumed, alarms, el("div", { class: "outcome" }, changeTable, same, decisionBox, resultTable, more), ended);
   const shownNow = keptOutcome();
   let drawn: Shown | null | undefined;

@@ -27,8 +27,9 @@ pub fn called(program: &Program, programs: &Programs, words: &[Word], at: usize)
     if words.first().is_some_and(|word| declares(program, word)) {
         return None;
     }
-    if words.iter().take(at).any(|word| repeats(program, word)) {
-        return None; // labels
+    let two = words.get(at.saturating_sub(2)..at).unwrap_or_default();
+    if two.iter().any(|word| repeats(program, word)) {
+        return None; // the label where a part begins, and the one where it ends
     }
     let before = at.checked_sub(1).and_then(|before| words.get(before));
     let (name, certain) = match &words.get(at)?.kind {
