@@ -1,6 +1,6 @@
 //! What a measurement corrected is right afterwards: measured again, nothing is left to correct.
 
-use super::draw::{Drawn, hold, measuring, milling};
+use super::draw::{Drawn, hold, is_milling, measuring, milling};
 use super::stand::{Stand, stand};
 use probewright_core::catalogue::ProbeUse;
 use probewright_core::check::Inputs;
@@ -109,9 +109,5 @@ fn settled(drawn: &Drawn) -> Result<Option<String>, TestCaseError> {
 #[test]
 fn measured_again_nothing_is_left() {
     hold(milling(), 12, settled);
-    hold(
-        measuring().filter(|cycle| cycle.purpose.probe == ProbeUse::Tool),
-        6,
-        settled,
-    );
+    hold(measuring().filter(|cycle| !is_milling(cycle)), 6, settled);
 }

@@ -226,9 +226,12 @@ pub fn measuring() -> impl Iterator<Item = &'static Cycle> {
 
 /// Those that measure a part on a milling machine.
 pub fn milling() -> impl Iterator<Item = &'static Cycle> {
-    measuring().filter(|cycle| {
-        cycle.purpose.machine == MachineSort::Milling && cycle.purpose.probe == ProbeUse::Workpiece
-    })
+    measuring().filter(|cycle| is_milling(cycle))
+}
+
+pub fn is_milling(cycle: &Cycle) -> bool {
+    let purpose = &cycle.purpose;
+    purpose.machine == MachineSort::Milling && purpose.probe == ProbeUse::Workpiece
 }
 
 /// So many measurements of a variant.
