@@ -38,7 +38,7 @@ fn frame(knum: i64, before: &Control) -> String {
         2000 => "$P_SETFR[".to_owned(),
         9999 if before.settable != 0 => format!("$P_UIFR[{},", before.settable),
         1000 | 9999 => {
-            let last = before.channel_basic_numbers().into_iter().last();
+            let last = before.channel_basic_numbers().into_iter().next_back();
             format!("$P_CHBFR[{},", last.unwrap())
         }
         _ => "nothing".to_owned(),
