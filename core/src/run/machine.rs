@@ -9,7 +9,7 @@ use crate::control::Control;
 use crate::geometry::FARTHEST;
 use crate::geometry::arc::Around;
 use crate::message::Message;
-use crate::scan::{FORM_POINTS, Sent};
+use crate::scan::{FORM_POINTS, FORM_POINTS_WITH_BODY, Sent};
 use crate::workpiece::contact::{Boundary, Contact};
 use crate::workpiece::feeler::Touching;
 use crate::workpiece::noise::Noise;
@@ -84,7 +84,10 @@ impl Sim {
             scans: Vec::new(),
             line: None,
             trace_limit: TRACE_LIMIT,
-            point_limit: FORM_POINTS,
+            point_limit: match setup.probe.body {
+                Some(_) => FORM_POINTS_WITH_BODY,
+                None => FORM_POINTS,
+            },
             quiet: false,
             measuring: None,
             probe: setup.probe,
