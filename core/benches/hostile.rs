@@ -2,7 +2,7 @@
 //! in and out. What takes longest is taken again, so that a pause of this computer does not count.
 
 #[path = "../tests/hostile_setups/case.rs"]
-#[allow(dead_code)]
+#[allow(dead_code)] // the tests that share it call more of it
 mod case;
 #[path = "../tests/hostile_setups/draw.rs"]
 mod draw;

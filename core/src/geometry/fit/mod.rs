@@ -5,5 +5,5 @@ mod reference;
 pub mod round;
 pub mod straight;
 
-pub use round::{circle, height, in_line, nearest};
+pub use round::{circle, in_line, nearest};
 pub use straight::{line, plane};

@@ -168,7 +168,7 @@ pub fn in_line(points: [V3; 3]) -> bool {
 }
 
 /// Height of a triangle in parts of its longest side; none where all three points are the same.
-pub fn height([a, b, c]: [V3; 3]) -> Option<f64> {
+fn height([a, b, c]: [V3; 3]) -> Option<f64> {
     let sides = [b - a, c - a, c - b].map(|side| side.norm());
     let longest = sides.into_iter().fold(0.0, f64::max);
     let height = (b - a).cross(&(c - a)).norm() / (longest * longest);
