@@ -18,9 +18,12 @@ function partsOfWords(): Plugin {
     load(id) {
       const [path = "", part] = id.split("?");
       if (!path.endsWith(".ftl") || (part !== "first" && part !== "later")) return null;
-      const messages = readFileSync(path, "utf8").split(/\n(?=[a-z#]|$)/).filter((message) => /^[a-z]/.test(message));
-      const isLater = (message: string): boolean => LATER_FILES.test(path) || path.includes("/core/") && LATER_WORDS.test(message);
-      return `export default ${JSON.stringify(messages.filter((message) => isLater(message) === (part === "later")).join("\n"))}`;
+      const messages = readFileSync(path, "utf8")
+        .split(/\n(?=[a-z#]|$)/)
+        .filter(message => /^[a-z]/.test(message));
+      const isLater = (message: string): boolean =>
+        LATER_FILES.test(path) || (path.includes("/core/") && LATER_WORDS.test(message));
+      return `export default ${JSON.stringify(messages.filter(message => isLater(message) === (part === "later")).join("\n"))}`;
     },
   };
 }
@@ -32,30 +35,49 @@ export default defineConfig({
   resolve: { alias: { "@pkg": here("../pkg") } },
   // After the first load everything comes from the browser's store: shop networks are closed.
   // `script`: registered by a file of its own, the content policy allows no inline script.
-  plugins: [partsOfWords(), VitePWA({
-    registerType: "autoUpdate",
-    injectRegister: "script-defer",
-    includeAssets: ["icon.svg"],
-    workbox: { globPatterns: ["**/*.{html,js,css,wasm,svg}"], maximumFileSizeToCacheInBytes: 8_000_000, inlineWorkboxRuntime: true, sourcemap: false, clientsClaim: true, skipWaiting: true },
-    manifest: {
-      name: "Probewright", short_name: "Probewright", start_url: "./", scope: "./", display: "standalone",
-      background_color: "#eceff1", theme_color: "#14202a",
-      icons: [{ src: "icon.svg", sizes: "any", type: "image/svg+xml", purpose: "any" }],
-    },
-  })],
+  plugins: [
+    partsOfWords(),
+    VitePWA({
+      registerType: "autoUpdate",
+      injectRegister: "script-defer",
+      includeAssets: ["icon.svg"],
+      workbox: {
+        globPatterns: ["**/*.{html,js,css,wasm,svg}"],
+        maximumFileSizeToCacheInBytes: 8_000_000,
+        inlineWorkboxRuntime: true,
+        sourcemap: false,
+        clientsClaim: true,
+        skipWaiting: true,
+      },
+      manifest: {
+        name: "Probewright",
+        short_name: "Probewright",
+        start_url: "./",
+        scope: "./",
+        display: "standalone",
+        background_color: "#eceff1",
+        theme_color: "#14202a",
+        icons: [{ src: "icon.svg", sizes: "any", type: "image/svg+xml", purpose: "any" }],
+      },
+    }),
+  ],
   worker: { format: "es" },
   build: {
     outDir: here("../dist"),
     emptyOutDir: true,
     target: "es2022",
-    assetsInlineLimit: 0,      // a strict content policy allows no data: addresses
+    assetsInlineLimit: 0, // a strict content policy allows no data: addresses
     modulePreload: { polyfill: false },
     // A language in one piece; English comes with the page, in two parts; help pages by themselves, when one is opened.
-    rollupOptions: { output: { manualChunks: (id) => {
-      const [, language, name, part] = /\/messages\/([^/]+)\/([^/]+)\.ftl\?(\w+)/.exec(id) ?? [];
-      if (language && name?.startsWith("help")) return `help-${language}`;
-      if (language === "en") return part === "later" ? "words-en-later" : undefined;
-      return language ? `words-${language}` : undefined;
-    } } },
+    rollupOptions: {
+      output: {
+        manualChunks: id => {
+          const [, language, name, part] = /\/messages\/([^/]+)\/([^/]+)\.ftl\?(\w+)/.exec(id) ?? [];
+          if (language && name?.startsWith("help")) return `help-${language}`;
+          if (language === "en") return part === "later" ? "words-en-later" : undefined;
+          return language ? `words-${language}` : undefined;
+        },
+      },
+    },
   },
 });

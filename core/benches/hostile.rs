@@ -1,5 +1,5 @@
-//! The slowest prediction among those of many machines, parts and probes that nobody thinks of: one call of a form, as text
-//! in and out. What takes longest is taken again, so that a pause of this computer does not count.
+//! The slowest prediction among those of many machines, parts and probes that nobody thinks of: one call of a form, as
+//! text in and out. What takes longest is taken again, so that a pause of this computer does not count.
 
 #[path = "../tests/hostile_setups/case.rs"]
 #[allow(dead_code)] // the tests that share it call more of it

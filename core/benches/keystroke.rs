@@ -14,26 +14,14 @@ const FORM_GOAL: f64 = 1.0;
 const PREDICT_GOAL: f64 = 5.0;
 
 fn main() {
-    println!(
-        "{:<44} {:>9} {:>9} {:>9}  goal  99 % / goal",
-        "ms", "50 %", "95 %", "99 %"
-    );
+    println!("{:<44} {:>9} {:>9} {:>9}  goal  99 % / goal", "ms", "50 %", "95 %", "99 %");
     for cycle in CYCLES {
         let control = json::dialect_name(cycle.dialect);
-        let form =
-            object!({ "control": control, "cycle": cycle.name, "values": example(cycle.example) });
-        measure(
-            &format!("{} form, check, write", cycle.name),
-            &form,
-            FORM_GOAL,
-        );
+        let form = object!({ "control": control, "cycle": cycle.name, "values": example(cycle.example) });
+        measure(&format!("{} form, check, write", cycle.name), &form, FORM_GOAL);
         let mut predict = form;
         predict["predict"] = Value::Bool(true);
-        measure(
-            &format!("{} the same and simulate", cycle.name),
-            &predict,
-            PREDICT_GOAL,
-        );
+        measure(&format!("{} the same and simulate", cycle.name), &predict, PREDICT_GOAL);
     }
 }
 
@@ -50,22 +38,12 @@ fn measure(name: &str, request: &Value, goal: f64) {
     let mut times: Vec<f64> = (0..RUNS)
         .map(|_| {
             let start = Instant::now();
-            black_box(
-                json::form(black_box(&request))
-                    .map(|view| json::text(&view))
-                    .ok(),
-            );
+            black_box(json::form(black_box(&request)).map(|view| json::text(&view)).ok());
             start.elapsed().as_secs_f64() * 1e3
         })
         .collect();
     times.sort_by(f64::total_cmp);
     let at = |percent: usize| times[(RUNS - 1) * percent / 100];
     let verdict = if at(99) < goal { "met" } else { "missed" };
-    println!(
-        "{name:<44} {:>9.3} {:>9.3} {:>9.3}  < {goal}  {:.2} {verdict}",
-        at(50),
-        at(95),
-        at(99),
-        at(99) / goal
-    );
+    println!("{name:<44} {:>9.3} {:>9.3} {:>9.3}  < {goal}  {:.2} {verdict}", at(50), at(95), at(99), at(99) / goal);
 }

@@ -16,7 +16,8 @@ fn main() {
     values["Q"] = "1".into();
     values["R"] = "0.06".into();
     values["J"] = "0.04".into();
-    let form = object!({ "control": "nct", "cycle": P9969.name, "values": P9969.example.iter().copied().collect::<Value>(), "predict": true });
+    let form = object!({ "control": "nct", "cycle": P9969.name,
+        "values": P9969.example.iter().copied().collect::<Value>(), "predict": true });
     let Ok(view) = json::form(&form.to_string()) else {
         return;
     };
@@ -28,8 +29,7 @@ fn main() {
     while !scan.advance(PIECE) {}
     let scanned = begun.elapsed().as_secs_f64();
     let points = scan.view()["points"].as_u64().unwrap_or(0) as usize;
-    let texts = ["program", "points", "surface"]
-        .map(|form| scan.text(form, 0, points).map_or(0, |text| text.len()));
+    let texts = ["program", "points", "surface"].map(|form| scan.text(form, 0, points).map_or(0, |text| text.len()));
     let all = begun.elapsed().as_secs_f64();
     println!(
         "{points} points: scanned and compared in {scanned:.2} s; with three texts of {texts:?} bytes {all:.2} s; goal {GOAL} s"

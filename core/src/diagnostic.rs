@@ -55,15 +55,7 @@ pub struct Diagnostic {
 impl Diagnostic {
     /// A finding without hint and place.
     pub fn new(severity: Severity, code: Code, message: Message) -> Self {
-        Self {
-            severity,
-            code,
-            message,
-            hint: None,
-            param: None,
-            span: None,
-            cure: None,
-        }
+        Self { severity, code, message, hint: None, param: None, span: None, cure: None }
     }
 
     /// With what helps.

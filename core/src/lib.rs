@@ -25,8 +25,8 @@ pub mod support;
 pub mod words;
 pub mod workpiece;
 
-/// Whether this build carries out cycles, draws them and reads descriptions of machines (feature `simulation`). The page's first
-/// module does not, and is so much smaller.
+/// Whether this build carries out cycles, draws them and reads descriptions of machines (feature `simulation`). The
+/// page's first module does not, and is so much smaller.
 pub const SIMULATES: bool = cfg!(feature = "simulation");
 
 /// A place in the manual, for tables that only a whole build shows: the page's first module carries none of them.

@@ -1,5 +1,5 @@
-//! Findings of ours, shown as `PW012`. Each sentence is declared here, once: its number, how bad it is, what it says and what
-//! helps. Checks raise it by its name, `probewright explain` tells every sentence of a number.
+//! Findings of ours, shown as `PW012`. Each sentence is declared here, once: its number, how bad it is, what it says
+//! and what helps. Checks raise it by its name, `probewright explain` tells every sentence of a number.
 //!
 //! Those of a run have their table in `run::problem`.
 #![cfg_attr(not(feature = "simulation"), allow(dead_code))] // the cycle of the first visit raises few of them
@@ -28,10 +28,7 @@ impl Own {
 
     /// The same as a note.
     pub fn as_note(self) -> Own {
-        Own {
-            severity: Severity::Note,
-            ..self
-        }
+        Own { severity: Severity::Note, ..self }
     }
 
     /// As a finding, without arguments and place.

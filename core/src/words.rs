@@ -26,32 +26,14 @@ const ENGLISH: &[(&str, &str)] = &[
     ("cycle997.ftl", include_str!("../messages/en/cycle997.ftl")),
     ("cycle998.ftl", include_str!("../messages/en/cycle998.ftl")),
     ("datum.ftl", include_str!("../messages/en/datum.ftl")),
-    (
-        "digitizing.ftl",
-        include_str!("../messages/en/digitizing.ftl"),
-    ),
+    ("digitizing.ftl", include_str!("../messages/en/digitizing.ftl")),
     ("evaluate.ftl", include_str!("../messages/en/evaluate.ftl")),
-    (
-        "help-calibrate.ftl",
-        include_str!("../messages/en/help-calibrate.ftl"),
-    ),
-    (
-        "help-helper.ftl",
-        include_str!("../messages/en/help-helper.ftl"),
-    ),
+    ("help-calibrate.ftl", include_str!("../messages/en/help-calibrate.ftl")),
+    ("help-helper.ftl", include_str!("../messages/en/help-helper.ftl")),
     ("help-nct.ftl", include_str!("../messages/en/help-nct.ftl")),
-    (
-        "help-tool.ftl",
-        include_str!("../messages/en/help-tool.ftl"),
-    ),
-    (
-        "help-turning.ftl",
-        include_str!("../messages/en/help-turning.ftl"),
-    ),
-    (
-        "help-workpiece.ftl",
-        include_str!("../messages/en/help-workpiece.ftl"),
-    ),
+    ("help-tool.ftl", include_str!("../messages/en/help-tool.ftl")),
+    ("help-turning.ftl", include_str!("../messages/en/help-turning.ftl")),
+    ("help-workpiece.ftl", include_str!("../messages/en/help-workpiece.ftl")),
     ("help.ftl", include_str!("../messages/en/help.ftl")),
     ("lathe.ftl", include_str!("../messages/en/lathe.ftl")),
     ("lists.ftl", include_str!("../messages/en/lists.ftl")),
@@ -60,10 +42,7 @@ const ENGLISH: &[(&str, &str)] = &[
     ("params.ftl", include_str!("../messages/en/params.ftl")),
     ("run.ftl", include_str!("../messages/en/run.ftl")),
     ("syntax.ftl", include_str!("../messages/en/syntax.ftl")),
-    (
-        "tool-probe.ftl",
-        include_str!("../messages/en/tool-probe.ftl"),
-    ),
+    ("tool-probe.ftl", include_str!("../messages/en/tool-probe.ftl")),
     ("twin.ftl", include_str!("../messages/en/twin.ftl")),
     ("write.ftl", include_str!("../messages/en/write.ftl")),
 ];
@@ -89,10 +68,7 @@ macro_rules! language {
 
 /// The languages; a test holds each against its folder.
 pub const LANGUAGES: &[Language] = &[
-    Language {
-        code: "en",
-        files: ENGLISH,
-    },
+    Language { code: "en", files: ENGLISH },
     language!("zh":
         "advice.ftl"
         "alarms.ftl"
@@ -171,8 +147,7 @@ impl Words {
 
     /// The text of a message; `key.attribute` takes an attribute. A missing one shows its key.
     pub fn text(&self, message: &Message) -> String {
-        self.find(message)
-            .unwrap_or_else(|| message.key.to_string())
+        self.find(message).unwrap_or_else(|| message.key.to_string())
     }
 
     /// The text of a message, if there is one.
@@ -188,9 +163,7 @@ impl Words {
         };
         let args = self.arguments(message);
         let mut errors = Vec::new();
-        let text = self
-            .bundle
-            .format_pattern(pattern, Some(&args), &mut errors);
+        let text = self.bundle.format_pattern(pattern, Some(&args), &mut errors);
         Some(text.into_owned())
     }
 
@@ -213,9 +186,7 @@ impl Words {
     /// The words of a text that is a key.
     fn spoken(&self, text: &str) -> Option<String> {
         let of_key = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
-        let key = text.contains('-')
-            && text.starts_with(|c: char| c.is_ascii_lowercase())
-            && text.chars().all(of_key);
+        let key = text.contains('-') && text.starts_with(|c: char| c.is_ascii_lowercase()) && text.chars().all(of_key);
         key.then(|| self.find(&Message::new(text.to_owned())))?
     }
 

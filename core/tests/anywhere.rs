@@ -1,6 +1,6 @@
 //! Results do not depend on where the part stands on the machine: zero offset, part, probe and start moved and turned
-//! together give the same results, in every variant of every workpiece cycle of milling, plane and with every error of the
-//! part that the cycle survives.
+//! together give the same results, in every variant of every workpiece cycle of milling, plane and with every error of
+//! the part that the cycle survives.
 // oracle: self (a rigid motion of everything is only another choice of coordinates)
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
@@ -42,11 +42,7 @@ fn places() -> impl Strategy<Value = Place> {
 
 fn wrongs() -> impl Strategy<Value = Wrong> {
     let shift = prop::array::uniform3(-0.3..0.3_f64);
-    (shift, -0.3..0.3_f64, -0.4..0.4_f64).prop_map(|(shift, size, tilt)| Wrong {
-        shift,
-        size,
-        tilt,
-    })
+    (shift, -0.3..0.3_f64, -0.4..0.4_f64).prop_map(|(shift, size, tilt)| Wrong { shift, size, tilt })
 }
 
 /// Abscissa, ordinate and applicate as X Y Z.
@@ -67,11 +63,7 @@ fn stands(
     wrong: Wrong,
 ) -> Option<(Setup, Inputs)> {
     let mut setup = Setup::for_cycle(cycle, plane);
-    let frame = Frame {
-        coarse: place.at,
-        rotation: seen(plane, [0.0, 0.0, place.turn]),
-        ..Frame::default()
-    };
+    let frame = Frame { coarse: place.at, rotation: seen(plane, [0.0, 0.0, place.turn]), ..Frame::default() };
     setup.control.frames.insert(1, frame);
     setup.control.activate(1);
     let inputs = inputs(cycle, variant, &setup.control, place.turn)?;
@@ -79,12 +71,8 @@ fn stands(
     setup.workpiece = proposal.workpiece;
     let shift = setup.control.direction_to_machine(seen(plane, wrong.shift));
     for solid in &mut setup.workpiece.solids {
-        solid.errors = PartErrors {
-            shift,
-            size: wrong.size,
-            tilt: seen(plane, [0.0, 0.0, wrong.tilt]),
-            ..PartErrors::default()
-        };
+        solid.errors =
+            PartErrors { shift, size: wrong.size, tilt: seen(plane, [0.0, 0.0, wrong.tilt]), ..PartErrors::default() };
     }
     setup.workpiece.solids.extend(proposal.fixture);
     for proposed in proposal.tools {
@@ -97,12 +85,7 @@ fn stands(
 }
 
 /// The worked measurement of a variant; none where the cycle refuses it in this plane.
-fn inputs(
-    cycle: &'static Cycle,
-    variant: &Variant,
-    control: &Control,
-    turn: f64,
-) -> Option<Inputs> {
+fn inputs(cycle: &'static Cycle, variant: &Variant, control: &Control, turn: f64) -> Option<Inputs> {
     let mut typed: Typed = example(cycle, variant);
     for (_, name) in ANGLES.iter().filter(|(known, _)| *known == cycle.name) {
         let angle: f64 = typed.get(*name).map_or(0.0, |text| text.parse().unwrap());
@@ -114,19 +97,13 @@ fn inputs(
 
 /// Everything that a cycle tells and corrects in a tool.
 fn told(cycle: &Cycle, outcome: &Outcome) -> Vec<(String, f64)> {
-    let machine = OF_THE_MACHINE
-        .iter()
-        .filter(|(name, _)| *name == cycle.name);
-    let machine: Vec<usize> = machine
-        .flat_map(|(_, fields)| fields.iter().copied())
-        .collect();
+    let machine = OF_THE_MACHINE.iter().filter(|(name, _)| *name == cycle.name);
+    let machine: Vec<usize> = machine.flat_map(|(_, fields)| fields.iter().copied()).collect();
     let ovr = (0..32).filter(|index| !machine.contains(index));
     let names = ovr.map(|index| format!("_OVR[{index}]"));
     let names = names.chain((0..14).map(|index| format!("_OVI[{index}]")));
     let names = names.chain((0..9).map(|index| format!("_WP[0,{index}]")));
-    let mut told: Vec<(String, f64)> = names
-        .map(|name| (name.clone(), outcome.control.number(&name)))
-        .collect();
+    let mut told: Vec<(String, f64)> = names.map(|name| (name.clone(), outcome.control.number(&name))).collect();
     for change in outcome.changes() {
         if change.name.starts_with("$TC") {
             told.push((change.name, change.after));
@@ -143,30 +120,16 @@ fn same(
     place: Place,
     wrong: Wrong,
 ) -> Result<bool, TestCaseError> {
-    let home = Place {
-        at: [0.0; 3],
-        turn: 0.0,
-    };
+    let home = Place { at: [0.0; 3], turn: 0.0 };
     let there = stands(cycle, variant, plane, place, wrong);
-    let (Some((here, inputs)), Some((there, moved))) =
-        (stands(cycle, variant, plane, home, wrong), there)
-    else {
+    let (Some((here, inputs)), Some((there, moved))) = (stands(cycle, variant, plane, home, wrong), there) else {
         return Ok(false);
     };
-    let (here, there) = (
-        predict(cycle, &inputs, &here),
-        predict(cycle, &moved, &there),
-    );
+    let (here, there) = (predict(cycle, &inputs, &here), predict(cycle, &moved, &there));
     let what = format!("{} {} {plane:?}", cycle.name, variant.number);
     prop_assert_eq!(&here.stop, &there.stop, "{}", what);
     for (a, b) in told(cycle, &here).into_iter().zip(told(cycle, &there)) {
-        prop_assert!(
-            a.0 == b.0 && (a.1 - b.1).abs() < 1e-9,
-            "{}: {:?} {:?}",
-            what,
-            a,
-            b
-        );
+        prop_assert!(a.0 == b.0 && (a.1 - b.1).abs() < 1e-9, "{}: {:?} {:?}", what, a, b);
     }
     Ok(here.stop.is_none())
 }
@@ -183,11 +146,7 @@ fn the_place_on_the_machine_changes_nothing() {
     for cycle in milling {
         for variant in cycle.variants {
             let measured = std::cell::Cell::new(0);
-            let config = Config {
-                rng_seed: RngSeed::Fixed(1),
-                failure_persistence: None,
-                ..Config::with_cases(12)
-            };
+            let config = Config { rng_seed: RngSeed::Fixed(1), failure_persistence: None, ..Config::with_cases(12) };
             let cases = (places(), wrongs(), 0..3_usize);
             let outcome = TestRunner::new(config).run(&cases, |(place, wrong, plane)| {
                 let finished = same(cycle, variant, PLANES[plane], place, wrong)?;
@@ -200,10 +159,5 @@ fn the_place_on_the_machine_changes_nothing() {
         names.push(cycle.name);
     }
     names.sort_unstable();
-    assert_eq!(
-        names,
-        [
-            "CYCLE961", "CYCLE976", "CYCLE977", "CYCLE978", "CYCLE979", "CYCLE997", "CYCLE998"
-        ]
-    );
+    assert_eq!(names, ["CYCLE961", "CYCLE976", "CYCLE977", "CYCLE978", "CYCLE979", "CYCLE997", "CYCLE998"]);
 }

@@ -39,17 +39,13 @@ fn proved(setup: &Setup, dialect: Dialect, text: &str) -> (String, usize) {
     assert_eq!(key(&outcome), "run-endless", "{text}");
     let found = outcome.diagnostics.last().unwrap();
     let span = found.span.unwrap();
-    let place = text[span.start as usize..span.end as usize]
-        .trim()
-        .to_owned();
+    let place = text[span.start as usize..span.end as usize].trim().to_owned();
     (place, outcome.trace.entries.len())
 }
 
 fn calls(outcome: &Outcome) -> usize {
     let entries = outcome.trace.entries.iter();
-    entries
-        .filter(|entry| matches!(entry.step, Step::CallBegin { .. }))
-        .count()
+    entries.filter(|entry| matches!(entry.step, Step::CallBegin { .. })).count()
 }
 
 // oracle: hand: nothing changes from one pass to the next, or it swings
@@ -61,19 +57,13 @@ fn what_comes_back_is_told_where_it_jumps_back() {
         ("R1=5\nWHILE R1>0\nG0 Z=R1\nENDWHILE\nM30", "ENDWHILE"),
         ("REPEAT\nR1=1-R1\nUNTIL R1>2", "UNTIL R1>2"),
         ("A:\nIF R1==3\nR1=0\nENDIF\nR1=R1+1\nGOTOB A", "GOTOB A"),
-        (
-            "%_N_MAIN_MPF\nA: UP(R1)\nGOTOB A\nM30\n%_N_UP_SPF\nPROC UP(REAL Q)\nG0 X=Q\nM17",
-            "GOTOB A",
-        ),
+        ("%_N_MAIN_MPF\nA: UP(R1)\nGOTOB A\nM30\n%_N_UP_SPF\nPROC UP(REAL Q)\nG0 X=Q\nM17", "GOTOB A"),
     ] {
         let (found, recorded) = proved(&machine(), Dialect::Sinumerik, text);
         assert_eq!(found, place, "{text}");
         assert!(recorded < 100, "{recorded}");
     }
-    for (text, place) in [
-        ("N1 #600=1\nGOTO 1", "GOTO 1"),
-        ("WHILE [1 EQ 1] DO1\n#600=1-#600\nEND1", "END1"),
-    ] {
+    for (text, place) in [("N1 #600=1\nGOTO 1", "GOTO 1"), ("WHILE [1 EQ 1] DO1\n#600=1-#600\nEND1", "END1")] {
         let setup = Setup::calibrated(Dialect::Nct, Plane::G17);
         assert_eq!(proved(&setup, Dialect::Nct, text).0, place);
     }
@@ -82,17 +72,10 @@ fn what_comes_back_is_told_where_it_jumps_back() {
 // oracle: hand: the same face gives the same results; a corrected zero offset comes to rest
 #[test]
 fn measuring_again_and_again_is_told_soon() {
-    for text in [
-        format!("{CALL}A: CYCLE978\nGOTOB A"),
-        format!("G54\n{CALL}_KNUM=1\nA: CYCLE978\nG54\nG0 Z5\nGOTOB A"),
-    ] {
+    for text in [format!("{CALL}A: CYCLE978\nGOTOB A"), format!("G54\n{CALL}_KNUM=1\nA: CYCLE978\nG54\nG0 Z5\nGOTOB A")]
+    {
         let outcome = go_on(&measuring(), &text);
-        assert_eq!(
-            key(&outcome),
-            "run-endless",
-            "{text}: {:?}",
-            outcome.diagnostics
-        );
+        assert_eq!(key(&outcome), "run-endless", "{text}: {:?}", outcome.diagnostics);
         assert!(calls(&outcome) < 60, "{}", calls(&outcome));
     }
 }
@@ -106,28 +89,20 @@ fn what_changes_for_ever_is_stopped_by_the_number_of_its_calls() {
         (&scattering, format!("{CALL}A: CYCLE978\nGOTOB A")),
         (&measuring(), format!("{CALL}A: CYCLE978\nR1=R1+1\nGOTOB A")),
     ] {
-        let limits = Limits {
-            calls: 300,
-            ..Limits::default()
-        };
+        let limits = Limits { calls: 300, ..Limits::default() };
         let outcome = ran(setup, Dialect::Sinumerik, &text, limits);
         assert_eq!(key(&outcome), "run-repeated");
         assert_eq!(calls(&outcome), 300);
         let found = outcome.diagnostics.last().unwrap();
         let span = found.span.unwrap();
-        assert!(
-            text[span.start as usize..].starts_with("CYCLE978"),
-            "{span:?}"
-        );
+        assert!(text[span.start as usize..].starts_with("CYCLE978"), "{span:?}");
     }
 }
 
 // oracle: hand: a thousand points, counted, from one place of the program and from two
 #[test]
 fn a_thousand_points_are_measured() {
-    let text = format!(
-        "{CALL}WHILE R1<1000\nCYCLE978\nR1=R1+1\nENDWHILE\nFOR R2=1 TO 1000\nCYCLE978\nENDFOR\nM30"
-    );
+    let text = format!("{CALL}WHILE R1<1000\nCYCLE978\nR1=R1+1\nENDWHILE\nFOR R2=1 TO 1000\nCYCLE978\nENDFOR\nM30");
     let outcome = go_on(&measuring(), &text);
     assert_eq!((outcome.stop.as_ref(), calls(&outcome)), (None, 2000));
 }
@@ -155,24 +130,19 @@ fn what_ends_is_not_called_endless() {
 fn leaning() -> Setup {
     let mut setup = measuring();
     let mut hole = running::block();
-    hole.shape = Shape::Hole {
-        diameter: 40.0,
-        depth: 30.0,
-    };
+    hole.shape = Shape::Hole { diameter: 40.0, depth: 30.0 };
     hole.errors.tilt = [0.1, 0.0, 0.0];
     setup.workpiece.solids = vec![hole];
     setup.position = [16.9, 0.0, -10.0];
     setup
 }
 
-// oracle: hand: three blocks a pass, and the circle counts as more; without a loop as many as before may be driven twice
+// oracle: hand: three blocks a pass, and the circle counts as more; without a loop as many as before may be driven
+// twice
 #[test]
 fn circles_close_to_a_wall_count_as_several_blocks_in_a_loop() {
     let circle = "G2 X=IC(0) Y=IC(0) I-16.9 J0 F1000\n";
-    let limits = Limits {
-        steps: 1_000,
-        ..Limits::default()
-    };
+    let limits = Limits { steps: 1_000, ..Limits::default() };
     let again = |text: &str| ran(&leaning(), Dialect::Sinumerik, text, limits);
     let outcome = again(&format!("A: R1=R1+1\n{circle}GOTOB A"));
     assert_eq!(key(&outcome), "run-steps");

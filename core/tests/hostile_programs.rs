@@ -1,4 +1,5 @@
-//! Programs that never end, grow without bounds or ask for the impossible: they are stopped, with a message at the place.
+//! Programs that never end, grow without bounds or ask for the impossible: they are stopped, with a message at the
+//! place.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use probewright_core::catalogue::Dialect;
@@ -41,9 +42,7 @@ fn stopped(outcome: &Outcome) -> String {
 fn place(text: &str, key: &str) -> (u32, u32) {
     let outcome = go(text);
     let found = outcome.diagnostics.iter().find(|f| f.message.key == key);
-    let span = found
-        .unwrap_or_else(|| panic!("{key}: {:?}", outcome.diagnostics))
-        .span;
+    let span = found.unwrap_or_else(|| panic!("{key}: {:?}", outcome.diagnostics)).span;
     Positions::new(text.as_bytes()).line_column(span.unwrap().start)
 }
 
@@ -51,12 +50,8 @@ fn place(text: &str, key: &str) -> (u32, u32) {
 #[test]
 fn what_never_ends_or_grows_is_stopped() {
     let many = "1+".repeat(40);
-    let arrays: String = (0..3000)
-        .map(|i| format!("DEF REAL A{i}[10000]\n"))
-        .collect();
-    let frames: String = (1..100)
-        .map(|i| format!("$P_UIFR[{i}]=CTRANS(X,1)\n"))
-        .collect();
+    let arrays: String = (0..3000).map(|i| format!("DEF REAL A{i}[10000]\n")).collect();
+    let frames: String = (1..100).map(|i| format!("$P_UIFR[{i}]=CTRANS(X,1)\n")).collect();
     let text = "x".repeat(50_000);
     for (program, key) in [
         ("A: R1=R1+1\nGOTOB A".to_owned(), "run-steps"),
@@ -66,33 +61,15 @@ fn what_never_ends_or_grows_is_stopped() {
         ("FOR R1=0 TO 1EX300\nENDFOR".to_owned(), "run-steps"),
         (format!("A: R1={many}1\nGOTOB A"), "run-endless"),
         ("A: _EV[0]=REP(2)\nGOTOB A".to_owned(), "run-endless"),
-        (
-            "DEF REAL Q[1000]\nA: Q[0]=REP(3)\nGOTOB A".to_owned(),
-            "run-endless",
-        ),
+        ("DEF REAL Q[1000]\nA: Q[0]=REP(3)\nGOTOB A".to_owned(), "run-endless"),
         (arrays, "run-steps"),
-        (
-            format!("{frames}A: R1=R1+1\n$P_UIFR[1]=CTRANS(X,R1)\nGOTOB A"),
-            "run-steps",
-        ),
+        (format!("{frames}A: R1=R1+1\n$P_UIFR[1]=CTRANS(X,R1)\nGOTOB A"), "run-steps"),
         (format!("A: MSG(\"{text}\")\nGOTOB A"), "run-endless"),
         (format!("A: ({text}\nGOTOB A"), "run-endless"),
-        (
-            "%_N_MAIN_MPF\nDEEP\nM30\n%_N_DEEP_SPF\nDEEP\nM17".to_owned(),
-            "run-depth",
-        ),
-        (
-            "_TXT[0]=\"xxxxxxxxxx\"\nA: _TXT[0]=_TXT[0]<<_TXT[0]\nGOTOB A".to_owned(),
-            "run-text-long",
-        ),
-        (
-            "G1 F100 X0 Y0 Z20\nA: G2 X0 Y0 I10 J0\nGOTOB A".to_owned(),
-            "run-endless",
-        ),
-        (
-            "_NMSP=1EX9 _MVAR=100 _KNUM=0 _MA=3 _SETVAL=0 _FA=20 _TSA=19\nCYCLE978".to_owned(),
-            "run-trace-limit",
-        ),
+        ("%_N_MAIN_MPF\nDEEP\nM30\n%_N_DEEP_SPF\nDEEP\nM17".to_owned(), "run-depth"),
+        ("_TXT[0]=\"xxxxxxxxxx\"\nA: _TXT[0]=_TXT[0]<<_TXT[0]\nGOTOB A".to_owned(), "run-text-long"),
+        ("G1 F100 X0 Y0 Z20\nA: G2 X0 Y0 I10 J0\nGOTOB A".to_owned(), "run-endless"),
+        ("_NMSP=1EX9 _MVAR=100 _KNUM=0 _MA=3 _SETVAL=0 _FA=20 _TSA=19\nCYCLE978".to_owned(), "run-trace-limit"),
     ] {
         let outcome = go(&program);
         let shown: String = program.chars().take(60).collect();

@@ -59,10 +59,7 @@ fn texts(path: &Path) -> BTreeMap<String, String> {
 
 /// What stands in braces: arguments and names. The forms of a number differ by language and are not looked at.
 fn placeables(text: &str) -> BTreeSet<&str> {
-    text.split('{')
-        .skip(1)
-        .map(|rest| rest.split(['}', '-']).next().unwrap().trim())
-        .collect()
+    text.split('{').skip(1).map(|rest| rest.split(['}', '-']).next().unwrap().trim()).collect()
 }
 
 /// Whether a text holds a word of English, and not only names, numbers and units of one or two letters.
@@ -113,9 +110,7 @@ fn every_folder_is_a_language_and_every_file_is_read() {
     let known: BTreeSet<&str> = LANGUAGES.iter().map(|language| language.code).collect();
     for folder in [&core, &page] {
         let there = std::fs::read_dir(folder).unwrap();
-        let there: BTreeSet<String> = there
-            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-            .collect();
+        let there: BTreeSet<String> = there.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
         assert!(there.iter().map(String::as_str).eq(known.iter().copied()));
     }
     for language in LANGUAGES {
@@ -131,13 +126,7 @@ fn english_words_are_told_from_names() {
     for text in [" Feed", " { $param } is missing", " a b see { $c }"] {
         assert!(has_words(text), "{text}");
     }
-    for text in [
-        " G17 · X Y",
-        " { $value } mm",
-        " _MVAR=1",
-        " 3",
-        " SINUMERIK",
-    ] {
+    for text in [" G17 · X Y", " { $value } mm", " _MVAR=1", " 3", " SINUMERIK"] {
         assert!(!has_words(text), "{text}");
     }
 }

@@ -24,9 +24,7 @@ fn refusing(cycle: &'static Cycle, param: &str, number: &str, control: &Control)
         typed.insert("_MVAR".to_owned(), variant.to_string());
         typed.insert(param.to_owned(), number.to_owned());
         let found = check(cycle, &typed, control).diagnostics;
-        found
-            .iter()
-            .any(|one| one.severity == Severity::Error && one.param == Some(param))
+        found.iter().any(|one| one.severity == Severity::Error && one.param == Some(param))
     };
     let variants = cycle.variants.iter();
     variants.filter(|one| refuses(one.number)).count()
@@ -46,10 +44,7 @@ fn what_is_numbered_is_there_on_the_machine() {
             cycle.dialect == Dialect::Sinumerik && params.clone().any(|one| one.name == param)
         });
         for cycle in cycles {
-            let (first, second) = (
-                refusing(cycle, param, "2", &few),
-                refusing(cycle, param, "2", &many),
-            );
+            let (first, second) = (refusing(cycle, param, "2", &few), refusing(cycle, param, "2", &many));
             assert!(first > second, "{} {param}: {first}, {second}", cycle.name);
         }
     }

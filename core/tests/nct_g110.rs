@@ -35,26 +35,11 @@ M30\r
 /// G59 somewhere; a bore of 50 with its upper face at Y0 of G59, off its nominal place X120 Z200 by `shift`.
 fn setup(shift: [f64; 3], size: f64) -> Setup {
     let mut setup = Setup::calibrated(Dialect::Nct, Plane::G18);
-    setup
-        .control
-        .frames
-        .insert(6, Frame::translation([300.0, 200.0, 100.0]));
+    setup.control.frames.insert(6, Frame::translation([300.0, 200.0, 100.0]));
     setup.control.register_mut(1).radius = 8.0;
-    let errors = PartErrors {
-        shift,
-        size,
-        ..PartErrors::default()
-    };
-    let shape = Shape::Hole {
-        diameter: 50.0,
-        depth: 30.0,
-    };
-    let solid = Solid {
-        shape,
-        at: [420.0, 200.0, 300.0],
-        rotation: [0.0, -90.0, -90.0],
-        errors,
-    };
+    let errors = PartErrors { shift, size, ..PartErrors::default() };
+    let shape = Shape::Hole { diameter: 50.0, depth: 30.0 };
+    let solid = Solid { shape, at: [420.0, 200.0, 300.0], rotation: [0.0, -90.0, -90.0], errors };
     setup.workpiece.solids.push(solid);
     setup
 }
@@ -99,61 +84,35 @@ fn out_of_tolerance_informs() {
 #[test]
 fn every_wall_is_touched_in_three_steps() {
     let outcome = go(EXAMPLE, &setup([0.1, 0.0, 0.1], 0.0));
-    let steps: Vec<&Step> = outcome
-        .trace
-        .entries
-        .iter()
-        .map(|entry| &entry.step)
-        .collect();
+    let steps: Vec<&Step> = outcome.trace.entries.iter().map(|entry| &entry.step).collect();
     let count = |kind: MotionKind| {
-        steps
-            .iter()
-            .filter(|step| matches!(step, Step::Motion { kind: other, .. } if *other == kind))
-            .count()
+        steps.iter().filter(|step| matches!(step, Step::Motion { kind: other, .. } if *other == kind)).count()
     };
     assert_eq!(count(MotionKind::Measuring), 16);
     assert_eq!(count(MotionKind::Retract), 8);
-    assert_eq!(
-        steps
-            .iter()
-            .filter(|step| matches!(step, Step::Touch { .. }))
-            .count(),
-        16
-    );
+    assert_eq!(steps.iter().filter(|step| matches!(step, Step::Touch { .. })).count(), 16);
 }
 
 // oracle: manual C:1123-1137
 #[test]
 fn a_block_without_d_is_refused() {
     let text = EXAMPLE.replace("G110 D50 S6", "G110 S6");
-    assert_eq!(
-        go(&text, &setup([0.0; 3], 0.0)).stop,
-        Some(Stop::Alarm(nct::FORMAT_ERROR))
-    );
+    assert_eq!(go(&text, &setup([0.0; 3], 0.0)).stop, Some(Stop::Alarm(nct::FORMAT_ERROR)));
     let text = EXAMPLE.replace("D50 S6", "D50 S6 T1");
-    assert_eq!(
-        go(&text, &setup([0.0; 3], 0.0)).stop,
-        Some(Stop::Alarm(nct::FORMAT_ERROR))
-    );
+    assert_eq!(go(&text, &setup([0.0; 3], 0.0)).stop, Some(Stop::Alarm(nct::FORMAT_ERROR)));
 }
 
 // oracle: manual C:121-125: beside the bore the way down is blocked
 #[test]
 fn a_blocked_way_stops_the_program() {
     let text = EXAMPLE.replace("G101 X120 Z200 (", "G101 X150 Z200 (");
-    assert_eq!(
-        go(&text, &setup([0.0; 3], 0.0)).stop,
-        Some(Stop::Alarm(nct::PATH_OBSTRUCTED))
-    );
+    assert_eq!(go(&text, &setup([0.0; 3], 0.0)).stop, Some(Stop::Alarm(nct::PATH_OBSTRUCTED)));
 }
 
 // oracle: manual C:113: incremental values are ways
 #[test]
 fn incremental_positioning() {
-    let text = EXAMPLE.replace(
-        "G101 X120 Z200 (",
-        "G101 X100 Z200\r\nG91 G101 X20\r\nG90 (",
-    );
+    let text = EXAMPLE.replace("G101 X120 Z200 (", "G101 X100 Z200\r\nG91 G101 X20\r\nG90 (");
     let outcome = go(&text, &setup([0.25, 0.0, -0.15], 0.06));
     assert_eq!(outcome.stop, None, "{:?}", outcome.diagnostics);
     near(outcome.control.variable("G59 X").unwrap(), 300.25);

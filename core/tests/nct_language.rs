@@ -86,13 +86,7 @@ fn a_variable_to_which_nothing_was_written_is_vacant() {
 // oracle: hand
 #[test]
 fn variables_are_reached_by_their_number() {
-    for text in [
-        "#0600=3",
-        "#1=600\n#[#1]=3",
-        "#1=599\n#[#1+1]=3",
-        "#1=600\n##1=3",
-        "#2=3\n#1=2\n#600=##1",
-    ] {
+    for text in ["#0600=3", "#1=600\n#[#1]=3", "#1=599\n#[#1+1]=3", "#1=600\n##1=3", "#2=3\n#1=2\n#600=##1"] {
         assert_eq!(number(text, "#600"), 3.0, "{text}");
     }
 }
@@ -108,10 +102,7 @@ fn jumps_and_loops() {
         ("IF[#1 EQ #0]THEN #600=8", 8.0),
         ("IF[#1 NE #0]THEN #600=8", 0.0),
         ("#1=0\nWHILE[#1 LT 5]DO1\n#1=#1+1\n#600=#600+#1\nEND1", 15.0),
-        (
-            "#1=0\nWHILE[#1 LT 3]DO1\n#2=0\nWHILE[#2 LT 2]DO2\n#600=#600+1\n#2=#2+1\nEND2\n#1=#1+1\nEND1",
-            6.0,
-        ),
+        ("#1=0\nWHILE[#1 LT 3]DO1\n#2=0\nWHILE[#2 LT 2]DO2\n#600=#600+1\n#2=#2+1\nEND2\n#1=#1+1\nEND1", 6.0),
         ("DO1\n#600=#600+1\nIF[#600 EQ 7]GOTO 9\nEND1\nN9 M30", 7.0),
         ("WHILE[0]DO1\n#600=5\nEND1", 0.0),
     ] {
@@ -128,10 +119,7 @@ fn programs_are_called_with_the_variables_of_the_caller() {
         ("%O1\nM98 P20\n#600=#600+1\nM30\n%O20\n#600=4\nM99\n%", 5.0),
         ("%\nO1 (MAIN)\nM98 P20\nM30\n:20\n#600=6\nM99\n%", 6.0),
         ("O1\nM98 P20\n#600=9\nN7 #600=#600+1\nM30\nO20\nM99 P7", 1.0),
-        (
-            "O1\nM98 P20\nM30\nO20\nM98 P30\n#600=#600+1\nM99\nO30\n#600=1\nM99",
-            2.0,
-        ),
+        ("O1\nM98 P20\nM30\nO20\nM98 P30\n#600=#600+1\nM99\nO30\n#600=1\nM99", 2.0),
     ] {
         assert_eq!(number(text, "#600"), expected, "{text}");
     }
@@ -210,7 +198,8 @@ fn wrong_programs_stop_at_their_place() {
     assert_eq!(fault(&text).0, "run-arguments");
 }
 
-// oracle: hand (G103 limits the look-ahead on controls with other macros; an address that the macro knows makes it a call)
+// oracle: hand (G103 limits the look-ahead on controls with other macros; an address that the macro knows makes it a
+// call)
 #[test]
 fn a_function_of_another_control_is_no_call_of_a_macro() {
     for text in ["G103 P1\nM30", "G103\nM30", "G0 X1\nG103 P0\nG0 X2\nM30"] {
@@ -224,10 +213,7 @@ fn a_function_of_another_control_is_no_call_of_a_macro() {
         assert_eq!(calls(&program).is_empty(), foreign, "{text}");
         if foreign {
             let outcome = go(text);
-            assert!(
-                outcome.finished() && outcome.diagnostics.iter().all(note),
-                "{text}"
-            );
+            assert!(outcome.finished() && outcome.diagnostics.iter().all(note), "{text}");
             assert_eq!(outcome.passed_over[0].word, "G103");
         }
     }
@@ -238,12 +224,7 @@ fn a_function_of_another_control_is_no_call_of_a_macro() {
 // oracle: hand (an argument that cannot be read is no argument)
 #[test]
 fn a_macro_with_an_address_that_cannot_be_read_does_not_measure() {
-    for text in [
-        "G110 D50,5 Q1",
-        "G110 D50 Q[1",
-        "#1=5,5\nG110 D#1",
-        "#500=[1\n#1=#500",
-    ] {
+    for text in ["G110 D50,5 Q1", "G110 D50 Q[1", "#1=5,5\nG110 D#1", "#500=[1\n#1=#500"] {
         assert_eq!(fault(text).0, "run-unread-value", "{text}");
     }
     let outcome = go("#1=5,5\n#1=6\nM30");
@@ -269,11 +250,7 @@ fn unknown_words_and_programs_are_told() {
     ] {
         let outcome = go(text);
         assert_eq!(outcome.stop, None, "{text}");
-        let keys: Vec<_> = outcome
-            .diagnostics
-            .iter()
-            .map(|d| &*d.message.key)
-            .collect();
+        let keys: Vec<_> = outcome.diagnostics.iter().map(|d| &*d.message.key).collect();
         assert_eq!(keys, [key], "{text}");
     }
 }
@@ -306,11 +283,7 @@ fn the_control_tells_where_it_stands() {
         let found = number(&format!("{moved}#600={read}"), "#600");
         assert!((found - expected).abs() < 1e-9, "{read}: {found}");
     }
-    for closed in [
-        "#5043-#5003-#5083",
-        "#5041-#5001",
-        "#5023-#5043-#5203-#5223",
-    ] {
+    for closed in ["#5043-#5003-#5083", "#5041-#5001", "#5023-#5043-#5203-#5223"] {
         let found = number(&format!("{moved}#600={closed}"), "#600");
         assert!(found.abs() < 1e-9, "{closed}: {found}");
     }
@@ -347,11 +320,7 @@ fn the_control_tells_where_the_signal_came() {
     ] {
         let program = read(Dialect::Nct, text.as_bytes());
         let outcome = run(&program, &over_a_block(), Limits::default());
-        assert_eq!(
-            (outcome.stop, outcome.diagnostics),
-            (None, vec![]),
-            "{text}"
-        );
+        assert_eq!((outcome.stop, outcome.diagnostics), (None, vec![]), "{text}");
         let found = outcome.control.number("#600");
         assert!((found - expected).abs() < 1e-9, "{text}: {found}");
     }
@@ -362,10 +331,7 @@ fn the_control_tells_where_the_signal_came() {
 // oracle: hand: what an operator would do changes nothing here, and is read as it was written
 #[test]
 fn single_blocks_and_overrides_are_taken_and_read() {
-    assert_eq!(
-        number("#3003=1\n#3004=6\n#600=#3003*10+#3004", "#600"),
-        16.0
-    );
+    assert_eq!(number("#3003=1\n#3004=6\n#600=#3003*10+#3004", "#600"), 16.0);
     assert_eq!(number("#3002=2\n#600=FIX[#3002]", "#600"), 2.0);
 }
 
@@ -396,20 +362,12 @@ fn a_program_stops_with_its_own_text() {
     let outcome = go("#3006=1 (CLEAN THE BALL)\nM30");
     assert_eq!(outcome.stop, None);
     let shown = Step::Message("CLEAN THE BALL".to_owned());
-    assert!(
-        outcome
-            .trace
-            .entries
-            .iter()
-            .any(|entry| entry.step == shown)
-    );
+    assert!(outcome.trace.entries.iter().any(|entry| entry.step == shown));
     let outcome = go("#3000=12 (PART MISSING)\nM30");
     let Some(Stop::Fault(message)) = outcome.stop else {
         panic!("{:?}", outcome.stop);
     };
-    let expected = Message::new("run-set-alarm")
-        .number("number", 12.0)
-        .text("text", "PART MISSING");
+    let expected = Message::new("run-set-alarm").number("number", 12.0).text("text", "PART MISSING");
     assert_eq!(message, expected);
 }
 
@@ -429,12 +387,6 @@ fn the_radius_is_that_of_the_register() {
         Step::Motion { to, .. } => Some((to[0], to[1])),
         _ => None,
     });
-    let expected = [
-        (20.0, 5.0),
-        (40.0, 5.0),
-        (60.0, 4.0),
-        (80.0, 4.0),
-        (100.0, 0.0),
-    ];
+    let expected = [(20.0, 5.0), (40.0, 5.0), (60.0, 4.0), (80.0, 4.0), (100.0, 0.0)];
     assert_eq!(ends.collect::<Vec<_>>(), expected);
 }

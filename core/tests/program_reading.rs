@@ -16,35 +16,19 @@ fn inside(inner: Span, outer: Span) -> bool {
 
 /// Lines in order and inside the source, words and comments in order and inside their line; gaps hold separators only.
 fn check_places(program: &Program) {
-    let whole = Span {
-        start: 0,
-        end: program.source.len() as u32,
-    };
+    let whole = Span { start: 0, end: program.source.len() as u32 };
     let mut behind = 0;
     let mut next_word = 0;
     for block in &program.blocks {
         assert!(inside(block.span, whole) && block.span.start >= behind);
-        let gap = program.text(Span {
-            start: behind,
-            end: block.span.start,
-        });
-        assert!(
-            gap.iter().all(|byte| matches!(byte, b'\r' | b'\n')),
-            "only line ends between lines"
-        );
+        let gap = program.text(Span { start: behind, end: block.span.start });
+        assert!(gap.iter().all(|byte| matches!(byte, b'\r' | b'\n')), "only line ends between lines");
         behind = block.span.end;
-        assert_eq!(
-            block.words.start, next_word,
-            "every word belongs to one line"
-        );
+        assert_eq!(block.words.start, next_word, "every word belongs to one line");
         next_word = block.words.end;
         let mut at = block.number.map_or(block.span.start, |number| number.end);
         for word in program.words_of(block) {
-            assert!(
-                inside(word.span, block.span)
-                    && word.span.start >= at
-                    && word.span.end > word.span.start
-            );
+            assert!(inside(word.span, block.span) && word.span.start >= at && word.span.end > word.span.start);
             at = word.span.end;
         }
         for place in block.comment.iter().chain(&block.number) {
@@ -54,9 +38,7 @@ fn check_places(program: &Program) {
     assert_eq!(next_word as usize, program.words.len());
     let text = |start, end| program.text(Span { start, end });
     assert!(
-        text(behind, program.end)
-            .iter()
-            .all(|byte| matches!(byte, b'\r' | b'\n')),
+        text(behind, program.end).iter().all(|byte| matches!(byte, b'\r' | b'\n')),
         "nothing behind the last line but its end"
     );
     let unread = text(program.end, whole.end);
@@ -64,17 +46,10 @@ fn check_places(program: &Program) {
         unread.first().is_none_or(|byte| *byte == 0x1A) || unread.iter().all(|byte| *byte == 0),
         "nothing is left unread but what stands behind the end of the file"
     );
-    let unknown: Vec<Span> = program
-        .words
-        .iter()
-        .filter(|word| word.kind == WordKind::Unknown)
-        .map(|word| word.span)
-        .collect();
+    let unknown: Vec<Span> =
+        program.words.iter().filter(|word| word.kind == WordKind::Unknown).map(|word| word.span).collect();
     for span in unknown {
-        assert!(
-            program.errors.iter().any(|error| inside(error.span, span)),
-            "what is not understood is reported"
-        );
+        assert!(program.errors.iter().any(|error| inside(error.span, span)), "what is not understood is reported");
     }
     for error in &program.errors {
         assert!(inside(error.span, whole));
@@ -208,14 +183,8 @@ fn deep_and_long_expressions_end_as_a_syntax_error() {
         assert_eq!(program.errors[0].sentence.cause, "syntax-depth");
         check_places(&program);
     }
-    for text in [
-        format!("#1={}1", "[".repeat(100_000)),
-        format!("#1={}1", "#".repeat(100_000)),
-    ] {
-        assert_eq!(
-            read(Dialect::Nct, text.as_bytes()).errors[0].sentence.cause,
-            "syntax-depth"
-        );
+    for text in [format!("#1={}1", "[".repeat(100_000)), format!("#1={}1", "#".repeat(100_000))] {
+        assert_eq!(read(Dialect::Nct, text.as_bytes()).errors[0].sentence.cause, "syntax-depth");
     }
 }
 
@@ -225,28 +194,14 @@ fn unknown(dialect: Dialect, path: &Path) -> Vec<String> {
     check_places(&program);
     let name = path.file_name().unwrap().to_string_lossy().into_owned();
     let show = |span: Span, key| {
-        format!(
-            "{name}:{}: {key} {}",
-            program.line_of(span.start) + 1,
-            String::from_utf8_lossy(program.text(span))
-        )
+        format!("{name}:{}: {key} {}", program.line_of(span.start) + 1, String::from_utf8_lossy(program.text(span)))
     };
-    program
-        .errors
-        .iter()
-        .map(|error| show(error.span, error.sentence.cause))
-        .collect()
+    program.errors.iter().map(|error| show(error.span, error.sentence.cause)).collect()
 }
 
 fn files(folder: &Path, ending: &str) -> Vec<PathBuf> {
-    let entries = std::fs::read_dir(folder)
-        .into_iter()
-        .flatten()
-        .flatten()
-        .map(|entry| entry.path());
-    let mut files: Vec<_> = entries
-        .filter(|path| path.extension().is_some_and(|found| found == ending))
-        .collect();
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
+    let mut files: Vec<_> = entries.filter(|path| path.extension().is_some_and(|found| found == ending)).collect();
     files.sort();
     files
 }
@@ -256,12 +211,7 @@ fn files(folder: &Path, ending: &str) -> Vec<PathBuf> {
 fn every_program_of_the_manuals_is_understood_where_the_shared_folder_is_present() {
     let shared = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared");
     let mut left = Vec::new();
-    for folder in [
-        "spec/milling/examples",
-        "spec/turning/examples",
-        "spec/editions_programs",
-        "corpus/language",
-    ] {
+    for folder in ["spec/milling/examples", "spec/turning/examples", "spec/editions_programs", "corpus/language"] {
         for path in files(&shared.join(folder), "mpf") {
             left.extend(unknown(Dialect::Sinumerik, &path));
         }

@@ -9,12 +9,7 @@ use probewright_core::program::{Program, read};
 /// An expression with every bracket that its tree implies.
 fn show(program: &Program, id: ExprId) -> String {
     let text = |span: Span| program.name(span);
-    let list = |ids: &[ExprId]| {
-        ids.iter()
-            .map(|id| show(program, *id))
-            .collect::<Vec<_>>()
-            .join(",")
-    };
+    let list = |ids: &[ExprId]| ids.iter().map(|id| show(program, *id)).collect::<Vec<_>>().join(",");
     match program.expr(id).unwrap() {
         Expr::Number(value, _) => value.to_string(),
         Expr::Text(span) => format!("'{}'", text(*span)),
@@ -24,12 +19,7 @@ fn show(program: &Program, id: ExprId) -> String {
             format!("({} {})", symbol(*operator), show(program, *inner))
         }
         Expr::Binary(left, operator, right) => {
-            format!(
-                "({} {} {})",
-                show(program, *left),
-                symbol(*operator),
-                show(program, *right)
-            )
+            format!("({} {} {})", show(program, *left), symbol(*operator), show(program, *right))
         }
         Expr::Call(name, arguments) => format!("{}({})", text(*name), list(arguments)),
         Expr::List(elements) => format!("LIST({})", list(elements)),
@@ -47,64 +37,29 @@ fn words(dialect: Dialect, line: &str) -> Vec<String> {
     let text = |span: Span| program.name(span);
     let optional = |id: &Option<ExprId>| id.map_or(String::new(), |id| show(&program, id));
     let word = |kind: &WordKind| match kind {
-        WordKind::Address {
-            name,
-            extension,
-            mode,
-            value,
-        } => {
+        WordKind::Address { name, extension, mode, value } => {
             let extension = extension.map_or(String::new(), |number| number.to_string());
             let mode = mode.map_or(String::new(), &text);
-            format!(
-                "{}{extension}:{mode}{}",
-                text(*name),
-                show(&program, *value)
-            )
+            format!("{}{extension}:{mode}{}", text(*name), show(&program, *value))
         }
-        WordKind::Assign {
-            name, index, value, ..
-        } => {
+        WordKind::Assign { name, index, value, .. } => {
             let index: Vec<String> = index.iter().map(|id| show(&program, *id)).collect();
-            format!(
-                "{}[{}]={}",
-                text(*name),
-                index.join(","),
-                show(&program, *value)
-            )
+            format!("{}[{}]={}", text(*name), index.join(","), show(&program, *value))
         }
-        WordKind::Declare { name, index, value } => format!(
-            "declare {}[{}] {}",
-            text(*name),
-            index.len(),
-            optional(value)
-        )
-        .trim_end()
-        .to_owned(),
+        WordKind::Declare { name, index, value } => {
+            format!("declare {}[{}] {}", text(*name), index.len(), optional(value)).trim_end().to_owned()
+        }
         WordKind::Constant(value) => format!("constant {}", show(&program, *value)),
-        WordKind::Call {
-            name,
-            args,
-            brackets,
-        } => {
+        WordKind::Call { name, args, brackets } => {
             let arguments: Vec<String> = args.iter().map(optional).collect();
-            if *brackets {
-                format!("{}({})", text(*name), arguments.join(","))
-            } else {
-                text(*name)
-            }
+            if *brackets { format!("{}({})", text(*name), arguments.join(",")) } else { text(*name) }
         }
         WordKind::Label(name) => format!("label {}", text(*name)),
-        WordKind::Keyword { name, value } => format!("{} {}", text(*name), optional(value))
-            .trim()
-            .to_owned(),
+        WordKind::Keyword { name, value } => format!("{} {}", text(*name), optional(value)).trim().to_owned(),
         WordKind::Header(span) => format!("header {}", text(*span)),
         WordKind::Unknown => "unknown".to_owned(),
     };
-    program
-        .words
-        .iter()
-        .map(|found| word(&found.kind))
-        .collect()
+    program.words.iter().map(|found| word(&found.kind)).collect()
 }
 
 fn sinumerik(line: &str) -> Vec<String> {
@@ -146,61 +101,27 @@ fn operators_bind_in_the_order_of_the_control() {
 fn words_are_told_apart() {
     for (line, expected) in [
         ("N10G1F500X10Y-.5", vec!["G:1", "F:500", "X:10", "Y:-0.5"]),
-        (
-            "X=IC(5) Y = AC(R1+1) SPOS=DC(90)",
-            vec!["X:IC5", "Y:AC(R1 PLUS 1)", "SPOS:DC90"],
-        ),
-        (
-            "S1=500 M2=3 T=\"PROBE\" R10=5",
-            vec!["S1:500", "M2:3", "T:'PROBE'", "R10[]=5"],
-        ),
-        (
-            "_SETV[0]=5 $P_UIFR[1,X,TR]=7",
-            vec!["_SETV[0]=5", "$P_UIFR[1,X,TR]=7"],
-        ),
-        (
-            "L10 L11(1,,3) STOPRE MSG ()",
-            vec!["L10", "L11(1,,3)", "STOPRE", "MSG()"],
-        ),
+        ("X=IC(5) Y = AC(R1+1) SPOS=DC(90)", vec!["X:IC5", "Y:AC(R1 PLUS 1)", "SPOS:DC90"]),
+        ("S1=500 M2=3 T=\"PROBE\" R10=5", vec!["S1:500", "M2:3", "T:'PROBE'", "R10[]=5"]),
+        ("_SETV[0]=5 $P_UIFR[1,X,TR]=7", vec!["_SETV[0]=5", "$P_UIFR[1,X,TR]=7"]),
+        ("L10 L11(1,,3) STOPRE MSG ()", vec!["L10", "L11(1,,3)", "STOPRE", "MSG()"]),
         ("N5 END_1: M30", vec!["label END_1", "M:30"]),
         ("IF R1==1 GOTOF N100", vec!["IF (R1 EQUAL 1)", "GOTOF N100"]),
         (
             "CASE(R1) OF 7 GOTOF A1 DEFAULT GOTOF B1",
-            vec![
-                "CASE R1",
-                "OF",
-                "constant 7",
-                "GOTOF A1",
-                "DEFAULT",
-                "GOTOF B1",
-            ],
+            vec!["CASE R1", "OF", "constant 7", "GOTOF A1", "DEFAULT", "GOTOF B1"],
         ),
         ("FOR X=0 TO 9", vec!["FOR", "X[]=0", "TO 9"]),
-        (
-            "DEF REAL A[2]=SET(1,,3),B",
-            vec!["DEF", "REAL", "declare A[1] SET(1,,3)", "declare B[0]"],
-        ),
-        (
-            "DEF STRING[9] R1=\"x\"",
-            vec!["DEF", "STRING 9", "declare R1[0] 'X'"],
-        ),
-        (
-            "PROC P(REAL A) SAVE",
-            vec!["PROC", "declare P[0]", "REAL", "declare A[0]", "SAVE"],
-        ),
+        ("DEF REAL A[2]=SET(1,,3),B", vec!["DEF", "REAL", "declare A[1] SET(1,,3)", "declare B[0]"]),
+        ("DEF STRING[9] R1=\"x\"", vec!["DEF", "STRING 9", "declare R1[0] 'X'"]),
+        ("PROC P(REAL A) SAVE", vec!["PROC", "declare P[0]", "REAL", "declare A[0]", "SAVE"]),
         ("%_N_A_MPF", vec!["header %_N_A_MPF"]),
     ] {
         assert_eq!(sinumerik(line), expected, "{line}");
     }
     for (line, expected) in [
-        (
-            "N1 G110 D#1 S6(bore)Q[#2/5]",
-            vec!["G:110", "D:#1", "S:6", "Q:(#2 OVER 5)"],
-        ),
-        (
-            "#100=-[#1+2]*3",
-            vec!["#100[]=((MINUS (#1 PLUS 2)) TIMES 3)"],
-        ),
+        ("N1 G110 D#1 S6(bore)Q[#2/5]", vec!["G:110", "D:#1", "S:6", "Q:(#2 OVER 5)"]),
+        ("#100=-[#1+2]*3", vec!["#100[]=((MINUS (#1 PLUS 2)) TIMES 3)"]),
         ("#[#1+1]=ATAN[1]/[2]", vec!["#[(#1 PLUS 1)]=ATAN(1,2)"]),
         ("IF[#1 EQ 2]GOTO 30", vec!["IF (#1 EQUAL 2)", "GOTO 30"]),
         ("WHILE[#1LT6]DO1", vec!["WHILE (#1 LESS 6)", "DO 1"]),
@@ -213,20 +134,11 @@ fn words_are_told_apart() {
 // oracle: hand
 #[test]
 fn block_number_skip_level_and_comment_belong_to_the_line() {
-    let program = read(
-        Dialect::Sinumerik,
-        b"/2 N10 X1 ; c\r\n:20 MSG(\"a;b\")\n\nN30\n",
-    );
+    let program = read(Dialect::Sinumerik, b"/2 N10 X1 ; c\r\n:20 MSG(\"a;b\")\n\nN30\n");
     let shown: Vec<_> = program
         .blocks
         .iter()
-        .map(|block| {
-            (
-                block.skip,
-                block.number.map(|place| program.name(place)),
-                block.comment.is_some(),
-            )
-        })
+        .map(|block| (block.skip, block.number.map(|place| program.name(place)), block.comment.is_some()))
         .collect();
     let numbered = |number: &str| Some(number.to_owned());
     assert_eq!(
@@ -269,15 +181,7 @@ fn every_mistake_is_named_with_words_and_the_rest_of_the_line_is_read() {
         let place = line.find('^').unwrap() as u32;
         let line = line.replacen('^', "", 1);
         let program = read(Dialect::Sinumerik, line.as_bytes());
-        assert_eq!(
-            program
-                .errors
-                .iter()
-                .map(|error| error.sentence.cause)
-                .collect::<Vec<_>>(),
-            [key],
-            "{line}"
-        );
+        assert_eq!(program.errors.iter().map(|error| error.sentence.cause).collect::<Vec<_>>(), [key], "{line}");
         assert_eq!(program.errors[0].span.start, place, "{line}");
         assert!(messages.contains(&format!("\n{key} = ")), "{key} has words");
     }

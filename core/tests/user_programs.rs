@@ -18,21 +18,13 @@ fn outcome(programs: &str) -> Outcome {
     let proposal = (cycle.work().unwrap().propose)(&checked.inputs.unwrap(), &setup.control);
     setup.workpiece = proposal.workpiece;
     setup.position = setup.control.to_machine(proposal.start);
-    let values = typed
-        .iter()
-        .map(|(name, value)| match value.parse::<f64>() {
-            Ok(_) => format!("{name}={value}\n"),
-            Err(_) => format!("{name}=\"{value}\"\n"),
-        });
-    let text = format!(
-        "%_N_MAIN_MPF\n{}R1=R1+1 CYCLE978\nR5=R3\nCYCLE978\nM30\n{programs}",
-        values.collect::<String>()
-    );
-    run(
-        &read(Dialect::Sinumerik, text.as_bytes()),
-        &setup,
-        Limits::default(),
-    )
+    let values = typed.iter().map(|(name, value)| match value.parse::<f64>() {
+        Ok(_) => format!("{name}={value}\n"),
+        Err(_) => format!("{name}=\"{value}\"\n"),
+    });
+    let text =
+        format!("%_N_MAIN_MPF\n{}R1=R1+1 CYCLE978\nR5=R3\nCYCLE978\nM30\n{programs}", values.collect::<String>());
+    run(&read(Dialect::Sinumerik, text.as_bytes()), &setup, Limits::default())
 }
 
 fn numbers(outcome: &Outcome) -> [f64; 4] {
@@ -57,11 +49,7 @@ fn without_them_nothing_happens() {
     assert_eq!(numbers(&plain), [1.0, 0.0, 0.0, 0.0]);
     let called = "CYCLE198\nR1=1\nCYCLE199\nM30\n";
     let setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
-    let outcome = run(
-        &read(Dialect::Sinumerik, called.as_bytes()),
-        &setup,
-        Limits::default(),
-    );
+    let outcome = run(&read(Dialect::Sinumerik, called.as_bytes()), &setup, Limits::default());
     assert_eq!((outcome.stop, outcome.diagnostics.len()), (None, 0));
 }
 

@@ -38,9 +38,7 @@ fn changed(text: &str, call: usize, name: &str, value: &str) -> String {
 /// A main program, and subprograms `NAME` with their blocks.
 fn whole(main: &str, subs: &[(&str, &str)]) -> String {
     let subs = subs.iter();
-    let subs: String = subs
-        .map(|(name, blocks)| format!("%_N_{name}_SPF\n{blocks}M17\n"))
-        .collect();
+    let subs: String = subs.map(|(name, blocks)| format!("%_N_{name}_SPF\n{blocks}M17\n")).collect();
     format!("{BEGIN}{main}M30\n{subs}")
 }
 
@@ -53,19 +51,10 @@ fn a_call_behind_a_subprogram_has_the_values_that_it_left() {
     assert_eq!(setpoint(&found[0]), "60");
     assert_eq!(found[0].values["_FA"], "2");
     assert_eq!(said(&text, 0), "Written in line 9.");
-    assert_eq!(
-        changed(&text, 0, "_SETVAL", "61"),
-        text.replace("=60", "=61")
-    );
-    assert_eq!(
-        changed(&text, 0, "_FA", "3"),
-        text.replace("_FA=2", "_FA=3")
-    );
+    assert_eq!(changed(&text, 0, "_SETVAL", "61"), text.replace("=60", "=61"));
+    assert_eq!(changed(&text, 0, "_FA", "3"), text.replace("_FA=2", "_FA=3"));
     // What is new stands behind the subprogram, which may write it too.
-    assert_eq!(
-        changed(&text, 0, "_ID", "-5"),
-        text.replace("\nCYCLE977", "\n_ID=-5\nCYCLE977")
-    );
+    assert_eq!(changed(&text, 0, "_ID", "-5"), text.replace("\nCYCLE977", "\n_ID=-5\nCYCLE977"));
     // Written again for the call, nothing comes from there.
     let again = text.replace("\nCYCLE977", "\n_SETVAL=70\nCYCLE977");
     assert_eq!(setpoint(&sites(&again).1[0]), "70");
@@ -79,16 +68,12 @@ fn the_order_of_the_text_is_not_that_of_the_run() {
     let main = "%_N_MAIN_MPF\nG17 T9 D1\n_SETVAL=132\nVALUES\nCYCLE977\nM30\n";
     for text in [format!("{sub}{main}"), format!("{main}{sub}")] {
         assert_eq!(setpoint(&sites(&text).1[0]), "60", "{text}");
-        assert_eq!(
-            changed(&text, 0, "_SETVAL", "61"),
-            text.replace("=60", "=61")
-        );
+        assert_eq!(changed(&text, 0, "_SETVAL", "61"), text.replace("=60", "=61"));
     }
 }
 
 /// A subprogram that measures a hole of the diameter that its caller gives.
-const MEASURE: &str =
-    "PROC MEASURE(REAL _D)\n_SETVAL=_D _MVAR=1 _KNUM=0 _PRNUM=1 _FA=2 _TSA=2\nCYCLE977\n";
+const MEASURE: &str = "PROC MEASURE(REAL _D)\n_SETVAL=_D _MVAR=1 _KNUM=0 _PRNUM=1 _FA=2 _TSA=2\nCYCLE977\n";
 
 // oracle: hand
 #[test]
@@ -96,30 +81,14 @@ fn an_argument_arrives_in_the_subprogram_and_is_changed_at_its_call() {
     let text = whole("MEASURE(40)\n", &[("MEASURE", MEASURE)]);
     assert_eq!(setpoint(&sites(&text).1[0]), "40");
     assert_eq!(said(&text, 0), "Written in line 3.");
-    assert_eq!(
-        changed(&text, 0, "_SETVAL", "45.5"),
-        text.replace("(40)", "(45.5)")
-    );
-    assert_eq!(
-        changed(&text, 0, "_SETVAL", ""),
-        text,
-        "no argument is taken away"
-    );
-    assert_eq!(
-        changed(&text, 0, "_FA", "4"),
-        text.replace("_FA=2", "_FA=4")
-    );
+    assert_eq!(changed(&text, 0, "_SETVAL", "45.5"), text.replace("(40)", "(45.5)"));
+    assert_eq!(changed(&text, 0, "_SETVAL", ""), text, "no argument is taken away");
+    assert_eq!(changed(&text, 0, "_FA", "4"), text.replace("_FA=2", "_FA=4"));
     // The same through another program.
-    let deep = [
-        ("MEASURE", MEASURE),
-        ("OUTER", "PROC OUTER(REAL _X)\nMEASURE(_X)\n"),
-    ];
+    let deep = [("MEASURE", MEASURE), ("OUTER", "PROC OUTER(REAL _X)\nMEASURE(_X)\n")];
     let text = whole("OUTER(40)\n", &deep);
     assert_eq!(setpoint(&sites(&text).1[0]), "40");
-    assert_eq!(
-        changed(&text, 0, "_SETVAL", "41"),
-        text.replace("(40)", "(41)")
-    );
+    assert_eq!(changed(&text, 0, "_SETVAL", "41"), text.replace("(40)", "(41)"));
     // A default of the PROC, and an expression that no text tells.
     let default = MEASURE.replace("REAL _D", "REAL _D=12");
     let text = whole("MEASURE\n", &[("MEASURE", &default)]);
@@ -134,30 +103,17 @@ fn several_calls_with_the_same_value_show_it_and_with_others_say_so() {
     let text = whole("MEASURE(40)\nG0 X9\nMEASURE(40)\n", &[("MEASURE", MEASURE)]);
     assert_eq!(setpoint(&sites(&text).1[0]), "40");
     assert_eq!(said(&text, 0), "Written in line 3, 5.");
-    assert_eq!(
-        changed(&text, 0, "_SETVAL", "41"),
-        text.replace("(40)", "(41)")
-    );
+    assert_eq!(changed(&text, 0, "_SETVAL", "41"), text.replace("(40)", "(41)"));
     let text = whole("MEASURE(40)\nMEASURE(50)\n", &[("MEASURE", MEASURE)]);
     assert_eq!(setpoint(&sites(&text).1[0]), "_D");
-    assert_eq!(
-        said(&text, 0),
-        "Differs by the way to this call: 40 (3), 50 (4)."
-    );
-    assert_eq!(
-        changed(&text, 0, "_SETVAL", "41"),
-        text,
-        "which of them, nobody knows"
-    );
+    assert_eq!(said(&text, 0), "Differs by the way to this call: 40 (3), 50 (4).");
+    assert_eq!(changed(&text, 0, "_SETVAL", "41"), text, "which of them, nobody knows");
     // Data that each caller writes: there is no text that says both.
     let hole = format!("{REST}CYCLE977\n");
     let main = "_SETVAL=40\nHOLE\n_SETVAL=50\nHOLE\n";
     let text = whole(main, &[("HOLE", &hole)]);
     assert_eq!(setpoint(&sites(&text).1[0]), "_SETVAL");
-    assert_eq!(
-        said(&text, 0),
-        "Differs by the way to this call: 40 (3), 50 (5)."
-    );
+    assert_eq!(said(&text, 0), "Differs by the way to this call: 40 (3), 50 (5).");
     assert_eq!(changed(&text, 0, "_SETVAL", "41"), text);
 }
 
@@ -172,9 +128,7 @@ fn of_many_calls_none_is_changed_alone() {
     let text = whole(&main, &[("MEASURE", MEASURE)]);
     assert_eq!(setpoint(&sites(&text).1[0]), "_D");
     // The last of them alone gives another probe.
-    let probe = MEASURE
-        .replace("REAL _D", "REAL _D,INT _P")
-        .replace("_PRNUM=1", "_PRNUM=_P");
+    let probe = MEASURE.replace("REAL _D", "REAL _D,INT _P").replace("_PRNUM=1", "_PRNUM=_P");
     let main: String = (10..50).map(|n| format!("MEASURE({n},1)\n")).collect();
     let program = |last: &str| whole(&format!("{main}{last}"), &[("MEASURE", &probe)]);
     let shown = |text: &str| sites(text).1[0].values["_PRNUM"].clone();
@@ -188,19 +142,13 @@ fn of_many_calls_none_is_changed_alone() {
 fn values_of_the_caller_that_a_subprogram_leaves_alone_stay() {
     let many: String = (1..30).map(|n| format!("R1={n}\nOTHER\n")).collect();
     let main = format!("{REST}_SETVAL=132\n{many}CYCLE977\n");
-    let text = whole(
-        &main,
-        &[("OTHER", "PROC OTHER\nDEF REAL _LOCAL=R1\n_LOCAL=_LOCAL+1\n")],
-    );
+    let text = whole(&main, &[("OTHER", "PROC OTHER\nDEF REAL _LOCAL=R1\n_LOCAL=_LOCAL+1\n")]);
     let (_, found) = sites(&text);
     assert_eq!(setpoint(&found[0]), "132");
     assert!(found[0].origins.is_empty());
     // What a program declares is its own; what it takes by reference is its caller's.
     let own = ("OWN", "DEF REAL SIZE=5\nSIZE=6\n");
-    let text = whole(
-        &format!("DEF REAL SIZE=40\n{REST}OWN\n_SETVAL=SIZE\nCYCLE977\n"),
-        &[own],
-    );
+    let text = whole(&format!("DEF REAL SIZE=40\n{REST}OWN\n_SETVAL=SIZE\nCYCLE977\n"), &[own]);
     assert_eq!(setpoint(&sites(&text).1[0]), "40");
     let given = ("GIVEN", "PROC GIVEN(VAR REAL _OUT)\n_OUT=45\n");
     let main = format!("DEF REAL SIZE=40\n{REST}GIVEN(SIZE)\n_SETVAL=SIZE\nCYCLE977\n");
@@ -213,10 +161,7 @@ fn a_value_that_another_call_took_before_is_written_anew() {
     let main = format!("{REST}_SETVAL=40\nCYCLE977\nHOLE\n");
     let text = whole(&main, &[("HOLE", "G0 X5\nCYCLE977\n")]);
     assert_eq!(setpoint(&sites(&text).1[1]), "40");
-    assert_eq!(
-        changed(&text, 1, "_SETVAL", "41"),
-        text.replace("G0 X5\nCYCLE977", "G0 X5\n_SETVAL=41\nCYCLE977")
-    );
+    assert_eq!(changed(&text, 1, "_SETVAL", "41"), text.replace("G0 X5\nCYCLE977", "G0 X5\n_SETVAL=41\nCYCLE977"));
 }
 
 // oracle: hand
@@ -228,22 +173,13 @@ fn what_a_branch_decides_is_told() {
     };
     let text = way("40", "50");
     assert_eq!(setpoint(&sites(&text).1[0]), "_SETVAL");
-    assert_eq!(
-        said(&text, 0),
-        "Differs by the way to this call: 40 (5), 50 (7)."
-    );
+    assert_eq!(said(&text, 0), "Differs by the way to this call: 40 (5), 50 (7).");
     assert_eq!(changed(&text, 0, "_SETVAL", "41"), text);
     let text = way("40", "40");
     assert_eq!(setpoint(&sites(&text).1[0]), "40");
-    assert_eq!(
-        changed(&text, 0, "_SETVAL", "41"),
-        text.replace("=40", "=41")
-    );
+    assert_eq!(changed(&text, 0, "_SETVAL", "41"), text.replace("=40", "=41"));
     // Only one of the ways ends.
-    let left = whole(
-        &format!("{REST}_SETVAL=40\nIF R1>0\n_SETVAL=50\nM30\nENDIF\nCYCLE977\n"),
-        &[],
-    );
+    let left = whole(&format!("{REST}_SETVAL=40\nIF R1>0\n_SETVAL=50\nM30\nENDIF\nCYCLE977\n"), &[]);
     assert_eq!(setpoint(&sites(&left).1[0]), "40");
     let jumped = format!("{REST}_SETVAL=40\nIF R1>0 GOTOF OVER\n_SETVAL=50\nOVER:\nCYCLE977\n");
     assert_eq!(setpoint(&sites(&whole(&jumped, &[])).1[0]), "_SETVAL");
@@ -252,12 +188,8 @@ fn what_a_branch_decides_is_told() {
 // oracle: hand
 #[test]
 fn a_loop_brings_back_what_its_end_leaves() {
-    let around = |begin: &str, end: &str| {
-        whole(
-            &format!("{REST}_SETVAL=40\n{begin}\nCYCLE977\n_SETVAL=50\n{end}\n"),
-            &[],
-        )
-    };
+    let around =
+        |begin: &str, end: &str| whole(&format!("{REST}_SETVAL=40\n{begin}\nCYCLE977\n_SETVAL=50\n{end}\n"), &[]);
     for (begin, end) in [
         ("LOOP", "ENDLOOP"),
         ("WHILE R1<5", "ENDWHILE"),
@@ -266,16 +198,9 @@ fn a_loop_brings_back_what_its_end_leaves() {
         ("AGAIN:", "IF R1<5 GOTOB AGAIN"),
     ] {
         let text = around(begin, end);
-        assert_eq!(
-            said(&text, 0),
-            "Differs by the way to this call: 40 (4), 50 (7).",
-            "{text}"
-        );
+        assert_eq!(said(&text, 0), "Differs by the way to this call: 40 (4), 50 (7).", "{text}");
     }
-    let counted = whole(
-        &format!("{REST}FOR R1=1 TO 3\n_SETVAL=R1*10\nCYCLE977\nENDFOR\n"),
-        &[],
-    );
+    let counted = whole(&format!("{REST}FOR R1=1 TO 3\n_SETVAL=R1*10\nCYCLE977\nENDFOR\n"), &[]);
     assert_eq!(setpoint(&sites(&counted).1[0]), "R1*10");
 }
 
@@ -293,29 +218,19 @@ fn a_wrong_value_of_one_call_is_told_where_it_is_written() {
 // oracle: hand
 #[test]
 fn what_does_not_reach_its_call_is_told_with_a_cure() {
-    let text = whole(
-        &format!("{REST}_SETVAL=132\nVALUES\nCYCLE977\n"),
-        &[("VALUES", "_SETVAL=60\n")],
-    );
+    let text = whole(&format!("{REST}_SETVAL=132\nVALUES\nCYCLE977\n"), &[("VALUES", "_SETVAL=60\n")]);
     let program = read(Dialect::Sinumerik, text.as_bytes());
     let all = findings(&program);
     let told = all.iter().find(|one| one.code == Code::Own(150)).unwrap();
     let mended = apply(&program.source, &told.cure.as_ref().unwrap().edits);
     let mended = String::from_utf8(mended).unwrap();
-    assert_eq!(
-        mended,
-        text.replace("\nCYCLE977", "\n_SETVAL=132\nCYCLE977")
-    );
+    assert_eq!(mended, text.replace("\nCYCLE977", "\n_SETVAL=132\nCYCLE977"));
     assert_eq!(setpoint(&sites(&mended).1[0]), "132");
-    assert!(
-        findings(&read(Dialect::Sinumerik, mended.as_bytes()))
-            .iter()
-            .all(|one| one.code != Code::Own(150))
-    );
+    assert!(findings(&read(Dialect::Sinumerik, mended.as_bytes())).iter().all(|one| one.code != Code::Own(150)));
 }
 
-// oracle: hand (a jump from a later structure back into a loop that has ended: its end then belongs to no loop that began
-// before it; the value of the later structure arrives all the same)
+// oracle: hand (a jump from a later structure back into a loop that has ended: its end then belongs to no loop that
+// began before it; the value of the later structure arrives all the same)
 #[test]
 fn a_jump_back_into_a_loop_that_has_ended_is_followed() {
     let text = "G17\n_MVAR=1 _SETVAL=10\nFOR R1=1 TO 2\nIF R2==1\nINSIDE: G0 X1\nENDIF\nENDFOR\nG0 X2\nREPEAT\n\

@@ -9,8 +9,7 @@ use probewright_core::evaluate::{knum, mean, symmetry};
 use serde_json::Value;
 
 fn vectors() -> Option<Value> {
-    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../../shared/spec/common/vectors.json");
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/spec/common/vectors.json");
     let text = std::fs::read_to_string(path).ok()?;
     Some(serde_json::from_str(&text).unwrap())
 }
@@ -72,11 +71,7 @@ fn digits_of_the_correction_target() {
     }
     for case in list(&vectors["knum_zo"]) {
         let code = case["_KNUM"].as_i64().unwrap();
-        assert_eq!(
-            knum::zero(code).unwrap().is_none(),
-            case["target"].is_null(),
-            "{code}"
-        );
+        assert_eq!(knum::zero(code).unwrap().is_none(), case["target"].is_null(), "{code}");
     }
 }
 
@@ -108,11 +103,7 @@ fn tolerance_chain() {
     };
     for case in list(&example["cases"]) {
         let found = chain(&[number(&case["D"])], &bands, number(&case["MVold"]));
-        assert_eq!(
-            found.branch.alarm().map(u64::from),
-            case["alarm"].as_u64(),
-            "{case}"
-        );
+        assert_eq!(found.branch.alarm().map(u64::from), case["alarm"].as_u64(), "{case}");
         let half = case["offset"].as_f64().unwrap_or(0.0);
         assert!((found.correction / 2.0 - half).abs() < 1e-6, "{case}");
         assert!((found.memory - number(&case["mv"])).abs() < 1e-6, "{case}");

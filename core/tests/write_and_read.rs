@@ -26,15 +26,9 @@ fn number(param: &Param, part: f64) -> f64 {
         Kind::Real => {
             let value = low + (high - low) * part;
             let rounded = (value * 1e9).round() / 1e9;
-            if param.range.contains(rounded) {
-                rounded
-            } else {
-                high
-            }
+            if param.range.contains(rounded) { rounded } else { high }
         }
-        _ => (low + (high - low) * part)
-            .ceil()
-            .clamp(low.ceil(), high.floor()),
+        _ => (low + (high - low) * part).ceil().clamp(low.ceil(), high.floor()),
     }
 }
 
@@ -63,18 +57,12 @@ fn values(cycle: &Cycle, variant: &[(String, String)], choices: &[Choice]) -> Ty
 /// Typed values that choose a variant.
 fn choosing(cycle: &Cycle, index: usize, part: f64) -> Vec<(String, String)> {
     let variant = &cycle.variants[index % cycle.variants.len()];
-    let by_number = cycle
-        .params
-        .iter()
-        .find(|param| matches!(param.kind, Kind::Variant(_)));
+    let by_number = cycle.params.iter().find(|param| matches!(param.kind, Kind::Variant(_)));
     let chosen = match by_number {
         Some(param) => Some((param.name, variant.number.to_string())),
         None => return by_address(cycle, variant.number, part),
     };
-    chosen
-        .into_iter()
-        .map(|(name, value)| (name.to_owned(), value))
-        .collect()
+    chosen.into_iter().map(|(name, value)| (name.to_owned(), value)).collect()
 }
 
 /// The addresses that choose a variant; one whose value is free gets any.

@@ -1,7 +1,8 @@
 //! Wrong programs with the messages that they give: `tests/wrong/NAME.mpf` and what `probewright check` prints,
-//! `NAME.txt`; with `NAME.json` it is held against that machine, else against `machine.json`, whose probe is calibrated.
-//! `PROBEWRIGHT_UPDATE=1` writes the texts anew; then they are read by a person. Of the programs in `tests/right` nothing
-//! is to be said.
+//! `NAME.txt`; with `NAME.json` it is held against that machine, else against `machine.json`, whose probe is
+//! calibrated.
+//! `PROBEWRIGHT_UPDATE=1` writes the texts anew; then they are read by a person. Of the programs in `tests/right`
+//! nothing is to be said.
 #![cfg(feature = "cli")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
@@ -80,26 +81,19 @@ fn every_cure_mends_its_finding() {
     for path in programs() {
         let source = std::fs::read(&path).unwrap();
         let control = machine(&path);
-        let findings =
-            |source: &[u8]| findings_on(&read(Dialect::Sinumerik, source), control.clone());
+        let findings = |source: &[u8]| findings_on(&read(Dialect::Sinumerik, source), control.clone());
         let before = findings(&source);
         for finding in before.iter().filter(|finding| finding.cure.is_some()) {
             let edits = &finding.cure.as_ref().unwrap().edits;
             assert!(!edits.is_empty(), "{path:?} {finding:?}");
             let after = findings(&apply(&source, edits));
             let count = |list: &[Diagnostic]| list.iter().filter(|one| same(one, finding)).count();
-            assert!(
-                count(&after) < count(&before),
-                "{path:?} {finding:?} {after:?}"
-            );
+            assert!(count(&after) < count(&before), "{path:?} {finding:?} {after:?}");
             let errors = |list: &[Diagnostic]| {
                 let error = probewright_core::diagnostic::Severity::Error;
                 list.iter().filter(|one| one.severity == error).count()
             };
-            assert!(
-                errors(&after) <= errors(&before),
-                "{path:?} {finding:?} {after:?}"
-            );
+            assert!(errors(&after) <= errors(&before), "{path:?} {finding:?} {after:?}");
             cured += 1;
         }
     }
@@ -120,15 +114,10 @@ fn every_finding_is_one_that_its_number_explains() {
             let explained = finding(&format!("PW{number}"), &words);
             let said = words.text(&one.message);
             let fits = |line: &str| {
-                let parts = line
-                    .split_once(": ")
-                    .map_or("", |(_, text)| text)
-                    .split('…');
+                let parts = line.split_once(": ").map_or("", |(_, text)| text).split('…');
                 let mut rest = Some(said.as_str());
                 for part in parts {
-                    rest = rest
-                        .and_then(|rest| rest.split_once(part))
-                        .map(|(_, rest)| rest);
+                    rest = rest.and_then(|rest| rest.split_once(part)).map(|(_, rest)| rest);
                 }
                 rest.is_some()
             };

@@ -25,9 +25,8 @@ pub fn read(bytes: &[u8]) {
             written_anew(&program, site, index);
         }
         for finding in findings_of(&program, &sites, &delivery(dialect)) {
-            let inside = |span: probewright_core::diagnostic::Span| {
-                span.start <= span.end && span.end as usize <= bytes.len()
-            };
+            let inside =
+                |span: probewright_core::diagnostic::Span| span.start <= span.end && span.end as usize <= bytes.len();
             assert!(finding.span.is_none_or(inside), "{finding:?}");
         }
     }
@@ -45,15 +44,10 @@ fn written_anew(program: &Program, site: &CallSite, index: usize) {
     }
 }
 
-/// Running any bytes as a program of a mill of either control, or of a lathe, against a block of material does not panic,
-/// ends within the limits and drives to numbers.
+/// Running any bytes as a program of a mill of either control, or of a lathe, against a block of material does not
+/// panic, ends within the limits and drives to numbers.
 pub fn run(bytes: &[u8]) {
-    let limits = Limits {
-        steps: 500,
-        depth: 4,
-        trace: 500,
-        ..Limits::default()
-    };
+    let limits = Limits { steps: 500, depth: 4, trace: 500, ..Limits::default() };
     for setup in machines() {
         let outcome = simulate(&parse(setup.control.dialect, bytes), &setup, limits);
         assert!(outcome.trace.entries.len() <= limits.trace);
@@ -79,17 +73,8 @@ fn machines() -> [Setup; 3] {
     let lathe = Setup::turning(Plane::G18);
     [(mill, 120, 10.0), (nct, 120, 10.0), (lathe, 500, 0.8)].map(|(mut setup, kind, radius)| {
         setup.workpiece.solids.push(block());
-        let edge = Edge {
-            kind,
-            tip: 3,
-            length: [80.0, 0.0, 0.0],
-            radius,
-            ..Edge::default()
-        };
-        let tool = Tool {
-            name: "CUTTER".into(),
-            edges: [(1, edge)].into(),
-        };
+        let edge = Edge { kind, tip: 3, length: [80.0, 0.0, 0.0], radius, ..Edge::default() };
+        let tool = Tool { name: "CUTTER".into(), edges: [(1, edge)].into() };
         setup.control.tools.insert(20, tool);
         setup
     })
@@ -97,9 +82,7 @@ fn machines() -> [Setup; 3] {
 
 fn block() -> Solid {
     Solid {
-        shape: Shape::Block {
-            size: [100.0, 100.0, 50.0],
-        },
+        shape: Shape::Block { size: [100.0, 100.0, 50.0] },
         at: [0.0; 3],
         rotation: [0.0; 3],
         errors: PartErrors::default(),

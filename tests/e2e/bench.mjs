@@ -6,7 +6,7 @@ import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 import { launch, open } from "./browser.mjs";
 
-const row = (name, cells) => console.log(name.padEnd(50), ...cells.map((cell) => String(cell).padStart(11)));
+const row = (name, cells) => console.log(name.padEnd(50), ...cells.map(cell => String(cell).padStart(11)));
 // Figure over goal, and whether the goal is met; `more` where more is better.
 const verdict = (value, goal, more = false) => {
   const met = more ? value > goal : value < goal;
@@ -16,7 +16,7 @@ const verdict = (value, goal, more = false) => {
 // The module that answers once the form stands, reachable for a measurement without the page around them.
 async function programModule(page) {
   const root = new URL("../../pkg/", import.meta.url);
-  await page.route("**/bench-pkg/**", async (route) => {
+  await page.route("**/bench-pkg/**", async route => {
     const path = new URL(route.request().url()).pathname.split("/bench-pkg/")[1];
     const contentType = path.endsWith(".wasm") ? "application/wasm" : "text/javascript";
     await route.fulfill({ body: await readFile(new URL(path, root)), contentType });
@@ -34,22 +34,25 @@ const WARM = 200;
 // Runs in the page: milliseconds of `runs` calls, sorted. Timers of a browser are coarse (0.1 ms), so calls are
 // timed in small groups where they are short.
 async function perKeystroke(page, request, runs, group) {
-  return page.evaluate(([text, count, size, warm]) => {
-    const times = [];
-    for (let i = 0; i < warm; i++) globalThis["bench-program"].form(text);
-    for (let i = 0; i < count; i++) {
-      const start = performance.now();
-      for (let j = 0; j < size; j++) globalThis["bench-program"].form(text);
-      times.push((performance.now() - start) / size);
-    }
-    return times.sort((a, b) => a - b);
-  }, [JSON.stringify(request), runs, group, WARM]);
+  return page.evaluate(
+    ([text, count, size, warm]) => {
+      const times = [];
+      for (let i = 0; i < warm; i++) globalThis["bench-program"].form(text);
+      for (let i = 0; i < count; i++) {
+        const start = performance.now();
+        for (let j = 0; j < size; j++) globalThis["bench-program"].form(text);
+        times.push((performance.now() - start) / size);
+      }
+      return times.sort((a, b) => a - b);
+    },
+    [JSON.stringify(request), runs, group, WARM],
+  );
 }
 
 const at = (times, percent) => times[Math.floor(((times.length - 1) * percent) / 100)];
 
 function report(name, times, percent, goal) {
-  const cells = [50, 95, 99].map((p) => at(times, p).toFixed(3));
+  const cells = [50, 95, 99].map(p => at(times, p).toFixed(3));
   row(name, [...cells, `< ${goal}`, verdict(at(times, percent), goal)]);
 }
 
@@ -68,7 +71,7 @@ async function reading(page) {
     let block = "";
     for (let n = 0; n < 500; n++) block += `N${n * 10} G1 F1200 X${(n / 7).toFixed(3)} Y-${(n / 21).toFixed(3)}\r\n`;
     block += "_MVAR=1 _SETVAL=132 _TNUM=20 _KNUM=2001\r\nCYCLE977\r\n";
-    const ask = (bytes) => JSON.stringify({ control: "sinumerik", text: block.repeat(Math.ceil(bytes / block.length)) });
+    const ask = bytes => JSON.stringify({ control: "sinumerik", text: block.repeat(Math.ceil(bytes / block.length)) });
     globalThis["bench-program"].read(ask(2e6)); // compiled well before it counts, as after the programs before
     const request = ask(10e6);
     const start = performance.now();
@@ -79,53 +82,78 @@ async function reading(page) {
   row("read a 10 MB program and list its calls, MB/s", [speed.toFixed(1), "> 20", verdict(speed, 20, true)]);
 }
 
-// Programs of 1,000 measuring calls of a cycle on its part, from the text to the answer as JSON, and how many steps that
-// is; and programs that never end, until they are given up. Those that measure count the passes, so that nothing proves
-// that the same comes again, and each part out of round is worked out the long way.
+// Programs of 1,000 measuring calls of a cycle on its part, from the text to the answer as JSON, and how many steps
+// that is; and programs that never end, until they are given up. Those that measure count the passes, so that nothing
+// proves that the same comes again, and each part out of round is worked out the long way.
 async function running(page) {
-  const measured = await page.evaluate((cycles) => {
-    const core = globalThis["bench-program"];
-    const run = (request) => {
-      const start = performance.now();
-      const under = new core.Run(JSON.stringify(request));
-      while (!under.advance(1000));
-      const view = under.view();
-      const seconds = (performance.now() - start) / 1000;
-      const { trace, finished } = JSON.parse(view);
-      return { seconds, steps: trace.entries.length, finished };
-    };
-    const all = JSON.parse(core.catalogue()).cycles;
-    const calls = cycles.map((name) => {
-      const { control, cycle, example } = all.find((one) => one.cycle === name);
-      const { setup, snippet } = JSON.parse(core.form(JSON.stringify({ control, cycle, values: example, predict: true })));
-      const [x, y, z] = setup.position;
-      const part = `SUPA G0 X${x} Y${y}\nSUPA G0 Z${z}\n${snippet}\n`;
-      const endless = { control, text: `LOOP\nR1=R1+1\n${part}ENDLOOP` };
-      const workpiece = setup.workpiece.map((solid) => ({ ...solid, errors: { ...solid.errors, outOfRound: [0.02, 3] } }));
-      return {
-        thousand: { name: `1,000 calls of ${name}`, ...run({ control, text: part.repeat(1000), setup }) },
-        loops: [
-          { name: `never ends: ${name} at an ideal part`, ...run({ ...endless, setup }) },
-          { name: `never ends: ${name} at a part out of round`, ...run({ ...endless, setup: { ...setup, workpiece } }) },
-        ],
+  const measured = await page.evaluate(
+    cycles => {
+      const core = globalThis["bench-program"];
+      const run = request => {
+        const start = performance.now();
+        const under = new core.Run(JSON.stringify(request));
+        while (!under.advance(1000));
+        const view = under.view();
+        const seconds = (performance.now() - start) / 1000;
+        const { trace, finished } = JSON.parse(view);
+        return { seconds, steps: trace.entries.length, finished };
       };
-    });
-    const endless = ["LOOP\nR1=R1+1\nENDLOOP", "LOOP\nG0 X=IC(1)\nX=IC(-1)\nENDLOOP", "BACK: GOTOB BACK"];
-    const stopped = endless.map((text) => ({ name: `never ends: ${text.replaceAll("\n", " ")}`, ...run({ control: "sinumerik", text }) }));
-    return { calls: calls.map(({ thousand }) => thousand), stopped: [...stopped, ...calls.flatMap(({ loops }) => loops)] };
-  }, ["CYCLE961", "CYCLE976", "CYCLE977", "CYCLE978", "CYCLE979", "CYCLE997", "CYCLE998"]);
+      const all = JSON.parse(core.catalogue()).cycles;
+      const calls = cycles.map(name => {
+        const { control, cycle, example } = all.find(one => one.cycle === name);
+        const { setup, snippet } = JSON.parse(
+          core.form(JSON.stringify({ control, cycle, values: example, predict: true })),
+        );
+        const [x, y, z] = setup.position;
+        const part = `SUPA G0 X${x} Y${y}\nSUPA G0 Z${z}\n${snippet}\n`;
+        const endless = { control, text: `LOOP\nR1=R1+1\n${part}ENDLOOP` };
+        const workpiece = setup.workpiece.map(solid => ({
+          ...solid,
+          errors: { ...solid.errors, outOfRound: [0.02, 3] },
+        }));
+        return {
+          thousand: { name: `1,000 calls of ${name}`, ...run({ control, text: part.repeat(1000), setup }) },
+          loops: [
+            { name: `never ends: ${name} at an ideal part`, ...run({ ...endless, setup }) },
+            {
+              name: `never ends: ${name} at a part out of round`,
+              ...run({ ...endless, setup: { ...setup, workpiece } }),
+            },
+          ],
+        };
+      });
+      const endless = ["LOOP\nR1=R1+1\nENDLOOP", "LOOP\nG0 X=IC(1)\nX=IC(-1)\nENDLOOP", "BACK: GOTOB BACK"];
+      const stopped = endless.map(text => ({
+        name: `never ends: ${text.replaceAll("\n", " ")}`,
+        ...run({ control: "sinumerik", text }),
+      }));
+      return {
+        calls: calls.map(({ thousand }) => thousand),
+        stopped: [...stopped, ...calls.flatMap(({ loops }) => loops)],
+      };
+    },
+    ["CYCLE961", "CYCLE976", "CYCLE977", "CYCLE978", "CYCLE979", "CYCLE997", "CYCLE998"],
+  );
   for (const { name, seconds, steps, finished } of measured.calls) {
-    row(`${name}${finished ? "" : " (given up)"}, s`, [seconds.toFixed(2), `${steps} steps`, "< 2", verdict(seconds, 2)]);
+    row(`${name}${finished ? "" : " (given up)"}, s`, [
+      seconds.toFixed(2),
+      `${steps} steps`,
+      "< 2",
+      verdict(seconds, 2),
+    ]);
   }
-  for (const { name, seconds } of measured.stopped) row(`${name}, s`, [seconds.toFixed(2), "", "< 1", verdict(seconds, 1)]);
+  for (const { name, seconds } of measured.stopped)
+    row(`${name}, s`, [seconds.toFixed(2), "", "< 1", verdict(seconds, 1)]);
 }
 
 // A program of 1,000 measuring calls in the page: frames while it is played, milliseconds from one to the next.
 async function playing(page) {
   const part = await page.evaluate(() => {
     const core = globalThis["bench-program"];
-    const { control, cycle, example } = JSON.parse(core.catalogue()).cycles.find((one) => one.cycle === "CYCLE977");
-    const { setup, snippet } = JSON.parse(core.form(JSON.stringify({ control, cycle, values: example, predict: true })));
+    const { control, cycle, example } = JSON.parse(core.catalogue()).cycles.find(one => one.cycle === "CYCLE977");
+    const { setup, snippet } = JSON.parse(
+      core.form(JSON.stringify({ control, cycle, values: example, predict: true })),
+    );
     const [x, y, z] = setup.position;
     return `SUPA G0 X${x} Y${y}\nSUPA G0 Z${z}\n${snippet}\n`;
   });
@@ -133,20 +161,25 @@ async function playing(page) {
   await listed(page, 1000);
   await remove();
   await page.getByRole("button", { name: "Whole program" }).click();
-  await page.waitForFunction(() => Number(document.querySelector(".timeline input[type=range]")?.max) > 1000, null, { timeout: 120_000 });
+  await page.waitForFunction(() => Number(document.querySelector(".timeline input[type=range]")?.max) > 1000, null, {
+    timeout: 120_000,
+  });
   await page.locator(".timeline .transport").nth(2).click();
-  const times = await page.evaluate(() => new Promise((resolve) => {
-    const found = [];
-    const start = performance.now();
-    let last = 0;
-    const tick = (now) => {
-      if (last) found.push(now - last);
-      last = now;
-      if (now - start < 5000) requestAnimationFrame(tick);
-      else resolve(found.sort((a, b) => a - b));
-    };
-    requestAnimationFrame(tick);
-  }));
+  const times = await page.evaluate(
+    () =>
+      new Promise(resolve => {
+        const found = [];
+        const start = performance.now();
+        let last = 0;
+        const tick = now => {
+          if (last) found.push(now - last);
+          last = now;
+          if (now - start < 5000) requestAnimationFrame(tick);
+          else resolve(found.sort((a, b) => a - b));
+        };
+        requestAnimationFrame(tick);
+      }),
+  );
   report("1,000 calls played, from frame to frame", times, 95, 50);
 }
 
@@ -157,29 +190,38 @@ async function keystrokes(browser, page) {
   await browser.startTracing(page, { categories: ["devtools.timeline"] });
   const times = await typed(page);
   const { traceEvents } = JSON.parse((await browser.stopTracing()).toString());
-  const own = traceEvents.filter((one) => one.name === "FireAnimationFrame" && one.tdur > 2000).map((one) => one.tdur / 1000);
+  const own = traceEvents
+    .filter(one => one.name === "FireAnimationFrame" && one.tdur > 2000)
+    .map(one => one.tdur / 1000);
   report("keystroke to everything redrawn", times, 95, 16);
-  report("  of it, processor time of the page", own.sort((a, b) => a - b), 95, 16);
+  report(
+    "  of it, processor time of the page",
+    own.sort((a, b) => a - b),
+    95,
+    16,
+  );
 }
 
 async function typed(page) {
   return page.evaluate(async () => {
-    const input = [...document.querySelectorAll(".field input")].find((field) => Number(field.value) > 1);
+    const input = [...document.querySelectorAll(".field input")].find(field => Number(field.value) > 1);
     const set = Object.getOwnPropertyDescriptor(HTMLInputElement.prototype, "value").set;
-    const frame = () => new Promise((resolve) => requestAnimationFrame(() => resolve(performance.now())));
+    const frame = () => new Promise(resolve => requestAnimationFrame(() => resolve(performance.now())));
     const start = Number(input.value);
     const times = [];
     for (let i = 0; i < 150; i++) {
-      await new Promise((resolve) => setTimeout(resolve, 20));
+      await new Promise(resolve => setTimeout(resolve, 20));
       set.call(input, (start + (i % 9) / 1000).toFixed(3));
       const before = frame();
       const pressed = performance.now();
       input.dispatchEvent(new Event("input", { bubbles: true }));
       const handled = performance.now() - pressed;
-      const drawn = new Promise((resolve) => requestAnimationFrame(() => {
-        void document.body.offsetHeight;
-        resolve(performance.now());
-      }));
+      const drawn = new Promise(resolve =>
+        requestAnimationFrame(() => {
+          void document.body.offsetHeight;
+          resolve(performance.now());
+        }),
+      );
       const [began, ended] = await Promise.all([before, drawn]);
       times.push(handled + ended - began);
     }
@@ -197,24 +239,33 @@ async function program(page, text) {
 }
 /** The program is read: its head tells the calls (whatever stands between the digits), and nothing is under way. */
 const listed = async (page, count) => {
-  await page.waitForFunction((wanted) => document.querySelector('.panel-program [aria-controls="outline"]')?.textContent.replace(/\D/g, "") === wanted, String(count), { timeout: 120_000 });
+  await page.waitForFunction(
+    wanted =>
+      document.querySelector('.panel-program [aria-controls="outline"]')?.textContent.replace(/\D/g, "") === wanted,
+    String(count),
+    { timeout: 120_000 },
+  );
   await page.locator(".activity[data-work=reading]").waitFor({ state: "hidden", timeout: 120_000 });
 };
 
 // Typing into a program with a thousand calls: from the key to the end of the frame that shows it, the wait for that
 // frame included.
 async function manyCalls(page) {
-  const call = (n) => `N${n * 10} G0 X${n} Y${n}\r\n_MVAR=1 _SETVAL=${100 + n / 100} _TNUM=20 _KNUM=2001\r\nCYCLE977\r\n`;
+  const call = n => `N${n * 10} G0 X${n} Y${n}\r\n_MVAR=1 _SETVAL=${100 + n / 100} _TNUM=20 _KNUM=2001\r\nCYCLE977\r\n`;
   const remove = await program(page, Array.from({ length: 1000 }, (_, n) => call(n)).join(""));
   await listed(page, 1000);
   await remove();
   await page.locator(".cm-line").nth(3).click();
   await page.evaluate(() => {
     globalThis.times = [];
-    addEventListener("keydown", () => {
-      const pressed = performance.now();
-      requestAnimationFrame(() => setTimeout(() => globalThis.times.push(performance.now() - pressed)));
-    }, true);
+    addEventListener(
+      "keydown",
+      () => {
+        const pressed = performance.now();
+        requestAnimationFrame(() => setTimeout(() => globalThis.times.push(performance.now() - pressed)));
+      },
+      true,
+    );
   });
   for (let n = 0; n < 120; n++) await page.keyboard.type(n % 2 ? " " : "G", { delay: 40 });
   const times = await page.evaluate(() => globalThis.times.sort((a, b) => a - b));
@@ -228,8 +279,15 @@ async function standstill(page, doing) {
     if (globalThis.watched) return;
     globalThis.watched = true;
     let last = performance.now();
-    const tick = (now) => { globalThis.longest = Math.max(globalThis.longest, now - last); last = now; requestAnimationFrame(tick); };
-    requestAnimationFrame((now) => { last = now; tick(now); });
+    const tick = now => {
+      globalThis.longest = Math.max(globalThis.longest, now - last);
+      last = now;
+      requestAnimationFrame(tick);
+    };
+    requestAnimationFrame(now => {
+      last = now;
+      tick(now);
+    });
   });
   await doing();
   await page.waitForTimeout(500); // reading begins, keeping the work
@@ -237,8 +295,10 @@ async function standstill(page, doing) {
   return page.evaluate(() => globalThis.longest);
 }
 
-/** ms without a frame. Below it a page that works is felt as slow, not as hanging: a key repeated ten times a second loses one
- *  place, a click shows its outcome within the time of a glance. A dozen lost frames are what one copy of 30 MB with the
+/** ms without a frame. Below it a page that works is felt as slow, not as hanging: a key repeated ten times a second
+ * loses one
+ *  place, a click shows its outcome within the time of a glance. A dozen lost frames are what one copy of 30 MB with
+ * the
  *  clearing up behind it may need on the slowest machine that is meant, two cores without a graphics card. */
 const STANDSTILL = 200;
 
@@ -248,20 +308,32 @@ async function million(page) {
   const call = "_MVAR=1 _SETVAL=132 _TNUM=20 _KNUM=2001\r\nCYCLE977\r\nM30\r\n";
   const still = async (name, doing) => {
     const longest = await standstill(page, doing);
-    row(`a million lines, ${name}: standstill, ms`, [longest.toFixed(0), "", "", `< ${STANDSTILL}`, verdict(longest, STANDSTILL)]);
+    row(`a million lines, ${name}: standstill, ms`, [
+      longest.toFixed(0),
+      "",
+      "",
+      `< ${STANDSTILL}`,
+      verdict(longest, STANDSTILL),
+    ]);
   };
-  const opened = async (text) => {
+  const opened = async text => {
     const remove = await program(page, text);
     await page.locator('.notice:has-text("Program opened.")').waitFor({ timeout: 60_000 });
     await listed(page, 1);
     await remove();
   };
-  const setpoint = (value) => page.locator(`.cm-line:has-text("_SETVAL=${value}")`);
+  const setpoint = value => page.locator(`.cm-line:has-text("_SETVAL=${value}")`);
   const start = performance.now();
   await still("opened and read", () => opened(one.repeat(999_997) + call));
   row("a million lines: opened and read, s", [((performance.now() - start) / 1000).toFixed(1)]);
-  await still("call opened", async () => { await page.locator(".call-row").click(); await setpoint(132).waitFor(); });
-  await still("key in the editor", async () => { await setpoint(132).click(); await page.keyboard.type("G"); });
+  await still("call opened", async () => {
+    await page.locator(".call-row").click();
+    await setpoint(132).waitFor();
+  });
+  await still("key in the editor", async () => {
+    await setpoint(132).click();
+    await page.keyboard.type("G");
+  });
   await still("undone", () => page.keyboard.press("Control+z"));
   await still("value in the form", async () => {
     await page.locator(".call-row").click();
@@ -269,23 +341,33 @@ async function million(page) {
     await setpoint(133).waitFor();
   });
   await still("replaced", () => opened(`G0 X1\r\n${call}`));
-  await still("brought back", async () => { await page.locator(".notice").getByRole("button", { name: "Undo" }).click(); await setpoint(133).waitFor({ state: "detached" }); });
+  await still("brought back", async () => {
+    await page.locator(".notice").getByRole("button", { name: "Undo" }).click();
+    await setpoint(133).waitFor({ state: "detached" });
+  });
 }
 
-// A surface scanned with a million points in the page: how long it stands still from the click until the points are drawn,
-// and while the view is turned then. A visit of its own, so that nothing else is drawn.
+// A surface scanned with a million points in the page: how long it stands still from the click until the points are
+// drawn, and while the view is turned then. A visit of its own, so that nothing else is drawn.
 async function scanInPage(browser) {
   const { page, context } = await open(browser, { serviceWorkers: "block" });
   await page.locator(".tree:not([aria-busy])").waitFor();
   await page.locator("#task-search").fill("G65 P9969");
   await page.locator('.hits[data-search="G65 P9969"] .hit').first().click();
-  for (const [name, value] of Object.entries(MILLION)) await page.locator(`.field[data-field="${name}"] input`).first().fill(value);
+  for (const [name, value] of Object.entries(MILLION))
+    await page.locator(`.field[data-field="${name}"] input`).first().fill(value);
   await page.locator("#tab-scan").click();
   await page.locator(".stage [data-backend]").waitFor();
   await page.waitForTimeout(1000); // the form has drawn its own small scan
   const still = async (name, doing) => {
     const longest = await standstill(page, doing);
-    row(`a million points, ${name}: standstill, ms`, [longest.toFixed(0), "", "", `< ${STANDSTILL}`, verdict(longest, STANDSTILL)]);
+    row(`a million points, ${name}: standstill, ms`, [
+      longest.toFixed(0),
+      "",
+      "",
+      `< ${STANDSTILL}`,
+      verdict(longest, STANDSTILL),
+    ]);
   };
   const start = performance.now();
   await still("scanned and drawn", async () => {
@@ -310,9 +392,9 @@ const MILLION = { Q: "1", R: "0.06", J: "0.04" };
 
 // A surface scanned with a million points, in the page's own module: scan and comparison, and the texts.
 async function scan(page) {
-  const [points, scanned, texts] = await page.evaluate((million) => {
+  const [points, scanned, texts] = await page.evaluate(million => {
     const core = globalThis["bench-program"];
-    const { control, cycle, example } = JSON.parse(core.catalogue()).cycles.find((one) => one.surfaces.length > 0);
+    const { control, cycle, example } = JSON.parse(core.catalogue()).cycles.find(one => one.surfaces.length > 0);
     const { setup } = JSON.parse(core.form(JSON.stringify({ control, cycle, values: example, predict: true })));
     const values = { ...example, ...million };
     const start = performance.now();
@@ -330,18 +412,22 @@ async function scan(page) {
 }
 
 // What comes after the first form: by name of the part, its files. Everything else is needed for the form.
-const PARTS = [["editor", /\/(editor|document)-/], ["preview", /\/(preview|view)[-_]/], ["programs", /\/(program|worker|words-en-later)[-_]/]];
+const PARTS = [
+  ["editor", /\/(editor|document)-/],
+  ["preview", /\/(preview|view)[-_]/],
+  ["programs", /\/(program|worker|words-en-later)[-_]/],
+];
 
 // Everything that the page fetches on its first visit, gzipped.
 async function wire(browser) {
   const context = await browser.newContext({ serviceWorkers: "block" });
   const page = await context.newPage();
   const fetched = [];
-  page.on("response", (response) => fetched.push(response));
+  page.on("response", response => fetched.push(response));
   await page.goto(process.env.PROBEWRIGHT_URL, { waitUntil: "load" });
   await page.locator(".field").first().waitFor();
   await page.waitForLoadState("networkidle");
-  const sums = { "first usable form": 0, "programs": 0, "editor": 0, "preview": 0 };
+  const sums = { "first usable form": 0, programs: 0, editor: 0, preview: 0 };
   for (const response of fetched) {
     const name = new URL(response.url()).pathname;
     const part = PARTS.find(([, files]) => files.test(name))?.[0] ?? "first usable form";

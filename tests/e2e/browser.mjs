@@ -11,19 +11,25 @@ const { chromium } = packages("playwright-core");
 
 export const address = process.env.PROBEWRIGHT_URL ?? "http://127.0.0.1:4173/";
 
-const always = ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking",
-  "--disable-component-update", "--disable-sync"];
+const always = [
+  "--no-sandbox",
+  "--disable-quic",
+  "--no-first-run",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+];
 
 // The set-ups. Software rendering everywhere, so that a machine without a GPU shows the same.
 // `webgpu-blank`: an adapter is found, but nothing is ever drawn; only pixels tell.
 // `as-it-is`: what Chromium does by itself on a machine without a graphics card, for measurements. Where `--use-angle`
 // forces software, it also puts the page itself together that way, at several times the cost.
 export const setups = {
-  "webgpu": ["--enable-unsafe-webgpu", "--enable-features=Vulkan", "--use-vulkan=swiftshader", "--use-angle=swiftshader"],
+  webgpu: ["--enable-unsafe-webgpu", "--enable-features=Vulkan", "--use-vulkan=swiftshader", "--use-angle=swiftshader"],
   "webgpu-blank": ["--enable-unsafe-webgpu", "--use-angle=swiftshader"],
-  "webgl2": ["--use-angle=swiftshader"],
+  webgl2: ["--use-angle=swiftshader"],
   "as-it-is": ["--enable-unsafe-swiftshader"],
-  "neither": ["--disable-gpu", "--disable-3d-apis"],
+  neither: ["--disable-gpu", "--disable-3d-apis"],
 };
 
 // Starts Chromium in one of the set-ups.
@@ -55,14 +61,14 @@ async function slow(page, rate) {
 function watch(page) {
   const problems = [];
   const origin = new URL(address).origin;
-  page.on("console", (message) => {
+  page.on("console", message => {
     if (message.type() === "error") problems.push(`console: ${message.text()}`);
   });
-  page.on("pageerror", (error) => problems.push(`uncaught: ${error.stack ?? error}`));
-  page.on("response", (response) => {
+  page.on("pageerror", error => problems.push(`uncaught: ${error.stack ?? error}`));
+  page.on("response", response => {
     if (response.status() >= 400) problems.push(`${response.status()}: ${response.url()}`);
   });
-  page.on("request", (request) => {
+  page.on("request", request => {
     const url = new URL(request.url());
     const local = ["data:", "blob:", "about:"].includes(url.protocol);
     if (!local && url.origin !== origin) problems.push(`request to another origin: ${url.href}`);
@@ -74,7 +80,11 @@ function watch(page) {
 // `await open(chrome.browser)` inside a test.
 export function shared(setup, { before, after }) {
   const held = {};
-  before(async () => { held.browser = await launch(setup); });
-  after(async () => { await held.browser?.close(); });
+  before(async () => {
+    held.browser = await launch(setup);
+  });
+  after(async () => {
+    await held.browser?.close();
+  });
   return held;
 }

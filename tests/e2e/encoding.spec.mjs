@@ -1,18 +1,23 @@
 // Programs in every encoding: shown as what they say, saved with the bytes that were opened, but for what was changed.
 import assert from "node:assert/strict";
-import { readFileSync, readdirSync } from "node:fs";
-import { after, before, describe, test } from "node:test";
+import { readdirSync, readFileSync } from "node:fs";
 import { readFile } from "node:fs/promises";
+import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
 import { startWithEditor as start } from "./start.mjs";
 
 const FOLDER = new URL("../encodings/", import.meta.url);
 const NAMES = readdirSync(FOLDER).sort();
-const bytesOf = (name) => readFileSync(new URL(name, FOLDER));
-const programInput = (page) => page.locator(".panel-program input[type=file]");
+const bytesOf = name => readFileSync(new URL(name, FOLDER));
+const programInput = page => page.locator(".panel-program input[type=file]");
 const file = (name, content) => ({ name, mimeType: "application/octet-stream", buffer: Buffer.from(content) });
-const choice = (page) => page.locator("select.encoding");
-const shown = (page) => page.evaluate(() => [...document.querySelector(".editor").shadowRoot.querySelectorAll(".cm-line")].map((line) => line.textContent).join("\n"));
+const choice = page => page.locator("select.encoding");
+const shown = page =>
+  page.evaluate(() =>
+    [...document.querySelector(".editor").shadowRoot.querySelectorAll(".cm-line")]
+      .map(line => line.textContent)
+      .join("\n"),
+  );
 
 async function opened(page, name, content) {
   await programInput(page).setInputFiles(file(name, content));
@@ -35,7 +40,10 @@ async function type(page, text) {
   await page.keyboard.insertText(text);
 }
 
-const GBK = Buffer.from("; \xb2\xe2\xc1\xbf\xbf\xd7\r\n_MVAR=1 _SETVAL=132 _TNUM=20 _KNUM=2001\r\nCYCLE977\r\n", "latin1"); // 测量孔
+const GBK = Buffer.from(
+  "; \xb2\xe2\xc1\xbf\xbf\xd7\r\n_MVAR=1 _SETVAL=132 _TNUM=20 _KNUM=2001\r\nCYCLE977\r\n",
+  "latin1",
+); // 测量孔
 
 describe("a program in its own encoding", () => {
   const chrome = shared("neither", { before, after });
@@ -75,12 +83,17 @@ describe("a program in its own encoding", () => {
     await told.waitFor();
     assert.match(await told.textContent(), /Line 1: .*\u00df.*GBK/);
     let downloads = 0;
-    page.on("download", () => { downloads++; });
+    page.on("download", () => {
+      downloads++;
+    });
     await page.locator(".panel-program").getByRole("button", { name: "Save", exact: true }).click();
     await page.waitForFunction(() => document.activeElement?.textContent === "Save as UTF-8");
     assert.equal(downloads, 0);
     const bytes = await saved(page, "Save as UTF-8");
-    assert.equal(bytes.toString(), "; Ma\u00df\r\n; \u6d4b\u91cf\u5b54\r\n_MVAR=1 _SETVAL=132 _TNUM=20 _KNUM=2001\r\nCYCLE977\r\n");
+    assert.equal(
+      bytes.toString(),
+      "; Ma\u00df\r\n; \u6d4b\u91cf\u5b54\r\n_MVAR=1 _SETVAL=132 _TNUM=20 _KNUM=2001\r\nCYCLE977\r\n",
+    );
     await told.waitFor({ state: "hidden" });
     assert.equal(await choice(page).inputValue(), "read utf-8");
     await context.close();
@@ -107,9 +120,23 @@ describe("a program in its own encoding", () => {
     await choice(page).selectOption("read windows-1251");
     await page.locator('.cm-line:has-text("; \u0418\u0437\u043c\u0435\u0440\u0435\u043d\u0438\u0435")').waitFor();
     assert.deepEqual(await saved(page), bytes);
-    for (const encoding of ["gbk", "gb18030", "utf-8", "big5", "euc-kr", "shift_jis", "utf-16le", "windows-1250", "latin-1", "windows-1252"]) {
+    for (const encoding of [
+      "gbk",
+      "gb18030",
+      "utf-8",
+      "big5",
+      "euc-kr",
+      "shift_jis",
+      "utf-16le",
+      "windows-1250",
+      "latin-1",
+      "windows-1252",
+    ]) {
       await choice(page).selectOption(`read ${encoding}`);
-      await page.waitForFunction((value) => document.querySelector("select.encoding").value === value, `read ${encoding}`);
+      await page.waitForFunction(
+        value => document.querySelector("select.encoding").value === value,
+        `read ${encoding}`,
+      );
       assert.deepEqual(await saved(page), bytes, encoding);
     }
     await choice(page).selectOption("read windows-1251");
@@ -124,7 +151,10 @@ describe("a program in its own encoding", () => {
     await opened(page, "zh.gbk.mpf", bytesOf("zh.gbk.mpf"));
     for (const encoding of ["utf-8", "utf-8-marked", "utf-16le", "utf-16be-marked", "gbk"]) {
       await choice(page).selectOption(`save ${encoding}`);
-      await page.waitForFunction((value) => document.querySelector("select.encoding").value === value, `read ${encoding}`);
+      await page.waitForFunction(
+        value => document.querySelector("select.encoding").value === value,
+        `read ${encoding}`,
+      );
       assert.deepEqual(await saved(page), bytesOf(`zh.${encoding}.mpf`), encoding);
     }
     await page.locator(".cm-content").focus();
@@ -144,14 +174,19 @@ describe("a program in its own encoding", () => {
     await page.locator('.cm-line:has-text("\u6d4b\u91cf\u5b54")').first().waitFor();
     assert.deepEqual(await saved(page), broken);
     const pairs = [];
-    for (let lead = 0x80; lead < 0x100; lead++) for (let trail = 0x40; trail < 0x100; trail++) pairs.push(lead, trail, 0x0a);
+    for (let lead = 0x80; lead < 0x100; lead++)
+      for (let trail = 0x40; trail < 0x100; trail++) pairs.push(lead, trail, 0x0a);
     const four = [];
-    for (let a = 0x81; a < 0xff; a++) for (let c = 0x81; c < 0xff; c += 5) four.push(a, 0x30 + a % 10, c, 0x30 + c % 10, 0x0a);
+    for (let a = 0x81; a < 0xff; a++)
+      for (let c = 0x81; c < 0xff; c += 5) four.push(a, 0x30 + (a % 10), c, 0x30 + (c % 10), 0x0a);
     const all = Buffer.concat([Buffer.from([...pairs, ...four]), Buffer.from(CHARACTERS)]);
     await opened(page, "all.mpf", all);
     for (const encoding of ["gbk", "gb18030", "shift_jis", "big5", "euc-kr", "utf-8", "utf-16be", "windows-1252"]) {
       await choice(page).selectOption(`read ${encoding}`);
-      await page.waitForFunction((value) => document.querySelector("select.encoding").value === value, `read ${encoding}`);
+      await page.waitForFunction(
+        value => document.querySelector("select.encoding").value === value,
+        `read ${encoding}`,
+      );
       assert.ok((await saved(page)).equals(all), encoding);
     }
     await context.close();
@@ -161,9 +196,17 @@ describe("a program in its own encoding", () => {
   test("that an older page has kept is saved with its bytes", async () => {
     const { context, page } = await start(chrome);
     await page.waitForFunction(() => localStorage.getItem("probewright-1"));
-    await page.addInitScript((text) => {
+    await page.addInitScript(text => {
       const kept = JSON.parse(localStorage.getItem("probewright-1"));
-      localStorage.setItem("probewright-1", JSON.stringify({ ...kept, by: "", programs: { sinumerik: text }, files: { sinumerik: { name: "old.mpf", encoding: "latin-1" } } }));
+      localStorage.setItem(
+        "probewright-1",
+        JSON.stringify({
+          ...kept,
+          by: "",
+          programs: { sinumerik: text },
+          files: { sinumerik: { name: "old.mpf", encoding: "latin-1" } },
+        }),
+      );
       sessionStorage.clear();
     }, GBK.toString("latin1"));
     await page.reload();
@@ -184,7 +227,10 @@ describe("what is no program", () => {
     "a.png": [Buffer.from("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", "latin1"), /a\.png was not opened: it is a picture/],
     "b.zip": [Buffer.from("PK\x03\x04\x14\0", "latin1"), /it is an archive/],
     "c.pdf": [Buffer.from("%PDF-1.7\n%\xe2\xe3\xcf\xd3\n", "latin1"), /it is a PDF document/],
-    "d.mpf": [Buffer.from(Array.from({ length: 4096 }, (_, i) => Math.imul(i, 2654435761) >>> 13 & 0xff)), /it holds no text/],
+    "d.mpf": [
+      Buffer.from(Array.from({ length: 4096 }, (_, i) => (Math.imul(i, 2654435761) >>> 13) & 0xff)),
+      /it holds no text/,
+    ],
   };
   for (const [name, [content, why]] of Object.entries(files)) {
     // oracle: hand (the beginnings that the formats prescribe)

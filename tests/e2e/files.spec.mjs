@@ -7,10 +7,14 @@ import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
 import { lengthField, startWithEditor as start } from "./start.mjs";
 
-const programInput = (page) => page.locator(".panel-program input[type=file]");
-const setupInput = (page) => page.locator(".top input[type=file]");
-const file = (name, content, mimeType = "application/octet-stream") => ({ name, mimeType, buffer: Buffer.from(content) });
-const refusal = (page) => page.locator(".refusal:visible .problem");
+const programInput = page => page.locator(".panel-program input[type=file]");
+const setupInput = page => page.locator(".top input[type=file]");
+const file = (name, content, mimeType = "application/octet-stream") => ({
+  name,
+  mimeType,
+  buffer: Buffer.from(content),
+});
+const refusal = page => page.locator(".refusal:visible .problem");
 
 async function saved(page, panel, name) {
   const download = page.waitForEvent("download");
@@ -21,11 +25,14 @@ async function saved(page, panel, name) {
 
 /** Drops a file onto an element, as a person does. */
 async function drop(page, selector, name, text) {
-  const data = await page.evaluateHandle(([called, content]) => {
-    const transfer = new DataTransfer();
-    transfer.items.add(new File([content], called));
-    return transfer;
-  }, [name, text]);
+  const data = await page.evaluateHandle(
+    ([called, content]) => {
+      const transfer = new DataTransfer();
+      transfer.items.add(new File([content], called));
+      return transfer;
+    },
+    [name, text],
+  );
   for (const type of ["dragover", "drop"]) await page.dispatchEvent(selector, type, { dataTransfer: data });
 }
 
@@ -34,11 +41,15 @@ async function dropPath(context, page, path) {
   const session = await context.newCDPSession(page);
   const { x, y } = await page.locator(".cm-content").boundingBox();
   const data = { items: [], files: [path], dragOperationsMask: 1 };
-  for (const type of ["dragEnter", "dragOver", "drop"]) await session.send("Input.dispatchDragEvent", { type, x: x + 5, y: y + 5, data });
+  for (const type of ["dragEnter", "dragOver", "drop"])
+    await session.send("Input.dispatchDragEvent", { type, x: x + 5, y: y + 5, data });
 }
 
 const CALL = "_MVAR=1 _SETVAL=132 _TNUM=20 _KNUM=2001\r\nCYCLE977\r\n";
-const ALL_BYTES = Buffer.concat([Buffer.from(Array.from({ length: 256 }, (_, byte) => byte)), Buffer.from(`\r\n${CALL}`)]);
+const ALL_BYTES = Buffer.concat([
+  Buffer.from(Array.from({ length: 256 }, (_, byte) => byte)),
+  Buffer.from(`\r\n${CALL}`),
+]);
 
 describe("a program file", () => {
   const chrome = shared("neither", { before, after });
@@ -49,7 +60,7 @@ describe("a program file", () => {
     "a mark at the begin": Buffer.from(`\ufeff; \u6d4b\u91cf\n${CALL}`),
     "no UTF-8 (GB 18030)": Buffer.concat([Buffer.from([0x3b, 0xb2, 0xe2, 0xc1, 0xbf, 0x0d, 0x0a]), Buffer.from(CALL)]),
     "every byte there is": ALL_BYTES,
-    "nothing": Buffer.alloc(0),
+    nothing: Buffer.alloc(0),
   };
   for (const [name, bytes] of Object.entries(files)) {
     // oracle: hand (the bytes opened)
@@ -145,7 +156,9 @@ describe("a program file", () => {
     await page.evaluate(() => {
       const put = IDBObjectStore.prototype.put;
       IDBObjectStore.prototype.put = function (...args) {
-        this.transaction.addEventListener("complete", () => { globalThis.kept = true; });
+        this.transaction.addEventListener("complete", () => {
+          globalThis.kept = true;
+        });
         return put.apply(this, args);
       };
     });
@@ -174,7 +187,11 @@ describe("a setup file", () => {
     assert.equal(setup.probe.skew[0], 0.1);
     await context.close();
     const other = await start(chrome);
-    await setupInput(other.page).setInputFiles({ name: "setup.json", mimeType: "application/json", buffer: first.bytes });
+    await setupInput(other.page).setInputFiles({
+      name: "setup.json",
+      mimeType: "application/json",
+      buffer: first.bytes,
+    });
     await other.page.locator('.notice:has-text("Setup opened.")').waitFor();
     const second = await saved(other.page, ".top", "Save setup");
     assert.equal(second.bytes.toString(), first.bytes.toString());
@@ -186,10 +203,22 @@ describe("a setup file", () => {
 
   const wrong = {
     "no JSON": ["x.json", "G0 X0", /x\.json was not opened, it is no setup: .*line 1 column 1/],
-    "another schema": ["package.json", '{ "name": "x", "version": 1 }', /package\.json was not opened, it is no setup: .*name/],
-    "a control that there is not": ["f.json", '{ "control": "fanuc", "probe": { "radius": 1, "length": 1 } }', /no setup: .*fanuc/],
-    "binary": ["b.json", Buffer.from([0, 255, 254, 1, 2]), /b\.json was not opened, it is no setup/],
-    "far too large": ["large.json", Buffer.alloc(4_500_000, 32), /large\.json was not opened: it has 5 MB, a setup has at most 4 MB/],
+    "another schema": [
+      "package.json",
+      '{ "name": "x", "version": 1 }',
+      /package\.json was not opened, it is no setup: .*name/,
+    ],
+    "a control that there is not": [
+      "f.json",
+      '{ "control": "fanuc", "probe": { "radius": 1, "length": 1 } }',
+      /no setup: .*fanuc/,
+    ],
+    binary: ["b.json", Buffer.from([0, 255, 254, 1, 2]), /b\.json was not opened, it is no setup/],
+    "far too large": [
+      "large.json",
+      Buffer.alloc(4_500_000, 32),
+      /large\.json was not opened: it has 5 MB, a setup has at most 4 MB/,
+    ],
   };
   for (const [name, [called, content, told]] of Object.entries(wrong)) {
     // oracle: hand
@@ -231,18 +260,24 @@ describe("a kept setup", () => {
 
 describe("the page in two tabs", () => {
   const chrome = shared("neither", { before, after });
-  const programs = (page) => page.evaluate(() => Object.values(JSON.parse(sessionStorage.getItem("probewright-1") ?? "{}").programs ?? {}).join());
+  const programs = page =>
+    page.evaluate(() =>
+      Object.values(JSON.parse(sessionStorage.getItem("probewright-1") ?? "{}").programs ?? {}).join(),
+    );
 
   // oracle: hand
   test("comes back in each to its own work, and in a new one to the newest", async () => {
     const { context, page, problems } = await start(chrome);
     const other = await context.newPage();
     await other.goto(page.url());
-    for (const [tab, text] of [[page, "; first tab"], [other, "; second tab"]]) {
+    for (const [tab, text] of [
+      [page, "; first tab"],
+      [other, "; second tab"],
+    ]) {
       await tab.bringToFront();
       await tab.locator(".cm-content").click();
       await tab.keyboard.type(text);
-      await tab.waitForFunction((text) => sessionStorage.getItem("probewright-1")?.includes(text), text);
+      await tab.waitForFunction(text => sessionStorage.getItem("probewright-1")?.includes(text), text);
     }
     await page.reload();
     await page.locator('.cm-line:has-text("; first tab")').waitFor();
@@ -293,12 +328,14 @@ describe("work that is replaced", () => {
 
 describe("value sets", () => {
   const chrome = shared("neither", { before, after });
-  const names = (page) => page.locator(".sets input").evaluateAll((inputs) => inputs.map((input) => input.value));
+  const names = page => page.locator(".sets input").evaluateAll(inputs => inputs.map(input => input.value));
 
   // oracle: hand
   test("are saved, loaded, renamed and deleted by keyboard alone, and survive a reload", async () => {
     const { context, page, problems } = await start(chrome);
-    const press = async (...keys) => { for (const key of keys) await page.keyboard.press(key); };
+    const press = async (...keys) => {
+      for (const key of keys) await page.keyboard.press(key);
+    };
     const openSets = async () => {
       await page.getByRole("button", { name: "Value sets" }).focus();
       await press("Enter");
@@ -345,7 +382,7 @@ describe("value sets", () => {
   test("loaded into an opened call change the program there", async () => {
     const { context, page } = await start(chrome);
     await page.locator(".opened").waitFor();
-    const field = await lengthField(page).evaluate((input) => input.closest(".field").dataset.field);
+    const field = await lengthField(page).evaluate(input => input.closest(".field").dataset.field);
     await page.getByRole("button", { name: "Value sets" }).click();
     await page.locator("#sets-name").fill("first");
     await page.keyboard.press("Enter");

@@ -4,9 +4,9 @@ import { after, before, describe, test } from "node:test";
 import { packages, shared } from "./browser.mjs";
 import { startWithCycles as start } from "./start.mjs";
 
-const panel = (page) => page.locator("#panel-help");
-const headings = (page) => panel(page).locator(".help-page h3").allTextContents();
-const first = (page) => panel(page).locator(".help-page li").first().textContent();
+const panel = page => page.locator("#panel-help");
+const headings = page => panel(page).locator(".help-page h3").allTextContents();
+const first = page => panel(page).locator(".help-page li").first().textContent();
 
 async function openHelp(page) {
   await page.locator(".help-open").focus();
@@ -21,12 +21,20 @@ describe("help", () => {
   test("opens beside the form by keys and goes the way it came", async () => {
     const fetched = [];
     const { context, page, problems } = await start(chrome);
-    page.on("request", (request) => { if (/\/help-en-/.test(request.url())) fetched.push(request.url()); });
+    page.on("request", request => {
+      if (/\/help-en-/.test(request.url())) fetched.push(request.url());
+    });
     assert.ok(await panel(page).isHidden());
     await openHelp(page);
     assert.equal(fetched.length, 1);
-    assert.deepEqual((await headings(page)).slice(0, 6),
-      ["What it measures", "Where the probe stands before", "To be given", "What happens in order", "What it corrects", "What goes wrong"]);
+    assert.deepEqual((await headings(page)).slice(0, 6), [
+      "What it measures",
+      "Where the probe stands before",
+      "To be given",
+      "What happens in order",
+      "What it corrects",
+      "What goes wrong",
+    ]);
     assert.ok(await page.locator(".panel-form .field").first().isVisible());
     assert.equal(await page.evaluate(() => document.activeElement?.id), "panel-help");
     await page.keyboard.press("Escape");
@@ -41,12 +49,12 @@ describe("help", () => {
     const { context, page, problems } = await start(chrome);
     await openHelp(page);
     assert.match(await first(page), /hole/);
-    await page.locator('#field-_MVAR').fill("2");
+    await page.locator("#field-_MVAR").fill("2");
     await panel(page).locator('.help-page li:has-text("shaft")').first().waitFor();
     await panel(page).getByRole("button", { name: "_ID" }).click();
     await page.waitForFunction(() => document.activeElement?.closest(".field")?.dataset.field === "_ID");
     assert.ok(await panel(page).isVisible(), "it stays open while the form is filled in");
-    await page.locator('#field-_MVAR').fill("7");
+    await page.locator("#field-_MVAR").fill("7");
     await panel(page).locator(".empty:visible").waitFor();
     assert.deepEqual(problems, []);
     await context.close();
@@ -73,15 +81,22 @@ describe("help", () => {
     await context.close();
   });
 
-  for (const [width, height] of [[1280, 800], [1024, 768], [834, 1112]])
+  // oracle: WCAG 2.2 AA as axe-core checks it
+  for (const [width, height] of [
+    [1280, 800],
+    [1024, 768],
+    [834, 1112],
+  ])
     for (const colorScheme of ["light", "dark"])
-      // oracle: WCAG 2.2 AA as axe-core checks it
       test(`is readable, ${width} × ${height}, ${colorScheme}`, async () => {
         const { context, page } = await start(chrome, { viewport: { width, height }, colorScheme, bypassCSP: true });
         await openHelp(page);
         await page.addScriptTag({ path: packages.resolve("axe-core/axe.min.js") });
         const { violations } = await page.evaluate(() => globalThis.axe.run("#panel-help"));
-        assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes[0].html}`), []);
+        assert.deepEqual(
+          violations.map(({ id, nodes }) => `${id}: ${nodes[0].html}`),
+          [],
+        );
         assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width);
         await context.close();
       });

@@ -1,4 +1,5 @@
-// A machine that is built for inches: chosen once, in force in the form, the program text, the simulation, links and setups.
+// A machine that is built for inches: chosen once, in force in the form, the program text, the simulation, links and
+// setups.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, before, describe, test } from "node:test";
@@ -28,7 +29,7 @@ const unitOf = (page, field) => page.locator(`.field[data-field="${field}"] .uni
 const fact = (page, name) => page.locator(`.facts div:has(dt:text-is("${name}")) dd`).textContent();
 
 /** What the call would change: before, after, difference, unit. */
-const changes = (page) => page.locator(".changes tbody tr td").allTextContents();
+const changes = page => page.locator(".changes tbody tr td").allTextContents();
 
 async function saved(page) {
   const download = page.waitForEvent("download");
@@ -39,7 +40,8 @@ async function saved(page) {
 describe("a machine built for inches", () => {
   const chrome = shared("neither", { before, after });
 
-  // oracle: manual B:1787-1795 (units of parameters), hand (0.635 mm are 0.025 inch on the diameter, half of it on the radius)
+  // oracle: manual B:1787-1795 (units of parameters), hand (0.635 mm are 0.025 inch on the diameter, half of it on the
+  // radius)
   test("shows, writes, simulates and exports in inches", async () => {
     const { context, page, problems } = await start(chrome);
     assert.equal(await unitOf(page, "_SETVAL"), "mm");
@@ -121,7 +123,10 @@ describe("a machine built for inches", () => {
     await page.waitForFunction(() => document.querySelector("#machine-units").value === "G70");
     await page.addScriptTag({ path: axe });
     const found = await page.evaluate(() => globalThis.axe.run());
-    assert.deepEqual(found.violations.map((one) => `${one.id}: ${one.nodes[0]?.html}`), []);
+    assert.deepEqual(
+      found.violations.map(one => `${one.id}: ${one.nodes[0]?.html}`),
+      [],
+    );
     await context.close();
   });
 });

@@ -16,12 +16,15 @@ async function start(chrome, options) {
 async function speak(page, language) {
   const old = await page.locator("#language").elementHandle();
   await page.locator("#language").selectOption(language);
-  await page.waitForFunction((node) => !node.isConnected, old);
+  await page.waitForFunction(node => !node.isConnected, old);
   assert.equal(await page.evaluate(() => document.documentElement.lang), language);
 }
 
 /** Texts of an element and of what it tells a screen reader. */
-const texts = (page, selector) => page.locator(selector).evaluateAll((nodes) => nodes.flatMap((node) => [node.textContent, node.ariaLabel ?? ""]).filter(Boolean));
+const texts = (page, selector) =>
+  page
+    .locator(selector)
+    .evaluateAll(nodes => nodes.flatMap(node => [node.textContent, node.ariaLabel ?? ""]).filter(Boolean));
 
 describe("language", () => {
   const chrome = shared("neither", { before, after });
@@ -31,7 +34,7 @@ describe("language", () => {
     const { context, page, problems } = await start(chrome);
     const content = page.locator(".cm-content");
     await page.keyboard.press("F6"); // tasks, form, program
-    for (let tries = 0; tries < 5 && !await content.isVisible(); tries++) await page.keyboard.press("F6");
+    for (let tries = 0; tries < 5 && !(await content.isVisible()); tries++) await page.keyboard.press("F6");
     await content.click();
     await page.keyboard.press("Control+Home");
     await page.keyboard.type("G17 ");
@@ -40,19 +43,29 @@ describe("language", () => {
     await page.waitForFunction(() => document.querySelector(".editor").shadowRoot.textContent.includes("=x "));
     const typed = await content.innerText();
     assert.match(typed, /^G17 .*=x /);
-    const scrolled = await page.locator(".panel-form > .scroll").evaluate((node) => (node.scrollTop = 120, node.scrollTop));
+    const scrolled = await page
+      .locator(".panel-form > .scroll")
+      .evaluate(node => ((node.scrollTop = 120), node.scrollTop));
 
     await speak(page, "zh");
-    for (const selector of [".top .head-actions button", ".field-label", ".field .problem-text", ".tabs button", "#panel-program h2", ".tree-item.level-1 .tree-title"]) {
+    for (const selector of [
+      ".top .head-actions button",
+      ".field-label",
+      ".field .problem-text",
+      ".tabs button",
+      "#panel-program h2",
+      ".tree-item.level-1 .tree-title",
+    ]) {
       const found = await texts(page, selector);
       assert.ok(found.length > 0, selector);
       for (const text of found) assert.match(text, HAN, `${selector}: ${text}`);
     }
-    assert.equal(await page.locator(".panel-form > .scroll").evaluate((node) => node.scrollTop), scrolled);
+    assert.equal(await page.locator(".panel-form > .scroll").evaluate(node => node.scrollTop), scrolled);
     assert.equal(await content.innerText(), typed);
     assert.match(await content.getAttribute("aria-label"), HAN);
     await content.click();
-    for (let undone = 0; undone < 9 && /^G17 /.test(await content.innerText()); undone++) await page.keyboard.press("Control+Z");
+    for (let undone = 0; undone < 9 && /^G17 /.test(await content.innerText()); undone++)
+      await page.keyboard.press("Control+Z");
     assert.doesNotMatch(await content.innerText(), /^G17 |=x /, "what was done before the switch is undone after it");
     await page.keyboard.press("Control+F");
     assert.match(await page.locator(".cm-search").innerText(), HAN);
@@ -98,7 +111,10 @@ describe("language", () => {
     await context.close();
   });
 
-  for (const [width, height] of [[1280, 800], [768, 1024]]) {
+  for (const [width, height] of [
+    [1280, 800],
+    [768, 1024],
+  ]) {
     // oracle: hand
     test(`nothing sticks out in Chinese, ${width} × ${height}`, async () => {
       const { context, page } = await start(chrome, { locale: "zh-CN", viewport: { width, height } });

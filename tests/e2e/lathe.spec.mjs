@@ -13,7 +13,7 @@ async function chosen(browser, cycle) {
   return { context, page, problems };
 }
 
-const letters = (page) => page.locator(".stage svg[aria-hidden] text").allTextContents();
+const letters = page => page.locator(".stage svg[aria-hidden] text").allTextContents();
 
 describe("a turning machine", () => {
   const chrome = shared("neither", { before, after });
@@ -24,14 +24,18 @@ describe("a turning machine", () => {
     const button = page.getByRole("button", { name: "Diameters" });
     await button.waitFor();
     assert.equal(await button.getAttribute("aria-pressed"), "false");
-    assert.ok(!(await letters(page)).some((text) => text.includes("Ø")));
+    assert.ok(!(await letters(page)).some(text => text.includes("Ø")));
     await button.click();
     await page.getByRole("button", { name: "Diameters", pressed: true }).waitFor();
     await page.getByRole("textbox", { name: /^Size/ }).fill("0.2");
     await page.locator(".stage text", { hasText: "Ø45.000 +0.200" }).waitFor({ state: "attached" });
     const shown = await letters(page);
-    assert.ok(shown.filter((text) => text === "Ø45.200").length >= 2, `${shown}`); // of the part, and where it was touched
-    assert.ok(shown.some((text) => /^X Ø\d/.test(text)), `${shown}`);
+    // of the part, and where it was touched
+    assert.ok(shown.filter(text => text === "Ø45.200").length >= 2, `${shown}`);
+    assert.ok(
+      shown.some(text => /^X Ø\d/.test(text)),
+      `${shown}`,
+    );
     assert.deepEqual(problems, []);
     await context.close();
   });

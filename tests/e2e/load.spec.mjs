@@ -25,7 +25,7 @@ describe("without the part of the core that simulates", () => {
   test("the form works and the result panel says what is missing", async () => {
     const context = await chrome.browser.newContext({ locale: "en-GB", serviceWorkers: "block" });
     const page = await context.newPage();
-    await page.route(/\/program_bg-[^/]*\.wasm$/, (route) => route.abort());
+    await page.route(/\/program_bg-[^/]*\.wasm$/, route => route.abort());
     await page.goto(address);
     await page.locator("#page-outcome .empty", { hasText: "could not be loaded" }).waitFor();
     const field = page.locator('[id="field-_SETVAL"]');

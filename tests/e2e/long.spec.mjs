@@ -11,14 +11,15 @@ const BLOCK = "N10 G1 F1200 X12.345 Y-6.789\r\n";
 /** A program of about 300 KB with three calls. */
 const LONG = `${BLOCK.repeat(5000)}${CALL}${BLOCK.repeat(5000)}${CALL}${CALL}M30\r\n`;
 
-const rows = (page) => page.locator(".call-row");
-const chosen = (text) => ({ name: "part.mpf", mimeType: "text/plain", buffer: Buffer.from(text) });
+const rows = page => page.locator(".call-row");
+const chosen = text => ({ name: "part.mpf", mimeType: "text/plain", buffer: Buffer.from(text) });
 
 async function openFile(page, text) {
   await page.locator(".panel-program input[type=file]").setInputFiles(chosen(text));
 }
 
-const count = (page, wanted) => page.waitForFunction((number) => document.querySelectorAll(".call-row").length === number, wanted);
+const count = (page, wanted) =>
+  page.waitForFunction(number => document.querySelectorAll(".call-row").length === number, wanted);
 
 /** The program as the page saves it. */
 async function saved(page) {
@@ -30,7 +31,7 @@ async function saved(page) {
 /** The program, once it is what is waited for: the form's values reach it through the worker. */
 async function savedWhen(page, wanted) {
   for (let tries = 0; tries < 100; tries++) {
-    if (await saved(page) === wanted) return;
+    if ((await saved(page)) === wanted) return;
     await page.waitForTimeout(50);
   }
   assert.equal(await saved(page), wanted);
@@ -39,8 +40,13 @@ async function savedWhen(page, wanted) {
 /** Lets no worker start until it is called. */
 async function hold(page) {
   let release;
-  const held = new Promise((resolve) => { release = resolve; });
-  await page.route("**/worker-*.js", async (route) => { await held; await route.continue(); });
+  const held = new Promise(resolve => {
+    release = resolve;
+  });
+  await page.route("**/worker-*.js", async route => {
+    await held;
+    await route.continue();
+  });
   return release;
 }
 
@@ -48,8 +54,13 @@ async function hold(page) {
 async function holdFiles(page) {
   await page.evaluate(() => {
     const read = Blob.prototype.arrayBuffer;
-    const held = new Promise((resolve) => { globalThis.releaseFiles = resolve; });
-    Blob.prototype.arrayBuffer = async function () { await held; return read.call(this); };
+    const held = new Promise(resolve => {
+      globalThis.releaseFiles = resolve;
+    });
+    Blob.prototype.arrayBuffer = async function () {
+      await held;
+      return read.call(this);
+    };
   });
   return () => page.evaluate(() => globalThis.releaseFiles());
 }
@@ -101,27 +112,28 @@ describe("a long file", () => {
   for (const [name, text] of [
     ["of one line of ten million characters", `${"X12.3456 ".repeat(1_111_111)}\r\n${CALL}`],
     ["of a million empty lines", `${"\n".repeat(1_000_000)}${CALL}`],
-  ]) test(`${name} is opened, and its call found`, async () => {
-    const { context, page, problems } = await start(chrome);
-    await openFile(page, text);
-    await page.locator('.notice:has-text("Program opened.")').waitFor();
-    await count(page, 1);
-    assert.equal(await saved(page), text);
-    await page.locator(".call-row").click();
-    await page.locator('.cm-line:has-text("_SETVAL=132")').waitFor();
-    assert.deepEqual(problems, []);
-    await context.close();
-  });
+  ])
+    test(`${name} is opened, and its call found`, async () => {
+      const { context, page, problems } = await start(chrome);
+      await openFile(page, text);
+      await page.locator('.notice:has-text("Program opened.")').waitFor();
+      await count(page, 1);
+      assert.equal(await saved(page), text);
+      await page.locator(".call-row").click();
+      await page.locator('.cm-line:has-text("_SETVAL=132")').waitFor();
+      assert.deepEqual(problems, []);
+      await context.close();
+    });
 
   // oracle: hand (a screen shows some dozen lines; without care all of them are laid out, and the page stands still)
   test("is laid out as far as it is seen, also where the editor is out of sight", async () => {
     const { context, page, problems } = await start(chrome);
     await page.setViewportSize({ width: 500, height: 300 });
     await page.locator(".panel-program").waitFor({ state: "hidden" });
-    await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+    await page.evaluate(() => new Promise(resolve => requestAnimationFrame(() => requestAnimationFrame(resolve))));
     await openFile(page, LONG);
     await page.locator(".cm-line").nth(3).waitFor({ state: "attached" });
-    assert.ok(await page.locator(".cm-line").count() < 500);
+    assert.ok((await page.locator(".cm-line").count()) < 500);
     await page.setViewportSize({ width: 1280, height: 800 });
     await count(page, 3);
     assert.equal(await saved(page), LONG);
@@ -135,7 +147,9 @@ describe("a long file", () => {
     await page.evaluate(() => {
       const put = IDBObjectStore.prototype.put;
       IDBObjectStore.prototype.put = function (...args) {
-        this.transaction.addEventListener("complete", () => { globalThis.kept = true; });
+        this.transaction.addEventListener("complete", () => {
+          globalThis.kept = true;
+        });
         return put.apply(this, args);
       };
     });
@@ -160,14 +174,15 @@ describe("a long program", () => {
   test("is read in a worker that needs no second download of the core", async () => {
     const { context, page, problems } = await open(chrome.browser, { serviceWorkers: "block" });
     const fetched = [];
-    page.on("request", (request) => fetched.push(new URL(request.url()).pathname));
+    page.on("request", request => fetched.push(new URL(request.url()).pathname));
     await page.reload();
     await page.locator(".field").first().waitFor();
-    assert.equal(fetched.filter((path) => path.includes("worker")).length, 0, "the first form needs no worker");
+    assert.equal(fetched.filter(path => path.includes("worker")).length, 0, "the first form needs no worker");
     await openFile(page, LONG);
     await count(page, 3);
-    for (const part of ["core", "program"]) assert.equal(fetched.filter((path) => path.includes(`/${part}_bg`)).length, 1, `${part} is fetched once`);
-    assert.equal(fetched.filter((path) => /worker/.test(path)).length, 1);
+    for (const part of ["core", "program"])
+      assert.equal(fetched.filter(path => path.includes(`/${part}_bg`)).length, 1, `${part} is fetched once`);
+    assert.equal(fetched.filter(path => /worker/.test(path)).length, 1);
     assert.equal(page.workers().length, 1);
     assert.deepEqual(problems, []);
     await context.close();
@@ -218,7 +233,8 @@ describe("a long program", () => {
     await count(page, 3);
     await rows(page).nth(1).click();
     await page.locator(".opened").waitFor();
-    await page.evaluate(() => { // within one frame, before anything is answered
+    await page.evaluate(() => {
+      // within one frame, before anything is answered
       const field = document.querySelector('[data-field="_SETVAL"] .figure');
       field.value = "140";
       field.dispatchEvent(new Event("input", { bubbles: true }));
@@ -237,27 +253,33 @@ describe("a long program", () => {
     await page.evaluate(() => {
       globalThis.shares = [];
       const bar = document.querySelector(".activity[data-work=reading] progress");
-      new MutationObserver(() => { if (bar.hasAttribute("value")) globalThis.shares.push(bar.value); }).observe(bar, { attributeFilter: ["value"] });
+      new MutationObserver(() => {
+        if (bar.hasAttribute("value")) globalThis.shares.push(bar.value);
+      }).observe(bar, { attributeFilter: ["value"] });
     });
     await openFile(page, BLOCK.repeat(400_000) + CALL);
     // within the page: from outside, the reading may be over before a button that has just come is taken as still
     const [said, typed] = await page.evaluate(async () => {
-      while (!globalThis.shares.some((share) => share > 0)) await new Promise(requestAnimationFrame);
+      while (!globalThis.shares.some(share => share > 0)) await new Promise(requestAnimationFrame);
       const box = document.querySelector(".activity[data-work=reading]");
       const text = box.textContent;
       const field = document.querySelector('.field[data-field="_SETVAL"] .entry-line > .figure');
       Object.getOwnPropertyDescriptor(HTMLInputElement.prototype, "value").set.call(field, "133.5");
       field.dispatchEvent(new Event("input", { bubbles: true }));
       for (let frames = 0; frames < 2; frames++) await new Promise(requestAnimationFrame);
-      [...box.querySelectorAll("button")].find((button) => button.textContent === "Stop").click();
+      [...box.querySelectorAll("button")].find(button => button.textContent === "Stop").click();
       return [text, field.value];
     });
     assert.match(said, /\d %/);
     assert.equal(typed, "133.5");
     await activity.locator('text="The reading was stopped. The calls of this program are not known."').waitFor();
     const shares = await page.evaluate(() => globalThis.shares);
-    assert.deepEqual(shares, [...shares].sort((a, b) => a - b), "it only goes up");
-    assert.ok(shares.every((share) => share <= 1));
+    assert.deepEqual(
+      shares,
+      [...shares].sort((a, b) => a - b),
+      "it only goes up",
+    );
+    assert.ok(shares.every(share => share <= 1));
     await activity.getByRole("button", { name: "Try again" }).click();
     await count(page, 1);
     await activity.waitFor({ state: "hidden" });

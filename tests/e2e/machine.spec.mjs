@@ -5,7 +5,8 @@ import { open, packages, shared } from "./browser.mjs";
 
 const axe = packages.resolve("axe-core/axe.min.js");
 
-const PROGRAM = "G17 G54 G40 D1\nT1 D1\nM5\n_MVAR=1 _SETVAL=132 _TUL=0.03 _TLL=-0.03 _TNUM=20 _KNUM=2001 _TSA=1 _PRNUM=1 _VMS=200 _FA=2\nCYCLE977\n";
+const PROGRAM =
+  "G17 G54 G40 D1\nT1 D1\nM5\n_MVAR=1 _SETVAL=132 _TUL=0.03 _TLL=-0.03 _TNUM=20 _KNUM=2001 _TSA=1 _PRNUM=1 _VMS=200 _FA=2\nCYCLE977\n";
 
 /** The dialog, opened from the header; where that is narrow, from its menu. */
 async function dialog(page) {
@@ -27,7 +28,7 @@ describe("machine data", () => {
     const shown = await dialog(page);
     await shown.getByRole("searchbox").fill("ball diameter");
     const row = shown.locator(".datum", { hasText: "_WP[1,0]" });
-    assert.ok(await shown.locator(".datum").count() < 10, "the search narrows");
+    assert.ok((await shown.locator(".datum").count()) < 10, "the search narrows");
     const entry = row.locator("input");
     await entry.focus();
     assert.match(await shown.locator(".datum-cited").textContent(), /_WP\[1,0\].*Ball diameter.*B:\d+/i);
@@ -65,7 +66,7 @@ describe("machine data", () => {
   // oracle: manual B:12501-12506, B:12518-12532, B:12549-12553
   test("forms are those of the control where that is chosen: the mask decides fields and code, and a change of it is told", async () => {
     const { context, page, problems } = await open(chrome.browser);
-    const field = (name) => page.locator(`.field[data-field="${name}"]`);
+    const field = name => page.locator(`.field[data-field="${name}"]`);
     const snippet = page.locator(".snippet");
     const set = async (name, value) => {
       const shown = await dialog(page);
@@ -73,8 +74,10 @@ describe("machine data", () => {
       await shown.locator(".datum select").selectOption(value);
       await shown.getByRole("button", { name: "Done" }).click();
     };
-    const problem = (text) => page.locator(".problem", { hasText: text }).first();
-    await page.locator(".panel-program input[type=file]").setInputFiles({ name: "part.mpf", mimeType: "text/plain", buffer: Buffer.from(PROGRAM) });
+    const problem = text => page.locator(".problem", { hasText: text }).first();
+    await page
+      .locator(".panel-program input[type=file]")
+      .setInputFiles({ name: "part.mpf", mimeType: "text/plain", buffer: Buffer.from(PROGRAM) });
     await page.locator(".call-row").first().click();
     await field("_VMS").waitFor();
     await set("_MZ_MASK[1]", "1");
@@ -106,14 +109,20 @@ describe("machine data", () => {
 
   // oracle: axe-core, in both schemes and on a small screen
   test("nothing keeps anyone out", async () => {
-    for (const options of [{ colorScheme: "light" }, { colorScheme: "dark", viewport: { width: 768, height: 1024 }, hasTouch: true }]) {
+    for (const options of [
+      { colorScheme: "light" },
+      { colorScheme: "dark", viewport: { width: 768, height: 1024 }, hasTouch: true },
+    ]) {
       const { context, page } = await open(chrome.browser, { ...options, bypassCSP: true });
       const shown = await dialog(page);
       await shown.locator("summary").nth(1).click();
       await shown.locator(".datum").first().waitFor();
       await page.addScriptTag({ path: axe });
       const found = await page.evaluate(() => globalThis.axe.run(".machine-data"));
-      assert.deepEqual(found.violations.map((one) => `${one.id}: ${one.nodes[0]?.html}`), []);
+      assert.deepEqual(
+        found.violations.map(one => `${one.id}: ${one.nodes[0]?.html}`),
+        [],
+      );
       await context.close();
     }
   });

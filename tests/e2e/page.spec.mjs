@@ -2,12 +2,12 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { open, shared } from "./browser.mjs";
-import { STORE, drawn, keptWhen, lengthField, start, stored } from "./start.mjs";
+import { drawn, keptWhen, lengthField, STORE, start, stored } from "./start.mjs";
 
 /** Opens every branch of the task tree. */
 async function unfoldAll(page) {
   const closed = page.locator('[role="treeitem"][aria-expanded="false"]');
-  while (await closed.count() > 0) {
+  while ((await closed.count()) > 0) {
     await closed.first().click();
     await drawn(page);
   }
@@ -15,12 +15,15 @@ async function unfoldAll(page) {
 
 /** Puts a program in place of the present one and opens the page again. */
 async function withProgram(page, text) {
-  const state = await keptWhen(page, (state) => state.cycle !== undefined && state.programs !== undefined);
+  const state = await keptWhen(page, state => state.cycle !== undefined && state.programs !== undefined);
   const next = { ...state, programs: { ...state.programs, [state.control]: text }, open: null };
-  await page.context().addInitScript(([name, value]) => {
-    if (!sessionStorage.getItem("seeded")) localStorage.setItem(name, value);
-    sessionStorage.setItem("seeded", "1");
-  }, [STORE, JSON.stringify(next)]);
+  await page.context().addInitScript(
+    ([name, value]) => {
+      if (!sessionStorage.getItem("seeded")) localStorage.setItem(name, value);
+      sessionStorage.setItem("seeded", "1");
+    },
+    [STORE, JSON.stringify(next)],
+  );
   await page.reload();
   await page.locator(".field").first().waitFor();
 }
@@ -36,31 +39,48 @@ describe("first visit", () => {
     assert.ok(values.includes("0.0300"), `the deviation of 0.03 mm stands among ${values}`);
     assert.equal(await page.locator(".field [aria-invalid]").count(), 0, "no field complains");
     assert.match(await page.locator(".snippet").textContent(), /\S/);
-    assert.ok(await page.locator(".picture .shape").count() > 3, "the picture is drawn");
-    assert.ok(Number(await page.locator(".transport-row input").getAttribute("max")) > 3, "there are motions to step through");
-    assert.equal(await page.locator('[placeholder=""]:visible, [aria-label=""]:visible, h2:empty:visible, button:empty:visible').count(), 0, "every word that stands from the start is there");
-    const cut = await page.locator(".facts div").evaluateAll((list) => list.filter((one) => {
-      const [inner, outer] = [one.getBoundingClientRect(), one.parentElement.getBoundingClientRect()];
-      return inner.top < outer.bottom && (inner.right > outer.right + 1 || inner.bottom > outer.bottom + 1);
-    }).length);
+    assert.ok((await page.locator(".picture .shape").count()) > 3, "the picture is drawn");
+    assert.ok(
+      Number(await page.locator(".transport-row input").getAttribute("max")) > 3,
+      "there are motions to step through",
+    );
+    assert.equal(
+      await page
+        .locator('[placeholder=""]:visible, [aria-label=""]:visible, h2:empty:visible, button:empty:visible')
+        .count(),
+      0,
+      "every word that stands from the start is there",
+    );
+    const cut = await page.locator(".facts div").evaluateAll(
+      list =>
+        list.filter(one => {
+          const [inner, outer] = [one.getBoundingClientRect(), one.parentElement.getBoundingClientRect()];
+          return inner.top < outer.bottom && (inner.right > outer.right + 1 || inner.bottom > outer.bottom + 1);
+        }).length,
+    );
     assert.equal(cut, 0, "no fact of the header is cut");
     assert.deepEqual(problems, []);
     if (process.env.PROBEWRIGHT_SCREENSHOT) await page.screenshot({ path: process.env.PROBEWRIGHT_SCREENSHOT });
     await context.close();
   });
 
-  // oracle: hand: forty steps take more than five seconds at the usual speed, less than half of one at a hundred times that
+  // oracle: hand: forty steps take more than five seconds at the usual speed, less than half of one at a hundred times
+  // that
   test("motions are played as fast as is chosen", async () => {
     const { context, page, problems } = await start(chrome);
-    const transport = (name) => page.locator(".timeline").getByRole("button", { name, exact: true });
+    const transport = name => page.locator(".timeline").getByRole("button", { name, exact: true });
     await page.locator(".results tbody tr").first().waitFor();
     await page.getByLabel("Speed").selectOption("100");
     await transport("First step").click();
     await transport("Play").click();
-    await page.waitForFunction(() => {
-      const scrub = document.querySelector(".timeline input[type=range]");
-      return Number(scrub.max) > 30 && scrub.value === scrub.max;
-    }, undefined, { timeout: 4000 });
+    await page.waitForFunction(
+      () => {
+        const scrub = document.querySelector(".timeline input[type=range]");
+        return Number(scrub.max) > 30 && scrub.value === scrub.max;
+      },
+      undefined,
+      { timeout: 4000 },
+    );
     await transport("Play").waitFor(); // it has stopped by itself
     assert.deepEqual(problems, []);
     await context.close();
@@ -72,12 +92,16 @@ describe("first visit", () => {
     await page.locator(".results tbody tr").first().waitFor();
     await page.emulateMedia({ media: "print" });
     const found = await page.evaluate(() => {
-      const box = (selector) => document.querySelector(selector).getBoundingClientRect();
-      const cut = ["#page-outcome", ".panel-form .scroll"].filter((selector) => {
+      const box = selector => document.querySelector(selector).getBoundingClientRect();
+      const cut = ["#page-outcome", ".panel-form .scroll"].filter(selector => {
         const node = document.querySelector(selector);
         return node.scrollHeight > node.clientHeight + 1;
       });
-      return { cut, below: box(".panel-results").top - box(".panel-form").bottom, ground: getComputedStyle(document.documentElement).colorScheme };
+      return {
+        cut,
+        below: box(".panel-results").top - box(".panel-form").bottom,
+        ground: getComputedStyle(document.documentElement).colorScheme,
+      };
     });
     assert.deepEqual(found.cut, []);
     assert.ok(found.below >= 0, "one below the other");
@@ -99,10 +123,19 @@ describe("first visit", () => {
     assert.equal(await page.locator(".legend").getByText("largest error").count(), 1);
     await page.getByRole("button", { name: "Limits" }).click();
     await size.locator(".survived").waitFor({ state: "hidden" });
-    for (const [error, stops] of [[high - 0.02, false], [high + 0.1, true], [-low + 0.02, false], [-low - 0.1, true]]) {
+    for (const [error, stops] of [
+      [high - 0.02, false],
+      [high + 0.1, true],
+      [-low + 0.02, false],
+      [-low - 0.1, true],
+    ]) {
       await size.locator(".figure").fill(error.toFixed(2));
       await drawn(page);
-      const stopped = await page.locator(".panel-results").getByText(/6130[123]/).count() > 0;
+      const stopped =
+        (await page
+          .locator(".panel-results")
+          .getByText(/6130[123]/)
+          .count()) > 0;
       assert.equal(stopped, stops, `${error}`);
     }
     assert.deepEqual(problems, []);
@@ -121,13 +154,20 @@ describe("first visit", () => {
   test("another variant brings its own worked measurement until something is typed", async () => {
     const { context, page } = await start(chrome);
     const VARIANTS = '[role="treeitem"][aria-level="3"]';
-    const chosen = () => page.evaluate((all) => [...document.querySelectorAll(all)].findIndex((node) => node.ariaSelected === "true"), VARIANTS);
+    const chosen = () =>
+      page.evaluate(
+        all => [...document.querySelectorAll(all)].findIndex(node => node.ariaSelected === "true"),
+        VARIANTS,
+      );
     const first = await chosen();
-    const variant = (index) => page.locator(VARIANTS).nth(first + index);
+    const variant = index => page.locator(VARIANTS).nth(first + index);
     const results = page.locator(".results tbody tr");
-    const choose = async (index) => {
+    const choose = async index => {
       await variant(index).click();
-      await page.waitForFunction(([all, wanted]) => document.querySelectorAll(all)[wanted]?.ariaSelected === "true", [VARIANTS, first + index]);
+      await page.waitForFunction(
+        ([all, wanted]) => document.querySelectorAll(all)[wanted]?.ariaSelected === "true",
+        [VARIANTS, first + index],
+      );
     };
     for (const index of [1, 8, 12, 17]) {
       await choose(index);
@@ -144,14 +184,16 @@ describe("first visit", () => {
   test("every text of every variant is there", async () => {
     const { context, page } = await open(chrome.browser);
     const missing = [];
-    page.on("console", (message) => { if (message.text().startsWith("messages:")) missing.push(message.text()); });
+    page.on("console", message => {
+      if (message.text().startsWith("messages:")) missing.push(message.text());
+    });
     await page.reload();
     const variants = page.locator('[role="treeitem"][aria-level="3"]');
     await variants.first().waitFor();
     await unfoldAll(page);
-    for (let index = 0; index < await variants.count(); index++) {
+    for (let index = 0; index < (await variants.count()); index++) {
       await variants.nth(index).click();
-      await page.waitForFunction((clicked) => clicked.ariaSelected === "true", await variants.nth(index).elementHandle());
+      await page.waitForFunction(clicked => clicked.ariaSelected === "true", await variants.nth(index).elementHandle());
       await page.getByRole("button", { name: "Check" }).click();
     }
     await drawn(page);
@@ -173,7 +215,10 @@ describe("form", () => {
     await input.blur();
     await page.locator('.field [aria-invalid="true"]').first().waitFor();
     const description = await input.getAttribute("aria-describedby");
-    const told = await page.locator(`[id="${description.split(" ").at(-1)}"] .problem-text`).first().textContent();
+    const told = await page
+      .locator(`[id="${description.split(" ").at(-1)}"] .problem-text`)
+      .first()
+      .textContent();
     assert.match(told, /^Error: .{8,}/);
     assert.equal(await page.locator(".results").isVisible(), false, "no result for a wrong value");
     await input.fill("31,5");
@@ -196,11 +241,18 @@ describe("form", () => {
     const { context, page } = await start(chrome);
     await lengthField(page).fill("28.125");
     await page.locator(".slider .figure").nth(1).fill("0.4");
-    const field = await lengthField(page).evaluate((input) => input.closest(".field").dataset.field);
-    const earlier = await keptWhen(page, (state) => Object.values(state.values ?? {}).includes("28.125") && state.errors.part.dx === 0.4 && state.touched[field]);
+    const field = await lengthField(page).evaluate(input => input.closest(".field").dataset.field);
+    const earlier = await keptWhen(
+      page,
+      state =>
+        Object.values(state.values ?? {}).includes("28.125") && state.errors.part.dx === 0.4 && state.touched[field],
+    );
     await page.addInitScript(() => {
       const set = Storage.prototype.setItem;
-      Storage.prototype.setItem = function (...args) { set.apply(this, args); globalThis.saved = true; };
+      Storage.prototype.setItem = function (...args) {
+        set.apply(this, args);
+        globalThis.saved = true;
+      };
     });
     await page.reload();
     await page.locator(".field").first().waitFor();
@@ -243,7 +295,7 @@ describe("machine", () => {
     await page.locator("#machine-plane").selectOption("G18");
     await page.locator('.picture .axis:has-text("Z")').first().waitFor();
     await page.locator(".results tbody tr").first().waitFor();
-    await keptWhen(page, (state) => state.own?.sinumerik?.own.plane === "G18");
+    await keptWhen(page, state => state.own?.sinumerik?.own.plane === "G18");
     await page.reload();
     await page.locator('.picture .axis:has-text("Z")').first().waitFor();
     assert.equal(await page.locator("#machine-plane").inputValue(), "G18");
@@ -263,17 +315,20 @@ describe("program", () => {
   // oracle: hand (the text before, with one value replaced)
   test("opening a call fills the form and a change touches only its place", async () => {
     const { context, page } = await start(chrome);
-    await keptWhen(page, (state) => state.programs?.[state.control]);
+    await keptWhen(page, state => state.programs?.[state.control]);
     const { programs, control } = await stored(page);
     const typed = await lengthField(page).inputValue();
-    const field = await page.locator('.field:has(.unit:text-is("mm")):has([aria-required="true"])').first().getAttribute("data-field");
+    const field = await page
+      .locator('.field:has(.unit:text-is("mm")):has([aria-required="true"])')
+      .first()
+      .getAttribute("data-field");
     const text = `; Kopf   mit Umlaut \u00e4\r\n\r\n${programs[control].trimEnd().replaceAll("\n", "\r\n")}\r\nM30  ; end\r\n`;
     await withProgram(page, text);
     await page.locator(".call-row").first().click();
     await page.locator(".opened").waitFor();
     assert.equal(await lengthField(page).inputValue(), typed);
     await page.locator(`.field[data-field="${field}"] .entry-line > .figure`).fill("29.5");
-    const after = await keptWhen(page, (state) => state.programs?.[control]?.includes("29.5"));
+    const after = await keptWhen(page, state => state.programs?.[control]?.includes("29.5"));
     const place = text.indexOf(`${field}=`) + field.length + 1;
     assert.ok(place > field.length, `${field} stands in the program`);
     assert.equal(after.programs[control], `${text.slice(0, place)}29.5${text.slice(place + typed.length)}`);
@@ -304,7 +359,7 @@ describe("program", () => {
     await page.locator(".placed").waitFor({ state: "hidden" });
     await insert.click();
     await insert.waitFor({ state: "hidden" });
-    await page.waitForFunction((wanted) => document.querySelectorAll(".call-row").length === wanted, count + 1);
+    await page.waitForFunction(wanted => document.querySelectorAll(".call-row").length === wanted, count + 1);
     await page.locator('.call-row[aria-selected="true"]').waitFor(); // strict: exactly one
     await context.close();
   });

@@ -5,8 +5,11 @@ import { open, shared } from "./browser.mjs";
 
 /** In the page: goes through all variants; gives the captions that lie upon another or stick out of the drawing. */
 async function unreadable() {
-  const drawn = () => new Promise((resolve) => { requestAnimationFrame(() => requestAnimationFrame(resolve)); });
-  for (let closed; (closed = document.querySelector('.tree-item[aria-expanded="false"]'));) {
+  const drawn = () =>
+    new Promise(resolve => {
+      requestAnimationFrame(() => requestAnimationFrame(resolve));
+    });
+  for (let closed; (closed = document.querySelector('.tree-item[aria-expanded="false"]')); ) {
     closed.click();
     await drawn();
   }
@@ -16,14 +19,25 @@ async function unreadable() {
     variant.click();
     await drawn();
     const frame = document.querySelector(".picture").getBoundingClientRect();
-    const boxes = [...document.querySelectorAll(".picture .caption")].map((node) => ({ text: node.textContent, box: node.getBoundingClientRect() }));
-    const told = (what) => found.push(`${document.querySelector("#form-title").textContent} ${variant.textContent}: ${what}`);
+    const boxes = [...document.querySelectorAll(".picture .caption")].map(node => ({
+      text: node.textContent,
+      box: node.getBoundingClientRect(),
+    }));
+    const told = what =>
+      found.push(`${document.querySelector("#form-title").textContent} ${variant.textContent}: ${what}`);
     for (const [index, { text, box }] of boxes.entries()) {
-      if (box.left < frame.left - 1 || box.right > frame.right + 1 || box.top < frame.top - 1 || box.bottom > frame.bottom + 1) told(`${text} sticks out`);
+      if (
+        box.left < frame.left - 1 ||
+        box.right > frame.right + 1 ||
+        box.top < frame.top - 1 ||
+        box.bottom > frame.bottom + 1
+      )
+        told(`${text} sticks out`);
       for (const other of boxes.slice(0, index)) {
         const across = Math.min(box.right, other.box.right) - Math.max(box.left, other.box.left);
         const down = Math.min(box.bottom, other.box.bottom) - Math.max(box.top, other.box.top);
-        if (across > 1 && down > 4) told(`${text} upon ${other.text}`); // a line has some air above and below its letters
+        // a line has some air above and below its letters
+        if (across > 1 && down > 4) told(`${text} upon ${other.text}`);
       }
     }
   }
@@ -32,7 +46,10 @@ async function unreadable() {
 
 /** In the page: the first variant of each cycle; gives the fields for which nothing in the drawing stands out. */
 async function unfollowed() {
-  const drawn = () => new Promise((resolve) => { requestAnimationFrame(() => requestAnimationFrame(resolve)); });
+  const drawn = () =>
+    new Promise(resolve => {
+      requestAnimationFrame(() => requestAnimationFrame(resolve));
+    });
   const found = [];
   let fields = 0;
   for (const variant of document.querySelectorAll(".tree-item.level-2 + .tree-item.level-3")) {
@@ -42,7 +59,8 @@ async function unfollowed() {
       fields++;
       field.querySelector("input").focus();
       await drawn();
-      if (!document.querySelector(".picture .shape.lit")) found.push(`${document.querySelector("#form-title").textContent}: ${field.dataset.field}`);
+      if (!document.querySelector(".picture .shape.lit"))
+        found.push(`${document.querySelector("#form-title").textContent}: ${field.dataset.field}`);
     }
   }
   return { found, fields };

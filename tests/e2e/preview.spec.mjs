@@ -1,4 +1,5 @@
-// The 3D view in browsers that have WebGPU, a WebGPU that stays blank, only WebGL2, or neither: what came, and its pixels.
+// The 3D view in browsers that have WebGPU, a WebGPU that stays blank, only WebGL2, or neither: what came, and its
+// pixels.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { launch, packages } from "./browser.mjs";
@@ -6,30 +7,40 @@ import { modules, serve } from "./sources.mjs";
 
 const { PNG } = packages("pngjs");
 const size = { width: 900, height: 640 };
-const expected = { "webgpu": "webgpu", "webgpu-blank": "webgl2", "webgl2": "webgl2", "neither": "svg" };
+const expected = { webgpu: "webgpu", "webgpu-blank": "webgl2", webgl2: "webgl2", neither: "svg" };
 
 let site, sources, theme, topFace, inView;
 before(async () => {
   [site, sources] = await Promise.all([serve(), modules()]);
-  const [camera, colours, light, scene, demo, vec] =
-    await Promise.all(["camera", "colours", "light", "scene", "demo/trace", "vec"].map((name) => sources.load(`/src/preview/${name}.ts`)));
+  const [camera, colours, light, scene, demo, vec] = await Promise.all(
+    ["camera", "colours", "light", "scene", "demo/trace", "vec"].map(name => sources.load(`/src/preview/${name}.ts`)),
+  );
   theme = Object.fromEntries(Object.entries(colours.LIGHT).map(([name, css]) => [name, bytes(colours.parse(css))]));
   const lit = light.shader(camera.basis(camera.initial()));
   topFace = bytes(lit([0, 0, 1], colours.parse(colours.LIGHT.part)));
   inView = (name, entry, share) => {
-    const looking = camera.fit(camera.turn(camera.initial(), name), size, scene.buildScene(demo.hole, colours.LIGHT).box);
+    const looking = camera.fit(
+      camera.turn(camera.initial(), name),
+      size,
+      scene.buildScene(demo.hole, colours.LIGHT).box,
+    );
     const { from, to } = demo.hole.entries[entry];
     return camera.projector(looking, size)(vec.mix(from, to, share));
   };
 });
-after(async () => { await sources?.close(); await site?.close(); });
+after(async () => {
+  await sources?.close();
+  await site?.close();
+});
 
-const bytes = (rgba) => rgba.slice(0, 3).map((value) => Math.round(255 * value));
+const bytes = rgba => rgba.slice(0, 3).map(value => Math.round(255 * value));
 
 for (const [setup, backend] of Object.entries(expected)) {
   describe(`3D view, browser with ${setup}`, () => {
     let browser;
-    before(async () => { browser = await launch(setup); });
+    before(async () => {
+      browser = await launch(setup);
+    });
     after(() => browser?.close());
 
     // oracle: hand (the colours of the theme; the lit upper face as light.ts says, WGSL is a second writing of it)
@@ -77,15 +88,18 @@ for (const [setup, backend] of Object.entries(expected)) {
     test("points of a scan have the colours of their deviations", async () => {
       const page = await show(browser);
       await page.evaluate(() => {
-        const points = Float32Array.from({ length: 10_000 }, (_, i) => (i * 37) % 10_000) // from all over, wherever it is cut off
-          .reduce((all, place, i) => {
-            const [column, row] = [place % 100, Math.floor(place / 100)];
-            all.set([0.4 * column, 0.4 * row, 0, column < 50 ? 0.2 : -0.2], 4 * i);
-            return all;
-          }, new Float32Array(40_000));
+        // from all over, wherever it is cut off
+        const points = Float32Array.from({ length: 10_000 }, (_, i) => (i * 37) % 10_000).reduce((all, place, i) => {
+          const [column, row] = [place % 100, Math.floor(place / 100)];
+          all.set([0.4 * column, 0.4 * row, 0, column < 50 ? 0.2 : -0.2], 4 * i);
+          return all;
+        }, new Float32Array(40_000));
         window.preview.setCloud({ points, origin: [100, 60, -30], full: 0.1 });
       });
-      await page.waitForFunction((fewest) => Number(document.querySelector("[role=application]").dataset.drawn) >= fewest, 4096);
+      await page.waitForFunction(
+        fewest => Number(document.querySelector("[role=application]").dataset.drawn) >= fewest,
+        4096,
+      );
       const picture = await shot(page);
       atLeast(picture, theme.outside, 2_000, "outside");
       atLeast(picture, theme.inside, 2_000, "inside");
@@ -108,7 +122,7 @@ describe("3D view after a loss", () => {
   });
 
   test("a lost WebGPU device is replaced by WebGL2", async () => {
-    await replaced("webgpu", "webgl2", () => window.devices.forEach((device) => device.destroy()));
+    await replaced("webgpu", "webgl2", () => window.devices.forEach(device => device.destroy()));
   });
 
   async function replaced(from, to, lose) {
@@ -117,7 +131,7 @@ describe("3D view after a loss", () => {
       const page = await show(browser);
       assert.equal(await page.evaluate(() => window.preview.backend), from);
       await page.evaluate(lose);
-      await page.waitForFunction((name) => window.preview.backend === name, to);
+      await page.waitForFunction(name => window.preview.backend === name, to);
       atLeast(await shot(page), topFace, 15_000, "upper face");
     } finally {
       await browser.close();
@@ -137,7 +151,10 @@ async function show(browser) {
 function watch() {
   const ask = window.requestAnimationFrame.bind(window);
   window.frames_asked = 0;
-  window.requestAnimationFrame = (callback) => { window.frames_asked += 1; return ask(callback); };
+  window.requestAnimationFrame = callback => {
+    window.frames_asked += 1;
+    return ask(callback);
+  };
   window.devices = [];
   if (typeof GPUAdapter === "undefined") return;
   const request = GPUAdapter.prototype.requestDevice;
@@ -149,7 +166,9 @@ function watch() {
 }
 
 async function shot(page) {
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 150)))));
+  await page.evaluate(
+    () => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 150)))),
+  );
   return PNG.sync.read(await page.screenshot());
 }
 

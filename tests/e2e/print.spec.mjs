@@ -29,13 +29,26 @@ describe("print-out", () => {
 describe("the page on paper", () => {
   const chrome = shared("neither", { before, after });
 
-  for (const [name, options] of Object.entries({ "a wide window": {}, "a phone that never showed the view": { viewport: { width: 390, height: 844 } }, "a dark page": { colorScheme: "dark" } })) {
+  for (const [name, options] of Object.entries({
+    "a wide window": {},
+    "a phone that never showed the view": { viewport: { width: 390, height: 844 } },
+    "a dark page": { colorScheme: "dark" },
+  })) {
     // oracle: hand
     test(`has file, date, form, result, 3D view and the whole program: ${name}`, async () => {
       const { context, page, problems } = await open(chrome.browser, options);
       await page.locator(".results tbody tr").first().waitFor({ state: "attached" });
-      const lines = [...Array.from({ length: 300 }, (_, i) => `N${i + 1} G0 X${i}`), "_MVAR=1 _SETVAL=132 _TNUM=20 _KNUM=2001 _FA=2 _TSA=1", "CYCLE977", "M30"];
-      await page.locator(".panel-program input[type=file]").setInputFiles({ name: "part one.mpf", mimeType: "text/plain", buffer: Buffer.from(`${lines.join("\r\n")}\r\n`) });
+      const lines = [
+        ...Array.from({ length: 300 }, (_, i) => `N${i + 1} G0 X${i}`),
+        "_MVAR=1 _SETVAL=132 _TNUM=20 _KNUM=2001 _FA=2 _TSA=1",
+        "CYCLE977",
+        "M30",
+      ];
+      await page.locator(".panel-program input[type=file]").setInputFiles({
+        name: "part one.mpf",
+        mimeType: "text/plain",
+        buffer: Buffer.from(`${lines.join("\r\n")}\r\n`),
+      });
       await page.locator('.file-name:text-is("part one.mpf")').waitFor({ state: "attached" });
       await page.waitForLoadState("networkidle");
       await page.emulateMedia({ media: "print" });
@@ -45,12 +58,14 @@ describe("the page on paper", () => {
       assert.match(head, /SINUMERIK/);
       assert.match(head, new RegExp(`${new Date().getFullYear()}`));
       assert.deepEqual(await page.locator(".sheet-program li").allInnerTexts(), lines);
-      assert.ok(await page.locator(".sheet-picture path").count() > 10);
-      assert.ok(await page.locator(".sheet-view .legend li").count() > 2);
+      assert.ok((await page.locator(".sheet-picture path").count()) > 10);
+      assert.ok((await page.locator(".sheet-view .legend li").count()) > 2);
       const { width, height } = await page.locator(".sheet-picture").boundingBox();
       assert.ok(width > 250 && height > 120, `${width} × ${height}`);
-      for (const part of ["#panel-form .field", "#panel-results tbody tr", ".sheet-view", ".sheet-program"]) assert.ok(await page.locator(part).first().isVisible(), part);
-      for (const part of [".top", ".panel-bar", ".editor", ".timeline", "#panel-tasks"]) assert.ok(await page.locator(part).first().isHidden(), part);
+      for (const part of ["#panel-form .field", "#panel-results tbody tr", ".sheet-view", ".sheet-program"])
+        assert.ok(await page.locator(part).first().isVisible(), part);
+      for (const part of [".top", ".panel-bar", ".editor", ".timeline", "#panel-tasks"])
+        assert.ok(await page.locator(part).first().isHidden(), part);
       await page.evaluate(() => dispatchEvent(new Event("afterprint")));
       assert.equal(await page.locator(".sheet").count(), 0);
       assert.deepEqual(problems, []);
@@ -62,7 +77,9 @@ describe("the page on paper", () => {
   test("tells how many lines of a long program it leaves out", async () => {
     const { context, page } = await open(chrome.browser);
     await page.locator(".results tbody tr").first().waitFor();
-    await page.locator(".panel-program input[type=file]").setInputFiles({ name: "long.mpf", mimeType: "text/plain", buffer: Buffer.from("N10 G0 X0\n".repeat(2345)) });
+    await page
+      .locator(".panel-program input[type=file]")
+      .setInputFiles({ name: "long.mpf", mimeType: "text/plain", buffer: Buffer.from("N10 G0 X0\n".repeat(2345)) });
     await page.locator('.file-name:text-is("long.mpf")').waitFor();
     await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
     assert.equal(await page.locator(".sheet-program li").count(), 2000);

@@ -12,7 +12,9 @@ describe("reach", () => {
   // oracle: hand
   test("the keyboard alone is enough", async () => {
     const { context, page } = await start(chrome);
-    const press = async (...keys) => { for (const key of keys) await page.keyboard.press(key); };
+    const press = async (...keys) => {
+      for (const key of keys) await page.keyboard.press(key);
+    };
     const inside = () => page.evaluate(() => document.activeElement?.closest("[data-panel]")?.dataset.panel ?? "");
     await press("Tab", "Enter");
     await page.waitForFunction(() => document.activeElement?.id === "panel-tasks");
@@ -21,15 +23,21 @@ describe("reach", () => {
     await press("Escape", "ArrowDown");
     await page.waitForFunction(() => document.activeElement?.getAttribute("role") === "treeitem");
     await press("ArrowDown", "Enter");
-    await page.waitForFunction(() => document.activeElement?.matches('[role="treeitem"][aria-selected="true"]')); // the variant under the focus is chosen
+    // the variant under the focus is chosen
+    await page.waitForFunction(() => document.activeElement?.matches('[role="treeitem"][aria-selected="true"]'));
     assert.equal(await page.locator('[role="treeitem"][aria-selected="true"]').count(), 1);
     await press("F6");
     await page.waitForFunction(() => document.activeElement?.id === "panel-form");
-    for (let tries = 0; tries < 30 && !(await page.evaluate(() => document.activeElement?.matches(".field input"))); tries++) await press("Tab");
+    for (
+      let tries = 0;
+      tries < 30 && !(await page.evaluate(() => document.activeElement?.matches(".field input")));
+      tries++
+    )
+      await press("Tab");
     assert.equal(await inside(), "form");
     for (const panel of ["program", "view", "results", "tasks"]) {
       await press("F6");
-      await page.waitForFunction((name) => document.activeElement?.id === `panel-${name}`, panel);
+      await page.waitForFunction(name => document.activeElement?.id === `panel-${name}`, panel);
     }
     await press("Shift+F6");
     await page.waitForFunction(() => document.activeElement?.id === "panel-results");
@@ -39,7 +47,10 @@ describe("reach", () => {
   });
 
   for (const colorScheme of ["light", "dark"]) {
-    for (const viewport of [{ width: 1280, height: 800 }, { width: 768, height: 1024 }]) {
+    for (const viewport of [
+      { width: 1280, height: 800 },
+      { width: 768, height: 1024 },
+    ]) {
       // oracle: axe-core
       test(`axe finds nothing serious, ${colorScheme}, ${viewport.width} wide`, async () => {
         const { context, page } = await start(chrome, { colorScheme, viewport, bypassCSP: true });
@@ -47,14 +58,21 @@ describe("reach", () => {
         await drawn(page);
         await page.addScriptTag({ path: axe });
         const found = await page.evaluate(() => axe.run(document, { resultTypes: ["violations"] }));
-        const serious = found.violations.filter((one) => ["serious", "critical"].includes(one.impact));
-        assert.deepEqual(serious.map((one) => `${one.id}: ${one.nodes.map((node) => node.html.slice(0, 120)).join(" | ")}`), []);
+        const serious = found.violations.filter(one => ["serious", "critical"].includes(one.impact));
+        assert.deepEqual(
+          serious.map(one => `${one.id}: ${one.nodes.map(node => node.html.slice(0, 120)).join(" | ")}`),
+          [],
+        );
         await context.close();
       });
     }
   }
 
-  for (const [width, height] of [[1280, 800], [1024, 768], [768, 1024]]) {
+  for (const [width, height] of [
+    [1280, 800],
+    [1024, 768],
+    [768, 1024],
+  ]) {
     // oracle: hand
     test(`nothing sticks out and every target is big enough, ${width} × ${height}`, async () => {
       const { context, page } = await start(chrome, { viewport: { width, height } });
@@ -64,10 +82,17 @@ describe("reach", () => {
         const tab = page.locator(".panel-bar").getByRole("button", { name, exact: true });
         if (await tab.isVisible()) await tab.click();
         await drawn(page);
-        const small = await page.evaluate(() => [...document.querySelectorAll("button, select, input:not([type=checkbox]):not([type=range]), [role=treeitem]")]
-          .filter((node) => node.checkVisibility() && !node.closest(".skip"))
-          .map((node) => ({ box: node.getBoundingClientRect(), html: node.outerHTML.slice(0, 80) }))
-          .filter(({ box }) => box.width < 24 || box.height < 24).map(({ html }) => html));
+        const small = await page.evaluate(() =>
+          [
+            ...document.querySelectorAll(
+              "button, select, input:not([type=checkbox]):not([type=range]), [role=treeitem]",
+            ),
+          ]
+            .filter(node => node.checkVisibility() && !node.closest(".skip"))
+            .map(node => ({ box: node.getBoundingClientRect(), html: node.outerHTML.slice(0, 80) }))
+            .filter(({ box }) => box.width < 24 || box.height < 24)
+            .map(({ html }) => html),
+        );
         assert.deepEqual(small, []);
         assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width);
       }
@@ -79,7 +104,7 @@ describe("reach", () => {
   test("without a network the page opens again, with the work in it", async () => {
     const { context, page } = await start(chrome);
     await lengthField(page).fill("26.5");
-    await keptWhen(page, (state) => Object.values(state.values ?? {}).includes("26.5"));
+    await keptWhen(page, state => Object.values(state.values ?? {}).includes("26.5"));
     await page.evaluate(() => navigator.serviceWorker.ready.then(() => true));
     await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
     await context.setOffline(true);
@@ -114,7 +139,7 @@ describe("reach", () => {
     await page.locator("#theme").click();
     await page.waitForFunction(() => document.documentElement.dataset.theme === "dark");
     assert.notEqual(await ground(), light);
-    await keptWhen(page, (state) => state.theme === "dark");
+    await keptWhen(page, state => state.theme === "dark");
     await page.reload();
     await page.waitForFunction(() => document.documentElement.dataset.theme === "dark");
     await context.close();

@@ -10,8 +10,8 @@ async function search(page, text) {
 }
 
 /** Code and title of what stands first of all. */
-const best = (page) => page.locator(".hit").first();
-const card = (page) => page.locator("dialog.card[open]");
+const best = page => page.locator(".hit").first();
+const card = page => page.locator("dialog.card[open]");
 
 describe("search", () => {
   const chrome = shared("neither", { before, after });
@@ -27,7 +27,7 @@ describe("search", () => {
     assert.match(await card(page).locator(".card-meaning").textContent(), /safe area/);
     assert.match(await card(page).textContent(), /_TSA/);
     const cycles = card(page).locator(".card-cycles button");
-    assert.ok(await cycles.count() > 1, "more than one cycle raises it");
+    assert.ok((await cycles.count()) > 1, "more than one cycle raises it");
     const cycle = await cycles.last().locator("code").textContent();
     await cycles.last().click();
     await card(page).waitFor({ state: "hidden" });
@@ -62,9 +62,9 @@ describe("search", () => {
     await search(page, "gear web too wide");
     assert.equal(await best(page).getAttribute("data-kind"), "measurement");
     assert.match(await measurements.first().textContent(), /web/i);
-    assert.ok(await page.locator("mark").count() > 0, "what was found is marked");
+    assert.ok((await page.locator("mark").count()) > 0, "what was found is marked");
     await measurements.first().click();
-    await page.locator('#form-title').waitFor();
+    await page.locator("#form-title").waitFor();
     await page.locator("#task-search").fill("");
     await page.locator('[role="treeitem"][aria-selected="true"]:has-text("Web")').waitFor();
     await context.close();
@@ -79,7 +79,7 @@ describe("search", () => {
     assert.equal(await best(page).getAttribute("data-kind"), "result");
     await best(page).click();
     await card(page).waitFor();
-    assert.ok(await card(page).locator(".card-cycles li").count() > 0);
+    assert.ok((await card(page).locator(".card-cycles li").count()) > 0);
     await page.keyboard.press("Escape");
     await card(page).waitFor({ state: "hidden" });
     await best(page).click();
@@ -111,13 +111,13 @@ describe("search", () => {
   test("is no part of the first load", async () => {
     const { context, page } = await open(chrome.browser, { serviceWorkers: "block" });
     const fetched = [];
-    page.on("request", (request) => fetched.push(new URL(request.url()).pathname));
+    page.on("request", request => fetched.push(new URL(request.url()).pathname));
     await page.reload();
     await page.locator(".field").first().waitFor();
     await page.locator(".cm-content").waitFor();
-    const before = fetched.filter((path) => path.endsWith(".js")).length;
+    const before = fetched.filter(path => path.endsWith(".js")).length;
     await search(page, "61303");
-    assert.ok(fetched.filter((path) => path.endsWith(".js")).length > before, "the search comes when it is used");
+    assert.ok(fetched.filter(path => path.endsWith(".js")).length > before, "the search comes when it is used");
     await context.close();
   });
 });
@@ -129,14 +129,16 @@ describe("the list of what can be measured", () => {
   // oracle: hand
   test("is open around the choice only, and stays as it was set", async () => {
     const { context, page } = await start(chrome);
-    assert.ok(await items(page, 1).count() > 2, "groups by machine and purpose");
+    assert.ok((await items(page, 1).count()) > 2, "groups by machine and purpose");
     assert.equal(await page.locator('[aria-level="1"][aria-expanded="true"]').count(), 1);
     assert.equal(await page.locator('[aria-level="2"][aria-expanded="true"]').count(), 1);
     const closed = page.locator('[aria-level="1"][aria-expanded="false"]').first();
     const name = await closed.locator(".tree-title").textContent();
     await closed.click();
     await page.locator('[aria-level="1"][aria-expanded="true"]').nth(1).waitFor();
-    await page.waitForFunction(() => Object.keys(JSON.parse(localStorage.getItem("probewright-1") ?? "{}").unfolded ?? {}).length > 0);
+    await page.waitForFunction(
+      () => Object.keys(JSON.parse(localStorage.getItem("probewright-1") ?? "{}").unfolded ?? {}).length > 0,
+    );
     await page.reload();
     await page.locator(`[aria-level="1"][aria-expanded="true"]:has-text("${name}")`).waitFor();
     await context.close();
@@ -148,7 +150,10 @@ describe("the list of what can be measured", () => {
     const closed = page.locator('[aria-level="1"][aria-expanded="false"]');
     for (let left = await closed.count(); left > 0; left--) {
       await closed.first().click();
-      await page.waitForFunction((wanted) => document.querySelectorAll('[aria-level="1"][aria-expanded="false"]').length === wanted, left - 1);
+      await page.waitForFunction(
+        wanted => document.querySelectorAll('[aria-level="1"][aria-expanded="false"]').length === wanted,
+        left - 1,
+      );
     }
     const codes = await items(page, 2).locator(".code").allTextContents();
     assert.ok(codes.length >= 6);

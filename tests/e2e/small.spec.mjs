@@ -1,44 +1,67 @@
-// The page where there is little room: phones, tablets, and a window that is enlarged to 200 and 400 % (1280 × 800 is then
-// 640 × 400 and 320 × 200 CSS pixels). Everything can be reached, nothing is cut, nothing scrolls in two directions (WCAG 1.4.10).
+// The page where there is little room: phones, tablets, and a window that is enlarged to 200 and 400 % (1280 × 800 is
+// then 640 × 400 and 320 × 200 CSS pixels). Everything can be reached, nothing is cut, nothing scrolls in two
+// directions (WCAG 1.4.10).
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
 import { drawn, lengthField, start } from "./start.mjs";
 
-const SIZES = [[320, 640], [360, 640], [390, 844], [768, 1024], [1024, 768], [1280, 800], [1366, 500], [1024, 420], [640, 400], [320, 200]];
+const SIZES = [
+  [320, 640],
+  [360, 640],
+  [390, 844],
+  [768, 1024],
+  [1024, 768],
+  [1280, 800],
+  [1366, 500],
+  [1024, 420],
+  [640, 400],
+  [320, 200],
+];
 const PANELS = ["tasks", "form", "program", "view", "results", "help"];
 
 /** What is wrong with what can be seen now, as short texts. */
-const faults = (page) => page.evaluate(() => {
-  const width = document.documentElement.clientWidth;
-  const found = [];
-  const say = (what, node) => found.push(`${what}: ${node.outerHTML.slice(0, 100)}`);
-  if (document.documentElement.scrollWidth > width) found.push(`the page is ${document.documentElement.scrollWidth} wide`);
-  const shown = [...document.body.querySelectorAll("*")].filter((node) => node.checkVisibility({ visibilityProperty: true }) && !node.closest(".skip, .visually-hidden, svg"));
-  for (const node of shown) {
-    const style = getComputedStyle(node);
-    const wide = node.scrollWidth > node.clientWidth + 1 && node.clientWidth > 0;
-    if (wide && ["auto", "scroll"].includes(style.overflowX)) say("scrolls sideways", node);
-    if (wide && ["hidden", "clip"].includes(style.overflowX) && style.textOverflow !== "ellipsis" && style.clipPath === "none") say("is cut", node);
-    if (!node.matches("button, select, input, [role=tab], [role=treeitem], a")) continue;
-    const { left, right } = node.getBoundingClientRect();
-    if (left < -0.5 || right > width + 0.5) say("sticks out", node);
-    if (node.matches("button") && node.scrollWidth > node.clientWidth + 1) say("is cut", node);
-  }
-  return found;
-});
+const faults = page =>
+  page.evaluate(() => {
+    const width = document.documentElement.clientWidth;
+    const found = [];
+    const say = (what, node) => found.push(`${what}: ${node.outerHTML.slice(0, 100)}`);
+    if (document.documentElement.scrollWidth > width)
+      found.push(`the page is ${document.documentElement.scrollWidth} wide`);
+    const shown = [...document.body.querySelectorAll("*")].filter(
+      node => node.checkVisibility({ visibilityProperty: true }) && !node.closest(".skip, .visually-hidden, svg"),
+    );
+    for (const node of shown) {
+      const style = getComputedStyle(node);
+      const wide = node.scrollWidth > node.clientWidth + 1 && node.clientWidth > 0;
+      if (wide && ["auto", "scroll"].includes(style.overflowX)) say("scrolls sideways", node);
+      if (
+        wide &&
+        ["hidden", "clip"].includes(style.overflowX) &&
+        style.textOverflow !== "ellipsis" &&
+        style.clipPath === "none"
+      )
+        say("is cut", node);
+      if (!node.matches("button, select, input, [role=tab], [role=treeitem], a")) continue;
+      const { left, right } = node.getBoundingClientRect();
+      if (left < -0.5 || right > width + 0.5) say("sticks out", node);
+      if (node.matches("button") && node.scrollWidth > node.clientWidth + 1) say("is cut", node);
+    }
+    return found;
+  });
 
 /** Whether the middle of an element, once it is scrolled to, is in the window and lies under nothing else. */
-const reachable = (node) => node.evaluate((element) => {
-  element.scrollIntoView({ block: "center", behavior: "instant" });
-  const { left, top, width, height } = element.getBoundingClientRect();
-  const hit = document.elementFromPoint(left + width / 2, top + height / 2);
-  return element.contains(hit) || hit?.contains(element) === true && hit.matches("label, button");
-});
+const reachable = node =>
+  node.evaluate(element => {
+    element.scrollIntoView({ block: "center", behavior: "instant" });
+    const { left, top, width, height } = element.getBoundingClientRect();
+    const hit = document.elementFromPoint(left + width / 2, top + height / 2);
+    return element.contains(hit) || (hit?.contains(element) === true && hit.matches("label, button"));
+  });
 
 async function choosePanel(page, name) {
   const tab = page.locator(`.panel-bar [aria-controls="panel-${name}"]`);
-  if (!await tab.isVisible()) return;
+  if (!(await tab.isVisible())) return;
   assert.ok(await reachable(tab), `the tab of ${name}`);
   await tab.click();
   await page.locator(`#panel-${name}`).waitFor();
@@ -52,12 +75,20 @@ describe("little room", () => {
     for (const [width, height] of SIZES) {
       // oracle: hand (WCAG 1.4.10)
       test(`all panels and buttons are there, ${width} × ${height}, ${locale}`, async () => {
-        const { context, page, problems } = await start(chrome, { viewport: { width, height }, locale, hasTouch: width < 800 });
+        const { context, page, problems } = await start(chrome, {
+          viewport: { width, height },
+          locale,
+          hasTouch: width < 800,
+        });
         await page.locator(".results tbody tr").first().waitFor({ state: "attached" });
         for (const name of PANELS) {
           await choosePanel(page, name);
           assert.deepEqual(await faults(page), [], name);
-          for (const button of await page.locator(`#panel-${name} button:visible, #panel-${name} select:visible`).all()) assert.ok(await reachable(button), `${name}: ${await button.evaluate((node) => node.outerHTML.slice(0, 100))}`);
+          for (const button of await page.locator(`#panel-${name} button:visible, #panel-${name} select:visible`).all())
+            assert.ok(
+              await reachable(button),
+              `${name}: ${await button.evaluate(node => node.outerHTML.slice(0, 100))}`,
+            );
         }
         assert.deepEqual(problems, []);
         await context.close();
@@ -89,9 +120,12 @@ describe("little room", () => {
         await page.keyboard.press("Control+a");
         await page.keyboard.type("31.25");
         await drawn(page);
-        const place = await field.evaluate((node) => {
+        const place = await field.evaluate(node => {
           const { left, top, right, bottom } = node.getBoundingClientRect();
-          return { inside: left >= 0 && top >= 0 && right <= innerWidth && bottom <= innerHeight, seen: document.elementFromPoint((left + right) / 2, (top + bottom) / 2) === node };
+          return {
+            inside: left >= 0 && top >= 0 && right <= innerWidth && bottom <= innerHeight,
+            seen: document.elementFromPoint((left + right) / 2, (top + bottom) / 2) === node,
+          };
         });
         assert.deepEqual(place, { inside: true, seen: true });
         await page.locator('.snippet:has-text("31.25")').waitFor({ state: "attached" });
@@ -100,11 +134,16 @@ describe("little room", () => {
     }
   }
 
-  for (const [width, height] of [[320, 200], [390, 844]]) {
+  for (const [width, height] of [
+    [320, 200],
+    [390, 844],
+  ]) {
     // oracle: hand
     test(`the data of the machine can be changed, ${width} × ${height}`, async () => {
       const { context, page } = await start(chrome, { viewport: { width, height } });
-      await page.locator("#page-actions button:not([disabled])", { hasText: /^Machine$/ }).waitFor({ state: "attached" });
+      await page
+        .locator("#page-actions button:not([disabled])", { hasText: /^Machine$/ })
+        .waitFor({ state: "attached" });
       await page.locator(".menu-open").click();
       await page.locator("#page-actions button", { hasText: /^Machine$/ }).click();
       const dialog = page.locator("dialog[open]");
@@ -113,7 +152,8 @@ describe("little room", () => {
       await entry.waitFor();
       assert.ok(await reachable(entry));
       assert.deepEqual(await faults(page), []);
-      for (const button of await dialog.locator(".actions button:visible").all()) assert.ok(await reachable(button), await button.textContent());
+      for (const button of await dialog.locator(".actions button:visible").all())
+        assert.ok(await reachable(button), await button.textContent());
       await context.close();
     });
   }
@@ -123,7 +163,10 @@ describe("little room", () => {
     const { context, page } = await start(chrome, { viewport: { width: 390, height: 844 } });
     const menu = page.locator(".menu-open");
     const list = page.locator("#page-actions");
-    const opens = async () => { await menu.click(); await list.waitFor(); };
+    const opens = async () => {
+      await menu.click();
+      await list.waitFor();
+    };
     await opens();
     await page.keyboard.press("Escape");
     await list.waitFor({ state: "hidden" });
@@ -143,7 +186,7 @@ describe("little room", () => {
     const { context, page } = await start(chrome, { forcedColors: "active" });
     await page.locator(".call-row").waitFor();
     const marked = await page.evaluate(() => {
-      const colourOf = (name) => {
+      const colourOf = name => {
         const node = document.body.appendChild(document.createElement("i"));
         node.style.cssText = `forced-color-adjust: none; color: ${name}`;
         const { color } = getComputedStyle(node);
@@ -151,8 +194,16 @@ describe("little room", () => {
         return color;
       };
       const canvas = colourOf("Canvas");
-      const count = (selector, side) => [...document.querySelectorAll(selector)].filter((node) => node.checkVisibility() && getComputedStyle(node)[side] !== canvas).map((node) => node.getAttribute("aria-selected") ?? "no choice");
-      return { tasks: count(".level-3", "borderLeftColor"), calls: count(".call-row", "borderLeftColor"), tabs: count(".tabs [role=tab]", "borderBottomColor"), fields: count(".field:not(.wrong, .doubtful)", "borderLeftColor") };
+      const count = (selector, side) =>
+        [...document.querySelectorAll(selector)]
+          .filter(node => node.checkVisibility() && getComputedStyle(node)[side] !== canvas)
+          .map(node => node.getAttribute("aria-selected") ?? "no choice");
+      return {
+        tasks: count(".level-3", "borderLeftColor"),
+        calls: count(".call-row", "borderLeftColor"),
+        tabs: count(".tabs [role=tab]", "borderBottomColor"),
+        fields: count(".field:not(.wrong, .doubtful)", "borderLeftColor"),
+      };
     });
     assert.deepEqual(marked, { tasks: ["true"], calls: ["true"], tabs: ["true"], fields: [] });
     await context.close();

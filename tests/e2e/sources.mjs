@@ -1,6 +1,7 @@
 // The sources of the page without a build: served to a browser, and loaded into Node for tests of plain functions.
-import { fileURLToPath, pathToFileURL } from "node:url";
+
 import { join } from "node:path";
+import { fileURLToPath, pathToFileURL } from "node:url";
 
 const root = fileURLToPath(new URL("../../", import.meta.url));
 const vite = () => import(pathToFileURL(join(root, "www/node_modules/vite/dist/node/index.js")).href);
@@ -18,7 +19,9 @@ async function server(options) {
 
 // Serves `www/` on a free port; `{ url, close }`.
 export async function serve() {
-  const started = await server({ server: { host: "127.0.0.1", port: 0, hmr: false, watch: null, fs: { allow: [root] } } });
+  const started = await server({
+    server: { host: "127.0.0.1", port: 0, hmr: false, watch: null, fs: { allow: [root] } },
+  });
   await started.listen();
   return { url: started.resolvedUrls.local[0], close: () => started.close() };
 }
@@ -26,5 +29,5 @@ export async function serve() {
 // Loads TypeScript modules of `www/`, such as "/src/preview/camera.ts"; `{ load, close }`.
 export async function modules() {
   const started = await server({ server: { middlewareMode: true, hmr: false, ws: false, watch: null } });
-  return { load: (path) => started.ssrLoadModule(path), close: () => started.close() };
+  return { load: path => started.ssrLoadModule(path), close: () => started.close() };
 }

@@ -28,10 +28,11 @@ export async function startWithCycles(chrome, options) {
 }
 
 /** After the redraw that follows what was done last. */
-export const drawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+export const drawn = page =>
+  page.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done))));
 
 /** The work as it is kept now. */
-export const stored = (page) => page.evaluate((name) => JSON.parse(localStorage.getItem(name) ?? "{}"), STORE);
+export const stored = page => page.evaluate(name => JSON.parse(localStorage.getItem(name) ?? "{}"), STORE);
 
 /** What is kept, once it holds what is waited for. */
 export async function keptWhen(page, wanted) {
@@ -44,4 +45,5 @@ export async function keptWhen(page, wanted) {
 }
 
 /** The first field that has to be filled and counts in mm. */
-export const lengthField = (page) => page.locator('.field:has(.unit:text-is("mm")):has([aria-required="true"]) .entry-line > .figure').first();
+export const lengthField = page =>
+  page.locator('.field:has(.unit:text-is("mm")):has([aria-required="true"]) .entry-line > .figure').first();

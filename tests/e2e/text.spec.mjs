@@ -17,7 +17,7 @@ const PIECES = ["\r\n", "\r", "\n", "\r\r\n", "G1 X1", "ä", ""];
 /** The same numbers at every run. */
 function random(seed) {
   let state = seed;
-  return (below) => {
+  return below => {
     state = (state * 1103515245 + 12345) % 2147483648;
     return Math.floor((state / 2147483648) * below);
   };
@@ -28,10 +28,15 @@ const some = (next, count) => Array.from({ length: count }, () => PIECES[next(PI
 /** Never rests; tells the shares that it was told. */
 function unhurried() {
   const shares = [];
-  return { shares, turn: async (share) => { shares.push(share); } };
+  return {
+    shares,
+    turn: async share => {
+      shares.push(share);
+    },
+  };
 }
 
-const lines = (text) => text.split(/\r\n|\r|\n/);
+const lines = text => text.split(/\r\n|\r|\n/);
 
 /** What an editor that takes CR LF, CR and LF as one character each makes of an offset. */
 const shown = (text, offset) => text.slice(0, offset).replaceAll("\r\n", "\n").length;
@@ -57,8 +62,14 @@ test("offsets in program and editor stay right over any edits", () => {
 
 // oracle: hand
 test("a place moves along with the edits before it", () => {
-  const edits = [{ from: 2, to: 4, insert: "abcde" }, { from: 10, to: 10, insert: "x" }];
-  assert.deepEqual([0, 2, 3, 4, 9, 10, 11].map((at) => eol.carried(at, edits)), [0, 2, 2, 7, 12, 14, 15]);
+  const edits = [
+    { from: 2, to: 4, insert: "abcde" },
+    { from: 10, to: 10, insert: "x" },
+  ];
+  assert.deepEqual(
+    [0, 2, 3, 4, 9, 10, 11].map(at => eol.carried(at, edits)),
+    [0, 2, 2, 7, 12, 14, 15],
+  );
 });
 
 // oracle: self (the definition: the text after it is the other text; in the editor as in the program)
@@ -76,7 +87,11 @@ test("the difference of two programs makes one the other, and parts no CR LF", (
     assert.equal(eol.splice(before, [edit]), after);
     const [from, to] = [shown(before, edit.from), shown(before, edit.to)];
     const [inEditor, wanted] = [lines(before).join("\n"), lines(after).join("\n")];
-    assert.equal(inEditor.slice(0, from) + lines(edit.insert).join("\n") + inEditor.slice(to), wanted, JSON.stringify({ before, after, edit }));
+    assert.equal(
+      inEditor.slice(0, from) + lines(edit.insert).join("\n") + inEditor.slice(to),
+      wanted,
+      JSON.stringify({ before, after, edit }),
+    );
   }
 });
 
@@ -99,8 +114,12 @@ test("a long program that is put together in pieces has the lines that it has", 
     const pace = unhurried();
     await documents.putTogether(text, pace);
     assert.deepEqual(documents.linesOf(text).toJSON(), lines(text));
-    assert.deepEqual(pace.shares, [...pace.shares].sort((a, b) => a - b), "it only goes up");
-    assert.ok(pace.shares.every((share) => share <= 1));
+    assert.deepEqual(
+      pace.shares,
+      [...pace.shares].sort((a, b) => a - b),
+      "it only goes up",
+    );
+    assert.ok(pace.shares.every(share => share <= 1));
   }
 });
 
@@ -109,7 +128,9 @@ test("the line breaks of a long program that are found in pieces are all there",
   for (const filler of ["G1 X1\r\n", "\r\r\n", "\r\n\n"]) {
     const text = `${filler.repeat(700_000)}M30`;
     await eol.learn(text, unhurried());
-    for (const at of [0, 1_000_000, 1_000_001, 2_000_000, text.length - 4, text.length].filter((at) => text.slice(at - 1, at + 1) !== "\r\n"))
+    for (const at of [0, 1_000_000, 1_000_001, 2_000_000, text.length - 4, text.length].filter(
+      at => text.slice(at - 1, at + 1) !== "\r\n",
+    ))
       assert.equal(eol.toEditor(text, at), shown(text, at), JSON.stringify({ filler, at }));
   }
 });

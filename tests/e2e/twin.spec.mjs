@@ -4,8 +4,8 @@ import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
 import { startWithCycles as start } from "./start.mjs";
 
-const twin = (page) => page.locator("details.twin");
-const codes = (page) => twin(page).locator(".twin-code").allTextContents();
+const twin = page => page.locator("details.twin");
+const codes = page => twin(page).locator(".twin-code").allTextContents();
 
 describe("twin", () => {
   const chrome = shared("neither", { before, after });
@@ -19,10 +19,14 @@ describe("twin", () => {
     await twin(page).locator("summary").focus();
     await page.keyboard.press("Enter");
     await twin(page).locator(".twin-call").first().waitFor();
-    await page.waitForFunction(() => /G110 D40\b/.test(document.querySelectorAll("details.twin .twin-code")[1]?.textContent ?? ""));
+    await page.waitForFunction(() =>
+      /G110 D40\b/.test(document.querySelectorAll("details.twin .twin-code")[1]?.textContent ?? ""),
+    );
     assert.match((await codes(page))[0], /CYCLE977/);
     await page.locator("#field-_SETVAL").fill("41");
-    await page.waitForFunction(() => /G110 D41\b/.test(document.querySelectorAll("details.twin .twin-code")[1]?.textContent ?? ""));
+    await page.waitForFunction(() =>
+      /G110 D41\b/.test(document.querySelectorAll("details.twin .twin-code")[1]?.textContent ?? ""),
+    );
     assert.ok((await twin(page).locator(".twin-differences li").count()) > 0);
     assert.deepEqual(problems, []);
     await context.close();
@@ -31,8 +35,12 @@ describe("twin", () => {
   // oracle: manual B:7929-7935, C:723 (coordinates of a corner); hand: from the start at 20 down to -10
   test("tells the corner and the depth on both sides", async () => {
     const { context, page, problems } = await start(chrome);
-    const there = (text) => page.waitForFunction((wanted) => document.querySelectorAll("details.twin .twin-code")[1]?.textContent.includes(wanted), text);
-    const choose = async (name) => {
+    const there = text =>
+      page.waitForFunction(
+        wanted => document.querySelectorAll("details.twin .twin-code")[1]?.textContent.includes(wanted),
+        text,
+      );
+    const choose = async name => {
       await page.locator("#task-search").fill(name);
       await page.locator(`.hits[data-search="${name}"] .hit`).first().click();
     };

@@ -6,7 +6,9 @@ import { shared } from "./browser.mjs";
 import { keptWhen, startWithEditor as start } from "./start.mjs";
 
 async function openProgram(page, text) {
-  await page.locator(".panel-program input[type=file]").setInputFiles({ name: "part.mpf", mimeType: "text/plain", buffer: Buffer.from(text) });
+  await page
+    .locator(".panel-program input[type=file]")
+    .setInputFiles({ name: "part.mpf", mimeType: "text/plain", buffer: Buffer.from(text) });
   await page.locator('.notice:has-text("Program opened.")').waitFor();
   await page.locator(".call-row").first().click();
   await page.locator(".opened").waitFor();
@@ -15,24 +17,24 @@ async function openProgram(page, text) {
 /** The program, once it is kept and is what is waited for. */
 async function programWhen(page, wanted) {
   const program = ({ control, programs }) => programs?.[control] ?? "";
-  return program(await keptWhen(page, (state) => wanted(program(state))));
+  return program(await keptWhen(page, state => wanted(program(state))));
 }
 
 /** The program is still this one, a while after what was done last. */
 async function still(page, text) {
   await page.waitForTimeout(400);
-  assert.equal(await programWhen(page, (now) => now === text), text);
+  assert.equal(await programWhen(page, now => now === text), text);
 }
 
 async function choose(page, name) {
   await page.locator("#task-search").fill(name);
   await page.locator(`.hits[data-search="${name}"] .hit`).first().click();
-  await page.waitForFunction((text) => document.querySelector(".snippet")?.textContent.includes(text), name);
+  await page.waitForFunction(text => document.querySelector(".snippet")?.textContent.includes(text), name);
 }
 
 const field = (page, name) => page.locator(`.field[data-field="${name}"]`);
 const entry = (page, name) => field(page, name).locator(".entry-line > .figure");
-const snippet = (page) => page.locator(".snippet");
+const snippet = page => page.locator(".snippet");
 const REST = "_KNUM=0 _PRNUM=1 _FA=2 _TSA=2";
 
 describe("an expression of the program", () => {
@@ -48,17 +50,17 @@ describe("an expression of the program", () => {
     assert.match(await snippet(page).textContent(), /_SETVAL=R2/);
     await page.locator('.results-main tr:has-text("_OVR[0]"):has-text("50.02")').waitFor();
     await entry(page, "_FA").fill("4");
-    assert.equal(await programWhen(page, (now) => now.includes("_FA=4")), text.replace("_FA=2", "_FA=4"));
+    assert.equal(await programWhen(page, now => now.includes("_FA=4")), text.replace("_FA=2", "_FA=4"));
     await page.locator('.call-ways [data-style="indirect"]').click();
-    const indirect = await programWhen(page, (now) => now.includes("CYCLE_PARA("));
+    const indirect = await programWhen(page, now => now.includes("CYCLE_PARA("));
     assert.match(indirect, /\(977,1,R2[,)]/);
     await page.locator('.call-ways [data-style="direct"]').click();
-    assert.match(await programWhen(page, (now) => !now.includes("CYCLE_PARA(")), /_SETVAL=R2/);
+    assert.match(await programWhen(page, now => !now.includes("CYCLE_PARA(")), /_SETVAL=R2/);
     await entry(page, "_SETVAL").fill("R2+1");
     await field(page, "_SETVAL").locator('.worth:text-is("= 51.02")').waitFor();
     await entry(page, "_SETVAL").fill("51");
     await field(page, "_SETVAL").locator(".worth").waitFor({ state: "hidden" });
-    assert.match(await programWhen(page, (now) => now.includes("_SETVAL=51")), /^R2=50\.02$/m);
+    assert.match(await programWhen(page, now => now.includes("_SETVAL=51")), /^R2=50\.02$/m);
     assert.deepEqual(problems, []);
     await context.close();
   });
@@ -92,7 +94,7 @@ describe("an expression of the program", () => {
 describe("a change that lands in another line", () => {
   const chrome = shared("neither", { before, after });
   const text = `%_N_MAIN_MPF\nG17 G40 G54 T9 D1\nHOLE(40) ; ring\nM30\n%_N_HOLE_SPF\nPROC HOLE(REAL _D)\n_MVAR=1 _SETVAL=_D ${REST}\nCYCLE977\nM17\n`;
-  const asks = (page) => page.locator(".asks");
+  const asks = page => page.locator(".asks");
 
   // oracle: hand
   test("is asked first, with the line as it is and as it would be", async () => {
@@ -116,10 +118,10 @@ describe("a change that lands in another line", () => {
     await value.press("Enter");
     assert.equal(await page.evaluate(() => document.activeElement?.textContent), "Apply");
     await page.keyboard.press("Enter");
-    assert.equal(await programWhen(page, (now) => now !== text), text.replace("(40)", "(43)"));
+    assert.equal(await programWhen(page, now => now !== text), text.replace("(40)", "(43)"));
     await asks(page).waitFor({ state: "hidden" });
     await entry(page, "_FA").fill("3");
-    assert.match(await programWhen(page, (now) => now.includes("_FA=3")), /HOLE\(43\)/);
+    assert.match(await programWhen(page, now => now.includes("_FA=3")), /HOLE\(43\)/);
     assert.equal(await asks(page).isVisible(), false, "the call's own lines are not asked about");
     await value.fill("44");
     await asks(page).waitFor();
@@ -133,7 +135,9 @@ describe("a change that lands in another line", () => {
 describe("another variant", () => {
   const chrome = shared("neither", { before, after });
   async function zeroOffset(page) {
-    const select = field(page, "_MVAR").locator('.digit select:has(option:text-matches("zero offset|ZO", "i"))').first();
+    const select = field(page, "_MVAR")
+      .locator('.digit select:has(option:text-matches("zero offset|ZO", "i"))')
+      .first();
     const value = await select.locator('option:text-matches("zero offset|ZO", "i")').first().getAttribute("value");
     await select.selectOption(value);
   }
@@ -142,15 +146,15 @@ describe("another variant", () => {
   test("keeps nothing in the call that it does not know, and says so", async () => {
     const { context, page, problems } = await start(chrome);
     await page.locator(".opened").waitFor();
-    const first = await programWhen(page, (now) => /_TNUM=/.test(now) && /_KNUM=2001/.test(now));
+    const first = await programWhen(page, now => /_TNUM=/.test(now) && /_KNUM=2001/.test(now));
     assert.match(first, /_TZL=/);
     await zeroOffset(page);
-    const now = await programWhen(page, (text) => /_MVAR=101\b/.test(text) && !/_KNUM=2001/.test(text));
+    const now = await programWhen(page, text => /_MVAR=101\b/.test(text) && !/_KNUM=2001/.test(text));
     for (const name of ["_TNUM", "_TZL", "_TMV", "_TDIF"]) assert.doesNotMatch(now, new RegExp(`${name}=`), now);
     await field(page, "_KNUM").locator('.problem:has-text("2001")').waitFor();
     await page.locator('.call-ways .problem:has-text("_TNUM")').waitFor();
     await page.locator(".notice").getByRole("button", { name: "Undo" }).click();
-    assert.equal(await programWhen(page, (text) => /_MVAR=1\b/.test(text)), first);
+    assert.equal(await programWhen(page, text => /_MVAR=1\b/.test(text)), first);
     assert.deepEqual(problems, []);
     await context.close();
   });
@@ -159,13 +163,13 @@ describe("another variant", () => {
   test("brings its own worked measurement into the call, and leaves nothing of the one before", async () => {
     const { context, page, problems } = await start(chrome);
     await page.locator(".opened").waitFor();
-    const first = await programWhen(page, (now) => /_TNUM=/.test(now));
+    const first = await programWhen(page, now => /_TNUM=/.test(now));
     await page.locator('[role="treeitem"]', { hasText: /^101/ }).first().click();
-    const zero = await programWhen(page, (now) => /_MVAR=101\b/.test(now) && /_KNUM=1\b/.test(now));
+    const zero = await programWhen(page, now => /_MVAR=101\b/.test(now) && /_KNUM=1\b/.test(now));
     for (const name of ["_TNUM", "_TZL", "_TMV", "_TDIF"]) assert.doesNotMatch(zero, new RegExp(`${name}=`), zero);
     await page.locator('[role="treeitem"]', { hasText: /^1/ }).first().click();
-    const again = await programWhen(page, (now) => /_MVAR=1\b/.test(now) && /_KNUM=2001/.test(now));
-    const words = (text) => text.split(/\s+/).filter(Boolean).sort();
+    const again = await programWhen(page, now => /_MVAR=1\b/.test(now) && /_KNUM=2001/.test(now));
+    const words = text => text.split(/\s+/).filter(Boolean).sort();
     assert.deepEqual(words(again), words(first));
     assert.deepEqual(problems, []);
     await context.close();
@@ -217,7 +221,10 @@ describe("the results of a program", () => {
   // oracle: hand
   test("stand under the call that left them", async () => {
     const { context, page, problems } = await start(chrome);
-    await openProgram(page, `G17 G54 G40 T9 D1\nM6\n_MVAR=1 _SETVAL=132 ${REST}\nCYCLE977\n_SETVAL=131\nCYCLE977\nM30\n`);
+    await openProgram(
+      page,
+      `G17 G54 G40 T9 D1\nM6\n_MVAR=1 _SETVAL=132 ${REST}\nCYCLE977\n_SETVAL=131\nCYCLE977\nM30\n`,
+    );
     await page.getByRole("button", { name: "Whole program" }).click();
     const groups = page.locator(".results tr.of-call");
     await groups.nth(1).waitFor();

@@ -4,20 +4,21 @@ import { after, before, describe, test } from "node:test";
 import { open, shared } from "./browser.mjs";
 
 /** After the redraw that follows what was done last. */
-const drawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+const drawn = page =>
+  page.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done))));
 
 describe("the digits of a variant", () => {
   const chrome = shared("neither", { before, after });
 
-  // oracle: manual B:5066-5084, B:15595: on a surface the fifth digit alone is a choice (with the length of the probe or
-  // without), in a hole all are; one direction tells neither ball nor skew
+  // oracle: manual B:5066-5084, B:15595: on a surface the fifth digit alone is a choice (with the length of the probe
+  // or without), in a hole all are; one direction tells neither ball nor skew
   test("lead from one variant to another and are asked where there is a choice", async () => {
     const { context, page, problems } = await open(chrome.browser);
     const field = page.locator('.field[data-field="_MVAR"]');
     await field.waitFor();
     await page.locator(".results tbody tr").first().waitFor(); // all cycles are there
     const closed = page.locator('[role="treeitem"][aria-expanded="false"]');
-    while (await closed.count() > 0) {
+    while ((await closed.count()) > 0) {
       await closed.first().click();
       await drawn(page);
     }
@@ -26,7 +27,10 @@ describe("the digits of a variant", () => {
     const digits = field.locator(".digit select");
     const choose = async (index, value, leads, asked) => {
       await digits.nth(index).selectOption(value);
-      await page.waitForFunction((wanted) => document.querySelector('.field[data-field="_MVAR"] .figure').value === wanted, leads);
+      await page.waitForFunction(
+        wanted => document.querySelector('.field[data-field="_MVAR"] .figure').value === wanted,
+        leads,
+      );
       await drawn(page);
       assert.equal(await number.inputValue(), leads);
       assert.equal(await digits.count(), asked, `${leads}: digits`);

@@ -5,7 +5,9 @@ import { shared } from "./browser.mjs";
 import { keptWhen, startWithEditor as start } from "./start.mjs";
 
 async function openProgram(page, text) {
-  await page.locator(".panel-program input[type=file]").setInputFiles({ name: "part.mpf", mimeType: "text/plain", buffer: Buffer.from(text) });
+  await page
+    .locator(".panel-program input[type=file]")
+    .setInputFiles({ name: "part.mpf", mimeType: "text/plain", buffer: Buffer.from(text) });
   await page.locator('.notice:has-text("Program opened.")').waitFor();
   await page.locator(".call-row").first().waitFor();
 }
@@ -13,12 +15,13 @@ async function openProgram(page, text) {
 /** The program, once it is kept and is what is waited for. */
 async function programWhen(page, wanted) {
   const program = ({ control, programs }) => programs?.[control] ?? "";
-  return program(await keptWhen(page, (state) => wanted(program(state))));
+  return program(await keptWhen(page, state => wanted(program(state))));
 }
 
-const VALUES = "_MVAR=1 _SETVAL=132 _TUL=0.03 _TLL=-0.03 _TNUM=20 _KNUM=2001 _EVNUM=0 _TZL=0.01 _TSA=1 _PRNUM=1 _VMS=0 _NMSP=1 _FA=2";
+const VALUES =
+  "_MVAR=1 _SETVAL=132 _TUL=0.03 _TLL=-0.03 _TNUM=20 _KNUM=2001 _EVNUM=0 _TZL=0.01 _TSA=1 _PRNUM=1 _VMS=0 _NMSP=1 _FA=2";
 const GOOD = `G17 G54 G40 D1\nT1 D1\nM5\n${VALUES}\nCYCLE977\n`;
-const rows = (page) => page.locator(".call-row");
+const rows = page => page.locator(".call-row");
 
 describe("the outline of a program", () => {
   const chrome = shared("neither", { before, after });
@@ -48,7 +51,7 @@ describe("the outline of a program", () => {
     const { context, page, problems } = await start(chrome);
     await openProgram(page, `${`${VALUES}\nCYCLE977\n`.repeat(1000)}M30\n`);
     await page.getByRole("button", { name: "1000 calls" }).waitFor();
-    assert.ok(await rows(page).count() < 60, "only rows in sight exist");
+    assert.ok((await rows(page).count()) < 60, "only rows in sight exist");
     await page.locator(".outline").focus();
     await page.keyboard.press("End");
     await page.locator('.call-row[aria-posinset="1000"]').waitFor();
@@ -73,7 +76,7 @@ describe("a finding that can be mended", () => {
   const chrome = shared("neither", { before, after });
   const wrong = GOOD.replace("G40 ", "G42 ");
 
-  const cures = (page) => page.locator(".problem .cure:visible");
+  const cures = page => page.locator(".problem .cure:visible");
   async function openProblems(page) {
     await page.locator("#tab-problems").click();
     await cures(page).first().waitFor();
@@ -87,13 +90,13 @@ describe("a finding that can be mended", () => {
     const cure = cures(page).filter({ hasText: "G40" }).first();
     await cure.focus();
     await page.keyboard.press("Enter");
-    const text = await programWhen(page, (now) => now.includes("G40"));
+    const text = await programWhen(page, now => now.includes("G40"));
     assert.equal(text.replace(/^.*G40.*\n/m, ""), wrong, "only a line is added");
     await cures(page).filter({ hasText: "G40" }).first().waitFor({ state: "detached" });
     assert.equal(await page.evaluate(() => document.activeElement?.id), "page-problems", "the focus stays in the list");
     await page.locator(".cm-content").click();
     await page.keyboard.press("Control+z");
-    assert.equal(await programWhen(page, (now) => !now.includes("G40")), wrong);
+    assert.equal(await programWhen(page, now => !now.includes("G40")), wrong);
     assert.deepEqual(problems, []);
     await context.close();
   });
@@ -108,7 +111,7 @@ describe("a finding that can be mended", () => {
     const action = page.locator('.cm-panel-lint .cm-diagnosticAction:has-text("G40")').first();
     await action.waitFor();
     await action.click();
-    await programWhen(page, (now) => now.includes("G40"));
+    await programWhen(page, now => now.includes("G40"));
     await action.waitFor({ state: "detached" });
     assert.deepEqual(problems, []);
     await context.close();
@@ -117,7 +120,7 @@ describe("a finding that can be mended", () => {
 
 describe("a call whose values differ by the way", () => {
   const chrome = shared("neither", { before, after });
-  const outcome = (page) => page.locator(".results-main");
+  const outcome = page => page.locator(".results-main");
   const sub = "%_N_HOLE_SPF\nPROC HOLE(REAL _D)\n_MVAR=1 _SETVAL=_D _KNUM=0 _PRNUM=1 _FA=3 _TSA=2\nCYCLE977\nM17\n";
 
   // oracle: hand (the first call of the subprogram gives 40, part 0.03 mm too big)
@@ -139,16 +142,23 @@ describe("a call whose values differ by the way", () => {
   // oracle: hand (where the axis stands only the machine knows)
   test("names what only a run tells", async () => {
     const { context, page } = await start(chrome);
-    await openProgram(page, "G17 G40 G54 T9 D1\nR1=$AA_IW[X]\n_MVAR=1 _SETVAL=R1 _KNUM=0 _PRNUM=1 _FA=3 _TSA=2\nCYCLE977\nM30\n");
+    await openProgram(
+      page,
+      "G17 G40 G54 T9 D1\nR1=$AA_IW[X]\n_MVAR=1 _SETVAL=R1 _KNUM=0 _PRNUM=1 _FA=3 _TSA=2\nCYCLE977\nM30\n",
+    );
     await rows(page).first().click();
-    await outcome(page).locator('text="Only a run of the program tells _SETVAL. Let the whole program run in the 3D view, or type a number."').waitFor();
+    await outcome(page)
+      .locator(
+        'text="Only a run of the program tells _SETVAL. Let the whole program run in the 3D view, or type a number."',
+      )
+      .waitFor();
     await context.close();
   });
 });
 
 describe("ways of writing", () => {
   const chrome = shared("neither", { before, after });
-  const snippet = (page) => page.locator(".snippet");
+  const snippet = page => page.locator(".snippet");
 
   // oracle: manual B:11734 (CYCLE_PARA and the parameterizing call)
   test("are chosen for the snippet, kept, and carried by a link", async () => {
@@ -179,11 +189,11 @@ describe("ways of writing", () => {
     assert.equal(await value.inputValue(), "132");
     await ways.locator('[data-style="indirect"]').click();
     await ways.locator('text="Written: indirect"').waitFor();
-    await programWhen(page, (now) => now.includes("CYCLE_PARA("));
+    await programWhen(page, now => now.includes("CYCLE_PARA("));
     assert.equal(await value.inputValue(), "132");
     await page.locator(".cm-content").focus();
     await page.keyboard.press("Control+z");
-    assert.equal(await programWhen(page, (now) => !now.includes("CYCLE_PARA(")), GOOD);
+    assert.equal(await programWhen(page, now => !now.includes("CYCLE_PARA(")), GOOD);
     assert.deepEqual(problems, []);
     await context.close();
   });

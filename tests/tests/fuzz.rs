@@ -8,34 +8,19 @@ use std::path::{Path, PathBuf};
 
 /// Every file below a folder.
 fn files(folder: &Path) -> Vec<PathBuf> {
-    let entries = std::fs::read_dir(folder)
-        .unwrap()
-        .map(|entry| entry.unwrap().path());
-    entries
-        .flat_map(|path| {
-            if path.is_dir() {
-                files(&path)
-            } else {
-                vec![path]
-            }
-        })
-        .collect()
+    let entries = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    entries.flat_map(|path| if path.is_dir() { files(&path) } else { vec![path] }).collect()
 }
 
 /// The programs that fuzzing starts from.
 fn seeds() -> Vec<Vec<u8>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    [
-        "tests/cases",
-        "tests/right",
-        "tests/wrong",
-        "core/tests/programs",
-    ]
-    .iter()
-    .flat_map(|folder| files(&root.join(folder)))
-    .filter(|path| path.extension().is_none_or(|ending| ending != "json"))
-    .map(|path| std::fs::read(path).unwrap())
-    .collect()
+    ["tests/cases", "tests/right", "tests/wrong", "core/tests/programs"]
+        .iter()
+        .flat_map(|folder| files(&root.join(folder)))
+        .filter(|path| path.extension().is_none_or(|ending| ending != "json"))
+        .map(|path| std::fs::read(path).unwrap())
+        .collect()
 }
 
 /// Puts bytes over a stretch of a program.
@@ -63,7 +48,8 @@ proptest! {
     #[test]
     fn changed_programs_pass(
         seed in select(seeds()),
-        changes in proptest::collection::vec((any::<Index>(), 0..12_usize, proptest::collection::vec(any::<u8>(), 0..6)), 1..6),
+        changes in proptest::collection::vec((any::<Index>(), 0..12_usize, proptest::collection::vec(any::<u8>(),
+        0..6)), 1..6),
     ) {
         let program = changes.iter().fold(seed, |program, (at, length, bytes)| splice(&program, *at, *length, bytes));
         probewright_fuzz::read(&program);

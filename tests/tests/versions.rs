@@ -9,17 +9,11 @@ fn version_of(manifest: &str, dependency: &str) -> String {
         .lines()
         .find(|line| line.starts_with(dependency) && line[dependency.len()..].starts_with(" ="))
         .unwrap_or_else(|| panic!("{manifest} has no {dependency}"));
-    line.split('"')
-        .find(|part| part.starts_with('='))
-        .unwrap()
-        .to_owned()
+    line.split('"').find(|part| part.starts_with('=')).unwrap().to_owned()
 }
 
 // oracle: hand (wasm-bindgen refuses a module made by another version of its macro)
 #[test]
 fn wasm_bindgen_and_its_generator_have_one_version() {
-    assert_eq!(
-        version_of("Cargo.toml", "wasm-bindgen"),
-        version_of("xtask/Cargo.toml", "wasm-bindgen-cli")
-    );
+    assert_eq!(version_of("Cargo.toml", "wasm-bindgen"), version_of("xtask/Cargo.toml", "wasm-bindgen-cli"));
 }

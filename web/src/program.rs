@@ -29,16 +29,14 @@ extern "C" {
     fn tell(share: f64);
 }
 
-/// `ReadRequest` → `ReadView`. A long program says on the way how far it is, as an event `probewright-progress` with the
-/// share that is done.
+/// `ReadRequest` → `ReadView`. A long program says on the way how far it is, as an event `probewright-progress` with
+/// the share that is done.
 ///
 /// # Errors
 /// A request of the wrong shape.
 #[wasm_bindgen]
 pub fn read(request: &str) -> Result<String, JsError> {
-    Ok(json::text(&json::read_told(request, &mut |share| {
-        tell(share)
-    })?))
+    Ok(json::text(&json::read_told(request, &mut |share| tell(share))?))
 }
 
 /// `ChangeRequest` → `Edit[]`.
@@ -59,7 +57,8 @@ pub fn convert(request: &str) -> Result<String, JsError> {
     Ok(json::text(&json::convert(request)?))
 }
 
-/// A `RunRequest` that is answered in pieces with a `RunView`, so that a worker can hear between them that it should wait.
+/// A `RunRequest` that is answered in pieces with a `RunView`, so that a worker can hear between them that it should
+/// wait.
 #[wasm_bindgen]
 pub struct Run(json::Run);
 

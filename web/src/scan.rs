@@ -36,8 +36,8 @@ impl Scan {
         json::text(&self.0.view())
     }
 
-    /// Of the points `from` to `to` (excluded), four numbers each: X Y Z from the origin of the view, and the deviation from
-    /// the true surface, mm.
+    /// Of the points `from` to `to` (excluded), four numbers each: X Y Z from the origin of the view, and the deviation
+    /// from the true surface, mm.
     #[must_use]
     pub fn cloud(&self, surface: bool, from: u32, to: u32) -> Vec<f32> {
         self.0.cloud(surface, from as usize..to as usize)

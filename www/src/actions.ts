@@ -1,14 +1,44 @@
 // Everything that can happen. Views call these; only these change what is kept.
 
-import { findCycle, type Derived } from "./derive";
+import { type Derived, findCycle } from "./derive";
 import { isCurrent, isRead, mended, opened, typedIn, withEdits } from "./desk";
-import { lineBreak, type Splice } from "./eol";
 import type { Encoding } from "./encoding";
+import { lineBreak, type Splice } from "./eol";
 import { fileOf, type ProgramFile } from "./files";
 import { speak } from "./language";
-import { asWritten, AT_END, beginning, firstState, memoryKey, NO_ERRORS, openCall, ownMachine, PLANES, planeOf, programOf, remember, setsOf, unitsIn, work, type Card, type Panel, type State } from "./state";
+import {
+  AT_END,
+  asWritten,
+  beginning,
+  type Card,
+  firstState,
+  memoryKey,
+  NO_ERRORS,
+  openCall,
+  ownMachine,
+  type Panel,
+  PLANES,
+  planeOf,
+  programOf,
+  remember,
+  type State,
+  setsOf,
+  unitsIn,
+  work,
+} from "./state";
 import type { Store } from "./store";
-import type { Catalogue, CycleInfo, Edit, ErrorSliders, MachineView, OwnMachine, Plane, Setup, Style, TouchedLine } from "./wire";
+import type {
+  Catalogue,
+  CycleInfo,
+  Edit,
+  ErrorSliders,
+  MachineView,
+  OwnMachine,
+  Plane,
+  Setup,
+  Style,
+  TouchedLine,
+} from "./wire";
 
 export type Variant = CycleInfo["variants"][number];
 
@@ -60,7 +90,7 @@ const LEFT: Panel[] = ["tasks", "form"];
 
 /** The variant that the typed values choose. */
 export function variantOf({ cycle, view }: Derived): Variant | undefined {
-  return cycle.variants.find((one) => one.mvar === view.mvar);
+  return cycle.variants.find(one => one.mvar === view.mvar);
 }
 
 /** A variant with the addresses that it has in this plane. */
@@ -68,7 +98,10 @@ export function inPlane(variant: Variant, plane: Plane): Variant {
   return { ...variant, ...variant.planes[plane] };
 }
 
-/** The core's own machine becomes one of the other sort with its usual plane, where the task is for another sort than the last one on its control. */
+/**
+ * The core's own machine becomes one of the other sort with its usual plane, where the task is for another sort than
+ * the last one on its control.
+ */
 function planeFor(state: State, { control, purpose: { plane } }: CycleInfo): Partial<State> {
   const [usual] = PLANES;
   if (!plane || (state.suits[control] ?? usual) === plane) return {};
@@ -78,20 +111,29 @@ function planeFor(state: State, { control, purpose: { plane } }: CycleInfo): Par
 
 /** The worked measurement of the cycle, with the addresses of the plane. */
 function exampleOf(cycle: CycleInfo, plane: Plane): Record<string, string> {
-  const own = cycle.variants.find(({ example }) => Object.entries(cycle.example).every(([name, value]) => example[name] === value));
+  const own = cycle.variants.find(({ example }) =>
+    Object.entries(cycle.example).every(([name, value]) => example[name] === value),
+  );
   return own ? inPlane(own, plane).example : cycle.example;
 }
 
 /** Whether the worked measurement of a variant is still as it was: then another variant brings its own. */
 export function isExample(cycle: CycleInfo, values: Record<string, string>, plane: Plane): boolean {
-  return cycle.variants.some((variant) => Object.entries(inPlane(variant, plane).example).every(([name, value]) => (values[name] ?? "") === value));
+  return cycle.variants.some(variant =>
+    Object.entries(inPlane(variant, plane).example).every(([name, value]) => (values[name] ?? "") === value),
+  );
 }
 
 /** The worked measurement with the addresses of another plane, where the form holds one as it is. */
 function turned(cycle: CycleInfo | undefined, state: State, plane: Plane): Partial<State> {
   const { values, open, sought } = state;
-  const filled = (all: Record<string, string>): string => JSON.stringify(Object.entries(all).filter(([, value]) => value).sort());
-  const held = cycle?.variants.find((one) => filled(inPlane(one, planeOf(state)).example) === filled(values));
+  const filled = (all: Record<string, string>): string =>
+    JSON.stringify(
+      Object.entries(all)
+        .filter(([, value]) => value)
+        .sort(),
+    );
+  const held = cycle?.variants.find(one => filled(inPlane(one, planeOf(state)).example) === filled(values));
   return held && open === null && sought === null ? { values: inPlane(held, plane).example } : {};
 }
 
@@ -104,10 +146,11 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
     store.flush(); // editor and form have to hold it before the next key
   };
 
-  const edits = (pairs: [string, string][]): void => store.update((state) => ({ ...typedIn(state, pairs), undo: null }));
+  const edits = (pairs: [string, string][]): void => store.update(state => ({ ...typedIn(state, pairs), undo: null }));
 
-  const withSets = (sets: Record<string, Record<string, string>>): Partial<State> =>
-    ({ sets: { ...now().sets, [memoryKey(now())]: sets } });
+  const withSets = (sets: Record<string, Record<string, string>>): Partial<State> => ({
+    sets: { ...now().sets, [memoryKey(now())]: sets },
+  });
 
   return {
     chooseCycle(cycle, chosen) {
@@ -116,9 +159,26 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
       const suited = planeFor(state, cycle);
       const plane = planeOf(same ? state : { ...state, ...suited, control: cycle.control, open: null });
       const variant = chosen && inPlane(chosen, plane);
-      if (same && variant) return edits(Object.entries(isExample(cycle, state.values, plane) ? variant.example : variant.values));
-      const values = same ? state.values : state.remembered[memoryKey(cycle)] ?? variant?.example ?? exampleOf(cycle, plane);
-      store.update({ ...remember(now()), ...suited, resets: {}, control: cycle.control, cycle: cycle.cycle, values: { ...values, ...variant?.values }, open: same ? state.open : null, sought: null, step: AT_END, source: "form", touched: {}, checked: false, undo: null });
+      if (same && variant)
+        return edits(Object.entries(isExample(cycle, state.values, plane) ? variant.example : variant.values));
+      const values = same
+        ? state.values
+        : (state.remembered[memoryKey(cycle)] ?? variant?.example ?? exampleOf(cycle, plane));
+      store.update({
+        ...remember(now()),
+        ...suited,
+        resets: {},
+        control: cycle.control,
+        cycle: cycle.cycle,
+        values: { ...values, ...variant?.values },
+        open: same ? state.open : null,
+        sought: null,
+        step: AT_END,
+        source: "form",
+        touched: {},
+        checked: false,
+        undo: null,
+      });
     },
     edit: (name, value) => edits([[name, value]]),
     touch(name) {
@@ -127,63 +187,120 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
     check: () => store.update({ checked: true }),
     example(variant) {
       const cycle = findCycle(catalogue, now().control, now().cycle);
-      if (cycle) replace("notice-example", { values: variant ? inPlane(variant, planeOf(now())).example : exampleOf(cycle, planeOf(now())), open: null, sought: null, resets: {}, step: AT_END, touched: {}, checked: false });
+      if (cycle)
+        replace("notice-example", {
+          values: variant ? inPlane(variant, planeOf(now())).example : exampleOf(cycle, planeOf(now())),
+          open: null,
+          sought: null,
+          resets: {},
+          step: AT_END,
+          touched: {},
+          checked: false,
+        });
     },
-    editProgram: (edits) => store.update((state) => ({ ...withEdits(state, edits), follow: "text", undo: null })),
+    editProgram: edits => store.update(state => ({ ...withEdits(state, edits), follow: "text", undo: null })),
     openProgram(text, file) {
       const { control, programs, files, pending } = now();
       replace("notice-opened", {
-        programs: { ...programs, [control]: text }, files: { ...files, [control]: file }, pending: pending.filter((one) => one.control !== control),
-        open: null, sought: null, reading: null, ran: null, cursor: 0, cursorLine: 1, refused: null,
+        programs: { ...programs, [control]: text },
+        files: { ...files, [control]: file },
+        pending: pending.filter(one => one.control !== control),
+        open: null,
+        sought: null,
+        reading: null,
+        ran: null,
+        cursor: 0,
+        cursorLine: 1,
+        refused: null,
       });
     },
-    encoding: (encoding) => store.update((state) => ({ files: { ...state.files, [state.control]: { ...fileOf(state), encoding } }, undo: null })),
+    encoding: encoding =>
+      store.update(state => ({
+        files: { ...state.files, [state.control]: { ...fileOf(state), encoding } },
+        undo: null,
+      })),
     openSetup(setup) {
       const { control, remembered } = now();
-      const cycle = catalogue.cycles.find((one) => one.control === setup?.control);
-      const other = setup && cycle && setup.control !== control
-        ? { control: setup.control, cycle: cycle.cycle, values: remembered[memoryKey(cycle)] ?? cycle.example, open: null, sought: null, touched: {} } : {};
-      replace(setup ? "notice-setup" : "notice-own-setup", { ...remember(now()), ...other, setup, ...(setup ? { errors: errorsOf(setup) } : {}), step: AT_END, refused: null });
+      const cycle = catalogue.cycles.find(one => one.control === setup?.control);
+      const other =
+        setup && cycle && setup.control !== control
+          ? {
+              control: setup.control,
+              cycle: cycle.cycle,
+              values: remembered[memoryKey(cycle)] ?? cycle.example,
+              open: null,
+              sought: null,
+              touched: {},
+            }
+          : {};
+      replace(setup ? "notice-setup" : "notice-own-setup", {
+        ...remember(now()),
+        ...other,
+        setup,
+        ...(setup ? { errors: errorsOf(setup) } : {}),
+        step: AT_END,
+        refused: null,
+      });
     },
-    cursor: (cursor, cursorLine) => store.update((state) => ({ cursor, cursorLine, follow: state.follow ?? "cursor" })),
+    cursor: (cursor, cursorLine) => store.update(state => ({ cursor, cursorLine, follow: state.follow ?? "cursor" })),
     openCall(index) {
       const state = now();
       const call = isRead(state) ? state.reading?.view.calls[index] : undefined;
       store.update(call ? opened(state, call) : { sought: { call: index } });
     },
-    closeCall: () => store.update((state) => {
-      const cycle = findCycle(catalogue, state.control, state.cycle);
-      const pending = state.pending.filter((one) => !one.asks);
-      return { ...(cycle ? planeFor(state, cycle) : {}), values: asWritten(state), open: null, sought: null, pending };
-    }),
-    style: (style) => store.update({ style }),
-    convert: (style) => store.update((state) => state.open === null ? {} : { converting: { at: state.open, style } }),
+    closeCall: () =>
+      store.update(state => {
+        const cycle = findCycle(catalogue, state.control, state.cycle);
+        const pending = state.pending.filter(one => !one.asks);
+        return {
+          ...(cycle ? planeFor(state, cycle) : {}),
+          values: asWritten(state),
+          open: null,
+          sought: null,
+          pending,
+        };
+      }),
+    style: style => store.update({ style }),
+    convert: style => store.update(state => (state.open === null ? {} : { converting: { at: state.open, style } })),
     cure(edits, elsewhere = []) {
       const state = now();
       if (!isRead(state)) return;
       const { control } = state;
       if (!elsewhere.length) return store.update(mended(state, edits, "notice-mended"));
-      store.update({ curing: { control, text: programOf(state), edits, lines: elsewhere }, panel: "form", left: "form" });
+      store.update({
+        curing: { control, text: programOf(state), edits, lines: elsewhere },
+        panel: "form",
+        left: "form",
+      });
     },
-    agree: () => store.update((state) => {
-      const { curing } = state;
-      const pending = state.pending.map(({ asks, ...one }) => asks ? { ...one, agreed: true } : one);
-      const next = { ...state, pending, curing: null };
-      return curing && isCurrent(curing, state) ? mended(next, curing.edits, "notice-applied") : next;
-    }),
-    refuse: () => store.update((state) => {
-      const call = openCall(state);
-      const gone = state.pending.filter((one) => one.asks);
-      const names = gone.filter((one) => one.control === state.control && one.at === call?.from).map((one) => one.name);
-      const back = Object.fromEntries(names.map((name) => [name, call?.values[name] ?? ""]));
-      return { pending: state.pending.filter((one) => !one.asks), values: { ...state.values, ...back }, curing: null };
-    }),
-    card: (card) => store.update({ card }),
+    agree: () =>
+      store.update(state => {
+        const { curing } = state;
+        const pending = state.pending.map(({ asks, ...one }) => (asks ? { ...one, agreed: true } : one));
+        const next = { ...state, pending, curing: null };
+        return curing && isCurrent(curing, state) ? mended(next, curing.edits, "notice-applied") : next;
+      }),
+    refuse: () =>
+      store.update(state => {
+        const call = openCall(state);
+        const gone = state.pending.filter(one => one.asks);
+        const names = gone.filter(one => one.control === state.control && one.at === call?.from).map(one => one.name);
+        const back = Object.fromEntries(names.map(name => [name, call?.values[name] ?? ""]));
+        return { pending: state.pending.filter(one => !one.asks), values: { ...state.values, ...back }, curing: null };
+      }),
+    card: card => store.update({ card }),
     insert(snippet) {
       const state = now();
       const place = insertion(programOf(state), state.cursor, snippet);
       const to = place.from + place.insert.length;
-      store.update({ ...withEdits(state, [place]), cursor: to, open: null, sought: { from: place.from, to }, notice: "notice-inserted", undo: null });
+      store.update({
+        ...withEdits(state, [place]),
+        cursor: to,
+        open: null,
+        sought: { from: place.from, to },
+        notice: "notice-inserted",
+        undo: null,
+      });
       store.flush(); // the editor has to hold it before the next key
     },
     error(group, name, value) {
@@ -193,7 +310,9 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
     noErrors: () => replace("notice-no-errors", { errors: NO_ERRORS, step: AT_END }),
     help() {
       const closes = now().right === "help";
-      store.update(closes ? { panel: "form", left: "form", right: firstState().right } : { panel: "help", right: "help" });
+      store.update(
+        closes ? { panel: "form", left: "form", right: firstState().right } : { panel: "help", right: "help" },
+      );
       store.flush(); // the focus goes there
     },
     saveSet(name) {
@@ -206,13 +325,17 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
       const values = asWritten(now());
       const set = setsOf(now())[name] ?? {};
       const names = [...new Set([...Object.keys(values), ...Object.keys(set)])];
-      const changes = names.filter((one) => (values[one] ?? "") !== (set[one] ?? "")).map((one): [string, string] => [one, set[one] ?? ""]);
+      const changes = names
+        .filter(one => (values[one] ?? "") !== (set[one] ?? ""))
+        .map((one): [string, string] => [one, set[one] ?? ""]);
       replace("notice-set-loaded", { ...typedIn(now(), changes), touched: {}, checked: false });
     },
     renameSet(name, next) {
       const sets = setsOf(now());
       if (!next || (next !== name && sets[next])) return false;
-      store.update(withSets(Object.fromEntries(Object.entries(sets).map(([one, values]) => [one === name ? next : one, values]))));
+      store.update(
+        withSets(Object.fromEntries(Object.entries(sets).map(([one, values]) => [one === name ? next : one, values]))),
+      );
       return true;
     },
     deleteSet(name) {
@@ -224,20 +347,32 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
       if (before) replace("notice-undone", { ...before, sought: null, follow: null, step: AT_END });
     },
     speak(language) {
-      speak(language).then(() => store.update({ language }), () => store.update({ notice: "notice-no-language" }));
+      speak(language).then(
+        () => store.update({ language }),
+        () => store.update({ notice: "notice-no-language" }),
+      );
     },
     begin(own) {
       const { control, setup } = now();
-      const described = setup?.control === control ? { setup: { ...setup, plane: own.plane, active: { ...setup.active, units: own.units } } } : { own: { ...now().own, [control]: { own: { ...ownMachine(now()), ...own } } } };
-      store.update({ ...described, ...turned(findCycle(catalogue, control, now().cycle), now(), own.plane), step: AT_END });
+      const described =
+        setup?.control === control
+          ? { setup: { ...setup, plane: own.plane, active: { ...setup.active, units: own.units } } }
+          : { own: { ...now().own, [control]: { own: { ...ownMachine(now()), ...own } } } };
+      store.update({
+        ...described,
+        ...turned(findCycle(catalogue, control, now().cycle), now(), own.plane),
+        step: AT_END,
+      });
     },
     data({ basic, data }) {
       const { control, setup, own } = now();
       const before = beginning(now());
-      const units = basic === (before.basic ?? "mm") ? before.units : unitsIn(control, before.units, basic); // rebuilt, it begins in the new system
-      const described = setup?.control === control
-        ? { setup: { ...setup, units: basic, active: { ...setup.active, units }, data } }
-        : { own: { ...own, [control]: { own: { ...before, basic, units, data } } } };
+      // rebuilt, it begins in the new system
+      const units = basic === (before.basic ?? "mm") ? before.units : unitsIn(control, before.units, basic);
+      const described =
+        setup?.control === control
+          ? { setup: { ...setup, units: basic, active: { ...setup.active, units }, data } }
+          : { own: { ...own, [control]: { own: { ...before, basic, units, data } } } };
       store.update({ ...described, step: AT_END });
     },
     panel(panel) {
@@ -252,7 +387,18 @@ function errorsOf(setup: Setup): ErrorSliders {
   const errors = setup.workpiece[0]?.errors;
   if (!errors) return NO_ERRORS;
   const [dx, dy, dz] = errors.shift;
-  return { ...NO_ERRORS, part: { dx, dy, dz, size: errors.size, tilt: errors.tilt[2], taper: errors.taper, outOfRound: errors.outOfRound[0] } };
+  return {
+    ...NO_ERRORS,
+    part: {
+      dx,
+      dy,
+      dz,
+      size: errors.size,
+      tilt: errors.tilt[2],
+      taper: errors.taper,
+      outOfRound: errors.outOfRound[0],
+    },
+  };
 }
 
 /** Whole lines before the line of the cursor, or after the last line when the cursor stands at its end. */

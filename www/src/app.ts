@@ -1,24 +1,24 @@
 // Puts the parts together: one state, one draw.
 
-import { createActions, type Actions } from "./actions";
-import { createAside, type Answered, type Aside } from "./aside";
-import { createBench, type Bench } from "./bench";
+import { type Actions, createActions } from "./actions";
+import { type Answered, type Aside, createAside } from "./aside";
+import { type Bench, createBench } from "./bench";
 import type { Core, FormCore } from "./core";
-import { createDerive, findCycle, type Derived } from "./derive";
+import { createDerive, type Derived, findCycle } from "./derive";
 import { createDesk, isCurrent } from "./desk";
-import type { Encoding } from "./encoding";
 import { createEditorPlace } from "./editor/place";
+import type { Encoding } from "./encoding";
+import { createGoToField, type Shows } from "./goto";
 import { save } from "./keep";
 import { unpack } from "./link";
 import { meant, type Seen } from "./meaning";
 import { Broken } from "./module";
-import { createGoToField, type Shows } from "./goto";
 import { openProgramFile, openSetupFile, readAgain, refuseFolder } from "./open";
 import { createJob } from "./pace";
 import { keepPlaces } from "./places";
 import type { ProgramCore } from "./program";
-import { firstState, machine, merge, NO_ERRORS, remember, type State } from "./state";
 import { createScanner } from "./scan/scanner";
+import { firstState, machine, merge, NO_ERRORS, remember, type State } from "./state";
 import { createStore, type Store } from "./store";
 import { language, laterWords } from "./texts";
 import { showBroken } from "./views/broken";
@@ -33,21 +33,38 @@ const UNDO_SHOWN = 12_000; // ms; the key works longer
 
 /** What shows most of what there is: the simulated measurement of a workpiece with the most variants. */
 function firstCycle(catalogue: Catalogue): CycleInfo | undefined {
-  const measured = catalogue.cycles.filter(({ simulated, purpose }) => simulated && purpose.probe === "workpiece" && !purpose.calibrates);
+  const measured = catalogue.cycles.filter(
+    ({ simulated, purpose }) => simulated && purpose.probe === "workpiece" && !purpose.calibrates,
+  );
   return measured.sort((a, b) => b.variants.length - a.variants.length)[0] ?? catalogue.cycles[0];
 }
 
-/** A worked measurement: the first cycle's example on a part that is a little too big, already written into the program. */
+/**
+ * A worked measurement: the first cycle's example on a part that is a little too big, already written into the program.
+ */
 function firstVisit(core: Core, catalogue: Catalogue): State {
   const state = firstState();
   const cycle = firstCycle(catalogue);
   if (!cycle) return state;
   const errors = { ...NO_ERRORS, part: { ...NO_ERRORS.part, size: FIRST_OVERSIZE } };
   const { snippet } = core.form({ control: cycle.control, cycle: cycle.cycle, values: cycle.example, errors });
-  return { ...state, control: cycle.control, cycle: cycle.cycle, values: cycle.example, errors, programs: { [cycle.control]: snippet }, sought: { from: 0, to: snippet.length } };
+  return {
+    ...state,
+    control: cycle.control,
+    cycle: cycle.cycle,
+    values: cycle.example,
+    errors,
+    programs: { [cycle.control]: snippet },
+    sought: { from: 0, to: snippet.length },
+  };
 }
 
-async function startState(core: Core, full: () => Promise<ProgramCore>, catalogue: Catalogue, stored: Partial<State> | null): Promise<State> {
+async function startState(
+  core: Core,
+  full: () => Promise<ProgramCore>,
+  catalogue: Catalogue,
+  stored: Partial<State> | null,
+): Promise<State> {
   let state = stored ? merge(firstState(), stored) : firstVisit(core, catalogue);
   const packed = /^#s=(.+)$/.exec(location.hash)?.[1];
   if (packed) {
@@ -97,35 +114,58 @@ export async function startApp(core: Core, stored: Partial<State> | null): Promi
   let programCore: ProgramCore | null = null;
   let forms: FormCore = core;
   let came = (_: ProgramCore): void => undefined;
-  const coming = new Promise<ProgramCore>((resolve) => { came = resolve; });
+  const coming = new Promise<ProgramCore>(resolve => {
+    came = resolve;
+  });
   let fetching: Promise<ProgramCore> | null = null;
   const fetched = async (): Promise<ProgramCore> => {
-    const [part] = await Promise.all([import("./program").then((module) => module.loadProgramCore()), laterWords()]);
+    const [part] = await Promise.all([import("./program").then(module => module.loadProgramCore()), laterWords()]);
     forms = programCore = part;
     catalogue.cycles = part.catalogue().cycles;
     came(programCore);
     return programCore;
   };
-  const full = (): Promise<ProgramCore> => fetching ??= fetched().catch((problem: unknown) => {
-    fetching = null; // the next one who asks tries again
-    throw problem;
-  });
+  const full = (): Promise<ProgramCore> =>
+    (fetching ??= fetched().catch((problem: unknown) => {
+      fetching = null; // the next one who asks tries again
+      throw problem;
+    }));
   const derive = createDerive(() => forms, catalogue);
   let draw = (): void => undefined;
-  const store = createStore(await startState(core, full, catalogue, stored), guard(() => store, () => draw()));
-  const aside = (): Aside => createAside(() => programCore?.module, () => store.update({}));
+  const store = createStore(
+    await startState(core, full, catalogue, stored),
+    guard(
+      () => store,
+      () => draw(),
+    ),
+  );
+  const aside = (): Aside =>
+    createAside(
+      () => programCore?.module,
+      () => store.update({}),
+    );
   const [reader, runner] = [aside(), aside()];
   const settle = createDesk(() => programCore, reader);
   const plain = createActions(store, catalogue);
-  const actions = Object.fromEntries(Object.entries(plain).map(([name, run]) => [name, guard(() => store, run as (...args: unknown[]) => void)])) as unknown as Actions;
+  const actions = Object.fromEntries(
+    Object.entries(plain).map(([name, run]) => [name, guard(() => store, run as (...args: unknown[]) => void)]),
+  ) as unknown as Actions;
 
-  const absent = (problem: unknown): void => { // the form goes on without
+  const absent = (problem: unknown): void => {
+    // the form goes on without
     console.error(problem);
     forms = { ...core, simulates: "no" };
     store.update({ notice: "outcome-absent" });
   };
   const shows: Shows = (cycle, values, name) =>
-    forms.form({ control: cycle.control, cycle: cycle.cycle, values, ...machine({ ...store.state, control: cycle.control }) }).fields.some((field) => field.name === name);
+    forms
+      .form({
+        control: cycle.control,
+        cycle: cycle.cycle,
+        values,
+        ...machine({ ...store.state, control: cycle.control }),
+      })
+      .fields.some(field => field.name === name);
   const [opening, laying] = [createJob(() => store.update({})), createJob(() => store.update({}))];
   const editor = createEditorPlace(laying, () => store.update({}));
   const open = {
@@ -133,20 +173,41 @@ export async function startApp(core: Core, stored: Partial<State> | null): Promi
     again: (encoding: Encoding): void => void readAgain(encoding, store, actions, opening, editor),
     setup: (file: File): void => void openSetupFile(file, full, store, actions).catch(absent),
   };
-  acceptDrops(open.program, open.setup, (name) => refuseFolder(name, store));
+  acceptDrops(open.program, open.setup, name => refuseFolder(name, store));
   const scanner = createScanner(() => programCore?.module, store);
   const stage = createStage(store);
-  const makeBench = (): Bench => createBench({
-    catalogue, store, actions, open, opening, laying, editor, stage, reader, runner, scanner, core: () => programCore, alarms: coming.then((part) => part.alarms()),
-    goToField: createGoToField(catalogue, guard(() => store, shows), store, actions),
-  });
+  const makeBench = (): Bench =>
+    createBench({
+      catalogue,
+      store,
+      actions,
+      open,
+      opening,
+      laying,
+      editor,
+      stage,
+      reader,
+      runner,
+      scanner,
+      core: () => programCore,
+      alarms: coming.then(part => part.alarms()),
+      goToField: createGoToField(
+        catalogue,
+        guard(() => store, shows),
+        store,
+        actions,
+      ),
+    });
   let bench = makeBench();
   /** The page in the words that count now; everything stays where it was, once the new one is drawn. */
   const remade = (): (() => void) => {
     const [places, place] = [keepPlaces(), editor.editor?.keepPlace()];
     bench.end();
     bench = makeBench();
-    return () => { places(); place?.(); };
+    return () => {
+      places();
+      place?.();
+    };
   };
   let seen: Seen | null = null; // as it was drawn last
   let noticed = "";
@@ -154,7 +215,7 @@ export async function startApp(core: Core, stored: Partial<State> | null): Promi
   let saving = 0;
   let warned = false;
   const keep = async (): Promise<void> => {
-    if (await save(store.state) || warned) return;
+    if ((await save(store.state)) || warned) return;
     warned = true;
     store.update({ notice: "notice-not-kept" });
   };
@@ -201,7 +262,11 @@ function run(runner: Aside, state: State, { view, program: text }: Derived): voi
 
 function withRun(answered: Answered | null, state: State): State {
   if (answered?.question.ask !== "run" || !isCurrent(answered.question, state)) return state;
-  const { question: { control, text, setup }, json, problem } = answered;
+  const {
+    question: { control, text, setup },
+    json,
+    problem,
+  } = answered;
   if (json === undefined) return { ...state, stoppedRun: { control, text, why: problem ?? "" } };
   return { ...state, ran: { control, text, setup, view: JSON.parse(json) as RunView } };
 }

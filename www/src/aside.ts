@@ -4,11 +4,23 @@
 import type { Question } from "./program";
 import type { Reply, Wait } from "./worker";
 
-export interface Answered { question: Question; json?: string; problem?: string }
+export interface Answered {
+  question: Question;
+  json?: string;
+  problem?: string;
+}
 /** `since`: ms, as performance.now; `share`: how much is done, where that is told; `halted`: since when it waits. */
-export interface Busy { question: Question; since: number; share?: number; halted?: number }
+export interface Busy {
+  question: Question;
+  since: number;
+  share?: number;
+  halted?: number;
+}
 export interface Aside {
-  /** Asks, unless just this is already asked. An older question that waits is forgotten, one that takes long is broken off. */
+  /**
+   * Asks, unless just this is already asked. An older question that waits is forgotten, one that takes long is broken
+   * off.
+   */
   want(question: Question): void;
   /** The answer that came since the last time. */
   take(): Answered | null;
@@ -25,7 +37,10 @@ function same(a: Question | null | undefined, b: Question): boolean {
   return !!a && Object.entries(b).every(([name, value]) => a[name as keyof Question] === value);
 }
 
-/** The worker starts with the first question, none before the module is there; `ready` is called when there is something to take. */
+/**
+ * The worker starts with the first question, none before the module is there; `ready` is called when there is something
+ * to take.
+ */
 export function createAside(module: () => WebAssembly.Module | undefined, ready: () => void): Aside {
   let worker: Worker | null = null;
   let running: Busy | null = null;
@@ -40,7 +55,8 @@ export function createAside(module: () => WebAssembly.Module | undefined, ready:
     if (next) ask(next);
     ready();
   };
-  const drop = (): void => { // after a problem no call is safe
+  const drop = (): void => {
+    // after a problem no call is safe
     worker?.terminate();
     worker = null;
   };
@@ -55,7 +71,7 @@ export function createAside(module: () => WebAssembly.Module | undefined, ready:
       if (running) running = { ...running, share: reply.share };
     };
     made.onmessage = ({ data }: MessageEvent<Reply>) => hear(data);
-    made.onerror = (event) => finish({ problem: event.message });
+    made.onerror = event => finish({ problem: event.message });
     made.postMessage(compiled);
     return made;
   };
@@ -92,7 +108,9 @@ export function createAside(module: () => WebAssembly.Module | undefined, ready:
       if (!running || on === (running.halted !== undefined)) return;
       worker?.postMessage({ wait: on } satisfies Wait);
       const { halted, ...going } = running;
-      running = on ? { ...going, halted: performance.now() } : { ...going, since: going.since + performance.now() - (halted ?? 0) };
+      running = on
+        ? { ...going, halted: performance.now() }
+        : { ...going, since: going.since + performance.now() - (halted ?? 0) };
       ready();
     },
     stop,

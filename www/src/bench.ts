@@ -1,12 +1,13 @@
-// Everything to be seen, in the language that counts when it is made. Another language: another bench, from the same state.
+// Everything to be seen, in the language that counts when it is made. Another language: another bench, from the same
+// state.
 
 import type { Actions } from "./actions";
 import type { Aside } from "./aside";
 import type { Derived } from "./derive";
 import { isCurrent } from "./desk";
 import { el, setText, show } from "./dom";
-import type { Encoding } from "./encoding";
 import type { EditorPlace } from "./editor/place";
+import type { Encoding } from "./encoding";
 import { createLayout } from "./layout";
 import type { Job } from "./pace";
 import type { ProgramCore } from "./program";
@@ -14,7 +15,7 @@ import type { Scanner } from "./scan/scanner";
 import { programOf, type State, type Stopped } from "./state";
 import type { Store } from "./store";
 import { language, t } from "./texts";
-import { createActivity, type Activity } from "./views/activity";
+import { type Activity, createActivity } from "./views/activity";
 import { createCard } from "./views/card";
 import { createForm } from "./views/form";
 import { createFound } from "./views/found";
@@ -51,9 +52,28 @@ export interface Parts {
   alarms: Promise<AlarmInfo[]>;
 }
 
-export interface Bench { readonly language: string; draw(state: State, derived: Derived): void; end(): void }
+export interface Bench {
+  readonly language: string;
+  draw(state: State, derived: Derived): void;
+  end(): void;
+}
 
-export function createBench({ catalogue, store, actions, open, opening, laying, editor, stage, reader, runner, scanner, goToField, core, alarms }: Parts): Bench {
+export function createBench({
+  catalogue,
+  store,
+  actions,
+  open,
+  opening,
+  laying,
+  editor,
+  stage,
+  reader,
+  runner,
+  scanner,
+  goToField,
+  core,
+  alarms,
+}: Parts): Bench {
   const stop = new AbortController();
   const layout = createLayout(actions, stop.signal);
   const { panels } = layout;
@@ -62,9 +82,10 @@ export function createBench({ catalogue, store, actions, open, opening, laying, 
   panels.results.append(results, sliders);
   const program = createProgram(panels.program, store, actions, open, editor);
   const activities = [
-    fetching(store, opening), ofProgram(store, "laying", "stoppedLaying", laying),
+    fetching(store, opening),
+    ofProgram(store, "laying", "stoppedLaying", laying),
     ofProgram(store, "reading", "stoppedReading", { busy: reader.busy, stop: reader.stop }), // only a run can wait
-    ofProgram(store, "running", "stoppedRun", runner, (state) => state.source === "program"),
+    ofProgram(store, "running", "stoppedRun", runner, state => state.source === "program"),
   ] as const;
   const refusals = [createRefusal(store, "program"), createRefusal(store, "setup")] as const;
   const sets = createSets(actions);
@@ -76,8 +97,15 @@ export function createBench({ catalogue, store, actions, open, opening, laying, 
   layout.header.after(refusals[1].root);
   panels.view.append(motions.root);
   const views = [
-    createHeader(layout.header, store, actions, open.setup, core), createTasks(panels.tasks, store, actions, found), createForm(panels.form, store, actions, () => sets.dialog.showModal()),
-    createScene(panels.view, store, program.goToLine, stage), createResults(results, store, actions, scanner, program.goTo), createSliders(sliders, store, actions), createHelp(panels.help, store, actions, core), sets.draw, card.draw,
+    createHeader(layout.header, store, actions, open.setup, core),
+    createTasks(panels.tasks, store, actions, found),
+    createForm(panels.form, store, actions, () => sets.dialog.showModal()),
+    createScene(panels.view, store, program.goToLine, stage),
+    createResults(results, store, actions, scanner, program.goTo),
+    createSliders(sliders, store, actions),
+    createHelp(panels.help, store, actions, core),
+    sets.draw,
+    card.draw,
     program.draw, // last: the editor asks for the selection, and that lays out the page
   ];
   let shown: { state: State; derived: Derived } | null = null;
@@ -103,16 +131,28 @@ const stopped = (state: State): Stopped => ({ control: state.control, text: prog
 
 /** A file that is stopped on the way was never there. */
 function fetching(store: Store, opening: Job) {
-  const stop = (): void => { opening.stop(); store.update({}); };
+  const stop = (): void => {
+    opening.stop();
+    store.update({});
+  };
   return createActivity("opening", { busy: opening.busy, stopped: () => null, stop, again: stop });
 }
 
 /** Work on the text of the program. Once it is stopped nothing is asked about that text any more. */
-function ofProgram(store: Store, name: string, kept: "stoppedLaying" | "stoppedReading" | "stoppedRun", work: Pick<Activity, "busy" | "stop" | "halt">, counts = (_: State): boolean => true) {
+function ofProgram(
+  store: Store,
+  name: string,
+  kept: "stoppedLaying" | "stoppedReading" | "stoppedRun",
+  work: Pick<Activity, "busy" | "stop" | "halt">,
+  counts = (_: State): boolean => true,
+) {
   return createActivity(name, {
     ...work,
-    stopped: (state) => counts(state) && isCurrent(state[kept], state) ? state[kept] : null,
-    stop: () => { work.stop(); store.update((state) => ({ [kept]: stopped(state) })); },
+    stopped: state => (counts(state) && isCurrent(state[kept], state) ? state[kept] : null),
+    stop: () => {
+      work.stop();
+      store.update(state => ({ [kept]: stopped(state) }));
+    },
     again: () => store.update({ [kept]: null }),
   });
 }

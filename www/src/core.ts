@@ -22,6 +22,6 @@ export async function loadCore(): Promise<Core> {
   return {
     simulates: "coming",
     catalogue: () => JSON.parse(call("catalogue", () => wasm.catalogue())) as Catalogue,
-    form: (request) => JSON.parse(call("form", () => wasm.form(JSON.stringify(request)))) as FormView,
+    form: request => JSON.parse(call("form", () => wasm.form(JSON.stringify(request)))) as FormView,
   };
 }

@@ -1,12 +1,30 @@
 // What is shown of the state: the form, the calls of the program, the motions. Computed again only when something that
-// it depends on is another object. Of the program it shows what was read last (desk.ts), until the next reading is there.
+// it depends on is another object. Of the program it shows what was read last (desk.ts), until the next reading is
+// there.
 
 import type { FormCore } from "./core";
 import { isRead } from "./desk";
 import { severities } from "./outline";
 import { machine, programOf, type State } from "./state";
 import { language, say } from "./texts";
-import type { CallView, Catalogue, CycleInfo, Diagnostic, FormView, OwnMachine, Plane, ReadView, RunView, ScanView, Setup, Severity, Style, Trace, Transverse, UnitFunction } from "./wire";
+import type {
+  CallView,
+  Catalogue,
+  CycleInfo,
+  Diagnostic,
+  FormView,
+  OwnMachine,
+  Plane,
+  ReadView,
+  RunView,
+  ScanView,
+  Setup,
+  Severity,
+  Style,
+  Trace,
+  Transverse,
+  UnitFunction,
+} from "./wire";
 
 export interface Derived {
   catalogue: Catalogue;
@@ -14,16 +32,17 @@ export interface Derived {
   view: FormView;
   simulates: FormCore["simulates"]; // "yes" once the part of the core is there that does
   program: string;
-  read: ReadView;                // of `program`, or while `fresh` is false of what it was a little earlier
+  read: ReadView; // of `program`, or while `fresh` is false of what it was a little earlier
   fresh: boolean;
   opened: CallView | null;
-  assumed: CallView["first"];    // values of the opened call that differ by the way, and count for the outcome as they arrive first
-  states: (Severity | null)[];   // the worst that is said about each call
-  style: Style;                  // of the snippet
-  run: RunView | null;           // only while the program's motions are shown
+  // values of the opened call that differ by the way, and count for the outcome as they arrive first
+  assumed: CallView["first"];
+  states: (Severity | null)[]; // the worst that is said about each call
+  style: Style; // of the snippet
+  run: RunView | null; // only while the program's motions are shown
   trace: Trace | null;
-  step: number;                  // of the trace, from 0; within it
-  problems: Diagnostic[];        // of the program, by place
+  step: number; // of the trace, from 0; within it
+  problems: Diagnostic[]; // of the program, by place
 }
 
 function memo<A extends unknown[], R>(make: (...args: A) => R): (...args: A) => R {
@@ -36,16 +55,25 @@ function memo<A extends unknown[], R>(make: (...args: A) => R): (...args: A) => 
 }
 
 export function findCycle(catalogue: Catalogue, control: string, cycle: string): CycleInfo | undefined {
-  return catalogue.cycles.find((one) => one.control === control && one.cycle === cycle);
+  return catalogue.cycles.find(one => one.control === control && one.cycle === cycle);
 }
 
 function gather(read: ReadView): Diagnostic[] {
   const seen = new Set<string>();
-  const all = [...read.diagnostics, ...read.calls.flatMap((call) => call.diagnostics.map((one) => one.from === undefined ? { from: call.from, to: call.to, line: call.lastLine, ...one } : one))];
-  return all.filter((one) => {
-    const key = `${one.code} ${one.from} ${one.to} ${one.param ?? ""} ${one.message.key}`;
-    return !seen.has(key) && seen.add(key);
-  }).sort((a, b) => (a.from ?? 0) - (b.from ?? 0));
+  const all = [
+    ...read.diagnostics,
+    ...read.calls.flatMap(call =>
+      call.diagnostics.map(one =>
+        one.from === undefined ? { from: call.from, to: call.to, line: call.lastLine, ...one } : one,
+      ),
+    ),
+  ];
+  return all
+    .filter(one => {
+      const key = `${one.code} ${one.from} ${one.to} ${one.param ?? ""} ${one.message.key}`;
+      return !seen.has(key) && seen.add(key);
+    })
+    .sort((a, b) => (a.from ?? 0) - (b.from ?? 0));
 }
 
 const NOTHING_READ: ReadView = { calls: [], diagnostics: [] };
@@ -65,58 +93,130 @@ function stillOf({ solids, radius }: ScanView): Trace {
 
 /** The values of the opened call that are the worth of an expression and stand there as they were read, or as written;
  *  and all values with what these are worth. */
-function worth(opened: CallView | null, values: State["values"]): { values: State["values"]; expressions: Record<string, string> } {
-  const still = Object.entries(opened?.expressions ?? {}).filter(([name, text]) => values[name] === opened?.values[name] || values[name]?.trim() === text);
+function worth(
+  opened: CallView | null,
+  values: State["values"],
+): { values: State["values"]; expressions: Record<string, string> } {
+  const still = Object.entries(opened?.expressions ?? {}).filter(
+    ([name, text]) => values[name] === opened?.values[name] || values[name]?.trim() === text,
+  );
   if (!still.length) return { values, expressions: NO_EXPRESSIONS };
-  return { values: { ...values, ...Object.fromEntries(still.map(([name]) => [name, opened?.values[name] ?? ""])) }, expressions: Object.fromEntries(still) };
+  return {
+    values: { ...values, ...Object.fromEntries(still.map(([name]) => [name, opened?.values[name] ?? ""])) },
+    expressions: Object.fromEntries(still),
+  };
 }
 
 const NO_EXPRESSIONS: Record<string, string> = {};
 
 function alike(a: Record<string, string>, b: Record<string, string>): boolean {
   const keys = Object.keys(a);
-  return keys.length === Object.keys(b).length && keys.every((key) => a[key] === b[key]);
+  return keys.length === Object.keys(b).length && keys.every(key => a[key] === b[key]);
 }
 
 /** The names of the fields in the reader's language, for the comments of the snippet: asked again when that changes. */
 function labels(view: FormView): Record<string, string> {
-  return Object.fromEntries(view.fields.map((field) => [field.name, say(field.label)]));
+  return Object.fromEntries(view.fields.map(field => [field.name, say(field.label)]));
 }
 
 export function createDerive(forms: () => FormCore, catalogue: Catalogue): (state: State) => Derived {
   const first = catalogue.cycles[0];
   if (!first) throw new Error("the catalogue is empty");
   let names: Record<string, string> = {}; // as the snippet's comments were asked for last
-  const form = memo((core: FormCore, cycle: CycleInfo, values: State["values"], expressions: Record<string, string>, errors: State["errors"], comments: string | null, style: Style | null, twin: boolean, limits: boolean, assumed: CallView["first"], setup: Setup | OwnMachine | undefined, plane?: Plane, units?: UnitFunction, transverse?: Transverse, written?: Style): FormView => {
-    const request = { control: cycle.control, cycle: cycle.cycle, values, errors, ...(expressions !== NO_EXPRESSIONS ? { expressions } : {}), ...(style ? { style } : {}), ...(setup ? { setup } : {}), ...(plane && units && transverse ? { plane, units, transverse } : {}), ...(written ? { written } : {}) };
-    const first = Object.fromEntries(Object.entries(assumed).map(([name, { value }]) => [name, value]));
-    const view = core.form({ ...request, predict: true, ...(assumed !== NOTHING_ASSUMED ? { assumed: first } : {}), ...(twin ? { twin } : {}), ...(limits ? { limits } : {}), ...(comments !== null ? { comments: names } : {}) });
-    const before = names;
-    names = comments !== null ? labels(view) : names;
-    return alike(before, names) ? view : { ...view, snippet: core.form({ ...request, comments: names }).snippet };
-  });
+  const form = memo(
+    (
+      core: FormCore,
+      cycle: CycleInfo,
+      values: State["values"],
+      expressions: Record<string, string>,
+      errors: State["errors"],
+      comments: string | null,
+      style: Style | null,
+      twin: boolean,
+      limits: boolean,
+      assumed: CallView["first"],
+      setup: Setup | OwnMachine | undefined,
+      plane?: Plane,
+      units?: UnitFunction,
+      transverse?: Transverse,
+      written?: Style,
+    ): FormView => {
+      const request = {
+        control: cycle.control,
+        cycle: cycle.cycle,
+        values,
+        errors,
+        ...(expressions !== NO_EXPRESSIONS ? { expressions } : {}),
+        ...(style ? { style } : {}),
+        ...(setup ? { setup } : {}),
+        ...(plane && units && transverse ? { plane, units, transverse } : {}),
+        ...(written ? { written } : {}),
+      };
+      const first = Object.fromEntries(Object.entries(assumed).map(([name, { value }]) => [name, value]));
+      const view = core.form({
+        ...request,
+        predict: true,
+        ...(assumed !== NOTHING_ASSUMED ? { assumed: first } : {}),
+        ...(twin ? { twin } : {}),
+        ...(limits ? { limits } : {}),
+        ...(comments !== null ? { comments: names } : {}),
+      });
+      const before = names;
+      names = comments !== null ? labels(view) : names;
+      return alike(before, names) ? view : { ...view, snippet: core.form({ ...request, comments: names }).snippet };
+    },
+  );
   const assume = memo(assumptions);
   const known = memo(worth);
   const still = memo(stillOf);
   const problems = memo(gather);
   const states = memo(severities);
 
-  return (state) => {
+  return state => {
     const cycle = findCycle(catalogue, state.control, state.cycle) ?? first;
     const reading = state.reading?.control === cycle.control ? state.reading.view : NOTHING_READ;
-    const opened = reading.calls.find((call) => call.from === state.open) ?? null;
-    const style = cycle.styles.find((one) => one === state.style) ?? null;
+    const opened = reading.calls.find(call => call.from === state.open) ?? null;
+    const style = cycle.styles.find(one => one === state.style) ?? null;
     const core = forms();
     const assumed = assume(opened, state.values);
     const { values, expressions } = known(opened, state.values);
-    const view = form(core, cycle, values, expressions, state.errors, state.comments ? language() : null, style, state.twin && cycle.twins, state.limits, assumed, machine(state).setup, opened?.plane, opened?.units, opened?.transverse, opened?.style);
+    const view = form(
+      core,
+      cycle,
+      values,
+      expressions,
+      state.errors,
+      state.comments ? language() : null,
+      style,
+      state.twin && cycle.twins,
+      state.limits,
+      assumed,
+      machine(state).setup,
+      opened?.plane,
+      opened?.units,
+      opened?.transverse,
+      opened?.style,
+    );
     const all = problems(reading);
     const ran = state.source === "program" && state.ran?.control === cycle.control ? state.ran.view : null;
     const scanned = state.source === "scan" && state.scan?.request.cycle === cycle.cycle ? state.scan : null;
-    const trace = (state.source === "program" ? ran?.trace : scanned ? still(scanned.view) : view.outcome?.trace) ?? null;
+    const trace =
+      (state.source === "program" ? ran?.trace : scanned ? still(scanned.view) : view.outcome?.trace) ?? null;
     return {
-      catalogue, cycle, view, assumed, simulates: core.simulates, program: programOf(state), read: reading, fresh: isRead(state), opened, states: states(reading.calls, all), style: style ?? view.preset, run: ran,
-      trace, step: Math.max(0, Math.min(state.step, (trace?.entries.length ?? 0) - 1)),
+      catalogue,
+      cycle,
+      view,
+      assumed,
+      simulates: core.simulates,
+      program: programOf(state),
+      read: reading,
+      fresh: isRead(state),
+      opened,
+      states: states(reading.calls, all),
+      style: style ?? view.preset,
+      run: ran,
+      trace,
+      step: Math.max(0, Math.min(state.step, (trace?.entries.length ?? 0) - 1)),
       problems: all,
     };
   };

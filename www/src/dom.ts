@@ -23,13 +23,21 @@ function dress(node: Element, attributes: Attributes, children: Child[]): void {
 }
 
 /** An element with attributes (functions become listeners of that event) and children. */
-export function el<K extends keyof HTMLElementTagNameMap>(tag: K, attributes: Attributes = {}, ...children: Child[]): HTMLElementTagNameMap[K] {
+export function el<K extends keyof HTMLElementTagNameMap>(
+  tag: K,
+  attributes: Attributes = {},
+  ...children: Child[]
+): HTMLElementTagNameMap[K] {
   const node = document.createElement(tag);
   dress(node, attributes, children);
   return node;
 }
 
-export function svg<K extends keyof SVGElementTagNameMap>(tag: K, attributes: Attributes = {}, ...children: Child[]): SVGElementTagNameMap[K] {
+export function svg<K extends keyof SVGElementTagNameMap>(
+  tag: K,
+  attributes: Attributes = {},
+  ...children: Child[]
+): SVGElementTagNameMap[K] {
   const node = document.createElementNS(SVG, tag);
   dress(node, attributes, children);
   return node;
@@ -44,16 +52,26 @@ export function show(node: Element, visible: boolean): void {
 }
 
 /** Listeners see the element that they were put on. */
-export function on<K extends keyof HTMLElementEventMap>(node: HTMLElement, name: K, listener: (event: HTMLElementEventMap[K]) => void): void {
+export function on<K extends keyof HTMLElementEventMap>(
+  node: HTMLElement,
+  name: K,
+  listener: (event: HTMLElementEventMap[K]) => void,
+): void {
   node.addEventListener(name, listener);
 }
 
 const kept = new WeakMap<Element, Map<string, Element>>();
 
-/** Children of `parent` follow `items`: one element a key, made once, brought up to date each time, never remade while its key stays. */
+/**
+ * Children of `parent` follow `items`: one element a key, made once, brought up to date each time, never remade while
+ * its key stays.
+ */
 export function keyed<T, E extends Element>(
-  parent: Element, items: readonly T[], key: (item: T, index: number) => string,
-  make: (item: T) => E, update: (node: E, item: T, index: number) => void,
+  parent: Element,
+  items: readonly T[],
+  key: (item: T, index: number) => string,
+  make: (item: T) => E,
+  update: (node: E, item: T, index: number) => void,
 ): void {
   const old = kept.get(parent) ?? new Map<string, Element>();
   const now = new Map<string, Element>();
@@ -71,6 +89,7 @@ export function keyed<T, E extends Element>(
     if (node === place) place = place.nextElementSibling;
     else parent.insertBefore(node, place);
   }
-  if (focused instanceof HTMLElement && focused !== document.activeElement) focused.focus(); // moving a node takes the focus from it
+  // moving a node takes the focus from it
+  if (focused instanceof HTMLElement && focused !== document.activeElement) focused.focus();
   kept.set(parent, now);
 }

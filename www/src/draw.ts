@@ -1,10 +1,15 @@
 // SVG as plain data, brought into the document by changing what differs: to make all of it anew at each keystroke costs
 // the browser several times as much.
 
-import { setAttribute, setText, svg, type Attributes } from "./dom";
+import { type Attributes, setAttribute, setText, svg } from "./dom";
 
 /** An element to be; `text` or `children`, not both. */
-export interface Drawn { tag: keyof SVGElementTagNameMap; attributes: Attributes; text?: string; children?: Drawn[] }
+export interface Drawn {
+  tag: keyof SVGElementTagNameMap;
+  attributes: Attributes;
+  text?: string;
+  children?: Drawn[];
+}
 
 /** The children of `parent` become these, each made from the one that stood in its place if it is of the same kind. */
 export function drawInto(parent: Element, wanted: readonly Drawn[]): void {

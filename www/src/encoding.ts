@@ -1,17 +1,31 @@
-// In which encoding a program is written. What is read is written again with the same bytes, whatever they are: a byte that
-// stands for no character, or for one that would be written with other bytes, is held as a character of its own. Browsers
-// decode only; what is written follows from what they decode (tables.ts).
+// In which encoding a program is written. What is read is written again with the same bytes, whatever they are: a byte
+// that stands for no character, or for one that would be written with other bytes, is held as a character of its own.
+// Browsers decode only; what is written follows from what they decode (tables.ts).
 
 import type { Pace } from "./pace";
 import { doubleByte, gb18030, gbk, singleByte, type Table } from "./tables";
 
-/** Labels of the WHATWG encoding standard. `-marked`: with a byte order mark, which is no part of the text: an editor drops
+/** Labels of the WHATWG encoding standard. `-marked`: with a byte order mark, which is no part of the text: an editor
+ * drops
  *  that character. `latin-1`: every byte the character of that number. */
 export const ENCODINGS = [
-  "utf-8", "utf-8-marked", "utf-16le", "utf-16le-marked", "utf-16be", "utf-16be-marked", "gbk", "gb18030", "big5", "shift_jis", "euc-kr",
-  "windows-1252", "windows-1250", "windows-1251", "latin-1",
+  "utf-8",
+  "utf-8-marked",
+  "utf-16le",
+  "utf-16le-marked",
+  "utf-16be",
+  "utf-16be-marked",
+  "gbk",
+  "gb18030",
+  "big5",
+  "shift_jis",
+  "euc-kr",
+  "windows-1252",
+  "windows-1250",
+  "windows-1251",
+  "latin-1",
 ] as const;
-export type Encoding = typeof ENCODINGS[number];
+export type Encoding = (typeof ENCODINGS)[number];
 
 /** The character that holds byte 0; behind it those of the others. Nobody has a character there. */
 const RAW = 0xef00;
@@ -50,18 +64,18 @@ const utf8: Coder = {
     for (let next = 1; next < length; next++) {
       const byte = bytes[at + next] ?? 0;
       if (byte >> 6 !== 2) return NONE;
-      point = point << 6 | byte & 0x3f;
+      point = (point << 6) | (byte & 0x3f);
     }
     const shortest = [0x80, 0x800, 0x10000][length - 2] as number;
     const sound = lead >= 0xc2 && lead <= 0xf4 && point >= shortest && point <= 0x10ffff && point >> 11 !== 0x1b;
     return sound ? { length, point } : NONE;
   },
-  write: (point) => [...new TextEncoder().encode(String.fromCodePoint(point))],
+  write: point => [...new TextEncoder().encode(String.fromCodePoint(point))],
 };
 
 function utf16(high: 0 | 1): Coder {
-  const unit = (bytes: Uint8Array, at: number): number => (bytes[at + high] ?? 0) << 8 | (bytes[at + 1 - high] ?? 0);
-  const written = (unit: number): number[] => high ? [unit & 0xff, unit >> 8] : [unit >> 8, unit & 0xff];
+  const unit = (bytes: Uint8Array, at: number): number => ((bytes[at + high] ?? 0) << 8) | (bytes[at + 1 - high] ?? 0);
+  const written = (unit: number): number[] => (high ? [unit & 0xff, unit >> 8] : [unit >> 8, unit & 0xff]);
   return {
     ascii: false,
     read(bytes, at) {
@@ -70,9 +84,14 @@ function utf16(high: 0 | 1): Coder {
       if (first >> 11 !== 0x1b) return { length: 2, point: first };
       const second = at + 3 < bytes.length ? unit(bytes, at + 2) : 0;
       const pair = first >> 10 === 0x36 && second >> 10 === 0x37;
-      return pair ? { length: 4, point: ((first & 0x3ff) << 10 | second & 0x3ff) + 0x10000 } : { length: 2, point: -1 };
+      return pair
+        ? { length: 4, point: (((first & 0x3ff) << 10) | (second & 0x3ff)) + 0x10000 }
+        : { length: 2, point: -1 };
     },
-    write: (point) => point < 0x10000 ? written(point) : [0xd800 | point - 0x10000 >> 10, 0xdc00 | point & 0x3ff].flatMap(written),
+    write: point =>
+      point < 0x10000
+        ? written(point)
+        : [0xd800 | ((point - 0x10000) >> 10), 0xdc00 | (point & 0x3ff)].flatMap(written),
   };
 }
 
@@ -83,7 +102,9 @@ function byTable(table: Table): Coder {
     read(bytes, at) {
       const { length, point } = table.read(bytes, at);
       const back = point < 0 ? null : table.write(point);
-      return back?.length === length && back.every((byte, index) => byte === bytes[at + index]) ? { length, point } : NONE;
+      return back?.length === length && back.every((byte, index) => byte === bytes[at + index])
+        ? { length, point }
+        : NONE;
     },
     write: table.write,
   };
@@ -92,23 +113,33 @@ function byTable(table: Table): Coder {
 const latin1: Coder = {
   ascii: true,
   read: (bytes, at) => ({ length: 1, point: bytes[at] as number }),
-  write: (point) => point < 0x100 ? [point] : null,
+  write: point => (point < 0x100 ? [point] : null),
 };
 
 const made = new Map<string, Coder>();
 
 function make(label: string): Coder {
   switch (label) {
-    case "utf-8": return utf8;
-    case "utf-16le": return utf16(1);
-    case "utf-16be": return utf16(0);
-    case "latin-1": return latin1;
-    case "gbk": return byTable(gbk());
-    case "gb18030": return byTable(gb18030());
-    case "big5": return byTable(doubleByte(label, (lead) => lead < 0xa1)); // Hong Kong's additions are written last
-    case "shift_jis": return byTable(doubleByte(label, (lead) => lead === 0xed || lead === 0xee)); // as are NEC's copies of IBM's
-    case "euc-kr": return byTable(doubleByte(label));
-    default: return byTable(singleByte(label));
+    case "utf-8":
+      return utf8;
+    case "utf-16le":
+      return utf16(1);
+    case "utf-16be":
+      return utf16(0);
+    case "latin-1":
+      return latin1;
+    case "gbk":
+      return byTable(gbk());
+    case "gb18030":
+      return byTable(gb18030());
+    case "big5":
+      return byTable(doubleByte(label, lead => lead < 0xa1)); // Hong Kong's additions are written last
+    case "shift_jis":
+      return byTable(doubleByte(label, lead => lead === 0xed || lead === 0xee)); // as are NEC's copies of IBM's
+    case "euc-kr":
+      return byTable(doubleByte(label));
+    default:
+      return byTable(singleByte(label));
   }
 }
 
@@ -131,7 +162,7 @@ export function hasAll(encoding: Encoding): boolean {
 export function asMarked(bytes: Uint8Array, encoding: Encoding): Encoding {
   const plain = encoding.replace("-marked", "") as Encoding;
   const marked = hasAll(plain) && coderOf(plain).read(bytes, 0).point === MARK;
-  return marked ? `${plain}-marked` as Encoding : plain;
+  return marked ? (`${plain}-marked` as Encoding) : plain;
 }
 
 function textOf(units: Uint16Array): string {
@@ -158,8 +189,8 @@ function piece(coder: Coder, bytes: Uint8Array, from: number, to: number): { tex
     if (none) for (let next = at; next < at + taken; next++) units[count++] = RAW + (bytes[next] as number);
     else if (point < 0x10000) units[count++] = point;
     else {
-      units[count++] = 0xd800 | point - 0x10000 >> 10;
-      units[count++] = 0xdc00 | point & 0x3ff;
+      units[count++] = 0xd800 | ((point - 0x10000) >> 10);
+      units[count++] = 0xdc00 | (point & 0x3ff);
     }
     at += taken;
   }

@@ -1,4 +1,5 @@
-// The editor counts a line break as one character, the program keeps its CR LF. These translate offsets between the two.
+// The editor counts a line break as one character, the program keeps its CR LF. These translate offsets between the
+// two.
 
 import type { Pace } from "./pace";
 
@@ -9,12 +10,12 @@ let lately: readonly { text: string; pairs: Int32Array }[] = [];
 
 /** Offsets of the CR of every CR LF. */
 function pairs(text: string): Int32Array {
-  return lately.find((one) => one.text === text)?.pairs ?? remember(text, found(text, 0, text.length));
+  return lately.find(one => one.text === text)?.pairs ?? remember(text, found(text, 0, text.length));
 }
 
 /** `instead`: the text whose place it takes. */
 function remember(text: string, pairs: Int32Array, instead?: string): Int32Array {
-  lately = [{ text, pairs }, ...lately.filter((one) => one.text !== instead)].slice(0, KEPT);
+  lately = [{ text, pairs }, ...lately.filter(one => one.text !== instead)].slice(0, KEPT);
   return pairs;
 }
 
@@ -50,28 +51,36 @@ function joined(parts: readonly Int32Array[]): Int32Array<ArrayBuffer> {
   return all;
 }
 
-/** The pairs after one edit: only around it is the text looked at again, so that a keystroke in a long program stays cheap. */
+/**
+ * The pairs after one edit: only around it is the text looked at again, so that a keystroke in a long program stays
+ * cheap.
+ */
 function pairsAfter(before: Int32Array, edit: Splice, text: string): Int32Array {
   const from = Math.max(0, edit.from - 1); // the CR before the edit can lose or find its LF
   const end = edit.from + edit.insert.length;
-  const head = before.subarray(0, countBelow(before, (pair) => pair < from));
-  const tail = before.subarray(countBelow(before, (pair) => pair < edit.to));
+  const head = before.subarray(
+    0,
+    countBelow(before, pair => pair < from),
+  );
+  const tail = before.subarray(countBelow(before, pair => pair < edit.to));
   const shift = end - edit.to;
-  return joined([head, found(text, from, end), shift ? tail.map((pair) => pair + shift) : tail]);
+  return joined([head, found(text, from, end), shift ? tail.map(pair => pair + shift) : tail]);
 }
 
 function countBelow(sorted: Int32Array, limit: (pair: number, index: number) => boolean): number {
-  let low = 0, high = sorted.length;
+  let low = 0,
+    high = sorted.length;
   while (low < high) {
     const middle = (low + high) >> 1;
-    if (limit(sorted[middle] as number, middle)) low = middle + 1; else high = middle;
+    if (limit(sorted[middle] as number, middle)) low = middle + 1;
+    else high = middle;
   }
   return low;
 }
 
 /** Offset in the program → offset in the editor. */
 export function toEditor(text: string, offset: number): number {
-  return offset - countBelow(pairs(text), (pair) => pair + 1 < offset);
+  return offset - countBelow(pairs(text), pair => pair + 1 < offset);
 }
 
 /** Offset in the editor → offset in the program. */
@@ -84,7 +93,11 @@ export function lineBreak(text: string): string {
   return pairs(text).length > 0 ? "\r\n" : "\n";
 }
 
-export interface Splice { from: number; to: number; insert: string }
+export interface Splice {
+  from: number;
+  to: number;
+  insert: string;
+}
 
 /** Splices that do not overlap, offsets in the text before all of them. */
 export function splice(text: string, edits: readonly Splice[]): string {
@@ -92,12 +105,15 @@ export function splice(text: string, edits: readonly Splice[]): string {
   for (const edit of [...edits].sort((a, b) => b.from - a.from || b.to - a.to))
     result = result.slice(0, edit.from) + edit.insert + result.slice(edit.to);
   const [only] = edits;
-  const known = lately.find((one) => one.text === text);
+  const known = lately.find(one => one.text === text);
   if (only && edits.length === 1 && known) remember(result, pairsAfter(known.pairs, only, result), text);
   return result;
 }
 
-/** Where an offset lies after the edits. What is put in right before it pushes it on; inside of what goes it falls to its begin. */
+/**
+ * Where an offset lies after the edits. What is put in right before it pushes it on; inside of what goes it falls to
+ * its begin.
+ */
 export function carried(at: number, edits: readonly Splice[]): number {
   let moved = at;
   for (const edit of edits) {

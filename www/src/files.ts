@@ -2,13 +2,17 @@
 
 import { el } from "./dom";
 import { decode, type Encoding } from "./encoding";
-import { within, type Pace } from "./pace";
+import { type Pace, within } from "./pace";
 import type { ProgramCore } from "./program";
 import type { State } from "./state";
 import { say, t } from "./texts";
 
 /** `opened`: when, ms; what is not opened from a file has none. */
-export interface ProgramFile { name: string; encoding: Encoding; opened?: number }
+export interface ProgramFile {
+  name: string;
+  encoding: Encoding;
+  opened?: number;
+}
 
 /** Where the program that is shown comes from; what comes from nowhere is saved under the usual name. */
 export function fileOf({ control, files }: Pick<State, "control" | "files">): ProgramFile {
@@ -16,7 +20,10 @@ export function fileOf({ control, files }: Pick<State, "control" | "files">): Pr
 }
 
 /** A file that is not taken: why, as a key with arguments. Nothing else changes. */
-export interface Refusal { key: string; args: Record<string, string | number> }
+export interface Refusal {
+  key: string;
+  args: Record<string, string | number>;
+}
 
 const MEGABYTE = 1e6;
 const LARGEST_PROGRAM = 64 * MEGABYTE;
@@ -38,7 +45,11 @@ async function recognised(bytes: Uint8Array, core: ProgramCore, pace: Pace): Pro
   return "why" in found ? { why: say(found.why) } : found.encoding;
 }
 
-export async function readProgram(file: File, core: ProgramCore, pace: Pace): Promise<{ text: string; file: ProgramFile } | Refusal> {
+export async function readProgram(
+  file: File,
+  core: ProgramCore,
+  pace: Pace,
+): Promise<{ text: string; file: ProgramFile } | Refusal> {
   if (file.size > LARGEST_PROGRAM) return tooLarge("refused-program-size", file, LARGEST_PROGRAM);
   const { name } = file;
   try {

@@ -1,6 +1,6 @@
 // The way to a field from anywhere: the present form where it has the field, else the first cycle and variant that do.
 
-import { inPlane, type Actions, type Variant } from "./actions";
+import { type Actions, inPlane, type Variant } from "./actions";
 import { findCycle } from "./derive";
 import { planeOf, type State } from "./state";
 import type { Store } from "./store";
@@ -9,18 +9,23 @@ import type { Catalogue, CycleInfo, Dialect } from "./wire";
 
 /** Whether a form with these values has this field. */
 export type Shows = (cycle: CycleInfo, values: Record<string, string>, name: string) => boolean | undefined;
-interface Place { cycle: CycleInfo; variant: Variant }
+interface Place {
+  cycle: CycleInfo;
+  variant: Variant;
+}
 
 /** null: the present form has it, or none does. */
 function place(catalogue: Catalogue, shows: Shows, state: State, control: Dialect, name: string): Place | null {
   const present = findCycle(catalogue, state.control, state.cycle);
   const here = present?.control === control ? present : undefined;
   if (here && shows(here, state.values, name)) return null;
-  const having = catalogue.cycles.filter((cycle) => cycle.control === control && cycle.parameters.some((one) => one.name === name));
+  const having = catalogue.cycles.filter(
+    cycle => cycle.control === control && cycle.parameters.some(one => one.name === name),
+  );
   for (const cycle of having.sort((a, b) => Number(b === here) - Number(a === here))) {
     const given = cycle === here ? state.values : {};
     const plane = planeOf(state);
-    const variant = cycle.variants.find((one) => {
+    const variant = cycle.variants.find(one => {
       const { example, values } = inPlane(one, plane);
       return shows(cycle, { ...example, ...given, ...values }, name);
     });
@@ -29,7 +34,12 @@ function place(catalogue: Catalogue, shows: Shows, state: State, control: Dialec
   return null;
 }
 
-export function createGoToField(catalogue: Catalogue, shows: Shows, store: Store, actions: Actions): (control: Dialect, name: string) => void {
+export function createGoToField(
+  catalogue: Catalogue,
+  shows: Shows,
+  store: Store,
+  actions: Actions,
+): (control: Dialect, name: string) => void {
   return (control, name) => {
     const found = place(catalogue, shows, store.state, control, name);
     if (found) actions.chooseCycle(found.cycle, found.variant);

@@ -1,6 +1,6 @@
-// The work is kept in the browser. Local storage is written even while the page is left, but holds little; a long program
-// lies in a database beside it. Where the page is open twice, the newest work of all is what a new tab begins with, and
-// each tab comes back to its own, which session storage holds; of long programs there is only the newest.
+// The work is kept in the browser. Local storage is written even while the page is left, but holds little; a long
+// program lies in a database beside it. Where the page is open twice, the newest work of all is what a new tab begins
+// with, and each tab comes back to its own, which session storage holds; of long programs there is only the newest.
 
 import { kept, type State } from "./state";
 import type { Dialect } from "./wire";
@@ -10,7 +10,10 @@ const PROGRAMS = "programs";
 const LONG = 200_000; // characters of a program that no longer goes into local storage
 
 /** `by`: which visit of the page wrote it. */
-interface Stored extends Partial<State> { apart?: Dialect[]; by?: string }
+interface Stored extends Partial<State> {
+  apart?: Dialect[];
+  by?: string;
+}
 
 const visit = Math.random().toString(36).slice(2);
 
@@ -41,7 +44,7 @@ const lying: Partial<Record<Dialect, string>> = {}; // what the database holds
 
 async function put(control: Dialect, text: string): Promise<void> {
   if (lying[control] === text) return;
-  await inPrograms("readwrite", (programs) => programs.put(text, control));
+  await inPrograms("readwrite", programs => programs.put(text, control));
   lying[control] = text;
 }
 
@@ -57,8 +60,9 @@ export async function load(): Promise<Partial<State> | null> {
   try {
     const stored = newest();
     for (const control of stored?.apart ?? []) {
-      const text: unknown = await inPrograms("readonly", (programs) => programs.get(control));
-      if (stored && typeof text === "string") stored.programs = { ...stored.programs, [control]: lying[control] = text };
+      const text: unknown = await inPrograms("readonly", programs => programs.get(control));
+      if (stored && typeof text === "string")
+        stored.programs = { ...stored.programs, [control]: (lying[control] = text) };
     }
     return stored;
   } catch (problem) {

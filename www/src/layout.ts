@@ -9,13 +9,29 @@ const PANELS: Panel[] = ["tasks", "form", "program", "view", "results", "help"];
 /** The panels that help covers where all panels stand side by side. */
 const COVERED: Panel[] = ["program", "view", "results"];
 
-export interface Layout { header: HTMLElement; panels: Record<Panel, HTMLElement>; notice: HTMLElement; undo: HTMLElement; draw(state: State): void }
+export interface Layout {
+  header: HTMLElement;
+  panels: Record<Panel, HTMLElement>;
+  notice: HTMLElement;
+  undo: HTMLElement;
+  draw(state: State): void;
+}
 
 /** Listens to the keys of the whole page until `end`. */
 export function createLayout(actions: Actions, end: AbortSignal): Layout {
   const header = el("header", { class: "top" });
-  const panels = Object.fromEntries(PANELS.map((name) =>
-    [name, el("section", { id: `panel-${name}`, class: `panel panel-${name}`, "data-panel": name, tabindex: "-1", "aria-label": t(`panel-${name}`) })])) as Record<Panel, HTMLElement>;
+  const panels = Object.fromEntries(
+    PANELS.map(name => [
+      name,
+      el("section", {
+        id: `panel-${name}`,
+        class: `panel panel-${name}`,
+        "data-panel": name,
+        tabindex: "-1",
+        "aria-label": t(`panel-${name}`),
+      }),
+    ]),
+  ) as Record<Panel, HTMLElement>;
   const bar = el("nav", { class: "panel-bar", "aria-label": t("panels") });
   const buttons = new Map<Panel, HTMLButtonElement>();
   for (const name of PANELS) {
@@ -24,43 +40,66 @@ export function createLayout(actions: Actions, end: AbortSignal): Layout {
     bar.append(button);
     buttons.set(name, button);
   }
-  const skip = el("nav", { class: "skip", "aria-label": t("skip") }, ...PANELS.map((name) => {
-    const link = el("a", { href: `#panel-${name}` }, t("skip-to", { panel: t(`panel-${name}`) }));
-    on(link, "click", (event) => { event.preventDefault(); enter(name); });
-    return link;
-  }));
+  const skip = el(
+    "nav",
+    { class: "skip", "aria-label": t("skip") },
+    ...PANELS.map(name => {
+      const link = el("a", { href: `#panel-${name}` }, t("skip-to", { panel: t(`panel-${name}`) }));
+      on(link, "click", event => {
+        event.preventDefault();
+        enter(name);
+      });
+      return link;
+    }),
+  );
   const notice = el("span", { role: "status" });
   const undo = el("button", { type: "button", hidden: true, "aria-keyshortcuts": "Control+Z" }, t("undo"));
   on(undo, "click", () => actions.undo());
-  const main = el("main", { class: "bench" }, ...PANELS.map((name) => panels[name]));
+  const main = el("main", { class: "bench" }, ...PANELS.map(name => panels[name]));
   document.body.append(skip, header, bar, main, el("div", { class: "notice" }, notice, undo));
 
   const enter = (name: Panel): void => {
     actions.panel(name);
     panels[name].focus();
   };
-  document.addEventListener("keydown", (event) => {
-    if (event.key !== "F6" || document.querySelector("dialog[open]")) return;
-    event.preventDefault();
-    const shown = PANELS.filter((name) => name !== "help" || panels.help.hasAttribute("data-shown"));
-    const here = shown.findIndex((name) => panels[name].contains(document.activeElement));
-    const next = (here + (event.shiftKey ? -1 : 1) + shown.length) % shown.length;
-    enter(shown[next] ?? "form");
-  }, { signal: end });
+  document.addEventListener(
+    "keydown",
+    event => {
+      if (event.key !== "F6" || document.querySelector("dialog[open]")) return;
+      event.preventDefault();
+      const shown = PANELS.filter(name => name !== "help" || panels.help.hasAttribute("data-shown"));
+      const here = shown.findIndex(name => panels[name].contains(document.activeElement));
+      const next = (here + (event.shiftKey ? -1 : 1) + shown.length) % shown.length;
+      enter(shown[next] ?? "form");
+    },
+    { signal: end },
+  );
 
-  document.addEventListener("keydown", (event) => {
-    const editing = event.composedPath()[0];
-    if (event.key.toLowerCase() !== "z" || !(event.ctrlKey || event.metaKey) || event.shiftKey) return;
-    if (editing instanceof Element && editing.matches('input:not([type="checkbox"], [type="range"]), [contenteditable="true"]')) return;
-    event.preventDefault();
-    actions.undo();
-  }, { signal: end });
+  document.addEventListener(
+    "keydown",
+    event => {
+      const editing = event.composedPath()[0];
+      if (event.key.toLowerCase() !== "z" || !(event.ctrlKey || event.metaKey) || event.shiftKey) return;
+      if (
+        editing instanceof Element &&
+        editing.matches('input:not([type="checkbox"], [type="range"]), [contenteditable="true"]')
+      )
+        return;
+      event.preventDefault();
+      actions.undo();
+    },
+    { signal: end },
+  );
 
   let last: Panel | null = null;
   return {
-    header, panels, notice, undo,
+    header,
+    panels,
+    notice,
+    undo,
     draw(state) {
-      if (last !== null && last !== state.panel && scrollY > bar.offsetTop) scrollTo({ top: bar.offsetTop, behavior: "instant" }); // where the page scrolls as a whole
+      if (last !== null && last !== state.panel && scrollY > bar.offsetTop)
+        scrollTo({ top: bar.offsetTop, behavior: "instant" }); // where the page scrolls as a whole
       last = state.panel;
       for (const name of COVERED) setAttribute(panels[name], "inert", state.right === "help");
       for (const [name, button] of buttons) {

@@ -6,7 +6,7 @@ import { speak } from "./language";
 import { firstState, merge } from "./state";
 import { showBroken } from "./views/broken";
 
-addEventListener("probewright-panic", (event) => showBroken(String((event as CustomEvent).detail)));
+addEventListener("probewright-panic", event => showBroken(String((event as CustomEvent).detail)));
 try {
   const [stored, core] = [await load(), loadCore()];
   await speak(merge(firstState(), stored).language).catch(console.warn); // words that cannot be fetched: English

@@ -1,5 +1,5 @@
-// Numbers that are codes mean something else in another variant (D1 of a tool, and the first settable zero offset): such a
-// number is taken out of its field when the variant changes, and a note there says what it was.
+// Numbers that are codes mean something else in another variant (D1 of a tool, and the first settable zero offset):
+// such a number is taken out of its field when the variant changes, and a note there says what it was.
 
 import { isExample } from "./actions";
 import type { Derived } from "./derive";
@@ -7,7 +7,10 @@ import { typedIn } from "./desk";
 import { parseNumber } from "./numbers";
 import { planeOf, type State } from "./state";
 
-export interface Seen { state: State; derived: Derived }
+export interface Seen {
+  state: State;
+  derived: Derived;
+}
 
 /** The number of the call that the form edits; where it begins moves with each change. */
 function callOf({ derived: { read, opened } }: Seen): number {
@@ -18,14 +21,28 @@ function callOf({ derived: { read, opened } }: Seen): number {
 export function meant(before: Seen | null, { state, derived }: Seen): State {
   if (!before || before.derived.cycle !== derived.cycle || callOf(before) !== callOf({ state, derived })) return state;
   const [was, is] = [before.derived.view, derived.view];
-  if (was.mvar === null || is.mvar === null || was.mvar === is.mvar || isExample(derived.cycle, state.values, planeOf(state))) return state;
+  if (
+    was.mvar === null ||
+    is.mvar === null ||
+    was.mvar === is.mvar ||
+    isExample(derived.cycle, state.values, planeOf(state))
+  )
+    return state;
   const stale = is.fields.flatMap(({ name, code, expression }) => {
-    const old = was.fields.find((field) => field.name === name);
+    const old = was.fields.find(field => field.name === name);
     const value = state.values[name] ?? "";
     const kept = value === before.state.values[name] && (parseNumber(value) ?? 0) !== 0;
-    return kept && !expression && old?.code && code && old.code !== code ? [{ name, value, before: old.label.key }] : [];
+    return kept && !expression && old?.code && code && old.code !== code
+      ? [{ name, value, before: old.label.key }]
+      : [];
   });
   if (!stale.length) return state;
-  const next = typedIn(state, stale.map(({ name }) => [name, ""]));
-  return { ...next, resets: { ...next.resets, ...Object.fromEntries(stale.map(({ name, ...reset }) => [name, reset])) } };
+  const next = typedIn(
+    state,
+    stale.map(({ name }) => [name, ""]),
+  );
+  return {
+    ...next,
+    resets: { ...next.resets, ...Object.fromEntries(stale.map(({ name, ...reset }) => [name, reset])) },
+  };
 }

@@ -2,9 +2,9 @@
 
 import type { Actions } from "./actions";
 import type { EditorPlace } from "./editor/place";
-import { asMarked, decode, encode, type Encoding } from "./encoding";
-import { fileOf, readProgram, readSetup, type Refusal } from "./files";
-import { within, type Job } from "./pace";
+import { asMarked, decode, type Encoding, encode } from "./encoding";
+import { fileOf, type Refusal, readProgram, readSetup } from "./files";
+import { type Job, within } from "./pace";
 import type { ProgramCore } from "./program";
 import { programOf } from "./state";
 import type { Store } from "./store";
@@ -18,8 +18,15 @@ export function refuseFolder(name: string, store: Store): void {
 }
 
 /** Until all of it is ready to be shown the program before stays, and can go on being changed. */
-export async function openProgramFile(file: File, core: () => Promise<ProgramCore>, store: Store, actions: Actions, opening: Job, editor: EditorPlace): Promise<void> {
-  await opening.start(file.size, async (pace) => {
+export async function openProgramFile(
+  file: File,
+  core: () => Promise<ProgramCore>,
+  store: Store,
+  actions: Actions,
+  opening: Job,
+  editor: EditorPlace,
+): Promise<void> {
+  await opening.start(file.size, async pace => {
     const read = await readProgram(file, await core(), within(pace, 0, 0.4));
     if ("key" in read) return refuse(store, "program", read);
     await editor.prepare(read.text, within(pace, 0.4, 1));
@@ -28,19 +35,30 @@ export async function openProgramFile(file: File, core: () => Promise<ProgramCor
 }
 
 /** The bytes of the program, as they would be saved now, as characters of another encoding. */
-export async function readAgain(encoding: Encoding, store: Store, actions: Actions, opening: Job, editor: EditorPlace): Promise<void> {
+export async function readAgain(
+  encoding: Encoding,
+  store: Store,
+  actions: Actions,
+  opening: Job,
+  editor: EditorPlace,
+): Promise<void> {
   const file = fileOf(store.state);
   const bytes = encode(programOf(store.state), file.encoding);
   if (!bytes) return store.update({}); // what is lacking is told already
   const next = asMarked(bytes, encoding);
-  await opening.start(bytes.length, async (pace) => {
+  await opening.start(bytes.length, async pace => {
     const text = await decode(bytes, next, within(pace, 0, 0.4));
     await editor.prepare(text, within(pace, 0.4, 1));
     actions.openProgram(text, { ...file, encoding: next, opened: Date.now() });
   });
 }
 
-export async function openSetupFile(file: File, core: () => Promise<ProgramCore>, store: Store, actions: Actions): Promise<void> {
+export async function openSetupFile(
+  file: File,
+  core: () => Promise<ProgramCore>,
+  store: Store,
+  actions: Actions,
+): Promise<void> {
   const text = await readSetup(file);
   if (typeof text !== "string") return refuse(store, "setup", text);
   const setup = (await core()).setup(text);

@@ -1,17 +1,24 @@
-// Long work on the page's own thread, in slices: between two of them the page draws and hears keys and clicks. One job at
-// a time; it tells how far it is, and can be stopped.
+// Long work on the page's own thread, in slices: between two of them the page draws and hears keys and clicks. One job
+// at a time; it tells how far it is, and can be stopped.
 
 /** Characters that are taken at once, without a rest for the page. */
 export const LONG = 200_000;
 const SLICE = 12; // ms
 
 export interface Pace {
-  /** Lets the page have its turn when the slice is over. `share`: how much is done, 0 to 1. Rejects once the job is stopped. */
+  /**
+   * Lets the page have its turn when the slice is over. `share`: how much is done, 0 to 1. Rejects once the job is
+   * stopped.
+   */
   turn(share: number): Promise<void>;
 }
 
 /** `since`: ms, as performance.now; `size`: characters or bytes that it is about. */
-export interface Underway { since: number; share?: number; size: number }
+export interface Underway {
+  since: number;
+  share?: number;
+  size: number;
+}
 
 export interface Job {
   busy(): Underway | null;
@@ -22,7 +29,7 @@ export interface Job {
 
 /** The same for a part of the work, `from` and `to` being shares of the whole. */
 export function within({ turn }: Pace, from: number, to: number): Pace {
-  return { turn: (share) => turn(from + share * (to - from)) };
+  return { turn: share => turn(from + share * (to - from)) };
 }
 
 /** `changed` is called when a job begins and when it ends. */
@@ -44,7 +51,7 @@ export function createJob(changed: () => void): Job {
       const turn = async (share: number): Promise<void> => {
         if (performance.now() < until) return;
         own.underway = { ...own.underway, share };
-        await new Promise((resolve) => setTimeout(resolve));
+        await new Promise(resolve => setTimeout(resolve));
         if (own.stopped) throw new Ended();
         until = performance.now() + SLICE;
       };

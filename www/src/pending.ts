@@ -8,8 +8,11 @@ export function isWaiting({ asks }: Pending, text: string): boolean {
 }
 
 /** Those of one call whose changes can be worked out now. */
-export function asked(pending: readonly Pending[], { control, text, at }: { control: Dialect; text: string; at: number }): Pending[] {
-  return pending.filter((one) => one.control === control && one.at === at && !isWaiting(one, text));
+export function asked(
+  pending: readonly Pending[],
+  { control, text, at }: { control: Dialect; text: string; at: number },
+): Pending[] {
+  return pending.filter(one => one.control === control && one.at === at && !isWaiting(one, text));
 }
 
 /** Whether a change of the program needs a word first. */

@@ -2,8 +2,14 @@
 
 /** Remembers it; the returned function brings it back into the new page. */
 export function keepPlaces(): () => void {
-  const scrolled = [...document.body.querySelectorAll<HTMLElement>("*")].filter((node) => node.scrollTop !== 0 || node.scrollLeft !== 0)
-    .map((node) => ({ area: node.closest("[id]")?.id ?? "", className: node.className, left: node.scrollLeft, top: node.scrollTop }));
+  const scrolled = [...document.body.querySelectorAll<HTMLElement>("*")]
+    .filter(node => node.scrollTop !== 0 || node.scrollLeft !== 0)
+    .map(node => ({
+      area: node.closest("[id]")?.id ?? "",
+      className: node.className,
+      left: node.scrollLeft,
+      top: node.scrollTop,
+    }));
   const focused = document.activeElement?.id;
   return () => {
     for (const { area, className, left, top } of scrolled) {

@@ -1,5 +1,5 @@
-// All of the core: forms with what the call would do; reading, changing and running programs. Short programs are read on the page's thread, what may
-// take long is asked in a worker (aside.ts), with the same module.
+// All of the core: forms with what the call would do; reading, changing and running programs. Short programs are read
+// on the page's thread, what may take long is asked in a worker (aside.ts), with the same module.
 
 import init, * as wasm from "@pkg/program/program.js";
 import address from "@pkg/program/program_bg.wasm?url";
@@ -7,16 +7,46 @@ import type { FormCore } from "./core";
 import { splice } from "./eol";
 import { call, compile } from "./module";
 import { asked, hasToAsk } from "./pending";
-import type { AlarmInfo, Catalogue, Changed, Converted, FormView, HelpRequest, HelpView, MachineRequest, MachineView, Pending, ReadRequest, ReadView, Recognised, RunRequest, Setup, Style } from "./wire";
+import type {
+  AlarmInfo,
+  Catalogue,
+  Changed,
+  Converted,
+  FormView,
+  HelpRequest,
+  HelpView,
+  MachineRequest,
+  MachineView,
+  Pending,
+  ReadRequest,
+  ReadView,
+  Recognised,
+  RunRequest,
+  Setup,
+  Style,
+} from "./wire";
 
-/** All values of one call that were changed in the form: `pending` of `control` at `at`, the call being number `call`. */
-export interface ChangeRequest extends ReadRequest { call: number; at: number; pending: readonly Pending[] }
+/**
+ * All values of one call that were changed in the form: `pending` of `control` at `at`, the call being number `call`.
+ */
+export interface ChangeRequest extends ReadRequest {
+  call: number;
+  at: number;
+  pending: readonly Pending[];
+}
 
 /** A call, by its number, in another way of writing. */
-export interface ConvertRequest extends ReadRequest { call: number; style: Style }
+export interface ConvertRequest extends ReadRequest {
+  call: number;
+  style: Style;
+}
 
 /** What is asked about a whole program. */
-export type Question = { ask: "read" } & ReadRequest | { ask: "change" } & ChangeRequest | { ask: "convert" } & ConvertRequest | { ask: "run" } & RunRequest;
+export type Question =
+  | ({ ask: "read" } & ReadRequest)
+  | ({ ask: "change" } & ChangeRequest)
+  | ({ ask: "convert" } & ConvertRequest)
+  | ({ ask: "run" } & RunRequest);
 
 export interface ProgramCore extends FormCore {
   module: WebAssembly.Module; // for the workers
@@ -36,9 +66,13 @@ export interface ProgramCore extends FormCore {
 /** One answer a value, each for the text after the ones before it. What has to be asked first is not done in it. */
 function changes({ control, text, setup, call: index, at, pending }: ChangeRequest): Changed[] {
   let now = text;
-  return asked(pending, { control, text, at }).map((one) => {
+  return asked(pending, { control, text, at }).map(one => {
     const { name, value } = one;
-    const changed = JSON.parse(call("change", () => wasm.change(JSON.stringify({ control, text: now, call: index, name, value, ...(setup ? { setup } : {}) })))) as Changed;
+    const changed = JSON.parse(
+      call("change", () =>
+        wasm.change(JSON.stringify({ control, text: now, call: index, name, value, ...(setup ? { setup } : {}) })),
+      ),
+    ) as Changed;
     if (!hasToAsk(one, changed)) now = changed.steps.reduce(splice, now);
     return changed;
   });
@@ -58,9 +92,12 @@ const PIECE = 500; // blocks between two looks at the clock
 const SLICE = 40; // ms between two messages of others
 
 /** Runs a program. Before each slice `between` is told how much is done, and the run waits for it. */
-export async function runInPieces({ ask: _, ...request }: RunRequest & { ask: "run" }, between: (share: number) => Promise<void>): Promise<string> {
+export async function runInPieces(
+  { ask: _, ...request }: RunRequest & { ask: "run" },
+  between: (share: number) => Promise<void>,
+): Promise<string> {
   const run = new wasm.Run(JSON.stringify(request));
-  for (let over = false; !over;) {
+  for (let over = false; !over; ) {
     await between(run.share());
     const until = performance.now() + SLICE;
     while (!over && performance.now() < until) over = run.advance(PIECE);
@@ -78,19 +115,23 @@ function setupOf(text: string): Setup | { why: string } {
 
 function recogniser(): ReturnType<ProgramCore["recogniser"]> {
   const its = new wasm.Recogniser();
-  return { take: (bytes) => its.take(bytes), finish: () => JSON.parse(its.finish()) as Recognised };
+  return { take: bytes => its.take(bytes), finish: () => JSON.parse(its.finish()) as Recognised };
 }
 
 export async function loadProgramCore(): Promise<ProgramCore> {
   const module = await compile(address);
   await init({ module_or_path: module });
   return {
-    module, simulates: "yes", setup: setupOf, change: changes, recogniser,
-    form: (request) => JSON.parse(call("form", () => wasm.form(JSON.stringify(request)))) as FormView,
-    read: (request) => JSON.parse(answer({ ask: "read", ...request })) as ReadView,
-    convert: (request) => JSON.parse(answer({ ask: "convert", ...request })) as Converted,
-    help: (request) => JSON.parse(call("help", () => wasm.help(JSON.stringify(request)))) as HelpView,
-    machine: (request) => JSON.parse(call("machine", () => wasm.machine(JSON.stringify(request)))) as MachineView,
+    module,
+    simulates: "yes",
+    setup: setupOf,
+    change: changes,
+    recogniser,
+    form: request => JSON.parse(call("form", () => wasm.form(JSON.stringify(request)))) as FormView,
+    read: request => JSON.parse(answer({ ask: "read", ...request })) as ReadView,
+    convert: request => JSON.parse(answer({ ask: "convert", ...request })) as Converted,
+    help: request => JSON.parse(call("help", () => wasm.help(JSON.stringify(request)))) as HelpView,
+    machine: request => JSON.parse(call("machine", () => wasm.machine(JSON.stringify(request)))) as MachineView,
     catalogue: () => JSON.parse(call("catalogue", () => wasm.catalogue())) as Catalogue,
     alarms: () => JSON.parse(call("alarms", () => wasm.alarms())) as AlarmInfo[],
   };

@@ -4,83 +4,134 @@
 import { ENCODINGS } from "./encoding";
 import type { ProgramFile, Refusal } from "./files";
 import type { Scanned } from "./scan/scanner";
-import type { BasicSystem, CycleInfo, CallView, Diagnostic, Dialect, Edit, ErrorSliders, OwnMachine, Pending, Plane, ReadView, RunView, Setup, Style, TouchedLine, UnitFunction } from "./wire";
+import type {
+  BasicSystem,
+  CallView,
+  CycleInfo,
+  Diagnostic,
+  Dialect,
+  Edit,
+  ErrorSliders,
+  OwnMachine,
+  Pending,
+  Plane,
+  ReadView,
+  RunView,
+  Setup,
+  Style,
+  TouchedLine,
+  UnitFunction,
+} from "./wire";
 
 export type Panel = "tasks" | "form" | "program" | "view" | "results" | "help";
 export type ResultTab = "outcome" | "problems" | "motions" | "log" | "scan";
 /** What the core said about a text. It is current while the program is still that text. */
-export interface Reading { control: Dialect; text: string; setup?: Setup | OwnMachine; view: ReadView }
-export interface Ran { control: Dialect; text: string; setup?: Setup | OwnMachine; view: RunView }
+export interface Reading {
+  control: Dialect;
+  text: string;
+  setup?: Setup | OwnMachine;
+  view: ReadView;
+}
+export interface Ran {
+  control: Dialect;
+  text: string;
+  setup?: Setup | OwnMachine;
+  view: RunView;
+}
 /** A call to open as soon as the program is read: by its number, or the first that begins in a range. */
 export type Sought = { call: number } | { from: number; to: number };
 /** What was said when a call was written in another way. It is shown while the program is still what came out. */
-export interface ConvertedCall { control: Dialect; text: string; findings: Diagnostic[] }
+export interface ConvertedCall {
+  control: Dialect;
+  text: string;
+  findings: Diagnostic[];
+}
 /** What a card tells about: a result or an alarm as written on the control, the stem of its messages, who has it. */
-export interface Card { kind: "result" | "alarm"; code: string; key: string; cycles: CycleInfo[]; others: string[] }
+export interface Card {
+  kind: "result" | "alarm";
+  code: string;
+  key: string;
+  cycles: CycleInfo[];
+  others: string[];
+}
 /** A value, and the key of what it was a code of. */
-export interface Reset { value: string; before: string }
+export interface Reset {
+  value: string;
+  before: string;
+}
 /** A cure that would change lines elsewhere waits for a word. It counts while the program is still that text. */
-export interface Curing { control: Dialect; text: string; edits: Edit[]; lines: TouchedLine[] }
+export interface Curing {
+  control: Dialect;
+  text: string;
+  edits: Edit[];
+  lines: TouchedLine[];
+}
 /** Nothing is asked about this text any more: the user stopped it, or it failed for a reason. */
-export interface Stopped { control: Dialect; text: string; why: string }
+export interface Stopped {
+  control: Dialect;
+  text: string;
+  why: string;
+}
 
 export interface State {
   control: Dialect;
   cycle: string;
-  values: Record<string, string>;                    // as typed
+  values: Record<string, string>; // as typed
   remembered: Record<string, Record<string, string>>; // last values of the other cycles, by "control/cycle"
   programs: Partial<Record<Dialect, string>>;
-  files: Partial<Record<Dialect, ProgramFile>>;      // where a program came from
+  files: Partial<Record<Dialect, ProgramFile>>; // where a program came from
   sets: Record<string, Record<string, Record<string, string>>>; // named values, by "control/cycle" and name
-  open: number | null;                               // where in the program the call begins that the form edits
-  pending: readonly Pending[];                       // typed in the form, not yet in the program
+  open: number | null; // where in the program the call begins that the form edits
+  pending: readonly Pending[]; // typed in the form, not yet in the program
   errors: ErrorSliders;
   comments: boolean;
-  twin: boolean;                                     // the same task on the other control is shown
-  style: Style | "";                                 // way of writing of the snippet, where the cycle has it; empty: as the machine has it
-  setup: Setup | null;                               // imported machine; null: the core's own
-  own: Partial<Record<Dialect, OwnMachine>>;         // how the core's own begins, where that was chosen
-  suits: Partial<Record<Dialect, Plane>>;            // the usual plane of the sort of machine that the core's own last was for a form
-  checked: boolean;                                  // problems are shown at every field
-  touched: Record<string, true>;                     // fields whose problems are shown
-  source: "form" | "program" | "scan";               // whose motions the 3D view shows, or the points of the scan
+  twin: boolean; // the same task on the other control is shown
+  style: Style | ""; // way of writing of the snippet, where the cycle has it; empty: as the machine has it
+  setup: Setup | null; // imported machine; null: the core's own
+  own: Partial<Record<Dialect, OwnMachine>>; // how the core's own begins, where that was chosen
+  // the usual plane of the sort of machine that the core's own last was for a form
+  suits: Partial<Record<Dialect, Plane>>;
+  checked: boolean; // problems are shown at every field
+  touched: Record<string, true>; // fields whose problems are shown
+  source: "form" | "program" | "scan"; // whose motions the 3D view shows, or the points of the scan
 
-  diameters: boolean;                                // of a turned part, as on a drawing
+  diameters: boolean; // of a turned part, as on a drawing
   panel: Panel;
   left: Panel;
   right: Panel;
   tab: ResultTab;
   theme: "system" | "light" | "dark";
-  language: string;                                  // its code; empty: what the browser wants
-  unfolded: Record<string, boolean>;                 // branches of the task tree that were opened or closed by hand
-  outline: boolean;                                  // the list of calls stands beside the program
+  language: string; // its code; empty: what the browser wants
+  unfolded: Record<string, boolean>; // branches of the task tree that were opened or closed by hand
+  outline: boolean; // the list of calls stands beside the program
 
-  search: string;                                    // from here on: not kept
-  limits: boolean;                                   // the largest errors that the call survives are looked for
+  search: string; // from here on: not kept
+  limits: boolean; // the largest errors that the call survives are looked for
   card: Card | null;
-  converting: { at: number; style: Style } | null;   // the call that begins there is to be written in another way
+  converting: { at: number; style: Style } | null; // the call that begins there is to be written in another way
   converted: ConvertedCall | null;
   curing: Curing | null;
-  resets: Record<string, Reset>;                     // values that were taken away since they were codes of something else, by parameter
-  mended: string | null;                             // the program as a cure or a conversion has left it: one step of the editor
+  resets: Record<string, Reset>; // values that were taken away since they were codes of something else, by parameter
+  mended: string | null; // the program as a cure or a conversion has left it: one step of the editor
   focus: string | null;
   step: number;
   playing: boolean;
-  speed: number;                                     // of playing
-  cursor: number;                                    // in the program
-  cursorLine: number;                                // from 1
-  notice: string;                                    // key of a short confirmation
+  speed: number; // of playing
+  cursor: number; // in the program
+  cursorLine: number; // from 1
+  notice: string; // key of a short confirmation
   reading: Reading | null;
   ran: Ran | null;
   sought: Sought | null;
-  follow: "cursor" | "text" | "edits" | null;        // the form follows the cursor, what was typed in the program, or edits of its call
-  stoppedLaying: Stopped | null;                      // the program is not put into the editor
+  // the form follows the cursor, what was typed in the program, or edits of its call
+  follow: "cursor" | "text" | "edits" | null;
+  stoppedLaying: Stopped | null; // the program is not put into the editor
   stoppedReading: Stopped | null;
   stoppedRun: Stopped | null;
   refused: (Refusal & { place: "program" | "setup" }) | null; // a file that could not be opened
-  scan: Scanned | null;                              // the last one, while the page is open
-  scanProblem: string;                               // why the last one could not be made
-  undo: Partial<State> | null;                       // what the last replacement of work has replaced
+  scan: Scanned | null; // the last one, while the page is open
+  scanProblem: string; // why the last one could not be made
+  undo: Partial<State> | null; // what the last replacement of work has replaced
 }
 
 export const NO_ERRORS: ErrorSliders = {
@@ -96,18 +147,125 @@ export const SPEEDS = [0.5, 1, 2, 5, 20, 100];
 
 export function firstState(): State {
   return {
-    control: "sinumerik", cycle: "", values: {}, remembered: {}, programs: {}, files: {}, sets: {}, open: null, pending: [],
-    errors: NO_ERRORS, comments: true, twin: false, style: "", setup: null, own: {}, suits: {}, checked: false, touched: {}, source: "form", diameters: false,
-    panel: "form", left: "form", right: "results", tab: "outcome", theme: "system", language: "", unfolded: {}, outline: true,
-    search: "", limits: false, card: null, converting: null, converted: null, curing: null, resets: {}, mended: null, focus: null, step: AT_END, playing: false, speed: 1, cursor: 0, cursorLine: 1, notice: "",
-    reading: null, ran: null, sought: null, follow: null, stoppedLaying: null, stoppedReading: null, stoppedRun: null, refused: null, scan: null, scanProblem: "", undo: null,
+    control: "sinumerik",
+    cycle: "",
+    values: {},
+    remembered: {},
+    programs: {},
+    files: {},
+    sets: {},
+    open: null,
+    pending: [],
+    errors: NO_ERRORS,
+    comments: true,
+    twin: false,
+    style: "",
+    setup: null,
+    own: {},
+    suits: {},
+    checked: false,
+    touched: {},
+    source: "form",
+    diameters: false,
+    panel: "form",
+    left: "form",
+    right: "results",
+    tab: "outcome",
+    theme: "system",
+    language: "",
+    unfolded: {},
+    outline: true,
+    search: "",
+    limits: false,
+    card: null,
+    converting: null,
+    converted: null,
+    curing: null,
+    resets: {},
+    mended: null,
+    focus: null,
+    step: AT_END,
+    playing: false,
+    speed: 1,
+    cursor: 0,
+    cursorLine: 1,
+    notice: "",
+    reading: null,
+    ran: null,
+    sought: null,
+    follow: null,
+    stoppedLaying: null,
+    stoppedReading: null,
+    stoppedRun: null,
+    refused: null,
+    scan: null,
+    scanProblem: "",
+    undo: null,
   };
 }
 
-const NOT_KEPT = ["search", "limits", "card", "converting", "converted", "curing", "resets", "mended", "focus", "step", "playing", "speed", "cursor", "cursorLine", "notice", "reading", "ran", "sought", "follow", "stoppedLaying", "stoppedReading", "stoppedRun", "refused", "scan", "scanProblem", "undo"] as const satisfies (keyof State)[];
+const NOT_KEPT = [
+  "search",
+  "limits",
+  "card",
+  "converting",
+  "converted",
+  "curing",
+  "resets",
+  "mended",
+  "focus",
+  "step",
+  "playing",
+  "speed",
+  "cursor",
+  "cursorLine",
+  "notice",
+  "reading",
+  "ran",
+  "sought",
+  "follow",
+  "stoppedLaying",
+  "stoppedReading",
+  "stoppedRun",
+  "refused",
+  "scan",
+  "scanProblem",
+  "undo",
+] as const satisfies (keyof State)[];
 /** What a replacement of work can take away. */
-const WORK = ["control", "cycle", "values", "remembered", "programs", "files", "sets", "open", "pending", "errors", "setup", "own", "suits", "checked", "touched"] as const satisfies (keyof State)[];
-const IN_LINK = ["control", "cycle", "values", "programs", "files", "open", "errors", "comments", "style", "setup", "own", "suits", "checked", "source"] as const satisfies (keyof State)[];
+const WORK = [
+  "control",
+  "cycle",
+  "values",
+  "remembered",
+  "programs",
+  "files",
+  "sets",
+  "open",
+  "pending",
+  "errors",
+  "setup",
+  "own",
+  "suits",
+  "checked",
+  "touched",
+] as const satisfies (keyof State)[];
+const IN_LINK = [
+  "control",
+  "cycle",
+  "values",
+  "programs",
+  "files",
+  "open",
+  "errors",
+  "comments",
+  "style",
+  "setup",
+  "own",
+  "suits",
+  "checked",
+  "source",
+] as const satisfies (keyof State)[];
 
 /** Under what the values and value sets of a cycle are kept. */
 export function memoryKey({ control, cycle }: Pick<State, "control" | "cycle">): string {
@@ -116,14 +274,15 @@ export function memoryKey({ control, cycle }: Pick<State, "control" | "cycle">):
 
 /** The call of the program that the form edits, as it was read last. */
 export function openCall({ reading, control, open }: State): CallView | undefined {
-  return reading?.control === control ? reading.view.calls.find((one) => one.from === open) : undefined;
+  return reading?.control === control ? reading.view.calls.find(one => one.from === open) : undefined;
 }
 
 /** The values in the form as the program has them: an expression, and not what it is worth today. */
 export function asWritten(state: State): Record<string, string> {
   const call = openCall(state);
   if (!call) return state.values;
-  const one = (name: string, value: string): string => value === call.values[name] ? call.expressions[name] ?? value : value;
+  const one = (name: string, value: string): string =>
+    value === call.values[name] ? (call.expressions[name] ?? value) : value;
   return Object.fromEntries(Object.entries(state.values).map(([name, value]) => [name, one(name, value)]));
 }
 
@@ -153,7 +312,7 @@ export function kept(state: State): Partial<State> {
 
 /** The work as it is, to come back to it. */
 export function work(state: State): Partial<State> {
-  return Object.fromEntries(WORK.map((name) => [name, state[name]]));
+  return Object.fromEntries(WORK.map(name => [name, state[name]]));
 }
 
 /** The named values of the chosen cycle. */
@@ -162,7 +321,7 @@ export function setsOf(state: State): Record<string, Record<string, string>> {
 }
 
 export function shared(state: State): Partial<State> {
-  return Object.fromEntries(IN_LINK.map((name) => [name, state[name]]));
+  return Object.fromEntries(IN_LINK.map(name => [name, state[name]]));
 }
 
 function plainObject(value: unknown): value is Record<string, unknown> {
@@ -170,17 +329,23 @@ function plainObject(value: unknown): value is Record<string, unknown> {
 }
 
 const texts = (value: unknown): Record<string, string> =>
-  plainObject(value) ? Object.fromEntries(Object.entries(value).filter((pair): pair is [string, string] => typeof pair[1] === "string")) : {};
+  plainObject(value)
+    ? Object.fromEntries(Object.entries(value).filter((pair): pair is [string, string] => typeof pair[1] === "string"))
+    : {};
 
 function numbers<T extends Record<string, number>>(value: unknown, shape: T): T {
   const given = plainObject(value) ? value : {};
-  return Object.fromEntries(Object.entries(shape).map(([name, zero]) => [name, Number.isFinite(given[name]) ? given[name] : zero])) as T;
+  return Object.fromEntries(
+    Object.entries(shape).map(([name, zero]) => [name, Number.isFinite(given[name]) ? given[name] : zero]),
+  ) as T;
 }
 
 const isFile = (value: unknown): value is ProgramFile =>
-  plainObject(value) && typeof value.name === "string" && ENCODINGS.some((one) => one === value.encoding);
+  plainObject(value) && typeof value.name === "string" && ENCODINGS.some(one => one === value.encoding);
 const isPending = (value: unknown): value is Pending =>
-  plainObject(value) && ["control", "name", "value"].every((name) => typeof value[name] === "string") && Number.isInteger(value.at);
+  plainObject(value) &&
+  ["control", "name", "value"].every(name => typeof value[name] === "string") &&
+  Number.isInteger(value.at);
 
 const STYLES: Style[] = ["direct", "indirect", "operate"];
 
@@ -196,7 +361,11 @@ export function beginning(state: State): OwnMachine["own"] {
   const { control, setup } = state;
   const own = ownMachine(state);
   if (setup?.control !== control) return own;
-  return { basic: setup.units, plane: setup.plane, units: setup.active?.units ?? unitsIn(control, own.units, setup.units) };
+  return {
+    basic: setup.units,
+    plane: setup.plane,
+    units: setup.active?.units ?? unitsIn(control, own.units, setup.units),
+  };
 }
 
 /** The working plane of the call in the form: that of the opened call, else the one in which the machine begins. */
@@ -213,11 +382,15 @@ export function unitsIn(control: Dialect, units: UnitFunction, basic: BasicSyste
 
 /** What may be chosen for the core's own machine, in pairs of mm and inch; the first counts where nothing was. */
 export const PLANES: Plane[] = ["G17", "G18", "G19"];
-export const UNITS: Record<Dialect, UnitFunction[]> = { sinumerik: ["G71", "G70", "G710", "G700"], nct: ["G21", "G20"] };
+export const UNITS: Record<Dialect, UnitFunction[]> = {
+  sinumerik: ["G71", "G70", "G710", "G700"],
+  nct: ["G21", "G20"],
+};
 export const INCH: UnitFunction[] = ["G70", "G700", "G20"];
 
 function data(value: unknown): Setup["data"] {
-  const known = (pair: [string, unknown]): pair is [string, number | string] => Number.isFinite(pair[1]) || typeof pair[1] === "string";
+  const known = (pair: [string, unknown]): pair is [string, number | string] =>
+    Number.isFinite(pair[1]) || typeof pair[1] === "string";
   return plainObject(value) ? Object.fromEntries(Object.entries(value).filter(known)) : {};
 }
 
@@ -242,19 +415,40 @@ export function merge(state: State, data: unknown): State {
   }
   if (plainObject(data.values)) next.values = texts(data.values);
   if (plainObject(data.programs)) next.programs = texts(data.programs);
-  if (plainObject(data.remembered)) next.remembered = Object.fromEntries(Object.entries(data.remembered).map(([name, values]) => [name, texts(values)]));
-  if (plainObject(data.sets)) next.sets = Object.fromEntries(Object.entries(data.sets).map(([cycle, sets]) =>
-    [cycle, plainObject(sets) ? Object.fromEntries(Object.entries(sets).map(([name, values]) => [name, texts(values)])) : {}]));
-  if (plainObject(data.files)) next.files = Object.fromEntries(Object.entries(data.files).filter(([, file]) => isFile(file)));
-  if (plainObject(data.errors)) next.errors = { part: numbers(data.errors.part, NO_ERRORS.part), probe: numbers(data.errors.probe, NO_ERRORS.probe) };
+  if (plainObject(data.remembered))
+    next.remembered = Object.fromEntries(
+      Object.entries(data.remembered).map(([name, values]) => [name, texts(values)]),
+    );
+  if (plainObject(data.sets))
+    next.sets = Object.fromEntries(
+      Object.entries(data.sets).map(([cycle, sets]) => [
+        cycle,
+        plainObject(sets)
+          ? Object.fromEntries(Object.entries(sets).map(([name, values]) => [name, texts(values)]))
+          : {},
+      ]),
+    );
+  if (plainObject(data.files))
+    next.files = Object.fromEntries(Object.entries(data.files).filter(([, file]) => isFile(file)));
+  if (plainObject(data.errors))
+    next.errors = {
+      part: numbers(data.errors.part, NO_ERRORS.part),
+      probe: numbers(data.errors.probe, NO_ERRORS.probe),
+    };
   if (Number.isInteger(data.open)) next.open = data.open as number;
   if (data.open === null) next.open = null;
   if (next.style && !STYLES.includes(next.style)) next.style = state.style;
   next.unfolded = Object.fromEntries(Object.entries(next.unfolded).filter(([, open]) => typeof open === "boolean"));
-  next.pending = Array.isArray(data.pending) ? data.pending.filter(isPending).map(({ control, at, name, value }) => ({ control, at, name, value })) : [];
+  next.pending = Array.isArray(data.pending)
+    ? data.pending.filter(isPending).map(({ control, at, name, value }) => ({ control, at, name, value }))
+    : [];
   if (data.own !== undefined) next.own = ownMachines(data.own);
-  const planes = plainObject(data.suits) ? data.suits : Object.fromEntries(Object.entries(next.own).map(([control, { own }]) => [control, own.plane]));
-  next.suits = Object.fromEntries(Object.entries(planes).filter(([, plane]) => PLANES.includes(plane as Plane))) as State["suits"];
+  const planes = plainObject(data.suits)
+    ? data.suits
+    : Object.fromEntries(Object.entries(next.own).map(([control, { own }]) => [control, own.plane]));
+  next.suits = Object.fromEntries(
+    Object.entries(planes).filter(([, plane]) => PLANES.includes(plane as Plane)),
+  ) as State["suits"];
   if (plainObject(data.setup)) next.setup = data.setup as unknown as Setup;
   return next;
 }

@@ -5,7 +5,9 @@ import type { State } from "./state";
 export interface Store {
   readonly state: State;
   update(patch: Partial<State> | ((state: State) => Partial<State>)): void;
-  /** Draws what is still to be drawn, now: for whoever goes on with what the redraw shows, as moving the focus there. */
+  /**
+   * Draws what is still to be drawn, now: for whoever goes on with what the redraw shows, as moving the focus there.
+   */
   flush(): void;
   /** What follows from the state is part of it, before it is drawn: no redraw. */
   settle(next: State): State;
@@ -19,13 +21,15 @@ export function createStore(first: State, draw: () => void): Store {
     draw();
   };
   return {
-    get state() { return state; },
+    get state() {
+      return state;
+    },
     update(patch) {
       const change = typeof patch === "function" ? patch(state) : patch;
       state = { ...state, ...change };
       waiting ||= requestAnimationFrame(frame);
     },
-    settle: (next) => state = next,
+    settle: next => (state = next),
     flush() {
       if (!waiting) return;
       cancelAnimationFrame(waiting);

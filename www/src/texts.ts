@@ -1,17 +1,33 @@
-// Words come from Fluent files: core/messages/<language>/ for what the core says, www/messages/<language>/ for the page.
-// Nothing here knows which languages there are. English comes with the page and is what a missing word falls back to;
-// another language is fetched when it is chosen.
+// Words come from Fluent files: core/messages/<language>/ for what the core says, www/messages/<language>/ for the
+// page. Nothing here knows which languages there are. English comes with the page and is what a missing word falls back
+// to; another language is fetched when it is chosen.
 
 import { FluentBundle, FluentNumber, FluentResource } from "@fluent/bundle";
 import type { Message } from "./wire";
 
 const FALLBACK = "en";
 // English comes in two parts, split by the build (vite.config.ts): what the first form says, and what comes behind it.
-const english = import.meta.glob<string>(["../../core/messages/en/*.ftl", "../messages/en/*.ftl", "!../../core/messages/en/help*.ftl"], { query: "?first", import: "default", eager: true });
-const later = Object.values(import.meta.glob<string>(["../../core/messages/en/*.ftl", "!../../core/messages/en/help*.ftl"], { query: "?later", import: "default" }));
+const english = import.meta.glob<string>(
+  ["../../core/messages/en/*.ftl", "../messages/en/*.ftl", "!../../core/messages/en/help*.ftl"],
+  { query: "?first", import: "default", eager: true },
+);
+const later = Object.values(
+  import.meta.glob<string>(["../../core/messages/en/*.ftl", "!../../core/messages/en/help*.ftl"], {
+    query: "?later",
+    import: "default",
+  }),
+);
 let complete = false; // whether all of English is here
 const others = import.meta.glob<string>(
-  ["../../core/messages/*/*.ftl", "../messages/*/*.ftl", "!../../core/messages/en/*.ftl", "!../messages/en/*.ftl", "!../../core/messages/*/help*.ftl"], { query: "?raw", import: "default" });
+  [
+    "../../core/messages/*/*.ftl",
+    "../messages/*/*.ftl",
+    "!../../core/messages/en/*.ftl",
+    "!../messages/en/*.ftl",
+    "!../../core/messages/*/help*.ftl",
+  ],
+  { query: "?raw", import: "default" },
+);
 // Help pages are long and read by few: their words come when one is opened.
 const help = import.meta.glob<string>("../../core/messages/*/help*.ftl", { query: "?raw", import: "default" });
 
@@ -24,13 +40,14 @@ const helped = new Set<string>(); // languages whose words of help are here
 function bundle(language: string, sources: string[]): FluentBundle {
   const made = new FluentBundle(language, { useIsolating: false });
   for (const source of sources)
-    for (const problem of made.addResource(new FluentResource(source))) console.error(`messages: ${language}: ${problem.message}`);
+    for (const problem of made.addResource(new FluentResource(source)))
+      console.error(`messages: ${language}: ${problem.message}`);
   return made;
 }
 
 /** The English words that the first form does without. */
 export async function laterWords(): Promise<void> {
-  const sources = await Promise.all(later.map((fetch) => fetch()));
+  const sources = await Promise.all(later.map(fetch => fetch()));
   const made = bundles.get(FALLBACK);
   for (const source of sources) made?.addResource(new FluentResource(source));
   complete = true;
@@ -43,16 +60,21 @@ export function allWords(): boolean {
 
 /** The words of the help pages, in the language that is spoken. */
 export async function helpWords(): Promise<void> {
-  await Promise.all(order.filter((one) => !helped.has(one)).map(async (one) => {
-    const files = Object.entries(help).filter(([path]) => languageOf(path) === one);
-    for (const source of await Promise.all(files.map(([, fetch]) => fetch()))) bundles.get(one)?.addResource(new FluentResource(source));
-    helped.add(one);
-  }));
+  await Promise.all(
+    order
+      .filter(one => !helped.has(one))
+      .map(async one => {
+        const files = Object.entries(help).filter(([path]) => languageOf(path) === one);
+        for (const source of await Promise.all(files.map(([, fetch]) => fetch())))
+          bundles.get(one)?.addResource(new FluentResource(source));
+        helped.add(one);
+      }),
+  );
 }
 
 /** Whether they have come. */
 export function hasHelp(): boolean {
-  return order.every((one) => helped.has(one));
+  return order.every(one => helped.has(one));
 }
 
 /** Codes of the languages that there are. */
@@ -68,7 +90,9 @@ export function language(): string {
 /** Fetches the first of the wanted languages that there is and speaks it, English behind it; gives the one taken. */
 export async function choose(wanted: readonly string[]): Promise<string> {
   const there = languages();
-  const found = wanted.map((one) => there.includes(one) ? one : one.split("-")[0] ?? one).find((one) => there.includes(one)) ?? FALLBACK;
+  const found =
+    wanted.map(one => (there.includes(one) ? one : (one.split("-")[0] ?? one))).find(one => there.includes(one)) ??
+    FALLBACK;
   if (!bundles.has(found)) {
     const files = Object.entries(others).filter(([path]) => languageOf(path) === found);
     bundles.set(found, bundle(found, await Promise.all(files.map(([, fetch]) => fetch()))));
@@ -89,7 +113,9 @@ function pattern(bundle: FluentBundle, key: string) {
 
 type Args = Record<string, number | string>;
 const NONE: Args = {};
-/** Texts without arguments by language and key: what a bundle once says it says for good, and most of a page is that. */
+/**
+ * Texts without arguments by language and key: what a bundle once says it says for good, and most of a page is that.
+ */
 const fixed = new Map<string, string>();
 
 function find(key: string, args: Args, within: readonly string[] = order): string | null {
@@ -139,10 +165,12 @@ export function inEnglish(key: string): string {
 export function say(message: Message): string {
   const given = Object.entries(message.args ?? {});
   if (given.length === 0) return t(message.key);
-  const args = Object.fromEntries(given.map(([name, value]) => [name, typeof value === "string" ? spoken(value) : value]));
+  const args = Object.fromEntries(
+    given.map(([name, value]) => [name, typeof value === "string" ? spoken(value) : value]),
+  );
   return t(message.key, args);
 }
 
 function spoken(value: string): string {
-  return /^[a-z][a-z0-9]*(-[a-z0-9]+)+(\.[a-z]+)?$/.test(value) ? find(value, NONE) ?? value : value;
+  return /^[a-z][a-z0-9]*(-[a-z0-9]+)+(\.[a-z]+)?$/.test(value) ? (find(value, NONE) ?? value) : value;
 }

@@ -1,15 +1,19 @@
-// The core on a thread of its own. First comes the compiled module, then questions; each gets one answer, before it how much of a long
-// program is done. A run goes in pieces, so that it hears between them that it should wait.
+// The core on a thread of its own. First comes the compiled module, then questions; each gets one answer, before it how
+// much of a long program is done. A run goes in pieces, so that it hears between them that it should wait.
 
 import { initSync } from "@pkg/program/program.js";
-import { answer, runInPieces, type Question } from "./program";
+import { answer, type Question, runInPieces } from "./program";
 
 export type Reply = { json: string } | { problem: string } | { share: number };
-export interface Wait { wait: boolean }
+export interface Wait {
+  wait: boolean;
+}
 
 const tell = (reply: Reply): void => postMessage(reply);
 
-addEventListener("probewright-progress", (event) => tell({ share: event instanceof CustomEvent ? Number(event.detail) : 0 }));
+addEventListener("probewright-progress", event =>
+  tell({ share: event instanceof CustomEvent ? Number(event.detail) : 0 }),
+);
 
 let waiting = false;
 let goOn = (): void => {};
@@ -17,8 +21,11 @@ let goOn = (): void => {};
 /** Lets messages in, and comes back once nobody wants the run to wait. */
 async function between(share: number): Promise<void> {
   tell({ share });
-  await new Promise((resolve) => setTimeout(resolve));
-  while (waiting) await new Promise<void>((resolve) => { goOn = resolve; });
+  await new Promise(resolve => setTimeout(resolve));
+  while (waiting)
+    await new Promise<void>(resolve => {
+      goOn = resolve;
+    });
 }
 
 async function reply(question: Question): Promise<Reply> {

@@ -12,11 +12,7 @@ use std::path::{Path, PathBuf};
 pub fn bench() -> Result<()> {
     dist::build()?;
     let browser = browser::browser()?;
-    step("native", || {
-        run(&mut cargo(
-            "bench --locked -p probewright-core --all-features --benches",
-        ))
-    })?;
+    step("native", || run(&mut cargo("bench --locked -p probewright-core --all-features --benches")))?;
     let address = serve::in_background()?;
     step("in Chromium", || {
         run(command("node")
@@ -36,12 +32,7 @@ fn sizes(folder: &Path) -> Result<()> {
     for path in files {
         let bytes = fs::read(&path)?;
         let name = path.strip_prefix(folder).unwrap_or(&path);
-        println!(
-            "{:>12} {:>12}  {}",
-            bytes.len(),
-            gzipped(&bytes)?,
-            name.display()
-        );
+        println!("{:>12} {:>12}  {}", bytes.len(), gzipped(&bytes)?, name.display());
     }
     Ok(())
 }

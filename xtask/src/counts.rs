@@ -45,17 +45,11 @@ pub fn suite(counts: &mut Counts, name: &str, command: &mut Command) {
     counts.failed += found.failed;
     let mark = if found.failed == 0 { "✓" } else { "✗" };
     let seconds = start.elapsed().as_secs_f64();
-    eprintln!(
-        "{mark} {name}: {} passed, {} failed  {seconds:.1} s",
-        found.passed, found.failed
-    );
+    eprintln!("{mark} {name}: {} passed, {} failed  {seconds:.1} s", found.passed, found.failed);
 }
 
 fn watched(command: &mut Command, found: &mut Counts) -> Result<bool> {
-    let mut child = command
-        .stdout(Stdio::piped())
-        .spawn()
-        .with_context(|| shown(command))?;
+    let mut child = command.stdout(Stdio::piped()).spawn().with_context(|| shown(command))?;
     if let Some(output) = child.stdout.take() {
         for line in BufReader::new(output).split(b'\n') {
             let line = line?;
@@ -87,10 +81,7 @@ fn add(found: &mut Counts, line: &str) {
 }
 
 fn number_before(text: &str, word: &str) -> u32 {
-    text.find(word)
-        .and_then(|end| text[..end].rsplit(' ').next())
-        .and_then(|number| number.parse().ok())
-        .unwrap_or(0)
+    text.find(word).and_then(|end| text[..end].rsplit(' ').next()).and_then(|number| number.parse().ok()).unwrap_or(0)
 }
 
 #[cfg(test)]
@@ -107,42 +98,17 @@ mod tests {
     #[test]
     fn closing_lines_are_added_up() {
         let rust = "test result: FAILED. 12 passed; 2 failed; 0 ignored; 0 measured; 0 filtered out; finished in 0.1s";
-        assert_eq!(
-            counted(&[rust, rust]),
-            Counts {
-                passed: 24,
-                failed: 4
-            }
-        );
+        assert_eq!(counted(&[rust, rust]), Counts { passed: 24, failed: 4 });
         let node = ["ℹ tests 4", "ℹ pass 3", "ℹ fail 1", "ℹ skipped 0"];
-        assert_eq!(
-            counted(&node),
-            Counts {
-                passed: 3,
-                failed: 1
-            }
-        );
-        assert_eq!(
-            counted(&["pass 7", "12 passed", "running 3 tests"]),
-            Counts::default()
-        );
+        assert_eq!(counted(&node), Counts { passed: 3, failed: 1 });
+        assert_eq!(counted(&["pass 7", "12 passed", "running 3 tests"]), Counts::default());
     }
 
     // oracle: hand
     #[test]
     fn a_program_that_does_not_start_is_a_failure() {
         let mut counts = Counts::default();
-        suite(
-            &mut counts,
-            "absent",
-            &mut Command::new("no-such-program-anywhere"),
-        );
-        assert_eq!(
-            counts,
-            Counts {
-                passed: 0,
-                failed: 1
-            }
-        );
+        suite(&mut counts, "absent", &mut Command::new("no-such-program-anywhere"));
+        assert_eq!(counts, Counts { passed: 0, failed: 1 });
     }
 }

@@ -14,9 +14,6 @@ pub fn build() -> Result<()> {
 /// `cargo xtask dist`.
 pub fn dist() -> Result<()> {
     build()?;
-    println!(
-        "{} is ready for any static file server",
-        tools::root().join("dist").display()
-    );
+    println!("{} is ready for any static file server", tools::root().join("dist").display());
     Ok(())
 }

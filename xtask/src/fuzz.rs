@@ -41,12 +41,7 @@ const LONGEST: u32 = 5;
 const LARGEST: u32 = 512;
 
 /// Programs to start from.
-const SEEDS: [&str; 4] = [
-    "tests/cases",
-    "tests/right",
-    "tests/wrong",
-    "core/tests/programs",
-];
+const SEEDS: [&str; 4] = ["tests/cases", "tests/right", "tests/wrong", "core/tests/programs"];
 
 /// Looks for a program that breaks the target; fails when it finds one and keeps it in `fuzz/artifacts/`.
 pub fn fuzz(options: &Options) -> Result<()> {
@@ -72,13 +67,8 @@ pub fn fuzz(options: &Options) -> Result<()> {
 
 /// `--target` keeps the flags away from build scripts.
 fn build(name: &str) -> Result<Command> {
-    if ["c++", "g++", "clang++", "cl"]
-        .iter()
-        .all(|program| find(program).is_none())
-    {
-        bail!(
-            "a C++ compiler is missing: install one (Debian: apt-get install g++), libFuzzer is built with it"
-        );
+    if ["c++", "g++", "clang++", "cl"].iter().all(|program| find(program).is_none()) {
+        bail!("a C++ compiler is missing: install one (Debian: apt-get install g++), libFuzzer is built with it");
     }
     let mut cargo = cargo("build --release --manifest-path fuzz/Cargo.toml --features engine");
     cargo.args(["--bin", name, "--target", &host()?]);

@@ -15,21 +15,14 @@ pub fn packages() -> Result<()> {
         return Ok(());
     }
     step("npm packages", || {
-        run(npm()
-            .args(["ci", "--no-audit", "--no-fund"])
-            .current_dir(&www))?;
+        run(npm().args(["ci", "--no-audit", "--no-fund"]).current_dir(&www))?;
         fs::write(&installed, &lock).context("www/node_modules")
     })
 }
 
 /// Builds `dist/` from `www/` and `pkg/`.
 pub fn build() -> Result<()> {
-    step("page", || {
-        run(&mut script(
-            "vite/bin/vite.js",
-            &["build", "--logLevel", "warn"],
-        ))
-    })
+    step("page", || run(&mut script("vite/bin/vite.js", &["build", "--logLevel", "warn"])))
 }
 
 /// Checks the types of the page's sources.

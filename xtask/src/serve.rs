@@ -29,8 +29,7 @@ pub fn serve(options: &Options) -> Result<()> {
     if !folder.join("index.html").is_file() {
         bail!("dist/ is empty: run `cargo xtask serve` without --no-build");
     }
-    let listener = TcpListener::bind(("127.0.0.1", options.port))
-        .or_else(|_| TcpListener::bind(("127.0.0.1", 0)))?;
+    let listener = TcpListener::bind(("127.0.0.1", options.port)).or_else(|_| TcpListener::bind(("127.0.0.1", 0)))?;
     println!("http://{}/  (end with Ctrl+C)", listener.local_addr()?);
     accept(&listener, &folder);
     Ok(())
@@ -71,13 +70,7 @@ fn answer(stream: &TcpStream, folder: &Path) -> Result<()> {
     let found = file(folder, address).and_then(|path| Some((fs::read(&path).ok()?, kind(&path))));
     match found {
         Some((body, kind)) => reply(stream, "200 OK", kind, &body, method == "GET"),
-        None => reply(
-            stream,
-            "404 Not Found",
-            "text/plain",
-            b"not found\n",
-            method == "GET",
-        ),
+        None => reply(stream, "404 Not Found", "text/plain", b"not found\n", method == "GET"),
     }
 }
 
@@ -102,11 +95,7 @@ fn file(folder: &Path, address: &str) -> Option<PathBuf> {
         return None;
     }
     let named = folder.join(path);
-    Some(if path.is_empty() || path.ends_with('/') {
-        named.join("index.html")
-    } else {
-        named
-    })
+    Some(if path.is_empty() || path.ends_with('/') { named.join("index.html") } else { named })
 }
 
 /// Content type by the file's extension.
@@ -136,10 +125,7 @@ mod tests {
     fn only_files_inside_the_folder_can_be_named() {
         let folder = Path::new("dist");
         assert_eq!(file(folder, "/"), Some(PathBuf::from("dist/index.html")));
-        assert_eq!(
-            file(folder, "/a/b.js?v=1"),
-            Some(PathBuf::from("dist/a/b.js"))
-        );
+        assert_eq!(file(folder, "/a/b.js?v=1"), Some(PathBuf::from("dist/a/b.js")));
         assert_eq!(file(folder, "/../Cargo.toml"), None);
         assert_eq!(file(folder, "/a/../../Cargo.toml"), None);
         assert_eq!(file(folder, "/%2e%2e/Cargo.toml"), None);

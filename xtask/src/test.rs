@@ -62,9 +62,7 @@ pub fn test(options: &Options) -> Result<bool> {
 
 fn formatting(counts: &mut Counts) -> Result<()> {
     component("rustfmt", "fmt")?;
-    check(counts, "formatting", || {
-        run(&mut cargo("fmt --all --check"))
-    });
+    check(counts, "formatting", || run(&mut cargo("fmt --all --check")));
     Ok(())
 }
 
@@ -99,27 +97,19 @@ fn wasm(counts: &mut Counts, runner: &str) -> Result<()> {
     let surroundings = browser::surroundings(&browser::browser()?)?;
     let mut tests = cargo("test --locked --all-features --no-fail-fast --target");
     tests.arg(WASM).args(in_the_browser());
-    tests
-        .envs(surroundings)
-        .env("CARGO_PROFILE_DEV_DEBUG", "0")
-        .env(runner_variable(), runner);
+    tests.envs(surroundings).env("CARGO_PROFILE_DEV_DEBUG", "0").env(runner_variable(), runner);
     suite(counts, "wasm tests in Chromium", &mut tests);
     Ok(())
 }
 
 fn runner_variable() -> String {
-    format!(
-        "CARGO_TARGET_{}_RUNNER",
-        WASM.to_uppercase().replace('-', "_")
-    )
+    format!("CARGO_TARGET_{}_RUNNER", WASM.to_uppercase().replace('-', "_"))
 }
 
 /// This program, already built.
 fn runner() -> Result<String> {
     let program = std::env::current_exe()?;
-    let program = program
-        .to_str()
-        .context("the path of this program is not Unicode")?;
+    let program = program.to_str().context("the path of this program is not Unicode")?;
     Ok(format!("{program} test-runner"))
 }
 
@@ -132,10 +122,8 @@ fn in_the_page(counts: &mut Counts, built: bool) -> Result<()> {
     check(counts, "types of the page", page::types);
     let address = serve::in_background()?;
     let mut node = command("node");
-    node.args(["--test", "--test-reporter=spec", "--test-concurrency=1"])
-        .args(specs()?);
-    node.env("CHROME", browser.chrome)
-        .env("PROBEWRIGHT_URL", format!("http://{address}/"));
+    node.args(["--test", "--test-reporter=spec", "--test-concurrency=1"]).args(specs()?);
+    node.env("CHROME", browser.chrome).env("PROBEWRIGHT_URL", format!("http://{address}/"));
     suite(counts, "the page in Chromium", &mut node);
     Ok(())
 }

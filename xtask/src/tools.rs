@@ -12,9 +12,7 @@ const NODE: (u32, u32) = (20, 19);
 
 /// The root of the repository.
 pub fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-        .parent()
-        .map_or_else(|| PathBuf::from("."), Path::to_path_buf)
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().map_or_else(|| PathBuf::from("."), Path::to_path_buf)
 }
 
 /// Does one named piece of work and tells how long it took.
@@ -59,10 +57,7 @@ pub fn run(command: &mut Command) -> Result<()> {
 pub fn answer(command: &mut Command) -> Option<String> {
     let output = command.stderr(Stdio::null()).output().ok()?;
     let text = String::from_utf8(output.stdout).ok()?;
-    output
-        .status
-        .success()
-        .then(|| text.lines().next().unwrap_or("").trim().to_owned())
+    output.status.success().then(|| text.lines().next().unwrap_or("").trim().to_owned())
 }
 
 /// The command as one would type it.
@@ -91,9 +86,7 @@ pub fn wasm_target() -> Result<()> {
     if find("rustup").is_none() {
         bail!("the Rust target {WASM} is missing: install Rust with rustup (https://rustup.rs)");
     }
-    step("wasm target", || {
-        run(command("rustup").args(["target", "add", WASM]))
-    })
+    step("wasm target", || run(command("rustup").args(["target", "add", WASM])))
 }
 
 /// Gets a component of the toolchain (`rustfmt`, `clippy`), unless it is there.
@@ -104,9 +97,7 @@ pub fn component(name: &str, subcommand: &str) -> Result<()> {
     if find("rustup").is_none() {
         bail!("{name} is missing: install Rust with rustup (https://rustup.rs)");
     }
-    step(name, || {
-        run(command("rustup").args(["component", "add", name]))
-    })
+    step(name, || run(command("rustup").args(["component", "add", name])))
 }
 
 /// Says in one line what to do when Node or npm is missing or too old.

@@ -65,9 +65,7 @@ const WASM_FEATURES: [&str; 6] = [
 
 /// Builds all modules. Needs the wasm target and the npm packages.
 pub fn build() -> Result<()> {
-    MODULES
-        .iter()
-        .try_for_each(|module| step(&format!("wasm {}", module.folder), || build_module(module)))
+    MODULES.iter().try_for_each(|module| step(&format!("wasm {}", module.folder), || build_module(module)))
 }
 
 fn build_module(module: &Module) -> Result<()> {
@@ -91,10 +89,7 @@ fn compile(module: &Module) -> Result<()> {
 
 /// Where cargo puts the compiled module.
 fn compiled(module: &Module) -> PathBuf {
-    target()
-        .join(WASM)
-        .join(module.profile)
-        .join(format!("{}.wasm", module.package.replace('-', "_")))
+    target().join(WASM).join(module.profile).join(format!("{}.wasm", module.package.replace('-', "_")))
 }
 
 /// Cargo's folder for what it builds.
@@ -105,9 +100,7 @@ pub fn target() -> PathBuf {
 /// Makes the JavaScript module and its types.
 fn bind(wasm: &Path, out: &Path, name: &str) -> Result<()> {
     let text = |path: &Path| -> Result<String> {
-        path.to_str()
-            .map(str::to_owned)
-            .ok_or_else(|| anyhow!("{} is not Unicode", path.display()))
+        path.to_str().map(str::to_owned).ok_or_else(|| anyhow!("{} is not Unicode", path.display()))
     };
     wasm_bindgen_cli::wasm_bindgen::run_cli_with_args([
         "wasm-bindgen".to_owned(),

@@ -150,27 +150,12 @@ pub static ALARMS: &[Alarm] = &[
     message(nct::SCANNING_FAIL, Run, "C:1339"),
 ];
 
-const fn alarm(
-    number: u32,
-    found: Found,
-    programs: &'static [&'static str],
-    source: &'static str,
-) -> Alarm {
-    Alarm {
-        code: Code::Alarm(number),
-        found,
-        programs,
-        source,
-    }
+const fn alarm(number: u32, found: Found, programs: &'static [&'static str], source: &'static str) -> Alarm {
+    Alarm { code: Code::Alarm(number), found, programs, source }
 }
 
 const fn message(code: Code, found: Found, source: &'static str) -> Alarm {
-    Alarm {
-        code,
-        found,
-        programs: NONE,
-        source,
-    }
+    Alarm { code, found, programs: NONE, source }
 }
 
 /// The alarm with this number, or the message with this text (case does not matter).
@@ -184,13 +169,8 @@ pub fn find(text: &str) -> Option<&'static Alarm> {
 
 /// Who raises it: the cycles of the catalogue, then other programs.
 pub fn raised_by(alarm: &Alarm) -> Vec<&'static str> {
-    let cycles = CYCLES
-        .iter()
-        .filter(|cycle| cycle.alarms().contains(&alarm.code));
-    cycles
-        .map(|cycle| cycle.name)
-        .chain(alarm.programs.iter().copied())
-        .collect()
+    let cycles = CYCLES.iter().filter(|cycle| cycle.alarms().contains(&alarm.code));
+    cycles.map(|cycle| cycle.name).chain(alarm.programs.iter().copied()).collect()
 }
 
 /// Key of an alarm's words: `alarm-61303`, `nct-format-error`, `pw012`.
@@ -198,16 +178,8 @@ pub fn key(alarm: Code) -> String {
     match alarm {
         Code::Alarm(number) => format!("alarm-{number}"),
         Code::Nct(text) => {
-            let words: String = text
-                .chars()
-                .map(|c| {
-                    if c.is_ascii_alphanumeric() {
-                        c.to_ascii_lowercase()
-                    } else {
-                        '-'
-                    }
-                })
-                .collect();
+            let words: String =
+                text.chars().map(|c| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '-' }).collect();
             format!("nct-{}", words.trim_end_matches('-'))
         }
         Code::Own(number) => format!("pw{number:03}"),

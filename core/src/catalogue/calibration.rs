@@ -7,15 +7,11 @@ use crate::diagnostic::{Code, Diagnostic};
 use crate::message::Message;
 use crate::own;
 
-/// Ball radius that a calibration positions with: that of the active tool (B:5405, B:5486), not the stored one, which it
-/// may be about to find.
+/// Ball radius that a calibration positions with: that of the active tool (B:5405, B:5486), not the stored one, which
+/// it may be about to find.
 pub fn ball_radius(inputs: &Inputs, control: &Control) -> f64 {
     let active = control.active_edge().map_or(0.0, |edge| edge.radius);
-    if active > 0.0 {
-        active
-    } else {
-        place::ball_radius(inputs, control)
-    }
+    if active > 0.0 { active } else { place::ball_radius(inputs, control) }
 }
 
 /// A new value is stored between `_TZL` and `_TSA` (B:5134).

@@ -1,4 +1,5 @@
-//! Points that lie on a circle, and checks for them, at a starting angle and steps of an indexing angle: CYCLE979, CYCLE997.
+//! Points that lie on a circle, and checks for them, at a starting angle and steps of an indexing angle: CYCLE979,
+//! CYCLE997.
 
 use super::names;
 use crate::check::{Inputs, error};
@@ -23,19 +24,14 @@ pub fn ball_known(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic
 /// Directions from the centre to three or four points in their order, degree.
 pub fn points(start: f64, step: f64, four: bool) -> Vec<f64> {
     let count = if four { 4 } else { 3 };
-    (0..count)
-        .map(|index| start + f64::from(index) * step)
-        .collect()
+    (0..count).map(|index| start + f64::from(index) * step).collect()
 }
 
 /// How uncertain the circle through them is; none where their place is not known or told to be wrong.
 pub fn spread(inputs: &Inputs, four: bool, found: &[Diagnostic]) -> Option<Circle> {
     let (start, step) = (inputs.given(names::STA1)?, inputs.given(names::INCA)?);
-    let wrong =
-        |one: &Diagnostic| one.param == Some(names::INCA) && one.severity == Severity::Error;
-    (!found.iter().any(wrong))
-        .then(|| circle(&points(start, step, four)))
-        .flatten()
+    let wrong = |one: &Diagnostic| one.param == Some(names::INCA) && one.severity == Severity::Error;
+    (!found.iter().any(wrong)).then(|| circle(&points(start, step, four))).flatten()
 }
 
 /// Where three or four points lie: not upon each other, and within one turn (B:6850, B:6986, B:8471).
@@ -47,8 +43,7 @@ pub fn angles(inputs: &Inputs, four: bool, found: &mut Vec<Diagnostic>) {
     let sum = start.abs() + f64::from(points - 1) * step.abs();
     let same = step % 180.0 == 0.0; // every second point, or all of them
     let finding = if same {
-        error(Code::Alarm(61316), Message::new("check-angles-same"))
-            .hint(Message::new("check-angles-same-hint"))
+        error(Code::Alarm(61316), Message::new("check-angles-same")).hint(Message::new("check-angles-same-hint"))
     } else if sum > 360.0 {
         own::ANGLES_SUM.finding().number("sum", sum)
     } else if step.abs() > useful {

@@ -12,11 +12,7 @@ pub static CYCLE100: Cycle = Cycle {
     dialect: Dialect::Sinumerik,
     name: "CYCLE100",
     key: "cycle100",
-    variants: &[Variant {
-        number: 0,
-        key: "cycle100-on",
-        source: "B:11227;A:12535",
-    }],
+    variants: &[Variant { number: 0, key: "cycle100-on", source: "B:11227;A:12535" }],
     purpose: logging::PURPOSE,
     lists: &[],
     settings: logging::SETTINGS,

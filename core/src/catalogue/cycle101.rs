@@ -8,11 +8,7 @@ pub static CYCLE101: Cycle = Cycle {
     dialect: Dialect::Sinumerik,
     name: "CYCLE101",
     key: "cycle101",
-    variants: &[Variant {
-        number: 0,
-        key: "cycle101-off",
-        source: "B:11231;A:12541",
-    }],
+    variants: &[Variant { number: 0, key: "cycle101-off", source: "B:11231;A:12541" }],
     purpose: logging::PURPOSE,
     lists: &[],
     settings: &[],

@@ -14,16 +14,8 @@ pub static CYCLE105: Cycle = Cycle {
     name: "CYCLE105",
     key: "cycle105",
     variants: &[
-        Variant {
-            number: 0,
-            key: "log-job-values",
-            source: "B:11241",
-        },
-        Variant {
-            number: 1,
-            key: "log-job-header",
-            source: "B:11242",
-        },
+        Variant { number: 0, key: "log-job-values", source: "B:11241" },
+        Variant { number: 1, key: "log-job-header", source: "B:11242" },
     ],
     purpose: logging::PURPOSE,
     lists: &[ArgumentList {
@@ -73,9 +65,5 @@ const LINES: &[HelpLine] = &[
     logging::help::block(VALUES),
     corrects(HEADER, "help-cycle105-left-header", "B:11237"),
     corrects(VALUES, "help-cycle105-left-values", "B:11237"),
-    wrong(
-        When::Always,
-        "help-cycle105-number",
-        "B:11239-11251;A:12547-12555",
-    ),
+    wrong(When::Always, "help-cycle105-number", "B:11239-11251;A:12547-12555"),
 ];

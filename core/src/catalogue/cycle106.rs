@@ -13,16 +13,8 @@ pub static CYCLE106: Cycle = Cycle {
     name: "CYCLE106",
     key: "cycle106",
     variants: &[
-        Variant {
-            number: 1,
-            key: "log-job-header",
-            source: "B:11250",
-        },
-        Variant {
-            number: 2,
-            key: "log-job-values",
-            source: "B:11251",
-        },
+        Variant { number: 1, key: "log-job-header", source: "B:11250" },
+        Variant { number: 2, key: "log-job-values", source: "B:11251" },
     ],
     purpose: logging::PURPOSE,
     lists: &[ArgumentList {
@@ -76,9 +68,5 @@ const LINES: &[HelpLine] = &[
     order(When::Always, "help-cycle106-keeps", "B:11253;B:11435"),
     logging::help::header(HEADER),
     logging::help::block(VALUES),
-    wrong(
-        When::Always,
-        "help-cycle106-number",
-        "B:11248-11251;A:15902",
-    ),
+    wrong(When::Always, "help-cycle106-number", "B:11248-11251;A:15902"),
 ];

@@ -4,9 +4,7 @@ use super::common::{ALWAYS_REQUIRED, PARAM, integer};
 use super::help::{HelpLine, before, corrects, measures, order, wrong};
 use super::logging::cells::cells;
 use super::logging::names::JOB;
-use super::{
-    Arg, ArgumentList, Cycle, Dialect, Drawing, Help, Kind, Param, Style, Variant, When, logging,
-};
+use super::{Arg, ArgumentList, Cycle, Dialect, Drawing, Help, Kind, Param, Style, Variant, When, logging};
 use crate::check::Inputs;
 use crate::form::picture::{Picture, View};
 
@@ -16,16 +14,8 @@ pub static CYCLE113: Cycle = Cycle {
     name: "CYCLE113",
     key: "cycle113",
     variants: &[
-        Variant {
-            number: 1,
-            key: "cycle113-date",
-            source: "B:11258;A:12576",
-        },
-        Variant {
-            number: 2,
-            key: "cycle113-time",
-            source: "B:11259;A:12577",
-        },
+        Variant { number: 1, key: "cycle113-date", source: "B:11258;A:12576" },
+        Variant { number: 2, key: "cycle113-time", source: "B:11259;A:12577" },
     ],
     purpose: logging::PURPOSE,
     lists: &[ArgumentList {
@@ -63,15 +53,8 @@ const LENGTH: usize = 10;
 
 /// The variable with a text as the control would write it.
 fn picture(inputs: &Inputs) -> Picture {
-    let text = if TIME.holds(inputs) {
-        "23:59:00"
-    } else {
-        "06/12/31"
-    };
-    Picture {
-        view: View::Plane,
-        shapes: cells(text, LENGTH, 0.0, JOB),
-    }
+    let text = if TIME.holds(inputs) { "23:59:00" } else { "06/12/31" };
+    Picture { view: View::Plane, shapes: cells(text, LENGTH, 0.0, JOB) }
 }
 
 const LINES: &[HelpLine] = &[

@@ -1,13 +1,10 @@
-//! CYCLE118(PAR1,PAR2,PAR3,PAR4,PAR5): makes texts of real numbers with so many decimals (B:11262-11320): of one number, or
-//! of up to ten that stand in consecutive R parameters.
+//! CYCLE118(PAR1,PAR2,PAR3,PAR4,PAR5): makes texts of real numbers with so many decimals (B:11262-11320): of one
+//! number, or of up to ten that stand in consecutive R parameters.
 
 use super::common::{ALWAYS_REQUIRED, PARAM, alarms, integer, optional, required};
 use super::help::{HelpLine, before, corrects, measures, order, wrong};
 use super::logging::cells::{CELL, ROW, cells, left};
-use super::{
-    Arg, ArgumentList, Cycle, Dialect, Drawing, Help, Kind, Param, Range, Style, Variant, When,
-    logging,
-};
+use super::{Arg, ArgumentList, Cycle, Dialect, Drawing, Help, Kind, Param, Range, Style, Variant, When, logging};
 use crate::check::Inputs;
 use crate::form::figures::{dimension, line};
 use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
@@ -21,10 +18,7 @@ const COUNT: &str = "PAR4";
 /// The first of several R parameters.
 const REGISTER: &str = "PAR5";
 /// More than one number.
-const MANY: When = When::Above {
-    param: COUNT,
-    than: 1.0,
-};
+const MANY: When = When::Above { param: COUNT, than: 1.0 };
 /// Most numbers of a call (A:15904).
 const MOST: f64 = 10.0;
 
@@ -33,120 +27,30 @@ pub static CYCLE118: Cycle = Cycle {
     dialect: Dialect::Sinumerik,
     name: "CYCLE118",
     key: "cycle118",
-    variants: &[Variant {
-        number: 0,
-        key: "cycle118-format",
-        source: "B:11262;A:12580",
-    }],
+    variants: &[Variant { number: 0, key: "cycle118-format", source: "B:11262;A:12580" }],
     purpose: logging::PURPOSE,
     lists: &[ArgumentList {
         style: Style::Direct,
         name: "CYCLE118",
         when: When::Always,
         base: 0,
-        args: &[
-            Arg::Param(NUMBER),
-            Arg::Param(DECIMALS),
-            Arg::Output("PAR3"),
-            Arg::Param(COUNT),
-            Arg::Param(REGISTER),
-        ],
+        args: &[Arg::Param(NUMBER), Arg::Param(DECIMALS), Arg::Output("PAR3"), Arg::Param(COUNT), Arg::Param(REGISTER)],
         source: "B:11262",
     }],
     settings: &[],
     params: PARAMS,
     results: &[
         integer("PAR3", "result-118-text", When::Always, "B:11290"),
-        integer(
-            "_TXT[0]",
-            "result-118-field",
-            When::Above {
-                param: COUNT,
-                than: 1.0,
-            },
-            "B:11280",
-        ),
-        integer(
-            "_TXT[1]",
-            "result-118-field",
-            When::Above {
-                param: COUNT,
-                than: 1.0,
-            },
-            "B:11280",
-        ),
-        integer(
-            "_TXT[2]",
-            "result-118-field",
-            When::Above {
-                param: COUNT,
-                than: 2.0,
-            },
-            "B:11280",
-        ),
-        integer(
-            "_TXT[3]",
-            "result-118-field",
-            When::Above {
-                param: COUNT,
-                than: 3.0,
-            },
-            "B:11280",
-        ),
-        integer(
-            "_TXT[4]",
-            "result-118-field",
-            When::Above {
-                param: COUNT,
-                than: 4.0,
-            },
-            "B:11280",
-        ),
-        integer(
-            "_TXT[5]",
-            "result-118-field",
-            When::Above {
-                param: COUNT,
-                than: 5.0,
-            },
-            "B:11280",
-        ),
-        integer(
-            "_TXT[6]",
-            "result-118-field",
-            When::Above {
-                param: COUNT,
-                than: 6.0,
-            },
-            "B:11280",
-        ),
-        integer(
-            "_TXT[7]",
-            "result-118-field",
-            When::Above {
-                param: COUNT,
-                than: 7.0,
-            },
-            "B:11280",
-        ),
-        integer(
-            "_TXT[8]",
-            "result-118-field",
-            When::Above {
-                param: COUNT,
-                than: 8.0,
-            },
-            "B:11280",
-        ),
-        integer(
-            "_TXT[9]",
-            "result-118-field",
-            When::Above {
-                param: COUNT,
-                than: 9.0,
-            },
-            "B:11280",
-        ),
+        integer("_TXT[0]", "result-118-field", When::Above { param: COUNT, than: 1.0 }, "B:11280"),
+        integer("_TXT[1]", "result-118-field", When::Above { param: COUNT, than: 1.0 }, "B:11280"),
+        integer("_TXT[2]", "result-118-field", When::Above { param: COUNT, than: 2.0 }, "B:11280"),
+        integer("_TXT[3]", "result-118-field", When::Above { param: COUNT, than: 3.0 }, "B:11280"),
+        integer("_TXT[4]", "result-118-field", When::Above { param: COUNT, than: 4.0 }, "B:11280"),
+        integer("_TXT[5]", "result-118-field", When::Above { param: COUNT, than: 5.0 }, "B:11280"),
+        integer("_TXT[6]", "result-118-field", When::Above { param: COUNT, than: 6.0 }, "B:11280"),
+        integer("_TXT[7]", "result-118-field", When::Above { param: COUNT, than: 7.0 }, "B:11280"),
+        integer("_TXT[8]", "result-118-field", When::Above { param: COUNT, than: 8.0 }, "B:11280"),
+        integer("_TXT[9]", "result-118-field", When::Above { param: COUNT, than: 9.0 }, "B:11280"),
     ],
     alarms: &[&alarms([61362])], // A:15904
     checks: |_, _, _| {},
@@ -162,10 +66,7 @@ const PARAMS: &[Param] = &[
     Param {
         name: NUMBER,
         key: "118-number",
-        needs: &[
-            optional(MANY, "need-118-registers"),
-            required(When::Always, "need-118-one"),
-        ],
+        needs: &[optional(MANY, "need-118-registers"), required(When::Always, "need-118-one")],
         source: "B:11288",
         ..PARAM
     },
@@ -208,16 +109,10 @@ const ROOM: f64 = 8.0;
 /// The text in its variable below the number, or the R parameters beside the fields that take their texts.
 fn picture(inputs: &Inputs) -> Picture {
     let decimals = inputs.number(DECIMALS).clamp(0.0, ROOM) as usize;
-    let mut shapes = if MANY.holds(inputs) {
-        registers(inputs, decimals)
-    } else {
-        one(inputs.number(NUMBER), decimals)
-    };
+    let mut shapes =
+        if MANY.holds(inputs) { registers(inputs, decimals) } else { one(inputs.number(NUMBER), decimals) };
     shapes.sort_by_key(|shape| shape.kind == ShapeKind::Dimension);
-    Picture {
-        view: View::Plane,
-        shapes,
-    }
+    Picture { view: View::Plane, shapes }
 }
 
 /// The number above its text.
@@ -225,11 +120,7 @@ fn one(number: f64, decimals: usize) -> Vec<PictureShape> {
     let text = format!("{number:.decimals$}");
     let middle = left(LENGTH) / 2.0;
     let mut shapes = cells(&text, LENGTH, 0.0, COUNT);
-    shapes.push(
-        line(ShapeKind::Label, vec![[middle, ROW]])
-            .text(number.to_string())
-            .of(NUMBER),
-    );
+    shapes.push(line(ShapeKind::Label, vec![[middle, ROW]]).text(number.to_string()).of(NUMBER));
     if decimals > 0 {
         let point = text.find('.').unwrap_or_default();
         shapes.push(digits(point + 1, decimals, 0.0));
@@ -252,18 +143,11 @@ fn registers(inputs: &Inputs, decimals: usize) -> Vec<PictureShape> {
     let mut shapes = Vec::new();
     for row in 0..count {
         let y = -ROW * row as f64;
-        let beside = |x: f64, text: String, field| {
-            line(ShapeKind::Label, vec![[x, y - CELL * 0.2]])
-                .text(text)
-                .of(field)
-        };
+        let beside =
+            |x: f64, text: String, field| line(ShapeKind::Label, vec![[x, y - CELL * 0.2]]).text(text).of(field);
         shapes.push(beside(-CELL * 2.0, format!("R{}", first + row), REGISTER));
         shapes.extend(cells(&text, LENGTH, y, COUNT));
-        shapes.push(beside(
-            left(LENGTH) + CELL * 2.0,
-            format!("_TXT[{row}]"),
-            COUNT,
-        ));
+        shapes.push(beside(left(LENGTH) + CELL * 2.0, format!("_TXT[{row}]"), COUNT));
     }
     if decimals > 0 {
         shapes.push(digits(2, decimals, -ROW * (count - 1) as f64));

@@ -68,10 +68,7 @@ impl Cycle {
 
     /// Name of the parameter that takes the number of the variant.
     pub fn variant_param(&self) -> Option<&'static str> {
-        self.params
-            .iter()
-            .find(|param| matches!(param.kind, Kind::Variant(_)))
-            .map(|param| param.name)
+        self.params.iter().find(|param| matches!(param.kind, Kind::Variant(_))).map(|param| param.name)
     }
 
     /// The cycle at work; none where it is not simulated, or not in this build (feature `simulation`).
@@ -147,17 +144,10 @@ impl MachineSort {
 
 impl Purpose {
     /// Measures workpieces on milling machines.
-    pub const MILLING: Purpose = Purpose {
-        probe: ProbeUse::Workpiece,
-        machine: MachineSort::Milling,
-        calibrates: NEVER,
-        tasks: &[],
-    };
+    pub const MILLING: Purpose =
+        Purpose { probe: ProbeUse::Workpiece, machine: MachineSort::Milling, calibrates: NEVER, tasks: &[] };
     /// Measures workpieces on lathes.
-    pub const TURNING: Purpose = Purpose {
-        machine: MachineSort::Turning,
-        ..Purpose::MILLING
-    };
+    pub const TURNING: Purpose = Purpose { machine: MachineSort::Turning, ..Purpose::MILLING };
 }
 
 /// One measuring variant.

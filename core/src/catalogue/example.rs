@@ -4,15 +4,13 @@ use super::{Cycle, Variant};
 use crate::check::{self, Typed};
 use crate::control::{Plane, delivery};
 
-/// Values as typed: of the cycle's example what the variant knows, what chooses the variant, and what it needs beside that.
+/// Values as typed: of the cycle's example what the variant knows, what chooses the variant, and what it needs beside
+/// that.
 pub fn example(cycle: &'static Cycle, variant: &Variant) -> Typed {
     let mut values = typed(cycle.example);
     values.extend(choosing(cycle, variant.number));
     let inputs = check::read(cycle, &values, &delivery(cycle.dialect), &mut Vec::new());
-    let more = cycle
-        .simulation
-        .as_ref()
-        .map_or(&[][..], |simulation| simulation.examples);
+    let more = cycle.simulation.as_ref().map_or(&[][..], |simulation| simulation.examples);
     for (_, more) in more.iter().filter(|(when, _)| when.holds(&inputs)) {
         values.extend(typed(more));
     }
@@ -20,8 +18,8 @@ pub fn example(cycle: &'static Cycle, variant: &Variant) -> Typed {
     values
 }
 
-/// Leaves out what the variant does not know: of another one it came along. Where addresses choose the variant, each says
-/// something by standing there.
+/// Leaves out what the variant does not know: of another one it came along. Where addresses choose the variant, each
+/// says something by standing there.
 fn known(cycle: &'static Cycle, values: &mut Typed) {
     if cycle.variant_param().is_none() {
         return;
@@ -69,19 +67,13 @@ pub fn turned(cycle: &Cycle, values: &Typed, plane: Plane) -> Typed {
             let part = names.iter().position(|one| *one == name)?;
             Some(names[axes[part]].to_owned())
         };
-        same(["X", "Y", "Z"])
-            .or_else(|| same(["I", "J", "K"]))
-            .unwrap_or_else(|| name.to_owned())
+        same(["X", "Y", "Z"]).or_else(|| same(["I", "J", "K"])).unwrap_or_else(|| name.to_owned())
     };
     let has = |name: &String| cycle.params.iter().any(|param| param.name == name);
     if !values.keys().all(|name| has(&turn(name))) {
         return values.clone();
     }
-    one_by_one(
-        values
-            .iter()
-            .map(|(name, value)| (turn(name), value.clone())),
-    )
+    one_by_one(values.iter().map(|(name, value)| (turn(name), value.clone())))
 }
 
 fn typed(pairs: &[(&str, &str)]) -> Typed {

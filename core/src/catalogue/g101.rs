@@ -4,8 +4,7 @@ use super::common::{PARAM, optional};
 use super::nct::surface::{BALL, FACE};
 use super::nct::{self, part};
 use super::{
-    Cycle, Dialect, Drawing, Help, Kind, Param, Proposal, Purpose, Range, Simulation, Unit,
-    Variant, When, Work,
+    Cycle, Dialect, Drawing, Help, Kind, Param, Proposal, Purpose, Range, Simulation, Unit, Variant, When, Work,
 };
 use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
 use crate::check::Inputs;
@@ -31,30 +30,14 @@ pub static G101: Cycle = Cycle {
     dialect: Dialect::Nct,
     name: "G101",
     key: "g101",
-    variants: &[Variant {
-        number: 0,
-        key: "g101-positioning",
-        source: "C:106",
-    }],
+    variants: &[Variant { number: 0, key: "g101-positioning", source: "C:106" }],
     purpose: Purpose::MILLING,
     lists: &[],
     settings: &[],
     params: &[
-        Param {
-            name: "X",
-            key: "g101-x",
-            ..TARGET
-        },
-        Param {
-            name: "Y",
-            key: "g101-y",
-            ..TARGET
-        },
-        Param {
-            name: "Z",
-            key: "g101-z",
-            ..TARGET
-        },
+        Param { name: "X", key: "g101-x", ..TARGET },
+        Param { name: "Y", key: "g101-y", ..TARGET },
+        Param { name: "Z", key: "g101-z", ..TARGET },
         Param {
             name: "F",
             key: "g101-f",
@@ -115,10 +98,7 @@ fn go(machine: &mut dyn Machine, to: [f64; 3], feed: f64) -> Result<(), Stop> {
 }
 
 fn checks(inputs: &Inputs, _: &Control, findings: &mut Vec<Diagnostic>) {
-    if !["X", "Y", "Z"]
-        .iter()
-        .any(|name| inputs.numbers.contains_key(name))
-    {
+    if !["X", "Y", "Z"].iter().any(|name| inputs.numbers.contains_key(name)) {
         findings.push(own::G101_NO_TARGET.finding());
     }
 }
@@ -129,36 +109,21 @@ fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let end = target(inputs, [0.0; 3], false);
     let mut top = end;
     top[applicate] = end[applicate].min(0.0) - 20.0;
-    let block = part::in_plane(
-        Shape::Block {
-            size: [100.0, 100.0, 20.0],
-        },
-        top,
-        control,
-    );
+    let block = part::in_plane(Shape::Block { size: [100.0, 100.0, 20.0] }, top, control);
     let mut start = [0.0; 3];
     start[applicate] = end[applicate].max(0.0) + 50.0;
-    Proposal {
-        workpiece: Workpiece {
-            solids: vec![block],
-        },
-        start,
-        ..Proposal::default()
-    }
+    Proposal { workpiece: Workpiece { solids: vec![block] }, start, ..Proposal::default() }
 }
 
-/// From the side: an axis of the plane to the right, the tool axis up; the way goes over what lies below. An axis without
-/// an address keeps its position.
+/// From the side: an axis of the plane to the right, the tool axis up; the way goes over what lies below. An axis
+/// without an address keeps its position.
 fn picture(inputs: &Inputs) -> Picture {
     let axes = inputs.plane.axes();
     let given = |axis: usize| inputs.numbers.contains_key(nct::axis_name(axis));
     let [abscissa, ordinate, applicate] = axes;
     let start = [-FACE, FACE / 2.0];
     let across = given(abscissa) || given(ordinate);
-    let end = [
-        if across { FACE } else { start[0] },
-        if given(applicate) { FACE } else { start[1] },
-    ];
+    let end = [if across { FACE } else { start[0] }, if given(applicate) { FACE } else { start[1] }];
     let zero = [-1.5 * FACE, -FACE];
     let mut shapes = vec![
         line(ShapeKind::Axis, vec![zero, [zero[0], FACE]]),
@@ -179,10 +144,7 @@ fn picture(inputs: &Inputs) -> Picture {
         let name = nct::axis_name(applicate);
         shapes.push(dimension(name, [beside, zero[1]], [beside, end[1]]));
     }
-    Picture {
-        view: View::Section,
-        shapes,
-    }
+    Picture { view: View::Section, shapes }
 }
 
 /// The lines of the help page.

@@ -8,9 +8,7 @@
 use super::nct::ring::{self, D};
 use super::nct::walls::home;
 use super::nct::{self, correct};
-use super::{
-    Cycle, Dialect, Drawing, Help, Param, Purpose, Range, Simulation, Variant, When, Work,
-};
+use super::{Cycle, Dialect, Drawing, Help, Param, Purpose, Range, Simulation, Variant, When, Work};
 use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
 use crate::check::Inputs;
 use crate::message::Message;
@@ -26,39 +24,18 @@ pub static G102: Cycle = Cycle {
     dialect: Dialect::Nct,
     name: "G102",
     key: "g102",
-    variants: &[Variant {
-        number: 0,
-        key: "g102-offset",
-        source: "C:179",
-    }],
-    purpose: Purpose {
-        calibrates: When::Always,
-        ..Purpose::MILLING
-    },
+    variants: &[Variant { number: 0, key: "g102-offset", source: "C:179" }],
+    purpose: Purpose { calibrates: When::Always, ..Purpose::MILLING },
     lists: &[],
     settings: &[],
-    params: &[Param {
-        key: "g102-d",
-        usual: Range::closed(20.0, 1000.0),
-        source: "C:187-189",
-        ..D
-    }],
-    results: &[
-        ring::value("#504", "result-g102-1", "C:176"),
-        ring::value("#505", "result-g102-2", "C:177"),
-    ],
+    params: &[Param { key: "g102-d", usual: Range::closed(20.0, 1000.0), source: "C:187-189", ..D }],
+    results: &[ring::value("#504", "result-g102-1", "C:176"), ring::value("#505", "result-g102-2", "C:177")],
     alarms: &[nct::MEASURING],
     checks: ring::check,
     help: Help::new(&[HELP, nct::help::MEASURING, nct::help::CALIBRATING]),
     picture: Drawing::new(ring::picture),
     example: &[("D", "25")],
-    simulation: Some(Simulation::new(
-        Work {
-            propose: ring::propose,
-            simulate,
-        },
-        &[],
-    )),
+    simulation: Some(Simulation::new(Work { propose: ring::propose, simulate }, &[])),
     source: "C:150-278",
 };
 

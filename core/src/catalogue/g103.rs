@@ -11,9 +11,7 @@ use super::nct::touch::Calibration;
 use super::nct::walls::{home, travel};
 use super::nct::{self, correct};
 use super::task::{Meaning, Task};
-use super::{
-    Cycle, Dialect, Drawing, Help, Param, Purpose, Range, Simulation, Variant, When, Work,
-};
+use super::{Cycle, Dialect, Drawing, Help, Param, Purpose, Range, Simulation, Variant, When, Work};
 use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
 use crate::check::Inputs;
 use crate::run::{Machine, Stop};
@@ -23,29 +21,15 @@ pub static G103: Cycle = Cycle {
     dialect: Dialect::Nct,
     name: "G103",
     key: "g103",
-    variants: &[Variant {
-        number: 0,
-        key: "g103-radius",
-        source: "C:309",
-    }],
+    variants: &[Variant { number: 0, key: "g103-radius", source: "C:309" }],
     purpose: Purpose {
         calibrates: When::Always,
-        tasks: &[nct::tasks::task(
-            Task::Ball,
-            &[0],
-            0,
-            &[("D", Meaning::Nominal)],
-        )],
+        tasks: &[nct::tasks::task(Task::Ball, &[0], 0, &[("D", Meaning::Nominal)])],
         ..Purpose::MILLING
     },
     lists: &[],
     settings: &[],
-    params: &[Param {
-        key: "g103-d",
-        usual: Range::closed(25.0, 1000.0),
-        source: "C:317-319",
-        ..D
-    }],
+    params: &[Param { key: "g103-d", usual: Range::closed(25.0, 1000.0), source: "C:317-319", ..D }],
     results: &[
         ring::value("#500", "result-g103-1-plus", "C:304"),
         ring::value("#501", "result-g103-1-minus", "C:305"),
@@ -57,13 +41,7 @@ pub static G103: Cycle = Cycle {
     help: Help::new(&[HELP, nct::help::MEASURING, nct::help::CALIBRATING]),
     picture: Drawing::new(ring::picture),
     example: &[("D", "50")],
-    simulation: Some(Simulation::new(
-        Work {
-            propose: ring::propose,
-            simulate,
-        },
-        &[],
-    )),
+    simulation: Some(Simulation::new(Work { propose: ring::propose, simulate }, &[])),
     source: "C:282-370",
 };
 

@@ -14,22 +14,15 @@ use crate::check::Inputs;
 use crate::run::{Machine, Stop};
 
 /// Height of the surface in the tool axis; T is the register of the stylus itself.
-const LENGTH_VALUES: &[(&str, Meaning)] = &[
-    ("X", Meaning::NominalInAxis),
-    ("Y", Meaning::NominalInAxis),
-    ("Z", Meaning::NominalInAxis),
-];
+const LENGTH_VALUES: &[(&str, Meaning)] =
+    &[("X", Meaning::NominalInAxis), ("Y", Meaning::NominalInAxis), ("Z", Meaning::NominalInAxis)];
 
 /// The macro.
 pub static G104: Cycle = Cycle {
     dialect: Dialect::Nct,
     name: "G104",
     key: "g104",
-    variants: &[Variant {
-        number: 0,
-        key: "g104-length",
-        source: "C:383",
-    }],
+    variants: &[Variant { number: 0, key: "g104-length", source: "C:383" }],
     purpose: Purpose {
         calibrates: When::Always,
         tasks: &[nct::tasks::task(Task::Length, &[0], 0, LENGTH_VALUES)],
@@ -38,28 +31,10 @@ pub static G104: Cycle = Cycle {
     lists: &[],
     settings: &[],
     params: &[
-        Param {
-            key: "g104-surface",
-            source: "C:391-393",
-            ..surface::X
-        },
-        Param {
-            key: "g104-surface",
-            source: "C:391-393",
-            ..surface::Y
-        },
-        Param {
-            key: "g104-surface",
-            source: "C:391-393",
-            ..surface::Z
-        },
-        Param {
-            name: "T",
-            key: "g104-t",
-            needs: ALWAYS_REQUIRED,
-            source: "C:393",
-            ..REGISTER
-        },
+        Param { key: "g104-surface", source: "C:391-393", ..surface::X },
+        Param { key: "g104-surface", source: "C:391-393", ..surface::Y },
+        Param { key: "g104-surface", source: "C:391-393", ..surface::Z },
+        Param { name: "T", key: "g104-t", needs: ALWAYS_REQUIRED, source: "C:393", ..REGISTER },
     ],
     results: &[
         params::length("LENGTH", "result-g104-length", "C:383-393"),
@@ -70,13 +45,7 @@ pub static G104: Cycle = Cycle {
     help: Help::new(&[HELP, nct::help::MEASURING, nct::help::CALIBRATING]),
     picture: Drawing::new(surface::axial_picture),
     example: &[("Z", "0"), ("T", "98")],
-    simulation: Some(Simulation::new(
-        Work {
-            propose: surface::propose_axially,
-            simulate,
-        },
-        &[],
-    )),
+    simulation: Some(Simulation::new(Work { propose: surface::propose_axially, simulate }, &[])),
     source: "C:351-427",
 };
 
@@ -89,10 +58,7 @@ fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     let found = surface::touch_axially(machine, applicate, nominal, limit)?;
     home(machine, start)?;
     let length = machine.control().active_length()[applicate] + found - nominal;
-    correct::results(
-        machine,
-        &[("LENGTH", length), ("DEVIATION", found - nominal)],
-    );
+    correct::results(machine, &[("LENGTH", length), ("DEVIATION", found - nominal)]);
     let register = inputs.integer("T");
     let wear = machine.control().register(register).length_wear[0];
     correct::write(machine, format!("H{register}"), length - wear);

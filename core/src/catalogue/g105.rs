@@ -6,9 +6,7 @@ use super::nct::plane_axis::{depth, index, needs, nominal};
 use super::nct::surface::{self, BALL, FACE, Wall, drawn, limits, spindle_at, touch_wall};
 use super::nct::walls::{home, travel};
 use super::nct::{self, FORMAT_ERROR, checks, params, part, plane_axis, print};
-use super::{
-    Cycle, Dialect, Drawing, Help, Param, Proposal, Purpose, Simulation, Unit, Variant, When, Work,
-};
+use super::{Cycle, Dialect, Drawing, Help, Param, Proposal, Purpose, Simulation, Unit, Variant, When, Work};
 use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
 use crate::catalogue::task::Task;
 use crate::check::Inputs;
@@ -20,81 +18,29 @@ use crate::run::{Machine, Stop};
 use crate::workpiece::{Shape, Workpiece};
 
 /// One of X, Y, Z.
-const AXIS: Param = Param {
-    key: "g105-nominal",
-    unit: Unit::ActiveLength,
-    alarm: Some(FORMAT_ERROR),
-    source: "C:472-473",
-    ..PARAM
-};
+const AXIS: Param =
+    Param { key: "g105-nominal", unit: Unit::ActiveLength, alarm: Some(FORMAT_ERROR), source: "C:472-473", ..PARAM };
 /// The macro.
 pub static G105: Cycle = Cycle {
     dialect: Dialect::Nct,
     name: "G105",
     key: "g105",
-    variants: &[Variant {
-        number: 0,
-        key: "g105-surface",
-        source: "C:450",
-    }],
-    purpose: Purpose {
-        tasks: &[nct::tasks::task(Task::Wall, &[0], 0, nct::tasks::IN_AXIS)],
-        ..Purpose::MILLING
-    },
+    variants: &[Variant { number: 0, key: "g105-surface", source: "C:450" }],
+    purpose: Purpose { tasks: &[nct::tasks::task(Task::Wall, &[0], 0, nct::tasks::IN_AXIS)], ..Purpose::MILLING },
     lists: &[],
     settings: &[],
     params: &[
-        Param {
-            name: "X",
-            needs: &needs(Plane::G19),
-            labels: &[(When::Plane(Plane::G19), "nct-depth")],
-            ..AXIS
-        },
-        Param {
-            name: "Y",
-            needs: &needs(Plane::G18),
-            labels: &[(When::Plane(Plane::G18), "nct-depth")],
-            ..AXIS
-        },
-        Param {
-            name: "Z",
-            needs: &needs(Plane::G17),
-            labels: &[(When::Plane(Plane::G17), "nct-depth")],
-            ..AXIS
-        },
-        Param {
-            source: "C:474",
-            ..params::R
-        },
-        Param {
-            source: "C:475",
-            ..params::Q
-        },
-        Param {
-            source: "C:481",
-            ..params::S
-        },
-        Param {
-            key: "nct-t-surface",
-            source: "C:495",
-            ..params::T
-        },
-        Param {
-            source: "C:491",
-            ..params::M
-        },
-        Param {
-            source: "C:500",
-            ..params::H
-        },
-        Param {
-            source: "C:501",
-            ..params::U
-        },
-        Param {
-            source: "C:502",
-            ..params::W
-        },
+        Param { name: "X", needs: &needs(Plane::G19), labels: &[(When::Plane(Plane::G19), "nct-depth")], ..AXIS },
+        Param { name: "Y", needs: &needs(Plane::G18), labels: &[(When::Plane(Plane::G18), "nct-depth")], ..AXIS },
+        Param { name: "Z", needs: &needs(Plane::G17), labels: &[(When::Plane(Plane::G17), "nct-depth")], ..AXIS },
+        Param { source: "C:474", ..params::R },
+        Param { source: "C:475", ..params::Q },
+        Param { source: "C:481", ..params::S },
+        Param { key: "nct-t-surface", source: "C:495", ..params::T },
+        Param { source: "C:491", ..params::M },
+        Param { source: "C:500", ..params::H },
+        Param { source: "C:501", ..params::U },
+        Param { source: "C:502", ..params::W },
     ],
     results: &[
         params::length("POSITION", "result-nct-position", "C:430-450"),
@@ -111,13 +57,7 @@ pub static G105: Cycle = Cycle {
     checks,
     help: Help::new(&[HELP, nct::help::MEASURING, nct::help::SHIFTS]),
     picture: Drawing::new(picture),
-    example: &[
-        ("X", "50"),
-        ("Z", "-10"),
-        ("S", "1"),
-        ("H", "0.2"),
-        ("W", "2"),
-    ],
+    example: &[("X", "50"), ("Z", "-10"), ("S", "1"), ("H", "0.2"), ("W", "2")],
     simulation: Some(Simulation::new(Work { propose, simulate }, &[])),
     source: "C:430-560",
 };
@@ -153,25 +93,12 @@ fn finish(machine: &mut dyn Machine, inputs: &Inputs, axis: usize, wall: &Wall) 
     let (_, nominal) = nominal(inputs);
     let deviation = wall.position - nominal;
     let excess = -wall.direction * deviation;
-    correct::results(
-        machine,
-        &[("POSITION", wall.position), ("DEVIATION", deviation)],
-    );
+    correct::results(machine, &[("POSITION", wall.position), ("DEVIATION", deviation)]);
     let mut shift = [None; 3];
     shift[axis] = Some(deviation);
-    let found = Found {
-        deviation,
-        excess,
-        at_surface: excess,
-        shift,
-        part: Part::Radius,
-        room: None,
-    };
+    let found = Found { deviation, excess, at_surface: excess, shift, part: Part::Radius, room: None };
     correct::correct(machine, inputs, &found);
-    let values = print::Values {
-        dimension: None,
-        positions: vec![("", nominal, deviation)],
-    };
+    let values = print::Values { dimension: None, positions: vec![("", nominal, deviation)] };
     print::print(machine, inputs, &values);
 }
 
@@ -189,9 +116,7 @@ fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     start[axis] = nominal + side * 20.0;
     start[applicate] = top[applicate] + if depth.is_some() { 20.0 } else { -10.0 };
     Proposal {
-        workpiece: Workpiece {
-            solids: vec![part::in_plane(Shape::Block { size }, top, control)],
-        },
+        workpiece: Workpiece { solids: vec![part::in_plane(Shape::Block { size }, top, control)] },
         start,
         ..Proposal::default()
     }
@@ -216,11 +141,7 @@ fn picture(inputs: &Inputs) -> Picture {
     let (way, start) = if depth.is_some() {
         let start = [beside * 1.6, above];
         shapes.push(dimension("R", [beside, BALL * 2.0], [-BALL, BALL * 2.0]));
-        shapes.push(dimension(
-            axial,
-            [zero * 0.8, 0.0],
-            [zero * 0.8, -FACE / 2.0],
-        ));
+        shapes.push(dimension(axial, [zero * 0.8, 0.0], [zero * 0.8, -FACE / 2.0]));
         let corner = [beside, -FACE / 2.0];
         (vec![start, [beside, above], corner, measured], start)
     } else {
@@ -231,10 +152,7 @@ fn picture(inputs: &Inputs) -> Picture {
     shapes.push(circle(ShapeKind::Probe, start, BALL));
     let band = |half: f64| corners([0.0, -FACE / 2.0], [2.0 * half, FACE]);
     shapes.extend(limits(inputs, band));
-    Picture {
-        view: View::Section,
-        shapes,
-    }
+    Picture { view: View::Section, shapes }
 }
 
 /// The lines of the help page.

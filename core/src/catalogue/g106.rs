@@ -17,82 +17,32 @@ pub static G106: Cycle = Cycle {
     dialect: Dialect::Nct,
     name: "G106",
     key: "g106",
-    variants: &[Variant {
-        number: 0,
-        key: "g106-surface",
-        source: "C:583",
-    }],
-    purpose: Purpose {
-        tasks: &[nct::tasks::task(Task::Face, &[0], 0, nct::tasks::IN_AXIS)],
-        ..Purpose::MILLING
-    },
+    variants: &[Variant { number: 0, key: "g106-surface", source: "C:583" }],
+    purpose: Purpose { tasks: &[nct::tasks::task(Task::Face, &[0], 0, nct::tasks::IN_AXIS)], ..Purpose::MILLING },
     lists: &[],
     settings: &[],
     params: &[
-        Param {
-            key: "g106-surface",
-            source: "C:603",
-            ..surface::X
-        },
-        Param {
-            key: "g106-surface",
-            source: "C:603",
-            ..surface::Y
-        },
-        Param {
-            key: "g106-surface",
-            source: "C:603",
-            ..surface::Z
-        },
-        Param {
-            source: "C:604",
-            ..params::Q
-        },
-        Param {
-            source: "C:605",
-            ..params::S
-        },
-        Param {
-            key: "g106-t",
-            source: "C:624",
-            ..params::T
-        },
-        Param {
-            source: "C:620",
-            ..params::M
-        },
-        Param {
-            source: "C:626",
-            ..params::H
-        },
-        Param {
-            source: "C:627",
-            ..params::U
-        },
-        Param {
-            source: "C:628",
-            ..params::W
-        },
+        Param { key: "g106-surface", source: "C:603", ..surface::X },
+        Param { key: "g106-surface", source: "C:603", ..surface::Y },
+        Param { key: "g106-surface", source: "C:603", ..surface::Z },
+        Param { source: "C:604", ..params::Q },
+        Param { source: "C:605", ..params::S },
+        Param { key: "g106-t", source: "C:624", ..params::T },
+        Param { source: "C:620", ..params::M },
+        Param { source: "C:626", ..params::H },
+        Param { source: "C:627", ..params::U },
+        Param { source: "C:628", ..params::W },
     ],
     results: &[
         params::length("POSITION", "result-nct-position", "C:562-583"),
         params::length("DEVIATION", "result-nct-position-deviation", "C:562-583"),
     ],
-    alarms: &[
-        nct::MEASURING,
-        &[nct::OUT_OF_TOLERANCE, nct::UPPER_TOLERANCE],
-    ],
+    alarms: &[nct::MEASURING, &[nct::OUT_OF_TOLERANCE, nct::UPPER_TOLERANCE]],
     checks: |inputs, _, findings| checks::corrections(inputs, findings),
     help: Help::new(&[HELP, nct::help::MEASURING, nct::help::SHIFTS]),
     picture: Drawing::new(surface::axial_picture),
     example: &[("Z", "0"), ("S", "1"), ("H", "0.2"), ("W", "2")],
-    simulation: Some(Simulation::new(
-        Work {
-            propose: surface::propose_axially,
-            simulate,
-        },
-        &[],
-    )),
+    simulation: Some(Simulation::new(Work { propose: surface::propose_axially, simulate }, &[])),
     source: "C:562-694",
 };
 
@@ -107,20 +57,10 @@ fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     correct::results(machine, &[("POSITION", position), ("DEVIATION", deviation)]);
     let mut shift = [None; 3];
     shift[applicate] = Some(deviation);
-    let found = Found {
-        deviation,
-        excess: deviation,
-        at_surface: deviation,
-        shift,
-        part: Part::Length,
-        room: None,
-    };
+    let found = Found { deviation, excess: deviation, at_surface: deviation, shift, part: Part::Length, room: None };
     correct::correct(machine, inputs, &found);
     let positions = vec![("", nominal, deviation)];
-    let values = print::Values {
-        dimension: None,
-        positions,
-    };
+    let values = print::Values { dimension: None, positions };
     print::print(machine, inputs, &values);
     Ok(())
 }

@@ -10,43 +10,16 @@ pub static G107: Cycle = Cycle {
     dialect: Dialect::Nct,
     name: "G107",
     key: "g107",
-    variants: &[Variant {
-        number: 0,
-        key: "g107-corner",
-        source: "C:700",
-    }],
-    purpose: Purpose {
-        tasks: &[nct::tasks::task(
-            Task::InnerCorner,
-            &[0],
-            0,
-            nct::tasks::CORNER,
-        )],
-        ..Purpose::MILLING
-    },
+    variants: &[Variant { number: 0, key: "g107-corner", source: "C:700" }],
+    purpose: Purpose { tasks: &[nct::tasks::task(Task::InnerCorner, &[0], 0, nct::tasks::CORNER)], ..Purpose::MILLING },
     lists: &[],
     settings: &[],
     params: &[
-        Param {
-            source: "C:723",
-            ..corner::X
-        },
-        Param {
-            source: "C:723",
-            ..corner::Y
-        },
-        Param {
-            source: "C:723",
-            ..corner::Z
-        },
-        Param {
-            source: "C:724",
-            ..params::Q
-        },
-        Param {
-            source: "C:725-733",
-            ..corner::S
-        },
+        Param { source: "C:723", ..corner::X },
+        Param { source: "C:723", ..corner::Y },
+        Param { source: "C:723", ..corner::Z },
+        Param { source: "C:724", ..params::Q },
+        Param { source: "C:725-733", ..corner::S },
     ],
     results: corner::RESULTS,
     alarms: &[nct::MEASURING],

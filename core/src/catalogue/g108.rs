@@ -10,43 +10,16 @@ pub static G108: Cycle = Cycle {
     dialect: Dialect::Nct,
     name: "G108",
     key: "g108",
-    variants: &[Variant {
-        number: 0,
-        key: "g108-corner",
-        source: "C:787",
-    }],
-    purpose: Purpose {
-        tasks: &[nct::tasks::task(
-            Task::OuterCorner,
-            &[0],
-            0,
-            nct::tasks::CORNER,
-        )],
-        ..Purpose::MILLING
-    },
+    variants: &[Variant { number: 0, key: "g108-corner", source: "C:787" }],
+    purpose: Purpose { tasks: &[nct::tasks::task(Task::OuterCorner, &[0], 0, nct::tasks::CORNER)], ..Purpose::MILLING },
     lists: &[],
     settings: &[],
     params: &[
-        Param {
-            source: "C:805",
-            ..corner::X
-        },
-        Param {
-            source: "C:805",
-            ..corner::Y
-        },
-        Param {
-            source: "C:805",
-            ..corner::Z
-        },
-        Param {
-            source: "C:806",
-            ..params::Q
-        },
-        Param {
-            source: "C:807-815",
-            ..corner::S
-        },
+        Param { source: "C:805", ..corner::X },
+        Param { source: "C:805", ..corner::Y },
+        Param { source: "C:805", ..corner::Z },
+        Param { source: "C:806", ..params::Q },
+        Param { source: "C:807-815", ..corner::S },
     ],
     results: corner::RESULTS,
     alarms: &[

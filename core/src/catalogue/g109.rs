@@ -6,10 +6,7 @@ use super::nct::plane_axis::{depth, index, needs, nominal};
 use super::nct::surface::{BALL, FACE, drawn, limits};
 use super::nct::walls::{Outside, Walls, chord, home};
 use super::nct::{self, FORMAT_ERROR, checks, params, part, plane_axis, print};
-use super::{
-    Chooses, Cycle, Dialect, Drawing, Help, Param, Proposal, Purpose, Simulation, Unit, Variant,
-    When, Work,
-};
+use super::{Chooses, Cycle, Dialect, Drawing, Help, Param, Proposal, Purpose, Simulation, Unit, Variant, When, Work};
 use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
 use crate::catalogue::task::Task;
 use crate::check::{Inputs, error};
@@ -27,20 +24,11 @@ pub const POCKET: i64 = 0;
 pub const WEB: i64 = 1;
 
 /// One of X, Y, Z.
-const AXIS: Param = Param {
-    key: "g109-width",
-    unit: Unit::ActiveLength,
-    alarm: Some(FORMAT_ERROR),
-    source: "C:907-911",
-    ..PARAM
-};
+const AXIS: Param =
+    Param { key: "g109-width", unit: Unit::ActiveLength, alarm: Some(FORMAT_ERROR), source: "C:907-911", ..PARAM };
 
 const fn web_in(plane: Plane) -> Chooses {
-    Chooses {
-        when: When::Plane(plane),
-        variant: WEB,
-        typed: "0",
-    }
+    Chooses { when: When::Plane(plane), variant: WEB, typed: "0" }
 }
 
 /// The macro.
@@ -49,16 +37,8 @@ pub static G109: Cycle = Cycle {
     name: "G109",
     key: "g109",
     variants: &[
-        Variant {
-            number: POCKET,
-            key: "g109-pocket",
-            source: "C:911",
-        },
-        Variant {
-            number: WEB,
-            key: "g109-web",
-            source: "C:911",
-        },
+        Variant { number: POCKET, key: "g109-pocket", source: "C:911" },
+        Variant { number: WEB, key: "g109-web", source: "C:911" },
     ],
     purpose: Purpose {
         tasks: &[
@@ -91,44 +71,15 @@ pub static G109: Cycle = Cycle {
             labels: &[(When::Plane(Plane::G17), "g109-depth")],
             ..AXIS
         },
-        Param {
-            needs: &[optional(When::Variant(&[WEB]), "need-nct-optional")],
-            source: "C:912",
-            ..params::R
-        },
-        Param {
-            source: "C:913",
-            ..params::Q
-        },
-        Param {
-            source: "C:914",
-            ..params::S
-        },
-        Param {
-            key: "nct-t-size",
-            source: "C:933",
-            ..params::T
-        },
-        Param {
-            source: "C:927",
-            ..params::M
-        },
-        Param {
-            source: "C:934",
-            ..params::H
-        },
-        Param {
-            source: "C:935",
-            ..params::U
-        },
-        Param {
-            source: "C:936",
-            ..params::V
-        },
-        Param {
-            source: "C:937",
-            ..params::W
-        },
+        Param { needs: &[optional(When::Variant(&[WEB]), "need-nct-optional")], source: "C:912", ..params::R },
+        Param { source: "C:913", ..params::Q },
+        Param { source: "C:914", ..params::S },
+        Param { key: "nct-t-size", source: "C:933", ..params::T },
+        Param { source: "C:927", ..params::M },
+        Param { source: "C:934", ..params::H },
+        Param { source: "C:935", ..params::U },
+        Param { source: "C:936", ..params::V },
+        Param { source: "C:937", ..params::W },
     ],
     results: &[
         params::length("WIDTH", "result-g109-width", "C:868-887"),
@@ -148,13 +99,7 @@ pub static G109: Cycle = Cycle {
     checks,
     help: Help::new(&[HELP, nct::help::MEASURING, nct::help::SHIFTS]),
     picture: Drawing::new(picture),
-    example: &[
-        ("X", "80"),
-        ("S", "1"),
-        ("H", "0.02"),
-        ("V", "2"),
-        ("W", "2"),
-    ],
+    example: &[("X", "80"), ("S", "1"), ("H", "0.02"), ("V", "2"), ("W", "2")],
     simulation: Some(Simulation::new(Work { propose, simulate }, &[])),
     source: "C:868-1028",
 };
@@ -184,12 +129,7 @@ fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     let along = found.middle - walls.start[axis];
     correct::results(
         machine,
-        &[
-            ("WIDTH", width),
-            ("DEVIATION", deviation),
-            ("CENTRE", found.middle),
-            ("SHIFT", along),
-        ],
+        &[("WIDTH", width), ("DEVIATION", deviation), ("CENTRE", found.middle), ("SHIFT", along)],
     );
     let excess = walls.material() * deviation; // metal on is positive (C:927-931)
     let mut shift = [None; 3];
@@ -203,10 +143,8 @@ fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
         room: walls.outside.is_none().then_some(walls.size),
     };
     correct::correct(machine, inputs, &found);
-    let values = print::Values {
-        dimension: Some((walls.size, deviation)),
-        positions: vec![("", walls.start[axis], along)],
-    };
+    let values =
+        print::Values { dimension: Some((walls.size, deviation)), positions: vec![("", walls.start[axis], along)] };
     print::print(machine, inputs, &values);
     Ok(())
 }
@@ -214,10 +152,7 @@ fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
 fn walls(machine: &mut dyn Machine, inputs: &Inputs) -> Walls {
     let (_, depth) = depth(inputs);
     Walls {
-        outside: depth.map(|depth| Outside {
-            depth,
-            clearance: inputs.number("R"),
-        }),
+        outside: depth.map(|depth| Outside { depth, clearance: inputs.number("R") }),
         size: nominal(inputs).1,
         overtravel: inputs.number("Q"),
         start: machine.position(),
@@ -241,16 +176,11 @@ fn propose(inputs: &Inputs, control: &Control) -> Proposal {
         }
         _ => {
             start[applicate] = -10.0;
-            Shape::Pocket {
-                length,
-                depth: 30.0,
-            }
+            Shape::Pocket { length, depth: 30.0 }
         }
     };
     Proposal {
-        workpiece: Workpiece {
-            solids: vec![part::in_plane(shape, top, control)],
-        },
+        workpiece: Workpiece { solids: vec![part::in_plane(shape, top, control)] },
         start,
         ..Proposal::default()
     }
@@ -285,71 +215,32 @@ fn picture(inputs: &Inputs) -> Picture {
     shapes.push(circle(ShapeKind::Probe, [0.0, start], BALL));
     shapes.push(dimension(name, [-half, -FACE * 0.85], [half, -FACE * 0.85]));
     let into = if web { -past } else { past };
-    shapes.push(dimension(
-        "Q",
-        [half, -FACE * 0.2],
-        [half + into, -FACE * 0.2],
-    ));
+    shapes.push(dimension("Q", [half, -FACE * 0.2], [half + into, -FACE * 0.2]));
     if web {
         let (axial, _) = depth(inputs);
         let beside = half + BALL + drawn(inputs.number("R"));
-        shapes.push(dimension(
-            "R",
-            [half + BALL, BALL * 2.0],
-            [beside, BALL * 2.0],
-        ));
+        shapes.push(dimension("R", [half + BALL, BALL * 2.0], [beside, BALL * 2.0]));
         shapes.push(dimension(axial, [-half * 1.6, 0.0], [-half * 1.6, down]));
     }
-    Picture {
-        view: View::Section,
-        shapes,
-    }
+    Picture { view: View::Section, shapes }
 }
 
 /// What is cut: the web, or the material on both sides of the pocket.
 fn material(web: bool, half: f64) -> Vec<PictureShape> {
     if web {
-        return vec![rectangle(
-            ShapeKind::Cut,
-            [0.0, -FACE / 2.0],
-            [2.0 * half, FACE],
-        )];
+        return vec![rectangle(ShapeKind::Cut, [0.0, -FACE / 2.0], [2.0 * half, FACE])];
     }
-    [1.0, -1.0]
-        .map(|side| {
-            rectangle(
-                ShapeKind::Cut,
-                [side * half * 1.5, -FACE / 2.0],
-                [half, FACE],
-            )
-        })
-        .into()
+    [1.0, -1.0].map(|side| rectangle(ShapeKind::Cut, [side * half * 1.5, -FACE / 2.0], [half, FACE])).into()
 }
 
 /// The lines of the help page.
 const HELP: &[HelpLine] = &[
-    measures(
-        When::Variant(&[POCKET]),
-        "help-g109-measures-pocket",
-        "C:887-911",
-    ),
+    measures(When::Variant(&[POCKET]), "help-g109-measures-pocket", "C:887-911"),
     measures(When::Variant(&[WEB]), "help-g109-measures-web", "C:887-911"),
-    before(
-        When::Variant(&[POCKET]),
-        "help-g109-before-inside",
-        "C:887-911",
-    ),
+    before(When::Variant(&[POCKET]), "help-g109-before-inside", "C:887-911"),
     before(When::Variant(&[WEB]), "help-g109-before-above", "C:887-911"),
-    order(
-        When::Variant(&[POCKET]),
-        "help-g109-order-outwards",
-        "C:887-999",
-    ),
-    order(
-        When::Variant(&[WEB]),
-        "help-g109-order-inwards",
-        "C:887-999",
-    ),
+    order(When::Variant(&[POCKET]), "help-g109-order-outwards", "C:887-999"),
+    order(When::Variant(&[WEB]), "help-g109-order-inwards", "C:887-999"),
     corrects(When::Always, "help-g109-corrects-half", "C:925-960"),
     wrong(When::Always, "help-g109-wrong-width", "C:887-911"),
 ];

@@ -41,13 +41,8 @@ impl Section {
 }
 
 /// All sections, in the order in which they are read.
-pub const SECTIONS: [Section; 5] = [
-    Section::Measures,
-    Section::Before,
-    Section::Order,
-    Section::Corrects,
-    Section::Wrong,
-];
+pub const SECTIONS: [Section; 5] =
+    [Section::Measures, Section::Before, Section::Order, Section::Corrects, Section::Wrong];
 
 /// A sentence or two of a help page.
 pub struct HelpLine {
@@ -87,21 +82,12 @@ pub const fn wrong(when: When, key: &'static str, source: &'static str) -> HelpL
 }
 
 const fn line(section: Section, when: When, key: &'static str, source: &'static str) -> HelpLine {
-    HelpLine {
-        section,
-        when,
-        key,
-        source,
-    }
+    HelpLine { section, when, key, source }
 }
 
 /// A digit of `_MVAR` is one of these.
 pub const fn mvar(place: i64, is: &'static [i64]) -> When {
-    When::Digit {
-        param: names::MVAR,
-        place,
-        is,
-    }
+    When::Digit { param: names::MVAR, place, is }
 }
 
 /// The lines of an entry, in groups; what many cycles share is a group of its own.
@@ -112,11 +98,7 @@ pub struct Help {
 impl Help {
     /// The page's first module carries none of it: help comes behind the first form.
     pub const fn new(groups: &'static [&'static [HelpLine]]) -> Help {
-        if SIMULATES {
-            Help { groups }
-        } else {
-            Help { groups: &[] }
-        }
+        if SIMULATES { Help { groups } } else { Help { groups: &[] } }
     }
 
     /// All lines.
@@ -141,11 +123,7 @@ impl HelpPage {
     /// The page of this variant.
     pub fn of(cycle: &'static Cycle, variant: i64) -> HelpPage {
         let inputs = Inputs::new(cycle, variant);
-        let mut lines: Vec<_> = cycle
-            .help
-            .lines()
-            .filter(|line| line.when.of_variant(&inputs) == Some(true))
-            .collect();
+        let mut lines: Vec<_> = cycle.help.lines().filter(|line| line.when.of_variant(&inputs) == Some(true)).collect();
         lines.sort_by_key(|line| line.section);
         let required = cycle.params.iter().filter(|param| required(param, &inputs));
         let results = cycle.results.iter();
@@ -170,8 +148,7 @@ impl HelpPage {
 /// Whether every call of the variant has to give this parameter, whatever else it gives.
 fn required(param: &Param, inputs: &Inputs) -> bool {
     let open = |need: &&Need| need.when.of_variant(inputs) != Some(false);
-    let always =
-        |need: &Need| need.level == Level::Required && need.when.of_variant(inputs) == Some(true);
+    let always = |need: &Need| need.level == Level::Required && need.when.of_variant(inputs) == Some(true);
     let chooses = matches!(param.kind, Kind::Variant(_));
     !chooses && param.needs.iter().find(open).is_some_and(always)
 }
@@ -188,18 +165,13 @@ const ABOUT: &[(&str, When, &[u32])] = &[
     (names::TSA, When::Always, &[61303, 62303]),
     (names::TDIF, When::Always, &[61306, 62306]),
     (names::TUL, When::Always, &[62304, 62305]),
-    (
-        names::KNUM,
-        TOOL_OFFSET,
-        &[
-            61322, 61323, 61324, 61328, 61345, 61407, 61408, 61409, 61410,
-        ],
-    ),
+    (names::KNUM, TOOL_OFFSET, &[61322, 61323, 61324, 61328, 61345, 61407, 61408, 61409, 61410]),
     (names::KNUM, ZERO_OFFSET, &[61321, 61403, 61412]),
     (names::COR, When::Always, &[61321, 61412]),
 ];
 
-/// Whether a call of the variant can raise an alarm of the entry: not one about a parameter that the variant does not use.
+/// Whether a call of the variant can raise an alarm of the entry: not one about a parameter that the variant does not
+/// use.
 fn can_come(alarm: Code, inputs: &Inputs) -> bool {
     let is_used = |name: &str| {
         let param = inputs.cycle.param(name);
@@ -210,10 +182,7 @@ fn can_come(alarm: Code, inputs: &Inputs) -> bool {
     if bound.peek().is_some() {
         return bound.any(|param| is_used(param.name));
     }
-    let mut about = ABOUT
-        .iter()
-        .filter(|(_, _, alarms)| alarms.iter().any(|number| Code::Alarm(*number) == alarm))
-        .peekable();
-    about.peek().is_none()
-        || about.any(|(name, when, _)| when.of_variant(inputs) == Some(true) && is_used(name))
+    let mut about =
+        ABOUT.iter().filter(|(_, _, alarms)| alarms.iter().any(|number| Code::Alarm(*number) == alarm)).peekable();
+    about.peek().is_none() || about.any(|(name, when, _)| when.of_variant(inputs) == Some(true) && is_used(name))
 }

@@ -65,9 +65,7 @@ fn lines(language: &str) -> BTreeMap<String, String> {
     texts
         .filter_map(|line| line.split_once(" = "))
         .filter(|(key, _)| key.starts_with("help-"))
-        .filter(|(key, _)| {
-            !key.starts_with("help-section-") && *key != "help-values" && *key != "help-alarms"
-        })
+        .filter(|(key, _)| !key.starts_with("help-section-") && *key != "help-values" && *key != "help-alarms")
         .map(|(key, text)| (key.to_owned(), text.to_owned()))
         .collect()
 }
@@ -79,10 +77,7 @@ fn every_line_has_words_and_no_words_are_idle() {
         let variants = cycle.variants.iter();
         variants.map(move |variant| HelpPage::of(cycle, variant.number))
     });
-    let used: BTreeSet<String> = pages
-        .flat_map(|page| page.lines)
-        .map(|line| line.key.to_owned())
-        .collect();
+    let used: BTreeSet<String> = pages.flat_map(|page| page.lines).map(|line| line.key.to_owned()).collect();
     for language in LANGUAGES {
         let there: BTreeSet<String> = lines(language.code).into_keys().collect();
         assert_eq!(there, used, "{}", language.code);
@@ -114,12 +109,7 @@ fn every_language_names_the_same_data_and_alarms() {
     let english = lines("en");
     for language in LANGUAGES {
         for (key, text) in lines(language.code) {
-            assert_eq!(
-                names(&text),
-                names(&english[&key]),
-                "{} {key}",
-                language.code
-            );
+            assert_eq!(names(&text), names(&english[&key]), "{} {key}", language.code);
         }
     }
 }
@@ -163,7 +153,8 @@ fn raises(name: &str, variant: i64, number: u32) -> bool {
     page(name, variant).alarms.contains(&code)
 }
 
-// oracle: manual: no measuring axis and no zone in B:5989-6024, tolerances with a tool only (B:1346), mean value likewise
+// oracle: manual: no measuring axis and no zone in B:5989-6024, tolerances with a tool only (B:1346), mean value
+// likewise
 #[test]
 fn alarms_follow_from_what_a_variant_uses() {
     assert!(!raises("CYCLE977", 1, 61325) && raises("CYCLE977", 3, 61325));
@@ -233,11 +224,7 @@ const TOUCHES: &[(&str, usize)] = &[
     ("help-cycle998-order-two-paraxial", 3),
     ("help-tool-from-here", 1),
 ];
-const MORE: &[&str] = &[
-    "help-turned-over",
-    "help-cycle974-order-reversal",
-    "help-cycle997-order-diameter",
-];
+const MORE: &[&str] = &["help-turned-over", "help-cycle974-order-reversal", "help-cycle997-order-diameter"];
 const OVER: &[(&str, usize)] = &[
     ("help-cycle976-order-twice", 2),
     ("help-cycle982-order-reversal", 2),

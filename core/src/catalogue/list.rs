@@ -54,8 +54,7 @@ pub enum Arg {
 pub const AUXILIARY: &str = "CYCLE_PARA";
 /// Its arguments in order.
 pub const AUXILIARY_ARGS: &[&str] = &[
-    "_FA", "_VMS", "_NMSP", "_RF", "_PRNUM", "_CORA", "_TZL", "_TMV", "_TUL", "_TLL", "_TSA",
-    "_EVNUM", "_K", "_TDIF",
+    "_FA", "_VMS", "_NMSP", "_RF", "_PRNUM", "_CORA", "_TZL", "_TMV", "_TUL", "_TLL", "_TSA", "_EVNUM", "_K", "_TDIF",
 ];
 
 impl ArgumentList {
@@ -72,8 +71,7 @@ impl ArgumentList {
 
     /// Which argument takes this parameter.
     pub fn position(&self, name: &str) -> Option<usize> {
-        let takes =
-            |arg: &Arg| matches!(arg, Arg::Param(param) | Arg::Down(param) if *param == name);
+        let takes = |arg: &Arg| matches!(arg, Arg::Param(param) | Arg::Down(param) if *param == name);
         self.args.iter().position(takes)
     }
 
@@ -85,11 +83,7 @@ impl ArgumentList {
 
     /// The parameter that takes the variant, and the variant that the selections make, where it has no argument of its
     /// own; `number` tells what stands at an argument, an omitted one is 0.
-    pub fn composed(
-        &self,
-        cycle: &Cycle,
-        number: impl Fn(usize) -> Option<f64>,
-    ) -> Option<(&'static str, i64)> {
+    pub fn composed(&self, cycle: &Cycle, number: impl Fn(usize) -> Option<f64>) -> Option<(&'static str, i64)> {
         let name = cycle.variant_param()?;
         let own = self.has_variant(cycle);
         (!own).then(|| Some((name, self.selected(number)?)))?
@@ -121,10 +115,7 @@ impl ArgumentList {
     }
 
     /// The first selection that tells no variant: a number that is none of its choices, or one that is not known.
-    pub fn unselected(
-        &self,
-        number: impl Fn(usize) -> Option<f64>,
-    ) -> Option<(usize, &'static [(i64, i64)])> {
+    pub fn unselected(&self, number: impl Fn(usize) -> Option<f64>) -> Option<(usize, &'static [(i64, i64)])> {
         let mut all = self.args.iter().enumerate();
         all.find_map(|(index, arg)| match arg {
             Arg::Select(choices) => {
@@ -138,13 +129,12 @@ impl ArgumentList {
 
     /// Whether it can express a call with these values.
     pub fn fits(&self, inputs: &Inputs) -> bool {
-        self.when.holds(inputs)
-            && (self.has_variant(inputs.cycle) || self.selections(inputs.variant).is_some())
+        self.when.holds(inputs) && (self.has_variant(inputs.cycle) || self.selections(inputs.variant).is_some())
     }
 }
 
-/// The cycle and the list that a call with so many arguments means; `number` tells what stands at an argument, where it is
-/// known. The name of a cycle without arguments is no such call: it takes the data as they are.
+/// The cycle and the list that a call with so many arguments means; `number` tells what stands at an argument, where it
+/// is known. The name of a cycle without arguments is no such call: it takes the data as they are.
 pub fn called(
     dialect: Dialect,
     name: &str,
@@ -155,16 +145,10 @@ pub fn called(
         Arg::Is(wanted) => number(index) == Some(*wanted as f64),
         _ => true,
     };
-    let meant = |list: &&ArgumentList| {
-        list.name.eq_ignore_ascii_case(name) && list.args.iter().enumerate().all(told)
-    };
+    let meant = |list: &&ArgumentList| list.name.eq_ignore_ascii_case(name) && list.args.iter().enumerate().all(told);
     let bare = |cycle: &&Cycle| arguments == 0 && cycle.name.eq_ignore_ascii_case(name);
-    let of_control = CYCLES
-        .iter()
-        .filter(|cycle| cycle.dialect == dialect && !bare(cycle));
-    of_control
-        .copied()
-        .find_map(|cycle| Some((cycle, cycle.lists.iter().find(meant)?)))
+    let of_control = CYCLES.iter().filter(|cycle| cycle.dialect == dialect && !bare(cycle));
+    of_control.copied().find_map(|cycle| Some((cycle, cycle.lists.iter().find(meant)?)))
 }
 
 /// For which argument of a parameterizing call a cycle is chosen, and the numbers that can stand there.

@@ -111,10 +111,7 @@ const ALL: &[&Cycle] = &[
 
 /// The entry with this name on this control (`CYCLE977`, `G110`; case does not matter).
 pub fn find(dialect: Dialect, name: &str) -> Option<&'static Cycle> {
-    CYCLES
-        .iter()
-        .copied()
-        .find(|cycle| cycle.dialect == dialect && cycle.name.eq_ignore_ascii_case(name))
+    CYCLES.iter().copied().find(|cycle| cycle.dialect == dialect && cycle.name.eq_ignore_ascii_case(name))
 }
 
 #[cfg(all(test, feature = "cli"))]

@@ -1,18 +1,19 @@
-//! Parameter lists of newer 840D sl and 828D controls (SINUMERIK Operate). They are not in our manuals: order and names of
-//! the arguments are those of published lists of the calls and agree with programs that run on such controls. What a number
-//! in an argument means is published for few of them; a list whose `_MVAR` is not is read and never written.
+//! Parameter lists of newer 840D sl and 828D controls (SINUMERIK Operate). They are not in our manuals: order and names
+//! of the arguments are those of published lists of the calls and agree with programs that run on such controls. What a
+//! number in an argument means is published for few of them; a list whose `_MVAR` is not is read and never written.
 //!
-//! Where an argument has the name and the meaning of one of our parameters it is that parameter. Others are named as there:
+//! Where an argument has the name and the meaning of one of our parameters it is that parameter. Others are named as
+//! there:
 //! the measuring direction counts differently (1 plus, 2 minus), and the tool target has an argument of its own.
 
 use super::Arg::{Newer, Param};
 use super::{ArgumentList, NEVER, Style, When, names};
 
-/// The measuring variants of CYCLE977 that are evidenced: hole, shaft, groove, web and both rectangles; measured, or with
-/// correction of a zero offset; with a protection zone or without.
+/// The measuring variants of CYCLE977 that are evidenced: hole, shaft, groove, web and both rectangles; measured, or
+/// with correction of a zero offset; with a protection zone or without.
 const ELEMENTS: When = When::Variant(&[
-    1, 2, 3, 4, 5, 6, 101, 102, 103, 104, 105, 106, 1001, 1002, 1003, 1004, 1005, 1006, 1101, 1102,
-    1103, 1104, 1105, 1106,
+    1, 2, 3, 4, 5, 6, 101, 102, 103, 104, 105, 106, 1001, 1002, 1003, 1004, 1005, 1006, 1101, 1102, 1103, 1104, 1105,
+    1106,
 ]);
 
 const fn list(name: &'static str, when: When, args: &'static [super::Arg]) -> ArgumentList {

@@ -56,11 +56,7 @@ pub static MESSAGES: &[OperatorMessage] = &[
         "message-inactive-offset",
         "B:3837;B:3856;A:4457",
     ),
-    jog(
-        "Activate this work offset? Yes",
-        "message-activate-offset",
-        "B:3838-3839",
-    ),
+    jog("Activate this work offset? Yes", "message-activate-offset", "B:3838-3839"),
     jog(
         "The work is rotated round the tool axis! Please note when traversing in work! / The WCS is about the ...",
         "message-rotated",
@@ -68,54 +64,22 @@ pub static MESSAGES: &[OperatorMessage] = &[
     ),
     OperatorMessage {
         waits: true,
-        ..jog(
-            "Please press NC start to activate!",
-            "message-press-start",
-            "B:3864;B:3901",
-        )
+        ..jog("Please press NC start to activate!", "message-press-start", "B:3864;B:3901")
     },
-    jog(
-        "The new WCS has new orientation!",
-        "message-new-orientation",
-        "B:3895;A:4493",
-    ),
-    jog(
-        "Set probe perpendicular to plane?",
-        "message-perpendicular",
-        "B:3882",
-    ),
-    jog(
-        "Alignment made by swivelling! Retract: Z",
-        "message-aligned",
-        "B:3882-3883",
-    ),
-    jog(
-        "Measuring 4th measuring point exited",
-        "message-fourth-exited",
-        "B:3761-3762",
-    ),
-    jog(
-        "Angle between str. line P1-P2 and 1st axis",
-        "message-angle-line",
-        "B:3706;B:3753",
-    ),
+    jog("The new WCS has new orientation!", "message-new-orientation", "B:3895;A:4493"),
+    jog("Set probe perpendicular to plane?", "message-perpendicular", "B:3882"),
+    jog("Alignment made by swivelling! Retract: Z", "message-aligned", "B:3882-3883"),
+    jog("Measuring 4th measuring point exited", "message-fourth-exited", "B:3761-3762"),
+    jog("Angle between str. line P1-P2 and 1st axis", "message-angle-line", "B:3706;B:3753"),
 ];
 
 const fn jog(text: &'static str, key: &'static str, source: &'static str) -> OperatorMessage {
-    OperatorMessage {
-        text,
-        key,
-        waits: false,
-        sender: Sender::Jog,
-        source,
-    }
+    OperatorMessage { text, key, waits: false, sender: Sender::Jog, source }
 }
 
 /// The message with this text (case does not matter).
 pub fn find(text: &str) -> Option<&'static OperatorMessage> {
-    MESSAGES
-        .iter()
-        .find(|message| message.text.eq_ignore_ascii_case(text))
+    MESSAGES.iter().find(|message| message.text.eq_ignore_ascii_case(text))
 }
 
 /// Names of who shows it.
@@ -124,9 +88,8 @@ pub fn shown_by(message: &OperatorMessage) -> Vec<&'static str> {
         Sender::Program(name) => vec![name],
         Sender::Jog => vec!["JOG"],
         Sender::EveryCycle => {
-            let measuring = CYCLES.iter().filter(|cycle| {
-                cycle.dialect == Dialect::Sinumerik && cycle.purpose.probe.measures()
-            });
+            let measuring =
+                CYCLES.iter().filter(|cycle| cycle.dialect == Dialect::Sinumerik && cycle.purpose.probe.measures());
             measuring.map(|cycle| cycle.name).collect()
         }
     }

@@ -26,8 +26,8 @@ pub struct Param {
     pub alarm: Option<crate::diagnostic::Code>,
     /// First rule that holds decides; none: not used.
     pub needs: &'static [Need],
-    /// Variants that are chosen by giving it (even 0), in a cycle that has no parameter for the variant (NCT: the address
-    /// of the tool axis makes a boss out of a bore). The first that holds counts.
+    /// Variants that are chosen by giving it (even 0), in a cycle that has no parameter for the variant (NCT: the
+    /// address of the tool axis makes a boss out of a bore). The first that holds counts.
     pub chooses: &'static [Chooses],
     /// Wording that differs by variant: stem of the first that holds, else [`Param::key`].
     pub labels: &'static [(When, &'static str)],
@@ -111,32 +111,16 @@ pub struct Range {
 
 impl Range {
     /// Any finite number.
-    pub const ANY: Range = Range {
-        min: f64::NEG_INFINITY,
-        min_included: false,
-        max: f64::INFINITY,
-        max_included: false,
-    };
+    pub const ANY: Range =
+        Range { min: f64::NEG_INFINITY, min_included: false, max: f64::INFINITY, max_included: false };
     /// Greater than 0.
-    pub const POSITIVE: Range = Range {
-        min: 0.0,
-        ..Range::ANY
-    };
+    pub const POSITIVE: Range = Range { min: 0.0, ..Range::ANY };
     /// 0 or greater.
-    pub const NOT_NEGATIVE: Range = Range {
-        min: 0.0,
-        min_included: true,
-        ..Range::ANY
-    };
+    pub const NOT_NEGATIVE: Range = Range { min: 0.0, min_included: true, ..Range::ANY };
 
     /// From `min` to `max`, both allowed.
     pub const fn closed(min: f64, max: f64) -> Range {
-        Range {
-            min,
-            min_included: true,
-            max,
-            max_included: true,
-        }
+        Range { min, min_included: true, max, max_included: true }
     }
 
     /// Whether the number lies inside; NaN never does.

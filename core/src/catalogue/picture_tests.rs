@@ -11,16 +11,10 @@ use crate::form::{draw, fields};
 fn typed(cycle: &'static Cycle, variant: &Variant, number: &str) -> Typed {
     let control = delivery(cycle.dialect);
     let of_example = cycle.example.iter();
-    let mut typed: Typed = of_example
-        .map(|(name, value)| ((*name).to_owned(), (*value).to_owned()))
-        .collect();
+    let mut typed: Typed = of_example.map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect();
     typed.extend(example::choosing(cycle, variant.number));
     let inputs = read(cycle, &typed, &control, &mut Vec::new());
-    for param in cycle
-        .params
-        .iter()
-        .filter(|param| param.need(&inputs).is_some())
-    {
+    for param in cycle.params.iter().filter(|param| param.need(&inputs).is_some()) {
         let value = match param.kind.choices(&inputs) {
             Some([(first, _), ..]) => first.to_string(),
             _ => number.to_owned(),
@@ -37,10 +31,7 @@ fn drawn() -> impl Iterator<Item = &'static Cycle> {
 
 /// Whether a picture can show the parameter: places, sizes, angles, directions; not areas of a deviation.
 fn geometric(param: &Param) -> bool {
-    let shown = matches!(
-        param.unit,
-        Unit::ActiveLength | Unit::Millimetre | Unit::Degree
-    );
+    let shown = matches!(param.unit, Unit::ActiveLength | Unit::Millimetre | Unit::Degree);
     let direction = [names::MA, names::MD].contains(&param.name);
     (shown || direction) && param.name != names::CORA
 }
@@ -72,11 +63,7 @@ fn pictures_follow_every_field() {
             let control = delivery(cycle.dialect);
             for typed in [typed(cycle, variant, "7"), example::example(cycle, variant)] {
                 let picture = draw(cycle, &typed, &control).unwrap();
-                let also: Vec<&str> = picture
-                    .shapes
-                    .iter()
-                    .flat_map(|one| one.also.clone())
-                    .collect();
+                let also: Vec<&str> = picture.shapes.iter().flat_map(|one| one.also.clone()).collect();
                 for field in fields(cycle, &typed, &control) {
                     let shown = picture.explains(field.name) || also.contains(&field.name);
                     assert!(shown, "{} {} {}", cycle.name, variant.number, field.name);
@@ -99,24 +86,14 @@ fn each_variant_has_its_own_picture() {
             .iter()
             .map(|one| {
                 let mut picture = draw(cycle, &typed(cycle, one, "7"), &control).unwrap();
-                picture
-                    .shapes
-                    .iter_mut()
-                    .for_each(|shape| shape.also.clear());
+                picture.shapes.iter_mut().for_each(|shape| shape.also.clear());
                 (one.number, picture)
             })
             .collect();
         for (index, (number, picture)) in pictures.iter().enumerate() {
             let same = pictures[..index].iter().find(|(_, other)| other == picture);
-            let excused = SAME
-                .iter()
-                .find(|(name, _, again)| (*name, again) == (cycle.name, number));
-            assert_eq!(
-                same.map(|(first, _)| *first),
-                excused.map(|(_, first, _)| *first),
-                "{} {number}",
-                cycle.name,
-            );
+            let excused = SAME.iter().find(|(name, _, again)| (*name, again) == (cycle.name, number));
+            assert_eq!(same.map(|(first, _)| *first), excused.map(|(_, first, _)| *first), "{} {number}", cycle.name,);
         }
     }
 }

@@ -14,13 +14,8 @@ pub fn ball_radius(inputs: &Inputs, control: &Control) -> f64 {
     let index = inputs.integer(names::PRNUM) % 100 - 1;
     let stored = control.number(&format!("_WP[{index},0]")) / 2.0;
     let per = crate::check::factor(super::Unit::BasicLength, control);
-    let active = control
-        .edge_of(control.tool, control.edge)
-        .map_or(0.0, |edge| edge.radius);
-    [stored * per, active, 3.0]
-        .into_iter()
-        .find(|radius| *radius > 0.0)
-        .unwrap_or(3.0)
+    let active = control.edge_of(control.tool, control.edge).map_or(0.0, |edge| edge.radius);
+    [stored * per, active, 3.0].into_iter().find(|radius| *radius > 0.0).unwrap_or(3.0)
 }
 
 /// A point given as abscissa, ordinate, applicate in X Y Z of the WCS.
@@ -43,10 +38,10 @@ pub fn side(control: &Control) -> f64 {
     if along < 0.0 { -1.0 } else { 1.0 }
 }
 
-/// A nominal solid: its origin and the directions of its X and Z axes, given as abscissa, ordinate, applicate of the WCS.
+/// A nominal solid: its origin and the directions of its X and Z axes, given as abscissa, ordinate, applicate of the
+/// WCS.
 pub fn solid(control: &Control, shape: Shape, at: [f64; 3], x: [f64; 3], z: [f64; 3]) -> Solid {
-    let direction =
-        |axis: [f64; 3]| Vector3::from(control.direction_to_machine(in_plane(control, axis)));
+    let direction = |axis: [f64; 3]| Vector3::from(control.direction_to_machine(in_plane(control, axis)));
     let (x, z) = (direction(x), direction(z));
     let columns = Matrix3::from_columns(&[x, z.cross(&x), z]);
     Solid {
@@ -66,24 +61,10 @@ pub fn along(width: f64) -> f64 {
 /// width, depth or height in mm.
 pub fn element(kind: i64, size: f64, height: f64) -> Shape {
     match kind {
-        1 => Shape::Hole {
-            diameter: size,
-            depth: height,
-        },
-        2 => Shape::Shaft {
-            diameter: size,
-            height,
-        },
-        3 => Shape::Groove {
-            width: size,
-            depth: height,
-            length: along(size),
-        },
-        _ => Shape::Web {
-            width: size,
-            height,
-            length: along(size),
-        },
+        1 => Shape::Hole { diameter: size, depth: height },
+        2 => Shape::Shaft { diameter: size, height },
+        3 => Shape::Groove { width: size, depth: height, length: along(size) },
+        _ => Shape::Web { width: size, height, length: along(size) },
     }
 }
 
@@ -105,11 +86,7 @@ pub fn face(control: &Control, axis: usize, set: f64, side: f64, away: f64) -> (
     if axis != 2 {
         at[2] = self::side(control) * (FACE_DEPTH - FACE[0] / 2.0);
     }
-    let x = if axis == 2 {
-        [1.0, 0.0, 0.0]
-    } else {
-        [0.0, 0.0, 1.0]
-    };
+    let x = if axis == 2 { [1.0, 0.0, 0.0] } else { [0.0, 0.0, 1.0] };
     let block = solid(control, Shape::Block { size: FACE }, at, x, normal);
     (block, in_plane(control, start))
 }
@@ -132,12 +109,7 @@ pub fn corrected_tools(inputs: &Inputs) -> Vec<ProposedTool> {
         _ => number,
     };
     match code {
-        Ok(Some(code)) => vec![ProposedTool {
-            tool,
-            name: name.to_owned(),
-            edge: code.edge,
-            data: end_mill(),
-        }],
+        Ok(Some(code)) => vec![ProposedTool { tool, name: name.to_owned(), edge: code.edge, data: end_mill() }],
         _ => Vec::new(),
     }
 }
@@ -146,10 +118,5 @@ pub fn corrected_tools(inputs: &Inputs) -> Vec<ProposedTool> {
 const NAMED: i64 = 1;
 
 fn end_mill() -> Edge {
-    Edge {
-        kind: 120,
-        length: [100.0, 0.0, 0.0],
-        radius: 10.0,
-        ..Edge::default()
-    }
+    Edge { kind: 120, length: [100.0, 0.0, 0.0], radius: 10.0, ..Edge::default() }
 }

@@ -11,11 +11,7 @@ const SHIFT: [f64; 3] = [0.21, -0.13, 0.17];
 const SIZE: f64 = 0.03;
 
 fn typed(variant: i64, axis: &str) -> Typed {
-    let zone = if variant % 2 == 1 {
-        ["20", "25"]
-    } else {
-        ["110", "120"]
-    };
+    let zone = if variant % 2 == 1 { ["20", "25"] } else { ["110", "120"] };
     let variant = variant.to_string();
     [
         ("_MVAR", variant.as_str()),
@@ -40,12 +36,7 @@ fn typed(variant: i64, axis: &str) -> Typed {
 }
 
 /// Results of a call in a measuring axis on the proposed part with its errors.
-fn measured(
-    cycle: &'static Cycle,
-    variant: i64,
-    axis: &str,
-    plane: Plane,
-) -> crate::control::Control {
+fn measured(cycle: &'static Cycle, variant: i64, axis: &str, plane: Plane) -> crate::control::Control {
     measured_with(cycle, variant, &[("_MA", axis)], plane)
 }
 
@@ -56,13 +47,7 @@ fn measured_with(
     changes: &[(&str, &str)],
     plane: Plane,
 ) -> crate::control::Control {
-    measured_in(
-        Frame::translation([100.0, 50.0, -20.0]),
-        cycle,
-        variant,
-        changes,
-        plane,
-    )
+    measured_in(Frame::translation([100.0, 50.0, -20.0]), cycle, variant, changes, plane)
 }
 
 /// Results of a call in a settable frame; the errors of the part count in it.
@@ -84,9 +69,7 @@ fn measured_in(
     let changes = changes.iter();
     typed.extend(changes.map(|(name, value)| ((*name).to_owned(), (*value).to_owned())));
     let checked = check(cycle, &typed, &setup.control);
-    let inputs = checked
-        .inputs
-        .unwrap_or_else(|| panic!("{variant} {:?}", checked.diagnostics));
+    let inputs = checked.inputs.unwrap_or_else(|| panic!("{variant} {:?}", checked.diagnostics));
     let proposal = (cycle.work().unwrap().propose)(&inputs, &setup.control);
     setup.workpiece = proposal.workpiece;
     for solid in &mut setup.workpiece.solids {
@@ -102,10 +85,7 @@ fn measured_in(
 
 fn near(control: &crate::control::Control, name: &str, expected: f64, what: &str) {
     let found = control.number(name);
-    assert!(
-        (found - expected).abs() < 1e-9,
-        "{what} {name}: {found} instead of {expected}"
-    );
+    assert!((found - expected).abs() < 1e-9, "{what} {name}: {found} instead of {expected}");
 }
 
 #[test]
@@ -129,11 +109,7 @@ fn cycle977_finds_size_and_centre() {
                 let one_axis = element >= 3;
                 near(&control, "_OVR[16]", SIZE, &what);
                 let shift = |index, name| {
-                    if one_axis && axis != name {
-                        0.0
-                    } else {
-                        SHIFT[index]
-                    }
+                    if one_axis && axis != name { 0.0 } else { SHIFT[index] }
                 };
                 near(&control, "_OVR[17]", shift(abscissa, "1"), &what);
                 near(&control, "_OVR[18]", shift(ordinate, "2"), &what);
@@ -148,11 +124,7 @@ fn without_its_zone_the_probe_meets_the_obstacle() {
     let cycle = find(Dialect::Sinumerik, "CYCLE977").unwrap();
     for variant in [1001, 1003, 1005, 1101] {
         let setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
-        let read = |variant| {
-            check(cycle, &typed(variant, "1"), &setup.control)
-                .inputs
-                .unwrap()
-        };
+        let read = |variant| check(cycle, &typed(variant, "1"), &setup.control).inputs.unwrap();
         let fixture = (cycle.work().unwrap().propose)(&read(variant), &setup.control).fixture;
         assert!(!fixture.is_empty(), "{variant}");
         let plain = read(variant - 1000);
@@ -177,12 +149,7 @@ fn cycle978_finds_the_position() {
                     continue;
                 }
                 let control = measured(cycle, variant.number, axis, plane);
-                near(
-                    &control,
-                    "_OVR[16]",
-                    SHIFT[plane.axes()[index]],
-                    &format!("{} {axis} {plane:?}", variant.number),
-                );
+                near(&control, "_OVR[16]", SHIFT[plane.axes()[index]], &format!("{} {axis} {plane:?}", variant.number));
             }
         }
     }
@@ -196,12 +163,7 @@ fn cycle979_finds_size_and_centre() {
         let shift = plane.axes().map(|axis| SHIFT[axis]);
         for variant in cycle.variants {
             for (angle, along) in [("0", [1.0, 0.0]), ("90", [0.0, 1.0]), ("-180", [1.0, 0.0])] {
-                let control = measured_with(
-                    cycle,
-                    variant.number,
-                    &[("_STA1", angle), ("_ID", "20")],
-                    plane,
-                );
+                let control = measured_with(cycle, variant.number, &[("_STA1", angle), ("_ID", "20")], plane);
                 let what = format!("{} {angle} {plane:?}", variant.number);
                 let round = variant.number % 10 <= 2;
                 near(&control, "_OVR[16]", SIZE, &what);
@@ -237,20 +199,11 @@ fn cycle997_finds_the_spheres() {
             let control = measured_with(cycle, variant, SPHERES, plane);
             let what = format!("{variant} {plane:?}");
             let [abscissa, ordinate, applicate] = plane.axes().map(|axis| SHIFT[axis]);
-            for first in if variant / 10_000 % 10 == 1 {
-                &[9, 17, 25][..]
-            } else {
-                &[9]
-            } {
+            for first in if variant / 10_000 % 10 == 1 { &[9, 17, 25][..] } else { &[9] } {
                 near(&control, &format!("_OVR[{first}]"), abscissa, &what);
                 near(&control, &format!("_OVR[{}]", first + 1), ordinate, &what);
                 if variant < 1_000_000 {
-                    near(
-                        &control,
-                        &format!("_OVR[{}]", first + 2),
-                        applicate + SIZE / 2.0,
-                        &what,
-                    );
+                    near(&control, &format!("_OVR[{}]", first + 2), applicate + SIZE / 2.0, &what);
                 }
             }
         }
@@ -262,28 +215,15 @@ fn results_do_not_depend_on_where_the_part_stands() {
     // oracle: self (the same measurement in other frames, all of it moved, turned, mirrored)
     let frames = [
         Frame::default(),
-        Frame {
-            rotation: [0.0, 0.0, 37.0],
-            ..Frame::translation([-700.0, 411.0, 93.0])
-        },
-        Frame {
-            rotation: [20.0, -35.0, 120.0],
-            ..Frame::translation([310.0, -205.0, 60.0])
-        },
-        Frame {
-            rotation: [0.0, 0.0, 37.0],
-            mirror: [true, false, false],
-            ..Frame::translation([30.0, 20.0, 10.0])
-        },
+        Frame { rotation: [0.0, 0.0, 37.0], ..Frame::translation([-700.0, 411.0, 93.0]) },
+        Frame { rotation: [20.0, -35.0, 120.0], ..Frame::translation([310.0, -205.0, 60.0]) },
+        Frame { rotation: [0.0, 0.0, 37.0], mirror: [true, false, false], ..Frame::translation([30.0, 20.0, 10.0]) },
     ];
     for name in ["CYCLE977", "CYCLE978", "CYCLE979"] {
         let cycle = find(Dialect::Sinumerik, name).unwrap();
         for plane in [Plane::G17, Plane::G18, Plane::G19] {
             for variant in cycle.variants {
-                let changes = [
-                    ("_STA1", "25"),
-                    ("_ID", if name == "CYCLE979" { "20" } else { "-25" }),
-                ];
+                let changes = [("_STA1", "25"), ("_ID", if name == "CYCLE979" { "20" } else { "-25" })];
                 let results = frames.map(|frame| {
                     let control = measured_in(frame, cycle, variant.number, &changes, plane);
                     [4, 5, 6, 7, 16, 17, 18, 19].map(|i| control.number(&format!("_OVR[{i}]")))

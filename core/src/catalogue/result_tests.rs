@@ -20,11 +20,7 @@ fn measured(cycle: &'static Cycle, variant: &Variant) -> (Inputs, Control) {
 }
 
 /// The same on a machine that is changed before.
-fn carried_out(
-    cycle: &'static Cycle,
-    variant: &Variant,
-    change: impl Fn(&mut Control),
-) -> (Inputs, Outcome) {
+fn carried_out(cycle: &'static Cycle, variant: &Variant, change: impl Fn(&mut Control)) -> (Inputs, Outcome) {
     let mut setup = Setup::for_variant(cycle, variant.number, Plane::G17);
     let checked = check(cycle, &example(cycle, variant), &setup.control);
     let Some(inputs) = checked.inputs else {
@@ -56,12 +52,10 @@ fn fields() -> impl Iterator<Item = String> {
     numbers.chain((0..16).map(|index| format!("_OVI[{index}]")))
 }
 
-/// Of the sides of a tool probe in one axis, `_OVR[8..19]`, that one has results from which the tool came (B:4204-4215): the
-/// other pair may be missing.
+/// Of the sides of a tool probe in one axis, `_OVR[8..19]`, that one has results from which the tool came
+/// (B:4204-4215): the other pair may be missing.
 fn touched_twin(name: &str, written: &BTreeSet<String>) -> bool {
-    let index = name
-        .strip_prefix("_OVR[")
-        .and_then(|rest| rest.strip_suffix(']'));
+    let index = name.strip_prefix("_OVR[").and_then(|rest| rest.strip_suffix(']'));
     let Some(index) = index.and_then(|index| index.parse::<usize>().ok()) else {
         return false;
     };
@@ -73,14 +67,10 @@ fn touched_twin(name: &str, written: &BTreeSet<String>) -> bool {
 fn results_are_those_of_the_entry() {
     // oracle: self (the entry, which is held against the manual's table)
     let simulated = CYCLES.iter().copied();
-    for cycle in
-        simulated.filter(|cycle| cycle.dialect == Dialect::Sinumerik && cycle.work().is_some())
-    {
+    for cycle in simulated.filter(|cycle| cycle.dialect == Dialect::Sinumerik && cycle.work().is_some()) {
         for variant in cycle.variants {
             let (inputs, control) = measured(cycle, variant);
-            let written: BTreeSet<String> = fields()
-                .filter(|name| control.number(name) != BEFORE)
-                .collect();
+            let written: BTreeSet<String> = fields().filter(|name| control.number(name) != BEFORE).collect();
             let listed: BTreeSet<String> = cycle
                 .results
                 .iter()
@@ -90,14 +80,9 @@ fn results_are_those_of_the_entry() {
                 .collect();
             let beyond: Vec<_> = written.difference(&listed).collect();
             let missing = listed.difference(&written);
-            let missing: Vec<_> = missing
-                .filter(|name| !touched_twin(name, &written))
-                .collect();
+            let missing: Vec<_> = missing.filter(|name| !touched_twin(name, &written)).collect();
             let what = format!("{} {}", cycle.name, variant.number);
-            assert!(
-                beyond.is_empty() && missing.is_empty(),
-                "{what}: {beyond:?} {missing:?}"
-            );
+            assert!(beyond.is_empty() && missing.is_empty(), "{what}: {beyond:?} {missing:?}");
         }
     }
 }
@@ -118,11 +103,7 @@ fn no_figure_that_leaves_a_call_is_a_negative_zero() {
         let added = |control: &mut Control| control.set("_CHBIT[5]", 1.0);
         let (_, outcome) = carried_out(cycle, variant, added);
         for (field, value) in outcome.results(cycle) {
-            assert!(
-                value.is_finite() && !negative(value),
-                "{what}: {}",
-                field.name
-            );
+            assert!(value.is_finite() && !negative(value), "{what}: {}", field.name);
         }
         for change in outcome.changes() {
             let both = [change.before, change.after];
@@ -132,10 +113,7 @@ fn no_figure_that_leaves_a_call_is_a_negative_zero() {
             match &entry.step {
                 Step::Set { name, after, .. } => assert!(!negative(*after), "{what}: {name}"),
                 Step::Decision(message) => assert!(
-                    !message
-                        .args
-                        .iter()
-                        .any(|(_, arg)| matches!(arg, Arg::Number(number) if negative(*number))),
+                    !message.args.iter().any(|(_, arg)| matches!(arg, Arg::Number(number) if negative(*number))),
                     "{what}: {message:?}"
                 ),
                 _ => {}
@@ -155,9 +133,7 @@ fn every_measuring_cycle_shows_its_result_screen_on_demand() {
         };
         let (_, outcome) = carried_out(cycle, variant, set);
         let shown = outcome.decisions().into_iter().map(|one| one.key.clone());
-        let shown: Vec<_> = shown
-            .filter(|key| key.starts_with("evaluate-screen"))
-            .collect();
+        let shown: Vec<_> = shown.filter(|key| key.starts_with("evaluate-screen")).collect();
         shown
     };
     for (cycle, variant) in simulated(Dialect::Sinumerik) {

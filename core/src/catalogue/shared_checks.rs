@@ -21,20 +21,12 @@ pub fn probe(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     let (number, kind) = (code % 100, code / 100 % 10);
     if kind > 1 {
         let message = Message::new("check-probe-type").number("type", kind as f64);
-        found.push(
-            error(Code::Alarm(61313), message)
-                .hint(Message::new("check-probe-type-hint"))
-                .at(names::PRNUM),
-        );
+        found.push(error(Code::Alarm(61313), message).hint(Message::new("check-probe-type-hint")).at(names::PRNUM));
     }
     if number < 1 || number as f64 > fields {
         let message = Message::new("check-probe-number").number("number", number as f64);
         let hint = Message::new("check-probe-number-hint").number("fields", fields);
-        found.push(
-            error(Code::Alarm(61313), message)
-                .hint(hint)
-                .at(names::PRNUM),
-        );
+        found.push(error(Code::Alarm(61313), message).hint(hint).at(names::PRNUM));
     }
     if kind == 1 && !control.spindle_positions {
         let message = Message::new("check-mono-spindle");
@@ -56,15 +48,10 @@ pub fn memories(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>)
     let Some(code) = inputs.given(names::EVNUM).map(|code| code as i64) else {
         return;
     };
-    let (mean, empirical) = if code > 9999 {
-        (code / 10_000, code % 10_000)
-    } else {
-        (code, code)
-    };
-    for (number, array, sentence) in [
-        (empirical, "_EVMVNUM[0]", own::EMPIRICAL_MEMORY),
-        (mean, "_EVMVNUM[1]", own::MEAN_MEMORY),
-    ] {
+    let (mean, empirical) = if code > 9999 { (code / 10_000, code % 10_000) } else { (code, code) };
+    for (number, array, sentence) in
+        [(empirical, "_EVMVNUM[0]", own::EMPIRICAL_MEMORY), (mean, "_EVMVNUM[1]", own::MEAN_MEMORY)]
+    {
         let size = control.number(array);
         if number as f64 > size {
             let finding = sentence.finding().number("number", number as f64);
@@ -80,23 +67,11 @@ pub fn memories(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>)
 pub fn tolerances(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     if let (Some(upper), Some(lower)) = (inputs.given(names::TUL), inputs.given(names::TLL)) {
         if upper < lower {
-            found.push(
-                own::TOLERANCE_ORDER
-                    .finding()
-                    .number("upper", upper)
-                    .number("lower", lower)
-                    .at(names::TUL),
-            );
+            found.push(own::TOLERANCE_ORDER.finding().number("upper", upper).number("lower", lower).at(names::TUL));
             return;
         }
         let half = (upper - lower) / 2.0;
-        order(
-            half,
-            inputs.given(names::TDIF),
-            own::BAND_DIFFERENCE,
-            names::TDIF,
-            found,
-        );
+        order(half, inputs.given(names::TDIF), own::BAND_DIFFERENCE, names::TDIF, found);
     }
     let given = |name| inputs.given(name);
     if let Some(low) = given(names::TZL) {
@@ -105,24 +80,12 @@ pub fn tolerances(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     // that delivered with the control is nobody's wish
     let wished = inputs.written.contains(names::TDIF);
     if let Some(difference) = given(names::TDIF).filter(|_| wished) {
-        order(
-            difference,
-            given(names::TSA),
-            own::DIFFERENCE_SAFE,
-            names::TSA,
-            found,
-        );
+        order(difference, given(names::TSA), own::DIFFERENCE_SAFE, names::TSA, found);
     }
 }
 
 /// A doubt when the second is smaller than the first.
-fn order(
-    small: f64,
-    large: Option<f64>,
-    sentence: Own,
-    at: &'static str,
-    found: &mut Vec<Diagnostic>,
-) {
+fn order(small: f64, large: Option<f64>, sentence: Own, at: &'static str, found: &mut Vec<Diagnostic>) {
     if let Some(large) = large.filter(|large| *large < small) {
         let finding = sentence.finding().number("small", small);
         found.push(finding.number("large", large).at(at));
@@ -133,30 +96,16 @@ fn order(
 pub fn fits(name: &'static str, size: f64, ball: f64, found: &mut Vec<Diagnostic>) -> bool {
     let room = size > 2.0 * ball;
     if !room {
-        found.push(
-            own::BALL
-                .finding()
-                .text("param", name)
-                .number("ball", 2.0 * ball)
-                .at(name),
-        );
+        found.push(own::BALL.finding().text("param", name).number("ball", 2.0 * ball).at(name));
     }
     room
 }
 
 /// Between two walls the start of the measuring block must not lie in the opposite wall (B:13743-13763).
-pub fn across(
-    inputs: &Inputs,
-    name: &'static str,
-    size: f64,
-    ball: f64,
-    found: &mut Vec<Diagnostic>,
-) {
+pub fn across(inputs: &Inputs, name: &'static str, size: f64, ball: f64, found: &mut Vec<Diagnostic>) {
     let free = size - 2.0 * ball;
     if inputs.given(names::FA).is_some_and(|path| path >= free) {
-        let message = Message::new("check-path-long")
-            .text("param", name)
-            .number("free", free);
+        let message = Message::new("check-path-long").text("param", name).number("free", free);
         let hint = Message::new("check-path-long-hint").number("free", free);
         found.push(error(Code::Alarm(61302), message).hint(hint).at(names::FA));
     }
@@ -189,14 +138,12 @@ pub fn mirror(control: &Control, found: &mut Vec<Diagnostic>) {
 /// A coordinate system that is turned (A:15873).
 pub fn rotation(control: &Control, found: &mut Vec<Diagnostic>) {
     if control.rotated() {
-        found.push(
-            error(Code::Alarm(61330), Message::new("check-rotation"))
-                .hint(Message::new("check-rotation-hint")),
-        );
+        found.push(error(Code::Alarm(61330), Message::new("check-rotation")).hint(Message::new("check-rotation-hint")));
     }
 }
 
-/// Differential measurement turns the spindle under a multi probe (B:6308, B:7297-7299). The alarm for the probe is ours:
+/// Differential measurement turns the spindle under a multi probe (B:6308, B:7297-7299). The alarm for the probe is
+/// ours:
 /// the manual names none.
 pub fn differential(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     if !control.spindle_positions {
@@ -210,9 +157,7 @@ pub fn differential(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnost
     if MONO.holds(inputs) {
         let message = Message::new("check-differential-mono");
         found.push(
-            error(Code::Alarm(61313), message)
-                .hint(Message::new("check-differential-mono-hint"))
-                .at(names::PRNUM),
+            error(Code::Alarm(61313), message).hint(Message::new("check-differential-mono-hint")).at(names::PRNUM),
         );
     }
 }
@@ -238,16 +183,12 @@ pub fn takes_rotation(name: &'static str, inputs: &Inputs, found: &mut Vec<Diagn
     let code = inputs.integer(name);
     if let Ok(Some(ZeroCode::GlobalBasic(_))) = knum::zero(code) {
         let message = Message::new("check-knum-rotation").number("code", code as f64);
-        found.push(
-            error(Code::Alarm(61321), message)
-                .hint(Message::new("check-knum-rotation-hint"))
-                .at(name),
-        );
+        found.push(error(Code::Alarm(61321), message).hint(Message::new("check-knum-rotation-hint")).at(name));
     }
 }
 
-/// On a lathe the length of the probe has to end at the centre of its ball (B:5358, B:5480, B:5818, B:6400, B:6871, B:7528,
-/// B:7836).
+/// On a lathe the length of the probe has to end at the centre of its ball (B:5358, B:5480, B:5818, B:6400, B:6871,
+/// B:7528, B:7836).
 pub fn lathe_length(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     if TURNING_TOOL.holds(inputs) && control.bit("_CBIT[14]") {
         found.push(own::LATHE_LENGTH.finding().at(names::PRNUM));

@@ -16,40 +16,22 @@ type Row = (&'static [&'static str], &'static [&'static [&'static str]]);
 /// Limits of the correction.
 const TOLERANCES: &[&str] = &[names::TUL, names::TLL];
 /// What is measured and corrected, and the variant that says so.
-const TARGET: &[&str] = &[
-    names::MVAR,
-    names::KNUM,
-    names::TNUM,
-    names::TNAME,
-    names::DLNUM,
-    names::TENV,
-];
+const TARGET: &[&str] = &[names::MVAR, names::KNUM, names::TNUM, names::TNAME, names::DLNUM, names::TENV];
 /// Axes that turn, a size or a position, a length in two axes, an angle, the work of a variant.
-const MEASURED: &[&[&str]] = &[
-    &[names::RA],
-    &[names::SETVAL],
-    &[names::SETV0, names::SETV1],
-    &[names::STA1],
-    &[names::MVAR],
-];
+const MEASURED: &[&[&str]] =
+    &[&[names::RA], &[names::SETVAL], &[names::SETV0, names::SETV1], &[names::STA1], &[names::MVAR]];
 /// What an NCT macro moves to and measures.
 const ADDRESSES: &[&[&str]] = &[&["D"], &["X", "Y", "Z"]];
 
 const TABLE: &[Row] = &[
     (TARGET, MEASURED),
     (&[names::VMS, names::RF], &[&[names::FA], &[names::MVAR]]),
-    (
-        &[names::TZL, names::TMV, names::K, names::EVNUM],
-        &[TOLERANCES, &[names::TDIF], &[names::TSA], &[names::SETVAL]],
-    ),
+    (&[names::TZL, names::TMV, names::K, names::EVNUM], &[TOLERANCES, &[names::TDIF], &[names::TSA], &[names::SETVAL]]),
     (&[names::TSA], &[&[names::SETVAL]]),
     (LOG_FORMAT, &[&[log::LINE]]),
     (&[log::JOB], &[&[log::LINE], &["PAR5"]]),
     (LOG_VALUES, &[&[log::VALUES[0]], &[log::LINE]]),
-    (
-        &["X", "Y", "Z", "F", "I", "K", "M", "S", "T", "U", "V", "W"],
-        ADDRESSES,
-    ),
+    (&["X", "Y", "Z", "F", "I", "K", "M", "S", "T", "U", "V", "W"], ADDRESSES),
 ];
 
 /// Of the whole page, or of a part that this call does not print.

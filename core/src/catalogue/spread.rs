@@ -27,9 +27,7 @@ pub fn angle(touched: [Touched; 2], at: &'static str) -> Option<Diagnostic> {
     // tenths of a millimetre are enough for a reader, and what is advised must be enough as well
     let needed = (x.hypot(y) * factor / DOUBTED * 10.0).ceil() / 10.0;
     let finding = own::SPREAD_ANGLE.finding();
-    let finding = finding
-        .number("factor", told(factor))
-        .number("length", LENGTH);
+    let finding = finding.number("factor", told(factor)).number("length", LENGTH);
     (factor > DOUBTED).then_some(finding.hint_number("needed", needed).at(at))
 }
 
@@ -45,9 +43,7 @@ pub fn corner(touched: &[Touched], at: &'static str) -> Option<Diagnostic> {
 pub fn triangle(points: [V3; 3], at: &'static str) -> Option<Diagnostic> {
     let factor = spread::turn(points)?;
     let finding = own::SPREAD_TRIANGLE.finding();
-    let finding = finding
-        .number("factor", told(factor))
-        .number("length", LENGTH);
+    let finding = finding.number("factor", told(factor)).number("length", LENGTH);
     (factor > DOUBTED).then_some(finding.at(at))
 }
 
@@ -65,9 +61,7 @@ mod tests {
             for variant in cycle.variants {
                 let values = example::example(cycle, variant);
                 let found = check(cycle, &values, &delivery(cycle.dialect)).diagnostics;
-                let doubt = found
-                    .iter()
-                    .find(|one| matches!(one.code, Code::Own(170..=173)));
+                let doubt = found.iter().find(|one| matches!(one.code, Code::Own(170..=173)));
                 assert_eq!(doubt, None, "{} {}", cycle.name, variant.number);
             }
         }

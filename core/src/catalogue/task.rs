@@ -67,7 +67,8 @@ pub enum Meaning {
     Infeed,
     /// Coordinate of a corner, in an address that says the axis.
     CornerInAxis,
-    /// Where the zero lies from a corner: 1 there, 2 beside it along the abscissa, 3 along both axes, 4 along the ordinate.
+    /// Where the zero lies from a corner: 1 there, 2 beside it along the abscissa, 3 along both axes, 4 along the
+    /// ordinate.
     ZeroAtCorner,
     /// Angle between the abscissa and the first edge of a corner, degree.
     EdgeAngle,

@@ -72,18 +72,8 @@ pub fn twin(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Option<T
     let measurement = common(measurement, shared_there);
     let values = written(cycle_there, shared_there, &measurement, &there);
     let mut differences = told(&inputs, shared, &measurement, &there);
-    differences.extend(one_sided(
-        &inputs,
-        [shared, shared_there],
-        cycle_there,
-        &values,
-    ));
-    Some(Twin {
-        cycle: cycle_there,
-        values: values.all,
-        measurement,
-        differences,
-    })
+    differences.extend(one_sided(&inputs, [shared, shared_there], cycle_there, &values));
+    Some(Twin { cycle: cycle_there, values: values.all, measurement, differences })
 }
 
 /// What a call measures.
@@ -125,8 +115,7 @@ pub fn measured(inputs: &Inputs, control: &Control) -> Option<(&'static Shared, 
 fn in_axis(inputs: &Inputs, shared: &Shared) -> Option<(usize, f64)> {
     let mut named = shared.values.iter();
     named.find_map(|(name, meaning)| {
-        let part =
-            part_of(*meaning, name, inputs).filter(|_| *meaning == Meaning::NominalInAxis)?;
+        let part = part_of(*meaning, name, inputs).filter(|_| *meaning == Meaning::NominalInAxis)?;
         let counts = (part == 2) == along_tool(shared.task);
         Some((part, inputs.given(name).filter(|_| counts)?))
     })
@@ -166,12 +155,7 @@ struct Values {
 }
 
 /// The values that say the same there, and from the worked measurement what is needed beside them.
-fn written(
-    cycle: &'static Cycle,
-    shared: &Shared,
-    wanted: &Measurement,
-    control: &Control,
-) -> Values {
+fn written(cycle: &'static Cycle, shared: &Shared, wanted: &Measurement, control: &Control) -> Values {
     let mut inputs = Inputs::new(cycle, shared.variant);
     inputs.plane = control.plane;
     let mut all = choosing(cycle, shared.variant, &inputs);
@@ -227,35 +211,20 @@ fn choosing(cycle: &Cycle, variant: i64, inputs: &Inputs) -> Typed {
 }
 
 /// The value in mm that a parameter with this meaning gets.
-fn value_of(
-    meaning: Meaning,
-    name: &str,
-    wanted: &Measurement,
-    inputs: &Inputs,
-    control: &Control,
-) -> Option<f64> {
+fn value_of(meaning: Meaning, name: &str, wanted: &Measurement, inputs: &Inputs, control: &Control) -> Option<f64> {
     match meaning {
-        Meaning::NominalInAxis
-            if has_depth(wanted.task) && part_of(meaning, name, inputs) == Some(2) =>
-        {
-            wanted.depth
-        }
+        Meaning::NominalInAxis if has_depth(wanted.task) && part_of(meaning, name, inputs) == Some(2) => wanted.depth,
         // the walls of NCT lie along the axes
         Meaning::EdgeAngle => wanted.corner.map(|_| 0.0),
         Meaning::Infeed => twin_place::infeed(wanted.depth?, control.active_units),
-        Meaning::CornerInAxis
-        | Meaning::ZeroAtCorner
-        | Meaning::ZeroAbscissa
-        | Meaning::ZeroOrdinate => twin_place::of_corner(meaning, name, wanted.corner?, inputs),
+        Meaning::CornerInAxis | Meaning::ZeroAtCorner | Meaning::ZeroAbscissa | Meaning::ZeroOrdinate => {
+            twin_place::of_corner(meaning, name, wanted.corner?, inputs)
+        }
         Meaning::Nominal => wanted.nominal,
         Meaning::Axis => wanted.axis.map(|axis| axis as f64 + 1.0),
         Meaning::NominalInAxis => {
             let part = part_of(meaning, name, inputs)?;
-            let axis = if along_tool(wanted.task) {
-                2
-            } else {
-                wanted.axis?
-            };
+            let axis = if along_tool(wanted.task) { 2 } else { wanted.axis? };
             wanted.nominal.filter(|_| part == axis)
         }
         Meaning::Upper | Meaning::Half => wanted.half,
@@ -271,20 +240,11 @@ fn value_of(
 fn plain(value: f64) -> String {
     let text = format!("{value:.9}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" {
-        "0".into()
-    } else {
-        text.into()
-    }
+    if text == "-0" { "0".into() } else { text.into() }
 }
 
 /// What the reader of both calls has to know about what they share.
-fn told(
-    inputs: &Inputs,
-    shared: &Shared,
-    measurement: &Measurement,
-    control: &Control,
-) -> Vec<Message> {
+fn told(inputs: &Inputs, shared: &Shared, measurement: &Measurement, control: &Control) -> Vec<Message> {
     let mut all = Vec::new();
     let has = |meaning: Meaning| {
         let mut named = shared.values.iter();
@@ -322,12 +282,7 @@ fn told(
 }
 
 /// What only one of the two calls says.
-fn one_sided(
-    inputs: &Inputs,
-    shared: [&Shared; 2],
-    there: &'static Cycle,
-    values: &Values,
-) -> Vec<Message> {
+fn one_sided(inputs: &Inputs, shared: [&Shared; 2], there: &'static Cycle, values: &Values) -> Vec<Message> {
     let listed = |key: &'static str, names: Vec<&str>, cycle: &Cycle| {
         let message = Message::new(key).text("names", names.join(", "));
         (!names.is_empty()).then(|| message.text("cycle", cycle.name))

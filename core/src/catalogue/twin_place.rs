@@ -1,13 +1,13 @@
-//! Places that the controls tell in different ways: the depth at which a boss or web is touched, and what a corner is to
-//! become. Lengths in mm.
+//! Places that the controls tell in different ways: the depth at which a boss or web is touched, and what a corner is
+//! to become. Lengths in mm.
 
 use super::task::{Meaning, Shared, Task};
 use super::twin::part_of;
 use crate::check::Inputs;
 use crate::control::{Control, Units};
 
-/// Height of the start in the axis of the tool for which a depth is reckoned: 20 mm or 0.8 inch. A call of NCT tells the
-/// depth as a coordinate, one of SINUMERIK the way there from the start, which neither tells.
+/// Height of the start in the axis of the tool for which a depth is reckoned: 20 mm or 0.8 inch. A call of NCT tells
+/// the depth as a coordinate, one of SINUMERIK the way there from the start, which neither tells.
 pub const START: [f64; 2] = [20.0, 0.8 * 25.4];
 
 /// That height for a system of units.

@@ -20,9 +20,7 @@ fn control(dialect: Dialect, plane: Plane, units: Units) -> Control {
 
 fn typed(values: &[(&str, &str)]) -> Typed {
     let pairs = values.iter();
-    pairs
-        .map(|(name, value)| ((*name).to_owned(), (*value).to_owned()))
-        .collect()
+    pairs.map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect()
 }
 
 fn cycle(dialect: Dialect, name: &str) -> &'static Cycle {
@@ -81,10 +79,7 @@ fn all() -> impl Iterator<Item = (&'static Cycle, Typed)> {
 fn both_controls_have_every_task() {
     for dialect in [Dialect::Sinumerik, Dialect::Nct] {
         let cycles = CYCLES.iter().filter(|cycle| cycle.dialect == dialect);
-        let tasks: BTreeSet<_> = cycles
-            .flat_map(|cycle| cycle.purpose.tasks)
-            .map(|shared| shared.task)
-            .collect();
+        let tasks: BTreeSet<_> = cycles.flat_map(|cycle| cycle.purpose.tasks).map(|shared| shared.task).collect();
         assert_eq!(tasks, TASKS.into(), "{dialect:?}");
     }
     assert_eq!(other(other(Dialect::Nct)), Dialect::Nct);
@@ -130,16 +125,8 @@ fn the_twin_of_a_worked_measurement_is_complete() {
         let there = over(cycle, &values, Plane::G17, Units::Metric);
         let machine = control(there.cycle.dialect, Plane::G17, Units::Metric);
         let found = check::check(there.cycle, &there.values, &machine).diagnostics;
-        let errors: Vec<_> = found
-            .iter()
-            .filter(|one| one.severity == Severity::Error)
-            .collect();
-        assert!(
-            errors.is_empty(),
-            "{} {:?} {errors:?}",
-            there.cycle.name,
-            there.values
-        );
+        let errors: Vec<_> = found.iter().filter(|one| one.severity == Severity::Error).collect();
+        assert!(errors.is_empty(), "{} {:?} {errors:?}", there.cycle.name, there.values);
     }
 }
 
@@ -158,13 +145,7 @@ fn unequal_limits_become_a_middle_and_a_half() {
     let bore = cycle(Dialect::Sinumerik, "CYCLE977");
     let there = over(bore, &values, Plane::G17, Units::Metric);
     assert_eq!(there.cycle.name, "G110");
-    let expected = typed(&[
-        ("D", "19.9"),
-        ("H", "0.2"),
-        ("U", "1"),
-        ("T", "7"),
-        ("Q", "2"),
-    ]);
+    let expected = typed(&[("D", "19.9"), ("H", "0.2"), ("U", "1"), ("T", "7"), ("Q", "2")]);
     assert_eq!(there.values, expected);
     let keys: Vec<&str> = there.differences.iter().map(|one| &*one.key).collect();
     assert_eq!(keys[0], "twin-middle");
@@ -177,13 +158,7 @@ fn measure_a_bore_and_set_the_zero_offset() {
     let bore = cycle(Dialect::Nct, "G110");
     let there = over(bore, &macro_call, Plane::G18, Units::Metric);
     assert_eq!(there.cycle.name, "CYCLE977");
-    let expected = [
-        ("_MVAR", "101"),
-        ("_SETVAL", "50"),
-        ("_KNUM", "1"),
-        ("_TSA", "0.5"),
-        ("_FA", "3"),
-    ];
+    let expected = [("_MVAR", "101"), ("_SETVAL", "50"), ("_KNUM", "1"), ("_TSA", "0.5"), ("_FA", "3")];
     for (name, value) in expected {
         assert_eq!(there.values[name], value, "{name}");
     }
@@ -196,11 +171,7 @@ fn a_corner_gets_the_same_coordinates() {
     for (beside, x, y) in [
         (&[("_SETV[4]", "1")][..], "0", "0"),
         (&[("_SETV[4]", "2"), ("_SETV[2]", "-8")], "8", "0"),
-        (
-            &[("_SETV[4]", "3"), ("_SETV[2]", "-8"), ("_SETV[3]", "5")],
-            "8",
-            "-5",
-        ),
+        (&[("_SETV[4]", "3"), ("_SETV[2]", "-8"), ("_SETV[3]", "5")], "8", "-5"),
         (&[("_SETV[4]", "4"), ("_SETV[3]", "5")], "0", "-5"),
     ] {
         let mut values = typed(&[("_MVAR", "106"), ("_STA1", "0"), ("_KNUM", "1")]);
@@ -213,18 +184,8 @@ fn a_corner_gets_the_same_coordinates() {
         }
     }
     let inside = typed(&[("X", "100"), ("Y", "-80"), ("S", "1")]);
-    let there = over(
-        cycle(Dialect::Nct, "G107"),
-        &inside,
-        Plane::G17,
-        Units::Metric,
-    );
-    for (name, value) in [
-        ("_STA1", "0"),
-        ("_SETV[4]", "3"),
-        ("_SETV[2]", "-100"),
-        ("_SETV[3]", "80"),
-    ] {
+    let there = over(cycle(Dialect::Nct, "G107"), &inside, Plane::G17, Units::Metric);
+    for (name, value) in [("_STA1", "0"), ("_SETV[4]", "3"), ("_SETV[2]", "-100"), ("_SETV[3]", "80")] {
         assert_eq!(there.values[name], value, "{name}");
     }
 }
@@ -233,54 +194,25 @@ fn a_corner_gets_the_same_coordinates() {
 #[test]
 fn a_depth_is_reckoned_from_the_start() {
     let boss = typed(&[("D", "40"), ("Z", "-12"), ("S", "1")]);
-    let there = over(
-        cycle(Dialect::Nct, "G110"),
-        &boss,
-        Plane::G17,
-        Units::Metric,
-    );
+    let there = over(cycle(Dialect::Nct, "G110"), &boss, Plane::G17, Units::Metric);
     assert_eq!(there.values["_ID"], "-32");
     let told = there.differences.iter().find(|one| one.key == "twin-depth");
     assert_eq!(told.unwrap().args[1].1, Arg::Number(20.0));
     let inch = over(cycle(Dialect::Nct, "G110"), &boss, Plane::G17, Units::Inch);
     assert_eq!(inch.values["_ID"], "-12.8");
-    let web = typed(&[
-        ("_MVAR", "104"),
-        ("_SETVAL", "30"),
-        ("_MA", "2"),
-        ("_ID", "-25"),
-        ("_KNUM", "1"),
-    ]);
-    let there = over(
-        cycle(Dialect::Sinumerik, "CYCLE977"),
-        &web,
-        Plane::G17,
-        Units::Metric,
-    );
+    let web = typed(&[("_MVAR", "104"), ("_SETVAL", "30"), ("_MA", "2"), ("_ID", "-25"), ("_KNUM", "1")]);
+    let there = over(cycle(Dialect::Sinumerik, "CYCLE977"), &web, Plane::G17, Units::Metric);
     assert_eq!((&*there.values["Y"], &*there.values["Z"]), ("30", "-5"));
     let above = typed(&[("D", "40"), ("Z", "25")]);
-    let there = over(
-        cycle(Dialect::Nct, "G110"),
-        &above,
-        Plane::G17,
-        Units::Metric,
-    );
-    let example = there
-        .differences
-        .iter()
-        .find(|one| one.key == "twin-example");
+    let there = over(cycle(Dialect::Nct, "G110"), &above, Plane::G17, Units::Metric);
+    let example = there.differences.iter().find(|one| one.key == "twin-example");
     assert!(example.is_some(), "{:?}", there.differences);
 }
 
 // oracle: definition of the planes: the first axis of the plane is the abscissa of `_MA`
 #[test]
 fn the_address_of_an_axis_follows_the_plane() {
-    let wall = typed(&[
-        ("_MVAR", "100"),
-        ("_SETVAL", "12"),
-        ("_MA", "1"),
-        ("_KNUM", "2"),
-    ]);
+    let wall = typed(&[("_MVAR", "100"), ("_SETVAL", "12"), ("_MA", "1"), ("_KNUM", "2")]);
     let surface = cycle(Dialect::Sinumerik, "CYCLE978");
     for (plane, axis) in [(Plane::G17, "X"), (Plane::G18, "Z"), (Plane::G19, "Y")] {
         let there = over(surface, &wall, plane, Units::Metric);
@@ -289,10 +221,7 @@ fn the_address_of_an_axis_follows_the_plane() {
         face.insert("_MA".into(), "3".into());
         let there = over(surface, &face, plane, Units::Metric);
         let axis = super::nct::TOOL_AXIS.iter().find(|(of, _)| *of == plane);
-        assert_eq!(
-            (there.cycle.name, &*there.values[axis.unwrap().1]),
-            ("G106", "12")
-        );
+        assert_eq!((there.cycle.name, &*there.values[axis.unwrap().1]), ("G106", "12"));
     }
 }
 
@@ -300,24 +229,12 @@ fn the_address_of_an_axis_follows_the_plane() {
 #[test]
 fn a_zero_offset_without_counterpart_is_told() {
     for (name, values, told) in [
-        (
-            "CYCLE977",
-            typed(&[("_MVAR", "101"), ("_SETVAL", "9"), ("_KNUM", "1000")]),
-            true,
-        ),
-        (
-            "CYCLE977",
-            typed(&[("_MVAR", "101"), ("_SETVAL", "9"), ("_KNUM", "0")]),
-            false,
-        ),
+        ("CYCLE977", typed(&[("_MVAR", "101"), ("_SETVAL", "9"), ("_KNUM", "1000")]), true),
+        ("CYCLE977", typed(&[("_MVAR", "101"), ("_SETVAL", "9"), ("_KNUM", "0")]), false),
         ("G110", typed(&[("D", "9"), ("S", "0")]), true),
         ("G110", typed(&[("D", "9")]), false),
     ] {
-        let dialect = if name == "G110" {
-            Dialect::Nct
-        } else {
-            Dialect::Sinumerik
-        };
+        let dialect = if name == "G110" { Dialect::Nct } else { Dialect::Sinumerik };
         let there = over(cycle(dialect, name), &values, Plane::G17, Units::Metric);
         let keys: Vec<&str> = there.differences.iter().map(|one| &*one.key).collect();
         assert_eq!(keys.contains(&"twin-no-zero"), told, "{name} {keys:?}");
@@ -329,7 +246,8 @@ proptest! {
     // oracle: self
     #![proptest_config(ProptestConfig::with_cases(64))]
     #[test]
-    fn random_values_survive(nominal in 1.0..500.0_f64, half in 0.001..2.0_f64, limit in 0.01..5.0_f64, reach in 0.1..20.0_f64, zero in 1..=6_i64, which in 0..4_usize) {
+    fn random_values_survive(nominal in 1.0..500.0_f64, half in 0.001..2.0_f64, limit in 0.01..5.0_f64,
+    reach in 0.1..20.0_f64, zero in 1..=6_i64, which in 0..4_usize) {
         let (name, axis) = [("G110", "D"), ("G109", "X"), ("G105", "Y"), ("G106", "Z")][which];
         let mut values = Typed::new();
         for (address, value) in [(axis, nominal), ("U", limit), ("Q", reach), ("S", zero as f64)] {

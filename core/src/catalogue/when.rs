@@ -69,9 +69,7 @@ impl When {
             When::Given(param) => inputs.number(param) != 0.0 || !inputs.text(param).is_empty(),
             When::Number { param, is } => is.contains(&inputs.number(param)),
             When::Above { param, than } => inputs.number(param) > *than,
-            When::Setting { name, is } => {
-                is.contains(&inputs.settings.get(name).copied().unwrap_or(0.0))
-            }
+            When::Setting { name, is } => is.contains(&inputs.settings.get(name).copied().unwrap_or(0.0)),
             When::ToolType(from, to) => (*from..=*to).contains(&inputs.tool_type),
             When::Plane(plane) => inputs.plane == *plane,
             When::Diameters => inputs.diameters,
@@ -87,9 +85,7 @@ impl When {
     pub fn of_variant(&self, inputs: &Inputs) -> Option<bool> {
         match self {
             When::Always | When::Variant(_) => Some(self.holds(inputs)),
-            When::Digit { param, .. } if inputs.cycle.variant_param() == Some(*param) => {
-                Some(self.holds(inputs))
-            }
+            When::Digit { param, .. } if inputs.cycle.variant_param() == Some(*param) => Some(self.holds(inputs)),
             When::All(conditions) => decided(conditions, inputs, false),
             When::Any(conditions) => decided(conditions, inputs, true),
             When::Not(when) => when.of_variant(inputs).map(|holds| !holds),
@@ -113,17 +109,10 @@ fn decided(conditions: &[When], inputs: &Inputs, decisive: bool) -> Option<bool>
 
 /// One digit; those of `_KNUM` above its D number move by two where D numbers take five digits (B:2009).
 fn digit(inputs: &Inputs, name: &str, place: i64) -> i64 {
-    let kind = inputs
-        .cycle
-        .params
-        .iter()
-        .find(|param| param.name == name)
-        .map(|param| &param.kind);
+    let kind = inputs.cycle.params.iter().find(|param| param.name == name).map(|param| &param.kind);
     match kind {
         Some(Kind::Variant(_)) => inputs.variant / place % 10,
-        Some(Kind::Knum) if inputs.five_digit_edges && place >= 1000 => {
-            inputs.integer(name) / (place * 100) % 10
-        }
+        Some(Kind::Knum) if inputs.five_digit_edges && place >= 1000 => inputs.integer(name) / (place * 100) % 10,
         _ => inputs.integer(name) / place % 10,
     }
 }
@@ -146,10 +135,7 @@ impl Kind {
 impl Param {
     /// Whether it is needed with these values, and why; none: not used.
     pub fn need(&self, inputs: &Inputs) -> Option<(Level, &'static str)> {
-        self.needs
-            .iter()
-            .find(|need| need.when.holds(inputs))
-            .map(|need| (need.level, need.reason))
+        self.needs.iter().find(|need| need.when.holds(inputs)).map(|need| (need.level, need.reason))
     }
 
     /// Unit with these values: a selection has none.
@@ -179,9 +165,6 @@ impl Param {
 
     /// Stem of its message keys with these values.
     pub fn label(&self, inputs: &Inputs) -> &'static str {
-        self.labels
-            .iter()
-            .find(|(when, _)| when.holds(inputs))
-            .map_or(self.key, |(_, key)| key)
+        self.labels.iter().find(|(when, _)| when.holds(inputs)).map_or(self.key, |(_, key)| key)
     }
 }

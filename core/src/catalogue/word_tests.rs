@@ -35,10 +35,7 @@ fn every_key_of_the_catalogue_has_words() {
         for part in ["title", "help", "words"] {
             has(format!("{}-{part}", cycle.key));
         }
-        cycle
-            .variants
-            .iter()
-            .for_each(|variant| has(variant.key.into()));
+        cycle.variants.iter().for_each(|variant| has(variant.key.into()));
         cycle.results.iter().for_each(|field| has(field.key.into()));
         for param in cycle.params {
             let labels = param.labels.iter().map(|(_, key)| *key);
@@ -51,10 +48,9 @@ fn every_key_of_the_catalogue_has_words() {
                 Kind::Choice(choices) | Kind::ChoiceIf(_, choices) => {
                     choices.iter().for_each(|(_, key)| has((*key).into()))
                 }
-                Kind::ChoiceBy(lists) => lists
-                    .iter()
-                    .flat_map(|(_, choices)| *choices)
-                    .for_each(|(_, key)| has((*key).into())),
+                Kind::ChoiceBy(lists) => {
+                    lists.iter().flat_map(|(_, choices)| *choices).for_each(|(_, key)| has((*key).into()))
+                }
                 Kind::Variant(groups) | Kind::Digits(groups) => {
                     for group in *groups {
                         has(group.key.into());
@@ -109,15 +105,9 @@ fn every_finding_has_words() {
     }
     let mut seen = 0;
     for key in files.iter().flat_map(|text| text.split('"')) {
-        let plain = !key.ends_with('-')
-            && key
-                .chars()
-                .all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-');
-        if plain
-            && ["check-", "need-", "knum-zero-", "knum-mode-"]
-                .iter()
-                .any(|stem| key.starts_with(stem))
-        {
+        let plain =
+            !key.ends_with('-') && key.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-');
+        if plain && ["check-", "need-", "knum-zero-", "knum-mode-"].iter().any(|stem| key.starts_with(stem)) {
             assert!(words.contains_key(key), "no words for {key}");
             seen += 1;
         }

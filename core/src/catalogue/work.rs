@@ -24,21 +24,13 @@ impl Simulation {
     /// nothing of it is linked.
     pub const fn new(work: Work, examples: Examples) -> Simulation {
         let work = if SIMULATES { Some(work) } else { None };
-        Simulation {
-            work,
-            scan: None,
-            tool: None,
-            examples,
-        }
+        Simulation { work, scan: None, tool: None, examples }
     }
 
     /// The same for a cycle that scans a surface, which can be done in pieces too.
     pub const fn scanning(work: Work, examples: Examples, scan: Scan) -> Simulation {
         let scan = if SIMULATES { Some(scan) } else { None };
-        Simulation {
-            scan,
-            ..Simulation::new(work, examples)
-        }
+        Simulation { scan, ..Simulation::new(work, examples) }
     }
 
     /// The same of a cycle that needs another tool in use for each sort of variant.

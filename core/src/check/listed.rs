@@ -36,7 +36,8 @@ pub fn count<T>(arguments: &[Option<T>]) -> usize {
     last.map_or(0, |index| index + 1)
 }
 
-/// More arguments than the called program has parameters. How many those of newer controls have differs by their version.
+/// More arguments than the called program has parameters. How many those of newer controls have differs by their
+/// version.
 pub fn too_many(name: &str, most: usize, count: usize) -> Option<Diagnostic> {
     (count > most).then(|| {
         let finding = own::ARGUMENTS_MANY.finding().text("name", name);
@@ -45,7 +46,8 @@ pub fn too_many(name: &str, most: usize, count: usize) -> Option<Diagnostic> {
     })
 }
 
-/// What is wrong with a call of a cycle that has so many arguments; `number` tells what stands at one, where it is known.
+/// What is wrong with a call of a cycle that has so many arguments; `number` tells what stands at one, where it is
+/// known.
 pub fn refused(
     cycle: &Cycle,
     list: Option<&'static ArgumentList>,
@@ -67,11 +69,7 @@ pub fn refused(
 
 /// What is wrong with arguments that no cycle is found for: those of `CYCLE_PARA`, and of a parameterizing call for two
 /// cycles whose first argument names neither (B:11767, B:11784, B:11908).
-pub fn unmatched(
-    name: &str,
-    count: usize,
-    number: impl Fn(usize) -> Option<f64>,
-) -> Option<Diagnostic> {
+pub fn unmatched(name: &str, count: usize, number: impl Fn(usize) -> Option<f64>) -> Option<Diagnostic> {
     if name == list::AUXILIARY {
         return too_many(name, list::AUXILIARY_ARGS.len(), count);
     }
@@ -82,12 +80,7 @@ pub fn unmatched(
     wrong.then(|| selection(name, index, written, known.iter()))
 }
 
-fn selection<'a>(
-    name: &str,
-    index: usize,
-    value: f64,
-    choices: impl Iterator<Item = &'a (i64, i64)>,
-) -> Diagnostic {
+fn selection<'a>(name: &str, index: usize, value: f64, choices: impl Iterator<Item = &'a (i64, i64)>) -> Diagnostic {
     let choices: Vec<String> = choices.map(|(written, _)| written.to_string()).collect();
     let finding = own::SELECTION.finding().number("place", index as f64 + 1.0);
     let finding = finding.text("name", name).number("value", value);

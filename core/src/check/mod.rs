@@ -100,8 +100,8 @@ impl Inputs {
         given.unwrap_or(otherwise)
     }
 
-    /// Whether the cycle takes cutting edge positions the other way round in the ordinate: only the one whose entry names
-    /// the switch does (B:13882).
+    /// Whether the cycle takes cutting edge positions the other way round in the ordinate: only the one whose entry
+    /// names the switch does (B:13882).
     pub fn recodes(&self) -> bool {
         self.settings.get(REVERSED) == Some(&1.0)
     }

@@ -1,6 +1,7 @@
 //! Calls in the list of a newer control. The checks hold the rules of the older one, whose manuals we have; here stands
-//! which of them a newer control has as well. Of the others nothing is published: a value that only they refuse is named in
-//! a note where it is not one that programs of newer controls have, and the call is neither simulated nor written otherwise.
+//! which of them a newer control has as well. Of the others nothing is published: a value that only they refuse is
+//! named in a note where it is not one that programs of newer controls have, and the call is neither simulated nor
+//! written otherwise.
 //! An argument that is omitted is 0 there.
 
 use super::{Checked, Inputs, Parsed, Target, Typed, check, error, parse, target, typed, variants};
@@ -14,14 +15,8 @@ use crate::own::{self, Own};
 const PROBES: f64 = 12.0;
 
 /// Findings that follow from what the arguments mean and from the part, whichever control measures.
-const SAME: [Own; 6] = [
-    own::NOT_A_NUMBER,
-    own::EXPRESSION,
-    own::TOO_LARGE,
-    own::TEXT_CHARACTERS,
-    own::UNUSUAL,
-    own::BALL,
-];
+const SAME: [Own; 6] =
+    [own::NOT_A_NUMBER, own::EXPRESSION, own::TOO_LARGE, own::TEXT_CHARACTERS, own::UNUSUAL, own::BALL];
 
 /// Alarms whose condition is published for newer controls: `S_FA` above 0, the protection zone.
 const SAME_ALARMS: [u32; 2] = [61308, 61334];
@@ -38,33 +33,17 @@ const ORDERS: [(Own, &[&str]); 4] = [
 const NEEDED: [&str; 4] = [names::SETVAL, names::SETV0, names::SETV1, names::MA];
 
 /// Checks the values of a list.
-pub fn check_listed(
-    cycle: &'static Cycle,
-    list: &ArgumentList,
-    typed: &Typed,
-    control: &Control,
-) -> Checked {
+pub fn check_listed(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed, control: &Control) -> Checked {
     let typed = with_omitted(cycle, typed);
     let judged = judged(cycle, list, &typed, control);
     let older = judged.foreign.is_empty();
-    Checked {
-        diagnostics: judged.found,
-        inputs: judged.inputs.filter(|_| older),
-    }
+    Checked { diagnostics: judged.found, inputs: judged.inputs.filter(|_| older) }
 }
 
 /// The first parameter whose value means something else on the older control, or whose meaning is not known.
-pub fn foreign(
-    cycle: &'static Cycle,
-    list: &ArgumentList,
-    typed: &Typed,
-    control: &Control,
-) -> Option<&'static str> {
+pub fn foreign(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed, control: &Control) -> Option<&'static str> {
     let typed = with_omitted(cycle, typed);
-    judged(cycle, list, &typed, control)
-        .foreign
-        .first()
-        .copied()
+    judged(cycle, list, &typed, control).foreign.first().copied()
 }
 
 /// The same of the values that are to be written.
@@ -79,12 +58,7 @@ pub fn foreign_of(
 }
 
 /// Whether nothing is known of the variant.
-pub fn is_open(
-    cycle: &'static Cycle,
-    list: &ArgumentList,
-    typed: &Typed,
-    control: &Control,
-) -> bool {
+pub fn is_open(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed, control: &Control) -> bool {
     let typed = with_omitted(cycle, typed);
     let variant = variants::chosen(cycle, &typed, control);
     !variant.is_some_and(|number| list.when.holds(&Inputs::new(cycle, number)))
@@ -127,15 +101,8 @@ struct Judged {
 }
 
 fn judged(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed, control: &Control) -> Judged {
-    let Checked {
-        diagnostics,
-        inputs,
-    } = check(cycle, typed, control);
-    let mut judged = Judged {
-        found: Vec::new(),
-        foreign: Vec::new(),
-        inputs,
-    };
+    let Checked { diagnostics, inputs } = check(cycle, typed, control);
+    let mut judged = Judged { found: Vec::new(), foreign: Vec::new(), inputs };
     if is_open(cycle, list, typed, control) {
         unknown(cycle, typed, control, diagnostics, &mut judged);
     } else {
@@ -150,13 +117,7 @@ fn judged(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed, control: &C
 }
 
 /// A variant of which nothing is published: the path has to be right all the same.
-fn unknown(
-    cycle: &'static Cycle,
-    typed: &Typed,
-    control: &Control,
-    said: Vec<Diagnostic>,
-    judged: &mut Judged,
-) {
+fn unknown(cycle: &'static Cycle, typed: &Typed, control: &Control, said: Vec<Diagnostic>, judged: &mut Judged) {
     let Some(name) = cycle.variant_param() else {
         return;
     };
@@ -168,9 +129,7 @@ fn unknown(
     }
     judged.found.extend(unread);
     let inputs = super::read(cycle, typed, control, &mut Vec::new());
-    let path = cycle
-        .param(names::FA)
-        .filter(|param| typed.contains_key(param.name));
+    let path = cycle.param(names::FA).filter(|param| typed.contains_key(param.name));
     let path = path.and_then(|param| typed::judge(param, &inputs, control));
     judged.found.extend(path);
 }
@@ -204,13 +163,7 @@ fn correction(
 }
 
 /// What is needed of a tool that is corrected.
-const OF_TOOL: [&str; 5] = [
-    names::KNUM,
-    names::TNUM,
-    names::TNAME,
-    names::DLNUM,
-    names::TENV,
-];
+const OF_TOOL: [&str; 5] = [names::KNUM, names::TNUM, names::TNAME, names::DLNUM, names::TENV];
 
 /// A finding of the older control, as far as it counts.
 fn keep(one: Diagnostic, typed: &Typed, judged: &mut Judged) {
@@ -219,9 +172,7 @@ fn keep(one: Diagnostic, typed: &Typed, judged: &mut Judged) {
     }
     let written = |name: &&str| typed.get(*name).is_some_and(|text| !text.trim().is_empty());
     let missing = one.code == own::MISSING.code();
-    let order = ORDERS
-        .iter()
-        .find(|(sentence, _)| sentence.code() == one.code);
+    let order = ORDERS.iter().find(|(sentence, _)| sentence.code() == one.code);
     let counts = match order {
         Some((_, values)) => values.iter().all(written),
         None if missing => one.param.is_some_and(|name| NEEDED.contains(&name)),

@@ -15,16 +15,14 @@ pub enum Parsed {
     Wrong,
 }
 
-/// Reads a number: blanks around it, decimal comma or point, sign, exponent `1.5e-3` or, as SINUMERIK writes it, `1.5EX-3`.
+/// Reads a number: blanks around it, decimal comma or point, sign, exponent `1.5e-3` or, as SINUMERIK writes it,
+/// `1.5EX-3`.
 pub fn parse(text: &str) -> Parsed {
     let text = text.trim();
     if text.is_empty() {
         return Parsed::Empty;
     }
-    let plain = text
-        .to_ascii_lowercase()
-        .replace("ex", "e")
-        .replace(',', ".");
+    let plain = text.to_ascii_lowercase().replace("ex", "e").replace(',', ".");
     let digits = |c: char| c.is_ascii_digit() || matches!(c, '.' | '+' | '-' | 'e');
     if plain.chars().all(digits) {
         return match plain.parse::<f64>() {
@@ -32,25 +30,17 @@ pub fn parse(text: &str) -> Parsed {
             _ => Parsed::Wrong,
         };
     }
-    if is_expression(text) && is_value(text) {
-        Parsed::Expression
-    } else {
-        Parsed::Wrong
-    }
+    if is_expression(text) && is_value(text) { Parsed::Expression } else { Parsed::Wrong }
 }
 
 /// Begins like a variable, a function, a bracket or a sign before one of them; `NaN` and `inf` are no variables.
 fn is_expression(text: &str) -> bool {
     let body = text.trim_start_matches(['-', '+', ' ']);
     let words = ["nan", "inf", "infinity"];
-    let starts = body
-        .starts_with(|c: char| c.is_ascii_alphabetic() || matches!(c, '_' | '$' | '(' | '#' | '['));
-    let joins =
-        body.contains(['*', '/', '+']) && body.contains(|c: char| c.is_ascii_alphanumeric());
+    let starts = body.starts_with(|c: char| c.is_ascii_alphabetic() || matches!(c, '_' | '$' | '(' | '#' | '['));
+    let joins = body.contains(['*', '/', '+']) && body.contains(|c: char| c.is_ascii_alphanumeric());
     let known = |c: char| c.is_ascii_graphic() || c == ' ';
-    (starts || joins)
-        && body.chars().all(known)
-        && !words.contains(&body.to_ascii_lowercase().as_str())
+    (starts || joins) && body.chars().all(known) && !words.contains(&body.to_ascii_lowercase().as_str())
 }
 
 #[cfg(test)]
@@ -80,20 +70,12 @@ mod tests {
         // oracle: hand
         assert_eq!(parse("  "), Parsed::Empty);
         for text in [
-            "NaN", "inf", "-inf", "1e999", "12x", "1.2.3", "1,000.5", "--5", "5 mm", "٣", "ü",
-            "R1+", "(((", "a b", "R1 M30", "R1;", "1.5e",
+            "NaN", "inf", "-inf", "1e999", "12x", "1.2.3", "1,000.5", "--5", "5 mm", "٣", "ü", "R1+", "(((", "a b",
+            "R1 M30", "R1;", "1.5e",
         ] {
             assert_eq!(parse(text), Parsed::Wrong, "{text}");
         }
-        for text in [
-            "R10",
-            "_OVR[4]-0.5",
-            "-R1",
-            "(R1+2)*3",
-            "$AA_IW[X]",
-            "2*R1",
-            "#500",
-        ] {
+        for text in ["R10", "_OVR[4]-0.5", "-R1", "(R1+2)*3", "$AA_IW[X]", "2*R1", "#500"] {
             assert_eq!(parse(text), Parsed::Expression, "{text}");
         }
     }

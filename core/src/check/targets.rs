@@ -20,11 +20,7 @@ pub enum Target {
 /// The sort of target: every cycle labels its `_KNUM` `knum-tool` or `knum-zero` by variant.
 pub fn target(param: &Param, inputs: &Inputs) -> Target {
     let zero = |(when, key): &(When, &str)| *key == "knum-zero" && when.holds(inputs);
-    if param.labels.iter().any(zero) {
-        Target::Zero
-    } else {
-        Target::Tool
-    }
+    if param.labels.iter().any(zero) { Target::Zero } else { Target::Tool }
 }
 
 /// What is wrong with the code.
@@ -42,21 +38,10 @@ fn zero(param: &Param, code: i64, control: &Control) -> Option<Diagnostic> {
         Ok(Some(ZeroCode::System)) if !zero_offset::system_frame(control) => 61321,
         Ok(_) => return None,
     };
-    let is_tool = matches!(
-        knum::tool(code, knum::five_digit_edges(control)),
-        Ok(Some(_))
-    );
-    let hint = if is_tool {
-        "check-knum-is-tool-hint"
-    } else {
-        "check-knum-zero-hint"
-    };
+    let is_tool = matches!(knum::tool(code, knum::five_digit_edges(control)), Ok(Some(_)));
+    let hint = if is_tool { "check-knum-is-tool-hint" } else { "check-knum-zero-hint" };
     let message = Message::new("check-knum-zero").number("code", code as f64);
-    Some(
-        error(Code::Alarm(alarm), message)
-            .hint(Message::new(hint))
-            .at(param.name),
-    )
+    Some(error(Code::Alarm(alarm), message).hint(Message::new(hint)).at(param.name))
 }
 
 fn tool(param: &Param, code: i64, control: &Control) -> Option<Diagnostic> {
@@ -80,14 +65,8 @@ fn tool(param: &Param, code: i64, control: &Control) -> Option<Diagnostic> {
     } else {
         "check-knum-seven-digits-hint"
     };
-    let message = Message::new(key)
-        .number("code", code as f64)
-        .number("largest", largest_edge(control) as f64);
-    Some(
-        error(Code::Alarm(alarm), message)
-            .hint(Message::new(hint))
-            .at(param.name),
-    )
+    let message = Message::new(key).number("code", code as f64).number("largest", largest_edge(control) as f64);
+    Some(error(Code::Alarm(alarm), message).hint(Message::new(hint)).at(param.name))
 }
 
 /// Setup or additive offsets that this machine does not have.
@@ -97,11 +76,7 @@ fn memory(param: &Param, control: &Control) -> Option<Diagnostic> {
         61408 => ("check-knum-no-additive", "check-knum-no-additive-hint"),
         _ => ("check-knum-no-setup", "check-knum-no-setup-hint"),
     };
-    Some(
-        error(Code::Alarm(alarm), Message::new(key))
-            .hint(Message::new(hint))
-            .at(param.name),
-    )
+    Some(error(Code::Alarm(alarm), Message::new(key)).hint(Message::new(hint)).at(param.name))
 }
 
 /// Largest D number (MD18105); 9 where it is not set, 32000 with flat D numbers (MD18102=1, B:2009).

@@ -18,20 +18,12 @@ pub fn parse(text: &str) -> Text<'_> {
         return Text::Plain(inner);
     }
     let joined = text.contains('"') || text.contains("<<");
-    if joined && is_value(text) {
-        Text::Expression
-    } else {
-        Text::Plain(text)
-    }
+    if joined && is_value(text) { Text::Expression } else { Text::Plain(text) }
 }
 
 /// The characters of a text as they are typed: in quotes where blanks at the ends count.
 pub fn typed(text: &str) -> String {
-    if text.trim() == text {
-        text.to_owned()
-    } else {
-        format!("\"{text}\"")
-    }
+    if text.trim() == text { text.to_owned() } else { format!("\"{text}\"") }
 }
 
 fn quoted(text: &str) -> Option<&str> {
@@ -46,14 +38,9 @@ mod tests {
     #[test]
     fn texts_as_typed() {
         // oracle: hand
-        for (text, inner) in [
-            (" MILL ", "MILL"),
-            ("\"MILL 3\"", "MILL 3"),
-            ("\"  \"", "  "),
-            ("A\"B", "A\"B"),
-            ("", ""),
-            ("\"", "\""),
-        ] {
+        for (text, inner) in
+            [(" MILL ", "MILL"), ("\"MILL 3\"", "MILL 3"), ("\"  \"", "  "), ("A\"B", "A\"B"), ("", ""), ("\"", "\"")]
+        {
             assert_eq!(parse(text), Text::Plain(inner), "{text}");
         }
         for text in ["\"Part number: \"<<PARTNUM", "<<R1", "\"A\"<<\"B\""] {

@@ -45,10 +45,7 @@ fn checked(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Checked {
     match variant(cycle, &inputs, &diagnostics) {
         Ok(number) => inputs.variant = number,
         Err(finding) => {
-            return Checked {
-                diagnostics: vec![*finding],
-                inputs: None,
-            };
+            return Checked { diagnostics: vec![*finding], inputs: None };
         }
     }
     let whole = inputs.clone();
@@ -70,27 +67,14 @@ fn checked(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Checked {
         }
     }
     (cycle.checks)(&inputs, control, &mut diagnostics);
-    let stops = |other: &Diagnostic| {
-        other.severity == Severity::Error || other.code == own::EXPRESSION.code()
-    };
+    let stops = |other: &Diagnostic| other.severity == Severity::Error || other.code == own::EXPRESSION.code();
     let complete = !diagnostics.iter().any(stops);
-    Checked {
-        diagnostics,
-        inputs: complete.then_some(inputs),
-    }
+    Checked { diagnostics, inputs: complete.then_some(inputs) }
 }
 
 /// Values by parameter with defaults filled in, in mm; the first variant where it cannot be read.
-pub fn read(
-    cycle: &'static Cycle,
-    typed: &Typed,
-    control: &Control,
-    diagnostics: &mut Vec<Diagnostic>,
-) -> Inputs {
-    let mut inputs = Inputs::new(
-        cycle,
-        cycle.variants.first().map_or(0, |variant| variant.number),
-    );
+pub fn read(cycle: &'static Cycle, typed: &Typed, control: &Control, diagnostics: &mut Vec<Diagnostic>) -> Inputs {
+    let mut inputs = Inputs::new(cycle, cycle.variants.first().map_or(0, |variant| variant.number));
     inputs.five_digit_edges = knum::five_digit_edges(control);
     inputs.plane = control.plane;
     inputs.diameters = control.transverse != Transverse::Radius;
@@ -139,17 +123,10 @@ pub fn read(
 }
 
 /// A number in mm, or the default.
-fn value(
-    param: &Param,
-    unit: Unit,
-    text: &str,
-    control: &Control,
-) -> Result<Option<f64>, Box<Diagnostic>> {
+fn value(param: &Param, unit: Unit, text: &str, control: &Control) -> Result<Option<f64>, Box<Diagnostic>> {
     let number = match parse(text) {
         Parsed::Empty => {
-            return Ok(param
-                .fallback(control)
-                .map(|number| number * factor(unit, control)));
+            return Ok(param.fallback(control).map(|number| number * factor(unit, control)));
         }
         Parsed::Number(number) => number,
         Parsed::Expression => return Err(Box::new(expression(text))),
@@ -157,11 +134,7 @@ fn value(
             return Err(Box::new(own::NOT_A_NUMBER.finding().text("value", text)));
         }
     };
-    let limit = if whole(&param.kind) {
-        WHOLE_LIMIT
-    } else {
-        LIMIT
-    };
+    let limit = if whole(&param.kind) { WHOLE_LIMIT } else { LIMIT };
     if number.abs() > limit && !param.watches {
         return Err(Box::new(own::TOO_LARGE.finding().text("value", text)));
     }
@@ -198,16 +171,8 @@ fn expression(text: &str) -> Diagnostic {
 }
 
 /// The variant, or the only finding that counts without it.
-fn variant(
-    cycle: &'static Cycle,
-    inputs: &Inputs,
-    said: &[Diagnostic],
-) -> Result<i64, Box<Diagnostic>> {
-    let Some(param) = cycle
-        .params
-        .iter()
-        .find(|param| matches!(param.kind, Kind::Variant(_)))
-    else {
+fn variant(cycle: &'static Cycle, inputs: &Inputs, said: &[Diagnostic]) -> Result<i64, Box<Diagnostic>> {
+    let Some(param) = cycle.params.iter().find(|param| matches!(param.kind, Kind::Variant(_))) else {
         return Ok(chosen(cycle, inputs));
     };
     if let Some(finding) = said.iter().find(|other| other.param == Some(param.name)) {
@@ -215,24 +180,15 @@ fn variant(
     }
     let Some(number) = inputs.given(param.name) else {
         let finding = missing(param, "need-always");
-        return Err(Box::new(
-            finding.under(param.alarm.unwrap_or(own::MISSING.code())),
-        ));
+        return Err(Box::new(finding.under(param.alarm.unwrap_or(own::MISSING.code()))));
     };
-    if cycle
-        .variants
-        .iter()
-        .any(|variant| variant.number as f64 == number)
-    {
+    if cycle.variants.iter().any(|variant| variant.number as f64 == number) {
         return Ok(number as i64);
     }
     Err(Box::new(
-        error(
-            param.alarm.unwrap_or(own::RANGE.code()),
-            variants::cause(cycle, param, number),
-        )
-        .hint(variants::hint(cycle, number))
-        .at(param.name),
+        error(param.alarm.unwrap_or(own::RANGE.code()), variants::cause(cycle, param, number))
+            .hint(variants::hint(cycle, number))
+            .at(param.name),
     ))
 }
 
@@ -248,9 +204,7 @@ fn chosen(cycle: &'static Cycle, inputs: &Inputs) -> i64 {
 
 /// Whether nothing was typed.
 fn empty(typed: &Typed, param: &Param) -> bool {
-    typed
-        .get(param.name)
-        .is_none_or(|text| text.trim().is_empty())
+    typed.get(param.name).is_none_or(|text| text.trim().is_empty())
 }
 
 /// The value is missing; `reason` says when it is needed.
@@ -260,13 +214,7 @@ fn missing(param: &Param, reason: &'static str) -> Diagnostic {
 }
 
 /// Nothing was typed.
-fn absent(
-    param: &Param,
-    level: Level,
-    reason: &'static str,
-    control: &Control,
-    diagnostics: &mut Vec<Diagnostic>,
-) {
+fn absent(param: &Param, level: Level, reason: &'static str, control: &Control, diagnostics: &mut Vec<Diagnostic>) {
     match (level, param.fallback(control)) {
         (Level::Optional, _) => {}
         (Level::Required, Some(number)) => {
@@ -299,11 +247,7 @@ pub(super) fn judge(param: &Param, inputs: &Inputs, control: &Control) -> Option
     };
     if !allowed {
         let finding = outside(own::RANGE, param.name, (shown, unit), control);
-        return Some(
-            finding
-                .under(code)
-                .hint(range_hint(param, choices, control)),
-        );
+        return Some(finding.under(code).hint(range_hint(param, choices, control)));
     }
     if matches!(param.kind, Kind::Knum) {
         return targets::findings(param, inputs, control);
@@ -315,12 +259,7 @@ pub(super) fn judge(param: &Param, inputs: &Inputs, control: &Control) -> Option
     })
 }
 
-fn outside(
-    sentence: Own,
-    param: &'static str,
-    (shown, unit): (f64, Unit),
-    control: &Control,
-) -> Diagnostic {
+fn outside(sentence: Own, param: &'static str, (shown, unit): (f64, Unit), control: &Control) -> Diagnostic {
     let finding = sentence.finding().text("param", param);
     let finding = finding.number("value", shown);
     finding.text("unit", unit_behind(unit, control)).at(param)
@@ -333,11 +272,7 @@ fn range_hint(param: &Param, choices: Option<&[(i64, &str)]>, control: &Control)
         return Message::new("check-range-choice-hint").text("choices", list.join(", "));
     }
     let range = param.range;
-    match (
-        range.min.is_finite(),
-        range.max.is_finite(),
-        range.min_included,
-    ) {
+    match (range.min.is_finite(), range.max.is_finite(), range.min_included) {
         (true, true, _) => bounds(own::RANGE.hint, range, param.unit, control),
         (true, false, true) => bounds("check-range-from-hint", range, param.unit, control),
         (true, false, false) => bounds("check-range-above-hint", range, param.unit, control),

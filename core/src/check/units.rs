@@ -8,9 +8,7 @@ use crate::control::{Control, Units};
 fn system(unit: Unit, control: &Control) -> Option<Units> {
     match unit {
         Unit::ActiveLength => Some(control.active_units),
-        Unit::BasicLength | Unit::BasicFeed if control.dialect == Dialect::Nct => {
-            Some(control.active_units)
-        }
+        Unit::BasicLength | Unit::BasicFeed if control.dialect == Dialect::Nct => Some(control.active_units),
         Unit::BasicLength | Unit::BasicFeed => Some(control.basic_units),
         Unit::None | Unit::Millimetre | Unit::Degree => None,
     }

@@ -27,8 +27,7 @@ pub fn chosen(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Option
     let number = super::read(cycle, typed, control, &mut Vec::new()).variant;
     let name = cycle.variant_param();
     let given = name.and_then(|name| typed.get(name));
-    let meant =
-        |text: &String| matches!(super::parse(text), Parsed::Number(one) if one == number as f64);
+    let meant = |text: &String| matches!(super::parse(text), Parsed::Number(one) if one == number as f64);
     let known = cycle.variants.iter().any(|one| one.number == number);
     (known && given.is_none_or(meant)).then_some(number)
 }
@@ -52,11 +51,7 @@ fn pair(cycle: &Cycle, groups: &'static [DigitGroup], number: i64) -> Option<[Ch
     let chosen = |group: &'static DigitGroup| {
         let value = value(group, number);
         let (_, choice) = group.choices.iter().find(|(known, _)| *known == value)?;
-        Some(Chosen {
-            group,
-            value,
-            choice,
-        })
+        Some(Chosen { group, value, choice })
     };
     let all: Vec<Chosen> = groups.iter().map(chosen).collect::<Option<_>>()?;
     let said: i64 = all.iter().map(|one| one.value * one.group.place).sum();
@@ -83,10 +78,7 @@ pub fn hint(cycle: &Cycle, number: f64) -> Message {
     if number < 0.0 || least >= FAR {
         return Message::new("check-variant-hint");
     }
-    let near: Vec<String> = numbers()
-        .filter(|other| apart(*other) == least)
-        .map(|other| other.to_string())
-        .collect();
+    let near: Vec<String> = numbers().filter(|other| apart(*other) == least).map(|other| other.to_string()).collect();
     Message::new("check-variant-near-hint").text("near", near.join(", "))
 }
 
@@ -113,17 +105,9 @@ mod tests {
         let cycle = find(Dialect::Sinumerik, "CYCLE976").unwrap();
         let param = cycle.param("_MVAR").unwrap();
         let said = cause(cycle, param, 11_001.0);
-        let args: BTreeMap<&str, _> = said
-            .args
-            .iter()
-            .map(|(name, arg)| (*name, arg.clone()))
-            .collect();
+        let args: BTreeMap<&str, _> = said.args.iter().map(|(name, arg)| (*name, arg.clone())).collect();
         assert_eq!(said.key, "check-variant-pair", "{args:?}");
-        assert_eq!(
-            cause(cycle, param, 9.0).key,
-            "check-variant",
-            "9 is no choice"
-        );
+        assert_eq!(cause(cycle, param, 9.0).key, "check-variant", "9 is no choice");
         assert_eq!(cause(cycle, param, -1.0).key, "check-variant");
     }
 
@@ -139,10 +123,7 @@ mod tests {
                 let combined = groups.iter().fold(vec![0], |numbers, group| {
                     let more = |number: &i64| {
                         let number = *number;
-                        group
-                            .choices
-                            .iter()
-                            .map(move |(value, _)| number + value * group.place)
+                        group.choices.iter().map(move |(value, _)| number + value * group.place)
                     };
                     numbers.iter().flat_map(more).collect::<Vec<i64>>()
                 });
@@ -152,9 +133,7 @@ mod tests {
                     };
                     named += 1;
                     let both = cycle.variants.iter().find(|variant| {
-                        [one, other]
-                            .iter()
-                            .all(|chosen| value(chosen.group, variant.number) == chosen.value)
+                        [one, other].iter().all(|chosen| value(chosen.group, variant.number) == chosen.value)
                     });
                     assert!(both.is_none(), "{} {number}", cycle.name);
                 }

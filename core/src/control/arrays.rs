@@ -11,9 +11,7 @@ pub fn sizes(name: &str) -> Option<&'static [usize]> {
     if stem == "R" {
         return Some(&R_PARAMETERS);
     }
-    gud::find(stem)
-        .map(|gud| gud.sizes)
-        .filter(|sizes| !sizes.is_empty())
+    gud::find(stem).map(|gud| gud.sizes).filter(|sizes| !sizes.is_empty())
 }
 
 /// Names of the elements from this one (without index: the first) to the end of its array. Nothing where the index
@@ -28,10 +26,7 @@ pub fn elements_from(name: &str, sizes: &[usize]) -> Vec<String> {
         n if n == sizes.len() => place(&index, sizes),
         _ => None,
     };
-    first
-        .map_or(total..total, |first| first..total)
-        .map(|at| element(stem, at, sizes))
-        .collect()
+    first.map_or(total..total, |first| first..total).map(|at| element(stem, at, sizes)).collect()
 }
 
 /// Elements that `REP` fills from this one on; none: it is no array of the control.
@@ -93,15 +88,9 @@ mod tests {
     #[test]
     fn the_last_index_counts_first() {
         // oracle: hand
-        assert_eq!(
-            elements_from("_X[0,1]", &[2, 3]),
-            ["_X[0,1]", "_X[0,2]", "_X[1,0]", "_X[1,1]", "_X[1,2]"]
-        );
+        assert_eq!(elements_from("_X[0,1]", &[2, 3]), ["_X[0,1]", "_X[0,2]", "_X[1,0]", "_X[1,1]", "_X[1,2]"]);
         assert_eq!(elements_from("_X", &[2]), ["_X[0]", "_X[1]"]);
-        assert_eq!(
-            elements_from("R998", sizes("R998").unwrap()),
-            ["R998", "R999"]
-        );
+        assert_eq!(elements_from("R998", sizes("R998").unwrap()), ["R998", "R999"]);
         assert!(elements_from("_X[2]", &[2]).is_empty());
         assert!(elements_from("_X[1]", &[2, 3]).is_empty());
     }

@@ -17,10 +17,7 @@ pub struct Data {
 impl Data {
     /// As delivered.
     pub fn delivered(dialect: Dialect, units: Units) -> Data {
-        Data {
-            delivered: Some(delivery::data(dialect, units)),
-            written: BTreeMap::new(),
-        }
+        Data { delivered: Some(delivery::data(dialect, units)), written: BTreeMap::new() }
     }
 
     /// A datum; `None` where it was never set.
@@ -71,16 +68,13 @@ impl Data {
 
     /// Everything as a map of its own.
     pub(super) fn all(&self) -> BTreeMap<String, Value> {
-        self.iter()
-            .map(|(name, value)| (name.clone(), value.clone()))
-            .collect()
+        self.iter().map(|(name, value)| (name.clone(), value.clone())).collect()
     }
 }
 
 impl PartialEq for Data {
     fn eq(&self, other: &Data) -> bool {
-        self.iter()
-            .all(|(name, value)| other.get(name) == Some(value))
+        self.iter().all(|(name, value)| other.get(name) == Some(value))
             && other.keys().all(|name| self.contains_key(name))
     }
 }
@@ -101,10 +95,7 @@ mod tests {
         assert_eq!(data.get("#509"), Some(&Value::Number(41.0)));
         assert!(!data.contains_key("#511"));
         let names: BTreeSet<_> = data.keys().map(String::as_str).collect();
-        assert_eq!(
-            names,
-            BTreeSet::from(["#1002", "#1003", "#500", "#509", "#512", "P9143"])
-        );
+        assert_eq!(names, BTreeSet::from(["#1002", "#1003", "#500", "#509", "#512", "P9143"]));
         assert_ne!(data, delivered);
         data.insert("#509".to_owned(), Value::Number(40.0));
         data.insert("#511".to_owned(), Value::Number(1500.0));

@@ -1,12 +1,10 @@
 //! The control as delivered: GUD data that measuring cycles read, with their initial values.
-//! Which they are stands in `gud`, `machine_data` and `nct_data`. Lengths and feeds stand in the basic system of the machine, as the manual says. Initial values of parameters (`_FA`, `_TSA`, …) are defaults of
-//! the catalogue and not repeated here: an unset datum means "as delivered".
+//! Which they are stands in `gud`, `machine_data` and `nct_data`. Lengths and feeds stand in the basic system of the
+//! machine, as the manual says. Initial values of parameters (`_FA`, `_TSA`, …) are defaults of the catalogue and not
+//! repeated here: an unset datum means "as delivered".
 
 use super::gud::{self, Element, Initial, System};
-use super::{
-    BasicFrames, Control, Data, Frame, Limits, Plane, Transverse, Units, Value, machine_data,
-    nct_data,
-};
+use super::{BasicFrames, Control, Data, Frame, Limits, Plane, Transverse, Units, Value, machine_data, nct_data};
 use crate::catalogue::Dialect;
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
@@ -145,11 +143,7 @@ pub fn rebuilt(control: &Control, units: Units) -> Control {
             data.insert(name.clone(), scaled(value, ratio));
         }
     }
-    Control {
-        basic_units: units,
-        data,
-        ..control.clone()
-    }
+    Control { basic_units: units, data, ..control.clone() }
 }
 
 /// Metric units in one unit of the datum with this name.
@@ -161,7 +155,8 @@ fn unit_of(name: &str, basic: Units) -> f64 {
     element.map_or(1.0, |element| factor(element.unit, basic))
 }
 
-/// A number times a ratio, without what the last digits of a product lack, so that there and back gives the same number.
+/// A number times a ratio, without what the last digits of a product lack, so that there and back gives the same
+/// number.
 pub fn scaled(value: &Value, ratio: f64) -> Value {
     match value {
         Value::Number(number) if ratio != 1.0 => {
@@ -208,10 +203,7 @@ mod tests {
         assert!(!control.bit("_CBIT[3]") && !control.bit("_CHBIT[24]") && !control.bit("MD10240"));
         assert_eq!(control.number("_SPEED[0]"), 50.0);
         let control = delivery_in(Dialect::Nct, Units::Inch);
-        assert_eq!(
-            (control.basic_length("#509"), control.number("#511")),
-            (40.0, 1500.0)
-        );
+        assert_eq!((control.basic_length("#509"), control.number("#511")), (40.0, 1500.0));
     }
 
     // oracle: manual B:13596 (lengths and speeds are converted), hand (the rest has no unit)

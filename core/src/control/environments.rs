@@ -18,12 +18,7 @@ pub struct Environment {
 impl Control {
     /// Stores what is in effect now under this name; an environment of that name is replaced.
     pub fn store_environment(&mut self, name: &str) {
-        let environment = Environment {
-            tool: self.tool,
-            edge: self.edge,
-            location: self.location,
-            plane: self.plane,
-        };
+        let environment = Environment { tool: self.tool, edge: self.edge, location: self.location, plane: self.plane };
         self.environments.insert(name.to_owned(), environment);
     }
 }

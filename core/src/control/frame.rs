@@ -39,10 +39,7 @@ impl Default for Frame {
 impl Frame {
     /// A pure translation, mm.
     pub fn translation(coarse: [f64; 3]) -> Frame {
-        Frame {
-            coarse,
-            ..Frame::default()
-        }
+        Frame { coarse, ..Frame::default() }
     }
 
     /// Coarse and fine translation together, mm.
@@ -105,15 +102,15 @@ impl Frame {
         if self.mirror[axis] { -1.0 } else { 1.0 }
     }
 
-    /// Angles that a rotation inside of this frame has outside of its mirrors: each turns the other way for every mirror
-    /// that is not of its own axis.
+    /// Angles that a rotation inside of this frame has outside of its mirrors: each turns the other way for every
+    /// mirror that is not of its own axis.
     fn angles_outside(&self, rotation: [f64; 3]) -> [f64; 3] {
         let all: f64 = (0..3).map(|axis| self.sign(axis)).product();
         std::array::from_fn(|i| all * self.sign(i) * rotation[i])
     }
 
-    /// The frame that takes this one back, chained before or behind it; none: a scale that differs by axis and a rotation
-    /// in it would shear.
+    /// The frame that takes this one back, chained before or behind it; none: a scale that differs by axis and a
+    /// rotation in it would shear.
     pub fn inverse(&self) -> Option<Frame> {
         if !self.chains_with(self) {
             return None;
@@ -144,10 +141,7 @@ impl Frame {
             coarse: self.outward(inner.origin()),
             fine: [0.0; 3],
             rotation,
-            rotary: add(
-                add(self.rotary, self.rotary_fine),
-                add(inner.rotary, inner.rotary_fine),
-            ),
+            rotary: add(add(self.rotary, self.rotary_fine), add(inner.rotary, inner.rotary_fine)),
             rotary_fine: [0.0; 3],
             scale: std::array::from_fn(|i| self.scale[i] * inner.scale[i]),
             mirror: std::array::from_fn(|i| self.mirror[i] != inner.mirror[i]),
@@ -178,36 +172,23 @@ pub(super) mod tests {
     #[test]
     fn rpy_turns_z_first() {
         // oracle: hand. Rz(90) takes X to Y; then the turned Y axis is -X of the outer system.
-        let frame = Frame {
-            rotation: [0.0, 0.0, 90.0],
-            ..Frame::default()
-        };
+        let frame = Frame { rotation: [0.0, 0.0, 90.0], ..Frame::default() };
         near(frame.turn([1.0, 0.0, 0.0]), [0.0, 1.0, 0.0]);
         // oracle: hand. Z 90, then about the turned X (now outer Y) 90: inner Y goes to outer Z.
-        let frame = Frame {
-            rotation: [90.0, 0.0, 90.0],
-            ..Frame::default()
-        };
+        let frame = Frame { rotation: [90.0, 0.0, 90.0], ..Frame::default() };
         near(frame.turn([0.0, 1.0, 0.0]), [0.0, 0.0, 1.0]);
     }
 
     #[test]
     fn angles_come_back() {
         // oracle: self (inverse)
-        near(
-            angles(&rotation([10.0, -20.0, 130.0])),
-            [10.0, -20.0, 130.0],
-        );
+        near(angles(&rotation([10.0, -20.0, 130.0])), [10.0, -20.0, 130.0]);
     }
 
     #[test]
     fn a_scale_works_along_the_own_axes() {
-        let frame = Frame {
-            coarse: [1.0, 0.0, 0.0],
-            rotation: [0.0, 0.0, 90.0],
-            scale: [2.0, 3.0, 1.0],
-            ..Frame::default()
-        };
+        let frame =
+            Frame { coarse: [1.0, 0.0, 0.0], rotation: [0.0, 0.0, 90.0], scale: [2.0, 3.0, 1.0], ..Frame::default() };
         // oracle: hand: X10 is 20 along the turned X, which is the outer Y
         near(frame.outward([10.0, 0.0, 5.0]), [1.0, 20.0, 5.0]);
         near(frame.inward([1.0, 20.0, 5.0]), [10.0, 0.0, 5.0]);
@@ -228,10 +209,7 @@ pub(super) mod tests {
         near(frame.outward([3.0, 1.0, 2.0]), [9.0, -3.0, 2.0]);
         near(frame.inward([9.0, -3.0, 2.0]), [3.0, 1.0, 2.0]);
         // oracle: hand: seen from outside, a rotation inside of a mirror turns the other way
-        let inner = Frame {
-            rotation: [0.0, 0.0, 30.0],
-            ..Frame::default()
-        };
+        let inner = Frame { rotation: [0.0, 0.0, 30.0], ..Frame::default() };
         near(frame.then(&inner).rotation, [0.0, 0.0, 60.0]);
         assert_eq!(frame.then(&frame).mirror, [false; 3]);
     }
@@ -253,10 +231,7 @@ pub(super) mod tests {
             near(both.outward([7.0, 8.0, 9.0]), [7.0, 8.0, 9.0]);
             assert_eq!(both.rotary, [0.0; 3]);
         }
-        let sheared = Frame {
-            scale: [2.0, 1.0, 1.0],
-            ..frame
-        };
+        let sheared = Frame { scale: [2.0, 1.0, 1.0], ..frame };
         assert_eq!(sheared.inverse(), None);
     }
 
@@ -280,9 +255,6 @@ pub(super) mod tests {
         };
         let both = outer.then(&inner);
         // oracle: self (one after the other)
-        near(
-            both.outward([7.0, 8.0, 9.0]),
-            outer.outward(inner.outward([7.0, 8.0, 9.0])),
-        );
+        near(both.outward([7.0, 8.0, 9.0]), outer.outward(inner.outward([7.0, 8.0, 9.0])));
     }
 }

@@ -1,5 +1,6 @@
 //! Coordinate systems: workpiece (WCS) ↔ machine (basic) by the chain
-//! frame of the swivel table · system frame · NCU-global basic frames · channel basic frames · active settable frame · programmed frame.
+//! frame of the swivel table · system frame · NCU-global basic frames · channel basic frames · active settable frame ·
+//! programmed frame.
 //! Lengths in mm, angles in degree.
 
 use super::{BasicFrames, Control, Frame, Value};
@@ -31,9 +32,7 @@ impl Control {
         let global = global.filter(|(index, _)| self.included(GLOBAL_MASK, **index));
         let channel = self.basic.channel.iter();
         let channel = channel.filter(|(index, _)| self.included(CHANNEL_MASK, **index));
-        [&self.part_frame, &self.basic.system]
-            .into_iter()
-            .chain(global.chain(channel).map(|(_, frame)| frame))
+        [&self.part_frame, &self.basic.system].into_iter().chain(global.chain(channel).map(|(_, frame)| frame))
     }
 
     /// Whether the bit of a basic frame is set in its mask. Without a mask all count.
@@ -47,9 +46,7 @@ impl Control {
     /// Numbers of the channel basic frames that exist: as many as MD28081 says (B:1938), and those that hold something.
     pub fn channel_basic_numbers(&self) -> BTreeSet<usize> {
         let told = self.number("MD28081").clamp(0.0, 16.0) as usize;
-        (0..told)
-            .chain(self.channel_basic.keys().copied())
-            .collect()
+        (0..told).chain(self.channel_basic.keys().copied()).collect()
     }
 
     /// All frames from the machine to the WCS, outermost first.
@@ -58,8 +55,7 @@ impl Control {
     }
 
     fn links(&self) -> impl DoubleEndedIterator<Item = &Frame> {
-        self.basic_links()
-            .chain([&self.active, &self.program_frame])
+        self.basic_links().chain([&self.active, &self.program_frame])
     }
 
     /// Takes all frames out of effect, so that the WCS is that of the machine; see [`Control::put_frames`].
@@ -92,9 +88,7 @@ impl Control {
 
     /// A point of the WCS in machine coordinates.
     pub fn to_machine(&self, point: [f64; 3]) -> [f64; 3] {
-        self.links()
-            .rev()
-            .fold(point, |point, frame| frame.outward(point))
+        self.links().rev().fold(point, |point, frame| frame.outward(point))
     }
 
     /// A point in machine coordinates in the WCS.
@@ -104,15 +98,12 @@ impl Control {
 
     /// A direction of the WCS in machine coordinates.
     pub fn direction_to_machine(&self, direction: [f64; 3]) -> [f64; 3] {
-        self.links()
-            .rev()
-            .fold(direction, |direction, frame| frame.turn(direction))
+        self.links().rev().fold(direction, |direction, frame| frame.turn(direction))
     }
 
     /// A direction in machine coordinates in the WCS.
     pub fn direction_to_workpiece(&self, direction: [f64; 3]) -> [f64; 3] {
-        self.links()
-            .fold(direction, |direction, frame| frame.turn_back(direction))
+        self.links().fold(direction, |direction, frame| frame.turn_back(direction))
     }
 
     /// Whether an axis X Y Z of the WCS runs against that of the machine: an odd number of frames mirrors it.
@@ -125,11 +116,8 @@ impl Control {
     /// frames (B:1965). G500 (SINUMERIK 0) is a frame too.
     pub fn activate(&mut self, number: usize) {
         self.settable = number;
-        self.basic = BasicFrames {
-            system: self.system,
-            global: self.global_basic.clone(),
-            channel: self.channel_basic.clone(),
-        };
+        self.basic =
+            BasicFrames { system: self.system, global: self.global_basic.clone(), channel: self.channel_basic.clone() };
         self.active = self.frames.get(&number).copied().unwrap_or_default();
         if self.dialect == crate::catalogue::Dialect::Nct {
             let common = self.frames.get(&0).copied().unwrap_or_default();
@@ -140,9 +128,7 @@ impl Control {
 
 /// Frames one in the other as one; none: a scale and a rotation in them would shear.
 pub fn joined(chain: &[Frame]) -> Option<Frame> {
-    chain.iter().try_fold(Frame::default(), |all, frame| {
-        all.chains_with(frame).then(|| all.then(frame))
-    })
+    chain.iter().try_fold(Frame::default(), |all, frame| all.chains_with(frame).then(|| all.then(frame)))
 }
 
 #[cfg(test)]
@@ -156,24 +142,9 @@ mod tests {
     fn the_chain_goes_both_ways() {
         let mut control = delivery(Dialect::Sinumerik);
         control.system = Frame::translation([100.0, 0.0, 0.0]);
-        control
-            .global_basic
-            .insert(0, Frame::translation([0.0, 10.0, 0.0]));
-        control.channel_basic.insert(
-            0,
-            Frame {
-                rotation: [0.0, 0.0, 90.0],
-                ..Frame::default()
-            },
-        );
-        control.frames.insert(
-            1,
-            Frame {
-                coarse: [5.0, 0.0, 0.0],
-                fine: [0.5, 0.0, 0.0],
-                ..Frame::default()
-            },
-        );
+        control.global_basic.insert(0, Frame::translation([0.0, 10.0, 0.0]));
+        control.channel_basic.insert(0, Frame { rotation: [0.0, 0.0, 90.0], ..Frame::default() });
+        control.frames.insert(1, Frame { coarse: [5.0, 0.0, 0.0], fine: [0.5, 0.0, 0.0], ..Frame::default() });
         control.activate(1);
         // oracle: hand: (1,0,0) -> settable (6.5,0,0) -> turned (0,6.5,0) -> +10 in Y -> +100 in X
         near(control.to_machine([1.0, 0.0, 0.0]), [100.0, 16.5, 0.0]);
@@ -186,12 +157,8 @@ mod tests {
         let shifted = |control: &Control| control.to_machine([0.0; 3])[0];
         // oracle: manual B:1965 (G500, G54.. make them active), B:1944 (only those of the mask)
         control.system = Frame::translation([1.0, 0.0, 0.0]);
-        control
-            .global_basic
-            .insert(3, Frame::translation([10.0, 0.0, 0.0]));
-        control
-            .channel_basic
-            .insert(0, Frame::translation([100.0, 0.0, 0.0]));
+        control.global_basic.insert(3, Frame::translation([10.0, 0.0, 0.0]));
+        control.channel_basic.insert(0, Frame::translation([100.0, 0.0, 0.0]));
         assert_eq!(shifted(&control), 0.0);
         control.activate(0);
         assert_eq!(shifted(&control), 111.0);

@@ -76,9 +76,7 @@ mod tests {
     #[test]
     fn a_way_ends_at_the_first_limit() {
         let mut control = Setup::calibrated(Dialect::Sinumerik, Plane::G17).control;
-        control
-            .frames
-            .insert(1, Frame::translation([100.0, 0.0, 0.0]));
+        control.frames.insert(1, Frame::translation([100.0, 0.0, 0.0]));
         control.activate(1);
         control.limits.plus[0] = Some(150.0);
         control.limits.minus[2] = Some(40.0);
@@ -94,10 +92,7 @@ mod tests {
 
     #[test]
     fn from_beyond_a_limit_it_goes_only_back() {
-        let limits = Limits {
-            plus: [Some(10.0), None, None],
-            ..Limits::default()
-        };
+        let limits = Limits { plus: [Some(10.0), None, None], ..Limits::default() };
         // oracle: hand
         assert_eq!(limits.part([12.0, 0.0, 0.0], [14.0, 0.0, 0.0]), 0.0);
         assert_eq!(limits.part([12.0, 0.0, 0.0], [9.0, 0.0, 0.0]), 1.0);

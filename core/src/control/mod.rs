@@ -117,8 +117,8 @@ pub struct Edge {
     pub additive: BTreeMap<i64, [f64; 4]>,
     /// Setup offsets by DL number 1..6: L1 L2 L3 radius, mm.
     pub setup: BTreeMap<i64, [f64; 4]>,
-    /// Tool data that are only kept, by their number: `$TC_DP7` to 11 and 16 to 25. Those of the adapter, 21 to 23, count
-    /// with L1 L2 L3, mm.
+    /// Tool data that are only kept, by their number: `$TC_DP7` to 11 and 16 to 25. Those of the adapter, 21 to 23,
+    /// count with L1 L2 L3, mm.
     pub further: BTreeMap<usize, f64>,
 }
 
@@ -203,9 +203,9 @@ pub struct Control {
 }
 
 impl Control {
-    /// How far what the spindle holds is turned from the abscissa to the ordinate, degree. M3 turns a tool clockwise as seen
-    /// from the spindle, so from the ordinate to the abscissa; the delivered sense of `_CHBIT[14]` is that one, 270 degree of
-    /// the spindle for 90 of the coordinates (B:13985).
+    /// How far what the spindle holds is turned from the abscissa to the ordinate, degree. M3 turns a tool clockwise as
+    /// seen from the spindle, so from the ordinate to the abscissa; the delivered sense of `_CHBIT[14]` is that one,
+    /// 270 degree of the spindle for 90 of the coordinates (B:13985).
     pub fn turned(&self) -> f64 {
         0.0 - self.spindle
     }

@@ -31,22 +31,11 @@ pub struct Subject {
 const LENGTH: Unit = Unit::Length(System::Basic);
 
 const fn length(name: &'static str, source: &'static str) -> NctDatum {
-    NctDatum {
-        name,
-        unit: LENGTH,
-        initial: None,
-        choices: &[],
-        range: Range::ANY,
-        source,
-    }
+    NctDatum { name, unit: LENGTH, initial: None, choices: &[], range: Range::ANY, source }
 }
 
 const fn delivered(datum: NctDatum, initial: f64, range: Range) -> NctDatum {
-    NctDatum {
-        initial: Some(initial),
-        range,
-        ..datum
-    }
+    NctDatum { initial: Some(initial), range, ..datum }
 }
 
 const fn with_unit(datum: NctDatum, unit: Unit) -> NctDatum {
@@ -54,14 +43,11 @@ const fn with_unit(datum: NctDatum, unit: Unit) -> NctDatum {
 }
 
 const fn signal(name: &'static str, initial: f64, source: &'static str) -> NctDatum {
-    NctDatum {
-        unit: Unit::None,
-        choices: &[0, 1],
-        ..delivered(length(name, source), initial, Range::closed(0.0, 1.0))
-    }
+    NctDatum { unit: Unit::None, choices: &[0, 1], ..delivered(length(name, source), initial, Range::closed(0.0, 1.0)) }
 }
 
-/// All of them. #510 holds the M function that turns the spindle by half a turn; 0 and 1 mean that none does (C:74, C:156).
+/// All of them. #510 holds the M function that turns the spindle by half a turn; 0 and 1 mean that none does (C:74,
+/// C:156).
 pub static SUBJECTS: &[Subject] = &[
     Subject {
         key: "nct-stylus",
@@ -72,10 +58,7 @@ pub static SUBJECTS: &[Subject] = &[
             length("#503", "C:307"),
             length("#504", "C:176"),
             length("#505", "C:177"),
-            NctDatum {
-                range: Range::closed(0.0, 999.0),
-                ..with_unit(length("#510", "C:74;C:156;C:162"), Unit::None)
-            },
+            NctDatum { range: Range::closed(0.0, 999.0), ..with_unit(length("#510", "C:74;C:156;C:162"), Unit::None) },
         ],
     },
     Subject {
@@ -85,25 +68,14 @@ pub static SUBJECTS: &[Subject] = &[
             length("#507", "C:1194"),
             length("#508", "C:1195"),
             delivered(length("#509", "C:1196;C:1202"), 40.0, Range::POSITIVE),
-            delivered(
-                with_unit(length("#511", "C:1197;C:1202"), Unit::Rpm),
-                1500.0,
-                Range::POSITIVE,
-            ),
-            delivered(
-                with_unit(length("#512", "C:1198;C:1202"), Unit::Feed(System::Basic)),
-                750.0,
-                Range::POSITIVE,
-            ),
+            delivered(with_unit(length("#511", "C:1197;C:1202"), Unit::Rpm), 1500.0, Range::POSITIVE),
+            delivered(with_unit(length("#512", "C:1198;C:1202"), Unit::Feed(System::Basic)), 750.0, Range::POSITIVE),
             length("#513", "C:1200"),
             signal("#1002", 0.0, "C:1204"),
             signal("#1003", 1.0, "C:1204"),
         ],
     },
-    Subject {
-        key: "nct-printing",
-        data: &[signal("P9143", 1.0, "C:60")],
-    },
+    Subject { key: "nct-printing", data: &[signal("P9143", 1.0, "C:60")] },
 ];
 
 /// All data, in the order of the subjects.

@@ -63,8 +63,8 @@ pub fn upright(plane: Plane) -> [f64; 3] {
 
 impl Edge {
     /// Direction from the ball of a turning machine's probe to its body, as abscissa and ordinate of the plane in which
-    /// its cutting edge position counts: with 5 and 7 it lies along the abscissa, with 6 and 8 along the ordinate, and 7
-    /// and 8 point in minus direction (B:974-1022, B:13474-13481).
+    /// its cutting edge position counts: with 5 and 7 it lies along the abscissa, with 6 and 8 along the ordinate, and
+    /// 7 and 8 point in minus direction (B:974-1022, B:13474-13481).
     pub fn body(&self) -> Option<[f64; 2]> {
         match self.tip {
             _ if !self.is_turning() => None,
@@ -76,8 +76,8 @@ impl Edge {
         }
     }
 
-    /// The same on the machine, X Y Z: the cutting edge position is that of G18, and no plane turns the probe. So it stands
-    /// on G17 with 5 and 7, on G19 with 6 and 8 (B:4152).
+    /// The same on the machine, X Y Z: the cutting edge position is that of G18, and no plane turns the probe. So it
+    /// stands on G17 with 5 and 7, on G19 with 6 and 8 (B:4152).
     pub fn stands(&self) -> Option<[f64; 3]> {
         self.body().map(|[z, x]| [x, 0.0, z])
     }
@@ -90,11 +90,7 @@ mod tests {
     use crate::control::delivery;
 
     fn edge(kind: i64, tip: i64) -> Edge {
-        Edge {
-            kind,
-            tip,
-            ..Edge::default()
-        }
+        Edge { kind, tip, ..Edge::default() }
     }
 
     #[test]

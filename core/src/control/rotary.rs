@@ -1,7 +1,7 @@
 //! Rotary axes: which channel axes are, where they stand, how they turn the part that is clamped on them.
 //!
-//! A, B and C turn about lines parallel to X, Y and Z through one point. A positive angle moves the tool counter-clockwise
-//! about the part (DIN 66217, B:627), so that the table turns clockwise; C is carried by B, B by A.
+//! A, B and C turn about lines parallel to X, Y and Z through one point. A positive angle moves the tool
+//! counter-clockwise about the part (DIN 66217, B:627), so that the table turns clockwise; C is carried by B, B by A.
 
 use super::{Control, Value};
 use crate::geometry::{V3, rigid};
@@ -25,25 +25,18 @@ impl Control {
     pub fn rotary_axis(&self, name: &str) -> Option<usize> {
         let axis = ROTARY.iter().position(|known| *known == name)?;
         let numbers = 1..=super::machine_data::CHANNEL_AXES as i64;
-        numbers
-            .map(|number| self.rotary_channel_axis(number))
-            .find(|found| *found == Some(axis))
-            .flatten()
+        numbers.map(|number| self.rotary_channel_axis(number)).find(|found| *found == Some(axis)).flatten()
     }
 
     /// Where the table has to stand (machine, degree) for a programmed position of a rotary axis: the frames move it.
     pub fn rotary_to_machine(&self, axis: usize, position: f64) -> f64 {
         let moved: f64 = self.chain().iter().map(|frame| frame.rotary[axis]).sum();
-        let fine: f64 = self
-            .chain()
-            .iter()
-            .map(|frame| frame.rotary_fine[axis])
-            .sum();
+        let fine: f64 = self.chain().iter().map(|frame| frame.rotary_fine[axis]).sum();
         position + moved + fine
     }
 
-    /// The direction in the machine about which a positive angle turns a direction of the WCS from one of its axes X Y Z
-    /// (by index) towards another: the third axis, reversed where the WCS is mirrored.
+    /// The direction in the machine about which a positive angle turns a direction of the WCS from one of its axes X Y
+    /// Z (by index) towards another: the third axis, reversed where the WCS is mirrored.
     pub fn turn_axis(&self, from: usize, to: usize) -> [f64; 3] {
         let direction = |axis: usize| {
             let mut unit = [0.0; 3];
@@ -53,8 +46,8 @@ impl Control {
         direction(from).cross(&direction(to)).into()
     }
 
-    /// The direction in the machine about which a positive angle of a rotary axis turns the tool round the part, and the
-    /// part the other way: that of its name, turned by the axes that carry it.
+    /// The direction in the machine about which a positive angle of a rotary axis turns the tool round the part, and
+    /// the part the other way: that of its name, turned by the axes that carry it.
     pub fn rotary_direction(&self, axis: usize) -> [f64; 3] {
         let carrying = std::array::from_fn(|i| if i < axis { self.rotary[i] } else { 0.0 });
         let mut own = V3::zeros();
@@ -76,11 +69,7 @@ impl Control {
             shape: solid.shape.clone(),
             at: (centre + turn * at).into(),
             rotation: rigid::angles(&(turn * clamped)),
-            errors: PartErrors {
-                shift: [0.0; 3],
-                tilt: [0.0; 3],
-                ..*errors
-            },
+            errors: PartErrors { shift: [0.0; 3], tilt: [0.0; 3], ..*errors },
         }
     }
 
@@ -102,8 +91,7 @@ pub fn is_angle(variable: &str) -> bool {
     let mut parts = variable.trim_end_matches(']').rsplit(',');
     let (part, axis) = (parts.next(), parts.next());
     let axis = axis.map(|axis| axis.rsplit('[').next().unwrap_or(axis));
-    part == Some("RT")
-        || matches!(part, Some("TR" | "FI")) && axis.is_some_and(|axis| ROTARY.contains(&axis))
+    part == Some("RT") || matches!(part, Some("TR" | "FI")) && axis.is_some_and(|axis| ROTARY.contains(&axis))
 }
 
 #[cfg(test)]
@@ -137,11 +125,7 @@ mod tests {
             shape: Shape::Sphere { diameter: 5.0 },
             at: [30.0, 0.0, 7.0],
             rotation: [0.0; 3],
-            errors: PartErrors {
-                shift: [1.0, 0.0, 0.0],
-                tilt: [0.0, 0.0, 30.0],
-                ..PartErrors::default()
-            },
+            errors: PartErrors { shift: [1.0, 0.0, 0.0], tilt: [0.0, 0.0, 30.0], ..PartErrors::default() },
         };
         let turned = control.on_table(&solid);
         // oracle: manual B:627, hand: 21 mm from the centre along X, then along minus Y
@@ -179,10 +163,7 @@ mod tests {
             control.rotary[axis] += 25.0;
             let turn = Rotation3::from_axis_angle(&about, -25.0_f64.to_radians());
             let after = turn * before;
-            assert!(
-                (after.matrix() - control.table_turn().matrix()).norm() < 1e-12,
-                "{axis}"
-            );
+            assert!((after.matrix() - control.table_turn().matrix()).norm() < 1e-12, "{axis}");
         }
     }
 }

@@ -17,8 +17,9 @@ pub const AS_TURNING_TOOL: f64 = 2.0;
 /// B:14051).
 pub const REVERSED: &str = "_CHBIT[23]";
 
-/// From S to P in abscissa and ordinate by cutting edge position 1 to 9, in nose radii (B:9441, B:13474-13481); with 9, and
-/// where there is none, P is S. S is the centre of the nose, P the point to which the lengths refer. `reversed`: the ordinate is the other way round ([`REVERSED`]).
+/// From S to P in abscissa and ordinate by cutting edge position 1 to 9, in nose radii (B:9441, B:13474-13481); with 9,
+/// and where there is none, P is S. S is the centre of the nose, P the point to which the lengths refer. `reversed`:
+/// the ordinate is the other way round ([`REVERSED`]).
 pub fn side(position: i64, reversed: bool) -> [f64; 2] {
     let [abscissa, ordinate] = match position {
         1 => [1.0, 1.0],
@@ -60,12 +61,7 @@ impl Control {
 
     /// NCT register to be changed.
     pub fn register_mut(&mut self, number: i64) -> &mut Edge {
-        self.tools
-            .entry(0)
-            .or_default()
-            .edges
-            .entry(number)
-            .or_default()
+        self.tools.entry(0).or_default().edges.entry(number).or_default()
     }
 
     /// Where the data of the edge in effect stand: T in the spindle with the active D (NCT: 0 with the register H).
@@ -85,21 +81,17 @@ impl Control {
         }
     }
 
-    /// Whether it is a turning machine, as far as its tools tell: a turning tool is in use, or every tool is as long as one.
+    /// Whether it is a turning machine, as far as its tools tell: a turning tool is in use, or every tool is as long as
+    /// one.
     pub fn turns(&self) -> bool {
-        self.active_edge().is_some_and(Edge::is_turning)
-            || self.number(TOOL_LENGTH_TYPE) == AS_TURNING_TOOL
+        self.active_edge().is_some_and(Edge::is_turning) || self.number(TOOL_LENGTH_TYPE) == AS_TURNING_TOOL
     }
 
     /// Along which axis (0 abscissa, 1 ordinate, 2 applicate) L1, L2 and L3 of an edge count: from the applicate on
     /// (B:762-817); of turning tools, and with SD 42950 = 2 of every tool, L1 in the ordinate and L2 in the abscissa
     /// (B:828, B:974-985: X and Z in G18).
     pub fn length_axes(&self, edge: &Edge) -> [usize; 3] {
-        if edge.is_turning() || self.number(TOOL_LENGTH_TYPE) == AS_TURNING_TOOL {
-            [1, 0, 2]
-        } else {
-            [2, 1, 0]
-        }
+        if edge.is_turning() || self.number(TOOL_LENGTH_TYPE) == AS_TURNING_TOOL { [1, 0, 2] } else { [2, 1, 0] }
     }
 
     /// Which of L1, L2 and L3 of an edge counts along the applicate: 0, 1 or 2.
@@ -122,9 +114,7 @@ impl Control {
 
     /// Radius in effect, mm; 0 without a correction.
     pub fn active_radius(&self) -> f64 {
-        self.active_edge().map_or(0.0, |edge| {
-            edge.total_radius() + edge.location(self.location)[3]
-        })
+        self.active_edge().map_or(0.0, |edge| edge.total_radius() + edge.location(self.location)[3])
     }
 }
 
@@ -137,8 +127,7 @@ impl Edge {
 
     /// Additive and setup offset of a DL number together: L1 L2 L3 radius, mm.
     pub fn location(&self, number: i64) -> [f64; 4] {
-        let offset =
-            |offsets: &BTreeMap<i64, [f64; 4]>| offsets.get(&number).copied().unwrap_or_default();
+        let offset = |offsets: &BTreeMap<i64, [f64; 4]>| offsets.get(&number).copied().unwrap_or_default();
         let (additive, setup) = (offset(&self.additive), offset(&self.setup));
         std::array::from_fn(|i| additive[i] + setup[i])
     }
@@ -163,11 +152,7 @@ mod tests {
     #[test]
     fn lengths_follow_the_plane() {
         let mut control = delivery(Dialect::Sinumerik);
-        let edge = Edge {
-            length: [50.0, 2.0, 3.0],
-            length_wear: [0.5, 0.0, 0.0],
-            ..Edge::default()
-        };
+        let edge = Edge { length: [50.0, 2.0, 3.0], length_wear: [0.5, 0.0, 0.0], ..Edge::default() };
         control.tools.entry(9).or_default().edges.insert(1, edge);
         (control.tool, control.edge) = (9, 1);
         // oracle: manual B:762-817
@@ -181,11 +166,7 @@ mod tests {
     #[test]
     fn lengths_of_turning_tools_follow_the_plane() {
         let mut control = delivery(Dialect::Sinumerik);
-        let edge = Edge {
-            kind: LATHE_PROBE,
-            length: [40.0, 100.0, 5.0],
-            ..Edge::default()
-        };
+        let edge = Edge { kind: LATHE_PROBE, length: [40.0, 100.0, 5.0], ..Edge::default() };
         control.tools.entry(9).or_default().edges.insert(1, edge);
         (control.tool, control.edge) = (9, 1);
         // oracle: manual B:974-985, B:10425 (L1 in X, L2 in Z with G18)
@@ -201,21 +182,13 @@ mod tests {
         control.plane = Plane::G18;
         (control.tool, control.edge) = (3, 1);
         for (kind, milling) in [(120, true), (200, true), (500, false)] {
-            let edge = Edge {
-                kind,
-                length: [40.0, 100.0, 5.0],
-                ..Edge::default()
-            };
+            let edge = Edge { kind, length: [40.0, 100.0, 5.0], ..Edge::default() };
             control.tools.entry(3).or_default().edges.insert(1, edge);
             // oracle: manual B:828, B:9192 (2: L1 in X, L2 in Z), B:10096-10108 (0: as on a milling machine)
             control.set("SD42950", 2.0);
             assert_eq!(control.active_length(), [40.0, 5.0, 100.0]);
             control.set("SD42950", 0.0);
-            let as_defined = if milling {
-                [100.0, 40.0, 5.0]
-            } else {
-                [40.0, 5.0, 100.0]
-            };
+            let as_defined = if milling { [100.0, 40.0, 5.0] } else { [40.0, 5.0, 100.0] };
             assert_eq!(control.active_length(), as_defined, "{kind}");
         }
     }

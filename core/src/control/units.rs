@@ -29,11 +29,7 @@ impl Control {
 
     /// Millimetres in one unit of feeds and of the lengths that the control keeps: tool and frame data, positions.
     pub fn data_factor(&self) -> f64 {
-        if self.data_follow {
-            self.active_factor()
-        } else {
-            self.basic_factor()
-        }
+        if self.data_follow { self.active_factor() } else { self.basic_factor() }
     }
 
     /// A datum whose unit is that of the basic system, in mm or mm/min.
@@ -94,10 +90,7 @@ mod tests {
     // oracle: self (a choice made is the one in force)
     #[test]
     fn every_function_chooses_itself() {
-        for (dialect, numbers) in [
-            (Dialect::Sinumerik, &[70, 71, 700, 710][..]),
-            (Dialect::Nct, &[20, 21][..]),
-        ] {
+        for (dialect, numbers) in [(Dialect::Sinumerik, &[70, 71, 700, 710][..]), (Dialect::Nct, &[20, 21][..])] {
             let mut control = delivery(dialect);
             for number in numbers {
                 assert!(control.choose_units(*number));
@@ -112,14 +105,8 @@ mod tests {
     fn feeds_and_data_follow_g700_only() {
         let mut control = delivery(Dialect::Sinumerik);
         assert!(control.choose_units(70));
-        assert_eq!(
-            (control.active_factor(), control.data_factor()),
-            (25.4, 1.0)
-        );
+        assert_eq!((control.active_factor(), control.data_factor()), (25.4, 1.0));
         assert!(control.choose_units(700));
-        assert_eq!(
-            (control.active_factor(), control.data_factor()),
-            (25.4, 25.4)
-        );
+        assert_eq!((control.active_factor(), control.data_factor()), (25.4, 25.4));
     }
 }

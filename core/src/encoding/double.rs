@@ -1,5 +1,5 @@
-//! Characters of more than one byte, counted as far as their bytes tell: those that such a text is made of, those that it
-//! seldom has, and bytes that stand for none. Ranges as in the WHATWG encoding standard.
+//! Characters of more than one byte, counted as far as their bytes tell: those that such a text is made of, those that
+//! it seldom has, and bytes that stand for none. Ranges as in the WHATWG encoding standard.
 
 /// How often what was seen.
 #[derive(Clone, Copy, Default)]
@@ -104,7 +104,8 @@ impl Gb18030 {
     }
 }
 
-/// Shift JIS. Usual are kana, full-width letters, the first level of kanji, and half-width kana where they are not alone.
+/// Shift JIS. Usual are kana, full-width letters, the first level of kanji, and half-width kana where they are not
+/// alone.
 #[derive(Default)]
 pub struct ShiftJis {
     pub pairs: Counts,

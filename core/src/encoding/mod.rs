@@ -1,5 +1,5 @@
-//! In which encoding a part program is written, told by its bytes alone, and what is no program at all. Nothing is decoded
-//! here: who shows the text, a browser or the terminal, has the tables.
+//! In which encoding a part program is written, told by its bytes alone, and what is no program at all. Nothing is
+//! decoded here: who shows the text, a browser or the terminal, has the tables.
 
 mod double;
 #[cfg(test)]
@@ -191,18 +191,10 @@ impl Recogniser {
         let marked = self.head.starts_with(b"\xef\xbb\xbf");
         let utf8 = self.utf8.0.done();
         if utf8.wrong == 0 || utf8.usual >= 4 * utf8.wrong {
-            return if marked {
-                Encoding::Utf8Marked
-            } else {
-                Encoding::Utf8
-            };
+            return if marked { Encoding::Utf8Marked } else { Encoding::Utf8 };
         }
         if self.gb18030.pairs.done().likely() {
-            if self.gb18030.four > 0 {
-                Encoding::Gb18030
-            } else {
-                Encoding::Gbk
-            }
+            if self.gb18030.four > 0 { Encoding::Gb18030 } else { Encoding::Gbk }
         } else if self.shift_jis.pairs.done().likely() {
             Encoding::ShiftJis
         } else {

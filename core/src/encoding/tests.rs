@@ -60,7 +60,8 @@ fn one_wrong_byte_changes_nothing_else() {
     }
 }
 
-// oracle: hand (German words whose umlauts stand beside each other or before letters that could be the second byte of a pair)
+// oracle: hand (German words whose umlauts stand beside each other or before letters that could be the second byte of a
+// pair)
 #[test]
 fn western_words_are_no_pairs() {
     for word in [
@@ -81,15 +82,8 @@ fn western_words_are_no_pairs() {
 // oracle: hand (the beginnings that the formats prescribe)
 #[test]
 fn what_is_no_program_is_refused() {
-    let noise: Vec<u8> = (0..4096u32)
-        .map(|i| (i.wrapping_mul(2_654_435_761) >> 13) as u8)
-        .collect();
-    let stl = [
-        &[b' '; 80][..],
-        &12u32.to_le_bytes(),
-        &[0, 0, 0x80, 0x3F].repeat(150),
-    ]
-    .concat();
+    let noise: Vec<u8> = (0..4096u32).map(|i| (i.wrapping_mul(2_654_435_761) >> 13) as u8).collect();
+    let stl = [&[b' '; 80][..], &12u32.to_le_bytes(), &[0, 0, 0x80, 0x3F].repeat(150)].concat();
     for (bytes, what) in [
         (&b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR"[..], NoProgram::Picture),
         (b"\xff\xd8\xff\xe0\0\x10JFIF", NoProgram::Picture),
@@ -97,10 +91,7 @@ fn what_is_no_program_is_refused() {
         (b"%PDF-1.7\n", NoProgram::Pdf),
         (b"{\\rtf1\\ansi N10 G0 X0}", NoProgram::Document),
         (b"\x7fELF\x02\x01", NoProgram::Binary),
-        (
-            b"MZ\x90\0\x03\0\0\0\x04\0\0\0\xff\xff\0\0",
-            NoProgram::Binary,
-        ),
+        (b"MZ\x90\0\x03\0\0\0\x04\0\0\0\xff\xff\0\0", NoProgram::Binary),
         (b"\0\0\0\0", NoProgram::Binary),
         (&noise, NoProgram::Binary),
         (&stl, NoProgram::Binary),
@@ -109,8 +100,8 @@ fn what_is_no_program_is_refused() {
     }
 }
 
-// oracle: hand (a punched tape begins and ends with NULs; DC1 to DC4 switch its reader; a program may be named PDF; nothing at
-// all is an empty program)
+// oracle: hand (a punched tape begins and ends with NULs; DC1 to DC4 switch its reader; a program may be named PDF;
+// nothing at all is an empty program)
 #[test]
 fn what_a_line_leaves_in_a_program_refuses_nothing() {
     let program = b"%_N_PDF_MPF\r\nN10 G0 X0 Y0\r\nN20 M30\r\n";

@@ -53,11 +53,7 @@ pub fn five_digit_edges(control: &Control) -> bool {
 
 /// Cuts a tool offset code into digits.
 pub fn digits(code: i64, five_digit_edges: bool) -> Digits {
-    let (places, rest) = if five_digit_edges {
-        (100_000, code / 100_000)
-    } else {
-        (1000, code / 1000)
-    };
+    let (places, rest) = if five_digit_edges { (100_000, code / 100_000) } else { (1000, code / 1000) };
     Digits {
         edge: code % places,
         kind: rest % 10,
@@ -169,67 +165,16 @@ mod tests {
             location: false,
             environment: false,
         };
-        assert_eq!(
-            read(12_003),
-            ToolCode {
-                quantity: Quantity::Radius,
-                inverted: true,
-                ..plain
-            }
-        );
-        assert_eq!(
-            read(100_002),
-            ToolCode {
-                edge: 2,
-                quantity: Quantity::Length(1),
-                ..plain
-            }
-        );
+        assert_eq!(read(12_003), ToolCode { quantity: Quantity::Radius, inverted: true, ..plain });
+        assert_eq!(read(100_002), ToolCode { edge: 2, quantity: Quantity::Length(1), ..plain });
         assert_eq!(read(3), plain);
-        assert_eq!(
-            read(1_001_002),
-            ToolCode {
-                edge: 2,
-                location: true,
-                ..plain
-            }
-        );
+        assert_eq!(read(1_001_002), ToolCode { edge: 2, location: true, ..plain });
         assert_eq!(read(1_000_002), read(1_001_002));
-        let environment = ToolCode {
-            edge: 0,
-            environment: true,
-            ..plain
-        };
-        assert_eq!(
-            read(2_100_000),
-            ToolCode {
-                quantity: Quantity::Length(1),
-                ..environment
-            }
-        );
-        assert_eq!(
-            read(2_001_002),
-            ToolCode {
-                edge: 2,
-                ..environment
-            }
-        );
-        assert_eq!(
-            read(3_001_002),
-            ToolCode {
-                edge: 2,
-                location: true,
-                ..environment
-            }
-        );
-        assert_eq!(
-            read(2001),
-            ToolCode {
-                edge: 1,
-                quantity: Quantity::Radius,
-                ..plain
-            }
-        );
+        let environment = ToolCode { edge: 0, environment: true, ..plain };
+        assert_eq!(read(2_100_000), ToolCode { quantity: Quantity::Length(1), ..environment });
+        assert_eq!(read(2_001_002), ToolCode { edge: 2, ..environment });
+        assert_eq!(read(3_001_002), ToolCode { edge: 2, location: true, ..environment });
+        assert_eq!(read(2001), ToolCode { edge: 1, quantity: Quantity::Radius, ..plain });
         assert_eq!(tool(0, false), Ok(None));
     }
 
@@ -237,15 +182,9 @@ mod tests {
     fn five_digit_edges_move_the_others_by_two() {
         // oracle: manual B:2009-2029
         let code = tool(1_200_003, true).unwrap().unwrap();
-        assert_eq!(
-            (code.edge, code.quantity, code.inverted),
-            (3, Quantity::Radius, true)
-        );
+        assert_eq!((code.edge, code.quantity, code.inverted), (3, Quantity::Radius, true));
         assert!(tool(100_100_002, true).unwrap().unwrap().location);
-        assert_eq!(
-            tool(10_000_002, true).unwrap().unwrap().quantity,
-            Quantity::Length(1)
-        );
+        assert_eq!(tool(10_000_002, true).unwrap().unwrap().quantity, Quantity::Length(1));
     }
 
     #[test]
@@ -263,9 +202,7 @@ mod tests {
     fn what_is_written_is_read() {
         // oracle: self
         for five in [false, true] {
-            for code in [
-                1, 2001, 12_003, 100_002, 300_009, 1_000_002, 2_100_001, 3_012_004,
-            ] {
+            for code in [1, 2001, 12_003, 100_002, 300_009, 1_000_002, 2_100_001, 3_012_004] {
                 if let Ok(Some(read)) = tool(code, five) {
                     assert_eq!(tool(tool_code(&read, five), five), Ok(Some(read)));
                 }

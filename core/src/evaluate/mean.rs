@@ -18,15 +18,9 @@ pub struct Memories {
 /// Takes `_EVNUM` apart.
 pub fn memories(evnum: i64) -> Memories {
     if evnum > 9999 {
-        Memories {
-            empirical: evnum % 10_000,
-            mean: evnum / 10_000,
-        }
+        Memories { empirical: evnum % 10_000, mean: evnum / 10_000 }
     } else {
-        Memories {
-            empirical: evnum.max(0),
-            mean: evnum.max(0),
-        }
+        Memories { empirical: evnum.max(0), mean: evnum.max(0) }
     }
 }
 
@@ -40,10 +34,7 @@ mod tests {
         let mut old = 0.0;
         let mut means = Vec::new();
         let mut corrected = Vec::new();
-        for (at, difference) in [30.0, 50.0, 60.0, 20.0, 40.0, 50.0, 50.0, 30.0, 70.0, 70.0]
-            .iter()
-            .enumerate()
-        {
+        for (at, difference) in [30.0, 50.0, 60.0, 20.0, 40.0, 50.0, 50.0, 30.0, 70.0, 70.0].iter().enumerate() {
             let mean = next(old, *difference, weight).unwrap();
             means.push(mean);
             old = mean;
@@ -60,12 +51,7 @@ mod tests {
         // oracle: manual B:1265-1284 (46.25 is printed as 46.2)
         let (means, corrected) = series(2.0);
         let printed = [15.0, 32.5, 46.2, 10.0, 25.0, 37.5, 43.75, 15.0, 42.5, 35.0];
-        assert!(
-            means
-                .iter()
-                .zip(printed)
-                .all(|(mean, print)| (mean - print).abs() <= 0.05 + 1e-9)
-        );
+        assert!(means.iter().zip(printed).all(|(mean, print)| (mean - print).abs() <= 0.05 + 1e-9));
         assert_eq!(corrected, [3, 7, 9]);
     }
 
@@ -73,15 +59,8 @@ mod tests {
     fn weight_three_follows_the_printed_table_but_for_its_misprint() {
         // oracle: manual B:1265-1284; rows 5 to 7 carry a misprint on and are worked out by hand
         let (means, corrected) = series(3.0);
-        let rows = [
-            10.0, 23.3, 35.5, 30.3, 33.580, 39.053, 42.702, 10.0, 30.0, 43.3,
-        ];
-        assert!(
-            means
-                .iter()
-                .zip(rows)
-                .all(|(mean, row)| (mean - row).abs() < 0.1)
-        );
+        let rows = [10.0, 23.3, 35.5, 30.3, 33.580, 39.053, 42.702, 10.0, 30.0, 43.3];
+        assert!(means.iter().zip(rows).all(|(mean, row)| (mean - row).abs() < 0.1));
         assert_eq!(corrected, [7, 10]);
     }
 
@@ -94,26 +73,8 @@ mod tests {
     #[test]
     fn memory_numbers_split_above_9999() {
         // oracle: manual B:2303-2342
-        assert_eq!(
-            memories(0),
-            Memories {
-                empirical: 0,
-                mean: 0
-            }
-        );
-        assert_eq!(
-            memories(11),
-            Memories {
-                empirical: 11,
-                mean: 11
-            }
-        );
-        assert_eq!(
-            memories(90_012),
-            Memories {
-                empirical: 12,
-                mean: 9
-            }
-        );
+        assert_eq!(memories(0), Memories { empirical: 0, mean: 0 });
+        assert_eq!(memories(11), Memories { empirical: 11, mean: 11 });
+        assert_eq!(memories(90_012), Memories { empirical: 12, mean: 9 });
     }
 }

@@ -37,13 +37,8 @@ pub fn position(set: &[V3; 3], measured: &[V3; 3]) -> Result<Position, u32> {
         return Err(NO_FRAME);
     }
     let motion = triangle::laid(set, measured).ok_or(NO_FRAME)?;
-    let left = |(set, measured): (&V3, &V3)| {
-        (motion.transform_point(&(*set).into()).coords - measured).norm()
-    };
-    Ok(Position {
-        motion,
-        distortion: set.iter().zip(measured).map(left).sum(),
-    })
+    let left = |(set, measured): (&V3, &V3)| (motion.transform_point(&(*set).into()).coords - measured).norm();
+    Ok(Position { motion, distortion: set.iter().zip(measured).map(left).sum() })
 }
 
 impl Position {

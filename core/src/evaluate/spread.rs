@@ -1,6 +1,6 @@
 //! How much of the scatter of one measured point is left in what follows from several of them: standard deviations, as
-//! multiples of that of one point. All points scatter alike and independently of each other; to first order, as scatter is
-//! small against every distance. DESIGN.md says what is doubted.
+//! multiples of that of one point. All points scatter alike and independently of each other; to first order, as scatter
+//! is small against every distance. DESIGN.md says what is doubted.
 
 use crate::geometry::V3;
 use crate::geometry::rigid::sin_cos;
@@ -49,8 +49,8 @@ pub fn told(factor: f64) -> f64 {
     (factor / place).round() * place
 }
 
-/// A circle through points in these directions from its centre, degree, touched along them: the covariance is (AᵀA)⁻¹, the
-/// rows of A (cos, sin, 1). None where the points do not determine it.
+/// A circle through points in these directions from its centre, degree, touched along them: the covariance is (AᵀA)⁻¹,
+/// the rows of A (cos, sin, 1). None where the points do not determine it.
 pub fn circle(directions: &[f64]) -> Option<Circle> {
     let rows: Vec<RowVector3<f64>> = directions
         .iter()
@@ -65,14 +65,10 @@ pub fn circle(directions: &[f64]) -> Option<Circle> {
     let (along, sizes) = (found.v_t?, found.singular_values);
     let share = |i: usize| {
         let each = sizes.iter().enumerate();
-        each.map(|(k, size)| (along[(k, i)] / size).powi(2))
-            .sum::<f64>()
+        each.map(|(k, size)| (along[(k, i)] / size).powi(2)).sum::<f64>()
     };
     let [x, y, radius] = [0, 1, 2].map(|i| share(i).sqrt());
-    (x + y + radius).is_finite().then_some(Circle {
-        centre: [x, y],
-        diameter: 2.0 * radius,
-    })
+    (x + y + radius).is_finite().then_some(Circle { centre: [x, y], diameter: 2.0 * radius })
 }
 
 /// A straight line through two points.
@@ -87,11 +83,7 @@ impl Line {
     fn through([one, two]: [Touched; 2]) -> Option<Line> {
         let way = V2::from(two.at) - V2::from(one.at);
         let length = way.norm();
-        (length > 0.0).then(|| Line {
-            from: one.at.into(),
-            along: way / length,
-            length,
-        })
+        (length > 0.0).then(|| Line { from: one.at.into(), along: way / length, length })
     }
 
     /// How far the line moves across itself at a point that is displaced by one in the direction of probing.
@@ -114,11 +106,7 @@ pub fn corner(touched: &[Touched]) -> Option<f64> {
     let first = Line::through([a, b])?;
     let second = match rest.first() {
         Some(d) => Line::through([c, *d])?,
-        None => Line {
-            from: c.at.into(),
-            along: V2::new(-first.along.y, first.along.x),
-            length: 1.0,
-        },
+        None => Line { from: c.at.into(), along: V2::new(-first.along.y, first.along.x), length: 1.0 },
     };
     let sine = first.along.perp(&second.along);
     if sine.abs() < PARALLEL {
@@ -172,8 +160,8 @@ mod tests {
     use crate::geometry::fit;
     use crate::geometry::rigid;
 
-    /// By how much each result changes with each of the numbers from which it is reckoned, summed up as scatter is: central
-    /// differences.
+    /// By how much each result changes with each of the numbers from which it is reckoned, summed up as scatter is:
+    /// central differences.
     fn differences<const N: usize>(count: usize, reckon: impl Fn(&[f64]) -> [f64; N]) -> [f64; N] {
         const STEP: f64 = 1e-4;
         let mut squares = [0.0; N];
@@ -192,10 +180,7 @@ mod tests {
     }
 
     fn near(found: f64, expected: f64, tolerance: f64, what: &str) {
-        assert!(
-            (found / expected - 1.0).abs() < tolerance,
-            "{what}: {found}, expected {expected}"
-        );
+        assert!((found / expected - 1.0).abs() < tolerance, "{what}: {found}, expected {expected}");
     }
 
     // oracle: hand: n points evenly around: sums of cos², sin² are n/2, all others 0; points at -a, 0, a: see DESIGN.md
@@ -203,9 +188,7 @@ mod tests {
     fn circles_by_hand() {
         for count in [3, 4] {
             let n = f64::from(count);
-            let directions: Vec<f64> = (0..count)
-                .map(|i| 10.0 + 360.0 / n * f64::from(i))
-                .collect();
+            let directions: Vec<f64> = (0..count).map(|i| 10.0 + 360.0 / n * f64::from(i)).collect();
             let found = circle(&directions).unwrap();
             near(found.diameter, 2.0 / n.sqrt(), 1e-12, "diameter");
             near(found.worse(), (2.0 / n).sqrt(), 1e-12, "centre");
@@ -215,34 +198,20 @@ mod tests {
             let cosine = step.to_radians().cos();
             let radius = (0.5 + cosine * cosine).sqrt() / (1.0 - cosine);
             near(found.diameter, 2.0 * radius, 1e-9, "diameter");
-            near(
-                found.centre[0],
-                1.5_f64.sqrt() / (1.0 - cosine),
-                1e-9,
-                "abscissa",
-            );
-            near(
-                found.centre[1],
-                0.5_f64.sqrt() / step.to_radians().sin(),
-                1e-9,
-                "ordinate",
-            );
+            near(found.centre[0], 1.5_f64.sqrt() / (1.0 - cosine), 1e-9, "abscissa");
+            near(found.centre[1], 0.5_f64.sqrt() / step.to_radians().sin(), 1e-9, "ordinate");
         }
         assert!(circle(&[0.0, 1e-3, 2e-3]).unwrap().diameter > 1e9);
         assert_eq!(circle(&[5.0, 90.0]), None);
         assert_eq!(circle(&[0.0; 3]), None);
     }
 
-    // oracle: peer: 400,000 draws of another program (numpy): 0°, 20°, 40°: diameter 38.92 ± 0.04; 15°, 95°, 175° of B:7092:
+    // oracle: peer: 400,000 draws of another program (numpy): 0°, 20°, 40°: diameter 38.92 ± 0.04; 15°, 95°, 175° of
+    // B:7092:
     // diameter 1.7585 ± 0.0020, abscissa 0.7270 ± 0.0008, ordinate 1.4741 ± 0.0017
     #[test]
     fn circles_by_draws() {
-        near(
-            circle(&[0.0, 20.0, 40.0]).unwrap().diameter,
-            38.92,
-            0.004,
-            "short",
-        );
+        near(circle(&[0.0, 20.0, 40.0]).unwrap().diameter, 38.92, 0.004, "short");
         let example = circle(&[15.0, 95.0, 175.0]).unwrap();
         near(example.diameter, 1.7585, 0.004, "diameter");
         near(example.centre[0], 0.7270, 0.004, "abscissa");
@@ -252,11 +221,7 @@ mod tests {
     // oracle: self: by how much the fit that the cycles use changes with each of its points
     #[test]
     fn circles_as_they_are_fitted() {
-        for directions in [
-            vec![0.0, 20.0, 40.0],
-            vec![15.0, 95.0, 175.0],
-            vec![-30.0, 10.0, 50.0, 90.0],
-        ] {
+        for directions in [vec![0.0, 20.0, 40.0], vec![15.0, 95.0, 175.0], vec![-30.0, 10.0, 50.0, 90.0]] {
             let fitted = differences(directions.len(), |moves| {
                 let points: Vec<[f64; 2]> = directions
                     .iter()
@@ -270,10 +235,7 @@ mod tests {
                 [x, y, 2.0 * radius]
             });
             let found = circle(&directions).unwrap();
-            for (one, other) in [found.centre[0], found.centre[1], found.diameter]
-                .iter()
-                .zip(fitted)
-            {
+            for (one, other) in [found.centre[0], found.centre[1], found.diameter].iter().zip(fitted) {
                 near(*one, other, 1e-6, "fit");
             }
         }
@@ -291,10 +253,7 @@ mod tests {
     fn a_line_by_hand() {
         for angle in [0.0_f64, 20.0, -40.0] {
             let rise = 40.0 * angle.to_radians().tan();
-            let found = line([
-                touched([5.0, 1.0], ALONG_Y),
-                touched([45.0, 1.0 + rise], ALONG_Y),
-            ]);
+            let found = line([touched([5.0, 1.0], ALONG_Y), touched([45.0, 1.0 + rise], ALONG_Y)]);
             let radian = 2_f64.sqrt() * angle.to_radians().cos().powi(2) / 40.0;
             near(found.unwrap(), 100.0 * radian, 1e-12, "line");
         }
@@ -323,47 +282,30 @@ mod tests {
             let expected = differences(count, |moves| {
                 let at = |i: usize| V2::from(places[i]) + V2::from(towards[i]) * moves[i];
                 let one = at(1) - at(0);
-                let two = if count == 4 {
-                    at(3) - at(2)
-                } else {
-                    V2::new(-one.y, one.x)
-                };
+                let two = if count == 4 { at(3) - at(2) } else { V2::new(-one.y, one.x) };
                 let share = (at(2) - at(0)).perp(&two) / one.perp(&two);
                 let corner = at(0) + one * share;
                 [corner.x, corner.y]
             });
-            near(
-                corner(&all).unwrap(),
-                expected[0].max(expected[1]),
-                1e-6,
-                "corner",
-            );
+            near(corner(&all).unwrap(), expected[0].max(expected[1]), 1e-6, "corner");
         }
-        let parallel =
-            [[0.0, 0.0], [9.0, 0.0], [0.0, 5.0], [9.0, 5.0]].map(|at| touched(at, ALONG_Y));
+        let parallel = [[0.0, 0.0], [9.0, 0.0], [0.0, 5.0], [9.0, 5.0]].map(|at| touched(at, ALONG_Y));
         assert_eq!(corner(&parallel), None);
     }
 
-    // oracle: self: by how much the rotation that three points give changes with each of their coordinates; hand: two points
-    // beside the line of the third's height h: h·sqrt(2/3)
+    // oracle: self: by how much the rotation that three points give changes with each of their coordinates; hand: two
+    // points beside the line of the third's height h: h·sqrt(2/3)
     #[test]
     fn a_rotation_by_differences() {
         for height in [5.0, 60.0] {
             let points = [V3::zeros(), V3::x() * 300.0, V3::new(150.0, height, 0.0)];
             let expected = differences(9, |moves| {
-                let moved =
-                    [0, 1, 2].map(|i| points[i] + V3::from_column_slice(&moves[3 * i..3 * i + 3]));
-                rigid::angles(&position(&points, &moved).unwrap().motion.rotation)
-                    .map(f64::to_radians)
+                let moved = [0, 1, 2].map(|i| points[i] + V3::from_column_slice(&moves[3 * i..3 * i + 3]));
+                rigid::angles(&position(&points, &moved).unwrap().motion.rotation).map(f64::to_radians)
             });
             let found = turn(points).unwrap();
             near(found, 100.0 * expected[0], 1e-5, "about the line");
-            near(
-                found,
-                100.0 / (height * (2.0_f64 / 3.0).sqrt()),
-                1e-9,
-                "by hand",
-            );
+            near(found, 100.0 / (height * (2.0_f64 / 3.0).sqrt()), 1e-9, "by hand");
         }
         assert_eq!(turn([V3::x(); 3]), None);
     }
@@ -371,19 +313,10 @@ mod tests {
     // oracle: hand
     #[test]
     fn two_digits_are_told() {
-        for (factor, expected) in [
-            (38.97, 39.0),
-            (39.001, 39.0),
-            (10.01, 10.0),
-            (4.21, 4.2),
-            (123.0, 120.0),
-            (9.96, 10.0),
-        ] {
-            assert!(
-                (told(factor) - expected).abs() < 1e-9,
-                "{factor}: {}",
-                told(factor)
-            );
+        for (factor, expected) in
+            [(38.97, 39.0), (39.001, 39.0), (10.01, 10.0), (4.21, 4.2), (123.0, 120.0), (9.96, 10.0)]
+        {
+            assert!((told(factor) - expected).abs() < 1e-9, "{factor}: {}", told(factor));
         }
     }
 }

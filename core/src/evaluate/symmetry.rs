@@ -14,11 +14,7 @@ pub struct Symmetric {
 /// Moves the setpoint to the middle between `setpoint + lower` and `setpoint + upper`.
 pub fn symmetric(setpoint: f64, upper: f64, lower: f64) -> Symmetric {
     let half = (upper - lower) / 2.0;
-    Symmetric {
-        setpoint: setpoint + (upper + lower) / 2.0,
-        upper: half,
-        lower: -half,
-    }
+    Symmetric { setpoint: setpoint + (upper + lower) / 2.0, upper: half, lower: -half }
 }
 
 #[cfg(test)]

@@ -80,24 +80,10 @@ pub fn exceeds(value: f64, limit: f64) -> bool {
 pub fn chain(differences: &[f64], bands: &Bands, old_mean: f64) -> Decision {
     let count = differences.len().max(1) as f64;
     let difference = differences.iter().sum::<f64>() / count;
-    let worst =
-        differences.iter().copied().fold(
-            0.0_f64,
-            |worst, d| if d.abs() > worst.abs() { d } else { worst },
-        );
+    let worst = differences.iter().copied().fold(0.0_f64, |worst, d| if d.abs() > worst.abs() { d } else { worst });
     let over = |limit: f64| exceeds(worst.abs(), limit);
-    let unchanged = |branch| Decision {
-        branch,
-        correction: 0.0,
-        mean: old_mean,
-        memory: old_mean,
-    };
-    let whole = |branch| Decision {
-        branch,
-        correction: difference,
-        mean: 0.0,
-        memory: 0.0,
-    };
+    let unchanged = |branch| Decision { branch, correction: 0.0, mean: old_mean, memory: old_mean };
+    let whole = |branch| Decision { branch, correction: difference, mean: 0.0, memory: 0.0 };
     if over(bands.safe_area) {
         unchanged(Branch::SafeArea)
     } else if over(bands.difference) {
@@ -117,19 +103,9 @@ pub fn chain(differences: &[f64], bands: &Bands, old_mean: f64) -> Decision {
 fn by_mean(difference: f64, bands: &Bands, old_mean: f64) -> Decision {
     let mean = mean::next(old_mean, difference, bands.weight).unwrap_or(old_mean);
     if exceeds(mean.abs(), bands.zero_offset) {
-        Decision {
-            branch: Branch::Mean,
-            correction: mean,
-            mean,
-            memory: 0.0,
-        }
+        Decision { branch: Branch::Mean, correction: mean, mean, memory: 0.0 }
     } else {
-        Decision {
-            branch: Branch::Small,
-            correction: 0.0,
-            mean,
-            memory: mean,
-        }
+        Decision { branch: Branch::Small, correction: 0.0, mean, memory: mean }
     }
 }
 

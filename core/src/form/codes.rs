@@ -9,32 +9,17 @@ use crate::message::Message;
 
 /// Named numbers.
 pub fn choices(list: &[(i64, &'static str)]) -> Vec<Choice> {
-    list.iter()
-        .map(|(value, key)| Choice {
-            value: *value,
-            label: Message::new(*key),
-        })
-        .collect()
+    list.iter().map(|(value, key)| Choice { value: *value, label: Message::new(*key) }).collect()
 }
 
 /// The measuring variants of a cycle.
 pub fn variants(cycle: &Cycle) -> Vec<Choice> {
-    cycle
-        .variants
-        .iter()
-        .map(|variant| Choice {
-            value: variant.number,
-            label: Message::new(variant.key),
-        })
-        .collect()
+    cycle.variants.iter().map(|variant| Choice { value: variant.number, label: Message::new(variant.key) }).collect()
 }
 
 /// Groups of digits with what they are in this number.
 pub fn groups(groups: &[DigitGroup], number: i64) -> Vec<Group> {
-    groups
-        .iter()
-        .map(|group| read(group, group.place, number))
-        .collect()
+    groups.iter().map(|group| read(group, group.place, number)).collect()
 }
 
 fn read(group: &DigitGroup, place: i64, number: i64) -> Group {
@@ -58,23 +43,14 @@ pub fn knum(param: &Param, inputs: &Inputs, control: &Control) -> Entry {
 }
 
 /// The D number, with up to three digits.
-pub const EDGE: DigitGroup = DigitGroup {
-    key: "knum-edge",
-    place: 1,
-    digits: 3,
-    choices: &[],
-};
+pub const EDGE: DigitGroup = DigitGroup { key: "knum-edge", place: 1, digits: 3, choices: &[] };
 
 /// The digit above it: length or radius.
 pub const KIND: DigitGroup = DigitGroup {
     key: "knum-kind",
     place: 1000,
     digits: 1,
-    choices: &[
-        (0, "knum-kind-axis"),
-        (1, "knum-kind-length"),
-        (2, "knum-kind-radius"),
-    ],
+    choices: &[(0, "knum-kind-axis"), (1, "knum-kind-length"), (2, "knum-kind-radius")],
 };
 
 /// The digits above the D number, their places for D numbers of three digits (B:1902-1926).
@@ -114,17 +90,8 @@ const ABOVE_EDGE: &[DigitGroup] = &[
 /// With D numbers of five digits all others move by two (B:2009-2029).
 fn tool_digits(number: i64, five: bool) -> Vec<Group> {
     let (edge_digits, shift) = if five { (5, 100) } else { (3, 1) };
-    let edge = read(
-        &DigitGroup {
-            digits: edge_digits,
-            ..EDGE
-        },
-        1,
-        number,
-    );
-    let above = ABOVE_EDGE
-        .iter()
-        .map(|group| read(group, group.place * shift, number));
+    let edge = read(&DigitGroup { digits: edge_digits, ..EDGE }, 1, number);
+    let above = ABOVE_EDGE.iter().map(|group| read(group, group.place * shift, number));
     std::iter::once(edge).chain(above).collect()
 }
 
@@ -133,39 +100,20 @@ fn zero_offsets() -> Vec<Choice> {
     let none = std::iter::once(named(0, "knum-zero-none"));
     let active = std::iter::once(named(9999, "knum-zero-active"));
     let settable = (1..=99).map(|number| {
-        let name = if number <= 4 {
-            53 + number
-        } else {
-            500 + number
-        };
-        Choice {
-            value: number,
-            label: Message::new("knum-zero-settable").text("name", format!("G{name}")),
-        }
+        let name = if number <= 4 { 53 + number } else { 500 + number };
+        Choice { value: number, label: Message::new("knum-zero-settable").text("name", format!("G{name}")) }
     });
     let last = std::iter::once(named(1000, "knum-zero-last"));
     let channel = (0..16).map(|index| frame(1011 + index, "$P_CHBFR", index, "knum-zero-channel"));
     let global = (0..16).map(|index| frame(1051 + index, "$P_NCBFR", index, "knum-zero-global"));
     let system = std::iter::once(named(2000, "knum-zero-system"));
-    none.chain(active)
-        .chain(settable)
-        .chain(last)
-        .chain(channel)
-        .chain(global)
-        .chain(system)
-        .collect()
+    none.chain(active).chain(settable).chain(last).chain(channel).chain(global).chain(system).collect()
 }
 
 fn named(value: i64, key: &'static str) -> Choice {
-    Choice {
-        value,
-        label: Message::new(key),
-    }
+    Choice { value, label: Message::new(key) }
 }
 
 fn frame(value: i64, array: &str, index: i64, key: &'static str) -> Choice {
-    Choice {
-        value,
-        label: Message::new(key).text("name", format!("{array}[{index}]")),
-    }
+    Choice { value, label: Message::new(key).text("name", format!("{array}[{index}]")) }
 }

@@ -14,9 +14,7 @@ pub fn draw(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Option<P
     }
     let mut values = typed.clone();
     for (name, example) in cycle.example {
-        let text = cycle
-            .param(name)
-            .is_some_and(|param| matches!(param.kind, Kind::Text(_)));
+        let text = cycle.param(name).is_some_and(|param| matches!(param.kind, Kind::Text(_)));
         let usable = |typed: &String| match parse(typed) {
             Parsed::Empty => false,
             Parsed::Wrong => text,
@@ -28,10 +26,7 @@ pub fn draw(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Option<P
     }
     let inputs = check::read(cycle, &values, control, &mut Vec::new());
     let mut picture = cycle.picture.draw(&inputs)?;
-    let used = cycle
-        .params
-        .iter()
-        .filter(|param| param.need(&inputs).is_some());
+    let used = cycle.params.iter().filter(|param| param.need(&inputs).is_some());
     for param in used {
         place(param.name, &mut picture);
     }

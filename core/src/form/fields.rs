@@ -86,17 +86,10 @@ pub fn fields(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Vec<Fi
     let support = Support::of(cycle, control);
     let shown = |param: &&Param| support.is_none_or(|support| !support.hides(param, &inputs));
     let params = cycle.params.iter().filter(shown);
-    params
-        .filter_map(|param| field(param, &inputs, typed, control))
-        .collect()
+    params.filter_map(|param| field(param, &inputs, typed, control)).collect()
 }
 
-fn field(
-    param: &'static Param,
-    inputs: &Inputs,
-    typed: &Typed,
-    control: &Control,
-) -> Option<Field> {
+fn field(param: &'static Param, inputs: &Inputs, typed: &Typed, control: &Control) -> Option<Field> {
     let (level, reason) = param.need(inputs)?;
     let (stem, unit) = (param.label(inputs), param.unit_with(inputs));
     Some(Field {
@@ -118,11 +111,7 @@ fn field(
 
 /// Ranges of the catalogue are in mm and shown in the unit of the field.
 fn shown(range: Range, per: f64) -> Range {
-    Range {
-        min: range.min / per,
-        max: range.max / per,
-        ..range
-    }
+    Range { min: range.min / per, max: range.max / per, ..range }
 }
 
 fn entry(param: &Param, inputs: &Inputs, control: &Control) -> Entry {

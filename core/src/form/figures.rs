@@ -7,32 +7,17 @@ const CORNERS: u32 = 72;
 
 /// A polyline.
 pub fn line(kind: ShapeKind, points: Vec<[f64; 2]>) -> PictureShape {
-    PictureShape {
-        kind,
-        points,
-        circle: None,
-        closed: false,
-        text: None,
-        field: None,
-        also: Vec::new(),
-    }
+    PictureShape { kind, points, circle: None, closed: false, text: None, field: None, also: Vec::new() }
 }
 
 /// A polygon.
 pub fn polygon(kind: ShapeKind, points: Vec<[f64; 2]>) -> PictureShape {
-    PictureShape {
-        closed: true,
-        ..line(kind, points)
-    }
+    PictureShape { closed: true, ..line(kind, points) }
 }
 
 /// A circle.
 pub fn circle(kind: ShapeKind, centre: [f64; 2], radius: f64) -> PictureShape {
-    PictureShape {
-        circle: Some((centre, radius)),
-        closed: true,
-        ..line(kind, Vec::new())
-    }
+    PictureShape { circle: Some((centre, radius)), closed: true, ..line(kind, Vec::new()) }
 }
 
 /// A rectangle about a centre.
@@ -43,12 +28,7 @@ pub fn rectangle(kind: ShapeKind, centre: [f64; 2], size: [f64; 2]) -> PictureSh
 /// Corners of a rectangle, counter-clockwise.
 pub fn corners([x, y]: [f64; 2], [width, height]: [f64; 2]) -> Vec<[f64; 2]> {
     let (w, h) = (width / 2.0, height / 2.0);
-    vec![
-        [x - w, y - h],
-        [x + w, y - h],
-        [x + w, y + h],
-        [x - w, y + h],
-    ]
+    vec![[x - w, y - h], [x + w, y - h], [x + w, y + h], [x - w, y + h]]
 }
 
 /// Corners of a circle, counter-clockwise.
@@ -127,7 +107,5 @@ impl PictureShape {
 
 /// A dimension line of a parameter, with its name.
 pub fn dimension(field: &'static str, from: [f64; 2], to: [f64; 2]) -> PictureShape {
-    line(ShapeKind::Dimension, vec![from, to])
-        .text(field)
-        .of(field)
+    line(ShapeKind::Dimension, vec![from, to]).text(field).of(field)
 }

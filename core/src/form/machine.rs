@@ -56,18 +56,14 @@ pub fn groups(control: &Control) -> Vec<Group> {
     if control.dialect == Dialect::Nct {
         return nct(control.basic_units);
     }
-    let subjects = gud::SUBJECTS.iter().map(|subject| Group {
-        key: format!("machine-group-{}", subject.key),
-        settings: of_subject(subject, control),
-    });
+    let subjects = gud::SUBJECTS
+        .iter()
+        .map(|subject| Group { key: format!("machine-group-{}", subject.key), settings: of_subject(subject, control) });
     let machine = Group {
         key: "machine-group-machine-data".to_owned(),
         settings: MACHINE_DATA.iter().flat_map(of_machine_datum).collect(),
     };
-    subjects
-        .chain([machine])
-        .filter(|group| !group.settings.is_empty())
-        .collect()
+    subjects.chain([machine]).filter(|group| !group.settings.is_empty()).collect()
 }
 
 /// The groups of an NCT control.
@@ -98,10 +94,7 @@ fn nct(basic: Units) -> Vec<Group> {
 fn of_subject(subject: &'static gud::Subject, control: &Control) -> Vec<Setting> {
     let forms = (subject.key == gud::MASKS).then(forms);
     let data = subject.data.iter().filter(|gud| gud.of_machine());
-    forms
-        .into_iter()
-        .chain(data.flat_map(|gud| of_datum(gud, control)))
-        .collect()
+    forms.into_iter().chain(data.flat_map(|gud| of_datum(gud, control))).collect()
 }
 
 /// Whether forms and code are those of the control's own support.
@@ -130,10 +123,7 @@ fn of_datum(gud: &'static Gud, control: &Control) -> Vec<Setting> {
     if !gud.counted.is_empty() {
         places.sort_by_key(|(at, _)| at.first().copied()); // stable: elements keep their order
     }
-    places
-        .into_iter()
-        .map(|(at, element)| setting(gud, element, &at, control.basic_units))
-        .collect()
+    places.into_iter().map(|(at, element)| setting(gud, element, &at, control.basic_units)).collect()
 }
 
 fn setting(gud: &'static Gud, element: &Element, at: &[usize], basic: Units) -> Setting {
@@ -244,13 +234,7 @@ fn allowed(setting: &Setting, number: f64) -> Result<(), Refusal> {
         "" => String::new(),
         unit => format!(" {unit}"),
     };
-    let message = Message::new("check-range")
-        .text("param", &setting.name)
-        .number("value", number)
-        .text("unit", &unit);
+    let message = Message::new("check-range").text("param", &setting.name).number("value", number).text("unit", &unit);
     let hint = hint.number("min", range.min).number("max", range.max);
-    Err(Refusal {
-        message,
-        hint: hint.text("unit", unit),
-    })
+    Err(Refusal { message, hint: hint.text("unit", unit) })
 }

@@ -6,32 +6,23 @@ use super::fields::Group;
 use crate::catalogue::{Cycle, DigitGroup};
 
 /// Groups of digits with what they are in this number. In a variant each group offers what goes with the groups before
-/// it; one that offers a single value is left out. A number that is no variant shows everything, so that it can be mended.
+/// it; one that offers a single value is left out. A number that is no variant shows everything, so that it can be
+/// mended.
 pub fn groups(cycle: &Cycle, groups: &[DigitGroup], number: i64) -> Vec<Group> {
-    let numbers: Vec<i64> = cycle
-        .variants
-        .iter()
-        .map(|variant| variant.number)
-        .collect();
+    let numbers: Vec<i64> = cycle.variants.iter().map(|variant| variant.number).collect();
     let is_variant = numbers.contains(&number);
     let mut shown = Vec::new();
     for (index, mut group) in codes::groups(groups, number).into_iter().enumerate() {
         if is_variant {
-            let going = numbers
-                .iter()
-                .filter(|other| agree(&groups[..index], number, **other));
+            let going = numbers.iter().filter(|other| agree(&groups[..index], number, **other));
             let offered: Vec<i64> = going.map(|other| digit(&groups[index], *other)).collect();
-            group
-                .choices
-                .retain(|choice| offered.contains(&choice.value));
+            group.choices.retain(|choice| offered.contains(&choice.value));
             if group.choices.len() == 1 {
                 continue;
             }
         }
         let leads = group.choices.iter();
-        group.leads = leads
-            .filter_map(|choice| nearest(&numbers, groups, index, choice.value, number))
-            .collect();
+        group.leads = leads.filter_map(|choice| nearest(&numbers, groups, index, choice.value, number)).collect();
         shown.push(group);
     }
     shown
@@ -42,28 +33,15 @@ fn digit(group: &DigitGroup, number: i64) -> i64 {
 }
 
 fn agree(groups: &[DigitGroup], one: i64, other: i64) -> bool {
-    groups
-        .iter()
-        .all(|group| digit(group, one) == digit(group, other))
+    groups.iter().all(|group| digit(group, one) == digit(group, other))
 }
 
 /// The variant with this digit in the group at `index` that keeps as much of the number as can be, rather its earlier
 /// groups than its later ones.
-fn nearest(
-    numbers: &[i64],
-    groups: &[DigitGroup],
-    index: usize,
-    value: i64,
-    number: i64,
-) -> Option<i64> {
-    let with = numbers
-        .iter()
-        .copied()
-        .filter(|other| digit(&groups[index], *other) == value);
+fn nearest(numbers: &[i64], groups: &[DigitGroup], index: usize, value: i64, number: i64) -> Option<i64> {
+    let with = numbers.iter().copied().filter(|other| digit(&groups[index], *other) == value);
     with.min_by_key(|other| {
-        let changed = groups
-            .iter()
-            .map(|group| digit(group, *other) != digit(group, number));
+        let changed = groups.iter().map(|group| digit(group, *other) != digit(group, number));
         changed.collect::<Vec<bool>>()
     })
 }
@@ -77,10 +55,7 @@ mod tests {
 
     /// The groups of a cycle for a number.
     fn of(cycle: &Cycle, number: i64) -> Vec<Group> {
-        let param = cycle
-            .params
-            .iter()
-            .find(|param| matches!(param.kind, Kind::Variant(_)));
+        let param = cycle.params.iter().find(|param| matches!(param.kind, Kind::Variant(_)));
         match param.map(|param| &param.kind) {
             Some(Kind::Variant(digits)) => groups(cycle, digits, number),
             _ => Vec::new(),
@@ -88,45 +63,23 @@ mod tests {
     }
 
     fn calibration(number: i64) -> Vec<(String, Vec<(i64, i64)>)> {
-        let cycle = CYCLES
-            .iter()
-            .find(|cycle| cycle.name == "CYCLE976")
-            .unwrap();
+        let cycle = CYCLES.iter().find(|cycle| cycle.name == "CYCLE976").unwrap();
         let pairs = |group: &Group| {
             let values = group.choices.iter().map(|choice| choice.value);
             values.zip(group.leads.iter().copied()).collect()
         };
         let groups = of(cycle, number);
-        groups
-            .iter()
-            .map(|group| (group.label.key.to_string(), pairs(group)))
-            .collect()
+        groups.iter().map(|group| (group.label.key.to_string(), pairs(group))).collect()
     }
 
     #[test]
     fn what_leaves_no_choice_is_not_asked() {
         // oracle: manual B:5066-5084, B:5222-5234, B:15595: a surface knows the length alone, an unknown centre always
         // needs four directions, one direction tells neither ball nor skew
-        let keys = |number: i64| {
-            calibration(number)
-                .into_iter()
-                .map(|(key, _)| key)
-                .collect::<Vec<_>>()
-        };
+        let keys = |number: i64| calibration(number).into_iter().map(|(key, _)| key).collect::<Vec<_>>();
         assert_eq!(keys(0), ["calibrate-place", "calibrate-skew"]);
-        assert_eq!(
-            keys(8),
-            [
-                "calibrate-place",
-                "calibrate-ball",
-                "calibrate-skew",
-                "calibrate-angle"
-            ]
-        );
-        assert_eq!(
-            keys(101_001),
-            ["calibrate-place", "calibrate-directions", "calibrate-angle"]
-        );
+        assert_eq!(keys(8), ["calibrate-place", "calibrate-ball", "calibrate-skew", "calibrate-angle"]);
+        assert_eq!(keys(101_001), ["calibrate-place", "calibrate-directions", "calibrate-angle"]);
         assert_eq!(keys(110_101).len(), 5);
     }
 
@@ -135,10 +88,7 @@ mod tests {
         // oracle: manual B:5066-5084
         let leads = |number: i64, place: usize| calibration(number)[place].1.clone();
         assert_eq!(leads(110_101, 0), [(1, 110_101), (8, 110_108), (0, 10_000)]);
-        assert_eq!(
-            leads(110_101, 1),
-            [(0, 110_101), (1, 101_001), (2, 112_101)]
-        );
+        assert_eq!(leads(110_101, 1), [(0, 110_101), (1, 101_001), (2, 112_101)]);
         assert_eq!(leads(0, 0), [(1, 1), (8, 8), (0, 0)]);
     }
 
@@ -157,20 +107,12 @@ mod tests {
             let numbers: Vec<i64> = numbers.collect();
             for number in &numbers {
                 for group in of(cycle, *number) {
-                    assert_eq!(
-                        group.choices.len(),
-                        group.leads.len(),
-                        "{} {number}",
-                        cycle.name
-                    );
+                    assert_eq!(group.choices.len(), group.leads.len(), "{} {number}", cycle.name);
                     assert!(group.leads.iter().all(|lead| numbers.contains(lead)));
                     assert!(group.leads.contains(number), "{} {number}", cycle.name);
                 }
             }
-            let Some(first) = numbers
-                .first()
-                .filter(|first| !of(cycle, **first).is_empty())
-            else {
+            let Some(first) = numbers.first().filter(|first| !of(cycle, **first).is_empty()) else {
                 continue;
             };
             let mut reached = vec![*first];
@@ -182,11 +124,7 @@ mod tests {
                 reached.extend(new);
                 reached.dedup();
             }
-            assert!(
-                numbers.iter().all(|number| reached.contains(number)),
-                "{}",
-                cycle.name
-            );
+            assert!(numbers.iter().all(|number| reached.contains(number)), "{}", cycle.name);
         }
     }
 }

@@ -16,8 +16,8 @@ pub struct Around {
 }
 
 impl Around {
-    /// The place after a part of the way, 0 to 1. It climbs evenly, and changes evenly from the distance of the start to
-    /// that of the end, so that it ends where it should.
+    /// The place after a part of the way, 0 to 1. It climbs evenly, and changes evenly from the distance of the start
+    /// to that of the end, so that it ends where it should.
     pub fn at(&self, from: [f64; 3], to: [f64; 3], part: f64) -> [f64; 3] {
         if part >= 1.0 {
             return to;
@@ -88,8 +88,7 @@ impl Around {
         };
         let (first, second) = (seen(first), seen(axis.cross(&first)));
         let size = first.norm();
-        let round =
-            (second.norm() - size).abs() < 1e-9 * size && first.dot(&second).abs() < 1e-9 * size;
+        let round = (second.norm() - size).abs() < 1e-9 * size && first.dot(&second).abs() < 1e-9 * size;
         round.then(|| Around {
             centre: centre.into(),
             axis: first.cross(&second).normalize().into(),
@@ -107,17 +106,12 @@ pub fn through(start: [f64; 3], middle: [f64; 3], end: [f64; 3]) -> Option<Aroun
     if square <= 1e-18 * to_middle.norm_squared() * to_end.norm_squared() {
         return None;
     }
-    let lift = to_middle.norm_squared() * to_end.cross(&normal)
-        - to_end.norm_squared() * to_middle.cross(&normal);
+    let lift = to_middle.norm_squared() * to_end.cross(&normal) - to_end.norm_squared() * to_middle.cross(&normal);
     let centre = a + lift / (2.0 * square);
     let axis = normal.normalize();
     let (x, to_end) = (a - centre, c - centre);
     let angle = to_end.dot(&axis.cross(&x)).atan2(to_end.dot(&x));
-    Some(Around {
-        centre: centre.into(),
-        axis: axis.into(),
-        degrees: angle.to_degrees().rem_euclid(360.0),
-    })
+    Some(Around { centre: centre.into(), axis: axis.into(), degrees: angle.to_degrees().rem_euclid(360.0) })
 }
 
 #[cfg(test)]
@@ -129,21 +123,13 @@ mod tests {
         assert!((V3::from(a) - V3::from(b)).norm() < 1e-9, "{a:?} {b:?}");
     }
 
-    const ABOUT: Around = Around {
-        centre: [5.0, 2.0, 0.0],
-        axis: [0.0, 0.0, 1.0],
-        degrees: 90.0,
-    };
+    const ABOUT: Around = Around { centre: [5.0, 2.0, 0.0], axis: [0.0, 0.0, 1.0], degrees: 90.0 };
 
     // oracle: hand
     #[test]
     fn a_quarter_is_driven_on_its_circle() {
         let from = [15.0, 2.0, 7.0];
-        for (degrees, end) in [
-            (90.0, [5.0, 12.0, 7.0]),
-            (-90.0, [5.0, -8.0, 7.0]),
-            (360.0, from),
-        ] {
+        for (degrees, end) in [(90.0, [5.0, 12.0, 7.0]), (-90.0, [5.0, -8.0, 7.0]), (360.0, from)] {
             let arc = Around { degrees, ..ABOUT };
             near(arc.end(from, 0.0), end);
             for part in [0.0, 0.1, 0.5, 0.9, 1.0] {
@@ -159,10 +145,7 @@ mod tests {
     // oracle: hand: a turn and a half up by 3; and an end that lies 0.01 farther out
     #[test]
     fn a_helix_climbs_evenly_and_every_way_ends_at_its_end() {
-        let arc = Around {
-            degrees: 540.0,
-            ..ABOUT
-        };
+        let arc = Around { degrees: 540.0, ..ABOUT };
         let from = [15.0, 2.0, 0.0];
         let to = arc.end(from, 3.0);
         near(to, [-5.0, 2.0, 3.0]);
@@ -197,10 +180,7 @@ mod tests {
         let (from, to) = ([15.0, 2.0, 0.0], [5.0, 12.0, 0.0]);
         let seen = ABOUT.mapped(map).unwrap();
         for part in [0.2, 0.7] {
-            near(
-                seen.at(map(from), map(to), part),
-                map(ABOUT.at(from, to, part)),
-            );
+            near(seen.at(map(from), map(to), part), map(ABOUT.at(from, to, part)));
         }
         assert_eq!(ABOUT.mapped(|[x, y, z]| [x, 2.0 * y, z]), None);
     }

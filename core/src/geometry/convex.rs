@@ -33,7 +33,8 @@ pub struct Meeting {
 }
 
 /// A plane that parts two bodies: how wide the gap across it is, mm, what is nearest to it on the second body, and its
-/// normal towards the first. The gap is the distance, to the square of the distance; none where the bodies touch or overlap.
+/// normal towards the first. The gap is the distance, to the square of the distance; none where the bodies touch or
+/// overlap.
 fn parted(moving: &impl Convex, other: &impl Convex, moved: &V3) -> Option<(f64, V3, V3)> {
     let mut simplex = Simplex::default();
     let mut nearest = Corner::of(moving, other, moved, &V3::x());
@@ -94,22 +95,18 @@ pub fn first(moving: &impl Convex, other: &impl Convex, path: &Path) -> Option<M
     Some(Meeting { way, point, normal })
 }
 
-/// The direction from the origin to what lies between corners. The rough one is a small difference of large numbers; what
-/// stands across an edge or a triangle does not suffer from that.
+/// The direction from the origin to what lies between corners. The rough one is a small difference of large numbers;
+/// what stands across an edge or a triangle does not suffer from that.
 fn across(corners: &[Corner], rough: V3) -> V3 {
     let sharp = match corners {
-        [a, b] => (b.gap - a.gap)
-            .try_normalize(0.0)
-            .map(|edge| rough - edge * rough.dot(&edge)),
+        [a, b] => (b.gap - a.gap).try_normalize(0.0).map(|edge| rough - edge * rough.dot(&edge)),
         [a, b, c] => {
             let normal = (b.gap - a.gap).cross(&(c.gap - a.gap));
             Some(normal * normal.dot(&rough).signum())
         }
         _ => None,
     };
-    sharp
-        .and_then(|normal| normal.try_normalize(1e-12))
-        .unwrap_or(rough)
+    sharp.and_then(|normal| normal.try_normalize(1e-12)).unwrap_or(rough)
 }
 
 /// A point of the difference of both bodies.
@@ -125,10 +122,7 @@ impl Corner {
     /// The farthest one in a direction.
     fn of(moving: &impl Convex, other: &impl Convex, moved: &V3, direction: &V3) -> Corner {
         let point = other.farthest(&-direction);
-        Corner {
-            gap: moving.farthest(direction) + moved - point,
-            point,
-        }
+        Corner { gap: moving.farthest(direction) + moved - point, point }
     }
 }
 
@@ -211,9 +205,7 @@ fn weights(corners: &[Corner]) -> Option<[f64; 4]> {
     };
     let [a, b, c] = parts;
     let weights = [1.0 - (a + b + c), a, b, c];
-    let inside = weights
-        .iter()
-        .all(|weight| *weight >= 0.0 && weight.is_finite());
+    let inside = weights.iter().all(|weight| *weight >= 0.0 && weight.is_finite());
     inside.then_some(weights)
 }
 
@@ -246,7 +238,8 @@ mod tests {
 
     #[test]
     fn a_ball_meets_face_edge_and_corner() {
-        // oracle: hand: the ball of 5 mm stands off a face by its radius; before an edge or a corner its centre is 5 mm away
+        // oracle: hand: the ball of 5 mm stands off a face by its radius; before an edge or a corner its centre is 5 mm
+        // away
         let face = meeting([30.0, 2.0, 3.0], [0.0, 2.0, 3.0], 5.0).unwrap();
         assert!((face.way - 15.0).abs() < 1e-9, "{face:?}");
         assert!((face.normal - V3::x()).norm() < 1e-9);
@@ -276,10 +269,7 @@ mod tests {
             let found = first(&Ball(path.from, one), &Ball(V3::zeros(), other), &path).unwrap();
             let reach: f64 = one + other;
             let along = (reach * reach - across * across - 0.25).sqrt();
-            assert!(
-                (found.way - (50.0 - along)).abs() < 1e-9,
-                "{found:?} {along}"
-            );
+            assert!((found.way - (50.0 - along)).abs() < 1e-9, "{found:?} {along}");
         }
     }
 }

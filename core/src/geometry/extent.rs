@@ -16,10 +16,7 @@ pub struct Extent {
 impl Extent {
     /// Of nothing.
     pub fn empty() -> Extent {
-        Extent {
-            low: V3::repeat(f64::INFINITY),
-            high: V3::repeat(f64::NEG_INFINITY),
-        }
+        Extent { low: V3::repeat(f64::INFINITY), high: V3::repeat(f64::NEG_INFINITY) }
     }
 
     /// Of points.
@@ -34,10 +31,7 @@ impl Extent {
     /// Of a piece of a boundary.
     pub fn around(feature: &Feature) -> Extent {
         let upright = |radius: f64, low: f64, high: f64| {
-            Extent::of([
-                V3::new(-radius, -radius, low),
-                V3::new(radius, radius, high),
-            ])
+            Extent::of([V3::new(-radius, -radius, low), V3::new(radius, radius, high)])
         };
         let widest = |radius: f64, slope: f64, depth: f64| radius + (slope * depth).max(0.0);
         match feature {
@@ -59,25 +53,18 @@ impl Extent {
 
     /// Both.
     pub fn with(&self, other: &Extent) -> Extent {
-        Extent {
-            low: self.low.inf(&other.low),
-            high: self.high.sup(&other.high),
-        }
+        Extent { low: self.low.inf(&other.low), high: self.high.sup(&other.high) }
     }
 
     /// Wider by so much on each side, mm.
     pub fn wider(&self, by: f64) -> Extent {
-        Extent {
-            low: self.low.add_scalar(-by),
-            high: self.high.add_scalar(by),
-        }
+        Extent { low: self.low.add_scalar(-by), high: self.high.add_scalar(by) }
     }
 
     /// Whether both have something in common, or nearly.
     pub fn meets(&self, other: &Extent) -> bool {
         (0..3).all(|axis| {
-            self.low[axis] <= other.high[axis] + TOLERANCE
-                && self.high[axis] >= other.low[axis] - TOLERANCE
+            self.low[axis] <= other.high[axis] + TOLERANCE && self.high[axis] >= other.low[axis] - TOLERANCE
         })
     }
 }

@@ -27,8 +27,8 @@ pub enum Feature {
 }
 
 impl Feature {
-    /// Whether it is surely farther from a point than `limit`, mm, where that is told sooner than the place of it that is
-    /// nearest.
+    /// Whether it is surely farther from a point than `limit`, mm, where that is told sooner than the place of it that
+    /// is nearest.
     pub fn is_beyond(&self, p: &V3, limit: f64) -> bool {
         matches!(self, Feature::Lobed(wall) if wall.at_least(p) > limit)
     }
@@ -44,10 +44,8 @@ pub struct Bound {
 impl Bound {
     /// The one around a feature.
     pub fn around(feature: &Feature) -> Bound {
-        let upright = |z: f64, height: f64, radius: f64| Bound {
-            centre: [0.0, 0.0, z],
-            radius: radius.hypot(height / 2.0),
-        };
+        let upright =
+            |z: f64, height: f64, radius: f64| Bound { centre: [0.0, 0.0, z], radius: radius.hypot(height / 2.0) };
         let widest = |radius: f64, slope: f64, depth: f64| radius + (slope * depth).max(0.0);
         match feature {
             Feature::Quad(quad) => Bound::of(&quad.corners),
@@ -69,10 +67,7 @@ impl Bound {
     fn of(points: &[V3]) -> Bound {
         let centre = points.iter().sum::<V3>() / points.len() as f64;
         let away = points.iter().map(|point| (point - centre).norm());
-        Bound {
-            centre: centre.into(),
-            radius: away.fold(0.0, f64::max),
-        }
+        Bound { centre: centre.into(), radius: away.fold(0.0, f64::max) }
     }
 
     /// Least distance that a point can have from the feature, mm; negative within the bound.

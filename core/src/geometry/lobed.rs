@@ -68,8 +68,8 @@ impl LobedWall {
         nearest
     }
 
-    /// Squared distance of the wall at each angle, in steps of `pitch`. From angle to angle the direction is turned, which
-    /// is many times quicker than a sine of each.
+    /// Squared distance of the wall at each angle, in steps of `pitch`. From angle to angle the direction is turned,
+    /// which is many times quicker than a sine of each.
     fn looked(&self, p: &V3, pitch: f64, [from, to]: [i64; 2], rims: [f64; 2]) -> Vec<f64> {
         let first = from as f64 * pitch;
         let n = f64::from(self.lobes.count);
@@ -84,17 +84,13 @@ impl LobedWall {
         (from..=to).map(distance).collect()
     }
 
-    /// The angles, in steps of `pitch`, at which the wall can be nearest. A place of it is known, straight out; and what
-    /// lies at another angle is no nearer than its ray from the axis.
+    /// The angles, in steps of `pitch`, at which the wall can be nearest. A place of it is known, straight out; and
+    /// what lies at another angle is no nearer than its ray from the axis.
     fn searched(&self, p: &V3, pitch: f64, rims: [f64; 2]) -> (i64, i64) {
         let own = p.y.atan2(p.x);
         let known = (p - self.nearest_at(p, own, rims)).norm();
         let out = p.xy().norm();
-        let half = if known < out {
-            (known / out).asin()
-        } else {
-            PI
-        };
+        let half = if known < out { (known / out).asin() } else { PI };
         let step = |angle: f64| (angle / pitch) as i64;
         (step(own - half) - 1, step(own + half) + 1)
     }
@@ -120,12 +116,7 @@ impl LobedWall {
 
     /// Nearest point of the line at one angle; `wave` is the cosine of the lobes there.
     fn nearest(&self, p: &V3, at: &Turn, wave: f64, [low, high]: [f64; 2]) -> V3 {
-        let Lobes {
-            radius,
-            slope,
-            amplitude,
-            ..
-        } = self.lobes;
+        let Lobes { radius, slope, amplitude, .. } = self.lobes;
         let top = radius + amplitude * wave;
         let out = p.x * at.cosine + p.y * at.sine - top;
         let depth = (out * slope - p.z) / (1.0 + slope * slope);

@@ -18,16 +18,8 @@ impl Path {
     pub fn new(from: V3, to: V3) -> Path {
         let way = to - from;
         let length = way.norm();
-        let direction = if length > 0.0 {
-            way / length
-        } else {
-            V3::zeros()
-        };
-        Path {
-            from,
-            direction,
-            length,
-        }
+        let direction = if length > 0.0 { way / length } else { V3::zeros() };
+        Path { from, direction, length }
     }
 
     /// Point after `s` mm.

@@ -57,24 +57,18 @@ impl Quad {
         if reached <= 0.0 || reached > path.length {
             return None;
         }
-        self.covers(&(path.at(reached) - normal * radius), &normal)
-            .then_some(reached)
+        self.covers(&(path.at(reached) - normal * radius), &normal).then_some(reached)
     }
 
     fn covers(&self, point: &V3, normal: &V3) -> bool {
-        let within = self
-            .edges()
-            .iter()
-            .all(|(a, b)| (b - a).cross(&(point - a)).dot(normal) >= 0.0);
+        let within = self.edges().iter().all(|(a, b)| (b - a).cross(&(point - a)).dot(normal) >= 0.0);
         let away = point.xy().norm();
         within
             && match self.trim {
                 Trim::Whole => true,
                 Trim::Within(curve) => away <= curve.radius_at(point),
                 Trim::Outside(curve) => away >= curve.radius_at(point),
-                Trim::Between(inner, outer) => {
-                    away >= inner.radius_at(point) && away <= outer.radius_at(point)
-                }
+                Trim::Between(inner, outer) => away >= inner.radius_at(point) && away <= outer.radius_at(point),
             }
     }
 }

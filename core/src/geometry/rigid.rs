@@ -39,13 +39,12 @@ pub fn angles(turn: &Rotation3<f64>) -> [f64; 3] {
 }
 
 /// The rotation that takes one direction to another and does not turn about it; by sine and cosine both, so that
-/// directions that are one but for rounding differ by next to nothing. Opposite ones have none of their own: nothing turns.
+/// directions that are one but for rounding differ by next to nothing. Opposite ones have none of their own: nothing
+/// turns.
 pub fn between(from: &V3, to: &V3) -> Rotation3<f64> {
     let across = from.cross(to);
     let angle = across.norm().atan2(from.dot(to));
-    Unit::try_new(across, 0.0).map_or_else(Rotation3::identity, |axis| {
-        Rotation3::from_axis_angle(&axis, angle)
-    })
+    Unit::try_new(across, 0.0).map_or_else(Rotation3::identity, |axis| Rotation3::from_axis_angle(&axis, angle))
 }
 
 /// A system whose origin lies at `at` and that is turned by `turn`: maps its points to the system before it.

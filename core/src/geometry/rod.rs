@@ -1,9 +1,10 @@
-//! The side of a moving round rod against a piece of a boundary; the rod does not turn. What its ends touch, balls tell.
+//! The side of a moving round rod against a piece of a boundary; the rod does not turn. What its ends touch, balls
+//! tell.
 //!
-//! A rod meets a flat or hollow face with an end before its side does, unless it lies along the face; then its side meets
-//! the border of the face at the same time. So edges, corners and walls that bulge are all that is left to the side. Where
-//! a rod stands across an edge or along a line of a cone, the plane through both directions parts them: its distance
-//! changes evenly along the way, and the contact is exact.
+//! A rod meets a flat or hollow face with an end before its side does, unless it lies along the face; then its side
+//! meets the border of the face at the same time. So edges, corners and walls that bulge are all that is left to the
+//! side. Where a rod stands across an edge or along a line of a cone, the plane through both directions parts them: its
+//! distance changes evenly along the way, and the contact is exact.
 
 use super::circle::Circle;
 use super::extent::Extent;
@@ -20,7 +21,8 @@ const CLOSING: f64 = 1e-9;
 /// Directions in which a round edge is looked at that stands askew to the rod; between them the first is closed in. An
 /// edge that is grazed by less than the sagitta, 0.00015 of its radius, may be missed.
 const AROUND: usize = 180;
-/// How many of them lie between one and the next, so that an early contact is soon found, which shortens the others' way.
+/// How many of them lie between one and the next, so that an early contact is soon found, which shortens the others'
+/// way.
 const APART: usize = 77;
 /// Steps of closing in: 0.618^40 of two directions.
 const STEPS: usize = 40;
@@ -77,8 +79,8 @@ impl Rod {
     }
 }
 
-/// First contact of the side with a piece of a boundary. Of the path direction and length count. A rod that touches at the
-/// start touches at once where it moves into the piece; where it leaves, or goes along it, it is free.
+/// First contact of the side with a piece of a boundary. Of the path direction and length count. A rod that touches at
+/// the start touches at once where it moves into the piece; where it leaves, or goes along it, it is free.
 pub fn first(feature: &Feature, rod: &Rod, path: &Path) -> Option<Met> {
     match feature {
         Feature::Quad(_) => None,
@@ -94,9 +96,7 @@ pub fn first(feature: &Feature, rod: &Rod, path: &Path) -> Option<Met> {
 /// The same with a triangle: its edges and corners.
 pub fn first_on_triangle([a, b, c]: &[V3; 3], rod: &Rod, path: &Path) -> Option<Met> {
     let edges = [(a, b), (b, c), (c, a)];
-    let edges = edges
-        .into_iter()
-        .filter_map(|(a, b)| at_edge(a, b, rod, path));
+    let edges = edges.into_iter().filter_map(|(a, b)| at_edge(a, b, rod, path));
     let corners = [a, b, c].into_iter();
     let corners = corners.filter_map(|corner| at_point(corner, 0.0, rod, path));
     earliest(edges.chain(corners))
@@ -130,11 +130,7 @@ fn at_point(centre: &V3, radius: f64, rod: &Rod, path: &Path) -> Option<Met> {
     }
     let away = axis + rod.up * height - centre;
     let normal = away.try_normalize(0.0).unwrap_or(-path.direction);
-    Some(Met {
-        way: reached,
-        point: centre + normal * radius,
-        normal,
-    })
+    Some(Met { way: reached, point: centre + normal * radius, normal })
 }
 
 /// With a straight edge; the rod stands across it.
@@ -166,11 +162,7 @@ fn at_line(a: &V3, b: &V3, normal: &V3, rod: &Rod, path: &Path) -> Option<Met> {
     let part = away.cross(&rod.up).dot(normal) / span;
     let height = away.cross(&edge).dot(normal) / span;
     let crossed = (0.0..=1.0).contains(&part) && rod.beside(height);
-    crossed.then(|| Met {
-        way: reached,
-        point: a + edge * part,
-        normal: *normal,
-    })
+    crossed.then(|| Met { way: reached, point: a + edge * part, normal: *normal })
 }
 
 /// With a cylinder or cone from outside: along one of the two lines whose normals stand across the rod.
@@ -219,11 +211,7 @@ fn at_circle(circle: &Circle, rod: &Rod, path: &Path) -> Option<Met> {
     }
     let point = on(axis.y.atan2(axis.x));
     let normal = (axis.xy() - point.xy()).try_normalize(0.0)?;
-    Some(Met {
-        way: reached,
-        point,
-        normal: V3::new(normal.x, normal.y, 0.0),
-    })
+    Some(Met { way: reached, point, normal: V3::new(normal.x, normal.y, 0.0) })
 }
 
 fn circle_at(circle: &Circle, angle: f64) -> V3 {
@@ -252,14 +240,11 @@ fn line(lobes: &Lobes, depth: f64, angle: f64) -> [V3; 2] {
 }
 
 /// The earliest contact with what stands in all directions about an axis, `radius` mm from it, by its angle in radians.
-/// Between two directions it comes sooner than in them: these are followed so far beyond the end of the path, and beyond
-/// the earliest contact so far, as they are apart.
+/// Between two directions it comes sooner than in them: these are followed so far beyond the end of the path, and
+/// beyond the earliest contact so far, as they are apart.
 pub fn around(path: &Path, radius: f64, first: impl Fn(f64, &Path) -> Option<Met>) -> Option<Met> {
     let pitch = TAU / AROUND as f64;
-    let within = |length: f64| Path {
-        length: length.min(path.length) + pitch * radius,
-        ..*path
-    };
+    let within = |length: f64| Path { length: length.min(path.length) + pitch * radius, ..*path };
     let mut beyond = within(f64::INFINITY);
     let mut found: Option<(f64, Met)> = None;
     let spread = (0..AROUND).map(|step| (step * APART) % AROUND);
@@ -273,18 +258,12 @@ pub fn around(path: &Path, radius: f64, first: impl Fn(f64, &Path) -> Option<Met
         }
     }
     let (angle, best) = found?;
-    let met = closed_in(best, [angle - pitch, angle + pitch], |angle| {
-        first(angle, &beyond)
-    });
+    let met = closed_in(best, [angle - pitch, angle + pitch], |angle| first(angle, &beyond));
     (met.way <= path.length).then_some(met)
 }
 
 /// The earliest contact between two directions, by golden section.
-fn closed_in(
-    mut best: Met,
-    [mut low, mut high]: [f64; 2],
-    first: impl Fn(f64) -> Option<Met>,
-) -> Met {
+fn closed_in(mut best: Met, [mut low, mut high]: [f64; 2], first: impl Fn(f64) -> Option<Met>) -> Met {
     let mut look = |angle: f64| {
         let met = first(angle);
         let way = met.map_or(f64::INFINITY, |met| met.way);
@@ -296,11 +275,7 @@ fn closed_in(
     let [mut at_left, mut at_right] = [look(left), look(right)];
     let mut level = 0;
     for _ in 0..STEPS {
-        level = if (at_left - at_right).abs() < LEVEL {
-            level + 1
-        } else {
-            0
-        };
+        level = if (at_left - at_right).abs() < LEVEL { level + 1 } else { 0 };
         if level == 3 {
             break;
         }
@@ -328,15 +303,9 @@ pub fn first_below(feature: &Feature, rod: &Rod, path: &Path) -> Option<Met> {
         let reached = gap / closing;
         let axis = rod.foot + path.direction * reached;
         let within = rod.across(&(point - axis)).norm() <= rod.radius;
-        (gap >= 0.0 && reached <= path.length && within).then_some(Met {
-            way: reached,
-            point,
-            normal: rod.up,
-        })
+        (gap >= 0.0 && reached <= path.length && within).then_some(Met { way: reached, point, normal: rod.up })
     };
-    let turned = |radius: f64, on: &dyn Fn(f64) -> V3| {
-        around(path, radius, |angle, path| below(on(angle), path))
-    };
+    let turned = |radius: f64, on: &dyn Fn(f64) -> V3| around(path, radius, |angle, path| below(on(angle), path));
     match feature {
         Feature::Quad(_) | Feature::Wall(_) => None,
         Feature::Point(corner) => below(*corner, path),

@@ -3,11 +3,7 @@
 /// Real roots of `a x² + b x + c`, ascending; a linear equation where `a` vanishes.
 pub fn quadratic(a: f64, b: f64, c: f64) -> Vec<f64> {
     if a.abs() < 1e-14 {
-        return if b.abs() < 1e-14 {
-            Vec::new()
-        } else {
-            vec![-c / b]
-        };
+        return if b.abs() < 1e-14 { Vec::new() } else { vec![-c / b] };
     }
     let inner = b * b - 4.0 * a * c;
     if inner < 0.0 {
@@ -24,12 +20,7 @@ pub fn polynomial(coefficients: &[f64], low: f64, high: f64) -> Vec<f64> {
     if coefficients.len() < 2 {
         return Vec::new();
     }
-    let derivative: Vec<f64> = coefficients
-        .iter()
-        .enumerate()
-        .skip(1)
-        .map(|(power, c)| c * power as f64)
-        .collect();
+    let derivative: Vec<f64> = coefficients.iter().enumerate().skip(1).map(|(power, c)| c * power as f64).collect();
     let mut borders = vec![low];
     borders.extend(polynomial(&derivative, low, high));
     borders.push(high);
@@ -97,11 +88,7 @@ pub fn bracketed(f: impl Fn(f64) -> f64, low: f64, high: f64) -> Option<f64> {
     }
     for step in 0..200 {
         let secant = b - fb * (b - a) / (fb - fa);
-        let x = if step % 3 == 2 || !(a.min(b)..=a.max(b)).contains(&secant) {
-            0.5 * (a + b)
-        } else {
-            secant
-        };
+        let x = if step % 3 == 2 || !(a.min(b)..=a.max(b)).contains(&secant) { 0.5 * (a + b) } else { secant };
         let fx = f(x);
         if fx == 0.0 || x == a || x == b {
             return Some(x);
@@ -136,10 +123,7 @@ mod tests {
         for (root, expected) in found.iter().zip([-4.0, 1.0, 2.0, 3.0]) {
             assert!((root - expected).abs() < 1e-12, "{found:?}");
         }
-        assert_eq!(
-            polynomial(&[-24.0, 38.0, -13.0, -2.0, 1.0], 1.5, 2.5).len(),
-            1
-        );
+        assert_eq!(polynomial(&[-24.0, 38.0, -13.0, -2.0, 1.0], 1.5, 2.5).len(), 1);
     }
 
     // oracle: hand; the small root keeps its digits
@@ -156,10 +140,7 @@ mod tests {
     #[test]
     fn bracketed_root() {
         let root = bracketed(|x| x * x * x - 2.0, 0.0, 10.0);
-        assert!(
-            root.is_some_and(|root| (root - 2f64.cbrt()).abs() < 1e-14),
-            "{root:?}"
-        );
+        assert!(root.is_some_and(|root| (root - 2f64.cbrt()).abs() < 1e-14), "{root:?}");
         assert_eq!(bracketed(|x| x * x + 1.0, -1.0, 1.0), None);
     }
 
@@ -167,10 +148,7 @@ mod tests {
     #[test]
     fn root_by_secants() {
         let root = secant(|x| x * x * x - 2.0, [1.2, 1.3]);
-        assert!(
-            root.is_some_and(|root| (root - 2f64.cbrt()).abs() < 1e-14),
-            "{root:?}"
-        );
+        assert!(root.is_some_and(|root| (root - 2f64.cbrt()).abs() < 1e-14), "{root:?}");
         assert_eq!(secant(|x| x * x + 1.0, [0.3, 0.7]), None);
         assert_eq!(secant(|_| 1.0, [0.3, 0.7]), None);
     }
@@ -179,10 +157,7 @@ mod tests {
     #[test]
     fn root_by_its_slope() {
         let root = newton(|x| (x * x * x - 2.0, 3.0 * x * x), 1.0);
-        assert!(
-            root.is_some_and(|root| (root - 2f64.cbrt()).abs() < 1e-14),
-            "{root:?}"
-        );
+        assert!(root.is_some_and(|root| (root - 2f64.cbrt()).abs() < 1e-14), "{root:?}");
         assert_eq!(newton(|x| (x * x + 1.0, 2.0 * x), 0.0), None);
         assert_eq!(newton(|x| (x * x + 1.0, 2.0 * x), 0.7), None);
     }

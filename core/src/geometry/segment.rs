@@ -30,8 +30,7 @@ impl Segment {
         }
         let closest = -across(path.from - self.a).dot(&way) / speed;
         let gap = across(path.at(closest) - self.a);
-        let entering =
-            *roots::quadratic(speed, 0.0, gap.norm_squared() - radius * radius).first()? + closest;
+        let entering = *roots::quadratic(speed, 0.0, gap.norm_squared() - radius * radius).first()? + closest;
         let reached = entering > 0.0 && entering <= path.length;
         (reached && self.foot(&path.at(entering)).is_some()).then_some(entering)
     }

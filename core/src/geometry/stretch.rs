@@ -47,14 +47,7 @@ impl Stretch {
     }
 
     /// One that goes round an axis by an angle, radian, right-handed; `start` is a vector across the axis.
-    pub fn round(
-        centre: V3,
-        axis: V3,
-        start: V3,
-        angle: f64,
-        radius: [f64; 2],
-        height: [f64; 2],
-    ) -> Stretch {
+    pub fn round(centre: V3, axis: V3, start: V3, angle: f64, radius: [f64; 2], height: [f64; 2]) -> Stretch {
         let out = start.try_normalize(0.0).unwrap_or_else(V3::zeros);
         Stretch {
             centre,
@@ -69,10 +62,7 @@ impl Stretch {
 
     /// The same so far away.
     pub fn moved(&self, by: &V3) -> Stretch {
-        Stretch {
-            centre: self.centre + by,
-            ..*self
-        }
+        Stretch { centre: self.centre + by, ..*self }
     }
 
     /// The same seen from a system that stands there.
@@ -111,10 +101,7 @@ impl Stretch {
         let rise = self.axis.dot(direction);
         let [begin, end] = self.height.map(|height| rise * height);
         let base = self.centre.dot(direction);
-        [
-            base + begin.min(end) + low[0].min(low[1]),
-            base + begin.max(end) + high[0].max(high[1]),
-        ]
+        [base + begin.min(end) + low[0].min(low[1]), base + begin.max(end) + high[0].max(high[1])]
     }
 
     /// Whether its axis has this direction, a unit vector.
@@ -158,16 +145,8 @@ impl Stretch {
         let end = a * cosine + b * sine;
         let (begins, ends) = (b, b * cosine - a * sine); // how it changes at both ends
         [
-            if begins < 0.0 && ends > 0.0 {
-                -most
-            } else {
-                a.min(end)
-            },
-            if begins > 0.0 && ends < 0.0 {
-                most
-            } else {
-                a.max(end)
-            },
+            if begins < 0.0 && ends > 0.0 { -most } else { a.min(end) },
+            if begins > 0.0 && ends < 0.0 { most } else { a.max(end) },
         ]
     }
 }
@@ -185,24 +164,15 @@ mod tests {
     /// Arcs, helices and spirals of up to two turns.
     fn stretches() -> impl Strategy<Value = Stretch> {
         let (radius, height) = ([0.0..40.0, 0.0..40.0], [-9.0..9.0, -9.0..9.0]);
-        (
-            vector(30.0),
-            vector(1.0),
-            vector(1.0),
-            -12.0..12.0,
-            radius,
-            height,
-            any::<bool>(),
+        (vector(30.0), vector(1.0), vector(1.0), -12.0..12.0, radius, height, any::<bool>()).prop_map(
+            |(centre, axis, start, angle, [begin, end], [low, high], even)| {
+                let axis = axis.try_normalize(1e-3).unwrap_or_else(V3::x);
+                let upright = axis.cross(&V3::new(axis.y, axis.z, -axis.x - 2.0));
+                let start = start - axis * start.dot(&axis) + upright * 1e-3;
+                let end = if even { begin } else { end };
+                Stretch::round(centre, axis, start, angle, [begin, end], [low, high])
+            },
         )
-            .prop_map(
-                |(centre, axis, start, angle, [begin, end], [low, high], even)| {
-                    let axis = axis.try_normalize(1e-3).unwrap_or_else(V3::x);
-                    let upright = axis.cross(&V3::new(axis.y, axis.z, -axis.x - 2.0));
-                    let start = start - axis * start.dot(&axis) + upright * 1e-3;
-                    let end = if even { begin } else { end };
-                    Stretch::round(centre, axis, start, angle, [begin, end], [low, high])
-                },
-            )
     }
 
     proptest! {

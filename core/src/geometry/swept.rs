@@ -30,20 +30,13 @@ pub struct Swept {
 impl Swept {
     /// The same seen from a system that stands there.
     pub fn seen(&self, place: &IsometryMatrix3<f64>) -> Swept {
-        Swept {
-            way: self.way.seen(place),
-            rise: place.rotation.inverse() * self.rise,
-            ..*self
-        }
+        Swept { way: self.way.seen(place), rise: place.rotation.inverse() * self.rise, ..*self }
     }
 
     /// The box along the axes that holds it.
     pub fn extent(&self) -> Extent {
         let [x, y, z] = [V3::x(), V3::y(), V3::z()].map(|axis| self.along(&axis));
-        Extent {
-            low: V3::new(x[0], y[0], z[0]),
-            high: V3::new(x[1], y[1], z[1]),
-        }
+        Extent { low: V3::new(x[0], y[0], z[0]), high: V3::new(x[1], y[1], z[1]) }
     }
 
     /// Whether it surely stays clear of a piece of a boundary that is round about the Z axis, or flat, or straight.
@@ -53,8 +46,7 @@ impl Swept {
             Feature::Wall(wall) => self.profile().clears_wall(&wall_lobes(wall), wall.depth),
             Feature::Lobed(wall) => {
                 let LobedWall { lobes, depth } = wall;
-                self.profile().clears_wall(lobes, *depth)
-                    || self.is_far_from(&wall.foot(&self.middle()))
+                self.profile().clears_wall(lobes, *depth) || self.is_far_from(&wall.foot(&self.middle()))
             }
             Feature::Circle(Circle { radius, z }) => self.profile().clears_ring([*radius; 2], *z),
             Feature::Segment(segment) => self.clears_edge(segment),
@@ -113,10 +105,7 @@ impl Swept {
         let reach = self.radius + size - TOLERANCE;
         let apart = match self.rise == V3::zeros() {
             true => self.way.from_point(centre) >= reach,
-            false => {
-                self.way.goes_about(&self.rise.normalize())
-                    && self.way.from_axis(centre)[0] >= reach
-            }
+            false => self.way.goes_about(&self.rise.normalize()) && self.way.from_axis(centre)[0] >= reach,
         };
         apart || self.parts(&(self.middle() - centre), &[*centre], size)
     }
@@ -128,10 +117,8 @@ impl Swept {
         };
         let [low, high] = self.along(&direction);
         let levels = points.iter().map(|point| point.dot(&direction));
-        let (least, most) = levels.fold(
-            (f64::INFINITY, f64::NEG_INFINITY),
-            |(least, most), level| (least.min(level), most.max(level)),
-        );
+        let (least, most) =
+            levels.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), level| (least.min(level), most.max(level)));
         low >= most + size - TOLERANCE || high <= least - size + TOLERANCE
     }
 
@@ -166,8 +153,8 @@ impl Swept {
         }
     }
 
-    /// Least and greatest distance of the way from the Z axis, where it goes round another one: by how far it goes along
-    /// the direction from that axis to its middle, and across.
+    /// Least and greatest distance of the way from the Z axis, where it goes round another one: by how far it goes
+    /// along the direction from that axis to its middle, and across.
     fn away(&self) -> [f64; 2] {
         let out = self.way.at(0.5).xy();
         let Some(out) = out.try_normalize(0.0) else {
@@ -187,12 +174,7 @@ fn reach(curve: &Lobes, z: f64) -> [f64; 2] {
 }
 
 fn wall_lobes(wall: &Wall) -> Lobes {
-    Lobes {
-        radius: wall.radius,
-        slope: wall.slope,
-        amplitude: 0.0,
-        count: 0,
-    }
+    Lobes { radius: wall.radius, slope: wall.slope, amplitude: 0.0, count: 0 }
 }
 
 /// A rectangle of distances from the Z axis and heights, and how thick the line about it is; mm.

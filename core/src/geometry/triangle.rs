@@ -3,12 +3,12 @@
 use super::V3;
 use nalgebra::{IsometryMatrix3, Matrix3, Rotation3};
 
-/// The motion that brings the corners of one triangle nearest to those of another (least squares); none where corners of
-/// either lie on one line.
+/// The motion that brings the corners of one triangle nearest to those of another (least squares); none where corners
+/// of either lie on one line.
 ///
-/// It takes centroid onto centroid and the plane of the corners onto that of the others, never turned over, as corners in
-/// the same order run the same way round about the normals (DESIGN.md derives it). What is left is an angle in the plane,
-/// whose cosine and sine are as the sums of the scalar and of the cross products.
+/// It takes centroid onto centroid and the plane of the corners onto that of the others, never turned over, as corners
+/// in the same order run the same way round about the normals (DESIGN.md derives it). What is left is an angle in the
+/// plane, whose cosine and sine are as the sums of the scalar and of the cross products.
 pub fn laid(corners: &[V3; 3], onto: &[V3; 3]) -> Option<IsometryMatrix3<f64>> {
     let (from, to) = (basis(corners)?, basis(onto)?);
     let [start, end] = [centroid(corners), centroid(onto)];
@@ -48,11 +48,7 @@ mod tests {
     use crate::geometry::rigid::{placed, rotation};
     use proptest::prelude::*;
 
-    const TRIANGLE: [[f64; 3]; 3] = [
-        [100.0, 100.0, 100.0],
-        [600.0, 100.0, 80.0],
-        [500.0, 700.0, 130.0],
-    ];
+    const TRIANGLE: [[f64; 3]; 3] = [[100.0, 100.0, 100.0], [600.0, 100.0, 80.0], [500.0, 700.0, 130.0]];
 
     fn moved(motion: &IsometryMatrix3<f64>, corners: &[V3; 3]) -> [V3; 3] {
         corners.map(|corner| motion.transform_point(&corner.into()).coords)
@@ -61,11 +57,7 @@ mod tests {
     /// Sum of the squares of what is left.
     fn left(motion: &IsometryMatrix3<f64>, corners: &[V3; 3], onto: &[V3; 3]) -> f64 {
         let there = moved(motion, corners);
-        there
-            .iter()
-            .zip(onto)
-            .map(|(one, other)| (one - other).norm_squared())
-            .sum()
+        there.iter().zip(onto).map(|(one, other)| (one - other).norm_squared()).sum()
     }
 
     fn small() -> impl Strategy<Value = [f64; 3]> {
@@ -111,11 +103,7 @@ mod tests {
     // oracle: another method: the singular value decomposition of the sum of products, reckoned with 40 digits
     #[test]
     fn the_best_motion_is_that_of_the_singular_values() {
-        let onto = [
-            [103.25, 99.5, 101.75],
-            [599.0, 130.5, 64.25],
-            [468.5, 721.75, 131.0],
-        ];
+        let onto = [[103.25, 99.5, 101.75], [599.0, 130.5, 64.25], [468.5, 721.75, 131.0]];
         let turn = Matrix3::new(
             0.997_648_908_315_996_7,
             -0.057_740_463_711_372_95,
@@ -127,11 +115,7 @@ mod tests {
             0.022_441_604_582_323_558,
             0.999_111_619_066_817_1,
         );
-        let way = V3::new(
-            4.698_057_472_540_695,
-            -3.480_157_625_274_493_6,
-            3.293_974_166_998_907_7,
-        );
+        let way = V3::new(4.698_057_472_540_695, -3.480_157_625_274_493_6, 3.293_974_166_998_907_7);
         let found = laid(&TRIANGLE.map(V3::from), &onto.map(V3::from)).unwrap();
         assert!((found.rotation.matrix() - turn).amax() < 1e-14);
         assert!((found.translation.vector - way).amax() < 1e-11);

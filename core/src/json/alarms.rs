@@ -8,9 +8,7 @@ use serde_json::Value;
 /// One object an alarm or message.
 pub fn alarms() -> Value {
     let alarms = ALARMS.iter().map(alarm);
-    alarms
-        .chain(MESSAGES.iter().map(operator_message))
-        .collect()
+    alarms.chain(MESSAGES.iter().map(operator_message)).collect()
 }
 
 /// A text for the operator, in the shape of an alarm; its text is its name.

@@ -3,9 +3,7 @@
 use super::setup_write::plane_name;
 use super::{code, dialect_name, object, style_name, typed};
 use crate::catalogue::example::{choosing, example, turned};
-use crate::catalogue::{
-    CYCLES, Cycle, MachineSort, Param, ProbeUse, ResultField, Style, Unit, Variant,
-};
+use crate::catalogue::{CYCLES, Cycle, MachineSort, Param, ProbeUse, ResultField, Style, Unit, Variant};
 use crate::check;
 use crate::control::{Plane, delivery};
 use crate::workpiece::free::EXAMPLES;
@@ -16,8 +14,8 @@ pub fn catalogue() -> Value {
     object([("cycles", cycles())])
 }
 
-/// One object a cycle: control, cycle, purpose, ways of writing, variants, parameters, results, alarms, with their places
-/// in the manual.
+/// One object a cycle: control, cycle, purpose, ways of writing, variants, parameters, results, alarms, with their
+/// places in the manual.
 pub fn cycles() -> Value {
     CYCLES.iter().map(|cycle| entry(cycle)).collect()
 }
@@ -31,17 +29,11 @@ fn entry(cycle: &'static Cycle) -> Value {
         ("key", cycle.key.into()),
         ("purpose", purpose(cycle)),
         ("styles", styles(cycle)),
-        (
-            "variants",
-            variants.map(|one| variant(cycle, one)).collect(),
-        ),
+        ("variants", variants.map(|one| variant(cycle, one)).collect()),
         ("parameters", cycle.params.iter().map(param).collect()),
         ("results", cycle.results.iter().map(result).collect()),
         ("alarms", cycle.alarms().into_iter().map(code).collect()),
-        (
-            "example",
-            object(example.map(|(name, value)| (*name, (*value).into()))),
-        ),
+        ("example", object(example.map(|(name, value)| (*name, (*value).into())))),
         ("twins", (!cycle.purpose.tasks.is_empty()).into()),
         ("simulated", cycle.simulation.is_some().into()),
         ("surfaces", surfaces(cycle)),
@@ -86,11 +78,7 @@ fn purpose(cycle: &'static Cycle) -> Value {
 /// The ways of writing that its call has, direct first.
 fn styles(cycle: &Cycle) -> Value {
     let has = |style: &Style| {
-        *style == Style::Direct
-            || cycle
-                .lists
-                .iter()
-                .any(|list| list.style == *style && list.is_written())
+        *style == Style::Direct || cycle.lists.iter().any(|list| list.style == *style && list.is_written())
     };
     let all = [Style::Direct, Style::Indirect, Style::Operate];
     all.into_iter().filter(has).map(style_name).collect()

@@ -42,16 +42,14 @@ fn label(control: &Control, name: &str) -> Message {
         ("_MV", [memory]) => memory_label("change-mean", memory),
         ("_EV", [memory]) => memory_label("change-empirical", memory),
         ("_WP", [probe, field]) => probe_label(probe, field),
-        ("$P_UIFR", [frame, axis, part]) => frame
-            .parse()
-            .ok()
-            .and_then(|number| frame_label(settable_name(control, number), axis, part)),
+        ("$P_UIFR", [frame, axis, part]) => {
+            frame.parse().ok().and_then(|number| frame_label(settable_name(control, number), axis, part))
+        }
         ("$P_SETFR", [axis, part]) => frame_label(stem.to_owned(), axis, part),
         (_, [frame, axis, part]) => frame_label(format!("{stem}[{frame}]"), axis, part),
-        (_, [tool, edge]) => stem
-            .strip_prefix("$TC_")
-            .and_then(quantity)
-            .map(|text| text.text("tool", *tool).text("edge", *edge)),
+        (_, [tool, edge]) => {
+            stem.strip_prefix("$TC_").and_then(quantity).map(|text| text.text("tool", *tool).text("edge", *edge))
+        }
         _ => register(name),
     };
     let words = known.or_else(|| datum(name));
@@ -117,11 +115,7 @@ fn quantity(name: &str) -> Option<Message> {
             _ => return None,
         });
     }
-    let offset: u32 = name
-        .strip_prefix("SCP")
-        .or(name.strip_prefix("ECP"))?
-        .parse()
-        .ok()?;
+    let offset: u32 = name.strip_prefix("SCP").or(name.strip_prefix("ECP"))?.parse().ok()?;
     let text = match offset % 10 {
         3..=5 => length("change-length-offset", offset % 10 - 2),
         _ => Message::new("change-radius-offset"),
@@ -163,35 +157,15 @@ mod tests {
     fn names_are_put_into_words() {
         for (dialect, name, words) in [
             (Dialect::Sinumerik, "$TC_DP15[20,1]", "T20 D1, radius wear"),
-            (
-                Dialect::Sinumerik,
-                "$TC_DP12[7,2]",
-                "T7 D2, wear of length 1",
-            ),
+            (Dialect::Sinumerik, "$TC_DP12[7,2]", "T7 D2, wear of length 1"),
             (Dialect::Sinumerik, "$TC_SCP26[7,2]", "T7 D2, radius, DL2"),
             (Dialect::Sinumerik, "$P_UIFR[1,X,FI]", "G54, X fine"),
-            (
-                Dialect::Sinumerik,
-                "$P_UIFR[5,Z,RT]",
-                "G505, rotation about Z",
-            ),
-            (
-                Dialect::Sinumerik,
-                "$P_CHBFR[0,Y,TR]",
-                "$P_CHBFR[0], Y coarse",
-            ),
+            (Dialect::Sinumerik, "$P_UIFR[5,Z,RT]", "G505, rotation about Z"),
+            (Dialect::Sinumerik, "$P_CHBFR[0,Y,TR]", "$P_CHBFR[0], Y coarse"),
             (Dialect::Sinumerik, "$P_UIFR[1,X,SC]", "$P_UIFR[1,X,SC]"),
             (Dialect::Sinumerik, "_MV[9]", "Mean value memory 10"),
-            (
-                Dialect::Sinumerik,
-                "_WP[2,4]",
-                "Probe 3, trigger value ordinate plus",
-            ),
-            (
-                Dialect::Sinumerik,
-                "_TPW[0,3]",
-                "Trigger point, second axis plus",
-            ),
+            (Dialect::Sinumerik, "_WP[2,4]", "Probe 3, trigger value ordinate plus"),
+            (Dialect::Sinumerik, "_TPW[0,3]", "Trigger point, second axis plus"),
             (Dialect::Nct, "G54 X", "G54, X"),
             (Dialect::Nct, "DW12", "Register 12, radius wear"),
         ] {

@@ -45,7 +45,8 @@ struct Request {
     /// Words by parameter name for a comment line each; the core has no words of its own.
     #[serde(default)]
     comments: Option<Typed>,
-    /// Way of writing of the call of a program that the form shows; absent: none, or one whose rules are those of the form.
+    /// Way of writing of the call of a program that the form shows; absent: none, or one whose rules are those of the
+    /// form.
     #[serde(default)]
     written: Option<String>,
     /// Way of writing; absent: as the machine's forms have it, else direct.
@@ -106,10 +107,7 @@ pub fn form(request: &str) -> Result<Value, Error> {
         checked.diagnostics.extend(found);
     }
     let comments = request.comments.as_ref();
-    let values_of = Values {
-        typed: &values,
-        expressions: &request.expressions,
-    };
+    let values_of = Values { typed: &values, expressions: &request.expressions };
     let mut view = view(cycle, &values_of, &start.setup, &checked, style, comments);
     put(&mut view, "preset", super::style_name(preset));
     if request.twin && SIMULATES {
@@ -127,8 +125,7 @@ pub fn form(request: &str) -> Result<Value, Error> {
         }
         let mut setup = match (cycle.work(), &checked.inputs) {
             (Some(work), Some(inputs)) => {
-                let (outcome, setup) =
-                    predict(work, inputs, start, request.errors, request.limits)?;
+                let (outcome, setup) = predict(work, inputs, start, request.errors, request.limits)?;
                 put(&mut view, "outcome", outcome);
                 setup
             }
@@ -142,10 +139,7 @@ pub fn form(request: &str) -> Result<Value, Error> {
 }
 
 /// The list of a newer control, where the call that the form shows is written in it.
-fn newer_list(
-    cycle: &Cycle,
-    written: Option<&str>,
-) -> Result<Option<&'static ArgumentList>, Error> {
+fn newer_list(cycle: &Cycle, written: Option<&str>) -> Result<Option<&'static ArgumentList>, Error> {
     let style = written.map(super::style).transpose()?;
     let mut lists = cycle.lists.iter();
     let of_newer = |list: &&ArgumentList| list.style == Style::Operate;
@@ -162,12 +156,7 @@ fn unknown(checked: &Checked) -> Value {
 
 /// The values of the form, those included that the settings of the machine give; the control gets what they write into
 /// its data.
-fn entered(
-    support: Option<Support>,
-    cycle: &'static Cycle,
-    typed: Typed,
-    control: &mut Control,
-) -> (Typed, Before) {
+fn entered(support: Option<Support>, cycle: &'static Cycle, typed: Typed, control: &mut Control) -> (Typed, Before) {
     let Some(support) = support else {
         return (typed, Before::new());
     };
@@ -180,13 +169,7 @@ fn entered(
 type Modal = (Plane, Transverse, Units, bool);
 
 fn modal(control: &Control) -> Modal {
-    let Control {
-        plane,
-        transverse,
-        active_units,
-        data_follow,
-        ..
-    } = *control;
+    let Control { plane, transverse, active_units, data_follow, .. } = *control;
     (plane, transverse, active_units, data_follow)
 }
 
@@ -205,38 +188,18 @@ fn view(
     style: Style,
     comments: Option<&Typed>,
 ) -> Value {
-    let word = |name: &str, _: &str| {
-        comments
-            .and_then(|words| words.get(name))
-            .cloned()
-            .unwrap_or_default()
-    };
+    let word = |name: &str, _: &str| comments.and_then(|words| words.get(name)).cloned().unwrap_or_default();
     let control = &setup.control;
-    let errors = checked
-        .diagnostics
-        .iter()
-        .any(|found| found.severity == Severity::Error);
+    let errors = checked.diagnostics.iter().any(|found| found.severity == Severity::Error);
     let words = comments.map(|_| &word as &dyn Fn(&str, &str) -> String);
     let written = snippet_of(cycle, values, control, style, words);
     let typed = values.typed;
     let expression = |name: &str| values.expressions.get(name).map(String::as_str);
     let mut view = object([
-        (
-            "fields",
-            form::fields(cycle, typed, control)
-                .iter()
-                .map(|one| field(one, expression(one.name)))
-                .collect(),
-        ),
-        (
-            "diagnostics",
-            checked.diagnostics.iter().map(diagnostic).collect(),
-        ),
+        ("fields", form::fields(cycle, typed, control).iter().map(|one| field(one, expression(one.name))).collect()),
+        ("diagnostics", checked.diagnostics.iter().map(diagnostic).collect()),
         ("snippet", written.text.into()),
-        (
-            "snippetFindings",
-            written.findings.iter().map(diagnostic).collect(),
-        ),
+        ("snippetFindings", written.findings.iter().map(diagnostic).collect()),
         ("complete", (!errors).into()),
         ("mvar", variants::chosen(cycle, typed, control).into()),
     ]);
@@ -252,32 +215,21 @@ fn picture(picture: &Picture) -> Value {
         View::Section => "section",
     };
     let parts = parts(picture);
-    object([
-        ("view", view.into()),
-        (
-            "shapes",
-            picture.shapes.iter().map(|one| shape(one, parts)).collect(),
-        ),
-    ])
+    object([("view", view.into()), ("shapes", picture.shapes.iter().map(|one| shape(one, parts)).collect())])
 }
 
 /// Into how many parts of a mm the coordinates of a picture are rounded: far finer than a pixel, and a third of the
 /// text that is sent at every keystroke.
 fn parts(picture: &Picture) -> f64 {
     let points = picture.shapes.iter().flat_map(|shape| &shape.points);
-    let largest = points
-        .flatten()
-        .fold(0.0_f64, |most, value| most.max(value.abs()));
+    let largest = points.flatten().fold(0.0_f64, |most, value| most.max(value.abs()));
     10_f64.powi(6 - largest.max(1e-9).log10().ceil() as i32)
 }
 
 fn shape(shape: &PictureShape, parts: f64) -> Value {
     let near = |value: f64| (value * parts).round() / parts;
     let points = shape.points.iter().map(|point| point.map(near));
-    let mut view = object([
-        ("kind", shape_kind(shape.kind).into()),
-        ("points", points.collect()),
-    ]);
+    let mut view = object([("kind", shape_kind(shape.kind).into()), ("points", points.collect())]);
     if let Some((at, r)) = shape.circle {
         let [x, y] = at.map(near);
         let circle = [("x", x.into()), ("y", y.into()), ("r", near(r).into())];
@@ -343,11 +295,7 @@ fn field(field: &form::Field, expression: Option<&str>) -> Value {
         form::Entry::Text(_) => {}
         form::Entry::Choice(list) => put(&mut view, "choices", choices(list)),
         form::Entry::Digits(groups) => {
-            put(
-                &mut view,
-                "digits",
-                groups.iter().map(group).collect::<Value>(),
-            );
+            put(&mut view, "digits", groups.iter().map(group).collect::<Value>());
         }
     }
     view
@@ -365,10 +313,7 @@ fn kind(entry: &form::Entry) -> &'static str {
 
 /// An open end is left out.
 pub(super) fn range(range: Range) -> Value {
-    let mut view = object([
-        ("minIncluded", range.min_included.into()),
-        ("maxIncluded", range.max_included.into()),
-    ]);
+    let mut view = object([("minIncluded", range.min_included.into()), ("maxIncluded", range.max_included.into())]);
     if range.min.is_finite() {
         put(&mut view, "min", range.min);
     }
@@ -383,10 +328,7 @@ fn choices(list: &[form::Choice]) -> Value {
 }
 
 fn choice(choice: &form::Choice) -> Value {
-    object([
-        ("value", choice.value.into()),
-        ("label", message(&choice.label)),
-    ])
+    object([("value", choice.value.into()), ("label", message(&choice.label))])
 }
 
 fn group(group: &form::Group) -> Value {

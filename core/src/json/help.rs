@@ -23,11 +23,7 @@ pub fn help(request: &str) -> Result<Value, Error> {
         let heading = ("label", key(section.key(cycle)));
         object([heading, ("lines", lines.into())])
     };
-    let filled = |view: &Value| {
-        view["lines"]
-            .as_array()
-            .is_some_and(|lines| !lines.is_empty())
-    };
+    let filled = |view: &Value| view["lines"].as_array().is_some_and(|lines| !lines.is_empty());
     let sections: Vec<Value> = SECTIONS.into_iter().map(section).filter(filled).collect();
     let known = |code| alarms::ALARMS.iter().find(|alarm| alarm.code == code);
     let raised = page.alarms.iter().filter_map(|code| known(*code));

@@ -38,13 +38,7 @@ pub fn machine(request: &str) -> Result<Value, Error> {
     let problems = write(&mut control, &delivered, &request.values);
     let groups = groups(&control);
     Ok(object([
-        (
-            "groups",
-            groups
-                .iter()
-                .map(|one| group(one, &control, &delivered))
-                .collect(),
-        ),
+        ("groups", groups.iter().map(|one| group(one, &control, &delivered)).collect()),
         ("basic", units_of(control.basic_units).into()),
         ("data", data(&control, &delivered)),
         ("problems", problems.into()),
@@ -64,10 +58,7 @@ fn chosen(typed: &Typed) -> Option<Units> {
 
 /// Writes what was typed; gives what cannot be taken.
 fn write(control: &mut Control, delivered: &Control, typed: &Typed) -> Vec<Value> {
-    let settings: Vec<Setting> = groups(control)
-        .into_iter()
-        .flat_map(|group| group.settings)
-        .collect();
+    let settings: Vec<Setting> = groups(control).into_iter().flat_map(|group| group.settings).collect();
     let mut problems = Vec::new();
     for (name, text) in typed {
         let Some(setting) = settings.iter().find(|one| one.name == *name) else {
@@ -96,11 +87,7 @@ fn reset(control: &mut Control, delivered: &Control, name: &str) {
 
 /// A finding at a datum.
 fn problem(name: &str, refusal: Refusal) -> Value {
-    object([
-        ("name", name.into()),
-        ("message", message(&refusal.message)),
-        ("hint", message(&refusal.hint)),
-    ])
+    object([("name", name.into()), ("message", message(&refusal.message)), ("hint", message(&refusal.hint))])
 }
 
 /// What differs from delivery, as the setup file has it.
@@ -124,10 +111,7 @@ fn group(group: &Group, control: &Control, delivered: &Control) -> Value {
     let fields = group.settings.iter();
     object([
         ("label", message(&Message::new(group.key.clone()))),
-        (
-            "fields",
-            fields.map(|one| field(one, control, delivered)).collect(),
-        ),
+        ("fields", fields.map(|one| field(one, control, delivered)).collect()),
     ])
 }
 
@@ -196,21 +180,16 @@ mod tests {
     // oracle: hand
     #[test]
     fn what_is_typed_stands_in_the_data_and_reads_back() {
-        let typed =
-            json!({ "_WP[0,0]": "5,99", "_CBIT[2]": "1", "MD28082": "20H", "_PROTNAME[1]": "LOG" });
+        let typed = json!({ "_WP[0,0]": "5,99", "_CBIT[2]": "1", "MD28082": "20H", "_PROTNAME[1]": "LOG" });
         let view = ask(&own(&json!({})), &typed);
-        let data =
-            json!({ "_WP[0,0]": 5.99, "_CBIT[2]": 1.0, "MD28082": 32.0, "_PROTNAME[1]": "LOG" });
+        let data = json!({ "_WP[0,0]": 5.99, "_CBIT[2]": 1.0, "MD28082": 32.0, "_PROTNAME[1]": "LOG" });
         assert_eq!(view["data"], data);
         assert_eq!(view["problems"], json!([]));
         let again = ask(&own(&data), &json!({}));
         assert_eq!(again["data"], data);
         assert_eq!(field(&again, "_WP[0,0]").unwrap()["value"], "5.99");
         assert_eq!(field(&again, "_WP[0,0]").unwrap()["fallback"], "6");
-        let back = ask(
-            &own(&data),
-            &json!({ "_WP[0,0]": "", "_CBIT[2]": "0", "MD28082": "", "_PROTNAME[1]": " " }),
-        );
+        let back = ask(&own(&data), &json!({ "_WP[0,0]": "", "_CBIT[2]": "0", "MD28082": "", "_PROTNAME[1]": " " }));
         assert_eq!(back["data"], json!({}));
     }
 
@@ -236,12 +215,7 @@ mod tests {
         let typed = json!({ "#510": "19", "#509": "39.8", "P9143": "0", "#1003": "0" });
         let view = ask(&json!({}), &typed);
         let data = view["data"].clone();
-        for (name, value) in [
-            ("#509", 39.8),
-            ("#510", 19.0),
-            ("P9143", 0.0),
-            ("#1003", 0.0),
-        ] {
+        for (name, value) in [("#509", 39.8), ("#510", 19.0), ("P9143", 0.0), ("#1003", 0.0)] {
             assert_eq!(data[name], value, "{name}");
         }
         assert_eq!(view["problems"], json!([]));
@@ -251,14 +225,8 @@ mod tests {
         let again = ask(&data, &json!({}));
         assert_eq!(again["data"], data);
         let disk = field(&again, "#509").unwrap();
-        assert_eq!(
-            (&disk["fallback"], &disk["unit"]),
-            (&json!("40"), &json!("mm"))
-        );
-        let wrong = ask(
-            &json!({}),
-            &json!({ "#509": "-1", "#510": "1.5", "P9143": "3" }),
-        );
+        assert_eq!((&disk["fallback"], &disk["unit"]), (&json!("40"), &json!("mm")));
+        let wrong = ask(&json!({}), &json!({ "#509": "-1", "#510": "1.5", "P9143": "3" }));
         assert_eq!(wrong["problems"].as_array().unwrap().len(), 3);
         let words = Words::english();
         for group in again["groups"].as_array().unwrap() {
@@ -274,23 +242,16 @@ mod tests {
     // oracle: hand
     #[test]
     fn a_described_machine_keeps_its_other_data() {
-        let mut setup: Value =
-            serde_json::from_str(include_str!("../../../docs/setup.example.json")).unwrap();
+        let mut setup: Value = serde_json::from_str(include_str!("../../../docs/setup.example.json")).unwrap();
         setup["data"] = json!({ "R10": 4, "_CHBIT[4]": 1 });
         let view = ask(&setup, &json!({ "_DIGIT": "4" }));
-        assert_eq!(
-            view["data"],
-            json!({ "R10": 4.0, "_CHBIT[4]": 1.0, "_DIGIT": 4.0 })
-        );
+        assert_eq!(view["data"], json!({ "R10": 4.0, "_CHBIT[4]": 1.0, "_DIGIT": 4.0 }));
     }
 
     // oracle: manual B:13345-13348, B:13717
     #[test]
     fn counts_decide_how_many_fields_there_are() {
-        let view = ask(
-            &own(&json!({ "_CVAL[1]": 1, "_EVMVNUM[0]": 30, "_CVAL[2]": 0 })),
-            &json!({}),
-        );
+        let view = ask(&own(&json!({ "_CVAL[1]": 1, "_EVMVNUM[0]": 30, "_CVAL[2]": 0 })), &json!({}));
         for (name, there) in [
             ("_WP[0,10]", true),
             ("_WP[1,0]", false),
@@ -309,7 +270,8 @@ mod tests {
     // oracle: manual B:13726-13734, B:13534 (ranges)
     #[test]
     fn what_cannot_be_is_told_with_its_cure_and_not_taken() {
-        let typed = json!({ "_SPEED[0]": "120", "_SPEED[1]": "0", "_CBIT[0]": "2", "_DIGIT": "2.5", "_WP[0,1]": "wide" });
+        let typed =
+            json!({ "_SPEED[0]": "120", "_SPEED[1]": "0", "_CBIT[0]": "2", "_DIGIT": "2.5", "_WP[0,1]": "wide" });
         let view = ask(&own(&json!({})), &typed);
         assert_eq!(view["data"], json!({}));
         let problems = view["problems"].as_array().unwrap();
@@ -340,18 +302,12 @@ mod tests {
         let chosen = ask_for(json!({ "control": "sinumerik", "setup": metric, "basic": "inch" }));
         let typed = ask(&metric, &json!({ "MD10240": "0" }));
         for view in [&chosen, &typed] {
-            assert_eq!(
-                (&view["basic"], &view["data"]),
-                (&json!("inch"), &json!({ "_WP[0,0]": 0.2 }))
-            );
+            assert_eq!((&view["basic"], &view["data"]), (&json!("inch"), &json!({ "_WP[0,0]": 0.2 })));
             assert_eq!(field(view, "_WP[0,0]").unwrap()["unit"], "inch");
         }
         let inch = json!({ "own": { "basic": "inch", "data": chosen["data"] } });
         let back = ask_for(json!({ "control": "sinumerik", "setup": inch, "basic": "mm" }));
-        assert_eq!(
-            (&back["basic"], &back["data"]),
-            (&json!("mm"), &json!({ "_WP[0,0]": 5.08 }))
-        );
+        assert_eq!((&back["basic"], &back["data"]), (&json!("mm"), &json!({ "_WP[0,0]": 5.08 })));
     }
 
     // oracle: self
@@ -362,10 +318,7 @@ mod tests {
         for group in view["groups"].as_array().unwrap() {
             for field in group["fields"].as_array().unwrap() {
                 let set = field["set"]["key"].as_str().map(str::to_owned);
-                for key in set
-                    .into_iter()
-                    .chain([field["key"].as_str().unwrap().to_owned()])
-                {
+                for key in set.into_iter().chain([field["key"].as_str().unwrap().to_owned()]) {
                     assert!(words.find(&Message::new(key.clone())).is_some(), "{key}");
                 }
             }

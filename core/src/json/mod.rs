@@ -1,4 +1,5 @@
-//! The one place that knows JSON: what the terminal prints and the page asks. The shapes are those of `www/src/wire.ts`.
+//! The one place that knows JSON: what the terminal prints and the page asks. The shapes are those of
+//! `www/src/wire.ts`.
 //! Every function takes and gives whole documents; a wrong document is an [`Error`], never a panic.
 
 mod alarms;
@@ -98,37 +99,23 @@ pub fn dialect(name: &str) -> Result<Dialect, Error> {
     match name {
         "sinumerik" => Ok(Dialect::Sinumerik),
         "nct" => Ok(Dialect::Nct),
-        _ => Err(Error::Unknown {
-            what: "control",
-            name: name.to_owned(),
-        }),
+        _ => Err(Error::Unknown { what: "control", name: name.to_owned() }),
     }
 }
 
 /// The cycle of a control with this name.
 fn cycle(dialect: Dialect, name: &str) -> Result<&'static Cycle, Error> {
-    crate::catalogue::find(dialect, name).ok_or_else(|| Error::Unknown {
-        what: "cycle",
-        name: name.to_owned(),
-    })
+    crate::catalogue::find(dialect, name).ok_or_else(|| Error::Unknown { what: "cycle", name: name.to_owned() })
 }
 
 /// Ways of writing by their name on the wire.
-const STYLES: [(&str, Style); 3] = [
-    ("direct", Style::Direct),
-    ("indirect", Style::Indirect),
-    ("operate", Style::Operate),
-];
+const STYLES: [(&str, Style); 3] =
+    [("direct", Style::Direct), ("indirect", Style::Indirect), ("operate", Style::Operate)];
 
 /// The way of writing with this name.
 pub fn style(name: &str) -> Result<Style, Error> {
     let known = STYLES.iter().find(|(known, _)| *known == name);
-    known
-        .map(|(_, style)| *style)
-        .ok_or_else(|| Error::Unknown {
-            what: "style",
-            name: name.to_owned(),
-        })
+    known.map(|(_, style)| *style).ok_or_else(|| Error::Unknown { what: "style", name: name.to_owned() })
 }
 
 /// Name of a way of writing.
@@ -160,11 +147,7 @@ fn put(object: &mut Value, name: &str, value: impl Into<Value>) {
 
 /// Values as typed.
 fn typed(values: &Typed) -> Value {
-    object(
-        values
-            .iter()
-            .map(|(name, value)| (name.as_str(), value.as_str().into())),
-    )
+    object(values.iter().map(|(name, value)| (name.as_str(), value.as_str().into())))
 }
 
 fn message(message: &Message) -> Value {

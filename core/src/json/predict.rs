@@ -54,10 +54,7 @@ pub(super) fn predict(
     limits: bool,
 ) -> Result<(Value, Setup), Error> {
     let errors = errors.map_or(Ok(Errors::default()), serde_json::from_value)?;
-    let Start {
-        mut setup,
-        described,
-    } = start;
+    let Start { mut setup, described } = start;
     let limits = limits.then(|| survived(work, inputs, &setup, &errors, described));
     let zones = prepare(&mut setup, work, inputs, &errors, described);
     let outcome = carried_out(inputs, &mut setup);
@@ -72,8 +69,8 @@ pub(super) fn predict(
     Ok((outcome, setup))
 }
 
-/// What the call does. With errors as large as what they change, and from a place that is beyond all numbers, nothing is
-/// simulated, and drawn is what can exist.
+/// What the call does. With errors as large as what they change, and from a place that is beyond all numbers, nothing
+/// is simulated, and drawn is what can exist.
 fn carried_out(inputs: &Inputs, setup: &mut Setup) -> Outcome {
     let somewhere = setup.position.iter().all(|value| value.is_finite());
     let problem = match exists(setup).is_ok() {
@@ -85,13 +82,8 @@ fn carried_out(inputs: &Inputs, setup: &mut Setup) -> Outcome {
         setup.position = [0.0; 3];
     }
     setup.workpiece.solids.retain(|one| solid("", one).is_ok());
-    setup
-        .tool_probes
-        .retain(|one| solid("", &one.solid).is_ok());
-    Outcome {
-        stop: Some(Stop::Fault(Message::new(problem))),
-        ..Outcome::new(setup)
-    }
+    setup.tool_probes.retain(|one| solid("", &one.solid).is_ok());
+    Outcome { stop: Some(Stop::Fault(Message::new(problem))), ..Outcome::new(setup) }
 }
 
 /// An error of the part by the name of its slider.
@@ -107,13 +99,7 @@ const SLIDERS: [Slider; 4] = [
 
 /// The largest errors that the call survives, the others being as they are, and the part with the first of them that is
 /// limited: as it is on both sides.
-fn survived(
-    work: &Work,
-    inputs: &Inputs,
-    setup: &Setup,
-    errors: &Errors,
-    described: bool,
-) -> (Value, Vec<Solid>) {
+fn survived(work: &Work, inputs: &Inputs, setup: &Setup, errors: &Errors, described: bool) -> (Value, Vec<Solid>) {
     let with = |(_, slider): Slider, error: f64| {
         let mut setup = setup.clone();
         let mut errors = *errors;
@@ -128,11 +114,7 @@ fn survived(
         let Some(found) = survives::survived(inputs, possible) else {
             continue;
         };
-        limits.push(object([
-            ("error", slider.0.into()),
-            ("low", found.low.into()),
-            ("high", found.high.into()),
-        ]));
+        limits.push(object([("error", slider.0.into()), ("low", found.low.into()), ("high", found.high.into())]));
         if solids.is_empty() {
             let sides = [found.low, found.high].into_iter().flatten();
             solids.extend(sides.flat_map(|error| with(slider, error).workpiece.solids));
@@ -143,13 +125,7 @@ fn survived(
 
 /// Puts the proposed part with its errors and the probe with its own into the setup, and the probe before it.
 /// A machine that the user described keeps the tools it has. Gives the protection zones.
-fn prepare(
-    setup: &mut Setup,
-    work: &Work,
-    inputs: &Inputs,
-    errors: &Errors,
-    described: bool,
-) -> Vec<Solid> {
+fn prepare(setup: &mut Setup, work: &Work, inputs: &Inputs, errors: &Errors, described: bool) -> Vec<Solid> {
     let proposal = (work.propose)(inputs, &setup.control);
     setup.workpiece = proposal.workpiece;
     let part = part_errors(&errors.part, setup.control.plane);
@@ -176,8 +152,8 @@ fn prepare(
     proposal.zones
 }
 
-/// Gives a tool probe the errors of part and probe, and the tool before it those of ball and skew: so much wider and, in L1
-/// and L2, longer it is than the control believes.
+/// Gives a tool probe the errors of part and probe, and the tool before it those of ball and skew: so much wider and,
+/// in L1 and L2, longer it is than the control believes.
 fn tool_errors(setup: &mut Setup, inputs: &Inputs, errors: &Errors) {
     let part = part_errors(&errors.part, setup.control.plane);
     for tool_probe in &mut setup.tool_probes {
@@ -210,19 +186,13 @@ fn spoil(solids: &mut [Solid], errors: &PartErrors) {
     for solid in solids {
         let away = V3::from(solid.at) - about;
         let shift = V3::from(errors.shift) + turn * away - away;
-        solid.errors = PartErrors {
-            shift: shift.into(),
-            ..*errors
-        };
+        solid.errors = PartErrors { shift: shift.into(), ..*errors };
     }
 }
 
 /// The errors of the sliders on top of what the probe has.
 fn probe_errors(probe: &mut Probe, sliders: &ProbeSliders) {
-    probe.skew = [
-        probe.skew[0] + sliders.skew_x,
-        probe.skew[1] + sliders.skew_y,
-    ];
+    probe.skew = [probe.skew[0] + sliders.skew_x, probe.skew[1] + sliders.skew_y];
     probe.radius += sliders.radius;
     probe.pre_travel.0 += sliders.pre_travel;
     probe.repeatability.0 += sliders.repeatability;

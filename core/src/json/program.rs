@@ -92,10 +92,7 @@ pub fn calls(program: &Program) -> Value {
 fn view(program: &Program, control: Control, told: &mut dyn FnMut(f64)) -> Value {
     let positions = Positions::new(&program.source);
     let sites = calls_told(program, control.clone(), told);
-    let calls: Vec<Value> = sites
-        .iter()
-        .map(|site| call(program, site, &positions))
-        .collect();
+    let calls: Vec<Value> = sites.iter().map(|site| call(program, site, &positions)).collect();
     let mut found = program::findings_of(program, &sites, &control);
     found.truncate(MOST_FINDINGS);
     let found = found.iter().map(|one| {
@@ -128,10 +125,7 @@ fn call(program: &Program, site: &CallSite, positions: &Positions) -> Value {
         ("transverse", transverse_name(site.transverse).into()),
         ("units", units_name(site.unit_function).into()),
         ("diagnostics", findings(&site.diagnostics, positions).into()),
-        (
-            "arrivals",
-            findings(&program::arrivals(program, site), positions).into(),
-        ),
+        ("arrivals", findings(&program::arrivals(program, site), positions).into()),
     ])
 }
 
@@ -139,10 +133,7 @@ fn call(program: &Program, site: &CallSite, positions: &Positions) -> Value {
 fn first(program: &Program, site: &CallSite) -> Value {
     let members = site.first.iter().map(|(name, origin)| {
         let line = program.line_of(origin.place.start) + 1;
-        let value = [
-            ("value", origin.text.as_str().into()),
-            ("line", line.into()),
-        ];
+        let value = [("value", origin.text.as_str().into()), ("line", line.into())];
         (*name, object(value))
     });
     object(members)
@@ -183,17 +174,8 @@ pub fn change(request: &str) -> Result<Value, Error> {
     let dialect = dialect(&request.control)?;
     let mut program = program::read(dialect, request.text.as_bytes());
     let control = start(dialect, request.setup)?.setup.control;
-    let done = revise(
-        &program,
-        request.call,
-        &request.name,
-        &request.value,
-        &control,
-    );
-    let done = done.ok_or_else(|| Error::Unknown {
-        what: "call",
-        name: request.call.to_string(),
-    })?;
+    let done = revise(&program, request.call, &request.name, &request.value, &control);
+    let done = done.ok_or_else(|| Error::Unknown { what: "call", name: request.call.to_string() })?;
     let mut steps: Vec<Value> = Vec::new();
     for edits in &done.steps {
         let positions = Positions::new(&program.source);
@@ -205,10 +187,7 @@ pub fn change(request: &str) -> Result<Value, Error> {
         ("steps", steps.into()),
         ("elsewhere", touched(&done.elsewhere)),
         ("taken", done.taken.into()),
-        (
-            "findings",
-            findings(&done.findings, &Positions::new(b"")).into(),
-        ),
+        ("findings", findings(&done.findings, &Positions::new(b"")).into()),
     ]))
 }
 
@@ -242,13 +221,11 @@ pub fn convert(request: &str) -> Result<Value, Error> {
     let done = program::convert::convert(&program, request.call, style, &control);
     let positions = Positions::new(&program.source);
     let edits = done.edits.iter().map(|edit| placed_edit(edit, &positions));
-    Ok(object([
-        ("edits", edits.collect()),
-        ("findings", findings(&done.findings, &positions).into()),
-    ]))
+    Ok(object([("edits", edits.collect()), ("findings", findings(&done.findings, &positions).into())]))
 }
 
-/// The answer to a `RunRequest` in pieces, so that whoever waits for it can be told how far it is, halt it and leave it.
+/// The answer to a `RunRequest` in pieces, so that whoever waits for it can be told how far it is, halt it and leave
+/// it.
 pub struct Run {
     session: Session,
     setup: Setup,
@@ -262,11 +239,7 @@ impl Run {
         let dialect = dialect(&request.control)?;
         let setup = start(dialect, request.setup)?.setup;
         let program = program::read(dialect, request.text.as_bytes());
-        Ok(Run {
-            session: Session::new(program, &setup, Limits::default()),
-            setup,
-            source: request.text.into_bytes(),
-        })
+        Ok(Run { session: Session::new(program, &setup, Limits::default()), setup, source: request.text.into_bytes() })
     }
 
     /// Carries out about so many blocks; true: the run is over.
@@ -298,10 +271,7 @@ fn result(name: &str, value: f64, meaning: Option<(&ResultField, CallAt)>, of: &
 
 /// A word that the run went on without, and its line.
 fn passed_over(one: &PassedOver) -> Value {
-    object([
-        ("word", one.word.as_str().into()),
-        ("line", one.line.into()),
-    ])
+    object([("word", one.word.as_str().into()), ("line", one.line.into())])
 }
 
 /// The call to which something belongs, its line counted from 1.
@@ -317,12 +287,7 @@ fn results(outcome: &Outcome) -> Vec<Value> {
     let control = &outcome.control;
     let mut all = Vec::new();
     let mut told = BTreeSet::new();
-    for Left {
-        line,
-        cycle,
-        results,
-    } in outcome.left()
-    {
+    for Left { line, cycle, results } in outcome.left() {
         let call = CallAt { line, cycle };
         for (field, value) in results {
             told.insert(field.name);
@@ -365,20 +330,14 @@ fn alarms(outcome: &Outcome) -> Vec<Value> {
 pub fn run_outcome(setup: &Setup, outcome: &Outcome, source: &[u8]) -> Value {
     object([
         ("trace", super::trace::trace(setup, outcome)),
-        (
-            "diagnostics",
-            findings(&outcome.diagnostics, &Positions::new(source)).into(),
-        ),
+        ("diagnostics", findings(&outcome.diagnostics, &Positions::new(source)).into()),
         ("results", results(outcome).into()),
         ("decisions", decisions(outcome).into()),
         ("changes", super::changes::changes(outcome).into()),
         ("alarms", alarms(outcome).into()),
         ("log", outcome.log().into()),
         ("finished", outcome.finished().into()),
-        (
-            "passedOver",
-            outcome.passed_over.iter().map(passed_over).collect(),
-        ),
+        ("passedOver", outcome.passed_over.iter().map(passed_over).collect()),
         ("ending", message(&outcome.ending())),
     ])
 }

@@ -57,10 +57,7 @@ impl Scan {
     pub fn new(request: &str, file: &[u8]) -> Result<Scan, Error> {
         let request: Request = super::request(request)?;
         let dialect = dialect(&request.control)?;
-        let unknown = || Error::Unknown {
-            what: "cycle that scans",
-            name: request.cycle.clone(),
-        };
+        let unknown = || Error::Unknown { what: "cycle that scans", name: request.cycle.clone() };
         let cycle = catalogue::find(dialect, &request.cycle).ok_or_else(unknown)?;
         let mut setup = super::start::start(dialect, Some(request.setup))?.setup;
         if let Some(name) = &request.units {
@@ -73,14 +70,10 @@ impl Scan {
             put_surface(&mut setup, name, file)?;
         }
         let checked = check::check(cycle, &request.values, &setup.control);
-        let inputs = checked.inputs.ok_or(Error::Unknown {
-            what: "call that can be carried out",
-            name: request.cycle.clone(),
-        })?;
-        Ok(Scan {
-            session: Session::new(&inputs, &setup).ok_or_else(unknown)?,
-            part: setup.workpiece.solids,
-        })
+        let inputs = checked
+            .inputs
+            .ok_or(Error::Unknown { what: "call that can be carried out", name: request.cycle.clone() })?;
+        Ok(Scan { session: Session::new(&inputs, &setup).ok_or_else(unknown)?, part: setup.workpiece.solids })
     }
 
     /// Goes on by about so many points; true: it is over.
@@ -104,34 +97,22 @@ impl Scan {
         };
         let session = self.session.as_ref().ok();
         let cloud = session.map(Session::cloud);
-        let which = |which: usize| {
-            deviation(session.map_or(Deviation::default(), |one| one.deviation(which)))
-        };
+        let which = |which: usize| deviation(session.map_or(Deviation::default(), |one| one.deviation(which)));
         object([
-            (
-                "points",
-                cloud.map_or(0, |cloud| cloud.points().len()).into(),
-            ),
+            ("points", cloud.map_or(0, |cloud| cloud.points().len()).into()),
             ("lines", cloud.map_or(0, |cloud| cloud.lines()).into()),
-            (
-                "alarms",
-                stop.map(super::trace::stopped).into_iter().collect(),
-            ),
+            ("alarms", stop.map(super::trace::stopped).into_iter().collect()),
             ("sent", which(0)),
             ("surface", which(1)),
             ("solids", super::setup_write::solids(&drawn(&self.part))),
-            (
-                "radius",
-                session
-                    .map_or(0.0, |session| session.layout().radius)
-                    .into(),
-            ),
+            ("radius", session.map_or(0.0, |session| session.layout().radius).into()),
             ("origin", self.origin().into()),
         ])
     }
 
-    /// Of these points, in the order of the scan, four numbers each: X Y Z from the origin in machine coordinates, and the
-    /// deviation from the true surface, mm. `surface`: of the points of the surface under the ball, else of those that are sent.
+    /// Of these points, in the order of the scan, four numbers each: X Y Z from the origin in machine coordinates, and
+    /// the deviation from the true surface, mm. `surface`: of the points of the surface under the ball, else of those
+    /// that are sent.
     pub fn cloud(&self, surface: bool, points: Range<usize>) -> Vec<f32> {
         let Ok(session) = &self.session else {
             return Vec::new();
@@ -157,8 +138,8 @@ impl Scan {
         (points.start..end).flat_map(numbers).collect()
     }
 
-    /// The turn of each point when they are drawn: the first ones are spread evenly over all, so that they show the surface
-    /// where not all are drawn.
+    /// The turn of each point when they are drawn: the first ones are spread evenly over all, so that they show the
+    /// surface where not all are drawn.
     pub fn turns(&self) -> Vec<u32> {
         let count = self.session.as_ref();
         let count = count.map_or(0, |session| session.deviations().len());
@@ -168,10 +149,7 @@ impl Scan {
     /// The text of these points in the form of this name; pieces one behind the other are the whole text.
     pub fn text(&self, form: &str, from: usize, to: usize) -> Result<String, Error> {
         let known = FORMS.iter().find(|(name, _)| *name == form);
-        let (_, form) = known.ok_or_else(|| Error::Unknown {
-            what: "form",
-            name: crate::message::printable(form),
-        })?;
+        let (_, form) = known.ok_or_else(|| Error::Unknown { what: "form", name: crate::message::printable(form) })?;
         let Ok(session) = &self.session else {
             return Ok(String::new());
         };
@@ -191,10 +169,7 @@ impl Scan {
 }
 
 fn deviation(found: Deviation) -> Value {
-    object([
-        ("greatest", found.greatest.into()),
-        ("mean", found.mean.into()),
-    ])
+    object([("greatest", found.greatest.into()), ("mean", found.mean.into())])
 }
 
 /// Puts another surface in the place of that of the part; false: the part has none. `file`: the bytes of which the name
@@ -216,9 +191,7 @@ fn instead(before: &FreeSurface, name: &SurfaceName, file: &[u8]) -> Result<Free
     let [x, y, height] = [0, 1, 2].map(|axis| (high[axis] - low[axis]).max(1e-3));
     match name {
         SurfaceName::Example(name) => setup_surface::example(name, [x, y, height]),
-        SurfaceName::Picture(columns) => {
-            Ok(Heights::from_greys(file, *columns, [x, y], height)?.surface()?)
-        }
+        SurfaceName::Picture(columns) => Ok(Heights::from_greys(file, *columns, [x, y], height)?.surface()?),
         SurfaceName::Stl => {
             let mut triangles = stl_triangles(file)?;
             let [low, high] = FreeSurface::from_triangles(&triangles)?.bounds();
@@ -257,13 +230,8 @@ mod tests {
     /// A request for the example of the form, on the machine that the form makes.
     fn request(surface: Value) -> String {
         let cycle = &crate::catalogue::p9969::P9969;
-        let values: Typed = cycle
-            .example
-            .iter()
-            .map(|(n, v)| ((*n).into(), (*v).into()))
-            .collect();
-        let form =
-            json!({ "control": "nct", "cycle": cycle.name, "values": values, "predict": true });
+        let values: Typed = cycle.example.iter().map(|(n, v)| ((*n).into(), (*v).into())).collect();
+        let form = json!({ "control": "nct", "cycle": cycle.name, "values": values, "predict": true });
         let view = crate::json::form(&form.to_string()).unwrap();
         let asked = json!({
             "control": "nct", "cycle": cycle.name, "values": values,
@@ -304,18 +272,8 @@ mod tests {
             }
             assert_eq!(scan.cloud(false, 0..1)[..3], [0.0; 3]);
             assert_eq!(scan.turns().len(), points);
-            let (sent, taken) = (
-                view["sent"]["mean"].as_f64().unwrap(),
-                view["surface"]["mean"].as_f64().unwrap(),
-            );
-            assert!(
-                if flat {
-                    sent < 0.02
-                } else {
-                    taken < sent / 2.0
-                },
-                "{surface} {sent} {taken}"
-            );
+            let (sent, taken) = (view["sent"]["mean"].as_f64().unwrap(), view["surface"]["mean"].as_f64().unwrap());
+            assert!(if flat { sent < 0.02 } else { taken < sent / 2.0 }, "{surface} {sent} {taken}");
             let lines = |form: &str| scan.text(form, 0, points).unwrap().lines().count();
             assert_eq!((lines("points"), lines("surface")), (points, points));
             assert!(lines("program") > points);
@@ -333,10 +291,7 @@ mod tests {
             (json!("stl"), b"solid".to_vec()),
             (json!("stl"), vec![0xff; 200]),
         ] {
-            assert!(
-                Scan::new(&request(surface.clone()), &file).is_err(),
-                "{surface}"
-            );
+            assert!(Scan::new(&request(surface.clone()), &file).is_err(), "{surface}");
         }
         assert!(Scan::new("{}", &[]).is_err());
         let other = request(json!(null)).replace("G65 P9969", "G110");

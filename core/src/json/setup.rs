@@ -14,7 +14,8 @@ use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Machine, probe and part that a program runs on. Lengths in mm, angles in degree, feeds in mm/min, except in `data`,
-/// where a number means what it means on the control: on an inch machine most lengths are inches. Unknown members are refused, so that a slip is told and not ignored.
+/// where a number means what it means on the control: on an inch machine most lengths are inches. Unknown members are
+/// refused, so that a slip is told and not ignored.
 #[derive(Deserialize)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 #[serde(deny_unknown_fields, rename_all = "camelCase")]
@@ -42,7 +43,8 @@ struct SetupFile {
     /// Stored tool environments by name, as `TOOLENV("NAME")` makes them.
     #[serde(default)]
     environments: BTreeMap<String, EnvironmentFile>,
-    /// What differs from delivery in user data, R parameters, machine data, # variables: `_WP[0,1]`, `_CHBIT[4]`, `R10`, `MD18600`, `#500`; and `PW-FORMS`, 1 where `_MZ_MASK` decides forms and code.
+    /// What differs from delivery in user data, R parameters, machine data, # variables: `_WP[0,1]`, `_CHBIT[4]`,
+    /// `R10`, `MD18600`, `#500`; and `PW-FORMS`, 1 where `_MZ_MASK` decides forms and code.
     #[serde(default)]
     data: BTreeMap<String, DatumFile>,
     /// The probe as it really is, not as the control believes.
@@ -80,7 +82,8 @@ struct MachineFile {
     limits_plus: [Option<f64>; 3],
     /// Whether the spindle can be positioned with SPOS.
     spindle_positions: bool,
-    /// Point X Y Z on the lines about which the rotary axes turn the part. Which there are: MD20080 and MD30300 in `data`.
+    /// Point X Y Z on the lines about which the rotary axes turn the part. Which there are: MD20080 and MD30300 in
+    /// `data`.
     rotary_centre: [f64; 3],
     /// The turret of a turning machine.
     turret: TurretFile,
@@ -240,10 +243,7 @@ fn setup(mut file: SetupFile) -> Result<Setup, Error> {
     };
     let mut control = delivery_in(dialect, units(file.units));
     control.plane = plane(file.plane);
-    control.limits = Limits {
-        minus: file.machine.limits_minus,
-        plus: file.machine.limits_plus,
-    };
+    control.limits = Limits { minus: file.machine.limits_minus, plus: file.machine.limits_plus };
     control.spindle_positions = file.machine.spindle_positions;
     control.rotary_centre = file.machine.rotary_centre;
     let real_tools = super::setup_tool::real_tools(&mut file.tools);
@@ -258,15 +258,9 @@ fn setup(mut file: SetupFile) -> Result<Setup, Error> {
     }
     read_data(&mut control, file.data);
     activate(&mut control, &file.active)?;
-    let solids = file
-        .workpiece
-        .into_iter()
-        .map(solid)
-        .collect::<Result<_, _>>()?;
+    let solids = file.workpiece.into_iter().map(solid).collect::<Result<_, _>>()?;
     let tool_probes = file.tool_probes.into_iter();
-    let tool_probes = tool_probes
-        .map(super::setup_tool::tool_probe)
-        .collect::<Result<_, _>>()?;
+    let tool_probes = tool_probes.map(super::setup_tool::tool_probe).collect::<Result<_, _>>()?;
     let TurretFile { diameter, width } = file.machine.turret;
     let setup = Setup {
         control,
@@ -293,10 +287,7 @@ pub(super) fn read_data(control: &mut Control, data: BTreeMap<String, DatumFile>
 }
 
 fn read_tool(file: ToolFile) -> Tool {
-    let mut tool = Tool {
-        name: file.name,
-        edges: BTreeMap::new(),
-    };
+    let mut tool = Tool { name: file.name, edges: BTreeMap::new() };
     for (number, edge) in file.edges {
         tool.edges.insert(number, read_edge(&edge));
     }
@@ -327,9 +318,6 @@ fn read_probe(file: &ProbeFile) -> Probe {
         repeatability: file.repeatability,
         false_signal: file.false_signal,
         stylus: file.stylus,
-        body: file.body.map(|body| ProbeBody {
-            radius: body.radius,
-            distance: body.distance,
-        }),
+        body: file.body.map(|body| ProbeBody { radius: body.radius, distance: body.distance }),
     }
 }

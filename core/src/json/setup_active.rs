@@ -64,10 +64,7 @@ pub(super) fn activate(control: &mut Control, file: &ActiveFile) -> Result<(), E
     control.spindle = file.spindle;
     control.rotary = file.rotary;
     if !file.frame.is_empty() {
-        let unknown = || Error::Unknown {
-            what: "frame",
-            name: file.frame.clone(),
-        };
+        let unknown = || Error::Unknown { what: "frame", name: file.frame.clone() };
         control.settable = settable(control, &file.frame).ok_or_else(unknown)?;
     }
     control.activate(control.settable);
@@ -79,16 +76,11 @@ pub(super) fn activate(control: &mut Control, file: &ActiveFile) -> Result<(), E
 
 /// Makes a G function of units the one in force, by its name: `G70`.
 pub(super) fn choose_units(control: &mut Control, name: &str) -> Result<(), Error> {
-    let number = name
-        .strip_prefix('G')
-        .and_then(|digits| digits.parse().ok());
+    let number = name.strip_prefix('G').and_then(|digits| digits.parse().ok());
     if number.is_some_and(|number| control.choose_units(number)) {
         return Ok(());
     }
-    Err(Error::Unknown {
-        what: "G function of units",
-        name: name.to_owned(),
-    })
+    Err(Error::Unknown { what: "G function of units", name: name.to_owned() })
 }
 
 /// Name of a G function of units, see [`choose_units`].

@@ -55,19 +55,10 @@ fn no_scale() -> [f64; 3] {
 }
 
 pub(super) fn environment(file: &EnvironmentFile) -> Environment {
-    Environment {
-        tool: file.tool,
-        edge: file.edge,
-        location: file.location,
-        plane: plane(file.plane),
-    }
+    Environment { tool: file.tool, edge: file.edge, location: file.location, plane: plane(file.plane) }
 }
 
-pub(super) fn place_frame(
-    control: &mut Control,
-    name: &str,
-    file: &FrameFile,
-) -> Result<(), Error> {
+pub(super) fn place_frame(control: &mut Control, name: &str, file: &FrameFile) -> Result<(), Error> {
     let frame = Frame {
         coarse: file.coarse,
         fine: file.fine,
@@ -77,13 +68,8 @@ pub(super) fn place_frame(
         scale: file.scale,
         mirror: file.mirror,
     };
-    let unknown = || Error::Unknown {
-        what: "frame",
-        name: name.to_owned(),
-    };
-    let index = |prefix: &str| -> Option<usize> {
-        name.strip_prefix(prefix)?.strip_suffix(']')?.parse().ok()
-    };
+    let unknown = || Error::Unknown { what: "frame", name: name.to_owned() };
+    let index = |prefix: &str| -> Option<usize> { name.strip_prefix(prefix)?.strip_suffix(']')?.parse().ok() };
     if name == "$P_SETFR" {
         control.system = frame;
     } else if let Some(number) = index("$P_CHBFR[") {
@@ -91,20 +77,14 @@ pub(super) fn place_frame(
     } else if let Some(number) = index("$P_NCBFR[") {
         control.global_basic.insert(number, frame);
     } else {
-        control
-            .frames
-            .insert(settable(control, name).ok_or_else(unknown)?, frame);
+        control.frames.insert(settable(control, name).ok_or_else(unknown)?, frame);
     }
     Ok(())
 }
 
 /// Number of a settable frame by its name: G54..G57 1..4, G505..G599 5..99; NCT G54..G59 1..6 and `COMMON` 0.
 pub(super) fn settable(control: &Control, name: &str) -> Option<usize> {
-    let number: usize = if name == "COMMON" {
-        0
-    } else {
-        name.strip_prefix('G')?.parse().ok()?
-    };
+    let number: usize = if name == "COMMON" { 0 } else { name.strip_prefix('G')?.parse().ok()? };
     match (control.dialect, number) {
         (_, 0) => Some(0),
         (Dialect::Nct, 54..=59) | (_, 54..=57) => Some(number - 53),

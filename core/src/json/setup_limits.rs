@@ -38,12 +38,7 @@ pub(super) fn exists(setup: &Setup) -> Result<(), Error> {
     probe(&setup.probe)?;
     super::setup_tool::check(setup)?;
     let solids = &setup.workpiece.solids;
-    bound(
-        "workpiece",
-        solids.len() as f64,
-        solids.len() <= SOLIDS,
-        "at most 50 solids",
-    )?;
+    bound("workpiece", solids.len() as f64, solids.len() <= SOLIDS, "at most 50 solids")?;
     for (number, one) in solids.iter().enumerate() {
         solid(&format!("workpiece[{number}]"), one)?;
     }
@@ -54,10 +49,7 @@ fn control(control: &Control) -> Result<(), Error> {
     for (number, frame) in &control.frames {
         self::frame(&super::setup_frame::settable_name(control, *number), frame)?;
     }
-    for (store, frames) in [
-        ("$P_CHBFR", &control.channel_basic),
-        ("$P_NCBFR", &control.global_basic),
-    ] {
+    for (store, frames) in [("$P_CHBFR", &control.channel_basic), ("$P_NCBFR", &control.global_basic)] {
         for (number, frame) in frames {
             bound(store, *number as f64, *number < 16, "numbers 0 to 15")?;
             self::frame(&format!("{store}[{number}]"), frame)?;
@@ -79,10 +71,7 @@ fn control(control: &Control) -> Result<(), Error> {
     small("active.rotary", &control.rotary)?;
     small("machine.rotaryCentre", &control.rotary_centre)?;
     in_spindle(control)?;
-    control
-        .data
-        .iter()
-        .try_for_each(|(name, value)| datum(control.dialect, name, value))
+    control.data.iter().try_for_each(|(name, value)| datum(control.dialect, name, value))
 }
 
 /// The tool and the edge that are said to be active are there; an NCT register always is.
@@ -106,9 +95,7 @@ fn datum(dialect: Dialect, name: &str, value: &Value) -> Result<(), Error> {
         bound(name, *number, holds, "-1E300 to 1E300")?;
     }
     let numbered = |letter: char, most: usize| {
-        let number = name
-            .strip_prefix(letter)
-            .and_then(|digits| digits.parse::<usize>().ok());
+        let number = name.strip_prefix(letter).and_then(|digits| digits.parse::<usize>().ok());
         number.is_some_and(|number| number < most)
     };
     let text = matches!(value, Value::Text(_));
@@ -119,17 +106,10 @@ fn datum(dialect: Dialect, name: &str, value: &Value) -> Result<(), Error> {
         }
         Dialect::Sinumerik if name == FORMS => !text,
         Dialect::Sinumerik => {
-            numbered('R', 1000) && !text
-                || ["MD", "SD", "TOOLENV["]
-                    .iter()
-                    .any(|start| name.starts_with(start))
+            numbered('R', 1000) && !text || ["MD", "SD", "TOOLENV["].iter().any(|start| name.starts_with(start))
         }
     };
-    if known {
-        Ok(())
-    } else {
-        Err(unknown("datum, or not of this type", name))
-    }
+    if known { Ok(()) } else { Err(unknown("datum, or not of this type", name)) }
 }
 
 fn frame(name: &str, frame: &Frame) -> Result<(), Error> {
@@ -141,19 +121,9 @@ fn frame(name: &str, frame: &Frame) -> Result<(), Error> {
 }
 
 fn probe(probe: &Probe) -> Result<(), Error> {
-    bound(
-        "probe.radius",
-        probe.radius,
-        probe.radius > 0.0 && probe.radius <= LIMIT,
-        "more than 0",
-    )?;
+    bound("probe.radius", probe.radius, probe.radius > 0.0 && probe.radius <= LIMIT, "more than 0")?;
     let scatter = probe.repeatability.0;
-    bound(
-        "probe.repeatability",
-        scatter,
-        (0.0..=1.0).contains(&scatter),
-        "0 to 1 mm",
-    )?;
+    bound("probe.repeatability", scatter, (0.0..=1.0).contains(&scatter), "0 to 1 mm")?;
     let positive = |name: &str, length: f64| {
         let holds = length > 0.0 && length <= LIMIT;
         bound(name, length, holds, "more than 0")
@@ -174,33 +144,19 @@ fn probe(probe: &Probe) -> Result<(), Error> {
 
 /// Lengths, angles or times that can be reckoned with.
 pub(super) fn small(what: &str, values: &[f64]) -> Result<(), Error> {
-    values
-        .iter()
-        .try_for_each(|value| bound(what, *value, value.abs() <= LIMIT, "-1000000 to 1000000"))
+    values.iter().try_for_each(|value| bound(what, *value, value.abs() <= LIMIT, "-1000000 to 1000000"))
 }
 
 /// Refuses a value that does not hold, with what is allowed.
-pub(super) fn bound(
-    what: &str,
-    value: f64,
-    holds: bool,
-    allowed: &'static str,
-) -> Result<(), Error> {
+pub(super) fn bound(what: &str, value: f64, holds: bool, allowed: &'static str) -> Result<(), Error> {
     if holds {
         return Ok(());
     }
-    Err(Error::Bound {
-        what: what.to_owned(),
-        value,
-        allowed,
-    })
+    Err(Error::Bound { what: what.to_owned(), value, allowed })
 }
 
 fn unknown(what: &'static str, name: &str) -> Error {
-    Error::Unknown {
-        what,
-        name: crate::message::printable(name),
-    }
+    Error::Unknown { what, name: crate::message::printable(name) }
 }
 
 #[cfg(test)]
@@ -230,11 +186,7 @@ mod tests {
         };
         assert_eq!(turned([60.0, 80.0, 0.0, 0.0]), "");
         assert_eq!(turned([60.0, 80.0, 40.0, 30.0]), "");
-        for size in [
-            [60.0, 80.0, 60.0, 30.0],
-            [60.0, 80.0, 40.0, 80.0],
-            [60.0, 80.0, 40.0, 0.0],
-        ] {
+        for size in [[60.0, 80.0, 60.0, 30.0], [60.0, 80.0, 40.0, 80.0], [60.0, 80.0, 40.0, 0.0]] {
             assert!(turned(size).contains("bore"), "{size:?}");
         }
         assert!(turned([60.0, 80.0, -40.0, 30.0]).contains("workpiece[0].size"));
@@ -259,33 +211,28 @@ mod tests {
             ),
             (
                 "/workpiece/0",
-                json!({ "shape": "surface", "at": [0, 0, 0], "surface": { "heights": { "columns": 0, "step": [1, 1], "values": [] } } }),
+                json!({ "shape": "surface", "at": [0, 0, 0], "surface": { "heights": { "columns": 0, "step": [1, 1],
+                    "values": [] } } }),
                 "grid",
             ),
             (
                 "/workpiece/0",
-                json!({ "shape": "surface", "at": [0, 0, 0], "surface": { "example": { "name": "moon", "size": [1, 1, 1] } } }),
+                json!({ "shape": "surface", "at": [0, 0, 0], "surface": { "example": { "name": "moon", "size": [1, 1,
+                    1] } } }),
                 "moon",
             ),
             (
                 "/workpiece/0",
-                json!({ "shape": "surface", "at": [0, 0, 0], "surface": { "example": { "name": "dome", "size": [1, 0, 1] } } }),
+                json!({ "shape": "surface", "at": [0, 0, 0], "surface": { "example": { "name": "dome", "size": [1, 0,
+                    1] } } }),
                 "surface.size",
             ),
             ("/probe/radius", json!(-3), "probe.radius"),
             ("/probe/length", json!(1e300), "probe.length"),
             ("/position", json!([0, 1e7, 0]), "position"),
             ("/frames/G54/coarse", json!([1e308, 0, 0]), "G54"),
-            (
-                "/frames",
-                json!({ "$P_CHBFR[16]": { "coarse": [0, 0, 0] } }),
-                "$P_CHBFR",
-            ),
-            (
-                "/frames",
-                json!({ "G999": { "coarse": [0, 0, 0] } }),
-                "G999",
-            ),
+            ("/frames", json!({ "$P_CHBFR[16]": { "coarse": [0, 0, 0] } }), "$P_CHBFR"),
+            ("/frames", json!({ "G999": { "coarse": [0, 0, 0] } }), "G999"),
             ("/tools/20/edges/1/radius", json!(-1e9), "tools 20, edge 1"),
             ("/active/tool", json!(77), "T77 D1"),
             ("/active/edge", json!(5), "T9 D5"),
@@ -300,21 +247,9 @@ mod tests {
             ("/workpiece/0/size", json!([132, -40]), "workpiece[0].size"),
             ("/workpiece/0/errors", json!({ "size": -200 }), "-68"),
             ("/workpiece/0/errors", json!({ "taper": -10 }), "bottom"),
-            (
-                "/workpiece/0/errors",
-                json!({ "outOfRound": [0.1, 4_294_967_295_u32] }),
-                "lobes",
-            ),
-            (
-                "/workpiece/0/errors",
-                json!({ "outOfRound": [70, 3] }),
-                "amplitude",
-            ),
-            (
-                "/workpiece/0/errors",
-                json!({ "tilt": [0, 1e300, 0] }),
-                "tilt",
-            ),
+            ("/workpiece/0/errors", json!({ "outOfRound": [0.1, 4_294_967_295_u32] }), "lobes"),
+            ("/workpiece/0/errors", json!({ "outOfRound": [70, 3] }), "amplitude"),
+            ("/workpiece/0/errors", json!({ "tilt": [0, 1e300, 0] }), "tilt"),
         ] {
             let error = refused(path, value.clone());
             assert!(error.contains(told), "{path} {value}: {error:?}");
@@ -325,19 +260,14 @@ mod tests {
     #[test]
     fn what_can_be_is_taken() {
         for (path, value) in [
-            (
-                "/data",
-                json!({ "_WP[98,10]": 1, "R999": 2, "MD18600": 0, "_TNAME": "MILL", "_PROTNAME[1]": "LOG" }),
-            ),
+            ("/data", json!({ "_WP[98,10]": 1, "R999": 2, "MD18600": 0, "_TNAME": "MILL", "_PROTNAME[1]": "LOG" })),
             ("/data", json!({ "TOOLENV[ENV,T]": 20 })),
             ("/active", json!({ "tool": 0, "edge": 0 })),
-            (
-                "/workpiece/0/errors",
-                json!({ "outOfRound": [0.1, 5], "size": -1, "taper": 0.01 }),
-            ),
+            ("/workpiece/0/errors", json!({ "outOfRound": [0.1, 5], "size": -1, "taper": 0.01 })),
             (
                 "/workpiece/0",
-                json!({ "shape": "surface", "at": [0, 0, 0], "surface": { "example": { "name": "dome", "size": [60, 40, 10] } } }),
+                json!({ "shape": "surface", "at": [0, 0, 0], "surface": { "example": { "name": "dome", "size": [60, 40,
+                    10] } } }),
             ),
         ] {
             assert_eq!(refused(path, value.clone()), "", "{path} {value}");

@@ -13,14 +13,16 @@ pub(super) struct SolidFile {
     /// Element.
     shape: ShapeName,
     /// hole: diameter, depth; shaft: diameter, height; groove and web: width, depth, length; pocket and island:
-    /// X, Y, depth; block: X, Y, Z; turned: diameter, length, diameter and depth of the bore (0: none); chuck: diameter, length, diameter that it grips; sphere: diameter; outerCorner and innerCorner: angle between the edges in degree,
-    /// lengths of the edge along X and of the other one, depth; surface: none.
+    /// X, Y, depth; block: X, Y, Z; turned: diameter, length, diameter and depth of the bore (0: none); chuck:
+    /// diameter, length, diameter that it grips; sphere: diameter; outerCorner and innerCorner: angle between the edges
+    /// in degree, lengths of the edge along X and of the other one, depth; surface: none.
     #[serde(default)]
     size: Vec<f64>,
     /// What a surface looks like, of this shape only.
     #[serde(default)]
     surface: Option<SurfaceFile>,
-    /// Centre of the element at its upper face, of a sphere its centre, of a corner the corner, machine coordinates X Y Z.
+    /// Centre of the element at its upper face, of a sphere its centre, of a corner the corner, machine coordinates X Y
+    /// Z.
     at: [f64; 3],
     /// Orientation about X Y Z (RPY), degree.
     #[serde(default)]
@@ -68,9 +70,7 @@ struct ErrorsFile {
 
 pub(super) fn solid(file: SolidFile) -> Result<Solid, Error> {
     let shape = match (file.shape, file.surface) {
-        (ShapeName::Surface, Some(surface)) if file.size.is_empty() => {
-            setup_surface::shape(surface)?
-        }
+        (ShapeName::Surface, Some(surface)) if file.size.is_empty() => setup_surface::shape(surface)?,
         (ShapeName::Surface, _) | (_, Some(_)) => {
             return Err(Error::Unknown {
                 what: "shape",
@@ -86,12 +86,7 @@ pub(super) fn solid(file: SolidFile) -> Result<Solid, Error> {
         taper: file.errors.taper,
         out_of_round: file.errors.out_of_round,
     };
-    Ok(Solid {
-        shape,
-        at: file.at,
-        rotation: file.rotation,
-        errors,
-    })
+    Ok(Solid { shape, at: file.at, rotation: file.rotation, errors })
 }
 
 /// A shape that its sizes tell.
@@ -99,51 +94,20 @@ fn sized(shape: ShapeName, size: &[f64]) -> Result<Shape, Error> {
     Ok(match (shape, size) {
         (ShapeName::Hole, &[diameter, depth]) => Shape::Hole { diameter, depth },
         (ShapeName::Shaft, &[diameter, height]) => Shape::Shaft { diameter, height },
-        (ShapeName::Groove, &[width, depth, length]) => Shape::Groove {
-            width,
-            depth,
-            length,
-        },
-        (ShapeName::Web, &[width, height, length]) => Shape::Web {
-            width,
-            height,
-            length,
-        },
-        (ShapeName::Pocket, &[x, y, depth]) => Shape::Pocket {
-            length: [x, y],
-            depth,
-        },
-        (ShapeName::Island, &[x, y, height]) => Shape::Island {
-            length: [x, y],
-            height,
-        },
+        (ShapeName::Groove, &[width, depth, length]) => Shape::Groove { width, depth, length },
+        (ShapeName::Web, &[width, height, length]) => Shape::Web { width, height, length },
+        (ShapeName::Pocket, &[x, y, depth]) => Shape::Pocket { length: [x, y], depth },
+        (ShapeName::Island, &[x, y, height]) => Shape::Island { length: [x, y], height },
         (ShapeName::Block, &[x, y, z]) => Shape::Block { size: [x, y, z] },
-        (ShapeName::OuterCorner, &[angle, x, y, height]) => Shape::OuterCorner {
-            angle,
-            length: [x, y],
-            height,
-        },
-        (ShapeName::InnerCorner, &[angle, x, y, depth]) => Shape::InnerCorner {
-            angle,
-            length: [x, y],
-            depth,
-        },
-        (ShapeName::Turned, &[diameter, length, bore, depth]) => Shape::Turned {
-            diameter,
-            length,
-            bore: [bore, depth],
-        },
-        (ShapeName::Chuck, &[diameter, length, grip]) => Shape::Chuck {
-            diameter,
-            length,
-            grip,
-        },
+        (ShapeName::OuterCorner, &[angle, x, y, height]) => Shape::OuterCorner { angle, length: [x, y], height },
+        (ShapeName::InnerCorner, &[angle, x, y, depth]) => Shape::InnerCorner { angle, length: [x, y], depth },
+        (ShapeName::Turned, &[diameter, length, bore, depth]) => {
+            Shape::Turned { diameter, length, bore: [bore, depth] }
+        }
+        (ShapeName::Chuck, &[diameter, length, grip]) => Shape::Chuck { diameter, length, grip },
         (ShapeName::Sphere, &[diameter]) => Shape::Sphere { diameter },
         (shape, size) => {
-            return Err(Error::Unknown {
-                what: "shape",
-                name: format!("{shape:?} with {} sizes", size.len()),
-            });
+            return Err(Error::Unknown { what: "shape", name: format!("{shape:?} with {} sizes", size.len()) });
         }
     })
 }

@@ -36,16 +36,7 @@ pub(super) enum SurfaceFile {
 pub(super) fn shape(file: SurfaceFile) -> Result<Shape, Error> {
     let surface = match file {
         SurfaceFile::Example { name, size } => example(&name, size)?,
-        SurfaceFile::Heights {
-            columns,
-            step,
-            values,
-        } => Heights {
-            columns,
-            step,
-            values,
-        }
-        .surface()?,
+        SurfaceFile::Heights { columns, step, values } => Heights { columns, step, values }.surface()?,
         SurfaceFile::Triangles(triangles) => FreeSurface::from_triangles(&triangles)?,
     };
     Ok(Shape::Free(Arc::new(surface)))
@@ -54,18 +45,12 @@ pub(super) fn shape(file: SurfaceFile) -> Result<Shape, Error> {
 /// One of our surfaces.
 pub(super) fn example(name: &str, size: [f64; 3]) -> Result<FreeSurface, Error> {
     let known = EXAMPLES.iter().find(|(known, _)| *known == name);
-    let (_, example) = known.ok_or_else(|| Error::Unknown {
-        what: "surface",
-        name: crate::message::printable(name),
-    })?;
+    let (_, example) =
+        known.ok_or_else(|| Error::Unknown { what: "surface", name: crate::message::printable(name) })?;
     let [x, y, height] = size;
     for value in size {
         if !(value > 0.0 && value <= LARGEST) {
-            return Err(Error::Bound {
-                what: "surface.size".into(),
-                value,
-                allowed: "more than 0",
-            });
+            return Err(Error::Bound { what: "surface.size".into(), value, allowed: "more than 0" });
         }
     }
     Ok(example.heights([x, y], height).surface()?)

@@ -128,10 +128,7 @@ pub(super) fn real_tools(files: &mut BTreeMap<i64, ToolFile>) -> BTreeMap<(i64, 
 
 fn read(file: &RealFile) -> Tool {
     let cut = match &file.cut {
-        CutFile::Nose(nose) => Cut::Nose(Nose {
-            radius: nose.radius,
-            side: nose.side,
-        }),
+        CutFile::Nose(nose) => Cut::Nose(Nose { radius: nose.radius, side: nose.side }),
         CutFile::Cutter(cutter) => Cut::Cutter(Cutter {
             radius: cutter.radius,
             corner: cutter.corner,
@@ -144,10 +141,7 @@ fn read(file: &RealFile) -> Tool {
             disc: cutter.disc,
         }),
     };
-    Tool {
-        length: file.length,
-        cut,
-    }
+    Tool { length: file.length, cut }
 }
 
 /// Most teeth of a cutter and most tool probes; every motion is held against each tooth and each probe.
@@ -162,24 +156,17 @@ pub(super) fn check(setup: &Setup) -> Result<(), Error> {
         limits(&name, &probe.solid)?;
         let cap = match probe.solid.shape {
             Shape::Block { .. } => true,
-            Shape::Turned {
-                bore: [bore, _], ..
-            } => bore == 0.0,
+            Shape::Turned { bore: [bore, _], .. } => bore == 0.0,
             _ => false,
         };
         if !cap {
-            return Err(Error::Unknown {
-                what: "cap of a tool probe, other than block or turned without bore,",
-                name,
-            });
+            return Err(Error::Unknown { what: "cap of a tool probe, other than block or turned without bore,", name });
         }
         let (deviation, _) = probe.repeatability;
         small(&name, &[probe.pre_travel, probe.delay, deviation])?;
     }
     let mut tools = setup.real_tools.iter();
-    tools.try_for_each(|((tool, edge), real)| {
-        check_tool(&format!("tools {tool}, edge {edge}: real"), real)
-    })
+    tools.try_for_each(|((tool, edge), real)| check_tool(&format!("tools {tool}, edge {edge}: real"), real))
 }
 
 fn check_tool(name: &str, tool: &Tool) -> Result<(), Error> {
@@ -189,9 +176,7 @@ fn check_tool(name: &str, tool: &Tool) -> Result<(), Error> {
         Cut::Nose(nose) => {
             positive(nose.radius)?;
             let mut sides = nose.side.iter();
-            sides.try_for_each(|side| {
-                bound(name, *side, [-1.0, 0.0, 1.0].contains(side), "-1, 0 or 1")
-            })
+            sides.try_for_each(|side| bound(name, *side, [-1.0, 0.0, 1.0].contains(side), "-1, 0 or 1"))
         }
         Cut::Cutter(cutter) => {
             let [inside, above] = cutter.chamfer;
@@ -204,21 +189,8 @@ fn check_tool(name: &str, tool: &Tool) -> Result<(), Error> {
             bound(name, teeth as f64, teeth <= MOST, "at most 100 teeth")?;
             bound(name, cutter.axis as f64, cutter.axis < 3, "axes 0 to 2")?;
             let least = cutter.radius - cutter.corner - inside;
-            bound(
-                name,
-                least,
-                least >= 0.0,
-                "a radius that holds corner and chamfer",
-            )?;
-            small(
-                name,
-                &[
-                    cutter.angle,
-                    cutter.runout[0],
-                    cutter.runout[1],
-                    cutter.runout_angle,
-                ],
-            )
+            bound(name, least, least >= 0.0, "a radius that holds corner and chamfer")?;
+            small(name, &[cutter.angle, cutter.runout[0], cutter.runout[1], cutter.runout_angle])
         }
     }
 }
@@ -231,10 +203,7 @@ pub(super) fn tool_probes(list: &[ToolProbe]) -> Value {
             ("solid", setup_write::solid(&probe.solid)),
             ("preTravel", probe.pre_travel.into()),
             ("delay", probe.delay.into()),
-            (
-                "repeatability",
-                Value::Array(vec![deviation.into(), seed.into()]),
-            ),
+            ("repeatability", Value::Array(vec![deviation.into(), seed.into()])),
         ])
     };
     list.iter().map(probe).collect()
@@ -244,10 +213,7 @@ pub(super) fn tool_probes(list: &[ToolProbe]) -> Value {
 pub(super) fn real(tool: &Tool) -> Value {
     let cut = match &tool.cut {
         Cut::Cutter(cutter) => ("cutter", self::cutter(cutter)),
-        Cut::Nose(nose) => (
-            "nose",
-            object([("radius", nose.radius.into()), ("side", nose.side.into())]),
-        ),
+        Cut::Nose(nose) => ("nose", object([("radius", nose.radius.into()), ("side", nose.side.into())])),
     };
     object([("length", tool.length.into()), ("cut", object([cut]))])
 }
@@ -290,7 +256,8 @@ mod tests {
                 }
             } } },
             "toolProbes": [
-                { "solid": { "shape": "block", "size": [20.0, 20.0, 15.0], "at": [39.0, 31.0, 80.0] }, "preTravel": 0.01 },
+                { "solid": { "shape": "block", "size": [20.0, 20.0, 15.0], "at": [39.0, 31.0, 80.0] },
+                    "preTravel": 0.01 },
                 { "solid": { "shape": "turned", "size": [20.0, 15.0, 0.0, 0.0], "at": [139.0, 31.0, 80.0] },
                   "delay": 0.001, "repeatability": [0.001, 7] }
             ]

@@ -20,15 +20,7 @@ pub fn to_json(setup: &Setup) -> Value {
         ("active", active(control)),
         ("tools", by_number(&control.tools, tool)),
         ("frames", frames(control)),
-        (
-            "data",
-            object(
-                control
-                    .data
-                    .iter()
-                    .map(|(name, value)| (name.as_str(), datum(value))),
-            ),
-        ),
+        ("data", object(control.data.iter().map(|(name, value)| (name.as_str(), datum(value))))),
         ("probe", probe(&setup.probe)),
         ("toolProbes", setup_tool::tool_probes(&setup.tool_probes)),
         ("workpiece", solids(&setup.workpiece.solids)),
@@ -118,11 +110,7 @@ fn active(control: &Control) -> Value {
         ("spindle", control.spindle.into()),
         ("rotary", control.rotary.into()),
     ]);
-    put(
-        &mut active,
-        "frame",
-        settable_name(control, control.settable),
-    );
+    put(&mut active, "frame", settable_name(control, control.settable));
     active
 }
 
@@ -143,10 +131,7 @@ fn by_number<T>(list: &BTreeMap<i64, T>, view: fn(&T) -> Value) -> Value {
 }
 
 fn tool(tool: &Tool) -> Value {
-    object([
-        ("name", tool.name.as_str().into()),
-        ("edges", by_number(&tool.edges, edge)),
-    ])
+    object([("name", tool.name.as_str().into()), ("edges", by_number(&tool.edges, edge))])
 }
 
 fn edge(edge: &Edge) -> Value {
@@ -186,10 +171,7 @@ fn probe(probe: &Probe) -> Value {
         ("skew", probe.skew.into()),
         ("preTravel", [constant, lobes].into()),
         ("delay", probe.delay.into()),
-        (
-            "repeatability",
-            Value::Array(vec![deviation.into(), seed.into()]),
-        ),
+        ("repeatability", Value::Array(vec![deviation.into(), seed.into()])),
     ]);
     if let Some(way) = probe.false_signal {
         put(&mut view, "falseSignal", way);
@@ -204,10 +186,7 @@ fn probe(probe: &Probe) -> Value {
 /// The body of the probe, where it is told.
 pub(super) fn put_body(view: &mut Value, probe: &Probe) {
     if let Some(body) = &probe.body {
-        let body = object([
-            ("radius", body.radius.into()),
-            ("distance", body.distance.into()),
-        ]);
+        let body = object([("radius", body.radius.into()), ("distance", body.distance.into())]);
         put(view, "body", body);
     }
 }
@@ -228,11 +207,8 @@ fn frames(control: &Control) -> Value {
 }
 
 fn frame(frame: &Frame) -> Value {
-    let mut view = object([
-        ("coarse", frame.coarse.into()),
-        ("fine", frame.fine.into()),
-        ("rotation", frame.rotation.into()),
-    ]);
+    let mut view =
+        object([("coarse", frame.coarse.into()), ("fine", frame.fine.into()), ("rotation", frame.rotation.into())]);
     for (name, rotary) in [("rotary", frame.rotary), ("rotaryFine", frame.rotary_fine)] {
         if rotary != [0.0; 3] {
             put(&mut view, name, rotary);
@@ -256,39 +232,15 @@ pub(super) fn solid(solid: &Solid) -> Value {
     let (shape, size): (&str, Value) = match solid.shape {
         Shape::Hole { diameter, depth } => ("hole", [diameter, depth].into()),
         Shape::Shaft { diameter, height } => ("shaft", [diameter, height].into()),
-        Shape::Groove {
-            width,
-            depth,
-            length,
-        } => ("groove", [width, depth, length].into()),
-        Shape::Web {
-            width,
-            height,
-            length,
-        } => ("web", [width, height, length].into()),
+        Shape::Groove { width, depth, length } => ("groove", [width, depth, length].into()),
+        Shape::Web { width, height, length } => ("web", [width, height, length].into()),
         Shape::Pocket { length, depth } => ("pocket", [length[0], length[1], depth].into()),
         Shape::Island { length, height } => ("island", [length[0], length[1], height].into()),
         Shape::Block { size } => ("block", size.into()),
-        Shape::OuterCorner {
-            angle,
-            length: [x, y],
-            height,
-        } => ("outerCorner", [angle, x, y, height].into()),
-        Shape::InnerCorner {
-            angle,
-            length: [x, y],
-            depth,
-        } => ("innerCorner", [angle, x, y, depth].into()),
-        Shape::Turned {
-            diameter,
-            length,
-            bore: [bore, depth],
-        } => ("turned", [diameter, length, bore, depth].into()),
-        Shape::Chuck {
-            diameter,
-            length,
-            grip,
-        } => ("chuck", [diameter, length, grip].into()),
+        Shape::OuterCorner { angle, length: [x, y], height } => ("outerCorner", [angle, x, y, height].into()),
+        Shape::InnerCorner { angle, length: [x, y], depth } => ("innerCorner", [angle, x, y, depth].into()),
+        Shape::Turned { diameter, length, bore: [bore, depth] } => ("turned", [diameter, length, bore, depth].into()),
+        Shape::Chuck { diameter, length, grip } => ("chuck", [diameter, length, grip].into()),
         Shape::Sphere { diameter } => ("sphere", [diameter].into()),
         Shape::Free(_) => ("surface", Value::Array(Vec::new())),
     };
@@ -312,9 +264,6 @@ fn errors(errors: &PartErrors) -> Value {
         ("size", errors.size.into()),
         ("tilt", errors.tilt.into()),
         ("taper", errors.taper.into()),
-        (
-            "outOfRound",
-            Value::Array(vec![amplitude.into(), lobes.into()]),
-        ),
+        ("outOfRound", Value::Array(vec![amplitude.into(), lobes.into()])),
     ])
 }

@@ -48,10 +48,7 @@ pub(super) fn start(dialect: Dialect, machine: Option<Value>) -> Result<Start, E
     }
     read_data(&mut setup.control, own.data);
     super::setup_limits::check(&setup)?;
-    Ok(Start {
-        setup,
-        described: false,
-    })
+    Ok(Start { setup, described: false })
 }
 
 /// What it takes to read a description is only in builds that also simulate on it.
@@ -59,8 +56,5 @@ fn described(machine: Value) -> Result<Start, Error> {
     if !SIMULATES {
         return Err(Error::NoSetup);
     }
-    Ok(Start {
-        setup: from_value(machine)?,
-        described: true,
-    })
+    Ok(Start { setup: from_value(machine)?, described: true })
 }

@@ -23,10 +23,7 @@ use std::collections::BTreeSet;
 pub fn outcome(inputs: &Inputs, setup: &Setup, outcome: &Outcome) -> Value {
     object([
         ("results", results(inputs, outcome).into()),
-        (
-            "decisions",
-            outcome.decisions().into_iter().map(message).collect(),
-        ),
+        ("decisions", outcome.decisions().into_iter().map(message).collect()),
         ("alarms", alarms(outcome).into()),
         ("changes", super::changes::changes(outcome).into()),
         ("log", outcome.log().into()),
@@ -69,11 +66,7 @@ pub(super) fn alarms(outcome: &Outcome) -> Vec<Value> {
 pub(super) fn stopped(stop: &Stop) -> Value {
     match stop {
         Stop::Alarm(code) => alarm(*code),
-        Stop::Fault(text) => object([
-            ("code", "".into()),
-            ("message", message(text)),
-            ("stops", true.into()),
-        ]),
+        Stop::Fault(text) => object([("code", "".into()), ("message", message(text)), ("stops", true.into())]),
     }
 }
 
@@ -130,11 +123,7 @@ fn ball(setup: &Setup) -> Value {
 }
 
 fn arc(around: &Around) -> Value {
-    object([
-        ("centre", around.centre.into()),
-        ("axis", around.axis.into()),
-        ("degrees", around.degrees.into()),
-    ])
+    object([("centre", around.centre.into()), ("axis", around.axis.into()), ("degrees", around.degrees.into())])
 }
 
 fn entry(entry: &Entry) -> Value {
@@ -147,13 +136,7 @@ fn entry(entry: &Entry) -> Value {
 
 fn step(step: &Step) -> Value {
     match step {
-        Step::Motion {
-            kind,
-            from,
-            to,
-            around,
-            feed,
-        } => {
+        Step::Motion { kind, from, to, around, feed } => {
             let mut view = object([
                 ("step", "motion".into()),
                 ("kind", kind_name(*kind).into()),
@@ -166,13 +149,7 @@ fn step(step: &Step) -> Value {
             }
             view
         }
-        Step::Touch {
-            latched,
-            ball,
-            point,
-            normal,
-            by,
-        } => {
+        Step::Touch { latched, ball, point, normal, by } => {
             let view = object([
                 ("step", "touch".into()),
                 ("latched", (*latched).into()),
@@ -183,40 +160,20 @@ fn step(step: &Step) -> Value {
             touched_by(view, *by)
         }
         Step::Crash { point, normal, by } => {
-            let view = object([
-                ("step", "crash".into()),
-                ("point", (*point).into()),
-                ("normal", (*normal).into()),
-            ]);
+            let view = object([("step", "crash".into()), ("point", (*point).into()), ("normal", (*normal).into())]);
             touched_by(view, *by)
         }
-        Step::Table {
-            axis,
-            from,
-            to,
-            solids: turned,
-        } => object([
+        Step::Table { axis, from, to, solids: turned } => object([
             ("step", "table".into()),
-            (
-                "axis",
-                ROTARY.get(*axis).copied().unwrap_or_default().into(),
-            ),
+            ("axis", ROTARY.get(*axis).copied().unwrap_or_default().into()),
             ("from", (*from).into()),
             ("to", (*to).into()),
             ("solids", solids(turned)),
         ]),
         Step::Orient(angle) => object([("step", "orient".into()), ("angle", (*angle).into())]),
         Step::Spin(speed) => object([("step", "spin".into()), ("speed", (*speed).into())]),
-        Step::Tool(tool, edge) => object([
-            ("step", "tool".into()),
-            ("tool", (*tool).into()),
-            ("edge", (*edge).into()),
-        ]),
-        Step::Set {
-            name,
-            before,
-            after,
-        } => object([
+        Step::Tool(tool, edge) => object([("step", "tool".into()), ("tool", (*tool).into()), ("edge", (*edge).into())]),
+        Step::Set { name, before, after } => object([
             ("step", "set".into()),
             ("name", name.as_str().into()),
             ("before", (*before).into()),
@@ -229,14 +186,10 @@ fn step(step: &Step) -> Value {
             value
         }
         Step::Message(text) => object([("step", "message".into()), ("text", text.as_str().into())]),
-        Step::Log(text) | Step::Sent(text) => {
-            object([("step", "log".into()), ("text", text.as_str().into())])
+        Step::Log(text) | Step::Sent(text) => object([("step", "log".into()), ("text", text.as_str().into())]),
+        Step::CallBegin { cycle, variant } => {
+            object([("step", "call".into()), ("cycle", (*cycle).into()), ("variant", (*variant).into())])
         }
-        Step::CallBegin { cycle, variant } => object([
-            ("step", "call".into()),
-            ("cycle", (*cycle).into()),
-            ("variant", (*variant).into()),
-        ]),
         Step::CallEnd => object([("step", "return".into())]),
     }
 }
@@ -260,16 +213,12 @@ fn kind_name(kind: MotionKind) -> &'static str {
     }
 }
 
-/// The machine's coordinate system where it is another one, the active workpiece coordinate system by the name of its zero
-/// offset, and what a correction moved: `before` and `after`.
+/// The machine's coordinate system where it is another one, the active workpiece coordinate system by the name of its
+/// zero offset, and what a correction moved: `before` and `after`.
 fn frames(before: &Control, after: &Control) -> Vec<Value> {
     let drawn = |name: &str, control: &Control, moved: Option<&str>| {
         let (at, axes) = system(control)?;
-        let mut view = object([
-            ("name", name.into()),
-            ("at", at.into()),
-            ("axes", axes.into()),
-        ]);
+        let mut view = object([("name", name.into()), ("at", at.into()), ("axes", axes.into())]);
         if let Some(when) = moved {
             put(&mut view, "moved", when);
         }
@@ -277,11 +226,7 @@ fn frames(before: &Control, after: &Control) -> Vec<Value> {
     };
     let mut list = Vec::new();
     if before.to_machine([0.0; 3]) != [0.0; 3] {
-        list.push(object([
-            ("name", "MCS".into()),
-            ("at", [0.0; 3].into()),
-            ("axes", UNITS.into()),
-        ]));
+        list.push(object([("name", "MCS".into()), ("at", [0.0; 3].into()), ("axes", UNITS.into())]));
     }
     let corner = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     for number in shown(before, after) {
@@ -319,9 +264,8 @@ pub(super) fn system(control: &Control) -> Option<([f64; 3], [[f64; 3]; 3])> {
 
 /// The zero offset in force before, then those that are in force after or were corrected.
 fn shown(before: &Control, after: &Control) -> Vec<usize> {
-    let corrected = after.frames.iter().filter(|(number, frame)| {
-        before.frames.get(number).copied().unwrap_or_default() != **frame
-    });
+    let corrected =
+        after.frames.iter().filter(|(number, frame)| before.frames.get(number).copied().unwrap_or_default() != **frame);
     let mut others: BTreeSet<usize> = corrected.map(|(number, _)| *number).collect();
     others.insert(after.settable);
     others.remove(&before.settable);

@@ -17,11 +17,7 @@ use std::collections::BTreeSet;
 
 /// The caps of the tool probes.
 pub(super) fn probes(setup: &Setup) -> Value {
-    let caps: Vec<_> = setup
-        .tool_probes
-        .iter()
-        .map(|probe| probe.solid.clone())
-        .collect();
+    let caps: Vec<_> = setup.tool_probes.iter().map(|probe| probe.solid.clone()).collect();
     solids(&caps)
 }
 
@@ -32,8 +28,7 @@ pub(super) fn tools(setup: &Setup, outcome: &Outcome) -> (Value, Value) {
     let trace = &outcome.trace;
     let view = |used: &InUse| {
         let measures = |tool: &InUse| measured.iter().any(|(number, _)| *number == tool.place.0);
-        let lent = uncorrected(used, &trace.in_use)
-            .filter(|tool| measures(tool) && !measuring.contains(&used.place));
+        let lent = uncorrected(used, &trace.in_use).filter(|tool| measures(tool) && !measuring.contains(&used.place));
         let used = lent.as_ref().unwrap_or(used);
         tool(setup, used, measuring.contains(&used.place))
     };
@@ -43,14 +38,12 @@ pub(super) fn tools(setup: &Setup, outcome: &Outcome) -> (Value, Value) {
             from.push([index, entry.in_use]);
         }
     }
-    let in_use = from
-        .into_iter()
-        .map(|[at, used]| Value::from(vec![at, used]));
+    let in_use = from.into_iter().map(|[at, used]| Value::from(vec![at, used]));
     (trace.in_use.iter().map(view).collect(), in_use.collect())
 }
 
-/// What was in use at the calls of cycles that work with this probe, by T and D number. With what a part was measured was
-/// the probe, whatever its data say.
+/// What was in use at the calls of cycles that work with this probe, by T and D number. With what a part was measured
+/// was the probe, whatever its data say.
 fn called(outcome: &Outcome, probe: ProbeUse) -> BTreeSet<(i64, i64)> {
     let trace = &outcome.trace;
     let calls = trace.entries.iter().filter(|entry| match entry.step {
@@ -63,21 +56,17 @@ fn called(outcome: &Outcome, probe: ProbeUse) -> BTreeSet<(i64, i64)> {
     used.map(|used| used.place).collect()
 }
 
-/// A tool whose correction is not in effect, before and after a macro of NCT that measures it: it hangs from the spindle nose
-/// as while its register counted. None where a correction is in effect, or nothing tells of the tool.
+/// A tool whose correction is not in effect, before and after a macro of NCT that measures it: it hangs from the
+/// spindle nose as while its register counted. None where a correction is in effect, or nothing tells of the tool.
 fn uncorrected(used: &InUse, all: &[InUse]) -> Option<InUse> {
     let same = |one: &&InUse| one.place.0 == used.place.0 && one.tool.is_some();
     let known = all.iter().find(same).filter(|_| used.edge.is_none())?;
     let place = V3::from(known.tip) - V3::from(known.length) + V3::from(used.length);
-    Some(InUse {
-        length: used.length,
-        tip: place.into(),
-        ..known.clone()
-    })
+    Some(InUse { length: used.length, tip: place.into(), ..known.clone() })
 }
 
-/// What is drawn: the ball, or the pieces of a tool; on a turning machine also what carries it. `tip`: from the position of
-/// the machine to the end of the tool.
+/// What is drawn: the ball, or the pieces of a tool; on a turning machine also what carries it. `tip`: from the
+/// position of the machine to the end of the tool.
 fn tool(setup: &Setup, used: &InUse, measured: bool) -> Value {
     let is_probe = |edge: &Edge| measured || [710, LATHE_PROBE].contains(&edge.kind);
     let probe = used.edge.as_ref().is_none_or(is_probe);
@@ -126,22 +115,12 @@ fn held(setup: &Setup, used: &InUse, carrier: V3, along: V3) -> Vec<Drawn> {
 fn drawn(pieces: &[Drawn], tip: V3) -> Value {
     let piece = |piece: &Drawn| match piece {
         Drawn::Round { outline, axis, at } => object([
-            (
-                "outline",
-                outline.iter().copied().map(Value::from).collect(),
-            ),
+            ("outline", outline.iter().copied().map(Value::from).collect()),
             ("axis", vector(*axis)),
             ("at", vector(at + tip)),
         ]),
-        Drawn::Plate {
-            corners,
-            thick,
-            cuts,
-        } => object([
-            (
-                "corners",
-                corners.iter().map(|at| vector(at + tip)).collect(),
-            ),
+        Drawn::Plate { corners, thick, cuts } => object([
+            ("corners", corners.iter().map(|at| vector(at + tip)).collect()),
             ("thick", vector(*thick)),
             ("cuts", (*cuts).into()),
         ]),
@@ -188,9 +167,7 @@ mod tests {
             let until = |one: &&Value| number(&one[0]) <= index as f64;
             in_use.iter().rfind(until).unwrap()[1].as_u64().unwrap()
         };
-        motions
-            .map(|(index, _)| &trace["tools"][last(index) as usize])
-            .collect()
+        motions.map(|(index, _)| &trace["tools"][last(index) as usize]).collect()
     }
 
     /// A milling machine with this cutter as T1, 70 mm long, above a tool probe.
@@ -198,7 +175,8 @@ mod tests {
         let real = json!({ "length": [70.5, 0.0, 0.0], "cut": { "cutter": cutter } });
         json!({
             "control": "sinumerik", "plane": "G17", "probe": { "radius": 3.0, "length": 50.0 },
-            "tools": { "1": { "edges": { "1": { "type": 120, "length": [70.0, 0.0, 0.0], "radius": 8.0, "real": real } } } },
+            "tools": { "1": { "edges": { "1": { "type": 120, "length": [70.0, 0.0, 0.0], "radius": 8.0,
+                "real": real } } } },
             "toolProbes": [{ "solid": { "shape": "block", "size": [20.0, 20.0, 20.0], "at": [0.0, 0.0, -100.0] } }],
             "workpiece": [], "position": [0.0, 0.0, 100.0],
         })
@@ -209,10 +187,7 @@ mod tests {
         // oracle: hand: the tool stands along Z in G17, along Y in G18
         let text = "G17 T1 D1 M6\nG0 Z60\nG18\nG0 Y60\nG17\nG0 Z80\nM30\n";
         let trace = run(text, milling(json!({ "radius": 8.0 })));
-        let axes: Vec<&Value> = at_motions(&trace)
-            .iter()
-            .map(|tool| &tool["pieces"][0]["axis"])
-            .collect();
+        let axes: Vec<&Value> = at_motions(&trace).iter().map(|tool| &tool["pieces"][0]["axis"]).collect();
         let [along_y, along_z] = [json!([0.0, 1.0, 0.0]), json!([0.0, 0.0, 1.0])];
         assert_eq!(axes, [&along_z, &along_y, &along_z]);
     }
@@ -231,19 +206,17 @@ mod tests {
 
     #[test]
     fn a_cutter_shows_its_teeth_where_they_stand_and_sweeps_when_it_turns() {
-        // oracle: hand: four teeth at 0, 90, 180 and 270 degree, turned by 30 as M3 turns, clockwise from above; the one at
-        // 90 lies 0.02 mm further out
+        // oracle: hand: four teeth at 0, 90, 180 and 270 degree, turned by 30 as M3 turns, clockwise from above; the
+        // one at 90 lies 0.02 mm further out
         let text = "G17 T1 D1 M6\nSPOS=30\nG0 Z60\nM3 S500\nG0 Z70\nM30\n";
-        let cutter =
-            json!({ "radius": 8.0, "teeth": 4, "runout": [0.02, 0.0], "runoutAngle": 90.0 });
+        let cutter = json!({ "radius": 8.0, "teeth": 4, "runout": [0.02, 0.0], "runoutAngle": 90.0 });
         let trace = run(text, milling(cutter));
         let motions = at_motions(&trace);
         let [standing, turning] = [&motions[0]["pieces"], &motions[1]["pieces"]];
         let reach = |piece: &Value| {
             let corners = piece["corners"].as_array().unwrap().iter();
             let far = corners.map(|at| (number(&at[0]), number(&at[1])));
-            far.max_by(|a, b| a.0.hypot(a.1).total_cmp(&b.0.hypot(b.1)))
-                .unwrap()
+            far.max_by(|a, b| a.0.hypot(a.1).total_cmp(&b.0.hypot(b.1))).unwrap()
         };
         let (x, y) = reach(&standing[2]);
         let angle = y.atan2(x).to_degrees();
@@ -277,7 +250,8 @@ mod tests {
     #[test]
     fn a_wider_tool_is_measured_as_wide_as_the_slider_makes_it() {
         // oracle: hand: 5 mm in the data, 0.1 mm more in truth
-        let values = json!({ "_MVAR": "1", "_MA": "1", "_ID": "0", "_FA": "3", "_TSA": "1", "_TDIF": "0.9", "_TZL": "0" });
+        let values =
+            json!({ "_MVAR": "1", "_MA": "1", "_ID": "0", "_FA": "3", "_TSA": "1", "_TDIF": "0.9", "_TZL": "0" });
         let view = drawn(values, json!({ "probe": { "radius": 0.1 } }));
         let results = view["outcome"]["results"].as_array().unwrap();
         let radius = results.iter().find(|result| result["name"] == "_OVR[10]");
@@ -287,7 +261,8 @@ mod tests {
     #[test]
     fn a_longer_tool_is_measured_as_long_as_the_slider_makes_it() {
         // oracle: hand: 70 mm in the data, 0.15 mm more in truth
-        let values = json!({ "_MVAR": "1", "_MA": "3", "_ID": "0", "_FA": "3", "_TSA": "1", "_TDIF": "0.9", "_TZL": "0" });
+        let values =
+            json!({ "_MVAR": "1", "_MA": "3", "_ID": "0", "_FA": "3", "_TSA": "1", "_TDIF": "0.9", "_TZL": "0" });
         let view = drawn(values, json!({ "probe": { "skewX": 0.15 } }));
         let results = view["outcome"]["results"].as_array().unwrap();
         let length = results.iter().find(|result| result["name"] == "_OVR[8]");
@@ -297,12 +272,7 @@ mod tests {
     #[test]
     fn the_probe_of_a_turret_lies_where_its_position_says_in_every_plane() {
         // oracle: manual B:4152, B:974-1022 (5 and 7 stand on G17, 6 and 8 on G19; 7 and 8 point in minus direction)
-        for (tip, axis) in [
-            (5, [0.0, 0.0, -1.0]),
-            (6, [-1.0, 0.0, 0.0]),
-            (7, [0.0, 0.0, 1.0]),
-            (8, [1.0, 0.0, 0.0]),
-        ] {
+        for (tip, axis) in [(5, [0.0, 0.0, -1.0]), (6, [-1.0, 0.0, 0.0]), (7, [0.0, 0.0, 1.0]), (8, [1.0, 0.0, 0.0])] {
             let edge = json!({ "1": { "type": 580, "tip": tip, "length": [60.0, 40.0, 50.0], "radius": 3.0 } });
             let setup = json!({
                 "control": "sinumerik", "plane": "G18", "probe": { "radius": 3.0, "length": 50.0 },
@@ -320,7 +290,10 @@ mod tests {
     #[test]
     fn a_program_shows_what_it_takes_into_the_turret() {
         // oracle: hand: T8, a probe (B:974-985), then T1, a turning tool; X counts as a diameter
-        let edge = |kind: i64, tip: i64| json!({ "1": { "type": kind, "tip": tip, "length": [60.0, 40.0, 0.0], "radius": 0.8 } });
+        let edge = |kind: i64, tip: i64| {
+            json!({ "1": { "type": kind, "tip": tip, "length": [60.0, 40.0, 0.0],
+            "radius": 0.8 } })
+        };
         let trace = run(
             "G18 DIAMON\nT8 D1\nG0 X100 Z50\nT1 D1\nG0 X120 Z60\nM30\n",
             json!({
@@ -332,21 +305,13 @@ mod tests {
         );
         assert_eq!(trace["turning"], true);
         assert_eq!(trace["drawing"]["reading"]["diameter"], true);
-        let shown: Vec<bool> = trace["tools"]
-            .as_array()
-            .unwrap()
-            .iter()
-            .map(|tool| tool["ball"].is_array())
-            .collect();
+        let shown: Vec<bool> = trace["tools"].as_array().unwrap().iter().map(|tool| tool["ball"].is_array()).collect();
         assert_eq!(shown, [true, false]);
         let entries = trace["entries"].as_array().unwrap();
         let in_use = trace["inUse"].as_array().unwrap();
         for (change, tool) in in_use.iter().zip([8, 1]) {
             let entry = &entries[change[0].as_u64().unwrap() as usize];
-            assert_eq!(
-                (&entry["step"], &entry["tool"]),
-                (&json!("tool"), &json!(tool))
-            );
+            assert_eq!((&entry["step"], &entry["tool"]), (&json!("tool"), &json!(tool)));
         }
     }
 
@@ -380,18 +345,12 @@ mod tests {
         assert_eq!(pieces.len(), 2, "insert and shank");
         let lowest = |piece: &Value, axis: usize| {
             let corners = piece["corners"].as_array().unwrap().iter();
-            corners
-                .map(|corner| number(&corner[axis]))
-                .fold(f64::INFINITY, f64::min)
+            corners.map(|corner| number(&corner[axis])).fold(f64::INFINITY, f64::min)
         };
         for axis in [0, 2] {
             assert!(lowest(&pieces[0], axis).abs() < 0.01, "{pieces:?}");
             assert!(lowest(&pieces[1], axis) > 2.0, "{pieces:?}");
         }
-        assert_eq!(
-            tool["carrier"].as_array().unwrap().len(),
-            2,
-            "holder and disc"
-        );
+        assert_eq!(tool["carrier"].as_array().unwrap().len(), 2, "holder and disc");
     }
 }

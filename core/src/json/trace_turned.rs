@@ -19,43 +19,27 @@ const SPINDLE: usize = 2;
 /// Least part of a direction that counts as along an axis.
 const ALONG: f64 = 0.7;
 
-/// What a drawing of the part of a turning machine shows. A program says itself how it counts, so that what is in force at
-/// its end tells.
+/// What a drawing of the part of a turning machine shows. A program says itself how it counts, so that what is in force
+/// at its end tells.
 pub(super) fn drawing(setup: &Setup, outcome: &Outcome) -> Value {
     let diameters: Vec<Value> = setup.workpiece.solids.iter().flat_map(diameters).collect();
     let touched = match diameters.is_empty() {
         true => Vec::new(),
         false => touched(&outcome.control, &outcome.trace),
     };
-    object([
-        ("diameters", diameters.into()),
-        ("touched", touched.into()),
-        ("reading", reading(&outcome.control)),
-    ])
+    object([("diameters", diameters.into()), ("touched", touched.into()), ("reading", reading(&outcome.control))])
 }
 
-/// Where positions count from, and whether those of X are diameters; from the zero of the machine where frames are beyond
-/// all numbers.
+/// Where positions count from, and whether those of X are diameters; from the zero of the machine where frames are
+/// beyond all numbers.
 fn reading(control: &Control) -> Value {
     let (at, axes) = system(control).unwrap_or(([0.0; 3], UNITS));
-    object([
-        ("at", at.into()),
-        ("axes", axes.into()),
-        (
-            "diameter",
-            (control.transverse != Transverse::Radius).into(),
-        ),
-    ])
+    object([("at", at.into()), ("axes", axes.into()), ("diameter", (control.transverse != Transverse::Radius).into())])
 }
 
 /// Outside and bore at the front, and at the other end where they differ there.
 fn diameters(solid: &Solid) -> Vec<Value> {
-    let Shape::Turned {
-        diameter,
-        length,
-        bore: [bore, depth],
-    } = solid.shape
-    else {
+    let Shape::Turned { diameter, length, bore: [bore, depth] } = solid.shape else {
         return Vec::new();
     };
     let errors = &solid.errors;
@@ -67,9 +51,7 @@ fn diameters(solid: &Solid) -> Vec<Value> {
     let front = V3::from(solid.at) + V3::from(errors.shift);
     let mut across = V3::zeros();
     across[TRANSVERSE] = 1.0;
-    let across = (across - axis * axis[TRANSVERSE])
-        .try_normalize(0.0)
-        .unwrap_or_else(V3::x);
+    let across = (across - axis * axis[TRANSVERSE]).try_normalize(0.0).unwrap_or_else(V3::x);
     let dimension = |set: f64, deep: f64| {
         let real = set + errors.size + errors.taper * deep;
         let ends = [-0.5, 0.5].map(|half| vector(front - axis * deep + across * (real * half)));
@@ -105,19 +87,12 @@ fn touched(control: &Control, trace: &Trace) -> Vec<Value> {
                 of_tool = cycle.is_some_and(|cycle| cycle.purpose.probe == ProbeUse::Tool);
             }
             Step::CallEnd => of_tool = false,
-            Step::Touch {
-                latched,
-                ball,
-                point,
-                normal,
-                by: Touching::Ball,
-            } if !of_tool && normal[TRANSVERSE].abs() > ALONG => {
+            Step::Touch { latched, ball, point, normal, by: Touching::Ball }
+                if !of_tool && normal[TRANSVERSE].abs() > ALONG =>
+            {
                 let seen = V3::from(*latched) + V3::from(*point) - V3::from(*ball);
                 let diameter = 2.0 * control.to_workpiece(seen.into())[TRANSVERSE].abs();
-                found.push(object([
-                    ("entry", index.into()),
-                    ("diameter", diameter.into()),
-                ]));
+                found.push(object([("entry", index.into()), ("diameter", diameter.into())]));
             }
             _ => {}
         }
@@ -148,10 +123,7 @@ mod tests {
     }
 
     fn close(value: &Value, wanted: f64) {
-        assert!(
-            (value.as_f64().unwrap() - wanted).abs() < 1e-9,
-            "{value} {wanted}"
-        );
+        assert!((value.as_f64().unwrap() - wanted).abs() < 1e-9, "{value} {wanted}");
     }
 
     #[test]

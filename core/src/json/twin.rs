@@ -25,17 +25,11 @@ pub(super) fn view(cycle: &'static Cycle, typed: &Typed, control: &Control) -> V
         ("control", dialect_name(there.cycle.dialect).into()),
         ("cycle", there.cycle.name.into()),
         ("key", there.cycle.key.into()),
-        (
-            "task",
-            message(&Message::new(task_key(there.measurement.task))),
-        ),
+        ("task", message(&Message::new(task_key(there.measurement.task)))),
         ("values", object(values)),
         ("snippet", written.text.into()),
         ("shared", shared(&there.measurement, control)),
-        (
-            "differences",
-            there.differences.iter().map(message).collect(),
-        ),
+        ("differences", there.differences.iter().map(message).collect()),
     ])
 }
 
@@ -65,14 +59,8 @@ fn shared(measurement: &Measurement, control: &Control) -> Value {
         ("meaning-nominal", length(measurement.nominal)),
         ("meaning-axis", axis),
         ("meaning-depth", length(measurement.depth)),
-        (
-            "meaning-corner-1",
-            length(measurement.corner.map(|at| at[0])),
-        ),
-        (
-            "meaning-corner-2",
-            length(measurement.corner.map(|at| at[1])),
-        ),
+        ("meaning-corner-1", length(measurement.corner.map(|at| at[0]))),
+        ("meaning-corner-2", length(measurement.corner.map(|at| at[1]))),
         ("meaning-half", length(measurement.half)),
         ("meaning-limit", length(measurement.limit)),
         ("meaning-reach", length(measurement.reach)),

@@ -1,4 +1,5 @@
-//! Arguments of a call in brackets: where they stand, which list of the catalogue they fill, and changes of one of them.
+//! Arguments of a call in brackets: where they stand, which list of the catalogue they fill, and changes of one of
+//! them.
 
 use super::calls::CallSite;
 use super::change::Edit;
@@ -43,17 +44,12 @@ fn trimmed(text: &[u8], span: Span, start: usize, end: usize) -> Span {
     let kept = bytes.trim_ascii_start();
     let from = start + bytes.len() - kept.len();
     let to = from + kept.trim_ascii_end().len();
-    Span {
-        start: span.start + from as u32,
-        end: span.start + to as u32,
-    }
+    Span { start: span.start + from as u32, end: span.start + to as u32 }
 }
 
 /// Whether a place is an argument of a call.
 pub(super) fn is_argument(program: &Program, place: Span) -> bool {
-    program
-        .word_at(place)
-        .is_some_and(|word| matches!(word.kind, WordKind::Call { .. }))
+    program.word_at(place).is_some_and(|word| matches!(word.kind, WordKind::Call { .. }))
 }
 
 /// Whether a place is an argument of `CYCLE_PARA`, where 0 says nothing.
@@ -65,11 +61,7 @@ pub(super) fn is_auxiliary(program: &Program, place: Span) -> bool {
 }
 
 /// Arguments of the list of a newer control that have no counterpart here and say something, by their names there.
-pub(crate) fn only_newer(
-    program: &Program,
-    list: &ArgumentList,
-    call: Span,
-) -> Vec<(&'static str, String)> {
+pub(crate) fn only_newer(program: &Program, list: &ArgumentList, call: Span) -> Vec<(&'static str, String)> {
     let places = places(program, call);
     let said = list.args.iter().zip(places).filter_map(|(arg, place)| {
         let Arg::Newer(name) = arg else {
@@ -87,12 +79,7 @@ pub(crate) fn only_newer(
 const USUAL: [(&str, &str); 2] = [("_DMODE", "1"), ("_AMODE", "1")];
 
 /// Edits that give an argument of the call's own list this text (empty: omitted). None: the list has no such argument.
-pub(super) fn change(
-    program: &Program,
-    site: &CallSite,
-    name: &str,
-    text: &str,
-) -> Option<Vec<Edit>> {
+pub(super) fn change(program: &Program, site: &CallSite, name: &str, text: &str) -> Option<Vec<Edit>> {
     let list = site.list?;
     if site.cycle.variant_param() == Some(name) && !list.has_variant(site.cycle) {
         return Some(select(program, site, list, text).unwrap_or_default());
@@ -109,36 +96,19 @@ pub(super) fn change(
 fn put(program: &Program, call: Span, index: usize, text: &str) -> Option<Edit> {
     let places = places(program, call);
     if let Some(place) = places.get(index) {
-        return (program.text(*place) != text.as_bytes()).then(|| Edit {
-            span: *place,
-            insert: text.to_owned(),
-        });
+        return (program.text(*place) != text.as_bytes()).then(|| Edit { span: *place, insert: text.to_owned() });
     }
     if text.is_empty() {
         return None;
     }
-    let closing = program
-        .text(call)
-        .iter()
-        .rposition(|byte| *byte == b')')
-        .map_or(call.end, |at| call.start + at as u32);
+    let closing =
+        program.text(call).iter().rposition(|byte| *byte == b')').map_or(call.end, |at| call.start + at as u32);
     let commas = index - places.len().saturating_sub(1).min(index);
-    Some(Edit {
-        span: Span {
-            start: closing,
-            end: closing,
-        },
-        insert: format!("{}{text}", ",".repeat(commas)),
-    })
+    Some(Edit { span: Span { start: closing, end: closing }, insert: format!("{}{text}", ",".repeat(commas)) })
 }
 
 /// The variant as selections; only those that say something else change, of an expression what it is worth.
-fn select(
-    program: &Program,
-    site: &CallSite,
-    list: &ArgumentList,
-    text: &str,
-) -> Option<Vec<Edit>> {
+fn select(program: &Program, site: &CallSite, list: &ArgumentList, text: &str) -> Option<Vec<Edit>> {
     let selections = |text: &str| list.selections(text.trim().parse().ok()?);
     let mut wanted = selections(text)?.into_iter();
     let now = site.cycle.variant_param();
@@ -151,9 +121,7 @@ fn select(
             continue;
         }
         let (number, now) = (wanted.next()?, now.next());
-        let written = places
-            .get(index)
-            .map_or(Some(0), |place| written(program, *place).or(now));
+        let written = places.get(index).map_or(Some(0), |place| written(program, *place).or(now));
         if written != Some(number) {
             edits.extend(put(program, site.span, index, &number.to_string()));
         }
@@ -198,9 +166,7 @@ pub(super) fn given(
             continue;
         };
         let omitted = || {
-            let text = cycle
-                .param(name)
-                .is_some_and(|param| matches!(param.kind, Kind::Text(_)));
+            let text = cycle.param(name).is_some_and(|param| matches!(param.kind, Kind::Text(_)));
             let nothing = if text { "" } else { "0" };
             Value::at(nothing.to_owned(), (!text).then_some(0.0), span)
         };

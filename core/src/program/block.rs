@@ -32,12 +32,7 @@ pub fn read_told(dialect: Dialect, source: &[u8], told: &mut dyn FnMut(f64)) -> 
     let mut reader = Reader::new(readable);
     while reader.at < readable.len() || reader.blocks.is_empty() {
         let start = reader.at;
-        let length = reader
-            .source
-            .get(start..)
-            .unwrap_or_default()
-            .iter()
-            .position(|byte| *byte == b'\n');
+        let length = reader.source.get(start..).unwrap_or_default().iter().position(|byte| *byte == b'\n');
         let stop = length.map_or(readable.len(), |length| start + length);
         let carriage = stop > start && readable.get(stop - 1) == Some(&b'\r');
         reader.end = stop - usize::from(carriage);
@@ -54,13 +49,9 @@ pub fn read_told(dialect: Dialect, source: &[u8], told: &mut dyn FnMut(f64)) -> 
         }
     }
     if whole.len() < source.len() && end.is_none() {
-        reader.errors.push(SyntaxError {
-            span: Span {
-                start: u32::MAX - 1,
-                end: u32::MAX,
-            },
-            sentence: &own::SYNTAX_TOO_LARGE,
-        });
+        reader
+            .errors
+            .push(SyntaxError { span: Span { start: u32::MAX - 1, end: u32::MAX }, sentence: &own::SYNTAX_TOO_LARGE });
     }
     reader.errors.extend(behind_end(whole, readable.len()));
     reader.finish(dialect, source)
@@ -77,33 +68,18 @@ fn behind_end(whole: &[u8], end: usize) -> Option<SyntaxError> {
     let filler = |byte: &u8| byte.is_ascii_whitespace() || matches!(*byte, END_OF_FILE | 0);
     let behind = whole.get(end..).unwrap_or_default();
     let first = behind.iter().position(|byte| !filler(byte))?;
-    let span = Span {
-        start: (end + first) as u32,
-        end: whole.len() as u32,
-    };
-    Some(SyntaxError {
-        span,
-        sentence: &own::TEXT_BEHIND_END,
-    })
+    let span = Span { start: (end + first) as u32, end: whole.len() as u32 };
+    Some(SyntaxError { span, sentence: &own::TEXT_BEHIND_END })
 }
 
 /// The control ends a block with a line feed only.
 fn lone_return(reader: &mut Reader, at: usize) {
-    let span = Span {
-        start: at as u32,
-        end: at as u32 + 1,
-    };
-    reader.errors.push(SyntaxError {
-        span,
-        sentence: &own::LONE_RETURN,
-    });
+    let span = Span { start: at as u32, end: at as u32 + 1 };
+    reader.errors.push(SyntaxError { span, sentence: &own::LONE_RETURN });
 }
 
 fn line(reader: &mut Reader, dialect: Dialect) {
-    let span = Span {
-        start: reader.at as u32,
-        end: reader.end as u32,
-    };
+    let span = Span { start: reader.at as u32, end: reader.end as u32 };
     reader.first = reader.words.len();
     reader.expect = Expect::Words;
     if reader.at == 0 && reader.rest().starts_with(BYTE_ORDER_MARK) {
@@ -126,13 +102,7 @@ fn line(reader: &mut Reader, dialect: Dialect) {
         word(reader, dialect);
     }
     let words = reader.first as u32..reader.words.len() as u32;
-    reader.blocks.push(Block {
-        span,
-        number,
-        skip,
-        words,
-        comment,
-    });
+    reader.blocks.push(Block { span, number, skip, words, comment });
 }
 
 fn word(reader: &mut Reader, dialect: Dialect) {
@@ -149,12 +119,7 @@ fn word(reader: &mut Reader, dialect: Dialect) {
         reader.list.clear();
         reader.depth = 0;
         reader.expect = expect;
-        reader.unknown(
-            start,
-            place,
-            key,
-            if dialect == Dialect::Nct { b'(' } else { b';' },
-        );
+        reader.unknown(start, place, key, if dialect == Dialect::Nct { b'(' } else { b';' });
     }
 }
 
@@ -201,10 +166,7 @@ fn take_comment(reader: &mut Reader, dialect: Dialect) -> Option<Span> {
             reader.at = close.map_or(reader.end, |length| start + length + 1);
             if close.is_none() {
                 let span = reader.from(start);
-                reader.errors.push(SyntaxError {
-                    span,
-                    sentence: &own::SYNTAX_COMMENT,
-                });
+                reader.errors.push(SyntaxError { span, sentence: &own::SYNTAX_COMMENT });
             }
         }
         _ => return None,

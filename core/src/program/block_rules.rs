@@ -6,8 +6,8 @@ use crate::check::listed::{count, unmatched};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::own::{self, Own};
 
-/// Addresses that a block takes once, so that it says one thing: all that are no function, no block number, no parameter
-/// and no repetition. With an extension (`S1=500`) they are others.
+/// Addresses that a block takes once, so that it says one thing: all that are no function, no block number, no
+/// parameter and no repetition. With an extension (`S1=500`) they are others.
 const ONCE: &[u8] = b"ABCDFIJKSTUVWXYZ";
 
 /// Axes that every machine has: no variable takes their names.
@@ -34,10 +34,7 @@ pub(super) fn block_rules(program: &Program) -> Vec<Diagnostic> {
                     id.map_or(Some(0.0), |id| fold::number(program, id, &Nothing))
                 };
                 let finding = unmatched(&program.name(name), count(args), number);
-                found.extend(finding.map(|finding| Diagnostic {
-                    span: Some(word.span),
-                    ..finding
-                }));
+                found.extend(finding.map(|finding| Diagnostic { span: Some(word.span), ..finding }));
             }
         }
     }
@@ -46,12 +43,7 @@ pub(super) fn block_rules(program: &Program) -> Vec<Diagnostic> {
 
 /// The place in `ONCE` of an address, and its letter.
 fn once(program: &Program, word: &Word) -> Option<(usize, Span)> {
-    let WordKind::Address {
-        name,
-        extension: None,
-        ..
-    } = word.kind
-    else {
+    let WordKind::Address { name, extension: None, .. } = word.kind else {
         return None;
     };
     let [letter] = program.text(name) else {
@@ -62,10 +54,7 @@ fn once(program: &Program, word: &Word) -> Option<(usize, Span)> {
 }
 
 fn at(sentence: &Own, program: &Program, name: Span, span: Span) -> Diagnostic {
-    Diagnostic {
-        span: Some(span),
-        ..sentence.finding().text("word", program.name(name))
-    }
+    Diagnostic { span: Some(span), ..sentence.finding().text("word", program.name(name)) }
 }
 
 #[cfg(test)]

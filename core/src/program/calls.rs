@@ -89,9 +89,7 @@ impl CallSite {
     pub fn expression(&self, name: &str) -> Option<&str> {
         let open = || {
             let param = self.cycle.param(name)?;
-            self.values
-                .get(name)
-                .filter(|text| is_expression(param, text))
+            self.values.get(name).filter(|text| is_expression(param, text))
         };
         self.expressions.get(name).or_else(open).map(String::as_str)
     }
@@ -201,7 +199,8 @@ struct Walk<'a> {
     tools: Tools,
     control: Control,
     found: Found,
-    /// What right sides are worth when they are passed first and a later pass may bring another number, by their first byte.
+    /// What right sides are worth when they are passed first and a later pass may bring another number, by their first
+    /// byte.
     first_numbers: HashMap<u32, Option<f64>>,
     /// Blocks that were passed.
     passed: usize,
@@ -214,10 +213,7 @@ impl Follow for Walk<'_> {
     fn block(&mut self, place: &mut Place, words: &[Word]) {
         self.pass();
         self.data(place, words);
-        let numbers = Numbers {
-            names: &self.names,
-            values: &place.values,
-        };
+        let numbers = Numbers { names: &self.names, values: &place.values };
         self.forces.block(&mut place.force, words, &numbers);
     }
 
@@ -235,23 +231,14 @@ impl Follow for Walk<'_> {
     }
 
     fn meet(&self, one: &Place, other: &Place) -> Place {
-        Place {
-            force: one.force.meet(&other.force),
-            values: one.values.meet(&other.values),
-        }
+        Place { force: one.force.meet(&other.force), values: one.values.meet(&other.values) }
     }
 
     fn enter(&mut self, place: &Place, entry: &Entry) -> Place {
         self.entered(place, entry)
     }
 
-    fn leave(
-        &mut self,
-        caller: &Place,
-        way: (&Place, &Place),
-        entry: &Entry,
-        saves: bool,
-    ) -> Place {
+    fn leave(&mut self, caller: &Place, way: (&Place, &Place), entry: &Entry, saves: bool) -> Place {
         self.left(caller, way, entry, saves)
     }
 

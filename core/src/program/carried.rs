@@ -1,5 +1,5 @@
-//! Expressions of a call that is written in another way: they go along as text, or the call stays as it is and the reason
-//! is told. What an expression is worth today is never written in its place.
+//! Expressions of a call that is written in another way: they go along as text, or the call stays as it is and the
+//! reason is told. What an expression is worth today is never written in its place.
 
 use super::arguments;
 use super::calls::CallSite;
@@ -29,13 +29,9 @@ fn is_literal(text: &str) -> bool {
     quoted || text.parse::<f64>().is_ok()
 }
 
-/// The first of these values that is an expression and may be worth something else directly before the call than where it
-/// is written. What is known of its worth is compared afterwards, see [`differs`].
-pub(super) fn moves(
-    program: &Program,
-    site: &CallSite,
-    said: &[&'static str],
-) -> Option<Diagnostic> {
+/// The first of these values that is an expression and may be worth something else directly before the call than where
+/// it is written. What is known of its worth is compared afterwards, see [`differs`].
+pub(super) fn moves(program: &Program, site: &CallSite, said: &[&'static str]) -> Option<Diagnostic> {
     let name = said.iter().copied().find(|name| {
         let expression = site.expression(name);
         expression.is_some_and(|text| text != *name && !stays(program, site, name, text))
@@ -97,9 +93,7 @@ impl Reads {
         };
         Reads {
             parameters: names.iter().all(|name| is_parameter(name)),
-            plain: names
-                .iter()
-                .all(|name| is_parameter(name) || declared(name)),
+            plain: names.iter().all(|name| is_parameter(name) || declared(name)),
             names,
         }
     }
@@ -111,9 +105,7 @@ fn is_parameter(name: &str) -> bool {
 }
 
 /// Operators that are words.
-const OPERATORS: [&str; 10] = [
-    "DIV", "MOD", "AND", "OR", "XOR", "NOT", "B_AND", "B_OR", "B_XOR", "B_NOT",
-];
+const OPERATORS: [&str; 10] = ["DIV", "MOD", "AND", "OR", "XOR", "NOT", "B_AND", "B_OR", "B_XOR", "B_NOT"];
 
 /// The names in an expression, without functions, in upper case.
 fn names(text: &str) -> BTreeSet<String> {
@@ -145,16 +137,10 @@ fn straight(program: &Program, place: Span, site: &CallSite, reads: &Reads) -> b
     }
     let line = |at: u32| program.line_of(at) as usize;
     let lines = program.blocks.get(line(place.end)..=line(site.span.start));
-    if lines
-        .into_iter()
-        .flatten()
-        .any(|block| block.skip.is_some())
-    {
+    if lines.into_iter().flatten().any(|block| block.skip.is_some()) {
         return false;
     }
-    let first = program
-        .words
-        .partition_point(|word| word.span.end <= place.end);
+    let first = program.words.partition_point(|word| word.span.end <= place.end);
     let words = program.words.get(first..).unwrap_or_default().iter();
     let mut between = words.take_while(|word| word.span.start < site.span.start);
     between.all(|word| leaves(program, word, site, reads))
@@ -175,11 +161,7 @@ fn leaves(program: &Program, word: &Word, site: &CallSite, reads: &Reads) -> boo
 }
 
 /// The first of these values that is another expression, or worth something else, at the call as it is written now.
-pub(super) fn differs(
-    site: &CallSite,
-    after: &CallSite,
-    said: &[&'static str],
-) -> Option<&'static str> {
+pub(super) fn differs(site: &CallSite, after: &CallSite, said: &[&'static str]) -> Option<&'static str> {
     said.iter().copied().find(|name| {
         let Some(text) = site.expression(name) else {
             return false;

@@ -38,10 +38,7 @@ pub fn change(program: &Program, site: &CallSite, name: &str, value: &str) -> Ve
     match site.own_place(param.name) {
         Some(place) if program.text(around(program, place)) == value.as_bytes() => Vec::new(),
         Some(place) if arguments::is_auxiliary(program, place) && nothing(&value) => {
-            let mut edits = vec![Edit {
-                span: place,
-                insert: String::new(),
-            }];
+            let mut edits = vec![Edit { span: place, insert: String::new() }];
             let anew = add(program, site, param.name, &value);
             edits.extend(anew.filter(|_| !value.is_empty()));
             edits
@@ -73,11 +70,7 @@ fn elsewhere(program: &Program, site: &CallSite, name: &str, value: &str) -> Opt
     if !origins.iter().all(|origin| origin.own) {
         return None;
     }
-    let whole = |place: Span| {
-        program
-            .word_at(place)
-            .is_some_and(|word| word.span == place)
-    };
+    let whole = |place: Span| program.word_at(place).is_some_and(|word| word.span == place);
     let mut arguments = origins.iter().filter(|origin| origin.argument);
     if arguments.any(|origin| value.is_empty() || whole(origin.place)) {
         return Some(Vec::new()); // an argument is not taken away, and none is added
@@ -102,10 +95,7 @@ fn around(program: &Program, place: Span) -> Span {
     let byte = |at: Option<u32>| at.and_then(|at| program.source.get(at as usize));
     let quotes = [place.start.checked_sub(1), Some(place.end)].map(byte);
     match quotes {
-        [Some(b'"'), Some(b'"')] => Span {
-            start: place.start - 1,
-            end: place.end + 1,
-        },
+        [Some(b'"'), Some(b'"')] => Span { start: place.start - 1, end: place.end + 1 },
         _ => place,
     }
 }
@@ -116,19 +106,14 @@ fn replace(program: &Program, place: Span, value: String) -> Edit {
     let inner = match parse_text(&value) {
         Text::Plain(inner) if whole != place => inner.to_owned(),
         _ => {
-            return Edit {
-                span: whole,
-                insert: value,
-            };
+            return Edit { span: whole, insert: value };
         }
     };
-    Edit {
-        span: place,
-        insert: inner,
-    }
+    Edit { span: place, insert: inner }
 }
 
-/// The program after the edits, which are in any order and do not overlap; one that overlaps an earlier one is left out.
+/// The program after the edits, which are in any order and do not overlap; one that overlaps an earlier one is left
+/// out.
 pub fn apply(source: &[u8], edits: &[Edit]) -> Vec<u8> {
     let mut ordered: Vec<&Edit> = edits.iter().collect();
     ordered.sort_by_key(|edit| (edit.span.start, edit.span.end));
@@ -136,10 +121,7 @@ pub fn apply(source: &[u8], edits: &[Edit]) -> Vec<u8> {
     let mut at = 0;
     for edit in ordered {
         let (start, end) = (edit.span.start as usize, edit.span.end as usize);
-        let Some(kept) = source
-            .get(at..start)
-            .filter(|_| end >= start && end <= source.len())
-        else {
+        let Some(kept) = source.get(at..start).filter(|_| end >= start && end <= source.len()) else {
             continue;
         };
         result.extend_from_slice(kept);
@@ -155,8 +137,8 @@ fn nothing(value: &str) -> bool {
     value.is_empty() || value.parse() == Ok(0.0)
 }
 
-/// The name under which the program writes a parameter: an element of the array that it hands to the call. None: it hands
-/// something else there.
+/// The name under which the program writes a parameter: an element of the array that it hands to the call. None: it
+/// hands something else there.
 fn written_name(program: &Program, site: &CallSite, name: &str) -> Option<String> {
     let places = arguments::places(program, site.span);
     let args = site.list.map_or(&[][..], |list| list.args);
@@ -173,9 +155,7 @@ fn written_name(program: &Program, site: &CallSite, name: &str) -> Option<String
 
 /// Whether this is a name in upper case, and not that of a single arithmetic parameter.
 fn is_array(name: &str) -> bool {
-    let letters = name
-        .bytes()
-        .all(|byte| byte.is_ascii_alphanumeric() || byte == b'_');
+    let letters = name.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_');
     let number = name.strip_prefix('R').unwrap_or(name);
     letters && number.bytes().any(|byte| !byte.is_ascii_digit())
 }
@@ -184,11 +164,7 @@ fn is_array(name: &str) -> bool {
 fn plain(value: &str) -> String {
     let trimmed = value.trim();
     let pointed = trimmed.replace(',', ".");
-    if pointed.parse::<f64>().is_ok() {
-        pointed
-    } else {
-        trimmed.to_owned()
-    }
+    if pointed.parse::<f64>().is_ok() { pointed } else { trimmed.to_owned() }
 }
 
 /// Takes away the word around a place, with the blanks before it (behind it, if it is the line's first).
@@ -197,32 +173,14 @@ fn remove(program: &Program, place: Span) -> Edit {
     let block = program.blocks.get(program.line_of(place.start) as usize);
     let line = block.map_or(span, |block| block.span);
     let blank = |byte: &&u8| matches!(byte, b' ' | b'\t');
-    let before = program.text(Span {
-        start: line.start,
-        end: span.start,
-    });
+    let before = program.text(Span { start: line.start, end: span.start });
     let blanks = before.iter().rev().take_while(blank).count();
     if blanks < before.len() {
-        return Edit {
-            span: Span {
-                start: span.start - blanks as u32,
-                end: span.end,
-            },
-            insert: String::new(),
-        };
+        return Edit { span: Span { start: span.start - blanks as u32, end: span.end }, insert: String::new() };
     }
-    let behind = program.text(Span {
-        start: span.end,
-        end: line.end,
-    });
+    let behind = program.text(Span { start: span.end, end: line.end });
     let blanks = behind.iter().take_while(blank).count();
-    Edit {
-        span: Span {
-            start: span.start,
-            end: span.end + blanks as u32,
-        },
-        insert: String::new(),
-    }
+    Edit { span: Span { start: span.start, end: span.end + blanks as u32 }, insert: String::new() }
 }
 
 /// The whole assignment around a value; the value itself where it is an element of a list.
@@ -231,33 +189,26 @@ fn word_around(program: &Program, place: Span) -> Span {
         return place;
     };
     let between = |start, end| program.text(Span { start, end });
-    let element = between(word.span.start, place.start).contains(&b',')
-        && program.dialect == Dialect::Sinumerik;
+    let element = between(word.span.start, place.start).contains(&b',') && program.dialect == Dialect::Sinumerik;
     let first = between(place.end, word.span.end).contains(&b',');
     if element || first { place } else { word.span }
 }
 
-/// Writes a new value for this call: behind its last one if the program goes straight on from there, else on a line of its
-/// own before the call.
+/// Writes a new value for this call: behind its last one if the program goes straight on from there, else on a line of
+/// its own before the call.
 fn add(program: &Program, site: &CallSite, name: &str, value: &str) -> Option<Edit> {
     let written = if program.dialect == Dialect::Nct {
         format!("{name}{value}")
     } else {
         format!("{}={value}", written_name(program, site, name)?)
     };
-    let own = site
-        .places
-        .keys()
-        .filter_map(|name| site.place_of_its_own(name));
+    let own = site.places.keys().filter_map(|name| site.place_of_its_own(name));
     let own = own.filter(|place| {
         let before = site.behind <= place.start && program.line_of(place.start) <= site.line;
         before && !arguments::is_argument(program, *place)
     });
-    let last = own.max_by_key(|place| place.start).map(|place| {
-        program
-            .word_at(place)
-            .map_or(place.end, |word| word.span.end)
-    });
+    let last =
+        own.max_by_key(|place| place.start).map(|place| program.word_at(place).map_or(place.end, |word| word.span.end));
     let last = last.filter(|end| goes_straight(program, *end, site.span.start));
     Some(match last {
         Some(end) => inserted(end, format!(" {written}")),
@@ -270,39 +221,26 @@ fn add(program: &Program, site: &CallSite, name: &str, value: &str) -> Option<Ed
 fn goes_straight(program: &Program, from: u32, to: u32) -> bool {
     let line = |place: u32| program.line_of(place) as usize;
     let lines = program.blocks.get(line(from)..line(to));
-    let skips = lines
-        .into_iter()
-        .flatten()
-        .any(|block| block.skip.is_some());
+    let skips = lines.into_iter().flatten().any(|block| block.skip.is_some());
     let first = program.words.partition_point(|word| word.span.end < from);
     let words = program.words.get(first..).unwrap_or_default();
     let turns = |word: &Word| matches!(word.kind, WordKind::Keyword { .. } | WordKind::Label(_));
-    !skips
-        && !words
-            .iter()
-            .take_while(|word| word.span.start < to)
-            .any(turns)
+    !skips && !words.iter().take_while(|word| word.span.start < to).any(turns)
 }
 
 fn inserted(at: u32, insert: String) -> Edit {
-    Edit {
-        span: Span { start: at, end: at },
-        insert,
-    }
+    Edit { span: Span { start: at, end: at }, insert }
 }
 
 fn new_line(program: &Program, site: &CallSite, written: &str) -> Edit {
-    line_at_begin(program, site.line, written)
-        .unwrap_or_else(|| inserted(site.span.start, format!("{written} ")))
+    line_at_begin(program, site.line, written).unwrap_or_else(|| inserted(site.span.start, format!("{written} ")))
 }
 
 /// Writes a line of its own before this line; where a jump may come to the line, behind its label.
 pub(super) fn line_at_begin(program: &Program, line: u32, written: &str) -> Option<Edit> {
     let begin = behind_label(program, line);
     let behind = |at| inserted(at, format!("{written}{}", line_end(program, line)));
-    begin
-        .map(behind)
-        .or_else(|| line_before(program, line, written))
+    begin.map(behind).or_else(|| line_before(program, line, written))
 }
 
 /// Where a line goes on behind its label; none: it has no label, or nothing behind it.
@@ -316,38 +254,18 @@ pub(super) fn behind_label(program: &Program, line: u32) -> Option<u32> {
 /// Writes a line of its own before this line, indented and numbered like it.
 pub(super) fn line_before(program: &Program, line: u32, written: &str) -> Option<Edit> {
     let block = program.blocks.get(line as usize)?;
-    let indent: Vec<u8> = program
-        .text(block.span)
-        .iter()
-        .copied()
-        .take_while(|byte| matches!(byte, b' ' | b'\t'))
-        .collect();
-    let number =
-        number_between(program, line, block).map_or(String::new(), |number| format!("N{number} "));
-    let text = format!(
-        "{}{number}{written}{}",
-        String::from_utf8_lossy(&indent),
-        line_end(program, line)
-    );
+    let indent: Vec<u8> =
+        program.text(block.span).iter().copied().take_while(|byte| matches!(byte, b' ' | b'\t')).collect();
+    let number = number_between(program, line, block).map_or(String::new(), |number| format!("N{number} "));
+    let text = format!("{}{number}{written}{}", String::from_utf8_lossy(&indent), line_end(program, line));
     Some(inserted(block.span.start, text))
 }
 
 /// A block number between the line's own and the one before it, if there is room.
 fn number_between(program: &Program, line: u32, block: &Block) -> Option<u64> {
-    let read = |span: Span| {
-        std::str::from_utf8(program.text(span))
-            .ok()?
-            .get(1..)?
-            .parse::<u64>()
-            .ok()
-    };
+    let read = |span: Span| std::str::from_utf8(program.text(span)).ok()?.get(1..)?.parse::<u64>().ok();
     let own = read(block.number?)?;
-    let before = program
-        .blocks
-        .get(..line as usize)?
-        .iter()
-        .rev()
-        .find_map(|block| block.number);
+    let before = program.blocks.get(..line as usize)?.iter().rev().find_map(|block| block.number);
     let before = before.map_or(Some(0), read)?;
     let middle = before + own.checked_sub(before)? / 2;
     (middle > before && middle < own).then_some(middle)
@@ -358,13 +276,7 @@ pub(super) fn line_end(program: &Program, line: u32) -> &'static str {
     let ends = |line: usize| {
         let end = program.blocks.get(line)?.span.end as usize;
         let rest = program.source.get(end..program.end as usize)?;
-        (!rest.is_empty()).then_some(if rest.starts_with(b"\r\n") {
-            "\r\n"
-        } else {
-            "\n"
-        })
+        (!rest.is_empty()).then_some(if rest.starts_with(b"\r\n") { "\r\n" } else { "\n" })
     };
-    ends(line as usize)
-        .or_else(|| ends((line as usize).checked_sub(1)?))
-        .unwrap_or("\n")
+    ends(line as usize).or_else(|| ends((line as usize).checked_sub(1)?)).unwrap_or("\n")
 }

@@ -26,16 +26,10 @@ pub struct Converted {
 pub fn convert(program: &Program, index: usize, style: Style, control: &Control) -> Converted {
     let sites = calls_on(program, control.clone());
     let Some(site) = sites.get(index) else {
-        return Converted {
-            edits: Vec::new(),
-            findings: Vec::new(),
-        };
+        return Converted { edits: Vec::new(), findings: Vec::new() };
     };
     if site.list.map_or(Style::Direct, |list| list.style) == style {
-        return Converted {
-            edits: Vec::new(),
-            findings: vec![own::CONVERT_SAME.finding()],
-        };
+        return Converted { edits: Vec::new(), findings: vec![own::CONVERT_SAME.finding()] };
     }
     let mut at_call = control.clone();
     at_call.plane = site.plane;
@@ -43,10 +37,7 @@ pub fn convert(program: &Program, index: usize, style: Style, control: &Control)
     if let Some(finding) = foreign(program, site, &at_call) {
         return refused(vec![finding]);
     }
-    let values = Values {
-        typed: &explicit(site, &at_call),
-        expressions: &site.expressions,
-    };
+    let values = Values { typed: &explicit(site, &at_call), expressions: &site.expressions };
     let written = snippet_of(site.cycle, &values, &at_call, style, None);
     if written.text.is_empty() {
         return refused(written.findings);
@@ -119,20 +110,14 @@ fn explicit(site: &CallSite, control: &Control) -> Typed {
 /// What only the list of the newer control says.
 fn left_out(program: &Program, site: &CallSite) -> Option<Diagnostic> {
     let lost = arguments::only_newer(program, of_newer(site)?, site.span);
-    let names: Vec<String> = lost
-        .iter()
-        .map(|(name, text)| format!("{name} = {text}"))
-        .collect();
+    let names: Vec<String> = lost.iter().map(|(name, text)| format!("{name} = {text}")).collect();
     let finding = own::CONVERT_LOST.finding().text("names", names.join(", "));
     (!names.is_empty()).then_some(finding)
 }
 
 /// Nothing is done, and why.
 fn refused(findings: Vec<Diagnostic>) -> Converted {
-    Converted {
-        edits: Vec::new(),
-        findings,
-    }
+    Converted { edits: Vec::new(), findings }
 }
 
 fn rewritten(program: &Program, site: &CallSite, written: &Written) -> Vec<Edit> {
@@ -151,10 +136,7 @@ fn rewritten(program: &Program, site: &CallSite, written: &Written) -> Vec<Edit>
     if let (true, Some((_, place))) = (marks, mark_before(program, site)) {
         edits.push(without_comment(program, place));
     }
-    edits.push(Edit {
-        span: site.span,
-        insert: call,
-    });
+    edits.push(Edit { span: site.span, insert: call });
     if let (Some(block), false) = (program.blocks.get(site.line as usize), lines.is_empty()) {
         let end = line_end(program, site.line);
         let at = behind_label(program, site.line).unwrap_or(block.span.start);
@@ -209,28 +191,20 @@ fn means_the_same(one: &CallSite, other: &CallSite, control: &Control) -> bool {
     let inputs = |site: &CallSite| check::read(site.cycle, &site.values, control, &mut Vec::new());
     let (left, right) = (inputs(one), inputs(other));
     let same = |param: &Param| {
-        left.number(param.name) == right.number(param.name)
-            && left.text(param.name) == right.text(param.name)
+        left.number(param.name) == right.number(param.name) && left.text(param.name) == right.text(param.name)
     };
     one.cycle.params.iter().all(same)
 }
 
 /// Calls that would have other values afterwards.
-fn others(
-    sites: &[CallSite],
-    after: &[CallSite],
-    index: usize,
-    control: &Control,
-) -> Vec<Diagnostic> {
+fn others(sites: &[CallSite], after: &[CallSite], index: usize, control: &Control) -> Vec<Diagnostic> {
     let mut findings = Vec::new();
     for (place, (before, after)) in sites.iter().zip(after).enumerate() {
         if place != index && !means_the_same(before, after, control) {
             let finding = own::CONVERT_OTHERS.finding();
             findings.push(Diagnostic {
                 span: Some(before.span),
-                ..finding
-                    .text("cycle", before.cycle.name)
-                    .number("line", f64::from(before.line + 1))
+                ..finding.text("cycle", before.cycle.name).number("line", f64::from(before.line + 1))
             });
         }
     }

@@ -31,9 +31,7 @@ fn chain(reader: &mut Reader, dialect: Dialect, least: Strength) -> Parsed<Node>
             Dialect::Sinumerik => sinumerik_expression::operator(reader),
             Dialect::Nct => nct_expression::operator(reader),
         };
-        let Some((operator, strength, length)) =
-            found.filter(|(_, strength, _)| *strength >= least)
-        else {
+        let Some((operator, strength, length)) = found.filter(|(_, strength, _)| *strength >= least) else {
             reader.at = behind;
             return Ok(left);
         };

@@ -32,9 +32,7 @@ pub fn findings_of(program: &Program, sites: &[CallSite], control: &Control) -> 
         Dialect::Nct => of_another_control(program),
     };
     let advice = advice(program, sites, control);
-    let calls = sites
-        .iter()
-        .flat_map(|site| site.diagnostics.iter().cloned());
+    let calls = sites.iter().flat_map(|site| site.diagnostics.iter().cloned());
     let mut found: Vec<Diagnostic> = syntax.chain(blocks).chain(calls).chain(advice).collect();
     found.sort_by_key(|finding| (start(finding), finding.severity));
     once(found)
@@ -62,10 +60,7 @@ pub fn not_understood(program: &Program, error: &SyntaxError) -> Diagnostic {
     if let Some(found) = foreign_character(program, error) {
         return found;
     }
-    let found = Diagnostic {
-        span: Some(error.span),
-        ..error.sentence.finding()
-    };
+    let found = Diagnostic { span: Some(error.span), ..error.sentence.finding() };
     let instead = match error.sentence.cause {
         cause if cause == own::SYNTAX_EXPONENT.cause => "EX",
         cause if cause == own::SYNTAX_COMMA.cause => ".",
@@ -75,14 +70,8 @@ pub fn not_understood(program: &Program, error: &SyntaxError) -> Diagnostic {
         return found;
     };
     let write = Message::new("syntax-write").text("value", number);
-    let cure = Cure {
-        label: write.clone(),
-        edits: vec![edit],
-    };
-    Diagnostic {
-        cure: Some(cure),
-        ..found.hint(write)
-    }
+    let cure = Cure { label: write.clone(), edits: vec![edit] };
+    Diagnostic { cure: Some(cure), ..found.hint(write) }
 }
 
 /// A character that the language does not have where reading failed: from a text processor, or one that nobody sees.
@@ -94,10 +83,7 @@ fn foreign_character(program: &Program, error: &SyntaxError) -> Option<Diagnosti
     let text = rest.get(..rest.len().min(4))?;
     let known = match std::str::from_utf8(text) {
         Ok(text) => text.chars().next(),
-        Err(wrong) => std::str::from_utf8(text.get(..wrong.valid_up_to())?)
-            .ok()?
-            .chars()
-            .next(),
+        Err(wrong) => std::str::from_utf8(text.get(..wrong.valid_up_to())?).ok()?.chars().next(),
     };
     let character = known.unwrap_or(char::from(*rest.first()?)); // of an older code page
     if character.is_ascii_graphic() || matches!(character, ' ' | '\t' | '\r' | '\n') {
@@ -110,31 +96,19 @@ fn foreign_character(program: &Program, error: &SyntaxError) -> Option<Diagnosti
         '\u{2010}'..='\u{2015}' | '\u{2212}' => "-",
         '\u{201C}'..='\u{201F}' | '\u{AB}' | '\u{BB}' => "\"",
         _ if character.is_alphanumeric() => {
-            return Some(Diagnostic {
-                span: Some(error.span),
-                ..found
-            });
+            return Some(Diagnostic { span: Some(error.span), ..found });
         }
         _ => " ",
     };
-    let span = Span {
-        start: error.span.start,
-        end: error.span.start + length,
-    };
-    let edit = Edit {
-        span,
-        insert: instead.to_owned(),
-    };
+    let span = Span { start: error.span.start, end: error.span.start + length };
+    let edit = Edit { span, insert: instead.to_owned() };
     let label = match instead {
         " " => Message::new("syntax-character-blank"),
         written => Message::new("syntax-write").text("value", written),
     };
     Some(Diagnostic {
         span: Some(error.span),
-        cure: Some(Cure {
-            label: label.clone(),
-            edits: vec![edit],
-        }),
+        cure: Some(Cure { label: label.clone(), edits: vec![edit] }),
         ..found.hint(label)
     })
 }
@@ -145,10 +119,7 @@ fn rewritten(program: &Program, at: Span, instead: &str) -> Option<(String, Edit
     let of_number = |byte: &&u8| byte.is_ascii_digit() || **byte == b'.';
     let digits = before.iter().rev().take_while(of_number).count();
     let (wrong, behind) = behind.split_first()?;
-    let sign = behind
-        .iter()
-        .take_while(|byte| b"+-".contains(byte))
-        .count();
+    let sign = behind.iter().take_while(|byte| b"+-".contains(byte)).count();
     let sign = if *wrong == b',' { 0 } else { sign.min(1) };
     let power = behind.get(sign..)?.iter().take_while(of_number).count();
     if digits == 0 || power == 0 {
@@ -156,10 +127,7 @@ fn rewritten(program: &Program, at: Span, instead: &str) -> Option<(String, Edit
     }
     let mantissa = String::from_utf8_lossy(before.get(before.len() - digits..)?);
     let power = String::from_utf8_lossy(behind.get(..sign + power)?);
-    let span = Span {
-        start: at.start,
-        end: at.start + 1,
-    };
+    let span = Span { start: at.start, end: at.start + 1 };
     let insert = instead.to_owned();
     Some((format!("{mantissa}{instead}{power}"), Edit { span, insert }))
 }

@@ -20,12 +20,7 @@ impl Known for Nothing {
 }
 
 /// A variable's name with its index in digits: `_SETV[R1]` is `_SETV[2]` while R1 is 2. None: the index is not known.
-pub(super) fn name(
-    program: &Program,
-    name: Span,
-    index: &[ExprId],
-    known: &impl Known,
-) -> Option<String> {
+pub(super) fn name(program: &Program, name: Span, index: &[ExprId], known: &impl Known) -> Option<String> {
     let mut text = program.name(name);
     if index.is_empty() {
         return Some(text);
@@ -40,9 +35,7 @@ pub(super) fn name(
         }
         match (whole(program, *id, known), program.expr(*id)) {
             (Some(number), _) => text.push_str(&number.to_string()),
-            (None, Some(Expr::Name { name, index })) if index.is_empty() => {
-                text.push_str(&program.name(*name))
-            }
+            (None, Some(Expr::Name { name, index })) if index.is_empty() => text.push_str(&program.name(*name)),
             _ => return None,
         }
     }
@@ -62,11 +55,9 @@ pub(super) fn number(program: &Program, id: ExprId, known: &impl Known) -> Optio
         Expr::Name { name: place, index } => known.number(&name(program, *place, index, known)?)?,
         Expr::Unary(Operator::Minus, inner) => -number(program, *inner, known)?,
         Expr::Unary(Operator::Plus, inner) => number(program, *inner, known)?,
-        Expr::Binary(left, operator, right) => binary(
-            number(program, *left, known)?,
-            *operator,
-            number(program, *right, known)?,
-        )?,
+        Expr::Binary(left, operator, right) => {
+            binary(number(program, *left, known)?, *operator, number(program, *right, known)?)?
+        }
         _ => return None,
     };
     value.is_finite().then_some(value)
@@ -94,9 +85,7 @@ pub(super) fn unsteady(program: &Program) -> HashMap<String, u32> {
     let mut counts = HashMap::new();
     if program.words.iter().any(repeats) {
         for word in &program.words {
-            if let WordKind::Assign {
-                name: place, index, ..
-            } = &word.kind
+            if let WordKind::Assign { name: place, index, .. } = &word.kind
                 && let Some(name) = name(program, *place, index, &Nothing)
             {
                 *counts.entry(name).or_default() += 1;

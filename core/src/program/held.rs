@@ -276,11 +276,7 @@ mod tests {
         let mut same = Held::One(value(1.0));
         for start in 1..30 {
             let place = Span { start, end: start };
-            same = same.meet(&Held::One(Rc::new(Value::at(
-                "1".to_owned(),
-                Some(1.0),
-                place,
-            ))));
+            same = same.meet(&Held::One(Rc::new(Value::at("1".to_owned(), Some(1.0), place))));
         }
         assert_eq!(same.number(), Some(1.0));
         let other = same.meet(&Held::One(value(2.0)));

@@ -32,18 +32,18 @@ pub(super) fn find(name: &[u8]) -> Option<Keyword> {
     upper.copy_from_slice(name);
     upper.make_ascii_uppercase();
     Some(match &*upper {
-        b"ELSE" | b"ENDIF" | b"ENDWHILE" | b"ENDFOR" | b"LOOP" | b"ENDLOOP" | b"DEFAULT"
-        | b"RET" | b"ENDPROC" | b"DO" | b"ENDLABEL" => Keyword::Alone,
-        b"IF" | b"WHILE" | b"UNTIL" | b"TO" | b"CASE" | b"WHEN" | b"WHENEVER" | b"EVERY"
-        | b"FROM" => Keyword::Value,
+        b"ELSE" | b"ENDIF" | b"ENDWHILE" | b"ENDFOR" | b"LOOP" | b"ENDLOOP" | b"DEFAULT" | b"RET" | b"ENDPROC"
+        | b"DO" | b"ENDLABEL" => Keyword::Alone,
+        b"IF" | b"WHILE" | b"UNTIL" | b"TO" | b"CASE" | b"WHEN" | b"WHENEVER" | b"EVERY" | b"FROM" => Keyword::Value,
         b"GOTO" | b"GOTOF" | b"GOTOB" | b"GOTOC" => Keyword::Target,
         b"REPEAT" | b"REPEATB" => Keyword::Repeat,
         b"FOR" => Keyword::For,
         b"OF" => Keyword::Of,
         b"DEF" | b"REDEF" => Keyword::Definition,
         b"PROC" | b"EXTERN" => Keyword::Procedure,
-        b"AND" | b"OR" | b"XOR" | b"NOT" | b"DIV" | b"MOD" | b"B_AND" | b"B_OR" | b"B_XOR"
-        | b"B_NOT" => Keyword::Operator,
+        b"AND" | b"OR" | b"XOR" | b"NOT" | b"DIV" | b"MOD" | b"B_AND" | b"B_OR" | b"B_XOR" | b"B_NOT" => {
+            Keyword::Operator
+        }
         _ => return None,
     })
 }
@@ -51,9 +51,8 @@ pub(super) fn find(name: &[u8]) -> Option<Keyword> {
 /// Types and attributes of a declaration.
 pub(super) fn is_type(name: &[u8]) -> bool {
     const TYPES: &[&[u8]] = &[
-        b"REAL", b"INT", b"BOOL", b"STRING", b"FRAME", b"AXIS", b"CHAR", b"NCK", b"CHAN", b"VAR",
-        b"SYNR", b"SYNW", b"SYNRW", b"PHU", b"LLI", b"ULI", b"APR", b"APW", b"APRP", b"APWP",
-        b"PRLOC",
+        b"REAL", b"INT", b"BOOL", b"STRING", b"FRAME", b"AXIS", b"CHAR", b"NCK", b"CHAN", b"VAR", b"SYNR", b"SYNW",
+        b"SYNRW", b"PHU", b"LLI", b"ULI", b"APR", b"APW", b"APRP", b"APWP", b"PRLOC",
     ];
     TYPES.iter().any(|known| name.eq_ignore_ascii_case(known))
 }
@@ -61,19 +60,14 @@ pub(super) fn is_type(name: &[u8]) -> bool {
 /// Addresses of several letters; any other name before `=` is a variable.
 pub(super) fn is_address(name: &[u8]) -> bool {
     const ADDRESSES: &[&[u8]] = &[
-        b"AP", b"RP", b"AR", b"CR", b"IR", b"JR", b"KR", b"SPOS", b"SPOSA", b"CHF", b"CHR", b"RND",
-        b"RNDM", b"PW", b"SD", b"PL", b"ANG", b"TURN", b"DL", b"FRC", b"FRCM", b"FAD", b"FB",
-        b"FD", b"SF", b"DISR", b"DISCL", b"CT",
+        b"AP", b"RP", b"AR", b"CR", b"IR", b"JR", b"KR", b"SPOS", b"SPOSA", b"CHF", b"CHR", b"RND", b"RNDM", b"PW",
+        b"SD", b"PL", b"ANG", b"TURN", b"DL", b"FRC", b"FRCM", b"FAD", b"FB", b"FD", b"SF", b"DISR", b"DISCL", b"CT",
     ];
-    ADDRESSES
-        .iter()
-        .any(|known| name.eq_ignore_ascii_case(known))
+    ADDRESSES.iter().any(|known| name.eq_ignore_ascii_case(known))
 }
 
 /// Kinds of dimension that stand around a value: `X=IC(5)`.
 pub(super) fn is_mode(name: &[u8]) -> bool {
-    const MODES: &[&[u8]] = &[
-        b"AC", b"IC", b"DC", b"ACP", b"ACN", b"CAC", b"CIC", b"CDC", b"CACP", b"CACN",
-    ];
+    const MODES: &[&[u8]] = &[b"AC", b"IC", b"DC", b"ACP", b"ACN", b"CAC", b"CIC", b"CDC", b"CACP", b"CACN"];
     MODES.iter().any(|known| name.eq_ignore_ascii_case(known))
 }

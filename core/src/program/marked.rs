@@ -5,8 +5,8 @@ use super::tree::{Block, Program, Word, WordKind};
 use crate::diagnostic::Span;
 use crate::support::{BITS, Mark};
 
-/// The comment with the settings and its place, on the line before the call's first; lines that set nothing but bits for
-/// it may stand between.
+/// The comment with the settings and its place, on the line before the call's first; lines that set nothing but bits
+/// for it may stand between.
 pub fn mark_before(program: &Program, site: &CallSite) -> Option<(Mark, Span)> {
     let mut before = program.blocks.get(..site.first_line as usize)?.iter();
     let block = before.rfind(|block| !sets_bits(program, block))?;
@@ -19,10 +19,7 @@ fn sets_bits(program: &Program, block: &Block) -> bool {
     let words = program.words_of(block);
     let is_bit = |word: &Word| match &word.kind {
         WordKind::Assign { value_span, .. } => {
-            let target = Span {
-                end: value_span.start,
-                ..word.span
-            };
+            let target = Span { end: value_span.start, ..word.span };
             let text = program.name(target);
             let text: String = text.chars().filter(|one| !one.is_whitespace()).collect();
             BITS.iter().any(|bit| text.strip_suffix('=') == Some(bit))

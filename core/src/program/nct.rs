@@ -60,15 +60,7 @@ fn assignment(reader: &mut Reader) -> Parsed<()> {
     }
     let value = expression(reader, Nct, 0)?.id;
     let value_span = reader.from(value_start);
-    reader.word(
-        start,
-        WordKind::Assign {
-            name,
-            index,
-            value_span,
-            value,
-        },
-    );
+    reader.word(start, WordKind::Assign { name, index, value_span, value });
     Ok(())
 }
 
@@ -79,15 +71,7 @@ fn address(reader: &mut Reader, letters: usize) -> Parsed<()> {
     let name = reader.from(start);
     reader.blanks();
     let value = plain(reader)?;
-    reader.word(
-        start,
-        WordKind::Address {
-            name,
-            extension: None,
-            mode: None,
-            value,
-        },
-    );
+    reader.word(start, WordKind::Address { name, extension: None, mode: None, value });
     Ok(())
 }
 
@@ -103,9 +87,7 @@ fn plain(reader: &mut Reader) -> Parsed<ExprId> {
         reader.at += length;
         decimal_comma(reader)?;
         let span: Span = reader.from(start);
-        return Ok(reader
-            .push(Expr::Number(if minus { -value } else { value }, span), 1)?
-            .id);
+        return Ok(reader.push(Expr::Number(if minus { -value } else { value }, span), 1)?.id);
     }
     if sign == 1 || matches!(first, b'#' | b'[') {
         return Ok(expression(reader, Nct, 12)?.id);
@@ -115,20 +97,12 @@ fn plain(reader: &mut Reader) -> Parsed<ExprId> {
 
 /// `IF[…]`, `WHILE[…]`, `DO1`, `END1`, `GOTO 100`, `THEN`.
 fn keyword(reader: &mut Reader) -> Parsed<()> {
-    const WORDS: &[(&[u8], bool)] = &[
-        (b"WHILE", true),
-        (b"GOTO", true),
-        (b"THEN", false),
-        (b"END", true),
-        (b"IF", true),
-        (b"DO", true),
-    ];
+    const WORDS: &[(&[u8], bool)] =
+        &[(b"WHILE", true), (b"GOTO", true), (b"THEN", false), (b"END", true), (b"IF", true), (b"DO", true)];
     let start = reader.at;
     let rest = reader.rest();
-    let found = WORDS.iter().find(|(word, _)| {
-        rest.get(..word.len())
-            .is_some_and(|text| text.eq_ignore_ascii_case(word))
-    });
+    let found =
+        WORDS.iter().find(|(word, _)| rest.get(..word.len()).is_some_and(|text| text.eq_ignore_ascii_case(word)));
     let (word, valued) = found.ok_or(&own::SYNTAX_UNKNOWN)?;
     reader.at += word.len();
     let name = reader.from(start);

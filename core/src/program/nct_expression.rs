@@ -33,10 +33,8 @@ pub(super) fn operator(reader: &Reader) -> Option<(Operator, Strength, usize)> {
         _ => {}
     }
     let rest = reader.rest();
-    let found = WORDS.iter().find(|(word, ..)| {
-        rest.get(..word.len())
-            .is_some_and(|text| text.eq_ignore_ascii_case(word))
-    });
+    let found =
+        WORDS.iter().find(|(word, ..)| rest.get(..word.len()).is_some_and(|text| text.eq_ignore_ascii_case(word)));
     found.map(|(word, operator, strength)| (*operator, *strength, word.len()))
 }
 
@@ -82,32 +80,18 @@ fn exponent(reader: &Reader) -> Parsed<()> {
 pub(super) fn bracket(reader: &mut Reader) -> Parsed<Node> {
     reader.at += 1;
     let inner = expression(reader, Nct, 0)?;
-    if reader.take(b']') {
-        Ok(inner)
-    } else {
-        Err(&own::SYNTAX_BRACKET)
-    }
+    if reader.take(b']') { Ok(inner) } else { Err(&own::SYNTAX_BRACKET) }
 }
 
 /// `#100` as a name, `#[…]` and `##1` as the name `#` with an index.
 pub(super) fn variable(reader: &mut Reader) -> Parsed<Node> {
     let start = reader.at;
     reader.at += 1;
-    let number = reader
-        .rest()
-        .iter()
-        .take_while(|byte| is_digit(**byte))
-        .count();
+    let number = reader.rest().iter().take_while(|byte| is_digit(**byte)).count();
     if number > 0 {
         reader.at += number;
         let name = reader.from(start);
-        return reader.push(
-            Expr::Name {
-                name,
-                index: Box::default(),
-            },
-            1,
-        );
+        return reader.push(Expr::Name { name, index: Box::default() }, 1);
     }
     let name = reader.from(start);
     let index = match reader.byte(0) {
@@ -115,34 +99,20 @@ pub(super) fn variable(reader: &mut Reader) -> Parsed<Node> {
         b'#' => expression(reader, Nct, UNARY)?,
         _ => return Err(&own::SYNTAX_OPERAND),
     };
-    reader.push(
-        Expr::Name {
-            name,
-            index: Box::new([index.id]),
-        },
-        index.height + 1,
-    )
+    reader.push(Expr::Name { name, index: Box::new([index.id]) }, index.height + 1)
 }
 
 /// `SIN[…]`, `SQRT #1`, `ATAN[…]/[…]` (two arguments).
 fn function(reader: &mut Reader) -> Parsed<Node> {
     const NAMES: &[&[u8]] = &[
-        b"SIN", b"COS", b"TAN", b"ASIN", b"ACOS", b"ATAN", b"SQRT", b"ABS", b"ROUND", b"FIX",
-        b"FUP", b"LN", b"EXP", b"BIN", b"BCD", b"ADP", b"NOT",
+        b"SIN", b"COS", b"TAN", b"ASIN", b"ACOS", b"ATAN", b"SQRT", b"ABS", b"ROUND", b"FIX", b"FUP", b"LN", b"EXP",
+        b"BIN", b"BCD", b"ADP", b"NOT",
     ];
     let start = reader.at;
-    let letters = reader
-        .rest()
-        .iter()
-        .take(6)
-        .take_while(|byte| byte.is_ascii_alphabetic())
-        .count();
+    let letters = reader.rest().iter().take(6).take_while(|byte| byte.is_ascii_alphabetic()).count();
     reader.at += letters;
     let name = reader.from(start);
-    if !NAMES
-        .iter()
-        .any(|known| reader.text(name).eq_ignore_ascii_case(known))
-    {
+    if !NAMES.iter().any(|known| reader.text(name).eq_ignore_ascii_case(known)) {
         return Err(&own::SYNTAX_OPERAND);
     }
     let inner = expression(reader, Nct, UNARY)?;

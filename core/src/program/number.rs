@@ -4,8 +4,8 @@ use super::bytes::is_digit;
 
 /// Powers of ten that are exact in f64.
 const TENS: [f64; 23] = [
-    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
-    1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
+    1e21, 1e22,
 ];
 
 /// Largest mantissa whose value in f64 is exact.
@@ -16,9 +16,7 @@ pub(super) fn decimal(text: &[u8]) -> Option<(f64, usize)> {
     let mut mantissa: u64 = 0;
     let mut at = 0;
     while let Some(&byte) = text.get(at).filter(|byte| is_digit(**byte)) {
-        mantissa = mantissa
-            .wrapping_mul(10)
-            .wrapping_add(u64::from(byte - b'0'));
+        mantissa = mantissa.wrapping_mul(10).wrapping_add(u64::from(byte - b'0'));
         at += 1;
     }
     let mut digits = at;
@@ -26,9 +24,7 @@ pub(super) fn decimal(text: &[u8]) -> Option<(f64, usize)> {
     if text.get(at) == Some(&b'.') {
         at += 1;
         while let Some(&byte) = text.get(at).filter(|byte| is_digit(**byte)) {
-            mantissa = mantissa
-                .wrapping_mul(10)
-                .wrapping_add(u64::from(byte - b'0'));
+            mantissa = mantissa.wrapping_mul(10).wrapping_add(u64::from(byte - b'0'));
             at += 1;
             places += 1;
         }
@@ -39,17 +35,10 @@ pub(super) fn decimal(text: &[u8]) -> Option<(f64, usize)> {
     }
     // At most 19 digits cannot have wrapped; mantissa and power exact: one division rounds correctly.
     if digits <= 19 && mantissa <= EXACT && places < TENS.len() {
-        let value = if places == 0 {
-            mantissa as f64
-        } else {
-            mantissa as f64 / TENS[places]
-        };
+        let value = if places == 0 { mantissa as f64 } else { mantissa as f64 / TENS[places] };
         return Some((value, at));
     }
-    let value = std::str::from_utf8(text.get(..at)?)
-        .ok()?
-        .parse::<f64>()
-        .ok()?;
+    let value = std::str::from_utf8(text.get(..at)?).ok()?.parse::<f64>().ok()?;
     value.is_finite().then_some((value, at))
 }
 
@@ -57,19 +46,11 @@ pub(super) fn decimal(text: &[u8]) -> Option<(f64, usize)> {
 pub(super) fn with_exponent(text: &[u8]) -> Option<(f64, usize)> {
     let (value, length) = decimal(text)?;
     let rest = text.get(length..).unwrap_or_default();
-    if !rest
-        .get(..2)
-        .is_some_and(|word| word.eq_ignore_ascii_case(b"EX"))
-    {
+    if !rest.get(..2).is_some_and(|word| word.eq_ignore_ascii_case(b"EX")) {
         return Some((value, length));
     }
     let sign = usize::from(matches!(rest.get(2), Some(b'+' | b'-')));
-    let digits = rest
-        .get(2 + sign..)
-        .unwrap_or_default()
-        .iter()
-        .take_while(|byte| is_digit(**byte))
-        .count();
+    let digits = rest.get(2 + sign..).unwrap_or_default().iter().take_while(|byte| is_digit(**byte)).count();
     if digits == 0 {
         return Some((value, length));
     }
@@ -102,21 +83,10 @@ mod tests {
     // oracle: hand (Rust's own correctly rounding parser as second opinion)
     #[test]
     fn numbers_are_the_nearest_f64_and_end_where_the_digits_end() {
-        for text in [
-            "0",
-            "1.",
-            ".5",
-            "110.246",
-            "0.1",
-            "123456789012345678",
-            "9007199254740993",
-            "0.000000000000000000000001",
-        ] {
-            assert_eq!(
-                decimal(text.as_bytes()).unwrap(),
-                (text.parse::<f64>().unwrap(), text.len()),
-                "{text}"
-            );
+        for text in
+            ["0", "1.", ".5", "110.246", "0.1", "123456789012345678", "9007199254740993", "0.000000000000000000000001"]
+        {
+            assert_eq!(decimal(text.as_bytes()).unwrap(), (text.parse::<f64>().unwrap(), text.len()), "{text}");
         }
         assert_eq!(decimal(b"10Y20"), Some((10.0, 2)));
         assert_eq!(decimal(b"."), None);

@@ -11,8 +11,8 @@ use std::collections::BTreeMap;
 /// Words of a program by their line.
 pub(super) type Lines<'a> = BTreeMap<u32, Vec<&'a Word>>;
 
-/// The words that give these values to this call only, as far as they stand outside of it. `bits`: those that set bits for
-/// it too.
+/// The words that give these values to this call only, as far as they stand outside of it. `bits`: those that set bits
+/// for it too.
 pub(super) fn own_words<'a>(
     program: &'a Program,
     site: &CallSite,
@@ -24,8 +24,7 @@ pub(super) fn own_words<'a>(
     let of_values = of_values.filter_map(|name| site.own_place(name));
     let of_bits = site.bits.iter().filter(|_| bits);
     let of_bits = of_bits.map(|(_, _, place)| *place);
-    let of_bits =
-        of_bits.filter(|place| site.own_from <= place.start && place.end <= site.span.end);
+    let of_bits = of_bits.filter(|place| site.own_from <= place.start && place.end <= site.span.end);
     let places = of_values.chain(of_bits).filter(|place| *place != site.span);
     for place in places {
         let Some(word) = program.word_at(place) else {
@@ -55,9 +54,7 @@ pub(super) fn emptied(program: &Program, own: &Lines, call_line: u32) -> Vec<Edi
         let Some(block) = program.blocks.get(*line as usize) else {
             continue;
         };
-        let alone = program.words_of(block).len() == words.len()
-            && block.comment.is_none()
-            && *line != call_line;
+        let alone = program.words_of(block).len() == words.len() && block.comment.is_none() && *line != call_line;
         if alone {
             edits.push(without_line(program, *line, block.span.start));
             continue;
@@ -71,10 +68,7 @@ pub(super) fn emptied(program: &Program, own: &Lines, call_line: u32) -> Vec<Edi
 fn without_words(program: &Program, words: &[&Word], line: Span) -> Vec<Edit> {
     let mut gaps: Vec<Span> = Vec::new();
     for word in words {
-        let behind = program.text(Span {
-            start: word.span.end,
-            end: line.end,
-        });
+        let behind = program.text(Span { start: word.span.end, end: line.end });
         let blanks = behind.iter().take_while(|byte| is_blank(byte)).count();
         let end = word.span.end + blanks as u32;
         match gaps.last_mut().filter(|gap| gap.end == word.span.start) {
@@ -83,20 +77,11 @@ fn without_words(program: &Program, words: &[&Word], line: Span) -> Vec<Edit> {
         }
     }
     if let Some(last) = gaps.last_mut().filter(|gap| gap.end == line.end) {
-        let before = program.text(Span {
-            start: line.start,
-            end: last.start,
-        });
-        let blanks = before
-            .iter()
-            .rev()
-            .take_while(|byte| is_blank(byte))
-            .count();
+        let before = program.text(Span { start: line.start, end: last.start });
+        let blanks = before.iter().rev().take_while(|byte| is_blank(byte)).count();
         last.start -= blanks as u32;
     }
-    gaps.into_iter()
-        .map(|gap| removed(gap.start, gap.end))
-        .collect()
+    gaps.into_iter().map(|gap| removed(gap.start, gap.end)).collect()
 }
 
 fn is_blank(byte: &u8) -> bool {
@@ -104,28 +89,20 @@ fn is_blank(byte: &u8) -> bool {
 }
 
 fn removed(start: u32, end: u32) -> Edit {
-    Edit {
-        span: Span { start, end },
-        insert: String::new(),
-    }
+    Edit { span: Span { start, end }, insert: String::new() }
 }
 
 /// A line from a byte on, with its end.
 fn without_line(program: &Program, line: u32, from: u32) -> Edit {
     let behind = program.blocks.get(line as usize + 1);
-    removed(
-        from,
-        behind.map_or(program.source.len() as u32, |next| next.span.start),
-    )
+    removed(from, behind.map_or(program.source.len() as u32, |next| next.span.start))
 }
 
 /// A comment; a line without anything else goes with its end.
 pub(super) fn without_comment(program: &Program, comment: Span) -> Edit {
     let line = program.line_of(comment.start);
     match program.blocks.get(line as usize) {
-        Some(block) if program.words_of(block).is_empty() => {
-            without_line(program, line, block.span.start)
-        }
+        Some(block) if program.words_of(block).is_empty() => without_line(program, line, block.span.start),
         _ => removed(comment.start, comment.end),
     }
 }

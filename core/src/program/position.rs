@@ -25,13 +25,8 @@ fn units(byte: u8) -> u32 {
 
 /// Lines end with LF, CR LF or a lone CR, as an editor counts them.
 fn line_starts(text: &[u8]) -> impl Iterator<Item = u32> {
-    let ends = move |at: usize, byte: u8| {
-        byte == b'\n' || (byte == b'\r' && text.get(at + 1) != Some(&b'\n'))
-    };
-    text.iter()
-        .enumerate()
-        .filter(move |(at, byte)| ends(*at, **byte))
-        .map(|(at, _)| at as u32 + 1)
+    let ends = move |at: usize, byte: u8| byte == b'\n' || (byte == b'\r' && text.get(at + 1) != Some(&b'\n'));
+    text.iter().enumerate().filter(move |(at, byte)| ends(*at, **byte)).map(|(at, _)| at as u32 + 1)
 }
 
 fn count(text: &[u8]) -> u32 {
@@ -47,11 +42,7 @@ impl<'a> Positions<'a> {
             marks.push(before + count(chunk));
         }
         let mark = text.starts_with(BYTE_ORDER_MARK);
-        let first = if mark {
-            BYTE_ORDER_MARK.len() as u32
-        } else {
-            0
-        };
+        let first = if mark { BYTE_ORDER_MARK.len() as u32 } else { 0 };
         let lines = std::iter::once(first).chain(line_starts(text)).collect();
         Self { text, marks, lines }
     }
@@ -61,10 +52,7 @@ impl<'a> Positions<'a> {
         let offset = (offset as usize).min(self.text.len()) as u32;
         let line = self.lines.partition_point(|start| *start <= offset).max(1);
         let start = self.lines.get(line - 1).copied().unwrap_or(0);
-        let before = self
-            .text
-            .get(start as usize..offset as usize)
-            .unwrap_or_default();
+        let before = self.text.get(start as usize..offset as usize).unwrap_or_default();
         let column = before.iter().filter(|byte| units(**byte) > 0).count() as u32 + 1;
         (line as u32, column)
     }
@@ -79,10 +67,7 @@ impl<'a> Positions<'a> {
 
     /// Byte offset of a UTF-16 offset; inside a character: its first byte; past the end: the end.
     pub fn byte(&self, utf16: u32) -> u32 {
-        let mark = self
-            .marks
-            .partition_point(|before| *before <= utf16)
-            .saturating_sub(1);
+        let mark = self.marks.partition_point(|before| *before <= utf16).saturating_sub(1);
         let mut at = mark * STEP;
         let mut passed = self.marks.get(mark).copied().unwrap_or(0);
         while let Some(byte) = self.text.get(at) {
@@ -129,9 +114,6 @@ mod tests {
         assert_eq!(positions.line_column(12), (2, 1));
         assert_eq!(positions.line_column(18), (3, 1));
         assert_eq!(positions.line_column(9999), (4, 1));
-        assert_eq!(
-            positions.utf16(9999),
-            Positions::new(source).utf16(source.len() as u32)
-        );
+        assert_eq!(positions.utf16(9999), Positions::new(source).utf16(source.len() as u32));
     }
 }

@@ -86,11 +86,7 @@ impl<'a> Reader<'a> {
     /// Byte `ahead` of the present place; 0 past the end of the line.
     pub fn byte(&self, ahead: usize) -> u8 {
         let at = self.at + ahead;
-        if at < self.end {
-            self.source.get(at).copied().unwrap_or(0)
-        } else {
-            0
-        }
+        if at < self.end { self.source.get(at).copied().unwrap_or(0) } else { 0 }
     }
 
     /// What is left of the line.
@@ -131,16 +127,11 @@ impl<'a> Reader<'a> {
 
     /// From a place to the present one.
     pub fn from(&self, start: usize) -> Span {
-        Span {
-            start: start as u32,
-            end: self.at as u32,
-        }
+        Span { start: start as u32, end: self.at as u32 }
     }
 
     pub fn text(&self, span: Span) -> &'a [u8] {
-        self.source
-            .get(span.start as usize..span.end as usize)
-            .unwrap_or_default()
+        self.source.get(span.start as usize..span.end as usize).unwrap_or_default()
     }
 
     pub fn push(&mut self, expr: Expr, height: u16) -> Parsed<Node> {
@@ -177,8 +168,7 @@ impl<'a> Reader<'a> {
 
     /// Takes back a word of the present line that ends at this place; where it begins.
     fn touched(&mut self, start: usize) -> usize {
-        let value =
-            |kind: &WordKind| matches!(kind, WordKind::Address { .. } | WordKind::Assign { .. });
+        let value = |kind: &WordKind| matches!(kind, WordKind::Address { .. } | WordKind::Assign { .. });
         let own = self.words.get(self.first..).and_then(<[Word]>::last);
         let touches = own.filter(|word| word.span.end as usize == start && value(&word.kind));
         let Some(begin) = touches.map(|word| word.span.start as usize) else {
@@ -188,9 +178,9 @@ impl<'a> Reader<'a> {
         begin
     }
 
-    /// Marks what was not understood, from `start` to the next blank behind `place`, where the reading failed; touching ones
-    /// become one, and a word that it touches is not understood either: of `X10+5` and `_FA=2%` nobody knows what they mean. What
-    /// stands in a bracket that the block leaves open belongs to it, up to the end.
+    /// Marks what was not understood, from `start` to the next blank behind `place`, where the reading failed; touching
+    /// ones become one, and a word that it touches is not understood either: of `X10+5` and `_FA=2%` nobody knows what
+    /// they mean. What stands in a bracket that the block leaves open belongs to it, up to the end.
     pub fn unknown(&mut self, start: usize, place: usize, sentence: &'static Own, stop: u8) {
         let failed = match self.left_open(place, sentence, stop) {
             0 => place,
@@ -199,24 +189,13 @@ impl<'a> Reader<'a> {
         self.at = failed.max(start + 1);
         while !self.done() && !is_blank(self.byte(0)) && self.byte(0) != stop {
             let quoted = self.byte(0) == b'"';
-            let close = if quoted {
-                self.rest().iter().skip(1).position(|byte| *byte == b'"')
-            } else {
-                None
-            };
+            let close = if quoted { self.rest().iter().skip(1).position(|byte| *byte == b'"') } else { None };
             self.at += close.map_or(1, |length| length + 2);
         }
         let start = self.touched(start);
         let span = self.from(start);
-        let joined = match (
-            self.words
-                .get_mut(self.first..)
-                .and_then(<[Word]>::last_mut),
-            self.errors.last_mut(),
-        ) {
-            (Some(word), Some(error))
-                if word.kind == WordKind::Unknown && word.span.end == span.start =>
-            {
+        let joined = match (self.words.get_mut(self.first..).and_then(<[Word]>::last_mut), self.errors.last_mut()) {
+            (Some(word), Some(error)) if word.kind == WordKind::Unknown && word.span.end == span.start => {
                 word.span.end = span.end;
                 error.span.end = span.end;
                 true
@@ -224,10 +203,7 @@ impl<'a> Reader<'a> {
             _ => false,
         };
         if !joined {
-            self.words.push(Word {
-                span,
-                kind: WordKind::Unknown,
-            });
+            self.words.push(Word { span, kind: WordKind::Unknown });
             let last = span.end.saturating_sub(1).max(span.start);
             let start = (place as u32).clamp(span.start, last);
             let span = Span { start, ..span };

@@ -25,25 +25,17 @@ pub struct Revision {
     pub findings: Vec<Diagnostic>,
 }
 
-/// Gives a parameter of the call at `index` this value, as [`change`] does. Of a call that becomes another variant nothing
-/// stays that this variant does not know. The program starts on a control in this state. None: there is no such call.
-pub fn revise(
-    program: &Program,
-    index: usize,
-    name: &str,
-    value: &str,
-    control: &Control,
-) -> Option<Revision> {
+/// Gives a parameter of the call at `index` this value, as [`change`] does. Of a call that becomes another variant
+/// nothing stays that this variant does not know. The program starts on a control in this state. None: there is no such
+/// call.
+pub fn revise(program: &Program, index: usize, name: &str, value: &str, control: &Control) -> Option<Revision> {
     let sites = calls_on(program, control.clone());
     let site = sites.get(index)?;
     let edits = change(program, site, name, value);
     if edits.is_empty() {
         return Some(Revision::default());
     }
-    let mut revision = Revision {
-        elsewhere: elsewhere(program, site, &edits),
-        ..Revision::default()
-    };
+    let mut revision = Revision { elsewhere: elsewhere(program, site, &edits), ..Revision::default() };
     let idle = idle(site, name, value, control);
     let after = read(program.dialect, &apply(&program.source, &edits));
     revision.steps.push(edits);
@@ -51,9 +43,7 @@ pub fn revise(
         return Some(revision);
     }
     if let Some(site) = calls_on(&after, control.clone()).get(index) {
-        let own = idle
-            .into_iter()
-            .filter(|name| site.own_place(name).is_some());
+        let own = idle.into_iter().filter(|name| site.own_place(name).is_some());
         let (kept, taken): (Vec<_>, Vec<_>) = own.partition(|name| site.expression(name).is_some());
         revision.steps.extend(without(&after, site, &taken));
         let went = (!taken.is_empty()).then(|| {
@@ -102,17 +92,12 @@ fn without(program: &Program, site: &CallSite, names: &[&'static str]) -> Option
         let word = place.and_then(|place| program.word_at(place));
         word.is_some_and(|word| matches!(word.kind, WordKind::Assign { .. }))
     };
-    let words = own_words(program, site, false, |name| {
-        names.contains(&name) && is_word(name)
-    });
+    let words = own_words(program, site, false, |name| names.contains(&name) && is_word(name));
     let mut edits = emptied(program, &words, site.line);
     for name in names.iter().filter(|name| !is_word(name)) {
         let place = site.own_place(name);
         let argument = place.filter(|place| arguments::is_argument(program, *place));
-        edits.extend(argument.map(|span| Edit {
-            span,
-            insert: String::new(),
-        }));
+        edits.extend(argument.map(|span| Edit { span, insert: String::new() }));
     }
     edits.retain(|edit| edit.span.start < edit.span.end && edit.span != site.span);
     edits.sort_by_key(|edit| edit.span.start);

@@ -17,10 +17,7 @@ fn stands(dialect: Dialect, before: &str, text: &str) -> bool {
         return false;
     };
     let whole = word.span.start == 0 && word.span.end as usize == source.len();
-    let value = matches!(
-        word.kind,
-        WordKind::Assign { .. } | WordKind::Address { .. }
-    );
+    let value = matches!(word.kind, WordKind::Assign { .. } | WordKind::Address { .. });
     whole && value && block.comment.is_none() && program.errors.is_empty()
 }
 
@@ -31,23 +28,14 @@ mod tests {
     // oracle: hand
     #[test]
     fn one_value_and_nothing_more() {
-        for text in [
-            "R1",
-            "-R1",
-            "(R1+2)*3",
-            "_OVR[4]-0.5",
-            "$AA_IW[X]",
-            "SQRT(R1)",
-            "#500",
-            "[[#1+2]/2]",
-            "R1 + 2",
-            "1.5EX-3",
-        ] {
+        for text in
+            ["R1", "-R1", "(R1+2)*3", "_OVR[4]-0.5", "$AA_IW[X]", "SQRT(R1)", "#500", "[[#1+2]/2]", "R1 + 2", "1.5EX-3"]
+        {
             assert!(is_value(text), "{text}");
         }
         for text in [
-            "R1+", "(((", "R1 M30", "a b", "R1;2", "R1 ;2", "R1\nM30", "R1=2", "(R1", "R1)",
-            "5 mm", "R[1", "1e5", "\"", "", "R1,R2", "#1+#2", "[#1+2]/2",
+            "R1+", "(((", "R1 M30", "a b", "R1;2", "R1 ;2", "R1\nM30", "R1=2", "(R1", "R1)", "5 mm", "R[1", "1e5",
+            "\"", "", "R1,R2", "#1+#2", "[#1+2]/2",
         ] {
             assert!(!is_value(text), "{text}");
         }

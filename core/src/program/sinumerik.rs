@@ -15,10 +15,7 @@ use crate::own;
 pub(super) fn word(reader: &mut Reader) -> Parsed<()> {
     let first = reader.byte(0);
     let declared = !matches!(reader.expect, Expect::Words | Expect::Constants);
-    if first.is_ascii_alphabetic()
-        && !declared
-        && matches!(reader.byte(1), b'0'..=b'9' | b'.' | b'+' | b'-')
-    {
+    if first.is_ascii_alphabetic() && !declared && matches!(reader.byte(1), b'0'..=b'9' | b'.' | b'+' | b'-') {
         return short(reader);
     }
     if starts_name(first) {
@@ -34,10 +31,7 @@ fn other(reader: &mut Reader) -> Parsed<()> {
     let declaring = matches!(reader.expect, Expect::Definition | Expect::Parameters);
     if first == b'%' && reader.words.len() == reader.first {
         let rest = reader.rest();
-        reader.at += rest
-            .iter()
-            .position(|byte| matches!(byte, b';' | b' ' | b'\t'))
-            .unwrap_or(rest.len());
+        reader.at += rest.iter().position(|byte| matches!(byte, b';' | b' ' | b'\t')).unwrap_or(rest.len());
         let span = reader.from(start);
         reader.word(start, WordKind::Header(span));
     } else if first == b'"' {
@@ -52,11 +46,7 @@ fn other(reader: &mut Reader) -> Parsed<()> {
         let constant = expression(reader, Sinumerik, 0)?;
         reader.word(start, WordKind::Constant(constant.id));
     } else {
-        return Err(if first == b',' {
-            &own::SYNTAX_COMMA
-        } else {
-            &own::SYNTAX_UNKNOWN
-        });
+        return Err(if first == b',' { &own::SYNTAX_COMMA } else { &own::SYNTAX_UNKNOWN });
     }
     Ok(())
 }
@@ -70,20 +60,10 @@ fn short(reader: &mut Reader) -> Parsed<()> {
     let number_start = start + 1;
     let (value, length) = number::with_exponent(reader.rest()).ok_or(&own::SYNTAX_NUMBER)?;
     reader.at += length;
-    let name = Span {
-        start: start as u32,
-        end: number_start as u32,
-    };
-    let whole = !signed
-        && reader
-            .text(reader.from(number_start))
-            .iter()
-            .all(|byte| is_digit(*byte));
+    let name = Span { start: start as u32, end: number_start as u32 };
+    let whole = !signed && reader.text(reader.from(number_start)).iter().all(|byte| is_digit(*byte));
     if whole
-        && matches!(
-            reader.byte(0),
-            b'=' | b' ' | b'\t' | b':' | b'(' | b'[' | b'_'
-        )
+        && matches!(reader.byte(0), b'=' | b' ' | b'\t' | b':' | b'(' | b'[' | b'_')
         && let Some(done) = extended(reader, start, name, value)
     {
         return done;
@@ -91,41 +71,21 @@ fn short(reader: &mut Reader) -> Parsed<()> {
     foreign_number(reader)?;
     if whole && letter.eq_ignore_ascii_case(&b'L') {
         let name = reader.from(start);
-        reader.word(
-            start,
-            WordKind::Call {
-                name,
-                args: Box::default(),
-                brackets: false,
-            },
-        );
+        reader.word(start, WordKind::Call { name, args: Box::default(), brackets: false });
         return Ok(());
     }
     let span = reader.from(number_start);
-    let value = if reader.source.get(number_start) == Some(&b'-') {
-        -value
-    } else {
-        value
-    };
+    let value = if reader.source.get(number_start) == Some(&b'-') { -value } else { value };
     let value = reader.push(Expr::Number(value, span), 1)?.id;
-    reader.word(
-        start,
-        WordKind::Address {
-            name,
-            extension: None,
-            mode: None,
-            value,
-        },
-    );
+    reader.word(start, WordKind::Address { name, extension: None, mode: None, value });
     Ok(())
 }
 
-/// A letter with a whole number that is a name or an extension: `S1=500`, `R10=`, `L10(…)`, `A1:`, `A1[2]=`. None: it is a
-/// value.
+/// A letter with a whole number that is a name or an extension: `S1=500`, `R10=`, `L10(…)`, `A1:`, `A1[2]=`. None: it
+/// is a value.
 fn extended(reader: &mut Reader, start: usize, letter: Span, number: f64) -> Option<Parsed<()>> {
     let behind = reader.at;
-    let label =
-        reader.byte(0) == b':' && reader.words.len() == reader.first && !is_digit(reader.byte(1));
+    let label = reader.byte(0) == b':' && reader.words.len() == reader.first && !is_digit(reader.byte(1));
     let name = reader.from(start);
     if label {
         return Some(finish_label(reader, start, name));
@@ -168,11 +128,7 @@ fn named(reader: &mut Reader) -> Parsed<()> {
     let (index, _) = index(reader)?;
     if assigns(reader) {
         let address_word = index.is_empty() && reader.expect != Expect::Counter;
-        reader.expect = if reader.expect == Expect::Counter {
-            Expect::Words
-        } else {
-            reader.expect
-        };
+        reader.expect = if reader.expect == Expect::Counter { Expect::Words } else { reader.expect };
         if address_word && (text.len() == 1 && text != b"_" || keyword::is_address(text)) {
             return address(reader, start, name, None);
         }
@@ -213,15 +169,7 @@ fn assigns(reader: &mut Reader) -> bool {
 
 fn assign(reader: &mut Reader, start: usize, name: Span, index: Box<[ExprId]>) -> Parsed<()> {
     let (value, value_span) = value(reader)?;
-    reader.word(
-        start,
-        WordKind::Assign {
-            name,
-            index,
-            value_span,
-            value,
-        },
-    );
+    reader.word(start, WordKind::Assign { name, index, value_span, value });
     Ok(())
 }
 
@@ -240,10 +188,7 @@ fn foreign_number(reader: &Reader) -> Parsed<()> {
     if reader.byte(0) == b',' && reader.expect == Expect::Words && is_digit(reader.byte(1)) {
         return Err(&own::SYNTAX_COMMA);
     }
-    let last = reader
-        .at
-        .checked_sub(1)
-        .and_then(|at| reader.source.get(at));
+    let last = reader.at.checked_sub(1).and_then(|at| reader.source.get(at));
     match last.is_some_and(u8::is_ascii_digit) {
         true => foreign_exponent(reader),
         false => Ok(()),
@@ -266,15 +211,7 @@ fn address(reader: &mut Reader, start: usize, name: Span, extension: Option<u32>
     if mode.is_some() && !reader.take(b')') {
         return Err(&own::SYNTAX_BRACKET);
     }
-    reader.word(
-        start,
-        WordKind::Address {
-            name,
-            extension,
-            mode,
-            value,
-        },
-    );
+    reader.word(start, WordKind::Address { name, extension, mode, value });
     Ok(())
 }
 
@@ -288,37 +225,16 @@ fn spaced(reader: &mut Reader, start: usize, name: Span) -> Parsed<()> {
     let (value, length) = number::with_exponent(reader.rest()).ok_or(&own::SYNTAX_VALUE)?;
     reader.at += length;
     let span = reader.from(value_start);
-    let value = reader
-        .push(Expr::Number(if minus { -value } else { value }, span), 1)?
-        .id;
-    reader.word(
-        start,
-        WordKind::Address {
-            name,
-            extension: None,
-            mode: None,
-            value,
-        },
-    );
+    let value = reader.push(Expr::Number(if minus { -value } else { value }, span), 1)?.id;
+    reader.word(start, WordKind::Address { name, extension: None, mode: None, value });
     Ok(())
 }
 
 /// `NAME`, `NAME(…)`; behind `PCALL` a path may stand before the next name.
 fn call(reader: &mut Reader, start: usize, name: Span) -> Parsed<()> {
     let brackets = reader.take(b'(');
-    let args = if brackets {
-        arguments(reader)?
-    } else {
-        Box::default()
-    };
-    reader.word(
-        start,
-        WordKind::Call {
-            name,
-            args,
-            brackets,
-        },
-    );
+    let args = if brackets { arguments(reader)? } else { Box::default() };
+    reader.word(start, WordKind::Call { name, args, brackets });
     if !brackets && reader.text(name).eq_ignore_ascii_case(BY_PATH) {
         folders(reader);
     }
@@ -335,10 +251,7 @@ fn folders(reader: &mut Reader) {
         return;
     }
     let rest = reader.rest();
-    let path = rest
-        .iter()
-        .take_while(|byte| in_name(**byte) || **byte == b'/')
-        .count();
+    let path = rest.iter().take_while(|byte| in_name(**byte) || **byte == b'/').count();
     let name = rest.iter().take(path).rposition(|byte| *byte == b'/');
     reader.at += name.map_or(0, |slash| slash + 1);
 }
@@ -374,29 +287,14 @@ fn declaration(reader: &mut Reader, start: usize, name: Span) -> Parsed<()> {
         reader.word(start, WordKind::Keyword { name, value });
         return Ok(());
     }
-    let value = if assigns(reader) {
-        Some(value(reader)?.0)
-    } else {
-        None
-    };
+    let value = if assigns(reader) { Some(value(reader)?.0) } else { None };
     reader.word(start, WordKind::Declare { name, index, value });
     Ok(())
 }
 
 /// The name after `PROC` or `EXTERN`; the opening bracket belongs to it.
 fn procedure(reader: &mut Reader, start: usize, name: Span) -> Parsed<()> {
-    reader.word(
-        start,
-        WordKind::Declare {
-            name,
-            index: Box::default(),
-            value: None,
-        },
-    );
-    reader.expect = if reader.take(b'(') {
-        Expect::Parameters
-    } else {
-        Expect::Words
-    };
+    reader.word(start, WordKind::Declare { name, index: Box::default(), value: None });
+    reader.expect = if reader.take(b'(') { Expect::Parameters } else { Expect::Words };
     Ok(())
 }

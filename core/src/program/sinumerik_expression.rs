@@ -50,15 +50,9 @@ fn word(reader: &Reader) -> Option<(Operator, Strength, usize)> {
         (b"B_XOR", Operator::BitXor, 7),
     ];
     let rest = reader.rest();
-    let length = rest
-        .iter()
-        .take(6)
-        .take_while(|byte| super::bytes::in_name(**byte))
-        .count();
+    let length = rest.iter().take(6).take_while(|byte| super::bytes::in_name(**byte)).count();
     let name = rest.get(..length)?;
-    let (word, operator, strength) = WORDS
-        .iter()
-        .find(|(word, ..)| name.eq_ignore_ascii_case(word))?;
+    let (word, operator, strength) = WORDS.iter().find(|(word, ..)| name.eq_ignore_ascii_case(word))?;
     Some((*operator, *strength, word.len()))
 }
 
@@ -100,21 +94,12 @@ fn constant(reader: &mut Reader, read: Option<(f64, usize)>) -> Parsed<Node> {
 pub(super) fn foreign_exponent(reader: &Reader) -> Parsed<()> {
     let signed = usize::from(matches!(reader.byte(1), b'+' | b'-'));
     let exponent = reader.byte(0).eq_ignore_ascii_case(&b'e') && is_digit(reader.byte(1 + signed));
-    if exponent {
-        Err(&own::SYNTAX_EXPONENT)
-    } else {
-        Ok(())
-    }
+    if exponent { Err(&own::SYNTAX_EXPONENT) } else { Ok(()) }
 }
 
 /// `"…"`.
 pub(super) fn text(reader: &mut Reader) -> Parsed<Node> {
-    let length = reader
-        .rest()
-        .iter()
-        .skip(1)
-        .position(|byte| *byte == b'"')
-        .ok_or(&own::SYNTAX_TEXT)?;
+    let length = reader.rest().iter().skip(1).position(|byte| *byte == b'"').ok_or(&own::SYNTAX_TEXT)?;
     reader.at += 1;
     let start = reader.at;
     reader.at += length;
@@ -159,8 +144,8 @@ fn named(reader: &mut Reader) -> Parsed<Node> {
     reader.push(Expr::Name { name, index }, height + 1)
 }
 
-/// `[1,X,TR]`, if there is one, with the height of its tallest element; blanks may stand before it. A parameter may leave
-/// its size open: `REAL F[]`.
+/// `[1,X,TR]`, if there is one, with the height of its tallest element; blanks may stand before it. A parameter may
+/// leave its size open: `REAL F[]`.
 pub(super) fn index(reader: &mut Reader) -> Parsed<(Box<[ExprId]>, u16)> {
     if !reader.take(b'[') {
         return Ok((Box::default(), 0));
@@ -172,11 +157,7 @@ pub(super) fn index(reader: &mut Reader) -> Parsed<(Box<[ExprId]>, u16)> {
         return Ok(([one.id].into(), one.height));
     }
     let (index, height) = list(reader, b']')?;
-    if index.is_empty() || index.len() > 3 {
-        Err(&own::SYNTAX_INDEX)
-    } else {
-        Ok((index, height))
-    }
+    if index.is_empty() || index.len() > 3 { Err(&own::SYNTAX_INDEX) } else { Ok((index, height)) }
 }
 
 /// `(…)`: a bracketed expression, or a list if there is a comma.
@@ -209,12 +190,7 @@ fn list(reader: &mut Reader, close: u8) -> Parsed<(Box<[ExprId]>, u16)> {
     filled(reader, base, close, 0)
 }
 
-fn filled(
-    reader: &mut Reader,
-    base: usize,
-    close: u8,
-    height: u16,
-) -> Parsed<(Box<[ExprId]>, u16)> {
+fn filled(reader: &mut Reader, base: usize, close: u8, height: u16) -> Parsed<(Box<[ExprId]>, u16)> {
     let height = elements(reader, close, height)?;
     let mut ids = Vec::with_capacity(reader.list.len() - base);
     for place in base..reader.list.len() {

@@ -61,8 +61,8 @@ impl Tools {
         }
     }
 
-    /// Puts plane, units, diameters and tool in force that a call finds, and says what the tool is. None is in use where the text does not
-    /// tell.
+    /// Puts plane, units, diameters and tool in force that a call finds, and says what the tool is. None is in use
+    /// where the text does not tell.
     pub fn use_at(&self, control: &mut Control, state: &State) -> Option<ToolInUse> {
         (control.tool, control.edge) = self.start;
         match state.plane.is() {
@@ -94,9 +94,7 @@ impl Tools {
             kind: edge.kind,
             tip: edge.tip,
             // a position that the program does not enter the machine may know
-            unfit: control
-                .unfit(edge)
-                .filter(|unfit| *unfit != Unfit::Tip || edge.tip != 0 || known),
+            unfit: control.unfit(edge).filter(|unfit| *unfit != Unfit::Tip || edge.tip != 0 || known),
             unassigned: control.turns() && lengthless(control, edge),
         })
     }

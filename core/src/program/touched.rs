@@ -26,9 +26,7 @@ pub fn touched(program: &Program, edits: &[Edit]) -> Vec<Line> {
     }
     lines.sort_unstable();
     lines.dedup();
-    let changed = lines
-        .into_iter()
-        .filter_map(|line| one(program, edits, line));
+    let changed = lines.into_iter().filter_map(|line| one(program, edits, line));
     changed.filter(|line| !stays(line)).collect()
 }
 
@@ -41,10 +39,7 @@ fn one(program: &Program, edits: &[Edit], line: u32) -> Option<Line> {
     });
     let edits: Vec<Edit> = here
         .map(|edit| Edit {
-            span: Span {
-                start: within(edit.span.start),
-                end: within(edit.span.end),
-            },
+            span: Span { start: within(edit.span.start), end: within(edit.span.end) },
             insert: match edit.span.start >= span.start {
                 true => edit.insert.clone(),
                 false => String::new(),
@@ -53,11 +48,7 @@ fn one(program: &Program, edits: &[Edit], line: u32) -> Option<Line> {
         .collect();
     let before = program.text(span);
     let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).trim_end().to_owned();
-    Some(Line {
-        line,
-        before: text(before),
-        after: text(&apply(before, &edits)),
-    })
+    Some(Line { line, before: text(before), after: text(&apply(before, &edits)) })
 }
 
 /// Whether the line is still there as a whole.

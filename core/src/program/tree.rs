@@ -30,9 +30,7 @@ pub struct Program {
 impl Program {
     /// Bytes of a place; empty if it lies outside of the source.
     pub fn text(&self, span: Span) -> &[u8] {
-        self.source
-            .get(span.start as usize..span.end as usize)
-            .unwrap_or_default()
+        self.source.get(span.start as usize..span.end as usize).unwrap_or_default()
     }
 
     /// Whether this name stands at a place, without regard to case.
@@ -47,9 +45,7 @@ impl Program {
 
     /// Words of a block.
     pub fn words_of(&self, block: &Block) -> &[Word] {
-        self.words
-            .get(block.words.start as usize..block.words.end as usize)
-            .unwrap_or_default()
+        self.words.get(block.words.start as usize..block.words.end as usize).unwrap_or_default()
     }
 
     /// An expression by its index.
@@ -59,18 +55,14 @@ impl Program {
 
     /// The word around a place.
     pub fn word_at(&self, place: Span) -> Option<&Word> {
-        let behind = self
-            .words
-            .partition_point(|word| word.span.start <= place.start);
+        let behind = self.words.partition_point(|word| word.span.start <= place.start);
         let word = self.words.get(behind.checked_sub(1)?)?;
         (word.span.end >= place.end).then_some(word)
     }
 
     /// Line (from 0) that holds a byte; the line end belongs to the line before it.
     pub fn line_of(&self, offset: u32) -> u32 {
-        let after = self
-            .blocks
-            .partition_point(|block| block.span.start <= offset);
+        let after = self.blocks.partition_point(|block| block.span.start <= offset);
         after.saturating_sub(1) as u32
     }
 }
@@ -125,7 +117,8 @@ pub enum WordKind {
         value: ExprId,
     },
     /// One name of a declaration, after the keywords `DEF` (`PROC`, `EXTERN`) and the type:
-    /// `DEF REAL A, B[3]=SET(1,2)` is `DEF`, `REAL`, `A`, `B[3]=…`. A type takes its length: `STRING[28]` has the value 28.
+    /// `DEF REAL A, B[3]=SET(1,2)` is `DEF`, `REAL`, `A`, `B[3]=…`. A type takes its length: `STRING[28]` has the value
+    /// 28.
     Declare {
         /// Name.
         name: Span,
@@ -147,11 +140,13 @@ pub enum WordKind {
     },
     /// `LABEL:`.
     Label(Span),
-    /// `IF`, `ELSE`, `ENDIF`, `WHILE`, `ENDWHILE`, `FOR`, `GOTOF`, `DEF`, …: the word; what follows it are words of their own.
+    /// `IF`, `ELSE`, `ENDIF`, `WHILE`, `ENDWHILE`, `FOR`, `GOTOF`, `DEF`, …: the word; what follows it are words of
+    /// their own.
     Keyword {
         /// Word.
         name: Span,
-        /// Condition or target expression, where the keyword takes one; a target is a name (`LABEL`, `N100`), a text or a number.
+        /// Condition or target expression, where the keyword takes one; a target is a name (`LABEL`, `N100`), a text or
+        /// a number.
         value: Option<ExprId>,
     },
     /// `%_N_NAME_MPF`, `%O0110`, `%`.

@@ -59,11 +59,7 @@ impl Value {
 
     /// Where somebody looks for it who finds it wrong.
     pub fn written_at(&self) -> Span {
-        if self.argument {
-            self.source()
-        } else {
-            self.place
-        }
+        if self.argument { self.source() } else { self.place }
     }
 
     /// The same with the other sign.
@@ -79,10 +75,7 @@ impl Value {
 
 /// A value as text with the other sign: `30` and `-30`, `R1` and `-(R1)`.
 pub fn opposite(text: &str) -> String {
-    let inner = text
-        .strip_prefix("-(")
-        .and_then(|rest| rest.strip_suffix(')'))
-        .filter(|inner| closes_itself(inner));
+    let inner = text.strip_prefix("-(").and_then(|rest| rest.strip_suffix(')')).filter(|inner| closes_itself(inner));
     match parse(text) {
         Parsed::Empty => String::new(),
         Parsed::Number(0.0) => text.to_owned(),
@@ -111,38 +104,21 @@ fn closes_itself(text: &str) -> bool {
 /// The value of an expression that stands at `place`.
 pub(super) fn value(program: &Program, id: ExprId, place: Span, known: &impl Known) -> Value {
     let number = fold::number(program, id, known);
-    let written = || {
-        String::from_utf8_lossy(program.text(place))
-            .trim()
-            .to_owned()
-    };
+    let written = || String::from_utf8_lossy(program.text(place)).trim().to_owned();
     match (program.expr(id), number) {
         (Some(Expr::Text(inside)), _) => {
             let text = typed_text(&String::from_utf8_lossy(program.text(*inside)));
-            Value {
-                quoted: true,
-                ..Value::at(text, number, *inside)
-            }
+            Value { quoted: true, ..Value::at(text, number, *inside) }
         }
-        (Some(expr), Some(_)) if literal(program, expr) => {
-            Value::at(written().replace(' ', ""), number, place)
-        }
-        (Some(_), Some(worth)) => Value {
-            expression: Some(written()),
-            ..Value::at(worth.to_string(), number, place)
-        },
+        (Some(expr), Some(_)) if literal(program, expr) => Value::at(written().replace(' ', ""), number, place),
+        (Some(_), Some(worth)) => Value { expression: Some(written()), ..Value::at(worth.to_string(), number, place) },
         _ => Value::at(written(), number, place),
     }
 }
 
 /// A decimal number with at most a sign.
 fn literal(program: &Program, expr: &Expr) -> bool {
-    let decimal = |span: &Span| {
-        program
-            .text(*span)
-            .iter()
-            .all(|byte| byte.is_ascii_digit() || b".+-".contains(byte))
-    };
+    let decimal = |span: &Span| program.text(*span).iter().all(|byte| byte.is_ascii_digit() || b".+-".contains(byte));
     match expr {
         Expr::Number(_, span) => decimal(span),
         Expr::Unary(Operator::Minus | Operator::Plus, inner) => {
@@ -161,21 +137,13 @@ pub(super) fn place(program: &Program, id: ExprId) -> Option<Span> {
         Expr::Unary(_, inner) => {
             let inner = place(program, *inner)?;
             let before = program.source.get(..inner.start as usize)?;
-            let blanks = before
-                .iter()
-                .rev()
-                .take_while(|byte| byte.is_ascii_whitespace())
-                .count();
+            let blanks = before.iter().rev().take_while(|byte| byte.is_ascii_whitespace()).count();
             let sign = before.len().checked_sub(blanks + 1)?;
-            matches!(before.get(sign), Some(b'+' | b'-')).then_some(Span {
-                start: sign as u32,
-                end: inner.end,
-            })
+            matches!(before.get(sign), Some(b'+' | b'-')).then_some(Span { start: sign as u32, end: inner.end })
         }
-        Expr::Binary(left, _, right) => Some(Span {
-            start: place(program, *left)?.start,
-            end: place(program, *right)?.end,
-        }),
+        Expr::Binary(left, _, right) => {
+            Some(Span { start: place(program, *left)?.start, end: place(program, *right)?.end })
+        }
         _ => None,
     }
 }

@@ -42,11 +42,7 @@ pub fn told(alarm: &Alarm, words: &Words) -> Told {
 
 /// A text for the operator in words.
 pub fn told_message(message: &OperatorMessage, words: &Words) -> Told {
-    let effect = if message.waits {
-        "effect-start"
-    } else {
-        "effect-shown"
-    };
+    let effect = if message.waits { "effect-start" } else { "effect-shown" };
     Told {
         code: message.text.to_owned(),
         meaning: words.key(message.key),
@@ -84,15 +80,10 @@ fn found_key(found: Found) -> &'static str {
 
 /// Cycles and programs in a sentence; those that every measuring cycle raises do not name each.
 fn sources(alarm: &Alarm, words: &Words) -> String {
-    let mut measuring = CYCLES
-        .iter()
-        .filter(|cycle| cycle.dialect == Dialect::Sinumerik && cycle.purpose.probe.measures());
+    let mut measuring =
+        CYCLES.iter().filter(|cycle| cycle.dialect == Dialect::Sinumerik && cycle.purpose.probe.measures());
     let every = measuring.all(|cycle| cycle.alarms().contains(&alarm.code));
-    if every {
-        words.key("alarms-every-cycle")
-    } else {
-        raised_by(alarm).join(", ")
-    }
+    if every { words.key("alarms-every-cycle") } else { raised_by(alarm).join(", ") }
 }
 
 /// The page of all alarms, Markdown: a section each.
@@ -113,17 +104,12 @@ pub fn page(words: &Words) -> String {
 
 fn section(text: &mut String, told: Told, source: &str) {
     line(text, &format!("## {}", told.code));
-    let cause = told
-        .cause
-        .map_or(String::new(), |cause| format!(" {cause}"));
+    let cause = told.cause.map_or(String::new(), |cause| format!(" {cause}"));
     line(text, &format!("**{}**{cause}", told.meaning));
     line(text, &told.cure);
     let facts = [&told.effect, &told.found].map(String::as_str).join(" ");
     line(text, &facts);
-    line(
-        text,
-        &format!("Raised by: {}. Source: {}.", told.sources, source),
-    );
+    line(text, &format!("Raised by: {}. Source: {}.", told.sources, source));
 }
 
 #[cfg(test)]

@@ -1,5 +1,5 @@
-//! Answers to somebody who asks from a terminal, plain text: a cycle, one of its variants, a parameter, a result, a datum
-//! of the machine.
+//! Answers to somebody who asks from a terminal, plain text: a cycle, one of its variants, a parameter, a result, a
+//! datum of the machine.
 
 use crate::catalogue::{CYCLES, Cycle, Variant};
 use crate::message::Message;
@@ -39,10 +39,7 @@ fn summary(cycle: &Cycle, words: &Words) -> String {
 /// name.
 pub fn datum(asked: &str, words: &Words) -> String {
     let mut told: Vec<(String, Vec<&str>)> = Vec::new();
-    let mut tell = |meaning: String, whose: &'static str| match told
-        .iter_mut()
-        .find(|(known, _)| *known == meaning)
-    {
+    let mut tell = |meaning: String, whose: &'static str| match told.iter_mut().find(|(known, _)| *known == meaning) {
         Some((_, owners)) if owners.contains(&whose) => {}
         Some((_, owners)) => owners.push(whose),
         None => told.push((meaning, vec![whose])),
@@ -51,10 +48,7 @@ pub fn datum(asked: &str, words: &Words) -> String {
         for param in cycle.params.iter().filter(|one| means(asked, one.name)) {
             let labels = param.labels.iter().map(|(_, key)| *key);
             for key in [param.key].into_iter().chain(labels) {
-                tell(
-                    meaning(param.name, &format!("param-{key}"), words),
-                    cycle.name,
-                );
+                tell(meaning(param.name, &format!("param-{key}"), words), cycle.name);
             }
         }
         for field in cycle.results.iter().filter(|one| means(asked, one.name)) {
@@ -64,8 +58,7 @@ pub fn datum(asked: &str, words: &Words) -> String {
     for (name, source, lines) in machine::told(|name| means(asked, name), words) {
         tell(format!("{name}: {}", lines.join("\n  ")), source);
     }
-    let paragraph =
-        |(meaning, owners): (String, Vec<&str>)| format!("{meaning}\n  {}\n", owners.join(", "));
+    let paragraph = |(meaning, owners): (String, Vec<&str>)| format!("{meaning}\n  {}\n", owners.join(", "));
     told.into_iter().map(paragraph).collect()
 }
 

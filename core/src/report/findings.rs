@@ -1,5 +1,5 @@
-//! Findings of ours, `PW135`, as a person reads them who saw the number: every sentence that comes under it, from the same
-//! words as the finding itself.
+//! Findings of ours, `PW135`, as a person reads them who saw the number: every sentence that comes under it, from the
+//! same words as the finding itself.
 
 use crate::message::Message;
 use crate::own;
@@ -23,9 +23,7 @@ pub fn finding(asked: &str, words: &Words) -> String {
 }
 
 fn is_own(asked: &str) -> bool {
-    asked
-        .get(..2)
-        .is_some_and(|begin| begin.eq_ignore_ascii_case("pw"))
+    asked.get(..2).is_some_and(|begin| begin.eq_ignore_ascii_case("pw"))
 }
 
 /// What may be said under a number, and what helps; that is empty where the sentence says it.

@@ -31,11 +31,8 @@ impl Said {
 
 /// Appends the help of a cycle.
 pub fn help(text: &mut String, cycle: &'static Cycle, words: &Words) {
-    let pages: Vec<(&Variant, Vec<Said>)> = cycle
-        .variants
-        .iter()
-        .map(|variant| (variant, said(cycle, variant, words)))
-        .collect();
+    let pages: Vec<(&Variant, Vec<Said>)> =
+        cycle.variants.iter().map(|variant| (variant, said(cycle, variant, words))).collect();
     let Some((_, first)) = pages.first() else {
         return;
     };
@@ -63,10 +60,7 @@ fn said(cycle: &'static Cycle, variant: &Variant, words: &Words) -> Vec<Said> {
 }
 
 /// What variants say beside what all say, each with the variants that say the same, in the order of the variants.
-fn groups<'a>(
-    pages: &[(&'a Variant, Vec<Said>)],
-    every: &[Said],
-) -> Vec<(Vec<Said>, Vec<&'a Variant>)> {
+fn groups<'a>(pages: &[(&'a Variant, Vec<Said>)], every: &[Said]) -> Vec<(Vec<Said>, Vec<&'a Variant>)> {
     let mut groups: Vec<(Vec<Said>, Vec<&Variant>)> = Vec::new();
     for (variant, page) in pages {
         let own = page.iter().filter(|one| !every.contains(one));
@@ -82,19 +76,13 @@ fn groups<'a>(
 
 /// The variants of a group by number and name.
 fn title(variants: &[&Variant], words: &Words) -> String {
-    let names: Vec<String> = variants
-        .iter()
-        .map(|variant| format!("{} {}", variant.number, words.key(variant.key)))
-        .collect();
+    let names: Vec<String> =
+        variants.iter().map(|variant| format!("{} {}", variant.number, words.key(variant.key))).collect();
     format!("### {}", names.join(" / "))
 }
 
 /// The help page of a variant: headings, each with its sentences.
-pub fn of_variant(
-    cycle: &'static Cycle,
-    variant: &Variant,
-    words: &Words,
-) -> Vec<(String, Vec<String>)> {
+pub fn of_variant(cycle: &'static Cycle, variant: &Variant, words: &Words) -> Vec<(String, Vec<String>)> {
     sections(cycle, &said(cycle, variant, words), "", words)
 }
 

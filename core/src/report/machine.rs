@@ -34,16 +34,7 @@ pub fn page(words: &Words) -> String {
 
 fn user_data(text: &mut String, subject: &Subject, words: &Words) {
     let title = words.key(format!("machine-group-{}", subject.key));
-    let columns = [
-        "name",
-        "meaning",
-        "block",
-        "type",
-        "delivered",
-        "unit",
-        "allowed",
-        "source",
-    ];
+    let columns = ["name", "meaning", "block", "type", "delivered", "unit", "allowed", "source"];
     heading(text, &title, &columns);
     if subject.key == gud::MASKS {
         row(text, &forms(words));
@@ -98,18 +89,12 @@ fn lines(key: &str, choices: &[i64], words: &Words) -> Vec<String> {
         None => label,
     };
     let value = |value: &i64| format!("{value}: {}", words.key(format!("{key}.v{value}")));
-    [first]
-        .into_iter()
-        .chain(choices.iter().map(value))
-        .collect()
+    [first].into_iter().chain(choices.iter().map(value)).collect()
 }
 
 /// The data of the machine whose name is asked for: name, place in the manual, meaning. A machine datum is known by its
 /// number and by its identifier.
-pub fn told(
-    asked: impl Fn(&str) -> bool,
-    words: &Words,
-) -> Vec<(String, &'static str, Vec<String>)> {
+pub fn told(asked: impl Fn(&str) -> bool, words: &Words) -> Vec<(String, &'static str, Vec<String>)> {
     let elements = gud::SUBJECTS
         .iter()
         .flat_map(|subject| subject.data)
@@ -118,28 +103,17 @@ pub fn told(
             let key = gud.key(element);
             (name(gud, element), element.source, key, element.choices)
         });
-    let machine = MACHINE_DATA
-        .iter()
-        .filter(|datum| asked(datum.number) || asked(datum.identifier))
-        .map(|datum| {
-            let name = format!("{} {}", datum.number, datum.identifier);
-            (name, datum.source, datum.key(), [].as_slice())
-        });
+    let machine = MACHINE_DATA.iter().filter(|datum| asked(datum.number) || asked(datum.identifier)).map(|datum| {
+        let name = format!("{} {}", datum.number, datum.identifier);
+        (name, datum.source, datum.key(), [].as_slice())
+    });
     let nct = nct_data::SUBJECTS
         .iter()
         .flat_map(|subject| subject.data)
-        .map(|datum| {
-            (
-                datum.name.to_owned(),
-                datum.source,
-                datum.key(),
-                datum.choices,
-            )
-        });
+        .map(|datum| (datum.name.to_owned(), datum.source, datum.key(), datum.choices));
     let named = elements.chain(nct).filter(|(name, ..)| asked(name));
     let told = named.chain(machine);
-    told.map(|(name, source, key, choices)| (name, source, lines(&key, choices, words)))
-        .collect()
+    told.map(|(name, source, key, choices)| (name, source, lines(&key, choices, words))).collect()
 }
 
 fn block(gud: &Gud) -> &'static str {
@@ -197,18 +171,8 @@ fn range(range: Range) -> String {
 }
 
 fn machine_data(text: &mut String, words: &Words) {
-    let columns = [
-        "number",
-        "name",
-        "meaning",
-        "standard",
-        "cycles",
-        "JOG",
-        "bounds",
-        "effective",
-        "taken here",
-        "source",
-    ];
+    let columns =
+        ["number", "name", "meaning", "standard", "cycles", "JOG", "bounds", "effective", "taken here", "source"];
     heading(text, &words.key("machine-group-machine-data"), &columns);
     for datum in MACHINE_DATA {
         row(text, &machine_cells(datum, words));
@@ -217,24 +181,11 @@ fn machine_data(text: &mut String, words: &Words) {
 
 fn machine_cells(datum: &MachineDatum, words: &Words) -> [String; 10] {
     let [old, new] = datum.standard;
-    let standard = if old == new {
-        old.to_owned()
-    } else {
-        format!("{old}; {new} from software 63")
-    };
+    let standard = if old == new { old.to_owned() } else { format!("{old}; {new} from software 63") };
     let [min, max] = datum.bounds;
-    let bounds = if min.is_empty() {
-        String::new()
-    } else {
-        format!("{min} to {max}")
-    };
+    let bounds = if min.is_empty() { String::new() } else { format!("{min} to {max}") };
     let names = datum.initial_names.iter().map(|name| (*name).to_owned());
-    let taken: Vec<String> = datum
-        .initial
-        .iter()
-        .map(f64::to_string)
-        .chain(names)
-        .collect();
+    let taken: Vec<String> = datum.initial.iter().map(f64::to_string).chain(names).collect();
     [
         datum.number.to_owned(),
         datum.identifier.to_owned(),
@@ -254,11 +205,7 @@ fn user_programs(text: &mut String, words: &Words) {
     let columns = ["name", "called", "source"];
     heading(text, &words.key("machine-user-programs"), &columns);
     for program in user_program::ALL {
-        let cells = [
-            format!("`{}`", program.name),
-            meaning(program.key, &[], words),
-            program.source.to_owned(),
-        ];
+        let cells = [format!("`{}`", program.name), meaning(program.key, &[], words), program.source.to_owned()];
         row(text, &cells);
     }
     text.push('\n');

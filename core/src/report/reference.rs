@@ -12,23 +12,10 @@ use crate::words::Words;
 /// The page of one cycle, Markdown.
 pub fn page(cycle: &'static Cycle, words: &Words) -> String {
     let mut text = String::new();
-    line(
-        &mut text,
-        &format!(
-            "# {}: {}",
-            cycle.name,
-            words.key(format!("{}-title", cycle.key))
-        ),
-    );
+    line(&mut text, &format!("# {}: {}", cycle.name, words.key(format!("{}-title", cycle.key))));
     line(&mut text, &words.key(format!("{}-help", cycle.key)));
     line(&mut text, known(cycle));
-    line(
-        &mut text,
-        &format!(
-            "Source: {}. Generated from the catalogue; do not edit.",
-            cycle.source
-        ),
-    );
+    line(&mut text, &format!("Source: {}. Generated from the catalogue; do not edit.", cycle.source));
     variants(&mut text, cycle, words);
     help(&mut text, cycle, words);
     parameters(&mut text, cycle, words);
@@ -52,20 +39,9 @@ fn known(cycle: &Cycle) -> &'static str {
 }
 
 fn variants(text: &mut String, cycle: &Cycle, words: &Words) {
-    heading(
-        text,
-        "Measuring variants",
-        &["number", "measures", "source"],
-    );
+    heading(text, "Measuring variants", &["number", "measures", "source"]);
     for variant in cycle.variants {
-        row(
-            text,
-            &[
-                variant.number.to_string(),
-                words.key(variant.key),
-                variant.source.to_owned(),
-            ],
-        );
+        row(text, &[variant.number.to_string(), words.key(variant.key), variant.source.to_owned()]);
     }
     text.push('\n');
 }
@@ -74,13 +50,7 @@ fn parameters(text: &mut String, cycle: &Cycle, words: &Words) {
     if cycle.params.is_empty() {
         return;
     }
-    heading(
-        text,
-        "Parameters",
-        &[
-            "name", "meaning", "needed", "unit", "default", "range", "source",
-        ],
-    );
+    heading(text, "Parameters", &["name", "meaning", "needed", "unit", "default", "range", "source"]);
     for param in cycle.params {
         row(text, &parameter(param, words));
     }
@@ -124,9 +94,7 @@ fn need(param: &Param) -> String {
 
 /// A condition in signs that need no language.
 fn when(condition: &When) -> String {
-    let list = |conditions: &[When], sign: &str| {
-        conditions.iter().map(when).collect::<Vec<_>>().join(sign)
-    };
+    let list = |conditions: &[When], sign: &str| conditions.iter().map(when).collect::<Vec<_>>().join(sign);
     match condition {
         When::Always => "always".to_owned(),
         When::Variant(numbers) => format!("variant ∈ {numbers:?}"),
@@ -166,45 +134,24 @@ fn range(param: &Param) -> String {
             return format!("{}: {}", when(condition), numbers(choices));
         }
         Kind::ChoiceBy(lists) => {
-            let list = |(condition, choices): &(When, &[(i64, &str)])| {
-                format!("{}: {}", when(condition), numbers(choices))
-            };
+            let list =
+                |(condition, choices): &(When, &[(i64, &str)])| format!("{}: {}", when(condition), numbers(choices));
             return lists.iter().map(list).collect::<Vec<_>>().join("; ");
         }
         _ => {}
     }
-    let Range {
-        min,
-        min_included,
-        max,
-        max_included,
-    } = param.range;
-    let low = if min.is_finite() {
-        format!("{} {min}", if min_included { "≥" } else { ">" })
-    } else {
-        String::new()
-    };
-    let high = if max.is_finite() {
-        format!("{} {max}", if max_included { "≤" } else { "<" })
-    } else {
-        String::new()
-    };
-    [low, high]
-        .into_iter()
-        .filter(|part| !part.is_empty())
-        .collect::<Vec<_>>()
-        .join(", ")
+    let Range { min, min_included, max, max_included } = param.range;
+    let low = if min.is_finite() { format!("{} {min}", if min_included { "≥" } else { ">" }) } else { String::new() };
+    let high =
+        if max.is_finite() { format!("{} {max}", if max_included { "≤" } else { "<" }) } else { String::new() };
+    [low, high].into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", ")
 }
 
 fn results(text: &mut String, cycle: &Cycle, words: &Words) {
     if cycle.results.is_empty() {
         return;
     }
-    heading(
-        text,
-        "Results",
-        &["datum", "meaning", "when", "unit", "source"],
-    );
+    heading(text, "Results", &["datum", "meaning", "when", "unit", "source"]);
     for field in cycle.results {
         let condition = match field.when {
             When::Always => String::new(),
@@ -236,9 +183,7 @@ fn alarms(text: &mut String, cycle: &Cycle, words: &Words) {
 
 fn alarm_cells(alarm: Code, words: &Words) -> [String; 3] {
     let key = alarms::key(alarm);
-    let cure = words
-        .find(&Message::new(format!("{key}.cure")))
-        .unwrap_or_default();
+    let cure = words.find(&Message::new(format!("{key}.cure"))).unwrap_or_default();
     [code(alarm), words.key(key), cure]
 }
 
@@ -261,18 +206,12 @@ mod tests {
                 std::fs::create_dir_all(&folder).unwrap();
                 std::fs::write(folder.join(&name), page(cycle, &words)).unwrap();
             }
-            assert_eq!(
-                std::fs::read_to_string(folder.join(&name)).unwrap(),
-                page(cycle, &words),
-                "{name}"
-            );
+            assert_eq!(std::fs::read_to_string(folder.join(&name)).unwrap(), page(cycle, &words), "{name}");
             expected.push(name);
         }
         expected.sort();
-        let mut found: Vec<String> = std::fs::read_dir(folder)
-            .unwrap()
-            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-            .collect();
+        let mut found: Vec<String> =
+            std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
         found.sort();
         assert_eq!(found, expected);
     }

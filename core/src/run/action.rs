@@ -5,8 +5,8 @@ use super::problem::Problem;
 use super::statement::{self, Call, Words};
 use super::trace::Step;
 use super::{
-    Machine, Stop, addresses, cycle, environment, frame, gcode, listed, macro_call, manner, motion,
-    programs, repeat, set_alarm, subprogram, swivel, tool, unread, user_program, words,
+    Machine, Stop, addresses, cycle, environment, frame, gcode, listed, macro_call, manner, motion, programs, repeat,
+    set_alarm, subprogram, swivel, tool, unread, user_program, words,
 };
 use crate::catalogue::{self, Dialect, nct};
 use crate::diagnostic::Severity;
@@ -17,9 +17,7 @@ use std::rc::Rc;
 pub fn perform(run: &mut Interpreter, at: usize, mut found: Words) -> Result<Next, Stop> {
     let program = Rc::clone(&run.program);
     let block = program.blocks.get(at).filter(|_| found.unread);
-    let words = block
-        .map(|block| program.words_of(block))
-        .unwrap_or_default();
+    let words = block.map(|block| program.words_of(block)).unwrap_or_default();
     if let Some(cycle) = measuring_macro(run, &found) {
         if is_foreign(cycle, &found) {
             unread::of_another_control(run, cycle, &found);
@@ -119,28 +117,16 @@ fn measuring_macro(run: &Interpreter, found: &Words) -> Option<&'static catalogu
         return None;
     }
     let number = |letter: &str| {
-        found
-            .addresses
-            .iter()
-            .filter(|address| address.name == letter)
-            .find_map(|address| address.value.number())
+        found.addresses.iter().filter(|address| address.name == letter).find_map(|address| address.value.number())
     };
-    let mut codes = found
-        .addresses
-        .iter()
-        .filter(|address| address.name == "G")
-        .filter_map(|address| address.value.number());
+    let mut codes =
+        found.addresses.iter().filter(|address| address.name == "G").filter_map(|address| address.value.number());
     if codes.any(|code| code == 65.0) {
         return catalogue::nct::by_program(number("P")?);
     }
-    let codes = found
-        .addresses
-        .iter()
-        .filter(|address| address.name == "G")
-        .filter_map(|address| address.value.number());
-    codes
-        .filter(|code| *code >= 100.0)
-        .find_map(|code| catalogue::find(Dialect::Nct, &format!("G{code}")))
+    let codes =
+        found.addresses.iter().filter(|address| address.name == "G").filter_map(|address| address.value.number());
+    codes.filter(|code| *code >= 100.0).find_map(|code| catalogue::find(Dialect::Nct, &format!("G{code}")))
 }
 
 /// Whether the G function of a macro stands there for something else, that of another control.
@@ -157,10 +143,7 @@ fn end(run: &mut Interpreter, found: &Words) -> Result<Option<End>, Problem> {
         let number = address.value.number().unwrap_or(-1.0);
         if let Some(spindle) = address.extension.filter(|spindle| *spindle > 1) {
             let word = format!("M{spindle}={number}");
-            run.tell(
-                Severity::Note,
-                &Problem::new("run-machine-function", address.span, word),
-            );
+            run.tell(Severity::Note, &Problem::new("run-machine-function", address.span, word));
             continue;
         }
         match number as i64 {
@@ -178,22 +161,14 @@ fn end(run: &mut Interpreter, found: &Words) -> Result<Option<End>, Problem> {
             5 => run.sim.spin(0.0),
             6..=9 => {}
             55 | 59 if nct => {}
-            _ => run.tell(
-                Severity::Note,
-                &Problem::new("run-machine-function", address.span, format!("M{number}")),
-            ),
+            _ => run.tell(Severity::Note, &Problem::new("run-machine-function", address.span, format!("M{number}"))),
         }
     }
     Ok(end)
 }
 
 /// Calls: operator texts, measuring cycles, subprograms of the same text.
-fn carry_out(
-    run: &mut Interpreter,
-    at: usize,
-    call: &Call,
-    passes: u32,
-) -> Result<Option<Next>, Stop> {
+fn carry_out(run: &mut Interpreter, at: usize, call: &Call, passes: u32) -> Result<Option<Next>, Stop> {
     let name = call.name.as_str();
     if listed::call(run, call)? {
         return Ok(None);
@@ -220,10 +195,7 @@ fn carry_out(
     } else if words::known(name) || frame::is_frame(name) {
         // done, or nothing to do
     } else if is_word(name) || machines(name) || run.programs.macros.contains(name) {
-        run.tell(
-            Severity::Warning,
-            &Problem::new("run-not-simulated", call.span, name),
-        );
+        run.tell(Severity::Warning, &Problem::new("run-not-simulated", call.span, name));
     } else {
         programs::not_here(run, name, call.span);
     }
@@ -242,14 +214,12 @@ pub fn is_of_control(name: &str) -> bool {
         || frame::is_frame(name)
 }
 
-/// Numbers of cycles that drill, mill, turn and swivel, and those that belong to the measuring cycles themselves (B:2384-2393).
-const OF_CONTROL: [std::ops::RangeInclusive<u32>; 4] =
-    [60..=199, 800..=899, 930..=959, 4071..=4079];
+/// Numbers of cycles that drill, mill, turn and swivel, and those that belong to the measuring cycles themselves
+/// (B:2384-2393).
+const OF_CONTROL: [std::ops::RangeInclusive<u32>; 4] = [60..=199, 800..=899, 930..=959, 4071..=4079];
 
 /// Whether a name is that of a cycle of the control that does something which is not simulated: `CYCLE83`.
 fn machines(name: &str) -> bool {
-    let number = name
-        .strip_prefix("CYCLE")
-        .and_then(|digits| digits.parse().ok());
+    let number = name.strip_prefix("CYCLE").and_then(|digits| digits.parse().ok());
     number.is_some_and(|number| OF_CONTROL.iter().any(|numbers| numbers.contains(&number)))
 }

@@ -98,10 +98,7 @@ fn coordinate(address: &Address, factor: f64) -> Result<Coordinate, Problem> {
         Some("IC") => Some(false),
         Some(mode) => return Err(Problem::new("run-function", address.span, mode)),
     };
-    Ok(Coordinate {
-        value: number(address)? * factor,
-        absolute,
-    })
+    Ok(Coordinate { value: number(address)? * factor, absolute })
 }
 
 fn spindle(run: &mut Interpreter, address: &Address) -> Result<(), Problem> {
@@ -117,10 +114,7 @@ fn spindle(run: &mut Interpreter, address: &Address) -> Result<(), Problem> {
 /// A rotary axis of the machine, else something that is not simulated.
 fn other(run: &mut Interpreter, address: &Address, path: &mut Path) -> Result<(), Problem> {
     let Some(axis) = run.sim.control.rotary_axis(&address.name) else {
-        run.tell(
-            Severity::Warning,
-            &Problem::new("run-not-simulated", address.span, &*address.name),
-        );
+        run.tell(Severity::Warning, &Problem::new("run-not-simulated", address.span, &*address.name));
         return Ok(());
     };
     let written = number(address)?;

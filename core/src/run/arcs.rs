@@ -28,12 +28,7 @@ impl Arc {
             return None;
         }
         let sweep = sweep(direction(centre, end) - direction(centre, start), counter);
-        Some(Arc {
-            centre,
-            start,
-            end,
-            sweep,
-        })
+        Some(Arc { centre, start, end, sweep })
     }
 
     /// The arc with a radius, negative for more than a half circle.
@@ -46,10 +41,7 @@ impl Arc {
         }
         let height = below.max(0.0).sqrt() / length;
         let side = if counter == (radius > 0.0) { 1.0 } else { -1.0 };
-        let centre = [
-            start[0] + dx / 2.0 - side * height * dy,
-            start[1] + dy / 2.0 + side * height * dx,
-        ];
+        let centre = [start[0] + dx / 2.0 - side * height * dy, start[1] + dy / 2.0 + side * height * dx];
         Arc::about(centre, start, end, counter)
     }
 
@@ -69,20 +61,13 @@ impl Arc {
             return None;
         }
         let turn = angle.to_radians() * if counter { 1.0 } else { -1.0 };
-        let end = point(
-            centre,
-            distance(centre, start),
-            direction(centre, start) + turn,
-        );
+        let end = point(centre, distance(centre, start), direction(centre, start) + turn);
         Arc::about(centre, start, end, counter)
     }
 
     /// The same arc with whole turns before its end (`TURN`).
     pub fn with_turns(self, turns: f64) -> Arc {
-        Arc {
-            sweep: self.sweep + TAU * turns * self.sweep.signum(),
-            ..self
-        }
+        Arc { sweep: self.sweep + TAU * turns * self.sweep.signum(), ..self }
     }
 
     /// Radius, mm.
@@ -114,10 +99,7 @@ fn direction(centre: [f64; 2], point: [f64; 2]) -> f64 {
 }
 
 fn point(centre: [f64; 2], radius: f64, angle: f64) -> [f64; 2] {
-    [
-        centre[0] + radius * angle.cos(),
-        centre[1] + radius * angle.sin(),
-    ]
+    [centre[0] + radius * angle.cos(), centre[1] + radius * angle.sin()]
 }
 
 #[cfg(test)]
@@ -126,10 +108,7 @@ mod tests {
     use super::*;
 
     fn near(a: &[f64], b: &[f64]) {
-        assert!(
-            a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-9),
-            "{a:?} {b:?}"
-        );
+        assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-9), "{a:?} {b:?}");
     }
 
     // oracle: hand (a circle of 10 about the origin, from X10 to Y10)

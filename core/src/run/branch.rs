@@ -12,9 +12,7 @@ use crate::program::tree::{Expr, ExprId, WordKind};
 use std::rc::Rc;
 
 /// The last word that belongs to a control structure in a block that is left by a jump behind it.
-const ENDS_OF_STRUCTURE: [&str; 8] = [
-    "ELSE", "ENDIF", "ENDWHILE", "ENDFOR", "ENDLOOP", "TO", "END", "DO",
-];
+const ENDS_OF_STRUCTURE: [&str; 8] = ["ELSE", "ENDIF", "ENDWHILE", "ENDFOR", "ENDLOOP", "TO", "END", "DO"];
 
 /// `IF` with a jump (or NCT `THEN`) decides over the rest of the block, else over the blocks up to `ELSE` or `ENDIF`.
 pub fn condition(
@@ -61,22 +59,14 @@ pub fn structure(
             return Ok(false);
         }
         ("TO", Some(Link::Begin(end))) => {
-            let last = value
-                .map(|value| expression::number(run, value))
-                .transpose()?;
-            if found
-                .counter
-                .zip(last)
-                .is_some_and(|(counter, last)| counter > last)
-            {
+            let last = value.map(|value| expression::number(run, value)).transpose()?;
+            if found.counter.zip(last).is_some_and(|(counter, last)| counter > last) {
                 found.next = Some(behind(run, end)?);
                 return Ok(false);
             }
         }
         ("ELSE", Some(Link::Else(_))) => drop(behind(run, at)?),
-        ("ENDWHILE" | "ENDLOOP" | "END", Some(Link::End(begin))) => {
-            found.next = Some(Next::Jump(begin))
-        }
+        ("ENDWHILE" | "ENDLOOP" | "END", Some(Link::End(begin))) => found.next = Some(Next::Jump(begin)),
         ("UNTIL", Some(Link::End(begin))) if !truth(run, place, value)? => {
             found.next = Some(Next::Jump(begin + 1));
         }
@@ -101,33 +91,26 @@ fn again(run: &mut Interpreter, begin: usize) -> Result<Option<Next>, Problem> {
                 names::write(run, &key, &Datum::Number(value), *name)?;
                 counter = Some(value);
             }
-            WordKind::Keyword {
-                name,
-                value: Some(value),
-            } if program.is(*name, "TO") => {
+            WordKind::Keyword { name, value: Some(value) } if program.is(*name, "TO") => {
                 last = Some(expression::number(run, *value)?);
             }
             _ => {}
         }
     }
-    let inside = counter
-        .zip(last)
-        .is_some_and(|(counter, last)| counter <= last);
+    let inside = counter.zip(last).is_some_and(|(counter, last)| counter <= last);
     match inside {
         true => behind(run, begin).map(Some),
         false => Ok(None),
     }
 }
 
-/// The block behind one of a control structure, of which the words behind the structure's own would be passed over: they
-/// need a block of their own.
+/// The block behind one of a control structure, of which the words behind the structure's own would be passed over:
+/// they need a block of their own.
 pub fn behind(run: &Interpreter, block: usize) -> Result<Next, Problem> {
     let words = run.program.blocks.get(block);
     let words = words.map_or(&[][..], |block| run.program.words_of(block));
     let last = words.iter().rposition(|word| match &word.kind {
-        WordKind::Keyword { name, .. } => ENDS_OF_STRUCTURE
-            .iter()
-            .any(|known| run.program.is(*name, known)),
+        WordKind::Keyword { name, .. } => ENDS_OF_STRUCTURE.iter().any(|known| run.program.is(*name, known)),
         _ => false,
     });
     match last.and_then(|last| words.get(last + 1)) {
@@ -147,10 +130,7 @@ pub fn jump(
     place: Span,
     value: Option<ExprId>,
 ) -> Result<Option<usize>, Problem> {
-    let target = value
-        .map(|id| target(run, id))
-        .transpose()?
-        .unwrap_or_default();
+    let target = value.map(|id| target(run, id)).transpose()?.unwrap_or_default();
     let blocks = places(run, &target);
     let forward = blocks.iter().copied().find(|block| *block > at);
     let backward = blocks.iter().copied().rfind(|block| *block <= at);
@@ -185,10 +165,5 @@ pub fn places(run: &Interpreter, target: &str) -> Vec<usize> {
     let blocks = run.targets.get(&canonical(target));
     let own = run.levels.last().map(|level| level.blocks.clone());
     let inside = |block: &&usize| own.as_ref().is_none_or(|own| own.contains(block));
-    blocks
-        .into_iter()
-        .flatten()
-        .filter(inside)
-        .copied()
-        .collect()
+    blocks.into_iter().flatten().filter(inside).copied().collect()
 }

@@ -12,10 +12,7 @@ use crate::message::Message;
 /// Carries out a checked call; its begin, its end and the alarm that stops it are recorded.
 pub fn perform(sim: &mut Sim, inputs: &Inputs) -> Result<(), Stop> {
     sim.recode(inputs.recodes());
-    sim.note(Step::CallBegin {
-        cycle: inputs.cycle.name,
-        variant: inputs.variant,
-    });
+    sim.note(Step::CallBegin { cycle: inputs.cycle.name, variant: inputs.variant });
     upkeep::perform(sim, inputs.cycle);
     let Some(work) = inputs.cycle.work() else {
         let message = Message::new("run-no-simulation").text("word", inputs.cycle.name);
@@ -49,12 +46,7 @@ fn numbers(sim: &Sim) -> Result<(), Stop> {
 
 /// Stops with an alarm; it is recorded unless it was the last thing that was.
 pub fn alarm(sim: &mut Sim, code: Code) -> Result<(), Stop> {
-    if sim
-        .trace
-        .entries
-        .last()
-        .is_none_or(|entry| entry.step != Step::Alarm(code))
-    {
+    if sim.trace.entries.last().is_none_or(|entry| entry.step != Step::Alarm(code)) {
         sim.note(Step::Alarm(code));
     }
     Err(Stop::Alarm(code))

@@ -31,24 +31,15 @@ pub fn data(run: &mut Interpreter, cycle: &'static Cycle, span: Span) -> Result<
 /// NCT: every address of the block is an argument.
 pub fn addresses(run: &mut Interpreter, cycle: &'static Cycle, found: &Words) -> Result<(), Stop> {
     let mut typed = Typed::new();
-    let by_number = found
-        .addresses
-        .iter()
-        .any(|address| address.name == "G" && address.value.number() == Some(65.0));
+    let by_number = found.addresses.iter().any(|address| address.name == "G" && address.value.number() == Some(65.0));
     for address in &found.addresses {
         let name = address.name.as_str();
         if matches!(name, "G" | "N" | "O") || (by_number && name == "P") {
             continue;
         }
-        match (
-            cycle.params.iter().find(|param| param.name == name),
-            address.value.number(),
-        ) {
+        match (cycle.params.iter().find(|param| param.name == name), address.value.number()) {
             (Some(_), Some(value)) => drop(typed.insert(name.to_owned(), format!("{value}"))),
-            _ => run.tell(
-                Severity::Error,
-                &Problem::new("run-unknown-word", address.span, name),
-            ),
+            _ => run.tell(Severity::Error, &Problem::new("run-unknown-word", address.span, name)),
         }
     }
     let incremental = f64::from(u8::from(!run.modal.absolute));
@@ -60,10 +51,7 @@ pub fn addresses(run: &mut Interpreter, cycle: &'static Cycle, found: &Words) ->
 pub fn left_out(run: &mut Interpreter, cycle: &'static Cycle, span: Span) -> bool {
     let log = cycle.purpose.probe == ProbeUse::Log && cycle.work().is_none();
     if log {
-        run.tell(
-            Severity::Warning,
-            &Problem::new("run-log", span, cycle.name),
-        );
+        run.tell(Severity::Warning, &Problem::new("run-log", span, cycle.name));
     }
     log
 }
@@ -81,39 +69,22 @@ fn count(run: &mut Interpreter, span: Span) -> Result<(), Stop> {
 }
 
 /// The alarm of the first error stops the program, as on the control; other errors are a fault.
-pub fn checked(
-    run: &mut Interpreter,
-    cycle: &'static Cycle,
-    typed: &Typed,
-    span: Span,
-) -> Result<(), Stop> {
+pub fn checked(run: &mut Interpreter, cycle: &'static Cycle, typed: &Typed, span: Span) -> Result<(), Stop> {
     let checked = check::check(cycle, typed, &run.sim.control);
     carry_out(run, cycle, checked, span)
 }
 
 /// What a check left of a call.
-pub fn carry_out(
-    run: &mut Interpreter,
-    cycle: &'static Cycle,
-    checked: Checked,
-    span: Span,
-) -> Result<(), Stop> {
+pub fn carry_out(run: &mut Interpreter, cycle: &'static Cycle, checked: Checked, span: Span) -> Result<(), Stop> {
     unread::measures(run, span).map_err(|problem| run.fail(problem))?;
-    let errors: Vec<_> = checked
-        .diagnostics
-        .iter()
-        .filter(|found| found.severity == Severity::Error)
-        .collect();
-    let code = errors
-        .iter()
-        .map(|found| found.code)
-        .find(|code| !matches!(code, Code::Own(_)));
+    let errors: Vec<_> = checked.diagnostics.iter().filter(|found| found.severity == Severity::Error).collect();
+    let code = errors.iter().map(|found| found.code).find(|code| !matches!(code, Code::Own(_)));
     for mut diagnostic in checked.diagnostics.iter().cloned() {
         diagnostic.span = diagnostic.span.or(Some(span));
-        let known = run.diagnostics.iter().any(|old| {
-            (old.span, old.param, &old.message)
-                == (diagnostic.span, diagnostic.param, &diagnostic.message)
-        });
+        let known = run
+            .diagnostics
+            .iter()
+            .any(|old| (old.span, old.param, &old.message) == (diagnostic.span, diagnostic.param, &diagnostic.message));
         if !known && run.diagnostics.len() < 1000 {
             run.diagnostics.push(diagnostic);
         }
@@ -144,10 +115,7 @@ pub fn carry_out(
 
 /// The number of the alarm is a result of the cycle also where it refuses what it was given (B:5699).
 fn leave_number(run: &mut Interpreter, cycle: &'static Cycle, code: Code) {
-    let is_result = cycle
-        .results
-        .iter()
-        .any(|field| field.name == results::ALARM);
+    let is_result = cycle.results.iter().any(|field| field.name == results::ALARM);
     if let (true, Code::Alarm(number)) = (is_result, code) {
         results::set(&mut run.sim, results::ALARM, f64::from(number));
     }

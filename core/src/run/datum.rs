@@ -74,9 +74,7 @@ impl Datum {
 
 fn shown(value: f64) -> String {
     let exact = value.to_string();
-    let decimals = exact
-        .split_once('.')
-        .map_or(0, |(_, decimals)| decimals.len());
+    let decimals = exact.split_once('.').map_or(0, |(_, decimals)| decimals.len());
     let text = match decimals {
         0 => exact + ".",
         1..=10 => exact,

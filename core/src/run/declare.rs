@@ -36,9 +36,7 @@ pub fn attribute(
         declaring.shared = true;
         return Ok(true);
     }
-    let length = length
-        .map(|length| expression::number(run, length))
-        .transpose()?;
+    let length = length.map(|length| expression::number(run, length)).transpose()?;
     let kind = Type::named(name, length);
     declaring.kind = kind.or(declaring.kind);
     Ok(kind.is_some())
@@ -61,9 +59,7 @@ pub fn declare(
     if is_axis(run, &key) {
         return Err(Problem::new("run-axis-name", name, &*key));
     }
-    let kind = declaring
-        .kind
-        .ok_or_else(|| Problem::new("run-type", name, &*key))?;
+    let kind = declaring.kind.ok_or_else(|| Problem::new("run-type", name, &*key))?;
     let variable = variable(run, name, kind, sizes)?;
     let locals = match run.levels.last_mut() {
         Some(level) if !declaring.shared => &mut level.locals,
@@ -72,10 +68,7 @@ pub fn declare(
     run.unread.remove(&key);
     let before = locals.insert(key.clone(), Local::Own(variable));
     if matches!(before, Some(Local::Own(old)) if old.place != name) {
-        run.tell(
-            Severity::Error,
-            &Problem::new("run-declared-twice", name, &*key),
-        );
+        run.tell(Severity::Error, &Problem::new("run-declared-twice", name, &*key));
     }
     match first {
         Some(first) => {
@@ -87,12 +80,7 @@ pub fn declare(
 }
 
 /// A variable of these sizes; making it is work that counts.
-pub fn variable(
-    run: &mut Interpreter,
-    name: Span,
-    kind: Type,
-    sizes: &[ExprId],
-) -> Result<Variable, Problem> {
+pub fn variable(run: &mut Interpreter, name: Span, kind: Type, sizes: &[ExprId]) -> Result<Variable, Problem> {
     let mut total = 1.0;
     let mut counts = Vec::new();
     for size in sizes {

@@ -1,8 +1,8 @@
-//! A program that never ends, where that can be proved: at a jump back everything that decides over what comes next is as
-//! it was at an earlier one, so that the same comes again and again.
+//! A program that never ends, where that can be proved: at a jump back everything that decides over what comes next is
+//! as it was at an earlier one, so that the same comes again and again.
 //!
-//! One state is kept, and after twice as many jumps back the present one instead of it (Brent): so states of any period are
-//! found, for one comparison a jump.
+//! One state is kept, and after twice as many jumps back the present one instead of it (Brent): so states of any period
+//! are found, for one comparison a jump.
 
 use super::interpret::Interpreter;
 use super::level::Level;

@@ -36,9 +36,6 @@ pub fn assigned(run: &mut Interpreter, value: ExprId) -> Result<Option<Datum>, P
     if !program.is(*name, NAME) {
         return Ok(None);
     }
-    let args = args
-        .iter()
-        .map(|arg| evaluate(run, *arg).map(Some))
-        .collect::<Result<Vec<_>, _>>()?;
+    let args = args.iter().map(|arg| evaluate(run, *arg).map(Some)).collect::<Result<Vec<_>, _>>()?;
     store(run, &args, *name).map(Some)
 }

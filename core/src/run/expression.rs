@@ -15,9 +15,7 @@ pub fn evaluate(run: &Interpreter, id: ExprId) -> Result<Datum, Problem> {
     };
     match expr {
         Expr::Number(value, _) => Ok(Datum::Number(*value)),
-        Expr::Text(span) => Ok(Datum::Text(
-            String::from_utf8_lossy(run.program.text(*span)).into_owned(),
-        )),
+        Expr::Text(span) => Ok(Datum::Text(String::from_utf8_lossy(run.program.text(*span)).into_owned())),
         Expr::Name { name, index } => {
             let key = names::key(run, *name, index)?;
             names::read(run, &key, *name)
@@ -50,18 +48,11 @@ pub fn list(run: &Interpreter, items: &[ExprId]) -> Result<Datum, Problem> {
 /// A place that belongs to an expression.
 pub fn span(run: &Interpreter, id: ExprId) -> Span {
     match run.program.expr(id) {
-        Some(
-            Expr::Number(_, span) | Expr::Text(span) | Expr::Call(span, _) | Expr::Omitted(span),
-        ) => *span,
+        Some(Expr::Number(_, span) | Expr::Text(span) | Expr::Call(span, _) | Expr::Omitted(span)) => *span,
         Some(Expr::Name { name, .. }) => *name,
         Some(Expr::Unary(_, operand)) => span(run, *operand),
-        Some(Expr::Binary(left, _, right)) => Span {
-            start: span(run, *left).start,
-            end: span(run, *right).end,
-        },
-        Some(Expr::List(items)) => items
-            .first()
-            .map_or(Span::default(), |item| span(run, *item)),
+        Some(Expr::Binary(left, _, right)) => Span { start: span(run, *left).start, end: span(run, *right).end },
+        Some(Expr::List(items)) => items.first().map_or(Span::default(), |item| span(run, *item)),
         None => Span::default(),
     }
 }
@@ -85,12 +76,7 @@ fn unary(operator: Operator, value: Datum) -> Option<Datum> {
     })
 }
 
-fn binary(
-    run: &Interpreter,
-    left: ExprId,
-    operator: Operator,
-    right: ExprId,
-) -> Result<Datum, Problem> {
+fn binary(run: &Interpreter, left: ExprId, operator: Operator, right: ExprId) -> Result<Datum, Problem> {
     let (a, b) = (evaluate(run, left)?, evaluate(run, right)?);
     match (operator, &a, &b) {
         (Operator::Join, ..) => return Ok(Datum::Text(a.shown() + &b.shown())),
@@ -100,8 +86,7 @@ fn binary(
             }
             return Ok(Datum::Frame(Box::new(chain(outer, inner))));
         }
-        (_, Datum::Text(_), Datum::Text(_) | Datum::Char(_))
-        | (_, Datum::Char(_), Datum::Text(_)) => {
+        (_, Datum::Text(_), Datum::Text(_) | Datum::Char(_)) | (_, Datum::Char(_), Datum::Text(_)) => {
             return texts(operator, &a.shown(), &b.shown()).ok_or_else(|| wrong(run, left));
         }
         (_, Datum::Word(a), Datum::Word(b)) => {
@@ -133,8 +118,8 @@ fn binary(
 /// Difference of numbers that count as equal, as a part of the larger one (Job planning 03/2006, 1.7: 10^-12).
 const SAME: f64 = 1e-12;
 
-/// Comparisons in which almost equal numbers are equal, with `<` and `>` too: MD10280 bit 0, which would change that, is 0
-/// as delivered.
+/// Comparisons in which almost equal numbers are equal, with `<` and `>` too: MD10280 bit 0, which would change that,
+/// is 0 as delivered.
 fn compared(operator: Operator, a: f64, b: f64) -> Option<Datum> {
     let same = (a - b).abs() <= SAME * a.abs().max(b.abs());
     Some(Datum::from(match operator {
@@ -158,7 +143,8 @@ fn bits(operator: Operator) -> Option<Operator> {
     })
 }
 
-/// A fine translation stays one as long as nothing is turned or scaled before it, so that `CTRANS(…):CFINE(…)` keeps both parts.
+/// A fine translation stays one as long as nothing is turned or scaled before it, so that `CTRANS(…):CFINE(…)` keeps
+/// both parts.
 fn chain(outer: &crate::control::Frame, inner: &crate::control::Frame) -> crate::control::Frame {
     let mut frame = outer.then(inner);
     if outer.rotation == [0.0; 3] && !outer.scaled() && outer.mirror == [false; 3] {

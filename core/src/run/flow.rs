@@ -33,10 +33,7 @@ pub fn links(program: &Program, programs: &Programs) -> Links {
     for (i, block) in program.blocks.iter().enumerate() {
         let words = program.words_of(block);
         let units = &programs.units;
-        if units
-            .binary_search_by_key(&i, |unit| unit.blocks.start)
-            .is_ok()
-        {
+        if units.binary_search_by_key(&i, |unit| unit.blocks.start).is_ok() {
             open.clear();
         }
         let Some(name) = structural(program, words) else {
@@ -45,43 +42,22 @@ pub fn links(program: &Program, programs: &Programs) -> Links {
         let number = loop_number(program, words);
         if let Some(end) = end_of(name) {
             links.insert(i, Link::Alone);
-            open.push(Open {
-                block: i,
-                end,
-                number,
-                otherwise: false,
-            });
+            open.push(Open { block: i, end, number, otherwise: false });
             continue;
         }
         let matching = open.last().is_some_and(|open| {
-            (open.end == name && open.number == number)
-                || (open.end == "ENDIF" && name == "ELSE" && !open.otherwise)
+            (open.end == name && open.number == number) || (open.end == "ENDIF" && name == "ELSE" && !open.otherwise)
         });
-        let Some(Open {
-            block: begin,
-            end,
-            otherwise,
-            ..
-        }) = matching.then(|| open.pop()).flatten()
-        else {
+        let Some(Open { block: begin, end, otherwise, .. }) = matching.then(|| open.pop()).flatten() else {
             links.insert(i, Link::Alone);
             continue;
         };
         if name == "ELSE" {
             links.insert(begin, Link::If(i));
             links.insert(i, Link::Alone);
-            open.push(Open {
-                block: i,
-                end,
-                number,
-                otherwise: true,
-            });
+            open.push(Open { block: i, end, number, otherwise: true });
         } else if name == "ENDIF" {
-            let link = if otherwise {
-                Link::Else(i)
-            } else {
-                Link::If(i)
-            };
+            let link = if otherwise { Link::Else(i) } else { Link::If(i) };
             links.insert(begin, link);
             links.insert(i, Link::EndIf);
         } else {
@@ -116,14 +92,10 @@ fn end_of(name: &str) -> Option<&'static str> {
 
 /// The word of a block that belongs to a control structure; an `IF` with a jump is none.
 pub fn structural(program: &Program, words: &[Word]) -> Option<&'static str> {
-    const NAMES: [&str; 11] = [
-        "IF", "ELSE", "ENDIF", "WHILE", "ENDWHILE", "FOR", "ENDFOR", "LOOP", "ENDLOOP", "REPEAT",
-        "UNTIL",
-    ];
+    const NAMES: [&str; 11] =
+        ["IF", "ELSE", "ENDIF", "WHILE", "ENDWHILE", "FOR", "ENDFOR", "LOOP", "ENDLOOP", "REPEAT", "UNTIL"];
     let jumps = words.iter().any(|word| match &word.kind {
-        WordKind::Keyword { name, .. } => {
-            program.name(*name).starts_with("GOTO") || program.is(*name, "THEN")
-        }
+        WordKind::Keyword { name, .. } => program.name(*name).starts_with("GOTO") || program.is(*name, "THEN"),
         _ => false,
     });
     words.iter().find_map(|word| {
@@ -146,13 +118,12 @@ pub fn structural(program: &Program, words: &[Word]) -> Option<&'static str> {
 /// The number behind `DO` or `END` of NCT.
 fn loop_number(program: &Program, words: &[Word]) -> Option<f64> {
     words.iter().find_map(|word| match &word.kind {
-        WordKind::Keyword {
-            name,
-            value: Some(value),
-        } if program.is(*name, "DO") || program.is(*name, "END") => match program.expr(*value) {
-            Some(Expr::Number(number, _)) => Some(*number),
-            _ => None,
-        },
+        WordKind::Keyword { name, value: Some(value) } if program.is(*name, "DO") || program.is(*name, "END") => {
+            match program.expr(*value) {
+                Some(Expr::Number(number, _)) => Some(*number),
+                _ => None,
+            }
+        }
         _ => None,
     })
 }
@@ -162,17 +133,11 @@ pub fn targets(program: &Program) -> BTreeMap<String, Vec<usize>> {
     let mut targets: BTreeMap<String, Vec<usize>> = BTreeMap::new();
     for (i, block) in program.blocks.iter().enumerate() {
         if let Some(number) = block.number {
-            targets
-                .entry(canonical(&program.name(number)))
-                .or_default()
-                .push(i);
+            targets.entry(canonical(&program.name(number))).or_default().push(i);
         }
         for word in program.words_of(block) {
             if let WordKind::Label(name) = word.kind {
-                targets
-                    .entry(canonical(&program.name(name)))
-                    .or_default()
-                    .push(i);
+                targets.entry(canonical(&program.name(name))).or_default().push(i);
             }
         }
     }

@@ -1,5 +1,5 @@
-//! Programmed frames: TRANS, ROT, SCALE, MIRROR replace what was programmed before, their forms with A add to it. Angles
-//! and factors are no lengths: the unit of the axis words is taken out again.
+//! Programmed frames: TRANS, ROT, SCALE, MIRROR replace what was programmed before, their forms with A add to it.
+//! Angles and factors are no lengths: the unit of the axis words is taken out again.
 
 use super::Stop;
 use super::interpret::Interpreter;
@@ -9,10 +9,7 @@ use crate::control::Frame;
 
 /// Whether a word begins a frame instruction.
 pub fn is_frame(name: &str) -> bool {
-    matches!(
-        name,
-        "TRANS" | "ATRANS" | "ROT" | "AROT" | "MIRROR" | "AMIRROR" | "SCALE" | "ASCALE"
-    )
+    matches!(name, "TRANS" | "ATRANS" | "ROT" | "AROT" | "MIRROR" | "AMIRROR" | "SCALE" | "ASCALE")
 }
 
 /// Carries out the frame instruction of a block with its axis words; false: there is none.
@@ -35,19 +32,9 @@ fn apply(run: &mut Interpreter, call: &Call, found: &Words) -> Result<(), Proble
     let before = run.sim.control.program_frame;
     let own = match call.name.trim_start_matches('A') {
         "TRANS" => Frame::translation(values.map(|value| value.unwrap_or(0.0))),
-        "ROT" => rotated(
-            run,
-            found,
-            values.map(|value| value.unwrap_or(0.0) / factor),
-        ),
-        "SCALE" => Frame {
-            scale: values.map(|value| value.map_or(1.0, |value| value / factor)),
-            ..Frame::default()
-        },
-        _ => Frame {
-            mirror: values.map(|value| value.is_some()),
-            ..Frame::default()
-        },
+        "ROT" => rotated(run, found, values.map(|value| value.unwrap_or(0.0) / factor)),
+        "SCALE" => Frame { scale: values.map(|value| value.map_or(1.0, |value| value / factor)), ..Frame::default() },
+        _ => Frame { mirror: values.map(|value| value.is_some()), ..Frame::default() },
     };
     if own.scale.contains(&0.0) {
         return Err(Problem::new("run-range", call.span, &*call.name));
@@ -65,8 +52,5 @@ fn rotated(run: &Interpreter, found: &Words, mut rotation: [f64; 3]) -> Frame {
     if let Some(turn) = found.turn {
         rotation[run.sim.tool_axis()] = turn;
     }
-    Frame {
-        rotation,
-        ..Frame::default()
-    }
+    Frame { rotation, ..Frame::default() }
 }

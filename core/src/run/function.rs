@@ -19,10 +19,7 @@ pub fn call(run: &Interpreter, place: Span, args: &[ExprId]) -> Result<Datum, Pr
     if name == "SET" {
         return list(run, args);
     }
-    let values = args
-        .iter()
-        .map(|arg| evaluate(run, *arg))
-        .collect::<Result<Vec<_>, _>>()?;
+    let values = args.iter().map(|arg| evaluate(run, *arg)).collect::<Result<Vec<_>, _>>()?;
     if name == "REP" {
         return repeated(values).ok_or_else(refused);
     }
@@ -30,9 +27,7 @@ pub fn call(run: &Interpreter, place: Span, args: &[ExprId]) -> Result<Datum, Pr
         return Ok(value);
     }
     if let Some(frame) = frame(run, &name, &values) {
-        return frame
-            .map(|frame| Datum::Frame(Box::new(frame)))
-            .ok_or_else(refused);
+        return frame.map(|frame| Datum::Frame(Box::new(frame))).ok_or_else(refused);
     }
     if let Some(value) = texts::call(&name, &values) {
         return Ok(value);
@@ -57,10 +52,7 @@ fn repeated(values: Vec<Datum>) -> Option<Datum> {
         None => None,
         Some(count) => Some(count.number().filter(|count| *count >= 1.0)? as usize),
     };
-    values
-        .next()
-        .is_none()
-        .then_some(Datum::Repeat(value, count))
+    values.next().is_none().then_some(Datum::Repeat(value, count))
 }
 
 fn arithmetic(name: &str, values: &[f64], dialect: Dialect) -> Option<f64> {
@@ -134,7 +126,8 @@ fn frame(run: &Interpreter, name: &str, values: &[Datum]) -> Option<Option<Frame
     Some(Some(frame))
 }
 
-/// `CRPL(plane,angle)`: 0 turns in the working plane, 1 to 3 about Z, Y, X (function manual K2, constant rotation plane).
+/// `CRPL(plane,angle)`: 0 turns in the working plane, 1 to 3 about Z, Y, X (function manual K2, constant rotation
+/// plane).
 fn turned_in_plane(run: &Interpreter, values: &[Datum]) -> Option<Frame> {
     let [plane, angle] = values else {
         return None;

@@ -21,11 +21,7 @@ pub fn apply_beside_macro(run: &mut Interpreter, found: &mut Words) -> Result<()
     some(run, found, |code| code < 100.0 && code != 65.0)
 }
 
-fn some(
-    run: &mut Interpreter,
-    found: &mut Words,
-    counts: impl Fn(f64) -> bool,
-) -> Result<(), Stop> {
+fn some(run: &mut Interpreter, found: &mut Words, counts: impl Fn(f64) -> bool) -> Result<(), Stop> {
     let codes: Vec<_> = found
         .addresses
         .iter()
@@ -46,16 +42,11 @@ fn some(
             run.tell(Severity::Warning, &problem);
             continue;
         }
-        let known = number.fract() == 0.0
-            && (0.0..1000.0).contains(&number)
-            && one(run, number as u16, found);
+        let known = number.fract() == 0.0 && (0.0..1000.0).contains(&number) && one(run, number as u16, found);
         if !known {
             found.path.stays = true;
             unread::leave_axes(run, found);
-            run.tell(
-                Severity::Error,
-                &Problem::new("run-unknown-word", span, format!("G{number}")),
-            );
+            run.tell(Severity::Error, &Problem::new("run-unknown-word", span, format!("G{number}")));
         }
     }
     Ok(())
@@ -139,10 +130,7 @@ fn sinumerik(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
 fn nct(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
     match code {
         31 => {
-            found.path.measure = Some(Measure {
-                input: 1,
-                goes_on: false,
-            });
+            found.path.measure = Some(Measure { input: 1, goes_on: false });
         }
         43 => {}
         49 => run.sim.with_length(|control| control.edge = 0),

@@ -16,12 +16,7 @@ pub fn takes_variables(list: &ArgumentList) -> bool {
 }
 
 /// Carries out the call: values in, results out.
-pub fn call(
-    run: &mut Interpreter,
-    cycle: &'static Cycle,
-    list: &ArgumentList,
-    call: &Call,
-) -> Result<(), Stop> {
+pub fn call(run: &mut Interpreter, cycle: &'static Cycle, list: &ArgumentList, call: &Call) -> Result<(), Stop> {
     if cycle::left_out(run, cycle, call.span) {
         return Ok(());
     }
@@ -33,12 +28,7 @@ pub fn call(
 
 /// What stands in the variables and arguments, by the name of the parameter. What is wrong with a value is the cycle's
 /// affair, which hands its number back.
-fn values(
-    run: &Interpreter,
-    cycle: &'static Cycle,
-    list: &ArgumentList,
-    call: &Call,
-) -> Result<Typed, Problem> {
+fn values(run: &Interpreter, cycle: &'static Cycle, list: &ArgumentList, call: &Call) -> Result<Typed, Problem> {
     let mut typed = Typed::new();
     for (index, arg) in list.args.iter().enumerate() {
         match arg {
@@ -60,12 +50,7 @@ fn values(
 }
 
 /// Copies the results into the variables; under the names of the cycle they are gone afterwards.
-fn hand_back(
-    run: &mut Interpreter,
-    cycle: &'static Cycle,
-    list: &ArgumentList,
-    call: &Call,
-) -> Result<(), Problem> {
+fn hand_back(run: &mut Interpreter, cycle: &'static Cycle, list: &ArgumentList, call: &Call) -> Result<(), Problem> {
     for (index, arg) in list.args.iter().enumerate() {
         let (Arg::Variable(stem) | Arg::Output(stem)) = arg else {
             continue;

@@ -32,10 +32,7 @@ impl InUse {
     pub(super) fn of(sim: &Sim) -> InUse {
         let control = &sim.control;
         let edge = control.active_edge().cloned();
-        let nominal = || {
-            edge.as_ref()
-                .map(|edge| Tool::nominal(edge, control).recoded(sim.recoded()))
-        };
+        let nominal = || edge.as_ref().map(|edge| Tool::nominal(edge, control).recoded(sim.recoded()));
         let tool = sim.real_tool().cloned().or_else(nominal);
         let tip = tool.as_ref().map_or([0.0; 3], |tool| tool.error(control));
         InUse {

@@ -16,8 +16,8 @@ const MODES: [&str; 7] = ["AC", "IC", "DC", "ACP", "ACN", "CAC", "CIC"];
 /// Axes that move by themselves; `POSA` does not wait for their end.
 const POSITIONING: [&str; 2] = ["POS", "POSA"];
 
-/// Takes such an address; false: it is none of these. Another spindle than the first, and an axis that the machine does not
-/// have, are told and left out.
+/// Takes such an address; false: it is none of these. Another spindle than the first, and an axis that the machine does
+/// not have, are told and left out.
 pub fn take(
     run: &mut Interpreter,
     name: &str,
@@ -33,33 +33,21 @@ pub fn take(
         return positioning(run, *index, value, span, found).map(|()| true);
     }
     let (name, simulated) = match name {
-        "SPOS" | "SPOSA" | "S" | "M" => (
-            name.to_owned(),
-            evaluate(run, *index)?.number() == Some(1.0),
-        ),
+        "SPOS" | "SPOSA" | "S" | "M" => (name.to_owned(), evaluate(run, *index)?.number() == Some(1.0)),
         "AX" => (evaluate(run, *index)?.shown(), true),
         _ => return Ok(false),
     };
     if !simulated {
-        run.tell(
-            Severity::Warning,
-            &Problem::new("run-not-simulated", span, name),
-        );
+        run.tell(Severity::Warning, &Problem::new("run-not-simulated", span, name));
         return Ok(true);
     }
     let (mode, value) = meant(run, value)?;
-    found.addresses.push(Address {
-        name,
-        extension: None,
-        mode,
-        value,
-        span,
-    });
+    found.addresses.push(Address { name, extension: None, mode, value, span });
     Ok(true)
 }
 
-/// `POS[X]=10`, `POSA[C]=90`: X, Y, Z get there by a rapid motion of their own behind that of the block, rotary axes of the
-/// machine turn.
+/// `POS[X]=10`, `POSA[C]=90`: X, Y, Z get there by a rapid motion of their own behind that of the block, rotary axes of
+/// the machine turn.
 fn positioning(
     run: &mut Interpreter,
     index: ExprId,
@@ -75,13 +63,7 @@ fn positioning(
         return Ok(());
     }
     let (mode, value) = meant(run, value)?;
-    let address = Address {
-        name,
-        extension: None,
-        mode,
-        value,
-        span,
-    };
+    let address = Address { name, extension: None, mode, value, span };
     match linear {
         true => {
             let problem = Problem::new("run-positioning", span, &*address.name);
@@ -96,9 +78,7 @@ fn positioning(
 /// The axis between the brackets; a name that is no variable is itself one, as `U` on a machine without it.
 fn axis_name(run: &Interpreter, index: ExprId) -> Result<String, Problem> {
     match run.program.expr(index) {
-        Some(Expr::Name { name, index })
-            if index.is_empty() && !locals::declared(run, &run.program.name(*name)) =>
-        {
+        Some(Expr::Name { name, index }) if index.is_empty() && !locals::declared(run, &run.program.name(*name)) => {
             Ok(run.program.name(*name))
         }
         _ => evaluate(run, index).map(|value| value.shown()),

@@ -24,8 +24,8 @@ use std::rc::Rc;
 /// When a run is given up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
-    /// Work: blocks carried out; a long block, a block that writes many elements and, in a loop, one that moves close to
-    /// the part count as several.
+    /// Work: blocks carried out; a long block, a block that writes many elements and, in a loop, one that moves close
+    /// to the part count as several.
     pub steps: usize,
     /// Levels of subprograms (a SINUMERIK has 12 with the main program).
     pub depth: usize,
@@ -37,12 +37,7 @@ pub struct Limits {
 
 impl Default for Limits {
     fn default() -> Limits {
-        Limits {
-            steps: 100_000,
-            depth: 11,
-            trace: super::machine::TRACE_LIMIT,
-            calls: 1_500,
-        }
+        Limits { steps: 100_000, depth: 11, trace: super::machine::TRACE_LIMIT, calls: 1_500 }
     }
 }
 
@@ -141,12 +136,7 @@ pub struct Session {
 impl Session {
     /// A run before its first block.
     pub fn new(program: Program, setup: &Setup, limits: Limits) -> Session {
-        Session {
-            run: Interpreter::new(program, setup, limits),
-            before: setup.clone(),
-            furthest: 0.0,
-            ended: None,
-        }
+        Session { run: Interpreter::new(program, setup, limits), before: setup.clone(), furthest: 0.0, ended: None }
     }
 
     /// Carries out about this much work; true: the run is over.
@@ -201,10 +191,7 @@ fn next_block(run: &mut Interpreter) -> Result<Option<()>, Stop> {
         let span = span.unwrap_or_default();
         return Err(run.fail(Problem { span, message }));
     }
-    let own = run
-        .levels
-        .last()
-        .is_some_and(|level| level.blocks.contains(&at));
+    let own = run.levels.last().is_some_and(|level| level.blocks.contains(&at));
     let (Some(span), true) = (span, own) else {
         return Ok(go_on(run, subprogram::leave));
     };
@@ -231,8 +218,8 @@ fn next_block(run: &mut Interpreter) -> Result<Option<()>, Stop> {
     Ok(end)
 }
 
-/// Arcs close to the part take long, and so does any motion among many solids. In a loop they count as more blocks, so that
-/// one without end is found soon; a long program drives each of them once.
+/// Arcs close to the part take long, and so does any motion among many solids. In a loop they count as more blocks, so
+/// that one without end is found soon; a long program drives each of them once.
 fn weigh(run: &mut Interpreter, place: (usize, usize)) {
     let effort = run.sim.effort() / EFFORT;
     if effort > 0 && !run.heavy.insert(place) {
@@ -298,14 +285,12 @@ impl Interpreter {
         (at.saturating_sub(main.start) as f64 / main.len().max(1) as f64).min(1.0)
     }
 
-    /// A finding that does not stop the run; the same one is told once. What the run passes over is named at its end too.
+    /// A finding that does not stop the run; the same one is told once. What the run passes over is named at its end
+    /// too.
     pub fn tell(&mut self, severity: Severity, problem: &Problem) {
         let told = self.tell_once(problem.diagnostic(severity));
         if let (true, Some(word)) = (told, problem.passed_over()) {
-            self.passed_over(PassedOver {
-                word: word.to_owned(),
-                line: self.program.line_of(problem.span.start) + 1,
-            });
+            self.passed_over(PassedOver { word: word.to_owned(), line: self.program.line_of(problem.span.start) + 1 });
         }
     }
 
@@ -352,11 +337,7 @@ impl Interpreter {
             }
         };
         let key = message.key.to_string();
-        let diagnostic = Diagnostic {
-            code,
-            hint,
-            ..Problem { span, message }.diagnostic(Severity::Error)
-        };
+        let diagnostic = Diagnostic { code, hint, ..Problem { span, message }.diagnostic(Severity::Error) };
         if self.seen.insert((span.start, key)) {
             self.diagnostics.push(diagnostic);
         }
@@ -365,24 +346,13 @@ impl Interpreter {
 
     /// Records that a datum was written.
     pub fn note_set(&mut self, name: &str, before: f64, after: f64) {
-        self.sim.note(Step::Set {
-            name: name.to_owned(),
-            before,
-            after,
-        });
+        self.sim.note(Step::Set { name: name.to_owned(), before, after });
     }
 
     /// Stored and active frames by name.
     pub fn frame_values(&self) -> Vec<(String, f64)> {
-        let names = self
-            .sim
-            .control
-            .variable_names()
-            .into_iter()
-            .filter(|name| name.starts_with("$P_"));
-        names
-            .filter_map(|name| self.sim.control.variable(&name).map(|value| (name, value)))
-            .collect()
+        let names = self.sim.control.variable_names().into_iter().filter(|name| name.starts_with("$P_"));
+        names.filter_map(|name| self.sim.control.variable(&name).map(|value| (name, value))).collect()
     }
 
     /// What is linked to a block.

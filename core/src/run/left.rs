@@ -31,19 +31,16 @@ impl Outcome {
     /// Each step with the call of the program in which it happened; what a cycle calls belongs to the cycle.
     pub fn by_call(&self) -> impl Iterator<Item = (Option<CallAt>, &Step)> {
         let mut open: Vec<Option<CallAt>> = Vec::new();
-        self.trace
-            .entries
-            .iter()
-            .map(move |Entry { line, step, .. }| {
-                if let Step::CallBegin { cycle, .. } = step {
-                    open.push(line.map(|line| CallAt { line, cycle }));
-                }
-                let within = open.first().copied().flatten();
-                if *step == Step::CallEnd {
-                    open.pop();
-                }
-                (within, step)
-            })
+        self.trace.entries.iter().map(move |Entry { line, step, .. }| {
+            if let Step::CallBegin { cycle, .. } = step {
+                open.push(line.map(|line| CallAt { line, cycle }));
+            }
+            let within = open.first().copied().flatten();
+            if *step == Step::CallEnd {
+                open.pop();
+            }
+            (within, step)
+        })
     }
 
     /// Names of the results of a cycle that nothing wrote: they stand there from before.
@@ -53,7 +50,8 @@ impl Outcome {
         names.filter(|name| !written.contains_key(name)).collect()
     }
 
-    /// What the calls left, in the order of their lines; of a call that was carried out several times, what it left last.
+    /// What the calls left, in the order of their lines; of a call that was carried out several times, what it left
+    /// last.
     pub fn left(&self) -> Vec<Left> {
         let mut calls = BTreeMap::new();
         let mut entries = self.trace.entries.iter();
@@ -92,11 +90,7 @@ fn one(line: u32, called: &Inputs, behind: &[Entry]) -> Left {
         .filter(|field| field.when.holds(called))
         .filter_map(|field| Some((field, *written.get(field.name)?)))
         .collect();
-    Left {
-        line,
-        cycle: cycle.name,
-        results,
-    }
+    Left { line, cycle: cycle.name, results }
 }
 
 #[cfg(test)]
@@ -128,7 +122,8 @@ mod tests {
 
     #[test]
     fn what_each_call_left_last_is_told_with_its_meaning() {
-        // oracle: hand (circles of radius 1 to 3 by the same call, then a 4th point that makes no circle with the others)
+        // oracle: hand (circles of radius 1 to 3 by the same call, then a 4th point that makes no circle with the
+        // others)
         let text = "DEF INT FAULT\nDEF REAL P[13]\nFOR R1=1 TO 3\nP[0]=SET(3,R1,0,0,R1,-R1,0)\nCYCLE116(P,FAULT)\nENDFOR\n\
             P[0]=SET(3,0,0,1,0,2,0)\nCYCLE116(P,FAULT)\nM30\n";
         let setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
@@ -137,10 +132,7 @@ mod tests {
         assert_eq!(outcome.stop, None, "{:?}", outcome.diagnostics);
         let left = outcome.left();
         let value = |call: usize, name: &str| {
-            let found = left[call]
-                .results
-                .iter()
-                .find(|(field, _)| field.name == name);
+            let found = left[call].results.iter().find(|(field, _)| field.name == name);
             found.map(|(field, value)| (field.key, *value))
         };
         assert_eq!([left[0].line, left[1].line], [4, 7]);

@@ -75,10 +75,7 @@ pub fn room(run: &Interpreter, place: Span) -> Result<(), Problem> {
         return Ok(());
     }
     let message = Message::new("run-depth").number("limit", run.depth as f64);
-    Err(Problem {
-        span: place,
-        message,
-    })
+    Err(Problem { span: place, message })
 }
 
 /// What is in force now.

@@ -32,9 +32,7 @@ pub fn call(run: &mut Interpreter, call: &Call) -> Result<bool, Stop> {
     if list.style == Style::Operate {
         let typed: Typed = values
             .iter()
-            .filter_map(|(name, value)| {
-                Some(((*name).to_owned(), Datum::from(value.as_ref()?).exact()))
-            })
+            .filter_map(|(name, value)| Some(((*name).to_owned(), Datum::from(value.as_ref()?).exact())))
             .collect();
         newer_list(run, cycle, list, &typed, call.span)?;
         return Ok(true);
@@ -72,11 +70,7 @@ fn at(call: &Call, index: usize) -> Option<&Datum> {
 }
 
 /// Why the control refuses the arguments.
-fn refused(
-    cycle: &'static Cycle,
-    list: Option<&'static ArgumentList>,
-    call: &Call,
-) -> Option<Diagnostic> {
+fn refused(cycle: &'static Cycle, list: Option<&'static ArgumentList>, call: &Call) -> Option<Diagnostic> {
     let number = |index: usize| at(call, index).map_or(Some(0.0), Datum::number);
     let found = listed::refused(cycle, list, listed::count(&call.args), number);
     found.or_else(|| of_wrong_sort(cycle, list?, call))
@@ -131,9 +125,7 @@ fn auxiliary(run: &mut Interpreter, call: &Call) -> Result<bool, Stop> {
     let cycles = CYCLES.iter();
     let param = |name: &str| cycles.clone().find_map(|cycle| cycle.param(name));
     let names = list::AUXILIARY_ARGS.iter().enumerate();
-    let wrong = names
-        .clone()
-        .find_map(|(index, name)| wrong(param(name)?, at(call, index)?));
+    let wrong = names.clone().find_map(|(index, name)| wrong(param(name)?, at(call, index)?));
     let many = listed::unmatched(&call.name, listed::count(&call.args), |_| None);
     if let Some(finding) = many.or(wrong) {
         return Err(stopped(run, call, &call.name, finding));
@@ -149,21 +141,13 @@ fn auxiliary(run: &mut Interpreter, call: &Call) -> Result<bool, Stop> {
 }
 
 /// The parameters of the list with what stands there, the variant put together from its selections.
-fn values(
-    cycle: &'static Cycle,
-    list: &ArgumentList,
-    call: &Call,
-) -> Vec<(&'static str, Option<Value>)> {
+fn values(cycle: &'static Cycle, list: &ArgumentList, call: &Call) -> Vec<(&'static str, Option<Value>)> {
     let at = |index: usize| call.args.get(index).and_then(Option::as_ref);
-    let params = list
-        .args
-        .iter()
-        .enumerate()
-        .filter_map(|(index, arg)| match arg {
-            Arg::Param(name) => Some((*name, at(index).and_then(Datum::value))),
-            Arg::Down(name) => Some((*name, at(index).and_then(Datum::value).map(opposite))),
-            _ => None,
-        });
+    let params = list.args.iter().enumerate().filter_map(|(index, arg)| match arg {
+        Arg::Param(name) => Some((*name, at(index).and_then(Datum::value))),
+        Arg::Down(name) => Some((*name, at(index).and_then(Datum::value).map(opposite))),
+        _ => None,
+    });
     let mut found: Vec<_> = params.collect();
     let number = |index| at(index).map_or(Some(0.0), |value| value.number());
     if let Some((name, variant)) = list.composed(cycle, number) {
@@ -182,12 +166,6 @@ fn opposite(value: Value) -> Value {
 
 /// What a called program finds in an argument that is omitted.
 fn omitted(cycle: &Cycle, name: &str) -> Value {
-    let text = cycle
-        .param(name)
-        .is_some_and(|param| matches!(param.kind, Kind::Text(_)));
-    if text {
-        Value::Text(String::new())
-    } else {
-        Value::Number(0.0)
-    }
+    let text = cycle.param(name).is_some_and(|param| matches!(param.kind, Kind::Text(_)));
+    if text { Value::Text(String::new()) } else { Value::Number(0.0) }
 }

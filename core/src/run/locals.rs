@@ -26,12 +26,7 @@ impl Variable {
     /// A variable of this type and these sizes that nothing was written to.
     pub fn new(kind: Type, sizes: Vec<usize>, place: Span) -> Variable {
         let count = sizes.iter().product();
-        Variable {
-            kind,
-            sizes,
-            values: vec![kind.empty(); count],
-            place,
-        }
+        Variable { kind, sizes, values: vec![kind.empty(); count], place }
     }
 }
 
@@ -121,9 +116,7 @@ pub fn read(run: &Interpreter, home: &Home, place: Span) -> Option<Result<Datum,
 fn taken(run: &Interpreter, variable: &Variable, key: &str) -> Option<Datum> {
     let index = indices(key);
     if index.is_empty() && !variable.sizes.is_empty() {
-        return Some(Datum::List(
-            variable.values.iter().cloned().map(Some).collect(),
-        ));
+        return Some(Datum::List(variable.values.iter().cloned().map(Some).collect()));
     }
     let (at, rest) = element(variable, &index)?;
     let value = variable.values.get(at)?;
@@ -142,12 +135,7 @@ fn taken(run: &Interpreter, variable: &Variable, key: &str) -> Option<Datum> {
 }
 
 /// Writes a variable of a program; none: it is one of the control.
-pub fn write(
-    run: &mut Interpreter,
-    home: &Home,
-    value: &Datum,
-    place: Span,
-) -> Option<Result<(), Problem>> {
+pub fn write(run: &mut Interpreter, home: &Home, value: &Datum, place: Span) -> Option<Result<(), Problem>> {
     let (Home::Level(_, key) | Home::Shared(key)) = home else {
         return None;
     };
@@ -155,13 +143,7 @@ pub fn write(
     Some(put(run, home, key, value, place))
 }
 
-fn put(
-    run: &mut Interpreter,
-    home: &Home,
-    key: &str,
-    value: &Datum,
-    place: Span,
-) -> Result<(), Problem> {
+fn put(run: &mut Interpreter, home: &Home, key: &str, value: &Datum, place: Span) -> Result<(), Problem> {
     let outside = || Problem::new("run-index", place, key);
     let index = indices(key);
     let factor = index.last().map_or(1.0, |part| component_factor(run, part));
@@ -170,20 +152,14 @@ fn put(
     let kind = variable.kind;
     let slot = variable.values.get_mut(at).ok_or_else(outside)?;
     match (&mut *slot, rest) {
-        (_, []) => {
-            *slot = kind
-                .converted(value)
-                .ok_or_else(|| wrong(kind, value, place, key))?
-        }
+        (_, []) => *slot = kind.converted(value).ok_or_else(|| wrong(kind, value, place, key))?,
         (Datum::Text(text), [number]) => {
             let code = Type::Char.converted(value);
             let changed = code.and_then(|code| replaced(text, number, &code.shown()));
             *text = changed.ok_or_else(outside)?;
         }
         (Datum::Frame(frame), [axis, part]) => {
-            let number = value
-                .number()
-                .ok_or_else(|| Problem::new("run-not-a-number", place, key))?;
+            let number = value.number().ok_or_else(|| Problem::new("run-not-a-number", place, key))?;
             if !variables::set_component(frame, axis, part, number * factor) {
                 return Err(outside());
             }
@@ -201,9 +177,7 @@ fn wrong(kind: Type, value: &Datum, place: Span, key: &str) -> Problem {
             problem.message = problem.message.number("limit", length as f64);
             problem
         }
-        (Type::Real | Type::Int | Type::Char, Datum::Number(_)) => {
-            Problem::new("run-range", place, key)
-        }
+        (Type::Real | Type::Int | Type::Char, Datum::Number(_)) => Problem::new("run-range", place, key),
         _ => Problem::new("run-type", place, key),
     }
 }

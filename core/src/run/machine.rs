@@ -40,8 +40,8 @@ pub struct Sim {
     pub point_limit: usize,
     /// Whether nothing is recorded.
     quiet: bool,
-    /// For which machines the measuring cycle of workpieces is that is running: then the probe is in use whatever the tool
-    /// data say.
+    /// For which machines the measuring cycle of workpieces is that is running: then the probe is in use whatever the
+    /// tool data say.
     pub measuring: Option<MachineSort>,
     probe: Probe,
     /// The part where it stands now.
@@ -118,11 +118,7 @@ impl Sim {
         feed: f64,
         monitored: bool,
     ) -> Result<(), Stop> {
-        let way = Route {
-            from: self.position,
-            to,
-            around,
-        };
+        let way = Route { from: self.position, to, around };
         self.admit(&way)?;
         let hit = match self.has_probe() {
             true => self.obstacle(&way),
@@ -159,11 +155,7 @@ impl Sim {
 
     /// Goes on behind a signal to the end of the motion: the stylus gives way (`MEAW`).
     pub fn press_on(&mut self, to: [f64; 3], feed: f64) {
-        self.go(
-            &Route::straight(self.position, to),
-            MotionKind::Measuring,
-            feed,
-        );
+        self.go(&Route::straight(self.position, to), MotionKind::Measuring, feed);
     }
 
     /// The part as rotary axes and spindle have turned it, which from now on is what can be touched.
@@ -176,13 +168,7 @@ impl Sim {
     /// Moves and records it.
     fn go(&mut self, way: &Route, kind: MotionKind, feed: f64) {
         self.position = way.to;
-        self.note(Step::Motion {
-            kind,
-            from: way.from,
-            to: way.to,
-            around: way.around,
-            feed,
-        });
+        self.note(Step::Motion { kind, from: way.from, to: way.to, around: way.around, feed });
     }
 
     /// Changes what decides over the tool length; the spindle nose stays where it is.
@@ -198,11 +184,7 @@ impl Sim {
     pub fn note(&mut self, step: Step) {
         if !self.quiet && self.trace.entries.len() < self.trace_limit {
             let in_use = self.in_use();
-            self.trace.entries.push(Entry {
-                line: self.line,
-                step,
-                in_use,
-            });
+            self.trace.entries.push(Entry { line: self.line, step, in_use });
         }
     }
 
@@ -230,9 +212,7 @@ impl Sim {
         if self.trace.entries.len() < self.trace_limit {
             return Ok(());
         }
-        Err(Stop::Fault(
-            Message::new("run-trace-limit").number("limit", self.trace_limit as f64),
-        ))
+        Err(Stop::Fault(Message::new("run-trace-limit").number("limit", self.trace_limit as f64)))
     }
 
     /// Whether a motion may begin: the trace has room, the axes may take all its positions.
@@ -260,9 +240,7 @@ impl Sim {
 fn on_table(control: &Control, clamped: &Workpiece, turned: f64) -> Workpiece {
     let solids = clamped.solids.iter();
     let solids = solids.map(|solid| control.on_table(&chuck::turned(solid, turned)));
-    Workpiece {
-        solids: solids.collect(),
-    }
+    Workpiece { solids: solids.collect() }
 }
 
 impl Machine for Sim {
@@ -274,13 +252,7 @@ impl Machine for Sim {
         self.control.to_workpiece(self.position)
     }
 
-    fn travel(
-        &mut self,
-        to: [f64; 3],
-        kind: MotionKind,
-        feed: f64,
-        monitored: bool,
-    ) -> Result<(), Stop> {
+    fn travel(&mut self, to: [f64; 3], kind: MotionKind, feed: f64, monitored: bool) -> Result<(), Stop> {
         self.travel_machine(self.control.to_machine(to), None, kind, feed, monitored)
     }
 

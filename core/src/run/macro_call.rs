@@ -86,12 +86,7 @@ fn call(run: &mut Interpreter, at: usize, found: &Words) -> Result<Next, Problem
         programs::not_here(run, &name, address.span);
         return Ok(Next::Block);
     };
-    let call = Call {
-        name: name.unwrap_or_default(),
-        args: Vec::new(),
-        places: Vec::new(),
-        span: address.span,
-    };
+    let call = Call { name: name.unwrap_or_default(), args: Vec::new(), places: Vec::new(), span: address.span };
     subprogram::enter(run, at, &call, &unit, passes)
 }
 

@@ -53,12 +53,10 @@ pub fn read(run: &Interpreter, number: u32) -> Datum {
         CLOCK => Some(run.work as f64 - run.clocks[0]),
         HOURS => Some((run.work as f64 - run.clocks[1]) / HOUR),
         _ if OPERATING.contains(&number) => Some(control.number(&local(number))),
-        _ => modal(run, number)
-            .or_else(|| stands(run, number))
-            .or_else(|| {
-                let name = offset(number)?.1;
-                Some(control.variable(&name)? / control.active_factor())
-            }),
+        _ => modal(run, number).or_else(|| stands(run, number)).or_else(|| {
+            let name = offset(number)?.1;
+            Some(control.variable(&name)? / control.active_factor())
+        }),
     };
     value.map_or(Datum::Vacant, Datum::Number)
 }
@@ -68,9 +66,7 @@ pub fn write(run: &mut Interpreter, number: u32, value: f64, place: Span) -> Res
     match (number, offset(number)) {
         (ALARM, _) => Err(Problem {
             span: place,
-            message: Message::new("run-set-alarm")
-                .number("number", value)
-                .text("text", comment(run)),
+            message: Message::new("run-set-alarm").number("number", value).text("text", comment(run)),
         }),
         (STOP, _) => {
             let text = comment(run);

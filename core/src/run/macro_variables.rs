@@ -1,5 +1,6 @@
-//! Variables of NCT programs, `#number`: of a program level, of all programs, and those that stay. One to which nothing was
-//! written is vacant. Numbers are those of the manual (C:78-90) and, for levels, of the macro language that it builds on.
+//! Variables of NCT programs, `#number`: of a program level, of all programs, and those that stay. One to which nothing
+//! was written is vacant. Numbers are those of the manual (C:78-90) and, for levels, of the macro language that it
+//! builds on.
 
 use super::datum::Datum;
 use super::interpret::Interpreter;
@@ -82,9 +83,7 @@ pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem>
 
 /// Writes a variable; what is not of a level is recorded.
 pub fn write(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Result<(), Problem> {
-    let number = value
-        .number()
-        .ok_or_else(|| Problem::new("run-not-a-number", place, key))?;
+    let number = value.number().ok_or_else(|| Problem::new("run-not-a-number", place, key))?;
     let vacant = *value == Datum::Vacant;
     match known(key, place)? {
         Kind::Nothing | Kind::Input => Err(Problem::new("run-read-only", place, key)),

@@ -45,10 +45,5 @@ fn named_by_text(run: &Interpreter, call: &Call, rest: &[Call]) -> Result<Call, 
         ([], [variable]) => names::read(run, &variable.name, variable.span)?,
         _ => return Err(Problem::new("run-function", call.span, &*call.name)),
     };
-    Ok(Call {
-        name: text.shown().to_ascii_uppercase(),
-        args: Vec::new(),
-        places: Vec::new(),
-        span: call.span,
-    })
+    Ok(Call { name: text.shown().to_ascii_uppercase(), args: Vec::new(), places: Vec::new(), span: call.span })
 }

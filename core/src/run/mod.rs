@@ -88,13 +88,7 @@ pub trait Machine {
     /// Straight positioning. With `monitored`, a probe signal on the way is alarm 61302 (NCT: PATH OBSTRUCTED, or
     /// FALSE TRIGGER where nothing is touched); without, contact is recorded as a crash. A target beyond a software
     /// limit switch is refused.
-    fn travel(
-        &mut self,
-        to: [f64; 3],
-        kind: MotionKind,
-        feed: f64,
-        monitored: bool,
-    ) -> Result<(), Stop>;
+    fn travel(&mut self, to: [f64; 3], kind: MotionKind, feed: f64, monitored: bool) -> Result<(), Stop>;
     /// The same round an axis of the WCS.
     fn travel_around(
         &mut self,
@@ -105,7 +99,8 @@ pub trait Machine {
         monitored: bool,
     ) -> Result<(), Stop>;
     /// Straight measuring motion of what is in use: the probe towards the part, any other tool towards the tool probes,
-    /// with its highest edge where the spindle turns. Some: position latched at switching (delete distance-to-go); None: no signal up to `to`.
+    /// with its highest edge where the spindle turns. Some: position latched at switching (delete distance-to-go);
+    /// None: no signal up to `to`.
     fn probe(&mut self, to: [f64; 3], feed: f64) -> Result<Option<[f64; 3]>, Stop>;
     /// Whether the stylus is deflected where the machine stands (NCT looks at this before it moves).
     fn in_contact(&self) -> bool {

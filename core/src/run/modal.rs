@@ -92,7 +92,8 @@ pub enum FeedType {
     Minute,
     /// mm or inch a revolution of the spindle.
     Revolution,
-    /// The same, of a spindle that turns as fast as the cutting speed S wants at the diameter (G96): m or feet a minute.
+    /// The same, of a spindle that turns as fast as the cutting speed S wants at the diameter (G96): m or feet a
+    /// minute.
     Cutting,
 }
 

@@ -44,10 +44,7 @@ pub fn go(run: &mut Interpreter, path: &Path) -> Result<(), Stop> {
         }),
         None => driven(run, path, [from, to], feed),
     };
-    run.programmed = (
-        nose(run),
-        run.sim.control.to_workpiece(contour::stands(run)),
-    );
+    run.programmed = (nose(run), run.sim.control.to_workpiece(contour::stands(run)));
     outcome
 }
 
@@ -57,10 +54,7 @@ pub fn position_axis(run: &mut Interpreter, address: &Address) -> Result<(), Sto
     if run.sim.control.rotated() {
         return Err(run.fail(Problem::new("run-not-simulated", span, "POS")));
     }
-    let mut path = Path {
-        span,
-        ..Path::default()
-    };
+    let mut path = Path { span, ..Path::default() };
     addresses::take(run, address, &mut path).map_err(|problem| run.fail(problem))?;
     let motion = std::mem::replace(&mut run.modal.motion, Motion::Rapid);
     let gone = contour::leave(run).and_then(|()| go(run, &path));
@@ -69,18 +63,11 @@ pub fn position_axis(run: &mut Interpreter, address: &Address) -> Result<(), Sto
 }
 
 /// Straight, or round an axis, with the tool on the path or beside it.
-fn driven(
-    run: &mut Interpreter,
-    path: &Path,
-    [from, to]: [[f64; 3]; 2],
-    feed: f64,
-) -> Result<(), Stop> {
+fn driven(run: &mut Interpreter, path: &Path, [from, to]: [[f64; 3]; 2], feed: f64) -> Result<(), Stop> {
     let way = match run.modal.motion {
         Motion::Rapid | Motion::Line | Motion::Spline => Ok(straight(run, path, [from, to])),
         Motion::Through => around(run, path, from, through(run, path, from, to)),
-        Motion::Clockwise | Motion::Counter => {
-            around(run, path, from, in_plane(run, path, from, to))
-        }
+        Motion::Clockwise | Motion::Counter => around(run, path, from, in_plane(run, path, from, to)),
     };
     let way = way.map_err(|problem| run.fail(problem))?;
     let (kind, feed) = match run.modal.motion {
@@ -89,18 +76,11 @@ fn driven(
     };
     if path.suppress == Suppress::Nothing && contour::concerns(run, &way) {
         let span = path.span;
-        let motion = contour::Motion {
-            way,
-            kind,
-            feed,
-            span,
-        };
+        let motion = contour::Motion { way, kind, feed, span };
         return contour::follow(run, &motion);
     }
     uncompensated(run, path)?;
-    let driven = run
-        .sim
-        .travel_machine(way.to, way.around, kind, feed, false);
+    let driven = run.sim.travel_machine(way.to, way.around, kind, feed, false);
     driven.map_err(|stop| run.stopped(stop, path.span))
 }
 
@@ -136,8 +116,9 @@ pub fn standing(sim: &Sim) -> ([f64; 3], [f64; 3]) {
     (nose, sim.control.to_workpiece(sim.position))
 }
 
-/// From where incremental positions count: the end of the last motion as it was programmed, also where a frame or a tool
-/// has changed since (SD 42440 and SD 42442 as delivered); where something else has moved the axes, their position.
+/// From where incremental positions count: the end of the last motion as it was programmed, also where a frame or a
+/// tool has changed since (SD 42440 and SD 42442 as delivered); where something else has moved the axes, their
+/// position.
 fn incremental_base(run: &Interpreter, suppress: Suppress, from: [f64; 3]) -> [f64; 3] {
     let now = nose(run);
     let stays = |stood: [f64; 3]| (0..3).all(|i| (stood[i] - now[i]).abs() < STILL);
@@ -186,13 +167,7 @@ fn turns(run: &Interpreter, distance: f64) -> f64 {
 }
 
 /// Target of an axis that stands at `from`, mm; increments count from `base`.
-fn target(
-    run: &Interpreter,
-    from: f64,
-    base: f64,
-    written: Option<Coordinate>,
-    axis: usize,
-) -> f64 {
+fn target(run: &Interpreter, from: f64, base: f64, written: Option<Coordinate>, axis: usize) -> f64 {
     let Some(Coordinate { value, absolute }) = written else {
         return from;
     };
@@ -215,9 +190,7 @@ fn position(run: &Interpreter, suppress: Suppress) -> [f64; 3] {
     let basic = run.sim.control.basic_chain();
     match suppress {
         Suppress::Nothing => run.sim.control.to_workpiece(contour::stands(run)),
-        Suppress::Settable => basic
-            .iter()
-            .fold(run.sim.position, |point, frame| frame.inward(point)),
+        Suppress::Settable => basic.iter().fold(run.sim.position, |point, frame| frame.inward(point)),
         Suppress::All => run.sim.position,
     }
 }
@@ -226,10 +199,7 @@ fn machine(run: &Interpreter, suppress: Suppress, point: [f64; 3]) -> [f64; 3] {
     let basic = run.sim.control.basic_chain();
     match suppress {
         Suppress::Nothing => run.sim.control.to_machine(point),
-        Suppress::Settable => basic
-            .iter()
-            .rev()
-            .fold(point, |point, frame| frame.outward(point)),
+        Suppress::Settable => basic.iter().rev().fold(point, |point, frame| frame.outward(point)),
         Suppress::All => point,
     }
 }
@@ -241,47 +211,27 @@ fn straight(run: &Interpreter, path: &Path, ends: [[f64; 3]; 2]) -> Route {
 }
 
 /// The way round an axis to a target, both in the coordinates of the block; none: they make no arc.
-fn around(
-    run: &Interpreter,
-    path: &Path,
-    from: [f64; 3],
-    arc: Option<([f64; 3], Around)>,
-) -> Result<Route, Problem> {
+fn around(run: &Interpreter, path: &Path, from: [f64; 3], arc: Option<([f64; 3], Around)>) -> Result<Route, Problem> {
     let seen = |point| machine(run, path.suppress, point);
-    let way = arc.and_then(|(to, around)| {
-        Some(Route {
-            from: seen(from),
-            to: seen(to),
-            around: Some(around.mapped(seen)?),
-        })
-    });
+    let way =
+        arc.and_then(|(to, around)| Some(Route { from: seen(from), to: seen(to), around: Some(around.mapped(seen)?) }));
     way.ok_or_else(|| Problem::new("run-arc", path.span, ""))
 }
 
-/// `MEAS=1 G1 X100`, on NCT `G31 X100`: stops at the signal; `$AC_MEA`, `$AA_MW`, `$AA_MM` tell where (B:12790-12856), on
-/// NCT #5061 (N 183). Behind the signal of `MEAW` the stylus is deflected until the end.
-fn measured(
-    run: &mut Interpreter,
-    path: &Path,
-    measure: Measure,
-    to: [f64; 3],
-    feed: f64,
-) -> Result<(), Stop> {
+/// `MEAS=1 G1 X100`, on NCT `G31 X100`: stops at the signal; `$AC_MEA`, `$AA_MW`, `$AA_MM` tell where (B:12790-12856),
+/// on NCT #5061 (N 183). Behind the signal of `MEAW` the stylus is deflected until the end.
+fn measured(run: &mut Interpreter, path: &Path, measure: Measure, to: [f64; 3], feed: f64) -> Result<(), Stop> {
     let to = machine(run, path.suppress, to);
     let latched = if run.sim.has_probe() {
         run.sim.probe_machine(to, feed)?
     } else {
-        run.sim
-            .travel_machine(to, None, MotionKind::Measuring, feed, false)?;
+        run.sim.travel_machine(to, None, MotionKind::Measuring, feed, false)?;
         let end = run.sim.position;
         run.sim.skipped = Some(run.sim.control.to_workpiece(end));
         None
     };
     let input = measure.input.abs();
-    run.measured.insert(
-        format!("$AC_MEA[{input}]"),
-        f64::from(u8::from(latched.is_some())),
-    );
+    run.measured.insert(format!("$AC_MEA[{input}]"), f64::from(u8::from(latched.is_some())));
     let Some(position) = latched else {
         return Ok(());
     };
@@ -289,17 +239,9 @@ fn measured(
     let (own, length) = (control.to_workpiece(position), control.active_length());
     let factor = control.data_factor();
     for (i, axis) in AXES.iter().enumerate() {
-        let shown = if i == 0 {
-            control.transverse.shown()
-        } else {
-            1.0
-        };
+        let shown = if i == 0 { control.transverse.shown() } else { 1.0 };
         let basic = position[i] / factor;
-        let values = [
-            ("MW", own[i] * shown / factor),
-            ("MB", basic),
-            ("MM", basic + length[i] / factor),
-        ];
+        let values = [("MW", own[i] * shown / factor), ("MB", basic), ("MM", basic + length[i] / factor)];
         for (name, value) in values {
             run.measured.insert(format!("$AA_{name}[{axis}]"), value);
         }
@@ -311,34 +253,20 @@ fn measured(
 }
 
 /// CIP: the target, and the way there.
-fn through(
-    run: &Interpreter,
-    path: &Path,
-    from: [f64; 3],
-    to: [f64; 3],
-) -> Option<([f64; 3], Around)> {
+fn through(run: &Interpreter, path: &Path, from: [f64; 3], to: [f64; 3]) -> Option<([f64; 3], Around)> {
     let middle = std::array::from_fn(|i| target(run, from[i], from[i], path.middle[i], i));
     Some((to, arc::through(from, middle, to)?))
 }
 
 /// An arc or a helix in the working plane: the target, which an opening angle may tell, and the way there.
-fn in_plane(
-    run: &Interpreter,
-    path: &Path,
-    from: [f64; 3],
-    to: [f64; 3],
-) -> Option<([f64; 3], Around)> {
+fn in_plane(run: &Interpreter, path: &Path, from: [f64; 3], to: [f64; 3]) -> Option<([f64; 3], Around)> {
     let [a, o, p] = run.sim.control.plane.axes();
     let arc = arc(run, path, from, to)?;
     let (mut centre, mut axis, mut end) = (from, [0.0; 3], to);
     [centre[a], centre[o]] = arc.centre;
     [end[a], end[o]] = arc.end;
     axis[p] = 1.0;
-    let around = Around {
-        centre,
-        axis,
-        degrees: arc.sweep.to_degrees(),
-    };
+    let around = Around { centre, axis, degrees: arc.sweep.to_degrees() };
     Some((end, around))
 }
 
@@ -353,10 +281,7 @@ fn arc(run: &Interpreter, path: &Path, from: [f64; 3], to: [f64; 3]) -> Option<A
         return Some(arc.with_turns(path.turns));
     }
     let centre = [a, o].map(|i| match path.centre[i] {
-        Some(Coordinate {
-            value,
-            absolute: Some(true),
-        }) => value * radius_of(run, i, true),
+        Some(Coordinate { value, absolute: Some(true) }) => value * radius_of(run, i, true),
         Some(Coordinate { value, .. }) => from[i] + value,
         None => from[i],
     });

@@ -31,19 +31,13 @@ pub fn key(run: &Interpreter, place: Span, index: &[ExprId]) -> Result<String, P
     let mut parts = Vec::new();
     for id in index {
         match evaluate(run, *id)? {
-            Datum::Number(value) if value.is_finite() => {
-                parts.push(format!("{}", value.trunc() as i64))
-            }
+            Datum::Number(value) if value.is_finite() => parts.push(format!("{}", value.trunc() as i64)),
             Datum::Word(word) => parts.push(word),
             _ => return Err(Problem::new("run-index", place, name)),
         }
     }
     let joined = parts.join(",");
-    Ok(if name == "R" || name == "#" {
-        format!("{name}{joined}")
-    } else {
-        format!("{name}[{joined}]")
-    })
+    Ok(if name == "R" || name == "#" { format!("{name}{joined}") } else { format!("{name}[{joined}]") })
 }
 
 /// Value of a variable.
@@ -78,14 +72,8 @@ pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem>
 
 /// A parameter of the program itself that is run as main program: its default, as nothing calls it with a value.
 fn parameter(run: &Interpreter, key: &str, place: Span) -> Option<Result<Datum, Problem>> {
-    let main = run
-        .programs
-        .units
-        .first()
-        .filter(|_| run.levels.len() == 1)?;
-    let words = run
-        .program
-        .words_of(run.program.blocks.get(main.signature?)?);
+    let main = run.programs.units.first().filter(|_| run.levels.len() == 1)?;
+    let words = run.program.words_of(run.program.blocks.get(main.signature?)?);
     let mut declared = words.iter().filter_map(|word| match &word.kind {
         WordKind::Declare { name, value, .. } => Some((*name, *value)),
         _ => None,
@@ -113,9 +101,7 @@ fn outside<'a>(home: &'a Home, key: &'a str) -> &'a str {
 
 /// Value that a parameter has when nobody wrote it: the default of the catalogue (B:1769-1785).
 fn delivered(run: &Interpreter, key: &str) -> f64 {
-    let cycles = CYCLES
-        .iter()
-        .filter(|cycle| cycle.dialect == run.program.dialect);
+    let cycles = CYCLES.iter().filter(|cycle| cycle.dialect == run.program.dialect);
     cycles
         .flat_map(|cycle| cycle.params.iter())
         .filter(|param| param.name == key)
@@ -141,10 +127,7 @@ pub fn write(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Re
         }
         Datum::Repeat(value, count) => {
             let home = locals::home(run, key);
-            let filled = match (
-                &home,
-                arrays::repeated(&run.sim.control, outside(&home, key)),
-            ) {
+            let filled = match (&home, arrays::repeated(&run.sim.control, outside(&home, key))) {
                 (Home::Control(_), Some(elements)) => elements,
                 _ => elements(run, key, place)?,
             };
@@ -202,22 +185,12 @@ fn write_one(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Re
 }
 
 /// Tool and frame data, and setting data; recorded in mm like those that a cycle writes.
-fn write_variable(
-    run: &mut Interpreter,
-    key: &str,
-    value: &Datum,
-    place: Span,
-) -> Result<(), Problem> {
+fn write_variable(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Result<(), Problem> {
     if OUTPUTS.contains(&stem(key)) {
-        run.tell(
-            Severity::Note,
-            &Problem::new("run-machine-function", place, key),
-        );
+        run.tell(Severity::Note, &Problem::new("run-machine-function", place, key));
         return Ok(());
     }
-    let number = value
-        .number()
-        .ok_or_else(|| Problem::new("run-not-a-number", place, key))?;
+    let number = value.number().ok_or_else(|| Problem::new("run-not-a-number", place, key))?;
     if let Some(setting) = machine_data::setting(key) {
         let before = run.sim.control.number(setting);
         run.sim.with_length(|control| control.set(setting, number));
@@ -229,10 +202,7 @@ fn write_variable(
     }
     let after = number * variable_factor(run, key);
     let before = run.sim.control.variable(key).unwrap_or(0.0);
-    if !run
-        .sim
-        .with_length(|control| control.set_variable(key, after))
-    {
+    if !run.sim.with_length(|control| control.set_variable(key, after)) {
         read(run, key, place)?;
         return Err(Problem::new("run-read-only", place, key));
     }
@@ -249,13 +219,9 @@ fn known(key: &str, place: Span) -> Result<(), Problem> {
     }
     let gud = gud::find(stem(key)).ok_or_else(unknown)?;
     let index = indices(key);
-    let inside = index
-        .iter()
-        .zip(gud.sizes)
-        .all(|(i, size)| i.parse::<usize>().is_ok_and(|i| i < *size));
+    let inside = index.iter().zip(gud.sizes).all(|(i, size)| i.parse::<usize>().is_ok_and(|i| i < *size));
     let fits = index.len() == gud.sizes.len() && inside;
-    fits.then_some(())
-        .ok_or_else(|| Problem::new("run-index", place, key))
+    fits.then_some(()).ok_or_else(|| Problem::new("run-index", place, key))
 }
 
 fn constant(run: &Interpreter, key: &str) -> Option<Datum> {
@@ -274,12 +240,7 @@ fn constant(run: &Interpreter, key: &str) -> Option<Datum> {
     }
 }
 
-fn write_frame(
-    run: &mut Interpreter,
-    key: &str,
-    frame: &Frame,
-    place: Span,
-) -> Result<(), Problem> {
+fn write_frame(run: &mut Interpreter, key: &str, frame: &Frame, place: Span) -> Result<(), Problem> {
     let before: BTreeMap<String, f64> = run.frame_values().into_iter().collect();
     run.work += before.len() / 10;
     if !run.sim.control.set_frame(key, *frame) {
@@ -298,11 +259,7 @@ fn write_frame(
 pub fn variable_factor(run: &Interpreter, key: &str) -> f64 {
     let number = ["$TC_DP1", "$TC_DP2"].contains(&stem(key));
     let plain = number || is_angle(key) || key.ends_with(",SC]") || key.ends_with(",MI]");
-    if plain {
-        1.0
-    } else {
-        run.sim.control.data_factor()
-    }
+    if plain { 1.0 } else { run.sim.control.data_factor() }
 }
 
 /// All elements from this one to the end of its array, of the program or of the control.

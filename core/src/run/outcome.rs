@@ -84,22 +84,16 @@ impl Outcome {
         message
     }
 
-    /// The results of a cycle with the values they have now. Those of a macro of NCT have names of ours, and are none before it
-    /// has written them; user data of the other control are there before.
+    /// The results of a cycle with the values they have now. Those of a macro of NCT have names of ours, and are none
+    /// before it has written them; user data of the other control are there before.
     pub fn results(&self, cycle: &'static Cycle) -> Vec<(&'static ResultField, f64)> {
-        let there = |field: &&ResultField| {
-            cycle.dialect == Dialect::Sinumerik || self.control.data.get(field.name).is_some()
-        };
-        cycle
-            .results
-            .iter()
-            .filter(there)
-            .map(|field| (field, self.control.number(field.name)))
-            .collect()
+        let there =
+            |field: &&ResultField| cycle.dialect == Dialect::Sinumerik || self.control.data.get(field.name).is_some();
+        cycle.results.iter().filter(there).map(|field| (field, self.control.number(field.name))).collect()
     }
 
-    /// Tools, frames, mean values and calibrated values of probes that are different now, in the order of the names. Less than the
-    /// resolution of contact is no difference.
+    /// Tools, frames, mean values and calibrated values of probes that are different now, in the order of the names.
+    /// Less than the resolution of contact is no difference.
     pub fn changes(&self) -> Vec<Change> {
         let before = addressable(&self.before);
         let after = addressable(&self.control);
@@ -173,9 +167,7 @@ impl Outcome {
     pub fn written(&self) -> BTreeMap<&str, f64> {
         self.steps()
             .filter_map(|step| match step {
-                Step::Set { name, after, .. } if !name.starts_with('$') => {
-                    Some((name.as_str(), *after))
-                }
+                Step::Set { name, after, .. } if !name.starts_with('$') => Some((name.as_str(), *after)),
                 _ => None,
             })
             .collect()
@@ -223,19 +215,18 @@ fn addressable(control: &Control) -> BTreeMap<String, f64> {
     all
 }
 
-/// User data in which later measurements find what this one left: empirical and mean values, how a workpiece probe and a
-/// tool probe were calibrated, and where.
+/// User data in which later measurements find what this one left: empirical and mean values, how a workpiece probe and
+/// a tool probe were calibrated, and where.
 const MEMORIES: [&str; 6] = ["_EV[", "_MV[", "_WP[", "_TP[", "_TPW[", "_KB["];
 
-/// Whether a datum is one of these, or a calibrated value of NCT, and a length: the code of the calibration status tells
-/// nobody anything.
+/// Whether a datum is one of these, or a calibrated value of NCT, and a length: the code of the calibration status
+/// tells nobody anything.
 fn remembered(name: &str) -> bool {
     if let Some(datum) = nct_data::find(name) {
         return datum.unit == gud::Unit::Length(gud::System::Basic);
     }
     let length = |(gud, at): (&gud::Gud, Vec<usize>)| {
-        gud.element(&at)
-            .is_some_and(|element| element.unit == gud::Unit::Length(gud::System::Basic))
+        gud.element(&at).is_some_and(|element| element.unit == gud::Unit::Length(gud::System::Basic))
     };
     MEMORIES.iter().any(|stem| name.starts_with(stem)) && gud::place(name).is_some_and(length)
 }
@@ -251,11 +242,7 @@ mod tests {
     fn a_frame_that_was_not_there_differs_by_what_was_written() {
         let mut outcome = Outcome::new(&Setup::calibrated(Dialect::Sinumerik, Plane::G17));
         assert!(outcome.control.set_variable("$P_UIFR[7,X,TR]", 1.5));
-        let change = Change {
-            name: "$P_UIFR[7,X,TR]".into(),
-            before: 0.0,
-            after: 1.5,
-        };
+        let change = Change { name: "$P_UIFR[7,X,TR]".into(), before: 0.0, after: 1.5 };
         assert_eq!(outcome.changes(), [change]);
     }
 

@@ -13,10 +13,7 @@ pub fn set_pole(run: &mut Interpreter, path: &Path, kind: Pole, from: [f64; 3]) 
     };
     let written = |axis: usize| path.axes[axis].map_or(0.0, |coordinate| coordinate.value);
     let offset = match path.polar {
-        Polar {
-            angle: None,
-            radius: None,
-        } => [written(a), written(o)],
+        Polar { angle: None, radius: None } => [written(a), written(o)],
         polar => away(polar, [0.0; 2]),
     };
     run.modal.pole = [origin[0] + offset[0], origin[1] + offset[1]];
@@ -35,7 +32,8 @@ pub fn target(run: &Interpreter, path: &Path, from: [f64; 3], to: [f64; 3]) -> [
     to
 }
 
-/// ANG: where a line at this angle from the abscissa comes to the one coordinate of the plane that the block writes; none:
+/// ANG: where a line at this angle from the abscissa comes to the one coordinate of the plane that the block writes;
+/// none:
 /// there is no such place.
 pub fn along(run: &Interpreter, path: &Path, from: [f64; 3], to: [f64; 3]) -> Option<[f64; 3]> {
     let Some(angle) = path.slope else {
@@ -57,10 +55,7 @@ pub fn along(run: &Interpreter, path: &Path, from: [f64; 3], to: [f64; 3]) -> Op
 fn away(polar: Polar, stands: [f64; 2]) -> [f64; 2] {
     let value = |written: Option<Coordinate>, now: f64| match written {
         None => now,
-        Some(Coordinate {
-            value,
-            absolute: Some(false),
-        }) => now + value,
+        Some(Coordinate { value, absolute: Some(false) }) => now + value,
         Some(Coordinate { value, .. }) => value,
     };
     let [x, y] = stands;

@@ -77,13 +77,8 @@ pub const KEYS: &[&str] = &[
 ];
 
 /// Keys of what a run goes on without: named at its end.
-const PASSED_OVER: &[&str] = &[
-    "run-unknown-word",
-    "run-not-simulated",
-    "run-subprogram",
-    "run-machine-function",
-    "run-log",
-];
+const PASSED_OVER: &[&str] =
+    &["run-unknown-word", "run-not-simulated", "run-subprogram", "run-machine-function", "run-log"];
 
 /// What helps, for the problems that do not say it.
 const CURES: &[(&str, &str)] = &[
@@ -105,10 +100,7 @@ pub struct Problem {
 impl Problem {
     /// A problem that names the word at its place.
     pub fn new(key: &'static str, span: Span, word: impl Into<String>) -> Problem {
-        Problem {
-            span,
-            message: Message::new(key).text("word", word),
-        }
+        Problem { span, message: Message::new(key).text("word", word) }
     }
 
     /// As a finding.
@@ -149,10 +141,7 @@ mod tests {
     // oracle: self (the table against the words)
     #[test]
     fn every_problem_has_words() {
-        let words = [
-            include_str!("../../messages/en/run.ftl"),
-            include_str!("../../messages/en/digitizing.ftl"),
-        ];
+        let words = [include_str!("../../messages/en/run.ftl"), include_str!("../../messages/en/digitizing.ftl")];
         for key in KEYS {
             let line = format!("\n{key} = ");
             assert!(words.iter().any(|file| file.contains(&line)), "{key}");
@@ -180,10 +169,7 @@ mod tests {
     #[test]
     fn every_problem_that_is_raised_stands_in_the_table() {
         let mut keys = Vec::new();
-        raised(
-            &Path::new(env!("CARGO_MANIFEST_DIR")).join("src"),
-            &mut keys,
-        );
+        raised(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &mut keys);
         assert!(keys.len() > 100, "{}", keys.len());
         for key in keys.iter().filter(|key| key.starts_with("run-")) {
             assert!(KEYS.contains(&key.as_str()), "{key} has no number");

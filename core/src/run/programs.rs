@@ -25,7 +25,8 @@ pub struct Unit {
 pub struct Programs {
     /// In the order of the text.
     pub units: Vec<Unit>,
-    /// By name in upper case: of the header (`NAME` of `%_N_NAME_SPF`, `L10`; NCT `O110`), where there is none of the `PROC`.
+    /// By name in upper case: of the header (`NAME` of `%_N_NAME_SPF`, `L10`; NCT `O110`), where there is none of the
+    /// `PROC`.
     pub names: BTreeMap<String, usize>,
     /// Names that an `EXTERN` declares.
     pub external: BTreeSet<String>,
@@ -48,11 +49,7 @@ impl Programs {
 /// Finds the programs of a text. There is always one.
 pub fn programs(program: &Program) -> Programs {
     let mut found = Programs::default();
-    let mut current = Unit {
-        blocks: 0..0,
-        signature: None,
-        file: None,
-    };
+    let mut current = Unit { blocks: 0..0, signature: None, file: None };
     let mut empty = true;
     for (at, block) in program.blocks.iter().enumerate() {
         let header = header(program, block);
@@ -100,13 +97,10 @@ fn says_nothing(program: &Program, block: &Block) -> bool {
 }
 
 fn header(program: &Program, block: &Block) -> Option<String> {
-    let found = program
-        .words_of(block)
-        .iter()
-        .find_map(|word| match word.kind {
-            WordKind::Header(span) => Some(program.name(span)),
-            _ => None,
-        })?;
+    let found = program.words_of(block).iter().find_map(|word| match word.kind {
+        WordKind::Header(span) => Some(program.name(span)),
+        _ => None,
+    })?;
     let name = found.trim_start_matches('%');
     match program.dialect {
         Dialect::Sinumerik => Some(name.to_owned()),
@@ -126,13 +120,10 @@ fn declared(program: &Program, block: &Block, keyword: &str) -> Option<String> {
         WordKind::Keyword { name, .. } => program.is(*name, keyword),
         _ => false,
     });
-    words
-        .iter()
-        .filter(|_| begins)
-        .find_map(|word| match &word.kind {
-            WordKind::Declare { name, .. } => Some(program.name(*name)),
-            _ => None,
-        })
+    words.iter().filter(|_| begins).find_map(|word| match &word.kind {
+        WordKind::Declare { name, .. } => Some(program.name(*name)),
+        _ => None,
+    })
 }
 
 /// The name behind `DEFINE`.
@@ -179,9 +170,7 @@ pub fn bare(path: &str) -> &str {
     let name = path.trim().rsplit(['/', '\\', ':']).next().unwrap_or(path);
     let name = name.trim_start_matches("_N_");
     let mut endings = ENDINGS.iter();
-    endings
-        .find_map(|ending| name.strip_suffix(ending))
-        .unwrap_or(name)
+    endings.find_map(|ending| name.strip_suffix(ending)).unwrap_or(name)
 }
 
 #[cfg(test)]
@@ -200,10 +189,7 @@ mod tests {
     #[test]
     fn headers_and_procedures_begin_programs() {
         assert_eq!(ranges("G0\nG1"), [(0, 2)]);
-        assert_eq!(
-            ranges("\n%_N_A_MPF\nG0\n%_N_B_SPF\nPROC B\nM17"),
-            [(2, 3), (4, 6)]
-        );
+        assert_eq!(ranges("\n%_N_A_MPF\nG0\n%_N_B_SPF\nPROC B\nM17"), [(2, 3), (4, 6)]);
         assert_eq!(ranges("PROC A\nG0\nPROC B(INT I)\nRET"), [(0, 2), (2, 4)]);
         assert_eq!(ranges("G0\n%_N_B_SPF\nM17"), [(0, 1), (2, 3)]);
         assert_eq!(ranges("").len(), 1);
@@ -218,13 +204,7 @@ mod tests {
         assert_eq!(found.named("_N_NEAR_SPF"), found.named("NEAR"));
         let path = "/_N_WKS_DIR/_N_PART_WPD/_N_NEAR_SPF";
         assert_eq!(found.named(path), found.named("NEAR"));
-        for way in [
-            "NEAR.SPF",
-            "NEAR_SPF",
-            "_N_NEAR_MPF",
-            "C:\\PART\\NEAR.MPF",
-            "LOCAL_DRIVE:NEAR.SPF",
-        ] {
+        for way in ["NEAR.SPF", "NEAR_SPF", "_N_NEAR_MPF", "C:\\PART\\NEAR.MPF", "LOCAL_DRIVE:NEAR.SPF"] {
             assert_eq!(found.named(way), found.named("NEAR"), "{way}");
         }
         assert_eq!(found.named("FAR"), None);

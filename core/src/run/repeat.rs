@@ -24,21 +24,14 @@ pub struct Repetition {
 }
 
 /// Begins the repetition that a block asks for.
-pub fn begin(
-    run: &mut Interpreter,
-    at: usize,
-    keyword: Span,
-    start: ExprId,
-    words: &[Word],
-) -> Result<Next, Problem> {
+pub fn begin(run: &mut Interpreter, at: usize, keyword: Span, start: ExprId, words: &[Word]) -> Result<Next, Problem> {
     let passes = passes(run, words)?;
     if passes == 0 {
         return Ok(Next::Block);
     }
     let single = run.program.is(keyword, "REPEATB");
     let label = branch::target(run, start)?;
-    let first =
-        nearest(run, at, &label).ok_or_else(|| Problem::new("run-label", keyword, &*label))?;
+    let first = nearest(run, at, &label).ok_or_else(|| Problem::new("run-label", keyword, &*label))?;
     let last = match end_label(run, words) {
         Some(end) => {
             let mut blocks = branch::places(run, &end).into_iter();
@@ -50,12 +43,7 @@ pub fn begin(
     };
     level::room(run, keyword)?;
     if let Some(level) = run.levels.last_mut() {
-        level.repeats.push(Repetition {
-            first,
-            last,
-            left: passes - 1,
-            instruction: at,
-        });
+        level.repeats.push(Repetition { first, last, left: passes - 1, instruction: at });
     }
     Ok(Next::Jump(first))
 }
@@ -125,12 +113,7 @@ pub fn count(number: f64, place: Span) -> Result<u32, Problem> {
 }
 
 /// The end of a part where no label names it: `ENDLABEL`, else the block before the instruction.
-fn default_end(
-    run: &Interpreter,
-    at: usize,
-    first: usize,
-    keyword: Span,
-) -> Result<usize, Problem> {
+fn default_end(run: &Interpreter, at: usize, first: usize, keyword: Span) -> Result<usize, Problem> {
     let before = first < at;
     let mut ends = branch::places(run, "ENDLABEL").into_iter();
     match ends.find(|block| *block >= first && (!before || *block < at)) {
@@ -152,7 +135,5 @@ fn end_label(run: &Interpreter, words: &[Word]) -> Option<String> {
 fn nearest(run: &Interpreter, at: usize, label: &str) -> Option<usize> {
     let blocks = branch::places(run, label);
     let before = blocks.iter().rfind(|block| **block < at);
-    before
-        .or_else(|| blocks.iter().find(|block| **block > at))
-        .copied()
+    before.or_else(|| blocks.iter().find(|block| **block > at)).copied()
 }

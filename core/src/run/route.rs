@@ -49,11 +49,7 @@ pub struct Obstacle {
 impl Route {
     /// A straight way.
     pub fn straight(from: [f64; 3], to: [f64; 3]) -> Route {
-        Route {
-            from,
-            to,
-            around: None,
-        }
+        Route { from, to, around: None }
     }
 
     /// The same way so far away.
@@ -61,10 +57,7 @@ impl Route {
         Route {
             from: add(self.from, by, 1.0),
             to: add(self.to, by, 1.0),
-            around: self.around.map(|around| Around {
-                centre: add(around.centre, by, 1.0),
-                ..around
-            }),
+            around: self.around.map(|around| Around { centre: add(around.centre, by, 1.0), ..around }),
         }
     }
 
@@ -122,26 +115,13 @@ impl Route {
 
     /// The first part of it, as far as this place.
     pub fn until(&self, part: f64, stop: [f64; 3]) -> Route {
-        let around = self.around.map(|around| Around {
-            degrees: around.degrees * part,
-            ..around
-        });
-        Route {
-            to: stop,
-            around,
-            ..*self
-        }
+        let around = self.around.map(|around| Around { degrees: around.degrees * part, ..around });
+        Route { to: stop, around, ..*self }
     }
 
-    /// Where the probe meets the part, whose ball has its centre `shift` away from the positions of the way. How much had
-    /// to be looked at for that is added to `effort`: see [`Route::search`].
-    pub fn obstacle(
-        &self,
-        part: &Boundary,
-        probe: &Feeler,
-        shift: [f64; 3],
-        effort: &mut usize,
-    ) -> Option<Obstacle> {
+    /// Where the probe meets the part, whose ball has its centre `shift` away from the positions of the way. How much
+    /// had to be looked at for that is added to `effort`: see [`Route::search`].
+    pub fn obstacle(&self, part: &Boundary, probe: &Feeler, shift: [f64; 3], effort: &mut usize) -> Option<Obstacle> {
         let mut looked = 0;
         let ball = self.stops_ball(part, probe, shift, &mut looked);
         let free = ball.map_or(*self, |met| self.until(met.part, met.stop));
@@ -151,15 +131,12 @@ impl Route {
             return caught;
         };
         let before = caught.filter(|met| (1.0 - met.part) * free.length() > TOLERANCE);
-        let before = before.map(|met| Obstacle {
-            part: met.part * ball.part,
-            ..met
-        });
+        let before = before.map(|met| Obstacle { part: met.part * ball.part, ..met });
         before.or(Some(ball))
     }
 
-    /// What is met first. An arc is halved again and again: a stretch is left out where `near` is sure that nothing can be
-    /// met on it, and `look` sees the others between two parts of the way, in their order, when they are as good as
+    /// What is met first. An arc is halved again and again: a stretch is left out where `near` is sure that nothing can
+    /// be met on it, and `look` sees the others between two parts of the way, in their order, when they are as good as
     /// straight. Each stretch counts as one in `effort`, and one that is looked at as `LOOK`.
     pub fn search<T>(
         &self,
@@ -195,13 +172,7 @@ impl Route {
     }
 
     /// Where the ball meets the part. One that reaches into the part at the start may leave it.
-    fn stops_ball(
-        &self,
-        part: &Boundary,
-        probe: &Feeler,
-        shift: [f64; 3],
-        effort: &mut usize,
-    ) -> Option<Obstacle> {
+    fn stops_ball(&self, part: &Boundary, probe: &Feeler, shift: [f64; 3], effort: &mut usize) -> Option<Obstacle> {
         let mut leaving: Option<(f64, Obstacle)> = None;
         let near = |stretch: &Stretch| probe.ball_may_meet(part, stretch);
         let met = self.search(shift, effort, near, |[begin, end]| {
@@ -222,13 +193,7 @@ impl Route {
     }
 
     /// Where stylus or body of the probe meet the part on a way that is free for the ball.
-    fn catches(
-        &self,
-        part: &Boundary,
-        probe: &Feeler,
-        shift: [f64; 3],
-        effort: &mut usize,
-    ) -> Option<Obstacle> {
+    fn catches(&self, part: &Boundary, probe: &Feeler, shift: [f64; 3], effort: &mut usize) -> Option<Obstacle> {
         let near = |stretch: &Stretch| probe.rods_may_meet(part, stretch);
         self.search(shift, effort, near, |[begin, end]| {
             let [from, to] = [begin, end].map(|part| self.at(part));
@@ -245,16 +210,9 @@ impl Route {
         })
     }
 
-    /// What was met on a straight piece between two parts of the way, as it is on the way itself, which the piece leaves
-    /// by less than its sagitta.
-    fn on_arc(
-        &self,
-        part: &Boundary,
-        radius: f64,
-        shift: [f64; 3],
-        [begin, end]: [f64; 2],
-        met: Obstacle,
-    ) -> Obstacle {
+    /// What was met on a straight piece between two parts of the way, as it is on the way itself, which the piece
+    /// leaves by less than its sagitta.
+    fn on_arc(&self, part: &Boundary, radius: f64, shift: [f64; 3], [begin, end]: [f64; 2], met: Obstacle) -> Obstacle {
         if self.around.is_none() {
             return met;
         }
@@ -262,12 +220,7 @@ impl Route {
         let straight = begin + met.part * (end - begin);
         let at = roots::bracketed(gap, begin, end).unwrap_or(straight);
         let stop = self.at(at);
-        Obstacle {
-            part: at,
-            stop,
-            ball: add(stop, shift, 1.0),
-            ..met
-        }
+        Obstacle { part: at, stop, ball: add(stop, shift, 1.0), ..met }
     }
 }
 
@@ -289,12 +242,7 @@ fn straight(part: &Boundary, radius: f64, from: [f64; 3], to: [f64; 3], shift: [
     for _ in 0..4 {
         match part.first(radius, start, end) {
             Contact::None => return Ahead::Free,
-            Contact::Hit {
-                t,
-                ball,
-                point,
-                normal,
-            } => {
+            Contact::Hit { t, ball, point, normal } => {
                 return Ahead::Met(Obstacle {
                     part: gone + t * (1.0 - gone),
                     stop: add(ball, shift, -1.0),
@@ -304,11 +252,7 @@ fn straight(part: &Boundary, radius: f64, from: [f64; 3], to: [f64; 3], shift: [
                     by: Touching::Ball,
                 });
             }
-            Contact::Already {
-                point,
-                normal,
-                depth,
-            } => {
+            Contact::Already { point, normal, depth } => {
                 let pressed = Obstacle {
                     part: gone,
                     stop: add(start, shift, -1.0),
@@ -331,9 +275,9 @@ fn straight(part: &Boundary, radius: f64, from: [f64; 3], to: [f64; 3], shift: [
     Ahead::Free
 }
 
-/// After which part of its way a ball that reaches into the part by `depth` is free again, more than 1 where the way is too
-/// short for that; none when it does not leave. A stylus that is deflected by pre-travel or delay leaves the part on its
-/// way back.
+/// After which part of its way a ball that reaches into the part by `depth` is free again, more than 1 where the way is
+/// too short for that; none when it does not leave. A stylus that is deflected by pre-travel or delay leaves the part
+/// on its way back.
 fn released(from: [f64; 3], to: [f64; 3], normal: [f64; 3], depth: f64) -> Option<f64> {
     let way = add(to, from, -1.0);
     let outward: f64 = (0..3).map(|i| way[i] * normal[i]).sum();

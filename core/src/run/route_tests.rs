@@ -17,16 +17,8 @@ const PLACES: u32 = 200;
 
 /// From a place so far round an axis through a point, with a climb.
 fn around(from: V3, centre: V3, axis: V3, degrees: f64, climb: f64) -> Route {
-    let around = Around {
-        centre: centre.into(),
-        axis: axis.normalize().into(),
-        degrees,
-    };
-    Route {
-        from: from.into(),
-        to: around.end(from.into(), climb),
-        around: Some(around),
-    }
+    let around = Around { centre: centre.into(), axis: axis.normalize().into(), degrees };
+    Route { from: from.into(), to: around.end(from.into(), climb), around: Some(around) }
 }
 
 fn met(part: &Boundary, probe: &Feeler, way: &Route) -> (Option<Obstacle>, usize) {
@@ -38,9 +30,7 @@ fn met(part: &Boundary, probe: &Feeler, way: &Route) -> (Option<Obstacle>, usize
 /// Least of a measure on a part of the way, by places close together.
 fn lowest(way: &Route, end: f64, measure: impl Fn(V3) -> f64) -> f64 {
     let places = (0..=PLACES).map(|i| way.at(end * f64::from(i) / f64::from(PLACES)));
-    places
-        .map(|place| measure(place.into()))
-        .fold(f64::INFINITY, f64::min)
+    places.map(|place| measure(place.into())).fold(f64::INFINITY, f64::min)
 }
 
 /// Arcs, helices and circles: upright to an axis, or askew.
@@ -103,12 +93,7 @@ proptest! {
 }
 
 fn solid(shape: Shape) -> Solid {
-    Solid {
-        shape,
-        at: [0.0; 3],
-        rotation: [0.0; 3],
-        errors: PartErrors::default(),
-    }
+    Solid { shape, at: [0.0; 3], rotation: [0.0; 3], errors: PartErrors::default() }
 }
 
 /// A full circle at this distance from the Z axis.
@@ -116,30 +101,19 @@ fn circle(radius: f64, z: f64) -> Route {
     around(V3::new(radius, 0.0, z), V3::zeros(), V3::z(), -360.0, 0.0)
 }
 
-// oracle: hand: the ball of 3 mm touches at 17 mm in a hole of 40 mm, at 23 mm beside a shaft of it, 13 mm from the centre
-// of a sphere of 20 mm; a circle that is free by a millionth of that is told so without a look
+// oracle: hand: the ball of 3 mm touches at 17 mm in a hole of 40 mm, at 23 mm beside a shaft of it, 13 mm from the
+// centre of a sphere of 20 mm; a circle that is free by a millionth of that is told so without a look
 #[test]
 fn a_circle_close_to_a_round_wall_is_told_free_at_once() {
     let probe = Feeler::new(&ideal_probe(), [0.0, 0.0, 1.0]);
     let depth = 30.0;
-    let hole = Shape::Hole {
-        diameter: 40.0,
-        depth,
-    };
-    let shaft = Shape::Shaft {
-        diameter: 40.0,
-        height: depth,
-    };
+    let hole = Shape::Hole { diameter: 40.0, depth };
+    let shaft = Shape::Shaft { diameter: 40.0, height: depth };
     let sphere = Shape::Sphere { diameter: 20.0 };
-    let block = Shape::Block {
-        size: [100.0, 100.0, 20.0],
-    };
-    for (shape, wall, free, z) in [
-        (&hole, 17.0, -1.0, -10.0),
-        (&hole, 17.0, -1.0, -2.0),
-        (&shaft, 23.0, 1.0, -10.0),
-        (&sphere, 13.0, 1.0, 0.0),
-    ] {
+    let block = Shape::Block { size: [100.0, 100.0, 20.0] };
+    for (shape, wall, free, z) in
+        [(&hole, 17.0, -1.0, -10.0), (&hole, 17.0, -1.0, -2.0), (&shaft, 23.0, 1.0, -10.0), (&sphere, 13.0, 1.0, 0.0)]
+    {
         let part = boundary(vec![solid(shape.clone())]);
         for gap in [0.0, 1e-6, 0.1] {
             let (found, effort) = met(&part, &probe, &circle(wall + free * gap, z));
@@ -154,24 +128,14 @@ fn a_circle_close_to_a_round_wall_is_told_free_at_once() {
     assert!(met(&part, &probe, &circle(10.0, 2.9999)).0.is_some());
 }
 
-// oracle: hand: half a circle of 10 mm about [0, -12.5] reaches -2.5 at its top, a wall stands there 3 mm away less a bit
+// oracle: hand: half a circle of 10 mm about [0, -12.5] reaches -2.5 at its top, a wall stands there 3 mm away less a
+// bit
 #[test]
 fn a_graze_is_met_where_it_is_deepest() {
-    let block = Shape::Block {
-        size: [100.0, 100.0, 20.0],
-    };
+    let block = Shape::Block { size: [100.0, 100.0, 20.0] };
     for (deep, meets) in [(1e-4, true), (2e-5, true), (-1e-7, false)] {
-        let part = boundary(vec![Solid {
-            at: [0.0, 50.5 - deep, 10.0],
-            ..solid(block.clone())
-        }]);
-        let way = around(
-            V3::new(-10.0, -12.5, 0.0),
-            V3::new(0.0, -12.5, 0.0),
-            V3::z(),
-            -180.0,
-            0.0,
-        );
+        let part = boundary(vec![Solid { at: [0.0, 50.5 - deep, 10.0], ..solid(block.clone()) }]);
+        let way = around(V3::new(-10.0, -12.5, 0.0), V3::new(0.0, -12.5, 0.0), V3::z(), -180.0, 0.0);
         let (found, effort) = met(&part, &Feeler::ball(RADIUS), &way);
         assert_eq!(found.is_some(), meets, "{deep}");
         assert!(effort < 200, "{effort}");
@@ -183,37 +147,21 @@ fn a_graze_is_met_where_it_is_deepest() {
 // oracle: hand: an arc of 10 km past a block; and one of a nanometre beside it
 #[test]
 fn arcs_of_any_size_come_to_an_end() {
-    let block = boundary(vec![solid(Shape::Block {
-        size: [100.0, 100.0, 20.0],
-    })]);
+    let block = boundary(vec![solid(Shape::Block { size: [100.0, 100.0, 20.0] })]);
     let probe = Feeler::new(&ideal_probe(), [0.0, 0.0, 1.0]);
-    let huge = around(
-        V3::new(0.0, 70.0, -5.0),
-        V3::new(1e7, 70.0, -5.0),
-        V3::z(),
-        360.0,
-        0.0,
-    );
+    let huge = around(V3::new(0.0, 70.0, -5.0), V3::new(1e7, 70.0, -5.0), V3::z(), 360.0, 0.0);
     let (found, effort) = met(&block, &probe, &huge);
     let stop = V3::from(found.unwrap().stop);
     assert!((stop - V3::new(0.0, 53.0, -5.0)).norm() < 1e-3, "{stop}");
     assert!(effort < 400, "{effort}");
-    let tiny = around(
-        V3::new(0.0, 53.1, -5.0),
-        V3::new(0.0, 53.1 + 1e-6, -5.0),
-        V3::z(),
-        360.0,
-        0.0,
-    );
+    let tiny = around(V3::new(0.0, 53.1, -5.0), V3::new(0.0, 53.1 + 1e-6, -5.0), V3::z(), 360.0, 0.0);
     assert_eq!(met(&block, &probe, &tiny).0, None);
 }
 
 // oracle: hand: a ball that is 0.2 mm in a wall goes out on an arc as on a line; one that goes on into it is stopped
 #[test]
 fn a_ball_may_leave_what_it_is_pressed_into() {
-    let block = boundary(vec![solid(Shape::Block {
-        size: [100.0, 100.0, 20.0],
-    })]);
+    let block = boundary(vec![solid(Shape::Block { size: [100.0, 100.0, 20.0] })]);
     let from = V3::new(52.8, 0.0, -5.0);
     let away = around(from, from + V3::new(0.0, 20.0, 0.0), V3::z(), 90.0, 0.0);
     assert_eq!(met(&block, &Feeler::ball(RADIUS), &away).0, None);
@@ -222,8 +170,5 @@ fn a_ball_may_leave_what_it_is_pressed_into() {
     assert_eq!(found.part, 0.0);
     let short = around(from, from + V3::new(0.0, 20.0, 0.0), V3::z(), 0.3, 0.0);
     let found = met(&block, &Feeler::ball(RADIUS), &short).0.unwrap(); // 0.1 mm out
-    assert_eq!(
-        (found.part, found.stop),
-        (0.0, add(from.into(), [0.0; 3], 1.0))
-    );
+    assert_eq!((found.part, found.stop), (0.0, add(from.into(), [0.0; 3], 1.0)));
 }

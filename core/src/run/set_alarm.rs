@@ -38,11 +38,6 @@ pub fn call(run: &mut Interpreter, call: &Call) -> Result<(), Stop> {
     if matches!(whole / 1000, 62 | 67..=69) {
         return Ok(());
     }
-    let message = Message::new("run-set-alarm")
-        .number("number", f64::from(whole))
-        .text("text", text);
-    Err(run.fail(Problem {
-        span: call.span,
-        message,
-    }))
+    let message = Message::new("run-set-alarm").number("number", f64::from(whole)).text("text", text);
+    Err(run.fail(Problem { span: call.span, message }))
 }

@@ -38,28 +38,15 @@ pub const PROBE_REGISTER: i64 = 98;
 
 /// T number of the mill that [`Setup::suit`] brings, as in the programs of the manual (B:4872).
 const MILL: i64 = 3;
-/// Place and size of the first tool probe, `_TP[0,i]`, as in B:4433-4446, mm; its lower side (5), which no tool touches,
-/// 22 mm lower, so that it is a cube in every plane.
-const TOOL_PROBE: [(usize, f64); 8] = [
-    (0, 50.0),
-    (1, 28.0),
-    (2, 42.0),
-    (3, 20.0),
-    (4, 80.0),
-    (5, 58.0),
-    (6, 20.0),
-    (9, 4.0),
-];
+/// Place and size of the first tool probe, `_TP[0,i]`, as in B:4433-4446, mm; its lower side (5), which no tool
+/// touches, 22 mm lower, so that it is a cube in every plane.
+const TOOL_PROBE: [(usize, f64); 8] =
+    [(0, 50.0), (1, 28.0), (2, 42.0), (3, 20.0), (4, 80.0), (5, 58.0), (6, 20.0), (9, 4.0)];
 
 /// Register of the reference tool that [`Setup::suit`] brings on NCT.
 const REFERENCE_REGISTER: i64 = 99;
 /// Where its tool probe stands, and the length of the reference tool, mm (C:1193-1200).
-const NCT_TOOL_PROBE: [(&str, f64); 4] = [
-    ("#506", 250.0),
-    ("#507", 300.0),
-    ("#508", 200.0),
-    ("#513", 100.0),
-];
+const NCT_TOOL_PROBE: [(&str, f64); 4] = [("#506", 250.0), ("#507", 300.0), ("#508", 200.0), ("#513", 100.0)];
 
 /// Place of the first tool probe of the turning machine, `_TP[0,i]`, as in B:9044-9047, mm.
 const TURNING_TOOL_PROBE: [(usize, f64); 4] = [(0, 220.0), (1, 200.0), (2, 400.0), (3, 380.0)];
@@ -79,12 +66,7 @@ impl Setup {
     pub fn calibrated_in(dialect: Dialect, plane: Plane, units: Units) -> Setup {
         let mut control = delivery_in(dialect, units);
         control.plane = plane;
-        let edge = Edge {
-            kind: 710,
-            length: [50.0, 0.0, 0.0],
-            radius: 3.0,
-            ..Edge::default()
-        };
+        let edge = Edge { kind: 710, length: [50.0, 0.0, 0.0], radius: 3.0, ..Edge::default() };
         match dialect {
             Dialect::Sinumerik => {
                 let tool = control.tools.entry(PROBE_TOOL).or_default();
@@ -94,10 +76,7 @@ impl Setup {
             }
             Dialect::Nct => {
                 let tip = [edge.length[0] + edge.radius, 0.0, 0.0]; // G104 makes it so: no axial radius is kept
-                *control.register_mut(PROBE_REGISTER) = Edge {
-                    length: tip,
-                    ..edge
-                };
+                *control.register_mut(PROBE_REGISTER) = Edge { length: tip, ..edge };
                 control.edge = PROBE_REGISTER;
                 for name in ["#500", "#501", "#502", "#503"] {
                     control.set(name, 3.0 / units.factor()); // ball radius by axis and direction, C:304-307
@@ -150,8 +129,8 @@ impl Setup {
         setup
     }
 
-    /// Makes a turning machine of it where the cycle is for one, with a probe in its turret where the cycle uses it, and
-    /// brings such a probe for a milling cycle where the machine says that it is one; where
+    /// Makes a turning machine of it where the cycle is for one, with a probe in its turret where the cycle uses it,
+    /// and brings such a probe for a milling cycle where the machine says that it is one; where
     /// it uses a tool probe, the tool that the variant needs is in use, and where the probe stands is known. What the
     /// machine says of itself counts more.
     pub fn suit(&mut self, cycle: &Cycle, variant: i64) {
@@ -183,12 +162,7 @@ impl Setup {
 
     /// A mill in the spindle, and the data of the first tool probe.
     fn insert_mill(&mut self) {
-        let edge = Edge {
-            kind: 120,
-            length: [70.0, 0.0, 0.0],
-            radius: 5.0,
-            ..Edge::default()
-        };
+        let edge = Edge { kind: 120, length: [70.0, 0.0, 0.0], radius: 5.0, ..Edge::default() };
         let control = &mut self.control;
         let tool = control.tools.entry(MILL).or_default();
         tool.edges.insert(1, edge);
@@ -211,15 +185,12 @@ impl Setup {
         }
     }
 
-    /// The reference tool of an NCT control in the spindle, and where the disk of its tool probe stands, unless the machine
-    /// says so itself.
+    /// The reference tool of an NCT control in the spindle, and where the disk of its tool probe stands, unless the
+    /// machine says so itself.
     fn mount_reference_tool(&mut self) {
         let control = &mut self.control;
         (control.tool, control.edge) = (REFERENCE_REGISTER, REFERENCE_REGISTER);
-        if NCT_TOOL_PROBE
-            .iter()
-            .all(|(name, _)| control.number(name) == 0.0)
-        {
+        if NCT_TOOL_PROBE.iter().all(|(name, _)| control.number(name) == 0.0) {
             for (name, value) in NCT_TOOL_PROBE {
                 let value = value / control.basic_factor();
                 control.set(name, value);
@@ -243,11 +214,7 @@ impl Setup {
         }
         let edge = Edge {
             kind: LATHE_PROBE,
-            tip: if self.control.plane == Plane::G19 {
-                8
-            } else {
-                7
-            },
+            tip: if self.control.plane == Plane::G19 { 8 } else { 7 },
             length: [0.0, 0.0, self.probe.length],
             radius: self.probe.radius,
             ..Edge::default()
@@ -258,13 +225,7 @@ impl Setup {
 
     /// The probe in the turret, and the grooves in which it is calibrated.
     fn mount_turning_probe(&mut self) {
-        let edge = Edge {
-            kind: LATHE_PROBE,
-            tip: 7,
-            length: [40.123, 100.456, 0.0],
-            radius: 3.0,
-            ..Edge::default()
-        };
+        let edge = Edge { kind: LATHE_PROBE, tip: 7, length: [40.123, 100.456, 0.0], radius: 3.0, ..Edge::default() };
         let tool = self.control.tools.entry(PROBE_TOOL).or_default();
         tool.edges.insert(1, edge);
         for (index, value) in REFERENCE_GROOVES.into_iter().enumerate() {

@@ -8,10 +8,7 @@ use super::interpret::{Interpreter, Next};
 use super::path::{Measure, Path};
 use super::problem::Problem;
 use super::trace::Step;
-use super::{
-    Stop, action, branch, contour, environment, indexed, locals, manner, names, repeat, unread,
-    words,
-};
+use super::{Stop, action, branch, contour, environment, indexed, locals, manner, names, repeat, unread, words};
 use crate::catalogue::Dialect;
 use crate::diagnostic::{Severity, Span};
 use crate::program::tree::{Block, Expr, ExprId, Word, WordKind};
@@ -96,13 +93,7 @@ pub fn block(run: &mut Interpreter, at: usize) -> Result<Next, Stop> {
     if contour::waits(run) && asks_for_position(run, block) {
         contour::finish(run)?;
     }
-    let mut found = Words {
-        path: Path {
-            span: block.span,
-            ..Path::default()
-        },
-        ..Words::default()
-    };
+    let mut found = Words { path: Path { span: block.span, ..Path::default() }, ..Words::default() };
     for word in words {
         let go_on = word_of(run, at, word, &mut found).map_err(|problem| run.fail(problem))?;
         if !go_on {
@@ -128,12 +119,7 @@ fn asks_for_position(run: &Interpreter, block: &Block) -> bool {
         Dialect::Sinumerik => &[b"STOPRE", b"$A", b"$VA_", b"$TC_"],
         Dialect::Nct => &[b"#5", b"#["],
     };
-    let span = Span {
-        end: block
-            .comment
-            .map_or(block.span.end, |comment| comment.start),
-        ..block.span
-    };
+    let span = Span { end: block.comment.map_or(block.span.end, |comment| comment.start), ..block.span };
     let text = run.program.text(span).to_ascii_uppercase();
     let holds = |word: &[u8]| text.windows(word.len()).any(|part| part == word);
     words.iter().any(|word| holds(word))
@@ -142,12 +128,8 @@ fn asks_for_position(run: &Interpreter, block: &Block) -> bool {
 /// `REPEAT LABEL` or `REPEATB LABEL` with the label.
 fn repetition(run: &Interpreter, words: &[Word]) -> Option<(Span, ExprId)> {
     words.iter().find_map(|word| match &word.kind {
-        WordKind::Keyword {
-            name,
-            value: Some(label),
-        } if ["REPEAT", "REPEATB"]
-            .iter()
-            .any(|known| run.program.is(*name, known)) =>
+        WordKind::Keyword { name, value: Some(label) }
+            if ["REPEAT", "REPEATB"].iter().any(|known| run.program.is(*name, known)) =>
         {
             Some((*name, *label))
         }
@@ -186,19 +168,9 @@ fn starts_with(run: &Interpreter, words: &[Word], keyword: &str) -> bool {
 }
 
 /// Takes one word; false: the rest of the block is not carried out.
-fn word_of(
-    run: &mut Interpreter,
-    at: usize,
-    word: &Word,
-    found: &mut Words,
-) -> Result<bool, Problem> {
+fn word_of(run: &mut Interpreter, at: usize, word: &Word, found: &mut Words) -> Result<bool, Problem> {
     match &word.kind {
-        WordKind::Address {
-            name,
-            extension,
-            mode,
-            value,
-        } => {
+        WordKind::Address { name, extension, mode, value } => {
             let letters = run.program.name(*name);
             let variable = extension.map_or(letters.clone(), |number| format!("{letters}{number}"));
             if mode.is_none() && hidden(run, &variable, word.span) {
@@ -218,16 +190,12 @@ fn word_of(
                 found.addresses.push(address);
             }
         }
-        WordKind::Assign {
-            name, index, value, ..
-        } => {
+        WordKind::Assign { name, index, value, .. } => {
             let letters = run.program.name(*name);
             if left_alone(run, &letters, word.span) {
                 return Ok(true);
             }
-            if !locals::declared(run, &letters)
-                && indexed::take(run, &letters, index, *value, word.span, found)?
-            {
+            if !locals::declared(run, &letters) && indexed::take(run, &letters, index, *value, word.span, found)? {
                 return Ok(true);
             }
             let key = names::key(run, *name, index)?;
@@ -244,9 +212,7 @@ fn word_of(
             let value = evaluate(run, *value)?;
             match (&found.case, found.calls.last_mut()) {
                 (Some(case), _) => found.armed = Some(*case == value),
-                (None, Some(call)) if manner::BY_TEXT.contains(&call.name.as_str()) => {
-                    call.args.push(Some(value))
-                }
+                (None, Some(call)) if manner::BY_TEXT.contains(&call.name.as_str()) => call.args.push(Some(value)),
                 _ => return Err(Problem::new("run-unknown-word", word.span, value.shown())),
             }
         }
@@ -296,21 +262,12 @@ fn hidden(run: &mut Interpreter, name: &str, span: Span) -> bool {
 }
 
 /// A call with the values of its arguments.
-fn call(
-    run: &Interpreter,
-    name: Span,
-    args: &[Option<ExprId>],
-    span: Span,
-) -> Result<Call, Problem> {
-    let values = args
-        .iter()
-        .map(|arg| arg.map(|arg| evaluate(run, arg)).transpose());
-    let places = args
-        .iter()
-        .map(|arg| match arg.and_then(|arg| run.program.expr(arg)) {
-            Some(Expr::Name { name, index }) => names::key(run, *name, index).map(Some),
-            _ => Ok(None),
-        });
+fn call(run: &Interpreter, name: Span, args: &[Option<ExprId>], span: Span) -> Result<Call, Problem> {
+    let values = args.iter().map(|arg| arg.map(|arg| evaluate(run, arg)).transpose());
+    let places = args.iter().map(|arg| match arg.and_then(|arg| run.program.expr(arg)) {
+        Some(Expr::Name { name, index }) => names::key(run, *name, index).map(Some),
+        _ => Ok(None),
+    });
     Ok(Call {
         name: run.program.name(name),
         args: values.collect::<Result<_, _>>()?,
@@ -320,24 +277,11 @@ fn call(
 }
 
 /// Assignments; a few names are settings of the block.
-fn assign(
-    run: &mut Interpreter,
-    key: &str,
-    value: Datum,
-    span: Span,
-    found: &mut Words,
-) -> Result<(), Problem> {
-    let number = || {
-        value
-            .number()
-            .ok_or_else(|| Problem::new("run-not-a-number", span, key))
-    };
+fn assign(run: &mut Interpreter, key: &str, value: Datum, span: Span, found: &mut Words) -> Result<(), Problem> {
+    let number = || value.number().ok_or_else(|| Problem::new("run-not-a-number", span, key));
     match key {
         "MEAS" | "MEAW" => {
-            found.path.measure = Some(Measure {
-                input: number()? as i64,
-                goes_on: key == "MEAW",
-            });
+            found.path.measure = Some(Measure { input: number()? as i64, goes_on: key == "MEAW" });
         }
         "RPL" => found.turn = Some(number()?),
         "LIMS" => run.modal.speed_limit = Some(number()?),
@@ -346,10 +290,7 @@ fn assign(
         "DISC" if !(0.0..=100.0).contains(&number()?) => {
             return Err(Problem::new("run-range", span, key));
         }
-        "DISC" => run.tell(
-            Severity::Warning,
-            &Problem::new("run-not-simulated", span, key),
-        ),
+        "DISC" => run.tell(Severity::Warning, &Problem::new("run-not-simulated", span, key)),
         _ => {
             names::write(run, key, &value, span)?;
             found.counter = value.number();
@@ -378,8 +319,8 @@ fn keyword(
         }
         "CASE" => found.case = value.map(|value| evaluate(run, value)).transpose()?,
         "DEFAULT" => found.armed = Some(true),
-        "WHILE" | "FOR" | "LOOP" | "UNTIL" | "ENDWHILE" | "ENDFOR" | "ENDLOOP" | "ELSE"
-        | "ENDIF" | "TO" | "END" | "REPEAT" => {
+        "WHILE" | "FOR" | "LOOP" | "UNTIL" | "ENDWHILE" | "ENDFOR" | "ENDLOOP" | "ELSE" | "ENDIF" | "TO" | "END"
+        | "REPEAT" => {
             return branch::structure(run, at, &name, place, value, found);
         }
         "DO" if run.program.dialect == Dialect::Nct => {
@@ -393,10 +334,6 @@ fn keyword(
 
 /// Records an operator text.
 pub fn message(run: &mut Interpreter, args: &[Option<Datum>]) {
-    let text = args
-        .first()
-        .and_then(Option::as_ref)
-        .map(Datum::shown)
-        .unwrap_or_default();
+    let text = args.first().and_then(Option::as_ref).map(Datum::shown).unwrap_or_default();
     run.sim.note(Step::Message(text));
 }

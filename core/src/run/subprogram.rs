@@ -15,13 +15,7 @@ use crate::program::tree::{Expr, ExprId, Word, WordKind};
 use std::rc::Rc;
 
 /// Begins a program: its parameters, its level.
-pub fn enter(
-    run: &mut Interpreter,
-    at: usize,
-    call: &Call,
-    unit: &Unit,
-    passes: u32,
-) -> Result<Next, Problem> {
+pub fn enter(run: &mut Interpreter, at: usize, call: &Call, unit: &Unit, passes: u32) -> Result<Next, Problem> {
     if passes == 0 {
         return Ok(Next::Block);
     }
@@ -125,12 +119,7 @@ fn parameters(run: &Interpreter, words: &[Word]) -> Result<Vec<Parameter>, Probl
 }
 
 /// What a parameter is in the called program.
-fn bind(
-    run: &mut Interpreter,
-    parameter: &Parameter,
-    call: &Call,
-    i: usize,
-) -> Result<Local, Problem> {
+fn bind(run: &mut Interpreter, parameter: &Parameter, call: &Call, i: usize) -> Result<Local, Problem> {
     let argument = call.args.get(i).and_then(Option::as_ref);
     let place = call.places.get(i).and_then(Option::as_ref);
     let name = run.program.name(parameter.name);
@@ -162,15 +151,8 @@ fn bind(
 }
 
 /// A variable of the parameter's sizes; an array that names none (`REAL F[,]`) has those of its argument.
-fn sized(
-    run: &mut Interpreter,
-    parameter: &Parameter,
-    place: Option<&String>,
-) -> Result<Variable, Problem> {
-    let open = parameter
-        .sizes
-        .iter()
-        .any(|size| matches!(run.program.expr(*size), Some(Expr::Omitted(_))));
+fn sized(run: &mut Interpreter, parameter: &Parameter, place: Option<&String>) -> Result<Variable, Problem> {
+    let open = parameter.sizes.iter().any(|size| matches!(run.program.expr(*size), Some(Expr::Omitted(_))));
     if !open {
         return declare::variable(run, parameter.name, parameter.kind, &parameter.sizes);
     }

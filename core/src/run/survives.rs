@@ -19,20 +19,16 @@ pub struct Survived {
     pub high: Option<f64>,
 }
 
-/// The limits of one error, of which `with` makes the machine and the part; where that cannot exist, it is not survived.
+/// The limits of one error, of which `with` makes the machine and the part; where that cannot exist, it is not
+/// survived.
 /// None: the call does not even come to its end without it.
 ///
 /// The limit is found by running the call: what `_FA`, `_TSA` and `_SZA` leave depends on ball, angles and order of
-/// touches, and running them is exact whatever decides. Larger errors are tried until one is not survived; between it and
-/// the last one that was, the limit is enclosed.
+/// touches, and running them is exact whatever decides. Larger errors are tried until one is not survived; between it
+/// and the last one that was, the limit is enclosed.
 pub fn survived(inputs: &Inputs, with: impl Fn(f64) -> Option<Setup>) -> Option<Survived> {
-    let ends = |error: f64| {
-        with(error).is_some_and(|setup| predict(inputs.cycle, inputs, &setup).finished())
-    };
-    ends(0.0).then(|| Survived {
-        low: limit(|size| ends(-size)).map(|size| -size),
-        high: limit(ends),
-    })
+    let ends = |error: f64| with(error).is_some_and(|setup| predict(inputs.cycle, inputs, &setup).finished());
+    ends(0.0).then(|| Survived { low: limit(|size| ends(-size)).map(|size| -size), high: limit(ends) })
 }
 
 /// The largest size for which it ends.
@@ -65,21 +61,13 @@ mod tests {
 
     /// A hole of 60 mm that is measured with this path and safe area.
     fn hole(path: f64, safe: f64) -> Survived {
-        let values = [
-            ("_SETVAL", 60.0),
-            ("_FA", path),
-            ("_KNUM", 0.0),
-            ("_TNUM", 20.0),
-        ];
+        let values = [("_SETVAL", 60.0), ("_FA", path), ("_KNUM", 0.0), ("_TNUM", 20.0)];
         let mut inputs = call("CYCLE977", 1, &[&values[..], &WIDE_BANDS].concat());
         inputs.numbers.insert("_TSA", safe);
         let with = |size: f64| {
             let mut machine = setup(Plane::G17);
             machine.position = [0.0, 0.0, -10.0];
-            let shape = Shape::Hole {
-                diameter: 60.0,
-                depth: 40.0,
-            };
+            let shape = Shape::Hole { diameter: 60.0, depth: 40.0 };
             let mut part = solid(Plane::G17, shape, [0.0; 3], false);
             part.errors.size = size;
             machine.workpiece.solids.push(part);
@@ -104,9 +92,6 @@ mod tests {
     #[test]
     fn what_never_fails_has_no_limit() {
         assert_eq!(limit(|_| true), None);
-        assert_eq!(
-            limit(|size| size < 0.01).map(|found| found < 0.01),
-            Some(true)
-        );
+        assert_eq!(limit(|size| size < 0.01).map(|found| found < 0.01), Some(true));
     }
 }

@@ -56,15 +56,9 @@ fn planned(run: &mut Interpreter, call: &Call) -> Result<([f64; 3], Frame), Prob
     }
     let control = &mut run.sim.control;
     control.part_frame = Frame::default();
-    let total = control
-        .total_frame()
-        .ok_or_else(|| Problem::new("run-shear", call.span, NAME))?;
+    let total = control.total_frame().ok_or_else(|| Problem::new("run-shear", call.span, NAME))?;
     let turn = rotation(total.rotation).inverse();
     let centre = V3::from(control.rotary_centre);
-    let table = Frame {
-        coarse: (centre - turn * centre).into(),
-        rotation: angles(&turn),
-        ..Frame::default()
-    };
+    let table = Frame { coarse: (centre - turn * centre).into(), rotation: angles(&turn), ..Frame::default() };
     Ok((total.rotation, table))
 }

@@ -45,34 +45,22 @@ pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem>
     if let Some(value) = run.measured.get(key) {
         return Ok(Datum::Number(*value));
     }
-    let value = tool(run, key)
-        .or_else(|| position(run, key))
-        .or_else(|| state(run, key))
-        .or_else(|| total(run, key));
+    let value = tool(run, key).or_else(|| position(run, key)).or_else(|| state(run, key)).or_else(|| total(run, key));
     if let (None, Some(problem)) = (value, absent(run, key, place)) {
         return Err(problem);
     }
-    let unknown = if LATCHED.iter().any(|stem| key.starts_with(stem)) {
-        "run-not-measured"
-    } else {
-        "run-system-variable"
-    };
-    value
-        .map(Datum::Number)
-        .ok_or_else(|| Problem::new(unknown, place, key))
+    let unknown =
+        if LATCHED.iter().any(|stem| key.starts_with(stem)) { "run-not-measured" } else { "run-system-variable" };
+    value.map(Datum::Number).ok_or_else(|| Problem::new(unknown, place, key))
 }
 
 /// Data of a tool, or of an edge, that is not there: `$TC_DP6[5,1]`, `$TC_TP2[5]`.
 fn absent(run: &Interpreter, key: &str, place: Span) -> Option<Problem> {
-    let of_edge =
-        key.starts_with("$TC_DP") || key.starts_with("$TC_SCP") || key.starts_with("$TC_ECP");
+    let of_edge = key.starts_with("$TC_DP") || key.starts_with("$TC_SCP") || key.starts_with("$TC_ECP");
     if !of_edge && !key.starts_with("$TC_TP") {
         return None;
     }
-    let index: Vec<i64> = indices(key)
-        .iter()
-        .filter_map(|one| one.parse().ok())
-        .collect();
+    let index: Vec<i64> = indices(key).iter().filter_map(|one| one.parse().ok()).collect();
     let (number, edge) = (*index.first()?, index.get(1).filter(|_| of_edge));
     let Some(tool) = run.sim.control.tools.get(&number) else {
         return Some(Problem::new("run-no-tool", place, number.to_string()));
@@ -137,8 +125,8 @@ fn tool_of<'a>(run: &'a Interpreter, key: &str) -> Option<Option<&'a Tool>> {
     Some(run.sim.control.tools.get(&number))
 }
 
-/// Where an axis stands: `$AA_IW[X]` in the WCS, `$P_EP[X]` as programmed there, `$AA_IB` in the basic system, `$AA_IM` the spindle nose; rotary axes in
-/// degree.
+/// Where an axis stands: `$AA_IW[X]` in the WCS, `$P_EP[X]` as programmed there, `$AA_IB` in the basic system, `$AA_IM`
+/// the spindle nose; rotary axes in degree.
 fn position(run: &Interpreter, key: &str) -> Option<f64> {
     let control = &run.sim.control;
     let (stem, index) = (stem(key), indices(key));
@@ -153,11 +141,7 @@ fn position(run: &Interpreter, key: &str) -> Option<f64> {
     }
     let axis = AXES.iter().position(|axis| *axis == name)?;
     let at = run.sim.position;
-    let shown = if axis == 0 {
-        control.transverse.shown()
-    } else {
-        1.0
-    };
+    let shown = if axis == 0 { control.transverse.shown() } else { 1.0 };
     let value = match stem {
         "$AA_IW" => control.to_workpiece(at)[axis] * shown,
         "$P_EP" => control.to_workpiece(contour::stands(run))[axis] * shown,
@@ -217,8 +201,8 @@ fn mask(run: &Interpreter, key: &str) -> f64 {
     }
 }
 
-/// Active G function of a group: 1 motion, 6 plane (G17 is 1), 7 compensation, 8 zero offset (G500 is 1, G54 2), 13 units (G70, G71, G700, G710), 14
-/// absolute or incremental, 29 diameters.
+/// Active G function of a group: 1 motion, 6 plane (G17 is 1), 7 compensation, 8 zero offset (G500 is 1, G54 2), 13
+/// units (G70, G71, G700, G710), 14 absolute or incremental, 29 diameters.
 fn group(run: &Interpreter, key: &str) -> Option<f64> {
     let control = &run.sim.control;
     Some(match *indices(key).first()? {

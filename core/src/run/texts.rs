@@ -27,17 +27,8 @@ pub fn call(name: &str, values: &[Datum]) -> Option<Datum> {
             let before = text.find(part.as_str()).and_then(|at| text.get(..at));
             place(before.map(|before| before.chars().count()))
         }
-        ("SUBSTR", [Datum::Text(text), Datum::Number(from)]) => {
-            Datum::Text(text.chars().skip(whole(*from)?).collect())
-        }
-        (
-            "SUBSTR",
-            [
-                Datum::Text(text),
-                Datum::Number(from),
-                Datum::Number(length),
-            ],
-        ) => {
+        ("SUBSTR", [Datum::Text(text), Datum::Number(from)]) => Datum::Text(text.chars().skip(whole(*from)?).collect()),
+        ("SUBSTR", [Datum::Text(text), Datum::Number(from), Datum::Number(length)]) => {
             let rest = text.chars().skip(whole(*from)?);
             Datum::Text(rest.take(whole(*length)?).collect())
         }
@@ -51,10 +42,7 @@ pub fn call(name: &str, values: &[Datum]) -> Option<Datum> {
 }
 
 fn number(text: &str) -> Option<f64> {
-    text.trim()
-        .parse()
-        .ok()
-        .filter(|value: &f64| value.is_finite())
+    text.trim().parse().ok().filter(|value: &f64| value.is_finite())
 }
 
 /// A place, -1 where nothing was found.

@@ -39,11 +39,7 @@ fn changes(run: &Interpreter, found: &Words) -> bool {
 }
 
 fn last<'a>(found: &'a Words, letter: &str) -> Option<&'a Address> {
-    found
-        .addresses
-        .iter()
-        .rev()
-        .find(|address| address.name == letter && of_main_spindle(address))
+    found.addresses.iter().rev().find(|address| address.name == letter && of_main_spindle(address))
 }
 
 /// Whether an address is for the main spindle: `T5`, `T1=5`.
@@ -57,11 +53,7 @@ fn sinumerik(run: &mut Interpreter, found: &Words) -> Result<(), Problem> {
         run.modal.waiting_edge = None;
     }
     if let Some(address) = last(found, "D") {
-        let edge = address
-            .value
-            .number()
-            .ok_or_else(|| Problem::new("run-not-a-number", address.span, "D"))?
-            as i64;
+        let edge = address.value.number().ok_or_else(|| Problem::new("run-not-a-number", address.span, "D"))? as i64;
         match run.modal.prepared {
             Some(tool) if tool != run.sim.control.tool => run.modal.waiting_edge = Some(edge),
             _ => select(run, run.sim.control.tool, edge, address)?,
@@ -70,29 +62,23 @@ fn sinumerik(run: &mut Interpreter, found: &Words) -> Result<(), Problem> {
     if let Some(address) = last(found, "DL") {
         location(run, address)?;
     }
-    let m6 = found
-        .addresses
-        .iter()
-        .find(|address| address.name == "M" && address.value == Datum::Number(6.0));
+    let m6 = found.addresses.iter().find(|address| address.name == "M" && address.value == Datum::Number(6.0));
     if let Some(address) = m6.or_else(|| turret(run, found))
         && let Some(tool) = run.modal.prepared.take()
     {
         // after a change D1 is active where no D was programmed
-        let edge = run
-            .modal
-            .waiting_edge
-            .take()
-            .unwrap_or(if tool == run.sim.control.tool {
-                run.sim.control.edge
-            } else {
-                1
-            });
+        let edge = run.modal.waiting_edge.take().unwrap_or(if tool == run.sim.control.tool {
+            run.sim.control.edge
+        } else {
+            1
+        });
         select(run, tool, edge, address)?;
     }
     Ok(())
 }
 
-/// The T with which a turret turns to its tool at once, without M6: that of a turning tool, and any of a turning machine.
+/// The T with which a turret turns to its tool at once, without M6: that of a turning tool, and any of a turning
+/// machine.
 fn turret<'a>(run: &Interpreter, found: &'a Words) -> Option<&'a Address> {
     let prepared = run.modal.prepared?;
     let tool = run.sim.control.tools.get(&prepared)?;
@@ -124,10 +110,7 @@ fn number(run: &Interpreter, address: &Address) -> Result<i64, Problem> {
 /// A tool has no such cutting edge.
 pub fn no_edge(tool: i64, edge: i64, place: Span) -> Problem {
     let problem = Problem::new("run-no-edge", place, tool.to_string());
-    Problem {
-        message: problem.message.number("edge", edge as f64),
-        ..problem
-    }
+    Problem { message: problem.message.number("edge", edge as f64), ..problem }
 }
 
 fn select(run: &mut Interpreter, tool: i64, edge: i64, address: &Address) -> Result<(), Problem> {
@@ -143,8 +126,7 @@ fn select(run: &mut Interpreter, tool: i64, edge: i64, address: &Address) -> Res
         return Err(no_edge(tool, edge, address.span));
     }
     let edge = if tool == 0 { 0 } else { edge };
-    run.sim
-        .with_length(|control| (control.tool, control.edge, control.location) = (tool, edge, 0));
+    run.sim.with_length(|control| (control.tool, control.edge, control.location) = (tool, edge, 0));
     Ok(())
 }
 

@@ -1,5 +1,5 @@
-//! Types of variables, and what becomes of a value of another type: the table of possible conversions in the programming
-//! guide of these controls (Job planning, 03/2006, 1.9).
+//! Types of variables, and what becomes of a value of another type: the table of possible conversions in the
+//! programming guide of these controls (Job planning, 03/2006, 1.9).
 
 use super::datum::Datum;
 
@@ -58,9 +58,7 @@ impl Type {
             (Type::Axis | Type::Frame, _) => None,
             (Type::Bool, Datum::Text(text)) => Some(Datum::from(!text.is_empty())),
             (Type::Char, Datum::Text(text)) => single(text).map(Datum::Char),
-            (Type::Text(length), Datum::Text(text)) => {
-                (text.chars().count() <= length).then(|| value.clone())
-            }
+            (Type::Text(length), Datum::Text(text)) => (text.chars().count() <= length).then(|| value.clone()),
             (Type::Text(_), Datum::Char(_)) => Some(Datum::Text(value.shown())),
             (Type::Text(_), _) => None,
             _ => self.of_number(value.number()?),
@@ -72,15 +70,11 @@ impl Type {
             Type::Bool => Some(Datum::from(number != 0.0)),
             Type::Int => {
                 let whole = number.round();
-                (f64::from(i32::MIN)..=f64::from(i32::MAX))
-                    .contains(&whole)
-                    .then_some(Datum::Number(whole))
+                (f64::from(i32::MIN)..=f64::from(i32::MAX)).contains(&whole).then_some(Datum::Number(whole))
             }
             Type::Char => {
                 let code = number.round();
-                (0.0..=255.0)
-                    .contains(&code)
-                    .then_some(Datum::Char(code as u8))
+                (0.0..=255.0).contains(&code).then_some(Datum::Char(code as u8))
             }
             _ => number.is_finite().then_some(Datum::Number(number)),
         }
@@ -119,9 +113,6 @@ mod tests {
         assert_eq!(text(Type::Char, "AB"), None);
         assert_eq!(text(Type::Text(1), "AB"), None);
         assert_eq!(text(Type::Real, "1"), None);
-        assert_eq!(
-            Type::Text(3).converted(&Datum::Char(65)),
-            Some(Datum::Text("A".into()))
-        );
+        assert_eq!(Type::Text(3).converted(&Datum::Char(65)), Some(Datum::Text("A".into())));
     }
 }

@@ -24,30 +24,20 @@ const PLACES: [&str; 9] = ["X", "Y", "Z", "A", "B", "C", "T", "D", "H"];
 
 /// Words that decide where a program goes on.
 const WAYS: [&str; 14] = [
-    "IF", "ELSE", "ENDIF", "WHILE", "ENDWHILE", "FOR", "ENDFOR", "LOOP", "UNTIL", "CASE", "GOTO",
-    "GOTOF", "GOTOB", "REPEAT",
+    "IF", "ELSE", "ENDIF", "WHILE", "ENDWHILE", "FOR", "ENDFOR", "LOOP", "UNTIL", "CASE", "GOTO", "GOTOF", "GOTOB",
+    "REPEAT",
 ];
 
 /// Passes over a word of a block that could not be read; where the way of the program depends on it, the run stops.
-pub fn pass(
-    run: &mut Interpreter,
-    word: &Word,
-    block: &[Word],
-    found: &mut Words,
-) -> Result<(), Problem> {
+pub fn pass(run: &mut Interpreter, word: &Word, block: &[Word], found: &mut Words) -> Result<(), Problem> {
     // every word of a block has the same block about it: the first one asks
     let first = !std::mem::replace(&mut found.unread, true);
     let written = String::from_utf8_lossy(run.program.text(word.span)).into_owned();
-    run.passed_over(PassedOver {
-        word: printable(&written),
-        line: run.program.line_of(word.span.start) + 1,
-    });
+    run.passed_over(PassedOver { word: printable(&written), line: run.program.line_of(word.span.start) + 1 });
     let text = run.program.name(word.span);
     let begins = |way: &str| {
         let rest = text.strip_prefix(way);
-        rest.is_some_and(|rest| {
-            !rest.starts_with(|next: char| next.is_ascii_alphanumeric() || next == '_')
-        })
+        rest.is_some_and(|rest| !rest.starts_with(|next: char| next.is_ascii_alphanumeric() || next == '_'))
     };
     let keyword = |other: &Word| match &other.kind {
         WordKind::Keyword { name, .. } => WAYS.iter().any(|way| run.program.is(*name, way)),
@@ -63,8 +53,8 @@ pub fn pass(
     Ok(())
 }
 
-/// Passes over a block whose G function is that of a macro here and of something else on another control. Where the axes
-/// that it names would stand is not known.
+/// Passes over a block whose G function is that of a macro here and of something else on another control. Where the
+/// axes that it names would stand is not known.
 pub fn of_another_control(run: &mut Interpreter, cycle: &'static Cycle, found: &Words) {
     let program = Rc::clone(&run.program);
     let span = found.path.span;
@@ -72,19 +62,9 @@ pub fn of_another_control(run: &mut Interpreter, cycle: &'static Cycle, found: &
         let number = address.value.number();
         address.name == "G" && number.is_some_and(|number| cycle.name == format!("G{number}"))
     };
-    let at = found
-        .addresses
-        .iter()
-        .find(of_macro)
-        .map_or(span, |word| word.span);
-    run.tell_once(Diagnostic {
-        span: Some(at),
-        ..nct::foreign_finding(cycle)
-    });
-    run.passed_over(PassedOver {
-        word: cycle.name.to_owned(),
-        line: program.line_of(span.start) + 1,
-    });
+    let at = found.addresses.iter().find(of_macro).map_or(span, |word| word.span);
+    run.tell_once(Diagnostic { span: Some(at), ..nct::foreign_finding(cycle) });
+    run.passed_over(PassedOver { word: cycle.name.to_owned(), line: program.line_of(span.start) + 1 });
     leave_axes(run, found);
 }
 
@@ -114,9 +94,7 @@ pub fn tell(run: &mut Interpreter, at: usize) {
     let program = Rc::clone(&run.program);
     let errors = run.errors.get(&at).into_iter().flatten();
     let errors = errors.filter_map(|error| program.errors.get(*error));
-    let found: Vec<_> = errors
-        .map(|error| not_understood(&program, error))
-        .collect();
+    let found: Vec<_> = errors.map(|error| not_understood(&program, error)).collect();
     for one in found {
         run.tell_once(one);
     }
@@ -127,10 +105,7 @@ fn target(dialect: Dialect, text: &str) -> Option<String> {
     let in_name = |one: char| one.is_ascii_alphanumeric() || "_$#".contains(one);
     let (name, rest) = text.split_at(text.find(|one| !in_name(one)).unwrap_or(text.len()));
     let rest = rest.trim_start();
-    let (index, rest) = match rest
-        .strip_prefix('[')
-        .and_then(|inside| inside.split_once(']'))
-    {
+    let (index, rest) = match rest.strip_prefix('[').and_then(|inside| inside.split_once(']')) {
         Some((index, rest)) => (Some(index), rest.trim_start()),
         None => (None, rest),
     };
@@ -138,9 +113,7 @@ fn target(dialect: Dialect, text: &str) -> Option<String> {
         return group(code).map(|_| format!("G{code}"));
     }
     let address = name.get(..1).filter(|letter| PLACES.contains(letter));
-    if let Some(letter) =
-        address.filter(|_| name.len() == 1 || index.is_none() && !rest.starts_with('='))
-    {
+    if let Some(letter) = address.filter(|_| name.len() == 1 || index.is_none() && !rest.starts_with('=')) {
         let number = name.len() == 1 || name[1..].starts_with(|one: char| one.is_ascii_digit());
         return number.then(|| letter.to_owned());
     }
@@ -162,13 +135,12 @@ fn target(dialect: Dialect, text: &str) -> Option<String> {
 
 /// The number with which a text begins.
 fn leading(text: &str) -> Option<u32> {
-    let end = text
-        .find(|one: char| !one.is_ascii_digit())
-        .unwrap_or(text.len());
+    let end = text.find(|one: char| !one.is_ascii_digit()).unwrap_or(text.len());
     text.get(..end)?.parse().ok()
 }
 
-/// Groups of G functions that decide over a measurement: plane, compensation, zero offset, units, absolute or incremental.
+/// Groups of G functions that decide over a measurement: plane, compensation, zero offset, units, absolute or
+/// incremental.
 fn group(code: u32) -> Option<u32> {
     Some(match code {
         17..=19 => 17,
@@ -196,8 +168,7 @@ pub fn placed(run: &mut Interpreter, addresses: &[Address]) {
         if let ("G", Some(code)) = (&*address.name, address.value.number()) {
             let new = group(code as u32);
             let said = |name: &str| name.strip_prefix('G').and_then(leading).and_then(group);
-            run.unread
-                .retain(|name, _| new.is_none() || said(name) != new);
+            run.unread.retain(|name, _| new.is_none() || said(name) != new);
         }
         let absolute = match address.mode.as_deref() {
             Some(mode) => !mode.contains("IC"),
@@ -214,21 +185,18 @@ pub fn known(run: &Interpreter, key: &str, place: Span) -> Result<(), Problem> {
     if run.unread.is_empty() {
         return Ok(());
     }
-    let unread = [key, stem(key)]
-        .into_iter()
-        .find_map(|name| run.unread.get(name));
+    let unread = [key, stem(key)].into_iter().find_map(|name| run.unread.get(name));
     unread.map_or(Ok(()), |word| Err(unknown(run, key, *word, place)))
 }
 
 /// A call measures where the machine stands, with the tool in use and the data of the machine.
 pub fn measures(run: &Interpreter, place: Span) -> Result<(), Problem> {
     let mut names = run.unread.keys();
-    names
-        .find(|name| of_machine(run, name))
-        .map_or(Ok(()), |name| known(run, name, place))
+    names.find(|name| of_machine(run, name)).map_or(Ok(()), |name| known(run, name, place))
 }
 
-/// Whether a name decides over every measurement: a place, the tool, data of the control that no call hands over or leaves.
+/// Whether a name decides over every measurement: a place, the tool, data of the control that no call hands over or
+/// leaves.
 fn of_machine(run: &Interpreter, name: &str) -> bool {
     if name.strip_prefix('G').and_then(leading).is_some() {
         return true;
@@ -248,12 +216,7 @@ fn of_machine(run: &Interpreter, name: &str) -> bool {
 }
 
 /// A call takes these parameters from the data of the control.
-pub fn takes(
-    run: &Interpreter,
-    cycle: &'static Cycle,
-    typed: &Typed,
-    place: Span,
-) -> Result<(), Problem> {
+pub fn takes(run: &Interpreter, cycle: &'static Cycle, typed: &Typed, place: Span) -> Result<(), Problem> {
     if run.unread.is_empty() {
         return Ok(());
     }

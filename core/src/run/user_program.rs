@@ -1,5 +1,5 @@
-//! Programs of the user around a measurement (B:2476-2530): CYCLE198 at the beginning of every measuring cycle, CYCLE199
-//! when it is complete. As delivered both are empty but for a label a cycle; a text may hold its own.
+//! Programs of the user around a measurement (B:2476-2530): CYCLE198 at the beginning of every measuring cycle,
+//! CYCLE199 when it is complete. As delivered both are empty but for a label a cycle; a text may hold its own.
 
 use super::flow::canonical;
 use super::interpret::{self, Interpreter};
@@ -20,17 +20,9 @@ pub struct UserProgram {
 }
 
 /// Called before the measurement.
-pub const BEFORE: UserProgram = UserProgram {
-    name: "CYCLE198",
-    key: "user-program-before",
-    source: "B:2482-2498",
-};
+pub const BEFORE: UserProgram = UserProgram { name: "CYCLE198", key: "user-program-before", source: "B:2482-2498" };
 /// Called when the measurement is complete.
-pub const BEHIND: UserProgram = UserProgram {
-    name: "CYCLE199",
-    key: "user-program-behind",
-    source: "B:2500-2508",
-};
+pub const BEHIND: UserProgram = UserProgram { name: "CYCLE199", key: "user-program-behind", source: "B:2500-2508" };
 /// Both.
 pub const ALL: [UserProgram; 2] = [BEFORE, BEHIND];
 
@@ -41,12 +33,7 @@ pub fn delivered(name: &str) -> bool {
 
 /// Runs the user's program of this text around a call of this cycle, where there is one: from the label of the cycle
 /// (`_M977`), else from its first block, to its end. It does not call itself.
-pub fn around(
-    run: &mut Interpreter,
-    program: &UserProgram,
-    cycle: &Cycle,
-    span: Span,
-) -> Result<(), Stop> {
+pub fn around(run: &mut Interpreter, program: &UserProgram, cycle: &Cycle, span: Span) -> Result<(), Stop> {
     let measures = cycle.dialect == Dialect::Sinumerik && cycle.purpose.probe.measures();
     let unit = run.programs.named(program.name).filter(|_| measures);
     let Some(unit) = unit.cloned() else {
@@ -56,12 +43,7 @@ pub fn around(
         return Ok(());
     }
     let (back, depth) = (run.at, run.levels.len());
-    let call = Call {
-        name: program.name.to_owned(),
-        args: Vec::new(),
-        places: Vec::new(),
-        span,
-    };
+    let call = Call { name: program.name.to_owned(), args: Vec::new(), places: Vec::new(), span };
     subprogram::enter(run, back, &call, &unit, 1).map_err(|problem| run.fail(problem))?;
     run.at = start(run, &unit, cycle);
     while run.levels.len() > depth {

@@ -10,9 +10,9 @@ use crate::control::Transverse;
 use crate::diagnostic::Severity;
 use crate::program::flow::is_word;
 
-/// Words that change nothing that is simulated: how the axes accelerate, blend and look ahead, how a corner is approached,
-/// how an orientation is interpolated, which channel has an axis, what the screen shows and how the editor groups blocks, what a
-/// subprogram may be interrupted by.
+/// Words that change nothing that is simulated: how the axes accelerate, blend and look ahead, how a corner is
+/// approached, how an orientation is interpolated, which channel has an axis, what the screen shows and how the editor
+/// groups blocks, what a subprogram may be interrupted by.
 const WITHOUT_EFFECT: &[&str] = &[
     "STOPRE",
     "BRISK",
@@ -114,8 +114,8 @@ const BEYOND: &[&str] = &[
 /// Names with a value, perhaps of an axis (`ACC[X]=50`), that change nothing that is simulated: acceleration, blending,
 /// limits and overrides of speeds, the speed of a positioning axis, priorities.
 const VALUES_WITHOUT_EFFECT: &[&str] = &[
-    "ADIS", "ADISPOS", "ACC", "ACCLIMA", "JERKLIM", "JERKLIMA", "VELOLIM", "VELOLIMA", "FGREF",
-    "FL", "FA", "FP", "OVR", "OVRA", "OVRRAP", "POLF",
+    "ADIS", "ADISPOS", "ACC", "ACCLIMA", "JERKLIM", "JERKLIMA", "VELOLIM", "VELOLIMA", "FGREF", "FL", "FA", "FP",
+    "OVR", "OVRA", "OVRRAP", "POLF",
 ];
 
 /// Names with a value that do something which is not simulated; the axes go on without it.

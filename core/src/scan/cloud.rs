@@ -71,16 +71,8 @@ impl Cloud {
         let across = self.direction(index, &self.across_lines(layout, index, line));
         let mut ahead = V3::zeros();
         ahead[layout.axes[0]] = 1.0;
-        let normal = along
-            .unwrap_or(ahead)
-            .cross(&across.unwrap_or(beside))
-            .try_normalize(1e-9)
-            .unwrap_or(up);
-        if normal.dot(&up) < 0.0 {
-            -normal
-        } else {
-            normal
-        }
+        let normal = along.unwrap_or(ahead).cross(&across.unwrap_or(beside)).try_normalize(1e-9).unwrap_or(up);
+        if normal.dot(&up) < 0.0 { -normal } else { normal }
     }
 
     fn at(&self, index: usize) -> V3 {
@@ -89,10 +81,7 @@ impl Cloud {
 
     /// Number of the line of a point among those that have any, and its points.
     fn line_of(&self, index: usize) -> (usize, Range<usize>) {
-        let line = self
-            .lines
-            .partition_point(|first| *first <= index)
-            .saturating_sub(1);
+        let line = self.lines.partition_point(|first| *first <= index).saturating_sub(1);
         (line, self.points_of(line))
     }
 
@@ -121,17 +110,11 @@ impl Cloud {
     fn along_line(&self, layout: &Layout, index: usize, line: &Range<usize>) -> Vec<usize> {
         let reach = reach(layout);
         let here = self.at(index);
-        let far = |other: &usize, times: f64| {
-            (self.at(*other) - here).norm() >= (times * reach).max(SAME)
-        };
+        let far = |other: &usize, times: f64| (self.at(*other) - here).norm() >= (times * reach).max(SAME);
         let before = |times| (line.start..index).rev().find(|other| far(other, times));
         let behind = |times| (index + 1..line.end).find(|other| far(other, times));
         let next = |one: usize| {
-            if one > index {
-                one + 1 < line.end
-            } else {
-                one > line.start
-            }
+            if one > index { one + 1 < line.end } else { one > line.start }
         };
         let beyond = |one: usize| if one > index { one + 1 } else { one - 1 };
         match (before(1.0), behind(1.0)) {
@@ -159,9 +142,7 @@ impl Cloud {
         let here = self.at(index);
         let last = self.lines().saturating_sub(1);
         let apart = self.apart(layout, line);
-        let far = (reach(layout) / apart)
-            .ceil()
-            .clamp(1.0, (last / 2).max(1) as f64) as usize;
+        let far = (reach(layout) / apart).ceil().clamp(1.0, (last / 2).max(1) as f64) as usize;
         let (before, behind) = (line.checked_sub(far), line + far);
         let lines = match before {
             Some(before) if behind <= last => [before, behind],
@@ -183,9 +164,7 @@ impl Cloud {
         let at = |line: usize| Some(self.points.get(*self.lines.get(line)?)?[across]);
         let here = at(line).unwrap_or(0.0);
         let other = at(line + 1).or_else(|| at(line.checked_sub(1)?));
-        other
-            .map_or(f64::INFINITY, |other| (other - here).abs())
-            .max(SAME)
+        other.map_or(f64::INFINITY, |other| (other - here).abs()).max(SAME)
     }
 
     /// The point of a line that is nearest to another point. Its points never go back along the axis of the lines.
@@ -199,8 +178,7 @@ impl Cloud {
         let from = place.saturating_sub(AROUND);
         let around = points.get(from..(place + AROUND).min(points.len()))?;
         let away = |point: &[f64; 3]| (V3::from(*point) - p).norm_squared();
-        let nearest =
-            (0..around.len()).min_by(|a, b| away(&around[*a]).total_cmp(&away(&around[*b])));
+        let nearest = (0..around.len()).min_by(|a, b| away(&around[*a]).total_cmp(&away(&around[*b])));
         Some(range.start + from + nearest?)
     }
 }

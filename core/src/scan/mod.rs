@@ -1,5 +1,5 @@
-//! Digitizing: what a cycle that scans a surface hands over, and what is made of it. Lengths in mm, positions X Y Z of the
-//! active WCS.
+//! Digitizing: what a cycle that scans a surface hands over, and what is made of it. Lengths in mm, positions X Y Z of
+//! the active WCS.
 
 pub mod cloud;
 pub mod session;
@@ -19,7 +19,8 @@ use crate::run::{Machine, Stop};
 pub const POINTS: usize = 2_000_000;
 /// Points up to which a form follows a scan at every keystroke.
 pub const FORM_POINTS: usize = 1500;
-/// The same with a probe whose body is described: each way is looked at for the body too, which takes three times as long.
+/// The same with a probe whose body is described: each way is looked at for the body too, which takes three times as
+/// long.
 pub const FORM_POINTS_WITH_BODY: usize = 500;
 /// Points of which a trace holds every motion, and a log the block; of the others only the result counts.
 pub const TOLD: usize = 500;

@@ -64,11 +64,8 @@ impl Session {
     }
 
     fn scan(&mut self) {
-        let next = if self.cloud.points().len() == POINTS {
-            Err(too_many(POINTS))
-        } else {
-            self.scanner.next(&mut self.sim)
-        };
+        let next =
+            if self.cloud.points().len() == POINTS { Err(too_many(POINTS)) } else { self.scanner.next(&mut self.sim) };
         match next {
             Ok(Some(point)) => self.cloud.push(point),
             Ok(None) => self.scanned = true,
@@ -125,10 +122,7 @@ impl Session {
             squares += value * value;
         }
         let count = self.deviations.len().max(1) as f64;
-        Deviation {
-            greatest,
-            mean: (squares / count).sqrt(),
-        }
+        Deviation { greatest, mean: (squares / count).sqrt() }
     }
 
     /// A point of the WCS in machine coordinates.

@@ -4,19 +4,19 @@
 const MIXING: usize = 0x9d5b_c3a7;
 
 /// The turn of each of so many things: every number below `count` once. However many of the first turns are taken, they
-/// lie evenly among all: of pieces of equal length each has one before any has a second one. Where in its piece is left to
-/// chance, so that nothing that repeats among the things (lines that are scanned one beside the other) shows as a pattern.
+/// lie evenly among all: of pieces of equal length each has one before any has a second one. Where in its piece is left
+/// to chance, so that nothing that repeats among the things (lines that are scanned one beside the other) shows as a
+/// pattern.
 pub fn turns(count: usize) -> Vec<usize> {
     let bits = count.next_power_of_two().trailing_zeros();
     let all = 1_usize << bits;
-    // Each bit of the place follows from the turn and the bits above it: the pieces stay, their order in larger ones does not.
+    // Each bit of the place follows from the turn and the bits above it: the pieces stay, their order in larger ones
+    // does not.
     let place = |turn: usize| {
         let mixed = turn.wrapping_mul(MIXING);
         let mixed = mixed ^ mixed.wrapping_mul(MIXING << 1);
         let low = mixed & (all - 1);
-        low.reverse_bits()
-            .checked_shr(usize::BITS - bits)
-            .unwrap_or(0)
+        low.reverse_bits().checked_shr(usize::BITS - bits).unwrap_or(0)
     };
     let mut turns = vec![0; count];
     let places = (0..all).map(place).filter(|place| *place < count);

@@ -8,10 +8,7 @@ use crate::geometry::V3;
 use proptest::prelude::*;
 
 fn layout() -> Layout {
-    Layout {
-        radius: 3.0,
-        ..Layout::of(&delivery(Dialect::Nct), 0, 1)
-    }
+    Layout { radius: 3.0, ..Layout::of(&delivery(Dialect::Nct), 0, 1) }
 }
 
 /// Lines back and forth with uneven steps; `height` of the ball centre.
@@ -22,10 +19,7 @@ fn cloud(uneven: f64, lines: usize, height: impl Fn(f64, f64) -> f64) -> Cloud {
         for place in 0..12 {
             let place = if line % 2 == 0 { place } else { 11 - place } as f64;
             let x = place - 6.0 + uneven * (3.1 * place + line as f64).sin();
-            cloud.push(Scanned {
-                line,
-                at: [x, y, height(x, y) - 3.0],
-            });
+            cloud.push(Scanned { line, at: [x, y, height(x, y) - 3.0] });
         }
     }
     cloud
@@ -56,29 +50,17 @@ proptest! {
 fn few_points_have_a_normal_too() {
     let mut cloud = Cloud::default();
     assert_eq!(cloud.normal(&layout(), 0), V3::z());
-    cloud.push(Scanned {
-        line: 0,
-        at: [0.0; 3],
-    });
+    cloud.push(Scanned { line: 0, at: [0.0; 3] });
     assert_eq!(cloud.normal(&layout(), 0), V3::z());
     assert_eq!(cloud.surface(&layout(), 0), V3::zeros());
-    cloud.push(Scanned {
-        line: 0,
-        at: [4.0, 0.0, 3.0],
-    });
+    cloud.push(Scanned { line: 0, at: [4.0, 0.0, 3.0] });
     let rises = V3::new(-0.6, 0.0, 0.8);
     assert!((cloud.normal(&layout(), 0) - rises).norm() < 1e-12);
-    cloud.push(Scanned {
-        line: 3,
-        at: [4.0, 2.0, 3.0],
-    });
+    cloud.push(Scanned { line: 3, at: [4.0, 2.0, 3.0] });
     assert!((cloud.normal(&layout(), 1) - rises).norm() < 1e-12);
     assert_eq!(cloud.lines(), 2);
     assert_eq!(cloud.extent(2), [0.0, 3.0]);
     // the same place twice is no direction
-    cloud.push(Scanned {
-        line: 3,
-        at: [4.0, 2.0, 3.0],
-    });
+    cloud.push(Scanned { line: 3, at: [4.0, 2.0, 3.0] });
     assert!(cloud.normal(&layout(), 3).norm() > 0.9);
 }

@@ -1,5 +1,5 @@
-//! What a scan is sent as: an NC program, which cuts the surface with a cutter of the size of the ball (C:1262-1275), or
-//! lines X Y Z. The manual prints no block layout; DESIGN.md says how ours was chosen.
+//! What a scan is sent as: an NC program, which cuts the surface with a cutter of the size of the ball (C:1262-1275),
+//! or lines X Y Z. The manual prints no block layout; DESIGN.md says how ours was chosen.
 
 use super::{Cloud, Layout};
 use std::fmt::Write;
@@ -17,11 +17,7 @@ pub enum Form {
 }
 
 /// All of them, by name.
-pub const FORMS: [(&str, Form); 3] = [
-    ("program", Form::Program),
-    ("points", Form::Points),
-    ("surface", Form::Surface),
-];
+pub const FORMS: [(&str, Form); 3] = [("program", Form::Program), ("points", Form::Points), ("surface", Form::Surface)];
 
 const NAMES: [&str; 3] = ["X", "Y", "Z"];
 
@@ -131,11 +127,7 @@ fn fixed(steps: i64, decimals: u32, text: &mut String) {
     let sign = if steps < 0 { "-" } else { "" };
     let (unit, steps) = (10_u64.pow(decimals), steps.unsigned_abs());
     let (whole, part) = (steps / unit, steps % unit);
-    let _ = write!(
-        text,
-        "{sign}{whole}.{part:0width$}",
-        width = decimals as usize
-    );
+    let _ = write!(text, "{sign}{whole}.{part:0width$}", width = decimals as usize);
 }
 
 #[cfg(test)]

@@ -25,9 +25,7 @@ impl Mark {
     /// The settings of a machine.
     pub fn of(control: &Control) -> Mark {
         Mark {
-            mask: (0..ENTRIES)
-                .map(|entry| control.number(&name(entry)))
-                .collect(),
+            mask: (0..ENTRIES).map(|entry| control.number(&name(entry))).collect(),
             tools: TOOL_PROGRAMMING.map(|datum| control.number(datum)),
         }
     }
@@ -36,10 +34,7 @@ impl Mark {
     pub fn text(&self) -> String {
         let mask: Vec<String> = self.mask.iter().map(f64::to_string).collect();
         let tools = TOOL_PROGRAMMING.iter().zip(self.tools);
-        tools.fold(
-            format!("; {MASK}={}", mask.join(",")),
-            |text, (name, value)| format!("{text} {name}={value}"),
-        )
+        tools.fold(format!("; {MASK}={}", mask.join(",")), |text, (name, value)| format!("{text} {name}={value}"))
     }
 
     /// Reads a comment; none for any other.

@@ -46,9 +46,8 @@ impl Support {
     /// which the support has no form.
     pub fn of(cycle: &Cycle, control: &Control) -> Option<Support> {
         let has_form = cycle.dialect == Dialect::Sinumerik && cycle.purpose.probe != ProbeUse::None;
-        (has_form && control.bit(FORMS)).then(|| Support {
-            entries: std::array::from_fn(|entry| control.bit(&name(entry))),
-        })
+        (has_form && control.bit(FORMS))
+            .then(|| Support { entries: std::array::from_fn(|entry| control.bit(&name(entry))) })
     }
 
     /// Whether an entry of `_MZ_MASK` is 1.
@@ -59,11 +58,7 @@ impl Support {
     /// Way of writing that the first entry chooses, where the cycle has it (B:12501-12502).
     pub fn style(&self, cycle: &Cycle) -> Style {
         let indirect = |list: &ArgumentList| list.style == Style::Indirect;
-        if self.entry(0) || !cycle.lists.iter().any(indirect) {
-            Style::Direct
-        } else {
-            Style::Indirect
-        }
+        if self.entry(0) || !cycle.lists.iter().any(indirect) { Style::Direct } else { Style::Indirect }
     }
 }
 

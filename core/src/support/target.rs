@@ -29,10 +29,7 @@ pub fn usual(inputs: &Inputs) -> Quantity {
 
 /// Whether the limited choice holds this zero offset: none, the settable ones, the last basic frame of the channel.
 pub fn usual_zero(code: i64) -> bool {
-    matches!(
-        knum::zero(code),
-        Ok(None | Some(ZeroCode::Settable(_) | ZeroCode::LastBasic))
-    )
+    matches!(knum::zero(code), Ok(None | Some(ZeroCode::Settable(_) | ZeroCode::LastBasic)))
 }
 
 /// What the settings make of the target that the values name.
@@ -53,13 +50,8 @@ fn tool(code: i64, inputs: &Inputs) -> Offer {
     let Ok(Some(read)) = knum::tool(code, inputs.five_digit_edges) else {
         return Offer::Same;
     };
-    let offered = ToolCode {
-        edge: read.edge,
-        quantity: usual(inputs),
-        inverted: false,
-        location: false,
-        environment: false,
-    };
+    let offered =
+        ToolCode { edge: read.edge, quantity: usual(inputs), inverted: false, location: false, environment: false };
     if read == offered {
         Offer::Same
     } else if read.edge == 0 {

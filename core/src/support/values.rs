@@ -27,31 +27,11 @@ enum Instead {
 }
 
 const RULES: &[Rule] = &[
-    Rule {
-        param: names::VMS,
-        entries: &[FEED],
-        value: Instead::Number("0"),
-    },
-    Rule {
-        param: names::NMSP,
-        entries: &[FEED],
-        value: Instead::Number("1"),
-    },
-    Rule {
-        param: names::EVNUM,
-        entries: &[EMPIRICAL, MEAN],
-        value: Instead::Number("0"),
-    },
-    Rule {
-        param: names::TMV,
-        entries: &[MEAN],
-        value: Instead::ThirdOfTolerance,
-    },
-    Rule {
-        param: names::K,
-        entries: &[MEAN],
-        value: Instead::Number("1"),
-    },
+    Rule { param: names::VMS, entries: &[FEED], value: Instead::Number("0") },
+    Rule { param: names::NMSP, entries: &[FEED], value: Instead::Number("1") },
+    Rule { param: names::EVNUM, entries: &[EMPIRICAL, MEAN], value: Instead::Number("0") },
+    Rule { param: names::TMV, entries: &[MEAN], value: Instead::ThirdOfTolerance },
+    Rule { param: names::K, entries: &[MEAN], value: Instead::Number("1") },
 ];
 
 /// What a form with these settings holds.
@@ -73,13 +53,10 @@ impl Entered {
         let bits = self.bits.iter();
         let bits = bits.map(|(name, on)| ((*name).to_owned(), f64::from(u8::from(*on))));
         let is_datum = |name: &str| gud::named(name).is_some_and(gud::Gud::of_machine);
-        let data = self
-            .values
-            .iter()
-            .filter_map(|(name, text)| match parse(text) {
-                Parsed::Number(number) if is_datum(name) => Some((name.clone(), number)),
-                _ => None,
-            });
+        let data = self.values.iter().filter_map(|(name, text)| match parse(text) {
+            Parsed::Number(number) if is_datum(name) => Some((name.clone(), number)),
+            _ => None,
+        });
         let written = bits.chain(data).map(|(name, number)| {
             let before = control.data.insert(name.clone(), Value::Number(number));
             (name, before)
@@ -107,11 +84,7 @@ impl Support {
     /// The fields for the mean value are those of a correction that forms one.
     fn without_field(&self, rule: &Rule, inputs: &Inputs) -> bool {
         let counts = |entry: &&usize| **entry != MEAN || mean_value(inputs);
-        !rule
-            .entries
-            .iter()
-            .filter(counts)
-            .any(|entry| self.entry(*entry))
+        !rule.entries.iter().filter(counts).any(|entry| self.entry(*entry))
     }
 
     /// The values that a form with these settings has for what was typed.
@@ -126,20 +99,11 @@ impl Support {
                 values.insert(param.name.to_owned(), text);
             }
         }
-        Entered {
-            bits: self.bits(&inputs),
-            values,
-        }
+        Entered { bits: self.bits(&inputs), values }
     }
 
     /// The value that the settings give a parameter, whatever was typed.
-    fn forced(
-        &self,
-        param: &Param,
-        inputs: &Inputs,
-        typed: &Typed,
-        control: &Control,
-    ) -> Option<String> {
+    fn forced(&self, param: &Param, inputs: &Inputs, typed: &Typed, control: &Control) -> Option<String> {
         if let Some(rule) = rule(param).filter(|rule| self.without_field(rule, inputs)) {
             return match rule.value {
                 Instead::Number(number) => Some(number.to_owned()),
@@ -167,15 +131,9 @@ impl Support {
     /// The bits that are written with the call: of a correction that can form a mean value, and of tool measurement
     /// that can take feed and speed from data.
     fn bits(&self, inputs: &Inputs) -> Vec<(&'static str, bool)> {
-        let measures = inputs.cycle.settings.contains(&SPEEDS_BIT)
-            && !inputs.cycle.purpose.calibrates.holds(inputs);
-        let all = [
-            (mean_value(inputs), (MEAN_BIT, self.entry(MEAN))),
-            (measures, (SPEEDS_BIT, self.entry(SPEEDS))),
-        ];
-        all.into_iter()
-            .filter_map(|(written, bit)| written.then_some(bit))
-            .collect()
+        let measures = inputs.cycle.settings.contains(&SPEEDS_BIT) && !inputs.cycle.purpose.calibrates.holds(inputs);
+        let all = [(mean_value(inputs), (MEAN_BIT, self.entry(MEAN))), (measures, (SPEEDS_BIT, self.entry(SPEEDS)))];
+        all.into_iter().filter_map(|(written, bit)| written.then_some(bit)).collect()
     }
 }
 
@@ -207,9 +165,7 @@ fn third_of_tolerance(cycle: &Cycle, typed: &Typed, control: &Control) -> Option
         }
     };
     match (limit(names::TUL)?, limit(names::TLL)?) {
-        (Parsed::Number(upper), Parsed::Number(lower)) => {
-            Some(decimal((upper - lower).abs() / 3.0))
-        }
+        (Parsed::Number(upper), Parsed::Number(lower)) => Some(decimal((upper - lower).abs() / 3.0)),
         _ => Some(format!("ABS({}-{})/3", names::TUL, names::TLL)),
     }
 }

@@ -82,25 +82,13 @@ impl Body {
             Shape::Free(ref surface) => self.free = Some(Arc::clone(surface)),
             Shape::Hole { diameter, depth } => self.hole(diameter, depth, errors),
             Shape::Shaft { diameter, height } => self.shaft(diameter, height, errors),
-            Shape::Groove {
-                width,
-                depth,
-                length,
-            } => self.groove([width, length], depth, errors),
+            Shape::Groove { width, depth, length } => self.groove([width, length], depth, errors),
             Shape::Pocket { length, depth } => {
                 let length = length.map(|l| l + errors.size);
                 self.pocket(Frustum::tapered(length, depth, errors.taper));
             }
-            Shape::Web {
-                width,
-                height,
-                length,
-            } => {
-                self.island(Frustum::tapered(
-                    [width + errors.size, length],
-                    height,
-                    errors.taper,
-                ));
+            Shape::Web { width, height, length } => {
+                self.island(Frustum::tapered([width + errors.size, length], height, errors.taper));
             }
             Shape::Island { length, height } => {
                 let length = length.map(|l| l + errors.size);
@@ -110,24 +98,10 @@ impl Body {
                 let length = [x + errors.size, y + errors.size];
                 self.block(Frustum::tapered(length, z, errors.taper));
             }
-            Shape::OuterCorner {
-                angle,
-                length,
-                height,
-            } => self.block(Frustum::corner(angle, length, height, errors)),
-            Shape::InnerCorner {
-                angle,
-                length,
-                depth,
-            } => self.pocket(Frustum::corner(angle, length, depth, errors)),
-            Shape::Turned {
-                diameter,
-                length,
-                bore,
-            } => self.turned(diameter, length, bore, errors),
-            Shape::Chuck {
-                diameter, length, ..
-            } => self.turned(diameter, length, [0.0; 2], errors),
+            Shape::OuterCorner { angle, length, height } => self.block(Frustum::corner(angle, length, height, errors)),
+            Shape::InnerCorner { angle, length, depth } => self.pocket(Frustum::corner(angle, length, depth, errors)),
+            Shape::Turned { diameter, length, bore } => self.turned(diameter, length, bore, errors),
+            Shape::Chuck { diameter, length, .. } => self.turned(diameter, length, [0.0; 2], errors),
             Shape::Sphere { diameter } => {
                 let radius = (diameter + errors.size) / 2.0;
                 self.features.push(Feature::Sphere(radius));
@@ -168,10 +142,7 @@ impl Body {
         lid.trim = Trim::Within(lobes);
         self.add(&[lid], false);
         self.round(lobes, height, false);
-        self.material.push(Piece::Round {
-            lobes,
-            depth: height,
-        });
+        self.material.push(Piece::Round { lobes, depth: height });
         self.plate([half, half], -height);
     }
 
@@ -189,33 +160,21 @@ impl Body {
             front = Trim::Between(inner, outer);
             self.add(&[face(-depth, Trim::Within(inner))], false);
             self.round(inner, depth, true);
-            self.cavity = Some(Piece::Round {
-                lobes: inner,
-                depth,
-            });
+            self.cavity = Some(Piece::Round { lobes: inner, depth });
         }
         let back = reversed(face(-length, Trim::Within(outer)));
         self.add(&[face(0.0, front), back], false);
         self.round(outer, length, false);
         self.rim(outer, -length);
-        self.material.push(Piece::Round {
-            lobes: outer,
-            depth: length,
-        });
+        self.material.push(Piece::Round { lobes: outer, depth: length });
     }
 
     fn round(&mut self, lobes: Lobes, depth: f64, inner: bool) {
         if lobes.amplitude != 0.0 && lobes.count > 0 {
-            self.features
-                .push(Feature::Lobed(LobedWall { lobes, depth }));
+            self.features.push(Feature::Lobed(LobedWall { lobes, depth }));
         } else {
             let radius = lobes.radius + lobes.amplitude;
-            self.features.push(Feature::Wall(Wall {
-                radius,
-                slope: lobes.slope,
-                depth,
-                inner,
-            }));
+            self.features.push(Feature::Wall(Wall { radius, slope: lobes.slope, depth, inner }));
         }
         self.rim(lobes, 0.0);
     }
@@ -291,21 +250,11 @@ impl Body {
         let end = |side: f64| {
             let (low, high) = (cavity.bottom, cavity.top);
             let [outer, top, bottom] = [block.above[0], cavity.above[0], cavity.below[0]];
-            [
-                at(bottom, side, low),
-                at(outer, side, low),
-                at(outer, side, high),
-                at(top, side, high),
-            ]
+            [at(bottom, side, low), at(outer, side, low), at(outer, side, high), at(top, side, high)]
         };
         let mirrored = |corners: [V3; 4]| corners.map(|p| V3::new(p.x, -p.y, p.z));
         let (right, left) = (end(1.0), end(-1.0));
-        let faces = [
-            quad(right),
-            reversed(quad(left)),
-            reversed(quad(mirrored(right))),
-            quad(mirrored(left)),
-        ];
+        let faces = [quad(right), reversed(quad(left)), reversed(quad(mirrored(right))), quad(mirrored(left))];
         self.add(&faces, false);
         self.add(&[south, north], false);
     }
@@ -318,10 +267,7 @@ impl Body {
                 continue;
             }
             for (a, b) in quad.edges() {
-                self.add_once(
-                    Feature::Segment(Segment { a, b }),
-                    Feature::Segment(Segment { a: b, b: a }),
-                );
+                self.add_once(Feature::Segment(Segment { a, b }), Feature::Segment(Segment { a: b, b: a }));
                 self.add_once(Feature::Point(a), Feature::Point(a));
             }
         }
@@ -338,9 +284,7 @@ impl Piece {
     fn contains(&self, p: &V3) -> bool {
         match self {
             Piece::Frustum(frustum) => frustum.contains(p),
-            Piece::Round { lobes, depth } => {
-                p.z <= 0.0 && p.z >= -depth && p.xy().norm() <= lobes.radius_at(p)
-            }
+            Piece::Round { lobes, depth } => p.z <= 0.0 && p.z >= -depth && p.xy().norm() <= lobes.radius_at(p),
             Piece::Ball { radius } => p.norm() <= *radius,
         }
     }
@@ -348,10 +292,5 @@ impl Piece {
 
 fn lobes(diameter: f64, errors: &PartErrors) -> Lobes {
     let (amplitude, count) = errors.out_of_round;
-    Lobes {
-        radius: (diameter + errors.size) / 2.0,
-        slope: errors.taper / 2.0,
-        amplitude,
-        count,
-    }
+    Lobes { radius: (diameter + errors.size) / 2.0, slope: errors.taper / 2.0, amplitude, count }
 }

@@ -33,11 +33,7 @@ mod tests {
     fn eccentricity_and_lobes_go_round_with_the_part() {
         // oracle: hand: a point of the machine that is turned with the part is as far from it as before
         let part = Solid {
-            shape: Shape::Turned {
-                diameter: 40.0,
-                length: 60.0,
-                bore: [20.0, 30.0],
-            },
+            shape: Shape::Turned { diameter: 40.0, length: 60.0, bore: [20.0, 30.0] },
             at: [5.0, -3.0, 10.0],
             rotation: [0.0; 3],
             errors: PartErrors {
@@ -58,10 +54,7 @@ mod tests {
                 };
                 let before = far(part.clone(), point.into());
                 let after = far(turned(&part, angle), moved);
-                assert!(
-                    (before - after).abs() < 1e-9,
-                    "{angle} {point:?}: {before} {after}"
-                );
+                assert!((before - after).abs() < 1e-9, "{angle} {point:?}: {before} {after}");
             }
         }
     }
@@ -69,17 +62,10 @@ mod tests {
     #[test]
     fn what_belongs_to_the_machine_stays() {
         let groove = Solid {
-            shape: Shape::Groove {
-                width: 10.0,
-                depth: 20.0,
-                length: 40.0,
-            },
+            shape: Shape::Groove { width: 10.0, depth: 20.0, length: 40.0 },
             at: [60.0, 0.0, 0.0],
             rotation: [0.0; 3],
-            errors: PartErrors {
-                shift: [0.1, 0.2, 0.3],
-                ..PartErrors::default()
-            },
+            errors: PartErrors { shift: [0.1, 0.2, 0.3], ..PartErrors::default() },
         };
         assert_eq!(turned(&groove, 90.0), groove);
     }

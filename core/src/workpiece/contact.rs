@@ -43,9 +43,7 @@ pub struct Boundary {
 impl Boundary {
     /// That of a part.
     pub fn of(workpiece: &Workpiece) -> Boundary {
-        Boundary {
-            bodies: workpiece.solids.iter().map(Body::new).collect(),
-        }
+        Boundary { bodies: workpiece.solids.iter().map(Body::new).collect() }
     }
 
     /// First contact of a ball whose centre moves from `from` to `to`.
@@ -62,11 +60,7 @@ impl Boundary {
                 Start::Already(point, normal, depth) => {
                     let point = body.place.transform_point(&point.into()).coords;
                     let normal = body.place.rotation * normal;
-                    return Contact::Already {
-                        point: point.into(),
-                        normal: normal.into(),
-                        depth,
-                    };
+                    return Contact::Already { point: point.into(), normal: normal.into(), depth };
                 }
                 Start::Pressed(point, normal) => nearest = Some(placed(body, 0.0, point, normal)),
                 Start::Free => {
@@ -80,11 +74,7 @@ impl Boundary {
             }
         }
         nearest.map_or(Contact::None, |(s, point, normal)| Contact::Hit {
-            t: if way.length > 0.0 {
-                s / way.length
-            } else {
-                0.0
-            },
+            t: if way.length > 0.0 { s / way.length } else { 0.0 },
             ball: way.at(s).into(),
             point: point.into(),
             normal: normal.into(),
@@ -94,17 +84,10 @@ impl Boundary {
     /// Distance of a point from the surface of the nearest solid, mm, negative inside; infinite where there is none.
     pub fn distance(&self, p: [f64; 3]) -> f64 {
         self.bodies.iter().fold(f64::INFINITY, |least, body| {
-            let own = body
-                .place
-                .inverse_transform_point(&V3::from(p).into())
-                .coords;
+            let own = body.place.inverse_transform_point(&V3::from(p).into()).coords;
             let distance = surface(body, &own, f64::INFINITY);
             let distance = distance.map_or(f64::INFINITY, |(_, distance)| distance);
-            least.min(if body.inside(&own) {
-                -distance
-            } else {
-                distance
-            })
+            least.min(if body.inside(&own) { -distance } else { distance })
         })
     }
 }
@@ -121,27 +104,15 @@ fn start(body: &Body, path: &Path, radius: f64) -> Start {
         return start_at_mesh(&free.mesh, path, radius);
     }
     let inside = body.inside(&path.from);
-    let reach = if inside {
-        f64::INFINITY
-    } else {
-        radius + TOLERANCE
-    };
+    let reach = if inside { f64::INFINITY } else { radius + TOLERANCE };
     let Some((point, distance)) = surface(body, &path.from, reach) else {
         return Start::Free;
     };
-    let depth = if inside {
-        radius + distance
-    } else {
-        radius - distance
-    };
+    let depth = if inside { radius + distance } else { radius - distance };
     if depth > TOLERANCE {
         let away = path.from - point;
         let normal = if inside { -away } else { away };
-        return Start::Already(
-            point,
-            normal.try_normalize(0.0).unwrap_or_else(V3::z),
-            depth,
-        );
+        return Start::Already(point, normal.try_normalize(0.0).unwrap_or_else(V3::z), depth);
     }
     if depth < -TOLERANCE {
         return Start::Free;
@@ -164,9 +135,7 @@ fn start_at_mesh(mesh: &Mesh, path: &Path, radius: f64) -> Start {
     match mesh.stand(path, radius) {
         Stand::Inside(point, normal, depth) => Start::Already(point, normal, depth),
         Stand::Pressed(point, normal) => Start::Pressed(point, normal),
-        Stand::Free if path.length == 0.0 && mesh.covers(&path.from) => {
-            Start::Already(path.from, V3::z(), radius)
-        }
+        Stand::Free if path.length == 0.0 && mesh.covers(&path.from) => Start::Already(path.from, V3::z(), radius),
         Stand::Free => Start::Free,
     }
 }
@@ -223,9 +192,5 @@ fn hit(body: &Body, path: &Path, radius: f64) -> Option<(f64, V3, V3)> {
 }
 
 fn placed(body: &Body, s: f64, point: V3, normal: V3) -> (f64, V3, V3) {
-    (
-        s,
-        body.place.transform_point(&point.into()).coords,
-        body.place.rotation * normal,
-    )
+    (s, body.place.transform_point(&point.into()).coords, body.place.rotation * normal)
 }

@@ -9,14 +9,7 @@ use proptest::prelude::*;
 use std::sync::Arc;
 
 fn part(shape: Shape, errors: PartErrors) -> Workpiece {
-    Workpiece {
-        solids: vec![Solid {
-            shape,
-            at: [0.0; 3],
-            rotation: [0.0; 3],
-            errors,
-        }],
-    }
+    Workpiece { solids: vec![Solid { shape, at: [0.0; 3], rotation: [0.0; 3], errors }] }
 }
 
 fn first(part: &Workpiece, radius: f64, from: [f64; 3], to: [f64; 3]) -> Contact {
@@ -29,56 +22,18 @@ fn distance(part: &Workpiece, point: [f64; 3]) -> f64 {
 
 fn shapes() -> Vec<Shape> {
     vec![
-        Shape::Hole {
-            diameter: 30.0,
-            depth: 20.0,
-        },
-        Shape::Shaft {
-            diameter: 30.0,
-            height: 20.0,
-        },
-        Shape::Groove {
-            width: 24.0,
-            depth: 20.0,
-            length: 60.0,
-        },
-        Shape::Web {
-            width: 24.0,
-            height: 20.0,
-            length: 60.0,
-        },
-        Shape::Pocket {
-            length: [40.0, 26.0],
-            depth: 20.0,
-        },
-        Shape::Island {
-            length: [40.0, 26.0],
-            height: 20.0,
-        },
-        Shape::Block {
-            size: [60.0, 50.0, 20.0],
-        },
-        Shape::Turned {
-            diameter: 30.0,
-            length: 20.0,
-            bore: [0.0; 2],
-        },
-        Shape::Turned {
-            diameter: 46.0,
-            length: 22.0,
-            bore: [28.0, 14.0],
-        },
+        Shape::Hole { diameter: 30.0, depth: 20.0 },
+        Shape::Shaft { diameter: 30.0, height: 20.0 },
+        Shape::Groove { width: 24.0, depth: 20.0, length: 60.0 },
+        Shape::Web { width: 24.0, height: 20.0, length: 60.0 },
+        Shape::Pocket { length: [40.0, 26.0], depth: 20.0 },
+        Shape::Island { length: [40.0, 26.0], height: 20.0 },
+        Shape::Block { size: [60.0, 50.0, 20.0] },
+        Shape::Turned { diameter: 30.0, length: 20.0, bore: [0.0; 2] },
+        Shape::Turned { diameter: 46.0, length: 22.0, bore: [28.0, 14.0] },
         Shape::Sphere { diameter: 30.0 },
-        Shape::OuterCorner {
-            angle: 50.0,
-            length: [60.0, 50.0],
-            height: 20.0,
-        },
-        Shape::InnerCorner {
-            angle: 115.0,
-            length: [40.0, 50.0],
-            depth: 20.0,
-        },
+        Shape::OuterCorner { angle: 50.0, length: [60.0, 50.0], height: 20.0 },
+        Shape::InnerCorner { angle: 115.0, length: [40.0, 50.0], depth: 20.0 },
     ]
 }
 
@@ -90,20 +45,8 @@ fn errors() -> impl Strategy<Value = PartErrors> {
     let shift = [-5.0..5.0, -5.0..5.0, -5.0..5.0];
     let tilt = [-4.0..4.0, -4.0..4.0, -180.0..180.0];
     let lobes = prop_oneof![Just((0.0, 0)), (-0.2..0.2f64, 2..6u32)];
-    (
-        shift,
-        -0.5..0.5,
-        tilt,
-        prop_oneof![Just(0.0), -0.1..0.1],
-        lobes,
-    )
-        .prop_map(|(shift, size, tilt, taper, out_of_round)| PartErrors {
-            shift,
-            size,
-            tilt,
-            taper,
-            out_of_round,
-        })
+    (shift, -0.5..0.5, tilt, prop_oneof![Just(0.0), -0.1..0.1], lobes)
+        .prop_map(|(shift, size, tilt, taper, out_of_round)| PartErrors { shift, size, tilt, taper, out_of_round })
 }
 
 fn point() -> impl Strategy<Value = [f64; 3]> {
@@ -113,57 +56,28 @@ fn point() -> impl Strategy<Value = [f64; 3]> {
 // oracle: hand: a ball of radius 2 in the middle of a hole of 50 has 23 mm to go
 #[test]
 fn hole_touched_centrally() {
-    let hole = part(
-        Shape::Hole {
-            diameter: 50.0,
-            depth: 20.0,
-        },
-        PartErrors::default(),
-    );
+    let hole = part(Shape::Hole { diameter: 50.0, depth: 20.0 }, PartErrors::default());
     for direction in [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0], [0.6, 0.8]] {
         let to = [40.0 * direction[0], 40.0 * direction[1], -5.0];
-        let Contact::Hit {
-            t, point, normal, ..
-        } = first(&hole, 2.0, [0.0, 0.0, -5.0], to)
-        else {
-            panic!("no hit")
-        };
+        let Contact::Hit { t, point, normal, .. } = first(&hole, 2.0, [0.0, 0.0, -5.0], to) else { panic!("no hit") };
         assert!((t * 40.0 - 23.0).abs() < 1e-12, "{t}");
-        assert!(
-            (point[0] - 25.0 * direction[0]).abs() < 1e-12
-                && (normal[0] + direction[0]).abs() < 1e-12
-        );
+        assert!((point[0] - 25.0 * direction[0]).abs() < 1e-12 && (normal[0] + direction[0]).abs() < 1e-12);
     }
 }
 
 // oracle: hand: chord of a hole at 10 mm beside the centre, radius 25 − 2 = 23
 #[test]
 fn hole_touched_beside_the_centre() {
-    let hole = part(
-        Shape::Hole {
-            diameter: 50.0,
-            depth: 20.0,
-        },
-        PartErrors::default(),
-    );
-    let Contact::Hit { ball, .. } = first(&hole, 2.0, [0.0, 10.0, -5.0], [40.0, 10.0, -5.0]) else {
-        panic!("no hit")
-    };
+    let hole = part(Shape::Hole { diameter: 50.0, depth: 20.0 }, PartErrors::default());
+    let Contact::Hit { ball, .. } = first(&hole, 2.0, [0.0, 10.0, -5.0], [40.0, 10.0, -5.0]) else { panic!("no hit") };
     assert!((ball[0] - (23.0f64 * 23.0 - 100.0).sqrt()).abs() < 1e-12);
 }
 
 // oracle: hand: rim of the hole: ball centre 1 mm above the face, sqrt(r² − 1) off the edge
 #[test]
 fn rim_of_a_hole() {
-    let hole = part(
-        Shape::Hole {
-            diameter: 50.0,
-            depth: 20.0,
-        },
-        PartErrors::default(),
-    );
-    let Contact::Hit { ball, point, .. } = first(&hole, 2.0, [0.0, 0.0, 1.0], [40.0, 0.0, 1.0])
-    else {
+    let hole = part(Shape::Hole { diameter: 50.0, depth: 20.0 }, PartErrors::default());
+    let Contact::Hit { ball, point, .. } = first(&hole, 2.0, [0.0, 0.0, 1.0], [40.0, 0.0, 1.0]) else {
         panic!("no hit")
     };
     assert!((ball[0] - (25.0 - 3f64.sqrt())).abs() < 1e-11, "{ball:?}");
@@ -174,8 +88,7 @@ fn rim_of_a_hole() {
 #[test]
 fn sphere_touched_beside_the_centre() {
     let sphere = part(Shape::Sphere { diameter: 50.0 }, PartErrors::default());
-    let Contact::Hit { ball, normal, .. } = first(&sphere, 3.0, [40.0, 4.0, 8.0], [0.0, 4.0, 8.0])
-    else {
+    let Contact::Hit { ball, normal, .. } = first(&sphere, 3.0, [40.0, 4.0, 8.0], [0.0, 4.0, 8.0]) else {
         panic!("no hit")
     };
     let reached = (28.0_f64 * 28.0 - 80.0).sqrt();
@@ -188,17 +101,8 @@ fn sphere_touched_beside_the_centre() {
 // oracle: hand: r(angle) = 25 + 0.1·cos(3·angle)
 #[test]
 fn lobed_hole_along_its_lobes() {
-    let errors = PartErrors {
-        out_of_round: (0.1, 3),
-        ..PartErrors::default()
-    };
-    let hole = part(
-        Shape::Hole {
-            diameter: 50.0,
-            depth: 20.0,
-        },
-        errors,
-    );
+    let errors = PartErrors { out_of_round: (0.1, 3), ..PartErrors::default() };
+    let hole = part(Shape::Hole { diameter: 50.0, depth: 20.0 }, errors);
     let reach = |x: f64| match first(&hole, 0.5, [0.0, 0.0, -5.0], [x, 0.0, -5.0]) {
         Contact::Hit { ball, .. } => ball[0],
         other => panic!("{other:?}"),
@@ -210,34 +114,14 @@ fn lobed_hole_along_its_lobes() {
 // oracle: hand
 #[test]
 fn touching_at_the_start() {
-    let block = part(
-        Shape::Block {
-            size: [60.0, 50.0, 20.0],
-        },
-        PartErrors::default(),
-    );
+    let block = part(Shape::Block { size: [60.0, 50.0, 20.0] }, PartErrors::default());
     let deep = first(&block, 2.0, [0.0, 0.0, 1.9], [0.0, 0.0, 10.0]);
-    assert!(
-        matches!(deep, Contact::Already { depth, .. } if (depth - 0.1).abs() < 1e-12),
-        "{deep:?}"
-    );
+    assert!(matches!(deep, Contact::Already { depth, .. } if (depth - 0.1).abs() < 1e-12), "{deep:?}");
     let inside = first(&block, 2.0, [0.0, 0.0, -1.0], [0.0, 0.0, 10.0]);
-    assert!(
-        matches!(inside, Contact::Already { depth, .. } if (depth - 3.0).abs() < 1e-12),
-        "{inside:?}"
-    );
-    assert_eq!(
-        first(&block, 2.0, [0.0, 0.0, 2.0], [0.0, 0.0, 10.0]),
-        Contact::None
-    );
-    assert_eq!(
-        first(&block, 2.0, [0.0, 0.0, 2.0], [9.0, 0.0, 2.0]),
-        Contact::None
-    );
-    assert!(matches!(
-        first(&block, 2.0, [0.0, 0.0, 2.0], [0.0, 0.0, 1.0]),
-        Contact::Hit { t: 0.0, .. }
-    ));
+    assert!(matches!(inside, Contact::Already { depth, .. } if (depth - 3.0).abs() < 1e-12), "{inside:?}");
+    assert_eq!(first(&block, 2.0, [0.0, 0.0, 2.0], [0.0, 0.0, 10.0]), Contact::None);
+    assert_eq!(first(&block, 2.0, [0.0, 0.0, 2.0], [9.0, 0.0, 2.0]), Contact::None);
+    assert!(matches!(first(&block, 2.0, [0.0, 0.0, 2.0], [0.0, 0.0, 1.0]), Contact::Hit { t: 0.0, .. }));
 }
 
 proptest! {
@@ -304,21 +188,10 @@ fn check_free(part: &Workpiece, radius: f64, from: V3, to: V3) -> Result<(), Tes
 // half of the error of size, in a pocket away from the ball.
 #[test]
 fn the_walls_of_a_corner_stand_out_by_half_of_its_error() {
-    let errors = PartErrors {
-        size: 0.4,
-        ..PartErrors::default()
-    };
+    let errors = PartErrors { size: 0.4, ..PartErrors::default() };
     let (angle, length, depth) = (60.0, [50.0, 40.0], 30.0);
-    let outer = Shape::OuterCorner {
-        angle,
-        length,
-        height: depth,
-    };
-    let inner = Shape::InnerCorner {
-        angle,
-        length,
-        depth,
-    };
+    let outer = Shape::OuterCorner { angle, length, height: depth };
+    let inner = Shape::InnerCorner { angle, length, depth };
     let root = 3.0_f64.sqrt() / 2.0;
     let first_wall = |way: f64| [25.0, way, -15.0];
     let second_wall = |way: f64| [10.0 + root * way, 20.0 * root - way / 2.0, -15.0];
@@ -340,9 +213,7 @@ fn a_free_surface_is_touched_like_any_solid() {
     let free = part(Shape::Free(Arc::new(surface)), PartErrors::default());
     let free = Boundary::of(&free);
     let found = free.first(4.0, [0.0, 1.0, 30.0], [0.0, 1.0, -30.0]);
-    let Contact::Hit { ball, normal, .. } = found else {
-        panic!("{found:?}")
-    };
+    let Contact::Hit { ball, normal, .. } = found else { panic!("{found:?}") };
     assert!((ball[2] - 5.0).abs() < 1e-9);
     assert!((normal[0] - 0.6).abs() < 1e-9 && (normal[2] - 0.8).abs() < 1e-9);
     let under = free.first(4.0, [0.0, 0.0, -9.0], [0.0, 0.0, -9.0]);

@@ -48,23 +48,14 @@ pub struct Caught {
 impl Feeler {
     /// A ball alone.
     pub fn ball(radius: f64) -> Feeler {
-        Feeler {
-            radius,
-            stylus: None,
-            body: None,
-        }
+        Feeler { radius, stylus: None, body: None }
     }
 
     /// Ball, stylus and body of a probe; `up`: unit vector from the ball to what holds it.
     pub fn new(probe: &Probe, up: [f64; 3]) -> Feeler {
         let up = V3::from(up);
         let rod = |from: f64, to: f64, radius: f64| {
-            (to > from && radius > 0.0).then(|| Rod {
-                foot: up * from,
-                up,
-                length: to - from,
-                radius,
-            })
+            (to > from && radius > 0.0).then(|| Rod { foot: up * from, up, length: to - from, radius })
         };
         let (held, thick) = (probe.held(), probe.stylus_radius());
         // one that is thicker than the ball ends round at the height of its centre
@@ -73,18 +64,13 @@ impl Feeler {
             let end = probe.length.max(held + body.radius);
             rod(held, end, body.radius)
         });
-        Feeler {
-            radius: probe.radius,
-            stylus: rod(lowest, held, thick),
-            body,
-        }
+        Feeler { radius: probe.radius, stylus: rod(lowest, held, thick), body }
     }
 
     /// Stylus and body, if there are any.
     pub fn rods(&self) -> impl Iterator<Item = (Touching, Rod)> {
         let rods = [(Touching::Stylus, self.stylus), (Touching::Body, self.body)];
-        rods.into_iter()
-            .filter_map(|(by, rod)| rod.map(|rod| (by, rod)))
+        rods.into_iter().filter_map(|(by, rod)| rod.map(|rod| (by, rod)))
     }
 
     /// What stylus and body meet first, the ball going straight from one place to another. What goes through their axis
@@ -94,10 +80,7 @@ impl Feeler {
         let path = Path::new(from.into(), to.into());
         let way = Stretch::straight(from.into(), to.into());
         let met = self.rods().filter_map(|(by, rod)| {
-            let placed = Rod {
-                foot: path.from + rod.foot,
-                ..rod
-            };
+            let placed = Rod { foot: path.from + rod.foot, ..rod };
             let end = self.end(by);
             if !part.may_meet(&self.swept(&rod, by, &way)) {
                 return None;
@@ -111,11 +94,7 @@ impl Feeler {
         });
         let (by, met) = met.min_by(|(_, a), (_, b)| a.way.total_cmp(&b.way))?;
         Some(Caught {
-            part: if path.length > 0.0 {
-                met.way / path.length
-            } else {
-                0.0
-            },
+            part: if path.length > 0.0 { met.way / path.length } else { 0.0 },
             by,
             point: met.point.into(),
             normal: met.normal.into(),
@@ -124,12 +103,7 @@ impl Feeler {
 
     /// Whether the ball may meet the part on a stretch of its way.
     pub fn ball_may_meet(&self, part: &Boundary, way: &Stretch) -> bool {
-        part.may_meet(&Swept {
-            way: *way,
-            rise: V3::zeros(),
-            radius: self.radius,
-            flat: false,
-        })
+        part.may_meet(&Swept { way: *way, rise: V3::zeros(), radius: self.radius, flat: false })
     }
 
     /// Whether stylus or body may, the ball being on that stretch.
@@ -200,15 +174,9 @@ impl Boundary {
     fn pierced(&self, rod: &Rod) -> Option<Met> {
         let (point, normal) = match self.first(0.0, rod.top().into(), rod.foot.into()) {
             Contact::None => return None,
-            Contact::Already { point, normal, .. } | Contact::Hit { point, normal, .. } => {
-                (point, normal)
-            }
+            Contact::Already { point, normal, .. } | Contact::Hit { point, normal, .. } => (point, normal),
         };
-        Some(Met {
-            way: 0.0,
-            point: point.into(),
-            normal: normal.into(),
-        })
+        Some(Met { way: 0.0, point: point.into(), normal: normal.into() })
     }
 
     /// A round end, which may leave what it reaches into.
@@ -223,28 +191,15 @@ impl Boundary {
                 }
                 (0.0, point, normal)
             }
-            Contact::Hit {
-                t, point, normal, ..
-            } => (t * path.length, point, normal),
+            Contact::Hit { t, point, normal, .. } => (t * path.length, point, normal),
         };
-        Some(Met {
-            way,
-            point: point.into(),
-            normal: normal.into(),
-        })
+        Some(Met { way, point: point.into(), normal: normal.into() })
     }
 
     /// The edge of a flat end.
     fn edge(&self, rod: &Rod, path: &Path) -> Option<Met> {
         let rounded = ROUNDED.min(rod.radius);
-        let first = rod
-            .up
-            .cross(&if rod.up.x.abs() < 0.9 {
-                V3::x()
-            } else {
-                V3::y()
-            })
-            .normalize();
+        let first = rod.up.cross(&if rod.up.x.abs() < 0.9 { V3::x() } else { V3::y() }).normalize();
         let second = rod.up.cross(&first);
         let middle = rod.foot + rod.up * rounded;
         around(path, rod.radius, |angle, path| {
@@ -256,8 +211,7 @@ impl Boundary {
                 radius: rounded,
                 flat: false,
             };
-            self.may_meet(&ball)
-                .then(|| self.end(from, rounded, path))?
+            self.may_meet(&ball).then(|| self.end(from, rounded, path))?
         })
     }
 }
@@ -266,16 +220,8 @@ impl Boundary {
 fn own(body: &Body, rod: &Rod, path: &Path) -> (Rod, Path) {
     let into = body.place.rotation.inverse();
     let foot = body.place.inverse_transform_point(&rod.foot.into()).coords;
-    let rod = Rod {
-        foot,
-        up: into * rod.up,
-        ..*rod
-    };
-    let path = Path {
-        from: foot,
-        direction: into * path.direction,
-        length: path.length,
-    };
+    let rod = Rod { foot, up: into * rod.up, ..*rod };
+    let path = Path { from: foot, direction: into * path.direction, length: path.length };
     (rod, path)
 }
 

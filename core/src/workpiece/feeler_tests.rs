@@ -11,12 +11,7 @@ use proptest::prelude::*;
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
 
 fn solid(shape: Shape, at: [f64; 3]) -> Solid {
-    Solid {
-        shape,
-        at,
-        rotation: [0.0; 3],
-        errors: PartErrors::default(),
-    }
+    Solid { shape, at, rotation: [0.0; 3], errors: PartErrors::default() }
 }
 
 pub(crate) fn boundary(solids: Vec<Solid>) -> Boundary {
@@ -35,15 +30,8 @@ fn slim() -> Feeler {
 
 /// With a body of 20 mm, 30 mm above the ball.
 fn held() -> Feeler {
-    let body = ProbeBody {
-        radius: 20.0,
-        distance: 30.0,
-    };
-    let probe = Probe {
-        body: Some(body),
-        length: 120.0,
-        ..ideal_probe()
-    };
+    let body = ProbeBody { radius: 20.0, distance: 30.0 };
+    let probe = Probe { body: Some(body), length: 120.0, ..ideal_probe() };
     Feeler::new(&probe, UP)
 }
 
@@ -63,13 +51,7 @@ fn near(found: V3, expected: [f64; 3]) {
 // oracle: hand: a hole that is 20 mm wide above and 32 mm at a depth of 30 mm: its rim is 1.35 mm from the stylus first
 #[test]
 fn an_undercut_is_met_by_the_stylus() {
-    let mut undercut = solid(
-        Shape::Hole {
-            diameter: 20.0,
-            depth: 45.0,
-        },
-        [0.0; 3],
-    );
+    let mut undercut = solid(Shape::Hole { diameter: 20.0, depth: 45.0 }, [0.0; 3]);
     undercut.errors.taper = 0.4;
     let part = boundary(vec![undercut]);
     for (sine, cosine) in [(0.0, 1.0), (0.6, -0.8), (-1.0, 0.0)] {
@@ -88,11 +70,7 @@ fn a_plate_above_is_met_by_the_stylus() {
     let part = block([40.0, 60.0, 5.0], [40.0, 0.0, 0.0]);
     let ways = [
         ([0.0, 0.0, -20.0], [40.0, 0.0, -20.0], [18.65, 0.0, -20.0]),
-        (
-            [0.0, 5.0, -20.0],
-            [40.0, -5.0, -30.0],
-            [18.65, 0.3375, -24.6625],
-        ),
+        ([0.0, 5.0, -20.0], [40.0, -5.0, -30.0], [18.65, 0.3375, -24.6625]),
     ];
     for (from, to, expected) in ways {
         let ball = part.first(3.0, from, to);
@@ -113,10 +91,7 @@ fn a_plate_above_is_met_by_the_stylus() {
     // its corner, by Pythagoras
     let (from, to) = ([0.0, 30.8, -20.0], [40.0, 30.8, -20.0]);
     let met = caught(&part, &slim(), from, to).unwrap();
-    near(
-        stop(from, to, &met),
-        [20.0 - (1.35_f64 * 1.35 - 0.64).sqrt(), 30.8, -20.0],
-    );
+    near(stop(from, to, &met), [20.0 - (1.35_f64 * 1.35 - 0.64).sqrt(), 30.8, -20.0]);
 }
 
 // oracle: hand: the stylus stands in the plate already, the ball below it
@@ -131,12 +106,7 @@ fn what_the_stylus_goes_through_stops_it_at_once() {
 // the face leans
 #[test]
 fn a_leaning_face_is_met_above_the_ball() {
-    let mut leaning = solid(
-        Shape::Block {
-            size: [40.0, 40.0, 40.0],
-        },
-        [0.0; 3],
-    );
+    let mut leaning = solid(Shape::Block { size: [40.0, 40.0, 40.0] }, [0.0; 3]);
     leaning.errors.tilt = [0.0, 20.0, 0.0]; // about Y: the upper edge at +X comes down and out
     let part = boundary(vec![leaning]);
     let (sine, cosine) = 20_f64.to_radians().sin_cos();
@@ -150,24 +120,13 @@ fn a_leaning_face_is_met_above_the_ball() {
 // oracle: hand: two round things across each other touch when their axes are as far apart as both radii
 #[test]
 fn a_lying_shaft_and_a_ball_are_met_across() {
-    let mut shaft = solid(
-        Shape::Turned {
-            diameter: 30.0,
-            length: 80.0,
-            bore: [0.0; 2],
-        },
-        [0.0; 3],
-    );
+    let mut shaft = solid(Shape::Turned { diameter: 30.0, length: 80.0, bore: [0.0; 2] }, [0.0; 3]);
     shaft.rotation = [90.0, 0.0, 0.0]; // its axis along Y
     shaft.at = [0.0, -40.0, 0.0];
     let (from, to) = ([60.0, 0.0, -20.0], [0.0, 0.0, -20.0]);
-    for (part, reach) in [
-        (boundary(vec![shaft]), 16.35_f64),
-        (
-            boundary(vec![solid(Shape::Sphere { diameter: 30.0 }, [0.0; 3])]),
-            16.35,
-        ),
-    ] {
+    for (part, reach) in
+        [(boundary(vec![shaft]), 16.35_f64), (boundary(vec![solid(Shape::Sphere { diameter: 30.0 }, [0.0; 3])]), 16.35)]
+    {
         let met = caught(&part, &slim(), from, to).unwrap();
         near(stop(from, to, &met), [reach, 0.0, -20.0]);
         near(met.point.into(), [15.0, 0.0, 0.0]);
@@ -206,10 +165,7 @@ fn a_wall_that_is_higher_than_the_stylus_is_met_by_the_body() {
 // oracle: hand: a stylus of 5 mm radius above a ball of 3 mm meets an upright wall first
 #[test]
 fn a_stylus_that_is_thicker_than_its_ball_touches_before_it() {
-    let probe = Probe {
-        stylus: Some(5.0),
-        ..ideal_probe()
-    };
+    let probe = Probe { stylus: Some(5.0), ..ideal_probe() };
     let part = block([40.0, 40.0, 60.0], [0.0; 3]);
     let (from, to) = ([60.0, 0.0, -30.0], [0.0, 0.0, -30.0]);
     let thick = Feeler::new(&probe, UP);
@@ -223,40 +179,14 @@ fn a_stylus_that_is_thicker_than_its_ball_touches_before_it() {
 /// A solid with errors, small enough that a probe may stand beside it.
 pub(crate) fn any_solid() -> impl Strategy<Value = Solid> {
     let shape = prop_oneof![
-        Just(Shape::Hole {
-            diameter: 30.0,
-            depth: 20.0
-        }),
-        Just(Shape::Shaft {
-            diameter: 24.0,
-            height: 25.0
-        }),
-        Just(Shape::Groove {
-            width: 26.0,
-            depth: 15.0,
-            length: 50.0
-        }),
-        Just(Shape::Pocket {
-            length: [36.0, 28.0],
-            depth: 22.0
-        }),
-        Just(Shape::Island {
-            length: [30.0, 20.0],
-            height: 25.0
-        }),
-        Just(Shape::Block {
-            size: [30.0, 40.0, 12.0]
-        }),
-        Just(Shape::OuterCorner {
-            angle: 70.0,
-            length: [30.0, 40.0],
-            height: 20.0
-        }),
-        Just(Shape::Turned {
-            diameter: 40.0,
-            length: 30.0,
-            bore: [24.0, 20.0]
-        }),
+        Just(Shape::Hole { diameter: 30.0, depth: 20.0 }),
+        Just(Shape::Shaft { diameter: 24.0, height: 25.0 }),
+        Just(Shape::Groove { width: 26.0, depth: 15.0, length: 50.0 }),
+        Just(Shape::Pocket { length: [36.0, 28.0], depth: 22.0 }),
+        Just(Shape::Island { length: [30.0, 20.0], height: 25.0 }),
+        Just(Shape::Block { size: [30.0, 40.0, 12.0] }),
+        Just(Shape::OuterCorner { angle: 70.0, length: [30.0, 40.0], height: 20.0 }),
+        Just(Shape::Turned { diameter: 40.0, length: 30.0, bore: [24.0, 20.0] }),
         Just(Shape::Sphere { diameter: 30.0 }),
     ];
     let angles = prop_oneof![
@@ -269,21 +199,14 @@ pub(crate) fn any_solid() -> impl Strategy<Value = Solid> {
         shape,
         at: [0.0; 3],
         rotation: [0.0; 3],
-        errors: PartErrors {
-            tilt,
-            taper,
-            out_of_round,
-            ..PartErrors::default()
-        },
+        errors: PartErrors { tilt, taper, out_of_round, ..PartErrors::default() },
     })
 }
 
 /// Least distance of the part from the axis of the stylus, by places close together.
 pub(crate) fn least(part: &Boundary, ball: V3) -> f64 {
     let places = (0..=250).map(|step| ball + V3::z() * f64::from(step) * 0.2);
-    places
-        .map(|place| part.distance(place.into()))
-        .fold(f64::INFINITY, f64::min)
+    places.map(|place| part.distance(place.into())).fold(f64::INFINITY, f64::min)
 }
 
 proptest! {

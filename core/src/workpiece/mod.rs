@@ -96,8 +96,8 @@ pub enum Shape {
         /// X, Y and thickness Z, mm.
         size: [f64; 3],
     },
-    /// Cylinder about Z with its front face at the origin, with or without a bore there. The spindle of a turning machine
-    /// turns it about its nominal axis. Steps of a turned part are such cylinders one behind the other.
+    /// Cylinder about Z with its front face at the origin, with or without a bore there. The spindle of a turning
+    /// machine turns it about its nominal axis. Steps of a turned part are such cylinders one behind the other.
     Turned {
         /// Diameter, mm.
         diameter: f64,
@@ -143,7 +143,8 @@ pub struct PartErrors {
 /// One solid, placed in machine (basic) coordinates.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solid {
-    /// Shape. The origin is the centre of the element at its upper face (of a sphere its centre, of a corner the corner), Z is the depth axis.
+    /// Shape. The origin is the centre of the element at its upper face (of a sphere its centre, of a corner the
+    /// corner), Z is the depth axis.
     pub shape: Shape,
     /// Position of the origin X Y Z, mm.
     pub at: [f64; 3],
@@ -178,7 +179,8 @@ pub struct Probe {
     pub repeatability: (f64, u64),
     /// Way with the signal watched after which it comes once without contact, mm; none: never.
     pub false_signal: Option<f64>,
-    /// Radius of the stylus above the ball, mm; none: a usual part of that of the ball; 0: the stylus is out of the way.
+    /// Radius of the stylus above the ball, mm; none: a usual part of that of the ball; 0: the stylus is out of the
+    /// way.
     pub stylus: Option<f64>,
     /// The body that holds the stylus; none: the stylus goes as far as the spindle.
     pub body: Option<ProbeBody>,

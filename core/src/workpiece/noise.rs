@@ -13,9 +13,7 @@ impl Noise {
         let mut z = seed.wrapping_add(0x9e37_79b9_7f4a_7c15);
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        Noise {
-            state: (z ^ (z >> 31)) | 1,
-        }
+        Noise { state: (z ^ (z >> 31)) | 1 }
     }
 
     /// Next number, evenly spread over `(0, 1]`.
@@ -35,11 +33,7 @@ impl Noise {
 
     /// Next number of the normal distribution with mean 0 and this standard deviation; with 0 none is drawn.
     pub fn scatter(&mut self, deviation: f64) -> f64 {
-        if deviation == 0.0 {
-            0.0
-        } else {
-            deviation * self.normal()
-        }
+        if deviation == 0.0 { 0.0 } else { deviation * self.normal() }
     }
 }
 
@@ -53,12 +47,8 @@ mod tests {
         let mut noise = Noise::new(7);
         let numbers: Vec<f64> = (0..20_000).map(|_| noise.normal()).collect();
         let mean = numbers.iter().sum::<f64>() / numbers.len() as f64;
-        let variance =
-            numbers.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / numbers.len() as f64;
-        assert!(
-            mean.abs() < 0.03 && (variance - 1.0).abs() < 0.05,
-            "{mean} {variance}"
-        );
+        let variance = numbers.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / numbers.len() as f64;
+        assert!(mean.abs() < 0.03 && (variance - 1.0).abs() < 0.05, "{mean} {variance}");
         let mut again = Noise::new(7);
         assert!(numbers.iter().all(|&x| x == again.normal()));
         assert_ne!(Noise::new(8).normal(), numbers[0]);

@@ -56,24 +56,14 @@ pub fn touch(
     feed: f64,
     noise: &mut Noise,
 ) -> Option<Touch> {
-    let Stand {
-        turned,
-        axis,
-        feeler,
-    } = stand;
+    let Stand { turned, axis, feeler } = stand;
     let offset = V3::from(ball_offset(probe, *turned, *axis));
     let (from, to) = (V3::from(from), V3::from(to));
     let way = Path::new(from, to);
     let ball = |gone: f64| -> [f64; 3] { (way.at(gone) + offset).into() };
     let contact = part.first(feeler.radius, ball(0.0), (to + offset).into());
     if let Contact::Already { point, normal, .. } = contact {
-        return Some(Touch {
-            latched: from.into(),
-            ball: ball(0.0),
-            point,
-            normal,
-            by: Touching::Ball,
-        });
+        return Some(Touch { latched: from.into(), ball: ball(0.0), point, normal, by: Touching::Ball });
     }
     let met = first_met(part, feeler, &contact, [ball(0.0), (to + offset).into()])?;
     let gone = met.part * way.length;
@@ -94,53 +84,24 @@ pub fn touch(
 }
 
 /// What of the probe touches first, where the ball meets this.
-fn first_met(
-    part: &Boundary,
-    feeler: &Feeler,
-    ball: &Contact,
-    [from, to]: [[f64; 3]; 2],
-) -> Option<Caught> {
-    let Contact::Hit {
-        t,
-        ball,
-        point,
-        normal,
-    } = *ball
-    else {
+fn first_met(part: &Boundary, feeler: &Feeler, ball: &Contact, [from, to]: [[f64; 3]; 2]) -> Option<Caught> {
+    let Contact::Hit { t, ball, point, normal } = *ball else {
         return feeler.caught(part, from, to);
     };
     let length = (V3::from(ball) - V3::from(from)).norm();
     let caught = feeler.caught(part, from, ball);
     let before = caught.filter(|met| (1.0 - met.part) * length > TOLERANCE);
-    let before = before.map(|met| Caught {
-        part: met.part * t,
-        ..met
-    });
-    before.or(Some(Caught {
-        part: t,
-        by: Touching::Ball,
-        point,
-        normal,
-    }))
+    let before = before.map(|met| Caught { part: met.part * t, ..met });
+    before.or(Some(Caught { part: t, by: Touching::Ball, point, normal }))
 }
 
 /// Travel from contact to signal, mm: pre-travel (its lobes count with the part of the motion across the tool axis and
 /// turn with the probe), delay and scatter.
-fn lateness(
-    probe: &Probe,
-    turned: f64,
-    axis: usize,
-    way: &V3,
-    feed: f64,
-    noise: &mut Noise,
-) -> f64 {
+fn lateness(probe: &Probe, turned: f64, axis: usize, way: &V3, feed: f64, noise: &mut Noise) -> f64 {
     let (constant, lobes) = probe.pre_travel;
     let (abscissa, ordinate) = (way[(axis + 1) % 3], way[(axis + 2) % 3]);
     let across = abscissa.hypot(ordinate);
     let seen = ordinate.atan2(abscissa) - turned.to_radians();
     let (deviation, _) = probe.repeatability;
-    constant
-        + lobes * across * (3.0 * seen).cos()
-        + probe.delay * feed / 60.0
-        + noise.scatter(deviation)
+    constant + lobes * across * (3.0 * seen).cos() + probe.delay * feed / 60.0 + noise.scatter(deviation)
 }

@@ -34,10 +34,8 @@ fn may_meet(body: &Body, swept: &Swept) -> bool {
     if let Some(free) = &body.free {
         let ball = swept.rise == V3::zeros();
         let reach = swept.way.half() + swept.radius;
-        return free.mesh.reaches_into(&extent)
-            && (!ball || free.mesh.nearest(&swept.way.at(0.5), reach).is_some());
+        return free.mesh.reaches_into(&extent) && (!ball || free.mesh.nearest(&swept.way.at(0.5), reach).is_some());
     }
     let mut features = body.features.iter().zip(&body.extents);
-    features.any(|(feature, place)| place.meets(&extent) && !swept.clears(feature))
-        || body.inside(&swept.way.at(0.0))
+    features.any(|(feature, place)| place.meets(&extent) && !swept.clears(feature)) || body.inside(&swept.way.at(0.0))
 }

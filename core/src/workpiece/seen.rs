@@ -1,5 +1,5 @@
-//! What is drawn of a tool and of what carries it. Of a turning tool only the nose can touch, which is `tool::Nose`; the
-//! insert and the shank behind it, the holder and the turret follow from the tool data and are out of the way.
+//! What is drawn of a tool and of what carries it. Of a turning tool only the nose can touch, which is `tool::Nose`;
+//! the insert and the shank behind it, the holder and the turret follow from the tool data and are out of the way.
 
 mod milling;
 
@@ -60,10 +60,7 @@ pub struct Turret {
 
 impl Default for Turret {
     fn default() -> Turret {
-        Turret {
-            diameter: 160.0,
-            width: 40.0,
-        }
+        Turret { diameter: 160.0, width: 40.0 }
     }
 }
 
@@ -90,19 +87,13 @@ fn turning_tool(nose: &Nose, carrier: V3, plane: Plane) -> (Vec<Drawn>, V3) {
         };
         let mut down = V3::zeros();
         down[axes[2]] = -thick;
-        Drawn::Plate {
-            corners: corners.into_iter().map(place).collect(),
-            thick: down,
-            cuts,
-        }
+        Drawn::Plate { corners: corners.into_iter().map(place).collect(), thick: down, cuts }
     };
     let lies = lies(nose, carrier);
     let mut along = V3::zeros();
     along[axes[lies.0]] = lies.1;
-    let pieces = vec![
-        plate(insert(nose), 0.0, INSERT[1], true),
-        plate(shank(nose, carrier, lies), -SEAT, SHANK - SEAT, false),
-    ];
+    let pieces =
+        vec![plate(insert(nose), 0.0, INSERT[1], true), plate(shank(nose, carrier, lies), -SEAT, SHANK - SEAT, false)];
     (pieces, along)
 }
 
@@ -126,13 +117,10 @@ fn insert(nose: &Nose) -> Vec<[f64; 2]> {
     let from_corner = |ways: &[f64]| {
         let (sine_tip, cosine_tip) = sin_cos(tip);
         let corner = nose.radius / sine;
-        ways.iter().fold(
-            [corner * cosine_tip, corner * sine_tip],
-            |[x, y], direction| {
-                let (sine, cosine) = sin_cos(*direction);
-                [x + edge * cosine, y + edge * sine]
-            },
-        )
+        ways.iter().fold([corner * cosine_tip, corner * sine_tip], |[x, y], direction| {
+            let (sine, cosine) = sin_cos(*direction);
+            [x + edge * cosine, y + edge * sine]
+        })
     };
     let [left, right] = [tip + 180.0 - half, tip + 180.0 + half];
     let mut corners: Vec<_> = round(tip - 90.0 + half, tip + 90.0 - half, 12).collect();
@@ -140,8 +128,8 @@ fn insert(nose: &Nose) -> Vec<[f64; 2]> {
     corners
 }
 
-/// Axis of the plane along which the shank leads to where the tool is held, and its direction: away from the nose, along
-/// the longer way.
+/// Axis of the plane along which the shank leads to where the tool is held, and its direction: away from the nose,
+/// along the longer way.
 fn lies(nose: &Nose, carrier: [f64; 2]) -> (usize, f64) {
     let way = |axis: usize| match nose.side[axis] {
         0.0 if nose.side[1 - axis] == 0.0 => (carrier[axis].abs(), 1.0_f64.copysign(carrier[axis])),
@@ -165,15 +153,8 @@ fn shank(nose: &Nose, carrier: [f64; 2], (axis, direction): (usize, f64)) -> Vec
         let begin = if nose.side == [0.0; 2] { 0.0 } else { BEHIND };
         let wide = begin + SHANK;
         let half = (SHANK / 2.0).max(narrow);
-        [
-            [-narrow, begin],
-            [narrow, begin],
-            [half, wide],
-            [half, end.max(wide)],
-            [-half, end.max(wide)],
-            [-half, wide],
-        ]
-        .to_vec()
+        [[-narrow, begin], [narrow, begin], [half, wide], [half, end.max(wide)], [-half, end.max(wide)], [-half, wide]]
+            .to_vec()
     } else {
         let outside = side * (nose.radius - STANDS_OUT);
         let across = |inwards: f64| outside - side * inwards;
@@ -193,7 +174,8 @@ fn shank(nose: &Nose, carrier: [f64; 2], (axis, direction): (usize, f64)) -> Vec
     outline.into_iter().map(place).collect()
 }
 
-/// What joins a probe, from the ball on in this direction and so long, with where it is held. None where it is long enough.
+/// What joins a probe, from the ball on in this direction and so long, with where it is held. None where it is long
+/// enough.
 pub fn adapter(length: f64, carrier: V3, along: V3) -> Option<Drawn> {
     let (begin, end) = (0.9 * length, carrier.dot(&along));
     (end > length).then(|| Drawn::Round {
@@ -203,8 +185,8 @@ pub fn adapter(length: f64, carrier: V3, along: V3) -> Option<Drawn> {
     })
 }
 
-/// The disc of a turret and the holder on it. `carrier`: from the point to which the tool length refers to where the tool is
-/// held, `along`: the direction in which the tool leads there. Nothing where the tool has no length.
+/// The disc of a turret and the holder on it. `carrier`: from the point to which the tool length refers to where the
+/// tool is held, `along`: the direction in which the tool leads there. Nothing where the tool has no length.
 pub fn turret(turret: &Turret, carrier: V3, along: V3) -> Vec<Drawn> {
     let (transverse, spindle) = (0, 2); // X and Z of the machine
     if turret.diameter <= 0.0 || carrier.norm() <= WALL {
@@ -216,12 +198,7 @@ pub fn turret(turret: &Turret, carrier: V3, along: V3) -> Vec<Drawn> {
     let high = held.sup(&carrier) + V3::repeat(WALL);
     let corner = |x: f64, z: f64| V3::new(x, -WALL, z);
     let holder = Drawn::Plate {
-        corners: vec![
-            corner(low.x, low.z),
-            corner(high.x, low.z),
-            corner(high.x, high.z),
-            corner(low.x, high.z),
-        ],
+        corners: vec![corner(low.x, low.z), corner(high.x, low.z), corner(high.x, high.z), corner(low.x, high.z)],
         thick: V3::y() * (2.0 * WALL),
         cuts: false,
     };
@@ -232,12 +209,7 @@ pub fn turret(turret: &Turret, carrier: V3, along: V3) -> Vec<Drawn> {
     let mut axis = V3::zeros();
     axis[spindle] = away(spindle);
     let disc = Drawn::Round {
-        outline: vec![
-            [0.0, 0.0],
-            [radius, 0.0],
-            [radius, turret.width],
-            [0.0, turret.width],
-        ],
+        outline: vec![[0.0, 0.0], [radius, 0.0], [radius, turret.width], [0.0, turret.width]],
         axis,
         at,
     };

@@ -37,21 +37,22 @@ pub struct Cutter {
     pub radius: f64,
     /// Radius between end and side, mm.
     pub corner: f64,
-    /// How far the lowest place of an edge lies inside of the widest, and the widest above the lowest, mm; beside `corner`.
+    /// How far the lowest place of an edge lies inside of the widest, and the widest above the lowest, mm; beside
+    /// `corner`.
     pub chamfer: [f64; 2],
     /// Number of teeth, evenly spread; 0: smooth all round.
     pub teeth: u32,
     /// Where the first tooth stands with the spindle at 0, degree.
     pub angle: f64,
-    /// How far the axis of the cutter stands beside that of the spindle, and how much lower than in the mean a tooth in that
-    /// direction stands, mm. A smooth cutter has neither.
+    /// How far the axis of the cutter stands beside that of the spindle, and how much lower than in the mean a tooth in
+    /// that direction stands, mm. A smooth cutter has neither.
     pub runout: [f64; 2],
     /// In which direction, with the spindle at 0, degree.
     pub runout_angle: f64,
     /// Axis of the plane along which it stands, its end in minus direction: 0 abscissa, 1 ordinate, 2 applicate.
     pub axis: usize,
-    /// Width of a groove mill, mm, whose length goes to its upper edge, that at the shank; 0: another cutter, whose length
-    /// goes to the lowest edge. What holds a groove mill is out of the way.
+    /// Width of a groove mill, mm, whose length goes to its upper edge, that at the shank; 0: another cutter, whose
+    /// length goes to the lowest edge. What holds a groove mill is out of the way.
     pub disc: f64,
 }
 
@@ -85,39 +86,25 @@ pub fn across(axis: usize, degrees: f64) -> V3 {
 }
 
 impl Tool {
-    /// A tool that is as the control believes: turning tools by their cutting edge position as it is, drills with a point, anything
-    /// else a smooth cutter with its corner radius (`$TC_DP7`). How a cutter lies no datum tells: along the applicate, and
-    /// where it is as long as a turning tool along the abscissa.
+    /// A tool that is as the control believes: turning tools by their cutting edge position as it is, drills with a
+    /// point, anything else a smooth cutter with its corner radius (`$TC_DP7`). How a cutter lies no datum tells: along
+    /// the applicate, and where it is as long as a turning tool along the abscissa.
     pub fn nominal(edge: &Edge, control: &Control) -> Tool {
         let radius = edge.total_radius().max(0.0);
         let [.., along_third] = control.length_axes(edge);
         let cut = if edge.is_turning() {
-            Cut::Nose(Nose {
-                radius,
-                side: side(edge.tip, false),
-            })
+            Cut::Nose(Nose { radius, side: side(edge.tip, false) })
         } else {
             let drill = (200..300).contains(&edge.kind);
             let corner = edge.further.get(&7).copied().unwrap_or(0.0);
             Cut::Cutter(Cutter {
-                chamfer: if drill {
-                    [radius, radius * DRILL_POINT]
-                } else {
-                    [0.0; 2]
-                },
-                corner: if drill {
-                    0.0
-                } else {
-                    corner.max(0.0).min(radius)
-                },
+                chamfer: if drill { [radius, radius * DRILL_POINT] } else { [0.0; 2] },
+                corner: if drill { 0.0 } else { corner.max(0.0).min(radius) },
                 axis: if along_third == 2 { 0 } else { 2 },
                 ..Cutter::smooth(radius)
             })
         };
-        Tool {
-            length: [0, 1, 2].map(|i| edge.total_length(i)),
-            cut,
-        }
+        Tool { length: [0, 1, 2].map(|i| edge.total_length(i)), cut }
     }
 
     /// The same; `mirrored`: the nose of a turning tool on the other side in the ordinate.
@@ -130,7 +117,8 @@ impl Tool {
         self
     }
 
-    /// From the point to which the lengths of the control refer, with the edge in use, to the one to which its own refer:
+    /// From the point to which the lengths of the control refer, with the edge in use, to the one to which its own
+    /// refer:
     /// X Y Z, mm.
     pub fn error(&self, control: &Control) -> [f64; 3] {
         let mut error = control.active_length();
@@ -169,8 +157,8 @@ impl Cutter {
         }
     }
 
-    /// The teeth as the spindle carries them: distance from its axis, direction with the spindle at 0 (degree), and how much
-    /// lower than in the mean, mm.
+    /// The teeth as the spindle carries them: distance from its axis, direction with the spindle at 0 (degree), and how
+    /// much lower than in the mean, mm.
     pub fn edges(&self) -> Vec<[f64; 3]> {
         let (away_sine, away_cosine) = sin_cos(self.runout_angle);
         let [aside, lower] = self.runout;
@@ -179,11 +167,7 @@ impl Cutter {
             let (sine, cosine) = sin_cos(angle);
             let x = self.radius * cosine + aside * away_cosine;
             let y = self.radius * sine + aside * away_sine;
-            let direction = if aside == 0.0 {
-                angle
-            } else {
-                y.atan2(x).to_degrees()
-            };
+            let direction = if aside == 0.0 { angle } else { y.atan2(x).to_degrees() };
             let drop = lower * (cosine * away_cosine + sine * away_sine);
             [x.hypot(y), direction, drop]
         };
@@ -206,8 +190,8 @@ impl Cutter {
         outline
     }
 
-    /// Index of the axis of the machine along which it stands, and the direction from its end to the rest of it. `axes`: of
-    /// the plane.
+    /// Index of the axis of the machine along which it stands, and the direction from its end to the rest of it.
+    /// `axes`: of the plane.
     pub fn stands(&self, axes: [usize; 3]) -> (usize, V3) {
         let along = axes[self.axis.min(2)];
         let up = unit(along);
@@ -226,14 +210,9 @@ impl Cutter {
         };
         match spindle {
             _ if self.teeth == 0 => vec![piece([self.radius, 0.0, 0.0], true)],
-            Spindle::Turns => self
-                .edges()
-                .into_iter()
-                .map(|edge| piece(edge, true))
-                .collect(),
+            Spindle::Turns => self.edges().into_iter().map(|edge| piece(edge, true)).collect(),
             Spindle::Stands(angle) => {
-                let turned =
-                    |[radius, direction, drop]: [f64; 3]| [radius, direction + angle, drop];
+                let turned = |[radius, direction, drop]: [f64; 3]| [radius, direction + angle, drop];
                 let edges = self.edges().into_iter().map(turned);
                 edges.map(|edge| piece(edge, false)).collect()
             }
@@ -269,8 +248,8 @@ pub enum Piece {
     Nose(NosePiece),
 }
 
-/// Half of the section of a cutter through its axis: distance from the axis and height above the end, mm, a polygon whose
-/// border lies outwards by the corner radius.
+/// Half of the section of a cutter through its axis: distance from the axis and height above the end, mm, a polygon
+/// whose border lies outwards by the corner radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Profile {
     corner: f64,
@@ -302,11 +281,7 @@ impl NosePiece {
         let mut side = V3::zeros();
         (side[abscissa], side[ordinate]) = (nose.side[0], nose.side[1]);
         let centre = point - side * nose.radius;
-        NosePiece {
-            centre,
-            radius: nose.radius,
-            across: applicate,
-        }
+        NosePiece { centre, radius: nose.radius, across: applicate }
     }
 }
 
@@ -339,10 +314,7 @@ impl Profile {
     /// The point that lies farthest in a direction; towards the axis the profile ends there.
     fn farthest(&self, [wide, high]: [f64; 2]) -> [f64; 2] {
         let reach = |[x, y]: &[f64; 2]| x * wide + y * high;
-        let farthest = self
-            .points
-            .iter()
-            .max_by(|a, b| reach(a).total_cmp(&reach(b)));
+        let farthest = self.points.iter().max_by(|a, b| reach(a).total_cmp(&reach(b)));
         let [x, y] = farthest.copied().unwrap_or_default();
         let size = wide.hypot(high);
         if wide < 0.0 {

@@ -15,8 +15,8 @@ const GIVES_WAY: f64 = 5.0;
 /// A tool probe as it is, not as the control believes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ToolProbe {
-    /// Its cap: a [`Shape::Block`] (cube), or a [`Shape::Turned`] without bore (disc). Where it really stands is a matter
-    /// of its errors; of these shift, size, tilt and taper count.
+    /// Its cap: a [`Shape::Block`] (cube), or a [`Shape::Turned`] without bore (disc). Where it really stands is a
+    /// matter of its errors; of these shift, size, tilt and taper count.
     pub solid: Solid,
     /// Travel after contact until the signal, mm.
     pub pre_travel: f64,
@@ -29,30 +29,18 @@ pub struct ToolProbe {
 impl ToolProbe {
     /// A probe without errors.
     pub fn ideal(solid: Solid) -> ToolProbe {
-        ToolProbe {
-            solid,
-            pre_travel: 0.0,
-            delay: 0.0,
-            repeatability: (0.0, 1),
-        }
+        ToolProbe { solid, pre_travel: 0.0, delay: 0.0, repeatability: (0.0, 1) }
     }
 
     /// The cap as a convex body; none where it is no cube and no disc.
     fn cap(&self) -> Option<Cap> {
-        let Solid {
-            shape,
-            at,
-            rotation,
-            errors,
-        } = &self.solid;
+        let Solid { shape, at, rotation, errors } = &self.solid;
         let form = match *shape {
             Shape::Block { size: [x, y, z] } => {
                 let block = Frustum::tapered([x + errors.size, y + errors.size], z, errors.taper);
                 Form::Cube([block.ring(true), block.ring(false)])
             }
-            Shape::Turned {
-                diameter, length, ..
-            } => {
+            Shape::Turned { diameter, length, .. } => {
                 let radius = (diameter + errors.size) / 2.0;
                 Form::Disc([radius, radius + errors.taper * length / 2.0], length)
             }
@@ -85,21 +73,16 @@ impl Convex for Cap {
         let farthest = match &self.form {
             Form::Cube(rings) => {
                 let corners = rings.iter().flatten();
-                corners
-                    .max_by(|a, b| a.dot(&own).total_cmp(&b.dot(&own)))
-                    .copied()
+                corners.max_by(|a, b| a.dot(&own).total_cmp(&b.dot(&own))).copied()
             }
             Form::Disc([above, below], height) => {
                 let out = V3::new(own.x, own.y, 0.0);
                 let out = out.try_normalize(0.0).unwrap_or_else(V3::zeros);
                 let ends = [out * *above, out * *below - V3::z() * *height];
-                ends.into_iter()
-                    .max_by(|a, b| a.dot(&own).total_cmp(&b.dot(&own)))
+                ends.into_iter().max_by(|a, b| a.dot(&own).total_cmp(&b.dot(&own)))
             }
         };
-        self.place
-            .transform_point(&farthest.unwrap_or_default().into())
-            .coords
+        self.place.transform_point(&farthest.unwrap_or_default().into()).coords
     }
 }
 
@@ -113,12 +96,7 @@ pub struct Contact {
 }
 
 /// First contact of a tool with one of the probes; `from` and `to` are the ends of the way of any of its points.
-pub fn first<T: Convex>(
-    probes: &[ToolProbe],
-    tool: &[T],
-    from: [f64; 3],
-    to: [f64; 3],
-) -> Option<Contact> {
+pub fn first<T: Convex>(probes: &[ToolProbe], tool: &[T], from: [f64; 3], to: [f64; 3]) -> Option<Contact> {
     let path = Path::new(from.into(), to.into());
     least(probes, tool, &|piece, cap| convex::first(piece, cap, &path))
 }
@@ -136,8 +114,7 @@ fn passes(piece: &Piece, cap: &Cap, moved: &Stretch) -> bool {
     let parts = |direction: &V3| {
         let [low, high] = moved.along(direction);
         let reach = |towards: V3| piece.farthest(&towards) - cap.farthest(&-towards);
-        low + reach(-*direction).dot(direction) >= 0.0
-            || high + reach(*direction).dot(direction) <= 0.0
+        low + reach(-*direction).dot(direction) >= 0.0 || high + reach(*direction).dot(direction) <= 0.0
     };
     let between = || convex::normal(piece, cap, &moved.at(0.5));
     let mut axes = [V3::x(), V3::y(), V3::z()].into_iter();
@@ -146,12 +123,7 @@ fn passes(piece: &Piece, cap: &Cap, moved: &Stretch) -> bool {
 
 /// What stops a tool that moves without measuring: as [`first`], but a tool that stands in contact may leave the probe
 /// that has given way under it.
-pub fn obstacle(
-    probes: &[ToolProbe],
-    tool: &[Piece],
-    from: [f64; 3],
-    to: [f64; 3],
-) -> Option<Contact> {
+pub fn obstacle(probes: &[ToolProbe], tool: &[Piece], from: [f64; 3], to: [f64; 3]) -> Option<Contact> {
     let path = Path::new(from.into(), to.into());
     least(probes, tool, &|piece, cap| {
         let met = convex::first(piece, cap, &path)?;
@@ -162,10 +134,7 @@ pub fn obstacle(
 
 /// Way after which a piece in contact has left the cap, mm; endless where it stands in it at the end as well.
 fn way_out(piece: &Piece, cap: &Cap, path: &Path) -> f64 {
-    let back = Path {
-        direction: -path.direction,
-        ..*path
-    };
+    let back = Path { direction: -path.direction, ..*path };
     let there = Moved(piece, path.direction * path.length);
     match convex::first(&there, cap, &back) {
         None => 0.0,
@@ -183,11 +152,7 @@ impl Convex for Moved<'_> {
     }
 }
 
-fn least<T: Convex>(
-    probes: &[ToolProbe],
-    tool: &[T],
-    meet: &dyn Fn(&T, &Cap) -> Option<Meeting>,
-) -> Option<Contact> {
+fn least<T: Convex>(probes: &[ToolProbe], tool: &[T], meet: &dyn Fn(&T, &Cap) -> Option<Meeting>) -> Option<Contact> {
     let mut found: Option<Contact> = None;
     for (probe, solid) in probes.iter().enumerate() {
         let Some(cap) = solid.cap() else { continue };

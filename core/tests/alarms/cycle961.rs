@@ -19,11 +19,7 @@ pub fn table() -> Table {
         usual: "",
         setup,
         cases,
-        unreached: [
-            workpiece::unreached_without_tool(&[61306, 61319], workpiece::ZERO_ONLY),
-            OWN.to_vec(),
-        ]
-        .concat(),
+        unreached: [workpiece::unreached_without_tool(&[61306, 61319], workpiece::ZERO_ONLY), OWN.to_vec()].concat(),
     }
 }
 
@@ -36,11 +32,7 @@ const OWN: &[(u32, &str)] = &[
 ];
 
 fn setup() -> Setup {
-    let corner = Shape::OuterCorner {
-        angle: 90.0,
-        length: [200.0; 2],
-        height: 50.0,
-    };
+    let corner = Shape::OuterCorner { angle: 90.0, length: [200.0; 2], height: 50.0 };
     workpiece::setup(corner, [-14.0, -15.0, -10.0])
 }
 
@@ -56,21 +48,9 @@ fn own() -> Vec<Case> {
         workpiece::OTHER_PLANE,
         program(61346, "_SETV[0]=0"),
         program(61347, "_INCA=0"),
-        case(
-            61367,
-            "_MVAR=118 _SETV[0]=SET(50,-20,50,-20,-15,40,-15,80) _ID=-40",
-            above,
-        ),
-        case(
-            61368,
-            "_MVAR=118 _SETV[0]=SET(50,-20,90,-20,-15,40,25,40) _ID=-40",
-            above,
-        ),
-        case(
-            61369,
-            "_MVAR=118 _SETV[0]=SET(-50,-20,90,-20,-15,40,-15,80) _ID=-40",
-            above,
-        ),
+        case(61367, "_MVAR=118 _SETV[0]=SET(50,-20,50,-20,-15,40,-15,80) _ID=-40", above),
+        case(61368, "_MVAR=118 _SETV[0]=SET(50,-20,90,-20,-15,40,25,40) _ID=-40", above),
+        case(61369, "_MVAR=118 _SETV[0]=SET(-50,-20,90,-20,-15,40,-15,80) _ID=-40", above),
         case(61372, "_CHBIT[13]=1", |setup| {
             setup.control.spindle_positions = false;
         }),

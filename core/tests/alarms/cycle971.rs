@@ -52,10 +52,7 @@ pub fn table() -> Table {
 
 /// The mill is longer than its data say, mm.
 fn longer(setup: &mut Setup, by: f64) {
-    let tool = Tool {
-        length: [70.0 + by, 0.0, 0.0],
-        cut: Cut::Cutter(Cutter::smooth(5.0)),
-    };
+    let tool = Tool { length: [70.0 + by, 0.0, 0.0], cut: Cut::Cutter(Cutter::smooth(5.0)) };
     setup.real_tools.insert((3, 1), tool);
 }
 
@@ -63,9 +60,7 @@ fn setup() -> Setup {
     let cycle = find(Dialect::Sinumerik, "CYCLE971").unwrap();
     let mut setup = Setup::for_cycle(cycle, Plane::G17);
     setup.tool_probes = vec![ToolProbe::ideal(Solid {
-        shape: Shape::Block {
-            size: [22.0, 22.0, 20.0],
-        },
+        shape: Shape::Block { size: [22.0, 22.0, 20.0] },
         at: [39.0, 31.0, 80.0],
         rotation: [0.0; 3],
         errors: PartErrors::default(),

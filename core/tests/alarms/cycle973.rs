@@ -19,8 +19,7 @@ pub fn table() -> Table {
             setup.control.limits.plus[0] = Some(97.0);
         }),
     ]);
-    let mut unreached =
-        workpiece::unreached_without_tool(&[61306, 61319, 61327], workpiece::ZERO_ONLY);
+    let mut unreached = workpiece::unreached_without_tool(&[61306, 61319, 61327], workpiece::ZERO_ONLY);
     unreached.extend([lathe::SPINDLE, lathe::NOT_TURNED]);
     Table {
         program: "G18 G90 G54 DIAMOF\n\
@@ -38,11 +37,7 @@ pub fn table() -> Table {
 fn setup() -> Setup {
     let mut setup = lathe::setup([55.0, 0.0, 60.0]);
     setup.workpiece.solids = vec![Solid {
-        shape: Shape::Groove {
-            width: 60.123 - 50.054,
-            depth: 12.0,
-            length: 40.0,
-        },
+        shape: Shape::Groove { width: 60.123 - 50.054, depth: 12.0, length: 40.0 },
         at: [(60.123 + 50.054) / 2.0, 0.0, 15.021 + 12.0],
         rotation: [0.0; 3],
         errors: PartErrors::default(),

@@ -41,10 +41,7 @@ fn own() -> Vec<Case> {
         case(61401, "", |setup| setup.control.limits.plus[0] = Some(25.0)),
         // the way beside the shaft leads to X38 and ends above it
         case(61402, "_MVAR=2 _ID=-20", |setup| {
-            setup.workpiece.solids[0].shape = Shape::Shaft {
-                diameter: 60.0,
-                height: 40.0,
-            };
+            setup.workpiece.solids[0].shape = Shape::Shaft { diameter: 60.0, height: 40.0 };
             setup.position[2] = 10.0;
             setup.control.limits.plus[0] = Some(31.0);
         }),

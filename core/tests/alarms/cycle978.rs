@@ -23,9 +23,7 @@ pub fn table() -> Table {
 }
 
 fn setup() -> Setup {
-    let block = Shape::Block {
-        size: [100.0, 100.0, 50.0],
-    };
+    let block = Shape::Block { size: [100.0, 100.0, 50.0] };
     workpiece::setup(block, [70.0, 0.0, -20.0])
 }
 
@@ -49,9 +47,7 @@ fn own() -> Vec<Case> {
             setup.control.spindle_positions = false;
         }),
         // the ball would touch at X53
-        case(61401, "", |setup| {
-            setup.control.limits.minus[0] = Some(54.0)
-        }),
+        case(61401, "", |setup| setup.control.limits.minus[0] = Some(54.0)),
         program(61412, "_MVAR=100 _KNUM=1000"),
     ]
 }

@@ -5,10 +5,8 @@ use super::workpiece;
 use probewright_core::run::Setup;
 
 /// Alarms of the entry that no call of it brings about.
-const UNREACHED: &[(u32, &str)] = &[(
-    61317,
-    "what CYCLE116 says of a number other than 3 or 4; the fourth digit of _PRNUM has no other (A:15858)",
-)];
+const UNREACHED: &[(u32, &str)] =
+    &[(61317, "what CYCLE116 says of a number other than 3 or 4; the fourth digit of _PRNUM has no other (A:15858)")];
 
 pub fn table() -> Table {
     Table {
@@ -22,11 +20,7 @@ pub fn table() -> Table {
         usual: "",
         setup,
         cases: cases(),
-        unreached: workpiece::UNREACHED
-            .iter()
-            .chain(UNREACHED)
-            .copied()
-            .collect(),
+        unreached: workpiece::UNREACHED.iter().chain(UNREACHED).copied().collect(),
     }
 }
 

@@ -17,11 +17,7 @@ pub fn table() -> Table {
         }),
     ]);
     let mut unreached = workpiece::UNREACHED.to_vec();
-    unreached.extend([
-        lathe::SPINDLE,
-        lathe::NOT_TURNED,
-        (61321, "the cycle corrects tools, no zero offset"),
-    ]);
+    unreached.extend([lathe::SPINDLE, lathe::NOT_TURNED, (61321, "the cycle corrects tools, no zero offset")]);
     Table {
         program: "G18 G90 G54 DIAMON\n\
             _MVAR=2 _SETVAL=60 _MA=2 _SZA=40 _SZO=90 _KNUM=1 _TNUM=20 _PRNUM=1 _FA=5 _NMSP=1 _VMS=0 _EVNUM=0 _K=1\n\

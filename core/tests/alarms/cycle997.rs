@@ -20,19 +20,13 @@ pub fn table() -> Table {
         usual: "",
         setup,
         cases,
-        unreached: [
-            workpiece::unreached_without_tool(&[], NO_TOOL),
-            UNREACHED.to_vec(),
-        ]
-        .concat(),
+        unreached: [workpiece::unreached_without_tool(&[], NO_TOOL), UNREACHED.to_vec()].concat(),
     }
 }
 
 /// Alarms of the entry that no call of it brings about.
-const UNREACHED: &[(u32, &str)] = &[
-    (61325, "the cycle has no _MA"),
-    (61373, "a mono probe is refused as such, 61313 (B:8199)"),
-];
+const UNREACHED: &[(u32, &str)] =
+    &[(61325, "the cycle has no _MA"), (61373, "a mono probe is refused as such, 61313 (B:8199)")];
 const NO_TOOL: &str = "_KNUM names a frame, no tool is corrected (B:8326)";
 
 fn setup() -> Setup {

@@ -18,28 +18,17 @@ pub fn table() -> Table {
         usual: "",
         setup,
         cases,
-        unreached: [
-            workpiece::unreached_without_tool(&[61306], workpiece::ZERO_ONLY),
-            OWN.to_vec(),
-        ]
-        .concat(),
+        unreached: [workpiece::unreached_without_tool(&[61306], workpiece::ZERO_ONLY), OWN.to_vec()].concat(),
     }
 }
 
 /// What the table of alarms gives to this cycle, and no call of it brings about.
-const OWN: &[(u32, &str)] = &[
-    (61318, "the cycle has no _K (A:15859, B:15875)"),
-    (61322, TOOL_CODE),
-    (61323, TOOL_CODE),
-    (61324, TOOL_CODE),
-];
-const TOOL_CODE: &str =
-    "a digit of the code of a tool; that of a zero offset has none (A:15863-15865)";
+const OWN: &[(u32, &str)] =
+    &[(61318, "the cycle has no _K (A:15859, B:15875)"), (61322, TOOL_CODE), (61323, TOOL_CODE), (61324, TOOL_CODE)];
+const TOOL_CODE: &str = "a digit of the code of a tool; that of a zero offset has none (A:15863-15865)";
 
 fn setup() -> Setup {
-    let block = Shape::Block {
-        size: [100.0, 100.0, 50.0],
-    };
+    let block = Shape::Block { size: [100.0, 100.0, 50.0] };
     workpiece::setup(block, [-20.0, -70.0, -20.0])
 }
 
@@ -63,9 +52,7 @@ fn own() -> Vec<Case> {
             setup.control.spindle_positions = false;
         }),
         // the ball would touch at Y-53
-        case(61401, "", |setup| {
-            setup.control.limits.plus[1] = Some(-54.0)
-        }),
+        case(61401, "", |setup| setup.control.limits.plus[1] = Some(-54.0)),
         program(61412, "_KNUM=1000"),
     ]
 }

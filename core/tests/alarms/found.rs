@@ -17,21 +17,16 @@ const NOWHERE: &[(&str, &[u32])] = &[
     ("measuring in JOG is not known", &[61230]),
     ("the manual gives no condition", &[61306, 61327]),
     ("a cycle that is not permitted is no entry", &[61312]),
-    (
-        "internal error of the cycles",
-        &[61319, 61340, 61403, 61404],
-    ),
+    ("internal error of the cycles", &[61319, 61340, 61403, 61404]),
     ("the simulated machine has one spindle", &[61344]),
     (
         "logging is not simulated; a name that is missing the form asks for itself",
-        &[
-            61352, 61353, 61354, 61355, 61356, 61357, 61358, 61359, 62311,
-        ],
+        &[61352, 61353, 61354, 61355, 61356, 61357, 61358, 61359, 62311],
     ),
 ];
 
-/// Programs for what one odd value does not bring about: logs without contents, without titles or of data that cannot be
-/// logged, and corners whose four points P1 to P4 do not make one.
+/// Programs for what one odd value does not bring about: logs without contents, without titles or of data that cannot
+/// be logged, and corners whose four points P1 to P4 do not make one.
 const PROGRAMS: &[&str] = &[
     "_PROTNAME[1]=\"LOG\"\nCYCLE100\nM30\n",
     "_PROTNAME[1]=\"LOG\" _PROTFORM[5]=0 _PROTVAL[2]=\"R1\"\nCYCLE100\nM30\n",
@@ -74,11 +69,7 @@ fn the_table_says_where_each_alarm_is_found() {
 fn alarms_that_nothing_raises_are_known_by_name() {
     // oracle: hand
     let nowhere = ALARMS.iter().filter(|alarm| alarm.found == Found::Nowhere);
-    let mut listed: Vec<u32> = NOWHERE
-        .iter()
-        .flat_map(|(_, numbers)| *numbers)
-        .copied()
-        .collect();
+    let mut listed: Vec<u32> = NOWHERE.iter().flat_map(|(_, numbers)| *numbers).copied().collect();
     listed.sort_unstable();
     let listed: Vec<Code> = listed.into_iter().map(Code::Alarm).collect();
     assert_eq!(nowhere.map(|alarm| alarm.code).collect::<Vec<_>>(), listed);
@@ -96,9 +87,7 @@ fn found_by_check() -> BTreeSet<String> {
     for (program, control) in case_programs() {
         add(findings_on(&program, control));
     }
-    wrong_programs()
-        .iter()
-        .for_each(|program| add(findings(program)));
+    wrong_programs().iter().for_each(|program| add(findings(program)));
     for text in PROGRAMS {
         add(findings(&read(Dialect::Sinumerik, text.as_bytes())));
     }
@@ -125,13 +114,9 @@ fn case_programs() -> Vec<(Program, Control)> {
 
 fn wrong_programs() -> Vec<Program> {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/wrong");
-    let paths = std::fs::read_dir(folder)
-        .unwrap()
-        .map(|entry| entry.unwrap().path());
+    let paths = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
     let programs = paths.filter(|path| path.extension().is_some_and(|name| name == "mpf"));
-    programs
-        .map(|path| read(Dialect::Sinumerik, &std::fs::read(path).unwrap()))
-        .collect()
+    programs.map(|path| read(Dialect::Sinumerik, &std::fs::read(path).unwrap())).collect()
 }
 
 /// Every variant's example with one value that is odd, and as it is on machines where something is wrong.
@@ -142,10 +127,7 @@ fn walk(cycle: &'static Cycle, add: &mut impl FnMut(Vec<Diagnostic>)) {
         for control in &machines {
             add(check(cycle, &usual, control).diagnostics);
         }
-        let values = cycle
-            .params
-            .iter()
-            .flat_map(|param| ODD.map(|odd| (param.name, odd)));
+        let values = cycle.params.iter().flat_map(|param| ODD.map(|odd| (param.name, odd)));
         for (name, value) in values {
             let mut typed: Typed = usual.clone();
             typed.insert(name.to_owned(), value.to_owned());
@@ -180,15 +162,8 @@ fn machines(cycle: &Cycle) -> Vec<Control> {
 
 /// A machine with this tool in use, its size and the depth of the tool probe unknown.
 fn with_tool(usual: &Control, kind: i64, plane: Plane, tip: i64) -> Control {
-    let edge = Edge {
-        kind,
-        tip,
-        ..Edge::default()
-    };
-    let tool = Tool {
-        name: "TOOL".into(),
-        edges: [(1, edge)].into(),
-    };
+    let edge = Edge { kind, tip, ..Edge::default() };
+    let tool = Tool { name: "TOOL".into(), edges: [(1, edge)].into() };
     let mut control = usual.clone();
     (control.plane, control.tool, control.edge) = (plane, 1, 1);
     control.tools.insert(1, tool);

@@ -5,8 +5,7 @@ use probewright_core::catalogue::Dialect;
 use probewright_core::control::Plane;
 use probewright_core::run::Setup;
 
-const HANDED_BACK: &str =
-    "the program gets the number and goes on (B:2448, B:8579-8583); tested beside the cycle";
+const HANDED_BACK: &str = "the program gets the number and goes on (B:2448, B:8579-8583); tested beside the cycle";
 
 pub fn cycle116() -> Table {
     Table {
@@ -25,9 +24,7 @@ pub fn cycle119() -> Table {
         usual: "",
         setup,
         cases: Vec::new(),
-        unreached: [61321, 61411, 61412, 61414]
-            .map(|number| (number, HANDED_BACK))
-            .to_vec(),
+        unreached: [61321, 61411, 61412, 61414].map(|number| (number, HANDED_BACK)).to_vec(),
     }
 }
 

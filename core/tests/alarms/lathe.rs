@@ -7,10 +7,7 @@ use probewright_core::run::Setup;
 use probewright_core::workpiece::{PartErrors, Shape, Solid};
 
 /// Alarms that no state of the simulated machine brings about, beside [`workpiece::UNREACHED`].
-pub const SPINDLE: (u32, &str) = (
-    61373,
-    "a mono probe in a turret is not turned by a spindle (A:15917)",
-);
+pub const SPINDLE: (u32, &str) = (61373, "a mono probe in a turret is not turned by a spindle (A:15917)");
 
 pub const NOT_TURNED: (u32, &str) = (61372, "the cycle turns neither part nor probe (A:15916)");
 
@@ -20,11 +17,7 @@ pub fn setup(position: [f64; 3]) -> Setup {
     setup.control.tools.insert(20, turning::tool(0.0));
     setup.position = position;
     setup.workpiece.solids = vec![Solid {
-        shape: Shape::Turned {
-            diameter: 60.0,
-            length: 80.0,
-            bore: [0.0; 2],
-        },
+        shape: Shape::Turned { diameter: 60.0, length: 80.0, bore: [0.0; 2] },
         at: [0.0, 0.0, 20.0],
         rotation: [0.0; 3],
         errors: PartErrors::default(),

@@ -98,12 +98,7 @@ fn every_case_raises_its_alarm() {
     // oracle: manual A:15840-15948, C:125-132, C:1123-1145 (what the tables say about each number and message)
     for cycle in simulated() {
         let table = table(cycle.name);
-        for Case {
-            code,
-            change,
-            prepare,
-        } in &table.cases
-        {
+        for Case { code, change, prepare } in &table.cases {
             let outcome = outcome(cycle, &table, change, *prepare);
             let context = format!("{} {code:?} {:?}", cycle.name, outcome.diagnostics);
             assert!(outcome.alarms().contains(code), "{context}");

@@ -63,11 +63,7 @@ pub fn g106() -> Table {
         case_of(nct::OUT_OF_TOLERANCE, "G106 Z0.6 H0.5", |_| ()),
         case_of(nct::UPPER_TOLERANCE, "G106 Z0.6 S1 U0.5", |_| ()),
     ]);
-    Table {
-        usual: "G106 Z0",
-        cases,
-        ..g104()
-    }
+    Table { usual: "G106 Z0", cases, ..g104() }
 }
 
 pub fn g107() -> Table {
@@ -82,10 +78,7 @@ pub fn g108() -> Table {
         usual: "G108 X-20 Y-20",
         setup: || {
             let mut setup = setup();
-            setup.workpiece.solids[0].shape = Shape::Island {
-                length: [40.0, 40.0],
-                height: 30.0,
-            };
+            setup.workpiece.solids[0].shape = Shape::Island { length: [40.0, 40.0], height: 30.0 };
             setup.position = [-40.0, -40.0, -10.0];
             setup
         },
@@ -93,11 +86,9 @@ pub fn g108() -> Table {
         ..in_bore("", "", "")
     };
     // the stylus starts before the second wall, not before the corner
-    table
-        .cases
-        .push(case_of(nct::PATH_OBSTRUCTED, "G108 X-20 Y-20", |setup| {
-            setup.position = [0.0, -40.0, -10.0];
-        }));
+    table.cases.push(case_of(nct::PATH_OBSTRUCTED, "G108 X-20 Y-20", |setup| {
+        setup.position = [0.0, -40.0, -10.0];
+    }));
     table
 }
 
@@ -140,9 +131,7 @@ pub fn p9969() -> Table {
         setup: || {
             let mut setup = setup();
             setup.workpiece.solids[0] = Solid {
-                shape: Shape::Block {
-                    size: [100.0, 100.0, 8.0],
-                },
+                shape: Shape::Block { size: [100.0, 100.0, 8.0] },
                 at: [0.0, 0.0, -20.0],
                 rotation: [0.0; 3],
                 errors: PartErrors::default(),
@@ -158,11 +147,7 @@ pub fn p9969() -> Table {
             case_of(nct::STYLUS_IN_CONTACT, USUAL, |setup| {
                 setup.position = [0.0, 0.0, -21.0];
             }),
-            case_of(
-                nct::SCANNING_OBSTRUCTED,
-                "G65 P9969 X30 Y4 Z-24 J2 R2 Q9",
-                roof,
-            ),
+            case_of(nct::SCANNING_OBSTRUCTED, "G65 P9969 X30 Y4 Z-24 J2 R2 Q9", roof),
             case_of(nct::SCANNING_FAIL, USUAL, |setup| {
                 setup.probe.pre_travel.0 = 30.0; // it comes too late: the ball is pressed into the block
             }),
@@ -173,13 +158,7 @@ pub fn p9969() -> Table {
 
 /// A macro that begins inside of the bore.
 fn in_bore(usual: &'static str, incomplete: &'static str, still: &'static str) -> Table {
-    Table {
-        program: PROGRAM,
-        usual,
-        setup,
-        cases: measuring(usual, incomplete, still, pressed),
-        unreached: Vec::new(),
-    }
+    Table { program: PROGRAM, usual, setup, cases: measuring(usual, incomplete, still, pressed), unreached: Vec::new() }
 }
 
 /// What every measuring macro stops with: as called, with an address missing, with nothing to move, and with a stylus
@@ -209,10 +188,7 @@ fn setup() -> Setup {
     let mut setup = Setup::calibrated(Dialect::Nct, Plane::G17);
     setup.position = [0.0, 0.0, -10.0];
     setup.workpiece.solids = vec![Solid {
-        shape: Shape::Hole {
-            diameter: 50.0,
-            depth: 30.0,
-        },
+        shape: Shape::Hole { diameter: 50.0, depth: 30.0 },
         at: [0.0; 3],
         rotation: [0.0; 3],
         errors: PartErrors::default(),
@@ -224,9 +200,7 @@ fn setup() -> Setup {
 fn above() -> Setup {
     let mut setup = setup();
     setup.position = [0.0, 0.0, 50.0];
-    setup.workpiece.solids[0].shape = Shape::Block {
-        size: [100.0, 100.0, 60.0],
-    };
+    setup.workpiece.solids[0].shape = Shape::Block { size: [100.0, 100.0, 60.0] };
     setup
 }
 
@@ -252,10 +226,7 @@ fn grown(setup: &mut Setup) {
 
 /// A boss that is so large that the way down beside its nominal wall ends on it.
 fn too_large_a_boss(setup: &mut Setup) {
-    setup.workpiece.solids[0].shape = Shape::Shaft {
-        diameter: 70.0,
-        height: 40.0,
-    };
+    setup.workpiece.solids[0].shape = Shape::Shaft { diameter: 70.0, height: 40.0 };
     setup.position[2] = 10.0;
 }
 

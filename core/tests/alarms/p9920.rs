@@ -1,9 +1,7 @@
 //! Cases of G65 P9920: a disk of 40 mm, the reference tool of 20 by 100 mm 4 mm above its centre.
 
 use super::table::{Table, case_of};
-use probewright_core::catalogue::p9920::{
-    DEPRESSED, INCORRECT, MEASURING_DEVICE, P9920, TOO_SMALL,
-};
+use probewright_core::catalogue::p9920::{DEPRESSED, INCORRECT, MEASURING_DEVICE, P9920, TOO_SMALL};
 use probewright_core::control::{Edge, Plane};
 use probewright_core::run::Setup;
 use probewright_core::workpiece::tool_probe::ToolProbe;
@@ -33,17 +31,9 @@ pub fn table() -> Table {
 fn setup() -> Setup {
     let mut setup = Setup::for_cycle(&P9920, Plane::G17);
     let register = setup.control.edge;
-    *setup.control.register_mut(register) = Edge {
-        length: [100.0, 0.0, 0.0],
-        radius: 10.0,
-        ..Edge::default()
-    };
+    *setup.control.register_mut(register) = Edge { length: [100.0, 0.0, 0.0], radius: 10.0, ..Edge::default() };
     setup.tool_probes.push(ToolProbe::ideal(Solid {
-        shape: Shape::Turned {
-            diameter: 40.0,
-            length: 15.0,
-            bore: [0.0; 2],
-        },
+        shape: Shape::Turned { diameter: 40.0, length: 15.0, bore: [0.0; 2] },
         at: [0.0; 3],
         rotation: [0.0; 3],
         errors: PartErrors::default(),

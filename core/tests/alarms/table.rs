@@ -34,11 +34,7 @@ pub fn case(number: u32, change: &'static str, prepare: fn(&mut Setup)) -> Case 
 
 /// A case of any control.
 pub fn case_of(code: Code, change: &'static str, prepare: fn(&mut Setup)) -> Case {
-    Case {
-        code,
-        change,
-        prepare,
-    }
+    Case { code, change, prepare }
 }
 
 /// A case that the program alone brings about.

@@ -9,14 +9,8 @@ use probewright_core::workpiece::{PartErrors, Shape, Solid};
 
 /// Alarms that no state of the simulated control brings about.
 pub const UNREACHED: &[(u32, &str)] = &[
-    (
-        61306,
-        "the manual gives no condition: where _TDIF is exceeded, every text of these cycles has 62306 (B:6129)",
-    ),
-    (
-        61312,
-        "the cycle itself is permitted; one that is not is no entry of the catalogue (A:15851)",
-    ),
+    (61306, "the manual gives no condition: where _TDIF is exceeded, every text of these cycles has 62306 (B:6129)"),
+    (61312, "the cycle itself is permitted; one that is not is no entry of the catalogue (A:15851)"),
     (61319, "internal error of the cycles (A:15860)"),
     (61327, "the manual gives no condition (A:15868)"),
     (61340, "internal error of the cycles (A:15881)"),
@@ -26,12 +20,10 @@ pub const UNREACHED: &[(u32, &str)] = &[
 ];
 
 /// Alarms about a tool to be corrected, which a cycle has not that corrects something else.
-const NO_TOOL: [u32; 10] = [
-    61320, 61328, 61343, 61345, 61405, 61406, 61407, 61408, 61409, 61410,
-];
+const NO_TOOL: [u32; 10] = [61320, 61328, 61343, 61345, 61405, 61406, 61407, 61408, 61409, 61410];
 
-/// What no call of a cycle without a tool to be corrected brings about: what its entry does not have is in `not`, and why
-/// there is no tool in `why`.
+/// What no call of a cycle without a tool to be corrected brings about: what its entry does not have is in `not`, and
+/// why there is no tool in `why`.
 pub fn unreached_without_tool(not: &[u32], why: &'static str) -> Vec<(u32, &'static str)> {
     let common = UNREACHED.iter().copied();
     let common = common.filter(|(number, _)| !not.contains(number));
@@ -42,10 +34,7 @@ pub fn unreached_without_tool(not: &[u32], why: &'static str) -> Vec<(u32, &'sta
 pub const ZERO_ONLY: &str = "the cycle corrects zero offsets, no tool";
 
 /// A hole of 60 mm.
-pub const HOLE: Shape = Shape::Hole {
-    diameter: 60.0,
-    depth: 40.0,
-};
+pub const HOLE: Shape = Shape::Hole { diameter: 60.0, depth: 40.0 };
 
 /// The first solid is larger in diameter by so much.
 pub fn larger(setup: &mut Setup, size: f64) {
@@ -68,21 +57,12 @@ pub fn setup(shape: Shape, position: [f64; 3]) -> Setup {
     let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
     setup.control.tools.insert(20, crate::mill::tool(&[1]));
     setup.position = position;
-    setup.workpiece.solids = vec![Solid {
-        shape,
-        at: [0.0; 3],
-        rotation: [0.0; 3],
-        errors: PartErrors::default(),
-    }];
+    setup.workpiece.solids = vec![Solid { shape, at: [0.0; 3], rotation: [0.0; 3], errors: PartErrors::default() }];
     setup
 }
 
 /// Calibrated in another plane (B:13658-13667).
-pub const OTHER_PLANE: Case = Case {
-    code: Code::Alarm(61341),
-    change: "_WP[0,9]=18",
-    prepare: |_| (),
-};
+pub const OTHER_PLANE: Case = Case { code: Code::Alarm(61341), change: "_WP[0,9]=18", prepare: |_| () };
 
 /// The cases that the cycles with tool offset share.
 pub fn cases() -> Vec<Case> {
@@ -140,11 +120,7 @@ fn in_spindle() -> Vec<Case> {
 
 /// The cases of parameters that every cycle has.
 pub fn values() -> Vec<Case> {
-    vec![
-        program(61307, "_MVAR=7"),
-        program(61308, "_FA=0"),
-        program(61313, "_PRNUM=4"),
-    ]
+    vec![program(61307, "_MVAR=7"), program(61308, "_FA=0"), program(61313, "_PRNUM=4")]
 }
 
 fn targets() -> Vec<Case> {

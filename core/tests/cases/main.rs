@@ -25,10 +25,8 @@ fn root() -> PathBuf {
 /// The folders with cases, sorted.
 fn folders() -> Vec<PathBuf> {
     let all = std::fs::read_dir(root().join("tests/cases")).expect("folder tests/cases");
-    let mut folders: Vec<PathBuf> = all
-        .map(|entry| entry.unwrap().path())
-        .filter(|path| path.join("case.json").exists())
-        .collect();
+    let mut folders: Vec<PathBuf> =
+        all.map(|entry| entry.unwrap().path()).filter(|path| path.join("case.json").exists()).collect();
     folders.sort();
     folders
 }
@@ -54,11 +52,7 @@ fn printed_programs() {
     if !spec.exists() {
         return;
     }
-    let chapters = [
-        "milling/examples",
-        "turning/examples",
-        "common/nct_examples",
-    ];
+    let chapters = ["milling/examples", "turning/examples", "common/nct_examples"];
     let chapters = chapters.map(|chapter| spec.join(chapter));
     for folder in folders() {
         let file = read(&folder);
@@ -96,12 +90,7 @@ fn cases(folder: &Path, file: &Value, source: &str) -> usize {
     let cases = file["cases"].as_array().unwrap();
     for case in cases {
         let name = format!("{} {}", folder.file_name().unwrap().display(), case["id"]);
-        assert!(
-            case["oracle"]
-                .as_str()
-                .is_some_and(|oracle| !oracle.is_empty()),
-            "{name}: no oracle"
-        );
+        assert!(case["oracle"].as_str().is_some_and(|oracle| !oracle.is_empty()), "{name}: no oracle");
         let mut source = source.to_string();
         for pair in case["replace"].as_array().into_iter().flatten() {
             let (old, new) = (pair[0].as_str().unwrap(), pair[1].as_str().unwrap());
@@ -127,10 +116,7 @@ fn setup(file: &Value, case: &Value) -> Setup {
         setup.control.set(name.clone(), value.as_f64().unwrap());
     }
     for (name, value) in members(&case["variables"]) {
-        assert!(
-            setup.control.set_variable(&name, value.as_f64().unwrap()),
-            "{name}"
-        );
+        assert!(setup.control.set_variable(&name, value.as_f64().unwrap()), "{name}");
     }
     let settable = setup.control.settable;
     setup.control.activate(settable);
@@ -165,20 +151,12 @@ fn expect(name: &str, expected: &Value, outcome: &Outcome) {
         let found = outcome.control.frames[&frame.parse().unwrap()].origin();
         points(name, "origins", &Value::Array(vec![origin]), &[found]);
     }
-    points(
-        name,
-        "starts",
-        &expected["starts"],
-        &probings(outcome, |from, _, _| from),
-    );
+    points(name, "starts", &expected["starts"], &probings(outcome, |from, _, _| from));
     points(name, "touches", &expected["touches"], &touches(outcome));
     points(name, "ends", &expected["ends"], &ends(outcome));
     if let Some(feed) = expected["feed"].as_f64() {
         let feeds = probings(outcome, |_, _, feed| feed);
-        assert!(
-            !feeds.is_empty() && feeds.iter().all(|found| *found == feed),
-            "{name}: {feeds:?}"
-        );
+        assert!(!feeds.is_empty() && feeds.iter().all(|found| *found == feed), "{name}: {feeds:?}");
     }
     if let Some(angles) = expected["orientations"].as_array() {
         let turned = orientations(outcome);
@@ -190,10 +168,7 @@ fn expect(name: &str, expected: &Value, outcome: &Outcome) {
 }
 
 fn close(name: &str, what: &str, found: f64, expected: f64) {
-    assert!(
-        (found - expected).abs() < TOLERANCE,
-        "{name}: {what} is {found}, expected {expected}"
-    );
+    assert!((found - expected).abs() < TOLERANCE, "{name}: {what} is {found}, expected {expected}");
 }
 
 fn points(name: &str, what: &str, expected: &Value, found: &[[f64; 3]]) {
@@ -213,13 +188,7 @@ fn probings<T>(outcome: &Outcome, tell: impl Fn([f64; 3], [f64; 3], f64) -> T) -
     let steps = outcome.trace.entries.iter().map(|entry| &entry.step);
     steps
         .filter_map(|step| match step {
-            Step::Motion {
-                kind: MotionKind::Measuring,
-                from,
-                to,
-                feed,
-                ..
-            } => Some(tell(*from, *to, *feed)),
+            Step::Motion { kind: MotionKind::Measuring, from, to, feed, .. } => Some(tell(*from, *to, *feed)),
             _ => None,
         })
         .collect()

@@ -14,9 +14,7 @@ pub type Values = Vec<(&'static str, f64)>;
 
 /// The values of a call with some replaced or added.
 pub fn with(values: &[(&'static str, f64)], more: &[(&'static str, f64)]) -> Values {
-    let kept = values
-        .iter()
-        .filter(|(name, _)| more.iter().all(|(other, _)| other != name));
+    let kept = values.iter().filter(|(name, _)| more.iter().all(|(other, _)| other != name));
     kept.chain(more).copied().collect()
 }
 
@@ -43,11 +41,7 @@ pub fn inputs_with(
         ((*name).to_owned(), format!("{}", value / per))
     };
     let mut typed: Typed = values.iter().map(text).collect();
-    typed.extend(
-        texts
-            .iter()
-            .map(|(name, text)| ((*name).to_owned(), (*text).to_owned())),
-    );
+    typed.extend(texts.iter().map(|(name, text)| ((*name).to_owned(), (*text).to_owned())));
     let checked = check(cycle, &typed, control);
     let refused = || panic!("{name} {values:?}: {:?}", checked.diagnostics);
     checked.inputs.clone().unwrap_or_else(refused)
@@ -79,12 +73,7 @@ pub fn run(setup: &mut Setup, inputs: &Inputs) -> Outcome {
 }
 
 /// Both: a call on the part that it proposes.
-pub fn call(
-    setup: &mut Setup,
-    name: &str,
-    values: &[(&'static str, f64)],
-    errors: PartErrors,
-) -> Outcome {
+pub fn call(setup: &mut Setup, name: &str, values: &[(&'static str, f64)], errors: PartErrors) -> Outcome {
     let inputs = inputs(setup, name, values);
     place(setup, &inputs, errors);
     run(setup, &inputs)
@@ -97,10 +86,7 @@ pub fn result(setup: &Setup, index: usize) -> f64 {
 
 /// Holds a value against what it should be.
 pub fn near(found: f64, expected: f64, tolerance: f64, what: &str) {
-    assert!(
-        (found - expected).abs() <= tolerance,
-        "{what}: {found}, expected {expected}"
-    );
+    assert!((found - expected).abs() <= tolerance, "{what}: {found}, expected {expected}");
 }
 
 /// Abscissa, ordinate, applicate as X Y Z.

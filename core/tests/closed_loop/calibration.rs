@@ -37,32 +37,20 @@ struct Rig {
 fn rigs() -> Vec<Rig> {
     let metric = PLANES.map(|plane| (plane, Units::Metric));
     let all = metric.into_iter().chain([(Plane::G18, Units::Inch)]);
-    all.flat_map(|(plane, units)| [false, true].map(|mono| Rig { plane, units, mono }))
-        .collect()
+    all.flat_map(|(plane, units)| [false, true].map(|mono| Rig { plane, units, mono })).collect()
 }
 
 impl Rig {
     fn setup(self) -> Setup {
         let mut setup = Setup::calibrated_in(Dialect::Sinumerik, self.plane, self.units);
-        setup.probe = Probe {
-            radius: RADIUS,
-            skew: SKEW,
-            pre_travel: (LATE, 0.0),
-            length: LENGTH,
-            ..setup.probe
-        };
+        setup.probe = Probe { radius: RADIUS, skew: SKEW, pre_travel: (LATE, 0.0), length: LENGTH, ..setup.probe };
         setup
     }
 
     /// Values of every call.
     fn common(self) -> Values {
         let probe = if self.mono { 101.0 } else { 1.0 };
-        vec![
-            ("_PRNUM", probe),
-            ("_FA", 4.0),
-            ("_TSA", 2.0),
-            ("_KNUM", 0.0),
-        ]
+        vec![("_PRNUM", probe), ("_FA", 4.0), ("_TSA", 2.0), ("_KNUM", 0.0)]
     }
 
     /// Ring, with skew and ball, which also goes into the tool.
@@ -70,12 +58,7 @@ impl Rig {
         setup.control.set("_CBIT[15]", 1.0);
         let values = with(
             &self.common(),
-            &[
-                ("_MVAR", variant as f64),
-                ("_SETVAL", RING),
-                ("_STA1", start_angle),
-                ("_TZL", 0.0),
-            ],
+            &[("_MVAR", variant as f64), ("_SETVAL", RING), ("_STA1", start_angle), ("_TZL", 0.0)],
         );
         let mut errors = PartErrors::default();
         if variant % 10 == 8 {
@@ -84,8 +67,8 @@ impl Rig {
         call(setup, "CYCLE976", &values, errors);
     }
 
-    /// How far from the middle of two walls the spindle stands when the probe switches, `size` apart: against a round wall
-    /// a mono probe stands on a chord, as its skew turns with it.
+    /// How far from the middle of two walls the spindle stands when the probe switches, `size` apart: against a round
+    /// wall a mono probe stands on a chord, as its skew turns with it.
     fn reach(self, size: f64, inside: bool, round: bool) -> f64 {
         let along = if self.mono { SKEW[0] } else { 0.0 };
         let across = if self.mono && round { SKEW[1] } else { 0.0 };
@@ -167,14 +150,7 @@ fn at_an_angle(rig: Rig, setup: &mut Setup, ball: f64, skew: [f64; 2], tolerance
     let (sine, cosine) = start.to_radians().sin_cos();
     for variant in [101, 102, 103, 104] {
         let round = variant % 10 <= 2;
-        let more = [
-            ("_STA1", start),
-            ("_INCA", step),
-            ("_RF", 900.0),
-            ("_CPA", 0.0),
-            ("_CPO", 0.0),
-            ("_ID", 25.0),
-        ];
+        let more = [("_STA1", start), ("_INCA", step), ("_RF", 900.0), ("_CPA", 0.0), ("_CPO", 0.0), ("_ID", 25.0)];
         let values = element(rig, variant, &more);
         call(setup, "CYCLE979", &values, PartErrors::default());
         let what = format!("{rig:?} CYCLE979 {variant}");
@@ -194,22 +170,12 @@ fn faces(rig: Rig, setup: &mut Setup, expected: [f64; 4], tolerance: f64) {
     for (axis, wrong) in [1.0, 2.0, 3.0].into_iter().zip(expected) {
         let values = face(rig, 100.0, axis);
         call(setup, "CYCLE978", &values, PartErrors::default());
-        near(
-            result(setup, 16),
-            wrong,
-            tolerance,
-            &format!("{rig:?} {axis}"),
-        );
+        near(result(setup, 16), wrong, tolerance, &format!("{rig:?} {axis}"));
     }
     for axis in [1.0, 2.0] {
         if !rig.mono {
             let mut setup = setup.clone(); // it overwrites trigger value and skew
-            call(
-                &mut setup,
-                "CYCLE978",
-                &face(rig, 1100.0, axis),
-                PartErrors::default(),
-            );
+            call(&mut setup, "CYCLE978", &face(rig, 1100.0, axis), PartErrors::default());
             let what = format!("{rig:?} differential {axis}");
             near(result(&setup, 16), expected[3], tolerance, &what);
         }
@@ -217,10 +183,7 @@ fn faces(rig: Rig, setup: &mut Setup, expected: [f64; 4], tolerance: f64) {
 }
 
 fn face(rig: Rig, variant: f64, axis: f64) -> Values {
-    with(
-        &rig.common(),
-        &[("_MVAR", variant), ("_SETVAL", 20.0), ("_MA", axis)],
-    )
+    with(&rig.common(), &[("_MVAR", variant), ("_SETVAL", 20.0), ("_MA", axis)])
 }
 
 // oracle: hand (head of this file)
@@ -265,12 +228,7 @@ fn a_probe_whose_length_was_found_is_right_from_above() {
         let length = setup.control.active_length()[rig.plane.axes()[2]];
         let ball = rig.ball();
         near(length, LENGTH + RADIUS - LATE - ball, REMAINS, "L1");
-        call(
-            &mut setup,
-            "CYCLE978",
-            &face(rig, 100.0, 3.0),
-            PartErrors::default(),
-        );
+        call(&mut setup, "CYCLE978", &face(rig, 100.0, 3.0), PartErrors::default());
         near(result(&setup, 16), 0.0, 1e-9, &format!("{rig:?}"));
     }
 }
@@ -281,17 +239,10 @@ fn a_probe_whose_length_was_found_is_right_from_above() {
 fn calibrated_at_an_angle_the_probe_is_right_at_any_angle_and_along_the_turned_axes() {
     let angle = 30.0_f64;
     let (sine, cosine) = angle.to_radians().sin_cos();
-    let turned = [
-        SKEW[0] * cosine + SKEW[1] * sine,
-        SKEW[1] * cosine - SKEW[0] * sine,
-    ];
+    let turned = [SKEW[0] * cosine + SKEW[1] * sine, SKEW[1] * cosine - SKEW[0] * sine];
     for plane in PLANES {
         for variant in [110_101, 110_108] {
-            let rig = Rig {
-                plane,
-                units: Units::Metric,
-                mono: false,
-            };
+            let rig = Rig { plane, units: Units::Metric, mono: false };
             let mut setup = rig.setup();
             rig.calibrate(&mut setup, variant, angle);
             at_an_angle(rig, &mut setup, rig.ball(), [0.0; 2], 1e-6);
@@ -318,11 +269,7 @@ fn calibrated_at_an_angle_the_probe_is_right_at_any_angle_and_along_the_turned_a
 fn what_remains_is_the_repeatability() {
     const SIGMA: f64 = 0.001;
     const LOOPS: u32 = 60;
-    let rig = Rig {
-        plane: Plane::G17,
-        units: Units::Metric,
-        mono: false,
-    };
+    let rig = Rig { plane: Plane::G17, units: Units::Metric, mono: false };
     let mut squares = [0.0; 3];
     let mut setup = rig.setup();
     setup.probe.repeatability = (SIGMA, 1);

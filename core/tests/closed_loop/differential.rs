@@ -1,5 +1,5 @@
-//! After differential measurement the probe is as good as calibrated in this direction: the next measurement with the spindle
-//! as it stands finds the same surface (A:7281-7291: the values found are stored in `_WP[]`).
+//! After differential measurement the probe is as good as calibrated in this direction: the next measurement with the
+//! spindle as it stands finds the same surface (A:7281-7291: the values found are stored in `_WP[]`).
 
 use super::bench::{PLANES, Values, at, inputs, near, place, result, run, with};
 use probewright_core::catalogue::Dialect;
@@ -30,12 +30,7 @@ fn rigs() -> Vec<Rig> {
     let mut all = Vec::new();
     for plane in PLANES {
         for (mirrored, axis) in [(false, 0), (false, 1), (true, 0), (true, 1)] {
-            all.extend([50.0, -50.0].map(|set| Rig {
-                plane,
-                mirrored,
-                axis,
-                set,
-            }));
+            all.extend([50.0, -50.0].map(|set| Rig { plane, mirrored, axis, set }));
         }
     }
     all
@@ -55,10 +50,8 @@ impl Rig {
         }
         let mut shift = [0.0; 3];
         shift[self.axis] = SHIFT;
-        let errors = PartErrors {
-            shift: setup.control.direction_to_machine(at(self.plane, shift)),
-            ..PartErrors::default()
-        };
+        let errors =
+            PartErrors { shift: setup.control.direction_to_machine(at(self.plane, shift)), ..PartErrors::default() };
         let web = [
             ("_MVAR", 104.0),
             ("_SETVAL", 2.0 * self.set.abs()),
@@ -97,10 +90,7 @@ impl Rig {
     /// Field of `_WP[]` with the trigger value of this direction, which is one of the machine.
     fn trigger(self) -> String {
         let towards_plus = (self.approach() > 0.0) != self.mirrored;
-        format!(
-            "_WP[0,{}]",
-            2 * self.axis + if towards_plus { 2 } else { 1 }
-        )
+        format!("_WP[0,{}]", 2 * self.axis + if towards_plus { 2 } else { 1 })
     }
 
     /// Direction of probing in the WCS, +1 or -1.
@@ -109,8 +99,9 @@ impl Rig {
     }
 }
 
-// oracle: hand (the surface as it was made; turned by half a turn the ball stands on the other side of the spindle, and the
-// value that was found with it is wrong by both skews together, as any is that a calibration found at another angle)
+// oracle: hand (the surface as it was made; turned by half a turn the ball stands on the other side of the spindle, and
+// the value that was found with it is wrong by both skews together, as any is that a calibration found at another
+// angle)
 #[test]
 fn the_next_measurement_finds_the_same_surface() {
     for rig in rigs() {
@@ -147,23 +138,12 @@ fn a_calibration_finds_the_same_values() {
             rig.measured(&mut setup, 1000);
             let names = [rig.trigger(), format!("_WP[0,{}]", 7 + rig.axis)];
             let before = names.clone().map(|name| setup.control.number(&name));
-            let values = [
-                ("_MVAR", 10_101.0),
-                ("_SETVAL", 80.0),
-                ("_FA", 4.0),
-                ("_TSA", 4.0),
-                ("_TZL", 0.0),
-            ];
+            let values = [("_MVAR", 10_101.0), ("_SETVAL", 80.0), ("_FA", 4.0), ("_TSA", 4.0), ("_TZL", 0.0)];
             let inputs = inputs(&setup, "CYCLE976", &values);
             place(&mut setup, &inputs, PartErrors::default());
             run(&mut setup, &inputs);
             for (name, before) in names.into_iter().zip(before) {
-                near(
-                    setup.control.number(&name),
-                    before,
-                    1e-9,
-                    &format!("{what} {name}"),
-                );
+                near(setup.control.number(&name), before, 1e-9, &format!("{what} {name}"));
             }
         }
     }
@@ -185,43 +165,25 @@ fn after_an_angle_a_surface_is_found_too() {
         let inputs = inputs(&setup, "CYCLE998", &with(&rig.values(0), &more));
         run(&mut setup, &inputs);
         near(result(&setup, 16), 0.0, 1e-9, "angle");
-        near(
-            rig.measured(&mut setup, 0),
-            SHIFT,
-            1e-9,
-            &format!("{rig:?}"),
-        );
+        near(rig.measured(&mut setup, 0), SHIFT, 1e-9, &format!("{rig:?}"));
     }
 }
 
-// oracle: manual A:7283-7284 (the trigger value of the direction that was touched), A:15882 (61341: not calibrated): of the other
-// direction nothing is known
+// oracle: manual A:7283-7284 (the trigger value of the direction that was touched), A:15882 (61341: not calibrated): of
+// the other direction nothing is known
 #[test]
 fn the_other_direction_is_still_to_be_calibrated() {
     for rig in rigs() {
         let mut setup = rig.setup();
         rig.measured(&mut setup, 1000);
-        let other = Rig {
-            set: -rig.set,
-            ..rig
-        };
+        let other = Rig { set: -rig.set, ..rig };
         let mut ahead = other.setup();
         ahead.control = setup.control;
         let inputs = inputs(&ahead, "CYCLE978", &other.values(0));
         let outcome = predict(inputs.cycle, &inputs, &ahead);
-        assert_eq!(
-            outcome.stop,
-            Some(Stop::Alarm(Code::Alarm(61341))),
-            "{rig:?}"
-        );
+        assert_eq!(outcome.stop, Some(Stop::Alarm(Code::Alarm(61341))), "{rig:?}");
         let touched = |step: &Step| matches!(step, Step::Touch { .. });
-        assert!(
-            !outcome
-                .trace
-                .entries
-                .iter()
-                .any(|entry| touched(&entry.step))
-        );
+        assert!(!outcome.trace.entries.iter().any(|entry| touched(&entry.step)));
     }
 }
 
@@ -239,14 +201,8 @@ fn no_cycle_reckons_with_a_value_that_was_never_found() {
         ("_TSA", 3.0),
         ("_FA", 5.0),
     ];
-    let corner = [
-        ("_MVAR", 107.0),
-        ("_STA1", 0.0),
-        ("_INCA", 90.0),
-        ("_SETV[0]", 80.0),
-        ("_SETV[1]", 80.0),
-        ("_FA", 20.0),
-    ];
+    let corner =
+        [("_MVAR", 107.0), ("_STA1", 0.0), ("_INCA", 90.0), ("_SETV[0]", 80.0), ("_SETV[1]", 80.0), ("_FA", 20.0)];
     let of = |variant: f64| with(&sphere, &[("_MVAR", variant)]);
     for (name, values, field) in [
         ("CYCLE977", of(101.0), 2),
@@ -260,19 +216,11 @@ fn no_cycle_reckons_with_a_value_that_was_never_found() {
     ] {
         let what = format!("{name} {values:?} _WP[0,{field}]");
         let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
-        let inputs = inputs(
-            &setup,
-            name,
-            &with(&values, &[("_KNUM", 0.0), ("_ID", -20.0)]),
-        );
+        let inputs = inputs(&setup, name, &with(&values, &[("_KNUM", 0.0), ("_ID", -20.0)]));
         place(&mut setup, &inputs, PartErrors::default());
         let stop = |setup: &Setup| predict(inputs.cycle, &inputs, setup).stop;
         assert_eq!(stop(&setup), None, "{what}");
         setup.control.set(format!("_WP[0,{field}]"), 0.0);
-        assert_eq!(
-            stop(&setup),
-            Some(Stop::Alarm(Code::Alarm(61341))),
-            "{what}"
-        );
+        assert_eq!(stop(&setup), Some(Stop::Alarm(Code::Alarm(61341))), "{what}");
     }
 }

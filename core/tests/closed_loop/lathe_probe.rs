@@ -1,7 +1,8 @@
 //! A milling cycle on a turning machine: the same measurement of the same part gives the same results, corrections and
-//! motions with a probe of type 710 in the spindle of a milling machine and with one of type 5xy that stands on the plane
-//! of a turning machine, in every variant, after the same calibration with CYCLE976.
-// oracle: manual B:4148-4152, B:5358, B:5480, B:5818, B:6400, B:6871, B:7528, B:7836: the cycles are used there as they are
+//! motions with a probe of type 710 in the spindle of a milling machine and with one of type 5xy that stands on the
+//! plane of a turning machine, in every variant, after the same calibration with CYCLE976.
+// oracle: manual B:4148-4152, B:5358, B:5480, B:5818, B:6400, B:6871, B:7528, B:7836: the cycles are used there as they
+// are
 
 use super::bench::at;
 use probewright_core::catalogue::example::example;
@@ -14,9 +15,7 @@ use probewright_core::run::{Outcome, Setup, Stop, predict};
 use probewright_core::workpiece::tool::{Cut, Nose, Tool};
 use probewright_core::workpiece::{PartErrors, Probe, ProbeBody};
 
-const CYCLES: [&str; 6] = [
-    "CYCLE976", "CYCLE977", "CYCLE978", "CYCLE979", "CYCLE998", "CYCLE961",
-];
+const CYCLES: [&str; 6] = ["CYCLE976", "CYCLE977", "CYCLE978", "CYCLE979", "CYCLE998", "CYCLE961"];
 /// What the probe is really long, mm; it is entered as 50.
 const LENGTH: f64 = 50.04;
 /// Lengths of the turning machine's probe across its body, mm: some, as they do not matter.
@@ -33,17 +32,11 @@ fn spindle(plane: Plane) -> Setup {
         pre_travel: (0.02, 0.0),
         length: LENGTH,
         stylus: Some(1.0),
-        body: Some(ProbeBody {
-            radius: 6.0,
-            distance: 49.0,
-        }),
+        body: Some(ProbeBody { radius: 6.0, distance: 49.0 }),
         ..setup.probe
     };
     setup.control.set("_CHBIT[4]", 1.0);
-    setup
-        .control
-        .frames
-        .insert(1, Frame::translation([30.0, 40.0, 50.0]));
+    setup.control.frames.insert(1, Frame::translation([30.0, 40.0, 50.0]));
     setup.control.settable = 1;
     setup.control.activate(1);
     setup
@@ -53,35 +46,21 @@ fn spindle(plane: Plane) -> Setup {
 fn turret(plane: Plane, tip: i64) -> Setup {
     let mut setup = spindle(plane);
     let [one, other] = ACROSS;
-    let edge = Edge {
-        kind: 580,
-        tip,
-        length: [one, other, 50.0],
-        radius: 3.0,
-        ..Edge::default()
-    };
+    let edge = Edge { kind: 580, tip, length: [one, other, 50.0], radius: 3.0, ..Edge::default() };
     let control = &mut setup.control;
     control.set("SD42950", 2.0);
     control.transverse = Transverse::Diameter;
     let place = (control.tool, control.edge);
     let probe = control.tools.get_mut(&place.0).unwrap();
     probe.edges.insert(place.1, edge);
-    let cut = Cut::Nose(Nose {
-        radius: 3.0,
-        side: [0.0; 2],
-    });
+    let cut = Cut::Nose(Nose { radius: 3.0, side: [0.0; 2] });
     let length = [one, other, LENGTH];
     setup.real_tools.insert(place, Tool { length, cut });
     setup
 }
 
 /// The worked measurement of a variant, each correction that it offers chosen; none where the cycle refuses it.
-fn inputs(
-    setup: &Setup,
-    cycle: &'static Cycle,
-    variant: &Variant,
-    more: &[(&str, &str)],
-) -> Option<Inputs> {
+fn inputs(setup: &Setup, cycle: &'static Cycle, variant: &Variant, more: &[(&str, &str)]) -> Option<Inputs> {
     let mut typed: Typed = example(cycle, variant);
     let more = more.iter();
     typed.extend(more.map(|(name, value)| ((*name).to_owned(), (*value).to_owned())));
@@ -93,16 +72,9 @@ fn measure(setup: &mut Setup, inputs: &Inputs) -> Outcome {
     let proposal = (inputs.cycle.work().unwrap().propose)(inputs, &setup.control);
     setup.workpiece = proposal.workpiece;
     let plane = setup.control.plane;
-    let shift = setup
-        .control
-        .direction_to_machine(at(plane, [0.11, -0.07, 0.13]));
+    let shift = setup.control.direction_to_machine(at(plane, [0.11, -0.07, 0.13]));
     for solid in &mut setup.workpiece.solids {
-        solid.errors = PartErrors {
-            shift,
-            size: 0.05,
-            tilt: at(plane, [0.0, 0.0, 0.1]),
-            ..PartErrors::default()
-        };
+        solid.errors = PartErrors { shift, size: 0.05, tilt: at(plane, [0.0, 0.0, 0.1]), ..PartErrors::default() };
     }
     setup.workpiece.solids.extend(proposal.fixture);
     for proposed in proposal.tools {
@@ -134,38 +106,21 @@ fn left(setup: &Setup) -> Vec<(String, f64)> {
     let names = (0..32).map(|index| format!("_OVR[{index}]"));
     let names = names.chain((0..14).map(|index| format!("_OVI[{index}]")));
     let names = names.chain((0..10).map(|index| format!("_WP[0,{index}]")));
-    let mut left: Vec<(String, f64)> = names
-        .map(|name| (name.clone(), control.number(&name)))
-        .collect();
+    let mut left: Vec<(String, f64)> = names.map(|name| (name.clone(), control.number(&name))).collect();
     for (number, tool) in &control.tools {
         for (edge, data) in &tool.edges {
             for (i, axis) in control.length_axes(data).into_iter().enumerate() {
                 let across = *number == control.tool && axis != 2;
-                let begin = if *number == control.tool {
-                    data.length[i]
-                } else {
-                    0.0
-                };
-                let length = if across {
-                    0.0
-                } else {
-                    begin + data.length_wear[i]
-                };
+                let begin = if *number == control.tool { data.length[i] } else { 0.0 };
+                let length = if across { 0.0 } else { begin + data.length_wear[i] };
                 left.push((format!("T{number} D{edge} {axis}"), length));
             }
-            left.push((
-                format!("T{number} D{edge} radius"),
-                data.radius + data.radius_wear,
-            ));
+            left.push((format!("T{number} D{edge} radius"), data.radius + data.radius_wear));
         }
     }
     left.sort_by(|one, other| one.0.cmp(&other.0));
     for frame in control.frames.values() {
-        let values = frame
-            .coarse
-            .into_iter()
-            .chain(frame.fine)
-            .chain(frame.rotation);
+        let values = frame.coarse.into_iter().chain(frame.fine).chain(frame.rotation);
         left.extend(values.map(|value| ("frame".to_owned(), value)));
     }
     left
@@ -174,27 +129,14 @@ fn left(setup: &Setup) -> Vec<(String, f64)> {
 fn same(one: &[(String, f64)], other: &[(String, f64)], what: &str) {
     assert_eq!(one.len(), other.len(), "{what}");
     for (a, b) in one.iter().zip(other) {
-        assert!(
-            a.0 == b.0 && (a.1 - b.1).abs() < 1e-9,
-            "{what}: {a:?} {b:?}"
-        );
+        assert!(a.0 == b.0 && (a.1 - b.1).abs() < 1e-9, "{what}: {a:?} {b:?}");
     }
 }
 
 /// Measures on both machines and holds one against the other; whether the cycle came to its end.
-fn both(
-    machines: &mut [Setup; 2],
-    cycle: &'static Cycle,
-    variant: &Variant,
-    more: &[(&str, &str)],
-) -> bool {
-    let what = format!(
-        "{} {} {more:?} {:?}",
-        cycle.name, variant.number, machines[0].control.plane
-    );
-    let [here, there] = machines
-        .each_ref()
-        .map(|setup| inputs(setup, cycle, variant, more));
+fn both(machines: &mut [Setup; 2], cycle: &'static Cycle, variant: &Variant, more: &[(&str, &str)]) -> bool {
+    let what = format!("{} {} {more:?} {:?}", cycle.name, variant.number, machines[0].control.plane);
+    let [here, there] = machines.each_ref().map(|setup| inputs(setup, cycle, variant, more));
     assert_eq!(here.is_some(), there.is_some(), "{what}");
     let (Some(here), Some(there)) = (here, there) else {
         return false;
@@ -205,9 +147,7 @@ fn both(
     let (steps, others) = (steps(&one), steps(&other));
     assert_eq!(steps.len(), others.len(), "{what}");
     for (a, b) in steps.iter().zip(&others) {
-        let apart = (0..3)
-            .map(|axis| (a.1[axis] - b.1[axis]).abs())
-            .fold(0.0, f64::max);
+        let apart = (0..3).map(|axis| (a.1[axis] - b.1[axis]).abs()).fold(0.0, f64::max);
         assert!(a.0 == b.0 && apart < 1e-9, "{what}: {a:?} {b:?}");
     }
     same(&left(milled), &left(turned), &what);
@@ -230,26 +170,9 @@ fn cycle(name: &str) -> &'static Cycle {
 fn calibrated(plane: Plane, tip: i64) -> [Setup; 2] {
     let mut machines = [spindle(plane), turret(plane, tip)];
     let cycle = cycle("CYCLE976");
-    let variant = |number| {
-        cycle
-            .variants
-            .iter()
-            .find(|one| one.number == number)
-            .unwrap()
-    };
-    assert!(both(
-        &mut machines,
-        cycle,
-        variant(10_101),
-        &[("_TSA", "3.5")]
-    ));
-    let length = [
-        ("_SETVAL", "20"),
-        ("_MA", "3"),
-        ("_MD", "1"),
-        ("_FA", "12"),
-        ("_TSA", "25"),
-    ];
+    let variant = |number| cycle.variants.iter().find(|one| one.number == number).unwrap();
+    assert!(both(&mut machines, cycle, variant(10_101), &[("_TSA", "3.5")]));
+    let length = [("_SETVAL", "20"), ("_MA", "3"), ("_MD", "1"), ("_FA", "12"), ("_TSA", "25")];
     assert!(both(&mut machines, cycle, variant(10_000), &length));
     machines
 }
@@ -294,8 +217,8 @@ fn from_below(
     values
 }
 
-// oracle: manual B:4150-4152 (positions 5 and 6 are permitted as well), hand: what is measured in the plane does not depend
-// on the side from which the probe comes, and its body is in the way from no other side
+// oracle: manual B:4150-4152 (positions 5 and 6 are permitted as well), hand: what is measured in the plane does not
+// depend on the side from which the probe comes, and its body is in the way from no other side
 #[test]
 fn a_probe_from_the_minus_side_measures_the_same_in_the_plane() {
     for (plane, [above, below]) in [(Plane::G17, [7, 5]), (Plane::G19, [8, 6])] {
@@ -308,8 +231,7 @@ fn a_probe_from_the_minus_side_measures_the_same_in_the_plane() {
                 let measured = inputs(&turret(plane, above), cycle, variant, &[]);
                 let [first, second, _] = axes(name);
                 for axis in [first, second] {
-                    if axis != first && measured.as_ref().is_some_and(|inputs| !inputs.uses("_MA"))
-                    {
+                    if axis != first && measured.as_ref().is_some_and(|inputs| !inputs.uses("_MA")) {
                         continue;
                     }
                     let what = format!("{name} {} {axis} {plane:?}", variant.number);
@@ -322,18 +244,13 @@ fn a_probe_from_the_minus_side_measures_the_same_in_the_plane() {
                         if tip == below {
                             other = from_below(variant, cycle, &wide);
                         }
-                        let values: Vec<(&str, &str)> = other
-                            .iter()
-                            .map(|(name, value)| (*name, value.as_str()))
-                            .collect();
+                        let values: Vec<(&str, &str)> =
+                            other.iter().map(|(name, value)| (*name, value.as_str())).collect();
                         let inputs = inputs(&setup, cycle, variant, &values)?;
                         let outcome = measure(&mut setup, &inputs);
                         assert_eq!(outcome.stop, None, "{what} {tip}");
                         let told = left(&setup).into_iter();
-                        Some(
-                            told.filter(|(name, _)| name.starts_with("_OVR"))
-                                .collect::<Vec<_>>(),
-                        )
+                        Some(told.filter(|(name, _)| name.starts_with("_OVR")).collect::<Vec<_>>())
                     });
                     assert_eq!(found[0].is_some(), found[1].is_some(), "{what}");
                     if let [Some(one), Some(other)] = found {
@@ -342,10 +259,7 @@ fn a_probe_from_the_minus_side_measures_the_same_in_the_plane() {
                     }
                 }
             }
-            assert!(
-                ended >= cycle.variants.len() / 2,
-                "{name} {plane:?}: {ended}"
-            );
+            assert!(ended >= cycle.variants.len() / 2, "{name} {plane:?}: {ended}");
         }
     }
 }
@@ -353,32 +267,18 @@ fn a_probe_from_the_minus_side_measures_the_same_in_the_plane() {
 // oracle: hand: the face stands 0.13 mm further in plus direction, from whichever side it is touched
 #[test]
 fn along_the_applicate_the_probe_touches_in_the_direction_in_which_it_points() {
-    for (plane, tip) in [
-        (Plane::G17, 7),
-        (Plane::G17, 5),
-        (Plane::G19, 8),
-        (Plane::G19, 6),
-    ] {
+    for (plane, tip) in [(Plane::G17, 7), (Plane::G17, 5), (Plane::G19, 8), (Plane::G19, 6)] {
         let mut setup = turret(plane, tip);
         setup.real_tools.clear(); // as long as its data say
         setup.probe.pre_travel.0 = 0.0;
         setup.probe.radius = 3.0;
         let cycle = cycle("CYCLE978");
         let variant = &cycle.variants[0];
-        let inputs = inputs(
-            &setup,
-            cycle,
-            variant,
-            &[("_MA", "3"), ("_TSA", "2"), ("_TDIF", "2")],
-        )
-        .unwrap();
+        let inputs = inputs(&setup, cycle, variant, &[("_MA", "3"), ("_TSA", "2"), ("_TDIF", "2")]).unwrap();
         let outcome = measure(&mut setup, &inputs);
         assert_eq!(outcome.stop, None, "{plane:?} {tip}");
         let difference = setup.control.number("_OVR[19]");
-        assert!(
-            (difference - 0.13).abs() < 1e-9,
-            "{plane:?} {tip}: {difference}"
-        );
+        assert!((difference - 0.13).abs() < 1e-9, "{plane:?} {tip}: {difference}");
     }
 }
 

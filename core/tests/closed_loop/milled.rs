@@ -15,52 +15,25 @@ const TRUE: f64 = 9.88;
 
 /// What is milled by its measuring variant: the program, and the set sizes along X and Y, where it has them.
 const JOBS: [(f64, &str, [Option<f64>; 2]); 6] = [
-    (
-        1.0,
-        "G0 X0 Y0\nG41 G1 X30\nG3 X30 Y0 I-30 J0\nG40 G1 X0",
-        [Some(60.0), Some(60.0)],
-    ),
-    (
-        2.0,
-        "G0 X60 Y0\nG41 G1 X30\nG2 X30 Y0 I-30 J0\nG40 G1 X60",
-        [Some(60.0), Some(60.0)],
-    ),
-    (
-        3.0,
-        "G0 X0 Y-40\nG41 G1 X30\nY40\nX-30\nY-40\nG40 X0",
-        [Some(60.0), None],
-    ),
-    (
-        4.0,
-        "G0 X60 Y-40\nG42 G1 X30\nY40\nX-30\nY-40\nG40 X-60",
-        [Some(60.0), None],
-    ),
-    (
-        5.0,
-        "G0 X0 Y0\nG41 G1 X30\nY22\nX-30\nY-22\nX30\nY0\nG40 X0",
-        [Some(60.0), Some(44.0)],
-    ),
-    (
-        6.0,
-        "G0 X60 Y0\nG42 G1 X30\nY22\nX-30\nY-22\nX30\nY0\nG40 X60",
-        [Some(60.0), Some(44.0)],
-    ),
+    (1.0, "G0 X0 Y0\nG41 G1 X30\nG3 X30 Y0 I-30 J0\nG40 G1 X0", [Some(60.0), Some(60.0)]),
+    (2.0, "G0 X60 Y0\nG41 G1 X30\nG2 X30 Y0 I-30 J0\nG40 G1 X60", [Some(60.0), Some(60.0)]),
+    (3.0, "G0 X0 Y-40\nG41 G1 X30\nY40\nX-30\nY-40\nG40 X0", [Some(60.0), None]),
+    (4.0, "G0 X60 Y-40\nG42 G1 X30\nY40\nX-30\nY-40\nG40 X-60", [Some(60.0), None]),
+    (5.0, "G0 X0 Y0\nG41 G1 X30\nY22\nX-30\nY-22\nX30\nY0\nG40 X0", [Some(60.0), Some(44.0)]),
+    (6.0, "G0 X60 Y0\nG42 G1 X30\nY22\nX-30\nY-22\nX30\nY0\nG40 X60", [Some(60.0), Some(44.0)]),
 ];
 
 /// What the radius is corrected by: `_KNUM`, what a program says to mill with it, and where it is kept (B:1894-1928,
 /// B:2031-2060).
-const OFFSETS: [(f64, &str, &str); 2] = [
-    (2001.0, "D1", "$TC_DP15[20,1]"),
-    (1_002_001.0, "D1 DL=2", "$TC_SCP26[20,1]"),
-];
+const OFFSETS: [(f64, &str, &str); 2] = [(2001.0, "D1", "$TC_DP15[20,1]"), (1_002_001.0, "D1 DL=2", "$TC_SCP26[20,1]")];
 
 /// Holes, grooves and inner rectangles have odd variants.
 fn inside(variant: f64) -> bool {
     variant % 2.0 == 1.0
 }
 
-/// How much larger the part becomes than it should be in X or Y: what the mill leaves where it passes beside the middle,
-/// sampled along every motion with feed.
+/// How much larger the part becomes than it should be in X or Y: what the mill leaves where it passes beside the
+/// middle, sampled along every motion with feed.
 fn machined(setup: &mut Setup, variant: f64, text: &str, axis: usize, size: f64) -> f64 {
     let text = format!("G17 G90 G40 T20 M6\nF500 {text}\nM30");
     let program = read(Dialect::Sinumerik, text.as_bytes());
@@ -68,13 +41,7 @@ fn machined(setup: &mut Setup, variant: f64, text: &str, axis: usize, size: f64)
     assert_eq!((&outcome.stop, &outcome.diagnostics[..]), (&None, &[][..]));
     let steps = outcome.trace.entries.iter();
     let routes = steps.filter_map(|entry| match entry.step {
-        Step::Motion {
-            kind: MotionKind::Positioning,
-            from,
-            to,
-            around,
-            ..
-        } => Some(Route { from, to, around }),
+        Step::Motion { kind: MotionKind::Positioning, from, to, around, .. } => Some(Route { from, to, around }),
         _ => None,
     });
     // a circle is as far away everywhere, a straight line where it passes the middle
@@ -92,8 +59,8 @@ fn machined(setup: &mut Setup, variant: f64, text: &str, axis: usize, size: f64)
     2.0 * half - size
 }
 
-// oracle: hand: a mill that is thinner than the tool memory says leaves twice the difference in holes and on shafts; the
-// correction of its wear radius, or of an additive offset with which it mills, brings the next part to size
+// oracle: hand: a mill that is thinner than the tool memory says leaves twice the difference in holes and on shafts;
+// the correction of its wear radius, or of an additive offset with which it mills, brings the next part to size
 #[test]
 fn the_next_part_follows_the_corrected_mill() {
     for (variant, text, sizes) in JOBS {
@@ -106,12 +73,7 @@ fn the_next_part_follows_the_corrected_mill() {
 }
 
 /// Mills and measures a part and, with the mill that this corrects, another one.
-fn two_parts(
-    variant: f64,
-    text: &str,
-    sizes: [Option<f64>; 2],
-    (code, edge, datum): (f64, &str, &str),
-) {
+fn two_parts(variant: f64, text: &str, sizes: [Option<f64>; 2], (code, edge, datum): (f64, &str, &str)) {
     let mut setup = machine();
     let judged = [
         ("_MVAR", variant),
@@ -135,12 +97,8 @@ fn two_parts(
             .map(|(axis, size)| machined(&mut setup, variant, &program, axis, size))
             .collect();
         let size = made[0];
-        made.iter()
-            .for_each(|other| near(*other, size, 1e-9, &what));
-        let errors = PartErrors {
-            size,
-            ..PartErrors::default()
-        };
+        made.iter().for_each(|other| near(*other, size, 1e-9, &what));
+        let errors = PartErrors { size, ..PartErrors::default() };
         call(&mut setup, "CYCLE977", &values, errors);
         near(result(&setup, 16), size, 1e-9, &what);
         wrong.push(size);

@@ -16,7 +16,8 @@ const RUNS: usize = 400;
 /// Four times the standard error of a standard deviation from so many runs, 1/sqrt(2n).
 const SURE: f64 = 4.0 / 28.3;
 
-/// Machine and part of a call, and its results in all runs: how much each scatters, as multiples of the scatter of a touch.
+/// Machine and part of a call, and its results in all runs: how much each scatters, as multiples of the scatter of a
+/// touch.
 fn scattered<const N: usize>(name: &str, values: &Values, results: [usize; N]) -> [f64; N] {
     let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
     setup.probe.repeatability = (SCATTER, 1);
@@ -42,14 +43,8 @@ fn told(name: &str, values: &Values, number: u16) -> Option<Vec<(&'static str, f
     let typed: Typed = values.iter().map(text).collect();
     let cycle = find(Dialect::Sinumerik, name).unwrap();
     let found = check(cycle, &typed, &setup.control).diagnostics;
-    let one = found
-        .into_iter()
-        .find(|one| one.code == Code::Own(number))?;
-    let numbers = one
-        .message
-        .args
-        .into_iter()
-        .chain(one.hint.into_iter().flat_map(|hint| hint.args));
+    let one = found.into_iter().find(|one| one.code == Code::Own(number))?;
+    let numbers = one.message.args.into_iter().chain(one.hint.into_iter().flat_map(|hint| hint.args));
     Some(
         numbers
             .filter_map(|(name, value)| match value {
@@ -66,17 +61,11 @@ fn number(told: &[(&'static str, f64)], name: &str) -> f64 {
 }
 
 fn is(scattered: f64, told: f64, what: &str) {
-    assert!(
-        (told * (0.95 - SURE)..told * (1.05 + SURE)).contains(&scattered),
-        "{what}: {scattered}, told {told}"
-    );
+    assert!((told * (0.95 - SURE)..told * (1.05 + SURE)).contains(&scattered), "{what}: {scattered}, told {told}");
 }
 
 fn near(scattered: f64, expected: f64, what: &str) {
-    assert!(
-        (scattered / expected - 1.0).abs() < SURE,
-        "{what}: {scattered}, expected {expected}"
-    );
+    assert!((scattered / expected - 1.0).abs() < SURE, "{what}: {scattered}, expected {expected}");
 }
 
 /// Values that most calls need.
@@ -100,23 +89,10 @@ fn common(more: &[(&'static str, f64)]) -> Values {
 // `evaluate::spread`)
 #[test]
 fn circles_scatter_as_they_are_told_to() {
-    for (variant, start, step) in [
-        (101.0, 0.0, 20.0),
-        (101.0, 15.0, 80.0),
-        (10_101.0, 40.0, 12.0),
-    ] {
+    for (variant, start, step) in [(101.0, 0.0, 20.0), (101.0, 15.0, 80.0), (10_101.0, 40.0, 12.0)] {
         // the number of points stands in the fourth digit of _PRNUM
-        let (variant, probe, count) = if variant > 1e4 {
-            (101.0, 1001.0, 4)
-        } else {
-            (variant, 1.0, 3)
-        };
-        let values = common(&[
-            ("_MVAR", variant),
-            ("_STA1", start),
-            ("_INCA", step),
-            ("_PRNUM", probe),
-        ]);
+        let (variant, probe, count) = if variant > 1e4 { (101.0, 1001.0, 4) } else { (variant, 1.0, 3) };
+        let values = common(&[("_MVAR", variant), ("_STA1", start), ("_INCA", step), ("_PRNUM", probe)]);
         let what = format!("{values:?}");
         let [diameter, x, y] = scattered("CYCLE979", &values, [4, 5, 6]);
         let directions: Vec<f64> = (0..count).map(|i| start + step * f64::from(i)).collect();
@@ -136,20 +112,10 @@ fn circles_scatter_as_they_are_told_to() {
 // oracle: self (400 runs)
 #[test]
 fn spheres_scatter_as_they_are_told_to() {
-    let sphere = [
-        ("_STA1", 0.0),
-        ("_INCA", 15.0),
-        ("_SETV[0]", 0.0),
-        ("_SETV[1]", 0.0),
-        ("_SETV[2]", -30.0),
-    ];
+    let sphere = [("_STA1", 0.0), ("_INCA", 15.0), ("_SETV[0]", 0.0), ("_SETV[1]", 0.0), ("_SETV[2]", -30.0)];
     let values = with(&common(&sphere), &[("_MVAR", 1109.0)]);
     let [x, y] = scattered("CYCLE997", &values, [5, 6]);
-    is(
-        x.max(y),
-        number(&told("CYCLE997", &values, 170).unwrap(), "centre"),
-        "centre",
-    );
+    is(x.max(y), number(&told("CYCLE997", &values, 170).unwrap(), "centre"), "centre");
     let values = with(&values, &[("_MVAR", 1_001_109.0)]);
     let told = told("CYCLE997", &values, 170).unwrap();
     let [diameter, x, y] = scattered("CYCLE997", &values, [4, 5, 6]);
@@ -161,21 +127,11 @@ fn spheres_scatter_as_they_are_told_to() {
 #[test]
 fn angles_scatter_as_they_are_told_to() {
     for (variant, angle) in [(105.0, 0.0), (105.0, 25.0), (1105.0, -20.0)] {
-        let set = [
-            ("_MVAR", variant),
-            ("_MA", 102.0),
-            ("_ID", 9.0),
-            ("_STA1", angle),
-            ("_SETVAL", -18.0),
-        ];
+        let set = [("_MVAR", variant), ("_MA", 102.0), ("_ID", 9.0), ("_STA1", angle), ("_SETVAL", -18.0)];
         let values = common(&set);
         let told = told("CYCLE998", &values, 172).unwrap();
         let [degree] = scattered("CYCLE998", &values, [4]);
-        is(
-            degree.to_radians() * 100.0,
-            number(&told, "factor"),
-            &format!("{values:?}"),
-        );
+        is(degree.to_radians() * 100.0, number(&told, "factor"), &format!("{values:?}"));
         let enough = with(&values, &[("_ID", number(&told, "needed"))]);
         assert_eq!(self::told("CYCLE998", &enough, 172), None);
     }

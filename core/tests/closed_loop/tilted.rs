@@ -1,5 +1,5 @@
-//! A frame that is corrected while another one is active, tilted against it or mirrored: what was measured, at the height at
-//! which it was touched, gets the set coordinates (B:6153-6155).
+//! A frame that is corrected while another one is active, tilted against it or mirrored: what was measured, at the
+//! height at which it was touched, gets the set coordinates (B:6153-6155).
 
 use super::bench::{PLANES, Values, at, inputs, near, place, result, run, with};
 use probewright_core::catalogue::Dialect;
@@ -11,8 +11,8 @@ use probewright_core::workpiece::PartErrors;
 /// How far the part stands beside its place, abscissa, ordinate, applicate.
 const SHIFT: [f64; 3] = [0.4, -0.3, 0.2];
 
-/// A coordinate of the plane that is measured: 0 abscissa, 1 ordinate, 2 applicate; results `_OVR[]` with the actual value
-/// and the setpoint.
+/// A coordinate of the plane that is measured: 0 abscissa, 1 ordinate, 2 applicate; results `_OVR[]` with the actual
+/// value and the setpoint.
 type Coordinate = (usize, usize, usize);
 
 /// A call.
@@ -20,8 +20,8 @@ struct Call {
     name: &'static str,
     values: Values,
     measured: Vec<Coordinate>,
-    /// Whether the part looks the same from both sides of what is measured, so that it has the same middle in a frame that is
-    /// tilted.
+    /// Whether the part looks the same from both sides of what is measured, so that it has the same middle in a frame
+    /// that is tilted.
     even: bool,
 }
 
@@ -64,21 +64,11 @@ fn calls() -> Vec<Call> {
         calls.push(call("CYCLE977", &values, &[measured], true));
     }
     for (variant, lift) in [(101.0, 0.0), (104.0, 25.0)] {
-        calls.push(call(
-            "CYCLE979",
-            &[("_MVAR", variant), ("_ID", lift)],
-            both,
-            false,
-        ));
+        calls.push(call("CYCLE979", &[("_MVAR", variant), ("_ID", lift)], both, false));
     }
     for axis in 1..=3 {
         let values = [("_MVAR", 100.0), ("_MA", f64::from(axis))];
-        calls.push(call(
-            "CYCLE978",
-            &values,
-            &[(axis as usize - 1, 4, 0)],
-            false,
-        ));
+        calls.push(call("CYCLE978", &values, &[(axis as usize - 1, 4, 0)], false));
     }
     let corner = [
         ("_MVAR", 118.0),
@@ -97,17 +87,15 @@ fn calls() -> Vec<Call> {
     calls
 }
 
-/// What is corrected: `_KNUM`, and the settable frame with which it counts. In the last one the applicate runs downwards.
+/// What is corrected: `_KNUM`, and the settable frame with which it counts. In the last one the applicate runs
+/// downwards.
 const TARGETS: [(f64, usize); 4] = [(2.0, 2), (3.0, 3), (1000.0, 0), (4.0, 4)];
 
 /// G54 moves, mirrored it turns an axis round; the other frames are tilted, and mirrored too.
 fn machine(plane: Plane, mirror: [bool; 3]) -> Setup {
     let mut setup = Setup::calibrated_in(Dialect::Sinumerik, plane, Units::Metric);
     let mut put = |number: usize, rotation, mirrored: usize| {
-        let mut frame = Frame {
-            rotation: at(plane, rotation),
-            ..Frame::translation([7.0 * number as f64, -9.0, 4.0])
-        };
+        let mut frame = Frame { rotation: at(plane, rotation), ..Frame::translation([7.0 * number as f64, -9.0, 4.0]) };
         if let Some(axis) = plane.axes().get(mirrored) {
             frame.mirror[*axis] = true;
         }
@@ -117,15 +105,13 @@ fn machine(plane: Plane, mirror: [bool; 3]) -> Setup {
     put(2, [10.0, -7.0, 15.0], 3);
     put(3, [5.0, 8.0, -20.0], 0);
     put(4, [5.0, 8.0, -20.0], 2);
-    let active = Frame {
-        mirror,
-        ..Frame::translation([40.0, 30.0, 20.0])
-    };
+    let active = Frame { mirror, ..Frame::translation([40.0, 30.0, 20.0]) };
     setup.control.frames.insert(1, active);
     let basic = Frame::translation([10.0, 0.0, 2.0]);
     setup.control.channel_basic.insert(0, basic);
     setup.control.activate(1);
-    setup.probe.stylus = Some(0.0); // the frame leans by some degree, and a straight one would meet the part above the ball
+    // the frame leans by some degree, and a straight one would meet the part above the ball
+    setup.probe.stylus = Some(0.0);
     setup
 }
 
@@ -136,17 +122,7 @@ fn askew(setup: &mut Setup) {
     let control = &mut setup.control;
     control.set("_CBIT[14]", 1.0);
     assert!(control.set_variable("$TC_DP3[9,1]", 53.0));
-    let data = [
-        6.0,
-        3.0 - skew[0],
-        -3.0 - skew[0],
-        3.0 - skew[1],
-        -3.0 - skew[1],
-        0.0,
-        -6.0,
-        skew[0],
-        skew[1],
-    ];
+    let data = [6.0, 3.0 - skew[0], -3.0 - skew[0], 3.0 - skew[1], -3.0 - skew[1], 0.0, -6.0, skew[0], skew[1]];
     for (index, value) in data.into_iter().enumerate() {
         control.set(format!("_WP[0,{index}]"), value);
     }
@@ -156,10 +132,7 @@ fn askew(setup: &mut Setup) {
 fn corrected(setup: &mut Setup, call: &Call, code: f64) -> Outcome {
     let plane = setup.control.plane;
     let inputs = inputs(setup, call.name, &with(&call.values, &[("_KNUM", code)]));
-    let errors = PartErrors {
-        shift: setup.control.direction_to_machine(at(plane, SHIFT)),
-        ..PartErrors::default()
-    };
+    let errors = PartErrors { shift: setup.control.direction_to_machine(at(plane, SHIFT)), ..PartErrors::default() };
     place(setup, &inputs, errors);
     run(setup, &inputs)
 }
@@ -177,8 +150,8 @@ fn balls(outcome: &Outcome) -> [f64; 3] {
     [0, 1, 2].map(|axis| sum(axis) / touched.len() as f64)
 }
 
-/// What was measured, machine: where the ball stood, in the measured axes what the cycle found. Read in the WCS that was
-/// active.
+/// What was measured, machine: where the ball stood, in the measured axes what the cycle found. Read in the WCS that
+/// was active.
 fn found(setup: &Setup, call: &Call, control: &Control, outcome: &Outcome) -> [f64; 3] {
     let mut point = control.to_workpiece(balls(outcome));
     for (axis, actual, _) in &call.measured {
@@ -188,21 +161,16 @@ fn found(setup: &Setup, call: &Call, control: &Control, outcome: &Outcome) -> [f
 }
 
 fn what(plane: Plane, mirror: [bool; 3], code: f64, call: &Call) -> String {
-    format!(
-        "{plane:?} {mirror:?} _KNUM={code} {} {:?}",
-        call.name, call.values
-    )
+    format!("{plane:?} {mirror:?} _KNUM={code} {} {:?}", call.name, call.values)
 }
 
 const MIRRORS: [[bool; 3]; 3] = [[false; 3], [true, false, false], [false, true, true]];
 
-// oracle: hand: the ball as it stood at the touches gives the coordinates that were not measured; B:6153-6155 what has to be
+// oracle: hand: the ball as it stood at the touches gives the coordinates that were not measured; B:6153-6155 what has
+// to be
 #[test]
 fn the_measured_point_has_the_set_coordinates_in_any_frame() {
-    for (plane, mirror) in PLANES
-        .into_iter()
-        .flat_map(|plane| MIRRORS.map(|m| (plane, m)))
-    {
+    for (plane, mirror) in PLANES.into_iter().flat_map(|plane| MIRRORS.map(|m| (plane, m))) {
         for (code, settable) in TARGETS {
             for call in calls() {
                 let what = what(plane, mirror, code, &call);
@@ -213,11 +181,7 @@ fn the_measured_point_has_the_set_coordinates_in_any_frame() {
                 let point = found(&setup, &call, &control, &outcome);
                 let sets: Vec<f64> = match call.name {
                     "CYCLE961" => vec![0.0, 0.0],
-                    _ => call
-                        .measured
-                        .iter()
-                        .map(|(_, _, set)| result(&setup, *set))
-                        .collect(),
+                    _ => call.measured.iter().map(|(_, _, set)| result(&setup, *set)).collect(),
                 };
                 setup.control.activate(settable);
                 let seen = setup.control.to_workpiece(point);
@@ -259,8 +223,8 @@ fn measured_again_in_the_tilted_frame_nothing_is_wrong() {
     }
 }
 
-// oracle: hand, as above; in the turret the ball stands beside the place to which the tool lengths lead, too. A diameter is
-// twice the coordinate X
+// oracle: hand, as above; in the turret the ball stands beside the place to which the tool lengths lead, too. A
+// diameter is twice the coordinate X
 #[test]
 fn on_a_lathe_the_place_of_the_ball_counts_as_well() {
     for (axis, set) in [(1.0, -10.0), (2.0, 40.0)] {
@@ -277,27 +241,13 @@ fn on_a_lathe_the_place_of_the_ball_counts_as_well() {
         ] {
             setup.control.set(format!("_WP[0,{index}]"), value);
         }
-        let frame = |origin, rotation| Frame {
-            rotation,
-            ..Frame::translation(origin)
-        };
+        let frame = |origin, rotation| Frame { rotation, ..Frame::translation(origin) };
         let frames = &mut setup.control.frames;
         frames.insert(1, frame([0.0, 0.0, 20.0], [0.0; 3]));
         frames.insert(2, frame([1.0, 0.0, -5.0], [0.0, 3.0, 0.0]));
         setup.control.activate(1);
-        let values = vec![
-            ("_MVAR", 100.0),
-            ("_MA", axis),
-            ("_SETVAL", set),
-            ("_FA", 5.0),
-            ("_TSA", 3.0),
-        ];
-        let call = Call {
-            name: "CYCLE974",
-            values,
-            measured: Vec::new(),
-            even: false,
-        };
+        let values = vec![("_MVAR", 100.0), ("_MA", axis), ("_SETVAL", set), ("_FA", 5.0), ("_TSA", 3.0)];
+        let call = Call { name: "CYCLE974", values, measured: Vec::new(), even: false };
         let control = setup.control.clone();
         let outcome = corrected(&mut setup, &call, 2.0);
         let geometry = Plane::G18.axes()[axis as usize - 1];
@@ -307,33 +257,19 @@ fn on_a_lathe_the_place_of_the_ball_counts_as_well() {
         assert!(result(&setup, 16).abs() > 0.1, "nothing was wrong");
         let point = control.to_machine(point);
         setup.control.activate(2);
-        near(
-            setup.control.to_workpiece(point)[geometry],
-            set / per,
-            1e-9,
-            "lathe",
-        );
+        near(setup.control.to_workpiece(point)[geometry], set / per, 1e-9, "lathe");
     }
 }
 
-// oracle: hand: measured 10 mm below the zero of G54. Seen from G55, which is turned by 10 degree about Y, that point lies at
-// X 10·sin 10° = 1.736; to be at 0, G55 goes there along its own X, whose share of the X of G54 is cos 10°
+// oracle: hand: measured 10 mm below the zero of G54. Seen from G55, which is turned by 10 degree about Y, that point
+// lies at X 10·sin 10° = 1.736; to be at 0, G55 goes there along its own X, whose share of the X of G54 is cos 10°
 #[test]
 fn the_height_of_the_touches_counts_not_that_of_the_start() {
     let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
-    let tilted = Frame {
-        rotation: [0.0, 10.0, 0.0],
-        ..Frame::default()
-    };
+    let tilted = Frame { rotation: [0.0, 10.0, 0.0], ..Frame::default() };
     setup.control.frames.insert(2, tilted);
     setup.control.activate(1);
-    let values = [
-        ("_MVAR", 102.0),
-        ("_SETVAL", 60.0),
-        ("_ID", -40.0),
-        ("_FA", 5.0),
-        ("_KNUM", 2.0),
-    ];
+    let values = [("_MVAR", 102.0), ("_SETVAL", 60.0), ("_ID", -40.0), ("_FA", 5.0), ("_KNUM", 2.0)];
     let inputs = inputs(&setup, "CYCLE977", &values);
     place(&mut setup, &inputs, PartErrors::default());
     setup.position = [0.0, 0.0, 30.0];

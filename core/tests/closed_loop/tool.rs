@@ -79,17 +79,9 @@ fn jobs(weight: f64) -> Vec<Job> {
         share: if variant % 2 == 1 { 0.5 } else { -0.5 },
         datum: radius,
     };
-    let mut jobs: Vec<Job> = (1..=6)
-        .map(|variant| element("CYCLE977", variant, &[("_MA", 1.0), ("_ID", -25.0)]))
-        .collect();
-    let at_angle = [
-        ("_CPA", 0.0),
-        ("_CPO", 0.0),
-        ("_STA1", 25.0),
-        ("_INCA", 80.0),
-        ("_RF", 900.0),
-        ("_ID", 25.0),
-    ];
+    let mut jobs: Vec<Job> =
+        (1..=6).map(|variant| element("CYCLE977", variant, &[("_MA", 1.0), ("_ID", -25.0)])).collect();
+    let at_angle = [("_CPA", 0.0), ("_CPO", 0.0), ("_STA1", 25.0), ("_INCA", 80.0), ("_RF", 900.0), ("_ID", 25.0)];
     jobs.extend((1..=4).map(|variant| element("CYCLE979", variant, &at_angle)));
     for (axis, name) in [1.0, 2.0, 3.0].into_iter().enumerate() {
         // the faces of the plane are touched in plus direction, and milled by the radius; the upper one by the length
@@ -110,16 +102,8 @@ fn jobs(weight: f64) -> Vec<Job> {
 /// A machine with the mill T20, whose mean values are kept.
 pub fn machine() -> Setup {
     let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
-    let edge = Edge {
-        kind: 120,
-        radius: MILL[0],
-        length: [MILL[1], 0.0, 0.0],
-        ..Edge::default()
-    };
-    let tool = Tool {
-        name: "MILL".into(),
-        edges: [(1, edge)].into(),
-    };
+    let edge = Edge { kind: 120, radius: MILL[0], length: [MILL[1], 0.0, 0.0], ..Edge::default() };
+    let tool = Tool { name: "MILL".into(), edges: [(1, edge)].into() };
     setup.control.tools.insert(20, tool);
     setup.control.set("_CHBIT[4]", 1.0); // the mean value is kept
     setup
@@ -135,11 +119,7 @@ fn decided(difference: f64, old: f64, weight: f64) -> (f64, f64) {
         return (difference, 0.0);
     }
     let mean = old - (old - difference) / weight;
-    if mean.abs() > ZERO {
-        (mean, 0.0)
-    } else {
-        (0.0, mean)
-    }
+    if mean.abs() > ZERO { (mean, 0.0) } else { (0.0, mean) }
 }
 
 /// Differences of ten parts in table 1-2, µm.
@@ -149,18 +129,8 @@ const TABLE: [f64; 10] = [30.0, 50.0, 60.0, 20.0, 40.0, 50.0, 50.0, 30.0, 70.0, 
 #[test]
 fn parts_that_differ_as_in_the_printed_table_correct_where_it_does() {
     for (weight, means, corrected) in [
-        (
-            2.0,
-            [15.0, 32.5, 46.2, 10.0, 25.0, 37.5, 43.75, 15.0, 42.5, 35.0],
-            &[3, 7, 9][..],
-        ),
-        (
-            3.0,
-            [
-                10.0, 23.3, 35.5, 30.3, 33.580, 39.053, 42.702, 10.0, 30.0, 43.3,
-            ],
-            &[7, 10],
-        ),
+        (2.0, [15.0, 32.5, 46.2, 10.0, 25.0, 37.5, 43.75, 15.0, 42.5, 35.0], &[3, 7, 9][..]),
+        (3.0, [10.0, 23.3, 35.5, 30.3, 33.580, 39.053, 42.702, 10.0, 30.0, 43.3], &[7, 10]),
     ] {
         for job in jobs(weight).into_iter().step_by(weight as usize - 1) {
             let mut setup = machine();

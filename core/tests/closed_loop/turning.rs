@@ -42,26 +42,14 @@ fn jobs() -> Vec<Job> {
             ("_TZL", 0.0),
         ];
         let values = with(&values, of);
-        Job {
-            cycle,
-            values,
-            length,
-        }
+        Job { cycle, values, length }
     };
     vec![
         job("CYCLE974", 1, &[("_MVAR", 0.0)]),
         job("CYCLE974", 0, &[("_MVAR", 0.0)]),
         job("CYCLE974", 0, &[("_MVAR", 1000.0), ("_STA1", 30.0)]),
-        job(
-            "CYCLE994",
-            0,
-            &[("_MVAR", 2.0), ("_SZA", 40.0), ("_SZO", 90.0)],
-        ),
-        job(
-            "CYCLE994",
-            0,
-            &[("_MVAR", 1.0), ("_SZA", 40.0), ("_SZO", 30.0)],
-        ),
+        job("CYCLE994", 0, &[("_MVAR", 2.0), ("_SZA", 40.0), ("_SZO", 90.0)]),
+        job("CYCLE994", 0, &[("_MVAR", 1.0), ("_SZA", 40.0), ("_SZO", 30.0)]),
     ]
 }
 
@@ -94,13 +82,7 @@ const fn memory(
     bit: &'static str,
     data: [&'static str; 2],
 ) -> Memory {
-    Memory {
-        code,
-        values,
-        texts,
-        bit,
-        data,
-    }
+    Memory { code, values, texts, bit, data }
 }
 
 /// Wear and geometry, additive and setup offsets, the tool by number, by name and by environment (B:1906-1929,
@@ -132,21 +114,11 @@ fn machine(units: Units, transverse: Transverse) -> Setup {
         setup: [(LOCATION, [-0.02, 0.05, 0.0, 0.0])].into(),
         ..Edge::default()
     };
-    let tool = Tool {
-        name: "TURNING".into(),
-        edges: [(1, edge)].into(),
-    };
+    let tool = Tool { name: "TURNING".into(), edges: [(1, edge)].into() };
     control.tools.insert(TOOL, tool);
-    let stored = Environment {
-        tool: TOOL,
-        edge: 1,
-        location: LOCATION,
-        plane: Plane::G18,
-    };
+    let stored = Environment { tool: TOOL, edge: 1, location: LOCATION, plane: Plane::G18 };
     control.environments.insert("TURNED".into(), stored);
-    control
-        .frames
-        .insert(1, Frame::translation([0.0, 0.0, 250.0]));
+    control.frames.insert(1, Frame::translation([0.0, 0.0, 250.0]));
     control.activate(1);
     setup
 }
@@ -187,9 +159,7 @@ fn a_corrected_tool_makes_the_next_part_right() {
             values.push(("_KNUM", memory.code));
             if transverse == Transverse::Radius && job.length == 0 {
                 let dimensions = ["_SETVAL", "_SZO"];
-                let of_x = values
-                    .iter_mut()
-                    .filter(|(name, _)| dimensions.contains(name));
+                let of_x = values.iter_mut().filter(|(name, _)| dimensions.contains(name));
                 of_x.for_each(|(_, value)| *value /= 2.0);
             }
             let inputs = inputs_with(&setup, job.cycle, &values, memory.texts);
@@ -212,11 +182,7 @@ fn a_corrected_tool_makes_the_next_part_right() {
 fn with_frames(units: Units, settable: usize) -> Setup {
     let mut setup = Setup::turning_in(Plane::G18, units);
     let control = &mut setup.control;
-    let frame = |origin, mirror| Frame {
-        fine: [0.01, 0.02, -0.01],
-        mirror,
-        ..Frame::translation(origin)
-    };
+    let frame = |origin, mirror| Frame { fine: [0.01, 0.02, -0.01], mirror, ..Frame::translation(origin) };
     control.system = frame([0.0, -2.0, 3.0], [false; 3]);
     let global = frame([0.0, 6.0, -7.0], [false; 3]);
     control.global_basic.insert(0, global);
@@ -224,12 +190,8 @@ fn with_frames(units: Units, settable: usize) -> Setup {
     control.channel_basic.insert(0, first);
     let second = frame([0.0, 8.0, 1.0], [false; 3]);
     control.channel_basic.insert(1, second);
-    control
-        .frames
-        .insert(1, frame([0.0, 3.0, 220.0], [false; 3]));
-    control
-        .frames
-        .insert(5, frame([0.0, 1.0, 90.0], [false, true, true]));
+    control.frames.insert(1, frame([0.0, 3.0, 220.0], [false; 3]));
+    control.frames.insert(5, frame([0.0, 1.0, 90.0], [false, true, true]));
     control.activate(settable);
     setup
 }
@@ -239,13 +201,7 @@ fn with_frames(units: Units, settable: usize) -> Setup {
 fn a_corrected_zero_offset_leaves_nothing_to_correct() {
     for (index, target) in TARGETS.into_iter().enumerate() {
         for axis in [1.0, 2.0, 3.0] {
-            let values = vec![
-                ("_MVAR", 100.0),
-                ("_MA", axis),
-                ("_SETVAL", 60.0),
-                ("_FA", 5.0),
-                ("_TSA", 3.0),
-            ];
+            let values = vec![("_MVAR", 100.0), ("_MA", axis), ("_SETVAL", 60.0), ("_FA", 5.0), ("_TSA", 3.0)];
             let call: Call = ("CYCLE974", values, &[16]);
             let units = [Units::Metric, Units::Inch][index % 2];
             closed(with_frames(units, target.settable), target, &call);

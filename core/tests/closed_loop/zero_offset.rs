@@ -30,11 +30,7 @@ pub const TARGETS: [Target; 8] = [
 ];
 
 const fn target(code: f64, settable: usize, name: &'static str) -> Target {
-    Target {
-        code,
-        settable,
-        name,
-    }
+    Target { code, settable, name }
 }
 
 /// How far the part stands beside its place, abscissa, ordinate, applicate.
@@ -44,11 +40,7 @@ const TILT: [f64; 3] = [0.3, -0.2, 0.5];
 
 /// A frame that moves and turns.
 fn frame(origin: [f64; 3], rotation: [f64; 3]) -> Frame {
-    Frame {
-        fine: [0.01, 0.02, -0.01],
-        rotation,
-        ..Frame::translation(origin)
-    }
+    Frame { fine: [0.01, 0.02, -0.01], rotation, ..Frame::translation(origin) }
 }
 
 /// A machine with every sort of frame in its chain, most of them turned.
@@ -56,28 +48,13 @@ fn machine(plane: Plane, units: Units, settable: usize) -> Setup {
     let mut setup = Setup::calibrated_in(Dialect::Sinumerik, plane, units);
     let control = &mut setup.control;
     control.system = frame([1.0, -2.0, 3.0], [0.0, 0.0, 4.0]);
-    control
-        .global_basic
-        .insert(0, Frame::translation([5.0, 6.0, -7.0]));
-    control
-        .channel_basic
-        .insert(0, frame([10.0, 0.0, 2.0], [-3.0, 0.0, 20.0]));
-    control
-        .channel_basic
-        .insert(1, frame([0.0, 8.0, 1.0], [0.0, 7.0, 0.0]));
-    control
-        .frames
-        .insert(0, frame([7.0, -9.0, 4.0], [0.0, 0.0, 6.0])); // of G500
-    control
-        .frames
-        .insert(1, frame([40.0, 30.0, 20.0], [0.0, 5.0, -15.0]));
-    control
-        .frames
-        .insert(5, frame([-60.0, 15.0, 9.0], [2.0, 0.0, 33.0]));
-    control.program_frame = Frame {
-        rotation: [0.0, 0.0, 10.0],
-        ..Frame::translation([3.0, 2.0, 1.0])
-    };
+    control.global_basic.insert(0, Frame::translation([5.0, 6.0, -7.0]));
+    control.channel_basic.insert(0, frame([10.0, 0.0, 2.0], [-3.0, 0.0, 20.0]));
+    control.channel_basic.insert(1, frame([0.0, 8.0, 1.0], [0.0, 7.0, 0.0]));
+    control.frames.insert(0, frame([7.0, -9.0, 4.0], [0.0, 0.0, 6.0])); // of G500
+    control.frames.insert(1, frame([40.0, 30.0, 20.0], [0.0, 5.0, -15.0]));
+    control.frames.insert(5, frame([-60.0, 15.0, 9.0], [2.0, 0.0, 33.0]));
+    control.program_frame = Frame { rotation: [0.0, 0.0, 10.0], ..Frame::translation([3.0, 2.0, 1.0]) };
     control.activate(settable);
     setup.probe.stylus = Some(0.0); // the part leans by some degree, and a straight one would meet it above the ball
     setup
@@ -108,40 +85,21 @@ fn spheres() -> Vec<Call> {
         ("_SETV[8]", -5.0),
     ];
     let common = [("_SETVAL", 40.0), ("_FA", 5.0), ("_TSA", 5.0)];
-    let values = |variant: f64, of: &[(&'static str, f64)]| -> Values {
-        with(&with(&common, &[("_MVAR", variant)]), of)
-    };
+    let values =
+        |variant: f64, of: &[(&'static str, f64)]| -> Values { with(&with(&common, &[("_MVAR", variant)]), of) };
     vec![
         ("CYCLE997", values(109.0, &centres[..3]), &[9, 10, 11]),
-        (
-            "CYCLE997",
-            values(10_109.0, &centres),
-            &[9, 10, 11, 17, 18, 19, 25, 26, 27],
-        ),
+        ("CYCLE997", values(10_109.0, &centres), &[9, 10, 11, 17, 18, 19, 25, 26, 27]),
     ]
 }
 
 /// An edge, and an oblique plane.
 fn angles() -> Vec<Call> {
     let common = [("_MA", 102.0), ("_ID", 40.0), ("_FA", 12.0), ("_TSA", 3.0)];
-    let edge = [
-        ("_MVAR", 105.0),
-        ("_SETVAL", -18.0),
-        ("_STA1", 5.0),
-        ("_RA", 0.0),
-    ];
-    let plane = [
-        ("_MVAR", 106.0),
-        ("_SETVAL", 30.0),
-        ("_SETV[0]", 30.0),
-        ("_STA1", 8.0),
-        ("_INCA", 12.0),
-        ("_MD", 1.0),
-    ];
-    vec![
-        ("CYCLE998", with(&common, &edge), &[16]),
-        ("CYCLE998", with(&common, &plane), &[16, 17]),
-    ]
+    let edge = [("_MVAR", 105.0), ("_SETVAL", -18.0), ("_STA1", 5.0), ("_RA", 0.0)];
+    let plane =
+        [("_MVAR", 106.0), ("_SETVAL", 30.0), ("_SETV[0]", 30.0), ("_STA1", 8.0), ("_INCA", 12.0), ("_MD", 1.0)];
+    vec![("CYCLE998", with(&common, &edge), &[16]), ("CYCLE998", with(&common, &plane), &[16, 17])]
 }
 
 /// Elements and faces.
@@ -161,10 +119,7 @@ fn places() -> Vec<Call> {
     ];
     let mut calls = Vec::new();
     for (variant, axis) in [(101, 1), (102, 1), (103, 2), (104, 1), (106, 1)] {
-        let values = with(
-            &common,
-            &[("_MVAR", f64::from(variant)), ("_MA", f64::from(axis))],
-        );
+        let values = with(&common, &[("_MVAR", f64::from(variant)), ("_MA", f64::from(axis))]);
         let differences: &[usize] = if variant > 104 { &[18, 19] } else { &[17, 18] };
         calls.push(("CYCLE977", values, differences));
     }

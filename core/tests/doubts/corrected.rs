@@ -4,9 +4,7 @@ use super::{FRAME, HOLE, called, found, tells};
 
 /// The hole corrects a zero offset, then the program goes on.
 fn corrected(active: &str, knum: i64, behind: &str) -> String {
-    let hole = HOLE
-        .replace("_MVAR=1", "_MVAR=101")
-        .replace("_KNUM=0", &format!("_KNUM={knum}"));
+    let hole = HOLE.replace("_MVAR=1", "_MVAR=101").replace("_KNUM=0", &format!("_KNUM={knum}"));
     format!("G17 G40 {active} T9 D1\n{hole}{behind}\nM30\n")
 }
 
@@ -59,15 +57,10 @@ fn a_corrected_frame_is_taken_before_the_program_goes_on_in_it() {
 // oracle: hand (in X and in Y one after the other: the old frame is meant in between)
 #[test]
 fn two_calls_may_correct_one_frame_together() {
-    let axis = |axis: i64, knum: i64| {
-        format!("_MVAR=100 _SETVAL=0 _MA={axis} _KNUM={knum} _PRNUM=1 _FA=2 _TSA=2\nCYCLE978\n")
-    };
+    let axis =
+        |axis: i64, knum: i64| format!("_MVAR=100 _SETVAL=0 _MA={axis} _KNUM={knum} _PRNUM=1 _FA=2 _TSA=2\nCYCLE978\n");
     let program = |second: i64, behind: &str| {
-        format!(
-            "G17 G40 G54 T9 D1\n{}G0 X5 Y5\n{}{behind}\nM30\n",
-            axis(1, 1),
-            axis(2, second)
-        )
+        format!("G17 G40 G54 T9 D1\n{}G0 X5 Y5\n{}{behind}\nM30\n", axis(1, 1), axis(2, second))
     };
     assert!(!tells(&program(1, ""), FRAME));
     assert!(!tells(&program(1, "G54\nG0 X0"), FRAME));
@@ -79,19 +72,11 @@ fn two_calls_may_correct_one_frame_together() {
 // oracle: hand
 #[test]
 fn a_corrected_frame_is_followed_through_the_calls() {
-    let hole = HOLE
-        .replace("_MVAR=1", "_MVAR=101")
-        .replace("_KNUM=0", "_KNUM=1");
+    let hole = HOLE.replace("_MVAR=1", "_MVAR=101").replace("_KNUM=0", "_KNUM=1");
     let begin = "G17 G40 G54 T9 D1\nL5";
     assert!(tells(&called(&format!("{begin}\nG0 X5"), &hole), FRAME));
-    assert!(!tells(
-        &called(&format!("{begin}\nG54\nG0 X5"), &hole),
-        FRAME
-    ));
+    assert!(!tells(&called(&format!("{begin}\nG54\nG0 X5"), &hole), FRAME));
     assert!(!tells(&called(begin, &format!("{hole}G54")), FRAME));
     // Who calls a subprogram may take the frame behind it.
-    assert!(!tells(
-        &format!("%_N_L5_SPF\nG54\n{hole}G0 X5\nM17\n"),
-        FRAME
-    ));
+    assert!(!tells(&format!("%_N_L5_SPF\nG54\n{hole}G0 X5\nM17\n"), FRAME));
 }

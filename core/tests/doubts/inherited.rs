@@ -14,10 +14,7 @@ fn inherited(text: &str) -> Vec<&'static str> {
 #[test]
 fn a_value_that_means_something_else_at_a_later_call_is_doubted() {
     let hole = "_MVAR=1 _SETVAL=132 _KNUM=0 _PRNUM=2 _FA=4 _TSA=2 _VMS=200 _EVNUM=7\nCYCLE977\n";
-    let edge = hole
-        .replace("_MVAR=1 ", "_MVAR=100 _MA=1 ")
-        .replace("977", "978")
-        .replace("=132", "=0");
+    let edge = hole.replace("_MVAR=1 ", "_MVAR=100 _MA=1 ").replace("977", "978").replace("=132", "=0");
     for (program, expected) in [
         // diameter, position
         (format!("{hole}_MVAR=0 _MA=1\nCYCLE978\n"), vec!["_SETVAL"]),
@@ -26,32 +23,17 @@ fn a_value_that_means_something_else_at_a_later_call_is_doubted() {
         (format!("{hole}_MVAR=3 _MA=1\nCYCLE977\n"), vec!["_SETVAL"]),
         // both a diameter; path, safe area, feed and probe are meant to stay
         (format!("{hole}_MVAR=2 _ID=-5\nCYCLE977\n"), vec![]),
-        (
-            format!("{hole}_MVAR=1 _CPA=1 _CPO=1 _STA1=0 _INCA=60 _RF=500\nCYCLE979\n"),
-            vec![],
-        ),
+        (format!("{hole}_MVAR=1 _CPA=1 _CPO=1 _STA1=0 _INCA=60 _RF=500\nCYCLE979\n"), vec![]),
         // the number of a variant of another cycle
         (format!("{hole}_MA=1 _SETVAL=0\nCYCLE978\n"), vec!["_MVAR"]),
         // a zero offset, the length of tool edge 1
-        (
-            edge.replace("_KNUM=0", "_KNUM=1") + "_MVAR=0 _SETVAL=5 _TNUM=3\nCYCLE978\n",
-            vec!["_KNUM"],
-        ),
+        (edge.replace("_KNUM=0", "_KNUM=1") + "_MVAR=0 _SETVAL=5 _TNUM=3\nCYCLE978\n", vec!["_KNUM"]),
         (format!("{edge}_MVAR=0 _SETVAL=5\nCYCLE978\n"), vec![]),
         // degrees out of millimetres
-        (
-            format!("{edge}_MVAR=105 _SETVAL=0 _MA=102 _ID=60 _RA=0 _STA1=0\nCYCLE998\n"),
-            vec!["_TSA"],
-        ),
+        (format!("{edge}_MVAR=105 _SETVAL=0 _MA=102 _ID=60 _RA=0 _STA1=0\nCYCLE998\n"), vec!["_TSA"]),
         // the probe and the memory of workpieces
-        (
-            format!("{hole}_MVAR=1 _MA=3 _ID=20 _TSA=5 _FA=10\nCYCLE971\n"),
-            vec!["_EVNUM", "_PRNUM"],
-        ),
-        (
-            format!("{hole}_MVAR=1 _MA=3 _ID=20 _TSA=5 _FA=10 _PRNUM=1 _EVNUM=0\nCYCLE971\n"),
-            vec![],
-        ),
+        (format!("{hole}_MVAR=1 _MA=3 _ID=20 _TSA=5 _FA=10\nCYCLE971\n"), vec!["_EVNUM", "_PRNUM"]),
+        (format!("{hole}_MVAR=1 _MA=3 _ID=20 _TSA=5 _FA=10 _PRNUM=1 _EVNUM=0\nCYCLE971\n"), vec![]),
     ] {
         let mut told = inherited(&program);
         told.sort_unstable();
@@ -67,21 +49,14 @@ fn a_call_that_is_written_in_full_inherits_nothing() {
     use probewright_core::control::delivery;
     use probewright_core::program::write::snippet;
     let control = delivery(Dialect::Sinumerik);
-    let examples = CYCLES
-        .iter()
-        .filter(|cycle| cycle.dialect == Dialect::Sinumerik);
+    let examples = CYCLES.iter().filter(|cycle| cycle.dialect == Dialect::Sinumerik);
     let texts: Vec<String> = examples
         .map(|cycle| {
-            let mut typed: Typed = cycle
-                .example
-                .iter()
-                .map(|(name, value)| ((*name).to_owned(), (*value).to_owned()))
-                .collect();
+            let mut typed: Typed =
+                cycle.example.iter().map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect();
             for param in cycle.params {
                 let delivered = param.fallback(&control).map(|value| value.to_string());
-                typed
-                    .entry(param.name.to_owned())
-                    .or_insert(delivered.unwrap_or_default());
+                typed.entry(param.name.to_owned()).or_insert(delivered.unwrap_or_default());
             }
             snippet(cycle, &typed, &control, Style::Direct, None).text
         })

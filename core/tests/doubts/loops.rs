@@ -17,18 +17,9 @@ fn a_loop_is_followed_with_what_its_end_leaves() {
     for (begin, end) in loops {
         let program = |body: &str| format!("G17 G40 G54 T9 D1\n{begin}\n{body}{end}\nM30\n");
         let milled = "G41 G1 X10\n";
-        assert!(
-            tells(&program(&format!("{HOLE}{milled}")), COMPENSATION),
-            "{begin}"
-        );
-        assert!(
-            tells(&program(&format!("{HOLE}S500 M3\n")), SPINDLE),
-            "{begin}"
-        );
-        assert!(
-            tells(&program(&format!("{HOLE}D0\n")), Alarm(61311)),
-            "{begin}"
-        );
+        assert!(tells(&program(&format!("{HOLE}{milled}")), COMPENSATION), "{begin}");
+        assert!(tells(&program(&format!("{HOLE}S500 M3\n")), SPINDLE), "{begin}");
+        assert!(tells(&program(&format!("{HOLE}D0\n")), Alarm(61311)), "{begin}");
         // Each of these comes back as it was, or leaves it to the run.
         for right in [
             format!("{HOLE}{milled}G40 X0\n"),
@@ -40,15 +31,9 @@ fn a_loop_is_followed_with_what_its_end_leaves() {
             assert!(!tells(&program(&right), COMPENSATION), "{begin} {right}");
         }
         // In a subprogram, and around one.
-        let inside = called(
-            "G17 G40 T9 D1\nL5",
-            &format!("{begin}\n{HOLE}{milled}{end}"),
-        );
+        let inside = called("G17 G40 T9 D1\nL5", &format!("{begin}\n{HOLE}{milled}{end}"));
         assert!(tells(&inside, COMPENSATION), "{begin}");
-        let around = called(
-            &format!("G17 G40 T9 D1\n{begin}\nL5\n{end}"),
-            &format!("{HOLE}{milled}"),
-        );
+        let around = called(&format!("G17 G40 T9 D1\n{begin}\nL5\n{end}"), &format!("{HOLE}{milled}"));
         assert!(tells(&around, COMPENSATION), "{begin}");
     }
 }
@@ -68,28 +53,17 @@ fn what_holds_behind_a_loop() {
     assert!(!behind("WHILE R1<5", "ENDWHILE"));
     // Out of the first pass or out of the second one.
     let text = "AGAIN:\nIF R1>3\nG41 G1 X5\nGOTOB AGAIN\nENDIF\n";
-    assert!(!tells(
-        &format!("G17 G40 T9 D1\n{text}{HOLE}M30\n"),
-        COMPENSATION
-    ));
+    assert!(!tells(&format!("G17 G40 T9 D1\n{text}{HOLE}M30\n"), COMPENSATION));
 }
 
 // oracle: self (each body a few times, however deep it stands)
 #[test]
 fn loops_in_loops_come_to_an_end() {
     let depth = 200;
-    let begin: String = (0..depth)
-        .map(|n| format!("WHILE R{n}<5\nG{}\n", 17 + n % 3))
-        .collect();
-    let end: String = (0..depth)
-        .map(|n| format!("G{}\nENDWHILE\n", 40 + n % 3))
-        .collect();
+    let begin: String = (0..depth).map(|n| format!("WHILE R{n}<5\nG{}\n", 17 + n % 3)).collect();
+    let end: String = (0..depth).map(|n| format!("G{}\nENDWHILE\n", 40 + n % 3)).collect();
     assert!(!found(&format!("T9 D1\n{begin}{HOLE}{end}M30\n")).is_empty());
-    let labels: String = (0..400)
-        .map(|n| format!("A{n}: G{}\n", 17 + n % 3))
-        .collect();
-    let jumps: String = (0..400)
-        .map(|n| format!("IF R1<{n} GOTOB A{n}\n"))
-        .collect();
+    let labels: String = (0..400).map(|n| format!("A{n}: G{}\n", 17 + n % 3)).collect();
+    let jumps: String = (0..400).map(|n| format!("IF R1<{n} GOTOB A{n}\n")).collect();
     assert!(!found(&format!("D1\n{labels}{HOLE}{jumps}M30\n")).is_empty());
 }

@@ -30,9 +30,7 @@ fn the_type_that_the_program_enters_is_the_type_of_its_tool() {
         let text = tool(kind, call);
         let all = found(&text);
         let codes = all.iter().map(|finding| finding.code);
-        let told: Vec<Code> = codes
-            .filter(|code| matches!(code, Alarm(61309 | 61314 | 61315 | 61351)))
-            .collect();
+        let told: Vec<Code> = codes.filter(|code| matches!(code, Alarm(61309 | 61314 | 61315 | 61351))).collect();
         assert_eq!(told, Vec::from_iter(wrong), "{text}");
     }
 }
@@ -48,8 +46,8 @@ fn milled(kind: i64, tip: i64, assignment: Option<f64>, g: &str) -> Vec<Diagnost
     findings_on(&read(Dialect::Sinumerik, text.as_bytes()), control)
 }
 
-// oracle: manual B:4147-4152, A:15848: each of the conditions; what the text does not tell is a doubt, and so is 1xy, which
-// B:906-910 takes for a probe
+// oracle: manual B:4147-4152, A:15848: each of the conditions; what the text does not tell is a doubt, and so is 1xy,
+// which B:906-910 takes for a probe
 #[test]
 fn the_probe_of_a_turning_machine_is_held_against_the_conditions_of_the_call() {
     let (error, warning) = (Severity::Error, Severity::Warning);
@@ -66,20 +64,8 @@ fn the_probe_of_a_turning_machine_is_held_against_the_conditions_of_the_call() {
         (580, 8, lathe, "", Some((warning, "advice-tool-plane"))),
         (580, 3, lathe, "G17", Some((error, "advice-tool-position"))),
         (580, 0, lathe, "G17", None),
-        (
-            580,
-            7,
-            Some(0.0),
-            "G17",
-            Some((error, "advice-tool-assignment")),
-        ),
-        (
-            580,
-            7,
-            None,
-            "G17",
-            Some((warning, "advice-tool-assignment")),
-        ),
+        (580, 7, Some(0.0), "G17", Some((error, "advice-tool-assignment"))),
+        (580, 7, None, "G17", Some((warning, "advice-tool-assignment"))),
         (580, 7, None, "$SC_TOOL_LENGTH_TYPE=2\nG17", None),
         (145, 0, None, "G17", Some((warning, "advice-tool-digit"))),
         (140, 0, None, "G17", None),
@@ -92,24 +78,18 @@ fn the_probe_of_a_turning_machine_is_held_against_the_conditions_of_the_call() {
     }
 }
 
-// oracle: manual B:4152 (8 measures in G19), B:10623 against B:5358-5363 (no diameters in chapter 5), B:974-985 (L1 in X and L2
-// in Z with G18: none along the applicate of another plane)
+// oracle: manual B:4152 (8 measures in G19), B:10623 against B:5358-5363 (no diameters in chapter 5), B:974-985 (L1 in
+// X and L2 in Z with G18: none along the applicate of another plane)
 #[test]
 fn plane_diameters_and_lengths_of_such_a_probe_are_asked_for() {
     let program = |data: &str, g: &str| {
-        let text = format!(
-            "$SC_TOOL_LENGTH_TYPE=2\n$TC_DP1[7,1]=580 {data}\n{g} G40 G54 T7 D1\n{HOLE}M30\n"
-        );
+        let text = format!("$SC_TOOL_LENGTH_TYPE=2\n$TC_DP1[7,1]=580 {data}\n{g} G40 G54 T7 D1\n{HOLE}M30\n");
         found(&text)
     };
     let plane = program("$TC_DP2[7,1]=8", "");
     let plane = plane.iter().find(|one| one.code == PLANE).unwrap();
     assert_eq!(plane.cure.as_ref().unwrap().edits[0].insert.trim(), "G19");
-    let asks = |data: &str, g: &str, code: u16| {
-        program(data, g)
-            .iter()
-            .any(|one| one.code == Code::Own(code))
-    };
+    let asks = |data: &str, g: &str, code: u16| program(data, g).iter().any(|one| one.code == Code::Own(code));
     let probe = "$TC_DP2[7,1]=7";
     assert!(asks(probe, "G17 DIAMON", 165));
     assert!(asks(probe, "G17 DIAM90", 165));
@@ -141,10 +121,7 @@ fn each_tool_with_which_a_subprogram_is_called_counts() {
     for (call, good, bad, alarm) in [(LENGTH, 1, 2, 61314), (HOLE, 9, 2, 61309)] {
         let main = |tools_in_turn: [i64; 2]| {
             let [one, other] = tools_in_turn;
-            called(
-                &format!("{tools}T{one} D1 M6\nL5\nT{other} D1 M6\nL5"),
-                call,
-            )
+            called(&format!("{tools}T{one} D1 M6\nL5\nT{other} D1 M6\nL5"), call)
         };
         assert!(!tells(&main([good, good]), Alarm(alarm)));
         assert!(tells(&main([good, bad]), Alarm(alarm)));
@@ -157,14 +134,8 @@ fn each_tool_with_which_a_subprogram_is_called_counts() {
 fn a_probe_that_a_subprogram_calibrates_is_calibrated() {
     let ring = "_MVAR=1 _SETVAL=50 _PRNUM=1 _FA=2 _TSA=2\nCYCLE976";
     let begin = "G17 G40 G54 T9 D1\n";
-    assert!(!tells(
-        &called(&format!("{begin}L5\n{HOLE}"), ring),
-        CALIBRATION
-    ));
-    assert!(tells(
-        &called(&format!("{begin}{HOLE}L5"), ring),
-        CALIBRATION
-    ));
+    assert!(!tells(&called(&format!("{begin}L5\n{HOLE}"), ring), CALIBRATION));
+    assert!(tells(&called(&format!("{begin}{HOLE}L5"), ring), CALIBRATION));
 }
 
 // oracle: hand (trigger values that are no longer those of the delivery were determined by a calibration, B:5010-5060)
@@ -180,10 +151,7 @@ fn a_probe_that_was_calibrated_on_the_machine_is_not_doubted() {
     };
     assert!(!doubted("_WP[0,1]", 2.98));
     assert!(!doubted("_WP[0,4]", -2.98));
-    assert!(
-        doubted("_WP[1,1]", 2.98),
-        "another probe is, this one is not"
-    );
+    assert!(doubted("_WP[1,1]", 2.98), "another probe is, this one is not");
     // Of a machine that nothing is known of nothing is said: every right program would be doubted.
     assert!(!doubted("_WP[0,1]", 3.0), "as delivered");
     assert!(!doubted("_WP[0,7]", 0.01), "skew alone");

@@ -42,14 +42,10 @@ fn what_is_in_force_follows_the_calls() {
     assert_eq!(all.iter().filter(|one| one.code == COMPENSATION).count(), 1);
     let back = called(&format!("G17 T9 D1\nL5\n{HOLE}"), "G41");
     assert!(tells(&back, COMPENSATION));
-    let saved =
-        format!("%_N_MAIN_MPF\nG17 G40 T9 D1\nL5\n{HOLE}M30\n%_N_L5_SPF\nPROC L5 SAVE\nG41\nM17\n");
+    let saved = format!("%_N_MAIN_MPF\nG17 G40 T9 D1\nL5\n{HOLE}M30\n%_N_L5_SPF\nPROC L5 SAVE\nG41\nM17\n");
     assert!(!tells(&saved, COMPENSATION));
     let ended = format!("%_N_MAIN_MPF\nG17 G40 T9 D1\nL5\n{HOLE}M30\n%_N_L5_SPF\nG41\nM30\n");
-    assert!(
-        tells(&ended, COMPENSATION),
-        "M30 ends a subprogram like M17"
-    );
+    assert!(tells(&ended, COMPENSATION), "M30 ends a subprogram like M17");
 }
 
 // oracle: hand (what the text does not tell is not doubted)
@@ -105,10 +101,7 @@ fn programs_of_another_memory_are_told_once() {
         assert!(told(here).is_empty(), "{here}");
     }
     let far = told("EXTCALL \"FAR.SPF\"\nEXTCALL(\"_N_FAR_SPF\")\nEXTCALL \"NEXT\"");
-    assert_eq!(
-        far,
-        ["Not in this text: FAR, NEXT. What is done there is not known; a run goes on without it."]
-    );
+    assert_eq!(far, ["Not in this text: FAR, NEXT. What is done there is not known; a run goes on without it."]);
 }
 
 // oracle: hand
@@ -116,19 +109,14 @@ fn programs_of_another_memory_are_told_once() {
 fn programs_without_an_end_are_followed_to_an_end() {
     for (main, sub) in [
         ("G17 G41 T9 D1\nL5", format!("L5\n{HOLE}")),
-        (
-            "G17 G41 T9 D1\nL5\nL6",
-            format!("{HOLE}M17\n%_N_L6_SPF\nL5\nL6"),
-        ),
+        ("G17 G41 T9 D1\nL5\nL6", format!("{HOLE}M17\n%_N_L6_SPF\nL5\nL6")),
     ] {
         let text = called(main, &sub);
         assert!(tells(&text, COMPENSATION), "{text}");
     }
     let circle = format!("%_N_L1_SPF\nL2\n{HOLE}M17\n%_N_L2_SPF\nL1\nM17\n");
     assert!(!tells(&circle, COMPENSATION));
-    let many: String = (1..400)
-        .map(|n| format!("%_N_L{n}_SPF\nL{}\nL{}\nM17\n", n + 1, n + 2))
-        .collect();
+    let many: String = (1..400).map(|n| format!("%_N_L{n}_SPF\nL{}\nL{}\nM17\n", n + 1, n + 2)).collect();
     assert!(!found(&format!("G17 G40 T9 D1\nL1\nM30\n{many}{HOLE}")).is_empty());
 }
 
@@ -147,9 +135,7 @@ fn every_way_to_call_counts_as_a_level() {
     ] {
         let chain = |deepest: usize| {
             let name = |n: usize| way.replace('#', &n.to_string());
-            let subs: String = (2..deepest)
-                .map(|n| format!("%_N_L{n}_SPF\n{}\nM17\n", name(n + 1)))
-                .collect();
+            let subs: String = (2..deepest).map(|n| format!("%_N_L{n}_SPF\n{}\nM17\n", name(n + 1))).collect();
             let main = format!("%_N_M_MPF\nG17 G40 T9 D1\n{}\nM30\n", name(2));
             format!("{main}{subs}%_N_L{deepest}_SPF\n{HOLE}M17\n")
         };
@@ -165,16 +151,8 @@ fn a_cure_stands_where_it_counts_at_the_call() {
     for (between, code, cure) in [
         ("D0\n_TSA=1\n", Alarm(61311), "D0\nD1\n_TSA=1\n"),
         ("G41 G0 X5\n", COMPENSATION, "G41 G0 X5\nG40\n"),
-        (
-            "IF R1==1\n_TSA=1\nD0\nENDIF\nS500 M3\n",
-            SPINDLE,
-            "IF R1==1\n_TSA=1\nD0\nENDIF\nS500 M3\nM5\n",
-        ),
-        (
-            "D0\nIF R1==1\nGOTOF A\nENDIF\nA: ",
-            Alarm(61311),
-            "D0\nIF R1==1\nGOTOF A\nENDIF\nA: D1\n",
-        ),
+        ("IF R1==1\n_TSA=1\nD0\nENDIF\nS500 M3\n", SPINDLE, "IF R1==1\n_TSA=1\nD0\nENDIF\nS500 M3\nM5\n"),
+        ("D0\nIF R1==1\nGOTOF A\nENDIF\nA: ", Alarm(61311), "D0\nIF R1==1\nGOTOF A\nENDIF\nA: D1\n"),
     ] {
         let text = format!("{begin}{between}CYCLE977\nM30\n");
         let found = found(&text);
@@ -202,25 +180,14 @@ fn labels_variables_and_declarations_are_no_programs() {
         let text = called(&format!("G17 G40 T9 D1\n{lines}\n{HOLE}"), "G0 X1");
         assert!(!tells(&text, OUTSIDE), "{lines}");
     }
-    assert!(tells(
-        &called(&format!("G17 G40 T9 D1\nFAR\n{HOLE}"), ""),
-        OUTSIDE
-    ));
-    assert!(
-        tells("G0 X1\nCYCLE987\nM30", OUTSIDE),
-        "no cycle of the control"
-    );
+    assert!(tells(&called(&format!("G17 G40 T9 D1\nFAR\n{HOLE}"), ""), OUTSIDE));
+    assert!(tells("G0 X1\nCYCLE987\nM30", OUTSIDE), "no cycle of the control");
 }
 
 // oracle: hand (a cycle that only drills leaves what is in force; one that nobody knows may change it)
 #[test]
 fn behind_an_unknown_cycle_nothing_is_known() {
-    let open = |cycle: &str| {
-        tells(
-            &format!("%_N_A_MPF\nG17 G40 G54 T9 D1\n{cycle}\n{HOLE}M30"),
-            OPEN,
-        )
-    };
+    let open = |cycle: &str| tells(&format!("%_N_A_MPF\nG17 G40 G54 T9 D1\n{cycle}\n{HOLE}M30"), OPEN);
     assert!(!open("CYCLE83(1,2,3)"));
     assert!(open("CYCLE987"));
 }

@@ -28,11 +28,7 @@ impl Case {
         if run {
             request = program(cycle, &request, &mut draw);
         }
-        Case {
-            name: format!("{} {}", cycle.name, variant.number),
-            run,
-            request,
-        }
+        Case { name: format!("{} {}", cycle.name, variant.number), run, request }
     }
 
     /// A form at which much has to be looked at: a part with every error, and a probe with stylus and body.
@@ -64,11 +60,7 @@ impl Case {
                 probe["stylus"] = (ball - draw.sized(-5.0, 0.0).abs()).abs().into();
             }
         }
-        Case {
-            name: format!("{} {}", cycle.name, variant.number),
-            run: false,
-            request,
-        }
+        Case { name: format!("{} {}", cycle.name, variant.number), run: false, request }
     }
 
     /// The answer, or why there is none.
@@ -86,15 +78,9 @@ impl Case {
 /// A radius that a body has which has little room in what is measured.
 fn nearly_fits(values: &Value, draw: &mut Draw) -> f64 {
     let sizes = ["_SETVAL", "D", "W", "_SETV[0]", "_SETV[1]"];
-    let sizes = sizes
-        .iter()
-        .filter_map(|name| values[name].as_str()?.parse::<f64>().ok());
+    let sizes = sizes.iter().filter_map(|name| values[name].as_str()?.parse::<f64>().ok());
     let sizes: Vec<f64> = sizes.collect();
-    let size = if sizes.is_empty() {
-        20.0
-    } else {
-        draw.of(&sizes)
-    };
+    let size = if sizes.is_empty() { 20.0 } else { draw.of(&sizes) };
     (size / 2.0 - draw.sized(-4.0, 0.7)).abs().max(0.1)
 }
 
@@ -103,8 +89,7 @@ fn asked(cycle: &'static Cycle, variant: &Variant, draw: &mut Draw) -> Value {
     let control = json::dialect_name(cycle.dialect);
     let mut values = example(cycle, variant);
     let plane = draw.of(&["G17", "G17", "G18", "G19"]);
-    let mut request =
-        document!({ "control": control, "cycle": cycle.name, "values": values, "predict": true });
+    let mut request = document!({ "control": control, "cycle": cycle.name, "values": values, "predict": true });
     if draw.chance(70) {
         let mut setup = machine(&request, plane);
         spoil(&mut setup, cycle.dialect, draw);
@@ -112,11 +97,7 @@ fn asked(cycle: &'static Cycle, variant: &Variant, draw: &mut Draw) -> Value {
     } else {
         request["setup"] = document!({ "own": own(cycle.dialect, plane, draw) });
     }
-    let count = if cycle.params.is_empty() {
-        0
-    } else {
-        draw.of(&[0, 0, 1, 2, 5])
-    };
+    let count = if cycle.params.is_empty() { 0 } else { draw.of(&[0, 0, 1, 2, 5]) };
     for _ in 0..count {
         let param = &cycle.params[draw.below(cycle.params.len())];
         let before = values.get(param.name).and_then(|text| text.parse().ok());
@@ -150,22 +131,9 @@ fn own(dialect: Dialect, plane: &str, draw: &mut Draw) -> Value {
 
 /// What the sliders say; they are also fields.
 fn errors(draw: &mut Draw) -> Value {
-    let part = [
-        ("dx", 0.2),
-        ("dy", 0.2),
-        ("dz", 0.2),
-        ("size", 0.2),
-        ("tilt", 0.5),
-        ("taper", 0.01),
-        ("outOfRound", 0.02),
-    ];
-    let probe = [
-        ("skewX", 0.05),
-        ("skewY", 0.05),
-        ("radius", 0.02),
-        ("preTravel", 0.02),
-        ("repeatability", 0.001),
-    ];
+    let part =
+        [("dx", 0.2), ("dy", 0.2), ("dz", 0.2), ("size", 0.2), ("tilt", 0.5), ("taper", 0.01), ("outOfRound", 0.02)];
+    let probe = [("skewX", 0.05), ("skewY", 0.05), ("radius", 0.02), ("preTravel", 0.02), ("repeatability", 0.001)];
     let mut some = |all: &[(&str, f64)]| {
         let mut members = Map::new();
         for (name, size) in all {
@@ -183,11 +151,10 @@ fn errors(draw: &mut Draw) -> Value {
 fn program(cycle: &Cycle, form: &Value, draw: &mut Draw) -> Value {
     let snippet = json::form(&form.to_string()).unwrap_or_default();
     let snippet = snippet["snippet"].as_str().unwrap_or_default().to_owned();
-    let before: String = (0..draw.below(6))
-        .map(|_| line(cycle.dialect, draw))
-        .collect();
+    let before: String = (0..draw.below(6)).map(|_| line(cycle.dialect, draw)).collect();
     let behind = line(cycle.dialect, draw);
-    document!({ "control": form["control"], "setup": form["setup"], "text": format!("{before}{snippet}\n{behind}M30\n") })
+    document!({ "control": form["control"], "setup": form["setup"],
+        "text": format!("{before}{snippet}\n{behind}M30\n") })
 }
 
 fn line(dialect: Dialect, draw: &mut Draw) -> String {
@@ -211,30 +178,20 @@ fn line(dialect: Dialect, draw: &mut Draw) -> String {
     }
     let (tool, edge) = (draw.of(&[3, 9, 20]), draw.of(&[1, 1, 2]));
     match draw.below(16) {
-        0 => format!(
-            "$TC_DP{}[{tool},{edge}]={a}\n",
-            draw.of(&[1, 2, 3, 6, 7, 15, 12, 21])
-        ),
+        0 => format!("$TC_DP{}[{tool},{edge}]={a}\n", draw.of(&[1, 2, 3, 6, 7, 15, 12, 21])),
         1 => format!("$TC_DP6[{tool},1]={c}\n$TC_DP15[{tool},1]={b}\nT{tool} D1 M6\nG0 X0\n"),
         2 => format!("T{tool} D{edge} M6\nG0 X={a} Y={b}\n"),
         3 => format!("G1 F100 X={a} Z={b}\n"),
         4 => format!("G{} X={a} Y={b} I={c} J={a} F100\n", draw.of(&[2, 3])),
         5 => format!("G2 X={a} Y={b} CR={c} TURN={} F=100\n", draw.below(3)),
-        6 => format!(
-            "$P_UIFR[1,{},{}]={a}\nG54\n",
-            draw.of(&["X", "Y", "Z"]),
-            draw.of(&["TR", "FI", "RT", "SC"])
-        ),
+        6 => format!("$P_UIFR[1,{},{}]={a}\nG54\n", draw.of(&["X", "Y", "Z"]), draw.of(&["TR", "FI", "RT", "SC"])),
         7 => format!("TRANS X={a} Y={b}\nAROT RPL={c}\nASCALE X={b}\n"),
         8 => format!("G41\nG1 X={a} F100\nG1 Y={b}\nG2 X={c} Y={a} CR={b}\nG40 X={c}\n"),
         9 => format!("M3 S={a}\nSPOS={b}\n"),
         10 => {
             format!("R1={a}*{b}\nR2=SQRT(R1)+TAN({c})+{a} MOD {b}\nR3=R1 DIV {c}\nG0 X=R2 Y=R1\n")
         }
-        11 => format!(
-            "G{}\n",
-            draw.of(&[17, 18, 19, 70, 71, 700, 710, 90, 91, 96, 95])
-        ),
+        11 => format!("G{}\n", draw.of(&[17, 18, 19, 70, 71, 700, 710, 90, 91, 96, 95])),
         12 => format!("MEAS=1 G1 X={a} F=100\n"),
         13 => format!("G111 X={a}\nG1 AP={b} RP={c} F=100\n"),
         _ => format!("{name}={a}\n"),

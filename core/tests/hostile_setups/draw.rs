@@ -50,10 +50,7 @@ pub struct Draw {
 impl Draw {
     /// The sequence with this seed.
     pub fn new(seed: u64) -> Draw {
-        let mut draw = Draw {
-            state: seed,
-            wild: 0,
-        };
+        let mut draw = Draw { state: seed, wild: 0 };
         draw.wild = draw.of(&[0, 0, 5, 30, 100]);
         draw
     }

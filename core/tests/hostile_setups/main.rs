@@ -1,6 +1,6 @@
 //! Machines, parts, tools and values of which each may be what nobody thinks of, under every cycle of both controls: an
-//! answer, or why there is none; never a panic, and no number that is none. `PROBEWRIGHT_HOSTILE=20000` looks at so many
-//! instead of a few; a case is made from its number alone, and what fails tells it.
+//! answer, or why there is none; never a panic, and no number that is none. `PROBEWRIGHT_HOSTILE=20000` looks at so
+//! many instead of a few; a case is made from its number alone, and what fails tells it.
 #![cfg(feature = "json")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
@@ -26,8 +26,7 @@ fn nulls(value: &Value, path: &str) -> Vec<String> {
         Value::Null => vec![path.to_owned()],
         Value::Array(list) => {
             let all = list.iter().enumerate();
-            all.flat_map(|(index, one)| below(&index.to_string(), one))
-                .collect()
+            all.flat_map(|(index, one)| below(&index.to_string(), one)).collect()
         }
         Value::Object(members) => {
             let known = members.iter().filter(|(name, _)| !OPEN.contains(&&***name));

@@ -48,9 +48,7 @@ pub fn spoil(setup: &mut Value, dialect: Dialect, draw: &mut Draw) {
 /// Another number of the sort that it was.
 fn changed(before: &Value, draw: &mut Draw) -> Value {
     match before.as_f64() {
-        Some(number) if number > 0.0 && draw.chance(70) && !before.is_i64() => {
-            draw.size(number).into()
-        }
+        Some(number) if number > 0.0 && draw.chance(70) && !before.is_i64() => draw.size(number).into(),
         Some(number) if before.is_i64() && number.abs() < 1e9 && draw.chance(60) => {
             let other = draw.within(number);
             (other as i64).into()
@@ -88,13 +86,7 @@ fn probe(probe: &mut Value, draw: &mut Draw) {
     if draw.chance(50) {
         let distance = draw.between(0.0, 60.0);
         let body = [draw.between(0.0, 40.0), distance];
-        let body = body.map(|size| {
-            if draw.chance(30) {
-                draw.size(size)
-            } else {
-                size
-            }
-        });
+        let body = body.map(|size| if draw.chance(30) { draw.size(size) } else { size });
         probe["body"] = json!({ "radius": body[0], "distance": body[1] });
     }
     if draw.chance(30) {
@@ -160,9 +152,7 @@ fn edges(tools: &mut Value, dialect: Dialect, draw: &mut Draw) {
     if !edge.is_object() {
         *edge = json!({ "type": 120, "length": [80, 0, 0], "radius": 5 });
     }
-    edge["type"] = draw
-        .of(&[120, 120, 200, 240, 500, 500, 580, 710, 0, -1])
-        .into();
+    edge["type"] = draw.of(&[120, 120, 200, 240, 500, 500, 580, 710, 0, -1]).into();
     edge["tip"] = (draw.below(11) as i64 - 1).into();
     for name in ["radius", "radiusWear"] {
         if draw.chance(60) {
@@ -191,11 +181,7 @@ fn real(draw: &mut Draw) -> Value {
     } else {
         let radius = draw.size(8.0);
         let mut part = |most: f64| {
-            if draw.chance(60) {
-                0.0
-            } else {
-                draw.between(0.0, most)
-            }
+            if draw.chance(60) { 0.0 } else { draw.between(0.0, most) }
         };
         let corner = part(radius);
         let chamfer = [part(radius - corner), part(5.0)];
@@ -212,22 +198,10 @@ fn real(draw: &mut Draw) -> Value {
 fn frame(frames: &mut Value, dialect: Dialect, draw: &mut Draw) {
     let name = match dialect {
         Dialect::Nct => draw.of(&["G54", "G55", "COMMON"]),
-        Dialect::Sinumerik => draw.of(&[
-            "G54",
-            "G55",
-            "G505",
-            "$P_CHBFR[0]",
-            "$P_SETFR",
-            "$P_NCBFR[1]",
-        ]),
+        Dialect::Sinumerik => draw.of(&["G54", "G55", "G505", "$P_CHBFR[0]", "$P_SETFR", "$P_NCBFR[1]"]),
     };
     let mut one = json!({ "coarse": triple(0.0, draw) });
-    for (member, near) in [
-        ("fine", 0.1),
-        ("rotation", 10.0),
-        ("rotary", 0.0),
-        ("scale", 1.0),
-    ] {
+    for (member, near) in [("fine", 0.1), ("rotation", 10.0), ("rotary", 0.0), ("scale", 1.0)] {
         if draw.chance(30) {
             one[member] = triple(near, draw);
         }
@@ -270,12 +244,7 @@ fn sizes(shape: &str, count: usize, draw: &mut Draw) -> Vec<f64> {
     match (shape, &mut sizes[..]) {
         ("turned", [diameter, length, bore, depth]) => match draw.chance(50) {
             true => (*bore, *depth) = (0.0, 0.0),
-            false => {
-                (*bore, *depth) = (
-                    *diameter * draw.between(0.0, 1.0),
-                    *length * draw.between(0.0, 1.0),
-                )
-            }
+            false => (*bore, *depth) = (*diameter * draw.between(0.0, 1.0), *length * draw.between(0.0, 1.0)),
         },
         ("outerCorner" | "innerCorner", [angle, ..]) => *angle = draw.between(1.0, 179.0),
         _ => {}
@@ -288,9 +257,7 @@ fn solid(shapes: &[(&str, usize)], draw: &mut Draw) -> Value {
     let sizes = sizes(shape, count, draw);
     let least = sizes.iter().copied().fold(f64::INFINITY, f64::min);
     let size = draw.within(0.1).clamp(-0.4 * least.abs(), 1e6);
-    let lobes = draw
-        .within(0.05)
-        .clamp(-0.2 * least.abs(), 0.2 * least.abs());
+    let lobes = draw.within(0.05).clamp(-0.2 * least.abs(), 0.2 * least.abs());
     json!({
         "shape": shape, "size": sizes, "at": triple(0.0, draw), "rotation": triple(0.0, draw),
         "errors": {
@@ -306,5 +273,6 @@ fn tool_probe(shapes: &[(&str, usize)], draw: &mut Draw) -> Value {
         solid["size"][2] = 0.into();
         solid["size"][3] = 0.into();
     }
-    json!({ "solid": solid, "preTravel": draw.within(0.01), "delay": draw.within(0.001), "repeatability": [draw.within(0.001), draw.below(100)] })
+    json!({ "solid": solid, "preTravel": draw.within(0.01), "delay": draw.within(0.001),
+        "repeatability": [draw.within(0.001), draw.below(100)] })
 }

@@ -11,8 +11,8 @@ use proptest::test_runner::TestCaseError;
 /// What a second measurement may leave, mm and degree: contact is computed to 1e-9 mm, over a base of some 20 mm.
 const LEFT: f64 = 1e-7;
 
-/// The machine after a call, the probe where it stood in the workpiece system of before, seen in that of now. A corner is
-/// looked for from where the probe stands.
+/// The machine after a call, the probe where it stood in the workpiece system of before, seen in that of now. A corner
+/// is looked for from where the probe stands.
 fn after(stand: &Stand, outcome: &Outcome) -> Stand {
     let mut again = stand.clone();
     let start = stand.setup.control.to_workpiece(stand.setup.position);
@@ -40,18 +40,10 @@ fn same_places(stand: &Stand, start: [f64; 3], again: &mut Stand) {
     let names: Vec<&str> = names.filter(|name| name.starts_with("_SETV[")).collect();
     for pair in names.chunks_exact(2) {
         let mut place = start;
-        (place[abscissa], place[ordinate]) =
-            (stand.inputs.number(pair[0]), stand.inputs.number(pair[1]));
-        let place = again
-            .setup
-            .control
-            .to_workpiece(stand.setup.control.to_machine(place));
+        (place[abscissa], place[ordinate]) = (stand.inputs.number(pair[0]), stand.inputs.number(pair[1]));
+        let place = again.setup.control.to_workpiece(stand.setup.control.to_machine(place));
         for (name, axis) in pair.iter().zip([abscissa, ordinate]) {
-            again
-                .inputs
-                .numbers
-                .entry(name)
-                .and_modify(|value| *value = place[axis]);
+            again.inputs.numbers.entry(name).and_modify(|value| *value = place[axis]);
         }
     }
 }
@@ -60,14 +52,14 @@ fn same_places(stand: &Stand, start: [f64; 3], again: &mut Stand) {
 fn settles(drawn: &Drawn, inputs: &Inputs) -> bool {
     let cycle = drawn.cycle();
     let itself = cycle.purpose.calibrates.holds(inputs) || cycle.purpose.probe == ProbeUse::Tool;
-    let zero = cycle.param("_KNUM").is_some_and(|param| {
-        probewright_core::check::target(param, inputs) == probewright_core::check::Target::Zero
-    });
+    let zero = cycle
+        .param("_KNUM")
+        .is_some_and(|param| probewright_core::check::target(param, inputs) == probewright_core::check::Target::Zero);
     itself || zero && inputs.integer("_KNUM") != 0
 }
 
-/// A probe beside the spindle axis is calibrated for one turn of the coordinates; only a spindle that follows them keeps
-/// what was found right (`_CHBIT[13]`, turning as the machine's does with `_CHBIT[14]` = 0: B:13973-13987).
+/// A probe beside the spindle axis is calibrated for one turn of the coordinates; only a spindle that follows them
+/// keeps what was found right (`_CHBIT[13]`, turning as the machine's does with `_CHBIT[14]` = 0: B:13973-13987).
 fn follows(drawn: &Drawn) -> bool {
     let is = |bit: &str| drawn.machine.bits.contains(&bit);
     drawn.machine.upright && is("_CHBIT[13]") && !is("_CHBIT[14]")

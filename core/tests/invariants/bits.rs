@@ -1,5 +1,5 @@
-//! Every switch of `_CBIT[]` and `_CHBIT[]` changes something in some measurement, or is listed with the reason why nothing
-//! comes of it here. What the data list as internal has no meaning that a manual tells.
+//! Every switch of `_CBIT[]` and `_CHBIT[]` changes something in some measurement, or is listed with the reason why
+//! nothing comes of it here. What the data list as internal has no meaning that a manual tells.
 
 use super::draw::{Drawn, some};
 use super::stand::{Stand, stand, typed};
@@ -16,18 +16,8 @@ struct Row {
     with: &'static [(&'static str, f64)],
 }
 
-const fn row(
-    switch: &'static str,
-    cycle: &'static str,
-    variant: i64,
-    with: &'static [(&'static str, f64)],
-) -> Row {
-    Row {
-        switch,
-        cycle,
-        variant,
-        with,
-    }
+const fn row(switch: &'static str, cycle: &'static str, variant: i64, with: &'static [(&'static str, f64)]) -> Row {
+    Row { switch, cycle, variant, with }
 }
 
 // oracle: manual (the lines beside each)
@@ -71,15 +61,9 @@ const SILENT: &[(&str, &str)] = &[
     ("_CBIT[6]", "lines of the log, which is not written yet"),
     ("_CBIT[7]", "orientable tool carriers: the setup has none"),
     ("_CBIT[11]", "header of the log, which is not written yet"),
-    (
-        "_CHBIT[0]",
-        "the input at which the probe is connected: the probe of the setup is always at the right one",
-    ),
+    ("_CHBIT[0]", "the input at which the probe is connected: the probe of the setup is always at the right one"),
     ("_CHBIT[1]", "the same of the tool probe"),
-    (
-        "_CHBIT[22]",
-        "by how much the last touch of a turning tool is slower, no manual tells",
-    ),
+    ("_CHBIT[22]", "by how much the last touch of a turning tool is slower, no manual tells"),
 ];
 
 /// Whether a call, its findings or what it leaves differ with the switch.
@@ -87,9 +71,7 @@ fn matters(drawn: &Drawn, stand: &Stand, row: &Row) -> bool {
     let [off, on] = [0.0, 1.0].map(|value| {
         let mut stand = stand.clone();
         let control = &mut stand.setup.control;
-        row.with
-            .iter()
-            .for_each(|(name, value)| control.set(*name, *value));
+        row.with.iter().for_each(|(name, value)| control.set(*name, *value));
         control.set(row.switch, value);
         let checked = check(drawn.cycle(), &typed(drawn, control), control);
         stand.inputs = checked.inputs.unwrap_or(stand.inputs);
@@ -97,10 +79,7 @@ fn matters(drawn: &Drawn, stand: &Stand, row: &Row) -> bool {
         outcome.control.set(row.switch, 0.0);
         (checked.diagnostics, outcome)
     });
-    on.0 != off.0
-        || on.1.control != off.1.control
-        || on.1.trace != off.1.trace
-        || on.1.stop != off.1.stop
+    on.0 != off.0 || on.1.control != off.1.control || on.1.trace != off.1.trace || on.1.stop != off.1.stop
 }
 
 /// Measurements of a row: as wrong as drawn, and so wrong that limits are passed.
@@ -118,11 +97,7 @@ fn shown(row: &Row) -> bool {
 
 #[test]
 fn every_switch_matters() {
-    let silent: Vec<&str> = ROWS
-        .iter()
-        .filter(|row| !shown(row))
-        .map(|row| row.switch)
-        .collect();
+    let silent: Vec<&str> = ROWS.iter().filter(|row| !shown(row)).map(|row| row.switch).collect();
     assert_eq!(silent, Vec::<&str>::new());
 }
 
@@ -133,13 +108,8 @@ fn no_switch_is_forgotten() {
         let gud = gud::named(&format!("{array}[0]")).unwrap();
         for index in 0..30 {
             let name = format!("{array}[{index}]");
-            let known = gud
-                .element(&[index])
-                .is_some_and(|element| !element.internal);
-            let listed = ROWS
-                .iter()
-                .map(|row| row.switch)
-                .chain(SILENT.iter().map(|(name, _)| *name));
+            let known = gud.element(&[index]).is_some_and(|element| !element.internal);
+            let listed = ROWS.iter().map(|row| row.switch).chain(SILENT.iter().map(|(name, _)| *name));
             let times = listed.filter(|one| *one == name).count();
             if times != usize::from(known) {
                 missing.push(format!("{name}: {known}, listed {times} times"));

@@ -86,8 +86,8 @@ pub struct Part {
     pub tilt: [f64; 3],
 }
 
-/// Switches that the properties turn: all that a single call reads. `_CBIT[3]` and `_CHBIT[24]` convert data once, when they
-/// are entered, and `_CBIT[13]` erases them.
+/// Switches that the properties turn: all that a single call reads. `_CBIT[3]` and `_CHBIT[24]` convert data once, when
+/// they are entered, and `_CBIT[13]` erases them.
 pub const SWITCHES: [&str; 23] = [
     "_CBIT[0]",
     "_CBIT[1]",
@@ -117,18 +117,8 @@ pub const SWITCHES: [&str; 23] = [
 fn placed(range: f64, turn: f64) -> impl Strategy<Value = Placed> {
     let at = prop::array::uniform3(-range..range);
     let turn = prop::array::uniform3(-turn..=turn);
-    (
-        at,
-        -0.05..0.05_f64,
-        turn,
-        prop::array::uniform3(prop::bool::weighted(0.08)),
-    )
-        .prop_map(|(at, fine, turn, mirror)| Placed {
-            at,
-            fine,
-            turn,
-            mirror,
-        })
+    (at, -0.05..0.05_f64, turn, prop::array::uniform3(prop::bool::weighted(0.08)))
+        .prop_map(|(at, fine, turn, mirror)| Placed { at, fine, turn, mirror })
 }
 
 fn machines() -> impl Strategy<Value = Machine> {
@@ -143,28 +133,18 @@ fn machines() -> impl Strategy<Value = Machine> {
     let bits = prop::sample::subsequence(SWITCHES.to_vec(), 0..8);
     let skew = prop::array::uniform2(-0.06..0.06_f64);
     let upright = prop::bool::weighted(0.4);
-    (
-        basic,
-        0..3_usize,
-        frames,
-        upright,
-        0..3_usize,
-        bits,
-        1.0..4.0_f64,
-        skew,
+    (basic, 0..3_usize, frames, upright, 0..3_usize, bits, 1.0..4.0_f64, skew).prop_map(
+        |(basic, plane, frames, upright, settable, bits, ball, skew)| Machine {
+            basic,
+            plane,
+            frames,
+            upright,
+            settable: [0, 1, 5][settable],
+            bits,
+            ball,
+            skew,
+        },
     )
-        .prop_map(
-            |(basic, plane, frames, upright, settable, bits, ball, skew)| Machine {
-                basic,
-                plane,
-                frames,
-                upright,
-                settable: [0, 1, 5][settable],
-                bits,
-                ball,
-                skew,
-            },
-        )
 }
 
 fn calls() -> impl Strategy<Value = Call> {
@@ -179,19 +159,17 @@ fn calls() -> impl Strategy<Value = Call> {
         prop::bool::weighted(0.2),
         prop::sample::select(vec![0.0, 15.0]),
     )
-        .prop_map(
-            |(factors, target, axis, memory, points, feed, path, mono, aside)| Call {
-                factors,
-                target,
-                axis,
-                memory,
-                points,
-                feed,
-                path,
-                mono,
-                aside,
-            },
-        )
+        .prop_map(|(factors, target, axis, memory, points, feed, path, mono, aside)| Call {
+            factors,
+            target,
+            axis,
+            memory,
+            points,
+            feed,
+            path,
+            mono,
+            aside,
+        })
 }
 
 fn parts() -> impl Strategy<Value = Part> {
@@ -202,24 +180,20 @@ fn parts() -> impl Strategy<Value = Part> {
 
 /// Measurements of one variant.
 fn measurements(cycle: &'static Cycle, variant: i64) -> impl Strategy<Value = Drawn> {
-    (machines(), calls(), parts(), placed(500.0, 180.0)).prop_map(
-        move |(machine, call, part, moved)| Drawn {
-            cycle: cycle.name,
-            variant,
-            machine,
-            call,
-            part,
-            moved,
-        },
-    )
+    (machines(), calls(), parts(), placed(500.0, 180.0)).prop_map(move |(machine, call, part, moved)| Drawn {
+        cycle: cycle.name,
+        variant,
+        machine,
+        call,
+        part,
+        moved,
+    })
 }
 
 /// Measuring cycles that touch something, of milling and of turning machines.
 pub fn measuring() -> impl Iterator<Item = &'static Cycle> {
     let touches = |cycle: &&&Cycle| {
-        cycle.dialect == Dialect::Sinumerik
-            && cycle.purpose.probe.measures()
-            && cycle.work().is_some()
+        cycle.dialect == Dialect::Sinumerik && cycle.purpose.probe.measures() && cycle.work().is_some()
     };
     CYCLES.iter().filter(touches).copied()
 }
@@ -236,16 +210,10 @@ pub fn is_milling(cycle: &Cycle) -> bool {
 
 /// So many measurements of a variant.
 pub fn some(cycle: &'static Cycle, variant: i64, count: usize) -> Vec<Drawn> {
-    let config = Config {
-        rng_seed: RngSeed::Fixed(seed()),
-        failure_persistence: None,
-        ..Config::default()
-    };
+    let config = Config { rng_seed: RngSeed::Fixed(seed()), failure_persistence: None, ..Config::default() };
     let mut runner = TestRunner::new(config);
     let strategy = measurements(cycle, variant);
-    (0..count)
-        .map(|_| strategy.new_tree(&mut runner).unwrap().current())
-        .collect()
+    (0..count).map(|_| strategy.new_tree(&mut runner).unwrap().current()).collect()
 }
 
 /// Why there was nothing to look at; none: the measurement counts.
@@ -266,20 +234,14 @@ pub fn hold(
                 failure_persistence: None,
                 ..Config::with_cases(cases * longer())
             };
-            let outcome =
-                TestRunner::new(config).run(&measurements(cycle, variant.number), |drawn| {
-                    passed.borrow_mut().extend(property(&drawn)?);
-                    Ok(())
-                });
+            let outcome = TestRunner::new(config).run(&measurements(cycle, variant.number), |drawn| {
+                passed.borrow_mut().extend(property(&drawn)?);
+                Ok(())
+            });
             outcome.unwrap_or_else(|problem| panic!("{problem}"));
             let most = cases * longer() * 2 / 3;
             let passed = passed.into_inner();
-            assert!(
-                passed.len() as u32 <= most,
-                "{} {}: {passed:?} of {cases}",
-                cycle.name,
-                variant.number
-            );
+            assert!(passed.len() as u32 <= most, "{} {}: {passed:?} of {cases}", cycle.name, variant.number);
         }
     }
 }

@@ -19,13 +19,8 @@ fn changed(before: &Control, after: &Control) -> BTreeSet<String> {
             names.insert(name.clone());
         }
     }
-    let stored = before
-        .variable_names()
-        .into_iter()
-        .chain(after.variable_names());
-    names.extend(stored.filter(|name| {
-        before.variable(name).unwrap_or(0.0) != after.variable(name).unwrap_or(0.0)
-    }));
+    let stored = before.variable_names().into_iter().chain(after.variable_names());
+    names.extend(stored.filter(|name| before.variable(name).unwrap_or(0.0) != after.variable(name).unwrap_or(0.0)));
     names
 }
 
@@ -53,15 +48,8 @@ fn may_change(drawn: &Drawn, values: &dyn Fn(&str) -> i64, before: &Control, nam
     let probe = (values("_PRNUM") % 100 - 1).max(0);
     let memory = values("_EVNUM") - 1;
     let remembered = [format!("_MV[{memory}]"), format!("_EV[{memory}]")];
-    let calibrates = cycle
-        .purpose
-        .calibrates
-        .holds(&probewright_core::check::Inputs::new(cycle, drawn.variant));
-    let calibrated = [
-        format!("_WP[{probe},"),
-        format!("_TP[{probe},"),
-        format!("_TPW[{probe},"),
-    ];
+    let calibrates = cycle.purpose.calibrates.holds(&probewright_core::check::Inputs::new(cycle, drawn.variant));
+    let calibrated = [format!("_WP[{probe},"), format!("_TP[{probe},"), format!("_TPW[{probe},")];
     let knum = values("_KNUM");
     let frame = [frame(knum, before)];
     let of_tool = name.starts_with("$TC_");
@@ -78,8 +66,7 @@ fn may_change(drawn: &Drawn, values: &dyn Fn(&str) -> i64, before: &Control, nam
 
 /// Whether a measurement turns the spindle by 180 degree to find the skew, and keeps what it found (A:7281-7291).
 fn differential(drawn: &Drawn) -> bool {
-    [("CYCLE978", 1000), ("CYCLE978", 1100), ("CYCLE998", 1105)]
-        .contains(&(drawn.cycle, drawn.variant))
+    [("CYCLE978", 1000), ("CYCLE978", 1100), ("CYCLE998", 1105)].contains(&(drawn.cycle, drawn.variant))
 }
 
 fn told(outcome: &Outcome) -> BTreeSet<String> {
@@ -94,17 +81,10 @@ fn told(outcome: &Outcome) -> BTreeSet<String> {
 /// What a program would find otherwise than before although no datum says so.
 fn modal(before: &Control, after: &Control) -> Option<String> {
     let state = |control: &Control| {
-        let units = (
-            control.basic_units,
-            control.active_units,
-            control.data_follow,
-        );
+        let units = (control.basic_units, control.active_units, control.data_follow);
         let tool = (control.tool, control.edge, control.location);
         let place = (control.plane, control.transverse, control.settable);
-        format!(
-            "{units:?} {tool:?} {place:?} {:?} {:?}",
-            control.program_frame, control.rotary
-        )
+        format!("{units:?} {tool:?} {place:?} {:?} {:?}", control.program_frame, control.rotary)
     };
     (state(before) != state(after)).then(|| format!("{} became {}", state(before), state(after)))
 }
@@ -122,14 +102,8 @@ fn nothing_else_changes() {
         let values = |name: &str| stand.inputs.integer(name);
         let told = told(&outcome);
         for name in changed(before, &outcome.control) {
-            prop_assert!(
-                may_change(drawn, &values, before, &name),
-                "{} changes: {:?}",
-                name,
-                drawn
-            );
-            let known = told.contains(&name)
-                || matches!(outcome.control.data.get(&name), Some(Value::Text(_)));
+            prop_assert!(may_change(drawn, &values, before, &name), "{} changes: {:?}", name, drawn);
+            let known = told.contains(&name) || matches!(outcome.control.data.get(&name), Some(Value::Text(_)));
             prop_assert!(known, "{} changes and is not told: {:?}", name, drawn);
         }
         prop_assert_eq!(modal(before, &outcome.control), None, "{:?}", drawn);

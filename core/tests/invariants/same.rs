@@ -17,8 +17,8 @@ fn stopped(outcome: &Outcome) -> Passed {
     outcome.stop.as_ref().map(|stop| format!("{stop:?}"))
 }
 
-/// Cycles that calibrate or turn a frame, for which no axis may be mirrored, and the corner, whose set angle counts on the
-/// machine (B:7858).
+/// Cycles that calibrate or turn a frame, for which no axis may be mirrored, and the corner, whose set angle counts on
+/// the machine (B:7858).
 const UNMIRRORED: [&str; 4] = ["CYCLE961", "CYCLE976", "CYCLE997", "CYCLE998"];
 
 /// Ends of all motions, machine coordinates, mm, with their feeds.
@@ -41,21 +41,9 @@ fn follows(view: View, drawn: &Drawn, here: &Stand) -> Result<Passed, TestCaseEr
     for ((to, feed), (other, other_feed)) in ways.into_iter().zip(others) {
         let to = view.point(to);
         let off = (0..3).map(|i| (to[i] - other[i]).abs()).fold(0.0, f64::max);
-        prop_assert!(
-            off < NEAR && (feed - other_feed).abs() < NEAR,
-            "{:?} {:?} {:?} {:?}",
-            view,
-            to,
-            other,
-            drawn
-        );
+        prop_assert!(off < NEAR && (feed - other_feed).abs() < NEAR, "{:?} {:?} {:?} {:?}", view, to, other, drawn);
     }
-    let differs = differs(
-        drawn.cycle,
-        &view.control(&here.control),
-        &there.control,
-        NEAR,
-    );
+    let differs = differs(drawn.cycle, &view.control(&here.control), &there.control, NEAR);
     prop_assert_eq!(differs, None, "{:?} {:?}", view, drawn);
     Ok(stopped(&here))
 }
@@ -93,48 +81,29 @@ fn a_looking_glass_changes_nothing() {
 // `anywhere.rs`, as its set angle counts on the machine.
 #[test]
 fn the_place_changes_nothing() {
-    hold(
-        milling().filter(|cycle| cycle.name != "CYCLE961"),
-        8,
-        |drawn| {
-            let mut drawn = drawn.clone();
-            drawn.machine.skew = [0.0; 2];
-            let here = match stand(&drawn) {
-                Ok(here) => here,
-                Err(refused) => return Ok(Some(refused)),
-            };
-            let [.., applicate] = here.setup.control.plane.axes();
-            let view = View::Elsewhere {
-                axis: applicate,
-                turn: drawn.moved.turn[0],
-                by: drawn.moved.at,
-            };
-            follows(view, &drawn, &here)
-        },
-    );
+    hold(milling().filter(|cycle| cycle.name != "CYCLE961"), 8, |drawn| {
+        let mut drawn = drawn.clone();
+        drawn.machine.skew = [0.0; 2];
+        let here = match stand(&drawn) {
+            Ok(here) => here,
+            Err(refused) => return Ok(Some(refused)),
+        };
+        let [.., applicate] = here.setup.control.plane.axes();
+        let view = View::Elsewhere { axis: applicate, turn: drawn.moved.turn[0], by: drawn.moved.at };
+        follows(view, &drawn, &here)
+    });
 }
 
 /// Everything that can be compared, in mm, mm/min and degree.
 fn physical(stand: &Stand, outcome: &Outcome) -> Vec<(String, f64)> {
     let mut list = Vec::new();
     for (field, value) in outcome.results(stand.inputs.cycle) {
-        list.push((
-            field.name.to_owned(),
-            value * factor(field.unit, &outcome.control),
-        ));
+        list.push((field.name.to_owned(), value * factor(field.unit, &outcome.control)));
     }
     let changes = outcome.changes();
-    list.extend(
-        changes
-            .into_iter()
-            .map(|change| (change.name, change.after - change.before)),
-    );
+    list.extend(changes.into_iter().map(|change| (change.name, change.after - change.before)));
     for (to, feed) in motions(outcome) {
-        list.extend(
-            to.into_iter()
-                .chain([feed])
-                .map(|value| ("motion".to_owned(), value)),
-        );
+        list.extend(to.into_iter().chain([feed]).map(|value| ("motion".to_owned(), value)));
     }
     list
 }
@@ -149,31 +118,14 @@ fn units_change_nothing() {
         };
         let metric = here.run();
         let expected = physical(&here, &metric);
-        for (basic, code) in [
-            (Units::Metric, 70),
-            (Units::Metric, 700),
-            (Units::Inch, 70),
-            (Units::Inch, 71),
-            (Units::Inch, 710),
-        ] {
+        for (basic, code) in
+            [(Units::Metric, 70), (Units::Metric, 700), (Units::Inch, 70), (Units::Inch, 71), (Units::Inch, 710)]
+        {
             let there = stand_in(drawn, basic, Some(code));
-            prop_assert!(
-                there.is_ok(),
-                "{:?} G{} is refused: {:?}",
-                basic,
-                code,
-                drawn
-            );
+            prop_assert!(there.is_ok(), "{:?} G{} is refused: {:?}", basic, code, drawn);
             let there = there.unwrap();
             let outcome = there.run();
-            prop_assert_eq!(
-                &metric.stop,
-                &outcome.stop,
-                "{:?} G{} {:?}",
-                basic,
-                code,
-                drawn
-            );
+            prop_assert_eq!(&metric.stop, &outcome.stop, "{:?} G{} {:?}", basic, code, drawn);
             let found = physical(&there, &outcome);
             prop_assert_eq!(
                 expected.len(),
@@ -187,15 +139,7 @@ fn units_change_nothing() {
             );
             for (one, other) in expected.iter().zip(&found) {
                 let same = one.0 == other.0 && (one.1 - other.1).abs() < NEAR;
-                prop_assert!(
-                    same,
-                    "{:?} G{}: {:?} {:?} {:?}",
-                    basic,
-                    code,
-                    one,
-                    other,
-                    drawn
-                );
+                prop_assert!(same, "{:?} G{}: {:?} {:?} {:?}", basic, code, one, other, drawn);
             }
         }
         Ok(stopped(&metric))

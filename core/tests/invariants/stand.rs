@@ -45,16 +45,7 @@ pub fn stand_in(drawn: &Drawn, basic: Units, code: Option<u16>) -> Result<Stand,
     }
     let typed = typed(drawn, &setup.control);
     let checked = check(cycle, &typed, &setup.control);
-    let refused = || {
-        format!(
-            "{:?}",
-            checked
-                .diagnostics
-                .iter()
-                .map(|found| &found.message)
-                .collect::<Vec<_>>()
-        )
-    };
+    let refused = || format!("{:?}", checked.diagnostics.iter().map(|found| &found.message).collect::<Vec<_>>());
     let inputs = checked.inputs.clone().ok_or_else(refused)?;
     put_part(&mut setup, &inputs, drawn);
     Ok(Stand { setup, inputs })
@@ -65,14 +56,9 @@ fn put_part(setup: &mut Setup, inputs: &Inputs, drawn: &Drawn) {
     let proposal = (inputs.cycle.work().unwrap().propose)(inputs, &setup.control);
     let plane = setup.control.plane;
     let errors = PartErrors {
-        shift: setup
-            .control
-            .direction_to_machine(at(plane, drawn.part.shift)),
+        shift: setup.control.direction_to_machine(at(plane, drawn.part.shift)),
         size: drawn.part.size,
-        tilt: on_the_machine(
-            &setup.control,
-            at(plane, tilt(inputs.cycle, drawn.part.tilt)),
-        ),
+        tilt: on_the_machine(&setup.control, at(plane, tilt(inputs.cycle, drawn.part.tilt))),
         ..PartErrors::default()
     };
     setup.workpiece = proposal.workpiece;
@@ -86,9 +72,7 @@ fn put_part(setup: &mut Setup, inputs: &Inputs, drawn: &Drawn) {
     }
     let control = &setup.control;
     if let Some(edge) = control.active_edge() {
-        let real = proposal
-            .real_tool
-            .unwrap_or_else(|| Tool::nominal(edge, control));
+        let real = proposal.real_tool.unwrap_or_else(|| Tool::nominal(edge, control));
         setup.real_tools.insert(control.active_place(), real);
     }
     for proposed in proposal.tools {
@@ -99,8 +83,8 @@ fn put_part(setup: &mut Setup, inputs: &Inputs, drawn: &Drawn) {
     setup.position = setup.control.to_machine(proposal.start);
 }
 
-/// How the part is turned where a cycle measures angles. That of the others is not, so that what they find is known, and
-/// walls of a corner stay upright: met elsewhere, leaning ones would give another corner.
+/// How the part is turned where a cycle measures angles. That of the others is not, so that what they find is known,
+/// and walls of a corner stay upright: met elsewhere, leaning ones would give another corner.
 fn tilt(cycle: &Cycle, [abscissa, ordinate, applicate]: [f64; 3]) -> [f64; 3] {
     match cycle.name {
         "CYCLE961" => [0.0, 0.0, applicate],
@@ -117,9 +101,7 @@ fn on_the_machine(control: &Control, turn: [f64; 3]) -> [f64; 3] {
         Vector3::from(control.direction_to_machine(axis))
     };
     let axes = Matrix3::from_columns(&[axis(0), axis(1), axis(2)]);
-    angles(&Rotation3::from_matrix_unchecked(
-        axes * rotation(turn).matrix() * axes.transpose(),
-    ))
+    angles(&Rotation3::from_matrix_unchecked(axes * rotation(turn).matrix() * axes.transpose()))
 }
 
 /// Abscissa, ordinate, applicate as X Y Z.
@@ -134,11 +116,7 @@ pub fn at(plane: Plane, values: [f64; 3]) -> [f64; 3] {
 fn machine(drawn: &Drawn, basic: Units) -> Setup {
     let cycle = drawn.cycle();
     let lathe = cycle.purpose.machine == MachineSort::Turning;
-    let plane = if lathe {
-        Plane::G18
-    } else {
-        PLANES[drawn.machine.plane]
-    };
+    let plane = if lathe { Plane::G18 } else { PLANES[drawn.machine.plane] };
     let mut setup = Setup::calibrated_in(cycle.dialect, plane, basic);
     setup.suit(cycle, drawn.variant);
     let parallel = lathe || cycle.purpose.probe == ProbeUse::Tool;
@@ -155,11 +133,7 @@ fn machine(drawn: &Drawn, basic: Units) -> Setup {
         setup.control.set(*name, turned);
     }
     // the memories of CYCLE998 are those of an angle
-    let unit = if cycle.name == "CYCLE998" {
-        1.0
-    } else {
-        setup.control.basic_factor()
-    };
+    let unit = if cycle.name == "CYCLE998" { 1.0 } else { setup.control.basic_factor() };
     for (name, value) in [("_EV[9]", 0.01), ("_MV[9]", 0.02)] {
         setup.control.set(name, value / unit);
     }
@@ -173,13 +147,7 @@ fn frames(control: &mut Control, machine: &Machine, turns: [f64; 3], mirrors: bo
     let frame = |placed: &Placed, any: bool| Frame {
         coarse: placed.at,
         fine: [placed.fine; 3],
-        rotation: std::array::from_fn(|axis| {
-            if any {
-                placed.turn[axis] * turns[axis]
-            } else {
-                0.0
-            }
-        }),
+        rotation: std::array::from_fn(|axis| if any { placed.turn[axis] * turns[axis] } else { 0.0 }),
         mirror: if mirrors { placed.mirror } else { [false; 3] },
         ..Frame::default()
     };
@@ -193,40 +161,23 @@ fn frames(control: &mut Control, machine: &Machine, turns: [f64; 3], mirrors: bo
         control.frames.insert(number, frame);
     }
     control.activate(machine.settable);
-    control.program_frame = Frame {
-        fine: [0.0; 3],
-        ..frame(programmed, true)
-    };
+    control.program_frame = Frame { fine: [0.0; 3], ..frame(programmed, true) };
 }
 
-/// A probe as drawn, of which the control knows everything: trigger values are position at switching minus surface, so the
-/// skew is in them (DESIGN.md). A mono probe has none here.
+/// A probe as drawn, of which the control knows everything: trigger values are position at switching minus surface, so
+/// the skew is in them (DESIGN.md). A mono probe has none here.
 // oracle: hand (B:13441-13463: field 1 abscissa minus, 2 abscissa plus, …)
 fn calibrated(setup: &mut Setup, drawn: &Drawn) {
     let radius = drawn.machine.ball;
-    let skew = if drawn.call.mono {
-        [0.0; 2]
-    } else {
-        drawn.machine.skew
-    };
+    let skew = if drawn.call.mono { [0.0; 2] } else { drawn.machine.skew };
     // with `_CBIT[14]` L1 goes to the end of the ball (B:13652)
-    let below = if setup.control.bit("_CBIT[14]") {
-        radius
-    } else {
-        0.0
-    };
+    let below = if setup.control.bit("_CBIT[14]") { radius } else { 0.0 };
     setup.probe.radius = radius;
     setup.probe.skew = skew;
     setup.probe.stylus = Some(0.0); // frames tilt the part, so that a straight one would meet it above the ball
     let control = &mut setup.control;
     let unit = control.basic_factor();
-    let edge = control
-        .tools
-        .get_mut(&PROBE_TOOL)
-        .unwrap()
-        .edges
-        .get_mut(&1)
-        .unwrap();
+    let edge = control.tools.get_mut(&PROBE_TOOL).unwrap().edges.get_mut(&1).unwrap();
     edge.radius = radius;
     edge.length[0] = setup.probe.length + below;
     let beside = [skew[0], skew[1], below];
@@ -243,25 +194,16 @@ fn calibrated(setup: &mut Setup, drawn: &Drawn) {
 /// The worked measurement of the variant with what was drawn, as a form takes it on this control.
 pub fn typed(drawn: &Drawn, control: &Control) -> Typed {
     let cycle = drawn.cycle();
-    let variant = cycle
-        .variants
-        .iter()
-        .find(|variant| variant.number == drawn.variant)
-        .unwrap();
+    let variant = cycle.variants.iter().find(|variant| variant.number == drawn.variant).unwrap();
     let mut values = example(cycle, variant);
     let worked = read(cycle, &values, control, &mut Vec::new());
     for param in cycle.params {
-        let shown = values
-            .get(param.name)
-            .and_then(|text| text.parse::<f64>().ok());
+        let shown = values.get(param.name).and_then(|text| text.parse::<f64>().ok());
         let unit = param.unit_with(&worked);
         let Some(value) = drawn_value(drawn, param.name, unit, shown) else {
             continue;
         };
-        values.insert(
-            param.name.to_owned(),
-            format!("{}", value / factor(unit, control)),
-        );
+        values.insert(param.name.to_owned(), format!("{}", value / factor(unit, control)));
     }
     values
 }
@@ -273,8 +215,7 @@ fn drawn_value(drawn: &Drawn, name: &str, unit: Unit, shown: Option<f64>) -> Opt
     let multi_only = drawn.cycle == "CYCLE961"; // B:7528
     let [size, depth, angle, zone] = call.factors;
     let code = |codes: [i64; 8]| codes[call.target] as f64;
-    let corrects_zero =
-        drawn.variant / 100 % 10 == 1 || shown.is_none_or(|code| code < 2000.0 && code != 1.0);
+    let corrects_zero = drawn.variant / 100 % 10 == 1 || shown.is_none_or(|code| code < 2000.0 && code != 1.0);
     Some(match name {
         "_KNUM" if drawn.cycle().purpose.probe == ProbeUse::Tool => return shown,
         "_KNUM" if corrects_zero => code(ZERO),
@@ -295,11 +236,7 @@ fn drawn_value(drawn: &Drawn, name: &str, unit: Unit, shown: Option<f64>) -> Opt
         "_TDIF" => 2.0,
         "_MA" if call.axis > 0 && shown.is_some_and(|axis| axis < 3.0) => {
             let applicate = ["CYCLE974", "CYCLE978", "CYCLE994"].contains(&drawn.cycle);
-            f64::from(if applicate {
-                call.axis
-            } else {
-                call.axis.min(2)
-            })
+            f64::from(if applicate { call.axis } else { call.axis.min(2) })
         }
         "_ID" => shown? * depth,
         "_SZA" | "_SZO" => shown? * size * zone.clamp(0.95, 1.05),

@@ -10,12 +10,10 @@ use probewright_core::run::setup::PROBE_TOOL;
 use probewright_core::workpiece::{Shape, Solid};
 use std::collections::BTreeMap;
 
-/// What names of axes decide, by cycle: in which plane the probe was calibrated (B:13451), and by which angles a frame is
-/// turned about its axes one after the other, which a frame counts from Z to X in every plane (B:7338-7342).
-const BY_NAME: [(&str, &[&str]); 2] = [
-    ("CYCLE976", &["_WP[0,9]"]),
-    ("CYCLE998", &["_OVR[21]", "_OVR[22]", "_OVR[23]"]),
-];
+/// What names of axes decide, by cycle: in which plane the probe was calibrated (B:13451), and by which angles a frame
+/// is turned about its axes one after the other, which a frame counts from Z to X in every plane (B:7338-7342).
+const BY_NAME: [(&str, &[&str]); 2] =
+    [("CYCLE976", &["_WP[0,9]"]), ("CYCLE998", &["_OVR[21]", "_OVR[22]", "_OVR[23]"])];
 
 /// How it is seen. Indices of axes are X 0, Y 1, Z 2.
 #[derive(Clone, Copy, Debug)]
@@ -25,11 +23,7 @@ pub enum View {
     /// This machine axis counts the other way.
     Reflected(usize),
     /// Zero offset, part and probe turned about this axis, degree, and moved.
-    Elsewhere {
-        axis: usize,
-        turn: f64,
-        by: [f64; 3],
-    },
+    Elsewhere { axis: usize, turn: f64, by: [f64; 3] },
 }
 
 impl View {
@@ -81,9 +75,7 @@ impl View {
             fine: self.direction(frame.fine),
             rotation: self.turn(frame.rotation),
             mirror: match self {
-                View::Renamed(times) => {
-                    std::array::from_fn(|i| frame.mirror[(i + 3 - times % 3) % 3])
-                }
+                View::Renamed(times) => std::array::from_fn(|i| frame.mirror[(i + 3 - times % 3) % 3]),
                 _ => frame.mirror,
             },
             ..*frame
@@ -160,10 +152,7 @@ impl View {
         }
         let mut inputs = inputs.clone();
         inputs.plane = seen.control.plane;
-        Stand {
-            setup: seen,
-            inputs,
-        }
+        Stand { setup: seen, inputs }
     }
 
     fn solid(self, solid: &Solid) -> Solid {
@@ -176,8 +165,7 @@ impl View {
         if let View::Reflected(_) = self {
             // a shape is its own image in the plane of its X and Z, but for corners, whose edges change places
             let mut own = Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, 1.0));
-            if let Shape::OuterCorner { angle, length, .. }
-            | Shape::InnerCorner { angle, length, .. } = &mut seen.shape
+            if let Shape::OuterCorner { angle, length, .. } | Shape::InnerCorner { angle, length, .. } = &mut seen.shape
             {
                 length.reverse();
                 own *= rotation([0.0, 0.0, -*angle]).matrix();
@@ -202,13 +190,8 @@ fn reflect_probe_data(control: &mut Control, axis: usize) {
     let axes = control.plane.axes();
     let place = axes.iter().position(|one| *one == axis).unwrap();
     let name = |field: usize| format!("_WP[0,{field}]");
-    let [minus, plus, beside] =
-        [1 + 2 * place, 2 + 2 * place, 7 + place].map(|field| control.number(&name(field)));
-    for (field, value) in [
-        (1 + 2 * place, -plus),
-        (2 + 2 * place, -minus),
-        (7 + place, -beside),
-    ] {
+    let [minus, plus, beside] = [1 + 2 * place, 2 + 2 * place, 7 + place].map(|field| control.number(&name(field)));
+    for (field, value) in [(1 + 2 * place, -plus), (2 + 2 * place, -minus), (7 + place, -beside)] {
         control.data.insert(name(field), Value::Number(0.0 + value));
     }
 }
@@ -225,22 +208,12 @@ fn reflect_probe(setup: &mut Setup, axis: usize) {
 
 /// What differs between two controls after a call of this cycle; none: nothing.
 pub fn differs(cycle: &str, a: &Control, b: &Control, tolerance: f64) -> Option<String> {
-    let near = |what: &str, a: f64, b: f64| {
-        ((a - b).abs() > tolerance).then(|| format!("{what}: {a} {b}"))
-    };
+    let near = |what: &str, a: f64, b: f64| ((a - b).abs() > tolerance).then(|| format!("{what}: {a} {b}"));
     let frame = |what: String, a: &Frame, b: &Frame| {
-        let places = [
-            [0.0; 3],
-            [100.0, 0.0, 0.0],
-            [0.0, 100.0, 0.0],
-            [0.0, 0.0, 100.0],
-        ];
-        let seen = places
-            .into_iter()
-            .flat_map(|point| a.outward(point).into_iter().zip(b.outward(point)));
+        let places = [[0.0; 3], [100.0, 0.0, 0.0], [0.0, 100.0, 0.0], [0.0, 0.0, 100.0]];
+        let seen = places.into_iter().flat_map(|point| a.outward(point).into_iter().zip(b.outward(point)));
         let fine = a.fine.into_iter().zip(b.fine);
-        seen.chain(fine)
-            .find_map(|(one, other)| near(&what, one, other))
+        seen.chain(fine).find_map(|(one, other)| near(&what, one, other))
     };
     let maps = [
         ("$P_UIFR", &a.frames, &b.frames),
@@ -249,48 +222,30 @@ pub fn differs(cycle: &str, a: &Control, b: &Control, tolerance: f64) -> Option<
     ];
     for (what, a, b) in maps {
         for number in a.keys().chain(b.keys()) {
-            let stored =
-                |map: &BTreeMap<usize, Frame>| map.get(number).copied().unwrap_or_default();
+            let stored = |map: &BTreeMap<usize, Frame>| map.get(number).copied().unwrap_or_default();
             let differs = frame(format!("{what}[{number}]"), &stored(a), &stored(b));
             if differs.is_some() {
                 return differs;
             }
         }
     }
-    let single = [
-        ("$P_SETFR", &a.system, &b.system),
-        ("active", &a.active, &b.active),
-    ];
-    let frames = single
-        .into_iter()
-        .find_map(|(what, a, b)| frame(what.to_owned(), a, b));
+    let single = [("$P_SETFR", &a.system, &b.system), ("active", &a.active, &b.active)];
+    let frames = single.into_iter().find_map(|(what, a, b)| frame(what.to_owned(), a, b));
     let numbers = || {
-        let by_name = |name: &str| {
-            BY_NAME
-                .iter()
-                .any(|(own, names)| *own == cycle && names.contains(&name))
-        };
+        let by_name = |name: &str| BY_NAME.iter().any(|(own, names)| *own == cycle && names.contains(&name));
         let mut of_both = a.data.iter().filter(|(name, _)| !by_name(name));
         of_both.find_map(|(name, value)| match (value, b.data.get(name)) {
             (Value::Number(one), Some(Value::Number(other))) => near(name, *one, *other),
             (one, other) => (Some(one) != other).then(|| format!("{name}: {one:?} {other:?}")),
         })
     };
-    let more = || {
-        b.data
-            .keys()
-            .find(|name| !a.data.contains_key(name))
-            .cloned()
-    };
+    let more = || b.data.keys().find(|name| !a.data.contains_key(name)).cloned();
     let tools = || {
         let names = a.variable_names();
-        names
-            .into_iter()
-            .filter(|name| name.starts_with("$TC"))
-            .find_map(|name| {
-                let (one, other) = (a.variable(&name)?, b.variable(&name)?);
-                near(&name, one, other)
-            })
+        names.into_iter().filter(|name| name.starts_with("$TC")).find_map(|name| {
+            let (one, other) = (a.variable(&name)?, b.variable(&name)?);
+            near(&name, one, other)
+        })
     };
     frames.or_else(numbers).or_else(more).or_else(tools)
 }

@@ -18,9 +18,7 @@ pub fn routes(outcome: &Outcome) -> Vec<(u32, Route)> {
     let entries = outcome.trace.entries.iter();
     entries
         .filter_map(|entry| match entry.step {
-            Step::Motion {
-                from, to, around, ..
-            } => Some((entry.line.unwrap(), Route { from, to, around })),
+            Step::Motion { from, to, around, .. } => Some((entry.line.unwrap(), Route { from, to, around })),
             _ => None,
         })
         .collect()
@@ -30,11 +28,7 @@ pub fn routes(outcome: &Outcome) -> Vec<(u32, Route)> {
 fn ends(text: &str) -> Vec<(u32, [f64; 3])> {
     let outcome = clean_on(&setup(), &format!("{BEGIN}{text}"));
     let found = routes(&outcome);
-    found
-        .into_iter()
-        .map(|(line, route)| (line - 1, route.to))
-        .filter(|(line, _)| *line > 0)
-        .collect()
+    found.into_iter().map(|(line, route)| (line - 1, route.to)).filter(|(line, _)| *line > 0).collect()
 }
 
 fn goes(text: &str, expected: &[(u32, [f64; 2])]) {
@@ -103,21 +97,13 @@ fn outside_of_a_square_the_corners_are_rounded_or_met() {
 fn the_contour_begins_and_ends_at_right_angles() {
     goes(
         "G41 X20 Y0\nX60\nG40 X80 Y30\nX90\nM30",
-        &[
-            (1, [20.0, R]),
-            (2, [60.0, R]),
-            (3, [80.0, 30.0]),
-            (4, [90.0, 30.0]),
-        ],
+        &[(1, [20.0, R]), (2, [60.0, R]), (3, [80.0, 30.0]), (4, [90.0, 30.0])],
     );
     // nothing follows: at right angles to the block itself
     goes("G41 X20 Y0\nM30", &[(1, [20.0, R])]);
     // the end of the program, and a block without motion that takes compensation off
     goes("G42 X20 Y0\nX60\n", &[(1, [20.0, -R]), (2, [60.0, -R])]);
-    goes(
-        "G42 X20 Y0\nX60\nG40\nX70",
-        &[(1, [20.0, -R]), (2, [60.0, -R]), (4, [70.0, 0.0])],
-    );
+    goes("G42 X20 Y0\nX60\nG40\nX70", &[(1, [20.0, -R]), (2, [60.0, -R]), (4, [70.0, 0.0])]);
 }
 
 // oracle: hand: the other side begins anew
@@ -125,13 +111,7 @@ fn the_contour_begins_and_ends_at_right_angles() {
 fn the_side_changes_without_g40() {
     goes(
         "G41 X20 Y0\nX60\nG42 X80\nX100\nG40 X120",
-        &[
-            (1, [20.0, R]),
-            (2, [60.0, R]),
-            (3, [80.0, -R]),
-            (4, [100.0, -R]),
-            (5, [120.0, 0.0]),
-        ],
+        &[(1, [20.0, R]), (2, [60.0, R]), (3, [80.0, -R]), (4, [100.0, -R]), (5, [120.0, 0.0])],
     );
 }
 
@@ -151,8 +131,7 @@ fn what_only_rises_or_falls_waits_with_its_block() {
 // oracle: hand: records stand between the motions between which they are programmed
 #[test]
 fn what_a_program_records_stays_in_order() {
-    let text =
-        format!("{BEGIN}G41 X20 Y0\nR1=1\nX60\nMSG(\"A\") R2=2\nX60 Y60\nR3=3\nG40 X90\nM30");
+    let text = format!("{BEGIN}G41 X20 Y0\nR1=1\nX60\nMSG(\"A\") R2=2\nX60 Y60\nR3=3\nG40 X90\nM30");
     let outcome = clean_on(&setup(), &text);
     let told: Vec<String> = outcome
         .trace
@@ -176,26 +155,12 @@ fn the_real_position_is_there_for_who_asks() {
         let after = format!("{begin}{ask}\nX60 Y60\nG40 X100\nM30");
         goes(
             &after,
-            &[
-                (1, [20.0, R]),
-                (2, [60.0, R]),
-                (4, [60.0 - R, 0.0]),
-                (4, [60.0 - R, 60.0]),
-                (5, [100.0, 60.0]),
-            ],
+            &[(1, [20.0, R]), (2, [60.0, R]), (4, [60.0 - R, 0.0]), (4, [60.0 - R, 60.0]), (5, [100.0, 60.0])],
         );
     }
     let remark = format!("{begin}R1=1 ; no STOPRE\nX60 Y60\nG40 X100\nM30");
     let inside = [60.0 - R, R];
-    goes(
-        &remark,
-        &[
-            (1, [20.0, R]),
-            (2, inside),
-            (4, [60.0 - R, 60.0]),
-            (5, [100.0, 60.0]),
-        ],
-    );
+    goes(&remark, &[(1, [20.0, R]), (2, inside), (4, [60.0 - R, 60.0]), (5, [100.0, 60.0])]);
     let text = format!("{BEGIN}{begin}R1=$AA_IW[X] R2=$AA_IW[Y] R3=$P_EP[Y]\nM30");
     let control = clean_on(&setup(), &text).control;
     near(control.number("R1"), 60.0, &text);
@@ -223,23 +188,11 @@ fn increments_and_axes_that_are_not_written_count_from_the_contour() {
 // oracle: hand: wear and OFFN count with the radius, over the block in which they change; D0 has no radius
 #[test]
 fn the_radius_is_that_of_the_block() {
-    goes(
-        "$TC_DP15[20,1]=-0.5\nG41 X20 Y0\nX60\nG40 X90",
-        &[(2, [20.0, 9.5]), (3, [60.0, 9.5]), (4, [90.0, 0.0])],
-    );
-    goes(
-        "OFFN=2\nG41 X20 Y0\nX60\nG40 X90",
-        &[(2, [20.0, 12.0]), (3, [60.0, 12.0]), (4, [90.0, 0.0])],
-    );
+    goes("$TC_DP15[20,1]=-0.5\nG41 X20 Y0\nX60\nG40 X90", &[(2, [20.0, 9.5]), (3, [60.0, 9.5]), (4, [90.0, 0.0])]);
+    goes("OFFN=2\nG41 X20 Y0\nX60\nG40 X90", &[(2, [20.0, 12.0]), (3, [60.0, 12.0]), (4, [90.0, 0.0])]);
     goes(
         "G41 X20 Y0\nX60\nOFFN=1 X80\nX100\nG40 X120",
-        &[
-            (1, [20.0, R]),
-            (2, [60.0, R]),
-            (3, [80.0, R + 1.0]),
-            (4, [100.0, R + 1.0]),
-            (5, [120.0, 0.0]),
-        ],
+        &[(1, [20.0, R]), (2, [60.0, R]), (3, [80.0, R + 1.0]), (4, [100.0, R + 1.0]), (5, [120.0, 0.0])],
     );
     let found = ends("G41 X20 Y0\nX60\nD0 X80\nX100\nG40 X120\nM30");
     let across: Vec<f64> = found.iter().map(|(_, to)| to[1]).collect();
@@ -254,20 +207,9 @@ fn the_radius_is_that_of_the_block() {
 fn arcs_go_on_round_their_centre() {
     // a bore of 50 mm from its centre
     let text = "G0 X0 Y0\nG41 G1 X25\nG3 X25 Y0 I-25 J0\nG40 G1 X0";
-    goes(
-        text,
-        &[
-            (1, [0.0, 0.0]),
-            (2, [15.0, 0.0]),
-            (3, [15.0, 0.0]),
-            (4, [0.0, 0.0]),
-        ],
-    );
+    goes(text, &[(1, [0.0, 0.0]), (2, [15.0, 0.0]), (3, [15.0, 0.0]), (4, [0.0, 0.0])]);
     // a pin of it from outside, down by 5 on the way
-    let outcome = clean_on(
-        &setup(),
-        &format!("{BEGIN}G0 X60 Y0\nG41 G1 X25\nG2 X25 Y0 I-25 J0 Z-5\nG40 G1 X60"),
-    );
+    let outcome = clean_on(&setup(), &format!("{BEGIN}G0 X60 Y0\nG41 G1 X25\nG2 X25 Y0 I-25 J0 Z-5\nG40 G1 X60"));
     let found = routes(&outcome);
     let round = found[2].1;
     assert_eq!(round.around.unwrap().degrees, -360.0);
@@ -283,13 +225,7 @@ fn arcs_go_on_round_their_centre() {
 fn an_inner_arc_of_the_radius_of_the_tool_is_passed() {
     goes(
         "G0 X50 Y50\nG41 G1 X0 Y50\nY10\nG3 X10 Y0 CR=10\nG1 X50\nG40 Y50",
-        &[
-            (1, [50.0, 50.0]),
-            (2, [R, 50.0]),
-            (3, [R, R]),
-            (5, [50.0, R]),
-            (6, [50.0, 50.0]),
-        ],
+        &[(1, [50.0, 50.0]), (2, [R, 50.0]), (3, [R, R]), (5, [50.0, R]), (6, [50.0, 50.0])],
     );
 }
 
@@ -342,16 +278,8 @@ fn the_nose_of_a_turning_tool_keeps_its_radius() {
     let found = routes(&outcome);
     // along Z the diameter is cut where P stands; on the cone of 45 degree it is off
     near(found[1].1.to[0], 10.0, "P in X");
-    near(
-        found[1].1.to[2],
-        -0.8,
-        "P in Z: the centre stands over the start",
-    );
+    near(found[1].1.to[2], -0.8, "P in Z: the centre stands over the start");
     near(found[2].1.to[0], 10.0, "P in X");
     let corner = -20.0 + 0.8 * (TAU / 16.0).tan();
-    near(
-        found[2].1.to[2],
-        corner - 0.8,
-        "P in Z: the centre where both paths meet",
-    );
+    near(found[2].1.to[2], corner - 0.8, "P in Z: the centre where both paths meet");
 }

@@ -27,10 +27,7 @@ impl Closed {
         let chord = [to[0] - from[0], to[1] - from[1]];
         let length = chord[0].hypot(chord[1]);
         let rise = (radius * radius - length * length / 4.0).sqrt() * radius.signum() / length;
-        [
-            (from[0] + to[0]) / 2.0 - rise * chord[1],
-            (from[1] + to[1]) / 2.0 + rise * chord[0],
-        ]
+        [(from[0] + to[0]) / 2.0 - rise * chord[1], (from[1] + to[1]) / 2.0 + rise * chord[0]]
     }
 
     /// Its blocks from the middle of the first edge, which is straight, round it.
@@ -69,11 +66,7 @@ impl Closed {
             let length = chord[0].hypot(chord[1]);
             let along = ((x - from[0]) * chord[0] + (y - from[1]) * chord[1]) / length;
             let across = ((y - from[1]) * chord[0] - (x - from[0]) * chord[1]) / length;
-            return if (0.0..=length).contains(&along) {
-                across.abs()
-            } else {
-                ends
-            };
+            return if (0.0..=length).contains(&along) { across.abs() } else { ends };
         }
         // the arc is on the other side of its chord than its centre, in the sector of its ends
         let centre = self.centre(index);
@@ -81,35 +74,22 @@ impl Closed {
         let cross = |a: [f64; 2], b: [f64; 2]| a[0] * b[1] - a[1] * b[0];
         let (a, b, p) = (seen(from), seen(to), seen([x, y]));
         let inside = cross(a, p) * radius >= 0.0 && cross(p, b) * radius >= 0.0;
-        if inside {
-            (p[0].hypot(p[1]) - radius.abs()).abs()
-        } else {
-            ends
-        }
+        if inside { (p[0].hypot(p[1]) - radius.abs()).abs() } else { ends }
     }
 }
 
-/// Stars about the zero, convex and not, with straight and round edges; the first edge is straight. Arcs are so flat that
-/// two of them do not cross before a pointed corner.
+/// Stars about the zero, convex and not, with straight and round edges; the first edge is straight. Arcs are so flat
+/// that two of them do not cross before a pointed corner.
 fn closed() -> impl Strategy<Value = Closed> {
-    let corner = (
-        0.0..0.5,
-        50.0..100.0,
-        prop::sample::select(vec![0.0, 60.0, -60.0, 300.0]),
-    );
+    let corner = (0.0..0.5, 50.0..100.0, prop::sample::select(vec![0.0, 60.0, -60.0, 300.0]));
     prop::collection::vec(corner, 4..9).prop_map(|list| {
         let count = list.len() as f64;
-        let corners = list
-            .into_iter()
-            .enumerate()
-            .map(|(index, (shift, out, radius))| {
-                let angle: f64 = (index as f64 + shift) / count * TAU;
-                let radius = if index == 0 { 0.0 } else { radius };
-                ([out * angle.cos(), out * angle.sin()], radius)
-            });
-        let mut closed = Closed {
-            corners: corners.collect(),
-        };
+        let corners = list.into_iter().enumerate().map(|(index, (shift, out, radius))| {
+            let angle: f64 = (index as f64 + shift) / count * TAU;
+            let radius = if index == 0 { 0.0 } else { radius };
+            ([out * angle.cos(), out * angle.sin()], radius)
+        });
+        let mut closed = Closed { corners: corners.collect() };
         for index in 0..closed.corners.len() {
             let (from, to, radius) = closed.edge(index);
             let chord = (to[0] - from[0]).hypot(to[1] - from[1]);
@@ -130,10 +110,7 @@ fn round(closed: &Closed, side: &str, radius: f64, before: &str, style: &str) ->
     );
     let outcome = clean_on(&setup(), &text);
     near(outcome.position[2], -30.0, &text);
-    routes(&outcome)
-        .into_iter()
-        .map(|(_, route)| route)
-        .collect()
+    routes(&outcome).into_iter().map(|(_, route)| route).collect()
 }
 
 /// Places on all ways but the first and the last.
@@ -226,9 +203,7 @@ fn every_plane_is_like_the_first() {
             .replace('B', names[axes[1]]);
         let text = format!("{BEGIN}{plane} G0 X0 Y0 Z0\n{text}");
         let found = routes(&clean_on(&setup(), &text));
-        let ends = found
-            .into_iter()
-            .map(|(_, route)| axes.map(|axis| route.at(0.5)[axis]));
+        let ends = found.into_iter().map(|(_, route)| axes.map(|axis| route.at(0.5)[axis]));
         ends.skip(1).collect::<Vec<_>>()
     };
     let first = path("G17", [0, 1, 2]);

@@ -1,6 +1,6 @@
-//! Programs of another project with the axis positions that its interpreter gives for them (oracle: peer). They are no part
-//! of this repository; where their folder is not there, nothing is compared. What comes out differently is listed here with
-//! the reason, and argued in DESIGN.md.
+//! Programs of another project with the axis positions that its interpreter gives for them (oracle: peer). They are no
+//! part of this repository; where their folder is not there, nothing is compared. What comes out differently is listed
+//! here with the reason, and argued in DESIGN.md.
 
 use super::{near, setup};
 use probewright_core::catalogue::Dialect;
@@ -20,8 +20,8 @@ const DECLARED: [(&str, &str); 3] = [
 /// Programs that stop here, and why.
 const STOPPED: [(&str, &str); 3] = [
     ("axis_index_assignment", "run-unknown-variable"), // an axis E, which the machine does not have
-    ("function_calls", "run-alarm-number"), // SETAL(12345) is no number of a cycle or a user
-    ("simple", "run-arc"),                  // G2 without centre and radius
+    ("function_calls", "run-alarm-number"),            // SETAL(12345) is no number of a cycle or a user
+    ("simple", "run-arc"),                             // G2 without centre and radius
 ];
 
 fn folder() -> PathBuf {
@@ -36,18 +36,11 @@ fn go(name: &str, text: &str) -> Outcome {
     (control.tool, control.edge) = (0, 0);
     let axis = Value::Text("A".into());
     control.data.insert("MD20080[3]".into(), axis);
-    let mill = Tool {
-        name: "BALL_MILL_8MM_SHORT".into(),
-        edges: [(1, Default::default())].into(),
-    };
+    let mill = Tool { name: "BALL_MILL_8MM_SHORT".into(), edges: [(1, Default::default())].into() };
     control.tools.insert(8, mill);
     let before = DECLARED.iter().find(|(known, _)| *known == name);
     let text = format!("{}{text}", before.map_or("", |(_, text)| text));
-    run(
-        &read(Dialect::Sinumerik, text.as_bytes()),
-        &setup,
-        Limits::default(),
-    )
+    run(&read(Dialect::Sinumerik, text.as_bytes()), &setup, Limits::default())
 }
 
 /// Positions of X Y Z A as they follow each other in a table; none: the axis has not been programmed yet.
@@ -133,56 +126,31 @@ fn programs_of_another_interpreter_go_the_same_way() {
             "csv" => path.with_extension("csv"),
             _ => path.with_file_name(format!("{name}_raw.csv")),
         });
-        let csv = csv
-            .iter()
-            .find_map(|path| std::fs::read_to_string(path).ok());
+        let csv = csv.iter().find_map(|path| std::fs::read_to_string(path).ok());
         compare(&name, &table(&csv.unwrap()), &positions(&outcome));
         compared += 1;
     }
     assert!(compared >= 29, "{compared}");
 }
 
-/// Our own programs of the same kinds, so that the comparison is proven without that folder: text and the positions X Y Z
-/// of its blocks that move, reckoned by hand.
+/// Our own programs of the same kinds, so that the comparison is proven without that folder: text and the positions X Y
+/// Z of its blocks that move, reckoned by hand.
 const OWN: [(&str, &[[f64; 3]]); 7] = [
     (
         "DEF REAL STEP=2.5, TOP=6\nG1 X0 Y0 Z0 F500\nREPEAT\nZ=IC(STEP)\nUNTIL $AA_IW[Z]>=TOP-0.01\nTRANS Z20\nY=$AA_IW[Z]",
-        &[
-            [0.0, 0.0, 0.0],
-            [0.0, 0.0, 2.5],
-            [0.0, 0.0, 5.0],
-            [0.0, 0.0, 7.5],
-            [0.0, -12.5, 7.5],
-        ],
+        &[[0.0, 0.0, 0.0], [0.0, 0.0, 2.5], [0.0, 0.0, 5.0], [0.0, 0.0, 7.5], [0.0, -12.5, 7.5]],
     ),
     (
         "G1 X0 Y0 Z0 F500\nTRANS X50 Y3\nX1 Y1\nATRANS X5\nX=IC(2)\nTRANS\nX4",
-        &[
-            [0.0, 0.0, 0.0],
-            [51.0, 4.0, 0.0],
-            [58.0, 4.0, 0.0],
-            [4.0, 4.0, 0.0],
-        ],
+        &[[0.0, 0.0, 0.0], [51.0, 4.0, 0.0], [58.0, 4.0, 0.0], [4.0, 4.0, 0.0]],
     ),
     (
         "R1=3 R2=0\nG1 X0 Y0 Z0 F500\nBACK: X=R1*10\nR1=R1-1\nIF R1>0 GOTOB BACK\nGOTOF 90\nX999\nN90 Y7",
-        &[
-            [0.0, 0.0, 0.0],
-            [30.0, 0.0, 0.0],
-            [20.0, 0.0, 0.0],
-            [10.0, 0.0, 0.0],
-            [10.0, 7.0, 0.0],
-        ],
+        &[[0.0, 0.0, 0.0], [30.0, 0.0, 0.0], [20.0, 0.0, 0.0], [10.0, 0.0, 0.0], [10.0, 7.0, 0.0]],
     ),
     (
         "DEF INT GRID[2,3]=SET(1,2,3,4,5,6), ROW, COLUMN\nG1 X0 Y0 Z0 F500\nFOR ROW=0 TO 1\nFOR COLUMN=1 TO 2\nX=GRID[ROW,COLUMN]\nENDFOR\nENDFOR",
-        &[
-            [0.0, 0.0, 0.0],
-            [2.0, 0.0, 0.0],
-            [3.0, 0.0, 0.0],
-            [5.0, 0.0, 0.0],
-            [6.0, 0.0, 0.0],
-        ],
+        &[[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [3.0, 0.0, 0.0], [5.0, 0.0, 0.0], [6.0, 0.0, 0.0]],
     ),
     (
         "DEF INT WHICH=8\nG1 X0 Y0 Z0 F500\nCASE(WHICH+1) OF 7 GOTOF ONE 9 GOTOF TWO DEFAULT GOTOF THREE\nONE: X1\nTWO: X2\nTHREE: X3",
@@ -194,13 +162,7 @@ const OWN: [(&str, &[[f64; 3]]); 7] = [
     ),
     (
         "G70 G1 X0 Y0 Z0 F500\nX1\nG710 X1\nG91 X=AC(0) Y=4\nG90 ROT Z90\nX=SQRT(POT(3)+POT(4)) Y0",
-        &[
-            [0.0, 0.0, 0.0],
-            [25.4, 0.0, 0.0],
-            [1.0, 0.0, 0.0],
-            [0.0, 4.0, 0.0],
-            [0.0, 5.0, 0.0],
-        ],
+        &[[0.0, 0.0, 0.0], [25.4, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 5.0, 0.0]],
     ),
 ];
 
@@ -209,11 +171,7 @@ const OWN: [(&str, &[[f64; 3]]); 7] = [
 fn our_own_programs_go_their_way() {
     for (text, expected) in OWN {
         let outcome = go("own", text);
-        assert_eq!(
-            (&outcome.stop, &outcome.diagnostics[..]),
-            (&None, &[][..]),
-            "{text}"
-        );
+        assert_eq!((&outcome.stop, &outcome.diagnostics[..]), (&None, &[][..]), "{text}");
         let found = positions(&outcome);
         assert_eq!(found.len(), expected.len(), "{text}: {found:?}");
         for (found, expected) in found.iter().zip(expected) {

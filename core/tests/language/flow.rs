@@ -8,47 +8,23 @@ fn program_parts_are_repeated() {
     for (text, expected) in [
         ("PART: R1=R1+1\nR1=R1+10\nREPEAT PART P=2\nM30", 33.0),
         ("PART: R1=R1+1\nR1=R1+10\nREPEAT PART\nM30", 22.0),
-        (
-            "FIRST: R1=R1+1\nLAST: R1=R1+10\nR1=R1+100\nREPEAT FIRST LAST P=2\nM30",
-            133.0,
-        ),
-        (
-            "R1=R1+100\nONE: R1=R1+1\nR1=R1+10\nREPEATB ONE P=3\nM30",
-            114.0,
-        ),
-        (
-            "PART: R1=R1+1\nENDLABEL: R1=R1+10\nR1=R1+100\nREPEAT PART P=1\nM30",
-            122.0,
-        ),
-        (
-            "REPEAT LATER P=2\nM30\nLATER: R1=R1+1\nENDLABEL: R1=R1+10\nM30",
-            22.0,
-        ),
+        ("FIRST: R1=R1+1\nLAST: R1=R1+10\nR1=R1+100\nREPEAT FIRST LAST P=2\nM30", 133.0),
+        ("R1=R1+100\nONE: R1=R1+1\nR1=R1+10\nREPEATB ONE P=3\nM30", 114.0),
+        ("PART: R1=R1+1\nENDLABEL: R1=R1+10\nR1=R1+100\nREPEAT PART P=1\nM30", 122.0),
+        ("REPEAT LATER P=2\nM30\nLATER: R1=R1+1\nENDLABEL: R1=R1+10\nM30", 22.0),
         ("PART: R1=R1+1\nREPEAT PART P=0\nM30", 1.0),
         // a repetition inside of one
-        (
-            "OUTER: R1=R1+1\nINNER: R2=R2+1\nREPEATB INNER P=2\nREPEAT OUTER P=1\nR1=100*R1+R2\nM30",
-            206.0,
-        ),
+        ("OUTER: R1=R1+1\nINNER: R2=R2+1\nREPEATB INNER P=2\nREPEAT OUTER P=1\nR1=100*R1+R2\nM30", 206.0),
         // the part calls a program
-        (
-            "PART: L10\nREPEAT PART P=2\nM30\n%_N_L10_SPF\nR1=R1+1\nM17",
-            3.0,
-        ),
+        ("PART: L10\nREPEAT PART P=2\nM30\n%_N_L10_SPF\nR1=R1+1\nM17", 3.0),
         // a jump out of it ends it
-        (
-            "PART: R1=R1+1\nIF R1==3 GOTOF OUT\nREPEAT PART P=9\nOUT: R2=0\nM30",
-            3.0,
-        ),
+        ("PART: R1=R1+1\nIF R1==3 GOTOF OUT\nREPEAT PART P=9\nOUT: R2=0\nM30", 3.0),
     ] {
         assert_eq!(number(text, "R1"), expected, "{text}");
     }
     assert_eq!(fault("REPEAT NOWHERE P=2\nM30"), "run-label");
     assert_eq!(fault("PART: R1=1\nREPEAT PART P=-1"), "run-range");
-    assert_eq!(
-        fault("PART: R1=1\nREPEAT PART LAST\nLAST: M30"),
-        "run-depth"
-    );
+    assert_eq!(fault("PART: R1=1\nREPEAT PART LAST\nLAST: M30"), "run-depth");
 }
 
 // oracle: manual (Job planning: GOTO looks forward first, GOTOC needs no target)
@@ -57,16 +33,10 @@ fn jumps_look_where_they_should() {
     for (text, expected) in [
         ("GOTOF A\nR1=1\nA: R1=R1+2\nM30", 2.0),
         ("R1=R1+1\nB: R1=R1+1\nIF R1<5 GOTOB B\nM30", 5.0),
-        (
-            "A: R1=R1+1\nIF R1>3 GOTOF OUT\nGOTO A\nA: R1=R1+10\nOUT: M30",
-            11.0,
-        ),
+        ("A: R1=R1+1\nIF R1>3 GOTOF OUT\nGOTO A\nA: R1=R1+10\nOUT: M30", 11.0),
         ("GOTOC NOWHERE\nR1=4\nM30", 4.0),
         ("GOTOF 50\nR1=9\nN50 R1=R1+1\nM30", 1.0),
-        (
-            "DEF STRING[8] WHERE=\"C\"\nGOTOF WHERE\nR1=9\nC: R1=R1+1\nM30",
-            1.0,
-        ),
+        ("DEF STRING[8] WHERE=\"C\"\nGOTOF WHERE\nR1=9\nC: R1=R1+1\nM30", 1.0),
     ] {
         assert_eq!(number(text, "R1"), expected, "{text}");
     }
@@ -103,11 +73,7 @@ fn what_shares_a_block_with_a_structure_is_never_passed_over() {
         let found = &outcome.diagnostics[0];
         assert_eq!(found.message.key, "run-alone", "{text}");
         let place = found.span.unwrap();
-        assert_eq!(
-            &text[place.start as usize..place.end as usize],
-            word,
-            "{text}"
-        );
+        assert_eq!(&text[place.start as usize..place.end as usize], word, "{text}");
     }
     for text in [
         "IF R1==0 R1=3\nENDIF",

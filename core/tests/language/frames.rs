@@ -17,10 +17,7 @@ fn mirrors_reverse_their_axes() {
     at("MIRROR X0\nATRANS X3\nG0 X10", [-13.0, 0.0, 0.0]);
     at("MIRROR X0\nMIRROR\nG0 X10", [10.0, 0.0, 0.0]);
     at("MIRROR X0\nAROT Z90\nG0 X10 Y0", [0.0, 10.0, 0.0]);
-    at(
-        "$P_UIFR[1]=CTRANS(X,5):CMIRROR(X)\nG54\nG0 X1",
-        [4.0, 0.0, 0.0],
-    );
+    at("$P_UIFR[1]=CTRANS(X,5):CMIRROR(X)\nG54\nG0 X1", [4.0, 0.0, 0.0]);
     at("$P_UIFR[1,Y,MI]=1\nG54\nG0 Y1", [0.0, -1.0, 0.0]);
 }
 
@@ -32,29 +29,18 @@ fn frames_are_variables_with_components() {
         ("$P_SETFR=CTRANS(Y,7)\nG500\nR1=$P_SETFRAME[Y,TR]", 7.0),
         ("TRANS X7\nR1=$P_PFRAME[X,TR]", 7.0),
         ("$P_PFRAME=CTRANS(X,3):CROT(Z,90)\nR1=$P_PFRAME[Z,RT]", 90.0),
-        (
-            "$P_UIFR[1]=CTRANS(X,5)\nG54\nTRANS X2\nR1=$P_ACTFRAME[X,TR]",
-            7.0,
-        ),
-        (
-            "$P_UIFR[1]=CTRANS(X,5)\n$P_UIFR[2]=$P_UIFR[1]:CTRANS(X,1)\nR1=$P_UIFR[2,X,TR]",
-            6.0,
-        ),
+        ("$P_UIFR[1]=CTRANS(X,5)\nG54\nTRANS X2\nR1=$P_ACTFRAME[X,TR]", 7.0),
+        ("$P_UIFR[1]=CTRANS(X,5)\n$P_UIFR[2]=$P_UIFR[1]:CTRANS(X,1)\nR1=$P_UIFR[2,X,TR]", 6.0),
         ("DEF FRAME F\nF=CROT(Z,90)\nG0 X1 Y0\nR1=$AA_IM[X]", 1.0),
-        (
-            "$P_UIFR[1]=CTRANS(X,1,Y,2):CFINE(X,0.5)\nR1=$P_UIFR[1,X,FI]+$P_UIFR[1,Y,TR]",
-            2.5,
-        ),
+        ("$P_UIFR[1]=CTRANS(X,1,Y,2):CFINE(X,0.5)\nR1=$P_UIFR[1,X,FI]+$P_UIFR[1,Y,TR]", 2.5),
         ("$P_UIFR[1]=CTRANS(C,30)\nG54\nG0 C10\nR1=$AA_IM[C]", 40.0),
     ] {
         near(number(text, "R1"), expected, text);
     }
     assert_eq!(fault("$P_ACTFRAME=CTRANS(X,1)"), "run-read-only");
-    for (text, key) in [
-        ("SCALE X0", "run-range"),
-        ("$P_UIFR[1,X,SC]=0", "run-range"),
-        ("$P_UIFR[1]=CSCALE(X,0)", "run-function"),
-    ] {
+    for (text, key) in
+        [("SCALE X0", "run-range"), ("$P_UIFR[1,X,SC]=0", "run-range"), ("$P_UIFR[1]=CSCALE(X,0)", "run-function")]
+    {
         assert_eq!(fault(text), key, "{text}");
     }
     assert_eq!(fault("R1=$P_UIFR[1,X,QQ]"), "run-unknown-variable");
@@ -78,8 +64,8 @@ fn frames_are_left_out_for_a_block() {
     }
 }
 
-// oracle: hand: the oblique face (turned by 30 degrees about X, as G57 says) lies level afterwards, and coordinates of the
-// part stay coordinates of the part
+// oracle: hand: the oblique face (turned by 30 degrees about X, as G57 says) lies level afterwards, and coordinates of
+// the part stay coordinates of the part
 #[test]
 fn the_swivel_cycle_turns_the_part_level() {
     let mut setup = setup();
@@ -104,9 +90,7 @@ fn the_swivel_cycle_turns_the_part_level() {
     let tables = outcome.trace.entries.iter();
     let turned: Vec<_> = tables
         .filter_map(|entry| match &entry.step {
-            Step::Table {
-                axis, to, solids, ..
-            } => Some((*axis, *to, solids[0].rotation[0])),
+            Step::Table { axis, to, solids, .. } => Some((*axis, *to, solids[0].rotation[0])),
             _ => None,
         })
         .collect();
@@ -126,16 +110,8 @@ fn increments_count_from_the_programmed_position() {
     at("TRANS X100\nG0 X=IC(1)", [101.0, 0.0, 0.0]);
     at("G0 X1 Y2\nTRANS X100 Y7\nG91 X1", [102.0, 2.0, 0.0]);
     at("G0 X1\nG0 SUPA X5\nG91 X1", [6.0, 0.0, 0.0]);
-    near(
-        number("G0 X1\nTRANS X100\nR1=$AA_IW[X]", "R1"),
-        -99.0,
-        "the axis has not moved",
-    );
-    near(
-        number("G0 Z10\nT20 M6\nG91 G0 Z5\nR1=$AA_IW[Z]", "R1"),
-        15.0,
-        "another tool",
-    );
+    near(number("G0 X1\nTRANS X100\nR1=$AA_IW[X]", "R1"), -99.0, "the axis has not moved");
+    near(number("G0 Z10\nT20 M6\nG91 G0 Z5\nR1=$AA_IW[Z]", "R1"), 15.0, "another tool");
 }
 
 // oracle: hand
@@ -162,26 +138,20 @@ fn the_swivel_cycle_gives_the_plane_up() {
     }
 }
 
-// oracle: manual (function manual K2: CRPL 0 turns in the working plane, 1 to 3 about Z, Y, X; INVFRAME takes a frame back)
+// oracle: manual (function manual K2: CRPL 0 turns in the working plane, 1 to 3 about Z, Y, X; INVFRAME takes a frame
+// back)
 #[test]
 fn frames_are_made_by_functions() {
     at("$P_PFRAME=CRPL(0,90)\nG0 X10 Y0", [0.0, 10.0, 0.0]);
     at("$P_PFRAME=crpl(1,90)\nG0 X10 Y0", [0.0, 10.0, 0.0]);
-    at(
-        "G19\n$P_PFRAME=CRPL(0,90)\nR1=$P_PFRAME[X,RT]\n$P_PFRAME=CTRANS()\nG17\nG0 X0 Y0 Z=R1",
-        [0.0, 0.0, 90.0],
-    );
+    at("G19\n$P_PFRAME=CRPL(0,90)\nR1=$P_PFRAME[X,RT]\n$P_PFRAME=CTRANS()\nG17\nG0 X0 Y0 Z=R1", [0.0, 0.0, 90.0]);
     for (plane, axis) in [(1, "Z"), (2, "Y"), (3, "X")] {
         let text = format!("$P_UIFR[1]=CTRANS(X,1):CRPL({plane},30)\nR1=$P_UIFR[1,{axis},RT]");
         near(number(&text, "R1"), 30.0, &text);
     }
     let back = "DEF FRAME F=CTRANS(X,5,Y,7):CROT(Z,30,X,20):CMIRROR(Y)\n$P_UIFR[1]=F:INVFRAME(F)\nG54\nG0 X1 Y2 Z3";
     at(back, [1.0, 2.0, 3.0]);
-    for wrong in [
-        "R1=CRPL(4,30)",
-        "R1=INVFRAME(5)",
-        "$P_PFRAME=INVFRAME(CSCALE(X,2):CROT(Z,90))",
-    ] {
+    for wrong in ["R1=CRPL(4,30)", "R1=INVFRAME(5)", "$P_PFRAME=INVFRAME(CSCALE(X,2):CROT(Z,90))"] {
         assert!(go(wrong).stop.is_some(), "{wrong}");
     }
     near(
@@ -194,15 +164,14 @@ fn frames_are_made_by_functions() {
     );
 }
 
-/// A block that is clamped askew, its front left upper corner in the machine's zero; G56 stands there, parallel to the axes.
+/// A block that is clamped askew, its front left upper corner in the machine's zero; G56 stands there, parallel to the
+/// axes.
 fn askew() -> Setup {
     let turn = rotation([4.0, -3.0, 5.0]);
     let corner: [f64; 3] = (turn * nalgebra::Vector3::new(50.0, 40.0, 0.0)).into();
     let mut setup = setup();
     setup.workpiece.solids.push(Solid {
-        shape: Shape::Block {
-            size: [100.0, 80.0, 50.0],
-        },
+        shape: Shape::Block { size: [100.0, 80.0, 50.0] },
         at: corner,
         rotation: [4.0, -3.0, 5.0],
         errors: PartErrors::default(),
@@ -212,8 +181,8 @@ fn askew() -> Setup {
     setup
 }
 
-// oracle: manual B:7696-7786 (the way of its example, in our words): afterwards the corner is the zero of G57 and the edges
-// are its axes
+// oracle: manual B:7696-7786 (the way of its example, in our words): afterwards the corner is the zero of G57 and the
+// edges are its axes
 #[test]
 fn an_oblique_part_is_set_up_with_the_swivel_cycle() {
     let text = "G56 G17 G90 G1 F500\nCYCLE800(1,\"\",0,57,0,0,0,0,0,0,0,0,0,-1)\n$P_UIFR[4]=$P_UIFR[3]\nX20 Y25\nZ40\n\
@@ -224,19 +193,11 @@ fn an_oblique_part_is_set_up_with_the_swivel_cycle() {
         X25 Y-20\nZ-10\n_MVAR=100 _MA=2 _FA=10\nCYCLE978\nG57\nX-20 Y-20\nY25\n_MA=1\nCYCLE978\nG57\nZ20";
     let program = read(Dialect::Sinumerik, text.as_bytes());
     let outcome = run(&program, &askew(), Limits::default());
-    let errors: Vec<_> = outcome
-        .diagnostics
-        .iter()
-        .filter(|found| found.severity == Severity::Error)
-        .collect();
+    let errors: Vec<_> = outcome.diagnostics.iter().filter(|found| found.severity == Severity::Error).collect();
     assert_eq!((&outcome.stop, errors), (&None, Vec::new()));
     let frame = outcome.control.frames[&4];
     let (found, wanted) = (rotation(frame.rotation), rotation([4.0, -3.0, 5.0]));
-    assert!(
-        (found.matrix() - wanted.matrix()).norm() < 1e-9,
-        "{:?}",
-        frame.rotation
-    );
+    assert!((found.matrix() - wanted.matrix()).norm() < 1e-9, "{:?}", frame.rotation);
     for (axis, at) in frame.origin().into_iter().enumerate() {
         near(at, 0.0, ["X", "Y", "Z"][axis]);
     }

@@ -1,5 +1,5 @@
-//! The program language: what each word does, a file a subject. Facts about the language are those of the programming guide
-//! of these controls ("Job planning", 03/2006), where a comment names it; everything else is reckoned by hand.
+//! The program language: what each word does, a file a subject. Facts about the language are those of the programming
+//! guide of these controls ("Job planning", 03/2006), where a comment names it; everything else is reckoned by hand.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod contour;
@@ -93,8 +93,5 @@ fn at(text: &str, expected: [f64; 3]) {
 }
 
 fn near(found: f64, expected: f64, what: &str) {
-    assert!(
-        (found - expected).abs() <= 1e-9 * expected.abs().max(1.0),
-        "{what}: {found} is not {expected}"
-    );
+    assert!((found - expected).abs() <= 1e-9 * expected.abs().max(1.0), "{what}: {found} is not {expected}");
 }

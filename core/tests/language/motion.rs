@@ -11,9 +11,7 @@ fn points(text: &str) -> Vec<[f64; 3]> {
     let steps = clean(text).trace.entries.into_iter();
     steps
         .filter_map(|entry| match entry.step {
-            Step::Motion {
-                from, to, around, ..
-            } => Some(Route { from, to, around }),
+            Step::Motion { from, to, around, .. } => Some(Route { from, to, around }),
             _ => None,
         })
         .flat_map(|route| (1..=100).map(move |part| route.at(f64::from(part) / 100.0)))
@@ -57,10 +55,7 @@ fn arcs_stand_in_the_working_plane() {
         near((y - 10.0).hypot(z), 10.0, text);
         assert!((0.0..=6.0).contains(&x));
     }
-    at(
-        "MIRROR X0\nG1 X0 Y0 F100\nG2 X20 Y0 I10 J0\n",
-        [-20.0, 0.0, 0.0],
-    );
+    at("MIRROR X0\nG1 X0 Y0 F100\nG2 X20 Y0 I10 J0\n", [-20.0, 0.0, 0.0]);
 }
 
 // oracle: hand
@@ -106,10 +101,7 @@ fn diameters_are_halved() {
 // oracle: hand
 #[test]
 fn a_spline_passes_its_points_and_says_that_it_is_none() {
-    assert_eq!(
-        findings("BSPLINE SD=2 F100\nX10 Y20 PW=2\nG1 X0"),
-        ["run-spline"]
-    );
+    assert_eq!(findings("BSPLINE SD=2 F100\nX10 Y20 PW=2\nG1 X0"), ["run-spline"]);
     let outcome = go("ASPLINE BNAT ETAN F100\nX70 Y30");
     assert_eq!(outcome.position, [70.0, 30.0, 0.0]);
 }
@@ -131,15 +123,7 @@ fn measuring_blocks_latch_and_stop_or_go_on() {
             near(found, expected, word);
         }
         let probed = outcome.trace.entries.iter();
-        let probed = probed.filter(|entry| {
-            matches!(
-                entry.step,
-                Step::Motion {
-                    kind: MotionKind::Measuring,
-                    ..
-                }
-            )
-        });
+        let probed = probed.filter(|entry| matches!(entry.step, Step::Motion { kind: MotionKind::Measuring, .. }));
         assert_eq!(probed.count(), if word == "MEAS" { 1 } else { 2 });
     }
 }

@@ -8,10 +8,7 @@ use probewright_core::run::trace::Step;
 fn a_point_is_told_by_pole_angle_and_distance() {
     let (x, y) = (300.0_f64.sqrt(), 10.0);
     at("G0 AP=30 RP=20", [x, y, 0.0]);
-    at(
-        "G111 X100 Y50\nG0 AP=30 RP=20 Z7",
-        [100.0 + x, 50.0 + y, 7.0],
-    );
+    at("G111 X100 Y50\nG0 AP=30 RP=20 Z7", [100.0 + x, 50.0 + y, 7.0]);
     at("G0 X5 Y6\nG110 X1\nG0 AP=90 RP=4", [6.0, 10.0, 0.0]);
     at("G111 X5 Y6\nG112 X1 Y1\nG0 AP=180 RP=2", [4.0, 7.0, 0.0]);
     at("G111 AP=90 RP=10\nG0 AP=0 RP=3", [3.0, 10.0, 0.0]);
@@ -31,11 +28,7 @@ fn a_line_is_told_by_its_angle() {
     at("G1 Y10 ANG=90 F100", [0.0, 10.0, 0.0]);
     at("G0 X5\nG91 G1 Y=IC(3) ANG=45 F100", [8.0, 3.0, 0.0]);
     at("G18\nG0 X0 Y0 Z0\nG1 Z10 ANG=45 F100", [10.0, 0.0, 10.0]);
-    for text in [
-        "G1 X5 Y5 ANG=45 F100",
-        "G1 Z5 ANG=45 F100",
-        "G1 Y5 ANG=0 F100",
-    ] {
+    for text in ["G1 X5 Y5 ANG=45 F100", "G1 Z5 ANG=45 F100", "G1 Y5 ANG=0 F100"] {
         assert_eq!(fault(text), "run-not-simulated", "{text}");
     }
 }
@@ -45,12 +38,8 @@ fn a_line_is_told_by_its_angle() {
 fn an_arc_goes_round_the_pole() {
     let text = "G111 X10 Y0\nG0 AP=0 RP=10\nG3 AP=90 RP=10 F100";
     let outcome = clean(text);
-    let Some(Step::Motion {
-        from,
-        to,
-        around: Some(around),
-        ..
-    }) = outcome.trace.entries.last().map(|entry| entry.step.clone())
+    let Some(Step::Motion { from, to, around: Some(around), .. }) =
+        outcome.trace.entries.last().map(|entry| entry.step.clone())
     else {
         panic!("no arc");
     };
@@ -58,10 +47,7 @@ fn an_arc_goes_round_the_pole() {
     near(x, 10.0 + 50.0_f64.sqrt(), text);
     near(y, 50.0_f64.sqrt(), text);
     at(text, [10.0, 10.0, 0.0]);
-    assert_eq!(
-        fault("G111 X10 Y0\nG0 AP=0 RP=10\nG3 AP=90 RP=12 F100"),
-        "run-arc"
-    );
+    assert_eq!(fault("G111 X10 Y0\nG0 AP=0 RP=10\nG3 AP=90 RP=12 F100"), "run-arc");
 }
 
 // oracle: hand: 100 m/min at X50 (diameter 100) are 1000000 / (2 π 50) revolutions a minute
@@ -75,11 +61,7 @@ fn a_cutting_speed_makes_the_spindle_faster_inside() {
     let text = "G96 S100 F0.2 G1 X50\nG97 S500 X10";
     near(feed(text), 0.2 * 500.0, text);
     let text = "G96 S100 F0.2 G1 X50\nG97 X10";
-    near(
-        feed(text),
-        0.2 * turns(50.0),
-        "G97 keeps the speed of the spindle",
-    );
+    near(feed(text), 0.2 * turns(50.0), "G97 keeps the speed of the spindle");
     let text = "G0 X50\nG96 S100 M3";
     near(clean(text).control.spindle_speed, turns(50.0), text);
     assert_eq!(findings("G96 S100 F0.2 G1 X50\nX0"), ["run-no-feed"]);
@@ -99,8 +81,5 @@ fn a_modal_call_follows_each_motion() {
     }
     let call = "EXTCALL(\"DRILLS\")\nM30\nPROC DRILLS\nR1=8\nM17";
     near(number(call, "R1"), 8.0, call);
-    assert_eq!(
-        findings("MCALL CYCLE83(1)\nG0 X1\nX2"),
-        ["run-not-simulated"]
-    );
+    assert_eq!(findings("MCALL CYCLE83(1)\nG0 X1\nX2"), ["run-not-simulated"]);
 }

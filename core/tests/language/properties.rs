@@ -1,4 +1,5 @@
-//! Properties: an expression is what f64 makes of it, structure always comes to its end, any words end within the limits.
+//! Properties: an expression is what f64 makes of it, structure always comes to its end, any words end within the
+//! limits.
 
 use super::{near, number, setup};
 use probewright_core::catalogue::Dialect;
@@ -38,10 +39,7 @@ fn joined(left: Expression, operator: usize, right: Expression) -> Expression {
         7 => (" OR ", truth(a != 0.0 || b != 0.0)),
         _ => (" XOR ", truth((a != 0.0) != (b != 0.0))),
     };
-    Expression {
-        text: format!("({}{sign}{})", left.text, right.text),
-        value,
-    }
+    Expression { text: format!("({}{sign}{})", left.text, right.text), value }
 }
 
 fn truth(holds: bool) -> f64 {
@@ -80,17 +78,13 @@ fn called(function: usize, inner: Expression) -> Expression {
         7 if x >= 0.0 => ("SQRT", x.sqrt()),
         _ => ("POT", x * x),
     };
-    Expression {
-        text: format!("{name}({})", inner.text),
-        value,
-    }
+    Expression { text: format!("{name}({})", inner.text), value }
 }
 
 fn expression() -> impl Strategy<Value = Expression> {
     leaf().prop_recursive(5, 40, 2, |inner| {
         prop_oneof![
-            (inner.clone(), 0_usize..9, inner.clone())
-                .prop_map(|(a, operator, b)| joined(a, operator, b)),
+            (inner.clone(), 0_usize..9, inner.clone()).prop_map(|(a, operator, b)| joined(a, operator, b)),
             (0_usize..9, inner).prop_map(|(function, a)| called(function, a)),
         ]
     })
@@ -120,11 +114,7 @@ fn sum(terms: &[(bool, Vec<(bool, u32)>)]) -> Expression {
             }
             text.push_str(&factor.to_string());
         }
-        total = if *minus {
-            total - product
-        } else {
-            total + product
-        };
+        total = if *minus { total - product } else { total + product };
     }
     Expression { text, value: total }
 }
@@ -137,25 +127,16 @@ struct Structure {
 }
 
 fn structure() -> impl Strategy<Value = Structure> {
-    let step = Just(Structure {
-        text: "R1=R1+1\n".into(),
-        steps: 1.0,
-    });
+    let step = Just(Structure { text: "R1=R1+1\n".into(), steps: 1.0 });
     step.prop_recursive(4, 24, 3, |inner| {
         prop_oneof![
             (prop::collection::vec(inner.clone(), 1..4)).prop_map(|parts| Structure {
                 text: parts.iter().map(|part| part.text.as_str()).collect(),
                 steps: parts.iter().map(|part| part.steps).sum(),
             }),
-            (0_u32..4, inner.clone(), any::<u32>())
-                .prop_map(|(count, part, name)| looped(count, &part, name)),
+            (0_u32..4, inner.clone(), any::<u32>()).prop_map(|(count, part, name)| looped(count, &part, name)),
             (any::<bool>(), inner.clone(), inner).prop_map(|(holds, yes, no)| Structure {
-                text: format!(
-                    "IF {}\n{}ELSE\n{}ENDIF\n",
-                    u8::from(holds),
-                    yes.text,
-                    no.text
-                ),
+                text: format!("IF {}\n{}ELSE\n{}ENDIF\n", u8::from(holds), yes.text, no.text),
                 steps: if holds { yes.steps } else { no.steps },
             }),
         ]
@@ -167,20 +148,11 @@ fn looped(count: u32, part: &Structure, name: u32) -> Structure {
     let counter = format!("R{}", 100 + name % 800);
     let text = match name % 3 {
         0 => format!("FOR {counter}=1 TO {count}\n{}ENDFOR\n", part.text),
-        1 => format!(
-            "{counter}=0\nWHILE {counter}<{count}\n{counter}={counter}+1\n{}ENDWHILE\n",
-            part.text
-        ),
-        _ => format!(
-            "{counter}=0\nREPEAT\n{}{counter}={counter}+1\nUNTIL {counter}>={count}\n",
-            part.text
-        ),
+        1 => format!("{counter}=0\nWHILE {counter}<{count}\n{counter}={counter}+1\n{}ENDWHILE\n", part.text),
+        _ => format!("{counter}=0\nREPEAT\n{}{counter}={counter}+1\nUNTIL {counter}>={count}\n", part.text),
     };
     let times = if name % 3 == 2 { count.max(1) } else { count };
-    Structure {
-        text,
-        steps: part.steps * f64::from(times),
-    }
+    Structure { text, steps: part.steps * f64::from(times) }
 }
 
 /// Words of which random programs are made: every sort of control structure and of state.

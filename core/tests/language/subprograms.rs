@@ -18,19 +18,18 @@ fn parameters_are_passed_by_value_and_by_reference() {
 // oracle: manual (Job planning: what a call omits is 0 or the default of the PROC)
 #[test]
 fn omitted_arguments_have_their_default() {
-    let text = "PART(1,,3)\nM30\n%_N_PART_SPF\nPROC PART(REAL A, REAL B, REAL C, REAL D=4)\nR1=1000*A+100*B+10*C+D\nRET";
+    let text =
+        "PART(1,,3)\nM30\n%_N_PART_SPF\nPROC PART(REAL A, REAL B, REAL C, REAL D=4)\nR1=1000*A+100*B+10*C+D\nRET";
     assert_eq!(number(text, "R1"), 1034.0);
 }
 
 // oracle: hand
 #[test]
 fn variables_belong_to_their_program() {
-    let text = "DEF INT COUNT=5\nR1=7\nINNER\nR2=COUNT\nM30\n%_N_INNER_SPF\nDEF INT COUNT=1\nCOUNT=COUNT+1 R1=R1+COUNT\nM17";
+    let text =
+        "DEF INT COUNT=5\nR1=7\nINNER\nR2=COUNT\nM30\n%_N_INNER_SPF\nDEF INT COUNT=1\nCOUNT=COUNT+1 R1=R1+COUNT\nM17";
     assert_eq!((number(text, "R1"), number(text, "R2")), (9.0, 5.0));
-    assert_eq!(
-        fault("DEF INT OUTER=1\nSUB\nM30\n%_N_SUB_SPF\nR1=OUTER\nM17"),
-        "run-unknown-variable"
-    );
+    assert_eq!(fault("DEF INT OUTER=1\nSUB\nM30\n%_N_SUB_SPF\nR1=OUTER\nM17"), "run-unknown-variable");
     let shared = "DEF CHAN REAL ALL=1\nSUB\nR1=ALL\nM30\n%_N_SUB_SPF\nALL=ALL+1\nM17";
     assert_eq!(number(shared, "R1"), 2.0);
 }
@@ -50,16 +49,8 @@ fn whole_arrays_are_parameters() {
         DEF INT I\nFOR I=1 TO N-1\nLIST[0]=LIST[0]+LIST[I]\nENDFOR\nRET";
     assert_eq!(number(by_reference, "R1"), 6.0);
     for size in ["[]", "[ ]", "[3]"] {
-        assert_eq!(
-            number(
-                &by_reference.replace("LIST[3]", &format!("LIST{size}")),
-                "R1"
-            ),
-            6.0
-        );
-        let by_value = format!(
-            "DEF REAL F[3]=(1,2,3)\nREAD(F)\nM30\nPROC READ(REAL G{size})\nR1=G[0]+G[2]\nRET"
-        );
+        assert_eq!(number(&by_reference.replace("LIST[3]", &format!("LIST{size}")), "R1"), 6.0);
+        let by_value = format!("DEF REAL F[3]=(1,2,3)\nREAD(F)\nM30\nPROC READ(REAL G{size})\nR1=G[0]+G[2]\nRET");
         assert_eq!(number(&by_value, "R1"), 4.0, "{size}");
     }
     let by_value = "DEF REAL F[2,2]=(1,2,3,4)\nREAD(F)\nR2=F[1,1]\nM30\n%_N_READ_SPF\nPROC READ(REAL G[2,2])\nR1=G[1,0]\nG[1,1]=0\nRET";
@@ -71,10 +62,7 @@ fn whole_arrays_are_parameters() {
 fn a_call_may_ask_for_several_passes() {
     assert_eq!(number("L10 P3\nM30\n%_N_L10_SPF\nR1=R1+1\nM17", "R1"), 3.0);
     assert_eq!(number("L10 P0\nM30\n%_N_L10_SPF\nR1=R1+1\nM17", "R1"), 0.0);
-    assert_eq!(
-        number("CALL \"L10\"\nM30\n%_N_L10_SPF\nR1=R1+1\nM17", "R1"),
-        1.0
-    );
+    assert_eq!(number("CALL \"L10\"\nM30\n%_N_L10_SPF\nR1=R1+1\nM17", "R1"), 1.0);
     let named = "DEF STRING[9] WHICH=\"L10\"\nCALL WHICH\nM30\n%_N_L10_SPF\nR1=R1+1\nM17";
     assert_eq!(number(named, "R1"), 1.0);
 }
@@ -83,9 +71,7 @@ fn a_call_may_ask_for_several_passes() {
 #[test]
 fn save_restores_the_modal_functions() {
     let called = |attributes: &str| {
-        let text = format!(
-            "G90 G0 X10\nSUB\nX5\nR1=$AA_IW[X]\nM30\n%_N_SUB_SPF\nPROC SUB {attributes}\nG91\nRET"
-        );
+        let text = format!("G90 G0 X10\nSUB\nX5\nR1=$AA_IW[X]\nM30\n%_N_SUB_SPF\nPROC SUB {attributes}\nG91\nRET");
         number(&text, "R1")
     };
     assert_eq!((called("SAVE"), called("DISPLOF")), (5.0, 15.0));
@@ -105,31 +91,16 @@ fn each_end_of_a_subprogram_goes_back() {
 fn jumps_stay_in_their_program() {
     let text = "SUB\nTHERE: R1=R1+10\nM30\n%_N_SUB_SPF\nGOTOF THERE\nR1=99\nTHERE: R1=R1+1\nM17";
     assert_eq!(number(text, "R1"), 11.0);
-    assert_eq!(
-        fault("SUB\nTHERE: M30\n%_N_SUB_SPF\nGOTO THERE\nM17"),
-        "run-label"
-    );
+    assert_eq!(fault("SUB\nTHERE: M30\n%_N_SUB_SPF\nGOTO THERE\nM17"), "run-label");
 }
 
 // oracle: hand
 #[test]
 fn what_does_not_fit_is_told() {
-    assert_eq!(
-        fault("SUB(1,2)\nM30\n%_N_SUB_SPF\nPROC SUB(REAL A)\nRET"),
-        "run-arguments"
-    );
-    assert_eq!(
-        fault("SUB(1)\nM30\n%_N_SUB_SPF\nPROC SUB(VAR REAL A)\nRET"),
-        "run-argument"
-    );
-    assert_eq!(
-        fault("SUB(\"A\")\nM30\n%_N_SUB_SPF\nPROC SUB(REAL A)\nRET"),
-        "run-argument"
-    );
-    assert_eq!(
-        findings("EXTERN AWAY(REAL)\nAWAY(1)\nM30"),
-        ["run-subprogram"]
-    );
+    assert_eq!(fault("SUB(1,2)\nM30\n%_N_SUB_SPF\nPROC SUB(REAL A)\nRET"), "run-arguments");
+    assert_eq!(fault("SUB(1)\nM30\n%_N_SUB_SPF\nPROC SUB(VAR REAL A)\nRET"), "run-argument");
+    assert_eq!(fault("SUB(\"A\")\nM30\n%_N_SUB_SPF\nPROC SUB(REAL A)\nRET"), "run-argument");
+    assert_eq!(findings("EXTERN AWAY(REAL)\nAWAY(1)\nM30"), ["run-subprogram"]);
     assert_eq!(fault("SUB\nM30\n%_N_SUB_SPF\nSUB"), "run-depth");
 }
 

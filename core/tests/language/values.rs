@@ -16,14 +16,8 @@ fn a_variable_keeps_its_type() {
         ("DEF REAL ONE=1,THREE=3\nR1=ONE/THREE*3", 1.0),
         ("DEF AXIS WHICH=Y\nG0 X1 Y2 Z3\nR1=$AA_IW[WHICH]", 2.0),
         ("DEF AXIS WHICH=Y\nR1=WHICH==Y", 1.0),
-        (
-            "DEF FRAME F=CTRANS(X,5)\nF[Y,TR]=7\nR1=F[X,TR]+F[Y,TR]",
-            12.0,
-        ),
-        (
-            "DEF FRAME F\nF=CTRANS(X,5):CROT(Z,90)\n$P_UIFR[1]=F\nG54\nG0 X1 Y0\nR1=$AA_IM[Y]",
-            1.0,
-        ),
+        ("DEF FRAME F=CTRANS(X,5)\nF[Y,TR]=7\nR1=F[X,TR]+F[Y,TR]", 12.0),
+        ("DEF FRAME F\nF=CTRANS(X,5):CROT(Z,90)\n$P_UIFR[1]=F\nG54\nG0 X1 Y0\nR1=$AA_IM[Y]", 1.0),
     ] {
         near(number(text, "R1"), expected, text);
     }
@@ -47,21 +41,12 @@ fn a_variable_keeps_its_type() {
 #[test]
 fn arrays_are_set_and_repeated() {
     for (text, expected) in [
-        (
-            "DEF REAL F[2,3]=SET(1,,3)\nR1=F[0,0]+10*F[0,1]+100*F[0,2]",
-            301.0,
-        ),
+        ("DEF REAL F[2,3]=SET(1,,3)\nR1=F[0,0]+10*F[0,1]+100*F[0,2]", 301.0),
         ("DEF REAL F[2,3]=REP(4)\nR1=F[1,2]", 4.0),
         ("DEF REAL F[5]\nF[1]=REP(2,3)\nR1=F[0]+F[1]+F[3]+F[4]", 4.0),
         ("DEF INT F[3]=(1.6,2)\nR1=10*F[0]+F[1]", 22.0),
-        (
-            "DEF REAL F[2,2,2]\nF[1,0,1]=SET(5,6)\nR1=10*F[1,0,1]+F[1,1,0]",
-            56.0,
-        ),
-        (
-            "DEF STRING[4] T[2]=SET(\"AB\",\"CD\")\nR1=STRLEN(T[0]<<T[1])",
-            4.0,
-        ),
+        ("DEF REAL F[2,2,2]\nF[1,0,1]=SET(5,6)\nR1=10*F[1,0,1]+F[1,1,0]", 56.0),
+        ("DEF STRING[4] T[2]=SET(\"AB\",\"CD\")\nR1=STRLEN(T[0]<<T[1])", 4.0),
     ] {
         assert_eq!(number(text, "R1"), expected, "{text}");
     }
@@ -80,11 +65,7 @@ fn almost_equal_numbers_are_equal() {
         ("2>1", 1.0),
         ("0==0", 1.0),
     ] {
-        assert_eq!(
-            number(&format!("R1={expression}"), "R1"),
-            expected,
-            "{expression}"
-        );
+        assert_eq!(number(&format!("R1={expression}"), "R1"), expected, "{expression}");
     }
 }
 
@@ -113,19 +94,9 @@ fn operators_and_functions_are_worked_out() {
         ("MINVAL(2,-1)+MAXVAL(2,-1)*10", 19.0),
         ("BOUND(0,5,7)", 5.0),
     ] {
-        near(
-            number(&format!("R1={expression}"), "R1"),
-            expected,
-            expression,
-        );
+        near(number(&format!("R1={expression}"), "R1"), expected, expression);
     }
-    for text in [
-        "R1=SQRT(-1)",
-        "R1=LN(0)",
-        "R1=ASIN(2)",
-        "R1=BOUND(5,0,1)",
-        "R1=SIN(\"A\")",
-    ] {
+    for text in ["R1=SQRT(-1)", "R1=LN(0)", "R1=ASIN(2)", "R1=BOUND(5,0,1)", "R1=SIN(\"A\")"] {
         assert_eq!(fault(text), "run-function", "{text}");
     }
     assert_eq!(fault("R1=NOSUCH(1)"), "run-unknown-word");
@@ -147,11 +118,7 @@ fn texts_are_joined_and_searched() {
         ("SUBSTR(\"CONTENT\",4)==\"ENT\"", 1.0),
         ("TOUPPER(\"ab\")==\"AB\"", 1.0),
     ] {
-        assert_eq!(
-            number(&format!("R1={expression}"), "R1"),
-            expected,
-            "{expression}"
-        );
+        assert_eq!(number(&format!("R1={expression}"), "R1"), expected, "{expression}");
     }
     let text = "DEF STRING[9] T=\"ABC\"\nDEF CHAR C='!'\nT[1]='X'\nMSG(\"<\"<<T<<\">\"<<T[0]<<C<<1.50<<\" \"<<0.1+0.2<<\" \"<<AXNAME(\"Y\"))";
     assert_eq!(messages(text), ["<AXC>A!1.5 0.3 Y"]);
@@ -171,20 +138,13 @@ fn a_variable_may_look_like_an_address() {
     ] {
         assert_eq!(number(text, "R1"), expected, "{text}");
     }
-    for text in [
-        "DEF REAL X",
-        "G0 X1\nDEF INT _A,Z=3",
-        "PUT(1)\nM30\nPROC PUT(REAL Y)\nRET",
-    ] {
+    for text in ["DEF REAL X", "G0 X1\nDEF INT _A,Z=3", "PUT(1)\nM30\nPROC PUT(REAL Y)\nRET"] {
         assert_eq!(fault(text), "run-axis-name", "{text}");
     }
     // the machine has an axis C, which stays where it is
     let outcome = go("DEF REAL C\nC=42\nR1=C");
     assert_eq!(outcome.diagnostics[0].message.key, "run-axis-variable");
-    assert_eq!(
-        (outcome.control.number("R1"), outcome.control.rotary[2]),
-        (42.0, 0.0)
-    );
+    assert_eq!((outcome.control.number("R1"), outcome.control.rotary[2]), (42.0, 0.0));
 }
 
 // oracle: hand: what the control tells about tools, spindle and probe, and what it lets a program keep
@@ -203,37 +163,19 @@ fn the_control_tells_about_itself() {
         ("$P_AXN2==Y", 1.0),
         ("$VA_IM[Z]", 50.0),
     ] {
-        assert_eq!(
-            number(&format!("R1={expression}"), "R1"),
-            expected,
-            "{expression}"
-        );
+        assert_eq!(number(&format!("R1={expression}"), "R1"), expected, "{expression}");
     }
     assert_eq!(number("S500 M4\nR1=$AA_S[1]*10+$P_SDIR[1]", "R1"), 5004.0);
     assert_eq!(number("G55\nR1=$P_GG[8]", "R1"), 3.0);
-    assert_eq!(
-        number(
-            "$AC_MARKER[1]=3\n$AC_PARAM[0]=$AC_MARKER[1]+0.5\nR1=$AC_PARAM[0]",
-            "R1"
-        ),
-        3.5
-    );
-    assert_eq!(
-        messages("MSG(123456789.123<<\" \"<<1/3<<\" \"<<-0.0<<\" \"<<20)"),
-        ["123456789.123 0.3333333333 0 20"]
-    );
+    assert_eq!(number("$AC_MARKER[1]=3\n$AC_PARAM[0]=$AC_MARKER[1]+0.5\nR1=$AC_PARAM[0]", "R1"), 3.5);
+    assert_eq!(messages("MSG(123456789.123<<\" \"<<1/3<<\" \"<<-0.0<<\" \"<<20)"), ["123456789.123 0.3333333333 0 20"]);
 }
 
 // oracle: hand
 #[test]
 fn names_do_not_know_upper_and_lower_case() {
     assert_eq!(number("DEF REAL lAyEr=2.5\nr1=LAYER*4\nR2=R1", "R2"), 10.0);
-    assert_eq!(
-        clean("def int i\nfor i=1 to 3\nr1=r1+i\nendfor")
-            .control
-            .number("R1"),
-        6.0
-    );
+    assert_eq!(clean("def int i\nfor i=1 to 3\nr1=r1+i\nendfor").control.number("R1"), 6.0);
 }
 
 // oracle: manual B:828, B:974-985 (L1 along the applicate; with 2 along the ordinate)

@@ -16,15 +16,9 @@ fn tools_are_chosen_and_told() {
         ("T20 D1\nR1=$P_TOOLNO", 9.0),
         ("$TC_DP1[20,1]=500\nT20 D1\nR1=$P_TOOLNO", 20.0),
         ("T20 M6\n$TC_DP12[20,1]=0.5\nR1=$P_TOOLL[1]", 80.5),
-        (
-            "T20 M6\n$TC_SCP23[20,1]=0.25\nR1=$P_TOOLL[1]\nDL=2\nR1=100*R1+$P_TOOLL[1]",
-            8080.25,
-        ),
+        ("T20 M6\n$TC_SCP23[20,1]=0.25\nR1=$P_TOOLL[1]\nDL=2\nR1=100*R1+$P_TOOLL[1]", 8080.25),
         ("T20 M6\nDL=2\nD1\nR1=$P_DLNO", 0.0),
-        (
-            "$TC_DP1[33,1]=120 $TC_DP3[33,1]=60\nT33 M6\nR1=$P_TOOLL[1]",
-            60.0,
-        ),
+        ("$TC_DP1[33,1]=120 $TC_DP3[33,1]=60\nT33 M6\nR1=$P_TOOLL[1]", 60.0),
         ("$TC_DP25[20,1]=7\nR1=$TC_DP25[20,1]", 7.0),
         ("G18\nT20 M6\n$TC_DP4[20,1]=3\nR1=$P_TOOLL[2]", 3.0),
         ("T20\nR1=$P_TOOLNO*100+$P_TOOLP", 920.0),
@@ -45,10 +39,7 @@ fn the_spindle_is_turned() {
         });
         angles.collect::<Vec<_>>()
     };
-    assert_eq!(
-        angles("SPOS=90\nSPOS=IC(45)\nSPOSA=DC(10)\nM19"),
-        [90.0, 135.0, 10.0, 0.0]
-    );
+    assert_eq!(angles("SPOS=90\nSPOS=IC(45)\nSPOSA=DC(10)\nM19"), [90.0, 135.0, 10.0, 0.0]);
 }
 
 // oracle: hand: the first spindle, an axis by its name in a variable; what the machine does not have is told
@@ -56,15 +47,9 @@ fn the_spindle_is_turned() {
 fn addresses_may_be_written_with_an_index() {
     let outcome = clean("S[1]=500 M[1]=3\nSPOS[1]=AC(90)\nSPOSA[1]=IC(-30)");
     assert_eq!(outcome.control.spindle, 60.0);
-    at(
-        "DEF AXIS WAY=(Y)\nG0 AX[WAY]=7\nAX[X]=IC(2)",
-        [2.0, 7.0, 0.0],
-    );
+    at("DEF AXIS WAY=(Y)\nG0 AX[WAY]=7\nAX[X]=IC(2)", [2.0, 7.0, 0.0]);
     for told in ["SPOS[2]=45", "POS[U]=100", "DISC=50"] {
-        assert!(
-            findings(told).iter().all(|key| key == "run-not-simulated"),
-            "{told}"
-        );
+        assert!(findings(told).iter().all(|key| key == "run-not-simulated"), "{told}");
         assert!(!findings(told).is_empty(), "{told}");
     }
     // an array of the program comes before an address of the same letter
@@ -89,10 +74,7 @@ fn the_spindle_turns() {
         });
         (speeds.collect::<Vec<_>>(), outcome.control.spindle_speed)
     };
-    assert_eq!(
-        speeds("S500 M3\nS300\nM4\nM5\nS200"),
-        (vec![500.0, 300.0, -300.0, 0.0], 0.0)
-    );
+    assert_eq!(speeds("S500 M3\nS300\nM4\nM5\nS200"), (vec![500.0, 300.0, -300.0, 0.0], 0.0));
     assert_eq!(speeds("M4 S500\nS300"), (vec![-500.0, -300.0], -300.0));
     assert_eq!(speeds("M3 S500\nSPOS=90"), (vec![500.0], 0.0));
 }
@@ -103,19 +85,13 @@ fn a_program_raises_alarms() {
     assert_eq!(fault("SETAL(65000)\nR1=1"), "run-set-alarm");
     assert_eq!(fault("SETAL(61301)"), "run-set-alarm");
     assert_eq!(fault("SETAL(12345)"), "run-alarm-number");
-    assert_eq!(
-        messages("SETAL(67001,\"look\")\nMSG(\"on\")"),
-        ["67001 look", "on"]
-    );
+    assert_eq!(messages("SETAL(67001,\"look\")\nMSG(\"on\")"), ["67001 look", "on"]);
 }
 
 // oracle: hand
 #[test]
 fn programs_end_and_stop_where_they_say() {
-    assert_eq!(
-        messages("M0\nM1\nMSG(\"A\"<<1.5)\nMSG()\nM30\nMSG(\"no\")"),
-        ["M0", "M1", "A1.5", ""]
-    );
+    assert_eq!(messages("M0\nM1\nMSG(\"A\"<<1.5)\nMSG()\nM30\nMSG(\"no\")"), ["M0", "M1", "A1.5", ""]);
     for last in ["M2", "M30", "M17", "RET"] {
         assert_eq!(number(&format!("R1=1\n{last}\nR1=2"), "R1"), 1.0, "{last}");
     }
@@ -124,10 +100,7 @@ fn programs_end_and_stop_where_they_say() {
 // oracle: hand
 #[test]
 fn a_block_number_a_skip_level_and_a_comment_change_nothing() {
-    assert_eq!(
-        number("N10 R1=1 ; R1=5\n/2 N20 R1=R1+1\n:30 R1=R1+1", "R1"),
-        3.0
-    );
+    assert_eq!(number("N10 R1=1 ; R1=5\n/2 N20 R1=R1+1\n:30 R1=R1+1", "R1"), 3.0);
 }
 
 // oracle: hand
@@ -135,11 +108,7 @@ fn a_block_number_a_skip_level_and_a_comment_change_nothing() {
 fn skip_levels_leave_out_what_is_switched_on() {
     let text = "/N10 R1=R1+1\n/0 R1=R1+10\n/2 R1=R1+100\n/9 R1=R1+1000\nR2=7\n/2 GOTOF OUT\nR2=8\nOUT: M30";
     let program = read(Dialect::Sinumerik, text.as_bytes());
-    for (skip, expected, end) in [
-        (&[][..], 1111.0, 7.0),
-        (&[0], 1100.0, 7.0),
-        (&[2, 9], 11.0, 8.0),
-    ] {
+    for (skip, expected, end) in [(&[][..], 1111.0, 7.0), (&[0], 1100.0, 7.0), (&[2, 9], 11.0, 8.0)] {
         let mut setup = setup();
         setup.skip = skip.iter().copied().collect();
         let control = run(&program, &setup, Limits::default()).control;
@@ -204,60 +173,27 @@ fn what_is_left_out_leaves_the_axes_where_they_belong() {
         ("G331 Z-10 K1 S500\nG332 Z5 K1", "run-not-simulated", 5.0),
         ("POS[U]=20 X7", "run-not-simulated", 7.0),
         ("POS[X]=20", "run-positioning", 20.0),
-        (
-            "TRANS X1\nPOSA[X]=IC(20) F100\nWAITP(X)",
-            "run-positioning",
-            26.0,
-        ),
+        ("TRANS X1\nPOSA[X]=IC(20) F100\nWAITP(X)", "run-positioning", 26.0),
         ("G1 F100 X6 POS[X]=8 FA[X]=500", "run-positioning", 8.0),
-        (
-            "G247 G41 DISR=5 X6 Y0 F100\nG40 G1 X7",
-            "run-not-simulated",
-            7.0,
-        ),
+        ("G247 G41 DISR=5 X6 Y0 F100\nG40 G1 X7", "run-not-simulated", 7.0),
         ("TRAORI\nX7", "run-not-simulated", 7.0),
-        (
-            "WRITE(_ERR,\"FILE\",\"text\")\nX7",
-            "run-not-simulated",
-            7.0,
-        ),
+        ("WRITE(_ERR,\"FILE\",\"text\")\nX7", "run-not-simulated", 7.0),
         ("WAITM(1,1,2)\nX7", "run-not-simulated", 7.0),
-        (
-            "IDS=1 DO $AC_MARKER[1]=5\nID=2 EVERY $A_IN[1]==1 DO M8\nX7",
-            "run-not-simulated",
-            7.0,
-        ),
+        ("IDS=1 DO $AC_MARKER[1]=5\nID=2 EVERY $A_IN[1]==1 DO M8\nX7", "run-not-simulated", 7.0),
         ("SETINT(1) PRIO=1 LIFTFAST\nX7", "run-not-simulated", 7.0),
         ("TCARR=1\nTCOABS\nX7", "run-not-simulated", 7.0),
         ("S2=500 T2=20 X7\nM6", "run-not-simulated", 7.0),
         ("H5 X7", "run-machine-function", 7.0),
-        (
-            "M2=3 M2=30\nM70\n$A_OUT[3]=1\nX7",
-            "run-machine-function",
-            7.0,
-        ),
+        ("M2=3 M2=30\nM70\n$A_OUT[3]=1\nX7", "run-machine-function", 7.0),
     ] {
         let outcome = go(&format!("G0 X5\n{text}"));
         assert_eq!(outcome.stop, None, "{text}");
         let mut keys = outcome.diagnostics.iter().map(|found| &*found.message.key);
-        assert!(
-            keys.clone().count() > 0 && keys.all(|key| key == told),
-            "{text}"
-        );
+        assert!(keys.clone().count() > 0 && keys.all(|key| key == told), "{text}");
         near(outcome.position[0], x, text);
         assert_eq!(outcome.control.spindle_speed, 0.0, "{text}");
     }
-    for text in [
-        "TRANSMIT\nX7",
-        "PRESETON(X,5)\nX7",
-        "ROTS X10 Y10",
-        "G58 X5",
-        "ROT Z30\nPOS[X]=7",
-    ] {
-        assert_eq!(
-            fault(&format!("G0 X5\n{text}")),
-            "run-not-simulated",
-            "{text}"
-        );
+    for text in ["TRANSMIT\nX7", "PRESETON(X,5)\nX7", "ROTS X10 Y10", "G58 X5", "ROT Z30\nPOS[X]=7"] {
+        assert_eq!(fault(&format!("G0 X5\n{text}")), "run-not-simulated", "{text}");
     }
 }

@@ -10,9 +10,7 @@ use probewright_core::run::{Limits, Stop, run};
 #[test]
 fn motion_ends_where_it_says() {
     // oracle: hand
-    let outcome = clean(
-        "N10 G0 G90 X10 Y-20.5 Z100\nN20 G91 X5 Z=-10\nN30 G90 G1 Y=IC(0.5) Z=AC(7) F500\nM30",
-    );
+    let outcome = clean("N10 G0 G90 X10 Y-20.5 Z100\nN20 G91 X5 Z=-10\nN30 G90 G1 Y=IC(0.5) Z=AC(7) F500\nM30");
     near(outcome.end(), [15.0, -20.0, 7.0]);
     let kinds: Vec<_> = outcome
         .trace
@@ -62,21 +60,12 @@ fn arcs_end_at_their_end() {
     let [.., last] = &outcome.trace.entries[..] else {
         panic!("nothing moves");
     };
-    let Step::Motion {
-        from,
-        to,
-        around: Some(around),
-        ..
-    } = last.step
-    else {
+    let Step::Motion { from, to, around: Some(around), .. } = last.step else {
         panic!("{last:?}");
     };
     let half = 0.5_f64.sqrt() * 10.0;
     near(around.at(from, to, 0.5), [half, half, 500.0]);
-    near(
-        clean("G0 X10 Y0\nG2 X0 Y10 CR=-10 F100").end(),
-        [0.0, 10.0, 500.0],
-    );
+    near(clean("G0 X10 Y0\nG2 X0 Y10 CR=-10 F100").end(), [0.0, 10.0, 500.0]);
     let outcome = go("G0 X10 Y0\nG3 X0 Y20 I-10 J0 F100");
     assert!(matches!(outcome.stop, Some(Stop::Fault(message)) if message.key == "run-arc"));
 }

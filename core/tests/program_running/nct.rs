@@ -17,15 +17,8 @@ fn edge(control: &Control, number: i64) -> f64 {
 fn nct_words_are_understood() {
     let setup = Setup::calibrated(Dialect::Nct, Plane::G17);
     let text = "%O0001 (TEST)\nG17 G90 G40 G55 G21\n#100=0\nWHILE [#100 LT 3] DO1\n#100=#100+1\nEND1\nIF [#100 EQ 3] GOTO 50\n#101=9\nN50 G0 X[#100*2] Y5.\nG43 Z20. H98\nM30\n%";
-    let outcome = run(
-        &read(Dialect::Nct, text.as_bytes()),
-        &setup,
-        Limits::default(),
-    );
-    assert_eq!(
-        (outcome.stop.clone(), &outcome.diagnostics[..]),
-        (None, &[][..])
-    );
+    let outcome = run(&read(Dialect::Nct, text.as_bytes()), &setup, Limits::default());
+    assert_eq!((outcome.stop.clone(), &outcome.diagnostics[..]), (None, &[][..]));
     // oracle: hand
     near(outcome.end(), [6.0, 5.0, 20.0]);
     assert_eq!(outcome.control.number("#101"), 0.0);
@@ -37,10 +30,7 @@ fn nct_words_are_understood() {
 fn bore(diameter: f64, at: [f64; 3]) -> Setup {
     let mut setup = Setup::calibrated(Dialect::Nct, Plane::G17);
     setup.workpiece.solids.push(Solid {
-        shape: Shape::Hole {
-            diameter,
-            depth: 60.0,
-        },
+        shape: Shape::Hole { diameter, depth: 60.0 },
         at,
         rotation: [-90.0, 0.0, 0.0],
         errors: PartErrors::default(),
@@ -55,15 +45,8 @@ const BORE: &str = "%O0110 (BORE)\nG59 G18 G90 G40\nM19\nT98\nG43 Y100 H98\nG101
 #[test]
 fn a_bore_moves_its_work_offset() {
     let setup = bore(50.0, [120.4, 0.0, 199.7]);
-    let outcome = run(
-        &read(Dialect::Nct, BORE.as_bytes()),
-        &setup,
-        Limits::default(),
-    );
-    assert_eq!(
-        (outcome.stop.clone(), &outcome.diagnostics[..]),
-        (None, &[][..])
-    );
+    let outcome = run(&read(Dialect::Nct, BORE.as_bytes()), &setup, Limits::default());
+    assert_eq!((outcome.stop.clone(), &outcome.diagnostics[..]), (None, &[][..]));
     // oracle: manual C:1159-1183: G59 takes over where the centre was found
     let offset = outcome.control.frames[&6].coarse;
     near(offset, [0.4, 0.0, -0.3]);
@@ -71,8 +54,8 @@ fn a_bore_moves_its_work_offset() {
 
 #[test]
 fn the_printed_bore_runs() {
-    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../../shared/spec/common/nct_examples/G110_bore.nc");
+    let path =
+        std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/spec/common/nct_examples/G110_bore.nc");
     let Ok(printed) = std::fs::read(path) else {
         return;
     };
@@ -89,8 +72,7 @@ fn the_printed_bore_runs() {
 
 #[test]
 fn printed_programs_hold_no_unknown_word() {
-    let folder =
-        std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/spec/milling/examples");
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/spec/milling/examples");
     let names = [
         "DRILL_MEASURE",
         "WEB_MEASURE",
@@ -108,22 +90,10 @@ fn printed_programs_hold_no_unknown_word() {
             let like = setup.control.tools[&if tool == 1 { 20 } else { 9 }].clone();
             setup.control.tools.insert(tool, like);
         }
-        let outcome = run(
-            &read(Dialect::Sinumerik, &printed),
-            &setup,
-            Limits::default(),
-        );
+        let outcome = run(&read(Dialect::Sinumerik, &printed), &setup, Limits::default());
         // oracle: hand: nothing to touch, so the first measurement finds no surface (B:13999)
-        assert_eq!(
-            outcome.stop,
-            Some(Stop::Alarm(Code::Alarm(61301))),
-            "{name}: {:?}",
-            outcome.diagnostics
-        );
-        let unknown = outcome
-            .diagnostics
-            .iter()
-            .find(|found| found.message.key == "run-unknown-word");
+        assert_eq!(outcome.stop, Some(Stop::Alarm(Code::Alarm(61301))), "{name}: {:?}", outcome.diagnostics);
+        let unknown = outcome.diagnostics.iter().find(|found| found.message.key == "run-unknown-word");
         assert_eq!(unknown, None, "{name}");
     }
 }

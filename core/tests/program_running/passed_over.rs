@@ -63,12 +63,7 @@ fn no_call_measures_with_a_value_that_could_not_be_read() {
         let outcome = measured(lines);
         assert_eq!(stop(&outcome), Some("run-unread-value"), "{lines}");
         assert_eq!(outcome.passed_over.len(), 1, "{lines}");
-        assert!(
-            outcome
-                .written()
-                .keys()
-                .all(|name| !name.starts_with("_OVR"))
-        );
+        assert!(outcome.written().keys().all(|name| !name.starts_with("_OVR")));
     }
     for lines in [
         "_FA=1e-9\n_FA=20",
@@ -152,16 +147,8 @@ fn each_way_to_call_a_program_that_is_not_here_is_told_alike() {
         let checked = findings(&read(Sinumerik, text.as_bytes()));
         let told = [&checked, &outcome.diagnostics].map(|found| {
             let told = found.iter().map(|one| {
-                let line = text[..one.span.unwrap().start as usize]
-                    .matches('\n')
-                    .count();
-                (
-                    one.severity,
-                    one.code,
-                    one.message.clone(),
-                    one.hint.clone(),
-                    line,
-                )
+                let line = text[..one.span.unwrap().start as usize].matches('\n').count();
+                (one.severity, one.code, one.message.clone(), one.hint.clone(), line)
             });
             told.collect::<Vec<_>>()
         });
@@ -197,13 +184,9 @@ fn a_parameter_of_the_program_that_is_run_is_told_as_one() {
         let wanted = "DEPTH is a parameter of PROC BORE; nothing gives it a value here.";
         assert_eq!(said, wanted, "{use_it}");
     }
-    assert_eq!(
-        number("PROC BORE(INT N=3, REAL DEPTH)\nR1=N\nM30", "R1"),
-        3.0
-    );
+    assert_eq!(number("PROC BORE(INT N=3, REAL DEPTH)\nR1=N\nM30", "R1"), 3.0);
     // Its caller gives it one.
-    let called =
-        "%_N_A_MPF\nBORE(1,2)\nM30\n%_N_BORE_SPF\nPROC BORE(INT N, REAL DEPTH)\nR1=DEPTH\nRET";
+    let called = "%_N_A_MPF\nBORE(1,2)\nM30\n%_N_BORE_SPF\nPROC BORE(INT N, REAL DEPTH)\nR1=DEPTH\nRET";
     assert_eq!(number(called, "R1"), 2.0);
 }
 

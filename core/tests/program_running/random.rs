@@ -80,7 +80,8 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(300))]
 
     #[test]
-    fn any_program_ends_without_panic(lines in prop::collection::vec(prop::collection::vec(piece(), 1..4), 0..25), nct: bool) {
+    fn any_program_ends_without_panic(lines in prop::collection::vec(prop::collection::vec(piece(), 1..4), 0..25),
+    nct: bool) {
         let text: Vec<String> = lines.into_iter().map(|words| words.join(" ")).collect();
         let dialect = if nct { Dialect::Nct } else { Dialect::Sinumerik };
         let mut start = block_setup();

@@ -10,13 +10,7 @@ fn tools_change_with_m6() {
     assert_eq!((outcome.control.tool, outcome.control.edge), (20, 2));
     // oracle: hand: the mill is 30 mm longer, the spindle stays, so its tip is 30 mm lower
     near(outcome.position, [0.0, 0.0, 470.0]);
-    assert!(
-        outcome
-            .trace
-            .entries
-            .iter()
-            .any(|entry| entry.step == Step::Tool(20, 2))
-    );
+    assert!(outcome.trace.entries.iter().any(|entry| entry.step == Step::Tool(20, 2)));
     let outcome = clean("T20 M6");
     assert_eq!((outcome.control.tool, outcome.control.edge), (20, 1));
     let outcome = clean("T=\"MILL\" M6\nD0");
@@ -32,11 +26,7 @@ fn tool_data_are_read_and_written() {
     assert_eq!(outcome.control.tools[&20].edges[&1].radius_wear, -0.02);
     assert_eq!(outcome.control.number("R1"), 9.98);
     assert_eq!(outcome.control.number("R2"), 3.0);
-    let names: Vec<_> = outcome
-        .changes()
-        .into_iter()
-        .map(|change| change.name)
-        .collect();
+    let names: Vec<_> = outcome.changes().into_iter().map(|change| change.name).collect();
     assert_eq!(names, ["$TC_DP15[20,1]"]);
 }
 
@@ -107,14 +97,8 @@ fn arrays_are_filled_in_the_order_of_their_elements() {
     }
     let whole = clean("_WP=REP(7)");
     assert_eq!(whole.control.number("_WP[2,10]"), 7.0);
-    assert!(
-        !whole.control.data.contains_key("_WP[3,0]"),
-        "there are three probes, B:13346"
-    );
-    assert!(
-        go("_SETV[8]=SET(1,2)").stop.is_some(),
-        "no room for the second"
-    );
+    assert!(!whole.control.data.contains_key("_WP[3,0]"), "there are three probes, B:13346");
+    assert!(go("_SETV[8]=SET(1,2)").stop.is_some(), "no room for the second");
 }
 
 #[test]

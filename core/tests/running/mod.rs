@@ -18,9 +18,7 @@ pub fn machine() -> Setup {
 /// A block of 100 by 100 by 50 mm, the middle of its upper face at the zero of the machine.
 pub fn block() -> Solid {
     Solid {
-        shape: Shape::Block {
-            size: [100.0, 100.0, 50.0],
-        },
+        shape: Shape::Block { size: [100.0, 100.0, 50.0] },
         at: [0.0; 3],
         rotation: [0.0; 3],
         errors: PartErrors::default(),

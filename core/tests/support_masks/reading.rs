@@ -20,10 +20,7 @@ fn without_the_choice_the_mask_decides_nothing() {
     let mut control = machine([0, 0, 0, 0, 0, 1, 0, 1]);
     control.set(support::FORMS, 0.0);
     let plain = delivery(Dialect::Sinumerik);
-    for cycle in CYCLES
-        .iter()
-        .filter(|cycle| cycle.dialect == Dialect::Sinumerik)
-    {
+    for cycle in CYCLES.iter().filter(|cycle| cycle.dialect == Dialect::Sinumerik) {
         for variant in cycle.variants {
             let values = example(cycle, variant);
             let text = |control| snippet(cycle, &values, control, Style::Direct, None).text;
@@ -97,19 +94,13 @@ fn other_programs_are_left_alone() {
     let mut control = machine([1, 1, 1, 1, 1, 0, 0, 1]);
     assert_eq!(codes("G17\nT1 D1\n_MVAR=105\nCYCLE998\n", &control), []);
     control.set(support::FORMS, 0.0);
-    assert_eq!(
-        codes("_MVAR=1 _VMS=200 _KNUM=12003\nCYCLE977\n", &control),
-        []
-    );
+    assert_eq!(codes("_MVAR=1 _VMS=200 _KNUM=12003\nCYCLE977\n", &control), []);
 }
 
 fn measuring() -> Vec<(&'static Cycle, i64)> {
     let cycles = CYCLES.iter().copied();
-    let cycles = cycles.filter(|cycle| {
-        cycle.dialect == Dialect::Sinumerik && cycle.purpose.probe != ProbeUse::None
-    });
-    let variants =
-        cycles.flat_map(|cycle| cycle.variants.iter().map(move |one| (cycle, one.number)));
+    let cycles = cycles.filter(|cycle| cycle.dialect == Dialect::Sinumerik && cycle.purpose.probe != ProbeUse::None);
+    let variants = cycles.flat_map(|cycle| cycle.variants.iter().map(move |one| (cycle, one.number)));
     variants.collect()
 }
 
@@ -124,7 +115,8 @@ proptest! {
     // oracle: self
     #[test]
     fn what_is_written_is_read_and_nothing_is_said(
-        which in 0usize..1000, mask: [bool; 8], indirect: bool, feed in 0u32..500, tolerance in 1u32..100, memory in 0u32..20, mono: bool,
+        which in 0usize..1000, mask: [bool; 8], indirect: bool, feed in 0u32..500, tolerance in 1u32..100,
+        memory in 0u32..20, mono: bool,
     ) {
         let all = measuring();
         let (cycle, variant) = all[which % all.len()];

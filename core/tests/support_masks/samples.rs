@@ -32,10 +32,7 @@ fn the_manuals_sample_is_written() {
     typed.retain(|name, _| !["_VMS", "_NMSP", "_CHBIT[4]", "_K"].contains(&&**name));
     let text = code("CYCLE977", &typed, &control);
     let mut ours = words(&text);
-    let limit = ours
-        .iter()
-        .position(|word| word.starts_with("_TMV="))
-        .unwrap();
+    let limit = ours.iter().position(|word| word.starts_with("_TMV=")).unwrap();
     assert_eq!(ours.remove(limit), "_TMV=0.043333"); // hand: 0.13 / 3
     assert_eq!(ours, sample);
     assert_eq!(ours[limit - 1], "_CHBIT[4]=0", "position as on the screens");

@@ -40,9 +40,7 @@ fn the_second_entry_limits_the_targets() {
             values.insert("_MVAR".into(), "1".into());
         }
         let text = code(name, &values, &with(1, 0));
-        let word = words(&text)
-            .into_iter()
-            .find(|word| word.starts_with("_KNUM="));
+        let word = words(&text).into_iter().find(|word| word.starts_with("_KNUM="));
         word.unwrap()["_KNUM=".len()..].to_owned()
     };
     for (name, number, after) in [

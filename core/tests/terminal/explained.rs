@@ -8,45 +8,20 @@ use std::process::Command;
 fn cycles_as_json_have_the_agreed_shape() {
     let output = probewright(&["cycles", "--json"]);
     let list: serde_json::Value = serde_json::from_str(&out(&output)).unwrap();
-    let hole = list
-        .as_array()
-        .unwrap()
-        .iter()
-        .find(|entry| entry["cycle"] == "CYCLE977")
-        .unwrap();
+    let hole = list.as_array().unwrap().iter().find(|entry| entry["cycle"] == "CYCLE977").unwrap();
     assert_eq!(hole["control"], "sinumerik");
     assert_eq!(hole["variants"].as_array().unwrap().len(), 24);
     assert_eq!(hole["variants"][0]["mvar"], 1);
-    assert!(
-        hole["parameters"]
-            .as_array()
-            .unwrap()
-            .iter()
-            .any(|param| param["name"] == "_SETVAL")
-    );
-    assert!(
-        hole["results"]
-            .as_array()
-            .unwrap()
-            .iter()
-            .any(|result| result["name"] == "_OVR[4]")
-    );
+    assert!(hole["parameters"].as_array().unwrap().iter().any(|param| param["name"] == "_SETVAL"));
+    assert!(hole["results"].as_array().unwrap().iter().any(|result| result["name"] == "_OVR[4]"));
 }
 
 // oracle: manual A:15882 (who raises it, what stops), A:15941; our own words
 #[test]
 fn alarms_explains_one_and_lists_all() {
     let one = out(&probewright(&["alarms", "61341"]));
-    assert!(
-        one.starts_with("61341: The probe is not calibrated"),
-        "{one}"
-    );
-    for part in [
-        "cure       Calibrate",
-        "NC RESET",
-        "CYCLE978, CYCLE979",
-        "A:15882",
-    ] {
+    assert!(one.starts_with("61341: The probe is not calibrated"), "{one}");
+    for part in ["cure       Calibrate", "NC RESET", "CYCLE978, CYCLE979", "A:15882"] {
         assert!(one.contains(part), "{part}: {one}");
     }
     let message = out(&probewright(&["alarms", "probe fail"]));
@@ -55,11 +30,7 @@ fn alarms_explains_one_and_lists_all() {
     assert!(all.lines().count() > 100, "{all}");
     let list = out(&probewright(&["alarms", "--json"]));
     let list: serde_json::Value = serde_json::from_str(&list).unwrap();
-    let oversize = list
-        .as_array()
-        .unwrap()
-        .iter()
-        .find(|one| one["code"] == "62304");
+    let oversize = list.as_array().unwrap().iter().find(|one| one["code"] == "62304");
     assert_eq!(oversize.unwrap()["stops"], false);
     let unknown = probewright(&["alarms", "4711"]);
     assert_eq!(unknown.status.code(), Some(2));
@@ -75,10 +46,7 @@ fn explain_knows_cycles_variants_data_and_alarms() {
         out(&output)
     };
     let cycle = explained(&["cycle977"]);
-    assert!(
-        cycle.contains("     101  Hole: correct a zero offset\n"),
-        "{cycle}"
-    );
+    assert!(cycle.contains("     101  Hole: correct a zero offset\n"), "{cycle}");
     let variant = explained(&["CYCLE977", "101"]);
     for part in [
         "CYCLE977 101: Hole: correct a zero offset\n",
@@ -91,15 +59,9 @@ fn explain_knows_cycles_variants_data_and_alarms() {
     let chinese = explained(&["CYCLE100", "--lang", "zh"]);
     assert!(chinese.contains("\n执行顺序\n  "), "{chinese}");
     let zone = explained(&["_sza"]);
-    assert!(
-        zone.starts_with("_SZA: ") && zone.contains("CYCLE977, "),
-        "{zone}"
-    );
+    assert!(zone.starts_with("_SZA: ") && zone.contains("CYCLE977, "), "{zone}");
     let result = explained(&["_OVR[4]"]);
-    assert!(
-        result.contains("CYCLE977") && !result.contains("_OVR[5]"),
-        "{result}"
-    );
+    assert!(result.contains("CYCLE977") && !result.contains("_OVR[5]"), "{result}");
     let finding = explained(&["pw135"]);
     assert!(
         finding.starts_with("PW135: No call of this program calibrates probe …: ")
@@ -111,10 +73,7 @@ fn explain_knows_cycles_variants_data_and_alarms() {
     assert!(explained(&["PW317", "--lang", "zh"]).starts_with("PW317: "));
     assert!(explained(&["_CBIT[12]"]).starts_with("_CBIT[12]: "));
     assert!(explained(&["MD18102"]).contains("MM_TYPE_OF_CUTTING_EDGE"));
-    assert_eq!(
-        explained(&["61341"]),
-        out(&probewright(&["alarms", "61341"]))
-    );
+    assert_eq!(explained(&["61341"]), out(&probewright(&["alarms", "61341"])));
     for wrong in [["CYCLE977", "7"], ["_NONE", "1"], ["PW399", "1"]] {
         let output = probewright(&["explain", wrong[0], wrong[1]]);
         assert_eq!(output.status.code(), Some(2));
@@ -128,11 +87,8 @@ fn the_language_is_asked_for_or_taken_from_the_environment() {
     let chinese = |text: &str| text.chars().any(|c| ('\u{4e00}'..='\u{9fff}').contains(&c));
     assert!(chinese(&out(&probewright(&["--lang", "zh", "cycles"]))));
     assert!(!chinese(&out(&probewright(&["cycles"]))));
-    let environment = Command::new(env!("CARGO_BIN_EXE_probewright"))
-        .env("LC_ALL", "zh_CN.UTF-8")
-        .arg("cycles")
-        .output()
-        .unwrap();
+    let environment =
+        Command::new(env!("CARGO_BIN_EXE_probewright")).env("LC_ALL", "zh_CN.UTF-8").arg("cycles").output().unwrap();
     assert!(chinese(&out(&environment)));
     let unknown = probewright(&["cycles", "--lang", "xx"]);
     assert_eq!(unknown.status.code(), Some(2));

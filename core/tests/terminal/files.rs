@@ -46,33 +46,18 @@ fn points(path: &str) -> Vec<[f64; 3]> {
 // oracle: hand: 5 lines of 21 points on the level 0; what is sent is a program that ends, and runs on the control again
 #[test]
 fn a_run_scans_a_surface_into_files() {
-    let [program, sent, surface] =
-        ["sent.nc", "sent.xyz", "surface.xyz"].map(|name| file(name, b""));
-    let files = [
-        "--scan-nc",
-        &program,
-        "--scan-xyz",
-        &sent,
-        "--scan-surface",
-        &surface,
-    ];
+    let [program, sent, surface] = ["sent.nc", "sent.xyz", "surface.xyz"].map(|name| file(name, b""));
+    let files = ["--scan-nc", &program, "--scan-xyz", &sent, "--scan-surface", &surface];
     let output = scan("scan", &files);
     assert!(output.status.success(), "{}{}", out(&output), err(&output));
     assert!(out(&output).contains("POINTS: 0 -> 105") || out(&output).contains("105"));
     for path in [&sent, &surface] {
         let points = points(path);
         assert_eq!(points.len(), 105);
-        assert!(
-            points
-                .iter()
-                .all(|[x, y, z]| x.abs() <= 10.0 && y.abs() <= 10.0 && z.abs() < 0.002)
-        );
+        assert!(points.iter().all(|[x, y, z]| x.abs() <= 10.0 && y.abs() <= 10.0 && z.abs() < 0.002));
     }
     let text = std::fs::read_to_string(&program).unwrap();
-    assert!(
-        text.starts_with("%\nO1000\n") && text.ends_with("M30\n%\n"),
-        "{text}"
-    );
+    assert!(text.starts_with("%\nO1000\n") && text.ends_with("M30\n%\n"), "{text}");
     let air = json_without_part(OVER_A_SURFACE);
     let setup = file("again.json", air.as_bytes());
     let again = probewright(&["run", &program, "--setup", &setup]);
@@ -90,8 +75,8 @@ fn picture() -> Vec<u8> {
     bytes
 }
 
-// oracle: hand: an STL keeps its size, its upper side lies where that of the setup does; white lies at 0; the dome is 0 at
-// its top
+// oracle: hand: an STL keeps its size, its upper side lies where that of the setup does; white lies at 0; the dome is 0
+// at its top
 #[test]
 fn a_run_takes_surfaces_of_the_user() {
     let triangle = "solid s\nvertex -90 -90 7\nvertex 90 -90 7\nvertex 0 120 7\nendsolid";
@@ -100,41 +85,19 @@ fn a_run_takes_surfaces_of_the_user() {
     for (surface, level) in [(stl.as_str(), true), (&png, false), ("dome", false)] {
         let xyz = file("taken.xyz", b"");
         let output = scan("taken", &["--surface", surface, "--scan-xyz", &xyz]);
-        assert!(
-            output.status.success(),
-            "{surface}: {}{}",
-            out(&output),
-            err(&output)
-        );
+        assert!(output.status.success(), "{surface}: {}{}", out(&output), err(&output));
         let heights: Vec<f64> = points(&xyz).iter().map(|point| point[2]).collect();
-        let same = heights
-            .iter()
-            .all(|height| (height - heights[0]).abs() < 1e-9);
+        let same = heights.iter().all(|height| (height - heights[0]).abs() < 1e-9);
         assert_eq!(same, level, "{surface}: {heights:?}");
     }
-    for surface in [
-        "/no/such/file.stl",
-        "moon",
-        &file("text.png", b"no picture"),
-    ] {
+    for surface in ["/no/such/file.stl", "moon", &file("text.png", b"no picture")] {
         let output = scan("refused", &["--surface", surface]);
         assert_eq!(output.status.code(), Some(2), "{surface}");
         assert_eq!(err(&output).lines().count(), 1, "{}", err(&output));
     }
     let hole = file("hole.mpf", HOLE.as_bytes());
-    let without = probewright(&[
-        "run",
-        &hole,
-        "--setup",
-        &example_setup(),
-        "--surface",
-        "dome",
-    ]);
-    assert!(
-        err(&without).contains("no free surface"),
-        "{}",
-        err(&without)
-    );
+    let without = probewright(&["run", &hole, "--setup", &example_setup(), "--surface", "dome"]);
+    assert!(err(&without).contains("no free surface"), "{}", err(&without));
 }
 
 // oracle: manual C:1103-1116: header and data line of the printed dimension
@@ -145,10 +108,7 @@ fn a_run_writes_what_is_printed_into_a_file() {
         "columns": 2, "step": [60, 40], "values": [0, 0, 0, 0] } }"#,
         r#""shape": "hole", "size": [50, 40], "at": [0, 0, 0], "errors": { "size": 0.02 }"#,
     );
-    let setup = file(
-        "print.json",
-        text.replace("[-10, -10, 10]", "[0, 0, -10]").as_bytes(),
-    );
+    let setup = file("print.json", text.replace("[-10, -10, 10]", "[0, 0, -10]").as_bytes());
     let program = file("print.nc", b"O1\nG110 D50. T4 H.1 V2\nM30\n");
     let print = file("print.txt", b"");
     let output = probewright(&["run", &program, "--setup", &setup, "--print", &print]);

@@ -5,19 +5,9 @@ use super::{HOLE, err, example_setup, file, out, probewright};
 // oracle: hand
 #[test]
 fn write_gives_assignments_and_the_call() {
-    let output = probewright(&[
-        "write",
-        "CYCLE977",
-        "_MVAR=1",
-        "_SETVAL=132,5",
-        "_KNUM=2001",
-        "_TNUM=20",
-    ]);
+    let output = probewright(&["write", "CYCLE977", "_MVAR=1", "_SETVAL=132,5", "_KNUM=2001", "_TNUM=20"]);
     assert!(output.status.success(), "{}", err(&output));
-    assert_eq!(
-        out(&output),
-        "_MVAR=1 _SETVAL=132.5 _KNUM=2001 _TNUM=20\nCYCLE977\n"
-    );
+    assert_eq!(out(&output), "_MVAR=1 _SETVAL=132.5 _KNUM=2001 _TNUM=20\nCYCLE977\n");
 }
 
 // oracle: manual A:15840-15948 (numbers)
@@ -46,17 +36,10 @@ fn write_refuses_a_tool_target_in_the_list_of_newer_controls() {
 // oracle: issue text
 #[test]
 fn check_names_file_line_and_column() {
-    let path = file(
-        "wrong.mpf",
-        b"G54 G17\r\n_MVAR=7 _SETVAL=10 _KNUM=0\r\nCYCLE977\r\n",
-    );
+    let path = file("wrong.mpf", b"G54 G17\r\n_MVAR=7 _SETVAL=10 _KNUM=0\r\nCYCLE977\r\n");
     let output = probewright(&["check", &path]);
     assert_eq!(output.status.code(), Some(1));
-    assert!(
-        out(&output).contains(&format!("{path}:2:7: error[61307]:")),
-        "{}",
-        out(&output)
-    );
+    assert!(out(&output).contains(&format!("{path}:2:7: error[61307]:")), "{}", out(&output));
     let path = file("right.mpf", HOLE.as_bytes());
     let output = probewright(&["check", &path]);
     assert_eq!(output.status.code(), Some(0), "{}", out(&output));
@@ -81,8 +64,7 @@ fn check_holds_a_program_against_the_machine_it_is_for() {
 #[test]
 fn read_finds_the_call_with_its_values() {
     let path = file("read.mpf", HOLE.as_bytes());
-    let view: serde_json::Value =
-        serde_json::from_str(&out(&probewright(&["read", &path, "--json"]))).unwrap();
+    let view: serde_json::Value = serde_json::from_str(&out(&probewright(&["read", &path, "--json"]))).unwrap();
     let call = &view["calls"][0];
     assert_eq!(call["cycle"], "CYCLE977");
     assert_eq!(call["lastLine"], 8);
@@ -98,14 +80,8 @@ fn run_measures_the_hole_and_corrects_the_radius() {
     assert!(output.status.success(), "{}{}", out(&output), err(&output));
     let view: serde_json::Value = serde_json::from_str(&out(&output)).unwrap();
     let changes = view["changes"].as_array().unwrap();
-    let radius = changes
-        .iter()
-        .find(|change| change["name"] == "$TC_DP15[20,1]")
-        .unwrap();
-    assert!(
-        (radius["after"].as_f64().unwrap() - 0.015).abs() < 1e-9,
-        "{radius}"
-    );
+    let radius = changes.iter().find(|change| change["name"] == "$TC_DP15[20,1]").unwrap();
+    assert!((radius["after"].as_f64().unwrap() - 0.015).abs() < 1e-9, "{radius}");
     let said = out(&probewright(&["run", &path, "--setup", &example_setup()]));
     for line in [
         ":8: CYCLE977",
@@ -123,11 +99,7 @@ fn a_run_with_an_unknown_word_fails() {
     let path = file("unknown.mpf", b"G0 X1\nG987\nM2\n");
     let output = probewright(&["run", &path, "--setup", &example_setup()]);
     assert_eq!(output.status.code(), Some(1));
-    assert!(
-        out(&output).contains(":2:1: error[PW300]"),
-        "{}",
-        out(&output)
-    );
+    assert!(out(&output).contains(":2:1: error[PW300]"), "{}", out(&output));
 }
 
 // oracle: hand (the end of a run is its last line; what was not carried out stands in it)
@@ -154,21 +126,14 @@ fn the_last_line_of_a_run_names_what_it_passed_over() {
         let json = probewright(&[&run[..], &["--json"]].concat());
         let view: serde_json::Value = serde_json::from_slice(&json.stdout).unwrap();
         assert_eq!(view["finished"], finished, "{text}");
-        assert_eq!(
-            view["passedOver"].as_array().unwrap().len(),
-            passed,
-            "{text}"
-        );
+        assert_eq!(view["passedOver"].as_array().unwrap().len(), passed, "{text}");
         assert!(view["ending"]["key"].is_string(), "{text}");
     }
 }
 
 /// A program in another encoding, with words beside its comments, and the same in UTF-8.
 fn twice(language: &str, encoding: &str) -> [String; 2] {
-    let folder = format!(
-        "{}/../tests/encodings/{language}",
-        env!("CARGO_MANIFEST_DIR")
-    );
+    let folder = format!("{}/../tests/encodings/{language}", env!("CARGO_MANIFEST_DIR"));
     [encoding, "utf-8"].map(|encoding| format!("{folder}.{encoding}.mpf"))
 }
 

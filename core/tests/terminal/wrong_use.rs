@@ -16,12 +16,7 @@ fn wrong_use_is_told_in_a_line() {
     ] {
         let output = probewright(arguments);
         assert_eq!(output.status.code(), Some(2), "{arguments:?}");
-        assert_eq!(
-            err(&output).trim_end().lines().count(),
-            1,
-            "{}",
-            err(&output)
-        );
+        assert_eq!(err(&output).trim_end().lines().count(), 1, "{}", err(&output));
     }
 }
 
@@ -34,31 +29,17 @@ fn what_is_no_program_is_told_and_the_rest_is_checked() {
     assert_eq!(output.status.code(), Some(2));
     assert_eq!(err(&output).lines().count(), 2, "{}", err(&output));
     assert!(err(&output).contains(&folder) && err(&output).contains("/no/such/file"));
-    assert!(
-        out(&output).contains(":2:9: error[61307]: _MVAR"),
-        "{}",
-        out(&output)
-    );
+    assert!(out(&output).contains(":2:9: error[61307]: _MVAR"), "{}", out(&output));
     let endless = probewright(&["read", "/dev/zero"]);
     assert_eq!(endless.status.code(), Some(2));
-    assert!(
-        err(&endless).contains("/dev/zero: larger than"),
-        "{}",
-        err(&endless)
-    );
+    assert!(err(&endless).contains("/dev/zero: larger than"), "{}", err(&endless));
 }
 
 // oracle: hand
 #[test]
 fn binary_and_huge_lines_give_short_clean_messages() {
-    let path = file(
-        "binary.mpf",
-        &[b"R1=(\x00\x1b[2J\xff\xfe", &b"x"[..], &vec![b'('; 200_000]].concat(),
-    );
-    for arguments in [
-        &["check", &path][..],
-        &["run", &path, "--setup", &example_setup()],
-    ] {
+    let path = file("binary.mpf", &[b"R1=(\x00\x1b[2J\xff\xfe", &b"x"[..], &vec![b'('; 200_000]].concat());
+    for arguments in [&["check", &path][..], &["run", &path, "--setup", &example_setup()]] {
         let output = probewright(arguments);
         assert_eq!(output.status.code(), Some(1), "{}", out(&output));
         assert!(out(&output).lines().all(|line| line.chars().count() < 400));
@@ -78,16 +59,10 @@ fn binary_and_huge_lines_give_short_clean_messages() {
 #[test]
 fn what_is_no_program_is_refused() {
     let picture = file("part.png", b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR");
-    let noise: Vec<u8> = (0..100_000u32)
-        .map(|i| (i.wrapping_mul(2_654_435_761) >> 13) as u8)
-        .collect();
+    let noise: Vec<u8> = (0..100_000u32).map(|i| (i.wrapping_mul(2_654_435_761) >> 13) as u8).collect();
     let noise = file("noise.bin", &noise);
     for (path, why) in [(&picture, "it is a picture"), (&noise, "it holds no text")] {
-        for arguments in [
-            &["check", path][..],
-            &["read", path],
-            &["run", path, "--setup", &example_setup()],
-        ] {
+        for arguments in [&["check", path][..], &["read", path], &["run", path, "--setup", &example_setup()]] {
             let output = probewright(arguments);
             assert_eq!(output.status.code(), Some(2), "{arguments:?}");
             assert!(err(&output).contains(why), "{}", err(&output));
@@ -110,8 +85,5 @@ fn a_closed_pipe_ends_the_output_quietly() {
         .unwrap();
     drop(child.stdout.take());
     let output = child.wait_with_output().unwrap();
-    assert_eq!(
-        (output.status.code(), err(&output)),
-        (Some(0), String::new())
-    );
+    assert_eq!((output.status.code(), err(&output)), (Some(0), String::new()));
 }

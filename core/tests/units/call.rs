@@ -20,21 +20,13 @@ fn typed(cycle: &Cycle, values: &Physical, control: &Control) -> Typed {
 }
 
 /// The call, written by the form and run as a program that begins with a G function of units.
-pub fn measure(
-    cycle: &'static Cycle,
-    values: &Physical,
-    basic: Units,
-    code: u16,
-    errors: Errors,
-) -> Outcome {
+pub fn measure(cycle: &'static Cycle, values: &Physical, basic: Units, code: u16, errors: Errors) -> Outcome {
     let mut setup = machine_for(cycle, values, basic);
     let mut at_call = setup.control.clone();
     assert!(at_call.choose_units(code));
     let typed = typed(cycle, values, &at_call);
     let checked = check(cycle, &typed, &at_call);
-    let inputs = checked
-        .inputs
-        .unwrap_or_else(|| panic!("{:?}", checked.diagnostics));
+    let inputs = checked.inputs.unwrap_or_else(|| panic!("{:?}", checked.diagnostics));
     let proposal = (cycle.work().unwrap().propose)(&inputs, &setup.control);
     setup.workpiece = proposal.workpiece;
     for solid in &mut setup.workpiece.solids {
@@ -50,15 +42,8 @@ pub fn measure(
         setup.real_tools.insert(in_use, tool);
     }
     setup.position = setup.control.to_machine(proposal.start);
-    let text = format!(
-        "G{code}\n{}M30\n",
-        snippet(cycle, &typed, &at_call, Style::Direct, None).text
-    );
-    let outcome = run(
-        &program::read(cycle.dialect, text.as_bytes()),
-        &setup,
-        Limits::default(),
-    );
+    let text = format!("G{code}\n{}M30\n", snippet(cycle, &typed, &at_call, Style::Direct, None).text);
+    let outcome = run(&program::read(cycle.dialect, text.as_bytes()), &setup, Limits::default());
     assert_eq!(outcome.stop, None, "{text}{:?}", outcome.diagnostics);
     outcome
 }

@@ -9,18 +9,10 @@ use probewright_core::run::Setup;
 pub fn machine(dialect: Dialect, basic: Units) -> Setup {
     let mut setup = Setup::calibrated_in(dialect, Plane::G17, basic);
     let control = &mut setup.control;
-    let mill = Edge {
-        kind: 120,
-        length: [80.0, 0.0, 0.0],
-        radius: 10.0,
-        ..Edge::default()
-    };
+    let mill = Edge { kind: 120, length: [80.0, 0.0, 0.0], radius: 10.0, ..Edge::default() };
     match dialect {
         Dialect::Sinumerik => {
-            let tool = Tool {
-                name: "MILL".into(),
-                edges: [(1, mill)].into(),
-            };
+            let tool = Tool { name: "MILL".into(), edges: [(1, mill)].into() };
             control.tools.insert(20, tool);
             control.set("_EV[9]", 0.01 / control.basic_factor());
             control.set("_MV[9]", 0.02 / control.basic_factor());
@@ -29,12 +21,7 @@ pub fn machine(dialect: Dialect, basic: Units) -> Setup {
         }
         Dialect::Nct => *control.register_mut(1) = mill,
     }
-    let offset = Frame {
-        coarse: [310.0, -45.0, 20.0],
-        fine: [0.0; 3],
-        rotation: [0.0, 0.0, 30.0],
-        ..Frame::default()
-    };
+    let offset = Frame { coarse: [310.0, -45.0, 20.0], fine: [0.0; 3], rotation: [0.0, 0.0, 30.0], ..Frame::default() };
     control.frames.insert(1, offset);
     control.activate(1);
     setup
@@ -50,15 +37,13 @@ fn turning_machine(basic: Units) -> Setup {
     control.set("_MV[9]", 0.02 / control.basic_factor());
     control.set("_CHBIT[4]", 1.0);
     control.set("_WP[0,3]", 2.9 / control.basic_factor());
-    control
-        .frames
-        .insert(1, Frame::translation([0.0, 0.0, 210.0]));
+    control.frames.insert(1, Frame::translation([0.0, 0.0, 210.0]));
     control.activate(1);
     setup
 }
 
-/// A machine with the tool that a variant measures before the tool probe, a memory in use and a zero offset; all lengths
-/// the same in mm.
+/// A machine with the tool that a variant measures before the tool probe, a memory in use and a zero offset; all
+/// lengths the same in mm.
 fn tool_probe_machine(cycle: &Cycle, variant: i64, basic: Units) -> Setup {
     let plane = match cycle.purpose.machine {
         MachineSort::Turning => Plane::G18,
@@ -68,9 +53,7 @@ fn tool_probe_machine(cycle: &Cycle, variant: i64, basic: Units) -> Setup {
     setup.suit(cycle, variant);
     let control = &mut setup.control;
     control.set("_EV[9]", 0.01 / control.basic_factor());
-    control
-        .frames
-        .insert(1, Frame::translation([30.0, 0.0, 60.0]));
+    control.frames.insert(1, Frame::translation([30.0, 0.0, 60.0]));
     control.activate(1);
     setup
 }

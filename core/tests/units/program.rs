@@ -16,37 +16,18 @@ use probewright_core::run::{Limits, Outcome, run};
 fn measuring_feed_and_path_as_delivered() {
     let cycle = find(Dialect::Sinumerik, "CYCLE978").unwrap();
     for (path, inch_feed) in [(1.0, 5.9055), (2.0, 11.811)] {
-        let values: Physical = vec![
-            ("_MVAR", 100.0),
-            ("_SETVAL", 0.0),
-            ("_MA", 1.0),
-            ("_KNUM", 0.0),
-            ("_FA", path),
-        ];
+        let values: Physical = vec![("_MVAR", 100.0), ("_SETVAL", 0.0), ("_MA", 1.0), ("_KNUM", 0.0), ("_FA", path)];
         for basic in BASIC {
             let outcome = measure(cycle, &values, basic, 71, ([0.0; 3], 0.0));
-            let measured = outcome
-                .trace
-                .entries
-                .iter()
-                .find_map(|entry| match &entry.step {
-                    Step::Motion {
-                        from,
-                        to,
-                        feed,
-                        kind,
-                        ..
-                    } if format!("{kind:?}") == "Measuring" => Some((*from, *to, *feed)),
-                    _ => None,
-                });
+            let measured = outcome.trace.entries.iter().find_map(|entry| match &entry.step {
+                Step::Motion { from, to, feed, kind, .. } if format!("{kind:?}") == "Measuring" => {
+                    Some((*from, *to, *feed))
+                }
+                _ => None,
+            });
             let (from, to, feed) = measured.unwrap();
             assert!((feed / 25.4 - inch_feed).abs() < 1e-3, "{feed}");
-            let way = from
-                .iter()
-                .zip(to)
-                .map(|(a, b)| (a - b).powi(2))
-                .sum::<f64>()
-                .sqrt();
+            let way = from.iter().zip(to).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
             assert!((way - path).abs() < 1e-9, "{way}");
         }
     }
@@ -59,11 +40,7 @@ fn fields_name_the_unit_in_which_they_count() {
     let unit = |name: &str, basic: Units, code: u16| {
         let mut control = machine(Dialect::Sinumerik, basic).control;
         assert!(control.choose_units(code));
-        let param = cycle
-            .params
-            .iter()
-            .find(|param| param.name == name)
-            .unwrap();
+        let param = cycle.params.iter().find(|param| param.name == name).unwrap();
         unit_name(param.unit, &control)
     };
     for code in [70, 700] {
@@ -81,28 +58,17 @@ fn fields_name_the_unit_in_which_they_count() {
 
 fn go(text: &str, basic: Units) -> Outcome {
     let setup = machine(Dialect::Sinumerik, basic);
-    let outcome = run(
-        &program::read(Dialect::Sinumerik, text.as_bytes()),
-        &setup,
-        Limits::default(),
-    );
-    assert_eq!(
-        (&outcome.stop, &outcome.diagnostics[..]),
-        (&None, &[][..]),
-        "{text}"
-    );
+    let outcome = run(&program::read(Dialect::Sinumerik, text.as_bytes()), &setup, Limits::default());
+    assert_eq!((&outcome.stop, &outcome.diagnostics[..]), (&None, &[][..]), "{text}");
     outcome
 }
 
 // oracle: hand: G70 and G71 change the lengths of the program, G700 and G710 also feeds, tool and frame data
 #[test]
 fn feeds_and_system_data_follow_g700_only() {
-    for (basic, code, data) in [
-        (Units::Metric, 70, 1.0),
-        (Units::Metric, 700, 25.4),
-        (Units::Inch, 71, 25.4),
-        (Units::Inch, 710, 1.0),
-    ] {
+    for (basic, code, data) in
+        [(Units::Metric, 70, 1.0), (Units::Metric, 700, 25.4), (Units::Inch, 71, 25.4), (Units::Inch, 710, 1.0)]
+    {
         let text = format!(
             "G500 G0 X0\nG{code}\nR1=$TC_DP6[20,1]\n$TC_DP15[20,1]=0.5\nR2=$TC_DP15[20,1]\n$P_UIFR[2,X,TR]=1\n\
              G1 G91 X1 F10\nR3=$AA_IW[X]\nR4=$P_GG[13]\nM30\n"
@@ -110,17 +76,11 @@ fn feeds_and_system_data_follow_g700_only() {
         let outcome = go(&text, basic);
         let near = |name: &str, expected: f64| {
             let found = outcome.control.number(name);
-            assert!(
-                (found - expected).abs() < 1e-9,
-                "G{code} {name}: {found} is not {expected}"
-            );
+            assert!((found - expected).abs() < 1e-9, "G{code} {name}: {found} is not {expected}");
         };
         near("R1", 10.0 / data);
         near("R2", 0.5);
-        near(
-            "R3",
-            if matches!(code, 70 | 700) { 25.4 } else { 1.0 } / data,
-        );
+        near("R3", if matches!(code, 70 | 700) { 25.4 } else { 1.0 } / data);
         near(
             "R4",
             match code {
@@ -132,15 +92,10 @@ fn feeds_and_system_data_follow_g700_only() {
         );
         assert!((outcome.control.variable("$TC_DP15[20,1]").unwrap() - 0.5 * data).abs() < 1e-12);
         assert!((outcome.control.variable("$P_UIFR[2,X,TR]").unwrap() - data).abs() < 1e-12);
-        let feed = outcome
-            .trace
-            .entries
-            .iter()
-            .rev()
-            .find_map(|entry| match &entry.step {
-                Step::Motion { feed, .. } => Some(*feed),
-                _ => None,
-            });
+        let feed = outcome.trace.entries.iter().rev().find_map(|entry| match &entry.step {
+            Step::Motion { feed, .. } => Some(*feed),
+            _ => None,
+        });
         assert_eq!(feed, Some(10.0 * data));
         let recorded = outcome.trace.entries.iter().any(|entry| {
             matches!(&entry.step, Step::Set { name, after, .. } if name == "$TC_DP15[20,1]" && *after == 0.5 * data)

@@ -13,21 +13,14 @@ use proptest::prelude::*;
 fn physical(cycle: &'static Cycle, outcome: &Outcome) -> Vec<(String, f64)> {
     let mut list = Vec::new();
     for (field, value) in outcome.results(cycle) {
-        list.push((
-            field.name.to_owned(),
-            value * factor(field.unit, &outcome.control),
-        ));
+        list.push((field.name.to_owned(), value * factor(field.unit, &outcome.control)));
     }
     for change in outcome.changes() {
         list.push((change.name, change.after - change.before));
     }
     for entry in &outcome.trace.entries {
         if let Step::Motion { to, feed, .. } = &entry.step {
-            list.extend(
-                to.iter()
-                    .chain([feed])
-                    .map(|value| ("motion".to_owned(), *value)),
-            );
+            list.extend(to.iter().chain([feed]).map(|value| ("motion".to_owned(), *value)));
         }
     }
     list
@@ -39,20 +32,13 @@ fn same(cycle: &'static Cycle, a: &Outcome, b: &Outcome, what: &str) {
     assert_eq!(a.len(), b.len(), "{what}: {a:?} {b:?}");
     for ((name, one), (other_name, other)) in a.iter().zip(&b) {
         assert_eq!(name, other_name, "{what}");
-        assert!(
-            (one - other).abs() < 1e-8,
-            "{what} {name}: {one} is not {other}"
-        );
+        assert!((one - other).abs() < 1e-8, "{what} {name}: {one} is not {other}");
     }
 }
 
 /// Values for any variant of the workpiece cycles; a form leaves out what a variant does not use.
 fn workpiece(variant: i64, axis: i64) -> Physical {
-    let zone = if variant % 2 == 1 {
-        [20.0, 25.0]
-    } else {
-        [110.0, 120.0]
-    };
+    let zone = if variant % 2 == 1 { [20.0, 25.0] } else { [110.0, 120.0] };
     let knum = if variant % 1000 >= 100 { 1.0 } else { 2001.0 };
     vec![
         ("_MVAR", variant as f64),
@@ -81,16 +67,8 @@ fn workpiece(variant: i64, axis: i64) -> Physical {
 /// Values for any variant of the cycles of turning machines.
 fn turned(variant: i64, axis: i64) -> Physical {
     let values = workpiece(variant, axis);
-    let mut values: Physical = values
-        .into_iter()
-        .filter(|(name, _)| *name != "_KNUM")
-        .collect();
-    values.extend([
-        ("_KNUM", 1.0),
-        ("_STA1", 30.0),
-        ("_CALNUM", 1.0),
-        ("_MD", 1.0),
-    ]);
+    let mut values: Physical = values.into_iter().filter(|(name, _)| *name != "_KNUM").collect();
+    values.extend([("_KNUM", 1.0), ("_STA1", 30.0), ("_CALNUM", 1.0), ("_MD", 1.0)]);
     values
 }
 
@@ -128,12 +106,7 @@ fn all_units_agree(cycle: &'static Cycle, values: &Physical, codes: &[u16], erro
     for basic in BASIC {
         for code in codes {
             let other = measure(cycle, values, basic, *code, errors);
-            same(
-                cycle,
-                &metric,
-                &other,
-                &format!("{} {values:?} {basic:?} G{code}", cycle.name),
-            );
+            same(cycle, &metric, &other, &format!("{} {values:?} {basic:?} G{code}", cycle.name));
         }
     }
 }
@@ -168,7 +141,8 @@ proptest! {
 
     // oracle: self, as above, on a turning machine with X as diameter
     #[test]
-    fn turning_in_all_units(name in prop::sample::select(vec!["CYCLE973", "CYCLE974", "CYCLE994"]), index in 0_usize..12, axis in 1_i64..=2, errors in errors()) {
+    fn turning_in_all_units(name in prop::sample::select(vec!["CYCLE973", "CYCLE974", "CYCLE994"]),
+    index in 0_usize..12, axis in 1_i64..=2, errors in errors()) {
         let cycle = find(Dialect::Sinumerik, name).unwrap();
         let variant = cycle.variants[index % cycle.variants.len()].number;
         // the walls of the groove of position 7 lie in the ordinate, of its base there is one direction
@@ -178,7 +152,8 @@ proptest! {
 
     // oracle: self, as above, with tools before a tool probe
     #[test]
-    fn tool_probes_in_all_units(name in prop::sample::select(vec!["CYCLE971", "CYCLE972", "CYCLE982"]), index in 0_usize..68, axis in 1_i64..=2, errors in errors()) {
+    fn tool_probes_in_all_units(name in prop::sample::select(vec!["CYCLE971", "CYCLE972", "CYCLE982"]),
+    index in 0_usize..68, axis in 1_i64..=2, errors in errors()) {
         let cycle = find(Dialect::Sinumerik, name).unwrap();
         let variant = cycle.variants[index % cycle.variants.len()].number;
         all_units_agree(cycle, &used(cycle, before_a_tool_probe(variant, axis)), &[71, 70, 700, 710], errors);

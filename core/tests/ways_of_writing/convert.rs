@@ -16,19 +16,11 @@ pub fn converted(text: &str, index: usize, style: Style) -> (String, Vec<String>
 }
 
 /// The program with one call written in another way on this machine, and the keys of what is said.
-fn converted_on(
-    control: &Control,
-    text: &str,
-    index: usize,
-    style: Style,
-) -> (String, Vec<String>) {
+fn converted_on(control: &Control, text: &str, index: usize, style: Style) -> (String, Vec<String>) {
     let program = read(Dialect::Sinumerik, text.as_bytes());
     let done = convert(&program, index, style, control);
     let after = apply(text.as_bytes(), &done.edits);
-    let keys = done
-        .findings
-        .iter()
-        .map(|found| found.message.key.to_string());
+    let keys = done.findings.iter().map(|found| found.message.key.to_string());
     (String::from_utf8(after).unwrap(), keys.collect())
 }
 
@@ -62,8 +54,7 @@ fn a_call_that_relies_on_the_converted_one_is_told() {
 // oracle: self (what the form of that machine writes), manual B:12501-12539, B:13594-13596 (the data are converted)
 #[test]
 fn a_call_is_converted_as_the_forms_of_the_machine_write_it() {
-    let text =
-        "N10 G54\n; side\n_MVAR=0 _SETVAL=5 _MA=1 _KNUM=1 _TNUM=20 _VMS=200\nCYCLE978\nM30\n";
+    let text = "N10 G54\n; side\n_MVAR=0 _SETVAL=5 _MA=1 _KNUM=1 _TNUM=20 _VMS=200\nCYCLE978\nM30\n";
     for units in [Units::Metric, Units::Inch] {
         for mean in [0.0, 1.0] {
             let mut control = delivery_in(Dialect::Sinumerik, units);
@@ -89,14 +80,7 @@ fn a_call_is_converted_as_the_forms_of_the_machine_write_it() {
 fn the_settings_of_forms_stay_where_nothing_takes_their_place() {
     let mut control = delivery(Dialect::Sinumerik);
     control.set(support::FORMS, 1.0);
-    let code = snippet(
-        cycle("CYCLE977"),
-        &first_example("CYCLE977"),
-        &control,
-        Style::Direct,
-        None,
-    )
-    .text;
+    let code = snippet(cycle("CYCLE977"), &first_example("CYCLE977"), &control, Style::Direct, None).text;
     let mark = code.lines().next().unwrap();
     let (operate, _) = converted_on(&control, &code, 0, Style::Operate);
     assert_eq!(operate.lines().next(), Some(mark));
@@ -125,10 +109,7 @@ fn data_of_the_machine_that_a_call_sets_are_kept() {
 fn what_belongs_to_a_call_stays_behind_its_label() {
     let text = "GOTOF A\nA: _MVAR=0 _SETVAL=100 _MA=1 _KNUM=0 _FA=3 CYCLE978 ; side\nM30\n";
     let (indirect, _) = converted(text, 0, Style::Indirect);
-    assert_eq!(
-        indirect,
-        "GOTOF A\nA: CYCLE_PARA(3)\nCYCLE_978(0,100,1,,,0) ; side\nM30\n"
-    );
+    assert_eq!(indirect, "GOTOF A\nA: CYCLE_PARA(3)\nCYCLE_978(0,100,1,,,0) ; side\nM30\n");
     assert_eq!(sites(&indirect)[0].values["_FA"], "3");
 }
 

@@ -1,5 +1,5 @@
-//! An expression of a program goes along as text, whatever is done with the call: what it is worth today never takes its
-//! place.
+//! An expression of a program goes along as text, whatever is done with the call: what it is worth today never takes
+//! its place.
 
 use super::convert::converted;
 use super::sites;
@@ -25,13 +25,9 @@ fn control() -> Control {
 // oracle: hand (R2 is 50.02 today and may be another number tomorrow)
 #[test]
 fn an_expression_is_converted_as_it_is_written() {
-    let text =
-        "R2=50.02 R3=0.012\nN20 _MVAR=1 _SETVAL=R2 _PRNUM=1 _KNUM=0 _FA=2 _TSA=2*R3\nCYCLE977\n";
+    let text = "R2=50.02 R3=0.012\nN20 _MVAR=1 _SETVAL=R2 _PRNUM=1 _KNUM=0 _FA=2 _TSA=2*R3\nCYCLE977\n";
     let (indirect, said) = converted(text, 0, Style::Indirect);
-    assert_eq!(
-        indirect,
-        "R2=50.02 R3=0.012\n_TSA=2*R3\nCYCLE_PARA(2)\nCYCLE_977_979A(977,1,R2,,,,,0,,,,,1)\n"
-    );
+    assert_eq!(indirect, "R2=50.02 R3=0.012\n_TSA=2*R3\nCYCLE_PARA(2)\nCYCLE_977_979A(977,1,R2,,,,,0,,,,,1)\n");
     assert_eq!(said, ["write-expression"], "CYCLE_PARA does not take a 0");
     let site = &sites(&indirect)[0];
     assert_eq!(site.values["_SETVAL"], "50.02");
@@ -60,11 +56,7 @@ fn a_call_stays_where_an_expression_cannot_go_along() {
     let moved = "_MVAR=1 _SETVAL=$AA_IM[X] _PRNUM=1 _FA=2\nG0 X50\nCYCLE977\n";
     refused(moved, Style::Indirect, "convert-expression");
     let beside = moved.replace("\nG0 X50", "");
-    assert!(
-        converted(&beside, 0, Style::Indirect)
-            .0
-            .contains("$AA_IM[X]")
-    );
+    assert!(converted(&beside, 0, Style::Indirect).0.contains("$AA_IM[X]"));
     // newer controls have no argument for the measuring feed
     let lost = "R7=120\n_MVAR=1 _SETVAL=50 _PRNUM=1 _KNUM=0 _VMS=R7 _FA=2\nCYCLE977\n";
     refused(lost, Style::Operate, "write-expression-lost");
@@ -115,10 +107,7 @@ fn no_cure_takes_an_expression_away() {
     let text = "R4=300\n_MVAR=1 _SETVAL=50 _PRNUM=1 _KNUM=0 _FA=2 _TSA=1 _VMS=R4 _NMSP=1 _ID=0\nCYCLE977\nM30\n";
     let program = read(Dialect::Sinumerik, text.as_bytes());
     let found = probewright_core::program::findings_on(&program, control);
-    let back: Vec<_> = found
-        .iter()
-        .filter(|one| one.message.key == "advice-read-back")
-        .collect();
+    let back: Vec<_> = found.iter().filter(|one| one.message.key == "advice-read-back").collect();
     assert_eq!(back.len(), 1, "{found:?}");
     assert!(back[0].cure.is_none());
     assert!(format!("{:?}", back[0].message).contains("_VMS=R4"));
@@ -159,21 +148,11 @@ fn program_of(
         head.push_str(&format!("R{at}={worth}\n"));
         expressions.insert(param.name.into(), text);
     }
-    let values = Values {
-        typed: &typed,
-        expressions: &expressions,
-    };
+    let values = Values { typed: &typed, expressions: &expressions };
     let written = snippet_of(cycle, &values, &control(), style, None).text;
-    let (values, call) = written
-        .trim_end()
-        .rsplit_once('\n')
-        .unwrap_or(("", &written));
+    let (values, call) = written.trim_end().rsplit_once('\n').unwrap_or(("", &written));
     let between = between.map_or(String::new(), |at| format!("R{at}=R{at}+1\n"));
-    let values = if values.is_empty() {
-        String::new()
-    } else {
-        format!("{values}\n")
-    };
+    let values = if values.is_empty() { String::new() } else { format!("{values}\n") };
     (!written.is_empty()).then(|| format!("{head}{values}{between}{}\n", call.trim_end()))
 }
 
@@ -182,9 +161,7 @@ fn read_parameters(text: &str) -> BTreeSet<String> {
     let lines = text.lines();
     let calls = lines.flat_map(|line| match line.strip_prefix('R') {
         Some(rest) if rest.starts_with(|c: char| c.is_ascii_digit()) => Vec::new(),
-        _ => line
-            .split(|c: char| !c.is_ascii_alphanumeric() && c != '_')
-            .collect(),
+        _ => line.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').collect(),
     });
     let parameter = |word: &&str| {
         let number = word.strip_prefix('R').unwrap_or_default();
@@ -197,17 +174,12 @@ fn read_parameters(text: &str) -> BTreeSet<String> {
 fn worth(site: &CallSite) -> Vec<(String, String)> {
     let pairs = site.expressions.keys();
     let pairs = pairs.map(|name| (name.clone(), format!("{:?}", parse(&site.values[name]))));
-    pairs
-        .map(|(name, value)| (name, value.replace("-0.0", "0.0")))
-        .collect()
+    pairs.map(|(name, value)| (name, value.replace("-0.0", "0.0"))).collect()
 }
 
 fn is_kept(before: &str, after: &str, by: &str) -> TestCaseResult {
     let all = read_parameters(before);
-    prop_assert!(
-        read_parameters(after).is_superset(&all),
-        "{by}:\n{before}\n{after}"
-    );
+    prop_assert!(read_parameters(after).is_superset(&all), "{by}:\n{before}\n{after}");
     Ok(())
 }
 
@@ -223,9 +195,7 @@ fn survives_all(cycle: &'static Cycle, text: &str, style: Style) -> TestCaseResu
         }
         let before = worth(&found[0]);
         let there = worth(&sites(&after)[0]);
-        let used = before
-            .iter()
-            .filter(|(name, _)| there.iter().any(|(other, _)| other == name));
+        let used = before.iter().filter(|(name, _)| there.iter().any(|(other, _)| other == name));
         for pair in used {
             prop_assert!(there.contains(pair), "{:?}\n{}\n{}", pair, text, after);
         }
@@ -233,16 +203,8 @@ fn survives_all(cycle: &'static Cycle, text: &str, style: Style) -> TestCaseResu
         is_kept(text, &back, "converted back")?;
     }
     let program = read(Dialect::Sinumerik, text.as_bytes());
-    for param in cycle
-        .params
-        .iter()
-        .filter(|param| found[0].expression(param.name).is_none())
-    {
-        let value = if matches!(param.kind, Kind::Text(_)) {
-            "A"
-        } else {
-            "3"
-        };
+    for param in cycle.params.iter().filter(|param| found[0].expression(param.name).is_none()) {
+        let value = if matches!(param.kind, Kind::Text(_)) { "A" } else { "3" };
         let edits = change(&program, &found[0], param.name, value);
         let after = String::from_utf8(apply(text.as_bytes(), &edits)).unwrap();
         is_kept(text, &after, param.name)?;
@@ -282,16 +244,9 @@ proptest! {
 fn revised(text: &str, name: &str, value: &str) -> (String, Vec<&'static str>, Vec<String>) {
     let program = read(Dialect::Sinumerik, text.as_bytes());
     let done = revise(&program, 0, name, value, &control()).unwrap();
-    let after = done
-        .steps
-        .iter()
-        .fold(text.as_bytes().to_vec(), |text, edits| apply(&text, edits));
+    let after = done.steps.iter().fold(text.as_bytes().to_vec(), |text, edits| apply(&text, edits));
     let said = done.findings.iter().map(|one| one.message.key.to_string());
-    (
-        String::from_utf8(after).unwrap(),
-        done.taken,
-        said.collect(),
-    )
+    (String::from_utf8(after).unwrap(), done.taken, said.collect())
 }
 
 // oracle: manual B:5641-5667 (with a zero offset there is no tool, and no tolerance band)
@@ -299,14 +254,8 @@ fn revised(text: &str, name: &str, value: &str) -> (String, Vec<&'static str>, V
 fn what_another_variant_does_not_know_leaves_the_call() {
     let text = "_MVAR=1 _KNUM=2001 _PRNUM=1 _SETVAL=132 _FA=2 _TSA=1\n_TNUM=20 _TZL=0.01 _TDIF=0.06 _TUL=0.03 _TLL=-0.03 _TMV=0.02 _K=3 ; tool\nG0 X1 _EVNUM=2\nCYCLE977\n";
     let (after, taken, said) = revised(text, "_MVAR", "101");
-    assert_eq!(
-        after,
-        "_MVAR=101 _KNUM=2001 _PRNUM=1 _SETVAL=132 _FA=2 _TSA=1\n; tool\nG0 X1\nCYCLE977\n",
-    );
-    assert!(
-        taken.contains(&"_TNUM") && taken.contains(&"_TMV"),
-        "{taken:?}"
-    );
+    assert_eq!(after, "_MVAR=101 _KNUM=2001 _PRNUM=1 _SETVAL=132 _FA=2 _TSA=1\n; tool\nG0 X1\nCYCLE977\n",);
+    assert!(taken.contains(&"_TNUM") && taken.contains(&"_TMV"), "{taken:?}");
     assert_eq!(said, ["revise-taken"]);
     // An expression stays and is told.
     let (after, _, said) = revised(&text.replace("_TZL=0.01", "_TZL=R7"), "_MVAR", "101");
@@ -341,13 +290,8 @@ fn arguments_that_another_variant_does_not_know_are_emptied() {
 fn a_change_says_which_lines_of_others_it_touches() {
     let text = "%_N_MAIN_MPF\nMEASURE(40) ; ring\nM30\n%_N_MEASURE_SPF\nPROC MEASURE(REAL _D)\n_MVAR=1 _SETVAL=_D _PRNUM=1 _FA=2\nCYCLE977\nM17\n";
     let program = read(Dialect::Sinumerik, text.as_bytes());
-    let lines = revise(&program, 0, "_SETVAL", "41", &control())
-        .unwrap()
-        .elsewhere;
-    let lines: Vec<_> = lines
-        .iter()
-        .map(|one| (one.line, &*one.before, &*one.after))
-        .collect();
+    let lines = revise(&program, 0, "_SETVAL", "41", &control()).unwrap().elsewhere;
+    let lines: Vec<_> = lines.iter().map(|one| (one.line, &*one.before, &*one.after)).collect();
     assert_eq!(lines, [(1, "MEASURE(40) ; ring", "MEASURE(41) ; ring")]);
     let own = revise(&program, 0, "_FA", "4", &control()).unwrap();
     assert!(own.elsewhere.is_empty() && !own.steps.is_empty());

@@ -30,13 +30,7 @@ fn first_example(name: &str) -> Typed {
 }
 
 fn written(name: &str, values: &Typed, style: Style) -> Written {
-    snippet(
-        cycle(name),
-        values,
-        &delivery(Dialect::Sinumerik),
-        style,
-        None,
-    )
+    snippet(cycle(name), values, &delivery(Dialect::Sinumerik), style, None)
 }
 
 fn sites(text: &str) -> Vec<CallSite> {
@@ -51,10 +45,7 @@ fn a_surface_as_a_parameterizing_call() {
     let text = written("CYCLE978", &values, Style::Indirect).text;
     let lines: Vec<&str> = text.lines().collect();
     assert_eq!(lines[0], "_VMS=0", "a 0 cannot pass through CYCLE_PARA");
-    assert_eq!(
-        lines[1],
-        "CYCLE_PARA(2,,1,,1,,0.01,0.02,0.03,-0.03,1,20,3,0.06)"
-    );
+    assert_eq!(lines[1], "CYCLE_PARA(2,,1,,1,,0.01,0.02,0.03,-0.03,1,20,3,0.06)");
     assert_eq!(lines[2], "CYCLE_978(0,100,1,20,,2001)");
 }
 
@@ -78,15 +69,8 @@ fn a_hole_in_the_list_of_newer_controls() {
         ("_TZL", "0.01"),
     ]);
     let written = written("CYCLE977", &values, Style::Operate);
-    assert_eq!(
-        written.text,
-        "CYCLE977(1,0,,1,132,,,2,1,,,,,,1,,,0.01,0.06,0.03,-0.03,0.02,3)\n"
-    );
-    let lost: Vec<&str> = written
-        .findings
-        .iter()
-        .map(|found| &*found.message.key)
-        .collect();
+    assert_eq!(written.text, "CYCLE977(1,0,,1,132,,,2,1,,,,,,1,,,0.01,0.06,0.03,-0.03,0.02,3)\n");
+    let lost: Vec<&str> = written.findings.iter().map(|found| &*found.message.key).collect();
     assert_eq!(lost, ["write-lost"], "_VMS has no place there");
 }
 
@@ -97,19 +81,12 @@ fn nothing_goes_through_cycle_para_as_zero() {
     let site = &sites(text)[0];
     assert_eq!(site.values["_TZL"], "0.5");
     assert_eq!(site.values["_FA"], "3");
-    assert_eq!(
-        site.values["_KNUM"], "0",
-        "an omitted argument is 0 for the called program"
-    );
+    assert_eq!(site.values["_KNUM"], "0", "an omitted argument is 0 for the called program");
     let program = read(Dialect::Sinumerik, text.as_bytes());
-    let changed = |name, value| {
-        String::from_utf8(apply(text.as_bytes(), &change(&program, site, name, value))).unwrap()
-    };
+    let changed =
+        |name, value| String::from_utf8(apply(text.as_bytes(), &change(&program, site, name, value))).unwrap();
     assert_eq!(changed("_FA", "4"), text.replace("PARA(3", "PARA(4"));
-    assert_eq!(
-        changed("_FA", "0"),
-        "_TZL=0.5 _FA=0\nCYCLE_PARA(,,,,,,0)\nCYCLE_978(0,100,1)\n"
-    );
+    assert_eq!(changed("_FA", "0"), "_TZL=0.5 _FA=0\nCYCLE_PARA(,,,,,,0)\nCYCLE_978(0,100,1)\n");
     assert_eq!(changed("_KNUM", "2001"), text.replace("1)", "1,,,2001)"));
     assert_eq!(changed("_SETVAL", "-7.5"), text.replace("100,", "-7.5,"));
 }
@@ -123,8 +100,5 @@ fn a_call_may_leave_out_all_its_arguments() {
         assert_eq!(found[0].list.map(|list| list.name), Some("CYCLE_978"));
         assert_eq!(found[0].values["_SETVAL"], "0");
     }
-    assert!(
-        sites("CYCLE978()\n")[0].list.is_none(),
-        "the bare name takes the data"
-    );
+    assert!(sites("CYCLE978()\n")[0].list.is_none(), "the bare name takes the data");
 }

@@ -26,9 +26,7 @@ fn lists() -> impl Iterator<Item = (&'static Cycle, &'static ArgumentList)> {
 fn said(text: &str) -> Vec<(Severity, String)> {
     let program = read(Dialect::Sinumerik, text.as_bytes());
     let found = findings(&program).into_iter();
-    found
-        .map(|one| (one.severity, one.message.key.to_string()))
-        .collect()
+    found.map(|one| (one.severity, one.message.key.to_string())).collect()
 }
 
 /// Whether this stands in every program that nothing was said before.
@@ -62,11 +60,7 @@ fn programs_that_run_on_newer_controls_are_not_refused() {
     }
     let turned = "CYCLE998(100105,9000,6,1,1,0,,10,5,102,2,20,,,,,1,0,1,)\nM30\n";
     let found = of_calls(turned);
-    assert_eq!(
-        found,
-        [(Severity::Note, "newer-open".to_owned())],
-        "{turned}"
-    );
+    assert_eq!(found, [(Severity::Note, "newer-open".to_owned())], "{turned}");
 }
 
 // oracle: peer (the published lists: argument 1 is the variant in each of them)
@@ -77,11 +71,7 @@ fn argument_1_of_each_list_is_the_variant() {
         let site = &sites(&text)[0];
         assert_eq!(site.list.map(|one| one.name), Some(list.name));
         assert_eq!(site.values["_MVAR"], "7");
-        assert_eq!(
-            of_calls(&text),
-            [(Severity::Note, "newer-open".to_owned())],
-            "{text}"
-        );
+        assert_eq!(of_calls(&text), [(Severity::Note, "newer-open".to_owned())], "{text}");
     }
 }
 
@@ -91,17 +81,10 @@ fn a_tool_target_is_never_written_into_argument_2() {
     for name in ["CYCLE977", "CYCLE978"] {
         let mut values = typed(cycle(name).example);
         let refused = written(name, &values, Style::Operate);
-        assert_eq!(
-            (refused.text.as_str(), keys(&refused)),
-            ("", vec!["write-newer-tool".to_owned()])
-        );
+        assert_eq!((refused.text.as_str(), keys(&refused)), ("", vec!["write-newer-tool".to_owned()]));
         for open in ["R5", "_DNUM"] {
             values.insert("_KNUM".into(), open.into());
-            assert_eq!(
-                written(name, &values, Style::Operate).text,
-                "",
-                "{name} {open}"
-            );
+            assert_eq!(written(name, &values, Style::Operate).text, "", "{name} {open}");
         }
         values.insert("_KNUM".into(), "0".into());
         let measured = written(name, &values, Style::Operate).text;
@@ -114,23 +97,15 @@ fn a_tool_target_is_never_written_into_argument_2() {
         assert_eq!((same, why), (direct, vec!["write-newer-tool".to_owned()]));
     }
     let read_so = "CYCLE977(1,2001,,1,132,,,2,1)\n";
-    assert_eq!(
-        of_calls(read_so),
-        [(Severity::Warning, "newer-target".to_owned())]
-    );
+    assert_eq!(of_calls(read_so), [(Severity::Warning, "newer-target".to_owned())]);
     for style in [Style::Direct, Style::Indirect] {
         let (same, why) = converted(read_so, 0, style);
-        assert_eq!(
-            (same.as_str(), why),
-            (read_so, vec!["convert-newer".to_owned()])
-        );
+        assert_eq!((same.as_str(), why), (read_so, vec!["convert-newer".to_owned()]));
     }
 }
 
 fn assigned(values: &[(&str, &str)]) -> String {
-    let all = values
-        .iter()
-        .map(|(name, value)| format!("{name}={value}\n"));
+    let all = values.iter().map(|(name, value)| format!("{name}={value}\n"));
     all.collect()
 }
 
@@ -139,40 +114,23 @@ fn assigned(values: &[(&str, &str)]) -> String {
 fn a_zero_offset_is_written_where_its_number_means_the_same() {
     let mut values = typed(cycle("CYCLE978").example);
     values.insert("_MVAR".into(), "100".into());
-    for (code, fits) in [
-        ("1", true),
-        ("99", true),
-        ("9999", true),
-        ("1011", false),
-        ("2000", false),
-    ] {
+    for (code, fits) in [("1", true), ("99", true), ("9999", true), ("1011", false), ("2000", false)] {
         values.insert("_KNUM".into(), code.into());
         let written = written("CYCLE978", &values, Style::Operate);
-        let wanted: &[String] = if fits {
-            &[]
-        } else {
-            &["write-newer-zero".to_owned()]
-        };
+        let wanted: &[String] = if fits { &[] } else { &["write-newer-zero".to_owned()] };
         assert_eq!(keys(&written), wanted, "{code}");
         assert_eq!(written.text.is_empty(), !fits, "{code}");
     }
     values.insert("_MVAR".into(), "R1".into());
     values.insert("_KNUM".into(), "1".into());
-    assert_eq!(
-        keys(&written("CYCLE978", &values, Style::Operate)),
-        ["write-variant-open"]
-    );
+    assert_eq!(keys(&written("CYCLE978", &values, Style::Operate)), ["write-variant-open"]);
     values.insert("_MVAR".into(), "1100".into());
     let differential = written("CYCLE978", &values, Style::Operate);
-    assert_eq!(
-        keys(&differential),
-        ["write-no-list-variant"],
-        "no number is published for it"
-    );
+    assert_eq!(keys(&differential), ["write-no-list-variant"], "no number is published for it");
 }
 
-// oracle: peer (published programs: which sign of the infeed leads down differs; 61313 on newer controls asks for a probe
-// from 1 to 12)
+// oracle: peer (published programs: which sign of the infeed leads down differs; 61313 on newer controls asks for a
+// probe from 1 to 12)
 #[test]
 fn what_means_something_else_there_is_not_written() {
     let mut values = typed(cycle("CYCLE977").example);
@@ -197,13 +155,7 @@ fn a_list_is_written_otherwise_with_all_that_it_means() {
     let (direct, why) = converted(text, 0, Style::Direct);
     assert_eq!(why, Vec::<String>::new(), "{direct}");
     let values = &sites(&direct)[0].values;
-    for (name, value) in [
-        ("_KNUM", "0"),
-        ("_FA", "2"),
-        ("_TZL", "0.05"),
-        ("_TSA", "1"),
-        ("_EVNUM", "0"),
-    ] {
+    for (name, value) in [("_KNUM", "0"), ("_FA", "2"), ("_TZL", "0.05"), ("_TSA", "1"), ("_EVNUM", "0")] {
         assert_eq!(values[name], value, "{name} in {direct}");
     }
     let centre = "CYCLE977(101,1,,1,132,,,2,1,11,,,,,1,,,,,,,,,,,1,11,-3,15)\n";
@@ -218,10 +170,7 @@ fn a_list_is_written_otherwise_with_all_that_it_means() {
         "CYCLE979(101,1,,1,132,2,1,0,0,0,90)\n",
     ] {
         let (same, why) = converted(foreign, 0, Style::Direct);
-        assert_eq!(
-            (same.as_str(), why),
-            (foreign, vec!["convert-newer".to_owned()])
-        );
+        assert_eq!((same.as_str(), why), (foreign, vec!["convert-newer".to_owned()]));
     }
 }
 
@@ -234,11 +183,7 @@ fn numbers() -> impl Strategy<Value = Numbers> {
 
 /// The worked values of a variant, some of them others that are valid as well, and a target.
 fn valid(cycle: &'static Cycle, variant: i64, numbers: &Numbers) -> Typed {
-    let worked = cycle
-        .variants
-        .iter()
-        .find(|one| one.number == variant)
-        .unwrap();
+    let worked = cycle.variants.iter().find(|one| one.number == variant).unwrap();
     let mut values = example(cycle, worked);
     for ((name, text), (other, number)) in values.iter_mut().zip(numbers) {
         let scaled = f64::from(*number);
@@ -255,11 +200,7 @@ fn valid(cycle: &'static Cycle, variant: i64, numbers: &Numbers) -> Typed {
             _ => {}
         }
     }
-    let zero = if variant / 100 % 10 == 1 {
-        1 + numbers[0].1 % 99
-    } else {
-        0
-    };
+    let zero = if variant / 100 % 10 == 1 { 1 + numbers[0].1 % 99 } else { 0 };
     values.insert("_KNUM".into(), zero.to_string());
     values.retain(|name, _| !["_TNUM", "_TNAME", "_TENV", "_DLNUM"].contains(&name.as_str()));
     values
@@ -269,17 +210,8 @@ fn valid(cycle: &'static Cycle, variant: i64, numbers: &Numbers) -> Typed {
 fn reads_back(text: &str, list: &ArgumentList, values: &Typed) -> TestCaseResult {
     let found = calls(&read(Dialect::Sinumerik, text.as_bytes()));
     prop_assert_eq!(found.len(), 1, "{}", text);
-    for (name, value) in values
-        .iter()
-        .filter(|(name, _)| list.position(name).is_some())
-    {
-        prop_assert_eq!(
-            found[0].values.get(name),
-            Some(value),
-            "{} of {}",
-            name,
-            text
-        );
+    for (name, value) in values.iter().filter(|(name, _)| list.position(name).is_some()) {
+        prop_assert_eq!(found[0].values.get(name), Some(value), "{} of {}", name, text);
     }
     Ok(())
 }
@@ -287,12 +219,8 @@ fn reads_back(text: &str, list: &ArgumentList, values: &Typed) -> TestCaseResult
 /// The errors of a text are those of the part and of the probe, whichever control measures.
 fn no_error_of_the_older_control(text: &str) -> TestCaseResult {
     let program = read(Dialect::Sinumerik, text.as_bytes());
-    let errors = findings(&program)
-        .into_iter()
-        .filter(|one| one.severity == Severity::Error);
-    let errors: BTreeMap<_, _> = errors
-        .map(|one| (one.message.key.to_string(), one.code))
-        .collect();
+    let errors = findings(&program).into_iter().filter(|one| one.severity == Severity::Error);
+    let errors: BTreeMap<_, _> = errors.map(|one| (one.message.key.to_string(), one.code)).collect();
     let same = |code: &Code| matches!(code, Code::Alarm(61308 | 61313 | 61334));
     prop_assert!(errors.values().all(same), "{} {:?}", text, errors);
     Ok(())

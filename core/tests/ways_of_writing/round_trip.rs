@@ -40,10 +40,7 @@ fn values(cycle: &Cycle, variant: i64, numbers: &Numbers) -> Typed {
 /// The parameters that the variant of these values uses.
 fn used(cycle: &'static Cycle, typed: &Typed) -> impl Iterator<Item = &'static Param> {
     let inputs = check::read(cycle, typed, &delivery(cycle.dialect), &mut Vec::new());
-    cycle
-        .params
-        .iter()
-        .filter(move |param| param.need(&inputs).is_some())
+    cycle.params.iter().filter(move |param| param.need(&inputs).is_some())
 }
 
 /// Whether this way of writing says the parameter.
@@ -65,9 +62,7 @@ fn only(program: &Program) -> Result<CallSite, TestCaseError> {
 /// Each value that was written is read.
 fn reads_back(site: &CallSite, typed: &Typed, style: Style, text: &str) -> TestCaseResult {
     for param in used(site.cycle, typed) {
-        let said = typed
-            .get(param.name)
-            .filter(|_| says(site, style, param.name));
+        let said = typed.get(param.name).filter(|_| says(site, style, param.name));
         if let Some(value) = said {
             let read = site.values.get(param.name);
             prop_assert_eq!(read, Some(value), "{} in {}", param.name, text);
@@ -85,14 +80,7 @@ fn survives(site: &CallSite, typed: &Typed, other: Style, text: &str) -> TestCas
         let before = site.values.get(param.name);
         if let Some(before) = before.filter(|value| !value.is_empty()) {
             let value = again[0].values.get(param.name);
-            prop_assert_eq!(
-                value,
-                Some(before),
-                "{} of\n{}\n{}",
-                param.name,
-                text,
-                &after
-            );
+            prop_assert_eq!(value, Some(before), "{} of\n{}\n{}", param.name, text, &after);
         }
     }
     Ok(())

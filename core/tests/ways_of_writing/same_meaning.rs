@@ -54,10 +54,7 @@ fn whole(cycle: &'static Cycle, values: &Typed, style: Style) -> Option<(Typed, 
         if written.text.is_empty() {
             return None;
         }
-        let lost = written
-            .findings
-            .iter()
-            .filter(|one| one.message.key == "write-lost");
+        let lost = written.findings.iter().filter(|one| one.message.key == "write-lost");
         let names: Vec<_> = lost.map(|one| one.message.args[0].1.clone()).collect();
         if names.is_empty() {
             let control = Setup::for_variant(cycle, variant_of(&values), Plane::G17).control;
@@ -91,11 +88,7 @@ fn every_way_of_writing_does_the_same() {
         for variant in cycle.variants {
             let values = example(cycle, variant);
             for style in [Style::Indirect, Style::Operate] {
-                if !cycle
-                    .lists
-                    .iter()
-                    .any(|list| list.style == style && list.is_written())
-                {
+                if !cycle.lists.iter().any(|list| list.style == style && list.is_written()) {
                     continue;
                 }
                 let Some((values, other)) = whole(cycle, &values, style) else {
@@ -118,11 +111,6 @@ fn every_way_of_writing_does_the_same() {
         lists.map(|list| (cycle.name, list.style))
     });
     let ways = ways.filter(|(_, style)| *style != Style::Direct);
-    let ways: BTreeSet<_> = ways
-        .map(|(name, style)| (name, style == Style::Operate))
-        .collect();
-    assert_eq!(
-        compared, ways,
-        "each way of each cycle says something in full"
-    );
+    let ways: BTreeSet<_> = ways.map(|(name, style)| (name, style == Style::Operate)).collect();
+    assert_eq!(compared, ways, "each way of each cycle says something in full");
 }

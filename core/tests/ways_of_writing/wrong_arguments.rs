@@ -15,10 +15,7 @@ fn errors_of_run(text: &str) -> Vec<String> {
     setup.control.edge = 1;
     let program = read(Dialect::Sinumerik, text.as_bytes());
     let outcome = run::run(&program, &setup, Limits::default());
-    let errors = outcome
-        .diagnostics
-        .iter()
-        .filter(|one| one.severity == Severity::Error);
+    let errors = outcome.diagnostics.iter().filter(|one| one.severity == Severity::Error);
     errors.map(|one| one.message.key.to_string()).collect()
 }
 
@@ -29,10 +26,7 @@ fn check_and_run_say_the_same_of_a_wrong_argument() {
     for (call, key) in [
         ("CYCLE977(1,0,,1,132,,,2,1,,,,,,1,12)", "list-text-wanted"),
         ("CYCLE978(0,,,1,\"100\",2,1,1)", "list-number-wanted"),
-        (
-            "CYCLE979(101,1,,1,132,2,1,0,0,0,90,1,12)",
-            "list-text-wanted",
-        ),
+        ("CYCLE979(101,1,,1,132,2,1,0,0,0,90,1,12)", "list-text-wanted"),
         ("CYCLE_978(0,100,1,20,12,2001)", "list-text-wanted"),
         ("CYCLE_978(0,\"100\",1)", "list-number-wanted"),
         ("CYCLE_974(0,40,1,20,12,,1)", "list-text-wanted"),
@@ -46,24 +40,15 @@ fn check_and_run_say_the_same_of_a_wrong_argument() {
     ] {
         let text = format!("{call}\nM30\n");
         let errors = of_calls(&text).into_iter();
-        let errors: Vec<String> = errors
-            .filter(|(severity, _)| *severity == Severity::Error)
-            .map(|(_, key)| key)
-            .collect();
+        let errors: Vec<String> =
+            errors.filter(|(severity, _)| *severity == Severity::Error).map(|(_, key)| key).collect();
         assert_eq!(errors, [key], "{call}");
-        assert_eq!(
-            errors_of_run(&text).first().map(String::as_str),
-            Some(key),
-            "{call}"
-        );
+        assert_eq!(errors_of_run(&text).first().map(String::as_str), Some(key), "{call}");
     }
     let assigned = "_MVAR=1 _SETVAL=132 _KNUM=2001 _TNAME=12\nCYCLE977\nM30\n";
     assert!(of_calls(assigned).contains(&(Severity::Error, "list-text-wanted".to_owned())));
     let unquoted = "CYCLE_978(0,100,1,20,DRILL,2001)\nM30\n";
-    assert_eq!(
-        of_calls(unquoted),
-        [(Severity::Warning, "list-text-unquoted".to_owned())]
-    );
+    assert_eq!(of_calls(unquoted), [(Severity::Warning, "list-text-unquoted".to_owned())]);
     let declared = format!("DEF STRING[9] DRILL\n{unquoted}");
     assert_eq!(of_calls(&declared), []);
     let with_name = CYCLES
@@ -74,10 +59,7 @@ fn check_and_run_say_the_same_of_a_wrong_argument() {
         let commas = ",".repeat(list.position("_TNAME").unwrap());
         let text = format!("{}(977{commas}12)\nM30\n", list.name);
         let told = of_calls(&text);
-        assert!(
-            told.contains(&(Severity::Error, "list-text-wanted".to_owned())),
-            "{text} {told:?}"
-        );
+        assert!(told.contains(&(Severity::Error, "list-text-wanted".to_owned())), "{text} {told:?}");
     }
 }
 
@@ -88,20 +70,13 @@ fn a_selection_that_the_run_tells_is_no_missing_variant() {
     let found = of_calls(text);
     assert_eq!(found, [(Severity::Note, "check-expression".to_owned())]);
     let (same, why) = converted(text, 0, Style::Direct);
-    assert_eq!(
-        (same.as_str(), why),
-        (text, vec!["write-variant-open".to_owned()])
-    );
+    assert_eq!((same.as_str(), why), (text, vec!["write-variant-open".to_owned()]));
 }
 
 // oracle: peer (a trailing comma runs on newer controls), hand (an omitted argument says nothing)
 #[test]
 fn commas_at_the_end_are_no_arguments() {
-    for call in [
-        "CYCLE_978(0,100,1,,,0,)",
-        "CYCLE_PARA(2,,,,,,,,,,,,,,,)",
-        "CYCLE978(0,,,1,5,2,1,1,2,1,)",
-    ] {
+    for call in ["CYCLE_978(0,100,1,,,0,)", "CYCLE_PARA(2,,,,,,,,,,,,,,,)", "CYCLE978(0,,,1,5,2,1,1,2,1,)"] {
         assert_eq!(of_calls(&format!("{call}\nM30\n")), [], "{call}");
     }
 }

@@ -1,12 +1,11 @@
-//! A cloud of points, kept in a texture: each corner fetches the point that it belongs to by its own number. An instance a
-//! point would cost more than the point, most of all without a graphics card.
+//! A cloud of points, kept in a texture: each corner fetches the point that it belongs to by its own number. An
+//! instance a point would cost more than the point, most of all without a graphics card.
 
 use wgpu::{
-    BindGroup, BindGroupDescriptor, BindGroupEntry, BindGroupLayout, BindGroupLayoutDescriptor,
-    BindGroupLayoutEntry, BindingResource, BindingType, Device, Extent3d, Origin3d, Queue,
-    ShaderStages, TexelCopyBufferLayout, TexelCopyTextureInfo, Texture, TextureAspect,
-    TextureDescriptor, TextureDimension, TextureFormat, TextureSampleType, TextureUsages,
-    TextureViewDimension,
+    BindGroup, BindGroupDescriptor, BindGroupEntry, BindGroupLayout, BindGroupLayoutDescriptor, BindGroupLayoutEntry,
+    BindingResource, BindingType, Device, Extent3d, Origin3d, Queue, ShaderStages, TexelCopyBufferLayout,
+    TexelCopyTextureInfo, Texture, TextureAspect, TextureDescriptor, TextureDimension, TextureFormat,
+    TextureSampleType, TextureUsages, TextureViewDimension,
 };
 
 use crate::layout::{CLOUD_ROW, POINT_FLOATS};
@@ -40,11 +39,7 @@ pub fn bind_layout(device: &Device) -> BindGroupLayout {
 }
 
 /// Makes room for so many points; none for 0.
-pub fn reserve(
-    device: &Device,
-    layout: &BindGroupLayout,
-    points: u32,
-) -> Result<Option<Cloud>, String> {
+pub fn reserve(device: &Device, layout: &BindGroupLayout, points: u32) -> Result<Option<Cloud>, String> {
     let rows = points.div_ceil(CLOUD_ROW);
     if rows == 0 {
         return Ok(None);
@@ -70,11 +65,7 @@ pub fn reserve(
             resource: BindingResource::TextureView(&texture.create_view(&Default::default())),
         }],
     });
-    Ok(Some(Cloud {
-        texture,
-        bind,
-        there: 0,
-    }))
+    Ok(Some(Cloud { texture, bind, there: 0 }))
 }
 
 impl Cloud {
@@ -83,8 +74,7 @@ impl Cloud {
         if !points.len().is_multiple_of(POINT_FLOATS) || !self.there.is_multiple_of(CLOUD_ROW) {
             return Err("cloud: incomplete point or row".into());
         }
-        let count =
-            u32::try_from(points.len() / POINT_FLOATS).map_err(|error| error.to_string())?;
+        let count = u32::try_from(points.len() / POINT_FLOATS).map_err(|error| error.to_string())?;
         let first = self.there / CLOUD_ROW;
         if first + count.div_ceil(CLOUD_ROW) > self.texture.height() {
             return Err("cloud: no room for these points".into());
@@ -117,9 +107,5 @@ impl Cloud {
 }
 
 fn size(width: u32, height: u32) -> Extent3d {
-    Extent3d {
-        width,
-        height,
-        depth_or_array_layers: 1,
-    }
+    Extent3d { width, height, depth_or_array_layers: 1 }
 }

@@ -55,14 +55,9 @@ pub struct Gpu {
 pub async fn open(canvas: HtmlCanvasElement) -> Result<Gpu, String> {
     let (width, height) = (canvas.width().max(1), canvas.height().max(1));
     let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
-    let surface = instance
-        .create_surface(wgpu::SurfaceTarget::Canvas(canvas))
-        .map_err(|error| error.to_string())?;
+    let surface = instance.create_surface(wgpu::SurfaceTarget::Canvas(canvas)).map_err(|error| error.to_string())?;
     let adapter = instance
-        .request_adapter(&wgpu::RequestAdapterOptions {
-            compatible_surface: Some(&surface),
-            ..Default::default()
-        })
+        .request_adapter(&wgpu::RequestAdapterOptions { compatible_surface: Some(&surface), ..Default::default() })
         .await
         .map_err(|error| error.to_string())?;
     let (device, queue) = request_device(&adapter).await?;
@@ -70,14 +65,7 @@ pub async fn open(canvas: HtmlCanvasElement) -> Result<Gpu, String> {
     watch(&device, &fault);
     let config = configuration(&surface, &adapter, width, height)?;
     surface.configure(&device, &config);
-    Ok(Gpu {
-        device,
-        queue,
-        surface,
-        config,
-        samples: samples(&adapter),
-        fault,
-    })
+    Ok(Gpu { device, queue, surface, config, samples: samples(&adapter), fault })
 }
 
 /// Without a graphics card the same cores draw that the page runs on: four samples would take them from it. Lines are
@@ -92,14 +80,10 @@ fn samples(adapter: &Adapter) -> u32 {
 async fn request_device(adapter: &Adapter) -> Result<(Device, Queue), String> {
     let descriptor = wgpu::DeviceDescriptor {
         label: Some("preview"),
-        required_limits: wgpu::Limits::downlevel_webgl2_defaults()
-            .using_resolution(adapter.limits()),
+        required_limits: wgpu::Limits::downlevel_webgl2_defaults().using_resolution(adapter.limits()),
         ..Default::default()
     };
-    adapter
-        .request_device(&descriptor)
-        .await
-        .map_err(|error| error.to_string())
+    adapter.request_device(&descriptor).await.map_err(|error| error.to_string())
 }
 
 fn watch(device: &Device, fault: &Fault) {

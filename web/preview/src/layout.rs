@@ -13,19 +13,15 @@ pub const POINT_FLOATS: usize = 4;
 /// width.
 pub const CLOUD_ROW: u32 = 2048;
 /// Floats of the uniform block: matrix 16, right 4, up 4, towards the viewer 4, screen 4 (width px, height px, time,
-/// faintness of what is still to come), probe 4 (offset in mm, depth bias), cloud 4 (its place in mm, size of a point in
-/// px), colours 4 and 4 and 4 of points that lie outside, on the surface and inside, deviation of full colour 4 (mm, the
-/// rest unused).
+/// faintness of what is still to come), probe 4 (offset in mm, depth bias), cloud 4 (its place in mm, size of a point
+/// in px), colours 4 and 4 and 4 of points that lie outside, on the surface and inside, deviation of full colour 4 (mm,
+/// the rest unused).
 pub const UNIFORM_FLOATS: usize = 56;
 
 const FLOAT: u64 = 4;
 
 const fn attribute(format: VertexFormat, float: u64, location: u32) -> VertexAttribute {
-    VertexAttribute {
-        format,
-        offset: float * FLOAT,
-        shader_location: location,
-    }
+    VertexAttribute { format, offset: float * FLOAT, shader_location: location }
 }
 
 const VERTEX: [VertexAttribute; 4] = [

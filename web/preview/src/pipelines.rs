@@ -98,10 +98,7 @@ fn pipeline(gpu: &Gpu, module: &wgpu::ShaderModule, way: &Way<'_>) -> RenderPipe
         },
         primitive: wgpu::PrimitiveState::default(),
         depth_stencil: Some(depth(way)),
-        multisample: wgpu::MultisampleState {
-            count: gpu.samples,
-            ..Default::default()
-        },
+        multisample: wgpu::MultisampleState { count: gpu.samples, ..Default::default() },
         fragment: Some(wgpu::FragmentState {
             module,
             entry_point: Some(way.fragment),

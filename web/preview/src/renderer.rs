@@ -40,10 +40,7 @@ impl Renderer {
             contents: bytemuck::cast_slice(&[0.0_f32; UNIFORM_FLOATS]),
             usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
         });
-        let bindings = Bindings {
-            view: bind_layout(&gpu.device),
-            cloud: cloud::bind_layout(&gpu.device),
-        };
+        let bindings = Bindings { view: bind_layout(&gpu.device), cloud: cloud::bind_layout(&gpu.device) };
         let bind = bind_group(&gpu.device, &bindings.view, &uniforms);
         Ok(Renderer {
             target: target::attach(&gpu),
@@ -156,9 +153,7 @@ impl Renderer {
     fn frame(&self) -> Result<Option<wgpu::SurfaceTexture>, String> {
         let gpu = &self.gpu;
         match gpu.surface.get_current_texture() {
-            CurrentSurfaceTexture::Success(frame) | CurrentSurfaceTexture::Suboptimal(frame) => {
-                Ok(Some(frame))
-            }
+            CurrentSurfaceTexture::Success(frame) | CurrentSurfaceTexture::Suboptimal(frame) => Ok(Some(frame)),
             CurrentSurfaceTexture::Timeout | CurrentSurfaceTexture::Occluded => Ok(None),
             CurrentSurfaceTexture::Outdated => {
                 gpu.surface.configure(&gpu.device, &gpu.config);
@@ -169,10 +164,7 @@ impl Renderer {
     }
 
     /// Several samples come together in the image of the canvas; a single one is drawn there at once.
-    fn colour_attachment<'a>(
-        &'a self,
-        frame: &'a wgpu::TextureView,
-    ) -> wgpu::RenderPassColorAttachment<'a> {
+    fn colour_attachment<'a>(&'a self, frame: &'a wgpu::TextureView) -> wgpu::RenderPassColorAttachment<'a> {
         let (view, resolve_target, store) = match &self.target.colour {
             Some(colour) => (colour, Some(frame), wgpu::StoreOp::Discard),
             None => (frame, None, wgpu::StoreOp::Store),
@@ -181,20 +173,14 @@ impl Renderer {
             view,
             depth_slice: None,
             resolve_target,
-            ops: wgpu::Operations {
-                load: wgpu::LoadOp::Clear(self.background),
-                store,
-            },
+            ops: wgpu::Operations { load: wgpu::LoadOp::Clear(self.background), store },
         }
     }
 
     fn depth_attachment(&self) -> wgpu::RenderPassDepthStencilAttachment<'_> {
         wgpu::RenderPassDepthStencilAttachment {
             view: &self.target.depth,
-            depth_ops: Some(wgpu::Operations {
-                load: wgpu::LoadOp::Clear(1.0),
-                store: wgpu::StoreOp::Discard,
-            }),
+            depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(1.0), store: wgpu::StoreOp::Discard }),
             stencil_ops: None,
         }
     }
@@ -219,12 +205,7 @@ impl Renderer {
         self.draw_mesh(pass, &self.pipelines.clear, clear);
     }
 
-    fn draw_mesh(
-        &self,
-        pass: &mut RenderPass<'_>,
-        pipeline: &wgpu::RenderPipeline,
-        corners: std::ops::Range<u32>,
-    ) {
+    fn draw_mesh(&self, pass: &mut RenderPass<'_>, pipeline: &wgpu::RenderPipeline, corners: std::ops::Range<u32>) {
         let Some((vertices, indices)) = &self.scene.mesh else {
             return;
         };
@@ -258,9 +239,6 @@ fn bind_group(device: &Device, layout: &BindGroupLayout, uniforms: &Buffer) -> B
     device.create_bind_group(&wgpu::BindGroupDescriptor {
         label: None,
         layout,
-        entries: &[wgpu::BindGroupEntry {
-            binding: 0,
-            resource: uniforms.as_entire_binding(),
-        }],
+        entries: &[wgpu::BindGroupEntry { binding: 0, resource: uniforms.as_entire_binding() }],
     })
 }

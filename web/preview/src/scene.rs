@@ -35,8 +35,7 @@ pub fn upload(
             buffer(device, bytemuck::cast_slice(corners), BufferUsages::INDEX),
         )
     });
-    let lines_buffer = (!lines.is_empty())
-        .then(|| buffer(device, bytemuck::cast_slice(lines), BufferUsages::VERTEX));
+    let lines_buffer = (!lines.is_empty()).then(|| buffer(device, bytemuck::cast_slice(lines), BufferUsages::VERTEX));
     Ok(Scene {
         mesh,
         solid_corners,
@@ -68,9 +67,5 @@ fn count(length: usize) -> Result<u32, String> {
 }
 
 fn buffer(device: &Device, contents: &[u8], usage: BufferUsages) -> Buffer {
-    device.create_buffer_init(&BufferInitDescriptor {
-        label: None,
-        contents,
-        usage,
-    })
+    device.create_buffer_init(&BufferInitDescriptor { label: None, contents, usage })
 }

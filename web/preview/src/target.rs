@@ -17,20 +17,13 @@ pub struct Target {
 
 /// Makes the attachments for the surface as it is configured.
 pub fn attach(gpu: &Gpu) -> Target {
-    Target {
-        colour: (gpu.samples > 1).then(|| texture(gpu, gpu.config.format)),
-        depth: texture(gpu, DEPTH),
-    }
+    Target { colour: (gpu.samples > 1).then(|| texture(gpu, gpu.config.format)), depth: texture(gpu, DEPTH) }
 }
 
 fn texture(gpu: &Gpu, format: TextureFormat) -> TextureView {
     let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
         label: None,
-        size: wgpu::Extent3d {
-            width: gpu.config.width,
-            height: gpu.config.height,
-            depth_or_array_layers: 1,
-        },
+        size: wgpu::Extent3d { width: gpu.config.width, height: gpu.config.height, depth_or_array_layers: 1 },
         mip_level_count: 1,
         sample_count: gpu.samples,
         dimension: wgpu::TextureDimension::D2,

@@ -1,4 +1,5 @@
-// Long programs as the editor keeps them, a tree of lines: put together in slices before the editor is asked to take them.
+// Long programs as the editor keeps them, a tree of lines: put together in slices before the editor is asked to take
+// them.
 
 import { Text } from "@codemirror/state";
 import type { Pace } from "../pace";
@@ -11,11 +12,11 @@ let kept: readonly { text: string; lines: Text }[] = [];
 
 /** The lines of a program that were put together, or kept when it was replaced. */
 export function linesOf(text: string): Text | undefined {
-  return kept.find((one) => one.text === text)?.lines;
+  return kept.find(one => one.text === text)?.lines;
 }
 
 export function keepLines(text: string, lines: Text): void {
-  kept = [{ text, lines }, ...kept.filter((one) => one.text !== text)].slice(0, KEPT);
+  kept = [{ text, lines }, ...kept.filter(one => one.text !== text)].slice(0, KEPT);
 }
 
 /** Where the first line ends that ends at `from` or later, its line break included. */
@@ -27,9 +28,10 @@ function lineEnd(text: string, from: number): number {
 
 export async function putTogether(text: string, pace: Pace): Promise<void> {
   let lines = Text.empty;
-  for (let from = 0; from < text.length;) {
+  for (let from = 0; from < text.length; ) {
     const to = lineEnd(text, from + PIECE);
-    lines = lines.append(Text.of(text.slice(from, to).split(BREAK))); // ends with the empty line that the next piece goes on with
+    // ends with the empty line that the next piece goes on with
+    lines = lines.append(Text.of(text.slice(from, to).split(BREAK)));
     from = to;
     await pace.turn(from / text.length);
   }

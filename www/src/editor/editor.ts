@@ -2,14 +2,34 @@
 // so that the page's content policy needs no 'unsafe-inline' for styles.
 
 import { defaultKeymap, history, historyKeymap, isolateHistory } from "@codemirror/commands";
-import { closeLintPanel, lintGutter, lintKeymap, setDiagnostics, type Diagnostic as Mark } from "@codemirror/lint";
+import { closeLintPanel, lintGutter, lintKeymap, type Diagnostic as Mark, setDiagnostics } from "@codemirror/lint";
 import { closeSearchPanel, highlightSelectionMatches, search, searchKeymap } from "@codemirror/search";
-import { Compartment, EditorSelection, EditorState, RangeSetBuilder, StateEffect, StateField, Transaction, type Extension, type Text } from "@codemirror/state";
-import { Decoration, drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, highlightSpecialChars, keymap, lineNumbers, type DecorationSet } from "@codemirror/view";
+import {
+  Compartment,
+  EditorSelection,
+  EditorState,
+  type Extension,
+  RangeSetBuilder,
+  StateEffect,
+  StateField,
+  type Text,
+  Transaction,
+} from "@codemirror/state";
+import {
+  Decoration,
+  type DecorationSet,
+  drawSelection,
+  EditorView,
+  highlightActiveLine,
+  highlightActiveLineGutter,
+  highlightSpecialChars,
+  keymap,
+  lineNumbers,
+} from "@codemirror/view";
 import { difference } from "../difference";
 import { el } from "../dom";
 import { HELD_BYTE, heldByte } from "../encoding";
-import { toEditor, type Splice } from "../eol";
+import { type Splice, toEditor } from "../eol";
 import { LONG } from "../pace";
 import type { Dialect } from "../wire";
 import { keepLines, linesOf } from "./document";
@@ -18,21 +38,39 @@ import { sinumerik } from "./sinumerik";
 import { theme } from "./theme";
 
 /** Lines from 1. */
-export interface LineMarks { calls: { from: number; to: number; open: boolean }[]; step: number | null }
+export interface LineMarks {
+  calls: { from: number; to: number; open: boolean }[];
+  step: number | null;
+}
 /** `typed` gives back the program as it is then. */
-export interface EditorHost { typed(changes: { from: number; to: number; insert: string }[]): string; moved(offset: number, line: number): void }
+export interface EditorHost {
+  typed(changes: { from: number; to: number; insert: string }[]): string;
+  moved(offset: number, line: number): void;
+}
 /** Its name, and what it says by itself: the editor's own English words with those to be shown. */
-export interface EditorWords { label: string; phrases: Record<string, string> }
-/** `origin`: where the program comes from; of another one nothing can be undone that was before. `apart`: a step of its own to undo,
+export interface EditorWords {
+  label: string;
+  phrases: Record<string, string>;
+}
+/** `origin`: where the program comes from; of another one nothing can be undone that was before. `apart`: a step of its
+ * own to undo,
  *  however soon it follows. Places are those in the text as it is then. */
-export interface Shown { text: string; origin: unknown; apart?: boolean; marks?: LineMarks; problems?: Mark[] }
+export interface Shown {
+  text: string;
+  origin: unknown;
+  apart?: boolean;
+  marks?: LineMarks;
+  problems?: Mark[];
+}
 export interface Editor {
   view: EditorView;
   setWords(words: EditorWords): void;
   /** Remembers what is in sight, and brings it there again. */
   keepPlace(): () => void;
   setDialect(dialect: Dialect): void;
-  /** false: the program is so long, and so much of it new, that its lines have to be put together first (document.ts). */
+  /**
+   * false: the program is so long, and so much of it new, that its lines have to be put together first (document.ts).
+   */
   takes(text: string): boolean;
   /** What is told and differs, in one step: each by itself lays out the page once more. */
   set(next: Shown): void;
@@ -40,18 +78,25 @@ export interface Editor {
   selectLine(line: number): void;
 }
 
-interface Change { from: number; to: number; insert: string | Text }
+interface Change {
+  from: number;
+  to: number;
+  insert: string | Text;
+}
 
 const LANGUAGES: Record<Dialect, Extension> = { sinumerik, nct };
 const MUCH = 20_000; // characters, some hundred lines
-const small = matchMedia("(max-width: 560px), (max-width: 1199px) and (max-height: 500px)"); // as in small.css: long lines are wrapped
+// as in small.css: long lines are wrapped
+const small = matchMedia("(max-width: 560px), (max-width: 1199px) and (max-height: 500px)");
 const marksEffect = StateEffect.define<LineMarks>();
 
 function decorate(state: EditorState, marks: LineMarks): DecorationSet {
   const classes = new Map<number, string>();
   for (const call of marks.calls)
-    for (let line = call.from; line <= Math.min(call.to, state.doc.lines); line++) classes.set(line, call.open ? "cm-call-open" : "cm-call");
-  if (marks.step !== null && marks.step >= 1 && marks.step <= state.doc.lines) classes.set(marks.step, `${classes.get(marks.step) ?? ""} cm-step`);
+    for (let line = call.from; line <= Math.min(call.to, state.doc.lines); line++)
+      classes.set(line, call.open ? "cm-call-open" : "cm-call");
+  if (marks.step !== null && marks.step >= 1 && marks.step <= state.doc.lines)
+    classes.set(marks.step, `${classes.get(marks.step) ?? ""} cm-step`);
   const builder = new RangeSetBuilder<Decoration>();
   for (const [line, name] of [...classes].sort((a, b) => a[0] - b[0])) {
     const at = state.doc.line(line).from;
@@ -63,10 +108,11 @@ function decorate(state: EditorState, marks: LineMarks): DecorationSet {
 const marksField = StateField.define<DecorationSet>({
   create: () => Decoration.none,
   update(value, transaction) {
-    for (const effect of transaction.effects) if (effect.is(marksEffect)) return decorate(transaction.state, effect.value);
+    for (const effect of transaction.effects)
+      if (effect.is(marksEffect)) return decorate(transaction.state, effect.value);
     return value.map(transaction.changes);
   },
-  provide: (field) => EditorView.decorations.from(field),
+  provide: field => EditorView.decorations.from(field),
 });
 
 function speaking({ label, phrases }: EditorWords): Extension {
@@ -77,7 +123,11 @@ function speaking({ label, phrases }: EditorWords): Extension {
 function special(code: number, description: string | null, placeholder: string): HTMLElement {
   const byte = heldByte(code);
   const name = byte ?? description ?? "";
-  return el("span", { class: byte ? "cm-specialChar cm-held" : "cm-specialChar", title: name, "aria-label": name }, byte ?? placeholder);
+  return el(
+    "span",
+    { class: byte ? "cm-specialChar cm-held" : "cm-specialChar", title: name, "aria-label": name },
+    byte ?? placeholder,
+  );
 }
 
 export function createEditor(box: HTMLElement, words: EditorWords, host: EditorHost): Editor {
@@ -86,31 +136,47 @@ export function createEditor(box: HTMLElement, words: EditorWords, host: EditorH
   const spoken = new Compartment();
   const past = new Compartment();
   const wrapping = new Compartment();
-  const wrapped = (): Extension => small.matches ? EditorView.lineWrapping : [];
+  const wrapped = (): Extension => (small.matches ? EditorView.lineWrapping : []);
   let held = ""; // the program that is shown, with its own line breaks
   let looked: { held: string; text: string; edit: Splice | null } | null = null; // the last two that were compared
   let cameFrom: unknown;
   let ours = false; // a change made by the page, not by the user
   let dialect: Dialect = "sinumerik";
 
-  const listen = EditorView.updateListener.of((update) => {
+  const listen = EditorView.updateListener.of(update => {
     if (ours) return;
     if (update.docChanged) {
       const changes: { from: number; to: number; insert: string }[] = [];
-      update.changes.iterChanges((from, to, _a, _b, inserted) => changes.push({ from, to, insert: inserted.toString() }));
+      update.changes.iterChanges((from, to, _a, _b, inserted) =>
+        changes.push({ from, to, insert: inserted.toString() }),
+      );
       held = host.typed(changes);
     }
     const { head } = update.state.selection.main;
     if (update.selectionSet || update.docChanged) host.moved(head, update.state.doc.lineAt(head).number);
   });
   const view = new EditorView({
-    parent: root, root,
+    parent: root,
+    root,
     state: EditorState.create({
       extensions: [
-        lineNumbers(), lintGutter(), past.of(history()), wrapping.of(wrapped()), drawSelection(), highlightSpecialChars({ addSpecialChars: HELD_BYTE, render: special }), highlightActiveLine(), highlightActiveLineGutter(),
-        search({ top: true }), highlightSelectionMatches(), marksField, language.of(LANGUAGES[dialect]), theme, listen,
+        lineNumbers(),
+        lintGutter(),
+        past.of(history()),
+        wrapping.of(wrapped()),
+        drawSelection(),
+        highlightSpecialChars({ addSpecialChars: HELD_BYTE, render: special }),
+        highlightActiveLine(),
+        highlightActiveLineGutter(),
+        search({ top: true }),
+        highlightSelectionMatches(),
+        marksField,
+        language.of(LANGUAGES[dialect]),
+        theme,
+        listen,
         keymap.of([...searchKeymap, ...lintKeymap, ...historyKeymap, ...defaultKeymap]),
-        spoken.of(speaking(words)), EditorView.contentAttributes.of({ tabindex: "0", autocapitalize: "characters", spellcheck: "false" }),
+        spoken.of(speaking(words)),
+        EditorView.contentAttributes.of({ tabindex: "0", autocapitalize: "characters", spellcheck: "false" }),
       ],
     }),
   });
@@ -128,8 +194,16 @@ export function createEditor(box: HTMLElement, words: EditorWords, host: EditorH
     return { from: toEditor(text, edit.from), to: doc.length - after, insert: edit.insert };
   };
   small.addEventListener("change", () => view.dispatch({ effects: wrapping.reconfigure(wrapped()) }));
-  const apply = (run: () => void): void => { ours = true; try { run(); } finally { ours = false; } };
-  /** A view that is hidden or out of sight takes all that is new for what is seen, and would lay out every line: of a state
+  const apply = (run: () => void): void => {
+    ours = true;
+    try {
+      run();
+    } finally {
+      ours = false;
+    }
+  };
+  /** A view that is hidden or out of sight takes all that is new for what is seen, and would lay out every line: of a
+   * state
    *  that is set it lays out a piece only. */
   const show = (step: Transaction, change: Change | null | undefined): void => {
     if (change && change.insert.length > MUCH) view.setState(step.state);
@@ -151,7 +225,7 @@ export function createEditor(box: HTMLElement, words: EditorWords, host: EditorH
       const place = view.scrollSnapshot();
       return () => apply(() => view.dispatch({ effects: place }));
     },
-    takes: (text) => changeTo(text) !== undefined,
+    takes: text => changeTo(text) !== undefined,
     set({ text, origin, apart, marks, problems }) {
       const change = changeTo(text);
       if (change && change.to - change.from > LONG) keepLines(held, view.state.doc);
@@ -159,8 +233,13 @@ export function createEditor(box: HTMLElement, words: EditorWords, host: EditorH
       const other = origin !== cameFrom;
       cameFrom = origin;
       const told = problems ? [setDiagnostics(view.state, problems).effects ?? []].flat() : [];
-      const effects = [...marks ? [marksEffect.of(marks)] : [], ...told, ...other ? [past.reconfigure([])] : []];
-      const step = change ? { changes: change, annotations: [Transaction.addToHistory.of(true), ...(apart ? [isolateHistory.of("full")] : [])] } : {};
+      const effects = [...(marks ? [marksEffect.of(marks)] : []), ...told, ...(other ? [past.reconfigure([])] : [])];
+      const step = change
+        ? {
+            changes: change,
+            annotations: [Transaction.addToHistory.of(true), ...(apart ? [isolateHistory.of("full")] : [])],
+          }
+        : {};
       if (change || effects.length) apply(() => show(view.state.update({ ...step, effects }), change));
       if (other) apply(() => view.dispatch({ effects: past.reconfigure(history()) }));
     },
@@ -170,6 +249,6 @@ export function createEditor(box: HTMLElement, words: EditorWords, host: EditorH
       apply(() => view.dispatch({ effects: language.reconfigure(LANGUAGES[next]) }));
     },
     select,
-    selectLine: (line) => select(view.state.doc.line(Math.max(1, Math.min(line, view.state.doc.lines))).from),
+    selectLine: line => select(view.state.doc.line(Math.max(1, Math.min(line, view.state.doc.lines))).from),
   };
 }

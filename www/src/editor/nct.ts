@@ -10,7 +10,10 @@ const parser: StreamParser<{ comment: boolean }> = {
   token(stream, state) {
     if (state.comment || stream.match("(")) {
       state.comment = !stream.match(/^[^)]*\)/);
-      if (state.comment) { stream.skipToEnd(); state.comment = false; }
+      if (state.comment) {
+        stream.skipToEnd();
+        state.comment = false;
+      }
       return "comment";
     }
     if (stream.eatSpace()) return null;
@@ -18,7 +21,8 @@ const parser: StreamParser<{ comment: boolean }> = {
     if (stream.match(/^[ON]\d+/i)) return "labelName";
     if (stream.match(CONTROL)) return "controlKeyword";
     if (stream.match(/^(EQ|NE|GT|LT|GE|LE|AND|OR|XOR|MOD)(?![A-Z])/i)) return "operatorKeyword";
-    if (stream.match(/^(SIN|COS|TAN|ATAN|ASIN|ACOS|SQRT|ABS|ROUND|FIX|FUP|LN|EXP)(?=\[)/i)) return "variableName.function";
+    if (stream.match(/^(SIN|COS|TAN|ATAN|ASIN|ACOS|SQRT|ABS|ROUND|FIX|FUP|LN|EXP)(?=\[)/i))
+      return "variableName.function";
     if (stream.match(/^#\d*/)) return "variableName";
     if (stream.match(/^[GM]\d+(\.\d+)?/i)) return "keyword";
     if (stream.match(/^[A-Z]/i)) return "propertyName";

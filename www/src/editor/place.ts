@@ -1,8 +1,9 @@
-// The editor outlives the view around it: when the language changes, its box moves into the new view with text, undo and cursor.
+// The editor outlives the view around it: when the language changes, its box moves into the new view with text, undo
+// and cursor.
 
 import { el } from "../dom";
 import { learn } from "../eol";
-import { LONG, within, type Job, type Pace } from "../pace";
+import { type Job, LONG, type Pace, within } from "../pace";
 import type { Editor, EditorHost } from "./editor";
 import { editorWords } from "./words";
 
@@ -28,7 +29,10 @@ export function createEditorPlace(laying: Job, ready: () => void): EditorPlace {
   let fetching = false;
   let host: EditorHost | null = null;
   let laid: string | null = null; // what is or was last made ready
-  const through: EditorHost = { typed: (changes) => host?.typed(changes) ?? "", moved: (offset, line) => host?.moved(offset, line) };
+  const through: EditorHost = {
+    typed: changes => host?.typed(changes) ?? "",
+    moved: (offset, line) => host?.moved(offset, line),
+  };
   const start = async (): Promise<void> => {
     const { createEditor } = await import("./editor");
     editor = createEditor(box, editorWords(), through);
@@ -41,8 +45,11 @@ export function createEditorPlace(laying: Job, ready: () => void): EditorPlace {
     await putTogether(text, within(pace, 0.2, 1));
   };
   return {
-    box, prepare,
-    get editor() { return editor; },
+    box,
+    prepare,
+    get editor() {
+      return editor;
+    },
     serve(next) {
       host = next;
       editor?.setWords(editorWords());
@@ -52,11 +59,11 @@ export function createEditorPlace(laying: Job, ready: () => void): EditorPlace {
       fetching = true;
       void start();
     },
-    takes: (text) => editor?.takes(text) ?? false,
+    takes: text => editor?.takes(text) ?? false,
     lay(text) {
       if (laying.busy() && laid === text) return;
       laid = text;
-      void laying.start(text.length, (pace) => prepare(text, pace));
+      void laying.start(text.length, pace => prepare(text, pace));
     },
   };
 }

@@ -2,7 +2,11 @@
 
 import { StreamLanguage, type StreamParser } from "@codemirror/language";
 
-const CONTROL = new Set("IF ELSE ENDIF FOR TO ENDFOR WHILE ENDWHILE REPEAT UNTIL LOOP ENDLOOP GOTO GOTOF GOTOB CASE OF DEFAULT PROC RET EXTERN".split(" "));
+const CONTROL = new Set(
+  "IF ELSE ENDIF FOR TO ENDFOR WHILE ENDWHILE REPEAT UNTIL LOOP ENDLOOP GOTO GOTOF GOTOB CASE OF DEFAULT PROC RET EXTERN".split(
+    " ",
+  ),
+);
 const TYPES = new Set("DEF REAL INT BOOL CHAR STRING AXIS FRAME".split(" "));
 const OPERATORS = new Set("AND OR NOT XOR B_AND B_OR B_NOT B_XOR DIV MOD".split(" "));
 
@@ -27,7 +31,10 @@ const parser: StreamParser<{ start: boolean }> = {
     const start = state.start;
     state.start = false;
     if (stream.match(/^;.*/)) return "comment";
-    if (start && (stream.match(/^\/\d?/) || stream.match(/^N\d+/i))) { state.start = true; return "labelName"; }
+    if (start && (stream.match(/^\/\d?/) || stream.match(/^N\d+/i))) {
+      state.start = true;
+      return "labelName";
+    }
     if (start && stream.match(/^[A-Z_]\w+:/i)) return "labelName";
     if (start && stream.match(/^%.*/)) return "meta";
     if (stream.match(/^"[^"]*"?/)) return "string";

@@ -12,13 +12,26 @@ const look = EditorView.theme({
   ".cm-scroller": { fontFamily: v("mono"), lineHeight: "1.5" },
   ".cm-content": { caretColor: v("ink"), paddingBlock: "6px" },
   ".cm-cursor": { borderLeftColor: v("ink"), borderLeftWidth: "2px" },
-  "&.cm-focused > .cm-scroller > .cm-selectionLayer .cm-selectionBackground, .cm-selectionBackground": { backgroundColor: v("selection") },
-  ".cm-gutters": { backgroundColor: v("ground"), color: v("ink-quiet"), borderRight: `1px solid ${v("rule")}`, fontVariantNumeric: "tabular-nums" },
+  "&.cm-focused > .cm-scroller > .cm-selectionLayer .cm-selectionBackground, .cm-selectionBackground": {
+    backgroundColor: v("selection"),
+  },
+  ".cm-gutters": {
+    backgroundColor: v("ground"),
+    color: v("ink-quiet"),
+    borderRight: `1px solid ${v("rule")}`,
+    fontVariantNumeric: "tabular-nums",
+  },
   ".cm-activeLine, .cm-activeLineGutter": { backgroundColor: v("active-line") },
   ".cm-call": { boxShadow: `inset 3px 0 0 ${v("rule-strong")}` },
   ".cm-call-open": { boxShadow: `inset 3px 0 0 ${v("accent")}`, backgroundColor: v("accent-soft") },
   ".cm-step": { backgroundColor: v("step-line") },
-  ".cm-held": { color: v("warning"), border: `1px solid ${v("rule-strong")}`, borderRadius: "2px", fontSize: "0.8em", paddingInline: "1px" },
+  ".cm-held": {
+    color: v("warning"),
+    border: `1px solid ${v("rule-strong")}`,
+    borderRadius: "2px",
+    fontSize: "0.8em",
+    paddingInline: "1px",
+  },
   ".cm-tooltip": { backgroundColor: v("surface-raised"), color: v("ink"), border: `1px solid ${v("rule-strong")}` },
   ".cm-diagnostic": { fontFamily: v("sans"), fontSize: v("text-small") },
   "@media (forced-colors: active)": {
@@ -26,7 +39,12 @@ const look = EditorView.theme({
     ".cm-step": { outline: "2px solid Highlight", outlineOffset: "-2px" },
   },
   ".cm-panels": { backgroundColor: v("ground"), color: v("ink") },
-  ".cm-textfield, .cm-button": { backgroundColor: v("surface"), backgroundImage: "none", color: v("ink"), border: `1px solid ${v("rule-strong")}` },
+  ".cm-textfield, .cm-button": {
+    backgroundColor: v("surface"),
+    backgroundImage: "none",
+    color: v("ink"),
+    border: `1px solid ${v("rule-strong")}`,
+  },
 });
 
 const colours = HighlightStyle.define([

@@ -9,14 +9,19 @@ export type BackendName = "webgpu" | "webgl2" | "svg";
 export interface Frame {
   camera: Camera;
   view: Viewport;
-  ratio: number;       // device pixels a CSS pixel
+  ratio: number; // device pixels a CSS pixel
   time: number;
-  probe: Vec3 | null;  // centre of the ball
+  probe: Vec3 | null; // centre of the ball
 }
 
-/** Scanned points: four numbers each, X Y Z from the origin and the deviation, mm; the first ones are spread evenly over all.
+/** Scanned points: four numbers each, X Y Z from the origin and the deviation, mm; the first ones are spread evenly
+ * over all.
  *  `full`: deviation of full colour, mm. */
-export interface Cloud { points: Float32Array; origin: Vec3; full: number }
+export interface Cloud {
+  points: Float32Array;
+  origin: Vec3;
+  full: number;
+}
 
 const MANY = 20_000; // points that cover the surface anyway
 

@@ -1,17 +1,36 @@
-// The camera of all ways of drawing: parallel projection. Z of the machine is always upright; of a turning machine X is,
-// with Z to the right.
+// The camera of all ways of drawing: parallel projection. Z of the machine is always upright; of a turning machine X
+// is, with Z to the right.
 import type { Vec3 } from "../wire";
-import { add, boxCorners, cross, dot, radians, sub, times, type Box } from "./vec";
+import { add, type Box, boxCorners, cross, dot, radians, sub, times } from "./vec";
 
-/** `yaw`, `pitch` in radians; yaw 0, pitch 0: seen from −Y, a turning machine from +Y. `scale`: CSS pixels a millimetre. */
-export interface Camera { yaw: number; pitch: number; target: Vec3; scale: number; turning: boolean }
+/**
+ * `yaw`, `pitch` in radians; yaw 0, pitch 0: seen from −Y, a turning machine from +Y. `scale`: CSS pixels a millimetre.
+ */
+export interface Camera {
+  yaw: number;
+  pitch: number;
+  target: Vec3;
+  scale: number;
+  turning: boolean;
+}
 /** CSS pixels. */
-export interface Viewport { width: number; height: number }
+export interface Viewport {
+  width: number;
+  height: number;
+}
 export type ViewName = "top" | "front" | "right" | "iso";
 /** Directions in the machine: to the right and up on the screen, and towards the viewer. */
-export interface Basis { right: Vec3; up: Vec3; back: Vec3 }
+export interface Basis {
+  right: Vec3;
+  up: Vec3;
+  back: Vec3;
+}
 /** CSS pixels from the top left corner; `near` in mm, larger is nearer to the viewer. */
-export interface Projected { x: number; y: number; near: number }
+export interface Projected {
+  x: number;
+  y: number;
+  near: number;
+}
 
 const QUARTER = Math.PI / 2;
 const VIEWS: Record<ViewName, [yaw: number, pitch: number]> = {
@@ -37,7 +56,7 @@ export function basis({ yaw, pitch, turning }: Camera): Basis {
 
 export function projector(camera: Camera, view: Viewport): (p: Vec3) => Projected {
   const { right, up, back } = basis(camera);
-  return (p) => {
+  return p => {
     const d = sub(p, camera.target);
     return {
       x: view.width / 2 + dot(d, right) * camera.scale,
@@ -56,7 +75,7 @@ export function matrix(camera: Camera, view: Viewport, reach: number): number[] 
     [times(back, -0.5 / reach), 0.5],
   ];
   const shifted = rows.map(([axis, offset]) => offset - dot(axis, camera.target));
-  const columns = [0, 1, 2].map((i) => [rows[0]![0][i]!, rows[1]![0][i]!, rows[2]![0][i]!, 0]);
+  const columns = [0, 1, 2].map(i => [rows[0]![0][i]!, rows[1]![0][i]!, rows[2]![0][i]!, 0]);
   return [...columns.flat(), ...shifted, 1];
 }
 
@@ -82,7 +101,8 @@ export function zoom(camera: Camera, view: Viewport, factor: number, x = view.wi
   return { ...camera, scale, target: add(camera.target, moved) };
 }
 
-/** `held`: the direction from the ball to what holds it. A probe that comes along Y (G18) is looked at obliquely from its
+/** `held`: the direction from the ball to what holds it. A probe that comes along Y (G18) is looked at obliquely from
+ * its
  *  own side; from the front the part would hide it. */
 export function turn(camera: Camera, name: ViewName, held?: Vec3): Camera {
   const [yaw, pitch] = VIEWS[name];
@@ -95,12 +115,15 @@ export function fit(camera: Camera, view: Viewport, box: Box, covered = 0): Came
   const { right, up } = basis(camera);
   const corners = boxCorners(box);
   const span = (axis: Vec3) => {
-    const along = corners.map((corner) => dot(corner, axis));
+    const along = corners.map(corner => dot(corner, axis));
     return { low: Math.min(...along), high: Math.max(...along) };
   };
   const [h, v] = [span(right), span(up)];
   const room = 1 - 2 * MARGIN;
-  const scale = Math.min(((view.width - covered) * room) / Math.max(h.high - h.low, 1e-6), (view.height * room) / Math.max(v.high - v.low, 1e-6));
+  const scale = Math.min(
+    ((view.width - covered) * room) / Math.max(h.high - h.low, 1e-6),
+    (view.height * room) / Math.max(v.high - v.low, 1e-6),
+  );
   const middle = times(add(box.min, box.max), 0.5);
   const offset = add(
     times(right, (h.low + h.high) / 2 - dot(middle, right)),

@@ -3,8 +3,17 @@ import type { Touching, Trace, Vec3 } from "../wire";
 import type { Colours } from "./colours";
 import type { Label } from "./paths";
 
-/** `alarm`: its code, where the probe was watched; `crash`: nobody watched, or no signal came. Else a measurement went on. */
-export interface Collision { entry: number; at: Vec3; by: Touching; crash: boolean; alarm?: string }
+/**
+ * `alarm`: its code, where the probe was watched; `crash`: nobody watched, or no signal came. Else a measurement went
+ * on.
+ */
+export interface Collision {
+  entry: number;
+  at: Vec3;
+  by: Touching;
+  crash: boolean;
+  alarm?: string;
+}
 
 const known = new WeakMap<Trace, Collision[]>();
 
@@ -36,5 +45,13 @@ function raised(entries: Trace["entries"], touch: number): string | undefined {
 
 /** Words beside the places, from the entry on in which it happens. */
 export function collisionLabels(trace: Trace, colours: Colours, words: (collision: Collision) => string): Label[] {
-  return collisions(trace).map((found): Label => ({ at: found.at, text: words(found), colour: colours.crash, below: true, during: [found.entry, Infinity] }));
+  return collisions(trace).map(
+    (found): Label => ({
+      at: found.at,
+      text: words(found),
+      colour: colours.crash,
+      below: true,
+      during: [found.entry, Infinity],
+    }),
+  );
 }

@@ -18,7 +18,7 @@ export interface Colours {
   touch: string;
   crash: string;
   zone: string;
-  outside: string;  // points of a scan that lie outside of the surface, on it, inside
+  outside: string; // points of a scan that lie outside of the surface, on it, inside
   level: string;
   inside: string;
   axisX: string;
@@ -28,30 +28,67 @@ export interface Colours {
 }
 
 export const LIGHT: Colours = {
-  background: "#f4f5f6", part: "#cfd4d9", edge: "#5c6670", grid: "#d9dde1", stylus: "#7c8791", ball: "#b3263c",
-  rapid: "#1f6fb8", positioning: "#6b7680", measuring: "#d96b00", retract: "#e0a866", touch: "#1b2127", crash: "#c0007a", zone: "#b57900",
-  outside: "#c0460a", level: "#3a7d5f", inside: "#1f4fb8",
-  axisX: "#a8452f", axisY: "#3d7d5a", axisZ: "#2f5fa8", text: "#2a323a",
+  background: "#f4f5f6",
+  part: "#cfd4d9",
+  edge: "#5c6670",
+  grid: "#d9dde1",
+  stylus: "#7c8791",
+  ball: "#b3263c",
+  rapid: "#1f6fb8",
+  positioning: "#6b7680",
+  measuring: "#d96b00",
+  retract: "#e0a866",
+  touch: "#1b2127",
+  crash: "#c0007a",
+  zone: "#b57900",
+  outside: "#c0460a",
+  level: "#3a7d5f",
+  inside: "#1f4fb8",
+  axisX: "#a8452f",
+  axisY: "#3d7d5a",
+  axisZ: "#2f5fa8",
+  text: "#2a323a",
 };
 
 export const DARK: Colours = {
-  background: "#15191d", part: "#6f7982", edge: "#b4bec8", grid: "#2a3138", stylus: "#a9b4be", ball: "#d8425a",
-  rapid: "#5fb0f5", positioning: "#9aa6b1", measuring: "#ff9d3c", retract: "#c98f4e", touch: "#f3f6f8", crash: "#ff5cc0", zone: "#f0c060",
-  outside: "#ff8a4a", level: "#86cfa8", inside: "#7fa8ff",
-  axisX: "#e0846d", axisY: "#7bc79d", axisZ: "#84aef0", text: "#dbe2e8",
+  background: "#15191d",
+  part: "#6f7982",
+  edge: "#b4bec8",
+  grid: "#2a3138",
+  stylus: "#a9b4be",
+  ball: "#d8425a",
+  rapid: "#5fb0f5",
+  positioning: "#9aa6b1",
+  measuring: "#ff9d3c",
+  retract: "#c98f4e",
+  touch: "#f3f6f8",
+  crash: "#ff5cc0",
+  zone: "#f0c060",
+  outside: "#ff8a4a",
+  level: "#86cfa8",
+  inside: "#7fa8ff",
+  axisX: "#e0846d",
+  axisY: "#7bc79d",
+  axisZ: "#84aef0",
+  text: "#dbe2e8",
 };
 
 /** `--view-part`, `--view-axis-x` … of an element; what is not set there comes from `fallback`. */
 export function coloursFrom(element: Element, fallback: Colours): Colours {
   const style = getComputedStyle(element);
-  const token = (name: string) => `--view-${name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)}`;
-  const entries = Object.entries(fallback).map(([name, value]) => [name, style.getPropertyValue(token(name)).trim() || value]);
+  const token = (name: string) => `--view-${name.replace(/[A-Z]/g, letter => `-${letter.toLowerCase()}`)}`;
+  const entries = Object.entries(fallback).map(([name, value]) => [
+    name,
+    style.getPropertyValue(token(name)).trim() || value,
+  ]);
   return Object.fromEntries(entries) as Colours;
 }
 
 const parsed = new Map<string, Rgba>(); // a page has a few dozen colours, and every line of a scene asks for one
 
-/** `#rgb`, `#rrggbb`, `#rrggbbaa`, `rgb()`, `rgba()`; anything else through the browser, and grey where there is none. */
+/**
+ * `#rgb`, `#rrggbb`, `#rrggbbaa`, `rgb()`, `rgba()`; anything else through the browser, and grey where there is none.
+ */
 export function parse(css: string): Rgba {
   const known = parsed.get(css);
   if (known) return known;
@@ -63,14 +100,17 @@ export function parse(css: string): Rgba {
 function hex(css: string): Rgba | null {
   const digits = /^#([0-9a-f]{3,8})$/i.exec(css)?.[1];
   if (!digits || ![3, 4, 6, 8].includes(digits.length)) return null;
-  const wide = digits.length > 4 ? digits : [...digits].map((digit) => digit + digit).join("");
+  const wide = digits.length > 4 ? digits : [...digits].map(digit => digit + digit).join("");
   const part = (i: number) => parseInt(wide.slice(2 * i, 2 * i + 2), 16) / 255;
   return [part(0), part(1), part(2), wide.length === 8 ? part(3) : 1];
 }
 
 function rgb(css: string): Rgba | null {
   const inner = /^rgba?\(([^)]*)\)$/i.exec(css)?.[1];
-  const numbers = inner?.split(/[\s,/]+/).filter(Boolean).map(Number);
+  const numbers = inner
+    ?.split(/[\s,/]+/)
+    .filter(Boolean)
+    .map(Number);
   if (!numbers || numbers.length < 3 || numbers.some(Number.isNaN)) return null;
   return [numbers[0]! / 255, numbers[1]! / 255, numbers[2]! / 255, numbers[3] ?? 1];
 }

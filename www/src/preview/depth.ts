@@ -4,7 +4,11 @@ import type { Projected, Viewport } from "./camera";
 const CELL = 2; // CSS pixels
 
 /** Nearest surface a cell, mm towards the viewer. */
-export interface Depth { columns: number; rows: number; near: Float64Array }
+export interface Depth {
+  columns: number;
+  rows: number;
+  near: Float64Array;
+}
 
 export function emptyDepth({ width, height }: Viewport): Depth {
   const [columns, rows] = [Math.ceil(width / CELL), Math.ceil(height / CELL)];

@@ -3,9 +3,9 @@
 import type { Backend, BackendName, Cloud, Frame, Hooks } from "./backend";
 import { COMING, dotSize } from "./backend";
 import { basis, matrix } from "./camera";
-import { createPoints, type PointRenderer } from "./points";
 import { parse } from "./colours";
 import { packLines, packVertices } from "./mesh";
+import { createPoints, type PointRenderer } from "./points";
 import type { Scene } from "./scene";
 import { dot, length, sub } from "./vec";
 
@@ -62,7 +62,8 @@ async function available(name: BackendName): Promise<void> {
   if (!(await gpu.requestAdapter())) throw new Error("no WebGPU adapter");
 }
 
-// The probe picture: left half a lit quadrilateral facing the viewer, right half background, a thick line across the top.
+// The probe picture: left half a lit quadrilateral facing the viewer, right half background, a thick line across the
+// top.
 
 async function prove(renderer: Renderer, canvas: HTMLCanvasElement): Promise<void> {
   const face = (x: number, y: number) => [x, y, 0, 0, 0, 1, 0.1, 0.8, 0.2, 1, 0];
@@ -80,10 +81,11 @@ async function prove(renderer: Renderer, canvas: HTMLCanvasElement): Promise<voi
   look(canvas);
 }
 
-const shown = () => new Promise<void>((resolve) => {
-  requestAnimationFrame(() => resolve());
-  setTimeout(resolve, 100); // a page in the background gets no animation frames
-});
+const shown = () =>
+  new Promise<void>(resolve => {
+    requestAnimationFrame(() => resolve());
+    setTimeout(resolve, 100); // a page in the background gets no animation frames
+  });
 
 function look(canvas: HTMLCanvasElement): void {
   const context = new OffscreenCanvas(PROBE_SIZE, PROBE_SIZE).getContext("2d", { willReadFrequently: true });
@@ -112,12 +114,19 @@ function backend(name: "webgpu" | "webgl2", canvas: HTMLCanvasElement, renderer:
       const [r, g, b] = parse(next.colours.background);
       renderer.set_background(r, g, b);
       const corners = Uint32Array.from(next.mesh.corners);
-      renderer.set_scene(packVertices(next.mesh, next.origin), corners, next.solidCorners, packLines(next.lines, next.origin, ratio));
+      renderer.set_scene(
+        packVertices(next.mesh, next.origin),
+        corners,
+        next.solidCorners,
+        packLines(next.lines, next.origin, ratio),
+      );
     },
-    setCloud: (cloud) => points.set(cloud),
+    setCloud: cloud => points.set(cloud),
     draw(frame) {
       if (!scene) return;
-      const [width, height] = [frame.view.width, frame.view.height].map((side) => Math.max(1, Math.round(side * frame.ratio))) as [number, number];
+      const [width, height] = [frame.view.width, frame.view.height].map(side =>
+        Math.max(1, Math.round(side * frame.ratio)),
+      ) as [number, number];
       if (size[0] !== width || size[1] !== height) {
         [canvas.width, canvas.height] = size = [width, height];
         renderer.resize(width, height);
@@ -137,7 +146,14 @@ function backend(name: "webgpu" | "webgl2", canvas: HTMLCanvasElement, renderer:
 }
 
 /** The uniform block of web/preview/src/layout.rs. */
-function uniforms(scene: Scene, frame: Frame, width: number, height: number, cloud: Cloud | null, count: number): Float32Array {
+function uniforms(
+  scene: Scene,
+  frame: Frame,
+  width: number,
+  height: number,
+  cloud: Cloud | null,
+  count: number,
+): Float32Array {
   const camera = { ...frame.camera, target: sub(frame.camera.target, scene.origin) };
   const { right, up, back } = basis(camera);
   const reach = scene.radius + Math.abs(dot(camera.target, back)) + length(camera.target);
@@ -145,12 +161,26 @@ function uniforms(scene: Scene, frame: Frame, width: number, height: number, clo
   const probe = frame.probe ? sub(frame.probe, scene.origin) : [0, 0, 0];
   return Float32Array.from([
     ...matrix(camera, frame.view, reach),
-    ...right, 0, ...up, 0, ...back, 0,
-    width, height, frame.time, COMING,
-    ...probe, DEPTH_BIAS,
-    ...(cloud ? sub(cloud.origin, scene.origin) : [0, 0, 0]), dotSize(count) * frame.ratio,
-    ...parse(colours.outside), ...parse(colours.level), ...parse(colours.inside),
-    cloud?.full ?? 1, 0, 0, 0,
+    ...right,
+    0,
+    ...up,
+    0,
+    ...back,
+    0,
+    width,
+    height,
+    frame.time,
+    COMING,
+    ...probe,
+    DEPTH_BIAS,
+    ...(cloud ? sub(cloud.origin, scene.origin) : [0, 0, 0]),
+    dotSize(count) * frame.ratio,
+    ...parse(colours.outside),
+    ...parse(colours.level),
+    ...parse(colours.inside),
+    cloud?.full ?? 1,
+    0,
+    0,
+    0,
   ]);
 }
-

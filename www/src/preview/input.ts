@@ -1,5 +1,5 @@
 // Mouse, touch, pen and keys: orbit, pan, zoom, standard views, fit, pick.
-import { orbit, pan, zoom, type Camera, type ViewName, type Viewport } from "./camera";
+import { type Camera, orbit, pan, type ViewName, type Viewport, zoom } from "./camera";
 
 /** What the input works on. */
 export interface Handle {
@@ -11,11 +11,11 @@ export interface Handle {
   pick(x: number, y: number): void;
 }
 
-const TURN = 0.008;      // radians a CSS pixel
+const TURN = 0.008; // radians a CSS pixel
 const KEY_TURN = Math.PI / 24;
-const KEY_PAN = 24;      // CSS pixels
+const KEY_PAN = 24; // CSS pixels
 const KEY_ZOOM = 1.2;
-const CLICK = 5;         // CSS pixels that a click may wander
+const CLICK = 5; // CSS pixels that a click may wander
 const VIEWS: ViewName[] = ["top", "front", "right", "iso"];
 
 /** Listens until the returned function is called. */
@@ -25,20 +25,28 @@ export function listen(element: HTMLElement, handle: Handle): () => void {
   const pointers = new Map<number, { x: number; y: number }>();
   let wandered = 0;
   element.style.touchAction = "none";
-  element.addEventListener("pointerdown", (event) => {
-    element.setPointerCapture(event.pointerId);
-    if (pointers.size === 0) wandered = 0;
-    pointers.set(event.pointerId, place(element, event));
-  }, options);
-  element.addEventListener("pointermove", (event) => {
-    const before = pointers.get(event.pointerId);
-    if (!before) return;
-    const now = place(element, event);
-    wandered += Math.hypot(now.x - before.x, now.y - before.y);
-    const other = [...pointers].find(([id]) => id !== event.pointerId)?.[1];
-    handle.move(other ? pinched(handle, before, now, other) : dragged(handle.camera(), event, before, now));
-    pointers.set(event.pointerId, now);
-  }, options);
+  element.addEventListener(
+    "pointerdown",
+    event => {
+      element.setPointerCapture(event.pointerId);
+      if (pointers.size === 0) wandered = 0;
+      pointers.set(event.pointerId, place(element, event));
+    },
+    options,
+  );
+  element.addEventListener(
+    "pointermove",
+    event => {
+      const before = pointers.get(event.pointerId);
+      if (!before) return;
+      const now = place(element, event);
+      wandered += Math.hypot(now.x - before.x, now.y - before.y);
+      const other = [...pointers].find(([id]) => id !== event.pointerId)?.[1];
+      handle.move(other ? pinched(handle, before, now, other) : dragged(handle.camera(), event, before, now));
+      pointers.set(event.pointerId, now);
+    },
+    options,
+  );
   const up = (event: PointerEvent) => {
     const last = pointers.size === 1 && pointers.delete(event.pointerId);
     if (last && event.type === "pointerup" && event.button === 0 && wandered < CLICK) {
@@ -49,10 +57,16 @@ export function listen(element: HTMLElement, handle: Handle): () => void {
   };
   element.addEventListener("pointerup", up, options);
   element.addEventListener("pointercancel", up, options);
-  element.addEventListener("contextmenu", (event) => event.preventDefault(), options);
+  element.addEventListener("contextmenu", event => event.preventDefault(), options);
   element.addEventListener("dblclick", () => handle.fit(), options);
-  element.addEventListener("wheel", (event) => wheel(element, handle, event), { ...options, passive: false });
-  element.addEventListener("keydown", (event) => { if (key(handle, event)) event.preventDefault(); }, options);
+  element.addEventListener("wheel", event => wheel(element, handle, event), { ...options, passive: false });
+  element.addEventListener(
+    "keydown",
+    event => {
+      if (key(handle, event)) event.preventDefault();
+    },
+    options,
+  );
   return () => stop.abort();
 }
 
@@ -96,7 +110,12 @@ function key(handle: Handle, event: KeyboardEvent): boolean {
   return true;
 }
 
-const ARROWS: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+const ARROWS: Record<string, [number, number]> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, -1],
+  ArrowDown: [0, 1],
+};
 
 function arrowed(camera: Camera, [x, y]: [number, number], shifts: boolean): Camera {
   return shifts ? pan(camera, -x * KEY_PAN, -y * KEY_PAN) : orbit(camera, x * KEY_TURN, -y * KEY_TURN);

@@ -1,7 +1,7 @@
 // Collects triangles and lines in the layout that web/preview/src/layout.rs describes.
 import type { Vec3 } from "../wire";
 import type { Rgba } from "./colours";
-import { cross, dot, sub, unit, type Box } from "./vec";
+import { type Box, cross, dot, sub, unit } from "./vec";
 
 export const VERTEX_FLOATS = 11;
 const LINE_FLOATS = 16;
@@ -14,7 +14,10 @@ export interface Mesh {
 }
 export const mesh = (): Mesh => ({ vertices: new Float64Array(512 * VERTEX_FLOATS), used: 0, corners: [] });
 
-export interface Paint { colour: Rgba; moves?: boolean }
+export interface Paint {
+  colour: Rgba;
+  moves?: boolean;
+}
 
 function makeRoom(into: Mesh, numbers: number): void {
   if (into.used + numbers <= into.vertices.length) return;
@@ -36,8 +39,15 @@ function vertex(into: Mesh, at: Vec3, normal: Vec3, { colour, moves }: Paint): n
   return used / VERTEX_FLOATS;
 }
 
-/** Joins three corners that are there, in the order in which their normals point outside; three in a line are nothing. */
-function face(into: Mesh, corners: [number, number, number], [a, b, c]: [Vec3, Vec3, Vec3], facing: [Vec3, Vec3, Vec3]): void {
+/**
+ * Joins three corners that are there, in the order in which their normals point outside; three in a line are nothing.
+ */
+function face(
+  into: Mesh,
+  corners: [number, number, number],
+  [a, b, c]: [Vec3, Vec3, Vec3],
+  facing: [Vec3, Vec3, Vec3],
+): void {
   const across = cross(sub(b, a), sub(c, a));
   if (dot(across, across) === 0) return;
   const outside = dot(across, facing[0]) + dot(across, facing[1]) + dot(across, facing[2]) >= 0;
@@ -51,10 +61,20 @@ export function triangle(into: Mesh, points: [Vec3, Vec3, Vec3], normals: [Vec3,
 }
 
 /** A quadrilateral `a b c d` (in turn) with a normal at each corner. */
-export function quad(into: Mesh, points: [Vec3, Vec3, Vec3, Vec3], normals: [Vec3, Vec3, Vec3, Vec3], paint: Paint): void {
+export function quad(
+  into: Mesh,
+  points: [Vec3, Vec3, Vec3, Vec3],
+  normals: [Vec3, Vec3, Vec3, Vec3],
+  paint: Paint,
+): void {
   const [a, b, c, d] = points;
   const [k, l, m, n] = normals;
-  const [i, j, o, p] = [vertex(into, a, k, paint), vertex(into, b, l, paint), vertex(into, c, m, paint), vertex(into, d, n, paint)];
+  const [i, j, o, p] = [
+    vertex(into, a, k, paint),
+    vertex(into, b, l, paint),
+    vertex(into, c, m, paint),
+    vertex(into, d, n, paint),
+  ];
   face(into, [i, j, o], [a, b, c], [k, l, m]);
   face(into, [i, o, p], [a, c, d], [k, m, n]);
 }
@@ -62,7 +82,7 @@ export function quad(into: Mesh, points: [Vec3, Vec3, Vec3, Vec3], normals: [Vec
 /** Flat triangles from a point to a row of points around it, all with one normal. */
 export function fan(into: Mesh, middle: Vec3, rim: Vec3[], normal: Vec3, closed: boolean, paint: Paint): void {
   const centre = vertex(into, middle, normal, paint);
-  const ends = rim.map((point) => vertex(into, point, normal, paint));
+  const ends = rim.map(point => vertex(into, point, normal, paint));
   for (let i = 0; i < rim.length - (closed ? 0 : 1); i++) {
     const k = (i + 1) % rim.length;
     face(into, [centre, ends[i]!, ends[k]!], [middle, rim[i]!, rim[k]!], [normal, normal, normal]);
@@ -70,13 +90,30 @@ export function fan(into: Mesh, middle: Vec3, rim: Vec3[], normal: Vec3, closed:
 }
 
 /** A smooth band between two rows of as many points: a corner and its normal serve all faces around them. */
-export function band(into: Mesh, upper: Vec3[], lower: Vec3[], normals: { upper: Vec3[]; lower: Vec3[] }, closed: boolean, paint: Paint): void {
+export function band(
+  into: Mesh,
+  upper: Vec3[],
+  lower: Vec3[],
+  normals: { upper: Vec3[]; lower: Vec3[] },
+  closed: boolean,
+  paint: Paint,
+): void {
   const above = upper.map((point, i) => vertex(into, point, normals.upper[i]!, paint));
   const below = lower.map((point, i) => vertex(into, point, normals.lower[i]!, paint));
   for (let i = 0; i < upper.length - (closed ? 0 : 1); i++) {
     const k = (i + 1) % upper.length;
-    face(into, [above[i]!, above[k]!, below[k]!], [upper[i]!, upper[k]!, lower[k]!], [normals.upper[i]!, normals.upper[k]!, normals.lower[k]!]);
-    face(into, [above[i]!, below[k]!, below[i]!], [upper[i]!, lower[k]!, lower[i]!], [normals.upper[i]!, normals.lower[k]!, normals.lower[i]!]);
+    face(
+      into,
+      [above[i]!, above[k]!, below[k]!],
+      [upper[i]!, upper[k]!, lower[k]!],
+      [normals.upper[i]!, normals.upper[k]!, normals.lower[k]!],
+    );
+    face(
+      into,
+      [above[i]!, below[k]!, below[i]!],
+      [upper[i]!, lower[k]!, lower[i]!],
+      [normals.upper[i]!, normals.lower[k]!, normals.lower[i]!],
+    );
   }
 }
 
@@ -114,21 +151,43 @@ export function boxOf({ vertices, used }: Mesh, from = 0, to = used): Box | null
 /** How a line looks and when it is there. */
 export interface Style {
   colour: Rgba;
-  width: number;          // CSS pixels
-  dash?: number;          // period in CSS pixels
-  entry?: number;         // place in the trace; absent: always there
+  width: number; // CSS pixels
+  dash?: number; // period in CSS pixels
+  entry?: number; // place in the trace; absent: always there
   during?: readonly [number, number]; // between which parts of its entry it is travelled; absent: the whole of it
   unseenBefore?: boolean; // else faint
-  through?: number;       // opacity behind a part
+  through?: number; // opacity behind a part
 }
-export interface Line { from: Vec3; to: Vec3; style: Style }
+export interface Line {
+  from: Vec3;
+  to: Vec3;
+  style: Style;
+}
 
 /** Lines as the renderer wants them: lengths on the screen in device pixels, positions relative to `origin`. */
 export function packLines(lines: Line[], origin: Vec3, ratio: number): Float32Array {
   const packed = new Float32Array(lines.length * LINE_FLOATS);
   lines.forEach(({ from, to, style }, i) => {
-    const { colour, width, dash = 0, entry = -1, during: [begin, end] = [0, 1], unseenBefore = false, through = 0 } = style;
-    const numbers = [...sub(from, origin), ...sub(to, origin), ...colour, width * ratio, dash * ratio, entry + begin, unseenBefore ? 1 : 0, through, end - begin];
+    const {
+      colour,
+      width,
+      dash = 0,
+      entry = -1,
+      during: [begin, end] = [0, 1],
+      unseenBefore = false,
+      through = 0,
+    } = style;
+    const numbers = [
+      ...sub(from, origin),
+      ...sub(to, origin),
+      ...colour,
+      width * ratio,
+      dash * ratio,
+      entry + begin,
+      unseenBefore ? 1 : 0,
+      through,
+      end - begin,
+    ];
     packed.set(numbers, i * LINE_FLOATS);
   });
   return packed;

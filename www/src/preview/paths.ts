@@ -1,13 +1,23 @@
 // Motions, touches, coordinate systems and the grid as lines.
 import type { FrameView, Step, ToolView, Trace, Vec3 } from "../wire";
-import { parse, type Colours } from "./colours";
+import { type Colours, parse } from "./colours";
 import type { Line, Style } from "./mesh";
-import { along, pieces, type Motion } from "./route";
-import { add, sub, times, type Box } from "./vec";
+import { along, type Motion, pieces } from "./route";
+import { add, type Box, sub, times } from "./vec";
 
-/** `below`: under its point on the screen, `aside`: to the left of it as well; both clear of others. `raised`: so many CSS pixels above. `beside`: it
+/** `below`: under its point on the screen, `aside`: to the left of it as well; both clear of others. `raised`: so many
+ * CSS pixels above. `beside`: it
  *  begins there instead of standing over it. `during`: entries of the trace between which it is shown. */
-export interface Label { at: Vec3; text: string; colour: string; below?: boolean; aside?: boolean; raised?: number; beside?: boolean; during?: readonly [number, number] }
+export interface Label {
+  at: Vec3;
+  text: string;
+  colour: string;
+  below?: boolean;
+  aside?: boolean;
+  raised?: number;
+  beside?: boolean;
+  during?: readonly [number, number];
+}
 
 /** The name of a coordinate system in words. */
 export type FrameWords = (frame: FrameView) => string;
@@ -16,10 +26,14 @@ const BEHIND = 0.42; // opacity of paths behind a part
 
 function motionStyle(kind: Motion["kind"], colours: Colours): Style {
   switch (kind) {
-    case "rapid": return { colour: parse(colours.rapid), width: 1.75, dash: 9, through: BEHIND };
-    case "positioning": return { colour: parse(colours.positioning), width: 1.75, through: BEHIND };
-    case "measuring": return { colour: parse(colours.measuring), width: 3.5, through: 0.6 };
-    case "retract": return { colour: parse(colours.retract), width: 1.5, through: BEHIND };
+    case "rapid":
+      return { colour: parse(colours.rapid), width: 1.75, dash: 9, through: BEHIND };
+    case "positioning":
+      return { colour: parse(colours.positioning), width: 1.75, through: BEHIND };
+    case "measuring":
+      return { colour: parse(colours.measuring), width: 3.5, through: 0.6 };
+    case "retract":
+      return { colour: parse(colours.retract), width: 1.5, through: BEHIND };
   }
 }
 
@@ -39,7 +53,7 @@ function entryLines(step: Step, entry: number, colours: Colours, normal: number)
 
 function motionLines(motion: Motion, style: Style): Line[] {
   let [from, before] = [motion.from, 0];
-  return pieces(motion).map((part) => {
+  return pieces(motion).map(part => {
     const line = { from, to: along(motion, part), style: { ...style, during: [before, part] as const } };
     [from, before] = [line.to, part];
     return line;
@@ -59,13 +73,17 @@ function touchLines(step: Extract<Step, { step: "touch" }>, entry: number, colou
 
 const BLOCK = 300; // entries of a run
 
-/** Of a long run the block of entries in which `index` lies, with one before it and one behind: the paths of the rest would
+/** Of a long run the block of entries in which `index` lies, with one before it and one behind: the paths of the rest
+ * would
  *  hide them, and take seconds to draw where there is no graphics card. Of a short run all. */
 export function blockOf(index: number): number {
   return Math.floor(index / BLOCK);
 }
 
-/** Paths around the entry `index`; every line knows its entry. What matters more lies over what matters less, points over all. */
+/**
+ * Paths around the entry `index`; every line knows its entry. What matters more lies over what matters less, points
+ * over all.
+ */
 export function pathLines(trace: Trace, colours: Colours, normal: number, index = 0): Line[] {
   const first = Math.max(0, blockOf(index) - 1) * BLOCK;
   const shown = trace.entries.slice(first, first + 3 * BLOCK);
@@ -87,24 +105,44 @@ export function probeAt(trace: Trace, index: number, fraction: number): Vec3 | n
   const current = entries[index];
   if (current?.step === "motion") return along(current, Math.min(1, Math.max(0, fraction)));
   const before = entries.findLastIndex((entry, i) => i < index && entry.step === "motion");
-  const nearest = before < 0 ? entries.findIndex((entry) => entry.step === "motion") : before;
+  const nearest = before < 0 ? entries.findIndex(entry => entry.step === "motion") : before;
   const motion = entries[nearest];
   if (motion?.step !== "motion") return null;
-  const lengths = [toolAt(trace, nearest), toolAt(trace, index)].map((tool) => tool?.length ?? [0, 0, 0] as Vec3) as [Vec3, Vec3];
+  const lengths = [toolAt(trace, nearest), toolAt(trace, index)].map(tool => tool?.length ?? ([0, 0, 0] as Vec3)) as [
+    Vec3,
+    Vec3,
+  ];
   return add(before < 0 ? motion.from : motion.to, sub(...lengths));
 }
 
-/** Axes of the coordinate systems, `length` mm long, dashed where a correction has moved them since. Those at one place share
+/** Axes of the coordinate systems, `length` mm long, dashed where a correction has moved them since. Those at one place
+ * share
  *  a name. */
-export function frameLines(frames: Trace["frames"], colours: Colours, length: number, words: FrameWords): { lines: Line[]; labels: Label[] } {
-  const axes = [["X", colours.axisX], ["Y", colours.axisY], ["Z", colours.axisZ]] as const;
+export function frameLines(
+  frames: Trace["frames"],
+  colours: Colours,
+  length: number,
+  words: FrameWords,
+): { lines: Line[]; labels: Label[] } {
+  const axes = [
+    ["X", colours.axisX],
+    ["Y", colours.axisY],
+    ["Z", colours.axisZ],
+  ] as const;
   const lines = frames.flatMap(({ at, axes: directions, moved }) => {
     const style = moved === "before" ? { width: 1.75, dash: 5, through: 0.45 } : { width: 2.5, through: 0.45 };
-    return axes.map(([, colour], i): Line => ({ from: at, to: add(at, times(directions[i]!, length)), style: { colour: parse(colour), ...style } }));
+    return axes.map(
+      ([, colour], i): Line => ({
+        from: at,
+        to: add(at, times(directions[i]!, length)),
+        style: { colour: parse(colour), ...style },
+      }),
+    );
   });
   const now = frames.filter(({ moved }) => moved !== "before");
   const letters = now.flatMap(({ at, axes: directions }) =>
-    axes.map(([text, colour], i): Label => ({ at: add(at, times(directions[i]!, 1.14 * length)), text, colour })));
+    axes.map(([text, colour], i): Label => ({ at: add(at, times(directions[i]!, 1.14 * length)), text, colour })),
+  );
   const names = new Map<string, Label>();
   for (const frame of frames) {
     const place = JSON.stringify([frame.at, frame.axes]);
@@ -118,12 +156,14 @@ export function frameLines(frames: Trace["frames"], colours: Colours, length: nu
 export function gridSpacing(length: number): number {
   const rough = Math.max(length, 1e-6) / 10;
   const power = 10 ** Math.floor(Math.log10(rough));
-  return power * (([1, 2, 5] as const).find((step) => step * power >= rough) ?? 10);
+  return power * (([1, 2, 5] as const).find(step => step * power >= rough) ?? 10);
 }
 
-/** Grid below a box, in the X-Y plane of the machine, lines on round coordinates; of a turning machine in the Z-Y plane. */
+/**
+ * Grid below a box, in the X-Y plane of the machine, lines on round coordinates; of a turning machine in the Z-Y plane.
+ */
 export function gridLines(box: Box, colour: string, turning = false): Line[] {
-  const [across, along, up] = turning ? [2, 1, 0] as const : [0, 1, 2] as const;
+  const [across, along, up] = turning ? ([2, 1, 0] as const) : ([0, 1, 2] as const);
   const size = Math.max(box.max[across] - box.min[across], box.max[along] - box.min[along]);
   const spacing = gridSpacing(size);
   const range = (axis: 0 | 1 | 2) => {
@@ -134,7 +174,13 @@ export function gridLines(box: Box, colour: string, turning = false): Line[] {
   const [x, y, z] = [range(across), range(along), box.min[up]];
   const at = (first: number, second: number): Vec3 => (turning ? [z, second, first] : [first, second, z]);
   const style: Style = { colour: parse(colour), width: 1 };
-  const columns = Array.from({ length: x.count + 1 }, (_, i): Line => ({ from: at(x.low + i * spacing, y.low), to: at(x.low + i * spacing, y.high), style }));
-  const rows = Array.from({ length: y.count + 1 }, (_, i): Line => ({ from: at(x.low, y.low + i * spacing), to: at(x.high, y.low + i * spacing), style }));
+  const columns = Array.from(
+    { length: x.count + 1 },
+    (_, i): Line => ({ from: at(x.low + i * spacing, y.low), to: at(x.low + i * spacing, y.high), style }),
+  );
+  const rows = Array.from(
+    { length: y.count + 1 },
+    (_, i): Line => ({ from: at(x.low, y.low + i * spacing), to: at(x.high, y.low + i * spacing), style }),
+  );
   return [...columns, ...rows];
 }

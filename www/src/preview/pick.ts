@@ -1,5 +1,5 @@
 // Which motion or touch is under the pointer.
-import { projector, type Camera, type Projected, type Viewport } from "./camera";
+import { type Camera, type Projected, projector, type Viewport } from "./camera";
 import type { Line } from "./mesh";
 
 const WITHIN = 9; // CSS pixels

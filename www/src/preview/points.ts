@@ -1,6 +1,7 @@
-// The points of a cloud on a device: as many as it draws in a moment. A graphics card draws all of them; where the processor
-// draws, a million would hold the page for seconds, at each turn of the view. The first frame has few, each further one twice
-// as many for as long as they come quickly, and half as many where they do not. So they also reach the device in pieces.
+// The points of a cloud on a device: as many as it draws in a moment. A graphics card draws all of them; where the
+// processor draws, a million would hold the page for seconds, at each turn of the view. The first frame has few, each
+// further one twice as many for as long as they come quickly, and half as many where they do not. So they also reach
+// the device in pieces.
 import type { Cloud, Hooks } from "./backend";
 
 /** The exports of web/preview that are used here. */
@@ -22,10 +23,10 @@ export interface Points {
 }
 
 const FEWEST = 16_384; // points that every device draws in a moment
-const QUICK = 50;  // ms until the page hears of it, two frames included; with twice as many points still no standstill
+const QUICK = 50; // ms until the page hears of it, two frames included; with twice as many points still no standstill
 const SLOW = 120;
-const FLOATS = 4;  // a point
-const ROW = 2048;  // only the last piece that is brought may be no multiple (web/preview/src/layout.rs)
+const FLOATS = 4; // a point
+const ROW = 2048; // only the last piece that is brought may be no multiple (web/preview/src/layout.rs)
 
 /** How many points of `all` the next frame has, when the one with `drawn` took so long. */
 export function howMany(drawn: number, all: number, took: number): number {
@@ -35,11 +36,12 @@ export function howMany(drawn: number, all: number, took: number): number {
 
 export function createPoints(renderer: PointRenderer, { again, thinned }: Pick<Hooks, "again" | "thinned">): Points {
   let cloud: Cloud | null = null;
-  let there = 0;   // points on the device
+  let there = 0; // points on the device
   let drawn = 0;
   let looking = 0; // animation frame in which the device is asked whether it has drawn
-  const all = (): number => cloud ? cloud.points.length / FLOATS : 0;
-  let before: number | null = null; // how long the last frame took, if it alone decides nothing: others may have held it up
+  const all = (): number => (cloud ? cloud.points.length / FLOATS : 0);
+  // how long the last frame took, if it alone decides nothing: others may have held it up
+  let before: number | null = null;
   const look = (begun: number): void => {
     looking = requestAnimationFrame(() => {
       if (!renderer.is_drawn()) return look(begun);
@@ -61,7 +63,9 @@ export function createPoints(renderer: PointRenderer, { again, thinned }: Pick<H
     before = null;
   };
   return {
-    get cloud() { return cloud; },
+    get cloud() {
+      return cloud;
+    },
     set(next) {
       end();
       cloud = next;

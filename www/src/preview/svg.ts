@@ -1,20 +1,20 @@
 // The 3D view without a GPU: the same scene and camera as SVG. Faces from the farthest to the nearest, then the lines,
 // which are fainter where they lie behind a face.
 import { svg } from "../dom";
-import { drawInto, type Drawn } from "../draw";
+import { type Drawn, drawInto } from "../draw";
 import type { Vec3 } from "../wire";
-import { COMING, dotSize, type Backend, type Cloud, type Frame, type Hooks } from "./backend";
-import { basis, projector, type Projected } from "./camera";
+import { type Backend, type Cloud, COMING, dotSize, type Frame, type Hooks } from "./backend";
+import { basis, type Projected, projector } from "./camera";
 import { css, parse, type Rgba } from "./colours";
-import { cover, emptyDepth, hidden, type Depth } from "./depth";
+import { cover, type Depth, emptyDepth, hidden } from "./depth";
 import { shader } from "./light";
-import { VERTEX_FLOATS, type Line, type Mesh } from "./mesh";
+import { type Line, type Mesh, VERTEX_FLOATS } from "./mesh";
 import type { Scene } from "./scene";
 import { add, cross, dot, mix, sub, unit } from "./vec";
 
-const PIECE = 5;       // CSS pixels between two looks at whether a line is hidden
-const PIECES = 400;    // at most so many looks a line
-const SLACK = 0.004;   // a line on a face is before it; share of the radius of the scene
+const PIECE = 5; // CSS pixels between two looks at whether a line is hidden
+const PIECES = 400; // at most so many looks a line
+const SLACK = 0.004; // a line on a face is before it; share of the radius of the scene
 
 export function openSvg(host: HTMLElement, { thinned }: Pick<Hooks, "thinned">): Backend {
   const element = svg("svg");
@@ -24,13 +24,19 @@ export function openSvg(host: HTMLElement, { thinned }: Pick<Hooks, "thinned">):
   return {
     name: "svg",
     element,
-    setScene(next) { scene = next; },
+    setScene(next) {
+      scene = next;
+    },
     setCloud(next) {
       cloud = next;
       if (next) thinned(drawnOf(next));
     },
-    draw(frame) { if (scene) paint(element, scene, cloud, frame); },
-    destroy() { element.remove(); },
+    draw(frame) {
+      if (scene) paint(element, scene, cloud, frame);
+    },
+    destroy() {
+      element.remove();
+    },
   };
 }
 
@@ -40,10 +46,16 @@ function paint(element: SVGSVGElement, scene: Scene, cloud: Cloud | null, frame:
   const solid = faces(scene, frame, 0, scene.solidCorners);
   for (const { points } of solid) cover(depth, points);
   const clear = faces(scene, frame, scene.solidCorners, scene.mesh.corners.length);
-  const lines = scene.lines.flatMap((line) => strokes(line, scene, frame, depth));
+  const lines = scene.lines.flatMap(line => strokes(line, scene, frame, depth));
   element.setAttribute("viewBox", `0 0 ${width} ${height}`);
   const ground: Drawn = { tag: "rect", attributes: { width, height, fill: scene.colours.background } };
-  drawInto(element, [ground, ...solid.map(polygon), ...(cloud ? dots(cloud, scene, frame, depth) : []), ...lines, ...clear.map(polygon)]);
+  drawInto(element, [
+    ground,
+    ...solid.map(polygon),
+    ...(cloud ? dots(cloud, scene, frame, depth) : []),
+    ...lines,
+    ...clear.map(polygon),
+  ]);
 }
 
 const DOTS = 4096; // scanned points that are drawn at most
@@ -57,7 +69,11 @@ function dots(cloud: Cloud, scene: Scene, frame: Frame, depth: Depth): Drawn[] {
   const count = drawnOf(cloud);
   const r = dotSize(count) / 2;
   const project = projector(frame.camera, frame.view);
-  const [outside, level, inside] = [parse(scene.colours.outside), parse(scene.colours.level), parse(scene.colours.inside)];
+  const [outside, level, inside] = [
+    parse(scene.colours.outside),
+    parse(scene.colours.level),
+    parse(scene.colours.inside),
+  ];
   const found: Drawn[] = [];
   for (let i = 0; i < 4 * count; i += 4) {
     const at = project([origin[0] + points[i]!, origin[1] + points[i + 1]!, origin[2] + points[i + 2]!]);
@@ -74,7 +90,11 @@ const round = (value: number) => Math.round(value * 100) / 100;
 
 // Faces
 
-interface Face { near: number; points: [Projected, Projected, Projected]; colour: Rgba }
+interface Face {
+  near: number;
+  points: [Projected, Projected, Projected];
+  colour: Rgba;
+}
 
 /** Faces turned towards the viewer, the farthest first. */
 function faces(scene: Scene, frame: Frame, from: number, to: number): Face[] {
@@ -84,9 +104,9 @@ function faces(scene: Scene, frame: Frame, from: number, to: number): Face[] {
   const found: Face[] = [];
   for (let i = from; i < to; i += 3) {
     const corners = scene.mesh.corners.slice(i, i + 3);
-    const at = corners.map((corner) => position(scene.mesh, corner, frame.probe)) as [Vec3, Vec3, Vec3];
+    const at = corners.map(corner => position(scene.mesh, corner, frame.probe)) as [Vec3, Vec3, Vec3];
     if (dot(cross(sub(at[1], at[0]), sub(at[2], at[0])), directions.back) <= 0) continue;
-    const normal = unit(corners.map((corner) => read(scene.mesh, corner, 3)).reduce(add));
+    const normal = unit(corners.map(corner => read(scene.mesh, corner, 3)).reduce(add));
     const points = at.map(project) as [Projected, Projected, Projected];
     const near = (points[0].near + points[1].near + points[2].near) / 3;
     found.push({ near, points, colour: lit(normal, paintOf(scene.mesh, corners[0]!)) });
@@ -98,7 +118,10 @@ function faces(scene: Scene, frame: Frame, from: number, to: number): Face[] {
 function polygon({ points, colour }: Face): Drawn {
   const path = points.map(({ x, y }) => `${round(x)} ${round(y)}`).join("L");
   const fill = css(colour);
-  const border = colour[3] === 1 ? { stroke: fill, "stroke-width": 0.8, "stroke-linejoin": "round" } : { "shape-rendering": "crispEdges" };
+  const border =
+    colour[3] === 1
+      ? { stroke: fill, "stroke-width": 0.8, "stroke-linejoin": "round" }
+      : { "shape-rendering": "crispEdges" };
   return { tag: "path", attributes: { d: `M${path}Z`, fill, ...border } };
 }
 
@@ -124,8 +147,11 @@ function spans({ from, to, style }: Line, time: number): { from: Vec3; to: Vec3;
   const done = entry < 0 ? 1 : Math.min(1, Math.max(0, (time - entry - begin) / (end - begin)));
   const middle = mix(from, to, done);
   const later = unseenBefore ? 0 : COMING;
-  const all = [{ from, to: middle, opacity: done > 0 ? 1 : 0 }, { from: middle, to, opacity: done < 1 ? later : 0 }];
-  return all.filter((span) => span.opacity > 0);
+  const all = [
+    { from, to: middle, opacity: done > 0 ? 1 : 0 },
+    { from: middle, to, opacity: done < 1 ? later : 0 },
+  ];
+  return all.filter(span => span.opacity > 0);
 }
 
 function strokes(line: Line, scene: Scene, frame: Frame, depth: Depth): Drawn[] {
@@ -134,9 +160,20 @@ function strokes(line: Line, scene: Scene, frame: Frame, depth: Depth): Drawn[] 
   return spans(line, frame.time).flatMap(({ from, to, opacity }) => {
     const [a, b] = [project(from), project(to)];
     const length = Math.hypot(b.x - a.x, b.y - a.y);
-    const between = (t: number): Projected => ({ x: a.x + t * (b.x - a.x), y: a.y + t * (b.y - a.y), near: a.near + t * (b.near - a.near) });
-    return runs(length, (t) => hidden(depth, between(t), slack))
-      .flatMap((run) => stroke(between(run.from), between(run.to), line, opacity * (run.hidden ? line.style.through ?? 0 : 1), run.from * length));
+    const between = (t: number): Projected => ({
+      x: a.x + t * (b.x - a.x),
+      y: a.y + t * (b.y - a.y),
+      near: a.near + t * (b.near - a.near),
+    });
+    return runs(length, t => hidden(depth, between(t), slack)).flatMap(run =>
+      stroke(
+        between(run.from),
+        between(run.to),
+        line,
+        opacity * (run.hidden ? (line.style.through ?? 0) : 1),
+        run.from * length,
+      ),
+    );
   });
 }
 
@@ -158,9 +195,17 @@ function stroke(a: Projected, b: Projected, { style }: Line, opacity: number, al
   const [red, green, blue, alpha] = style.colour;
   const colour = css([red, green, blue, alpha * opacity]);
   const point = Math.hypot(b.x - a.x, b.y - a.y) < 0.01;
-  if (point) return [{ tag: "circle", attributes: { cx: round(a.x), cy: round(a.y), r: style.width / 2, fill: colour } }];
-  const dash = style.dash ? { "stroke-dasharray": `${0.6 * style.dash} ${0.4 * style.dash}`, "stroke-dashoffset": round(along) } : {};
+  if (point)
+    return [{ tag: "circle", attributes: { cx: round(a.x), cy: round(a.y), r: style.width / 2, fill: colour } }];
+  const dash = style.dash
+    ? { "stroke-dasharray": `${0.6 * style.dash} ${0.4 * style.dash}`, "stroke-dashoffset": round(along) }
+    : {};
   const cap = style.dash || opacity < 1 ? "butt" : "round";
   const d = `M${round(a.x)} ${round(a.y)}L${round(b.x)} ${round(b.y)}`;
-  return [{ tag: "path", attributes: { d, stroke: colour, "stroke-width": style.width, "stroke-linecap": cap, ...dash, fill: "none" } }];
+  return [
+    {
+      tag: "path",
+      attributes: { d, stroke: colour, "stroke-width": style.width, "stroke-linecap": cap, ...dash, fill: "none" },
+    },
+  ];
 }

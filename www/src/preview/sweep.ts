@@ -3,7 +3,7 @@ import type { Drawn } from "../draw";
 import type { Trace, Vec3 } from "../wire";
 import type { Frame } from "./backend";
 import { projector } from "./camera";
-import { along, pieces, type Motion } from "./route";
+import { along, type Motion, pieces } from "./route";
 import type { Scene } from "./scene";
 import { stylusAxis, stylusRadius } from "./stylus";
 import { add, times } from "./vec";
@@ -23,7 +23,7 @@ function wayOf({ entries }: Trace, time: number): { motion: Motion; part: number
 
 /** Places of the ball on its way, up to where it is. */
 function places(motion: Motion, part: number): Vec3[] {
-  return [0, ...pieces(motion).filter((one) => one < part), part].map((one) => along(motion, one));
+  return [0, ...pieces(motion).filter(one => one < part), part].map(one => along(motion, one));
 }
 
 type Point = { x: number; y: number };
@@ -41,11 +41,25 @@ export function swept({ trace, tool, reach, colours }: Scene, { camera, view, ti
   if (!way || !axis) return [];
   const project = projector(camera, view);
   const balls = places(way.motion, way.part);
-  const [low, high] = [balls.map(project), balls.map((place) => project(add(place, times(axis, reach))))];
-  const walls = low.slice(1).map((end, i) => area([low[i]!, end, high[i + 1]!, high[i]!])).join("");
+  const [low, high] = [balls.map(project), balls.map(place => project(add(place, times(axis, reach))))];
+  const walls = low
+    .slice(1)
+    .map((end, i) => area([low[i]!, end, high[i + 1]!, high[i]!]))
+    .join("");
   const band = (d: string, colour: string, radius: number, fill: string): Drawn => ({
     tag: "path",
-    attributes: { d, fill, stroke: colour, opacity: THROUGH, "stroke-width": 2 * radius * camera.scale, "stroke-linecap": "round", "stroke-linejoin": "round" },
+    attributes: {
+      d,
+      fill,
+      stroke: colour,
+      opacity: THROUGH,
+      "stroke-width": 2 * radius * camera.scale,
+      "stroke-linecap": "round",
+      "stroke-linejoin": "round",
+    },
   });
-  return [band(walls, colours.stylus, stylusRadius(trace.ball), colours.stylus), band(line(low), colours.ball, trace.ball.radius, "none")];
+  return [
+    band(walls, colours.stylus, stylusRadius(trace.ball), colours.stylus),
+    band(line(low), colours.ball, trace.ball.radius, "none"),
+  ];
 }

@@ -55,7 +55,10 @@ export function fromZ(axis: Vec3): Matrix3 {
 }
 
 /** Smallest box around points; null: no point yet. */
-export interface Box { min: Vec3; max: Vec3 }
+export interface Box {
+  min: Vec3;
+  max: Vec3;
+}
 
 export function include(box: Box | null, p: Vec3): Box {
   if (!box) return { min: [...p], max: [...p] };

@@ -1,33 +1,36 @@
 // The 3D view of a trace. Draws when something changed and never otherwise.
 import type { Trace } from "../wire";
 import type { Backend, BackendName, Cloud, Frame, Hooks } from "./backend";
-import { fit, initial, turn, type Camera, type ViewName, type Viewport } from "./camera";
-import { collisionLabels, type Collision } from "./collisions";
-import { LIGHT, type Colours } from "./colours";
+import { type Camera, fit, initial, turn, type ViewName, type Viewport } from "./camera";
+import { type Collision, collisionLabels } from "./collisions";
+import { type Colours, LIGHT } from "./colours";
 import { openGpu } from "./gpu";
 import { listen } from "./input";
 import { drawOverlay, overlay } from "./overlay";
-import { blockOf, probeAt, toolAt, type FrameWords } from "./paths";
+import { blockOf, type FrameWords, probeAt, toolAt } from "./paths";
 import { pick } from "./pick";
-import { buildScene, standing, type Scene } from "./scene";
+import { buildScene, type Scene, standing } from "./scene";
 import { SORTED_PIECES } from "./solids";
 import { openSvg } from "./svg";
 
-export { coloursFrom, DARK, LIGHT, type Colours } from "./colours";
-export type { Collision } from "./collisions";
-export type { ViewName } from "./camera";
 export type { BackendName } from "./backend";
+export type { ViewName } from "./camera";
+export type { Collision } from "./collisions";
+export { type Colours, coloursFrom, DARK, LIGHT } from "./colours";
 
 export interface Options {
-  label: string;                            // what a screen reader says
+  label: string; // what a screen reader says
   colours?: Colours;
-  collision?(found: Collision): string;     // words beside what must not touch and did
-  frame?: FrameWords;                       // words beside a coordinate system
+  collision?(found: Collision): string; // words beside what must not touch and did
+  frame?: FrameWords; // words beside a coordinate system
   onBackend?(name: BackendName, refused: Refusal[]): void; // at the start, and again after a loss
-  onThinned?(drawn: number): void;          // so many points of the cloud are drawn
+  onThinned?(drawn: number): void; // so many points of the cloud are drawn
 }
 /** A way of drawing that this browser has not, and why. */
-export interface Refusal { backend: BackendName; reason: string }
+export interface Refusal {
+  backend: BackendName;
+  reason: string;
+}
 
 export interface Preview {
   readonly backend: BackendName;
@@ -70,13 +73,16 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
   let camera = initial();
   let size = sizeOf(stage); // kept: to ask for it while drawing would lay out the page once more
   let step = { index: 0, fraction: 0 };
-  let untouched = true;      // fitted again on a new size until somebody moved the camera
+  let untouched = true; // fitted again on a new size until somebody moved the camera
   let chosen: ViewName | null = "iso"; // until somebody moved the camera
-  let asked = 0;             // animation frame under way
+  let asked = 0; // animation frame under way
   let ended = false;
   let picked: (entry: number) => void = () => undefined;
   const hooks: Hooks = {
-    lost: (reason) => { if (reason) void replace(reason); else redraw(); },
+    lost: reason => {
+      if (reason) void replace(reason);
+      else redraw();
+    },
     again: () => redraw(),
     thinned(drawn) {
       stage.dataset["drawn"] = String(drawn);
@@ -85,7 +91,13 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
   };
   let backend = await open(WAYS);
   const built = (): Scene => {
-    const scene = buildScene(trace, colours, { solids, pieces: backend.name === "svg" ? SORTED_PIECES : 1, index: step.index, drawing, ...(options.frame && { words: options.frame }) });
+    const scene = buildScene(trace, colours, {
+      solids,
+      pieces: backend.name === "svg" ? SORTED_PIECES : 1,
+      index: step.index,
+      drawing,
+      ...(options.frame && { words: options.frame }),
+    });
     return { ...scene, labels: [...scene.labels, ...collisionLabels(trace, colours, options.collision ?? (() => ""))] };
   };
   let scene = built();
@@ -110,7 +122,11 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
     const gone = backend;
     refused.push({ backend: gone.name, reason: String(reason) });
     const next = await open(WAYS.slice(WAYS.indexOf(gone.name) + 1));
-    try { gone.destroy(); } catch { gone.element.remove(); }
+    try {
+      gone.destroy();
+    } catch {
+      gone.element.remove();
+    }
     backend = next;
     replacing = false;
     if (ended) return backend.destroy();
@@ -119,7 +135,13 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
   }
 
   function adopt(): void {
-    Object.assign(backend.element.style, { position: "absolute", inset: "0", width: "100%", height: "100%", display: "block" });
+    Object.assign(backend.element.style, {
+      position: "absolute",
+      inset: "0",
+      width: "100%",
+      height: "100%",
+      display: "block",
+    });
     backend.setScene(scene, devicePixelRatio);
     backend.setCloud(cloud);
     stage.dataset["backend"] = backend.name;
@@ -128,13 +150,18 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
   }
 
   const viewport = (): Viewport => size;
-  const redraw = () => { if (!asked && !ended) asked = requestAnimationFrame(draw); };
+  const redraw = () => {
+    if (!asked && !ended) asked = requestAnimationFrame(draw);
+  };
   /** What the page shows changes within its own frame: the view with it, once everything of it is told. */
   let telling = false;
   const redrawNow = () => {
     if (telling) return;
     telling = true;
-    queueMicrotask(() => { telling = false; if (!ended) draw(); });
+    queueMicrotask(() => {
+      telling = false;
+      if (!ended) draw();
+    });
   };
 
   function draw(): void {
@@ -158,14 +185,36 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
   }
   let covered = 0;
   const beside = () => (size.width > WIDE * size.height && covered < MOST_COVERED * size.width ? covered : 0);
-  const refit = () => { camera = fit(camera, viewport(), scene.box, beside()); redraw(); };
-  const move = (next: typeof camera) => { camera = next; untouched = false; chosen = null; redraw(); };
-  const look = () => { if (chosen) camera = turn(camera, chosen, toolAt(trace, step.index)?.ball); };
-  const setView = (name: ViewName) => { chosen = name; untouched = true; look(); refit(); };
-  const fitAgain = () => { untouched = true; refit(); };
+  const refit = () => {
+    camera = fit(camera, viewport(), scene.box, beside());
+    redraw();
+  };
+  const move = (next: typeof camera) => {
+    camera = next;
+    untouched = false;
+    chosen = null;
+    redraw();
+  };
+  const look = () => {
+    if (chosen) camera = turn(camera, chosen, toolAt(trace, step.index)?.ball);
+  };
+  const setView = (name: ViewName) => {
+    chosen = name;
+    untouched = true;
+    look();
+    refit();
+  };
+  const fitAgain = () => {
+    untouched = true;
+    refit();
+  };
 
   const silence = listen(stage, {
-    camera: () => camera, view: viewport, move, setView, fit: fitAgain,
+    camera: () => camera,
+    view: viewport,
+    move,
+    setView,
+    fit: fitAgain,
     pick(x, y) {
       const entry = pick(scene.lines, camera, viewport(), x, y);
       if (entry !== null) picked(entry);
@@ -173,15 +222,22 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
   });
   const sizes = new ResizeObserver(() => {
     size = sizeOf(stage);
-    if (untouched) refit(); else redraw();
+    if (untouched) refit();
+    else redraw();
   });
   sizes.observe(stage);
   adopt();
 
   return {
-    get backend() { return backend.name; },
-    get refused() { return [...refused]; },
-    get camera() { return camera; },
+    get backend() {
+      return backend.name;
+    },
+    get refused() {
+      return [...refused];
+    },
+    get camera() {
+      return camera;
+    },
     setTrace(next, palette) {
       const first = trace === EMPTY;
       trace = next;
@@ -194,7 +250,10 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
       if (first || untouched || other) refit();
     },
     setStep(index, fraction) {
-      const same = blockOf(index) === blockOf(step.index) && standing(trace, index) === solids && toolAt(trace, index) === scene.tool;
+      const same =
+        blockOf(index) === blockOf(step.index) &&
+        standing(trace, index) === solids &&
+        toolAt(trace, index) === scene.tool;
       step = { index, fraction };
       if (same) redrawNow();
       else rebuild();
@@ -213,9 +272,16 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
       covered = width;
       if (untouched) refit();
     },
-    setLabel(label) { stage.setAttribute("aria-label", label); },
-    onPick(callback) { picked = callback; },
-    setColours(palette) { colours = palette; rebuild(); },
+    setLabel(label) {
+      stage.setAttribute("aria-label", label);
+    },
+    onPick(callback) {
+      picked = callback;
+    },
+    setColours(palette) {
+      colours = palette;
+      rebuild();
+    },
     setDrawing(shown) {
       if (shown === drawing) return;
       drawing = shown;
@@ -242,7 +308,13 @@ function makeStage(host: HTMLElement, label: string): HTMLElement {
   stage.tabIndex = 0;
   stage.setAttribute("role", "application");
   stage.setAttribute("aria-label", label);
-  Object.assign(stage.style, { position: "relative", width: "100%", height: "100%", overflow: "hidden", userSelect: "none" });
+  Object.assign(stage.style, {
+    position: "relative",
+    width: "100%",
+    height: "100%",
+    overflow: "hidden",
+    userSelect: "none",
+  });
   host.append(stage);
   return stage;
 }

@@ -8,12 +8,23 @@ import type { ScanAsk, ScanReply, Shown } from "./worker";
 
 export type { Shown } from "./worker";
 /** `shown`: which points are chosen; drawn are those of `of`, as soon as they are there. */
-export interface Scanned { request: ScanRequest; view: ScanView; clouds: Partial<Record<Shown, Float32Array>>; of: Shown; shown: Shown }
+export interface Scanned {
+  request: ScanRequest;
+  view: ScanView;
+  clouds: Partial<Record<Shown, Float32Array>>;
+  of: Shown;
+  shown: Shown;
+}
 
 /** `taking`: points are made ready to be drawn; `writing`: a file. */
 export type Work = "scanning" | "taking" | "writing";
 /** `since`: ms, as performance.now; `share`: how much is done, 0 to 1; `size`: points that it is about. */
-export interface Doing { work: Work; since: number; share: number; size: number }
+export interface Doing {
+  work: Work;
+  since: number;
+  share: number;
+  size: number;
+}
 
 export interface Scanner {
   /** What is being done. */
@@ -32,7 +43,8 @@ export function createScanner(module: () => WebAssembly.Module | undefined, stor
   let doing: Doing | null = null;
   let written: { form: ScanText; then: (text: Blob) => void } | null = null;
 
-  const change = (to: (scan: Scanned) => Scanned): void => store.update(({ scan }: State) => scan ? { scan: to(scan) } : {});
+  const change = (to: (scan: Scanned) => Scanned): void =>
+    store.update(({ scan }: State) => (scan ? { scan: to(scan) } : {}));
   const begin = (work: Work, ask: ScanAsk): void => {
     doing = { work, since: performance.now(), share: 0, size: store.state.scan?.view.points ?? 0 };
     worker?.postMessage(ask);
@@ -42,7 +54,7 @@ export function createScanner(module: () => WebAssembly.Module | undefined, stor
   const rest = (): void => {
     doing = written = null;
     worker?.postMessage("nothing" satisfies ScanAsk);
-    change((scan) => ({ ...scan, shown: scan.of }));
+    change(scan => ({ ...scan, shown: scan.of }));
   };
   const drop = (): void => {
     worker?.terminate();
@@ -53,12 +65,17 @@ export function createScanner(module: () => WebAssembly.Module | undefined, stor
     store.update({ scan: null, scanProblem: why });
   };
   const scanned = (request: ScanRequest, view: ScanView): void => {
-    store.update({ scan: { request, view, clouds: {}, of: "sent", shown: "sent" }, source: "scan", step: 0, playing: false });
+    store.update({
+      scan: { request, view, clouds: {}, of: "sent", shown: "sent" },
+      source: "scan",
+      step: 0,
+      playing: false,
+    });
     begin("taking", { cloud: "sent" });
   };
   const taken = (of: Shown, cloud: Float32Array): void => {
     if (doing?.work === "taking" && store.state.scan?.shown === of) doing = null;
-    change((scan) => ({ ...scan, clouds: { ...scan.clouds, [of]: cloud }, of: scan.shown === of ? of : scan.of }));
+    change(scan => ({ ...scan, clouds: { ...scan.clouds, [of]: cloud }, of: scan.shown === of ? of : scan.of }));
   };
   const wrote = (form: ScanText, text: Blob): void => {
     if (written?.form !== form) return; // another one was asked for meanwhile
@@ -81,9 +98,9 @@ export function createScanner(module: () => WebAssembly.Module | undefined, stor
       if (!compiled) return;
       drop();
       store.update({ scan: null, scanProblem: "" });
-      const made = worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
+      const made = (worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" }));
       made.onmessage = ({ data }: MessageEvent<ScanReply>) => hear(request, data);
-      made.onerror = (event) => fail(event.message);
+      made.onerror = event => fail(event.message);
       made.postMessage(compiled);
       begin("scanning", { begin: JSON.stringify(request), file });
     },
@@ -94,7 +111,7 @@ export function createScanner(module: () => WebAssembly.Module | undefined, stor
     },
     show(shown) {
       rest();
-      change((scan) => ({ ...scan, shown, of: scan.clouds[shown] ? shown : scan.of }));
+      change(scan => ({ ...scan, shown, of: scan.clouds[shown] ? shown : scan.of }));
       if (!store.state.scan?.clouds[shown]) begin("taking", { cloud: shown });
     },
     text(form, then) {

@@ -1,11 +1,16 @@
-// A surface of the user's: an STL file as it is, or a picture whose grey values are heights. The browser decodes pictures.
+// A surface of the user's: an STL file as it is, or a picture whose grey values are heights. The browser decodes
+// pictures.
 
 import type { SurfaceChoice } from "../wire";
 
-export interface SurfaceFile { name: string; choice: SurfaceChoice; bytes: Uint8Array }
+export interface SurfaceFile {
+  name: string;
+  choice: SurfaceChoice;
+  bytes: Uint8Array;
+}
 
-const LARGEST = 64e6;       // bytes
-const LARGEST_SIDE = 700;   // grey values along the longer side of a picture; a larger one is made smaller
+const LARGEST = 64e6; // bytes
+const LARGEST_SIDE = 700; // grey values along the longer side of a picture; a larger one is made smaller
 const GREY = [0.299, 0.587, 0.114] as const; // brightness of red, green, blue
 
 /** Keys of why a file is not taken. */
@@ -13,15 +18,21 @@ export class NotTaken extends Error {}
 
 export async function readSurface(file: File): Promise<SurfaceFile> {
   if (file.size > LARGEST) throw new NotTaken("scan-file-size");
-  if (/\.stl$/i.test(file.name)) return { name: file.name, choice: "stl", bytes: new Uint8Array(await file.arrayBuffer()) };
+  if (/\.stl$/i.test(file.name))
+    return { name: file.name, choice: "stl", bytes: new Uint8Array(await file.arrayBuffer()) };
   const { greys, columns } = await picture(file);
   return { name: file.name, choice: { picture: columns }, bytes: greys };
 }
 
 async function picture(file: File): Promise<{ greys: Uint8Array; columns: number }> {
-  const image = await createImageBitmap(file).catch(() => { throw new NotTaken("scan-file-sort"); });
+  const image = await createImageBitmap(file).catch(() => {
+    throw new NotTaken("scan-file-sort");
+  });
   const scale = Math.min(1, LARGEST_SIDE / Math.max(image.width, image.height));
-  const [width, height] = [image.width, image.height].map((side) => Math.max(2, Math.round(side * scale))) as [number, number];
+  const [width, height] = [image.width, image.height].map(side => Math.max(2, Math.round(side * scale))) as [
+    number,
+    number,
+  ];
   const context = new OffscreenCanvas(width, height).getContext("2d");
   if (!context) throw new NotTaken("scan-file-sort");
   context.fillStyle = "#fff"; // behind what is clear

@@ -14,19 +14,19 @@ export type ScanReply =
   | { cloud: Float32Array<ArrayBuffer>; of: Shown }
   | { text: Blob; of: ScanText };
 
-const PIECE = 200;   // points that are scanned between two looks at the clock
+const PIECE = 200; // points that are scanned between two looks at the clock
 const POINTS = 5000; // points of a piece of what is made of them
-const SLICE = 100;   // ms between two words about how far it is
-const NUMBERS = 4;   // a point
+const SLICE = 100; // ms between two words about how far it is
+const NUMBERS = 4; // a point
 
 const tell = (reply: ScanReply, transfer: Transferable[] = []): void => postMessage(reply, { transfer });
 let scan: Scan | null = null;
 let turns: Uint32Array = new Uint32Array(); // of each point, when they are drawn
-let newest = 0;                // number of what was asked last
+let newest = 0; // number of what was asked last
 
 function scanAll(begin: string, file: Uint8Array): void {
-  const made = scan = new Scan(begin, file);
-  for (let over = false; !over;) {
+  const made = (scan = new Scan(begin, file));
+  for (let over = false; !over; ) {
     const until = performance.now() + SLICE;
     while (!over && performance.now() < until) over = made.advance(PIECE);
     tell({ share: made.share() });
@@ -42,7 +42,7 @@ async function inPieces(asked: number, piece: (scan: Scan, from: number, to: num
     piece(scan, from, Math.min(from + POINTS, turns.length));
     if (performance.now() < until) continue;
     tell({ share: from / turns.length });
-    await new Promise((resolve) => setTimeout(resolve));
+    await new Promise(resolve => setTimeout(resolve));
     if (asked !== newest) return false;
     until = performance.now() + SLICE;
   }
@@ -53,7 +53,9 @@ async function cloud(asked: number, of: Shown): Promise<void> {
   const numbers = new Float32Array(NUMBERS * turns.length);
   const done = await inPieces(asked, (scan, from, to) => {
     const piece = scan.cloud(of === "surface", from, to);
-    turns.subarray(from, to).forEach((turn, i) => numbers.set(piece.subarray(NUMBERS * i, NUMBERS * (i + 1)), NUMBERS * turn));
+    turns
+      .subarray(from, to)
+      .forEach((turn, i) => numbers.set(piece.subarray(NUMBERS * i, NUMBERS * (i + 1)), NUMBERS * turn));
   });
   if (done) tell({ cloud: numbers, of }, [numbers.buffer]);
 }
@@ -77,5 +79,7 @@ addEventListener("message", ({ data }: MessageEvent<WebAssembly.Module | ScanAsk
     initSync({ module: data });
     return;
   }
-  answer(data).catch((problem: unknown) => tell({ problem: problem instanceof Error ? problem.message : String(problem) }));
+  answer(data).catch((problem: unknown) =>
+    tell({ problem: problem instanceof Error ? problem.message : String(problem) }),
+  );
 });

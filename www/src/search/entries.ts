@@ -1,4 +1,5 @@
-// Everything that can be looked up, out of the catalogue and the messages: cycles, variants, parameters, results, alarms.
+// Everything that can be looked up, out of the catalogue and the messages: cycles, variants, parameters, results,
+// alarms.
 
 import type { Variant } from "../actions";
 import { inEnglish, optional, t } from "../texts";
@@ -12,24 +13,43 @@ export interface Entry {
   id: number;
   kind: Kind;
   control: Dialect | null; // null: of no cycle that is known here
-  code: string;          // as on the control: CYCLE977, _SZA, _OVR[4], 61303
+  code: string; // as on the control: CYCLE977, _SZA, _OVR[4], 61303
   title: string;
-  words: string;         // found too, not shown
-  key: string;           // stem of its messages
-  cycles: CycleInfo[];   // that have it
-  others: string[];      // other programs that have it
+  words: string; // found too, not shown
+  key: string; // stem of its messages
+  cycles: CycleInfo[]; // that have it
+  others: string[]; // other programs that have it
   variant?: Variant;
 }
 type Found = Omit<Entry, "id">;
 
 function measurements(cycle: CycleInfo): Found[] {
   const title = t(`${cycle.key}-title`);
-  const of = { kind: "measurement" as const, control: cycle.control, code: cycle.cycle, key: cycle.key, cycles: [cycle], others: [] };
-  const own: Found = { ...of, title, words: `${digits(cycle.cycle)} ${t(`control-${cycle.control}`)} ${said(`${cycle.key}-words`)}` };
-  return [own, ...cycle.variants.map((variant): Found => ({
-    ...of, variant, code: `${cycle.cycle} ${variant.mvar}`, title: t(variant.key),
-    words: `${digits(cycle.cycle)} ${said(`${variant.key}-words`)}`,
-  }))];
+  const of = {
+    kind: "measurement" as const,
+    control: cycle.control,
+    code: cycle.cycle,
+    key: cycle.key,
+    cycles: [cycle],
+    others: [],
+  };
+  const own: Found = {
+    ...of,
+    title,
+    words: `${digits(cycle.cycle)} ${t(`control-${cycle.control}`)} ${said(`${cycle.key}-words`)}`,
+  };
+  return [
+    own,
+    ...cycle.variants.map(
+      (variant): Found => ({
+        ...of,
+        variant,
+        code: `${cycle.cycle} ${variant.mvar}`,
+        title: t(variant.key),
+        words: `${digits(cycle.cycle)} ${said(`${variant.key}-words`)}`,
+      }),
+    ),
+  ];
 }
 
 /** In the page's language and in English: many know the English word. */
@@ -56,20 +76,38 @@ function shared(cycles: readonly CycleInfo[], list: (cycle: CycleInfo) => Omit<F
 }
 
 function ofAlarm(cycles: readonly CycleInfo[], { code, key, cycles: names }: AlarmInfo): Found {
-  const having = cycles.filter((cycle) => names.includes(cycle.cycle));
-  const others = names.filter((name) => !having.some((cycle) => cycle.cycle === name));
+  const having = cycles.filter(cycle => names.includes(cycle.cycle));
+  const others = names.filter(name => !having.some(cycle => cycle.cycle === name));
   const words = `${optional(`${key}.cause`)} ${optional(`${key}.cure`)}`;
-  return { kind: "alarm", control: having[0]?.control ?? null, code, key, title: t(key), words, cycles: having, others };
+  return {
+    kind: "alarm",
+    control: having[0]?.control ?? null,
+    code,
+    key,
+    title: t(key),
+    words,
+    cycles: having,
+    others,
+  };
 }
 
 export function entries({ cycles }: Catalogue, alarms: readonly AlarmInfo[]): Entry[] {
   const all = [
     ...cycles.flatMap(measurements),
-    ...shared(cycles, ({ control, parameters }) => parameters.map(({ name, key }) =>
-      ({ kind: "parameter", control, code: name, key: `param-${key}`, title: t(`param-${key}`), words: optional(`param-${key}-help`) }))),
-    ...shared(cycles, ({ control, results }) => results.map(({ name, key }) =>
-      ({ kind: "result", control, code: name, key, title: t(key), words: "" }))),
-    ...alarms.map((alarm) => ofAlarm(cycles, alarm)),
+    ...shared(cycles, ({ control, parameters }) =>
+      parameters.map(({ name, key }) => ({
+        kind: "parameter",
+        control,
+        code: name,
+        key: `param-${key}`,
+        title: t(`param-${key}`),
+        words: optional(`param-${key}-help`),
+      })),
+    ),
+    ...shared(cycles, ({ control, results }) =>
+      results.map(({ name, key }) => ({ kind: "result", control, code: name, key, title: t(key), words: "" })),
+    ),
+    ...alarms.map(alarm => ofAlarm(cycles, alarm)),
   ];
   return all.map((one, id) => ({ ...one, id }));
 }

@@ -3,12 +3,20 @@
 
 import MiniSearch from "minisearch";
 import type { AlarmInfo, Catalogue, Dialect } from "../wire";
-import { entries, KINDS, type Entry, type Kind } from "./entries";
+import { type Entry, entries, KINDS, type Kind } from "./entries";
 import { plainWord, words } from "./words";
 
 /** words: those of the entry that were found, to mark them. complete: everything that was typed was found in it. */
-export interface Hit { entry: Entry; score: number; words: string[]; complete: boolean }
-export interface Group { kind: Kind; hits: Hit[] }
+export interface Hit {
+  entry: Entry;
+  score: number;
+  words: string[];
+  complete: boolean;
+}
+export interface Group {
+  kind: Kind;
+  hits: Hit[];
+}
 /** `control`: the one in use, whose entries come before as good ones of another. */
 export type Search = (text: string, control: Dialect) => Group[];
 
@@ -23,7 +31,7 @@ export function createSearch(catalogue: Catalogue, alarms: readonly AlarmInfo[])
   const options = {
     boost: { code: 6, title: 2 },
     prefix: (word: string, at: number, all: string[]) => at === all.length - 1 || word.length >= PREFIX_FROM,
-    fuzzy: (word: string) => word.length >= SLIP_FROM && /^\p{L}+$/u.test(word) ? 0.2 : false,
+    fuzzy: (word: string) => (word.length >= SLIP_FROM && /^\p{L}+$/u.test(word) ? 0.2 : false),
     weights: { prefix: 0.5, fuzzy: 0.2 },
   };
   return (text, control) => {
@@ -31,7 +39,16 @@ export function createSearch(catalogue: Catalogue, alarms: readonly AlarmInfo[])
     const hits = index.search(text, options).flatMap((found): Hit[] => {
       const entry = all[found.id as number];
       const own = entry?.control === control ? OWN_CONTROL : 1;
-      return entry ? [{ entry, score: own * found.score * found.queryTerms.length, words: found.terms, complete: found.queryTerms.length >= asked }] : [];
+      return entry
+        ? [
+            {
+              entry,
+              score: own * found.score * found.queryTerms.length,
+              words: found.terms,
+              complete: found.queryTerms.length >= asked,
+            },
+          ]
+        : [];
     });
     return grouped(hits.sort((a, b) => b.score - a.score));
   };
@@ -40,7 +57,8 @@ export function createSearch(catalogue: Catalogue, alarms: readonly AlarmInfo[])
 /** The kind with the best hit first, if everything that was typed is in that; else in the order of the kinds, since a
     chance word says little. */
 function grouped(hits: Hit[]): Group[] {
-  const best = ({ hits: [first] }: Group): number => first?.complete ? first.score : 0;
-  return KINDS.map((kind): Group => ({ kind, hits: hits.filter((hit) => hit.entry.kind === kind) }))
-    .filter((group) => group.hits.length > 0).sort((a, b) => best(b) - best(a));
+  const best = ({ hits: [first] }: Group): number => (first?.complete ? first.score : 0);
+  return KINDS.map((kind): Group => ({ kind, hits: hits.filter(hit => hit.entry.kind === kind) }))
+    .filter(group => group.hits.length > 0)
+    .sort((a, b) => best(b) - best(a));
 }

@@ -8,12 +8,15 @@ const KEYS = ["keys-f6", "keys-tab", "keys-tree", "keys-tabs", "keys-undo", "key
 
 export function createAbout(): HTMLDialogElement {
   const close = el("button", { type: "button", class: "primary" }, t("about-close"));
-  const dialog = el("dialog", { "aria-labelledby": "about-title", class: "about" },
+  const dialog = el(
+    "dialog",
+    { "aria-labelledby": "about-title", class: "about" },
     el("h2", { id: "about-title" }, t("about-title")),
-    ...LINES.map((key) => el("p", {}, t(key))),
+    ...LINES.map(key => el("p", {}, t(key))),
     el("h3", {}, t("keys-title")),
-    el("ul", {}, ...KEYS.map((key) => el("li", {}, t(key)))),
-    el("div", { class: "actions" }, close));
+    el("ul", {}, ...KEYS.map(key => el("li", {}, t(key)))),
+    el("div", { class: "actions" }, close),
+  );
   on(close, "click", () => dialog.close());
   return dialog;
 }

@@ -1,4 +1,5 @@
-// Long work beside the page: what it is, how long it takes already, and the way to stop it; afterwards why there is no answer.
+// Long work beside the page: what it is, how long it takes already, and the way to stop it; afterwards why there is no
+// answer.
 
 import { el, on, setAttribute, setText, show } from "../dom";
 import { plain } from "../numbers";
@@ -10,7 +11,13 @@ const TICK = 250; // ms
 const SHORT = 0.05; // million characters or MB that would be told as none
 
 /** `size`: characters or bytes that it is about, those of the program unless told; `halt` where the work can wait. */
-export interface Activity { busy(): { since: number; share?: number; halted?: number; size?: number } | null; stopped(state: State): Stopped | null; stop(): void; again(): void; halt?(on: boolean): void }
+export interface Activity {
+  busy(): { since: number; share?: number; halted?: number; size?: number } | null;
+  stopped(state: State): Stopped | null;
+  stop(): void;
+  again(): void;
+  halt?(on: boolean): void;
+}
 
 /** `name` is the first part of the keys of its texts. */
 export function createActivity(name: string, work: Activity): { root: HTMLElement; draw(state: State): void } {
@@ -20,7 +27,14 @@ export function createActivity(name: string, work: Activity): { root: HTMLElemen
   const halt = el("button", { type: "button", class: "quiet" });
   const stop = el("button", { type: "button", class: "quiet" }, t("activity-stop"));
   const again = el("button", { type: "button", class: "quiet" }, t("activity-again"));
-  const root = el("div", { class: "activity", "data-work": name, hidden: true }, bar, what, seconds, el("div", { class: "activity-buttons" }, halt, stop, again));
+  const root = el(
+    "div",
+    { class: "activity", "data-work": name, hidden: true },
+    bar,
+    what,
+    seconds,
+    el("div", { class: "activity-buttons" }, halt, stop, again),
+  );
   let timer = 0;
   on(halt, "click", () => work.halt?.(work.busy()?.halted === undefined));
   on(stop, "click", work.stop);

@@ -1,5 +1,5 @@
-// What would change lines elsewhere in the program: which ones, as they are and as they would be. Nothing is done before
-// it is agreed to.
+// What would change lines elsewhere in the program: which ones, as they are and as they would be. Nothing is done
+// before it is agreed to.
 
 import type { Actions } from "../actions";
 import { isCurrent } from "../desk";
@@ -8,20 +8,33 @@ import { programOf, type State } from "../state";
 import { t } from "../texts";
 import type { TouchedLine } from "../wire";
 
-export interface Asks { root: HTMLElement; said: HTMLElement; draw(state: State): void; waits(): boolean; focus(): void }
+export interface Asks {
+  root: HTMLElement;
+  said: HTMLElement;
+  draw(state: State): void;
+  waits(): boolean;
+  focus(): void;
+}
 
 /** Each line once; of several changes the last one that concerns it counts. */
 function lines(state: State): TouchedLine[] {
   const text = programOf(state);
-  const typed = state.pending.filter((one) => one.control === state.control && one.asks?.text === text);
+  const typed = state.pending.filter(one => one.control === state.control && one.asks?.text === text);
   const cured = state.curing && isCurrent(state.curing, state) ? state.curing.lines : [];
-  const all = [...typed.flatMap((one) => one.asks?.lines ?? []), ...cured];
-  return [...new Map(all.map((one) => [one.line, one])).values()].sort((a, b) => a.line - b.line);
+  const all = [...typed.flatMap(one => one.asks?.lines ?? []), ...cured];
+  return [...new Map(all.map(one => [one.line, one])).values()].sort((a, b) => a.line - b.line);
 }
 
 function lineItem(): HTMLLIElement {
-  return el("li", {}, el("span", { class: "asks-line" }),
-    el("span", { class: "visually-hidden" }, t("asks-before")), el("del", {}), el("span", { class: "visually-hidden" }, t("asks-after")), el("ins", {}));
+  return el(
+    "li",
+    {},
+    el("span", { class: "asks-line" }),
+    el("span", { class: "visually-hidden" }, t("asks-before")),
+    el("del", {}),
+    el("span", { class: "visually-hidden" }, t("asks-after")),
+    el("ins", {}),
+  );
 }
 
 export function createAsks(actions: Actions): Asks {
@@ -30,28 +43,50 @@ export function createAsks(actions: Actions): Asks {
   const list = el("ul", {});
   const apply = el("button", { type: "button", class: "primary" }, t("asks-apply"));
   const cancel = el("button", { type: "button" }, t("asks-cancel"));
-  const root = el("section", { class: "asks", "aria-labelledby": "asks-title", hidden: true }, title, list, el("div", { class: "actions" }, apply, cancel));
+  const root = el(
+    "section",
+    { class: "asks", "aria-labelledby": "asks-title", hidden: true },
+    title,
+    list,
+    el("div", { class: "actions" }, apply, cancel),
+  );
   on(apply, "click", actions.agree);
   on(cancel, "click", actions.refuse);
-  on(root, "keydown", (event) => { if (event.key === "Escape") actions.refuse(); });
+  on(root, "keydown", event => {
+    if (event.key === "Escape") actions.refuse();
+  });
   return {
-    root, said,
+    root,
+    said,
     waits: () => !root.hidden,
     focus: () => apply.focus(),
     draw(state) {
       const all = lines(state);
       const came = root.hidden && all.length > 0;
       show(root, all.length > 0);
-      if (came) document.activeElement?.closest(".field")?.scrollIntoView({ block: "nearest" }); // it takes room from the fields
+      // it takes room from the fields
+      if (came) document.activeElement?.closest(".field")?.scrollIntoView({ block: "nearest" });
       const text = all.length ? t("asks-title", { count: all.length }) : "";
       setText(title, text);
       setText(said, text);
-      keyed(list, all, (one) => String(one.line), lineItem, (node, one) => {
-        const [line, , before, , after] = node.children as unknown as [HTMLElement, HTMLElement, HTMLElement, HTMLElement, HTMLElement];
-        setText(line, t("asks-line", { line: one.line }));
-        setText(before, one.before);
-        setText(after, one.after);
-      });
+      keyed(
+        list,
+        all,
+        one => String(one.line),
+        lineItem,
+        (node, one) => {
+          const [line, , before, , after] = node.children as unknown as [
+            HTMLElement,
+            HTMLElement,
+            HTMLElement,
+            HTMLElement,
+            HTMLElement,
+          ];
+          setText(line, t("asks-line", { line: one.line }));
+          setText(before, one.before);
+          setText(after, one.after);
+        },
+      );
     },
   };
 }

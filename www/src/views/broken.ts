@@ -7,9 +7,14 @@ export function showBroken(what: string): void {
   if (document.getElementById("broken")) return;
   const reload = el("button", { type: "button", class: "primary" }, t("broken-reload"));
   on(reload, "click", () => location.reload());
-  const dialog = el("dialog", { id: "broken", class: "about", "aria-labelledby": "broken-title" },
-    el("h2", { id: "broken-title" }, t("broken-title")), el("p", {}, t("broken-kept")),
-    el("pre", { class: "log", tabindex: "0" }, what), el("div", { class: "actions" }, reload));
+  const dialog = el(
+    "dialog",
+    { id: "broken", class: "about", "aria-labelledby": "broken-title" },
+    el("h2", { id: "broken-title" }, t("broken-title")),
+    el("p", {}, t("broken-kept")),
+    el("pre", { class: "log", tabindex: "0" }, what),
+    el("div", { class: "actions" }, reload),
+  );
   document.body.append(dialog);
   dialog.showModal();
 }

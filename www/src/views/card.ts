@@ -2,17 +2,26 @@
 
 import type { Actions } from "../actions";
 import { el, on, setText, show } from "../dom";
-import { optional, t } from "../texts";
 import type { Card, State } from "../state";
+import { optional, t } from "../texts";
 import type { CycleInfo } from "../wire";
 
-export interface CardView { dialog: HTMLDialogElement; draw(state: State): void }
+export interface CardView {
+  dialog: HTMLDialogElement;
+  draw(state: State): void;
+}
 
 /** A heading with a text below it; without a text neither is shown. */
 function told(key: string): { parts: HTMLElement[]; set(text: string): void } {
   const text = el("p", {});
   const parts = [el("h3", {}, t(key)), text];
-  return { parts, set: (what) => { setText(text, what); for (const part of parts) show(part, what !== ""); } };
+  return {
+    parts,
+    set: what => {
+      setText(text, what);
+      for (const part of parts) show(part, what !== "");
+    },
+  };
 }
 
 export function createCard(actions: Actions): CardView {
@@ -24,15 +33,34 @@ export function createCard(actions: Actions): CardView {
   const cycles = el("ul", { class: "card-cycles" });
   const others = el("p", {});
   const close = el("button", { type: "button", class: "primary" }, t("card-close"));
-  const dialog = el("dialog", { class: "about card", "aria-labelledby": "card-title" },
-    title, meaning, ...cause.parts, ...cure.parts, cyclesTitle, cycles, others, el("div", { class: "actions" }, close));
+  const dialog = el(
+    "dialog",
+    { class: "about card", "aria-labelledby": "card-title" },
+    title,
+    meaning,
+    ...cause.parts,
+    ...cure.parts,
+    cyclesTitle,
+    cycles,
+    others,
+    el("div", { class: "actions" }, close),
+  );
   on(close, "click", () => dialog.close());
   on(dialog, "close", () => actions.card(null));
   let drawn: State["card"] = null;
 
   const entry = (cycle: CycleInfo): HTMLElement => {
-    const open = el("button", { type: "button", class: "quiet" }, el("code", {}, cycle.cycle), ` ${t(`${cycle.key}-title`)}`);
-    on(open, "click", () => { dialog.close(); actions.chooseCycle(cycle); actions.panel("form"); });
+    const open = el(
+      "button",
+      { type: "button", class: "quiet" },
+      el("code", {}, cycle.cycle),
+      ` ${t(`${cycle.key}-title`)}`,
+    );
+    on(open, "click", () => {
+      dialog.close();
+      actions.chooseCycle(cycle);
+      actions.panel("form");
+    });
     return el("li", {}, open);
   };
   const fill = (card: Card): void => {

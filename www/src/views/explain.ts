@@ -1,12 +1,15 @@
-// The strip between drawing and fields: what the cycle does, or what the focused field means. It keeps its height, so that
-// no field moves; a longer text unfolds over the fields.
+// The strip between drawing and fields: what the cycle does, or what the focused field means. It keeps its height, so
+// that no field moves; a longer text unfolds over the fields.
 
 import { el, on, setAttribute, setText, show } from "../dom";
 import { say, t } from "../texts";
 import type { Field } from "../wire";
 import { needText } from "./field";
 
-export interface Explain { root: HTMLElement; draw(cycle: string, field: Field | undefined): void }
+export interface Explain {
+  root: HTMLElement;
+  draw(cycle: string, field: Field | undefined): void;
+}
 
 export function createExplain(): Explain {
   const about = el("p", { class: "lead" });
@@ -28,8 +31,11 @@ export function createExplain(): Explain {
   const fit = (): void => show(more, open || text.scrollHeight > root.clientHeight + 1);
   const sizes = new ResizeObserver(fit);
   for (const part of [root, about, explained]) sizes.observe(part);
-  on(more, "click", () => { unfold(!open); fit(); });
-  on(root, "keydown", (event) => {
+  on(more, "click", () => {
+    unfold(!open);
+    fit();
+  });
+  on(root, "keydown", event => {
     if (event.key !== "Escape" || !open) return;
     unfold(false);
     fit();

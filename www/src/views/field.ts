@@ -3,10 +3,13 @@
 import type { Actions } from "../actions";
 import { el, keyed, on, setAttribute, setText, show } from "../dom";
 import { parseNumber, plain } from "../numbers";
-import { say, t, allWords } from "../texts";
+import { allWords, say, t } from "../texts";
 import type { Diagnostic, Field } from "../wire";
 
-export interface FieldView { root: HTMLElement; update(field: Field, typed: string, problems: Diagnostic[]): void }
+export interface FieldView {
+  root: HTMLElement;
+  update(field: Field, typed: string, problems: Diagnostic[]): void;
+}
 type DigitGroup = NonNullable<Field["digits"]>[number];
 
 const PAUSE = 700; // ms without a key after which a value counts as typed
@@ -19,21 +22,26 @@ export function fieldId(name: string): string {
 export function rangeText(range: Field["range"]): string {
   if (!range || (range.min === undefined && range.max === undefined)) return "";
   const { min, max } = range;
-  if (min !== undefined && max !== undefined) return `${plain(min)} ${range.minIncluded ? "≤" : "<"} … ${range.maxIncluded ? "≤" : "<"} ${plain(max)}`;
+  if (min !== undefined && max !== undefined)
+    return `${plain(min)} ${range.minIncluded ? "≤" : "<"} … ${range.maxIncluded ? "≤" : "<"} ${plain(max)}`;
   if (min !== undefined) return `${range.minIncluded ? "≥" : ">"} ${plain(min)}`;
   return `${range.maxIncluded ? "≤" : "<"} ${plain(max ?? 0)}`;
 }
 
 function fallbackText(field: Field): string {
   if (field.fallback === undefined) return "";
-  const named = field.choices?.find((choice) => choice.value === field.fallback);
-  return t("field-default", { value: named ? `${plain(field.fallback)} (${say(named.label)})` : plain(field.fallback) });
+  const named = field.choices?.find(choice => choice.value === field.fallback);
+  return t("field-default", {
+    value: named ? `${plain(field.fallback)} (${say(named.label)})` : plain(field.fallback),
+  });
 }
 
 /** What may be entered and what counts when nothing is; a choice shows both by itself. */
 function limitsText(field: Field): string {
   const range = field.kind === "real" || field.kind === "integer" ? rangeText(field.range) : "";
-  return [range, field.kind === "choice" || field.kind === "digits" ? "" : fallbackText(field)].filter(Boolean).join(" · ");
+  return [range, field.kind === "choice" || field.kind === "digits" ? "" : fallbackText(field)]
+    .filter(Boolean)
+    .join(" · ");
 }
 
 /** Whether the field has to be filled in, and why. */
@@ -60,8 +68,14 @@ export function createField(first: Field, actions: Actions, focused: (name: stri
   const required = el("span", { class: "required", "aria-hidden": "true" }, "•");
   const code = el("code", { class: "field-name" }, name);
   const input = el("input", {
-    id, class: "figure", type: "text", autocomplete: "off", spellcheck: "false", "data-kind": first.kind,
-    inputmode: first.kind === "text" ? "text" : "decimal", "aria-describedby": `${id}-worth ${id}-meta ${id}-problems`,
+    id,
+    class: "figure",
+    type: "text",
+    autocomplete: "off",
+    spellcheck: "false",
+    "data-kind": first.kind,
+    inputmode: first.kind === "text" ? "text" : "decimal",
+    "aria-describedby": `${id}-worth ${id}-meta ${id}-problems`,
   });
   const worth = el("span", { class: "worth", id: `${id}-worth` }); // of an expression
   const unit = el("span", { class: "unit" });
@@ -71,10 +85,13 @@ export function createField(first: Field, actions: Actions, focused: (name: stri
   const why = el("span", { class: "visually-hidden" }); // in sight beside the drawing while the field has the focus
   const meta = el("p", { class: "meta", id: `${id}-meta` }, limits, why);
   const list = el("ul", { class: "field-problems", id: `${id}-problems`, "aria-live": "polite" });
-  const root = el("div", { class: `field kind-${first.kind}`, "data-field": name },
+  const root = el(
+    "div",
+    { class: `field kind-${first.kind}`, "data-field": name },
     el("div", { class: "field-head" }, el("span", { class: "field-title" }, label, required), code),
     el("div", { class: "entry-line" }, input, worth, unit, first.kind === "choice" ? select : null, meta),
-    first.kind === "digits" ? groups : null, list,
+    first.kind === "digits" ? groups : null,
+    list,
   );
 
   const take = (): void => {
@@ -84,18 +101,22 @@ export function createField(first: Field, actions: Actions, focused: (name: stri
     actions.touch(name);
   };
   on(input, "input", () => {
-    if (field.chooses) typing = input.value; // half a number may be another variant, which would not know the values of this one
+    if (field.chooses)
+      typing = input.value; // half a number may be another variant, which would not know the values of this one
     else actions.edit(name, input.value);
     clearTimeout(timer);
     timer = window.setTimeout(take, PAUSE);
   });
   on(input, "change", take);
-  on(select, "change", () => { actions.edit(name, select.value); actions.touch(name); });
+  on(select, "change", () => {
+    actions.edit(name, select.value);
+    actions.touch(name);
+  });
   root.addEventListener("focusin", () => focused(name));
 
   const editGroup = (group: DigitGroup, value: number): void => {
     const base = parseNumber(field.expression === undefined ? input.value : field.value) ?? field.fallback ?? 0;
-    const lead = group.leads?.[group.choices.findIndex((one) => one.value === value)];
+    const lead = group.leads?.[group.choices.findIndex(one => one.value === value)];
     actions.edit(name, String(lead ?? withDigits(base, group, value)));
     actions.touch(name);
   };
@@ -107,8 +128,8 @@ export function createField(first: Field, actions: Actions, focused: (name: stri
       const written = next.expression ?? next.value; // settings of the machine may give part of it
       const text = typing ?? (document.activeElement === input && typed !== next.value ? typed : written);
       if (input.value !== text) input.value = text;
-      // Most fields say the same after a keystroke. Entries are put right all the same: what was typed may be gone again
-      // before it was ever drawn.
+      // Most fields say the same after a keystroke. Entries are put right all the same: what was typed may be gone
+      // again before it was ever drawn.
       const now = JSON.stringify([next, typed, problems, allWords()]);
       if (now === drawn && field.kind !== "digits" && field.kind !== "choice") return;
       drawn = now;
@@ -120,12 +141,19 @@ export function createField(first: Field, actions: Actions, focused: (name: stri
       setAttribute(input, "placeholder", field.fallback === undefined ? null : plain(field.fallback));
       setAttribute(input, "aria-required", String(field.required));
       if (field.kind === "choice") updateChoice(select, field, field.expression === undefined ? typed : field.value);
-      if (field.kind === "digits") keyed(groups, field.digits ?? [], (group) => `${group.label.key}/${group.place}/${group.choices.map((one) => one.value).join(",")}`, (group) => createGroup(() => field, group.place, editGroup), (node, group, index) => updateGroup(node, group, `${id}-digit-${index}`));
+      if (field.kind === "digits")
+        keyed(
+          groups,
+          field.digits ?? [],
+          group => `${group.label.key}/${group.place}/${group.choices.map(one => one.value).join(",")}`,
+          group => createGroup(() => field, group.place, editGroup),
+          (node, group, index) => updateGroup(node, group, `${id}-digit-${index}`),
+        );
       root.classList.toggle("needed", field.required);
       setText(limits, limitsText(field));
       setText(why, ` ${needText(field)}`);
       updateProblems(list, problems);
-      const wrong = problems.some((one) => one.severity === "error");
+      const wrong = problems.some(one => one.severity === "error");
       setAttribute(input, "aria-invalid", wrong ? "true" : null);
       root.classList.toggle("wrong", wrong);
       root.classList.toggle("doubtful", !wrong && problems.length > 0);
@@ -134,22 +162,38 @@ export function createField(first: Field, actions: Actions, focused: (name: stri
 }
 
 function options(select: HTMLSelectElement, choices: { value: number; text: string }[], empty: string | null): void {
-  const list = [...(empty === null ? [] : [{ value: "", text: empty }]), ...choices.map((one) => ({ value: String(one.value), text: one.text }))];
-  keyed(select, list, (one) => one.value, (one) => el("option", { value: one.value }), (node, one) => setText(node, one.text));
+  const list = [
+    ...(empty === null ? [] : [{ value: "", text: empty }]),
+    ...choices.map(one => ({ value: String(one.value), text: one.text })),
+  ];
+  keyed(
+    select,
+    list,
+    one => one.value,
+    one => el("option", { value: one.value }),
+    (node, one) => setText(node, one.text),
+  );
 }
 
 function updateChoice(select: HTMLSelectElement, field: Field, typed: string): void {
   const number = parseNumber(typed);
-  const known = field.choices?.some((one) => one.value === number);
-  const empty = typed.trim() === "" || known ? t(field.fallback === undefined ? "choice-none" : "choice-default") : t("choice-other");
-  options(select, (field.choices ?? []).map((one) => ({ value: one.value, text: `${one.value} · ${say(one.label)}` })), empty);
+  const known = field.choices?.some(one => one.value === number);
+  const empty =
+    typed.trim() === "" || known
+      ? t(field.fallback === undefined ? "choice-none" : "choice-default")
+      : t("choice-other");
+  options(
+    select,
+    (field.choices ?? []).map(one => ({ value: one.value, text: `${one.value} · ${say(one.label)}` })),
+    empty,
+  );
   const value = known ? String(number) : "";
   if (select.value !== value) select.value = value;
   setAttribute(select, "aria-label", t("choice-label", { name: say(field.label) }));
 }
 
 function createGroup(field: () => Field, place: number, edit: (group: DigitGroup, value: number) => void): HTMLElement {
-  const current = (): DigitGroup | undefined => field().digits?.find((group) => group.place === place);
+  const current = (): DigitGroup | undefined => field().digits?.find(group => group.place === place);
   const select = el("select", { class: "choice" });
   const number = el("input", { class: "figure", type: "text", inputmode: "numeric", autocomplete: "off" });
   const commit = (text: string): void => {
@@ -171,25 +215,46 @@ function updateGroup(node: HTMLElement, group: DigitGroup, id: string): void {
   setAttribute(number, "id", id);
   show(select, named);
   show(number, !named);
-  const known = group.choices.some((one) => one.value === group.value);
-  if (named) options(select, group.choices.map((one) => ({ value: one.value, text: `${one.value} · ${say(one.label)}` })), known ? null : t("choice-other"));
+  const known = group.choices.some(one => one.value === group.value);
+  if (named)
+    options(
+      select,
+      group.choices.map(one => ({ value: one.value, text: `${one.value} · ${say(one.label)}` })),
+      known ? null : t("choice-other"),
+    );
   const value = String(group.value);
   if (named && select.value !== (known ? value : "")) select.value = known ? value : "";
   if (!named && number.value !== value && document.activeElement !== number) number.value = value;
 }
 
 function updateProblems(list: HTMLElement, problems: Diagnostic[]): void {
-  keyed(list, problems, (one) => `${one.code}/${one.message.key}/${one.param ?? ""}`, () => problemItem(), updateProblem);
+  keyed(
+    list,
+    problems,
+    one => `${one.code}/${one.message.key}/${one.param ?? ""}`,
+    () => problemItem(),
+    updateProblem,
+  );
 }
 
 /** A problem with its mark, number, cause and cure; also used by the list of all problems. */
 export function problemItem(): HTMLLIElement {
-  return el("li", { class: "problem" }, el("span", { class: "mark", "aria-hidden": "true" }), el("span", { class: "problem-text" }), el("code", { class: "problem-code" }), el("span", { class: "hint" }));
+  return el(
+    "li",
+    { class: "problem" },
+    el("span", { class: "mark", "aria-hidden": "true" }),
+    el("span", { class: "problem-text" }),
+    el("code", { class: "problem-code" }),
+    el("span", { class: "hint" }),
+  );
 }
 
 const MARKS = { error: "✕", warning: "!", note: "i" };
 
-export function updateProblem(node: HTMLElement, one: Pick<Diagnostic, "severity" | "code" | "message" | "hint">): void {
+export function updateProblem(
+  node: HTMLElement,
+  one: Pick<Diagnostic, "severity" | "code" | "message" | "hint">,
+): void {
   const [mark, text, code, hint] = node.children as unknown as [HTMLElement, HTMLElement, HTMLElement, HTMLElement];
   setAttribute(node, "data-severity", one.severity);
   setText(mark, MARKS[one.severity]);

@@ -1,6 +1,6 @@
 // The form of the chosen cycle: status line, picture, fields, what to do with the snippet.
 
-import { variantOf, type Actions, type Variant } from "../actions";
+import { type Actions, type Variant, variantOf } from "../actions";
 import type { Derived } from "../derive";
 import { el, keyed, on, setAttribute, setText, show } from "../dom";
 import type { State } from "../state";
@@ -9,16 +9,23 @@ import { optional, t } from "../texts";
 import type { Diagnostic, Field } from "../wire";
 import { createAsks } from "./asks";
 import { createExplain } from "./explain";
-import { createField, fieldId, problemItem, updateProblem, type FieldView } from "./field";
+import { createField, type FieldView, fieldId, problemItem, updateProblem } from "./field";
 import { createPicture } from "./picture";
 import { createTwin } from "./twin";
 import { createCallWays, createSnippetWays } from "./ways";
 
-/** Problems of a field are shown once it was typed into, or after "check"; a value that came there otherwise is marked at once; doubts about a call in which nothing is wrong or
+/** Problems of a field are shown once it was typed into, or after "check"; a value that came there otherwise is marked
+ * at once; doubts about a call in which nothing is wrong or
  *  missing at once, as data of the machine may be behind them. */
 export function shownProblems(state: State, all: Diagnostic[]): Diagnostic[] {
-  const whole = all.every((one) => one.severity !== "error");
-  return all.filter((one) => whole || state.checked || one.severity === "note" || (one.param !== undefined && (state.touched[one.param] || isCarried(state, one.param))));
+  const whole = all.every(one => one.severity !== "error");
+  return all.filter(
+    one =>
+      whole ||
+      state.checked ||
+      one.severity === "note" ||
+      (one.param !== undefined && (state.touched[one.param] || isCarried(state, one.param))),
+  );
 }
 
 /** Whether a field holds a value, and nobody is typing into it. */
@@ -29,7 +36,12 @@ function isCarried({ values, focus }: State, name: string): boolean {
 /** What is said at a field whose value was taken away with the variant. */
 function resetNotes({ resets, values }: State): Diagnostic[] {
   const gone = Object.entries(resets).filter(([name]) => !values[name]);
-  return gone.map(([param, { value, before }]) => ({ severity: "note", code: "", param, message: { key: "field-reset", args: { value, before } } }));
+  return gone.map(([param, { value, before }]) => ({
+    severity: "note",
+    code: "",
+    param,
+    message: { key: "field-reset", args: { value, before } },
+  }));
 }
 
 export async function copyText(text: string, store: Store, notice: string): Promise<void> {
@@ -41,13 +53,28 @@ export async function copyText(text: string, store: Store, notice: string): Prom
   }
 }
 
-export function createForm(root: HTMLElement, store: Store, actions: Actions, showSets: () => void): (state: State, derived: Derived) => void {
+export function createForm(
+  root: HTMLElement,
+  store: Store,
+  actions: Actions,
+  showSets: () => void,
+): (state: State, derived: Derived) => void {
   const title = el("h2", { id: "form-title" });
   const explain = createExplain();
   const where = el("span", {});
-  const help = el("button", { type: "button", class: "quiet help-open", "aria-controls": "panel-help" }, t("help-open"));
+  const help = el(
+    "button",
+    { type: "button", class: "quiet help-open", "aria-controls": "panel-help" },
+    t("help-open"),
+  );
   const detach = el("button", { type: "button", class: "quiet" }, t("form-detach"));
-  const opened = el("div", { class: "opened", role: "status" }, el("span", { class: "opened-mark", "aria-hidden": "true" }, "◆"), where, detach);
+  const opened = el(
+    "div",
+    { class: "opened", role: "status" },
+    el("span", { class: "opened-mark", "aria-hidden": "true" }, "◆"),
+    where,
+    detach,
+  );
   const callWays = createCallWays(actions);
   const asks = createAsks(actions);
   const ways = createSnippetWays(actions);
@@ -64,20 +91,50 @@ export function createForm(root: HTMLElement, store: Store, actions: Actions, sh
   const copy = el("button", { type: "button" }, t("form-copy"));
   const insert = el("button", { type: "button", class: "primary" }, t("form-insert"));
   const placed = el("span", { class: "placed" });
-  const snippetBox = el("section", { class: "snippet-box", "aria-label": t("form-snippet") },
-    el("div", { class: "snippet-head" }, el("h3", {}, t("form-snippet")), el("label", { class: "check", for: "comments" }, comments, t("form-comments"))),
-    el("div", { class: "ways" }, ways.choice), snippet, ways.said, el("div", { class: "actions" }, insert, placed, copy), twin.root);
-  const scroll = el("div", { class: "scroll" }, loose, fields, el("div", { class: "actions" }, check, example, sets), snippetBox);
-  root.append(el("header", { class: "panel-head" }, title, count, help), opened, callWays.root, pictureBox, explain.root, scroll, asks.root, asks.said);
+  const snippetBox = el(
+    "section",
+    { class: "snippet-box", "aria-label": t("form-snippet") },
+    el(
+      "div",
+      { class: "snippet-head" },
+      el("h3", {}, t("form-snippet")),
+      el("label", { class: "check", for: "comments" }, comments, t("form-comments")),
+    ),
+    el("div", { class: "ways" }, ways.choice),
+    snippet,
+    ways.said,
+    el("div", { class: "actions" }, insert, placed, copy),
+    twin.root,
+  );
+  const scroll = el(
+    "div",
+    { class: "scroll" },
+    loose,
+    fields,
+    el("div", { class: "actions" }, check, example, sets),
+    snippetBox,
+  );
+  root.append(
+    el("header", { class: "panel-head" }, title, count, help),
+    opened,
+    callWays.root,
+    pictureBox,
+    explain.root,
+    scroll,
+    asks.root,
+    asks.said,
+  );
 
   const views = new WeakMap<Element, FieldView>();
-  const focused = (name: string | null): void => { if (store.state.focus !== name) store.update({ focus: name }); };
+  const focused = (name: string | null): void => {
+    if (store.state.focus !== name) store.update({ focus: name });
+  };
   const focusField = (name: string): void => document.getElementById(fieldId(name))?.focus();
   const drawPicture = createPicture(pictureBox, focusField);
   let snippetText = "";
   let chosen: Variant | undefined;
 
-  on(fields, "keydown", (event) => {
+  on(fields, "keydown", event => {
     if (!asks.waits() || event.target instanceof HTMLSelectElement) return;
     if (event.key === "Enter") asks.focus();
     else if (event.key === "Escape") actions.refuse();
@@ -93,7 +150,10 @@ export function createForm(root: HTMLElement, store: Store, actions: Actions, sh
   on(sets, "click", showSets);
   on(comments, "change", () => store.update({ comments: comments.checked }));
   on(copy, "click", () => void copyText(snippetText, store, "notice-copied"));
-  on(insert, "click", () => { actions.insert(snippetText); actions.panel("program"); });
+  on(insert, "click", () => {
+    actions.insert(snippetText);
+    actions.panel("program");
+  });
   on(check, "click", () => {
     actions.check();
     store.flush();
@@ -111,15 +171,35 @@ export function createForm(root: HTMLElement, store: Store, actions: Actions, sh
     chosen = variantOf(derived);
     setText(title, t(`${cycle.key}-title`));
     setAttribute(help, "aria-expanded", String(state.right === "help"));
-    explain.draw(optional(`${cycle.key}-help`), view.fields.find((field) => field.name === state.focus));
+    explain.draw(
+      optional(`${cycle.key}-help`),
+      view.fields.find(field => field.name === state.focus),
+    );
     show(opened, !!derived.opened);
-    if (derived.opened) setText(where, t("form-opened", { cycle: cycle.cycle, from: derived.opened.line, to: derived.opened.lastLine }));
-    const names = new Set(view.fields.map((field) => field.name));
-    const arrivals = derived.opened?.arrivals.filter((one) => names.has(one.param ?? "")) ?? [];
+    if (derived.opened)
+      setText(where, t("form-opened", { cycle: cycle.cycle, from: derived.opened.line, to: derived.opened.lastLine }));
+    const names = new Set(view.fields.map(field => field.name));
+    const arrivals = derived.opened?.arrivals.filter(one => names.has(one.param ?? "")) ?? [];
     const problems = [...shownProblems(state, view.diagnostics), ...arrivals, ...resetNotes(state)];
-    keyed(fields, view.fields, (field) => `${cycle.control}/${cycle.cycle}/${field.name}/${field.kind}`, make, (node, field) =>
-      views.get(node)?.update(field, state.values[field.name] ?? "", problems.filter((one) => one.param === field.name)));
-    keyed(loose, problems.filter((one) => one.param === undefined || !names.has(one.param)), (one) => `${one.code}/${one.message.key}`, problemItem, updateProblem);
+    keyed(
+      fields,
+      view.fields,
+      field => `${cycle.control}/${cycle.cycle}/${field.name}/${field.kind}`,
+      make,
+      (node, field) =>
+        views.get(node)?.update(
+          field,
+          state.values[field.name] ?? "",
+          problems.filter(one => one.param === field.name),
+        ),
+    );
+    keyed(
+      loose,
+      problems.filter(one => one.param === undefined || !names.has(one.param)),
+      one => `${one.code}/${one.message.key}`,
+      problemItem,
+      updateProblem,
+    );
     if (view.picture) drawPicture(view.picture, state.focus, state.values);
     renderCount(count, state, view.diagnostics, view.complete);
     if (comments.checked !== state.comments) comments.checked = state.comments;
@@ -140,7 +220,7 @@ export function createForm(root: HTMLElement, store: Store, actions: Actions, sh
 }
 
 function renderCount(node: HTMLElement, state: State, all: Diagnostic[], complete: boolean): void {
-  const errors = all.filter((one) => one.severity === "error");
+  const errors = all.filter(one => one.severity === "error");
   const seen = shownProblems(state, errors).length;
   const text = complete ? t("form-complete") : seen > 0 ? t("form-errors", { count: seen }) : t("form-incomplete");
   setText(node, text);

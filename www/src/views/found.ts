@@ -1,4 +1,5 @@
-// What the search finds, in groups: measurements, parameters, results, alarms. The search itself comes when it is first needed.
+// What the search finds, in groups: measurements, parameters, results, alarms. The search itself comes when it is first
+// needed.
 
 import type { Actions } from "../actions";
 import { el, on, setAttribute, setText, show } from "../dom";
@@ -11,22 +12,40 @@ import type { AlarmInfo, Catalogue, Dialect } from "../wire";
 
 const MOST = 40; // hits of a group that are listed; more say nothing
 
-export interface Found { root: HTMLElement; load(): void; draw(state: State): void; focusFirst(): void }
+export interface Found {
+  root: HTMLElement;
+  load(): void;
+  draw(state: State): void;
+  focusFirst(): void;
+}
 
 function marked(text: string, words: readonly string[]): Node[] {
-  return pieces(text, words).map((piece) => piece.found ? el("mark", {}, piece.text) : document.createTextNode(piece.text));
+  return pieces(text, words).map(piece =>
+    piece.found ? el("mark", {}, piece.text) : document.createTextNode(piece.text),
+  );
 }
 
 function button(hit: Hit, pick: (hit: Hit) => void): HTMLElement {
   const { code, title, control, kind } = hit.entry;
-  const node = el("button", { type: "button", class: "hit", "data-kind": kind },
-    el("code", {}, ...marked(code, hit.words)), el("span", { class: "hit-title" }, ...marked(title, hit.words)),
-    kind === "measurement" || !control ? null : el("span", { class: "hit-control" }, t(`control-${control}`)));
+  const node = el(
+    "button",
+    { type: "button", class: "hit", "data-kind": kind },
+    el("code", {}, ...marked(code, hit.words)),
+    el("span", { class: "hit-title" }, ...marked(title, hit.words)),
+    kind === "measurement" || !control ? null : el("span", { class: "hit-control" }, t(`control-${control}`)),
+  );
   on(node, "click", () => pick(hit));
   return el("li", {}, node);
 }
 
-export function createFound(catalogue: Catalogue, alarms: Promise<AlarmInfo[]>, store: Store, actions: Actions, goToField: (control: Dialect, name: string) => void, back: () => void): Found {
+export function createFound(
+  catalogue: Catalogue,
+  alarms: Promise<AlarmInfo[]>,
+  store: Store,
+  actions: Actions,
+  goToField: (control: Dialect, name: string) => void,
+  back: () => void,
+): Found {
   const list = el("div", { class: "hits" });
   const none = el("p", { class: "empty", role: "status" });
   const root = el("div", { class: "found", hidden: true }, list, none);
@@ -45,13 +64,18 @@ export function createFound(catalogue: Catalogue, alarms: Promise<AlarmInfo[]>, 
   const section = ({ kind, hits }: Group): HTMLElement => {
     const title = el("h3", {}, t(`found-${kind}`, { count: hits.length }));
     const more = hits.length > MOST && el("p", { class: "empty" }, t("found-more", { count: hits.length - MOST }));
-    return el("section", {}, title, el("ul", {}, ...hits.slice(0, MOST).map((hit) => button(hit, pick))), more);
+    return el("section", {}, title, el("ul", {}, ...hits.slice(0, MOST).map(hit => button(hit, pick))), more);
   };
   const buttons = (): HTMLElement[] => [...list.querySelectorAll<HTMLElement>(".hit")];
-  on(list, "keydown", (event) => {
+  on(list, "keydown", event => {
     const all = buttons();
-    const at = all.findIndex((one) => one === document.activeElement);
-    const next: Record<string, HTMLElement | undefined> = { ArrowDown: all[at + 1], ArrowUp: all[at - 1], Home: all[0], End: all.at(-1) };
+    const at = all.findIndex(one => one === document.activeElement);
+    const next: Record<string, HTMLElement | undefined> = {
+      ArrowDown: all[at + 1],
+      ArrowUp: all[at - 1],
+      Home: all[0],
+      End: all.at(-1),
+    };
     if (event.key === "Escape" || (event.key === "ArrowUp" && at === 0)) back();
     else if (event.key in next) next[event.key]?.focus();
     else return;
@@ -67,7 +91,8 @@ export function createFound(catalogue: Catalogue, alarms: Promise<AlarmInfo[]>, 
     });
   };
   return {
-    root, load,
+    root,
+    load,
     focusFirst: () => buttons()[0]?.focus(),
     draw({ search: text, control }) {
       const asked = text.trim();

@@ -4,11 +4,11 @@ import type { Actions } from "../actions";
 import type { Derived } from "../derive";
 import { el, keyed, on, setAttribute, setText, show } from "../dom";
 import { saveFile } from "../files";
-import { pack } from "../link";
 import { nameOf } from "../language";
+import { pack } from "../link";
 import { plain } from "../numbers";
-import { shared, type State } from "../state";
 import type { ProgramCore } from "../program";
+import { type State, shared } from "../state";
 import type { Store } from "../store";
 import { language, languages, t } from "../texts";
 import type { Setup } from "../wire";
@@ -24,21 +24,29 @@ const THEMES: State["theme"][] = ["system", "light", "dark"];
 export function facts(control: string, setup: Setup | undefined): { name: string; text: string }[] {
   const name = t(`control-${control}`);
   const inch = setup?.units === "inch";
-  const list = [{ name: t("fact-control"), text: inch ? t("fact-built", { control: name, unit: t("unit-inch") }) : name }];
+  const list = [
+    { name: t("fact-control"), text: inch ? t("fact-built", { control: name, unit: t("unit-inch") }) : name },
+  ];
   if (!setup) return list;
   const inUse = String(setup.active?.tool ?? "");
-  const [number, tool] = setup.tools[inUse] ? [inUse, setup.tools[inUse]] : Object.entries(setup.tools)[0] ?? [];
+  const [number, tool] = setup.tools[inUse] ? [inUse, setup.tools[inUse]] : (Object.entries(setup.tools)[0] ?? []);
   return [
     ...list,
     ...(number && tool ? [{ name: t("fact-tool"), text: `T${number}${tool.name ? ` ${tool.name}` : ""}` }] : []),
-    { name: t("fact-probe"), text: t("fact-ball", { diameter: plain(setup.probe.radius * 2 / (inch ? MM_PER_INCH : 1), 4), unit: t(inch ? "unit-inch" : "unit-mm") }) },
+    {
+      name: t("fact-probe"),
+      text: t("fact-ball", {
+        diameter: plain((setup.probe.radius * 2) / (inch ? MM_PER_INCH : 1), 4),
+        unit: t(inch ? "unit-inch" : "unit-mm"),
+      }),
+    },
     { name: t("fact-calibration"), text: t(probeIsTrue(setup) ? "fact-true" : "fact-deviates") },
   ];
 }
 
 function probeIsTrue(setup: Setup): boolean {
   const { skew = [0, 0], preTravel = [0, 0] } = setup.probe;
-  return [...skew, ...preTravel].every((value) => value === 0);
+  return [...skew, ...preTravel].every(value => value === 0);
 }
 
 const LONGEST_LINK = 200_000; // characters that every browser takes
@@ -53,7 +61,11 @@ async function copyLink(store: Store): Promise<void> {
 
 /** Each language in its own words. */
 function languageChoice(actions: Actions): HTMLSelectElement {
-  const choice = el("select", { id: "language", "aria-label": t("language") }, ...languages().map((one) => el("option", { value: one, lang: one }, nameOf(one))));
+  const choice = el(
+    "select",
+    { id: "language", "aria-label": t("language") },
+    ...languages().map(one => el("option", { value: one, lang: one }, nameOf(one))),
+  );
   choice.value = language();
   on(choice, "change", () => actions.speak(choice.value));
   return choice;
@@ -61,8 +73,14 @@ function languageChoice(actions: Actions): HTMLSelectElement {
 
 /** Where there is no room for the page's actions side by side, this opens and closes them. */
 function menuFor(list: HTMLElement): HTMLButtonElement {
-  const open = el("button", { type: "button", class: "quiet menu-open", "aria-controls": list.id, "aria-expanded": "false" }, t("menu"));
-  const elsewhere = (event: PointerEvent): void => { if (leaves(event.target)) set(false); };
+  const open = el(
+    "button",
+    { type: "button", class: "quiet menu-open", "aria-controls": list.id, "aria-expanded": "false" },
+    t("menu"),
+  );
+  const elsewhere = (event: PointerEvent): void => {
+    if (leaves(event.target)) set(false);
+  };
   const set = (shown: boolean): void => {
     setAttribute(open, "aria-expanded", String(shown));
     setAttribute(list, "data-open", shown);
@@ -72,10 +90,14 @@ function menuFor(list: HTMLElement): HTMLButtonElement {
   const isOpen = (): boolean => list.hasAttribute("data-open");
   const leaves = (to: EventTarget | null): boolean => !(to instanceof Node && (list.contains(to) || open.contains(to)));
   on(open, "click", () => set(!isOpen()));
-  on(list, "click", (event) => { if (event.target instanceof HTMLButtonElement && event.target.id !== "theme") set(false); });
+  on(list, "click", event => {
+    if (event.target instanceof HTMLButtonElement && event.target.id !== "theme") set(false);
+  });
   for (const part of [open, list]) {
-    on(part, "focusout", (event) => { if (event.relatedTarget && leaves(event.relatedTarget)) set(false); });
-    on(part, "keydown", (event) => {
+    on(part, "focusout", event => {
+      if (event.relatedTarget && leaves(event.relatedTarget)) set(false);
+    });
+    on(part, "keydown", event => {
       if (event.key !== "Escape" || !isOpen()) return;
       set(false);
       open.focus();
@@ -84,7 +106,13 @@ function menuFor(list: HTMLElement): HTMLButtonElement {
   return open;
 }
 
-export function createHeader(root: HTMLElement, store: Store, actions: Actions, openSetup: (file: File) => void, core: () => ProgramCore | null): (state: State, derived: Derived) => void {
+export function createHeader(
+  root: HTMLElement,
+  store: Store,
+  actions: Actions,
+  openSetup: (file: File) => void,
+  core: () => ProgramCore | null,
+): (state: State, derived: Derived) => void {
   const about = createAbout();
   const machine = createMachine(actions);
   const machineData = createMachineData(store, actions, core);
@@ -95,8 +123,18 @@ export function createHeader(root: HTMLElement, store: Store, actions: Actions, 
     return node;
   };
   let setup: Setup | undefined; // the last that was used: it stays in sight while the form is incomplete
-  const file = el("input", { type: "file", accept: "application/json,.json", hidden: true, tabindex: "-1", "aria-label": t("setup-import") });
-  on(file, "change", () => { const chosen = file.files?.[0]; if (chosen) openSetup(chosen); file.value = ""; });
+  const file = el("input", {
+    type: "file",
+    accept: "application/json,.json",
+    hidden: true,
+    tabindex: "-1",
+    "aria-label": t("setup-import"),
+  });
+  on(file, "change", () => {
+    const chosen = file.files?.[0];
+    if (chosen) openSetup(chosen);
+    file.value = "";
+  });
   const theme = quiet("theme-system", () => {
     const next = THEMES[(THEMES.indexOf(store.state.theme) + 1) % THEMES.length] ?? "system";
     store.update({ theme: next });
@@ -108,24 +146,47 @@ export function createHeader(root: HTMLElement, store: Store, actions: Actions, 
     if (saved) saveFile(JSON.stringify(saved, null, 2), "setup.json", "application/json");
     else store.update({ notice: "notice-nothing-to-save" });
   };
-  const actionsBox = el("div", { class: "head-actions", id: "page-actions" }, machineData.open,
-    quiet("setup-import", () => file.click()), file,
-    quiet("setup-export", save), own,
-    quiet("link-copy", () => void copyLink(store)), theme, languageChoice(actions),
-    quiet("about-open", () => about.showModal()));
+  const actionsBox = el(
+    "div",
+    { class: "head-actions", id: "page-actions" },
+    machineData.open,
+    quiet("setup-import", () => file.click()),
+    file,
+    quiet("setup-export", save),
+    own,
+    quiet("link-copy", () => void copyLink(store)),
+    theme,
+    languageChoice(actions),
+    quiet("about-open", () => about.showModal()),
+  );
   root.append(
-    el("div", { class: "brand" }, el("span", { class: "brand-mark", "aria-hidden": "true" }), el("h1", {}, t("app-name"))), machine.root, list,
-    menuFor(actionsBox), actionsBox);
+    el(
+      "div",
+      { class: "brand" },
+      el("span", { class: "brand-mark", "aria-hidden": "true" }),
+      el("h1", {}, t("app-name")),
+    ),
+    machine.root,
+    list,
+    menuFor(actionsBox),
+    actionsBox,
+  );
   document.body.append(about);
   return (state, derived) => {
     machine.draw(state, derived);
     machineData.draw(state);
     setup = derived.view.setup ?? (setup?.control === derived.cycle.control ? setup : undefined);
-    keyed(list, facts(derived.cycle.control, setup), (one) => one.name, () => el("div", {}, el("dt", {}), el("dd", {})), (node, one) => {
-      const [name, text] = node.children as unknown as [HTMLElement, HTMLElement];
-      setText(name, one.name);
-      setText(text, one.text);
-    });
+    keyed(
+      list,
+      facts(derived.cycle.control, setup),
+      one => one.name,
+      () => el("div", {}, el("dt", {}), el("dd", {})),
+      (node, one) => {
+        const [name, text] = node.children as unknown as [HTMLElement, HTMLElement];
+        setText(name, one.name);
+        setText(text, one.text);
+      },
+    );
     show(own, !!state.setup);
     setText(theme, t(`theme-${state.theme}`));
     setAttribute(document.documentElement, "data-theme", state.theme === "system" ? null : state.theme);

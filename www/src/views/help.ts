@@ -1,7 +1,7 @@
-// The help page of the variant in the form: what it measures, where the probe stands before, what happens in order, what it
-// corrects, what goes wrong. It stands beside the form, in the place of program, view and results.
+// The help page of the variant in the form: what it measures, where the probe stands before, what happens in order,
+// what it corrects, what goes wrong. It stands beside the form, in the place of program, view and results.
 
-import { variantOf, type Actions } from "../actions";
+import { type Actions, variantOf } from "../actions";
 import type { Derived } from "../derive";
 import { el, on, setText, show } from "../dom";
 import type { ProgramCore } from "../program";
@@ -11,18 +11,28 @@ import { hasHelp, helpWords, language, optional, say, t } from "../texts";
 import type { AlarmInfo, HelpView } from "../wire";
 import { fieldId } from "./field";
 
-export function createHelp(root: HTMLElement, store: Store, actions: Actions, core: () => ProgramCore | null): (state: State, derived: Derived) => void {
+export function createHelp(
+  root: HTMLElement,
+  store: Store,
+  actions: Actions,
+  core: () => ProgramCore | null,
+): (state: State, derived: Derived) => void {
   const title = el("h2", { id: "help-title" });
   const close = el("button", { type: "button", class: "quiet" }, t("help-close"));
   const note = el("p", { class: "empty" });
   const page = el("div", { class: "help-page" });
-  root.append(el("header", { class: "panel-head" }, title, close), el("div", { class: "scroll", tabindex: "0", role: "region", "aria-labelledby": "help-title" }, note, page));
+  root.append(
+    el("header", { class: "panel-head" }, title, close),
+    el("div", { class: "scroll", tabindex: "0", role: "region", "aria-labelledby": "help-title" }, note, page),
+  );
   const leave = (): void => {
     actions.help();
     document.querySelector<HTMLElement>(".help-open")?.focus();
   };
   on(close, "click", leave);
-  on(root, "keydown", (event) => { if (event.key === "Escape") leave(); });
+  on(root, "keydown", event => {
+    if (event.key === "Escape") leave();
+  });
 
   const goTo = (name: string): void => {
     actions.panel("form");
@@ -33,7 +43,15 @@ export function createHelp(root: HTMLElement, store: Store, actions: Actions, co
   const fetchWords = (): void => {
     if (asking === language()) return;
     asking = language();
-    helpWords().catch((problem: unknown) => { console.error(problem); failed = true; }).finally(() => { asking = ""; store.update({}); });
+    helpWords()
+      .catch((problem: unknown) => {
+        console.error(problem);
+        failed = true;
+      })
+      .finally(() => {
+        asking = "";
+        store.update({});
+      });
   };
 
   let drawn = "";
@@ -62,26 +80,67 @@ export function createHelp(root: HTMLElement, store: Store, actions: Actions, co
 
 /** A text with the names of data in it marked as such. */
 function marked(text: string): (string | HTMLElement)[] {
-  return text.split(/([_$][A-Z][A-Z0-9_]*(?:\[[^\]]*\])?)/).map((part, index) => index % 2 ? el("code", {}, part) : part);
+  return text
+    .split(/([_$][A-Z][A-Z0-9_]*(?:\[[^\]]*\])?)/)
+    .map((part, index) => (index % 2 ? el("code", {}, part) : part));
 }
 
-/** Headings and lines; the values stand with where the probe is before the call, the results with what is corrected, the alarms at the end. */
+/**
+ * Headings and lines; the values stand with where the probe is before the call, the results with what is corrected, the
+ * alarms at the end.
+ */
 function fill({ sections, required, results, alarms }: HelpView, goTo: (name: string) => void): HTMLElement[] {
-  const parts = sections.map(({ label, lines }) => el("section", {}, el("h3", {}, say(label)),
-    el("ul", {}, ...lines.map(({ message, source }) => el("li", {}, ...marked(say(message)), " ", el("small", {}, source))))));
+  const parts = sections.map(({ label, lines }) =>
+    el(
+      "section",
+      {},
+      el("h3", {}, say(label)),
+      el(
+        "ul",
+        {},
+        ...lines.map(({ message, source }) => el("li", {}, ...marked(say(message)), " ", el("small", {}, source))),
+      ),
+    ),
+  );
   const name = (one: string): HTMLElement => {
     const button = el("button", { type: "button", class: "quiet" }, el("code", {}, one));
     on(button, "click", () => goTo(one));
     return el("li", {}, button);
   };
-  const values = el("section", {}, el("h3", {}, t("help-values-title")), el("ul", { class: "help-values" }, ...required.map(name)));
-  const left = el("details", { class: "help-folded" }, el("summary", {}, t("help-results-title", { count: results.length })),
-    el("dl", {}, ...results.flatMap((one) => [el("dt", {}, el("code", {}, one.name)), el("dd", {}, t(one.key))])));
-  const list = el("section", {}, el("h3", {}, t("help-alarms-title", { count: alarms.length })), ...alarms.map(alarmEntry));
-  return [...parts.slice(0, 2), ...(required.length ? [values] : []), ...parts.slice(2, 4), ...(results.length ? [left] : []), ...parts.slice(4), ...(alarms.length ? [list] : [])];
+  const values = el(
+    "section",
+    {},
+    el("h3", {}, t("help-values-title")),
+    el("ul", { class: "help-values" }, ...required.map(name)),
+  );
+  const left = el(
+    "details",
+    { class: "help-folded" },
+    el("summary", {}, t("help-results-title", { count: results.length })),
+    el("dl", {}, ...results.flatMap(one => [el("dt", {}, el("code", {}, one.name)), el("dd", {}, t(one.key))])),
+  );
+  const list = el(
+    "section",
+    {},
+    el("h3", {}, t("help-alarms-title", { count: alarms.length })),
+    ...alarms.map(alarmEntry),
+  );
+  return [
+    ...parts.slice(0, 2),
+    ...(required.length ? [values] : []),
+    ...parts.slice(2, 4),
+    ...(results.length ? [left] : []),
+    ...parts.slice(4),
+    ...(alarms.length ? [list] : []),
+  ];
 }
 
 function alarmEntry({ code, key }: AlarmInfo): HTMLElement {
-  const told = [`${key}.cause`, `${key}.cure`].map(optional).filter((text) => text !== "");
-  return el("details", { class: "help-folded" }, el("summary", {}, el("code", {}, code), ` ${t(key)}`), ...told.map((text) => el("p", {}, text)));
+  const told = [`${key}.cause`, `${key}.cure`].map(optional).filter(text => text !== "");
+  return el(
+    "details",
+    { class: "help-folded" },
+    el("summary", {}, el("code", {}, code), ` ${t(key)}`),
+    ...told.map(text => el("p", {}, text)),
+  );
 }

@@ -14,15 +14,26 @@ import { copyText } from "./form";
 /** A row of a group: the title of a field of data, or a datum. */
 type Row = { title: string; datum: null } | { title: null; datum: MachineField };
 
-export interface MachineData { open: HTMLButtonElement; draw(state: State): void }
+export interface MachineData {
+  open: HTMLButtonElement;
+  draw(state: State): void;
+}
 
 const BASIC: BasicSystem[] = ["mm", "inch"];
 const differs = (field: MachineField): boolean => field.value !== "";
 
 /** Whether all words stand in what is shown of a datum. */
 function found(field: MachineField, group: MachineGroup, words: string[]): boolean {
-  const text = [field.name, t(field.key), optional(`${field.key}.help`), field.set ? say(field.set) : "", say(group.label)].join(" ").toLowerCase();
-  return words.every((word) => text.includes(word));
+  const text = [
+    field.name,
+    t(field.key),
+    optional(`${field.key}.help`),
+    field.set ? say(field.set) : "",
+    say(group.label),
+  ]
+    .join(" ")
+    .toLowerCase();
+  return words.every(word => text.includes(word));
 }
 
 function rows(fields: MachineField[]): Row[] {
@@ -43,7 +54,9 @@ function unitText(unit: string): string {
 /** Range and delivered value. */
 function limitsText({ kind, range, fallback }: MachineField): string {
   const allowed = kind === "real" || kind === "integer" ? rangeText(range) : "";
-  return [allowed, kind === "choice" || fallback === "" ? "" : t("field-default", { value: fallback })].filter(Boolean).join(" · ");
+  return [allowed, kind === "choice" || fallback === "" ? "" : t("field-default", { value: fallback })]
+    .filter(Boolean)
+    .join(" · ");
 }
 
 const entryId = (name: string): string => `datum-${name.replace(/[^A-Za-z0-9_]/g, "-")}`;
@@ -58,9 +71,18 @@ const choiceText = (key: string, value: number): string => `${plain(value)} · $
 
 export function createMachineData(store: Store, actions: Actions, core: () => ProgramCore | null): MachineData {
   const open = el("button", { type: "button", class: "quiet", "aria-haspopup": "dialog" }, t("machine-data-open"));
-  const search = el("input", { type: "search", id: "machine-data-search", placeholder: t("machine-data-search-hint"), "aria-label": t("machine-data-search") });
+  const search = el("input", {
+    type: "search",
+    id: "machine-data-search",
+    placeholder: t("machine-data-search-hint"),
+    "aria-label": t("machine-data-search"),
+  });
   const changedOnly = el("input", { type: "checkbox", id: "machine-data-changed" });
-  const basic = el("select", { id: "machine-data-basic", "aria-describedby": "machine-data-basic-help" }, ...BASIC.map((system) => el("option", { value: system }, t(`unit-${system}`))));
+  const basic = el(
+    "select",
+    { id: "machine-data-basic", "aria-describedby": "machine-data-basic-help" },
+    ...BASIC.map(system => el("option", { value: system }, t(`unit-${system}`))),
+  );
   const count = el("p", { class: "machine-data-count", role: "status" });
   const list = el("div", { class: "machine-data-list scroll" });
   const cited = el("p", { class: "datum-cited", id: "machine-data-cited", "aria-live": "polite" });
@@ -69,11 +91,27 @@ export function createMachineData(store: Store, actions: Actions, core: () => Pr
   const assignments = el("button", { type: "button" }, t("machine-data-assignments"));
   const definitions = el("button", { type: "button" }, t("machine-data-definitions"));
   const reset = el("button", { type: "button" }, t("machine-data-reset"));
-  const dialog = el("dialog", { class: "machine-data", "aria-labelledby": "machine-data-title" },
+  const dialog = el(
+    "dialog",
+    { class: "machine-data", "aria-labelledby": "machine-data-title" },
     el("header", {}, el("h2", { id: "machine-data-title" }, t("machine-data-title")), count),
-    el("div", { class: "machine-data-basic" }, el("label", { for: "machine-data-basic" }, t("machine-data-basic")), basic, el("p", { id: "machine-data-basic-help" }, t("machine-data-basic-help"))),
-    el("div", { class: "machine-data-tools" }, search, el("label", { class: "check", for: "machine-data-changed" }, changedOnly, t("machine-data-changed"))),
-    list, cited, el("div", { class: "actions" }, assignments, definitions, reset, close));
+    el(
+      "div",
+      { class: "machine-data-basic" },
+      el("label", { for: "machine-data-basic" }, t("machine-data-basic")),
+      basic,
+      el("p", { id: "machine-data-basic-help" }, t("machine-data-basic-help")),
+    ),
+    el(
+      "div",
+      { class: "machine-data-tools" },
+      search,
+      el("label", { class: "check", for: "machine-data-changed" }, changedOnly, t("machine-data-changed")),
+    ),
+    list,
+    cited,
+    el("div", { class: "actions" }, assignments, definitions, reset, close),
+  );
   document.body.append(dialog);
 
   let view: MachineView | null = null;
@@ -100,31 +138,49 @@ export function createMachineData(store: Store, actions: Actions, core: () => Pr
     view = answer;
     drawAll();
   };
-  const row = createRow(() => view, (name) => typed[name], edit);
+  const row = createRow(
+    () => view,
+    name => typed[name],
+    edit,
+  );
 
   /** `unfold`: what was looked for is shown at once, whatever was folded. */
   function drawAll(unfold = false): void {
     if (!view || !dialog.open) return;
     const words = search.value.toLowerCase().split(/\s+/).filter(Boolean);
     const opening = unfold && (words.length > 0 || changedOnly.checked);
-    const all = view.groups.flatMap((group) => group.fields);
-    const shown = view.groups.map((group) => ({
-      ...group, fields: group.fields.filter((field) => (!changedOnly.checked || isChanged(field)) && found(field, group, words)),
-    })).filter((group) => group.fields.length > 0);
+    const all = view.groups.flatMap(group => group.fields);
+    const shown = view.groups
+      .map(group => ({
+        ...group,
+        fields: group.fields.filter(field => (!changedOnly.checked || isChanged(field)) && found(field, group, words)),
+      }))
+      .filter(group => group.fields.length > 0);
     if (basic.value !== view.basic) basic.value = view.basic;
     setText(count, t("machine-data-count", { changed: all.filter(differs).length, all: all.length }));
     setText(none, t(all.length === 0 ? "machine-data-nothing" : "machine-data-none"));
-    keyed(list, shown, (group) => group.label.key, createGroup, (node, group) => updateGroup(node, group, opening));
+    keyed(
+      list,
+      shown,
+      group => group.label.key,
+      createGroup,
+      (node, group) => updateGroup(node, group, opening),
+    );
     if (shown.length === 0) list.append(none);
     else none.remove();
-    reset.disabled = all.every((field) => !isChanged(field));
+    reset.disabled = all.every(field => !isChanged(field));
     assignments.disabled = view.assignments === "";
     definitions.disabled = view.definitions === "";
   }
   const isChanged = (field: MachineField): boolean => differs(field) || field.name in typed;
 
   function createGroup(group: MachineGroup): HTMLDetailsElement {
-    const node = el("details", { class: "machine-group" }, el("summary", {}, el("span", {}), el("span", { class: "count" })), el("div", {}));
+    const node = el(
+      "details",
+      { class: "machine-group" },
+      el("summary", {}, el("span", {}), el("span", { class: "count" })),
+      el("div", {}),
+    );
     on(node, "toggle", () => {
       if (node.open) opened.add(group.label.key);
       else opened.delete(group.label.key);
@@ -140,7 +196,7 @@ export function createMachineData(store: Store, actions: Actions, core: () => Pr
     const changed = group.fields.filter(differs).length;
     setText(note, changed ? t("machine-data-group-changed", { changed }) : String(group.fields.length));
     if (opening) node.open = true;
-    keyed(body, node.open ? rows(group.fields) : [], (one) => one.title ?? one.datum?.name ?? "", row.create, row.update);
+    keyed(body, node.open ? rows(group.fields) : [], one => one.title ?? one.datum?.name ?? "", row.create, row.update);
   }
 
   on(open, "click", () => {
@@ -151,7 +207,9 @@ export function createMachineData(store: Store, actions: Actions, core: () => Pr
     drawAll(true);
   });
   list.addEventListener("focusin", ({ target }) => {
-    const datum = view?.groups.flatMap((group) => group.fields).find((field) => entryId(field.name) === (target as HTMLElement).id);
+    const datum = view?.groups
+      .flatMap(group => group.fields)
+      .find(field => entryId(field.name) === (target as HTMLElement).id);
     setText(cited, datum ? citedText(datum) : "");
   });
   on(basic, "change", () => take(ask({ basic: basic.value as BasicSystem })));
@@ -161,8 +219,8 @@ export function createMachineData(store: Store, actions: Actions, core: () => Pr
   on(assignments, "click", () => void copyText(view?.assignments ?? "", store, "notice-copied"));
   on(definitions, "click", () => void copyText(view?.definitions ?? "", store, "notice-copied"));
   on(reset, "click", () => {
-    const names = view?.groups.flatMap((group) => group.fields.filter(differs).map((field) => field.name)) ?? [];
-    take(ask({ values: Object.fromEntries(names.map((name) => [name, ""])) }));
+    const names = view?.groups.flatMap(group => group.fields.filter(differs).map(field => field.name)) ?? [];
+    take(ask({ values: Object.fromEntries(names.map(name => [name, ""])) }));
   });
   return {
     open,
@@ -170,24 +228,49 @@ export function createMachineData(store: Store, actions: Actions, core: () => Pr
   };
 }
 
-function createRow(view: () => MachineView | null, typed: (name: string) => string | undefined, edit: (name: string, value: string) => void) {
+function createRow(
+  view: () => MachineView | null,
+  typed: (name: string) => string | undefined,
+  edit: (name: string, value: string) => void,
+) {
   const create = ({ title, datum }: Row): HTMLElement => {
     if (!datum) return el("h3", { class: "machine-set" }, title);
     const id = entryId(datum.name);
-    const entry = datum.kind === "choice"
-      ? el("select", { id, class: "choice", "aria-describedby": `${id}-help ${id}-problem` })
-      : el("input", { id, class: "figure", type: "text", autocomplete: "off", spellcheck: "false", inputmode: datum.kind === "text" ? "text" : "decimal", "aria-describedby": `${id}-help ${id}-problem` });
+    const entry =
+      datum.kind === "choice"
+        ? el("select", { id, class: "choice", "aria-describedby": `${id}-help ${id}-problem` })
+        : el("input", {
+            id,
+            class: "figure",
+            type: "text",
+            autocomplete: "off",
+            spellcheck: "false",
+            inputmode: datum.kind === "text" ? "text" : "decimal",
+            "aria-describedby": `${id}-help ${id}-problem`,
+          });
     on(entry, "change", () => edit(datum.name, entry.value));
-    return el("div", { class: `datum kind-${datum.kind}` },
+    return el(
+      "div",
+      { class: `datum kind-${datum.kind}` },
       el("div", { class: "datum-head" }, el("label", { for: id }), el("code", { class: "field-name" }, datum.name)),
       el("div", { class: "entry-line" }, entry, el("span", { class: "unit" }), el("span", { class: "meta" })),
       el("p", { class: "datum-help", id: `${id}-help` }),
-      el("p", { class: "datum-problem", id: `${id}-problem`, role: "alert" }));
+      el("p", { class: "datum-problem", id: `${id}-problem`, role: "alert" }),
+    );
   };
   const update = (node: HTMLElement, { title, datum }: Row): void => {
     if (!datum) return setText(node, title);
-    const [head, line, help, problem] = node.children as unknown as [HTMLElement, HTMLElement, HTMLElement, HTMLElement];
-    const [entry, unit, meta] = line.children as unknown as [HTMLInputElement | HTMLSelectElement, HTMLElement, HTMLElement];
+    const [head, line, help, problem] = node.children as unknown as [
+      HTMLElement,
+      HTMLElement,
+      HTMLElement,
+      HTMLElement,
+    ];
+    const [entry, unit, meta] = line.children as unknown as [
+      HTMLInputElement | HTMLSelectElement,
+      HTMLElement,
+      HTMLElement,
+    ];
     setText(head.firstElementChild ?? head, t(datum.key));
     setText(help, optional(`${datum.key}.help`));
     setText(unit, unitText(datum.unit));
@@ -196,7 +279,7 @@ function createRow(view: () => MachineView | null, typed: (name: string) => stri
     const value = typed(datum.name) ?? (datum.value || (datum.kind === "choice" ? datum.fallback : ""));
     if (entry.value !== value) entry.value = value;
     if (entry instanceof HTMLInputElement) setAttribute(entry, "placeholder", datum.fallback);
-    const wrong = view()?.problems.find((one) => one.name === datum.name);
+    const wrong = view()?.problems.find(one => one.name === datum.name);
     setText(problem, wrong ? `${say(wrong.message)} ${say(wrong.hint)}` : "");
     show(problem, !!wrong);
     setAttribute(entry, "aria-invalid", wrong ? "true" : null);
@@ -213,5 +296,11 @@ function updateChoices(select: HTMLSelectElement, datum: MachineField): void {
     const shown = choiceText(datum.key, Number(value));
     return value === datum.fallback ? t("machine-data-delivered", { value: shown }) : shown;
   };
-  keyed(select, values, (value) => value, (value) => el("option", { value }), (node, value) => setText(node, text(value)));
+  keyed(
+    select,
+    values,
+    value => value,
+    value => el("option", { value }),
+    (node, value) => setText(node, text(value)),
+  );
 }

@@ -3,7 +3,7 @@
 import type { Actions } from "../actions";
 import type { Derived } from "../derive";
 import { el, keyed, on, setAttribute, setText } from "../dom";
-import { beginning, INCH, PLANES, UNITS, type State } from "../state";
+import { beginning, INCH, PLANES, type State, UNITS } from "../state";
 import { t } from "../texts";
 import type { Dialect, OwnMachine, UnitFunction } from "../wire";
 
@@ -13,28 +13,41 @@ function unitText(control: Dialect, units: UnitFunction): string {
 }
 
 function options(select: HTMLSelectElement, values: readonly string[], text: (value: string) => string): void {
-  keyed(select, values, (value) => value, (value) => el("option", { value }), (node, value) => setText(node, text(value)));
+  keyed(
+    select,
+    values,
+    value => value,
+    value => el("option", { value }),
+    (node, value) => setText(node, text(value)),
+  );
 }
 
 export function createMachine(actions: Actions): { root: HTMLElement; draw(state: State, derived: Derived): void } {
   const plane = el("select", { id: "machine-plane" });
   const units = el("select", { id: "machine-units" });
   const call = el("span", { class: "at-call" });
-  const root = el("div", { class: "machine", role: "group", "aria-label": t("machine") },
+  const root = el(
+    "div",
+    { class: "machine", role: "group", "aria-label": t("machine") },
     el("div", {}, el("label", { for: "machine-plane" }, t("fact-plane")), plane),
-    el("div", {}, el("label", { for: "machine-units" }, t("fact-unit")), units), call);
-  const change = (): void => actions.begin({ plane: plane.value as OwnMachine["own"]["plane"], units: units.value as UnitFunction });
+    el("div", {}, el("label", { for: "machine-units" }, t("fact-unit")), units),
+    call,
+  );
+  const change = (): void =>
+    actions.begin({ plane: plane.value as OwnMachine["own"]["plane"], units: units.value as UnitFunction });
   on(plane, "change", change);
   on(units, "change", change);
   return {
     root,
     draw(state, { opened }) {
       const now = beginning(state);
-      options(plane, PLANES, (value) => `${value} · ${t(`plane-${value.toLowerCase()}`)}`);
-      options(units, UNITS[state.control], (value) => unitText(state.control, value as UnitFunction));
+      options(plane, PLANES, value => `${value} · ${t(`plane-${value.toLowerCase()}`)}`);
+      options(units, UNITS[state.control], value => unitText(state.control, value as UnitFunction));
       if (plane.value !== now.plane) plane.value = now.plane;
       if (units.value !== now.units) units.value = now.units;
-      const other = [opened?.plane !== now.plane && opened?.plane, opened?.units !== now.units && opened?.units].filter(Boolean);
+      const other = [opened?.plane !== now.plane && opened?.plane, opened?.units !== now.units && opened?.units].filter(
+        Boolean,
+      );
       setText(call, other.length ? t("machine-at-call", { functions: other.join(" ") }) : "");
       setAttribute(call, "hidden", other.length === 0);
     },

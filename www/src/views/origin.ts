@@ -1,9 +1,10 @@
-// The file that the program comes from: its name, its encoding to be chosen, and what stands in the way of saving it so.
+// The file that the program comes from: its name, its encoding to be chosen, and what stands in the way of saving it
+// so.
 
 import type { Actions } from "../actions";
 import { difference } from "../difference";
 import { el, on, setAttribute, setText, show } from "../dom";
-import { ENCODINGS, hasAll, lacking, type Encoding } from "../encoding";
+import { ENCODINGS, type Encoding, hasAll, lacking } from "../encoding";
 import type { ProgramFile } from "../files";
 import { t } from "../texts";
 
@@ -35,12 +36,24 @@ function createSearch(): (text: string, encoding: Encoding) => number {
 }
 
 /** `again`: the bytes are read in another encoding. */
-export function createOrigin(actions: Actions, again: (encoding: Encoding) => void, goTo: (offset: number) => void, save: () => void): Origin {
+export function createOrigin(
+  actions: Actions,
+  again: (encoding: Encoding) => void,
+  goTo: (offset: number) => void,
+  save: () => void,
+): Origin {
   const name = el("span", { class: "file-name" });
-  const option = (how: string) => (encoding: Encoding): HTMLOptionElement => el("option", { value: `${how} ${encoding}` }, nameOf(encoding));
+  const option =
+    (how: string) =>
+    (encoding: Encoding): HTMLOptionElement =>
+      el("option", { value: `${how} ${encoding}` }, nameOf(encoding));
   const read = ENCODINGS.map(option("read"));
-  const choice = el("select", { class: "encoding", "aria-label": t("encoding") },
-    el("optgroup", { label: t("encoding-read") }, ...read), el("optgroup", { label: t("encoding-save") }, ...ENCODINGS.map(option("save"))));
+  const choice = el(
+    "select",
+    { class: "encoding", "aria-label": t("encoding") },
+    el("optgroup", { label: t("encoding-read") }, ...read),
+    el("optgroup", { label: t("encoding-save") }, ...ENCODINGS.map(option("save"))),
+  );
   const text = el("p", { class: "problem", "data-severity": "warning", role: "status" });
   const asUtf8 = el("button", { type: "button" }, t("encoding-save-utf-8"));
   const where = el("button", { type: "button", class: "quiet" }, t("encoding-show"));
@@ -55,23 +68,37 @@ export function createOrigin(actions: Actions, again: (encoding: Encoding) => vo
     if (how === "save") actions.encoding(wanted);
     else again(wanted);
   });
-  on(asUtf8, "click", () => { actions.encoding("utf-8"); save(); });
+  on(asUtf8, "click", () => {
+    actions.encoding("utf-8");
+    save();
+  });
   on(where, "click", () => goTo(at));
 
   return {
-    root: el("div", { class: "origin" }, name, choice), told,
+    root: el("div", { class: "origin" }, name, choice),
+    told,
     refuse: () => asUtf8.focus(),
     draw(file, program) {
       now = file.encoding;
       at = search(program, now);
       setText(name, file.name);
       setAttribute(name, "title", file.name);
-      ENCODINGS.forEach((one, index) => { const node = read[index]; if (node) show(node, one === now || !isMarked(one)); }); // the bytes tell whether there is a mark
+      ENCODINGS.forEach((one, index) => {
+        const node = read[index];
+        if (node) show(node, one === now || !isMarked(one));
+      }); // the bytes tell whether there is a mark
       choice.value = `read ${now}`;
       show(told, at >= 0);
       if (at < 0) return;
       const line = program.slice(0, at).split(/\r\n?|\n/).length;
-      setText(text, t("encoding-lacking", { line, character: String.fromCodePoint(program.codePointAt(at) ?? 0), encoding: nameOf(now) }));
+      setText(
+        text,
+        t("encoding-lacking", {
+          line,
+          character: String.fromCodePoint(program.codePointAt(at) ?? 0),
+          encoding: nameOf(now),
+        }),
+      );
     },
   };
 }

@@ -1,5 +1,5 @@
-// The measuring calls of the program: line, cycle, variant, and what is said about them. Only the rows in sight exist, so
-// that a thousand calls cost as much as ten.
+// The measuring calls of the program: line, cycle, variant, and what is said about them. Only the rows in sight exist,
+// so that a thousand calls cost as much as ten.
 
 import type { Derived } from "../derive";
 import { el, keyed, on, setAttribute, setText, show } from "../dom";
@@ -10,21 +10,43 @@ import type { CallView, Catalogue, Severity } from "../wire";
 const BEYOND = 4; // rows drawn above and below what is in sight
 const MARKS: Record<Severity | "ok", string> = { ok: "✓", note: "✓", warning: "!", error: "✕" };
 
-interface Row { call: CallView; index: number; state: Severity | "ok"; variant: string; open: boolean }
+interface Row {
+  call: CallView;
+  index: number;
+  state: Severity | "ok";
+  variant: string;
+  open: boolean;
+}
 
 /** Names of the variants, looked up once. */
 function variantNames({ cycles }: Catalogue): Map<string, string> {
-  return new Map(cycles.flatMap((cycle) => cycle.variants.map((variant) => [`${cycle.control}/${cycle.cycle}/${variant.mvar}`, variant.key])));
+  return new Map(
+    cycles.flatMap(cycle =>
+      cycle.variants.map(variant => [`${cycle.control}/${cycle.cycle}/${variant.mvar}`, variant.key]),
+    ),
+  );
 }
 
 function row(): HTMLElement {
-  return el("div", { role: "option", class: "call-row" },
-    el("span", { class: "call-mark", "aria-hidden": "true" }), el("code", {}), el("span", { class: "call-line" }),
-    el("span", { class: "call-variant" }), el("span", { class: "visually-hidden" }));
+  return el(
+    "div",
+    { role: "option", class: "call-row" },
+    el("span", { class: "call-mark", "aria-hidden": "true" }),
+    el("code", {}),
+    el("span", { class: "call-line" }),
+    el("span", { class: "call-variant" }),
+    el("span", { class: "visually-hidden" }),
+  );
 }
 
 function fill(node: HTMLElement, { call, index, state, variant, open }: Row, count: number, current: boolean): void {
-  const [mark, cycle, line, name, said] = node.children as unknown as [HTMLElement, HTMLElement, HTMLElement, HTMLElement, HTMLElement];
+  const [mark, cycle, line, name, said] = node.children as unknown as [
+    HTMLElement,
+    HTMLElement,
+    HTMLElement,
+    HTMLElement,
+    HTMLElement,
+  ];
   node.dataset.call = String(index);
   node.id = `call-${index}`;
   setAttribute(node, "data-state", state);
@@ -39,9 +61,16 @@ function fill(node: HTMLElement, { call, index, state, variant, open }: Row, cou
   setText(said, t(`call-state-${state}`));
 }
 
-export function createOutline(openCall: (index: number) => void): { root: HTMLElement; draw(state: State, derived: Derived): void } {
+export function createOutline(openCall: (index: number) => void): {
+  root: HTMLElement;
+  draw(state: State, derived: Derived): void;
+} {
   const space = el("div", { class: "outline-space" });
-  const list = el("div", { class: "outline", id: "outline", role: "listbox", tabindex: "0", "aria-label": t("program-calls") }, space);
+  const list = el(
+    "div",
+    { class: "outline", id: "outline", role: "listbox", tabindex: "0", "aria-label": t("program-calls") },
+    space,
+  );
   let names: Map<string, string> | null = null;
   let shown: { state: State; derived: Derived } | null = null;
   let current = 0;
@@ -54,7 +83,13 @@ export function createOutline(openCall: (index: number) => void): { root: HTMLEl
     return derived.read.calls.slice(from, to).map((call, offset): Row => {
       const key = names?.get(`${call.control}/${call.cycle}/${call.mvar}`);
       const said = derived.states[from + offset];
-      return { call, index: from + offset, state: said ?? "ok", variant: key ? t(key) : t("call-variant-unknown"), open: state.open === call.from };
+      return {
+        call,
+        index: from + offset,
+        state: said ?? "ok",
+        variant: key ? t(key) : t("call-variant-unknown"),
+        open: state.open === call.from,
+      };
     });
   };
   const render = (): void => {
@@ -64,10 +99,16 @@ export function createOutline(openCall: (index: number) => void): { root: HTMLEl
     const first = Math.max(0, Math.floor(list.scrollTop / tall) - BEYOND);
     const last = Math.min(count, Math.ceil((list.scrollTop + list.clientHeight) / tall) + BEYOND);
     space.style.height = `${count * tall}px`;
-    keyed(space, rows(first, last), (one) => String(one.index), row, (node, one) => {
-      node.style.top = `${one.index * tall}px`;
-      fill(node, one, count, one.index === current);
-    });
+    keyed(
+      space,
+      rows(first, last),
+      one => String(one.index),
+      row,
+      (node, one) => {
+        node.style.top = `${one.index * tall}px`;
+        fill(node, one, count, one.index === current);
+      },
+    );
     setAttribute(list, "aria-activedescendant", current >= first && current < last ? `call-${current}` : null);
   };
   const bring = (index: number): void => {
@@ -82,17 +123,23 @@ export function createOutline(openCall: (index: number) => void): { root: HTMLEl
     render();
   };
   on(list, "scroll", render);
-  on(list, "click", (event) => {
+  on(list, "click", event => {
     const index = (event.target as Element).closest<HTMLElement>("[data-call]")?.dataset.call;
     if (index === undefined) return;
     go(Number(index));
     openCall(Number(index));
   });
-  on(list, "keydown", (event) => {
+  on(list, "keydown", event => {
     const page = Math.max(1, Math.floor(list.clientHeight / height()) - 1);
     const moves: Record<string, () => void> = {
-      ArrowDown: () => go(current + 1), ArrowUp: () => go(current - 1), PageDown: () => go(current + page), PageUp: () => go(current - page),
-      Home: () => go(0), End: () => go(Infinity), Enter: () => openCall(current), " ": () => openCall(current),
+      ArrowDown: () => go(current + 1),
+      ArrowUp: () => go(current - 1),
+      PageDown: () => go(current + page),
+      PageUp: () => go(current - page),
+      Home: () => go(0),
+      End: () => go(Infinity),
+      Enter: () => openCall(current),
+      " ": () => openCall(current),
     };
     const move = moves[event.key];
     if (!move) return;
@@ -108,11 +155,18 @@ export function createOutline(openCall: (index: number) => void): { root: HTMLEl
       const visible = state.outline && derived.read.calls.length > 0;
       show(list, visible);
       if (visible) names ??= variantNames(derived.catalogue); // what reads programs knows all cycles
-      const same = before?.derived.read === derived.read && before.derived.states === derived.states && before.state.open === state.open && before.state.outline === state.outline;
+      const same =
+        before?.derived.read === derived.read &&
+        before.derived.states === derived.states &&
+        before.state.open === state.open &&
+        before.state.outline === state.outline;
       shown = { state, derived };
       if (!visible || same) return;
-      const index = derived.read.calls.findIndex((call) => call.from === state.open);
-      if (index >= 0 && state.open !== opened) { current = index; bring(index); }
+      const index = derived.read.calls.findIndex(call => call.from === state.open);
+      if (index >= 0 && state.open !== opened) {
+        current = index;
+        bring(index);
+      }
       opened = state.open;
       render();
     },

@@ -2,29 +2,49 @@
 
 import type { Actions } from "../actions";
 import type { Derived } from "../derive";
+import { isCurrent } from "../desk";
 import { el, on, setAttribute, setText, show } from "../dom";
 import type { EditorHost, LineMarks, Shown } from "../editor/editor";
 import type { EditorPlace } from "../editor/place";
-import { encode, type Encoding } from "../encoding";
-import { fileOf, saveFile } from "../files";
+import { type Encoding, encode } from "../encoding";
 import { lineBreak, toEditor, toProgram } from "../eol";
+import { fileOf, saveFile } from "../files";
 import { programOf, type State } from "../state";
 import type { Store } from "../store";
 import { say, t } from "../texts";
-import { isCurrent } from "../desk";
 import { copyText } from "./form";
 import { createOrigin } from "./origin";
 import { createOutline } from "./outline";
 
 /** A file from outside, and the bytes of the program in another encoding. */
-export interface Opening { program(file: File): void; again(encoding: Encoding): void }
-export interface ProgramView { head: HTMLElement; draw(state: State, derived: Derived): void; goTo(offset: number): void; goToLine(line: number): void }
+export interface Opening {
+  program(file: File): void;
+  again(encoding: Encoding): void;
+}
+export interface ProgramView {
+  head: HTMLElement;
+  draw(state: State, derived: Derived): void;
+  goTo(offset: number): void;
+  goToLine(line: number): void;
+}
 
-export function createProgram(root: HTMLElement, store: Store, actions: Actions, opening: Opening, place: EditorPlace): ProgramView {
+export function createProgram(
+  root: HTMLElement,
+  store: Store,
+  actions: Actions,
+  opening: Opening,
+  place: EditorPlace,
+): ProgramView {
   const name = el("span", { class: "count" });
   const copy = el("button", { type: "button", class: "quiet" }, t("program-copy"));
   const open = el("button", { type: "button", class: "quiet" }, t("program-open"));
-  const file = el("input", { type: "file", accept: ".mpf,.spf,.nc,.txt,.arc,.prg,text/plain", hidden: true, tabindex: "-1", "aria-label": t("program-open") });
+  const file = el("input", {
+    type: "file",
+    accept: ".mpf,.spf,.nc,.txt,.arc,.prg,text/plain",
+    hidden: true,
+    tabindex: "-1",
+    "aria-label": t("program-open"),
+  });
   const download = el("button", { type: "button", class: "quiet" }, t("program-save"));
   const calls = el("button", { type: "button", class: "quiet", "aria-controls": "outline" });
   const waiting = el("p", { class: "empty" }, t("program-loading"));
@@ -34,9 +54,17 @@ export function createProgram(root: HTMLElement, store: Store, actions: Actions,
     if (bytes) saveFile(bytes, name);
     else origin.refuse();
   };
-  const origin = createOrigin(actions, opening.again, (offset) => select({ offset }), save);
-  const head = el("header", { class: "panel-head" }, el("h2", { id: "program-title" }, t("program-title")), origin.root, name, calls, el("div", { class: "head-actions" }, open, file, download, copy));
-  const outline = createOutline((index) => {
+  const origin = createOrigin(actions, opening.again, offset => select({ offset }), save);
+  const head = el(
+    "header",
+    { class: "panel-head" },
+    el("h2", { id: "program-title" }, t("program-title")),
+    origin.root,
+    name,
+    calls,
+    el("div", { class: "head-actions" }, open, file, download, copy),
+  );
+  const outline = createOutline(index => {
     actions.openCall(index);
     const call = last?.read.calls[index];
     if (call) select({ offset: call.from });
@@ -45,23 +73,32 @@ export function createProgram(root: HTMLElement, store: Store, actions: Actions,
 
   let text = "";
   let last: Derived | null = null;
-  let target: { offset: number } | { line: number } | null = null; // to be shown as soon as the editor shows the program
+  // to be shown as soon as the editor shows the program
+  let target: { offset: number } | { line: number } | null = null;
   let laid = false; // the editor shows `text`
   let lines = "";
   let told: Derived["problems"] | null = null;
 
   on(copy, "click", () => void copyText(text, store, "notice-copied"));
   on(open, "click", () => file.click());
-  on(calls, "click", () => store.update((state) => ({ outline: !state.outline })));
-  on(file, "change", () => { const chosen = file.files?.[0]; if (chosen) opening.program(chosen); file.value = ""; });
+  on(calls, "click", () => store.update(state => ({ outline: !state.outline })));
+  on(file, "change", () => {
+    const chosen = file.files?.[0];
+    if (chosen) opening.program(chosen);
+    file.value = "";
+  });
   on(download, "click", save);
 
   const host: EditorHost = {
     typed(changes) {
       const eol = lineBreak(text);
-      const edits = changes.map((one) => ({ from: toProgram(text, one.from), to: toProgram(text, one.to), insert: one.insert.replaceAll("\n", eol) }));
+      const edits = changes.map(one => ({
+        from: toProgram(text, one.from),
+        to: toProgram(text, one.to),
+        insert: one.insert.replaceAll("\n", eol),
+      }));
       actions.editProgram(edits);
-      return text = programOf(store.state);
+      return (text = programOf(store.state));
     },
     moved: (offset, line) => actions.cursor(toProgram(text, offset), line),
   };
@@ -90,17 +127,28 @@ export function createProgram(root: HTMLElement, store: Store, actions: Actions,
   /** Calls, step and problems. Until the program is read again the editor moves the old ones along by itself. */
   const marked = (state: State, derived: Derived): Pick<Shown, "marks" | "problems"> => {
     if (!derived.fresh) return {};
-    const step = state.source === "program" ? derived.trace?.entries[derived.step]?.line ?? null : null;
-    const next: LineMarks = { step, calls: derived.read.calls.map((call) => ({ from: call.line, to: call.lastLine, open: call.from === state.open })) };
+    const step = state.source === "program" ? (derived.trace?.entries[derived.step]?.line ?? null) : null;
+    const next: LineMarks = {
+      step,
+      calls: derived.read.calls.map(call => ({ from: call.line, to: call.lastLine, open: call.from === state.open })),
+    };
     const [before, known] = [lines, told];
     lines = JSON.stringify(next);
     told = derived.problems;
-    return { ...lines !== before && { marks: next }, ...told !== known && { problems: marks(derived, actions.cure) } };
+    return {
+      ...(lines !== before && { marks: next }),
+      ...(told !== known && { problems: marks(derived, actions.cure) }),
+    };
   };
 
   const edit = (state: State, derived: Derived): void => {
     place.editor?.setDialect(state.control);
-    place.editor?.set({ text, origin: `${state.control} ${state.files[state.control]?.opened ?? ""}`, apart: text === state.mended, ...marked(state, derived) });
+    place.editor?.set({
+      text,
+      origin: `${state.control} ${state.files[state.control]?.opened ?? ""}`,
+      apart: text === state.mended,
+      ...marked(state, derived),
+    });
   };
 
   return {
@@ -118,8 +166,8 @@ export function createProgram(root: HTMLElement, store: Store, actions: Actions,
       drawCalls(state, derived);
       origin.draw(fileOf(state), text);
     },
-    goTo: (offset) => goTo({ offset }),
-    goToLine: (line) => goTo({ line }),
+    goTo: offset => goTo({ offset }),
+    goToLine: line => goTo({ line }),
   };
 }
 
@@ -128,11 +176,22 @@ const MARKED = 2000; // problems that the editor marks, the first ones: with eac
 function marks(derived: Derived, cure: Actions["cure"]) {
   const text = derived.program;
   const length = toEditor(text, text.length);
-  return derived.problems.filter((one) => one.from !== undefined).slice(0, MARKED).map((one) => {
-    const from = Math.min(toEditor(text, one.from ?? 0), length);
-    const to = Math.min(Math.max(from, toEditor(text, one.to ?? one.from ?? 0)), length);
-    const severity = one.severity === "note" ? "info" as const : one.severity;
-    const actions = one.cure ? [{ name: say(one.cure.label), apply: () => cure(one.cure?.edits ?? [], one.elsewhere) }] : [];
-    return { from, to, severity, actions, message: `${one.code}  ${say(one.message)}${one.hint ? `\n${say(one.hint)}` : ""}` };
-  });
+  return derived.problems
+    .filter(one => one.from !== undefined)
+    .slice(0, MARKED)
+    .map(one => {
+      const from = Math.min(toEditor(text, one.from ?? 0), length);
+      const to = Math.min(Math.max(from, toEditor(text, one.to ?? one.from ?? 0)), length);
+      const severity = one.severity === "note" ? ("info" as const) : one.severity;
+      const actions = one.cure
+        ? [{ name: say(one.cure.label), apply: () => cure(one.cure?.edits ?? [], one.elsewhere) }]
+        : [];
+      return {
+        from,
+        to,
+        severity,
+        actions,
+        message: `${one.code}  ${say(one.message)}${one.hint ? `\n${say(one.hint)}` : ""}`,
+      };
+    });
 }

@@ -5,7 +5,10 @@ import type { State } from "../state";
 import type { Store } from "../store";
 import { t } from "../texts";
 
-export function createRefusal(store: Store, place: "program" | "setup"): { root: HTMLElement; draw(state: State): void } {
+export function createRefusal(
+  store: Store,
+  place: "program" | "setup",
+): { root: HTMLElement; draw(state: State): void } {
   const text = el("p", { class: "problem", "data-severity": "error", role: "alert" });
   const close = el("button", { type: "button", class: "quiet" }, t("refused-close"));
   const root = el("div", { class: "refusal", hidden: true }, text, close);

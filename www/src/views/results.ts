@@ -31,14 +31,23 @@ function figure(value: number, unit: string): string {
 }
 
 function table(caption: string, heads: string[], body: HTMLElement): HTMLTableElement {
-  return el("table", {}, el("caption", {}, caption), el("thead", {}, el("tr", {}, ...heads.map((head) => el("th", { scope: "col" }, head)))), body);
+  return el(
+    "table",
+    {},
+    el("caption", {}, caption),
+    el("thead", {}, el("tr", {}, ...heads.map(head => el("th", { scope: "col" }, head)))),
+    body,
+  );
 }
 
 const row = (cells: number) => (): HTMLTableRowElement =>
   el("tr", {}, el("th", { scope: "row" }), ...Array.from({ length: cells }, () => el("td", {})));
 
 function fill(node: HTMLElement, texts: string[]): void {
-  texts.forEach((text, index) => { const cell = node.children[index]; if (cell) setText(cell, text); });
+  texts.forEach((text, index) => {
+    const cell = node.children[index];
+    if (cell) setText(cell, text);
+  });
 }
 
 /** What is changed, in words with the variable below; before, after, difference, unit. */
@@ -53,8 +62,16 @@ function createOutcome(root: HTMLElement): Draw {
   const changes = el("tbody", {});
   const decisions = el("ol", { class: "decisions" });
   const decisionBox = el("section", { class: "decision-box" }, el("h3", {}, t("outcome-decisions")), decisions);
-  const resultTable = table(t("outcome-results"), [t("column-name"), t("column-meaning"), t("column-value"), t("column-unit")], results);
-  const changeTable = table(t("outcome-changes"), [t("column-what"), t("column-before"), t("column-after"), t("column-difference"), t("column-unit")], changes);
+  const resultTable = table(
+    t("outcome-results"),
+    [t("column-name"), t("column-meaning"), t("column-value"), t("column-unit")],
+    results,
+  );
+  const changeTable = table(
+    t("outcome-changes"),
+    [t("column-what"), t("column-before"), t("column-after"), t("column-difference"), t("column-unit")],
+    changes,
+  );
   resultTable.className = "results";
   changeTable.className = "changes";
   const none = el("p", { class: "empty" });
@@ -62,13 +79,26 @@ function createOutcome(root: HTMLElement): Draw {
   const same = el("p", { class: "empty" }, t("outcome-no-changes"));
   const assumed = el("p", { class: "assumed", role: "note" });
   const ended = el("p", { class: "ended", role: "note" });
-  root.append(none, assumed, alarms, el("div", { class: "outcome" }, changeTable, same, decisionBox, resultTable, more), ended);
+  root.append(
+    none,
+    assumed,
+    alarms,
+    el("div", { class: "outcome" }, changeTable, same, decisionBox, resultTable, more),
+    ended,
+  );
   const shownNow = keptOutcome();
   let drawn: Shown | null | undefined;
   return (state, derived) => {
     const outcome = shownNow(state, derived);
     show(none, !outcome);
-    setText(none, outcome ? "" : state.source === "program" && derived.simulates === "yes" ? t("outcome-running") : missing(derived));
+    setText(
+      none,
+      outcome
+        ? ""
+        : state.source === "program" && derived.simulates === "yes"
+          ? t("outcome-running")
+          : missing(derived),
+    );
     const counted = outcome && !derived.run ? assumptions(derived) : "";
     show(assumed, counted !== "");
     setText(assumed, counted);
@@ -80,35 +110,69 @@ function createOutcome(root: HTMLElement): Draw {
     show(resultTable, (outcome?.results.length ?? 0) > 0);
     show(changeTable, !!outcome && outcome.changes.length > 0);
     show(same, !!outcome && outcome.changes.length === 0);
-    keyed(alarms, outcome?.alarms ?? [], (one, index) => `${index}/${one.code}`, alarmItem, (node, one) => {
-      updateProblem(node, { ...one, severity: one.stops ? "error" : "note" });
-      if (node.lastElementChild) setText(node.lastElementChild, callText(one));
-    });
+    keyed(
+      alarms,
+      outcome?.alarms ?? [],
+      (one, index) => `${index}/${one.code}`,
+      alarmItem,
+      (node, one) => {
+        updateProblem(node, { ...one, severity: one.stops ? "error" : "note" });
+        if (node.lastElementChild) setText(node.lastElementChild, callText(one));
+      },
+    );
     show(alarms, (outcome?.alarms.length ?? 0) > 0);
     const rows = byCall(outcome?.results ?? []);
-    keyed(results, rows.slice(0, ROWS), (one) => "group" in one ? `/${one.key}` : `${one.line ?? ""}/${one.name}`, (one) => "group" in one ? groupRow() : row(3)(), (node, one) => {
-      if ("group" in one) fill(node, [one.group]);
-      else {
-        fill(node, [one.name, one.earlier === undefined ? one.label : `${one.label} · ${t("outcome-earlier")}`, figure(one.value, one.unit), unitText(one.unit)]);
-        node.classList.toggle("earlier", one.earlier !== undefined);
-      }
-    });
+    keyed(
+      results,
+      rows.slice(0, ROWS),
+      one => ("group" in one ? `/${one.key}` : `${one.line ?? ""}/${one.name}`),
+      one => ("group" in one ? groupRow() : row(3)()),
+      (node, one) => {
+        if ("group" in one) fill(node, [one.group]);
+        else {
+          fill(node, [
+            one.name,
+            one.earlier === undefined ? one.label : `${one.label} · ${t("outcome-earlier")}`,
+            figure(one.value, one.unit),
+            unitText(one.unit),
+          ]);
+          node.classList.toggle("earlier", one.earlier !== undefined);
+        }
+      },
+    );
     show(more, rows.length > ROWS);
-    setText(more, t("results-more", { count: rows.slice(ROWS).filter((one) => !("group" in one)).length }));
-    keyed(changes, outcome?.changes ?? [], (one) => one.name, changeRow, (node, one) => {
-      const [name] = node.children;
-      if (name?.firstElementChild) setText(name.firstElementChild, say(one.label));
-      if (name?.lastElementChild) setText(name.lastElementChild, one.name);
-      [figure(one.before, one.unit), figure(one.after, one.unit), signed(one.after - one.before, decimals(one.unit)), unitText(one.unit)].forEach((text, index) => {
-        const cell = node.children[index + 1];
-        if (cell) setText(cell, text);
-      });
-    });
+    setText(more, t("results-more", { count: rows.slice(ROWS).filter(one => !("group" in one)).length }));
+    keyed(
+      changes,
+      outcome?.changes ?? [],
+      one => one.name,
+      changeRow,
+      (node, one) => {
+        const [name] = node.children;
+        if (name?.firstElementChild) setText(name.firstElementChild, say(one.label));
+        if (name?.lastElementChild) setText(name.lastElementChild, one.name);
+        [
+          figure(one.before, one.unit),
+          figure(one.after, one.unit),
+          signed(one.after - one.before, decimals(one.unit)),
+          unitText(one.unit),
+        ].forEach((text, index) => {
+          const cell = node.children[index + 1];
+          if (cell) setText(cell, text);
+        });
+      },
+    );
     show(decisionBox, (outcome?.decisions.length ?? 0) > 0);
-    keyed(decisions, outcome?.decisions ?? [], (_, index) => String(index), () => el("li", {}), (node, one, index) => {
-      setText(node, [callText(one), say(one.message)].filter(Boolean).join(": "));
-      node.classList.toggle("taken", index === (outcome?.decisions.length ?? 0) - 1);
-    });
+    keyed(
+      decisions,
+      outcome?.decisions ?? [],
+      (_, index) => String(index),
+      () => el("li", {}),
+      (node, one, index) => {
+        setText(node, [callText(one), say(one.message)].filter(Boolean).join(": "));
+        node.classList.toggle("taken", index === (outcome?.decisions.length ?? 0) - 1);
+      },
+    );
   };
 }
 
@@ -116,7 +180,9 @@ function createOutcome(root: HTMLElement): Draw {
 
 /** With which of the values that differ by the way the outcome was worked out. */
 function assumptions({ assumed }: Derived): string {
-  const values = Object.entries(assumed).map(([name, { value, line }]) => t("outcome-assumed-value", { name, value, line }));
+  const values = Object.entries(assumed).map(([name, { value, line }]) =>
+    t("outcome-assumed-value", { name, value, line }),
+  );
   return values.length ? t("outcome-assumed", { values: values.join(", ") }) : "";
 }
 
@@ -124,16 +190,26 @@ function assumptions({ assumed }: Derived): string {
 export function missing(derived: Derived): string {
   if (!derived.cycle.simulated) return t("outcome-not-simulated", { cycle: derived.cycle.cycle });
   if (derived.simulates === "no") return t("outcome-absent");
-  if (derived.opened?.style === "operate" && derived.view.complete && !derived.view.unknown?.length) return t("outcome-newer");
+  if (derived.opened?.style === "operate" && derived.view.complete && !derived.view.unknown?.length)
+    return t("outcome-newer");
   if (derived.simulates === "coming" && derived.view.complete) return t("outcome-coming");
-  const names = [...new Set(derived.view.diagnostics.filter((one) => one.severity === "error" && one.param).map((one) => one.param))];
+  const names = [
+    ...new Set(derived.view.diagnostics.filter(one => one.severity === "error" && one.param).map(one => one.param)),
+  ];
   if (names.length) return t("outcome-missing", { names: names.join(", ") });
   const { unknown = [] } = derived.view;
   return unknown.length ? t("outcome-unknown", { names: unknown.join(", ") }) : t("outcome-incomplete");
 }
 
-type ShownResult = { name: string; label: string; value: number; unit: string; earlier?: number } & OfCall; // earlier: not written by this call
-interface Shown { results: ShownResult[]; changes: Outcome["changes"]; alarms: (Outcome["alarms"][number] & OfCall)[]; decisions: ({ message: Outcome["decisions"][number] } & OfCall)[]; log: string[] }
+// earlier: not written by this call
+type ShownResult = { name: string; label: string; value: number; unit: string; earlier?: number } & OfCall;
+interface Shown {
+  results: ShownResult[];
+  changes: Outcome["changes"];
+  alarms: (Outcome["alarms"][number] & OfCall)[];
+  decisions: ({ message: Outcome["decisions"][number] } & OfCall)[];
+  log: string[];
+}
 
 const ROWS = 1000; // of results; a program may have a thousand calls
 
@@ -144,7 +220,7 @@ function callText({ cycle, line }: OfCall): string {
 
 /** The results of a program under the calls that left them; those of the form's call by themselves. */
 function byCall(results: ShownResult[]): (ShownResult | { group: string; key: string })[] {
-  const some = results.some((one) => one.line !== undefined);
+  const some = results.some(one => one.line !== undefined);
   return results.flatMap((one, index) => {
     const first = some && (index === 0 || results[index - 1]?.line !== one.line);
     return first ? [{ group: callText(one) || t("of-program"), key: String(one.line ?? "") }, one] : [one];
@@ -176,16 +252,27 @@ function shownOutcome(state: State, derived: Derived): Shown | null {
   const run = derived.run;
   if (state.source === "program") {
     if (!run) return null;
-    const results = run.results.map((one) => ({ ...one, label: one.label ? say(one.label) : "", unit: one.unit ?? "" }));
+    const results = run.results.map(one => ({ ...one, label: one.label ? say(one.label) : "", unit: one.unit ?? "" }));
     return { ...run, results };
   }
   const outcome = derived.view.outcome;
-  return outcome ? { ...outcome, decisions: outcome.decisions.map((message) => ({ message })), results: outcome.results.map((one) => ({ ...one, label: say(one.label) })) } : null;
+  return outcome
+    ? {
+        ...outcome,
+        decisions: outcome.decisions.map(message => ({ message })),
+        results: outcome.results.map(one => ({ ...one, label: say(one.label) })),
+      }
+    : null;
 }
 
 const LISTED = 200; // problems; the others stand in the editor, and come here when these are mended
 
-interface Located { problem: Diagnostic; place: string; go: () => void; cure?: () => void }
+interface Located {
+  problem: Diagnostic;
+  place: string;
+  go: () => void;
+  cure?: () => void;
+}
 
 function createProblems(root: HTMLElement, actions: Actions, goTo: (offset: number) => void): Draw {
   const list = el("ul", { class: "problem-list" });
@@ -193,7 +280,8 @@ function createProblems(root: HTMLElement, actions: Actions, goTo: (offset: numb
   const rest = el("p", { class: "empty" });
   root.append(none, list, rest);
   const targets = new WeakMap<Element, () => void>();
-  const mend = (button: HTMLElement): void => { // the button goes with its finding: the focus stays in the list
+  const mend = (button: HTMLElement): void => {
+    // the button goes with its finding: the focus stays in the list
     targets.get(button)?.();
     root.focus();
   };
@@ -212,37 +300,60 @@ function createProblems(root: HTMLElement, actions: Actions, goTo: (offset: numb
     show(none, all.length === 0);
     show(rest, all.length > LISTED);
     setText(rest, t("problems-more", { count: all.length - LISTED }));
-    keyed(list, all.slice(0, LISTED), (one, index) => `${index}/${one.problem.code}`, make, (node, one) => {
-      updateProblem(node, one.problem);
-      const [go, cure] = (node.lastElementChild as HTMLElement).children as unknown as [HTMLElement, HTMLElement];
-      setText(go, one.place);
-      targets.set(go, one.go);
-      show(cure, !!one.cure);
-      setText(cure, one.problem.cure ? say(one.problem.cure.label) : "");
-      if (one.cure) targets.set(cure, one.cure);
-    });
+    keyed(
+      list,
+      all.slice(0, LISTED),
+      (one, index) => `${index}/${one.problem.code}`,
+      make,
+      (node, one) => {
+        updateProblem(node, one.problem);
+        const [go, cure] = (node.lastElementChild as HTMLElement).children as unknown as [HTMLElement, HTMLElement];
+        setText(go, one.place);
+        targets.set(go, one.go);
+        show(cure, !!one.cure);
+        setText(cure, one.problem.cure ? say(one.problem.cure.label) : "");
+        if (one.cure) targets.set(cure, one.cure);
+      },
+    );
   };
 }
 
-/** Of the form and of the program. What both say stands once: with the place in the form, unless only the program mends it. */
+/**
+ * Of the form and of the program. What both say stands once: with the place in the form, unless only the program mends
+ * it.
+ */
 function located(state: State, derived: Derived, actions: Actions, goTo: (offset: number) => void): Located[] {
   const same = (one: Diagnostic): string => `${one.code}/${one.param}`;
   const opened = derived.opened;
-  const ofOpened = (one: Diagnostic): boolean => !!opened && (one.line ?? 0) >= opened.line && (one.line ?? 0) <= opened.lastLine;
-  const told = new Set(derived.problems.filter((one) => one.cure && ofOpened(one)).map(same));
-  const form = shownProblems(state, derived.view.diagnostics).filter((one) => !told.has(same(one)));
+  const ofOpened = (one: Diagnostic): boolean =>
+    !!opened && (one.line ?? 0) >= opened.line && (one.line ?? 0) <= opened.lastLine;
+  const told = new Set(derived.problems.filter(one => one.cure && ofOpened(one)).map(same));
+  const form = shownProblems(state, derived.view.diagnostics).filter(one => !told.has(same(one)));
   const inForm = new Set(opened ? form.map(same) : []);
-  const cured = (problem: Diagnostic): Partial<Located> => problem.cure && derived.fresh ? { cure: () => actions.cure(problem.cure?.edits ?? [], problem.elsewhere) } : {};
+  const cured = (problem: Diagnostic): Partial<Located> =>
+    problem.cure && derived.fresh ? { cure: () => actions.cure(problem.cure?.edits ?? [], problem.elsewhere) } : {};
   const place = (problem: Diagnostic): Located => ({
-    problem, place: t("problem-place", { line: problem.line ?? 0, column: problem.column ?? 1 }), go: () => goTo(problem.from ?? 0),
+    problem,
+    place: t("problem-place", { line: problem.line ?? 0, column: problem.column ?? 1 }),
+    go: () => goTo(problem.from ?? 0),
   });
   return [
-    ...form.map((problem): Located => ({
-      problem, place: problem.param ?? t("panel-form"),
-      go: () => { actions.panel("form"); document.getElementById(fieldId(problem.param ?? ""))?.focus(); },
-    })),
-    ...derived.problems.filter((one) => !inForm.has(same(one)) || !ofOpened(one)).map((problem) => ({ ...place(problem), ...cured(problem) })),
-    ...(derived.run?.diagnostics ?? []).filter((one) => !derived.problems.some((known) => known.code === one.code && known.from === one.from)).map(place),
+    ...form.map(
+      (problem): Located => ({
+        problem,
+        place: problem.param ?? t("panel-form"),
+        go: () => {
+          actions.panel("form");
+          document.getElementById(fieldId(problem.param ?? ""))?.focus();
+        },
+      }),
+    ),
+    ...derived.problems
+      .filter(one => !inForm.has(same(one)) || !ofOpened(one))
+      .map(problem => ({ ...place(problem), ...cured(problem) })),
+    ...(derived.run?.diagnostics ?? [])
+      .filter(one => !derived.problems.some(known => known.code === one.code && known.from === one.from))
+      .map(place),
   ];
 }
 
@@ -269,17 +380,27 @@ function createMotions(root: HTMLElement, store: Store): Draw {
       drawn = trace;
       first = from;
       setAttribute(list, "start", from + 1);
-      keyed(list, trace?.entries.slice(from, from + BLOCK) ?? [], (_, index) => String(index), make, (node, entry, index) => {
-        node.dataset.step = String(from + index);
-        setAttribute(node, "data-kind", entry.step === "motion" ? entry.kind : entry.step);
-        const button = node.firstElementChild;
-        if (button) setText(button, stepLine(entry, from + index));
-      });
-      setText(rest, t("motions-block", { from: from + 1, to: from + list.children.length, count: trace?.entries.length ?? 0 }));
+      keyed(
+        list,
+        trace?.entries.slice(from, from + BLOCK) ?? [],
+        (_, index) => String(index),
+        make,
+        (node, entry, index) => {
+          node.dataset.step = String(from + index);
+          setAttribute(node, "data-kind", entry.step === "motion" ? entry.kind : entry.step);
+          const button = node.firstElementChild;
+          if (button) setText(button, stepLine(entry, from + index));
+        },
+      );
+      setText(
+        rest,
+        t("motions-block", { from: from + 1, to: from + list.children.length, count: trace?.entries.length ?? 0 }),
+      );
       show(rest, (trace?.entries.length ?? 0) > BLOCK);
     }
     const current = list.children[step - from];
-    for (const node of list.querySelectorAll('[aria-current="step"]')) if (node !== current) node.removeAttribute("aria-current");
+    for (const node of list.querySelectorAll('[aria-current="step"]'))
+      if (node !== current) node.removeAttribute("aria-current");
     if (current && current.getAttribute("aria-current") !== "step") {
       setAttribute(current, "aria-current", "step");
       if (state.tab === "motions") current.scrollIntoView({ block: "nearest" });
@@ -308,34 +429,55 @@ function createLog(root: HTMLElement): Draw {
   };
 }
 
-export function createResults(root: HTMLElement, store: Store, actions: Actions, scanner: Scanner, goTo: (offset: number) => void): Draw {
+export function createResults(
+  root: HTMLElement,
+  store: Store,
+  actions: Actions,
+  scanner: Scanner,
+  goTo: (offset: number) => void,
+): Draw {
   const bar = el("div", { role: "tablist", class: "tabs", "aria-label": t("panel-results") });
   root.append(el("h2", { class: "visually-hidden" }, t("panel-results")), bar);
   const tabs = new Map<ResultTab, { button: HTMLButtonElement; page: HTMLElement }>();
   for (const name of TABS) {
     const button = el("button", { type: "button", role: "tab", id: `tab-${name}`, "aria-controls": `page-${name}` });
-    const page = el("div", { role: "tabpanel", id: `page-${name}`, "aria-labelledby": `tab-${name}`, class: "scroll", tabindex: "0" });
+    const page = el("div", {
+      role: "tabpanel",
+      id: `page-${name}`,
+      "aria-labelledby": `tab-${name}`,
+      class: "scroll",
+      tabindex: "0",
+    });
     on(button, "click", () => store.update({ tab: name }));
     bar.append(button);
     root.append(page);
     tabs.set(name, { button, page });
   }
-  on(bar, "keydown", (event) => {
+  on(bar, "keydown", event => {
     const move = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
     if (!move) return;
-    const there = TABS.filter((name) => !tabs.get(name)?.button.hidden);
+    const there = TABS.filter(name => !tabs.get(name)?.button.hidden);
     const next = there[(there.indexOf(store.state.tab) + move + there.length) % there.length] ?? "outcome";
     store.update({ tab: next });
     tabs.get(next)?.button.focus();
   });
   const page = (name: ResultTab): HTMLElement => tabs.get(name)?.page ?? root;
-  const draws: Draw[] = [createOutcome(page("outcome")), createProblems(page("problems"), actions, goTo), createMotions(page("motions"), store), createLog(page("log")), createScan(page("scan"), store, scanner)];
+  const draws: Draw[] = [
+    createOutcome(page("outcome")),
+    createProblems(page("problems"), actions, goTo),
+    createMotions(page("motions"), store),
+    createLog(page("log")),
+    createScan(page("scan"), store, scanner),
+  ];
   return (state, derived) => {
     const problems = located(state, derived, actions, goTo).length;
     for (const [name, { button, page: body }] of tabs) {
       const chosen = name === (state.tab === "scan" && !derived.cycle.surfaces.length ? "outcome" : state.tab);
       show(button, name !== "scan" || derived.cycle.surfaces.length > 0);
-      setText(button, name === "problems" && problems > 0 ? t("tab-problems-count", { count: problems }) : t(`tab-${name}`));
+      setText(
+        button,
+        name === "problems" && problems > 0 ? t("tab-problems-count", { count: problems }) : t(`tab-${name}`),
+      );
       setAttribute(button, "aria-selected", String(chosen));
       setAttribute(button, "tabindex", chosen ? 0 : -1);
       show(body, chosen);

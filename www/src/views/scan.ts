@@ -4,8 +4,8 @@ import type { Derived } from "../derive";
 import { el, keyed, on, setAttribute, setText, show } from "../dom";
 import { saveFile } from "../files";
 import { fixed } from "../numbers";
-import { NotTaken, readSurface, type SurfaceFile } from "../scan/surface";
 import type { Scanned, Scanner, Shown, Work } from "../scan/scanner";
+import { NotTaken, readSurface, type SurfaceFile } from "../scan/surface";
 import type { State } from "../state";
 import type { Store } from "../store";
 import { t } from "../texts";
@@ -16,20 +16,35 @@ import { problemItem, updateProblem } from "./field";
 const OWN = "own"; // value of the choice that stands for the user's file
 const SHOWN: Shown[] = ["sent", "surface"];
 const WORK: Work[] = ["scanning", "taking", "writing"];
-const TEXTS: [ScanText, string][] = [["program", "nc"], ["points", "xyz"], ["surface", "xyz"]];
+const TEXTS: [ScanText, string][] = [
+  ["program", "nc"],
+  ["points", "xyz"],
+  ["surface", "xyz"],
+];
 
 /** Whether what the form says now is what was scanned. */
 function isOf({ request }: Scanned, state: State, derived: Derived): boolean {
-  return request.cycle === derived.cycle.cycle && request.setup === derived.view.setup && request.values === state.values;
+  return (
+    request.cycle === derived.cycle.cycle && request.setup === derived.view.setup && request.values === state.values
+  );
 }
 
-export function createScan(root: HTMLElement, store: Store, scanner: Scanner): (state: State, derived: Derived) => void {
+export function createScan(
+  root: HTMLElement,
+  store: Store,
+  scanner: Scanner,
+): (state: State, derived: Derived) => void {
   let own: SurfaceFile | null = null;
   let now: { state: State; derived: Derived } | null = null;
   const mine = el("option", { value: OWN, hidden: true });
   const examples = el("optgroup", { label: t("scan-examples") });
   const choice = el("select", { id: "scan-surface" }, examples, mine);
-  const file = el("input", { type: "file", accept: ".stl,image/png,image/*", hidden: true, "aria-label": t("scan-open") });
+  const file = el("input", {
+    type: "file",
+    accept: ".stl,image/png,image/*",
+    hidden: true,
+    "aria-label": t("scan-open"),
+  });
   const openButton = el("button", { type: "button", class: "quiet" }, t("scan-open"));
   const begin = el("button", { type: "button", class: "primary" }, t("scan-begin"));
   const status = el("p", { class: "empty", role: "status" });
@@ -43,7 +58,9 @@ export function createScan(root: HTMLElement, store: Store, scanner: Scanner): (
       choice.value = OWN;
       store.update({ scanProblem: "" });
     } catch (problem) {
-      store.update({ scanProblem: problem instanceof NotTaken ? t(problem.message, { name: picked.name }) : String(problem) });
+      store.update({
+        scanProblem: problem instanceof NotTaken ? t(problem.message, { name: picked.name }) : String(problem),
+      });
     }
   };
   on(openButton, "click", () => file.click());
@@ -56,18 +73,46 @@ export function createScan(root: HTMLElement, store: Store, scanner: Scanner): (
     const setup = now?.derived.view.setup;
     if (!now || !setup) return;
     const taken = choice.value === OWN ? own : null;
-    scanner.start(request(now.state, now.derived, setup, taken ? taken.choice : { example: choice.value }), taken?.bytes ?? new Uint8Array());
+    scanner.start(
+      request(now.state, now.derived, setup, taken ? taken.choice : { example: choice.value }),
+      taken?.bytes ?? new Uint8Array(),
+    );
   });
 
-  const working = WORK.map((work) => createActivity(`scan-${work}`, { busy: () => doing(scanner, work), stopped: () => null, stop: scanner.stop, again: scanner.stop }));
+  const working = WORK.map(work =>
+    createActivity(`scan-${work}`, {
+      busy: () => doing(scanner, work),
+      stopped: () => null,
+      stop: scanner.stop,
+      again: scanner.stop,
+    }),
+  );
   const result = createFigures(scanner);
   root.append(
-    el("div", { class: "scan-ask" }, el("label", { for: "scan-surface" }, t("scan-surface")), choice, file, openButton, begin),
-    ...working.map((one) => one.root), status, alarms, result.root);
+    el(
+      "div",
+      { class: "scan-ask" },
+      el("label", { for: "scan-surface" }, t("scan-surface")),
+      choice,
+      file,
+      openButton,
+      begin,
+    ),
+    ...working.map(one => one.root),
+    status,
+    alarms,
+    result.root,
+  );
 
   return (state, derived) => {
     if (!derived.cycle.surfaces.length) return;
-    keyed(examples, derived.cycle.surfaces, (name) => name, (name) => el("option", { value: name }, t(`scan-example-${name}`)), () => undefined);
+    keyed(
+      examples,
+      derived.cycle.surfaces,
+      name => name,
+      name => el("option", { value: name }, t(`scan-example-${name}`)),
+      () => undefined,
+    );
     if (!own && choice.value === OWN) choice.selectedIndex = 0; // the examples came after it
     now = { state, derived };
     const scanning = !!doing(scanner, "scanning");
@@ -76,7 +121,13 @@ export function createScan(root: HTMLElement, store: Store, scanner: Scanner): (
     for (const one of working) one.draw(state);
     setText(status, scanning ? "" : said(state, derived, scan));
     show(status, !scanning);
-    keyed(alarms, scan?.view.alarms ?? [], (one, index) => `${index}/${one.code}`, problemItem, (node, one) => updateProblem(node, { ...one, severity: "error" }));
+    keyed(
+      alarms,
+      scan?.view.alarms ?? [],
+      (one, index) => `${index}/${one.code}`,
+      problemItem,
+      (node, one) => updateProblem(node, { ...one, severity: "error" }),
+    );
     show(alarms, !!scan?.view.alarms.length);
     result.draw(scan);
   };
@@ -98,26 +149,64 @@ function said(state: State, derived: Derived, scan: Scanned | null): string {
 
 function request(state: State, { cycle, opened }: Derived, setup: Setup, surface: ScanRequest["surface"]): ScanRequest {
   const modal = opened ? { plane: opened.plane, units: opened.units } : {};
-  return { control: cycle.control, cycle: cycle.cycle, values: state.values, setup, ...modal, ...(surface ? { surface } : {}) };
+  return {
+    control: cycle.control,
+    cycle: cycle.cycle,
+    values: state.values,
+    setup,
+    ...modal,
+    ...(surface ? { surface } : {}),
+  };
 }
 
 /** Deviations of both sorts of points, which of them are shown, and what is saved. */
 function createFigures(scanner: Scanner): { root: HTMLElement; draw(scan: Scanned | null): void } {
-  const rows = SHOWN.map((shown) => {
+  const rows = SHOWN.map(shown => {
     const radio = el("input", { type: "radio", name: "scan-shown", id: `scan-shown-${shown}` });
     const [greatest, mean] = [el("td", {}), el("td", {})];
     on(radio, "change", () => scanner.show(shown));
-    return { shown, radio, greatest, mean, row: el("tr", {}, el("th", { scope: "row" }, radio, " ", el("label", { for: radio.id }, t(`scan-shown-${shown}`))), greatest, mean) };
+    return {
+      shown,
+      radio,
+      greatest,
+      mean,
+      row: el(
+        "tr",
+        {},
+        el("th", { scope: "row" }, radio, " ", el("label", { for: radio.id }, t(`scan-shown-${shown}`))),
+        greatest,
+        mean,
+      ),
+    };
   });
-  const heads = ["scan-points", "scan-greatest", "scan-mean"].map((key) => el("th", { scope: "col" }, t(key)));
-  const table = el("table", { class: "scan-figures" }, el("caption", {}, t("scan-deviations")), el("thead", {}, el("tr", {}, ...heads)), el("tbody", {}, ...rows.map(({ row }) => row)));
-  const key = el("p", { class: "scan-key" }, ...(["outside", "level", "inside"] as const).flatMap((sort) => [el("span", { class: `scan-dot scan-${sort}` }), t(`scan-${sort}`)]));
+  const heads = ["scan-points", "scan-greatest", "scan-mean"].map(key => el("th", { scope: "col" }, t(key)));
+  const table = el(
+    "table",
+    { class: "scan-figures" },
+    el("caption", {}, t("scan-deviations")),
+    el("thead", {}, el("tr", {}, ...heads)),
+    el("tbody", {}, ...rows.map(({ row }) => row)),
+  );
+  const key = el(
+    "p",
+    { class: "scan-key" },
+    ...(["outside", "level", "inside"] as const).flatMap(sort => [
+      el("span", { class: `scan-dot scan-${sort}` }),
+      t(`scan-${sort}`),
+    ]),
+  );
   const saves = TEXTS.map(([form, ending]) => {
     const button = el("button", { type: "button" }, t(`scan-save-${form}`));
-    on(button, "click", () => scanner.text(form, (text) => saveFile(text, `scan-${form}.${ending}`)));
+    on(button, "click", () => scanner.text(form, text => saveFile(text, `scan-${form}.${ending}`)));
     return button;
   });
-  const root = el("section", { class: "scan-result", hidden: true }, table, key, el("div", { class: "scan-files" }, ...saves));
+  const root = el(
+    "section",
+    { class: "scan-result", hidden: true },
+    table,
+    key,
+    el("div", { class: "scan-files" }, ...saves),
+  );
   return {
     root,
     draw(scan) {

@@ -2,8 +2,8 @@
 
 import type { Derived } from "../derive";
 import { el, on, setAttribute, setText, show } from "../dom";
-import type { Preview, ViewName } from "../preview/view";
 import type { Cloud } from "../preview/backend";
+import type { Preview, ViewName } from "../preview/view";
 import type { Scanned } from "../scan/scanner";
 import { AT_END, type State } from "../state";
 import type { Store } from "../store";
@@ -19,9 +19,14 @@ const VIEWS: ViewName[] = ["iso", "top", "front", "right"];
 const NOTHING = { entries: [], ball: { radius: 1, length: 1 }, solids: [], frames: [] };
 const still = matchMedia("(prefers-reduced-motion: reduce)");
 
-export function createScene(root: HTMLElement, store: Store, goToLine: (line: number) => void, stage: Stage): (state: State, derived: Derived) => void {
+export function createScene(
+  root: HTMLElement,
+  store: Store,
+  goToLine: (line: number) => void,
+  stage: Stage,
+): (state: State, derived: Derived) => void {
   const segments = el("div", { class: "segments", role: "group", "aria-label": t("view-source") });
-  const buttons = SOURCES.map((source) => {
+  const buttons = SOURCES.map(source => {
     const button = el("button", { type: "button" }, t(`view-${source}`));
     on(button, "click", () => store.update({ source, step: AT_END, playing: false }));
     segments.append(button);
@@ -32,8 +37,17 @@ export function createScene(root: HTMLElement, store: Store, goToLine: (line: nu
   const empty = el("p", { class: "empty over-stage", role: "status", hidden: true });
   const legend = createLegend();
   const timeline = el("div", { class: "timeline", role: "group", "aria-label": t("timeline-scrub") });
-  root.append(el("header", { class: "panel-head" }, el("h2", {}, t("view-title")), segments, tools), note, el("div", { class: "stage-box" }, stage.box, legend.root, empty), timeline);
-  const drawing = el("button", { type: "button", class: "quiet", title: t("view-diameters-help") }, t("view-diameters"));
+  root.append(
+    el("header", { class: "panel-head" }, el("h2", {}, t("view-title")), segments, tools),
+    note,
+    el("div", { class: "stage-box" }, stage.box, legend.root, empty),
+    timeline,
+  );
+  const drawing = el(
+    "button",
+    { type: "button", class: "quiet", title: t("view-diameters-help") },
+    t("view-diameters"),
+  );
   on(drawing, "click", () => {
     const diameters = !store.state.diameters;
     store.update({ diameters });
@@ -41,7 +55,12 @@ export function createScene(root: HTMLElement, store: Store, goToLine: (line: nu
   });
   const drawTimeline = createTimeline(timeline, store, goToLine);
 
-  let shown: Pick<Derived, "trace"> & { dark: boolean; step: number; drawn: number } = { trace: null, dark: false, step: -1, drawn: 0 };
+  let shown: Pick<Derived, "trace"> & { dark: boolean; step: number; drawn: number } = {
+    trace: null,
+    dark: false,
+    step: -1,
+    drawn: 0,
+  };
   let dressed = false; // the preview has its buttons and its name
 
   const dress = (preview: Preview): void => {
@@ -68,7 +87,14 @@ export function createScene(root: HTMLElement, store: Store, goToLine: (line: nu
     }
     dress(preview);
     const points = source === "scan" && scan ? cloudOf(scan) : null;
-    setText(empty, derived.trace?.entries.length || source === "scan" ? "" : source === "form" ? nothing(derived) : t(derived.run ? "motions-none" : "motions-running"));
+    setText(
+      empty,
+      derived.trace?.entries.length || source === "scan"
+        ? ""
+        : source === "form"
+          ? nothing(derived)
+          : t(derived.run ? "motions-none" : "motions-running"),
+    );
     show(empty, !!empty.textContent);
     const night = isDark(state);
     const colours = stage.colours(night);
@@ -81,7 +107,12 @@ export function createScene(root: HTMLElement, store: Store, goToLine: (line: nu
     }
     if (fresh) preview.setTrace(derived.trace ?? NOTHING);
     const { step } = derived;
-    if (fresh || step !== shown.step) move(preview, step, state.playing && derived.trace?.entries[step]?.step === "motion" && !still.matches ? paceAt(state.speed) : 0);
+    if (fresh || step !== shown.step)
+      move(
+        preview,
+        step,
+        state.playing && derived.trace?.entries[step]?.step === "motion" && !still.matches ? paceAt(state.speed) : 0,
+      );
     preview.setCloud(points);
     preview.setDrawing(state.diameters);
     show(drawing, !!derived.trace?.drawing);
@@ -127,7 +158,7 @@ function move(preview: Preview, step: number, pace: number): void {
 }
 
 function viewButtons(preview: Preview): HTMLButtonElement[] {
-  const views = VIEWS.map((name) => {
+  const views = VIEWS.map(name => {
     const button = el("button", { type: "button", class: "quiet" }, t(`view-${name}`));
     on(button, "click", () => preview.setView(name));
     return button;

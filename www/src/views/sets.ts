@@ -3,24 +3,41 @@
 import type { Actions } from "../actions";
 import type { Derived } from "../derive";
 import { el, keyed, on, setAttribute, setText, show } from "../dom";
-import { setsOf, type State } from "../state";
+import { type State, setsOf } from "../state";
 import { t } from "../texts";
 
-export interface Sets { dialog: HTMLDialogElement; draw(state: State, derived: Derived): void }
+export interface Sets {
+  dialog: HTMLDialogElement;
+  draw(state: State, derived: Derived): void;
+}
 
 export function createSets(actions: Actions): Sets {
   const title = el("h2", { id: "sets-title" });
   const name = el("input", { type: "text", id: "sets-name", autocomplete: "off", required: true });
   const save = el("button", { type: "submit", class: "primary" }, t("sets-save"));
-  const form = el("form", { class: "sets-new", method: "dialog" }, el("label", { for: "sets-name" }, t("sets-name")), name, save);
+  const form = el(
+    "form",
+    { class: "sets-new", method: "dialog" },
+    el("label", { for: "sets-name" }, t("sets-name")),
+    name,
+    save,
+  );
   const none = el("p", { class: "empty" }, t("sets-none"));
   const list = el("ul", { class: "sets" });
   const said = el("span", { role: "status" });
   const undo = el("button", { type: "button" }, t("undo"));
   const close = el("button", { type: "button" }, t("about-close"));
-  const dialog = el("dialog", { "aria-labelledby": "sets-title", class: "about" }, title, form, none, list, el("div", { class: "actions" }, said, undo, close));
+  const dialog = el(
+    "dialog",
+    { "aria-labelledby": "sets-title", class: "about" },
+    title,
+    form,
+    none,
+    list,
+    el("div", { class: "actions" }, said, undo, close),
+  );
 
-  on(form, "submit", (event) => {
+  on(form, "submit", event => {
     event.preventDefault();
     if (!name.value.trim()) return;
     actions.saveSet(name.value.trim());
@@ -30,17 +47,32 @@ export function createSets(actions: Actions): Sets {
   on(close, "click", () => dialog.close());
 
   const make = (known: string): HTMLLIElement => {
-    const input = el("input", { type: "text", autocomplete: "off", "aria-label": t("sets-rename", { name: known }), value: known });
+    const input = el("input", {
+      type: "text",
+      autocomplete: "off",
+      "aria-label": t("sets-rename", { name: known }),
+      value: known,
+    });
     const load = el("button", { type: "button", "aria-label": t("sets-load-named", { name: known }) }, t("sets-load"));
-    const remove = el("button", { type: "button", "aria-label": t("sets-delete-named", { name: known }) }, t("sets-delete"));
+    const remove = el(
+      "button",
+      { type: "button", "aria-label": t("sets-delete-named", { name: known }) },
+      t("sets-delete"),
+    );
     on(input, "input", () => input.setCustomValidity(""));
     on(input, "change", () => {
       if (actions.renameSet(known, input.value.trim())) return;
       input.setCustomValidity(t("sets-name-taken"));
       input.reportValidity();
     });
-    on(load, "click", () => { actions.loadSet(known); dialog.close(); });
-    on(remove, "click", () => { actions.deleteSet(known); name.focus(); });
+    on(load, "click", () => {
+      actions.loadSet(known);
+      dialog.close();
+    });
+    on(remove, "click", () => {
+      actions.deleteSet(known);
+      name.focus();
+    });
     return el("li", {}, input, load, remove);
   };
 
@@ -50,7 +82,13 @@ export function createSets(actions: Actions): Sets {
       const names = Object.keys(setsOf(state));
       setText(title, t("sets-title", { cycle: cycle.cycle }));
       show(none, names.length === 0);
-      keyed(list, names, (one) => `${cycle.control}/${cycle.cycle}/${one}`, make, () => undefined);
+      keyed(
+        list,
+        names,
+        one => `${cycle.control}/${cycle.cycle}/${one}`,
+        make,
+        () => undefined,
+      );
       setText(said, state.undo && state.notice ? t(state.notice) : "");
       show(undo, !!state.undo);
       setAttribute(undo, "disabled", !state.undo);

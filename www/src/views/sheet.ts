@@ -1,5 +1,6 @@
-// What only paper shows: the file, the machine and the date above everything, the 3D view as a picture that stays, and the
-// whole program, of which the editor holds the lines in sight alone. Made when somebody prints, and taken away again.
+// What only paper shows: the file, the machine and the date above everything, the 3D view as a picture that stays, and
+// the whole program, of which the editor holds the lines in sight alone. Made when somebody prints, and taken away
+// again.
 
 import type { Derived } from "../derive";
 import { el } from "../dom";
@@ -9,7 +10,7 @@ import { language, t } from "../texts";
 import { facts } from "./header";
 import { createLegend } from "./legend";
 import { cloudOf, thinned } from "./scene";
-import { WORDS, type Stage } from "./stage";
+import { type Stage, WORDS } from "./stage";
 
 const MOST_LINES = 2000; // some thirty sheets
 const SIZE = { width: 680, height: 340 }; // of the view, CSS pixels: as wide as a sheet between its margins
@@ -24,8 +25,16 @@ function now(): string {
 }
 
 function heading(state: State, derived: Derived): HTMLElement {
-  const machine = facts(derived.cycle.control, derived.view.setup).map(({ text }) => text).join(" · ");
-  return el("header", { class: "sheet sheet-head" }, el("strong", {}, fileOf(state).name), el("span", {}, machine), el("span", {}, `${t("app-name")} · ${now()}`));
+  const machine = facts(derived.cycle.control, derived.view.setup)
+    .map(({ text }) => text)
+    .join(" · ");
+  return el(
+    "header",
+    { class: "sheet sheet-head" },
+    el("strong", {}, fileOf(state).name),
+    el("span", {}, machine),
+    el("span", {}, `${t("app-name")} · ${now()}`),
+  );
 }
 
 function view(stage: Stage, state: State, derived: Derived, { drawStill }: Draw): HTMLElement | null {
@@ -33,7 +42,18 @@ function view(stage: Stage, state: State, derived: Derived, { drawStill }: Draw)
   const { trace, step } = derived;
   if (!trace || !(trace.entries.length || scan)) return null;
   const picture = el("div", { class: "sheet-picture" });
-  const colours = drawStill(picture, { trace, step, cloud: scan && cloudOf(scan), drawing: state.diameters, camera: stage.preview?.camera ?? null, words: WORDS }, SIZE);
+  const colours = drawStill(
+    picture,
+    {
+      trace,
+      step,
+      cloud: scan && cloudOf(scan),
+      drawing: state.diameters,
+      camera: stage.preview?.camera ?? null,
+      words: WORDS,
+    },
+    SIZE,
+  );
   const legend = createLegend();
   legend.draw(trace, colours, scan && thinned(Math.min(DOTS, scan.view.points), scan));
   return el("section", { class: "sheet sheet-view" }, el("h2", {}, t("view-title")), picture, legend.root);
@@ -43,13 +63,21 @@ function program(text: string): HTMLElement {
   const lines = text.split(/\r\n?|\n/);
   if (lines.at(-1) === "") lines.pop();
   const more = lines.length - MOST_LINES;
-  return el("section", { class: "sheet sheet-program" }, el("h2", {}, t("program-title")),
-    el("ol", {}, ...lines.slice(0, MOST_LINES).map((line) => el("li", {}, line))),
-    more > 0 && el("p", {}, t("print-lines", { more, all: lines.length })));
+  return el(
+    "section",
+    { class: "sheet sheet-program" },
+    el("h2", {}, t("program-title")),
+    el("ol", {}, ...lines.slice(0, MOST_LINES).map(line => el("li", {}, line))),
+    more > 0 && el("p", {}, t("print-lines", { more, all: lines.length })),
+  );
 }
 
 /** `shown`: what the page shows now. The drawing is fetched once the page has nothing else to do. */
-export function createSheet(stage: Stage, shown: () => { state: State; derived: Derived } | null, end: AbortSignal): void {
+export function createSheet(
+  stage: Stage,
+  shown: () => { state: State; derived: Derived } | null,
+  end: AbortSignal,
+): void {
   let draw: Draw | null = null;
   let made: HTMLElement[] = [];
   const clear = (): void => {
@@ -57,18 +85,27 @@ export function createSheet(stage: Stage, shown: () => { state: State; derived: 
     made = [];
   };
   const idle = globalThis.requestIdleCallback ?? setTimeout; // not in every browser
-  idle(() => void import("../preview/still").then((module) => { draw = module; }, console.warn));
-  addEventListener("beforeprint", () => {
-    clear();
-    const here = shown();
-    if (!here) return;
-    const { state, derived } = here;
-    const head = heading(state, derived);
-    const picture = draw && view(stage, state, derived, draw);
-    const text = program(derived.program);
-    made = [head, ...(picture ? [picture] : []), text];
-    document.body.prepend(head);
-    document.body.append(...made.slice(1));
-  }, { signal: end });
+  idle(
+    () =>
+      void import("../preview/still").then(module => {
+        draw = module;
+      }, console.warn),
+  );
+  addEventListener(
+    "beforeprint",
+    () => {
+      clear();
+      const here = shown();
+      if (!here) return;
+      const { state, derived } = here;
+      const head = heading(state, derived);
+      const picture = draw && view(stage, state, derived, draw);
+      const text = program(derived.program);
+      made = [head, ...(picture ? [picture] : []), text];
+      document.body.prepend(head);
+      document.body.append(...made.slice(1));
+    },
+    { signal: end },
+  );
   addEventListener("afterprint", clear, { signal: end });
 }

@@ -9,13 +9,32 @@ import type { Store } from "../store";
 import { t } from "../texts";
 import type { ErrorSliders, Outcome, Purpose, Solid } from "../wire";
 
-interface Scale { reach: number; step: number; low?: number; unit: "mm" | "deg" }
+interface Scale {
+  reach: number;
+  step: number;
+  low?: number;
+  unit: "mm" | "deg";
+}
 const LENGTH: Scale = { reach: 2, step: 0.01, unit: "mm" };
 const FINE: Scale = { reach: 0.2, step: 0.001, unit: "mm" };
 const ANGLE: Scale = { reach: 3, step: 0.01, unit: "deg" };
 const SCALES: { [G in keyof ErrorSliders]: Record<keyof ErrorSliders[G], Scale> } = {
-  part: { size: { ...LENGTH, reach: 1 }, dx: LENGTH, dy: LENGTH, dz: LENGTH, tilt: ANGLE, taper: ANGLE, outOfRound: { ...FINE, low: 0 } },
-  probe: { skewX: FINE, skewY: FINE, radius: FINE, preTravel: { ...FINE, low: 0 }, repeatability: { reach: 0.02, step: 0.0001, low: 0, unit: "mm" } },
+  part: {
+    size: { ...LENGTH, reach: 1 },
+    dx: LENGTH,
+    dy: LENGTH,
+    dz: LENGTH,
+    tilt: ANGLE,
+    taper: ANGLE,
+    outOfRound: { ...FINE, low: 0 },
+  },
+  probe: {
+    skewX: FINE,
+    skewY: FINE,
+    radius: FINE,
+    preTravel: { ...FINE, low: 0 },
+    repeatability: { reach: 0.02, step: 0.0001, low: 0, unit: "mm" },
+  },
 };
 
 const TOUCHING: Purpose["probe"][] = ["workpiece", "tool"];
@@ -23,14 +42,15 @@ const TOUCHING: Purpose["probe"][] = ["workpiece", "tool"];
 const OF_TOOL: string[] = ["part", "probe", "probe-skew-x", "probe-skew-y", "probe-radius"];
 
 /** Key of the words for a group or an error, given the probe that a cycle uses. */
-const wordsOf = (name: string, probe: Purpose["probe"]): string => (probe === "tool" && OF_TOOL.includes(name) ? `tool-${name}` : name);
+const wordsOf = (name: string, probe: Purpose["probe"]): string =>
+  probe === "tool" && OF_TOOL.includes(name) ? `tool-${name}` : name;
 
 /** Shapes of a part on which an error shows; an error that is not here shows on each. */
 const SHOWS_ON: Partial<Record<keyof ErrorSliders["part"], (shape: Solid["shape"]) => boolean>> = {
-  outOfRound: (shape) => ["hole", "shaft", "turned"].includes(shape),
-  taper: (shape) => !["sphere", "surface"].includes(shape),
-  tilt: (shape) => shape !== "sphere",
-  size: (shape) => shape !== "surface",
+  outOfRound: shape => ["hole", "shaft", "turned"].includes(shape),
+  taper: shape => !["sphere", "surface"].includes(shape),
+  tilt: shape => shape !== "sphere",
+  size: shape => shape !== "surface",
 };
 
 /** Whether an error can show: on something of the part, or on the cap of a tool probe, which has no lobes. */
@@ -42,7 +62,7 @@ function acts(group: keyof ErrorSliders, name: string, solids: Solid[], probe: P
   return !shows || touched.length === 0 || touched.some(({ shape }) => shows(shape));
 }
 
-const slug = (name: string): string => name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
+const slug = (name: string): string => name.replace(/[A-Z]/g, letter => `-${letter.toLowerCase()}`);
 
 type Limit = NonNullable<Outcome["limits"]>[number];
 
@@ -53,7 +73,11 @@ function range(limit: Limit | undefined): string {
   return t("slider-limits", { low: side(limit.low), high: side(limit.high) });
 }
 
-function createSlider(id: string, scale: Scale, set: (value: number) => void): { root: HTMLElement; update(label: string, value: number, limit: Limit | undefined): void } {
+function createSlider(
+  id: string,
+  scale: Scale,
+  set: (value: number) => void,
+): { root: HTMLElement; update(label: string, value: number, limit: Limit | undefined): void } {
   const slide = el("input", { type: "range", id, min: scale.low ?? -scale.reach, max: scale.reach, step: scale.step });
   const figure = el("input", { type: "text", inputmode: "decimal", class: "figure", autocomplete: "off" });
   const name = el("label", { for: id });
@@ -63,7 +87,15 @@ function createSlider(id: string, scale: Scale, set: (value: number) => void): {
     if (value !== null) set(value);
   });
   const survived = el("output", { class: "survived", for: id });
-  const root = el("div", { class: "slider" }, name, slide, figure, el("span", { class: "unit" }, t(`unit-${scale.unit}`)), survived);
+  const root = el(
+    "div",
+    { class: "slider" },
+    name,
+    slide,
+    figure,
+    el("span", { class: "unit" }, t(`unit-${scale.unit}`)),
+    survived,
+  );
   return {
     root,
     update(label, value, limit) {
@@ -78,7 +110,11 @@ function createSlider(id: string, scale: Scale, set: (value: number) => void): {
   };
 }
 
-export function createSliders(root: HTMLElement, store: Store, actions: Actions): (state: State, derived: Derived) => void {
+export function createSliders(
+  root: HTMLElement,
+  store: Store,
+  actions: Actions,
+): (state: State, derived: Derived) => void {
   const reset = el("button", { type: "button", class: "quiet" }, t("sliders-reset"));
   on(reset, "click", actions.noErrors);
   const limits = el("button", { type: "button", class: "quiet", title: t("sliders-limits-help") }, t("sliders-limits"));
@@ -96,12 +132,17 @@ export function createSliders(root: HTMLElement, store: Store, actions: Actions)
     });
     for (const [name, scale] of Object.entries(SCALES[group])) {
       const id = `${group}-${slug(name)}`;
-      const slider = createSlider(`error-${id}`, scale, (value) => actions.error(group, name as never, value));
+      const slider = createSlider(`error-${id}`, scale, value => actions.error(group, name as never, value));
       box.append(slider.root);
-      const limitOf = (survived: Limit[]): Limit | undefined => survived.find((limit) => group === "part" && limit.error === name);
+      const limitOf = (survived: Limit[]): Limit | undefined =>
+        survived.find(limit => group === "part" && limit.error === name);
       updates.push((errors, survived, probe, solids) => {
         show(slider.root, acts(group, name, solids, probe));
-        slider.update(t(`error-${wordsOf(id, probe)}`), (errors[group] as Record<string, number>)[name] ?? 0, limitOf(survived));
+        slider.update(
+          t(`error-${wordsOf(id, probe)}`),
+          (errors[group] as Record<string, number>)[name] ?? 0,
+          limitOf(survived),
+        );
       });
     }
     root.append(box);
@@ -110,6 +151,7 @@ export function createSliders(root: HTMLElement, store: Store, actions: Actions)
     show(root, cycle.simulated && TOUCHING.includes(cycle.purpose.probe)); // elsewhere nothing would come of them
     setText(title, t("sliders-title"));
     setAttribute(limits, "aria-pressed", String(state.limits));
-    for (const update of updates) update(state.errors, view.outcome?.limits ?? [], cycle.purpose.probe, view.outcome?.trace.solids ?? []);
+    for (const update of updates)
+      update(state.errors, view.outcome?.limits ?? [], cycle.purpose.probe, view.outcome?.trace.solids ?? []);
   };
 }

@@ -65,8 +65,13 @@ export function createStage(store: Store): Stage {
         return found;
       };
       colours = of;
-      preview = await createPreview(box, { label: t("view-canvas"), colours: of(isDark(store.state)), ...WORDS, onThinned });
-      preview.onPick((entry) => store.update({ step: entry, playing: false }));
+      preview = await createPreview(box, {
+        label: t("view-canvas"),
+        colours: of(isDark(store.state)),
+        ...WORDS,
+        onThinned,
+      });
+      preview.onPick(entry => store.update({ step: entry, playing: false }));
     } catch (problem) {
       failed = problem instanceof Error ? problem.message : String(problem);
     }
@@ -75,14 +80,20 @@ export function createStage(store: Store): Stage {
   dark.addEventListener("change", () => store.update({}));
   return {
     box,
-    get preview() { return preview; },
-    get failed() { return failed; },
-    get drawn() { return drawn; },
+    get preview() {
+      return preview;
+    },
+    get failed() {
+      return failed;
+    },
+    get drawn() {
+      return drawn;
+    },
     fetch() {
       if (fetching) return;
       fetching = true;
       void start();
     },
-    colours: (night) => colours(night),
+    colours: night => colours(night),
   };
 }

@@ -10,24 +10,42 @@ import { t } from "../texts";
 import type { CycleInfo, Purpose } from "../wire";
 import type { Found } from "./found";
 
-interface Node { id: string; level: number; code: string; title: string; cycle?: CycleInfo; variant?: Variant; parent: string | null }
+interface Node {
+  id: string;
+  level: number;
+  code: string;
+  title: string;
+  cycle?: CycleInfo;
+  variant?: Variant;
+  parent: string | null;
+}
 
 const MACHINES: Purpose["machine"][] = ["milling", "turning", "any"];
 const USES = ["workpiece", "tool", "calibrate", "none", "log"] as const;
 
-function use({ probe, calibrates }: Purpose): typeof USES[number] {
+function use({ probe, calibrates }: Purpose): (typeof USES)[number] {
   return calibrates ? "calibrate" : probe;
 }
 
 /** Three levels: what is measured on which machine, the cycle, the variant. */
 function nodes(cycles: CycleInfo[]): Node[] {
-  const controls = [...new Set(cycles.map((cycle) => cycle.control))];
-  const groups = controls.flatMap((control) => MACHINES.flatMap((machine) => USES.map((what) => ({ control, machine, what }))));
+  const controls = [...new Set(cycles.map(cycle => cycle.control))];
+  const groups = controls.flatMap(control =>
+    MACHINES.flatMap(machine => USES.map(what => ({ control, machine, what }))),
+  );
   return groups.flatMap(({ control, machine, what }) => {
-    const own = cycles.filter((cycle) => cycle.control === control && cycle.purpose.machine === machine && use(cycle.purpose) === what);
+    const own = cycles.filter(
+      cycle => cycle.control === control && cycle.purpose.machine === machine && use(cycle.purpose) === what,
+    );
     const id = `${control}/${machine}/${what}`;
-    const group: Node = { id, level: 1, code: t(`control-${control}`), title: t(`group-${machine}-${what}`), parent: null };
-    return own.length ? [group, ...own.flatMap((cycle) => branch(id, cycle))] : [];
+    const group: Node = {
+      id,
+      level: 1,
+      code: t(`control-${control}`),
+      title: t(`group-${machine}-${what}`),
+      parent: null,
+    };
+    return own.length ? [group, ...own.flatMap(cycle => branch(id, cycle))] : [];
   });
 }
 
@@ -35,8 +53,17 @@ function branch(parent: string, cycle: CycleInfo): Node[] {
   const id = `${cycle.control}/${cycle.cycle}`;
   return [
     { id, level: 2, code: cycle.cycle, title: t(`${cycle.key}-title`), cycle, parent },
-    ...cycle.variants.map((variant): Node =>
-      ({ id: `${id}/${variant.mvar}`, level: 3, code: String(variant.mvar), title: t(variant.key), cycle, variant, parent: id })),
+    ...cycle.variants.map(
+      (variant): Node => ({
+        id: `${id}/${variant.mvar}`,
+        level: 3,
+        code: String(variant.mvar),
+        title: t(variant.key),
+        cycle,
+        variant,
+        parent: id,
+      }),
+    ),
   ];
 }
 
@@ -47,14 +74,29 @@ function bringIntoSight(tree: HTMLElement, item: Element | null): void {
   if (box.top < frame.top || box.bottom > frame.bottom) tree.scrollTop += box.top - frame.top - frame.height / 4;
 }
 
-export function createTasks(root: HTMLElement, store: Store, actions: Actions, createFound: (back: () => void) => Found): (state: State, derived: Derived) => void {
-  const input = el("input", { type: "search", id: "task-search", autocomplete: "off", spellcheck: "false", placeholder: t("tasks-search-hint") });
+export function createTasks(
+  root: HTMLElement,
+  store: Store,
+  actions: Actions,
+  createFound: (back: () => void) => Found,
+): (state: State, derived: Derived) => void {
+  const input = el("input", {
+    type: "search",
+    id: "task-search",
+    autocomplete: "off",
+    spellcheck: "false",
+    placeholder: t("tasks-search-hint"),
+  });
   const tree = el("div", { role: "tree", "aria-labelledby": "tasks-title", class: "tree" });
   const others = el("p", { class: "empty", role: "status" }); // what is said while the tree knows the first cycle alone
   const found = createFound(() => input.focus());
   root.append(
     el("h2", { id: "tasks-title" }, t("tasks-title")),
-    el("label", { for: "task-search", class: "visually-hidden" }, t("tasks-search")), input, tree, others, found.root,
+    el("label", { for: "task-search", class: "visually-hidden" }, t("tasks-search")),
+    input,
+    tree,
+    others,
+    found.root,
   );
   let cycles: CycleInfo[] = []; // of the tree: a few, until all are known
   let all: Node[] = [];
@@ -66,9 +108,13 @@ export function createTasks(root: HTMLElement, store: Store, actions: Actions, c
 
   /** As it was set by hand; else open around the choice. */
   const isOpen = (id: string): boolean => store.state.unfolded[id] ?? holding.has(id);
-  const unfold = (id: string, open: boolean): void => store.update({ unfolded: { ...store.state.unfolded, [id]: open } });
+  const unfold = (id: string, open: boolean): void =>
+    store.update({ unfolded: { ...store.state.unfolded, [id]: open } });
   /** Around the old choice, so that nothing moves away under the pointer. */
-  const keepOpen = (): void => store.update(({ unfolded }) => ({ unfolded: { ...Object.fromEntries([...holding].map((id) => [id, true])), ...unfolded } }));
+  const keepOpen = (): void =>
+    store.update(({ unfolded }) => ({
+      unfolded: { ...Object.fromEntries([...holding].map(id => [id, true])), ...unfolded },
+    }));
   const pick = (node: Node): void => {
     active = node.id;
     if (node.variant && node.cycle) {
@@ -87,7 +133,7 @@ export function createTasks(root: HTMLElement, store: Store, actions: Actions, c
   };
   const key = (event: KeyboardEvent): void => {
     store.flush(); // the key is meant for what the last one has led to
-    const index = shown.findIndex((node) => node.id === active);
+    const index = shown.findIndex(node => node.id === active);
     const node = shown[index];
     if (!node) return;
     const closed = !node.variant && !isOpen(node.id);
@@ -96,8 +142,9 @@ export function createTasks(root: HTMLElement, store: Store, actions: Actions, c
       ArrowUp: () => focus(shown[index - 1]),
       Home: () => focus(shown[0]),
       End: () => focus(shown.at(-1)),
-      ArrowRight: () => node.variant ? undefined : closed ? unfold(node.id, true) : focus(shown[index + 1]),
-      ArrowLeft: () => node.variant || closed ? focus(shown.find((one) => one.id === node.parent)) : unfold(node.id, false),
+      ArrowRight: () => (node.variant ? undefined : closed ? unfold(node.id, true) : focus(shown[index + 1])),
+      ArrowLeft: () =>
+        node.variant || closed ? focus(shown.find(one => one.id === node.parent)) : unfold(node.id, false),
       Enter: () => pick(node),
       " ": () => pick(node),
     };
@@ -109,47 +156,66 @@ export function createTasks(root: HTMLElement, store: Store, actions: Actions, c
   on(tree, "keydown", key);
   on(input, "focus", () => found.load());
   on(input, "input", () => store.update({ search: input.value }));
-  on(input, "keydown", (event) => {
+  on(input, "keydown", event => {
     if (event.key === "ArrowDown") {
       event.preventDefault();
       store.flush();
       if (store.state.search) found.focusFirst();
-      else focus(shown.find((node) => node.variant) ?? shown[0]);
+      else focus(shown.find(node => node.variant) ?? shown[0]);
     }
-    if (event.key === "Escape") { input.value = ""; store.update({ search: "" }); }
+    if (event.key === "Escape") {
+      input.value = "";
+      store.update({ search: "" });
+    }
   });
 
   const make = (node: Node): HTMLElement => {
-    const item = el("div", { role: "treeitem", class: `tree-item level-${node.level}`, "aria-level": node.level },
-      el("span", { class: "code" }, node.code), el("span", { class: "tree-title" }, node.title));
+    const item = el(
+      "div",
+      { role: "treeitem", class: `tree-item level-${node.level}`, "aria-level": node.level },
+      el("span", { class: "code" }, node.code),
+      el("span", { class: "tree-title" }, node.title),
+    );
     on(item, "click", () => pick(node));
     return item;
   };
 
   return (state, derived) => {
-    if (cycles !== derived.catalogue.cycles) all = nodes(cycles = derived.catalogue.cycles);
+    if (cycles !== derived.catalogue.cycles) all = nodes((cycles = derived.catalogue.cycles));
     const variant = variantOf(derived);
-    const chosen = all.find((node) => node.cycle === derived.cycle && node.variant && node.variant === variant);
-    const parent = all.find((node) => !node.variant && node.cycle === derived.cycle);
+    const chosen = all.find(node => node.cycle === derived.cycle && node.variant && node.variant === variant);
+    const parent = all.find(node => !node.variant && node.cycle === derived.cycle);
     holding = new Set([parent?.id ?? "", parent?.parent ?? ""]);
-    const open = new Set(all.filter((node) => !node.variant && isOpen(node.id)).map((node) => node.id));
-    const above = new Map(all.map((node) => [node.id, node.parent]));
-    const next = all.filter(({ parent }) => parent === null || (open.has(parent) && open.has(above.get(parent) ?? parent)));
+    const open = new Set(all.filter(node => !node.variant && isOpen(node.id)).map(node => node.id));
+    const above = new Map(all.map(node => [node.id, node.parent]));
+    const next = all.filter(
+      ({ parent }) => parent === null || (open.has(parent) && open.has(above.get(parent) ?? parent)),
+    );
     const still = keepPlace(tree, next.length !== shown.length);
     shown = next;
-    if (!shown.some((node) => node.id === active)) active = shown.find((node) => node.id === chosen?.id)?.id ?? shown[0]?.id ?? "";
-    keyed(tree, shown, (node) => node.id, make, (item, node) => {
-      setAttribute(item, "aria-selected", node.variant ? String(node.id === chosen?.id) : null);
-      setAttribute(item, "aria-expanded", node.variant ? null : String(open.has(node.id)));
-      setAttribute(item, "tabindex", node.id === active ? 0 : -1);
-      item.classList.toggle("holds-choice", !node.variant && holding.has(node.id));
-    });
+    if (!shown.some(node => node.id === active))
+      active = shown.find(node => node.id === chosen?.id)?.id ?? shown[0]?.id ?? "";
+    keyed(
+      tree,
+      shown,
+      node => node.id,
+      make,
+      (item, node) => {
+        setAttribute(item, "aria-selected", node.variant ? String(node.id === chosen?.id) : null);
+        setAttribute(item, "aria-expanded", node.variant ? null : String(open.has(node.id)));
+        setAttribute(item, "tabindex", node.id === active ? 0 : -1);
+        item.classList.toggle("holds-choice", !node.variant && holding.has(node.id));
+      },
+    );
     still();
     if (input.value !== state.search) input.value = state.search;
     const searching = state.search.trim() !== "";
     show(tree, !searching);
     show(others, !searching && derived.simulates !== "yes");
-    setText(others, derived.simulates === "yes" ? "" : t(derived.simulates === "coming" ? "tasks-coming" : "tasks-absent"));
+    setText(
+      others,
+      derived.simulates === "yes" ? "" : t(derived.simulates === "coming" ? "tasks-coming" : "tasks-absent"),
+    );
     setAttribute(tree, "aria-busy", derived.simulates === "coming" ? "true" : null);
     found.draw(state);
     if (chosen && chosen.id !== inSight) bringIntoSight(tree, tree.querySelector('[aria-selected="true"]'));
@@ -161,5 +227,7 @@ export function createTasks(root: HTMLElement, store: Store, actions: Actions, c
 function keepPlace(tree: HTMLElement, changes: boolean): () => void {
   const item = changes && tree.contains(document.activeElement) ? document.activeElement : null;
   const before = item?.getBoundingClientRect().top ?? 0;
-  return () => { if (item?.isConnected) tree.scrollTop += item.getBoundingClientRect().top - before; };
+  return () => {
+    if (item?.isConnected) tree.scrollTop += item.getBoundingClientRect().top - before;
+  };
 }

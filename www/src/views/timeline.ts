@@ -1,9 +1,9 @@
 // Stepping through the motions: first, back, play, on, last, a scrubber, and how fast it plays.
 
-import { el, on, setAttribute, setText } from "../dom";
 import type { Derived } from "../derive";
-import { SPEEDS, type State } from "../state";
+import { el, on, setAttribute, setText } from "../dom";
 import { plain } from "../numbers";
+import { SPEEDS, type State } from "../state";
 import type { Store } from "../store";
 import { t } from "../texts";
 import type { Trace } from "../wire";
@@ -33,12 +33,17 @@ function reached(entries: Entries, step: number, ms: number, speed: number): num
   return next;
 }
 
-export function createTimeline(root: HTMLElement, store: Store, goToLine: (line: number) => void): (state: State, derived: Derived) => void {
+export function createTimeline(
+  root: HTMLElement,
+  store: Store,
+  goToLine: (line: number) => void,
+): (state: State, derived: Derived) => void {
   let count = 0;
   let current = 0;
   let timer = 0;
   let line: number | null = null;
-  const go = (step: number, playing = false): void => store.update({ step: Math.max(0, Math.min(count - 1, step)), playing });
+  const go = (step: number, playing = false): void =>
+    store.update({ step: Math.max(0, Math.min(count - 1, step)), playing });
   const button = (sign: string, label: string, run: () => void): HTMLButtonElement => {
     const node = el("button", { type: "button", class: "transport", "aria-label": label, title: label }, sign);
     on(node, "click", run);
@@ -53,31 +58,46 @@ export function createTimeline(root: HTMLElement, store: Store, goToLine: (line:
   const what = el("p", { class: "step-text" });
   const place = el("button", { type: "button", class: "quiet place" });
   on(scrub, "input", () => go(Number(scrub.value)));
-  on(place, "click", () => { if (line !== null) goToLine(line); });
-  const speed = el("select", { class: "speed", "aria-label": t("timeline-speed"), title: t("timeline-speed") },
-    ...SPEEDS.map((times) => el("option", { value: times }, t("timeline-times", { times: plain(times) }))));
+  on(place, "click", () => {
+    if (line !== null) goToLine(line);
+  });
+  const speed = el(
+    "select",
+    { class: "speed", "aria-label": t("timeline-speed"), title: t("timeline-speed") },
+    ...SPEEDS.map(times => el("option", { value: times }, t("timeline-times", { times: plain(times) }))),
+  );
   on(speed, "change", () => store.update({ speed: Number(speed.value) }));
   root.append(
-    el("div", { class: "transport-row" },
-      button("|◀◀", t("timeline-first"), () => go(0)), button("|◀", t("timeline-back"), () => go(current - 1)), play,
-      button("▶|", t("timeline-on"), () => go(current + 1)), button("▶▶|", t("timeline-last"), () => go(count - 1)), scrub, where, speed),
+    el(
+      "div",
+      { class: "transport-row" },
+      button("|◀◀", t("timeline-first"), () => go(0)),
+      button("|◀", t("timeline-back"), () => go(current - 1)),
+      play,
+      button("▶|", t("timeline-on"), () => go(current + 1)),
+      button("▶▶|", t("timeline-last"), () => go(count - 1)),
+      scrub,
+      where,
+      speed,
+    ),
     el("div", { class: "step-row" }, what, place),
   );
   return (state, derived) => {
     const entries = derived.trace?.entries ?? [];
     count = entries.length;
-    const step = current = derived.step;
+    const step = (current = derived.step);
     const entry = entries[step];
     setAttribute(scrub, "max", Math.max(0, count - 1));
     if (Number(scrub.value) !== step) scrub.value = String(step);
     setText(where, count ? `${step + 1} / ${count}` : "–");
     setText(what, entry ? describe(entry) : t("motions-none"));
     setAttribute(scrub, "aria-valuetext", entry ? describe(entry) : null);
-    line = state.source === "program" ? entry?.line ?? null : derived.opened?.lastLine ?? null;
+    line = state.source === "program" ? (entry?.line ?? null) : (derived.opened?.lastLine ?? null);
     setText(place, line === null ? "" : t("motions-line", { line }));
     place.hidden = line === null;
     setText(play, state.playing ? "❚❚" : "▶");
-    for (const name of ["aria-label", "title"]) setAttribute(play, name, t(state.playing ? "timeline-pause" : "timeline-play"));
+    for (const name of ["aria-label", "title"])
+      setAttribute(play, name, t(state.playing ? "timeline-pause" : "timeline-play"));
     speed.value = String(state.speed);
     clearTimeout(timer);
     if (!state.playing) return;

@@ -23,17 +23,26 @@ export function createTwin(store: Store): { root: HTMLElement; draw(state: State
   const shared = el("dl", { class: "twin-shared", "aria-label": t("twin-shared") });
   const differences = el("ul", { class: "twin-differences", "aria-label": t("twin-differences") });
   const calls = el("div", { class: "twin-calls" }, here.root, there.root);
-  const found = el("div", {}, task, calls, el("div", { class: "actions" }, copy),
-    el("h4", {}, t("twin-shared")), shared, el("h4", {}, t("twin-differences")), differences);
+  const found = el(
+    "div",
+    {},
+    task,
+    calls,
+    el("div", { class: "actions" }, copy),
+    el("h4", {}, t("twin-shared")),
+    shared,
+    el("h4", {}, t("twin-differences")),
+    differences,
+  );
   const none = el("p", { class: "quiet-text" }, t("twin-none"));
   const head = el("summary", {}, t("twin-open"));
   const root = el("details", { class: "twin" }, head, found, none);
   let text = "";
 
   // The browser tells an unfolding only later: what is drawn meanwhile would fold it again.
-  on(head, "click", (event) => {
+  on(head, "click", event => {
     event.preventDefault();
-    store.update((state) => ({ twin: !state.twin }));
+    store.update(state => ({ twin: !state.twin }));
   });
   on(copy, "click", () => void copyText(text, store, "notice-copied"));
 
@@ -44,11 +53,23 @@ export function createTwin(store: Store): { root: HTMLElement; draw(state: State
     setText(here.code, view.snippet);
     setText(there.name, `${t(`control-${twin.control}`)} · ${twin.cycle}`);
     setText(there.code, twin.snippet);
-    keyed(shared, twin.shared, (one) => one.label.key, () => el("div", {}, el("dt", {}), el("dd", {})), (node, one) => {
-      setText(node.children[0]!, say(one.label));
-      setText(node.children[1]!, plain(one.value));
-    });
-    keyed(differences, twin.differences, (one) => one.key, () => el("li", {}), (node, one) => setText(node, say(one)));
+    keyed(
+      shared,
+      twin.shared,
+      one => one.label.key,
+      () => el("div", {}, el("dt", {}), el("dd", {})),
+      (node, one) => {
+        setText(node.children[0]!, say(one.label));
+        setText(node.children[1]!, plain(one.value));
+      },
+    );
+    keyed(
+      differences,
+      twin.differences,
+      one => one.key,
+      () => el("li", {}),
+      (node, one) => setText(node, say(one)),
+    );
   };
 
   return {

@@ -10,12 +10,7 @@ use std::io::Write;
 use std::process::ExitCode;
 
 /// Explains one alarm or text for the operator, or lists all.
-pub fn alarms(
-    number: Option<&str>,
-    as_json: bool,
-    words: &Words,
-    out: &mut dyn Write,
-) -> Result<ExitCode, Problem> {
+pub fn alarms(number: Option<&str>, as_json: bool, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
     match number {
         Some(text) => one(text, as_json, words, out)?,
         None if as_json => writeln!(out, "{}", serde_json::to_string_pretty(&json::alarms())?)?,

@@ -70,9 +70,7 @@ pub fn print_all(
     if more > 0 {
         writeln!(out, "{}: {more} more findings", path.display())?;
     }
-    let errors = found
-        .iter()
-        .filter(|finding| finding.severity == Severity::Error);
+    let errors = found.iter().filter(|finding| finding.severity == Severity::Error);
     Ok(errors.count())
 }
 

@@ -14,12 +14,7 @@ pub fn cycles(as_json: bool, words: &Words, out: &mut dyn Write) -> Result<ExitC
         return Ok(ExitCode::SUCCESS);
     }
     for cycle in CYCLES {
-        writeln!(
-            out,
-            "{:10} {}",
-            cycle.name,
-            words.key(format!("{}-title", cycle.key))
-        )?;
+        writeln!(out, "{:10} {}", cycle.name, words.key(format!("{}-title", cycle.key)))?;
         for variant in cycle.variants {
             writeln!(out, "{:>10} {}", variant.number, words.key(variant.key))?;
         }

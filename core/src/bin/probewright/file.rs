@@ -36,12 +36,11 @@ pub fn bytes(path: &Path) -> Result<Vec<u8>, Problem> {
     Ok(source)
 }
 
-/// A part program in UTF-8, whatever it is written in; the error names the file and says what it is instead. A byte that
-/// stands for no character becomes the sign for that, except in UTF-8, where it stays.
+/// A part program in UTF-8, whatever it is written in; the error names the file and says what it is instead. A byte
+/// that stands for no character becomes the sign for that, except in UTF-8, where it stays.
 pub fn program(path: &Path, words: &Words) -> Result<Vec<u8>, Problem> {
     let source = bytes(path)?;
-    let encoding = recognise(&source)
-        .map_err(|what| format!("{}: {}", path.display(), words.text(&what.message())))?;
+    let encoding = recognise(&source).map_err(|what| format!("{}: {}", path.display(), words.text(&what.message())))?;
     Ok(match table(encoding) {
         None => source,
         Some(table) => table.decode(&source).0.into_owned().into_bytes(),
@@ -80,8 +79,7 @@ pub fn complain(line: &str) {
 
 /// Text of a file; the error names the file.
 pub fn text(path: &Path) -> Result<String, Problem> {
-    let text = String::from_utf8(bytes(path)?)
-        .map_err(|_| format!("{}: not UTF-8 text", path.display()))?;
+    let text = String::from_utf8(bytes(path)?).map_err(|_| format!("{}: not UTF-8 text", path.display()))?;
     Ok(text.trim_start_matches('\u{feff}').to_owned())
 }
 

@@ -35,8 +35,8 @@ enum Command {
         #[arg(long)]
         json: bool,
     },
-    /// Explain a cycle, an alarm, a finding, a parameter, a result or a datum of the machine, for example CYCLE977, 61303,
-    /// PW135 or _SZA
+    /// Explain a cycle, an alarm, a finding, a parameter, a result or a datum of the machine, for example CYCLE977,
+    /// 61303, PW135 or _SZA
     Explain {
         /// Its name or number
         name: String,
@@ -72,8 +72,8 @@ enum Command {
         /// A comment line for each parameter
         #[arg(long)]
         comments: bool,
-        /// Way of writing: direct (assignments, then the call), indirect (CYCLE_PARA and a parameterizing call), operate
-        /// (parameter list of newer controls)
+        /// Way of writing: direct (assignments, then the call), indirect (CYCLE_PARA and a parameterizing call),
+        /// operate (parameter list of newer controls)
         #[arg(long, default_value = "direct", value_parser = ["direct", "indirect", "operate"])]
         style: String,
     },
@@ -115,9 +115,7 @@ fn words(asked: Option<&str>) -> Result<Words, Problem> {
         let set = |name: &&str| std::env::var(name).is_ok_and(|value| !value.is_empty());
         let first = ["LC_ALL", "LC_MESSAGES", "LANG"].into_iter().find(set);
         let wanted = first.and_then(|name| std::env::var(name).ok());
-        return Ok(wanted
-            .and_then(|code| Words::of(&code))
-            .unwrap_or_else(Words::english));
+        return Ok(wanted.and_then(|code| Words::of(&code)).unwrap_or_else(Words::english));
     };
     Words::of(code).ok_or_else(|| {
         let known: Vec<&str> = LANGUAGES.iter().map(|language| language.code).collect();
@@ -130,22 +128,11 @@ fn run_command(command: Command, words: &Words, out: &mut dyn Write) -> Result<E
         Command::Alarms { number, json } => alarms::alarms(number.as_deref(), json, words, out),
         Command::Explain { name, variant } => explain::explain(&name, variant, words, out),
         Command::Cycles { json } => cycles::cycles(json, words, out),
-        Command::Check {
-            files,
-            control,
-            setup,
-        } => check::check(&files, control, setup.as_deref(), words, out),
-        Command::Write {
-            cycle,
-            values,
-            comments,
-            style,
-        } => write::write(&cycle, &values, &style, comments, words, out),
-        Command::Read {
-            file,
-            json,
-            control,
-        } => read::read(&file, json, control, words, out),
+        Command::Check { files, control, setup } => check::check(&files, control, setup.as_deref(), words, out),
+        Command::Write { cycle, values, comments, style } => {
+            write::write(&cycle, &values, &style, comments, words, out)
+        }
+        Command::Read { file, json, control } => read::read(&file, json, control, words, out),
         Command::Run(arguments) => run::run(&arguments, words, out),
     }
 }

@@ -58,22 +58,11 @@ pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
     }
     arguments.scan.write(&outcome.scans)?;
     let wrong = |found: &Diagnostic| found.severity == Severity::Error;
-    Ok(
-        if outcome.finished() && !outcome.diagnostics.iter().any(wrong) {
-            ExitCode::SUCCESS
-        } else {
-            ExitCode::FAILURE
-        },
-    )
+    Ok(if outcome.finished() && !outcome.diagnostics.iter().any(wrong) { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
 /// What came out, how the run ended last; why it ended early is among the findings.
-fn print_outcome(
-    path: &Path,
-    outcome: &Outcome,
-    words: &Words,
-    out: &mut dyn Write,
-) -> std::io::Result<()> {
+fn print_outcome(path: &Path, outcome: &Outcome, words: &Words, out: &mut dyn Write) -> std::io::Result<()> {
     for (call, step) in outcome.by_call() {
         if let Step::Decision(decision) = step {
             writeln!(out, "{}{}", place(path, call), words.text(decision))?;
@@ -101,23 +90,13 @@ fn print_outcome(
 
 /// `part.mpf:12: CYCLE977: `, what was said there behind it.
 fn place(path: &Path, call: Option<CallAt>) -> String {
-    call.map_or(String::new(), |CallAt { line, cycle }| {
-        format!("{}:{}: {cycle}: ", path.display(), line + 1)
-    })
+    call.map_or(String::new(), |CallAt { line, cycle }| format!("{}:{}: {cycle}: ", path.display(), line + 1))
 }
 
 /// What each call measured: its results that have a unit.
-fn print_results(
-    path: &Path,
-    outcome: &Outcome,
-    words: &Words,
-    out: &mut dyn Write,
-) -> std::io::Result<()> {
+fn print_results(path: &Path, outcome: &Outcome, words: &Words, out: &mut dyn Write) -> std::io::Result<()> {
     for left in outcome.left() {
-        let measured = left
-            .results
-            .iter()
-            .filter(|(field, _)| field.unit != Unit::None);
+        let measured = left.results.iter().filter(|(field, _)| field.unit != Unit::None);
         let lines = measured.map(|(field, value)| {
             let unit = unit_behind(field.unit, &outcome.control);
             let meaning = words.text(&Message::new(field.key));
@@ -134,9 +113,5 @@ fn print_results(
 
 fn alarm_line(alarm: Code, words: &Words) -> String {
     let key = alarms::key(alarm);
-    format!(
-        "alarm {}: {}",
-        json::code(alarm),
-        words.text(&Message::new(key))
-    )
+    format!("alarm {}: {}", json::code(alarm), words.text(&Message::new(key)))
 }

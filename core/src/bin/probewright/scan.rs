@@ -48,11 +48,8 @@ impl Files {
 
     /// Writes the files that are named; several scans stand one behind the other.
     pub fn write(&self, scans: &[Sent]) -> Result<(), Problem> {
-        let files = [
-            (&self.scan_nc, Form::Program),
-            (&self.scan_xyz, Form::Points),
-            (&self.scan_surface, Form::Surface),
-        ];
+        let files =
+            [(&self.scan_nc, Form::Program), (&self.scan_xyz, Form::Points), (&self.scan_surface, Form::Surface)];
         for (path, form) in files {
             if let Some(path) = path {
                 file::write(path, scans.iter().flat_map(|scan| text(scan, form)))?;

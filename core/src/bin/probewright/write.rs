@@ -46,30 +46,19 @@ fn find(name: &str) -> Result<&'static Cycle, Problem> {
     [Dialect::Sinumerik, Dialect::Nct]
         .into_iter()
         .find_map(|dialect| catalogue::find(dialect, name))
-        .ok_or_else(|| {
-            format!(
-                "there is no cycle {}; 'probewright cycles' lists them",
-                printable(name)
-            )
-            .into()
-        })
+        .ok_or_else(|| format!("there is no cycle {}; 'probewright cycles' lists them", printable(name)).into())
 }
 
 fn typed(cycle: &Cycle, values: &[String]) -> Result<Typed, Problem> {
     let mut typed = Typed::new();
     for pair in values {
-        let (name, value) = pair
-            .split_once('=')
-            .ok_or_else(|| format!("not NAME=VALUE: {}", printable(pair)))?;
+        let (name, value) = pair.split_once('=').ok_or_else(|| format!("not NAME=VALUE: {}", printable(pair)))?;
         let param = cycle
             .params
             .iter()
             .find(|param| param.name.eq_ignore_ascii_case(name))
             .ok_or_else(|| format!("{} has no parameter {}", cycle.name, printable(name)))?;
-        if typed
-            .insert(param.name.to_owned(), value.to_owned())
-            .is_some()
-        {
+        if typed.insert(param.name.to_owned(), value.to_owned()).is_some() {
             return Err(format!("{} is given twice", param.name).into());
         }
     }

@@ -6,18 +6,8 @@ use crate::diagnostic::Code;
 
 /// Halves of `_EVNUM` (B:2325-2342).
 pub const MEMORY_DIGITS: &[DigitGroup] = &[
-    DigitGroup {
-        key: "evnum-mean",
-        place: 10_000,
-        digits: 4,
-        choices: &[],
-    },
-    DigitGroup {
-        key: "evnum-empirical",
-        place: 1,
-        digits: 4,
-        choices: &[],
-    },
+    DigitGroup { key: "evnum-mean", place: 10_000, digits: 4, choices: &[] },
+    DigitGroup { key: "evnum-empirical", place: 1, digits: 4, choices: &[] },
 ];
 
 /// `_TSA`.

@@ -9,9 +9,7 @@ mod target;
 pub use limits::{EVNUM, K, MEMORY_DIGITS, TDIF, TLL, TMV, TSA, TUL, TZL};
 pub use place::{CORA, CPA, CPO, ID, INCA, MA, MD, RF, SETV0, SETV1, SETVAL, STA1, SZA, SZO};
 pub use results::{angle, integer, length};
-pub use target::{
-    DLNUM, KNUM, KNUM_KIND, OFFSET_DLNUM, OFFSET_TENV, OFFSET_TNAME, OFFSET_TNUM, TENV, TNAME, TNUM,
-};
+pub use target::{DLNUM, KNUM, KNUM_KIND, OFFSET_DLNUM, OFFSET_TENV, OFFSET_TNAME, OFFSET_TNUM, TENV, TNAME, TNUM};
 
 use super::names;
 use super::{DigitGroup, Kind, Need, Param, Range, Unit, When};
@@ -37,37 +35,20 @@ pub const PARAM: Param = Param {
 
 /// Needed under this condition, for this reason.
 pub const fn required(when: When, reason: &'static str) -> Need {
-    Need {
-        when,
-        level: super::Level::Required,
-        reason,
-    }
+    Need { when, level: super::Level::Required, reason }
 }
 
 /// Allowed under this condition, for this reason.
 pub const fn optional(when: When, reason: &'static str) -> Need {
-    Need {
-        when,
-        level: super::Level::Optional,
-        reason,
-    }
+    Need { when, level: super::Level::Optional, reason }
 }
 
 /// Third digit of `_PRNUM`.
-pub const PROBE_TYPE: DigitGroup = DigitGroup {
-    key: "prnum-type",
-    place: 100,
-    digits: 1,
-    choices: &[(0, "prnum-multi"), (1, "prnum-mono")],
-};
+pub const PROBE_TYPE: DigitGroup =
+    DigitGroup { key: "prnum-type", place: 100, digits: 1, choices: &[(0, "prnum-multi"), (1, "prnum-mono")] };
 
 /// First and second digit of `_PRNUM`.
-pub const PROBE_NUMBER: DigitGroup = DigitGroup {
-    key: "prnum-number",
-    place: 1,
-    digits: 2,
-    choices: &[],
-};
+pub const PROBE_NUMBER: DigitGroup = DigitGroup { key: "prnum-number", place: 1, digits: 2, choices: &[] };
 
 /// Digits of `_PRNUM` (B:5632, A:1966: 102 is mono probe number 2).
 const PROBE_DIGITS: &[DigitGroup] = &[PROBE_TYPE, PROBE_NUMBER];
@@ -77,25 +58,13 @@ pub const ALWAYS_REQUIRED: &[Need] = &[required(When::Always, "need-always")];
 /// Optional in every variant: its delivered value counts.
 pub const ALWAYS_OPTIONAL: &[Need] = &[optional(When::Always, "need-default")];
 /// A mono probe is named.
-pub const MONO: When = When::Digit {
-    param: names::PRNUM,
-    place: 100,
-    is: &[1],
-};
+pub const MONO: When = When::Digit { param: names::PRNUM, place: 100, is: &[1] };
 
 /// With tool offset, where the third digit of `_MVAR` decides (B:5641, B:6323, B:6764).
-pub const TOOL_OFFSET: When = When::Digit {
-    param: names::MVAR,
-    place: 100,
-    is: &[0],
-};
+pub const TOOL_OFFSET: When = When::Digit { param: names::MVAR, place: 100, is: &[0] };
 
 /// With ZO correction, where the third digit of `_MVAR` decides.
-pub const ZERO_OFFSET: When = When::Digit {
-    param: names::MVAR,
-    place: 100,
-    is: &[1],
-};
+pub const ZERO_OFFSET: When = When::Digit { param: names::MVAR, place: 100, is: &[1] };
 
 /// `_MVAR`; a cycle adds the digit groups.
 pub const MVAR: Param = Param {
@@ -163,9 +132,9 @@ pub const NMSP: Param = Param {
 
 /// Alarms that the manual names for every SINUMERIK measuring cycle (A:15840-15940).
 pub const EVERY_CYCLE: &[Code] = &alarms([
-    61016, 61301, 61302, 61303, 61307, 61308, 61309, 61310, 61311, 61312, 61313, 61320, 61328,
-    61336, 61338, 61339, 61340, 61342, 61343, 61344, 61345, 61372, 61373, 61403, 61404, 61405,
-    61406, 61407, 61408, 61409, 61410, 61416, 62303,
+    61016, 61301, 61302, 61303, 61307, 61308, 61309, 61310, 61311, 61312, 61313, 61320, 61328, 61336, 61338, 61339,
+    61340, 61342, 61343, 61344, 61345, 61372, 61373, 61403, 61404, 61405, 61406, 61407, 61408, 61409, 61410, 61416,
+    62303,
 ]);
 
 /// Alarms of the cycles that correct tools and zero offsets by `_KNUM` (A:15859-15865).

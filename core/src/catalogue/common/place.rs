@@ -5,36 +5,17 @@ use crate::catalogue::{Kind, Param, Range, Unit, names};
 use crate::diagnostic::Code;
 
 /// `_SETVAL`; a cycle adds range and label.
-pub const SETVAL: Param = Param {
-    name: names::SETVAL,
-    key: "setval",
-    unit: Unit::ActiveLength,
-    source: "B:1744",
-    ..PARAM
-};
+pub const SETVAL: Param =
+    Param { name: names::SETVAL, key: "setval", unit: Unit::ActiveLength, source: "B:1744", ..PARAM };
 
 /// `_SETV[0]`.
-pub const SETV0: Param = Param {
-    name: names::SETV0,
-    key: "setv0",
-    ..SETVAL
-};
+pub const SETV0: Param = Param { name: names::SETV0, key: "setv0", ..SETVAL };
 
 /// `_SETV[1]`.
-pub const SETV1: Param = Param {
-    name: names::SETV1,
-    key: "setv1",
-    ..SETVAL
-};
+pub const SETV1: Param = Param { name: names::SETV1, key: "setv1", ..SETVAL };
 
 /// `_ID`.
-pub const ID: Param = Param {
-    name: names::ID,
-    key: "id",
-    unit: Unit::ActiveLength,
-    source: "B:15636",
-    ..PARAM
-};
+pub const ID: Param = Param { name: names::ID, key: "id", unit: Unit::ActiveLength, source: "B:15636", ..PARAM };
 
 /// `_SZA`.
 pub const SZA: Param = Param {
@@ -48,12 +29,7 @@ pub const SZA: Param = Param {
 };
 
 /// `_SZO`.
-pub const SZO: Param = Param {
-    name: names::SZO,
-    key: "szo",
-    source: "B:15658",
-    ..SZA
-};
+pub const SZO: Param = Param { name: names::SZO, key: "szo", source: "B:15658", ..SZA };
 
 /// `_MA`; a cycle adds the choices.
 pub const MA: Param = Param {
@@ -88,31 +64,13 @@ pub const STA1: Param = Param {
 };
 
 /// `_INCA`.
-pub const INCA: Param = Param {
-    name: names::INCA,
-    key: "inca",
-    unit: Unit::Degree,
-    source: "B:15749",
-    ..PARAM
-};
+pub const INCA: Param = Param { name: names::INCA, key: "inca", unit: Unit::Degree, source: "B:15749", ..PARAM };
 
 /// `_CPA`.
-pub const CPA: Param = Param {
-    name: names::CPA,
-    key: "cpa",
-    unit: Unit::ActiveLength,
-    source: "B:1747",
-    ..PARAM
-};
+pub const CPA: Param = Param { name: names::CPA, key: "cpa", unit: Unit::ActiveLength, source: "B:1747", ..PARAM };
 
 /// `_CPO`.
-pub const CPO: Param = Param {
-    name: names::CPO,
-    key: "cpo",
-    unit: Unit::ActiveLength,
-    source: "B:1748",
-    ..PARAM
-};
+pub const CPO: Param = Param { name: names::CPO, key: "cpo", unit: Unit::ActiveLength, source: "B:1748", ..PARAM };
 
 /// `_RF`: the delivered 0 is refused (B:6994, A:15909), so that it has to be given.
 pub const RF: Param = Param {

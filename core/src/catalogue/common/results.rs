@@ -3,49 +3,16 @@
 use crate::catalogue::{ResultField, Unit, When};
 
 /// A length in `_OVR[]`.
-pub const fn length(
-    name: &'static str,
-    key: &'static str,
-    when: When,
-    source: &'static str,
-) -> ResultField {
-    ResultField {
-        name,
-        key,
-        when,
-        unit: Unit::ActiveLength,
-        source: crate::cited(source),
-    }
+pub const fn length(name: &'static str, key: &'static str, when: When, source: &'static str) -> ResultField {
+    ResultField { name, key, when, unit: Unit::ActiveLength, source: crate::cited(source) }
 }
 
 /// An angle in `_OVR[]`.
-pub const fn angle(
-    name: &'static str,
-    key: &'static str,
-    when: When,
-    source: &'static str,
-) -> ResultField {
-    ResultField {
-        name,
-        key,
-        when,
-        unit: Unit::Degree,
-        source: crate::cited(source),
-    }
+pub const fn angle(name: &'static str, key: &'static str, when: When, source: &'static str) -> ResultField {
+    ResultField { name, key, when, unit: Unit::Degree, source: crate::cited(source) }
 }
 
 /// A whole number in `_OVI[]`.
-pub const fn integer(
-    name: &'static str,
-    key: &'static str,
-    when: When,
-    source: &'static str,
-) -> ResultField {
-    ResultField {
-        name,
-        key,
-        when,
-        unit: Unit::None,
-        source: crate::cited(source),
-    }
+pub const fn integer(name: &'static str, key: &'static str, when: When, source: &'static str) -> ResultField {
+    ResultField { name, key, when, unit: Unit::None, source: crate::cited(source) }
 }

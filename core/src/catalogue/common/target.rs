@@ -67,11 +67,7 @@ pub const TENV: Param = Param {
 pub const OFFSET_TNUM: Param = Param {
     needs: &[
         required(
-            When::All(&[
-                TOOL_CORRECTED,
-                When::Not(&When::Given(names::TNAME)),
-                When::Not(&When::Given(names::TENV)),
-            ]),
+            When::All(&[TOOL_CORRECTED, When::Not(&When::Given(names::TNAME)), When::Not(&When::Given(names::TENV))]),
             "need-tool",
         ),
         optional(TOOL_CORRECTED, "need-tool-otherwise"),
@@ -80,22 +76,12 @@ pub const OFFSET_TNUM: Param = Param {
 };
 
 /// `_TNAME` of the cycles with [`TOOL_OFFSET`].
-pub const OFFSET_TNAME: Param = Param {
-    needs: &[optional(TOOL_CORRECTED, "need-tool-name")],
-    ..TNAME
-};
+pub const OFFSET_TNAME: Param = Param { needs: &[optional(TOOL_CORRECTED, "need-tool-name")], ..TNAME };
 
 /// `_DLNUM` of the cycles with [`TOOL_OFFSET`].
 pub const OFFSET_DLNUM: Param = Param {
     needs: &[required(
-        When::All(&[
-            TOOL_OFFSET,
-            When::Digit {
-                param: names::KNUM,
-                place: KNUM_KIND,
-                is: &[1, 3],
-            },
-        ]),
+        When::All(&[TOOL_OFFSET, When::Digit { param: names::KNUM, place: KNUM_KIND, is: &[1, 3] }]),
         "need-additive",
     )],
     ..DLNUM
@@ -104,14 +90,7 @@ pub const OFFSET_DLNUM: Param = Param {
 /// `_TENV` of the cycles with [`TOOL_OFFSET`].
 pub const OFFSET_TENV: Param = Param {
     needs: &[required(
-        When::All(&[
-            TOOL_OFFSET,
-            When::Digit {
-                param: names::KNUM,
-                place: KNUM_KIND,
-                is: &[2, 3],
-            },
-        ]),
+        When::All(&[TOOL_OFFSET, When::Digit { param: names::KNUM, place: KNUM_KIND, is: &[2, 3] }]),
         "need-environment",
     )],
     ..TENV

@@ -11,8 +11,8 @@ mod tests;
 
 use super::common::{alarms, integer};
 use super::{
-    Arg, ArgumentList, Cycle, Dialect, Drawing, Help, MachineSort, NEVER, ProbeUse, Purpose,
-    ResultField, Simulation, Style, Unit, Variant, When, Work, spread,
+    Arg, ArgumentList, Cycle, Dialect, Drawing, Help, MachineSort, NEVER, ProbeUse, Purpose, ResultField, Simulation,
+    Style, Unit, Variant, When, Work, spread,
 };
 use crate::check::{Inputs, error};
 use crate::control::Control;
@@ -29,17 +29,8 @@ pub static CYCLE116: Cycle = Cycle {
     dialect: Dialect::Sinumerik,
     name: "CYCLE116",
     key: "cycle116",
-    variants: &[Variant {
-        number: 0,
-        key: "cycle116-circle",
-        source: "B:2408;A:2591",
-    }],
-    purpose: Purpose {
-        probe: ProbeUse::None,
-        machine: MachineSort::Any,
-        calibrates: NEVER,
-        tasks: &[],
-    },
+    variants: &[Variant { number: 0, key: "cycle116-circle", source: "B:2408;A:2591" }],
+    purpose: Purpose { probe: ProbeUse::None, machine: MachineSort::Any, calibrates: NEVER, tasks: &[] },
     lists: &[ArgumentList {
         style: Style::Direct,
         name: "CYCLE116",
@@ -71,24 +62,12 @@ pub static CYCLE116: Cycle = Cycle {
         ("_DATE[5]", "0"),
         ("_DATE[6]", "-10"),
     ],
-    simulation: Some(Simulation::new(
-        Work {
-            propose: simulate::propose,
-            simulate: simulate::simulate,
-        },
-        &[],
-    )),
+    simulation: Some(Simulation::new(Work { propose: simulate::propose, simulate: simulate::simulate }, &[])),
     source: "B:2408-2469",
 };
 
 const fn length(name: &'static str, key: &'static str, source: &'static str) -> ResultField {
-    ResultField {
-        name,
-        key,
-        when: When::Always,
-        unit: Unit::ActiveLength,
-        source,
-    }
+    ResultField { name, key, when: When::Always, unit: Unit::ActiveLength, source }
 }
 
 /// The points that are given completely, with the names of their coordinates.
@@ -139,8 +118,5 @@ fn picture(inputs: &Inputs) -> Picture {
         shapes.push(dimension(ordinate, [x, 0.0], [x, y]));
         shapes.push(circle(ShapeKind::Touch, [x, y], size / 25.0));
     }
-    Picture {
-        view: View::Plane,
-        shapes,
-    }
+    Picture { view: View::Plane, shapes }
 }

@@ -7,17 +7,10 @@ use crate::diagnostic::Code;
 /// Number of points.
 pub const COUNT: &str = "_DATE[0]";
 /// Abscissa and ordinate of each point.
-pub const POINTS: [[&str; 2]; 4] = [
-    ["_DATE[1]", "_DATE[2]"],
-    ["_DATE[3]", "_DATE[4]"],
-    ["_DATE[5]", "_DATE[6]"],
-    ["_DATE[7]", "_DATE[8]"],
-];
+pub const POINTS: [[&str; 2]; 4] =
+    [["_DATE[1]", "_DATE[2]"], ["_DATE[3]", "_DATE[4]"], ["_DATE[5]", "_DATE[6]"], ["_DATE[7]", "_DATE[8]"]];
 
-const FOUR: When = When::Number {
-    param: COUNT,
-    is: &[4.0],
-};
+const FOUR: When = When::Number { param: COUNT, is: &[4.0] };
 
 /// In the order of the array.
 pub const PARAMS: &[Param] = &[
@@ -36,37 +29,18 @@ pub const PARAMS: &[Param] = &[
     ordinate(1, "B:2434"),
     abscissa(2, "B:2435"),
     ordinate(2, "B:2436"),
-    Param {
-        needs: &[required(FOUR, "need-116-fourth")],
-        ..abscissa(3, "B:2437")
-    },
-    Param {
-        needs: &[required(FOUR, "need-116-fourth")],
-        ..ordinate(3, "B:2438")
-    },
+    Param { needs: &[required(FOUR, "need-116-fourth")], ..abscissa(3, "B:2437") },
+    Param { needs: &[required(FOUR, "need-116-fourth")], ..ordinate(3, "B:2438") },
 ];
 
 const fn abscissa(point: usize, source: &'static str) -> Param {
-    Param {
-        name: POINTS[point][0],
-        key: "116-abscissa",
-        source,
-        ..COORDINATE
-    }
+    Param { name: POINTS[point][0], key: "116-abscissa", source, ..COORDINATE }
 }
 
 const fn ordinate(point: usize, source: &'static str) -> Param {
-    Param {
-        name: POINTS[point][1],
-        key: "116-ordinate",
-        source,
-        ..COORDINATE
-    }
+    Param { name: POINTS[point][1], key: "116-ordinate", source, ..COORDINATE }
 }
 
 /// The unit is not named; the result has the same (B:2431-2446).
-const COORDINATE: Param = Param {
-    unit: Unit::ActiveLength,
-    needs: &[required(When::Always, "need-116-points")],
-    ..PARAM
-};
+const COORDINATE: Param =
+    Param { unit: Unit::ActiveLength, needs: &[required(When::Always, "need-116-points")], ..PARAM };

@@ -23,11 +23,7 @@ pub fn propose(_: &Inputs, _: &Control) -> Proposal {
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     let found = circle(inputs);
     if let Ok(([abscissa, ordinate], radius)) = found {
-        for (name, value) in [
-            ("_DATE[9]", abscissa),
-            ("_DATE[10]", ordinate),
-            ("_DATE[11]", radius),
-        ] {
+        for (name, value) in [("_DATE[9]", abscissa), ("_DATE[10]", ordinate), ("_DATE[11]", radius)] {
             results::named_length(machine, name, value);
         }
     }
@@ -45,8 +41,5 @@ fn circle(inputs: &Inputs) -> Result<([f64; 2], f64), u32> {
     }
     let places: Vec<[f64; 2]> = points(inputs).iter().map(|(_, place)| *place).collect();
     let complete = places.len() as f64 == count;
-    complete
-        .then(|| fit::circle(&places))
-        .flatten()
-        .ok_or(NO_CIRCLE)
+    complete.then(|| fit::circle(&places)).flatten().ok_or(NO_CIRCLE)
 }

@@ -74,10 +74,7 @@ fn an_array_that_is_too_short_is_told_at_its_place() {
         );
         assert!(outcome.stop.is_some(), "{text}");
         let place = outcome.diagnostics[0].span.unwrap();
-        assert!(
-            text[place.start as usize..].starts_with("CYCLE116"),
-            "{text}"
-        );
+        assert!(text[place.start as usize..].starts_with("CYCLE116"), "{text}");
     }
 }
 

@@ -47,8 +47,7 @@ fn the_picture_shows_the_circle() {
 // oracle: manual B:2456-2462
 #[test]
 fn a_program_may_use_an_array_of_its_own() {
-    let text =
-        b"DEF INT FAULT\nDEF REAL P[13]\nP[0]=3 P[1]=0 P[2]=10\nP[3]=-10 P[4]=0 P[5]=0 P[6]=-10\n\
+    let text = b"DEF INT FAULT\nDEF REAL P[13]\nP[0]=3 P[1]=0 P[2]=10\nP[3]=-10 P[4]=0 P[5]=0 P[6]=-10\n\
         CYCLE116(P,FAULT)\nM30\n";
     let found = calls(&read(Dialect::Sinumerik, text));
     assert_eq!(found[0].values, typed(&[]));

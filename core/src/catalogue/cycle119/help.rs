@@ -15,17 +15,9 @@ pub const LINES: &[HelpLine] = &[
     corrects(When::Always, "help-cycle119-frame-moved", "B:8566-8573"),
     corrects(When::Always, "help-cycle119-again", "B:8592"),
     wrong(When::Always, "help-cycle119-line", "B:8582;A:15930"),
-    wrong(
-        When::Always,
-        "help-cycle119-distorted",
-        "B:8575-8576;A:15933",
-    ),
+    wrong(When::Always, "help-cycle119-distorted", "B:8575-8576;A:15933"),
     wrong(When::Always, "help-cycle119-order", "B:8563-8565"),
     wrong(When::Always, "help-cycle119-mirrored", "B:8588;A:15930"),
-    wrong(
-        When::Always,
-        "help-cycle119-absent",
-        "B:8588;A:15862;A:15932",
-    ),
+    wrong(When::Always, "help-cycle119-absent", "B:8588;A:15862;A:15932"),
     wrong(When::Always, "help-cycle119-unseen", "B:8579-8583"),
 ];

@@ -1,6 +1,6 @@
-//! CYCLE119: position in space (B:8541-8592). From three set and three measured points it computes the frame between them
-//! and corrects one, if it is told to. It measures nothing; CYCLE997 calls it for three spheres, a program may call it
-//! with points of its own.
+//! CYCLE119: position in space (B:8541-8592). From three set and three measured points it computes the frame between
+//! them and corrects one, if it is told to. It measures nothing; CYCLE997 calls it for three spheres, a program may
+//! call it with points of its own.
 
 mod checks;
 mod help;
@@ -14,8 +14,8 @@ mod tests;
 
 use super::common::{alarms, integer};
 use super::{
-    Arg, ArgumentList, Cycle, Dialect, Drawing, Help, MachineSort, NEVER, ProbeUse, Purpose,
-    ResultField, Simulation, Style, Unit, Variant, When, Work,
+    Arg, ArgumentList, Cycle, Dialect, Drawing, Help, MachineSort, NEVER, ProbeUse, Purpose, ResultField, Simulation,
+    Style, Unit, Variant, When, Work,
 };
 
 /// The cycle.
@@ -23,17 +23,8 @@ pub static CYCLE119: Cycle = Cycle {
     dialect: Dialect::Sinumerik,
     name: "CYCLE119",
     key: "cycle119",
-    variants: &[Variant {
-        number: 0,
-        key: "cycle119-position",
-        source: "B:8541;A:9386",
-    }],
-    purpose: Purpose {
-        probe: ProbeUse::None,
-        machine: MachineSort::Milling,
-        calibrates: NEVER,
-        tasks: &[],
-    },
+    variants: &[Variant { number: 0, key: "cycle119-position", source: "B:8541;A:9386" }],
+    purpose: Purpose { probe: ProbeUse::None, machine: MachineSort::Milling, calibrates: NEVER, tasks: &[] },
     lists: &[ArgumentList {
         style: Style::Direct,
         name: "CYCLE119",
@@ -95,30 +86,18 @@ pub static CYCLE119: Cycle = Cycle {
         ("_COR", "1"),
         ("_RESLIM", "1.2"),
     ],
-    simulation: Some(Simulation::new(
-        Work {
-            propose: simulate::propose,
-            simulate: simulate::simulate,
-        },
-        &[],
-    )),
+    simulation: Some(Simulation::new(Work { propose: simulate::propose, simulate: simulate::simulate }, &[])),
     source: "B:8541-8622",
 };
 
 /// Translation of the result frame.
 const fn translation(name: &'static str, key: &'static str) -> ResultField {
-    ResultField {
-        unit: Unit::ActiveLength,
-        ..component(name, key)
-    }
+    ResultField { unit: Unit::ActiveLength, ..component(name, key) }
 }
 
 /// Rotation of the result frame about an axis.
 const fn rotation(name: &'static str, key: &'static str) -> ResultField {
-    ResultField {
-        unit: Unit::Degree,
-        ..component(name, key)
-    }
+    ResultField { unit: Unit::Degree, ..component(name, key) }
 }
 
 const fn component(name: &'static str, key: &'static str) -> ResultField {

@@ -44,12 +44,7 @@ pub const PARAMS: &[Param] = &[
     measured(2, 0),
     measured(2, 1),
     measured(2, 2),
-    Param {
-        name: TARGET,
-        labels: &[(When::Always, "knum-zero")],
-        source: "B:8566-8572",
-        ..KNUM
-    },
+    Param { name: TARGET, labels: &[(When::Always, "knum-zero")], source: "B:8566-8572", ..KNUM },
     Param {
         name: LIMIT,
         key: "119-limit",
@@ -80,8 +75,4 @@ const fn measured(point: usize, axis: usize) -> Param {
 }
 
 /// Workpiece coordinates; the unit is not named (B:8563-8565).
-const COORDINATE: Param = Param {
-    unit: Unit::ActiveLength,
-    needs: ALWAYS_REQUIRED,
-    ..PARAM
-};
+const COORDINATE: Param = Param { unit: Unit::ActiveLength, needs: ALWAYS_REQUIRED, ..PARAM };

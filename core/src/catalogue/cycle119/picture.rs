@@ -18,10 +18,7 @@ pub fn picture(inputs: &Inputs) -> Picture {
         polygon(ShapeKind::Path, measured.map(seen).to_vec()).of(LIMIT),
         circle(ShapeKind::Axis, [0.0; 2], size / 50.0),
     ];
-    for (names, corners, kind) in [
-        (SET, set, ShapeKind::Probe),
-        (MEASURED, measured, ShapeKind::Touch),
-    ] {
+    for (names, corners, kind) in [(SET, set, ShapeKind::Probe), (MEASURED, measured, ShapeKind::Touch)] {
         for (names, corner) in names.into_iter().zip(corners) {
             shapes.extend(legs(names, corner));
             shapes.push(circle(kind, seen(corner), size / 50.0));
@@ -32,10 +29,7 @@ pub fn picture(inputs: &Inputs) -> Picture {
         let beside = [x - size / 15.0, y + size / 15.0];
         shapes.push(line(ShapeKind::Label, vec![beside]).text(number));
     }
-    Picture {
-        view: View::Plane,
-        shapes,
-    }
+    Picture { view: View::Plane, shapes }
 }
 
 fn corners(inputs: &Inputs, names: Names) -> [[f64; 3]; 3] {

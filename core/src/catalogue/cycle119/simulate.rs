@@ -54,10 +54,7 @@ fn corrected(machine: &mut dyn Machine, inputs: &Inputs, position: &Position) ->
     };
     correctable(control, &target)?;
     position.within(inputs.number(LIMIT))?;
-    let target = Target {
-        activate: false,
-        ..target
-    };
+    let target = Target { activate: false, ..target };
     let set = SET[0].map(|name| inputs.number(name));
     let writes = zero_offset::moved(control, &target, &position.motion, set);
     correct::write(machine, &writes);

@@ -25,27 +25,14 @@ fn setup() -> Setup {
         ..Frame::default()
     };
     setup.control.system = Frame::translation([1.0, 2.0, 3.0]);
-    setup
-        .control
-        .channel_basic
-        .insert(0, frame(10.0, [5.0, 0.0, 0.0]));
-    setup
-        .control
-        .frames
-        .insert(1, frame(100.0, [1.0, -2.0, 20.0]));
+    setup.control.channel_basic.insert(0, frame(10.0, [5.0, 0.0, 0.0]));
+    setup.control.frames.insert(1, frame(100.0, [1.0, -2.0, 20.0]));
     setup.control.activate(1);
     setup
 }
 
 /// Runs a call; R1 is the alarm number, R2 the distortion; `behind` stands between call and end.
-fn called(
-    setup: &Setup,
-    before: &str,
-    set: &Triangle,
-    measured: &Triangle,
-    last: &str,
-    behind: &str,
-) -> Outcome {
+fn called(setup: &Setup, before: &str, set: &Triangle, measured: &Triangle, last: &str, behind: &str) -> Outcome {
     let list = |points: &Triangle| {
         let all: Vec<String> = points.concat().iter().map(f64::to_string).collect();
         all.join(",")
@@ -56,11 +43,7 @@ fn called(
         list(set),
         list(measured)
     );
-    let outcome = run(
-        &read(Dialect::Sinumerik, text.as_bytes()),
-        setup,
-        Limits::default(),
-    );
+    let outcome = run(&read(Dialect::Sinumerik, text.as_bytes()), setup, Limits::default());
     assert_eq!(outcome.stop, None, "{:?}", outcome.diagnostics);
     outcome
 }
@@ -71,20 +54,11 @@ fn moved(at: [f64; 3], turn: [f64; 3]) -> Triangle {
 }
 
 /// Whether measured points have the set coordinates in the frame of this control.
-fn stands_right(
-    before: &Control,
-    after: &Control,
-    measured: &Triangle,
-) -> Result<(), TestCaseError> {
+fn stands_right(before: &Control, after: &Control, measured: &Triangle) -> Result<(), TestCaseError> {
     for (set, point) in SET.iter().zip(measured) {
         let seen = after.to_workpiece(before.to_machine(*point));
         for axis in 0..3 {
-            prop_assert!(
-                (seen[axis] - set[axis]).abs() < 1e-9,
-                "{:?} {:?}",
-                seen,
-                set
-            );
+            prop_assert!((seen[axis] - set[axis]).abs() < 1e-9, "{:?} {:?}", seen, set);
         }
     }
     Ok(())
@@ -137,16 +111,14 @@ proptest! {
 
 #[test]
 fn a_distortion_is_the_sum_of_what_is_left() {
-    // oracle: hand. Isosceles, the tip 3 mm too high: the best motion moves by 1 mm, so that the tip is 2 mm off and the
-    // ends of the base 1 mm each. In mm in a program in inches too, as its limit (B:8573, B:8583)
+    // oracle: hand. Isosceles, the tip 3 mm too high: the best motion moves by 1 mm, so that the tip is 2 mm off and
+    // the ends of the base 1 mm each. In mm in a program in inches too, as its limit (B:8573, B:8583)
     let inches = |triangle: &Triangle| triangle.map(|point| point.map(|value| value / 25.4));
     let mm = [[-50.0, 0.0, 0.0], [50.0, 0.0, 0.0], [0.0, 80.0, 0.0]];
     let mut high = mm;
     high[2][1] += 3.0;
     let limits = [("4.1", 0.0), ("3.9", 61414.0)];
-    for (units, (limit, alarm)) in ["", "G70", "G700"]
-        .into_iter()
-        .flat_map(|units| limits.map(|limit| (units, limit)))
+    for (units, (limit, alarm)) in ["", "G70", "G700"].into_iter().flat_map(|units| limits.map(|limit| (units, limit)))
     {
         let (set, measured) = match units {
             "" => (mm, high),
@@ -156,10 +128,7 @@ fn a_distortion_is_the_sum_of_what_is_left() {
         let outcome = called(&before, units, &set, &measured, &format!("1,{limit}"), "");
         assert_eq!(outcome.control.number("R1"), alarm);
         assert!((outcome.control.number("R2") - 4.0).abs() < 1e-9);
-        assert_eq!(
-            outcome.control.frames == before.control.frames,
-            alarm != 0.0
-        );
+        assert_eq!(outcome.control.frames == before.control.frames, alarm != 0.0);
     }
 }
 

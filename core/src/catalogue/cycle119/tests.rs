@@ -30,34 +30,14 @@ fn found(changes: &[(&str, &str)]) -> Vec<(Code, Option<&'static str>)> {
 #[test]
 fn what_gives_no_frame_is_refused() {
     assert_eq!(found(&[]), []);
-    let line = [
-        ("_SETPOINT[1,0]", "5"),
-        ("_SETPOINT[1,1]", "0"),
-        ("_SETPOINT[1,2]", "15"),
-    ];
+    let line = [("_SETPOINT[1,0]", "5"), ("_SETPOINT[1,1]", "0"), ("_SETPOINT[1,2]", "15")];
     assert_eq!(found(&line), [(Code::Alarm(61411), Some("_SETPOINT[2,0]"))]);
     let same = [("_MEASPOINT[1,0]", "11"), ("_MEASPOINT[1,1]", "0")];
-    assert_eq!(
-        found(&same),
-        [(Code::Alarm(61411), Some("_MEASPOINT[2,0]"))]
-    );
-    assert_eq!(
-        found(&[("_COR", "1051")]),
-        [(Code::Alarm(61321), Some("_COR"))]
-    );
-    assert_eq!(
-        found(&[("_COR", "500")]),
-        [(Code::Alarm(61321), Some("_COR"))]
-    );
-    assert_eq!(
-        found(&[("_RESLIM", "")]),
-        [(own::MISSING.code(), Some("_RESLIM"))]
-    );
-    assert_eq!(
-        found(&[("_RESLIM", ""), ("_COR", "0")]),
-        [],
-        "nothing is corrected"
-    );
+    assert_eq!(found(&same), [(Code::Alarm(61411), Some("_MEASPOINT[2,0]"))]);
+    assert_eq!(found(&[("_COR", "1051")]), [(Code::Alarm(61321), Some("_COR"))]);
+    assert_eq!(found(&[("_COR", "500")]), [(Code::Alarm(61321), Some("_COR"))]);
+    assert_eq!(found(&[("_RESLIM", "")]), [(own::MISSING.code(), Some("_RESLIM"))]);
+    assert_eq!(found(&[("_RESLIM", ""), ("_COR", "0")]), [], "nothing is corrected");
 }
 
 // oracle: manual B:8600-8622 (the measured points lie 1 mm beside the set ones in X)
@@ -65,10 +45,7 @@ fn what_gives_no_frame_is_refused() {
 fn the_picture_shows_both_triangles() {
     let drawn = draw(&CYCLE119, &typed(&[]), &delivery(Dialect::Sinumerik)).unwrap();
     let triangle = |kind| {
-        let shape = drawn
-            .shapes
-            .iter()
-            .find(|one| one.kind == kind && one.closed);
+        let shape = drawn.shapes.iter().find(|one| one.kind == kind && one.closed);
         shape.unwrap().points.clone()
     };
     let (set, measured) = (triangle(ShapeKind::Material), triangle(ShapeKind::Path));
@@ -80,8 +57,7 @@ fn the_picture_shows_both_triangles() {
 // oracle: manual B:8600-8622 (the example, with arrays of its own names, and G54 by its number)
 #[test]
 fn the_example_of_the_manual_is_read_and_written() {
-    let text =
-        b"DEF REAL SOLL[3,3], IST[3,3]\nDEF REAL RES, RESLIMIT\nDEF INT ALARM\nDEF FRAME REFRAME\n\
+    let text = b"DEF REAL SOLL[3,3], IST[3,3]\nDEF REAL RES, RESLIMIT\nDEF INT ALARM\nDEF FRAME REFRAME\n\
         SOLL[0,0]=SET(10,0,0)\nSOLL[1,0]=SET(0,20,0)\nSOLL[2,0]=SET(0,0,30)\n\
         IST[0,0]=SET(11,0,0)\nIST[1,0]=SET(1,20,0)\nIST[2,0]=SET(1,0,30)\n\
         CYCLE119(SOLL,IST,ALARM,RES,REFRAME,1,1.2)\nM2\n";

@@ -58,11 +58,7 @@ impl Case {
         let inputs = self.inputs();
         let middle = unit(self.real.edge + self.real.opening / 2.0);
         let way = BESIDE / (self.real.opening.abs().to_radians() / 2.0).sin();
-        let [x, y] = along(
-            self.real.corner,
-            middle,
-            if self.outside() { -way } else { way },
-        );
+        let [x, y] = along(self.real.corner, middle, if self.outside() { -way } else { way });
         let height = if self.by_points() { 25.0 } else { -15.0 };
         let start = place::in_plane(&setup.control, [x, y, height]);
         setup.position = setup.control.to_machine(start);
@@ -70,33 +66,15 @@ impl Case {
     }
 
     fn part(&self, control: &Control) -> Solid {
-        let Real {
-            corner: [x, y],
-            edge,
-            opening,
-        } = self.real;
+        let Real { corner: [x, y], edge, opening } = self.real;
         let clockwise = (opening < 0.0) != self.mirrored();
         let [along, across] = unit(if clockwise { edge + opening } else { edge });
         let (angle, length) = (opening.abs(), [500.0; 2]);
         let shape = match self.outside() {
-            true => Shape::OuterCorner {
-                angle,
-                length,
-                height: 60.0,
-            },
-            false => Shape::InnerCorner {
-                angle,
-                length,
-                depth: 60.0,
-            },
+            true => Shape::OuterCorner { angle, length, height: 60.0 },
+            false => Shape::InnerCorner { angle, length, depth: 60.0 },
         };
-        place::solid(
-            control,
-            shape,
-            [x, y, 0.0],
-            [along, across, 0.0],
-            [0.0, 0.0, 1.0],
-        )
+        place::solid(control, shape, [x, y, 0.0], [along, across, 0.0], [0.0, 0.0, 1.0])
     }
 
     fn mirrored(&self) -> bool {
@@ -113,10 +91,7 @@ impl Case {
     fn inputs(&self) -> Inputs {
         let Real { edge, opening, .. } = self.real;
         let first = self.in_machine(edge + self.wrong[0]);
-        let set = [
-            first,
-            self.in_machine(edge + opening + self.wrong[1]) - first,
-        ];
+        let set = [first, self.in_machine(edge + opening + self.wrong[1]) - first];
         let mut values = vec![
             ("_STA1", set[0]),
             ("_INCA", set[1]),
@@ -144,22 +119,12 @@ impl Case {
 
     /// P1 to P4: beside the edges, P2 and P4 as much further away as the angles are wrong.
     pub fn places(&self) -> [Point; 4] {
-        let Real {
-            corner,
-            edge,
-            opening,
-        } = self.real;
+        let Real { corner, edge, opening } = self.real;
         let sense = opening.signum() * if self.outside() { -1.0 } else { 1.0 };
         let place = |edge: f64, sense: f64, way: f64, off: f64| {
-            along(
-                along(corner, unit(edge), way),
-                unit(edge + 90.0 * sense),
-                off,
-            )
+            along(along(corner, unit(edge), way), unit(edge + 90.0 * sense), off)
         };
-        let [first, second] = self
-            .wrong
-            .map(|wrong| 70.0 * wrong.abs().to_radians().tan());
+        let [first, second] = self.wrong.map(|wrong| 70.0 * wrong.abs().to_radians().tan());
         [
             place(edge, sense, 80.0, BESIDE),
             place(edge, sense, 150.0, BESIDE + first),
@@ -176,12 +141,7 @@ fn variants() -> impl Strategy<Value = i64> {
 /// Any of them.
 pub fn cases() -> impl Strategy<Value = Case> {
     let frame = (prop::array::uniform3(-300.0..300.0_f64), -170.0..170.0_f64);
-    let real = (
-        prop::array::uniform2(-80.0..80.0_f64),
-        -180.0..180.0_f64,
-        40.0..150.0_f64,
-        any::<bool>(),
-    );
+    let real = (prop::array::uniform2(-80.0..80.0_f64), -180.0..180.0_f64, 40.0..150.0_f64, any::<bool>());
     let wrong = prop::array::uniform2(-6.0..6.0_f64);
     (variants(), 0..3_usize, frame, real, wrong).prop_map(
         |(variant, plane, (coarse, turn), (corner, edge, opening, clockwise), wrong)| {
@@ -190,16 +150,8 @@ pub fn cases() -> impl Strategy<Value = Case> {
             Case {
                 variant,
                 plane,
-                frame: Frame {
-                    coarse,
-                    rotation: at(plane, [0.0, 0.0, turn]),
-                    ..Frame::default()
-                },
-                real: Real {
-                    corner,
-                    edge,
-                    opening: if clockwise { -opening } else { opening },
-                },
+                frame: Frame { coarse, rotation: at(plane, [0.0, 0.0, turn]), ..Frame::default() },
+                real: Real { corner, edge, opening: if clockwise { -opening } else { opening } },
                 // both edges of a rectangle are wrong by the same angle
                 wrong: if variant <= 106 { [wrong[0]; 2] } else { wrong },
             }

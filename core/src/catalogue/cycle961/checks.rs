@@ -38,10 +38,7 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
 /// Edges that are touched in places too near to each other, or too far from the corner, for what follows from them.
 fn spreads(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     let (needed, second): (&[&str], _) = match DISTANCES.holds(inputs) {
-        true => (
-            &[names::STA1, names::INCA, names::SETV0, names::SETV1],
-            names::SETV0,
-        ),
+        true => (&[names::STA1, names::INCA, names::SETV0, names::SETV1], names::SETV0),
         false => (PLACES.as_flattened(), names::SETV2),
     };
     let wrong = found.iter().any(|one| one.severity == Severity::Error);
@@ -59,14 +56,8 @@ fn spreads(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
 fn distances(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     for name in [names::SETV0, names::SETV1] {
         if let Some(distance) = inputs.given(name).filter(|distance| *distance <= 0.0) {
-            let message = Message::new("check-corner-distance")
-                .text("param", name)
-                .number("distance", distance);
-            found.push(
-                error(Code::Alarm(61346), message)
-                    .hint(Message::new("check-corner-distance-hint"))
-                    .at(name),
-            );
+            let message = Message::new("check-corner-distance").text("param", name).number("distance", distance);
+            found.push(error(Code::Alarm(61346), message).hint(Message::new("check-corner-distance-hint")).at(name));
         }
     }
 }
@@ -83,12 +74,7 @@ fn directions(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
                 .at(names::INCA),
         );
     } else if RECTANGLE.holds(inputs) && (angle.abs() - 90.0).abs() > TOLERANCE {
-        found.push(
-            own::CORNER_RECTANGLE
-                .finding()
-                .number("angle", angle)
-                .at(names::INCA),
-        );
+        found.push(own::CORNER_RECTANGLE.finding().number("angle", angle).at(names::INCA));
     }
 }
 
@@ -96,19 +82,13 @@ fn directions(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
 fn passing(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     let down = |lift: &f64| lift * place::side(control) < 0.0;
     if let Some(lift) = inputs.given(names::ID).filter(down) {
-        found.push(
-            own::CORNER_LIFT
-                .finding()
-                .number("lift", lift)
-                .at(names::ID),
-        );
+        found.push(own::CORNER_LIFT.finding().number("lift", lift).at(names::ID));
     }
 }
 
 /// The points P1 to P4 where all are given.
 fn given(inputs: &Inputs) -> Option<[Point; 4]> {
-    let point =
-        |[abscissa, ordinate]: [&str; 2]| Some([inputs.given(abscissa)?, inputs.given(ordinate)?]);
+    let point = |[abscissa, ordinate]: [&str; 2]| Some([inputs.given(abscissa)?, inputs.given(ordinate)?]);
     let [p1, p2, p3, p4] = PLACES;
     Some([point(p1)?, point(p2)?, point(p3)?, point(p4)?])
 }
@@ -118,11 +98,7 @@ fn points(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     let Some([p1, p2, p3, p4]) = given(inputs) else {
         return;
     };
-    let refused = |alarm, key, hint, at| {
-        error(Code::Alarm(alarm), Message::new(key))
-            .hint(Message::new(hint))
-            .at(at)
-    };
+    let refused = |alarm, key, hint, at| error(Code::Alarm(alarm), Message::new(key)).hint(Message::new(hint)).at(at);
     let (same, hint) = ("check-corner-same", "check-corner-same-hint");
     if p1 == p2 {
         found.push(refused(61367, same, hint, names::SETV2));
@@ -133,22 +109,12 @@ fn points(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
         return;
     }
     match shares([p1, p3], [away(p1, p2), away(p3, p4)], PARALLEL) {
-        None => found.push(refused(
-            61368,
-            "check-corner-parallel",
-            "check-corner-parallel-hint",
-            names::SETV6,
-        )),
+        None => found.push(refused(61368, "check-corner-parallel", "check-corner-parallel-hint", names::SETV6)),
         Some(shares) => {
             let between = |share: &f64| (0.0..=1.0).contains(share);
             if let Some(line) = shares.iter().position(between) {
                 let at = [names::SETV0, names::SETV4][line];
-                found.push(refused(
-                    61369,
-                    "check-corner-between",
-                    "check-corner-between-hint",
-                    at,
-                ));
+                found.push(refused(61369, "check-corner-between", "check-corner-between-hint", at));
             }
         }
     }

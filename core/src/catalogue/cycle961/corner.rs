@@ -19,18 +19,15 @@ pub struct Corner {
 }
 
 /// The corner from three or four touches with the centres of the ball at switching. The second edge of a rectangle is
-/// upright on the first. Error: alarm 61368 where the edges do not meet, 61369 where they meet between two points of one
-/// (A:15912-15913).
+/// upright on the first. Error: alarm 61368 where the edges do not meet, 61369 where they meet between two points of
+/// one (A:15912-15913).
 pub fn corner(touches: &[Touch], centres: &[Point], radius: f64) -> Result<Corner, u32> {
     let (&[b1, b2, b3], rest) = centres.split_first_chunk::<3>().ok_or(61368_u32)?;
     let edge = direction(b1, b2);
-    let second = rest
-        .first()
-        .map_or([-edge[1], edge[0]], |b4| direction(b3, *b4));
+    let second = rest.first().map_or([-edge[1], edge[0]], |b4| direction(b3, *b4));
     let first_at = moved(b1, edge, touches.first(), radius);
     let second_at = moved(b3, second, touches.get(2), radius);
-    let [share, other] =
-        shares([first_at, second_at], [edge, second], PARALLEL).ok_or(61368_u32)?;
+    let [share, other] = shares([first_at, second_at], [edge, second], PARALLEL).ok_or(61368_u32)?;
     if let Some(b4) = rest.first() {
         let within = |share: f64, from: Point, to: Point| {
             let [x, y] = away(from, to);
@@ -40,19 +37,12 @@ pub fn corner(touches: &[Touch], centres: &[Point], radius: f64) -> Result<Corne
             return Err(61369);
         }
     }
-    Ok(Corner {
-        point: along(first_at, edge, share),
-        edge,
-    })
+    Ok(Corner { point: along(first_at, edge, share), edge })
 }
 
 /// A line through the centre of the ball, moved to the edge that it touched.
 fn moved(centre: Point, line: Point, touch: Option<&Touch>, radius: f64) -> Point {
     let towards = touch.map_or([0.0; 2], Touch::towards);
-    let side = if across(line, towards) < 0.0 {
-        -1.0
-    } else {
-        1.0
-    };
+    let side = if across(line, towards) < 0.0 { -1.0 } else { 1.0 };
     along(centre, [-line[1] * side, line[0] * side], radius)
 }

@@ -11,11 +11,7 @@ const POINTS_OUTSIDE: When = When::Variant(&[118]);
 
 /// Section by section, in the order in which they are read.
 pub const LINES: &[HelpLine] = &[
-    measures(
-        When::Not(&OUTSIDE),
-        "help-cycle961-measures-inside",
-        "B:7866;B:7868",
-    ),
+    measures(When::Not(&OUTSIDE), "help-cycle961-measures-inside", "B:7866;B:7868"),
     measures(OUTSIDE, "help-cycle961-measures-outside", "B:7867;B:7869"),
     measures(RECTANGLE, "help-cycle961-measures-square", "B:7917-7918"),
     measures(FREE, "help-cycle961-measures-free", "B:7919-7920"),
@@ -30,18 +26,10 @@ pub const LINES: &[HelpLine] = &[
     order(POINTS, "help-cycle961-order-infeed", "B:8158-8170"),
     order(POINTS_INSIDE, "help-cycle961-order-toward-pocket", "B:8046"),
     order(POINTS_OUTSIDE, "help-cycle961-order-toward-part", "B:8046"),
-    order(
-        When::Always,
-        "help-cycle961-order-along-axis",
-        "B:7990;B:8148-8154",
-    ),
+    order(When::Always, "help-cycle961-order-along-axis", "B:7990;B:8148-8154"),
     order(DISTANCES, "help-ends-at-start", "B:8016"),
     order(POINTS, "help-cycle961-order-end-p4", "B:8158-8170"),
-    corrects(
-        When::Always,
-        "help-cycle961-corrects-absolute",
-        "B:7840-7844;B:8042",
-    ),
+    corrects(When::Always, "help-cycle961-corrects-absolute", "B:7840-7844;B:8042"),
     corrects(RECTANGLE, "help-cycle961-corrects-choice", "B:8018-8026"),
     wrong(DISTANCES, "help-cycle961-wrong-angle", "B:7996"),
     wrong(DISTANCES, "help-cycle961-wrong-not-opposite", "B:7980-7988"),

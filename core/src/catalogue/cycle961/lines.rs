@@ -28,11 +28,7 @@ pub fn across(u: Point, v: Point) -> f64 {
 pub fn direction(from: Point, to: Point) -> Point {
     let [x, y] = away(from, to);
     let length = x.hypot(y);
-    if length > 0.0 {
-        [x / length, y / length]
-    } else {
-        [1.0, 0.0]
-    }
+    if length > 0.0 { [x / length, y / length] } else { [1.0, 0.0] }
 }
 
 /// Where the lines through two points meet, as shares of their directions from these points; none where the sine of the

@@ -32,36 +32,12 @@ use crate::catalogue::{Cycle, Dialect, Drawing, Help, Purpose, Simulation, Varia
 
 /// Measuring variants (B:7862-7869).
 pub const VARIANTS: &[Variant] = &[
-    Variant {
-        number: 105,
-        key: "cycle961-inside-rectangle",
-        source: "B:7864;B:7917;A:8646",
-    },
-    Variant {
-        number: 106,
-        key: "cycle961-outside-rectangle",
-        source: "B:7865;B:7918;A:8647",
-    },
-    Variant {
-        number: 107,
-        key: "cycle961-inside-any",
-        source: "B:7866;B:7919;A:8648",
-    },
-    Variant {
-        number: 108,
-        key: "cycle961-outside-any",
-        source: "B:7867;B:7920;A:8649",
-    },
-    Variant {
-        number: 117,
-        key: "cycle961-inside-points",
-        source: "B:7868;B:8054;A:8650",
-    },
-    Variant {
-        number: 118,
-        key: "cycle961-outside-points",
-        source: "B:7869;B:8055;A:8651",
-    },
+    Variant { number: 105, key: "cycle961-inside-rectangle", source: "B:7864;B:7917;A:8646" },
+    Variant { number: 106, key: "cycle961-outside-rectangle", source: "B:7865;B:7918;A:8647" },
+    Variant { number: 107, key: "cycle961-inside-any", source: "B:7866;B:7919;A:8648" },
+    Variant { number: 108, key: "cycle961-outside-any", source: "B:7867;B:7920;A:8649" },
+    Variant { number: 117, key: "cycle961-inside-points", source: "B:7868;B:8054;A:8650" },
+    Variant { number: 118, key: "cycle961-outside-points", source: "B:7869;B:8055;A:8651" },
 ];
 
 /// The entry. Example: the outside corner of B:7944-7972, A:8756-8793.
@@ -71,10 +47,7 @@ pub static CYCLE961: Cycle = Cycle {
     key: "cycle961",
     variants: VARIANTS,
     params: params::PARAMS,
-    purpose: Purpose {
-        tasks: tasks::TASKS,
-        ..Purpose::MILLING
-    },
+    purpose: Purpose { tasks: tasks::TASKS, ..Purpose::MILLING },
     lists: lists::LISTS,
     // B:7834: on a lathe the length ends at the centre of the ball
     settings: &["_CBIT[14]"],
@@ -83,9 +56,7 @@ pub static CYCLE961: Cycle = Cycle {
         common::EVERY_CYCLE,
         // A:15866, A:15868, A:15889-15890, A:15911-15913, A:15920; 61321 and 61412 for a _KNUM without a frame;
         // 61341 as B:13658 has it
-        &common::alarms([
-            61321, 61325, 61327, 61341, 61346, 61347, 61367, 61368, 61369, 61401, 61412,
-        ]),
+        &common::alarms([61321, 61325, 61327, 61341, 61346, 61347, 61367, 61368, 61369, 61401, 61412]),
     ],
     checks: checks::checks,
     help: Help::new(&[
@@ -110,10 +81,7 @@ pub static CYCLE961: Cycle = Cycle {
         ("_NMSP", "1"),
     ],
     simulation: Some(Simulation::new(
-        Work {
-            propose: propose::propose,
-            simulate: simulate::simulate,
-        },
+        Work { propose: propose::propose, simulate: simulate::simulate },
         &[
             (params::RECTANGLE, &[("_INCA", "90"), ("_SETV[4]", "1")]),
             // the points of B:8090-8124

@@ -2,48 +2,26 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use crate::catalogue::sinumerik::motion_testing::{
-    DEPTH_FEED, Lettered, PLANE_FEED, lettered, same_lettered,
-};
+use crate::catalogue::sinumerik::motion_testing::{DEPTH_FEED, Lettered, PLANE_FEED, lettered, same_lettered};
 use crate::catalogue::sinumerik::testing::{at, call, run, setup, solid};
 use crate::control::Plane;
 use crate::run::machine::Sim;
 use crate::workpiece::Shape;
 
 /// Motions at a right corner at the zero between plus abscissa and plus ordinate, part or pocket.
-fn motions(
-    plane: Plane,
-    variant: i64,
-    values: &[(&'static str, f64)],
-    start: [f64; 3],
-) -> Vec<Lettered> {
+fn motions(plane: Plane, variant: i64, values: &[(&'static str, f64)], start: [f64; 3]) -> Vec<Lettered> {
     let (angle, length) = (90.0, [200.0; 2]);
     let shape = match variant % 2 == 0 {
-        true => Shape::OuterCorner {
-            angle,
-            length,
-            height: 50.0,
-        },
-        false => Shape::InnerCorner {
-            angle,
-            length,
-            depth: 50.0,
-        },
+        true => Shape::OuterCorner { angle, length, height: 50.0 },
+        false => Shape::InnerCorner { angle, length, depth: 50.0 },
     };
     let mut setup = setup(plane);
-    setup
-        .workpiece
-        .solids
-        .push(solid(plane, shape, [0.0; 3], false));
+    setup.workpiece.solids.push(solid(plane, shape, [0.0; 3], false));
     setup.control.set("_SPEED[1]", PLANE_FEED);
     setup.control.set("_SPEED[2]", DEPTH_FEED);
     setup.position = at(plane, start);
     let mut sim = Sim::new(&setup);
-    assert_eq!(
-        run(&mut sim, &call("CYCLE961", variant, values)),
-        Ok(()),
-        "{variant} {plane:?}"
-    );
+    assert_eq!(run(&mut sim, &call("CYCLE961", variant, values)), Ok(()), "{variant} {plane:?}");
     lettered(&sim, plane)
 }
 
@@ -60,20 +38,9 @@ fn variants_with_distances_move_as_their_tables_say() {
     // oracle: manual B:7984-8016 (order, half distances, 10 degree, over the corner, around it, end), hand (figures)
     let height = -10.0;
     for plane in [Plane::G17, Plane::G18, Plane::G19] {
-        for (variant, lift) in [
-            (105, 0.0),
-            (107, 0.0),
-            (106, 25.0),
-            (108, 25.0),
-            (106, 0.0),
-            (108, 0.0),
-        ] {
+        for (variant, lift) in [(105, 0.0), (107, 0.0), (106, 25.0), (108, 25.0), (106, 0.0), (108, 0.0)] {
             let outside = variant % 2 == 0;
-            let start = if outside {
-                [-14.0, -15.0, height]
-            } else {
-                [14.0, 15.0, height]
-            };
+            let start = if outside { [-14.0, -15.0, height] } else { [14.0, 15.0, height] };
             let (sine, cosine) = 10.0_f64.to_radians().sin_cos();
             // away from the edges: outside to the minus sides, inside to the plus sides
             let away = if outside { -sine } else { sine };
@@ -88,11 +55,9 @@ fn variants_with_distances_move_as_their_tables_say() {
             wanted.extend(touch(p1, 1, ball, height));
             match (outside, lift) {
                 (true, 0.0) => wanted.extend([('p', start), ('p', to(p3, height))]),
-                (true, lift) => wanted.extend([
-                    ('d', to(p1, height + lift)),
-                    ('p', to(p3, height + lift)),
-                    ('d', to(p3, height)),
-                ]),
+                (true, lift) => {
+                    wanted.extend([('d', to(p1, height + lift)), ('p', to(p3, height + lift)), ('d', to(p3, height))])
+                }
                 _ => wanted.push(('p', to(p3, height))),
             }
             wanted.extend(touch(p3, 0, ball, height));
@@ -122,12 +87,7 @@ fn variants_with_points_move_as_their_tables_say() {
     for plane in [Plane::G17, Plane::G18, Plane::G19] {
         for variant in [117, 118] {
             let side = if variant == 118 { -1.0 } else { 1.0 };
-            let places = [
-                [40.0, 14.0 * side],
-                [90.0, 12.0 * side],
-                [13.0 * side, 35.0],
-                [11.0 * side, 70.0],
-            ];
+            let places = [[40.0, 14.0 * side], [90.0, 12.0 * side], [13.0 * side, 35.0], [11.0 * side, 70.0]];
             let mut wanted = Vec::new();
             for (index, axis) in [(1, 1), (0, 1), (2, 0), (3, 0)] {
                 let place = places[index];
@@ -152,15 +112,8 @@ fn the_path_is_at_least_twenty_millimetres_before_and_behind() {
     let reached = |away: f64| {
         let mut setup = setup(Plane::G17);
         let (angle, length) = (90.0, [200.0; 2]);
-        let shape = Shape::OuterCorner {
-            angle,
-            length,
-            height: 50.0,
-        };
-        setup
-            .workpiece
-            .solids
-            .push(solid(Plane::G17, shape, [0.0; 3], false));
+        let shape = Shape::OuterCorner { angle, length, height: 50.0 };
+        setup.workpiece.solids.push(solid(Plane::G17, shape, [0.0; 3], false));
         setup.position = [30.0, 50.0, 20.0];
         let out = -away - 3.0;
         let places = [[60.0, out], [90.0, out], [out, 65.0], [out, 90.0]];

@@ -24,17 +24,11 @@ pub const PLACES: [[&str; 2]; 4] = [
 
 const DIRECTION: &[Need] = &[required(DISTANCES, "need-corner-directions")];
 const PLACE: &[Need] = &[required(POINTS, "need-corner-points")];
-const DISTANCE: &[Need] = &[
-    required(DISTANCES, "need-corner-distances"),
-    required(POINTS, "need-corner-points"),
-];
+const DISTANCE: &[Need] = &[required(DISTANCES, "need-corner-distances"), required(POINTS, "need-corner-points")];
 
 /// The zero point is moved from the corner in this axis (B:7931-7935).
 const fn moved(selections: &'static [f64]) -> When {
-    When::Number {
-        param: names::SETV4,
-        is: selections,
-    }
+    When::Number { param: names::SETV4, is: selections }
 }
 
 const MOVED_ABSCISSA: When = When::All(&[RECTANGLE, moved(&[2.0, 3.0])]);
@@ -42,10 +36,7 @@ const MOVED_ORDINATE: When = When::All(&[RECTANGLE, moved(&[3.0, 4.0])]);
 
 /// In the order in which the snippet writes them.
 pub const PARAMS: &[Param] = &[
-    Param {
-        source: "B:7862-7869;B:15346-15347",
-        ..common::MVAR
-    },
+    Param { source: "B:7862-7869;B:15346-15347", ..common::MVAR },
     Param {
         needs: DIRECTION,
         labels: &[(When::Always, "sta1-reference")],
@@ -74,10 +65,7 @@ pub const PARAMS: &[Param] = &[
     Param {
         name: names::SETV2,
         key: "p2-abscissa",
-        needs: &[
-            required(MOVED_ABSCISSA, "need-corner-moved"),
-            required(POINTS, "need-corner-points"),
-        ],
+        needs: &[required(MOVED_ABSCISSA, "need-corner-moved"), required(POINTS, "need-corner-points")],
         labels: &[(RECTANGLE, "setv2-offset")],
         source: "B:7929;B:8061;B:15355",
         ..common::SETVAL
@@ -85,10 +73,7 @@ pub const PARAMS: &[Param] = &[
     Param {
         name: names::SETV3,
         key: "p2-ordinate",
-        needs: &[
-            required(MOVED_ORDINATE, "need-corner-moved"),
-            required(POINTS, "need-corner-points"),
-        ],
+        needs: &[required(MOVED_ORDINATE, "need-corner-moved"), required(POINTS, "need-corner-points")],
         labels: &[(RECTANGLE, "setv3-offset")],
         source: "B:7930;B:8062;B:15356",
         ..common::SETVAL
@@ -96,58 +81,25 @@ pub const PARAMS: &[Param] = &[
     Param {
         kind: Kind::ChoiceIf(
             RECTANGLE,
-            &[
-                (1, "corner-itself"),
-                (2, "corner-abscissa"),
-                (3, "corner-both"),
-                (4, "corner-ordinate"),
-            ],
+            &[(1, "corner-itself"), (2, "corner-abscissa"), (3, "corner-both"), (4, "corner-ordinate")],
         ),
         name: names::SETV4,
         key: "p3-abscissa",
-        needs: &[
-            required(RECTANGLE, "need-corner-selection"),
-            required(POINTS, "need-corner-points"),
-        ],
+        needs: &[required(RECTANGLE, "need-corner-selection"), required(POINTS, "need-corner-points")],
         labels: &[(RECTANGLE, "setv4-selection")],
         source: "B:7931-7935;B:8063;B:15357",
         ..common::SETVAL
     },
+    Param { name: names::SETV5, key: "p3-ordinate", needs: PLACE, source: "B:8064;B:15358", ..common::SETVAL },
+    Param { name: names::SETV6, key: "p4-abscissa", needs: PLACE, source: "B:8065;B:15359", ..common::SETVAL },
+    Param { name: names::SETV7, key: "p4-ordinate", needs: PLACE, source: "B:8066;B:15363", ..common::SETVAL },
     Param {
-        name: names::SETV5,
-        key: "p3-ordinate",
-        needs: PLACE,
-        source: "B:8064;B:15358",
-        ..common::SETVAL
-    },
-    Param {
-        name: names::SETV6,
-        key: "p4-abscissa",
-        needs: PLACE,
-        source: "B:8065;B:15359",
-        ..common::SETVAL
-    },
-    Param {
-        name: names::SETV7,
-        key: "p4-ordinate",
-        needs: PLACE,
-        source: "B:8066;B:15363",
-        ..common::SETVAL
-    },
-    Param {
-        needs: &[
-            required(PASSES, "need-corner-passing"),
-            required(POINTS, "need-corner-infeed"),
-        ],
+        needs: &[required(PASSES, "need-corner-passing"), required(POINTS, "need-corner-infeed")],
         labels: &[(PASSES, "id-over-corner")],
         source: "B:7925;B:8006-8012;B:8058;B:15336",
         ..common::ID
     },
-    Param {
-        labels: &[(When::Always, "knum-zero")],
-        source: "B:7840-7844;B:7922;B:8057;B:15342-15343",
-        ..common::KNUM
-    },
+    Param { labels: &[(When::Always, "knum-zero")], source: "B:7840-7844;B:7922;B:8057;B:15342-15343", ..common::KNUM },
     Param {
         kind: Kind::Digits(&[common::PROBE_NUMBER]),
         labels: &[(When::Always, "prnum-multi-only")],
@@ -155,19 +107,10 @@ pub const PARAMS: &[Param] = &[
         ..common::PRNUM
     },
     Param {
-        labels: &[
-            (DISTANCES, "fa-corner-distances"),
-            (POINTS, "fa-corner-points"),
-        ],
+        labels: &[(DISTANCES, "fa-corner-distances"), (POINTS, "fa-corner-points")],
         source: "B:7921;B:8146-8154;B:15334",
         ..common::FA
     },
-    Param {
-        source: "B:7942;B:8072",
-        ..common::VMS
-    },
-    Param {
-        source: "B:7942;B:8072",
-        ..common::NMSP
-    },
+    Param { source: "B:7942;B:8072", ..common::VMS },
+    Param { source: "B:7942;B:8072", ..common::NMSP },
 ];

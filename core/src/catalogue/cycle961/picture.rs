@@ -14,11 +14,7 @@ const RISES: When = When::Given(names::ID);
 
 /// The picture.
 pub fn picture(inputs: &Inputs) -> Picture {
-    let scene = if POINTS.holds(inputs) {
-        from_points(inputs)
-    } else {
-        from_distances(inputs)
-    };
+    let scene = if POINTS.holds(inputs) { from_points(inputs) } else { from_distances(inputs) };
     let mut shapes = part(&scene);
     if POINTS.holds(inputs) {
         places(&scene, &mut shapes);
@@ -32,28 +28,19 @@ pub fn picture(inputs: &Inputs) -> Picture {
     if POINTS.holds(inputs) || PASSES.holds(inputs) && RISES.holds(inputs) {
         height(&scene, inputs, &mut shapes);
     }
-    Picture {
-        view: View::Plane,
-        shapes,
-    }
+    Picture { view: View::Plane, shapes }
 }
 
 /// The part, seen from above, as far as the edges are touched.
 fn part(scene: &Scene) -> Vec<PictureShape> {
     let [first, second] = scene.edges;
-    let ends = [
-        along(scene.corner, first, scene.reach[0]),
-        along(scene.corner, second, scene.reach[1]),
-    ];
+    let ends = [along(scene.corner, first, scene.reach[0]), along(scene.corner, second, scene.reach[1])];
     let far = along(ends[0], second, scene.reach[1]);
     let wedge = vec![scene.corner, ends[0], far, ends[1]];
     let material = if scene.outside {
         wedge
     } else {
-        let half = [
-            (scene.corner[0] + far[0]) / 2.0,
-            (scene.corner[1] + far[1]) / 2.0,
-        ];
+        let half = [(scene.corner[0] + far[0]) / 2.0, (scene.corner[1] + far[1]) / 2.0];
         let wide = |point: Point| [0, 1].map(|i| half[i] + (point[i] - half[i]) * 1.25);
         frame(wedge.iter().copied().map(wide).collect(), wedge)
     };
@@ -69,20 +56,13 @@ fn directions(scene: &Scene, inputs: &Inputs, shapes: &mut Vec<PictureShape>) {
     let start = inputs.number(names::STA1) % 360.0;
     let second = scene.edges[1][1].atan2(scene.edges[1][0]).to_degrees();
     let turn = (second - start).rem_euclid(360.0);
-    let turn = if scene.sense() < 0.0 {
-        turn - 360.0
-    } else {
-        turn
-    };
+    let turn = if scene.sense() < 0.0 { turn - 360.0 } else { turn };
     let ray = |direction, length| vec![[0.0; 2], along([0.0; 2], direction, length)];
     let reach = scene.size * 1.15;
     shapes.push(line(ShapeKind::Axis, ray([1.0, 0.0], reach)).of(names::STA1));
     shapes.push(line(ShapeKind::Axis, ray(scene.edges[0], reach)).of(names::STA1));
     shapes.push(line(ShapeKind::Axis, ray(scene.edges[1], reach)).of(names::INCA));
-    for (radius, from, to, name) in [
-        (0.3, 0.0, start, names::STA1),
-        (0.2, start, start + turn, names::INCA),
-    ] {
+    for (radius, from, to, name) in [(0.3, 0.0, start, names::STA1), (0.2, start, start + turn, names::INCA)] {
         let sweep = arc([0.0; 2], scene.size * radius, from, to);
         shapes.push(line(ShapeKind::Path, sweep).of(name));
         let at = along([0.0; 2], unit((from + to) / 2.0), scene.size * radius * 1.3);
@@ -108,15 +88,12 @@ fn directions(scene: &Scene, inputs: &Inputs, shapes: &mut Vec<PictureShape>) {
     shapes.push(circle(ShapeKind::Probe, [0.0; 2], scene.ball).of(names::PRNUM));
 }
 
-/// The coordinates of the points from the workpiece zero. Along its line a pair has them one beside the other, outside of
-/// the part, across it each at its point, so that no two stand in one place.
+/// The coordinates of the points from the workpiece zero. Along its line a pair has them one beside the other, outside
+/// of the part, across it each at its point, so that no two stand in one place.
 fn places(scene: &Scene, shapes: &mut Vec<PictureShape>) {
     let [x, y] = scene.zero;
     let size = scene.size;
-    for axis in [
-        [[x - size * 0.1, y], [x + size, y]],
-        [[x, y - size * 0.1], [x, y + size * 0.8]],
-    ] {
+    for axis in [[[x - size * 0.1, y], [x + size, y]], [[x, y - size * 0.1], [x, y + size * 0.8]]] {
         shapes.push(line(ShapeKind::Axis, axis.to_vec()).text("0"));
     }
     for (pair, other) in [([0, 1], [2, 3]), ([2, 3], [0, 1])] {
@@ -181,18 +158,11 @@ fn beside(scene: &Scene, pair: [usize; 2], index: usize, shapes: &mut Vec<Pictur
 fn touch(scene: &Scene, start: Point, index: usize, shapes: &mut Vec<PictureShape>) {
     let edge = scene.edges[index / 2];
     let normal = toward(scene, start, edge);
-    let axis = if normal[0].abs() > normal[1].abs() {
-        [normal[0].signum(), 0.0]
-    } else {
-        [0.0, normal[1].signum()]
-    };
+    let axis = if normal[0].abs() > normal[1].abs() { [normal[0].signum(), 0.0] } else { [0.0, normal[1].signum()] };
     // from the start along the axis to the edge
     let share = across(away(start, scene.corner), edge) / across(axis, edge);
     let share = share.clamp(0.0, scene.size * 2.0);
-    let (contact, stop) = (
-        along(start, axis, share),
-        along(start, axis, (share - scene.ball).max(0.0)),
-    );
+    let (contact, stop) = (along(start, axis, share), along(start, axis, (share - scene.ball).max(0.0)));
     shapes.push(line(ShapeKind::Path, vec![start, stop]).of(names::FA));
     shapes.push(arrow(ShapeKind::Path, start, stop, scene.ball).of(names::FA));
     if index == 1 {
@@ -201,10 +171,7 @@ fn touch(scene: &Scene, start: Point, index: usize, shapes: &mut Vec<PictureShap
     }
     shapes.push(circle(ShapeKind::Probe, start, scene.ball).of(names::PRNUM));
     shapes.push(circle(ShapeKind::Touch, contact, scene.ball * 0.4).of(names::NMSP));
-    let label = line(
-        ShapeKind::Label,
-        vec![along(start, axis, -scene.ball * 2.0)],
-    );
+    let label = line(ShapeKind::Label, vec![along(start, axis, -scene.ball * 2.0)]);
     shapes.push(label.text(format!("P{}", index + 1)).of(names::NMSP));
 }
 
@@ -212,11 +179,7 @@ fn touch(scene: &Scene, start: Point, index: usize, shapes: &mut Vec<PictureShap
 fn toward(scene: &Scene, point: Point, edge: Point) -> Point {
     let normal = [-edge[1], edge[0]];
     let [x, y] = away(point, scene.corner);
-    let sign = if x * normal[0] + y * normal[1] < 0.0 {
-        -1.0
-    } else {
-        1.0
-    };
+    let sign = if x * normal[0] + y * normal[1] < 0.0 { -1.0 } else { 1.0 };
     [normal[0] * sign, normal[1] * sign]
 }
 
@@ -228,18 +191,11 @@ fn zero_point(scene: &Scene, inputs: &Inputs, shapes: &mut Vec<PictureShape>) {
     let moved = |name, selections: [i64; 2]| {
         let active = RECTANGLE.holds(inputs) && selections.contains(&selection);
         let sign = inputs.given(name).unwrap_or(1.0).signum();
-        if active {
-            sign * scene.size * 0.25
-        } else {
-            0.0
-        }
+        if active { sign * scene.size * 0.25 } else { 0.0 }
     };
     let beside = along(scene.corner, abscissa, moved(names::SETV2, [2, 3]));
     let zero = along(beside, ordinate, moved(names::SETV3, [3, 4]));
-    for tip in [
-        along(zero, abscissa, scene.size * 0.22),
-        along(zero, ordinate, scene.size * 0.22),
-    ] {
+    for tip in [along(zero, abscissa, scene.size * 0.22), along(zero, ordinate, scene.size * 0.22)] {
         shapes.push(line(ShapeKind::Axis, vec![zero, tip]).of(names::KNUM));
         shapes.push(arrow(ShapeKind::Axis, zero, tip, scene.ball).of(names::KNUM));
     }
@@ -247,10 +203,7 @@ fn zero_point(scene: &Scene, inputs: &Inputs, shapes: &mut Vec<PictureShape>) {
         return;
     }
     shapes.push(circle(ShapeKind::Axis, zero, scene.ball * 1.5).of(names::SETV4));
-    for (name, from, to) in [
-        (names::SETV2, scene.corner, beside),
-        (names::SETV3, beside, zero),
-    ] {
+    for (name, from, to) in [(names::SETV2, scene.corner, beside), (names::SETV3, beside, zero)] {
         if from != to {
             shapes.push(dimension(name, from, to));
         }
@@ -260,10 +213,9 @@ fn zero_point(scene: &Scene, inputs: &Inputs, shapes: &mut Vec<PictureShape>) {
 /// The way in the applicate, drawn to the right: down to the points, or over the corner.
 fn height(scene: &Scene, inputs: &Inputs, shapes: &mut Vec<PictureShape>) {
     let all = shapes.iter().flat_map(|shape| &shape.points);
-    let (right, low, high) = all.fold(
-        (0.0_f64, f64::INFINITY, f64::NEG_INFINITY),
-        |(right, low, high), [x, y]| (right.max(*x), low.min(*y), high.max(*y)),
-    );
+    let (right, low, high) = all.fold((0.0_f64, f64::INFINITY, f64::NEG_INFINITY), |(right, low, high), [x, y]| {
+        (right.max(*x), low.min(*y), high.max(*y))
+    });
     let (width, depth) = (scene.size * 0.25, scene.size * 0.2);
     let middle = [right + scene.size * 0.35, (low + high) / 2.0];
     shapes.push(polygon(ShapeKind::Cut, corners(middle, [width, depth])));

@@ -20,19 +20,9 @@ fn the_proposed_part_is_measured_from_the_proposed_start() {
         .flat_map(|plane| [105, 106, 107, 108].map(|variant| (plane, variant)))
         .flat_map(|(plane, variant)| angles.map(|angles| (plane, variant, angles)))
     {
-        let opening = if variant <= 106 {
-            90.0_f64.copysign(opening)
-        } else {
-            opening
-        };
+        let opening = if variant <= 106 { 90.0_f64.copysign(opening) } else { opening };
         let mut setup = setup(plane);
-        let values = [
-            ("_STA1", first),
-            ("_INCA", opening),
-            ("_SETV[0]", 80.0),
-            ("_SETV[1]", 60.0),
-            ("_ID", 20.0),
-        ];
+        let values = [("_STA1", first), ("_INCA", opening), ("_SETV[0]", 80.0), ("_SETV[1]", 60.0), ("_ID", 20.0)];
         let inputs = call("CYCLE961", variant, &values);
         proposed(&mut setup, &inputs, first);
     }

@@ -22,7 +22,8 @@ struct Nominal {
     edges: [Point; 2],
 }
 
-/// Part and start: opposite the corner at measuring depth, or above P2 at positioning height (B:7980-7988, B:8158-8166).
+/// Part and start: opposite the corner at measuring depth, or above P2 at positioning height (B:7980-7988,
+/// B:8158-8166).
 pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let ball = place::ball_radius(inputs, control);
     let touches = touches(inputs, control, [0.0; 2]);
@@ -34,13 +35,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
         let depth = depth(inputs, control, ball);
         ([0.0; 2], -depth, depth)
     };
-    let part = solid(
-        inputs,
-        control,
-        &nominal,
-        &touches,
-        depth + 2.0 * ball + 10.0,
-    );
+    let part = solid(inputs, control, &nominal, &touches, depth + 2.0 * ball + 10.0);
     Proposal {
         workpiece: Workpiece { solids: vec![part] },
         start: place::in_plane(control, [start[0], start[1], height * place::side(control)]),
@@ -58,20 +53,10 @@ fn nominal(inputs: &Inputs, control: &Control, touches: &[Touch], ball: f64) -> 
 /// Where the nominal part is touched, P1 first.
 pub fn touched(inputs: &Inputs, control: &Control) -> Vec<Touched> {
     let touches = touches(inputs, control, [0.0; 2]);
-    let nominal = nominal(
-        inputs,
-        control,
-        &touches,
-        place::ball_radius(inputs, control),
-    );
+    let nominal = nominal(inputs, control, &touches, place::ball_radius(inputs, control));
     let all = touches.iter().enumerate();
-    all.filter_map(|(index, touch)| {
-        Some(Touched {
-            at: met(&nominal, index, touch)?,
-            towards: touch.towards(),
-        })
-    })
-    .collect()
+    all.filter_map(|(index, touch)| Some(Touched { at: met(&nominal, index, touch)?, towards: touch.towards() }))
+        .collect()
 }
 
 /// Where a touch meets its edge.
@@ -83,9 +68,7 @@ fn met(nominal: &Nominal, index: usize, touch: &Touch) -> Option<Point> {
 
 /// Below the face; so deep that the ball passes over the corner clear of it by a third of what is left of `_ID`.
 fn depth(inputs: &Inputs, control: &Control, ball: f64) -> f64 {
-    let lift = inputs
-        .given(names::ID)
-        .map(|lift| lift * place::side(control));
+    let lift = inputs.given(names::ID).map(|lift| lift * place::side(control));
     match lift.filter(|lift| *lift > 0.0) {
         Some(lift) if PASSES.holds(inputs) => ((lift - ball) * 2.0 / 3.0).clamp(0.5, DEPTH),
         _ => DEPTH,
@@ -104,10 +87,7 @@ fn by_distances(inputs: &Inputs, control: &Control, ball: f64) -> Nominal {
     };
     let edges = angles.map(unit);
     let middle = direction([0.0; 2], along(edges[0], edges[1], 1.0));
-    Nominal {
-        corner: along([0.0; 2], middle, sign * beside / half.sin()),
-        edges,
-    }
+    Nominal { corner: along([0.0; 2], middle, sign * beside / half.sin()), edges }
 }
 
 /// How far outside the start may lie beside the edges, so that P1 and P3 are touched on them and not at the corner: the
@@ -147,10 +127,7 @@ fn by_points(touches: &[Touch], ball: f64) -> Nominal {
         let sign = (x * line[0] + y * line[1]).signum();
         line.map(|part| part * sign)
     };
-    Nominal {
-        corner,
-        edges: [outward(lines[0], p2), outward(lines[1], p4)],
-    }
+    Nominal { corner, edges: [outward(lines[0], p2), outward(lines[1], p4)] }
 }
 
 /// -1 where the WCS is mirrored, or seen from its minus side: then counter-clockwise in it is clockwise for the part.
@@ -182,10 +159,7 @@ fn solid(
     if across(one, other) * handed(control) < 0.0 {
         (one, other) = (other, one);
     }
-    let (sine, cosine) = (
-        across(one, other).abs(),
-        one[0] * other[0] + one[1] * other[1],
-    );
+    let (sine, cosine) = (across(one, other).abs(), one[0] * other[0] + one[1] * other[1]);
     let beyond = BEYOND / sine.max(0.05);
     let visited = visited(nominal, touches);
     let reach = |from: Point, line: Point, across_to: Point| {
@@ -195,30 +169,13 @@ fn solid(
             .fold(0.0, f64::max);
         furthest + beyond
     };
-    let length = [
-        reach(nominal.corner, one, other),
-        reach(nominal.corner, other, one),
-    ];
+    let length = [reach(nominal.corner, one, other), reach(nominal.corner, other, one)];
     let angle = sine.atan2(cosine).to_degrees();
     let shape = if OUTSIDE.holds(inputs) {
-        Shape::OuterCorner {
-            angle,
-            length,
-            height,
-        }
+        Shape::OuterCorner { angle, length, height }
     } else {
-        Shape::InnerCorner {
-            angle,
-            length,
-            depth: height,
-        }
+        Shape::InnerCorner { angle, length, depth: height }
     };
     let [x, y] = nominal.corner;
-    place::solid(
-        control,
-        shape,
-        [x, y, 0.0],
-        [one[0], one[1], 0.0],
-        place::outward(control),
-    )
+    place::solid(control, shape, [x, y, 0.0], [one[0], one[1], 0.0], place::outward(control))
 }

@@ -30,11 +30,7 @@ pub struct Scene {
 impl Scene {
     /// Which way the second edge is turned from the first: 1 counter-clockwise, -1 clockwise.
     pub fn sense(&self) -> f64 {
-        if across(self.edges[0], self.edges[1]) < 0.0 {
-            -1.0
-        } else {
-            1.0
-        }
+        if across(self.edges[0], self.edges[1]) < 0.0 { -1.0 } else { 1.0 }
     }
 }
 
@@ -59,12 +55,7 @@ pub fn from_distances(inputs: &Inputs) -> Scene {
         edges,
         zero: [0.0; 2],
         reach: [size * if outside { 1.1 } else { 1.7 }; 2],
-        starts: [
-            at(edges[0], first / 2.0),
-            at(edges[0], first),
-            at(edges[1], second / 2.0),
-            at(edges[1], second),
-        ],
+        starts: [at(edges[0], first / 2.0), at(edges[0], first), at(edges[1], second / 2.0), at(edges[1], second)],
         touched: if RECTANGLE.holds(inputs) { 3 } else { 4 },
         size,
         ball: size * 0.035,
@@ -96,11 +87,7 @@ pub fn from_points(inputs: &Inputs) -> Scene {
     let meeting = meeting([p1, p3], lines).unwrap_or(p1);
     let toward = |point: Point, line: Point| {
         let way = away(meeting, point);
-        let sign = if way[0] * line[0] + way[1] * line[1] < 0.0 {
-            -1.0
-        } else {
-            1.0
-        };
+        let sign = if way[0] * line[0] + way[1] * line[1] < 0.0 { -1.0 } else { 1.0 };
         [line[0] * sign, line[1] * sign]
     };
     let edges = [toward(p2, lines[0]), toward(p4, lines[1])];
@@ -109,11 +96,7 @@ pub fn from_points(inputs: &Inputs) -> Scene {
     let outside = OUTSIDE.holds(inputs);
     // the corner lies nearer to the lines than P1 and P3 to where they meet
     let nearest = reach(p1).min(reach(p3)) / 2.0;
-    let gap = if outside {
-        nearest.clamp(size * 0.06, size * 0.15)
-    } else {
-        -size * 0.15
-    };
+    let gap = if outside { nearest.clamp(size * 0.06, size * 0.15) } else { -size * 0.15 };
     Scene {
         outside,
         corner: along(along(meeting, edges[0], gap), edges[1], gap),

@@ -51,11 +51,7 @@ fn height(inputs: &Inputs, block: &Block, start: [f64; 3]) -> [f64; 3] {
 
 /// Radius of the active ball, mm; where it was never determined that of the tool.
 fn radius(block: &Block) -> f64 {
-    if block.ball > 0.0 {
-        block.ball
-    } else {
-        block.radius
-    }
+    if block.ball > 0.0 { block.ball } else { block.radius }
 }
 
 /// Touches all points; the centres of the ball at switching, P1 first. Ends at the start, or above P4 (B:8016, B:8170).
@@ -89,15 +85,9 @@ fn measure(
     Ok(centres)
 }
 
-/// From P1 to P3 past an outside corner: over it by `_ID`, or around it through the start (B:8002-8012). Inside the way is
-/// free.
-fn pass(
-    machine: &mut dyn Machine,
-    inputs: &Inputs,
-    block: &Block,
-    next: &Touch,
-    start: [f64; 3],
-) -> Result<(), Stop> {
+/// From P1 to P3 past an outside corner: over it by `_ID`, or around it through the start (B:8002-8012). Inside the way
+/// is free.
+fn pass(machine: &mut dyn Machine, inputs: &Inputs, block: &Block, next: &Touch, start: [f64; 3]) -> Result<(), Stop> {
     if !OUTSIDE.holds(inputs) {
         return Ok(());
     }
@@ -127,12 +117,7 @@ fn raised(block: &Block, from: [f64; 3], lift: f64) -> [f64; 3] {
 /// Touches an edge from here; where the centre of the ball stood. Along the measuring axis it follows from the trigger
 /// value, which holds the skew, across from the skew.
 fn ball(machine: &mut dyn Machine, block: &Block, touch: &Touch) -> Result<Point, Stop> {
-    let Touch {
-        axis,
-        direction,
-        path,
-        ..
-    } = *touch;
+    let Touch { axis, direction, path, .. } = *touch;
     let surface = block.measure_from_here(machine, axis, direction, 2.0 * path)?;
     let other = 1 - axis;
     let mut centre = [0.0; 2];
@@ -158,13 +143,7 @@ fn report(machine: &mut dyn Machine, corner: &Corner, height: [f64; 3]) {
 }
 
 /// Abscissa along the reference edge, corner or a point beside it as zero; the applicate stays (B:7840-7844).
-fn write(
-    machine: &mut dyn Machine,
-    inputs: &Inputs,
-    target: &Target,
-    corner: &Corner,
-    height: [f64; 3],
-) {
+fn write(machine: &mut dyn Machine, inputs: &Inputs, target: &Target, corner: &Corner, height: [f64; 3]) {
     let control = machine.control();
     let [abscissa, ordinate, applicate] = control.plane.axes();
     let edge = zero_offset::seen(control, target, vector(control, corner.edge));
@@ -172,11 +151,7 @@ fn write(
     turn[applicate] = edge[ordinate].atan2(edge[abscissa]).to_degrees();
     let rotation = zero_offset::rotation(control, target, &rigid::rotation(turn));
     let [x, y] = beside(inputs);
-    let mut measured = Measured {
-        actual: point(control, corner.point, height),
-        set: height,
-        axes: [true; 3],
-    };
+    let mut measured = Measured { actual: point(control, corner.point, height), set: height, axes: [true; 3] };
     (measured.set[abscissa], measured.set[ordinate]) = (-x, -y);
     measured.axes[applicate] = false;
     let writes = zero_offset::placed(control, target, rotation, &measured);

@@ -34,7 +34,8 @@ proptest! {
         close_angle(&sim, "_OVR[20]", case.in_machine(edge));
         close(&sim, "_OVR[21]", machine[axes[0]]);
         close(&sim, "_OVR[22]", machine[axes[1]]);
-        for (name, value) in [("_OVI[2]", 961.0), ("_OVI[3]", case.variant as f64), ("_OVI[5]", 1.0), ("_OVI[9]", 0.0)] {
+        for (name, value) in [("_OVI[2]", 961.0), ("_OVI[3]", case.variant as f64), ("_OVI[5]", 1.0), ("_OVI[9]",
+            0.0)] {
             close(&sim, name, value);
         }
         // manual B:8016, B:8170: back at the start, or over P4 at positioning height
@@ -127,11 +128,7 @@ fn corner(change: impl Fn(&mut Setup, &mut Inputs)) -> (Sim, Result<(), Stop>) {
         variant: 108,
         plane: Plane::G17,
         frame: Frame::default(),
-        real: Real {
-            corner: [20.0, 10.0],
-            edge: -35.0,
-            opening: 80.0,
-        },
+        real: Real { corner: [20.0, 10.0], edge: -35.0, opening: 80.0 },
         wrong: [0.0; 2],
     };
     let (mut setup, mut inputs) = case.ready();
@@ -152,11 +149,7 @@ fn without_a_target_nothing_is_corrected() {
 fn an_inch_machine_finds_the_same_corner() {
     // oracle: self (B:1787-1795)
     let (sim, outcome) = corner(|setup, _| {
-        let inch = Setup::calibrated_in(
-            crate::catalogue::Dialect::Sinumerik,
-            Plane::G17,
-            Units::Inch,
-        );
+        let inch = Setup::calibrated_in(crate::catalogue::Dialect::Sinumerik, Plane::G17, Units::Inch);
         setup.control = inch.control;
     });
     assert_eq!(outcome, Ok(()));
@@ -170,9 +163,7 @@ fn an_inch_machine_finds_the_same_corner() {
 #[test]
 fn alarms_stop() {
     // oracle: manual A:15842-15922
-    let value = |name: &'static str, value: f64| {
-        stopped(corner(|_, inputs| _ = inputs.numbers.insert(name, value)).1)
-    };
+    let value = |name: &'static str, value: f64| stopped(corner(|_, inputs| _ = inputs.numbers.insert(name, value)).1);
     assert_eq!(value("_KNUM", 100.0), 61321);
     assert_eq!(value("_FA", 0.0), 61308);
     // the way to P2 leads into the part
@@ -201,9 +192,7 @@ fn a_measured_corner_may_be_none_though_the_points_make_one() {
                 inputs.variant = variant;
                 inputs.numbers.insert("_ID", -40.0);
                 for (names, place) in PLACES.into_iter().zip(places) {
-                    inputs
-                        .numbers
-                        .extend([(names[0], place[0]), (names[1], place[1])]);
+                    inputs.numbers.extend([(names[0], place[0]), (names[1], place[1])]);
                 }
             })
             .1,

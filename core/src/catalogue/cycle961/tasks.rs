@@ -22,17 +22,6 @@ const BESIDE: &[(&str, Meaning)] = &[
     ZERO,
 ];
 
-const fn corner(
-    task: Task,
-    variant: i64,
-    all: &'static [i64],
-    values: &'static [(&'static str, Meaning)],
-) -> Shared {
-    Shared {
-        task,
-        when: When::Variant(all),
-        variant,
-        tool: Some(false),
-        values,
-    }
+const fn corner(task: Task, variant: i64, all: &'static [i64], values: &'static [(&'static str, Meaning)]) -> Shared {
+    Shared { task, when: When::Variant(all), variant, tool: Some(false), values }
 }

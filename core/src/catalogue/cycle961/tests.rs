@@ -15,11 +15,10 @@ use crate::program::convert::convert;
 use crate::program::write::snippet;
 use crate::program::{change, read};
 
-/// The worked example of the variant that is chosen, else of an outside corner with any angle, with some values changed.
+/// The worked example of the variant that is chosen, else of an outside corner with any angle, with some values
+/// changed.
 fn typed(changes: &[(&str, &str)]) -> Typed {
-    let changes = changes
-        .iter()
-        .map(|(name, value)| ((*name).to_owned(), (*value).to_owned()));
+    let changes = changes.iter().map(|(name, value)| ((*name).to_owned(), (*value).to_owned()));
     let changes: Typed = changes.collect();
     let chosen = |variant: &&Variant| changes.get("_MVAR") == Some(&variant.number.to_string());
     let usual = VARIANTS.iter().find(|variant| variant.number == 108);
@@ -32,10 +31,7 @@ fn typed(changes: &[(&str, &str)]) -> Typed {
 /// Everything found in the worked example with some values changed.
 fn found(changes: &[(&str, &str)]) -> Vec<(Severity, Code, &'static str)> {
     let found = check(&CYCLE961, &typed(changes), &delivery(CYCLE961.dialect)).diagnostics;
-    found
-        .into_iter()
-        .map(|one| (one.severity, one.code, one.param.unwrap()))
-        .collect()
+    found.into_iter().map(|one| (one.severity, one.code, one.param.unwrap())).collect()
 }
 
 /// The four places of B:8090-8124.
@@ -44,10 +40,7 @@ const POINTS: &[(&str, &str)] = &[("_MVAR", "118")];
 /// A corner of a rectangle as the zero point.
 const RECTANGLE: &[(&str, &str)] = &[("_MVAR", "106")];
 
-fn with<'a>(
-    base: &[(&'a str, &'a str)],
-    changes: &[(&'a str, &'a str)],
-) -> Vec<(&'a str, &'a str)> {
+fn with<'a>(base: &[(&'a str, &'a str)], changes: &[(&'a str, &'a str)]) -> Vec<(&'a str, &'a str)> {
     [base, changes].concat()
 }
 
@@ -65,52 +58,19 @@ fn mistakes_with_distances_are_told() {
         (vec![("_MVAR", "107"), ("_ID", "")], None),
         (vec![("_INCA", "0")], Some((error, alarm(61347), "_INCA"))),
         (vec![("_INCA", "180")], Some((error, own(5), "_INCA"))),
-        (
-            vec![("_SETV[0]", "0")],
-            Some((error, alarm(61346), "_SETV[0]")),
-        ),
-        (
-            vec![("_SETV[1]", "-5")],
-            Some((error, alarm(61346), "_SETV[1]")),
-        ),
-        (
-            vec![("_PRNUM", "101")],
-            Some((error, alarm(61313), "_PRNUM")),
-        ),
-        (
-            vec![("_KNUM", "1051")],
-            Some((error, alarm(61321), "_KNUM")),
-        ),
+        (vec![("_SETV[0]", "0")], Some((error, alarm(61346), "_SETV[0]"))),
+        (vec![("_SETV[1]", "-5")], Some((error, alarm(61346), "_SETV[1]"))),
+        (vec![("_PRNUM", "101")], Some((error, alarm(61313), "_PRNUM"))),
+        (vec![("_KNUM", "1051")], Some((error, alarm(61321), "_KNUM"))),
         (vec![("_MVAR", "109")], Some((error, alarm(61307), "_MVAR"))),
         (rectangle(&[]), None),
-        (
-            rectangle(&[("_INCA", "-101")]),
-            Some((warning, own(90), "_INCA")),
-        ),
-        (
-            rectangle(&[("_SETV[4]", "")]),
-            Some((error, own(1), "_SETV[4]")),
-        ),
-        (
-            rectangle(&[("_SETV[4]", "5")]),
-            Some((error, own(5), "_SETV[4]")),
-        ),
-        (
-            rectangle(&[("_SETV[4]", "1.5")]),
-            Some((error, own(5), "_SETV[4]")),
-        ),
-        (
-            rectangle(&[("_SETV[4]", "2")]),
-            Some((error, own(1), "_SETV[2]")),
-        ),
-        (
-            rectangle(&[("_SETV[4]", "4")]),
-            Some((error, own(1), "_SETV[3]")),
-        ),
-        (
-            rectangle(&[("_SETV[4]", "3"), ("_SETV[2]", "-8"), ("_SETV[3]", "5")]),
-            None,
-        ),
+        (rectangle(&[("_INCA", "-101")]), Some((warning, own(90), "_INCA"))),
+        (rectangle(&[("_SETV[4]", "")]), Some((error, own(1), "_SETV[4]"))),
+        (rectangle(&[("_SETV[4]", "5")]), Some((error, own(5), "_SETV[4]"))),
+        (rectangle(&[("_SETV[4]", "1.5")]), Some((error, own(5), "_SETV[4]"))),
+        (rectangle(&[("_SETV[4]", "2")]), Some((error, own(1), "_SETV[2]"))),
+        (rectangle(&[("_SETV[4]", "4")]), Some((error, own(1), "_SETV[3]"))),
+        (rectangle(&[("_SETV[4]", "3"), ("_SETV[2]", "-8"), ("_SETV[3]", "5")]), None),
     ] {
         assert_eq!(found(&changes), Vec::from_iter(wanted), "{changes:?}");
     }
@@ -124,30 +84,12 @@ fn mistakes_with_points_are_told() {
     for (changes, wanted) in [
         (&[][..], None),
         (&[("_ID", "5")], Some((warning, own(27), "_ID"))),
-        (
-            &[("_SETV[2]", "50")],
-            Some((error, alarm(61367), "_SETV[2]")),
-        ),
-        (
-            &[("_SETV[7]", "40")],
-            Some((error, alarm(61367), "_SETV[6]")),
-        ),
-        (
-            &[("_SETV[6]", "90"), ("_SETV[7]", "40")],
-            Some((error, alarm(61368), "_SETV[6]")),
-        ),
-        (
-            &[("_SETV[0]", "10")],
-            Some((error, alarm(61369), "_SETV[0]")),
-        ),
-        (
-            &[("_SETV[5]", "-40")],
-            Some((error, alarm(61369), "_SETV[4]")),
-        ),
-        (
-            &[("_SETV[0]", "150"), ("_SETV[2]", "50")],
-            Some((note, own(92), "_SETV[2]")),
-        ),
+        (&[("_SETV[2]", "50")], Some((error, alarm(61367), "_SETV[2]"))),
+        (&[("_SETV[7]", "40")], Some((error, alarm(61367), "_SETV[6]"))),
+        (&[("_SETV[6]", "90"), ("_SETV[7]", "40")], Some((error, alarm(61368), "_SETV[6]"))),
+        (&[("_SETV[0]", "10")], Some((error, alarm(61369), "_SETV[0]"))),
+        (&[("_SETV[5]", "-40")], Some((error, alarm(61369), "_SETV[4]"))),
+        (&[("_SETV[0]", "150"), ("_SETV[2]", "50")], Some((note, own(92), "_SETV[2]"))),
     ] {
         let changes = with(POINTS, changes);
         assert_eq!(found(&changes), Vec::from_iter(wanted), "{changes:?}");
@@ -171,10 +113,7 @@ fn a_selection_has_no_unit_but_a_coordinate_has() {
         let inputs = check(&CYCLE961, &typed(changes), &control).inputs;
         inputs.unwrap().number("_SETV[4]")
     };
-    assert_eq!(
-        value(&with(RECTANGLE, &[("_SETV[4]", "4"), ("_SETV[3]", "1")])),
-        4.0
-    );
+    assert_eq!(value(&with(RECTANGLE, &[("_SETV[4]", "4"), ("_SETV[3]", "1")])), 4.0);
     assert_eq!(value(&with(POINTS, &[("_ID", "-2")])), 15.0 * 25.4);
 }
 
@@ -184,10 +123,7 @@ fn places_are_asked_for_in_their_order() {
     for changes in [POINTS, RECTANGLE] {
         let fields = fields(&CYCLE961, &typed(changes), &delivery(CYCLE961.dialect));
         let names: Vec<&str> = fields.iter().map(|field| field.name).collect();
-        let setpoints: Vec<&str> = names
-            .into_iter()
-            .filter(|name| name.starts_with("_SETV["))
-            .collect();
+        let setpoints: Vec<&str> = names.into_iter().filter(|name| name.starts_with("_SETV[")).collect();
         let mut sorted = setpoints.clone();
         sorted.sort_unstable();
         assert_eq!(setpoints, sorted);
@@ -217,19 +153,9 @@ fn no_two_coordinates_of_the_places_are_drawn_upon_each_other() {
     // oracle: hand (two lines along one axis lie apart, or beside each other)
     for places in [
         [[50.0, 20.0], [150.0, 20.0], [15.0, 40.0], [15.0, 80.0]],
-        [
-            [-50.0, -20.0],
-            [-150.0, -20.0],
-            [-15.0, -40.0],
-            [-15.0, -80.0],
-        ],
+        [[-50.0, -20.0], [-150.0, -20.0], [-15.0, -40.0], [-15.0, -80.0]],
         [[-30.0, 40.0], [-30.0, 140.0], [20.0, -25.0], [100.0, -25.0]],
-        [
-            [500.0, 300.0],
-            [620.0, 302.0],
-            [470.0, 340.0],
-            [472.0, 420.0],
-        ],
+        [[500.0, 300.0], [620.0, 302.0], [470.0, 340.0], [472.0, 420.0]],
     ] {
         let lines = drawn(places);
         assert_eq!(lines.len(), 8);
@@ -270,9 +196,7 @@ fn parameterizing_calls() {
     let site = &calls(&program)[0];
     assert_eq!(site.values["_MVAR"], "118");
     assert_eq!(site.values["_ID"], "-60");
-    let applied = |edits: &[change::Edit]| {
-        String::from_utf8(change::apply(points.as_bytes(), edits)).unwrap()
-    };
+    let applied = |edits: &[change::Edit]| String::from_utf8(change::apply(points.as_bytes(), edits)).unwrap();
     let deeper = applied(&change::change(&program, site, "_ID", "-7.5"));
     assert_eq!(deeper, points.replace("60", "7.5"));
     let direct = applied(&convert(&program, 0, Style::Direct, &delivery(CYCLE961.dialect)).edits);

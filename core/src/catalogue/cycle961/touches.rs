@@ -39,19 +39,16 @@ impl Touch {
 
 /// P1 to P4, of a rectangle P1 to P3, when the cycle is called here.
 pub fn touches(inputs: &Inputs, control: &Control, start: Point) -> Vec<Touch> {
-    let mut all = if POINTS.holds(inputs) {
-        by_points(inputs)
-    } else {
-        by_distances(inputs, control, start)
-    };
+    let mut all = if POINTS.holds(inputs) { by_points(inputs) } else { by_distances(inputs, control, start) };
     if RECTANGLE.holds(inputs) {
         all.truncate(3);
     }
     all
 }
 
-/// Directions of both edges in the WCS, the reference edge first, degree from the abscissa. That of the reference edge counts
-/// in the machine (B:7992); the angle between both is one of the part, so it counts in its plane, which may lean.
+/// Directions of both edges in the WCS, the reference edge first, degree from the abscissa. That of the reference edge
+/// counts in the machine (B:7992); the angle between both is one of the part, so it counts in its plane, which may
+/// lean.
 pub fn edges(inputs: &Inputs, control: &Control) -> [f64; 2] {
     let [abscissa, ordinate, _] = control.plane.axes();
     let mut direction = [0.0; 3];
@@ -61,8 +58,8 @@ pub fn edges(inputs: &Inputs, control: &Control) -> [f64; 2] {
     [first, first + sense(control) * inputs.number(names::INCA)]
 }
 
-/// 1 where angles of the WCS turn like those of the machine, from its abscissa to its ordinate; -1 where they turn against
-/// them.
+/// 1 where angles of the WCS turn like those of the machine, from its abscissa to its ordinate; -1 where they turn
+/// against them.
 fn sense(control: &Control) -> f64 {
     let [abscissa, ordinate, applicate] = control.plane.axes();
     control.turn_axis(abscissa, ordinate)[applicate].signum()
@@ -92,8 +89,8 @@ fn by_distances(inputs: &Inputs, control: &Control, start: Point) -> Vec<Touch> 
     touches
 }
 
-/// From the places given: across the line of a pair, outside to the side on which the other pair lies, inside away from it
-/// (B:8046-8050).
+/// From the places given: across the line of a pair, outside to the side on which the other pair lies, inside away from
+/// it (B:8046-8050).
 fn by_points(inputs: &Inputs) -> Vec<Touch> {
     let places = PLACES.map(|place| place.map(|name| inputs.number(name)));
     let [p1, p2, p3, p4] = places;
@@ -103,27 +100,15 @@ fn by_points(inputs: &Inputs) -> Vec<Touch> {
         let line = direction(one, two);
         let side = across(line, away(one, other)).signum() * outside;
         let (axis, direction) = paraxial([-line[1] * side, line[0] * side]);
-        [one, two].map(|at| Touch {
-            at,
-            axis,
-            direction,
-            path,
-        })
+        [one, two].map(|at| Touch { at, axis, direction, path })
     };
     let middle = |a: Point, b: Point| [(a[0] + b[0]) / 2.0, (a[1] + b[1]) / 2.0];
     let reference = pair(p1, p2, middle(p3, p4));
-    reference
-        .into_iter()
-        .chain(pair(p3, p4, middle(p1, p2)))
-        .collect()
+    reference.into_iter().chain(pair(p3, p4, middle(p1, p2))).collect()
 }
 
 /// The axis that a direction is nearest to, the abscissa between both, and the sign along it.
 fn paraxial(towards: Point) -> (usize, f64) {
-    let axis = if towards[1].abs() > towards[0].abs() + EQUAL {
-        1
-    } else {
-        0
-    };
+    let axis = if towards[1].abs() > towards[0].abs() + EQUAL { 1 } else { 0 };
     (axis, towards[axis].signum())
 }

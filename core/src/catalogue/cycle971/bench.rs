@@ -44,10 +44,7 @@ pub fn place(mut setup: Setup, inputs: &Inputs) -> Setup {
 
 /// What the mill really is.
 pub fn real(setup: &mut Setup, length: f64, cutter: Cutter) {
-    let tool = Tool {
-        length: [length, 0.0, 0.0],
-        cut: Cut::Cutter(cutter),
-    };
+    let tool = Tool { length: [length, 0.0, 0.0], cut: Cut::Cutter(cutter) };
     setup.real_tools.insert((3, 1), tool);
 }
 
@@ -75,14 +72,7 @@ pub fn name(array: &str, axis: usize, plus: bool) -> String {
 }
 
 /// Where a side of the displaced probe is.
-pub fn side(
-    before: &Setup,
-    array: &str,
-    axis: usize,
-    plus: bool,
-    shift: [f64; 3],
-    size: f64,
-) -> f64 {
+pub fn side(before: &Setup, array: &str, axis: usize, plus: bool, shift: [f64; 3], size: f64) -> f64 {
     let grown = if plus { -size / 2.0 } else { size / 2.0 };
     before.control.number(&name(array, axis, plus)) + shift[axis] + grown
 }

@@ -23,10 +23,7 @@ pub fn one(machine: &mut dyn Machine, task: &Task) -> Result<Found, Stop> {
         let offset = task.offset(machine, usize::from(offset == 2));
         task.over(machine, task.place.middle(), offset)?;
         let value = task.block.latch(machine, &task.above())?;
-        return Ok(Found {
-            triggers: vec![task.place.found(2, -1.0, value)],
-            beside: Vec::new(),
-        });
+        return Ok(Found { triggers: vec![task.place.found(2, -1.0, value)], beside: Vec::new() });
     }
     let axis = usize::from(axis == 2);
     let direction = task.place.direction(machine, axis)?;
@@ -49,12 +46,7 @@ fn touch(machine: &mut dyn Machine, task: &Task, point: &Point) -> Result<Trigge
 
 /// The middle of the probe in an axis: both sides, that of the start first, each time down and up to the height of the
 /// start.
-fn middle(
-    machine: &mut dyn Machine,
-    task: &Task,
-    axis: usize,
-    differences: &mut Vec<f64>,
-) -> Result<f64, Stop> {
+fn middle(machine: &mut dyn Machine, task: &Task, axis: usize, differences: &mut Vec<f64>) -> Result<f64, Stop> {
     let height = task.at(machine, 2);
     let first = -task.place.side(machine, axis);
     let other = task.place.centre(1 - axis);
@@ -76,29 +68,19 @@ pub fn incremental(machine: &mut dyn Machine, task: &Task) -> Result<Found, Stop
     let direction = task.inputs.number(names::FA).signum();
     let point = task.block.point(axis, direction, 0.0);
     let touched = task.block.latch_from_here(machine, &point)?;
-    let reach = if axis == 2 {
-        0.0
-    } else {
-        direction * task.radius
-    };
-    Ok(Found {
-        triggers: vec![task.place.found(axis, direction, touched + reach)],
-        beside: Vec::new(),
-    })
+    let reach = if axis == 2 { 0.0 } else { direction * task.radius };
+    Ok(Found { triggers: vec![task.place.found(axis, direction, touched + reach)], beside: Vec::new() })
 }
 
-/// All sides that `_TP[k,7]` allows: the upper one over the middle that is believed, the middle in the ordinate, both sides
-/// of the abscissa, both of the ordinate, and the upper side again over the middle that was found (B:4686-4743).
+/// All sides that `_TP[k,7]` allows: the upper one over the middle that is believed, the middle in the ordinate, both
+/// sides of the abscissa, both of the ordinate, and the upper side again over the middle that was found (B:4686-4743).
 pub fn automatic(machine: &mut dyn Machine, task: &Task) -> Result<Found, Stop> {
     let high = task.block.start(&task.above());
     task.go(machine, &[(2, high)])?;
     let offset = task.offset(machine, 0);
     task.over(machine, task.place.middle(), offset)?;
     let top = task.block.latch(machine, &task.above())?;
-    let task = Task {
-        place: task.place.with_top(top),
-        ..task.clone()
-    };
+    let task = Task { place: task.place.with_top(top), ..task.clone() };
     let task = &task;
     let high = task.block.start(&task.above());
     task.go(machine, &[(2, high)])?;
@@ -108,8 +90,7 @@ pub fn automatic(machine: &mut dyn Machine, task: &Task) -> Result<Found, Stop> 
         let touched = visit(machine, task, 1, middle[0], high)?;
         middle[1] = between(&touched).unwrap_or(middle[1]);
         let points = sides(task, 1).into_iter().zip(touched);
-        let difference =
-            |(point, found): (Point, Trigger)| found.value - task.place.trigger(1, point.direction);
+        let difference = |(point, found): (Point, Trigger)| found.value - task.place.trigger(1, point.direction);
         found.beside.extend(points.map(difference));
     }
     for axis in [0, 1] {
@@ -135,19 +116,11 @@ fn between(touched: &[Trigger]) -> Option<f64> {
 fn sides(task: &Task, axis: usize) -> Vec<Point> {
     let allowed = [1.0, -1.0].into_iter();
     let allowed = allowed.filter(|direction| task.place.allows(axis, *direction));
-    allowed
-        .map(|direction| task.beside(axis, direction))
-        .collect()
+    allowed.map(|direction| task.beside(axis, direction)).collect()
 }
 
 /// The sides of an axis that may be touched: each above the probe to it, down, touch, up again.
-fn visit(
-    machine: &mut dyn Machine,
-    task: &Task,
-    axis: usize,
-    other: f64,
-    high: f64,
-) -> Result<Vec<Trigger>, Stop> {
+fn visit(machine: &mut dyn Machine, task: &Task, axis: usize, other: f64, high: f64) -> Result<Vec<Trigger>, Stop> {
     let mut found = Vec::new();
     for point in sides(task, axis) {
         task.enter(machine, &point, other, task.place.low())?;

@@ -83,11 +83,7 @@ fn automatic_calibration_finds_all_sides_that_may_be_touched() {
                         let found = side(&setup, array, axis, plus, shift, 0.0);
                         let what = name(array, axis, plus);
                         let before = setup.control.number(&what);
-                        close(
-                            &sim,
-                            &what,
-                            if allowed(axis, plus) { found } else { before },
-                        );
+                        close(&sim, &what, if allowed(axis, plus) { found } else { before });
                     }
                 }
             }
@@ -101,28 +97,14 @@ fn incremental_calibration_takes_what_it_finds() {
     let shift = [2.3, -1.7, 0.4];
     for plane in PLANES {
         for (variant, array) in [(10_000, "_TP"), (10_010, "_TPW")] {
-            for (number, path) in [
-                (1.0, -3.0),
-                (1.0, 3.0),
-                (2.0, -3.0),
-                (2.0, 3.0),
-                (3.0, -3.0),
-            ] {
-                let inputs = call(
-                    variant,
-                    plane,
-                    &[("_MA", number), ("_FA", path), ("_TSA", 0.1)],
-                );
+            for (number, path) in [(1.0, -3.0), (1.0, 3.0), (2.0, -3.0), (2.0, 3.0), (3.0, -3.0)] {
+                let inputs = call(variant, plane, &[("_MA", number), ("_FA", path), ("_TSA", 0.1)]);
                 let mut setup = setup(&inputs);
                 displace(&mut setup, shift, 0.0);
                 let axis = plane.axes()[number as usize - 1];
                 let plus = path > 0.0;
                 let sim = measured(&setup, &inputs);
-                close(
-                    &sim,
-                    &name(array, axis, plus),
-                    side(&setup, array, axis, plus, shift, 0.0),
-                );
+                close(&sim, &name(array, axis, plus), side(&setup, array, axis, plus, shift, 0.0));
                 assert_eq!(sim.position, setup.position);
             }
         }
@@ -132,12 +114,9 @@ fn incremental_calibration_takes_what_it_finds() {
 #[test]
 fn calibration_keeps_small_differences_and_stops_at_large_ones() {
     // oracle: manual B:4326, B:4515
-    for (shift, stored, alarm) in [
-        (0.005, 0.0, None),
-        (0.006, 0.006, None),
-        (2.0, 2.0, None),
-        (2.001, 0.0, Some(61303)),
-    ] {
+    for (shift, stored, alarm) in
+        [(0.005, 0.0, None), (0.006, 0.006, None), (2.0, 2.0, None), (2.001, 0.0, Some(61303))]
+    {
         let inputs = call(0, Plane::G17, &[("_MA", 1.0), ("_TZL", 0.005)]);
         let mut setup = setup(&inputs);
         displace(&mut setup, [shift, 0.0, 0.0], 0.0);

@@ -1,8 +1,6 @@
 //! What several values of CYCLE971, the data of the tool probe and the tool in use say together.
 
-use super::params::{
-    APPLICATE, AUTOMATIC, CALIBRATE, IN_PLANE, INCREMENTAL, MEASURE, ROTATING, WORKPIECE,
-};
+use super::params::{APPLICATE, AUTOMATIC, CALIBRATE, IN_PLANE, INCREMENTAL, MEASURE, ROTATING, WORKPIECE};
 use super::rotating;
 use crate::catalogue::tool_probe::{self, ProbeData};
 use crate::catalogue::{When, names};
@@ -64,16 +62,8 @@ fn path(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     if path > 0.0 {
         return;
     }
-    let hint = if incremental {
-        "check-path-direction-hint"
-    } else {
-        "check-path-sign-hint"
-    };
-    found.push(
-        error(Code::Alarm(61308), Message::new("check-path-sign"))
-            .hint(Message::new(hint))
-            .at(names::FA),
-    );
+    let hint = if incremental { "check-path-direction-hint" } else { "check-path-sign-hint" };
+    found.push(error(Code::Alarm(61308), Message::new("check-path-sign")).hint(Message::new(hint)).at(names::FA));
 }
 
 /// A cube or a disc; a disc stands in one plane (B:13366, A:15848, A:15934).
@@ -84,11 +74,7 @@ fn probe_type(data: &ProbeData, plane: Plane, found: &mut Vec<Diagnostic>) {
         _ => (61309, "check-tool-probe-type"),
     };
     let message = Message::new(key).text("name", data.name(TYPE));
-    found.push(
-        error(Code::Alarm(number), message)
-            .hint(Message::new("check-tool-probe-type-hint"))
-            .at(names::PRNUM),
-    );
+    found.push(error(Code::Alarm(number), message).hint(Message::new("check-tool-probe-type-hint")).at(names::PRNUM));
 }
 
 /// In the plane the tool has to reach below the probe's upper side: an alarm at a radius (A:15891), else a doubt.
@@ -119,14 +105,8 @@ fn directions(data: &ProbeData, plane: Plane, found: &mut Vec<Diagnostic>) {
     } else {
         return;
     };
-    let message = Message::new(key)
-        .text("name", data.name(DIRECTIONS))
-        .number("code", code as f64);
-    found.push(
-        error(Code::Alarm(61309), message)
-            .hint(Message::new("check-directions-hint"))
-            .at(names::MVAR),
-    );
+    let message = Message::new(key).text("name", data.name(DIRECTIONS)).number("code", code as f64);
+    found.push(error(Code::Alarm(61309), message).hint(Message::new("check-directions-hint")).at(names::MVAR));
 }
 
 /// Type and size of the tool in use. Milling tools and drills are measured (B:4157-4175), the radius of milling tools
@@ -134,17 +114,9 @@ fn directions(data: &ProbeData, plane: Plane, found: &mut Vec<Diagnostic>) {
 fn tool(inputs: &Inputs, edge: &Edge, found: &mut Vec<Diagnostic>) {
     let drill_radius = RADIUS.holds(inputs) && (200..300).contains(&edge.kind);
     if matches!(edge.kind, 400..=599) || drill_radius {
-        let key = if drill_radius {
-            "check-tool-type-drill"
-        } else {
-            "check-tool-type"
-        };
+        let key = if drill_radius { "check-tool-type-drill" } else { "check-tool-type" };
         let message = Message::new(key).number("type", edge.kind as f64);
-        found.push(
-            error(Code::Alarm(61314), message)
-                .hint(Message::new("check-tool-type-hint"))
-                .at(names::MVAR),
-        );
+        found.push(error(Code::Alarm(61314), message).hint(Message::new("check-tool-type-hint")).at(names::MVAR));
         return;
     }
     let beside = AUTOMATIC.holds(inputs) || IN_PLANE.holds(inputs);
@@ -153,14 +125,9 @@ fn tool(inputs: &Inputs, edge: &Edge, found: &mut Vec<Diagnostic>) {
         (along, edge.total_length(0), "check-tool-length-zero"),
         (beside, edge.total_radius(), "check-tool-radius-zero"),
     ];
-    for (_, _, key) in missing
-        .into_iter()
-        .filter(|(needed, size, _)| *needed && *size == 0.0)
-    {
+    for (_, _, key) in missing.into_iter().filter(|(needed, size, _)| *needed && *size == 0.0) {
         found.push(
-            error(Code::Alarm(61351), Message::new(key))
-                .hint(Message::new("check-tool-zero-hint"))
-                .at(names::MVAR),
+            error(Code::Alarm(61351), Message::new(key)).hint(Message::new("check-tool-zero-hint")).at(names::MVAR),
         );
     }
 }
@@ -178,13 +145,10 @@ fn offset(inputs: &Inputs, data: &ProbeData, radius: f64, found: &mut Vec<Diagno
             let finding = own::OFFSET_MISSING.finding();
             finding.number("tool", 2.0 * radius).number("edge", edge)
         }
-        Some(inward) if wide && inward > radius => {
-            own::OFFSET_LARGE.finding().number("radius", radius)
+        Some(inward) if wide && inward > radius => own::OFFSET_LARGE.finding().number("radius", radius),
+        Some(_) if wide && inputs.integer(names::MA) == 3 => {
+            own::OFFSET_ABSCISSA.finding().number("tool", 2.0 * radius).number("edge", edge)
         }
-        Some(_) if wide && inputs.integer(names::MA) == 3 => own::OFFSET_ABSCISSA
-            .finding()
-            .number("tool", 2.0 * radius)
-            .number("edge", edge),
         _ => return,
     };
     found.push(finding.at(names::ID));

@@ -11,11 +11,7 @@ use crate::run::{Machine, Stop};
 
 /// Length or radius, as `_MA` says.
 pub fn measure(machine: &mut dyn Machine, task: &Task) -> Result<Measured, Stop> {
-    if APPLICATE.holds(task.inputs) {
-        length(machine, task)
-    } else {
-        radius(machine, task)
-    }
+    if APPLICATE.holds(task.inputs) { length(machine, task) } else { radius(machine, task) }
 }
 
 /// What L1 has to be longer by is how much higher than the upper side the position of the tool's end is at contact.
@@ -24,15 +20,11 @@ fn length(machine: &mut dyn Machine, task: &Task) -> Result<Measured, Stop> {
     let offset = task.offset(machine, usize::from(offset == 2));
     task.over(machine, task.place.middle(), offset)?;
     let (touched, compensated) = touch(machine, task, &task.above())?;
-    Ok(Measured {
-        part: 0,
-        result: 8,
-        value: active(machine.control(), 0) + touched - task.place.top() - compensated,
-    })
+    Ok(Measured { part: 0, result: 8, value: active(machine.control(), 0) + touched - task.place.top() - compensated })
 }
 
-/// The radius is how far the axis of the tool is from the side at contact; its widest place stands `_ID` above its end, so
-/// that it goes lower by that (B:4849).
+/// The radius is how far the axis of the tool is from the side at contact; its widest place stands `_ID` above its end,
+/// so that it goes lower by that (B:4849).
 fn radius(machine: &mut dyn Machine, task: &Task) -> Result<Measured, Stop> {
     let axis = usize::from(task.inputs.integer(names::MA) == 2);
     let direction = task.place.direction(machine, axis)?;

@@ -27,63 +27,22 @@ mod tests;
 
 use crate::catalogue::common::alarms;
 use crate::catalogue::{
-    Cycle, Dialect, Drawing, Help, MachineSort, ProbeUse, Purpose, Simulation, Variant, Work,
-    tool_probe,
+    Cycle, Dialect, Drawing, Help, MachineSort, ProbeUse, Purpose, Simulation, Variant, Work, tool_probe,
 };
 use crate::support;
 
 /// Measuring variants (B:4186-4196, B:4621-4628).
 pub const VARIANTS: &[Variant] = &[
-    Variant {
-        number: 0,
-        key: "cycle971-calibrate",
-        source: "B:4188;B:4415;A:4821",
-    },
-    Variant {
-        number: 10,
-        key: "cycle971-calibrate-workpiece",
-        source: "B:4192;B:4416;A:4825",
-    },
-    Variant {
-        number: 1,
-        key: "cycle971-still",
-        source: "B:4189;B:4836;A:4822",
-    },
-    Variant {
-        number: 2,
-        key: "cycle971-rotating",
-        source: "B:4190;B:4837;A:4823",
-    },
-    Variant {
-        number: 11,
-        key: "cycle971-still-workpiece",
-        source: "B:4193;B:4838;A:4826",
-    },
-    Variant {
-        number: 12,
-        key: "cycle971-rotating-workpiece",
-        source: "B:4194;B:4839;A:4827",
-    },
-    Variant {
-        number: 10_000,
-        key: "cycle971-incremental",
-        source: "B:4191;B:4417;A:4824",
-    },
-    Variant {
-        number: 10_010,
-        key: "cycle971-incremental-workpiece",
-        source: "B:4195;B:4418;A:4828",
-    },
-    Variant {
-        number: 100_000,
-        key: "cycle971-automatic",
-        source: "B:4621;B:4648;A:5255",
-    },
-    Variant {
-        number: 100_010,
-        key: "cycle971-automatic-workpiece",
-        source: "B:4622;B:4649;A:5257",
-    },
+    Variant { number: 0, key: "cycle971-calibrate", source: "B:4188;B:4415;A:4821" },
+    Variant { number: 10, key: "cycle971-calibrate-workpiece", source: "B:4192;B:4416;A:4825" },
+    Variant { number: 1, key: "cycle971-still", source: "B:4189;B:4836;A:4822" },
+    Variant { number: 2, key: "cycle971-rotating", source: "B:4190;B:4837;A:4823" },
+    Variant { number: 11, key: "cycle971-still-workpiece", source: "B:4193;B:4838;A:4826" },
+    Variant { number: 12, key: "cycle971-rotating-workpiece", source: "B:4194;B:4839;A:4827" },
+    Variant { number: 10_000, key: "cycle971-incremental", source: "B:4191;B:4417;A:4824" },
+    Variant { number: 10_010, key: "cycle971-incremental-workpiece", source: "B:4195;B:4418;A:4828" },
+    Variant { number: 100_000, key: "cycle971-automatic", source: "B:4621;B:4648;A:5255" },
+    Variant { number: 100_010, key: "cycle971-automatic-workpiece", source: "B:4622;B:4649;A:5257" },
 ];
 
 /// The entry. Example: the milling cutter T3 of B:4865-4941, length with motionless spindle.
@@ -149,15 +108,9 @@ pub static CYCLE971: Cycle = Cycle {
         ("_TDIF", "1.6"),
     ],
     simulation: Some(Simulation::new(
-        Work {
-            propose: propose::propose,
-            simulate: simulate::simulate,
-        },
+        Work { propose: propose::propose, simulate: simulate::simulate },
         // a side, as every variant but the automatic one can touch it
-        &[
-            (params::CALIBRATE, &[("_MA", "1")]),
-            (params::INCREMENTAL, &[("_FA", "-3")]),
-        ],
+        &[(params::CALIBRATE, &[("_MA", "1")]), (params::INCREMENTAL, &[("_FA", "-3")])],
     )),
     source: "B:4157-5029",
 };

@@ -3,9 +3,7 @@
 #![allow(clippy::unwrap_used)]
 
 use super::bench::{call, measured, real, setup};
-use crate::catalogue::sinumerik::motion_testing::{
-    DEPTH_FEED, MEASURING_FEED, PLANE_FEED, lettered, same_lettered,
-};
+use crate::catalogue::sinumerik::motion_testing::{DEPTH_FEED, MEASURING_FEED, PLANE_FEED, lettered, same_lettered};
 use crate::catalogue::sinumerik::testing::{at, called, close, motions, stopped};
 use crate::control::Plane;
 use crate::run::Setup;
@@ -13,7 +11,8 @@ use crate::run::machine::Sim;
 use crate::run::trace::{MotionKind, Step};
 use crate::workpiece::tool::Cutter;
 
-/// The machine with the probe of the manual's examples, at feeds that tell axes apart; the tool at a position of the plane.
+/// The machine with the probe of the manual's examples, at feeds that tell axes apart; the tool at a position of the
+/// plane.
 fn machine(inputs: &crate::check::Inputs, from: [f64; 3]) -> Setup {
     let mut setup = setup(inputs);
     setup.control.set("_SPEED[1]", PLANE_FEED);
@@ -23,19 +22,10 @@ fn machine(inputs: &crate::check::Inputs, from: [f64; 3]) -> Setup {
 }
 
 /// A table of ways in G17: `p` in the plane, `d` along the applicate, `m` measuring, `r` and `s` back.
-fn ways(
-    variant: i64,
-    values: &[(&'static str, f64)],
-    from: [f64; 3],
-    wanted: &[(char, [f64; 3])],
-) -> Sim {
+fn ways(variant: i64, values: &[(&'static str, f64)], from: [f64; 3], wanted: &[(char, [f64; 3])]) -> Sim {
     let inputs = call(variant, Plane::G17, values);
     let sim = measured(&machine(&inputs, from), &inputs);
-    same_lettered(
-        &lettered(&sim, Plane::G17),
-        wanted,
-        &format!("{variant} {values:?}"),
-    );
+    same_lettered(&lettered(&sim, Plane::G17), wanted, &format!("{variant} {values:?}"));
     sim
 }
 
@@ -87,22 +77,10 @@ fn the_middle_is_found_before_the_measuring_axis() {
 #[test]
 fn the_upper_side_is_touched_over_the_middle_or_beside_it() {
     // oracle: manual B:4593-4599; the side of the offset is that of the start (ours)
-    let above = |x: f64, y: f64| {
-        [
-            ('p', [x, y, 100.0]),
-            ('d', [x, y, 86.0]),
-            ('m', [x, y, 80.0]),
-            ('s', [x, y, 86.0]),
-        ]
-    };
+    let above = |x: f64, y: f64| [('p', [x, y, 100.0]), ('d', [x, y, 86.0]), ('m', [x, y, 80.0]), ('s', [x, y, 86.0])];
     let from = [70.0, 90.0, 100.0];
     for number in [3.0, 103.0, 203.0] {
-        ways(
-            0,
-            &[("_MA", number), ("_FA", 6.0)],
-            from,
-            &above(39.0, 31.0),
-        );
+        ways(0, &[("_MA", number), ("_FA", 6.0)], from, &above(39.0, 31.0));
     }
     for (number, x, y) in [(3.0, 54.8, 31.0), (103.0, 54.8, 31.0), (203.0, 39.0, 46.8)] {
         let values = [("_MA", number), ("_FA", 6.0), ("_ID", 2.2)];
@@ -124,11 +102,7 @@ fn automatic_calibration_touches_in_the_printed_order() {
     let inputs = call(100_000, Plane::G17, &[("_FA", 6.0)]);
     let sim = measured(&machine(&inputs, [39.0, 31.0, 120.0]), &inputs);
     let found = lettered(&sim, Plane::G17);
-    let touched: Vec<_> = found
-        .iter()
-        .filter(|(letter, _)| *letter == 'm')
-        .map(|(_, to)| *to)
-        .collect();
+    let touched: Vec<_> = found.iter().filter(|(letter, _)| *letter == 'm').map(|(_, to)| *to).collect();
     let wanted = [
         [39.0, 31.0, 80.0],
         [39.0, 15.0, 76.0],
@@ -141,18 +115,10 @@ fn automatic_calibration_touches_in_the_printed_order() {
     ];
     assert_eq!(touched.len(), wanted.len(), "{touched:?}");
     for (found, wanted) in touched.iter().zip(wanted) {
-        assert!(
-            found.iter().zip(wanted).all(|(a, b)| (a - b).abs() < 1e-9),
-            "{touched:?}"
-        );
+        assert!(found.iter().zip(wanted).all(|(a, b)| (a - b).abs() < 1e-9), "{touched:?}");
     }
     assert_eq!(found[0].1, [39.0, 31.0, 86.0]);
-    assert!(
-        sim.position
-            .iter()
-            .zip([39.0, 31.0, 86.0])
-            .all(|(a, b)| (a - b).abs() < 1e-9)
-    );
+    assert!(sim.position.iter().zip([39.0, 31.0, 86.0]).all(|(a, b)| (a - b).abs() < 1e-9));
 }
 
 #[test]
@@ -161,17 +127,12 @@ fn a_tool_with_a_higher_edge_goes_lower() {
     for plane in [Plane::G17, Plane::G18, Plane::G19] {
         let inputs = call(1, plane, &[("_MA", 2.0), ("_ID", 2.4)]);
         let mut setup = setup(&inputs);
-        let cutter = Cutter {
-            chamfer: [1.0, 2.4],
-            ..Cutter::smooth(5.3)
-        };
+        let cutter = Cutter { chamfer: [1.0, 2.4], ..Cutter::smooth(5.3) };
         real(&mut setup, 70.0, cutter);
         let sim = measured(&setup, &inputs);
         close(&sim, "_OVR[10]", 5.3);
         let [_, _, applicate] = plane.axes();
-        let lowest = motions(&sim, Plane::G17, [0.0; 3])
-            .into_iter()
-            .map(|(_, to, _)| to[applicate]);
+        let lowest = motions(&sim, Plane::G17, [0.0; 3]).into_iter().map(|(_, to, _)| to[applicate]);
         let top = setup.control.number(&format!("_TP[0,{}]", 2 * applicate));
         assert!((lowest.fold(f64::INFINITY, f64::min) - (top - 6.4)).abs() < 1e-9);
     }
@@ -193,11 +154,7 @@ fn probings(values: &[(&'static str, f64)], data: &[(&str, f64)]) -> (Vec<f64>, 
         _ => None,
     });
     let feeds = steps.filter_map(|step| match step {
-        Step::Motion {
-            kind: MotionKind::Measuring,
-            feed,
-            ..
-        } => Some(*feed),
+        Step::Motion { kind: MotionKind::Measuring, feed, .. } => Some(*feed),
         _ => None,
     });
     (speeds.collect(), feeds.collect(), sim.clone())
@@ -211,12 +168,7 @@ fn near(found: &[f64], wanted: &[f64]) {
 #[test]
 fn speeds_and_feeds_follow_from_the_limits() {
     // oracle: manual B:4284-4310 (90 m/min at 5 mm: 2865/min, 14 mm/min at 0.005 mm), B:4789-4803
-    let ninety = [
-        ("_CM[0]", 90.0),
-        ("_CM[1]", 5000.0),
-        ("_CM[4]", 500.0),
-        ("_CM[6]", 0.0),
-    ];
+    let ninety = [("_CM[0]", 90.0), ("_CM[1]", 5000.0), ("_CM[4]", 500.0), ("_CM[6]", 0.0)];
     let (speeds, feeds, _) = probings(&[], &ninety);
     let n = 90.0 / (0.01 * std::f64::consts::PI);
     assert!((n - 2865.0).abs() < 0.3);
@@ -240,16 +192,8 @@ fn own_speeds_and_feeds() {
     // oracle: manual B:4779-4787
     let own = |values: &[f64]| {
         let mut data = vec![("_CBIT[12]".to_owned(), 1.0)];
-        data.extend(
-            values
-                .iter()
-                .enumerate()
-                .map(|(index, value)| (format!("_MFS[{index}]"), *value)),
-        );
-        let data: Vec<_> = data
-            .iter()
-            .map(|(name, value)| (name.as_str(), *value))
-            .collect();
+        data.extend(values.iter().enumerate().map(|(index, value)| (format!("_MFS[{index}]"), *value)));
+        let data: Vec<_> = data.iter().map(|(name, value)| (name.as_str(), *value)).collect();
         let (speeds, feeds, _) = probings(&[], &data);
         (speeds, feeds)
     };
@@ -281,14 +225,8 @@ fn a_spindle_that_turns_goes_on_in_its_direction() {
 fn the_highest_edge_counts_when_the_spindle_turns() {
     // oracle: hand: 0.03 mm runout towards the tooth at 0 degree; the tooth
     // at 0 degree reaches the probe with the spindle at 180
-    let cutter = Cutter {
-        teeth: 2,
-        runout: [0.03, 0.02],
-        ..Cutter::smooth(5.0)
-    };
-    for (variant, number, result, wanted) in
-        [(2, 1.0, 10, 5.03), (2, 3.0, 8, 70.02), (1, 1.0, 10, 5.03)]
-    {
+    let cutter = Cutter { teeth: 2, runout: [0.03, 0.02], ..Cutter::smooth(5.0) };
+    for (variant, number, result, wanted) in [(2, 1.0, 10, 5.03), (2, 3.0, 8, 70.02), (1, 1.0, 10, 5.03)] {
         let inputs = call(variant, Plane::G17, &[("_MA", number), ("_ID", 0.0)]);
         let mut setup = setup(&inputs);
         setup.control.spindle = if variant == 1 { 180.0 } else { 33.0 };
@@ -314,10 +252,7 @@ fn the_table_takes_off_the_entry_below() {
             }
         }
     }
-    let with: Vec<_> = data
-        .iter()
-        .map(|(name, value)| (name.as_str(), *value))
-        .collect();
+    let with: Vec<_> = data.iter().map(|(name, value)| (name.as_str(), *value)).collect();
     // 1000/min at 5 mm: 31.4 m/min is above the third speed, 5 mm above the second radius
     let (.., sim) = probings(&[], &with);
     close(&sim, "_OVR[10]", 5.0 - 0.032);
@@ -329,7 +264,10 @@ fn the_table_takes_off_the_entry_below() {
     close(&sim, "_OVR[10]", 5.0);
     let (.., sim) = probings(&[], &[("_MT_COMP", 1.0), ("_TP_CF", 1.0)]);
     close(&sim, "_OVR[10]", 5.0);
-    let told = |entry: &crate::run::trace::Entry| matches!(&entry.step, Step::Decision(message) if message.key == "evaluate-compensation-make");
+    let told = |entry: &crate::run::trace::Entry| {
+        matches!(&entry.step,
+        Step::Decision(message) if message.key == "evaluate-compensation-make")
+    };
     assert!(sim.trace.entries.iter().any(told));
 }
 

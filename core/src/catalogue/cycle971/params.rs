@@ -6,37 +6,17 @@ use crate::catalogue::{DigitGroup, Kind, Need, Param, Range, Unit, When, names};
 use crate::support;
 
 /// The probe is calibrated.
-pub const CALIBRATE: When = When::Digit {
-    param: names::MVAR,
-    place: 1,
-    is: &[0],
-};
+pub const CALIBRATE: When = When::Digit { param: names::MVAR, place: 1, is: &[0] };
 /// A tool is measured.
 pub const MEASURE: When = When::Not(&CALIBRATE);
 /// With the spindle turning.
-pub const ROTATING: When = When::Digit {
-    param: names::MVAR,
-    place: 1,
-    is: &[2],
-};
+pub const ROTATING: When = When::Digit { param: names::MVAR, place: 1, is: &[2] };
 /// In the active workpiece system, with the data `_TPW`.
-pub const WORKPIECE: When = When::Digit {
-    param: names::MVAR,
-    place: 10,
-    is: &[1],
-};
+pub const WORKPIECE: When = When::Digit { param: names::MVAR, place: 10, is: &[1] };
 /// The tool stands in front of the probe; nothing but the measuring block is travelled.
-pub const INCREMENTAL: When = When::Digit {
-    param: names::MVAR,
-    place: 10_000,
-    is: &[1],
-};
+pub const INCREMENTAL: When = When::Digit { param: names::MVAR, place: 10_000, is: &[1] };
 /// All sides one after the other.
-pub const AUTOMATIC: When = When::Digit {
-    param: names::MVAR,
-    place: 100_000,
-    is: &[1],
-};
+pub const AUTOMATIC: When = When::Digit { param: names::MVAR, place: 100_000, is: &[1] };
 /// Measured in the abscissa.
 pub const ABSCISSA: When = axis(&[1]);
 /// Measured in the ordinate.
@@ -48,11 +28,7 @@ pub const IN_PLANE: When = axis(&[1, 2]);
 
 /// Last digit of `_MA` (B:15395-15401).
 const fn axis(is: &'static [i64]) -> When {
-    When::Digit {
-        param: names::MA,
-        place: 1,
-        is,
-    }
+    When::Digit { param: names::MA, place: 1, is }
 }
 
 const MVAR_DIGITS: &[DigitGroup] = &[
@@ -60,22 +36,14 @@ const MVAR_DIGITS: &[DigitGroup] = &[
         key: "mvar-task",
         place: 1,
         digits: 1,
-        choices: &[
-            (0, "task-calibrate"),
-            (1, "task-still"),
-            (2, "task-rotating"),
-        ],
+        choices: &[(0, "task-calibrate"), (1, "task-still"), (2, "task-rotating")],
     },
     tool_probe::REFERENCE,
     DigitGroup {
         key: "mvar-approach",
         place: 10_000,
         digits: 2,
-        choices: &[
-            (0, "approach-normal"),
-            (1, "approach-incremental"),
-            (10, "approach-automatic"),
-        ],
+        choices: &[(0, "approach-normal"), (1, "approach-incremental"), (10, "approach-automatic")],
     },
 ];
 
@@ -101,14 +69,8 @@ const TOOL_AXES: &[(i64, &str)] = &[
 const OWN_SPEEDS: &[Need] = &[optional(
     When::All(&[
         ROTATING,
-        When::Setting {
-            name: support::FORMS,
-            is: &[1.0],
-        },
-        When::Setting {
-            name: SPEEDS_IN_FORM,
-            is: &[1.0],
-        },
+        When::Setting { name: support::FORMS, is: &[1.0] },
+        When::Setting { name: SPEEDS_IN_FORM, is: &[1.0] },
     ]),
     "need-own-speeds",
 )];
@@ -118,37 +80,19 @@ pub const SPEEDS_IN_FORM: &str = "_MZ_MASK[7]";
 
 /// Speed of one probing, 1/min; 0 ends the probings (B:13515-13520).
 const fn speed(name: &'static str, key: &'static str, source: &'static str) -> Param {
-    Param {
-        name,
-        key,
-        range: Range::NOT_NEGATIVE,
-        needs: OWN_SPEEDS,
-        source: crate::cited(source),
-        ..common::PARAM
-    }
+    Param { name, key, range: Range::NOT_NEGATIVE, needs: OWN_SPEEDS, source: crate::cited(source), ..common::PARAM }
 }
 
 /// Feed of one probing.
 const fn feed(name: &'static str, key: &'static str, source: &'static str) -> Param {
-    Param {
-        unit: Unit::BasicFeed,
-        ..speed(name, key, source)
-    }
+    Param { unit: Unit::BasicFeed, ..speed(name, key, source) }
 }
 
 /// In the order in which the snippet writes them.
 pub const PARAMS: &[Param] = &[
+    Param { kind: Kind::Variant(MVAR_DIGITS), source: "B:4186-4196;B:4621-4622;B:15403-15414", ..common::MVAR },
     Param {
-        kind: Kind::Variant(MVAR_DIGITS),
-        source: "B:4186-4196;B:4621-4622;B:15403-15414",
-        ..common::MVAR
-    },
-    Param {
-        kind: Kind::ChoiceBy(&[
-            (INCREMENTAL, AXES),
-            (CALIBRATE, CALIBRATED_AXES),
-            (When::Always, TOOL_AXES),
-        ]),
+        kind: Kind::ChoiceBy(&[(INCREMENTAL, AXES), (CALIBRATE, CALIBRATED_AXES), (When::Always, TOOL_AXES)]),
         range: Range::closed(1.0, 203.0),
         needs: &[required(When::Not(&AUTOMATIC), "need-axis-tool-probe")],
         key: "ma-measure-tool",
@@ -161,10 +105,7 @@ pub const PARAMS: &[Param] = &[
         needs: &[
             required(MEASURE, "need-offset-edge"),
             optional(AUTOMATIC, "need-offset-wide"),
-            optional(
-                When::All(&[When::Not(&INCREMENTAL), APPLICATE]),
-                "need-offset-wide",
-            ),
+            optional(When::All(&[When::Not(&INCREMENTAL), APPLICATE]), "need-offset-wide"),
         ],
         key: "id-radius",
         labels: &[(CALIBRATE, "id-calibrate"), (APPLICATE, "id-length")],
@@ -175,10 +116,7 @@ pub const PARAMS: &[Param] = &[
     Param {
         range: Range::ANY, // signed with incremental calibration; see the checks
         usual: Range::closed(-100.0, 100.0),
-        needs: &[
-            required(INCREMENTAL, "need-signed-path"),
-            optional(When::Always, "need-default"),
-        ],
+        needs: &[required(INCREMENTAL, "need-signed-path"), optional(When::Always, "need-default")],
         key: "fa-tool",
         labels: &[(INCREMENTAL, "fa-incremental")],
         source: "B:4421-4424;B:2221;B:15389-15390;A:15847",
@@ -203,16 +141,7 @@ pub const PARAMS: &[Param] = &[
     feed("_MFS[3]", "mfs-feed-2", "B:13518"),
     speed("_MFS[4]", "mfs-speed-3", "B:13519"),
     feed("_MFS[5]", "mfs-feed-3", "B:13520"),
-    Param {
-        needs: &[optional(MEASURE, "need-memory-empirical")],
-        ..tool_probe::EVNUM
-    },
-    Param {
-        needs: &[optional(When::Not(&INCREMENTAL), "need-default")],
-        ..tool_probe::TZL
-    },
-    Param {
-        needs: &[optional(MEASURE, "need-default")],
-        ..tool_probe::TDIF
-    },
+    Param { needs: &[optional(MEASURE, "need-memory-empirical")], ..tool_probe::EVNUM },
+    Param { needs: &[optional(When::Not(&INCREMENTAL), "need-default")], ..tool_probe::TZL },
+    Param { needs: &[optional(MEASURE, "need-default")], ..tool_probe::TDIF },
 ];

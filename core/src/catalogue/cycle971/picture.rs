@@ -38,11 +38,7 @@ pub fn picture(inputs: &Inputs) -> Picture {
     let scene = scene(inputs);
     let mut shapes = vec![
         rectangle(ShapeKind::Material, [0.0; 2], [2.0 * PROBE; 2]),
-        rectangle(
-            ShapeKind::Material,
-            [SECTION, -CAP / 2.0],
-            [2.0 * PROBE, CAP],
-        ),
+        rectangle(ShapeKind::Material, [SECTION, -CAP / 2.0], [2.0 * PROBE, CAP]),
         rectangle(ShapeKind::Material, [SECTION, -CAP - 9.0], [6.0, 18.0]),
     ];
     reference(inputs, &mut shapes);
@@ -56,31 +52,17 @@ pub fn picture(inputs: &Inputs) -> Picture {
     let (face, out) = face(inputs, &scene);
     shapes.extend(bands(inputs, face, out));
     tool(inputs, &scene, &mut shapes);
-    Picture {
-        view: View::Plane,
-        shapes,
-    }
+    Picture { view: View::Plane, shapes }
 }
 
 fn scene(inputs: &Inputs) -> Scene {
     let automatic = AUTOMATIC.holds(inputs);
-    let axis = if automatic {
-        3
-    } else {
-        inputs.integer(names::MA)
-    };
+    let axis = if automatic { 3 } else { inputs.integer(names::MA) };
     let given = inputs.given(names::FA).unwrap_or(2.0);
-    let side = if INCREMENTAL.holds(inputs) && given > 0.0 {
-        -1.0
-    } else {
-        1.0
-    };
+    let side = if INCREMENTAL.holds(inputs) && given > 0.0 { -1.0 } else { 1.0 };
     let offset = axis > 100 && axis % 10 == 3 && !INCREMENTAL.holds(inputs);
     let radius = if offset { 16.0 } else { 6.0 };
-    let inward = inputs
-        .given(names::ID)
-        .filter(|inward| *inward > 0.0)
-        .map_or(0.0, |inward| inward.clamp(2.0, 6.0));
+    let inward = inputs.given(names::ID).filter(|inward| *inward > 0.0).map_or(0.0, |inward| inward.clamp(2.0, 6.0));
     Scene {
         across: usize::from(matches!(axis, 2 | 102 | 203)),
         side,
@@ -115,11 +97,7 @@ fn reference(inputs: &Inputs, shapes: &mut Vec<PictureShape>) {
     let array = if turned { "_TPW" } else { "_TP" };
     let number = inputs.integer(names::PRNUM).clamp(1, 99) - 1;
     let label = line(ShapeKind::Label, vec![[SECTION, -CAP - 24.0]]);
-    shapes.push(
-        label
-            .text(format!("{array}[{number},0…9]"))
-            .of(names::PRNUM),
-    );
+    shapes.push(label.text(format!("{array}[{number},0…9]")).of(names::PRNUM));
 }
 
 /// One side of the probe, touched in the plane.
@@ -134,11 +112,7 @@ fn beside(inputs: &Inputs, scene: &Scene, shapes: &mut Vec<PictureShape>) {
         line(ShapeKind::Edge, edge).of(names::MA),
         line(ShapeKind::Path, way).of(names::FA),
         circle(ShapeKind::Touch, above(scene, PROBE, 0.0), 0.9).of(names::NMSP),
-        dimension(
-            names::FA,
-            cut(scene, start - scene.radius, -CAP - 7.0),
-            cut(scene, PROBE, -CAP - 7.0),
-        ),
+        dimension(names::FA, cut(scene, start - scene.radius, -CAP - 7.0), cut(scene, PROBE, -CAP - 7.0)),
     ]);
     if !INCREMENTAL.holds(inputs) {
         approach(scene, start, shapes);
@@ -149,11 +123,7 @@ fn beside(inputs: &Inputs, scene: &Scene, shapes: &mut Vec<PictureShape>) {
     if MEASURE.holds(inputs) {
         let low = -DEPTH - scene.inward;
         let at = start + scene.radius + 4.0;
-        shapes.push(dimension(
-            names::ID,
-            cut(scene, at, low),
-            cut(scene, at, -DEPTH),
-        ));
+        shapes.push(dimension(names::ID, cut(scene, at, low), cut(scene, at, -DEPTH)));
     }
 }
 
@@ -180,20 +150,13 @@ fn centring(scene: &Scene, shapes: &mut Vec<PictureShape>) {
 fn from_above(inputs: &Inputs, scene: &Scene, shapes: &mut Vec<PictureShape>) {
     let edge = vec![cut(scene, -PROBE, 0.0), cut(scene, PROBE, 0.0)];
     let side = scene.offset + scene.radius + 4.0;
-    let way = vec![
-        cut(scene, scene.offset, scene.path),
-        cut(scene, scene.offset, 0.0),
-    ];
+    let way = vec![cut(scene, scene.offset, scene.path), cut(scene, scene.offset, 0.0)];
     shapes.extend([
         rectangle(ShapeKind::Edge, [0.0; 2], [2.0 * PROBE; 2]).of(names::MA),
         line(ShapeKind::Edge, edge).of(names::MA),
         line(ShapeKind::Path, way).of(names::FA),
         circle(ShapeKind::Touch, cut(scene, 0.0, 0.0), 0.9).of(names::NMSP),
-        dimension(
-            names::FA,
-            cut(scene, side, scene.path),
-            cut(scene, side, 0.0),
-        ),
+        dimension(names::FA, cut(scene, side, scene.path), cut(scene, side, 0.0)),
     ]);
     if scene.offset > 0.0 {
         let axis = vec![above(scene, 0.0, 0.0), above(scene, scene.offset, 0.0)];
@@ -249,18 +212,11 @@ fn face(inputs: &Inputs, scene: &Scene) -> ([[f64; 2]; 2], [f64; 2]) {
 /// The tool from above and in the section: smooth for calibration; with its edges standing still, or turning.
 fn tool(inputs: &Inputs, scene: &Scene, shapes: &mut Vec<PictureShape>) {
     let upper = AUTOMATIC.holds(inputs) || APPLICATE.holds(inputs);
-    let (along, up) = if upper {
-        (scene.offset, scene.path)
-    } else {
-        (PROBE + scene.path + scene.radius, -DEPTH - scene.inward)
-    };
+    let (along, up) =
+        if upper { (scene.offset, scene.path) } else { (PROBE + scene.path + scene.radius, -DEPTH - scene.inward) };
     let centre = above(scene, along, 0.0);
     shapes.push(circle(ShapeKind::Probe, centre, scene.radius).of(names::MVAR));
-    let step = if MEASURE.holds(inputs) {
-        scene.inward
-    } else {
-        0.0
-    };
+    let step = if MEASURE.holds(inputs) { scene.inward } else { 0.0 };
     shapes.push(body(scene, along, up, step));
     if CALIBRATE.holds(inputs) {
         return;
@@ -289,23 +245,9 @@ fn body(scene: &Scene, along: f64, up: f64, step: f64) -> PictureShape {
     let r = scene.radius;
     let outline = if scene.offset > 0.0 {
         let tip = (r - step).max(r * 0.2);
-        vec![
-            [-r, TOOL],
-            [-r, 2.0],
-            [-tip, 0.0],
-            [tip, 0.0],
-            [r, 2.0],
-            [r, TOOL],
-        ]
+        vec![[-r, TOOL], [-r, 2.0], [-tip, 0.0], [tip, 0.0], [r, 2.0], [r, TOOL]]
     } else {
-        vec![
-            [-r, TOOL],
-            [-r, step],
-            [-r * 0.7, 0.0],
-            [r * 0.7, 0.0],
-            [r, step],
-            [r, TOOL],
-        ]
+        vec![[-r, TOOL], [-r, step], [-r * 0.7, 0.0], [r * 0.7, 0.0], [r, step], [r, TOOL]]
     };
     let place = |[x, y]: [f64; 2]| cut(scene, along + x, up + y);
     polygon(ShapeKind::Probe, outline.into_iter().map(place).collect()).of(names::MVAR)

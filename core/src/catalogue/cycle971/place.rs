@@ -180,11 +180,7 @@ impl Task<'_> {
 
     /// The measuring block towards a side of the probe: where the axis of the tool is when its radius touches.
     pub fn beside(&self, axis: usize, direction: f64) -> Point {
-        self.block.point(
-            axis,
-            direction,
-            self.place.trigger(axis, direction) - direction * self.radius,
-        )
+        self.block.point(axis, direction, self.place.trigger(axis, direction) - direction * self.radius)
     }
 
     /// The measuring block towards the upper side.
@@ -193,19 +189,14 @@ impl Task<'_> {
     }
 
     /// Goes beside the probe and down: the other axis first, then the measuring axis, then the applicate (B:4573).
-    pub fn enter(
-        &self,
-        machine: &mut dyn Machine,
-        point: &Point,
-        other: f64,
-        low: f64,
-    ) -> Result<(), Stop> {
+    pub fn enter(&self, machine: &mut dyn Machine, point: &Point, other: f64, low: f64) -> Result<(), Stop> {
         self.go(machine, &[(1 - point.axis, other)])?;
         self.go(machine, &[(point.axis, self.block.start(point))])?;
         self.go(machine, &[(2, low)])
     }
 
-    /// How far from the middle of the probe the tool stands over its upper side: a tool that is wider by its radius less
+    /// How far from the middle of the probe the tool stands over its upper side: a tool that is wider by its radius
+    /// less
     /// `_ID`, to the side of the start (B:4593-4599).
     pub fn offset(&self, machine: &mut dyn Machine, axis: usize) -> [f64; 2] {
         let mut offset = [0.0; 2];
@@ -217,12 +208,7 @@ impl Task<'_> {
     }
 
     /// Goes over the middle of the probe, or so far beside it.
-    pub fn over(
-        &self,
-        machine: &mut dyn Machine,
-        middle: [f64; 2],
-        offset: [f64; 2],
-    ) -> Result<(), Stop> {
+    pub fn over(&self, machine: &mut dyn Machine, middle: [f64; 2], offset: [f64; 2]) -> Result<(), Stop> {
         let to = [0, 1].map(|axis| (axis, middle[axis] + offset[axis]));
         self.go(machine, &to)
     }

@@ -40,15 +40,9 @@ fn cap(control: &Control, place: &Place) -> Option<ToolProbe> {
         return None;
     }
     let shape = if DISCS.contains(&place.kind) {
-        Shape::Turned {
-            diameter: x,
-            length: height,
-            bore: [0.0; 2],
-        }
+        Shape::Turned { diameter: x, length: height, bore: [0.0; 2] }
     } else {
-        Shape::Block {
-            size: [x, y, height],
-        }
+        Shape::Block { size: [x, y, height] }
     };
     let [abscissa, ordinate] = place.middle();
     let at = [abscissa, ordinate, place.top()];

@@ -37,10 +37,7 @@ fn own_speeds(control: &Control, found: &mut Vec<Diagnostic>) {
     let second = value(2) > 0.0;
     let third = second && value(4) > 0.0;
     let needed = [(true, 0), (true, 1), (second, 3), (third, 5)];
-    for (_, index) in needed
-        .into_iter()
-        .filter(|(needed, index)| *needed && value(*index) <= 0.0)
-    {
+    for (_, index) in needed.into_iter().filter(|(needed, index)| *needed && value(*index) <= 0.0) {
         let name = format!("_MFS[{index}]");
         found.push(alarm(61350, "check-mfs-missing", &name));
     }
@@ -55,19 +52,13 @@ fn limits(control: &Control, found: &mut Vec<Diagnostic>) {
     if ![3.0, 4.0].contains(&value(5)) {
         found.push(alarm(61366, "check-cm-direction", "_CM[5]"));
     }
-    for index in [0, 1, 3, 4]
-        .into_iter()
-        .filter(|index| value(*index) <= 0.0)
-    {
+    for index in [0, 1, 3, 4].into_iter().filter(|index| value(*index) <= 0.0) {
         let name = format!("_CM[{index}]");
         found.push(finding(own::CM_ZERO, &name));
     }
     let (first, second) = (value(6), value(7));
     let factor = |factor: f64| factor == 0.0 || factor >= 1.0;
-    for (name, _) in [("_CM[6]", first), ("_CM[7]", second)]
-        .into_iter()
-        .filter(|(_, value)| !factor(*value))
-    {
+    for (name, _) in [("_CM[6]", first), ("_CM[7]", second)].into_iter().filter(|(_, value)| !factor(*value)) {
         found.push(finding(own::CM_FACTOR, name));
     }
     if second >= 1.0 && second >= first {
@@ -78,11 +69,7 @@ fn limits(control: &Control, found: &mut Vec<Diagnostic>) {
 /// `_MT_COMP`: 1 takes the tables of a make, which are in no manual, 2 those of the user, whose radii and speeds ascend
 /// (B:4334-4383).
 fn compensation(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
-    let table = if IN_PLANE.holds(inputs) {
-        "_MT_EC_R"
-    } else {
-        "_MT_EC_L"
-    };
+    let table = if IN_PLANE.holds(inputs) { "_MT_EC_R" } else { "_MT_EC_L" };
     found.push(match control.number("_MT_COMP") as i64 {
         1 if control.number("_TP_CF") == 0.0 => finding(own::COMPENSATION_MAKE, "_TP_CF"),
         1 => finding(own::COMPENSATION_INSIDE, table),
@@ -95,6 +82,5 @@ fn compensation(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>)
 fn ascends(control: &Control, table: &str) -> bool {
     let rises = |numbers: Vec<f64>| numbers.windows(2).all(|pair| pair[0] < pair[1]);
     let cell = |row: usize, column: usize| control.number(&format!("{table}[{row},{column}]"));
-    rises((1..=4).map(|column| cell(0, column)).collect())
-        && rises((1..=5).map(|row| cell(row, 0)).collect())
+    rises((1..=4).map(|column| cell(0, column)).collect()) && rises((1..=5).map(|row| cell(row, 0)).collect())
 }

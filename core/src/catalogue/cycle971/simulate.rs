@@ -48,11 +48,5 @@ fn calibrated(machine: &mut dyn Machine, task: &Task, repetition: u32) -> Result
         true => calibrate::automatic(machine, task)?,
         false => calibrate::one(machine, task)?,
     };
-    store::store(
-        machine,
-        task.inputs,
-        &found.triggers,
-        &found.beside,
-        repetition,
-    )
+    store::store(machine, task.inputs, &found.triggers, &found.beside, repetition)
 }

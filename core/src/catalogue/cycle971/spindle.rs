@@ -13,8 +13,8 @@ use crate::run::{Machine, Stop};
 /// Speed, 1/min, and feed, mm/min.
 type Probing = (f64, f64);
 
-/// Touches as often as `_CM[]` or `_MFS[]` say; the last probing counts. Gives its position, and what the table takes off
-/// the measured value, mm.
+/// Touches as often as `_CM[]` or `_MFS[]` say; the last probing counts. Gives its position, and what the table takes
+/// off the measured value, mm.
 pub fn touch(machine: &mut dyn Machine, task: &Task, point: &Point) -> Result<(f64, f64), Stop> {
     let control = machine.control();
     let before = control.spindle_speed;
@@ -36,10 +36,7 @@ pub fn touch(machine: &mut dyn Machine, task: &Task, point: &Point) -> Result<(f
         let counts = index + 1 == probings.len();
         let repeats = if counts { task.block.repeats() } else { 1 };
         machine.spin(direction * speed);
-        last = (
-            *speed,
-            task.block.at_feed(*feed, repeats).latch(machine, point)?,
-        );
+        last = (*speed, task.block.at_feed(*feed, repeats).latch(machine, point)?);
     }
     if before == 0.0 {
         machine.spin(0.0);
@@ -82,9 +79,7 @@ fn calculated(control: &Control, radius: f64) -> Vec<Probing> {
         (one, two) => vec![first * one, feed * two, feed],
     };
     let feeds = feeds.into_iter().map(|feed| feed.min(limit(4)));
-    feeds
-        .map(|feed| (speed, feed * control.basic_factor()))
-        .collect()
+    feeds.map(|feed| (speed, feed * control.basic_factor())).collect()
 }
 
 /// What is taken off the measured value, mm: nothing, or the entry of the user's own table. The tables of the makes
@@ -94,17 +89,10 @@ fn compensation(machine: &mut dyn Machine, task: &Task, speed: f64) -> f64 {
     let (message, amount) = match control.number("_MT_COMP") as i64 {
         1 if control.number("_TP_CF") != 0.0 => {
             let make = control.number("_TP_CF");
-            (
-                Message::new("evaluate-compensation-make").number("make", make),
-                0.0,
-            )
+            (Message::new("evaluate-compensation-make").number("make", make), 0.0)
         }
         2 => {
-            let table = if IN_PLANE.holds(task.inputs) {
-                "_MT_EC_R"
-            } else {
-                "_MT_EC_L"
-            };
+            let table = if IN_PLANE.holds(task.inputs) { "_MT_EC_R" } else { "_MT_EC_L" };
             let amount = entry(control, table, task.radius, speed);
             let message = Message::new("evaluate-compensation").text("table", table);
             (message.number("amount", amount), amount)

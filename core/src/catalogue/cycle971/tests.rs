@@ -11,24 +11,11 @@ use crate::diagnostic::{Code, Severity};
 /// Probe 1 in the machine and in the workpiece system; T3 D1 in the spindle, an end mill of 36 mm.
 fn control() -> Control {
     let mut control = delivery(Dialect::Sinumerik);
-    for (index, value) in [
-        (0, 50.0),
-        (1, 28.0),
-        (2, 42.0),
-        (3, 20.0),
-        (4, 80.0),
-        (6, 20.0),
-        (9, 4.0),
-    ] {
+    for (index, value) in [(0, 50.0), (1, 28.0), (2, 42.0), (3, 20.0), (4, 80.0), (6, 20.0), (9, 4.0)] {
         control.set(format!("_TP[0,{index}]"), value);
         control.set(format!("_TPW[0,{index}]"), value);
     }
-    let edge = Edge {
-        kind: 123,
-        length: [70.0, 0.0, 0.0],
-        radius: 18.0,
-        ..Edge::default()
-    };
+    let edge = Edge { kind: 123, length: [70.0, 0.0, 0.0], radius: 18.0, ..Edge::default() };
     control.tools.entry(3).or_default().edges.insert(1, edge);
     (control.tool, control.edge) = (3, 1);
     control
@@ -40,12 +27,8 @@ fn edge(control: &mut Control) -> &mut Edge {
 
 /// Findings of a call like the example's with these values.
 fn found(values: &[(&str, &str)], change: impl Fn(&mut Control)) -> Vec<(Severity, Code)> {
-    let mut typed: Typed = CYCLE971
-        .example
-        .iter()
-        .chain(values)
-        .map(|(name, value)| ((*name).to_owned(), (*value).to_owned()))
-        .collect();
+    let mut typed: Typed =
+        CYCLE971.example.iter().chain(values).map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect();
     typed.retain(|_, value| value != "-");
     let mut control = control();
     change(&mut control);
@@ -73,46 +56,23 @@ fn the_calls_of_the_manual_are_right() {
     let calibrating = |control: &mut Control| edge(control).radius = 5.0;
     for call in [
         &[("_MVAR", "0"), ("_MA", "102"), ("_FA", "6"), ("_TSA", "5")][..],
-        &[
-            ("_MVAR", "0"),
-            ("_MA", "3"),
-            ("_ID", "-"),
-            ("_FA", "6"),
-            ("_TSA", "5"),
-        ],
+        &[("_MVAR", "0"), ("_MA", "3"), ("_ID", "-"), ("_FA", "6"), ("_TSA", "5")],
         &[("_MVAR", "10"), ("_MA", "1"), ("_FA", "6"), ("_TSA", "5")],
-        &[
-            ("_MVAR", "100000"),
-            ("_MA", "-"),
-            ("_FA", "6"),
-            ("_TSA", "5"),
-        ],
+        &[("_MVAR", "100000"), ("_MA", "-"), ("_FA", "6"), ("_TSA", "5")],
         incremental,
     ] {
         assert_eq!(found(call, calibrating), [], "{call:?}");
     }
     assert_eq!(found(&[], |_| ()), []);
-    assert_eq!(
-        found(&[("_ID", "2.4"), ("_MA", "1"), ("_MVAR", "2")], |_| ()),
-        []
-    );
-    assert_eq!(
-        found(&[("_ID", "0"), ("_MA", "1"), ("_MVAR", "12")], |_| ()),
-        []
-    );
+    assert_eq!(found(&[("_ID", "2.4"), ("_MA", "1"), ("_MVAR", "2")], |_| ()), []);
+    assert_eq!(found(&[("_ID", "0"), ("_MA", "1"), ("_MVAR", "12")], |_| ()), []);
 }
 
 #[test]
 fn variants_and_axes_that_do_not_exist_are_refused() {
     // oracle: manual B:1854, B:4420, B:4842-4846; spec/turning/variants.tsv, rows INVALID (61325 is proposed there)
-    for number in [
-        "3", "20", "100", "10001", "10002", "20000", "100001", "110000", "-1",
-    ] {
-        assert_eq!(
-            found(&[("_MVAR", number)], |_| ()),
-            alarm(61307),
-            "{number}"
-        );
+    for number in ["3", "20", "100", "10001", "10002", "20000", "100001", "110000", "-1"] {
+        assert_eq!(found(&[("_MVAR", number)], |_| ()), alarm(61307), "{number}");
     }
     for variant in ["10000", "10010"] {
         for axis in ["102", "103", "201", "203"] {
@@ -150,43 +110,24 @@ fn the_data_of_the_probe_are_looked_at() {
         })),
         alarm(61313)
     );
-    assert_eq!(
-        found(&[], |control| control.set("_TP[0,8]", 7.0)),
-        alarm(61309)
-    );
-    assert_eq!(
-        found(&[], |control| control.set("_TP[0,8]", 201.0)),
-        alarm(61415)
-    );
+    assert_eq!(found(&[], |control| control.set("_TP[0,8]", 7.0)), alarm(61309));
+    assert_eq!(found(&[], |control| control.set("_TP[0,8]", 201.0)), alarm(61415));
     let disc = |control: &mut Control| {
         control.set("_TP[0,8]", 201.0);
         control.set("_TP[0,5]", -10.0);
         control.plane = Plane::G18;
     };
     assert_eq!(found(&[], disc), []);
-    assert_eq!(
-        found(RADIUS, |control| control.set("_TP[0,9]", 0.0)),
-        alarm(61349)
-    );
-    assert_eq!(
-        found(CALIBRATE, |control| control.set("_TP[0,9]", 0.0)),
-        doubt(63)
-    );
+    assert_eq!(found(RADIUS, |control| control.set("_TP[0,9]", 0.0)), alarm(61349));
+    assert_eq!(found(CALIBRATE, |control| control.set("_TP[0,9]", 0.0)), doubt(63));
     for code in [33.0, 233.0, 143.0, 1133.0] {
         let set = |control: &mut Control| control.set("_TP[0,7]", code);
         assert_eq!(found(AUTOMATIC, set), alarm(61309), "{code}");
     }
-    assert_eq!(
-        found(AUTOMATIC, |control| control.set("_TP[0,7]", 123.0)),
-        []
-    );
-    let empty =
-        |control: &mut Control| (0..4).for_each(|i| control.set(format!("_TP[0,{i}]"), 0.0));
+    assert_eq!(found(AUTOMATIC, |control| control.set("_TP[0,7]", 123.0)), []);
+    let empty = |control: &mut Control| (0..4).for_each(|i| control.set(format!("_TP[0,{i}]"), 0.0));
     assert_eq!(found(&[], empty), doubt(61));
-    assert_eq!(
-        found(&[], |control| control.set("_TP[0,1]", 60.0)),
-        doubt(62)
-    );
+    assert_eq!(found(&[], |control| control.set("_TP[0,1]", 60.0)), doubt(62));
 }
 
 #[test]
@@ -195,10 +136,7 @@ fn the_tool_in_use_is_looked_at() {
     let probe = |control: &mut Control| edge(control).kind = 710;
     assert_eq!(found(&[], probe), [(Severity::Warning, Code::Alarm(61314))]);
     for kind in [500, 400] {
-        assert_eq!(
-            found(&[], |control| edge(control).kind = kind),
-            alarm(61314)
-        );
+        assert_eq!(found(&[], |control| edge(control).kind = kind), alarm(61314));
     }
     let drill = |control: &mut Control| edge(control).kind = 200;
     assert_eq!(found(&[], drill), []);
@@ -222,10 +160,7 @@ fn a_wide_tool_is_offset() {
     assert_eq!(found(&calibrate("3"), |_| ()), missing);
     assert_eq!(found(&calibrate("203"), |_| ()), missing);
     assert_eq!(found(&calibrate("1"), |_| ()), []);
-    assert_eq!(
-        found(&calibrate("3"), |control| edge(control).radius = 9.0),
-        []
-    );
+    assert_eq!(found(&calibrate("3"), |control| edge(control).radius = 9.0), []);
     assert_eq!(found(&[("_ID", "19")], |_| ()), doubt(64));
     let told = vec![(Severity::Note, Code::Own(65))];
     assert_eq!(found(&[("_MA", "3")], |_| ()), told);
@@ -237,18 +172,13 @@ fn speeds_and_limits_of_a_turning_spindle() {
     let own = |values: &'static [(usize, f64)]| {
         found(ROTATING, |control| {
             control.set("_CBIT[12]", 1.0);
-            values
-                .iter()
-                .for_each(|(i, value)| control.set(format!("_MFS[{i}]"), *value));
+            values.iter().for_each(|(i, value)| control.set(format!("_MFS[{i}]"), *value));
         })
     };
     assert_eq!(own(&[(0, 500.0), (1, 20.0)]), []);
     assert_eq!(own(&[(0, 500.0)]), alarm(61350));
     assert_eq!(own(&[(0, 500.0), (1, 20.0), (2, 300.0)]), alarm(61350));
-    assert_eq!(
-        own(&[(0, 500.0), (1, 20.0), (4, 300.0), (5, 5.0)]),
-        doubt(66)
-    );
+    assert_eq!(own(&[(0, 500.0), (1, 20.0), (4, 300.0), (5, 5.0)]), doubt(66));
     let three = &[(0, 500.0), (1, 20.0), (2, 300.0), (3, 9.0), (4, 200.0)];
     assert_eq!(own(three), alarm(61350));
     let limit = |name: &'static str, value| found(ROTATING, |control| control.set(name, value));
@@ -273,19 +203,13 @@ fn compensation_needs_its_table() {
     assert_eq!(with("_MT_EC_R", ROTATING), []);
     assert_eq!(with("_MT_EC_L", ROTATING), doubt(71));
     assert_eq!(with("_MT_EC_L", &[("_MVAR", "2")]), []);
-    assert_eq!(
-        found(ROTATING, |control| control.set("_MT_COMP", 1.0)),
-        doubt(70)
-    );
+    assert_eq!(found(ROTATING, |control| control.set("_MT_COMP", 1.0)), doubt(70));
     let made = |control: &mut Control| {
         control.set("_MT_COMP", 1.0);
         control.set("_TP_CF", 2.0);
     };
     // the table of a make is in no manual, which is told
-    assert_eq!(
-        found(ROTATING, made),
-        vec![(Severity::Note, Code::Own(149))]
-    );
+    assert_eq!(found(ROTATING, made), vec![(Severity::Note, Code::Own(149))]);
     assert_eq!(found(RADIUS, made), []);
 }
 
@@ -294,19 +218,10 @@ fn limits_memories_and_positioning() {
     // oracle: manual B:4324-4326, B:13717, B:13726-13733, A:15879-15880
     assert_eq!(found(&[("_TDIF", "2")], |_| ()), doubt(60));
     assert_eq!(found(&[("_TZL", "1.7")], |_| ()), doubt(60));
-    assert_eq!(
-        found(&[("_EVNUM", "21")], |_| ()),
-        vec![(Severity::Error, Code::Own(59))]
-    );
+    assert_eq!(found(&[("_EVNUM", "21")], |_| ()), vec![(Severity::Error, Code::Own(59))]);
     assert_eq!(found(&[("_EVNUM", "990020")], |_| ()), []);
-    assert_eq!(
-        found(&[], |control| control.set("_SPEED[0]", -1.0)),
-        alarm(61339)
-    );
-    assert_eq!(
-        found(&[], |control| control.set("_SPEED[2]", 0.0)),
-        alarm(61338)
-    );
+    assert_eq!(found(&[], |control| control.set("_SPEED[0]", -1.0)), alarm(61339));
+    assert_eq!(found(&[], |control| control.set("_SPEED[2]", 0.0)), alarm(61338));
     let unmonitored = |control: &mut Control| {
         control.set("_SPEED[2]", 0.0);
         control.set("_CHBIT[2]", 0.0);

@@ -14,24 +14,15 @@ use crate::catalogue::common::alarms;
 use crate::catalogue::cycle982::{propose, simulate as measuring};
 use crate::catalogue::sinumerik::alarm;
 use crate::catalogue::{
-    Cycle, Dialect, Drawing, Help, MachineSort, ProbeUse, Purpose, Simulation, Variant, Work,
-    tool_probe,
+    Cycle, Dialect, Drawing, Help, MachineSort, ProbeUse, Purpose, Simulation, Variant, Work, tool_probe,
 };
 use crate::check::Inputs;
 use crate::run::{Machine, Stop};
 
 /// Measuring variants (B:8766-8771).
 pub const VARIANTS: &[Variant] = &[
-    Variant {
-        number: 0,
-        key: "cycle972-calibrate",
-        source: "B:8770;B:8816;A:9685",
-    },
-    Variant {
-        number: 1,
-        key: "cycle972-measure",
-        source: "B:8771;B:8964;A:9686",
-    },
+    Variant { number: 0, key: "cycle972-calibrate", source: "B:8770;B:8816;A:9685" },
+    Variant { number: 1, key: "cycle972-measure", source: "B:8771;B:8964;A:9686" },
 ];
 
 /// The entry. Example: the turning tool T3 of B:9044-9053, length L1.
@@ -80,16 +71,7 @@ pub static CYCLE972: Cycle = Cycle {
         ("_TZL", "0.001"),
         ("_TDIF", "0.8"),
     ],
-    simulation: Some(
-        Simulation::new(
-            Work {
-                propose: propose::propose,
-                simulate,
-            },
-            &[],
-        )
-        .with_tool(propose::tool),
-    ),
+    simulation: Some(Simulation::new(Work { propose: propose::propose, simulate }, &[]).with_tool(propose::tool)),
     source: "B:8736-9090",
 };
 

@@ -1,5 +1,6 @@
 //! CYCLE972 drawn: the probe between the axes of the plane, abscissa to the right, and the tool on the side that it
-//! touches, as its cutting edge position says; where none is in use, one with position 3. Probe and tool stand for any size; short distances are drawn longer than they are.
+//! touches, as its cutting edge position says; where none is in use, one with position 3. Probe and tool stand for any
+//! size; short distances are drawn longer than they are.
 
 use super::params::{ABSCISSA, CALIBRATE};
 use crate::catalogue::names;
@@ -14,11 +15,7 @@ const PROBE: f64 = 10.0;
 pub fn picture(inputs: &Inputs) -> Picture {
     let calibrate = CALIBRATE.holds(inputs);
     let radius = figures::nose_radius(calibrate);
-    let path = inputs
-        .given(names::FA)
-        .filter(|path| *path > 0.0)
-        .unwrap_or(2.0)
-        .clamp(5.0, 12.0);
+    let path = inputs.given(names::FA).filter(|path| *path > 0.0).unwrap_or(2.0).clamp(5.0, 12.0);
     let across = usize::from(!ABSCISSA.holds(inputs));
     let sides = figures::sides(inputs);
     let number = inputs.integer(names::PRNUM).clamp(1, 99) - 1;
@@ -34,10 +31,7 @@ pub fn picture(inputs: &Inputs) -> Picture {
     figures::mirror(&mut shapes, sides);
     let probe = rectangle(ShapeKind::Material, [0.0; 2], [2.0 * PROBE; 2]);
     shapes.splice(0..0, [probe, line(ShapeKind::Axis, axes(sides))]);
-    Picture {
-        view: View::Plane,
-        shapes,
-    }
+    Picture { view: View::Plane, shapes }
 }
 
 /// The axes of the machine, clear of the tool.
@@ -58,21 +52,13 @@ fn touch(inputs: &Inputs, across: usize, path: f64, radius: f64, shapes: &mut Ve
     let start = PROBE + path + radius;
     let face = [at(across, PROBE, -PROBE), at(across, PROBE, PROBE)];
     let far = start + 14.0;
-    let way = vec![
-        at(across, far, 24.0),
-        at(across, far, 0.0),
-        at(across, PROBE + radius, 0.0),
-    ];
+    let way = vec![at(across, far, 24.0), at(across, far, 0.0), at(across, PROBE + radius, 0.0)];
     shapes.extend(bands(inputs, face, at(across, 1.0, 0.0)));
     shapes.extend([
         line(ShapeKind::Edge, face.to_vec()).of(names::MA),
         line(ShapeKind::Path, way).of(names::FA),
         circle(ShapeKind::Touch, at(across, PROBE, 0.0), 0.8).of(names::NMSP),
-        dimension(
-            names::FA,
-            at(across, start - radius, -PROBE - 3.0),
-            at(across, PROBE, -PROBE - 3.0),
-        ),
+        dimension(names::FA, at(across, start - radius, -PROBE - 3.0), at(across, PROBE, -PROBE - 3.0)),
     ]);
 }
 

@@ -15,13 +15,7 @@ fn control() -> Control {
     for (index, value) in [220.0, 200.0, 400.0, 380.0].into_iter().enumerate() {
         control.set(format!("_TP[0,{index}]"), value);
     }
-    let edge = Edge {
-        kind: 500,
-        tip: 3,
-        length: [100.654, 60.321, 0.0],
-        radius: 2.0,
-        ..Edge::default()
-    };
+    let edge = Edge { kind: 500, tip: 3, length: [100.654, 60.321, 0.0], radius: 2.0, ..Edge::default() };
     control.tools.entry(3).or_default().edges.insert(1, edge);
     (control.tool, control.edge) = (3, 1);
     control
@@ -29,12 +23,8 @@ fn control() -> Control {
 
 /// Findings of a call like the example's with these values.
 fn found(values: &[(&str, &str)], change: impl Fn(&mut Control)) -> Vec<(Severity, Code)> {
-    let typed: Typed = CYCLE972
-        .example
-        .iter()
-        .chain(values)
-        .map(|(name, value)| ((*name).to_owned(), (*value).to_owned()))
-        .collect();
+    let typed: Typed =
+        CYCLE972.example.iter().chain(values).map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect();
     let mut control = control();
     change(&mut control);
     let found = check(&CYCLE972, &typed, &control).diagnostics;
@@ -65,11 +55,7 @@ fn the_calls_of_the_manual_are_right() {
 fn variants_and_axes_that_do_not_exist_are_refused() {
     // oracle: manual B:1854, B:8766-8771; spec/turning/variants.tsv, row INVALID; A:15866
     for number in ["2", "10", "11", "100000", "100001", "-1"] {
-        assert_eq!(
-            found(&[("_MVAR", number)], |_| ()),
-            alarm(61307),
-            "{number}"
-        );
+        assert_eq!(found(&[("_MVAR", number)], |_| ()), alarm(61307), "{number}");
     }
     for axis in ["0", "3", "102"] {
         assert_eq!(found(&[("_MA", axis)], |_| ()), alarm(61325), "{axis}");
@@ -96,11 +82,7 @@ fn tool_type_and_cutting_edge_position() {
                 (5 | 7, 2) | (6 | 8, 1) => alarm(61325),
                 _ => vec![],
             };
-            assert_eq!(
-                found(&[("_MA", &axis.to_string())], set),
-                expected,
-                "{tip} {axis}"
-            );
+            assert_eq!(found(&[("_MA", &axis.to_string())], set), expected, "{tip} {axis}");
         }
     }
 }
@@ -114,13 +96,9 @@ fn probe_and_machine_are_looked_at() {
     );
     let turned = |control: &mut Control| control.active.rotation = [0.0, 30.0, 0.0];
     assert_eq!(found(&[], turned), alarm(61330));
-    assert_eq!(
-        found(&[], |control| control.set("_SPEED[1]", 0.0)),
-        alarm(61338)
-    );
+    assert_eq!(found(&[], |control| control.set("_SPEED[1]", 0.0)), alarm(61338));
     let exchanged = |control: &mut Control| control.set("_TP[0,3]", 420.0);
     assert_eq!(found(&[], exchanged), [(Severity::Warning, Code::Own(62))]);
-    let empty =
-        |control: &mut Control| (0..4).for_each(|i| control.set(format!("_TP[0,{i}]"), 0.0));
+    let empty = |control: &mut Control| (0..4).for_each(|i| control.set(format!("_TP[0,{i}]"), 0.0));
     assert_eq!(found(&[], empty), [(Severity::Warning, Code::Own(61))]);
 }

@@ -28,13 +28,7 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
 }
 
 /// Number of the pair, position of the probe, direction at the base, data of the groove (B:10145, B:10213-10255).
-fn groove(
-    inputs: &Inputs,
-    control: &Control,
-    tip: Option<i64>,
-    ball: f64,
-    found: &mut Vec<Diagnostic>,
-) {
+fn groove(inputs: &Inputs, control: &Control, tip: Option<i64>, ball: f64, found: &mut Vec<Diagnostic>) {
     let pair = inputs.given(names::CALNUM);
     let known = pair.is_none_or(|pair| number(pair, control, found));
     let Some(tip) = tip else { return };
@@ -58,11 +52,7 @@ fn number(pair: f64, control: &Control, found: &mut Vec<Diagnostic>) -> bool {
     }
     let message = Message::new("check-groove-number").number("number", pair);
     let hint = Message::new("check-groove-number-hint").number("pairs", pairs);
-    found.push(
-        error(Code::Alarm(61333), message)
-            .hint(hint)
-            .at(names::CALNUM),
-    );
+    found.push(error(Code::Alarm(61333), message).hint(hint).at(names::CALNUM));
     false
 }
 
@@ -80,34 +70,16 @@ fn base(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
 }
 
 /// Whether the data of the groove are there, and leave the ball its way.
-fn data(
-    inputs: &Inputs,
-    control: &Control,
-    groove: &Groove,
-    pair: i64,
-    ball: f64,
-    found: &mut Vec<Diagnostic>,
-) {
+fn data(inputs: &Inputs, control: &Control, groove: &Groove, pair: i64, ball: f64, found: &mut Vec<Diagnostic>) {
     let [plus, minus, base] = groove.names(pair);
     let [upper, lower, depth] = [&plus, &minus, &base].map(|name| control.basic_length(name));
     if [upper, lower, depth] == [0.0; 3] {
         let names = [plus, minus, base].join(", ");
-        found.push(
-            own::GROOVE_EMPTY
-                .finding()
-                .text("names", names)
-                .at(names::CALNUM),
-        );
+        found.push(own::GROOVE_EMPTY.finding().text("names", names).at(names::CALNUM));
         return;
     }
     if upper <= lower {
-        found.push(
-            own::GROOVE_EDGES
-                .finding()
-                .text("plus", plus)
-                .text("minus", minus)
-                .at(names::CALNUM),
-        );
+        found.push(own::GROOVE_EDGES.finding().text("plus", plus).text("minus", minus).at(names::CALNUM));
         return;
     }
     let width = upper - lower;
@@ -121,11 +93,7 @@ fn data(
 /// of the ordinate (B:10513; the figure is lost, the groove of position 7 has its base in minus).
 fn shank(inputs: &Inputs, tip: i64, found: &mut Vec<Diagnostic>) {
     let backwards = matches!(
-        (
-            tip,
-            inputs.integer(names::MA),
-            inputs.given(names::MD).map(|direction| direction as i64)
-        ),
+        (tip, inputs.integer(names::MA), inputs.given(names::MD).map(|direction| direction as i64)),
         (5, 1, Some(1)) | (7, 1, Some(0)) | (6, 2, Some(1)) | (8, 2, Some(0))
     );
     if backwards {

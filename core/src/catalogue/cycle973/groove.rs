@@ -32,14 +32,8 @@ impl Groove {
     /// The groove of a cutting edge position.
     pub fn of(tip: i64) -> Option<Groove> {
         match tip {
-            7 => Some(Groove {
-                base_axis: 1,
-                data: [0, 1, 2],
-            }),
-            8 => Some(Groove {
-                base_axis: 2,
-                data: [3, 4, 6],
-            }),
+            7 => Some(Groove { base_axis: 1, data: [0, 1, 2] }),
+            8 => Some(Groove { base_axis: 2, data: [3, 4, 6] }),
             _ => None,
         }
     }
@@ -60,13 +54,8 @@ impl Groove {
     /// Where it is.
     pub fn place(&self, control: &Control, pair: i64) -> Place {
         let [plus, minus, base] = self.names(pair).map(|name| control.basic_length(&name));
-        let [upper, lower] =
-            DEPTH.map(|index| control.basic_length(&format!("_KB[{pair},{index}]")));
-        Place {
-            walls: [plus, minus],
-            base,
-            depth: (upper - lower).max(0.0),
-        }
+        let [upper, lower] = DEPTH.map(|index| control.basic_length(&format!("_KB[{pair},{index}]")));
+        Place { walls: [plus, minus], base, depth: (upper - lower).max(0.0) }
     }
 }
 
@@ -85,31 +74,18 @@ impl Place {
     /// base; without a depth where the base is touched from.
     pub fn height(&self, radius: f64, path: f64) -> f64 {
         let middle = self.depth / 2.0;
-        self.base
-            + if middle > radius {
-                middle
-            } else {
-                radius + path
-            }
+        self.base + if middle > radius { middle } else { radius + path }
     }
 
     /// How far before the set switching position a wall is touched from: all of the path, as long as the ball stays
     /// clear of the other wall, else from the middle.
     pub fn path(&self, radius: f64, path: f64) -> f64 {
         let room = self.width() - 2.0 * radius;
-        if path < room || room <= 0.0 {
-            path
-        } else {
-            room / 2.0
-        }
+        if path < room || room <= 0.0 { path } else { room / 2.0 }
     }
 
     /// The groove as a solid of this depth, its walls along its X.
     pub fn shape(&self, depth: f64) -> Shape {
-        Shape::Groove {
-            width: self.width(),
-            depth,
-            length: LENGTH,
-        }
+        Shape::Groove { width: self.width(), depth, length: LENGTH }
     }
 }

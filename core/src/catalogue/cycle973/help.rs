@@ -10,11 +10,7 @@ pub const LINES: &[HelpLine] = &[
     measures(ONE, "help-cycle973-measures-groove-one", "B:10216"),
     measures(TWO, "help-cycle973-measures-groove-two", "B:10216"),
     before(SURFACE, "help-cycle973-before-surface", "B:10331;B:10411"),
-    before(
-        GROOVE,
-        "help-cycle973-before-groove",
-        "B:10213;B:10317;B:13470-13482",
-    ),
+    before(GROOVE, "help-cycle973-before-groove", "B:10213;B:10317;B:13470-13482"),
     before(When::Always, "help-cycle973-before-centre", "B:10275"),
     order(SURFACE, "help-cycle973-order-surface", "B:10403-10415"),
     order(GROOVE, "help-cycle973-order-into-groove", "B:10205-10230"),

@@ -17,47 +17,17 @@ mod tests;
 pub use results::RESULTS;
 
 use crate::catalogue::sinumerik;
-use crate::catalogue::{
-    Cycle, Dialect, Drawing, Help, Purpose, Simulation, Variant, When, Work, common, lathe,
-};
+use crate::catalogue::{Cycle, Dialect, Drawing, Help, Purpose, Simulation, Variant, When, Work, common, lathe};
 
 /// Measuring variants (B:10163-10177). 13 stands in the programs only, with axis and direction: it is 1013 (A:11504).
 pub const VARIANTS: &[Variant] = &[
-    Variant {
-        number: 0,
-        key: "cycle973-surface",
-        source: "B:10166;B:10349;A:11361",
-    },
-    Variant {
-        number: 13,
-        key: "cycle973-groove-short",
-        source: "B:10292;A:11504",
-    },
-    Variant {
-        number: 1013,
-        key: "cycle973-groove-one",
-        source: "B:10170;B:10245;A:11365",
-    },
-    Variant {
-        number: 2013,
-        key: "cycle973-groove-two",
-        source: "B:10171;B:10295;A:11366",
-    },
-    Variant {
-        number: 2113,
-        key: "cycle973-groove-two-ball",
-        source: "B:10171-10173;A:11366-11368",
-    },
-    Variant {
-        number: 12_013,
-        key: "cycle973-groove-two-skew",
-        source: "B:10169-10171;A:11364-11366",
-    },
-    Variant {
-        number: 12_113,
-        key: "cycle973-groove-two-skew-ball",
-        source: "B:10169-10173;A:11364-11368",
-    },
+    Variant { number: 0, key: "cycle973-surface", source: "B:10166;B:10349;A:11361" },
+    Variant { number: 13, key: "cycle973-groove-short", source: "B:10292;A:11504" },
+    Variant { number: 1013, key: "cycle973-groove-one", source: "B:10170;B:10245;A:11365" },
+    Variant { number: 2013, key: "cycle973-groove-two", source: "B:10171;B:10295;A:11366" },
+    Variant { number: 2113, key: "cycle973-groove-two-ball", source: "B:10171-10173;A:11366-11368" },
+    Variant { number: 12_013, key: "cycle973-groove-two-skew", source: "B:10169-10171;A:11364-11366" },
+    Variant { number: 12_113, key: "cycle973-groove-two-skew-ball", source: "B:10169-10173;A:11364-11368" },
 ];
 
 /// The entry. Example: the surface of B:10366-10399.
@@ -67,10 +37,7 @@ pub static CYCLE973: Cycle = Cycle {
     key: "cycle973",
     variants: VARIANTS,
     params: params::PARAMS,
-    purpose: Purpose {
-        calibrates: When::Always,
-        ..Purpose::TURNING
-    },
+    purpose: Purpose { calibrates: When::Always, ..Purpose::TURNING },
     lists: lists::LISTS,
     // B:13442-13482, B:13534-13572, B:13739-13773, B:13999-14014
     settings: &[
@@ -93,12 +60,7 @@ pub static CYCLE973: Cycle = Cycle {
         &common::alarms([61326, 61333, 61401]),
     ],
     checks: checks::checks,
-    help: Help::new(&[
-        sinumerik::help::STORED,
-        help::LINES,
-        sinumerik::help::BLOCK,
-        lathe::help::PROBE,
-    ]),
+    help: Help::new(&[sinumerik::help::STORED, help::LINES, sinumerik::help::BLOCK, lathe::help::PROBE]),
     picture: Drawing::new(picture::picture),
     example: &[
         ("_MVAR", "0"),
@@ -113,10 +75,7 @@ pub static CYCLE973: Cycle = Cycle {
         ("_TZL", "0"),
     ],
     simulation: Some(Simulation::new(
-        Work {
-            propose: propose::propose,
-            simulate: simulate::simulate,
-        },
+        Work { propose: propose::propose, simulate: simulate::simulate },
         // across the groove of position 7
         &[(params::GROOVE, &[("_CALNUM", "1"), ("_MA", "2")])],
     )),

@@ -12,23 +12,11 @@ pub const GROOVE: When = When::Not(&SURFACE);
 /// In the groove in one direction; 13 is written for 1013 (A:11504).
 pub const ONE: When = When::Variant(&[13, 1013]);
 /// In the groove in both directions of an axis.
-pub const TWO: When = When::Digit {
-    param: names::MVAR,
-    place: 1000,
-    is: &[2],
-};
+pub const TWO: When = When::Digit { param: names::MVAR, place: 1000, is: &[2] };
 /// With the active ball diameter.
-pub const BALL: When = When::Digit {
-    param: names::MVAR,
-    place: 100,
-    is: &[1],
-};
+pub const BALL: When = When::Digit { param: names::MVAR, place: 100, is: &[1] };
 /// With the position deviation.
-pub const SKEW: When = When::Digit {
-    param: names::MVAR,
-    place: 10_000,
-    is: &[1],
-};
+pub const SKEW: When = When::Digit { param: names::MVAR, place: 10_000, is: &[1] };
 
 /// B:10163-10173.
 const MVAR_DIGITS: &[DigitGroup] = &[
@@ -42,11 +30,7 @@ const MVAR_DIGITS: &[DigitGroup] = &[
         key: "calibrate-directions",
         place: 1000,
         digits: 1,
-        choices: &[
-            (0, "calibrate-one-short"),
-            (1, "calibrate-one"),
-            (2, "calibrate-two"),
-        ],
+        choices: &[(0, "calibrate-one-short"), (1, "calibrate-one"), (2, "calibrate-two")],
     },
     DigitGroup {
         key: "calibrate-ball",
@@ -64,39 +48,19 @@ const MVAR_DIGITS: &[DigitGroup] = &[
 
 /// In the order in which the snippet writes them.
 pub const PARAMS: &[Param] = &[
-    Param {
-        kind: Kind::Variant(MVAR_DIGITS),
-        source: "B:10163-10177;B:15498-15500",
-        ..common::MVAR
-    },
+    Param { kind: Kind::Variant(MVAR_DIGITS), source: "B:10163-10177;B:15498-15500", ..common::MVAR },
     Param {
         needs: &[required(SURFACE, "need-surface-position")],
-        labels: &[
-            (lathe::DIAMETER, "setval-surface-diameter"),
-            (When::Always, "setval-surface"),
-        ],
+        labels: &[(lathe::DIAMETER, "setval-surface-diameter"), (When::Always, "setval-surface")],
         source: "B:10350;A:16313",
         ..common::SETVAL
     },
     Param {
         kind: Kind::ChoiceBy(&[
-            (
-                GROOVE,
-                &[(1, "ma-lathe-abscissa"), (2, "ma-lathe-ordinate")],
-            ),
-            (
-                When::Always,
-                &[
-                    (1, "ma-lathe-abscissa"),
-                    (2, "ma-lathe-ordinate"),
-                    (3, "ma-lathe-applicate"),
-                ],
-            ),
+            (GROOVE, &[(1, "ma-lathe-abscissa"), (2, "ma-lathe-ordinate")]),
+            (When::Always, &[(1, "ma-lathe-abscissa"), (2, "ma-lathe-ordinate"), (3, "ma-lathe-applicate")]),
         ]),
-        needs: &[
-            required(SURFACE, "need-axis-calibration-surface"),
-            required(GROOVE, "need-axis-calibrated"),
-        ],
+        needs: &[required(SURFACE, "need-axis-calibration-surface"), required(GROOVE, "need-axis-calibrated")],
         labels: &[(GROOVE, "ma-calibrated")],
         source: "B:10249;B:10351;B:10354",
         ..lathe::MA
@@ -110,38 +74,17 @@ pub const PARAMS: &[Param] = &[
         name: names::CALNUM,
         key: "calnum",
         kind: Kind::Integer,
-        range: Range {
-            min: 1.0,
-            min_included: true,
-            ..Range::ANY
-        },
+        range: Range { min: 1.0, min_included: true, ..Range::ANY },
         alarm: Some(Code::Alarm(61333)),
         needs: &[required(GROOVE, "need-groove")],
         source: "B:10252;B:15486;A:15876",
         ..common::PARAM
     },
-    Param {
-        source: "B:10253;B:10353;A:16310",
-        ..common::PRNUM
-    },
-    Param {
-        labels: &[(When::Always, "fa-lathe")],
-        source: "B:10255;B:10356;B:15491",
-        ..common::FA
-    },
-    Param {
-        labels: &[(When::Always, "tsa-trigger")],
-        source: "B:10263;B:10360;B:15520",
-        ..common::TSA
-    },
-    Param {
-        source: "B:10255;B:10356;B:15522",
-        ..common::VMS
-    },
-    Param {
-        source: "B:10255;B:10356;B:15501",
-        ..common::NMSP
-    },
+    Param { source: "B:10253;B:10353;A:16310", ..common::PRNUM },
+    Param { labels: &[(When::Always, "fa-lathe")], source: "B:10255;B:10356;B:15491", ..common::FA },
+    Param { labels: &[(When::Always, "tsa-trigger")], source: "B:10263;B:10360;B:15520", ..common::TSA },
+    Param { source: "B:10255;B:10356;B:15522", ..common::VMS },
+    Param { source: "B:10255;B:10356;B:15501", ..common::NMSP },
     Param {
         needs: common::ALWAYS_OPTIONAL,
         labels: &[(When::Always, "tzl-trigger")],

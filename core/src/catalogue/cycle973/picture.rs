@@ -1,6 +1,6 @@
-//! CYCLE973 drawn: the surface, or the section through the reference groove, touched along the measuring axis; beside the
-//! groove the stylus with what is determined about it. The groove is drawn for the cutting edge position of the probe in
-//! use: of 7 the walls lie in the ordinate, of 8 in the abscissa (B:13473-13482).
+//! CYCLE973 drawn: the surface, or the section through the reference groove, touched along the measuring axis; beside
+//! the groove the stylus with what is determined about it. The groove is drawn for the cutting edge position of the
+//! probe in use: of 7 the walls lie in the ordinate, of 8 in the abscissa (B:13473-13482).
 
 use super::params::{BALL as DIAMETER, SKEW, SURFACE, TWO};
 use crate::catalogue::lathe::figures::{self, BALL, Bands, Touch};
@@ -28,19 +28,12 @@ pub fn picture(inputs: &Inputs) -> Picture {
     }
     let mut shapes = groove(inputs);
     shapes.extend(stylus(inputs));
-    Picture {
-        view: View::Plane,
-        shapes,
-    }
+    Picture { view: View::Plane, shapes }
 }
 
 /// Direction of touching: plus 1, minus -1.
 fn direction(inputs: &Inputs) -> f64 {
-    if inputs.given(names::MD) == Some(0.0) {
-        1.0
-    } else {
-        -1.0
-    }
+    if inputs.given(names::MD) == Some(0.0) { 1.0 } else { -1.0 }
 }
 
 /// Way and arrow of one touch, with its ball.
@@ -56,25 +49,14 @@ fn surface(inputs: &Inputs) -> Picture {
     let axis = inputs.integer(names::MA).clamp(1, 3);
     let along: [f64; 2] = if axis == 1 { [1.0, 0.0] } else { [0.0, 1.0] };
     let away = -direction(inputs);
-    let touch = Touch {
-        at: [0.0; 2],
-        out: along.map(|part| part * away),
-        number: 1,
-    };
+    let touch = Touch { at: [0.0; 2], out: along.map(|part| part * away), number: 1 };
     let path = figures::path(inputs);
-    let place = |forward: f64, beside: f64| {
-        [
-            along[0] * forward + along[1] * beside,
-            along[1] * forward + along[0] * beside,
-        ]
-    };
+    let place =
+        |forward: f64, beside: f64| [along[0] * forward + along[1] * beside, along[1] * forward + along[0] * beside];
     let size = place(24.0, 2.0 * FACE);
     let block = rectangle(ShapeKind::Material, place(-away * 12.0, 0.0), size);
     let face = [place(0.0, -FACE), place(0.0, FACE)];
-    let mut shapes = vec![
-        block,
-        line(ShapeKind::Edge, face.to_vec()).of(names::SETVAL),
-    ];
+    let mut shapes = vec![block, line(ShapeKind::Edge, face.to_vec()).of(names::SETVAL)];
     shapes.extend(figures::bands(inputs, BANDS, face, touch.out));
     let ends = [place(-48.0, 0.0), place(48.0, 0.0)];
     let [measured, letter] = figures::axis(inputs, axis as usize - 1, ends);
@@ -85,37 +67,18 @@ fn surface(inputs: &Inputs) -> Picture {
     if axis != 3 {
         shapes.extend(figures::probe(inputs, touch.start(path)));
     }
-    Picture {
-        view: if axis == 3 {
-            View::Section
-        } else {
-            View::Plane
-        },
-        shapes,
-    }
+    Picture { view: if axis == 3 { View::Section } else { View::Plane }, shapes }
 }
 
 /// The zero point on its side of the surface, and the distance from it; a diameter counts from beyond it.
 fn set_position(inputs: &Inputs, place: impl Fn(f64, f64) -> [f64; 2]) -> [PictureShape; 2] {
-    let side = if inputs.number(names::SETVAL) < 0.0 {
-        1.0
-    } else {
-        -1.0
-    };
+    let side = if inputs.number(names::SETVAL) < 0.0 { 1.0 } else { -1.0 };
     let zero = side * 40.0;
-    let from = if ACROSS.holds(inputs) {
-        2.0 * zero
-    } else {
-        zero
-    };
+    let from = if ACROSS.holds(inputs) { 2.0 * zero } else { zero };
     let line_of_zero = vec![place(zero, FACE), place(zero, -FACE * 1.3)];
     [
         line(ShapeKind::Axis, line_of_zero).text("0"),
-        dimension(
-            names::SETVAL,
-            place(from, -FACE * 1.15),
-            place(0.0, -FACE * 1.15),
-        ),
+        dimension(names::SETVAL, place(from, -FACE * 1.15), place(0.0, -FACE * 1.15)),
     ]
 }
 
@@ -137,11 +100,7 @@ fn groove(inputs: &Inputs) -> Vec<PictureShape> {
     let mut shapes = walls_and_base(inputs);
     shapes.extend(axes(inputs, turned));
     for touch in &touches {
-        let face = if walls {
-            [[BASE, touch.at[1]], [OPEN, touch.at[1]]]
-        } else {
-            [[BASE, -HALF], [BASE, HALF]]
-        };
+        let face = if walls { [[BASE, touch.at[1]], [OPEN, touch.at[1]]] } else { [[BASE, -HALF], [BASE, HALF]] };
         shapes.extend(figures::bands(inputs, BANDS, face, touch.out));
         shapes.extend(touched(touch, path));
     }
@@ -163,19 +122,11 @@ fn groove(inputs: &Inputs) -> Vec<PictureShape> {
 
 /// What is touched: both walls, plus first, or one of them; or the base.
 fn touches(inputs: &Inputs, walls: bool, two: bool) -> Vec<Touch> {
-    let wall = |number, side: f64| Touch {
-        at: [DEEP, side * HALF],
-        out: [0.0, -side],
-        number,
-    };
+    let wall = |number, side: f64| Touch { at: [DEEP, side * HALF], out: [0.0, -side], number };
     match (walls, two) {
         (true, true) => vec![wall(1, 1.0), wall(2, -1.0)],
         (true, false) => vec![wall(1, direction(inputs))],
-        (false, _) => vec![Touch {
-            at: [BASE, 0.0],
-            out: [1.0, 0.0],
-            number: 1,
-        }],
+        (false, _) => vec![Touch { at: [BASE, 0.0], out: [1.0, 0.0], number: 1 }],
     }
 }
 

@@ -27,11 +27,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
 fn surface(inputs: &Inputs, control: &Control, away: f64) -> Proposal {
     let index = (inputs.integer(names::MA).clamp(1, 3) - 1) as usize;
     let set = inputs.number(names::SETVAL) / measure::per(control, inputs);
-    let side = if inputs.integer(names::MD) == 0 {
-        -1.0
-    } else {
-        1.0
-    };
+    let side = if inputs.integer(names::MD) == 0 { -1.0 } else { 1.0 };
     let (part, start) = place::touched(control, control.plane.axes()[index], set, side, away);
     Proposal {
         fixture: place::chuck(&part).into_iter().collect(),
@@ -49,11 +45,7 @@ fn groove(inputs: &Inputs, control: &Control, away: f64) -> Option<Proposal> {
     if found.width() <= 0.0 {
         return None;
     }
-    let depth = if found.depth > 0.0 {
-        found.depth
-    } else {
-        DEPTH
-    };
+    let depth = if found.depth > 0.0 { found.depth } else { DEPTH };
     let mut machine = control.clone();
     machine.take_frames();
     let axes = control.plane.axes();
@@ -70,9 +62,7 @@ fn groove(inputs: &Inputs, control: &Control, away: f64) -> Option<Proposal> {
     let shape = found.shape(depth);
     let groove = place::standing(&machine, shape, at, unit(walls), unit(base));
     Some(Proposal {
-        workpiece: Workpiece {
-            solids: vec![groove],
-        },
+        workpiece: Workpiece { solids: vec![groove] },
         start: control.to_workpiece(start),
         ..Proposal::default()
     })

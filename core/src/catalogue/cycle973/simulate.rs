@@ -29,12 +29,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
 /// What finds the data of the probe.
 type Find = fn(&mut dyn Machine, &Inputs, &Block) -> Result<Calibration, Stop>;
 
-fn calibrate(
-    machine: &mut dyn Machine,
-    inputs: &Inputs,
-    block: &Block,
-    find: Find,
-) -> Result<(), Stop> {
+fn calibrate(machine: &mut dyn Machine, inputs: &Inputs, block: &Block, find: Find) -> Result<(), Stop> {
     for repetition in 0.. {
         let found = find(machine, inputs, block)?;
         if store(machine, inputs, &found, repetition)? == Next::Done {
@@ -65,22 +60,12 @@ fn surface(machine: &mut dyn Machine, inputs: &Inputs, block: &Block) -> Result<
 }
 
 fn touch(machine: &mut dyn Machine, block: &Block, point: &Point) -> Result<Trigger, Stop> {
-    Ok(Trigger {
-        axis: point.axis,
-        sign: point.direction,
-        value: block.latch(machine, point)? - point.set,
-    })
+    Ok(Trigger { axis: point.axis, sign: point.direction, value: block.latch(machine, point)? - point.set })
 }
 
 /// Trigger values alone.
 fn found(triggers: Vec<Trigger>) -> Calibration {
-    Calibration {
-        triggers,
-        ball: None,
-        skew: [None; 2],
-        centre: None,
-        length: None,
-    }
+    Calibration { triggers, ball: None, skew: [None; 2], centre: None, length: None }
 }
 
 /// One or both directions of an axis in the groove (B:10205-10260).
@@ -108,9 +93,7 @@ fn groove(machine: &mut dyn Machine, inputs: &Inputs, block: &Block) -> Result<C
     if let [plus, minus] = found.triggers[..] {
         found.ball = BALL.holds(inputs).then_some(minus.value - plus.value);
         // the ball stands beside where it is believed by what both trigger values share
-        found.skew[axis] = SKEW
-            .holds(inputs)
-            .then_some(-(minus.value + plus.value) / 2.0);
+        found.skew[axis] = SKEW.holds(inputs).then_some(-(minus.value + plus.value) / 2.0);
     }
     Ok(found)
 }

@@ -14,7 +14,8 @@ use proptest::prelude::*;
 
 const PLANES: [Plane; 3] = [Plane::G17, Plane::G18, Plane::G19];
 const TWO: [f64; 4] = [2013.0, 2113.0, 12_013.0, 12_113.0];
-/// Walls and base of both grooves: their ball centres for a ball of 3 mm touch at 57.123 and 53.054, at 37.118 and 33.047.
+/// Walls and base of both grooves: their ball centres for a ball of 3 mm touch at 57.123 and 53.054, at 37.118 and
+/// 33.047.
 const WALLS: [[f64; 2]; 2] = [[60.123, 50.054], [40.118, 30.047]];
 const BASES: [f64; 2] = [15.021, 20.015];
 
@@ -51,7 +52,8 @@ proptest! {
     // where it is believed, and switches late)
     #[test]
     fn trigger_values_ball_and_skew_are_found(
-        radius in 2.9..3.1_f64, skew in prop::array::uniform2(-0.3..0.3_f64), late in 0.0..0.05_f64, variant in 0..4_usize,
+        radius in 2.9..3.1_f64, skew in prop::array::uniform2(-0.3..0.3_f64), late in 0.0..0.05_f64,
+        variant in 0..4_usize,
     ) {
         for plane in PLANES {
             for tip in [7, 8] {
@@ -78,7 +80,8 @@ proptest! {
 
     // oracle: hand, as above
     #[test]
-    fn one_direction_is_found(skew in prop::array::uniform2(-0.3..0.3_f64), late in 0.0..0.05_f64, short in any::<bool>()) {
+    fn one_direction_is_found(skew in prop::array::uniform2(-0.3..0.3_f64), late in 0.0..0.05_f64,
+    short in any::<bool>()) {
         let variant = if short { 13.0 } else { 1013.0 };
         for plane in PLANES {
             for tip in [7, 8] {
@@ -165,15 +168,8 @@ fn the_way_leads_over_the_middle_into_the_groove() {
                 (Measuring, place(minus + 3.0, height), MEASURING_FEED),
                 (Retract, place(minus + 6.0, height), PLANE_FEED),
             ];
-            same(
-                &motions(&sim, plane, [0.0; 3]),
-                &expected,
-                &format!("{plane:?} {tip}"),
-            );
-            let one = call(
-                plane,
-                &[("_MVAR", 13.0), ("_MA", base as f64 + 1.0), ("_MD", 1.0)],
-            );
+            same(&motions(&sim, plane, [0.0; 3]), &expected, &format!("{plane:?} {tip}"));
+            let one = call(plane, &[("_MVAR", 13.0), ("_MA", base as f64 + 1.0), ("_MD", 1.0)]);
             let mut sim = Sim::new(&setup);
             assert_eq!(run(&mut sim, &one), Ok(()));
             let bottom = BASES[index];
@@ -183,11 +179,7 @@ fn the_way_leads_over_the_middle_into_the_groove() {
                 (Measuring, place(middle, bottom + 3.0), MEASURING_FEED),
                 (Retract, place(middle, bottom + 6.0), PLANE_FEED),
             ];
-            same(
-                &motions(&sim, plane, [0.0; 3]),
-                &expected,
-                &format!("{plane:?} {tip} base"),
-            );
+            same(&motions(&sim, plane, [0.0; 3]), &expected, &format!("{plane:?} {tip} base"));
         }
     }
 }
@@ -216,9 +208,7 @@ fn a_turned_surface_stands_in_its_chuck() {
         let mut all = vec![("_MD", 1.0), ("_SETVAL", 60.0)];
         all.extend(values);
         let call = call(Plane::G18, &all);
-        (call.cycle.work().unwrap().propose)(&call, &setup.control)
-            .fixture
-            .len()
+        (call.cycle.work().unwrap().propose)(&call, &setup.control).fixture.len()
     };
     assert_eq!(held(&[("_MVAR", 0.0), ("_MA", 2.0)]), 1);
     assert_eq!(held(&[("_MVAR", 0.0), ("_MA", 1.0)]), 1);
@@ -250,12 +240,7 @@ fn with_a_calibrated_probe_the_right_size_is_measured() {
     (setup.probe.skew, setup.probe.pre_travel.0) = ([0.1, -0.2], 0.03);
     let mut sim = Sim::new(&setup);
     assert_eq!(run(&mut sim, &calibrate), Ok(()));
-    let values = [
-        ("_MVAR", 0.0),
-        ("_MA", 2.0),
-        ("_SETVAL", 60.0),
-        ("_TSA", 3.0),
-    ];
+    let values = [("_MVAR", 0.0), ("_MA", 2.0), ("_SETVAL", 60.0), ("_TSA", 3.0)];
     let measure = inputs("CYCLE974", plane, &values);
     let mut part = crate::catalogue::lathe::testing::setup(plane, Transverse::Diameter);
     part.control = sim.control.clone();
@@ -275,9 +260,7 @@ fn an_inch_machine_finds_the_same() {
         setup.probe.skew = [0.0, 0.1];
         let mut sim = Sim::new(&setup);
         assert_eq!(run(&mut sim, &call), Ok(()));
-        let names = [
-            "_WP[0,0]", "_WP[0,3]", "_WP[0,4]", "_WP[0,8]", "_OVR[12]", "_OVR[21]",
-        ];
+        let names = ["_WP[0,0]", "_WP[0,3]", "_WP[0,4]", "_WP[0,8]", "_OVR[12]", "_OVR[21]"];
         names.map(|name| sim.control.number(name) * units.factor())
     };
     for (metric, inch) in found(Units::Metric).iter().zip(found(Units::Inch)) {
@@ -295,25 +278,13 @@ fn what_cannot_be_calibrated_is_refused() {
         let mut sim = Sim::new(&setup);
         sim.control.edge_of_mut(9, 1).unwrap().tip = tip;
         let outcome = run(&mut sim, &call(plane, values));
-        assert_eq!(
-            sim.control.active, setup.control.active,
-            "the frames are back"
-        );
+        assert_eq!(sim.control.active, setup.control.active, "the frames are back");
         stopped(outcome)
     };
     assert_eq!(refused(&[("_MVAR", 2013.0), ("_MA", 2.0)], 5), 61315);
     assert_eq!(refused(&[("_MVAR", 2013.0), ("_MA", 3.0)], 7), 61325);
     assert_eq!(refused(&[("_MVAR", 2013.0), ("_MA", 1.0)], 7), 61326);
-    assert_eq!(
-        refused(&[("_MVAR", 13.0), ("_MA", 1.0), ("_MD", 0.0)], 7),
-        61326
-    );
-    assert_eq!(
-        refused(&[("_MVAR", 13.0), ("_MA", 2.0), ("_MD", 2.0)], 7),
-        61326
-    );
-    assert_eq!(
-        refused(&[("_MVAR", 2013.0), ("_MA", 2.0), ("_CALNUM", 4.0)], 7),
-        61333
-    );
+    assert_eq!(refused(&[("_MVAR", 13.0), ("_MA", 1.0), ("_MD", 0.0)], 7), 61326);
+    assert_eq!(refused(&[("_MVAR", 13.0), ("_MA", 2.0), ("_MD", 2.0)], 7), 61326);
+    assert_eq!(refused(&[("_MVAR", 2013.0), ("_MA", 2.0), ("_CALNUM", 4.0)], 7), 61333);
 }

@@ -16,22 +16,14 @@ const WARNING: Severity = Severity::Warning;
 
 /// The groove of the manual's example (B:10281) and one for a probe with position 8 of the same width.
 fn grooves(control: &mut Control) {
-    for (index, value) in [60.123, 50.054, 15.021, 40.0, 29.931, 25.0, 20.0]
-        .iter()
-        .enumerate()
-    {
+    for (index, value) in [60.123, 50.054, 15.021, 40.0, 29.931, 25.0, 20.0].iter().enumerate() {
         control.set(format!("_KB[0,{index}]"), *value);
     }
 }
 
 /// A call in the groove.
 fn groove<'a>(variant: &'a str, axis: &'a str, direction: &'a str) -> [(&'a str, &'a str); 4] {
-    [
-        ("_MVAR", variant),
-        ("_MA", axis),
-        ("_MD", direction),
-        ("_CALNUM", "1"),
-    ]
+    [("_MVAR", variant), ("_MA", axis), ("_MD", direction), ("_CALNUM", "1")]
 }
 
 #[test]
@@ -48,10 +40,7 @@ fn a_surface_and_its_mistakes() {
         (&[("_MA", "2"), ("_MD", "0")], None),
         (&[("_MA", "4")], Some((ERROR, alarm(61325), "_MA"))),
         (&[("_TZL", "1")], Some((ERROR, own(40), "_TZL"))),
-        (
-            &[("_PRNUM", "4"), ("_TSA", "4")],
-            Some((ERROR, alarm(61313), "_PRNUM")),
-        ),
+        (&[("_PRNUM", "4"), ("_TSA", "4")], Some((ERROR, alarm(61313), "_PRNUM"))),
     ] {
         let found = found(&CYCLE973, changes, |_| ());
         assert_eq!(found, Vec::from_iter(wanted), "{changes:?}");
@@ -60,51 +49,23 @@ fn a_surface_and_its_mistakes() {
 
 #[test]
 fn a_groove_and_its_mistakes() {
-    // oracle: manual B:10145, B:10237-10255, B:13473-13482 (base in minus direction only), A:15856-15876 for the alarms;
-    // hand: 10.069 mm wide, ball 6 mm, so 4.069 mm of way
+    // oracle: manual B:10145, B:10237-10255, B:13473-13482 (base in minus direction only), A:15856-15876 for the
+    // alarms; hand: 10.069 mm wide, ball 6 mm, so 4.069 mm of way
     let (alarm, own) = (Code::Alarm, Code::Own);
     for (tip, changes, wanted) in [
         (7, groove("13", "1", "1"), None),
         (7, groove("1013", "2", "0"), None),
         (7, groove("2013", "2", ""), None),
         (7, groove("12113", "2", ""), None),
-        (
-            7,
-            groove("2013", "1", ""),
-            Some((ERROR, alarm(61326), "_MA")),
-        ),
-        (
-            7,
-            groove("13", "1", "0"),
-            Some((ERROR, alarm(61326), "_MD")),
-        ),
+        (7, groove("2013", "1", ""), Some((ERROR, alarm(61326), "_MA"))),
+        (7, groove("13", "1", "0"), Some((ERROR, alarm(61326), "_MD"))),
         (8, groove("2113", "1", ""), None),
-        (
-            8,
-            groove("12013", "2", ""),
-            Some((ERROR, alarm(61326), "_MA")),
-        ),
-        (
-            8,
-            groove("1013", "2", "0"),
-            Some((ERROR, alarm(61326), "_MD")),
-        ),
-        (
-            7,
-            groove("2013", "3", ""),
-            Some((ERROR, alarm(61325), "_MA")),
-        ),
+        (8, groove("12013", "2", ""), Some((ERROR, alarm(61326), "_MA"))),
+        (8, groove("1013", "2", "0"), Some((ERROR, alarm(61326), "_MD"))),
+        (7, groove("2013", "3", ""), Some((ERROR, alarm(61325), "_MA"))),
         (7, groove("1013", "2", ""), Some((ERROR, own(1), "_MD"))),
-        (
-            5,
-            groove("13", "1", "1"),
-            Some((ERROR, alarm(61315), "_PRNUM")),
-        ),
-        (
-            3,
-            groove("13", "1", "1"),
-            Some((ERROR, alarm(61315), "_PRNUM")),
-        ),
+        (5, groove("13", "1", "1"), Some((ERROR, alarm(61315), "_PRNUM"))),
+        (3, groove("13", "1", "1"), Some((ERROR, alarm(61315), "_PRNUM"))),
     ] {
         let found = found(&CYCLE973, &changes, |control| {
             grooves(control);
@@ -113,10 +74,7 @@ fn a_groove_and_its_mistakes() {
         assert_eq!(found, Vec::from_iter(wanted), "{tip} {changes:?}");
     }
     let wide = [&groove("2013", "2", "")[..], &[("_FA", "4.07")]].concat();
-    assert_eq!(
-        found(&CYCLE973, &wide, grooves),
-        [(ERROR, alarm(61302), "_FA")]
-    );
+    assert_eq!(found(&CYCLE973, &wide, grooves), [(ERROR, alarm(61302), "_FA")]);
 }
 
 #[test]
@@ -130,41 +88,25 @@ fn the_data_of_the_groove_are_looked_at() {
     };
     let at = |severity, code| vec![(severity, code, "_CALNUM")];
     assert_eq!(with(|_| ()), []);
-    let empty =
-        |control: &mut Control| (0..3).for_each(|i| control.set(format!("_KB[0,{i}]"), 0.0));
+    let empty = |control: &mut Control| (0..3).for_each(|i| control.set(format!("_KB[0,{i}]"), 0.0));
     assert_eq!(with(empty), at(WARNING, Code::Own(43)));
-    assert_eq!(
-        with(|control| control.set("_KB[0,0]", 50.0)),
-        at(ERROR, Code::Own(44))
-    );
-    assert_eq!(
-        with(|control| control.set("_KB[0,0]", 56.0)),
-        at(ERROR, Code::Own(30))
-    );
-    assert_eq!(
-        with(|control| control.set("_CVAL[2]", 0.0)),
-        at(ERROR, Code::Alarm(61333))
-    );
+    assert_eq!(with(|control| control.set("_KB[0,0]", 50.0)), at(ERROR, Code::Own(44)));
+    assert_eq!(with(|control| control.set("_KB[0,0]", 56.0)), at(ERROR, Code::Own(30)));
+    assert_eq!(with(|control| control.set("_CVAL[2]", 0.0)), at(ERROR, Code::Alarm(61333)));
 }
 
 #[test]
 fn the_first_calibration_needs_a_wide_safe_area() {
     // oracle: manual B:10360
-    let erase =
-        |control: &mut Control| (0..7).for_each(|i| control.set(format!("_WP[0,{i}]"), 0.0));
-    assert_eq!(
-        found(&CYCLE973, &[], erase),
-        [(ERROR, Code::Alarm(61303), "_TSA")]
-    );
+    let erase = |control: &mut Control| (0..7).for_each(|i| control.set(format!("_WP[0,{i}]"), 0.0));
+    assert_eq!(found(&CYCLE973, &[], erase), [(ERROR, Code::Alarm(61303), "_TSA")]);
     assert_eq!(found(&CYCLE973, &[("_TSA", "3.1")], erase), []);
 }
 
 /// Indices of the trigger values and skews that a call leaves.
 fn triggers(variant: i64, axis: f64, direction: f64) -> Vec<usize> {
     let mut inputs = Inputs::new(&CYCLE973, variant);
-    inputs
-        .numbers
-        .extend([(names::MA, axis), (names::MD, direction)]);
+    inputs.numbers.extend([(names::MA, axis), (names::MD, direction)]);
     let set = |index: &usize| {
         let name = format!("_OVR[{index}]");
         let mut fields = CYCLE973.results.iter();
@@ -194,23 +136,14 @@ fn surface_and_groove_have_calls_of_their_own() {
     };
     assert_eq!(text(&[]), "CYCLE_CAL_PROBE(973,-18,1,1,1,0)");
     assert_eq!(text(&groove("12113", "2", "")), "CYCLE_973(,1,2,1,2,,1,1)");
-    assert_eq!(
-        text(&groove("13", "1", "1")),
-        "",
-        "the call has no such selection"
-    );
+    assert_eq!(text(&groove("13", "1", "1")), "", "the call has no such selection");
 }
 
 #[test]
 fn both_directions_of_the_abscissa_are_drawn_in_the_other_groove() {
     // oracle: manual B:13473-13482
     let tips = |axis| {
-        let picture = draw(
-            &CYCLE973,
-            &call(&CYCLE973, &groove("2013", axis, "")),
-            &lathe(),
-        )
-        .unwrap();
+        let picture = draw(&CYCLE973, &call(&CYCLE973, &groove("2013", axis, "")), &lathe()).unwrap();
         let mut texts = picture.shapes.into_iter().filter_map(|shape| shape.text);
         texts.find(|text| text.starts_with("SL"))
     };

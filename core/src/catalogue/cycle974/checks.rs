@@ -13,10 +13,6 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     // the cycle turns the part between its two measurements (B:10784, A:15916)
     if REVERSAL.holds(inputs) && !control.spindle_positions {
         let message = Message::new("check-reversal-part");
-        found.push(
-            error(Code::Alarm(61372), message)
-                .hint(Message::new("check-reversal-part-hint"))
-                .at(names::MVAR),
-        );
+        found.push(error(Code::Alarm(61372), message).hint(Message::new("check-reversal-part-hint")).at(names::MVAR));
     }
 }

@@ -16,27 +16,13 @@ mod tests;
 pub use results::RESULTS;
 
 use crate::catalogue::sinumerik;
-use crate::catalogue::{
-    Cycle, Dialect, Drawing, Help, Purpose, Simulation, Variant, Work, common, lathe,
-};
+use crate::catalogue::{Cycle, Dialect, Drawing, Help, Purpose, Simulation, Variant, Work, common, lathe};
 
 /// Measuring variants (B:10455-10459).
 pub const VARIANTS: &[Variant] = &[
-    Variant {
-        number: 0,
-        key: "cycle974-tool",
-        source: "B:10457;B:10621;A:11674",
-    },
-    Variant {
-        number: 100,
-        key: "cycle974-zero",
-        source: "B:10458;B:10539;A:11675",
-    },
-    Variant {
-        number: 1000,
-        key: "cycle974-reversal",
-        source: "B:10459;B:10794;A:11676",
-    },
+    Variant { number: 0, key: "cycle974-tool", source: "B:10457;B:10621;A:11674" },
+    Variant { number: 100, key: "cycle974-zero", source: "B:10458;B:10539;A:11675" },
+    Variant { number: 1000, key: "cycle974-reversal", source: "B:10459;B:10794;A:11676" },
 ];
 
 /// The entry. Example: the outside diameter of B:10661-10720.
@@ -73,7 +59,8 @@ pub static CYCLE974: Cycle = Cycle {
         common::CORRECTION,
         common::TOLERANCE,
         lathe::ALARMS,
-        // A:15868, A:15882; 61401 as in the other cycles (A:15920); 61412 for _KNUM = 1000 without a basic frame (A:15931)
+        // A:15868, A:15882; 61401 as in the other cycles (A:15920); 61412 for _KNUM = 1000 without a basic frame
+        // (A:15931)
         &common::alarms([61327, 61341, 61401, 61412]),
     ],
     checks: checks::checks,
@@ -107,10 +94,7 @@ pub static CYCLE974: Cycle = Cycle {
         ("_TDIF", "0.04"),
     ],
     simulation: Some(Simulation::new(
-        Work {
-            propose: propose::propose,
-            simulate: simulate::simulate,
-        },
+        Work { propose: propose::propose, simulate: simulate::simulate },
         &[(params::REVERSAL, &[("_STA1", "0")])],
     )),
     source: "B:10409-10872",

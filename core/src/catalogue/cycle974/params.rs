@@ -5,11 +5,7 @@ use crate::catalogue::lathe::params as lathe;
 use crate::catalogue::{DigitGroup, Kind, Param, Range, When, names};
 
 /// At two places of the turned part, 180 degree apart.
-pub const REVERSAL: When = When::Digit {
-    param: names::MVAR,
-    place: 1000,
-    is: &[1],
-};
+pub const REVERSAL: When = When::Digit { param: names::MVAR, place: 1000, is: &[1] };
 
 const MVAR_DIGITS: &[DigitGroup] = &[
     DigitGroup {
@@ -28,24 +24,14 @@ const MVAR_DIGITS: &[DigitGroup] = &[
 
 /// In the order in which the snippet writes them.
 pub const PARAMS: &[Param] = &[
-    Param {
-        kind: Kind::Variant(MVAR_DIGITS),
-        source: "B:10455-10459",
-        ..common::MVAR
-    },
+    Param { kind: Kind::Variant(MVAR_DIGITS), source: "B:10455-10459", ..common::MVAR },
     Param {
         needs: common::ALWAYS_REQUIRED,
-        labels: &[
-            (lathe::DIAMETER, "setval-turned-diameter"),
-            (When::Always, "setval-turned-position"),
-        ],
+        labels: &[(lathe::DIAMETER, "setval-turned-diameter"), (When::Always, "setval-turned-position")],
         source: "B:10540;B:10622-10623;B:10795-10796",
         ..common::SETVAL
     },
-    Param {
-        source: "B:10541;B:10545",
-        ..lathe::MA
-    },
+    Param { source: "B:10541;B:10545", ..lathe::MA },
     Param {
         range: Range::closed(0.0, 360.0),
         usual: Range::ANY,
@@ -54,74 +40,21 @@ pub const PARAMS: &[Param] = &[
         source: "B:10784;B:10798;B:15561",
         ..common::STA1
     },
-    Param {
-        source: "B:10542-10544;B:10625-10627",
-        ..lathe::KNUM
-    },
-    Param {
-        source: "B:10628",
-        ..lathe::TNUM
-    },
-    Param {
-        source: "B:10629-10630",
-        ..lathe::TNAME
-    },
-    Param {
-        source: "B:10631-10632",
-        ..lathe::DLNUM
-    },
-    Param {
-        source: "B:10633",
-        ..lathe::TENV
-    },
-    Param {
-        source: "B:10547;B:15555",
-        ..common::PRNUM
-    },
-    Param {
-        labels: &[(When::Always, "fa-lathe")],
-        source: "B:10547;B:15541",
-        ..common::FA
-    },
-    Param {
-        labels: &[(When::Always, "tsa-position")],
-        source: "B:10547;B:10740",
-        ..common::TSA
-    },
-    Param {
-        source: "B:10547;B:10567-10571",
-        ..common::VMS
-    },
-    Param {
-        source: "B:10547;B:15554",
-        ..common::NMSP
-    },
-    Param {
-        source: "B:10547;B:15538-15539",
-        ..lathe::EVNUM
-    },
-    Param {
-        source: "B:10639;B:15544",
-        ..lathe::K
-    },
-    Param {
-        source: "B:10639;B:15575",
-        ..lathe::TZL
-    },
-    Param {
-        source: "B:10639;A:16405",
-        ..lathe::TMV
-    },
-    Param {
-        source: "B:10639;A:16406",
-        ..lathe::TUL
-    },
-    Param {
-        source: "B:10639;A:16407",
-        ..lathe::TLL
-    },
-    Param {
-        source: "B:10639;B:15568",
-        ..lathe::TDIF
-    },
+    Param { source: "B:10542-10544;B:10625-10627", ..lathe::KNUM },
+    Param { source: "B:10628", ..lathe::TNUM },
+    Param { source: "B:10629-10630", ..lathe::TNAME },
+    Param { source: "B:10631-10632", ..lathe::DLNUM },
+    Param { source: "B:10633", ..lathe::TENV },
+    Param { source: "B:10547;B:15555", ..common::PRNUM },
+    Param { labels: &[(When::Always, "fa-lathe")], source: "B:10547;B:15541", ..common::FA },
+    Param { labels: &[(When::Always, "tsa-position")], source: "B:10547;B:10740", ..common::TSA },
+    Param { source: "B:10547;B:10567-10571", ..common::VMS },
+    Param { source: "B:10547;B:15554", ..common::NMSP },
+    Param { source: "B:10547;B:15538-15539", ..lathe::EVNUM },
+    Param { source: "B:10639;B:15544", ..lathe::K },
+    Param { source: "B:10639;B:15575", ..lathe::TZL },
+    Param { source: "B:10639;A:16405", ..lathe::TMV },
+    Param { source: "B:10639;A:16406", ..lathe::TUL },
+    Param { source: "B:10639;A:16407", ..lathe::TLL },
+    Param { source: "B:10639;B:15568", ..lathe::TDIF },
 ];

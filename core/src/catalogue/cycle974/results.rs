@@ -1,5 +1,5 @@
-//! What CYCLE974 leaves in the result arrays (B:10461-10505). The unit of `_OVR[]` is not defined by the manual; here the
-//! active unit counts.
+//! What CYCLE974 leaves in the result arrays (B:10461-10505). The unit of `_OVR[]` is not defined by the manual; here
+//! the active unit counts.
 
 use crate::catalogue::common::{integer, length};
 use crate::catalogue::lathe::params::{ABSCISSA, APPLICATE, ORDINATE, TOOL, ZERO};
@@ -17,45 +17,15 @@ pub const RESULTS: &[ResultField] = &[
     length("_OVR[7]", "result-actual-applicate", APPLICATE, "B:10474"),
     length("_OVR[8]", "result-upper", TOOL, "B:10475"),
     length("_OVR[12]", "result-lower", TOOL, "B:10476"),
-    length(
-        "_OVR[16]",
-        "result-difference-position",
-        When::Always,
-        "B:10477",
-    ),
-    length(
-        "_OVR[17]",
-        "result-difference-abscissa",
-        ABSCISSA,
-        "B:10478",
-    ),
-    length(
-        "_OVR[18]",
-        "result-difference-ordinate",
-        ORDINATE,
-        "B:10479",
-    ),
-    length(
-        "_OVR[19]",
-        "result-difference-applicate",
-        APPLICATE,
-        "B:10480",
-    ),
-    length(
-        "_OVR[20]",
-        "result-compensation-radius",
-        TOOL,
-        "B:10481;B:10505",
-    ),
+    length("_OVR[16]", "result-difference-position", When::Always, "B:10477"),
+    length("_OVR[17]", "result-difference-abscissa", ABSCISSA, "B:10478"),
+    length("_OVR[18]", "result-difference-ordinate", ORDINATE, "B:10479"),
+    length("_OVR[19]", "result-difference-applicate", APPLICATE, "B:10480"),
+    length("_OVR[20]", "result-compensation-radius", TOOL, "B:10481;B:10505"),
     length("_OVR[27]", "result-zero-offset-area", TOOL, "B:10482"),
     length("_OVR[28]", "result-safe-area", When::Always, "B:10483"),
     length("_OVR[29]", "result-dimensional-difference", TOOL, "B:10484"),
-    length(
-        "_OVR[30]",
-        "result-empirical-value",
-        When::Always,
-        "B:10485",
-    ),
+    length("_OVR[30]", "result-empirical-value", When::Always, "B:10485"),
     length("_OVR[31]", "result-mean-value", TOOL, "B:10486"),
     integer("_OVI[0]", "result-target", When::Always, "B:10487"),
     integer("_OVI[2]", "result-cycle", When::Always, "B:10488"),
@@ -63,12 +33,7 @@ pub const RESULTS: &[ResultField] = &[
     integer("_OVI[4]", "result-weighting", TOOL, "B:10489"),
     integer("_OVI[5]", "result-probe", When::Always, "B:10497"),
     integer("_OVI[6]", "result-mean-memory", TOOL, "B:10498"),
-    integer(
-        "_OVI[7]",
-        "result-empirical-memory",
-        When::Always,
-        "B:10499",
-    ),
+    integer("_OVI[7]", "result-empirical-memory", When::Always, "B:10499"),
     integer("_OVI[8]", "result-tool", When::Always, "B:10500"),
     integer("_OVI[9]", "result-alarm", When::Always, "B:10501"),
     integer("_OVI[11]", "result-zero-status", ZERO, "B:10502"),

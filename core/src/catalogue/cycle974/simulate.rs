@@ -49,12 +49,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
 }
 
 /// Mean of the same point with the part turned to `_STA1` and 180 degree further (B:10784).
-fn both_sides(
-    machine: &mut dyn Machine,
-    inputs: &Inputs,
-    block: &Block,
-    point: &Point,
-) -> Result<f64, Stop> {
+fn both_sides(machine: &mut dyn Machine, inputs: &Inputs, block: &Block, point: &Point) -> Result<f64, Stop> {
     let mut sum = 0.0;
     for further in [0.0, 180.0] {
         let angle = inputs.number(names::STA1) + further;

@@ -4,9 +4,7 @@
 
 use crate::catalogue::lathe::testing::{inputs, placed, setup};
 use crate::catalogue::sinumerik::motion_testing::{MEASURING_FEED, PLANE_FEED};
-use crate::catalogue::sinumerik::testing::{
-    self, Motion, called, close, motions, run, same, stopped,
-};
+use crate::catalogue::sinumerik::testing::{self, Motion, called, close, motions, run, same, stopped};
 use crate::check::Inputs;
 use crate::control::{Plane, Transverse, Units};
 use crate::run::machine::Sim;
@@ -19,11 +17,7 @@ const VARIANTS: [f64; 3] = [0.0, 100.0, 1000.0];
 
 /// A call in one axis (0 abscissa), with a setpoint.
 fn call(plane: Plane, variant: f64, axis: usize, set: f64) -> Inputs {
-    let values = [
-        ("_MVAR", variant),
-        ("_MA", axis as f64 + 1.0),
-        ("_SETVAL", set),
-    ];
+    let values = [("_MVAR", variant), ("_MA", axis as f64 + 1.0), ("_SETVAL", set)];
     inputs("CYCLE974", plane, &values)
 }
 
@@ -38,22 +32,16 @@ fn per(plane: Plane, transverse: Transverse, axis: usize) -> f64 {
 /// Motions of an outside diameter of 45 mm, `_FA` = 5, ball 3: from X 53 + 10 to the contact at 25.5 and back to 30.5,
 /// as radii in the ordinate.
 fn touch(feed: f64) -> Vec<Motion> {
-    vec![
-        (MotionKind::Measuring, [0.0, 25.5, 0.0], feed),
-        (MotionKind::Retract, [0.0, 30.5, 0.0], PLANE_FEED),
-    ]
+    vec![(MotionKind::Measuring, [0.0, 25.5, 0.0], feed), (MotionKind::Retract, [0.0, 30.5, 0.0], PLANE_FEED)]
 }
 
 #[test]
 fn only_the_measuring_axis_moves() {
     // oracle: manual B:10513-10523, B:10784, B:1111-1121, hand (figures)
     let plane = Plane::G18;
-    for (variant, repeats, turns) in [
-        (0.0, 1.0, &[][..]),
-        (0.0, 3.0, &[]),
-        (100.0, 1.0, &[]),
-        (1000.0, 2.0, &[30.0, 210.0]),
-    ] {
+    for (variant, repeats, turns) in
+        [(0.0, 1.0, &[][..]), (0.0, 3.0, &[]), (100.0, 1.0, &[]), (1000.0, 2.0, &[30.0, 210.0])]
+    {
         let mut call = call(plane, variant, 1, 45.0);
         call.numbers.extend([("_NMSP", repeats), ("_STA1", 30.0)]);
         let mut setup = placed(setup(plane, Transverse::Diameter), &call);
@@ -64,11 +52,7 @@ fn only_the_measuring_axis_moves() {
         let touches = repeats * turns.len().max(1) as f64;
         (0..touches as usize).for_each(|_| expected.extend(touch(MEASURING_FEED)));
         let origin = [0.0, 0.0, 250.0];
-        same(
-            &motions(&sim, plane, origin),
-            &expected,
-            &format!("{variant} {repeats}"),
-        );
+        same(&motions(&sim, plane, origin), &expected, &format!("{variant} {repeats}"));
         assert_eq!(testing::turns(&sim), turns);
     }
 }
@@ -106,7 +90,8 @@ proptest! {
     // oracle: hand (the part as it was made)
     #[test]
     fn the_dimension_is_found(
-        set in 12.0..80.0_f64, minus in any::<bool>(), shift in -0.5..0.5_f64, size in -0.5..0.5_f64, radius in any::<bool>(),
+        set in 12.0..80.0_f64, minus in any::<bool>(), shift in -0.5..0.5_f64, size in -0.5..0.5_f64,
+        radius in any::<bool>(),
     ) {
         let transverse = if radius { Transverse::Radius } else { Transverse::Diameter };
         for plane in PLANES {
@@ -141,11 +126,7 @@ fn a_corrected_tool_makes_the_next_part_right() {
             let geometry = plane.axes()[axis];
             for transverse in [Transverse::Diameter, Transverse::Radius] {
                 let case = (plane, transverse, 0.0, axis, 30.0);
-                let (shift, size) = if geometry == 2 {
-                    (0.3, 0.0)
-                } else {
-                    (0.0, 0.6)
-                };
+                let (shift, size) = if geometry == 2 { (0.3, 0.0) } else { (0.0, 0.6) };
                 let (sim, outcome) = measured(case, shift, size);
                 assert_eq!(outcome, Ok(()));
                 let longer = sim.control.variable(length).unwrap();
@@ -177,10 +158,7 @@ fn a_corrected_zero_offset_gives_the_setpoint() {
             let mut sim = Sim::new(&setup);
             assert_eq!(run(&mut sim, &call), Ok(()));
             let fine = ["X", "Y", "Z"][geometry];
-            let moved = sim
-                .control
-                .variable(&format!("$P_UIFR[1,{fine},FI]"))
-                .unwrap();
+            let moved = sim.control.variable(&format!("$P_UIFR[1,{fine},FI]")).unwrap();
             assert!((moved - 0.4).abs() < 1e-9, "{moved}");
             close(&sim, "_OVI[11]", 1.0);
             sim.control.activate(1);
@@ -280,8 +258,7 @@ fn what_cannot_be_measured_is_refused() {
     let tip = |setup: &mut Setup| setup.control.edge_of_mut(9, 1).unwrap().tip = 3;
     assert_eq!(refused(0.0, 2.0, tip), 61315);
     assert_eq!(refused(0.0, 4.0, |_| ()), 61325);
-    let empty =
-        |setup: &mut Setup| (3..5).for_each(|i| setup.control.set(format!("_WP[0,{i}]"), 0.0));
+    let empty = |setup: &mut Setup| (3..5).for_each(|i| setup.control.set(format!("_WP[0,{i}]"), 0.0));
     assert_eq!(refused(0.0, 2.0, empty), 61341);
     let fixed = |setup: &mut Setup| setup.control.spindle_positions = false;
     assert_eq!(refused(1000.0, 2.0, fixed), 61372);

@@ -22,10 +22,7 @@ fn mistakes_are_told() {
         (&[][..], None),
         (&[reversal, ("_STA1", "0")], None),
         (&[reversal], Some((ERROR, own(1), "_STA1"))),
-        (
-            &[reversal, ("_STA1", "361")],
-            Some((ERROR, own(5), "_STA1")),
-        ),
+        (&[reversal, ("_STA1", "361")], Some((ERROR, own(5), "_STA1"))),
         (&[("_MVAR", "10")], Some((ERROR, alarm(61307), "_MVAR"))),
         (&[("_MA", "4")], Some((ERROR, alarm(61325), "_MA"))),
         (&[("_PRNUM", "4")], Some((ERROR, alarm(61313), "_PRNUM"))),
@@ -57,16 +54,11 @@ fn probe_and_coordinate_system_have_to_suit() {
     assert_eq!(edge(710, 0), [(WARNING, Code::Alarm(61309), "_PRNUM")]);
     assert_eq!(edge(0, 0), [], "nothing is known about the tool");
     let turned = with(|control| {
-        control.program_frame = Frame {
-            rotation: [0.0, 10.0, 0.0],
-            ..Frame::default()
-        };
+        control.program_frame = Frame { rotation: [0.0, 10.0, 0.0], ..Frame::default() };
     });
     assert_eq!(turned, [(ERROR, Code::Alarm(61330), "")]);
     let reversal = [("_MVAR", "1000"), ("_STA1", "90")];
-    let fixed = found(&CYCLE974, &reversal, |control| {
-        control.spindle_positions = false
-    });
+    let fixed = found(&CYCLE974, &reversal, |control| control.spindle_positions = false);
     assert_eq!(fixed, [(ERROR, Code::Alarm(61372), "_MVAR")]);
 }
 
@@ -99,8 +91,7 @@ fn the_setpoint_is_a_diameter_across_the_axis_of_rotation() {
 #[test]
 fn the_picture_follows_axis_and_sign() {
     // oracle: self: another place is measured, so another picture is drawn
-    let picture =
-        |changes: &[(&str, &str)]| draw(&CYCLE974, &call(&CYCLE974, changes), &lathe()).unwrap();
+    let picture = |changes: &[(&str, &str)]| draw(&CYCLE974, &call(&CYCLE974, changes), &lathe()).unwrap();
     let pictures = [
         picture(&[]),
         picture(&[("_SETVAL", "-45")]),
@@ -127,38 +118,22 @@ fn the_probe_is_drawn_as_its_cutting_edge_position_says() {
     }
     // of position 7 the body lies to the right of the ball, of 8 above it
     let body = |picture: &Picture| {
-        let mut probe = picture
-            .shapes
-            .iter()
-            .filter(|shape| shape.kind == ShapeKind::Probe);
+        let mut probe = picture.shapes.iter().filter(|shape| shape.kind == ShapeKind::Probe);
         let body = probe.next_back().unwrap().points.iter();
-        body.fold([0.0; 2], |[x, y], point| {
-            [x + point[0] / 4.0, y + point[1] / 4.0]
-        })
+        body.fold([0.0; 2], |[x, y], point| [x + point[0] / 4.0, y + point[1] / 4.0])
     };
     let [_, _, seven, eight] = pictures.each_ref().map(body);
-    assert!(
-        seven[0] > eight[0] && eight[1] > seven[1],
-        "{seven:?} {eight:?}"
-    );
+    assert!(seven[0] > eight[0] && eight[1] > seven[1], "{seven:?} {eight:?}");
 }
 
 #[test]
 fn a_turned_part_is_held_by_a_chuck() {
     // oracle: hand: the part of 60 mm reaches 8 mm into the chuck, which stands out by 20 mm around it
     let setup = testing::setup(Plane::G18, Transverse::Diameter);
-    let inputs = testing::inputs(
-        "CYCLE974",
-        Plane::G18,
-        &[("_MVAR", 0.0), ("_MA", 2.0), ("_SETVAL", 45.0)],
-    );
+    let inputs = testing::inputs("CYCLE974", Plane::G18, &[("_MVAR", 0.0), ("_MA", 2.0), ("_SETVAL", 45.0)]);
     let proposal = (CYCLE974.work().unwrap().propose)(&inputs, &setup.control);
     let (part, chuck) = (&proposal.workpiece.solids[0], &proposal.fixture[0]);
     assert!((chuck.at[2] - (part.at[2] - 52.0)).abs() < 1e-9);
-    let size = Shape::Chuck {
-        diameter: 45.0 + 40.0,
-        length: 30.0,
-        grip: 45.0,
-    };
+    let size = Shape::Chuck { diameter: 45.0 + 40.0, length: 30.0, grip: 45.0 };
     assert_eq!(chuck.shape, size);
 }

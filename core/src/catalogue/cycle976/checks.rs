@@ -54,11 +54,8 @@ fn hole(inputs: &Inputs, control: &Control, ball: f64, found: &mut Vec<Diagnosti
 fn reversal(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     if !control.spindle_positions {
         let message = Message::new("check-reversal-spindle");
-        found.push(
-            error(Code::Alarm(61372), message)
-                .hint(Message::new("check-reversal-spindle-hint"))
-                .at(names::MVAR),
-        );
+        found
+            .push(error(Code::Alarm(61372), message).hint(Message::new("check-reversal-spindle-hint")).at(names::MVAR));
     }
     if !SKEW.holds(inputs) {
         found.push(own::SKEW_LOST.finding().at(names::MVAR));

@@ -36,29 +36,20 @@ pub fn directions(inputs: &Inputs) -> Vec<Direction> {
     };
     let both = |axis: &usize| {
         let axis = *axis;
-        signs
-            .iter()
-            .map(move |sign| Direction { axis, sign: *sign })
+        signs.iter().map(move |sign| Direction { axis, sign: *sign })
     };
     axes.iter().flat_map(both).collect()
 }
 
 /// Angle of the first axis of calibration from the abscissa, degree: `_STA1`, or 0 where it is paraxial.
 pub fn angle(inputs: &Inputs) -> f64 {
-    if ANGLE.holds(inputs) {
-        inputs.number(names::STA1)
-    } else {
-        0.0
-    }
+    if ANGLE.holds(inputs) { inputs.number(names::STA1) } else { 0.0 }
 }
 
 /// A vector from the axes of calibration, which are turned by `angle`, in abscissa and ordinate.
 pub fn in_plane([first, second]: [f64; 2], angle: f64) -> [f64; 2] {
     let (sine, cosine) = sin_cos(angle);
-    [
-        first * cosine - second * sine,
-        first * sine + second * cosine,
-    ]
+    [first * cosine - second * sine, first * sine + second * cosine]
 }
 
 /// A vector from abscissa and ordinate in the axes of calibration.

@@ -19,18 +19,10 @@ pub const LINES: &[HelpLine] = &[
     measures(LENGTH, "help-cycle976-measures-length", "B:5457-5501"),
     before(KNOWN, "help-cycle976-before-at-centre", "B:5198"),
     before(UNKNOWN, "help-cycle976-before-near-centre", "B:5311"),
-    before(
-        UNKNOWN,
-        "help-cycle976-before-spindle",
-        "B:5222-5234;B:5292-5296",
-    ),
+    before(UNKNOWN, "help-cycle976-before-spindle", "B:5222-5234;B:5292-5296"),
     before(SURFACE, "help-cycle976-before-opposite", "B:5449-5455"),
     before(LENGTH, "help-cycle976-before-within", "B:5589"),
-    before(
-        When::Always,
-        "help-cycle976-before-radius",
-        "B:5036-5060;B:5463-5501",
-    ),
+    before(When::Always, "help-cycle976-before-radius", "B:5036-5060;B:5463-5501"),
     order(ONE, "help-cycle976-order-one", "B:5120-5214"),
     order(TWO, "help-cycle976-order-two", "B:5120-5214"),
     order(FOUR, "help-cycle976-order-four", "B:5120-5214"),
@@ -47,11 +39,7 @@ pub const LINES: &[HelpLine] = &[
     corrects(LENGTH, "help-cycle976-corrects-length", "B:5457-5509"),
     wrong(KNOWN, "help-cycle976-wrong-off-centre", "B:5120-5214"),
     wrong(HOLE, "help-cycle976-wrong-diameter", "B:5120-5214"),
-    wrong(
-        When::Any(&[SURFACE, LENGTH]),
-        "help-cycle976-wrong-position",
-        "B:5342-5369",
-    ),
+    wrong(When::Any(&[SURFACE, LENGTH]), "help-cycle976-wrong-position", "B:5342-5369"),
     wrong(APPROACHES, "help-wrong-reach", "B:13999-14001"),
     wrong(APPROACHES, "help-wrong-in-the-way", "B:13743-13763"),
 ];

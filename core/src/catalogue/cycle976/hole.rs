@@ -49,11 +49,8 @@ pub fn measure(
         directions: directions(inputs),
         inputs,
     };
-    let (touches, centre) = if UNKNOWN.holds(inputs) {
-        hole.reversed(machine)?
-    } else {
-        (hole.run(machine, [0.0; 2])?, [0.0; 2])
-    };
+    let (touches, centre) =
+        if UNKNOWN.holds(inputs) { hole.reversed(machine)? } else { (hole.run(machine, [0.0; 2])?, [0.0; 2]) };
     hole.block.travel(machine, hole.position(centre))?;
     Ok(hole.evaluate(machine, &touches, centre))
 }
@@ -70,16 +67,13 @@ impl Hole<'_> {
 
     /// A position in the plane, abscissa and ordinate, as a place.
     fn place(&self, [abscissa, ordinate]: [f64; 2]) -> [f64; 2] {
-        let from_start = [
-            abscissa - self.start[self.block.axes[0]],
-            ordinate - self.start[self.block.axes[1]],
-        ];
+        let from_start = [abscissa - self.start[self.block.axes[0]], ordinate - self.start[self.block.axes[1]]];
         turned(from_start, self.angle)
     }
 
-    /// Both runs, the first with the spindle turned by 180°: the touches of the second, and the centre of the hole, which
-    /// lies between those of the runs (B:5326-5332). A mono probe follows the directions in both, and the second, which
-    /// begins nearer to the centre, counts.
+    /// Both runs, the first with the spindle turned by 180°: the touches of the second, and the centre of the hole,
+    /// which lies between those of the runs (B:5326-5332). A mono probe follows the directions in both, and the second,
+    /// which begins nearer to the centre, counts.
     fn reversed(&self, machine: &mut dyn Machine) -> Result<(Vec<Touch>, [f64; 2]), Stop> {
         let usual = machine.control().spindle;
         let reversed = self.block.reverse(machine, usual + 180.0);
@@ -110,12 +104,7 @@ impl Hole<'_> {
     }
 
     /// One direction on the line through a place.
-    fn touch(
-        &self,
-        machine: &mut dyn Machine,
-        direction: Direction,
-        centre: [f64; 2],
-    ) -> Result<Touch, Stop> {
+    fn touch(&self, machine: &mut dyn Machine, direction: Direction, centre: [f64; 2]) -> Result<Touch, Stop> {
         let mut wall = centre;
         wall[direction.axis] += direction.sign * self.size / 2.0;
         let wall = self.position(wall);
@@ -126,11 +115,7 @@ impl Hole<'_> {
         };
         let latched = self.block.latch_along(machine, &ray)?;
         let place = self.place(latched);
-        Ok(Touch {
-            direction,
-            along: place[direction.axis],
-            across: place[1 - direction.axis],
-        })
+        Ok(Touch { direction, along: place[direction.axis], across: place[1 - direction.axis] })
     }
 
     /// Where the spindle stands when the ball is in the middle of a hole about the start; by the stored skew in an axis
@@ -151,17 +136,9 @@ impl Hole<'_> {
         middle
     }
 
-    fn evaluate(
-        &self,
-        machine: &mut dyn Machine,
-        touches: &[Touch],
-        centre: [f64; 2],
-    ) -> Calibration {
+    fn evaluate(&self, machine: &mut dyn Machine, touches: &[Touch], centre: [f64; 2]) -> Calibration {
         let middle = self.middle(touches);
-        let triggers: Vec<Trigger> = touches
-            .iter()
-            .map(|touch| self.trigger(touch, middle, centre))
-            .collect();
+        let triggers: Vec<Trigger> = touches.iter().map(|touch| self.trigger(touch, middle, centre)).collect();
         let [x, y, _] = self.block.axes;
         let position = self.position(centre);
         Calibration {
@@ -174,9 +151,7 @@ impl Hole<'_> {
                 }
                 false => [None; 2],
             },
-            centre: UNKNOWN
-                .holds(self.inputs)
-                .then(|| [position[x], position[y]]),
+            centre: UNKNOWN.holds(self.inputs).then(|| [position[x], position[y]]),
             triggers,
             length: None,
         }
@@ -187,11 +162,7 @@ impl Hole<'_> {
         let Direction { axis, sign } = touch.direction;
         let aside = touch.across - middle[1 - axis];
         let reach = (touch.along - middle[axis]).hypot(aside);
-        Trigger {
-            axis,
-            sign,
-            value: middle[axis] - centre[axis] + sign * (reach - self.size / 2.0),
-        }
+        Trigger { axis, sign, value: middle[axis] - centre[axis] + sign * (reach - self.size / 2.0) }
     }
 
     /// Skew in abscissa and ordinate: as found in the axes that were touched from both sides, else as stored.
@@ -206,9 +177,6 @@ impl Hole<'_> {
 
 /// Mean of the diameters that the touched axes give.
 fn diameter(triggers: &[Trigger]) -> f64 {
-    let sum: f64 = triggers
-        .iter()
-        .map(|trigger| -trigger.sign * trigger.value)
-        .sum();
+    let sum: f64 = triggers.iter().map(|trigger| -trigger.sign * trigger.value).sum();
     2.0 * sum / triggers.len().max(1) as f64
 }

@@ -35,11 +35,7 @@ pub static CYCLE976: Cycle = Cycle {
     key: "cycle976",
     variants: VARIANTS,
     params: params::PARAMS,
-    purpose: Purpose {
-        calibrates: When::Always,
-        tasks: tasks::TASKS,
-        ..Purpose::MILLING
-    },
+    purpose: Purpose { calibrates: When::Always, tasks: tasks::TASKS, ..Purpose::MILLING },
     lists: lists::LISTS,
     // B:5471-5472, B:13656
     settings: &["_CBIT[14]", "_CBIT[15]"],
@@ -63,10 +59,7 @@ pub static CYCLE976: Cycle = Cycle {
         ("_TZL", "0"),
     ],
     simulation: Some(Simulation::new(
-        Work {
-            propose: propose::propose,
-            simulate: simulate::simulate,
-        },
+        Work { propose: propose::propose, simulate: simulate::simulate },
         variants::EXAMPLES,
     )),
     source: "B:5029-5593",

@@ -54,8 +54,7 @@ fn every_hole_is_touched_as_its_table_says() {
         for variant in VARIANTS {
             for (axis, direction) in [(1.0, 0.0), (1.0, 1.0), (2.0, 0.0), (2.0, 1.0)] {
                 let inputs = inputs(variant.number, axis, direction);
-                let counts =
-                    ONE.holds(&inputs) || direction == 0.0 && (TWO.holds(&inputs) || axis == 1.0);
+                let counts = ONE.holds(&inputs) || direction == 0.0 && (TWO.holds(&inputs) || axis == 1.0);
                 if !HOLE.holds(&inputs) || !counts {
                     continue;
                 }
@@ -74,7 +73,8 @@ fn every_hole_is_touched_as_its_table_says() {
     }
 }
 
-// oracle: manual B:864-871, B:13624-13626, B:5292-5296 (a mono probe looks along each direction, and is not turned over)
+// oracle: manual B:864-871, B:13624-13626, B:5292-5296 (a mono probe looks along each direction, and is not turned
+// over)
 #[test]
 fn a_mono_probe_is_turned_into_each_direction() {
     for (variant, expected) in [
@@ -114,10 +114,7 @@ fn a_surface_is_touched_once() {
                 };
                 let feed = if axis == 3 { DEPTH_FEED } else { PLANE_FEED };
                 let mut expected = match with_length {
-                    true => vec![
-                        (Measuring, at(5.0), MEASURING_FEED),
-                        (Retract, at(0.0), feed),
-                    ],
+                    true => vec![(Measuring, at(5.0), MEASURING_FEED), (Retract, at(0.0), feed)],
                     false => vec![
                         (Positioning, at(5.0), feed),
                         (Measuring, at(10.0), MEASURING_FEED),
@@ -143,11 +140,7 @@ fn measurements_at_the_same_place_start_anew() {
     let expected = "x22 [27] x22 [27] x22 [27] x0";
     let repeated = expand(expected, 0.0);
     // going to where the probe stands already is no motion
-    let all: Vec<Motion> = repeated
-        .iter()
-        .enumerate()
-        .filter(|(index, _)| ![3, 6].contains(index))
-        .map(|(_, motion)| *motion)
-        .collect();
+    let all: Vec<Motion> =
+        repeated.iter().enumerate().filter(|(index, _)| ![3, 6].contains(index)).map(|(_, motion)| *motion).collect();
     same(&moved(Plane::G17, &inputs).0, &all, "_NMSP");
 }

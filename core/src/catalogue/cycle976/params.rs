@@ -4,11 +4,7 @@ use crate::catalogue::common::{self, required};
 use crate::catalogue::{DigitGroup, Kind, Param, Range, When, names};
 
 const fn digit(place: i64, is: &'static [i64]) -> When {
-    When::Digit {
-        param: names::MVAR,
-        place,
-        is,
-    }
+    When::Digit { param: names::MVAR, place, is }
 }
 
 /// In a hole.
@@ -38,21 +34,13 @@ const MVAR_DIGITS: &[DigitGroup] = &[
         key: "calibrate-place",
         place: 1,
         digits: 1,
-        choices: &[
-            (1, "calibrate-known"),
-            (8, "calibrate-unknown"),
-            (0, "calibrate-surface"),
-        ],
+        choices: &[(1, "calibrate-known"), (8, "calibrate-unknown"), (0, "calibrate-surface")],
     },
     DigitGroup {
         key: "calibrate-directions",
         place: 1000,
         digits: 1,
-        choices: &[
-            (0, "calibrate-four"),
-            (1, "calibrate-one"),
-            (2, "calibrate-two"),
-        ],
+        choices: &[(0, "calibrate-four"), (1, "calibrate-one"), (2, "calibrate-two")],
     },
     DigitGroup {
         key: "calibrate-ball",
@@ -76,11 +64,7 @@ const MVAR_DIGITS: &[DigitGroup] = &[
 
 /// In the order in which the snippet writes them.
 pub const PARAMS: &[Param] = &[
-    Param {
-        kind: Kind::Variant(MVAR_DIGITS),
-        source: "B:5060-5084",
-        ..common::MVAR
-    },
+    Param { kind: Kind::Variant(MVAR_DIGITS), source: "B:5060-5084", ..common::MVAR },
     Param {
         needs: common::ALWAYS_REQUIRED,
         labels: &[(HOLE, "setval-ring"), (When::Always, "setval-surface")],
@@ -91,10 +75,7 @@ pub const PARAMS: &[Param] = &[
         kind: Kind::ChoiceBy(&[
             (HOLE, &[(1, "ma-abscissa"), (2, "ma-ordinate")]),
             (LENGTH, &[(3, "ma-applicate")]),
-            (
-                When::Always,
-                &[(1, "ma-abscissa"), (2, "ma-ordinate"), (3, "ma-applicate")],
-            ),
+            (When::Always, &[(1, "ma-abscissa"), (2, "ma-ordinate"), (3, "ma-applicate")]),
         ]),
         range: Range::closed(1.0, 3.0),
         needs: &[
@@ -107,17 +88,11 @@ pub const PARAMS: &[Param] = &[
         ..common::MA
     },
     Param {
-        needs: &[required(
-            When::Any(&[ONE, SURFACE, LENGTH]),
-            "need-direction",
-        )],
+        needs: &[required(When::Any(&[ONE, SURFACE, LENGTH]), "need-direction")],
         source: "B:5158-5159;B:5367-5368;B:5499-5500",
         ..common::MD
     },
-    Param {
-        source: "B:5160;B:5254",
-        ..common::PRNUM
-    },
+    Param { source: "B:5160;B:5254", ..common::PRNUM },
     Param {
         needs: &[required(ANGLE, "need-angle-calibration")],
         labels: &[(When::Always, "sta1-calibration")],
@@ -129,23 +104,10 @@ pub const PARAMS: &[Param] = &[
         source: "B:5166;B:5260;B:5373;B:5589",
         ..common::FA
     },
-    Param {
-        labels: &[(When::Always, "tsa-trigger")],
-        source: "B:5134;B:5148;B:5509",
-        ..common::TSA
-    },
-    Param {
-        source: "B:5166",
-        ..common::VMS
-    },
-    Param {
-        source: "B:5166",
-        ..common::NMSP
-    },
-    Param {
-        source: "B:5166-5168",
-        ..common::CORA
-    },
+    Param { labels: &[(When::Always, "tsa-trigger")], source: "B:5134;B:5148;B:5509", ..common::TSA },
+    Param { source: "B:5166", ..common::VMS },
+    Param { source: "B:5166", ..common::NMSP },
+    Param { source: "B:5166-5168", ..common::CORA },
     Param {
         needs: common::ALWAYS_OPTIONAL,
         labels: &[(When::Always, "tzl-trigger")],

@@ -14,17 +14,10 @@ use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
 pub fn picture(inputs: &Inputs) -> Picture {
     if HOLE.holds(inputs) {
         let shapes = hole(inputs);
-        return Picture {
-            view: View::Plane,
-            shapes,
-        };
+        return Picture { view: View::Plane, shapes };
     }
     let applicate = LENGTH.holds(inputs) || inputs.integer(names::MA) == 3;
-    let view = if applicate {
-        View::Section
-    } else {
-        View::Plane
-    };
+    let view = if applicate { View::Section } else { View::Plane };
     let shapes = surface(inputs, applicate);
     Picture { view, shapes }
 }
@@ -51,9 +44,7 @@ fn hole(inputs: &Inputs) -> Vec<PictureShape> {
     let hole = Hole {
         size,
         ball: size * 0.045,
-        path: inputs
-            .positive(names::FA, 2.0)
-            .clamp(size * 0.1, size * 0.25),
+        path: inputs.positive(names::FA, 2.0).clamp(size * 0.1, size * 0.25),
         angle: angle(inputs) % 360.0,
     };
     let mut shapes = part(&hole);
@@ -100,11 +91,7 @@ fn axes(hole: &Hole, inputs: &Inputs, shapes: &mut Vec<PictureShape>) {
         shapes.push(line(ShapeKind::Label, at).text(names::STA1).of(names::STA1));
     }
     if !FOUR.holds(inputs) {
-        let axis = if inputs.integer(names::MA) == 2 {
-            90.0
-        } else {
-            0.0
-        };
+        let axis = if inputs.integer(names::MA) == 2 { 90.0 } else { 0.0 };
         let ends = vec![hole.at(axis + 180.0, reach), hole.at(axis, reach)];
         shapes.push(line(ShapeKind::Axis, ends).of(names::MA));
     }
@@ -125,11 +112,7 @@ fn touch(hole: &Hole, direction: f64, number: usize, shapes: &mut Vec<PictureSha
     let ball = circle(ShapeKind::Probe, hole.at(direction, begin), hole.ball);
     shapes.push(ball.of(names::PRNUM));
     let point = hole.at(direction, hole.size / 2.0);
-    shapes.push(
-        circle(ShapeKind::Touch, point, hole.ball * 0.3)
-            .text(number.to_string())
-            .of(names::NMSP),
-    );
+    shapes.push(circle(ShapeKind::Touch, point, hole.ball * 0.3).text(number.to_string()).of(names::NMSP));
     if number == 1 {
         let aside = |distance: f64| {
             let ([x, y], [u, v]) = (hole.at(direction, distance), hole.at(direction + 90.0, 1.0));
@@ -197,34 +180,21 @@ const ZERO: f64 = -44.0;
 fn surface(inputs: &Inputs, applicate: bool) -> Vec<PictureShape> {
     let path = inputs.positive(names::FA, 2.0).clamp(10.0, 24.0);
     let start = -RADIUS - path;
-    let material = if applicate {
-        ShapeKind::Cut
-    } else {
-        ShapeKind::Material
-    };
+    let material = if applicate { ShapeKind::Cut } else { ShapeKind::Material };
     let mut shapes = vec![
-        polygon(
-            material,
-            vec![[0.0, -FACE], [BEHIND, -FACE], [BEHIND, FACE], [0.0, FACE]],
-        ),
+        polygon(material, vec![[0.0, -FACE], [BEHIND, -FACE], [BEHIND, FACE], [0.0, FACE]]),
         line(ShapeKind::Edge, vec![[0.0, -FACE], [0.0, FACE]]).of(names::SETVAL),
         line(ShapeKind::Axis, vec![[ZERO, 0.0], [BEHIND * 1.3, 0.0]]).of(names::MA),
         line(ShapeKind::Path, vec![[start, 0.0], [-RADIUS, 0.0]]).of(names::FA),
         arrow(ShapeKind::Path, [start, 0.0], [-RADIUS, 0.0], 4.0).of(names::MD),
         circle(ShapeKind::Probe, [start, 0.0], RADIUS).of(names::PRNUM),
-        circle(ShapeKind::Touch, [0.0, 0.0], RADIUS * 0.3)
-            .text("1")
-            .of(names::NMSP),
+        circle(ShapeKind::Touch, [0.0, 0.0], RADIUS * 0.3).text("1").of(names::NMSP),
         dimension(names::FA, [start, RADIUS * 2.0], [-RADIUS, RADIUS * 2.0]),
     ];
     if LENGTH.holds(inputs) {
         let end = path - RADIUS; // the path may be used up behind the set position as well
         let beyond = vec![[-RADIUS, RADIUS * 2.0], [end, RADIUS * 2.0]];
-        shapes.push(
-            line(ShapeKind::Dimension, beyond)
-                .text(names::FA)
-                .of(names::FA),
-        );
+        shapes.push(line(ShapeKind::Dimension, beyond).text(names::FA).of(names::FA));
     }
     if applicate {
         probe_above(inputs, start, &mut shapes);
@@ -240,19 +210,10 @@ fn surface(inputs: &Inputs, applicate: bool) -> Vec<PictureShape> {
 
 /// The set position as a text: in the material, or above it where that is narrow.
 fn set_position(inputs: &Inputs, upright: bool) -> PictureShape {
-    let text = inputs
-        .given(names::SETVAL)
-        .map_or(names::SETVAL.to_string(), |set| {
-            format!("{} = {set}", names::SETVAL)
-        });
-    let at = if upright {
-        [BEHIND * 0.4, FACE * 0.45]
-    } else {
-        [0.0, FACE * 1.2]
-    };
-    line(ShapeKind::Label, vec![at])
-        .text(text)
-        .of(names::SETVAL)
+    let text =
+        inputs.given(names::SETVAL).map_or(names::SETVAL.to_string(), |set| format!("{} = {set}", names::SETVAL));
+    let at = if upright { [BEHIND * 0.4, FACE * 0.45] } else { [0.0, FACE * 1.2] };
+    line(ShapeKind::Label, vec![at]).text(text).of(names::SETVAL)
 }
 
 /// Stylus and spindle above the ball, with the length that is determined: to the ball's centre, or with `_CBIT[14]` to

@@ -6,18 +6,10 @@ use crate::catalogue::common::{angle, integer, length};
 use crate::catalogue::{ResultField, When, names};
 
 const fn axis(is: &'static [i64]) -> When {
-    When::Digit {
-        param: names::MA,
-        place: 1,
-        is,
-    }
+    When::Digit { param: names::MA, place: 1, is }
 }
 const fn direction(is: &'static [i64]) -> When {
-    When::Digit {
-        param: names::MD,
-        place: 1,
-        is,
-    }
+    When::Digit { param: names::MD, place: 1, is }
 }
 const PLUS: When = direction(&[0]);
 const MINUS: When = direction(&[1]);
@@ -37,99 +29,24 @@ pub const RESULTS: &[ResultField] = &[
     length("_OVR[5]", "result-ball-difference", BALL, "B:5093;B:15934"),
     length("_OVR[6]", "result-hole-abscissa", UNKNOWN, "B:5094;B:15935"),
     length("_OVR[7]", "result-hole-ordinate", UNKNOWN, "B:5095;B:15936"),
-    length(
-        "_OVR[8]",
-        "result-trigger-minus-abscissa",
-        ABSCISSA_MINUS,
-        "B:5096;B:15937",
-    ),
-    length(
-        "_OVR[9]",
-        "result-trigger-minus-abscissa-difference",
-        ABSCISSA_MINUS,
-        "B:5102;B:15938",
-    ),
-    length(
-        "_OVR[10]",
-        "result-trigger-plus-abscissa",
-        ABSCISSA_PLUS,
-        "B:5097;B:15939",
-    ),
-    length(
-        "_OVR[11]",
-        "result-trigger-plus-abscissa-difference",
-        ABSCISSA_PLUS,
-        "B:5103;B:15940",
-    ),
-    length(
-        "_OVR[12]",
-        "result-trigger-minus-ordinate",
-        ORDINATE_MINUS,
-        "B:5098;B:15941",
-    ),
-    length(
-        "_OVR[13]",
-        "result-trigger-minus-ordinate-difference",
-        ORDINATE_MINUS,
-        "B:5104;B:15942",
-    ),
-    length(
-        "_OVR[14]",
-        "result-trigger-plus-ordinate",
-        ORDINATE_PLUS,
-        "B:5099;B:15943",
-    ),
-    length(
-        "_OVR[15]",
-        "result-trigger-plus-ordinate-difference",
-        ORDINATE_PLUS,
-        "B:5105;B:15944",
-    ),
-    length(
-        "_OVR[16]",
-        "result-trigger-minus-applicate",
-        APPLICATE_MINUS,
-        "B:5100;B:15945",
-    ),
-    length(
-        "_OVR[17]",
-        "result-trigger-minus-applicate-difference",
-        APPLICATE_MINUS,
-        "B:5106;B:15946",
-    ),
-    length(
-        "_OVR[18]",
-        "result-trigger-plus-applicate",
-        APPLICATE_PLUS,
-        "B:5101;B:15947",
-    ),
-    length(
-        "_OVR[19]",
-        "result-trigger-plus-applicate-difference",
-        APPLICATE_PLUS,
-        "B:5107;B:15948",
-    ),
+    length("_OVR[8]", "result-trigger-minus-abscissa", ABSCISSA_MINUS, "B:5096;B:15937"),
+    length("_OVR[9]", "result-trigger-minus-abscissa-difference", ABSCISSA_MINUS, "B:5102;B:15938"),
+    length("_OVR[10]", "result-trigger-plus-abscissa", ABSCISSA_PLUS, "B:5097;B:15939"),
+    length("_OVR[11]", "result-trigger-plus-abscissa-difference", ABSCISSA_PLUS, "B:5103;B:15940"),
+    length("_OVR[12]", "result-trigger-minus-ordinate", ORDINATE_MINUS, "B:5098;B:15941"),
+    length("_OVR[13]", "result-trigger-minus-ordinate-difference", ORDINATE_MINUS, "B:5104;B:15942"),
+    length("_OVR[14]", "result-trigger-plus-ordinate", ORDINATE_PLUS, "B:5099;B:15943"),
+    length("_OVR[15]", "result-trigger-plus-ordinate-difference", ORDINATE_PLUS, "B:5105;B:15944"),
+    length("_OVR[16]", "result-trigger-minus-applicate", APPLICATE_MINUS, "B:5100;B:15945"),
+    length("_OVR[17]", "result-trigger-minus-applicate-difference", APPLICATE_MINUS, "B:5106;B:15946"),
+    length("_OVR[18]", "result-trigger-plus-applicate", APPLICATE_PLUS, "B:5101;B:15947"),
+    length("_OVR[19]", "result-trigger-plus-applicate-difference", APPLICATE_PLUS, "B:5107;B:15948"),
     length("_OVR[20]", "result-skew-abscissa", SKEW, "B:5108;B:15949"),
     length("_OVR[21]", "result-skew-ordinate", SKEW, "B:5109;B:15950"),
     length("_OVR[22]", "result-probe-length", LENGTH, "B:5110;B:15951"),
-    angle(
-        "_OVR[24]",
-        "result-calibration-angle",
-        When::Always,
-        "B:5111;B:15953",
-    ),
-    length(
-        "_OVR[27]",
-        "result-zero-offset-area",
-        When::Always,
-        "B:5112;B:15956",
-    ),
-    length(
-        "_OVR[28]",
-        "result-safe-area",
-        When::Always,
-        "B:5113;B:15957",
-    ),
+    angle("_OVR[24]", "result-calibration-angle", When::Always, "B:5111;B:15953"),
+    length("_OVR[27]", "result-zero-offset-area", When::Always, "B:5112;B:15956"),
+    length("_OVR[28]", "result-safe-area", When::Always, "B:5113;B:15957"),
     integer("_OVI[2]", "result-cycle", When::Always, "B:5114;B:15961"),
     integer("_OVI[3]", "result-variant", When::Always, "B:15962;A:16778"),
     integer("_OVI[5]", "result-probe", When::Always, "B:5115;B:15964"),

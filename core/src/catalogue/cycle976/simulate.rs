@@ -36,51 +36,24 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
 
 /// One direction of one axis. With the length the block begins where the probe stands and is twice `_FA` long: nobody
 /// knows yet where the surface will be met (B:5579, B:5589-5593).
-fn surface(
-    machine: &mut dyn Machine,
-    inputs: &Inputs,
-    block: &Block,
-    start: [f64; 3],
-) -> Result<Calibration, Stop> {
+fn surface(machine: &mut dyn Machine, inputs: &Inputs, block: &Block, start: [f64; 3]) -> Result<Calibration, Stop> {
     let block = block.uncalibrated();
     let point = Point {
         axis: axis(machine, inputs)?,
-        direction: if inputs.integer(names::MD) == 1 {
-            -1.0
-        } else {
-            1.0
-        },
+        direction: if inputs.integer(names::MD) == 1 { -1.0 } else { 1.0 },
         set: inputs.number(names::SETVAL),
         path: block.path,
     };
     let with_length = LENGTH.holds(inputs);
-    let position = if with_length {
-        block.latch_from_here(machine, &point)?
-    } else {
-        block.latch(machine, &point)?
-    };
+    let position = if with_length { block.latch_from_here(machine, &point)? } else { block.latch(machine, &point)? };
     if point.axis < 2 {
         block.travel(machine, start)?; // B:5449-5455: along the applicate it stays before the surface
     }
     let found = position - point.set;
     let ideal = block.trigger(point.axis, point.direction);
-    let (value, length) = if with_length {
-        (ideal, Some(found - ideal))
-    } else {
-        (found, None)
-    };
-    let trigger = Trigger {
-        axis: point.axis,
-        sign: point.direction,
-        value,
-    };
-    Ok(Calibration {
-        triggers: vec![trigger],
-        ball: None,
-        skew: [None; 2],
-        centre: None,
-        length,
-    })
+    let (value, length) = if with_length { (ideal, Some(found - ideal)) } else { (found, None) };
+    let trigger = Trigger { axis: point.axis, sign: point.direction, value };
+    Ok(Calibration { triggers: vec![trigger], ball: None, skew: [None; 2], centre: None, length })
 }
 
 /// Axis of `_MA`; with the length it is the applicate only (A:15866).

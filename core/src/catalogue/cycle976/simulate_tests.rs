@@ -51,10 +51,7 @@ pub(super) fn mm(control: &Control, field: usize) -> f64 {
 }
 
 pub(super) fn close(found: f64, expected: f64, what: &str) {
-    assert!(
-        (found - expected).abs() < 1e-9,
-        "{what} = {found}, expected {expected}"
-    );
+    assert!((found - expected).abs() < 1e-9, "{what} = {found}, expected {expected}");
 }
 
 /// A probe and how it is calibrated.
@@ -74,11 +71,7 @@ struct Case {
 
 fn cases() -> impl Strategy<Value = Case> {
     let probe = (2.5..3.5_f64, prop::array::uniform2(-0.4..0.4_f64));
-    let part = (
-        prop::array::uniform2(-1.0..1.0_f64),
-        -180.0..180.0_f64,
-        -180.0..180.0_f64,
-    );
+    let part = (prop::array::uniform2(-1.0..1.0_f64), -180.0..180.0_f64, -180.0..180.0_f64);
     let machine = (0..3_usize, any::<bool>(), 0..2_usize, any::<bool>());
     (probe, part, machine).prop_map(|((radius, skew), part, machine)| Case {
         radius,
@@ -87,11 +80,7 @@ fn cases() -> impl Strategy<Value = Case> {
         start_angle: part.1,
         rotation: part.2,
         plane: PLANES[machine.0],
-        units: if machine.1 {
-            Units::Inch
-        } else {
-            Units::Metric
-        },
+        units: if machine.1 { Units::Inch } else { Units::Metric },
         axis: machine.2,
         minus: machine.3,
     })
@@ -113,10 +102,8 @@ impl Case {
     /// A machine with this probe, of which is known what the variant does not find out.
     fn setup(&self, inputs: &Inputs) -> Setup {
         let mut setup = Setup::calibrated_in(Dialect::Sinumerik, self.plane, self.units);
-        let frame = Frame {
-            rotation: at(self.plane, [0.0, 0.0, self.rotation]),
-            ..Frame::translation([30.0, -20.0, 10.0])
-        };
+        let frame =
+            Frame { rotation: at(self.plane, [0.0, 0.0, self.rotation]), ..Frame::translation([30.0, -20.0, 10.0]) };
         setup.control.frames.insert(1, frame);
         setup.control.activate(1);
         setup.probe.radius = self.radius;
@@ -124,9 +111,7 @@ impl Case {
         let mut known = turned(self.seen(), angle(inputs));
         let directions = directions(inputs);
         if directions.len() > 1 {
-            directions
-                .iter()
-                .for_each(|touched| known[touched.axis] = 0.1);
+            directions.iter().for_each(|touched| known[touched.axis] = 0.1);
         }
         let per = setup.control.basic_factor();
         for (field, value) in [7, 8].into_iter().zip(in_plane(known, angle(inputs))) {
@@ -236,10 +221,7 @@ proptest! {
 }
 
 /// A ring with things changed, and what the call made of it.
-pub(super) fn ring(
-    variant: i64,
-    change: impl Fn(&mut Setup, &mut Inputs),
-) -> (Sim, Result<(), Stop>) {
+pub(super) fn ring(variant: i64, change: impl Fn(&mut Setup, &mut Inputs)) -> (Sim, Result<(), Stop>) {
     let mut inputs = inputs(variant, 1.0, 0.0);
     let mut setup = ready(Plane::G17, &inputs);
     change(&mut setup, &mut inputs);
@@ -319,7 +301,8 @@ fn what_cannot_be_is_an_alarm() {
 
 #[test]
 fn the_length_of_a_lathe_probe_goes_where_it_counts() {
-    // oracle: manual B:5468-5471 (the length of the tool axis), B:828, B:4151 (L1 in the ordinate, L2 in the abscissa); hand:
+    // oracle: manual B:5468-5471 (the length of the tool axis), B:828, B:4151 (L1 in the ordinate, L2 in the abscissa);
+    // hand:
     // a surface 0.2 mm higher makes the probe so much longer, and is found where it was taken for from then on
     for (plane, tip) in [(Plane::G17, 7), (Plane::G19, 8)] {
         let call = inputs(10_000, 3.0, 1.0);

@@ -71,11 +71,7 @@ fn the_ball_goes_into_the_tool_on_demand() {
             setup.probe.radius = 2.9;
         });
         assert_eq!(outcome, Ok(()));
-        close(
-            sim.control.variable("$TC_DP6[9,1]").unwrap(),
-            radius,
-            "radius",
-        );
+        close(sim.control.variable("$TC_DP6[9,1]").unwrap(), radius, "radius");
     }
 }
 
@@ -99,12 +95,8 @@ fn every_result_of_the_entry_is_written_and_no_other() {
                     _ => {}
                 }
             }
-            let mut wanted: Vec<&str> = CYCLE976
-                .results
-                .iter()
-                .filter(|field| field.when.holds(&inputs))
-                .map(|field| field.name)
-                .collect();
+            let mut wanted: Vec<&str> =
+                CYCLE976.results.iter().filter(|field| field.when.holds(&inputs)).map(|field| field.name).collect();
             written.sort_unstable();
             wanted.sort_unstable();
             assert_eq!(written, wanted, "{} {axis} {direction}", variant.number);
@@ -135,7 +127,8 @@ fn a_calibration_says_how_it_was_made() {
 
 #[test]
 fn the_tool_keeps_its_radius_where_the_diameter_is_kept() {
-    // oracle: manual B:13656 (what goes into the tool is _WP[k,0]), B:5134 (which is stored beyond _TZL); hand (2 * 0.03 mm)
+    // oracle: manual B:13656 (what goes into the tool is _WP[k,0]), B:5134 (which is stored beyond _TZL); hand (2 *
+    // 0.03 mm)
     for (zone, radius) in [(0.05, 2.97), (0.07, 3.0)] {
         let (sim, outcome) = ring(101, |setup, inputs| {
             setup.control.set("_CBIT[15]", 1.0);

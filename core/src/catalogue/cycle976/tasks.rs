@@ -18,9 +18,6 @@ pub const TASKS: &[Shared] = &[
         when: When::Variant(&[10_000]),
         variant: 10_000,
         tool: None,
-        values: &[
-            (names::SETVAL, Meaning::Nominal),
-            (names::MA, Meaning::Axis),
-        ],
+        values: &[(names::SETVAL, Meaning::Nominal), (names::MA, Meaning::Axis)],
     },
 ];

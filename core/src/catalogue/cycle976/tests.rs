@@ -11,22 +11,15 @@ use crate::form::fields;
 /// The worked example with some values changed.
 fn values(changes: &[(&str, &str)]) -> Typed {
     let all = CYCLE976.example.iter().chain(changes);
-    all.map(|(name, value)| ((*name).to_owned(), (*value).to_owned()))
-        .collect()
+    all.map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect()
 }
 
 /// Everything found, on a control that was changed.
-fn found(
-    changes: &[(&str, &str)],
-    prepare: impl Fn(&mut Control),
-) -> Vec<(Severity, Code, &'static str)> {
+fn found(changes: &[(&str, &str)], prepare: impl Fn(&mut Control)) -> Vec<(Severity, Code, &'static str)> {
     let mut control = delivery(CYCLE976.dialect);
     prepare(&mut control);
     let found = check(&CYCLE976, &values(changes), &control).diagnostics;
-    found
-        .into_iter()
-        .map(|one| (one.severity, one.code, one.param.unwrap()))
-        .collect()
+    found.into_iter().map(|one| (one.severity, one.code, one.param.unwrap())).collect()
 }
 
 #[test]
@@ -34,43 +27,24 @@ fn mistakes_are_told() {
     // oracle: manual B:5134, B:5148, B:5222-5256, B:5366, B:5498, A:15842-15917 for the alarms, hand for the rest
     let (error, warning, note) = (Severity::Error, Severity::Warning, Severity::Note);
     let (alarm, own) = (Code::Alarm, Code::Own);
-    let surface = |axis, direction| {
-        [
-            ("_MVAR", "0"),
-            ("_SETVAL", "-20"),
-            ("_MA", axis),
-            ("_MD", direction),
-        ]
-    };
+    let surface = |axis, direction| [("_MVAR", "0"), ("_SETVAL", "-20"), ("_MA", axis), ("_MD", direction)];
     for (changes, wanted) in [
         (&[][..], None),
         (&[("_MVAR", "10008"), ("_FA", "55")], None),
         (&[("_SETVAL", "0")], Some((error, own(5), "_SETVAL"))),
         (&[("_SETVAL", "6")], Some((error, own(30), "_SETVAL"))),
-        (
-            &[("_SETVAL", "50"), ("_FA", "44")],
-            Some((error, alarm(61302), "_FA")),
-        ),
+        (&[("_SETVAL", "50"), ("_FA", "44")], Some((error, alarm(61302), "_FA"))),
         (&[("_TZL", "1")], Some((error, own(40), "_TZL"))),
         (&[("_MVAR", "8")], Some((note, own(41), "_MVAR"))),
         (&[("_MVAR", "11001")], Some((error, alarm(61307), "_MVAR"))),
         (&[("_MVAR", "2001")], Some((error, own(1), "_MA"))),
-        (
-            &[("_MVAR", "2001"), ("_MA", "3")],
-            Some((error, alarm(61325), "_MA")),
-        ),
-        (
-            &[("_MVAR", "1001"), ("_MA", "1"), ("_MD", "2")],
-            Some((error, alarm(61326), "_MD")),
-        ),
+        (&[("_MVAR", "2001"), ("_MA", "3")], Some((error, alarm(61325), "_MA"))),
+        (&[("_MVAR", "1001"), ("_MA", "1"), ("_MD", "2")], Some((error, alarm(61326), "_MD"))),
         (&[("_MVAR", "100001")], Some((error, own(1), "_STA1"))),
         (&surface("3", "1"), None),
         (&surface("1", "0"), None),
         (&surface("3", "0"), Some((warning, own(42), "_MD"))),
-        (
-            &[("_MVAR", "10000"), ("_MA", "2"), ("_MD", "1")],
-            Some((error, alarm(61325), "_MA")),
-        ),
+        (&[("_MVAR", "10000"), ("_MA", "2"), ("_MD", "1")], Some((error, alarm(61325), "_MA"))),
     ] {
         let found = found(changes, |_| ());
         assert_eq!(found, Vec::from_iter(wanted), "{changes:?}");
@@ -121,9 +95,7 @@ fn fields_follow_the_variant() {
     let of = |changes: &[(&str, &str)]| -> Vec<String> {
         let control = delivery(CYCLE976.dialect);
         let all = fields(&CYCLE976, &values(changes), &control);
-        all.into_iter()
-            .map(|field| field.label.key.into())
-            .collect()
+        all.into_iter().map(|field| field.label.key.into()).collect()
     };
     let known = of(&[]);
     assert_eq!(known[1], "param-setval-ring");

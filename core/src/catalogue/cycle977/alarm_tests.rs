@@ -14,11 +14,7 @@ fn alarms_before_the_first_motion() {
     // oracle: manual A:15847-15931
     let alarm = |errors: &dyn Fn(&mut Setup, &mut Inputs)| {
         let (sim, outcome) = hole(errors);
-        let moved = sim
-            .trace
-            .entries
-            .iter()
-            .any(|entry| matches!(entry.step, Step::Motion { .. }));
+        let moved = sim.trace.entries.iter().any(|entry| matches!(entry.step, Step::Motion { .. }));
         assert!(!moved);
         let number = stopped(outcome);
         assert_eq!(sim.control.number("_OVI[9]"), f64::from(number));
@@ -29,8 +25,7 @@ fn alarms_before_the_first_motion() {
             inputs.numbers.insert(name, value);
         })
     };
-    let datum =
-        |name: &'static str, value: f64| alarm(&move |setup, _| setup.control.set(name, value));
+    let datum = |name: &'static str, value: f64| alarm(&move |setup, _| setup.control.set(name, value));
     assert_eq!(value("_FA", 0.0), 61308);
     assert_eq!(value("_PRNUM", 4.0), 61313);
     assert_eq!(value("_PRNUM", 0.0), 61313);
@@ -47,20 +42,12 @@ fn alarms_before_the_first_motion() {
     assert_eq!(value("_KNUM", 2_002_001.0), 61405);
     assert_eq!(datum("_SPEED[0]", -1.0), 61339);
     assert_eq!(datum("_SPEED[1]", 0.0), 61338);
-    assert_eq!(
-        alarm(&|setup, _| (0..7).for_each(|i| setup.control.set(format!("_WP[0,{i}]"), 0.0))),
-        61341
-    );
+    assert_eq!(alarm(&|setup, _| (0..7).for_each(|i| setup.control.set(format!("_WP[0,{i}]"), 0.0))), 61341);
     assert_eq!(alarm(&|setup, _| setup.control.edge = 0), 61311);
-    assert_eq!(
-        alarm(&|setup, _| assert!(setup.control.set_variable("$TC_DP1[9,1]", 500.0))),
-        61309
-    );
+    assert_eq!(alarm(&|setup, _| assert!(setup.control.set_variable("$TC_DP1[9,1]", 500.0))), 61309);
     let tool = |number: f64, name: &'static str| {
         alarm(&move |_, inputs| {
-            inputs
-                .numbers
-                .extend([("_KNUM", 2001.0), ("_TNUM", number)]);
+            inputs.numbers.extend([("_KNUM", 2001.0), ("_TNUM", number)]);
             inputs.texts.insert("_TNAME", name.to_string());
         })
     };
@@ -144,9 +131,7 @@ fn limits_are_told_and_repeated() {
         let (sim, outcome) = hole(move |setup, inputs| {
             setup.workpiece.solids[0].errors.size = grown;
             bits.iter().for_each(|bit| setup.control.set(*bit, 1.0));
-            inputs
-                .numbers
-                .extend([("_TUL", 0.5), ("_TLL", -0.5), ("_TDIF", 1.0)]);
+            inputs.numbers.extend([("_TUL", 0.5), ("_TLL", -0.5), ("_TDIF", 1.0)]);
         });
         (alarms(&sim), outcome, sim)
     };
@@ -161,10 +146,6 @@ fn limits_are_told_and_repeated() {
     assert_eq!((alarms, outcome), (vec![62306; 5], Ok(())));
     let (alarms, outcome, sim) = case(3.5, &["_CBIT[0]", "_CBIT[1]"]);
     assert_eq!((alarms, stopped(outcome)), (vec![62303; 4], 61303));
-    let touches = sim
-        .trace
-        .entries
-        .iter()
-        .filter(|entry| matches!(entry.step, Step::Touch { .. }));
+    let touches = sim.trace.entries.iter().filter(|entry| matches!(entry.step, Step::Touch { .. }));
     assert_eq!(touches.count(), 20);
 }

@@ -36,21 +36,10 @@ fn sizes(inputs: &Inputs) -> Vec<Size> {
     } else {
         vec![(names::SETVAL, names::SZA)]
     };
-    let zone = |name| {
-        inputs
-            .given(name)
-            .filter(|_| ZONE.holds(inputs))
-            .map(|zone| (name, zone))
-    };
+    let zone = |name| inputs.given(name).filter(|_| ZONE.holds(inputs)).map(|zone| (name, zone));
     pairs
         .into_iter()
-        .filter_map(|(name, other)| {
-            Some(Size {
-                name,
-                size: inputs.given(name)?,
-                zone: zone(other),
-            })
-        })
+        .filter_map(|(name, other)| Some(Size { name, size: inputs.given(name)?, zone: zone(other) }))
         .collect()
 }
 
@@ -79,23 +68,17 @@ fn beside_zone(
     let gap = if outside { zone - size } else { size - zone };
     let free = gap / 2.0 - 2.0 * ball;
     let alarm = |key: &'static str, hint: &'static str| {
-        let message = Message::new(key)
-            .number("zone", zone)
-            .number("size", size)
-            .number("ball", 2.0 * ball);
-        error(Code::Alarm(61334), message)
-            .hint(Message::new(hint).number("limit", limit(size, ball, outside)))
-            .at(name)
+        let message = Message::new(key).number("zone", zone).number("size", size).number("ball", 2.0 * ball);
+        error(Code::Alarm(61334), message).hint(Message::new(hint).number("limit", limit(size, ball, outside))).at(name)
     };
     let finding = match (gap <= 0.0, free <= 0.0, outside) {
         (true, _, false) => alarm("check-zone-wide", "check-zone-wide-hint"),
         (true, _, true) => alarm("check-zone-narrow", "check-zone-narrow-hint"),
         (_, true, false) => alarm("check-zone-ball", "check-zone-wide-hint"),
         (_, true, true) => alarm("check-zone-ball", "check-zone-narrow-hint"),
-        _ if inputs.given(names::FA).is_some_and(|path| path > free) => own::ZONE_SHORTENS
-            .finding()
-            .number("free", free)
-            .at(names::FA),
+        _ if inputs.given(names::FA).is_some_and(|path| path > free) => {
+            own::ZONE_SHORTENS.finding().number("free", free).at(names::FA)
+        }
         _ => return,
     };
     found.push(finding);
@@ -103,9 +86,5 @@ fn beside_zone(
 
 /// Largest zone inside, smallest zone outside.
 fn limit(size: f64, ball: f64, outside: bool) -> f64 {
-    if outside {
-        size + 4.0 * ball
-    } else {
-        size - 4.0 * ball
-    }
+    if outside { size + 4.0 * ball } else { size - 4.0 * ball }
 }

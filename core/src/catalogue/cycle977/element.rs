@@ -41,11 +41,7 @@ impl Element {
             inside,
             size,
             zone: zoned.then(|| pair(inputs.number("_SZA"), inputs.number("_SZO"))),
-            infeed: if inside && !zoned {
-                0.0
-            } else {
-                inputs.number("_ID")
-            },
+            infeed: if inside && !zoned { 0.0 } else { inputs.number("_ID") },
             axis: if inputs.integer("_MA") == 2 { 1 } else { 0 },
         }
     }

@@ -17,63 +17,23 @@ const ZERO_ONE: When = When::All(&[ZERO, WIDTH]);
 
 /// Section by section, in the order in which they are read.
 pub const LINES: &[HelpLine] = &[
-    measures(
-        element(&[1]),
-        "help-cycle977-measures-hole",
-        "B:5645;B:5773",
-    ),
-    measures(
-        element(&[2]),
-        "help-cycle977-measures-shaft",
-        "B:5646;B:5773",
-    ),
-    measures(
-        element(&[3]),
-        "help-cycle977-measures-groove",
-        "B:5647;B:5773",
-    ),
+    measures(element(&[1]), "help-cycle977-measures-hole", "B:5645;B:5773"),
+    measures(element(&[2]), "help-cycle977-measures-shaft", "B:5646;B:5773"),
+    measures(element(&[3]), "help-cycle977-measures-groove", "B:5647;B:5773"),
     measures(element(&[4]), "help-cycle977-measures-web", "B:5648;B:5773"),
-    measures(
-        element(&[5]),
-        "help-cycle977-measures-pocket",
-        "B:5649;B:5773",
-    ),
-    measures(
-        element(&[6]),
-        "help-cycle977-measures-island",
-        "B:5650;B:5773",
-    ),
+    measures(element(&[5]), "help-cycle977-measures-pocket", "B:5649;B:5773"),
+    measures(element(&[6]), "help-cycle977-measures-island", "B:5650;B:5773"),
     before(TWO_AXES, "help-cycle977-before-centre", "B:5879-5902"),
     before(WIDTH, "help-cycle977-before-middle", "B:5879-5902"),
     before(LEVEL, "help-cycle977-before-depth", "B:5917-5928"),
-    before(
-        RAISED,
-        "help-cycle977-before-above",
-        "B:5904-5915;B:5930-5941",
-    ),
-    before(
-        ZONE_INSIDE,
-        "help-cycle977-before-zone-inside",
-        "B:5801-5809",
-    ),
-    before(
-        ZONE_OUTSIDE,
-        "help-cycle977-before-zone-outside",
-        "B:5801-5809",
-    ),
-    before(
-        ZONE_RECTANGLE,
-        "help-cycle977-before-zone-lengths",
-        "B:5801-5809",
-    ),
+    before(RAISED, "help-cycle977-before-above", "B:5904-5915;B:5930-5941"),
+    before(ZONE_INSIDE, "help-cycle977-before-zone-inside", "B:5801-5809"),
+    before(ZONE_OUTSIDE, "help-cycle977-before-zone-outside", "B:5801-5809"),
+    before(ZONE_RECTANGLE, "help-cycle977-before-zone-lengths", "B:5801-5809"),
     order(TWO_AXES, "help-cycle977-order-two-axes", "B:5773-5799"),
     order(WIDTH, "help-cycle977-order-one-axis", "B:5773-5799"),
     order(LEVEL, "help-cycle977-order-straight", "B:5903-5957"),
-    order(
-        When::Not(&OUTSIDE),
-        "help-cycle977-order-outwards",
-        "B:5773-5799",
-    ),
+    order(When::Not(&OUTSIDE), "help-cycle977-order-outwards", "B:5773-5799"),
     order(OUTSIDE, "help-cycle977-order-inwards", "B:5904-5915"),
     order(ZONE_INSIDE, "help-cycle977-order-over-zone", "B:5930-5951"),
     order(ZONE, "help-cycle977-order-less-room", "B:5801-5809"),

@@ -3,11 +3,7 @@
 use crate::catalogue::{Arg, ArgumentList, Style, When, names, newer};
 
 const fn elements(is: &'static [i64]) -> When {
-    When::Digit {
-        param: names::MVAR,
-        place: 1,
-        is,
-    }
+    When::Digit { param: names::MVAR, place: 1, is }
 }
 
 /// Three parameterizing calls by element (B:11894-11985), and the list of newer controls.

@@ -34,10 +34,7 @@ pub static CYCLE977: Cycle = Cycle {
     key: "cycle977",
     variants: VARIANTS,
     params: params::PARAMS,
-    purpose: Purpose {
-        tasks: tasks::TASKS,
-        ..Purpose::MILLING
-    },
+    purpose: Purpose { tasks: tasks::TASKS, ..Purpose::MILLING },
     lists: lists::LISTS,
     settings: &["_CBIT[14]"], // B:5818: on a lathe the length ends at the centre of the ball
     results: RESULTS,
@@ -78,10 +75,7 @@ pub static CYCLE977: Cycle = Cycle {
         ("_TDIF", "0.06"),
     ],
     simulation: Some(Simulation::new(
-        Work {
-            propose: propose::propose,
-            simulate: simulate::simulate,
-        },
+        Work { propose: propose::propose, simulate: simulate::simulate },
         variants::EXAMPLES,
     )),
     source: "B:5600-6285",

@@ -11,7 +11,8 @@ use crate::control::Plane;
 use crate::run::machine::Sim;
 
 /// Ways as [`expand`] reads them, from the set centre.
-/// Ball of radius 3, `_FA` 5, sizes 60 and 44: inside 60/2 - 3 = 27 and 5 before it, outside 60/2 + 3 = 33 and 5 before it.
+/// Ball of radius 3, `_FA` 5, sizes 60 and 44: inside 60/2 - 3 = 27 and 5 before it, outside 60/2 + 3 = 33 and 5 before
+/// it.
 fn table(variant: i64, axis: usize) -> &'static str {
     match (variant % 10, axis) {
         (1, _) => "x22 [27] x-22 [-27] x0 y22 [27] y-22 [-27] y0",
@@ -38,11 +39,7 @@ fn driven(plane: Plane, variant: i64, inputs: &Inputs, across: bool) -> Vec<Moti
 
 /// The infeed of [`inputs`] counts outside and with a protection zone.
 fn infeed(variant: i64) -> f64 {
-    if variant % 2 == 1 && variant < 1000 {
-        0.0
-    } else {
-        -20.0
-    }
+    if variant % 2 == 1 && variant < 1000 { 0.0 } else { -20.0 }
 }
 
 // oracle: manual B:5773-5809, B:5892-5957 (order, heights, end above the centre), hand (figures)
@@ -66,28 +63,12 @@ fn every_variant_moves_as_its_table_says() {
 #[test]
 fn a_narrow_zone_shortens_the_path_before_and_behind_the_surface() {
     for (variant, zone, table) in [
-        (
-            1001,
-            [44.0, 0.0],
-            "x25 [27] x-25 [-27] x0 y25 [27] y-25 [-27] y0",
-        ),
+        (1001, [44.0, 0.0], "x25 [27] x-25 [-27] x0 y25 [27] y-25 [-27] y0"),
         (1103, [44.0, 0.0], "x25 [27] x-25 [-27] x0"),
-        (
-            1105,
-            [44.0, 22.0],
-            "x25 [27] x-25 [-27] x0 y14 [19] y-14 [-19] y0",
-        ),
-        (
-            1002,
-            [80.0, 0.0],
-            "x37 [33] x-37 [-33] x0 y37 [33] y-37 [-33] y0",
-        ),
+        (1105, [44.0, 22.0], "x25 [27] x-25 [-27] x0 y14 [19] y-14 [-19] y0"),
+        (1002, [80.0, 0.0], "x37 [33] x-37 [-33] x0 y37 [33] y-37 [-33] y0"),
         (1104, [80.0, 0.0], "x37 [33] x-37 [-33] x0"),
-        (
-            1006,
-            [80.0, 58.0],
-            "x37 [33] x-37 [-33] x0 y26 [25] y-26 [-25] y0",
-        ),
+        (1006, [80.0, 58.0], "x37 [33] x-37 [-33] x0 y26 [25] y-26 [-25] y0"),
     ] {
         let mut inputs = inputs(variant, 1.0);
         inputs.numbers.insert("_SZA", zone[0]);

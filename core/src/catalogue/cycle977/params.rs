@@ -5,11 +5,7 @@ use crate::catalogue::{DigitGroup, Kind, Need, Param, Range, When, names};
 
 /// The element in the first digit of `_MVAR` is one of these.
 pub const fn element(is: &'static [i64]) -> When {
-    When::Digit {
-        param: names::MVAR,
-        place: 1,
-        is,
-    }
+    When::Digit { param: names::MVAR, place: 1, is }
 }
 
 /// Hole or shaft.
@@ -27,11 +23,7 @@ pub const TOOL: When = common::TOOL_OFFSET;
 /// With ZO correction.
 pub const ZERO: When = common::ZERO_OFFSET;
 /// With a protection zone.
-pub const ZONE: When = When::Digit {
-    param: names::MVAR,
-    place: 1000,
-    is: &[1],
-};
+pub const ZONE: When = When::Digit { param: names::MVAR, place: 1000, is: &[1] };
 
 const MVAR_DIGITS: &[DigitGroup] = &[
     DigitGroup {
@@ -53,12 +45,7 @@ const MVAR_DIGITS: &[DigitGroup] = &[
         digits: 1,
         choices: &[(0, "correction-tool"), (1, "correction-zero")],
     },
-    DigitGroup {
-        key: "mvar-zone",
-        place: 1000,
-        digits: 1,
-        choices: &[(0, "zone-without"), (1, "zone-with")],
-    },
+    DigitGroup { key: "mvar-zone", place: 1000, digits: 1, choices: &[(0, "zone-without"), (1, "zone-with")] },
 ];
 
 /// Tolerance parameters belong to the tool offset.
@@ -66,11 +53,7 @@ const TOLERANCE: &[Need] = &[optional(TOOL, "need-tolerance")];
 
 /// In the order in which the snippet writes them.
 pub const PARAMS: &[Param] = &[
-    Param {
-        kind: Kind::Variant(MVAR_DIGITS),
-        source: "B:5641-5667",
-        ..common::MVAR
-    },
+    Param { kind: Kind::Variant(MVAR_DIGITS), source: "B:5641-5667", ..common::MVAR },
     Param {
         range: Range::POSITIVE,
         needs: &[required(SINGLE, "need-element")],
@@ -91,115 +74,34 @@ pub const PARAMS: &[Param] = &[
         ..common::SETV1
     },
     Param {
-        needs: &[
-            required(ZONE, "need-infeed-zone"),
-            required(OUTSIDE, "need-infeed-outside"),
-        ],
+        needs: &[required(ZONE, "need-infeed-zone"), required(OUTSIDE, "need-infeed-outside")],
         source: "B:5833;B:5915",
         ..common::ID
     },
     Param {
         needs: &[required(ZONE, "need-zone")],
-        labels: &[
-            (ROUND, "sza-diameter"),
-            (WIDTH, "sza-width"),
-            (RECTANGLE, "sza-length"),
-        ],
+        labels: &[(ROUND, "sza-diameter"), (WIDTH, "sza-width"), (RECTANGLE, "sza-length")],
         source: "B:5834",
         ..common::SZA
     },
-    Param {
-        needs: &[required(
-            When::All(&[ZONE, RECTANGLE]),
-            "need-zone-rectangle",
-        )],
-        source: "B:5835",
-        ..common::SZO
-    },
-    Param {
-        needs: &[required(WIDTH, "need-axis")],
-        source: "B:5836",
-        ..common::MA
-    },
-    Param {
-        labels: &[(TOOL, "knum-tool"), (ZERO, "knum-zero")],
-        source: "B:6012-6014;B:6201",
-        ..common::KNUM
-    },
-    Param {
-        source: "B:6015",
-        ..common::OFFSET_TNUM
-    },
-    Param {
-        source: "B:6016",
-        ..common::OFFSET_TNAME
-    },
-    Param {
-        source: "B:6017",
-        ..common::OFFSET_DLNUM
-    },
-    Param {
-        source: "B:6018",
-        ..common::OFFSET_TENV
-    },
-    Param {
-        source: "B:5632-5633;B:5841",
-        ..common::PRNUM
-    },
-    Param {
-        source: "B:5841;B:5945;B:5963",
-        ..common::FA
-    },
-    Param {
-        labels: &[(TOOL, "tsa-size"), (ZERO, "tsa-centre")],
-        source: "B:5847;B:6024;B:6221",
-        ..common::TSA
-    },
-    Param {
-        source: "B:5841",
-        ..common::VMS
-    },
-    Param {
-        source: "B:5841",
-        ..common::NMSP
-    },
-    Param {
-        source: "B:5849;B:15629",
-        ..common::CORA
-    },
-    Param {
-        needs: &[optional(TOOL, "need-memory")],
-        source: "B:5841;B:6022",
-        ..common::EVNUM
-    },
-    Param {
-        needs: &[optional(TOOL, "need-memory")],
-        source: "B:6022;B:2358-2366",
-        ..common::K
-    },
-    Param {
-        needs: TOLERANCE,
-        source: "B:5845;B:15667",
-        ..common::TZL
-    },
-    Param {
-        needs: TOLERANCE,
-        source: "B:5845;B:15660",
-        ..common::TMV
-    },
-    Param {
-        needs: TOLERANCE,
-        source: "B:5845;B:15664",
-        ..common::TUL
-    },
-    Param {
-        needs: TOLERANCE,
-        source: "B:5845;B:15665",
-        ..common::TLL
-    },
-    Param {
-        needs: TOLERANCE,
-        source: "B:5845;B:15659",
-        ..common::TDIF
-    },
+    Param { needs: &[required(When::All(&[ZONE, RECTANGLE]), "need-zone-rectangle")], source: "B:5835", ..common::SZO },
+    Param { needs: &[required(WIDTH, "need-axis")], source: "B:5836", ..common::MA },
+    Param { labels: &[(TOOL, "knum-tool"), (ZERO, "knum-zero")], source: "B:6012-6014;B:6201", ..common::KNUM },
+    Param { source: "B:6015", ..common::OFFSET_TNUM },
+    Param { source: "B:6016", ..common::OFFSET_TNAME },
+    Param { source: "B:6017", ..common::OFFSET_DLNUM },
+    Param { source: "B:6018", ..common::OFFSET_TENV },
+    Param { source: "B:5632-5633;B:5841", ..common::PRNUM },
+    Param { source: "B:5841;B:5945;B:5963", ..common::FA },
+    Param { labels: &[(TOOL, "tsa-size"), (ZERO, "tsa-centre")], source: "B:5847;B:6024;B:6221", ..common::TSA },
+    Param { source: "B:5841", ..common::VMS },
+    Param { source: "B:5841", ..common::NMSP },
+    Param { source: "B:5849;B:15629", ..common::CORA },
+    Param { needs: &[optional(TOOL, "need-memory")], source: "B:5841;B:6022", ..common::EVNUM },
+    Param { needs: &[optional(TOOL, "need-memory")], source: "B:6022;B:2358-2366", ..common::K },
+    Param { needs: TOLERANCE, source: "B:5845;B:15667", ..common::TZL },
+    Param { needs: TOLERANCE, source: "B:5845;B:15660", ..common::TMV },
+    Param { needs: TOLERANCE, source: "B:5845;B:15664", ..common::TUL },
+    Param { needs: TOLERANCE, source: "B:5845;B:15665", ..common::TLL },
+    Param { needs: TOLERANCE, source: "B:5845;B:15659", ..common::TDIF },
 ];

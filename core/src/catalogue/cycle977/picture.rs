@@ -44,10 +44,7 @@ pub fn picture(inputs: &Inputs) -> Picture {
     if scene.outside || scene.zone.is_some() {
         section(&scene, &mut shapes);
     }
-    Picture {
-        view: View::Plane,
-        shapes,
-    }
+    Picture { view: View::Plane, shapes }
 }
 
 fn scene(inputs: &Inputs) -> Scene {
@@ -58,10 +55,7 @@ fn scene(inputs: &Inputs) -> Scene {
     let set = inputs.positive(names::SETVAL, 132.0);
     let mut size = [set; 2];
     if rectangle {
-        size = [
-            inputs.positive(names::SETV0, 100.0),
-            inputs.positive(names::SETV1, 200.0),
-        ];
+        size = [inputs.positive(names::SETV0, 100.0), inputs.positive(names::SETV1, 200.0)];
     } else if width {
         size[1 - across] = set * 1.4;
     }
@@ -90,9 +84,7 @@ fn scene(inputs: &Inputs) -> Scene {
         rectangle,
         names: [0, 1].map(|axis| AXES[inputs.plane.axes()[axis]]),
         ball: least * 0.045,
-        path: inputs
-            .positive(names::FA, 2.0)
-            .clamp(least * 0.1, least * 0.25),
+        path: inputs.positive(names::FA, 2.0).clamp(least * 0.1, least * 0.25),
     }
 }
 
@@ -102,16 +94,8 @@ fn largest(scene: &Scene) -> f64 {
 }
 
 fn part(scene: &Scene) -> Vec<PictureShape> {
-    let outline = if scene.round {
-        round([0.0; 2], scene.size[0] / 2.0)
-    } else {
-        corners([0.0; 2], scene.size)
-    };
-    let field = if scene.rectangle {
-        names::SETV0
-    } else {
-        names::SETVAL
-    };
+    let outline = if scene.round { round([0.0; 2], scene.size[0] / 2.0) } else { corners([0.0; 2], scene.size) };
+    let field = if scene.rectangle { names::SETV0 } else { names::SETVAL };
     let edge = polygon(ShapeKind::Edge, outline.clone()).of(field);
     if scene.outside {
         return vec![polygon(ShapeKind::Material, outline), edge];
@@ -120,24 +104,14 @@ fn part(scene: &Scene) -> Vec<PictureShape> {
     if let [axis] = scene.axes {
         block[1 - axis] = scene.size[1 - axis]; // a groove is open at its ends
     }
-    vec![
-        polygon(
-            ShapeKind::Material,
-            frame(corners([0.0; 2], block), outline),
-        ),
-        edge,
-    ]
+    vec![polygon(ShapeKind::Material, frame(corners([0.0; 2], block), outline)), edge]
 }
 
 /// The axes through the centre; a zero offset moves them there.
 fn axes(scene: &Scene, tool: bool, shapes: &mut Vec<PictureShape>) {
     for axis in 0..2 {
         let reach = reach(scene, axis);
-        let mut shape = line(
-            ShapeKind::Axis,
-            vec![along(axis, reach), along(axis, -reach)],
-        )
-        .text(scene.names[axis]);
+        let mut shape = line(ShapeKind::Axis, vec![along(axis, reach), along(axis, -reach)]).text(scene.names[axis]);
         if scene.axes == [axis] {
             shape = shape.of(names::MA);
         } else if !tool {
@@ -149,11 +123,7 @@ fn axes(scene: &Scene, tool: bool, shapes: &mut Vec<PictureShape>) {
 
 /// Half the length of an axis, mm.
 fn reach(scene: &Scene, axis: usize) -> f64 {
-    let before = if scene.outside {
-        2.0 * scene.ball + scene.path
-    } else {
-        0.0
-    };
+    let before = if scene.outside { 2.0 * scene.ball + scene.path } else { 0.0 };
     scene.size[axis] * 0.64 + before
 }
 
@@ -166,11 +136,7 @@ fn along(axis: usize, value: f64) -> [f64; 2] {
 
 fn zone(scene: &Scene, shapes: &mut Vec<PictureShape>) {
     let Some(zone) = scene.zone else { return };
-    let wall = if scene.outside {
-        largest(scene) * WALL
-    } else {
-        0.0
-    };
+    let wall = if scene.outside { largest(scene) * WALL } else { 0.0 };
     let contour = |wider: f64| {
         if scene.round {
             round([0.0; 2], zone[0] / 2.0 + wider)
@@ -186,10 +152,7 @@ fn zone(scene: &Scene, shapes: &mut Vec<PictureShape>) {
     shapes.push(polygon(ShapeKind::Zone, area).of(names::SZA));
     let first = scene.axes.first().copied().unwrap_or(0);
     let span = |axis: usize, at: f64| {
-        let (mut from, mut to) = (
-            along(axis, -zone[axis] / 2.0),
-            along(axis, zone[axis] / 2.0),
-        );
+        let (mut from, mut to) = (along(axis, -zone[axis] / 2.0), along(axis, zone[axis] / 2.0));
         (from[1 - axis], to[1 - axis]) = (at, at);
         (from, to)
     };
@@ -209,18 +172,10 @@ fn measure(scene: &Scene, axis: usize, shapes: &mut Vec<PictureShape>) {
         let touch = side * scene.size[axis] / 2.0;
         let switching = touch + side * away * scene.ball;
         let start = switching + side * away * scene.path;
-        shapes.push(
-            line(
-                ShapeKind::Path,
-                vec![along(axis, start), along(axis, switching)],
-            )
-            .of(names::FA),
-        );
+        shapes.push(line(ShapeKind::Path, vec![along(axis, start), along(axis, switching)]).of(names::FA));
         shapes.push(circle(ShapeKind::Probe, along(axis, start), scene.ball).of(names::PRNUM));
         shapes.push(
-            circle(ShapeKind::Touch, along(axis, touch), scene.ball * 0.3)
-                .text(number.to_string())
-                .of(names::NMSP),
+            circle(ShapeKind::Touch, along(axis, touch), scene.ball * 0.3).text(number.to_string()).of(names::NMSP),
         );
     }
 }
@@ -244,10 +199,7 @@ fn sizes(scene: &Scene, shapes: &mut Vec<PictureShape>) {
     let axis = scene.axes.first().copied().unwrap_or(0);
     let sign = if scene.outside { 1.0 } else { -1.0 };
     let switching = scene.size[axis] / 2.0 + sign * scene.ball;
-    let (mut from, mut to) = (
-        along(axis, switching + sign * scene.path),
-        along(axis, switching),
-    );
+    let (mut from, mut to) = (along(axis, switching + sign * scene.path), along(axis, switching));
     (from[1 - axis], to[1 - axis]) = (scene.ball * 2.0, scene.ball * 2.0);
     shapes.push(dimension(names::FA, from, to));
 }
@@ -262,18 +214,11 @@ fn bands(scene: &Scene, tool: bool, shapes: &mut Vec<PictureShape>) {
     }
     let contour = |wider: f64| {
         let size = scene.size.map(|size| size + 2.0 * wider * unit);
-        if scene.round {
-            round([0.0; 2], size[0] / 2.0)
-        } else {
-            corners([0.0; 2], size)
-        }
+        if scene.round { round([0.0; 2], size[0] / 2.0) } else { corners([0.0; 2], size) }
     };
-    for (from, to, field) in [
-        (-2.6, 2.6, names::TSA),
-        (-1.8, 1.8, names::TDIF),
-        (0.0, 1.0, names::TUL),
-        (-1.0, 0.0, names::TLL),
-    ] {
+    for (from, to, field) in
+        [(-2.6, 2.6, names::TSA), (-1.8, 1.8, names::TDIF), (0.0, 1.0, names::TUL), (-1.0, 0.0, names::TLL)]
+    {
         let band = frame(contour(to), contour(from));
         shapes.push(polygon(ShapeKind::Tolerance, band).of(field));
     }
@@ -288,12 +233,7 @@ fn section(scene: &Scene, shapes: &mut Vec<PictureShape>) {
     let depth = all * 0.32;
     let block = |kind, (from, to): (f64, f64), height: f64| {
         let (left, right) = (middle + from, middle + to);
-        let corners = [
-            [left, -depth],
-            [right, -depth],
-            [right, height - depth],
-            [left, height - depth],
-        ];
+        let corners = [[left, -depth], [right, -depth], [right, height - depth], [left, height - depth]];
         polygon(kind, corners.to_vec())
     };
     let walls = if scene.outside {
@@ -301,18 +241,10 @@ fn section(scene: &Scene, shapes: &mut Vec<PictureShape>) {
     } else {
         vec![(-width * 0.65, -width / 2.0), (width / 2.0, width * 0.65)]
     };
-    shapes.extend(
-        walls
-            .into_iter()
-            .map(|wall| block(ShapeKind::Cut, wall, depth)),
-    );
+    shapes.extend(walls.into_iter().map(|wall| block(ShapeKind::Cut, wall, depth)));
     if let Some(zone) = scene.zone {
         let pieces = section_zone(scene.outside, zone[axis], all);
-        shapes.extend(
-            pieces
-                .into_iter()
-                .map(|piece| block(ShapeKind::Zone, piece, depth).of(names::SZA)),
-        );
+        shapes.extend(pieces.into_iter().map(|piece| block(ShapeKind::Zone, piece, depth).of(names::SZA)));
     }
     infeed(scene, width, depth, middle, shapes);
 }
@@ -332,14 +264,8 @@ fn infeed(scene: &Scene, width: f64, depth: f64, middle: f64, shapes: &mut Vec<P
 
 /// How far the view from above reaches to the right, mm.
 fn seen_from_above(scene: &Scene) -> f64 {
-    let zone = scene
-        .zone
-        .map_or(0.0, |zone| zone[0] / 2.0 + largest(scene) * WALL);
-    reach(scene, 0).max(if scene.outside {
-        zone
-    } else {
-        scene.size[0] * 0.65
-    })
+    let zone = scene.zone.map_or(0.0, |zone| zone[0] / 2.0 + largest(scene) * WALL);
+    reach(scene, 0).max(if scene.outside { zone } else { scene.size[0] * 0.65 })
 }
 
 /// How far the section reaches to both sides, mm.

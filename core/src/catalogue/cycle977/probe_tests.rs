@@ -19,16 +19,8 @@ fn turned(setup: &mut Setup, angle: f64) {
 /// (triggers and skew in the order of B:13441-13452).
 fn skewed(setup: &mut Setup) {
     setup.probe.skew = [0.3, -0.2];
-    let data = [
-        (1, 2.7),
-        (2, -3.3),
-        (3, 3.2),
-        (4, -2.8),
-        (7, 0.3),
-        (8, -0.2),
-    ];
-    data.iter()
-        .for_each(|(i, value)| setup.control.set(format!("_WP[0,{i}]"), *value));
+    let data = [(1, 2.7), (2, -3.3), (3, 3.2), (4, -2.8), (7, 0.3), (8, -0.2)];
+    data.iter().for_each(|(i, value)| setup.control.set(format!("_WP[0,{i}]"), *value));
 }
 
 #[test]
@@ -51,11 +43,7 @@ fn a_multi_probe_may_turn_with_the_coordinates() {
             turned(setup, 30.0);
         });
         assert_eq!(outcome, Ok(()));
-        assert!(
-            (sim.control.spindle - angle).abs() < 1e-9,
-            "{}",
-            sim.control.spindle
-        );
+        assert!((sim.control.spindle - angle).abs() < 1e-9, "{}", sim.control.spindle);
         close(&sim, "_OVR[4]", 60.0);
     }
 }
@@ -85,10 +73,7 @@ fn the_fast_touch_is_followed_by_a_slow_one() {
     let all = motions(&sim, Plane::G17, [0.0; 3]).into_iter();
     let measuring = all.filter(|(kind, ..)| *kind == MotionKind::Measuring);
     let feeds: Vec<f64> = measuring.map(|(_, _, feed)| feed).collect();
-    assert_eq!(
-        feeds,
-        [900.0, 300.0, 900.0, 300.0, 900.0, 300.0, 900.0, 300.0]
-    );
+    assert_eq!(feeds, [900.0, 300.0, 900.0, 300.0, 900.0, 300.0, 900.0, 300.0]);
 }
 
 #[test]
@@ -159,13 +144,8 @@ fn ways_and_retraction_have_their_feeds() {
         (0.0, 1.0, 0.0, MotionKind::Rapid, 0.0),
     ] {
         let (sim, outcome) = hole(|setup, _| {
-            let data = [
-                ("_CHBIT[2]", monitored),
-                ("_CHBIT[16]", fast),
-                ("_SPEED[1]", 1200.0),
-            ];
-            data.iter()
-                .for_each(|(name, value)| setup.control.set(*name, *value));
+            let data = [("_CHBIT[2]", monitored), ("_CHBIT[16]", fast), ("_SPEED[1]", 1200.0)];
+            data.iter().for_each(|(name, value)| setup.control.set(*name, *value));
         });
         assert_eq!(outcome, Ok(()));
         for (found, _, feed) in motions(&sim, Plane::G17, [0.0; 3]) {
@@ -195,13 +175,8 @@ fn a_probe_calibrated_otherwise_is_refused() {
     // oracle: manual B:13658-13667; 17: the plane, 1: L1 to the centre of the ball
     let case = |plane: f64, reference: f64, monitored: f64| {
         let (_, outcome) = hole(|setup, _| {
-            let data = [
-                ("_WP[0,9]", plane),
-                ("_WP[0,10]", reference),
-                ("_CBIT[16]", monitored),
-            ];
-            data.iter()
-                .for_each(|(name, value)| setup.control.set(*name, *value));
+            let data = [("_WP[0,9]", plane), ("_WP[0,10]", reference), ("_CBIT[16]", monitored)];
+            data.iter().for_each(|(name, value)| setup.control.set(*name, *value));
         });
         outcome
     };
@@ -217,10 +192,7 @@ fn the_coarse_part_takes_the_fine_one_in() {
     // oracle: manual B:14035-14039: a hole 0.5 mm off, with 0.1 mm in the fine part before
     for (bit, coarse, fine) in [(0.0, 0.0, 0.6), (1.0, 0.6, 0.0)] {
         let (sim, outcome) = hole(|setup, inputs| {
-            let frame = crate::control::Frame {
-                fine: [0.1, 0.0, 0.0],
-                ..Default::default()
-            };
+            let frame = crate::control::Frame { fine: [0.1, 0.0, 0.0], ..Default::default() };
             setup.control.frames.insert(1, frame);
             setup.control.activate(1);
             setup.control.set("MD18600", 1.0);
@@ -248,13 +220,8 @@ fn a_programmed_stop_follows_an_alarm_that_informs() {
             inputs.numbers.extend([("_TUL", 0.5), ("_TLL", -0.5)]);
         });
         assert_eq!(outcome, Ok(()));
-        let halt =
-            |step: &Step| matches!(step, Step::Decision(message) if message.key == "evaluate-halt");
-        sim.trace
-            .entries
-            .iter()
-            .filter(|entry| halt(&entry.step))
-            .count()
+        let halt = |step: &Step| matches!(step, Step::Decision(message) if message.key == "evaluate-halt");
+        sim.trace.entries.iter().filter(|entry| halt(&entry.step)).count()
     };
     assert_eq!((halts(0.0), halts(1.0)), (0, 1));
 }
@@ -269,11 +236,7 @@ fn mirrored(setup: &mut Setup, axes: [bool; 3]) {
 #[test]
 fn mirrored_axes_take_the_values_of_the_other_direction() {
     // oracle: manual B:6153 (mirroring can be active), hand (the hole as it was made)
-    for axes in [
-        [true, false, false],
-        [false, true, false],
-        [true, true, false],
-    ] {
+    for axes in [[true, false, false], [false, true, false], [true, true, false]] {
         let (sim, outcome) = hole(|setup, _| {
             skewed(setup);
             mirrored(setup, axes);

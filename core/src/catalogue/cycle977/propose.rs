@@ -19,20 +19,13 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
         (-DEPTH, DEPTH)
     };
     let height = depth + 2.0 * ball + 10.0;
-    let x = if inputs.integer(names::MA) == 2 {
-        [0.0, 1.0, 0.0]
-    } else {
-        [1.0, 0.0, 0.0]
-    };
+    let x = if inputs.integer(names::MA) == 2 { [0.0, 1.0, 0.0] } else { [1.0, 0.0, 0.0] };
     let out = place::outward(control);
     let part = place::solid(control, shape(inputs, height), [0.0; 3], x, out);
     let protected = Protected::of(inputs, height, x);
     Proposal {
         workpiece: Workpiece { solids: vec![part] },
-        fixture: protected
-            .iter()
-            .flat_map(|zone| zone.obstacles(control))
-            .collect(),
+        fixture: protected.iter().flat_map(|zone| zone.obstacles(control)).collect(),
         zones: protected.iter().map(|zone| zone.walls(control)).collect(),
         start: place::in_plane(control, out.map(|part| part * start)),
         tools: place::corrected_tools(inputs),
@@ -44,10 +37,7 @@ fn shape(inputs: &Inputs, height: f64) -> Shape {
     let length = [inputs.number(names::SETV0), inputs.number(names::SETV1)];
     match (inputs.variant % 10, RECTANGLE.holds(inputs)) {
         (kind, false) => place::element(kind, inputs.number(names::SETVAL), height),
-        (5, true) => Shape::Pocket {
-            length,
-            depth: height,
-        },
+        (5, true) => Shape::Pocket { length, depth: height },
         _ => Shape::Island { length, height },
     }
 }

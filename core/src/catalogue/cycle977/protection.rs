@@ -39,10 +39,9 @@ impl Protected {
         let (size, zone) = (inputs.number(names::SETVAL), inputs.number(names::SZA));
         let (rectangle, single) = (RECTANGLE.holds(inputs), WIDTH.holds(inputs));
         let (element, zone) = match (rectangle, single) {
-            (true, _) => (
-                [inputs.number(names::SETV0), inputs.number(names::SETV1)],
-                [zone, inputs.number(names::SZO)],
-            ),
+            (true, _) => {
+                ([inputs.number(names::SETV0), inputs.number(names::SETV1)], [zone, inputs.number(names::SZO)])
+            }
             (_, true) => ([size, place::along(size)], [zone, place::along(size)]),
             _ => ([size; 2], [zone; 2]),
         };
@@ -61,19 +60,9 @@ impl Protected {
     pub fn walls(&self, control: &Control) -> Solid {
         let ([first, across], height) = (self.zone, self.height);
         let shape = match (self.round, self.single) {
-            (true, _) => Shape::Shaft {
-                diameter: first,
-                height,
-            },
-            (_, true) => Shape::Web {
-                width: first,
-                height,
-                length: across,
-            },
-            _ => Shape::Island {
-                length: self.zone,
-                height,
-            },
+            (true, _) => Shape::Shaft { diameter: first, height },
+            (_, true) => Shape::Web { width: first, height, length: across },
+            _ => Shape::Island { length: self.zone, height },
         };
         self.placed(control, shape, [0.0; 2])
     }
@@ -85,16 +74,9 @@ impl Protected {
         }
         let [first, across] = self.zone.map(|size| (size - 2.0 * GAP).max(size * 0.5));
         let shape = match (self.round, self.single) {
-            (true, _) => Shape::Shaft {
-                diameter: first,
-                height: self.height + SUNK,
-            },
-            (_, true) => Shape::Block {
-                size: [first, self.zone[1], self.height],
-            },
-            _ => Shape::Block {
-                size: [first, across, self.height],
-            },
+            (true, _) => Shape::Shaft { diameter: first, height: self.height + SUNK },
+            (_, true) => Shape::Block { size: [first, self.zone[1], self.height] },
+            _ => Shape::Block { size: [first, across, self.height] },
         };
         vec![self.placed(control, shape, [0.0; 2])]
     }

@@ -15,13 +15,9 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     results::begin(machine, inputs, 977);
     results::integer(machine, 3, inputs.variant);
     let block = Block::prepare(machine, inputs)?;
-    let paths = element
-        .paths(&block)
-        .map_err(|number| alarm(machine, number))?;
+    let paths = element.paths(&block).map_err(|number| alarm(machine, number))?;
     let sides = element.axes().iter();
-    let sides: Vec<_> = sides
-        .flat_map(|axis| [(*axis, 1.0), (*axis, -1.0)])
-        .collect();
+    let sides: Vec<_> = sides.flat_map(|axis| [(*axis, 1.0), (*axis, -1.0)]).collect();
     all_calibrated(machine, &block, &sides)?;
     let axis = (!element.round && !element.rectangle).then_some(element.axes()[0]);
     let target = Target::of(machine, inputs, axis)?;
@@ -61,10 +57,7 @@ fn measure(
         size[axis] = plus - minus;
         above(machine, block, start, centre)?;
     }
-    let pair = |axis: usize, set: [f64; 2], actual: [f64; 2]| Pair {
-        set: set[axis],
-        actual: actual[axis],
-    };
+    let pair = |axis: usize, set: [f64; 2], actual: [f64; 2]| Pair { set: set[axis], actual: actual[axis] };
     let sizes = element.sizes().iter();
     let applicate = block.axes[2];
     Ok(Found {
@@ -110,12 +103,7 @@ fn touch(
 }
 
 /// The infeed. A collision after a way in the plane that a software limit switch shortened is 61402 (A:15921).
-fn down(
-    machine: &mut dyn Machine,
-    block: &Block,
-    deep: [f64; 3],
-    shortened: bool,
-) -> Result<(), Stop> {
+fn down(machine: &mut dyn Machine, block: &Block, deep: [f64; 3], shortened: bool) -> Result<(), Stop> {
     match block.travel(machine, deep) {
         Err(Stop::Alarm(Code::Alarm(61302))) if shortened => Err(alarm(machine, 61402)),
         outcome => outcome,
@@ -123,12 +111,7 @@ fn down(
 }
 
 /// To the centre found so far, at the height of the start.
-fn above(
-    machine: &mut dyn Machine,
-    block: &Block,
-    start: [f64; 3],
-    centre: [f64; 2],
-) -> Result<(), Stop> {
+fn above(machine: &mut dyn Machine, block: &Block, start: [f64; 3], centre: [f64; 2]) -> Result<(), Stop> {
     let mut to = start;
     to[block.axes[0]] = centre[0];
     to[block.axes[1]] = centre[1];

@@ -37,29 +37,10 @@ const WEB_ZERO: &[(&str, Meaning)] = &[SET, AXIS, DOWN, REACH, SAFE, ZERO];
 const BOSS_TOOL: &[(&str, Meaning)] = &[SET, DOWN, REACH, UPPER, LOWER, MOST, TOOL];
 const WEB_TOOL: &[(&str, Meaning)] = &[SET, AXIS, DOWN, REACH, UPPER, LOWER, MOST, TOOL];
 
-const fn zero(
-    task: Task,
-    variant: i64,
-    all: &'static [i64],
-    values: &'static [(&'static str, Meaning)],
-) -> Shared {
-    Shared {
-        task,
-        when: When::Variant(all),
-        variant,
-        tool: Some(false),
-        values,
-    }
+const fn zero(task: Task, variant: i64, all: &'static [i64], values: &'static [(&'static str, Meaning)]) -> Shared {
+    Shared { task, when: When::Variant(all), variant, tool: Some(false), values }
 }
 
-const fn tool(
-    task: Task,
-    variant: i64,
-    all: &'static [i64],
-    values: &'static [(&'static str, Meaning)],
-) -> Shared {
-    Shared {
-        tool: Some(true),
-        ..zero(task, variant, all, values)
-    }
+const fn tool(task: Task, variant: i64, all: &'static [i64], values: &'static [(&'static str, Meaning)]) -> Shared {
+    Shared { tool: Some(true), ..zero(task, variant, all, values) }
 }

@@ -47,10 +47,7 @@ pub(super) fn inputs(variant: i64, axis: f64) -> Inputs {
 pub(super) fn ready(plane: Plane, variant: i64) -> Setup {
     let mut setup = setup(plane);
     let inside = variant % 2 == 1 && variant < 1000;
-    setup.position = at(
-        plane,
-        [CENTRE[0], CENTRE[1], if inside { -10.0 } else { 10.0 }],
-    );
+    setup.position = at(plane, [CENTRE[0], CENTRE[1], if inside { -10.0 } else { 10.0 }]);
     setup
 }
 
@@ -103,7 +100,8 @@ proptest! {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(6))]
 
-    /// A part that is also turned about the tool axis: the ball meets its walls at an angle, in every variant and plane.
+    /// A part that is also turned about the tool axis: the ball meets its walls at an angle, in every variant and
+    /// plane.
     #[test]
     fn a_turned_part_is_measured_as_geometry_says(
         dx in -1.0..1.0_f64, dy in -1.0..1.0_f64, grown in -1.0..1.0_f64, tilt in -1.0..1.0_f64,
@@ -199,9 +197,7 @@ proptest! {
 }
 
 /// Runs a hole with these data and values changed.
-pub(super) fn hole(
-    errors: impl Fn(&mut Setup, &mut Inputs),
-) -> (Sim, Result<(), crate::run::Stop>) {
+pub(super) fn hole(errors: impl Fn(&mut Setup, &mut Inputs)) -> (Sim, Result<(), crate::run::Stop>) {
     let mut setup = ready(Plane::G17, 1);
     setup.workpiece.solids.push(part(Plane::G17, 1, false));
     let mut inputs = inputs(1, 1.0);
@@ -217,10 +213,5 @@ fn the_ordinate_is_measured_through_the_centre_found_in_the_abscissa() {
     let touches = touches(&sim);
     assert_eq!(touches.len(), 4);
     assert!(touches[0][0] > touches[1][0] && touches[2][1] > touches[3][1]);
-    assert!(
-        touches[2..]
-            .iter()
-            .all(|touch| (touch[0] - 40.8).abs() < 1e-9),
-        "{touches:?}"
-    );
+    assert!(touches[2..].iter().all(|touch| (touch[0] - 40.8).abs() < 1e-9), "{touches:?}");
 }

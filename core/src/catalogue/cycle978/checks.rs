@@ -26,10 +26,6 @@ fn differential(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>)
     shared_checks::differential(inputs, control, found);
     if inputs.integer(names::MA) == 3 {
         let message = Message::new("check-differential-axis");
-        found.push(
-            error(Code::Alarm(61325), message)
-                .hint(Message::new("check-differential-axis-hint"))
-                .at(names::MA),
-        );
+        found.push(error(Code::Alarm(61325), message).hint(Message::new("check-differential-axis-hint")).at(names::MA));
     }
 }

@@ -17,26 +17,10 @@ use crate::catalogue::{Cycle, Dialect, Drawing, Help, Purpose, Simulation, Varia
 
 /// Measuring variants (B:6323-6328).
 pub const VARIANTS: &[Variant] = &[
-    Variant {
-        number: 0,
-        key: "cycle978-tool",
-        source: "B:6325;B:6596;A:7189",
-    },
-    Variant {
-        number: 100,
-        key: "cycle978-zero",
-        source: "B:6326;B:6456;A:7190",
-    },
-    Variant {
-        number: 1000,
-        key: "cycle978-differential-tool",
-        source: "B:6327;B:6597;A:7191",
-    },
-    Variant {
-        number: 1100,
-        key: "cycle978-differential-zero",
-        source: "B:6328;B:6457;A:7192",
-    },
+    Variant { number: 0, key: "cycle978-tool", source: "B:6325;B:6596;A:7189" },
+    Variant { number: 100, key: "cycle978-zero", source: "B:6326;B:6456;A:7190" },
+    Variant { number: 1000, key: "cycle978-differential-tool", source: "B:6327;B:6597;A:7191" },
+    Variant { number: 1100, key: "cycle978-differential-zero", source: "B:6328;B:6457;A:7192" },
 ];
 
 pub use results::RESULTS;
@@ -48,10 +32,7 @@ pub static CYCLE978: Cycle = Cycle {
     key: "cycle978",
     variants: VARIANTS,
     params: params::PARAMS,
-    purpose: Purpose {
-        tasks: tasks::TASKS,
-        ..Purpose::MILLING
-    },
+    purpose: Purpose { tasks: tasks::TASKS, ..Purpose::MILLING },
     lists: lists::LISTS,
     settings: &["_CBIT[14]"], // B:6400: on a lathe the length ends at the centre of the ball
     results: RESULTS,
@@ -93,10 +74,7 @@ pub static CYCLE978: Cycle = Cycle {
         ("_TDIF", "0.06"),
     ],
     simulation: Some(Simulation::new(
-        Work {
-            propose: propose::propose,
-            simulate: simulate::simulate,
-        },
+        Work { propose: propose::propose, simulate: simulate::simulate },
         &[(params::ZERO, &[("_KNUM", "1")])],
     )),
     source: "B:6287-6735",

@@ -8,11 +8,7 @@ pub const TOOL: When = common::TOOL_OFFSET;
 /// With ZO correction.
 pub const ZERO: When = common::ZERO_OFFSET;
 /// Each point with the spindle at 180 and 0 degree.
-pub const DIFFERENTIAL: When = When::Digit {
-    param: names::MVAR,
-    place: 1000,
-    is: &[1],
-};
+pub const DIFFERENTIAL: When = When::Digit { param: names::MVAR, place: 1000, is: &[1] };
 
 const MVAR_DIGITS: &[DigitGroup] = &[
     DigitGroup {
@@ -33,11 +29,7 @@ const TOLERANCE: &[Need] = &[optional(TOOL, "need-tolerance")];
 
 /// In the order in which the snippet writes them.
 pub const PARAMS: &[Param] = &[
-    Param {
-        kind: Kind::Variant(MVAR_DIGITS),
-        source: "B:6323-6328",
-        ..common::MVAR
-    },
+    Param { kind: Kind::Variant(MVAR_DIGITS), source: "B:6323-6328", ..common::MVAR },
     Param {
         needs: common::ALWAYS_REQUIRED,
         labels: &[(When::Always, "setval-position")],
@@ -47,99 +39,34 @@ pub const PARAMS: &[Param] = &[
     Param {
         kind: Kind::Choice(&[(1, "ma-abscissa"), (2, "ma-ordinate"), (3, "ma-applicate")]),
         range: crate::catalogue::Range::closed(1.0, 3.0),
-        needs: &[
-            required(DIFFERENTIAL, "need-axis-differential"),
-            required(When::Always, "need-axis-surface"),
-        ],
+        needs: &[required(DIFFERENTIAL, "need-axis-differential"), required(When::Always, "need-axis-surface")],
         source: "B:6459;B:15699",
         ..common::MA
     },
+    Param { labels: &[(TOOL, "knum-tool"), (ZERO, "knum-zero")], source: "B:6460-6462;B:6600-6601", ..common::KNUM },
+    Param { source: "B:6602", ..common::OFFSET_TNUM },
+    Param { source: "B:6603-6604", ..common::OFFSET_TNAME },
+    Param { source: "B:6605", ..common::OFFSET_DLNUM },
+    Param { source: "B:6606", ..common::OFFSET_TENV },
+    Param { source: "B:6301-6308", ..common::PRNUM },
+    Param { source: "B:6384;B:6388", ..common::FA },
+    Param { labels: &[(When::Always, "tsa-position")], source: "B:6466;B:6486", ..common::TSA },
+    Param { source: "B:6466;B:6610", ..common::VMS },
+    Param { source: "B:6466;B:15705", ..common::NMSP },
     Param {
-        labels: &[(TOOL, "knum-tool"), (ZERO, "knum-zero")],
-        source: "B:6460-6462;B:6600-6601",
-        ..common::KNUM
-    },
-    Param {
-        source: "B:6602",
-        ..common::OFFSET_TNUM
-    },
-    Param {
-        source: "B:6603-6604",
-        ..common::OFFSET_TNAME
-    },
-    Param {
-        source: "B:6605",
-        ..common::OFFSET_DLNUM
-    },
-    Param {
-        source: "B:6606",
-        ..common::OFFSET_TENV
-    },
-    Param {
-        source: "B:6301-6308",
-        ..common::PRNUM
-    },
-    Param {
-        source: "B:6384;B:6388",
-        ..common::FA
-    },
-    Param {
-        labels: &[(When::Always, "tsa-position")],
-        source: "B:6466;B:6486",
-        ..common::TSA
-    },
-    Param {
-        source: "B:6466;B:6610",
-        ..common::VMS
-    },
-    Param {
-        source: "B:6466;B:15705",
-        ..common::NMSP
-    },
-    Param {
-        needs: &[required(
-            When::All(&[common::MONO, When::Not(&DIFFERENTIAL)]),
-            "need-mono",
-        )],
+        needs: &[required(When::All(&[common::MONO, When::Not(&DIFFERENTIAL)]), "need-mono")],
         source: "B:6468;B:6612",
         ..common::CORA
     },
     Param {
-        needs: &[
-            optional(TOOL, "need-memory"),
-            optional(ZERO, "need-memory-empirical"),
-        ],
+        needs: &[optional(TOOL, "need-memory"), optional(ZERO, "need-memory-empirical")],
         source: "B:6466;B:6584-6588",
         ..common::EVNUM
     },
-    Param {
-        needs: &[optional(TOOL, "need-memory")],
-        source: "B:6610;B:15690",
-        ..common::K
-    },
-    Param {
-        needs: TOLERANCE,
-        source: "B:6610;B:6614",
-        ..common::TZL
-    },
-    Param {
-        needs: TOLERANCE,
-        source: "B:6610;B:15720",
-        ..common::TMV
-    },
-    Param {
-        needs: TOLERANCE,
-        source: "B:6610;B:15727",
-        ..common::TUL
-    },
-    Param {
-        needs: TOLERANCE,
-        source: "B:6610;B:15728",
-        ..common::TLL
-    },
-    Param {
-        needs: TOLERANCE,
-        source: "B:6610;B:15719",
-        ..common::TDIF
-    },
+    Param { needs: &[optional(TOOL, "need-memory")], source: "B:6610;B:15690", ..common::K },
+    Param { needs: TOLERANCE, source: "B:6610;B:6614", ..common::TZL },
+    Param { needs: TOLERANCE, source: "B:6610;B:15720", ..common::TMV },
+    Param { needs: TOLERANCE, source: "B:6610;B:15727", ..common::TUL },
+    Param { needs: TOLERANCE, source: "B:6610;B:15728", ..common::TLL },
+    Param { needs: TOLERANCE, source: "B:6610;B:15719", ..common::TDIF },
 ];

@@ -19,16 +19,8 @@ const ZERO: f64 = -44.0;
 /// The picture.
 pub fn picture(inputs: &Inputs) -> Picture {
     let axis = inputs.integer(names::MA).clamp(1, 3);
-    let path = inputs
-        .given(names::FA)
-        .filter(|path| *path > 0.0)
-        .unwrap_or(2.0)
-        .clamp(6.0, 24.0);
-    let (view, material) = if axis == 3 {
-        (View::Section, ShapeKind::Cut)
-    } else {
-        (View::Plane, ShapeKind::Material)
-    };
+    let path = inputs.given(names::FA).filter(|path| *path > 0.0).unwrap_or(2.0).clamp(6.0, 24.0);
+    let (view, material) = if axis == 3 { (View::Section, ShapeKind::Cut) } else { (View::Plane, ShapeKind::Material) };
     let mut shapes = lying(path, TOOL.holds(inputs), material);
     if DIFFERENTIAL.holds(inputs) {
         let turn = circle(ShapeKind::Axis, [-BALL - path, 0.0], BALL * 1.8);
@@ -45,18 +37,13 @@ fn lying(path: f64, tool: bool, material: ShapeKind) -> Vec<PictureShape> {
     let start = -BALL - path;
     let zero = line(ShapeKind::Axis, vec![[ZERO, -FACE], [ZERO, FACE]]).text("0");
     let mut shapes = vec![
-        polygon(
-            material,
-            vec![[0.0, -FACE], [BEHIND, -FACE], [BEHIND, FACE], [0.0, FACE]],
-        ),
+        polygon(material, vec![[0.0, -FACE], [BEHIND, -FACE], [BEHIND, FACE], [0.0, FACE]]),
         line(ShapeKind::Edge, vec![[0.0, -FACE], [0.0, FACE]]).of(names::SETVAL),
         line(ShapeKind::Axis, vec![[ZERO, 0.0], [BEHIND * 1.3, 0.0]]).of(names::MA),
         if tool { zero } else { zero.of(names::KNUM) },
         line(ShapeKind::Path, vec![[start, 0.0], [-BALL, 0.0]]).of(names::FA),
         circle(ShapeKind::Probe, [start, 0.0], BALL).of(names::PRNUM),
-        circle(ShapeKind::Touch, [0.0, 0.0], BALL * 0.3)
-            .text("1")
-            .of(names::NMSP),
+        circle(ShapeKind::Touch, [0.0, 0.0], BALL * 0.3).text("1").of(names::NMSP),
         dimension(names::SETVAL, [ZERO, -FACE * 0.6], [0.0, -FACE * 0.6]),
         dimension(names::FA, [start, BALL * 2.5], [-BALL, BALL * 2.5]),
     ];
@@ -66,11 +53,7 @@ fn lying(path: f64, tool: bool, material: ShapeKind) -> Vec<PictureShape> {
     };
     shapes.push(band(-3.2, 3.2, names::TSA));
     if tool {
-        shapes.extend([
-            band(-2.2, 2.2, names::TDIF),
-            band(0.0, 1.2, names::TUL),
-            band(-1.2, 0.0, names::TLL),
-        ]);
+        shapes.extend([band(-2.2, 2.2, names::TDIF), band(0.0, 1.2, names::TUL), band(-1.2, 0.0, names::TLL)]);
     }
     shapes
 }

@@ -11,11 +11,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let set = inputs.number(names::SETVAL);
     let axis = (inputs.integer(names::MA).clamp(1, 3) - 1) as usize;
     let away = inputs.number(names::FA) + place::ball_radius(inputs, control) + 5.0;
-    let side = if axis == 2 {
-        place::side(control)
-    } else {
-        -1.0
-    };
+    let side = if axis == 2 { place::side(control) } else { -1.0 };
     let (part, start) = place::face(control, axis, set, side, away);
     Proposal {
         workpiece: Workpiece { solids: vec![part] },

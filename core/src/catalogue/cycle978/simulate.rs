@@ -22,11 +22,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     }
     let start = machine.position();
     let set = inputs.number("_SETVAL");
-    let direction = if set < start[block.axes[axis]] {
-        -1.0
-    } else {
-        1.0
-    };
+    let direction = if set < start[block.axes[axis]] { -1.0 } else { 1.0 };
     if !differential {
         all_calibrated(machine, &block, &[(axis, direction)])?;
     }

@@ -36,14 +36,8 @@ pub const TASKS: &[Shared] = &[
     },
 ];
 
-const IN_PLANE: When = When::Number {
-    param: names::MA,
-    is: &[1.0, 2.0],
-};
-const ALONG_TOOL: When = When::Number {
-    param: names::MA,
-    is: &[3.0],
-};
+const IN_PLANE: When = When::Number { param: names::MA, is: &[1.0, 2.0] };
+const ALONG_TOOL: When = When::Number { param: names::MA, is: &[3.0] };
 const ZERO: &[(&str, Meaning)] = &[
     (names::SETVAL, Meaning::Nominal),
     (names::MA, Meaning::Axis),

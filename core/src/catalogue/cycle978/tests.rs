@@ -3,8 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use crate::catalogue::sinumerik::testing::{
-    WIDE_BANDS, at, call, called, close, motions, random_parts, run, setup, solid, stopped,
-    touches, turns,
+    WIDE_BANDS, at, call, called, close, motions, random_parts, run, setup, solid, stopped, touches, turns,
 };
 use crate::check::Inputs;
 use crate::control::Plane;
@@ -33,12 +32,7 @@ fn ready(plane: Plane, axis: usize, side: f64, error: f64) -> Setup {
 
 fn inputs(variant: i64, axis: usize, side: f64) -> Inputs {
     let set = if axis == 2 { 0.0 } else { side * 50.0 };
-    let values = [
-        ("_SETVAL", set),
-        ("_MA", axis as f64 + 1.0),
-        ("_FA", 4.0),
-        ("_TNUM", 20.0),
-    ];
+    let values = [("_SETVAL", set), ("_MA", axis as f64 + 1.0), ("_FA", 4.0), ("_TNUM", 20.0)];
     call("CYCLE978", variant, &[&values[..], &WIDE_BANDS].concat())
 }
 
@@ -107,8 +101,8 @@ proptest! {
         close(&sim, "_OVR[16]", 0.0);
     }
 
-    /// An uncalibrated, skewed probe measures right by turning the spindle, and its skew is known afterwards, alone and in the
-    /// trigger value.
+    /// An uncalibrated, skewed probe measures right by turning the spindle, and its skew is known afterwards, alone and
+    /// in the trigger value.
     #[test]
     fn differential_measurement_finds_the_skew(
         skew in -0.5..0.5_f64, error in -1.0..1.0_f64, axis in 0..2_usize, plus in any::<bool>(), turned in 0..2_u32,
@@ -163,9 +157,8 @@ fn surface(error: f64, change: impl Fn(&mut Setup, &mut Inputs)) -> (Sim, Result
 #[test]
 fn every_alarm() {
     // oracle: manual A:15842-15944, B:6436-6440
-    let value = |name: &'static str, value: f64| {
-        stopped(surface(0.0, |_, inputs| _ = inputs.numbers.insert(name, value)).1)
-    };
+    let value =
+        |name: &'static str, value: f64| stopped(surface(0.0, |_, inputs| _ = inputs.numbers.insert(name, value)).1);
     assert_eq!(value("_MA", 4.0), 61325);
     assert_eq!(value("_K", 0.0), 61318);
     assert_eq!(value("_FA", -1.0), 61308);
@@ -219,7 +212,8 @@ fn measurements_at_the_same_place_are_averaged() {
     close(&sim, "_OVR[4]", touches.iter().sum::<f64>() / 4.0 - 3.0);
 }
 
-// oracle: hand, with manual B:6376-6388 (start _FA before the surface, back to it), B:6402-6418 (twice for differential)
+// oracle: hand, with manual B:6376-6388 (start _FA before the surface, back to it), B:6402-6418 (twice for
+// differential)
 #[test]
 fn only_the_measuring_axis_moves_to_the_start_into_the_surface_and_back() {
     use MotionKind::{Measuring, Positioning, Retract};
@@ -243,10 +237,8 @@ fn only_the_measuring_axis_moves_to_the_start_into_the_surface_and_back() {
                     expected.push((Retract, before, feed));
                 }
                 let geometry = plane.axes()[axis];
-                let found: Vec<_> = motions(&sim, plane, [0.0; 3])
-                    .into_iter()
-                    .map(|(kind, to, feed)| (kind, to[axis], feed))
-                    .collect();
+                let found: Vec<_> =
+                    motions(&sim, plane, [0.0; 3]).into_iter().map(|(kind, to, feed)| (kind, to[axis], feed)).collect();
                 assert_eq!(found.len(), expected.len(), "{variant} {axis} {found:?}");
                 for (is, wanted) in found.iter().zip(&expected) {
                     assert_eq!((is.0, is.2), (wanted.0, wanted.2), "{variant} {axis}");
@@ -297,8 +289,8 @@ fn a_mono_probe_is_known_by_its_triggers() {
 
 #[test]
 fn differential_measurement_in_a_mirrored_axis_stores_what_the_machine_knows() {
-    // oracle: hand: towards minus of a mirrored abscissa the machine goes in plus direction, where the trigger is -3 less the
-    // skew of the machine
+    // oracle: hand: towards minus of a mirrored abscissa the machine goes in plus direction, where the trigger is -3
+    // less the skew of the machine
     let mut setup = ready(Plane::G17, 0, -1.0, 0.5);
     setup.control.active.mirror = [true, false, false];
     setup.probe.skew[0] = 0.2;

@@ -44,12 +44,7 @@ fn inside(inputs: &Inputs, ball: f64, found: &mut Vec<Diagnostic>) {
     let (free, path) = (size / 2.0 - ball, inputs.given(names::FA));
     let beyond = |path: f64| (free..2.0 * free).contains(&path);
     if ROUND.holds(inputs) && path.is_some_and(beyond) {
-        found.push(
-            own::PATH_CENTRE
-                .finding()
-                .hint_number("free", free)
-                .at(names::FA),
-        );
+        found.push(own::PATH_CENTRE.finding().hint_number("free", free).at(names::FA));
     }
     shared_checks::across(inputs, names::SETVAL, size, ball, found);
 }

@@ -8,19 +8,11 @@ use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong}
 pub const LINES: &[HelpLine] = &[
     measures(element(&[1]), "help-cycle979-measures-hole", "B:6835-6850"),
     measures(element(&[2]), "help-cycle979-measures-shaft", "B:6835-6850"),
-    measures(
-        element(&[3]),
-        "help-cycle979-measures-groove",
-        "B:6852-6858",
-    ),
+    measures(element(&[3]), "help-cycle979-measures-groove", "B:6852-6858"),
     measures(element(&[4]), "help-cycle979-measures-web", "B:6852-6858"),
     before(When::Always, "help-cycle979-before-near", "B:6898-6905"),
     before(When::Always, "help-cycle979-before-ball", "B:6873"),
-    order(
-        ROUND,
-        "help-cycle979-order-circle",
-        "B:6835-6850;B:6907-6913",
-    ),
+    order(ROUND, "help-cycle979-order-circle", "B:6835-6850;B:6907-6913"),
     order(element(&[1]), "help-cycle979-order-outwards", "B:6907-6913"),
     order(element(&[2]), "help-cycle979-order-inwards", "B:6907-6913"),
     order(element(&[3]), "help-cycle979-order-across", "B:6915-6933"),

@@ -66,13 +66,7 @@ fn expected(variant: i64, step: f64, points: usize) -> Vec<Motion> {
 fn around(sim: &Sim, plane: Plane, origin: [f64; 3]) -> Vec<f64> {
     let mut degrees = Vec::new();
     for entry in &sim.trace.entries {
-        let Step::Motion {
-            from,
-            to,
-            around: Some(around),
-            ..
-        } = entry.step
-        else {
+        let Step::Motion { from, to, around: Some(around), .. } = entry.step else {
             continue;
         };
         let away = |part: f64| {
@@ -80,11 +74,7 @@ fn around(sim: &Sim, plane: Plane, origin: [f64; 3]) -> Vec<f64> {
             let [x, y, _] = plane.axes().map(|i| at[i] - origin[i]);
             x.hypot(y)
         };
-        assert!(
-            [0.3, 0.7]
-                .iter()
-                .all(|part| (away(*part) - away(0.0)).abs() < 1e-9)
-        );
+        assert!([0.3, 0.7].iter().all(|part| (away(*part) - away(0.0)).abs() < 1e-9));
         degrees.push(around.degrees);
     }
     degrees
@@ -106,11 +96,7 @@ fn every_variant_moves_as_the_manual_says() {
                 let what = format!("{variant} {step} {points} {plane:?}");
                 assert_eq!(run(&mut sim, &inputs), Ok(()), "{what}");
                 let origin = at(plane, [CENTRE[0], CENTRE[1], HEIGHT]);
-                same(
-                    &motions(&sim, plane, origin),
-                    &expected(variant, step, points),
-                    &what,
-                );
+                same(&motions(&sim, plane, origin), &expected(variant, step, points), &what);
                 let ways = if round(variant) { points - 1 } else { 0 };
                 assert_eq!(around(&sim, plane, origin), vec![step; ways], "{what}");
             }
@@ -122,14 +108,9 @@ fn every_variant_moves_as_the_manual_says() {
 fn obstructed(monitored: bool) -> (Sim, Result<(), Stop>) {
     let plane = Plane::G17;
     let mut setup = ready(plane, 1, ANGLE);
-    setup
-        .control
-        .set("_CHBIT[2]", f64::from(u8::from(monitored)));
+    setup.control.set("_CHBIT[2]", f64::from(u8::from(monitored)));
     let [x, y, _] = polar(22.0, ANGLE + 40.0, 0.0);
-    let post = Shape::Shaft {
-        diameter: 6.0,
-        height: 20.0,
-    };
+    let post = Shape::Shaft { diameter: 6.0, height: 20.0 };
     let place = [CENTRE[0] + x, CENTRE[1] + y, HEIGHT + 5.0];
     setup.workpiece.solids = vec![part(plane, 1, ANGLE), solid(plane, post, place, false)];
     let mut sim = Sim::new(&setup);
@@ -137,7 +118,8 @@ fn obstructed(monitored: bool) -> (Sim, Result<(), Stop>) {
     (sim, outcome)
 }
 
-// oracle: manual B:13743-13766 (61302, or nothing that watches), hand: ball and post are 6 mm apart 2·asin(6/44) before it
+// oracle: manual B:13743-13766 (61302, or nothing that watches), hand: ball and post are 6 mm apart 2·asin(6/44) before
+// it
 #[test]
 fn what_stands_on_the_circular_way_is_met_there() {
     for monitored in [true, false] {
@@ -151,9 +133,6 @@ fn what_stands_on_the_circular_way_is_met_there() {
         let origin = at(Plane::G17, [CENTRE[0], CENTRE[1], HEIGHT]);
         let gone = around(&sim, Plane::G17, origin);
         let free = 40.0 - 2.0 * (6.0_f64 / 44.0).asin().to_degrees();
-        assert!(
-            gone.len() == 1 && (gone[0] - free).abs() < 1e-6,
-            "{gone:?} {free}"
-        );
+        assert!(gone.len() == 1 && (gone[0] - free).abs() < 1e-6, "{gone:?} {free}");
     }
 }

@@ -1,4 +1,5 @@
-//! CYCLE979 drawn: the element from above with its points at their angles, and the way over a web as a section beside it.
+//! CYCLE979 drawn: the element from above with its points at their angles, and the way over a web as a section beside
+//! it.
 //! Missing values are drawn as in the manual's examples. Short distances are drawn longer than they are; the workpiece
 //! zero stands where the drawing has room.
 
@@ -6,9 +7,7 @@ use super::params::{FOUR_POINTS, OUTSIDE, ROUND, TOOL, WEB};
 use crate::catalogue::circle::points;
 use crate::catalogue::names;
 use crate::check::Inputs;
-use crate::form::figures::{
-    arc, circle, corners, dimension, frame, line, polar, polygon, round, swept,
-};
+use crate::form::figures::{arc, circle, corners, dimension, frame, line, polar, polygon, round, swept};
 use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
 
 /// What is drawn, mm and degree.
@@ -64,10 +63,7 @@ pub fn picture(inputs: &Inputs) -> Picture {
     if WEB.holds(inputs) {
         over(&scene, &mut shapes);
     }
-    Picture {
-        view: View::Plane,
-        shapes,
-    }
+    Picture { view: View::Plane, shapes }
 }
 
 fn scene(inputs: &Inputs) -> Scene {
@@ -85,9 +81,7 @@ fn scene(inputs: &Inputs) -> Scene {
         size,
         points,
         ball: size * 0.045,
-        path: inputs
-            .positive(names::FA, 2.0)
-            .clamp(size * 0.1, size * 0.25),
+        path: inputs.positive(names::FA, 2.0).clamp(size * 0.1, size * 0.25),
     }
 }
 
@@ -113,12 +107,9 @@ fn bands(scene: &Scene, tool: bool, shapes: &mut Vec<PictureShape>) {
         shapes.push(polygon(ShapeKind::Tolerance, square).of(names::TSA));
         return;
     }
-    for (from, to, field) in [
-        (-2.6, 2.6, names::TSA),
-        (-1.8, 1.8, names::TDIF),
-        (0.0, 1.0, names::TUL),
-        (-1.0, 0.0, names::TLL),
-    ] {
+    for (from, to, field) in
+        [(-2.6, 2.6, names::TSA), (-1.8, 1.8, names::TDIF), (0.0, 1.0, names::TUL), (-1.0, 0.0, names::TLL)]
+    {
         let band = frame(scene.outline(to * unit), scene.outline(from * unit));
         shapes.push(polygon(ShapeKind::Tolerance, band).of(field));
     }
@@ -148,11 +139,7 @@ fn start_angle(scene: &Scene, shapes: &mut Vec<PictureShape>) {
     };
     let reach = scene.way().0.max(scene.size / 2.0) + scene.size * 0.17;
     shapes.extend(swept(names::STA1, reach, 0.0, angle));
-    let from = if scene.round {
-        [0.0; 2]
-    } else {
-        polar(angle + 180.0, reach)
-    };
+    let from = if scene.round { [0.0; 2] } else { polar(angle + 180.0, reach) };
     let direction = vec![from, polar(angle, reach)];
     shapes.push(line(ShapeKind::Axis, direction).of(names::STA1));
 }
@@ -160,11 +147,7 @@ fn start_angle(scene: &Scene, shapes: &mut Vec<PictureShape>) {
 fn set_size(scene: &Scene, shapes: &mut Vec<PictureShape>) {
     let half = scene.size / 2.0;
     let place = |x: f64| {
-        if scene.round {
-            [x, -scene.size * 0.75]
-        } else {
-            scene.turned([x, -scene.size * 0.45])
-        }
+        if scene.round { [x, -scene.size * 0.75] } else { scene.turned([x, -scene.size * 0.45]) }
     };
     shapes.push(dimension(names::SETVAL, place(-half), place(half)));
 }
@@ -190,10 +173,7 @@ fn touch(scene: &Scene, angle: f64, number: usize, shapes: &mut Vec<PictureShape
     let point = polar(angle, scene.size / 2.0);
     shapes.push(circle(ShapeKind::Touch, point, scene.ball * 0.3).of(names::NMSP));
     let away = if scene.outside { -2.0 } else { 2.0 } * scene.ball;
-    let label = line(
-        ShapeKind::Label,
-        vec![polar(angle, scene.size / 2.0 + away)],
-    );
+    let label = line(ShapeKind::Label, vec![polar(angle, scene.size / 2.0 + away)]);
     shapes.push(label.text(format!("P{number}")).of(names::PRNUM));
     if number == 1 {
         let (u, v) = (polar(angle + 90.0, scene.ball * 1.8), ends);

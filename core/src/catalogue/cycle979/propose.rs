@@ -40,7 +40,8 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     }
 }
 
-/// Below the face: so deep that a web is crossed clear of it by a third of what the ball leaves of `_ID`, at most 10 mm.
+/// Below the face: so deep that a web is crossed clear of it by a third of what the ball leaves of `_ID`, at most 10
+/// mm.
 fn depth(inputs: &Inputs, control: &Control, ball: f64) -> f64 {
     match inputs.given(names::ID) {
         Some(lift) => {

@@ -51,14 +51,11 @@ impl Element {
         let (sine, cosine) = sin_cos(angle);
         let [x, y] = self.centre;
         let half = self.size / 2.0;
-        Ray {
-            angle: if self.inside { angle } else { angle + 180.0 },
-            set: [x + half * cosine, y + half * sine],
-            path,
-        }
+        Ray { angle: if self.inside { angle } else { angle + 180.0 }, set: [x + half * cosine, y + half * sine], path }
     }
 
-    /// Size and centre from where the ball stood at each point, all at one height; none where no circle goes through them.
+    /// Size and centre from where the ball stood at each point, all at one height; none where no circle goes through
+    /// them.
     fn evaluate(&self, balls: &[[f64; 2]], ball: f64, height: f64) -> Option<Found> {
         let (centre, between) = match (self.round, balls) {
             (true, _) => fit::circle(balls).map(|(centre, radius)| (centre, 2.0 * radius))?,
@@ -70,14 +67,8 @@ impl Element {
         };
         let around = if self.inside { 2.0 } else { -2.0 } * ball;
         Some(Found {
-            sizes: vec![Pair {
-                set: self.size,
-                actual: between + around,
-            }],
-            centre: [0, 1].map(|axis| Pair {
-                set: self.centre[axis],
-                actual: centre[axis],
-            }),
+            sizes: vec![Pair { set: self.size, actual: between + around }],
+            centre: [0, 1].map(|axis| Pair { set: self.centre[axis], actual: centre[axis] }),
             height,
             axes: &[0, 1],
             inside: self.inside,
@@ -114,11 +105,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
 }
 
 /// Touches all points in order; where the ball centre stood at each. Ends at the start of the last block (B:6939).
-fn measure(
-    machine: &mut dyn Machine,
-    block: &Block,
-    element: &Element,
-) -> Result<Vec<[f64; 2]>, Stop> {
+fn measure(machine: &mut dyn Machine, block: &Block, element: &Element) -> Result<Vec<[f64; 2]>, Stop> {
     let mut balls = Vec::new();
     for (index, angle) in element.angles.iter().enumerate() {
         let ray = element.ray(*angle, block.path);
@@ -132,13 +119,7 @@ fn measure(
 
 /// To the next point: on the circle, straight through a groove, over a web (B:6907-6933). The ball, not the spindle
 /// axis, keeps to the line.
-fn onward(
-    machine: &mut dyn Machine,
-    block: &Block,
-    element: &Element,
-    ray: &Ray,
-    degrees: f64,
-) -> Result<(), Stop> {
+fn onward(machine: &mut dyn Machine, block: &Block, element: &Element, ray: &Ray, degrees: f64) -> Result<(), Stop> {
     match (element.round, element.inside) {
         (true, _) => block.travel_around(machine, element.centre, degrees, element.feed),
         (false, true) => Ok(()),
@@ -147,12 +128,7 @@ fn onward(
 }
 
 /// Up by `_ID`, straight to above the other side, down again (B:6921-6933).
-fn across(
-    machine: &mut dyn Machine,
-    block: &Block,
-    element: &Element,
-    ray: &Ray,
-) -> Result<(), Stop> {
+fn across(machine: &mut dyn Machine, block: &Block, element: &Element, ray: &Ray) -> Result<(), Stop> {
     let [abscissa, ordinate, applicate] = block.axes;
     let here = machine.position();
     let mut to = here;

@@ -5,8 +5,7 @@
 use super::VARIANTS;
 use crate::catalogue::Dialect;
 use crate::catalogue::sinumerik::testing::{
-    WIDE_BANDS, alarms, at, call, called, close, element, random_parts, run, setup, solid, stopped,
-    turns,
+    WIDE_BANDS, alarms, at, call, called, close, element, random_parts, run, setup, solid, stopped, turns,
 };
 use crate::check::Inputs;
 use crate::control::{Frame, Plane};
@@ -59,11 +58,7 @@ pub(super) fn inputs(variant: i64, angle: f64, step: f64, four: bool) -> Inputs 
 pub(super) fn ready(plane: Plane, variant: i64, angle: f64) -> Setup {
     let mut setup = setup(plane);
     let (sine, cosine) = sin_cos(angle);
-    let away = if variant % 2 == 1 {
-        3.0
-    } else {
-        SIZE / 2.0 + 15.0
-    };
+    let away = if variant % 2 == 1 { 3.0 } else { SIZE / 2.0 + 15.0 };
     let place = [CENTRE[0] + away * cosine, CENTRE[1] + away * sine, HEIGHT];
     setup.position = at(plane, place);
     setup
@@ -81,7 +76,8 @@ proptest! {
     // oracle: hand (the part as it was made; a width is found in its direction only)
     #[test]
     fn part_errors_are_recovered(
-        shift in prop::array::uniform2(-1.0..1.0_f64), grown in -1.0..1.0_f64, skew in prop::array::uniform2(-0.5..0.5_f64),
+        shift in prop::array::uniform2(-1.0..1.0_f64), grown in -1.0..1.0_f64,
+        skew in prop::array::uniform2(-0.5..0.5_f64),
         angle in -100.0..100.0_f64, step in prop_oneof![20.0..80.0_f64, -80.0..-20.0_f64], plane in 0..3_usize,
     ) {
         let plane = PLANES[plane];
@@ -115,7 +111,8 @@ proptest! {
     // oracle: self (afterwards nothing is left to correct), for every sort of frame, in turned and mirrored coordinates
     #[test]
     fn a_corrected_zero_offset_measures_zero(
-        shift in prop::array::uniform2(-1.0..1.0_f64), turn in -180.0..180.0_f64, plane in 0..3_usize, code in 0..4_usize,
+        shift in prop::array::uniform2(-1.0..1.0_f64), turn in -180.0..180.0_f64, plane in 0..3_usize,
+        code in 0..4_usize,
         mirrored in any::<bool>(),
     ) {
         let plane = PLANES[plane];
@@ -172,10 +169,7 @@ proptest! {
 }
 
 /// Runs a variant on its part with something changed.
-fn changed(
-    variant: i64,
-    change: impl Fn(&mut Setup, &mut Inputs),
-) -> (Sim, Result<(), crate::run::Stop>) {
+fn changed(variant: i64, change: impl Fn(&mut Setup, &mut Inputs)) -> (Sim, Result<(), crate::run::Stop>) {
     let mut setup = ready(Plane::G17, variant, 30.0);
     setup.workpiece.solids.push(part(Plane::G17, variant, 30.0));
     let mut inputs = inputs(variant, 30.0, 80.0, false);
@@ -188,12 +182,7 @@ fn what_cannot_be_measured_is_refused_before_it_moves() {
     // oracle: manual B:6873, A:15857-15931
     let alarm = |variant: i64, change: &dyn Fn(&mut Setup, &mut Inputs)| {
         let (sim, outcome) = changed(variant, change);
-        assert!(
-            sim.trace
-                .entries
-                .iter()
-                .all(|entry| !matches!(entry.step, Step::Motion { .. }))
-        );
+        assert!(sim.trace.entries.iter().all(|entry| !matches!(entry.step, Step::Motion { .. })));
         let number = stopped(outcome);
         assert_eq!(sim.control.number("_OVI[9]"), f64::from(number));
         number
@@ -203,10 +192,7 @@ fn what_cannot_be_measured_is_refused_before_it_moves() {
             inputs.numbers.insert(name, value);
         })
     };
-    assert_eq!(
-        alarm(3, &|setup, _| setup.control.set("_WP[0,0]", 0.0)),
-        61341
-    );
+    assert_eq!(alarm(3, &|setup, _| setup.control.set("_WP[0,0]", 0.0)), 61341);
     assert_eq!(value(1, "_RF", 0.0), 61365);
     assert_eq!(value(1, "_FA", 0.0), 61308);
     assert_eq!(value(1, "_K", 0.0), 61318);
@@ -226,16 +212,15 @@ fn points_upon_each_other_make_no_circle() {
 
 #[test]
 fn a_measurement_is_repeated_from_its_first_point() {
-    // oracle: manual B:13572-13580: four repetitions, each of which ends where the cycle ends; hand: without a collision
+    // oracle: manual B:13572-13580: four repetitions, each of which ends where the cycle ends; hand: without a
+    // collision
     for (variant, points) in [(1, 3), (2, 3), (3, 2), (4, 2), (102, 3), (104, 2)] {
         let (sim, outcome) = changed(variant, |setup, inputs| {
             setup.control.set("_CBIT[0]", 1.0);
             setup.control.set("_CBIT[1]", 1.0);
             setup.workpiece.solids[0].errors.shift = [0.4, 0.2, 0.0];
             setup.workpiece.solids[0].errors.size = 1.0;
-            inputs
-                .numbers
-                .extend([("_TSA", 0.3), ("_TDIF", 0.3), ("_TUL", 0.2), ("_TLL", -0.2)]);
+            inputs.numbers.extend([("_TSA", 0.3), ("_TDIF", 0.3), ("_TUL", 0.2), ("_TLL", -0.2)]);
         });
         assert_eq!(stopped(outcome), 61303, "{variant}");
         assert_eq!(alarms(&sim), [62303; 4]);
@@ -247,8 +232,8 @@ fn a_measurement_is_repeated_from_its_first_point() {
 
 #[test]
 fn a_mono_probe_looks_at_the_wall() {
-    // oracle: manual B:864-871, B:13624-13626: inside along the angle of the point, outside against it, and B:6744-6752; the
-    // spindle counts from the ordinate to the abscissa (B:13985)
+    // oracle: manual B:864-871, B:13624-13626: inside along the angle of the point, outside against it, and
+    // B:6744-6752; the spindle counts from the ordinate to the abscissa (B:13985)
     let turned = |variant: i64, probe: f64| {
         let (sim, outcome) = changed(variant, |setup, inputs| {
             setup.control.set("_CBIT[8]", 1.0);
@@ -284,17 +269,11 @@ fn a_mono_probe_is_known_by_its_active_ball() {
     // it looks; the position deviation of the data field belongs to a spindle that stands still
     let (sim, outcome) = changed(1, |setup, inputs| {
         setup.probe.skew = [0.2, 0.0];
-        [(0, 6.4), (7, 9.0)]
-            .iter()
-            .for_each(|(i, value)| setup.control.set(format!("_WP[0,{i}]"), *value));
+        [(0, 6.4), (7, 9.0)].iter().for_each(|(i, value)| setup.control.set(format!("_WP[0,{i}]"), *value));
         inputs.numbers.insert("_PRNUM", 101.0);
     });
     assert_eq!(outcome, Ok(()));
-    for (name, value) in [
-        ("_OVR[4]", SIZE),
-        ("_OVR[5]", CENTRE[0]),
-        ("_OVR[6]", CENTRE[1]),
-    ] {
+    for (name, value) in [("_OVR[4]", SIZE), ("_OVR[5]", CENTRE[0]), ("_OVR[6]", CENTRE[1])] {
         close(&sim, name, value);
     }
 }
@@ -320,20 +299,12 @@ fn without_monitoring_the_ways_are_rapid_and_the_circle_keeps_its_feed() {
         Step::Motion { kind, feed, .. } => Some((*kind, *feed)),
         _ => None,
     };
-    let mut kinds: Vec<(MotionKind, f64)> = sim
-        .trace
-        .entries
-        .iter()
-        .filter_map(|entry| motion(&entry.step))
-        .collect();
+    let mut kinds: Vec<(MotionKind, f64)> = sim.trace.entries.iter().filter_map(|entry| motion(&entry.step)).collect();
     kinds.dedup();
     let touch = [(MotionKind::Measuring, 300.0), (MotionKind::Retract, 0.0)];
     let round = [(MotionKind::Positioning, 900.0)];
     let begin = [(MotionKind::Rapid, 0.0)];
-    assert_eq!(
-        kinds,
-        [&begin[..], &touch, &round, &touch, &round, &touch].concat()
-    );
+    assert_eq!(kinds, [&begin[..], &touch, &round, &touch, &round, &touch].concat());
 }
 
 #[test]
@@ -342,9 +313,7 @@ fn in_mirrored_coordinates_the_circle_goes_the_other_way_round() {
     for variant in [1, 2, 3, 4] {
         let (sim, outcome) = changed(variant, |setup, _| {
             setup.probe.skew = [0.3, -0.2];
-            [(7, 0.3), (8, -0.2)]
-                .iter()
-                .for_each(|(i, value)| setup.control.set(format!("_WP[0,{i}]"), *value));
+            [(7, 0.3), (8, -0.2)].iter().for_each(|(i, value)| setup.control.set(format!("_WP[0,{i}]"), *value));
             setup.control.active.mirror = [false, true, false];
             let part = &mut setup.workpiece.solids[0];
             part.at[1] = -part.at[1];
@@ -382,15 +351,9 @@ fn inch_and_millimetre_measure_the_same() {
             CENTRE[1] / unit,
             0.4 / unit,
         );
-        let outcome = crate::run::run(
-            &read(Dialect::Sinumerik, text.as_bytes()),
-            &setup,
-            Limits::default(),
-        );
+        let outcome = crate::run::run(&read(Dialect::Sinumerik, text.as_bytes()), &setup, Limits::default());
         assert_eq!(outcome.stop, None, "{:?}", outcome.diagnostics);
-        (0..32)
-            .map(|i| outcome.control.number(&format!("_OVR[{i}]")) * unit)
-            .collect::<Vec<f64>>()
+        (0..32).map(|i| outcome.control.number(&format!("_OVR[{i}]")) * unit).collect::<Vec<f64>>()
     };
     let (metric, inch) = (results("G71", 1.0), results("G70", 25.4));
     assert!((metric[4] - SIZE - 0.1).abs() < 1e-9);

@@ -8,22 +8,14 @@ use crate::control::{Control, delivery};
 use crate::diagnostic::{Code, Severity};
 
 /// Everything found in the worked example with some values changed, on a control that was changed.
-fn found(
-    changes: &[(&str, &str)],
-    prepare: impl Fn(&mut Control),
-) -> Vec<(Severity, Code, &'static str)> {
+fn found(changes: &[(&str, &str)], prepare: impl Fn(&mut Control)) -> Vec<(Severity, Code, &'static str)> {
     let mut control = delivery(CYCLE979.dialect);
     control.set("_CHBIT[4]", 1.0); // as in the example, B:7085
     prepare(&mut control);
     let all = CYCLE979.example.iter().chain(changes);
-    let values: Typed = all
-        .map(|(name, value)| ((*name).to_owned(), (*value).to_owned()))
-        .collect();
+    let values: Typed = all.map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect();
     let found = check(&CYCLE979, &values, &control).diagnostics;
-    found
-        .into_iter()
-        .map(|one| (one.severity, one.code, one.param.unwrap()))
-        .collect()
+    found.into_iter().map(|one| (one.severity, one.code, one.param.unwrap())).collect()
 }
 
 #[test]
@@ -44,43 +36,22 @@ fn mistakes_are_told() {
         (&[("_INCA", "-173")], Some((error, own(52), "_INCA"))),
         (&[("_INCA", "-121")], Some((warning, own(53), "_INCA"))),
         (&[("_INCA", "-120")], None),
-        (
-            &[("_INCA", "91"), ("_PRNUM", "1001")],
-            Some((warning, own(53), "_INCA")),
-        ),
-        (
-            &[("_STA1", "-91"), ("_INCA", "90"), ("_PRNUM", "1001")],
-            Some((error, own(52), "_INCA")),
-        ),
+        (&[("_INCA", "91"), ("_PRNUM", "1001")], Some((warning, own(53), "_INCA"))),
+        (&[("_STA1", "-91"), ("_INCA", "90"), ("_PRNUM", "1001")], Some((error, own(52), "_INCA"))),
         (&[("_STA1", "361")], Some((error, own(5), "_STA1"))),
         (&[("_RF", "")], Some((error, own(1), "_RF"))),
         (&[("_RF", "0")], Some((error, alarm(61365), "_RF"))),
         (&[("_SETVAL", "5")], Some((error, own(30), "_SETVAL"))),
         (&[("_FA", "70")], Some((warning, own(54), "_FA"))),
-        (
-            &[("_SETVAL", "90"), ("_FA", "84")],
-            Some((error, alarm(61302), "_FA")),
-        ),
+        (&[("_SETVAL", "90"), ("_FA", "84")], Some((error, alarm(61302), "_FA"))),
         (&[("_MVAR", "2"), ("_FA", "70")], None),
         (&[("_MVAR", "3"), ("_FA", "70")], None),
-        (
-            &[("_MVAR", "3"), ("_PRNUM", "1001")],
-            Some((warning, own(50), "_PRNUM")),
-        ),
+        (&[("_MVAR", "3"), ("_PRNUM", "1001")], Some((warning, own(50), "_PRNUM"))),
         (&[("_MVAR", "4")], Some((error, own(1), "_ID"))),
         (&[("_MVAR", "4"), ("_ID", "20")], None),
-        (
-            &[("_MVAR", "4"), ("_ID", "-20")],
-            Some((warning, own(55), "_ID")),
-        ),
-        (
-            &[("_MVAR", "4"), ("_ID", "3")],
-            Some((warning, own(56), "_ID")),
-        ),
-        (
-            &[("_MVAR", "101"), ("_KNUM", "3001")],
-            Some((error, alarm(61321), "_KNUM")),
-        ),
+        (&[("_MVAR", "4"), ("_ID", "-20")], Some((warning, own(55), "_ID"))),
+        (&[("_MVAR", "4"), ("_ID", "3")], Some((warning, own(56), "_ID"))),
+        (&[("_MVAR", "101"), ("_KNUM", "3001")], Some((error, alarm(61321), "_KNUM"))),
         (&[("_MVAR", "103"), ("_KNUM", "2")], None),
     ] {
         let found = found(changes, |_| ());

@@ -2,8 +2,7 @@
 
 use super::cutters;
 use super::params::{
-    ABSCISSA, CALIBRATE, DRILL, IN_WORKPIECE, INCREMENTAL, MEASURE, MILLING, POSITIONED, TURNING,
-    WORKPIECE,
+    ABSCISSA, CALIBRATE, DRILL, IN_WORKPIECE, INCREMENTAL, MEASURE, MILLING, POSITIONED, TURNING, WORKPIECE,
 };
 use crate::catalogue::tool_probe::{ProbeData, checks as shared, turning};
 use crate::catalogue::{names, shared_checks};
@@ -55,11 +54,7 @@ fn tool(inputs: &Inputs, control: &Control, edge: &Edge, found: &mut Vec<Diagnos
     } else {
         let message = Message::new("check-tool-type").number("type", edge.kind as f64);
         let hint = Message::new("check-lathe-tool-type-hint");
-        found.push(
-            error(Code::Alarm(61314), message)
-                .hint(hint)
-                .at(names::MVAR),
-        );
+        found.push(error(Code::Alarm(61314), message).hint(hint).at(names::MVAR));
     }
 }
 
@@ -90,11 +85,6 @@ fn direction(inputs: &Inputs, tip: i64, found: &mut Vec<Diagnostic>) {
     let sense = if towards == 0.0 { 1.0 } else { -1.0 };
     // a calibration tool may be bent so that its ball also touches from the other side (B:9907)
     if INCREMENTAL.holds(inputs) && MEASURE.holds(inputs) && side == -sense {
-        found.push(
-            own::TIP_DIRECTION
-                .finding()
-                .number("tip", tip as f64)
-                .at(names::MD),
-        );
+        found.push(own::TIP_DIRECTION.finding().number("tip", tip as f64).at(names::MD));
     }
 }

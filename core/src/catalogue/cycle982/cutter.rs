@@ -21,18 +21,9 @@ pub struct Cutter<'a> {
 }
 
 /// Measures what the task names.
-pub fn measure(
-    machine: &mut dyn Machine,
-    inputs: &Inputs,
-    stand: &Stand,
-) -> Result<Vec<Measured>, Stop> {
+pub fn measure(machine: &mut dyn Machine, inputs: &Inputs, stand: &Stand) -> Result<Vec<Measured>, Stop> {
     let along = usize::from(RADIAL.holds(inputs));
-    let cutter = Cutter {
-        stand,
-        edges: Edges::of(machine, inputs)?,
-        along,
-        across: 1 - along,
-    };
+    let cutter = Cutter { stand, edges: Edges::of(machine, inputs)?, along, across: 1 - along };
     if AUTOMATIC.holds(inputs) {
         return cutter.automatic(machine, inputs);
     }
@@ -40,23 +31,15 @@ pub fn measure(
     if (RADIUS.holds(inputs) || BOTH.holds(inputs)) && axis != cutter.across {
         return Err(alarm(machine, 61325)); // the radius does not lie there (B:9279)
     }
-    if !RADIUS.holds(inputs) && !BOTH.holds(inputs) && axis == cutter.across && stand.radius == 0.0
-    {
+    if !RADIUS.holds(inputs) && !BOTH.holds(inputs) && axis == cutter.across && stand.radius == 0.0 {
         return Err(alarm(machine, 61351)); // touched with the side, whose distance is not known (B:9208)
     }
     if INCREMENTAL.holds(inputs) {
         let direction = told(machine, inputs)?;
         let touched = cutter
             .edges
-            .touch(machine, stand, false, |machine, stand| {
-                stand.touch_from_here(machine, axis, direction)
-            })?;
-        return Ok(vec![cutter.one(
-            machine,
-            inputs,
-            (axis, direction),
-            touched,
-        )]);
+            .touch(machine, stand, false, |machine, stand| stand.touch_from_here(machine, axis, direction))?;
+        return Ok(vec![cutter.one(machine, inputs, (axis, direction), touched)]);
     }
     let [first, second] = cutter.sides(machine)?;
     if BOTH.holds(inputs) {
@@ -70,59 +53,34 @@ pub fn measure(
         stand.go(machine, cutter.along, stand.middle(cutter.along))?;
     }
     let touched = cutter.touch(machine, axis, direction, false)?;
-    Ok(vec![cutter.one(
-        machine,
-        inputs,
-        (axis, direction),
-        touched,
-    )])
+    Ok(vec![cutter.one(machine, inputs, (axis, direction), touched)])
 }
 
 impl Cutter<'_> {
-    /// Directions from the start towards the probe, along the tool and across it: the tool stands beside the probe in both
-    /// axes (B:9642).
+    /// Directions from the start towards the probe, along the tool and across it: the tool stands beside the probe in
+    /// both axes (B:9642).
     fn sides(&self, machine: &mut dyn Machine) -> Result<[f64; 2], Stop> {
         let along = self.stand.approach(machine, self.along)?;
         Ok([along, self.stand.approach(machine, self.across)?])
     }
 
-    /// Where the axis of the tool stands across so that its edge is over the middle of the probe (B:9590); `side`: on which
-    /// side of the middle the axis stands; `beyond`: on the other one.
+    /// Where the axis of the tool stands across so that its edge is over the middle of the probe (B:9590); `side`: on
+    /// which side of the middle the axis stands; `beyond`: on the other one.
     fn edge_on_probe(&self, side: f64, beyond: bool) -> f64 {
         let side = if beyond { -side } else { side };
         self.stand.middle(self.across) + side * self.stand.radius
     }
 
     /// Touches one side of the probe from where the tool stands beside it; its position at switching, mm.
-    fn touch(
-        &self,
-        machine: &mut dyn Machine,
-        axis: usize,
-        direction: f64,
-        turned: bool,
-    ) -> Result<f64, Stop> {
-        let reach = if axis == self.across {
-            direction * self.stand.radius
-        } else {
-            0.0
-        };
+    fn touch(&self, machine: &mut dyn Machine, axis: usize, direction: f64, turned: bool) -> Result<f64, Stop> {
+        let reach = if axis == self.across { direction * self.stand.radius } else { 0.0 };
         let set = self.stand.trigger(axis, direction) - reach;
-        self.edges
-            .touch(machine, self.stand, turned, |machine, stand| {
-                stand.touch(machine, axis, direction, set)
-            })
+        self.edges.touch(machine, self.stand, turned, |machine, stand| stand.touch(machine, axis, direction, set))
     }
 
     /// Length that the touch would mean for the axis of the tool, mm: across, the radius is in it.
-    fn apparent(
-        &self,
-        machine: &mut dyn Machine,
-        axis: usize,
-        direction: f64,
-        latched: f64,
-    ) -> f64 {
-        self.stand
-            .apparent(machine.control(), axis, direction, latched)
+    fn apparent(&self, machine: &mut dyn Machine, axis: usize, direction: f64, latched: f64) -> f64 {
+        self.stand.apparent(machine.control(), axis, direction, latched)
     }
 
     /// What one touch tells: a length, or the radius (B:9635-9637).
@@ -138,18 +96,13 @@ impl Cutter<'_> {
             let length = active(machine.control(), part(axis));
             return found(tool_offset::RADIUS, (apparent - length).abs());
         }
-        let reach = if axis == self.across {
-            direction * self.stand.radius
-        } else {
-            0.0
-        };
+        let reach = if axis == self.across { direction * self.stand.radius } else { 0.0 };
         found(part(axis), apparent + reach)
     }
 
     /// Length across and radius from two sides (B:9638, B:9644).
     fn both(&self, machine: &mut dyn Machine, direction: f64) -> Result<Vec<Measured>, Stop> {
-        self.stand
-            .go(machine, self.along, self.stand.middle(self.along))?;
+        self.stand.go(machine, self.along, self.stand.middle(self.along))?;
         let first = self.touch(machine, self.across, direction, false)?;
         let out = self.stand.start[self.along];
         self.second_side(machine, direction, out)?;
@@ -163,22 +116,13 @@ impl Cutter<'_> {
         let reach = self.stand.radius + self.stand.block.path;
         let beyond = self.stand.trigger(self.across, -direction) + direction * reach;
         self.stand.go(machine, self.across, beyond)?;
-        self.stand
-            .go(machine, self.along, self.stand.middle(self.along))
+        self.stand.go(machine, self.along, self.stand.middle(self.along))
     }
 
-    fn two_sides(
-        &self,
-        machine: &mut dyn Machine,
-        direction: f64,
-        latched: [f64; 2],
-    ) -> Vec<Measured> {
+    fn two_sides(&self, machine: &mut dyn Machine, direction: f64, latched: [f64; 2]) -> Vec<Measured> {
         let first = self.apparent(machine, self.across, direction, latched[0]);
         let second = self.apparent(machine, self.across, -direction, latched[1]);
-        vec![
-            found(part(self.across), (first + second) / 2.0),
-            found(tool_offset::RADIUS, (first - second).abs() / 2.0),
-        ]
+        vec![found(part(self.across), (first + second) / 2.0), found(tool_offset::RADIUS, (first - second).abs() / 2.0)]
     }
 
     /// All that the tool allows, what lies in the abscissa first, and back to the start (B:9702-9706, B:9738-9793).
@@ -207,15 +151,14 @@ impl Cutter<'_> {
         }
         if crosses {
             self.stand.go(machine, self.along, way.out)?;
-            self.stand
-                .go(machine, self.across, self.stand.start[self.across])?;
+            self.stand.go(machine, self.across, self.stand.start[self.across])?;
         }
         self.stand.back_to_start(machine)?;
         Ok(found)
     }
 
-    /// Length along the tool from two touches: the same edge over the middle from both sides, or twice at one place, of an
-    /// upper edge and with no radius (B:9756, B:9766).
+    /// Length along the tool from two touches: the same edge over the middle from both sides, or twice at one place, of
+    /// an upper edge and with no radius (B:9756, B:9766).
     fn tip(&self, machine: &mut dyn Machine, way: &Way) -> Result<Measured, Stop> {
         self.stand.go(machine, self.along, way.out)?;
         let to = self.edge_on_probe(-way.across, false);
@@ -239,8 +182,7 @@ impl Cutter<'_> {
         let beside = self.stand.trigger(self.across, way.across) - way.across * reach;
         self.stand.go(machine, self.along, way.out)?;
         self.stand.go(machine, self.across, beside)?;
-        self.stand
-            .go(machine, self.along, self.stand.middle(self.along))?;
+        self.stand.go(machine, self.along, self.stand.middle(self.along))?;
         let first = self.touch(machine, self.across, way.across, false)?;
         if self.stand.radius == 0.0 {
             self.stand.go(machine, self.along, way.out)?;

@@ -1,8 +1,8 @@
 //! Checks of CYCLE982 about the milling tool or drill in use.
 
 use super::params::{
-    ABSCISSA, AUTOMATIC, BOTH, DRILL, DRILL_ALONG_APPLICATE, MILLING, ORDINATE, RADIAL, RADIUS,
-    REVERSAL, SPINDLE_AS_IT_IS, UPPER, WITH_RADIUS,
+    ABSCISSA, AUTOMATIC, BOTH, DRILL, DRILL_ALONG_APPLICATE, MILLING, ORDINATE, RADIAL, RADIUS, REVERSAL,
+    SPINDLE_AS_IT_IS, UPPER, WITH_RADIUS,
 };
 use crate::catalogue::{When, names};
 use crate::check::{Inputs, error};
@@ -17,12 +17,10 @@ use crate::own;
 const FROM_THE_SIDE: When = When::All(&[
     When::Not(&AUTOMATIC),
     When::Not(&WITH_RADIUS),
-    When::Any(&[
-        When::All(&[RADIAL, ABSCISSA]),
-        When::All(&[When::Not(&RADIAL), ORDINATE]),
-    ]),
+    When::Any(&[When::All(&[RADIAL, ABSCISSA]), When::All(&[When::Not(&RADIAL), ORDINATE])]),
 ]);
-/// What a drill with its length along the applicate cannot do: anything but one length without reversal (B:10112-10120).
+/// What a drill with its length along the applicate cannot do: anything but one length without reversal
+/// (B:10112-10120).
 const NOT_ONE_LENGTH: When = When::Any(&[AUTOMATIC, REVERSAL, WITH_RADIUS]);
 /// What the spindle has to be turned for; with `_CHBIT[20]` it stays (B:9275-9277, B:10088-10090).
 const TURNS_SPINDLE: When = When::Any(&[AUTOMATIC, REVERSAL, BOTH, UPPER]);
@@ -35,11 +33,7 @@ pub fn checks(inputs: &Inputs, control: &Control, edge: &Edge, found: &mut Vec<D
     }
     assignment(control, found);
     if DRILL.holds(inputs) && WITH_RADIUS.holds(inputs) {
-        found.push(refused(
-            61314,
-            "check-drill-radius",
-            "check-drill-radius-hint",
-        ));
+        found.push(refused(61314, "check-drill-radius", "check-drill-radius-hint"));
         return;
     }
     spindle(inputs, control, found);
@@ -48,9 +42,7 @@ pub fn checks(inputs: &Inputs, control: &Control, edge: &Edge, found: &mut Vec<D
 
 /// An alarm about the measuring variant.
 fn refused(number: u32, key: &'static str, hint: &'static str) -> Diagnostic {
-    error(Code::Alarm(number), Message::new(key))
-        .hint(Message::new(hint))
-        .at(names::MVAR)
+    error(Code::Alarm(number), Message::new(key)).hint(Message::new(hint)).at(names::MVAR)
 }
 
 /// A drill whose L1 counts along the applicate (B:10096-10126). No alarm is named there; 61314 is the nearest.
@@ -69,12 +61,7 @@ fn along_applicate(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
 fn assignment(control: &Control, found: &mut Vec<Diagnostic>) {
     let value = control.number(TOOL_LENGTH_TYPE);
     if value != AS_TURNING_TOOL {
-        found.push(
-            own::LENGTH_ASSIGNMENT
-                .finding()
-                .number("value", value)
-                .at(names::MVAR),
-        );
+        found.push(own::LENGTH_ASSIGNMENT.finding().number("value", value).at(names::MVAR));
     }
 }
 
@@ -82,37 +69,20 @@ fn assignment(control: &Control, found: &mut Vec<Diagnostic>) {
 fn spindle(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     if SPINDLE_AS_IT_IS.holds(inputs) {
         if MILLING.holds(inputs) && TURNS_SPINDLE.holds(inputs) {
-            found.push(refused(
-                61307,
-                "check-spindle-stays",
-                "check-spindle-stays-hint",
-            ));
+            found.push(refused(61307, "check-spindle-stays", "check-spindle-stays-hint"));
         }
     } else if MILLING.holds(inputs) && !control.spindle_positions {
-        found.push(refused(
-            61372,
-            "check-spindle-turns",
-            "check-spindle-turns-hint",
-        ));
+        found.push(refused(61372, "check-spindle-turns", "check-spindle-turns-hint"));
     }
 }
 
 /// Sizes in the tool data that the measurement needs (B:9206-9208, B:9636-9637).
 fn sizes(inputs: &Inputs, edge: &Edge, found: &mut Vec<Diagnostic>) {
     if FROM_THE_SIDE.holds(inputs) && edge.total_radius() == 0.0 {
-        found.push(refused(
-            61351,
-            "check-side-radius",
-            "check-side-radius-hint",
-        ));
+        found.push(refused(61351, "check-side-radius", "check-side-radius-hint"));
     }
     let along = usize::from(RADIAL.holds(inputs)); // L1 of an axial tool lies in the radius's axis, else L2
     if RADIUS.holds(inputs) && edge.total_length(along) == 0.0 {
-        found.push(
-            own::RADIUS_LENGTH
-                .finding()
-                .text("length", ["L1", "L2"][along])
-                .at(names::MVAR),
-        );
+        found.push(own::RADIUS_LENGTH.finding().text("length", ["L1", "L2"][along]).at(names::MVAR));
     }
 }

@@ -1,5 +1,5 @@
-//! A drill that is as long as on a milling machine: L1 along the applicate (B:10096-10126). The trigger values are those of
-//! G18, as for turning tools.
+//! A drill that is as long as on a milling machine: L1 along the applicate (B:10096-10126). The trigger values are
+//! those of G18, as for turning tools.
 
 use super::params::{AUTOMATIC, INCREMENTAL, REVERSAL, WITH_RADIUS, WORKPIECE};
 use super::stand::found;
@@ -16,11 +16,7 @@ use crate::run::{Machine, Stop};
 const APPLICATE: usize = 2;
 
 /// Measures L1; 61314 where the length lies along Y, or more is asked for (no number is named).
-pub fn measure(
-    machine: &mut dyn Machine,
-    inputs: &Inputs,
-    block: &Block,
-) -> Result<Vec<Measured>, Stop> {
+pub fn measure(machine: &mut dyn Machine, inputs: &Inputs, block: &Block) -> Result<Vec<Measured>, Stop> {
     let more = [AUTOMATIC, REVERSAL, WITH_RADIUS];
     // Z is the abscissa of G18, X its ordinate
     let lies = match inputs.plane {

@@ -12,9 +12,7 @@ use proptest::prelude::*;
 /// Variants that measure one length of a drill without reversal, in both systems of reference (B:10112-10120).
 fn variants() -> Vec<i64> {
     let all = CYCLE982.variants.iter().map(|variant| variant.number);
-    let one_length = |variant: &i64| {
-        digit(*variant, 1) == 1 && [3, 4].iter().all(|place| digit(*variant, *place) == 0)
-    };
+    let one_length = |variant: &i64| digit(*variant, 1) == 1 && [3, 4].iter().all(|place| digit(*variant, *place) == 0);
     all.filter(one_length).collect()
 }
 

@@ -21,8 +21,8 @@ pub struct Edges {
 }
 
 impl Edges {
-    /// From parameters and the state of the spindle. With reversal it has to stand (61307), and to be turned it has to be
-    /// one that can be positioned (61372).
+    /// From parameters and the state of the spindle. With reversal it has to stand (61307), and to be turned it has to
+    /// be one that can be positioned (61372).
     pub fn of(machine: &mut dyn Machine, inputs: &Inputs) -> Result<Edges, Stop> {
         let control = machine.control();
         // a drill may stand in a holder without a spindle
@@ -35,10 +35,7 @@ impl Edges {
         if !stays {
             turnable(machine)?;
         }
-        Ok(Edges {
-            start: (!stays).then(|| inputs.number(names::STA1)),
-            second,
-        })
+        Ok(Edges { start: (!stays).then(|| inputs.number(names::STA1)), second })
     }
 
     /// Whether the same edge has to be turned to a point on the other side: without reversal, the spindle standing.
@@ -58,12 +55,7 @@ impl Edges {
         let Some(start) = self.start else {
             return touch(machine, stand);
         };
-        let first = start
-            + if turned && self.follow() {
-                OPPOSITE
-            } else {
-                0.0
-            };
+        let first = start + if turned && self.follow() { OPPOSITE } else { 0.0 };
         machine.orient(first.rem_euclid(360.0));
         let latched = touch(machine, stand)?;
         let Some(offset) = self.second else {

@@ -1,8 +1,8 @@
 //! The lines of the help page of CYCLE982 (B:9212-10126).
 
 use super::params::{
-    AUTOMATIC, BOTH, CALIBRATE, INCREMENTAL, MEASURE, OPPOSITE, POSITIONED, RADIAL, RADIUS,
-    REVERSAL, UPPER, WITH_RADIUS,
+    AUTOMATIC, BOTH, CALIBRATE, INCREMENTAL, MEASURE, OPPOSITE, POSITIONED, RADIAL, RADIUS, REVERSAL, UPPER,
+    WITH_RADIUS,
 };
 use crate::catalogue::When;
 use crate::catalogue::help::{HelpLine, before, corrects, measures, mvar, order, wrong};
@@ -22,42 +22,22 @@ const RADIAL_TOOL: When = When::All(&[MEASURE, RADIAL]);
 /// Section by section, in the order in which they are read.
 pub const LINES: &[HelpLine] = &[
     measures(CALIBRATE, "help-cycle982-measures-side", "B:9224-9260"),
-    measures(
-        ONE_LENGTH,
-        "help-cycle982-measures-one-length",
-        "B:9514-9522",
-    ),
+    measures(ONE_LENGTH, "help-cycle982-measures-one-length", "B:9514-9522"),
     measures(RADIUS, "help-cycle982-measures-radius", "B:9578-9655"),
     measures(BOTH, "help-cycle982-measures-both", "B:9578-9655"),
     measures(EVERYTHING, "help-cycle982-measures-all", "B:9702-9752"),
     measures(UPPER, "help-cycle982-measures-upper", "B:9779-9793"),
     before(When::Always, "help-tool-not-turned", "A:15873;B:9819"),
     before(POSITIONED, "help-cycle982-before-outside", "B:9642"),
-    before(
-        MEASURE,
-        "help-cycle982-before-setting",
-        "B:9208;B:9334-9336",
-    ),
+    before(MEASURE, "help-cycle982-before-setting", "B:9208;B:9334-9336"),
     before(AXIAL_TOOL, "help-cycle982-before-axial", "B:9208;B:9516"),
     before(RADIAL_TOOL, "help-cycle982-before-radial", "B:9208;B:9516"),
-    before(
-        POSITIONED,
-        "help-tool-probe-known",
-        "B:4204-4215;B:13357-13384",
-    ),
+    before(POSITIONED, "help-tool-probe-known", "B:4204-4215;B:13357-13384"),
     before(INCREMENTAL, "help-tool-in-front", "B:4587;B:9825"),
     order(CALIBRATES_KNOWN, "help-cycle982-order-calibrate", "B:9441"),
-    order(
-        MEASURE,
-        "help-cycle982-order-spindle",
-        "B:9600-9610;B:10088-10094",
-    ),
+    order(MEASURE, "help-cycle982-order-spindle", "B:9600-9610;B:10088-10094"),
     order(REVERSAL, "help-cycle982-order-reversal", "B:9600-9602"),
-    order(
-        ONE_LENGTH_KNOWN,
-        "help-cycle982-order-length",
-        "B:9516-9610",
-    ),
+    order(ONE_LENGTH_KNOWN, "help-cycle982-order-length", "B:9516-9610"),
     order(RADIUS, "help-cycle982-order-radius", "B:9578-9638"),
     order(BOTH, "help-cycle982-order-both", "B:9578-9655"),
     order(EVERYTHING, "help-cycle982-order-all", "B:9702-9758"),
@@ -65,11 +45,7 @@ pub const LINES: &[HelpLine] = &[
     order(OPPOSITE, "help-cycle982-order-upper-across", "B:9787-9793"),
     order(POSITIONED, "help-tool-block", "B:1111-1121;B:2344-2356"),
     order(INCREMENTAL, "help-tool-from-here", "B:4432;B:9825"),
-    corrects(
-        MEASURES_HERE,
-        "help-cycle982-corrects-geometry",
-        "B:9935-9972",
-    ),
+    corrects(MEASURES_HERE, "help-cycle982-corrects-geometry", "B:9935-9972"),
     corrects(CALIBRATES_KNOWN, "help-tool-trigger", "B:4326"),
     corrects(MEASURES_KNOWN, "help-tool-data", "B:4324;B:4930-4937"),
     corrects(CALIBRATES_HERE, "help-tool-trigger-always", "B:4432;B:9840"),

@@ -1,5 +1,5 @@
-//! A tool probe that stands elsewhere, is larger and switches late: calibrated on all four sides, it finds every tool, and
-//! what was corrected measures as right.
+//! A tool probe that stands elsewhere, is larger and switches late: calibrated on all four sides, it finds every tool,
+//! and what was corrected measures as right.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
@@ -17,10 +17,7 @@ use proptest::prelude::*;
 /// How far before the probe a start lies, mm.
 const AWAY: f64 = 30.0;
 /// The calibration tool.
-const CALIBRATION: Real = Real {
-    length: [60.0, 40.0],
-    radius: 3.0,
-};
+const CALIBRATION: Real = Real { length: [60.0, 40.0], radius: 3.0 };
 
 fn middle(axis: usize) -> f64 {
     (PROBE[axis][0] + PROBE[axis][1]) / 2.0
@@ -58,12 +55,7 @@ fn calibrate(setup: &mut Setup, workpiece: bool) {
 }
 
 /// Measures twice: the first time the tool is found, the second time there is nothing to correct.
-fn measured(
-    setup: &mut Setup,
-    start: [f64; 2],
-    (variant, axis): (i64, usize),
-    (real, found): (Real, &[usize]),
-) {
+fn measured(setup: &mut Setup, start: [f64; 2], (variant, axis): (i64, usize), (real, found): (Real, &[usize])) {
     let values = [("_MA", axis as f64 + 1.0), ("_STA1", 15.0), ("_CORA", 3.0)];
     call(setup, start, variant, &values);
     let edge = setup.control.active_edge().unwrap();
@@ -82,18 +74,10 @@ fn measured(
     }
 }
 
-/// Milling variants with the length and radius that they find: one, two and four points, with and without reversal, upper
-/// edges, in axial position; in radial position 10000 more.
-const CUTTERS: [(i64, bool); 8] = [
-    (1, false),
-    (101, false),
-    (2001, true),
-    (2101, true),
-    (2, true),
-    (102, true),
-    (3002, true),
-    (4102, true),
-];
+/// Milling variants with the length and radius that they find: one, two and four points, with and without reversal,
+/// upper edges, in axial position; in radial position 10000 more.
+const CUTTERS: [(i64, bool); 8] =
+    [(1, false), (101, false), (2001, true), (2101, true), (2, true), (102, true), (3002, true), (4102, true)];
 
 proptest! {
     #![proptest_config(random_parts(200))]
@@ -157,19 +141,13 @@ proptest! {
     }
 }
 
-/// One length in the ordinate with a tool of this position that nobody told otherwise; the switch for mirrored positions.
+/// One length in the ordinate with a tool of this position that nobody told otherwise; the switch for mirrored
+/// positions.
 fn in_ordinate(cycle: &str, position: i64, mirrored: f64) -> Outcome {
     let mut setup = machine(Units::Metric);
     setup.control.set("_CHBIT[23]", mirrored);
-    let real = Real {
-        length: [60.0, 40.0],
-        radius: 0.8,
-    };
-    mount(
-        &mut setup,
-        real.believed(500, position, [0.0; 3]),
-        real.nose(position),
-    );
+    let real = Real { length: [60.0, 40.0], radius: 0.8 };
+    mount(&mut setup, real.believed(500, position, [0.0; 3]), real.nose(position));
     setup.real_tools.clear();
     place(&mut setup, [middle(0), before(1, -1.0)]);
     let mut inputs = inputs(&setup, 1, &[("_MA", 2.0)]);
@@ -192,10 +170,7 @@ fn mirrored_positions_count_in_this_cycle_alone() {
     };
     assert_eq!(moved(&plain), moved(&mirrored));
     assert_eq!(plain.changes(), mirrored.changes());
-    assert!(
-        !in_ordinate("CYCLE982", 3, 1.0).finished(),
-        "touched from the wrong side"
-    );
+    assert!(!in_ordinate("CYCLE982", 3, 1.0).finished(), "touched from the wrong side");
     let [off, on] = [0.0, 1.0].map(|bit| in_ordinate("CYCLE972", 3, bit));
     assert!(off.finished());
     assert_eq!(moved(&off), moved(&on));
@@ -215,20 +190,9 @@ fn the_old_switch_measures_in_the_workpiece_system() {
                     setup.control.set(format!("_TP[0,{index}]"), value);
                 }
             }
-            mount(
-                &mut setup,
-                CALIBRATION.believed(500, 3, [0.1, 0.1, 0.0]),
-                CALIBRATION.nose(3),
-            );
+            mount(&mut setup, CALIBRATION.believed(500, 3, [0.1, 0.1, 0.0]), CALIBRATION.nose(3));
             let start = [0, 1].map(|axis| before(axis, -1.0));
-            place(
-                &mut setup,
-                if variant < 100_000 {
-                    start
-                } else {
-                    [middle(0), start[1]]
-                },
-            );
+            place(&mut setup, if variant < 100_000 { start } else { [middle(0), start[1]] });
             let values = [("_MA", axis), ("_MD", 1.0), ("_FA", 40.0)];
             let inputs = inputs(&setup, variant + digit, &values);
             let outcome = predict(inputs.cycle, &inputs, &setup);

@@ -32,8 +32,7 @@ mod variants;
 
 use crate::catalogue::common::alarms;
 use crate::catalogue::{
-    Cycle, Dialect, Drawing, Examples, Help, MachineSort, ProbeUse, Purpose, Simulation, When,
-    Work, newer, tool_probe,
+    Cycle, Dialect, Drawing, Examples, Help, MachineSort, ProbeUse, Purpose, Simulation, When, Work, newer, tool_probe,
 };
 use crate::control::machine_data::TOOL_LENGTH_TYPE;
 
@@ -42,13 +41,7 @@ const EXAMPLES: Examples = &[
     (params::REVERSAL, &[("_CORA", "0")]),
     (params::INCREMENTAL, &[("_MD", "1")]),
     (params::CALIBRATE, &[("_MA", "2")]),
-    (
-        When::All(&[
-            When::Any(&[params::RADIUS, params::BOTH]),
-            When::Not(&params::RADIAL),
-        ]),
-        &[("_MA", "2")],
-    ),
+    (When::All(&[When::Any(&[params::RADIUS, params::BOTH]), When::Not(&params::RADIAL)]), &[("_MA", "2")]),
 ];
 
 /// The entry. Example: the milling cutter T3 in radial position of B:9526-9580, length L2 and radius.
@@ -88,8 +81,8 @@ pub static CYCLE982: Cycle = Cycle {
         "_CHBIT[23]",
     ],
     results: results::RESULTS,
-    // A:15856; 61326, 61330 and 61351 are ours, for what the manual refuses without a number (B:9208, B:9838), and as in
-    // CYCLE972 (A:15873)
+    // A:15856; 61326, 61330 and 61351 are ours, for what the manual refuses without a number (B:9208, B:9838), and as
+    // in CYCLE972 (A:15873)
     alarms: &[tool_probe::ALARMS, &alarms([61315, 61326, 61330, 61351])],
     checks: checks::checks,
     help: Help::new(&[help::LINES, tool_probe::help::ALL]),
@@ -108,14 +101,8 @@ pub static CYCLE982: Cycle = Cycle {
         ("_TDIF", "2.5"),
     ],
     simulation: Some(
-        Simulation::new(
-            Work {
-                propose: propose::propose,
-                simulate: simulate::simulate,
-            },
-            EXAMPLES,
-        )
-        .with_tool(propose::tool),
+        Simulation::new(Work { propose: propose::propose, simulate: simulate::simulate }, EXAMPLES)
+            .with_tool(propose::tool),
     ),
     source: "B:9124-10126",
 };

@@ -9,7 +9,8 @@ use crate::run::Setup;
 use crate::run::machine::Sim;
 use crate::run::trace::{MotionKind, Step};
 
-/// Motions and turns as words: `x400` goes there in machine coordinates, `[x380]` measures until there and returns, `s195` turns the spindle.
+/// Motions and turns as words: `x400` goes there in machine coordinates, `[x380]` measures until there and returns,
+/// `s195` turns the spindle.
 fn words(sim: &Sim) -> String {
     let mut words = Vec::new();
     for entry in &sim.trace.entries {
@@ -43,23 +44,13 @@ fn way(setup: &Setup, inputs: &Inputs) -> String {
     words(&sim)
 }
 
-const NOSE: Real = Real {
-    length: [100.0, 60.0],
-    radius: 2.0,
-};
-const MILL: Real = Real {
-    length: [60.0, 50.0],
-    radius: 14.0,
-};
+const NOSE: Real = Real { length: [100.0, 60.0], radius: 2.0 };
+const MILL: Real = Real { length: [60.0, 50.0], radius: 14.0 };
 
 /// A turning tool with this cutting edge position at abscissa and ordinate.
 fn turning(position: i64, start: [f64; 2], variant: i64, axis: f64) -> String {
     let mut setup = machine(Units::Metric);
-    mount(
-        &mut setup,
-        NOSE.believed(500, position, [0.0; 3]),
-        NOSE.nose(position),
-    );
+    mount(&mut setup, NOSE.believed(500, position, [0.0; 3]), NOSE.nose(position));
     place(&mut setup, start);
     let inputs = inputs(&setup, variant, &[("_MA", axis), ("_MD", 1.0)]);
     way(&setup, &inputs)
@@ -81,7 +72,8 @@ fn milling(start: [f64; 2], variant: i64, axis: f64, prepare: impl Fn(&mut Setup
 
 #[test]
 fn the_calibration_tool_stands_over_the_middle() {
-    // oracle: manual B:8870, B:9441 (tip at the middle minus the radius, _FA before the side, in plus direction 2R more)
+    // oracle: manual B:8870, B:9441 (tip at the middle minus the radius, _FA before the side, in plus direction 2R
+    // more)
     for (start, axis, wanted) in [
         ([250.0, 430.0], 2.0, "z208 x406 [x400]"),
         ([250.0, 430.0], 1.0, "x388 z226 [z220]"),
@@ -105,19 +97,9 @@ fn a_turning_tool_touches_with_its_tip() {
         (6, [250.0, 350.0], 2, 1.0, "z210 x374 [x380] z250 x350"),
         (7, [250.0, 430.0], 2, 1.0, "x390 z226 [z220] z250 x430"),
         (8, [250.0, 430.0], 2, 1.0, "z210 x406 [x400] z250 x430"),
-        (
-            3,
-            [250.0, 430.0],
-            2,
-            1.0,
-            "x388 z226 [z220] x406 z208 [x400] z250 x430",
-        ),
+        (3, [250.0, 430.0], 2, 1.0, "x388 z226 [z220] x406 z208 [x400] z250 x430"),
     ] {
-        assert_eq!(
-            turning(position, start, variant, axis),
-            wanted,
-            "{position} {variant}"
-        );
+        assert_eq!(turning(position, start, variant, axis), wanted, "{position} {variant}");
     }
 }
 
@@ -147,24 +129,9 @@ fn a_mill_is_measured_from_its_sides() {
         ([250.0, 440.0], 1, 2.0, "z210 s15 x420 [x414]"),
         ([250.0, 440.0], 101, 1.0, "x404 s15 z226 [z220] s200 [z220]"),
         ([250.0, 440.0], 1001, 2.0, "z210 s15 x420 [x414]"),
-        (
-            [250.0, 440.0],
-            2001,
-            2.0,
-            "z210 s15 x420 [x414] z250 x360 z210 s195 [x366]",
-        ),
-        (
-            [250.0, 440.0],
-            2101,
-            2.0,
-            "z210 s15 x420 [x414] s200 [x414] z250 x360 z210 s15 [x366] s200 [x366]",
-        ),
-        (
-            [255.0, 430.0],
-            12_001,
-            1.0,
-            "x390 s15 z240 [z234] x430 z180 x390 s195 [z186]",
-        ),
+        ([250.0, 440.0], 2001, 2.0, "z210 s15 x420 [x414] z250 x360 z210 s195 [x366]"),
+        ([250.0, 440.0], 2101, 2.0, "z210 s15 x420 [x414] s200 [x414] z250 x360 z210 s15 [x366] s200 [x366]"),
+        ([255.0, 430.0], 12_001, 1.0, "x390 s15 z240 [z234] x430 z180 x390 s195 [z186]"),
     ] {
         let found = milling(start, variant, axis, |_| ());
         assert_eq!(sorted(&found), sorted(wanted), "{variant} {found}");
@@ -185,8 +152,9 @@ fn sorted(words: &str) -> Vec<Vec<&str>> {
 
 #[test]
 fn automatic_measurement_goes_round_the_probe_and_back() {
-    // oracle: manual B:9752-9758 (abscissa first, the same edge turned to the other side, back abscissa before ordinate),
-    // A:10922 (eight touches with reversal), B:9762-9793 (an upper edge twice at one place); the ways are ours
+    // oracle: manual B:9752-9758 (abscissa first, the same edge turned to the other side, back abscissa before
+    // ordinate), A:10922 (eight touches with reversal), B:9762-9793 (an upper edge twice at one place); the ways are
+    // ours
     for (start, variant, wanted) in [
         (
             [250.0, 440.0],

@@ -15,8 +15,8 @@ const CALIBRATION: i64 = 3;
 /// Cutting edge positions that can be measured (B:9128).
 const MEASURED: std::ops::RangeInclusive<i64> = 1..=8;
 
-/// The nose of the tool in use: from its centre to its tip, in nose radii; 61314 where it is no turning tool, 61315 for a
-/// position that the task does not allow (A:15855-15856).
+/// The nose of the tool in use: from its centre to its tip, in nose radii; 61314 where it is no turning tool, 61315 for
+/// a position that the task does not allow (A:15855-15856).
 pub fn nose(machine: &mut dyn Machine, inputs: &Inputs) -> Result<[f64; 2], Stop> {
     let control = machine.control();
     let edge = control.active_edge();
@@ -50,13 +50,9 @@ pub fn told(machine: &mut dyn Machine, inputs: &Inputs) -> Result<f64, Stop> {
     }
 }
 
-/// One side of the probe: the ball over its middle, then along the measuring axis; in plus direction the back of the ball
-/// touches, twice the radius behind its tip (B:8870, B:9441).
-pub fn calibrate(
-    machine: &mut dyn Machine,
-    inputs: &Inputs,
-    stand: &Stand,
-) -> Result<Trigger, Stop> {
+/// One side of the probe: the ball over its middle, then along the measuring axis; in plus direction the back of the
+/// ball touches, twice the radius behind its tip (B:8870, B:9441).
+pub fn calibrate(machine: &mut dyn Machine, inputs: &Inputs, stand: &Stand) -> Result<Trigger, Stop> {
     let sides = nose(machine, inputs)?;
     let axis = axis(machine, inputs)?;
     let incremental = INCREMENTAL.holds(inputs);
@@ -76,11 +72,7 @@ pub fn calibrate(
 }
 
 /// The lengths that the task names.
-pub fn measure(
-    machine: &mut dyn Machine,
-    inputs: &Inputs,
-    stand: &Stand,
-) -> Result<Vec<Measured>, Stop> {
+pub fn measure(machine: &mut dyn Machine, inputs: &Inputs, stand: &Stand) -> Result<Vec<Measured>, Stop> {
     let sides = nose(machine, inputs)?;
     if AUTOMATIC.holds(inputs) {
         return automatic(machine, stand, sides);
@@ -90,35 +82,20 @@ pub fn measure(
         let direction = told(machine, inputs)?;
         let latched = stand.touch_from_here(machine, axis, direction)?;
         let behind = (direction - sides[axis]) * stand.radius;
-        return Ok(vec![length(
-            machine,
-            stand,
-            axis,
-            direction,
-            latched + behind,
-        )]);
+        return Ok(vec![length(machine, stand, axis, direction, latched + behind)]);
     }
     Ok(vec![one(machine, stand, sides, axis)?])
 }
 
 /// The nose before the middle of the probe in an axis; a tool without radius with its tip (B:9061).
-fn before(
-    machine: &mut dyn Machine,
-    stand: &Stand,
-    sides: [f64; 2],
-    axis: usize,
-) -> Result<(), Stop> {
+fn before(machine: &mut dyn Machine, stand: &Stand, sides: [f64; 2], axis: usize) -> Result<(), Stop> {
     let to = stand.middle(axis) + sides[axis] * stand.radius;
     stand.go(machine, axis, to)
 }
 
-/// Length in an axis, touched with the tip: 61325 where the tool has none there, 61332 where it stands on the other side.
-fn one(
-    machine: &mut dyn Machine,
-    stand: &Stand,
-    sides: [f64; 2],
-    axis: usize,
-) -> Result<Measured, Stop> {
+/// Length in an axis, touched with the tip: 61325 where the tool has none there, 61332 where it stands on the other
+/// side.
+fn one(machine: &mut dyn Machine, stand: &Stand, sides: [f64; 2], axis: usize) -> Result<Measured, Stop> {
     let direction = sides[axis];
     if direction == 0.0 {
         return Err(alarm(machine, 61325));
@@ -134,11 +111,7 @@ fn one(
 
 /// All lengths that the tool has, that of the abscissa first; around the corner of the probe at the measuring path, and
 /// back to the start (B:9702, B:9738-9746).
-fn automatic(
-    machine: &mut dyn Machine,
-    stand: &Stand,
-    sides: [f64; 2],
-) -> Result<Vec<Measured>, Stop> {
+fn automatic(machine: &mut dyn Machine, stand: &Stand, sides: [f64; 2]) -> Result<Vec<Measured>, Stop> {
     let mut lengths = Vec::new();
     for axis in [0, 1] {
         let direction = sides[axis];
@@ -155,13 +128,7 @@ fn automatic(
     Ok(lengths)
 }
 
-fn length(
-    machine: &mut dyn Machine,
-    stand: &Stand,
-    axis: usize,
-    direction: f64,
-    latched: f64,
-) -> Measured {
+fn length(machine: &mut dyn Machine, stand: &Stand, axis: usize, direction: f64, latched: f64) -> Measured {
     let actual = stand.apparent(machine.control(), axis, direction, latched);
     found(part(axis), actual)
 }

@@ -7,17 +7,10 @@ use crate::catalogue::{DigitGroup, Kind, Param, Range, When, names};
 use crate::control::machine_data::TOOL_LENGTH_TYPE;
 
 const fn digit(place: i64, is: &'static [i64]) -> When {
-    When::Digit {
-        param: names::MVAR,
-        place,
-        is,
-    }
+    When::Digit { param: names::MVAR, place, is }
 }
 const fn axis(is: &'static [f64]) -> When {
-    When::Number {
-        param: names::MA,
-        is,
-    }
+    When::Number { param: names::MA, is }
 }
 
 /// The probe is calibrated.
@@ -30,13 +23,7 @@ pub const AUTOMATIC: When = digit(1, &[2]);
 pub const WORKPIECE: When = digit(10, &[1]);
 /// In the active workpiece system: as digit 2 says, or with `_CBIT[5]`, from before that digit, with the data `_TP`
 /// (B:13602-13610).
-pub const IN_WORKPIECE: When = When::Any(&[
-    WORKPIECE,
-    When::Setting {
-        name: "_CBIT[5]",
-        is: &[1.0],
-    },
-]);
+pub const IN_WORKPIECE: When = When::Any(&[WORKPIECE, When::Setting { name: "_CBIT[5]", is: &[1.0] }]);
 /// Each point is touched twice, the spindle turned in between.
 pub const REVERSAL: When = digit(100, &[1]);
 /// Only the radius is measured.
@@ -67,22 +54,12 @@ pub const DRILL: When = When::ToolType(200, 299);
 /// A turning tool is in use (B:9330).
 pub const TURNING: When = When::ToolType(500, 599);
 /// A drill whose length counts along the applicate; it is measured there (B:10096-10122).
-pub const DRILL_ALONG_APPLICATE: When = When::All(&[
-    DRILL,
-    When::Setting {
-        name: TOOL_LENGTH_TYPE,
-        is: &[0.0],
-    },
-]);
+pub const DRILL_ALONG_APPLICATE: When = When::All(&[DRILL, When::Setting { name: TOOL_LENGTH_TYPE, is: &[0.0] }]);
 /// The spindle is not turned to the start angle (B:10088).
-pub const SPINDLE_AS_IT_IS: When = When::Setting {
-    name: "_CHBIT[20]",
-    is: &[1.0],
-};
+pub const SPINDLE_AS_IT_IS: When = When::Setting { name: "_CHBIT[20]", is: &[1.0] };
 
 const MEASURED_ONCE: When = When::All(&[MEASURE, POSITIONED]);
-const SPINDLE_TURNED: When =
-    When::All(&[MEASURE, When::Not(&TURNING), When::Not(&SPINDLE_AS_IT_IS)]);
+const SPINDLE_TURNED: When = When::All(&[MEASURE, When::Not(&TURNING), When::Not(&SPINDLE_AS_IT_IS)]);
 const REVERSED: When = When::All(&[MEASURE, REVERSAL, When::Not(&TURNING)]);
 
 /// The digits of `_MVAR`, units first (B:9224-9260, A:10287-10310).
@@ -91,11 +68,7 @@ const MVAR_DIGITS: &[DigitGroup] = &[
         key: "mvar-task",
         place: 1,
         digits: 1,
-        choices: &[
-            (0, "task-calibrate"),
-            (1, "task-measure-axis"),
-            (2, "task-measure-all"),
-        ],
+        choices: &[(0, "task-calibrate"), (1, "task-measure-axis"), (2, "task-measure-all")],
     },
     tool_probe::REFERENCE,
     DigitGroup {
@@ -132,17 +105,10 @@ const MVAR_DIGITS: &[DigitGroup] = &[
 
 /// In the order in which the snippet writes them.
 pub const PARAMS: &[Param] = &[
-    Param {
-        kind: Kind::Variant(MVAR_DIGITS),
-        source: "B:9224-9279;B:15814-15817;A:10287-10319",
-        ..common::MVAR
-    },
+    Param { kind: Kind::Variant(MVAR_DIGITS), source: "B:9224-9279;B:15814-15817;A:10287-10319", ..common::MVAR },
     Param {
         kind: Kind::ChoiceBy(&[
-            (
-                CALIBRATE,
-                &[(1, "ma-lathe-abscissa"), (2, "ma-lathe-ordinate")],
-            ),
+            (CALIBRATE, &[(1, "ma-lathe-abscissa"), (2, "ma-lathe-ordinate")]),
             (When::All(&[RADIUS, RADIAL]), &[(1, "ma-lathe-radius")]),
             (RADIUS, &[(2, "ma-lathe-radius-ordinate")]),
             (When::All(&[BOTH, RADIAL]), &[(1, "ma-lathe-l2-radius")]),
@@ -150,10 +116,7 @@ pub const PARAMS: &[Param] = &[
             (When::Always, &[(1, "ma-lathe-l2"), (2, "ma-lathe-l1")]),
         ]),
         needs: &[
-            optional(
-                When::All(&[MEASURE, DRILL_ALONG_APPLICATE]),
-                "need-axis-ignored",
-            ),
+            optional(When::All(&[MEASURE, DRILL_ALONG_APPLICATE]), "need-axis-ignored"),
             required(When::Not(&AUTOMATIC), "need-axis-tool-probe"),
         ],
         key: "ma-lathe-measured",
@@ -170,10 +133,7 @@ pub const PARAMS: &[Param] = &[
     Param {
         range: Range::closed(0.0, 360.0),
         needs: &[
-            required(
-                When::All(&[SPINDLE_TURNED, MILLING]),
-                "need-start-angle-spindle",
-            ),
+            required(When::All(&[SPINDLE_TURNED, MILLING]), "need-start-angle-spindle"),
             optional(SPINDLE_TURNED, "need-start-angle-milling"),
         ],
         key: "sta1-milling-spindle",
@@ -181,10 +141,7 @@ pub const PARAMS: &[Param] = &[
         ..common::STA1
     },
     Param {
-        needs: &[
-            required(When::All(&[REVERSED, MILLING]), "need-second-edge"),
-            optional(REVERSED, "need-second-edge"),
-        ],
+        needs: &[required(When::All(&[REVERSED, MILLING]), "need-second-edge"), optional(REVERSED, "need-second-edge")],
         key: "cora-second-edge",
         source: "B:9521;B:9602;B:15803",
         ..common::CORA
@@ -203,21 +160,9 @@ pub const PARAMS: &[Param] = &[
         source: "B:9840;B:9972;B:15837",
         ..common::TSA
     },
-    Param {
-        source: "B:2164-2170;B:9610;B:15839",
-        ..common::VMS
-    },
+    Param { source: "B:2164-2170;B:9610;B:15839", ..common::VMS },
     tool_probe::NMSP,
-    Param {
-        needs: &[optional(MEASURED_ONCE, "need-memory-empirical")],
-        ..tool_probe::EVNUM
-    },
-    Param {
-        needs: &[optional(POSITIONED, "need-default")],
-        ..tool_probe::TZL
-    },
-    Param {
-        needs: &[optional(MEASURED_ONCE, "need-default")],
-        ..tool_probe::TDIF
-    },
+    Param { needs: &[optional(MEASURED_ONCE, "need-memory-empirical")], ..tool_probe::EVNUM },
+    Param { needs: &[optional(POSITIONED, "need-default")], ..tool_probe::TZL },
+    Param { needs: &[optional(MEASURED_ONCE, "need-default")], ..tool_probe::TDIF },
 ];

@@ -1,5 +1,5 @@
-//! The pictures of CYCLE972 and CYCLE982 for every cutting edge position: which side of the probe is touched, and on which
-//! side of it the tool stands.
+//! The pictures of CYCLE972 and CYCLE982 for every cutting edge position: which side of the probe is touched, and on
+//! which side of it the tool stands.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
@@ -10,44 +10,24 @@ use crate::check::{Typed, check};
 use crate::control::{Edge, Plane, delivery};
 use crate::form::picture::{PictureShape, ShapeKind};
 
-/// Direction in which the tips of cutting edge positions 1 to 8 point, abscissa and ordinate (B:4152, B:9441, B:13474-13481).
-const TIPS: [[f64; 2]; 8] = [
-    [1.0, 1.0],
-    [-1.0, 1.0],
-    [-1.0, -1.0],
-    [1.0, -1.0],
-    [1.0, 0.0],
-    [0.0, 1.0],
-    [-1.0, 0.0],
-    [0.0, -1.0],
-];
+/// Direction in which the tips of cutting edge positions 1 to 8 point, abscissa and ordinate (B:4152, B:9441,
+/// B:13474-13481).
+const TIPS: [[f64; 2]; 8] =
+    [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]];
 
 /// What is drawn of a call with a turning tool of this position in use; `mirrored`: `_CHBIT[23]`.
-fn drawn(
-    cycle: &'static Cycle,
-    position: i64,
-    mirrored: bool,
-    values: &[(&str, &str)],
-) -> Vec<PictureShape> {
+fn drawn(cycle: &'static Cycle, position: i64, mirrored: bool, values: &[(&str, &str)]) -> Vec<PictureShape> {
     let mut control = delivery(Dialect::Sinumerik);
     control.plane = Plane::G18;
     control.set("_CHBIT[23]", f64::from(u8::from(mirrored)));
     for (index, value) in [220.0, 200.0, 400.0, 380.0].into_iter().enumerate() {
         control.set(format!("_TP[0,{index}]"), value);
     }
-    let edge = Edge {
-        kind: 500,
-        tip: position,
-        length: [60.0, 40.0, 0.0],
-        radius: 0.8,
-        ..Edge::default()
-    };
+    let edge = Edge { kind: 500, tip: position, length: [60.0, 40.0, 0.0], radius: 0.8, ..Edge::default() };
     control.tools.entry(3).or_default().edges.insert(1, edge);
     (control.tool, control.edge) = (3, 1);
     let example = cycle.example.iter().chain(values);
-    let typed: Typed = example
-        .map(|(name, value)| ((*name).to_owned(), (*value).to_owned()))
-        .collect();
+    let typed: Typed = example.map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect();
     let inputs = check(cycle, &typed, &control).inputs;
     let inputs = inputs.unwrap_or_else(|| panic!("{} {position} {values:?}", cycle.name));
     cycle.picture.draw(&inputs).expect("drawn").shapes
@@ -56,9 +36,7 @@ fn drawn(
 /// The touched points in their order.
 fn touched(shapes: &[PictureShape]) -> Vec<[f64; 2]> {
     let touches = shapes.iter().filter(|shape| shape.kind == ShapeKind::Touch);
-    touches
-        .filter_map(|shape| shape.circle.map(|(centre, _)| centre))
-        .collect()
+    touches.filter_map(|shape| shape.circle.map(|(centre, _)| centre)).collect()
 }
 
 /// Middle of all corners of what is drawn of the tool.
@@ -72,16 +50,13 @@ fn tool(shapes: &[PictureShape]) -> [f64; 2] {
 /// The calls that touch in one axis, in the direction of the tip; the first one knows no mirrored positions.
 fn calls(tip: f64) -> [(&'static Cycle, &'static str, &'static str); 3] {
     let towards = if tip > 0.0 { "0" } else { "1" };
-    [
-        (&CYCLE972, "1", towards),
-        (&CYCLE982, "1", towards),
-        (&CYCLE982, "100001", towards),
-    ]
+    [(&CYCLE972, "1", towards), (&CYCLE982, "1", towards), (&CYCLE982, "100001", towards)]
 }
 
 #[test]
 fn the_side_that_faces_the_tip_is_touched_and_the_tool_stands_behind_it() {
-    // oracle: manual B:9441 (position 3 comes from plus), B:4152, B:14049-14051 (mirrored: 1-4, 2-3, 6-8), B:13882 (CYCLE982)
+    // oracle: manual B:9441 (position 3 comes from plus), B:4152, B:14049-14051 (mirrored: 1-4, 2-3, 6-8), B:13882
+    // (CYCLE982)
     for (position, mirrored) in (1..=8).flat_map(|position| [(position, false), (position, true)]) {
         let [abscissa, ordinate] = TIPS[usize::try_from(position - 1).unwrap()];
         let turned = [abscissa, if mirrored { -ordinate } else { ordinate }];
@@ -129,8 +104,7 @@ fn automatic_measurement_touches_where_there_is_a_tip() {
             .collect();
         let touched = touched(&shapes);
         let near = |a: &[f64; 2], b: &[f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]) < 1e-9;
-        let same =
-            touched.len() == wanted.len() && touched.iter().zip(&wanted).all(|(a, b)| near(a, b));
+        let same = touched.len() == wanted.len() && touched.iter().zip(&wanted).all(|(a, b)| near(a, b));
         assert!(same, "{position}: {touched:?} {wanted:?}");
     }
 }

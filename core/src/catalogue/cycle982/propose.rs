@@ -1,8 +1,8 @@
 //! A nominal tool probe for CYCLE982 and CYCLE972, where the control believes it to be, and the tool before it.
 
 use super::params::{
-    ABSCISSA, AUTOMATIC, BOTH, CALIBRATE, DRILL_ALONG_APPLICATE, IN_WORKPIECE, INCREMENTAL,
-    OPPOSITE, RADIAL, RADIUS, TURNING, UPPER, WORKPIECE,
+    ABSCISSA, AUTOMATIC, BOTH, CALIBRATE, DRILL_ALONG_APPLICATE, IN_WORKPIECE, INCREMENTAL, OPPOSITE, RADIAL, RADIUS,
+    TURNING, UPPER, WORKPIECE,
 };
 use crate::catalogue::tool_probe::ProbeData;
 use crate::catalogue::{Proposal, ProposedTool, names, place};
@@ -20,8 +20,8 @@ const HEIGHT: f64 = 20.0;
 /// Width of a groove mill, mm.
 const DISC: f64 = 4.0;
 
-/// The tool that a variant needs: the calibration tool of B:8868, a mill where digits for milling tools are set (B:9224),
-/// as in B:9526-9545, else the turning tool of B:9049.
+/// The tool that a variant needs: the calibration tool of B:8868, a mill where digits for milling tools are set
+/// (B:9224), as in B:9526-9545, else the turning tool of B:9049.
 pub fn tool(variant: i64) -> ProposedTool {
     let cutter_digits = variant / 100 % 1000;
     let (tool, name, kind, length, radius) = match (variant % 10, cutter_digits) {
@@ -30,19 +30,8 @@ pub fn tool(variant: i64) -> ProposedTool {
         (_, 100..) => (3, "MILL", 120, [60.0, 10.0, 0.0], 14.0),
         _ => (3, "MILL", 120, [10.0, 60.0, 0.0], 14.0),
     };
-    let data = Edge {
-        kind,
-        tip: if kind == 500 { 3 } else { 0 },
-        length,
-        radius,
-        ..Edge::default()
-    };
-    ProposedTool {
-        tool,
-        name: name.to_owned(),
-        edge: 1,
-        data,
-    }
+    let data = Edge { kind, tip: if kind == 500 { 3 } else { 0 }, length, radius, ..Edge::default() };
+    ProposedTool { tool, name: name.to_owned(), edge: 1, data }
 }
 
 /// Probe and start.
@@ -132,7 +121,8 @@ impl<'a> Field<'a> {
         Some(ToolProbe::ideal(solid))
     }
 
-    /// Before the probe in the axis along which a drill is as long as on a milling machine, over its middle in the other.
+    /// Before the probe in the axis along which a drill is as long as on a milling machine, over its middle in the
+    /// other.
     fn over(&self, plane: Plane) -> [f64; 2] {
         let lies = usize::from(plane == Plane::G19);
         let direction = self.told(-1.0);

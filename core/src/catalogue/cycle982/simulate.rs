@@ -1,8 +1,8 @@
 //! What CYCLE982 does, and CYCLE972 with its two variants (B:8736-9090, B:9124-10126).
 
 use super::params::{
-    AUTOMATIC, BOTH, CALIBRATE, DRILL, DRILL_ALONG_APPLICATE, IN_WORKPIECE, INCREMENTAL, MILLING,
-    REVERSAL, SPINDLE_AS_IT_IS, TURNING, UPPER, WITH_RADIUS, WORKPIECE,
+    AUTOMATIC, BOTH, CALIBRATE, DRILL, DRILL_ALONG_APPLICATE, IN_WORKPIECE, INCREMENTAL, MILLING, REVERSAL,
+    SPINDLE_AS_IT_IS, TURNING, UPPER, WITH_RADIUS, WORKPIECE,
 };
 use super::stand::Stand;
 use super::{cutter, drill, nose};
@@ -62,11 +62,7 @@ fn task(machine: &mut dyn Machine, inputs: &Inputs, block: &Block) -> Result<(),
 }
 
 /// What the tool in use shows.
-fn measured(
-    machine: &mut dyn Machine,
-    inputs: &Inputs,
-    stand: &Stand,
-) -> Result<Vec<Measured>, Stop> {
+fn measured(machine: &mut dyn Machine, inputs: &Inputs, stand: &Stand) -> Result<Vec<Measured>, Stop> {
     if TURNING.holds(inputs) {
         nose::measure(machine, inputs, stand)
     } else if DRILL_ALONG_APPLICATE.holds(inputs) {
@@ -76,8 +72,8 @@ fn measured(
     }
 }
 
-/// What is refused before the first motion: the number of the probe (61313), a turned system (61330), a tool that the task does not know (61314),
-/// and what `_CHBIT[20]` does not allow (61307, B:10088-10094).
+/// What is refused before the first motion: the number of the probe (61313), a turned system (61330), a tool that the
+/// task does not know (61314), and what `_CHBIT[20]` does not allow (61307, B:10088-10094).
 fn admitted(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     let fields = match WORKPIECE.holds(inputs) {
         true => "_CVAL[3]",
@@ -100,10 +96,7 @@ fn admitted(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
         return Err(alarm(machine, 61314));
     }
     let turns = [AUTOMATIC, REVERSAL, BOTH, UPPER];
-    if SPINDLE_AS_IT_IS.holds(inputs)
-        && MILLING.holds(inputs)
-        && turns.iter().any(|when| when.holds(inputs))
-    {
+    if SPINDLE_AS_IT_IS.holds(inputs) && MILLING.holds(inputs) && turns.iter().any(|when| when.holds(inputs)) {
         return Err(alarm(machine, 61307));
     }
     Ok(())

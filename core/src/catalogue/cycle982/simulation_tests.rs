@@ -32,19 +32,12 @@ fn face(axis: usize, direction: f64) -> f64 {
 /// What the control believes of the tool in use: L1, L2, radius.
 fn believed(sim: &Sim) -> [f64; 3] {
     let edge = sim.control.active_edge().unwrap();
-    [
-        edge.total_length(0),
-        edge.total_length(1),
-        edge.total_radius(),
-    ]
+    [edge.total_length(0), edge.total_length(1), edge.total_radius()]
 }
 
 /// Wear is erased by a first measurement, and takes everything in a later one.
 fn in_its_memory(sim: &Sim, part: usize, geometry: bool, before: &Setup) {
-    let (now, then) = (
-        sim.control.active_edge().unwrap(),
-        before.control.active_edge().unwrap(),
-    );
+    let (now, then) = (sim.control.active_edge().unwrap(), before.control.active_edge().unwrap());
     let values = |edge: &crate::control::Edge| match part {
         RADIUS => (edge.radius, edge.radius_wear),
         length => (edge.length[length], edge.length_wear[length]),
@@ -59,8 +52,7 @@ fn in_its_memory(sim: &Sim, part: usize, geometry: bool, before: &Setup) {
 fn measuring(turning: bool) -> Vec<i64> {
     let all = CYCLE982.variants.iter().map(|variant| variant.number);
     let cutter_digits = |variant: i64| variant / 100 % 1000 != 0;
-    all.filter(|variant| digit(*variant, 1) != 0 && !(turning && cutter_digits(*variant)))
-        .collect()
+    all.filter(|variant| digit(*variant, 1) != 0 && !(turning && cutter_digits(*variant))).collect()
 }
 
 /// Measuring axes that a variant allows, 0 and 1.
@@ -109,17 +101,10 @@ fn cutter(
         _ => vec![part(across), RADIUS],
     };
     let real = match drill {
-        true => Real {
-            radius: 0.0,
-            ..real
-        },
+        true => Real { radius: 0.0, ..real },
         false => real,
     };
-    let wrong = if drill {
-        [wrong[0], wrong[1], 0.0]
-    } else {
-        wrong
-    };
+    let wrong = if drill { [wrong[0], wrong[1], 0.0] } else { wrong };
     let mut setup = machine(units);
     let kind = if drill { 200 } else { 120 };
     let mut edge = real.believed(kind, 0, wrong);
@@ -127,11 +112,7 @@ fn cutter(
         (edge.radius, edge.radius_wear) = (0.0, 0.0);
     }
     let radius = edge.total_radius();
-    mount(
-        &mut setup,
-        edge,
-        real.cutter(along, if upper { 4.0 } else { 0.0 }),
-    );
+    mount(&mut setup, edge, real.cutter(along, if upper { 4.0 } else { 0.0 }));
     // the end of a cutter points in minus direction; an upper edge touches in plus direction
     let towards = if upper { 1.0 } else { -1.0 };
     let from = if extent == 4 { -towards } else { towards };
@@ -148,18 +129,12 @@ fn cutter(
     }
     place(&mut setup, start);
     let inputs = inputs(&setup, variant, &values);
-    Bench {
-        setup,
-        inputs,
-        found,
-    }
+    Bench { setup, inputs, found }
 }
 
 fn check(bench: &Bench, real: Real, remeasure: bool) {
     let mut setup = bench.setup.clone();
-    setup
-        .control
-        .set("_CHBIT[3]", f64::from(u8::from(remeasure)));
+    setup.control.set("_CHBIT[3]", f64::from(u8::from(remeasure)));
     let mut sim = Sim::new(&setup);
     let what = format!("{} {:?}", bench.inputs.variant, bench.inputs.numbers);
     assert_eq!(run(&mut sim, &bench.inputs), Ok(()), "{what}");
@@ -183,9 +158,8 @@ fn check(bench: &Bench, real: Real, remeasure: bool) {
 fn real() -> impl Strategy<Value = (Real, [f64; 3])> {
     let lengths = prop::array::uniform2(40.0..120.0_f64);
     let wrong = (prop::array::uniform2(-2.0..2.0_f64), -0.6..0.6_f64);
-    (lengths, 12.0..16.0_f64, wrong).prop_map(|(length, radius, ([first, second], third))| {
-        (Real { length, radius }, [first, second, third])
-    })
+    (lengths, 12.0..16.0_f64, wrong)
+        .prop_map(|(length, radius, ([first, second], third))| (Real { length, radius }, [first, second, third]))
 }
 
 proptest! {
@@ -324,12 +298,9 @@ fn exact(real: Real, kind: i64) -> crate::control::Edge {
 
 #[test]
 fn calibrated_measured_corrected_and_measured_again_nothing_is_wrong() {
-    // oracle: hand: the probe switches late and stands elsewhere than believed; with its trigger values found, the second
-    // measurement of a tool has no difference, whatever the first one was
-    let real = Real {
-        length: [100.0, 60.0],
-        radius: 2.0,
-    };
+    // oracle: hand: the probe switches late and stands elsewhere than believed; with its trigger values found, the
+    // second measurement of a tool has no difference, whatever the first one was
+    let real = Real { length: [100.0, 60.0], radius: 2.0 };
     for inch in [false, true] {
         let units = if inch { Units::Inch } else { Units::Metric };
         let mut setup = machine(units);
@@ -343,11 +314,7 @@ fn calibrated_measured_corrected_and_measured_again_nothing_is_wrong() {
             assert_eq!(run(&mut sim, &call), Ok(()));
             setup.control = sim.control;
         }
-        mount(
-            &mut setup,
-            real.believed(500, 3, [0.7, -0.9, 0.01]),
-            real.nose(3),
-        );
+        mount(&mut setup, real.believed(500, 3, [0.7, -0.9, 0.01]), real.nose(3));
         setup.control.edge_of_mut(3, 1).unwrap().radius_wear = 0.0;
         setup.control.edge_of_mut(3, 1).unwrap().radius = real.radius;
         for differences in [[0.7, -0.9], [0.0, 0.0]] {

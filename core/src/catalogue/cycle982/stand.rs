@@ -47,11 +47,7 @@ impl Stand {
     /// A trigger value that was found, with its datum and its field in `_OVR[]` (B:9287-9294).
     pub fn found(&self, axis: usize, direction: f64, value: f64) -> Trigger {
         let side = usize::from(direction > 0.0);
-        Trigger {
-            name: self.data[axis][side].clone(),
-            result: 8 + 2 * (2 * axis + side),
-            value,
-        }
+        Trigger { name: self.data[axis][side].clone(), result: 8 + 2 * (2 * axis + side), value }
     }
 
     /// Coordinate at which the probe switches, mm.
@@ -91,30 +87,18 @@ impl Stand {
     }
 
     /// Touches where the position of the tool should be `set`; its position at switching, mm.
-    pub fn touch(
-        &self,
-        machine: &mut dyn Machine,
-        axis: usize,
-        direction: f64,
-        set: f64,
-    ) -> Result<f64, Stop> {
-        self.block
-            .latch(machine, &self.block.point(axis, direction, set))
+    pub fn touch(&self, machine: &mut dyn Machine, axis: usize, direction: f64, set: f64) -> Result<f64, Stop> {
+        self.block.latch(machine, &self.block.point(axis, direction, set))
     }
 
     /// The same from where the tool stands, over twice the measuring path (B:9820).
-    pub fn touch_from_here(
-        &self,
-        machine: &mut dyn Machine,
-        axis: usize,
-        direction: f64,
-    ) -> Result<f64, Stop> {
+    pub fn touch_from_here(&self, machine: &mut dyn Machine, axis: usize, direction: f64) -> Result<f64, Stop> {
         let point = self.block.point(axis, direction, 0.0);
         self.block.latch_from_here(machine, &point)
     }
 
-    /// The length in an axis that would put the tool's own point on the touched side, mm: what is known so far and by how
-    /// much the position differs from it.
+    /// The length in an axis that would put the tool's own point on the touched side, mm: what is known so far and by
+    /// how much the position differs from it.
     pub fn apparent(&self, control: &Control, axis: usize, direction: f64, latched: f64) -> f64 {
         active(control, part(axis)) + latched - self.trigger(axis, direction)
     }
@@ -131,9 +115,5 @@ pub fn found(part: usize, value: f64) -> Measured {
         RADIUS => 12,
         length => 8 + 2 * length,
     };
-    Measured {
-        part,
-        result,
-        value,
-    }
+    Measured { part, result, value }
 }

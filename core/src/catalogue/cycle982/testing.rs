@@ -70,28 +70,18 @@ pub struct Real {
 impl Real {
     /// A turning tool with this cutting edge position.
     pub fn nose(self, position: i64) -> Tool {
-        let nose = Nose {
-            radius: self.radius,
-            side: side(position, false),
-        };
+        let nose = Nose { radius: self.radius, side: side(position, false) };
         self.tool(Cut::Nose(nose))
     }
 
     /// A cutter along an axis of the plane; a groove mill with its upper edge where there is a width.
     pub fn cutter(self, axis: usize, disc: f64) -> Tool {
-        self.tool(Cut::Cutter(Cutter {
-            axis,
-            disc,
-            ..Cutter::smooth(self.radius)
-        }))
+        self.tool(Cut::Cutter(Cutter { axis, disc, ..Cutter::smooth(self.radius) }))
     }
 
     fn tool(self, cut: Cut) -> Tool {
         let [first, second] = self.length;
-        Tool {
-            length: [first, second, 0.0],
-            cut,
-        }
+        Tool { length: [first, second, 0.0], cut }
     }
 
     /// What the tool data say of it: off by these L1, L2 and radius, part of it as wear, mm.
@@ -111,13 +101,7 @@ impl Real {
 
 /// The call with wide limits.
 pub fn inputs(setup: &Setup, variant: i64, values: &[(&'static str, f64)]) -> Inputs {
-    let mut all = vec![
-        ("_PRNUM", 1.0),
-        ("_FA", 6.0),
-        ("_TSA", 20.0),
-        ("_TDIF", 10.0),
-        ("_TZL", 0.0),
-    ];
+    let mut all = vec![("_PRNUM", 1.0), ("_FA", 6.0), ("_TSA", 20.0), ("_TDIF", 10.0), ("_TZL", 0.0)];
     all.extend(values);
     let mut inputs = call("CYCLE982", variant, &all);
     inputs.plane = setup.control.plane;

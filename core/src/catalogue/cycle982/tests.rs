@@ -20,12 +20,7 @@ fn control() -> Control {
         control.set(format!("_TP[0,{index}]"), value);
         control.set(format!("_TPW[0,{index}]"), value);
     }
-    let edge = Edge {
-        kind: 120,
-        length: [60.0, 10.0, 0.0],
-        radius: 14.0,
-        ..Edge::default()
-    };
+    let edge = Edge { kind: 120, length: [60.0, 10.0, 0.0], radius: 14.0, ..Edge::default() };
     control.tools.entry(3).or_default().edges.insert(1, edge);
     (control.tool, control.edge) = (3, 1);
     control
@@ -49,12 +44,8 @@ fn spindle_stays(control: &mut Control) {
 
 /// Findings of a call like the example's with these values.
 fn found(values: &[(&str, &str)], change: impl Fn(&mut Control)) -> Found {
-    let typed: Typed = CYCLE982
-        .example
-        .iter()
-        .chain(values)
-        .map(|(name, value)| ((*name).to_owned(), (*value).to_owned()))
-        .collect();
+    let typed: Typed =
+        CYCLE982.example.iter().chain(values).map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect();
     let mut control = control();
     change(&mut control);
     let found = check(&CYCLE982, &typed, &control).diagnostics;
@@ -64,12 +55,7 @@ fn found(values: &[(&str, &str)], change: impl Fn(&mut Control)) -> Found {
 /// Findings of a variant, measured in the axis that it allows.
 fn of_variant(variant: i64, axis: &str, change: impl Fn(&mut Control)) -> Found {
     let number = variant.to_string();
-    let call = [
-        ("_MVAR", &*number),
-        ("_MA", axis),
-        ("_MD", "1"),
-        ("_CORA", "0"),
-    ];
+    let call = [("_MVAR", &*number), ("_MA", axis), ("_MD", "1"), ("_CORA", "0")];
     found(&call, change)
 }
 
@@ -110,23 +96,11 @@ fn the_calls_of_the_manual_are_right() {
 fn every_variant_measures_a_milling_tool_but_calibration() {
     // oracle: manual B:9224-9279, B:9330-9338
     for variant in CYCLE982.variants {
-        let expected = if variant.number % 10 == 0 {
-            alarm(61314)
-        } else {
-            vec![]
-        };
+        let expected = if variant.number % 10 == 0 { alarm(61314) } else { vec![] };
         let number = variant.number;
-        assert_eq!(
-            of_variant(number, axis_of(number), |_| ()),
-            expected,
-            "{number}"
-        );
+        assert_eq!(of_variant(number, axis_of(number), |_| ()), expected, "{number}");
         let driven = |control: &mut Control| edge(control).kind = 720;
-        assert_eq!(
-            of_variant(number, axis_of(number), driven),
-            expected,
-            "{number}"
-        );
+        assert_eq!(of_variant(number, axis_of(number), driven), expected, "{number}");
     }
 }
 
@@ -162,11 +136,7 @@ fn the_radius_lies_in_one_axis_only() {
             let right = !radius || axis == axis_of(variant);
             let expected = if right { vec![] } else { alarm(61325) };
             let no_tool = |control: &mut Control| control.tool = 0;
-            assert_eq!(
-                of_variant(variant, axis, no_tool),
-                expected,
-                "{variant} {axis}"
-            );
+            assert_eq!(of_variant(variant, axis, no_tool), expected, "{variant} {axis}");
         }
     }
     assert_eq!(of_variant(1, "3", |_| ()), alarm(61325));
@@ -201,11 +171,7 @@ fn drills_have_no_radius() {
         if variant % 10 == 0 {
             continue;
         }
-        let expected = if digit(variant, 4) > 0 {
-            alarm(61314)
-        } else {
-            vec![]
-        };
+        let expected = if digit(variant, 4) > 0 { alarm(61314) } else { vec![] };
         let codes = of_variant(variant, axis_of(variant), drill);
         assert_eq!(codes, expected, "{variant}");
     }
@@ -238,11 +204,7 @@ fn drills_with_their_length_along_the_applicate() {
                 control.plane = plane;
             };
             let length = digit(variant, 1) == 1 && digit(variant, 3) == 0 && digit(variant, 4) == 0;
-            let expected = if possible && length {
-                vec![]
-            } else {
-                alarm(61314)
-            };
+            let expected = if possible && length { vec![] } else { alarm(61314) };
             let codes = of_variant(variant, axis_of(variant), special);
             assert_eq!(codes, expected, "{plane:?} {variant}");
         }
@@ -265,15 +227,9 @@ fn turning_tools_are_looked_at() {
     assert_eq!(of_variant(2, "1", tip(9)), alarm(61315));
     assert_eq!(of_variant(1, "2", tip(7)), alarm(61325));
     assert_eq!(of_variant(2, "2", tip(7)), []);
-    assert_eq!(
-        of_variant(1, "1", |control| edge(control).kind = 400),
-        alarm(61314)
-    );
+    assert_eq!(of_variant(1, "1", |control| edge(control).kind = 400), alarm(61314));
     let probe = |control: &mut Control| edge(control).kind = 710;
-    assert_eq!(
-        of_variant(1, "1", probe),
-        [(Severity::Warning, Code::Alarm(61314))]
-    );
+    assert_eq!(of_variant(1, "1", probe), [(Severity::Warning, Code::Alarm(61314))]);
     // oracle: manual B:9224-9260: digits 3 to 5 count for milling tools
     assert_eq!(of_variant(10_101, "1", turning), doubt(73));
 }
@@ -324,19 +280,10 @@ fn probe_and_machine_are_looked_at() {
     // oracle: manual B:13345-13348, A:15852, A:15879, B:13602-13608
     let few = |name: &'static str| move |control: &mut Control| control.set(name, 2.0);
     let third: Values = &[("_PRNUM", "3")];
-    assert_eq!(
-        found(third, few("_CVAL[0]"))[0],
-        (Severity::Error, Code::Alarm(61313))
-    );
+    assert_eq!(found(third, few("_CVAL[0]"))[0], (Severity::Error, Code::Alarm(61313)));
     let workpiece = [third, &[("_MVAR", "12011")]].concat();
-    assert_eq!(
-        found(&workpiece, few("_CVAL[3]"))[0],
-        (Severity::Error, Code::Alarm(61313))
-    );
-    assert_eq!(
-        found(&[], |control| control.set("_SPEED[1]", 0.0)),
-        alarm(61338)
-    );
+    assert_eq!(found(&workpiece, few("_CVAL[3]"))[0], (Severity::Error, Code::Alarm(61313)));
+    assert_eq!(found(&[], |control| control.set("_SPEED[1]", 0.0)), alarm(61338));
     let old = |control: &mut Control| control.set("_CBIT[5]", 1.0);
     assert_eq!(found(&[], old), [(Severity::Note, Code::Own(72))]);
     assert_eq!(found(&[("_MVAR", "12011")], old), []);

@@ -18,12 +18,7 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
         return;
     };
     if set <= 0.0 {
-        found.push(
-            own::TWO_SETPOINT
-                .finding()
-                .number("set", set)
-                .at(names::SETVAL),
-        );
+        found.push(own::TWO_SETPOINT.finding().number("set", set).at(names::SETVAL));
         return;
     }
     let ball = place::ball_radius(inputs, control);
@@ -41,23 +36,13 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
 fn ball_diameter(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     let name = format!("_WP[{},0]", inputs.integer(names::PRNUM) % 100 - 1);
     if control.bit("_CHBIT[7]") && control.number(&name) <= 0.0 {
-        found.push(
-            own::TWO_BALL
-                .finding()
-                .text("name", &name)
-                .hint_text("name", name)
-                .at(names::PRNUM),
-        );
+        found.push(own::TWO_BALL.finding().text("name", &name).hint_text("name", name).at(names::PRNUM));
     }
 }
 
 /// The zone in the direction of the measuring axis: `_SZA` in the abscissa, else `_SZO` (B:10986-11001).
 fn across(inputs: &Inputs) -> (&'static str, Option<f64>) {
-    let name = if inputs.integer(names::MA) == 1 {
-        names::SZA
-    } else {
-        names::SZO
-    };
+    let name = if inputs.integer(names::MA) == 1 { names::SZA } else { names::SZO };
     (name, inputs.given(name))
 }
 
@@ -69,9 +54,7 @@ fn inside(inputs: &Inputs, set: f64, ball: f64, found: &mut Vec<Diagnostic>) {
     };
     let limit = set - ball;
     if zone.abs() > limit {
-        let message = Message::new("check-two-zone-inside")
-            .number("zone", zone)
-            .number("size", set);
+        let message = Message::new("check-two-zone-inside").number("zone", zone).number("size", set);
         let hint = Message::new("check-two-zone-inside-hint").number("limit", limit);
         found.push(error(ZONE, message).hint(hint).at(name));
     }
@@ -87,12 +70,7 @@ fn either(inputs: &Inputs, set: f64, ball: f64, found: &mut Vec<Diagnostic>) {
         }
         (abscissa, _) => {
             let missing = if abscissa { names::SZO } else { names::SZA };
-            found.push(
-                own::TWO_HALF_ZONE
-                    .finding()
-                    .text("name", missing)
-                    .at(missing),
-            );
+            found.push(own::TWO_HALF_ZONE.finding().text("name", missing).at(missing));
         }
     }
     let (name, Some(zone)) = across(inputs) else {
@@ -100,9 +78,7 @@ fn either(inputs: &Inputs, set: f64, ball: f64, found: &mut Vec<Diagnostic>) {
     };
     let limit = set + ball;
     if zone.abs() < limit {
-        let message = Message::new("check-two-zone-outside")
-            .number("zone", zone)
-            .number("size", set);
+        let message = Message::new("check-two-zone-outside").number("zone", zone).number("size", set);
         let hint = Message::new("check-two-zone-outside-hint").number("limit", limit);
         found.push(warning(ZONE, message).hint(hint).at(name));
     }

@@ -16,23 +16,13 @@ mod tests;
 pub use results::RESULTS;
 
 use crate::catalogue::sinumerik;
-use crate::catalogue::{
-    Cycle, Dialect, Drawing, Help, Purpose, Simulation, Variant, Work, common, lathe,
-};
+use crate::catalogue::{Cycle, Dialect, Drawing, Help, Purpose, Simulation, Variant, Work, common, lathe};
 use crate::diagnostic::Code;
 
 /// Measuring variants (B:10930-10933). What A:12201 says about the second is a slip: there the zone counts outside.
 pub const VARIANTS: &[Variant] = &[
-    Variant {
-        number: 1,
-        key: "cycle994-inside-zone",
-        source: "B:10932;B:10981;A:12250",
-    },
-    Variant {
-        number: 2,
-        key: "cycle994-outside-inside",
-        source: "B:10933;B:10982;A:12250",
-    },
+    Variant { number: 1, key: "cycle994-inside-zone", source: "B:10932;B:10981;A:12250" },
+    Variant { number: 2, key: "cycle994-outside-inside", source: "B:10933;B:10982;A:12250" },
 ];
 
 /// The protection zone leaves no way: no number is named, this is the one of CYCLE977.
@@ -109,10 +99,7 @@ pub static CYCLE994: Cycle = Cycle {
         ("_TDIF", "0.04"),
     ],
     simulation: Some(Simulation::new(
-        Work {
-            propose: propose::propose,
-            simulate: simulate::simulate,
-        },
+        Work { propose: propose::propose, simulate: simulate::simulate },
         // inside the zone has to be smaller than the bore
         &[(params::INSIDE_ZONE, &[("_SZO", "30")])],
     )),

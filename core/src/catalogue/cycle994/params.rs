@@ -8,30 +8,18 @@ use crate::catalogue::{Need, Param, Range, When};
 pub const INSIDE_ZONE: When = When::Variant(&[1]);
 
 /// Outside with the second variant too; whether it is outside, the start position tells (B:10933, B:11122-11142).
-const ZONE: &[Need] = &[
-    required(INSIDE_ZONE, "need-zone-inside"),
-    optional(When::Always, "need-zone-outside"),
-];
+const ZONE: &[Need] = &[required(INSIDE_ZONE, "need-zone-inside"), optional(When::Always, "need-zone-outside")];
 
 /// In the order in which the snippet writes them.
 pub const PARAMS: &[Param] = &[
-    Param {
-        source: "B:10930-10933",
-        ..common::MVAR
-    },
+    Param { source: "B:10930-10933", ..common::MVAR },
     Param {
         needs: common::ALWAYS_REQUIRED,
-        labels: &[
-            (lathe::DIAMETER, "setval-two-diameter"),
-            (When::Always, "setval-two-radius"),
-        ],
+        labels: &[(lathe::DIAMETER, "setval-two-diameter"), (When::Always, "setval-two-radius")],
         source: "B:10983-10984",
         ..common::SETVAL
     },
-    Param {
-        source: "B:10985;B:10999",
-        ..lathe::MA
-    },
+    Param { source: "B:10985;B:10999", ..lathe::MA },
     Param {
         range: Range::ANY,
         needs: ZONE,
@@ -42,81 +30,25 @@ pub const PARAMS: &[Param] = &[
     Param {
         range: Range::ANY,
         needs: ZONE,
-        labels: &[
-            (lathe::APPLICATE, "szo-turned-applicate"),
-            (When::Always, "szo-turned"),
-        ],
+        labels: &[(lathe::APPLICATE, "szo-turned-applicate"), (When::Always, "szo-turned")],
         source: "B:10988-10989;B:11001",
         ..common::SZO
     },
-    Param {
-        source: "B:10990-10992",
-        ..lathe::KNUM
-    },
-    Param {
-        source: "B:10993",
-        ..lathe::TNUM
-    },
-    Param {
-        source: "B:10994-10995",
-        ..lathe::TNAME
-    },
-    Param {
-        source: "B:10996",
-        ..lathe::DLNUM
-    },
-    Param {
-        source: "B:10997",
-        ..lathe::TENV
-    },
-    Param {
-        source: "B:11009;B:15555",
-        ..common::PRNUM
-    },
-    Param {
-        labels: &[(When::Always, "fa-lathe")],
-        source: "B:11009;B:15541",
-        ..common::FA
-    },
-    Param {
-        labels: &[(When::Always, "tsa-size")],
-        source: "B:11009;B:15574",
-        ..common::TSA
-    },
-    Param {
-        source: "B:11009;B:15576",
-        ..common::VMS
-    },
-    Param {
-        source: "B:11009;B:15554",
-        ..common::NMSP
-    },
-    Param {
-        source: "B:11009;B:15538-15539",
-        ..lathe::EVNUM
-    },
-    Param {
-        source: "B:11009;B:15544",
-        ..lathe::K
-    },
-    Param {
-        source: "B:11009;B:15575",
-        ..lathe::TZL
-    },
-    Param {
-        source: "B:11009;A:16405",
-        ..lathe::TMV
-    },
-    Param {
-        source: "B:11009;A:16406",
-        ..lathe::TUL
-    },
-    Param {
-        source: "B:11009;A:16407",
-        ..lathe::TLL
-    },
-    Param {
-        source: "B:11009;B:15568",
-        ..lathe::TDIF
-    },
+    Param { source: "B:10990-10992", ..lathe::KNUM },
+    Param { source: "B:10993", ..lathe::TNUM },
+    Param { source: "B:10994-10995", ..lathe::TNAME },
+    Param { source: "B:10996", ..lathe::DLNUM },
+    Param { source: "B:10997", ..lathe::TENV },
+    Param { source: "B:11009;B:15555", ..common::PRNUM },
+    Param { labels: &[(When::Always, "fa-lathe")], source: "B:11009;B:15541", ..common::FA },
+    Param { labels: &[(When::Always, "tsa-size")], source: "B:11009;B:15574", ..common::TSA },
+    Param { source: "B:11009;B:15576", ..common::VMS },
+    Param { source: "B:11009;B:15554", ..common::NMSP },
+    Param { source: "B:11009;B:15538-15539", ..lathe::EVNUM },
+    Param { source: "B:11009;B:15544", ..lathe::K },
+    Param { source: "B:11009;B:15575", ..lathe::TZL },
+    Param { source: "B:11009;A:16405", ..lathe::TMV },
+    Param { source: "B:11009;A:16406", ..lathe::TUL },
+    Param { source: "B:11009;A:16407", ..lathe::TLL },
+    Param { source: "B:11009;B:15568", ..lathe::TDIF },
 ];

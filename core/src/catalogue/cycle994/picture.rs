@@ -1,5 +1,5 @@
-//! CYCLE994 drawn: both points with the way between them, around the protection zone. The second variant is drawn twice,
-//! outside with the zone and inside without it. Built with the measuring axis upwards, then laid into the plane.
+//! CYCLE994 drawn: both points with the way between them, around the protection zone. The second variant is drawn
+//! twice, outside with the zone and inside without it. Built with the measuring axis upwards, then laid into the plane.
 
 use super::params::INSIDE_ZONE;
 use crate::catalogue::lathe::figures::{self, ENDS, MEASURED, RADIUS, Touch};
@@ -26,39 +26,23 @@ enum Task {
 
 /// The picture.
 pub fn picture(inputs: &Inputs) -> Picture {
-    let tasks: &[Task] = if INSIDE_ZONE.holds(inputs) {
-        &[Task::InsideZone]
-    } else {
-        &[Task::Outside, Task::InsideFree]
-    };
+    let tasks: &[Task] =
+        if INSIDE_ZONE.holds(inputs) { &[Task::InsideZone] } else { &[Task::Outside, Task::InsideFree] };
     let axis = inputs.integer(names::MA).clamp(1, 3);
     let mut shapes = Vec::new();
     for (index, task) in tasks.iter().enumerate() {
         let shift = BESIDE * index as f64;
         let mut drawn = drawing(inputs, *task, axis);
-        drawn
-            .iter_mut()
-            .for_each(|shape| lay(shape, axis == 1, shift));
+        drawn.iter_mut().for_each(|shape| lay(shape, axis == 1, shift));
         shapes.extend(drawn);
     }
-    Picture {
-        view: if axis == 3 {
-            View::Section
-        } else {
-            View::Plane
-        },
-        shapes,
-    }
+    Picture { view: if axis == 3 { View::Section } else { View::Plane }, shapes }
 }
 
 /// Lays a figure so that the measuring axis is the abscissa where it has to be, and beside the drawing before it.
 fn lay(shape: &mut PictureShape, abscissa: bool, shift: f64) {
     let place = |[x, y]: [f64; 2]| {
-        if abscissa {
-            [y + shift, x]
-        } else {
-            [x + shift, y]
-        }
+        if abscissa { [y + shift, x] } else { [x + shift, y] }
     };
     for point in &mut shape.points {
         *point = place(*point);
@@ -137,11 +121,7 @@ fn half_zone(task: Task) -> f64 {
 
 /// Parameters of the zone: in the measuring axis, and along the part (B:10986-11001).
 fn fields(axis: i64) -> [&'static str; 2] {
-    if axis == 1 {
-        [names::SZA, names::SZO]
-    } else {
-        [names::SZO, names::SZA]
-    }
+    if axis == 1 { [names::SZA, names::SZO] } else { [names::SZO, names::SZA] }
 }
 
 /// The zone with its dimensions.
@@ -162,20 +142,9 @@ fn way(task: Task, [start, end]: [[f64; 2]; 2], axis: i64) -> Vec<PictureShape> 
     let half = half_zone(task);
     let corners = match task {
         Task::InsideFree => vec![start, end],
-        _ => vec![
-            start,
-            [PLACE, half],
-            [BEYOND, half],
-            [BEYOND, -half],
-            [PLACE, -half],
-            end,
-        ],
+        _ => vec![start, [PLACE, half], [BEYOND, half], [BEYOND, -half], [PLACE, -half], end],
     };
-    let field = if task == Task::InsideFree {
-        names::MVAR
-    } else {
-        fields(axis)[1]
-    };
+    let field = if task == Task::InsideFree { names::MVAR } else { fields(axis)[1] };
     let mut shapes = Vec::new();
     if let [.., from, tip] = corners[..] {
         shapes.push(arrow(ShapeKind::Path, from, tip, 4.0).of(field));

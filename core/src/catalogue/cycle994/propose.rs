@@ -52,11 +52,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
         true => (element.radius - gap).max(zone.border[0]),
         false => element.radius + gap + AWAY,
     };
-    let part = if inside {
-        element.inside()
-    } else {
-        element.outside()
-    };
+    let part = if inside { element.inside() } else { element.outside() };
     let pin = element.pin().filter(|_| inside);
     Proposal {
         fixture: pin.into_iter().chain(place::chuck(&part)).collect(),
@@ -89,14 +85,8 @@ impl Element<'_> {
         let width = 2.0 * self.radius;
         let length = place::LENGTH;
         let shape = match self.turned() {
-            true => Shape::Turned {
-                diameter: width,
-                length,
-                bore: [0.0; 2],
-            },
-            false => Shape::Block {
-                size: [width, ACROSS, length],
-            },
+            true => Shape::Turned { diameter: width, length, bore: [0.0; 2] },
+            false => Shape::Block { size: [width, ACROSS, length] },
         };
         self.standing(shape, self.end)
     }
@@ -105,16 +95,8 @@ impl Element<'_> {
         let width = 2.0 * self.radius;
         let depth = 2.0 * BEHIND;
         let shape = match self.turned() {
-            true => Shape::Turned {
-                diameter: width + BEHIND,
-                length: place::LENGTH,
-                bore: [width, depth],
-            },
-            false => Shape::Groove {
-                width,
-                depth,
-                length: ACROSS,
-            },
+            true => Shape::Turned { diameter: width + BEHIND, length: place::LENGTH, bore: [width, depth] },
+            false => Shape::Groove { width, depth, length: ACROSS },
         };
         self.standing(shape, self.end)
     }
@@ -124,14 +106,8 @@ impl Element<'_> {
         let diameter = 2.0 * self.pin;
         let length = 2.0 * BEHIND;
         let shape = match self.turned() {
-            true => Shape::Turned {
-                diameter,
-                length,
-                bore: [0.0; 2],
-            },
-            false => Shape::Block {
-                size: [diameter, ACROSS / 2.0, length],
-            },
+            true => Shape::Turned { diameter, length, bore: [0.0; 2] },
+            false => Shape::Block { size: [diameter, ACROSS / 2.0, length] },
         };
         (self.pin > 0.0).then(|| self.standing(shape, self.end))
     }
@@ -139,10 +115,7 @@ impl Element<'_> {
     /// The zone, to be shown.
     fn shown(&self) -> Solid {
         let [across, end] = self.zone.border;
-        let shape = Shape::Island {
-            length: [2.0 * across, ACROSS],
-            height: place::LENGTH,
-        };
+        let shape = Shape::Island { length: [2.0 * across, ACROSS], height: place::LENGTH };
         self.standing(shape, end)
     }
 }

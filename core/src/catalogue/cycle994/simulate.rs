@@ -1,4 +1,5 @@
-//! What CYCLE994 does: the positive point, the way to the other side, the negative point (B:10885-10891, B:11104-11142).
+//! What CYCLE994 does: the positive point, the way to the other side, the negative point (B:10885-10891,
+//! B:11104-11142).
 
 use super::params::INSIDE_ZONE;
 use crate::catalogue::lathe::measure;
@@ -33,10 +34,7 @@ impl Zone {
             0 => [abscissa, beside],
             _ => [beside, abscissa],
         };
-        Zone {
-            axes: both.map(|(axis, _)| control.plane.axes()[axis.min(2)]),
-            border: both.map(|(_, size)| size),
-        }
+        Zone { axes: both.map(|(axis, _)| control.plane.axes()[axis.min(2)]), border: both.map(|(_, size)| size) }
     }
 }
 
@@ -84,8 +82,8 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     Ok(())
 }
 
-/// The zone with the sign of the start: outside always, inside with the first variant, which knows no outside (61307). One that leaves
-/// no way for the ball is 61334.
+/// The zone with the sign of the start: outside always, inside with the first variant, which knows no outside (61307).
+/// One that leaves no way for the ball is 61334.
 fn zone(
     machine: &mut dyn Machine,
     inputs: &Inputs,
@@ -121,12 +119,9 @@ fn across(machine: &mut dyn Machine, block: &Block, zone: Option<&Zone>) -> Resu
     let [measured, left] = *axes;
     let before = to[left];
     let side = 1.0_f64.copysign(to[measured]);
-    for (axis, value) in [
-        (measured, side * border[0]),
-        (left, border[1]),
-        (measured, -side * border[0]),
-        (left, before),
-    ] {
+    for (axis, value) in
+        [(measured, side * border[0]), (left, border[1]), (measured, -side * border[0]), (left, before)]
+    {
         to[axis] = value;
         block.travel(machine, to)?;
     }

@@ -76,13 +76,7 @@ fn cases(radius: f64, transverse: Transverse) -> Vec<Case> {
     for plane in PLANES {
         for axis in 0..3 {
             for inside in [false, true] {
-                all.push(Case {
-                    plane,
-                    transverse,
-                    axis,
-                    radius,
-                    inside,
-                });
+                all.push(Case { plane, transverse, axis, radius, inside });
             }
         }
     }
@@ -119,22 +113,15 @@ proptest! {
     }
 }
 
-/// A diameter of 60 mm in G18, ball 3, `_FA` = 5: outside the block begins at 38 and touches at 33, inside at 22 and 27.
-const DIAMETER: Case = Case {
-    plane: Plane::G18,
-    transverse: Transverse::Diameter,
-    axis: 1,
-    radius: 30.0,
-    inside: false,
-};
+/// A diameter of 60 mm in G18, ball 3, `_FA` = 5: outside the block begins at 38 and touches at 33, inside at 22 and
+/// 27.
+const DIAMETER: Case =
+    Case { plane: Plane::G18, transverse: Transverse::Diameter, axis: 1, radius: 30.0, inside: false };
 
 #[test]
 fn the_way_leads_around_the_zone_or_straight_through_the_bore() {
     // oracle: manual B:10889-10891 (positive point first), B:11104-11142 (ways, end before the negative point)
-    let inner = Case {
-        inside: true,
-        ..DIAMETER
-    };
+    let inner = Case { inside: true, ..DIAMETER };
     for (case, zone, start, touch, border) in [
         (DIAMETER, true, 38.0, 33.0, Some(42.0)),
         (inner, true, 22.0, 27.0, Some(21.0)),
@@ -161,11 +148,7 @@ fn the_way_leads_around_the_zone_or_straight_through_the_bore() {
         expected.push((Retract, [z, -start, 0.0], PLANE_FEED));
         let mut sim = Sim::new(&setup);
         assert_eq!(run(&mut sim, &call), Ok(()));
-        same(
-            &motions(&sim, case.plane, [0.0, 0.0, 250.0]),
-            &expected,
-            &format!("{case:?} {zone}"),
-        );
+        same(&motions(&sim, case.plane, [0.0, 0.0, 250.0]), &expected, &format!("{case:?} {zone}"));
     }
 }
 
@@ -262,15 +245,9 @@ fn an_inch_machine_finds_the_same() {
 #[test]
 fn what_leaves_no_way_is_refused() {
     // oracle: manual B:10932 (the first variant is inside), A:15877 (61334 as in CYCLE977)
-    let inner = Case {
-        inside: true,
-        ..DIAMETER
-    };
+    let inner = Case { inside: true, ..DIAMETER };
     let (setup, _) = DIAMETER.ready(true, 0.0, 0.0);
-    assert_eq!(
-        stopped(run(&mut Sim::new(&setup), &DIAMETER.call(1.0))),
-        61307
-    );
+    assert_eq!(stopped(run(&mut Sim::new(&setup), &DIAMETER.call(1.0))), 61307);
     for (case, zone) in [(DIAMETER, 65.0), (inner, 55.0)] {
         let (setup, mut call) = case.ready(true, 0.0, 0.0);
         call.numbers.insert("_SZO", zone);
@@ -280,19 +257,11 @@ fn what_leaves_no_way_is_refused() {
 
 #[test]
 fn y_is_measured_with_the_call_of_x() {
-    // oracle: manual B:11001, B:14023-14027: with _CHBIT[19] setpoint and zone of Y are those of X; the zone is left in Z,
-    // which is no transverse axis
-    for transverse in [
-        Transverse::Radius,
-        Transverse::Diameter,
-        Transverse::AbsoluteDiameter,
-    ] {
+    // oracle: manual B:11001, B:14023-14027: with _CHBIT[19] setpoint and zone of Y are those of X; the zone is left in
+    // Z, which is no transverse axis
+    for transverse in [Transverse::Radius, Transverse::Diameter, Transverse::AbsoluteDiameter] {
         for inside in [false, true] {
-            let x = Case {
-                transverse,
-                inside,
-                ..DIAMETER
-            };
+            let x = Case { transverse, inside, ..DIAMETER };
             let like_x = |axis: usize| {
                 let mut call = x.call(if inside { 1.0 } else { 2.0 });
                 call.numbers.insert("_MA", axis as f64 + 1.0);
@@ -311,9 +280,7 @@ fn y_is_measured_with_the_call_of_x() {
             }
             let [x, y] = [(x, [0, 1, 2]), (y, [0, 2, 1])].map(|(sim, order)| {
                 let all = motions(&sim, Plane::G18, [0.0, 0.0, 250.0]);
-                let turned = all
-                    .into_iter()
-                    .map(|(kind, to, feed)| (kind, order.map(|axis| to[axis]), feed));
+                let turned = all.into_iter().map(|(kind, to, feed)| (kind, order.map(|axis| to[axis]), feed));
                 turned.collect::<Vec<_>>()
             });
             same(&y, &x, &format!("{transverse:?} {inside}"));

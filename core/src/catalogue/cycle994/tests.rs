@@ -28,29 +28,14 @@ fn mistakes_are_told() {
         (&[("_SZA", "")], Some((WARNING, own(49), "_SZA"))),
         (&[("_SZO", "")], Some((WARNING, own(49), "_SZO"))),
         (&[inside, ("_SZO", "39")], None),
-        (
-            &[inside, ("_SZO", "39.1")],
-            Some((ERROR, alarm(61334), "_SZO")),
-        ),
-        (
-            &[inside, ("_SZO", "20"), ("_SZA", "")],
-            Some((ERROR, own(1), "_SZA")),
-        ),
-        (
-            &[inside, ("_SZO", "2"), ("_SETVAL", "6")],
-            Some((ERROR, own(30), "_SETVAL")),
-        ),
+        (&[inside, ("_SZO", "39.1")], Some((ERROR, alarm(61334), "_SZO"))),
+        (&[inside, ("_SZO", "20"), ("_SZA", "")], Some((ERROR, own(1), "_SZA"))),
+        (&[inside, ("_SZO", "2"), ("_SETVAL", "6")], Some((ERROR, own(30), "_SETVAL"))),
         // in the abscissa the zone _SZA lies in the measuring axis, and dimensions are radii
         (&[("_MA", "1"), ("_SZA", "48")], None),
-        (
-            &[("_MA", "1"), ("_SZA", "47.9")],
-            Some((WARNING, alarm(61334), "_SZA")),
-        ),
+        (&[("_MA", "1"), ("_SZA", "47.9")], Some((WARNING, alarm(61334), "_SZA"))),
         (&[inside, ("_MA", "1"), ("_SZA", "42")], None),
-        (
-            &[inside, ("_MA", "1"), ("_SZA", "42.1")],
-            Some((ERROR, alarm(61334), "_SZA")),
-        ),
+        (&[inside, ("_MA", "1"), ("_SZA", "42.1")], Some((ERROR, alarm(61334), "_SZA"))),
     ] {
         let found = found(&CYCLE994, changes, |_| ());
         assert_eq!(found, Vec::from_iter(wanted), "{changes:?}");
@@ -59,25 +44,18 @@ fn mistakes_are_told() {
 
 #[test]
 fn without_diameters_the_ball_takes_its_radius() {
-    // oracle: manual B:10975, B:10983-10984, hand: with a ball of 6 mm a radius of 22.5 mm is passed at 25.5 and 19.5 mm
+    // oracle: manual B:10975, B:10983-10984, hand: with a ball of 6 mm a radius of 22.5 mm is passed at 25.5 and 19.5
+    // mm
     let alarm = Code::Alarm;
     for (changes, wanted) in [
         (vec![("_SZO", "25.5")], None),
-        (
-            vec![("_SZO", "25.4")],
-            Some((WARNING, alarm(61334), "_SZO")),
-        ),
+        (vec![("_SZO", "25.4")], Some((WARNING, alarm(61334), "_SZO"))),
         (vec![("_MVAR", "1"), ("_SZO", "19.5")], None),
-        (
-            vec![("_MVAR", "1"), ("_SZO", "19.6")],
-            Some((ERROR, alarm(61334), "_SZO")),
-        ),
+        (vec![("_MVAR", "1"), ("_SZO", "19.6")], Some((ERROR, alarm(61334), "_SZO"))),
     ] {
         let mut all = vec![("_SETVAL", "22.5")];
         all.extend(changes);
-        let found = found(&CYCLE994, &all, |control| {
-            control.transverse = Transverse::Radius
-        });
+        let found = found(&CYCLE994, &all, |control| control.transverse = Transverse::Radius);
         assert_eq!(found, Vec::from_iter(wanted), "{all:?}");
     }
 }
@@ -108,9 +86,7 @@ fn y_counts_like_x_where_it_is_told_to() {
     // oracle: manual B:11001, B:14023-14027: _SZO of 50 mm passes a radius of 45 mm, not a diameter of 45 mm
     let with = |bit| {
         let changes = [("_MA", "3"), ("_SZO", "50")];
-        found(&CYCLE994, &changes, |control| {
-            control.set("_CHBIT[19]", bit)
-        })
+        found(&CYCLE994, &changes, |control| control.set("_CHBIT[19]", bit))
     };
     assert_eq!(with(0.0), []);
     assert_eq!(with(1.0), [(WARNING, Code::Alarm(61334), "_SZO")]);
@@ -121,13 +97,7 @@ fn the_second_variant_is_drawn_outside_with_and_inside_without_zone() {
     // oracle: manual B:10933
     let zones = |changes: &[(&str, &str)]| {
         let picture = draw(&CYCLE994, &call(&CYCLE994, changes), &lathe()).unwrap();
-        let of = |kind| {
-            picture
-                .shapes
-                .iter()
-                .filter(|shape| shape.kind == kind)
-                .count()
-        };
+        let of = |kind| picture.shapes.iter().filter(|shape| shape.kind == kind).count();
         (of(ShapeKind::Zone), of(ShapeKind::Touch))
     };
     assert_eq!(zones(&[]), (1, 4));

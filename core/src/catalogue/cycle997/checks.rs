@@ -39,13 +39,7 @@ fn small(inputs: &Inputs, ball: f64, found: &mut Vec<Diagnostic>) {
         return;
     };
     if size < 4.0 * ball {
-        found.push(
-            own::SPHERE_SMALL
-                .finding()
-                .number("size", size)
-                .number("ball", 2.0 * ball)
-                .at(names::SETVAL),
-        );
+        found.push(own::SPHERE_SMALL.finding().number("size", size).number("ball", 2.0 * ball).at(names::SETVAL));
     }
 }
 
@@ -74,11 +68,7 @@ fn spheres(inputs: &Inputs) -> Vec<Sphere> {
     let all = centres(inputs).iter().zip([1.0, 2.0, 3.0]);
     all.filter_map(|([x, y, z], number)| {
         let centre = Vector3::new(inputs.given(x)?, inputs.given(y)?, inputs.given(z)?);
-        Some(Sphere {
-            number,
-            centre,
-            field: x,
-        })
+        Some(Sphere { number, centre, field: x })
     })
     .collect()
 }
@@ -118,13 +108,7 @@ fn triangle(inputs: &Inputs, ball: f64, found: &mut Vec<Diagnostic>) {
 }
 
 /// No measuring block may begin inside of another sphere (B:8429, B:8449).
-fn beside(
-    inputs: &Inputs,
-    spheres: &[Sphere],
-    radius: f64,
-    ball: f64,
-    found: &mut Vec<Diagnostic>,
-) {
+fn beside(inputs: &Inputs, spheres: &[Sphere], radius: f64, ball: f64, found: &mut Vec<Diagnostic>) {
     let Some(path) = inputs.given(names::FA) else {
         return;
     };
@@ -137,16 +121,11 @@ fn beside(
     };
     for one in spheres {
         let hits = |other: &&Sphere| {
-            other.number != one.number
-                && starts(one).any(|start| (start - other.centre).norm() < radius + ball)
+            other.number != one.number && starts(one).any(|start| (start - other.centre).norm() < radius + ball)
         };
         if let Some(other) = spheres.iter().find(hits) {
             found.push(
-                own::SPHERES_CLOSE
-                    .finding()
-                    .number("one", one.number)
-                    .number("other", other.number)
-                    .at(names::FA),
+                own::SPHERES_CLOSE.finding().number("one", one.number).number("other", other.number).at(names::FA),
             );
             return;
         }

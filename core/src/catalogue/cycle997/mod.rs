@@ -26,8 +26,8 @@ use crate::catalogue::common;
 use crate::catalogue::sinumerik;
 use crate::catalogue::{Cycle, Dialect, Drawing, Help, Purpose, Simulation, Work, newer};
 
-/// The entry. Example: the three spheres of B:8480-8529. Its program writes `_KNUM` = 99999, which does not exist; meant
-/// is the active frame, there G54, which a form without a program has to name.
+/// The entry. Example: the three spheres of B:8480-8529. Its program writes `_KNUM` = 99999, which does not exist;
+/// meant is the active frame, there G54, which a form without a program has to name.
 pub static CYCLE997: Cycle = Cycle {
     dialect: Dialect::Sinumerik,
     name: "CYCLE997",
@@ -41,11 +41,9 @@ pub static CYCLE997: Cycle = Cycle {
     results: RESULTS,
     alarms: &[
         common::EVERY_CYCLE,
-        // A:15930-15933; 61316 of CYCLE116, which computes the circle (B:8361); 61321 for a frame that takes no rotation;
-        // 61341 as B:13658 has it; 61401 as in the other cycles (A:15920)
-        &common::alarms([
-            61316, 61321, 61325, 61327, 61341, 61401, 61411, 61412, 61413, 61414,
-        ]),
+        // A:15930-15933; 61316 of CYCLE116, which computes the circle (B:8361); 61321 for a frame that takes no
+        // rotation; 61341 as B:13658 has it; 61401 as in the other cycles (A:15920)
+        &common::alarms([61316, 61321, 61325, 61327, 61341, 61401, 61411, 61412, 61413, 61414]),
     ],
     checks: checks::checks,
     help: Help::new(&[
@@ -77,14 +75,8 @@ pub static CYCLE997: Cycle = Cycle {
         ("_NMSP", "1"),
     ],
     simulation: Some(Simulation::new(
-        Work {
-            propose: propose::propose,
-            simulate: simulate::simulate,
-        },
-        &[(
-            params::ANGLE,
-            &[("_STA1", "0"), ("_INCA", "90"), ("_RF", "1000")],
-        )],
+        Work { propose: propose::propose, simulate: simulate::simulate },
+        &[(params::ANGLE, &[("_STA1", "0"), ("_INCA", "90"), ("_RF", "1000")])],
     )),
     source: "B:8178-8539",
 };

@@ -19,8 +19,9 @@ const MEASURING_FEED: f64 = 300.0;
 /// A motion: kind, end as abscissa, ordinate, applicate, feed.
 type Motion = (MotionKind, [f64; 3], f64);
 
-/// Ways about the centre of a sphere of 50 with a ball of 3 and `_FA` = 5: it is touched at 28, a block begins at 33, and
-/// there the ball crosses it. `x33` goes there; `!x28` measures and returns; `@` follows an arc to what stands behind it.
+/// Ways about the centre of a sphere of 50 with a ball of 3 and `_FA` = 5: it is touched at 28, a block begins at 33,
+/// and there the ball crosses it. `x33` goes there; `!x28` measures and returns; `@` follows an arc to what stands
+/// behind it.
 fn ways(variant: i64) -> String {
     let paraxial = "x33 z0 !x28 z33 x-33 z0 !x-28 z33 x0 y33 z0 !y28 z33 y-33 z0 !y-28 z33 y0 !z28";
     let three = "x33 z0 !x28 @0,33 !y28 @-33,0 !x-28 z33 x0 !z28";
@@ -31,17 +32,9 @@ fn ways(variant: i64) -> String {
         (true, false) => three,
         (true, true) => four,
     };
-    let end = if digit(1_000_000) {
-        "x-33 z0 !x-28 z60 x0"
-    } else {
-        "z60"
-    };
+    let end = if digit(1_000_000) { "x-33 z0 !x-28 z60 x0" } else { "z60" };
     let once = format!("{ways} {end}");
-    if digit(10) {
-        format!("{once} {once}")
-    } else {
-        once
-    }
+    if digit(10) { format!("{once} {once}") } else { once }
 }
 
 /// The same as motions about a centre, from where the probe stands.
@@ -83,11 +76,7 @@ fn expected(variant: i64) -> Vec<Motion> {
     for centre in &CENTRES[..spheres] {
         let above = [centre[0], centre[1], here[2]];
         if above != here {
-            let to = if at_an_angle {
-                [above[0] + 33.0, above[1], above[2]]
-            } else {
-                above
-            };
+            let to = if at_an_angle { [above[0] + 33.0, above[1], above[2]] } else { above };
             here = to;
             motions.push((MotionKind::Positioning, to, PLANE_FEED));
         }
@@ -110,21 +99,11 @@ fn found(plane: Plane, variant: i64) -> Vec<Motion> {
     assert_eq!(run(&mut sim, &inputs(variant)), Ok(()), "{variant}");
     let mut motions: Vec<Motion> = Vec::new();
     for entry in &sim.trace.entries {
-        let Step::Motion {
-            kind,
-            from,
-            to,
-            around,
-            feed,
-        } = entry.step
-        else {
+        let Step::Motion { kind, from, to, around, feed } = entry.step else {
             continue;
         };
         assert_eq!(around.is_some(), feed == ARC_FEED, "{variant}");
-        for place in around
-            .iter()
-            .flat_map(|arc| [0.4, 1.0].map(|part| arc.at(from, to, part)))
-        {
+        for place in around.iter().flat_map(|arc| [0.4, 1.0].map(|part| arc.at(from, to, part))) {
             let [x, y, _] = plane.axes().map(|axis| place[axis]);
             let away = |[a, b, _]: &[f64; 3]| (x - a).hypot(y - b);
             let radius = CENTRES.iter().map(away).fold(f64::INFINITY, f64::min);
@@ -144,11 +123,7 @@ fn every_variant_moves_as_its_table_says() {
             let (found, expected) = (found(plane, variant), expected(variant));
             assert_eq!(found.len(), expected.len(), "{variant}: {found:#?}");
             for (is, wanted) in found.iter().zip(&expected) {
-                assert_eq!(
-                    (is.0, is.2),
-                    (wanted.0, wanted.2),
-                    "{variant}: {is:?} {wanted:?}"
-                );
+                assert_eq!((is.0, is.2), (wanted.0, wanted.2), "{variant}: {is:?} {wanted:?}");
                 let near = (0..3).all(|axis| (is.1[axis] - wanted.1[axis]).abs() < 1e-9);
                 assert!(near, "{variant} {plane:?}: {is:?} {wanted:?}");
             }

@@ -4,11 +4,7 @@ use crate::catalogue::common::{self, optional, required};
 use crate::catalogue::{DigitGroup, Kind, Need, Param, Range, Unit, When, names};
 
 const fn digit(place: i64, is: &'static [i64]) -> When {
-    When::Digit {
-        param: names::MVAR,
-        place,
-        is,
-    }
+    When::Digit { param: names::MVAR, place, is }
 }
 
 /// One sphere.
@@ -28,12 +24,7 @@ pub const TURNED: When = When::All(&[THREE, When::Given(names::KNUM)]);
 
 /// B:8246-8259; the first and the third digit are always 9 and 1.
 const MVAR_DIGITS: &[DigitGroup] = &[
-    DigitGroup {
-        key: "mvar-element",
-        place: 1,
-        digits: 1,
-        choices: &[(9, "element-sphere")],
-    },
+    DigitGroup { key: "mvar-element", place: 1, digits: 1, choices: &[(9, "element-sphere")] },
     DigitGroup {
         key: "spheres-number",
         place: 10_000,
@@ -58,46 +49,21 @@ const MVAR_DIGITS: &[DigitGroup] = &[
         digits: 1,
         choices: &[(0, "spheres-diameter-known"), (1, "spheres-diameter-find")],
     },
-    DigitGroup {
-        key: "spheres-repeat",
-        place: 10,
-        digits: 1,
-        choices: &[(0, "spheres-once"), (1, "spheres-twice")],
-    },
-    DigitGroup {
-        key: "mvar-correction",
-        place: 100,
-        digits: 1,
-        choices: &[(1, "correction-zero")],
-    },
+    DigitGroup { key: "spheres-repeat", place: 10, digits: 1, choices: &[(0, "spheres-once"), (1, "spheres-twice")] },
+    DigitGroup { key: "mvar-correction", place: 100, digits: 1, choices: &[(1, "correction-zero")] },
 ];
 
 /// Centres of the second and the third sphere.
 const OTHERS: &[Need] = &[required(THREE, "need-spheres")];
 
 /// A coordinate of a set centre.
-const fn centre(
-    name: &'static str,
-    key: &'static str,
-    needs: &'static [Need],
-    source: &'static str,
-) -> Param {
-    Param {
-        name,
-        key,
-        needs,
-        source,
-        ..common::SETVAL
-    }
+const fn centre(name: &'static str, key: &'static str, needs: &'static [Need], source: &'static str) -> Param {
+    Param { name, key, needs, source, ..common::SETVAL }
 }
 
 /// In the order in which the snippet writes them.
 pub const PARAMS: &[Param] = &[
-    Param {
-        kind: Kind::Variant(MVAR_DIGITS),
-        source: "B:8242-8259;B:15849-15850",
-        ..common::MVAR
-    },
+    Param { kind: Kind::Variant(MVAR_DIGITS), source: "B:8242-8259;B:15849-15850", ..common::MVAR },
     Param {
         range: Range::POSITIVE,
         alarm: Some(crate::diagnostic::Code::Alarm(61413)),
@@ -106,24 +72,9 @@ pub const PARAMS: &[Param] = &[
         source: "B:8311;A:15932",
         ..common::SETVAL
     },
-    centre(
-        names::SETV0,
-        "sphere1-abscissa",
-        common::ALWAYS_REQUIRED,
-        "B:8312",
-    ),
-    centre(
-        names::SETV1,
-        "sphere1-ordinate",
-        common::ALWAYS_REQUIRED,
-        "B:8313",
-    ),
-    centre(
-        names::SETV2,
-        "sphere1-applicate",
-        common::ALWAYS_REQUIRED,
-        "B:8314",
-    ),
+    centre(names::SETV0, "sphere1-abscissa", common::ALWAYS_REQUIRED, "B:8312"),
+    centre(names::SETV1, "sphere1-ordinate", common::ALWAYS_REQUIRED, "B:8313"),
+    centre(names::SETV2, "sphere1-applicate", common::ALWAYS_REQUIRED, "B:8314"),
     centre(names::SETV3, "sphere2-abscissa", OTHERS, "B:8315"),
     centre(names::SETV4, "sphere2-ordinate", OTHERS, "B:8316"),
     centre(names::SETV5, "sphere2-applicate", OTHERS, "B:8317"),
@@ -148,11 +99,7 @@ pub const PARAMS: &[Param] = &[
         source: "B:8324-8325;B:8461",
         ..common::RF
     },
-    Param {
-        labels: &[(When::Always, "knum-zero")],
-        source: "B:8326;B:15847-15848",
-        ..common::KNUM
-    },
+    Param { labels: &[(When::Always, "knum-zero")], source: "B:8326;B:15847-15848", ..common::KNUM },
     Param {
         name: names::TNVL,
         key: "tnvl",
@@ -163,26 +110,9 @@ pub const PARAMS: &[Param] = &[
         source: "B:8329-8331;B:15859;B:1774",
         ..common::PARAM
     },
-    Param {
-        source: "B:8201;B:15852",
-        ..common::PRNUM
-    },
-    Param {
-        labels: &[(When::Always, "fa-sphere")],
-        source: "B:8337;B:8429;B:8437-8445",
-        ..common::FA
-    },
-    Param {
-        labels: &[(When::Always, "tsa-sphere")],
-        source: "B:8373-8379",
-        ..common::TSA
-    },
-    Param {
-        source: "B:8337",
-        ..common::VMS
-    },
-    Param {
-        source: "B:8337",
-        ..common::NMSP
-    },
+    Param { source: "B:8201;B:15852", ..common::PRNUM },
+    Param { labels: &[(When::Always, "fa-sphere")], source: "B:8337;B:8429;B:8437-8445", ..common::FA },
+    Param { labels: &[(When::Always, "tsa-sphere")], source: "B:8373-8379", ..common::TSA },
+    Param { source: "B:8337", ..common::VMS },
+    Param { source: "B:8337", ..common::NMSP },
 ];

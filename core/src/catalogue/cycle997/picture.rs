@@ -1,14 +1,13 @@
 //! CYCLE997 drawn: the first sphere from above with its points in their order, beside it the section with the way over
-//! the sphere and the last point; with three spheres their triangle beside both. Missing values are drawn as in the manual's
-//! examples. Short distances are drawn longer than they are; the workpiece zero stands where the drawing has room.
+//! the sphere and the last point; with three spheres their triangle beside both. Missing values are drawn as in the
+//! manual's examples. Short distances are drawn longer than they are; the workpiece zero stands where the drawing has
+//! room.
 
 use super::params::{ANGLE, DIAMETER, REPEATED, THREE};
 use super::points::{DIAMETER_SIDE, centres, directions};
 use crate::catalogue::names;
 use crate::check::Inputs;
-use crate::form::figures::{
-    arc, arrow, circle, corners, dimension, line, polar, polygon, round, swept,
-};
+use crate::form::figures::{arc, arrow, circle, corners, dimension, line, polar, polygon, round, swept};
 use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
 
 /// What is drawn, mm and degree.
@@ -31,14 +30,11 @@ impl Scene {
         (switching, switching + self.path)
     }
 
-    /// Centre of the section: beside the view from above, below it where the triangle of three spheres stands beside both.
+    /// Centre of the section: beside the view from above, below it where the triangle of three spheres stands beside
+    /// both.
     fn section(&self) -> [f64; 2] {
         let apart = 2.0 * self.way().1 + self.size * if self.three { 0.75 } else { 0.9 };
-        if self.three {
-            [0.0, -apart]
-        } else {
-            [apart, 0.0]
-        }
+        if self.three { [0.0, -apart] } else { [apart, 0.0] }
     }
 }
 
@@ -61,10 +57,7 @@ pub fn picture(inputs: &Inputs) -> Picture {
         diameter(&scene, &mut shapes);
     }
     section(&scene, &mut shapes);
-    Picture {
-        view: View::Plane,
-        shapes,
-    }
+    Picture { view: View::Plane, shapes }
 }
 
 fn scene(inputs: &Inputs) -> Scene {
@@ -72,9 +65,7 @@ fn scene(inputs: &Inputs) -> Scene {
     Scene {
         size,
         ball: size * 0.06,
-        path: inputs
-            .positive(names::FA, 2.0)
-            .clamp(size * 0.15, size * 0.25),
+        path: inputs.positive(names::FA, 2.0).clamp(size * 0.15, size * 0.25),
         points: directions(inputs),
         angle: ANGLE.holds(inputs),
         three: THREE.holds(inputs),
@@ -87,11 +78,7 @@ fn scene(inputs: &Inputs) -> Scene {
 fn sphere(scene: &Scene) -> Vec<PictureShape> {
     let half = scene.size / 2.0;
     // where the section stands below, its text would lie upon the last point
-    let [x, y] = if scene.three {
-        scene.section()
-    } else {
-        [0.0; 2]
-    };
+    let [x, y] = if scene.three { scene.section() } else { [0.0; 2] };
     let low = y - scene.size * 0.28;
     let outline = round([0.0; 2], half);
     let area = corners([0.0; 2], [scene.size * 0.14; 2]);
@@ -115,11 +102,7 @@ fn sphere(scene: &Scene) -> Vec<PictureShape> {
 fn centre(scene: &Scene, shapes: &mut Vec<PictureShape>) {
     let zero = -scene.way().1 - scene.size * 0.35;
     let reach = -zero;
-    shapes.push(
-        line(ShapeKind::Axis, vec![[zero, zero], [reach, zero]])
-            .text("0")
-            .of(names::KNUM),
-    );
+    shapes.push(line(ShapeKind::Axis, vec![[zero, zero], [reach, zero]]).text("0").of(names::KNUM));
     shapes.push(line(ShapeKind::Axis, vec![[zero, zero], [zero, reach]]).of(names::KNUM));
     shapes.push(line(ShapeKind::Axis, vec![[0.0, zero], [0.0, reach]]).of(names::SETV0));
     shapes.push(line(ShapeKind::Axis, vec![[zero, 0.0], [reach, 0.0]]).of(names::SETV1));
@@ -166,11 +149,7 @@ fn diameter(scene: &Scene, shapes: &mut Vec<PictureShape>) {
     shapes.push(line(ShapeKind::Path, vec![beyond, tip]).of(names::MVAR));
     shapes.push(circle(ShapeKind::Probe, from, scene.ball).of(names::MVAR));
     shapes.push(arrow(ShapeKind::Path, from, tip, scene.ball * 1.4).of(names::MVAR));
-    shapes.push(
-        line(ShapeKind::Label, vec![beyond])
-            .text("Ø")
-            .of(names::MVAR),
-    );
+    shapes.push(line(ShapeKind::Label, vec![beyond]).text("Ø").of(names::MVAR));
 }
 
 /// Section through the sphere: its holder below, the height of the set centre, the way over it, the last point.
@@ -179,10 +158,7 @@ fn section(scene: &Scene, shapes: &mut Vec<PictureShape>) {
     let [middle, equator] = scene.section();
     let (switching, start) = scene.way();
     let low = equator - start - size * if scene.three { 0.1 } else { 0.35 };
-    let holder = corners(
-        [middle, (low + equator - size * 0.45) / 2.0],
-        [size * 0.16, equator - low - size * 0.45],
-    );
+    let holder = corners([middle, (low + equator - size * 0.45) / 2.0], [size * 0.16, equator - low - size * 0.45]);
     shapes.push(polygon(ShapeKind::Material, holder));
     let cut = round([middle, equator], size / 2.0);
     shapes.push(polygon(ShapeKind::Cut, cut).of(names::SETVAL));
@@ -214,11 +190,7 @@ fn section(scene: &Scene, shapes: &mut Vec<PictureShape>) {
     let label = line(ShapeKind::Label, vec![[middle, top - 1.6 * scene.ball]]);
     shapes.push(label.text(last).of(names::NMSP));
     let beside = middle + 2.2 * scene.ball;
-    shapes.push(dimension(
-        names::FA,
-        [beside, over],
-        [beside, equator + switching],
-    ));
+    shapes.push(dimension(names::FA, [beside, over], [beside, equator + switching]));
 }
 
 /// Set centres where they are missing: those of the manual's example (B:8482).
@@ -242,11 +214,7 @@ fn triangle(scene: &Scene, inputs: &Inputs, shapes: &mut Vec<PictureShape>) {
         shapes.push(arrow(ShapeKind::Path, pair[0], pair[1], scene.ball * 1.6).of(names::MVAR));
     }
     let (right, top) = (zero[0] + size * 4.2, zero[1] + size * 2.5);
-    shapes.push(
-        line(ShapeKind::Axis, vec![zero, [right, zero[1]]])
-            .text("0")
-            .of(names::KNUM),
-    );
+    shapes.push(line(ShapeKind::Axis, vec![zero, [right, zero[1]]]).text("0").of(names::KNUM));
     shapes.push(line(ShapeKind::Axis, vec![zero, [zero[0], top]]).of(names::KNUM));
     for (index, ([u, v], [x, y, z])) in places.into_iter().zip(fields).enumerate() {
         let under = zero[1] - size * (0.05 + 0.42 * (index + 1) as f64);
@@ -270,8 +238,5 @@ fn fitted(points: &[[f64; 2]], corner: [f64; 2], room: [f64; 2]) -> Vec<[f64; 2]
     let scale = [0, 1].map(|axis| room[axis] / ends[axis].1.max(f64::MIN_POSITIVE));
     let scale = scale[0].min(scale[1]);
     let scale = if scale.is_finite() { scale } else { 0.0 };
-    points
-        .iter()
-        .map(|point| [0, 1].map(|axis| corner[axis] + (point[axis] - ends[axis].0) * scale))
-        .collect()
+    points.iter().map(|point| [0, 1].map(|axis| corner[axis] + (point[axis] - ends[axis].0) * scale)).collect()
 }

@@ -16,29 +16,18 @@ const ROOM: f64 = 10.0;
 /// Spheres, and a start above the first one from which all can be reached (B:8346, B:8421).
 pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let size = inputs.number(names::SETVAL);
-    let places: Vec<[f64; 3]> = centres(inputs)
-        .iter()
-        .map(|names| names.map(|name| inputs.number(name)))
-        .collect();
+    let places: Vec<[f64; 3]> = centres(inputs).iter().map(|names| names.map(|name| inputs.number(name))).collect();
     let upright = |shape, at| place::solid(control, shape, at, [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]);
     let sphere = |at: &[f64; 3]| upright(Shape::Sphere { diameter: size }, *at);
     let post = |[x, y, z]: &[f64; 3]| -> Solid {
-        let shape = Shape::Shaft {
-            diameter: POST * size,
-            height: (0.5 - INSIDE) * size + ROOM,
-        };
+        let shape = Shape::Shaft { diameter: POST * size, height: (0.5 - INSIDE) * size + ROOM };
         upright(shape, [*x, *y, z - INSIDE * size])
     };
-    let highest = places
-        .iter()
-        .map(|[_, _, z]| *z)
-        .fold(f64::NEG_INFINITY, f64::max);
+    let highest = places.iter().map(|[_, _, z]| *z).fold(f64::NEG_INFINITY, f64::max);
     let above = size / 2.0 + 2.0 * place::ball_radius(inputs, control) + inputs.number(names::FA);
     let [x, y, _] = places.first().copied().unwrap_or_default();
     Proposal {
-        workpiece: Workpiece {
-            solids: places.iter().map(sphere).collect(),
-        },
+        workpiece: Workpiece { solids: places.iter().map(sphere).collect() },
         fixture: places.iter().map(post).collect(),
         start: place::in_plane(control, [x, y, highest + above + ROOM]),
         ..Proposal::default()

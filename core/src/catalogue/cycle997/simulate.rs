@@ -30,18 +30,10 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     if let Some(target) = target.filter(|_| THREE.holds(inputs)) {
         correctable(machine.control(), &target).map_err(|number| failed(machine, number))?;
     }
-    let plan = Plan {
-        block: &block,
-        inputs,
-        safety: machine.position()[block.axes[2]],
-        tip: block.centre,
-    };
+    let plan = Plan { block: &block, inputs, safety: machine.position()[block.axes[2]], tip: block.centre };
     let mut spheres = Vec::new();
     for (index, names) in centres(inputs).iter().enumerate() {
-        let set = Sphere {
-            centre: names.map(|name| inputs.number(name)),
-            diameter: inputs.number(names::SETVAL),
-        };
+        let set = Sphere { centre: names.map(|name| inputs.number(name)), diameter: inputs.number(names::SETVAL) };
         let found = within_safe_area(machine, &plan, index, &set)?;
         spheres.push((set, found));
     }
@@ -55,8 +47,8 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     Ok(())
 }
 
-/// Axes and directions in which trigger values count: paraxially all around and on top; at an angle the ball counts, and with the
-/// diameter one point more (B:8371).
+/// Axes and directions in which trigger values count: paraxially all around and on top; at an angle the ball counts,
+/// and with the diameter one point more (B:8371).
 fn sides(inputs: &Inputs) -> &'static [(usize, f64)] {
     const ALL: &[(usize, f64)] = &[(2, -1.0), (0, 1.0), (0, -1.0), (1, 1.0), (1, -1.0)];
     match (ANGLE.holds(inputs), DIAMETER.holds(inputs)) {
@@ -67,12 +59,7 @@ fn sides(inputs: &Inputs) -> &'static [(usize, f64)] {
 }
 
 /// Measures a sphere until its differences are within the safe area, as often as `_CBIT[0]` allows (B:8373-8379).
-fn within_safe_area(
-    machine: &mut dyn Machine,
-    plan: &Plan,
-    index: usize,
-    set: &Sphere,
-) -> Result<Sphere, Stop> {
+fn within_safe_area(machine: &mut dyn Machine, plan: &Plan, index: usize, set: &Sphere) -> Result<Sphere, Stop> {
     for repetition in 0.. {
         let found = plan.measure(machine, set)?;
         let differences = report(machine, index, set, &found);
@@ -107,11 +94,8 @@ fn report(machine: &mut dyn Machine, index: usize, set: &Sphere, found: &Sphere)
 /// One sphere: its centre gets the set coordinates, the rotation stays (B:8383-8405).
 fn move_frame(machine: &mut dyn Machine, target: &Target, (set, found): &(Sphere, Sphere)) {
     let control = machine.control();
-    let measured = Measured {
-        actual: in_plane(control, found.centre),
-        set: in_plane(control, set.centre),
-        axes: [true; 3],
-    };
+    let measured =
+        Measured { actual: in_plane(control, found.centre), set: in_plane(control, set.centre), axes: [true; 3] };
     correct::zero(machine, target, &measured);
 }
 
@@ -127,13 +111,9 @@ fn turn_frame(
     let actual = spheres.map(|(_, found)| V3::from(in_plane(control, found.centre)));
     let position = position(&set, &actual).map_err(|number| failed(machine, number))?;
     let limit = inputs.number(names::TNVL);
-    let message = Message::new("evaluate-distortion")
-        .number("distortion", position.distortion)
-        .number("limit", limit);
+    let message = Message::new("evaluate-distortion").number("distortion", position.distortion).number("limit", limit);
     machine.record(Step::Decision(message));
-    position
-        .within(limit)
-        .map_err(|number| failed(machine, number))?;
+    position.within(limit).map_err(|number| failed(machine, number))?;
     correct::position(machine, target, &position.motion, set[0].into());
     Ok(())
 }

@@ -16,11 +16,7 @@ use proptest::prelude::*;
 
 const PLANES: [Plane; 3] = [Plane::G17, Plane::G18, Plane::G19];
 /// Set centres: abscissa, ordinate, applicate.
-pub(super) const CENTRES: [[f64; 3]; 3] = [
-    [100.0, 60.0, 20.0],
-    [260.0, 90.0, 20.0],
-    [180.0, 240.0, 20.0],
-];
+pub(super) const CENTRES: [[f64; 3]; 3] = [[100.0, 60.0, 20.0], [260.0, 90.0, 20.0], [180.0, 240.0, 20.0]];
 /// Set diameter.
 const SIZE: f64 = 50.0;
 /// Radius of the ball.
@@ -28,18 +24,10 @@ const BALL: f64 = 3.0;
 
 /// A call of a variant about the set centres.
 pub(super) fn inputs(variant: i64) -> Inputs {
-    let mut values = vec![
-        ("_SETVAL", SIZE),
-        ("_STA1", 0.0),
-        ("_INCA", 90.0),
-        ("_RF", 900.0),
-        ("_FA", 5.0),
-        ("_TSA", 8.0),
-    ];
-    let names = [
-        "_SETV[0]", "_SETV[1]", "_SETV[2]", "_SETV[3]", "_SETV[4]", "_SETV[5]", "_SETV[6]",
-        "_SETV[7]", "_SETV[8]",
-    ];
+    let mut values =
+        vec![("_SETVAL", SIZE), ("_STA1", 0.0), ("_INCA", 90.0), ("_RF", 900.0), ("_FA", 5.0), ("_TSA", 8.0)];
+    let names =
+        ["_SETV[0]", "_SETV[1]", "_SETV[2]", "_SETV[3]", "_SETV[4]", "_SETV[5]", "_SETV[6]", "_SETV[7]", "_SETV[8]"];
     values.extend(names.into_iter().zip(CENTRES.concat()));
     call("CYCLE997", variant, &values)
 }
@@ -79,18 +67,12 @@ fn start(setup: &mut Setup, plane: Plane) {
 
 fn close(sim: &Sim, name: &str, value: f64) -> Result<(), TestCaseError> {
     let found = sim.control.number(name);
-    prop_assert!(
-        (found - value).abs() < 1e-9,
-        "{} = {}, expected {}",
-        name,
-        found,
-        value
-    );
+    prop_assert!((found - value).abs() < 1e-9, "{} = {}, expected {}", name, found, value);
     Ok(())
 }
 
-/// Diameter that is found, and how far the applicate of the centre is off, with a sphere larger than expected: the centre
-/// is looked for half the diameter below the top, and there the ball meets the sphere beside its equator.
+/// Diameter that is found, and how far the applicate of the centre is off, with a sphere larger than expected: the
+/// centre is looked for half the diameter below the top, and there the ball meets the sphere beside its equator.
 fn determined(variant: i64, real: f64) -> (f64, f64) {
     let once = |expected: f64| {
         let beside = real / 2.0 - expected / 2.0;
@@ -159,7 +141,8 @@ proptest! {
     /// beside its way where the sphere is off.
     #[test]
     fn a_calibrated_skewed_probe_measures_right(
-        skew in [-0.5..0.5_f64, -0.5..0.5_f64], late in 0.0..0.05_f64, tip in any::<bool>(), shift in [-1.0..1.0_f64, -1.0..1.0_f64, -1.0..1.0_f64],
+        skew in [-0.5..0.5_f64, -0.5..0.5_f64], late in 0.0..0.05_f64, tip in any::<bool>(), shift in [-1.0..1.0_f64,
+        -1.0..1.0_f64, -1.0..1.0_f64],
     ) {
         for variant in [109, 1109, 101_109] {
             let mut setup = ready(Plane::G17, variant);
@@ -205,8 +188,8 @@ fn framed(plane: Plane) -> Setup {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(6))]
 
-    /// Where frame and part stand together on the machine decides nothing; and the points that were really touched lie on
-    /// the sphere that is told.
+    /// Where frame and part stand together on the machine decides nothing; and the points that were really touched lie
+    /// on the sphere that is told.
     #[test]
     fn the_place_on_the_machine_decides_nothing(
         at_x in [-400.0..400.0_f64, -400.0..400.0_f64, -400.0..400.0_f64],
@@ -314,16 +297,12 @@ fn typed_in(units: Units, variant: i64) -> (Vec<f64>, Frame) {
     setup.control.active_units = units;
     setup.control.activate(1);
     let mut setup = spheres(setup, Plane::G17, variant);
-    for (solid, shift) in setup.workpiece.solids.iter_mut().zip([
-        [0.5, -0.2, 0.3],
-        [0.4, -0.1, 0.3],
-        [0.5, -0.3, 0.2],
-    ]) {
+    for (solid, shift) in setup.workpiece.solids.iter_mut().zip([[0.5, -0.2, 0.3], [0.4, -0.1, 0.3], [0.5, -0.3, 0.2]])
+    {
         solid.errors.shift = shift;
     }
     let inputs = corrected(variant, 1.0);
-    let lengths =
-        |name: &str| name.starts_with("_SETV") || ["_TSA", "_TNVL", "_RF"].contains(&name);
+    let lengths = |name: &str| name.starts_with("_SETV") || ["_TSA", "_TNVL", "_RF"].contains(&name);
     let text = |(name, value): (&&str, &f64)| {
         let value = if lengths(name) { value / unit } else { *value };
         ((*name).to_owned(), value.to_string())
@@ -333,9 +312,7 @@ fn typed_in(units: Units, variant: i64) -> (Vec<f64>, Frame) {
     let cycle = find(Dialect::Sinumerik, "CYCLE997").unwrap();
     let checked = check(cycle, &typed, &setup.control);
     let mut sim = Sim::new(&setup);
-    let inputs = checked
-        .inputs
-        .unwrap_or_else(|| panic!("{:?}", checked.diagnostics));
+    let inputs = checked.inputs.unwrap_or_else(|| panic!("{:?}", checked.diagnostics));
     assert_eq!(run(&mut sim, &inputs), Ok(()));
     let results = (0..29).map(|i| sim.control.number(&format!("_OVR[{i}]")) * unit);
     (results.collect(), sim.control.frames[&1])
@@ -345,10 +322,7 @@ fn typed_in(units: Units, variant: i64) -> (Vec<f64>, Frame) {
 fn an_inch_machine_finds_the_same() {
     // oracle: hand (the same part on a machine that counts in inch; _FA stays in mm, B:2245)
     for variant in [109, 11_109] {
-        let ((metric, in_mm), (inch, in_inch)) = (
-            typed_in(Units::Metric, variant),
-            typed_in(Units::Inch, variant),
-        );
+        let ((metric, in_mm), (inch, in_inch)) = (typed_in(Units::Metric, variant), typed_in(Units::Inch, variant));
         for (one, other) in metric.iter().zip(&inch) {
             assert!((one - other).abs() < 1e-9, "{variant}: {one} {other}");
         }

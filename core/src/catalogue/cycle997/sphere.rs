@@ -43,17 +43,11 @@ impl Plan<'_> {
     }
 
     fn once(&self, machine: &mut dyn Machine, expected: &Sphere) -> Result<Sphere, Stop> {
-        let [x, y] = if ANGLE.holds(self.inputs) {
-            self.around(machine, expected)?
-        } else {
-            self.crosswise(machine, expected)?
-        };
+        let [x, y] =
+            if ANGLE.holds(self.inputs) { self.around(machine, expected)? } else { self.crosswise(machine, expected)? };
         self.over(machine, [x, y])?;
         let top = self.block.measure(machine, &self.top(expected))?;
-        let mut found = Sphere {
-            centre: [x, y, top - expected.diameter / 2.0],
-            ..*expected
-        };
+        let mut found = Sphere { centre: [x, y, top - expected.diameter / 2.0], ..*expected };
         if DIAMETER.holds(self.inputs) {
             found.diameter = self.diameter(machine, &found)?;
             found.centre[2] = top - found.diameter / 2.0;
@@ -85,18 +79,8 @@ impl Plan<'_> {
     }
 
     /// From beside or above to the side of a sphere, down to its centre, touched. `side`: +1 or -1 along the axis.
-    fn side(
-        &self,
-        machine: &mut dyn Machine,
-        expected: &Sphere,
-        axis: usize,
-        side: f64,
-    ) -> Result<f64, Stop> {
-        let point = self.block.point(
-            axis,
-            -side,
-            expected.centre[axis] + side * expected.diameter / 2.0,
-        );
+    fn side(&self, machine: &mut dyn Machine, expected: &Sphere, axis: usize, side: f64) -> Result<f64, Stop> {
+        let point = self.block.point(axis, -side, expected.centre[axis] + side * expected.diameter / 2.0);
         let mut to = machine.position();
         to[self.block.axes[axis]] = self.block.start(&point);
         self.block.travel(machine, to)?;
@@ -104,8 +88,9 @@ impl Plan<'_> {
         self.block.measure(machine, &point)
     }
 
-    /// Three or four points at an angle towards the set centre, on circular ways between them; CYCLE116 makes the circle
-    /// (B:8361, B:8453-8463). The ball centres lie on a circle about the centre of the sphere, however high it stands.
+    /// Three or four points at an angle towards the set centre, on circular ways between them; CYCLE116 makes the
+    /// circle (B:8361, B:8453-8463). The ball centres lie on a circle about the centre of the sphere, however high it
+    /// stands.
     fn around(&self, machine: &mut dyn Machine, expected: &Sphere) -> Result<[f64; 2], Stop> {
         let [x, y, applicate] = expected.centre;
         let directions = points::directions(self.inputs);
@@ -114,10 +99,7 @@ impl Plan<'_> {
             let (sine, cosine) = sin_cos(angle);
             let ray = Ray {
                 angle: angle + 180.0,
-                set: [
-                    x + cosine * expected.diameter / 2.0,
-                    y + sine * expected.diameter / 2.0,
-                ],
+                set: [x + cosine * expected.diameter / 2.0, y + sine * expected.diameter / 2.0],
                 path: self.block.path,
             };
             if index == 0 {
@@ -143,8 +125,7 @@ impl Plan<'_> {
 
     /// The point on top.
     fn top(&self, expected: &Sphere) -> Point {
-        self.block
-            .point(2, -1.0, expected.centre[2] + expected.diameter / 2.0)
+        self.block.point(2, -1.0, expected.centre[2] + expected.diameter / 2.0)
     }
 
     /// Height at which the ball crosses a sphere: `_FA` above it (B:8441).

@@ -11,32 +11,20 @@ use crate::form::fields;
 /// The worked example with some values changed.
 fn values(changes: &[(&str, &str)]) -> Typed {
     let all = CYCLE997.example.iter().chain(changes);
-    all.map(|(name, value)| ((*name).to_owned(), (*value).to_owned()))
-        .collect()
+    all.map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect()
 }
 
 /// Everything found, on a control that was changed.
-fn found(
-    changes: &[(&str, &str)],
-    prepare: impl Fn(&mut Control),
-) -> Vec<(Severity, Code, &'static str)> {
+fn found(changes: &[(&str, &str)], prepare: impl Fn(&mut Control)) -> Vec<(Severity, Code, &'static str)> {
     let mut control = delivery(CYCLE997.dialect);
     prepare(&mut control);
     let found = check(&CYCLE997, &values(changes), &control).diagnostics;
-    found
-        .into_iter()
-        .map(|one| (one.severity, one.code, one.param.unwrap()))
-        .collect()
+    found.into_iter().map(|one| (one.severity, one.code, one.param.unwrap())).collect()
 }
 
 /// One sphere at an angle: number of the variant, indexing angle.
 fn at_angle(variant: &'static str, step: &'static str) -> [(&'static str, &'static str); 4] {
-    [
-        ("_MVAR", variant),
-        ("_STA1", "10"),
-        ("_INCA", step),
-        ("_RF", "500"),
-    ]
+    [("_MVAR", variant), ("_STA1", "10"), ("_INCA", step), ("_RF", "500")]
 }
 
 #[test]
@@ -46,21 +34,12 @@ fn mistakes_are_told() {
     let (alarm, own) = (Code::Alarm, Code::Own);
     for (changes, wanted) in [
         (&[][..], None),
-        (
-            &[("_MVAR", "1111119"), ("_STA1", "0"), ("_RF", "500")],
-            Some((error, own(1), "_INCA")),
-        ),
+        (&[("_MVAR", "1111119"), ("_STA1", "0"), ("_RF", "500")], Some((error, own(1), "_INCA"))),
         (&at_angle("1109", "120"), None),
         (&at_angle("101109", "-90"), None),
-        (
-            &at_angle("101109", "100"),
-            Some((warning, own(53), "_INCA")),
-        ),
+        (&at_angle("101109", "100"), Some((warning, own(53), "_INCA"))),
         (&at_angle("101109", "120"), Some((error, own(52), "_INCA"))),
-        (
-            &at_angle("1109", "180"),
-            Some((error, alarm(61316), "_INCA")),
-        ),
+        (&at_angle("1109", "180"), Some((error, alarm(61316), "_INCA"))),
         (&[("_SETVAL", "0")], Some((error, alarm(61413), "_SETVAL"))),
         (&[("_SETVAL", "11")], Some((warning, own(93), "_SETVAL"))),
         (&[("_PRNUM", "101")], Some((error, alarm(61313), "_PRNUM"))),
@@ -71,22 +50,10 @@ fn mistakes_are_told() {
         (&[("_TNVL", "0")], Some((error, own(5), "_TNVL"))),
         (&[("_SETV[3]", "")], Some((error, own(1), "_SETV[3]"))),
         (&[("_SETV[3]", "149")], Some((error, own(94), "_SETV[3]"))),
-        (
-            &[("_SETV[6]", "600"), ("_SETV[7]", "140")],
-            Some((error, own(94), "_SETV[6]")),
-        ),
+        (&[("_SETV[6]", "600"), ("_SETV[7]", "140")], Some((error, own(94), "_SETV[6]"))),
         (&[("_SETV[3]", "155")], Some((warning, own(95), "_FA"))),
         // as close, but no point lies towards the other sphere
-        (
-            &[
-                ("_SETV[3]", "155"),
-                ("_MVAR", "11109"),
-                ("_STA1", "60"),
-                ("_INCA", "30"),
-                ("_RF", "500"),
-            ],
-            None,
-        ),
+        (&[("_SETV[3]", "155"), ("_MVAR", "11109"), ("_STA1", "60"), ("_INCA", "30"), ("_RF", "500")], None),
     ] {
         let found = found(changes, |_| ());
         assert_eq!(found, Vec::from_iter(wanted), "{changes:?}");

@@ -2,16 +2,12 @@
 
 use crate::catalogue::Variant;
 
-/// Where all of them stand. Four points at an angle with the diameter follow from the digits; the text names the digits of
-/// three points only (B:8371).
+/// Where all of them stand. Four points at an angle with the diameter follow from the digits; the text names the digits
+/// of three points only (B:8371).
 const SOURCE: &str = "B:8246-8259;B:15850";
 
 const fn variant(number: i64, key: &'static str) -> Variant {
-    Variant {
-        number,
-        key,
-        source: SOURCE,
-    }
+    Variant { number, key, source: SOURCE }
 }
 
 /// One sphere, three spheres; in each parallel to the axes, then at an angle with three and with four points.

@@ -59,17 +59,11 @@ impl Surface {
                 2 => -1.0,
                 _ => return None,
             };
-            return Some(Surface {
-                measuring,
-                legs: vec![leg(offset, names::ID, names::STA1, sense)],
-            });
+            return Some(Surface { measuring, legs: vec![leg(offset, names::ID, names::STA1, sense)] });
         }
         Some(Surface {
             measuring: 2,
-            legs: vec![
-                leg(0, names::ID, names::INCA, -1.0),
-                leg(1, names::SETV0, names::STA1, 1.0),
-            ],
+            legs: vec![leg(0, names::ID, names::INCA, -1.0), leg(1, names::SETV0, names::STA1, 1.0)],
         })
     }
 
@@ -94,10 +88,7 @@ fn one_of(digit: i64) -> Option<usize> {
 /// Normal of a plane that is turned about abscissa and ordinate by these angles, as both are seen along the axes:
 /// abscissa, ordinate, applicate.
 pub fn normal(about_abscissa: f64, about_ordinate: f64) -> Vector3<f64> {
-    let (rise, fall) = (
-        about_abscissa.to_radians().tan(),
-        about_ordinate.to_radians().tan(),
-    );
+    let (rise, fall) = (about_abscissa.to_radians().tan(), about_ordinate.to_radians().tan());
     Vector3::new(fall, -rise, 1.0)
 }
 

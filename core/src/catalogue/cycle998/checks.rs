@@ -26,11 +26,7 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     rotary_axis(inputs, control, found);
     found.extend(bases(inputs));
     for leg in legs(inputs) {
-        let said = if AT_ANGLE.holds(inputs) {
-            along_the_angle(inputs, &leg)
-        } else {
-            along_the_axis(inputs, &leg)
-        };
+        let said = if AT_ANGLE.holds(inputs) { along_the_angle(inputs, &leg) } else { along_the_axis(inputs, &leg) };
         if let Some(finding) = said {
             found.push(finding);
             return;
@@ -64,24 +60,14 @@ fn legs(inputs: &Inputs) -> Vec<Leg> {
         &[(names::INCA, names::ID), (names::STA1, names::SETV0)]
     };
     let leg = |(name, distance): &(&'static str, &'static str)| {
-        Some(Leg {
-            name,
-            by: distance,
-            angle: inputs.given(name)?.abs(),
-            distance: inputs.given(distance)?,
-        })
+        Some(Leg { name, by: distance, angle: inputs.given(name)?.abs(), distance: inputs.given(distance)? })
     };
     pairs.iter().filter_map(leg).collect()
 }
 
 /// The shortest of the ways, where it is too short for an angle. The surface is touched along the measuring axis.
 fn bases(inputs: &Inputs) -> Option<Diagnostic> {
-    let touched = |leg: &Leg, at: [f64; 2]| {
-        (leg.distance > 0.0).then_some(Touched {
-            at,
-            towards: [0.0, 1.0],
-        })
-    };
+    let touched = |leg: &Leg, at: [f64; 2]| (leg.distance > 0.0).then_some(Touched { at, towards: [0.0, 1.0] });
     let doubt = |leg: &Leg| {
         let ends = [[0.0, 0.0], [leg.distance, leg.rise(0.0)]];
         let [one, two] = ends.map(|at| touched(leg, at));

@@ -31,10 +31,7 @@ impl Correction {
         if wanted && rotary.is_none() {
             return Err(alarm(machine, 61329));
         }
-        Ok(Correction {
-            target,
-            rotary: rotary.filter(|_| wanted),
-        })
+        Ok(Correction { target, rotary: rotary.filter(|_| wanted) })
     }
 
     /// Corrects by the angles by which the surface is wrong, in the order of its ways.

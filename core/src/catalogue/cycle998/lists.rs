@@ -2,8 +2,8 @@
 
 use crate::catalogue::{Arg, ArgumentList, Style, When, names, newer};
 
-/// The parameterizing call (B:12008-12015) and the list of newer controls, of which only one angle with positioning at an
-/// angle is known.
+/// The parameterizing call (B:12008-12015) and the list of newer controls, of which only one angle with positioning at
+/// an angle is known.
 pub const LISTS: &[ArgumentList] = &[
     ArgumentList {
         style: Style::Indirect,

@@ -27,31 +27,11 @@ use crate::catalogue::{Cycle, Dialect, Drawing, Help, Purpose, Simulation, Varia
 
 /// Measuring variants (B:7318-7324).
 pub const VARIANTS: &[Variant] = &[
-    Variant {
-        number: 105,
-        key: "cycle998-one",
-        source: "B:7320;B:7397;A:8091",
-    },
-    Variant {
-        number: 1105,
-        key: "cycle998-one-differential",
-        source: "B:7321;B:7398;A:8092",
-    },
-    Variant {
-        number: 100_105,
-        key: "cycle998-one-paraxial",
-        source: "B:7322;A:8093",
-    },
-    Variant {
-        number: 106,
-        key: "cycle998-two",
-        source: "B:7323;B:7604;A:8094",
-    },
-    Variant {
-        number: 100_106,
-        key: "cycle998-two-paraxial",
-        source: "B:7324;A:8095",
-    },
+    Variant { number: 105, key: "cycle998-one", source: "B:7320;B:7397;A:8091" },
+    Variant { number: 1105, key: "cycle998-one-differential", source: "B:7321;B:7398;A:8092" },
+    Variant { number: 100_105, key: "cycle998-one-paraxial", source: "B:7322;A:8093" },
+    Variant { number: 106, key: "cycle998-two", source: "B:7323;B:7604;A:8094" },
+    Variant { number: 100_106, key: "cycle998-two-paraxial", source: "B:7324;A:8095" },
 ];
 
 /// The entry. Example: the part on a rotary table of B:7428-7494.
@@ -98,23 +78,13 @@ pub static CYCLE998: Cycle = Cycle {
         ("_EVNUM", "0"),
     ],
     simulation: Some(Simulation::new(
-        Work {
-            propose: propose::propose,
-            simulate: simulate::simulate,
-        },
+        Work { propose: propose::propose, simulate: simulate::simulate },
         &[
             (params::PARAXIAL, &[("_MD", "0")]),
             // the oblique plane of B:7624-7694
             (
                 params::TWO,
-                &[
-                    ("_SETVAL", "30"),
-                    ("_MD", "1"),
-                    ("_SETV[0]", "30"),
-                    ("_STA1", "8"),
-                    ("_INCA", "12"),
-                    ("_FA", "10"),
-                ],
+                &[("_SETVAL", "30"), ("_MD", "1"), ("_SETV[0]", "30"), ("_STA1", "8"), ("_INCA", "12"), ("_FA", "10")],
             ),
         ],
     )),

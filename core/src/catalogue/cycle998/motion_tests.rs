@@ -2,9 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use crate::catalogue::sinumerik::motion_testing::{
-    DEPTH_FEED, Lettered, PLANE_FEED, lettered, same_lettered,
-};
+use crate::catalogue::sinumerik::motion_testing::{DEPTH_FEED, Lettered, PLANE_FEED, lettered, same_lettered};
 use crate::catalogue::sinumerik::testing::{at, call, run, setup, solid, touches, turns};
 use crate::check::Inputs;
 use crate::control::Plane;
@@ -15,13 +13,8 @@ use crate::workpiece::Shape;
 /// last one at 0, the others at 0 too.
 fn machine(plane: Plane, start: [f64; 3]) -> Sim {
     let mut setup = setup(plane);
-    let shape = Shape::Block {
-        size: [100.0, 100.0, 100.0],
-    };
-    setup
-        .workpiece
-        .solids
-        .push(solid(plane, shape, [50.0, 50.0, 0.0], false));
+    let shape = Shape::Block { size: [100.0, 100.0, 100.0] };
+    setup.workpiece.solids.push(solid(plane, shape, [50.0, 50.0, 0.0], false));
     setup.control.set("_SPEED[1]", PLANE_FEED);
     setup.control.set("_SPEED[2]", DEPTH_FEED);
     setup.position = at(plane, start);
@@ -54,10 +47,7 @@ type Case = (i64, i64, [f64; 2], [f64; 3], Vec<Lettered>);
 /// To a place before the face, a touch, back to the place, as far as there are letters.
 fn touch(letters: &str, before: [f64; 3], contact: [f64; 3]) -> Vec<Lettered> {
     let end = |letter| if letter == 'm' { contact } else { before };
-    letters
-        .chars()
-        .map(|letter| (letter, end(letter)))
-        .collect()
+    letters.chars().map(|letter| (letter, end(letter))).collect()
 }
 
 #[test]
@@ -88,11 +78,7 @@ fn every_variant_moves_as_its_table_says() {
             edge,
             [
                 touch("pmr", [20.0, -11.0, -10.0], [20.0, -3.0, -10.0]),
-                touch(
-                    "pmr",
-                    [60.0, -11.0 - 40.0 * tan1, -10.0],
-                    [60.0, -3.0, -10.0],
-                ),
+                touch("pmr", [60.0, -11.0 - 40.0 * tan1, -10.0], [60.0, -3.0, -10.0]),
             ]
             .concat(),
         ),
@@ -104,11 +90,7 @@ fn every_variant_moves_as_its_table_says() {
             [-20.0, 20.0, -10.0],
             [
                 touch("pmr", [-11.0, 20.0, -10.0], [-3.0, 20.0, -10.0]),
-                touch(
-                    "pmr",
-                    [-11.0 - 40.0 * 9.0_f64.to_radians().tan(), 60.0, -10.0],
-                    [-3.0, 60.0, -10.0],
-                ),
+                touch("pmr", [-11.0 - 40.0 * 9.0_f64.to_radians().tan(), 60.0, -10.0], [-3.0, 60.0, -10.0]),
             ]
             .concat(),
         ),

@@ -5,11 +5,7 @@ use crate::catalogue::{DigitGroup, Kind, Param, Range, Unit, When, names};
 use crate::diagnostic::Code;
 
 const fn digit(place: i64, is: &'static [i64]) -> When {
-    When::Digit {
-        param: names::MVAR,
-        place,
-        is,
-    }
+    When::Digit { param: names::MVAR, place, is }
 }
 
 /// One angle, from two points.
@@ -24,18 +20,8 @@ pub const AT_ANGLE: When = digit(100_000, &[0]);
 pub const PARAXIAL: When = digit(100_000, &[1]);
 
 const MVAR_DIGITS: &[DigitGroup] = &[
-    DigitGroup {
-        key: "mvar-angles",
-        place: 1,
-        digits: 1,
-        choices: &[(5, "angles-one"), (6, "angles-two")],
-    },
-    DigitGroup {
-        key: "mvar-correction",
-        place: 100,
-        digits: 1,
-        choices: &[(1, "correction-zero")],
-    },
+    DigitGroup { key: "mvar-angles", place: 1, digits: 1, choices: &[(5, "angles-one"), (6, "angles-two")] },
+    DigitGroup { key: "mvar-correction", place: 100, digits: 1, choices: &[(1, "correction-zero")] },
     DigitGroup {
         key: "mvar-differential",
         place: 1000,
@@ -52,25 +38,10 @@ const MVAR_DIGITS: &[DigitGroup] = &[
 
 /// Offset axis and measuring axis; differential measurement has to measure in the plane (B:7403-7408, B:7582).
 const AXES: &[(When, &[(i64, &str)])] = &[
-    (
-        DIFFERENTIAL,
-        &[
-            (102, "ma-102"),
-            (201, "ma-201"),
-            (301, "ma-301"),
-            (302, "ma-302"),
-        ],
-    ),
+    (DIFFERENTIAL, &[(102, "ma-102"), (201, "ma-201"), (301, "ma-301"), (302, "ma-302")]),
     (
         When::Always,
-        &[
-            (102, "ma-102"),
-            (103, "ma-103"),
-            (201, "ma-201"),
-            (203, "ma-203"),
-            (301, "ma-301"),
-            (302, "ma-302"),
-        ],
+        &[(102, "ma-102"), (103, "ma-103"), (201, "ma-201"), (203, "ma-203"), (301, "ma-301"), (302, "ma-302")],
     ),
 ];
 
@@ -79,11 +50,7 @@ const MEASURABLE: Range = Range::closed(-45.0, 45.0);
 
 /// In the order in which the snippet writes them.
 pub const PARAMS: &[Param] = &[
-    Param {
-        kind: Kind::Variant(MVAR_DIGITS),
-        source: "B:7318-7324",
-        ..common::MVAR
-    },
+    Param { kind: Kind::Variant(MVAR_DIGITS), source: "B:7318-7324", ..common::MVAR },
     Param {
         needs: &[required(AT_ANGLE, "need-set-position")],
         labels: &[(ONE, "setval-point"), (TWO, "setval-point-applicate")],
@@ -146,19 +113,9 @@ pub const PARAMS: &[Param] = &[
         source: "B:7381-7391;B:7410-7411;A:15872",
         ..common::PARAM
     },
-    Param {
-        labels: &[(When::Always, "knum-zero")],
-        source: "B:7413;B:7612;B:15876-15882",
-        ..common::KNUM
-    },
-    Param {
-        source: "B:7290-7299;B:15895-15901",
-        ..common::PRNUM
-    },
-    Param {
-        source: "B:7418;B:7538-7540;B:7554",
-        ..common::FA
-    },
+    Param { labels: &[(When::Always, "knum-zero")], source: "B:7413;B:7612;B:15876-15882", ..common::KNUM },
+    Param { source: "B:7290-7299;B:15895-15901", ..common::PRNUM },
+    Param { source: "B:7418;B:7538-7540;B:7554", ..common::FA },
     Param {
         unit: Unit::Degree,
         usual: Range::closed(0.0, 30.0),
@@ -167,19 +124,10 @@ pub const PARAMS: &[Param] = &[
         watches: false, // an angle, and with intermediate positioning part of the way (B:7620)
         ..common::TSA
     },
+    Param { source: "B:7418;B:7616", ..common::VMS },
+    Param { source: "B:7418;B:7616", ..common::NMSP },
     Param {
-        source: "B:7418;B:7616",
-        ..common::VMS
-    },
-    Param {
-        source: "B:7418;B:7616",
-        ..common::NMSP
-    },
-    Param {
-        needs: &[required(
-            When::All(&[common::MONO, When::Not(&DIFFERENTIAL)]),
-            "need-mono",
-        )],
+        needs: &[required(When::All(&[common::MONO, When::Not(&DIFFERENTIAL)]), "need-mono")],
         source: "B:7420;B:7618",
         ..common::CORA
     },

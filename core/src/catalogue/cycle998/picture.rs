@@ -1,6 +1,6 @@
-//! CYCLE998 drawn: the surface along the offset axis with its points. Of two angles both sections are drawn, beside each
-//! other. Short distances are drawn longer than they are, small angles wider, and the workpiece zero stands where the
-//! drawing has room.
+//! CYCLE998 drawn: the surface along the offset axis with its points. Of two angles both sections are drawn, beside
+//! each other. Short distances are drawn longer than they are, small angles wider, and the workpiece zero stands where
+//! the drawing has room.
 
 use super::params::{AT_ANGLE, DIFFERENTIAL, TWO};
 use crate::catalogue::names;
@@ -11,7 +11,8 @@ use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
 /// Steepest angle that is drawn, degree.
 const STEEP: f64 = 45.0;
 
-/// A way between two points, drawn with the offset axis to the right and the measuring axis up. The first point lies at 0.
+/// A way between two points, drawn with the offset axis to the right and the measuring axis up. The first point lies at
+/// 0.
 struct Leg {
     /// Names of angle and distance.
     fields: [&'static str; 2],
@@ -62,18 +63,11 @@ impl Leg {
 /// The picture.
 pub fn picture(inputs: &Inputs) -> Picture {
     if TWO.holds(inputs) {
-        return Picture {
-            view: View::Section,
-            shapes: two(inputs),
-        };
+        return Picture { view: View::Section, shapes: two(inputs) };
     }
     let axes = inputs.integer(names::MA);
     let (offset, measuring) = (axes / 100, axes % 10);
-    let view = if offset == 3 || measuring == 3 {
-        View::Section
-    } else {
-        View::Plane
-    };
+    let view = if offset == 3 || measuring == 3 { View::Section } else { View::Plane };
     let mut shapes = one(inputs, measuring == 3);
     if offset > measuring {
         shapes.iter_mut().for_each(stand);
@@ -164,9 +158,7 @@ fn leg(inputs: &Inputs, distance: f64, unit: f64, from_above: bool) -> Leg {
         angle: 0.0,
         area: inputs.positive(names::TSA, 2.0).clamp(4.0, 20.0),
         distance,
-        path: inputs
-            .positive(names::FA, 2.0)
-            .clamp(unit * 0.15, unit * 0.3),
+        path: inputs.positive(names::FA, 2.0).clamp(unit * 0.15, unit * 0.3),
         ball: unit * 0.06,
         direction,
         at_angle: AT_ANGLE.holds(inputs),
@@ -198,11 +190,7 @@ fn part(leg: &Leg, cut: bool) -> Vec<PictureShape> {
     let depth = leg.direction * leg.ball * 7.0;
     let at = |along: f64| [along, leg.surface(along)];
     let behind = |along: f64| [along, leg.surface(along) + depth];
-    let kind = if cut {
-        ShapeKind::Cut
-    } else {
-        ShapeKind::Material
-    };
+    let kind = if cut { ShapeKind::Cut } else { ShapeKind::Material };
     let [name, _] = leg.fields;
     vec![
         polygon(kind, vec![at(left), at(right), behind(right), behind(left)]),
@@ -246,11 +234,7 @@ fn touch(leg: &Leg, along: f64, point: &str, shapes: &mut Vec<PictureShape>) {
     let contact = [along - reach * sin, stop[1] + reach * cos];
     shapes.push(circle(ShapeKind::Touch, contact, leg.ball * 0.3).of(names::NMSP));
     let behind = [along, leg.surface(along) + leg.direction * leg.ball * 2.0];
-    shapes.push(
-        line(ShapeKind::Label, vec![behind])
-            .text(point)
-            .of(names::NMSP),
-    );
+    shapes.push(line(ShapeKind::Label, vec![behind]).text(point).of(names::NMSP));
 }
 
 /// Where the first point is expected, from the workpiece zero.
@@ -260,11 +244,7 @@ fn set_position(inputs: &Inputs, leg: &Leg, shapes: &mut Vec<PictureShape>) {
     }
     let (left, right) = ends(leg);
     // a positive position lies beyond zero, a negative one before it
-    let sign = if inputs.number(names::SETVAL) < 0.0 {
-        1.0
-    } else {
-        -1.0
-    };
+    let sign = if inputs.number(names::SETVAL) < 0.0 { 1.0 } else { -1.0 };
     let zero = sign * (leg.ball * 4.0 + leg.path + leg.distance * leg.slope().abs());
     let place = left * 1.2;
     shapes.push(line(ShapeKind::Axis, vec![[place, zero], [right, zero]]).text("0"));

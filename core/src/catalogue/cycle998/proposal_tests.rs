@@ -17,9 +17,7 @@ fn the_proposed_part_is_measured_from_the_proposed_start() {
             .filter(|(variant, axes)| (*variant, axes % 10) != (1105, 3))
         {
             let mut inputs = inputs(variant, axes, [7.0, 0.0]);
-            inputs
-                .numbers
-                .extend([("_SETVAL", 12.0), ("_FA", 8.0), ("_TSA", 3.0)]);
+            inputs.numbers.extend([("_SETVAL", 12.0), ("_FA", 8.0), ("_TSA", 3.0)]);
             let mut setup = setup(plane);
             setup.probe.stylus = Some(0.0); // faces lean over here by more than a straight one bears
             let proposal = (inputs.cycle.work().unwrap().propose)(&inputs, &setup.control);

@@ -36,13 +36,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let (outward, along) = directions(&surface, towards);
     let size = size(&surface);
     let middle = V3::from(at) + to_middle(&surface, &outward, side);
-    let part = place::solid(
-        control,
-        Shape::Block { size },
-        middle.into(),
-        along.into(),
-        outward.into(),
-    );
+    let part = place::solid(control, Shape::Block { size }, middle.into(), along.into(), outward.into());
     Proposal {
         workpiece: Workpiece { solids: vec![part] },
         start: place::in_plane(control, from),
@@ -61,18 +55,13 @@ fn towards(inputs: &Inputs, axis: usize, side: f64) -> f64 {
 
 /// Measuring axis at the first point of the face, and at the start.
 fn heights(inputs: &Inputs, control: &Control, surface: &Surface, towards: f64) -> (f64, f64) {
-    let (ball, path) = (
-        place::ball_radius(inputs, control),
-        inputs.number(names::FA),
-    );
+    let (ball, path) = (place::ball_radius(inputs, control), inputs.number(names::FA));
     if AT_ANGLE.holds(inputs) {
         let set = inputs.number(names::SETVAL);
         return (set, set - towards * (path + ball + AWAY));
     }
     let rises = surface.legs.iter().map(|leg| leg.rise(leg.set) * towards);
-    let (low, high) = rises.fold((0.0_f64, 0.0_f64), |(low, high), rise| {
-        (low.min(rise), high.max(rise))
-    });
+    let (low, high) = rises.fold((0.0_f64, 0.0_f64), |(low, high), rise| (low.min(rise), high.max(rise)));
     (towards * (ball + path - (low + high) / 2.0), 0.0)
 }
 
@@ -118,9 +107,5 @@ fn size(surface: &Surface) -> [f64; 3] {
         Some(leg.distance.hypot(leg.rise(leg.set)) + 2.0 * BEYOND)
     };
     let slant = 1.0 / directions(surface, -1.0).0[surface.measuring].abs();
-    [
-        length(0).unwrap_or(WIDTH),
-        length(1).map_or(WIDTH, |length| length * slant),
-        THICKNESS,
-    ]
+    [length(0).unwrap_or(WIDTH), length(1).map_or(WIDTH, |length| length * slant), THICKNESS]
 }

@@ -31,12 +31,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
         let rises = measure(machine, inputs, &block, &surface, start)?;
         let angles = report(machine, &surface, &rises);
         let offset = tolerance::empirical_angle(machine.control(), inputs);
-        let wrong: Vec<f64> = surface
-            .legs
-            .iter()
-            .zip(&angles)
-            .map(|(leg, angle)| angle - offset - leg.set)
-            .collect();
+        let wrong: Vec<f64> = surface.legs.iter().zip(&angles).map(|(leg, angle)| angle - offset - leg.set).collect();
         if tolerance::safe(machine, inputs, &wrong, repetition)? == Next::Done {
             correction.write(machine, &surface, &wrong);
             break;
@@ -76,11 +71,7 @@ fn measure(
     let mut rises = Vec::new();
     for leg in &surface.legs {
         block.travel(machine, from)?;
-        let away = if at_angle {
-            beside(inputs, leg, direction)
-        } else {
-            0.0
-        };
+        let away = if at_angle { beside(inputs, leg, direction) } else { 0.0 };
         let mut to = from;
         to[block.axes[leg.axis]] += leg.distance;
         to[block.axes[axis]] += away;
@@ -94,31 +85,18 @@ fn measure(
 
 /// The probe as it is reckoned with: in differential measurement as one that was never calibrated.
 fn plain(inputs: &Inputs, block: &Block) -> Block {
-    if DIFFERENTIAL.holds(inputs) {
-        block.uncalibrated()
-    } else {
-        block.clone()
-    }
+    if DIFFERENTIAL.holds(inputs) { block.uncalibrated() } else { block.clone() }
 }
 
 /// Towards the set position (B:7488); without one as `_MD` says (B:7412).
 fn direction(inputs: &Inputs, here: f64) -> f64 {
-    let minus = if AT_ANGLE.holds(inputs) {
-        inputs.number(names::SETVAL) < here
-    } else {
-        inputs.integer(names::MD) == 1
-    };
+    let minus =
+        if AT_ANGLE.holds(inputs) { inputs.number(names::SETVAL) < here } else { inputs.integer(names::MD) == 1 };
     if minus { -1.0 } else { 1.0 }
 }
 
 /// Where the first touch begins: before the set position, without one where the cycle is called (B:7530-7560).
-fn first_start(
-    inputs: &Inputs,
-    block: &Block,
-    start: [f64; 3],
-    axis: usize,
-    direction: f64,
-) -> [f64; 3] {
+fn first_start(inputs: &Inputs, block: &Block, start: [f64; 3], axis: usize, direction: f64) -> [f64; 3] {
     let mut from = start;
     if AT_ANGLE.holds(inputs) {
         let point = set_point(inputs, block, axis, direction);
@@ -159,14 +137,12 @@ fn beside(inputs: &Inputs, leg: &Leg, direction: f64) -> f64 {
     leg.distance * angle.to_radians().tan()
 }
 
-/// Set angle, actual angle, difference: of one angle, or first about the abscissa, then about the ordinate (B:7332-7337).
+/// Set angle, actual angle, difference: of one angle, or first about the abscissa, then about the ordinate
+/// (B:7332-7337).
 /// The actual angles in the order of the ways.
 fn report(machine: &mut dyn Machine, surface: &Surface, rises: &[f64]) -> Vec<f64> {
     let legs = surface.legs.iter();
-    let angles: Vec<f64> = legs
-        .zip(rises)
-        .map(|(leg, rise)| leg.angle(*rise))
-        .collect();
+    let angles: Vec<f64> = legs.zip(rises).map(|(leg, rise)| leg.angle(*rise)).collect();
     let by_axis = surface.legs.iter().zip(&angles).rev().enumerate();
     for (index, (leg, angle)) in by_axis {
         results::angle(machine, index, leg.set);

@@ -3,9 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::angles::{Surface, normal};
-use crate::catalogue::sinumerik::testing::{
-    at, call, called, close, random_parts, run, setup, stopped, touches,
-};
+use crate::catalogue::sinumerik::testing::{at, call, called, close, random_parts, run, setup, stopped, touches};
 use crate::check::Inputs;
 use crate::control::{Control, Frame, Plane};
 use crate::geometry::V3;
@@ -41,9 +39,7 @@ fn face(control: &Control, inputs: &Inputs, actual: &[f64]) -> Solid {
     let x = z.cross(&V3::new(0.3, 0.5, 0.8)).normalize();
     let columns = Matrix3::from_columns(&[x, z.cross(&x), z]);
     Solid {
-        shape: Shape::Block {
-            size: [400.0, 400.0, 50.0],
-        },
+        shape: Shape::Block { size: [400.0, 400.0, 50.0] },
         at: control.to_machine([0.0; 3]),
         rotation: angles(&Rotation3::from_matrix_unchecked(columns)),
         errors: PartErrors::default(),
@@ -77,11 +73,7 @@ fn ready(plane: Plane, inputs: &Inputs, turned: [f64; 3], actual: &[f64]) -> Set
     let mut setup = setup(plane);
     setup.probe.stylus = Some(0.0); // faces lean over here by more than a straight one bears
     setup.control.set("MD18600", 1.0);
-    let frame = Frame {
-        coarse: [30.0, -20.0, 11.0],
-        rotation: turned,
-        ..Frame::default()
-    };
+    let frame = Frame { coarse: [30.0, -20.0, 11.0], rotation: turned, ..Frame::default() };
     setup.control.frames.insert(1, frame);
     setup.control.activate(1);
     setup.workpiece.solids = vec![face(&setup.control, inputs, actual)];
@@ -90,13 +82,7 @@ fn ready(plane: Plane, inputs: &Inputs, turned: [f64; 3], actual: &[f64]) -> Set
 }
 
 /// The same where axes of the WCS are reversed.
-fn mirrored(
-    mirror: [bool; 3],
-    plane: Plane,
-    inputs: &Inputs,
-    turned: [f64; 3],
-    actual: &[f64],
-) -> Setup {
+fn mirrored(mirror: [bool; 3], plane: Plane, inputs: &Inputs, turned: [f64; 3], actual: &[f64]) -> Setup {
     let mut setup = ready(plane, inputs, turned, actual);
     setup.control.frames.get_mut(&1).unwrap().mirror = mirror;
     setup.control.activate(1);
@@ -146,7 +132,8 @@ proptest! {
     /// measurement reaches 31 degree here: on 40 mm the face comes 24 mm nearer, of 28.
     #[test]
     fn one_angle_is_recovered(
-        set in -22.0..22.0_f64, wrong in -9.0..9.0_f64, plane in 0..3_usize, axes in 0..6_usize, turn in -170.0..170.0_f64,
+        set in -22.0..22.0_f64, wrong in -9.0..9.0_f64, plane in 0..3_usize, axes in 0..6_usize,
+        turn in -170.0..170.0_f64,
         mirror in prop::array::uniform3(any::<bool>()),
     ) {
         let (plane, axes) = (PLANES[plane], AXES[axes]);
@@ -159,7 +146,8 @@ proptest! {
             let sim = done(&setup, &inputs);
             // oracle: hand (the part as it was made)
             for (name, value) in [
-                ("_OVR[0]", set), ("_OVR[4]", set + wrong), ("_OVR[16]", wrong), ("_OVR[20]", wrong), ("_OVR[28]", 10.0),
+                ("_OVR[0]", set), ("_OVR[4]", set + wrong), ("_OVR[16]", wrong), ("_OVR[20]", wrong), ("_OVR[28]",
+                    10.0),
                 ("_OVI[0]", 1.0), ("_OVI[2]", 998.0), ("_OVI[5]", 1.0), ("_OVI[9]", 0.0), ("_OVI[11]", 1.0),
             ] {
                 close(&sim, name, value);
@@ -170,7 +158,8 @@ proptest! {
     /// So are two angles of a plane in space.
     #[test]
     fn two_angles_are_recovered(
-        set in prop::array::uniform2(-20.0..20.0_f64), wrong in prop::array::uniform2(-9.0..9.0_f64), plane in 0..3_usize,
+        set in prop::array::uniform2(-20.0..20.0_f64), wrong in prop::array::uniform2(-9.0..9.0_f64),
+        plane in 0..3_usize,
         turn in -170.0..170.0_f64,
     ) {
         for variant in TWO {
@@ -194,7 +183,8 @@ proptest! {
     /// corrected.
     #[test]
     fn a_corrected_rotation_measures_zero(
-        set in prop::array::uniform2(-15.0..15.0_f64), wrong in prop::array::uniform2(-9.0..9.0_f64), plane in 0..3_usize,
+        set in prop::array::uniform2(-15.0..15.0_f64), wrong in prop::array::uniform2(-9.0..9.0_f64),
+        plane in 0..3_usize,
         axes in 0..6_usize, turn in -60.0..60.0_f64, target in prop::sample::select(vec![1, 1011, 2000, 9999]),
         mirror in prop::array::uniform3(any::<bool>()),
     ) {
@@ -225,7 +215,8 @@ proptest! {
 
     /// The rotary table takes the angle: turned to its programmed position, the part stands right.
     #[test]
-    fn a_corrected_rotary_axis_measures_zero(set in -20.0..20.0_f64, wrong in -9.0..9.0_f64, across in any::<bool>(), fine in 0..2_u8) {
+    fn a_corrected_rotary_axis_measures_zero(set in -20.0..20.0_f64, wrong in -9.0..9.0_f64, across in any::<bool>(),
+    fine in 0..2_u8) {
         let mut inputs = inputs(105, if across { 201 } else { 102 }, [set, 0.0]);
         inputs.numbers.insert("_RA", 4.0);
         let mut setup = ready(Plane::G17, &inputs, [0.0; 3], &[set + wrong]);
@@ -247,7 +238,8 @@ proptest! {
 
     /// So it does where the WCS is mirrored or turned upside down.
     #[test]
-    fn the_table_turns_right_in_reversed_coordinates(wrong in -9.0..9.0_f64, mirror in 0..2_usize, upside in any::<bool>()) {
+    fn the_table_turns_right_in_reversed_coordinates(wrong in -9.0..9.0_f64, mirror in 0..2_usize,
+    upside in any::<bool>()) {
         let mut inputs = inputs(105, 102, [0.0; 2]);
         inputs.numbers.insert("_RA", 4.0);
         let turned = [if upside { 180.0 } else { 0.0 }, 0.0, 0.0];
@@ -307,10 +299,7 @@ fn another_frame_is_corrected_to_the_same_angle() {
     // oracle: manual B:7371, hand: G55 is turned by 5 degree less than G54, and the edge by 2 degree more
     let (sim, outcome) = edge(|setup, inputs| {
         inputs.numbers.insert("_KNUM", 2.0);
-        let turned = Frame {
-            rotation: [0.0, 0.0, -5.0],
-            ..Frame::default()
-        };
+        let turned = Frame { rotation: [0.0, 0.0, -5.0], ..Frame::default() };
         setup.control.frames.insert(2, turned);
     });
     assert_eq!(outcome, Ok(()));
@@ -356,9 +345,7 @@ fn nothing_is_told_of_a_frame_that_is_right() {
         let (sim, outcome) = edge(|_, inputs| _ = inputs.numbers.insert("_STA1", angle));
         assert_eq!(outcome, Ok(()));
         let steps = sim.trace.entries.iter();
-        steps
-            .filter(|entry| matches!(entry.step, crate::run::trace::Step::Decision(_)))
-            .count()
+        steps.filter(|entry| matches!(entry.step, crate::run::trace::Step::Decision(_))).count()
     };
     assert_eq!((decisions(2.0), decisions(0.0)), (0, 1));
 }
@@ -366,9 +353,7 @@ fn nothing_is_told_of_a_frame_that_is_right() {
 #[test]
 fn alarms_stop() {
     // oracle: manual A:15842-15872, B:7546
-    let value = |name: &'static str, value: f64| {
-        stopped(edge(|_, inputs| _ = inputs.numbers.insert(name, value)).1)
-    };
+    let value = |name: &'static str, value: f64| stopped(edge(|_, inputs| _ = inputs.numbers.insert(name, value)).1);
     assert_eq!(value("_MA", 101.0), 61325);
     assert_eq!(value("_MA", 402.0), 61325);
     assert_eq!(value("_RA", 5.0), 61329);
@@ -400,20 +385,15 @@ fn an_inch_machine_measures_the_same_angle() {
     let metric = done(&ready(Plane::G17, &inputs, [0.0; 3], &[12.3, 7.8]), &inputs);
     let mut setup = ready(Plane::G17, &inputs, [0.0; 3], &[12.3, 7.8]);
     let solids = setup.workpiece.solids.clone();
-    let mut inch = crate::run::Setup::calibrated_in(
-        crate::catalogue::Dialect::Sinumerik,
-        Plane::G17,
-        crate::control::Units::Inch,
-    );
+    let mut inch =
+        crate::run::Setup::calibrated_in(crate::catalogue::Dialect::Sinumerik, Plane::G17, crate::control::Units::Inch);
     inch.control.frames = setup.control.frames.clone();
     inch.control.activate(1);
     inch.workpiece.solids = solids;
     inch.position = setup.position;
     setup = inch;
     let sim = done(&setup, &inputs);
-    for name in [
-        "_OVR[0]", "_OVR[4]", "_OVR[5]", "_OVR[21]", "_OVR[22]", "_OVR[23]", "_OVR[28]",
-    ] {
+    for name in ["_OVR[0]", "_OVR[4]", "_OVR[5]", "_OVR[21]", "_OVR[22]", "_OVR[23]", "_OVR[28]"] {
         close(&sim, name, metric.control.number(name));
     }
 }

@@ -6,23 +6,14 @@ use crate::catalogue::{Chooses, Need, Param, Range, Unit, When};
 use crate::control::Plane;
 
 /// The address of the tool axis makes it a boss, whatever its value (C:1076).
-const AXIS: Param = Param {
-    key: "g110-axis",
-    unit: Unit::ActiveLength,
-    source: "C:1076",
-    ..PARAM
-};
+const AXIS: Param = Param { key: "g110-axis", unit: Unit::ActiveLength, source: "C:1076", ..PARAM };
 
 const fn in_plane(plane: Plane) -> Need {
     optional(When::Plane(plane), "need-g110-boss")
 }
 
 const fn boss_in(plane: Plane) -> Chooses {
-    Chooses {
-        when: When::Plane(plane),
-        variant: super::BOSS,
-        typed: "0",
-    }
+    Chooses { when: When::Plane(plane), variant: super::BOSS, typed: "0" }
 }
 
 /// In the order of the block format.
@@ -38,60 +29,16 @@ pub const PARAMS: &[Param] = &[
         source: "C:1075",
         ..PARAM
     },
-    Param {
-        name: "X",
-        needs: &[in_plane(Plane::G19)],
-        chooses: &[boss_in(Plane::G19)],
-        ..AXIS
-    },
-    Param {
-        name: "Y",
-        needs: &[in_plane(Plane::G18)],
-        chooses: &[boss_in(Plane::G18)],
-        ..AXIS
-    },
-    Param {
-        name: "Z",
-        needs: &[in_plane(Plane::G17)],
-        chooses: &[boss_in(Plane::G17)],
-        ..AXIS
-    },
-    Param {
-        needs: &[optional(When::Variant(&[super::BOSS]), "need-nct-optional")],
-        source: "C:1077",
-        ..params::R
-    },
-    Param {
-        source: "C:1078",
-        ..params::Q
-    },
-    Param {
-        source: "C:1079",
-        ..params::S
-    },
-    Param {
-        key: "nct-t-size",
-        source: "C:1097",
-        ..params::T
-    },
-    Param {
-        source: "C:1091",
-        ..params::M
-    },
-    Param {
-        source: "C:1098",
-        ..params::H
-    },
-    Param {
-        source: "C:1099",
-        ..params::U
-    },
-    Param {
-        source: "C:1100",
-        ..params::V
-    },
-    Param {
-        source: "C:1101",
-        ..params::W
-    },
+    Param { name: "X", needs: &[in_plane(Plane::G19)], chooses: &[boss_in(Plane::G19)], ..AXIS },
+    Param { name: "Y", needs: &[in_plane(Plane::G18)], chooses: &[boss_in(Plane::G18)], ..AXIS },
+    Param { name: "Z", needs: &[in_plane(Plane::G17)], chooses: &[boss_in(Plane::G17)], ..AXIS },
+    Param { needs: &[optional(When::Variant(&[super::BOSS]), "need-nct-optional")], source: "C:1077", ..params::R },
+    Param { source: "C:1078", ..params::Q },
+    Param { source: "C:1079", ..params::S },
+    Param { key: "nct-t-size", source: "C:1097", ..params::T },
+    Param { source: "C:1091", ..params::M },
+    Param { source: "C:1098", ..params::H },
+    Param { source: "C:1099", ..params::U },
+    Param { source: "C:1100", ..params::V },
+    Param { source: "C:1101", ..params::W },
 ];

@@ -8,9 +8,7 @@ mod simulate;
 mod tests;
 
 use super::nct::{self, params, part};
-use super::{
-    Cycle, Dialect, Drawing, Help, Proposal, Purpose, ResultField, Simulation, Variant, When, Work,
-};
+use super::{Cycle, Dialect, Drawing, Help, Proposal, Purpose, ResultField, Simulation, Variant, When, Work};
 use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
 use crate::catalogue::task::Task;
 use crate::check::Inputs;
@@ -28,16 +26,8 @@ pub static G110: Cycle = Cycle {
     name: "G110",
     key: "g110",
     variants: &[
-        Variant {
-            number: BORE,
-            key: "g110-bore",
-            source: "C:1076",
-        },
-        Variant {
-            number: BOSS,
-            key: "g110-boss",
-            source: "C:1076",
-        },
+        Variant { number: BORE, key: "g110-bore", source: "C:1076" },
+        Variant { number: BOSS, key: "g110-boss", source: "C:1076" },
     ],
     params: addresses::PARAMS,
     purpose: Purpose {
@@ -69,20 +59,8 @@ pub static G110: Cycle = Cycle {
     checks: checks::checks,
     help: Help::new(&[HELP, nct::help::MEASURING, nct::help::SHIFTS]),
     picture: Drawing::new(picture::picture),
-    example: &[
-        ("D", "50"),
-        ("S", "1"),
-        ("H", "0.02"),
-        ("V", "2"),
-        ("W", "2"),
-    ],
-    simulation: Some(Simulation::new(
-        Work {
-            propose,
-            simulate: simulate::simulate,
-        },
-        &[],
-    )),
+    example: &[("D", "50"), ("S", "1"), ("H", "0.02"), ("V", "2"), ("W", "2")],
+    simulation: Some(Simulation::new(Work { propose, simulate: simulate::simulate }, &[])),
     source: "C:1036-1183",
 };
 
@@ -99,34 +77,21 @@ fn depth(inputs: &Inputs) -> Option<f64> {
 /// A bore whose upper face is the zero of the WCS, the stylus inside it; or a boss, the stylus above it.
 fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let [.., applicate] = control.plane.axes();
-    let diameter = inputs
-        .numbers
-        .get("D")
-        .copied()
-        .filter(|d| *d > 0.0)
-        .unwrap_or(50.0);
+    let diameter = inputs.numbers.get("D").copied().filter(|d| *d > 0.0).unwrap_or(50.0);
     let (mut top, mut start) = ([0.0; 3], [0.0; 3]);
     let shape = match depth(inputs) {
         Some(depth) if inputs.variant == BOSS => {
             top[applicate] = (depth + 10.0).max(0.0);
             start[applicate] = top[applicate] + 20.0;
-            Shape::Shaft {
-                diameter,
-                height: top[applicate] - depth + 20.0,
-            }
+            Shape::Shaft { diameter, height: top[applicate] - depth + 20.0 }
         }
         _ => {
             start[applicate] = -10.0;
-            Shape::Hole {
-                diameter,
-                depth: 30.0,
-            }
+            Shape::Hole { diameter, depth: 30.0 }
         }
     };
     Proposal {
-        workpiece: Workpiece {
-            solids: vec![part::in_plane(shape, top, control)],
-        },
+        workpiece: Workpiece { solids: vec![part::in_plane(shape, top, control)] },
         start,
         ..Proposal::default()
     }
@@ -134,36 +99,12 @@ fn propose(inputs: &Inputs, control: &Control) -> Proposal {
 
 /// The lines of the help page.
 const HELP: &[HelpLine] = &[
-    measures(
-        When::Variant(&[BORE]),
-        "help-g110-measures-bore",
-        "C:1048-1076",
-    ),
-    measures(
-        When::Variant(&[BOSS]),
-        "help-g110-measures-boss",
-        "C:1048-1076",
-    ),
-    before(
-        When::Variant(&[BORE]),
-        "help-g110-before-inside",
-        "C:1048-1076",
-    ),
-    before(
-        When::Variant(&[BOSS]),
-        "help-g110-before-above",
-        "C:1048-1076",
-    ),
-    order(
-        When::Variant(&[BORE]),
-        "help-g110-order-outwards",
-        "C:1048-1157",
-    ),
-    order(
-        When::Variant(&[BOSS]),
-        "help-g110-order-inwards",
-        "C:1048-1157",
-    ),
+    measures(When::Variant(&[BORE]), "help-g110-measures-bore", "C:1048-1076"),
+    measures(When::Variant(&[BOSS]), "help-g110-measures-boss", "C:1048-1076"),
+    before(When::Variant(&[BORE]), "help-g110-before-inside", "C:1048-1076"),
+    before(When::Variant(&[BOSS]), "help-g110-before-above", "C:1048-1076"),
+    order(When::Variant(&[BORE]), "help-g110-order-outwards", "C:1048-1157"),
+    order(When::Variant(&[BOSS]), "help-g110-order-inwards", "C:1048-1157"),
     corrects(When::Always, "help-g110-corrects-half", "C:1089-1144"),
     wrong(When::Always, "help-g110-wrong-room", "C:1144"),
 ];

@@ -26,48 +26,22 @@ pub fn picture(inputs: &Inputs) -> Picture {
     let scene = scene(inputs);
     let mut shapes = part(&scene);
     limits(&scene, inputs, &mut shapes);
-    let Scene {
-        radius,
-        start,
-        contact,
-        limit,
-        ball,
-        side,
-    } = scene;
+    let Scene { radius, start, contact, limit, ball, side } = scene;
     for [x, y] in DIRECTIONS {
         let way = vec![[x * start, y * start], [x * contact, y * contact]];
         shapes.push(line(ShapeKind::Path, way));
         shapes.push(circle(ShapeKind::Probe, [x * start, y * start], ball));
-        shapes.push(circle(
-            ShapeKind::Touch,
-            [x * radius, y * radius],
-            ball * 0.3,
-        ));
+        shapes.push(circle(ShapeKind::Touch, [x * radius, y * radius], ball * 0.3));
     }
-    shapes.push(dimension(
-        "D",
-        [-radius, -radius * 0.45],
-        [radius, -radius * 0.45],
-    ));
-    shapes.push(dimension(
-        "Q",
-        [radius, radius * 0.3],
-        [limit, radius * 0.3],
-    ));
+    shapes.push(dimension("D", [-radius, -radius * 0.45], [radius, -radius * 0.45]));
+    shapes.push(dimension("Q", [radius, radius * 0.3], [limit, radius * 0.3]));
     if scene.side > 0.0 {
-        shapes.push(dimension(
-            "R",
-            [contact, -radius * 0.25],
-            [start, -radius * 0.25],
-        ));
+        shapes.push(dimension("R", [contact, -radius * 0.25], [start, -radius * 0.25]));
     }
     if side < 0.0 {
         shapes.push(circle(ShapeKind::Probe, CENTRE, ball));
     }
-    Picture {
-        view: View::Plane,
-        shapes,
-    }
+    Picture { view: View::Plane, shapes }
 }
 
 fn scene(inputs: &Inputs) -> Scene {
@@ -82,22 +56,15 @@ fn scene(inputs: &Inputs) -> Scene {
         radius,
         ball,
         contact,
-        start: if side > 0.0 {
-            contact + short(given("R", 5.0))
-        } else {
-            0.0
-        },
+        start: if side > 0.0 { contact + short(given("R", 5.0)) } else { 0.0 },
         limit: radius - side * short(given("Q", 10.0)),
     }
 }
 
 fn part(scene: &Scene) -> Vec<PictureShape> {
     let wall = round(CENTRE, scene.radius);
-    let material = if scene.side > 0.0 {
-        wall.clone()
-    } else {
-        frame(corners(CENTRE, [scene.radius * 3.4; 2]), wall.clone())
-    };
+    let material =
+        if scene.side > 0.0 { wall.clone() } else { frame(corners(CENTRE, [scene.radius * 3.4; 2]), wall.clone()) };
     let reach = scene.radius * 1.8;
     let axis = |x: f64, y: f64| line(ShapeKind::Axis, vec![[-x, -y], [x, y]]);
     vec![
@@ -105,13 +72,7 @@ fn part(scene: &Scene) -> Vec<PictureShape> {
         polygon(ShapeKind::Edge, wall).of("D"),
         axis(reach, 0.0),
         axis(0.0, reach),
-        ring(
-            ShapeKind::Zone,
-            CENTRE,
-            scene.limit.min(scene.radius),
-            scene.limit.max(scene.radius),
-        )
-        .of("Q"),
+        ring(ShapeKind::Zone, CENTRE, scene.limit.min(scene.radius), scene.limit.max(scene.radius)).of("Q"),
     ]
 }
 
@@ -120,12 +81,7 @@ fn limits(scene: &Scene, inputs: &Inputs, shapes: &mut Vec<PictureShape>) {
     for (name, share) in [("U", 0.09), ("H", 0.05)] {
         if inputs.given(name).is_some() {
             let half = scene.radius * share;
-            let band = ring(
-                ShapeKind::Tolerance,
-                CENTRE,
-                scene.radius - half,
-                scene.radius + half,
-            );
+            let band = ring(ShapeKind::Tolerance, CENTRE, scene.radius - half, scene.radius + half);
             shapes.push(band.of(name));
         }
     }

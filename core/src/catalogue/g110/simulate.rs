@@ -49,10 +49,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
 fn walls(machine: &mut dyn Machine, inputs: &Inputs) -> Walls {
     let outside = depth(inputs).filter(|_| inputs.variant == BOSS);
     Walls {
-        outside: outside.map(|depth| Outside {
-            depth,
-            clearance: inputs.number("R"),
-        }),
+        outside: outside.map(|depth| Outside { depth, clearance: inputs.number("R") }),
         size: inputs.number("D"),
         overtravel: inputs.number("Q"),
         start: machine.position(),
@@ -69,12 +66,7 @@ fn evaluate(machine: &mut dyn Machine, walls: &Walls, first: &Chord, second: &Ch
     let diameter = (one + two) / 2.0;
     let centre = [first.middle, second.middle];
     let shift = [0, 1].map(|i| centre[i] - walls.start[walls.axes[i]]);
-    Measured {
-        centre,
-        shift,
-        diameter,
-        deviation: diameter - walls.size,
-    }
+    Measured { centre, shift, diameter, deviation: diameter - walls.size }
 }
 
 fn found(walls: &Walls, measured: &Measured) -> Found {
@@ -98,8 +90,5 @@ fn printed(walls: &Walls, measured: &Measured) -> print::Values {
         let axis = walls.axes[i];
         (axis_name(axis), walls.start[axis], measured.shift[i])
     };
-    print::Values {
-        dimension: Some((walls.size, measured.deviation)),
-        positions: [0, 1].map(position).into(),
-    }
+    print::Values { dimension: Some((walls.size, measured.deviation)), positions: [0, 1].map(position).into() }
 }

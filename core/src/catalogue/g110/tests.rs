@@ -19,41 +19,22 @@ fn codes(values: &[(&str, &str)], plane: Plane) -> Vec<Code> {
 /// G59 at some place of the machine; a bore of 50 (or a boss) displaced in Z-X, the stylus at X120 Z200 Y-10.
 fn example(errors: PartErrors, shape: Shape, height: f64) -> Setup {
     let mut setup = Setup::calibrated(Dialect::Nct, Plane::G18);
-    setup
-        .control
-        .frames
-        .insert(6, Frame::translation([11.0, 22.0, 33.0]));
+    setup.control.frames.insert(6, Frame::translation([11.0, 22.0, 33.0]));
     setup.control.activate(6);
     let at = setup.control.to_machine([120.0, 0.0, 200.0]);
-    setup.workpiece.solids = vec![Solid {
-        shape,
-        at,
-        rotation: [0.0, -90.0, -90.0],
-        errors,
-    }];
+    setup.workpiece.solids = vec![Solid { shape, at, rotation: [0.0, -90.0, -90.0], errors }];
     setup.position = setup.control.to_machine([120.0, height, 200.0]);
     setup
 }
 
 fn bore(errors: PartErrors) -> Setup {
-    example(
-        errors,
-        Shape::Hole {
-            diameter: 50.0,
-            depth: 30.0,
-        },
-        -10.0,
-    )
+    example(errors, Shape::Hole { diameter: 50.0, depth: 30.0 }, -10.0)
 }
 
 // oracle: manual C:1159-1176 (first call of the example): G59 moves by centre − (X120, Z200); zero after a second call
 #[test]
 fn bore_sets_the_work_offset() {
-    let setup = bore(PartErrors {
-        shift: [0.3, 0.0, -0.4],
-        size: 0.03,
-        ..PartErrors::default()
-    });
+    let setup = bore(PartErrors { shift: [0.3, 0.0, -0.4], size: 0.03, ..PartErrors::default() });
     let outcome = call(&G110, &[("D", "50"), ("S", "6")], &setup);
     assert_eq!(outcome.stop, None);
     near(outcome.control.variable("G59 X").unwrap(), 11.3);
@@ -62,10 +43,7 @@ fn bore_sets_the_work_offset() {
     near(outcome.control.number("DEVIATION"), 0.03);
     near(outcome.control.number("SHIFT_1"), -0.4); // first axis of G18 is Z
     assert_eq!(outcome.position, setup.position);
-    let mut again = Setup {
-        control: outcome.control,
-        ..setup
-    };
+    let mut again = Setup { control: outcome.control, ..setup };
     again.position = again.control.to_machine([120.0, -10.0, 200.0]);
     let second = call(&G110, &[("D", "50"), ("S", "6")], &again);
     near(second.control.number("SHIFT_1"), 0.0);
@@ -76,33 +54,16 @@ fn bore_sets_the_work_offset() {
 // oracle: manual C:1177-1183 (second call): D1 takes the difference; H0.3 is exceeded by 0.4
 #[test]
 fn bore_corrects_the_tool() {
-    let mut setup = bore(PartErrors {
-        size: -0.4,
-        ..PartErrors::default()
-    });
+    let mut setup = bore(PartErrors { size: -0.4, ..PartErrors::default() });
     setup.control.register_mut(1).radius = 10.0;
-    let outcome = call(
-        &G110,
-        &[("D", "50"), ("T", "1"), ("H", "0.3"), ("M", "2")],
-        &setup,
-    );
+    let outcome = call(&G110, &[("D", "50"), ("T", "1"), ("H", "0.3"), ("M", "2")], &setup);
     assert_eq!(outcome.alarms(), vec![nct::OUT_OF_TOLERANCE]);
     near(outcome.control.register(1).total_radius(), 9.8); // metal left: a smaller register cuts more
     near(outcome.control.variable("D2").unwrap(), 0.4); // metal on is positive, C:1093
     assert_eq!(outcome.control.variable("G59 X"), Some(11.0));
     // oracle: self: the bore cut again with the corrected register has its size, and nothing is corrected any more
-    let cut = bore(PartErrors {
-        size: -0.4 + 2.0 * 0.2,
-        ..PartErrors::default()
-    });
-    let after = call(
-        &G110,
-        &[("D", "50"), ("T", "1"), ("H", "0.3")],
-        &Setup {
-            control: outcome.control,
-            ..cut
-        },
-    );
+    let cut = bore(PartErrors { size: -0.4 + 2.0 * 0.2, ..PartErrors::default() });
+    let after = call(&G110, &[("D", "50"), ("T", "1"), ("H", "0.3")], &Setup { control: outcome.control, ..cut });
     near(after.control.register(1).total_radius(), 9.8);
     assert!(after.alarms().is_empty());
 }
@@ -110,11 +71,7 @@ fn bore_corrects_the_tool() {
 // oracle: manual C:1099, C:1143-1144
 #[test]
 fn operator_messages() {
-    let mut setup = bore(PartErrors {
-        size: 0.6,
-        shift: [0.1, 0.0, 0.0],
-        ..PartErrors::default()
-    });
+    let mut setup = bore(PartErrors { size: 0.6, shift: [0.1, 0.0, 0.0], ..PartErrors::default() });
     let outcome = call(&G110, &[("D", "50"), ("S", "6"), ("U", "0.5")], &setup);
     assert_eq!(outcome.alarms(), vec![nct::UPPER_TOLERANCE]);
     assert_eq!(outcome.control.variable("G59 X"), Some(11.0));
@@ -129,16 +86,9 @@ fn operator_messages() {
 fn format_errors() {
     assert_eq!(codes(&[("S", "6")], Plane::G18), vec![nct::FORMAT_ERROR]);
     for wrong in [("S", "7"), ("S", "-1"), ("T", "100"), ("M", "0")] {
-        assert_eq!(
-            codes(&[("D", "50"), wrong], Plane::G18),
-            vec![nct::FORMAT_ERROR],
-            "{wrong:?}"
-        );
+        assert_eq!(codes(&[("D", "50"), wrong], Plane::G18), vec![nct::FORMAT_ERROR], "{wrong:?}");
     }
-    assert_eq!(
-        codes(&[("D", "50"), ("S", "1"), ("T", "1")], Plane::G18),
-        vec![nct::FORMAT_ERROR]
-    );
+    assert_eq!(codes(&[("D", "50"), ("S", "1"), ("T", "1")], Plane::G18), vec![nct::FORMAT_ERROR]);
     assert!(codes(&[("D", "50"), ("S", "0")], Plane::G17).is_empty());
 }
 
@@ -147,12 +97,7 @@ fn format_errors() {
 fn the_tool_axis_makes_a_boss() {
     for (plane, name) in nct::TOOL_AXIS {
         let control = Setup::calibrated(Dialect::Nct, plane).control;
-        let variant = |values: &[(&str, &str)]| {
-            check(&G110, &typed(values), &control)
-                .inputs
-                .unwrap()
-                .variant
-        };
+        let variant = |values: &[(&str, &str)]| check(&G110, &typed(values), &control).inputs.unwrap().variant;
         assert_eq!(variant(&[("D", "50")]), BORE);
         assert_eq!(variant(&[("D", "50"), (name, "0")]), BOSS);
         let other = if name == "Z" { "X" } else { "Z" };
@@ -163,24 +108,9 @@ fn the_tool_axis_makes_a_boss() {
 // oracle: manual C:1076-1078: R 5 beside the boss, contact at Y-10
 #[test]
 fn boss_is_touched_from_outside() {
-    let errors = PartErrors {
-        shift: [0.2, 0.0, 0.1],
-        size: 0.05,
-        ..PartErrors::default()
-    };
-    let setup = example(
-        errors,
-        Shape::Shaft {
-            diameter: 50.0,
-            height: 30.0,
-        },
-        20.0,
-    );
-    let outcome = call(
-        &G110,
-        &[("D", "50"), ("Y", "-10"), ("S", "6"), ("M", "3")],
-        &setup,
-    );
+    let errors = PartErrors { shift: [0.2, 0.0, 0.1], size: 0.05, ..PartErrors::default() };
+    let setup = example(errors, Shape::Shaft { diameter: 50.0, height: 30.0 }, 20.0);
+    let outcome = call(&G110, &[("D", "50"), ("Y", "-10"), ("S", "6"), ("M", "3")], &setup);
     assert_eq!(outcome.stop, None);
     near(outcome.control.variable("G59 X").unwrap(), 11.2);
     near(outcome.control.variable("G59 Z").unwrap(), 33.1);
@@ -202,15 +132,9 @@ fn errors_stop_the_macro() {
     let mut setup = bore(PartErrors::default());
     setup.workpiece.solids.clear();
     assert_eq!(stop(&setup), Some(Stop::Alarm(nct::PROBE_FAIL)));
-    let setup = bore(PartErrors {
-        size: 20.1,
-        ..PartErrors::default()
-    });
+    let setup = bore(PartErrors { size: 20.1, ..PartErrors::default() });
     assert_eq!(stop(&setup), Some(Stop::Alarm(nct::PROBE_FAIL)));
-    let setup = bore(PartErrors {
-        size: 19.9,
-        ..PartErrors::default()
-    });
+    let setup = bore(PartErrors { size: 19.9, ..PartErrors::default() });
     assert_eq!(stop(&setup), None);
 }
 
@@ -220,10 +144,7 @@ fn a_blocked_positioning_bars_measuring_until_the_next_one() {
     let setup = bore(PartErrors::default());
     let blocked = call(&G101, &[("X", "160")], &setup);
     assert_eq!(blocked.stop, Some(Stop::Alarm(nct::PATH_OBSTRUCTED)));
-    let mut setup = Setup {
-        control: blocked.control,
-        ..setup
-    };
+    let mut setup = Setup { control: blocked.control, ..setup };
     let barred = call(&G110, &[("D", "50")], &setup);
     assert_eq!(barred.stop, Some(Stop::Alarm(nct::OUT_OF_POSITION)));
     let free = call(&G101, &[("X", "121"), ("F", "800")], &setup);
@@ -236,10 +157,7 @@ fn a_blocked_positioning_bars_measuring_until_the_next_one() {
 // oracle: manual C:94: in inches 0.4 inch of overtravel (10.16 mm)
 #[test]
 fn inch_defaults() {
-    let mut setup = bore(PartErrors {
-        size: 20.2,
-        ..PartErrors::default()
-    });
+    let mut setup = bore(PartErrors { size: 20.2, ..PartErrors::default() });
     setup.control.active_units = crate::control::Units::Inch;
     let inches = format!("{}", 50.0 / 25.4);
     let outcome = call(&G110, &[("D", inches.as_str())], &setup);
@@ -250,18 +168,8 @@ fn inch_defaults() {
 // oracle: manual C:1103-1116 (columns)
 #[test]
 fn print_out() {
-    let setup = bore(PartErrors {
-        shift: [0.0016, 0.0, -0.0006],
-        size: -0.014,
-        ..PartErrors::default()
-    });
-    let values = [
-        ("D", "50"),
-        ("S", "6"),
-        ("H", "0.02"),
-        ("V", "2"),
-        ("W", "1"),
-    ];
+    let setup = bore(PartErrors { shift: [0.0016, 0.0, -0.0006], size: -0.014, ..PartErrors::default() });
+    let values = [("D", "50"), ("S", "6"), ("H", "0.02"), ("V", "2"), ("W", "1")];
     let outcome = call(&G110, &values, &setup);
     assert_eq!(
         outcome.log(),

@@ -19,18 +19,15 @@ pub fn measuring(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>
     shared_checks::rotation(control, found);
 }
 
-/// Cutting edge position of the probe in use, where it is known and permitted. While a milling probe is in use, the right
-/// one is still to come: a doubt here, 61309 on the machine (B:8708, A:15848, A:15856).
+/// Cutting edge position of the probe in use, where it is known and permitted. While a milling probe is in use, the
+/// right one is still to come: a doubt here, 61309 on the machine (B:8708, A:15848, A:15856).
 pub fn tip(control: &Control, found: &mut Vec<Diagnostic>) -> Option<i64> {
     let edge = control.active_edge().filter(|edge| edge.kind != 0)?;
     if !edge.is_turning() {
         let message = Message::new("check-lathe-probe").number("type", edge.kind as f64);
         let code = Code::Alarm(61309);
-        let finding = if control.unfit(edge) == Some(Unfit::Type) {
-            error(code, message)
-        } else {
-            warning(code, message)
-        };
+        let finding =
+            if control.unfit(edge) == Some(Unfit::Type) { error(code, message) } else { warning(code, message) };
         let hint = Message::new("check-lathe-probe-hint");
         found.push(finding.hint(hint).at(names::PRNUM));
         return None;
@@ -45,7 +42,5 @@ pub fn tip(control: &Control, found: &mut Vec<Diagnostic>) -> Option<i64> {
 /// A cutting edge position that the call cannot work with.
 pub fn wrong_tip(tip: i64, hint: &'static str) -> Diagnostic {
     let message = Message::new("check-lathe-tip").number("tip", tip as f64);
-    error(Code::Alarm(61315), message)
-        .hint(Message::new(hint))
-        .at(names::PRNUM)
+    error(Code::Alarm(61315), message).hint(Message::new(hint)).at(names::PRNUM)
 }

@@ -1,5 +1,5 @@
-//! Figures of turned parts and of the probe that touches them: abscissa (G18: Z) to the right, ordinate (X) up. Parts are
-//! drawn in one size; short distances are drawn longer than they are.
+//! Figures of turned parts and of the probe that touches them: abscissa (G18: Z) to the right, ordinate (X) up. Parts
+//! are drawn in one size; short distances are drawn longer than they are.
 
 use crate::catalogue::names;
 use crate::check::Inputs;
@@ -48,9 +48,7 @@ pub fn touch(touch: &Touch, path: f64) -> [PictureShape; 3] {
     [
         line(ShapeKind::Path, vec![start, touch.before(BALL)]).of(names::FA),
         circle(ShapeKind::Probe, start, BALL).of(names::PRNUM),
-        circle(ShapeKind::Touch, touch.at, BALL * 0.3)
-            .text(touch.number.to_string())
-            .of(names::NMSP),
+        circle(ShapeKind::Touch, touch.at, BALL * 0.3).text(touch.number.to_string()).of(names::NMSP),
     ]
 }
 
@@ -86,10 +84,7 @@ pub fn axis(inputs: &Inputs, index: usize, ends: [[f64; 2]; 2]) -> [PictureShape
     let [from, to] = ends;
     let way = |a: f64, b: f64| (b - a).signum() * if a == b { 0.0 } else { 3.5 };
     let beyond = [to[0] + way(from[0], to[0]), to[1] + way(from[1], to[1])];
-    [
-        line(ShapeKind::Axis, vec![from, to]),
-        line(ShapeKind::Label, vec![beyond]).text(letter),
-    ]
+    [line(ShapeKind::Axis, vec![from, to]), line(ShapeKind::Label, vec![beyond]).text(letter)]
 }
 
 /// A turned part in its chuck, from the side.
@@ -105,34 +100,19 @@ pub fn part() -> [PictureShape; 2] {
 /// Bands about a touched face: parameter, and how far it is drawn into the material (negative) and out of it, mm.
 pub type Bands = &'static [(&'static str, f64, f64)];
 /// Those of a measurement, wide ones first.
-pub const MEASURED: Bands = &[
-    (names::TSA, -3.2, 3.2),
-    (names::TDIF, -2.2, 2.2),
-    (names::TUL, 0.0, 1.2),
-    (names::TLL, -1.2, 0.0),
-];
+pub const MEASURED: Bands =
+    &[(names::TSA, -3.2, 3.2), (names::TDIF, -2.2, 2.2), (names::TUL, 0.0, 1.2), (names::TLL, -1.2, 0.0)];
 
 /// The bands that the call uses, about the face between two points.
-pub fn bands(
-    inputs: &Inputs,
-    bands: Bands,
-    face: [[f64; 2]; 2],
-    out: [f64; 2],
-) -> Vec<PictureShape> {
+pub fn bands(inputs: &Inputs, bands: Bands, face: [[f64; 2]; 2], out: [f64; 2]) -> Vec<PictureShape> {
     let used = |(name, _, _): &&(&'static str, f64, f64)| {
         let param = inputs.cycle.param(name);
         param.is_some_and(|param| param.need(inputs).is_some())
     };
     let band = |(name, from, to): &(&'static str, f64, f64)| {
         let [a, b] = face;
-        let beside =
-            |[x, y]: [f64; 2], distance: f64| [x + out[0] * distance, y + out[1] * distance];
-        let corners = vec![
-            beside(a, *from),
-            beside(b, *from),
-            beside(b, *to),
-            beside(a, *to),
-        ];
+        let beside = |[x, y]: [f64; 2], distance: f64| [x + out[0] * distance, y + out[1] * distance];
+        let corners = vec![beside(a, *from), beside(b, *from), beside(b, *to), beside(a, *to)];
         polygon(ShapeKind::Tolerance, corners).of(name)
     };
     bands.iter().filter(used).map(band).collect()

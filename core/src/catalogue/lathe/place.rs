@@ -11,18 +11,8 @@ pub const LENGTH: f64 = 60.0;
 
 /// A turned part with its front face at this Z; diameter and length, bore as [`Shape::Turned`] has it, mm.
 fn part(control: &Control, face: f64, [diameter, length]: [f64; 2], bore: [f64; 2]) -> Solid {
-    let shape = Shape::Turned {
-        diameter,
-        length,
-        bore,
-    };
-    standing(
-        control,
-        shape,
-        [0.0, 0.0, face],
-        [1.0, 0.0, 0.0],
-        [0.0, 0.0, 1.0],
-    )
+    let shape = Shape::Turned { diameter, length, bore };
+    standing(control, shape, [0.0, 0.0, face], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0])
 }
 
 /// A solid by its place and the directions of its X and Z, all of them X Y Z of the WCS.
@@ -37,15 +27,9 @@ const BEHIND: f64 = 20.0;
 /// Diameter of an end face, mm, and size of a block where no turned part has such a surface.
 const FACE: f64 = 40.0;
 
-/// A part with a surface at `set` of a geometry axis and the position opposite it, `away` from it; `side` +1: outside is
-/// the plus side. End face and outside are those of a turned part, anything else is a block.
-pub fn touched(
-    control: &Control,
-    axis: usize,
-    set: f64,
-    side: f64,
-    away: f64,
-) -> (Solid, [f64; 3]) {
+/// A part with a surface at `set` of a geometry axis and the position opposite it, `away` from it; `side` +1: outside
+/// is the plus side. End face and outside are those of a turned part, anything else is a block.
+pub fn touched(control: &Control, axis: usize, set: f64, side: f64, away: f64) -> (Solid, [f64; 3]) {
     let mut start = [0.0; 3];
     start[axis] = set + side * away;
     if axis == 2 {
@@ -69,20 +53,13 @@ const CHUCK: [f64; 3] = [30.0, 20.0, 8.0];
 
 /// The chuck that holds a turned part, without errors of its own; other parts have none.
 pub fn chuck(part: &Solid) -> Option<Solid> {
-    let Shape::Turned {
-        diameter, length, ..
-    } = part.shape
-    else {
+    let Shape::Turned { diameter, length, .. } = part.shape else {
         return None;
     };
     let [long, around, deep] = CHUCK;
     let behind = rigid::rotation(part.rotation) * V3::from([0.0, 0.0, deep - length]);
     Some(Solid {
-        shape: Shape::Chuck {
-            diameter: diameter + 2.0 * around,
-            length: long,
-            grip: diameter,
-        },
+        shape: Shape::Chuck { diameter: diameter + 2.0 * around, length: long, grip: diameter },
         at: (V3::from(part.at) + behind).into(),
         rotation: part.rotation,
         errors: PartErrors::default(),
@@ -93,13 +70,7 @@ pub fn chuck(part: &Solid) -> Option<Solid> {
 pub fn corrected_tools(inputs: &Inputs) -> Vec<ProposedTool> {
     let mut tools = place::corrected_tools(inputs);
     for tool in &mut tools {
-        tool.data = Edge {
-            kind: 500,
-            tip: 3,
-            length: [60.0, 40.0, 0.0],
-            radius: 0.8,
-            ..Edge::default()
-        };
+        tool.data = Edge { kind: 500, tip: 3, length: [60.0, 40.0, 0.0], radius: 0.8, ..Edge::default() };
     }
     tools
 }

@@ -10,24 +10,15 @@ use crate::control::{Control, Edge, Frame, Plane, Tool, Transverse, delivery};
 use crate::diagnostic::{Code, Severity};
 use crate::run::Setup;
 
-/// The control in G18 with mean value memory and the probe of the manual's examples in use (B:10695-10709): T9, type 580,
-/// position 7.
+/// The control in G18 with mean value memory and the probe of the manual's examples in use (B:10695-10709): T9, type
+/// 580, position 7.
 pub fn lathe() -> Control {
     let mut control = delivery(Dialect::Sinumerik);
     control.plane = Plane::G18;
     control.transverse = Transverse::Diameter;
     control.set("_CHBIT[4]", 1.0);
-    let edge = Edge {
-        kind: 580,
-        tip: 7,
-        length: [40.123, 100.456, 0.0],
-        radius: 3.0,
-        ..Edge::default()
-    };
-    let probe = Tool {
-        name: "PROBE".into(),
-        edges: [(1, edge)].into(),
-    };
+    let edge = Edge { kind: 580, tip: 7, length: [40.123, 100.456, 0.0], radius: 3.0, ..Edge::default() };
+    let probe = Tool { name: "PROBE".into(), edges: [(1, edge)].into() };
     control.tools.insert(9, probe);
     (control.tool, control.edge) = (9, 1);
     control
@@ -36,11 +27,11 @@ pub fn lathe() -> Control {
 /// The worked example with some values changed.
 pub fn call(cycle: &Cycle, changes: &[(&str, &str)]) -> Typed {
     let all = cycle.example.iter().chain(changes);
-    all.map(|(name, value)| ((*name).to_owned(), (*value).to_owned()))
-        .collect()
+    all.map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect()
 }
 
-/// Everything that is found in a call on a changed turning machine; the last is the parameter, empty where there is none.
+/// Everything that is found in a call on a changed turning machine; the last is the parameter, empty where there is
+/// none.
 pub fn found(
     cycle: &'static Cycle,
     changes: &[(&str, &str)],
@@ -50,9 +41,7 @@ pub fn found(
     prepare(&mut control);
     let found = check(cycle, &call(cycle, changes), &control).diagnostics;
     let short = found.into_iter();
-    short
-        .map(|one| (one.severity, one.code, one.param.unwrap_or_default()))
-        .collect()
+    short.map(|one| (one.severity, one.code, one.param.unwrap_or_default())).collect()
 }
 
 /// T number of the turning tool that the calls of [`measured`] correct.
@@ -62,12 +51,9 @@ pub const TURNING_TOOL: i64 = 7;
 pub fn setup(plane: Plane, transverse: Transverse) -> Setup {
     let mut setup = Setup::turning(plane);
     setup.control.transverse = transverse;
-    for (name, value) in [
-        ("$TC_DP1[7,1]", 500.0),
-        ("$TC_DP2[7,1]", 3.0),
-        ("$TC_DP3[7,1]", 60.0),
-        ("$TC_DP4[7,1]", 40.0),
-    ] {
+    for (name, value) in
+        [("$TC_DP1[7,1]", 500.0), ("$TC_DP2[7,1]", 3.0), ("$TC_DP3[7,1]", 60.0), ("$TC_DP4[7,1]", 40.0)]
+    {
         assert!(setup.control.set_variable(name, value));
     }
     let frame = Frame::translation([0.0, 0.0, 250.0]);

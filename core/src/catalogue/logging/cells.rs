@@ -16,8 +16,7 @@ pub fn left(index: usize) -> f64 {
 /// A variable of so many characters, centred at this height, with the text that it holds.
 pub fn cells(text: &str, count: usize, y: f64, field: &'static str) -> Vec<PictureShape> {
     let width = left(count);
-    let mut shapes =
-        vec![rectangle(ShapeKind::Material, [width / 2.0, y], [width, CELL]).of(field)];
+    let mut shapes = vec![rectangle(ShapeKind::Material, [width / 2.0, y], [width, CELL]).of(field)];
     let borders = (1..count).map(|index| {
         let ends = [y - CELL / 2.0, y + CELL / 2.0].map(|end| [left(index), end]);
         line(ShapeKind::Path, ends.to_vec())
@@ -25,12 +24,7 @@ pub fn cells(text: &str, count: usize, y: f64, field: &'static str) -> Vec<Pictu
     shapes.extend(borders);
     let characters = text.chars().take(count).enumerate();
     shapes.extend(characters.map(|(index, character)| {
-        line(
-            ShapeKind::Label,
-            vec![[left(index) + CELL / 2.0, y - CELL * 0.2]],
-        )
-        .text(character)
-        .of(field)
+        line(ShapeKind::Label, vec![[left(index) + CELL / 2.0, y - CELL * 0.2]]).text(character).of(field)
     }));
     shapes
 }

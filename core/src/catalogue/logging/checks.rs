@@ -34,9 +34,7 @@ fn file(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     let name = inputs.text(FILE);
     let known = |c: char| c.is_ascii_alphanumeric() || c == '_';
     let starts = match name.as_bytes() {
-        [first, second, ..] => {
-            first.is_ascii_alphabetic() && (second.is_ascii_alphabetic() || *second == b'_')
-        }
+        [first, second, ..] => first.is_ascii_alphabetic() && (second.is_ascii_alphabetic() || *second == b'_'),
         _ => false,
     };
     let right = starts && name.chars().all(known);
@@ -55,11 +53,7 @@ fn empty(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     let mut all = TITLES.iter().chain(&VALUES);
     let given = all.any(|name| !inputs.text(name).is_empty() || open(name, found));
     if !given {
-        let at = if inputs.uses(VALUES[0]) {
-            VALUES[0]
-        } else {
-            TITLES[0]
-        };
+        let at = if inputs.uses(VALUES[0]) { VALUES[0] } else { TITLES[0] };
         found.push(
             error(Code::Alarm(61370), Message::new("check-log-empty"))
                 .hint(Message::new("check-log-empty-hint"))
@@ -76,11 +70,7 @@ fn columns(inputs: &Inputs, found: &mut Vec<Diagnostic>) -> Vec<usize> {
     let title = inputs.text(TITLES[0]);
     if title.is_empty() {
         let message = Message::new("check-log-width");
-        found.push(
-            warning(Code::Alarm(62308), message)
-                .hint(Message::new("check-log-width-hint"))
-                .at(COLUMN),
-        );
+        found.push(warning(Code::Alarm(62308), message).hint(Message::new("check-log-width-hint")).at(COLUMN));
         return Vec::new();
     }
     widths(title).collect()
@@ -92,11 +82,7 @@ fn values(inputs: &Inputs, name: &'static str, widths: &[usize], found: &mut Vec
     for field in fields(line) {
         if let Field::Unknown(word) = field {
             let message = Message::new("check-log-unknown").text("word", word);
-            found.push(
-                error(Code::Alarm(61361), message)
-                    .hint(Message::new("check-log-unknown-hint"))
-                    .at(name),
-            );
+            found.push(error(Code::Alarm(61361), message).hint(Message::new("check-log-unknown-hint")).at(name));
         }
     }
     let fixed = match inputs.number(COLUMN) as usize {
@@ -113,11 +99,7 @@ fn values(inputs: &Inputs, name: &'static str, widths: &[usize], found: &mut Vec
             .number("column", column as f64 + 1.0)
             .number("width", width(column) as f64)
             .number("needed", needed as f64);
-        found.push(
-            warning(Code::Alarm(62309), message)
-                .hint(Message::new("check-log-narrow-hint"))
-                .at(name),
-        );
+        found.push(warning(Code::Alarm(62309), message).hint(Message::new("check-log-narrow-hint")).at(name));
     }
     let total: usize = (0..fields(line).count()).map(width).sum();
     if !line.is_empty() {
@@ -127,11 +109,7 @@ fn values(inputs: &Inputs, name: &'static str, widths: &[usize], found: &mut Vec
 
 /// A line that is longer than allowed: by the cycles (A:15915), by the program (A:15944).
 fn long(inputs: &Inputs, name: &'static str, total: f64, found: &mut Vec<Diagnostic>) {
-    let message = |key, most| {
-        Message::new(key)
-            .number("total", total)
-            .number("most", most)
-    };
+    let message = |key, most| Message::new(key).number("total", total).number("most", most);
     if total > LONGEST_LINE {
         found.push(
             error(Code::Alarm(61371), message("check-log-long", LONGEST_LINE))

@@ -26,11 +26,7 @@ pub const fn header(when: When) -> HelpLine {
 
 /// What a block of values shows.
 pub const fn block(when: When) -> HelpLine {
-    order(
-        when,
-        "help-log-block",
-        "B:11336;B:11371-11375;B:11439-11441",
-    )
+    order(when, "help-log-block", "B:11336;B:11371-11375;B:11439-11441")
 }
 
 /// What the lines of a block name.

@@ -1,4 +1,5 @@
-//! What stands in `_PROTVAL[2]` to `_PROTVAL[5]`: fields parted by commas, whatever separates them in the log (B:11375).
+//! What stands in `_PROTVAL[2]` to `_PROTVAL[5]`: fields parted by commas, whatever separates them in the log
+//! (B:11375).
 
 /// A field of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -77,19 +78,7 @@ mod tests {
         let kinds: Vec<Field> = fields("_AXIS,_OVR[1],_OVR[5],R27,_TXT[99],_TIME, INCH,").collect();
         let datum = Field::Datum;
         let comment = Field::Comment;
-        assert_eq!(
-            kinds,
-            [
-                datum,
-                datum,
-                datum,
-                datum,
-                datum,
-                Field::Time,
-                comment("INCH"),
-                comment("")
-            ]
-        );
+        assert_eq!(kinds, [datum, datum, datum, datum, datum, Field::Time, comment("INCH"), comment("")]);
         for unknown in ["_OVI[2]", "_OVR[32]", "_SETVAL", "$AA_IW[X]", "_TXT[100]"] {
             let first = fields(unknown).next();
             assert_eq!(first, Some(Field::Unknown(unknown)));

@@ -19,12 +19,7 @@ use super::{MachineSort, NEVER, ProbeUse, Purpose};
 use crate::diagnostic::Code;
 
 /// All cycles of the log.
-pub const PURPOSE: Purpose = Purpose {
-    probe: ProbeUse::Log,
-    machine: MachineSort::Any,
-    calibrates: NEVER,
-    tasks: &[],
-};
+pub const PURPOSE: Purpose = Purpose { probe: ProbeUse::Log, machine: MachineSort::Any, calibrates: NEVER, tasks: &[] };
 
 /// Data of the machine that decide over the log: name and variant left out (B:11336), header of the user (B:11338).
 pub const SETTINGS: &[&str] = &["_CBIT[6]", OWN_HEADER];
@@ -33,13 +28,9 @@ pub const SETTINGS: &[&str] = &["_CBIT[6]", OWN_HEADER];
 pub const OWN_HEADER: &str = "_CBIT[11]";
 
 /// What CYCLE105 raises about contents and format (A:15903-15948).
-pub const CONTENT_ALARMS: &[Code] = &alarms([
-    61361, 61363, 61370, 61371, 62307, 62308, 62309, 62310, 62311,
-]);
+pub const CONTENT_ALARMS: &[Code] = &alarms([61361, 61363, 61370, 61371, 62307, 62308, 62309, 62310, 62311]);
 /// What CYCLE106 raises about the file and about its job (A:15894-15902).
-pub const FILE_ALARMS: &[Code] = &alarms([
-    61352, 61353, 61354, 61355, 61356, 61357, 61358, 61359, 61360,
-]);
+pub const FILE_ALARMS: &[Code] = &alarms([61352, 61353, 61354, 61355, 61356, 61357, 61358, 61359, 61360]);
 
 /// A log of one line of values below a header, as in the sample of the manual (B:11513-11600), behind values of the
 /// cycle's own.

@@ -1,5 +1,5 @@
-//! Data that say what is printed and how (B:11340-11441). They belong to the machine and keep their values, so that none
-//! has to be written before a call.
+//! Data that say what is printed and how (B:11340-11441). They belong to the machine and keep their values, so that
+//! none has to be written before a call.
 
 use super::names;
 use crate::catalogue::common::{PARAM, alarms, optional};
@@ -11,31 +11,16 @@ pub const LONGEST_LINE: f64 = 200.0;
 const MOST_LINES: f64 = 4.0;
 
 /// The header is the one that the cycles print by themselves (B:11456).
-pub const STANDARD_HEADER: When = When::Setting {
-    name: super::OWN_HEADER,
-    is: &[0.0],
-};
+pub const STANDARD_HEADER: When = When::Setting { name: super::OWN_HEADER, is: &[0.0] };
 
 const fn text(most: usize) -> Param {
-    Param {
-        kind: Kind::Text(most),
-        ..PARAM
-    }
+    Param { kind: Kind::Text(most), ..PARAM }
 }
 
-const NUMBER: Param = Param {
-    kind: Kind::Integer,
-    range: Range::NOT_NEGATIVE,
-    ..PARAM
-};
+const NUMBER: Param = Param { kind: Kind::Integer, range: Range::NOT_NEGATIVE, ..PARAM };
 
 /// Name of the log file; the form asks for it, as the delivered one is empty.
-pub const FILE: Param = Param {
-    name: names::FILE,
-    key: "log-file",
-    source: "B:11192;B:11346",
-    ..text(32)
-};
+pub const FILE: Param = Param { name: names::FILE, key: "log-file", source: "B:11192;B:11346", ..text(32) };
 
 /// The data of a log in the order of the manual's table, behind parameters of the cycle's own: those of the header are
 /// asked for where the first condition holds, those of the values where the second one does.
@@ -76,51 +61,27 @@ pub(in crate::catalogue) use log_params;
 
 /// More texts of the user are printed than this number.
 pub const fn lines(index: usize) -> When {
-    When::Above {
-        param: names::HEAD_LINES,
-        than: index as f64,
-    }
+    When::Above { param: names::HEAD_LINES, than: index as f64 }
 }
 
 /// A block of values has more lines than this number.
 pub const fn rows(index: usize) -> When {
-    When::Above {
-        param: names::VALUE_LINES,
-        than: index as f64,
-    }
+    When::Above { param: names::VALUE_LINES, than: index as f64 }
 }
 
 /// Program that is measured.
 pub const fn program(needs: &'static [Need]) -> Param {
-    Param {
-        name: names::PROGRAM,
-        key: "log-program",
-        needs,
-        source: "B:11345",
-        ..text(32)
-    }
+    Param { name: names::PROGRAM, key: "log-program", needs, source: "B:11345", ..text(32) }
 }
 
 /// A text of the user.
 pub const fn headline(index: usize, needs: &'static [Need]) -> Param {
-    Param {
-        name: names::HEADLINES[index],
-        key: "log-headline",
-        needs,
-        source: "B:11347",
-        ..text(80)
-    }
+    Param { name: names::HEADLINES[index], key: "log-headline", needs, source: "B:11347", ..text(80) }
 }
 
 /// Lines of a page.
 pub const fn page(needs: &'static [Need]) -> Param {
-    Param {
-        name: names::PAGE,
-        key: "log-page",
-        needs,
-        source: "B:11349;B:11435;A:12759",
-        ..NUMBER
-    }
+    Param { name: names::PAGE, key: "log-page", needs, source: "B:11349;B:11435;A:12759", ..NUMBER }
 }
 
 /// Characters of a line.
@@ -135,13 +96,7 @@ pub const LINE: Param = Param {
 
 /// First page number.
 pub const fn first_page(needs: &'static [Need]) -> Param {
-    Param {
-        name: names::FIRST_PAGE,
-        key: "log-first-page",
-        needs,
-        source: "B:11351",
-        ..NUMBER
-    }
+    Param { name: names::FIRST_PAGE, key: "log-first-page", needs, source: "B:11351", ..NUMBER }
 }
 
 /// How many texts of the user there are.
@@ -189,35 +144,17 @@ pub const SEPARATOR: Param = Param {
 
 /// Behind a value out of tolerance.
 pub const fn mark(needs: &'static [Need]) -> Param {
-    Param {
-        name: names::MARK,
-        key: "log-mark",
-        needs,
-        source: "B:11356;B:11439-11441",
-        ..text(1)
-    }
+    Param { name: names::MARK, key: "log-mark", needs, source: "B:11356;B:11439-11441", ..text(1) }
 }
 
 /// A title line; the definition of the data gives 100 characters, the text 80 (B:13167, B:11357).
 pub const fn title(index: usize, needs: &'static [Need]) -> Param {
-    Param {
-        name: names::TITLES[index],
-        key: "log-title",
-        needs,
-        source: "B:11357-11358;B:11404",
-        ..text(100)
-    }
+    Param { name: names::TITLES[index], key: "log-title", needs, source: "B:11357-11358;B:11404", ..text(100) }
 }
 
 /// What a line of values shows.
 pub const fn values(index: usize, needs: &'static [Need]) -> Param {
-    Param {
-        name: names::VALUES[index],
-        key: "log-values",
-        needs,
-        source: "B:11359;B:11375-11411",
-        ..text(100)
-    }
+    Param { name: names::VALUES[index], key: "log-values", needs, source: "B:11359;B:11375-11411", ..text(100) }
 }
 
 /// Decimals of all real numbers.

@@ -38,8 +38,7 @@ impl Page {
     /// A text over the whole line.
     fn text(&mut self, name: &'static str) {
         let at = [self.width / 2.0, self.y() - BASE];
-        self.shapes
-            .push(line(ShapeKind::Label, vec![at]).text(name).of(name));
+        self.shapes.push(line(ShapeKind::Label, vec![at]).text(name).of(name));
         self.lines += 1;
     }
 
@@ -60,11 +59,7 @@ impl Page {
                 break;
             }
             let middle = [left + width / 2.0, y - BASE];
-            self.shapes.push(
-                line(ShapeKind::Label, vec![middle])
-                    .text(field.trim())
-                    .of(name),
-            );
+            self.shapes.push(line(ShapeKind::Label, vec![middle]).text(field.trim()).of(name));
             left += width;
             if index + 1 < fields.len() {
                 let ends = vec![[left, y - HEIGHT / 2.0], [left, y + HEIGHT / 2.0]];
@@ -78,12 +73,7 @@ impl Page {
 /// The page that these data make.
 pub fn picture(inputs: &Inputs) -> Picture {
     let width = inputs.positive(LINE, WIDTHS.1).clamp(WIDTHS.0, WIDTHS.1);
-    let mut page = Page {
-        width,
-        columns: columns(inputs, width),
-        lines: 0,
-        shapes: Vec::new(),
-    };
+    let mut page = Page { width, columns: columns(inputs, width), lines: 0, shapes: Vec::new() };
     for name in [PROGRAM].iter().chain(&HEADLINES) {
         if inputs.uses(name) {
             page.text(name);
@@ -115,20 +105,14 @@ pub fn picture(inputs: &Inputs) -> Picture {
         shapes.extend(tab(top));
     }
     shapes.extend(page.shapes);
-    Picture {
-        view: View::Plane,
-        shapes,
-    }
+    Picture { view: View::Plane, shapes }
 }
 
 /// The file that holds the page: a tab at its upper left corner.
 fn tab(top: f64) -> [PictureShape; 2] {
     let middle = [TAB / 2.0, top + HEIGHT / 2.0];
     let name = line(ShapeKind::Label, vec![[middle[0], middle[1] - BASE]]);
-    [
-        rectangle(ShapeKind::Zone, middle, [TAB, HEIGHT]).of(FILE),
-        name.text(FILE).of(FILE),
-    ]
+    [rectangle(ShapeKind::Zone, middle, [TAB, HEIGHT]).of(FILE), name.text(FILE).of(FILE)]
 }
 
 /// A log that is switched off: blocks of values, and the end of the page below them.
@@ -143,21 +127,13 @@ pub fn closed(_: &Inputs) -> Picture {
     let mut shapes = vec![sheet];
     shapes.extend(lines);
     shapes.push(line(ShapeKind::Edge, vec![[0.0, end], [width, end]]));
-    Picture {
-        view: View::Plane,
-        shapes,
-    }
+    Picture { view: View::Plane, shapes }
 }
 
 /// Widths of the columns; where the number is 0, those of the first title line.
 fn columns(inputs: &Inputs, most: f64) -> Vec<f64> {
     let fixed = inputs.positive(COLUMN, 12.0).clamp(1.0, most);
-    let count = TITLES
-        .iter()
-        .chain(&VALUES)
-        .map(|name| inputs.text(name).split(',').count())
-        .max()
-        .unwrap_or(1);
+    let count = TITLES.iter().chain(&VALUES).map(|name| inputs.text(name).split(',').count()).max().unwrap_or(1);
     let title = inputs.text(TITLES[0]);
     if inputs.number(COLUMN) == 0.0 && !title.is_empty() {
         let wide = |width: usize| (width as f64).clamp(1.0, most);

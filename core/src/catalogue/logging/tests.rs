@@ -38,16 +38,9 @@ fn found(cycle: &'static Cycle, changes: &[(&str, &str)]) -> Vec<(Code, Option<&
 fn what_a_log_cannot_be_is_told() {
     let alarm = Code::Alarm;
     assert_eq!(found(&CYCLE100, &[]), []);
-    assert_eq!(
-        found(&CYCLE100, &[(FILE, "")]),
-        [(own::MISSING.code(), Some(FILE))]
-    );
+    assert_eq!(found(&CYCLE100, &[(FILE, "")]), [(own::MISSING.code(), Some(FILE))]);
     for name in ["1LOG", "L", "L1", "MY-LOG", "LOG.MPF"] {
-        assert_eq!(
-            found(&CYCLE100, &[(FILE, name)]),
-            [(Code::Own(115), Some(FILE))],
-            "{name}"
-        );
+        assert_eq!(found(&CYCLE100, &[(FILE, name)]), [(Code::Own(115), Some(FILE))], "{name}");
     }
     let wide = "_OVR[0],_OVR[1],_OVR[2],_OVR[3],_OVR[4],_OVR[5],_OVR[6]";
     for (changes, expected) in [
@@ -55,24 +48,14 @@ fn what_a_log_cannot_be_is_told() {
         (vec![(VALUE_LINES, "5")], (alarm(61363), VALUE_LINES)),
         (vec![(VALUES[0], "_OVI[0]")], (alarm(61361), VALUES[0])),
         (vec![(VALUES[0], wide)], (alarm(62307), VALUES[0])),
-        (
-            vec![(VALUES[0], wide), (COLUMN, "29")],
-            (alarm(61371), VALUES[0]),
-        ),
+        (vec![(VALUES[0], wide), (COLUMN, "29")], (alarm(61371), VALUES[0])),
         (vec![(COLUMN, "7")], (alarm(62309), VALUES[0])), // the time has eight characters
         (vec![(COLUMN, "0"), (TITLES[0], "")], (alarm(62308), COLUMN)),
         (vec![(COLUMN, "0")], (alarm(62309), VALUES[0])), // the title "Time" is narrower
-        (
-            vec![(TITLES[0], ""), (TITLES[1], ""), (VALUES[0], "")],
-            (alarm(61370), VALUES[0]),
-        ),
+        (vec![(TITLES[0], ""), (TITLES[1], ""), (VALUES[0], "")], (alarm(61370), VALUES[0])),
     ] {
         let (code, at) = expected;
-        assert_eq!(
-            found(&CYCLE100, &changes),
-            [(code, Some(at))],
-            "{changes:?}"
-        );
+        assert_eq!(found(&CYCLE100, &changes), [(code, Some(at))], "{changes:?}");
     }
 }
 
@@ -80,23 +63,11 @@ fn what_a_log_cannot_be_is_told() {
 #[test]
 fn header_and_values_have_their_numbers() {
     assert_eq!(found(&CYCLE105, &[(JOB, "1")]), []);
-    assert_eq!(
-        found(&CYCLE105, &[(JOB, "2")]),
-        [(own::RANGE.code(), Some(JOB))]
-    );
+    assert_eq!(found(&CYCLE105, &[(JOB, "2")]), [(own::RANGE.code(), Some(JOB))]);
     assert_eq!(found(&CYCLE106, &[(JOB, "2")]), []);
-    assert_eq!(
-        found(&CYCLE106, &[(JOB, "0")]),
-        [(Code::Alarm(61360), Some(JOB))]
-    );
-    assert_eq!(
-        found(&CYCLE118, &[("PAR4", "11"), ("PAR5", "1")]),
-        [(Code::Alarm(61362), Some("PAR4"))]
-    );
-    assert_eq!(
-        found(&CYCLE118, &[("PAR4", "3")]),
-        [(own::MISSING.code(), Some("PAR5"))]
-    );
+    assert_eq!(found(&CYCLE106, &[(JOB, "0")]), [(Code::Alarm(61360), Some(JOB))]);
+    assert_eq!(found(&CYCLE118, &[("PAR4", "11"), ("PAR5", "1")]), [(Code::Alarm(61362), Some("PAR4"))]);
+    assert_eq!(found(&CYCLE118, &[("PAR4", "3")]), [(own::MISSING.code(), Some("PAR5"))]);
 }
 
 // oracle: hand (what the machine has counts where nothing is written)
@@ -104,9 +75,7 @@ fn header_and_values_have_their_numbers() {
 fn data_of_the_machine_count() {
     let mut control = delivery(Dialect::Sinumerik);
     let typed = typed(&CYCLE100, &[(FILE, ""), (COLUMN, "")]);
-    control
-        .data
-        .insert(FILE.into(), crate::control::Value::Text("LOG".into()));
+    control.data.insert(FILE.into(), crate::control::Value::Text("LOG".into()));
     control.set(COLUMN, 7.0);
     let found = check(&CYCLE100, &typed, &control);
     let codes: Vec<Code> = found.diagnostics.iter().map(|one| one.code).collect();
@@ -131,14 +100,8 @@ fn texts_of_a_program_are_read_as_they_stand() {
     };
     assert_eq!(changed(FILE, "LOG_2"), text.replace("LOG_1", "LOG_2"));
     assert_eq!(changed(TITLES[1], "\" \""), text.replace("\"  \"", "\" \""));
-    assert_eq!(
-        changed(FILE, "\"L_\"<<R1"),
-        text.replace("\"LOG_1\"", "\"L_\"<<R1")
-    );
-    assert_eq!(
-        changed(HEADLINES[0], "Part 7"),
-        text.replace("\"Part number: \"<<PARTNUM", "\"Part 7\"")
-    );
+    assert_eq!(changed(FILE, "\"L_\"<<R1"), text.replace("\"LOG_1\"", "\"L_\"<<R1"));
+    assert_eq!(changed(HEADLINES[0], "Part 7"), text.replace("\"Part number: \"<<PARTNUM", "\"Part 7\""));
     let control = delivery(Dialect::Sinumerik);
     let written = snippet(&CYCLE100, &site.values, &control, Style::Direct, None).text;
     let again = calls(&read(Dialect::Sinumerik, written.as_bytes()));
@@ -151,10 +114,7 @@ fn an_argument_and_data_make_one_call() {
     let text = "_PROTVAL[2]=\"_OVR[4]\"\nCYCLE105(0)\n_PROTVAL[2]=\"R27\"\nCYCLE105(0)\n";
     let program = read(Dialect::Sinumerik, text.as_bytes());
     let sites = calls(&program);
-    let shown: Vec<_> = sites
-        .iter()
-        .map(|one| (&*one.values[VALUES[0]], &*one.values[JOB]))
-        .collect();
+    let shown: Vec<_> = sites.iter().map(|one| (&*one.values[VALUES[0]], &*one.values[JOB])).collect();
     assert_eq!(shown, [("_OVR[4]", "0"), ("R27", "0")]);
     assert_eq!((sites[1].first_line, sites[1].line), (2, 3));
 }
@@ -162,22 +122,14 @@ fn an_argument_and_data_make_one_call() {
 // oracle: manual B:11296-11320 (both examples; the second one as A:12644-12650 has it)
 #[test]
 fn one_number_or_several() {
-    let text =
-        "DEF STRING[12] TEXTVAR\nCYCLE118(31.83,2,TEXTVAR)\nCYCLE118(0,_DIGIT,TEXTVAR,3,11)\n";
+    let text = "DEF STRING[12] TEXTVAR\nCYCLE118(31.83,2,TEXTVAR)\nCYCLE118(0,_DIGIT,TEXTVAR,3,11)\n";
     let sites = calls(&read(Dialect::Sinumerik, text.as_bytes()));
     let values = |index: usize| -> Vec<(&str, &str)> {
         let values = sites[index].values.iter();
-        values
-            .map(|(name, value)| (name.as_str(), value.as_str()))
-            .collect()
+        values.map(|(name, value)| (name.as_str(), value.as_str())).collect()
     };
     assert_eq!(values(0), [("PAR1", "31.83"), ("PAR2", "2")]);
-    let several = [
-        ("PAR1", "0"),
-        ("PAR2", "_DIGIT"),
-        ("PAR4", "3"),
-        ("PAR5", "11"),
-    ];
+    let several = [("PAR1", "0"), ("PAR2", "_DIGIT"), ("PAR4", "3"), ("PAR5", "11")];
     assert_eq!(values(1), several);
 }
 
@@ -191,11 +143,7 @@ fn a_run_goes_on_without_the_log() {
     let outcome = run(&program, &setup, Limits::default());
     assert_eq!(outcome.stop, None, "{:?}", outcome.diagnostics);
     assert_eq!(outcome.control.number("R1"), 5.0);
-    let told: Vec<&str> = outcome
-        .diagnostics
-        .iter()
-        .map(|one| &*one.message.key)
-        .collect();
+    let told: Vec<&str> = outcome.diagnostics.iter().map(|one| &*one.message.key).collect();
     assert_eq!(told, ["run-log"; 3]);
 }
 

@@ -13,17 +13,13 @@ pub const PLANES: [Plane; 3] = [Plane::G17, Plane::G18, Plane::G19];
 
 pub fn typed(values: &[(&str, &str)]) -> Typed {
     let pairs = values.iter();
-    pairs
-        .map(|(name, value)| (name.to_string(), value.to_string()))
-        .collect()
+    pairs.map(|(name, value)| (name.to_string(), value.to_string())).collect()
 }
 
 /// One call of a macro.
 pub fn call(cycle: &'static Cycle, values: &[(&str, &str)], setup: &Setup) -> Outcome {
     let checked = check(cycle, &typed(values), &setup.control);
-    let inputs = checked
-        .inputs
-        .unwrap_or_else(|| panic!("{:?}", checked.diagnostics));
+    let inputs = checked.inputs.unwrap_or_else(|| panic!("{:?}", checked.diagnostics));
     predict(cycle, &inputs, setup)
 }
 
@@ -31,9 +27,7 @@ pub fn call(cycle: &'static Cycle, values: &[(&str, &str)], setup: &Setup) -> Ou
 pub fn codes(cycle: &'static Cycle, values: &[(&str, &str)], plane: Plane) -> Vec<Code> {
     let setup = Setup::calibrated(Dialect::Nct, plane);
     let found = check(cycle, &typed(values), &setup.control).diagnostics;
-    let errors = found
-        .into_iter()
-        .filter(|one| one.severity == Severity::Error);
+    let errors = found.into_iter().filter(|one| one.severity == Severity::Error);
     errors.map(|one| one.code).collect()
 }
 
@@ -63,11 +57,7 @@ pub fn put(setup: &mut Setup, shape: Shape, at: [f64; 3], shift: [f64; 3], size:
     let plane = setup.control.plane;
     let mut solid = part::in_plane(shape, along(plane, at), &setup.control);
     let shift = setup.control.direction_to_machine(along(plane, shift));
-    solid.errors = PartErrors {
-        shift,
-        size,
-        ..PartErrors::default()
-    };
+    solid.errors = PartErrors { shift, size, ..PartErrors::default() };
     setup.workpiece.solids.push(solid);
 }
 
@@ -79,11 +69,7 @@ pub fn stand(setup: &mut Setup, at: [f64; 3]) {
 
 /// The same machine after a call.
 pub fn after(setup: &Setup, outcome: Outcome) -> Setup {
-    Setup {
-        control: outcome.control,
-        position: outcome.position,
-        ..setup.clone()
-    }
+    Setup { control: outcome.control, position: outcome.position, ..setup.clone() }
 }
 
 /// A length as typed in the system of units in force.

@@ -13,10 +13,7 @@ use crate::run::{Setup, Stop};
 use crate::workpiece::Shape;
 use proptest::prelude::*;
 
-const RING: Shape = Shape::Hole {
-    diameter: 50.0,
-    depth: 30.0,
-};
+const RING: Shape = Shape::Hole { diameter: 50.0, depth: 30.0 };
 
 /// A ring with its upper face at 0 and its centre off the zero; nothing of the stylus is known.
 fn ring(plane: Plane, inch: bool, off: [f64; 2]) -> Setup {
@@ -95,13 +92,7 @@ fn missing_addresses_are_format_errors() {
 fn block(plane: Plane, inch: bool, wrong: f64) -> Setup {
     let mut setup = machine(plane, inch);
     let size = [100.0, 100.0, 60.0];
-    put(
-        &mut setup,
-        Shape::Block { size },
-        [0.0, 0.0, 20.0],
-        [0.0; 3],
-        0.0,
-    );
+    put(&mut setup, Shape::Block { size }, [0.0, 0.0, 20.0], [0.0; 3], 0.0);
     setup.control.register_mut(98).length[0] += wrong;
     stand(&mut setup, [0.0, 0.0, 100.0]);
     setup
@@ -149,11 +140,7 @@ fn the_length_is_found_as_a_work_offset() {
         setup.position[applicate] -= offset + 2.0; // the spindle stands where it stood
         let calibrated = calibrate_length(&setup);
         near(calibrated.control.register(98).length[0], 53.0 + offset);
-        let again = call(
-            &G104,
-            &[(axis_name(applicate), "20"), ("T", "98")],
-            &calibrated,
-        );
+        let again = call(&G104, &[(axis_name(applicate), "20"), ("T", "98")], &calibrated);
         near(again.control.number("DEVIATION"), 0.0);
     }
 }

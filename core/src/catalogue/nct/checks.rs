@@ -11,11 +11,7 @@ use crate::own;
 pub fn corrections(inputs: &Inputs, findings: &mut Vec<Diagnostic>) {
     if inputs.given("S").is_some() && inputs.given("T").is_some() {
         let message = Message::new("nct-offset-and-tool");
-        findings.push(
-            error(FORMAT_ERROR, message)
-                .hint(Message::new("nct-offset-and-tool-hint"))
-                .at("T"),
-        );
+        findings.push(error(FORMAT_ERROR, message).hint(Message::new("nct-offset-and-tool-hint")).at("T"));
     }
     if let (Some(tolerance), Some(limit)) = (inputs.given("H"), inputs.given("U"))
         && limit <= tolerance
@@ -29,24 +25,13 @@ pub fn corrections(inputs: &Inputs, findings: &mut Vec<Diagnostic>) {
 }
 
 /// A ball that has no way to the walls between which it stands (C:1133). `param` gives their distance.
-pub fn room(
-    inputs: &Inputs,
-    param: &'static str,
-    control: &Control,
-    findings: &mut Vec<Diagnostic>,
-) {
+pub fn room(inputs: &Inputs, param: &'static str, control: &Control, findings: &mut Vec<Diagnostic>) {
     let balls = ["#500", "#501", "#502", "#503"].map(|name| control.basic_length(name));
     let ball = 2.0 * balls.into_iter().fold(0.0, f64::max);
     let Some(size) = inputs.given(param).filter(|size| *size <= ball) else {
         return;
     };
     let per = control.active_factor();
-    let message = Message::new("nct-no-room")
-        .number("diameter", size / per)
-        .number("ball", ball / per);
-    findings.push(
-        error(NO_MOVEMENT, message)
-            .hint(Message::new("nct-no-room-hint"))
-            .at(param),
-    );
+    let message = Message::new("nct-no-room").number("diameter", size / per).number("ball", ball / per);
+    findings.push(error(NO_MOVEMENT, message).hint(Message::new("nct-no-room-hint")).at(param));
 }

@@ -22,35 +22,18 @@ const fn in_planes(planes: &'static [When]) -> [Need; 1] {
 }
 
 /// Nominal coordinate of the corner; both axes of the plane are needed (C:723).
-const AXIS: Param = Param {
-    key: "nct-corner",
-    unit: Unit::ActiveLength,
-    alarm: Some(FORMAT_ERROR),
-    ..PARAM
-};
+const AXIS: Param = Param { key: "nct-corner", unit: Unit::ActiveLength, alarm: Some(FORMAT_ERROR), ..PARAM };
 /// X, in G17 and G18.
-pub const X: Param = Param {
-    name: "X",
-    needs: &in_planes(&[When::Plane(Plane::G17), When::Plane(Plane::G18)]),
-    ..AXIS
-};
+pub const X: Param =
+    Param { name: "X", needs: &in_planes(&[When::Plane(Plane::G17), When::Plane(Plane::G18)]), ..AXIS };
 /// Y, in G17 and G19.
-pub const Y: Param = Param {
-    name: "Y",
-    needs: &in_planes(&[When::Plane(Plane::G17), When::Plane(Plane::G19)]),
-    ..AXIS
-};
+pub const Y: Param =
+    Param { name: "Y", needs: &in_planes(&[When::Plane(Plane::G17), When::Plane(Plane::G19)]), ..AXIS };
 /// Z, in G18 and G19.
-pub const Z: Param = Param {
-    name: "Z",
-    needs: &in_planes(&[When::Plane(Plane::G18), When::Plane(Plane::G19)]),
-    ..AXIS
-};
+pub const Z: Param =
+    Param { name: "Z", needs: &in_planes(&[When::Plane(Plane::G18), When::Plane(Plane::G19)]), ..AXIS };
 /// Work offset; the one in use where it is not given (C:733).
-pub const S: Param = Param {
-    key: "nct-s-corner",
-    ..super::params::S
-};
+pub const S: Param = Param { key: "nct-s-corner", ..super::params::S };
 
 /// What is found.
 pub const RESULTS: &[ResultField] = &[
@@ -90,15 +73,7 @@ pub fn measure(machine: &mut dyn Machine, inputs: &Inputs, outside: bool) -> Res
     let shift = [0, 1].map(|index| corner[index] - nominal[index]);
     let mut moved = [None; 3];
     (moved[axes[0]], moved[axes[1]]) = (Some(shift[0]), Some(shift[1]));
-    results(
-        machine,
-        &[
-            ("CORNER_1", corner[0]),
-            ("CORNER_2", corner[1]),
-            ("SHIFT_1", shift[0]),
-            ("SHIFT_2", shift[1]),
-        ],
-    );
+    results(machine, &[("CORNER_1", corner[0]), ("CORNER_2", corner[1]), ("SHIFT_1", shift[0]), ("SHIFT_2", shift[1])]);
     let active = machine.control().settable;
     let offset = inputs.given("S").map_or(active, |number| number as usize);
     move_offset(machine, offset, moved);
@@ -118,24 +93,8 @@ pub fn propose(inputs: &Inputs, control: &Control, outside: bool) -> Proposal {
     }
     start[axes[2]] = -10.0;
     let length = [SIDE; 2];
-    let shape = if outside {
-        Shape::Island {
-            length,
-            height: 30.0,
-        }
-    } else {
-        Shape::Pocket {
-            length,
-            depth: 30.0,
-        }
-    };
-    Proposal {
-        workpiece: Workpiece {
-            solids: vec![part::in_plane(shape, at, control)],
-        },
-        start,
-        ..Proposal::default()
-    }
+    let shape = if outside { Shape::Island { length, height: 30.0 } } else { Shape::Pocket { length, depth: 30.0 } };
+    Proposal { workpiece: Workpiece { solids: vec![part::in_plane(shape, at, control)] }, start, ..Proposal::default() }
 }
 
 /// The corner from above, with the ways to its walls.
@@ -147,14 +106,7 @@ pub fn picture(inputs: &Inputs, outside: bool) -> Picture {
         vec![[0.0, 0.0], [FACE, 0.0], [FACE, FACE], [0.0, FACE]]
     } else {
         let (low, high) = (-FACE, FACE * 0.6);
-        vec![
-            [0.0, low],
-            [high, low],
-            [high, high],
-            [low, high],
-            [low, 0.0],
-            [0.0, 0.0],
-        ]
+        vec![[0.0, low], [high, low], [high, high], [low, high], [low, 0.0], [0.0, 0.0]]
     };
     let end = if outside { FACE } else { -FACE };
     let beyond = if outside { -near } else { near };
@@ -170,17 +122,11 @@ pub fn picture(inputs: &Inputs, outside: bool) -> Picture {
     ];
     let mirrored = |[x, y]: [f64; 2]| [y, x];
     let way = vec![[near, near], [near, beyond], [-BALL, beyond]];
-    shapes.push(line(
-        ShapeKind::Path,
-        way.iter().copied().map(mirrored).collect(),
-    ));
+    shapes.push(line(ShapeKind::Path, way.iter().copied().map(mirrored).collect()));
     shapes.push(line(ShapeKind::Path, way));
     for touch in [[0.0, beyond], [beyond, 0.0]] {
         shapes.push(circle(ShapeKind::Touch, touch, BALL * 0.3));
     }
     shapes.push(circle(ShapeKind::Probe, [near, near], BALL));
-    Picture {
-        view: View::Plane,
-        shapes,
-    }
+    Picture { view: View::Plane, shapes }
 }

@@ -36,11 +36,7 @@ pub struct Found {
 
 /// Messages first, then M, and unless U is exceeded T or S (C:1083-1099).
 pub fn correct(machine: &mut dyn Machine, inputs: &Inputs, found: &Found) {
-    let beyond = |name: &str| {
-        inputs
-            .given(name)
-            .is_some_and(|limit| exceeds(found.deviation.abs(), limit))
-    };
+    let beyond = |name: &str| inputs.given(name).is_some_and(|limit| exceeds(found.deviation.abs(), limit));
     if beyond("H") {
         machine.record(Step::Alarm(OUT_OF_TOLERANCE));
     }
@@ -78,8 +74,9 @@ fn correct_tool(machine: &mut dyn Machine, register: i64, found: &Found) {
     }
 }
 
-/// The work offset moves so that what was measured gets its nominal coordinates in it (C:776: "to coordinate X100 Y80 in
-/// coordinate system G56"); the one in effect counts at once, as in the examples, which never call it again (C:1159-1183).
+/// The work offset moves so that what was measured gets its nominal coordinates in it (C:776: "to coordinate X100 Y80
+/// in coordinate system G56"); the one in effect counts at once, as in the examples, which never call it again
+/// (C:1159-1183).
 /// `shift`: measured minus nominal in the axes of the WCS that were measured, mm.
 pub fn move_offset(machine: &mut dyn Machine, offset: usize, shift: [Option<f64>; 3]) {
     let active = machine.control().settable;
@@ -89,8 +86,7 @@ pub fn move_offset(machine: &mut dyn Machine, offset: usize, shift: [Option<f64>
     let by = control.direction_to_machine(shift.map(|shift| shift.unwrap_or(0.0)));
     for axis in (0..3).filter(|axis| shift[*axis].is_some() || by[*axis] != 0.0) {
         let control = machine.control();
-        let [before, from] =
-            [offset, from].map(|number| control.variable(&offset_of(number, axis)).unwrap_or(0.0));
+        let [before, from] = [offset, from].map(|number| control.variable(&offset_of(number, axis)).unwrap_or(0.0));
         if from + by[axis] != before {
             write(machine, offset_of(offset, axis), from + by[axis]);
         }
@@ -117,36 +113,24 @@ pub fn write(machine: &mut dyn Machine, name: String, after: f64) {
         return;
     };
     machine.correct(&name, after);
-    machine.record(Step::Set {
-        name,
-        before,
-        after,
-    });
+    machine.record(Step::Set { name, before, after });
 }
 
 /// Leaves results in the active unit; `values` in mm.
 pub fn results(machine: &mut dyn Machine, values: &[(&str, f64)]) {
     let per = machine.control().active_factor();
-    values
-        .iter()
-        .for_each(|(name, value)| datum(machine, name, value / per));
+    values.iter().for_each(|(name, value)| datum(machine, name, value / per));
 }
 
 /// Leaves the values of a calibration in the basic system of the machine (C:92-94); `values` in mm.
 pub fn calibration(machine: &mut dyn Machine, values: &[(&str, f64)]) {
     let per = machine.control().basic_factor();
-    values
-        .iter()
-        .for_each(|(name, value)| datum(machine, name, value / per));
+    values.iter().for_each(|(name, value)| datum(machine, name, value / per));
 }
 
 /// Writes a datum as it stands in the machine, and records it.
 pub fn datum(machine: &mut dyn Machine, name: &str, after: f64) {
     let before = machine.control().number(name);
     machine.control().set(name, after);
-    machine.record(Step::Set {
-        name: name.into(),
-        before,
-        after,
-    });
+    machine.record(Step::Set { name: name.into(), before, after });
 }

@@ -26,10 +26,7 @@ fn calibrated(plane: Plane, inch: bool, skew: [f64; 2]) -> Setup {
     setup.probe.skew = skew;
     setup.probe.radius = 2.5;
     setup.control.set(INDEX, 20.0);
-    let ring = Shape::Hole {
-        diameter: 50.0,
-        depth: 30.0,
-    };
+    let ring = Shape::Hole { diameter: 50.0, depth: 30.0 };
     put(&mut setup, ring, [0.0; 3], [0.4, -0.3, 0.0], 0.0);
     stand(&mut setup, [0.0, 0.0, -10.0]);
     for cycle in [&G102, &G103] {
@@ -52,14 +49,8 @@ fn go(
     lengths: &[(&'static str, f64)],
     others: &[(&'static str, &'static str)],
 ) -> (Setup, Outcome) {
-    let lengths: Vec<(&str, String)> = lengths
-        .iter()
-        .map(|(name, mm)| (*name, length(setup, *mm)))
-        .collect();
-    let mut values: Vec<(&str, &str)> = lengths
-        .iter()
-        .map(|(name, text)| (*name, text.as_str()))
-        .collect();
+    let lengths: Vec<(&str, String)> = lengths.iter().map(|(name, mm)| (*name, length(setup, *mm))).collect();
+    let mut values: Vec<(&str, &str)> = lengths.iter().map(|(name, text)| (*name, text.as_str())).collect();
     values.extend(others);
     let outcome = call(cycle, &values, setup);
     assert_eq!(outcome.stop, None, "{} {values:?}", cycle.name);
@@ -78,9 +69,7 @@ fn again(setup: &Setup, at: [f64; 3]) -> Setup {
     setup
 }
 
-const BLOCK: Shape = Shape::Block {
-    size: [100.0, 100.0, 60.0],
-};
+const BLOCK: Shape = Shape::Block { size: [100.0, 100.0, 60.0] };
 
 /// A wall at 50 in one axis of the plane, off by `shift`; the stylus above and beside it.
 fn wall(setup: &Setup, index: usize, shift: f64) -> (Setup, &'static str, [f64; 3]) {
@@ -192,8 +181,9 @@ proptest! {
     }
 }
 
-// oracle: manual C:776 ("moving zero position of corner to coordinate X100 Y80 in coordinate system G56"), C:481-489: what is
-// measured coincides with its nominal place in the system that S names, whichever is in use; hand: G54 stands at 11, 22, 33
+// oracle: manual C:776 ("moving zero position of corner to coordinate X100 Y80 in coordinate system G56"), C:481-489:
+// what is measured coincides with its nominal place in the system that S names, whichever is in use; hand: G54 stands
+// at 11, 22, 33
 #[test]
 fn another_work_offset_than_the_one_in_use_takes_the_nominal_place() {
     for plane in PLANES {
@@ -212,14 +202,7 @@ fn another_work_offset_than_the_one_in_use_takes_the_nominal_place() {
                 };
                 let measured = axis == plane.axes()[index];
                 near(at("G54"), [11.0, 22.0, 33.0][axis]);
-                near(
-                    at("G55"),
-                    if measured {
-                        at("G54") + shift
-                    } else {
-                        other.coarse[axis]
-                    },
-                );
+                near(at("G55"), if measured { at("G54") + shift } else { other.coarse[axis] });
             }
             corrected.control.activate(2);
             let part = corrected.control.to_workpiece(setup.position);
@@ -243,10 +226,7 @@ fn a_corrected_tool_cuts_to_size() {
     setup.control.register_mut(1).length[0] = 120.0;
     let (_, outcome) = go(&setup, &G106, &[("Z", 0.0)], &[("T", "1")]);
     near(outcome.control.register(1).total_length(0), 119.8);
-    let web = Shape::Island {
-        length: [80.0, 120.0],
-        height: 30.0,
-    };
+    let web = Shape::Island { length: [80.0, 120.0], height: 30.0 };
     let mut setup = calibrated(Plane::G17, false, [0.0; 2]);
     put(&mut setup, web, [0.0; 3], [0.0; 3], 0.1);
     stand(&mut setup, [0.0, 0.0, 20.0]);
@@ -266,12 +246,7 @@ fn limits() {
         let (_, outcome) = go(&setup, &G105, &lengths("H", 0.39), &[("S", "1")]);
         assert_eq!(outcome.alarms(), [nct::OUT_OF_TOLERANCE]);
         near(outcome.control.variable("G54 X").unwrap(), 11.0 + shift);
-        let (_, outcome) = go(
-            &setup,
-            &G105,
-            &lengths("U", 0.39),
-            &[("S", "1"), ("M", "7")],
-        );
+        let (_, outcome) = go(&setup, &G105, &lengths("U", 0.39), &[("S", "1"), ("M", "7")]);
         assert_eq!(outcome.alarms(), [nct::UPPER_TOLERANCE]);
         near(outcome.control.variable("G54 X").unwrap(), 11.0);
         near(outcome.control.variable("D7").unwrap(), shift);
@@ -287,28 +262,15 @@ fn print_out() {
     let (_, outcome) = go(&setup, &G105, &values, &[("S", "1"), ("W", "2")]);
     assert_eq!(
         outcome.log(),
-        [
-            "WORK       NOMINAL    DEVIATION",
-            "OFFSET NO  POSITION   FROM NOMINAL",
-            "1          50.0000    - .7810",
-        ]
+        ["WORK       NOMINAL    DEVIATION", "OFFSET NO  POSITION   FROM NOMINAL", "1          50.0000    - .7810",]
     );
-    let pocket = Shape::Pocket {
-        length: [30.0, 120.0],
-        depth: 30.0,
-    };
+    let pocket = Shape::Pocket { length: [30.0, 120.0], depth: 30.0 };
     let mut setup = calibrated(Plane::G17, false, [0.0; 2]);
     put(&mut setup, pocket, [0.0; 3], [0.011, 0.0, 0.0], -0.77);
     stand(&mut setup, [0.0, 0.0, -10.0]);
     let others = [("S", "5"), ("V", "1"), ("W", "1")];
     let (_, outcome) = go(&setup, &G109, &[("X", 30.0)], &others);
-    assert_eq!(
-        outcome.log(),
-        [
-            "           30.0000               - .7700",
-            "5          .0000      .0110",
-        ]
-    );
+    assert_eq!(outcome.log(), ["           30.0000               - .7700", "5          .0000      .0110",]);
     let mut silent = setup.clone();
     silent.control.set(nct::PRINT_ENABLED, 0.0); // C:60
     let (_, outcome) = go(&silent, &G109, &[("X", 30.0)], &others);
@@ -324,10 +286,7 @@ fn format_errors() {
         for cycle in [&G105, &G109] {
             assert_eq!(codes(cycle, &[(depth, "-10")], plane), wrong);
             assert_eq!(codes(cycle, &[(first, "50"), (second, "50")], plane), wrong);
-            assert_eq!(
-                codes(cycle, &[(first, "50"), ("S", "1"), ("T", "1")], plane),
-                wrong
-            );
+            assert_eq!(codes(cycle, &[(first, "50"), ("S", "1"), ("T", "1")], plane), wrong);
             for given in [("S", "7"), ("T", "100"), ("M", "0")] {
                 assert_eq!(codes(cycle, &[(second, "50"), given], plane), wrong);
             }
@@ -340,10 +299,7 @@ fn format_errors() {
         for cycle in [&G107, &G108] {
             assert_eq!(codes(cycle, &[(first, "50")], plane), wrong);
             assert_eq!(codes(cycle, &[(second, "50"), (depth, "5")], plane), wrong);
-            assert_eq!(
-                codes(cycle, &[(first, "5"), (second, "5"), ("S", "7")], plane),
-                wrong
-            );
+            assert_eq!(codes(cycle, &[(first, "5"), (second, "5"), ("S", "7")], plane), wrong);
         }
         assert_eq!(codes(&G106, &[(first, "5")], plane), wrong);
         assert!(codes(&G106, &[(depth, "0"), ("S", "0")], plane).is_empty());
@@ -370,10 +326,7 @@ fn the_tool_axis_makes_a_web() {
 fn lobes_of_the_stylus_are_calibrated_away() {
     let mut setup = calibrated(Plane::G17, false, [0.0; 2]);
     setup.probe.pre_travel = (0.01, 0.004);
-    let ring = Shape::Hole {
-        diameter: 50.0,
-        depth: 30.0,
-    };
+    let ring = Shape::Hole { diameter: 50.0, depth: 30.0 };
     put(&mut setup, ring, [0.0; 3], [0.0; 3], 0.0);
     stand(&mut setup, [0.0, 0.0, -10.0]);
     for cycle in [&G102, &G103] {
@@ -381,12 +334,9 @@ fn lobes_of_the_stylus_are_calibrated_away() {
     }
     setup.workpiece.solids.clear();
     put(&mut setup, BLOCK, [0.0; 3], [0.0; 3], 0.0);
-    for (start, name, nominal) in [
-        ([75.0, 0.0], "X", 50.0),
-        ([-75.0, 0.0], "X", -50.0),
-        ([0.0, 75.0], "Y", 50.0),
-        ([0.0, -75.0], "Y", -50.0),
-    ] {
+    for (start, name, nominal) in
+        [([75.0, 0.0], "X", 50.0), ([-75.0, 0.0], "X", -50.0), ([0.0, 75.0], "Y", 50.0), ([0.0, -75.0], "Y", -50.0)]
+    {
         stand(&mut setup, [start[0], start[1], -10.0]);
         let (_, outcome) = go(&setup, &G105, &[(name, nominal)], &[]);
         let deviation = outcome.control.number("DEVIATION");

@@ -60,15 +60,8 @@ pub const SCANNING_OBSTRUCTED: Code = Code::Nct("SCANNING OBSTRUCTED");
 pub const SCANNING_FAIL: Code = Code::Nct("SCANNING FAIL");
 
 /// What every measuring macro can stop with (C:195-204, C:1123-1137).
-pub const MEASURING: &[Code] = &[
-    FORMAT_ERROR,
-    NO_TOOL_LENGTH,
-    STYLUS_IN_CONTACT,
-    PROBE_FAIL,
-    NO_MOVEMENT,
-    FALSE_TRIGGER,
-    OUT_OF_POSITION,
-];
+pub const MEASURING: &[Code] =
+    &[FORMAT_ERROR, NO_TOOL_LENGTH, STYLUS_IN_CONTACT, PROBE_FAIL, NO_MOVEMENT, FALSE_TRIGGER, OUT_OF_POSITION];
 
 /// Datum that a failed G101 leaves at 1 and the measuring macros look at. The manual gives it no number (C:121-123).
 pub const POSITION_LOST: &str = "OUT_OF_POSITION";
@@ -80,30 +73,14 @@ pub const INCREMENTAL: &str = "G91";
 const FREE: &[Need] = &[optional(When::Always, "need-nct-optional")];
 
 /// A length that may be left out.
-pub const LENGTH: Param = Param {
-    unit: Unit::ActiveLength,
-    needs: FREE,
-    ..PARAM
-};
+pub const LENGTH: Param = Param { unit: Unit::ActiveLength, needs: FREE, ..PARAM };
 /// A whole number that may be left out.
-pub const NUMBER: Param = Param {
-    kind: Kind::Integer,
-    needs: FREE,
-    ..PARAM
-};
+pub const NUMBER: Param = Param { kind: Kind::Integer, needs: FREE, ..PARAM };
 /// A register: the print has "less than 6", but the examples use T1, so that 1 must be the lower end (C:1097).
-pub const REGISTER: Param = Param {
-    range: Range::closed(1.0, 99.0),
-    alarm: Some(FORMAT_ERROR),
-    ..NUMBER
-};
+pub const REGISTER: Param = Param { range: Range::closed(1.0, 99.0), alarm: Some(FORMAT_ERROR), ..NUMBER };
 /// Nothing, the data line, or header and data line (C:1100-1101).
 pub const PRINT: Param = Param {
-    kind: Kind::Choice(&[
-        (0, "nct-print-none"),
-        (1, "nct-print-line"),
-        (2, "nct-print-header"),
-    ]),
+    kind: Kind::Choice(&[(0, "nct-print-none"), (1, "nct-print-line"), (2, "nct-print-header")]),
     needs: FREE,
     ..PARAM
 };
@@ -137,13 +114,12 @@ pub fn by_program(number: f64) -> Option<&'static Cycle> {
         .or_else(|| catalogue::find(Dialect::Nct, &format!("G65 P{number}")))
 }
 
-/// Whether a block that names the G function of a macro is no call of it: it has addresses, and none that the macro knows.
+/// Whether a block that names the G function of a macro is no call of it: it has addresses, and none that the macro
+/// knows.
 /// Controls with other macros have other functions of these numbers (`G103 P1`).
 pub fn foreign<'a>(cycle: &'static Cycle, addresses: impl IntoIterator<Item = &'a str>) -> bool {
     let others = addresses.into_iter();
-    let mut others = others
-        .filter(|name| !["G", "M", "N", "O"].contains(name))
-        .peekable();
+    let mut others = others.filter(|name| !["G", "M", "N", "O"].contains(name)).peekable();
     others.peek().is_some() && !others.any(|name| cycle.param(name).is_some())
 }
 

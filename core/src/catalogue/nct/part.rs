@@ -13,12 +13,7 @@ pub fn in_plane(shape: Shape, at: [f64; 3], control: &Control) -> Solid {
         Vector3::from(control.direction_to_machine(unit))
     });
     let turn = Rotation3::from_matrix_unchecked(Matrix3::from_columns(&columns));
-    Solid {
-        shape,
-        at: control.to_machine(at),
-        rotation: angles(&turn),
-        errors: PartErrors::default(),
-    }
+    Solid { shape, at: control.to_machine(at), rotation: angles(&turn), errors: PartErrors::default() }
 }
 
 #[cfg(test)]
@@ -39,10 +34,7 @@ mod tests {
                 let (mut mine, mut expected) = (V3::zeros(), V3::zeros());
                 mine[own] = 1.0;
                 expected[axis] = 1.0;
-                assert!(
-                    (rigid::rotation(solid.rotation) * mine - expected).norm() < 1e-12,
-                    "{plane:?}"
-                );
+                assert!((rigid::rotation(solid.rotation) * mine - expected).norm() < 1e-12, "{plane:?}");
             }
         }
     }

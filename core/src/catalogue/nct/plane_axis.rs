@@ -14,10 +14,7 @@ const fn need(plane: Plane, reason: &'static str) -> Need {
 
 /// Needs of X, Y or Z: a depth where it is the tool axis, else one of the two nominal values.
 pub const fn needs(tool_axis_in: Plane) -> [Need; 2] {
-    [
-        need(tool_axis_in, "need-nct-depth"),
-        optional(When::Always, "need-nct-one-axis"),
-    ]
+    [need(tool_axis_in, "need-nct-depth"), optional(When::Always, "need-nct-one-axis")]
 }
 
 /// Index (0 or 1) of the axis of the plane whose nominal value is given; none where not exactly one is.
@@ -50,12 +47,6 @@ pub fn check(inputs: &Inputs, _: &Control, findings: &mut Vec<Diagnostic>) {
         return;
     }
     let [first, second, _] = inputs.plane.axes().map(axis_name);
-    let message = Message::new("nct-one-axis")
-        .text("first", first)
-        .text("second", second);
-    findings.push(
-        error(FORMAT_ERROR, message)
-            .hint(Message::new("nct-one-axis-hint"))
-            .at(first),
-    );
+    let message = Message::new("nct-one-axis").text("first", first).text("second", second);
+    findings.push(error(FORMAT_ERROR, message).hint(Message::new("nct-one-axis-hint")).at(first));
 }

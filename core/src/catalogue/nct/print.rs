@@ -9,39 +9,21 @@ use crate::run::trace::Step;
 pub fn number(value: f64) -> String {
     let digits = format!("{:.4}", value.abs());
     let digits = digits.strip_prefix('0').unwrap_or(&digits);
-    if value < 0.0 && digits != ".0000" {
-        format!("- {digits}")
-    } else {
-        digits.into()
-    }
+    if value < 0.0 && digits != ".0000" { format!("- {digits}") } else { digits.into() }
 }
 
 /// Header of the print-out of dimensions.
-const DIMENSION_HEADER: [&str; 2] = [
-    "TOOL       NOMINAL    TOLERANCE  DEVIATION",
-    "OFFSET NO  DIMENSION             FROM NOMINAL",
-];
+const DIMENSION_HEADER: [&str; 2] =
+    ["TOOL       NOMINAL    TOLERANCE  DEVIATION", "OFFSET NO  DIMENSION             FROM NOMINAL"];
 
 /// Header of the print-out of positions.
-const POSITION_HEADER: [&str; 2] = [
-    "WORK       NOMINAL    DEVIATION",
-    "OFFSET NO  POSITION   FROM NOMINAL",
-];
+const POSITION_HEADER: [&str; 2] = ["WORK       NOMINAL    DEVIATION", "OFFSET NO  POSITION   FROM NOMINAL"];
 
 /// Data line of a dimension: register corrected by T, nominal, tolerance H, deviation, in the active unit.
-pub fn dimension(
-    register: Option<i64>,
-    nominal: f64,
-    tolerance: Option<f64>,
-    deviation: f64,
-) -> String {
+pub fn dimension(register: Option<i64>, nominal: f64, tolerance: Option<f64>, deviation: f64) -> String {
     let register = register.map_or(String::new(), |register| format!("D {register}"));
     let tolerance = tolerance.map_or(String::new(), number);
-    format!(
-        "{register:<11}{:<11}{tolerance:<11}{}",
-        number(nominal),
-        number(deviation)
-    )
+    format!("{register:<11}{:<11}{tolerance:<11}{}", number(nominal), number(deviation))
 }
 
 /// Data line of a position: work offset corrected by S, nominal, deviation, in the active unit. `axis` is empty where
@@ -81,21 +63,15 @@ fn lines(inputs: &Inputs, values: &Values, per: f64) -> Vec<String> {
         }
         if inputs.integer("V") > 0 {
             let tolerance = inputs.given("H").map(|limit| limit / per);
-            lines.push(dimension(
-                whole("T"),
-                nominal / per,
-                tolerance,
-                deviation / per,
-            ));
+            lines.push(dimension(whole("T"), nominal / per, tolerance, deviation / per));
         }
     }
     if whole("W") == Some(2) {
         lines.extend(POSITION_HEADER.map(String::from));
     }
     if inputs.integer("W") > 0 {
-        let line = |(axis, nominal, deviation): &(&str, f64, f64)| {
-            position(whole("S"), axis, nominal / per, deviation / per)
-        };
+        let line =
+            |(axis, nominal, deviation): &(&str, f64, f64)| position(whole("S"), axis, nominal / per, deviation / per);
         lines.extend(values.positions.iter().map(line));
     }
     lines
@@ -110,22 +86,10 @@ mod tests {
     fn lines_as_printed() {
         let line = dimension(Some(4), 51.57, Some(0.02), -0.014);
         assert_eq!(line, "D 4        51.5700    .0200      - .0140");
-        assert_eq!(
-            dimension(Some(3), 30.0, None, -0.77),
-            "D 3        30.0000               - .7700"
-        );
-        assert_eq!(
-            position(Some(6), "X", 0.0, 0.0016),
-            "6          X .0000    .0016"
-        );
-        assert_eq!(
-            position(Some(6), "Y", 0.0, -0.0006),
-            "6          Y .0000    - .0006"
-        );
-        assert_eq!(
-            position(Some(3), "", -15.0, 0.781),
-            "3          - 15.0000  .7810"
-        );
+        assert_eq!(dimension(Some(3), 30.0, None, -0.77), "D 3        30.0000               - .7700");
+        assert_eq!(position(Some(6), "X", 0.0, 0.0016), "6          X .0000    .0016");
+        assert_eq!(position(Some(6), "Y", 0.0, -0.0006), "6          Y .0000    - .0006");
+        assert_eq!(position(Some(3), "", -15.0, 0.781), "3          - 15.0000  .7810");
         assert_eq!(number(-15.0), "- 15.0000");
         assert_eq!(number(-0.00001), ".0000");
     }

@@ -24,9 +24,7 @@ fn found(cycle: &'static Cycle, variant: &Variant, plane: Plane) -> Control {
     let mut setup = machine(plane, false);
     let typed = turned(cycle, &example(cycle, variant), plane);
     let checked = check(cycle, &typed, &setup.control);
-    let inputs = checked
-        .inputs
-        .unwrap_or_else(|| panic!("{} {:?}", cycle.name, checked.diagnostics));
+    let inputs = checked.inputs.unwrap_or_else(|| panic!("{} {:?}", cycle.name, checked.diagnostics));
     assert_eq!(inputs.variant, variant.number, "{} {typed:?}", cycle.name);
     let proposal = (cycle.work().unwrap().propose)(&inputs, &setup.control);
     setup.workpiece = proposal.workpiece;
@@ -36,11 +34,7 @@ fn found(cycle: &'static Cycle, variant: &Variant, plane: Plane) -> Control {
     }
     setup.position = setup.control.to_machine(proposal.start);
     let outcome = predict(cycle, &inputs, &setup);
-    assert_eq!(
-        outcome.stop, None,
-        "{} {} {plane:?}",
-        cycle.name, variant.number
-    );
+    assert_eq!(outcome.stop, None, "{} {} {plane:?}", cycle.name, variant.number);
     outcome.control
 }
 
@@ -56,31 +50,16 @@ fn every_macro_measures_its_own_part() {
                 "G102" => &[("#504", -SHIFT[0]), ("#505", -SHIFT[1])],
                 "G103" => {
                     let radius = 3.0 - SIZE / 2.0; // a ring that is larger than it is said to be
-                    &[
-                        ("#500", radius),
-                        ("#501", radius),
-                        ("#502", radius),
-                        ("#503", radius),
-                    ]
+                    &[("#500", radius), ("#501", radius), ("#502", radius), ("#503", radius)]
                 }
                 "G65 P9969" => &[], // its own tests hold it against surfaces
                 "G104" => &[("DEVIATION", SHIFT[2]), ("LENGTH", 53.0 + SHIFT[2])],
                 "G105" => &[("DEVIATION", SHIFT[0] + SIZE / 2.0)],
                 "G106" => &[("DEVIATION", SHIFT[2])],
-                "G107" => &[
-                    ("SHIFT_1", SHIFT[0] + SIZE / 2.0),
-                    ("SHIFT_2", SHIFT[1] + SIZE / 2.0),
-                ],
-                "G108" => &[
-                    ("SHIFT_1", SHIFT[0] - SIZE / 2.0),
-                    ("SHIFT_2", SHIFT[1] - SIZE / 2.0),
-                ],
+                "G107" => &[("SHIFT_1", SHIFT[0] + SIZE / 2.0), ("SHIFT_2", SHIFT[1] + SIZE / 2.0)],
+                "G108" => &[("SHIFT_1", SHIFT[0] - SIZE / 2.0), ("SHIFT_2", SHIFT[1] - SIZE / 2.0)],
                 "G109" => &[("DEVIATION", SIZE), ("SHIFT", SHIFT[0])],
-                "G110" => &[
-                    ("DEVIATION", SIZE),
-                    ("SHIFT_1", SHIFT[0]),
-                    ("SHIFT_2", SHIFT[1]),
-                ],
+                "G110" => &[("DEVIATION", SIZE), ("SHIFT_1", SHIFT[0]), ("SHIFT_2", SHIFT[1])],
                 other => panic!("{other} has no expectation"),
             };
             for (name, value) in expected {
@@ -99,17 +78,13 @@ fn pictures_show_the_call_and_stay_on_the_paper() {
             let typed = turned(cycle, &example(cycle, variant), plane);
             let inputs = read(cycle, &typed, &control, &mut Vec::new());
             let picture = draw(cycle, &typed, &control).unwrap();
-            let lengths = typed.iter().filter(|(name, value)| {
-                !value.is_empty() && !["S", "T", "M", "V", "W"].contains(&name.as_str())
-            });
+            let lengths = typed
+                .iter()
+                .filter(|(name, value)| !value.is_empty() && !["S", "T", "M", "V", "W"].contains(&name.as_str()));
             for (name, _) in lengths.filter(|_| cycle.name != "G101") {
                 let mut fields = picture.shapes.iter().filter_map(|shape| shape.field);
                 let axial = name == super::axis_name(plane.axes()[2]) && cycle.name == "G110";
-                assert!(
-                    axial || fields.any(|field| field == name),
-                    "{} {name}",
-                    cycle.name
-                );
+                assert!(axial || fields.any(|field| field == name), "{} {name}", cycle.name);
             }
             for number in ["0", "-1", "1e-9", "1e6", "-1e6", "x"] {
                 let values = inputs.numbers.keys();
@@ -118,11 +93,7 @@ fn pictures_show_the_call_and_stay_on_the_paper() {
                 let points = shapes.iter().flat_map(|shape| &shape.points);
                 let centres = shapes.iter().filter_map(|shape| shape.circle.as_ref());
                 let mut all = points.chain(centres.map(|(centre, _)| centre)).flatten();
-                assert!(
-                    all.all(|value| value.is_finite() && value.abs() < 1e9),
-                    "{}",
-                    cycle.name
-                );
+                assert!(all.all(|value| value.is_finite() && value.abs() < 1e9), "{}", cycle.name);
             }
         }
     }

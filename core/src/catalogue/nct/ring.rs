@@ -24,13 +24,7 @@ pub const D: Param = Param {
 
 /// A value of the calibration: stands in the basic system of the machine (C:92-94).
 pub const fn value(name: &'static str, key: &'static str, source: &'static str) -> ResultField {
-    ResultField {
-        name,
-        key,
-        when: When::Always,
-        unit: Unit::BasicLength,
-        source,
-    }
+    ResultField { name, key, when: When::Always, unit: Unit::BasicLength, source }
 }
 
 /// A ring without room for the ball.
@@ -67,14 +61,9 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let diameter = inputs.given("D").filter(|d| *d > 0.0).unwrap_or(50.0);
     let mut start = [0.0; 3];
     start[applicate] = -10.0;
-    let shape = Shape::Hole {
-        diameter,
-        depth: 30.0,
-    };
+    let shape = Shape::Hole { diameter, depth: 30.0 };
     Proposal {
-        workpiece: Workpiece {
-            solids: vec![part::in_plane(shape, [0.0; 3], control)],
-        },
+        workpiece: Workpiece { solids: vec![part::in_plane(shape, [0.0; 3], control)] },
         start,
         ..Proposal::default()
     }
@@ -98,16 +87,10 @@ pub fn picture(inputs: &Inputs) -> Picture {
     }
     let below = -radius * 0.45;
     shapes.push(dimension("D", [-radius, below], [radius, below]));
-    Picture {
-        view: View::Plane,
-        shapes,
-    }
+    Picture { view: View::Plane, shapes }
 }
 
 fn touched(way: [f64; 2], radius: f64, ball: f64) -> [PictureShape; 2] {
     let at = |distance: f64| way.map(|part| part * distance);
-    [
-        line(ShapeKind::Path, vec![[0.0; 2], at(radius - ball)]),
-        circle(ShapeKind::Touch, at(radius), ball * 0.3),
-    ]
+    [line(ShapeKind::Path, vec![[0.0; 2], at(radius - ball)]), circle(ShapeKind::Touch, at(radius), ball * 0.3)]
 }

@@ -14,29 +14,13 @@ use crate::workpiece::{Shape, Workpiece};
 
 /// Height of a surface across the tool axis: X, in the plane of which it is that axis. Key and place in the manual are
 /// those of the macro.
-pub const X: Param = Param {
-    name: "X",
-    needs: &[along_tool(Plane::G19)],
-    ..HEIGHT
-};
+pub const X: Param = Param { name: "X", needs: &[along_tool(Plane::G19)], ..HEIGHT };
 /// The same for Y.
-pub const Y: Param = Param {
-    name: "Y",
-    needs: &[along_tool(Plane::G18)],
-    ..HEIGHT
-};
+pub const Y: Param = Param { name: "Y", needs: &[along_tool(Plane::G18)], ..HEIGHT };
 /// The same for Z.
-pub const Z: Param = Param {
-    name: "Z",
-    needs: &[along_tool(Plane::G17)],
-    ..HEIGHT
-};
+pub const Z: Param = Param { name: "Z", needs: &[along_tool(Plane::G17)], ..HEIGHT };
 
-const HEIGHT: Param = Param {
-    unit: Unit::ActiveLength,
-    alarm: Some(FORMAT_ERROR),
-    ..PARAM
-};
+const HEIGHT: Param = Param { unit: Unit::ActiveLength, alarm: Some(FORMAT_ERROR), ..PARAM };
 
 const fn along_tool(tool_axis_in: Plane) -> Need {
     required(When::Plane(tool_axis_in), "need-nct-tool-axis")
@@ -51,12 +35,7 @@ pub struct Wall {
 }
 
 /// Way of the ball from its place to the nominal wall, +1 or −1; none where it stands there.
-pub fn direction(
-    machine: &mut dyn Machine,
-    axis: usize,
-    index: usize,
-    nominal: f64,
-) -> Result<f64, Stop> {
+pub fn direction(machine: &mut dyn Machine, axis: usize, index: usize, nominal: f64) -> Result<f64, Stop> {
     let ball = machine.position()[axis] + Calibration::of(machine, index).offset;
     if nominal == ball {
         return Err(Stop::Alarm(NO_MOVEMENT));
@@ -66,12 +45,7 @@ pub fn direction(
 
 /// Touches a wall across the first (0) or second (1) axis of the plane from where the machine stands; ends at the wall.
 /// `past`: overtravel past the nominal wall, mm.
-pub fn touch_wall(
-    machine: &mut dyn Machine,
-    index: usize,
-    nominal: f64,
-    past: f64,
-) -> Result<Wall, Stop> {
+pub fn touch_wall(machine: &mut dyn Machine, index: usize, nominal: f64, past: f64) -> Result<Wall, Stop> {
     let axis = machine.control().plane.axes()[index.min(1)];
     let direction = direction(machine, axis, index, nominal)?;
     let spindle = spindle_at(machine, index, nominal, direction);
@@ -80,10 +54,7 @@ pub fn touch_wall(
         return Err(Stop::Alarm(NO_MOVEMENT));
     }
     let contact = touch(machine, axis, end)?;
-    Ok(Wall {
-        position: nominal + contact - spindle,
-        direction,
-    })
+    Ok(Wall { position: nominal + contact - spindle, direction })
 }
 
 /// Coordinate of the spindle when the ball, moving this way, touches a wall, mm.
@@ -94,12 +65,7 @@ pub fn spindle_at(machine: &mut dyn Machine, index: usize, wall: f64, direction:
 
 /// Touches a surface downwards along the tool axis; its coordinate. The length of the stylus ends where the ball
 /// touches (G104), so that no radius counts.
-pub fn touch_axially(
-    machine: &mut dyn Machine,
-    applicate: usize,
-    nominal: f64,
-    past: f64,
-) -> Result<f64, Stop> {
+pub fn touch_axially(machine: &mut dyn Machine, applicate: usize, nominal: f64, past: f64) -> Result<f64, Stop> {
     let end = nominal - past;
     if end >= machine.position()[applicate] {
         return Err(Stop::Alarm(NO_MOVEMENT));
@@ -115,9 +81,7 @@ pub fn propose_axially(inputs: &Inputs, control: &Control) -> Proposal {
     start[applicate] = top[applicate] + 50.0;
     let size = [100.0, 100.0, 60.0];
     Proposal {
-        workpiece: Workpiece {
-            solids: vec![part::in_plane(Shape::Block { size }, top, control)],
-        },
+        workpiece: Workpiece { solids: vec![part::in_plane(Shape::Block { size }, top, control)] },
         start,
         ..Proposal::default()
     }
@@ -155,10 +119,7 @@ pub fn axial_picture(inputs: &Inputs) -> Picture {
     }
     let band = |half: f64| corners([0.0; 2], [2.0 * FACE, 2.0 * half]);
     shapes.extend(limits(inputs, band));
-    Picture {
-        view: View::Section,
-        shapes,
-    }
+    Picture { view: View::Section, shapes }
 }
 
 /// Bands of H and U, where they are given; wider than they are.

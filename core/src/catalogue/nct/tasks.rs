@@ -4,13 +4,8 @@ use crate::catalogue::When;
 use crate::catalogue::task::{Meaning, Shared, Task};
 
 /// S, T, H, U and Q mean the same in all of them (C:475-501).
-const LIMITS: [(&str, Meaning); 5] = [
-    ("Q", Meaning::Reach),
-    ("S", Meaning::Zero),
-    ("T", Meaning::Tool),
-    ("H", Meaning::Half),
-    ("U", Meaning::Limit),
-];
+const LIMITS: [(&str, Meaning); 5] =
+    [("Q", Meaning::Reach), ("S", Meaning::Zero), ("T", Meaning::Tool), ("H", Meaning::Half), ("U", Meaning::Limit)];
 
 const fn with_limits<const N: usize, const M: usize>(
     own: [(&'static str, Meaning); N],
@@ -34,18 +29,11 @@ pub const OUTSIDE: &[(&str, Meaning)] = &with_limits::<4, 9>([
     ("Z", Meaning::NominalInAxis),
 ]);
 /// A corner, with the work offset that it moves.
-pub const CORNER: &[(&str, Meaning)] = &[
-    ("X", Meaning::CornerInAxis),
-    ("Y", Meaning::CornerInAxis),
-    ("Z", Meaning::CornerInAxis),
-    ("S", Meaning::Zero),
-];
+pub const CORNER: &[(&str, Meaning)] =
+    &[("X", Meaning::CornerInAxis), ("Y", Meaning::CornerInAxis), ("Z", Meaning::CornerInAxis), ("S", Meaning::Zero)];
 /// A width or a coordinate, by the address of its axis.
-pub const IN_AXIS: &[(&str, Meaning)] = &with_limits::<3, 8>([
-    ("X", Meaning::NominalInAxis),
-    ("Y", Meaning::NominalInAxis),
-    ("Z", Meaning::NominalInAxis),
-]);
+pub const IN_AXIS: &[(&str, Meaning)] =
+    &with_limits::<3, 8>([("X", Meaning::NominalInAxis), ("Y", Meaning::NominalInAxis), ("Z", Meaning::NominalInAxis)]);
 
 /// A task of a macro.
 pub const fn task(
@@ -54,11 +42,5 @@ pub const fn task(
     variant: i64,
     values: &'static [(&'static str, Meaning)],
 ) -> Shared {
-    Shared {
-        task,
-        when: When::Variant(variants),
-        variant,
-        tool: None,
-        values,
-    }
+    Shared { task, when: When::Variant(variants), variant, tool: None, values }
 }

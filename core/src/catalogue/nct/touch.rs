@@ -35,20 +35,12 @@ impl Calibration {
         let control = machine.control();
         let names = [["#504", "#500", "#501"], ["#505", "#502", "#503"]][index.min(1)];
         let [offset, plus, minus] = names.map(|name| control.basic_length(name));
-        Calibration {
-            offset,
-            plus,
-            minus,
-        }
+        Calibration { offset, plus, minus }
     }
 
     /// Effective ball radius when moving in this direction (±1).
     pub fn radius(&self, direction: f64) -> f64 {
-        if direction > 0.0 {
-            self.plus
-        } else {
-            self.minus
-        }
+        if direction > 0.0 { self.plus } else { self.minus }
     }
 }
 

@@ -67,11 +67,7 @@ pub fn chord(machine: &mut dyn Machine, walls: &Walls, index: usize) -> Result<C
     let ball_at = spindle.map(|position| position + calibration.offset);
     let (upper, lower) = (calibration.radius(moving), calibration.radius(-moving));
     let wall = [ball_at[0] + moving * upper, ball_at[1] - moving * lower];
-    Ok(Chord {
-        middle: (wall[0] + wall[1]) / 2.0,
-        half: (ball_at[0] - ball_at[1]) / 2.0,
-        ball: (upper + lower) / 2.0,
-    })
+    Ok(Chord { middle: (wall[0] + wall[1]) / 2.0, half: (ball_at[0] - ball_at[1]) / 2.0, ball: (upper + lower) / 2.0 })
 }
 
 /// Touches along one axis towards both ends, the + side first, from where the machine stands and back to there each
@@ -96,8 +92,7 @@ fn touch_outside(
     side: f64,
 ) -> Result<f64, Stop> {
     let applicate = walls.axes[2];
-    let wall = walls.start[axis] + side * (walls.size / 2.0 + calibration.radius(-side))
-        - calibration.offset;
+    let wall = walls.start[axis] + side * (walls.size / 2.0 + calibration.radius(-side)) - calibration.offset;
     let beside = wall + side * outside.clearance;
     travel(machine, axis, beside)?;
     travel(machine, applicate, outside.depth)?;

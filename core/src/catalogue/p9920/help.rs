@@ -11,11 +11,7 @@ const AT_DIAMETER: When = When::Variant(&[DIAMETER]);
 /// All of them.
 pub const LINES: &[HelpLine] = &[
     measures(AT_CALIBRATION, "help-p9920-measures-probe", "C:1191-1202"),
-    measures(
-        When::Variant(&[LENGTH]),
-        "help-p9920-measures-length",
-        "C:1232-1245",
-    ),
+    measures(When::Variant(&[LENGTH]), "help-p9920-measures-length", "C:1232-1245"),
     measures(AT_DIAMETER, "help-p9920-measures-both", "C:1232-1245"),
     before(When::Always, "help-p9920-before-reference", "C:1204-1206"),
     before(AT_CALIBRATION, "help-p9920-before-centre", "C:1214"),

@@ -12,9 +12,7 @@ mod simulate;
 mod tests;
 mod touch;
 
-use super::{
-    Cycle, Dialect, Drawing, Help, MachineSort, ProbeUse, Purpose, Simulation, Variant, When, Work,
-};
+use super::{Cycle, Dialect, Drawing, Help, MachineSort, ProbeUse, Purpose, Simulation, Variant, When, Work};
 use crate::diagnostic::Code;
 
 /// A reference tool calibrates the probe: T0.
@@ -39,21 +37,9 @@ pub static P9920: Cycle = Cycle {
     name: "G65 P9920",
     key: "p9920",
     variants: &[
-        Variant {
-            number: CALIBRATE,
-            key: "p9920-calibrate",
-            source: "C:1208-1228",
-        },
-        Variant {
-            number: LENGTH,
-            key: "p9920-length",
-            source: "C:1232-1258",
-        },
-        Variant {
-            number: DIAMETER,
-            key: "p9920-diameter",
-            source: "C:1232-1258",
-        },
+        Variant { number: CALIBRATE, key: "p9920-calibrate", source: "C:1208-1228" },
+        Variant { number: LENGTH, key: "p9920-length", source: "C:1232-1258" },
+        Variant { number: DIAMETER, key: "p9920-diameter", source: "C:1232-1258" },
     ],
     params: params::PARAMS,
     purpose: Purpose {
@@ -70,12 +56,6 @@ pub static P9920: Cycle = Cycle {
     help: Help::new(&[help::LINES]),
     picture: Drawing::new(picture::picture),
     example: &[("Z", "-8"), ("D", "12"), ("T", "1")],
-    simulation: Some(Simulation::new(
-        Work {
-            propose: propose::propose,
-            simulate: simulate::simulate,
-        },
-        &[],
-    )),
+    simulation: Some(Simulation::new(Work { propose: propose::propose, simulate: simulate::simulate }, &[])),
     source: "C:1185-1258",
 };

@@ -12,29 +12,14 @@ const AT_MEASUREMENT: When = When::Variant(&[LENGTH, DIAMETER]);
 const BESIDE: When = When::Variant(&[CALIBRATE, DIAMETER]);
 
 /// A length that may be left out.
-const LENGTH_GIVEN: Param = Param {
-    unit: Unit::ActiveLength,
-    needs: &[optional(When::Always, "need-nct-optional")],
-    ..PARAM
-};
+const LENGTH_GIVEN: Param =
+    Param { unit: Unit::ActiveLength, needs: &[optional(When::Always, "need-nct-optional")], ..PARAM };
 
 /// T says what is done: 0 calibrates, a register is measured into (C:1219, C:1239).
 const BY_REGISTER: &[Chooses] = &[
-    Chooses {
-        when: When::All(&[When::Given("T"), When::Given("K")]),
-        variant: DIAMETER,
-        typed: "1",
-    },
-    Chooses {
-        when: When::Given("T"),
-        variant: LENGTH,
-        typed: "1",
-    },
-    Chooses {
-        when: When::Always,
-        variant: CALIBRATE,
-        typed: "0",
-    },
+    Chooses { when: When::All(&[When::Given("T"), When::Given("K")]), variant: DIAMETER, typed: "1" },
+    Chooses { when: When::Given("T"), variant: LENGTH, typed: "1" },
+    Chooses { when: When::Always, variant: CALIBRATE, typed: "0" },
 ];
 
 /// How the tool turns (C:1240, C:1251).
@@ -52,10 +37,7 @@ pub const PARAMS: &[Param] = &[
         name: "Z",
         key: "p9920-z",
         unit: Unit::ActiveLength,
-        range: Range {
-            max: 0.0,
-            ..Range::ANY
-        },
+        range: Range { max: 0.0, ..Range::ANY },
         needs: ALWAYS_REQUIRED,
         source: "C:1216;C:1236",
         ..PARAM
@@ -66,11 +48,7 @@ pub const PARAMS: &[Param] = &[
         range: Range::POSITIVE,
         usual: Range::closed(2.0, 30.0), // "about 2 mm" at least, C:1252
         needs: &[optional(AT_MEASUREMENT, "need-p9920-k")],
-        chooses: &[Chooses {
-            when: When::Given("T"),
-            variant: DIAMETER,
-            typed: "5",
-        }],
+        chooses: &[Chooses { when: When::Given("T"), variant: DIAMETER, typed: "5" }],
         source: "C:1237;C:1252",
         ..LENGTH_GIVEN
     },
@@ -78,10 +56,7 @@ pub const PARAMS: &[Param] = &[
         name: "D",
         key: "p9920-d",
         range: Range::NOT_NEGATIVE,
-        needs: &[
-            required(AT_CALIBRATION, "need-p9920-reference"),
-            optional(When::Always, "need-p9920-d"),
-        ],
+        needs: &[required(AT_CALIBRATION, "need-p9920-reference"), optional(When::Always, "need-p9920-d")],
         labels: &[(AT_CALIBRATION, "p9920-d-reference")],
         source: "C:1217;C:1238;C:1256",
         ..LENGTH_GIVEN
@@ -129,11 +104,5 @@ pub const PARAMS: &[Param] = &[
         source: "C:1221;C:1242",
         ..LENGTH_GIVEN
     },
-    Param {
-        name: "S",
-        key: "p9920-s",
-        range: Range::POSITIVE,
-        source: "C:1222;C:1243",
-        ..NUMBER
-    },
+    Param { name: "S", key: "p9920-s", range: Range::POSITIVE, source: "C:1222;C:1243", ..NUMBER },
 ];

@@ -43,21 +43,14 @@ pub fn picture(inputs: &Inputs) -> Picture {
     let mut shapes = probe();
     from_above(inputs, &scene, &mut shapes);
     from_the_side(inputs, &scene, &mut shapes);
-    Picture {
-        view: View::Plane,
-        shapes,
-    }
+    Picture { view: View::Plane, shapes }
 }
 
 /// The disk in both views, with the stem at the side.
 fn probe() -> Vec<PictureShape> {
     vec![
         circle(ShapeKind::Material, [0.0; 2], DISK),
-        rectangle(
-            ShapeKind::Material,
-            [SIDE, -THICK / 2.0],
-            [2.0 * DISK, THICK],
-        ),
+        rectangle(ShapeKind::Material, [SIDE, -THICK / 2.0], [2.0 * DISK, THICK]),
         rectangle(ShapeKind::Material, [SIDE, -THICK - 8.0], [6.0, 16.0]),
         line(ShapeKind::Axis, vec![[-DISK * 1.3, 0.0], [DISK * 1.3, 0.0]]),
         line(ShapeKind::Axis, vec![[0.0, -DISK * 1.3], [0.0, DISK * 1.3]]),
@@ -74,10 +67,7 @@ fn from_above(inputs: &Inputs, scene: &Scene, shapes: &mut Vec<PictureShape>) {
     for [x, y] in sides {
         let at = |distance: f64| [x * distance, y * distance];
         shapes.push(circle(ShapeKind::Probe, at(scene.beside), scene.radius));
-        shapes.push(line(
-            ShapeKind::Path,
-            vec![at(scene.beside), at(DISK + scene.radius)],
-        ));
+        shapes.push(line(ShapeKind::Path, vec![at(scene.beside), at(DISK + scene.radius)]));
         shapes.push(circle(ShapeKind::Touch, at(DISK), 1.2));
     }
     shapes.push(circle(ShapeKind::Probe, [scene.above, 0.0], scene.radius).of("T"));
@@ -95,11 +85,7 @@ fn from_above(inputs: &Inputs, scene: &Scene, shapes: &mut Vec<PictureShape>) {
         }
     }
     if inputs.given("M").is_some_and(|turning| turning != 5.0) {
-        let turn = if matches!(inputs.integer("M"), 3 | 13) {
-            -250.0
-        } else {
-            250.0
-        };
+        let turn = if matches!(inputs.integer("M"), 3 | 13) { -250.0 } else { 250.0 };
         let [band, arc] = swept("M", scene.radius * 1.25, 90.0, 90.0 + turn);
         shapes.extend([band, arc].map(|shape| moved(shape, scene.above)));
     }

@@ -18,11 +18,7 @@ const MILL: i64 = 120;
 /// Disk, tool and start.
 pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let calibration = inputs.variant == CALIBRATE;
-    let register = if calibration {
-        control.edge
-    } else {
-        inputs.integer("T")
-    };
+    let register = if calibration { control.edge } else { inputs.integer("T") };
     let wide = diameter(inputs, control);
     let assumed = match inputs.given("H") {
         Some(length) if calibration && length > 0.0 => length,
@@ -43,12 +39,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
             tool: 0,
             name: String::new(),
             edge: register,
-            data: Edge {
-                kind: MILL,
-                length: [length, 0.0, 0.0],
-                radius: wide / 2.0,
-                ..Edge::default()
-            },
+            data: Edge { kind: MILL, length: [length, 0.0, 0.0], radius: wide / 2.0, ..Edge::default() },
         }],
         tool_probes: vec![ToolProbe::ideal(disk(control, [x, y, top]))],
         ..Proposal::default()
@@ -62,15 +53,6 @@ fn place(control: &Control) -> [f64; 3] {
 }
 
 fn disk(control: &Control, at: [f64; 3]) -> Solid {
-    let shape = Shape::Turned {
-        diameter: control.basic_length("#509").max(1.0),
-        length: DISK,
-        bore: [0.0; 2],
-    };
-    Solid {
-        shape,
-        at,
-        rotation: [0.0; 3],
-        errors: PartErrors::default(),
-    }
+    let shape = Shape::Turned { diameter: control.basic_length("#509").max(1.0), length: DISK, bore: [0.0; 2] };
+    Solid { shape, at, rotation: [0.0; 3], errors: PartErrors::default() }
 }

@@ -15,15 +15,9 @@ pub const RESULTS: &[ResultField] = &[
         when: When::Variant(&[LENGTH, DIAMETER]),
         ..params::length("LENGTH", "result-p9920-length", "C:1245")
     },
-    ResultField {
-        when: When::Variant(&[DIAMETER]),
-        ..params::length("DIAMETER", "result-p9920-diameter", "C:1245")
-    },
+    ResultField { when: When::Variant(&[DIAMETER]), ..params::length("DIAMETER", "result-p9920-diameter", "C:1245") },
 ];
 
 const fn calibrated(name: &'static str, key: &'static str, source: &'static str) -> ResultField {
-    ResultField {
-        when: When::Variant(&[CALIBRATE]),
-        ..ring::value(name, key, source)
-    }
+    ResultField { when: When::Variant(&[CALIBRATE]), ..ring::value(name, key, source) }
 }

@@ -120,10 +120,7 @@ fn across(
         *contact = touch(machine, axis, over[axis], feeds, over)?;
         leave(machine, out)?;
     }
-    Ok(Across {
-        middle: (contacts[0] + contacts[1]) / 2.0,
-        half: (contacts[0] - contacts[1]) / 2.0,
-    })
+    Ok(Across { middle: (contacts[0] + contacts[1]) / 2.0, half: (contacts[0] - contacts[1]) / 2.0 })
 }
 
 /// From the centre of the disk to the axis of a tool that sinks beside it, mm.

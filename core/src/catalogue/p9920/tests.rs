@@ -1,9 +1,7 @@
 //! G65 P9920: a calibrated probe finds every tool again, and each way to fail is told.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use super::{
-    CALIBRATE, DEPRESSED, DIAMETER, INCORRECT, LENGTH, MEASURING_DEVICE, P9920, TOO_SMALL,
-};
+use super::{CALIBRATE, DEPRESSED, DIAMETER, INCORRECT, LENGTH, MEASURING_DEVICE, P9920, TOO_SMALL};
 use crate::catalogue::nct::bench::{PLANES, call, length, near};
 use crate::control::{Edge, Plane, Units};
 use crate::diagnostic::Code;
@@ -21,33 +19,19 @@ const REFERENCE: i64 = 99;
 const TOOL: i64 = 7;
 
 fn cutter(radius: f64, length: f64) -> Tool {
-    Tool {
-        length: [length, 0.0, 0.0],
-        cut: Cut::Cutter(Cutter::smooth(radius)),
-    }
+    Tool { length: [length, 0.0, 0.0], cut: Cut::Cutter(Cutter::smooth(radius)) }
 }
 
 /// A machine whose disk of 40 mm stands elsewhere than its data say, the reference tool of 20 by 100 mm above it.
 fn machine(plane: Plane) -> Setup {
     let mut setup = Setup::for_cycle(&P9920, plane);
     setup.tool_probes = vec![ToolProbe::ideal(Solid {
-        shape: Shape::Turned {
-            diameter: 40.0,
-            length: 15.0,
-            bore: [0.0; 2],
-        },
+        shape: Shape::Turned { diameter: 40.0, length: 15.0, bore: [0.0; 2] },
         at: DISK,
         rotation: [0.0; 3],
-        errors: PartErrors {
-            size: 0.8,
-            ..PartErrors::default()
-        },
+        errors: PartErrors { size: 0.8, ..PartErrors::default() },
     })];
-    *setup.control.register_mut(REFERENCE) = Edge {
-        length: [100.0, 0.0, 0.0],
-        radius: 10.0,
-        ..Edge::default()
-    };
+    *setup.control.register_mut(REFERENCE) = Edge { length: [100.0, 0.0, 0.0], radius: 10.0, ..Edge::default() };
     over(&mut setup, REFERENCE, 100.0, [0.0; 2]);
     setup
 }
@@ -65,20 +49,12 @@ fn after(setup: &Setup, outcome: Outcome) -> Setup {
     assert_eq!(outcome.stop, None);
     assert_eq!(outcome.control.edge, 0, "G49 (C:1258)");
     assert_eq!(outcome.control.plane, setup.control.plane);
-    Setup {
-        control: outcome.control,
-        position: outcome.position,
-        ..setup.clone()
-    }
+    Setup { control: outcome.control, position: outcome.position, ..setup.clone() }
 }
 
 fn calibrated(setup: &Setup) -> Setup {
     let [z, d, h] = [-8.0, 20.0, 100.0].map(|value| length(setup, value));
-    let outcome = call(
-        &P9920,
-        &[("Z", &z), ("D", &d), ("H", &h), ("T", "0")],
-        setup,
-    );
+    let outcome = call(&P9920, &[("Z", &z), ("D", &d), ("H", &h), ("T", "0")], setup);
     after(setup, outcome)
 }
 
@@ -135,12 +111,7 @@ fn the_reference_tool_goes_round_the_disk() {
     let steps = outcome.trace.entries.iter().map(|entry| &entry.step);
     let begins: Vec<[f64; 3]> = steps
         .filter_map(|step| match step {
-            Step::Motion {
-                kind: MotionKind::Measuring,
-                from,
-                feed,
-                ..
-            } if *feed == 750.0 => Some(*from),
+            Step::Motion { kind: MotionKind::Measuring, from, feed, .. } if *feed == 750.0 => Some(*from),
             _ => None,
         })
         .collect();
@@ -178,14 +149,8 @@ proptest! {
 #[test]
 fn a_turning_tool_shows_its_widest_edge() {
     let probe = calibrated(&machine(Plane::G17));
-    let two = |angle: f64| Tool {
-        cut: Cut::Cutter(Cutter {
-            teeth: 2,
-            angle,
-            ..Cutter::smooth(6.0)
-        }),
-        ..cutter(6.0, 90.0)
-    };
+    let two =
+        |angle: f64| Tool { cut: Cut::Cutter(Cutter { teeth: 2, angle, ..Cutter::smooth(6.0) }), ..cutter(6.0, 90.0) };
     let setup = with_tool(&probe, two(90.0));
     for (turning, widest) in [("13", true), ("14", true), ("3", true), ("5", false)] {
         let values = [("K", "4"), ("D", "12"), ("M", turning)];
@@ -206,11 +171,7 @@ fn the_feed_of_a_turning_tool_follows_its_speed() {
     let steps = outcome.trace.entries.iter().map(|entry| &entry.step);
     let feeds: Vec<f64> = steps
         .filter_map(|step| match step {
-            Step::Motion {
-                kind: MotionKind::Measuring,
-                feed,
-                ..
-            } => Some(*feed),
+            Step::Motion { kind: MotionKind::Measuring, feed, .. } => Some(*feed),
             _ => None,
         })
         .collect();
@@ -222,13 +183,7 @@ fn the_feed_of_a_turning_tool_follows_its_speed() {
 #[test]
 fn the_length_alone() {
     let probe = calibrated(&machine(Plane::G17));
-    let drill = Tool {
-        cut: Cut::Cutter(Cutter {
-            chamfer: [5.0, 3.0],
-            ..Cutter::smooth(5.0)
-        }),
-        ..cutter(5.0, 110.0)
-    };
+    let drill = Tool { cut: Cut::Cutter(Cutter { chamfer: [5.0, 3.0], ..Cutter::smooth(5.0) }), ..cutter(5.0, 110.0) };
     let setup = with_tool(&probe, drill);
     let outcome = measured(&setup, &[("D", "0")]);
     near(outcome.control.number("LENGTH"), 110.0);
@@ -268,16 +223,9 @@ fn what_goes_wrong_ends_at_the_start() {
     assert_eq!(stop(&setup, &thick), alarm(TOO_SMALL));
     let mut narrow = setup.clone();
     narrow.tool_probes[0].solid.at[0] -= 15.0;
-    narrow.tool_probes[0].solid.shape = Shape::Turned {
-        diameter: 29.0,
-        length: 2.0,
-        bore: [0.0; 2],
-    };
+    narrow.tool_probes[0].solid.shape = Shape::Turned { diameter: 29.0, length: 2.0, bore: [0.0; 2] };
     let deep = [("Z", "-8"), ("T", "7"), ("D", "0"), ("K", "4")];
-    assert_eq!(
-        super::super::nct::bench::codes(&P9920, &deep, Plane::G17).len(),
-        1
-    );
+    assert_eq!(super::super::nct::bench::codes(&P9920, &deep, Plane::G17).len(), 1);
     let missed = [("Z", "-8"), ("T", "7"), ("D", "12"), ("K", "4")];
     assert_eq!(stop(&narrow, &missed), alarm(INCORRECT));
 }

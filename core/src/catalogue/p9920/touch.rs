@@ -1,5 +1,5 @@
-//! How a tool touches the disk: quickly, back, slowly. Places are those of the spindle nose in machine coordinates, as the
-//! macro works in G49 from the reference point (C:1193-1200, C:1258).
+//! How a tool touches the disk: quickly, back, slowly. Places are those of the spindle nose in machine coordinates, as
+//! the macro works in G49 from the reference point (C:1193-1200, C:1258).
 
 use super::{INCORRECT, TOO_SMALL};
 use crate::catalogue::nct::touch::{BACK, MEDIUM, POSITIONING, SLOW};
@@ -24,24 +24,15 @@ pub fn feed_and_speed(machine: &mut dyn Machine, inputs: &Inputs) -> (f64, f64) 
     let control = machine.control();
     let feed = inputs.given("F");
     let speed = inputs.given("S");
-    (
-        feed.unwrap_or_else(|| control.basic_length("#512")),
-        speed.unwrap_or_else(|| control.number("#511")),
-    )
+    (feed.unwrap_or_else(|| control.basic_length("#512")), speed.unwrap_or_else(|| control.number("#511")))
 }
 
 impl Feeds {
     /// Of a tool that turns at this speed, or stands.
     pub fn of(feed: f64, speed: Option<f64>) -> Feeds {
         match speed {
-            None => Feeds {
-                fast: feed,
-                slow: SLOW.min(feed),
-            },
-            Some(speed) => Feeds {
-                fast: feed.min(PER_TURN[0] * speed),
-                slow: SLOW.min(feed).min(PER_TURN[1] * speed),
-            },
+            None => Feeds { fast: feed, slow: SLOW.min(feed) },
+            Some(speed) => Feeds { fast: feed.min(PER_TURN[0] * speed), slow: SLOW.min(feed).min(PER_TURN[1] * speed) },
         }
     }
 }
@@ -92,13 +83,7 @@ pub fn sink(machine: &mut dyn Machine, height: f64, start: [f64; 3]) -> Result<(
 
 /// Touches along one axis; where the spindle nose stood. Back by some way then, so that nothing drags along the disk.
 /// No contact ends at the start with INCORRECT PROBING.
-pub fn touch(
-    machine: &mut dyn Machine,
-    axis: usize,
-    end: f64,
-    feeds: Feeds,
-    start: [f64; 3],
-) -> Result<f64, Stop> {
+pub fn touch(machine: &mut dyn Machine, axis: usize, end: f64, feeds: Feeds, start: [f64; 3]) -> Result<f64, Stop> {
     let from = nose(machine);
     let mut to = from;
     to[axis] = end;

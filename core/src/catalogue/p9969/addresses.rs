@@ -34,62 +34,29 @@ const REQUIRED_LENGTH: Param = Param {
 
 /// In the order of the block format.
 pub const PARAMS: &[Param] = &[
-    Param {
-        name: "X",
-        labels: &[(When::Plane(Plane::G19), "p9969-deepest")],
-        ..END
-    },
-    Param {
-        name: "Y",
-        labels: &[(When::Plane(Plane::G18), "p9969-deepest")],
-        ..END
-    },
-    Param {
-        name: "Z",
-        labels: &[(When::Plane(Plane::G17), "p9969-deepest")],
-        ..END
-    },
+    Param { name: "X", labels: &[(When::Plane(Plane::G19), "p9969-deepest")], ..END },
+    Param { name: "Y", labels: &[(When::Plane(Plane::G18), "p9969-deepest")], ..END },
+    Param { name: "Z", labels: &[(When::Plane(Plane::G17), "p9969-deepest")], ..END },
     Param {
         name: "I",
-        needs: &[optional(
-            When::Any(&[When::Plane(Plane::G17), When::Plane(Plane::G18)]),
-            "need-p9969-spacing",
-        )],
+        needs: &[optional(When::Any(&[When::Plane(Plane::G17), When::Plane(Plane::G18)]), "need-p9969-spacing")],
         source: "C:1289-1295",
         ..SPACING
     },
     Param {
         name: "J",
-        needs: &[optional(
-            When::Any(&[When::Plane(Plane::G17), When::Plane(Plane::G19)]),
-            "need-p9969-spacing",
-        )],
+        needs: &[optional(When::Any(&[When::Plane(Plane::G17), When::Plane(Plane::G19)]), "need-p9969-spacing")],
         source: "C:1286-1307",
         ..SPACING
     },
     Param {
         name: "K",
-        needs: &[optional(
-            When::Any(&[When::Plane(Plane::G18), When::Plane(Plane::G19)]),
-            "need-p9969-spacing",
-        )],
+        needs: &[optional(When::Any(&[When::Plane(Plane::G18), When::Plane(Plane::G19)]), "need-p9969-spacing")],
         source: "C:1298-1304",
         ..SPACING
     },
-    Param {
-        name: "R",
-        key: "p9969-r",
-        usual: Range::closed(0.01, 5.0),
-        source: "C:1316",
-        ..REQUIRED_LENGTH
-    },
-    Param {
-        name: "Q",
-        key: "p9969-q",
-        usual: Range::closed(0.1, 20.0),
-        source: "C:1317",
-        ..REQUIRED_LENGTH
-    },
+    Param { name: "R", key: "p9969-r", usual: Range::closed(0.01, 5.0), source: "C:1316", ..REQUIRED_LENGTH },
+    Param { name: "Q", key: "p9969-q", usual: Range::closed(0.1, 20.0), source: "C:1317", ..REQUIRED_LENGTH },
     Param {
         name: "F",
         key: "p9969-f",
@@ -100,13 +67,7 @@ pub const PARAMS: &[Param] = &[
         source: "C:1318-1321",
         ..PARAM
     },
-    Param {
-        name: "S",
-        key: "p9969-s",
-        range: Range::closed(1.0, 9999.0),
-        source: "C:1322",
-        ..NUMBER
-    },
+    Param { name: "S", key: "p9969-s", range: Range::closed(1.0, 9999.0), source: "C:1322", ..NUMBER },
 ];
 
 /// The address that is given, of the two that step along an axis of the plane, with the axis of the lines and the axis

@@ -13,12 +13,6 @@ pub fn checks(inputs: &Inputs, _: &Control, findings: &mut Vec<Diagnostic>) {
         return;
     }
     let [first, second, _] = inputs.plane.axes().map(letter);
-    let message = Message::new("p9969-one-spacing")
-        .text("first", first)
-        .text("second", second);
-    findings.push(
-        error(FORMAT_ERROR, message)
-            .hint(Message::new("p9969-one-spacing-hint"))
-            .at(second),
-    );
+    let message = Message::new("p9969-one-spacing").text("first", first).text("second", second);
+    findings.push(error(FORMAT_ERROR, message).hint(Message::new("p9969-one-spacing-hint")).at(second));
 }

@@ -1,12 +1,13 @@
-//! How the surface is followed, point by point (C:1278-1317, C:1336-1339). What each part stands for is named beside it:
+//! How the surface is followed, point by point (C:1278-1317, C:1336-1339). What each part stands for is named beside
+//! it:
 //! RAPID WHEN SCANNING (O9960), PROBE FOR SCANNING (O9961), PROBE RETRACT (O9963), STEP (O9964), PROBE CHECK (O9966),
 //! AXIAL PROBE (O9967), RADIAL PROBE (O9968), PROBE STATUS (O9984), IN POSITION CHECK (O9985).
 
 use super::addresses::spacing;
 use crate::catalogue::nct::touch::{Calibration, POSITIONING};
 use crate::catalogue::nct::{
-    self, FALSE_TRIGGER, FORMAT_ERROR, OUT_OF_POSITION, PATH_OBSTRUCTED, SCANNING_FAIL,
-    SCANNING_OBSTRUCTED, STYLUS_IN_CONTACT, axis_name,
+    self, FALSE_TRIGGER, FORMAT_ERROR, OUT_OF_POSITION, PATH_OBSTRUCTED, SCANNING_FAIL, SCANNING_OBSTRUCTED,
+    STYLUS_IN_CONTACT, axis_name,
 };
 use crate::check::Inputs;
 use crate::diagnostic::Code;
@@ -82,19 +83,9 @@ pub fn scanner(machine: &mut dyn Machine, inputs: &Inputs) -> Result<Box<dyn Sca
     layout.accuracy = layout.rate * ACCURACY;
     layout.number = inputs.given("S").map(|number| number as i64);
     let calibrations = [0, 1].map(|index| Calibration::of(machine, index));
-    layout.radius = calibrations
-        .iter()
-        .map(|one| one.plus + one.minus)
-        .sum::<f64>()
-        / 4.0;
+    layout.radius = calibrations.iter().map(|one| one.plus + one.minus).sum::<f64>() / 4.0;
     let mut offset = [0.0; 3];
-    for (axis, one) in machine
-        .control()
-        .plane
-        .axes()
-        .into_iter()
-        .zip(&calibrations)
-    {
+    for (axis, one) in machine.control().plane.axes().into_iter().zip(&calibrations) {
         offset[axis] = one.offset;
     }
     let mut corner = end;
@@ -155,11 +146,7 @@ impl Scanner for Follow {
         let [from, to] = self.ends();
         let reached = self.last.map_or(from, |[at, _]| at);
         let way = self.end[along] - self.start[along];
-        let part = if way == 0.0 {
-            0.0
-        } else {
-            (reached - from) / (to - from)
-        };
+        let part = if way == 0.0 { 0.0 } else { (reached - from) / (to - from) };
         ((self.line as f64 + part) / self.lines as f64).clamp(0.0, 1.0)
     }
 
@@ -173,11 +160,7 @@ impl Follow {
     fn ends(&self) -> [f64; 2] {
         let [along, ..] = self.layout.axes;
         let ends = [self.start[along], self.end[along]];
-        if self.line.is_multiple_of(2) {
-            ends
-        } else {
-            [ends[1], ends[0]]
-        }
+        if self.line.is_multiple_of(2) { ends } else { [ends[1], ends[0]] }
     }
 
     /// Way along this line: +1 or −1.
@@ -195,18 +178,16 @@ impl Follow {
     /// AXIAL PROBE: down to the surface, not below the deepest position (C:1280).
     fn down(&mut self, machine: &mut dyn Machine) -> Result<Option<[f64; 3]>, Stop> {
         let [.., axial] = self.layout.axes;
-        let found = if machine.position()[axial] > self.deepest {
-            self.search(machine, axial, self.deepest)?
-        } else {
-            None
-        };
+        let found =
+            if machine.position()[axial] > self.deepest { self.search(machine, axial, self.deepest)? } else { None };
         if found.is_none() {
             self.state = State::Bottom;
         }
         Ok(found.map(|at| self.found(at, State::Surface)))
     }
 
-    /// PROBE RETRACT and STEP: up by Q, on by R along the tangent, then down. What is met beside is a wall (C:1316-1317).
+    /// PROBE RETRACT and STEP: up by Q, on by R along the tangent, then down. What is met beside is a wall
+    /// (C:1316-1317).
     fn step(&mut self, machine: &mut dyn Machine) -> Result<Option<[f64; 3]>, Stop> {
         let [along, _, axial] = self.layout.axes;
         let rest = self.rest(machine);
@@ -251,11 +232,7 @@ impl Follow {
     fn along_bottom(&mut self, machine: &mut dyn Machine) -> Result<Option<[f64; 3]>, Stop> {
         let [along, ..] = self.layout.axes;
         self.last = None;
-        let found = if self.rest(machine) > NOTHING {
-            self.search(machine, along, self.ends()[1])?
-        } else {
-            None
-        };
+        let found = if self.rest(machine) > NOTHING { self.search(machine, along, self.ends()[1])? } else { None };
         if found.is_none() {
             self.state = State::End;
         }
@@ -271,13 +248,7 @@ impl Follow {
         let way = self.end[across] - self.start[across];
         let done = (self.line as f64 * self.spacing).min(way.abs());
         let to = self.start[across] + done.copysign(way);
-        go(
-            machine,
-            across,
-            to,
-            MotionKind::Positioning,
-            STYLUS_IN_CONTACT,
-        )?;
+        go(machine, across, to, MotionKind::Positioning, STYLUS_IN_CONTACT)?;
         self.state = State::Above;
         self.last = None;
         self.tangent = [1.0, 0.0];
@@ -293,12 +264,7 @@ impl Follow {
 
     /// PROBE FOR SCANNING: along one axis to a position, with the feed that decides over the accuracy. A signal that is
     /// gone when the stylus stands, or that is there before it moves, is no position: up by Q and once more (C:1339).
-    fn search(
-        &self,
-        machine: &mut dyn Machine,
-        axis: usize,
-        to: f64,
-    ) -> Result<Option<[f64; 3]>, Stop> {
+    fn search(&self, machine: &mut dyn Machine, axis: usize, to: f64) -> Result<Option<[f64; 3]>, Stop> {
         let [.., axial] = self.layout.axes;
         for _ in 0..ATTEMPTS {
             let from = machine.position();
@@ -356,13 +322,7 @@ fn free(machine: &mut dyn Machine, axis: usize, to: f64, kind: MotionKind) -> Re
 }
 
 /// Moves along one axis where nothing may be met, `met` being said otherwise. A signal without contact is passed over.
-fn go(
-    machine: &mut dyn Machine,
-    axis: usize,
-    to: f64,
-    kind: MotionKind,
-    met: Code,
-) -> Result<(), Stop> {
+fn go(machine: &mut dyn Machine, axis: usize, to: f64, kind: MotionKind, met: Code) -> Result<(), Stop> {
     for _ in 0..ATTEMPTS {
         let mut target = machine.position();
         target[axis] = to;

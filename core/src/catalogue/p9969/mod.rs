@@ -10,9 +10,7 @@ mod simulate;
 mod tests;
 
 use super::nct::{self, params, part};
-use super::{
-    Cycle, Dialect, Drawing, Help, Proposal, Purpose, ResultField, Simulation, Unit, Variant, Work,
-};
+use super::{Cycle, Dialect, Drawing, Help, Proposal, Purpose, ResultField, Simulation, Unit, Variant, Work};
 use crate::check::Inputs;
 use crate::control::Control;
 use crate::workpiece::free::Example;
@@ -24,11 +22,7 @@ pub static P9969: Cycle = Cycle {
     dialect: Dialect::Nct,
     name: "G65 P9969",
     key: "p9969",
-    variants: &[Variant {
-        number: 0,
-        key: "p9969-rectangle",
-        source: "C:1278",
-    }],
+    variants: &[Variant { number: 0, key: "p9969-rectangle", source: "C:1278" }],
     params: addresses::PARAMS,
     purpose: Purpose::MILLING,
     lists: &[],
@@ -50,32 +44,13 @@ pub static P9969: Cycle = Cycle {
     checks: checks::checks,
     help: Help::new(&[help::HELP]),
     picture: Drawing::new(picture::picture),
-    example: &[
-        ("X", "60"),
-        ("Y", "40"),
-        ("Z", "-12"),
-        ("J", "8"),
-        ("R", "3"),
-        ("Q", "4"),
-        ("F", "120"),
-        ("S", "1000"),
-    ],
-    simulation: Some(Simulation::scanning(
-        Work {
-            propose,
-            simulate: simulate::simulate,
-        },
-        &[],
-        follow::scanner,
-    )),
+    example: &[("X", "60"), ("Y", "40"), ("Z", "-12"), ("J", "8"), ("R", "3"), ("Q", "4"), ("F", "120"), ("S", "1000")],
+    simulation: Some(Simulation::scanning(Work { propose, simulate: simulate::simulate }, &[], follow::scanner)),
     source: "C:1276-1355",
 };
 
 const fn count(name: &'static str, key: &'static str) -> ResultField {
-    ResultField {
-        unit: Unit::None,
-        ..params::length(name, key, "C:1262-1266")
-    }
+    ResultField { unit: Unit::None, ..params::length(name, key, "C:1262-1266") }
 }
 
 /// Rim of the proposed surface beside the rectangle, so that the ball is never at an edge, mm.
@@ -95,8 +70,7 @@ fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     middle[axial] = end(axial) + height + 2.0;
     start[axial] = middle[axial] + 5.0;
     let surface = Example::Waves.heights(size, height).surface();
-    let solids =
-        surface.map(|surface| part::in_plane(Shape::Free(Arc::new(surface)), middle, control));
+    let solids = surface.map(|surface| part::in_plane(Shape::Free(Arc::new(surface)), middle, control));
     Proposal {
         workpiece: Workpiece {
             solids: solids.into_iter().collect(), // none where the rectangle is larger than anything can be

@@ -22,10 +22,7 @@ const BALL: f64 = 3.0;
 pub fn picture(inputs: &Inputs) -> Picture {
     let mut shapes = above(inputs);
     shapes.extend(beside(inputs));
-    Picture {
-        view: View::Plane,
-        shapes,
-    }
+    Picture { view: View::Plane, shapes }
 }
 
 /// Rectangle from the start, which is the zero here, with the way of the stylus.
@@ -39,19 +36,11 @@ fn above(inputs: &Inputs) -> Vec<PictureShape> {
         None => (second, true),
     };
     let swap = |[u, v]: [f64; 2]| if along_first { [u, v] } else { [v, u] };
-    let (length, across) = if along_first {
-        (width, height)
-    } else {
-        (height, width)
-    };
+    let (length, across) = if along_first { (width, height) } else { (height, width) };
     let apart = across / (LINES - 1) as f64;
     let way = (0..LINES).flat_map(|number| {
         let at = number as f64 * apart;
-        let ends = if number % 2 == 0 {
-            [0.0, length]
-        } else {
-            [length, 0.0]
-        };
+        let ends = if number % 2 == 0 { [0.0, length] } else { [length, 0.0] };
         ends.map(|u| swap([u, at]))
     });
     let outline = vec![[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]];
@@ -62,11 +51,7 @@ fn above(inputs: &Inputs) -> Vec<PictureShape> {
         circle(ShapeKind::Probe, [0.0; 2], BALL),
         dimension(axis_name(first), [0.0, -12.0], [width, -12.0]),
         dimension(axis_name(second), [-28.0, 0.0], [-28.0, height]),
-        dimension(
-            letter(step_axis),
-            swap([length + 8.0, 0.0]),
-            swap([length + 8.0, apart]),
-        ),
+        dimension(letter(step_axis), swap([length + 8.0, 0.0]), swap([length + 8.0, apart])),
     ]
 }
 
@@ -86,25 +71,12 @@ fn beside(inputs: &Inputs) -> Vec<PictureShape> {
     let (from, to) = (18.0, 18.0 + raster);
     let above = surface(from) + BALL;
     let top = above + retract;
-    let step = vec![
-        [from, above],
-        [from, top],
-        [to, top],
-        [to, surface(to) + BALL],
-    ];
+    let step = vec![[from, above], [from, top], [to, top], [to, surface(to) + BALL]];
     vec![
         polygon(ShapeKind::Cut, material),
         line(ShapeKind::Edge, edge),
-        line(
-            ShapeKind::Axis,
-            vec![[-4.0, deepest], [LONG + 4.0, deepest]],
-        )
-        .of(axis_name(axial)),
-        dimension(
-            axis_name(axial),
-            [LONG + 6.0, GROUND + 18.0],
-            [LONG + 6.0, deepest],
-        ),
+        line(ShapeKind::Axis, vec![[-4.0, deepest], [LONG + 4.0, deepest]]).of(axis_name(axial)),
+        dimension(axis_name(axial), [LONG + 6.0, GROUND + 18.0], [LONG + 6.0, deepest]),
         circle(ShapeKind::Probe, [from, above], BALL),
         circle(ShapeKind::Touch, [from, surface(from)], BALL * 0.3),
         circle(ShapeKind::Touch, [to, surface(to)], BALL * 0.3),

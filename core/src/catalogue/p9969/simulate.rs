@@ -10,8 +10,8 @@ use crate::scan::session::too_many;
 use crate::scan::text::{Form, piece};
 use crate::scan::{Cloud, Layout, POINTS, Scanner, Sent, TOLD};
 
-/// What the control does. Of a long scan every motion of the first points is recorded, and their blocks. A form follows only
-/// so many points as a keystroke bears, which is told and no error of the call.
+/// What the control does. Of a long scan every motion of the first points is recorded, and their blocks. A form follows
+/// only so many points as a keystroke bears, which is told and no error of the call.
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     let mut scanner = follow::scanner(machine, inputs)?;
     let mut cloud = Cloud::default();
@@ -51,11 +51,7 @@ fn told(all: usize, outcome: Result<&Reached, &Stop>) -> Option<Message> {
     (all > TOLD).then(|| message.number("all", all as f64))
 }
 
-fn scan(
-    machine: &mut dyn Machine,
-    scanner: &mut dyn Scanner,
-    cloud: &mut Cloud,
-) -> Result<Reached, Stop> {
+fn scan(machine: &mut dyn Machine, scanner: &mut dyn Scanner, cloud: &mut Cloud) -> Result<Reached, Stop> {
     let limit = machine.point_limit();
     while let Some(point) = scanner.next(machine)? {
         cloud.push(point);

@@ -31,9 +31,7 @@ fn over(surface: FreeSurface, plane: Plane) -> Setup {
 }
 
 fn relief(height: impl Fn(f64, f64) -> f64) -> FreeSurface {
-    Heights::over([60.0, 40.0], [60, 40], height)
-        .surface()
-        .unwrap()
+    Heights::over([60.0, 40.0], [60, 40], height).surface().unwrap()
 }
 
 /// Values along the axes of the plane, as addresses.
@@ -46,12 +44,7 @@ fn rectangle(plane: Plane, feed: &str, extra: &[(&str, &str)]) -> Vec<(String, S
         (super::addresses::letter(axes[1]).to_owned(), "3".to_owned()),
     ];
     let others = [("R", "1.5"), ("Q", "2"), ("F", feed)];
-    values.extend(
-        others
-            .iter()
-            .chain(extra)
-            .map(|(name, value)| ((*name).into(), (*value).into())),
-    );
+    values.extend(others.iter().chain(extra).map(|(name, value)| ((*name).into(), (*value).into())));
     values
 }
 
@@ -69,15 +62,12 @@ fn scanned(setup: &Setup, values: &[(String, String)]) -> Session {
 }
 
 fn outcome(setup: &Setup, values: &[(String, String)]) -> Outcome {
-    let values: Vec<(&str, &str)> = values
-        .iter()
-        .map(|(n, v)| (n.as_str(), v.as_str()))
-        .collect();
+    let values: Vec<(&str, &str)> = values.iter().map(|(n, v)| (n.as_str(), v.as_str())).collect();
     call(&P9969, &values, setup)
 }
 
-// oracle: hand: on a plane that rises by 3 in 4 along the lines the end of the ball stands (5/4 - 1) of the radius above
-// it; the middle of the rectangle is 15 along
+// oracle: hand: on a plane that rises by 3 in 4 along the lines the end of the ball stands (5/4 - 1) of the radius
+// above it; the middle of the rectangle is 15 along
 #[test]
 fn an_inclined_plane_is_scanned_and_taken_out() {
     for plane in PLANES {
@@ -87,10 +77,7 @@ fn an_inclined_plane_is_scanned_and_taken_out() {
         for (index, point) in session.cloud().points().iter().enumerate() {
             near(point[axes[2]], 0.75 * (point[axes[0]] - 15.0) + 0.25 * 3.0);
             let under = session.cloud().surface(session.layout(), index);
-            assert!(
-                (under[axes[2]] - 0.75 * (under[axes[0]] - 15.0)).abs() < 1e-8,
-                "{plane:?}"
-            );
+            assert!((under[axes[2]] - 0.75 * (under[axes[0]] - 15.0)).abs() < 1e-8, "{plane:?}");
         }
         assert_eq!(session.cloud().lines(), 5);
         assert!((session.deviation(0).greatest - 0.6).abs() < 1e-6); // 0.75 across the plane
@@ -115,9 +102,7 @@ fn lines_go_back_and_forth_at_their_distances() {
     }
     let steep = over(relief(|x, _| 0.75 * x), plane);
     let session = scanned(&steep, &rectangle(plane, EXACT, &[]));
-    let [_, second, third, ..] = session.cloud().points() else {
-        panic!()
-    };
+    let [_, second, third, ..] = session.cloud().points() else { panic!() };
     near(third[0] - second[0], 1.5 * 0.8);
 }
 
@@ -141,19 +126,13 @@ fn a_sphere_is_recovered() {
 // oracle: hand: a point is wrong by 0.01 mm at most (C:1320), a direction then by that over 2 mm, at both ends
 #[test]
 fn points_that_lie_close_together_do_not_spoil_the_directions() {
-    let flat = Heights::over([60.0, 40.0], [1, 1], |x, _| 0.5 * x)
-        .surface()
-        .unwrap();
+    let flat = Heights::over([60.0, 40.0], [1, 1], |x, _| 0.5 * x).surface().unwrap();
     let setup = over(flat, Plane::G17);
     let mut values = rectangle(Plane::G17, "120", &[]);
     values[3].1 = "0.5".into();
     values[4].1 = "0.07".into();
     let session = scanned(&setup, &values);
-    assert!(
-        session.deviation(1).greatest < 0.06,
-        "{:?}",
-        session.deviation(1)
-    );
+    assert!(session.deviation(1).greatest < 0.06, "{:?}", session.deviation(1));
     assert!(session.deviation(1).greatest < session.deviation(0).greatest / 4.0);
 }
 
@@ -184,20 +163,10 @@ fn nothing_deeper_than_the_deepest_position_and_walls_upwards() {
     let points = session.cloud().points();
     assert!(points.iter().all(|point| point[2] > -10.0 - 1e-9));
     // the wall stands at 15.0 to 15.5 (a cell); the ball touches it from the side with its radius
-    let wall: Vec<_> = points
-        .iter()
-        .filter(|point| point[2] < -3.0 && point[1] == 0.0)
-        .collect();
+    let wall: Vec<_> = points.iter().filter(|point| point[2] < -3.0 && point[1] == 0.0).collect();
     assert!(wall.len() >= 4, "{wall:?}");
-    assert!(
-        wall.iter().all(|point| (11.0..13.0).contains(&point[0])),
-        "{wall:?}"
-    );
-    assert!(
-        points
-            .iter()
-            .any(|point| point[0] == 30.0 && point[2].abs() < 1e-9)
-    );
+    assert!(wall.iter().all(|point| (11.0..13.0).contains(&point[0])), "{wall:?}");
+    assert!(points.iter().any(|point| point[0] == 30.0 && point[2].abs() < 1e-9));
     let empty = over(relief(|_, _| -100.0), plane);
     let nothing = outcome(&empty, &values);
     assert_eq!(nothing.stop, None);
@@ -207,21 +176,10 @@ fn nothing_deeper_than_the_deepest_position_and_walls_upwards() {
 // oracle: manual C:1330-1333
 #[test]
 fn one_spacing_of_the_plane() {
-    let both = [
-        ("X", "1"),
-        ("Y", "1"),
-        ("Z", "-1"),
-        ("I", "1"),
-        ("J", "1"),
-        ("R", "1"),
-        ("Q", "1"),
-    ];
+    let both = [("X", "1"), ("Y", "1"), ("Z", "-1"), ("I", "1"), ("J", "1"), ("R", "1"), ("Q", "1")];
     assert_eq!(codes(&P9969, &both, Plane::G17), [nct::FORMAT_ERROR]);
     let without = |name: &str| -> Vec<Code> {
-        let values: Vec<_> = both
-            .into_iter()
-            .filter(|(one, _)| *one != name && *one != "I")
-            .collect();
+        let values: Vec<_> = both.into_iter().filter(|(one, _)| *one != name && *one != "I").collect();
         codes(&P9969, &values, Plane::G17)
     };
     assert_eq!(without("I"), []);
@@ -246,9 +204,7 @@ fn the_letter_says_which_axis_is_stepped_along() {
         values[3].0 = letter.into();
         let session = scanned(&setup, &values);
         assert_eq!(session.layout().axes[0], axis_along, "{plane:?} {letter}");
-        let [first, second, ..] = session.cloud().points() else {
-            panic!()
-        };
+        let [first, second, ..] = session.cloud().points() else { panic!() };
         near((second[axis_along] - first[axis_along]).abs(), 1.5);
     }
 }
@@ -282,9 +238,7 @@ fn the_program_that_is_sent_runs_through_the_points() {
     }
     let pieces: String = (0..all)
         .step_by(7)
-        .map(|from| {
-            crate::scan::text::piece(session.cloud(), session.layout(), form, from..from + 7)
-        })
+        .map(|from| crate::scan::text::piece(session.cloud(), session.layout(), form, from..from + 7))
         .collect();
     assert_eq!(pieces, text);
 }
@@ -304,10 +258,7 @@ fn a_long_scan_is_told_in_part_and_has_a_limit() {
     assert!(run.log().len() < 600);
     values[4].1 = "0.005".into();
     let run = outcome(&setup, &values);
-    assert_eq!(
-        run.stop, None,
-        "a form follows a part, and nothing is wrong with the call"
-    );
+    assert_eq!(run.stop, None, "a form follows a part, and nothing is wrong with the call");
     assert!(says(&run, "decision-p9969-form"));
     assert_eq!(run.control.number("POINTS"), 0.0, "nobody knows how many");
     assert!(run.log().len() < 600, "only the first blocks");
@@ -323,18 +274,9 @@ fn what_it_looks_at_first() {
     };
     assert_eq!(start(|_| ()), None);
     let code = |code| Some(Stop::Alarm(code));
-    assert_eq!(
-        start(|setup| setup.control.edge = 0),
-        code(nct::NO_TOOL_LENGTH)
-    );
-    assert_eq!(
-        start(|setup| stand(setup, [0.0, 0.0, -1.0])),
-        code(nct::STYLUS_IN_CONTACT)
-    );
-    assert_eq!(
-        start(|setup| stand(setup, [0.0, 0.0, -40.0])),
-        code(nct::STYLUS_IN_CONTACT)
-    );
+    assert_eq!(start(|setup| setup.control.edge = 0), code(nct::NO_TOOL_LENGTH));
+    assert_eq!(start(|setup| stand(setup, [0.0, 0.0, -1.0])), code(nct::STYLUS_IN_CONTACT));
+    assert_eq!(start(|setup| stand(setup, [0.0, 0.0, -40.0])), code(nct::STYLUS_IN_CONTACT));
     // a flank across the lines that rises by more than Q from one to the next (C:1337)
     let setup = over(relief(|_, y| 3.0 * y), Plane::G17);
     let mut values = rectangle(Plane::G17, EXACT, &[]);
@@ -348,7 +290,8 @@ proptest! {
     // oracle: definition: a ball that touches a surface is its radius away from it, and never nearer
     #[test]
     fn the_ball_never_enters_the_surface(
-        (a, b, c) in (0.05..0.5_f64, 0.05..0.5_f64, 0.0..3.0_f64), steep in 0.5..6.0_f64, retract in 0.5..4.0_f64, raster in 0.7..3.0_f64,
+        (a, b, c) in (0.05..0.5_f64, 0.05..0.5_f64, 0.0..3.0_f64), steep in 0.5..6.0_f64, retract in 0.5..4.0_f64,
+        raster in 0.7..3.0_f64,
     ) {
         let setup = over(relief(|x, y| steep * ((a * x + c).sin() + (b * y).cos())), Plane::G17);
         let mut values = rectangle(Plane::G17, "120", &[]);

@@ -11,10 +11,7 @@ use crate::run::Machine;
 
 /// Notes in the data field of the probe how a call calibrates it.
 pub fn note(machine: &mut dyn Machine, inputs: &Inputs) {
-    for (name, code) in fields(inputs)
-        .into_iter()
-        .zip(codes(machine.control(), inputs))
-    {
+    for (name, code) in fields(inputs).into_iter().zip(codes(machine.control(), inputs)) {
         results::set(machine, &name, code);
     }
 }
@@ -24,10 +21,7 @@ pub fn note(machine: &mut dyn Machine, inputs: &Inputs) {
 pub fn differs(control: &Control, inputs: &Inputs) -> bool {
     let noted = fields(inputs).map(|name| control.number(&name));
     control.bit("_CBIT[16]")
-        && noted
-            .into_iter()
-            .zip(codes(control, inputs))
-            .any(|(noted, code)| noted != 0.0 && noted != code)
+        && noted.into_iter().zip(codes(control, inputs)).any(|(noted, code)| noted != 0.0 && noted != code)
 }
 
 fn fields(inputs: &Inputs) -> [String; 2] {
@@ -43,15 +37,8 @@ fn codes(control: &Control, inputs: &Inputs) -> [f64; 2] {
     };
     // the switch is of the milling cycles (B:13561, B:13650)
     let milling = inputs.cycle.purpose.machine != MachineSort::Turning;
-    let reference = if milling && control.bit("_CBIT[14]") {
-        2.0
-    } else {
-        1.0
-    };
-    [
-        plane + if MONO.holds(inputs) { 100.0 } else { 0.0 },
-        reference,
-    ]
+    let reference = if milling && control.bit("_CBIT[14]") { 2.0 } else { 1.0 };
+    [plane + if MONO.holds(inputs) { 100.0 } else { 0.0 }, reference]
 }
 
 #[cfg(test)]

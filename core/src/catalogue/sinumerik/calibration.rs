@@ -70,12 +70,7 @@ pub fn skew(control: &Control, inputs: &Inputs) -> [f64; 2] {
 
 /// Reports, compares the trigger values with the safe area, and stores what was found. `_TSA` watches trigger values
 /// only: it may be smaller than a ball that was never measured (B:5148), and the length does not count (B:5509).
-pub fn store(
-    machine: &mut dyn Machine,
-    inputs: &Inputs,
-    found: &Calibration,
-    repetition: u32,
-) -> Result<Next, Stop> {
+pub fn store(machine: &mut dyn Machine, inputs: &Inputs, found: &Calibration, repetition: u32) -> Result<Next, Stop> {
     let differences = report(machine, inputs, found);
     let next = tolerance::safe(machine, inputs, &differences, repetition)?;
     if next == Next::Again {
@@ -90,9 +85,7 @@ pub fn store(
     };
     let ball = found.ball.filter(|ball| renewed(machine, *ball));
     let fields = fields(found);
-    let named = fields
-        .into_iter()
-        .map(|(field, value)| (datum(inputs, field), value));
+    let named = fields.into_iter().map(|(field, value)| (datum(inputs, field), value));
     renew(machine, inputs, named.collect());
     let milling = inputs.cycle.purpose.machine == MachineSort::Milling;
     let into_tool = milling && machine.control().bit("_CBIT[15]");

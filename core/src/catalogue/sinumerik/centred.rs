@@ -71,11 +71,7 @@ fn by_tool(
     }
     report(machine, &sizes, &found.centre);
     let differences: Vec<f64> = sizes.iter().map(|size| size.actual - size.set).collect();
-    let sizes = Sizes {
-        differences: &differences,
-        factor: 0.5,
-        radius_sign: if found.inside { 1.0 } else { -1.0 },
-    };
+    let sizes = Sizes { differences: &differences, factor: 0.5, radius_sign: if found.inside { 1.0 } else { -1.0 } };
     tolerance::decide(machine, inputs, &sizes, target, repetition)
 }
 

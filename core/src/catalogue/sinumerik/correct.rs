@@ -28,26 +28,14 @@ pub fn tool_target(
 }
 
 /// Finds the frame that a zero offset corrects. None: `_KNUM` = 0.
-pub fn zero_target(
-    machine: &mut dyn Machine,
-    inputs: &Inputs,
-) -> Result<Option<zero_offset::Target>, Stop> {
+pub fn zero_target(machine: &mut dyn Machine, inputs: &Inputs) -> Result<Option<zero_offset::Target>, Stop> {
     let found = zero_offset::target(machine.control(), inputs.integer("_KNUM"));
     found.map_err(|number| alarm(machine, number))
 }
 
 /// Corrects a tool by a difference; the amount entered, mm. A length is shortened by a positive difference.
-pub fn tool(
-    machine: &mut dyn Machine,
-    target: &tool_offset::Target,
-    sizes: &Sizes,
-    difference: f64,
-) -> f64 {
-    let sign = if target.part == tool_offset::RADIUS {
-        sizes.radius_sign
-    } else {
-        -1.0
-    };
+pub fn tool(machine: &mut dyn Machine, target: &tool_offset::Target, sizes: &Sizes, difference: f64) -> f64 {
+    let sign = if target.part == tool_offset::RADIUS { sizes.radius_sign } else { -1.0 };
     let inverted = if target.inverted { -1.0 } else { 1.0 };
     let amount = sizes.factor * sign * inverted * difference;
     let writes = tool_offset::writes(machine.control(), target, amount);
@@ -56,23 +44,14 @@ pub fn tool(
 }
 
 /// Corrects the translation of a zero offset; see [`frame`].
-pub fn zero(
-    machine: &mut dyn Machine,
-    target: &zero_offset::Target,
-    measured: &zero_offset::Measured,
-) {
+pub fn zero(machine: &mut dyn Machine, target: &zero_offset::Target, measured: &zero_offset::Measured) {
     let writes = zero_offset::writes(machine.control(), target, measured);
     frame(machine, target, &writes);
 }
 
 /// Turns and moves a frame so that what lies where `motion` takes it from its set position has the set coordinates;
 /// X Y Z of the WCS that is active while measuring, mm.
-pub fn position(
-    machine: &mut dyn Machine,
-    target: &zero_offset::Target,
-    motion: &IsometryMatrix3<f64>,
-    set: [f64; 3],
-) {
+pub fn position(machine: &mut dyn Machine, target: &zero_offset::Target, motion: &IsometryMatrix3<f64>, set: [f64; 3]) {
     let writes = zero_offset::moved(machine.control(), target, motion, set);
     frame(machine, target, &writes);
 }
@@ -100,10 +79,6 @@ pub fn write(machine: &mut dyn Machine, writes: &[Write]) {
     for Write { name, value } in writes {
         let before = machine.control().variable(name).unwrap_or(0.0);
         machine.correct(name, *value);
-        machine.record(Step::Set {
-            name: name.clone(),
-            before,
-            after: *value,
-        });
+        machine.record(Step::Set { name: name.clone(), before, after: *value });
     }
 }

@@ -1,5 +1,5 @@
-//! Differential measurement with a probe that was never calibrated: once with the spindle turned by 180 degree, once as it
-//! stood (B:6402-6418, B:7570-7582).
+//! Differential measurement with a probe that was never calibrated: once with the spindle turned by 180 degree, once as
+//! it stood (B:6402-6418, B:7570-7582).
 
 use super::measuring_block::{Block, Point};
 use super::{alarm, results};
@@ -15,15 +15,10 @@ pub struct Twice {
     pub skew: f64,
 }
 
-/// Touches twice; the probe counts with plus or minus its radius. Its skew is found on the way and stored, alone and in the
-/// trigger value of this direction (A:7281-7291), so that the next measurement with the spindle as it stands finds the same
-/// surface. Another axis than those of the plane is refused (61325).
-pub fn twice(
-    machine: &mut dyn Machine,
-    inputs: &Inputs,
-    block: &Block,
-    point: &Point,
-) -> Result<Twice, Stop> {
+/// Touches twice; the probe counts with plus or minus its radius. Its skew is found on the way and stored, alone and in
+/// the trigger value of this direction (A:7281-7291), so that the next measurement with the spindle as it stands finds
+/// the same surface. Another axis than those of the plane is refused (61325).
+pub fn twice(machine: &mut dyn Machine, inputs: &Inputs, block: &Block, point: &Point) -> Result<Twice, Stop> {
     if point.axis > 1 {
         return Err(alarm(machine, 61325));
     }
@@ -37,36 +32,20 @@ pub fn twice(
     let skew = (turned - straight) / 2.0;
     let value = plain.trigger(point.axis, point.direction);
     let axis = block.axes[point.axis];
-    let sense = if machine.control().mirrored(axis) {
-        -1.0
-    } else {
-        1.0
-    };
+    let sense = if machine.control().mirrored(axis) { -1.0 } else { 1.0 };
     store(machine, inputs, point, sense, [value - skew, skew]);
-    Ok(Twice {
-        surface: (turned + straight) / 2.0 - value,
-        skew,
-    })
+    Ok(Twice { surface: (turned + straight) / 2.0 - value, skew })
 }
 
-/// Stores trigger value, with the skew in it as after a calibration, and skew in the directions of the machine: `sense` is
+/// Stores trigger value, with the skew in it as after a calibration, and skew in the directions of the machine: `sense`
+/// is
 /// -1 where a frame mirrors the axis.
-fn store(
-    machine: &mut dyn Machine,
-    inputs: &Inputs,
-    point: &Point,
-    sense: f64,
-    [value, skew]: [f64; 2],
-) {
+fn store(machine: &mut dyn Machine, inputs: &Inputs, point: &Point, sense: f64, [value, skew]: [f64; 2]) {
     let probe = inputs.integer("_PRNUM") % 100 - 1;
     let factor = machine.control().basic_factor();
     let plus = point.direction * sense > 0.0;
     let trigger = 2 * point.axis + if plus { 2 } else { 1 };
     for (element, value) in [(trigger, value), (7 + point.axis, skew)] {
-        results::set(
-            machine,
-            &format!("_WP[{probe},{element}]"),
-            sense * value / factor,
-        );
+        results::set(machine, &format!("_WP[{probe},{element}]"), sense * value / factor);
     }
 }

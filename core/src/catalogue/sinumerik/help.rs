@@ -16,11 +16,7 @@ pub const PROBE: &[HelpLine] = &[
 pub const MEASURING: &[HelpLine] = &[
     wrong(TOOL_OFFSET, "help-wrong-tool", "B:1872-1928"),
     wrong(TOOL_OFFSET, "help-wrong-chip", "B:1334-1340"),
-    wrong(
-        When::Always,
-        "help-wrong-conditions",
-        "B:4158;B:13658-13667",
-    ),
+    wrong(When::Always, "help-wrong-conditions", "B:4158;B:13658-13667"),
     wrong(When::Always, "help-wrong-kept", "B:1740-1766"),
 ];
 
@@ -33,17 +29,9 @@ pub const BLOCK: &[HelpLine] = &[
 
 /// What is corrected where the third digit of `_MVAR` chooses between a tool and a zero offset.
 pub const CORRECTION: &[HelpLine] = &[
-    corrects(
-        TOOL_OFFSET,
-        "help-corrects-tool",
-        "B:1894-2043;B:13928-13931",
-    ),
+    corrects(TOOL_OFFSET, "help-corrects-tool", "B:1894-2043;B:13928-13931"),
     corrects(TOOL_OFFSET, "help-corrects-chain", "B:1286-1394"),
-    corrects(
-        ZERO_OFFSET,
-        "help-corrects-zero",
-        "B:1930-2003;B:14035-14044",
-    ),
+    corrects(ZERO_OFFSET, "help-corrects-zero", "B:1930-2003;B:14035-14044"),
     corrects(ZERO_OFFSET, "help-corrects-zero-area", "B:1316-1330"),
 ];
 

@@ -1,4 +1,5 @@
-//! One measuring block, along an axis or any direction of the plane: to the start, `_FA` towards the surface and `_FA` into it, back (B:1111-1121, B:2213-2225).
+//! One measuring block, along an axis or any direction of the plane: to the start, `_FA` towards the surface and `_FA`
+//! into it, back (B:1111-1121, B:2213-2225).
 //!
 //! Axes count 0 abscissa, 1 ordinate, 2 applicate. Directions are +1 and -1 along the axis.
 
@@ -35,8 +36,8 @@ pub struct Block {
     pub radius: f64,
     /// `_FA`, mm.
     pub path: f64,
-    /// How far the ball centre is from the point to which L1 refers, along the applicate of the WCS, mm: 0, or with `_CBIT[14]`
-    /// the radius (B:13652), minus it where a frame mirrors the applicate.
+    /// How far the ball centre is from the point to which L1 refers, along the applicate of the WCS, mm: 0, or with
+    /// `_CBIT[14]` the radius (B:13652), minus it where a frame mirrors the applicate.
     pub centre: f64,
     /// Trigger values by axis: probing in minus and plus direction, mm; position at switching minus surface.
     triggers: [[f64; 2]; 3],
@@ -101,20 +102,12 @@ impl Block {
 
     /// The same block reckoning with the active ball alone, which needs no trigger values (B:10901-10906).
     pub fn by_ball(&self) -> Block {
-        Block {
-            triggers: [[self.ball, -self.ball]; 3],
-            ..self.clone()
-        }
+        Block { triggers: [[self.ball, -self.ball]; 3], ..self.clone() }
     }
 
     /// The same block with this measuring feed alone, mm/min, so many times.
     pub fn at_feed(&self, feed: f64, repeats: u32) -> Block {
-        Block {
-            feed,
-            fast: None,
-            repeats,
-            ..self.clone()
-        }
+        Block { feed, fast: None, repeats, ..self.clone() }
     }
 
     /// Where the centre of the ball is when the probe stands here, X Y Z of the WCS, mm, as far as the control knows.
@@ -134,12 +127,7 @@ impl Block {
 
     /// A surface to be touched along an axis with the path of this block; direction +1 or -1, set coordinate in mm.
     pub fn point(&self, axis: usize, direction: f64, set: f64) -> Point {
-        Point {
-            axis,
-            direction,
-            set,
-            path: self.path,
-        }
+        Point { axis, direction, set, path: self.path }
     }
 
     /// Start of the measuring block in the measuring axis: the ball `path` before the set surface, WCS, mm.
@@ -169,8 +157,8 @@ impl Block {
         self.towards(machine, point.axis, point.direction, self.end(point))
     }
 
-    /// Touches a surface `_NMSP` times from where the probe stands, over a way of this length along an axis, and returns
-    /// there. Coordinate of the surface, mm.
+    /// Touches a surface `_NMSP` times from where the probe stands, over a way of this length along an axis, and
+    /// returns there. Coordinate of the surface, mm.
     pub fn measure_from_here(
         &self,
         machine: &mut dyn Machine,
@@ -185,8 +173,8 @@ impl Block {
         Ok(self.towards(machine, axis, direction, end)? - self.trigger(axis, direction))
     }
 
-    /// Touches a surface whose place is not known `_NMSP` times from where the probe stands, on a way of twice the path,
-    /// and returns there. Mean position at switching, mm.
+    /// Touches a surface whose place is not known `_NMSP` times from where the probe stands, on a way of twice the
+    /// path, and returns there. Mean position at switching, mm.
     pub fn latch_from_here(&self, machine: &mut dyn Machine, point: &Point) -> Result<f64, Stop> {
         let here = machine.position()[self.axes[point.axis.min(2)]];
         let end = here + point.direction * 2.0 * point.path;
@@ -194,20 +182,10 @@ impl Block {
     }
 
     /// From here along an axis as far as this coordinate; mean position at switching, mm.
-    fn towards(
-        &self,
-        machine: &mut dyn Machine,
-        axis: usize,
-        sign: f64,
-        end: f64,
-    ) -> Result<f64, Stop> {
+    fn towards(&self, machine: &mut dyn Machine, axis: usize, sign: f64, end: f64) -> Result<f64, Stop> {
         let axis = self.axes[axis.min(2)];
         let start = machine.position();
-        let mut way = Way {
-            start,
-            end: start,
-            direction: [0.0; 3],
-        };
+        let mut way = Way { start, end: start, direction: [0.0; 3] };
         (way.end[axis], way.direction[axis]) = (end, sign);
         Ok(self.mean(machine, &way)?[axis])
     }
@@ -226,10 +204,7 @@ impl Block {
     /// software limit switch ends the way before the probe switches, it is 61401 instead of 61301 (A:15920).
     fn attempt(&self, machine: &mut dyn Machine, way: &Way) -> Result<[f64; 3], Stop> {
         let limited = machine.control().limited(way.start, way.end);
-        let reached = Way {
-            end: limited.unwrap_or(way.end),
-            ..*way
-        };
+        let reached = Way { end: limited.unwrap_or(way.end), ..*way };
         for _ in 0..self.attempts {
             let touched = self.touch(machine, &reached)?;
             self.back(machine, way.start)?;
@@ -322,8 +297,8 @@ pub fn same_calibration(machine: &mut dyn Machine, block: &Block) -> Result<(), 
 }
 
 /// Whether the trigger of this axis and direction is there: it is not the one of the other direction, nor 0, as
-/// deleted data are (B:13642) while only the other direction was found anew, and comes from a calibration as the probe is
-/// used now (61341 otherwise, B:13565-13667).
+/// deleted data are (B:13642) while only the other direction was found anew, and comes from a calibration as the probe
+/// is used now (61341 otherwise, B:13565-13667).
 fn calibrated(block: &Block, axis: usize, direction: f64) -> bool {
     let [minus, plus] = block.triggers[axis.min(2)];
     // a length that ends at the circumference of the ball is touched with no trigger at all (B:5581-5583)
@@ -333,11 +308,7 @@ fn calibrated(block: &Block, axis: usize, direction: f64) -> bool {
 }
 
 /// Refuses a probe of which one of these triggers, axis and direction, was never found (61341).
-pub fn all_calibrated(
-    machine: &mut dyn Machine,
-    block: &Block,
-    sides: &[(usize, f64)],
-) -> Result<(), Stop> {
+pub fn all_calibrated(machine: &mut dyn Machine, block: &Block, sides: &[(usize, f64)]) -> Result<(), Stop> {
     let known = |(axis, direction): &(usize, f64)| calibrated(block, *axis, *direction);
     if sides.iter().all(known) {
         return Ok(());

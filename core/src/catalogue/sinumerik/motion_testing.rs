@@ -40,8 +40,8 @@ pub fn expand(table: &str, infeed: f64) -> Vec<Motion> {
     motions
 }
 
-/// A motion as letter and end: `p` positioning in the plane, `d` along the applicate, `m` measuring, `r` and `s` back in the
-/// plane and along the applicate.
+/// A motion as letter and end: `p` positioning in the plane, `d` along the applicate, `m` measuring, `r` and `s` back
+/// in the plane and along the applicate.
 pub type Lettered = (char, [f64; 3]);
 
 /// Motions of a trace at the feeds of these tests, machine.

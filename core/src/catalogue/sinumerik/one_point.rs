@@ -61,11 +61,8 @@ fn by_tool(
     report(machine, found, middle.setpoint);
     results::length(machine, 8, middle.upper);
     results::length(machine, 12, middle.lower);
-    let sizes = Sizes {
-        differences: &[found.actual - middle.setpoint],
-        factor: 1.0 / found.per,
-        radius_sign: found.direction,
-    };
+    let sizes =
+        Sizes { differences: &[found.actual - middle.setpoint], factor: 1.0 / found.per, radius_sign: found.direction };
     tolerance::decide(machine, inputs, &sizes, target, repetition)
 }
 

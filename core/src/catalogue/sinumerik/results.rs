@@ -14,11 +14,7 @@ pub fn set(machine: &mut dyn Machine, name: &str, value: f64) {
     let control = machine.control();
     let before = control.number(name);
     control.set(name, value);
-    machine.record(Step::Set {
-        name: name.to_string(),
-        before,
-        after: value,
-    });
+    machine.record(Step::Set { name: name.to_string(), before, after: value });
 }
 
 /// Writes a length (mm) into `_OVR[index]`, in the active system of units.

@@ -17,10 +17,7 @@ pub fn refusal(control: &Control, machine: MachineSort) -> Option<u32> {
     };
     match machine {
         MachineSort::Turning => turning(control, edge),
-        _ => control
-            .unfit(edge)
-            .filter(|unfit| unfit.refuses())
-            .map(|_| 61309), // B:4147-4152, A:15848
+        _ => control.unfit(edge).filter(|unfit| unfit.refuses()).map(|_| 61309), // B:4147-4152, A:15848
     }
 }
 
@@ -92,9 +89,7 @@ mod tests {
             (61342, |control| drop(control.data.remove("_SI[1]"))),
             (61342, |control| control.set("_SI[1]", 2.0)),
             (61416, |control| control.set("_CVAL[2]", 4.0)),
-            (61310, |control| {
-                control.basic.system.scale = [1.0, 1.0, 2.0]
-            }),
+            (61310, |control| control.basic.system.scale = [1.0, 1.0, 2.0]),
             (61310, |control| control.active.scale = [0.5; 3]),
             (61311, |control| control.edge = 0),
             (61309, |control| {

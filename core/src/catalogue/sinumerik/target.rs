@@ -16,11 +16,7 @@ pub enum Target {
 
 impl Target {
     /// Finds it, and refuses what cannot be corrected; `axis` where there is one measuring axis.
-    pub fn of(
-        machine: &mut dyn Machine,
-        inputs: &Inputs,
-        axis: Option<usize>,
-    ) -> Result<Target, Stop> {
+    pub fn of(machine: &mut dyn Machine, inputs: &Inputs, axis: Option<usize>) -> Result<Target, Stop> {
         Ok(match inputs.variant / 100 % 10 {
             1 => Target::Zero(correct::zero_target(machine, inputs)?),
             _ => Target::Tool(tolerance::prepare(machine, inputs, axis)?),

@@ -31,11 +31,7 @@ pub const MILL: i64 = 20;
 /// A calibrated machine in this plane with a mill in the magazine; the probe stands 100 mm above the origin.
 pub fn setup(plane: Plane) -> Setup {
     let mut setup = Setup::calibrated(Dialect::Sinumerik, plane);
-    for (name, value) in [
-        ("$TC_DP1[20,1]", 120.0),
-        ("$TC_DP3[20,1]", 80.0),
-        ("$TC_DP6[20,1]", 10.0),
-    ] {
+    for (name, value) in [("$TC_DP1[20,1]", 120.0), ("$TC_DP3[20,1]", 80.0), ("$TC_DP6[20,1]", 10.0)] {
         assert!(setup.control.set_variable(name, value));
     }
     setup.control.activate(1);
@@ -51,7 +47,8 @@ pub fn at(plane: Plane, point: [f64; 3]) -> [f64; 3] {
     place
 }
 
-/// A part whose depth lies along the applicate and whose X lies along the abscissa, or with `across` along the ordinate.
+/// A part whose depth lies along the applicate and whose X lies along the abscissa, or with `across` along the
+/// ordinate.
 pub fn solid(plane: Plane, shape: Shape, place: [f64; 3], across: bool) -> Solid {
     let unit = |axis: usize| {
         let mut unit = [0.0; 3];
@@ -77,24 +74,15 @@ pub fn solid(plane: Plane, shape: Shape, place: [f64; 3], across: bool) -> Solid
 pub fn element(variant: i64, length: [f64; 2]) -> Shape {
     let height = 40.0;
     match variant % 10 {
-        5 => Shape::Pocket {
-            length,
-            depth: height,
-        },
+        5 => Shape::Pocket { length, depth: height },
         6 => Shape::Island { length, height },
         round_or_wide => place::element(round_or_wide, length[0], height),
     }
 }
 
 /// Bands so wide that errors of some mm are corrected, at once and without a mean value.
-pub const WIDE_BANDS: [(&str, f64); 6] = [
-    ("_TSA", 3.0),
-    ("_TDIF", 2.5),
-    ("_TUL", 2.4),
-    ("_TLL", -2.4),
-    ("_TMV", 2.0),
-    ("_TZL", 0.0),
-];
+pub const WIDE_BANDS: [(&str, f64); 6] =
+    [("_TSA", 3.0), ("_TDIF", 2.5), ("_TUL", 2.4), ("_TLL", -2.4), ("_TMV", 2.0), ("_TZL", 0.0)];
 
 /// A call: delivered values of all parameters, then these.
 pub fn call(name: &str, variant: i64, values: &[(&'static str, f64)]) -> Inputs {
@@ -164,10 +152,7 @@ pub fn touches(sim: &Sim) -> Vec<[f64; 3]> {
 /// A datum is what was expected, to 1e-9.
 pub fn close(sim: &Sim, name: &str, value: f64) {
     let found = sim.control.number(name);
-    assert!(
-        (found - value).abs() < 1e-9,
-        "{name} = {found}, expected {value}"
-    );
+    assert!((found - value).abs() < 1e-9, "{name} = {found}, expected {value}");
 }
 
 /// A motion: kind, end as abscissa, ordinate, applicate from an origin, feed.
@@ -176,9 +161,7 @@ pub type Motion = (MotionKind, [f64; 3], f64);
 /// Motions of a trace, from a machine position.
 pub fn motions(sim: &Sim, plane: Plane, origin: [f64; 3]) -> Vec<Motion> {
     told(sim, |step| match step {
-        Step::Motion { kind, to, feed, .. } => {
-            Some((*kind, plane.axes().map(|i| to[i] - origin[i]), *feed))
-        }
+        Step::Motion { kind, to, feed, .. } => Some((*kind, plane.axes().map(|i| to[i] - origin[i]), *feed)),
         _ => None,
     })
 }
@@ -187,11 +170,7 @@ pub fn motions(sim: &Sim, plane: Plane, origin: [f64; 3]) -> Vec<Motion> {
 pub fn same(found: &[Motion], expected: &[Motion], what: &str) {
     assert_eq!(found.len(), expected.len(), "{what}: {found:#?}");
     for (is, wanted) in found.iter().zip(expected) {
-        assert_eq!(
-            (is.0, is.2),
-            (wanted.0, wanted.2),
-            "{what}: {is:?} {wanted:?}"
-        );
+        assert_eq!((is.0, is.2), (wanted.0, wanted.2), "{what}: {is:?} {wanted:?}");
         for (a, b) in is.1.iter().zip(wanted.1) {
             assert!((a - b).abs() < 1e-9, "{what}: {is:?} {wanted:?}");
         }

@@ -46,11 +46,7 @@ fn memorized(control: &Control, inputs: &Inputs, read: impl Fn(&str) -> f64) -> 
         return 0.0;
     }
     let value = read(&format!("_EV[{}]", number - 1));
-    if control.bit("_CHBIT[5]") {
-        -value
-    } else {
-        value
-    }
+    if control.bit("_CHBIT[5]") { -value } else { value }
 }
 
 /// Name of the mean value memory in use: none without `_EVNUM` or with `_CHBIT[4]` = 0 (B:13917-13920).
@@ -82,14 +78,8 @@ pub fn decide(
     let control = machine.control();
     let offset = empirical(control, inputs);
     let memory = memory(control, inputs);
-    let old = memory
-        .as_deref()
-        .map_or(0.0, |name| control.basic_length(name));
-    let differences: Vec<f64> = sizes
-        .differences
-        .iter()
-        .map(|difference| difference - offset)
-        .collect();
+    let old = memory.as_deref().map_or(0.0, |name| control.basic_length(name));
+    let differences: Vec<f64> = sizes.differences.iter().map(|difference| difference - offset).collect();
     let decision = chain(&differences, &bands(inputs), old);
     report(machine, inputs, target, &decision);
     machine.record(Step::Decision(explain(&decision, &differences)));
@@ -110,9 +100,7 @@ pub fn decide(
         results::set(machine, &name, value);
     }
     let amount = match target {
-        Some(target) if decision.correction != 0.0 => {
-            correct::tool(machine, target, sizes, decision.correction)
-        }
+        Some(target) if decision.correction != 0.0 => correct::tool(machine, target, sizes, decision.correction),
         _ => 0.0,
     };
     results::length(machine, 20, amount);
@@ -134,12 +122,7 @@ fn bands(inputs: &Inputs) -> Bands {
 }
 
 /// Results that exist only with tool offset (footnote 1 of B:5675-5701).
-fn report(
-    machine: &mut dyn Machine,
-    inputs: &Inputs,
-    target: Option<&tool_offset::Target>,
-    decision: &Decision,
-) {
+fn report(machine: &mut dyn Machine, inputs: &Inputs, target: Option<&tool_offset::Target>, decision: &Decision) {
     let memories = mean::memories(inputs.integer("_EVNUM"));
     results::length(machine, 20, 0.0);
     results::length(machine, 27, inputs.number("_TZL"));
@@ -151,12 +134,7 @@ fn report(
     results::integer(machine, 6, memories.mean);
     results::integer(machine, 7, memories.empirical);
     results::integer(machine, 8, target.map_or(0, |target| target.tool));
-    if inputs
-        .cycle
-        .results
-        .iter()
-        .any(|field| field.name == "_OVI[13]")
-    {
+    if inputs.cycle.results.iter().any(|field| field.name == "_OVI[13]") {
         let location = target.and_then(|target| target.location);
         results::integer(machine, 13, location.unwrap_or(0));
     }
@@ -166,11 +144,7 @@ fn report(
 pub fn report_empirical(machine: &mut dyn Machine, inputs: &Inputs) {
     let control = machine.control();
     let value = empirical(control, inputs);
-    let stored = if control.bit("_CHBIT[5]") {
-        -value
-    } else {
-        value
-    };
+    let stored = if control.bit("_CHBIT[5]") { -value } else { value };
     results::length(machine, 30, stored);
 }
 
@@ -185,9 +159,7 @@ pub fn repeat(machine: &mut dyn Machine, number: u32, repetition: u32) -> bool {
         machine.record(Step::Decision(Message::new("evaluate-halt")));
     }
     let count = f64::from(repetition) + 1.0;
-    machine.record(Step::Decision(
-        Message::new("evaluate-repeat").number("count", count),
-    ));
+    machine.record(Step::Decision(Message::new("evaluate-repeat").number("count", count)));
     true
 }
 
@@ -213,35 +185,17 @@ fn explain(decision: &Decision, differences: &[f64]) -> Message {
         Branch::Mean => "evaluate-mean",
         Branch::Small => "evaluate-small",
     };
-    let worst = differences
-        .iter()
-        .copied()
-        .fold(0.0_f64, |a, b| if b.abs() > a.abs() { b } else { a });
-    Message::new(key)
-        .number("difference", worst)
-        .number("mean", decision.mean)
+    let worst = differences.iter().copied().fold(0.0_f64, |a, b| if b.abs() > a.abs() { b } else { a });
+    Message::new(key).number("difference", worst).number("mean", decision.mean)
 }
 
 /// Zero offset variants watch only the safe area, each difference for itself (B:6221, B:6276).
-pub fn safe(
-    machine: &mut dyn Machine,
-    inputs: &Inputs,
-    differences: &[f64],
-    repetition: u32,
-) -> Result<Next, Stop> {
+pub fn safe(machine: &mut dyn Machine, inputs: &Inputs, differences: &[f64], repetition: u32) -> Result<Next, Stop> {
     let limit = inputs.number("_TSA");
-    let Some(worst) = differences
-        .iter()
-        .copied()
-        .find(|difference| exceeds(difference.abs(), limit))
-    else {
+    let Some(worst) = differences.iter().copied().find(|difference| exceeds(difference.abs(), limit)) else {
         return Ok(Next::Done);
     };
-    let key = if results::watches_angle(inputs) {
-        "evaluate-safe-area-angle"
-    } else {
-        "evaluate-safe-area"
-    };
+    let key = if results::watches_angle(inputs) { "evaluate-safe-area-angle" } else { "evaluate-safe-area" };
     let message = Message::new(key).number("difference", worst);
     machine.record(Step::Decision(message.number("mean", 0.0)));
     if repeat(machine, 62303, repetition) {

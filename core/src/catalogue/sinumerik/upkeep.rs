@@ -119,9 +119,7 @@ fn erase(control: &Control) -> Due {
     Due {
         finding: own::ERASES.finding(),
         told: Message::new("evaluate-erased"),
-        writes: names
-            .map(|name| (name.clone(), Value::Number(0.0)))
-            .collect(),
+        writes: names.map(|name| (name.clone(), Value::Number(0.0))).collect(),
         switch: (ERASE, 0.0),
     }
 }
@@ -148,10 +146,7 @@ mod tests {
         setup.control.set("_EV[1]", 0.01 / units.factor());
         setup.control.set("_KB[0,2]", 15.0 / units.factor());
         setup.workpiece.solids.push(Solid {
-            shape: Shape::Hole {
-                diameter: 40.02,
-                depth: 30.0,
-            },
+            shape: Shape::Hole { diameter: 40.02, depth: 30.0 },
             at: [0.0; 3],
             rotation: [0.0; 3],
             errors: PartErrors::default(),
@@ -164,20 +159,13 @@ mod tests {
         if setup.control.basic_units == Units::Inch {
             text = format!("G710\n{text}");
         }
-        run(
-            &read(Dialect::Sinumerik, text.as_bytes()),
-            setup,
-            Limits::default(),
-        )
+        run(&read(Dialect::Sinumerik, text.as_bytes()), setup, Limits::default())
     }
 
     fn doubts(outcome: &Outcome) -> Vec<Code> {
         let found = outcome.diagnostics.iter();
         let found = found.filter(|one| one.severity == Severity::Warning);
-        found
-            .map(|one| one.code)
-            .filter(|code| matches!(code, Code::Own(160..=161)))
-            .collect()
+        found.map(|one| one.code).filter(|code| matches!(code, Code::Own(160..=161))).collect()
     }
 
     // oracle: manual B:13596, B:14061, B:16328 (what stands in the other system is converted, with a message)
@@ -189,9 +177,7 @@ mod tests {
             assert_eq!(expected.stop, None, "{:?}", expected.diagnostics);
             let mut wrong = right.clone();
             wrong.control.data = rebuilt(&right.control, other).data;
-            wrong
-                .control
-                .set("MD10240", right.control.number("MD10240"));
+            wrong.control.set("MD10240", right.control.number("MD10240"));
             let outcome = carried_out(&wrong);
             for name in expected.control.data.keys() {
                 let [one, other] = [&expected, &outcome].map(|one| one.control.number(name));
@@ -201,11 +187,7 @@ mod tests {
             assert_eq!(doubts(&expected), []);
             let told = outcome.decisions();
             let told = told.iter().filter(|one| one.key == "evaluate-converted");
-            assert_eq!(
-                told.count(),
-                2,
-                "once for the control, once for the channel"
-            );
+            assert_eq!(told.count(), 2, "once for the control, once for the channel");
         }
     }
 
@@ -216,11 +198,7 @@ mod tests {
         setup.control.set("_CBIT[13]", 1.0);
         setup.control.set("_MV[3]", 0.02);
         let outcome = carried_out(&setup);
-        assert_eq!(
-            outcome.alarms(),
-            [Code::Alarm(61341)],
-            "nothing is calibrated any more"
-        );
+        assert_eq!(outcome.alarms(), [Code::Alarm(61341)], "nothing is calibrated any more");
         let left = |name: &String| {
             let stem = name.split('[').next().unwrap();
             ERASED.contains(&stem) && outcome.control.number(name) != 0.0

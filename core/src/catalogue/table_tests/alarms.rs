@@ -25,17 +25,10 @@ const HANDED_BACK: &[(&str, &[u32])] = &[
     ("CYCLE116", &[61316, 61317]),
     ("CYCLE106", OF_CONTENTS),
     ("CYCLE100", OF_CONTENTS),
-    (
-        "CYCLE100",
-        &[
-            61352, 61353, 61354, 61355, 61356, 61357, 61358, 61359, 61360,
-        ],
-    ),
+    ("CYCLE100", &[61352, 61353, 61354, 61355, 61356, 61357, 61358, 61359, 61360]),
 ];
 /// Raised by CYCLE105.
-const OF_CONTENTS: &[u32] = &[
-    61361, 61363, 61370, 61371, 62307, 62308, 62309, 62310, 62311,
-];
+const OF_CONTENTS: &[u32] = &[61361, 61363, 61370, 61371, 62307, 62308, 62309, 62310, 62311];
 
 #[test]
 fn alarms_are_those_of_the_tables() {
@@ -158,8 +151,8 @@ fn handed_back(cycle: &Cycle) -> impl Iterator<Item = String> {
     of_cycle.flat_map(|(_, numbers)| numbers.iter().map(u32::to_string))
 }
 
-/// Whether the column of sources means this cycle: `all` (that measure), `all, except …`, `as 61318`, or a list. A cycle that is named
-/// once more after the exceptions has a meaning of its own for the alarm.
+/// Whether the column of sources means this cycle: `all` (that measure), `all, except …`, `as 61318`, or a list. A
+/// cycle that is named once more after the exceptions has a meaning of its own for the alarm.
 fn raises(rows: &[Vec<String>], source: &str, cycle: &Cycle) -> bool {
     if let Some(other) = source.strip_prefix("as ") {
         let row = rows.iter().find(|row| row[0] == other).unwrap();

@@ -18,11 +18,7 @@ pub enum Allowed {
 pub fn allowed(cell: &str) -> Option<Allowed> {
     let outside = without_brackets(cell);
     let first = outside.split(';').next()?.trim();
-    let first = first
-        .split(" accuracy")
-        .next()?
-        .trim()
-        .trim_end_matches(',');
+    let first = first.split(" accuracy").next()?.trim().trim_end_matches(',');
     match first.split([' ', ',']).next()? {
         "any" | "signed" => return Some(Allowed::Any),
         "<>0" => return Some(Allowed::AnyBut(0.0)),
@@ -39,11 +35,7 @@ pub fn allowed(cell: &str) -> Option<Allowed> {
     }
     // `0; 1..99; 1000`: each part is numbers again. `0 none; 1..9999: number of the memory` says the rest in words.
     let parts: Vec<Vec<(f64, f64)>> = outside.split(';').map(|part| items(part.trim())).collect();
-    let all: Vec<(f64, f64)> = if parts.iter().all(|part| !part.is_empty()) {
-        parts.concat()
-    } else {
-        items(first)
-    };
+    let all: Vec<(f64, f64)> = if parts.iter().all(|part| !part.is_empty()) { parts.concat() } else { items(first) };
     let worded = parts.len() > 1 && all.len() == 1 && all.iter().all(|(from, to)| from == to);
     (!all.is_empty() && !worded).then_some(Allowed::Ranges(all))
 }
@@ -69,13 +61,9 @@ fn item(text: &str) -> Option<(f64, f64)> {
 fn number(text: &str) -> Option<f64> {
     let text = text.trim();
     let digits = text.trim_start_matches(['+', '-']);
-    let plain = digits
-        .bytes()
-        .all(|byte| byte.is_ascii_digit() || byte == b'.');
+    let plain = digits.bytes().all(|byte| byte.is_ascii_digit() || byte == b'.');
     // A code with digits left out (`0xy`) or leading zeros is no number.
-    (plain && !digits.is_empty())
-        .then(|| text.parse().ok())
-        .flatten()
+    (plain && !digits.is_empty()).then(|| text.parse().ok()).flatten()
 }
 
 fn range_in_brackets(cell: &str) -> Option<(f64, f64)> {
@@ -122,9 +110,7 @@ impl Allowed {
 
     fn holds(&self, value: f64) -> bool {
         match self {
-            Allowed::Ranges(ranges) => ranges
-                .iter()
-                .any(|(from, to)| (*from..=*to).contains(&value)),
+            Allowed::Ranges(ranges) => ranges.iter().any(|(from, to)| (*from..=*to).contains(&value)),
             _ => true,
         }
     }
@@ -134,8 +120,7 @@ impl Allowed {
 fn cells_are_understood() {
     // oracle: hand
     let ranges = |ranges: &[(f64, f64)]| Some(Allowed::Ranges(ranges.to_vec()));
-    let list =
-        |numbers: &[f64]| ranges(&numbers.iter().map(|one| (*one, *one)).collect::<Vec<_>>());
+    let list = |numbers: &[f64]| ranges(&numbers.iter().map(|one| (*one, *one)).collect::<Vec<_>>());
     for (cell, meaning) in [
         (">0 (0 gives 61318)", Some(Allowed::From(0.0, false))),
         (">=0; 0: 150/300", Some(Allowed::From(0.0, true))),
@@ -144,29 +129,14 @@ fn cells_are_understood() {
         ("signed, any", Some(Allowed::Any)),
         ("<>0; sign = direction", Some(Allowed::AnyBut(0.0))),
         ("0..359.5", ranges(&[(0.0, 359.5)])),
-        (
-            "-360..+360 (A.1 type column: 0..360)",
-            ranges(&[(-360.0, 360.0)]),
-        ),
-        (
-            "-179.5..+179.5 (lost), 0 gives 61347, accuracy <10 deg",
-            None,
-        ),
+        ("-360..+360 (A.1 type column: 0..360)", ranges(&[(-360.0, 360.0)])),
+        ("-179.5..+179.5 (lost), 0 gives 61347, accuracy <10 deg", None),
         ("1 abscissa, 2 ordinate", list(&[1.0, 2.0])),
-        (
-            "0 positive, 1 negative; else alarm 61326",
-            list(&[0.0, 1.0]),
-        ),
+        ("0 positive, 1 negative; else alarm 61326", list(&[0.0, 1.0])),
         ("3 only", list(&[3.0])),
         ("3 or 4 (else 61317)", list(&[3.0, 4.0])),
-        (
-            "0,1..99,1000",
-            ranges(&[(0.0, 0.0), (1.0, 99.0), (1000.0, 1000.0)]),
-        ),
-        (
-            "0; 1..99; 1000",
-            ranges(&[(0.0, 0.0), (1.0, 99.0), (1000.0, 1000.0)]),
-        ),
+        ("0,1..99,1000", ranges(&[(0.0, 0.0), (1.0, 99.0), (1000.0, 1000.0)])),
+        ("0; 1..99; 1000", ranges(&[(0.0, 0.0), (1.0, 99.0), (1000.0, 1000.0)])),
         ("0..6, else alarm 61406", ranges(&[(0.0, 6.0)])),
         ("0 none; 1..9999: number of the memory", None),
         ("xy or 1xy", None),

@@ -65,11 +65,7 @@ fn one_of(text: &str, variant: i64) -> bool {
     }
     if let Some((from, to)) = text.split_once("..") {
         let last = |end: &str| end.trim_start_matches('x').parse::<i64>().unwrap();
-        let compared = if from.starts_with('x') {
-            variant % 10
-        } else {
-            variant
-        };
+        let compared = if from.starts_with('x') { variant % 10 } else { variant };
         return (last(from)..=last(to)).contains(&compared);
     }
     if text.contains('x') {

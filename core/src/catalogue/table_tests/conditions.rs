@@ -27,8 +27,7 @@ pub fn met(condition: &str, cycle: &'static Cycle, variant: i64) -> Vec<Inputs> 
         | "7th digit of _KNUM is 2 or 3" => vec![with(names::KNUM, 3_002_001.0)],
         "MA=3|103|203 and 2R>_TP[k,6]" => vec![with(names::MA, 3.0)],
         "d3=1 (reversal) and milling tool" if variant / 100 % 10 != 1 => vec![],
-        "d3=1 (reversal) and milling tool"
-        | "milling tool and spindle stationary and _CHBIT[20]=0" => vec![plain],
+        "d3=1 (reversal) and milling tool" | "milling tool and spindle stationary and _CHBIT[20]=0" => vec![plain],
         other => match other.strip_suffix(">0") {
             Some(name) => vec![with(name, 1.0)],
             None => equal(other, variant, with),

@@ -21,8 +21,8 @@ fn invalid_variants_are_refused() {
 
 #[test]
 fn invalid_variants_in_turning_are_refused() {
-    // oracle: manual, rows INVALID of spec/turning/variants.tsv (B:1854, B:10177, A:11372). Combinations with the tool in
-    // use stand in the tests of their cycles.
+    // oracle: manual, rows INVALID of spec/turning/variants.tsv (B:1854, B:10177, A:11372). Combinations with the tool
+    // in use stand in the tests of their cycles.
     let rows = rows_of("turning", "variants.tsv");
     for cycle in sinumerik().filter(|_| !rows.is_empty()) {
         for row in rows.iter().filter(|row| row[0] == cycle.name) {
@@ -59,10 +59,7 @@ type Values = &'static [(&'static str, &'static str)];
 
 /// Conditions of the rows behind `with`, as values.
 const WITH: &[(&str, Values)] = &[
-    (
-        "mono or bidirectional probe (_PRNUM hundreds digit 1)",
-        MONO,
-    ),
+    ("mono or bidirectional probe (_PRNUM hundreds digit 1)", MONO),
     ("mono probe (_PRNUM=1xy)", MONO),
     ("mono/bi probe", MONO),
     ("mono probe", MONO),
@@ -80,24 +77,17 @@ const EXAMPLES: &[(&str, &str)] = &[("d3<>1 or d1<>9 or d2>1", "9, 100, 101, 129
 fn calls(cycle: &Cycle, cell: &str) -> Vec<(i64, Values)> {
     let example = EXAMPLES.iter().find(|(words, _)| *words == cell);
     if let Some(list) = example.map(|(_, list)| *list).or(inner(cell, "e.g. ")) {
-        return numbers(list)
-            .map(|number| (number, &[] as Values))
-            .collect();
+        return numbers(list).map(|number| (number, &[] as Values)).collect();
     }
     if let Some((variants, with)) = cell.split_once(" with ") {
         let given = WITH.iter().find(|(words, _)| *words == with);
         let (_, values) = given.unwrap_or_else(|| panic!("{cell}"));
         let variants = variants.replace('/', ",");
-        let meant = cycle
-            .variants
-            .iter()
-            .filter(|one| covers(&variants, one.number));
+        let meant = cycle.variants.iter().filter(|one| covers(&variants, one.number));
         return meant.map(|one| (one.number, *values)).collect();
     }
     let list = inner(cell, "").unwrap_or(cell);
-    numbers(list)
-        .map(|number| (number, &[] as Values))
-        .collect()
+    numbers(list).map(|number| (number, &[] as Values)).collect()
 }
 
 /// What stands in brackets behind these words.

@@ -9,21 +9,14 @@ fn parameterizing_calls_are_those_of_the_table() {
     // oracle: manual, spec/common/support_calls.tsv
     let mut table: BTreeMap<String, Vec<String>> = BTreeMap::new();
     for row in common_rows("support_calls.tsv") {
-        table
-            .entry(row[0].clone())
-            .or_default()
-            .push(row[2].clone());
+        table.entry(row[0].clone()).or_default().push(row[2].clone());
     }
     if table.is_empty() {
         return;
     }
     assert_eq!(table[list::AUXILIARY], list::AUXILIARY_ARGS);
     for cycle in CYCLES {
-        for list in cycle
-            .lists
-            .iter()
-            .filter(|list| list.style == Style::Indirect)
-        {
+        for list in cycle.lists.iter().filter(|list| list.style == Style::Indirect) {
             let rows = &table[list.name];
             assert_eq!(list.args.len(), rows.len(), "{}", list.name);
             for (arg, row) in list.args.iter().zip(rows) {
@@ -48,112 +41,27 @@ fn parameterizing_calls_are_those_of_the_table() {
 /// Name of a list, number of its arguments, what stands at some places, counted from 1.
 type Published = (&'static str, usize, &'static [(usize, &'static str)]);
 
-// oracle: peer (number of arguments and places in the published lists of the calls; CYCLE977, CYCLE978 and CYCLE998 agree
-// with programs that run on newer controls, argument by argument)
+// oracle: peer (number of arguments and places in the published lists of the calls; CYCLE977, CYCLE978 and CYCLE998
+// agree with programs that run on newer controls, argument by argument)
 #[test]
 fn lists_of_newer_controls_have_the_published_arguments() {
     let published: [Published; 12] = [
-        (
-            "CYCLE961",
-            22,
-            &[
-                (1, "_MVAR"),
-                (13, "S_SETV9"),
-                (14, "_STA1"),
-                (16, "_ID"),
-                (17, "_FA"),
-                (22, "_AMODE"),
-            ],
-        ),
-        (
-            "CYCLE971",
-            22,
-            &[
-                (4, "_MA"),
-                (9, "_VMS"),
-                (13, "_MFS[1]"),
-                (14, "_MFS[0]"),
-                (19, "_EVNUM"),
-            ],
-        ),
-        (
-            "CYCLE973",
-            13,
-            &[(2, "_PRNUM"), (4, "_SETVAL"), (7, "_FA"), (10, "_NMSP")],
-        ),
-        (
-            "CYCLE974",
-            23,
-            &[
-                (3, "S_KNUM1"),
-                (5, "_SETVAL"),
-                (9, "_STA1"),
-                (18, "_K"),
-                (23, "_DP"),
-            ],
-        ),
-        (
-            "CYCLE976",
-            14,
-            &[(3, "_SETVAL"), (5, "_MA"), (10, "_STA1"), (14, "_AMODE")],
-        ),
+        ("CYCLE961", 22, &[(1, "_MVAR"), (13, "S_SETV9"), (14, "_STA1"), (16, "_ID"), (17, "_FA"), (22, "_AMODE")]),
+        ("CYCLE971", 22, &[(4, "_MA"), (9, "_VMS"), (13, "_MFS[1]"), (14, "_MFS[0]"), (19, "_EVNUM")]),
+        ("CYCLE973", 13, &[(2, "_PRNUM"), (4, "_SETVAL"), (7, "_FA"), (10, "_NMSP")]),
+        ("CYCLE974", 23, &[(3, "S_KNUM1"), (5, "_SETVAL"), (9, "_STA1"), (18, "_K"), (23, "_DP")]),
+        ("CYCLE976", 14, &[(3, "_SETVAL"), (5, "_MA"), (10, "_STA1"), (14, "_AMODE")]),
         (
             "CYCLE977",
             30,
-            &[
-                (3, "S_KNUM1"),
-                (8, "_FA"),
-                (11, "_ID"),
-                (16, "_TNAME"),
-                (18, "_TZL"),
-                (24, "_EVNUM"),
-                (28, "S_XM"),
-            ],
+            &[(3, "S_KNUM1"), (8, "_FA"), (11, "_ID"), (16, "_TNAME"), (18, "_TZL"), (24, "_EVNUM"), (28, "S_XM")],
         ),
-        (
-            "CYCLE978",
-            23,
-            &[
-                (8, "_MA"),
-                (9, "S_MD"),
-                (11, "_TNAME"),
-                (14, "_TDIF"),
-                (19, "_EVNUM"),
-            ],
-        ),
-        (
-            "CYCLE979",
-            27,
-            &[(8, "_CPA"), (11, "_INCA"), (21, "_EVNUM"), (25, "S_MPVAL1")],
-        ),
+        ("CYCLE978", 23, &[(8, "_MA"), (9, "S_MD"), (11, "_TNAME"), (14, "_TDIF"), (19, "_EVNUM")]),
+        ("CYCLE979", 27, &[(8, "_CPA"), (11, "_INCA"), (21, "_EVNUM"), (25, "S_MPVAL1")]),
         ("CYCLE982", 18, &[(4, "_MA"), (11, "_CORA"), (15, "_EVNUM")]),
-        (
-            "CYCLE994",
-            24,
-            &[(7, "_SZA"), (9, "_FA"), (19, "_K"), (24, "_DP")],
-        ),
-        (
-            "CYCLE997",
-            22,
-            &[
-                (9, "_SETV[0]"),
-                (17, "_SETV[8]"),
-                (18, "_TNVL"),
-                (19, "_NMSP"),
-            ],
-        ),
-        (
-            "CYCLE998",
-            20,
-            &[
-                (3, "_RA"),
-                (10, "_MA"),
-                (12, "_ID"),
-                (13, "_SETV[0]"),
-                (18, "_EVNUM"),
-                (20, "_AMODE"),
-            ],
-        ),
+        ("CYCLE994", 24, &[(7, "_SZA"), (9, "_FA"), (19, "_K"), (24, "_DP")]),
+        ("CYCLE997", 22, &[(9, "_SETV[0]"), (17, "_SETV[8]"), (18, "_TNVL"), (19, "_NMSP")]),
+        ("CYCLE998", 20, &[(3, "_RA"), (10, "_MA"), (12, "_ID"), (13, "_SETV[0]"), (18, "_EVNUM"), (20, "_AMODE")]),
     ];
     let newer = |cycle: &&&Cycle| cycle.lists.iter().any(|list| list.style == Style::Operate);
     assert_eq!(CYCLES.iter().filter(newer).count(), published.len());
@@ -177,11 +85,6 @@ fn lists_of_newer_controls_have_the_published_arguments() {
         for (place, argument) in places {
             assert_eq!(names[place - 1], *argument, "{name} {place}");
         }
-        assert!(
-            cycle
-                .params
-                .iter()
-                .all(|param| names.iter().filter(|one| **one == param.name).count() < 2)
-        );
+        assert!(cycle.params.iter().all(|param| names.iter().filter(|one| **one == param.name).count() < 2));
     }
 }

@@ -32,12 +32,9 @@ fn calls_are_those_of_the_table() {
     let Ok(text) = std::fs::read_to_string(path) else {
         return;
     };
-    let first_cell =
-        |line: &str| Some(line.strip_prefix("| `CYCLE")?.split('`').next()?.to_owned());
+    let first_cell = |line: &str| Some(line.strip_prefix("| `CYCLE")?.split('`').next()?.to_owned());
     let table: BTreeSet<String> = text.lines().filter_map(first_cell).collect();
-    let ours: BTreeSet<String> = of_log()
-        .map(|cycle| call(cycle).trim_start_matches("CYCLE").to_owned())
-        .collect();
+    let ours: BTreeSet<String> = of_log().map(|cycle| call(cycle).trim_start_matches("CYCLE").to_owned()).collect();
     assert_eq!(ours, table);
 }
 

@@ -13,20 +13,14 @@ fn texts_for_the_operator_are_those_of_the_table() {
         return;
     }
     let own = |row: &&Vec<String>| !row[0].starts_with('(') && !row[1].contains("program");
-    let table: BTreeSet<[&str; 3]> = rows
-        .iter()
-        .filter(own)
-        .map(|row| [row[0].as_str(), row[1].as_str(), row[4].as_str()])
-        .collect();
+    let table: BTreeSet<[&str; 3]> =
+        rows.iter().filter(own).map(|row| [row[0].as_str(), row[1].as_str(), row[4].as_str()]).collect();
     let sender = |sender: Sender| match sender {
         Sender::Program(name) => name,
         Sender::EveryCycle => "measuring cycles",
         Sender::Jog => "measuring in JOG",
     };
-    let ours: BTreeSet<[&str; 3]> = MESSAGES
-        .iter()
-        .map(|one| [one.text, sender(one.sender), one.source])
-        .collect();
+    let ours: BTreeSet<[&str; 3]> = MESSAGES.iter().map(|one| [one.text, sender(one.sender), one.source]).collect();
     assert_eq!(ours, table);
     for row in rows.iter().filter(own) {
         let message = MESSAGES.iter().find(|one| one.text == row[0]).unwrap();

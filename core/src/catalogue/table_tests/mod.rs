@@ -39,10 +39,7 @@ fn rows_of(folder: &str, table: &str) -> Vec<Vec<String>> {
 }
 
 fn sinumerik() -> impl Iterator<Item = &'static Cycle> {
-    CYCLES
-        .iter()
-        .copied()
-        .filter(|cycle| cycle.dialect == Dialect::Sinumerik)
+    CYCLES.iter().copied().filter(|cycle| cycle.dialect == Dialect::Sinumerik)
 }
 
 /// Cycles that stand in the tables of milling and turning; those of the log stand in [`logging`].
@@ -54,16 +51,10 @@ fn tabled() -> impl Iterator<Item = &'static Cycle> {
 fn refused(cycle: &'static Cycle, variant: i64, values: &[(&str, &str)]) -> Vec<Code> {
     let number = variant.to_string();
     let mut typed: Typed = [(names::MVAR.to_owned(), number)].into();
-    typed.extend(
-        values
-            .iter()
-            .map(|(name, value)| ((*name).to_owned(), (*value).to_owned())),
-    );
+    typed.extend(values.iter().map(|(name, value)| ((*name).to_owned(), (*value).to_owned())));
     let at = values.last().map_or(names::MVAR, |(name, _)| name);
     let found = check(cycle, &typed, &delivery(Dialect::Sinumerik)).diagnostics;
-    let errors = found
-        .iter()
-        .filter(|one| one.severity == Severity::Error && one.param == Some(at));
+    let errors = found.iter().filter(|one| one.severity == Severity::Error && one.param == Some(at));
     errors.map(|one| one.code).collect()
 }
 
@@ -104,12 +95,7 @@ fn counts() {
     let mut ours: Vec<(&str, usize, usize, usize)> = sinumerik()
         .map(|cycle| {
             let params = of_the_call(cycle).count();
-            (
-                cycle.name,
-                cycle.variants.len(),
-                params,
-                cycle.results.len(),
-            )
+            (cycle.name, cycle.variants.len(), params, cycle.results.len())
         })
         .collect();
     ours.sort_unstable();
@@ -139,11 +125,7 @@ fn variants_are_those_of_the_table() {
         let of_cycle = rows.iter().filter(|row| row[0] == cycle.name);
         // A cycle without variants has one row, named `-`; further rows describe what is not valid, in words.
         let number = |cell: &str| {
-            if cell == "-" {
-                Some(0)
-            } else {
-                cell.parse().ok()
-            }
+            if cell == "-" { Some(0) } else { cell.parse().ok() }
         };
         let table: BTreeSet<i64> = of_cycle.filter_map(|row| number(&row[1])).collect();
         let ours: BTreeSet<i64> = cycle.variants.iter().map(|one| one.number).collect();

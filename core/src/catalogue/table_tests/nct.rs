@@ -108,10 +108,7 @@ fn what_has_to_be_given_is_a_format_error_otherwise() {
             continue;
         }
         for plane in [Plane::G17, Plane::G18, Plane::G19] {
-            assert!(
-                nothing_given(cycle, plane).contains(&nct::FORMAT_ERROR),
-                "{row:?}"
-            );
+            assert!(nothing_given(cycle, plane).contains(&nct::FORMAT_ERROR), "{row:?}");
             seen += 1;
         }
     }
@@ -124,7 +121,8 @@ fn nothing_given(cycle: &'static Cycle, plane: Plane) -> Vec<Code> {
 
 #[test]
 fn a_register_and_an_offset_have_their_range() {
-    // oracle: manual, spec/common/nct_params.tsv: S 0 to 6; T and M up to 99 (the lower end printed as 6 is 1: examples)
+    // oracle: manual, spec/common/nct_params.tsv: S 0 to 6; T and M up to 99 (the lower end printed as 6 is 1:
+    // examples)
     let ranged = |name: &str, min: f64, max: f64| {
         let refusing = |cycle: &&Cycle| cycle.name.starts_with("G1"); // others mean something else by these letters
         for cycle in macros().filter(refusing) {
@@ -133,12 +131,7 @@ fn a_register_and_an_offset_have_their_range() {
             };
             let ends = (param.range.min, param.range.max);
             assert_eq!(ends, (min, max), "{} {name}", cycle.name);
-            assert_eq!(
-                param.alarm,
-                Some(nct::FORMAT_ERROR),
-                "{} {name}",
-                cycle.name
-            );
+            assert_eq!(param.alarm, Some(nct::FORMAT_ERROR), "{} {name}", cycle.name);
         }
     };
     ranged("S", 0.0, 6.0);

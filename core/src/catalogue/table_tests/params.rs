@@ -33,19 +33,14 @@ fn parameters_are_those_of_the_table() {
             unused_elsewhere(cycle, param, &rows);
         }
         let ours: BTreeSet<&str> = cycle.settings.iter().copied().collect();
-        let missing: Vec<_> = settings
-            .iter()
-            .filter(|one| !ours.contains(one.as_str()))
-            .collect();
+        let missing: Vec<_> = settings.iter().filter(|one| !ours.contains(one.as_str())).collect();
         assert!(missing.is_empty(), "{} {missing:?}", cycle.name);
     }
 }
 
 /// A variant that no row names does not use the parameter.
 fn unused_elsewhere(cycle: &'static Cycle, param: &Param, rows: &[Vec<String>]) {
-    let names = |row: &&Vec<String>| {
-        row[0] == cycle.name && names_of(&row[1]).iter().any(|name| name == param.name)
-    };
+    let names = |row: &&Vec<String>| row[0] == cycle.name && names_of(&row[1]).iter().any(|name| name == param.name);
     let rows: Vec<&Vec<String>> = rows.iter().filter(names).collect();
     for variant in cycle.variants {
         let named = |row: &&Vec<String>| covers(with_condition(&row[2]).0, variant.number);
@@ -63,8 +58,7 @@ fn unused_elsewhere(cycle: &'static Cycle, param: &Param, rows: &[Vec<String>]) 
 
 /// What a helper cycle hands back stands among the parameters too; it is compared with the results.
 fn is_result(cycle: &Cycle, name: &str) -> bool {
-    cycle.purpose.probe == ProbeUse::None
-        && cycle.results.iter().any(|field| row_name(field) == name)
+    cycle.purpose.probe == ProbeUse::None && cycle.results.iter().any(|field| row_name(field) == name)
 }
 
 /// `_CHBIT[2], _SPEED[0..2]` → four names; a comma inside of an index separates nothing.
@@ -82,10 +76,7 @@ pub fn names_of(cell: &str) -> Vec<String> {
             _ => names.push(String::new()),
         }
     }
-    names
-        .iter()
-        .flat_map(|name| elements(name.trim()))
-        .collect()
+    names.iter().flat_map(|name| elements(name.trim())).collect()
 }
 
 /// `_SETV[0..2]` → its three elements; `_SETPOINT[3,3]`, which tells a size → all nine.
@@ -107,8 +98,8 @@ fn elements(name: &str) -> Vec<String> {
 /// Data of the machine stand in the tables beside the parameters: the bit, or the name of the array.
 fn setting(name: &str) -> Option<String> {
     const ARRAYS: &[&str] = &[
-        "_SPEED", "_TP", "_TPW", "_TP_CF", "_KB", "_CM", "_MFS", "_MT_COMP", "_MT_EC_R",
-        "_MT_EC_L", "_WP", "_EV", "_MV",
+        "_SPEED", "_TP", "_TPW", "_TP_CF", "_KB", "_CM", "_MFS", "_MT_COMP", "_MT_EC_R", "_MT_EC_L", "_WP", "_EV",
+        "_MV",
     ];
     if name.starts_with("_CHBIT") || name.starts_with("_CBIT") {
         return Some(name.to_owned());
@@ -201,19 +192,11 @@ fn compare_allowed(cycle: &'static Cycle, param: &Param, inputs: &Inputs, cell: 
         .collect();
     let codes = |value: f64| {
         let value = value.to_string();
-        let mut values: Vec<(&str, &str)> = others
-            .iter()
-            .map(|(name, value)| (*name, value.as_str()))
-            .collect();
+        let mut values: Vec<(&str, &str)> = others.iter().map(|(name, value)| (*name, value.as_str())).collect();
         values.push((param.name, &value));
         refused(cycle, inputs.variant, &values)
     };
-    let what = |value| {
-        format!(
-            "{} {} {} {value} {cell}",
-            cycle.name, param.name, inputs.variant
-        )
-    };
+    let what = |value| format!("{} {} {} {value} {cell}", cycle.name, param.name, inputs.variant);
     let right = allowed.right();
     if narrowed(cycle, param, inputs.variant) {
         let some = right.iter().any(|value| codes(*value).is_empty());
@@ -223,9 +206,7 @@ fn compare_allowed(cycle: &'static Cycle, param: &Param, inputs: &Inputs, cell: 
             assert_eq!(codes(value), [], "{}", what(value));
         }
     }
-    let alarm = cell
-        .split(|c: char| !c.is_ascii_digit())
-        .find(|text| text.len() == 5 && text.starts_with('6'));
+    let alarm = cell.split(|c: char| !c.is_ascii_digit()).find(|text| text.len() == 5 && text.starts_with('6'));
     for value in allowed.wrong() {
         let codes = codes(value);
         assert!(!codes.is_empty(), "{}", what(value));

@@ -133,8 +133,5 @@ fn ways(cycle: &'static Cycle, variant: i64) -> Vec<Inputs> {
         inputs
     };
     let axes = [1.0, 2.0, 3.0, 103.0, 203.0];
-    axes.into_iter()
-        .flat_map(|axis| [(axis, 0.0), (axis, 1.0)])
-        .map(with)
-        .collect()
+    axes.into_iter().flat_map(|axis| [(axis, 0.0), (axis, 1.0)]).map(with).collect()
 }

@@ -19,14 +19,8 @@ pub fn number(inputs: &Inputs, control: &Control, workpiece: bool, found: &mut V
     let number = inputs.number(names::PRNUM);
     if number > fields {
         let message = Message::new("check-probe-number").number("number", number);
-        let hint = Message::new("check-tool-probe-number-hint")
-            .number("fields", fields)
-            .text("array", array);
-        found.push(
-            error(Code::Alarm(61313), message)
-                .hint(hint)
-                .at(names::PRNUM),
-        );
+        let hint = Message::new("check-tool-probe-number-hint").number("fields", fields).text("array", array);
+        found.push(error(Code::Alarm(61313), message).hint(hint).at(names::PRNUM));
     }
 }
 
@@ -51,8 +45,7 @@ pub fn memory(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
 /// `_TSA` lies beyond both (B:4324-4326).
 pub fn limits(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     // that delivered with the control is nobody's wish: only one that was written is doubted where it is too large
-    let written = inputs.written.contains(names::TDIF)
-        || inputs.given(names::TSA) > inputs.given(names::TDIF);
+    let written = inputs.written.contains(names::TDIF) || inputs.given(names::TSA) > inputs.given(names::TDIF);
     let given = [names::TZL, names::TDIF, names::TSA]
         .into_iter()
         .filter(|name| *name != names::TDIF || written)
@@ -76,8 +69,8 @@ pub fn limits(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// The tool in use, to be looked at further; none where it is not known. While a workpiece probe is in use, the tool that
-/// is meant is still to come: a doubt here, 61314 on the machine (A:15855).
+/// The tool in use, to be looked at further; none where it is not known. While a workpiece probe is in use, the tool
+/// that is meant is still to come: a doubt here, 61314 on the machine (A:15855).
 pub fn tool_in_use<'a>(control: &'a Control, found: &mut Vec<Diagnostic>) -> Option<&'a Edge> {
     radius(control, found);
     let edge = control.active_edge().filter(|edge| edge.kind != 0)?;
@@ -121,10 +114,7 @@ pub fn speeds(control: &Control, found: &mut Vec<Diagnostic>) {
 pub fn place(data: &ProbeData, axes: &[usize], found: &mut Vec<Diagnostic>) {
     let triggers = || axes.iter().map(|axis| (axis, data.triggers(*axis)));
     if triggers().all(|(_, values)| values == [0.0; 2]) {
-        let names: Vec<String> = axes
-            .iter()
-            .flat_map(|axis| [data.name(2 * axis), data.name(2 * axis + 1)])
-            .collect();
+        let names: Vec<String> = axes.iter().flat_map(|axis| [data.name(2 * axis), data.name(2 * axis + 1)]).collect();
         // the control does not know where it stands
         let finding = own::TOOL_PROBE_EMPTY.finding();
         found.push(finding.text("names", names.join(", ")).at(names::PRNUM));

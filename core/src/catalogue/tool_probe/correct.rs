@@ -35,12 +35,7 @@ enum Verdict {
 }
 
 /// Reports, decides, corrects; each value on its own.
-pub fn finish(
-    machine: &mut dyn Machine,
-    inputs: &Inputs,
-    found: &[Measured],
-    repetition: u32,
-) -> Result<Next, Stop> {
+pub fn finish(machine: &mut dyn Machine, inputs: &Inputs, found: &[Measured], repetition: u32) -> Result<Next, Stop> {
     report_call(machine, inputs);
     for one in found {
         let used = one.value - tolerance::empirical(machine.control(), inputs);
@@ -69,9 +64,7 @@ pub fn finish_always(machine: &mut dyn Machine, inputs: &Inputs, found: &[Measur
 pub fn active(control: &Control, part: usize) -> f64 {
     match part {
         tool_offset::RADIUS => control.active_radius(),
-        _ => control.active_edge().map_or(0.0, |edge| {
-            edge.total_length(part) + edge.location(control.location)[part]
-        }),
+        _ => control.active_edge().map_or(0.0, |edge| edge.total_length(part) + edge.location(control.location)[part]),
     }
 }
 
@@ -137,13 +130,7 @@ fn decide(
 /// First measurement: the geometry takes everything and the wear is erased; later ones change the wear (B:4314-4322).
 pub fn write(machine: &mut dyn Machine, part: usize, difference: f64, geometry: bool) {
     let control = machine.control();
-    let target = tool_offset::Target {
-        tool: control.tool,
-        edge: control.edge,
-        part,
-        location: None,
-        inverted: false,
-    };
+    let target = tool_offset::Target { tool: control.tool, edge: control.edge, part, location: None, inverted: false };
     let writes = tool_offset::writes_into(control, &target, difference, geometry);
     correct::write(machine, &writes);
 }

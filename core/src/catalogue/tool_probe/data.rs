@@ -14,11 +14,7 @@ pub struct ProbeData<'a> {
 impl<'a> ProbeData<'a> {
     /// The probe that `_PRNUM` names, in `_TP` or, for a measurement in the workpiece system, in `_TPW`.
     pub fn of(inputs: &Inputs, control: &'a Control, workpiece: bool) -> Self {
-        Self {
-            control,
-            array: if workpiece { "_TPW" } else { "_TP" },
-            index: inputs.integer(names::PRNUM) - 1,
-        }
+        Self { control, array: if workpiece { "_TPW" } else { "_TP" }, index: inputs.integer(names::PRNUM) - 1 }
     }
 
     /// Name of one datum: `_TP[0,6]`.

@@ -1,5 +1,5 @@
-//! What the pictures of the cycles at a tool probe share. A turning tool is drawn as with cutting edge position 3, which
-//! touches the plus sides; at the end the figures are mirrored to the position of the tool in use.
+//! What the pictures of the cycles at a tool probe share. A turning tool is drawn as with cutting edge position 3,
+//! which touches the plus sides; at the end the figures are mirrored to the position of the tool in use.
 
 use crate::catalogue::names;
 use crate::check::Inputs;
@@ -12,14 +12,8 @@ pub fn bands(inputs: &Inputs, face: [[f64; 2]; 2], out: [f64; 2]) -> Vec<Picture
     let widths = [(names::TSA, 3.0), (names::TDIF, 1.8), (names::TZL, 0.8)];
     let band = |(name, width): (&'static str, f64)| {
         let [a, b] = face;
-        let beside =
-            |[x, y]: [f64; 2], side: f64| [x + side * width * out[0], y + side * width * out[1]];
-        let corners = vec![
-            beside(a, -1.0),
-            beside(b, -1.0),
-            beside(b, 1.0),
-            beside(a, 1.0),
-        ];
+        let beside = |[x, y]: [f64; 2], side: f64| [x + side * width * out[0], y + side * width * out[1]];
+        let corners = vec![beside(a, -1.0), beside(b, -1.0), beside(b, 1.0), beside(a, 1.0)];
         polygon(ShapeKind::Tolerance, corners).of(name)
     };
     let used = widths.into_iter().filter(|(name, _)| inputs.uses(name));
@@ -36,48 +30,22 @@ pub const LENGTH: f64 = 30.0;
 /// An outline from the centre of the nose, mm.
 type Outline = &'static [[f64; 2]];
 
-const BALL_SHANK: Outline = &[
-    [1.5, 4.0],
-    [4.0, 1.5],
-    [LENGTH, 16.0],
-    [LENGTH, LENGTH],
-    [16.0, LENGTH],
-];
+const BALL_SHANK: Outline = &[[1.5, 4.0], [4.0, 1.5], [LENGTH, 16.0], [LENGTH, LENGTH], [16.0, LENGTH]];
 /// Cuts along both axes.
-const CORNERED: Outline = &[
-    [-1.5, 0.3],
-    [0.3, -1.5],
-    [12.0, 2.0],
-    [LENGTH, 14.0],
-    [LENGTH, LENGTH],
-    [14.0, LENGTH],
-    [2.0, 12.0],
-];
+const CORNERED: Outline =
+    &[[-1.5, 0.3], [0.3, -1.5], [12.0, 2.0], [LENGTH, 14.0], [LENGTH, LENGTH], [14.0, LENGTH], [2.0, 12.0]];
 /// Lies along the abscissa, and has no tip across it.
-const POINTED: Outline = &[
-    [0.3, -1.5],
-    [12.0, -5.0],
-    [16.0, -9.0],
-    [LENGTH, -9.0],
-    [LENGTH, 9.0],
-    [16.0, 9.0],
-    [12.0, 5.0],
-    [0.3, 1.5],
-];
+const POINTED: Outline =
+    &[[0.3, -1.5], [12.0, -5.0], [16.0, -9.0], [LENGTH, -9.0], [LENGTH, 9.0], [16.0, 9.0], [12.0, 5.0], [0.3, 1.5]];
 
 /// Radius of the nose of the calibration tool or of a turning tool, mm.
 pub fn nose_radius(calibrates: bool) -> f64 {
     if calibrates { BALL } else { NOSE }
 }
 
-/// The calibration tool or a turning tool, `centre`: of its nose; `away`: 1, or -1 in an axis in which its shank is bent to
-/// the other side.
-pub fn nosed(
-    inputs: &Inputs,
-    calibrates: bool,
-    centre: [f64; 2],
-    away: [f64; 2],
-) -> [PictureShape; 2] {
+/// The calibration tool or a turning tool, `centre`: of its nose; `away`: 1, or -1 in an axis in which its shank is
+/// bent to the other side.
+pub fn nosed(inputs: &Inputs, calibrates: bool, centre: [f64; 2], away: [f64; 2]) -> [PictureShape; 2] {
     let outline = match inputs.nose {
         _ if calibrates => BALL_SHANK,
         Some([abscissa, ordinate]) if abscissa == 0.0 || ordinate == 0.0 => POINTED,
@@ -94,7 +62,8 @@ pub fn nosed(
     ]
 }
 
-/// 1 in an axis in which the turning tool in use touches the plus side, as one with cutting edge position 3 does; else -1.
+/// 1 in an axis in which the turning tool in use touches the plus side, as one with cutting edge position 3 does; else
+/// -1.
 pub fn sides(inputs: &Inputs) -> [f64; 2] {
     let nose = inputs.nose.unwrap_or([-1.0; 2]);
     nose.map(|side| if side > 0.0 { -1.0 } else { 1.0 })

@@ -4,7 +4,5 @@ use crate::catalogue::When;
 use crate::catalogue::help::{HelpLine, before, wrong};
 
 /// What all cycles at a tool probe have in common.
-pub const ALL: &[HelpLine] = &[
-    before(When::Always, "help-tool-in-use", "B:4251;B:9214-9216"),
-    wrong(When::Always, "help-tool-chip", "B:4324"),
-];
+pub const ALL: &[HelpLine] =
+    &[before(When::Always, "help-tool-in-use", "B:4251;B:9214-9216"), wrong(When::Always, "help-tool-chip", "B:4324")];

@@ -23,8 +23,8 @@ pub fn begin(machine: &mut dyn Machine, inputs: &Inputs, cycle: i64) {
     results::length(machine, 27, inputs.number(names::TZL));
 }
 
-/// Reports, compares with the safe area, and stores what differs by more than `_TZL`; `beside`: differences that count for
-/// the safe area and are not stored, mm.
+/// Reports, compares with the safe area, and stores what differs by more than `_TZL`; `beside`: differences that count
+/// for the safe area and are not stored, mm.
 pub fn store(
     machine: &mut dyn Machine,
     inputs: &Inputs,

@@ -17,11 +17,7 @@ pub fn tool(inputs: &Inputs, edge: &Edge, calibrate: bool, found: &mut Vec<Diagn
     if !TURNING.contains(&edge.kind) {
         let message = Message::new("check-tool-type").number("type", edge.kind as f64);
         let hint = Message::new("check-turning-type-hint");
-        found.push(
-            error(Code::Alarm(61314), message)
-                .hint(hint)
-                .at(names::MVAR),
-        );
+        found.push(error(Code::Alarm(61314), message).hint(hint).at(names::MVAR));
         return;
     }
     let hint = match edge.tip {
@@ -31,11 +27,7 @@ pub fn tool(inputs: &Inputs, edge: &Edge, calibrate: bool, found: &mut Vec<Diagn
         _ => "check-tip-hint",
     };
     let message = Message::new("check-tip").number("tip", edge.tip as f64);
-    found.push(
-        error(Code::Alarm(61315), message)
-            .hint(Message::new(hint))
-            .at(names::MVAR),
-    );
+    found.push(error(Code::Alarm(61315), message).hint(Message::new(hint)).at(names::MVAR));
 }
 
 /// Tools with positions 5 and 7 lie along the abscissa and have no tip across it, those with 6 and 8 the other way
@@ -46,9 +38,5 @@ fn length(inputs: &Inputs, tip: i64, found: &mut Vec<Diagnostic>) {
         return;
     }
     let message = Message::new("check-tip-axis").number("tip", tip as f64);
-    found.push(
-        error(Code::Alarm(61325), message)
-            .hint(Message::new("check-tip-axis-hint"))
-            .at(names::MA),
-    );
+    found.push(error(Code::Alarm(61325), message).hint(Message::new("check-tip-axis-hint")).at(names::MA));
 }

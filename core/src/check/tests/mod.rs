@@ -10,10 +10,7 @@ use crate::diagnostic::{Code, Severity};
 use crate::message::Message;
 
 fn typed(values: &[(&str, &str)]) -> Typed {
-    values
-        .iter()
-        .map(|(name, value)| ((*name).to_owned(), (*value).to_owned()))
-        .collect()
+    values.iter().map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect()
 }
 
 fn cycle(name: &str) -> &'static Cycle {
@@ -32,22 +29,14 @@ fn changed(name: &str, changes: &[(&str, &str)]) -> Checked {
 }
 
 fn found(checked: &Checked, severity: Severity) -> Vec<(Code, &'static str)> {
-    let these = checked
-        .diagnostics
-        .iter()
-        .filter(|other| other.severity == severity);
-    these
-        .map(|other| (other.code, other.param.unwrap_or("")))
-        .collect()
+    let these = checked.diagnostics.iter().filter(|other| other.severity == severity);
+    these.map(|other| (other.code, other.param.unwrap_or(""))).collect()
 }
 
 #[test]
 fn the_worked_examples_are_right() {
     // oracle: manual B:6101-6114, B:6676-6682
-    for cycle in crate::catalogue::CYCLES
-        .iter()
-        .filter(|cycle| cycle.dialect == Dialect::Sinumerik)
-    {
+    for cycle in crate::catalogue::CYCLES.iter().filter(|cycle| cycle.dialect == Dialect::Sinumerik) {
         let checked = changed(cycle.name, &[]);
         assert_eq!(found(&checked, Severity::Error), [], "{}", cycle.name);
         assert!(checked.inputs.is_some());
@@ -89,50 +78,20 @@ fn mistakes_of_cycle977() {
         (&[("_MVAR", "101")], alarm(61321), "_KNUM"),
         (&[("_TNUM", "")], own(1), "_TNUM"),
         (&[("_KNUM", "1002001")], own(1), "_DLNUM"),
-        (
-            &[("_KNUM", "1002001"), ("_DLNUM", "7")],
-            alarm(61406),
-            "_DLNUM",
-        ),
+        (&[("_KNUM", "1002001"), ("_DLNUM", "7")], alarm(61406), "_DLNUM"),
         (&[("_MVAR", "3")], own(1), "_MA"),
         (&[("_MVAR", "3"), ("_MA", "3")], alarm(61325), "_MA"),
         (&[("_MVAR", "2")], own(1), "_ID"),
-        (
-            &[("_MVAR", "1001"), ("_ID", "-20"), ("_SZA", "132")],
-            alarm(61334),
-            "_SZA",
-        ),
-        (
-            &[("_MVAR", "1001"), ("_ID", "-20"), ("_SZA", "125")],
-            alarm(61334),
-            "_SZA",
-        ),
-        (
-            &[("_MVAR", "1002"), ("_ID", "-20"), ("_SZA", "100")],
-            alarm(61334),
-            "_SZA",
-        ),
-        (
-            &[("_MVAR", "1002"), ("_ID", "-20"), ("_SZA", "0")],
-            alarm(61334),
-            "_SZA",
-        ),
+        (&[("_MVAR", "1001"), ("_ID", "-20"), ("_SZA", "132")], alarm(61334), "_SZA"),
+        (&[("_MVAR", "1001"), ("_ID", "-20"), ("_SZA", "125")], alarm(61334), "_SZA"),
+        (&[("_MVAR", "1002"), ("_ID", "-20"), ("_SZA", "100")], alarm(61334), "_SZA"),
+        (&[("_MVAR", "1002"), ("_ID", "-20"), ("_SZA", "0")], alarm(61334), "_SZA"),
     ] {
         let checked = changed("CYCLE977", changes);
-        assert_eq!(
-            found(&checked, Severity::Error),
-            [(code, param)],
-            "{changes:?}"
-        );
+        assert_eq!(found(&checked, Severity::Error), [(code, param)], "{changes:?}");
         assert!(checked.inputs.is_none(), "{changes:?}");
-        let cures = checked
-            .diagnostics
-            .iter()
-            .filter(|other| other.severity == Severity::Error);
-        assert!(
-            cures.clone().all(|other| other.hint.is_some()),
-            "{changes:?}"
-        );
+        let cures = checked.diagnostics.iter().filter(|other| other.severity == Severity::Error);
+        assert!(cures.clone().all(|other| other.hint.is_some()), "{changes:?}");
     }
 }
 
@@ -141,23 +100,11 @@ fn mistakes_of_cycle978() {
     // oracle: manual B:6308, B:6418 (alarms are our proposal)
     let differential = [("_MVAR", "1000"), ("_PRNUM", "101")];
     let checked = changed("CYCLE978", &differential);
-    assert_eq!(
-        found(&checked, Severity::Error),
-        [(Code::Alarm(61313), "_PRNUM")]
-    );
-    let checked = changed(
-        "CYCLE978",
-        &[("_MVAR", "1100"), ("_KNUM", "1"), ("_MA", "3")],
-    );
-    assert_eq!(
-        found(&checked, Severity::Error),
-        [(Code::Alarm(61325), "_MA")]
-    );
+    assert_eq!(found(&checked, Severity::Error), [(Code::Alarm(61313), "_PRNUM")]);
+    let checked = changed("CYCLE978", &[("_MVAR", "1100"), ("_KNUM", "1"), ("_MA", "3")]);
+    assert_eq!(found(&checked, Severity::Error), [(Code::Alarm(61325), "_MA")]);
     let checked = changed("CYCLE978", &[("_MVAR", "100"), ("_KNUM", "2001")]);
-    assert_eq!(
-        found(&checked, Severity::Error),
-        [(Code::Alarm(61321), "_KNUM")]
-    );
+    assert_eq!(found(&checked, Severity::Error), [(Code::Alarm(61321), "_KNUM")]);
 }
 
 #[test]
@@ -216,10 +163,7 @@ fn a_safe_area_beyond_the_measuring_path_switches_the_monitoring_off() {
 fn the_delivered_dimension_difference_is_not_doubted() {
     let doubted = |changes: &[(&str, &str)]| {
         let checked = changed("CYCLE977", changes);
-        checked
-            .diagnostics
-            .iter()
-            .any(|one| one.code == Code::Own(25))
+        checked.diagnostics.iter().any(|one| one.code == Code::Own(25))
     };
     assert!(!doubted(&[("_TDIF", ""), ("_TSA", "1")]));
     assert!(doubted(&[("_TDIF", "1.2"), ("_TSA", "1")]));
@@ -229,30 +173,16 @@ fn the_delivered_dimension_difference_is_not_doubted() {
 fn doubts() {
     // oracle: manual B:1310-1394, B:5801-5809, B:15629
     for (name, changes, code, param) in [
-        (
-            "CYCLE977",
-            &[("_TDIF", "0.02"), ("_TMV", "0.02")][..],
-            23,
-            "_TDIF",
-        ),
+        ("CYCLE977", &[("_TDIF", "0.02"), ("_TMV", "0.02")][..], 23, "_TDIF"),
         ("CYCLE977", &[("_TZL", "0.5")], 24, "_TMV"),
         ("CYCLE977", &[("_TDIF", "1.5")], 25, "_TSA"),
         ("CYCLE977", &[("_MVAR", "2"), ("_ID", "20")], 27, "_ID"),
         ("CYCLE977", &[("_PRNUM", "101")], 8, "_CORA"),
         ("CYCLE977", &[("_FA", "0.5"), ("_TSA", "0.9")], 7, "_FA"),
-        (
-            "CYCLE977",
-            &[("_MVAR", "1001"), ("_ID", "-20"), ("_SZA", "119")],
-            31,
-            "_FA",
-        ),
+        ("CYCLE977", &[("_MVAR", "1001"), ("_ID", "-20"), ("_SZA", "119")], 31, "_FA"),
     ] {
         let checked = changed(name, changes);
-        assert_eq!(
-            found(&checked, Severity::Warning),
-            [(Code::Own(code), param)],
-            "{changes:?}"
-        );
+        assert_eq!(found(&checked, Severity::Warning), [(Code::Own(code), param)], "{changes:?}");
         assert!(checked.inputs.is_some());
     }
 }
@@ -263,13 +193,7 @@ fn units_are_converted_once() {
     let mut control = control();
     (control.active_units, control.basic_units) = (Units::Inch, Units::Inch);
     control.set("_WP[0,0]", 0.25); // ball, inch
-    let values = typed(&[
-        ("_MVAR", "1"),
-        ("_SETVAL", "2"),
-        ("_KNUM", "0"),
-        ("_FA", "3"),
-        ("_VMS", "10"),
-    ]);
+    let values = typed(&[("_MVAR", "1"), ("_SETVAL", "2"), ("_KNUM", "0"), ("_FA", "3"), ("_VMS", "10")]);
     let inputs = check(cycle("CYCLE977"), &values, &control).inputs.unwrap();
     assert_eq!(inputs.number("_SETVAL"), 50.8);
     assert_eq!(inputs.number("_FA"), 3.0);

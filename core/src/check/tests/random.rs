@@ -26,24 +26,12 @@ fn values(random: &mut Random, name: &str, variant: i64) -> Typed {
     let size = random.between(30.0, 300.0);
     let other = random.between(30.0, 300.0);
     let zone = |size: f64| {
-        if outside {
-            size * 1.5 + 13.0
-        } else {
-            (size - 13.0) * 0.9
-        }
+        if outside { size * 1.5 + 13.0 } else { (size - 13.0) * 0.9 }
     };
     let lower = random.between(-1.0, 0.5);
     let pairs = [
         ("_MVAR", variant.to_string()),
-        (
-            "_SETVAL",
-            if name == "CYCLE978" {
-                random.between(-500.0, 500.0)
-            } else {
-                size
-            }
-            .to_string(),
-        ),
+        ("_SETVAL", if name == "CYCLE978" { random.between(-500.0, 500.0) } else { size }.to_string()),
         ("_SETV[0]", size.to_string().replace('.', ",")),
         ("_SETV[1]", other.to_string()),
         ("_ID", random.between(-90.0, -1.0).to_string()),
@@ -63,15 +51,7 @@ fn values(random: &mut Random, name: &str, variant: i64) -> Typed {
         ("_TNAME", random.one(&["", "CUTTER 10"]).to_owned()),
         ("_DLNUM", random.one(&["0", "6"]).to_owned()),
         ("_TENV", "WZUMG1".to_owned()),
-        (
-            "_PRNUM",
-            if variant >= 1000 && name == "CYCLE978" {
-                "2"
-            } else {
-                random.one(&["1", "3", "103"])
-            }
-            .to_owned(),
-        ),
+        ("_PRNUM", if variant >= 1000 && name == "CYCLE978" { "2" } else { random.one(&["1", "3", "103"]) }.to_owned()),
         ("_FA", random.between(0.1, 20.0).to_string()),
         ("_TSA", random.between(0.1, 20.0).to_string()),
         ("_VMS", random.between(0.0, 2000.0).to_string()),
@@ -85,10 +65,7 @@ fn values(random: &mut Random, name: &str, variant: i64) -> Typed {
         ("_TLL", lower.to_string()),
         ("_TDIF", random.between(0.1, 2.0).to_string()),
     ];
-    pairs
-        .into_iter()
-        .map(|(name, value)| (name.to_owned(), value))
-        .collect()
+    pairs.into_iter().map(|(name, value)| (name.to_owned(), value)).collect()
 }
 
 #[test]
@@ -103,16 +80,8 @@ fn values_in_range_have_no_errors() {
                 assert_eq!(found(&checked, Severity::Error), [], "{values:?}");
                 let inputs = checked.inputs.unwrap();
                 assert_eq!(inputs.variant, variant.number);
-                for param in cycle
-                    .params
-                    .iter()
-                    .filter(|param| param.need(&inputs).is_none())
-                {
-                    assert!(
-                        inputs.given(param.name).is_none() || param.name == "_MVAR",
-                        "{}",
-                        param.name
-                    );
+                for param in cycle.params.iter().filter(|param| param.need(&inputs).is_none()) {
+                    assert!(inputs.given(param.name).is_none() || param.name == "_MVAR", "{}", param.name);
                 }
             }
         }
@@ -123,9 +92,7 @@ fn values_in_range_have_no_errors() {
 fn nothing_typed_breaks_a_check() {
     // oracle: self
     let cycle = cycle("CYCLE977");
-    let strange = [
-        "", " ", "-", "1e999", "-0", "9e8", "\u{0}", "\"", "💥", "1/0", "_X[", "0x10", "٣٤", "--1",
-    ];
+    let strange = ["", " ", "-", "1e999", "-0", "9e8", "\u{0}", "\"", "💥", "1/0", "_X[", "0x10", "٣٤", "--1"];
     for param in cycle.params {
         for text in strange {
             for variant in ["1", "106", "1001", "1105"] {
@@ -133,27 +100,12 @@ fn nothing_typed_breaks_a_check() {
                 values.insert("_MVAR".into(), variant.into());
                 values.insert(param.name.into(), text.into());
                 let checked = check(cycle, &values, &control());
-                let stopped = checked
-                    .diagnostics
-                    .iter()
-                    .any(|other| other.severity == Severity::Error);
-                assert!(
-                    !stopped || checked.inputs.is_none(),
-                    "{} {text}",
-                    param.name
-                );
+                let stopped = checked.diagnostics.iter().any(|other| other.severity == Severity::Error);
+                assert!(!stopped || checked.inputs.is_none(), "{} {text}", param.name);
                 let picture = crate::form::draw(cycle, &values, &control()).unwrap();
                 let finite = |point: &[f64; 2]| point.iter().all(|value| value.is_finite());
                 assert!(picture.shapes.len() > 5, "{} {text}", param.name);
-                assert!(
-                    picture
-                        .shapes
-                        .iter()
-                        .flat_map(|shape| &shape.points)
-                        .all(finite),
-                    "{} {text}",
-                    param.name
-                );
+                assert!(picture.shapes.iter().flat_map(|shape| &shape.points).all(finite), "{} {text}", param.name);
             }
         }
     }

@@ -4,24 +4,14 @@ use super::{Element, Gud, Kind, System, Unit, element, gud6};
 use crate::catalogue::Range;
 
 /// All of this subject.
-pub(super) const DATA: &[Gud] = &[
-    gud6("_CVAL", Kind::Integer, &[4], CVAL),
-    gud6("_KB", Kind::Real, &[99, 7], KB).counted("_CVAL[2]"),
-];
+pub(super) const DATA: &[Gud] =
+    &[gud6("_CVAL", Kind::Integer, &[4], CVAL), gud6("_KB", Kind::Real, &[99, 7], KB).counted("_CVAL[2]")];
 
 const CVAL: &[Element] = &[
-    element("0", "B:13110")
-        .initial(3.0)
-        .within(Range::closed(0.0, 99.0)),
-    element("1", "B:13346")
-        .initial(3.0)
-        .within(Range::closed(0.0, 99.0)),
-    element("2", "B:13347")
-        .initial(3.0)
-        .within(Range::closed(0.0, 99.0)),
-    element("3", "B:13348")
-        .initial(3.0)
-        .within(Range::closed(0.0, 99.0)),
+    element("0", "B:13110").initial(3.0).within(Range::closed(0.0, 99.0)),
+    element("1", "B:13346").initial(3.0).within(Range::closed(0.0, 99.0)),
+    element("2", "B:13347").initial(3.0).within(Range::closed(0.0, 99.0)),
+    element("3", "B:13348").initial(3.0).within(Range::closed(0.0, 99.0)),
 ];
 
 const KB: &[Element] = &[

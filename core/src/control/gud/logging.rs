@@ -17,48 +17,27 @@ pub(super) const DATA: &[Gud] = &[
     gud6("_DIGIT", Kind::Integer, &[], DIGIT),
 ];
 
-const SI: &[Element] = &[
-    element("0", "B:13681").internal(),
-    element("1", "B:13682").text("6"),
-    element("2", "B:13683").internal(),
-];
+const SI: &[Element] =
+    &[element("0", "B:13681").internal(), element("1", "B:13682").text("6"), element("2", "B:13683").internal()];
 
 const PROTNAME: &[Element] = &[element("0", "B:11345"), element("1", "B:11346")];
 
 const HEADLINE: &[Element] = &[element("0..9", "B:11347")];
 
 const PROTFORM: &[Element] = &[
-    element("0", "B:11349")
-        .initial(60.0)
-        .within(Range::NOT_NEGATIVE),
-    element("1", "B:11350")
-        .initial(80.0)
-        .within(Range::NOT_NEGATIVE),
-    element("2", "B:11351")
-        .initial(1.0)
-        .within(Range::NOT_NEGATIVE),
-    element("3", "B:11352")
-        .initial(3.0)
-        .within(Range::NOT_NEGATIVE),
-    element("4", "B:11353")
-        .initial(1.0)
-        .within(Range::NOT_NEGATIVE),
-    element("5", "B:11354")
-        .initial(12.0)
-        .within(Range::NOT_NEGATIVE),
+    element("0", "B:11349").initial(60.0).within(Range::NOT_NEGATIVE),
+    element("1", "B:11350").initial(80.0).within(Range::NOT_NEGATIVE),
+    element("2", "B:11351").initial(1.0).within(Range::NOT_NEGATIVE),
+    element("3", "B:11352").initial(3.0).within(Range::NOT_NEGATIVE),
+    element("4", "B:11353").initial(1.0).within(Range::NOT_NEGATIVE),
+    element("5", "B:11354").initial(12.0).within(Range::NOT_NEGATIVE),
 ];
 
 /// B:11355 prints a comma, B:13165 and B:16309 a semicolon.
-const PROTSYM: &[Element] = &[
-    element("0", "B:11355").text(";"),
-    element("1", "B:11356").text("#"),
-];
+const PROTSYM: &[Element] = &[element("0", "B:11355").text(";"), element("1", "B:11356").text("#")];
 
-const PROTVAL: &[Element] = &[
-    element("0..1", "B:11357-11358"),
-    element("2..5", "B:11359"),
-    element("6..12", "B:13170").internal(),
-];
+const PROTVAL: &[Element] =
+    &[element("0..1", "B:11357-11358"), element("2..5", "B:11359"), element("6..12", "B:13170").internal()];
 
 const PMI: &[Element] = &[
     element("0", "B:13171").internal(),
@@ -71,6 +50,4 @@ const SP_B: &[Element] = &[element("0..19", "B:13172").internal()];
 
 const TXT: &[Element] = &[element("0..99", "B:11360").internal()];
 
-const DIGIT: &[Element] = &[element("", "B:13174")
-    .initial(3.0)
-    .within(Range::NOT_NEGATIVE)];
+const DIGIT: &[Element] = &[element("", "B:13174").initial(3.0).within(Range::NOT_NEGATIVE)];

@@ -11,12 +11,8 @@ pub(super) const DATA: &[Gud] = &[
 ];
 
 const EVMVNUM: &[Element] = &[
-    element("0", "B:13717")
-        .initial(20.0)
-        .within(Range::closed(0.0, 9999.0)),
-    element("1", "B:13718")
-        .initial(20.0)
-        .within(Range::closed(0.0, 9999.0)),
+    element("0", "B:13717").initial(20.0).within(Range::closed(0.0, 9999.0)),
+    element("1", "B:13718").initial(20.0).within(Range::closed(0.0, 9999.0)),
 ];
 
 /// `_EVNUM` allows 1 to 9999 (B:2325).

@@ -108,41 +108,18 @@ const fn gud(
     sizes: &'static [usize],
     elements: &'static [Element],
 ) -> Gud {
-    Gud {
-        name,
-        block,
-        channel,
-        kind,
-        sizes,
-        counted: "",
-        elements,
-    }
+    Gud { name, block, channel, kind, sizes, counted: "", elements }
 }
 
-const fn gud5(
-    name: &'static str,
-    kind: Kind,
-    sizes: &'static [usize],
-    elements: &'static [Element],
-) -> Gud {
+const fn gud5(name: &'static str, kind: Kind, sizes: &'static [usize], elements: &'static [Element]) -> Gud {
     gud((Block::Gud5, true), name, kind, sizes, elements)
 }
 
-const fn gud6(
-    name: &'static str,
-    kind: Kind,
-    sizes: &'static [usize],
-    elements: &'static [Element],
-) -> Gud {
+const fn gud6(name: &'static str, kind: Kind, sizes: &'static [usize], elements: &'static [Element]) -> Gud {
     gud((Block::Gud6, false), name, kind, sizes, elements)
 }
 
-const fn gud7(
-    name: &'static str,
-    kind: Kind,
-    sizes: &'static [usize],
-    elements: &'static [Element],
-) -> Gud {
+const fn gud7(name: &'static str, kind: Kind, sizes: &'static [usize], elements: &'static [Element]) -> Gud {
     gud((Block::Gud7, true), name, kind, sizes, elements)
 }
 
@@ -181,9 +158,7 @@ impl Gud {
                 Index::Any => None,
                 Index::At(from, _) => Some(from),
             })
-            .fold(format!("datum-{stem}"), |key, index| {
-                format!("{key}-{index}")
-            })
+            .fold(format!("datum-{stem}"), |key, index| format!("{key}-{index}"))
     }
 
     /// Name of an element as a program writes it.
@@ -207,10 +182,8 @@ impl Gud {
                 Index::Any => (0, most),
                 Index::At(from, last) => (from, most.min(last + 1)),
             };
-            places = places
-                .iter()
-                .flat_map(|place| (from..to).map(move |i| [place.as_slice(), &[i]].concat()))
-                .collect();
+            places =
+                places.iter().flat_map(|place| (from..to).map(move |i| [place.as_slice(), &[i]].concat())).collect();
         }
         places
     }
@@ -238,11 +211,7 @@ pub fn place(name: &str) -> Option<(&'static Gud, Vec<usize>)> {
         None => (name, Vec::new()),
     };
     let gud = find(stem)?;
-    let at: Vec<usize> = index
-        .into_iter()
-        .map(str::parse)
-        .collect::<Result<_, _>>()
-        .ok()?;
+    let at: Vec<usize> = index.into_iter().map(str::parse).collect::<Result<_, _>>().ok()?;
     let inside = at.len() == gud.sizes.len() && at.iter().zip(gud.sizes).all(|(i, size)| i < size);
     inside.then_some((gud, at))
 }

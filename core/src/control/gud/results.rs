@@ -3,10 +3,7 @@
 use super::{Element, Gud, Kind, element, gud5};
 
 /// All of this subject.
-pub(super) const DATA: &[Gud] = &[
-    gud5("_OVR", Kind::Real, &[32], OVR),
-    gud5("_OVI", Kind::Integer, &[20], OVI),
-];
+pub(super) const DATA: &[Gud] = &[gud5("_OVR", Kind::Real, &[32], OVR), gud5("_OVI", Kind::Integer, &[20], OVI)];
 
 const OVR: &[Element] = &[element("k", "B:1837")];
 

@@ -28,10 +28,11 @@ fn printed(gud: &Gud, element: &Element) -> String {
 }
 
 fn listed(name: &str) -> &str {
-    ["[]", "[k]"]
-        .iter()
-        .find_map(|end| name.strip_suffix(end))
-        .unwrap_or(if name == "E_MESS[3]" { "E_MESS" } else { name })
+    ["[]", "[k]"].iter().find_map(|end| name.strip_suffix(end)).unwrap_or(if name == "E_MESS[3]" {
+        "E_MESS"
+    } else {
+        name
+    })
 }
 
 // oracle: self (the counts that the lists had)
@@ -54,9 +55,7 @@ fn every_element_is_in_the_list_and_the_other_way_round() {
     wanted.sort_unstable();
     assert_eq!(names, wanted);
     for row in &rows {
-        let (gud, element) = elements()
-            .find(|(gud, one)| printed(gud, one) == listed(&row[0]))
-            .unwrap();
+        let (gud, element) = elements().find(|(gud, one)| printed(gud, one) == listed(&row[0])).unwrap();
         agrees(gud, element, row);
     }
 }
@@ -81,11 +80,7 @@ fn agrees(gud: &Gud, element: &Element, row: &[String]) {
     };
     assert!(kind.iter().any(|kind| row[3].starts_with(kind)), "{name}");
     size_agrees(gud, &row[4], name);
-    assert!(
-        units(element.unit).contains(&unit(&row[6])),
-        "{name}: {}",
-        row[6]
-    );
+    assert!(units(element.unit).contains(&unit(&row[6])), "{name}: {}", row[6]);
     if gud.block != Block::Gud5 {
         default_agrees(gud, element, row);
     }
@@ -94,16 +89,9 @@ fn agrees(gud: &Gud, element: &Element, row: &[String]) {
 
 /// Numbers in the list's size: those of the table, or fewer where fields are counted or an appendix says more.
 fn size_agrees(gud: &Gud, text: &str, name: &str) {
-    let bracket = text
-        .split('[')
-        .nth(1)
-        .map(|rest| rest.split(']').next().unwrap());
-    let printed: Vec<usize> = bracket
-        .unwrap_or(text)
-        .split(',')
-        .filter_map(|size| size.parse().ok())
-        .filter(|size| *size > 1)
-        .collect();
+    let bracket = text.split('[').nth(1).map(|rest| rest.split(']').next().unwrap());
+    let printed: Vec<usize> =
+        bracket.unwrap_or(text).split(',').filter_map(|size| size.parse().ok()).filter(|size| *size > 1).collect();
     if gud.text() && gud.sizes.is_empty() {
         return; // the list gives the length of the text
     }
@@ -140,11 +128,7 @@ fn default_agrees(gud: &Gud, element: &Element, row: &[String]) {
     match element.initial {
         // A probe is delivered calibrated: appendix A.1, which the list's notes have (B:16259-16265).
         Initial::Number(value) if gud.name == "_WP" && value != 0.0 => {
-            assert!(
-                row[9].contains(&format!("as-delivered {value} ")),
-                "{}",
-                row[0]
-            );
+            assert!(row[9].contains(&format!("as-delivered {value} ")), "{}", row[0]);
         }
         Initial::Number(value) => {
             assert_eq!(printed.parse().unwrap_or(0.0), value, "{}", row[0]);
@@ -181,11 +165,7 @@ fn machine_datum_agrees(datum: &MachineDatum, row: &[String]) {
     };
     let name = row[1].split('[').next().unwrap();
     // a name in brackets is not printed at this place of the manual; another may have it
-    let name = if name.starts_with('(') {
-        datum.identifier
-    } else {
-        name
-    };
+    let name = if name.starts_with('(') { datum.identifier } else { name };
     let found = [
         datum.identifier,
         datum.standard[0],
@@ -197,17 +177,7 @@ fn machine_datum_agrees(datum: &MachineDatum, row: &[String]) {
         datum.effective,
         datum.unit,
     ];
-    let wanted = [
-        name,
-        cell(2),
-        cell(3),
-        cell(4),
-        cell(5),
-        cell(6),
-        cell(7),
-        cell(8),
-        cell(10),
-    ];
+    let wanted = [name, cell(2), cell(3), cell(4), cell(5), cell(6), cell(7), cell(8), cell(10)];
     assert_eq!(found, wanted, "{}", datum.number);
     assert_eq!(row[14].split(';').next(), datum.source.split(';').next());
 }
@@ -216,22 +186,12 @@ fn machine_datum_agrees(datum: &MachineDatum, row: &[String]) {
 #[test]
 fn everything_has_words_of_its_own() {
     let words = Words::english();
-    let missing = |key: String| {
-        words
-            .find(&Message::new(key.clone()))
-            .is_none()
-            .then_some(key)
-    };
-    let mut lost: Vec<String> = SUBJECTS
-        .iter()
-        .filter_map(|subject| missing(format!("machine-group-{}", subject.key)))
-        .collect();
+    let missing = |key: String| words.find(&Message::new(key.clone())).is_none().then_some(key);
+    let mut lost: Vec<String> =
+        SUBJECTS.iter().filter_map(|subject| missing(format!("machine-group-{}", subject.key))).collect();
     for (gud, element) in elements() {
         let key = gud.key(element);
-        let values = element
-            .choices
-            .iter()
-            .map(|value| format!("{key}.v{value}"));
+        let values = element.choices.iter().map(|value| format!("{key}.v{value}"));
         lost.extend(values.filter_map(missing));
         lost.extend(missing(key));
     }
@@ -272,22 +232,12 @@ fn what_is_delivered_is_allowed() {
             assert!(gud.text());
             continue;
         };
-        assert!(
-            element.range.contains(value),
-            "{} {}",
-            gud.name,
-            element.index
-        );
+        assert!(element.range.contains(value), "{} {}", gud.name, element.index);
         let among = element.choices.is_empty() || element.choices.contains(&(value as i64));
         assert!(among, "{} {}", gud.name, element.index);
         for at in gud.places(element, 3) {
             let per = factor(element.unit, control.basic_units);
-            assert_eq!(
-                control.number(&gud.spelled(&at)) * per,
-                value,
-                "{}",
-                gud.name
-            );
+            assert_eq!(control.number(&gud.spelled(&at)) * per, value, "{}", gud.name);
         }
     }
 }

@@ -43,9 +43,7 @@ pub const TOOL_LENGTH_TYPE: &str = "SD42950";
 /// The setting datum that a program calls by its identifier: `$SC_TOOL_LENGTH_TYPE` is [`TOOL_LENGTH_TYPE`].
 pub fn setting(name: &str) -> Option<&'static str> {
     let identifier = name.strip_prefix("$SC_")?;
-    let mut settings = MACHINE_DATA
-        .iter()
-        .filter(|datum| datum.number.starts_with("SD"));
+    let mut settings = MACHINE_DATA.iter().filter(|datum| datum.number.starts_with("SD"));
     let found = settings.find(|datum| datum.identifier == identifier)?;
     Some(found.number)
 }
@@ -55,9 +53,7 @@ impl MachineDatum {
     pub fn names(&self) -> Vec<String> {
         match self.elements {
             0 => vec![self.number.to_owned()],
-            count => (0..count)
-                .map(|i| format!("{}[{i}]", self.number))
-                .collect(),
+            count => (0..count).map(|i| format!("{}[{i}]", self.number)).collect(),
         }
     }
 
@@ -69,9 +65,7 @@ impl MachineDatum {
 
 /// The machine datum with this name, index included.
 pub fn find(name: &str) -> Option<&'static MachineDatum> {
-    MACHINE_DATA
-        .iter()
-        .find(|datum| datum.names().iter().any(|known| known == name))
+    MACHINE_DATA.iter().find(|datum| datum.names().iter().any(|known| known == name))
 }
 
 /// Reads a number as the manual prints it: decimal, or hexadecimal with `H` behind it (`21H`), or `TRUE` and `FALSE`.

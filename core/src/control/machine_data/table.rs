@@ -257,48 +257,13 @@ pub const MACHINE_DATA: &[MachineDatum] = &[
         source: "B:14143-14151",
         ..PLAIN
     },
-    MachineDatum {
-        number: "MD10050",
-        identifier: "SYSCLOCK_CYCLE_TIME",
-        source: "B:1149",
-        ..PLAIN
-    },
-    MachineDatum {
-        number: "MD10070",
-        identifier: "IPO_SYSCLOCK_TIME_RATIO",
-        source: "B:1149",
-        ..PLAIN
-    },
-    MachineDatum {
-        number: "MD32200",
-        identifier: "POSCTRL_GAIN",
-        source: "B:1157",
-        ..PLAIN
-    },
-    MachineDatum {
-        number: "MD32300",
-        identifier: "MAX_AX_ACCEL",
-        source: "B:1159",
-        ..PLAIN
-    },
-    MachineDatum {
-        number: "MD10240",
-        identifier: "SCALING_SYSTEM_IS_METRIC",
-        source: "B:13594",
-        ..PLAIN
-    },
-    MachineDatum {
-        number: "MD10610",
-        identifier: "MIRROR_REF_AX",
-        source: "B:4154;B:8709",
-        ..PLAIN
-    },
-    MachineDatum {
-        number: "MD13210",
-        identifier: "MEAS_TYPE",
-        source: "B:12732",
-        ..PLAIN
-    },
+    MachineDatum { number: "MD10050", identifier: "SYSCLOCK_CYCLE_TIME", source: "B:1149", ..PLAIN },
+    MachineDatum { number: "MD10070", identifier: "IPO_SYSCLOCK_TIME_RATIO", source: "B:1149", ..PLAIN },
+    MachineDatum { number: "MD32200", identifier: "POSCTRL_GAIN", source: "B:1157", ..PLAIN },
+    MachineDatum { number: "MD32300", identifier: "MAX_AX_ACCEL", source: "B:1159", ..PLAIN },
+    MachineDatum { number: "MD10240", identifier: "SCALING_SYSTEM_IS_METRIC", source: "B:13594", ..PLAIN },
+    MachineDatum { number: "MD10610", identifier: "MIRROR_REF_AX", source: "B:4154;B:8709", ..PLAIN },
+    MachineDatum { number: "MD13210", identifier: "MEAS_TYPE", source: "B:12732", ..PLAIN },
     MachineDatum {
         number: "MD18080",
         identifier: "MM_TOOL_MANAGEMENT_MASK",
@@ -306,12 +271,7 @@ pub const MACHINE_DATA: &[MachineDatum] = &[
         source: "B:12558",
         ..PLAIN
     },
-    MachineDatum {
-        number: "MD18102",
-        identifier: "MM_TYPE_OF_CUTTING_EDGE",
-        source: "B:1924",
-        ..PLAIN
-    },
+    MachineDatum { number: "MD18102", identifier: "MM_TYPE_OF_CUTTING_EDGE", source: "B:1924", ..PLAIN },
     MachineDatum {
         number: "MD18105",
         identifier: "MM_MAX_CUTTING_EDGE_NO",
@@ -319,43 +279,12 @@ pub const MACHINE_DATA: &[MachineDatum] = &[
         source: "B:1924-1926",
         ..PLAIN
     },
-    MachineDatum {
-        number: "MD18112",
-        initial: &[16.0],
-        source: "A:15928",
-        ..PLAIN
-    },
-    MachineDatum {
-        number: "MD18116",
-        identifier: "MM_NUM_TOOL_ENV",
-        source: "B:2086",
-        ..PLAIN
-    },
-    MachineDatum {
-        number: "MD18600",
-        identifier: "MM_FRAME_FINE_TRANS",
-        initial: &[1.0],
-        source: "B:1990",
-        ..PLAIN
-    },
-    MachineDatum {
-        number: "MD28081",
-        identifier: "MM_NUM_BASE_FRAMES",
-        source: "B:1942",
-        ..PLAIN
-    },
-    MachineDatum {
-        number: "MD18280",
-        identifier: "MM_NUM_FILES_PER_DIR",
-        source: "B:12967",
-        ..PLAIN
-    },
-    MachineDatum {
-        number: "MD18320",
-        identifier: "MM_NUM_FILES_IN_FILESYSTEM",
-        source: "B:12967",
-        ..PLAIN
-    },
+    MachineDatum { number: "MD18112", initial: &[16.0], source: "A:15928", ..PLAIN },
+    MachineDatum { number: "MD18116", identifier: "MM_NUM_TOOL_ENV", source: "B:2086", ..PLAIN },
+    MachineDatum { number: "MD18600", identifier: "MM_FRAME_FINE_TRANS", initial: &[1.0], source: "B:1990", ..PLAIN },
+    MachineDatum { number: "MD28081", identifier: "MM_NUM_BASE_FRAMES", source: "B:1942", ..PLAIN },
+    MachineDatum { number: "MD18280", identifier: "MM_NUM_FILES_PER_DIR", source: "B:12967", ..PLAIN },
+    MachineDatum { number: "MD18320", identifier: "MM_NUM_FILES_IN_FILESYSTEM", source: "B:12967", ..PLAIN },
     MachineDatum {
         number: "MD20080",
         elements: CHANNEL_AXES,
@@ -371,22 +300,7 @@ pub const MACHINE_DATA: &[MachineDatum] = &[
         source: "A:15872",
         ..PLAIN
     },
-    MachineDatum {
-        number: "MD20060",
-        text: true,
-        source: "A:15878",
-        ..PLAIN
-    },
-    MachineDatum {
-        number: "MD9021",
-        identifier: "LAYOUT_MODE",
-        source: "B:15145",
-        ..PLAIN
-    },
-    MachineDatum {
-        number: TOOL_LENGTH_TYPE,
-        identifier: "TOOL_LENGTH_TYPE",
-        source: "B:828",
-        ..PLAIN
-    },
+    MachineDatum { number: "MD20060", text: true, source: "A:15878", ..PLAIN },
+    MachineDatum { number: "MD9021", identifier: "LAYOUT_MODE", source: "B:15145", ..PLAIN },
+    MachineDatum { number: TOOL_LENGTH_TYPE, identifier: "TOOL_LENGTH_TYPE", source: "B:828", ..PLAIN },
 ];

@@ -25,27 +25,17 @@ impl Control {
     pub fn variable(&self, name: &str) -> Option<f64> {
         match place(self.dialect, name)? {
             Place::Frame(store, number, axis, part) => {
-                let frame = self
-                    .stored_frame(store, number)
-                    .copied()
-                    .unwrap_or_default();
+                let frame = self.stored_frame(store, number).copied().unwrap_or_default();
                 Some(part_of(&frame, part, axis))
             }
             Place::Active(store, number, axis, part) => {
-                let frame = self
-                    .active_frame(store, number)
-                    .copied()
-                    .unwrap_or_default();
+                let frame = self.active_frame(store, number).copied().unwrap_or_default();
                 Some(part_of(&frame, part, axis))
             }
             Place::Edge(tool, edge, quantity) => {
                 let zero = Edge::default();
                 let found = self.edge_of(tool, edge);
-                let edge = if self.dialect == Dialect::Nct {
-                    found.unwrap_or(&zero)
-                } else {
-                    found?
-                };
+                let edge = if self.dialect == Dialect::Nct { found.unwrap_or(&zero) } else { found? };
                 Some(edge_quantity(edge, quantity))
             }
         }
@@ -62,13 +52,7 @@ impl Control {
                 set_part(self.active_frame_mut(store, number), part, axis, value);
             }
             Some(Place::Edge(tool, edge, quantity)) => {
-                let edge = self
-                    .tools
-                    .entry(tool)
-                    .or_default()
-                    .edges
-                    .entry(edge)
-                    .or_default();
+                let edge = self.tools.entry(tool).or_default().edges.entry(edge).or_default();
                 set_edge_quantity(edge, quantity, value);
             }
             None => return false,
@@ -82,40 +66,21 @@ impl Control {
         match self.dialect {
             Dialect::Sinumerik => {
                 let numbered = |number: &usize| format!("{number},");
-                names.extend(
-                    self.frames
-                        .keys()
-                        .map(numbered)
-                        .flat_map(|n| self.frame_names("$P_UIFR", &n)),
-                );
-                names.extend(
-                    self.channel_basic
-                        .keys()
-                        .map(numbered)
-                        .flat_map(|n| self.frame_names("$P_CHBFR", &n)),
-                );
-                names.extend(
-                    self.global_basic
-                        .keys()
-                        .map(numbered)
-                        .flat_map(|n| self.frame_names("$P_NCBFR", &n)),
-                );
+                names.extend(self.frames.keys().map(numbered).flat_map(|n| self.frame_names("$P_UIFR", &n)));
+                names.extend(self.channel_basic.keys().map(numbered).flat_map(|n| self.frame_names("$P_CHBFR", &n)));
+                names.extend(self.global_basic.keys().map(numbered).flat_map(|n| self.frame_names("$P_NCBFR", &n)));
                 names.extend(self.frame_names("$P_SETFR", ""));
             }
             Dialect::Nct => {
                 let offsets = self.frames.keys().filter(|number| **number <= 6);
-                names.extend(
-                    offsets.flat_map(|n| AXES.map(|axis| format!("{} {axis}", nct_offset(*n)))),
-                );
+                names.extend(offsets.flat_map(|n| AXES.map(|axis| format!("{} {axis}", nct_offset(*n)))));
             }
         }
         for (tool, edges) in self.tools.iter().map(|(t, tool)| (t, &tool.edges)) {
             for (edge, data) in edges {
                 match self.dialect {
                     Dialect::Sinumerik => edge_names(&mut names, *tool, *edge, data),
-                    Dialect::Nct => {
-                        names.extend(["H", "D", "HW", "DW"].map(|letter| format!("{letter}{edge}")))
-                    }
+                    Dialect::Nct => names.extend(["H", "D", "HW", "DW"].map(|letter| format!("{letter}{edge}"))),
                 }
             }
         }
@@ -124,9 +89,7 @@ impl Control {
 
     /// Names of all parts of a frame; `number` with the comma behind it, where there is more than one.
     fn frame_names(&self, store: &str, number: &str) -> Vec<String> {
-        let rotary = ROTARY
-            .iter()
-            .filter(|axis| self.rotary_axis(axis).is_some());
+        let rotary = ROTARY.iter().filter(|axis| self.rotary_axis(axis).is_some());
         let linear = AXES.iter().map(|axis| (axis, &FRAME_PARTS[..]));
         linear
             .chain(rotary.map(|axis| (axis, &FRAME_PARTS[..2])))
@@ -202,20 +165,12 @@ impl Control {
 
 /// Name of an NCT work offset as shown: `COMMON`, `G54`..`G59`.
 pub fn nct_offset(number: usize) -> String {
-    if number == 0 {
-        "COMMON".into()
-    } else {
-        format!("G{}", 53 + number)
-    }
+    if number == 0 { "COMMON".into() } else { format!("G{}", 53 + number) }
 }
 
 fn edge_names(names: &mut Vec<String>, tool: i64, edge: i64, data: &Edge) {
     names.extend([1, 2, 3, 4, 5, 6, 12, 13, 14, 15].map(|n| format!("$TC_DP{n}[{tool},{edge}]")));
-    names.extend(
-        data.further
-            .keys()
-            .map(|n| format!("$TC_DP{n}[{tool},{edge}]")),
-    );
+    names.extend(data.further.keys().map(|n| format!("$TC_DP{n}[{tool},{edge}]")));
     for (letters, offsets) in [("SCP", &data.additive), ("ECP", &data.setup)] {
         for dl in offsets.keys() {
             names.extend([3, 4, 5, 6].map(|n| format!("$TC_{letters}{dl}{n}[{tool},{edge}]")));

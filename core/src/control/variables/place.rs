@@ -61,11 +61,7 @@ fn sinumerik_place(name: &str) -> Option<Place> {
     let index: Vec<&str> = rest.strip_suffix(']')?.split(',').collect();
     if let Some(quantity) = stem.strip_prefix("$TC_") {
         let [tool, edge] = index[..] else { return None };
-        return Some(Place::Edge(
-            tool.parse().ok()?,
-            edge.parse().ok()?,
-            tool_quantity(quantity)?,
-        ));
+        return Some(Place::Edge(tool.parse().ok()?, edge.parse().ok()?, tool_quantity(quantity)?));
     }
     let family = family(stem)?;
     let (number, [axis, part]) = match (family.numbered, &index[..]) {
@@ -105,11 +101,7 @@ fn family(stem: &str) -> Option<Family> {
         "$P_PARTFRAME" => (Store::Part, true, None),
         _ => return None,
     };
-    Some(Family {
-        store,
-        in_effect,
-        numbered,
-    })
+    Some(Family { store, in_effect, numbered })
 }
 
 fn limited(number: &str, limit: usize) -> Option<usize> {
@@ -131,7 +123,8 @@ pub(super) fn whole_frame(name: &str) -> Option<(Store, bool, usize)> {
     Some((family.store, family.in_effect, number))
 }
 
-/// `DP2` cutting edge position, `DP6` radius, `DP15` its wear, `SCP13` L1 of the additive offset DL1, `ECP13` of the setup offset.
+/// `DP2` cutting edge position, `DP6` radius, `DP15` its wear, `SCP13` L1 of the additive offset DL1, `ECP13` of the
+/// setup offset.
 fn tool_quantity(name: &str) -> Option<Quantity> {
     if let Some(number) = name.strip_prefix("DP") {
         return match number.parse::<usize>().ok()? {
@@ -144,37 +137,21 @@ fn tool_quantity(name: &str) -> Option<Quantity> {
         };
     }
     let additive = name.strip_prefix("SCP");
-    let digits: u8 = additive
-        .or_else(|| name.strip_prefix("ECP"))?
-        .parse()
-        .ok()?;
+    let digits: u8 = additive.or_else(|| name.strip_prefix("ECP"))?.parse().ok()?;
     let (dl, part) = (i64::from(digits / 10), usize::from(digits % 10));
     if !(1..=6).contains(&dl) || !(3..=6).contains(&part) {
         return None;
     }
-    Some(if additive.is_some() {
-        Quantity::Additive(dl, part - 3)
-    } else {
-        Quantity::Setup(dl, part - 3)
-    })
+    Some(if additive.is_some() { Quantity::Additive(dl, part - 3) } else { Quantity::Setup(dl, part - 3) })
 }
 
 fn nct_place(name: &str) -> Option<Place> {
     if let Some((offset, axis)) = name.split_once(' ') {
         let number = match offset {
             "COMMON" => 0,
-            _ => offset
-                .strip_prefix('G')?
-                .parse::<usize>()
-                .ok()?
-                .checked_sub(53)?,
+            _ => offset.strip_prefix('G')?.parse::<usize>().ok()?.checked_sub(53)?,
         };
-        return (number <= 6).then_some(Place::Frame(
-            Store::Settable,
-            number,
-            axis_index(axis)?,
-            Part::Coarse,
-        ));
+        return (number <= 6).then_some(Place::Frame(Store::Settable, number, axis_index(axis)?, Part::Coarse));
     }
     let (quantity, digits) = match name {
         _ if name.starts_with("HW") => (Quantity::Wear(0), name.get(2..)?),

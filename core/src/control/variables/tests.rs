@@ -30,10 +30,7 @@ fn every_name_reads_what_was_written() {
     }
     for (i, name) in names.iter().enumerate() {
         assert_eq!(control.variable(name), Some(i as f64 + 1.0), "{name}");
-        assert!(
-            control.variable_names().iter().any(|known| known == name),
-            "{name}"
-        );
+        assert!(control.variable_names().iter().any(|known| known == name), "{name}");
     }
     // oracle: hand
     assert_eq!(control.frames[&1].coarse[0], 1.0);
@@ -62,9 +59,7 @@ fn other_names_are_refused() {
 fn nct_has_plain_names() {
     let mut control = delivery(Dialect::Nct);
     assert!(
-        control.set_variable("G59 X", 120.0)
-            && control.set_variable("D1", 5.0)
-            && control.set_variable("H98", 50.0)
+        control.set_variable("G59 X", 120.0) && control.set_variable("D1", 5.0) && control.set_variable("H98", 50.0)
     );
     assert_eq!(control.frames[&6].coarse[0], 120.0);
     assert_eq!(control.register(98).length[0], 50.0);

@@ -70,13 +70,7 @@ pub fn target(control: &Control, names: &Names) -> Result<Option<Target>, u32> {
         return Err(number);
     }
     let part = part(control, names, &code, environment, (tool, edge))?;
-    Ok(Some(Target {
-        tool,
-        edge,
-        part,
-        location,
-        inverted: code.inverted,
-    }))
+    Ok(Some(Target { tool, edge, part, location, inverted: code.inverted }))
 }
 
 /// The alarm for a memory of DL offsets that a correction needs and the machine does not have: 61408 additive
@@ -91,11 +85,7 @@ pub fn missing_memory(control: &Control) -> Option<u32> {
 }
 
 /// The environment that `_TENV` names, where the code asks for one (B:2086); 61405: there is none of that name.
-fn environment<'a>(
-    control: &'a Control,
-    names: &Names,
-    code: &ToolCode,
-) -> Result<Option<&'a Environment>, u32> {
+fn environment<'a>(control: &'a Control, names: &Names, code: &ToolCode) -> Result<Option<&'a Environment>, u32> {
     if !code.environment {
         return Ok(None);
     }
@@ -103,7 +93,8 @@ fn environment<'a>(
     stored.map(Some).ok_or(61405)
 }
 
-/// L1, L2, L3 or radius as index. Which length works in an axis, the type of the tool decides: [`Control::length_axes`].
+/// L1, L2, L3 or radius as index. Which length works in an axis, the type of the tool decides:
+/// [`Control::length_axes`].
 fn part(
     control: &Control,
     names: &Names,
@@ -128,10 +119,7 @@ fn part(
 fn turned(control: &Control, environment: &Environment, axis: usize) -> usize {
     let geometry = control.plane.axes()[axis.min(2)];
     let stored = environment.plane.axes();
-    stored
-        .iter()
-        .position(|own| *own == geometry)
-        .unwrap_or(axis)
+    stored.iter().position(|own| *own == geometry).unwrap_or(axis)
 }
 
 /// T and D: by number, by name, or by the environment.
@@ -161,12 +149,7 @@ fn by_name(control: &Control, name: &str) -> Result<i64, u32> {
     if name.is_empty() {
         return Err(61320);
     }
-    let named = |number: &i64| {
-        control
-            .tools
-            .get(number)
-            .is_some_and(|tool| tool.name == name)
-    };
+    let named = |number: &i64| control.tools.get(number).is_some_and(|tool| tool.name == name);
     if named(&control.tool) {
         return Ok(control.tool);
     }
@@ -181,42 +164,19 @@ pub fn writes(control: &Control, target: &Target, amount: f64) -> Vec<Write> {
 
 /// The same where the caller says whether the geometry takes all of it.
 pub fn writes_into(control: &Control, target: &Target, amount: f64, geometry: bool) -> Vec<Write> {
-    let Target {
-        tool, edge, part, ..
-    } = *target;
+    let Target { tool, edge, part, .. } = *target;
     let at = format!("[{tool},{edge}]");
     let (coarse, fine) = match target.location {
-        None => (
-            format!("$TC_DP{}{at}", part + 3),
-            format!("$TC_DP{}{at}", part + 12),
-        ),
-        Some(dl) => (
-            format!("$TC_ECP{dl}{}{at}", part + 3),
-            format!("$TC_SCP{dl}{}{at}", part + 3),
-        ),
+        None => (format!("$TC_DP{}{at}", part + 3), format!("$TC_DP{}{at}", part + 12)),
+        Some(dl) => (format!("$TC_ECP{dl}{}{at}", part + 3), format!("$TC_SCP{dl}{}{at}", part + 3)),
     };
     let value = |name: &str| control.variable(name).unwrap_or(0.0);
     let (in_coarse, in_fine) = (value(&coarse), value(&fine));
     if target.location.is_some() && control.bit("_CHBIT[8]") {
-        vec![Write {
-            name: coarse,
-            value: in_coarse + amount,
-        }]
+        vec![Write { name: coarse, value: in_coarse + amount }]
     } else if geometry {
-        vec![
-            Write {
-                name: coarse,
-                value: in_coarse + in_fine + amount,
-            },
-            Write {
-                name: fine,
-                value: 0.0,
-            },
-        ]
+        vec![Write { name: coarse, value: in_coarse + in_fine + amount }, Write { name: fine, value: 0.0 }]
     } else {
-        vec![Write {
-            name: fine,
-            value: in_fine + amount,
-        }]
+        vec![Write { name: fine, value: in_fine + amount }]
     }
 }

@@ -46,29 +46,16 @@ pub fn target(control: &Control, code: i64) -> Result<Option<Target>, u32> {
     let Some(code) = knum::zero(code)? else {
         return Ok(None);
     };
-    let stored = |store| Target {
-        store,
-        without_settable: false,
-        activate: false,
-    };
+    let stored = |store| Target { store, without_settable: false, activate: false };
     Ok(Some(match code {
         ZeroCode::Settable(number) => stored(Store::Settable(number)),
         ZeroCode::ChannelBasic(index) => stored(Store::ChannelBasic(index)),
         ZeroCode::GlobalBasic(index) => stored(Store::GlobalBasic(index)),
         ZeroCode::System if !system_frame(control) => return Err(61321),
         ZeroCode::System => stored(Store::System),
-        ZeroCode::LastBasic => Target {
-            without_settable: true,
-            ..stored(last_basic(control)?)
-        },
-        ZeroCode::Active if control.settable == 0 => Target {
-            activate: true,
-            ..stored(last_basic(control)?)
-        },
-        ZeroCode::Active => Target {
-            activate: true,
-            ..stored(Store::Settable(control.settable))
-        },
+        ZeroCode::LastBasic => Target { without_settable: true, ..stored(last_basic(control)?) },
+        ZeroCode::Active if control.settable == 0 => Target { activate: true, ..stored(last_basic(control)?) },
+        ZeroCode::Active => Target { activate: true, ..stored(Store::Settable(control.settable)) },
     }))
 }
 
@@ -106,14 +93,10 @@ pub struct Measured {
 }
 
 impl Measured {
-    /// Nothing was measured yet; where it will be in the axes that are not. In a frame that is tilted against the present
-    /// one these count too.
+    /// Nothing was measured yet; where it will be in the axes that are not. In a frame that is tilted against the
+    /// present one these count too.
     pub fn at(here: [f64; 3]) -> Measured {
-        Measured {
-            actual: here,
-            set: here,
-            axes: [false; 3],
-        }
+        Measured { actual: here, set: here, axes: [false; 3] }
     }
 
     /// A coordinate of X (0), Y (1) or Z (2), as given and as measured, mm.
@@ -132,28 +115,11 @@ pub fn writes(control: &Control, target: &Target, measured: &Measured) -> Vec<Wr
 }
 
 /// What has to be added to the translation of a frame, so that the point gets its set coordinates.
-fn missing(
-    control: &Control,
-    (before, frame, after): (&[Frame], &Frame, &[Frame]),
-    measured: &Measured,
-) -> [f64; 3] {
+fn missing(control: &Control, (before, frame, after): (&[Frame], &Frame, &[Frame]), measured: &Measured) -> [f64; 3] {
     let machine = control.to_machine(measured.actual);
-    let seen = before
-        .iter()
-        .chain([frame])
-        .chain(after)
-        .fold(machine, |point, frame| frame.inward(point));
-    let wrong = std::array::from_fn(|axis| {
-        if measured.axes[axis] {
-            seen[axis] - measured.set[axis]
-        } else {
-            0.0
-        }
-    });
-    let turned = after
-        .iter()
-        .rev()
-        .fold(wrong, |direction, frame| frame.turn(direction));
+    let seen = before.iter().chain([frame]).chain(after).fold(machine, |point, frame| frame.inward(point));
+    let wrong = std::array::from_fn(|axis| if measured.axes[axis] { seen[axis] - measured.set[axis] } else { 0.0 });
+    let turned = after.iter().rev().fold(wrong, |direction, frame| frame.turn(direction));
     frame.turn(turned)
 }
 
@@ -164,9 +130,7 @@ fn around(control: &Control, target: &Target) -> (Vec<Frame>, Frame, Vec<Frame>)
     let mut after = Vec::new();
     let settable = match target.store {
         Store::Settable(_) => None,
-        _ if target.without_settable => {
-            Some((Store::Settable(0), stored(control, Store::Settable(0))))
-        }
+        _ if target.without_settable => Some((Store::Settable(0), stored(control, Store::Settable(0)))),
         _ => Some((Store::Settable(control.settable), control.active)),
     };
     let others = in_effect(control).into_iter().chain(settable);
@@ -192,10 +156,7 @@ fn in_effect(control: &Control) -> Vec<(Store, Frame)> {
     let channel = channel
         .filter(|(index, _)| control.included(CHANNEL_MASK, **index))
         .map(|(index, frame)| (Store::ChannelBasic(*index), *frame));
-    std::iter::once((Store::System, basic.system))
-        .chain(global)
-        .chain(channel)
-        .collect()
+    std::iter::once((Store::System, basic.system)).chain(global).chain(channel).collect()
 }
 
 /// Whether one frame lies outside of the other in the chain.
@@ -223,10 +184,7 @@ fn stored(control: &Control, store: Store) -> Frame {
 /// Into the fine part with MD18600 = 1; into the coarse part with MD18600 = 0, `_CHBIT[21]` = 1 or for `$P_SETFR`
 /// (B:1990-2003, B:14035-14039).
 fn shifted(control: &Control, target: &Target, old: &Frame, shift: [f64; 3]) -> Vec<Write> {
-    if target.store == Store::System
-        || control.bit("_CHBIT[21]")
-        || control.number("MD18600") == 0.0
-    {
+    if target.store == Store::System || control.bit("_CHBIT[21]") || control.number("MD18600") == 0.0 {
         return coarse(target, old, shift);
     }
     let fine = std::array::from_fn(|axis| old.fine[axis] + shift[axis]);
@@ -242,21 +200,10 @@ fn coarse(target: &Target, old: &Frame, shift: [f64; 3]) -> Vec<Write> {
 }
 
 /// What of a part of the frame (`TR`, `FI`, `RT`) is different from before, axis by axis.
-fn part(
-    target: &Target,
-    axes: &[&str; 3],
-    part: &str,
-    values: [f64; 3],
-    before: [f64; 3],
-) -> Vec<Write> {
+fn part(target: &Target, axes: &[&str; 3], part: &str, values: [f64; 3], before: [f64; 3]) -> Vec<Write> {
     let stem = stem(target.store);
     let changed = (0..3).filter(|axis| (values[*axis] - before[*axis]).abs() >= SAME);
-    changed
-        .map(|axis| Write {
-            name: format!("{stem}{},{part}]", axes[axis]),
-            value: values[axis],
-        })
-        .collect()
+    changed.map(|axis| Write { name: format!("{stem}{},{part}]", axes[axis]), value: values[axis] }).collect()
 }
 
 /// Name of the frame's variable as far as its axis.

@@ -16,29 +16,19 @@ fn correct(control: &mut Control, code: i64, measured: &Measured) -> Vec<String>
     let target = target(control, code).unwrap().unwrap();
     let writes = writes(control, &target, measured);
     for write in &writes {
-        assert!(
-            control.set_variable(&write.name, write.value),
-            "{}",
-            write.name
-        );
+        assert!(control.set_variable(&write.name, write.value), "{}", write.name);
     }
     writes.into_iter().map(|write| write.name).collect()
 }
 
-const RECTANGLE: Measured = Measured {
-    actual: [151.2, 169.4, 120.0],
-    set: [150.0, 170.0, 120.0],
-    axes: [true, true, false],
-};
+const RECTANGLE: Measured =
+    Measured { actual: [151.2, 169.4, 120.0], set: [150.0, 170.0, 120.0], axes: [true, true, false] };
 
 #[test]
 fn the_difference_goes_into_the_fine_part() {
     // oracle: manual B:6276-6278, B:1990
     let mut control = control();
-    assert_eq!(
-        correct(&mut control, 1, &RECTANGLE),
-        ["$P_UIFR[1,X,FI]", "$P_UIFR[1,Y,FI]"]
-    );
+    assert_eq!(correct(&mut control, 1, &RECTANGLE), ["$P_UIFR[1,X,FI]", "$P_UIFR[1,Y,FI]"]);
     let frame = control.frames[&1];
     assert!((frame.fine[0] - 1.2).abs() < 1e-12 && (frame.fine[1] + 0.6).abs() < 1e-12);
     assert_eq!(frame.fine[2], 0.0);
@@ -48,13 +38,7 @@ fn the_difference_goes_into_the_fine_part() {
 fn or_with_the_fine_part_into_the_coarse_one() {
     // oracle: manual B:14039
     let mut control = control();
-    control.frames.insert(
-        1,
-        Frame {
-            fine: [0.1, 0.2, 0.0],
-            ..Frame::default()
-        },
-    );
+    control.frames.insert(1, Frame { fine: [0.1, 0.2, 0.0], ..Frame::default() });
     control.activate(1);
     control.set("_CHBIT[21]", 1.0);
     correct(&mut control, 1, &RECTANGLE);
@@ -73,9 +57,7 @@ fn chained() -> Control {
         ..Frame::default()
     };
     control.system = Frame::translation([1.0, 2.0, 3.0]);
-    control
-        .global_basic
-        .insert(0, Frame::translation([5.0, 0.0, 0.0]));
+    control.global_basic.insert(0, Frame::translation([5.0, 0.0, 0.0]));
     control.channel_basic.insert(0, frame(10.0, 30.0));
     control.channel_basic.insert(1, frame(-4.0, -12.0));
     control.frames.insert(1, frame(100.0, 20.0));
@@ -92,20 +74,13 @@ fn afterwards_the_point_has_the_set_coordinates() {
         for coarse in [0.0, 1.0] {
             let mut control = chained();
             control.set("_CHBIT[21]", coarse);
-            let measured = Measured {
-                actual: [31.0, 42.0, 5.0],
-                set: [30.5, 41.7, 5.3],
-                axes: [true; 3],
-            };
+            let measured = Measured { actual: [31.0, 42.0, 5.0], set: [30.5, 41.7, 5.3], axes: [true; 3] };
             let machine = control.to_machine(measured.actual);
             correct(&mut control, code, &measured);
             control.activate(1);
             let seen = control.to_workpiece(machine);
             for axis in 0..3 {
-                assert!(
-                    (seen[axis] - measured.set[axis]).abs() < 1e-9,
-                    "{code}: {seen:?}"
-                );
+                assert!((seen[axis] - measured.set[axis]).abs() < 1e-9, "{code}: {seen:?}");
             }
         }
     }
@@ -115,11 +90,7 @@ fn afterwards_the_point_has_the_set_coordinates() {
 fn another_settable_frame_keeps_its_rotation() {
     // oracle: self (B:6147, B:6153)
     let mut control = chained();
-    let measured = Measured {
-        actual: [31.0, 42.0, 5.0],
-        set: [0.0, 0.0, 0.0],
-        axes: [true; 3],
-    };
+    let measured = Measured { actual: [31.0, 42.0, 5.0], set: [0.0, 0.0, 0.0], axes: [true; 3] };
     let machine = control.to_machine(measured.actual);
     correct(&mut control, 2, &measured);
     assert_eq!(control.frames[&2].rotation, [0.0, 0.0, -75.0]);
@@ -131,31 +102,15 @@ fn another_settable_frame_keeps_its_rotation() {
 fn the_last_basic_frame_is_reckoned_without_a_settable_one() {
     // oracle: self (B:1938: right as soon as G500 is activated, which has a frame of its own)
     let mut control = chained();
-    let own = Frame {
-        fine: [0.02, -0.01, 0.0],
-        rotation: [0.0, 0.0, 8.0],
-        ..Frame::translation([6.0, -7.0, 8.0])
-    };
+    let own = Frame { fine: [0.02, -0.01, 0.0], rotation: [0.0, 0.0, 8.0], ..Frame::translation([6.0, -7.0, 8.0]) };
     control.frames.insert(0, own);
-    let measured = Measured {
-        actual: [31.0, 42.0, 5.0],
-        set: [1.0, 2.0, 3.0],
-        axes: [true; 3],
-    };
+    let measured = Measured { actual: [31.0, 42.0, 5.0], set: [1.0, 2.0, 3.0], axes: [true; 3] };
     let machine = control.to_machine(measured.actual);
     let names = correct(&mut control, 1000, &measured);
-    assert!(
-        names.iter().all(|name| name.starts_with("$P_CHBFR[1,")),
-        "{names:?}"
-    );
+    assert!(names.iter().all(|name| name.starts_with("$P_CHBFR[1,")), "{names:?}");
     control.activate(0);
     let seen = control.to_workpiece(machine);
-    assert!(
-        seen.iter()
-            .zip(measured.set)
-            .all(|(a, b)| (a - b).abs() < 1e-9),
-        "{seen:?}"
-    );
+    assert!(seen.iter().zip(measured.set).all(|(a, b)| (a - b).abs() < 1e-9), "{seen:?}");
 }
 
 #[test]
@@ -206,10 +161,7 @@ fn what_does_not_exist_alarms() {
     without.set("MD28082", 32.0);
     assert_eq!(target(&without, 2000), Err(61321));
     control.set("$P_CHBFRMASK", 5.0);
-    assert_eq!(
-        target(&control, 1000).unwrap().unwrap().store,
-        Store::ChannelBasic(2)
-    );
+    assert_eq!(target(&control, 1000).unwrap().unwrap().store, Store::ChannelBasic(2));
 }
 
 /// The same with X reversed in a basic frame, in the settable ones, or in the programmed one; 0: in none.
@@ -233,11 +185,7 @@ fn mirrored_in(place: usize) -> Control {
 /// A part that is turned and moved in the present WCS.
 fn turned_part() -> (nalgebra::Rotation3<f64>, Measured) {
     let turn = crate::geometry::rigid::rotation([3.0, -7.0, 12.0]);
-    let measured = Measured {
-        actual: [31.0, 42.0, 5.0],
-        set: [1.0, -2.0, 3.0],
-        axes: [true; 3],
-    };
+    let measured = Measured { actual: [31.0, 42.0, 5.0], set: [1.0, -2.0, 3.0], axes: [true; 3] };
     (turn, measured)
 }
 
@@ -264,18 +212,12 @@ fn afterwards_a_turned_part_stands_right() {
         let writes = placed(&control, &target, rotation, &measured);
         write_all(&mut control, &writes);
         control.activate(if code == 2 { 2 } else { 1 });
-        let (found, place) = (
-            control.direction_to_workpiece(direction),
-            control.to_workpiece(machine),
-        );
+        let (found, place) = (control.direction_to_workpiece(direction), control.to_workpiece(machine));
         for axis in 0..3 {
             assert!((found[axis] - set[axis]).abs() < 1e-9, "{code}: {found:?}");
             assert!((place[axis] - measured.set[axis]).abs() < 1e-9, "{code}");
         }
-        assert_eq!(
-            control.frames[&1].fine == [0.0; 3],
-            matches!(code, 1 | 9999)
-        );
+        assert_eq!(control.frames[&1].fine == [0.0; 3], matches!(code, 1 | 9999));
     }
 }
 
@@ -283,22 +225,13 @@ fn afterwards_a_turned_part_stands_right() {
 fn a_turn_about_the_axis_of_the_frame_adds_to_its_angle() {
     // oracle: hand
     let mut control = control();
-    control.frames.insert(
-        1,
-        Frame {
-            rotation: [0.0, 0.0, 20.0],
-            ..Frame::default()
-        },
-    );
+    control.frames.insert(1, Frame { rotation: [0.0, 0.0, 20.0], ..Frame::default() });
     control.activate(1);
     let target = target(&control, 1).unwrap().unwrap();
     let turn = crate::geometry::rigid::rotation([0.0, 0.0, 12.5]);
     let rotation = rotation(&control, &target, &seen_turn(&control, &target, &turn));
     assert!((rotation[2] - 32.5).abs() < 1e-12 && rotation[..2] == [0.0; 2]);
-    let names: Vec<String> = turned(&control, &target, rotation)
-        .into_iter()
-        .map(|write| write.name)
-        .collect();
+    let names: Vec<String> = turned(&control, &target, rotation).into_iter().map(|write| write.name).collect();
     assert_eq!(names, ["$P_UIFR[1,Z,RT]"]);
     // another frame, not turned, is corrected to the same direction
     let other = super::target(&control, 2).unwrap().unwrap();

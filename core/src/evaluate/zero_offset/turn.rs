@@ -24,18 +24,11 @@ pub fn seen_turn(control: &Control, target: &Target, turn: &Rotation3<f64>) -> R
 /// stands right. `turn` as [`seen_turn`] gives it.
 pub fn rotation(control: &Control, target: &Target, turn: &Rotation3<f64>) -> [f64; 3] {
     let (_, old, after) = around(control, target);
-    let inner = of(&[Frame {
-        rotation: [0.0; 3],
-        ..old
-    }]) * of(&after);
+    let inner = of(&[Frame { rotation: [0.0; 3], ..old }]) * of(&after);
     let outward = Rotation3::from_matrix_unchecked(inner * turn.matrix() * inner.transpose());
     let angles = rigid::angles(&(rigid::rotation(old.rotation) * outward));
     std::array::from_fn(|axis| {
-        if (angles[axis] - old.rotation[axis]).abs() < SAME {
-            old.rotation[axis]
-        } else {
-            angles[axis]
-        }
+        if (angles[axis] - old.rotation[axis]).abs() < SAME { old.rotation[axis] } else { angles[axis] }
     })
 }
 
@@ -47,12 +40,7 @@ pub fn turned(control: &Control, target: &Target, rotation: [f64; 3]) -> Vec<Wri
 
 /// What writes this rotation together with the translation that gives the point its set coordinates, into the coarse
 /// part (B:7840-7844, B:8411).
-pub fn placed(
-    control: &Control,
-    target: &Target,
-    rotation: [f64; 3],
-    measured: &Measured,
-) -> Vec<Write> {
+pub fn placed(control: &Control, target: &Target, rotation: [f64; 3], measured: &Measured) -> Vec<Write> {
     let (before, old, after) = around(control, target);
     let turned = Frame { rotation, ..old };
     let shift = missing(control, (&before, &turned, &after), measured);
@@ -88,8 +76,8 @@ pub fn rotary(control: &Control, target: &Target, axis: usize, angle: f64) -> Ve
     writes
 }
 
-/// By how much less a rotary axis is moved (degree) once the frame counts that is reckoned with: `_KNUM` = 1000 replaces the
-/// settable frame by that of G500.
+/// By how much less a rotary axis is moved (degree) once the frame counts that is reckoned with: `_KNUM` = 1000
+/// replaces the settable frame by that of G500.
 fn given_up(control: &Control, target: &Target, axis: usize) -> f64 {
     if !target.without_settable {
         return 0.0;
@@ -100,22 +88,9 @@ fn given_up(control: &Control, target: &Target, axis: usize) -> f64 {
 
 /// What turns and moves a frame so that what lies where `motion` takes it from its set position has the set coordinates
 /// (B:8411); X Y Z of the present WCS, mm. `set` is one of those positions.
-pub fn moved(
-    control: &Control,
-    target: &Target,
-    motion: &IsometryMatrix3<f64>,
-    set: [f64; 3],
-) -> Vec<Write> {
-    let rotation = rotation(
-        control,
-        target,
-        &seen_turn(control, target, &motion.rotation),
-    );
-    let measured = Measured {
-        actual: motion.transform_point(&set.into()).into(),
-        set,
-        axes: [true; 3],
-    };
+pub fn moved(control: &Control, target: &Target, motion: &IsometryMatrix3<f64>, set: [f64; 3]) -> Vec<Write> {
+    let rotation = rotation(control, target, &seen_turn(control, target, &motion.rotation));
+    let measured = Measured { actual: motion.transform_point(&set.into()).into(), set, axes: [true; 3] };
     placed(control, target, rotation, &measured)
 }
 
@@ -128,7 +103,5 @@ fn towards(control: &Control, target: &Target) -> Matrix3<f64> {
 
 /// Rotations and mirrors of a chain of frames, outermost first.
 fn of(chain: &[Frame]) -> Matrix3<f64> {
-    chain
-        .iter()
-        .fold(Matrix3::identity(), |turn, frame| turn * frame.directions())
+    chain.iter().fold(Matrix3::identity(), |turn, frame| turn * frame.directions())
 }

@@ -1,9 +1,9 @@
 //! The fits against reference pairs: those of NIST where the folder with the work of others is present, and sets whose
 //! nearest element is known without reckoning it.
 //!
-//! The latter are points of an element, each moved off it by an amount. Where the sum of these amounts is 0, and the sums
-//! of amounts times every way in which the element can be moved, nothing is left to move (the derivative of the sum of
-//! squares is 0): the element is the nearest one, exactly.
+//! The latter are points of an element, each moved off it by an amount. Where the sum of these amounts is 0, and the
+//! sums of amounts times every way in which the element can be moved, nothing is left to move (the derivative of the
+//! sum of squares is 0): the element is the nearest one, exactly.
 #![allow(clippy::unwrap_used)]
 
 use super::{circle, line, nearest, plane};
@@ -20,11 +20,7 @@ fn reference(name: &str) -> Option<(Vec<V3>, Vec<f64>)> {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/corpus/nist");
     let numbers = |ending: &str| -> Option<Vec<f64>> {
         let text = std::fs::read_to_string(folder.join(format!("{name}.{ending}"))).ok()?;
-        Some(
-            text.split_whitespace()
-                .map(|word| word.parse().unwrap())
-                .collect(),
-        )
+        Some(text.split_whitespace().map(|word| word.parse().unwrap()).collect())
     };
     let (points, fit) = (numbers("ds")?, numbers("fit")?);
     let points: Vec<V3> = points[1..].chunks(3).map(V3::from_column_slice).collect();
@@ -46,10 +42,7 @@ fn same(name: &str, found: (V3, V3), point: V3, direction: V3) {
 // oracle: NIST reference pairs for least-squares fits (point, direction or normal)
 #[test]
 fn lines_and_planes_are_those_of_the_reference_pairs() {
-    for (name, fit) in [
-        ("lin2d1", line as fn(&[V3]) -> Option<(V3, V3)>),
-        ("pla7", plane),
-    ] {
+    for (name, fit) in [("lin2d1", line as fn(&[V3]) -> Option<(V3, V3)>), ("pla7", plane)] {
         let Some((points, wanted)) = reference(name) else {
             return;
         };
@@ -68,10 +61,8 @@ fn circles_are_those_of_the_reference_pairs() {
         let (centre, normal) = (vector(&fit[..3]), vector(&fit[3..6]));
         let along = normal.cross(&V3::y()).normalize();
         let across = normal.cross(&along).normalize();
-        let flat: Vec<[f64; 2]> = points
-            .iter()
-            .map(|p| [(p - centre).dot(&along), (p - centre).dot(&across)])
-            .collect();
+        let flat: Vec<[f64; 2]> =
+            points.iter().map(|p| [(p - centre).dot(&along), (p - centre).dot(&across)]).collect();
         let ([x, y], radius) = circle(&flat).unwrap();
         assert!(x.hypot(y) < PLACE, "{name}: {x} {y}");
         assert!((2.0 * radius - fit[6]).abs() < PLACE, "{name}: {radius}");
@@ -137,10 +128,7 @@ fn a_circle_through_points_that_are_out_of_round() {
                 .map(|((sin, cos), radius)| [centre[0] + radius * cos, centre[1] + radius * sin])
                 .collect();
             let ([x, y], radius) = circle(&points).unwrap();
-            assert!(
-                (x - centre[0]).hypot(y - centre[1]) < PLACE,
-                "{lobes}: {x} {y}"
-            );
+            assert!((x - centre[0]).hypot(y - centre[1]) < PLACE, "{lobes}: {x} {y}");
             assert!((radius - 30.0).abs() < PLACE, "{lobes}: {radius}");
         }
     }
@@ -151,9 +139,7 @@ fn a_circle_through_points_that_are_out_of_round() {
 fn a_sphere_through_points_above_and_below() {
     let signs = [-1.0, 1.0];
     for place in places() {
-        let corners = signs
-            .iter()
-            .flat_map(|x| signs.iter().flat_map(move |y| signs.map(|z| (*x, *y, z))));
+        let corners = signs.iter().flat_map(|x| signs.iter().flat_map(move |y| signs.map(|z| (*x, *y, z))));
         let points: Vec<V3> = corners
             .map(|(x, y, z)| V3::new(x, y, z).normalize() * (12.5 + 0.02 * x * y * z))
             .map(|point| place.rotation * point + place.translation.vector)

@@ -1,6 +1,7 @@
 //! The circle and the sphere nearest to points; whether points make a triangle.
 //!
-//! Not every set of points has one. What is asked of them is derived in DESIGN.md ("Formulas that the manuals do not give").
+//! Not every set of points has one. What is asked of them is derived in DESIGN.md ("Formulas that the manuals do not
+//! give").
 
 use super::straight::{Extent, extent};
 use crate::geometry::V3;
@@ -37,21 +38,13 @@ pub fn nearest(points: &[V3], plane: bool) -> Option<(V3, f64)> {
         return None;
     }
     // about the middle and as large as 1, so that the size of the numbers decides nothing
-    let Extent {
-        middle,
-        farthest,
-        sizes,
-        ..
-    } = extent(points)?;
+    let Extent { middle, farthest, sizes, .. } = extent(points)?;
     let across = sizes[least - 2];
     if across <= LOW * sizes[0] {
         return None;
     }
     let points: Vec<V3> = points.iter().map(|p| (p - middle) / farthest).collect();
-    let fit = Fit {
-        points: &points,
-        unknown: least,
-    };
+    let fit = Fit { points: &points, unknown: least };
     let round = fit.search(fit.algebraic()?)?;
     // a line (a plane) is the other end of all circles: it has to be further off
     let bent = 2.0 * fit.left(&round) < across * across;
@@ -81,8 +74,8 @@ impl Fit<'_> {
         radius.is_finite().then_some(round)
     }
 
-    /// Steps of Gauss and Newton, each halved until it comes nearer. Close to the end rounding hides what a step gains; then
-    /// it is taken as it is, for as long as steps become shorter.
+    /// Steps of Gauss and Newton, each halved until it comes nearer. Close to the end rounding hides what a step gains;
+    /// then it is taken as it is, for as long as steps become shorter.
     fn search(&self, mut round: Round) -> Option<Round> {
         let mut last = CLOSE;
         for _ in 0..STEPS {
@@ -141,24 +134,15 @@ impl Fit<'_> {
             _ => rows[i].0[j],
         });
         let right = DVector::from_iterator(rows.len(), rows.iter().map(|(_, value)| *value));
-        let solution = matrix
-            .svd(true, true)
-            .solve(&right, f64::MIN_POSITIVE)
-            .ok()?;
+        let solution = matrix.svd(true, true).solve(&right, f64::MIN_POSITIVE).ok()?;
         let coordinate = |axis: usize| if axis < last { solution[axis] } else { 0.0 };
-        Some(Round {
-            centre: V3::new(coordinate(0), coordinate(1), coordinate(2)),
-            radius: solution[last],
-        })
+        Some(Round { centre: V3::new(coordinate(0), coordinate(1), coordinate(2)), radius: solution[last] })
     }
 }
 
 impl Round {
     fn moved(&self, step: &Round, part: f64) -> Round {
-        Round {
-            centre: self.centre + step.centre * part,
-            radius: self.radius + step.radius * part,
-        }
+        Round { centre: self.centre + step.centre * part, radius: self.radius + step.radius * part }
     }
 }
 
@@ -184,9 +168,7 @@ mod tests {
     #[test]
     fn three_points_determine_a_circle() {
         let (centre, radius) = circle(&[[0.0, 10.0], [-10.0, 0.0], [0.0, -10.0]]).unwrap();
-        assert!(
-            centre[0].abs() < 1e-12 && centre[1].abs() < 1e-12 && (radius - 10.0).abs() < 1e-12
-        );
+        assert!(centre[0].abs() < 1e-12 && centre[1].abs() < 1e-12 && (radius - 10.0).abs() < 1e-12);
     }
 
     // oracle: hand (four points of a circle of radius 5 about 1003, -2)
@@ -211,8 +193,8 @@ mod tests {
         }
     }
 
-    // oracle: hand: a row that goes up and down in turn bends nowhere: amounts a, -a, -a, a of a parabola sum up to 0 over
-    // 0, h, 0, h, so that every circle leaves more than the line
+    // oracle: hand: a row that goes up and down in turn bends nowhere: amounts a, -a, -a, a of a parabola sum up to 0
+    // over 0, h, 0, h, so that every circle leaves more than the line
     #[test]
     fn points_beside_a_line_in_turn_have_no_circle() {
         for height in [1e-9, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 0.01, 0.1] {
@@ -224,17 +206,13 @@ mod tests {
         }
     }
 
-    // oracle: hand: a sagitta h over half a chord of 1 makes the radius (1 + h²) / 2h, to as many digits as the points have
+    // oracle: hand: a sagitta h over half a chord of 1 makes the radius (1 + h²) / 2h, to as many digits as the points
+    // have
     #[test]
     fn a_flat_arc_has_its_radius_or_none() {
         for exponent in 1..9 {
             let height = 0.1_f64.powi(exponent);
-            let arc = |along: f64, radius: f64| {
-                [
-                    along,
-                    (radius * radius - along * along).sqrt() - radius + height,
-                ]
-            };
+            let arc = |along: f64, radius: f64| [along, (radius * radius - along * along).sqrt() - radius + height];
             let radius = (1.0 + height * height) / (2.0 * height);
             let points = [-1.0, -0.3, 0.4, 1.0].map(|along| arc(along, radius));
             let three = circle(&points[1..]).map(|(_, radius)| radius);
@@ -253,9 +231,7 @@ mod tests {
     fn an_answer_is_the_nearest_and_nearer_than_a_line() {
         let mut state = 7_u64;
         let mut random = || {
-            state = state
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1);
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
             (state >> 33) as f64 / f64::from(u32::MAX) * 2.0 - 0.5
         };
         let mut answered = 0;
@@ -275,21 +251,12 @@ mod tests {
             let (at, along) = super::super::line(&flat).unwrap();
             let beside = |point: &V3| (point - at).cross(&along).norm_squared();
             assert!(best < flat.iter().map(beside).sum(), "{points:?}");
-            for [dx, dy, dr] in [
-                [1.0, 0.0, 0.0],
-                [0.0, 1.0, 0.0],
-                [0.0, 0.0, 1.0],
-                [0.0, 1.0, 1.0],
-                [0.0, 1.0, -1.0],
-            ] {
+            for [dx, dy, dr] in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 1.0, 1.0], [0.0, 1.0, -1.0]] {
                 let step = 1e-4 * radius;
                 for sign in [-step, step] {
                     let near = off(x + sign * dx, y + sign * dy, radius + sign * dr);
                     let rounding = 4e-15 * radius;
-                    assert!(
-                        near.sqrt() > best.sqrt() - rounding,
-                        "{points:?} {best} {near}"
-                    );
+                    assert!(near.sqrt() > best.sqrt() - rounding, "{points:?} {best} {near}");
                 }
             }
         }
@@ -306,12 +273,7 @@ mod tests {
             points.iter().map(|point| distance(point).powi(2)).sum()
         };
         let best = left(x, y, radius);
-        for [dx, dy, dr] in [
-            [1e-4, 0.0, 0.0],
-            [0.0, 1e-4, 0.0],
-            [0.0, 0.0, 1e-4],
-            [1e-4, -1e-4, 1e-4],
-        ] {
+        for [dx, dy, dr] in [[1e-4, 0.0, 0.0], [0.0, 1e-4, 0.0], [0.0, 0.0, 1e-4], [1e-4, -1e-4, 1e-4]] {
             assert!(left(x + dx, y + dy, radius + dr) > best);
             assert!(left(x - dx, y - dy, radius - dr) > best);
         }

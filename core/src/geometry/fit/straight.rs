@@ -1,8 +1,8 @@
 //! The line and the plane nearest to points.
 //!
-//! Both run through the mean of the points. The sum of the squares of the distances is then what the points extend across
-//! the element, so that the line lies along the direction in which they extend most and the plane across the one in which
-//! they extend least: the first and the last singular vector of the points about their mean.
+//! Both run through the mean of the points. The sum of the squares of the distances is then what the points extend
+//! across the element, so that the line lies along the direction in which they extend most and the plane across the one
+//! in which they extend least: the first and the last singular vector of the points about their mean.
 
 use crate::geometry::V3;
 use nalgebra::Matrix3xX;
@@ -10,15 +10,10 @@ use nalgebra::Matrix3xX;
 /// Extents that differ by less than this part of the largest are the same: no direction is told apart from another.
 const ALIKE: f64 = 1e-9;
 
-/// The nearest line: a point of it, and a unit vector along it. None where no direction is the best one: all points upon
-/// each other, or as far apart across as along.
+/// The nearest line: a point of it, and a unit vector along it. None where no direction is the best one: all points
+/// upon each other, or as far apart across as along.
 pub fn line(points: &[V3]) -> Option<(V3, V3)> {
-    let Extent {
-        middle,
-        sizes,
-        directions,
-        ..
-    } = extent(points)?;
+    let Extent { middle, sizes, directions, .. } = extent(points)?;
     let [longest, across, _] = sizes;
     (longest - across > ALIKE * longest).then_some((middle, directions[0]))
 }
@@ -26,12 +21,7 @@ pub fn line(points: &[V3]) -> Option<(V3, V3)> {
 /// The nearest plane: a point of it, and a unit vector upright on it. None where the points do not determine it: fewer
 /// than three, on one line, or as thick as they are wide.
 pub fn plane(points: &[V3]) -> Option<(V3, V3)> {
-    let Extent {
-        middle,
-        sizes,
-        directions,
-        ..
-    } = extent(points)?;
+    let Extent { middle, sizes, directions, .. } = extent(points)?;
     let [longest, across, thickness] = sizes;
     let normal = directions[0].cross(&directions[1]);
     (across - thickness > ALIKE * longest).then_some((middle, normal))
@@ -56,11 +46,7 @@ pub(super) fn extent(points: &[V3]) -> Option<Extent> {
         return None;
     }
     // never fewer columns than rows, as large as 1
-    let columns: Vec<V3> = away
-        .into_iter()
-        .map(|away| away / farthest)
-        .chain([V3::zeros(); 3])
-        .collect();
+    let columns: Vec<V3> = away.into_iter().map(|away| away / farthest).chain([V3::zeros(); 3]).collect();
     let found = Matrix3xX::from_columns(&columns).svd(true, false);
     let directions = found.u?;
     Some(Extent {

@@ -2,8 +2,8 @@
 //!
 //! The square of the distance from anything, less the square of the way, is concave along a straight way: of each point
 //! of the thing it is linear, and the least of linear functions is concave. So the distances at two places bound those
-//! between them from below, and a long stretch is told free at once. Of straight lines, which an endless wall is made of,
-//! the part of the way across them counts only: along the wall nothing is lost.
+//! between them from below, and a long stretch is told free at once. Of straight lines, which an endless wall is made
+//! of, the part of the way across them counts only: along the wall nothing is lost.
 
 use super::LobedWall;
 use crate::geometry::{Path, TOLERANCE, roots};
@@ -20,18 +20,11 @@ const ROUNDING: f64 = 4e-16;
 impl LobedWall {
     /// Length after which a ball of this radius begins to touch the wall.
     pub fn first(&self, path: &Path, radius: f64) -> Option<f64> {
-        Search {
-            wall: self,
-            path,
-            radius,
-            across: self.across(path),
-            looked: 0,
-        }
-        .first()
+        Search { wall: self, path, radius, across: self.across(path), looked: 0 }.first()
     }
 
-    /// The largest part of a way that leads across a line of the wall, squared; none where the way is long enough to come
-    /// to where the lines meet.
+    /// The largest part of a way that leads across a line of the wall, squared; none where the way is long enough to
+    /// come to where the lines meet.
     fn across(&self, path: &Path) -> Option<f64> {
         let slope = self.lobes.slope;
         let far = path.from.norm() + path.length + self.depth;
@@ -55,11 +48,7 @@ struct Place {
 
 impl Place {
     fn at(way: f64) -> Place {
-        Place {
-            way,
-            exact: None,
-            endless: None,
-        }
+        Place { way, exact: None, endless: None }
     }
 }
 
@@ -143,8 +132,8 @@ impl Search<'_> {
         })
     }
 
-    /// How far the ball goes at least from a place where it is free, mm: what it grazes meanwhile is passed over. It grows
-    /// where the ball goes along the wall so near that it would be looked at too often.
+    /// How far the ball goes at least from a place where it is free, mm: what it grazes meanwhile is passed over. It
+    /// grows where the ball goes along the wall so near that it would be looked at too often.
     fn slack(&self) -> f64 {
         let beyond = self.looked.saturating_sub(LOOKS).min(60);
         0.1 * TOLERANCE * (1_u64 << beyond) as f64
@@ -206,13 +195,7 @@ mod tests {
     use std::f64::consts::TAU;
 
     fn search(wall: &LobedWall, path: &Path, radius: f64) -> (Option<f64>, usize) {
-        let mut search = Search {
-            wall,
-            path,
-            radius,
-            across: wall.across(path),
-            looked: 0,
-        };
+        let mut search = Search { wall, path, radius, across: wall.across(path), looked: 0 };
         (search.first(), search.looked)
     }
 
@@ -221,12 +204,7 @@ mod tests {
         let wall = (2.0..80.0, -4.0..0.0, 1..13_u32, -0.05..0.05).prop_map(
             |(radius, amplitude, count, slope): (f64, f64, u32, f64)| {
                 let amplitude = 10_f64.powf(amplitude) * 0.3;
-                let lobes = Lobes {
-                    radius,
-                    slope,
-                    amplitude,
-                    count,
-                };
+                let lobes = Lobes { radius, slope, amplitude, count };
                 LobedWall { lobes, depth: 40.0 }
             },
         );
@@ -237,11 +215,7 @@ mod tests {
             let ball: f64 = ball;
             let gap = 10_f64.powf(gap);
             let radius = wall.lobes.radius - wall.lobes.slope * z;
-            let out = if within {
-                radius - ball - gap
-            } else {
-                radius + ball + gap
-            };
+            let out = if within { radius - ball - gap } else { radius + ball + gap };
             let from = V3::new(out * angle.cos(), out * angle.sin(), z);
             let (kind, turn, climb, length): (usize, f64, f64, f64) = way;
             let direction = match kind {
@@ -257,8 +231,8 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(150))]
 
-        // oracle: self, by looking everywhere: before the contact the ball is free, at it its distance is its radius, and
-        // however it goes along the wall few places are looked at
+        // oracle: self, by looking everywhere: before the contact the ball is free, at it its distance is its radius,
+        // and however it goes along the wall few places are looked at
         #[test]
         fn a_ball_is_free_until_it_touches((wall, path, radius) in cases()) {
             let gap = |s: f64| distance(&wall, &path, s)[0] - radius;
@@ -280,12 +254,7 @@ mod tests {
     // oracle: hand: upright along a cylinder with lobes the distance does not change, whatever it is
     #[test]
     fn along_the_wall_two_looks_will_do() {
-        let lobes = Lobes {
-            radius: 10.0,
-            slope: 0.0,
-            amplitude: 0.05,
-            count: 3,
-        };
+        let lobes = Lobes { radius: 10.0, slope: 0.0, amplitude: 0.05, count: 3 };
         let wall = LobedWall { lobes, depth: 40.0 };
         for gap in [1e-6, 1e-3, 0.04] {
             let from = V3::new(10.05 - 0.5 - gap, 0.0, -1.0);

@@ -24,11 +24,7 @@ impl Face {
         let normal = normal(&corners)?;
         let [a, b, c] = &corners;
         let across = [b - a, c - b, a - c].map(|edge| edge.cross(&normal).normalize());
-        Some(Face {
-            corners,
-            normal,
-            across,
-        })
+        Some(Face { corners, normal, across })
     }
 
     /// Nearest point of the triangle, if within `limit` mm.
@@ -45,9 +41,7 @@ impl Face {
         }
         let feet = self.edges().map(|(a, b)| on_edge(&a, &b, p));
         let away = |foot: &V3| (p - foot).norm_squared();
-        let nearest = feet
-            .into_iter()
-            .min_by(|a, b| away(a).total_cmp(&away(b)))?;
+        let nearest = feet.into_iter().min_by(|a, b| away(a).total_cmp(&away(b)))?;
         (away(&nearest) <= limit).then_some(nearest)
     }
 
@@ -65,9 +59,7 @@ impl Face {
     /// counts before its edges: where the ball meets the face it cannot have met the border before. Nothing of the
     /// triangle is met before its plane, and nothing that does not lie ahead of the ball's centre.
     pub fn first(&self, path: &Path, radius: f64, limit: f64) -> Option<f64> {
-        let [a, b, c] = self
-            .corners
-            .map(|corner| (corner - path.from).dot(&path.direction));
+        let [a, b, c] = self.corners.map(|corner| (corner - path.from).dot(&path.direction));
         if a.max(b).max(c) <= 0.0 || a.min(b).min(c) - radius > limit {
             return None;
         }
@@ -89,9 +81,7 @@ impl Face {
             return None;
         }
         let edges = self.edges().map(|edge| at_edge(edge, path, radius, limit));
-        let corners = self
-            .corners
-            .map(|corner| entering(&(path.from - corner), &path.direction, radius, limit));
+        let corners = self.corners.map(|corner| entering(&(path.from - corner), &path.direction, radius, limit));
         let met = edges.into_iter().chain(corners).flatten();
         met.min_by(f64::total_cmp)
     }
@@ -106,8 +96,8 @@ impl Face {
         self.outside(p) <= BORDER
     }
 
-    /// How far a point of the plane lies outside of the line of that edge of which it lies farthest outside, mm: at most its
-    /// distance from the triangle, and inside less than 0.
+    /// How far a point of the plane lies outside of the line of that edge of which it lies farthest outside, mm: at
+    /// most its distance from the triangle, and inside less than 0.
     fn outside(&self, p: &V3) -> f64 {
         let past = |place: usize| (p - self.corners[place]).dot(&self.across[place]);
         past(0).max(past(1)).max(past(2))
@@ -119,8 +109,8 @@ const BORDER: f64 = 1e-12;
 /// What rounding may add to the square of a distance, mm².
 const SLACK: f64 = 1e-12;
 
-/// Distance from its foot on a plane within which a ball touches the plane on the next `way` mm. It stands at this distance
-/// from the plane and comes nearer by `closing` a mm; as the foot moves along, so does what it touches.
+/// Distance from its foot on a plane within which a ball touches the plane on the next `way` mm. It stands at this
+/// distance from the plane and comes nearer by `closing` a mm; as the foot moves along, so does what it touches.
 fn widest(distance: f64, closing: f64, way: f64, radius: f64) -> f64 {
     let nearest = (distance - closing.max(0.0) * way).max(0.0);
     let circle = (radius * radius - nearest * nearest).max(0.0).sqrt();
@@ -143,9 +133,7 @@ fn at_edge((a, b): (V3, V3), path: &Path, radius: f64, limit: f64) -> Option<f64
     let start = away.dot(&edge) / size;
     let way = path.direction - edge * along;
     let length = entering(&(away - edge * start), &way, radius, limit)?;
-    (0.0..=1.0)
-        .contains(&(start + along * length))
-        .then_some(length)
+    (0.0..=1.0).contains(&(start + along * length)).then_some(length)
 }
 
 /// When a point at `from` that moves by `way` a mm comes within `radius` of the origin, if within `limit` mm.

@@ -42,17 +42,10 @@ impl Mesh {
     pub fn new(corners: Vec<V3>, mut triangles: Vec<[u32; 3]>) -> Mesh {
         let area = |triangle: &[u32; 3]| face::normal(&corners_of(&corners, triangle)?);
         triangles.retain(|triangle| area(triangle).is_some());
-        let tree = Tree::build(&mut triangles, |triangle| {
-            corners_of(&corners, triangle).unwrap_or_default()
-        });
+        let tree = Tree::build(&mut triangles, |triangle| corners_of(&corners, triangle).unwrap_or_default());
         let face = |triangle: &[u32; 3]| Face::new(corners_of(&corners, triangle)?);
         let faces = triangles.iter().filter_map(face).collect();
-        Mesh {
-            corners,
-            triangles,
-            faces,
-            tree,
-        }
+        Mesh { corners, triangles, faces, tree }
     }
 
     /// Corners, mm.
@@ -132,26 +125,25 @@ impl Mesh {
         let room = radius + TOLERANCE;
         // a ball that goes s mm touches nothing that is farther away than that and its radius
         let reach = radius + path.length;
-        self.tree
-            .near_ahead(path, room, reach, |indices, mut limit| {
-                for face in self.faces.get(indices).unwrap_or_default() {
-                    let before = found.map_or(path.length, |(length, _)| length);
-                    let met = face.first(path, radius, before);
-                    let sooner = |length: &f64| found.is_none() || *length < before;
-                    let Some(length) = met.filter(sooner) else {
-                        continue;
-                    };
-                    let ball = path.at(length);
-                    let Some(point) = face.foot(&ball, f64::INFINITY) else {
-                        continue;
-                    };
-                    if (ball - point).dot(&path.direction) < GRAZING * radius {
-                        found = Some((length, point));
-                        limit = radius + length;
-                    }
+        self.tree.near_ahead(path, room, reach, |indices, mut limit| {
+            for face in self.faces.get(indices).unwrap_or_default() {
+                let before = found.map_or(path.length, |(length, _)| length);
+                let met = face.first(path, radius, before);
+                let sooner = |length: &f64| found.is_none() || *length < before;
+                let Some(length) = met.filter(sooner) else {
+                    continue;
+                };
+                let ball = path.at(length);
+                let Some(point) = face.foot(&ball, f64::INFINITY) else {
+                    continue;
+                };
+                if (ball - point).dot(&path.direction) < GRAZING * radius {
+                    found = Some((length, point));
+                    limit = radius + length;
                 }
-                limit
-            });
+            }
+            limit
+        });
         found
     }
 

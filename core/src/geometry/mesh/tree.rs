@@ -63,13 +63,8 @@ struct Part {
 impl Tree {
     /// Puts the triangles into the order of the tree.
     pub fn build(triangles: &mut [[u32; 3]], corners: impl Fn(&[u32; 3]) -> [V3; 3]) -> Tree {
-        let mut tree = Tree {
-            nodes: Vec::with_capacity(triangles.len()),
-        };
-        let part = |triangle: &[u32; 3]| Part {
-            triangle: *triangle,
-            middle: corners(triangle).iter().sum(),
-        };
+        let mut tree = Tree { nodes: Vec::with_capacity(triangles.len()) };
+        let part = |triangle: &[u32; 3]| Part { triangle: *triangle, middle: corners(triangle).iter().sum() };
         let mut parts: Vec<Part> = triangles.iter().map(part).collect();
         if !parts.is_empty() {
             tree.split(&mut parts, 0, &corners);
@@ -81,21 +76,11 @@ impl Tree {
     }
 
     /// Puts a box around the parts, after those within it; the corners of the box.
-    fn split(
-        &mut self,
-        parts: &mut [Part],
-        first: usize,
-        corners: &impl Fn(&[u32; 3]) -> [V3; 3],
-    ) -> [V3; 2] {
+    fn split(&mut self, parts: &mut [Part], first: usize, corners: &impl Fn(&[u32; 3]) -> [V3; 3]) -> [V3; 2] {
         let place = self.nodes.len();
         if parts.len() <= LEAF {
             let [low, high] = around(parts.iter().flat_map(|part| corners(&part.triangle)));
-            self.nodes.push(Node {
-                low,
-                high,
-                next: first as u32,
-                count: parts.len() as u32,
-            });
+            self.nodes.push(Node { low, high, next: first as u32, count: parts.len() as u32 });
             return [low, high];
         }
         self.nodes.push(Node::default());
@@ -109,12 +94,7 @@ impl Tree {
         let next = self.nodes.len() as u32;
         let [others_low, others_high] = self.split(other, first + half, corners);
         let [low, high] = [low.inf(&others_low), high.sup(&others_high)];
-        self.nodes[place] = Node {
-            low,
-            high,
-            next,
-            count: 0,
-        };
+        self.nodes[place] = Node { low, high, next, count: 0 };
         [low, high]
     }
 
@@ -125,13 +105,7 @@ impl Tree {
 
     /// The same from the start of a path, of boxes that are nearer than `room` to it, each axis alone, and do not lie
     /// behind its start.
-    pub fn near_ahead(
-        &self,
-        path: &Path,
-        room: f64,
-        limit: f64,
-        tell: impl FnMut(Range<usize>, f64) -> f64,
-    ) {
+    pub fn near_ahead(&self, path: &Path, room: f64, limit: f64, tell: impl FnMut(Range<usize>, f64) -> f64) {
         let (end, room) = (path.at(path.length), V3::repeat(room));
         let (low, high) = (path.from.inf(&end) - room, path.from.sup(&end) + room);
         let away = |node: &Node| match node.meets(&low, &high) && node.ahead(path) {
@@ -163,14 +137,9 @@ impl Tree {
         self.walk(f64::MAX, height, tell);
     }
 
-    /// Tells the leaves in the order of a measure that no box within another one has smaller, up to a limit of it. What is
-    /// answered is the new limit.
-    fn walk(
-        &self,
-        mut limit: f64,
-        measure: impl Fn(&Node) -> f64,
-        mut tell: impl FnMut(Range<usize>, f64) -> f64,
-    ) {
+    /// Tells the leaves in the order of a measure that no box within another one has smaller, up to a limit of it. What
+    /// is answered is the new limit.
+    fn walk(&self, mut limit: f64, measure: impl Fn(&Node) -> f64, mut tell: impl FnMut(Range<usize>, f64) -> f64) {
         let mut waiting = Waiting::default();
         let mut next = self.nodes.first().map(|root| (0, measure(root)));
         while let Some((place, at)) = next.take().or_else(|| waiting.pop()) {
@@ -200,9 +169,7 @@ impl Tree {
 /// Lowest and highest coordinates of points.
 fn around(points: impl Iterator<Item = V3>) -> [V3; 2] {
     let nothing = [V3::repeat(f64::INFINITY), V3::repeat(f64::NEG_INFINITY)];
-    points.fold(nothing, |[low, high], point| {
-        [low.inf(&point), high.sup(&point)]
-    })
+    points.fold(nothing, |[low, high], point| [low.inf(&point), high.sup(&point)])
 }
 
 /// Boxes that wait, with their measure.
@@ -213,10 +180,7 @@ struct Waiting {
 
 impl Default for Waiting {
     fn default() -> Waiting {
-        Waiting {
-            boxes: [(0, 0.0); LEVELS],
-            count: 0,
-        }
+        Waiting { boxes: [(0, 0.0); LEVELS], count: 0 }
     }
 }
 

@@ -17,16 +17,11 @@ fn a_call_says_in_which_units_and_plane_it_stands() {
     assert_eq!(state(0), (json!("G18"), json!("G700")));
     assert_eq!(state(1), (json!("G17"), json!("G71")));
     let unknown = json!({ "control": "sinumerik", "cycle": "CYCLE978", "units": "G20" });
-    assert!(
-        form(&unknown.to_string())
-            .unwrap_err()
-            .to_string()
-            .contains("G20")
-    );
+    assert!(form(&unknown.to_string()).unwrap_err().to_string().contains("G20"));
 }
 
-// oracle: manual B:10975, B:10983-10984 (DIAMOF: a radius dimension); hand: the part proposed for a radius of 22.5 mm is as
-// wide as that for a diameter of 45 mm
+// oracle: manual B:10975, B:10983-10984 (DIAMOF: a radius dimension); hand: the part proposed for a radius of 22.5 mm
+// is as wide as that for a diameter of 45 mm
 #[test]
 fn a_call_says_whether_its_setpoint_is_a_diameter() {
     let with = |function: &str, set: &str| {
@@ -88,22 +83,13 @@ fn a_call_says_which_values_come_from_elsewhere() {
     let notes = same["arrivals"].as_array().unwrap();
     assert_eq!(notes.len(), 1);
     let note = &notes[0];
-    assert_eq!(
-        (&note["param"], &note["severity"]),
-        (&json!("_SETVAL"), &json!("note"))
-    );
+    assert_eq!((&note["param"], &note["severity"]), (&json!("_SETVAL"), &json!("note")));
     assert_eq!(note["message"]["args"]["lines"], "3");
     let differs = ask("HOLE(40)\nHOLE(50)\n");
     assert_eq!(differs["values"]["_SETVAL"], "_D");
-    assert_eq!(
-        differs["arrivals"][0]["message"]["args"]["values"],
-        "40 (3), 50 (4)"
-    );
+    assert_eq!(differs["arrivals"][0]["message"]["args"]["values"], "40 (3), 50 (4)");
     assert_eq!(same["first"], json!({}));
-    assert_eq!(
-        differs["first"],
-        json!({ "_SETVAL": { "value": "40", "line": 3 } })
-    );
+    assert_eq!(differs["first"], json!({ "_SETVAL": { "value": "40", "line": 3 } }));
 }
 
 // oracle: hand (what the first pass finds in R1, and in the counter)
@@ -122,7 +108,8 @@ fn a_call_in_a_loop_says_what_arrives_first() {
     assert_eq!(first("R1=60", "R1=50"), json!({}), "no pass but one");
 }
 
-// oracle: hand (the expression beside what it is worth; the form's text keeps it, and a line of another program is told)
+// oracle: hand (the expression beside what it is worth; the form's text keeps it, and a line of another program is
+// told)
 #[test]
 fn an_expression_travels_with_its_worth() {
     let text = "R2=50.02\n_MVAR=1 _SETVAL=R2 _PRNUM=1 _FA=2\nCYCLE977\n";
@@ -130,13 +117,15 @@ fn an_expression_travels_with_its_worth() {
     let call = &view["calls"][0];
     assert_eq!(call["values"]["_SETVAL"], "50.02");
     assert_eq!(call["expressions"], json!({ "_SETVAL": "R2" }));
-    let form = form(&json!({ "control": "sinumerik", "cycle": "CYCLE977", "values": call["values"], "expressions": call["expressions"] }).to_string()).unwrap();
+    let form = form(
+        &json!({ "control": "sinumerik", "cycle": "CYCLE977", "values": call["values"],
+        "expressions": call["expressions"] })
+        .to_string(),
+    )
+    .unwrap();
     let fields = form["fields"].as_array().unwrap();
     let field = fields.iter().find(|one| one["name"] == "_SETVAL").unwrap();
-    assert_eq!(
-        (&field["value"], &field["expression"]),
-        (&json!("50.02"), &json!("R2"))
-    );
+    assert_eq!((&field["value"], &field["expression"]), (&json!("50.02"), &json!("R2")));
     assert!(form["snippet"].as_str().unwrap().contains("_SETVAL=R2"));
 }
 
@@ -153,11 +142,7 @@ fn a_change_tells_what_it_does_elsewhere_and_what_leaves_the_call() {
     let line = json!([{ "line": 2, "before": "HOLE(40)", "after": "HOLE(41)" }]);
     assert_eq!(changed["elsewhere"], line);
     assert_eq!(changed["steps"].as_array().unwrap().len(), 1);
-    let own = ask(
-        "_MVAR=1 _KNUM=1 _SETVAL=40 _TZL=0.1\nCYCLE977\n",
-        "_MVAR",
-        "101",
-    );
+    let own = ask("_MVAR=1 _KNUM=1 _SETVAL=40 _TZL=0.1\nCYCLE977\n", "_MVAR", "101");
     assert_eq!(own["elsewhere"], json!([]));
     assert_eq!(own["taken"], json!(["_TZL"]));
     assert_eq!(own["steps"].as_array().unwrap().len(), 2);
@@ -212,7 +197,8 @@ fn a_call_is_converted_on_the_machine_of_the_request() {
     assert!(marked && inch != metric, "{inch}");
 }
 
-// oracle: manual B:654 (the cycles measure workpieces), B:12497 (direct), B:11640-12133 (parameterizing calls); C has neither
+// oracle: manual B:654 (the cycles measure workpieces), B:12497 (direct), B:11640-12133 (parameterizing calls); C has
+// neither
 #[test]
 fn the_catalogue_says_where_a_cycle_belongs_and_how_it_is_written() {
     let catalogue = catalogue();
@@ -236,10 +222,7 @@ fn the_catalogue_says_where_a_cycle_belongs_and_how_it_is_written() {
     ] {
         assert_eq!(cycle(name)["purpose"], wanted, "{name}");
     }
-    assert_eq!(
-        cycle("CYCLE977")["styles"],
-        json!(["direct", "indirect", "operate"])
-    );
+    assert_eq!(cycle("CYCLE977")["styles"], json!(["direct", "indirect", "operate"]));
     assert_eq!(cycle("G110")["styles"], json!(["direct"]));
 }
 
@@ -280,13 +263,11 @@ fn help_is_asked_by_variant() {
     assert!(help(r#"{"control": "nct", "cycle": "CYCLE977", "mvar": 1}"#).is_err());
 }
 
-// oracle: peer (calls of published programs for newer controls; 61328 on such a control: argument 2 takes no tool target)
+// oracle: peer (calls of published programs for newer controls; 61328 on such a control: argument 2 takes no tool
+// target)
 #[test]
 fn a_list_of_a_newer_control_keeps_its_rules_on_the_page() {
-    let calls = [
-        "CYCLE977(1101,10001,,1,32,,,7,5,11,16,5,,,1)",
-        "CYCLE978(0,,,1,-55,15,5,1,2,1)",
-    ];
+    let calls = ["CYCLE977(1101,10001,,1,32,,,7,5,11,16,5,,,1)", "CYCLE978(0,,,1,-55,15,5,1,2,1)"];
     for call in calls {
         let text = format!("{call}\nM30\n");
         let asked = json!({ "control": "sinumerik", "text": text });
@@ -295,11 +276,7 @@ fn a_list_of_a_newer_control_keeps_its_rules_on_the_page() {
         let mut asked = json!({ "control": "sinumerik", "cycle": opened["cycle"], "predict": true,
             "values": opened["values"] });
         let complete = |asked: &Value| form(&asked.to_string()).unwrap()["complete"].clone();
-        assert_eq!(
-            complete(&asked),
-            json!(false),
-            "as the older control takes it: {call}"
-        );
+        assert_eq!(complete(&asked), json!(false), "as the older control takes it: {call}");
         asked["written"] = opened["style"].clone();
         assert_eq!(complete(&asked), json!(true), "{call}");
     }
@@ -314,9 +291,5 @@ fn a_list_of_a_newer_control_keeps_its_rules_on_the_page() {
         cycles.iter().find(|one| one["cycle"] == name).unwrap()["styles"].clone()
     };
     assert_eq!(styles("CYCLE977"), json!(["direct", "indirect", "operate"]));
-    assert_eq!(
-        styles("CYCLE979"),
-        json!(["direct", "indirect"]),
-        "its list is only read"
-    );
+    assert_eq!(styles("CYCLE979"), json!(["direct", "indirect"]), "its list is only read");
 }

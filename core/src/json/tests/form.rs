@@ -8,8 +8,7 @@ use serde_json::json;
 #[test]
 fn a_form_without_values_has_fields_and_a_picture() {
     for cycle in crate::catalogue::CYCLES {
-        let request =
-            json!({ "control": dialect_name(cycle.dialect), "cycle": cycle.name }).to_string();
+        let request = json!({ "control": dialect_name(cycle.dialect), "cycle": cycle.name }).to_string();
         let view = form(&request).unwrap();
         let blank = view["fields"].as_array().unwrap().is_empty();
         assert_eq!(blank, cycle.params.is_empty(), "{}", cycle.name);
@@ -27,17 +26,11 @@ fn an_outcome_counts_with_what_is_assumed_where_the_form_knows_no_value() {
     let value = asked["values"]["_SETVAL"].take();
     asked["values"]["_SETVAL"] = json!("_DIA");
     let open = form(&asked.to_string()).unwrap();
-    assert_eq!(
-        (&open["outcome"], &open["unknown"]),
-        (&Value::Null, &json!(["_SETVAL"]))
-    );
+    assert_eq!((&open["outcome"], &open["unknown"]), (&Value::Null, &json!(["_SETVAL"])));
     asked["assumed"] = json!({ "_SETVAL": value });
     let assumed = form(&asked.to_string()).unwrap();
     assert_eq!(assumed["outcome"], known["outcome"]);
-    assert_eq!(
-        assumed["snippet"], open["snippet"],
-        "the program keeps its own"
-    );
+    assert_eq!(assumed["snippet"], open["snippet"], "the program keeps its own");
 }
 
 // oracle: manual B:1787-1795 (set values count in the active system, _FA always in mm)
@@ -54,10 +47,7 @@ fn the_chosen_units_decide_what_a_value_means() {
         field["unit"].clone()
     };
     assert_eq!((unit("_SETVAL"), unit("_FA")), (json!("inch"), json!("mm")));
-    assert_eq!(
-        view["outcome"]["trace"]["solids"][0]["size"][0],
-        json!(50.8)
-    );
+    assert_eq!(view["outcome"]["trace"]["solids"][0]["size"][0], json!(50.8));
     assert_eq!(view["setup"]["active"]["units"], "G70");
     let text = view["snippet"].as_str().unwrap();
     let read = |machine: Value| json!({ "control": "sinumerik", "text": text, "setup": machine });
@@ -71,7 +61,8 @@ fn a_form_as_on_the_control_has_its_fields_and_code() {
     let ask = |data: &Value| {
         let request = json!({
             "control": "sinumerik", "cycle": "CYCLE977", "setup": {"own": {"data": data}}, "predict": true,
-            "values": {"_MVAR": "1", "_SETVAL": "100", "_KNUM": "2001", "_TNUM": "1", "_VMS": "200", "_EVNUM": "3", "_TUL": "0.06", "_TLL": "-0.06"},
+            "values": {"_MVAR": "1", "_SETVAL": "100", "_KNUM": "2001", "_TNUM": "1", "_VMS": "200", "_EVNUM": "3",
+                "_TUL": "0.06", "_TLL": "-0.06"},
         });
         form(&request.to_string()).unwrap()
     };
@@ -85,10 +76,7 @@ fn a_form_as_on_the_control_has_its_fields_and_code() {
     assert!(!has(&view, "_VMS") && !has(&view, "_EVNUM") && has(&view, "_TUL"));
     assert_eq!(view["preset"], "indirect");
     let text = view["snippet"].as_str().unwrap();
-    assert!(
-        text.contains("_CHBIT[4]=0") && text.contains("CYCLE_977_979A(977"),
-        "{text}"
-    );
+    assert!(text.contains("_CHBIT[4]=0") && text.contains("CYCLE_977_979A(977"), "{text}");
     assert_eq!(view["setup"]["data"]["_CHBIT[4]"], 1.0);
     assert_eq!(view["setup"]["data"]["PW-FORMS"], 1.0);
 }
@@ -115,15 +103,13 @@ fn the_same_task_on_the_other_control_stands_beside_the_form() {
     assert!(view.get("twin").is_none());
 }
 
-// oracle: self: in every plane the example that the catalogue has for it is complete and chooses its variant, and so does
-// any depth of a web
+// oracle: self: in every plane the example that the catalogue has for it is complete and chooses its variant, and so
+// does any depth of a web
 #[test]
 fn examples_of_macros_fit_their_plane() {
     let cycles = super::catalogue::cycles();
     let cycles = cycles.as_array().unwrap().iter();
-    for cycle in
-        cycles.filter(|one| one["control"] == "nct" && one["purpose"]["probe"] == "workpiece")
-    {
+    for cycle in cycles.filter(|one| one["control"] == "nct" && one["purpose"]["probe"] == "workpiece") {
         for variant in cycle["variants"].as_array().unwrap() {
             for plane in ["G17", "G18", "G19"] {
                 let there = &variant["planes"][plane];

@@ -11,27 +11,19 @@ fn an_inch_machine_goes_over_the_wire() {
     assert_eq!(setup.control.basic_length("_WP[0,0]"), 6.0);
     assert_eq!(setup.control.unit_function(), 70);
     let written = setup_to_json(&setup);
-    assert_eq!(
-        (&written["units"], &written["active"]["units"]),
-        (&json!("inch"), &json!("G70"))
-    );
+    assert_eq!((&written["units"], &written["active"]["units"]), (&json!("inch"), &json!("G70")));
     let again = setup_from_json(&written.to_string()).unwrap().control;
-    assert_eq!(
-        (again.basic_units, again.unit_function()),
-        (setup.control.basic_units, 70)
-    );
+    assert_eq!((again.basic_units, again.unit_function()), (setup.control.basic_units, 70));
     assert_eq!(again.environments, setup.control.environments);
     assert_eq!(again.environments["ROUGH"].tool, 20);
     for (name, value) in setup.control.data.iter() {
         let read = again.number(name);
-        assert!(
-            (read - setup.control.number(name)).abs() < 1e-12,
-            "{name}: {value:?} {read}"
-        );
+        assert!((read - setup.control.number(name)).abs() < 1e-12, "{name}: {value:?} {read}");
     }
 
     let ask = |units: &str| {
-        let request = json!({ "control": "sinumerik", "cycle": "CYCLE978", "values": { "_MVAR": "0" }, "setup": inch_machine(), "units": units });
+        let request = json!({ "control": "sinumerik", "cycle": "CYCLE978", "values": { "_MVAR": "0" },
+            "setup": inch_machine(), "units": units });
         let view = form(&request.to_string()).unwrap();
         let fields = view["fields"].as_array().unwrap().clone();
         ["_SETVAL", "_TSA", "_FA"]
@@ -53,12 +45,8 @@ fn the_own_machine_may_be_built_for_inches() {
     });
     let view = form(&request.to_string()).unwrap();
     let fields = view["fields"].as_array().unwrap();
-    let unit =
-        |name: &str| fields.iter().find(|field| field["name"] == name).unwrap()["unit"].clone();
-    assert_eq!(
-        (unit("_SETVAL"), unit("_TSA")),
-        (json!("mm"), json!("inch"))
-    );
+    let unit = |name: &str| fields.iter().find(|field| field["name"] == name).unwrap()["unit"].clone();
+    assert_eq!((unit("_SETVAL"), unit("_TSA")), (json!("mm"), json!("inch")));
     assert_eq!(view["setup"]["units"], "inch");
     assert_eq!(view["setup"]["active"]["units"], "G71");
     assert_eq!(view["outcome"]["alarms"], json!([]));

@@ -13,12 +13,7 @@ use serde_json::json;
 
 fn request(cycle: &crate::catalogue::Cycle) -> String {
     let values = cycle.example.iter();
-    asked(
-        cycle,
-        &values
-            .map(|(name, value)| ((*name).to_owned(), (*value).to_owned()))
-            .collect(),
-    )
+    asked(cycle, &values.map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect())
 }
 
 fn asked(cycle: &crate::catalogue::Cycle, values: &Typed) -> String {

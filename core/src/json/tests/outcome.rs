@@ -15,10 +15,7 @@ fn solids_of_one_part_are_tilted_together() {
     document["errors"] = json!({ "part": { "tilt": 0.1 } });
     let view = form(&document.to_string()).unwrap();
     let changes = view["outcome"]["changes"].as_array().unwrap();
-    let turned = changes
-        .iter()
-        .filter(|change| change["unit"] == "deg")
-        .collect::<Vec<_>>();
+    let turned = changes.iter().filter(|change| change["unit"] == "deg").collect::<Vec<_>>();
     assert_eq!(turned.len(), 1, "{changes:?}");
     assert_eq!(turned[0]["name"], "$P_UIFR[1,Z,RT]");
     assert!((turned[0]["after"].as_f64().unwrap() - 0.1).abs() < 1e-9);
@@ -61,11 +58,7 @@ fn a_call_that_measures_without_end_is_given_up() {
 fn every_worked_example_is_complete_and_reaches_its_end() {
     for cycle in crate::catalogue::CYCLES {
         let view = form(&request(cycle)).unwrap();
-        assert_eq!(
-            view["complete"], true,
-            "{}: {}",
-            cycle.name, view["diagnostics"]
-        );
+        assert_eq!(view["complete"], true, "{}: {}", cycle.name, view["diagnostics"]);
         if cycle.simulation.is_none() {
             assert_eq!(view["outcome"], Value::Null, "{}", cycle.name);
             continue;
@@ -82,17 +75,11 @@ fn reaches_its_end(cycle: &'static crate::catalogue::Cycle, variant: &crate::cat
     let view = form(&asked(cycle, &values)).unwrap();
     assert_eq!(view["complete"], true, "{what}: {}", view["diagnostics"]);
     let alarms = view["outcome"]["alarms"].as_array().unwrap();
-    assert!(
-        alarms.iter().all(|alarm| alarm["stops"] == false),
-        "{what}: {alarms:?}"
-    );
+    assert!(alarms.iter().all(|alarm| alarm["stops"] == false), "{what}: {alarms:?}");
     let entries = view["outcome"]["trace"]["entries"].as_array().unwrap();
     let moves = entries.iter().any(|entry| entry["step"] == "motion");
     assert_eq!(moves, cycle.purpose.probe != ProbeUse::None, "{what}");
-    assert!(
-        setup_from_json(&view["setup"].to_string()).is_ok(),
-        "{what}"
-    );
+    assert!(setup_from_json(&view["setup"].to_string()).is_ok(), "{what}");
     let shapes = view["picture"]["shapes"].as_array().unwrap();
     assert!(!shapes.is_empty(), "{what}");
 }
@@ -102,11 +89,7 @@ fn reaches_its_end(cycle: &'static crate::catalogue::Cycle, variant: &crate::cat
 fn the_stylus_stands_along_the_applicate() {
     let cycle = crate::catalogue::find(Dialect::Sinumerik, "CYCLE977").unwrap();
     let mut asked: Value = serde_json::from_str(&request(cycle)).unwrap();
-    for (plane, axis) in [
-        ("G17", [0.0, 0.0, 1.0]),
-        ("G18", [0.0, 1.0, 0.0]),
-        ("G19", [1.0, 0.0, 0.0]),
-    ] {
+    for (plane, axis) in [("G17", [0.0, 0.0, 1.0]), ("G18", [0.0, 1.0, 0.0]), ("G19", [1.0, 0.0, 0.0])] {
         asked["setup"] = json!({ "own": { "plane": plane } });
         let view = form(&asked.to_string()).unwrap();
         let probe = &view["outcome"]["trace"]["tools"][0];
@@ -121,20 +104,13 @@ fn a_turning_machine_measures_with_a_probe_that_stands_on_the_plane_of_the_call(
     let cycle = crate::catalogue::find(Dialect::Sinumerik, "CYCLE977").unwrap();
     let mut asked: Value = serde_json::from_str(&request(cycle)).unwrap();
     asked["setup"] = json!({ "own": { "plane": "G17", "data": { "SD42950": 2.0 } } });
-    for (plane, axis, alarms) in [
-        ("G17", [0.0, 0.0, 1.0], 0),
-        ("G19", [1.0, 0.0, 0.0], 0),
-        ("G18", [0.0, 0.0, 1.0], 1),
-    ] {
+    for (plane, axis, alarms) in [("G17", [0.0, 0.0, 1.0], 0), ("G19", [1.0, 0.0, 0.0], 0), ("G18", [0.0, 0.0, 1.0], 1)]
+    {
         asked["plane"] = json!(plane);
         let view = form(&asked.to_string()).unwrap();
         let outcome = &view["outcome"];
         assert_eq!(outcome["trace"]["tools"][0]["ball"], json!(axis), "{plane}");
-        assert_eq!(
-            outcome["alarms"].as_array().unwrap().len(),
-            alarms,
-            "{plane} {outcome}"
-        );
+        assert_eq!(outcome["alarms"].as_array().unwrap().len(), alarms, "{plane} {outcome}");
     }
 }
 
@@ -142,23 +118,14 @@ fn a_turning_machine_measures_with_a_probe_that_stands_on_the_plane_of_the_call(
 #[test]
 fn the_stylus_of_a_turning_machine_lies_as_its_cutting_edge_position_says() {
     let cycle = crate::catalogue::find(Dialect::Sinumerik, "CYCLE974").unwrap();
-    for (tip, axis) in [
-        (5, [0.0, 0.0, -1.0]),
-        (6, [-1.0, 0.0, 0.0]),
-        (7, [0.0, 0.0, 1.0]),
-        (8, [1.0, 0.0, 0.0]),
-    ] {
+    for (tip, axis) in [(5, [0.0, 0.0, -1.0]), (6, [-1.0, 0.0, 0.0]), (7, [0.0, 0.0, 1.0]), (8, [1.0, 0.0, 0.0])] {
         let mut setup = Setup::for_variant(cycle, 0, Plane::G18);
         let edge = setup.control.edge_of_mut(9, 1).unwrap();
         edge.tip = tip;
         let mut asked: Value = serde_json::from_str(&request(cycle)).unwrap();
         asked["setup"] = setup_to_json(&setup);
         let view = form(&asked.to_string()).unwrap();
-        assert_eq!(
-            view["outcome"]["trace"]["tools"][0]["ball"],
-            json!(axis),
-            "{tip}"
-        );
+        assert_eq!(view["outcome"]["trace"]["tools"][0]["ball"], json!(axis), "{tip}");
     }
 }
 
@@ -174,14 +141,8 @@ fn what_stands_in_a_protection_zone_has_no_errors() {
     let [part, post] = trace["solids"].as_array().unwrap().as_slice() else {
         unreachable!("{}", trace["solids"]);
     };
-    assert_eq!(
-        (&part["shape"], &post["shape"]),
-        (&json!("hole"), &json!("shaft"))
-    );
-    assert_eq!(
-        (&part["errors"]["size"], &post["errors"]["size"]),
-        (&json!(0.03), &json!(0.0))
-    );
+    assert_eq!((&part["shape"], &post["shape"]), (&json!("hole"), &json!("shaft")));
+    assert_eq!((&part["errors"]["size"], &post["errors"]["size"]), (&json!(0.03), &json!(0.0)));
     assert_eq!(trace["zones"][0]["size"][0], json!(60.0));
     assert!(post["size"][0].as_f64() < Some(60.0), "{post}");
 }
@@ -230,10 +191,7 @@ fn the_largest_errors_are_those_that_still_come_to_an_end() {
         }
     }
     let shown = view["outcome"]["trace"]["limits"].as_array().unwrap();
-    assert_eq!(
-        (&shown[0]["errors"]["size"], &shown[1]["errors"]["size"]),
-        (&limits[0]["low"], &limits[0]["high"])
-    );
+    assert_eq!((&shown[0]["errors"]["size"], &shown[1]["errors"]["size"]), (&limits[0]["low"], &limits[0]["high"]));
 }
 
 /// A program carried out to its end.
@@ -245,8 +203,7 @@ fn done(request: &Value) -> Value {
 
 /// A ring that is calibrated in, and a hole that is measured, on one machine.
 fn two_calls() -> Value {
-    let hole =
-        |diameter: f64, x: f64| json!({ "shape": "hole", "size": [diameter, 40], "at": [x, 0, 0] });
+    let hole = |diameter: f64, x: f64| json!({ "shape": "hole", "size": [diameter, 40], "at": [x, 0, 0] });
     let edge = json!({ "type": 710, "length": [50, 0, 0], "radius": 3 });
     json!({
         "control": "sinumerik",
@@ -279,19 +236,13 @@ fn results_of_a_program_name_the_call_that_left_them() {
     for (line, set) in [(10, 60.0), (15, 80.0)] {
         let size = found("_OVR[0]", json!(line));
         assert_eq!(size["label"]["key"], "result-set-size");
-        assert_eq!(
-            (&size["cycle"], &size["unit"]),
-            (&json!("CYCLE977"), &json!("mm"))
-        );
+        assert_eq!((&size["cycle"], &size["unit"]), (&json!("CYCLE977"), &json!("mm")));
         assert_eq!(size["value"], json!(set), "each call its own");
     }
     let own = found("_SETVAL", Value::Null);
     assert_eq!(own["label"], Value::Null, "the program set it");
     let decided = view["decisions"].as_array().unwrap();
-    assert!(
-        decided.iter().all(|one| one["cycle"].is_string()),
-        "{decided:?}"
-    );
+    assert!(decided.iter().all(|one| one["cycle"].is_string()), "{decided:?}");
 }
 
 // oracle: manual B:5675-5701 (_OVR[20] with tool offset only), B:1696 (data keep their values); hand (lines as written)
@@ -300,8 +251,7 @@ fn what_an_earlier_call_left_is_told_as_that_of_its_line() {
     let text = "G17 G54 G90 T9 D1\nM6\n_PRNUM=1 _FA=4 _TSA=2 _TZL=0 _NMSP=1 _VMS=0 _SETVAL=79.98 _TNUM=20\n\
         _MVAR=1 _TUL=0.01 _TLL=-0.01 _TDIF=1 _K=1 _EVNUM=0 _TMV=0.5 _KNUM=2001 CYCLE977\n_MVAR=101 _KNUM=1\nCYCLE977\nM30\n";
     let mut setup = two_calls();
-    setup["tools"]["20"] =
-        json!({ "edges": { "1": { "type": 120, "length": [60, 0, 0], "radius": 8 } } });
+    setup["tools"]["20"] = json!({ "edges": { "1": { "type": 120, "length": [60, 0, 0], "radius": 8 } } });
     let view = done(&json!({ "control": "sinumerik", "text": text, "setup": setup }));
     assert_eq!(view["finished"], true, "{}", view["diagnostics"]);
     let all = view["results"].as_array().unwrap();
@@ -338,8 +288,5 @@ fn an_alarm_of_a_program_is_told_at_its_call_with_what_to_do() {
     assert_eq!((&alarm["line"], &alarm["column"]), (&json!(4), &json!(3)));
     assert_eq!(alarm["hint"]["key"], "alarm-61302.cure");
     let raised = &view["alarms"][0];
-    assert_eq!(
-        (&raised["code"], &raised["line"], &raised["cycle"]),
-        (&json!("61302"), &json!(4), &json!("CYCLE977"))
-    );
+    assert_eq!((&raised["code"], &raised["line"], &raised["cycle"]), (&json!("61302"), &json!(4), &json!("CYCLE977")));
 }

@@ -4,9 +4,7 @@ use crate::json::*;
 use std::path::PathBuf;
 
 fn docs(name: &str) -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
-        .join("../docs")
-        .join(name)
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../docs").join(name)
 }
 
 // oracle: self
@@ -35,10 +33,7 @@ fn what_the_machine_can_do_is_read_and_written() {
     assert_eq!(setup.control.limits.plus, [Some(400.0), None, None]);
     assert!(!setup.control.spindle_positions);
     assert_eq!(setup.control.active.scale, [2.0, 2.0, 1.0]);
-    assert_eq!(
-        setup.control.transverse,
-        crate::control::Transverse::Diameter
-    );
+    assert_eq!(setup.control.transverse, crate::control::Transverse::Diameter);
     assert_eq!(setup.probe.false_signal, Some(12.5));
     let again = setup_from_json(&setup_to_json(&setup).to_string()).unwrap();
     assert_eq!(setup, again);
@@ -49,10 +44,7 @@ fn what_the_machine_can_do_is_read_and_written() {
 fn a_slip_in_a_setup_is_told() {
     for (text, part) in [
         ("", "expected"),
-        (
-            "{\"control\":\"fanuc\",\"probe\":{\"radius\":3,\"length\":50}}",
-            "fanuc",
-        ),
+        ("{\"control\":\"fanuc\",\"probe\":{\"radius\":3,\"length\":50}}", "fanuc"),
         ("{\"control\":\"nct\",\"prope\":1}", "prope"),
         (
             "{\"control\":\"nct\",\"probe\":{\"radius\":3,\"length\":50},\"frames\":{\"G12\":{\"coarse\":[0,0,0]}}}",
@@ -72,15 +64,9 @@ fn a_slip_in_a_setup_is_told() {
 #[cfg(feature = "cli")]
 #[test]
 fn the_schema_in_docs_is_the_one_of_the_code() {
-    let schema = format!(
-        "{}\n",
-        serde_json::to_string_pretty(&setup_schema()).unwrap()
-    );
+    let schema = format!("{}\n", serde_json::to_string_pretty(&setup_schema()).unwrap());
     if std::env::var_os("PROBEWRIGHT_UPDATE").is_some() {
         std::fs::write(docs("setup.schema.json"), &schema).unwrap();
     }
-    assert_eq!(
-        std::fs::read_to_string(docs("setup.schema.json")).unwrap(),
-        schema
-    );
+    assert_eq!(std::fs::read_to_string(docs("setup.schema.json")).unwrap(), schema);
 }

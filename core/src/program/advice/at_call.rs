@@ -30,16 +30,9 @@ impl Asked {
     pub fn of(program: &Program) -> Asked {
         let whole = |word: &Word| {
             let kind = &word.kind;
-            matches!(
-                kind,
-                WordKind::Address { .. } | WordKind::Header(_) | WordKind::Keyword { .. }
-            )
+            matches!(kind, WordKind::Address { .. } | WordKind::Header(_) | WordKind::Keyword { .. })
         };
-        Asked {
-            piece: !program.words.iter().any(whole),
-            said: BTreeSet::new(),
-            calibrated: BTreeSet::new(),
-        }
+        Asked { piece: !program.words.iter().any(whole), said: BTreeSet::new(), calibrated: BTreeSet::new() }
     }
 }
 
@@ -67,11 +60,7 @@ pub fn look(seen: &Seen, asked: &mut Asked, found: &mut Vec<Diagnostic>) {
 /// Tool radius compensation has to be off (B:654).
 fn compensation(seen: &Seen) -> Option<Diagnostic> {
     let on = seen.force.compensation.is().filter(|on| on.code != 40)?;
-    let sentence = if seen.comes_back(on.at) {
-        own::ADVICE_COMPENSATION_PASS
-    } else {
-        own::ADVICE_COMPENSATION
-    };
+    let sentence = if seen.comes_back(on.at) { own::ADVICE_COMPENSATION_PASS } else { own::ADVICE_COMPENSATION };
     let finding = sentence
         .finding()
         .text("word", format!("G{}", on.code))
@@ -79,15 +68,12 @@ fn compensation(seen: &Seen) -> Option<Diagnostic> {
     Some(with_line(finding, seen, "G40"))
 }
 
-/// Without a D number alarm 61311 comes. Behind a tool change D1 counts unless the machine is set otherwise: asked once.
+/// Without a D number alarm 61311 comes. Behind a tool change D1 counts unless the machine is set otherwise: asked
+/// once.
 fn edge(seen: &Seen, asked: &mut Asked) -> Option<Diagnostic> {
     let finding = if seen.force.edge.is() == Some(&0) {
-        error(Code::Alarm(61311), Message::new("advice-edge-none"))
-            .hint(Message::new("advice-edge-hint"))
-    } else if seen.force.edge.unset()
-        && !seen.force.tool.unset()
-        && asked.said.insert(own::ADVICE_EDGE_OPEN.code())
-    {
+        error(Code::Alarm(61311), Message::new("advice-edge-none")).hint(Message::new("advice-edge-hint"))
+    } else if seen.force.edge.unset() && !seen.force.tool.unset() && asked.said.insert(own::ADVICE_EDGE_OPEN.code()) {
         own::ADVICE_EDGE_OPEN.finding()
     } else {
         return None;
@@ -175,8 +161,8 @@ fn spindle(seen: &Seen) -> Option<Diagnostic> {
 /// Trigger values of a workpiece probe (B:13443-13448).
 const TRIGGERS: RangeInclusive<usize> = 1..=6;
 
-/// Workpiece probes of which the machine has trigger values that are not those of the delivery: they were calibrated. Those
-/// of a tool probe say nothing, since approximate ones are entered before it is calibrated.
+/// Workpiece probes of which the machine has trigger values that are not those of the delivery: they were calibrated.
+/// Those of a tool probe say nothing, since approximate ones are entered before it is calibrated.
 fn on_machine(control: &Control, number: i64) -> bool {
     let delivered = delivery_in(control.dialect, control.basic_units);
     TRIGGERS
@@ -201,16 +187,15 @@ fn calibrates(seen: &Seen, (tool, number): (bool, i64)) -> bool {
     })
 }
 
-/// Trigger values that no call of this program determined come from before (B:5010-5060). Nothing speaks against them unless
-/// the program calibrates this probe later, or the machine has other probes calibrated and not this one.
+/// Trigger values that no call of this program determined come from before (B:5010-5060). Nothing speaks against them
+/// unless the program calibrates this probe later, or the machine has other probes calibrated and not this one.
 fn calibration(seen: &Seen, asked: &mut Asked) -> Option<Diagnostic> {
     let purpose = &seen.site.cycle.purpose;
     if of_newer(seen) {
         return None; // its probes are calibrated in data that are not here
     }
     let told = seen.site.diagnostics.iter();
-    let mut instead = told
-        .filter(|one| one.severity == Severity::Error || one.code == own::TOOL_PROBE_EMPTY.code());
+    let mut instead = told.filter(|one| one.severity == Severity::Error || one.code == own::TOOL_PROBE_EMPTY.code());
     if instead.next().is_some() {
         return None; // the call does not measure like this; the next one is asked
     }

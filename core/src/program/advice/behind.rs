@@ -54,20 +54,12 @@ pub fn corrected(seen: &Seen) -> Option<Corrected> {
         ZeroCode::LastBasic => Some(500), // reckoned for it, B:1945
         _ => function.or(active.is().copied()),
     };
-    Some(Corrected {
-        function,
-        active,
-        cure,
-    })
+    Some(Corrected { function, active, cure })
 }
 
 /// G54 to G57, G505 to G599.
 fn function(number: u16) -> u16 {
-    if number < 5 {
-        53 + number
-    } else {
-        500 + number
-    }
+    if number < 5 { 53 + number } else { 500 + number }
 }
 
 /// The program goes on without ever taking a frame that one of its calls corrected. Between two calls the old frame may
@@ -82,18 +74,11 @@ pub fn look(
     if corrected.iter().all(Option::is_none) {
         return;
     }
-    let mut rules = Rules {
-        program,
-        sites,
-        corrected,
-        forgotten: BTreeMap::new(),
-    };
+    let mut rules = Rules { program, sites, corrected, forgotten: BTreeMap::new() };
     flow::follow(program, programs, &mut rules, &Pending::new());
     for (index, waiting) in rules.forgotten {
         if let Some((site, corrected)) = sites.get(index).zip(corrected.get(index)) {
-            let finding = corrected
-                .as_ref()
-                .map(|frame| finding(program, site, frame, &waiting));
+            let finding = corrected.as_ref().map(|frame| finding(program, site, frame, &waiting));
             found.extend(finding);
         }
     }
@@ -176,10 +161,7 @@ impl Follow for Rules<'_> {
         if pending.is_empty() {
             return;
         }
-        for code in words
-            .iter()
-            .filter_map(|word| number(self.program, word, "G"))
-        {
+        for code in words.iter().filter_map(|word| number(self.program, word, "G")) {
             if matches!(code as i64, 54..=57 | 500 | 505..=599) {
                 self.take(pending, code as u16);
             }
@@ -195,10 +177,7 @@ impl Follow for Rules<'_> {
         let WordKind::Call { name, .. } = &word.kind else {
             return;
         };
-        let Ok(index) = self
-            .sites
-            .binary_search_by_key(&word.span.start, |site| site.span.start)
-        else {
+        let Ok(index) = self.sites.binary_search_by_key(&word.span.start, |site| site.span.start) else {
             if is_machining(&self.program.name(*name)) {
                 self.use_all(pending);
             }
@@ -233,20 +212,13 @@ impl Follow for Rules<'_> {
         both.collect()
     }
 
-    fn leave(
-        &mut self,
-        _: &Pending,
-        (_, after): (&Pending, &Pending),
-        _: &Entry,
-        _: bool,
-    ) -> Pending {
+    fn leave(&mut self, _: &Pending, (_, after): (&Pending, &Pending), _: &Entry, _: bool) -> Pending {
         after.clone()
     }
 
     fn end(&mut self, pending: &Pending) {
         let moved = pending.iter().filter(|(_, waiting)| waiting.moved);
-        self.forgotten
-            .extend(moved.map(|(index, waiting)| (*index, waiting.clone())));
+        self.forgotten.extend(moved.map(|(index, waiting)| (*index, waiting.clone())));
     }
 }
 
@@ -257,9 +229,7 @@ const BESIDE: [f64; 6] = [53.0, 58.0, 59.0, 74.0, 75.0, 153.0];
 /// Whether an axis moves in the frame in force.
 fn moves(program: &Program, words: &[Word]) -> bool {
     let axis = |word: &Word| match &word.kind {
-        WordKind::Address { name, .. } => {
-            ["X", "Y", "Z"].iter().any(|axis| program.is(*name, axis))
-        }
+        WordKind::Address { name, .. } => ["X", "Y", "Z"].iter().any(|axis| program.is(*name, axis)),
         _ => false,
     };
     let beside = |word: &Word| match &word.kind {
@@ -272,9 +242,7 @@ fn moves(program: &Program, words: &[Word]) -> bool {
 /// Constant number of this address.
 fn number(program: &Program, word: &Word, letter: &str) -> Option<f64> {
     match &word.kind {
-        WordKind::Address { name, value, .. } if program.is(*name, letter) => {
-            fold::number(program, *value, &Nothing)
-        }
+        WordKind::Address { name, value, .. } if program.is(*name, letter) => fold::number(program, *value, &Nothing),
         _ => None,
     }
 }
@@ -291,6 +259,5 @@ fn sets_frame(program: &Program, word: &Word) -> bool {
 /// Whether a call that measures nothing moves the axes: `CYCLE81` and so on, not the cycles that only swivel or set.
 fn is_machining(name: &str) -> bool {
     let digits = name.strip_prefix("CYCLE").unwrap_or_default();
-    digits.starts_with(|first: char| first.is_ascii_digit())
-        && ![swivel::NAME, "CYCLE832"].contains(&name)
+    digits.starts_with(|first: char| first.is_ascii_digit()) && ![swivel::NAME, "CYCLE832"].contains(&name)
 }

@@ -16,11 +16,7 @@ const SAME: [&[&str]; 8] = [
     &["id-points", "id-points-abscissa"],
     &["ma-calibrate", "ma-calibrated"],
     &["md", "md-incremental"],
-    &[
-        "setval-diameter",
-        "setval-turned-diameter",
-        "setval-two-diameter",
-    ],
+    &["setval-diameter", "setval-turned-diameter", "setval-two-diameter"],
     &["setval-width", "setval-width-angle"],
     &["sta1", "sta1-first"],
     &["sza-length", "sza-turned"],
@@ -44,9 +40,7 @@ impl Meaning {
             Kind::Variant(_) => inputs.cycle.variants,
             _ => &[],
         };
-        let variant = variants
-            .iter()
-            .find(|variant| Some(variant.number as f64) == number);
+        let variant = variants.iter().find(|variant| Some(variant.number as f64) == number);
         let choices = param.kind.choices(inputs).unwrap_or_default().iter();
         let mut choices = choices.filter(|(value, _)| Some(*value as f64) == number);
         let label = param.label(inputs);
@@ -54,9 +48,7 @@ impl Meaning {
         Meaning {
             label: same.and_then(|same| same.first()).unwrap_or(&label),
             unit: param.unit_with(inputs),
-            choice: variant
-                .map(|variant| variant.key)
-                .or(choices.next().map(|(_, key)| *key)),
+            choice: variant.map(|variant| variant.key).or(choices.next().map(|(_, key)| *key)),
         }
     }
 
@@ -97,19 +89,10 @@ pub fn look(seen: &Seen, found: &mut Vec<Diagnostic>) {
     }
 }
 
-fn doubt(
-    seen: &Seen,
-    param: &'static Param,
-    level: Level,
-    site: &CallSite,
-    there: &Inputs,
-) -> Option<Diagnostic> {
+fn doubt(seen: &Seen, param: &'static Param, level: Level, site: &CallSite, there: &Inputs) -> Option<Diagnostic> {
     let written = site.cycle.param(param.name)?;
     written.need(there)?;
-    let (before, now) = (
-        Meaning::of(written, there),
-        Meaning::of(param, &seen.inputs),
-    );
+    let (before, now) = (Meaning::of(written, there), Meaning::of(param, &seen.inputs));
     let value = seen.values.get(param.name)?.as_str();
     if before == now || !counts(seen, param, site, (&before, &now)) {
         return None;
@@ -133,23 +116,16 @@ fn doubt(
         .at(param.name);
     finding.span = Some(seen.site.span);
     finding.cure = param.fallback(seen.control).map(|value| Cure {
-        label: Message::new("advice-write")
-            .text("name", param.name)
-            .text("value", value.to_string()),
+        label: Message::new("advice-write").text("name", param.name).text("value", value.to_string()),
         edits: change(seen.program, seen.site, param.name, &value.to_string()),
     });
     Some(finding)
 }
 
-/// Whether the difference may be an accident. What has a delivered value (path, safe area, feed, number of the probe) says
-/// how is measured, and is meant to stay; unless its unit is another one, or it is about the other sort of probe. What has
-/// none says what is measured.
-fn counts(
-    seen: &Seen,
-    param: &Param,
-    site: &CallSite,
-    (before, now): (&Meaning, &Meaning),
-) -> bool {
+/// Whether the difference may be an accident. What has a delivered value (path, safe area, feed, number of the probe)
+/// says how is measured, and is meant to stay; unless its unit is another one, or it is about the other sort of probe.
+/// What has none says what is measured.
+fn counts(seen: &Seen, param: &Param, site: &CallSite, (before, now): (&Meaning, &Meaning)) -> bool {
     let number = seen.inputs.given(param.name);
     if matches!(param.kind, Kind::Knum) && number == Some(0.0) {
         return false; // nothing is corrected, whatever it means
@@ -164,9 +140,7 @@ fn counts(
 /// The earlier call for which a value was written.
 fn owner(seen: &Seen, name: &str) -> Option<usize> {
     let place = *seen.site.places.get(name)?;
-    let index = seen
-        .sites
-        .partition_point(|site| site.span.end <= place.start);
+    let index = seen.sites.partition_point(|site| site.span.end <= place.start);
     let site = seen.sites.get(index)?;
     let own = index < seen.index && place.start >= site.own_from;
     (own && site.places.get(name) == Some(&place)).then_some(index)
@@ -184,25 +158,18 @@ mod tests {
     fn labels_of_the_same_words_mean_the_same() {
         let words = Words::english();
         let mut labels: BTreeMap<(&str, String), BTreeSet<&str>> = BTreeMap::new();
-        let cycles = CYCLES
-            .iter()
-            .filter(|cycle| cycle.dialect == Dialect::Sinumerik);
+        let cycles = CYCLES.iter().filter(|cycle| cycle.dialect == Dialect::Sinumerik);
         let params = cycles.flat_map(|cycle| cycle.params);
         for param in params.filter(|param| param.default.is_none()) {
             // The stem alone is a label where it has words.
-            let stems = param
-                .labels
-                .iter()
-                .map(|(_, stem)| *stem)
-                .chain([param.key]);
+            let stems = param.labels.iter().map(|(_, stem)| *stem).chain([param.key]);
             for stem in stems {
                 let label = words.find(&Message::new(format!("param-{stem}")));
                 let label = label.unwrap_or_else(|| stem.to_owned());
                 labels.entry((param.name, label)).or_default().insert(stem);
             }
         }
-        let groups: Vec<BTreeSet<&str>> =
-            labels.into_values().filter(|same| same.len() > 1).collect();
+        let groups: Vec<BTreeSet<&str>> = labels.into_values().filter(|same| same.len() > 1).collect();
         let ours = SAME.iter().map(|same| same.iter().copied().collect());
         let ours: BTreeSet<BTreeSet<&str>> = ours.collect();
         assert_eq!(ours, groups.into_iter().collect());

@@ -10,10 +10,7 @@ pub fn left_on(program: &Program, programs: &Programs) -> bool {
     if !program.words.iter().any(|word| switches_on(program, word)) {
         return false;
     }
-    let mut rules = Rules {
-        forces: Forces::of(program),
-        left_on: false,
-    };
+    let mut rules = Rules { forces: Forces::of(program), left_on: false };
     follow(program, programs, &mut rules, &State::default());
     rules.left_on
 }
@@ -48,13 +45,7 @@ impl Follow for Rules<'_> {
         one.meet(other)
     }
 
-    fn leave(
-        &mut self,
-        caller: &State,
-        (_, after): (&State, &State),
-        _: &Entry,
-        saves: bool,
-    ) -> State {
+    fn leave(&mut self, caller: &State, (_, after): (&State, &State), _: &Entry, saves: bool) -> State {
         let mut state = after.clone();
         if saves {
             state.restore(caller);

@@ -12,21 +12,14 @@ use crate::run::programs::Programs;
 const DEEPEST: usize = 5;
 
 /// Calls in subprograms of the same text that are reached on too deep a level.
-pub fn look(
-    program: &Program,
-    programs: &Programs,
-    sites: &[CallSite],
-    found: &mut Vec<Diagnostic>,
-) {
+pub fn look(program: &Program, programs: &Programs, sites: &[CallSite], found: &mut Vec<Diagnostic>) {
     if programs.units.len() < 2 || sites.is_empty() {
         return;
     }
     let levels = levels(&callers(program, programs));
     for site in sites {
         let line = site.line as usize;
-        let units = programs
-            .units
-            .partition_point(|unit| unit.blocks.start <= line);
+        let units = programs.units.partition_point(|unit| unit.blocks.start <= line);
         let level = units.checked_sub(1).and_then(|unit| levels.get(unit));
         let level = level.copied().unwrap_or(1);
         if level > DEEPEST && site.cycle.purpose.probe.measures() {
@@ -40,10 +33,7 @@ pub fn look(
 fn levels(calls: &[Vec<usize>]) -> Vec<usize> {
     let mut levels = vec![1; calls.len()];
     for called in calls.iter().flatten() {
-        levels
-            .get_mut(*called)
-            .into_iter()
-            .for_each(|level| *level = 0);
+        levels.get_mut(*called).into_iter().for_each(|level| *level = 0);
     }
     // Each round goes one level deeper, so that a program that calls itself comes to an end too.
     for _ in 0..LEVELS {

@@ -51,8 +51,7 @@ impl Seen<'_> {
         let block = |at: Span| self.program.line_of(at.start) as usize;
         let (place, call) = (block(place), block(self.site.span));
         let mut units = self.programs.units.iter();
-        place > call
-            && units.any(|unit| unit.blocks.contains(&place) && unit.blocks.contains(&call))
+        place > call && units.any(|unit| unit.blocks.contains(&place) && unit.blocks.contains(&call))
     }
 }
 
@@ -73,12 +72,7 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
     let mut corrected = vec![None; sites.len()];
     for (index, site, way) in in_order(sites) {
         at_call.plane = way.state.plane.is().copied().unwrap_or(site.plane);
-        at_call.transverse = way
-            .state
-            .transverse
-            .is()
-            .copied()
-            .unwrap_or(site.transverse);
+        at_call.transverse = way.state.transverse.is().copied().unwrap_or(site.transverse);
         at_call.choose_units(site.unit_function);
         let values = site.values_on(way);
         if let Some(list) = site.list.filter(|list| list.style == Style::Operate)
@@ -157,10 +151,8 @@ fn begin(program: &Program, site: &CallSite) -> u32 {
 /// Offers a line before the call and its assignments.
 fn with_line(mut finding: Diagnostic, seen: &Seen, text: &str) -> Diagnostic {
     let line = begin(seen.program, seen.site);
-    finding.cure = line_at_begin(seen.program, line, text).map(|edit| Cure {
-        label: Message::new("advice-insert").text("text", text),
-        edits: vec![edit],
-    });
+    finding.cure = line_at_begin(seen.program, line, text)
+        .map(|edit| Cure { label: Message::new("advice-insert").text("text", text), edits: vec![edit] });
     finding
 }
 
@@ -168,21 +160,14 @@ fn with_line(mut finding: Diagnostic, seen: &Seen, text: &str) -> Diagnostic {
 fn between(mut finding: Diagnostic, seen: &Seen, before: &str, behind: &str) -> Diagnostic {
     let first = line_at_begin(seen.program, begin(seen.program, seen.site), before);
     finding.cure = first.map(|edit| Cure {
-        label: Message::new("advice-insert-around")
-            .text("before", before)
-            .text("behind", behind),
+        label: Message::new("advice-insert-around").text("before", before).text("behind", behind),
         edits: vec![edit, line_behind(seen.program, seen.site, behind)],
     });
     finding
 }
 
 /// Offers a line behind the call.
-fn behind_call(
-    mut finding: Diagnostic,
-    program: &Program,
-    site: &CallSite,
-    text: &str,
-) -> Diagnostic {
+fn behind_call(mut finding: Diagnostic, program: &Program, site: &CallSite, text: &str) -> Diagnostic {
     finding.cure = Some(Cure {
         label: Message::new("advice-insert-behind").text("text", text),
         edits: vec![line_behind(program, site, text)],
@@ -197,11 +182,7 @@ fn line_behind(program: &Program, site: &CallSite, text: &str) -> Edit {
     let end = program.end;
     let eol = line_end(program, site.line);
     let ended = program.text(Span { start: 0, end }).ends_with(b"\n");
-    let insert = if ended {
-        format!("{text}{eol}")
-    } else {
-        format!("{eol}{text}")
-    };
+    let insert = if ended { format!("{text}{eol}") } else { format!("{eol}{text}") };
     let span = Span { start: end, end };
     Edit { span, insert }
 }

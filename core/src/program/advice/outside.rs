@@ -1,5 +1,5 @@
-//! Programs that this text calls and does not hold: what they leave is not known. Told once, by the sentence with which a
-//! run goes on without them.
+//! Programs that this text calls and does not hold: what they leave is not known. Told once, by the sentence with which
+//! a run goes on without them.
 
 use crate::catalogue::{Dialect, nct};
 use crate::diagnostic::{Diagnostic, Severity, Span};
@@ -37,9 +37,7 @@ pub fn look(program: &Program, programs: &Programs, found: &mut Vec<Diagnostic>)
 fn missing(program: &Program, programs: &Programs, block: &Block) -> Vec<(Span, String)> {
     let words = program.words_of(block);
     if program.dialect == Dialect::Nct {
-        return numbered_outside(program, programs, block)
-            .into_iter()
-            .collect();
+        return numbered_outside(program, programs, block).into_iter().collect();
     }
     let named = words.iter().enumerate().filter_map(|(at, word)| {
         let name = named_outside(program, programs, words, at)?;
@@ -53,20 +51,14 @@ fn missing(program: &Program, programs: &Programs, block: &Block) -> Vec<(Span, 
 }
 
 /// NCT: the program at P that `M98` or `G65` calls, where a number stands there and no macro has it.
-fn numbered_outside(
-    program: &Program,
-    programs: &Programs,
-    block: &Block,
-) -> Option<(Span, String)> {
+fn numbered_outside(program: &Program, programs: &Programs, block: &Block) -> Option<(Span, String)> {
     let number = |letter: &str| {
         let mut words = program.words_of(block).iter();
         words.find_map(|word| match &word.kind {
-            WordKind::Address { name, value, .. } if program.is(*name, letter) => {
-                match program.expr(*value)? {
-                    Expr::Number(number, _) => Some((word.span, *number)),
-                    _ => None,
-                }
-            }
+            WordKind::Address { name, value, .. } if program.is(*name, letter) => match program.expr(*value)? {
+                Expr::Number(number, _) => Some((word.span, *number)),
+                _ => None,
+            },
             _ => None,
         })
     };

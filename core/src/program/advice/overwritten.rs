@@ -14,17 +14,12 @@ pub fn look(program: &Program, sites: &[CallSite], found: &mut Vec<Diagnostic>) 
     for site in sites {
         for (name, place, call) in &site.overwritten {
             let line = f64::from(program.line_of(call.start) + 1);
-            let mut finding = own::ADVICE_OVERWRITTEN
-                .finding()
-                .text("name", *name)
-                .number("line", line)
-                .hint_text("name", *name);
+            let mut finding =
+                own::ADVICE_OVERWRITTEN.finding().text("name", *name).number("line", line).hint_text("name", *name);
             let value = String::from_utf8_lossy(program.text(*place));
             let edit = line_at_begin(program, site.line, &format!("{name}={value}"));
             finding.cure = edit.map(|edit| Cure {
-                label: Message::new("advice-write")
-                    .text("name", *name)
-                    .text("value", value.trim()),
+                label: Message::new("advice-write").text("name", *name).text("value", value.trim()),
                 edits: vec![edit],
             });
             found.push(at(finding, *place));

@@ -62,11 +62,7 @@ fn of_support(site: &CallSite) -> bool {
 /// The settings with which the call was written, if a comment before it names them.
 fn marked(seen: &Seen) -> Option<Marked> {
     let (then, place) = mark_before(seen.program, seen.site)?;
-    Some(Marked {
-        then,
-        now: Mark::of(seen.control),
-        place,
-    })
+    Some(Marked { then, now: Mark::of(seen.control), place })
 }
 
 /// The mask is another one than when the call was written.
@@ -87,19 +83,12 @@ fn tools(marked: &Marked) -> Option<Diagnostic> {
 /// `_MZ_MASK[4]: 1 → 0`; none for no change.
 fn listed(changed: &[Changed]) -> Option<String> {
     let each = changed.iter();
-    let each: Vec<String> = each
-        .map(|(name, before, now)| format!("{name}: {before} → {now}"))
-        .collect();
+    let each: Vec<String> = each.map(|(name, before, now)| format!("{name}: {before} → {now}")).collect();
     (!each.is_empty()).then(|| each.join(", "))
 }
 
 /// The values that would become others, with the edits that make them so now.
-fn taken_over(
-    seen: &Seen,
-    support: Support,
-    control: &Control,
-    marked: Option<&Marked>,
-) -> Option<Diagnostic> {
+fn taken_over(seen: &Seen, support: Support, control: &Control, marked: Option<&Marked>) -> Option<Diagnostic> {
     let site = seen.site;
     let entered = support.entered(site.cycle, &site.values, control);
     let inputs = check::read(site.cycle, &entered.values, control, &mut Vec::new());
@@ -111,17 +100,13 @@ fn taken_over(
     });
     let values: Vec<Change> = values.collect();
     let bits = entered.bits.iter();
-    let bits: Vec<Change> = bits
-        .filter_map(|(name, on)| bit(site, name, *on, control))
-        .collect();
+    let bits: Vec<Change> = bits.filter_map(|(name, on)| bit(site, name, *on, control)).collect();
     let all = values.iter().chain(&bits);
     let written = |one: &Change| {
         let expression = site.expression(one.name);
         expression.map_or_else(|| one.before.clone(), str::to_owned)
     };
-    let all: Vec<String> = all
-        .map(|one| format!("{}={} → {}", one.name, written(one), one.after))
-        .collect();
+    let all: Vec<String> = all.map(|one| format!("{}={} → {}", one.name, written(one), one.after)).collect();
     if all.is_empty() {
         return None;
     }
@@ -151,10 +136,7 @@ fn value(site: &CallSite, param: &Param, after: &str, control: &Control) -> Opti
 
 fn bit(site: &CallSite, name: &'static str, on: bool, control: &Control) -> Option<Change> {
     let set = site.bits.iter().find(|(one, ..)| *one == name);
-    let before = set.map_or_else(
-        || control.number(name).to_string(),
-        |(_, text, _)| text.clone(),
-    );
+    let before = set.map_or_else(|| control.number(name).to_string(), |(_, text, _)| text.clone());
     different(name, before, if on { "1" } else { "0" })
 }
 
@@ -163,11 +145,7 @@ fn different(name: &'static str, before: String, after: &str) -> Option<Change> 
         (Parsed::Number(before), Parsed::Number(after)) => (before - after).abs() < ROUNDED,
         _ => before == after,
     };
-    (!same).then(|| Change {
-        name,
-        before,
-        after: after.to_owned(),
-    })
+    (!same).then(|| Change { name, before, after: after.to_owned() })
 }
 
 /// The bit in the place where the call sets it, else on a line of its own before the call.
@@ -186,10 +164,7 @@ fn set(program: &Program, site: &CallSite, change: &Change) -> Option<Edit> {
 }
 
 fn replaced(span: Span, text: &str) -> Edit {
-    Edit {
-        span,
-        insert: text.to_owned(),
-    }
+    Edit { span, insert: text.to_owned() }
 }
 
 /// A finding with one click that mends it, where there is one.

@@ -46,10 +46,7 @@ fn open(seen: &Seen) -> Option<Diagnostic> {
         ("T", force.tool == Mode::Open && force.edge == Mode::Open),
         ("D", force.edge == Mode::Open),
     ];
-    let words: Vec<&str> = left_open
-        .into_iter()
-        .filter_map(|(word, open)| open.then_some(word))
-        .collect();
+    let words: Vec<&str> = left_open.into_iter().filter_map(|(word, open)| open.then_some(word)).collect();
     if words.is_empty() {
         return None;
     }
@@ -69,11 +66,7 @@ fn plane(seen: &Seen) -> Option<Diagnostic> {
         return None;
     }
     let usual = usual_plane(seen);
-    let sentence = if on_a_lathe(seen) {
-        own::ADVICE_PLANE.as_note()
-    } else {
-        own::ADVICE_PLANE
-    };
+    let sentence = if on_a_lathe(seen) { own::ADVICE_PLANE.as_note() } else { own::ADVICE_PLANE };
     let finding = sentence.finding().hint_text("plane", usual);
     Some(with_line(finding, seen, usual))
 }
@@ -109,8 +102,7 @@ fn the_probe(seen: &Seen) -> Option<String> {
         return None;
     }
     let tools = seen.control.tools.iter();
-    let mut edges =
-        tools.flat_map(|(number, tool)| tool.edges.iter().map(move |edge| (number, edge)));
+    let mut edges = tools.flat_map(|(number, tool)| tool.edges.iter().map(move |edge| (number, edge)));
     let mut probes = edges.by_ref().filter(|(_, (_, edge))| edge.kind == PROBE);
     let (number, (edge, _)) = probes.next()?;
     if probes.next().is_some() {
@@ -138,10 +130,7 @@ fn radius(seen: &Seen) -> Option<Diagnostic> {
     let param = seen.site.cycle.param(names::SETVAL)?;
     param.need(&seen.inputs)?;
     let set: f64 = seen.values.get(names::SETVAL)?.trim().parse().ok()?;
-    let finding = own::ADVICE_RADIUS
-        .finding()
-        .number("value", set)
-        .number("diameter", 2.0 * set);
+    let finding = own::ADVICE_RADIUS.finding().number("value", set).number("diameter", 2.0 * set);
     let finding = finding.at(names::SETVAL);
     Some(between(finding, seen, "DIAMON", "DIAMOF"))
 }

@@ -27,12 +27,7 @@ impl Walk<'_> {
         let counts = says("FOR");
         for word in words {
             match &word.kind {
-                WordKind::Assign {
-                    name,
-                    index,
-                    value_span,
-                    value,
-                } => {
+                WordKind::Assign { name, index, value_span, value } => {
                     let numbers = self.numbers(place);
                     let Some(name) = fold::name(self.program, *name, index, &numbers) else {
                         continue;
@@ -55,10 +50,7 @@ impl Walk<'_> {
 
     /// The numbers that variables hold at a place.
     pub(super) fn numbers<'a>(&'a self, place: &'a Place) -> Numbers<'a> {
-        Numbers {
-            names: &self.names,
-            values: &place.values,
-        }
+        Numbers { names: &self.names, values: &place.values }
     }
 
     /// The value of an expression. Of a variable that another program wrote it is known where.
@@ -66,11 +58,7 @@ impl Walk<'_> {
         let value = values::value(self.program, id, at, &self.numbers(place));
         match self.held(place, id) {
             Some(held) if value.number.is_some() && self.around.is_elsewhere(at, held.source()) => {
-                Value {
-                    given: Some(held.source()),
-                    argument: held.argument,
-                    ..value
-                }
+                Value { given: Some(held.source()), argument: held.argument, ..value }
             }
             _ => value,
         }
@@ -90,10 +78,7 @@ impl Walk<'_> {
         if self.first_numbers.contains_key(&at.start) {
             return;
         }
-        let known = FirstNumbers {
-            numbers: self.numbers(place),
-            first: &self.first_numbers,
-        };
+        let known = FirstNumbers { numbers: self.numbers(place), first: &self.first_numbers };
         let number = fold::number(self.program, id, &known);
         self.first_numbers.insert(at.start, number);
     }
@@ -133,10 +118,7 @@ impl Walk<'_> {
             }
             Spread::Same(id) => {
                 let at = values::place(self.program, id).unwrap_or(span);
-                let value = Value {
-                    shared: true,
-                    ..self.value(place, id, at)
-                };
+                let value = Value { shared: true, ..self.value(place, id, at) };
                 for element in self.repeated(name) {
                     self.assign(place, &element, value.clone());
                 }

@@ -16,13 +16,7 @@ pub(super) type Given = Vec<(&'static str, Held)>;
 
 impl Walk<'_> {
     /// A call of any cycle.
-    pub(super) fn cycle(
-        &mut self,
-        place: &mut Place,
-        span: Span,
-        name: Span,
-        args: &[Option<ExprId>],
-    ) {
+    pub(super) fn cycle(&mut self, place: &mut Place, span: Span, name: Span, args: &[Option<ExprId>]) {
         let name = self.program.name(name);
         let arguments: Vec<Option<Value>> = arguments::places(self.program, span)
             .into_iter()
@@ -49,10 +43,7 @@ impl Walk<'_> {
             let value = arguments.get(index).and_then(Option::as_ref);
             value.map_or(Some(0.0), |value| value.number)
         };
-        let called = Called {
-            list,
-            refused: refused(cycle, list, count(&arguments), written),
-        };
+        let called = Called { list, refused: refused(cycle, list, count(&arguments), written) };
         match list {
             Some(list) => self.listed(place, cycle, (list, &called), span, &arguments),
             None => self.meet_call(place, cycle, span, &called, self.assigned(place, cycle)),
@@ -87,9 +78,7 @@ impl Walk<'_> {
         }
         let values = values.into_iter();
         let values = values.filter(|(_, value)| !value.text.is_empty());
-        let mut given: Given = values
-            .map(|(name, value)| (name, Held::One(Rc::new(value))))
-            .collect();
+        let mut given: Given = values.map(|(name, value)| (name, Held::One(Rc::new(value)))).collect();
         for (arg, value) in list.args.iter().zip(arguments) {
             if let (Arg::Variable(array), Some(value)) = (arg, value) {
                 let variable = value.text.to_ascii_uppercase();
@@ -104,19 +93,9 @@ impl Walk<'_> {
     }
 
     /// The parameters that are elements of a variable of the program.
-    fn elements_of(
-        &self,
-        place: &Place,
-        cycle: &'static Cycle,
-        array: &str,
-        variable: &str,
-        found: &mut Given,
-    ) {
+    fn elements_of(&self, place: &Place, cycle: &'static Cycle, array: &str, variable: &str, found: &mut Given) {
         for param in cycle.params {
-            let element = param
-                .name
-                .strip_prefix(array)
-                .filter(|rest| rest.starts_with('['));
+            let element = param.name.strip_prefix(array).filter(|rest| rest.starts_with('['));
             let held = element.and_then(|rest| self.newest(place, &format!("{variable}{rest}")));
             found.extend(held.map(|held| (param.name, held)));
         }
@@ -125,9 +104,7 @@ impl Walk<'_> {
     /// The values that the data of a cycle hold.
     fn assigned(&self, place: &Place, cycle: &'static Cycle) -> Given {
         let params = cycle.params.iter();
-        params
-            .filter_map(|param| Some((param.name, self.newest(place, param.name)?)))
-            .collect()
+        params.filter_map(|param| Some((param.name, self.newest(place, param.name)?))).collect()
     }
 
     pub(super) fn newest(&self, place: &Place, name: &str) -> Option<Held> {

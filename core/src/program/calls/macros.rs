@@ -36,15 +36,9 @@ impl Walk<'_> {
         }
     }
 
-    /// The macro that a G function calls: by its own number, or G65 by the program number at P (C:58). With the place of
-    /// the words that name it.
-    fn macro_call(
-        &self,
-        place: &Place,
-        code: f64,
-        block: &Block,
-        span: Span,
-    ) -> Option<(&'static Cycle, Span)> {
+    /// The macro that a G function calls: by its own number, or G65 by the program number at P (C:58). With the place
+    /// of the words that name it.
+    fn macro_call(&self, place: &Place, code: f64, block: &Block, span: Span) -> Option<(&'static Cycle, Span)> {
         if code != 65.0 {
             let cycle = catalogue::find(self.program.dialect, &format!("G{code}"))?;
             return (!foreign(self.program, cycle, block)).then_some((cycle, span));
@@ -57,10 +51,7 @@ impl Walk<'_> {
             }
             _ => None,
         })?;
-        let whole = Span {
-            start: span.start.min(named.start),
-            end: span.end.max(named.end),
-        };
+        let whole = Span { start: span.start.min(named.start), end: span.end.max(named.end) };
         Some((nct::by_program(number)?, whole))
     }
 
@@ -72,10 +63,7 @@ impl Walk<'_> {
             };
             let mut params = cycle.params.iter();
             if let Some(param) = params.find(|param| self.program.is(*name, param.name)) {
-                let at = Span {
-                    start: name.end,
-                    end: word.span.end,
-                };
+                let at = Span { start: name.end, end: word.span.end };
                 let value = values::value(self.program, *value, at, &self.numbers(place));
                 given.push((param.name, Held::One(Rc::new(value))));
             }
@@ -86,13 +74,10 @@ impl Walk<'_> {
 
 /// Whether a block that names the G function of a macro is no call of it.
 fn foreign(program: &Program, cycle: &'static Cycle, block: &Block) -> bool {
-    let names = program
-        .words_of(block)
-        .iter()
-        .filter_map(|word| match &word.kind {
-            WordKind::Address { name, .. } => Some(program.name(*name)),
-            _ => None,
-        });
+    let names = program.words_of(block).iter().filter_map(|word| match &word.kind {
+        WordKind::Address { name, .. } => Some(program.name(*name)),
+        _ => None,
+    });
     let names: Vec<String> = names.collect();
     nct::foreign(cycle, names.iter().map(String::as_str))
 }
@@ -103,21 +88,16 @@ pub fn of_another_control(program: &Program) -> Vec<Diagnostic> {
     for block in &program.blocks {
         let words = program.words_of(block).iter();
         let codes = words.filter_map(|word| match &word.kind {
-            WordKind::Address { name, value, .. } if program.is(*name, "G") => {
-                match program.expr(*value)? {
-                    Expr::Number(number, _) => Some((word.span, *number)),
-                    _ => None,
-                }
-            }
+            WordKind::Address { name, value, .. } if program.is(*name, "G") => match program.expr(*value)? {
+                Expr::Number(number, _) => Some((word.span, *number)),
+                _ => None,
+            },
             _ => None,
         });
         for (span, code) in codes {
             let cycle = catalogue::find(program.dialect, &format!("G{code}"));
             if let Some(cycle) = cycle.filter(|cycle| foreign(program, cycle, block)) {
-                found.push(Diagnostic {
-                    span: Some(span),
-                    ..nct::foreign_finding(cycle)
-                });
+                found.push(Diagnostic { span: Some(span), ..nct::foreign_finding(cycle) });
             }
         }
     }

@@ -48,9 +48,8 @@ impl Walk<'_> {
         given: Given,
     ) {
         let values = given.iter();
-        let values: Typed = values
-            .map(|(name, held)| ((*name).to_owned(), shown(self.program, name, held.all())))
-            .collect();
+        let values: Typed =
+            values.map(|(name, held)| ((*name).to_owned(), shown(self.program, name, held.all()))).collect();
         if self.around.several() {
             let all = given.iter().flat_map(|(_, held)| held.all());
             for value in all {
@@ -59,8 +58,7 @@ impl Walk<'_> {
             }
         }
         let known = self.found.at.get(&span.start).copied();
-        let index =
-            known.unwrap_or_else(|| self.first(place, cycle, span, called.list, (&given, &values)));
+        let index = known.unwrap_or_else(|| self.first(place, cycle, span, called.list, (&given, &values)));
         self.way(index, place, values, &given, called.refused.as_ref());
         match known {
             Some(index) => self.also(index, given),
@@ -146,14 +144,7 @@ impl Walk<'_> {
     }
 
     /// Checks the values of a way with what is in force on it.
-    fn way(
-        &mut self,
-        index: usize,
-        place: &Place,
-        values: Typed,
-        given: &Given,
-        refused: Option<&Diagnostic>,
-    ) {
+    fn way(&mut self, index: usize, place: &Place, values: Typed, given: &Given, refused: Option<&Diagnostic>) {
         let known = self.found.sites.get(index).is_some_and(|site| {
             let same = |way: &Way| way.state == place.force && *site.values_on(way) == values;
             site.ways.iter().any(same)
@@ -214,19 +205,13 @@ impl Walk<'_> {
 
     /// All calls in the order of the text, once every way was followed.
     pub(super) fn finished(self) -> Vec<CallSite> {
-        let Found {
-            sites,
-            given,
-            takers,
-            ..
-        } = self.found;
+        let Found { sites, given, takers, .. } = self.found;
         let mut finished: Vec<CallSite> = Vec::with_capacity(sites.len());
         let mut told = BTreeSet::new();
         for (mut site, given) in sites.into_iter().zip(given) {
             // What a call took was of use, and what the first call behind misses is told there.
             let mut missed = |start| !takers.contains_key(&start) && told.insert(start);
-            site.overwritten
-                .retain(|(_, before, _)| missed(before.start));
+            site.overwritten.retain(|(_, before, _)| missed(before.start));
             let unit = self.around.unit(site.span);
             for (name, held) in &given {
                 let all = held.all();
@@ -280,10 +265,7 @@ fn arrives_first(
     let (first, rest) = values.split_first()?;
     let number = numbers.get(&first.place.start).copied().flatten();
     match number.filter(|_| first.number.is_none()) {
-        Some(number) => Some(Origin {
-            text: number.to_string(),
-            ..origin(first)
-        }),
+        Some(number) => Some(Origin { text: number.to_string(), ..origin(first) }),
         None => {
             let differs = rest.iter().any(|other| other.text != first.text);
             differs.then(|| origin(first))
@@ -311,9 +293,7 @@ fn shown(program: &Program, name: &str, values: &[Rc<Value>]) -> String {
         return first.text.clone();
     }
     match one_place(values) {
-        Some(place) => String::from_utf8_lossy(program.text(place))
-            .trim()
-            .to_owned(),
+        Some(place) => String::from_utf8_lossy(program.text(place)).trim().to_owned(),
         None => name.to_owned(),
     }
 }
@@ -347,9 +327,7 @@ fn checked(
     };
     let mut found = findings(values);
     for one in &mut found {
-        let held = one
-            .param
-            .and_then(|name| given.iter().find(|(other, _)| *other == name));
+        let held = one.param.and_then(|name| given.iter().find(|(other, _)| *other == name));
         let value = held.and_then(|(_, held)| held.all().last());
         one.span = value.map(|value| value.written_at());
     }
@@ -362,12 +340,8 @@ fn checked(
             let mut values = values.clone();
             values.insert((*name).to_owned(), value.text.clone());
             let alone = findings(&values).into_iter();
-            let alone =
-                alone.filter(|one| one.param == Some(name) && one.code != own::EXPRESSION.code());
-            found.extend(alone.map(|one| Diagnostic {
-                span: Some(value.written_at()),
-                ..one
-            }));
+            let alone = alone.filter(|one| one.param == Some(name) && one.code != own::EXPRESSION.code());
+            found.extend(alone.map(|one| Diagnostic { span: Some(value.written_at()), ..one }));
         }
     }
     found

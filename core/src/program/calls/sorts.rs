@@ -9,41 +9,30 @@ use crate::program::tree::{Program, Word, WordKind};
 use crate::program::values::Value;
 
 /// Texts where numbers belong, and the reverse; names of variables that are none.
-pub(super) fn of_wrong_sort(
-    program: &Program,
-    cycle: &'static Cycle,
-    given: &Given,
-) -> Vec<Diagnostic> {
+pub(super) fn of_wrong_sort(program: &Program, cycle: &'static Cycle, given: &Given) -> Vec<Diagnostic> {
     let wrong = |name: &str, value: &Value| {
         let param = cycle.param(name)?;
         let sort_of = match value.sort() {
-            Sort::Open if matches!(param.kind, Kind::Text(_)) && is_undeclared(program, value) => {
-                Sort::Undeclared
-            }
+            Sort::Open if matches!(param.kind, Kind::Text(_)) && is_undeclared(program, value) => Sort::Undeclared,
             known => known,
         };
         let finding = sort(param, &value.text, sort_of)?;
-        Some(Diagnostic {
-            span: Some(value.written_at()),
-            ..finding
-        })
+        Some(Diagnostic { span: Some(value.written_at()), ..finding })
     };
     let all = given.iter();
     let all = all.flat_map(|(name, held)| held.all().iter().map(move |value| (name, value)));
     all.filter_map(|(name, value)| wrong(name, value)).collect()
 }
 
-/// Whether a value is a bare name that this program neither declares nor writes. One with an underscore before it may be
-/// of the machine.
+/// Whether a value is a bare name that this program neither declares nor writes. One with an underscore before it may
+/// be of the machine.
 fn is_undeclared(program: &Program, value: &Value) -> bool {
     let text = value.text.as_bytes();
-    let parameter = text.split_first().is_some_and(|(first, rest)| {
-        first.eq_ignore_ascii_case(&b'R') && rest.iter().all(u8::is_ascii_digit)
-    });
+    let parameter = text
+        .split_first()
+        .is_some_and(|(first, rest)| first.eq_ignore_ascii_case(&b'R') && rest.iter().all(u8::is_ascii_digit));
     let name = text.first().is_some_and(u8::is_ascii_alphabetic)
-        && text
-            .iter()
-            .all(|byte| byte.is_ascii_alphanumeric() || *byte == b'_');
+        && text.iter().all(|byte| byte.is_ascii_alphanumeric() || *byte == b'_');
     let declares = |word: &Word| match &word.kind {
         WordKind::Declare { name, .. } | WordKind::Assign { name, .. } => {
             program.text(*name).eq_ignore_ascii_case(text)

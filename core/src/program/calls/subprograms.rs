@@ -33,12 +33,7 @@ pub(super) struct Subprograms<'a> {
 impl<'a> Subprograms<'a> {
     /// Those of this program.
     pub fn of(program: &Program, programs: &'a Programs) -> Self {
-        let first = |unit: &Unit| {
-            program
-                .blocks
-                .get(unit.blocks.start)
-                .map(|block| block.span.start)
-        };
+        let first = |unit: &Unit| program.blocks.get(unit.blocks.start).map(|block| block.span.start);
         let starts = programs.units.iter().map(first);
         let mut found = Self {
             programs,
@@ -76,21 +71,14 @@ impl<'a> Subprograms<'a> {
     /// End of the last call of a program before this one, in the same program; 0: there is none.
     pub fn behind(&self, call: Span) -> u32 {
         let last = last_before(&self.called, call);
-        if last > self.unit(call).start {
-            last
-        } else {
-            0
-        }
+        if last > self.unit(call).start { last } else { 0 }
     }
 
     /// The bytes of the program in which a place stands.
     pub fn unit(&self, place: Span) -> Span {
         let behind = self.starts.partition_point(|start| *start <= place.start);
         let start = behind.checked_sub(1).and_then(|unit| self.starts.get(unit));
-        Span {
-            start: start.copied().unwrap_or(0),
-            end: self.starts.get(behind).copied().unwrap_or(u32::MAX),
-        }
+        Span { start: start.copied().unwrap_or(0), end: self.starts.get(behind).copied().unwrap_or(u32::MAX) }
     }
 
     /// Whether the text holds more than one program.
@@ -148,22 +136,14 @@ impl<'a> Subprograms<'a> {
 
 fn last_before(ends: &[u32], call: Span) -> u32 {
     let behind = ends.partition_point(|end| *end <= call.start);
-    behind
-        .checked_sub(1)
-        .and_then(|last| ends.get(last))
-        .copied()
-        .unwrap_or(0)
+    behind.checked_sub(1).and_then(|last| ends.get(last)).copied().unwrap_or(0)
 }
 
 impl Walk<'_> {
     /// What a called program begins with: of the values those that it or a deeper one names, and its parameters.
     pub(super) fn entered(&mut self, caller: &Place, entry: &Entry) -> Place {
         let mut values = Values::default();
-        for id in self
-            .around
-            .taken(self.program, &self.names, entry.unit)
-            .iter()
-        {
+        for id in self.around.taken(self.program, &self.names, entry.unit).iter() {
             if let Some(held) = caller.values.get(*id) {
                 values.set(*id, Some(held.clone()));
             }
@@ -181,17 +161,11 @@ impl Walk<'_> {
             let id = self.names.number(&formal.name, &self.unsteady);
             values.set(id, Some(Held::One(Rc::new(held))));
         }
-        Place {
-            force: caller.force.clone(),
-            values,
-        }
+        Place { force: caller.force.clone(), values }
     }
 
     fn argument(&self, caller: &Place, id: ExprId, place: Span) -> Value {
-        Value {
-            argument: true,
-            ..self.value(caller, id, place)
-        }
+        Value { argument: true, ..self.value(caller, id, place) }
     }
 
     fn default(&self, caller: &Place, id: ExprId) -> Value {
@@ -207,18 +181,12 @@ impl Walk<'_> {
         entry: &Entry,
         saves: bool,
     ) -> Place {
-        let mut place = Place {
-            force: after.force.clone(),
-            values: caller.values.clone(),
-        };
+        let mut place = Place { force: after.force.clone(), values: caller.values.clone() };
         if saves {
             place.force.restore(&caller.force);
         }
         let own = self.around.own(self.program, entry.unit);
-        let call = entry
-            .words
-            .get(entry.at)
-            .map_or_else(Span::default, |word| word.span);
+        let call = entry.words.get(entry.at).map_or_else(Span::default, |word| word.span);
         for id in begin.values.changed(&after.values) {
             if !own.declared.contains(stem(self.names.text(id))) {
                 let held = after.values.get(id);
@@ -235,9 +203,7 @@ impl Walk<'_> {
             let variable = variable.and_then(|(id, _)| self.variable(caller, id));
             let formal = self.names.find(&formal.name);
             if let Some((variable, formal)) = variable.zip(formal) {
-                place
-                    .values
-                    .set(variable, after.values.get(formal).cloned());
+                place.values.set(variable, after.values.get(formal).cloned());
             }
         }
         place
@@ -253,10 +219,7 @@ impl Walk<'_> {
             if same || value == before {
                 return Rc::clone(value);
             }
-            Rc::new(Value {
-                instead: Some((before.place, call)),
-                ..Value::clone(value)
-            })
+            Rc::new(Value { instead: Some((before.place, call)), ..Value::clone(value) })
         });
         Held::of(after.collect())
     }
@@ -267,8 +230,7 @@ impl Walk<'_> {
             return None;
         };
         let numbers = self.numbers(place);
-        self.names
-            .find(&fold::name(self.program, *name, index, &numbers)?)
+        self.names.find(&fold::name(self.program, *name, index, &numbers)?)
     }
 }
 
@@ -276,10 +238,7 @@ impl Walk<'_> {
 fn omitted(entry: &Entry) -> Value {
     let call = entry.words.get(entry.at);
     let place = call.map_or_else(Span::default, |word| word.span);
-    Value {
-        argument: true,
-        ..Value::at("0".to_owned(), Some(0.0), place)
-    }
+    Value { argument: true, ..Value::at("0".to_owned(), Some(0.0), place) }
 }
 
 /// The arguments of a call of a program, each with its place; none: omitted.

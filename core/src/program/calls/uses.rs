@@ -35,9 +35,7 @@ pub(super) fn is_cycle(program: &Program, word: &Word) -> bool {
         return false;
     };
     let text = program.text(*name);
-    let cycle = text
-        .get(..5)
-        .is_some_and(|start| start.eq_ignore_ascii_case(b"CYCLE"));
+    let cycle = text.get(..5).is_some_and(|start| start.eq_ignore_ascii_case(b"CYCLE"));
     cycle && !program.is(*name, list::AUXILIARY)
 }
 
@@ -49,10 +47,7 @@ pub(super) fn measuring(program: &Program, programs: &Programs) -> BTreeSet<usiz
     let mut called_by: Vec<Vec<usize>> = vec![Vec::new(); programs.units.len()];
     for (from, called) in callers(program, programs).into_iter().enumerate() {
         for to in called {
-            called_by
-                .get_mut(to)
-                .into_iter()
-                .for_each(|callers| callers.push(from));
+            called_by.get_mut(to).into_iter().for_each(|callers| callers.push(from));
         }
     }
     let units = programs.units.iter().enumerate();
@@ -94,14 +89,9 @@ pub(super) fn uses(program: &Program, programs: &Programs, unit: usize) -> Uses 
 impl Uses {
     fn word(&mut self, program: &Program, word: &Word) {
         match &word.kind {
-            WordKind::Assign {
-                name, index, value, ..
-            } => {
+            WordKind::Assign { name, index, value, .. } => {
                 self.names.insert(program.name(*name));
-                index
-                    .iter()
-                    .chain([value])
-                    .for_each(|id| self.expression(program, *id));
+                index.iter().chain([value]).for_each(|id| self.expression(program, *id));
             }
             WordKind::Declare { name, value, .. } => {
                 self.names.insert(program.name(*name));
@@ -114,8 +104,7 @@ impl Uses {
                 args.for_each(|id| self.expression(program, *id));
                 let cycle = catalogue::find(program.dialect, &program.name(*name));
                 let params = cycle.map_or(&[][..], |cycle| cycle.params).iter();
-                self.names
-                    .extend(params.map(|param| stem(param.name).to_owned()));
+                self.names.extend(params.map(|param| stem(param.name).to_owned()));
             }
             _ => {}
         }

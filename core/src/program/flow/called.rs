@@ -37,12 +37,10 @@ pub fn called(program: &Program, programs: &Programs, words: &[Word], at: usize)
             Some(place) => (program.name(place), true),
             None => (program.name(*name), false),
         },
-        WordKind::Constant(id) if before.is_some_and(|word| is_manner(program, word)) => {
-            match program.expr(*id)? {
-                Expr::Text(place) => (program.name(*place), true),
-                _ => return Some(Called::Elsewhere),
-            }
-        }
+        WordKind::Constant(id) if before.is_some_and(|word| is_manner(program, word)) => match program.expr(*id)? {
+            Expr::Text(place) => (program.name(*place), true),
+            _ => return Some(Called::Elsewhere),
+        },
         _ => return None,
     };
     if let Some(unit) = programs.place(&name) {
@@ -66,9 +64,7 @@ fn from_outside(program: &Program, name: Span, args: &[Option<ExprId>]) -> Optio
 /// Whether the names behind this word are labels.
 fn repeats(program: &Program, word: &Word) -> bool {
     match &word.kind {
-        WordKind::Keyword { name, .. } => {
-            program.is(*name, "REPEAT") || program.is(*name, "REPEATB")
-        }
+        WordKind::Keyword { name, .. } => program.is(*name, "REPEAT") || program.is(*name, "REPEATB"),
         _ => false,
     }
 }
@@ -83,20 +79,15 @@ fn declares(program: &Program, word: &Word) -> bool {
 }
 
 /// The name of a program that is called here and is not in the text; a variable that holds it is none.
-pub fn named_outside(
-    program: &Program,
-    programs: &Programs,
-    words: &[Word],
-    at: usize,
-) -> Option<Span> {
+pub fn named_outside(program: &Program, programs: &Programs, words: &[Word], at: usize) -> Option<Span> {
     if called(program, programs, words, at) != Some(Called::Elsewhere) {
         return None;
     }
     match &words.get(at)?.kind {
         WordKind::Call { name, args, .. } => {
             let before = at.checked_sub(1).and_then(|before| words.get(before));
-            let variable = before.is_some_and(|word| takes_text(program, word))
-                || programs.macros.contains(&program.name(*name));
+            let variable =
+                before.is_some_and(|word| takes_text(program, word)) || programs.macros.contains(&program.name(*name));
             let name = from_outside(program, *name, args).unwrap_or(*name);
             (!variable).then_some(name)
         }
@@ -122,9 +113,7 @@ pub fn callers(program: &Program, programs: &Programs) -> Vec<Vec<usize>> {
     let calls = units.map(|unit| {
         let blocks = program.blocks.get(unit.blocks.clone()).unwrap_or_default();
         let words = blocks.iter().map(|block| program.words_of(block));
-        let called = words.flat_map(|words| {
-            (0..words.len()).filter_map(|at| called(program, programs, words, at))
-        });
+        let called = words.flat_map(|words| (0..words.len()).filter_map(|at| called(program, programs, words, at)));
         let here = called.filter_map(|called| match called {
             Called::Here(unit) => Some(unit),
             Called::Elsewhere => None,

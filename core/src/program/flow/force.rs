@@ -16,10 +16,7 @@ pub struct Forces<'a> {
 impl<'a> Forces<'a> {
     /// Those of this program.
     pub fn of(program: &'a Program) -> Self {
-        Self {
-            program,
-            prepares: program.words.iter().any(|word| changes(program, word)),
-        }
+        Self { program, prepares: program.words.iter().any(|word| changes(program, word)) }
     }
 
     /// Takes in the words of a block; `known`: what its variables hold.
@@ -36,9 +33,7 @@ impl<'a> Forces<'a> {
     fn tool(&self, state: &mut State, word: &Word, known: &impl Known) {
         let (name, value) = match &word.kind {
             WordKind::Address { name, value, .. } => (name, *value),
-            WordKind::Assign {
-                name, value, index, ..
-            } if index.is_empty() => (name, *value),
+            WordKind::Assign { name, value, index, .. } if index.is_empty() => (name, *value),
             _ => return,
         };
         if self.program.is(*name, "T") {
@@ -58,20 +53,13 @@ impl<'a> Forces<'a> {
 
     fn word(&self, state: &mut State, word: &Word, known: &impl Known) {
         match &word.kind {
-            WordKind::Address {
-                name,
-                value,
-                extension,
-                ..
-            } => {
+            WordKind::Address { name, value, extension, .. } => {
                 let number = |value| self.whole(value, known);
                 match self.program.text(*name) {
                     b"D" | b"d" => state.correct(number(*value).map_or(Mode::Open, Mode::Is)),
                     b"G" | b"g" => function(state, number(*value), word.span),
                     b"M" | b"m" if extension.is_none() => {
-                        number(*value)
-                            .into_iter()
-                            .for_each(|code| state.machine(code));
+                        number(*value).into_iter().for_each(|code| state.machine(code));
                     }
                     name if name.eq_ignore_ascii_case(b"SPOS") => state.turning = Mode::Is(false),
                     _ => {}
@@ -103,24 +91,17 @@ fn function(state: &mut State, code: Option<i64>, at: Span) {
 
 /// What a word without value sets of the transverse axis.
 fn transverse(name: &[u8]) -> Option<Transverse> {
-    [
-        ("DIAMON", Transverse::Diameter),
-        ("DIAMOF", Transverse::Radius),
-        ("DIAM90", Transverse::AbsoluteDiameter),
-    ]
-    .into_iter()
-    .find_map(|(known, mode)| name.eq_ignore_ascii_case(known.as_bytes()).then_some(mode))
+    [("DIAMON", Transverse::Diameter), ("DIAMOF", Transverse::Radius), ("DIAM90", Transverse::AbsoluteDiameter)]
+        .into_iter()
+        .find_map(|(known, mode)| name.eq_ignore_ascii_case(known.as_bytes()).then_some(mode))
 }
 
 /// Whether a word is M6.
 pub fn changes(program: &Program, word: &Word) -> bool {
     match &word.kind {
-        WordKind::Address {
-            name,
-            value,
-            extension: None,
-            ..
-        } if program.is(*name, "M") => fold::number(program, *value, &Nothing) == Some(6.0),
+        WordKind::Address { name, value, extension: None, .. } if program.is(*name, "M") => {
+            fold::number(program, *value, &Nothing) == Some(6.0)
+        }
         _ => false,
     }
 }

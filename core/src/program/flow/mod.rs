@@ -25,7 +25,8 @@ use structure::Branches;
 /// Levels that a control has; what is deeper is not followed.
 pub const LEVELS: usize = 12;
 
-/// States with which a program is followed anew; calls in yet other ones are followed with all that they have in common.
+/// States with which a program is followed anew; calls in yet other ones are followed with all that they have in
+/// common.
 const ENTRIES: usize = 8;
 
 /// Programs of a text from which on each is followed in fewer states.
@@ -121,9 +122,7 @@ fn roots(program: &Program, programs: &Programs) -> Vec<usize> {
         }
     }
     let free = called_here.iter().enumerate();
-    let mut roots: Vec<usize> = free
-        .filter_map(|(unit, known)| (!known).then_some(unit))
-        .collect();
+    let mut roots: Vec<usize> = free.filter_map(|(unit, known)| (!known).then_some(unit)).collect();
     if roots.is_empty() {
         roots.push(0);
     }
@@ -160,11 +159,7 @@ struct Seen<S> {
 
 impl<S> Default for Seen<S> {
     fn default() -> Self {
-        Self {
-            each: Vec::new(),
-            common: None,
-            times: 0,
-        }
+        Self { each: Vec::new(), common: None, times: 0 }
     }
 }
 
@@ -175,8 +170,7 @@ impl<F: Follow> Walk<'_, F> {
             return false;
         };
         let blocks = self.program.blocks.get(unit.blocks.clone());
-        let returns =
-            |block: &Block| structure::returns(self.program, self.program.words_of(block));
+        let returns = |block: &Block| structure::returns(self.program, self.program.words_of(block));
         unit.signature.is_none() && !blocks.unwrap_or_default().iter().any(returns)
     }
 
@@ -253,12 +247,7 @@ impl<F: Follow> Walk<'_, F> {
     }
 
     /// The block that is followed next: the one behind, or the beginning of a loop with what comes back to it.
-    fn onward(
-        &mut self,
-        branches: &mut Branches<F::State>,
-        at: usize,
-        range: &Range<usize>,
-    ) -> usize {
+    fn onward(&mut self, branches: &mut Branches<F::State>, at: usize, range: &Range<usize>) -> usize {
         let rules = &*self.rules;
         let meet = |one: &F::State, other: &F::State| rules.meet(one, other);
         let back = self.passes.back(self.program, branches, at, range);
@@ -305,14 +294,8 @@ impl<F: Follow> Walk<'_, F> {
     }
 
     fn saves(&self, unit: usize) -> bool {
-        let signature = self
-            .programs
-            .units
-            .get(unit)
-            .and_then(|unit| unit.signature);
+        let signature = self.programs.units.get(unit).and_then(|unit| unit.signature);
         let block = signature.and_then(|block| self.program.blocks.get(block));
-        block.is_some_and(|block| {
-            structure::calls(self.program, self.program.words_of(block), "SAVE")
-        })
+        block.is_some_and(|block| structure::calls(self.program, self.program.words_of(block), "SAVE"))
     }
 }

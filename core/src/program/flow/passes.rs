@@ -1,5 +1,5 @@
-//! Loops and jumps backward: with which states their beginning is passed, and what holds behind them. A body is followed
-//! again with what its end leaves, as the control does, until that is nothing new.
+//! Loops and jumps backward: with which states their beginning is passed, and what holds behind them. A body is
+//! followed again with what its end leaves, as the control does, until that is nothing new.
 
 use super::ENTRIES;
 use super::structure::{Branches, Open, target};
@@ -32,13 +32,7 @@ struct Head<S> {
 
 impl<S> Default for Head<S> {
     fn default() -> Self {
-        Self {
-            passes: Vec::new(),
-            round: None,
-            depth: 0,
-            again: false,
-            left: Vec::new(),
-        }
+        Self { passes: Vec::new(), round: None, depth: 0, again: false, left: Vec::new() }
     }
 }
 
@@ -84,15 +78,8 @@ impl Back {
 impl<S: Clone + PartialEq> Passes<S> {
     /// Finds the beginnings.
     pub fn of(program: &Program) -> Self {
-        let mut found = Self {
-            heads: HashMap::new(),
-            labels: HashMap::new(),
-        };
-        let keywords = |words: &[Word]| {
-            words
-                .iter()
-                .any(|word| matches!(word.kind, WordKind::Keyword { .. }))
-        };
+        let mut found = Self { heads: HashMap::new(), labels: HashMap::new() };
+        let keywords = |words: &[Word]| words.iter().any(|word| matches!(word.kind, WordKind::Keyword { .. }));
         let mut names = BTreeSet::new();
         for (at, block) in program.blocks.iter().enumerate() {
             let words = program.words_of(block);
@@ -100,10 +87,7 @@ impl<S: Clone + PartialEq> Passes<S> {
                 continue;
             }
             names.extend(words.iter().filter_map(|word| back_to(program, word)));
-            if matches!(
-                structural(program, words),
-                Some("WHILE" | "FOR" | "LOOP" | "REPEAT")
-            ) {
+            if matches!(structural(program, words), Some("WHILE" | "FOR" | "LOOP" | "REPEAT")) {
                 found.heads.insert(at, Head::default());
             }
         }
@@ -140,10 +124,7 @@ impl<S: Clone + PartialEq> Passes<S> {
         let Some(head) = self.heads.get_mut(&at) else {
             return;
         };
-        let place = head
-            .passes
-            .iter()
-            .position(|(state, _)| *state == branches.state);
+        let place = head.passes.iter().position(|(state, _)| *state == branches.state);
         let place = place.or_else(|| {
             let room = head.passes.len() < 2 * ENTRIES;
             room.then(|| head.passes.push((branches.state.clone(), None)));
@@ -160,24 +141,14 @@ impl<S: Clone + PartialEq> Passes<S> {
     }
 
     /// What this block goes back to: it ends a loop, or jumps to a label before it.
-    pub fn back(
-        &self,
-        program: &Program,
-        branches: &Branches<S>,
-        at: usize,
-        range: &Range<usize>,
-    ) -> Option<Back> {
+    pub fn back(&self, program: &Program, branches: &Branches<S>, at: usize, range: &Range<usize>) -> Option<Back> {
         let words = program.words_of(program.blocks.get(at)?);
         // a jump back into a structure may bring one along that begins only behind this block
         let begin = branches.loop_begin().filter(|head| *head <= at);
         match structural(program, words) {
-            Some("ENDWHILE" | "ENDFOR") => begin.map(|head| {
-                if runs_at_least_once(program, head) {
-                    Back::Here(head)
-                } else {
-                    Back::Tested(head)
-                }
-            }),
+            Some("ENDWHILE" | "ENDFOR") => {
+                begin.map(|head| if runs_at_least_once(program, head) { Back::Here(head) } else { Back::Tested(head) })
+            }
             Some("ENDLOOP" | "UNTIL") => begin.map(Back::Here),
             _ => {
                 let name = words.iter().find_map(|word| back_to(program, word))?;
@@ -190,12 +161,7 @@ impl<S: Clone + PartialEq> Passes<S> {
     }
 
     /// Takes in what goes back; true: it is new there.
-    pub fn returns(
-        &mut self,
-        branches: &Branches<S>,
-        back: Back,
-        meet: impl Fn(&S, &S) -> S,
-    ) -> bool {
+    pub fn returns(&mut self, branches: &Branches<S>, back: Back, meet: impl Fn(&S, &S) -> S) -> bool {
         let Some(head) = self.heads.get_mut(&back.head()).filter(|_| !branches.dead) else {
             return false;
         };
@@ -206,10 +172,7 @@ impl<S: Clone + PartialEq> Passes<S> {
             let met = end.as_ref().map(|end| meet(end, &branches.state));
             *end = Some(met.unwrap_or_else(|| branches.state.clone()));
         }
-        let known = head
-            .passes
-            .iter()
-            .any(|(state, _)| *state == branches.state);
+        let known = head.passes.iter().any(|(state, _)| *state == branches.state);
         !known && head.passes.len() < ENTRIES
     }
 
@@ -217,8 +180,7 @@ impl<S: Clone + PartialEq> Passes<S> {
     pub fn again(&mut self, branches: &mut Branches<S>, back: Back) {
         if let Some(head) = self.heads.get_mut(&back.head()) {
             head.again = true;
-            head.left
-                .push(branches.open.split_off(head.depth.min(branches.open.len())));
+            head.left.push(branches.open.split_off(head.depth.min(branches.open.len())));
         }
     }
 
@@ -243,20 +205,11 @@ impl<S: Clone + PartialEq> Passes<S> {
 
 /// Whether this is a `FOR` from a number to one that is not below it.
 fn runs_at_least_once(program: &Program, head: usize) -> bool {
-    let words = program
-        .blocks
-        .get(head)
-        .map(|block| program.words_of(block));
-    let ends = words
-        .unwrap_or_default()
-        .iter()
-        .filter_map(|word| match &word.kind {
-            WordKind::Assign { value, .. }
-            | WordKind::Keyword {
-                value: Some(value), ..
-            } => Some(*value),
-            _ => None,
-        });
+    let words = program.blocks.get(head).map(|block| program.words_of(block));
+    let ends = words.unwrap_or_default().iter().filter_map(|word| match &word.kind {
+        WordKind::Assign { value, .. } | WordKind::Keyword { value: Some(value), .. } => Some(*value),
+        _ => None,
+    });
     let numbers = ends.map(|value| fold::number(program, value, &Nothing));
     matches!(numbers.collect::<Vec<_>>()[..], [Some(from), Some(to)] if from <= to)
 }

@@ -30,11 +30,7 @@ impl<T: PartialEq + Clone> Mode<T> {
     }
 
     fn meet(&self, other: &Self) -> Self {
-        if self == other {
-            self.clone()
-        } else {
-            Mode::Open
-        }
+        if self == other { self.clone() } else { Mode::Open }
     }
 }
 
@@ -47,7 +43,8 @@ pub enum Tool {
     Name(String),
 }
 
-/// A function of tool radius compensation, and where it is programmed: two places of the same function leave the same state.
+/// A function of tool radius compensation, and where it is programmed: two places of the same function leave the same
+/// state.
 #[derive(Clone, Copy, Debug)]
 pub struct Compensation {
     /// 40, 41 or 42.

@@ -39,14 +39,7 @@ pub struct Choice<S> {
 impl<S: Clone> Branches<S> {
     /// The one way at the beginning; `called`: of a subprogram, which M2 and M30 end like M17.
     pub fn new(state: S, called: bool) -> Self {
-        Self {
-            called,
-            state,
-            dead: false,
-            open: Vec::new(),
-            jumps: HashMap::new(),
-            left: None,
-        }
+        Self { called, state, dead: false, open: Vec::new(), jumps: HashMap::new(), left: None }
     }
 
     /// Whether ways may meet or part at a block; most blocks only move.
@@ -60,13 +53,7 @@ impl<S: Clone> Branches<S> {
     }
 
     /// Before a block: jumps arrive, branches end or begin.
-    pub fn arrive(
-        &mut self,
-        program: &Program,
-        block: &Block,
-        words: &[Word],
-        meet: impl Fn(&S, &S) -> S,
-    ) {
+    pub fn arrive(&mut self, program: &Program, block: &Block, words: &[Word], meet: impl Fn(&S, &S) -> S) {
         self.labels(program, block, words, &meet);
         match structural(program, words) {
             Some("ELSE") => {
@@ -164,13 +151,7 @@ impl<S: Clone> Branches<S> {
         Some(self.state)
     }
 
-    fn labels(
-        &mut self,
-        program: &Program,
-        block: &Block,
-        words: &[Word],
-        meet: impl Fn(&S, &S) -> S,
-    ) {
+    fn labels(&mut self, program: &Program, block: &Block, words: &[Word], meet: impl Fn(&S, &S) -> S) {
         let label = words.iter().find_map(|word| match word.kind {
             WordKind::Label(name) => Some(name),
             _ => None,
@@ -192,11 +173,7 @@ impl<S: Clone> Branches<S> {
         let Some(other) = other else {
             return;
         };
-        self.state = if self.dead {
-            other
-        } else {
-            meet(&self.state, &other)
-        };
+        self.state = if self.dead { other } else { meet(&self.state, &other) };
         self.dead = false;
     }
 }
@@ -215,16 +192,11 @@ pub fn target(program: &Program, word: &Word) -> Option<Option<String>> {
         return None;
     };
     let text = program.text(*name);
-    if !text
-        .get(..4)
-        .is_some_and(|start| start.eq_ignore_ascii_case(b"GOTO"))
-    {
+    if !text.get(..4).is_some_and(|start| start.eq_ignore_ascii_case(b"GOTO")) {
         return None;
     }
     Some(match value.and_then(|value| program.expr(value)) {
-        Some(Expr::Name { name, index }) if index.is_empty() => {
-            Some(canonical(&program.name(*name)))
-        }
+        Some(Expr::Name { name, index }) if index.is_empty() => Some(canonical(&program.name(*name))),
         Some(Expr::Text(name)) => Some(canonical(&program.name(*name))),
         Some(Expr::Number(number, _)) => Some(format!("N{number}")),
         _ => None,
@@ -241,9 +213,7 @@ fn conditional(program: &Program, words: &[Word]) -> bool {
 
 /// Whether the block ends its program: M2, M30; the main program of NCT from everywhere.
 pub fn ends(program: &Program, words: &[Word]) -> bool {
-    words
-        .iter()
-        .any(|word| function(program, word, &[2.0, 30.0]))
+    words.iter().any(|word| function(program, word, &[2.0, 30.0]))
 }
 
 /// Whether the block goes back to the caller: M17, RET.
@@ -263,15 +233,8 @@ pub fn calls(program: &Program, words: &[Word], known: &str) -> bool {
 }
 
 fn function(program: &Program, word: &Word, numbers: &[f64]) -> bool {
-    let WordKind::Address {
-        name,
-        value,
-        extension: None,
-        ..
-    } = &word.kind
-    else {
+    let WordKind::Address { name, value, extension: None, .. } = &word.kind else {
         return false;
     };
-    program.is(*name, "M")
-        && fold::number(program, *value, &Nothing).is_some_and(|number| numbers.contains(&number))
+    program.is(*name, "M") && fold::number(program, *value, &Nothing).is_some_and(|number| numbers.contains(&number))
 }

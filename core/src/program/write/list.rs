@@ -32,11 +32,7 @@ pub(super) fn write(source: &Source, style: Style) -> Written {
             findings: Vec::new(),
         },
         None => {
-            let sentence = if none {
-                own::WRITE_NO_LIST
-            } else {
-                own::WRITE_NO_LIST_VARIANT
-            };
+            let sentence = if none { own::WRITE_NO_LIST } else { own::WRITE_NO_LIST_VARIANT };
             nothing(sentence.finding().text("cycle", source.cycle.name))
         }
     }
@@ -44,11 +40,7 @@ pub(super) fn write(source: &Source, style: Style) -> Written {
 
 /// No text, and why.
 fn nothing(finding: Diagnostic) -> Written {
-    Written {
-        text: String::new(),
-        said: Vec::new(),
-        findings: vec![finding],
-    }
+    Written { text: String::new(), said: Vec::new(), findings: vec![finding] }
 }
 
 /// The variant where it is known at run time only, as written: selections cannot say it.
@@ -61,9 +53,7 @@ fn open_variant<'a>(source: &'a Source) -> Option<&'a str> {
 /// A value that means something else in the list of newer controls.
 fn foreign(source: &Source, list: &ArgumentList) -> Option<Diagnostic> {
     let values = source.values.iter();
-    let values: Typed = values
-        .map(|(param, text)| (param.name.to_owned(), text.clone()))
-        .collect();
+    let values: Typed = values.map(|(param, text)| (param.name.to_owned(), text.clone())).collect();
     let name = newer::foreign_of(source.cycle, list, &values, source.control)?;
     let finding = own::WRITE_NEWER.finding().text("param", name);
     Some(finding.text("value", values.get(name)?.as_str()).at(name))
@@ -87,20 +77,14 @@ fn target_elsewhere(source: &Source) -> Option<Diagnostic> {
 fn all(source: &Source) -> String {
     let words = source.values.iter();
     let words = words.filter(|(param, value)| value != param.name);
-    let words: Vec<String> = words
-        .map(|(param, value)| word(param.name, value))
-        .collect();
+    let words: Vec<String> = words.map(|(param, value)| word(param.name, value)).collect();
     assignments(&words)
 }
 
 fn listed(source: &Source, list: &ArgumentList) -> Written {
     let (mut before, mut auxiliary, mut findings) = (Vec::new(), Vec::new(), Vec::new());
     let mut said: Vec<&str> = source.values.iter().map(|(param, _)| param.name).collect();
-    for value in source
-        .values
-        .iter()
-        .filter(|(param, _)| !takes(source, list, param))
-    {
+    for value in source.values.iter().filter(|(param, _)| !takes(source, list, param)) {
         let (param, text) = value;
         match list.style {
             // the datum holds it already, on whichever way it came there
@@ -129,11 +113,7 @@ fn listed(source: &Source, list: &ArgumentList) -> Written {
         text.push_str(&call(list::AUXILIARY, arguments));
     }
     text.push_str(&call(list.name, arguments(source, list)));
-    Written {
-        text,
-        said,
-        findings,
-    }
+    Written { text, said, findings }
 }
 
 /// Whether the list says the value: as an argument, or the variant as selections.
@@ -142,17 +122,15 @@ fn takes(source: &Source, list: &ArgumentList, param: &Param) -> bool {
         || source.cycle.variant_param() == Some(param.name) && list.style != Style::Direct
 }
 
-/// Whether `CYCLE_PARA` can give it; a 0 there would keep the value of before (B:11734), and an expression may come to one.
+/// Whether `CYCLE_PARA` can give it; a 0 there would keep the value of before (B:11734), and an expression may come to
+/// one.
 fn is_auxiliary(param: &Param, text: &str) -> bool {
     let may_be_zero = parse(text) == Parsed::Number(0.0) || is_expression(param, text);
     list::AUXILIARY_ARGS.contains(&param.name) && !may_be_zero
 }
 
 fn is_default(source: &Source, param: &Param, text: &str) -> bool {
-    parse(text)
-        == param
-            .fallback(source.control)
-            .map_or(Parsed::Empty, Parsed::Number)
+    parse(text) == param.fallback(source.control).map_or(Parsed::Empty, Parsed::Number)
 }
 
 fn beside(param: &Param, text: &str) -> Diagnostic {
@@ -178,16 +156,11 @@ fn lost(param: &Param) -> Diagnostic {
 /// The arguments in order. What is used and was not typed counts as delivered, because an omitted argument is 0; so do
 /// data of the machine, which the call overwrites.
 fn arguments(source: &Source, list: &ArgumentList) -> Vec<String> {
-    let mut selections = list
-        .selections(source.inputs.variant)
-        .unwrap_or_default()
-        .into_iter();
+    let mut selections = list.selections(source.inputs.variant).unwrap_or_default().into_iter();
     let written = |arg: &Arg| match arg {
         Arg::Param(name) => parameter(source, name),
         Arg::Down(name) => opposite(&parameter(source, name)),
-        Arg::Select(_) => selections
-            .next()
-            .map_or(String::new(), |number| number.to_string()),
+        Arg::Select(_) => selections.next().map_or(String::new(), |number| number.to_string()),
         Arg::Is(number) => number.to_string(),
         Arg::Variable(name) | Arg::Output(name) => (*name).to_owned(),
         Arg::Open | Arg::Newer(_) => String::new(),

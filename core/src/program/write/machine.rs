@@ -18,10 +18,8 @@ fn assigned(datum: &NctDatum) -> bool {
 /// Names of the user data that differ, in the order of the tables.
 fn differing(control: &Control, delivered: &Control) -> Vec<String> {
     let names = control.data.keys().chain(delivered.data.keys());
-    let mut names: Vec<String> = names
-        .filter(|name| of_machine(name) && value(control, name) != value(delivered, name))
-        .cloned()
-        .collect();
+    let mut names: Vec<String> =
+        names.filter(|name| of_machine(name) && value(control, name) != value(delivered, name)).cloned().collect();
     let order = |name: &String| {
         let (gud, at) = gud::place(name)?;
         Some((gud::all().position(|one| one.name == gud.name)?, at))
@@ -92,10 +90,7 @@ fn definition(control: &Control, gud: &Gud, kind: &str) -> String {
     }
     let count: Vec<String> = sizes.iter().map(usize::to_string).collect();
     let _ = write!(line, "[{}]", count.join(","));
-    let mut values: Vec<String> = places(&sizes)
-        .iter()
-        .map(|at| written(&value(control, &gud.spelled(at))))
-        .collect();
+    let mut values: Vec<String> = places(&sizes).iter().map(|at| written(&value(control, &gud.spelled(at)))).collect();
     while values.last().is_some_and(|value| value == "0") {
         values.pop(); // what a list leaves out is 0
     }
@@ -141,9 +136,7 @@ mod tests {
         control.set("_CBIT[2]", 1.0);
         control.set("_WP[0,0]", 5.995);
         control.set("_DIGIT", 4.0);
-        control
-            .data
-            .insert("_PROTNAME[1]".into(), Value::Text("LOG1".into()));
+        control.data.insert("_PROTNAME[1]".into(), Value::Text("LOG1".into()));
         control.set("R10", 7.0); // not of the machine
         // oracle: hand
         assert_eq!(

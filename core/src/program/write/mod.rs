@@ -40,17 +40,8 @@ struct Source<'a> {
 
 /// Program text of one call; `words` adds a comment line for each value. On a machine whose forms are those of the
 /// control's own support it is what that support writes; the lists of newer controls know nothing of it.
-pub fn snippet(
-    cycle: &'static Cycle,
-    typed: &Typed,
-    control: &Control,
-    style: Style,
-    words: Option<Words>,
-) -> Written {
-    let values = Values {
-        typed,
-        expressions: &Typed::new(),
-    };
+pub fn snippet(cycle: &'static Cycle, typed: &Typed, control: &Control, style: Style, words: Option<Words>) -> Written {
+    let values = Values { typed, expressions: &Typed::new() };
     snippet_of(cycle, &values, control, style, words)
 }
 
@@ -94,11 +85,7 @@ pub fn snippet_of(
 
 /// A text that says everything.
 fn whole(source: &Source, text: String) -> Written {
-    Written {
-        text,
-        said: source.values.iter().map(|(param, _)| param.name).collect(),
-        findings: Vec::new(),
-    }
+    Written { text, said: source.values.iter().map(|(param, _)| param.name).collect(), findings: Vec::new() }
 }
 
 impl Source<'_> {
@@ -130,14 +117,7 @@ fn source<'a>(cycle: &'static Cycle, typed: &Typed, control: &'a Control) -> Sou
         (param.need(&inputs).is_some() || set()).then_some((param, text))
     });
     let values = written.collect();
-    Source {
-        cycle,
-        inputs,
-        control,
-        values,
-        form: false,
-        bits: Vec::new(),
-    }
+    Source { cycle, inputs, control, values, form: false, bits: Vec::new() }
 }
 
 fn addresses(source: &Source) -> String {
@@ -158,8 +138,7 @@ pub fn value(param: &Param, typed: &str) -> Option<String> {
         let Text::Plain(inner) = parse_text(typed) else {
             return Some(typed.to_owned());
         };
-        let plain =
-            !inner.is_empty() && !inner.contains('"') && !inner.chars().any(char::is_control);
+        let plain = !inner.is_empty() && !inner.contains('"') && !inner.chars().any(char::is_control);
         return plain.then(|| format!("\"{inner}\""));
     }
     match parse(typed) {
@@ -198,18 +177,12 @@ fn assignments(words: &[String]) -> String {
 fn comments(source: &Source, words: Words) -> String {
     let mut text = String::new();
     for (param, value) in &source.values {
-        let label = words(
-            param.name,
-            &format!("param-{}", param.label(&source.inputs)),
-        );
+        let label = words(param.name, &format!("param-{}", param.label(&source.inputs)));
         if label.is_empty() {
             continue; // a value without a field
         }
         let line = format!("{}={value}: {label}", param.name);
-        let line: String = line
-            .chars()
-            .map(|c| if c.is_control() { ' ' } else { c })
-            .collect();
+        let line: String = line.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
         match source.cycle.dialect {
             Dialect::Sinumerik => text.push_str(&format!("; {line}\n")),
             Dialect::Nct => text.push_str(&format!("({})\n", line.replace(['(', ')'], " "))),

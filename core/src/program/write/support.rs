@@ -42,8 +42,8 @@ const SECOND: [&str; 12] = [
 /// Where everything else stands.
 const OTHERS: &str = "";
 
-/// What a form with these settings writes. It leaves no field open: what was not typed counts as delivered. The lists of
-/// newer controls are not of this support; what has no field is not among their values.
+/// What a form with these settings writes. It leaves no field open: what was not typed counts as delivered. The lists
+/// of newer controls are not of this support; what has no field is not among their values.
 pub(super) fn source<'a>(
     support: Support,
     cycle: &'static Cycle,
@@ -55,19 +55,14 @@ pub(super) fn source<'a>(
     let mut source = super::source(cycle, &entered.values, control);
     if style == Style::Operate {
         let inputs = &source.inputs;
-        source
-            .values
-            .retain(|(param, _)| !support.hides(param, inputs));
+        source.values.retain(|(param, _)| !support.hides(param, inputs));
         return source;
     }
     let used = cycle.params.iter();
     let used = used.filter(|param| param.need(&source.inputs).is_some());
     source.values = used
         .filter_map(|param| {
-            let typed = entered
-                .values
-                .get(param.name)
-                .map_or("", |text| text.trim());
+            let typed = entered.values.get(param.name).map_or("", |text| text.trim());
             let text = match typed {
                 "" => param.fallback(control).map(decimal),
                 typed => value(param, typed),
@@ -75,11 +70,7 @@ pub(super) fn source<'a>(
             Some((param, text?))
         })
         .collect();
-    Source {
-        form: true,
-        bits: entered.bits,
-        ..source
-    }
+    Source { form: true, bits: entered.bits, ..source }
 }
 
 /// Assignments in two blocks and the call in one of its own.
@@ -107,9 +98,7 @@ fn rank(name: &str) -> usize {
     let place = |order: &[&str], name: &str| order.iter().position(|one| *one == name);
     let others = || place(&FIRST, OTHERS).unwrap_or_default();
     let second = place(&SECOND, name).map(|place| FIRST.len() + place);
-    second
-        .or_else(|| place(&FIRST, name))
-        .unwrap_or_else(others)
+    second.or_else(|| place(&FIRST, name)).unwrap_or_else(others)
 }
 
 fn bit(name: &str, on: bool) -> String {

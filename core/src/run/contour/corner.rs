@@ -46,8 +46,8 @@ pub enum Corner {
     Smooth,
     /// Outside: round the end of the contour by so many radians, counter-clockwise positive.
     Round(f64),
-    /// The point where both meet; so much of the end of the first and of the start of the second is left out, in the unit
-    /// of [`Element::extent`]; what is negative is added.
+    /// The point where both meet; so much of the end of the first and of the start of the second is left out, in the
+    /// unit of [`Element::extent`]; what is negative is added.
     Meet {
         /// The point.
         at: Point,
@@ -90,18 +90,14 @@ fn turn(first: &Element, second: &Element, by: f64) -> f64 {
 fn shortened(first: &Beside, second: &Beside, begun: f64) -> Option<Corner> {
     let room = [first.path.extent() - begun, second.path.extent()];
     let cut = |at| [first.path.before_end(at), second.path.behind_start(at)];
-    meeting(first, second, cut, |cut, side| {
-        (-END..=room[side] + END).contains(&cut)
-    })
+    meeting(first, second, cut, |cut, side| (-END..=room[side] + END).contains(&cut))
 }
 
 /// Outside: where both would cross if they went on; an arc at most by a half turn.
 fn continued(first: &Beside, second: &Beside) -> Option<Corner> {
     let room = [first, second].map(|piece| piece.path.round.map_or(f64::INFINITY, |_| PI));
     let cut = |at| [-first.path.behind_end(at), -second.path.before_start(at)];
-    meeting(first, second, cut, |cut, side| {
-        (-room[side]..=END).contains(&cut)
-    })
+    meeting(first, second, cut, |cut, side| (-room[side]..=END).contains(&cut))
 }
 
 /// The crossing of the lines or circles of both paths that is nearest to the corner, of those where what is left out of
@@ -113,10 +109,7 @@ fn meeting(
     allowed: impl Fn(f64, usize) -> bool,
 ) -> Option<Corner> {
     let corner = first.contour.end;
-    let points = crossings(
-        Curve::of(&first.path, first.path.end),
-        Curve::of(&second.path, second.path.start),
-    );
+    let points = crossings(Curve::of(&first.path, first.path.end), Curve::of(&second.path, second.path.start));
     let allowed = |at: &Point| {
         let [end, start] = cut(*at);
         allowed(end, 0) && allowed(start, 1)
@@ -156,21 +149,13 @@ fn crossings(a: Curve, b: Curve) -> [Option<Point>; 2] {
         (Curve::Line(point, along), Curve::Circle(centre, radius))
         | (Curve::Circle(centre, radius), Curve::Line(point, along)) => {
             let foot = add(point, along, dot(subtract(centre, point), along));
-            beside(
-                foot,
-                along,
-                radius * radius - dot(subtract(foot, centre), subtract(foot, centre)),
-            )
+            beside(foot, along, radius * radius - dot(subtract(foot, centre), subtract(foot, centre)))
         }
         (Curve::Circle(centre, radius), Curve::Circle(other, size)) => {
             let apart = distance(centre, other);
             let towards = scaled(subtract(other, centre), 1.0 / apart);
             let way = (radius * radius - size * size + apart * apart) / (2.0 * apart);
-            beside(
-                add(centre, towards, way),
-                left(towards),
-                radius * radius - way * way,
-            )
+            beside(add(centre, towards, way), left(towards), radius * radius - way * way)
         }
     }
 }
@@ -178,11 +163,7 @@ fn crossings(a: Curve, b: Curve) -> [Option<Point>; 2] {
 /// The points on both sides of a middle, whose distance from it has this square, mm².
 fn beside(middle: Point, along: Point, square: f64) -> [Option<Point>; 2] {
     // what touches may miss by what f64 leaves
-    let half = if square.abs() < 1e-9 {
-        0.0
-    } else {
-        square.sqrt()
-    };
+    let half = if square.abs() < 1e-9 { 0.0 } else { square.sqrt() };
     [half, -half].map(|half| half.is_finite().then(|| add(middle, along, half)))
 }
 
@@ -196,11 +177,7 @@ mod tests {
     fn lines(degrees: f64, by: f64) -> [Beside; 2] {
         let (sine, cosine) = degrees.to_radians().sin_cos();
         let corner = [50.0, 0.0];
-        let line = |start, end| Element {
-            start,
-            end,
-            round: None,
-        };
+        let line = |start, end| Element { start, end, round: None };
         let second = line(corner, [50.0 + 50.0 * cosine, 50.0 * sine]);
         [line([0.0; 2], corner), second].map(|line| Beside::of(line, [by; 2]).unwrap())
     }
@@ -225,14 +202,8 @@ mod tests {
             assert_eq!(between(&lines(0.0, 5.0), outside), Some(Corner::Smooth));
             assert_eq!(between(&lines(90.0, 0.0), outside), Some(Corner::Smooth));
             // back on the same line: round the end, whatever side
-            assert_eq!(
-                between(&lines(180.0, 5.0), outside),
-                Some(Corner::Round(-PI))
-            );
-            assert_eq!(
-                between(&lines(180.0, -5.0), outside),
-                Some(Corner::Round(PI))
-            );
+            assert_eq!(between(&lines(180.0, 5.0), outside), Some(Corner::Round(-PI)));
+            assert_eq!(between(&lines(180.0, -5.0), outside), Some(Corner::Round(PI)));
         }
         let round = between(&lines(-90.0, 5.0), Outside::Circle);
         assert_eq!(round, Some(Corner::Round(-PI / 2.0)));
@@ -255,17 +226,11 @@ mod tests {
         let arc = |centre: f64| Element {
             start: [centre - 10.0, 0.0],
             end: [centre + 10.0, 0.0],
-            round: Some(Round {
-                centre: [centre, 0.0],
-                sweep: -PI,
-            }),
+            round: Some(Round { centre: [centre, 0.0], sweep: -PI }),
         };
         let pair = |by| [10.0, 30.0].map(|centre| Beside::of(arc(centre), [by; 2]).unwrap());
         // over both the point between them is inside
-        meets(
-            between(&pair(5.0), Outside::Circle),
-            [20.0, 125.0_f64.sqrt()],
-        );
+        meets(between(&pair(5.0), Outside::Circle), [20.0, 125.0_f64.sqrt()]);
         // below them, inside of the arcs, it is outside
         let below = between(&pair(-5.0), Outside::Meeting);
         assert!(matches!(below, Some(Corner::Round(_))), "{below:?}");

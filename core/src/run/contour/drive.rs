@@ -50,18 +50,10 @@ impl Waiting {
                 let sweep = beside.path.sweep(*begun, cut);
                 let centre = beside.path.round.map(|round| round.centre);
                 let round = centre.zip(sweep);
-                (
-                    Some(at),
-                    round.map(|(centre, sweep)| Round { centre, sweep }),
-                )
+                (Some(at), round.map(|(centre, sweep)| Round { centre, sweep }))
             }
         };
-        Way {
-            at,
-            height: self.height,
-            round,
-            manner: self.manner,
-        }
+        Way { at, height: self.height, round, manner: self.manner }
     }
 }
 
@@ -127,9 +119,7 @@ pub fn all(run: &mut Interpreter, plane: &Plane, ways: &[Way]) -> Result<(), Sto
     let mut later = entries.split_off(passed.min(entries.len())).into_iter();
     let line = run.sim.line;
     for way in ways {
-        let between = later
-            .by_ref()
-            .take(way.manner.behind.saturating_sub(passed));
+        let between = later.by_ref().take(way.manner.behind.saturating_sub(passed));
         run.sim.trace.entries.extend(between);
         passed = way.manner.behind;
         run.sim.line = way.manner.line;
@@ -142,13 +132,7 @@ pub fn all(run: &mut Interpreter, plane: &Plane, ways: &[Way]) -> Result<(), Sto
 }
 
 fn one(run: &mut Interpreter, plane: &Plane, way: &Way) -> Result<(), Stop> {
-    let Manner {
-        kind,
-        feed,
-        length,
-        tip,
-        ..
-    } = way.manner;
+    let Manner { kind, feed, length, tip, .. } = way.manner;
     // the position is told as the tool length of that time has it
     let since = add(run.sim.control.active_length(), length, -1.0);
     run.sim.position = add(run.sim.position, since, 1.0);
@@ -160,11 +144,7 @@ fn one(run: &mut Interpreter, plane: &Plane, way: &Way) -> Result<(), Stop> {
         }
     };
     let around = way.round.map(|round| Around {
-        centre: add(
-            add(plane.place(round.centre, way.height), tip, 1.0),
-            length,
-            -1.0,
-        ),
+        centre: add(add(plane.place(round.centre, way.height), tip, 1.0), length, -1.0),
         axis: plane.up(),
         degrees: round.sweep.to_degrees(),
     });

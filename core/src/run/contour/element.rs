@@ -64,9 +64,7 @@ impl Element {
 
     /// 1 by the radius, positive counter-clockwise; 0 of a line, 1/mm.
     pub fn curvature(&self) -> f64 {
-        self.round.map_or(0.0, |round| {
-            round.sweep.signum() / distance(round.centre, self.start)
-        })
+        self.round.map_or(0.0, |round| round.sweep.signum() / distance(round.centre, self.start))
     }
 
     /// The line or arc beside this one, so far to the left of its start and of its end, mm; to the right where it is
@@ -84,8 +82,8 @@ impl Element {
         (room(self.start, begin) > -NOTHING && room(self.end, end) > -NOTHING).then_some(found)
     }
 
-    /// Where a point of the line or circle lies behind the start, in the unit of [`Element::extent`]; of an arc from 0 to
-    /// a whole turn.
+    /// Where a point of the line or circle lies behind the start, in the unit of [`Element::extent`]; of an arc from 0
+    /// to a whole turn.
     pub fn behind_start(&self, point: Point) -> f64 {
         match self.round {
             Some(round) => turned(round, self.start, point),
@@ -118,8 +116,8 @@ impl Element {
         }
     }
 
-    /// The way of this element that begins and ends so far inside of it: its angle, radian. None: a line, or an arc that
-    /// is a point.
+    /// The way of this element that begins and ends so far inside of it: its angle, radian. None: a line, or an arc
+    /// that is a point.
     pub fn sweep(&self, begun: f64, cut: f64) -> Option<f64> {
         let round = self.round?;
         let radius = distance(round.centre, self.end);
@@ -134,11 +132,7 @@ fn turned(round: Round, from: Point, to: Point) -> f64 {
         y.atan2(x)
     };
     let turned = ((angle(to) - angle(from)) * round.sweep.signum()).rem_euclid(TAU);
-    if TAU - turned < 1e-7 {
-        turned - TAU
-    } else {
-        turned
-    }
+    if TAU - turned < 1e-7 { turned - TAU } else { turned }
 }
 
 /// Distance of two points, mm.
@@ -180,11 +174,7 @@ pub fn scaled(a: Point, factor: f64) -> Point {
 fn direction(from: Point, to: Point) -> Point {
     let way = subtract(to, from);
     let length = way[0].hypot(way[1]);
-    if length > 0.0 {
-        scaled(way, 1.0 / length)
-    } else {
-        [1.0, 0.0]
-    }
+    if length > 0.0 { scaled(way, 1.0 / length) } else { [1.0, 0.0] }
 }
 
 #[cfg(test)]
@@ -199,15 +189,8 @@ mod tests {
     // oracle: hand: a quarter of a circle of 10 about the origin, counter-clockwise from X10
     #[test]
     fn beside_an_arc_lies_an_arc_about_the_same_centre() {
-        let round = Round {
-            centre: [0.0; 2],
-            sweep: TAU / 4.0,
-        };
-        let arc = Element {
-            start: [10.0, 0.0],
-            end: [0.0, 10.0],
-            round: Some(round),
-        };
+        let round = Round { centre: [0.0; 2], sweep: TAU / 4.0 };
+        let arc = Element { start: [10.0, 0.0], end: [0.0, 10.0], round: Some(round) };
         near(arc.departs(), [0.0, 1.0]);
         near(arc.arrives(), [-1.0, 0.0]);
         let inside = arc.beside([3.0, 3.0]).unwrap();

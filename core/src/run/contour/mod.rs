@@ -1,8 +1,8 @@
 //! Tool radius compensation (G41, G42): the path of the tool centre beside the programmed contour.
 //!
 //! Where a block ends depends on the next one, so each waits until that is known. What the blocks between them record
-//! (M functions, texts, values) comes behind it all the same. What needs the real position before (a measurement, STOPRE,
-//! another tool) has the waiting block end at right angles to its own end, and so does the end of the program.
+//! (M functions, texts, values) comes behind it all the same. What needs the real position before (a measurement,
+//! STOPRE, another tool) has the waiting block end at right angles to its own end, and so does the end of the program.
 //!
 //! Everything here counts from the spindle nose in machine coordinates, so that another tool length moves nothing.
 
@@ -53,7 +53,8 @@ pub struct Motion {
     pub span: Span,
 }
 
-/// Where the program stands, machine coordinates: the end of the last block as programmed, beside which the tool may be.
+/// Where the program stands, machine coordinates: the end of the last block as programmed, beside which the tool may
+/// be.
 pub fn stands(run: &Interpreter) -> [f64; 3] {
     let length = run.sim.control.active_length();
     match &run.contour {
@@ -85,12 +86,7 @@ pub fn follow(run: &mut Interpreter, motion: &Motion) -> Result<(), Stop> {
     };
     contour.programmed = way.to;
     let heights = [way.from, way.to].map(|point| plane.split(point).1);
-    let step = Step {
-        element,
-        by: distance(run, side, hand),
-        heights,
-        motion,
-    };
+    let step = Step { element, by: distance(run, side, hand), heights, motion };
     if !element.moves() {
         contour.rise(run, &step)?;
     } else if side == contour.side {
@@ -186,10 +182,7 @@ impl Contour {
             _ => (beside.path.start, 0.0, 0.0),
         };
         let between = match corner {
-            Corner::Round(sweep) => Some(Some(Round {
-                centre: step.element.start,
-                sweep,
-            })),
+            Corner::Round(sweep) => Some(Some(Round { centre: step.element.start, sweep })),
             _ => (!open).then_some(None),
         };
         let mut ways = self.ways(at, cut);
@@ -211,12 +204,7 @@ impl Contour {
         }
         let mut manner = Manner::now(run, step.motion);
         manner.tip = [0.0; 3];
-        let way = Way {
-            at: Some(step.element.end),
-            height: step.heights[1],
-            round: None,
-            manner,
-        };
+        let way = Way { at: Some(step.element.end), height: step.heights[1], round: None, manner };
         drive::all(run, &self.plane, &[way])
     }
 
@@ -237,11 +225,7 @@ impl Contour {
     }
 
     fn waiting(&self, run: &Interpreter, step: &Step, piece: Piece) -> Waiting {
-        Waiting {
-            piece,
-            height: step.heights[1],
-            manner: Manner::now(run, step.motion),
-        }
+        Waiting { piece, height: step.heights[1], manner: Manner::now(run, step.motion) }
     }
 }
 
@@ -277,8 +261,5 @@ fn refused(run: &mut Interpreter, motion: &Motion, key: &'static str) -> Stop {
 /// The tool has no room (alarm 10751).
 fn narrow(run: &mut Interpreter, motion: &Motion) -> Stop {
     let message = Message::new("run-contour-narrow").number("radius", radius(run));
-    run.fail(Problem {
-        span: motion.span,
-        message,
-    })
+    run.fail(Problem { span: motion.span, message })
 }

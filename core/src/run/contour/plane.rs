@@ -29,10 +29,7 @@ impl Plane {
         });
         let [abscissa, ordinate, up] = seen;
         let across = up.cross(&abscissa);
-        Plane {
-            axes: [abscissa, across, up],
-            hand: across.dot(&ordinate).signum(),
-        }
+        Plane { axes: [abscissa, across, up], hand: across.dot(&ordinate).signum() }
     }
 
     /// What left of the contour in another state of the frames is here, 1 or -1; none: the plane is another one.
@@ -67,17 +64,10 @@ impl Plane {
                 if sense.abs() < 1.0 - SAME {
                     return None;
                 }
-                Some(Round {
-                    centre: self.split(around.centre).0,
-                    sweep: around.degrees.to_radians() * sense.signum(),
-                })
+                Some(Round { centre: self.split(around.centre).0, sweep: around.degrees.to_radians() * sense.signum() })
             }
             None => None,
         };
-        Some(Element {
-            start: self.split(way.from).0,
-            end: self.split(way.to).0,
-            round,
-        })
+        Some(Element { start: self.split(way.from).0, end: self.split(way.to).0, round })
     }
 }

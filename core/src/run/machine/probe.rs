@@ -21,22 +21,19 @@ impl Sim {
         self.measuring.is_some() || self.control.active_edge().is_some_and(probe)
     }
 
-    /// Whether it is the probe of a turning machine: the spindle of a program holds the part there, and only in a milling
-    /// cycle the probe.
+    /// Whether it is the probe of a turning machine: the spindle of a program holds the part there, and only in a
+    /// milling cycle the probe.
     pub(super) fn in_turret(&self) -> bool {
         self.control.active_edge().is_some_and(Edge::is_turning)
     }
 
     /// How far the probe is turned from the abscissa to the ordinate, degree: with the spindle that holds it.
     fn probe_angle(&self) -> f64 {
-        if self.in_turret() {
-            0.0 - self.held_at
-        } else {
-            self.control.turned()
-        }
+        if self.in_turret() { 0.0 - self.held_at } else { self.control.turned() }
     }
 
-    /// The probe of a turning machine is as long as its data say when it is first moved, unless the setup tells otherwise.
+    /// The probe of a turning machine is as long as its data say when it is first moved, unless the setup tells
+    /// otherwise.
     pub(super) fn hold(&mut self) {
         if let Some(edge) = self.control.active_edge().filter(|edge| edge.is_turning())
             && self.has_probe()
@@ -53,9 +50,7 @@ impl Sim {
         let axis = self.tool_axis();
         let mut height = [0.0; 3];
         if self.in_turret() {
-            return self
-                .real_tool()
-                .map_or(height, |tool| tool.error(&self.control));
+            return self.real_tool().map_or(height, |tool| tool.error(&self.control));
         }
         height[axis] = self.control.active_length()[axis] - self.probe.length;
         height
@@ -78,11 +73,7 @@ impl Sim {
 
     /// How it stands.
     fn stand(&self) -> Stand {
-        Stand {
-            turned: self.probe_angle(),
-            axis: self.tool_axis(),
-            feeler: self.feeler(),
-        }
+        Stand { turned: self.probe_angle(), axis: self.tool_axis(), feeler: self.feeler() }
     }
 
     /// From the point to which the tool length refers to the real centre of the ball.
@@ -119,14 +110,8 @@ impl Sim {
         let Some(touch) = signal else {
             return Ok(None);
         };
-        let met = Obstacle {
-            part: 1.0,
-            stop: end,
-            ball: touch.ball,
-            point: touch.point,
-            normal: touch.normal,
-            by: touch.by,
-        };
+        let met =
+            Obstacle { part: 1.0, stop: end, ball: touch.ball, point: touch.point, normal: touch.normal, by: touch.by };
         if met.by == Touching::Body {
             return Err(self.crash(&met));
         }
@@ -141,22 +126,12 @@ impl Sim {
     /// The probe switches. That its stylus was deflected and not its ball spoils a measurement, and is told there.
     pub(super) fn switched(&mut self, met: &Obstacle) {
         self.touching = true;
-        self.note(Step::Touch {
-            latched: met.stop,
-            ball: met.ball,
-            point: met.point,
-            normal: met.normal,
-            by: met.by,
-        });
+        self.note(Step::Touch { latched: met.stop, ball: met.ball, point: met.point, normal: met.normal, by: met.by });
     }
 
     /// The probe hits something where nobody watches, or with what gives no signal.
     pub(super) fn crash(&mut self, met: &Obstacle) -> Stop {
-        self.note(Step::Crash {
-            point: met.point,
-            normal: met.normal,
-            by: met.by,
-        });
+        self.note(Step::Crash { point: met.point, normal: met.normal, by: met.by });
         Stop::Fault(Message::new(match met.by {
             Touching::Ball => "run-crash",
             Touching::Stylus => "run-crash-stylus",

@@ -6,8 +6,8 @@ use crate::workpiece::noise::Noise;
 use crate::workpiece::tool::Tool;
 use std::collections::BTreeMap;
 
-/// All that may be different when a machine does something else the next time: not what was recorded, and not what never
-/// changes.
+/// All that may be different when a machine does something else the next time: not what was recorded, and not what
+/// never changes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State {
     position: [f64; 3],

@@ -12,8 +12,8 @@ use crate::workpiece::Workpiece;
 use crate::workpiece::feeler::{Feeler, Touching};
 
 impl Sim {
-    /// Turns a rotary axis (index A B C) to a position of the machine, degree; the part turns with it. Where it meets the
-    /// probe it stands still and the run ends: no signal is watched on this way.
+    /// Turns a rotary axis (index A B C) to a position of the machine, degree; the part turns with it. Where it meets
+    /// the probe it stands still and the run ends: no signal is watched on this way.
     pub fn turn_table(&mut self, axis: usize, to: f64) -> Result<(), Stop> {
         let Some(from) = self.control.rotary.get(axis).copied() else {
             return Ok(());
@@ -31,26 +31,14 @@ impl Sim {
         let stop = met.map_or(to, |met| from + met.part * turn.degrees);
         self.control.rotary[axis] = stop;
         let Workpiece { solids } = self.stands();
-        self.note(Step::Table {
-            axis,
-            from,
-            to: stop,
-            solids,
-        });
+        self.note(Step::Table { axis, from, to: stop, solids });
         let Some(met) = met else {
             return Ok(());
         };
-        let back = Around {
-            degrees: -met.part * turn.degrees,
-            ..turn
-        };
+        let back = Around { degrees: -met.part * turn.degrees, ..turn };
         let [point, tip] = [met.point, add(met.point, met.normal, 1.0)];
         let [point, tip] = [point, tip].map(|place| back.end(place, 0.0));
-        Err(self.crash(&Obstacle {
-            point,
-            normal: add(tip, point, -1.0),
-            ..met
-        }))
+        Err(self.crash(&Obstacle { point, normal: add(tip, point, -1.0), ..met }))
     }
 
     /// What of the probe a part meets first that turns against `turn`: seen from the part the probe goes round it.
@@ -68,10 +56,7 @@ impl Sim {
             let way = Route {
                 from: place,
                 to: turn.at(place, turn.end(place, 0.0), part),
-                around: Some(Around {
-                    degrees: turn.degrees * part,
-                    ..*turn
-                }),
+                around: Some(Around { degrees: turn.degrees * part, ..*turn }),
             };
             let ball = Feeler::ball(radius);
             if let Some(met) = way.obstacle(&self.part, &ball, [0.0; 3], &mut self.effort) {
@@ -87,11 +72,7 @@ impl Sim {
 const BALLS: f64 = 1000.0;
 
 /// Balls so close together that they make stylus or body, as far as the spindle.
-fn balls(
-    rod: Rod,
-    by: Touching,
-    ball: [f64; 3],
-) -> impl Iterator<Item = ([f64; 3], f64, Touching)> {
+fn balls(rod: Rod, by: Touching, ball: [f64; 3]) -> impl Iterator<Item = ([f64; 3], f64, Touching)> {
     let apart = rod.radius.max(rod.length / BALLS);
     let count = (rod.length / apart) as usize;
     (1..=count).map(move |step| {

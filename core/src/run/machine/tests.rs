@@ -9,15 +9,8 @@ use crate::workpiece::{PartErrors, ProbeBody, Shape, Solid};
 /// A cube of 100 mm whose upper face is Z = 0 of the machine.
 fn sim() -> Sim {
     let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
-    let block = Shape::Block {
-        size: [100.0, 100.0, 100.0],
-    };
-    let solid = Solid {
-        shape: block,
-        at: [0.0; 3],
-        rotation: [0.0; 3],
-        errors: PartErrors::default(),
-    };
+    let block = Shape::Block { size: [100.0, 100.0, 100.0] };
+    let solid = Solid { shape: block, at: [0.0; 3], rotation: [0.0; 3], errors: PartErrors::default() };
     setup.workpiece.solids.push(solid);
     setup.position = [0.0, 0.0, 20.0];
     Sim::new(&setup)
@@ -26,18 +19,13 @@ fn sim() -> Sim {
 #[test]
 fn probing_latches_at_the_surface() {
     let mut sim = sim();
-    sim.control
-        .frames
-        .insert(1, Frame::translation([0.0, 0.0, -5.0]));
+    sim.control.frames.insert(1, Frame::translation([0.0, 0.0, -5.0]));
     sim.control.activate(1);
     // oracle: hand: the ball centre stops 3 mm above the face; WCS is 5 mm below the machine zero
     let latched = sim.probe([0.0, 0.0, -10.0], 150.0).unwrap().unwrap();
     assert!((latched[2] - 8.0).abs() < 1e-9, "{latched:?}");
     assert!((sim.position[2] - 3.0).abs() < 1e-9);
-    assert!(
-        sim.travel([0.0, 0.0, 20.0], MotionKind::Retract, 1000.0, true)
-            .is_ok()
-    );
+    assert!(sim.travel([0.0, 0.0, 20.0], MotionKind::Retract, 1000.0, true).is_ok());
 }
 
 #[test]
@@ -55,10 +43,7 @@ fn a_late_signal_lets_the_probe_go_back() {
     sim.probe.pre_travel = (0.02, 0.0);
     let latched = sim.probe([0.0, 0.0, -10.0], 150.0).unwrap().unwrap();
     assert!((latched[2] - 2.98).abs() < 1e-9, "{latched:?}");
-    assert!(
-        sim.travel([0.0, 0.0, 20.0], MotionKind::Retract, 1000.0, true)
-            .is_ok()
-    );
+    assert!(sim.travel([0.0, 0.0, 20.0], MotionKind::Retract, 1000.0, true).is_ok());
 }
 
 #[test]
@@ -102,9 +87,7 @@ fn an_unwatched_motion_crashes() {
     let stop = sim.travel([0.0, 0.0, -1.0], MotionKind::Rapid, 0.0, false);
     assert!(matches!(stop, Err(Stop::Fault(message)) if message.key == "run-crash"));
     let last = sim.trace.entries.last().unwrap();
-    let Step::Crash { point, .. } = last.step else {
-        panic!("{last:?}")
-    };
+    let Step::Crash { point, .. } = last.step else { panic!("{last:?}") };
     assert!(point[2].abs() < 1e-9);
 }
 
@@ -112,20 +95,14 @@ fn an_unwatched_motion_crashes() {
 fn other_tools_are_not_felt() {
     let mut sim = sim();
     sim.control.edge = 0;
-    assert!(
-        sim.travel([0.0, 0.0, -1.0], MotionKind::Rapid, 0.0, false)
-            .is_ok()
-    );
+    assert!(sim.travel([0.0, 0.0, -1.0], MotionKind::Rapid, 0.0, false).is_ok());
 }
 
 #[test]
 fn a_full_trace_ends_the_run() {
     let mut sim = sim();
     sim.trace_limit = 1;
-    assert!(
-        sim.travel([0.0, 0.0, 30.0], MotionKind::Rapid, 0.0, false)
-            .is_ok()
-    );
+    assert!(sim.travel([0.0, 0.0, 30.0], MotionKind::Rapid, 0.0, false).is_ok());
     let stop = sim.travel([0.0, 0.0, 20.0], MotionKind::Rapid, 0.0, false);
     assert!(matches!(stop, Err(Stop::Fault(message)) if message.key == "run-trace-limit"));
 }
@@ -138,7 +115,8 @@ fn turned(ball: [f64; 3]) -> (Sim, Result<(), Stop>) {
     (sim, outcome)
 }
 
-// oracle: hand: turned by a, a face 50 mm from the axis is 60·cos a - 50 from the ball's centre; edges stand 70.7 from it
+// oracle: hand: turned by a, a face 50 mm from the axis is 60·cos a - 50 from the ball's centre; edges stand 70.7 from
+// it
 #[test]
 fn a_part_that_turns_may_meet_the_ball() {
     let crash = Err(Stop::Fault(Message::new("run-crash")));
@@ -169,9 +147,7 @@ fn a_part_that_turns_may_meet_the_stylus() {
     let [.., last] = &sim.trace.entries[..] else {
         panic!("{:?}", sim.trace);
     };
-    assert!(
-        matches!(last.step, Step::Crash { point: [.., z], .. } if (-100.0..=-70.0).contains(&z))
-    );
+    assert!(matches!(last.step, Step::Crash { point: [.., z], .. } if (-100.0..=-70.0).contains(&z)));
     assert_eq!(turned([0.0, -60.0, -160.0]).1, Ok(())); // the spindle nose is below too
 }
 
@@ -179,9 +155,7 @@ fn a_part_that_turns_may_meet_the_stylus() {
 fn under_a_plate(body: Option<ProbeBody>) -> Sim {
     let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
     setup.workpiece.solids.push(Solid {
-        shape: Shape::Block {
-            size: [100.0, 100.0, 10.0],
-        },
+        shape: Shape::Block { size: [100.0, 100.0, 10.0] },
         at: [70.0, 0.0, 0.0],
         rotation: [0.0; 3],
         errors: PartErrors::default(),
@@ -201,10 +175,7 @@ fn a_stylus_that_touches_switches_the_probe() {
     let [.., touch, told] = &sim.trace.entries[..] else {
         panic!("{:?}", sim.trace);
     };
-    let Step::Touch {
-        by, normal, point, ..
-    } = touch.step
-    else {
+    let Step::Touch { by, normal, point, .. } = touch.step else {
         panic!("{touch:?}");
     };
     assert_eq!((by, normal), (Touching::Stylus, [-1.0, 0.0, 0.0]));
@@ -231,54 +202,30 @@ fn a_stylus_on_its_way_is_an_alarm_or_a_crash() {
     // a quarter of a circle about [-30, 0]: the stylus meets the edge where X is 18.65
     let mut round = under_a_plate(None);
     round.position = [-30.0, -50.0, -20.0];
-    let around = Around {
-        centre: [-30.0, 0.0, -20.0],
-        axis: [0.0, 0.0, 1.0],
-        degrees: 90.0,
-    };
+    let around = Around { centre: [-30.0, 0.0, -20.0], axis: [0.0, 0.0, 1.0], degrees: 90.0 };
     let end = [20.0, 0.0, -20.0];
     let stop = round.travel_around(end, &around, MotionKind::Positioning, 1000.0, true);
     assert_eq!(stop, Err(Stop::Alarm(Code::Alarm(61302))));
-    assert!(
-        (round.position[0] - 18.65).abs() < 1e-5,
-        "{:?}",
-        round.position
-    );
+    assert!((round.position[0] - 18.65).abs() < 1e-5, "{:?}", round.position);
 }
 
 // oracle: hand: a body of 20 mm, whose lower face is 15 mm above the ball, has its side 20 mm from the axis; nothing of
 // it is deflected, so that no signal comes
 #[test]
 fn a_body_gives_no_signal() {
-    let body = ProbeBody {
-        radius: 19.0,
-        distance: 15.0,
-    };
+    let body = ProbeBody { radius: 19.0, distance: 15.0 };
     let crash = || Err(Stop::Fault(Message::new("run-crash-body")));
     let to = [60.0, 0.0, -20.0];
     let mut watched = under_a_plate(Some(body));
-    assert_eq!(
-        watched.travel(to, MotionKind::Positioning, 1000.0, true),
-        crash()
-    );
-    assert!(
-        (watched.position[0] - 1.0).abs() < 1e-6,
-        "{:?}",
-        watched.position
-    );
+    assert_eq!(watched.travel(to, MotionKind::Positioning, 1000.0, true), crash());
+    assert!((watched.position[0] - 1.0).abs() < 1e-6, "{:?}", watched.position);
     let mut measuring = under_a_plate(Some(body));
     assert_eq!(measuring.probe(to, 150.0).map(|_| ()), crash());
     assert!((measuring.position[0] - 1.0).abs() < 1e-6);
     let [.., last] = &measuring.trace.entries[..] else {
         panic!("{:?}", measuring.trace);
     };
-    assert!(matches!(
-        last.step,
-        Step::Crash {
-            by: Touching::Body,
-            ..
-        }
-    ));
+    assert!(matches!(last.step, Step::Crash { by: Touching::Body, .. }));
 }
 
 // oracle: hand: a stylus of a billionth of a mm is a line; the balls that stand for it are a thousand at most

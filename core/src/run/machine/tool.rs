@@ -17,8 +17,8 @@ pub(super) fn noise(probes: &[ToolProbe]) -> Noise {
 }
 
 impl Sim {
-    /// Makes sure that the tool in use has a real one: as it is when it is first moved. None without a tool, and where there
-    /// is nothing that it could touch.
+    /// Makes sure that the tool in use has a real one: as it is when it is first moved. None without a tool, and where
+    /// there is nothing that it could touch.
     fn take_up(&mut self) -> Option<()> {
         if self.tool_probes.is_empty() {
             return None;
@@ -30,8 +30,8 @@ impl Sim {
         Some(())
     }
 
-    /// Lets a turning tool that nobody told otherwise lie as the cycle that begins takes its position: `on`, mirrored in the
-    /// ordinate (`_CHBIT[23]`, B:14051); and back behind the cycle.
+    /// Lets a turning tool that nobody told otherwise lie as the cycle that begins takes its position: `on`, mirrored
+    /// in the ordinate (`_CHBIT[23]`, B:14051); and back behind the cycle.
     pub(in crate::run) fn recode(&mut self, on: bool) {
         let place = self.control.active_place();
         if on == self.recoded || self.told_tools.contains(&place) {
@@ -50,8 +50,8 @@ impl Sim {
         self.recoded
     }
 
-    /// What can touch of the tool in use, as it is, where the machine stands at `at`, and the way from there to the point
-    /// to which its lengths refer.
+    /// What can touch of the tool in use, as it is, where the machine stands at `at`, and the way from there to the
+    /// point to which its lengths refer.
     fn tool_at(&self, at: [f64; 3]) -> Option<(Vec<Piece>, [f64; 3])> {
         let tool = self.real_tool()?;
         let error = tool.error(&self.control);
@@ -69,8 +69,7 @@ impl Sim {
     pub(super) fn tool_obstacle(&mut self, way: &Route) -> Option<Obstacle> {
         self.take_up()?;
         let (tool, error) = self.tool_at(way.from)?;
-        let near =
-            |stretch: &Stretch| tool_probe::may_meet(&self.tool_probes, &tool, way.from, stretch);
+        let near = |stretch: &Stretch| tool_probe::may_meet(&self.tool_probes, &tool, way.from, stretch);
         let mut effort = 0;
         let met = way.search([0.0; 3], &mut effort, near, |[begin, end]| {
             let [from, to] = [begin, end].map(|part| way.at(part));
@@ -100,13 +99,7 @@ impl Sim {
         let end = way.at(share(&way, signal));
         self.go(&Route::straight(way.from, end), MotionKind::Measuring, feed);
         self.touching = true;
-        self.note(Step::Touch {
-            latched: end,
-            ball: met.ball,
-            point: met.point,
-            normal: met.normal,
-            by: met.by,
-        });
+        self.note(Step::Touch { latched: end, ball: met.ball, point: met.point, normal: met.normal, by: met.by });
         Some(end)
     }
 }
@@ -145,25 +138,15 @@ mod tests {
     use crate::workpiece::tool::{Cut, Cutter};
     use crate::workpiece::{PartErrors, Shape, Solid};
 
-    /// A cube of 20 mm about the origin and an end mill of 70 mm and 5 mm radius above it; it is longer than its data say.
+    /// A cube of 20 mm about the origin and an end mill of 70 mm and 5 mm radius above it; it is longer than its data
+    /// say.
     fn sim() -> Sim {
         let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
-        let edge = Edge {
-            kind: 120,
-            length: [70.0, 0.0, 0.0],
-            radius: 5.0,
-            ..Edge::default()
-        };
+        let edge = Edge { kind: 120, length: [70.0, 0.0, 0.0], radius: 5.0, ..Edge::default() };
         let tool = setup.control.tools.entry(3).or_default();
         tool.edges.insert(1, edge);
         (setup.control.tool, setup.control.edge) = (3, 1);
-        let real = Tool {
-            length: [70.5, 0.0, 0.0],
-            cut: Cut::Cutter(Cutter {
-                teeth: 2,
-                ..Cutter::smooth(5.2)
-            }),
-        };
+        let real = Tool { length: [70.5, 0.0, 0.0], cut: Cut::Cutter(Cutter { teeth: 2, ..Cutter::smooth(5.2) }) };
         setup.real_tools.insert((3, 1), real);
         setup.tool_probes.push(ToolProbe::ideal(Solid {
             shape: Shape::Block { size: [20.0; 3] },
@@ -181,8 +164,7 @@ mod tests {
         let mut sim = sim();
         let latched = sim.probe([0.0, 0.0, -10.0], 150.0).unwrap().unwrap();
         assert!((latched[2] - 0.5).abs() < 1e-9, "{latched:?}");
-        sim.travel([0.0, 0.0, 30.0], MotionKind::Retract, 1000.0, false)
-            .unwrap();
+        sim.travel([0.0, 0.0, 30.0], MotionKind::Retract, 1000.0, false).unwrap();
         sim.correct("$TC_DP3[3,1]", 70.5);
         let latched = sim.probe([0.0, 0.0, -10.0], 150.0).unwrap().unwrap();
         assert!(latched[2].abs() < 1e-9, "{latched:?}");
@@ -214,16 +196,12 @@ mod tests {
 
     #[test]
     fn a_tool_meets_the_probe_on_an_arc() {
-        // oracle: hand: from below the upright edge at [10, -10] round [30, -20]: the axis of the tool stops 5.2 mm from it,
-        // 12.58 degree before the direction to the edge as it turns
+        // oracle: hand: from below the upright edge at [10, -10] round [30, -20]: the axis of the tool stops 5.2 mm
+        // from it, 12.58 degree before the direction to the edge as it turns
         let mut sim = sim();
         sim.spin(500.0);
         sim.position = [30.0, -40.0, -5.0];
-        let around = Around {
-            centre: [30.0, -20.0, -5.0],
-            axis: [0.0, 0.0, 1.0],
-            degrees: -180.0,
-        };
+        let around = Around { centre: [30.0, -20.0, -5.0], axis: [0.0, 0.0, 1.0], degrees: -180.0 };
         let to = [30.0, 0.0, -5.0];
         let stop = sim.travel_around(to, &around, MotionKind::Positioning, 1000.0, true);
         assert_eq!(stop, Err(Stop::Alarm(Code::Alarm(61302))));
@@ -234,10 +212,7 @@ mod tests {
         let mut sim = self::sim();
         sim.spin(500.0);
         sim.position = [30.0, -45.0, -5.0];
-        let beside = Around {
-            centre: [35.0, -25.0, -5.0],
-            ..around
-        };
+        let beside = Around { centre: [35.0, -25.0, -5.0], ..around };
         let to = beside.end(sim.position, 0.0);
         let free = sim.travel_around(to, &beside, MotionKind::Positioning, 1000.0, true);
         assert_eq!(free, Ok(()));

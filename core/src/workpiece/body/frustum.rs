@@ -26,48 +26,29 @@ pub(in crate::workpiece) struct Frustum {
 impl Frustum {
     /// With upright walls.
     pub fn upright(half: [f64; 2], top: f64, bottom: f64) -> Frustum {
-        Frustum {
-            above: half,
-            below: half,
-            top,
-            bottom,
-            centre: [0.0; 2],
-            opening: (1.0, 0.0),
-        }
+        Frustum { above: half, below: half, top, bottom, centre: [0.0; 2], opening: (1.0, 0.0) }
     }
 
     /// From Z = 0 downwards, lengths growing by `taper` mm per mm of depth.
     pub fn tapered(length: [f64; 2], depth: f64, taper: f64) -> Frustum {
         let above = length.map(|l| l / 2.0);
-        Frustum {
-            below: above.map(|l| l + taper * depth / 2.0),
-            ..Frustum::upright(above, 0.0, -depth)
-        }
+        Frustum { below: above.map(|l| l + taper * depth / 2.0), ..Frustum::upright(above, 0.0, -depth) }
     }
 
-    /// From Z = 0 downwards with a corner at the origin, from which the edges run along X and, turned by `angle` degree,
-    /// along a second direction. Each wall stands out by half of the error of size and of what the taper adds.
+    /// From Z = 0 downwards with a corner at the origin, from which the edges run along X and, turned by `angle`
+    /// degree, along a second direction. Each wall stands out by half of the error of size and of what the taper adds.
     pub fn corner(angle: f64, length: [f64; 2], depth: f64, errors: &PartErrors) -> Frustum {
         let opening = sin_cos(angle);
         let along = |across: f64| across / opening.0;
         let whole = length.map(|l| l + along(errors.size));
-        Frustum {
-            centre: length.map(|l| l / 2.0),
-            opening,
-            ..Frustum::tapered(whole, depth, along(errors.taper))
-        }
+        Frustum { centre: length.map(|l| l / 2.0), opening, ..Frustum::tapered(whole, depth, along(errors.taper)) }
     }
 
     /// An upright body around this one, its walls `margin` mm away, `floor` mm deeper.
     pub fn around(&self, margin: f64, floor: f64) -> Frustum {
         let reach = margin / self.opening.0;
         let half = [0, 1].map(|i| self.above[i].max(self.below[i]) + reach);
-        Frustum {
-            above: half,
-            below: half,
-            bottom: self.bottom - floor,
-            ..*self
-        }
+        Frustum { above: half, below: half, bottom: self.bottom - floor, ..*self }
     }
 
     pub fn contains(&self, p: &V3) -> bool {
@@ -84,11 +65,7 @@ impl Frustum {
 
     /// Corners of the upper or lower face, counter-clockwise from (−, −).
     pub fn ring(&self, upper: bool) -> [V3; 4] {
-        let ([x, y], z) = if upper {
-            (self.above, self.top)
-        } else {
-            (self.below, self.bottom)
-        };
+        let ([x, y], z) = if upper { (self.above, self.top) } else { (self.below, self.bottom) };
         let (sine, cosine) = self.opening;
         let [first, second] = self.centre;
         [[-x, -y], [x, -y], [x, y], [-x, y]].map(|[u, v]| {
@@ -117,17 +94,11 @@ impl Frustum {
 
 /// A whole face.
 pub(super) fn quad(corners: [V3; 4]) -> Quad {
-    Quad {
-        corners,
-        trim: Trim::Whole,
-    }
+    Quad { corners, trim: Trim::Whole }
 }
 
 /// The same face seen from the other side.
 pub(super) fn reversed(face: Quad) -> Quad {
     let [a, b, c, d] = face.corners;
-    Quad {
-        corners: [d, c, b, a],
-        ..face
-    }
+    Quad { corners: [d, c, b, a], ..face }
 }

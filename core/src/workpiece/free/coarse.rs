@@ -5,8 +5,8 @@ use crate::geometry::V3;
 use std::collections::HashMap;
 
 impl FreeSurface {
-    /// The same surface with at most about so many triangles: a grid with fewer heights, or corners that lie near to each
-    /// other put together. None where it has no more than that.
+    /// The same surface with at most about so many triangles: a grid with fewer heights, or corners that lie near to
+    /// each other put together. None where it has no more than that.
     pub fn coarser(&self, most: usize) -> Option<FreeSurface> {
         let triangles = self.mesh.triangles().len();
         if triangles <= most || most == 0 {
@@ -28,15 +28,10 @@ impl FreeSurface {
         let mut corners: HashMap<[i64; 3], V3> = HashMap::new();
         let mut placed = |corner: [f64; 3]| -> [f64; 3] {
             let corner = V3::from(corner);
-            let key = ((corner - low) / cell)
-                .map(|part| part.round() as i64)
-                .into();
+            let key = ((corner - low) / cell).map(|part| part.round() as i64).into();
             (*corners.entry(key).or_insert(corner)).into()
         };
-        let triangles: Vec<_> = self
-            .triangles()
-            .map(|corners| corners.map(&mut placed))
-            .collect();
+        let triangles: Vec<_> = self.triangles().map(|corners| corners.map(&mut placed)).collect();
         FreeSurface::from_triangles(&triangles).ok()
     }
 }
@@ -47,9 +42,7 @@ impl Heights {
         let count = [self.columns, self.rows()];
         let cells = count.map(|count| (count - 1).div_ceil(every).max(1));
         let size = [0, 1].map(|axis| (count[axis] - 1) as f64 * self.step[axis]);
-        let place = |part: f64, axis: usize| {
-            ((part / size[axis] + 0.5) * (count[axis] - 1) as f64).round() as usize
-        };
+        let place = |part: f64, axis: usize| ((part / size[axis] + 0.5) * (count[axis] - 1) as f64).round() as usize;
         Heights::over(size, cells, |x, y| {
             let index = place(y, 1) * self.columns + place(x, 0);
             self.values.get(index).copied().unwrap_or(0.0)

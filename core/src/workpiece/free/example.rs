@@ -17,12 +17,8 @@ pub enum Example {
 }
 
 /// All of them, by name.
-pub const EXAMPLES: [(&str, Example); 4] = [
-    ("waves", Example::Waves),
-    ("dome", Example::Dome),
-    ("saddle", Example::Saddle),
-    ("step", Example::Step),
-];
+pub const EXAMPLES: [(&str, Example); 4] =
+    [("waves", Example::Waves), ("dome", Example::Dome), ("saddle", Example::Saddle), ("step", Example::Step)];
 
 /// Cells along the longer side.
 const CELLS: f64 = 64.0;
@@ -42,9 +38,7 @@ impl Example {
                 Example::Dome => dome(x.hypot(y), half[0].hypot(half[1]), height),
                 Example::Waves => height * ((2.0 * PI * u).cos() * (PI * v).cos() - 1.0) / 2.0,
                 Example::Saddle => height * ((u * u - v * v) - 1.0) / 2.0,
-                Example::Step => {
-                    height * (((6.0 * u + v).clamp(-1.0, 1.0) * PI / 2.0).sin() - 1.0) / 2.0
-                }
+                Example::Step => height * (((6.0 * u + v).clamp(-1.0, 1.0) * PI / 2.0).sin() - 1.0) / 2.0,
             };
             (exact / RESOLUTION).round() * RESOLUTION
         })

@@ -26,21 +26,12 @@ impl Heights {
             let height = &height;
             (0..=cells[0]).map(move |column| height(at(column, 0), y))
         });
-        Heights {
-            columns: cells[0] + 1,
-            step,
-            values: values.collect(),
-        }
+        Heights { columns: cells[0] + 1, step, values: values.collect() }
     }
 
-    /// Of the grey values of a picture, row by row from above, as a relief: white is 0, black lies `depth` mm deeper. The
-    /// picture covers a rectangle X × Y, mm. A picture that is too large is taken at fewer places.
-    pub fn from_greys(
-        greys: &[u8],
-        columns: usize,
-        size: [f64; 2],
-        depth: f64,
-    ) -> Result<Heights, Refused> {
+    /// Of the grey values of a picture, row by row from above, as a relief: white is 0, black lies `depth` mm deeper.
+    /// The picture covers a rectangle X × Y, mm. A picture that is too large is taken at fewer places.
+    pub fn from_greys(greys: &[u8], columns: usize, size: [f64; 2], depth: f64) -> Result<Heights, Refused> {
         let rows = greys.len().checked_div(columns).unwrap_or(0);
         if columns < 2 || rows < 2 || greys.len() != columns * rows {
             return Err(Refused::NoGrid);
@@ -73,15 +64,8 @@ impl Heights {
             return Err(Refused::NoGrid);
         }
         check_count(2 * (rows - 1) * (self.columns - 1))?;
-        let ends = [
-            self.columns as f64 * self.step[0],
-            rows as f64 * self.step[1],
-        ];
-        if ends.iter().chain(&self.values).all(|value| fits(*value)) {
-            Ok(())
-        } else {
-            Err(Refused::NoNumber)
-        }
+        let ends = [self.columns as f64 * self.step[0], rows as f64 * self.step[1]];
+        if ends.iter().chain(&self.values).all(|value| fits(*value)) { Ok(()) } else { Err(Refused::NoNumber) }
     }
 
     pub(super) fn corners(&self) -> Vec<V3> {

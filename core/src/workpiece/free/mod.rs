@@ -31,9 +31,7 @@ pub enum Refused {
     #[error("a coordinate of the surface is no number from -1000000 to 1000000")]
     NoNumber,
     /// Heights that are no grid.
-    #[error(
-        "a grid has at least 2 columns and 2 rows, a step greater than 0 and a height for each"
-    )]
+    #[error("a grid has at least 2 columns and 2 rows, a step greater than 0 and a height for each")]
     NoGrid,
     /// A file that is no STL.
     #[error("no STL file: {0}")]
@@ -54,10 +52,7 @@ impl FreeSurface {
     pub fn from_heights(heights: Heights) -> Result<FreeSurface, Refused> {
         heights.check()?;
         let mesh = Mesh::new(heights.corners(), heights.triangles());
-        Ok(FreeSurface {
-            heights: Some(heights),
-            mesh,
-        })
+        Ok(FreeSurface { heights: Some(heights), mesh })
     }
 
     /// Of single triangles. Corners at the same place become one.
@@ -82,10 +77,7 @@ impl FreeSurface {
         if mesh.triangles().is_empty() {
             return Err(Refused::Empty);
         }
-        Ok(FreeSurface {
-            heights: None,
-            mesh,
-        })
+        Ok(FreeSurface { heights: None, mesh })
     }
 
     /// The triangles one by one.
@@ -100,9 +92,7 @@ impl FreeSurface {
     pub fn bounds(&self) -> [[f64; 3]; 2] {
         let corners = self.mesh.corners().iter();
         let least = V3::repeat(f64::INFINITY);
-        let (low, high) = corners.fold((least, -least), |(low, high), corner| {
-            (low.inf(corner), high.sup(corner))
-        });
+        let (low, high) = corners.fold((least, -least), |(low, high), corner| (low.inf(corner), high.sup(corner)));
         [low.into(), high.into()]
     }
 }

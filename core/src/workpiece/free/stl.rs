@@ -18,11 +18,7 @@ pub fn triangles(file: &[u8]) -> Result<Vec<[[f64; 3]; 3]>, Refused> {
     };
     check_count(triangles.len())?;
     let corners = triangles.as_flattened().as_flattened();
-    if corners.iter().all(|value| fits(*value)) {
-        Ok(triangles)
-    } else {
-        Err(Refused::NoNumber)
-    }
+    if corners.iter().all(|value| fits(*value)) { Ok(triangles) } else { Err(Refused::NoNumber) }
 }
 
 /// How many triangles a binary file has: its length follows from it. A binary file may begin with "solid" like a text.
@@ -40,18 +36,13 @@ fn binary(file: &[u8]) -> Vec<[[f64; 3]; 3]> {
         bytes.map_or(f64::NAN, |bytes| f64::from(f32::from_le_bytes(*bytes)))
     };
     let corner = |bytes: &[u8], first: usize| [0, 1, 2].map(|axis| number(bytes, first + axis));
-    triangles
-        .map(|bytes| [0, 3, 6].map(|first| corner(bytes, first)))
-        .collect()
+    triangles.map(|bytes| [0, 3, 6].map(|first| corner(bytes, first))).collect()
 }
 
 fn text(file: &[u8]) -> Result<Vec<[[f64; 3]; 3]>, Refused> {
     let text = std::str::from_utf8(file).map_err(|_| Refused::NoStl("neither text nor binary"))?;
     let mut words = text.split_ascii_whitespace();
-    if !words
-        .next()
-        .is_some_and(|word| word.eq_ignore_ascii_case("solid"))
-    {
+    if !words.next().is_some_and(|word| word.eq_ignore_ascii_case("solid")) {
         return Err(Refused::NoStl("it does not begin with \"solid\""));
     }
     let mut corners = Vec::new();
@@ -66,9 +57,5 @@ fn text(file: &[u8]) -> Result<Vec<[[f64; 3]; 3]>, Refused> {
         corners.push([x, y, z]);
     }
     let (triangles, rest) = corners.as_chunks::<3>();
-    if rest.is_empty() {
-        Ok(triangles.to_vec())
-    } else {
-        Err(Refused::NoStl("a triangle has three vertices"))
-    }
+    if rest.is_empty() { Ok(triangles.to_vec()) } else { Err(Refused::NoStl("a triangle has three vertices")) }
 }

@@ -33,14 +33,9 @@ fn what_is_no_stl_is_refused() {
     for file in ["", "solid", "{}", "\u{ff}\u{fe}", "vertex 0 0 0"] {
         assert!(stl_triangles(file.as_bytes()).is_err(), "{file:?}");
     }
-    for (part, other) in [
-        ("1e1", "one"),
-        ("1e1", "NaN"),
-        ("1e1", "inf"),
-        ("1e1", "1e7"),
-        ("VERTEX 0 10 0", ""),
-        ("10 0\nendloop", "10"),
-    ] {
+    for (part, other) in
+        [("1e1", "one"), ("1e1", "NaN"), ("1e1", "inf"), ("1e1", "1e7"), ("VERTEX 0 10 0", ""), ("10 0\nendloop", "10")]
+    {
         let file = TEXT.replace(part, other);
         assert!(stl_triangles(file.as_bytes()).is_err(), "{other:?}");
     }
@@ -59,19 +54,11 @@ fn what_is_no_stl_is_refused() {
 // oracle: hand
 #[test]
 fn triangles_share_their_corners() {
-    let [a, b, c, d] = [
-        [0.0, 0.0, 0.0],
-        [1.0, 0.0, 0.0],
-        [1.0, 1.0, 0.0],
-        [0.0, 1.0, -0.0],
-    ];
+    let [a, b, c, d] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, -0.0]];
     let surface = FreeSurface::from_triangles(&[[a, b, c], [a, c, d]]).unwrap();
     assert_eq!(surface.mesh.corners().len(), 4);
     assert_eq!(surface.bounds(), [[0.0; 3], [1.0, 1.0, 0.0]]);
-    assert_eq!(
-        FreeSurface::from_triangles(&[[a, b, b]]),
-        Err(Refused::Empty)
-    );
+    assert_eq!(FreeSurface::from_triangles(&[[a, b, b]]), Err(Refused::Empty));
     assert_eq!(FreeSurface::from_triangles(&[]), Err(Refused::Empty));
     let far = [[f64::NAN, 0.0, 0.0], b, c];
     assert_eq!(FreeSurface::from_triangles(&[far]), Err(Refused::NoNumber));
@@ -81,11 +68,7 @@ fn triangles_share_their_corners() {
 #[test]
 fn heights_must_be_a_grid() {
     let grid = |columns, step, values: &[f64]| {
-        let heights = Heights {
-            columns,
-            step,
-            values: values.to_vec(),
-        };
+        let heights = Heights { columns, step, values: values.to_vec() };
         heights.surface().map(|surface| surface.bounds())
     };
     let flat = grid(2, [3.0, 4.0], &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0]);
@@ -123,10 +106,7 @@ fn examples_are_as_high_as_asked_for() {
         let surface = example.heights([72.0, 36.0], 8.0).surface().unwrap();
         let [low, high] = surface.bounds();
         assert_eq!((low[0], high[1]), (-36.0, 18.0), "{name}");
-        assert!(
-            high[2].abs() < 1e-9 && (low[2] + 8.0).abs() < 1e-9,
-            "{name}: {low:?} {high:?}"
-        );
+        assert!(high[2].abs() < 1e-9 && (low[2] + 8.0).abs() < 1e-9, "{name}: {low:?} {high:?}");
     }
 }
 
@@ -155,7 +135,8 @@ fn a_coarser_surface_looks_the_same() {
 proptest! {
     // oracle: definition: any bytes are triangles or a refusal
     #[test]
-    fn any_bytes_are_read_without_harm(mut bytes in prop::collection::vec(any::<u8>(), 0..300), solid in any::<bool>()) {
+    fn any_bytes_are_read_without_harm(mut bytes in prop::collection::vec(any::<u8>(), 0..300),
+    solid in any::<bool>()) {
         if solid {
             bytes.splice(0..0, b"solid \nvertex 1 2 ".iter().copied());
         }

@@ -5,7 +5,8 @@ use crate::control::Plane;
 use crate::geometry::V3;
 use crate::workpiece::tool::{Cutter, Spindle, across, unit};
 
-/// Radius of the shank of a groove mill, of the core of a cutter with teeth and thickness of a tooth, in radii of its edge.
+/// Radius of the shank of a groove mill, of the core of a cutter with teeth and thickness of a tooth, in radii of its
+/// edge.
 const NECK: f64 = 0.2;
 const CORE: f64 = 0.7;
 const TOOTH: f64 = 0.2;
@@ -13,19 +14,10 @@ const TOOTH: f64 = 0.2;
 const RISES: f64 = 0.05;
 
 /// A milling tool: what cuts and, of a groove mill, the shank that reaches from its upper edge to where it is held.
-pub(super) fn tool(
-    cutter: &Cutter,
-    carrier: V3,
-    plane: Plane,
-    spindle: Option<Spindle>,
-) -> (Vec<Drawn>, V3) {
+pub(super) fn tool(cutter: &Cutter, carrier: V3, plane: Plane, spindle: Option<Spindle>) -> (Vec<Drawn>, V3) {
     let (along, body) = cutter.stands(plane.axes());
     let up = unit(along);
-    let swept = |radius: f64, drop: f64| Drawn::Round {
-        outline: cutter.outline(radius),
-        axis: body,
-        at: up * -drop,
-    };
+    let swept = |radius: f64, drop: f64| Drawn::Round { outline: cutter.outline(radius), axis: body, at: up * -drop };
     let mut pieces = match spindle {
         _ if cutter.teeth == 0 => vec![swept(cutter.radius, 0.0)],
         Some(Spindle::Stands(angle)) => toothed(cutter, along, body, angle),
@@ -59,11 +51,7 @@ fn toothed(cutter: &Cutter, along: usize, body: V3, angle: f64) -> Vec<Drawn> {
             cuts: true,
         }
     };
-    let core = Drawn::Round {
-        outline: core,
-        axis: body,
-        at: body * (RISES * cutter.radius),
-    };
+    let core = Drawn::Round { outline: core, axis: body, at: body * (RISES * cutter.radius) };
     let teeth = cutter.edges().into_iter().map(tooth);
     std::iter::once(core).chain(teeth).collect()
 }

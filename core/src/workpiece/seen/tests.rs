@@ -7,10 +7,7 @@ use crate::workpiece::tool::Cutter;
 
 /// Corners of the insert and of the shank in abscissa and ordinate from P, in G18.
 fn plates(position: i64, carrier: V3) -> [Vec<[f64; 2]>; 2] {
-    let nose = Nose {
-        radius: 0.8,
-        side: side(position, false),
-    };
+    let nose = Nose { radius: 0.8, side: side(position, false) };
     let (drawn, _) = turning_tool(&nose, carrier, Plane::G18);
     [0, 1].map(|index| match &drawn[index] {
         Drawn::Plate { corners, .. } => corners.iter().map(|p| [p.z, p.x]).collect(),
@@ -34,10 +31,7 @@ fn an_insert_ends_where_its_edge_touches() {
             };
             let ahead = reach(&insert);
             assert!((-0.01..=1e-9).contains(&ahead), "{position} {axis} {ahead}");
-            assert!(
-                reach(&shank) < -3.0,
-                "{position} {axis}: the shank is clear"
-            );
+            assert!(reach(&shank) < -3.0, "{position} {axis}: the shank is clear");
         }
     }
 }
@@ -56,35 +50,18 @@ fn a_shank_leads_to_where_the_tool_is_held() {
         let [_, shank] = plates(position, V3::new(carrier[0], 0.0, carrier[1]));
         let reach = shank.iter().map(|corner| corner[axis]).fold(0.0, f64::max);
         let wanted = carrier[1 - axis];
-        assert!(
-            (reach - wanted).abs() < 1.0,
-            "{position} {carrier:?} {reach}"
-        );
+        assert!((reach - wanted).abs() < 1.0, "{position} {carrier:?} {reach}");
     }
 }
 
 #[test]
 fn a_groove_mill_hangs_on_a_shank_that_leads_to_its_holder() {
     // oracle: manual B:9779: the upper edge touches, its shank passes the probe
-    let mill = Tool {
-        length: [40.0, 60.0, 0.0],
-        cut: Cut::Cutter(Cutter {
-            axis: 0,
-            disc: 5.0,
-            ..Cutter::smooth(20.0)
-        }),
-    };
+    let mill =
+        Tool { length: [40.0, 60.0, 0.0], cut: Cut::Cutter(Cutter { axis: 0, disc: 5.0, ..Cutter::smooth(20.0) }) };
     let carrier = V3::new(40.0, 0.0, 60.0);
     let (drawn, along) = tool(&mill, carrier, Plane::G18, None);
-    let [
-        Drawn::Round { axis, outline, .. },
-        Drawn::Round {
-            axis: shank,
-            outline: neck,
-            ..
-        },
-    ] = &drawn[..]
-    else {
+    let [Drawn::Round { axis, outline, .. }, Drawn::Round { axis: shank, outline: neck, .. }] = &drawn[..] else {
         panic!("{drawn:?}");
     };
     assert_eq!((*axis, *shank, along), (-V3::z(), V3::z(), V3::z()));
@@ -109,10 +86,7 @@ fn a_holder_joins_tool_and_disc() {
     };
     let ends = |axis: usize| {
         let along = corners.iter().map(|corner| corner[axis]);
-        (
-            along.clone().fold(f64::INFINITY, f64::min),
-            along.fold(f64::NEG_INFINITY, f64::max),
-        )
+        (along.clone().fold(f64::INFINITY, f64::min), along.fold(f64::NEG_INFINITY, f64::max))
     };
     assert_eq!(ends(0), (44.0, 76.0));
     assert_eq!(ends(2), (-16.0, 56.0));
@@ -123,9 +97,6 @@ fn a_holder_joins_tool_and_disc() {
         panic!("40 mm to the holder, and a probe of 30 mm");
     };
     assert_eq!((outline[0], outline[3]), ([0.0, 27.0], [0.0, 40.0]));
-    let none = Turret {
-        diameter: 0.0,
-        ..Turret::default()
-    };
+    let none = Turret { diameter: 0.0, ..Turret::default() };
     assert_eq!(turret(&none, carrier, V3::x()), []);
 }

@@ -4,7 +4,10 @@ import { createPreview, DARK, LIGHT, type Preview } from "../view";
 import { hole, shapes } from "./trace";
 
 declare global {
-  interface Window { preview?: Preview; picked?: number }
+  interface Window {
+    preview?: Preview;
+    picked?: number;
+  }
 }
 
 const query = new URLSearchParams(location.search);
@@ -16,9 +19,13 @@ if (host) {
   const preview = await createPreview(host, {
     label: "3D view",
     colours,
-    onBackend: (name) => { document.documentElement.dataset["backend"] = name; },
+    onBackend: name => {
+      document.documentElement.dataset["backend"] = name;
+    },
   });
   preview.setTrace(query.get("scene") === "shapes" ? shapes : hole);
-  preview.onPick((entry) => { window.picked = entry; });
+  preview.onPick(entry => {
+    window.picked = entry;
+  });
   window.preview = preview;
 }

@@ -5,10 +5,16 @@ const CENTRE: Vec3 = [120, 80, -40];
 const RADIUS = 20;
 const BALL = 3;
 const DEPTH = 8;
-const APPROACH = 8;  // from the centre to where measuring starts
+const APPROACH = 8; // from the centre to where measuring starts
 
 const point = (x: number, y: number, z: number): Vec3 => [CENTRE[0] + x, CENTRE[1] + y, CENTRE[2] + z];
-const motion = (kind: MotionKind, from: Vec3, to: Vec3, feed: number): Step => ({ step: "motion", kind, from, to, feed });
+const motion = (kind: MotionKind, from: Vec3, to: Vec3, feed: number): Step => ({
+  step: "motion",
+  kind,
+  from,
+  to,
+  feed,
+});
 
 function direction(x: number, y: number): Step[] {
   const near = point(x * APPROACH, y * APPROACH, -DEPTH);
@@ -34,7 +40,11 @@ const entries: Step[] = [
 ];
 
 const exact: Solid["errors"] = { shift: [0, 0, 0], size: 0, tilt: [0, 0, 0], taper: 0, outOfRound: [0, 0] };
-const axes: [Vec3, Vec3, Vec3] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+const axes: [Vec3, Vec3, Vec3] = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+];
 
 export const hole: Trace = {
   entries,
@@ -45,9 +55,18 @@ export const hole: Trace = {
 
 const place = (i: number): Vec3 => [(i % 4) * 75, Math.floor(i / 4) * -75, 0];
 const sizes: [Solid["shape"], number[]][] = [
-  ["hole", [30, 18]], ["shaft", [30, 18]], ["groove", [20, 14, 46]], ["web", [16, 14, 46]],
-  ["pocket", [34, 24, 12]], ["island", [34, 24, 12]], ["block", [46, 46, 16]], ["sphere", [30]],
-  ["outerCorner", [60, 30, 24, 16]], ["innerCorner", [110, 34, 24, 12]], ["turned", [40, 50, 20, 30]], ["chuck", [60, 24, 30]],
+  ["hole", [30, 18]],
+  ["shaft", [30, 18]],
+  ["groove", [20, 14, 46]],
+  ["web", [16, 14, 46]],
+  ["pocket", [34, 24, 12]],
+  ["island", [34, 24, 12]],
+  ["block", [46, 46, 16]],
+  ["sphere", [30]],
+  ["outerCorner", [60, 30, 24, 16]],
+  ["innerCorner", [110, 34, 24, 12]],
+  ["turned", [40, 50, 20, 30]],
+  ["chuck", [60, 24, 30]],
   ["shaft", [30, 18]],
 ];
 
@@ -55,9 +74,15 @@ const sizes: [Solid["shape"], number[]][] = [
 export const shapes: Trace = {
   entries: [],
   ball: { radius: BALL, length: 120 },
-  solids: sizes.map(([shape, size], i): Solid => ({
-    shape, size, at: place(i), rotation: [0, 0, 0],
-    errors: i < sizes.length - 1 ? exact : { shift: [0, 0, 0], size: 0, tilt: [6, 0, 0], taper: 0.3, outOfRound: [2, 3] },
-  })),
+  solids: sizes.map(
+    ([shape, size], i): Solid => ({
+      shape,
+      size,
+      at: place(i),
+      rotation: [0, 0, 0],
+      errors:
+        i < sizes.length - 1 ? exact : { shift: [0, 0, 0], size: 0, tilt: [6, 0, 0], taper: 0.3, outOfRound: [2, 3] },
+    }),
+  ),
   frames: [],
 };

@@ -1,15 +1,15 @@
 //! CYCLE982 drawn: the probe between the axes of the plane, abscissa to the right, with the sides that are touched in
-//! their order and the tool before the first of them; beside it the milling spindle, seen along its axis. Probe and tool
-//! stand for any size; short distances are drawn longer than they are. A turning tool is drawn with the cutting edge
-//! position of the one in use, where none is, with position 3. The ways round the probe are ours, as the figures of the
-//! manual are lost.
+//! their order and the tool before the first of them; beside it the milling spindle, seen along its axis. Probe and
+//! tool stand for any size; short distances are drawn longer than they are. A turning tool is drawn with the cutting
+//! edge position of the one in use, where none is, with position 3. The ways round the probe are ours, as the figures
+//! of the manual are lost.
 
 mod tools;
 mod ways;
 
 use super::params::{
-    ABSCISSA, AUTOMATIC, BOTH, CALIBRATE, DRILL, DRILL_ALONG_APPLICATE, INCREMENTAL, MEASURE,
-    MILLING, OPPOSITE, RADIAL, RADIUS, REVERSAL, UPPER, WITH_RADIUS, WORKPIECE,
+    ABSCISSA, AUTOMATIC, BOTH, CALIBRATE, DRILL, DRILL_ALONG_APPLICATE, INCREMENTAL, MEASURE, MILLING, OPPOSITE,
+    RADIAL, RADIUS, REVERSAL, UPPER, WITH_RADIUS, WORKPIECE,
 };
 use crate::catalogue::names;
 use crate::catalogue::tool_probe::figures::{self, bands};
@@ -33,8 +33,8 @@ struct Scene {
     /// Touches in their order, never empty.
     touches: Vec<Touch>,
     path: f64,
-    /// 1 in an axis in which the tool touches the plus side, else -1; see [`figures::sides`]. All else is given as if it
-    /// were the plus side.
+    /// 1 in an axis in which the tool touches the plus side, else -1; see [`figures::sides`]. All else is given as if
+    /// it were the plus side.
     sides: [f64; 2],
 }
 
@@ -77,10 +77,7 @@ pub fn picture(inputs: &Inputs) -> Picture {
     reference(inputs, &scene, &mut shapes);
     spindle(inputs, &mut shapes);
     measured(inputs, &scene, &mut shapes);
-    Picture {
-        view: View::Plane,
-        shapes,
-    }
+    Picture { view: View::Plane, shapes }
 }
 
 fn scene(inputs: &Inputs) -> Scene {
@@ -116,8 +113,8 @@ fn tool(inputs: &Inputs) -> Tool {
     }
 }
 
-/// Index of the axis, Z or X as in G18, along which the tool lies: as the variant says, or that of the plane for a drill
-/// with its length there (B:10102-10108).
+/// Index of the axis, Z or X as in G18, along which the tool lies: as the variant says, or that of the plane for a
+/// drill with its length there (B:10102-10108).
 fn along(inputs: &Inputs) -> usize {
     if DRILL_ALONG_APPLICATE.holds(inputs) {
         usize::from(inputs.plane == Plane::G19)
@@ -130,11 +127,7 @@ fn along(inputs: &Inputs) -> usize {
 fn touches(inputs: &Inputs, tool: Tool, along: usize, sides: [f64; 2]) -> Vec<Touch> {
     let touch = |axis, side, order| Touch { axis, side, order };
     if !AUTOMATIC.holds(inputs) {
-        let axis = if DRILL_ALONG_APPLICATE.holds(inputs) {
-            along
-        } else {
-            usize::from(!ABSCISSA.holds(inputs))
-        };
+        let axis = if DRILL_ALONG_APPLICATE.holds(inputs) { along } else { usize::from(!ABSCISSA.holds(inputs)) };
         let plus = INCREMENTAL.holds(inputs) && inputs.given(names::MD) == Some(0.0);
         let told = if plus { -1.0 } else { 1.0 };
         let side = match INCREMENTAL.holds(inputs) {
@@ -154,16 +147,8 @@ fn touches(inputs: &Inputs, tool: Tool, along: usize, sides: [f64; 2]) -> Vec<To
             Some([0.0, _]) => vec![touch(1, 1.0, "")],
             _ => vec![touch(0, 1.0, "1"), touch(1, 1.0, "2")],
         },
-        (_, 0) => vec![
-            touch(0, upper, "1, 2"),
-            touch(1, 1.0, "3"),
-            touch(1, -1.0, "4"),
-        ],
-        _ => vec![
-            touch(0, 1.0, "1"),
-            touch(0, -1.0, "2"),
-            touch(1, upper, "3, 4"),
-        ],
+        (_, 0) => vec![touch(0, upper, "1, 2"), touch(1, 1.0, "3"), touch(1, -1.0, "4")],
+        _ => vec![touch(0, 1.0, "1"), touch(0, -1.0, "2"), touch(1, upper, "3, 4")],
     }
 }
 
@@ -188,11 +173,7 @@ fn reference(inputs: &Inputs, scene: &Scene, shapes: &mut Vec<PictureShape>) {
     let array = if workpiece { "_TPW" } else { "_TP" };
     let number = inputs.integer(names::PRNUM).clamp(1, 99) - 1;
     let label = line(ShapeKind::Label, vec![[corner[0], corner[1] - 7.0]]);
-    shapes.push(
-        label
-            .text(format!("{array}[{number},0…3]"))
-            .of(names::PRNUM),
-    );
+    shapes.push(label.text(format!("{array}[{number},0…3]")).of(names::PRNUM));
 }
 
 /// On which side of the probe there is room below for words: 1 on that of minus, -1 where the tool lies there.
@@ -204,25 +185,13 @@ fn clear(scene: &Scene) -> f64 {
 fn touched(inputs: &Inputs, scene: &Scene, touch: &Touch, shapes: &mut Vec<PictureShape>) {
     let start = PROBE + scene.path;
     let face = [at(touch, PROBE, -PROBE), at(touch, PROBE, PROBE)];
-    let field = if AUTOMATIC.holds(inputs) {
-        names::MVAR
-    } else {
-        names::MA
-    };
+    let field = if AUTOMATIC.holds(inputs) { names::MVAR } else { names::MA };
     shapes.extend(bands(inputs, face, at(touch, 1.0, 0.0)));
     shapes.extend([
         line(ShapeKind::Edge, face.to_vec()).of(field),
-        line(
-            ShapeKind::Path,
-            vec![at(touch, start, 0.0), at(touch, PROBE, 0.0)],
-        )
-        .of(names::FA),
+        line(ShapeKind::Path, vec![at(touch, start, 0.0), at(touch, PROBE, 0.0)]).of(names::FA),
         circle(ShapeKind::Touch, at(touch, PROBE, 0.0), 0.8).of(names::NMSP),
-        dimension(
-            names::FA,
-            at(touch, start, -PROBE - 3.0),
-            at(touch, PROBE, -PROBE - 3.0),
-        ),
+        dimension(names::FA, at(touch, start, -PROBE - 3.0), at(touch, PROBE, -PROBE - 3.0)),
     ]);
     if !touch.order.is_empty() {
         let label = line(ShapeKind::Label, vec![at(touch, PROBE - 4.0, 0.0)]);
@@ -282,10 +251,7 @@ fn measured(inputs: &Inputs, scene: &Scene, shapes: &mut Vec<PictureShape>) {
         _ if DRILL_ALONG_APPLICATE.holds(inputs) => "L1".to_owned(),
         _ => length(first.axis).to_owned(),
     };
-    let label = line(
-        ShapeKind::Label,
-        vec![[SPINDLE[0] * clear(scene), -PROBE - 20.0]],
-    );
+    let label = line(ShapeKind::Label, vec![[SPINDLE[0] * clear(scene), -PROBE - 20.0]]);
     shapes.push(label.text(text).of(names::MVAR));
     let against = scene.touches.iter().find(|touch| touch.axis == scene.along);
     if let Some(touch) = against.filter(|_| OPPOSITE.holds(inputs)) {

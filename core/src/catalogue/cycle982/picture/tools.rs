@@ -33,13 +33,7 @@ pub fn shapes(inputs: &Inputs, scene: &Scene, touch: &Touch) -> Vec<PictureShape
 /// Outlines, mm: outwards from the measuring point, and across.
 type Outline = &'static [[f64; 2]];
 
-const DRILL_TIP: Outline = &[
-    [0.0, 0.0],
-    [4.0, -CUTTER],
-    [LENGTH, -CUTTER],
-    [LENGTH, CUTTER],
-    [4.0, CUTTER],
-];
+const DRILL_TIP: Outline = &[[0.0, 0.0], [4.0, -CUTTER], [LENGTH, -CUTTER], [LENGTH, CUTTER], [4.0, CUTTER]];
 
 fn body(touch: &Touch, out: f64, outline: &[[f64; 2]]) -> PictureShape {
     let place = |[away, beside]: &[f64; 2]| at(touch, out + away, *beside);
@@ -56,23 +50,13 @@ fn nosed(inputs: &Inputs, touch: &Touch, out: f64, calibrates: bool) -> Vec<Pict
 
 /// A milling tool with its end to the probe: the edge stands before the middle of the probe, the axis beside it.
 fn tip_first(touch: &Touch, out: f64) -> Vec<PictureShape> {
-    let outline = [
-        [0.0, 0.0],
-        [LENGTH, 0.0],
-        [LENGTH, 2.0 * CUTTER],
-        [0.0, 2.0 * CUTTER],
-    ];
+    let outline = [[0.0, 0.0], [LENGTH, 0.0], [LENGTH, 2.0 * CUTTER], [0.0, 2.0 * CUTTER]];
     vec![body(touch, out, &outline), radius(touch, out + 8.0, CUTTER)]
 }
 
 /// A milling tool or drill with its side to the probe.
 fn from_the_side(touch: &Touch, out: f64) -> Vec<PictureShape> {
-    let outline = [
-        [0.0, -4.0],
-        [0.0, LENGTH],
-        [2.0 * CUTTER, LENGTH],
-        [2.0 * CUTTER, -4.0],
-    ];
+    let outline = [[0.0, -4.0], [0.0, LENGTH], [2.0 * CUTTER, LENGTH], [2.0 * CUTTER, -4.0]];
     let ends = [out, out + CUTTER].map(|out| at(touch, out, LENGTH - 4.0));
     vec![body(touch, out, &outline), marked(ends)]
 }
@@ -89,10 +73,7 @@ fn disc_behind(touch: &Touch, out: f64) -> Vec<PictureShape> {
         [-2.0 * LENGTH, DISC - SHANK],
         [0.0, DISC - SHANK],
     ];
-    vec![
-        body(touch, out, &outline),
-        radius(touch, out + WIDTH + 3.0, DISC),
-    ]
+    vec![body(touch, out, &outline), radius(touch, out + WIDTH + 3.0, DISC)]
 }
 
 /// A disc with its circumference to the probe.
@@ -119,8 +100,5 @@ fn radius(touch: &Touch, out: f64, radius: f64) -> PictureShape {
 
 fn marked(ends: [[f64; 2]; 2]) -> PictureShape {
     let [from, to] = ends;
-    PictureShape {
-        text: Some("R".to_owned()),
-        ..dimension(names::MVAR, from, to)
-    }
+    PictureShape { text: Some("R".to_owned()), ..dimension(names::MVAR, from, to) }
 }

@@ -28,10 +28,8 @@ pub fn between(inputs: &Inputs, scene: &Scene) -> Vec<PictureShape> {
     let mut way = vec![start];
     way.extend(approach(first, start));
     way.push(at(first, PROBE + scene.path, 0.0));
-    let mut shapes = vec![
-        line(ShapeKind::Path, way).of(names::MVAR),
-        circle(ShapeKind::Path, start, 1.2).of(names::MVAR),
-    ];
+    let mut shapes =
+        vec![line(ShapeKind::Path, way).of(names::MVAR), circle(ShapeKind::Path, start, 1.2).of(names::MVAR)];
     for pair in scene.touches.windows(2) {
         if let [from, to] = pair {
             let way = round(from, to, PROBE + scene.path, round_side);

@@ -41,11 +41,7 @@ impl Block {
     ) -> Result<(), Stop> {
         let [abscissa, ordinate, applicate] = self.axes;
         let from = machine.position();
-        let mut around = Around {
-            centre: from,
-            axis: [0.0; 3],
-            degrees,
-        };
+        let mut around = Around { centre: from, axis: [0.0; 3], degrees };
         around.centre[abscissa] = centre[0] - self.skew[0];
         around.centre[ordinate] = centre[1] - self.skew[1];
         around.axis[applicate] = 1.0;
@@ -60,9 +56,7 @@ impl Block {
             return Err(alarm(machine, 61401)); // A:15920
         }
         let kind = MotionKind::Positioning;
-        told(machine, |machine| {
-            machine.travel_around(to, &around, kind, feed, self.monitored)
-        })
+        told(machine, |machine| machine.travel_around(to, &around, kind, feed, self.monitored))
     }
 
     /// Monitored: `_SPEED[1]` in the plane, `_SPEED[2]` in the applicate; else rapid traverse (B:13743-13763).
@@ -78,34 +72,20 @@ impl Block {
     }
 
     /// Positioning at a feed, watched if positioning is.
-    pub(super) fn position(
-        &self,
-        machine: &mut dyn Machine,
-        to: [f64; 3],
-        feed: f64,
-    ) -> Result<(), Stop> {
-        told(machine, |machine| {
-            machine.travel(to, MotionKind::Positioning, feed, self.monitored)
-        })
+    pub(super) fn position(&self, machine: &mut dyn Machine, to: [f64; 3], feed: f64) -> Result<(), Stop> {
+        told(machine, |machine| machine.travel(to, MotionKind::Positioning, feed, self.monitored))
     }
 
     /// Feed between two places, mm/min.
     pub(super) fn positioning_feed(&self, from: [f64; 3], to: [f64; 3]) -> f64 {
         let [abscissa, ordinate, _] = self.axes;
         let moves = |axis: usize| apart(from[axis], to[axis]);
-        if moves(abscissa) || moves(ordinate) {
-            self.feed_plane
-        } else {
-            self.feed_depth
-        }
+        if moves(abscissa) || moves(ordinate) { self.feed_plane } else { self.feed_depth }
     }
 }
 
 /// A motion whose alarm is a result of the cycle too.
-fn told(
-    machine: &mut dyn Machine,
-    travel: impl FnOnce(&mut dyn Machine) -> Result<(), Stop>,
-) -> Result<(), Stop> {
+fn told(machine: &mut dyn Machine, travel: impl FnOnce(&mut dyn Machine) -> Result<(), Stop>) -> Result<(), Stop> {
     match travel(machine) {
         Err(Stop::Alarm(Code::Alarm(number))) => Err(alarm(machine, number)),
         outcome => outcome,

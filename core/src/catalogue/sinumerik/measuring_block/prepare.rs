@@ -20,13 +20,12 @@ impl Block {
         Ok(block)
     }
 
-    /// The same for the tool in use before a tool probe: what is touched lies where the position of the tool says, and the
-    /// spindle is left alone. The path has no sign.
+    /// The same for the tool in use before a tool probe: what is touched lies where the position of the tool says, and
+    /// the spindle is left alone. The path has no sign.
     pub fn for_tool(machine: &mut dyn Machine, inputs: &Inputs) -> Result<Block, Stop> {
         let control = machine.control();
-        let block = state::with_edge(control)
-            .map(|_| ())
-            .and_then(|()| common(control, inputs, inputs.number("_FA").abs()));
+        let block =
+            state::with_edge(control).map(|_| ()).and_then(|()| common(control, inputs, inputs.number("_FA").abs()));
         block.map_err(|number| alarm(machine, number))
     }
 }
@@ -68,9 +67,7 @@ fn read(control: &Control, inputs: &Inputs) -> Result<Block, u32> {
     let common = common(control, inputs, inputs.number("_FA"))?;
     let data = |i: usize| control.basic_length(&format!("_WP[{index},{i}]"));
     // The data were found in machine directions: in a mirrored axis plus is their minus.
-    let sense = common
-        .axes
-        .map(|axis| if control.mirrored(axis) { -1.0 } else { 1.0 });
+    let sense = common.axes.map(|axis| if control.mirrored(axis) { -1.0 } else { 1.0 });
     let triggers = std::array::from_fn(|i| {
         let [minus, plus] = [data(2 * i + 1), data(2 * i + 2)];
         match sense[i] > 0.0 {
@@ -84,11 +81,7 @@ fn read(control: &Control, inputs: &Inputs) -> Result<Block, u32> {
         (true, true) => Spindle::Follows(inputs.number("_CORA")),
     };
     Ok(Block {
-        centre: if control.bit("_CBIT[14]") && !turning(inputs) {
-            common.radius * sense[2]
-        } else {
-            0.0
-        },
+        centre: if control.bit("_CBIT[14]") && !turning(inputs) { common.radius * sense[2] } else { 0.0 },
         triggers,
         // The skew of a mono probe turns with the spindle, so that it is not carried over.
         skew: match mono {
@@ -135,19 +128,16 @@ fn speeds(control: &Control, monitored: bool) -> Result<(f64, f64), u32> {
     if control.number("_SPEED[0]") < 0.0 {
         return Err(61339);
     }
-    let (plane, depth) = (
-        control.basic_length("_SPEED[1]"),
-        control.basic_length("_SPEED[2]"),
-    );
+    let (plane, depth) = (control.basic_length("_SPEED[1]"), control.basic_length("_SPEED[2]"));
     if monitored && (plane == 0.0 || depth == 0.0) {
         return Err(61338);
     }
     Ok((plane, depth))
 }
 
-/// With `_CHBIT[13]` a multi probe turns with the coordinate system: 90 degree of rotation about the applicate, and only
-/// about it, give 270 degree (with `_CHBIT[14]` 90) of the spindle (B:13973-13987). What frames mirror is not turned: the
-/// data of the probe take the other direction there.
+/// With `_CHBIT[13]` a multi probe turns with the coordinate system: 90 degree of rotation about the applicate, and
+/// only about it, give 270 degree (with `_CHBIT[14]` 90) of the spindle (B:13973-13987). What frames mirror is not
+/// turned: the data of the probe take the other direction there.
 fn follow_rotation(control: &Control, inputs: &Inputs) -> Option<f64> {
     if turning(inputs) || !control.bit("_CHBIT[13]") || MONO.holds(inputs) {
         return None;
@@ -167,10 +157,6 @@ fn follow_rotation(control: &Control, inputs: &Inputs) -> Option<f64> {
         true => on_machine(control, 180.0),
         false => on_machine(control, 0.0),
     };
-    let angle = if control.bit("_CHBIT[14]") {
-        rotation
-    } else {
-        -rotation
-    };
+    let angle = if control.bit("_CHBIT[14]") { rotation } else { -rotation };
     Some(angle.rem_euclid(360.0))
 }

@@ -1,8 +1,8 @@
 //! A measuring block along any direction of the plane, both axes moving at once (B:6835-6858, B:8453-8467).
 //!
 //! What the probe is worth in such a direction follows from its active ball and its skew: the ball centre stands on the
-//! line, and the surface lies the radius of the active ball before it. Along an axis this is the trigger value, which is
-//! stored with the skew in it.
+//! line, and the surface lies the radius of the active ball before it. Along an axis this is the trigger value, which
+//! is stored with the skew in it.
 
 use super::{Block, Way};
 use crate::geometry::rigid::sin_cos;
@@ -99,35 +99,21 @@ mod tests {
     /// A web turned by `angle`, its wall moved outwards by half of `grown`, and a probe beside it.
     fn web(plane: Plane, angle: f64, grown: f64) -> Setup {
         let mut setup = setup(plane);
-        let shape = Shape::Web {
-            width: WIDTH,
-            height: 30.0,
-            length: 60.0,
-        };
+        let shape = Shape::Web { width: WIDTH, height: 30.0, length: 60.0 };
         let mut web = solid(plane, shape, [MIDDLE[0], MIDDLE[1], 0.0], false);
         web.errors.tilt = at(plane, [0.0, 0.0, angle]);
         web.errors.size = grown;
         setup.workpiece.solids.push(web);
         let (sine, cosine) = sin_cos(angle);
         let far = WIDTH / 2.0 + 20.0;
-        setup.position = at(
-            plane,
-            [MIDDLE[0] + cosine * far, MIDDLE[1] + sine * far, -10.0],
-        );
+        setup.position = at(plane, [MIDDLE[0] + cosine * far, MIDDLE[1] + sine * far, -10.0]);
         setup
     }
 
     /// Towards the wall whose outward normal stands at `angle`.
     fn ray(angle: f64) -> Ray {
         let (sine, cosine) = sin_cos(angle);
-        Ray {
-            angle: angle + 180.0,
-            set: [
-                MIDDLE[0] + cosine * WIDTH / 2.0,
-                MIDDLE[1] + sine * WIDTH / 2.0,
-            ],
-            path: 4.0,
-        }
+        Ray { angle: angle + 180.0, set: [MIDDLE[0] + cosine * WIDTH / 2.0, MIDDLE[1] + sine * WIDTH / 2.0], path: 4.0 }
     }
 
     fn block(sim: &mut Sim, values: &[(&'static str, f64)]) -> Block {
@@ -257,9 +243,7 @@ mod tests {
             setup.position = at(plane, [19.6, -0.3, -10.0]);
             let mut sim = Sim::new(&setup);
             let block = block(&mut sim, &[]);
-            block
-                .travel_around(&mut sim, [0.0; 2], -90.0, 900.0)
-                .unwrap();
+            block.travel_around(&mut sim, [0.0; 2], -90.0, 900.0).unwrap();
             let wanted = at(plane, [-0.4, -20.3, -10.0]);
             for (is, wanted) in sim.position.iter().zip(wanted) {
                 assert!((is - wanted).abs() < 1e-9, "{:?}", sim.position);
