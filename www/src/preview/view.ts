@@ -1,35 +1,23 @@
 // The 3D view of a trace. Draws when something changed and never otherwise.
 import type { Trace } from "../wire";
-import type { Backend, BackendName, Cloud, Frame, Hooks } from "./backend";
-import { type Camera, fit, initial, turn, type ViewName, type Viewport } from "./camera";
-import { type Collision, collisionLabels } from "./collisions";
-import { type Colours, LIGHT } from "./colours";
-import { openGpu } from "./gpu";
+import type { BackendName, Cloud } from "./backend";
+import type { Camera, ViewName } from "./camera";
+import type { Colours } from "./colours";
+import { EMPTY, lastStep, sameScene } from "./content";
 import { listen } from "./input";
-import { drawOverlay, overlay } from "./overlay";
-import { blockOf, type FrameWords, probeAt, toolAt } from "./paths";
 import { pick } from "./pick";
-import { buildScene, type Scene, standing } from "./scene";
-import { SORTED_PIECES } from "./solids";
-import { openSvg } from "./svg";
+import { createShow, type Show, type ShowOptions } from "./show";
+import { makeStage, watchSize } from "./stage";
+import type { Refusal } from "./ways";
 
 export type { BackendName } from "./backend";
 export type { ViewName } from "./camera";
 export type { Collision } from "./collisions";
 export { type Colours, coloursFrom, DARK, LIGHT } from "./colours";
+export type { Refusal } from "./ways";
 
-export interface Options {
+export interface Options extends ShowOptions {
   label: string; // what a screen reader says
-  colours?: Colours;
-  collision?(found: Collision): string; // words beside what must not touch and did
-  frame?: FrameWords; // words beside a coordinate system
-  onBackend?(name: BackendName, refused: Refusal[]): void; // at the start, and again after a loss
-  onThinned?(drawn: number): void; // so many points of the cloud are drawn
-}
-/** A way of drawing that this browser has not, and why. */
-export interface Refusal {
-  backend: BackendName;
-  reason: string;
 }
 
 export interface Preview {
@@ -56,265 +44,69 @@ export interface Preview {
   destroy(): void;
 }
 
-const EMPTY: Trace = { entries: [], ball: { radius: 3, length: 100 }, solids: [], frames: [] };
-const WIDE = 1.5; // width of a view over its height from which on there is room at its side
-const MOST_COVERED = 0.35; // of its width that is left free; what is broader covers the view anyway
-const WAYS: BackendName[] = ["webgpu", "webgl2", "svg"];
-
 export async function createPreview(host: HTMLElement, options: Options): Promise<Preview> {
   const stage = makeStage(host, options.label);
-  const letters = overlay(stage);
-  const refused: Refusal[] = [];
-  let colours = options.colours ?? LIGHT;
-  let drawing = false;
-  let trace = EMPTY;
-  let solids = trace.solids; // as they stand at this step
-  let cloud: Cloud | null = null;
-  let camera = initial();
-  let size = sizeOf(stage); // kept: to ask for it while drawing would lay out the page once more
-  let step = { index: 0, fraction: 0 };
-  let untouched = true; // fitted again on a new size until somebody moved the camera
-  let chosen: ViewName | null = "iso"; // until somebody moved the camera
-  let asked = 0; // animation frame under way
-  let ended = false;
+  const show = await createShow(stage, options);
   let picked: (entry: number) => void = () => undefined;
-  const hooks: Hooks = {
-    lost: reason => {
-      if (reason) void replace(reason);
-      else redraw();
-    },
-    again: () => redraw(),
-    thinned(drawn) {
-      stage.dataset["drawn"] = String(drawn);
-      options.onThinned?.(drawn);
-    },
-  };
-  let backend = await open(WAYS);
-  const built = (): Scene => {
-    const scene = buildScene(trace, colours, {
-      solids,
-      pieces: backend.name === "svg" ? SORTED_PIECES : 1,
-      index: step.index,
-      drawing,
-      ...(options.frame && { words: options.frame }),
-    });
-    return { ...scene, labels: [...scene.labels, ...collisionLabels(trace, colours, options.collision ?? (() => ""))] };
-  };
-  let scene = built();
-
-  async function open(ways: BackendName[]): Promise<Backend> {
-    for (const name of ways) {
-      if (name === "svg") break;
-      try {
-        return await openGpu(name, stage, hooks);
-      } catch (reason) {
-        refused.push({ backend: name, reason: reason instanceof Error ? reason.message : String(reason) });
-      }
-    }
-    return openSvg(stage, hooks);
-  }
-
-  /** The device is gone: go on with the next way of drawing. */
-  let replacing = false;
-  async function replace(reason: unknown): Promise<void> {
-    if (replacing || ended || backend.name === "svg") return;
-    replacing = true;
-    const gone = backend;
-    refused.push({ backend: gone.name, reason: String(reason) });
-    const next = await open(WAYS.slice(WAYS.indexOf(gone.name) + 1));
-    try {
-      gone.destroy();
-    } catch {
-      gone.element.remove();
-    }
-    backend = next;
-    replacing = false;
-    if (ended) return backend.destroy();
-    scene = built();
-    adopt();
-  }
-
-  function adopt(): void {
-    Object.assign(backend.element.style, {
-      position: "absolute",
-      inset: "0",
-      width: "100%",
-      height: "100%",
-      display: "block",
-    });
-    backend.setScene(scene, devicePixelRatio);
-    backend.setCloud(cloud);
-    stage.dataset["backend"] = backend.name;
-    options.onBackend?.(backend.name, refused);
-    redraw();
-  }
-
-  const viewport = (): Viewport => size;
-  const redraw = () => {
-    if (!asked && !ended) asked = requestAnimationFrame(draw);
-  };
-  /** What the page shows changes within its own frame: the view with it, once everything of it is told. */
-  let telling = false;
-  const redrawNow = () => {
-    if (telling) return;
-    telling = true;
-    queueMicrotask(() => {
-      telling = false;
-      if (!ended) draw();
-    });
-  };
-
-  function draw(): void {
-    cancelAnimationFrame(asked);
-    asked = 0;
-    const probe = probeAt(trace, step.index, step.fraction);
-    const frame: Frame = { camera, view: viewport(), ratio: devicePixelRatio, time: step.index + step.fraction, probe };
-    try {
-      backend.draw(frame);
-      drawOverlay(letters, scene, frame);
-    } catch (reason) {
-      void replace(reason);
-    }
-  }
-
-  function rebuild(): void {
-    solids = standing(trace, step.index);
-    scene = built();
-    backend.setScene(scene, devicePixelRatio);
-    redrawNow();
-  }
-  let covered = 0;
-  const beside = () => (size.width > WIDE * size.height && covered < MOST_COVERED * size.width ? covered : 0);
-  const refit = () => {
-    camera = fit(camera, viewport(), scene.box, beside());
-    redraw();
-  };
-  const move = (next: typeof camera) => {
-    camera = next;
-    untouched = false;
-    chosen = null;
-    redraw();
-  };
-  const look = () => {
-    if (chosen) camera = turn(camera, chosen, toolAt(trace, step.index)?.ball);
-  };
-  const setView = (name: ViewName) => {
-    chosen = name;
-    untouched = true;
-    look();
-    refit();
-  };
-  const fitAgain = () => {
-    untouched = true;
-    refit();
-  };
-
+  const { sight } = show;
   const silence = listen(stage, {
-    camera: () => camera,
-    view: viewport,
-    move,
-    setView,
-    fit: fitAgain,
+    camera: () => sight.camera,
+    view: () => sight.view,
+    move: sight.move,
+    setView: sight.setView,
+    fit: sight.fit,
     pick(x, y) {
-      const entry = pick(scene.lines, camera, viewport(), x, y);
+      const entry = pick(show.scene.lines, sight.camera, sight.view, x, y);
       if (entry !== null) picked(entry);
     },
   });
-  const sizes = new ResizeObserver(() => {
-    size = sizeOf(stage);
-    if (untouched) refit();
-    else redraw();
-  });
-  sizes.observe(stage);
-  adopt();
-
+  const unwatch = watchSize(stage, sight.resize);
   return {
+    ...changes(show),
     get backend() {
-      return backend.name;
+      return show.ways.backend.name;
     },
     get refused() {
-      return [...refused];
+      return [...show.ways.refused];
     },
     get camera() {
-      return camera;
+      return sight.camera;
     },
-    setTrace(next, palette) {
-      const first = trace === EMPTY;
-      trace = next;
-      const other = camera.turning !== (next.turning ?? false);
-      camera = { ...camera, turning: next.turning ?? false };
-      colours = palette ?? colours;
-      step = { index: Math.max(0, next.entries.length - 1), fraction: 1 };
-      look();
-      rebuild();
-      if (first || untouched || other) refit();
-    },
-    setStep(index, fraction) {
-      const same =
-        blockOf(index) === blockOf(step.index) &&
-        standing(trace, index) === solids &&
-        toolAt(trace, index) === scene.tool;
-      step = { index, fraction };
-      if (same) redrawNow();
-      else rebuild();
-    },
-    setCloud(next) {
-      if (next === cloud) return;
-      cloud = next;
-      delete stage.dataset["drawn"];
-      backend.setCloud(cloud);
-      redrawNow();
-    },
-    setView,
-    fit: fitAgain,
-    setCovered(width) {
-      if (width === covered) return;
-      covered = width;
-      if (untouched) refit();
-    },
-    setLabel(label) {
-      stage.setAttribute("aria-label", label);
-    },
+    setView: sight.setView,
+    fit: sight.fit,
+    setCovered: sight.cover,
+    setLabel: label => stage.setAttribute("aria-label", label),
     onPick(callback) {
       picked = callback;
     },
-    setColours(palette) {
-      colours = palette;
-      rebuild();
-    },
-    setDrawing(shown) {
-      if (shown === drawing) return;
-      drawing = shown;
-      rebuild();
-      if (untouched) refit();
-    },
     destroy() {
-      ended = true;
-      cancelAnimationFrame(asked);
-      sizes.disconnect();
+      show.painter.end();
+      unwatch();
       silence();
-      backend.destroy();
+      show.ways.end();
       stage.remove();
     },
   };
 }
 
-function sizeOf(stage: HTMLElement): Viewport {
-  return { width: Math.max(1, stage.clientWidth), height: Math.max(1, stage.clientHeight) };
-}
-
-function makeStage(host: HTMLElement, label: string): HTMLElement {
-  const stage = document.createElement("div");
-  stage.tabIndex = 0;
-  stage.setAttribute("role", "application");
-  stage.setAttribute("aria-label", label);
-  Object.assign(stage.style, {
-    position: "relative",
-    width: "100%",
-    height: "100%",
-    overflow: "hidden",
-    userSelect: "none",
-  });
-  host.append(stage);
-  return stage;
+/** What may be shown otherwise, and what follows for the sight. */
+function changes(show: Show): Pick<Preview, "setTrace" | "setStep" | "setCloud" | "setColours" | "setDrawing"> {
+  return {
+    setTrace(trace, colours = show.content.colours) {
+      const first = show.content.trace === EMPTY;
+      show.change({ trace, colours, step: lastStep(trace) });
+      show.sight.turnTo(trace.turning ?? false, first);
+    },
+    setStep(index, fraction) {
+      const step = { index, fraction };
+      show.change({ step }, sameScene(show.content.trace, show.content.step, step));
+    },
+    setCloud: show.setCloud,
+    setColours: colours => show.change({ colours }),
+    setDrawing(drawing) {
+      if (drawing === show.content.drawing) return;
+      show.change({ drawing });
+      show.sight.refit();
+    },
+  };
 }

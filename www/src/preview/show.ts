@@ -1,0 +1,105 @@
+// What is shown, from where, by which way of drawing and when: the four of them together.
+import type { BackendName, Cloud, Frame } from "./backend";
+import { type Colours, LIGHT } from "./colours";
+import { type Content, EMPTY, lastStep, sceneOf, type Words } from "./content";
+import { drawOverlay, overlay } from "./overlay";
+import { createPainter, type Painter } from "./painter";
+import { probeAt, toolAt } from "./paths";
+import type { Scene } from "./scene";
+import { createSight, type Sight } from "./sight";
+import { sizeOf } from "./stage";
+import { openWays, type Refusal, type Ways } from "./ways";
+
+export interface ShowOptions extends Words {
+  colours?: Colours;
+  onBackend?(name: BackendName, refused: readonly Refusal[]): void; // at the start, and again after a loss
+  onThinned?(drawn: number): void; // so many points of the cloud are drawn
+}
+
+export interface Show {
+  readonly content: Content;
+  readonly scene: Scene;
+  readonly ways: Ways;
+  readonly sight: Sight;
+  readonly painter: Painter;
+  /** Shows this part of it otherwise, with a new scene unless the old one still shows it. */
+  change(part: Partial<Content>, same?: boolean): void;
+  setCloud(cloud: Cloud | null): void;
+}
+
+export async function createShow(stage: HTMLElement, options: ShowOptions): Promise<Show> {
+  const letters = overlay(stage);
+  const painter = createPainter(() => draw(show, letters));
+  const ways = await openWays(stage, {
+    replaced: adopt,
+    again: painter.soon,
+    thinned(drawn) {
+      stage.dataset["drawn"] = String(drawn);
+      options.onThinned?.(drawn);
+    },
+  });
+  let content: Content = { trace: EMPTY, colours: options.colours ?? LIGHT, step: lastStep(EMPTY), drawing: false };
+  let scene: Scene;
+  let cloud: Cloud | null = null;
+  const sight = createSight(sizeOf(stage), {
+    box: () => scene.box,
+    held: () => toolAt(content.trace, content.step.index)?.ball,
+    changed: painter.soon,
+  });
+
+  function build(): void {
+    scene = sceneOf(content, options, ways.backend.name);
+    ways.backend.setScene(scene, devicePixelRatio);
+  }
+  /** Gives everything to a way of drawing that has nothing yet. */
+  function adopt(): void {
+    fill(ways.backend.element);
+    build();
+    ways.backend.setCloud(cloud);
+    stage.dataset["backend"] = ways.backend.name;
+    options.onBackend?.(ways.backend.name, ways.refused);
+    painter.soon();
+  }
+
+  const show: Show = {
+    get content() {
+      return content;
+    },
+    get scene() {
+      return scene;
+    },
+    ways,
+    sight,
+    painter,
+    change(part, same = false) {
+      content = { ...content, ...part };
+      if (!same) build();
+      painter.now();
+    },
+    setCloud(next) {
+      if (next === cloud) return;
+      cloud = next;
+      delete stage.dataset["drawn"];
+      ways.backend.setCloud(cloud);
+      painter.now();
+    },
+  };
+  adopt();
+  return show;
+}
+
+function fill(element: Element & ElementCSSInlineStyle): void {
+  Object.assign(element.style, { position: "absolute", inset: "0", width: "100%", height: "100%", display: "block" });
+}
+
+function draw({ content, scene, ways, sight: { camera, view } }: Show, letters: SVGSVGElement): void {
+  const { index, fraction } = content.step;
+  const probe = probeAt(content.trace, index, fraction);
+  const frame: Frame = { camera, view, ratio: devicePixelRatio, time: index + fraction, probe };
+  try {
+    ways.backend.draw(frame);
+    drawOverlay(letters, scene, frame);
+  } catch (reason) {
+    void ways.replace(reason);
+  }
+}
