@@ -1,7 +1,7 @@
 //! Reading a program of 10 MB (goal: 40 MB/s native), and finding its measuring calls.
 
 use divan::{Bencher, counter::BytesCount};
-use probewright_core::catalogue::Dialect;
+use probewright_core::dialect::Dialect;
 use probewright_core::program::{calls, read};
 
 fn main() {

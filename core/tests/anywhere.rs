@@ -5,10 +5,13 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use probewright_core::catalogue::example::example;
-use probewright_core::catalogue::{CYCLES, Cycle, Dialect, MachineSort, ProbeUse, Variant};
+use probewright_core::catalogue::{CYCLES, Cycle, ProbeUse, Variant};
 use probewright_core::check::{Inputs, Typed, check};
+use probewright_core::control::MachineSort;
 use probewright_core::control::{Control, Frame, Plane};
-use probewright_core::run::{Outcome, Setup, predict};
+use probewright_core::dialect::Dialect;
+use probewright_core::machine::Setup;
+use probewright_core::run::{Outcome, predict};
 use probewright_core::workpiece::PartErrors;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed, TestCaseError, TestRunner};

@@ -1,13 +1,15 @@
 //! Basic, system and settable frames of a program: what a correction writes, and from when it counts.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use probewright_core::catalogue::{Dialect, find};
+use probewright_core::catalogue::find;
 use probewright_core::check::check;
 use probewright_core::control::{Edge, Frame, Plane, Tool};
 use probewright_core::diagnostic::Code;
+use probewright_core::dialect::Dialect;
+use probewright_core::machine::trace::Step;
+use probewright_core::machine::{Setup, Stop};
 use probewright_core::program::read;
-use probewright_core::run::trace::Step;
-use probewright_core::run::{Limits, Outcome, Setup, Stop, run};
+use probewright_core::run::{Limits, Outcome, run};
 
 /// How far the measured face stands beside its set position, mm.
 const SHIFT: f64 = 0.3;

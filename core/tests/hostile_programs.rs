@@ -2,13 +2,14 @@
 //! place.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use probewright_core::catalogue::Dialect;
 use probewright_core::control::{Plane, Value};
+use probewright_core::dialect::Dialect;
+use probewright_core::machine::sim::TRACE_LIMIT;
+use probewright_core::machine::{Setup, Stop};
 use probewright_core::message::Arg;
 use probewright_core::program::position::Positions;
 use probewright_core::program::read;
-use probewright_core::run::machine::TRACE_LIMIT;
-use probewright_core::run::{Limits, Outcome, Setup, Stop, run};
+use probewright_core::run::{Limits, Outcome, run};
 use probewright_core::workpiece::{PartErrors, Shape, Solid};
 
 /// A calibrated probe 20 mm above the middle of a block of 100 mm.

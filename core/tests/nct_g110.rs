@@ -1,11 +1,13 @@
 //! The manual's programs with G101 and G110 (C:1159-1183), run from the text.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use probewright_core::catalogue::{Dialect, nct};
+use probewright_core::catalogue::nct;
 use probewright_core::control::{Frame, Plane};
+use probewright_core::dialect::Dialect;
+use probewright_core::machine::trace::{MotionKind, Step};
+use probewright_core::machine::{Setup, Stop};
 use probewright_core::program;
-use probewright_core::run::trace::{MotionKind, Step};
-use probewright_core::run::{Limits, Outcome, Setup, Stop, run};
+use probewright_core::run::{Limits, Outcome, run};
 use probewright_core::workpiece::{PartErrors, Shape, Solid};
 
 /// Repaired where the scan is not readable: program number and comments.

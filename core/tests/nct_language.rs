@@ -1,15 +1,16 @@
 //! The macro language of NCT: variables, expressions, jumps and loops, calls of programs with and without arguments.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use probewright_core::catalogue::Dialect;
 use probewright_core::control::Plane;
 use probewright_core::diagnostic::Severity;
+use probewright_core::dialect::Dialect;
+use probewright_core::machine::trace::Step;
+use probewright_core::machine::{Setup, Stop};
 use probewright_core::message::Message;
 use probewright_core::program::calls::calls;
 use probewright_core::program::position::Positions;
 use probewright_core::program::read;
-use probewright_core::run::trace::Step;
-use probewright_core::run::{Limits, Outcome, Setup, Stop, run};
+use probewright_core::run::{Limits, Outcome, run};
 use probewright_core::workpiece::{PartErrors, Shape, Solid};
 
 fn go(text: &str) -> Outcome {

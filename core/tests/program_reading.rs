@@ -1,8 +1,8 @@
 //! Reading part programs: nothing is lost, nothing panics, and the manuals' programs are understood.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use probewright_core::catalogue::Dialect;
 use probewright_core::diagnostic::Span;
+use probewright_core::dialect::Dialect;
 use probewright_core::program::tree::WordKind;
 use probewright_core::program::{Program, read};
 use proptest::prelude::*;

@@ -1,8 +1,8 @@
 //! What the reader makes of single words and expressions, and what it says about mistakes.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use probewright_core::catalogue::Dialect;
 use probewright_core::diagnostic::Span;
+use probewright_core::dialect::Dialect;
 use probewright_core::program::tree::{Expr, ExprId, Operator, WordKind};
 use probewright_core::program::{Program, read};
 

@@ -1,11 +1,13 @@
 //! CYCLE198 and CYCLE199: the user's programs before and after each measurement.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use probewright_core::catalogue::{Dialect, find};
+use probewright_core::catalogue::find;
 use probewright_core::check::{Typed, check};
 use probewright_core::control::Plane;
+use probewright_core::dialect::Dialect;
+use probewright_core::machine::Setup;
 use probewright_core::program::read;
-use probewright_core::run::{Limits, Outcome, Setup, run};
+use probewright_core::run::{Limits, Outcome, run};
 
 /// A run of two measurements of a surface, with these programs behind the main program.
 fn outcome(programs: &str) -> Outcome {

@@ -1,8 +1,8 @@
 //! Values of measuring calls along the calls of subprograms, past branches and through loops, and where a change goes.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use probewright_core::catalogue::Dialect;
 use probewright_core::diagnostic::Code;
+use probewright_core::dialect::Dialect;
 use probewright_core::program::calls::{CallSite, calls};
 use probewright_core::program::change::{apply, change};
 use probewright_core::program::{Program, arrivals, findings, read};

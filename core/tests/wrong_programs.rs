@@ -6,9 +6,9 @@
 #![cfg(feature = "cli")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use probewright_core::catalogue::Dialect;
 use probewright_core::control::Control;
 use probewright_core::diagnostic::{Code, Diagnostic};
+use probewright_core::dialect::Dialect;
 use probewright_core::json::setup_from_json;
 use probewright_core::program::change::apply;
 use probewright_core::program::{findings_on, read};

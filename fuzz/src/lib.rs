@@ -1,12 +1,14 @@
 //! What must hold for any bytes whatever. A function panics when it does not.
 
-use probewright_core::catalogue::{Dialect, Style};
+use probewright_core::catalogue::Style;
 use probewright_core::control::{Edge, Plane, Tool, delivery};
+use probewright_core::dialect::Dialect;
+use probewright_core::machine::Setup;
+use probewright_core::machine::trace::Step;
 use probewright_core::program::calls::{CallSite, calls};
 use probewright_core::program::tree::Program;
 use probewright_core::program::{arrivals, change, convert, findings_of, read as parse};
-use probewright_core::run::trace::Step;
-use probewright_core::run::{Limits, Outcome, Setup, run as simulate};
+use probewright_core::run::{Limits, Outcome, run as simulate};
 use probewright_core::workpiece::{PartErrors, Shape, Solid};
 
 const DIALECTS: [Dialect; 2] = [Dialect::Sinumerik, Dialect::Nct];

@@ -5,7 +5,8 @@ use super::common::{optional, required};
 use super::help::{HelpLine, before, measures, order, wrong};
 use super::logging::params::{self, log_params};
 use super::logging::{self, CONTENT_ALARMS, FILE_ALARMS, log_example, names};
-use super::{Cycle, Dialect, Drawing, Help, Param, Variant, When};
+use super::{Cycle, Drawing, Help, Param, Variant, When};
+use crate::dialect::Dialect;
 
 /// The cycle.
 pub static CYCLE100: Cycle = Cycle {

@@ -1,7 +1,8 @@
 //! CYCLE101: the log is switched off (B:11231-11233).
 
 use super::help::{HelpLine, before, corrects, measures, order, wrong};
-use super::{Cycle, Dialect, Drawing, Help, Variant, When, logging};
+use super::{Cycle, Drawing, Help, Variant, When, logging};
+use crate::dialect::Dialect;
 
 /// The cycle.
 pub static CYCLE101: Cycle = Cycle {

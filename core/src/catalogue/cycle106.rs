@@ -5,7 +5,8 @@ use super::help::{HelpLine, before, measures, order, wrong};
 use super::logging::names::{self, JOB};
 use super::logging::params::{self, log_params};
 use super::logging::{self, CONTENT_ALARMS, FILE_ALARMS, log_example};
-use super::{Arg, ArgumentList, Cycle, Dialect, Drawing, Help, Kind, Param, Style, Variant, When};
+use super::{Arg, ArgumentList, Cycle, Drawing, Help, Kind, Param, Style, Variant, When};
+use crate::dialect::Dialect;
 
 /// The cycle.
 pub static CYCLE106: Cycle = Cycle {

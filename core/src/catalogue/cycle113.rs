@@ -4,8 +4,9 @@ use super::common::{ALWAYS_REQUIRED, PARAM, integer};
 use super::help::{HelpLine, before, corrects, measures, order, wrong};
 use super::logging::cells::cells;
 use super::logging::names::JOB;
-use super::{Arg, ArgumentList, Cycle, Dialect, Drawing, Help, Kind, Param, Style, Variant, When, logging};
+use super::{Arg, ArgumentList, Cycle, Drawing, Help, Kind, Param, Style, Variant, When, logging};
 use crate::check::Inputs;
+use crate::dialect::Dialect;
 use crate::form::picture::{Picture, View};
 
 /// The cycle.

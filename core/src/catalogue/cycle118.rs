@@ -4,10 +4,12 @@
 use super::common::{ALWAYS_REQUIRED, PARAM, alarms, integer, optional, required};
 use super::help::{HelpLine, before, corrects, measures, order, wrong};
 use super::logging::cells::{CELL, ROW, cells, left};
-use super::{Arg, ArgumentList, Cycle, Dialect, Drawing, Help, Kind, Param, Range, Style, Variant, When, logging};
+use super::{Arg, ArgumentList, Cycle, Drawing, Help, Kind, Param, Style, Variant, When, logging};
 use crate::check::Inputs;
+use crate::dialect::Dialect;
 use crate::form::figures::{dimension, line};
 use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
+use crate::range::Range;
 
 /// The number.
 const NUMBER: &str = "PAR1";

@@ -2,17 +2,9 @@
 
 use super::{Drawing, Kind, NEVER, Param, Scan, Simulation, Unit, When, Work};
 use crate::check::Inputs;
-use crate::control::{Control, Plane};
+use crate::control::{Control, MachineSort};
 use crate::diagnostic::Code;
-
-/// The language of the part program, and with it the control.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Dialect {
-    /// SINUMERIK 840D/840Di/810D.
-    Sinumerik,
-    /// NCT milling controls.
-    Nct,
-}
+use crate::dialect::Dialect;
 
 /// One measuring cycle or macro.
 pub struct Cycle {
@@ -117,28 +109,6 @@ impl ProbeUse {
     /// Whether anything is touched.
     pub fn measures(self) -> bool {
         matches!(self, ProbeUse::Workpiece | ProbeUse::Tool)
-    }
-}
-
-/// Sort of machine that a cycle is made for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum MachineSort {
-    /// Milling machines and machining centres.
-    Milling,
-    /// Lathes.
-    Turning,
-    /// Both.
-    Any,
-}
-
-impl MachineSort {
-    /// The plane in which such a machine works unless told otherwise (B:8718); none where any may be meant.
-    pub fn plane(self) -> Option<Plane> {
-        match self {
-            MachineSort::Milling => Some(Plane::G17),
-            MachineSort::Turning => Some(Plane::G18),
-            MachineSort::Any => None,
-        }
     }
 }
 

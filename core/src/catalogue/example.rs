@@ -92,7 +92,8 @@ fn one_by_one(pairs: impl Iterator<Item = (String, String)>) -> Typed {
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
-    use crate::catalogue::{CYCLES, Dialect, find};
+    use crate::catalogue::{CYCLES, find};
+    use crate::dialect::Dialect;
 
     // oracle: manual B:5641-5667 (a zero offset knows no tool and no tolerance band)
     #[test]

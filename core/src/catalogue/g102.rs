@@ -8,12 +8,14 @@
 use super::nct::ring::{self, D};
 use super::nct::walls::home;
 use super::nct::{self, correct};
-use super::{Cycle, Dialect, Drawing, Help, Param, Purpose, Range, Simulation, Variant, When, Work};
+use super::{Cycle, Drawing, Help, Param, Purpose, Simulation, Variant, When, Work};
 use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
 use crate::check::Inputs;
+use crate::dialect::Dialect;
+use crate::machine::trace::Step;
+use crate::machine::{Machine, Stop};
 use crate::message::Message;
-use crate::run::trace::Step;
-use crate::run::{Machine, Stop};
+use crate::range::Range;
 
 /// The M function that turns the spindle by 180 degree. Where it cannot be indexed, the manual says 1 in one place
 /// (C:74) and 0 in another (C:156): both are no M functions that turn a spindle.

@@ -11,10 +11,12 @@ use super::nct::touch::Calibration;
 use super::nct::walls::{home, travel};
 use super::nct::{self, correct};
 use super::task::{Meaning, Task};
-use super::{Cycle, Dialect, Drawing, Help, Param, Purpose, Range, Simulation, Variant, When, Work};
+use super::{Cycle, Drawing, Help, Param, Purpose, Simulation, Variant, When, Work};
 use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
 use crate::check::Inputs;
-use crate::run::{Machine, Stop};
+use crate::dialect::Dialect;
+use crate::machine::{Machine, Stop};
+use crate::range::Range;
 
 /// The macro.
 pub static G103: Cycle = Cycle {

@@ -6,11 +6,12 @@
 use super::nct::correct::{self, Found, Part};
 use super::nct::walls::home;
 use super::nct::{self, axis_name, checks, params, print, surface};
-use super::{Cycle, Dialect, Drawing, Help, Param, Purpose, Simulation, Variant, When, Work};
+use super::{Cycle, Drawing, Help, Param, Purpose, Simulation, Variant, When, Work};
 use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
 use crate::catalogue::task::Task;
 use crate::check::Inputs;
-use crate::run::{Machine, Stop};
+use crate::dialect::Dialect;
+use crate::machine::{Machine, Stop};
 
 /// The macro.
 pub static G106: Cycle = Cycle {

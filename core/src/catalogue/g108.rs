@@ -3,7 +3,8 @@
 use super::help::{HelpLine, before, corrects, measures, order, wrong};
 use super::nct::{self, corner, params};
 use super::task::Task;
-use super::{Cycle, Dialect, Drawing, Help, Param, Purpose, Simulation, Variant, When, Work};
+use super::{Cycle, Drawing, Help, Param, Purpose, Simulation, Variant, When, Work};
+use crate::dialect::Dialect;
 
 /// The macro.
 pub static G108: Cycle = Cycle {

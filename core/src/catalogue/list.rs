@@ -1,7 +1,8 @@
 //! Calls with arguments in brackets, beside the assignments that every cycle takes.
 
-use super::{CYCLES, Cycle, Dialect, When};
+use super::{CYCLES, Cycle, When};
 use crate::check::Inputs;
+use crate::dialect::Dialect;
 
 /// A way to write a call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

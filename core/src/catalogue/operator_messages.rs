@@ -1,7 +1,8 @@
 //! Texts by which the cycles speak to the operator without a number: no alarms. Meaning and what to do are words
 //! (`message-new-log`, `.cure`). The text itself is that of the English control.
 
-use super::{CYCLES, Dialect};
+use super::CYCLES;
+use crate::dialect::Dialect;
 
 /// A text on the screen.
 pub struct OperatorMessage {

@@ -4,6 +4,7 @@
 use super::*;
 use crate::check::{Typed, check, read};
 use crate::control::delivery;
+use crate::dialect::Dialect;
 use crate::form::picture::Picture;
 use crate::form::{draw, fields};
 

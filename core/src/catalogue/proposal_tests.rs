@@ -1,11 +1,12 @@
 //! From the proposed start every variant measures the proposed part, and finds what is wrong with it.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use super::{Cycle, Dialect, find};
+use super::{Cycle, find};
 use crate::check::{Typed, check};
 use crate::control::{Frame, Plane};
+use crate::dialect::Dialect;
+use crate::machine::setup::Setup;
 use crate::run::predict;
-use crate::run::setup::Setup;
 
 const SHIFT: [f64; 3] = [0.21, -0.13, 0.17];
 const SIZE: f64 = 0.03;

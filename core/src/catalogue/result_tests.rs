@@ -5,9 +5,11 @@ use super::example::example;
 use super::*;
 use crate::check::{Inputs, check};
 use crate::control::{Control, Plane};
+use crate::dialect::Dialect;
+use crate::machine::Setup;
+use crate::machine::trace::Step;
 use crate::message::Arg;
-use crate::run::trace::Step;
-use crate::run::{Outcome, Setup, predict};
+use crate::run::{Outcome, predict};
 use std::collections::BTreeSet;
 
 /// What stands in every field before the call, and what no call leaves there.

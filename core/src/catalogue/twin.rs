@@ -4,10 +4,11 @@
 use super::example::example;
 use super::task::{Meaning, Shared, Task};
 use super::twin_place::{self, has_depth};
-use super::{CYCLES, Cycle, Dialect, Level, Param, Variant};
+use super::{CYCLES, Cycle, Level, Param, Variant};
 use crate::check::{self, Inputs, Typed, factor};
 use crate::control::variables::AXES;
 use crate::control::{Control, delivery_in};
+use crate::dialect::Dialect;
 use crate::message::Message;
 
 /// What a measurement is, whatever a control calls it. Lengths in mm.

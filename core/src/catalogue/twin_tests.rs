@@ -4,10 +4,11 @@
 use super::example::example;
 use super::task::TASKS;
 use super::twin::{Measurement, Twin, measured, other, twin};
-use super::{CYCLES, Cycle, Dialect, find};
+use super::{CYCLES, Cycle, find};
 use crate::check::{self, Typed};
 use crate::control::{Control, Plane, Units, delivery_in};
 use crate::diagnostic::Severity;
+use crate::dialect::Dialect;
 use crate::message::Arg;
 use proptest::prelude::*;
 use std::collections::BTreeSet;

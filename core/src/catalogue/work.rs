@@ -5,7 +5,7 @@ use crate::SIMULATES;
 use crate::check::Inputs;
 use crate::control::Control;
 use crate::form::picture::Picture;
-use crate::run::{Machine, Stop};
+use crate::machine::{Machine, Stop};
 use crate::workpiece::tool::Tool;
 use crate::workpiece::tool_probe::ToolProbe;
 use crate::workpiece::{Solid, Workpiece};
@@ -54,7 +54,7 @@ pub struct Work {
 }
 
 /// A scan before its first point.
-pub type Scan = fn(&mut dyn Machine, &Inputs) -> Result<Box<dyn crate::scan::Scanner>, Stop>;
+pub type Scan = fn(&mut dyn Machine, &Inputs) -> Result<Box<dyn crate::machine::Scanner>, Stop>;
 
 /// Values as typed where the condition holds, later ones win.
 pub type Examples = &'static [(When, &'static [(&'static str, &'static str)])];

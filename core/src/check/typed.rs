@@ -3,13 +3,14 @@
 use super::text::{self, Text};
 use super::{Inputs, Parsed, Typed, error, factor, parse, targets, unit_behind, variants};
 use crate::catalogue::sinumerik::upkeep;
-use crate::catalogue::{Cycle, Kind, Level, Param, Range, Unit};
+use crate::catalogue::{Cycle, Kind, Level, Param, Unit};
 use crate::control::tools::side;
 use crate::control::{Control, Edge, Transverse};
 use crate::diagnostic::{Code, Diagnostic, Severity};
 use crate::evaluate::knum;
 use crate::message::Message;
 use crate::own::{self, Own};
+use crate::range::Range;
 
 /// Beyond this no length, angle or feed of a machine makes sense, and contact could not be computed to 1e-9 mm.
 const LIMIT: f64 = 1e6;

@@ -96,7 +96,8 @@ fn differing_digits(mut one: i64, mut other: i64) -> u32 {
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
-    use crate::catalogue::{CYCLES, Dialect, find};
+    use crate::catalogue::{CYCLES, find};
+    use crate::dialect::Dialect;
     use std::collections::BTreeMap;
 
     // oracle: manual B:5066-5084 (the skew is determined in both directions of a hole: one direction cannot tell it)

@@ -82,8 +82,8 @@ fn element(stem: &str, mut at: usize, sizes: &[usize]) -> String {
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
-    use crate::catalogue::Dialect;
     use crate::control::delivery;
+    use crate::dialect::Dialect;
 
     #[test]
     fn the_last_index_counts_first() {

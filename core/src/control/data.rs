@@ -3,7 +3,7 @@
 //! A control is copied at every keystroke and holds some hundred data as delivered; these are made once and shared.
 
 use super::{Units, Value, delivery};
-use crate::catalogue::Dialect;
+use crate::dialect::Dialect;
 use std::collections::BTreeMap;
 
 /// Data by name; see [`super::Control::data`].

@@ -5,7 +5,7 @@
 
 use super::gud::{self, Element, Initial, System};
 use super::{BasicFrames, Control, Data, Frame, Limits, Plane, Transverse, Units, Value, machine_data, nct_data};
-use crate::catalogue::Dialect;
+use crate::dialect::Dialect;
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
 

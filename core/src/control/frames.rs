@@ -119,7 +119,7 @@ impl Control {
         self.basic =
             BasicFrames { system: self.system, global: self.global_basic.clone(), channel: self.channel_basic.clone() };
         self.active = self.frames.get(&number).copied().unwrap_or_default();
-        if self.dialect == crate::catalogue::Dialect::Nct {
+        if self.dialect == crate::dialect::Dialect::Nct {
             let common = self.frames.get(&0).copied().unwrap_or_default();
             self.active = common.then(&self.active);
         }
@@ -134,9 +134,9 @@ pub fn joined(chain: &[Frame]) -> Option<Frame> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::catalogue::Dialect;
     use crate::control::delivery::delivery;
     use crate::control::frame::tests::near;
+    use crate::dialect::Dialect;
 
     #[test]
     fn the_chain_goes_both_ways() {

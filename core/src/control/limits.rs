@@ -69,9 +69,9 @@ impl Control {
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
-    use crate::catalogue::Dialect;
     use crate::control::{Frame, Plane};
-    use crate::run::Setup;
+    use crate::dialect::Dialect;
+    use crate::machine::Setup;
 
     #[test]
     fn a_way_ends_at_the_first_limit() {

@@ -9,6 +9,7 @@ pub mod frames;
 pub mod gud;
 pub mod limits;
 pub mod machine_data;
+mod machine_sort;
 pub mod nct_data;
 pub mod probe;
 pub mod rotary;
@@ -21,8 +22,9 @@ pub use delivery::{delivery, delivery_in, rebuilt};
 pub use environments::Environment;
 pub use frame::Frame;
 pub use limits::Limits;
+pub use machine_sort::MachineSort;
 
-use crate::catalogue::Dialect;
+use crate::dialect::Dialect;
 use std::collections::BTreeMap;
 
 /// Working plane.

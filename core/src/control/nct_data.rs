@@ -2,7 +2,7 @@
 //! printing. Words follow from the name: `datum-nct-500` is #500.
 
 use super::gud::{System, Unit};
-use crate::catalogue::Range;
+use crate::range::Range;
 
 /// A datum of the machine.
 pub struct NctDatum {

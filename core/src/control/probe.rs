@@ -86,8 +86,8 @@ impl Edge {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::catalogue::Dialect;
     use crate::control::delivery;
+    use crate::dialect::Dialect;
 
     fn edge(kind: i64, tip: i64) -> Edge {
         Edge { kind, tip, ..Edge::default() }

@@ -98,8 +98,8 @@ pub fn is_angle(variable: &str) -> bool {
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
-    use crate::catalogue::Dialect;
     use crate::control::delivery;
+    use crate::dialect::Dialect;
     use crate::workpiece::Shape;
 
     #[test]

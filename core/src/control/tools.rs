@@ -2,7 +2,7 @@
 
 use super::machine_data::TOOL_LENGTH_TYPE;
 use super::{Control, Edge};
-use crate::catalogue::Dialect;
+use crate::dialect::Dialect;
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 

@@ -1,7 +1,7 @@
 //! Inch and millimetre. Inside the core everything is metric; data of the control keep the unit the manual gives them.
 
 use super::{Control, Units};
-use crate::catalogue::Dialect;
+use crate::dialect::Dialect;
 
 /// Millimetres in an inch.
 pub const INCH: f64 = 25.4;

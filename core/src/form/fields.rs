@@ -1,10 +1,11 @@
 //! The fields of a form, in the order in which they are shown.
 
 use super::{codes, masks, variant};
-use crate::catalogue::{Cycle, Kind, Level, Param, Range};
+use crate::catalogue::{Cycle, Kind, Level, Param};
 use crate::check::{self, Inputs, Typed, factor, unit_name};
 use crate::control::Control;
 use crate::message::Message;
+use crate::range::Range;
 use crate::support::Support;
 
 /// One field. Numbers of `fallback` and `range` are in the unit that is shown.

@@ -1,12 +1,13 @@
 //! The machine as a form: what is set once per machine, from the tables of user and machine data.
 
-use crate::catalogue::{Dialect, Range};
 use crate::check::{Parsed, parse};
 use crate::control::gud::{self, Element, Gud, System, Unit};
 use crate::control::machine_data::{self, MACHINE_DATA};
 use crate::control::nct_data::{self, NctDatum};
 use crate::control::{Control, Units, Value};
+use crate::dialect::Dialect;
 use crate::message::Message;
+use crate::range::Range;
 use crate::support;
 
 /// Most places of one element that are shown; the control may have thousands of memories.

@@ -148,8 +148,8 @@ fn register(name: &str) -> Option<Message> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::catalogue::Dialect;
     use crate::control::delivery;
+    use crate::dialect::Dialect;
     use crate::words::Words;
 
     // oracle: manual B:16259-16269 (tool data), B:1899-1990 (frames), C:304-307 (registers)

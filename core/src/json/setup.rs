@@ -5,9 +5,9 @@ use super::setup_active::{ActiveFile, PlaneName, UnitsName, activate, plane, uni
 use super::setup_frame::{EnvironmentFile, FrameFile, environment, place_frame};
 use super::setup_solid::{SolidFile, solid};
 use super::setup_tool::{RealFile, ToolProbeFile};
-use crate::catalogue::Dialect;
 use crate::control::{Control, Edge, Limits, Tool, Value, delivery, delivery_in};
-use crate::run::setup::Setup;
+use crate::dialect::Dialect;
+use crate::machine::setup::Setup;
 use crate::workpiece::seen::Turret;
 use crate::workpiece::{Probe, ProbeBody, Workpiece};
 use serde::Deserialize;

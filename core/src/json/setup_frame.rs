@@ -2,8 +2,8 @@
 
 use super::Error;
 use super::setup_active::{PlaneName, plane};
-use crate::catalogue::Dialect;
 use crate::control::{Control, Environment, Frame};
+use crate::dialect::Dialect;
 use serde::Deserialize;
 
 /// A stored tool environment.

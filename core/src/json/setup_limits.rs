@@ -5,11 +5,11 @@ mod solid;
 pub(super) use solid::solid;
 
 use super::Error;
-use crate::catalogue::Dialect;
 use crate::control::nct_data;
 use crate::control::{Control, Frame, Value, gud};
+use crate::dialect::Dialect;
 use crate::geometry::FARTHEST;
-use crate::run::setup::Setup;
+use crate::machine::setup::Setup;
 use crate::support::FORMS;
 use crate::workpiece::Probe;
 use crate::workpiece::seen::Turret;

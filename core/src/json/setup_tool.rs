@@ -4,7 +4,7 @@ use super::setup::ToolFile;
 use super::setup_limits::{bound, small, solid as limits};
 use super::setup_solid::{SolidFile, solid};
 use super::{Error, object, setup_write};
-use crate::run::Setup;
+use crate::machine::Setup;
 use crate::workpiece::Shape;
 use crate::workpiece::tool::{Cut, Cutter, Nose, Tool};
 use crate::workpiece::tool_probe::ToolProbe;

@@ -4,7 +4,7 @@ use super::setup_active::{units_name, units_of};
 use super::setup_frame::settable_name;
 use super::{dialect_name, object, put, setup_surface, setup_tool};
 use crate::control::{Control, Edge, Frame, Plane, Tool, Transverse, Value as Datum, delivery};
-use crate::run::setup::Setup;
+use crate::machine::setup::Setup;
 use crate::workpiece::seen::Turret;
 use crate::workpiece::{PartErrors, Probe, Shape, Solid};
 use serde_json::Value;

@@ -4,8 +4,8 @@ use super::bytes::is_digit;
 use super::reader::{Expect, Reader};
 use super::tree::{Block, Program, SyntaxError};
 use super::{nct, sinumerik};
-use crate::catalogue::Dialect;
 use crate::diagnostic::Span;
+use crate::dialect::Dialect;
 use crate::own;
 
 /// What some editors write before the text of a file.

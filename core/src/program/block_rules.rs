@@ -60,7 +60,7 @@ fn at(sentence: &Own, program: &Program, name: Span, span: Span) -> Diagnostic {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::catalogue::Dialect;
+    use crate::dialect::Dialect;
     use crate::program::read;
 
     // oracle: hand (the control takes an address once a block, functions and extended addresses as often as they say

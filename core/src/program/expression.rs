@@ -3,7 +3,7 @@
 use super::reader::{DEPTH, Node, Parsed, Reader};
 use super::tree::{Expr, Operator};
 use super::{nct_expression, sinumerik_expression};
-use crate::catalogue::Dialect;
+use crate::dialect::Dialect;
 use crate::own;
 
 /// How tightly an operator binds; higher binds tighter.

@@ -5,9 +5,9 @@ use super::block_rules::block_rules;
 use super::calls::macros::of_another_control;
 use super::calls::{CallSite, calls_on};
 use super::tree::{Program, SyntaxError};
-use crate::catalogue::Dialect;
 use crate::control::{Control, delivery};
 use crate::diagnostic::{Cure, Diagnostic, Edit, Severity, Span};
+use crate::dialect::Dialect;
 use crate::message::Message;
 use crate::own;
 

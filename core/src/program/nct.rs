@@ -6,8 +6,8 @@ use super::nct_expression::{bracket, decimal_comma, variable};
 use super::number;
 use super::reader::{Parsed, Reader};
 use super::tree::{Expr, ExprId, WordKind};
-use crate::catalogue::Dialect::Nct;
 use crate::diagnostic::Span;
+use crate::dialect::Dialect::Nct;
 use crate::own;
 
 /// Reads one word.

@@ -5,7 +5,7 @@ use super::expression::{Strength, expression, unary};
 use super::number;
 use super::reader::{Node, Parsed, Reader};
 use super::tree::{Expr, Operator};
-use crate::catalogue::Dialect::Nct;
+use crate::dialect::Dialect::Nct;
 use crate::own;
 
 const UNARY: Strength = 12;

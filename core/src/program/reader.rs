@@ -2,8 +2,8 @@
 
 use super::bytes::{in_name, is_blank};
 use super::tree::{Block, Expr, ExprId, Program, SyntaxError, Word, WordKind};
-use crate::catalogue::Dialect;
 use crate::diagnostic::Span;
+use crate::dialect::Dialect;
 use crate::own::{self, Own};
 
 /// Deepest nesting of brackets, and tallest expression; bounds every recursion over a tree.

@@ -2,7 +2,7 @@
 
 use super::block::read;
 use super::tree::WordKind;
-use crate::catalogue::Dialect;
+use crate::dialect::Dialect;
 
 /// Whether a text stands as one value behind a name (SINUMERIK `_FA=…`) or an address (NCT `D…`), and as nothing more:
 /// `R1+` and `R1 M30` do not.

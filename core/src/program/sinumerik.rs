@@ -7,8 +7,8 @@ use super::number;
 use super::reader::{Expect, Parsed, Reader};
 use super::sinumerik_expression::{arguments, foreign_exponent, index, text};
 use super::tree::{Expr, ExprId, WordKind};
-use crate::catalogue::Dialect::Sinumerik;
 use crate::diagnostic::Span;
+use crate::dialect::Dialect::Sinumerik;
 use crate::own;
 
 /// Reads one word, or steps over a separator of a declaration.

@@ -9,7 +9,7 @@ use super::keyword::{self, Keyword};
 use super::number;
 use super::reader::{Expect, Node, Parsed, Reader};
 use super::tree::{Expr, ExprId, Operator};
-use crate::catalogue::Dialect::Sinumerik;
+use crate::dialect::Dialect::Sinumerik;
 use crate::own;
 
 const COMPARISON: Strength = 1;

@@ -1,7 +1,7 @@
 //! The tree: blocks of words with places in the source. Printing a tree is its source; a change is a splice.
 
-use crate::catalogue::Dialect;
 use crate::diagnostic::Span;
+use crate::dialect::Dialect;
 use crate::own::Own;
 use std::ops::Range;
 

@@ -1,8 +1,9 @@
 //! An alarm as a person reads it, for the terminal and for `docs/alarms.md`.
 
+use crate::catalogue::CYCLES;
 use crate::catalogue::alarms::{ALARMS, Alarm, Found, key, raised_by, stops};
 use crate::catalogue::operator_messages::{MESSAGES, OperatorMessage, Sender, shown_by};
-use crate::catalogue::{CYCLES, Dialect};
+use crate::dialect::Dialect;
 use crate::json::code;
 use crate::message::Message;
 use crate::report::markdown::line;

@@ -1,11 +1,11 @@
 //! The reference of user and machine data in `docs/machine-data.md`, written from the tables and the message files.
 
 use super::markdown::{heading, line, row};
-use crate::catalogue::Range;
 use crate::control::gud::{self, Block, Element, Gud, Initial, Kind, Subject, System, Unit};
 use crate::control::machine_data::{MACHINE_DATA, MachineDatum};
 use crate::control::nct_data;
 use crate::message::Message;
+use crate::range::Range;
 use crate::run::user_program;
 use crate::support;
 use crate::words::Words;

@@ -1,10 +1,11 @@
 //! The cycle reference in `docs/cycles/`: one page a cycle, written from the catalogue and the message files.
 
 use crate::catalogue::alarms;
-use crate::catalogue::{Cycle, Kind, Level, Param, ProbeUse, Range, Unit, When};
+use crate::catalogue::{Cycle, Kind, Level, Param, ProbeUse, Unit, When};
 use crate::diagnostic::Code;
 use crate::json::code;
 use crate::message::Message;
+use crate::range::Range;
 use crate::report::help::help;
 use crate::report::markdown::{heading, line, row};
 use crate::words::Words;

@@ -3,13 +3,15 @@
 use super::interpret::{Interpreter, Next};
 use super::problem::Problem;
 use super::statement::{self, Call, Words};
-use super::trace::Step;
 use super::{
-    Machine, Stop, addresses, cycle, environment, frame, gcode, listed, macro_call, manner, motion, programs, repeat,
-    set_alarm, subprogram, swivel, tool, unread, user_program, words,
+    addresses, cycle, environment, frame, gcode, listed, macro_call, manner, motion, programs, repeat, set_alarm,
+    subprogram, swivel, tool, unread, user_program, words,
 };
-use crate::catalogue::{self, Dialect, nct};
+use crate::catalogue::{self, nct};
 use crate::diagnostic::Severity;
+use crate::dialect::Dialect;
+use crate::machine::trace::Step;
+use crate::machine::{Machine, Stop};
 use crate::program::flow::is_word;
 use std::rc::Rc;
 

@@ -2,13 +2,14 @@
 
 use super::datum::Datum;
 use super::interpret::Interpreter;
+use super::motion;
 use super::path::{Coordinate, Path};
 use super::problem::Problem;
 use super::statement::Address;
-use super::{Machine, motion};
-use crate::catalogue::Dialect;
 use crate::control::variables::AXES;
 use crate::diagnostic::Severity;
+use crate::dialect::Dialect;
+use crate::machine::Machine;
 
 /// Takes an address into the path of the block or the modal data.
 pub fn take(run: &mut Interpreter, address: &Address, path: &mut Path) -> Result<(), Problem> {

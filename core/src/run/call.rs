@@ -1,12 +1,12 @@
 //! One measuring call on the machine, with its begin, its end and the alarm that stops it.
 
-use super::Stop;
-use super::machine::Sim;
-use super::trace::Step;
 use crate::catalogue::ProbeUse;
 use crate::catalogue::sinumerik::{results, upkeep};
 use crate::check::Inputs;
 use crate::diagnostic::Code;
+use crate::machine::Stop;
+use crate::machine::sim::Sim;
+use crate::machine::trace::Step;
 use crate::message::Message;
 
 /// Carries out a checked call; its begin, its end and the alarm that stops it are recorded.

@@ -3,12 +3,13 @@
 use super::interpret::Interpreter;
 use super::problem::Problem;
 use super::statement::Words;
-use super::{Stop, call, contour, unread, user_program};
+use super::{call, contour, unread, user_program};
 use crate::catalogue::sinumerik::{results, upkeep};
 use crate::catalogue::{Cycle, Kind, ProbeUse, nct};
 use crate::check::{self, Checked, Typed};
 use crate::control::Value;
 use crate::diagnostic::{Code, Severity, Span};
+use crate::machine::Stop;
 use crate::message::Message;
 
 /// SINUMERIK: the parameters are user data and keep their values from call to call (B:1696).

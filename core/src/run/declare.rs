@@ -6,9 +6,9 @@ use super::locals::{Local, Variable};
 use super::names;
 use super::problem::Problem;
 use super::types::Type;
-use crate::catalogue::Dialect;
 use crate::control::variables::AXES;
 use crate::diagnostic::{Severity, Span};
+use crate::dialect::Dialect;
 use crate::program::tree::ExprId;
 
 /// What the words of a declaration have said so far.

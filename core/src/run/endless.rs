@@ -7,8 +7,8 @@
 use super::interpret::Interpreter;
 use super::level::Level;
 use super::locals::Locals;
-use super::machine::state::State;
 use super::modal::Modal;
+use crate::machine::sim::state::State;
 use std::collections::BTreeMap;
 
 /// What was kept of a run, and when something is kept again.

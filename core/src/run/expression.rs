@@ -4,8 +4,8 @@ use super::datum::Datum;
 use super::interpret::Interpreter;
 use super::problem::Problem;
 use super::{function, macro_variables, names};
-use crate::catalogue::Dialect;
 use crate::diagnostic::Span;
+use crate::dialect::Dialect;
 use crate::program::tree::{Expr, ExprId, Operator};
 
 /// Value of an expression.

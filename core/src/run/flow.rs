@@ -1,7 +1,7 @@
 //! Where a program goes on: jumps, branches, loops. Structure is found once, before the run.
 
 use super::programs::Programs;
-use crate::catalogue::Dialect;
+use crate::dialect::Dialect;
 use crate::program::tree::{Expr, Program, Word, WordKind};
 use std::collections::BTreeMap;
 

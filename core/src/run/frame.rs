@@ -1,11 +1,11 @@
 //! Programmed frames: TRANS, ROT, SCALE, MIRROR replace what was programmed before, their forms with A add to it.
 //! Angles and factors are no lengths: the unit of the axis words is taken out again.
 
-use super::Stop;
 use super::interpret::Interpreter;
 use super::problem::Problem;
 use super::statement::{Call, Words};
 use crate::control::Frame;
+use crate::machine::Stop;
 
 /// Whether a word begins a frame instruction.
 pub fn is_frame(name: &str) -> bool {

@@ -5,11 +5,11 @@ use super::expression::{evaluate, list};
 use super::interpret::Interpreter;
 use super::problem::Problem;
 use super::texts;
-use crate::catalogue::Dialect;
 use crate::control::Frame;
 use crate::control::rotary::ROTARY;
 use crate::control::variables::set_component;
 use crate::diagnostic::Span;
+use crate::dialect::Dialect;
 use crate::program::tree::ExprId;
 
 /// Value of a function call.

@@ -6,10 +6,11 @@ use super::modal::{Compensation, FeedType, Motion};
 use super::path::{Measure, Pole, Suppress};
 use super::problem::Problem;
 use super::statement::Words;
-use super::{Stop, motion, unread};
-use crate::catalogue::Dialect;
+use super::{motion, unread};
 use crate::control::Plane;
 use crate::diagnostic::Severity;
+use crate::dialect::Dialect;
+use crate::machine::Stop;
 
 /// Applies the G functions of a block.
 pub fn apply(run: &mut Interpreter, found: &mut Words) -> Result<(), Stop> {

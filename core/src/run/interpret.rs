@@ -5,16 +5,17 @@ use super::endless::{self, Watch};
 use super::flow::{self, Link, Links};
 use super::level::Level;
 use super::locals::Locals;
-use super::machine::Sim;
 use super::modal::Modal;
 use super::outcome::PassedOver;
 use super::problem::{self, Problem};
 use super::programs::{self, Programs};
-use super::trace::Step;
 use super::unread::{self, Unread};
-use super::{Outcome, Setup, Stop, motion, repeat, statement, subprogram};
+use super::{Outcome, motion, repeat, statement, subprogram};
 use crate::catalogue::alarms;
 use crate::diagnostic::{Diagnostic, Severity, Span};
+use crate::machine::sim::Sim;
+use crate::machine::trace::Step;
+use crate::machine::{Setup, Stop};
 use crate::message::Message;
 use crate::program::tree::Program;
 use std::cell::Cell;
@@ -37,7 +38,7 @@ pub struct Limits {
 
 impl Default for Limits {
     fn default() -> Limits {
-        Limits { steps: 100_000, depth: 11, trace: super::machine::TRACE_LIMIT, calls: 1_500 }
+        Limits { steps: 100_000, depth: 11, trace: crate::machine::sim::TRACE_LIMIT, calls: 1_500 }
     }
 }
 
@@ -104,7 +105,7 @@ const MOST_PASSED: usize = 1000;
 /// Characters of a block that count as one block's work.
 const BLOCK: u32 = 100;
 
-/// How much of what is looked at takes as long as a block; see [`Route::search`](super::route::Route::search).
+/// How much of what is looked at takes as long as a block; see [`Route::search`](crate::machine::route::Route::search).
 const EFFORT: usize = 20;
 
 /// Where a run goes on after a block.

@@ -1,10 +1,10 @@
 //! What the measuring calls of a program left in their result data.
 
 use super::outcome::Outcome;
-use super::trace::{Entry, Step};
 use crate::catalogue::{self, Cycle, ResultField};
 use crate::check::Inputs;
 use crate::control::Control;
+use crate::machine::trace::{Entry, Step};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What one call left.
@@ -98,10 +98,11 @@ mod tests {
     #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
     use super::Step;
-    use crate::catalogue::Dialect;
     use crate::control::Plane;
+    use crate::dialect::Dialect;
+    use crate::machine::Setup;
     use crate::program::read;
-    use crate::run::{Limits, Setup, run};
+    use crate::run::{Limits, run};
 
     // oracle: hand
     #[test]

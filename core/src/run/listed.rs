@@ -4,11 +4,13 @@ use super::datum::Datum;
 use super::interpret::Interpreter;
 use super::problem::Problem;
 use super::statement::Call;
-use super::{Stop, cycle, helper, unread};
-use crate::catalogue::{self, Arg, ArgumentList, CYCLES, Cycle, Dialect, Kind, Param, Style, list};
+use super::{cycle, helper, unread};
+use crate::catalogue::{self, Arg, ArgumentList, CYCLES, Cycle, Kind, Param, Style, list};
 use crate::check::{Sort, Typed, listed, newer};
 use crate::control::Value;
 use crate::diagnostic::{Diagnostic, Severity, Span};
+use crate::dialect::Dialect;
+use crate::machine::Stop;
 use crate::program::arguments;
 
 /// Carries out a call with arguments; false: it is none of these.

@@ -7,11 +7,11 @@ use super::interpret::Interpreter;
 use super::macro_variables::local;
 use super::modal::{Compensation, FeedType, Motion};
 use super::problem::Problem;
-use super::trace::Step;
 use crate::catalogue::nct::correct;
 use crate::control::variables::nct_offset;
 use crate::control::{Control, Plane, Units};
 use crate::diagnostic::Span;
+use crate::machine::trace::Step;
 use crate::message::Message;
 
 /// Stops with an alarm of the program, whose text is the comment of the block.

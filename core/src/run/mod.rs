@@ -17,14 +17,12 @@ pub mod frame;
 pub mod function;
 pub mod gcode;
 mod helper;
-pub mod in_use;
 mod indexed;
 pub mod interpret;
 pub mod left;
 pub mod level;
 mod listed;
 pub mod locals;
-pub mod machine;
 mod macro_call;
 mod macro_system;
 mod macro_variables;
@@ -39,11 +37,8 @@ pub mod predict;
 pub mod problem;
 pub mod programs;
 pub mod repeat;
-pub mod route;
-#[cfg(test)]
-mod route_tests;
+pub mod scanning;
 mod set_alarm;
-pub mod setup;
 pub mod statement;
 pub mod subprogram;
 pub mod survives;
@@ -51,7 +46,6 @@ pub mod swivel;
 mod system;
 mod texts;
 pub mod tool;
-pub mod trace;
 pub mod types;
 pub mod unread;
 pub mod user_program;
@@ -60,72 +54,3 @@ mod words;
 pub use interpret::{Limits, Session, run};
 pub use outcome::{Change, Outcome};
 pub use predict::predict;
-pub use setup::Setup;
-
-use crate::control::Control;
-use crate::diagnostic::Code;
-use crate::geometry::arc::Around;
-use crate::message::Message;
-use crate::scan::Sent;
-use trace::{MotionKind, Step};
-
-/// Why a program does not go on.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Stop {
-    /// Alarm that needs NC RESET.
-    Alarm(Code),
-    /// The simulation's own limit or something unsupported, as a message.
-    Fault(Message),
-}
-
-/// What a measuring cycle may do on the machine. Positions are X Y Z of the active WCS in mm,
-/// tool length included (the point to which L1 refers); feeds in mm/min.
-pub trait Machine {
-    /// State of the control; a cycle writes results and corrections here.
-    fn control(&mut self) -> &mut Control;
-    /// Present position.
-    fn position(&self) -> [f64; 3];
-    /// Straight positioning. With `monitored`, a probe signal on the way is alarm 61302 (NCT: PATH OBSTRUCTED, or
-    /// FALSE TRIGGER where nothing is touched); without, contact is recorded as a crash. A target beyond a software
-    /// limit switch is refused.
-    fn travel(&mut self, to: [f64; 3], kind: MotionKind, feed: f64, monitored: bool) -> Result<(), Stop>;
-    /// The same round an axis of the WCS.
-    fn travel_around(
-        &mut self,
-        to: [f64; 3],
-        around: &Around,
-        kind: MotionKind,
-        feed: f64,
-        monitored: bool,
-    ) -> Result<(), Stop>;
-    /// Straight measuring motion of what is in use: the probe towards the part, any other tool towards the tool probes,
-    /// with its highest edge where the spindle turns. Some: position latched at switching (delete distance-to-go);
-    /// None: no signal up to `to`.
-    fn probe(&mut self, to: [f64; 3], feed: f64) -> Result<Option<[f64; 3]>, Stop>;
-    /// Whether the stylus is deflected where the machine stands (NCT looks at this before it moves).
-    fn in_contact(&self) -> bool {
-        false
-    }
-    /// Whether the signal that ended the last watched motion still stands; a false one is gone (C:98, C:125-138).
-    fn signal_stands(&self) -> bool {
-        true
-    }
-    /// Writes a datum of tools or frames, lengths in mm. Where it is the length in use, the spindle nose stays.
-    fn correct(&mut self, name: &str, value: f64);
-    /// Applies the length of another edge of the tool in use (NCT: another register), 0 none; the spindle nose stays.
-    fn select(&mut self, edge: i64);
-    /// Turns the spindle to this angle, degree, where it stands.
-    fn orient(&mut self, angle: f64);
-    /// Lets the spindle turn, 1/min: positive as M3, negative as M4; 0 stops it.
-    fn spin(&mut self, speed: f64);
-    /// From now on nothing is recorded, or everything again.
-    fn quiet(&mut self, _on: bool) {}
-    /// Points up to which a scan of a call is followed.
-    fn point_limit(&self) -> usize {
-        crate::scan::FORM_POINTS
-    }
-    /// Takes what a scan sent to a computer, whole.
-    fn send(&mut self, _scan: Sent) {}
-    /// Records something that is no motion: a result, a correction, a decision, an alarm that informs.
-    fn record(&mut self, step: Step);
-}

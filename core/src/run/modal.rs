@@ -1,7 +1,7 @@
 //! What stays in force until it is programmed anew.
 
 use super::contour::Outside;
-use crate::catalogue::Dialect;
+use crate::dialect::Dialect;
 
 /// Modal functions of a program.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,18 +2,19 @@
 
 use super::arcs::Arc;
 use super::interpret::Interpreter;
-use super::machine::Sim;
 use super::modal::{Compensation, FeedType, Motion};
 use super::path::{Coordinate, Measure, Path, Suppress};
 use super::problem::Problem;
-use super::route::{Route, add};
 use super::statement::Address;
-use super::trace::MotionKind;
-use super::{Stop, addresses, contour, polar};
+use super::{addresses, contour, polar};
 use crate::control::variables::AXES;
 use crate::control::{Transverse, Units};
 use crate::diagnostic::Severity;
 use crate::geometry::arc::{self, Around};
+use crate::machine::Stop;
+use crate::machine::route::{Route, add};
+use crate::machine::sim::Sim;
+use crate::machine::trace::MotionKind;
 use std::f64::consts::TAU;
 
 /// Axes that differ by less have not moved, mm.

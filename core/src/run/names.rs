@@ -6,10 +6,11 @@ use super::interpret::Interpreter;
 use super::locals::{self, Home, indices, stem};
 use super::problem::Problem;
 use super::{macro_variables, system, unread};
-use crate::catalogue::{CYCLES, Dialect};
+use crate::catalogue::CYCLES;
 use crate::control::rotary::is_angle;
 use crate::control::{Frame, Value, arrays, gud, machine_data};
 use crate::diagnostic::{Severity, Span};
+use crate::dialect::Dialect;
 use crate::program::tree::{ExprId, WordKind};
 use std::collections::BTreeMap;
 

@@ -1,12 +1,13 @@
 //! What came out of a run, put the way a page or a terminal shows it.
 
-use super::Stop;
-use super::setup::Setup;
-use super::trace::{Entry, Step, Trace};
-use crate::catalogue::{Cycle, Dialect, ResultField};
+use crate::catalogue::{Cycle, ResultField};
 use crate::control::{Control, Value, gud, nct_data};
 use crate::diagnostic::{Code, Diagnostic};
+use crate::dialect::Dialect;
 use crate::geometry::TOLERANCE;
+use crate::machine::Stop;
+use crate::machine::setup::Setup;
+use crate::machine::trace::{Entry, Step, Trace};
 use crate::message::{Arg, Message};
 use crate::scan::Sent;
 use std::collections::{BTreeMap, BTreeSet};
@@ -234,8 +235,8 @@ fn remembered(name: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::catalogue::Dialect;
     use crate::control::Plane;
+    use crate::dialect::Dialect;
 
     // oracle: hand
     #[test]

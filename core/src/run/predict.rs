@@ -1,9 +1,10 @@
 //! What would it do? One call, without a program, from where the machine stands.
 
-use super::machine::Sim;
-use super::{Outcome, Setup, call};
+use super::{Outcome, call};
 use crate::catalogue::Cycle;
 use crate::check::Inputs;
+use crate::machine::Setup;
+use crate::machine::sim::Sim;
 
 /// Entries of a trace after which a call of a form is given up: what it does is asked at every keystroke. The longest
 /// scan that a form follows has a third of them.

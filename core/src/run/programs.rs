@@ -3,8 +3,8 @@
 
 use super::interpret::Interpreter;
 use super::problem::Problem;
-use crate::catalogue::Dialect;
 use crate::diagnostic::{Severity, Span};
+use crate::dialect::Dialect;
 use crate::program::tree::{Block, Program, WordKind};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
@@ -176,7 +176,7 @@ pub fn bare(path: &str) -> &str {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::catalogue::Dialect::Sinumerik;
+    use crate::dialect::Dialect::Sinumerik;
     use crate::program::read;
 
     fn ranges(text: &str) -> Vec<(usize, usize)> {

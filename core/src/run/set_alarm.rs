@@ -1,12 +1,13 @@
 //! `SETAL(65000,"text")`: an alarm of the program.
 
+use super::datum::Datum;
 use super::interpret::Interpreter;
 use super::problem::Problem;
 use super::statement::Call;
-use super::trace::Step;
-use super::{Stop, datum::Datum};
 use crate::catalogue::alarms;
 use crate::diagnostic::Code;
+use crate::machine::Stop;
+use crate::machine::trace::Step;
 use crate::message::Message;
 
 /// Name of the instruction.

@@ -7,10 +7,11 @@ use super::flow::Link;
 use super::interpret::{Interpreter, Next};
 use super::path::{Measure, Path};
 use super::problem::Problem;
-use super::trace::Step;
-use super::{Stop, action, branch, contour, environment, indexed, locals, manner, names, repeat, unread, words};
-use crate::catalogue::Dialect;
+use super::{action, branch, contour, environment, indexed, locals, manner, names, repeat, unread, words};
 use crate::diagnostic::{Severity, Span};
+use crate::dialect::Dialect;
+use crate::machine::Stop;
+use crate::machine::trace::Step;
 use crate::program::tree::{Block, Expr, ExprId, Word, WordKind};
 use std::rc::Rc;
 

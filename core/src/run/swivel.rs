@@ -1,14 +1,15 @@
 //! CYCLE800 with offsets 0: the table turns the part until the working plane of the active frames lies across the tool,
 //! and the coordinate systems turn with it (B:7696-7786, B:7773-7782).
 
+use super::contour;
 use super::datum::Datum;
 use super::interpret::Interpreter;
 use super::problem::Problem;
 use super::statement::Call;
-use super::{Stop, contour};
 use crate::control::Frame;
 use crate::geometry::V3;
 use crate::geometry::rigid::{angles, rotation};
+use crate::machine::Stop;
 
 /// Name of the cycle.
 pub const NAME: &str = "CYCLE800";

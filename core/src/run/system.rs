@@ -5,13 +5,14 @@ use super::interpret::Interpreter;
 use super::locals::{indices, stem};
 use super::modal::{Compensation, Motion};
 use super::problem::Problem;
-use super::{Machine, contour, names, tool as tools};
+use super::{contour, names, tool as tools};
 use crate::control::frames::joined;
 use crate::control::frames::{CHANNEL_MASK, GLOBAL_MASK};
 use crate::control::machine_data;
 use crate::control::variables::{AXES, component};
 use crate::control::{Frame, Plane, Tool, Transverse, Units, Value};
 use crate::diagnostic::Span;
+use crate::machine::Machine;
 
 /// All frames in effect as one.
 const TOTAL: &str = "$P_ACTFRAME";

@@ -4,11 +4,12 @@ use super::datum::Datum;
 use super::interpret::Interpreter;
 use super::problem::Problem;
 use super::statement::{Address, Words};
-use super::trace::Step;
-use super::{Stop, addresses, contour};
-use crate::catalogue::Dialect;
+use super::{addresses, contour};
 use crate::control::Edge;
 use crate::diagnostic::Span;
+use crate::dialect::Dialect;
+use crate::machine::Stop;
+use crate::machine::trace::Step;
 
 /// Applies T, D, M6 (NCT: T, H, D) of a block.
 pub fn apply(run: &mut Interpreter, found: &Words) -> Result<(), Stop> {

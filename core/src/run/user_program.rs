@@ -5,9 +5,11 @@ use super::flow::canonical;
 use super::interpret::{self, Interpreter};
 use super::programs::Unit;
 use super::statement::Call;
-use super::{Stop, subprogram};
-use crate::catalogue::{Cycle, Dialect};
+use super::subprogram;
+use crate::catalogue::Cycle;
 use crate::diagnostic::Span;
+use crate::dialect::Dialect;
+use crate::machine::Stop;
 
 /// A program that the measuring cycles call.
 pub struct UserProgram {

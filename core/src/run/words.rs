@@ -5,9 +5,9 @@ use super::modal::Motion;
 use super::path::Suppress;
 use super::problem::Problem;
 use super::statement::Words;
-use crate::catalogue::Dialect;
 use crate::control::Transverse;
 use crate::diagnostic::Severity;
+use crate::dialect::Dialect;
 use crate::program::flow::is_word;
 
 /// Words that change nothing that is simulated: how the axes accelerate, blend and look ahead, how a corner is

@@ -2,18 +2,15 @@
 //! the active WCS.
 
 pub mod cloud;
-pub mod session;
 mod spread;
 #[cfg(test)]
 mod tests;
 pub mod text;
 
 pub use cloud::Cloud;
-pub use session::Session;
 pub use spread::turns;
 
 use crate::control::{Control, Plane};
-use crate::run::{Machine, Stop};
 
 /// Most points of a scan: they and what is reckoned of each must fit into the memory of a browser.
 pub const POINTS: usize = 2_000_000;
@@ -24,16 +21,6 @@ pub const FORM_POINTS: usize = 1500;
 pub const FORM_POINTS_WITH_BODY: usize = 500;
 /// Points of which a trace holds every motion, and a log the block; of the others only the result counts.
 pub const TOLD: usize = 500;
-
-/// A cycle that scans, on its way.
-pub trait Scanner {
-    /// Goes to the next point; none: the scan is complete.
-    fn next(&mut self, machine: &mut dyn Machine) -> Result<Option<Scanned>, Stop>;
-    /// Which part of the surface is done, 0 to 1.
-    fn share(&self) -> f64;
-    /// What does not change on the way.
-    fn layout(&self) -> &Layout;
-}
 
 /// A point as the control sends it.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,8 +2,8 @@
 //! Directions out of the surface from scattered neighbours, where they are known exactly.
 
 use super::*;
-use crate::catalogue::Dialect;
 use crate::control::delivery;
+use crate::dialect::Dialect;
 use crate::geometry::V3;
 use proptest::prelude::*;
 

@@ -78,8 +78,8 @@ fn changed(names: impl Iterator<Item = String>, before: &[f64], now: &[f64]) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::catalogue::Dialect;
     use crate::control::delivery;
+    use crate::dialect::Dialect;
 
     // oracle: hand
     #[test]

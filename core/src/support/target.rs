@@ -1,8 +1,9 @@
 //! The correction targets that are offered: the usual ones, or all (B:12503-12504).
 
 use super::{Support, TARGETS, name};
-use crate::catalogue::{Kind, MachineSort, Param};
+use crate::catalogue::{Kind, Param};
 use crate::check::{Inputs, Target, target};
+use crate::control::MachineSort;
 use crate::diagnostic::Diagnostic;
 use crate::evaluate::knum::{self, Quantity, ToolCode, ZeroCode};
 use crate::own;

@@ -5,7 +5,7 @@ use super::contact::{Boundary, Contact};
 use super::feeler::{Caught, Feeler, Touching};
 use super::{PartErrors, Probe, ProbeBody, Shape, Solid, Workpiece};
 use crate::geometry::V3;
-use crate::run::setup::ideal_probe;
+use crate::machine::setup::ideal_probe;
 use proptest::prelude::*;
 
 const UP: [f64; 3] = [0.0, 0.0, 1.0];

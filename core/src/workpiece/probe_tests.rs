@@ -6,7 +6,7 @@ use super::feeler::Feeler;
 use super::noise::Noise;
 use super::probe::{Stand, Touch, ball_offset, touch};
 use super::{PartErrors, Probe, Shape, Solid, Workpiece};
-use crate::run::setup::ideal_probe;
+use crate::machine::setup::ideal_probe;
 use proptest::prelude::*;
 
 const DIRECTIONS: [[f64; 2]; 4] = [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]];

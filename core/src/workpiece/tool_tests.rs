@@ -5,9 +5,9 @@
 use super::tool::{Cut, Cutter, Nose, Piece, Spindle, Tool};
 use super::tool_probe::{Contact, ToolProbe, first, obstacle, touch};
 use super::{PartErrors, Shape, Solid, Workpiece};
-use crate::catalogue::Dialect;
 use crate::control::tools::side;
 use crate::control::{Control, Edge, Plane, delivery};
+use crate::dialect::Dialect;
 use crate::geometry::convex::Convex;
 use crate::geometry::{V3, rigid};
 use crate::workpiece::contact::{Boundary, Contact as BallContact};

@@ -2,9 +2,10 @@
 
 use super::table::{Table, case, program};
 use super::workpiece;
-use probewright_core::catalogue::{Dialect, find};
+use probewright_core::catalogue::find;
 use probewright_core::control::Plane;
-use probewright_core::run::Setup;
+use probewright_core::dialect::Dialect;
+use probewright_core::machine::Setup;
 use probewright_core::workpiece::tool::{Cut, Cutter, Tool};
 use probewright_core::workpiece::tool_probe::ToolProbe;
 use probewright_core::workpiece::{PartErrors, Shape, Solid};

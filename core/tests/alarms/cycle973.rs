@@ -3,7 +3,7 @@
 use super::lathe;
 use super::table::{Table, case, program};
 use super::workpiece;
-use probewright_core::run::Setup;
+use probewright_core::machine::Setup;
 use probewright_core::workpiece::{PartErrors, Shape, Solid};
 
 pub fn table() -> Table {

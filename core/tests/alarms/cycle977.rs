@@ -2,7 +2,7 @@
 
 use super::table::{Case, Table, case, program};
 use super::workpiece;
-use probewright_core::run::Setup;
+use probewright_core::machine::Setup;
 use probewright_core::workpiece::Shape;
 
 pub fn table() -> Table {

@@ -2,7 +2,7 @@
 
 use super::table::{Case, Table, case, program};
 use super::workpiece;
-use probewright_core::run::Setup;
+use probewright_core::machine::Setup;
 
 /// Alarms of the entry that no call of it brings about.
 const UNREACHED: &[(u32, &str)] =

@@ -3,10 +3,11 @@
 
 use super::{simulated, table};
 use probewright_core::catalogue::alarms::{ALARMS, Found};
-use probewright_core::catalogue::{CYCLES, Cycle, Dialect, example};
+use probewright_core::catalogue::{CYCLES, Cycle, example};
 use probewright_core::check::{Typed, check};
 use probewright_core::control::{Control, Edge, Plane, Tool, delivery};
 use probewright_core::diagnostic::{Code, Diagnostic};
+use probewright_core::dialect::Dialect;
 use probewright_core::json::code;
 use probewright_core::program::{Program, findings, findings_on, read};
 use std::collections::BTreeSet;

@@ -1,9 +1,9 @@
 //! Helper cycles: they hand the number of an alarm back and raise none.
 
 use super::table::Table;
-use probewright_core::catalogue::Dialect;
 use probewright_core::control::Plane;
-use probewright_core::run::Setup;
+use probewright_core::dialect::Dialect;
+use probewright_core::machine::Setup;
 
 const HANDED_BACK: &str = "the program gets the number and goes on (B:2448, B:8579-8583); tested beside the cycle";
 

@@ -3,7 +3,7 @@
 use super::table::{Case, program};
 use super::{turning, workpiece};
 use probewright_core::control::Plane;
-use probewright_core::run::Setup;
+use probewright_core::machine::Setup;
 use probewright_core::workpiece::{PartErrors, Shape, Solid};
 
 /// Alarms that no state of the simulated machine brings about, beside [`workpiece::UNREACHED`].

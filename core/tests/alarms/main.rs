@@ -29,8 +29,9 @@ mod workpiece;
 use probewright_core::catalogue::alarms::stops;
 use probewright_core::catalogue::{CYCLES, Cycle};
 use probewright_core::diagnostic::Code;
+use probewright_core::machine::{Setup, Stop};
 use probewright_core::program::read;
-use probewright_core::run::{Limits, Outcome, Setup, Stop, run};
+use probewright_core::run::{Limits, Outcome, run};
 use table::{Case, Table};
 
 /// The cases of a cycle.

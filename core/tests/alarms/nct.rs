@@ -1,9 +1,10 @@
 //! Cases of the NCT macros: a bore of 50 mm about the zero, the ball in it 10 mm deep.
 
 use super::table::{Case, Table, case_of};
-use probewright_core::catalogue::{Dialect, nct};
+use probewright_core::catalogue::nct;
 use probewright_core::control::Plane;
-use probewright_core::run::Setup;
+use probewright_core::dialect::Dialect;
+use probewright_core::machine::Setup;
 use probewright_core::workpiece::{PartErrors, Shape, Solid};
 
 const PROGRAM: &str = "G17 G90 G54\n{change}\nM30\n";

@@ -3,7 +3,7 @@
 use super::table::{Table, case_of};
 use probewright_core::catalogue::p9920::{DEPRESSED, INCORRECT, MEASURING_DEVICE, P9920, TOO_SMALL};
 use probewright_core::control::{Edge, Plane};
-use probewright_core::run::Setup;
+use probewright_core::machine::Setup;
 use probewright_core::workpiece::tool_probe::ToolProbe;
 use probewright_core::workpiece::{PartErrors, Shape, Solid};
 

@@ -1,7 +1,7 @@
 //! What a table of cases is made of.
 
 use probewright_core::diagnostic::Code;
-use probewright_core::run::Setup;
+use probewright_core::machine::Setup;
 
 /// The cases of one cycle.
 pub struct Table {

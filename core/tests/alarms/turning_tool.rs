@@ -3,7 +3,7 @@
 use super::table::{Case, Table, case, program};
 use super::{turning, workpiece};
 use probewright_core::control::{Plane, Transverse};
-use probewright_core::run::Setup;
+use probewright_core::machine::Setup;
 use probewright_core::workpiece::tool;
 use probewright_core::workpiece::tool_probe::ToolProbe;
 use probewright_core::workpiece::{PartErrors, Shape, Solid};
@@ -60,7 +60,7 @@ pub fn cycle982() -> Table {
 
 /// The tool in the turret, its real lengths as in its data; the probe of B:9044-9047.
 fn setup() -> Setup {
-    let mut setup = Setup::calibrated(probewright_core::catalogue::Dialect::Sinumerik, Plane::G18);
+    let mut setup = Setup::calibrated(probewright_core::dialect::Dialect::Sinumerik, Plane::G18);
     let control = &mut setup.control;
     control.transverse = Transverse::Diameter;
     control.set("SD42950", 2.0);

@@ -1,10 +1,10 @@
 //! Cases that all workpiece cycles with tool offset share: state of the control, probe, `_KNUM`, tool.
 
 use super::table::{Case, case, program};
-use probewright_core::catalogue::Dialect;
 use probewright_core::control::Plane;
 use probewright_core::diagnostic::Code;
-use probewright_core::run::Setup;
+use probewright_core::dialect::Dialect;
+use probewright_core::machine::Setup;
 use probewright_core::workpiece::{PartErrors, Shape, Solid};
 
 /// Alarms that no state of the simulated control brings about.

@@ -7,11 +7,13 @@
 
 mod planes;
 
-use probewright_core::catalogue::{Dialect, alarms};
+use probewright_core::catalogue::alarms;
 use probewright_core::diagnostic::Code;
+use probewright_core::dialect::Dialect;
+use probewright_core::machine::trace::{MotionKind, Step};
+use probewright_core::machine::{Setup, Stop};
 use probewright_core::program;
-use probewright_core::run::trace::{MotionKind, Step};
-use probewright_core::run::{Limits, Outcome, Setup, Stop, run};
+use probewright_core::run::{Limits, Outcome, run};
 use serde_json::{Map, Value};
 use std::path::{Path, PathBuf};
 

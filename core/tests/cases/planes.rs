@@ -3,11 +3,12 @@
 
 use super::{dialect, expect, folders, read, setup};
 use nalgebra::Rotation3;
-use probewright_core::catalogue::Dialect;
 use probewright_core::control::Plane;
+use probewright_core::dialect::Dialect;
 use probewright_core::geometry::rigid;
+use probewright_core::machine::Setup;
 use probewright_core::program;
-use probewright_core::run::{Limits, Setup, run};
+use probewright_core::run::{Limits, run};
 use serde_json::{Map, Value};
 
 /// The letter of an axis, or the function of a plane, after a turn.

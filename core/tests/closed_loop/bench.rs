@@ -1,9 +1,11 @@
 //! Calls one after the other on one machine.
 
-use probewright_core::catalogue::{Cycle, Dialect, Unit, find};
+use probewright_core::catalogue::{Cycle, Unit, find};
 use probewright_core::check::{Inputs, Typed, check};
 use probewright_core::control::Plane;
-use probewright_core::run::{Outcome, Setup, predict};
+use probewright_core::dialect::Dialect;
+use probewright_core::machine::Setup;
+use probewright_core::run::{Outcome, predict};
 use probewright_core::workpiece::PartErrors;
 
 /// All working planes.

@@ -6,9 +6,9 @@
 //! `2·(3 - r + t)` larger inside and smaller outside, and the middle wrong by `-s`.
 
 use super::bench::{PLANES, Values, at, call, near, result, with};
-use probewright_core::catalogue::Dialect;
 use probewright_core::control::{Plane, Units};
-use probewright_core::run::Setup;
+use probewright_core::dialect::Dialect;
+use probewright_core::machine::Setup;
 use probewright_core::workpiece::{PartErrors, Probe};
 
 const RADIUS: f64 = 2.96;

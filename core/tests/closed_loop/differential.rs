@@ -2,11 +2,12 @@
 //! spindle as it stands finds the same surface (A:7281-7291: the values found are stored in `_WP[]`).
 
 use super::bench::{PLANES, Values, at, inputs, near, place, result, run, with};
-use probewright_core::catalogue::Dialect;
 use probewright_core::control::{Frame, Plane};
 use probewright_core::diagnostic::Code;
-use probewright_core::run::trace::Step;
-use probewright_core::run::{Setup, Stop, predict};
+use probewright_core::dialect::Dialect;
+use probewright_core::machine::trace::Step;
+use probewright_core::machine::{Setup, Stop};
+use probewright_core::run::predict;
 use probewright_core::workpiece::PartErrors;
 
 /// Ball centre minus spindle axis with the spindle at 0 degree, abscissa and ordinate, mm.

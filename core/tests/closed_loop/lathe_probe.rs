@@ -6,12 +6,14 @@
 
 use super::bench::at;
 use probewright_core::catalogue::example::example;
-use probewright_core::catalogue::{Cycle, Dialect, Variant, find};
+use probewright_core::catalogue::{Cycle, Variant, find};
 use probewright_core::check::{Inputs, Typed, check};
 use probewright_core::control::{Edge, Frame, Plane, Transverse};
 use probewright_core::diagnostic::Code;
-use probewright_core::run::trace::Step;
-use probewright_core::run::{Outcome, Setup, Stop, predict};
+use probewright_core::dialect::Dialect;
+use probewright_core::machine::trace::Step;
+use probewright_core::machine::{Setup, Stop};
+use probewright_core::run::{Outcome, predict};
 use probewright_core::workpiece::tool::{Cut, Nose, Tool};
 use probewright_core::workpiece::{PartErrors, Probe, ProbeBody};
 

@@ -3,11 +3,12 @@
 
 use super::bench::{call, near, result, with};
 use super::tool::{MEASURED, machine};
-use probewright_core::catalogue::Dialect;
+use probewright_core::dialect::Dialect;
+use probewright_core::machine::Setup;
+use probewright_core::machine::route::Route;
+use probewright_core::machine::trace::{MotionKind, Step};
 use probewright_core::program::read;
-use probewright_core::run::route::Route;
-use probewright_core::run::trace::{MotionKind, Step};
-use probewright_core::run::{Limits, Setup, run};
+use probewright_core::run::{Limits, run};
 use probewright_core::workpiece::PartErrors;
 
 /// Radius of the mill as it is, mm; the tool memory says 10.

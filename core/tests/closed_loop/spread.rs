@@ -1,13 +1,14 @@
 //! How uncertain a form calls what follows from points that lie badly, is how much it scatters when the probe does.
 
 use super::bench::{Values, inputs, place, result, run, with};
-use probewright_core::catalogue::{Dialect, find};
+use probewright_core::catalogue::find;
 use probewright_core::check::{Typed, check};
 use probewright_core::control::Plane;
 use probewright_core::diagnostic::Code;
+use probewright_core::dialect::Dialect;
 use probewright_core::evaluate::spread;
+use probewright_core::machine::Setup;
 use probewright_core::message::Arg;
-use probewright_core::run::Setup;
 use probewright_core::workpiece::PartErrors;
 
 /// Scatter of the simulated probe along its way, mm.

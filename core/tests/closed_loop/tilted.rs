@@ -2,10 +2,11 @@
 //! height at which it was touched, gets the set coordinates (B:6153-6155).
 
 use super::bench::{PLANES, Values, at, inputs, near, place, result, run, with};
-use probewright_core::catalogue::Dialect;
 use probewright_core::control::{Control, Frame, Plane, Units};
-use probewright_core::run::trace::Step;
-use probewright_core::run::{Outcome, Setup};
+use probewright_core::dialect::Dialect;
+use probewright_core::machine::Setup;
+use probewright_core::machine::trace::Step;
+use probewright_core::run::Outcome;
 use probewright_core::workpiece::PartErrors;
 
 /// How far the part stands beside its place, abscissa, ordinate, applicate.

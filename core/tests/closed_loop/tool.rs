@@ -4,10 +4,10 @@
 //! a hole grows by twice the difference, a shaft shrinks by it, and a face stands back.
 
 use super::bench::{Values, call, near, result, with};
-use probewright_core::catalogue::Dialect;
 use probewright_core::control::{Edge, Plane, Tool};
 use probewright_core::diagnostic::Code;
-use probewright_core::run::Setup;
+use probewright_core::dialect::Dialect;
+use probewright_core::machine::Setup;
 use probewright_core::workpiece::PartErrors;
 
 /// `_TZL`, `_TMV`, tolerance, `_TDIF`, mm.

@@ -1,9 +1,9 @@
 //! A corrected zero offset, activated, leaves nothing to correct, in whatever frame the correction was put.
 
 use super::bench::{PLANES, Values, at, inputs, near, place, result, run, with};
-use probewright_core::catalogue::Dialect;
 use probewright_core::control::{Frame, Plane, Units};
-use probewright_core::run::Setup;
+use probewright_core::dialect::Dialect;
+use probewright_core::machine::Setup;
 use probewright_core::workpiece::PartErrors;
 
 /// What the cycle is told to correct, and what has to be active for it.

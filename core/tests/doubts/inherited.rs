@@ -1,7 +1,7 @@
 //! Values that an earlier call left.
 
 use super::{INHERITED, OVERWRITTEN, called, found, tells};
-use probewright_core::catalogue::Dialect;
+use probewright_core::dialect::Dialect;
 
 /// Parameters about which a program raises the doubt that an earlier call left them.
 fn inherited(text: &str) -> Vec<&'static str> {

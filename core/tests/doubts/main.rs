@@ -8,9 +8,9 @@ mod tools;
 mod unsaid;
 mod ways;
 
-use probewright_core::catalogue::Dialect;
 use probewright_core::diagnostic::Code::{self, Own};
 use probewright_core::diagnostic::Diagnostic;
+use probewright_core::dialect::Dialect;
 use probewright_core::program::{findings, read};
 
 /// A hole that is only measured, and its call.

@@ -1,10 +1,10 @@
 //! The tool in use, and whether its probe is calibrated.
 
 use super::{CALIBRATION, EDGE, HOLE, LENGTH, PLANE, TURNED, called, found, tells};
-use probewright_core::catalogue::Dialect;
 use probewright_core::control::delivery;
 use probewright_core::diagnostic::Code::{self, Alarm};
 use probewright_core::diagnostic::{Diagnostic, Severity};
+use probewright_core::dialect::Dialect;
 use probewright_core::program::{findings_on, read};
 
 // oracle: manual A:15848, A:15855, B:4147-4152 (types of probes and of tools)

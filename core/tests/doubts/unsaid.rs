@@ -1,9 +1,9 @@
 //! What nothing in the text says, and its cure.
 
 use super::{COMPENSATION_LATER, DIAMETER, HOLE, NO_TOOL, OPEN, PLANE, RADIUS, called, found, tells};
-use probewright_core::catalogue::Dialect;
 use probewright_core::control::{Control, Edge, delivery};
 use probewright_core::diagnostic::Code;
+use probewright_core::dialect::Dialect;
 use probewright_core::program::change::apply;
 use probewright_core::program::{findings_on, read};
 

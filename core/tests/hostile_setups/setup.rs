@@ -1,8 +1,8 @@
 //! Setup files with members of which each may be what nobody thinks of.
 
 use crate::draw::Draw;
-use probewright_core::catalogue::Dialect;
 use probewright_core::control::{gud, machine_data, nct_data};
+use probewright_core::dialect::Dialect;
 use serde_json::{Map, Value, json};
 
 /// Makes some members of a setup file others.

@@ -3,9 +3,10 @@
 
 use super::draw::{Drawn, some};
 use super::stand::{Stand, stand, typed};
-use probewright_core::catalogue::{Dialect, find};
+use probewright_core::catalogue::find;
 use probewright_core::check::check;
 use probewright_core::control::gud;
+use probewright_core::dialect::Dialect;
 
 /// A measurement in which a switch matters.
 struct Row {

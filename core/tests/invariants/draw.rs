@@ -1,7 +1,9 @@
 //! What is drawn: machine, data, call and part. Plain figures, so that a failure shrinks to the ones that matter.
 
-use probewright_core::catalogue::{CYCLES, Cycle, Dialect, MachineSort, ProbeUse, find};
+use probewright_core::catalogue::{CYCLES, Cycle, ProbeUse, find};
+use probewright_core::control::MachineSort;
 use probewright_core::control::{Plane, Units};
+use probewright_core::dialect::Dialect;
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngSeed, TestCaseError, TestRunner};

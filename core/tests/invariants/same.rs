@@ -5,8 +5,8 @@ use super::stand::{Stand, stand, stand_in};
 use super::view::{View, differs};
 use probewright_core::check::factor;
 use probewright_core::control::Units;
+use probewright_core::machine::trace::Step;
 use probewright_core::run::Outcome;
-use probewright_core::run::trace::Step;
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseError;
 

@@ -5,8 +5,8 @@ use super::stand::Stand;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use probewright_core::control::{BasicFrames, Control, Frame, Plane, Value};
 use probewright_core::geometry::rigid::{angles, rotation};
-use probewright_core::run::Setup;
-use probewright_core::run::setup::PROBE_TOOL;
+use probewright_core::machine::Setup;
+use probewright_core::machine::setup::PROBE_TOOL;
 use probewright_core::workpiece::{Shape, Solid};
 use std::collections::BTreeMap;
 

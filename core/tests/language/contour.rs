@@ -2,9 +2,10 @@
 
 use super::running::{clean_on, go_on};
 use super::{fault, findings, near, setup, turning};
-use probewright_core::run::route::Route;
-use probewright_core::run::trace::Step;
-use probewright_core::run::{Outcome, Setup};
+use probewright_core::machine::Setup;
+use probewright_core::machine::route::Route;
+use probewright_core::machine::trace::Step;
+use probewright_core::run::Outcome;
 use std::f64::consts::TAU;
 
 /// Radius of the mill of these tests, mm.

@@ -3,7 +3,7 @@
 use super::contour::{BEGIN, routes};
 use super::running::clean_on;
 use super::{near, setup};
-use probewright_core::run::route::Route;
+use probewright_core::machine::route::Route;
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 

@@ -3,11 +3,12 @@
 //! here with the reason, and argued in DESIGN.md.
 
 use super::{near, setup};
-use probewright_core::catalogue::Dialect;
 use probewright_core::control::{Tool, Value};
+use probewright_core::dialect::Dialect;
+use probewright_core::machine::Stop;
+use probewright_core::machine::trace::Step;
 use probewright_core::program::read;
-use probewright_core::run::trace::Step;
-use probewright_core::run::{Limits, Outcome, Stop, run};
+use probewright_core::run::{Limits, Outcome, run};
 use std::path::{Path, PathBuf};
 
 /// Names that the other interpreter knows without a declaration; on the control it is an alarm.

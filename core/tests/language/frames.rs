@@ -1,12 +1,13 @@
 //! Programmed frames, frame variables, the swivel cycle.
 
 use super::{at, clean, fault, go, near, number, setup};
-use probewright_core::catalogue::Dialect;
 use probewright_core::diagnostic::Severity;
+use probewright_core::dialect::Dialect;
 use probewright_core::geometry::rigid::rotation;
+use probewright_core::machine::Setup;
+use probewright_core::machine::trace::Step;
 use probewright_core::program::read;
-use probewright_core::run::trace::Step;
-use probewright_core::run::{Limits, Setup, run};
+use probewright_core::run::{Limits, run};
 use probewright_core::workpiece::{PartErrors, Shape, Solid};
 
 // oracle: hand

@@ -18,8 +18,9 @@ mod turning;
 mod values;
 mod words;
 
-use probewright_core::run::trace::Step;
-use probewright_core::run::{Outcome, Setup, Stop};
+use probewright_core::machine::trace::Step;
+use probewright_core::machine::{Setup, Stop};
+use probewright_core::run::Outcome;
 use running::{clean_on, go_on, machine};
 
 /// The machine of these tests at its zero.

@@ -2,9 +2,9 @@
 
 use super::running::{block, go_on};
 use super::{at, clean, fault, feed, findings, go, near, number, setup};
-use probewright_core::run::Stop;
-use probewright_core::run::route::Route;
-use probewright_core::run::trace::{MotionKind, Step};
+use probewright_core::machine::Stop;
+use probewright_core::machine::route::Route;
+use probewright_core::machine::trace::{MotionKind, Step};
 
 /// Places that a clean run passes: a hundred on each motion, its end the last.
 fn points(text: &str) -> Vec<[f64; 3]> {

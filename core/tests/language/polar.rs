@@ -1,7 +1,7 @@
 //! Polar coordinates, constant cutting speed, calls after each motion.
 
 use super::{at, clean, fault, feed, findings, near, number};
-use probewright_core::run::trace::Step;
+use probewright_core::machine::trace::Step;
 
 // oracle: hand: 20 mm at 30 degree are 17.32 and 10
 #[test]

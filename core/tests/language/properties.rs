@@ -2,7 +2,7 @@
 //! limits.
 
 use super::{near, number, setup};
-use probewright_core::catalogue::Dialect;
+use probewright_core::dialect::Dialect;
 use probewright_core::program::read;
 use probewright_core::run::{Limits, Session, run};
 use proptest::prelude::*;
@@ -273,7 +273,7 @@ fn a_run_that_is_left_says_so() {
     assert!(session.share() > 0.0 && session.share() < 1.0);
     let outcome = session.outcome();
     assert!(
-        matches!(&outcome.stop, Some(probewright_core::run::Stop::Fault(message)) if message.key == "run-cancelled")
+        matches!(&outcome.stop, Some(probewright_core::machine::Stop::Fault(message)) if message.key == "run-cancelled")
     );
     assert!(outcome.control.number("R1") > 10.0);
 }

@@ -1,7 +1,7 @@
 //! Programs that call programs of the same text.
 
 use super::{clean, fault, findings, number};
-use probewright_core::run::trace::Step;
+use probewright_core::machine::trace::Step;
 
 // oracle: hand
 #[test]

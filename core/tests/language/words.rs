@@ -1,9 +1,9 @@
 //! Tools, spindle, alarms, operator texts, ends, and what is not understood.
 
 use super::{at, clean, fault, findings, go, messages, near, number, setup};
-use probewright_core::catalogue::Dialect;
+use probewright_core::dialect::Dialect;
+use probewright_core::machine::trace::Step;
 use probewright_core::program::read;
-use probewright_core::run::trace::Step;
 use probewright_core::run::{Limits, run};
 
 // oracle: hand

@@ -2,9 +2,10 @@
 
 use super::running::machine;
 use super::{go, near, number};
-use probewright_core::catalogue::Dialect;
+use probewright_core::dialect::Dialect;
+use probewright_core::machine::Stop;
 use probewright_core::program::read;
-use probewright_core::run::{Limits, Stop, run};
+use probewright_core::run::{Limits, run};
 
 #[test]
 fn flow_goes_its_way() {

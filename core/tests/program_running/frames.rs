@@ -2,7 +2,7 @@
 
 use super::{clean, go, near};
 use probewright_core::diagnostic::Code;
-use probewright_core::run::Stop;
+use probewright_core::machine::Stop;
 
 #[test]
 fn frames_are_used_and_left_out() {

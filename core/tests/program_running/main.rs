@@ -12,7 +12,8 @@ mod random;
 mod running;
 mod values;
 
-use probewright_core::run::{Outcome, Setup};
+use probewright_core::machine::Setup;
+use probewright_core::run::Outcome;
 use running::{block, clean_on, go_on, machine};
 
 fn go(text: &str) -> Outcome {

@@ -2,12 +2,13 @@
 
 use super::running::machine;
 use super::{block_setup, go, near};
-use probewright_core::catalogue::Dialect;
 use probewright_core::control::Frame;
 use probewright_core::diagnostic::Code;
+use probewright_core::dialect::Dialect;
+use probewright_core::machine::Stop;
+use probewright_core::machine::trace::Step;
 use probewright_core::program::read;
-use probewright_core::run::trace::Step;
-use probewright_core::run::{Limits, Stop, run};
+use probewright_core::run::{Limits, run};
 
 #[test]
 fn the_test_of_a_probe_runs_as_printed() {

@@ -2,10 +2,11 @@
 
 use super::running::machine;
 use super::{clean, go, near};
-use probewright_core::catalogue::Dialect;
+use probewright_core::dialect::Dialect;
+use probewright_core::machine::Stop;
+use probewright_core::machine::trace::{MotionKind, Step};
 use probewright_core::program::read;
-use probewright_core::run::trace::{MotionKind, Step};
-use probewright_core::run::{Limits, Stop, run};
+use probewright_core::run::{Limits, run};
 
 #[test]
 fn motion_ends_where_it_says() {

@@ -2,11 +2,12 @@
 
 use super::near;
 use super::running::machine;
-use probewright_core::catalogue::Dialect;
 use probewright_core::control::{Control, Plane};
 use probewright_core::diagnostic::Code;
+use probewright_core::dialect::Dialect;
+use probewright_core::machine::{Setup, Stop};
 use probewright_core::program::read;
-use probewright_core::run::{Limits, Setup, Stop, run};
+use probewright_core::run::{Limits, run};
 use probewright_core::workpiece::{PartErrors, Shape, Solid};
 
 fn edge(control: &Control, number: i64) -> f64 {

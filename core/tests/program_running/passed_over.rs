@@ -1,11 +1,12 @@
 //! What a run cannot read, or does not do: it is named at the end, and nothing is measured with an older value.
 
 use super::{go, number, running};
-use probewright_core::catalogue::Dialect::Sinumerik;
 use probewright_core::diagnostic::Severity;
+use probewright_core::dialect::Dialect::Sinumerik;
+use probewright_core::machine::Stop;
 use probewright_core::program::change::apply;
 use probewright_core::program::{findings, read};
-use probewright_core::run::{Outcome, Stop};
+use probewright_core::run::Outcome;
 use probewright_core::words::Words;
 use proptest::prelude::*;
 

@@ -1,8 +1,8 @@
 //! Tools and their data, expressions, arrays.
 
 use super::{clean, go, near, number};
-use probewright_core::run::Stop;
-use probewright_core::run::trace::Step;
+use probewright_core::machine::Stop;
+use probewright_core::machine::trace::Step;
 
 #[test]
 fn tools_change_with_m6() {

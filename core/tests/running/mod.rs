@@ -2,10 +2,11 @@
 
 mod mill;
 
-use probewright_core::catalogue::Dialect;
 use probewright_core::control::Plane;
+use probewright_core::dialect::Dialect;
+use probewright_core::machine::Setup;
 use probewright_core::program::read;
-use probewright_core::run::{Limits, Outcome, Setup, run};
+use probewright_core::run::{Limits, Outcome, run};
 use probewright_core::workpiece::{PartErrors, Shape, Solid};
 
 /// T9 is the probe, T20 an end mill with radius 10 and length 80.

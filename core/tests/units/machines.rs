@@ -1,9 +1,11 @@
 //! Machines on which the cycles measure, in both basic systems.
 
 use super::{Physical, turning};
-use probewright_core::catalogue::{Cycle, Dialect, MachineSort, ProbeUse};
+use probewright_core::catalogue::{Cycle, ProbeUse};
+use probewright_core::control::MachineSort;
 use probewright_core::control::{Edge, Frame, Plane, Tool, Units};
-use probewright_core::run::Setup;
+use probewright_core::dialect::Dialect;
+use probewright_core::machine::Setup;
 
 /// A machine with something in every place that a measurement reads or corrects; all lengths the same in mm.
 pub fn machine(dialect: Dialect, basic: Units) -> Setup {

@@ -3,11 +3,12 @@
 use super::call::measure;
 use super::machines::machine;
 use super::{BASIC, Physical};
-use probewright_core::catalogue::{Dialect, find};
+use probewright_core::catalogue::find;
 use probewright_core::check::unit_name;
 use probewright_core::control::Units;
+use probewright_core::dialect::Dialect;
+use probewright_core::machine::trace::Step;
 use probewright_core::program;
-use probewright_core::run::trace::Step;
 use probewright_core::run::{Limits, Outcome, run};
 
 // oracle: manual B:2164-2170: 150 mm/min or 5.9055 inch/min with _FA = 1, 300 mm/min or 11.811 inch/min above;

@@ -2,11 +2,12 @@
 
 use super::call::measure;
 use super::{BASIC, Errors, Physical};
-use probewright_core::catalogue::{Cycle, Dialect, find};
+use probewright_core::catalogue::{Cycle, find};
 use probewright_core::check::factor;
 use probewright_core::control::Units;
+use probewright_core::dialect::Dialect;
+use probewright_core::machine::trace::Step;
 use probewright_core::run::Outcome;
-use probewright_core::run::trace::Step;
 use proptest::prelude::*;
 
 /// Everything that can be compared, in mm, mm/min and degree.

@@ -8,9 +8,10 @@ mod round_trip;
 mod same_meaning;
 mod wrong_arguments;
 
-use probewright_core::catalogue::{Cycle, Dialect, Style, find};
+use probewright_core::catalogue::{Cycle, Style, find};
 use probewright_core::check::Typed;
 use probewright_core::control::delivery;
+use probewright_core::dialect::Dialect;
 use probewright_core::program::calls::{CallSite, calls};
 use probewright_core::program::change::{apply, change};
 use probewright_core::program::read;

@@ -2,13 +2,15 @@
 
 use super::written;
 use probewright_core::catalogue::example::example;
-use probewright_core::catalogue::{CYCLES, Cycle, Dialect, MachineSort, Style};
+use probewright_core::catalogue::{CYCLES, Cycle, Style};
 use probewright_core::check::{Typed, check};
+use probewright_core::control::MachineSort;
 use probewright_core::control::{Control, Plane};
+use probewright_core::dialect::Dialect;
+use probewright_core::machine::setup::Setup;
 use probewright_core::message;
 use probewright_core::program::read;
 use probewright_core::program::write::Written;
-use probewright_core::run::setup::Setup;
 use probewright_core::run::{self, Limits};
 use std::collections::BTreeSet;
 

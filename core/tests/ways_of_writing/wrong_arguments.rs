@@ -2,11 +2,12 @@
 
 use super::convert::converted;
 use super::newer::of_calls;
-use probewright_core::catalogue::{CYCLES, Dialect, Style};
+use probewright_core::catalogue::{CYCLES, Style};
 use probewright_core::control::Plane;
 use probewright_core::diagnostic::Severity;
+use probewright_core::dialect::Dialect;
+use probewright_core::machine::setup::Setup;
 use probewright_core::program::read;
-use probewright_core::run::setup::Setup;
 use probewright_core::run::{self, Limits};
 
 /// Keys of the errors of a run of this program on a machine with a calibrated probe.

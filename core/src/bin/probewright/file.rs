@@ -1,10 +1,10 @@
 //! Reading files, the encoding of a program, and which control it is for.
 
 use clap::ValueEnum;
-use probewright_core::catalogue::Dialect;
+use probewright_core::dialect::Dialect;
 use probewright_core::encoding::{Encoding, recognise};
 use probewright_core::json;
-use probewright_core::run::setup::Setup;
+use probewright_core::machine::setup::Setup;
 use probewright_core::words::Words;
 use std::io::{BufWriter, Read, Write};
 use std::path::Path;

@@ -2,7 +2,7 @@
 
 use crate::file::{self, Problem};
 use probewright_core::json::{self, SurfaceName};
-use probewright_core::run::setup::Setup;
+use probewright_core::machine::setup::Setup;
 use probewright_core::scan::Sent;
 use probewright_core::scan::text::{Form, piece};
 use probewright_core::workpiece::free::EXAMPLES;

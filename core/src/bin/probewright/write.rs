@@ -2,14 +2,15 @@
 
 use crate::check::one_line;
 use crate::file::{Problem, complain};
-use probewright_core::catalogue::{self, Cycle, Dialect};
+use probewright_core::catalogue::{self, Cycle};
 use probewright_core::check::{self, Typed};
 use probewright_core::control::Plane;
 use probewright_core::diagnostic::Severity;
+use probewright_core::dialect::Dialect;
 use probewright_core::json;
+use probewright_core::machine::setup::Setup;
 use probewright_core::message::printable;
 use probewright_core::program::write::snippet;
-use probewright_core::run::setup::Setup;
 use probewright_core::words::Words;
 use std::io::Write;
 use std::process::ExitCode;

@@ -12,8 +12,9 @@ pub use results::{angle, integer, length};
 pub use target::{DLNUM, KNUM, KNUM_KIND, OFFSET_DLNUM, OFFSET_TENV, OFFSET_TNAME, OFFSET_TNUM, TENV, TNAME, TNUM};
 
 use super::names;
-use super::{DigitGroup, Kind, Need, Param, Range, Unit, When};
+use super::{DigitGroup, Kind, Need, Param, Unit, When};
 use crate::diagnostic::Code;
+use crate::range::Range;
 
 /// What every parameter starts from: a real number without a unit that nobody needs.
 pub const PARAM: Param = Param {

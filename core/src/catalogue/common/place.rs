@@ -1,8 +1,9 @@
 //! Set values, axes and places that are touched.
 
 use super::{MONO, PARAM, required};
-use crate::catalogue::{Kind, Param, Range, Unit, names};
+use crate::catalogue::{Kind, Param, Unit, names};
 use crate::diagnostic::Code;
+use crate::range::Range;
 
 /// `_SETVAL`; a cycle adds range and label.
 pub const SETVAL: Param =

@@ -11,12 +11,14 @@ mod tests;
 
 use super::common::{alarms, integer};
 use super::{
-    Arg, ArgumentList, Cycle, Dialect, Drawing, Help, MachineSort, NEVER, ProbeUse, Purpose, ResultField, Simulation,
-    Style, Unit, Variant, When, Work, spread,
+    Arg, ArgumentList, Cycle, Drawing, Help, NEVER, ProbeUse, Purpose, ResultField, Simulation, Style, Unit, Variant,
+    When, Work, spread,
 };
 use crate::check::{Inputs, error};
 use crate::control::Control;
+use crate::control::MachineSort;
 use crate::diagnostic::{Code, Diagnostic};
+use crate::dialect::Dialect;
 use crate::evaluate;
 use crate::form::figures::{circle, dimension};
 use crate::form::picture::{Picture, ShapeKind, View};

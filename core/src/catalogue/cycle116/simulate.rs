@@ -7,7 +7,7 @@ use crate::catalogue::sinumerik::results;
 use crate::check::Inputs;
 use crate::control::Control;
 use crate::geometry::fit;
-use crate::run::{Machine, Stop};
+use crate::machine::{Machine, Stop};
 
 /// No circle through the points (A:15857).
 const NO_CIRCLE: u32 = 61316;

@@ -2,11 +2,12 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use crate::catalogue::Dialect;
 use crate::catalogue::sinumerik::testing::random_parts;
 use crate::control::Plane;
+use crate::dialect::Dialect;
+use crate::machine::Setup;
 use crate::program::read;
-use crate::run::{Limits, Outcome, Setup, run};
+use crate::run::{Limits, Outcome, run};
 use proptest::prelude::*;
 
 /// Runs a call with these contents of the array; R1 to R3 are centre and radius, R4 the status, R5 the alarm number.

@@ -14,9 +14,11 @@ mod tests;
 
 use super::common::{alarms, integer};
 use super::{
-    Arg, ArgumentList, Cycle, Dialect, Drawing, Help, MachineSort, NEVER, ProbeUse, Purpose, ResultField, Simulation,
-    Style, Unit, Variant, When, Work,
+    Arg, ArgumentList, Cycle, Drawing, Help, NEVER, ProbeUse, Purpose, ResultField, Simulation, Style, Unit, Variant,
+    When, Work,
 };
+use crate::control::MachineSort;
+use crate::dialect::Dialect;
 
 /// The cycle.
 pub static CYCLE119: Cycle = Cycle {

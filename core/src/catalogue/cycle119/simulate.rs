@@ -10,7 +10,7 @@ use crate::control::variables::AXES;
 use crate::evaluate::position::{NO_FRAME, Position, correctable, position};
 use crate::evaluate::zero_offset::{self, Target};
 use crate::geometry::rigid::angles;
-use crate::run::{Machine, Stop};
+use crate::machine::{Machine, Stop};
 
 /// What stands in `_RES` where no frame was computed (B:8582: below 0).
 const NONE: f64 = -1.0;

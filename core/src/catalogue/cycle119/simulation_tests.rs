@@ -2,12 +2,13 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use crate::catalogue::Dialect;
 use crate::catalogue::sinumerik::testing::random_parts;
 use crate::control::{Control, Frame, Plane};
+use crate::dialect::Dialect;
 use crate::geometry::{V3, rigid};
+use crate::machine::Setup;
 use crate::program::read;
-use crate::run::{Limits, Outcome, Setup, run};
+use crate::run::{Limits, Outcome, run};
 use proptest::prelude::*;
 
 type Triangle = [[f64; 3]; 3];

@@ -8,8 +8,8 @@ use crate::catalogue::place;
 use crate::catalogue::sinumerik::testing::{at, call, run, setup};
 use crate::check::Inputs;
 use crate::control::{Control, Frame, Plane};
-use crate::run::Setup;
-use crate::run::machine::Sim;
+use crate::machine::Setup;
+use crate::machine::sim::Sim;
 use crate::workpiece::{Shape, Solid};
 use proptest::prelude::*;
 

@@ -1,7 +1,8 @@
 //! Parameters of CYCLE961 in the order of the manual's tables (B:7915-7942, B:8052-8072).
 
 use crate::catalogue::common::{self, required};
-use crate::catalogue::{Kind, Need, Param, Range, When, names};
+use crate::catalogue::{Kind, Need, Param, When, names};
+use crate::range::Range;
 
 /// Directions and distances are given, the points follow from them.
 pub const DISTANCES: When = When::Variant(&[105, 106, 107, 108]);

@@ -9,7 +9,7 @@ use crate::catalogue::example::example;
 use crate::catalogue::names;
 use crate::catalogue::sinumerik::testing::{at, call, close, setup};
 use crate::check::{Inputs, check};
-use crate::run::Setup;
+use crate::machine::Setup;
 
 #[test]
 fn the_proposed_part_is_measured_from_the_proposed_start() {

@@ -12,7 +12,7 @@ use crate::check::Inputs;
 use crate::control::Control;
 use crate::evaluate::zero_offset::{self, Measured, Target};
 use crate::geometry::rigid;
-use crate::run::{Machine, Stop};
+use crate::machine::{Machine, Stop};
 
 /// Order in which the points are touched: P2, P1, P3, P4 (B:7998, B:8166).
 const ORDER: [usize; 4] = [1, 0, 2, 3];

@@ -8,8 +8,8 @@ use super::params::PLACES;
 use crate::catalogue::sinumerik::testing::{at, called, close, random_parts, stopped};
 use crate::check::Inputs;
 use crate::control::{Frame, Plane, Units};
-use crate::run::machine::Sim;
-use crate::run::{Setup, Stop};
+use crate::machine::sim::Sim;
+use crate::machine::{Setup, Stop};
 use crate::workpiece::Shape;
 use proptest::prelude::*;
 
@@ -149,7 +149,7 @@ fn without_a_target_nothing_is_corrected() {
 fn an_inch_machine_finds_the_same_corner() {
     // oracle: self (B:1787-1795)
     let (sim, outcome) = corner(|setup, _| {
-        let inch = Setup::calibrated_in(crate::catalogue::Dialect::Sinumerik, Plane::G17, Units::Inch);
+        let inch = Setup::calibrated_in(crate::dialect::Dialect::Sinumerik, Plane::G17, Units::Inch);
         setup.control = inch.control;
     });
     assert_eq!(outcome, Ok(()));

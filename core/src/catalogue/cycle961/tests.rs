@@ -4,10 +4,11 @@
 
 use super::{CYCLE961, VARIANTS};
 use crate::catalogue::example::example;
-use crate::catalogue::{Dialect, Style, Variant};
+use crate::catalogue::{Style, Variant};
 use crate::check::{Typed, check};
 use crate::control::{Control, Units, delivery};
 use crate::diagnostic::{Code, Severity};
+use crate::dialect::Dialect;
 use crate::form::picture::ShapeKind;
 use crate::form::{Entry, fields};
 use crate::program::calls::calls;

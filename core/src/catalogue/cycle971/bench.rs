@@ -6,8 +6,8 @@ use super::CYCLE971;
 use crate::catalogue::sinumerik::testing;
 use crate::check::Inputs;
 use crate::control::{Plane, Units};
-use crate::run::Setup;
-use crate::run::machine::Sim;
+use crate::machine::Setup;
+use crate::machine::sim::Sim;
 use crate::workpiece::noise::Noise;
 use crate::workpiece::tool::{Cut, Cutter, Tool};
 
@@ -29,7 +29,7 @@ pub fn setup(inputs: &Inputs) -> Setup {
 
 /// The same on a machine with this basic system of units.
 pub fn setup_in(inputs: &Inputs, units: Units) -> Setup {
-    let mut setup = Setup::calibrated_in(crate::catalogue::Dialect::Sinumerik, inputs.plane, units);
+    let mut setup = Setup::calibrated_in(crate::dialect::Dialect::Sinumerik, inputs.plane, units);
     setup.suit(&CYCLE971, 0);
     place(setup, inputs)
 }

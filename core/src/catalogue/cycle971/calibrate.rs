@@ -4,7 +4,7 @@ use super::place::Task;
 use crate::catalogue::names;
 use crate::catalogue::sinumerik::measuring_block::Point;
 use crate::catalogue::tool_probe::store::Trigger;
-use crate::run::{Machine, Stop};
+use crate::machine::{Machine, Stop};
 
 /// What was found: trigger points to be stored, and differences that count for the safe area only, mm.
 #[derive(Clone, Debug, Default, PartialEq)]

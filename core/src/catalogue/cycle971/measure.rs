@@ -7,7 +7,7 @@ use crate::catalogue::names;
 use crate::catalogue::sinumerik::measuring_block::Point;
 use crate::catalogue::tool_probe::correct::{Measured, active};
 use crate::evaluate::tool_offset::RADIUS;
-use crate::run::{Machine, Stop};
+use crate::machine::{Machine, Stop};
 
 /// Length or radius, as `_MA` says.
 pub fn measure(machine: &mut dyn Machine, task: &Task) -> Result<Measured, Stop> {

@@ -6,9 +6,9 @@ use super::bench::{call, measured, real, setup};
 use crate::catalogue::sinumerik::motion_testing::{DEPTH_FEED, MEASURING_FEED, PLANE_FEED, lettered, same_lettered};
 use crate::catalogue::sinumerik::testing::{at, called, close, motions, stopped};
 use crate::control::Plane;
-use crate::run::Setup;
-use crate::run::machine::Sim;
-use crate::run::trace::{MotionKind, Step};
+use crate::machine::Setup;
+use crate::machine::sim::Sim;
+use crate::machine::trace::{MotionKind, Step};
 use crate::workpiece::tool::Cutter;
 
 /// The machine with the probe of the manual's examples, at feeds that tell axes apart; the tool at a position of the
@@ -264,7 +264,7 @@ fn the_table_takes_off_the_entry_below() {
     close(&sim, "_OVR[10]", 5.0);
     let (.., sim) = probings(&[], &[("_MT_COMP", 1.0), ("_TP_CF", 1.0)]);
     close(&sim, "_OVR[10]", 5.0);
-    let told = |entry: &crate::run::trace::Entry| {
+    let told = |entry: &crate::machine::trace::Entry| {
         matches!(&entry.step,
         Step::Decision(message) if message.key == "evaluate-compensation-make")
     };

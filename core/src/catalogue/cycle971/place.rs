@@ -10,7 +10,7 @@ use crate::catalogue::tool_probe::ProbeData;
 use crate::catalogue::tool_probe::store::Trigger;
 use crate::check::Inputs;
 use crate::control::{Control, Edge};
-use crate::run::{Machine, Stop};
+use crate::machine::{Machine, Stop};
 
 /// Edge length or diameter of the upper side in `_TP[k,i]` (B:13363).
 const EDGE_LENGTH: usize = 6;

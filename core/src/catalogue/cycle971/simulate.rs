@@ -6,7 +6,7 @@ use super::{calibrate, measure};
 use crate::catalogue::sinumerik::Next;
 use crate::catalogue::tool_probe::{correct, store};
 use crate::check::Inputs;
-use crate::run::{Machine, Stop};
+use crate::machine::{Machine, Stop};
 
 /// Runs the cycle from the present position, from which the probe can be reached.
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {

@@ -5,8 +5,8 @@
 use super::bench::{PLANES, call, displace, measured, name, place, random, real, setup, setup_in, side};
 use crate::catalogue::sinumerik::testing::{alarms, called, close, stopped, touches};
 use crate::control::{Frame, Plane, Units};
-use crate::run::Setup;
-use crate::run::machine::Sim;
+use crate::machine::Setup;
+use crate::machine::sim::Sim;
 use crate::workpiece::noise::Noise;
 use crate::workpiece::tool::Cutter;
 
@@ -161,7 +161,11 @@ fn an_inch_machine_finds_the_same() {
 }
 
 /// How a mill that is so much longer is measured with these data of the control.
-fn judged(longer: f64, values: &[(&'static str, f64)], data: &[(&str, f64)]) -> (Sim, Result<(), crate::run::Stop>) {
+fn judged(
+    longer: f64,
+    values: &[(&'static str, f64)],
+    data: &[(&str, f64)],
+) -> (Sim, Result<(), crate::machine::Stop>) {
     let mut all = vec![("_MA", 3.0), ("_ID", 0.0), ("_TZL", 0.04), ("_TDIF", 1.6), ("_TSA", 2.0)];
     all.extend(values);
     let inputs = call(1, Plane::G17, &all);

@@ -6,9 +6,9 @@ use super::place::Task;
 use crate::catalogue::sinumerik::alarm;
 use crate::catalogue::sinumerik::measuring_block::Point;
 use crate::control::{Control, Units};
+use crate::machine::trace::Step;
+use crate::machine::{Machine, Stop};
 use crate::message::Message;
-use crate::run::trace::Step;
-use crate::run::{Machine, Stop};
 
 /// Speed, 1/min, and feed, mm/min.
 type Probing = (f64, f64);

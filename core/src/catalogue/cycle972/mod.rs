@@ -13,11 +13,11 @@ mod tests;
 use crate::catalogue::common::alarms;
 use crate::catalogue::cycle982::{propose, simulate as measuring};
 use crate::catalogue::sinumerik::alarm;
-use crate::catalogue::{
-    Cycle, Dialect, Drawing, Help, MachineSort, ProbeUse, Purpose, Simulation, Variant, Work, tool_probe,
-};
+use crate::catalogue::{Cycle, Drawing, Help, ProbeUse, Purpose, Simulation, Variant, Work, tool_probe};
 use crate::check::Inputs;
-use crate::run::{Machine, Stop};
+use crate::control::MachineSort;
+use crate::dialect::Dialect;
+use crate::machine::{Machine, Stop};
 
 /// Measuring variants (B:8766-8771).
 pub const VARIANTS: &[Variant] = &[

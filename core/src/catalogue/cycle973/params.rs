@@ -2,8 +2,9 @@
 
 use crate::catalogue::common::{self, required};
 use crate::catalogue::lathe::params as lathe;
-use crate::catalogue::{DigitGroup, Kind, Param, Range, When, names};
+use crate::catalogue::{DigitGroup, Kind, Param, When, names};
 use crate::diagnostic::Code;
+use crate::range::Range;
 
 /// On a surface of the workpiece system.
 pub const SURFACE: When = When::Variant(&[0]);

@@ -16,7 +16,8 @@ mod tests;
 pub use results::RESULTS;
 
 use crate::catalogue::sinumerik;
-use crate::catalogue::{Cycle, Dialect, Drawing, Help, Purpose, Simulation, Variant, Work, common, lathe};
+use crate::catalogue::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work, common, lathe};
+use crate::dialect::Dialect;
 
 /// Measuring variants (B:10455-10459).
 pub const VARIANTS: &[Variant] = &[

@@ -2,7 +2,8 @@
 
 use crate::catalogue::common::{self, required};
 use crate::catalogue::lathe::params as lathe;
-use crate::catalogue::{DigitGroup, Kind, Param, Range, When, names};
+use crate::catalogue::{DigitGroup, Kind, Param, When, names};
+use crate::range::Range;
 
 /// At two places of the turned part, 180 degree apart.
 pub const REVERSAL: When = When::Digit { param: names::MVAR, place: 1000, is: &[1] };

@@ -8,7 +8,7 @@ use crate::catalogue::sinumerik::measuring_block::{Block, Point, all_calibrated,
 use crate::catalogue::sinumerik::one_point::{self, OnePoint};
 use crate::catalogue::sinumerik::target::Target;
 use crate::check::Inputs;
-use crate::run::{Machine, Stop};
+use crate::machine::{Machine, Stop};
 
 /// Runs the cycle from the present position, which is opposite the point.
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {

@@ -7,9 +7,9 @@ use crate::catalogue::sinumerik::motion_testing::{MEASURING_FEED, PLANE_FEED};
 use crate::catalogue::sinumerik::testing::{self, Motion, called, close, motions, run, same, stopped};
 use crate::check::Inputs;
 use crate::control::{Plane, Transverse, Units};
-use crate::run::machine::Sim;
-use crate::run::trace::MotionKind;
-use crate::run::{Setup, Stop};
+use crate::machine::sim::Sim;
+use crate::machine::trace::MotionKind;
+use crate::machine::{Setup, Stop};
 use proptest::prelude::*;
 
 const PLANES: [Plane; 3] = [Plane::G17, Plane::G18, Plane::G19];

@@ -10,7 +10,7 @@ use crate::catalogue::names;
 use crate::catalogue::sinumerik::calibration::{self, Calibration, Trigger};
 use crate::catalogue::sinumerik::measuring_block::{Block, Ray};
 use crate::check::Inputs;
-use crate::run::{Machine, Stop};
+use crate::machine::{Machine, Stop};
 
 /// A hole to be touched.
 struct Hole<'a> {

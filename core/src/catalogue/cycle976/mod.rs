@@ -26,7 +26,8 @@ pub use variants::VARIANTS;
 
 use crate::catalogue::common;
 use crate::catalogue::sinumerik;
-use crate::catalogue::{Cycle, Dialect, Drawing, Help, Purpose, Simulation, When, Work};
+use crate::catalogue::{Cycle, Drawing, Help, Purpose, Simulation, When, Work};
+use crate::dialect::Dialect;
 
 /// The entry. Example: the ring of B:5168-5188.
 pub static CYCLE976: Cycle = Cycle {

@@ -10,8 +10,8 @@ use crate::catalogue::sinumerik::motion_testing::{DEPTH_FEED, MEASURING_FEED, PL
 use crate::catalogue::sinumerik::testing::{Motion, motions, run, same, turns};
 use crate::check::Inputs;
 use crate::control::Plane;
-use crate::run::machine::Sim;
-use crate::run::trace::MotionKind;
+use crate::machine::sim::Sim;
+use crate::machine::trace::MotionKind;
 
 /// What [`moved`] tells: the motions, and the angles to which the spindle was turned.
 type Moved = (Vec<Motion>, Vec<f64>);

@@ -5,12 +5,12 @@
 use super::directions::{angle, directions, in_plane, turned};
 use super::params::{BALL, HOLE, SKEW, UNKNOWN};
 use super::{VARIANTS, propose};
-use crate::catalogue::Dialect;
 use crate::catalogue::sinumerik::testing::{at, call, called, random_parts, run, stopped};
 use crate::check::Inputs;
 use crate::control::{Control, Frame, Plane, Units};
-use crate::run::machine::Sim;
-use crate::run::{Setup, Stop};
+use crate::dialect::Dialect;
+use crate::machine::sim::Sim;
+use crate::machine::{Setup, Stop};
 use proptest::prelude::*;
 
 const PLANES: [Plane; 3] = [Plane::G17, Plane::G18, Plane::G19];

@@ -8,10 +8,10 @@ use super::{CYCLE976, VARIANTS};
 use crate::catalogue::sinumerik::testing::{alarms, run, stopped};
 use crate::check::Inputs;
 use crate::control::Plane;
+use crate::machine::Setup;
+use crate::machine::sim::Sim;
+use crate::machine::trace::{Entry, Step};
 use crate::message::Message;
-use crate::run::Setup;
-use crate::run::machine::Sim;
-use crate::run::trace::{Entry, Step};
 
 #[test]
 fn only_what_lies_between_the_limits_is_stored() {

@@ -6,8 +6,8 @@ use super::tests::{CENTRE, SIZE, hole, inputs, part, ready};
 use crate::catalogue::sinumerik::testing::{alarms, called, close, motions, stopped};
 use crate::check::Inputs;
 use crate::control::Plane;
-use crate::run::Setup;
-use crate::run::trace::{MotionKind, Step};
+use crate::machine::Setup;
+use crate::machine::trace::{MotionKind, Step};
 
 #[test]
 fn alarms_before_the_first_motion() {

@@ -25,7 +25,8 @@ pub use results::RESULTS;
 pub use variants::VARIANTS;
 
 use crate::catalogue::sinumerik;
-use crate::catalogue::{Cycle, Dialect, Drawing, Help, Purpose, Simulation, Work, common};
+use crate::catalogue::{Cycle, Drawing, Help, Purpose, Simulation, Work, common};
+use crate::dialect::Dialect;
 
 /// The entry. Example: the hole of B:6050-6137.
 pub static CYCLE977: Cycle = Cycle {

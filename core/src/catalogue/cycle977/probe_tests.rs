@@ -5,8 +5,8 @@
 use super::tests::{CENTRE, hole};
 use crate::catalogue::sinumerik::testing::{at, close, motions, stopped, turns};
 use crate::control::Plane;
-use crate::run::trace::{MotionKind, Step};
-use crate::run::{Setup, Stop};
+use crate::machine::trace::{MotionKind, Step};
+use crate::machine::{Setup, Stop};
 
 /// The hole in coordinates that are turned by an angle about the tool axis.
 fn turned(setup: &mut Setup, angle: f64) {

@@ -7,7 +7,7 @@ use crate::catalogue::sinumerik::target::Target;
 use crate::catalogue::sinumerik::{Next, alarm, results};
 use crate::check::Inputs;
 use crate::diagnostic::Code;
-use crate::run::{Machine, Stop};
+use crate::machine::{Machine, Stop};
 
 /// Runs the cycle from the present position, which is the set centre.
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {

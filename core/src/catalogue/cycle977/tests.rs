@@ -8,8 +8,8 @@ use crate::catalogue::sinumerik::testing::{
 };
 use crate::check::Inputs;
 use crate::control::{Frame, Plane};
-use crate::run::Setup;
-use crate::run::machine::Sim;
+use crate::machine::Setup;
+use crate::machine::sim::Sim;
 use crate::workpiece::Solid;
 use proptest::prelude::*;
 
@@ -197,7 +197,7 @@ proptest! {
 }
 
 /// Runs a hole with these data and values changed.
-pub(super) fn hole(errors: impl Fn(&mut Setup, &mut Inputs)) -> (Sim, Result<(), crate::run::Stop>) {
+pub(super) fn hole(errors: impl Fn(&mut Setup, &mut Inputs)) -> (Sim, Result<(), crate::machine::Stop>) {
     let mut setup = ready(Plane::G17, 1);
     setup.workpiece.solids.push(part(Plane::G17, 1, false));
     let mut inputs = inputs(1, 1.0);

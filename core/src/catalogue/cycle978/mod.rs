@@ -13,7 +13,8 @@ mod tasks;
 mod tests;
 
 use crate::catalogue::sinumerik;
-use crate::catalogue::{Cycle, Dialect, Drawing, Help, Purpose, Simulation, Variant, Work, common};
+use crate::catalogue::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work, common};
+use crate::dialect::Dialect;
 
 /// Measuring variants (B:6323-6328).
 pub const VARIANTS: &[Variant] = &[

@@ -6,7 +6,7 @@ use crate::catalogue::sinumerik::one_point::{self, OnePoint};
 use crate::catalogue::sinumerik::target::Target;
 use crate::catalogue::sinumerik::{Next, alarm, results};
 use crate::check::Inputs;
-use crate::run::{Machine, Stop};
+use crate::machine::{Machine, Stop};
 
 /// Runs the cycle from the present position, which is opposite the surface.
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {

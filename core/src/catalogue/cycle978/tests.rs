@@ -7,9 +7,9 @@ use crate::catalogue::sinumerik::testing::{
 };
 use crate::check::Inputs;
 use crate::control::Plane;
-use crate::run::machine::Sim;
-use crate::run::trace::MotionKind;
-use crate::run::{Setup, Stop};
+use crate::machine::sim::Sim;
+use crate::machine::trace::MotionKind;
+use crate::machine::{Setup, Stop};
 use crate::workpiece::Shape;
 use proptest::prelude::*;
 

@@ -8,11 +8,11 @@ use crate::catalogue::sinumerik::motion_testing::{DEPTH_FEED, MEASURING_FEED, PL
 use crate::catalogue::sinumerik::testing::{Motion, at, motions, run, same, solid, stopped};
 use crate::control::Plane;
 use crate::geometry::rigid::sin_cos;
+use crate::machine::Stop;
+use crate::machine::sim::Sim;
+use crate::machine::trace::MotionKind::{Measuring, Positioning, Retract};
+use crate::machine::trace::Step;
 use crate::message::Message;
-use crate::run::Stop;
-use crate::run::machine::Sim;
-use crate::run::trace::MotionKind::{Measuring, Positioning, Retract};
-use crate::run::trace::Step;
 use crate::workpiece::Shape;
 
 /// `_RF`.

@@ -1,7 +1,8 @@
 //! Parameters of CYCLE979 in the order of the manual's tables (B:6975-7004, B:7157-7174).
 
 use crate::catalogue::common::{self, TOOL_OFFSET, ZERO_OFFSET, optional, required};
-use crate::catalogue::{DigitGroup, Kind, Need, Param, Range, When, names};
+use crate::catalogue::{DigitGroup, Kind, Need, Param, When, names};
+use crate::range::Range;
 
 /// The element in the first digit of `_MVAR` is one of these.
 pub const fn element(is: &'static [i64]) -> When {

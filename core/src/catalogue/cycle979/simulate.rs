@@ -9,7 +9,7 @@ use crate::catalogue::{circle, names};
 use crate::check::Inputs;
 use crate::geometry::fit;
 use crate::geometry::rigid::sin_cos;
-use crate::run::{Machine, Stop};
+use crate::machine::{Machine, Stop};
 
 /// The element as the call describes it; mm and degree.
 struct Element {

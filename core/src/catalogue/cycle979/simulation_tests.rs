@@ -3,17 +3,18 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::VARIANTS;
-use crate::catalogue::Dialect;
 use crate::catalogue::sinumerik::testing::{
     WIDE_BANDS, alarms, at, call, called, close, element, random_parts, run, setup, solid, stopped, turns,
 };
 use crate::check::Inputs;
 use crate::control::{Frame, Plane};
+use crate::dialect::Dialect;
 use crate::geometry::rigid::sin_cos;
+use crate::machine::Setup;
+use crate::machine::sim::Sim;
+use crate::machine::trace::{MotionKind, Step};
 use crate::program::read;
-use crate::run::machine::Sim;
-use crate::run::trace::{MotionKind, Step};
-use crate::run::{Limits, Setup};
+use crate::run::Limits;
 use crate::workpiece::Solid;
 use proptest::prelude::*;
 
@@ -169,7 +170,7 @@ proptest! {
 }
 
 /// Runs a variant on its part with something changed.
-fn changed(variant: i64, change: impl Fn(&mut Setup, &mut Inputs)) -> (Sim, Result<(), crate::run::Stop>) {
+fn changed(variant: i64, change: impl Fn(&mut Setup, &mut Inputs)) -> (Sim, Result<(), crate::machine::Stop>) {
     let mut setup = ready(Plane::G17, variant, 30.0);
     setup.workpiece.solids.push(part(Plane::G17, variant, 30.0));
     let mut inputs = inputs(variant, 30.0, 80.0, false);

@@ -9,7 +9,7 @@ use crate::catalogue::sinumerik::alarm;
 use crate::catalogue::tool_probe::correct::{Measured, active};
 use crate::check::Inputs;
 use crate::evaluate::tool_offset;
-use crate::run::{Machine, Stop};
+use crate::machine::{Machine, Stop};
 
 /// A milling tool or drill before the probe.
 pub struct Cutter<'a> {

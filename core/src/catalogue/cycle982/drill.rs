@@ -10,7 +10,7 @@ use crate::catalogue::tool_probe::correct::{Measured, active};
 use crate::check::Inputs;
 use crate::control::Plane;
 use crate::geometry::TOLERANCE;
-use crate::run::{Machine, Stop};
+use crate::machine::{Machine, Stop};
 
 /// Axis of the plane in which is measured.
 const APPLICATE: usize = 2;

@@ -6,7 +6,7 @@ use crate::catalogue::names;
 use crate::catalogue::sinumerik::alarm;
 use crate::catalogue::sinumerik::measuring_block::turnable;
 use crate::check::Inputs;
-use crate::run::{Machine, Stop};
+use crate::machine::{Machine, Stop};
 
 /// Turn from one edge to the one opposite, degree.
 const OPPOSITE: f64 = 180.0;

@@ -4,14 +4,16 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::testing::{PROBE, Real, digit, inputs, machine, mount, place};
+use crate::catalogue::find;
 use crate::catalogue::sinumerik::testing::random_parts;
-use crate::catalogue::{Dialect, find};
 use crate::control::Units;
 use crate::control::tools::side;
+use crate::dialect::Dialect;
 use crate::evaluate::tool_offset::RADIUS;
-use crate::run::machine::Sim;
-use crate::run::trace::Step;
-use crate::run::{Outcome, Setup, predict};
+use crate::machine::Setup;
+use crate::machine::sim::Sim;
+use crate::machine::trace::Step;
+use crate::run::{Outcome, predict};
 use proptest::prelude::*;
 
 /// How far before the probe a start lies, mm.

@@ -31,10 +31,10 @@ mod tests;
 mod variants;
 
 use crate::catalogue::common::alarms;
-use crate::catalogue::{
-    Cycle, Dialect, Drawing, Examples, Help, MachineSort, ProbeUse, Purpose, Simulation, When, Work, newer, tool_probe,
-};
+use crate::catalogue::{Cycle, Drawing, Examples, Help, ProbeUse, Purpose, Simulation, When, Work, newer, tool_probe};
+use crate::control::MachineSort;
 use crate::control::machine_data::TOOL_LENGTH_TYPE;
+use crate::dialect::Dialect;
 
 /// What the worked measurement of a variant has beside the example.
 const EXAMPLES: Examples = &[

@@ -5,9 +5,9 @@
 use super::testing::{Real, inputs, machine, mount, place};
 use crate::check::Inputs;
 use crate::control::Units;
-use crate::run::Setup;
-use crate::run::machine::Sim;
-use crate::run::trace::{MotionKind, Step};
+use crate::machine::Setup;
+use crate::machine::sim::Sim;
+use crate::machine::trace::{MotionKind, Step};
 
 /// Motions and turns as words: `x400` goes there in machine coordinates, `[x380]` measures until there and returns,
 /// `s195` turns the spindle.

@@ -8,7 +8,7 @@ use crate::catalogue::tool_probe::correct::Measured;
 use crate::catalogue::tool_probe::store::Trigger;
 use crate::check::Inputs;
 use crate::control::tools::side;
-use crate::run::{Machine, Stop};
+use crate::machine::{Machine, Stop};
 
 /// Cutting edge position of the calibration tool (B:8839).
 const CALIBRATION: i64 = 3;

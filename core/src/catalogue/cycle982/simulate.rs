@@ -12,7 +12,7 @@ use crate::catalogue::sinumerik::{Next, alarm, results};
 use crate::catalogue::tool_probe::correct::Measured;
 use crate::catalogue::tool_probe::{correct, store};
 use crate::check::Inputs;
-use crate::run::{Machine, Stop};
+use crate::machine::{Machine, Stop};
 
 /// Runs the cycle from the present position, beside the probe.
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {

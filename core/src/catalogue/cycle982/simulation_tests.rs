@@ -9,8 +9,8 @@ use crate::check::Inputs;
 use crate::control::Units;
 use crate::control::tools::side;
 use crate::evaluate::tool_offset::RADIUS;
-use crate::run::machine::Sim;
-use crate::run::{Setup, Stop};
+use crate::machine::sim::Sim;
+use crate::machine::{Setup, Stop};
 use proptest::prelude::*;
 
 /// How far before the probe a start lies, mm.

@@ -12,7 +12,7 @@ use crate::check::Inputs;
 use crate::control::Control;
 use crate::evaluate::tool_offset::RADIUS;
 use crate::geometry::TOLERANCE;
-use crate::run::{Machine, Stop};
+use crate::machine::{Machine, Stop};
 
 /// What a touch needs.
 pub struct Stand {

@@ -3,10 +3,10 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::CYCLE982;
-use crate::catalogue::Dialect;
 use crate::check::{Typed, check};
 use crate::control::{Control, Edge, Plane, delivery};
 use crate::diagnostic::{Code, Severity};
+use crate::dialect::Dialect;
 
 type Values = &'static [(&'static str, &'static str)];
 type Found = Vec<(Severity, Code)>;

@@ -2,7 +2,8 @@
 
 use crate::catalogue::common::{self, optional, required};
 use crate::catalogue::lathe::params as lathe;
-use crate::catalogue::{Need, Param, Range, When};
+use crate::catalogue::{Need, Param, When};
+use crate::range::Range;
 
 /// Inside, around a protection zone.
 pub const INSIDE_ZONE: When = When::Variant(&[1]);

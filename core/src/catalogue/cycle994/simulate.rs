@@ -10,7 +10,7 @@ use crate::catalogue::sinumerik::target::Target;
 use crate::catalogue::sinumerik::{Next, alarm};
 use crate::check::Inputs;
 use crate::control::Control;
-use crate::run::{Machine, Stop};
+use crate::machine::{Machine, Stop};
 
 /// The border on which the ball's centre passes from one side to the other (B:10891, B:10986-11001).
 #[derive(Clone, Copy, Debug, PartialEq)]

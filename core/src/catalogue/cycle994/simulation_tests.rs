@@ -7,9 +7,9 @@ use crate::catalogue::sinumerik::motion_testing::{MEASURING_FEED, PLANE_FEED};
 use crate::catalogue::sinumerik::testing::{alarms, close, motions, run, same, stopped};
 use crate::check::Inputs;
 use crate::control::{Plane, Transverse, Units};
-use crate::run::Setup;
-use crate::run::machine::Sim;
-use crate::run::trace::MotionKind::{Measuring, Positioning, Retract};
+use crate::machine::Setup;
+use crate::machine::sim::Sim;
+use crate::machine::trace::MotionKind::{Measuring, Positioning, Retract};
 use proptest::prelude::*;
 
 const PLANES: [Plane; 3] = [Plane::G17, Plane::G18, Plane::G19];

@@ -6,8 +6,8 @@ use super::VARIANTS;
 use super::simulation_tests::{CENTRES, inputs, ready};
 use crate::catalogue::sinumerik::testing::run;
 use crate::control::Plane;
-use crate::run::machine::Sim;
-use crate::run::trace::{MotionKind, Step};
+use crate::machine::sim::Sim;
+use crate::machine::trace::{MotionKind, Step};
 
 const PLANE_FEED: f64 = 1200.0;
 const DEPTH_FEED: f64 = 700.0;

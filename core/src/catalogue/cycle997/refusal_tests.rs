@@ -6,9 +6,9 @@ use super::simulation_tests::{corrected, ready, written};
 use crate::catalogue::sinumerik::testing::{alarms, called, stopped};
 use crate::check::Inputs;
 use crate::control::Plane;
-use crate::run::machine::Sim;
-use crate::run::trace::Step;
-use crate::run::{Setup, Stop};
+use crate::machine::sim::Sim;
+use crate::machine::trace::Step;
+use crate::machine::{Setup, Stop};
 
 /// Runs a variant on a machine and a part that were changed.
 fn changed(variant: i64, target: f64, change: impl Fn(&mut Setup, &mut Inputs)) -> (Sim, Result<(), Stop>) {

@@ -11,9 +11,9 @@ use crate::check::Inputs;
 use crate::evaluate::position::{correctable, position};
 use crate::evaluate::zero_offset::{Measured, Target};
 use crate::geometry::V3;
+use crate::machine::trace::Step;
+use crate::machine::{Machine, Stop};
 use crate::message::Message;
-use crate::run::trace::Step;
-use crate::run::{Machine, Stop};
 
 /// Runs the cycle from the present position, which is above the first sphere at safety height.
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {

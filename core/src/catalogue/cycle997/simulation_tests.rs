@@ -3,14 +3,15 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::VARIANTS;
+use crate::catalogue::find;
 use crate::catalogue::sinumerik::testing::{at, call, random_parts, run, setup, solid};
-use crate::catalogue::{Dialect, find};
 use crate::check::{Inputs, Typed, check};
 use crate::control::{Frame, Plane, Units};
+use crate::dialect::Dialect;
 use crate::geometry::{V3, fit, rigid};
-use crate::run::Setup;
-use crate::run::machine::Sim;
-use crate::run::trace::Step;
+use crate::machine::Setup;
+use crate::machine::sim::Sim;
+use crate::machine::trace::Step;
 use crate::workpiece::Shape;
 use proptest::prelude::*;
 

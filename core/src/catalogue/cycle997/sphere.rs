@@ -8,7 +8,7 @@ use crate::catalogue::sinumerik::measuring_block::{Block, Point, Ray};
 use crate::check::Inputs;
 use crate::geometry::fit;
 use crate::geometry::rigid::sin_cos;
-use crate::run::{Machine, Stop};
+use crate::machine::{Machine, Stop};
 
 /// A sphere as it should be or as it was found, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]

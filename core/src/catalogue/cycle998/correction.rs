@@ -9,7 +9,7 @@ use crate::check::Inputs;
 use crate::control::Control;
 use crate::evaluate::zero_offset::{self, Target};
 use crate::geometry::rigid;
-use crate::run::{Machine, Stop};
+use crate::machine::{Machine, Stop};
 use nalgebra::{Rotation3, Vector3};
 
 /// Where the angle goes.

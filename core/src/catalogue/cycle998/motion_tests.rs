@@ -6,7 +6,7 @@ use crate::catalogue::sinumerik::motion_testing::{DEPTH_FEED, Lettered, PLANE_FE
 use crate::catalogue::sinumerik::testing::{at, call, run, setup, solid, touches, turns};
 use crate::check::Inputs;
 use crate::control::Plane;
-use crate::run::machine::Sim;
+use crate::machine::sim::Sim;
 use crate::workpiece::Shape;
 
 /// A straight block in the corner of the axes: its faces look to minus abscissa, minus ordinate and plus applicate, the

@@ -10,7 +10,7 @@ use crate::catalogue::sinumerik::measuring_block::{Block, Point, same_calibratio
 use crate::catalogue::sinumerik::{Next, alarm, results, tolerance};
 use crate::check::Inputs;
 use crate::evaluate::mean;
-use crate::run::{Machine, Stop};
+use crate::machine::{Machine, Stop};
 
 /// Runs the cycle from the present position, which is opposite the first point.
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {

@@ -8,8 +8,8 @@ use crate::check::Inputs;
 use crate::control::{Control, Frame, Plane};
 use crate::geometry::V3;
 use crate::geometry::rigid::{angles, rotation};
-use crate::run::machine::Sim;
-use crate::run::{Setup, Stop};
+use crate::machine::sim::Sim;
+use crate::machine::{Setup, Stop};
 use crate::workpiece::{PartErrors, Shape, Solid};
 use nalgebra::{Matrix3, Rotation3};
 use proptest::prelude::*;
@@ -345,7 +345,7 @@ fn nothing_is_told_of_a_frame_that_is_right() {
         let (sim, outcome) = edge(|_, inputs| _ = inputs.numbers.insert("_STA1", angle));
         assert_eq!(outcome, Ok(()));
         let steps = sim.trace.entries.iter();
-        steps.filter(|entry| matches!(entry.step, crate::run::trace::Step::Decision(_))).count()
+        steps.filter(|entry| matches!(entry.step, crate::machine::trace::Step::Decision(_))).count()
     };
     assert_eq!((decisions(2.0), decisions(0.0)), (0, 1));
 }
@@ -385,8 +385,11 @@ fn an_inch_machine_measures_the_same_angle() {
     let metric = done(&ready(Plane::G17, &inputs, [0.0; 3], &[12.3, 7.8]), &inputs);
     let mut setup = ready(Plane::G17, &inputs, [0.0; 3], &[12.3, 7.8]);
     let solids = setup.workpiece.solids.clone();
-    let mut inch =
-        crate::run::Setup::calibrated_in(crate::catalogue::Dialect::Sinumerik, Plane::G17, crate::control::Units::Inch);
+    let mut inch = crate::machine::Setup::calibrated_in(
+        crate::dialect::Dialect::Sinumerik,
+        Plane::G17,
+        crate::control::Units::Inch,
+    );
     inch.control.frames = setup.control.frames.clone();
     inch.control.activate(1);
     inch.workpiece.solids = solids;

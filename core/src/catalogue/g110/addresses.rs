@@ -2,8 +2,9 @@
 
 use crate::catalogue::common::{ALWAYS_REQUIRED, PARAM, optional};
 use crate::catalogue::nct::{FORMAT_ERROR, params};
-use crate::catalogue::{Chooses, Need, Param, Range, Unit, When};
+use crate::catalogue::{Chooses, Need, Param, Unit, When};
 use crate::control::Plane;
+use crate::range::Range;
 
 /// The address of the tool axis makes it a boss, whatever its value (C:1076).
 const AXIS: Param = Param { key: "g110-axis", unit: Unit::ActiveLength, source: "C:1076", ..PARAM };

@@ -10,7 +10,7 @@ use crate::catalogue::nct::touch::Calibration;
 use crate::catalogue::nct::walls::{Chord, Outside, Walls, chord, home, travel};
 use crate::catalogue::nct::{self, axis_name, print};
 use crate::check::Inputs;
-use crate::run::{Machine, Stop};
+use crate::machine::{Machine, Stop};
 
 /// What was measured, mm.
 struct Measured {

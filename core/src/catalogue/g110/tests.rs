@@ -3,12 +3,13 @@
 
 use super::{BORE, BOSS, G110};
 use crate::catalogue::g101::G101;
+use crate::catalogue::nct;
 use crate::catalogue::nct::bench::{self, call, near, typed};
-use crate::catalogue::{Dialect, nct};
 use crate::check::check;
 use crate::control::{Frame, Plane};
 use crate::diagnostic::Code;
-use crate::run::{Setup, Stop};
+use crate::dialect::Dialect;
+use crate::machine::{Setup, Stop};
 use crate::workpiece::{PartErrors, Shape, Solid};
 use proptest::prelude::*;
 

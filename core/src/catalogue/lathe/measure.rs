@@ -5,7 +5,7 @@ use crate::catalogue::names;
 use crate::catalogue::sinumerik::{alarm, results};
 use crate::check::Inputs;
 use crate::control::{Control, Plane};
-use crate::run::{Machine, Stop};
+use crate::machine::{Machine, Stop};
 
 /// Results that every call of these cycles begins with (B:16014-16022).
 pub fn begin(machine: &mut dyn Machine, inputs: &Inputs, cycle: i64) {

@@ -1,8 +1,9 @@
 //! Parameters and conditions. Abscissa and ordinate of a turning machine are Z and X, as G18 makes them (B:8718).
 
 use crate::catalogue::common::{self, optional, required};
-use crate::catalogue::{Kind, Need, Param, Range, When, names};
+use crate::catalogue::{Kind, Need, Param, When, names};
 use crate::control::Plane;
+use crate::range::Range;
 
 const fn axis(is: &'static [i64]) -> When {
     When::Digit { param: names::MA, place: 1, is }

@@ -15,7 +15,8 @@ pub use checks::checks;
 pub use picture::{closed, picture};
 
 use super::common::alarms;
-use super::{MachineSort, NEVER, ProbeUse, Purpose};
+use super::{NEVER, ProbeUse, Purpose};
+use crate::control::MachineSort;
 use crate::diagnostic::Code;
 
 /// All cycles of the log.

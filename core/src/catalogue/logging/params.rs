@@ -3,7 +3,8 @@
 
 use super::names;
 use crate::catalogue::common::{PARAM, alarms, optional};
-use crate::catalogue::{Kind, Need, Param, Range, When};
+use crate::catalogue::{Kind, Need, Param, When};
+use crate::range::Range;
 
 /// Longest line of a log, characters (A:15947).
 pub const LONGEST_LINE: f64 = 200.0;

@@ -9,16 +9,18 @@ use crate::catalogue::cycle106::CYCLE106;
 use crate::catalogue::cycle113::CYCLE113;
 use crate::catalogue::cycle118::CYCLE118;
 use crate::catalogue::example::example;
-use crate::catalogue::{Cycle, Dialect, Style};
+use crate::catalogue::{Cycle, Style};
 use crate::check::{Typed, check};
 use crate::control::{Plane, delivery};
 use crate::diagnostic::Code;
+use crate::dialect::Dialect;
+use crate::machine::Setup;
 use crate::own;
 use crate::program::calls::calls;
 use crate::program::change::{apply, change};
 use crate::program::read;
 use crate::program::write::snippet;
-use crate::run::{Limits, Setup, run};
+use crate::run::{Limits, run};
 
 fn typed(cycle: &'static Cycle, changes: &[(&str, &str)]) -> Typed {
     let mut typed = example(cycle, &cycle.variants[0]);

@@ -2,11 +2,13 @@
 //! What the tests of the macros share.
 
 use super::part;
-use crate::catalogue::{Cycle, Dialect};
+use crate::catalogue::Cycle;
 use crate::check::{Typed, check};
 use crate::control::{Frame, Plane, Units};
 use crate::diagnostic::{Code, Severity};
-use crate::run::{Outcome, Setup, predict};
+use crate::dialect::Dialect;
+use crate::machine::Setup;
+use crate::run::{Outcome, predict};
 use crate::workpiece::{PartErrors, Shape};
 
 pub const PLANES: [Plane; 3] = [Plane::G17, Plane::G18, Plane::G19];

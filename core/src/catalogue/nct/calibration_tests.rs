@@ -3,13 +3,13 @@
 
 use super::bench::{PLANES, after, call, codes, length, machine, near, put, stand};
 use super::{TOOL_AXIS, axis_name};
-use crate::catalogue::Dialect;
 use crate::catalogue::g102::{G102, INDEX};
 use crate::catalogue::g103::G103;
 use crate::catalogue::g104::G104;
 use crate::catalogue::nct;
 use crate::control::{Plane, Units};
-use crate::run::{Setup, Stop};
+use crate::dialect::Dialect;
+use crate::machine::{Setup, Stop};
 use crate::workpiece::Shape;
 use proptest::prelude::*;
 

@@ -14,7 +14,7 @@ use crate::check::Inputs;
 use crate::control::{Control, Plane};
 use crate::form::figures::{circle, dimension, line, polygon};
 use crate::form::picture::{Picture, ShapeKind, View};
-use crate::run::{Machine, Stop};
+use crate::machine::{Machine, Stop};
 use crate::workpiece::{Shape, Workpiece};
 
 const fn in_planes(planes: &'static [When]) -> [Need; 1] {

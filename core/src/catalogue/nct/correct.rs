@@ -5,9 +5,9 @@ use crate::check::Inputs;
 use crate::control::Control;
 use crate::control::variables::nct_offset;
 use crate::evaluate::tolerance::exceeds;
+use crate::machine::Machine;
+use crate::machine::trace::Step;
 use crate::message::Message;
-use crate::run::Machine;
-use crate::run::trace::Step;
 
 /// Part of a register that M and T mean.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -16,7 +16,8 @@ use crate::catalogue::g109::{G109, POCKET, WEB};
 use crate::catalogue::nct;
 use crate::check::check;
 use crate::control::{Control, Frame, Plane};
-use crate::run::{Outcome, Setup};
+use crate::machine::Setup;
+use crate::run::Outcome;
 use crate::workpiece::Shape;
 use proptest::prelude::*;
 

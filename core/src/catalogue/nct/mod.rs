@@ -23,13 +23,17 @@ mod measuring_tests;
 #[cfg(test)]
 mod proposal_tests;
 
+pub use crate::machine::{FALSE_TRIGGER, PATH_OBSTRUCTED};
+
 use super::common::{PARAM, optional};
-use super::{Cycle, Dialect, Kind, Need, Param, Range, Unit, When};
+use super::{Cycle, Kind, Need, Param, Unit, When};
 use crate::catalogue;
 use crate::control::{Control, Units};
 use crate::diagnostic::{Code, Diagnostic};
+use crate::dialect::Dialect;
+use crate::machine::{Machine, Stop};
 use crate::own;
-use crate::run::{Machine, Stop};
+use crate::range::Range;
 
 /// A value is missing, out of range, or excludes another (C:1123-1137).
 pub const FORMAT_ERROR: Code = Code::Nct("FORMAT ERROR");
@@ -37,10 +41,6 @@ pub const FORMAT_ERROR: Code = Code::Nct("FORMAT ERROR");
 pub const NO_TOOL_LENGTH: Code = Code::Nct("NO TOOL LENGTH");
 /// The stylus touches before the start (C:125-132).
 pub const STYLUS_IN_CONTACT: Code = Code::Nct("STYLUS IN CONTACT");
-/// The stylus hit something where it must not (C:125-132).
-pub const PATH_OBSTRUCTED: Code = Code::Nct("PATH OBSTRUCTED");
-/// A signal without contact: gone when the stylus stands (C:125-132).
-pub const FALSE_TRIGGER: Code = Code::Nct("FALSE TRIGGER");
 /// The last protected positioning did not reach its target (C:121-123).
 pub const OUT_OF_POSITION: Code = Code::Nct("OUT OF POSITION");
 /// No wall within the overtravel (C:1123-1137).

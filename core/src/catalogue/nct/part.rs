@@ -19,8 +19,8 @@ pub fn in_plane(shape: Shape, at: [f64; 3], control: &Control) -> Solid {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::catalogue::Dialect;
     use crate::control::{Plane, delivery};
+    use crate::dialect::Dialect;
     use crate::geometry::{V3, rigid};
 
     // oracle: definition of the planes (abscissa, ordinate, applicate)

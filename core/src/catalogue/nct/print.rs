@@ -2,8 +2,8 @@
 
 use super::PRINT_ENABLED;
 use crate::check::Inputs;
-use crate::run::Machine;
-use crate::run::trace::Step;
+use crate::machine::Machine;
+use crate::machine::trace::Step;
 
 /// Four decimals, no zero before the point, a blank after the minus sign: `.7810`, `- 15.0000`.
 pub fn number(value: f64) -> String {

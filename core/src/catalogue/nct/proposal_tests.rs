@@ -3,9 +3,10 @@
 
 use super::bench::{along, machine, near};
 use crate::catalogue::example::{example, turned};
-use crate::catalogue::{CYCLES, Cycle, Dialect, ProbeUse, Variant};
+use crate::catalogue::{CYCLES, Cycle, ProbeUse, Variant};
 use crate::check::{check, read};
 use crate::control::{Control, Plane};
+use crate::dialect::Dialect;
 use crate::form::draw;
 use crate::run::predict;
 

@@ -3,13 +3,14 @@
 use super::walls::{across, travel};
 use super::{FORMAT_ERROR, OVERTRAVEL, checks, overtravel, part};
 use crate::catalogue::common::{ALWAYS_REQUIRED, PARAM};
-use crate::catalogue::{Param, Proposal, Range, ResultField, Unit, When};
+use crate::catalogue::{Param, Proposal, ResultField, Unit, When};
 use crate::check::Inputs;
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
 use crate::form::figures::{circle, corners, dimension, frame, line, polygon, ring, round};
 use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
-use crate::run::{Machine, Stop};
+use crate::machine::{Machine, Stop};
+use crate::range::Range;
 use crate::workpiece::{Shape, Workpiece};
 
 /// Diameter of the ring; a macro adds label, usual range and source.

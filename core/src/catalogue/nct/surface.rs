@@ -9,7 +9,7 @@ use crate::check::Inputs;
 use crate::control::{Control, Plane};
 use crate::form::figures::{circle, corners, dimension, line, polygon, rectangle};
 use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
-use crate::run::{Machine, Stop};
+use crate::machine::{Machine, Stop};
 use crate::workpiece::{Shape, Workpiece};
 
 /// Height of a surface across the tool axis: X, in the plane of which it is that axis. Key and place in the manual are

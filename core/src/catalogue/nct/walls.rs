@@ -1,8 +1,8 @@
 //! Walls on both sides of a centre, in one axis of the plane: pocket, web, bore, boss, and the ring of calibration.
 
 use super::touch::{Calibration, POSITIONING, touch};
-use crate::run::trace::MotionKind;
-use crate::run::{Machine, Stop};
+use crate::machine::trace::MotionKind;
+use crate::machine::{Machine, Stop};
 
 /// Where walls are looked for, mm.
 pub struct Walls {

@@ -12,8 +12,10 @@ mod simulate;
 mod tests;
 mod touch;
 
-use super::{Cycle, Dialect, Drawing, Help, MachineSort, ProbeUse, Purpose, Simulation, Variant, When, Work};
+use super::{Cycle, Drawing, Help, ProbeUse, Purpose, Simulation, Variant, When, Work};
+use crate::control::MachineSort;
 use crate::diagnostic::Code;
+use crate::dialect::Dialect;
 
 /// A reference tool calibrates the probe: T0.
 pub const CALIBRATE: i64 = 0;

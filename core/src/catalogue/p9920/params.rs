@@ -3,7 +3,8 @@
 use super::{CALIBRATE, DIAMETER, LENGTH};
 use crate::catalogue::common::{ALWAYS_REQUIRED, PARAM, optional, required};
 use crate::catalogue::nct::NUMBER;
-use crate::catalogue::{Chooses, Kind, Param, Range, Unit, When};
+use crate::catalogue::{Chooses, Kind, Param, Unit, When};
+use crate::range::Range;
 
 const AT_CALIBRATION: When = When::Variant(&[CALIBRATE]);
 const AT_MEASUREMENT: When = When::Variant(&[LENGTH, DIAMETER]);

@@ -8,8 +8,8 @@ use super::{CALIBRATE, DEPRESSED, DIAMETER, MEASURING_DEVICE};
 use crate::catalogue::nct::correct;
 use crate::check::Inputs;
 use crate::control::{Control, Plane, Value};
+use crate::machine::{Machine, Stop};
 use crate::message::Message;
-use crate::run::{Machine, Stop};
 
 /// Carries out the macro. It works along Z whatever the plane is, and leaves G49 (C:1191, C:1258).
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {

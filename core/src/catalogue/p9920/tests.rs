@@ -5,8 +5,9 @@ use super::{CALIBRATE, DEPRESSED, DIAMETER, INCORRECT, LENGTH, MEASURING_DEVICE,
 use crate::catalogue::nct::bench::{PLANES, call, length, near};
 use crate::control::{Edge, Plane, Units};
 use crate::diagnostic::Code;
-use crate::run::trace::{MotionKind, Step};
-use crate::run::{Outcome, Setup, Stop};
+use crate::machine::trace::{MotionKind, Step};
+use crate::machine::{Setup, Stop};
+use crate::run::Outcome;
 use crate::workpiece::tool::{Cut, Cutter, Tool};
 use crate::workpiece::tool_probe::ToolProbe;
 use crate::workpiece::{PartErrors, Shape, Solid};

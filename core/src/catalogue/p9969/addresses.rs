@@ -2,8 +2,9 @@
 
 use crate::catalogue::common::{ALWAYS_REQUIRED, PARAM, optional};
 use crate::catalogue::nct::{FORMAT_ERROR, LENGTH, NUMBER};
-use crate::catalogue::{Param, Range, Unit, When};
+use crate::catalogue::{Param, Unit, When};
 use crate::control::Plane;
+use crate::range::Range;
 
 /// End of the rectangle, or the deepest position in the plane of which it is the tool axis.
 const END: Param = Param {

@@ -11,9 +11,10 @@ use crate::catalogue::nct::{
 };
 use crate::check::Inputs;
 use crate::diagnostic::Code;
-use crate::run::trace::MotionKind;
-use crate::run::{Machine, Stop};
-use crate::scan::{Layout, Scanned, Scanner};
+use crate::machine::Scanner;
+use crate::machine::trace::MotionKind;
+use crate::machine::{Machine, Stop};
+use crate::scan::{Layout, Scanned};
 
 /// Feed where F is not given, mm/min: then the points are right to 0.01 mm (C:1320).
 const RATE: f64 = 120.0;

@@ -3,12 +3,13 @@
 use super::follow;
 use crate::catalogue::nct::correct;
 use crate::check::Inputs;
+use crate::machine::Scanner;
+use crate::machine::too_many;
+use crate::machine::trace::Step;
+use crate::machine::{Machine, Stop};
 use crate::message::Message;
-use crate::run::trace::Step;
-use crate::run::{Machine, Stop};
-use crate::scan::session::too_many;
 use crate::scan::text::{Form, piece};
-use crate::scan::{Cloud, Layout, POINTS, Scanner, Sent, TOLD};
+use crate::scan::{Cloud, Layout, POINTS, Sent, TOLD};
 
 /// What the control does. Of a long scan every motion of the first points is recorded, and their blocks. A form follows
 /// only so many points as a keystroke bears, which is told and no error of the call.

@@ -4,10 +4,11 @@
 
 use super::results;
 use crate::catalogue::common::MONO;
-use crate::catalogue::{MachineSort, names};
+use crate::catalogue::names;
 use crate::check::Inputs;
+use crate::control::MachineSort;
 use crate::control::{Control, Plane};
-use crate::run::Machine;
+use crate::machine::Machine;
 
 /// Notes in the data field of the probe how a call calibrates it.
 pub fn note(machine: &mut dyn Machine, inputs: &Inputs) {
@@ -47,7 +48,7 @@ mod tests {
 
     use super::*;
     use crate::catalogue::sinumerik::testing::{call, setup};
-    use crate::run::machine::Sim;
+    use crate::machine::sim::Sim;
 
     #[test]
     fn another_plane_type_or_reference_is_noticed() {

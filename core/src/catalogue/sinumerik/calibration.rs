@@ -1,14 +1,15 @@
 //! What a calibration found: the results, the comparison with what is stored, the new data (B:5134, B:5090-5118).
 
 use super::{Next, calibrated_as, correct, results, tolerance};
-use crate::catalogue::{MachineSort, names};
+use crate::catalogue::names;
 use crate::check::Inputs;
 use crate::control::Control;
+use crate::control::MachineSort;
 use crate::evaluate::Write;
 use crate::evaluate::tolerance::exceeds;
+use crate::machine::trace::Step;
+use crate::machine::{Machine, Stop};
 use crate::message::Message;
-use crate::run::trace::Step;
-use crate::run::{Machine, Stop};
 
 /// A trigger value.
 #[derive(Clone, Copy, Debug, PartialEq)]

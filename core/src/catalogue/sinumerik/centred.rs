@@ -5,7 +5,7 @@ use super::tolerance::{self, Sizes};
 use super::{Next, correct, results};
 use crate::check::Inputs;
 use crate::evaluate::{tool_offset, zero_offset};
-use crate::run::{Machine, Stop};
+use crate::machine::{Machine, Stop};
 
 /// A value as it should be and as it was measured, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,9 +4,9 @@ use super::tolerance::Sizes;
 use super::{alarm, results};
 use crate::check::Inputs;
 use crate::evaluate::{Write, tool_offset, zero_offset};
+use crate::machine::trace::Step;
+use crate::machine::{Machine, Stop};
 use crate::message::Message;
-use crate::run::trace::Step;
-use crate::run::{Machine, Stop};
 use nalgebra::IsometryMatrix3;
 
 /// Finds the quantity that a tool offset corrects; `axis` where there is one measuring axis. None: `_KNUM` = 0.

@@ -4,7 +4,7 @@
 use super::measuring_block::{Block, Point};
 use super::{alarm, results};
 use crate::check::Inputs;
-use crate::run::{Machine, Stop};
+use crate::machine::{Machine, Stop};
 
 /// What the two touches tell.
 #[derive(Clone, Copy, Debug, PartialEq)]

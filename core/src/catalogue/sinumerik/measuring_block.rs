@@ -12,8 +12,8 @@ pub use ray::Ray;
 use super::alarm;
 use crate::control::Control;
 use crate::geometry::rigid::sin_cos;
-use crate::run::trace::MotionKind;
-use crate::run::{Machine, Stop};
+use crate::machine::trace::MotionKind;
+use crate::machine::{Machine, Stop};
 
 /// Pulled back between the fast and the slow touch, mm (B:13772).
 const PULL_BACK: f64 = 2.0;

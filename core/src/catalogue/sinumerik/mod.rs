@@ -19,7 +19,7 @@ pub mod tolerance;
 pub mod upkeep;
 
 use crate::diagnostic::Code;
-use crate::run::{Machine, Stop};
+use crate::machine::{Machine, Stop};
 
 /// A correction done, or the measurement to be repeated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,8 +4,8 @@
 
 use super::testing::{Motion, motions};
 use crate::control::Plane;
-use crate::run::machine::Sim;
-use crate::run::trace::MotionKind;
+use crate::machine::sim::Sim;
+use crate::machine::trace::MotionKind;
 
 /// `_SPEED[1]` of these tests.
 pub const PLANE_FEED: f64 = 1200.0;

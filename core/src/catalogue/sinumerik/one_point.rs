@@ -6,7 +6,7 @@ use super::tolerance::{self, Sizes};
 use super::{Next, correct, results};
 use crate::check::Inputs;
 use crate::evaluate::{mean, tool_offset, zero_offset};
-use crate::run::{Machine, Stop};
+use crate::machine::{Machine, Stop};
 
 /// What was measured.
 #[derive(Clone, Copy, Debug, PartialEq)]

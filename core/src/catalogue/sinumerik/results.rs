@@ -1,9 +1,11 @@
 //! Result data `_OVR[]` and `_OVI[]`: written to the control and recorded.
 
-use crate::catalogue::{Cycle, Dialect, Unit, names};
+use crate::catalogue::{Cycle, Unit, names};
 use crate::check::Inputs;
+use crate::dialect::Dialect;
+use crate::machine::Machine;
+use crate::machine::trace::Step;
 use crate::message::Message;
-use crate::run::{Machine, trace::Step};
 
 /// The number of the alarm that the last call raised (B:5699).
 pub const ALARM: &str = "_OVI[9]";

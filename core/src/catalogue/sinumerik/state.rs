@@ -1,6 +1,7 @@
 //! What the workpiece cycles demand of the control before anything else (B:4141-4157, A:15840-15935).
 
-use crate::catalogue::{MachineSort, lathe};
+use crate::catalogue::lathe;
+use crate::control::MachineSort;
 use crate::control::{Control, Edge, Frame, Value, gud};
 
 /// Bit of MD28082 for the system frame of the cycles (A:15840, B:1977).
@@ -71,9 +72,9 @@ fn fits(control: &Control, array: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::catalogue::Dialect;
     use crate::control::Plane;
-    use crate::run::Setup;
+    use crate::dialect::Dialect;
+    use crate::machine::Setup;
 
     /// A number, and what the control lacks for it.
     type Case = (u32, fn(&mut Control));

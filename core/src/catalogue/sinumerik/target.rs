@@ -3,7 +3,7 @@
 use super::{correct, tolerance};
 use crate::check::Inputs;
 use crate::evaluate::{tool_offset, zero_offset};
-use crate::run::{Machine, Stop};
+use crate::machine::{Machine, Stop};
 
 /// What is corrected; none of it where `_KNUM` is 0.
 #[derive(Clone, Copy, Debug, PartialEq)]

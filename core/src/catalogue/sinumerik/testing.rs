@@ -2,13 +2,14 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use crate::catalogue::{Dialect, ProbeUse, find, place};
+use crate::catalogue::{ProbeUse, find, place};
 use crate::check::Inputs;
 use crate::control::Plane;
 use crate::diagnostic::Code;
-use crate::run::machine::Sim;
-use crate::run::trace::{MotionKind, Step};
-use crate::run::{Setup, Stop};
+use crate::dialect::Dialect;
+use crate::machine::sim::Sim;
+use crate::machine::trace::{MotionKind, Step};
+use crate::machine::{Setup, Stop};
 use crate::workpiece::{PartErrors, Shape, Solid};
 use nalgebra::{Matrix3, Rotation3};
 use proptest::test_runner::{Config, RngSeed};

@@ -7,9 +7,9 @@ use crate::diagnostic::Code;
 use crate::evaluate::symmetry::{Symmetric, symmetric};
 use crate::evaluate::tolerance::{Bands, Branch, Decision, chain, exceeds};
 use crate::evaluate::{mean, tool_offset};
+use crate::machine::trace::Step;
+use crate::machine::{Machine, Stop};
 use crate::message::Message;
-use crate::run::trace::Step;
-use crate::run::{Machine, Stop};
 
 /// Repetitions after a violated limit (B:13572-13574).
 const REPETITIONS: u32 = 4;

@@ -1,15 +1,16 @@
 //! What a measuring call does with the data of the control before anything else: arrays that stand in the other basic
 //! system are converted (B:13594-13598, B:14059-14061), and arrays are erased on demand (B:13644).
 
-use crate::catalogue::{Cycle, Dialect};
+use crate::catalogue::Cycle;
 use crate::control::delivery::{factor, scaled};
 use crate::control::gud::{self, Block, Element, Gud};
 use crate::control::{Control, Units, Value};
 use crate::diagnostic::Diagnostic;
+use crate::dialect::Dialect;
+use crate::machine::Machine;
+use crate::machine::trace::Step;
 use crate::message::Message;
 use crate::own;
-use crate::run::Machine;
-use crate::run::trace::Step;
 use std::collections::BTreeMap;
 
 /// 1: the next call sets [`ERASED`] and the switch itself to 0 (B:13560, B:13644).
@@ -131,9 +132,10 @@ mod tests {
     use crate::check::{Checked, Typed, check};
     use crate::control::{Plane, rebuilt};
     use crate::diagnostic::{Code, Severity};
+    use crate::machine::Setup;
     use crate::program::calls::calls_on;
     use crate::program::read;
-    use crate::run::{Limits, Outcome, Setup, run};
+    use crate::run::{Limits, Outcome, run};
     use crate::workpiece::{PartErrors, Shape, Solid};
 
     /// A hole, measured twice.

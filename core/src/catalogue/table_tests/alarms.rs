@@ -2,8 +2,9 @@
 
 use super::common_rows;
 use crate::catalogue::alarms::{ALARMS, stops};
-use crate::catalogue::{CYCLES, Cycle, Dialect, find, nct};
+use crate::catalogue::{CYCLES, Cycle, find, nct};
 use crate::diagnostic::Code;
+use crate::dialect::Dialect;
 use std::collections::BTreeSet;
 
 /// Alarms that an entry names beyond the manual, with the reason in DESIGN.md.

@@ -2,6 +2,7 @@
 
 use super::super::*;
 use super::common_rows;
+use crate::dialect::Dialect;
 use std::collections::BTreeMap;
 
 #[test]

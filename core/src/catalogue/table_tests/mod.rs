@@ -17,6 +17,7 @@ use super::*;
 use crate::check::{Typed, check};
 use crate::control::delivery;
 use crate::diagnostic::{Code, Severity};
+use crate::dialect::Dialect;
 use cells::covers;
 use std::collections::BTreeSet;
 use std::path::Path;

@@ -1,10 +1,11 @@
 //! The macros against the tables of the NCT manual.
 
 use super::common_rows;
-use crate::catalogue::{CYCLES, Cycle, Dialect, Param, nct};
+use crate::catalogue::{CYCLES, Cycle, Param, nct};
 use crate::check::Inputs;
 use crate::control::Plane;
 use crate::diagnostic::Code;
+use crate::dialect::Dialect;
 use std::collections::BTreeSet;
 
 /// Variants, addresses and results of each macro, by name.

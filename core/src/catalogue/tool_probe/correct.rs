@@ -6,9 +6,9 @@ use crate::check::Inputs;
 use crate::control::Control;
 use crate::evaluate::tolerance::{RESOLUTION, exceeds};
 use crate::evaluate::{mean, tool_offset};
+use crate::machine::trace::Step;
+use crate::machine::{Machine, Stop};
 use crate::message::Message;
-use crate::run::trace::Step;
-use crate::run::{Machine, Stop};
 
 /// A length or the radius of the tool in use.
 #[derive(Clone, Copy, Debug, PartialEq)]

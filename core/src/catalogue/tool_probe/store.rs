@@ -3,7 +3,7 @@
 use crate::catalogue::names;
 use crate::catalogue::sinumerik::{Next, calibration, results, tolerance};
 use crate::check::Inputs;
-use crate::run::{Machine, Stop};
+use crate::machine::{Machine, Stop};
 
 /// A trigger point.
 #[derive(Clone, Debug, PartialEq)]

@@ -4,9 +4,10 @@
 mod random;
 
 use super::{Checked, Typed, check};
-use crate::catalogue::{Cycle, Dialect, find};
+use crate::catalogue::{Cycle, find};
 use crate::control::{Control, Units, delivery};
 use crate::diagnostic::{Code, Severity};
+use crate::dialect::Dialect;
 use crate::message::Message;
 
 fn typed(values: &[(&str, &str)]) -> Typed {

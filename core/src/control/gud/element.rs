@@ -1,6 +1,6 @@
 //! What one element of a datum means, or a row of them.
 
-use crate::catalogue::Range;
+use crate::range::Range;
 
 /// Where the system of units of a length comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

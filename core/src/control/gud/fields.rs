@@ -1,7 +1,7 @@
 //! How many data fields there are (B:13345-13348), and the gauging blocks (B:13474-13481).
 
 use super::{Element, Gud, Kind, System, Unit, element, gud6};
-use crate::catalogue::Range;
+use crate::range::Range;
 
 /// All of this subject.
 pub(super) const DATA: &[Gud] =

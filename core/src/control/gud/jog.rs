@@ -1,7 +1,7 @@
 //! Measuring in JOG (B:14321-14368).
 
 use super::{Element, Gud, Kind, element, gud6};
-use crate::catalogue::Range;
+use crate::range::Range;
 
 /// All of this subject.
 pub(super) const DATA: &[Gud] =

@@ -1,7 +1,7 @@
 //! Measuring in JOG, block GUD7 (B:14170-14305).
 
 use super::{Element, Gud, Kind, System, Unit, element, gud7};
-use crate::catalogue::Range;
+use crate::range::Range;
 
 /// All of this subject.
 pub(super) const DATA: &[Gud] = &[

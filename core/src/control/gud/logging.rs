@@ -1,7 +1,7 @@
 //! Logging (B:11345-11431, B:13153-13174) and what the control is (`_SI`, B:13681-13687).
 
 use super::{Element, Gud, Kind, element, gud6};
-use crate::catalogue::Range;
+use crate::range::Range;
 
 /// All of this subject.
 pub(super) const DATA: &[Gud] = &[

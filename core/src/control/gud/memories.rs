@@ -1,7 +1,7 @@
 //! Empirical and mean values, and how many there are (B:13097-13098, B:13693-13718).
 
 use super::{Element, Gud, Kind, System, Unit, element, gud5, gud6};
-use crate::catalogue::Range;
+use crate::range::Range;
 
 /// All of this subject.
 pub(super) const DATA: &[Gud] = &[

@@ -1,7 +1,7 @@
 //! Feeds between measurements (B:13726-13734).
 
 use super::{Element, Gud, Kind, System, Unit, element, gud6};
-use crate::catalogue::Range;
+use crate::range::Range;
 
 /// All of this subject.
 pub(super) const DATA: &[Gud] = &[gud6("_SPEED", Kind::Real, &[4], SPEED).channel()];

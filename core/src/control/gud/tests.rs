@@ -1,9 +1,10 @@
 //! The table against the manual's lists, row by row in both directions where these are there.
 #![allow(clippy::unwrap_used)]
 use super::*;
-use crate::catalogue::{CYCLES, Dialect};
+use crate::catalogue::CYCLES;
 use crate::control::machine_data::{self, MACHINE_DATA, MachineDatum};
 use crate::control::{delivery, delivery::factor};
+use crate::dialect::Dialect;
 use crate::message::Message;
 use crate::words::Words;
 

@@ -1,7 +1,7 @@
 //! CYCLE971: monitoring of a turning tool, or feeds and speeds of the user (B:13498-13520).
 
 use super::{Element, Gud, Kind, System, Unit, element, gud6};
-use crate::catalogue::Range;
+use crate::range::Range;
 
 /// All of this subject.
 pub(super) const DATA: &[Gud] = &[gud6("_CM", Kind::Real, &[8], CM), gud6("_MFS", Kind::Real, &[6], MFS)];

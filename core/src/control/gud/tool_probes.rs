@@ -2,7 +2,7 @@
 //! (B:13780-13821).
 
 use super::{Element, Gud, Kind, System, Unit, element, gud6};
-use crate::catalogue::Range;
+use crate::range::Range;
 
 /// All of this subject.
 pub(super) const DATA: &[Gud] = &[

@@ -1,7 +1,7 @@
 //! Workpiece probes: sizes, trigger points, skew (B:13442-13452), stylus ratio for balls (B:13240).
 
 use super::{Element, Gud, Kind, System, Unit, element, gud6};
-use crate::catalogue::Range;
+use crate::range::Range;
 
 /// All of this subject.
 pub(super) const DATA: &[Gud] = &[

@@ -10,7 +10,7 @@ pub use parts::{component, set_component};
 
 use super::rotary::ROTARY;
 use super::{Control, Edge, Frame};
-use crate::catalogue::Dialect;
+use crate::dialect::Dialect;
 use parts::{edge_quantity, part_of, set_edge_quantity, set_part};
 use place::{Place, Store, place, whole_frame};
 

@@ -1,8 +1,8 @@
 //! What a name of a tool or frame variable means: where the quantity is stored.
 
 use super::AXES;
-use crate::catalogue::Dialect;
 use crate::control::rotary::ROTARY;
+use crate::dialect::Dialect;
 
 /// Where a quantity is stored.
 pub(super) enum Place {

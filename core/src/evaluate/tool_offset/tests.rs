@@ -2,9 +2,9 @@
 
 #![allow(clippy::unwrap_used)]
 use super::*;
-use crate::catalogue::Dialect;
 use crate::control::Plane;
 use crate::control::delivery;
+use crate::dialect::Dialect;
 
 fn control() -> Control {
     let mut control = delivery(Dialect::Sinumerik);

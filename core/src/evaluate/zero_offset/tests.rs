@@ -2,8 +2,8 @@
 #![allow(clippy::unwrap_used)]
 
 use super::*;
-use crate::catalogue::Dialect;
 use crate::control::delivery;
+use crate::dialect::Dialect;
 
 fn control() -> Control {
     let mut control = delivery(Dialect::Sinumerik);

@@ -4,7 +4,7 @@ use super::{asked, request};
 use crate::catalogue::ProbeUse;
 use crate::control::Plane;
 use crate::json::*;
-use crate::run::setup::Setup;
+use crate::machine::setup::Setup;
 use serde_json::json;
 
 // oracle: hand: three spheres turned together by 0.1 degree about Z, and nothing else, about the first one

@@ -1,8 +1,9 @@
 //! What has to be in force at a call.
 
 use super::{Seen, at, inherited, unsaid, with_line};
-use crate::catalogue::{MachineSort, ProbeUse, Style, names};
+use crate::catalogue::{ProbeUse, Style, names};
 use crate::check::{self, error, warning};
+use crate::control::MachineSort;
 use crate::control::machine_data::TOOL_LENGTH_TYPE;
 use crate::control::probe::Unfit;
 use crate::control::tools::TURNING;

@@ -149,7 +149,8 @@ fn owner(seen: &Seen, name: &str) -> Option<usize> {
 #[cfg(all(test, feature = "cli"))]
 mod tests {
     use super::*;
-    use crate::catalogue::{CYCLES, Dialect};
+    use crate::catalogue::CYCLES;
+    use crate::dialect::Dialect;
     use crate::words::Words;
     use std::collections::{BTreeMap, BTreeSet};
 

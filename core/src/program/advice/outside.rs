@@ -1,8 +1,9 @@
 //! Programs that this text calls and does not hold: what they leave is not known. Told once, by the sentence with which
 //! a run goes on without them.
 
-use crate::catalogue::{Dialect, nct};
+use crate::catalogue::nct;
 use crate::diagnostic::{Diagnostic, Severity, Span};
+use crate::dialect::Dialect;
 use crate::program::flow::named_outside;
 use crate::program::tree::{Block, Expr, Program, WordKind};
 use crate::run::problem::Problem;

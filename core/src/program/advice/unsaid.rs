@@ -2,7 +2,8 @@
 //! once a program.
 
 use super::{Seen, at_call, between, with_line};
-use crate::catalogue::{MachineSort, ProbeUse, lathe, names};
+use crate::catalogue::{ProbeUse, lathe, names};
+use crate::control::MachineSort;
 use crate::control::Transverse;
 use crate::control::tools::TURNING;
 use crate::diagnostic::Diagnostic;

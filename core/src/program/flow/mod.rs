@@ -15,7 +15,7 @@ pub use language::is_word;
 pub use state::{Mode, State, Tool};
 
 use super::tree::{Block, Program, Word};
-use crate::catalogue::Dialect;
+use crate::dialect::Dialect;
 use crate::run::programs::Programs;
 use passes::Passes;
 use std::collections::HashMap;

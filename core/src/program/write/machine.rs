@@ -123,8 +123,8 @@ fn places(sizes: &[usize]) -> Vec<Vec<usize>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::catalogue::Dialect;
     use crate::control::delivery;
+    use crate::dialect::Dialect;
 
     #[test]
     fn only_what_differs_is_written() {

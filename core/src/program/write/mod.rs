@@ -4,10 +4,11 @@ mod list;
 pub mod machine;
 mod support;
 
-use crate::catalogue::{Cycle, Dialect, Kind, Param, Style};
+use crate::catalogue::{Cycle, Kind, Param, Style};
 use crate::check::{self, Inputs, Parsed, Text, Typed, parse, parse_text};
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
+use crate::dialect::Dialect;
 use crate::support::Support;
 
 /// Widest line of assignments, as in the programs of the manual.

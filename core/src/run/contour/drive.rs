@@ -8,10 +8,10 @@ use super::plane::Plane;
 use crate::control::tools::side;
 use crate::diagnostic::Span;
 use crate::geometry::arc::Around;
-use crate::run::Stop;
+use crate::machine::Stop;
+use crate::machine::route::add;
+use crate::machine::trace::MotionKind;
 use crate::run::interpret::Interpreter;
-use crate::run::route::add;
-use crate::run::trace::MotionKind;
 
 /// A block that waits.
 #[derive(Clone, Copy, Debug)]

@@ -13,14 +13,14 @@ mod plane;
 
 pub use corner::Outside;
 
-use super::Stop;
 use super::interpret::Interpreter;
 use super::modal::Compensation;
 use super::problem::Problem;
-use super::route::{Route, add};
-use super::trace::MotionKind;
-use crate::catalogue::Dialect;
 use crate::diagnostic::Span;
+use crate::dialect::Dialect;
+use crate::machine::Stop;
+use crate::machine::route::{Route, add};
+use crate::machine::trace::MotionKind;
 use crate::message::Message;
 use corner::{Beside, Corner, corner};
 use drive::{Manner, Piece, Waiting, Way};

@@ -3,7 +3,7 @@
 use super::element::{Element, Point, Round};
 use crate::control::Control;
 use crate::geometry::V3;
-use crate::run::route::Route;
+use crate::machine::route::Route;
 
 /// Unit vectors that differ by less are the same.
 const SAME: f64 = 1e-9;

@@ -5,9 +5,9 @@ use crate::catalogue::sinumerik::alarm;
 use crate::diagnostic::Code;
 use crate::geometry::TOLERANCE;
 use crate::geometry::arc::Around;
-use crate::run::route::Route;
-use crate::run::trace::MotionKind;
-use crate::run::{Machine, Stop};
+use crate::machine::route::Route;
+use crate::machine::trace::MotionKind;
+use crate::machine::{Machine, Stop};
 
 /// Whether two coordinates are more than the last bits of a sum apart: what is shorter is no motion.
 fn apart(one: f64, other: f64) -> bool {

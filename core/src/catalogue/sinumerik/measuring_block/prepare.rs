@@ -1,13 +1,13 @@
 //! What a measuring block takes from parameters and data, and what must be true before the first motion.
 
 use super::{Block, Spindle, on_machine, turnable};
-use crate::catalogue::MachineSort;
 use crate::catalogue::common::MONO;
 use crate::catalogue::sinumerik::{alarm, calibrated_as, state};
 use crate::check::Inputs;
+use crate::control::MachineSort;
 use crate::control::{Control, Frame};
 use crate::geometry::{TOLERANCE, V3, rigid};
-use crate::run::{Machine, Stop};
+use crate::machine::{Machine, Stop};
 
 impl Block {
     /// Reads parameters and data and checks what must be true before the first motion (sequence of B:4147-4157).

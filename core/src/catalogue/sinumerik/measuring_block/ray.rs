@@ -6,7 +6,7 @@
 
 use super::{Block, Way};
 use crate::geometry::rigid::sin_cos;
-use crate::run::{Machine, Stop};
+use crate::machine::{Machine, Stop};
 
 /// A surface to be touched along any direction of the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -74,12 +74,12 @@ mod tests {
     #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
     use super::*;
-    use crate::catalogue::MachineSort;
     use crate::catalogue::sinumerik::testing::{at, call, setup, solid, stopped};
+    use crate::control::MachineSort;
     use crate::control::Plane;
-    use crate::run::Setup;
-    use crate::run::machine::Sim;
-    use crate::run::trace::{MotionKind, Step};
+    use crate::machine::Setup;
+    use crate::machine::sim::Sim;
+    use crate::machine::trace::{MotionKind, Step};
     use crate::workpiece::Shape;
     use proptest::prelude::*;
 

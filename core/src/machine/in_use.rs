@@ -1,6 +1,6 @@
 //! The tool in use at a step, as the machine has it: what is drawn of it follows from this.
 
-use super::machine::Sim;
+use super::Sim;
 use crate::control::{Control, Edge, Plane};
 use crate::workpiece::tool::{Cut, Spindle, Tool};
 

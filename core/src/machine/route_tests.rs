@@ -4,7 +4,7 @@
 use super::route::{Obstacle, Route, add};
 use crate::geometry::V3;
 use crate::geometry::arc::Around;
-use crate::run::setup::ideal_probe;
+use crate::machine::setup::ideal_probe;
 use crate::workpiece::contact::Boundary;
 use crate::workpiece::feeler::{Feeler, Touching};
 use crate::workpiece::feeler_tests::{any_solid, boundary, least};

@@ -3,9 +3,9 @@
 use super::Sim;
 use crate::geometry::V3;
 use crate::geometry::stretch::Stretch;
-use crate::run::in_use;
-use crate::run::route::{Obstacle, Route, add};
-use crate::run::trace::{MotionKind, Step};
+use crate::machine::in_use;
+use crate::machine::route::{Obstacle, Route, add};
+use crate::machine::trace::{MotionKind, Step};
 use crate::workpiece::feeler::Touching;
 use crate::workpiece::noise::Noise;
 use crate::workpiece::tool::{Piece, Tool};
@@ -32,7 +32,7 @@ impl Sim {
 
     /// Lets a turning tool that nobody told otherwise lie as the cycle that begins takes its position: `on`, mirrored
     /// in the ordinate (`_CHBIT[23]`, B:14051); and back behind the cycle.
-    pub(in crate::run) fn recode(&mut self, on: bool) {
+    pub(crate) fn recode(&mut self, on: bool) {
         let place = self.control.active_place();
         if on == self.recoded || self.told_tools.contains(&place) {
             return;
@@ -46,7 +46,7 @@ impl Sim {
     }
 
     /// Whether it lies so now.
-    pub(in crate::run) fn recoded(&self) -> bool {
+    pub(crate) fn recoded(&self) -> bool {
         self.recoded
     }
 
@@ -61,7 +61,7 @@ impl Sim {
     }
 
     /// The tool in use as it is, where it was told or has moved.
-    pub(in crate::run) fn real_tool(&self) -> Option<&Tool> {
+    pub(crate) fn real_tool(&self) -> Option<&Tool> {
         self.real_tools.get(&self.control.active_place())
     }
 
@@ -130,11 +130,11 @@ fn share(way: &Route, length: f64) -> f64 {
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
-    use crate::catalogue::Dialect;
     use crate::control::{Edge, Plane};
     use crate::diagnostic::Code;
+    use crate::dialect::Dialect;
     use crate::geometry::arc::Around;
-    use crate::run::{Machine, Setup, Stop};
+    use crate::machine::{Machine, Setup, Stop};
     use crate::workpiece::tool::{Cut, Cutter};
     use crate::workpiece::{PartErrors, Shape, Solid};
 

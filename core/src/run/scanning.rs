@@ -1,11 +1,10 @@
 //! A scan in pieces, so that whoever waits for it can be told how far it is, and leave it; then the comparison of what
 //! was scanned with the true surface.
 
-use super::{Cloud, Layout, POINTS, Scanner};
 use crate::check::Inputs;
-use crate::message::Message;
-use crate::run::machine::Sim;
-use crate::run::{Machine, Setup, Stop};
+use crate::machine::sim::Sim;
+use crate::machine::{Machine, Scanner, Setup, Stop, too_many};
+use crate::scan::{Cloud, Layout, POINTS};
 
 /// Part of the work that scanning is; the rest is the comparison.
 const SCANNING: f64 = 0.75;
@@ -129,9 +128,4 @@ impl Session {
     pub fn to_machine(&self, point: [f64; 3]) -> [f64; 3] {
         self.sim.control.to_machine(point)
     }
-}
-
-/// More points than can be held.
-pub fn too_many(limit: usize) -> Stop {
-    Stop::Fault(Message::new("run-scan-limit").number("limit", limit as f64))
 }

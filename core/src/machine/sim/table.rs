@@ -4,10 +4,10 @@ use super::Sim;
 use crate::geometry::V3;
 use crate::geometry::arc::Around;
 use crate::geometry::rod::Rod;
+use crate::machine::Stop;
+use crate::machine::route::{Obstacle, Route, add};
+use crate::machine::trace::Step;
 use crate::message::Message;
-use crate::run::Stop;
-use crate::run::route::{Obstacle, Route, add};
-use crate::run::trace::Step;
 use crate::workpiece::Workpiece;
 use crate::workpiece::feeler::{Feeler, Touching};
 

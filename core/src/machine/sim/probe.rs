@@ -1,14 +1,14 @@
 //! The simulated machine with a probe that touches the part.
 
 use super::Sim;
-use crate::catalogue::{Dialect, nct};
 use crate::control::Edge;
 use crate::control::tools::LATHE_PROBE;
 use crate::diagnostic::Code;
+use crate::dialect::Dialect;
+use crate::machine::route::{Obstacle, Route, add};
+use crate::machine::trace::{MotionKind, Step};
+use crate::machine::{FALSE_TRIGGER, PATH_OBSTRUCTED, Stop};
 use crate::message::Message;
-use crate::run::Stop;
-use crate::run::route::{Obstacle, Route, add};
-use crate::run::trace::{MotionKind, Step};
 use crate::workpiece::feeler::{Feeler, Touching};
 use crate::workpiece::probe::{Stand, ball_offset, touch};
 use crate::workpiece::tool::Tool;
@@ -161,8 +161,8 @@ impl Sim {
     pub(super) fn collision(&self) -> Code {
         match (self.control.dialect, self.touching) {
             (Dialect::Sinumerik, _) => Code::Alarm(61302), // B:13743-13763
-            (Dialect::Nct, true) => nct::PATH_OBSTRUCTED,
-            (Dialect::Nct, false) => nct::FALSE_TRIGGER,
+            (Dialect::Nct, true) => PATH_OBSTRUCTED,
+            (Dialect::Nct, false) => FALSE_TRIGGER,
         }
     }
 }

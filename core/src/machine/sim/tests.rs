@@ -1,9 +1,9 @@
 //! The simulated machine: touches, collisions, limits.
 #![allow(clippy::unwrap_used, clippy::panic)]
 use super::*;
-use crate::catalogue::Dialect;
 use crate::control::{Frame, Plane};
 use crate::diagnostic::Code;
+use crate::dialect::Dialect;
 use crate::workpiece::{PartErrors, ProbeBody, Shape, Solid};
 
 /// A cube of 100 mm whose upper face is Z = 0 of the machine.

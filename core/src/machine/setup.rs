@@ -1,0 +1,139 @@
+//! What a run starts from: the control, the probe as it really is, the part, and where the machine stands.
+
+use crate::control::machine_data::TOOL_LENGTH_TYPE;
+use crate::control::tools::{AS_TURNING_TOOL, LATHE_PROBE};
+use crate::control::{Control, Edge, Plane, Transverse, Units, delivery_in};
+use crate::dialect::Dialect;
+use crate::workpiece::seen::Turret;
+use crate::workpiece::tool::Tool;
+use crate::workpiece::tool_probe::ToolProbe;
+use crate::workpiece::{Probe, Workpiece};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Everything that a run starts from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Setup {
+    /// State of the control.
+    pub control: Control,
+    /// The probe as it is.
+    pub probe: Probe,
+    /// The part.
+    pub workpiece: Workpiece,
+    /// The tool probes of the machine as they are.
+    pub tool_probes: Vec<ToolProbe>,
+    /// Tools that are otherwise than their data say, by T and D number.
+    pub real_tools: BTreeMap<(i64, i64), Tool>,
+    /// What carries the tools of a turning machine.
+    pub turret: Turret,
+    /// Where the point to which the tool length refers stands, machine (basic) coordinates X Y Z, mm.
+    pub position: [f64; 3],
+    /// Skip levels 0 to 9 that are switched on at the panel: blocks with `/`, `/1` to `/9` are left out.
+    pub skip: BTreeSet<u8>,
+}
+
+/// T number of the probe in [`Setup::calibrated`], as in the programs of the manual (B:5855).
+pub const PROBE_TOOL: i64 = 9;
+/// Length register of the probe in [`Setup::calibrated`] on NCT, as in the programs of the manual (C:1159).
+pub const PROBE_REGISTER: i64 = 98;
+
+/// The pair of reference grooves of the turning machine, `_KB[0,0]` to `[0,6]`, mm: the first as in B:10275-10285, the
+/// second turned by 90 degree.
+const REFERENCE_GROOVES: [f64; 7] = [60.123, 50.054, 15.021, 40.118, 30.047, 32.015, 20.015];
+
+impl Setup {
+    /// A metric control as delivered with a calibrated ideal probe in the spindle (ball 6 mm, L1 50 mm: B:5855,
+    /// B:16259; on NCT the length is that to the end of the ball), nothing to touch, and the machine far above.
+    pub fn calibrated(dialect: Dialect, plane: Plane) -> Setup {
+        Setup::calibrated_in(dialect, plane, Units::Metric)
+    }
+
+    /// The same on a machine with this basic system of units.
+    pub fn calibrated_in(dialect: Dialect, plane: Plane, units: Units) -> Setup {
+        let mut control = delivery_in(dialect, units);
+        control.plane = plane;
+        let edge = Edge { kind: 710, length: [50.0, 0.0, 0.0], radius: 3.0, ..Edge::default() };
+        match dialect {
+            Dialect::Sinumerik => {
+                let tool = control.tools.entry(PROBE_TOOL).or_default();
+                tool.name = "PROBE".into();
+                tool.edges.insert(1, edge);
+                (control.tool, control.edge) = (PROBE_TOOL, 1);
+            }
+            Dialect::Nct => {
+                let tip = [edge.length[0] + edge.radius, 0.0, 0.0]; // G104 makes it so: no axial radius is kept
+                *control.register_mut(PROBE_REGISTER) = Edge { length: tip, ..edge };
+                control.edge = PROBE_REGISTER;
+                for name in ["#500", "#501", "#502", "#503"] {
+                    control.set(name, 3.0 / units.factor()); // ball radius by axis and direction, C:304-307
+                }
+            }
+        }
+        let settable = control.settable;
+        control.activate(settable);
+        let [_, _, applicate] = plane.axes();
+        let mut position = [0.0; 3];
+        position[applicate] = 500.0;
+        Setup {
+            control,
+            probe: ideal_probe(),
+            workpiece: Workpiece::default(),
+            tool_probes: Vec::new(),
+            real_tools: BTreeMap::new(),
+            turret: Turret::default(),
+            position,
+            skip: BTreeSet::new(),
+        }
+    }
+}
+
+impl Setup {
+    /// A turning machine with the probe of the manual's examples in its turret, calibrated (B:10695-10709): T9, type
+    /// 580, position 7; X in diameters.
+    pub fn turning(plane: Plane) -> Setup {
+        Setup::turning_in(plane, Units::Metric)
+    }
+
+    /// The same on a machine with this basic system of units.
+    pub fn turning_in(plane: Plane, units: Units) -> Setup {
+        let mut setup = Setup::calibrated_in(Dialect::Sinumerik, plane, units);
+        setup.make_turning();
+        setup.mount_turning_probe();
+        setup
+    }
+
+    /// X in diameters, and every tool as long as a turning tool (B:828).
+    pub(crate) fn make_turning(&mut self) {
+        self.control.transverse = Transverse::Diameter;
+        if !self.control.data.contains_key(TOOL_LENGTH_TYPE) {
+            self.control.set(TOOL_LENGTH_TYPE, AS_TURNING_TOOL);
+        }
+    }
+
+    /// The probe in the turret, and the grooves in which it is calibrated.
+    pub(crate) fn mount_turning_probe(&mut self) {
+        let edge = Edge { kind: LATHE_PROBE, tip: 7, length: [40.123, 100.456, 0.0], radius: 3.0, ..Edge::default() };
+        let tool = self.control.tools.entry(PROBE_TOOL).or_default();
+        tool.edges.insert(1, edge);
+        for (index, value) in REFERENCE_GROOVES.into_iter().enumerate() {
+            let name = format!("_KB[0,{index}]");
+            if self.control.number(&name) == 0.0 {
+                self.control.set(name, value / self.control.basic_factor());
+            }
+        }
+    }
+}
+
+/// A probe without errors: ball 6 mm, 50 mm long.
+pub fn ideal_probe() -> Probe {
+    Probe {
+        radius: 3.0,
+        length: 50.0,
+        skew: [0.0; 2],
+        pre_travel: (0.0, 0.0),
+        delay: 0.0,
+        repeatability: (0.0, 1),
+        false_signal: None,
+        stylus: None,
+        body: None,
+    }
+}
